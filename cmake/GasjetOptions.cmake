@@ -1,0 +1,20 @@
+# SPDX-License-Identifier: Apache-2.0
+# Compiler options shared by every Gasjet target; included by each library, so that each builds alone.
+include_guard(GLOBAL)
+
+if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
+  set(CMAKE_BUILD_TYPE Release CACHE STRING "Build type" FORCE)
+endif()
+option(GASJET_WERROR "Treat compiler warnings as errors" OFF)
+option(GASJET_SANITIZE "Build with AddressSanitizer and UndefinedBehaviorSanitizer" OFF)
+
+add_library(gasjet_options INTERFACE)
+target_compile_features(gasjet_options INTERFACE cxx_std_20)
+# Bitwise reproducibility: no contraction, no -ffast-math. The two -fno flags change no value.
+target_compile_options(gasjet_options INTERFACE
+  -Wall -Wextra -Wpedantic -Wshadow -Wconversion
+  -ffp-contract=off -fno-math-errno -fno-trapping-math
+  $<$<BOOL:${GASJET_WERROR}>:-Werror>
+  $<$<BOOL:${GASJET_SANITIZE}>:-fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer>)
+target_link_options(gasjet_options INTERFACE
+  $<$<BOOL:${GASJET_SANITIZE}>:-fsanitize=address,undefined>)
