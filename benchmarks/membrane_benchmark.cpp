@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: Apache-2.0
+// Stages S1, S6, S8 and S9 of the bag, one thread. time_per_element counts all 2744 elements; the other
+// counters are the physics of the state and how well its identities hold.
+#include <benchmark/benchmark.h>
+
+#include <Eigen/Geometry>
+#include <cmath>
+
+#include "membrane/stages.hpp"
+#include "membrane/time_step.hpp"
+#include "passenger_states.hpp"
+
+namespace {
+
+using benchmarks::PassengerState;
+using benchmarks::Shape;
+
+const PassengerState& saved(benchmark::State& run) {
+  const auto shape = static_cast<Shape>(run.range(0));
+  run.SetLabel(benchmarks::name_of(shape));
+  return benchmarks::passenger_state(shape);
+}
+
+void count_elements(benchmark::State& run, const PassengerState& p, double stages_per_round = 1.0) {
+  run.counters["time_per_element"] =
+      benchmark::Counter(stages_per_round * p.model.element_count,
+                         benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+}
+
+void BM_surface(benchmark::State& run) {
+  const PassengerState& p = saved(run);
+  membrane::BagState state = p.state;
+  for (auto _ : run) {
+    membrane::update_surface(p.model, state);
+    benchmark::ClobberMemory();
+  }
+  count_elements(run, p);
+  const double volume = membrane::enclosed_volume(p.state.position.map(), p.bag.mesh.elements);
+  run.counters["volume_litres"] = 1e3 * state.surface.volume;
+  run.counters["volume_error"] = std::abs(state.surface.volume / volume - 1.0);
+  // x . dV/dx = 3 V (M.5)
+  const double gradient = state.position.map().cwiseProduct(state.volume_gradient.map()).sum();
+  run.counters["gradient_error"] = std::abs(gradient / (3.0 * volume) - 1.0);
+}
+
+void BM_membrane_forces(benchmark::State& run) {
+  const PassengerState& p = saved(run);
+  membrane::BagState state = p.state;
+  for (auto _ : run) {
+    membrane::membrane_forces(p.model, state);
+    benchmark::ClobberMemory();
+  }
+  count_elements(run, p);
+  const auto f = state.membrane_force.map();
+  run.counters["strain_energy_J"] = state.forces.strain_energy;
+  run.counters["force_sum_error"] = f.rowwise().sum().norm() / f.colwise().norm().sum();
+}
+
+void BM_support_and_pressure_forces(benchmark::State& run) {
+  const PassengerState& p = saved(run);
+  membrane::BagState state = p.state;
+  for (auto _ : run) {
+    membrane::support_forces(p.model, state);
+    membrane::pressure_forces(state, p.gauge_pressure);
+    benchmark::ClobberMemory();
+  }
+  count_elements(run, p);
+  run.counters["strap_N"] = state.strap_tension.front();
+}
+
+void BM_jet_forces(benchmark::State& run) {
+  const PassengerState& p = saved(run);
+  membrane::BagState state = p.state;
+  const std::vector<double> overpressure(static_cast<std::size_t>(p.model.element_count), 1e3);  // [Pa]
+  for (auto _ : run) {
+    membrane::jet_forces(p.model, state, overpressure);
+    benchmark::ClobberMemory();
+  }
+  count_elements(run, p);
+  // Uniform overpressure: 1 kPa times dV/dx.
+  const auto exact = 1e3 * state.volume_gradient.map();
+  run.counters["force_error"] = (state.jet_force.map() - exact).norm() / exact.norm();
+}
+
+void BM_critical_step(benchmark::State& run) {
+  const PassengerState& p = saved(run);
+  double step = 0.0;
+  for (auto _ : run) {
+    step = membrane::critical_time_step(membrane::stiffness_shares(
+        p.model, p.state, benchmarks::kGamma, benchmarks::kAmbientPressure + p.gauge_pressure));
+    benchmark::ClobberMemory();
+  }
+  run.counters["step_us"] = 1e6 * step;
+}
+
+// The saved state is restored every kRounds advances: positions stay near it, and copying it is not timed.
+void BM_advance(benchmark::State& run) {
+  constexpr int kRounds = 64;
+  const PassengerState& p = saved(run);
+  membrane::BagState state = p.state;
+  double worst = 0.0;
+  for (auto _ : run) {
+    run.PauseTiming();
+    state.position = p.state.position;
+    state.velocity = p.state.velocity;
+    run.ResumeTiming();
+    for (int i = 0; i < kRounds; ++i) membrane::advance(p.model, state, 1e-6, 1e-6);
+    const auto& sums = state.advance;
+    const double gap = sums.kinetic_after - sums.kinetic_before - sums.work.total();
+    worst = std::max(worst, std::abs(gap) / (std::abs(sums.work.total()) + sums.kinetic_after));
+  }
+  count_elements(run, p, kRounds);
+  run.counters["ledger_error"] = worst;  // kick form
+}
+
+// One step of the bag under constant gauge pressure: S1/S9, S6, S8.
+void BM_bag_step(benchmark::State& run) {
+  constexpr int kRounds = 16;
+  const PassengerState& p = saved(run);
+  membrane::BagState state = p.state;
+  for (auto _ : run) {
+    run.PauseTiming();
+    state.position = p.state.position;
+    state.velocity = p.state.velocity;
+    run.ResumeTiming();
+    for (int i = 0; i < kRounds; ++i) {
+      membrane::update_surface(p.model, state);
+      membrane::membrane_forces(p.model, state);
+      membrane::support_forces(p.model, state);
+      membrane::pressure_forces(state, p.gauge_pressure);
+      membrane::advance(p.model, state, 1e-5, 1e-5);
+    }
+  }
+  count_elements(run, p, kRounds);
+  run.counters["volume_litres"] = 1e3 * state.surface.volume;
+}
+
+void shapes(benchmark::internal::Benchmark* b) {
+  b->DenseRange(0, benchmarks::kShapes - 1)->Unit(benchmark::kMicrosecond);
+}
+BENCHMARK(BM_surface)->Apply(shapes);
+BENCHMARK(BM_membrane_forces)->Apply(shapes);
+BENCHMARK(BM_support_and_pressure_forces)->Apply(shapes);
+BENCHMARK(BM_jet_forces)->Apply(shapes);
+BENCHMARK(BM_critical_step)->Apply(shapes);
+BENCHMARK(BM_advance)->Apply(shapes);
+BENCHMARK(BM_bag_step)->Apply(shapes);
+
+}  // namespace

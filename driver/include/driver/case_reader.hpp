@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: Apache-2.0
+// Strict reading of a case file (TOML): every value is checked where it stands, every unknown or missing key
+// is an error `file:line:column: key: what is wrong, what is allowed`, every default taken is remembered for
+// `gasjet check`.
+#pragma once
+
+#include <Eigen/Core>
+#include <filesystem>
+#include <functional>
+#include <limits>
+#include <map>
+#include <memory>
+#include <optional>
+#include <set>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace toml {
+inline namespace v3 {
+class table;
+class node;
+}  // namespace v3
+}  // namespace toml
+
+namespace driver {
+
+/// The case file, a file it names or an override is wrong (exit code 2); what() is the whole message.
+class CaseError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// Allowed range of a number; `text` says it to the user. All numbers must be finite.
+struct Bounds {
+  double low = -std::numeric_limits<double>::max();
+  double high = std::numeric_limits<double>::max();
+  bool open_low = false;  // low itself is not allowed
+  const char* text = "a finite number";
+};
+inline constexpr Bounds any_number{};
+inline constexpr Bounds positive{0.0, std::numeric_limits<double>::max(), true, "a number above 0"};
+inline constexpr Bounds non_negative{0.0, std::numeric_limits<double>::max(), false, "a number of 0 or more"};
+inline constexpr Bounds fraction{0.0, 1.0, false, "a number from 0 to 1"};
+inline constexpr Bounds positive_fraction{0.0, 1.0, true, "a number above 0, at most 1"};
+
+/// One value that the case uses, as given or by default.
+struct Setting {
+  std::string path;
+  std::string value;
+  bool is_default;
+};
+
+/// A piecewise linear curve as given: knots in s, values in the unit of its key.
+struct CurveData {
+  std::vector<double> time;
+  std::vector<double> value;
+};
+
+struct CaseLog;  // settings read so far and the folder of the case file
+
+/// One table of the case file. Read every key once, then call finish(), which refuses keys that nobody asked
+/// for.
+class TableReader {
+ public:
+  TableReader(const toml::table& table, std::string path, std::string where, CaseLog& log);
+
+  bool has(const std::string& key) const;
+  double number(const std::string& key, Bounds bounds);
+  double number(const std::string& key, Bounds bounds, double fallback);
+  std::optional<double> optional_number(const std::string& key, Bounds bounds);
+  int integer(const std::string& key, int low, int high, int fallback);
+  bool flag(const std::string& key, bool fallback);
+  std::string text(const std::string& key);
+  std::string text(const std::string& key, const std::string& fallback);
+  std::vector<double> numbers(const std::string& key, Bounds bounds);
+  std::vector<std::string> texts(const std::string& key);
+  Eigen::Vector3d vector(const std::string& key);
+  Eigen::Vector3d vector(const std::string& key, const Eigen::Vector3d& fallback);
+  /// A number (constant curve: empty `time`), { time = [..], value = [..] } or { file = "curve.csv", column =
+  /// "name" }.
+  CurveData curve(const std::string& key, Bounds value_bounds);
+  /// { name = fraction, ... }: each in (0, 1], summing to 1 within 1e-9; returned as given.
+  std::map<std::string, double> composition(const std::string& key);
+
+  /// One of the names in `choices`; the empty fallback makes the key required.
+  template <typename Value>
+  Value choice(const std::string& key, const std::vector<std::pair<std::string, Value>>& choices,
+               const std::string& fallback = {}) {
+    std::vector<std::string> names;
+    for (const auto& entry : choices) names.push_back(entry.first);
+    return choices[choice_index(key, names, fallback)].second;
+  }
+
+  TableReader table(const std::string& key);
+  std::optional<TableReader> optional_table(const std::string& key);
+  std::vector<TableReader> tables(const std::string& key);  // [[key]], possibly none
+
+  /// Refuses every key of this table that no call above has asked for.
+  void finish() const;
+
+  /// `file:line:column: path.key: message`, at the key when it is there, else at the table.
+  [[noreturn]] void fail(const std::string& key, const std::string& message) const;
+  /// Runs `action`; a std::invalid_argument out of it becomes a CaseError at `key` (or at the table, key
+  /// empty).
+  void located(const std::string& key, const std::function<void()>& action) const;
+  std::filesystem::path beside_case(const std::string& file) const;
+  const std::string& path() const { return path_; }
+
+ private:
+  const toml::node* find(const std::string& key);
+  const toml::node& require(const std::string& key, const char* allowed);
+  double checked(const std::string& key, const toml::node& node, Bounds bounds) const;
+  std::size_t choice_index(const std::string& key, const std::vector<std::string>& names,
+                           const std::string& fallback);
+  std::string join(const std::string& key) const;
+  void remember(const std::string& key, const std::string& value, bool is_default);
+  CurveData curve_of_table(const std::string& key, TableReader&& reader, Bounds value_bounds) const;
+
+  const toml::table* table_;
+  std::string path_;
+  std::string where_;
+  CaseLog* log_;
+  std::set<std::string> asked_;
+};
+
+/// A parsed case file with its overrides applied; owns what the readers point to.
+class CaseDocument {
+ public:
+  /// `overrides` are `key.path=value`, the value in TOML syntax (a bare word is a string). Throws CaseError.
+  CaseDocument(const std::filesystem::path& file, const std::vector<std::string>& overrides);
+  ~CaseDocument();
+  CaseDocument(CaseDocument&&) noexcept;
+  TableReader root();
+  const std::vector<Setting>& settings() const;
+  const std::filesystem::path& file() const { return file_; }
+
+ private:
+  std::filesystem::path file_;
+  std::unique_ptr<toml::table> table_;
+  std::unique_ptr<CaseLog> log_;
+};
+
+/// Two named columns of a CSV file with a header row and `#` comment lines. Throws CaseError with
+/// file:line:column.
+CurveData read_curve_csv(const std::filesystem::path& file, const std::string& time_column,
+                         const std::string& value_column);
+
+}  // namespace driver

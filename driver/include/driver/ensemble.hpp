@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+// Perturbed runs of one scene: a chaotic scene has a distribution, not a result.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "driver/case_reader.hpp"
+#include "driver/run.hpp"
+
+namespace driver {
+
+struct EnsembleOptions {
+  int runs = 16;
+  double amplitude = 1e-12;  // [m] largest random displacement of the initial nodes
+  int threads = 1;           // runs at a time
+  bool quiet = false;
+};
+
+/// Mean, its standard error (sample deviation / sqrt(n)) and extremes over the runs.
+struct Statistics {
+  double mean = 0.0;
+  double standard_error = 0.0;
+  double minimum = 0.0;
+  double maximum = 0.0;
+  int count = 0;
+};
+Statistics statistics(const std::vector<double>& values);
+
+/// One row of the mean history: time, then statistics of each column of the scene's history.
+struct EnsembleRow {
+  double time_s = 0.0;
+  std::vector<Statistics> values;
+};
+
+struct EnsembleResult {
+  std::vector<std::string> columns;  // of the history, without time
+  std::vector<EnsembleRow> rows;     // at multiples of the history interval
+  std::map<std::string, std::vector<double>>
+      quantities;                     // one value a run: first contact, final angle, peaks
+  std::vector<std::string> failures;  // messages of runs that left their domain
+};
+
+/// Runs the case with seeds 1 to `runs`; the result does not depend on `threads`. Throws CaseError for a bad
+/// case, and for a scene that has no membrane to perturb.
+EnsembleResult run_ensemble(const std::filesystem::path& file, const std::vector<std::string>& overrides,
+                            const EnsembleOptions& options);
+
+/// ensemble.csv (time, mean and standard error of each column) and ensemble.json (quantities). Throws
+/// OutputError.
+void write_ensemble(const std::filesystem::path& folder, const EnsembleResult& result,
+                    const Provenance& provenance);
+
+/// Difference of two means in units of its standard error.
+struct Effect {
+  std::string quantity;
+  Statistics with, without;
+  double difference = 0.0;
+  double standard_errors = 0.0;
+  bool decided() const { return standard_errors > 5.0; }
+};
+std::vector<Effect> effects(const EnsembleResult& with, const EnsembleResult& without);
+
+}  // namespace driver

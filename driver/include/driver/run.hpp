@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+// A run: steps from 0 to the end of the scene, with its result files.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "driver/results.hpp"
+#include "driver/scene.hpp"
+#include "driver/state.hpp"
+#include "driver/step.hpp"
+
+namespace driver {
+
+enum class RunStatus { done, interrupted, failed };
+
+struct RunOptions {
+  bool quiet = false;
+  int threads = 1;
+};
+
+struct RunOutcome {
+  RunStatus status = RunStatus::done;
+  std::string message;  // of a failure: stage, time, limit
+  double wall_seconds = 0.0;
+};
+
+/// Called with every recorded level.
+using RecordSink = std::function<void(const StepRecords&)>;
+
+/// Number of threads of the parallel stages, for the whole process; results do not depend on it.
+void set_threads(int threads);
+
+/// Steps the scene to its end or to an interrupt, calling `sink` for each recorded level and `fields` (may be
+/// empty) at each field output. Failures of the computation (exit code 3) are reported in the outcome, not
+/// thrown.
+RunOutcome run_scene(const Scene& scene, State& state, const RecordSink& sink,
+                     const std::function<void(const State&)>& fields = {});
+
+/// Runs and writes history.csv, energy.csv, summary.json (and fields) to `folder`.
+RunOutcome run_to_folder(const Scene& scene, const std::filesystem::path& folder,
+                         const Provenance& provenance, const RunOptions& options);
+
+/// Columns of the scene: only what it has.
+std::vector<Column<Record>> history_columns(const Scene& scene);
+std::vector<Column<EnergyRecord>> energy_columns(const Scene& scene);
+
+/// summary.json of a run, whatever its outcome. Throws OutputError.
+void write_summary(const std::filesystem::path& file, const Scene& scene, const State& state,
+                   const RunOutcome& outcome, const Provenance& provenance);
+
+}  // namespace driver

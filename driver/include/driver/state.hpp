@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: Apache-2.0
+// Everything that changes during a run. Each member has one writer: the stage named on its line.
+#pragma once
+
+#include <array>
+#include <chrono>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "coupling/sphere_contact.hpp"
+#include "driver/record.hpp"
+#include "driver/scene.hpp"
+#include "membrane/stages.hpp"
+#include "membrane/time_step.hpp"
+
+namespace driver {
+
+enum class Stage {
+  surface,     // S1 x^n -> area vectors, centroids, V^n (carried over from S9)
+  gas_point,   // S2 m_k, U, V -> p, T, rho, gamma
+  outlet,      // S3 inflators -> V0, rho0
+  jet_field,   // S4 centroids -> overpressure, candidates
+  visibility,  // S5 candidates -> exact mask
+  forces,      // S6 fabric, straps, plates, pressure, jet
+  contact,     // S7 sphere against skin
+  advance,     // S8 central difference
+  volume,      // S9 surface at n+1
+  gas,         // S10 gas ODE over the step
+  ledger,      // S11 books
+  count
+};
+inline constexpr std::size_t kStages = static_cast<std::size_t>(Stage::count);
+std::string_view stage_name(Stage stage);
+
+/// Sums from the start to a time level; S10 writes the gas, S8 and S11 the rest.
+struct Flows {
+  double mass_in = 0.0;          // [kg]
+  double vent_mass_out = 0.0;    // [kg]
+  double fabric_mass_out = 0.0;  // [kg]
+  double enthalpy_in = 0.0;      // [J]
+  double enthalpy_out = 0.0;     // [J]
+  double damping_loss = 0.0;     // [J]
+  double jet_work = 0.0;         // [J] by external jets
+  double kick_work = 0.0;        // [J] of every force, kick form
+  double contact_impulse = 0.0;  // [N s] resultant's magnitude, integrated
+};
+
+struct JetRun {
+  jet::OutletState outlet;                          // S3
+  jet::FieldState field;                            // S4, masked by S5
+  std::vector<std::uint8_t> lit;                    // S5, one per candidate
+  jet::VisibilityQuery query;                       // S5 workspace
+  jet::VisibilityCounters counters;                 // S5, of this step
+  jet::VisibilityCounters total;                    // S5, of the run
+  Eigen::Vector3d force = Eigen::Vector3d::Zero();  // S5 [N]
+};
+
+/// Values of the current level n that later stages overwrite, kept for the books of n.
+struct Level {
+  double internal_energy = 0.0;  // S2 [J]
+  double volume = 0.0;           // S2 [m3]
+  double skin_area = 0.0;        // S2 [m2]
+  double pendulum_angle = 0.0;   // S7 [rad]
+  Flows flows;                   // S2, sums up to n
+  double skin_gravity = 0.0;     // S7 [J], where the books of n are wanted
+};
+
+/// Extremes and events of the run so far; S11.
+struct Peaks {
+  double pressure = 0.0;           // [Pa]
+  double volume = 0.0;             // [m3]
+  double pendulum_angle = 0.0;     // [rad] largest magnitude
+  double cg_acceleration = 0.0;    // [m/s2]
+  double contact_force = 0.0;      // [N]
+  double penetration = 0.0;        // [m]
+  double jet_force = 0.0;          // [N]
+  double first_contact = -1.0;     // [s] first level with contact, -1: none
+  double mass_residual = 0.0;      // relative
+  double ledger_residual = 0.0;    // [J] kick form, largest magnitude
+  double energy_residual = 0.0;    // [J] physical drift, largest magnitude at the recorded levels
+  double momentum_residual = 0.0;  // relative: inner forces and pressure on the closed skin sum to zero
+};
+
+struct StepSizes {
+  double before = 0.0;                   // [s] step that led to n; 0 at the start
+  double after = 0.0;                    // [s] step that leaves n
+  double critical = 0.0;                 // [s] bound at n
+  double minimum = 0.0;                  // [s] of the run
+  double maximum = 0.0;                  // [s]
+  membrane::StiffnessShares shares;      // at n, omega^2
+  membrane::StiffnessShares share_sums;  // of every step, each normalised by its total
+};
+
+struct PendulumRun {
+  coupling::PendulumState motion;         // S8
+  double moment = 0.0;                    // S7 [N m] at n
+  double angular_velocity = 0.0;          // S8 [rad/s] at n
+  coupling::CgAcceleration acceleration;  // S8 at n
+  double kinetic_before = 0.0;            // S8 [J] at n-1/2
+  double kinetic_after = 0.0;             // S8 [J] at n+1/2
+  double kinetic = 0.0;                   // S8 [J] at n
+};
+
+struct State {
+  double time = 0.0;  // [s] of level n
+  long steps = 0;
+  Stage stage = Stage::surface;  // under way, for messages
+  StepSizes step;
+  Flows flows;
+  Level level;
+  Peaks peaks;
+
+  gas::ControlVolumeState gas;                       // S10
+  std::optional<gas::GasIntegrator> gas_integrator;  // S10 workspace
+  gas::GasPoint gas_point{};                         // S2
+  double initial_gas_mass = 0.0;                     // [kg]
+  double initial_volume = 0.0;                       // [m3]
+  double initial_energy = 0.0;                       // [J] everything that holds energy, at the start
+  double initial_kinetic = 0.0;                      // [J] of skin and pendulum
+
+  std::optional<membrane::BagState> bag;  // S1, S6, S8, S9
+  std::optional<PendulumRun> pendulum;
+  std::optional<coupling::ContactState> contact_cache;  // S7 workspace
+  coupling::ContactResult contact;                      // S7
+  std::vector<JetRun> jets;
+  std::vector<double> overpressure;                         // S6 [Pa], sum of all jets per element
+  membrane::Vectors target_area_vectors, target_centroids;  // S1, of the rigid target
+
+  std::array<double, kStages> stage_seconds{};
+};
+
+/// State at t = 0. Throws CaseError for a scene whose start is out of the models' domain.
+State make_state(const Scene& scene);
+
+/// Times a stage and names it for messages while it runs.
+class StageTimer {
+ public:
+  StageTimer(State& state, Stage stage)
+      : state_(state), stage_(stage), start_(std::chrono::steady_clock::now()) {
+    state.stage = stage;
+  }
+  ~StageTimer() {
+    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start_;
+    state_.stage_seconds[static_cast<std::size_t>(stage_)] += elapsed.count();
+  }
+  StageTimer(const StageTimer&) = delete;
+  StageTimer& operator=(const StageTimer&) = delete;
+
+ private:
+  State& state_;
+  Stage stage_;
+  std::chrono::steady_clock::time_point start_;
+};
+
+}  // namespace driver

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+// One step of a scene: the eleven stages of docs/stages.md.
+#pragma once
+
+#include <stdexcept>
+
+#include "driver/scene.hpp"
+#include "driver/state.hpp"
+
+namespace driver {
+
+/// The computation left its domain (exit code 3): a step above its bound. Models throw exceptions of their
+/// own.
+class StepError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// What the caller wants of this step beside the motion.
+struct StepRequest {
+  bool record = false;  // fill `history` and `energy` for level n
+  bool last = false;    // level n is the end: books only, the state does not go on
+};
+
+struct StepRecords {
+  Record history;
+  EnergyRecord energy;
+};
+
+/// Computes level n and advances the state to n+1. Does not allocate (a visibility search aside). Throws
+/// StepError, gas::DomainError, membrane::MembraneError, jet::DomainError or coupling::ContactError.
+void step(const Scene& scene, State& state, const StepRequest& request, StepRecords& records);
+
+}  // namespace driver

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: Apache-2.0
+// Loading a case file and applying `key.path=value` overrides.
+#include <fmt/format.h>
+
+#include <charconv>
+#include <fstream>
+#include <sstream>
+
+#include "case_log.hpp"
+#include "driver/case_reader.hpp"
+
+#include "toml_library.hpp"
+
+namespace driver {
+namespace {
+
+std::string read_text(const std::filesystem::path& file) {
+  if (std::filesystem::is_directory(file))
+    throw CaseError(fmt::format("{}: is a folder, a case file is expected", file.string()));
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream) throw CaseError(fmt::format("{}: no such file, or not readable", file.string()));
+  std::ostringstream text;
+  text << stream.rdbuf();
+  return text.str();
+}
+
+toml::table parse(const std::string& text, const std::string& name) {
+  try {
+    return toml::parse(text, name);
+  } catch (const toml::parse_error& error) {
+    const auto at = error.source().begin;
+    throw CaseError(fmt::format("{}:{}:{}: TOML syntax: {}", name, at.line, at.column, error.description()));
+  }
+}
+
+// The value of an override: TOML if it parses as TOML, else a string.
+toml::table parse_override_value(const std::string& override_text, const std::string& value) {
+  const std::string name = "--set " + override_text;
+  try {
+    return toml::parse("value = " + value, name);
+  } catch (const toml::parse_error&) {
+    toml::table quoted;
+    quoted.insert_or_assign("value", value);
+    return quoted;
+  }
+}
+
+std::vector<std::string> split_path(const std::string& path) {
+  std::vector<std::string> parts;
+  std::string part;
+  std::istringstream stream(path);
+  while (std::getline(stream, part, '.')) parts.push_back(part);
+  return parts;
+}
+
+std::optional<std::size_t> as_index(const std::string& text) {
+  std::size_t index = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), index);
+  if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
+  return index;
+}
+
+// The node that `key` names inside `parent`; a missing table is made, for the strict reader to judge.
+toml::node& descend(toml::node& parent, const std::string& key, const std::string& override_text) {
+  if (auto* table = parent.as_table()) {
+    if (!table->contains(key)) table->insert(key, toml::table{});
+    return *table->get(key);
+  }
+  if (auto* array = parent.as_array()) {
+    if (const auto index = as_index(key); index && *index < array->size()) return *array->get(*index);
+    throw CaseError(fmt::format("--set {}: '{}' is no index of that array, 0 to {} are allowed",
+                                override_text, key, static_cast<long>(array->size()) - 1));
+  }
+  throw CaseError(fmt::format("--set {}: nothing stands below the key before '{}'", override_text, key));
+}
+
+void apply_override(toml::table& root, const std::string& text) {
+  const auto equals = text.find('=');
+  if (equals == std::string::npos || equals == 0)
+    throw CaseError(fmt::format("--set {}: key.path=value is expected", text));
+  const auto parts = split_path(text.substr(0, equals));
+  toml::table value = parse_override_value(text, text.substr(equals + 1));
+  toml::node* node = &root;
+  for (std::size_t i = 0; i + 1 < parts.size(); ++i) node = &descend(*node, parts[i], text);
+  if (auto* table = node->as_table()) {
+    table->insert_or_assign(parts.back(), std::move(*value.get("value")));
+  } else if (auto* array = node->as_array()) {
+    const auto index = as_index(parts.back());
+    if (!index || *index >= array->size())
+      throw CaseError(fmt::format("--set {}: '{}' is no index of that array", text, parts.back()));
+    array->replace(array->cbegin() + static_cast<std::ptrdiff_t>(*index), std::move(*value.get("value")));
+  } else {
+    throw CaseError(fmt::format("--set {}: the key before '{}' is no table", text, parts.back()));
+  }
+}
+
+}  // namespace
+
+CaseDocument::CaseDocument(const std::filesystem::path& file, const std::vector<std::string>& overrides)
+    : file_(file),
+      table_(std::make_unique<toml::table>(parse(read_text(file), file.string()))),
+      log_(std::make_unique<CaseLog>()) {
+  log_->folder = file.parent_path();
+  for (const auto& text : overrides) apply_override(*table_, text);
+}
+
+CaseDocument::~CaseDocument() = default;
+CaseDocument::CaseDocument(CaseDocument&&) noexcept = default;
+
+TableReader CaseDocument::root() {
+  return {*table_, "", file_.string() + ":1:1", *log_};
+}
+
+const std::vector<Setting>& CaseDocument::settings() const {
+  return log_->settings;
+}
+
+}  // namespace driver

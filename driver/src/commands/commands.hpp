@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+// The subcommands of `gasjet`, one file each. They return exit codes and throw CaseError or OutputError for
+// code 2.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace driver::commands {
+
+inline constexpr int exit_done = 0;
+inline constexpr int exit_input = 2;          // the command line or an input is wrong; nothing written
+inline constexpr int exit_domain = 3;         // the computation left its domain; what was computed is kept
+inline constexpr int exit_interrupted = 130;  // Ctrl-C, as shells report it; what was computed is kept
+
+struct CaseArguments {
+  std::filesystem::path file;
+  std::vector<std::string> overrides;  // key.path=value
+};
+
+struct RunArguments {
+  CaseArguments scene;
+  std::filesystem::path out;  // empty: results/<case file's stem>
+  int threads = 1;
+  bool quiet = false;
+};
+int run(const RunArguments& arguments);
+
+int check(const CaseArguments& arguments);
+
+struct EnsembleArguments {
+  CaseArguments scene;
+  std::filesystem::path against;  // a second case to compare with, or empty
+  std::filesystem::path out;
+  int runs = 16;
+  double amplitude = 1e-12;  // [m] of the initial nodes' random displacement
+  int threads = 1;
+  bool quiet = false;
+};
+int ensemble(const EnsembleArguments& arguments);
+
+struct MeshArguments {
+  std::filesystem::path out;
+  std::vector<std::string> overrides;  // generator option = value
+};
+int mesh_passenger(const MeshArguments& arguments);
+
+struct ExactArguments {
+  std::string name;
+  bool list = false;
+  std::vector<std::string> parameters;  // name=value
+  std::string times;                    // first:last:step
+  std::string format = "csv";
+};
+int exact(const ExactArguments& arguments);
+
+}  // namespace driver::commands

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "driver/ensemble.hpp"
+
+#include <fmt/format.h>
+
+#include "commands.hpp"
+#include "driver/progress.hpp"
+
+namespace driver::commands {
+namespace {
+
+void print_quantities(const std::string& title, const EnsembleResult& result) {
+  fmt::print("{}\n  {:28} {:>12} {:>12} {:>12} {:>12} {:>5}\n", title, "quantity", "mean", "std. error",
+             "minimum", "maximum", "runs");
+  for (const auto& [name, values] : result.quantities) {
+    const Statistics s = statistics(values);
+    fmt::print("  {:28} {:12.5g} {:12.3g} {:12.5g} {:12.5g} {:5}\n", name, s.mean, s.standard_error,
+               s.minimum, s.maximum, s.count);
+  }
+  for (const auto& failure : result.failures) fmt::print("  failed run: {}\n", failure);
+}
+
+void write_effects(const std::filesystem::path& file, const std::vector<Effect>& list) {
+  std::ofstream csv(file);
+  csv << "quantity,mean,standard_error,mean_against,standard_error_against,difference,standard_errors,"
+         "decided\n";
+  fmt::print("difference\n  {:28} {:>12} {:>12} {:>10}\n", "quantity", "difference", "std. errors", "");
+  for (const Effect& e : list) {
+    csv << fmt::format("{},{},{},{},{},{},{},{}\n", e.quantity, e.with.mean, e.with.standard_error,
+                       e.without.mean, e.without.standard_error, e.difference, e.standard_errors,
+                       e.decided() ? "yes" : "no");
+    fmt::print("  {:28} {:12.5g} {:12.3g} {:>10}\n", e.quantity, e.difference, e.standard_errors,
+               e.decided() ? "decided" : "undecided");
+  }
+  if (!csv) throw OutputError(fmt::format("{}: write failed", file.string()));
+}
+
+}  // namespace
+
+int ensemble(const EnsembleArguments& arguments) {
+  const EnsembleOptions options{arguments.runs, arguments.amplitude, arguments.threads, arguments.quiet};
+  const auto folder = arguments.out.empty() ? std::filesystem::path("results") /
+                                                  ("ensemble_" + arguments.scene.file.stem().string())
+                                            : arguments.out;
+  catch_interrupt();
+  const auto result = run_ensemble(arguments.scene.file, arguments.scene.overrides, options);
+  write_ensemble(folder, result, provenance(arguments.scene.file, arguments.scene.overrides));
+  print_quantities(arguments.scene.file.stem().string(), result);
+  bool failed = !result.failures.empty();
+  if (!arguments.against.empty() && !interrupted()) {
+    const auto other = run_ensemble(arguments.against, arguments.scene.overrides, options);
+    write_ensemble(folder / "against", other, provenance(arguments.against, arguments.scene.overrides));
+    print_quantities(arguments.against.stem().string(), other);
+    write_effects(folder / "effects.csv", effects(result, other));
+    failed = failed || !other.failures.empty();
+  }
+  if (interrupted()) return exit_interrupted;
+  return failed ? exit_domain : exit_done;
+}
+
+}  // namespace driver::commands

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: Apache-2.0
+// Prints a closed form of the verification suite as CSV or JSON.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <charconv>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "closed_form/catalogue.hpp"
+#include "commands.hpp"
+#include "driver/case_reader.hpp"
+
+namespace driver::commands {
+namespace {
+
+double parse_number(std::string_view text, const std::string& whole) {
+  double value = 0.0;
+  const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc{} || stop != text.data() + text.size() || !std::isfinite(value))
+    throw CaseError(fmt::format("{}: '{}' is no finite number", whole, text));
+  return value;
+}
+
+closed_form::ParameterMap parse_parameters(const std::vector<std::string>& texts) {
+  closed_form::ParameterMap parameters;
+  for (const auto& text : texts) {
+    const auto equals = text.find('=');
+    if (equals == std::string::npos) throw CaseError(fmt::format("--set {}: name=value is expected", text));
+    parameters[text.substr(0, equals)] =
+        parse_number(std::string_view(text).substr(equals + 1), "--set " + text);
+  }
+  return parameters;
+}
+
+// first:last:step, ends included to round-off.
+std::vector<double> parse_times(const std::string& text) {
+  if (text.empty()) return {};
+  std::vector<double> parts;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const auto end = std::min(text.find(':', begin), text.size());
+    parts.push_back(parse_number(std::string_view(text).substr(begin, end - begin), "--times " + text));
+    begin = end + 1;
+  }
+  constexpr double most = 1e7;
+  if (parts.size() == 1) return parts;
+  if (parts.size() != 3 || !(parts[2] > 0.0) || parts[1] < parts[0] ||
+      (parts[1] - parts[0]) / parts[2] > most)
+    throw CaseError(fmt::format(
+        "--times {}: a number or first:last:step with step > 0 and at most {:.0e} rows is allowed", text,
+        most));
+  std::vector<double> times;
+  const auto count = static_cast<long>(std::floor((parts[1] - parts[0]) / parts[2] * (1.0 + 1e-12) + 1e-12));
+  for (long i = 0; i <= count; ++i) times.push_back(parts[0] + static_cast<double>(i) * parts[2]);
+  return times;
+}
+
+void print_list() {
+  for (const auto& entry : closed_form::catalogue()) {
+    fmt::print("{}: {}\n    {}\n    parameters:", entry.name, entry.title, entry.equation);
+    for (const auto& p : entry.parameters)
+      fmt::print(" {}{}", p.name,
+                 p.default_value ? fmt::format("={}", *p.default_value) : std::string(" (required)"));
+    fmt::print("\n");
+  }
+}
+
+void print_csv(const closed_form::Entry& entry, const closed_form::ParameterMap& parameters,
+               const closed_form::Table& table) {
+  fmt::print("# name: {}\n# equation: {}\n# source: {}\n# validity: {}\n# digits: {}\n", entry.name,
+             entry.equation, entry.source, entry.validity, entry.digits);
+  for (const auto& [name, value] : parameters) fmt::print("# {}: {}\n", name, value);
+  fmt::print("{}\n", fmt::join(table.columns, ","));
+  for (const auto& row : table.rows) fmt::print("{}\n", fmt::join(row, ","));
+}
+
+void print_json(const closed_form::Entry& entry, const closed_form::ParameterMap& parameters,
+                const closed_form::Table& table) {
+  nlohmann::ordered_json json{{"name", entry.name},       {"equation", entry.equation},
+                              {"source", entry.source},   {"validity", entry.validity},
+                              {"digits", entry.digits},   {"parameters", parameters},
+                              {"columns", table.columns}, {"rows", table.rows}};
+  fmt::print("{}\n", json.dump(2));
+}
+
+}  // namespace
+
+int exact(const ExactArguments& arguments) {
+  if (arguments.list) {
+    print_list();
+    return exit_done;
+  }
+  if (arguments.name.empty()) throw CaseError("exact: a NAME is needed; `gasjet exact --list` prints them");
+  try {
+    const auto& entry = closed_form::find_entry(arguments.name);
+    const auto given = parse_parameters(arguments.parameters);
+    const auto times = parse_times(arguments.times);
+    const auto table = closed_form::evaluate(entry, given, times);
+    const auto parameters = closed_form::complete_parameters(entry, given);
+    arguments.format == "json" ? print_json(entry, parameters, table) : print_csv(entry, parameters, table);
+  } catch (const std::invalid_argument& error) {
+    throw CaseError(fmt::format("exact {}: {}", arguments.name, error.what()));
+  }
+  return exit_done;
+}
+
+}  // namespace driver::commands

@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "driver/ensemble.hpp"
+
+#include <fmt/format.h>
+#include <tbb/global_control.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <mutex>
+#include <nlohmann/json.hpp>
+
+#include "driver/progress.hpp"
+#include "stages.hpp"
+
+namespace driver {
+namespace {
+
+struct Member {
+  std::vector<Record> rows;
+  RunOutcome outcome;
+  Peaks peaks;
+  Flows flows;
+  double final_angle = 0.0;
+};
+
+std::vector<std::string> member_overrides(std::vector<std::string> overrides, double amplitude, int seed) {
+  overrides.push_back(fmt::format("membrane.perturbation={:e}", amplitude));
+  overrides.push_back(fmt::format("membrane.perturbation_seed={}", seed));
+  return overrides;
+}
+
+Member run_member(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
+  CaseDocument document(file, overrides);
+  const Scene scene = read_scene(document);
+  State state = make_state(scene);
+  Member member;
+  member.outcome =
+      run_scene(scene, state, [&](const StepRecords& records) { member.rows.push_back(records.history); });
+  member.peaks = state.peaks;
+  member.flows = state.flows;
+  member.final_angle = state.level.pendulum_angle;
+  return member;
+}
+
+// The history at `time`, linear between the recorded levels.
+double interpolate(const std::vector<Record>& rows, double time, double Record::*value) {
+  const auto after = std::lower_bound(rows.begin(), rows.end(), time,
+                                      [](const Record& r, double t) { return r.time_s < t; });
+  if (after == rows.end()) return rows.back().*value;
+  if (after == rows.begin()) return rows.front().*value;
+  const Record& a = *(after - 1);
+  const Record& b = *after;
+  const double part = (time - a.time_s) / (b.time_s - a.time_s);
+  return a.*value + part * (b.*value - a.*value);
+}
+
+void collect_rows(const Scene& scene, const std::vector<const Member*>& members, EnsembleResult& result) {
+  const auto columns = history_columns(scene);
+  for (std::size_t c = 1; c < columns.size(); ++c) result.columns.push_back(columns[c].name);
+  const auto count = static_cast<long>(std::llround(scene.time.end / scene.output.history_interval));
+  std::vector<double> values(members.size());
+  for (long i = 0; i <= count; ++i) {
+    EnsembleRow row{std::min(scene.time.end, static_cast<double>(i) * scene.output.history_interval), {}};
+    for (std::size_t c = 1; c < columns.size(); ++c) {
+      for (std::size_t m = 0; m < members.size(); ++m)
+        values[m] = interpolate(members[m]->rows, row.time_s, columns[c].value);
+      row.values.push_back(statistics(values));
+    }
+    result.rows.push_back(std::move(row));
+  }
+}
+
+void collect_quantities(const Scene& scene, const std::vector<const Member*>& members,
+                        EnsembleResult& result) {
+  for (const Member* m : members) {
+    auto& q = result.quantities;
+    q["peak_pressure_Pa"].push_back(m->peaks.pressure);
+    q["peak_volume_m3"].push_back(m->peaks.volume);
+    if (!scene.pendulum) continue;
+    q["final_angle_rad"].push_back(m->final_angle);
+    q["peak_cg_acceleration_m_s2"].push_back(m->peaks.cg_acceleration);
+    q["contact_impulse_Ns"].push_back(m->flows.contact_impulse);
+    if (m->peaks.first_contact >= 0.0) q["first_contact_s"].push_back(m->peaks.first_contact);
+  }
+}
+
+}  // namespace
+
+Statistics statistics(const std::vector<double>& values) {
+  Statistics s;
+  s.count = static_cast<int>(values.size());
+  if (values.empty()) return s;
+  const double n = static_cast<double>(values.size());
+  for (const double v : values) s.mean += v / n;
+  double squares = 0.0;
+  for (const double v : values) squares += (v - s.mean) * (v - s.mean);
+  s.standard_error = values.size() > 1 ? std::sqrt(squares / (n - 1.0) / n) : 0.0;
+  s.minimum = *std::min_element(values.begin(), values.end());
+  s.maximum = *std::max_element(values.begin(), values.end());
+  return s;
+}
+
+EnsembleResult run_ensemble(const std::filesystem::path& file, const std::vector<std::string>& overrides,
+                            const EnsembleOptions& options) {
+  CaseDocument document(file, overrides);
+  const Scene scene = read_scene(document);
+  if (!scene.bag)
+    throw CaseError(
+        fmt::format("{}: an ensemble perturbs the nodes of a membrane, the scene has none", file.string()));
+  set_threads(1);
+  std::vector<Member> members(static_cast<std::size_t>(options.runs));
+  std::atomic<int> finished = 0;
+  std::mutex progress_lock;
+  Progress progress(scene.name, options.runs, options.quiet);
+  tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
+                            static_cast<std::size_t>(options.threads));
+  tbb::task_arena arena(options.threads);
+  arena.execute([&] {
+    tbb::parallel_for(0, options.runs, [&](int i) {
+      if (interrupted()) return;
+      members[static_cast<std::size_t>(i)] =
+          run_member(file, member_overrides(overrides, options.amplitude, i + 1));
+      const std::lock_guard<std::mutex> guard(progress_lock);
+      progress.update(++finished, fmt::format("run {} of {}", finished.load(), options.runs));
+    });
+  });
+  EnsembleResult result;
+  std::vector<const Member*> complete;
+  for (const Member& m : members)
+    if (m.outcome.status == RunStatus::done && !m.rows.empty())
+      complete.push_back(&m);
+    else if (!m.outcome.message.empty())
+      result.failures.push_back(m.outcome.message);
+  if (complete.empty()) return result;
+  collect_rows(scene, complete, result);
+  collect_quantities(scene, complete, result);
+  return result;
+}
+
+void write_ensemble(const std::filesystem::path& folder, const EnsembleResult& result,
+                    const Provenance& lines) {
+  prepare_output(folder);
+  std::ofstream csv(folder / "ensemble.csv");
+  for (const auto& [key, value] : lines) csv << "# " << key << ": " << value << '\n';
+  csv << "time_s";
+  for (const auto& name : result.columns) csv << ',' << name << "_mean," << name << "_standard_error";
+  csv << '\n';
+  for (const EnsembleRow& row : result.rows) {
+    csv << fmt::format("{}", row.time_s);
+    for (const auto& s : row.values) csv << fmt::format(",{},{}", s.mean, s.standard_error);
+    csv << '\n';
+  }
+  nlohmann::ordered_json json;
+  for (const auto& [name, values] : result.quantities) {
+    const Statistics s = statistics(values);
+    json["quantities"][name] = {{"mean", s.mean},       {"standard_error", s.standard_error},
+                                {"minimum", s.minimum}, {"maximum", s.maximum},
+                                {"runs", s.count},      {"values", values}};
+  }
+  json["failures"] = result.failures;
+  for (const auto& [key, value] : lines) json["build"][key] = value;
+  std::ofstream summary(folder / "ensemble.json");
+  summary << json.dump(2) << '\n';
+  if (!csv || !summary) throw OutputError(fmt::format("{}: write failed", folder.string()));
+}
+
+std::vector<Effect> effects(const EnsembleResult& with, const EnsembleResult& without) {
+  std::vector<Effect> list;
+  for (const auto& [name, values] : with.quantities) {
+    const auto other = without.quantities.find(name);
+    if (other == without.quantities.end()) continue;
+    Effect effect{name, statistics(values), statistics(other->second), 0.0, 0.0};
+    effect.difference = effect.with.mean - effect.without.mean;
+    const double error = std::hypot(effect.with.standard_error, effect.without.standard_error);
+    effect.standard_errors =
+        error > 0.0 ? std::abs(effect.difference) / error : (effect.difference != 0.0 ? INFINITY : 0.0);
+    list.push_back(effect);
+  }
+  return list;
+}
+
+}  // namespace driver

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: Apache-2.0
+// The `gasjet` command: parses the command line, maps errors to exit codes.
+#include <CLI/CLI.hpp>
+#include <cstdio>
+
+#include "build_info.hpp"
+#include "commands/commands.hpp"
+#include "driver/case_reader.hpp"
+#include "driver/results.hpp"
+
+namespace {
+
+using namespace driver::commands;
+
+void add_case(CLI::App& command, CaseArguments& arguments) {
+  command.add_option("CASE", arguments.file, "case file (TOML)")->required();
+  command
+      .add_option("--set", arguments.overrides,
+                  "key.path=value, replaces or adds a value of the case; may be repeated")
+      ->allow_extra_args(false);
+}
+
+void add_threads(CLI::App& command, int& threads, bool& quiet) {
+  command.add_option("--threads", threads, "threads; the results do not depend on it")
+      ->check(CLI::Range(1, 1024));
+  command.add_flag("--quiet", quiet, "no progress, no closing line");
+}
+
+struct Arguments {
+  RunArguments run;
+  CaseArguments check;
+  EnsembleArguments ensemble;
+  MeshArguments mesh;
+  ExactArguments exact;
+};
+
+void add_run(CLI::App& app, Arguments& all) {
+  auto* run = app.add_subcommand("run", "simulate a case");
+  add_case(*run, all.run.scene);
+  add_threads(*run, all.run.threads, all.run.quiet);
+  run->add_option("--out", all.run.out, "result folder (results/<case> by default)");
+}
+
+void add_ensemble(CLI::App& app, Arguments& all) {
+  auto* ensemble =
+      app.add_subcommand("ensemble", "perturbed runs of a chaotic scene: means and standard errors");
+  add_case(*ensemble, all.ensemble.scene);
+  add_threads(*ensemble, all.ensemble.threads, all.ensemble.quiet);
+  ensemble->add_option("--out", all.ensemble.out, "result folder (results/ensemble_<case> by default)");
+  ensemble->add_option("--runs", all.ensemble.runs, "number of runs")->check(CLI::Range(2, 100000));
+  ensemble->add_option("--amplitude", all.ensemble.amplitude, "largest displacement of the initial nodes [m]")
+      ->check(CLI::Range(0.0, 1e-3));
+  ensemble->add_option("--against", all.ensemble.against,
+                       "a second case: report the difference of the means");
+}
+
+void add_others(CLI::App& app, Arguments& all) {
+  auto* check = app.add_subcommand("check", "validate a case, print its settings and what follows from them");
+  add_case(*check, all.check);
+  auto* mesh = app.add_subcommand("mesh", "generate an airbag mesh");
+  auto* passenger =
+      mesh->add_subcommand("passenger", "passenger bag: main and side panels, attachment, vent");
+  mesh->require_subcommand(1);
+  passenger->add_option("--out", all.mesh.out, "OBJ file")->required();
+  passenger
+      ->add_option("--set", all.mesh.overrides, "option=value: depth, width, height [m], depth_cells, ...")
+      ->allow_extra_args(false);
+  auto* exact = app.add_subcommand("exact", "print a closed form of the verification suite");
+  exact->add_option("NAME", all.exact.name, "closed form, see --list");
+  exact->add_flag("--list", all.exact.list, "the catalogue");
+  exact->add_option("--set", all.exact.parameters, "name=value")->allow_extra_args(false);
+  exact->add_option("--times", all.exact.times, "abscissae, first:last:step");
+  exact->add_option("--format", all.exact.format, "csv or json")->check(CLI::IsMember({"csv", "json"}));
+}
+
+int dispatch(const CLI::App& app, const Arguments& all) {
+  if (app.got_subcommand("run")) return run(all.run);
+  if (app.got_subcommand("check")) return check(all.check);
+  if (app.got_subcommand("ensemble")) return ensemble(all.ensemble);
+  if (app.got_subcommand("mesh")) return mesh_passenger(all.mesh);
+  return exact(all.exact);
+}
+
+int report(const char* message, int code) {
+  std::fprintf(stderr, "gasjet: %s\n", message);
+  return code;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app("Gasjet: inflating airbags with an analytical gas jet");
+  app.set_version_flag("--version", std::string("gasjet ") + driver::build_info::version + " (" +
+                                        driver::build_info::commit + ", " + driver::build_info::compiler +
+                                        ", " + driver::build_info::flags + ")");
+  app.require_subcommand(1);
+  Arguments all;
+  add_run(app, all);
+  add_ensemble(app, all);
+  add_others(app, all);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? exit_done : exit_input;
+  }
+  try {
+    return dispatch(app, all);
+  } catch (const driver::CaseError& error) {
+    return report(error.what(), exit_input);
+  } catch (const driver::OutputError& error) {
+    return report(error.what(), exit_input);
+  } catch (const std::exception& error) {
+    return report(error.what(), exit_domain);
+  }
+}

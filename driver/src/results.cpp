@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "driver/results.hpp"
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+
+#include <chrono>
+#include <stdexcept>
+
+#include "build_info.hpp"
+
+namespace driver {
+
+Provenance provenance(const std::filesystem::path& case_file, const std::vector<std::string>& overrides) {
+  std::string options;
+  for (const auto& text : overrides) options += (options.empty() ? "--set " : " --set ") + text;
+  const auto now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
+  return {{"case", case_file.string()},
+          {"version", build_info::version},
+          {"commit", build_info::commit},
+          {"compiler", build_info::compiler},
+          {"flags", build_info::flags},
+          {"options", options.empty() ? "none" : options},
+          {"date", fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(now))}};
+}
+
+void prepare_output(const std::filesystem::path& folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error) throw OutputError(fmt::format("--out {}: {}", folder.string(), error.message()));
+  const auto probe = folder / ".gasjet_write_probe";
+  if (!std::ofstream(probe))
+    throw OutputError(fmt::format("--out {}: the folder is not writable", folder.string()));
+  std::filesystem::remove(probe, error);
+}
+
+template <typename Row>
+CsvWriter<Row>::CsvWriter(const std::filesystem::path& file, const Provenance& lines,
+                          std::vector<Column<Row>> columns)
+    : file_(file), stream_(file), columns_(std::move(columns)) {
+  if (!stream_) throw OutputError(fmt::format("{}: not writable", file.string()));
+  for (const auto& [key, value] : lines) stream_ << "# " << key << ": " << value << '\n';
+  for (std::size_t i = 0; i < columns_.size(); ++i) stream_ << (i ? "," : "") << columns_[i].name;
+  stream_ << '\n';
+}
+
+template <typename Row>
+void CsvWriter<Row>::write(const Row& row) {
+  fmt::memory_buffer line;
+  for (std::size_t i = 0; i < columns_.size(); ++i)
+    {
+    if (i > 0) line.push_back(',');
+    fmt::format_to(std::back_inserter(line), "{}", row.*columns_[i].value);
+  }
+  line.push_back('\n');
+  stream_.write(line.data(), static_cast<std::streamsize>(line.size()));
+  if (!stream_) throw OutputError(fmt::format("{}: write failed (disk full?)", file_.string()));
+}
+
+template <typename Row>
+void CsvWriter<Row>::flush() {
+  stream_.flush();
+  if (!stream_) throw OutputError(fmt::format("{}: write failed (disk full?)", file_.string()));
+}
+
+template class CsvWriter<Record>;
+template class CsvWriter<EnergyRecord>;
+
+}  // namespace driver

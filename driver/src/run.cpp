@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "driver/run.hpp"
+
+#include <fmt/format.h>
+#include <tbb/global_control.h>
+
+#include <chrono>
+#include <memory>
+
+#include "coupling/error.hpp"
+#include "driver/fields.hpp"
+#include "driver/progress.hpp"
+#include "gas/error.hpp"
+#include "membrane/error.hpp"
+#include "stages.hpp"
+
+namespace driver {
+namespace {
+
+double seconds_since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+// Levels to record: the first at or past each multiple of the interval.
+class Schedule {
+ public:
+  explicit Schedule(double interval) : interval_(interval) {}
+  bool due(double time) {
+    // Multiples meet the step's times to round-off only.
+    if (interval_ <= 0.0 || time < static_cast<double>(next_) * interval_ * (1.0 - 1e-12)) return false;
+    while (static_cast<double>(next_) * interval_ * (1.0 - 1e-12) <= time) ++next_;
+    return true;
+  }
+
+ private:
+  double interval_;
+  long next_ = 0;
+};
+
+void run_steps(const Scene& scene, State& state, const RecordSink& sink,
+               const std::function<void(const State&)>& fields, RunOutcome& outcome) {
+  Schedule history(scene.output.history_interval), pictures(scene.output.fields_interval);
+  StepRecords records;
+  for (;;) {
+    StepRequest request;
+    const bool stop = interrupted();
+    request.last = stop || state.time >= scene.time.end;
+    request.record = history.due(state.time) || request.last;
+    const bool picture = pictures.due(state.time);
+    const double now = state.time;
+    if (fields && picture) fields(state);
+    step(scene, state, request, records);
+    if (request.record) sink(records);
+    if (stop) outcome.status = RunStatus::interrupted;
+    if (request.last) return;
+    const double left = scene.time.end - now;
+    state.time = state.step.after >= left ? scene.time.end : now + state.step.after;
+    ++state.steps;
+  }
+}
+
+}  // namespace
+
+void set_threads(int threads) {
+  static std::unique_ptr<tbb::global_control> limit;
+  limit = std::make_unique<tbb::global_control>(tbb::global_control::max_allowed_parallelism,
+                                                static_cast<std::size_t>(threads));
+  ParallelBlocks::threads = threads;
+}
+
+RunOutcome run_scene(const Scene& scene, State& state, const RecordSink& sink,
+                     const std::function<void(const State&)>& fields) {
+  RunOutcome outcome;
+  const auto start = std::chrono::steady_clock::now();
+  const auto fail = [&](const std::exception& error) {
+    outcome.status = RunStatus::failed;
+    outcome.message = fmt::format("stage {} at {} s, step {}: {}", stage_name(state.stage), state.time,
+                                  state.steps, error.what());
+  };
+  try {
+    run_steps(scene, state, sink, fields, outcome);
+  } catch (const StepError& error) {
+    fail(error);
+  } catch (const gas::DomainError& error) {
+    fail(error);
+  } catch (const membrane::MembraneError& error) {
+    fail(error);
+  } catch (const jet::DomainError& error) {
+    fail(error);
+  } catch (const coupling::ContactError& error) {
+    fail(error);
+  } catch (const std::invalid_argument& error) {
+    // A stage refused what an earlier one computed (a coordinate out of range, say).
+    fail(error);
+  }
+  outcome.wall_seconds = seconds_since(start);
+  return outcome;
+}
+
+RunOutcome run_to_folder(const Scene& scene, const std::filesystem::path& folder, const Provenance& lines,
+                         const RunOptions& options) {
+  set_threads(options.threads);
+  State state = make_state(scene);
+  prepare_output(folder);
+  CsvWriter<Record> history(folder / "history.csv", lines, history_columns(scene));
+  CsvWriter<EnergyRecord> energy(folder / "energy.csv", lines, energy_columns(scene));
+  Progress progress(scene.name, scene.time.end, options.quiet);
+  std::optional<FieldWriter> pictures;
+  if (scene.output.fields_interval > 0.0) pictures.emplace(folder, scene);
+  const auto record = [&](const StepRecords& records) {
+    history.write(records.history);
+    energy.write(records.energy);
+    progress.update(records.history.time_s);
+  };
+  const auto fields = [&](const State& now) {
+    if (pictures) pictures->write(now);
+  };
+  const RunOutcome outcome = run_scene(scene, state, record, fields);
+  history.flush();
+  energy.flush();
+  write_summary(folder / "summary.json", scene, state, outcome, lines);
+  return outcome;
+}
+
+}  // namespace driver

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "driver/scene.hpp"
+
+#include <fmt/format.h>
+
+#include "scene_parts.hpp"
+
+namespace driver {
+namespace {
+
+void read_ambient(TableReader& root, Scene& scene) {
+  // The standard atmosphere at 20 degrees C where the case does not say.
+  scene.ambient = {101325.0, 293.15};
+  if (auto table = root.optional_table("ambient")) {
+    scene.ambient.pressure = table->number("pressure", positive, scene.ambient.pressure);
+    scene.ambient.temperature = table->number("temperature", positive, scene.ambient.temperature);
+    table->finish();
+  }
+}
+
+void read_time(TableReader& root, Scene& scene) {
+  auto table = root.optional_table("time");
+  if (!table) return;
+  scene.time.safety = table->number("safety", positive_fraction, scene.time.safety);
+  scene.time.step = table->optional_number("step", positive);
+  scene.time.unsafe_step = table->flag("unsafe_dt", false);
+  if (const auto tolerance =
+          table->optional_number("gas_tolerance", Bounds{1e-13, 1e-2, false, "1e-13 to 1e-2"})) {
+    if (!scene.gas) table->fail("gas_tolerance", "the scene has no gas");
+    scene.gas->integrator.relative_tolerance = *tolerance;
+  }
+  if (scene.time.unsafe_step && !scene.time.step) table->fail("unsafe_dt", "is allowed with `step` only");
+  table->finish();
+}
+
+void read_output(TableReader& root, Scene& scene) {
+  constexpr int default_rows = 1000;
+  scene.output.history_interval = scene.time.end / default_rows;
+  if (auto table = root.optional_table("output")) {
+    scene.output.history_interval =
+        table->number("history_interval", positive, scene.output.history_interval);
+    scene.output.fields_interval = table->number("fields_interval", non_negative, 0.0);
+    if (scene.output.fields_interval > 0.0 && !scene.bag)
+      table->fail("fields_interval", "the scene has no membrane");
+    table->finish();
+  }
+}
+
+void check_composition(const TableReader& root, const Scene& scene) {
+  if (scene.bag && scene.gas && scene.gas->rigid_volume)
+    root.fail("tank", "a scene has a [tank] or a [membrane], not both");
+  if (scene.bag && !scene.gas) root.fail("gas", "is missing: a bag ([membrane]) is filled by a gas");
+  if (scene.gas && !scene.has_volume() && !scene.target)
+    root.fail("gas", "needs a volume, [tank] or [membrane], or a [target] for its jet");
+  if (scene.target && scene.jets.empty())
+    root.fail("target", "needs an inflator with a jet ([inflator.jet])");
+  for (const auto& part : scene.jets)
+    if (part.work != scene.jets.front().work) root.fail("inflator", "all jets need the same jet_work");
+  if (!scene.gas && !scene.moves() && !scene.target)
+    root.fail("", "names nothing to simulate: [gas], [membrane] or [pendulum]");
+  if (scene.pendulum && !scene.bag && !scene.time.step)
+    root.fail("time", "step is needed for a pendulum alone");
+}
+
+}  // namespace
+
+Scene read_scene(CaseDocument& document) {
+  Scene scene;
+  scene.case_file = document.file();
+  TableReader root = document.root();
+  TableReader general = root.table("scene");
+  scene.name = general.text("name");
+  scene.time.end = general.number("end_time", positive);
+  scene.gravity = general.vector("gravity", Eigen::Vector3d::Zero());
+  general.finish();
+
+  read_ambient(root, scene);
+  auto inflators = root.tables("inflator");
+  read_gas(root, inflators, scene);
+  read_time(root, scene);
+  read_bag(root, scene);
+  read_target(root, scene);
+  for (std::size_t i = 0; i < inflators.size(); ++i) {
+    read_jet(inflators[i], i, scene);
+    inflators[i].finish();
+  }
+  read_pendulum(root, scene);
+  read_output(root, scene);
+  root.finish();
+  check_composition(root, scene);
+  return scene;
+}
+
+}  // namespace driver

@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: Apache-2.0
+// [gas], [tank], [[inflator]] and [[vent]] -> GasPart.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "scene_parts.hpp"
+
+namespace driver {
+namespace {
+
+using Composition = std::map<std::string, double>;
+enum class By { mass, mole };
+enum class Thermodynamics { constant_cp, nasa7 };
+
+struct NamedComposition {
+  Composition fractions;
+  By by = By::mass;
+};
+
+NamedComposition read_composition(TableReader& table) {
+  NamedComposition composition;
+  composition.fractions = table.composition("composition");
+  composition.by = table.choice<By>("composition_by", {{"mass", By::mass}, {"mole", By::mole}}, "mass");
+  return composition;
+}
+
+// The species of the scene, in the order in which the case names them; "air" stands for its four.
+class SpeciesList {
+ public:
+  SpeciesList(Thermodynamics law, double reference_temperature)
+      : law_(law), reference_(reference_temperature) {}
+
+  void add_own(gas::Species species) { own_.push_back(std::move(species)); }
+
+  void add(const std::string& name) {
+    if (name == "air" && !is_own(name)) {
+      for (const auto& part : gas::air_by_mole()) add(part.species);
+      return;
+    }
+    const auto same = [&](const gas::Species& s) { return s.name == name; };
+    if (std::any_of(species_.begin(), species_.end(), same)) return;
+    if (const auto own = std::find_if(own_.begin(), own_.end(), same); own != own_.end())
+      species_.push_back(*own);
+    else
+      species_.push_back(law_ == Thermodynamics::nasa7 ? gas::nasa7_species(name)
+                                                       : gas::constant_cp_species(name, reference_));
+  }
+
+  bool is_own(const std::string& name) const {
+    return std::any_of(own_.begin(), own_.end(), [&](const gas::Species& s) { return s.name == name; });
+  }
+  const std::vector<gas::Species>& species() const { return species_; }
+
+ private:
+  Thermodynamics law_;
+  double reference_;
+  std::vector<gas::Species> own_;
+  std::vector<gas::Species> species_;
+};
+
+SpeciesList read_species(TableReader& table) {
+  const auto law = table.choice<Thermodynamics>(
+      "thermodynamics", {{"constant", Thermodynamics::constant_cp}, {"nasa7", Thermodynamics::nasa7}},
+      "constant");
+  double reference = gas::kReferenceTemperature;
+  if (law == Thermodynamics::constant_cp)
+    reference =
+        table.number("reference_temperature", Bounds{200.0, 6000.0, false, "200 to 6000 K"}, reference);
+  SpeciesList list(law, reference);
+  for (auto& own : table.tables("species")) {
+    own.located("", [&] {
+      list.add_own(gas::constant_cp_species(own.text("name"), own.number("gas_constant", positive),
+                                            own.number("cp", positive)));
+    });
+    own.finish();
+  }
+  return list;
+}
+
+std::vector<double> mass_fractions(const gas::Thermo& thermo, const SpeciesList& list,
+                                   const NamedComposition& composition) {
+  const bool air_is_mixture = !list.is_own("air");
+  std::vector<gas::Component> parts;
+  const auto add = [&](const std::string& species, double fraction) {
+    const auto found =
+        std::find_if(parts.begin(), parts.end(), [&](const auto& p) { return p.species == species; });
+    if (found == parts.end())
+      parts.push_back({species, fraction});
+    else
+      found->fraction += fraction;
+  };
+  for (const auto& [name, fraction] : composition.fractions) {
+    if (name != "air" || !air_is_mixture) {
+      add(name, fraction);
+    } else if (composition.by == By::mole) {
+      for (const auto& part : gas::air_by_mole()) add(part.species, fraction * part.fraction);
+    } else {
+      const auto air = thermo.mass_fractions_by_mole(gas::air_by_mole());
+      for (std::size_t k = 0; k < thermo.size(); ++k)
+        if (air[k] > 0.0) add(thermo.species(k).name, fraction * air[k]);
+    }
+  }
+  return composition.by == By::mole ? thermo.mass_fractions_by_mole(parts)
+                                    : thermo.mass_fractions_by_mass(parts);
+}
+
+void read_vents(TableReader& root, std::vector<gas::Orifice>& vents) {
+  for (auto& table : root.tables("vent")) {
+    vents.push_back(
+        {table.number("discharge_coefficient", positive_fraction, 1.0), table.number("area", positive)});
+    table.finish();
+  }
+}
+
+}  // namespace
+
+gas::Curve to_gas_curve(const CurveData& data, gas::Outside outside) {
+  if (data.time.empty()) return gas::Curve::constant(data.value.front());
+  std::vector<gas::Curve::Knot> knots;
+  for (std::size_t i = 0; i < data.time.size(); ++i) knots.push_back({data.time[i], data.value[i]});
+  return {std::move(knots), outside};
+}
+
+void read_gas(TableReader& root, std::vector<TableReader>& inflators, Scene& scene) {
+  auto table = root.optional_table("gas");
+  if (!table) {
+    for (const char* key : {"tank", "inflator", "vent"})
+      if (root.has(key)) root.fail(key, "needs a table [gas]");
+    return;
+  }
+  SpeciesList list = read_species(*table);
+  TableReader initial = table->table("initial");
+  const NamedComposition initial_composition = read_composition(initial);
+  std::vector<NamedComposition> compositions;
+  for (auto& inflator : inflators) compositions.push_back(read_composition(inflator));
+  const auto add_species = [&](TableReader& reader, const NamedComposition& composition) {
+    reader.located("composition", [&] {
+      for (const auto& entry : composition.fractions) list.add(entry.first);
+    });
+  };
+  add_species(initial, initial_composition);
+  for (std::size_t i = 0; i < inflators.size(); ++i) add_species(inflators[i], compositions[i]);
+
+  scene.gas.emplace(GasPart{{gas::Thermo(list.species()), scene.ambient, {}, {}}, {}, {}, 0.0, 0.0, {}});
+  GasPart& part = *scene.gas;
+  initial.located("composition", [&] {
+    part.initial_fractions = mass_fractions(part.model.thermo, list, initial_composition);
+  });
+  part.initial_pressure = initial.number("pressure", non_negative, scene.ambient.pressure);
+  part.initial_temperature = initial.number("temperature", positive, scene.ambient.temperature);
+  initial.finish();
+  table->finish();
+
+  for (std::size_t i = 0; i < inflators.size(); ++i) {
+    TableReader& reader = inflators[i];
+    reader.located("", [&] {
+      part.model.inflows.push_back(
+          {mass_fractions(part.model.thermo, list, compositions[i]),
+           to_gas_curve(reader.curve("mass_flow", non_negative), gas::Outside::kZero),
+           to_gas_curve(reader.curve("temperature", positive), gas::Outside::kHeld),
+           reader.number("start_time", non_negative, 0.0)});
+    });
+  }
+  read_vents(root, part.model.vents);
+  if (auto tank = root.optional_table("tank")) {
+    part.rigid_volume = tank->number("volume", positive);
+    tank->finish();
+  }
+  table->located("", [&] { gas::validate(part.model); });
+  table->located("initial", [&] {
+    gas::make_state(part.model.thermo, part.initial_fractions, part.initial_pressure,
+                    part.initial_temperature, part.rigid_volume.value_or(1.0));
+  });
+}
+
+}  // namespace driver

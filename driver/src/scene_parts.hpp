@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+// How each table of a case becomes a part of the scene; one file per library.
+#pragma once
+
+#include "driver/scene.hpp"
+
+namespace driver {
+
+/// [gas], [[gas.species]], [tank], [[inflator]] (its gas), [[vent]]. `inflators` are read but not finished:
+/// the jets are read from them later.
+void read_gas(TableReader& root, std::vector<TableReader>& inflators, Scene& scene);
+/// [membrane], [fabric]
+void read_bag(TableReader& root, Scene& scene);
+/// [target]
+void read_target(TableReader& root, Scene& scene);
+/// [inflator.jet] of inflator `index`
+void read_jet(TableReader& inflator, std::size_t index, Scene& scene);
+/// [pendulum], [contact]
+void read_pendulum(TableReader& root, Scene& scene);
+
+/// A curve of a case as libgas takes it: a constant, or zero (mass flow) or held (temperature) outside the
+/// knots.
+gas::Curve to_gas_curve(const CurveData& data, gas::Outside outside);
+
+}  // namespace driver

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+// [pendulum] and [contact] -> PendulumPart, ContactModel.
+#include <algorithm>
+
+#include "coupling/side.hpp"
+#include "scene_parts.hpp"
+
+namespace driver {
+namespace {
+
+// Share of the fabric's own omega^2 that contact adds by default.
+constexpr double default_contact_share = 0.25;
+
+PendulumPart read_model(TableReader& table, const Eigen::Vector3d& gravity) {
+  coupling::PendulumParameters p;
+  p.pivot = table.vector("pivot");
+  p.axis = table.vector("axis");
+  p.rest_direction = table.vector("rest_direction");
+  p.mass = table.number("mass", positive);
+  p.inertia_cg = table.number("inertia_cg", non_negative);
+  p.cg_distance = table.number("cg_distance", non_negative);
+  p.impactor_distance = table.number("impactor_distance", positive);
+  p.impactor_radius = table.number("impactor_radius", positive);
+  p.gravity = gravity;
+  coupling::PendulumState initial;
+  initial.angle = table.number("initial_angle", any_number, 0.0);
+  initial.angular_velocity = table.number("initial_angular_velocity", any_number, 0.0);
+  return {coupling::PendulumModel(p), initial};
+}
+
+double contact_stiffness(TableReader& table, const BagPart& bag) {
+  if (const auto stiffness = table.optional_number("stiffness", positive)) return *stiffness;
+  const double share = table.number("stiffness_share", positive, default_contact_share);
+  const auto& frequencies = bag.model.constants.material_frequency;
+  const auto& fabric = bag.model.description.properties;
+  const auto element =
+      std::find_if(fabric.begin(), fabric.end(), [](const auto& p) { return !p.null_panel; });
+  return coupling::default_contact_stiffness(share, *std::max_element(frequencies.begin(), frequencies.end()),
+                                             element->density * element->thickness);
+}
+
+Eigen::Matrix3Xi fabric_elements(const BagPart& bag) {
+  Eigen::Matrix3Xi kept(3, bag.mesh.elements.cols() - static_cast<Eigen::Index>(bag.null_elements.size()));
+  Eigen::Index next = 0;
+  for (Eigen::Index e = 0; e < bag.mesh.elements.cols(); ++e)
+    if (!bag.model.description.properties[static_cast<std::size_t>(e)].null_panel)
+      kept.col(next++) = bag.mesh.elements.col(e);
+  return kept;
+}
+
+}  // namespace
+
+void read_pendulum(TableReader& root, Scene& scene) {
+  auto table = root.optional_table("pendulum");
+  auto contact = root.optional_table("contact");
+  if (contact && !(table && scene.bag)) root.fail("contact", "needs [pendulum] and [membrane]");
+  if (!table) return;
+  table->located("", [&] { scene.pendulum.emplace(read_model(*table, scene.gravity)); });
+  table->finish();
+  if (!scene.bag) return;
+  const auto& model = scene.pendulum->model;
+  table->located("", [&] {
+    coupling::require_outside(scene.bag->mesh.elements, scene.bag->initial_position,
+                              model.impactor_centre(scene.pendulum->initial.angle),
+                              model.parameters().impactor_radius);
+  });
+  if (!contact) root.fail("contact", "is missing: a pendulum in front of a bag needs it (it may be empty)");
+  contact->located("", [&] {
+    scene.contact.emplace(fabric_elements(*scene.bag), scene.bag->model.description.reference,
+                          scene.bag->model.node_mass, model.effective_mass(),
+                          coupling::ContactParameters{model.parameters().impactor_radius,
+                                                      contact_stiffness(*contact, *scene.bag)});
+  });
+  contact->finish();
+}
+
+}  // namespace driver

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+// The stages of a step, one function each, in the order of step().
+#pragma once
+
+#include <tbb/parallel_for.h>
+
+#include "driver/step.hpp"
+
+namespace driver {
+
+/// Runs blocks in parallel on the threads that the run was given; the blocks fix the order of every sum.
+struct ParallelBlocks {
+  template <class F>
+  void operator()(int count, F&& f) const {
+    if (threads > 1 && count > 1)
+      tbb::parallel_for(0, count, f);
+    else
+      for (int block = 0; block < count; ++block) f(block);
+  }
+  static inline int threads = 1;  // set once, before the run
+};
+
+/// Volume [m3] and leak area [m2] that the gas sees.
+struct Enclosure {
+  double volume = 0.0;
+  double leak_area = 0.0;
+};
+Enclosure enclosure(const Scene& scene, const State& state);
+
+void gas_point(const Scene& scene, State& state);   // S2
+void outlets(const Scene& scene, State& state);     // S3
+void jet_fields(const Scene& scene, State& state);  // S4
+void visibility(const Scene& scene, State& state);  // S5
+void forces(const Scene& scene, State& state);      // S6
+void contact(const Scene& scene, State& state);     // S7
+void choose_step(const Scene& scene, State& state, bool last);
+void advance(const Scene& scene, State& state);                                                   // S8
+void volume(const Scene& scene, State& state);                                                    // S9
+void gas_ode(const Scene& scene, State& state, const Enclosure& before);                          // S10
+void ledger(const Scene& scene, State& state, const StepRequest& request, StepRecords& records);  // S11
+
+/// Part of the kick at level n that lies before n: dt_before / (dt_before + dt_after).
+double kick_share(const StepSizes& step);
+/// Potential energy of the skin's weight at the current positions [J]; 0 without gravity.
+double skin_gravity(const Scene& scene, const State& state);
+
+}  // namespace driver

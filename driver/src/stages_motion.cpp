@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: Apache-2.0
+// S6 forces, S7 contact, the size of the step, S8 advance, S9 volume.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "stages.hpp"
+
+namespace driver {
+namespace {
+
+std::span<const double> total_overpressure(State& state) {
+  if (state.jets.size() == 1) return state.jets.front().field.overpressure;
+  std::fill(state.overpressure.begin(), state.overpressure.end(), 0.0);
+  for (const JetRun& run : state.jets)
+    for (const int e : run.field.candidates) {
+      const auto element = static_cast<std::size_t>(e);
+      state.overpressure[element] += run.field.overpressure[element];
+    }
+  return state.overpressure;
+}
+
+[[noreturn]] void fail_step(const Scene& scene, const State& state, double given) {
+  const auto& s = state.step.shares;
+  const double all = s.total();
+  throw StepError(fmt::format(
+      "step {} s is above its bound {} s, set by omega^2 of the fabric {:.1f} %, gas {:.1f} %, contact "
+      "{:.1f} %, straps "
+      "{:.1f} %, plate {:.1f} %; stiffest element {}; a step up to the bound, or unsafe_dt = true, is "
+      "allowed",
+      given, state.step.critical, 100 * s.element / all, 100 * s.gas / all, 100 * s.contact / all,
+      100 * s.strap / all, 100 * s.plate / all, membrane::governing_element(scene.bag->model, *state.bag)));
+}
+
+void update_bound(const Scene& scene, State& state) {
+  const bool gas = scene.gas.has_value();
+  double contact = state.contact.omega_squared();
+  if (state.pendulum) contact += scene.pendulum->model.omega_squared(state.contact.force);
+  state.step.shares =
+      membrane::stiffness_shares(scene.bag->model, *state.bag, gas ? state.gas_point.gamma : 0.0,
+                                 gas ? state.gas_point.pressure : 0.0, contact);
+  state.step.critical = membrane::critical_time_step(state.step.shares);
+}
+
+void book_step(StepSizes& step) {
+  step.minimum = step.minimum == 0.0 ? step.after : std::min(step.minimum, step.after);
+  step.maximum = std::max(step.maximum, step.after);
+  const double all = step.shares.total();
+  if (!(all > 0.0)) return;
+  step.share_sums.element += step.shares.element / all;
+  step.share_sums.gas += step.shares.gas / all;
+  step.share_sums.contact += step.shares.contact / all;
+  step.share_sums.strap += step.shares.strap / all;
+  step.share_sums.plate += step.shares.plate / all;
+}
+
+}  // namespace
+
+void forces(const Scene& scene, State& state) {
+  if (!state.bag) return;
+  StageTimer timer(state, Stage::forces);
+  const auto& model = scene.bag->model;
+  membrane::membrane_forces(model, *state.bag, ParallelBlocks{});
+  membrane::support_forces(model, *state.bag, ParallelBlocks{});
+  membrane::pressure_forces(*state.bag, state.gas_point.pressure - scene.ambient.pressure);
+  if (!state.jets.empty())
+    membrane::jet_forces(model, *state.bag, total_overpressure(state), ParallelBlocks{});
+}
+
+void contact(const Scene& scene, State& state) {
+  if (!state.pendulum) return;
+  StageTimer timer(state, Stage::contact);
+  PendulumRun& pendulum = *state.pendulum;
+  const auto& model = scene.pendulum->model;
+  state.level.pendulum_angle = pendulum.motion.angle;
+  pendulum.moment = model.gravity_moment(pendulum.motion.angle);
+  if (!scene.contact) return;
+  if (state.contact.area > 0.0) state.bag->contact_force.map().setZero();
+  const Eigen::Vector3d centre = model.impactor_centre(pendulum.motion.angle);
+  state.contact = scene.contact->evaluate(*state.contact_cache, state.bag->position.map(), centre,
+                                          state.bag->contact_force.map());
+  pendulum.moment += model.moment(state.contact.force, centre);
+}
+
+void choose_step(const Scene& scene, State& state, bool last) {
+  StepSizes& step = state.step;
+  if (state.bag) update_bound(scene, state);
+  if (last) {
+    if (step.before > 0.0) step.after = step.before;
+    return;
+  }
+  double wanted = scene.output.history_interval;
+  if (scene.moves()) wanted = scene.time.step.value_or(scene.time.safety * step.critical);
+  if (state.bag && scene.time.step && wanted > step.critical && !scene.time.unsafe_step)
+    fail_step(scene, state, wanted);
+  // The last two steps share what is left, so that the end is met without a tiny step.
+  const double left = scene.time.end - state.time;
+  if (left < 2.0 * wanted && left > wanted * (1.0 + 1e-9)) wanted = 0.5 * left;
+  step.after = std::min(wanted, left);
+  book_step(step);
+}
+
+void advance(const Scene& scene, State& state) {
+  StageTimer timer(state, Stage::advance);
+  const StepSizes& step = state.step;
+  if (state.bag) membrane::advance(scene.bag->model, *state.bag, step.before, step.after, ParallelBlocks{});
+  if (!state.pendulum) return;
+  PendulumRun& run = *state.pendulum;
+  const auto& model = scene.pendulum->model;
+  const double tau = 0.5 * (step.before + step.after);
+  run.angular_velocity = model.angular_velocity_at_level(run.motion, run.moment, step.before);
+  run.acceleration = model.cg_acceleration(run.moment, run.angular_velocity);
+  const double before = run.motion.angular_velocity;
+  run.motion = model.advance(run.motion, run.moment, tau, step.after);
+  const double after = run.motion.angular_velocity;
+  run.kinetic_before = model.kinetic_energy(before);
+  run.kinetic_after = model.kinetic_energy(after);
+  run.kinetic = step.before > 0.0 ? 0.5 * model.axis_inertia() * before * after : run.kinetic_before;
+  state.flows.kick_work += tau * run.moment * 0.5 * (before + after);
+}
+
+void volume(const Scene& scene, State& state) {
+  if (!state.bag) return;
+  StageTimer timer(state, Stage::volume);
+  membrane::update_surface(scene.bag->model, *state.bag, ParallelBlocks{});
+}
+
+double kick_share(const StepSizes& step) {
+  return step.before > 0.0 ? step.before / (step.before + step.after) : 0.0;
+}
+
+double skin_gravity(const Scene& scene, const State& state) {
+  if (!state.bag || scene.gravity.isZero(0.0)) return 0.0;
+  const auto position = state.bag->position.map();
+  double energy = 0.0;
+  for (Eigen::Index node = 0; node < position.cols(); ++node)
+    energy -=
+        scene.bag->model.node_mass[static_cast<std::size_t>(node)] * scene.gravity.dot(position.col(node));
+  return energy;
+}
+
+}  // namespace driver

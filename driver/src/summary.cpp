@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: Apache-2.0
+// Columns of the result files and summary.json.
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "driver/run.hpp"
+
+namespace driver {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+const char* status_name(RunStatus status) {
+  switch (status) {
+    case RunStatus::done:
+      return "done";
+    case RunStatus::interrupted:
+      return "interrupted";
+    case RunStatus::failed:
+      break;
+  }
+  return "failed";
+}
+
+// What the physical drift is measured against: the enthalpy supplied, or what was there where nothing flows
+// in.
+double supplied_energy(const State& state) {
+  const double in = std::abs(state.flows.enthalpy_in);
+  return in > 0.0 ? in : std::max(std::abs(state.initial_energy), state.initial_kinetic);
+}
+
+Json step_sizes(const Scene& scene, const State& state) {
+  const StepSizes& step = state.step;
+  Json json{{"min", step.minimum}, {"max", step.maximum}};
+  if (!scene.bag) return json;
+  const double steps = std::max(1.0, static_cast<double>(state.steps));
+  json["shares"] = {{"element", step.share_sums.element / steps},
+                    {"gas", step.share_sums.gas / steps},
+                    {"contact", step.share_sums.contact / steps},
+                    {"strap", step.share_sums.strap / steps},
+                    {"plate", step.share_sums.plate / steps}};
+  return json;
+}
+
+Json residuals(const Scene& scene, const State& state) {
+  Json json;
+  const double energy = supplied_energy(state);
+  const auto relative = [&](double joule) { return energy > 0.0 ? joule / energy : joule; };
+  if (scene.has_volume()) json["mass_rel"] = state.peaks.mass_residual;
+  if (scene.moves()) json["ledger_rel"] = relative(state.peaks.ledger_residual);
+  if (scene.has_volume() || scene.moves()) json["energy_rel"] = relative(state.peaks.energy_residual);
+  if (scene.bag) json["momentum_rel"] = state.peaks.momentum_residual;
+  return json;
+}
+
+Json peaks(const Scene& scene, const State& state) {
+  Json json;
+  const Peaks& p = state.peaks;
+  if (scene.has_volume()) json["pressure_Pa"] = p.pressure;
+  if (scene.bag) json["volume_m3"] = p.volume;
+  if (!scene.jets.empty()) json["jet_force_N"] = p.jet_force;
+  if (scene.pendulum) {
+    json["pendulum_angle_rad"] = p.pendulum_angle;
+    json["pendulum_cg_acceleration_m_s2"] = p.cg_acceleration;
+  }
+  if (scene.contact) {
+    json["contact_force_N"] = p.contact_force;
+    json["contact_penetration_m"] = p.penetration;
+    json["contact_impulse_Ns"] = state.flows.contact_impulse;
+    json["first_contact_s"] = p.first_contact >= 0.0 ? Json(p.first_contact) : Json(nullptr);
+  }
+  return json;
+}
+
+Json counters(const Scene& scene, const State& state) {
+  Json json = Json::object();
+  if (scene.bag) json["elements"] = scene.bag->model.element_count;
+  if (scene.bag) json["nodes"] = scene.bag->model.node_count;
+  for (std::size_t j = 0; j < state.jets.size(); ++j) {
+    const auto& total = state.jets[j].total;
+    json["jets"].push_back({{"candidates", total.candidates},
+                            {"lit", total.lit},
+                            {"hidden", total.hidden},
+                            {"facing_away", total.facing_away},
+                            {"exact_calls", total.exact_calls},
+                            {"fallbacks", total.fallbacks}});
+  }
+  if (state.contact_cache) {
+    json["contact_searches"] = state.contact_cache->searches;
+    json["contact_sweeps"] = state.contact_cache->sweeps;
+  }
+  return json;
+}
+
+}  // namespace
+
+std::vector<Column<Record>> history_columns(const Scene& scene) {
+  std::vector<Column<Record>> columns;
+#define GASJET_COLUMN(name) columns.push_back({#name, &Record::name})
+  GASJET_COLUMN(time_s);
+  if (scene.has_volume()) {
+    GASJET_COLUMN(pressure_Pa);
+    GASJET_COLUMN(temperature_K);
+    GASJET_COLUMN(volume_m3);
+    GASJET_COLUMN(gas_mass_kg);
+    if (!scene.gas->model.inflows.empty()) GASJET_COLUMN(inflow_kg_s);
+    if (!scene.gas->model.vents.empty()) GASJET_COLUMN(vent_outflow_kg_s);
+  }
+  if (scene.bag) {
+    if (scene.bag->leak_law != LeakLaw::none) GASJET_COLUMN(fabric_outflow_kg_s);
+    GASJET_COLUMN(skin_area_m2);
+  }
+  if (!scene.jets.empty()) {
+    GASJET_COLUMN(jet_force_N);
+    GASJET_COLUMN(jet_lit_elements);
+    GASJET_COLUMN(jet_hidden_elements);
+  }
+  if (scene.contact) {
+    GASJET_COLUMN(contact_force_N);
+    GASJET_COLUMN(contact_penetration_m);
+  }
+  if (scene.pendulum) {
+    GASJET_COLUMN(pendulum_angle_rad);
+    GASJET_COLUMN(pendulum_angular_velocity_rad_s);
+    GASJET_COLUMN(pendulum_cg_acceleration_m_s2);
+  }
+  if (scene.bag && !scene.bag->model.description.straps.empty()) GASJET_COLUMN(strap_force_N);
+#undef GASJET_COLUMN
+  return columns;
+}
+
+std::vector<Column<EnergyRecord>> energy_columns(const Scene& scene) {
+  std::vector<Column<EnergyRecord>> columns;
+#define GASJET_COLUMN(name) columns.push_back({#name, &EnergyRecord::name})
+  GASJET_COLUMN(time_s);
+  if (scene.has_volume()) GASJET_COLUMN(gas_internal_J);
+  if (scene.bag) {
+    GASJET_COLUMN(skin_kinetic_J);
+    GASJET_COLUMN(skin_strain_J);
+    if (!scene.gravity.isZero(0.0)) GASJET_COLUMN(skin_gravity_J);
+    if (!scene.bag->model.description.straps.empty()) GASJET_COLUMN(strap_J);
+    if (!scene.bag->model.description.plates.empty()) GASJET_COLUMN(plate_J);
+    GASJET_COLUMN(ambient_work_J);
+  }
+  if (scene.contact) GASJET_COLUMN(contact_J);
+  if (scene.pendulum) {
+    GASJET_COLUMN(pendulum_kinetic_J);
+    GASJET_COLUMN(pendulum_gravity_J);
+  }
+  if (scene.has_volume()) {
+    GASJET_COLUMN(outflow_enthalpy_J);
+    GASJET_COLUMN(inflow_enthalpy_J);
+  }
+  if (scene.bag && scene.bag->model.description.mass_damping > 0.0) GASJET_COLUMN(damping_J);
+  if (scene.bag && !scene.jets.empty()) GASJET_COLUMN(jet_work_J);
+  GASJET_COLUMN(residual_J);
+  if (scene.moves()) GASJET_COLUMN(kick_residual_J);
+#undef GASJET_COLUMN
+  return columns;
+}
+
+void write_summary(const std::filesystem::path& file, const Scene& scene, const State& state,
+                   const RunOutcome& outcome, const Provenance& lines) {
+  Json json{{"scene", scene.name}, {"status", status_name(outcome.status)}};
+  if (!outcome.message.empty()) json["message"] = outcome.message;
+  json["steps"] = state.steps;
+  json["time_end_s"] = state.time;
+  json["wall_s"] = outcome.wall_seconds;
+  json["real_time_factor"] = state.time > 0.0 ? outcome.wall_seconds / state.time : 0.0;
+  for (std::size_t i = 0; i < kStages; ++i)
+    if (state.stage_seconds[i] > 0.0)
+      json["stage_seconds"][std::string(stage_name(static_cast<Stage>(i)))] = state.stage_seconds[i];
+  json["dt"] = step_sizes(scene, state);
+  json["residual"] = residuals(scene, state);
+  json["peak"] = peaks(scene, state);
+  json["counters"] = counters(scene, state);
+  for (const auto& [key, value] : lines) json["build"][key] = value;
+  std::ofstream stream(file);
+  stream << json.dump(2) << '\n';
+  if (!stream) throw OutputError(file.string() + ": write failed");
+}
+
+}  // namespace driver

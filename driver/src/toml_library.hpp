@@ -1,0 +1,7 @@
+// SPDX-License-Identifier: Apache-2.0
+// toml++ as this library uses it: compiled once, in its own shared library.
+#pragma once
+
+#define TOML_HEADER_ONLY 0
+#define TOML_ENABLE_FORMATTERS 0
+#include <toml++/toml.h>

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <Eigen/Core>
+#include <span>
+#include <vector>
+
+#include "coupling/error.hpp"
+#include "coupling/skin.hpp"
+
+namespace coupling {
+
+// Frictionless contact of a rigid sphere with a triangulated skin, by an energy that is an integral over the
+// skin's reference area, so that force against penetration converges with the mesh:
+//   (K.10) E = sum_q w_q kappa (r - d_q)^2 / 2 over quadrature points with d_q = |x_q - c| < r.
+// Points sit at the centroids of n x n sub-triangles; n is chosen per element at build so that the longest
+// reference edge / n <= r/4. E depends on positions only: the forces (K.11) f_a = -dE/dx_a are conservative.
+// The skin has no thickness and the sphere stays on the side of the skin where it is: see side.hpp.
+
+struct ContactParameters {
+  double sphere_radius;  // [m] r > 0
+  double stiffness;      // [N/m3] kappa > 0: pressure per penetration
+};
+
+// One evaluation. Forces are normal to the sphere, so their resultant acts at the sphere's centre: the moment
+// about any point P is (c - P) x force.
+struct ContactResult {
+  Eigen::Vector3d force =
+      Eigen::Vector3d::Zero();        // [N] on the sphere; the nodes' forces sum to its negative
+  double energy = 0.0;                // [J]
+  double area = 0.0;                  // [m2] reference area of the points that touch
+  double penetration = 0.0;           // [m] largest r - d_q, 0 when nothing touches
+  int deepest_element = -1;           // -1 when nothing touches
+  double omega_squared_skin = 0.0;    // [1/s2] (K.12) max_a sum_q w_q kappa N_a(q) / m_a
+  double omega_squared_sphere = 0.0;  // [1/s2] (K.12) sum_q w_q kappa / m_eff
+  // (K.12) Upper bound of the contact's omega^2: add it to the other stiffness terms of the step.
+  double omega_squared() const { return omega_squared_skin + omega_squared_sphere; }
+};
+
+// An element that the sphere may reach before the next search.
+struct NearElement {
+  int element;
+  double slack;  // [m] relative motion since the search below which it cannot touch
+};
+
+// Work arrays of one run; make one by ContactModel::make_state. Everything in it is a cache: results depend
+// on nodes and centre alone, bit for bit; what it carries from call to call only makes them cheap, and lets
+// the centre's path be tested.
+struct ContactState {
+  Eigen::Matrix3Xd nodes;                            // (3 x N) [m] at the last call
+  Eigen::Matrix3Xd next_nodes;                       // (3 x N) [m] scratch
+  Eigen::Vector3d centre = Eigen::Vector3d::Zero();  // [m] at the last call
+  double clearance = 0.0;                            // [m] lower bound of centre to skin at the last call
+  double travelled = 0.0;                            // [m] bound of the relative motion since the last search
+  double reach = 0.0;                                // [m] search again when travelled gets here
+  bool started = false;                              // false: no last call
+  std::vector<NearElement> near;                     // in ascending order of elements
+  std::vector<double> nodal_stiffness;               // (N) [N/m] zero between calls
+  int searches = 0;                                  // counter: rebuilds of `near`
+  int sweeps = 0;                                    // counter: swept tests of the whole skin
+};
+
+class ContactModel {
+ public:
+  // triangles: (3 x M) of the elements that take contact; reference: (3 x N) [m] stress-free shape, or the
+  // current one; masses: (N) [kg] lumped; effective_mass: [kg] of the sphere along its path (K.3).
+  // Throws std::invalid_argument (values, node numbers, elements without area, more than kMaxSubdivision).
+  ContactModel(const Triangles& triangles, const Nodes& reference, std::span<const double> masses,
+               double effective_mass, const ContactParameters& parameters);
+
+  ContactState make_state() const;
+
+  // S7: adds the contact forces (K.11) to `forces` for touched nodes only and returns the sphere's side.
+  // Calls of one state belong to successive levels: between the last call and this one the centre and every
+  // skin point are taken to move on straight lines at constant speed, and the centre must not meet the skin
+  // (K.15). Set state.started = false to begin anew. No allocation. Throws ContactError, naming the element,
+  // when the penetration exceeds r/2, when the centre crosses the skin and when a coordinate is not finite;
+  // `forces` are then not to be used.
+  ContactResult evaluate(ContactState& state, const Nodes& nodes, const Eigen::Vector3d& centre,
+                         NodalForces forces) const;
+
+  const ContactParameters& parameters() const { return parameters_; }
+  int element_count() const { return static_cast<int>(triangles_.cols()); }
+  int node_count() const { return static_cast<int>(masses_.size()); }
+  int subdivision(int element) const { return subdivision_[static_cast<std::size_t>(element)]; }
+
+  static constexpr int kMaxSubdivision = 512;
+
+ private:
+  void follow(ContactState& state, const Nodes& nodes, const Eigen::Vector3d& centre) const;
+  void add_element(int element, ContactState& state, NodalForces& forces, ContactResult& result) const;
+  void bound_stiffness(ContactState& state, ContactResult& result) const;
+
+  Eigen::Matrix3Xi triangles_;
+  std::vector<double> weights_;   // (M) [m2] reference area of one sub-triangle
+  std::vector<int> subdivision_;  // (M) n
+  std::vector<double> masses_;    // (N) [kg]
+  double effective_mass_;         // [kg]
+  ContactParameters parameters_;
+};
+
+// (K.13) Contact stiffness [N/m3] that adds `share` of the other terms' omega^2 [1/s2] to the step's bound:
+// kappa = share omega_other^2 rho h, from sum_q w_q N_a / m_a <= 1/(rho h) with lumped masses of a skin of
+// surface density rho h [kg/m2]. All arguments > 0 and finite, else std::invalid_argument.
+double default_contact_stiffness(double share, double omega_squared_other, double surface_density);
+
+}  // namespace coupling

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <Eigen/Core>
+#include <cmath>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+
+namespace coupling::detail {
+
+[[noreturn]] inline void reject(const std::string& field, const std::string& value, const char* allowed) {
+  throw std::invalid_argument(field + " = " + value + ": must be " + allowed);
+}
+
+inline std::string text(double value) {
+  std::ostringstream stream;
+  stream.precision(10);
+  stream << value;
+  return stream.str();
+}
+
+inline std::string text(const Eigen::Vector3d& v) {
+  std::ostringstream stream;
+  stream.precision(10);
+  stream << '[' << v.x() << ", " << v.y() << ", " << v.z() << ']';
+  return stream.str();
+}
+
+inline void require_positive(const std::string& field, double value) {
+  if (!(std::isfinite(value) && value > 0.0)) reject(field, text(value), "finite and greater than 0");
+}
+
+inline void require_not_negative(const std::string& field, double value) {
+  if (!(std::isfinite(value) && value >= 0.0)) reject(field, text(value), "finite and not negative");
+}
+
+inline void require_finite(const std::string& field, const Eigen::Vector3d& value) {
+  if (!value.allFinite()) reject(field, text(value), "finite");
+}
+
+}  // namespace coupling::detail

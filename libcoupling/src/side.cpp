@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "coupling/side.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "check.hpp"
+
+namespace coupling {
+namespace {
+
+using Eigen::Vector3d;
+
+// Corners of one element relative to a point, as columns [m].
+Eigen::Matrix3d corners_from(const Triangles& triangles, const Nodes& nodes, Eigen::Index element,
+                             const Vector3d& point) {
+  Eigen::Matrix3d u;
+  for (int i = 0; i < 3; ++i) u.col(i) = nodes.col(triangles(i, element)) - point;
+  return u;
+}
+
+// Half the solid angle of a triangle seen from the origin.
+double half_solid_angle(const Eigen::Matrix3d& u) {
+  const double a = u.col(0).norm(), b = u.col(1).norm(), c = u.col(2).norm();
+  const double volume = u.col(0).dot(u.col(1).cross(u.col(2)));
+  const double cosine =
+      a * b * c + u.col(0).dot(u.col(1)) * c + u.col(1).dot(u.col(2)) * a + u.col(2).dot(u.col(0)) * b;
+  return std::atan2(volume, cosine);
+}
+
+// Squared distance of the origin from the segment a + t (b - a).
+double squared_distance_to_segment(const Vector3d& a, const Vector3d& b) {
+  const Vector3d edge = b - a;
+  const double length2 = edge.squaredNorm();
+  const double t = length2 > 0.0 ? std::clamp(-a.dot(edge) / length2, 0.0, 1.0) : 0.0;
+  return (a + t * edge).squaredNorm();
+}
+
+// Is the origin's foot on the plane strictly inside the triangle with normal n?
+bool foot_inside(const Eigen::Matrix3d& u, const Vector3d& n) {
+  for (int i = 0; i < 3; ++i) {
+    const Vector3d a = u.col(i), b = u.col((i + 1) % 3);
+    if (!(n.dot(a.cross(b)) > 0.0)) return false;
+  }
+  return true;
+}
+
+double distance_from_origin(const Eigen::Matrix3d& u) {
+  const Vector3d n = (u.col(1) - u.col(0)).cross(u.col(2) - u.col(0));
+  if (foot_inside(u, n)) return std::abs(n.dot(u.col(0))) / n.norm();
+  double squared = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < 3; ++i)
+    squared = std::min(squared, squared_distance_to_segment(u.col(i), u.col((i + 1) % 3)));
+  return std::sqrt(squared);
+}
+
+}  // namespace
+
+double winding_number(const Triangles& triangles, const Nodes& nodes, const Vector3d& point) {
+  double sum = 0.0;
+  for (Eigen::Index e = 0; e < triangles.cols(); ++e)
+    sum += half_solid_angle(corners_from(triangles, nodes, e, point));
+  return sum / (2.0 * std::numbers::pi);
+}
+
+double distance_to_triangle(const Vector3d& point, const Vector3d& a, const Vector3d& b, const Vector3d& c) {
+  Eigen::Matrix3d u;
+  u << a - point, b - point, c - point;
+  return distance_from_origin(u);
+}
+
+Gap smallest_gap(const Triangles& triangles, const Nodes& nodes, const Vector3d& centre, double radius) {
+  Gap gap{std::numeric_limits<double>::infinity(), -1};
+  for (Eigen::Index e = 0; e < triangles.cols(); ++e) {
+    const double distance = distance_from_origin(corners_from(triangles, nodes, e, centre)) - radius;
+    if (distance < gap.distance) gap = {distance, static_cast<int>(e)};
+  }
+  return gap;
+}
+
+void require_outside(const Triangles& triangles, const Nodes& nodes, const Vector3d& centre, double radius) {
+  const Gap gap = smallest_gap(triangles, nodes, centre, radius);
+  if (gap.distance < -1e-9 * radius)
+    detail::reject("pendulum.impactor",
+                   detail::text(gap.distance) + " m from element " + std::to_string(gap.element),
+                   "at a gap >= 0 from the skin at the start");
+  const double winding = winding_number(triangles, nodes, centre);
+  if (std::abs(winding) > 0.5)
+    detail::reject("pendulum.impactor",
+                   "centre " + detail::text(centre) + " m, winding number " + detail::text(winding),
+                   "outside the skin at the start");
+}
+
+bool path_meets_triangle(const Eigen::Matrix3d& start, const Eigen::Matrix3d& end, double tolerance) {
+  const Eigen::Matrix3d motion = end - start;
+  const double largest = motion.colwise().norm().maxCoeff();
+  for (double t = 0.0;;) {
+    const double distance = distance_from_origin(start + t * motion);
+    if (!(distance > tolerance)) return true;
+    t += distance / largest;
+    if (!(t < 1.0)) return false;
+  }
+}
+
+}  // namespace coupling

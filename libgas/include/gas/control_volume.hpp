@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "gas/curve.hpp"
+#include "gas/thermo.hpp"
+
+/// One volume of gas at uniform pressure and temperature, with inflows and outflows:
+///   p V = sum(m_k R_k) T,  U = sum m_k u_k(T)                                                        (G.8)
+///   dm_k/dt = sum_i Y_ik mdot_i - Y_k (mdot_vent + mdot_fabric)                                      (G.9)
+///   dU/dt = sum_i mdot_i h_i(T_i) - (mdot_vent + mdot_fabric) h(T) - p dV/dt   (adiabatic)           (G.10)
+namespace gas {
+
+struct Ambient {
+  double pressure;     // [Pa] >= 0
+  double temperature;  // [K] > 0
+};
+
+/// Gas that flows in, as an inflator's curves. Flow is zero before start_time and outside the curve's knots.
+struct Inflow {
+  std::vector<double> mass_fractions;  // [-] one per species of the Thermo, sum 1
+  Curve mass_flow;                     // [kg/s] >= 0, against time since start_time [s]
+  Curve temperature;                   // [K], against time since start_time [s]
+  double start_time = 0.0;             // [s] firing time; infinity: never
+};
+
+struct Orifice {
+  double discharge_coefficient;  // [-] 0 to 1
+  double area;                   // [m2] >= 0
+};
+
+/// Everything constant about a control volume. validate() checks it; GasIntegrator's constructor does so too.
+struct ControlVolumeModel {
+  Thermo thermo;
+  Ambient ambient;
+  std::vector<Inflow> inflows;
+  std::vector<Orifice> vents;
+};
+
+struct ControlVolumeState {
+  std::vector<double> masses;  // [kg] one per species
+  double internal_energy;      // [J]
+  double temperature;          // [K] of (masses, internal_energy); only a first guess for the root find
+};
+
+/// The gas at one moment. Without gas (evacuated) all is zero but `temperature`, which is the state's, and
+/// `inflow`.
+struct GasPoint {
+  double pressure;          // [Pa]
+  double temperature;       // [K]
+  double density;           // [kg/m3]
+  double gamma;             // [-] cp/cv
+  double cp;                // [J/(kg K)]
+  double gas_constant;      // [J/(kg K)]
+  double mass;              // [kg]
+  double vent_mass_flow;    // [kg/s] out through all vents, (G.6)
+  double fabric_mass_flow;  // [kg/s] out through the fabric, (G.7)
+  double inflow;            // [kg/s] in through all inflows
+};
+
+/// The gas that an inflator delivers at one moment; what a jet needs to know.
+struct InflatorPoint {
+  double mass_flow;     // [kg/s]
+  double temperature;   // [K]
+  double cp;            // [J/(kg K)] at `temperature`
+  double gamma;         // [-]
+  double gas_constant;  // [J/(kg K)]
+};
+
+/// Throws std::invalid_argument, naming field, value and what is allowed, unless every field is in its range,
+/// every inflow has one mass fraction per species with sum 1 (to 1e-9), and its temperatures are in the range
+/// of the Thermo.
+void validate(const ControlVolumeModel& model);
+
+/// State of gas at p [Pa] >= 0, T [K], V [m3] > 0; p = 0 is evacuated. Throws std::invalid_argument.
+ControlVolumeState make_state(const Thermo& thermo, std::span<const double> mass_fractions, double pressure,
+                              double temperature, double volume);
+
+/// Stage S2: the gas of `state` in `volume` [m3] at time `time` [s], with the fabric's leak area [m2] (see
+/// fabric_mass_flow). Does not allocate. Throws DomainError if the volume is not positive or the temperature
+/// leaves its range.
+GasPoint evaluate(const ControlVolumeModel& model, const ControlVolumeState& state, double volume,
+                  double leak_area, double time);
+
+/// Stage S3: inflow `i` at time `time` [s].
+InflatorPoint inflator_point(const ControlVolumeModel& model, std::size_t i, double time);
+
+}  // namespace gas

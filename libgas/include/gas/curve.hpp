@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <span>
+#include <vector>
+
+namespace gas {
+
+/// Value of a Curve outside its knots.
+enum class Outside {
+  kZero,  // zero (a mass flow)
+  kHeld,  // that of the nearest knot (a temperature)
+};
+
+/// Piecewise linear function of time through knots (t, value).
+class Curve {
+ public:
+  struct Knot {
+    double time;   // [s]
+    double value;  // in the unit of the quantity
+  };
+  /// value(t) = value + slope (t - origin) on one piece.
+  struct Piece {
+    double origin;  // [s]
+    double value;
+    double slope;  // [1/s]
+    double at(double time) const { return value + slope * (time - origin); }
+  };
+
+  /// Throws std::invalid_argument if there is no knot (kZero: fewer than two), a number is not finite, or the
+  /// times do not increase strictly.
+  Curve(std::vector<Knot> knots, Outside outside);
+  /// The same value at all times.
+  static Curve constant(double value);
+
+  /// Value at time t; at a knot where the curve jumps (first and last, kZero) the value inside.
+  double value(double time) const;
+  /// The linear piece that holds in the neighbourhood of `time`, which is not a knot.
+  Piece piece(double time) const;
+  /// First knot later than `time`, or infinity.
+  double next_knot(double time) const;
+  /// The knot nearest to `time`, infinitely far if there is none (a constant).
+  double nearest_knot(double time) const;
+  /// Integral over [a, b], a <= b, exact to round-off.
+  double integral(double a, double b) const;
+
+  std::span<const Knot> knots() const { return knots_; }
+  Outside outside() const { return outside_; }
+  bool is_constant() const { return knots_.size() == 1; }
+  double minimum() const;  // smallest value at a knot
+  double maximum() const;  // largest value at a knot
+
+ private:
+  std::vector<Knot> knots_;
+  Outside outside_;
+};
+
+/// Integral of the product of two curves over [a, b], a <= b, exact to round-off.
+double product_integral(const Curve& f, const Curve& g, double a, double b);
+
+}  // namespace gas

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <array>
+#include <optional>
+
+namespace gas {
+
+/// Coefficient sums of a given amount of mixture. The polynomials (G.1) and (G.2) are linear in the species
+/// masses, so sum_k m_k R_k a_jk is all that any extensive property needs: its cost does not grow with the
+/// number of species. Built by Thermo::mixture. Properties are of the whole amount; divide by `mass` for
+/// specific ones (of 1 kg if `mass` is 1). At T <= 1000 K the lower range is used.
+class Mixture {
+ public:
+  using Sums = std::array<double, 6>;  // [J/K^j], j = 1..5, and [J]
+
+  double mass = 0.0;                 // [kg] sum m_k
+  double gas_constant_sum = 0.0;     // [J/K] sum m_k R_k
+  Sums low{};                        // sum m_k R_k a_jk, T <= 1000 K
+  Sums high{};                       // the same, T > 1000 K
+  double minimum_temperature = 0.0;  // [K]
+  double maximum_temperature = 0.0;  // [K]
+  bool constant_cp = true;
+
+  /// Heat capacity at constant pressure [J/K], (G.1).
+  double cp(double temperature) const;
+  /// Heat capacity at constant volume [J/K], cp - R.
+  double cv(double temperature) const { return cp(temperature) - gas_constant_sum; }
+  /// Enthalpy [J], (G.2).
+  double enthalpy(double temperature) const;
+  /// Internal energy [J], U = H - sum(m_k R_k) T.  (G.4)
+  double internal_energy(double temperature) const {
+    return enthalpy(temperature) - gas_constant_sum * temperature;
+  }
+
+  /// Temperature [K] from the internal energy [J] by a bracketed Newton iteration; `guess` [K] only sets the
+  /// speed. Where U(T) jumps up at 1000 K, energies inside the jump give T = 1000 K; where it jumps down, the
+  /// lower of the two roots is taken. Throws DomainError outside the temperature range (constant cp: for T <=
+  /// 0).
+  double temperature(double internal_energy, double guess) const;
+  /// The same without exception: empty where temperature() throws.
+  std::optional<double> find_temperature(double internal_energy, double guess) const noexcept;
+};
+
+}  // namespace gas

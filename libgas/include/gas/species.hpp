@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <array>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace gas {
+
+inline constexpr double kMolarGasConstant = 8.31446261815324;  // [J/(mol K)] CODATA 2018, exact
+inline constexpr double kReferenceTemperature = 298.15;        // [K] of constant cp, unless stated
+inline constexpr double kJointTemperature = 1000.0;            // [K] where the two NASA-7 ranges meet
+
+/// NASA-7 coefficients a1..a7 of one temperature range:
+///   cp/R = a1 + a2 T + a3 T^2 + a4 T^3 + a5 T^4                                      (G.1)
+///   h/(R T) = a1 + a2 T/2 + a3 T^2/3 + a4 T^3/4 + a5 T^4/5 + a6/T                    (G.2)
+///   s/R = a1 ln T + a2 T + a3 T^2/2 + a4 T^3/3 + a5 T^4/4 + a7   (298.15 K, 1 bar)   (G.3)
+using Nasa7 = std::array<double, 7>;
+
+/// An ideal gas. A gas of constant cp has a1 = cp/R, all other coefficients zero (so h = cp T, u = cv T,
+/// without offset) and every positive temperature as its range.
+struct Species {
+  std::string name;
+  double molar_mass;           // [kg/mol]
+  double minimum_temperature;  // [K]
+  double maximum_temperature;  // [K]
+  Nasa7 low;                   // T <= 1000 K
+  Nasa7 high;                  // T > 1000 K
+  bool constant_cp;            // cp does not depend on T
+};
+
+/// Names of the built-in species (NASA TM-4513, 1993): N2 O2 Ar He H2 CO CO2 H2O NO N2O NH3 CH4.
+std::vector<std::string> species_names();
+
+/// Built-in species with cp(T), 200 to 6000 K. Throws std::invalid_argument for an unknown name.
+Species nasa7_species(std::string_view name);
+
+/// Built-in species with the constant cp that NASA-7 gives at `temperature` [K] (200 to 6000, else
+/// std::invalid_argument).
+Species constant_cp_species(std::string_view name, double temperature = kReferenceTemperature);
+
+/// User-defined gas of constant cp. `gas_constant` [J/(kg K)] > 0, `cp` [J/(kg K)] > gas_constant, both
+/// finite, else std::invalid_argument.
+Species constant_cp_species(std::string_view name, double gas_constant, double cp);
+
+/// One part of a composition; by mole or by mass, as the function that takes it says.
+struct Component {
+  std::string species;
+  double fraction;  // [-]
+};
+
+/// Dry air by mole: 0.7808 N2, 0.2095 O2, 0.0093 Ar, the rest CO2.
+std::vector<Component> air_by_mole();
+
+}  // namespace gas

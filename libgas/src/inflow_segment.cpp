@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "inflow_segment.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace gas {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
+
+/// When the temperature, on its piece around tau, passes 1000 K after tau; infinity if it does not.
+double joint_crossing(const Curve& temperature, double tau, double piece_end) {
+  const Curve::Piece piece = temperature.piece(tau);
+  if (piece.slope == 0.0) return kInfinity;
+  const double crossing = piece.origin + (kJointTemperature - piece.value) / piece.slope;
+  const double clearance = 8.0 * kEpsilon * (std::abs(crossing) + std::abs(tau));
+  return crossing > tau + clearance && crossing < piece_end ? crossing : kInfinity;
+}
+
+}  // namespace
+
+double local_time(const Inflow& inflow, double t) {
+  const double tau = t - inflow.start_time;
+  if (!std::isfinite(tau)) return tau;
+  const double round_off = 2.0 * kEpsilon * std::max(std::abs(t), std::abs(inflow.start_time));
+  for (const double knot : {0.0, inflow.mass_flow.nearest_knot(tau), inflow.temperature.nearest_knot(tau)})
+    if (std::abs(tau - knot) <= round_off) return knot;
+  return tau;
+}
+
+double next_break(const Inflow& inflow, bool constant_cp, double t) {
+  const double tau = local_time(inflow, t);
+  if (!(tau > -kInfinity)) return kInfinity;
+  if (tau < 0.0) return std::max(inflow.start_time, std::nextafter(t, kInfinity));
+  if (inflow.mass_flow.outside() == Outside::kZero && tau >= inflow.mass_flow.knots().back().time)
+    return kInfinity;
+  const double knot = std::min(inflow.mass_flow.next_knot(tau), inflow.temperature.next_knot(tau));
+  const double joint = constant_cp ? kInfinity : joint_crossing(inflow.temperature, tau, knot);
+  return std::max(inflow.start_time + std::min(knot, joint), std::nextafter(t, kInfinity));
+}
+
+InflowSegment::InflowSegment(const Inflow& inflow, const Mixture& gas, double a, double b) : gas_(&gas) {
+  const double begin = local_time(inflow, a), end = local_time(inflow, b);
+  if (!(begin >= 0.0)) return;
+  duration_ = end - begin;
+  const double middle = begin + 0.5 * duration_;
+  const Curve::Piece flow = inflow.mass_flow.piece(middle), heat = inflow.temperature.piece(middle);
+  mass_flow_ = flow.at(begin);
+  mass_flow_slope_ = flow.slope;
+  temperature_ = heat.at(begin);
+  temperature_slope_ = heat.slope;
+  enthalpy_ = gas.enthalpy(temperature_);
+}
+
+InflowSegment::Flow InflowSegment::flow(double elapsed) const {
+  return {mass_flow_ + mass_flow_slope_ * elapsed, temperature_ + temperature_slope_ * elapsed};
+}
+
+InflowSegment::Delivered InflowSegment::delivered(double elapsed) const {
+  if (mass_flow_ == 0.0 && mass_flow_slope_ == 0.0) return {0.0, 0.0};
+  const auto [mass_flow, temperature] = flow(0.5 * elapsed);
+  const double mass = elapsed * mass_flow;
+  if (temperature_slope_ == 0.0) return {mass, mass * enthalpy_};
+  if (!gas_->constant_cp) return {mass, enthalpy_by_quadrature(elapsed)};
+  const double correlation = mass_flow_slope_ * temperature_slope_ * elapsed * elapsed / 12.0;
+  return {mass, gas_->cp(temperature) * elapsed * (mass_flow * temperature + correlation)};
+}
+
+double InflowSegment::enthalpy_by_quadrature(double elapsed) const {
+  // Gauss-Legendre, 4 points, exact to degree 7. Abramowitz & Stegun, table 25.4.
+  constexpr std::array<double, 2> kNodes{0.339981043584856264803, 0.861136311594052575224};
+  constexpr std::array<double, 2> kWeights{0.652145154862546142627, 0.347854845137453857373};
+  double sum = 0.0;
+  for (std::size_t i = 0; i < kNodes.size(); ++i) {
+    for (const double node : {-kNodes[i], kNodes[i]}) {
+      const auto [mass_flow, temperature] = flow(0.5 * elapsed * (1.0 + node));
+      sum += kWeights[i] * mass_flow * gas_->enthalpy(temperature);
+    }
+  }
+  return 0.5 * elapsed * sum;
+}
+
+}  // namespace gas

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "gas/orifice.hpp"
+
+#include <cmath>
+
+namespace gas {
+namespace {
+
+double log_critical_ratio(double gamma) {
+  return gamma / (gamma - 1.0) * std::log(2.0 / (gamma + 1.0));
+}
+
+}  // namespace
+
+double critical_pressure_ratio(double gamma) {
+  return std::exp(log_critical_ratio(gamma));
+}
+
+double choked_mass_flow(double effective_area, double pressure, double temperature, double gas_constant,
+                        double gamma) {
+  if (!(pressure > 0.0)) return 0.0;
+  const double half_exponent = 0.5 * (gamma + 1.0) / (gamma - 1.0);
+  const double flux = std::sqrt(gamma / (gas_constant * temperature)) *
+                      std::exp(half_exponent * std::log(2.0 / (gamma + 1.0)));
+  return effective_area * pressure * flux;
+}
+
+double subsonic_mass_flow(double effective_area, double pressure, double temperature, double gas_constant,
+                          double cp, double gamma, double ambient_pressure) {
+  if (!(pressure > ambient_pressure)) return 0.0;
+  // log of p_a/p; the difference of the pressures is exact where it matters (within a factor of 2).
+  const double log_ratio = std::log1p(-(pressure - ambient_pressure) / pressure);
+  const double powers = std::exp(2.0 / gamma * log_ratio) * -std::expm1((gamma - 1.0) / gamma * log_ratio);
+  return effective_area * pressure / (gas_constant * temperature) *
+         std::sqrt(2.0 * cp * temperature * powers);
+}
+
+double orifice_mass_flow(double effective_area, double pressure, double temperature, double gas_constant,
+                         double cp, double gamma, double ambient_pressure) {
+  if (!(pressure > ambient_pressure)) return 0.0;
+  if (ambient_pressure <= critical_pressure_ratio(gamma) * pressure)
+    return choked_mass_flow(effective_area, pressure, temperature, gas_constant, gamma);
+  return subsonic_mass_flow(effective_area, pressure, temperature, gas_constant, cp, gamma, ambient_pressure);
+}
+
+double fabric_mass_flow(double leak_area, double density, double pressure, double ambient_pressure) {
+  if (!(pressure > ambient_pressure)) return 0.0;
+  return leak_area * std::sqrt(2.0 * density * (pressure - ambient_pressure));
+}
+
+}  // namespace gas

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "gas/thermo.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <string>
+
+#include "require.hpp"
+
+namespace gas {
+namespace {
+
+Mixture::Sums scaled(const Nasa7& a, double gas_constant) {
+  Mixture::Sums sums;
+  for (std::size_t j = 0; j < sums.size(); ++j) sums[j] = gas_constant * a[j];
+  return sums;
+}
+
+void add(double factor, const Mixture::Sums& from, Mixture::Sums& to) {
+  for (std::size_t j = 0; j < to.size(); ++j) to[j] += factor * from[j];
+}
+
+}  // namespace
+
+Thermo::Thermo(std::vector<Species> species)
+    : species_(std::move(species)), maximum_temperature_(std::numeric_limits<double>::infinity()) {
+  if (species_.empty()) throw std::invalid_argument("species: at least one is needed");
+  for (std::size_t k = 0; k < species_.size(); ++k) {
+    const Species& s = species_[k];
+    if (index(s.name) != k) throw std::invalid_argument("species = \"" + s.name + "\": named twice");
+    gas_constants_.push_back(kMolarGasConstant / s.molar_mass);
+    low_.push_back(scaled(s.low, gas_constants_.back()));
+    high_.push_back(scaled(s.high, gas_constants_.back()));
+    minimum_temperature_ = std::max(minimum_temperature_, s.minimum_temperature);
+    maximum_temperature_ = std::min(maximum_temperature_, s.maximum_temperature);
+    constant_cp_ = constant_cp_ && s.constant_cp;
+  }
+}
+
+std::size_t Thermo::index(std::string_view name) const {
+  const auto found = std::ranges::find(species_, name, &Species::name);
+  if (found != species_.end()) return static_cast<std::size_t>(found - species_.begin());
+  throw std::invalid_argument("species = \"" + std::string(name) + "\": not in the mixture");
+}
+
+void Thermo::require_in_range(double temperature, double minimum, double maximum) const {
+  if (temperature > 0.0 && temperature >= minimum && temperature <= maximum && std::isfinite(temperature))
+    return;
+  throw DomainError("temperature = " + to_text(temperature) + " K: outside " + to_text(minimum) + " to " +
+                    to_text(maximum) + " K");
+}
+
+double Thermo::cp(std::size_t k, double temperature) const {
+  const Species& s = species_.at(k);
+  require_in_range(temperature, s.minimum_temperature, s.maximum_temperature);
+  return Mixture{1.0, gas_constants_[k], low_[k], high_[k]}.cp(temperature);
+}
+
+double Thermo::enthalpy(std::size_t k, double temperature) const {
+  const Species& s = species_.at(k);
+  require_in_range(temperature, s.minimum_temperature, s.maximum_temperature);
+  return Mixture{1.0, gas_constants_[k], low_[k], high_[k]}.enthalpy(temperature);
+}
+
+double Thermo::internal_energy(std::size_t k, double temperature) const {
+  return enthalpy(k, temperature) - gas_constants_[k] * temperature;
+}
+
+double Thermo::standard_entropy(std::size_t k, double temperature) const {
+  const Species& s = species_.at(k);
+  require_in_range(temperature, s.minimum_temperature, s.maximum_temperature);
+  const Nasa7& a = temperature <= kJointTemperature ? s.low : s.high;
+  const double t = temperature;
+  return gas_constants_[k] *
+         (a[6] + a[0] * std::log(t) + t * (a[1] + t * (a[2] / 2 + t * (a[3] / 3 + t * (a[4] / 4)))));
+}
+
+void Thermo::mixture(std::span<const double> masses, Mixture& out) const {
+  out = Mixture{};
+  out.minimum_temperature = minimum_temperature_;
+  out.maximum_temperature = maximum_temperature_;
+  out.constant_cp = constant_cp_;
+  for (std::size_t k = 0; k < masses.size(); ++k) {
+    out.mass += masses[k];
+    out.gas_constant_sum += masses[k] * gas_constants_[k];
+    add(masses[k], low_[k], out.low);
+    if (!constant_cp_) add(masses[k], high_[k], out.high);
+  }
+  if (constant_cp_) out.high = out.low;
+}
+
+Mixture Thermo::mixture(std::span<const double> masses) const {
+  require(masses.size() == size(), "number of masses", static_cast<double>(masses.size()),
+          "must be one per species");
+  for (const double m : masses) require(std::isfinite(m) && m >= 0.0, "mass [kg]", m, "must not be negative");
+  Mixture sums;
+  mixture(masses, sums);
+  return sums;
+}
+
+Mixture Thermo::checked(std::span<const double> masses, double temperature) const {
+  const Mixture sums = mixture(masses);
+  require(sums.mass > 0.0, "mass of the mixture [kg]", sums.mass, "must be positive");
+  require_in_range(temperature, minimum_temperature_, maximum_temperature_);
+  return sums;
+}
+
+double Thermo::gas_constant(std::span<const double> masses) const {
+  const Mixture sums = mixture(masses);
+  require(sums.mass > 0.0, "mass of the mixture [kg]", sums.mass, "must be positive");
+  return sums.gas_constant_sum / sums.mass;
+}
+
+double Thermo::cp(std::span<const double> masses, double temperature) const {
+  const Mixture sums = checked(masses, temperature);
+  return sums.cp(temperature) / sums.mass;
+}
+
+double Thermo::cv(std::span<const double> masses, double temperature) const {
+  const Mixture sums = checked(masses, temperature);
+  return sums.cv(temperature) / sums.mass;
+}
+
+double Thermo::gamma(std::span<const double> masses, double temperature) const {
+  const Mixture sums = checked(masses, temperature);
+  return sums.cp(temperature) / sums.cv(temperature);
+}
+
+double Thermo::enthalpy(std::span<const double> masses, double temperature) const {
+  const Mixture sums = checked(masses, temperature);
+  return sums.enthalpy(temperature) / sums.mass;
+}
+
+double Thermo::internal_energy(std::span<const double> masses, double temperature) const {
+  const Mixture sums = checked(masses, temperature);
+  return sums.internal_energy(temperature) / sums.mass;
+}
+
+double Thermo::speed_of_sound(std::span<const double> masses, double temperature) const {
+  const Mixture sums = checked(masses, temperature);
+  return std::sqrt(sums.cp(temperature) / sums.cv(temperature) * sums.gas_constant_sum / sums.mass *
+                   temperature);
+}
+
+double Thermo::temperature_from_internal_energy(std::span<const double> masses, double internal_energy,
+                                                double guess) const {
+  const Mixture sums = mixture(masses);
+  require(sums.mass > 0.0, "mass of the mixture [kg]", sums.mass, "must be positive");
+  return sums.temperature(internal_energy, guess);
+}
+
+std::vector<double> Thermo::fractions(std::span<const Component> composition, bool by_mole) const {
+  std::vector<double> masses(size(), 0.0);
+  std::vector<bool> named(size(), false);
+  double sum = 0.0, total_mass = 0.0;
+  for (const auto& [name, fraction] : composition) {
+    const std::size_t k = index(name);
+    if (named[k]) throw std::invalid_argument("species = \"" + name + "\": named twice in a composition");
+    require(std::isfinite(fraction) && fraction >= 0.0, "fraction of " + name, fraction, "must be 0 to 1");
+    named[k] = true;
+    masses[k] = by_mole ? fraction * species_[k].molar_mass : fraction;
+    sum += fraction;
+    total_mass += masses[k];
+  }
+  require(std::abs(sum - 1.0) <= 1e-6, "sum of fractions", sum, "must be 1");
+  for (double& m : masses) m /= total_mass;
+  return masses;
+}
+
+std::vector<double> Thermo::mass_fractions_by_mole(std::span<const Component> composition) const {
+  return fractions(composition, true);
+}
+
+std::vector<double> Thermo::mass_fractions_by_mass(std::span<const Component> composition) const {
+  return fractions(composition, false);
+}
+
+}  // namespace gas

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+// Free turbulent jets: centreline decay and width along the axis, pointwise.
+// Source: Abramovich, The Theory of Turbulent Jets, 1963 (main region of submerged jets); coefficients by
+// outlet type in Idelchik, Handbook of Hydraulic Resistance (a = 0.066 to 0.08 round, 0.09 to 0.12
+// rectangular).
+#pragma once
+
+namespace jet {
+
+/// Round jet, V_max / V0 = min(1, 0.96 / (a z/R0 + 0.29)) (J.3). `distance` = z/R0 >= 0 [-], R0 the outlet's
+/// radius.
+double round_decay(double distance, double decay_coefficient);
+
+/// Plane jet, V_max / V0 = min(1, 1.2 / sqrt(a z/b0 + 0.41)) (J.4). `distance` = z/b0 >= 0 [-], b0 half the
+/// short side.
+double plane_decay(double distance, double decay_coefficient);
+
+/// Length of the core, where V_max = V0: 0.67/a outlet radii (round), 1.03/a half short sides (plane) [-].
+double round_core_length(double decay_coefficient);
+double plane_core_length(double decay_coefficient);
+
+/// Distance of the virtual origin upstream of the outlet, where the decay law has its pole:
+/// 0.29/a outlet radii (round), 0.41/a half short sides (plane) [-].
+double round_virtual_origin(double decay_coefficient);
+double plane_virtual_origin(double decay_coefficient);
+
+/// Width that conserves axial momentum flux for V = V_max exp(-(r/R)^2) (J.5):
+///   round  R / R0 = sqrt(2) V0/V_max,  plane  b / b0 = 2 sqrt(2/pi) (V0/V_max)^2.  `decay` = V_max / V0 in
+///   (0, 1].
+double round_momentum_width(double decay);
+double plane_momentum_width(double decay);
+
+}  // namespace jet

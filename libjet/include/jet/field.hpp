@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+// Stage S4: overpressure of a jet on the elements of a surface, and the elements it can reach.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "jet/jet.hpp"
+#include "jet/outlet.hpp"
+#include "jet/views.hpp"
+
+namespace jet {
+
+/// What S4 writes. Made once by JetField::make_state, then reused: no allocation in a step.
+struct FieldState {
+  std::vector<double> overpressure;  // [Pa] M, dp of each element; zero off the candidates
+  std::vector<int> candidates;       // elements inside the jet, facing it, above the cut-off; ascending
+};
+
+/// Field of one jet over a surface of M elements. Const after construction.
+class JetField {
+ public:
+  /// `null_elements` take no load. Throws std::invalid_argument as validated(JetModel), for an empty surface
+  /// and for an element index out of range.
+  JetField(const JetModel& model, int element_count, std::span<const int> null_elements = {});
+
+  const JetModel& model() const { return model_; }
+  FieldState make_state() const;
+
+  /// Overpressure dp = (1 + e) rho0 max(V . n, 0)^2 (J.6), V at the centroid, n the unit vector of the area
+  /// vector. `area_vectors` [m2] and `centroids` [m], 3 x M, outward. A candidate has V . n > 0, lies
+  /// downstream of the outlet and within the cut-off. Without flow (density or velocity 0) there is none.
+  /// `velocities` [m/s] 3 x M of the elements' centroids is read if the model says relative_to_skin: then
+  /// dp = (1 + e) rho0 max(V . n - v . n, 0)^2. Throws std::invalid_argument on a wrong shape, where
+  /// velocities are missing and for subdivisions > 1; DomainError where a candidate's overpressure is not
+  /// finite.
+  void evaluate(const Points& area_vectors, const Points& centroids, const OutletState& outlet,
+                FieldState& state, const Points* velocities = nullptr) const;
+
+  /// The same, averaged over subdivisions^2 equal sub-triangles of each element, V at their centroids
+  /// (subdivisions = 1 gives `evaluate`). `nodes` [m] 3 x N, `triangles` 3 x M. A candidate has at least one
+  /// sub-triangle that is one.
+  void evaluate_average(const Points& nodes, const Triangles& triangles, const Points& area_vectors,
+                        const OutletState& outlet, FieldState& state,
+                        const Points* velocities = nullptr) const;
+
+ private:
+  struct Frame {
+    Eigen::Vector3d across;  // [-] axis x long direction
+    double cut_radius;       // [-] sqrt(ln(1/cut_off) / 2): |r| beyond cut_radius * width is outside
+    double half_long;        // [m]
+  };
+  double normal_velocity(const Eigen::Vector3d& point, const Eigen::Vector3d& normal) const;
+  void store(int element, double overpressure, FieldState& state) const;
+  void reset(FieldState& state) const;
+
+  JetModel model_;
+  Frame frame_;
+  int element_count_;
+  std::vector<std::uint8_t> is_null_;
+};
+
+/// Stage S5's last line: dp of candidates[k] is set to zero where lit[k] is 0.
+/// Throws std::invalid_argument unless lit has one entry a candidate.
+void apply_mask(std::span<const std::uint8_t> lit, FieldState& state);
+
+/// Force of the jet on the surface [N]: sum over the candidates of dp_e S_e, in ascending order.
+Eigen::Vector3d jet_force(const FieldState& state, const Points& area_vectors);
+
+}  // namespace jet

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: Apache-2.0
+// Stage S5: which elements of a triangulated surface are lit from a source. Exact on the coordinates as
+// given.
+//
+// Definition (J.7). For a candidate element (a, b, c) in double arithmetic, in this order and without
+// contraction:
+//   g = ((a + b) + c) / 3
+//   s = centre                                                   if half_long = 0 (round outlet)
+//   d = g - centre, t = (dx lx + dy ly) + dz lz clamped to +-half_long, s = centre + t l       (rectangular
+//   outlet)
+// From there on all predicates are those of exact arithmetic:
+// - facing: orientation(s, a, b, c) > 0, the side of the inward normal is seen;
+// - an element other than the candidate (by index) blocks if the open segment s g meets its closed triangle
+// and does not
+//   lie in its plane; so degenerate triangles never block, and a coincident duplicate of the candidate does;
+// - if s lies on a closed element of non-zero area, whichever role it has, s + eps axis with eps -> 0+ stands
+// for s in
+//   every predicate of that ray; an element whose plane contains that ray, too, never blocks;
+// - null and attachment elements never block.
+// A candidate is lit if it faces the source and nothing blocks.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "jet/views.hpp"
+
+namespace jet {
+
+/// Where rays start.
+struct RaySource {
+  Eigen::Vector3d centre = Eigen::Vector3d::Zero();  // [m]
+  Eigen::Vector3d axis =
+      Eigen::Vector3d::UnitX();  // [-] side to which a source on the surface is moved, not 0
+  Eigen::Vector3d long_direction =
+      Eigen::Vector3d::Zero();  // [-] unit, read if half_long > 0; taken as given
+  double half_long = 0.0;       // [m] half the long side of a rectangular outlet; 0: point
+};
+
+/// The answer is the same bit for bit.
+enum class VisibilityRoute {
+  fast,        // filters in double, away-facing elements first (default)
+  cgal_tree,   // CGAL's AABB tree, built anew at every call
+  brute_force  // every pair, CGAL's predicates: the oracle
+};
+
+/// Elements with a special part.
+struct SurfaceRoles {
+  std::vector<int> null_elements;        // close a hole: never block, count in winding numbers
+  std::vector<int> attachment_elements;  // around the outlet: never block, count in winding numbers
+};
+
+/// What a query did. candidates = lit + hidden + facing_away.
+struct VisibilityCounters {
+  std::size_t candidates = 0;
+  std::size_t lit = 0;
+  std::size_t hidden = 0;       // facing the source, but blocked
+  std::size_t facing_away = 0;  // orientation <= 0
+  std::size_t exact_calls = 0;  // predicates left to CGAL's kernel
+  std::size_t fallbacks = 0;    // rays to which the fast route's short cut did not apply
+};
+
+/// Visibility on a surface of fixed connectivity. Owns its workspace: one object a thread.
+class VisibilityQuery {
+ public:
+  /// Throws std::invalid_argument for an empty mesh, a node index outside [0, node_count), a role's element
+  /// index out of range.
+  VisibilityQuery(const Triangles& triangles, int node_count, const SurfaceRoles& roles = {});
+  ~VisibilityQuery();
+  VisibilityQuery(VisibilityQuery&&) noexcept;
+  VisibilityQuery& operator=(VisibilityQuery&&) noexcept;
+
+  /// lit[k] = 1 if candidates[k] is lit, else 0. `nodes` [m] 3 x node_count; coordinates of nodes and source
+  /// must be 0 or 1e-100 to 1e100 in magnitude, axis not zero, else std::invalid_argument; so for wrong sizes
+  /// and indices.
+  VisibilityCounters query(VisibilityRoute route, const Points& nodes, const RaySource& source,
+                           std::span<const int> candidates, std::span<std::uint8_t> lit);
+
+  /// Winding number of each candidate's ray source (moved as above where it lies on the surface): 1 inside a
+  /// closed outward surface. Exact; std::nullopt where the surface is open or no generic ray was found. Meant
+  /// for checks before a run: O(M) for each candidate, allocates.
+  std::vector<std::optional<int>> winding_numbers(const Points& nodes, const RaySource& source,
+                                                  std::span<const int> candidates);
+
+  int element_count() const;
+  bool closed() const;  // every directed edge has its opposite equally often
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+/// Mask of all M elements of a mesh seen from `source`, in one call. Throws as VisibilityQuery.
+std::vector<std::uint8_t> visible(const Points& nodes, const Triangles& triangles, const RaySource& source,
+                                  VisibilityRoute route = VisibilityRoute::fast);
+
+}  // namespace jet

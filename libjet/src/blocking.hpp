@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+// The blocking rule (J.7), written once. Every route decides with these functions; `Kernel` supplies exact
+// predicates (orientation, slope, on_triangle), by CGAL alone or behind a filter.
+#pragma once
+
+#include <algorithm>
+
+#include "jet/visibility.hpp"
+#include "surface.hpp"
+
+namespace jet::blocking {
+
+/// One candidate's open segment from source to target.
+struct Ray {
+  double source[3];
+  double target[3];
+  const double* axis;
+  bool moved;  // the source lies on an element: source + eps axis stands for it
+};
+
+/// End points in double arithmetic, in the order that the definition fixes. `moved` is left false.
+inline Ray make_ray(const Surface& surface, int element, const RaySource& from) {
+  Ray ray{{from.centre[0], from.centre[1], from.centre[2]}, {}, from.axis.data(), false};
+  const double *a = surface.corner(element, 0), *b = surface.corner(element, 1),
+               *c = surface.corner(element, 2);
+  for (int i = 0; i < 3; ++i) ray.target[i] = ((a[i] + b[i]) + c[i]) / 3.0;
+  if (from.half_long == 0.0) return ray;
+  const double dx = ray.target[0] - from.centre[0];
+  const double dy = ray.target[1] - from.centre[1];
+  const double dz = ray.target[2] - from.centre[2];
+  const Eigen::Vector3d& l = from.long_direction;
+  const double t = std::clamp((dx * l[0] + dy * l[1]) + dz * l[2], -from.half_long, from.half_long);
+  for (int i = 0; i < 3; ++i) ray.source[i] = from.centre[i] + t * l[i];
+  return ray;
+}
+
+/// Sign of orientation(source, p, q, r), for eps -> 0+ where the source is moved.
+template <class Kernel>
+int orientation_from_source(Kernel& kernel, const Ray& ray, const double* p, const double* q,
+                            const double* r) {
+  const int sign = kernel.orientation(ray.source, p, q, r);
+  if (sign != 0 || !ray.moved) return sign;
+  return -kernel.slope(ray.axis, p, q, r);
+}
+
+/// Side of an element that the source is on: 1 inner (facing), -1 outer, 0 in its plane.
+template <class Kernel>
+int facing(Kernel& kernel, const Ray& ray, const Surface& surface, int element) {
+  return orientation_from_source(kernel, ray, surface.corner(element, 0), surface.corner(element, 1),
+                                 surface.corner(element, 2));
+}
+
+/// Signs with which the line through the segment passes the element's three edges.
+struct Passage {
+  int ab, bc, ca;
+  bool touches() const { return std::min({ab, bc, ca}) >= 0 || std::max({ab, bc, ca}) <= 0; }
+  bool pierces() const { return (ab > 0 && bc > 0 && ca > 0) || (ab < 0 && bc < 0 && ca < 0); }
+};
+
+template <class Kernel>
+Passage passage(Kernel& kernel, const Ray& ray, const Surface& surface, int element) {
+  const double* g = ray.target;
+  const double *a = surface.corner(element, 0), *b = surface.corner(element, 1),
+               *c = surface.corner(element, 2);
+  const int ab = orientation_from_source(kernel, ray, g, a, b);
+  const int bc = orientation_from_source(kernel, ray, g, b, c);
+  if (ab * bc < 0) return {ab, bc, 0};
+  return {ab, bc, orientation_from_source(kernel, ray, g, c, a)};
+}
+
+/// The open segment meets the closed element and does not lie in its plane. Strictly opposite sides of the
+/// plane make the meeting point one; a degenerate element has no side, so it never blocks.
+template <class Kernel>
+bool blocks(Kernel& kernel, const Ray& ray, const Surface& surface, int element) {
+  const int near = facing(kernel, ray, surface, element);
+  if (near == 0) return false;
+  const int far = kernel.orientation(ray.target, surface.corner(element, 0), surface.corner(element, 1),
+                                     surface.corner(element, 2));
+  return near * far < 0 && passage(kernel, ray, surface, element).touches();
+}
+
+/// The source, not moved, lies on a closed element of non-zero area.
+template <class Kernel>
+bool source_on(Kernel& kernel, const Ray& ray, const Surface& surface, int element) {
+  return kernel.on_triangle(ray.source, surface.corner(element, 0), surface.corner(element, 1),
+                            surface.corner(element, 2));
+}
+
+}  // namespace jet::blocking

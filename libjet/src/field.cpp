@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "jet/field.hpp"
+
+#include <cmath>
+#include <sstream>
+#include <stdexcept>
+
+#include "profile.hpp"
+
+namespace jet {
+namespace {
+
+void require_columns(const char* name, Eigen::Index columns, int element_count) {
+  if (columns == element_count) return;
+  std::ostringstream message;
+  message << "jet field " << name << " has " << columns << " columns, allowed: " << element_count;
+  throw std::invalid_argument(message.str());
+}
+
+void require_velocities(const JetModel& model, const Points* velocities, int element_count) {
+  if (!model.relative_to_skin) return;
+  if (velocities == nullptr) {
+    throw std::invalid_argument("jet field velocities are missing, needed with relative_to_skin");
+  }
+  require_columns("velocities", velocities->cols(), element_count);
+}
+
+/// Sum over the n^2 equal sub-triangles of one element of f(centroid of the sub-triangle).
+template <class Function>
+double sum_subtriangles(const Eigen::Vector3d& a, const Eigen::Vector3d& ab, const Eigen::Vector3d& ac, int n,
+                        Function f) {
+  double sum = 0.0;
+  const double scale = 1.0 / (3.0 * n);
+  for (int i = 0; i < n; ++i) {
+    for (int j = 0; i + j < n; ++j) {
+      sum += f(a + scale * (3 * i + 1) * ab + scale * (3 * j + 1) * ac);
+      if (i + j < n - 1) sum += f(a + scale * (3 * i + 2) * ab + scale * (3 * j + 2) * ac);
+    }
+  }
+  return sum;
+}
+
+double sqr(double x) {
+  return x * x;
+}
+
+}  // namespace
+
+JetField::JetField(const JetModel& model, int element_count, std::span<const int> null_elements)
+    : model_(validated(model)), element_count_(element_count) {
+  if (element_count < 1) throw std::invalid_argument("jet field surface has no element, allowed: 1 or more");
+  is_null_.assign(static_cast<std::size_t>(element_count), 0);
+  for (const int element : null_elements) {
+    if (element < 0 || element >= element_count) {
+      throw std::invalid_argument("jet field null element " + std::to_string(element) + ", allowed: 0 to " +
+                                  std::to_string(element_count - 1));
+    }
+    is_null_[static_cast<std::size_t>(element)] = 1;
+  }
+  const bool round = model_.shape == OutletShape::round;
+  frame_.across = round ? Eigen::Vector3d::Zero() : Eigen::Vector3d(model_.axis.cross(model_.long_direction));
+  frame_.cut_radius = std::sqrt(-0.5 * std::log(model_.cut_off));
+  frame_.half_long = round ? 0.0 : 0.5 * model_.long_side;
+}
+
+FieldState JetField::make_state() const {
+  FieldState state;
+  state.overpressure.assign(static_cast<std::size_t>(element_count_), 0.0);
+  state.candidates.reserve(static_cast<std::size_t>(element_count_));
+  return state;
+}
+
+void JetField::reset(FieldState& state) const {
+  if (state.overpressure.size() != static_cast<std::size_t>(element_count_)) {
+    throw std::invalid_argument("jet field state does not belong to this surface, use make_state");
+  }
+  for (const int element : state.candidates) state.overpressure[static_cast<std::size_t>(element)] = 0.0;
+  state.candidates.clear();
+}
+
+// Cheap rejections come first; they are written so that a non-finite coordinate passes them all and is found
+// in store().
+double JetField::normal_velocity(const Eigen::Vector3d& point, const Eigen::Vector3d& normal) const {
+  const profile::Local local = profile::local(model_, frame_.across, point);
+  if (local.z <= 0.0 || std::abs(local.along) > frame_.half_long) return 0.0;
+  const Section here = section(model_, local.z);
+  if (local.radius2 > sqr(frame_.cut_radius * here.width)) return 0.0;
+  return profile::speed(here, local.radius2) * profile::direction(model_, frame_.across, point).dot(normal);
+}
+
+void JetField::store(int element, double overpressure, FieldState& state) const {
+  if (!std::isfinite(overpressure)) {
+    throw DomainError("jet overpressure of element " + std::to_string(element) + " is not finite");
+  }
+  state.overpressure[static_cast<std::size_t>(element)] = overpressure;
+  state.candidates.push_back(element);
+}
+
+void JetField::evaluate(const Points& area_vectors, const Points& centroids, const OutletState& outlet,
+                        FieldState& state, const Points* velocities) const {
+  if (model_.subdivisions != 1) throw std::invalid_argument("jet subdivisions > 1 need evaluate_average");
+  require_columns("area_vectors", area_vectors.cols(), element_count_);
+  require_columns("centroids", centroids.cols(), element_count_);
+  require_velocities(model_, velocities, element_count_);
+  reset(state);
+  if (outlet.density == 0.0 || outlet.velocity == 0.0) return;
+  const bool axial = model_.direction == Direction::axial;
+  const double factor = (1.0 + model_.restitution) * outlet.density;
+  for (int e = 0; e < element_count_; ++e) {
+    if (is_null_[static_cast<std::size_t>(e)] || (axial && model_.axis.dot(area_vectors.col(e)) <= 0.0))
+      continue;
+    const double weighted = normal_velocity(centroids.col(e), area_vectors.col(e));
+    if (weighted <= 0.0) continue;
+    const Eigen::Vector3d normal = area_vectors.col(e).normalized();
+    double speed = outlet.velocity * weighted / area_vectors.col(e).norm();
+    if (model_.relative_to_skin) speed -= velocities->col(e).dot(normal);
+    if (speed <= 0.0) continue;
+    store(e, factor * sqr(speed), state);
+  }
+}
+
+void JetField::evaluate_average(const Points& nodes, const Triangles& triangles, const Points& area_vectors,
+                                const OutletState& outlet, FieldState& state,
+                                const Points* velocities) const {
+  require_columns("area_vectors", area_vectors.cols(), element_count_);
+  require_columns("triangles", triangles.cols(), element_count_);
+  require_velocities(model_, velocities, element_count_);
+  reset(state);
+  if (outlet.density == 0.0 || outlet.velocity == 0.0) return;
+  const int n = model_.subdivisions;
+  const double factor = (1.0 + model_.restitution) * outlet.density / (n * n);
+  for (int e = 0; e < element_count_; ++e) {
+    if (is_null_[static_cast<std::size_t>(e)]) continue;
+    const Eigen::Vector3d normal = area_vectors.col(e).normalized();
+    const double skin = model_.relative_to_skin ? velocities->col(e).dot(normal) : 0.0;
+    const Eigen::Vector3d a = nodes.col(triangles(0, e));
+    const Eigen::Vector3d ab = nodes.col(triangles(1, e)) - a;
+    const Eigen::Vector3d ac = nodes.col(triangles(2, e)) - a;
+    const double sum = sum_subtriangles(a, ab, ac, n, [&](const Eigen::Vector3d& point) {
+      const double velocity = outlet.velocity * normal_velocity(point, normal);
+      return velocity <= 0.0 || velocity <= skin ? 0.0 : sqr(velocity - skin);
+    });
+    if (sum <= 0.0) continue;
+    store(e, factor * sum, state);
+  }
+}
+
+void apply_mask(std::span<const std::uint8_t> lit, FieldState& state) {
+  if (lit.size() != state.candidates.size()) {
+    throw std::invalid_argument("jet mask has " + std::to_string(lit.size()) +
+                                " entries, allowed: one a candidate, " +
+                                std::to_string(state.candidates.size()));
+  }
+  for (std::size_t k = 0; k < lit.size(); ++k) {
+    if (lit[k] == 0) state.overpressure[static_cast<std::size_t>(state.candidates[k])] = 0.0;
+  }
+}
+
+Eigen::Vector3d jet_force(const FieldState& state, const Points& area_vectors) {
+  Eigen::Vector3d force = Eigen::Vector3d::Zero();
+  for (const int element : state.candidates) {
+    force += state.overpressure[static_cast<std::size_t>(element)] * area_vectors.col(element);
+  }
+  return force;
+}
+
+}  // namespace jet

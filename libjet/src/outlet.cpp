@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "jet/outlet.hpp"
+
+#include <cmath>
+#include <sstream>
+
+namespace jet {
+namespace {
+
+template <class Error>
+[[noreturn]] void refuse(const char* name, double value, const char* allowed) {
+  std::ostringstream message;
+  message.precision(17);
+  message << name << " is " << value << ", allowed: " << allowed;
+  throw Error(message.str());
+}
+
+void require_positive(const char* name, double value) {
+  if (!(value > 0.0) || !std::isfinite(value)) refuse<DomainError>(name, value, "finite and > 0");
+}
+
+void check(const OutletModel& model, const OutletInput& input) {
+  if (!(input.mass_flow >= 0.0) || !std::isfinite(input.mass_flow)) {
+    refuse<DomainError>("outlet mass_flow", input.mass_flow, "finite and >= 0");
+  }
+  require_positive("outlet temperature", input.temperature);
+  require_positive("outlet gas_constant", input.gas_constant);
+  if (!(input.cp > input.gas_constant) || !std::isfinite(input.cp)) {
+    refuse<DomainError>("outlet cp", input.cp, "finite and > gas_constant");
+  }
+  if (model.law == OutletLaw::pressure_matched) require_positive("outlet bag_pressure", input.bag_pressure);
+}
+
+OutletState sonic_state(const OutletModel& model, const OutletInput& input) {
+  const double gamma = input.cp / (input.cp - input.gas_constant);
+  OutletState state;
+  state.temperature = input.temperature;
+  if (model.temperature == OutletTemperature::stagnation) state.temperature *= 2.0 / (gamma + 1.0);
+  state.velocity = std::sqrt((gamma - 1.0) * input.cp * state.temperature);
+  state.density = input.mass_flow / (model.area * state.velocity);
+  state.pressure = state.density * input.gas_constant * state.temperature;
+  return state;
+}
+
+OutletState subsonic_state(const OutletModel& model, const OutletInput& input) {
+  const double b = model.area * input.bag_pressure / input.gas_constant;
+  const double c = 2.0 * input.mass_flow * input.temperature;
+  OutletState state;
+  // The root's form without cancellation: it stays exact as the flow goes to zero.
+  state.velocity = c / (b + std::sqrt(b * b + input.mass_flow * c / input.cp));
+  state.temperature = input.temperature - state.velocity * state.velocity / (2.0 * input.cp);
+  state.pressure = input.bag_pressure;
+  state.density = state.pressure / (input.gas_constant * state.temperature);
+  return state;
+}
+
+}  // namespace
+
+void validate(const OutletModel& model) {
+  if (!(model.area > 0.0) || !std::isfinite(model.area)) {
+    refuse<std::invalid_argument>("outlet area", model.area, "finite and > 0 [m2]");
+  }
+  if (model.law == OutletLaw::pressure_matched && model.temperature != OutletTemperature::stagnation) {
+    throw std::invalid_argument(
+        "outlet temperature is static, allowed with the pressure-matched outlet: stagnation");
+  }
+}
+
+OutletState outlet_state(const OutletModel& model, const OutletInput& input) {
+  check(model, input);
+  const OutletState sonic = sonic_state(model, input);
+  const bool choked = model.law == OutletLaw::sonic || sonic.pressure >= input.bag_pressure;
+  return choked ? sonic : subsonic_state(model, input);
+}
+
+double momentum_flux(const OutletState& state, double area) {
+  return state.density * state.velocity * state.velocity * area;
+}
+
+}  // namespace jet

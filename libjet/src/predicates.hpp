@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+// Exact predicates on points given as three doubles. CGAL stays behind this border.
+#pragma once
+
+#include <cstddef>
+
+namespace jet::exact {
+
+/// Sign of det(q - p, r - p, s - p): CGAL's orientation.
+int orientation(const double* p, const double* q, const double* r, const double* s);
+
+/// Sign of d . ((q - p) x (r - p)) for a vector d given as three doubles.
+int slope(const double* d, const double* p, const double* q, const double* r);
+
+/// Point s on the closed triangle (a, b, c), which has an area.
+bool on_triangle(const double* s, const double* a, const double* b, const double* c);
+
+/// The three points lie on one line.
+bool collinear(const double* a, const double* b, const double* c);
+
+/// Predicates by CGAL alone, and how often they were asked: the kernel of the reference routes.
+struct Kernel {
+  std::size_t calls = 0;
+
+  int orientation(const double* p, const double* q, const double* r, const double* s) {
+    ++calls;
+    return exact::orientation(p, q, r, s);
+  }
+  int slope(const double* d, const double* p, const double* q, const double* r) {
+    ++calls;
+    return exact::slope(d, p, q, r);
+  }
+  bool on_triangle(const double* s, const double* a, const double* b, const double* c) {
+    return orientation(s, a, b, c) == 0 && exact::on_triangle(s, a, b, c);
+  }
+};
+
+}  // namespace jet::exact

@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "jet/visibility.hpp"
+
+#include <cmath>
+#include <numeric>
+#include <stdexcept>
+#include <string>
+
+#include "blocking.hpp"
+#include "closedness.hpp"
+#include "fast.hpp"
+#include "predicates.hpp"
+#include "tree.hpp"
+#include "winding.hpp"
+
+namespace jet {
+namespace {
+
+constexpr double kLargest = 1e100;
+constexpr double kSmallest = 1e-100;
+
+bool allowed(double x) {
+  return x == 0.0 || (std::abs(x) >= kSmallest && std::abs(x) <= kLargest);
+}
+
+[[noreturn]] void refuse(const std::string& message) {
+  throw std::invalid_argument("visibility " + message);
+}
+
+void require_index(const char* name, int index, int count) {
+  if (index < 0 || index >= count) {
+    refuse(std::string(name) + " " + std::to_string(index) + ", allowed: 0 to " + std::to_string(count - 1));
+  }
+}
+
+void require_coordinates(const char* name, const Eigen::Vector3d& vector) {
+  for (const double x : vector) {
+    if (!allowed(x))
+      refuse(std::string(name) + " has coordinate " + std::to_string(x) + ", allowed: 0 or 1e-100 to 1e100");
+  }
+}
+
+void check_source(const RaySource& source) {
+  require_coordinates("source centre", source.centre);
+  require_coordinates("source axis", source.axis);
+  if (source.axis.isZero(0.0)) refuse("source axis is zero");
+  if (!(source.half_long >= 0.0 && allowed(source.half_long))) {
+    refuse("source half_long is " + std::to_string(source.half_long) + ", allowed: 0 or 1e-100 to 1e100");
+  }
+  if (source.half_long == 0.0) return;
+  require_coordinates("source long_direction", source.long_direction);
+  if (source.long_direction.isZero(0.0)) refuse("source long_direction is zero");
+  if (!(source.half_long * source.long_direction.cwiseAbs().maxCoeff() <= kLargest))
+    refuse("source is too long");
+}
+
+/// Largest magnitude of a coordinate; NaN is found through the comparison that it fails.
+double check_nodes(const Points& nodes, int node_count) {
+  if (nodes.cols() != node_count) {
+    refuse("nodes has " + std::to_string(nodes.cols()) + " columns, allowed: " + std::to_string(node_count));
+  }
+  double largest = 0.0;
+  bool good = true;
+  for (Eigen::Index i = 0; i < nodes.cols(); ++i) {
+    const double x = std::abs(nodes(0, i)), y = std::abs(nodes(1, i)), z = std::abs(nodes(2, i));
+    good &= (x >= kSmallest || x == 0.0) & (y >= kSmallest || y == 0.0) & (z >= kSmallest || z == 0.0);
+    largest = std::max(std::max(largest, x), std::max(y, z));
+  }
+  if (good && largest <= kLargest) return largest;
+  for (Eigen::Index i = 0; i < nodes.cols(); ++i) {
+    require_coordinates(("node " + std::to_string(i)).c_str(), nodes.col(i));
+  }
+  return largest;
+}
+
+/// Every pair, CGAL's predicates: the oracle.
+struct BruteForce {
+  const Surface& surface;
+  exact::Kernel& kernel;
+
+  bool source_on_surface(const blocking::Ray& ray) const {
+    for (int e = 0; e < surface.count; ++e) {
+      if (blocking::source_on(kernel, ray, surface, e)) return true;
+    }
+    return false;
+  }
+  bool blocked(const blocking::Ray& ray, int target) const {
+    for (int e = 0; e < surface.count; ++e) {
+      if (e != target && !surface.never_blocks(e) && blocking::blocks(kernel, ray, surface, e)) return true;
+    }
+    return false;
+  }
+};
+
+struct TreeSearch {
+  const ElementTree& tree;
+  exact::Kernel& kernel;
+
+  bool source_on_surface(const blocking::Ray& ray) const { return tree.source_on_surface(kernel, ray); }
+  bool blocked(const blocking::Ray& ray, int target) const { return tree.blocked(kernel, ray, target); }
+};
+
+/// Candidates one by one; `search` answers for the whole surface.
+template <class Search>
+VisibilityCounters query_by(const Search& search, const Surface& surface, const RaySource& source,
+                            std::span<const int> candidates, std::span<std::uint8_t> lit) {
+  VisibilityCounters counters;
+  bool point_moved = false;
+  for (std::size_t k = 0; k < candidates.size(); ++k) {
+    blocking::Ray ray = blocking::make_ray(surface, candidates[k], source);
+    const bool shared = source.half_long == 0.0 && k > 0;  // a point source is looked for once
+    point_moved = ray.moved = shared ? point_moved : search.source_on_surface(ray);
+    const bool faces = blocking::facing(search.kernel, ray, surface, candidates[k]) > 0;
+    lit[k] = faces && !search.blocked(ray, candidates[k]);
+    counters.facing_away += !faces;
+    counters.lit += lit[k];
+  }
+  counters.candidates = candidates.size();
+  counters.hidden = counters.candidates - counters.lit - counters.facing_away;
+  counters.exact_calls = search.kernel.calls;
+  return counters;
+}
+
+}  // namespace
+
+struct VisibilityQuery::Impl {
+  int node_count;
+  bool closed;
+  std::vector<std::array<int, 3>> triangles;
+  std::vector<Role> roles;
+  FastRoute fast;
+
+  int count() const { return static_cast<int>(triangles.size()); }
+
+  Surface surface(const Points& nodes) const {
+    return {nodes.data(), nodes.outerStride(), triangles.data(), roles.data(), count(), node_count};
+  }
+
+  void assign(const std::vector<int>& elements, const char* name, Role role) {
+    for (const int e : elements) {
+      require_index(name, e, count());
+      roles[static_cast<std::size_t>(e)] = role;
+    }
+  }
+
+  /// Bound of the magnitude of every coordinate of nodes and sources.
+  double check(const Points& nodes, const RaySource& source, std::span<const int> candidates) const {
+    check_source(source);
+    for (const int e : candidates) require_index("candidate", e, count());
+    const double reach =
+        source.half_long == 0.0 ? 0.0 : source.half_long * source.long_direction.cwiseAbs().maxCoeff();
+    return std::max(check_nodes(nodes, node_count), source.centre.cwiseAbs().maxCoeff() + reach);
+  }
+};
+
+VisibilityQuery::VisibilityQuery(const Triangles& triangles, int node_count, const SurfaceRoles& roles)
+    : impl_(std::make_unique<Impl>()) {
+  if (triangles.cols() == 0) refuse("mesh has no element, allowed: 1 or more");
+  impl_->node_count = node_count;
+  for (Eigen::Index e = 0; e < triangles.cols(); ++e) {
+    for (int i = 0; i < 3; ++i) require_index("node index", triangles(i, e), node_count);
+    impl_->triangles.push_back({triangles(0, e), triangles(1, e), triangles(2, e)});
+  }
+  impl_->roles.assign(impl_->triangles.size(), Role::fabric);
+  impl_->assign(roles.attachment_elements, "attachment element", Role::attachment);
+  impl_->assign(roles.null_elements, "null element", Role::null_panel);
+  impl_->closed = is_closed(impl_->triangles);
+  impl_->fast.prepare(impl_->triangles.size(), static_cast<std::size_t>(node_count), impl_->closed);
+}
+
+VisibilityQuery::~VisibilityQuery() = default;
+VisibilityQuery::VisibilityQuery(VisibilityQuery&&) noexcept = default;
+VisibilityQuery& VisibilityQuery::operator=(VisibilityQuery&&) noexcept = default;
+
+int VisibilityQuery::element_count() const {
+  return impl_->count();
+}
+bool VisibilityQuery::closed() const {
+  return impl_->closed;
+}
+
+VisibilityCounters VisibilityQuery::query(VisibilityRoute route, const Points& nodes, const RaySource& source,
+                                          std::span<const int> candidates, std::span<std::uint8_t> lit) {
+  const double size = impl_->check(nodes, source, candidates);
+  if (lit.size() != candidates.size()) refuse("lit has another size than candidates");
+  if (candidates.empty()) return {};
+  const Surface surface = impl_->surface(nodes);
+  exact::Kernel kernel;
+  switch (route) {
+    case VisibilityRoute::brute_force:
+      return query_by(BruteForce{surface, kernel}, surface, source, candidates, lit);
+    case VisibilityRoute::cgal_tree:
+      return query_by(TreeSearch{ElementTree(surface), kernel}, surface, source, candidates, lit);
+    case VisibilityRoute::fast:
+      break;
+  }
+  return impl_->fast.query(surface, source, size, candidates, lit);
+}
+
+std::vector<std::optional<int>> VisibilityQuery::winding_numbers(const Points& nodes, const RaySource& source,
+                                                                 std::span<const int> candidates) {
+  impl_->check(nodes, source, candidates);
+  std::vector<std::optional<int>> numbers(candidates.size());
+  if (!impl_->closed) return numbers;
+  const Surface surface = impl_->surface(nodes);
+  const winding::Box box = winding::bounding_box(surface);
+  exact::Kernel kernel;
+  const BruteForce search{surface, kernel};
+  for (std::size_t k = 0; k < candidates.size(); ++k) {
+    blocking::Ray ray = blocking::make_ray(surface, candidates[k], source);
+    const bool shared = source.half_long == 0.0 && k > 0;
+    if (shared) {
+      numbers[k] = numbers[0];
+      continue;
+    }
+    ray.moved = search.source_on_surface(ray);
+    numbers[k] = winding::number(kernel, ray, surface, box);
+  }
+  return numbers;
+}
+
+std::vector<std::uint8_t> visible(const Points& nodes, const Triangles& triangles, const RaySource& source,
+                                  VisibilityRoute route) {
+  VisibilityQuery query(triangles, static_cast<int>(nodes.cols()));
+  std::vector<int> all(static_cast<std::size_t>(triangles.cols()));
+  std::iota(all.begin(), all.end(), 0);
+  std::vector<std::uint8_t> lit(all.size());
+  query.query(route, nodes, source, all, lit);
+  return lit;
+}
+
+}  // namespace jet

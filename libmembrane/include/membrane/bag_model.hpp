@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "membrane/isa.hpp"
+#include "membrane/material.hpp"
+#include "membrane/vectors.hpp"
+
+namespace membrane {
+
+inline constexpr double kMustBeGiven = std::numeric_limits<double>::quiet_NaN();
+
+// Fabric of one element. A null element closes a hole: it bounds the volume and carries the gas pressure, but
+// has no mass and no stress; its thickness, density, young and poisson are not read and its porosity is zero.
+struct ElementProperties {
+  double thickness = kMustBeGiven;  // h > 0 [m]
+  double density = kMustBeGiven;    // rho > 0 [kg/m3]
+  double young = kMustBeGiven;      // E > 0 [Pa]
+  double poisson = kMustBeGiven;    // -1 < nu < 1 [-]
+  double porosity = 0.0;            // eta, 0 to 1 [-]
+  bool null_panel = false;
+};
+
+// Massless spring that pulls when longer than its free length and never pushes (M.7).
+struct Strap {
+  int node_a = -1, node_b = -1;
+  double stiffness = kMustBeGiven;    // k > 0 [N/m]
+  double free_length = kMustBeGiven;  // > 0 [m]
+};
+
+// Rigid one-sided support (M.8): a node at depth d behind the plane has the energy
+// stiffness * (its reference area) * d^2 / 2.
+struct Plate {
+  Eigen::Vector3d point = Eigen::Vector3d::Constant(kMustBeGiven);   // on the plane [m]
+  Eigen::Vector3d normal = Eigen::Vector3d::Constant(kMustBeGiven);  // towards the bag, any length > 0
+  double stiffness = kMustBeGiven;                                   // kappa > 0, per area [N/m3]
+};
+
+// Everything that defines a bag, as a case gives it.
+struct BagDescription {
+  Eigen::Matrix3Xd reference;                 // stress-free positions, 3 x nodes [m]
+  Eigen::Matrix3Xi elements;                  // corner nodes, 3 x elements, oriented outward
+  std::vector<ElementProperties> properties;  // one per element
+  Compression compression = Compression::none;
+  std::vector<int> fixed_nodes;
+  std::vector<Strap> straps;
+  std::vector<Plate> plates;
+  double mass_damping = 0.0;                          // alpha >= 0: force -alpha m v [1/s]
+  Eigen::Vector3d gravity = Eigen::Vector3d::Zero();  // [m/s2]
+  Isa isa = best_isa();                               // kernels to use; every choice gives the same bits
+};
+
+// Per-element numbers of the kernels, one array each, padded with inert elements to whole groups of lanes.
+struct ElementConstants {
+  AlignedVector<std::int32_t> node_a, node_b, node_c;
+  // Gradients of the corner functions in the element's frame (first axis along a-b):
+  // grad N_b = (gradient_b1, gradient_b2), grad N_c = (0, gradient_c2), grad N_a = -(grad N_b + grad N_c).
+  AlignedVector<double> gradient_b1, gradient_b2, gradient_c2;  // [1/m]
+  AlignedVector<double> volume;                                 // h * reference area [m3], 0 for null
+  AlignedVector<double> young, spherical, deviator;             // see IsotropicConstants [Pa], 0 for null
+  AlignedVector<double> material_frequency;  // omega^2 of the free element in its reference shape [1/s2]
+  AlignedVector<double>
+      geometric_frequency;  // omega^2 per principal stress, (3/rho) lambda_max(G) [1/(s2 Pa)]
+  AlignedVector<double> porosity, porosity_squared;  // [-]
+};
+
+// For each node the corners of the elements around it, in element order (compressed rows). Gathering by rows
+// makes nodal sums independent of how the elements were divided among threads.
+struct CornerTable {
+  std::vector<std::int32_t> row_begin;  // nodes + 1
+  std::vector<std::int32_t> element;    // element of each corner
+  std::vector<std::int32_t> offset;     // place of the corner's x force in BagState::corner_force
+};
+
+// Constant during a run. Made by make_model only.
+struct BagModel {
+  int node_count = 0;
+  int element_count = 0;
+  BagDescription description;  // as given and checked
+  ElementConstants constants;
+  CornerTable corners;
+  std::vector<double> node_mass;       // sum of rho h A / 3 [kg]
+  std::vector<double> inverse_mass;    // 1 / mass, 0 at fixed nodes [1/kg]
+  std::vector<double> node_area;       // reference area of the fabric around the node, sum of A / 3 [m2]
+  std::vector<double> reference_area;  // of each element [m2]
+  double strap_frequency = 0.0;        // bound of omega^2 added by the straps, taut or not [1/s2]
+  double plate_frequency = 0.0;        // bound of omega^2 added by the plates, touched or not [1/s2]
+  double fabric_mass = 0.0;            // [kg]
+};
+
+// Builds the model. Throws std::invalid_argument, naming the element, node, strap or plate, the field, its
+// value and what is allowed: sizes that differ, non-finite numbers, values outside the ranges above, node
+// numbers out of range or repeated in an element or strap, an element without area, a node without element,
+// and a null panel with a node that no fabric holds. Whether the surface is closed is not asked here (open
+// strips are legal membranes): see membrane/surface_check.hpp.
+BagModel make_model(const BagDescription& description);
+
+}  // namespace membrane

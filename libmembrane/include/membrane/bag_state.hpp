@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "membrane/bag_model.hpp"
+#include "membrane/vectors.hpp"
+
+namespace membrane {
+
+// Elements or nodes handled at a time. Sums are made per block and then over the blocks in order, so their
+// bits do not depend on which thread did which block.
+inline constexpr int kBlock = 512;
+
+// S1/S9: sums over the surface.
+struct SurfaceSums {
+  double volume = 0.0;                 // V enclosed (M.5) [m3]
+  double area = 0.0;                   // of all elements, null ones too [m2]
+  double porosity_area = 0.0;          // sum of eta A [m2]
+  double porosity_squared_area = 0.0;  // sum of eta^2 A [m2]
+  double gradient_mobility = 0.0;      // g^T M^-1 g, g = dV/dx, fixed nodes left out [m4/kg]
+};
+
+// S6: sums over the elements and supports.
+struct ForceSums {
+  double strain_energy = 0.0;      // [J]
+  double strap_energy = 0.0;       // [J]
+  double plate_energy = 0.0;       // [J]
+  double element_frequency = 0.0;  // largest element bound of omega^2 (M.10) [1/s2]
+};
+
+// S8: work of each force over one kick, tau f . (v- + v+) / 2 [J] (M.9). Their sum is kinetic_after -
+// kinetic_before to round-off, whatever the forces and steps.
+struct KickWork {
+  double membrane = 0.0, pressure = 0.0, jet = 0.0, support = 0.0, contact = 0.0, gravity = 0.0,
+         damping = 0.0;
+  double total() const { return membrane + pressure + jet + support + contact + gravity + damping; }
+};
+
+// S8: results of one step.
+struct AdvanceSums {
+  KickWork work;
+  double kinetic_before = 0.0;  // of v at n-1/2 [J]
+  double kinetic_after = 0.0;   // of v at n+1/2 [J]
+  double kinetic_product =
+      0.0;  // sum of m v- . v+ / 2 [J], conserved with the strain energy by linear systems
+  Eigen::Vector3d momentum_before = Eigen::Vector3d::Zero();  // [kg m/s]
+  Eigen::Vector3d momentum_after = Eigen::Vector3d::Zero();   // [kg m/s]
+  // tau * force on the free nodes, damping aside [N s]
+  Eigen::Vector3d impulse = Eigen::Vector3d::Zero();
+  double max_speed_squared = 0.0;  // largest |v|^2 at n+1/2 [m2/s2]
+};
+
+// Partial sums of one block; scratch of the stages.
+struct BlockSums {
+  SurfaceSums surface;
+  ForceSums forces;
+  AdvanceSums advance;
+};
+
+// All that changes during a run. Each array has one writer, named on its line; everything is allocated by
+// make_state. Arrays of Vectors are padded to 4 doubles a column.
+struct BagState {
+  Vectors position;            // x at n [m], nodes; S8
+  Vectors velocity;            // v at n-1/2 [m/s], nodes, zero at fixed ones; S8
+  Vectors area_vector;         // S_e, outward, length = area [m2], elements; S1/S9
+  Vectors centroid;            // ((a + b) + c) / 3 [m], elements; S1/S9
+  AlignedVector<double> area;  // current area [m2], elements (then zeros up to whole groups); S1/S9
+  Vectors volume_gradient;     // dV/dx = sum of S_e / 3 [m2], nodes; S1/S9
+  double gauge_pressure =
+      0.0;                 // p - p_a [Pa], its force is gauge_pressure * volume_gradient; S6 pressure_forces
+  Vectors membrane_force;  // [N], nodes; S6 membrane_forces
+  Vectors jet_force;       // [N], nodes, empty without jet; S6 jet_forces
+  Vectors support_force;   // straps and plates [N], nodes, empty without them; S6 support_forces
+  std::vector<double> strap_tension;  // [N], straps; S6 support_forces
+  Vectors contact_force;              // [N], nodes, empty without contact; S7, by the caller
+  AlignedVector<double>
+      corner_force;              // scratch of S6: groups of 4 elements x 3 corners x 3 components x 4 lanes
+  std::vector<BlockSums> block;  // scratch of the block sums
+  SurfaceSums surface;
+  ForceSums forces;
+  AdvanceSums advance;
+};
+
+// Loads that the scene has beside pressure and supports; what is absent costs nothing.
+struct LoadKinds {
+  bool jet = false;
+  bool contact = false;
+};
+
+// State at rest at the given positions (3 x nodes [m]), surface and membrane forces not yet computed.
+// Throws std::invalid_argument on a wrong size or a non-finite coordinate, naming the node.
+BagState make_state(const BagModel& model, ConstVectorsRef position, LoadKinds loads = {});
+
+}  // namespace membrane

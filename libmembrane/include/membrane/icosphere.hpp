@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+// Structured meshes for verification: icosphere and plane rectangle.
+#pragma once
+
+#include "membrane/mesh.hpp"
+
+namespace membrane {
+
+/// Icosahedron inscribed in a sphere of `radius` [m], each element split in four `levels` times at the edge
+/// midpoints, which are moved onto the sphere: 20 * 4^levels elements, 10 * 4^levels + 2 nodes, one panel
+/// "sphere", outward. Throws std::invalid_argument unless radius > 0 and finite and 0 <= levels <= 9.
+Mesh icosphere(double radius, int levels);
+
+/// Diagonals of a rectangle's cells.
+enum class Diagonals { uniform, union_jack };
+
+/// Open plane mesh [0, width] x [0, height] [m] in z = 0, normal +z, nx * ny cells of two elements, node i +
+/// j (nx + 1) at (i width / nx, j height / ny); one panel "sheet". Throws std::invalid_argument for
+/// non-positive arguments.
+Mesh rectangle(int nx, int ny, double width, double height, Diagonals diagonals);
+
+}  // namespace membrane

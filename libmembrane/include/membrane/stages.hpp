@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <span>
+#include <utility>
+
+#include "membrane/bag_model.hpp"
+#include "membrane/bag_state.hpp"
+
+// The stages of one step that belong to the bag. None of them allocates. Each takes `for_each_block`, called
+// as for_each_block(count, f) to run f(0) ... f(count - 1) in any order or in parallel; the results have the
+// same bits whatever it does.
+namespace membrane {
+
+struct Serial {
+  template <class F>
+  void operator()(int count, F&& f) const {
+    for (int block = 0; block < count; ++block) f(block);
+  }
+};
+
+int element_blocks(const BagModel& model);
+int node_blocks(const BagModel& model);
+
+// Parts of the stages below that handle one block, and the closing sums.
+void surface_block(const BagModel& model, BagState& state, int block);
+void volume_gradient_block(const BagModel& model, BagState& state, int block);
+void sum_surface(const BagModel& model, BagState& state);
+void element_force_block(const BagModel& model, BagState& state, int block);
+void nodal_force_block(const BagModel& model, BagState& state, int block);
+void sum_membrane_forces(const BagModel& model, BagState& state);
+void jet_force_block(const BagModel& model, BagState& state, std::span<const double> overpressure, int block);
+void plate_force_block(const BagModel& model, BagState& state, int block);
+void sum_support_forces(const BagModel& model, BagState& state);
+void advance_block(const BagModel& model, BagState& state, double dt_before, double dt_after, int block);
+void sum_advance(const BagModel& model, BagState& state, double dt_before, double dt_after);
+void check_overpressure(const BagModel& model, const BagState& state, std::span<const double> overpressure);
+void check_steps(double dt_before, double dt_after);
+
+// S1 and S9: area vectors, centroids, areas, volume and its gradient at state.position (M.5).
+// Throws MembraneError if the volume is not finite.
+template <class ForEachBlock = Serial>
+void update_surface(const BagModel& model, BagState& state, ForEachBlock&& for_each_block = {}) {
+  for_each_block(element_blocks(model), [&](int block) { surface_block(model, state, block); });
+  for_each_block(node_blocks(model), [&](int block) { volume_gradient_block(model, state, block); });
+  sum_surface(model, state);
+}
+
+// S6: forces of the fabric, their strain energy and the element bound of omega^2 (M.4, M.10).
+template <class ForEachBlock = Serial>
+void membrane_forces(const BagModel& model, BagState& state, ForEachBlock&& for_each_block = {}) {
+  for_each_block(element_blocks(model), [&](int block) { element_force_block(model, state, block); });
+  for_each_block(node_blocks(model), [&](int block) { nodal_force_block(model, state, block); });
+  sum_membrane_forces(model, state);
+}
+
+// S6: gas pressure less ambient pressure [Pa] on the inside of every element, null ones too (M.6). The nodal
+// force is gauge_pressure * dV/dx; it must belong to the surface of the same positions.
+void pressure_forces(BagState& state, double gauge_pressure);
+
+// S6: jet overpressure of each element [Pa] on its inside, S_e / 3 to each corner. Needs LoadKinds::jet;
+// throws std::invalid_argument without it or if there is not one value per element.
+template <class ForEachBlock = Serial>
+void jet_forces(const BagModel& model, BagState& state, std::span<const double> overpressure,
+                ForEachBlock&& for_each_block = {}) {
+  check_overpressure(model, state, overpressure);
+  for_each_block(node_blocks(model), [&](int block) { jet_force_block(model, state, overpressure, block); });
+}
+
+// S6: straps and plates with their energies (M.7, M.8). Nothing happens in a bag without them.
+template <class ForEachBlock = Serial>
+void support_forces(const BagModel& model, BagState& state, ForEachBlock&& for_each_block = {}) {
+  if (state.support_force.empty()) return;
+  for_each_block(node_blocks(model), [&](int block) { plate_force_block(model, state, block); });
+  sum_support_forces(model, state);
+}
+
+// S8: central difference with variable step (M.9):
+//   v+ = v- + tau (f / m - alpha (v- + v+) / 2 + gravity),  tau = (dt_before + dt_after) / 2,  x += dt_after
+//   v+.
+// dt_before [s] is the step that led to n (0 at the start: v is then the velocity at n itself), dt_after > 0
+// [s] the one that leaves it. Order 2 for smoothly varying steps. Stable for dt <= critical_time_step
+// (time_step.hpp). Throws MembraneError naming the node at the first non-finite velocity,
+// std::invalid_argument on bad steps.
+template <class ForEachBlock = Serial>
+const AdvanceSums& advance(const BagModel& model, BagState& state, double dt_before, double dt_after,
+                           ForEachBlock&& for_each_block = {}) {
+  check_steps(dt_before, dt_after);
+  for_each_block(node_blocks(model),
+                 [&](int block) { advance_block(model, state, dt_before, dt_after, block); });
+  sum_advance(model, state, dt_before, dt_after);
+  return state.advance;
+}
+
+}  // namespace membrane

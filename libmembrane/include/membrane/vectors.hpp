@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <new>
+#include <vector>
+
+namespace membrane {
+
+// Cache-line aligned storage, so that the SIMD kernels load whole nodes.
+template <class T>
+struct AlignedAllocator {
+  using value_type = T;
+  static constexpr std::align_val_t kAlignment{64};
+  AlignedAllocator() = default;
+  template <class U>
+  explicit AlignedAllocator(const AlignedAllocator<U>&) {}
+  T* allocate(std::size_t n) { return static_cast<T*>(::operator new(n * sizeof(T), kAlignment)); }
+  void deallocate(T* p, std::size_t) { ::operator delete(p, kAlignment); }
+  template <class U>
+  bool operator==(const AlignedAllocator<U>&) const {
+    return true;
+  }
+};
+
+template <class T>
+using AlignedVector = std::vector<T, AlignedAllocator<T>>;
+
+// 3 x n views of columns that lie 4 doubles apart; they bind without a copy to
+// Eigen::Ref<const Eigen::Matrix3Xd, 0, Eigen::OuterStride<>>.
+using VectorsMap = Eigen::Map<Eigen::Matrix3Xd, Eigen::Unaligned, Eigen::OuterStride<4>>;
+using ConstVectorsMap = Eigen::Map<const Eigen::Matrix3Xd, Eigen::Unaligned, Eigen::OuterStride<4>>;
+using ConstVectorsRef = Eigen::Ref<const Eigen::Matrix3Xd, 0, Eigen::OuterStride<>>;
+
+// The kernels handle elements in groups of this many lanes, whatever the instruction set.
+inline constexpr int kLanes = 4;
+
+// Length of a per-element array: whole groups of lanes.
+constexpr int padded(int count) {
+  return (count + kLanes - 1) / kLanes * kLanes;
+}
+
+// n vectors of three components, each padded by a zero to 4 doubles.
+class Vectors {
+ public:
+  Vectors() = default;
+  explicit Vectors(int count) : count_(count), values_(4 * static_cast<std::size_t>(padded(count)), 0.0) {}
+
+  int count() const { return count_; }
+  bool empty() const { return count_ == 0; }
+  double* data() { return values_.data(); }
+  const double* data() const { return values_.data(); }
+  VectorsMap map() { return VectorsMap(values_.data(), 3, count_); }
+  ConstVectorsMap map() const { return ConstVectorsMap(values_.data(), 3, count_); }
+
+ private:
+  int count_ = 0;
+  AlignedVector<double> values_;  // 4 x n, column-major
+};
+
+}  // namespace membrane

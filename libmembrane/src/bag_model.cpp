@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "membrane/bag_model.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "checks.hpp"
+#include "kernel_table.hpp"
+
+namespace membrane {
+
+namespace {
+
+// Reference triangle in its own frame: a at the origin, b on the first axis.
+struct ReferenceTriangle {
+  double area;                           // [m2]
+  Eigen::Matrix<double, 2, 3> gradient;  // corner functions' gradients [1/m]
+};
+
+ReferenceTriangle reference_triangle(const BagDescription& d, Eigen::Index e) {
+  const Eigen::Vector3d a = d.reference.col(d.elements(0, e));
+  const Eigen::Vector3d ab = d.reference.col(d.elements(1, e)) - a;
+  const Eigen::Vector3d ac = d.reference.col(d.elements(2, e)) - a;
+  const double length = ab.norm();
+  const double twice_area = ab.cross(ac).norm();
+  // Below this the height is rounding noise of the coordinates' differences.
+  const double noise = 1e-14 * std::max(ab.squaredNorm(), ac.squaredNorm());
+  if (!(twice_area > noise))
+    reject("element " + std::to_string(e), "reference area", 0.5 * twice_area,
+           "more than rounding, " + std::to_string(0.5 * noise) + " m2 here");
+  ReferenceTriangle t{0.5 * twice_area, {}};
+  const double c1 = ab.dot(ac) / length, c2 = twice_area / length;
+  t.gradient.col(1) << 1.0 / length, -c1 / (length * c2);
+  t.gradient.col(2) << 0.0, 1.0 / c2;
+  t.gradient.col(0) = -(t.gradient.col(1) + t.gradient.col(2));
+  return t;
+}
+
+// Largest eigenvalue of D B B^T, by the symmetric matrix L^T B B^T L with D = L L^T.
+double stiffness_eigenvalue(const ReferenceTriangle& t, const ElementProperties& p) {
+  Eigen::Matrix<double, 3, 6> strain_operator;
+  for (int k = 0; k < 3; ++k) {
+    const double g1 = t.gradient(0, k), g2 = t.gradient(1, k);
+    strain_operator.block<3, 2>(0, 2 * k) << g1, 0.0, 0.0, g2, g2, g1;
+  }
+  const double nu = p.poisson;
+  Eigen::Matrix3d elasticity;
+  elasticity << 1.0, nu, 0.0, nu, 1.0, 0.0, 0.0, 0.0, 0.5 * (1.0 - nu);
+  elasticity *= p.young / (1.0 - nu * nu);
+  const Eigen::Matrix3d factor = elasticity.llt().matrixL();
+  const Eigen::Matrix<double, 3, 6> product = factor.transpose() * strain_operator;
+  const Eigen::Matrix3d symmetric = product * product.transpose();
+  return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(symmetric, Eigen::EigenvaluesOnly).eigenvalues()[2];
+}
+
+double gradient_eigenvalue(const ReferenceTriangle& t) {
+  const Eigen::Matrix2d g = t.gradient * t.gradient.transpose();
+  return Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(g, Eigen::EigenvaluesOnly).eigenvalues()[1];
+}
+
+void resize(ElementConstants& c, int element_count) {
+  const auto size = static_cast<std::size_t>(padded(element_count));
+  for (auto* nodes : {&c.node_a, &c.node_b, &c.node_c}) nodes->assign(size, 0);
+  for (auto* values :
+       {&c.gradient_b1, &c.gradient_b2, &c.gradient_c2, &c.volume, &c.young, &c.spherical, &c.deviator,
+        &c.material_frequency, &c.geometric_frequency, &c.porosity, &c.porosity_squared})
+    values->assign(size, 0.0);
+}
+
+void set_fabric(ElementConstants& c, std::size_t i, const ReferenceTriangle& t, const ElementProperties& p) {
+  if (p.null_panel) return;
+  const auto fabric = isotropic_constants(p.young, p.poisson);
+  c.volume[i] = p.thickness * t.area;
+  c.young[i] = fabric.young;
+  c.spherical[i] = fabric.spherical;
+  c.deviator[i] = fabric.deviator;
+  // Each corner carries a third of the mass rho h A, so M^-1 K has the factor (h A) / (rho h A / 3).
+  c.material_frequency[i] = 3.0 / p.density * stiffness_eigenvalue(t, p);
+  c.geometric_frequency[i] = 3.0 / p.density * gradient_eigenvalue(t);
+  c.porosity[i] = p.porosity;
+  c.porosity_squared[i] = p.porosity * p.porosity;
+}
+
+void set_element(BagModel& m, Eigen::Index e) {
+  const auto i = static_cast<std::size_t>(e);
+  const ReferenceTriangle t = reference_triangle(m.description, e);
+  const ElementProperties& p = m.description.properties[i];
+  ElementConstants& c = m.constants;
+  const auto corner = m.description.elements.col(e);
+  c.node_a[i] = corner[0];
+  c.node_b[i] = corner[1];
+  c.node_c[i] = corner[2];
+  c.gradient_b1[i] = t.gradient(0, 1);
+  c.gradient_b2[i] = t.gradient(1, 1);
+  c.gradient_c2[i] = t.gradient(1, 2);
+  m.reference_area[i] = t.area;
+  set_fabric(c, i, t, p);
+  if (p.null_panel) return;
+  for (int k = 0; k < 3; ++k) {
+    m.node_mass[static_cast<std::size_t>(corner[k])] += p.density * p.thickness * t.area / 3.0;
+    m.node_area[static_cast<std::size_t>(corner[k])] += t.area / 3.0;
+  }
+}
+
+void set_corner_table(BagModel& m) {
+  CornerTable& table = m.corners;
+  const Eigen::Matrix3Xi& elements = m.description.elements;
+  table.row_begin.assign(static_cast<std::size_t>(m.node_count) + 1, 0);
+  for (const int node : elements.reshaped()) ++table.row_begin[static_cast<std::size_t>(node) + 1];
+  for (std::size_t n = 1; n < table.row_begin.size(); ++n) table.row_begin[n] += table.row_begin[n - 1];
+  table.element.resize(static_cast<std::size_t>(elements.size()));
+  table.offset.resize(table.element.size());
+  auto next = table.row_begin;
+  for (std::int32_t e = 0; e < m.element_count; ++e)
+    for (std::int32_t k = 0; k < 3; ++k) {
+      const auto place = static_cast<std::size_t>(next[static_cast<std::size_t>(elements(k, e))]++);
+      table.element[place] = e;
+      table.offset[place] = e / kLanes * (9 * kLanes) + k * (3 * kLanes) + e % kLanes;
+    }
+}
+
+void set_masses(BagModel& m) {
+  for (std::size_t n = 0; n < m.node_mass.size(); ++n) {
+    if (m.corners.row_begin[n] == m.corners.row_begin[n + 1])
+      reject("node " + std::to_string(n), "belongs to no element");
+    if (!(m.node_mass[n] > 0.0))
+      reject("node " + std::to_string(n),
+             "inside a null panel, no fabric holds it; allowed: null panels with rim nodes only");
+    m.inverse_mass[n] = 1.0 / m.node_mass[n];
+    m.fabric_mass += m.node_mass[n];
+  }
+  for (const int node : m.description.fixed_nodes) m.inverse_mass[static_cast<std::size_t>(node)] = 0.0;
+}
+
+// Largest row sum of |N^T M^-1 N K| over the straps: straps that share a node add up. It covers the
+// transverse (geometric) part too, which is k (1 - L0 / L) < k.
+double strap_bound(const BagModel& m) {
+  std::vector<double> at_node(m.node_mass.size(), 0.0);
+  const auto node = [](int n) { return static_cast<std::size_t>(n); };
+  for (const Strap& s : m.description.straps)
+    for (const int n : {s.node_a, s.node_b}) at_node[node(n)] += s.stiffness * m.inverse_mass[node(n)];
+  double bound = 0.0;
+  for (const Strap& s : m.description.straps)
+    bound = std::max(bound, at_node[node(s.node_a)] + at_node[node(s.node_b)]);
+  return bound;
+}
+
+double plate_bound(const BagModel& m) {
+  double stiffness = 0.0, compliance = 0.0;
+  for (const Plate& plate : m.description.plates) stiffness += plate.stiffness;
+  for (std::size_t n = 0; n < m.node_mass.size(); ++n)
+    compliance = std::max(compliance, m.node_area[n] * m.inverse_mass[n]);
+  return stiffness * compliance;
+}
+
+}  // namespace
+
+BagModel make_model(const BagDescription& description) {
+  check_description(description);
+  kernel_table(description.isa);  // refuses an instruction set that is not there
+  BagModel m;
+  m.description = description;
+  for (Plate& plate : m.description.plates) plate.normal.normalize();
+  m.node_count = static_cast<int>(description.reference.cols());
+  m.element_count = static_cast<int>(description.elements.cols());
+  const auto nodes = static_cast<std::size_t>(m.node_count);
+  for (auto* values : {&m.node_mass, &m.inverse_mass, &m.node_area}) values->assign(nodes, 0.0);
+  m.reference_area.assign(static_cast<std::size_t>(m.element_count), 0.0);
+  resize(m.constants, m.element_count);
+  for (Eigen::Index e = 0; e < m.element_count; ++e) set_element(m, e);
+  set_corner_table(m);
+  set_masses(m);
+  m.strap_frequency = strap_bound(m);
+  m.plate_frequency = plate_bound(m);
+  return m;
+}
+
+}  // namespace membrane

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "checks.hpp"
+
+#include <cmath>
+#include <sstream>
+#include <stdexcept>
+
+#include "membrane/bag_model.hpp"
+
+namespace membrane {
+
+void reject(std::string_view where, const std::string& problem) {
+  throw std::invalid_argument(std::string(where) + ": " + problem);
+}
+
+void reject(std::string_view where, const std::string& field, double value, const std::string& allowed) {
+  std::ostringstream message;
+  message.precision(17);
+  message << field << " = " << value << ", allowed: " << allowed;
+  reject(where, message.str());
+}
+
+void require_positive(std::string_view where, const char* field, double value) {
+  if (!(std::isfinite(value) && value > 0.0)) reject(where, field, value, "finite and > 0");
+}
+
+void require_not_negative(std::string_view where, const char* field, double value) {
+  if (!(std::isfinite(value) && value >= 0.0)) reject(where, field, value, "finite and >= 0");
+}
+
+void require_finite(std::string_view where, const char* field, double value) {
+  if (!std::isfinite(value)) reject(where, field, value, "finite");
+}
+
+namespace {
+
+std::string element_name(Eigen::Index e) {
+  return "element " + std::to_string(e);
+}
+
+void require_node(std::string_view where, const char* field, int node, Eigen::Index node_count) {
+  if (node < 0 || node >= node_count)
+    reject(where, field, node, "a node number, 0 to " + std::to_string(node_count - 1));
+}
+
+void check_nodes(const BagDescription& d) {
+  if (d.reference.cols() == 0) reject("reference", "no nodes");
+  for (Eigen::Index n = 0; n < d.reference.cols(); ++n)
+    for (int c = 0; c < 3; ++c)
+      require_finite("node " + std::to_string(n), "reference coordinate", d.reference(c, n));
+  for (const int node : d.fixed_nodes) require_node("fixed_nodes", "node", node, d.reference.cols());
+}
+
+void check_corners(const Eigen::Matrix3Xi& elements, Eigen::Index e, Eigen::Index node_count) {
+  const auto corner = elements.col(e);
+  for (int k = 0; k < 3; ++k) require_node(element_name(e), "node", corner[k], node_count);
+  if (corner[0] == corner[1] || corner[1] == corner[2] || corner[2] == corner[0])
+    reject(element_name(e), "a node is repeated");
+}
+
+void check_properties(std::string_view where, const ElementProperties& p) {
+  if (!(p.porosity >= 0.0 && p.porosity <= 1.0)) reject(where, "porosity", p.porosity, "0 to 1");
+  if (p.null_panel) {
+    if (p.porosity != 0.0) reject(where, "porosity", p.porosity, "0 on a null panel");
+    return;
+  }
+  require_positive(where, "thickness", p.thickness);
+  require_positive(where, "density", p.density);
+  require_positive(where, "young", p.young);
+  if (!(p.poisson > -1.0 && p.poisson < 1.0)) reject(where, "poisson", p.poisson, "-1 < nu < 1");
+}
+
+void check_elements(const BagDescription& d) {
+  if (d.elements.cols() == 0) reject("elements", "no elements");
+  if (d.properties.size() != static_cast<std::size_t>(d.elements.cols()))
+    reject("properties", "count", static_cast<double>(d.properties.size()),
+           "one per element, " + std::to_string(d.elements.cols()));
+  for (Eigen::Index e = 0; e < d.elements.cols(); ++e) {
+    check_corners(d.elements, e, d.reference.cols());
+    check_properties(element_name(e), d.properties[static_cast<std::size_t>(e)]);
+  }
+}
+
+void check_straps(const BagDescription& d) {
+  for (std::size_t i = 0; i < d.straps.size(); ++i) {
+    const std::string where = "strap " + std::to_string(i);
+    require_node(where, "node_a", d.straps[i].node_a, d.reference.cols());
+    require_node(where, "node_b", d.straps[i].node_b, d.reference.cols());
+    if (d.straps[i].node_a == d.straps[i].node_b) reject(where, "both ends are the same node");
+    require_positive(where, "stiffness", d.straps[i].stiffness);
+    require_positive(where, "free_length", d.straps[i].free_length);
+  }
+}
+
+void check_plates(const BagDescription& d) {
+  for (std::size_t i = 0; i < d.plates.size(); ++i) {
+    const std::string where = "plate " + std::to_string(i);
+    for (int c = 0; c < 3; ++c) {
+      require_finite(where, "point", d.plates[i].point[c]);
+      require_finite(where, "normal", d.plates[i].normal[c]);
+    }
+    require_positive(where, "length of the normal", d.plates[i].normal.norm());
+    require_positive(where, "stiffness", d.plates[i].stiffness);
+  }
+}
+
+}  // namespace
+
+void check_description(const BagDescription& d) {
+  check_nodes(d);
+  check_elements(d);
+  check_straps(d);
+  check_plates(d);
+  require_not_negative("bag", "mass_damping", d.mass_damping);
+  for (int c = 0; c < 3; ++c) require_finite("bag", "gravity", d.gravity[c]);
+}
+
+}  // namespace membrane

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace membrane {
+
+// Throws std::invalid_argument: "<where>: <field> = <value>, allowed: <allowed>".
+[[noreturn]] void reject(std::string_view where, const std::string& field, double value,
+                         const std::string& allowed);
+[[noreturn]] void reject(std::string_view where, const std::string& problem);
+
+void require_positive(std::string_view where, const char* field, double value);  // finite and > 0
+void require_not_negative(std::string_view where, const char* field, double value);
+void require_finite(std::string_view where, const char* field, double value);
+
+struct BagDescription;
+
+// Everything make_model refuses that can be seen without computing anything.
+void check_description(const BagDescription& description);
+
+}  // namespace membrane

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "membrane/material.hpp"
+
+// The pointwise formulas of one triangle, shared by the SIMD kernels and by element_response.
+namespace membrane {
+
+// Columns of the deformation gradient in the element's frame (M.1): F e_k = sum_a x_a dN_a/dX_k, for one
+// coordinate; ab and ac are the current sides from corner a.
+template <class T>
+T stretch_1(T ab, T gradient_b1) {
+  return ab * gradient_b1;
+}
+template <class T>
+T stretch_2(T ab, T ac, T gradient_b2, T gradient_c2) {
+  return ab * gradient_b2 + ac * gradient_c2;
+}
+
+// Bound of omega^2 of the element at its current strain and stress (M.10):
+// omega^2 <= omega_0^2 max(1, lambda_max(C)) + (3 / rho) max(0, S_1) lambda_max(G).
+// The strain operator is B(F) dx = B_0 (U dx), with U the right stretch of C = F^T F, which gives the first
+// term; the tangent of the relaxed energy is below D, so it holds for both compression laws.
+template <class T>
+T frequency_bound(T material_frequency, T geometric_frequency, T strain_1, T stress_1) {
+  const T zero(0.0);
+  const T stretch = T(1.0) + T(2.0) * select(strain_1 > zero, strain_1, zero);
+  return material_frequency * stretch + geometric_frequency * select(stress_1 > zero, stress_1, zero);
+}
+
+}  // namespace membrane

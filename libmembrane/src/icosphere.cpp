@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "membrane/icosphere.hpp"
+
+#include <cmath>
+#include <map>
+#include <stdexcept>
+#include <utility>
+
+namespace membrane {
+namespace {
+
+constexpr int kMaxLevels = 9;  // 5.2 million elements
+
+Mesh icosahedron() {
+  const double g = 0.5 * (1.0 + std::sqrt(5.0));
+  Mesh mesh;
+  mesh.nodes.resize(3, 12);
+  mesh.nodes << -1, 1, -1, 1, 0, 0, 0, 0, g, g, -g, -g,  //
+      g, g, -g, -g, -1, 1, -1, 1, 0, 0, 0, 0,            //
+      0, 0, 0, 0, g, g, -g, -g, -1, 1, -1, 1;
+  mesh.nodes.colwise().normalize();
+  mesh.elements.resize(3, 20);
+  mesh.elements << 0, 0, 0, 0, 0, 1, 5, 11, 10, 7, 3, 3, 3, 3, 3, 4, 2, 6, 8, 9,  //
+      11, 5, 1, 7, 10, 5, 11, 10, 7, 1, 9, 4, 2, 6, 8, 9, 4, 2, 6, 8,             //
+      5, 1, 7, 10, 11, 9, 4, 2, 6, 8, 4, 2, 6, 8, 9, 5, 11, 10, 7, 1;
+  return mesh;
+}
+
+// Splits each element in four; midpoints go onto the unit sphere. New nodes are numbered as the elements
+// come.
+Mesh refined(const Mesh& coarse) {
+  const int old_nodes = coarse.node_count();
+  Mesh fine;
+  fine.nodes.resize(3, old_nodes + 3 * coarse.element_count() / 2);
+  fine.nodes.leftCols(old_nodes) = coarse.nodes;
+  fine.elements.resize(3, 4 * coarse.element_count());
+  std::map<std::pair<int, int>, int> midpoints;
+  int next = old_nodes;
+  const auto midpoint = [&](int a, int b) {
+    const auto [entry, is_new] = midpoints.try_emplace(std::minmax(a, b), next);
+    if (is_new) fine.nodes.col(next++) = (coarse.nodes.col(a) + coarse.nodes.col(b)).normalized();
+    return entry->second;
+  };
+  for (int e = 0; e < coarse.element_count(); ++e) {
+    const int a = coarse.elements(0, e), b = coarse.elements(1, e), c = coarse.elements(2, e);
+    const int ab = midpoint(a, b), bc = midpoint(b, c), ca = midpoint(c, a);
+    fine.elements.middleCols(4 * e, 4) << a, ab, ca, ab, ab, b, bc, bc, ca, bc, c, ca;
+  }
+  return fine;
+}
+
+void require_positive(const char* field, double value) {
+  if (!(value > 0.0 && std::isfinite(value)))
+    throw std::invalid_argument(std::string(field) + ": " + std::to_string(value) +
+                                "; must be positive and finite");
+}
+
+}  // namespace
+
+Mesh icosphere(double radius, int levels) {
+  require_positive("radius", radius);
+  if (levels < 0 || levels > kMaxLevels)
+    throw std::invalid_argument("levels: " + std::to_string(levels) + "; must be 0 to " +
+                                std::to_string(kMaxLevels));
+  Mesh mesh = icosahedron();
+  for (int level = 0; level < levels; ++level) mesh = refined(mesh);
+  mesh.nodes *= radius;
+  mesh.panel.assign(static_cast<std::size_t>(mesh.element_count()), 0);
+  mesh.panel_names = {"sphere"};
+  return mesh;
+}
+
+Mesh rectangle(int nx, int ny, double width, double height, Diagonals diagonals) {
+  require_positive("nx", nx);
+  require_positive("ny", ny);
+  require_positive("width", width);
+  require_positive("height", height);
+  Mesh mesh;
+  mesh.nodes.resize(3, (nx + 1) * (ny + 1));
+  for (int j = 0; j <= ny; ++j)
+    for (int i = 0; i <= nx; ++i) mesh.nodes.col(i + j * (nx + 1)) << i * width / nx, j * height / ny, 0.0;
+  mesh.elements.resize(3, 2 * nx * ny);
+  for (int j = 0; j < ny; ++j)
+    for (int i = 0; i < nx; ++i) {
+      const int a = i + j * (nx + 1), b = a + 1, c = b + nx + 1, d = a + nx + 1;
+      auto cell = mesh.elements.middleCols(2 * (i + j * nx), 2);
+      if (diagonals == Diagonals::uniform || (i + j) % 2 == 0)
+        cell << a, a, b, c, c, d;
+      else
+        cell << a, b, b, c, d, d;
+    }
+  mesh.panel.assign(static_cast<std::size_t>(mesh.element_count()), 0);
+  mesh.panel_names = {"sheet"};
+  return mesh;
+}
+
+}  // namespace membrane

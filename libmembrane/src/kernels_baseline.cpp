@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+#define MEMBRANE_KERNELS baseline
+#include "element_kernels.hpp"
+#include "node_kernels.hpp"
+
+namespace membrane::baseline {
+
+const KernelTable kTable{surface<Lanes>,
+                         element_forces<Compression::linear, Lanes>,
+                         element_forces<Compression::none, Lanes>,
+                         nodal_forces,
+                         volume_gradient,
+                         jet_forces,
+                         advance};
+
+const KernelTable kScalarTable{surface<double>,
+                               element_forces<Compression::linear, double>,
+                               element_forces<Compression::none, double>,
+                               nodal_forces,
+                               volume_gradient,
+                               jet_forces,
+                               advance};
+
+}  // namespace membrane::baseline

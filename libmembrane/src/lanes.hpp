@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+// Four double lanes on the compiler's vector extension. Always four, so that the order of every sum is the
+// same on every instruction set. (std::experimental's fixed_size_simd<double, 4> would do, but its masks are
+// bit sets, which makes each blend a round trip through integer registers.) The type lives in the namespace
+// of the instruction set: templates over it are then different functions in each translation unit, and the
+// linker cannot mix them up.
+#if defined(__AVX__)
+#include "lanes_whole.hpp"
+#else
+#include "lanes_halves.hpp"
+#endif
+
+namespace membrane::MEMBRANE_KERNELS {
+
+inline Lanes& operator+=(Lanes& a, Lanes b) {
+  return a = a + b;
+}
+inline double sum_lanes(Lanes a) {
+  return (a[0] + a[1]) + (a[2] + a[3]);
+}
+
+// Vectors of elements e ... e + 3 (T = Lanes) or of one element (T = double).
+template <class T>
+struct Vec3 {
+  T x, y, z;
+  friend Vec3 operator+(const Vec3& a, const Vec3& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
+  friend Vec3 operator-(const Vec3& a, const Vec3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+  friend Vec3 operator*(const Vec3& a, T s) { return {a.x * s, a.y * s, a.z * s}; }
+  friend Vec3 operator/(const Vec3& a, T s) { return {a.x / s, a.y / s, a.z / s}; }
+  friend T dot(const Vec3& a, const Vec3& b) { return (a.x * b.x + a.y * b.y) + a.z * b.z; }
+  friend Vec3 cross(const Vec3& a, const Vec3& b) {
+    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+  }
+};
+
+template <class T>
+T load(const double* p);
+template <>
+inline double load<double>(const double* p) {
+  return *p;
+}
+template <>
+inline Lanes load<Lanes>(const double* p) {
+  return Lanes::load(p);
+}
+inline void store(double* p, double v) {
+  *p = v;
+}
+inline void store(double* p, Lanes v) {
+  v.store(p);
+}
+
+// Positions of the nodes of one corner; x is padded to 4 doubles a node.
+template <class T>
+Vec3<T> load_nodes(const double* x, const std::int32_t* node);
+template <>
+inline Vec3<double> load_nodes<double>(const double* x, const std::int32_t* node) {
+  const double* p = x + 4 * std::int64_t{*node};
+  return {p[0], p[1], p[2]};
+}
+template <>
+inline Vec3<Lanes> load_nodes<Lanes>(const double* x, const std::int32_t* node) {
+  const Lanes row[4] = {
+      Lanes::load(x + 4 * std::int64_t{node[0]}), Lanes::load(x + 4 * std::int64_t{node[1]}),
+      Lanes::load(x + 4 * std::int64_t{node[2]}), Lanes::load(x + 4 * std::int64_t{node[3]})};
+  Vec3<Lanes> v;
+  to_lanes(row, v.x, v.y, v.z);
+  return v;
+}
+
+// Vectors to an array padded to 4 doubles a vector.
+inline void store_rows(double* p, const Vec3<double>& v) {
+  p[0] = v.x;
+  p[1] = v.y;
+  p[2] = v.z;
+}
+inline void store_rows(double* p, const Vec3<Lanes>& v) {
+  Lanes row[4];
+  to_rows(v.x, v.y, v.z, row);
+  for (int i = 0; i < 4; ++i) row[i].store(p + 4 * i);
+}
+
+}  // namespace membrane::MEMBRANE_KERNELS

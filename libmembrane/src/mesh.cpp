@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "membrane/mesh.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+namespace membrane {
+namespace {
+
+using Nodes = Eigen::Ref<const Eigen::Matrix3Xd>;
+using Elements = Eigen::Ref<const Eigen::Matrix3Xi>;
+
+std::array<Eigen::Vector3d, 3> corners(const Nodes& nodes, const Elements& elements, Eigen::Index e) {
+  return {nodes.col(elements(0, e)), nodes.col(elements(1, e)), nodes.col(elements(2, e))};
+}
+
+struct ElementShape {
+  double altitude;  // [m] smallest
+  double angle;     // [rad] smallest
+  double longest;   // [m] longest edge
+};
+
+ElementShape element_shape(const std::array<Eigen::Vector3d, 3>& x) {
+  const double twice_area = (x[1] - x[0]).cross(x[2] - x[0]).norm();
+  ElementShape shape{0.0, std::numeric_limits<double>::infinity(), 0.0};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Eigen::Vector3d a = x[(i + 1) % 3] - x[i];
+    const Eigen::Vector3d b = x[(i + 2) % 3] - x[i];
+    shape.longest = std::max(shape.longest, a.norm());
+    shape.angle = std::min(shape.angle, std::atan2(a.cross(b).norm(), a.dot(b)));
+  }
+  shape.altitude = twice_area / shape.longest;
+  return shape;
+}
+
+}  // namespace
+
+int panel_index(const Mesh& mesh, std::string_view name) {
+  const auto found = std::find(mesh.panel_names.begin(), mesh.panel_names.end(), name);
+  if (found != mesh.panel_names.end()) return static_cast<int>(found - mesh.panel_names.begin());
+  std::string message = "panel: \"" + std::string(name) + "\" does not exist; panels of this mesh:";
+  for (const std::string& existing : mesh.panel_names) message += " \"" + existing + "\"";
+  throw std::invalid_argument(message);
+}
+
+std::vector<int> panel_elements(const Mesh& mesh, std::string_view name) {
+  const int index = panel_index(mesh, name);
+  std::vector<int> result;
+  for (std::size_t e = 0; e < mesh.panel.size(); ++e)
+    if (mesh.panel[e] == index) result.push_back(static_cast<int>(e));
+  return result;
+}
+
+std::vector<int> panel_nodes(const Mesh& mesh, std::string_view name) {
+  std::vector<int> result;
+  for (const int e : panel_elements(mesh, name))
+    for (int a = 0; a < 3; ++a) result.push_back(mesh.elements(a, e));
+  std::sort(result.begin(), result.end());
+  result.erase(std::unique(result.begin(), result.end()), result.end());
+  return result;
+}
+
+int nearest_node(const Mesh& mesh, const Eigen::Vector3d& point) {
+  if (mesh.node_count() == 0) throw std::invalid_argument("mesh: has no nodes; nearest_node needs one");
+  if (!point.allFinite()) throw std::invalid_argument("point: must be finite");
+  Eigen::Index nearest = 0;
+  (mesh.nodes.colwise() - point).colwise().squaredNorm().minCoeff(&nearest);
+  return static_cast<int>(nearest);
+}
+
+Eigen::VectorXd element_areas(const Nodes& nodes, const Elements& elements) {
+  Eigen::VectorXd areas(elements.cols());
+  for (Eigen::Index e = 0; e < elements.cols(); ++e) {
+    const auto x = corners(nodes, elements, e);
+    areas(e) = 0.5 * (x[1] - x[0]).cross(x[2] - x[0]).norm();
+  }
+  return areas;
+}
+
+double enclosed_volume(const Nodes& nodes, const Elements& elements) {
+  if (elements.cols() == 0) return 0.0;
+  const Eigen::Vector3d origin = nodes.col(0);
+  double six_volumes = 0.0;
+  for (Eigen::Index e = 0; e < elements.cols(); ++e) {
+    const auto x = corners(nodes, elements, e);
+    six_volumes += (x[0] - origin).dot((x[1] - origin).cross(x[2] - origin));
+  }
+  return six_volumes / 6.0;
+}
+
+ElementQuality element_quality(const Nodes& nodes, const Elements& elements) {
+  if (elements.cols() == 0) throw std::invalid_argument("elements: none; element quality needs at least one");
+  const double infinity = std::numeric_limits<double>::infinity();
+  ElementQuality quality{infinity, infinity, 0.0, 0.0};
+  for (Eigen::Index e = 0; e < elements.cols(); ++e) {
+    const ElementShape shape = element_shape(corners(nodes, elements, e));
+    if (!(shape.altitude > 0.0))
+      throw std::invalid_argument("element " + std::to_string(e) + ": its area is zero or not finite");
+    quality.min_angle = std::min(quality.min_angle, shape.angle);
+    quality.min_altitude = std::min(quality.min_altitude, shape.altitude);
+    quality.mean_altitude += shape.altitude / static_cast<double>(elements.cols());
+    quality.max_aspect = std::max(quality.max_aspect, shape.longest / shape.altitude);
+  }
+  return quality;
+}
+
+Eigen::Matrix3Xd flatten(const Mesh& mesh, double factor) {
+  if (!(factor > 0.0 && factor <= 1.0))
+    throw std::invalid_argument("factor: " + std::to_string(factor) + "; must be above 0 and at most 1");
+  Eigen::Matrix3Xd nodes = mesh.nodes;
+  nodes.row(0) *= factor;
+  return nodes;
+}
+
+}  // namespace membrane

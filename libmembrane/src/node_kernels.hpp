@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "kernel_table.hpp"
+#include "lanes.hpp"
+
+// Kernels over nodes; the lanes of one node are (x, y, z, 0).
+namespace membrane::MEMBRANE_KERNELS {
+
+inline void nodal_forces(const NodeArrays& s, int first, int last) {
+  for (std::int64_t n = first; n < last; ++n) {
+    double x = 0.0, y = 0.0, z = 0.0;
+    for (std::int32_t k = s.row_begin[n]; k < s.row_begin[n + 1]; ++k) {
+      const double* corner = s.corner_force + s.offset[k];
+      x += corner[0];
+      y += corner[4];
+      z += corner[8];
+    }
+    double* out = s.out + 4 * n;
+    out[0] = x;
+    out[1] = y;
+    out[2] = z;
+  }
+}
+
+inline void volume_gradient(const NodeArrays& s, int first, int last, double& mobility) {
+  const Lanes three = Lanes(3.0);
+  Lanes sum{};
+  for (std::int64_t n = first; n < last; ++n) {
+    Lanes g{};
+    for (std::int32_t k = s.row_begin[n]; k < s.row_begin[n + 1]; ++k)
+      g += Lanes::load(s.area_vector + 4 * std::int64_t{s.element[k]});
+    g = g / three;
+    g.store(s.out + 4 * n);
+    sum += g * g * Lanes(s.inverse_mass[n]);
+  }
+  mobility = sum_lanes(sum);
+}
+
+inline void jet_forces(const NodeArrays& s, int first, int last) {
+  const Lanes three = Lanes(3.0);
+  for (std::int64_t n = first; n < last; ++n) {
+    Lanes f{};
+    for (std::int32_t k = s.row_begin[n]; k < s.row_begin[n + 1]; ++k) {
+      const std::int64_t e = s.element[k];
+      f += Lanes(s.overpressure[e]) * Lanes::load(s.area_vector + 4 * e);
+    }
+    (f / three).store(s.out + 4 * n);
+  }
+}
+
+struct AdvanceParts {
+  Lanes kinetic_before{}, kinetic_after{}, membrane{}, pressure{}, extra[kMaxExtraForces]{}, damped{};
+  Lanes momentum_before{}, momentum_after{}, impulse{};
+  double max_speed_squared = 0.0;
+};
+
+struct KickFactors {
+  Lanes tau, dt_after, old_share, new_factor, gravity, gauge_pressure;
+};
+
+// One node of (M.9). The damping force is -alpha m (v- + v+) / 2, which leaves a scalar equation for v+.
+[[gnu::always_inline]] inline void advance_node(const AdvanceArrays& s, const KickFactors& k, std::int64_t n,
+                                                AdvanceParts& sums) {
+  const Lanes mass = Lanes(s.mass[n]), inverse_mass = Lanes(s.inverse_mass[n]), half = Lanes(0.5);
+  const Lanes membrane = Lanes::load(s.membrane_force + 4 * n);
+  const Lanes pressure = k.gauge_pressure * Lanes::load(s.volume_gradient + 4 * n);
+  Lanes force = membrane + pressure;
+  for (int i = 0; i < s.extra_count; ++i) force += Lanes::load(s.extra_force[i] + 4 * n);
+  force += mass * k.gravity;
+  const Lanes before = Lanes::load(s.velocity + 4 * n);
+  const Lanes after = (before * k.old_share + k.tau * (inverse_mass * force)) * k.new_factor;
+  const Lanes mean = half * (before + after);
+  after.store(s.velocity + 4 * n);
+  (Lanes::load(s.position + 4 * n) + k.dt_after * after).store(s.position + 4 * n);
+
+  sums.membrane += membrane * mean;
+  sums.pressure += pressure * mean;
+  for (int i = 0; i < s.extra_count; ++i) sums.extra[i] += Lanes::load(s.extra_force[i] + 4 * n) * mean;
+  sums.damped += mass * (mean * mean);
+  const Lanes squared = after * after;
+  sums.kinetic_before += mass * (before * before);
+  sums.kinetic_after += mass * squared;
+  sums.momentum_before += mass * before;
+  sums.momentum_after += mass * after;
+  if (s.inverse_mass[n] > 0.0) sums.impulse += force;
+  const double speed_squared = (squared[0] + squared[1]) + squared[2];
+  sums.max_speed_squared = speed_squared > sums.max_speed_squared ? speed_squared : sums.max_speed_squared;
+}
+
+inline AdvanceTotals totals_of(const AdvanceParts& sums, double tau) {
+  AdvanceTotals t{};
+  t.kinetic_before = 0.5 * sum_lanes(sums.kinetic_before);
+  t.kinetic_after = 0.5 * sum_lanes(sums.kinetic_after);
+  t.work_membrane = tau * sum_lanes(sums.membrane);
+  t.work_pressure = tau * sum_lanes(sums.pressure);
+  for (int i = 0; i < kMaxExtraForces; ++i) t.work_extra[i] = tau * sum_lanes(sums.extra[i]);
+  t.damped = tau * sum_lanes(sums.damped);
+  for (int c = 0; c < 3; ++c) {
+    t.momentum_before[c] = sums.momentum_before[c];
+    t.momentum_after[c] = sums.momentum_after[c];
+    t.impulse[c] = tau * sums.impulse[c];
+  }
+  t.max_speed_squared = sums.max_speed_squared;
+  return t;
+}
+
+inline void advance(const AdvanceArrays& s, int first, int last, AdvanceTotals& totals) {
+  const double tau = 0.5 * (s.dt_before + s.dt_after);
+  const double drag = 0.5 * tau * s.damping;
+  const KickFactors factors{Lanes(tau),
+                            Lanes(s.dt_after),
+                            Lanes(1.0 - drag),
+                            Lanes(1.0 / (1.0 + drag)),
+                            Lanes::load(s.gravity),
+                            Lanes(s.gauge_pressure)};
+  AdvanceParts sums;
+  for (int n = first; n < last; ++n) advance_node(s, factors, n, sums);
+  totals = totals_of(sums, tau);
+}
+
+}  // namespace membrane::MEMBRANE_KERNELS

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cmath>
+
+#include "membrane/stages.hpp"
+
+namespace membrane {
+
+namespace {
+
+// Adds one plate's force to the nodes [first, last) and returns its energy (M.8).
+double add_plate(const BagModel& model, BagState& state, const Plate& plate, int first, int last) {
+  const double* x = state.position.data();
+  double* force = state.support_force.data();
+  double energy = 0.0;
+  for (int n = first; n < last; ++n) {
+    const Eigen::Map<const Eigen::Vector3d> node(x + 4 * n);
+    const double depth = plate.normal.dot(plate.point - node);
+    if (depth <= 0.0) continue;
+    const double push = plate.stiffness * model.node_area[static_cast<std::size_t>(n)] * depth;
+    Eigen::Map<Eigen::Vector3d>(force + 4 * n) += push * plate.normal;
+    energy += 0.5 * push * depth;
+  }
+  return energy;
+}
+
+// Adds one strap's forces, sets its tension and returns its energy (M.7).
+double add_strap(const Strap& strap, BagState& state, double& tension) {
+  auto force = state.support_force.map();
+  const Eigen::Vector3d span =
+      state.position.map().col(strap.node_b) - state.position.map().col(strap.node_a);
+  const double length = span.norm();
+  const double extension = length - strap.free_length;
+  tension = 0.0;
+  if (extension <= 0.0) return 0.0;
+  tension = strap.stiffness * extension;
+  const Eigen::Vector3d pull = tension / length * span;
+  force.col(strap.node_a) += pull;
+  force.col(strap.node_b) -= pull;
+  return 0.5 * tension * extension;
+}
+
+}  // namespace
+
+void plate_force_block(const BagModel& model, BagState& state, int block) {
+  const int first = block * kBlock, last = std::min(first + kBlock, model.node_count);
+  std::fill(state.support_force.data() + 4 * first, state.support_force.data() + 4 * last, 0.0);
+  double energy = 0.0;
+  for (const Plate& plate : model.description.plates) energy += add_plate(model, state, plate, first, last);
+  state.block[static_cast<std::size_t>(block)].forces.plate_energy = energy;
+}
+
+void sum_support_forces(const BagModel& model, BagState& state) {
+  double plate_energy = 0.0, strap_energy = 0.0;
+  for (int b = 0; b < node_blocks(model); ++b)
+    plate_energy += state.block[static_cast<std::size_t>(b)].forces.plate_energy;
+  for (std::size_t i = 0; i < state.strap_tension.size(); ++i)
+    strap_energy += add_strap(model.description.straps[i], state, state.strap_tension[i]);
+  state.forces.plate_energy = plate_energy;
+  state.forces.strap_energy = strap_energy;
+}
+
+}  // namespace membrane

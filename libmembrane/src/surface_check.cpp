@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "membrane/surface_check.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <numeric>
+#include <span>
+#include <stdexcept>
+#include <utility>
+
+#include "membrane/mesh.hpp"
+
+namespace membrane {
+namespace {
+
+constexpr std::size_t kNamed = 5;  // offenders that describe() names of each kind
+
+struct HalfEdge {
+  int low, high;  // nodes, low < high
+  int element;
+  int side;      // runs from local corner `side` to `side` + 1
+  bool forward;  // the element runs it from low to high
+};
+
+struct Disjoint {  // union-find over 0..n-1, path halving; the root is the lowest member
+  std::vector<int> parent;
+  explicit Disjoint(int n) : parent(static_cast<std::size_t>(n)) {
+    std::iota(parent.begin(), parent.end(), 0);
+  }
+  int root(int i) {
+    auto at = [this](int k) -> int& { return parent[static_cast<std::size_t>(k)]; };
+    while (at(i) != i) i = at(i) = at(at(i));
+    return i;
+  }
+  void join(int i, int j) {
+    const int a = root(i), b = root(j);
+    parent[static_cast<std::size_t>(std::max(a, b))] = std::min(a, b);
+  }
+};
+
+using Elements = Eigen::Ref<const Eigen::Matrix3Xi>;
+using EdgeGroup = std::span<const HalfEdge>;  // all half edges between the same two nodes
+
+std::vector<HalfEdge> sorted_edges(const Elements& elements) {
+  std::vector<HalfEdge> edges;
+  edges.reserve(3 * static_cast<std::size_t>(elements.cols()));
+  for (int e = 0; e < elements.cols(); ++e)
+    for (int i = 0; i < 3; ++i) {
+      const int a = elements(i, e), b = elements((i + 1) % 3, e);
+      if (a != b) edges.push_back({std::min(a, b), std::max(a, b), e, i, a < b});
+    }
+  std::stable_sort(edges.begin(), edges.end(), [](const HalfEdge& p, const HalfEdge& q) {
+    return p.low != q.low ? p.low < q.low : p.high < q.high;
+  });
+  return edges;
+}
+
+std::vector<EdgeGroup> edge_groups(const std::vector<HalfEdge>& edges) {
+  std::vector<EdgeGroup> groups;
+  for (std::size_t begin = 0, end = 0; begin < edges.size(); begin = end) {
+    while (end < edges.size() && edges[end].low == edges[begin].low && edges[end].high == edges[begin].high)
+      ++end;
+    groups.emplace_back(&edges[begin], end - begin);
+  }
+  return groups;
+}
+
+void check_indices(Eigen::Index node_count, const Elements& elements, SurfaceReport& report) {
+  std::vector<bool> used(static_cast<std::size_t>(node_count), false);
+  for (int e = 0; e < elements.cols(); ++e) {
+    const Eigen::Vector3i n = elements.col(e);
+    if (n.minCoeff() < 0 || n.maxCoeff() >= node_count) {
+      report.out_of_range_elements.push_back(e);
+      continue;
+    }
+    if (n(0) == n(1) || n(1) == n(2) || n(2) == n(0)) report.repeated_node_elements.push_back(e);
+    for (int a = 0; a < 3; ++a) used[static_cast<std::size_t>(n(a))] = true;
+  }
+  for (std::size_t i = 0; i < used.size(); ++i)
+    if (!used[i]) report.unused_nodes.push_back(static_cast<int>(i));
+}
+
+void check_edges(const std::vector<EdgeGroup>& groups, SurfaceReport& report) {
+  for (const EdgeGroup& group : groups) {
+    const HalfEdge& first = group.front();
+    if (group.size() == 2 && group[0].forward != group[1].forward) continue;
+    EdgeFault fault{first.forward ? std::array{first.low, first.high} : std::array{first.high, first.low},
+                    {}};
+    for (const HalfEdge& edge : group) fault.elements.push_back(edge.element);
+    if (group.size() == 1) report.boundary_edges.push_back(fault);
+    if (group.size() > 2) report.non_manifold_edges.push_back(fault);
+    if (group.size() == 2) report.inconsistent_edges.push_back(fault);
+  }
+}
+
+void check_components(const std::vector<EdgeGroup>& groups, int element_count, SurfaceReport& report) {
+  Disjoint sets(element_count);
+  for (const EdgeGroup& group : groups)
+    for (const HalfEdge& edge : group) sets.join(group.front().element, edge.element);
+  std::vector<int> component(static_cast<std::size_t>(element_count), -1);  // of a root
+  std::vector<std::vector<int>> components;
+  for (int e = 0; e < element_count; ++e) {
+    int& own = component[static_cast<std::size_t>(sets.root(e))];
+    if (own < 0) {
+      own = static_cast<int>(components.size());
+      components.emplace_back();
+    }
+    components[static_cast<std::size_t>(own)].push_back(e);
+  }
+  if (components.size() > 1) report.components = std::move(components);
+}
+
+// The elements round a node form one fan if their corners at that node are joined across shared edges.
+void check_fans(const std::vector<EdgeGroup>& groups, const Elements& elements, SurfaceReport& report) {
+  Disjoint fans(static_cast<int>(3 * elements.cols()));
+  const auto corner_at = [](const HalfEdge& edge, bool low) {
+    return 3 * edge.element + (edge.forward == low ? edge.side : (edge.side + 1) % 3);
+  };
+  for (const EdgeGroup& group : groups)
+    for (const HalfEdge& edge : group) {
+      fans.join(corner_at(group.front(), true), corner_at(edge, true));
+      fans.join(corner_at(group.front(), false), corner_at(edge, false));
+    }
+  std::vector<std::pair<int, int>> fan_of_node;
+  for (int e = 0; e < elements.cols(); ++e)
+    for (int a = 0; a < 3; ++a) fan_of_node.emplace_back(elements(a, e), fans.root(3 * e + a));
+  std::sort(fan_of_node.begin(), fan_of_node.end());
+  fan_of_node.erase(std::unique(fan_of_node.begin(), fan_of_node.end()), fan_of_node.end());
+  for (std::size_t i = 1; i < fan_of_node.size(); ++i) {
+    const int node = fan_of_node[i].first;
+    const bool reported = !report.pinched_nodes.empty() && report.pinched_nodes.back() == node;
+    if (fan_of_node[i - 1].first == node && !reported) report.pinched_nodes.push_back(node);
+  }
+}
+
+void check_nodes_finite(const Eigen::Ref<const Eigen::Matrix3Xd>& nodes, SurfaceReport& report) {
+  for (int i = 0; i < nodes.cols(); ++i)
+    if (!nodes.col(i).allFinite()) report.non_finite_nodes.push_back(i);
+}
+
+std::string list_of(const std::vector<int>& items) {
+  std::string text;
+  for (std::size_t i = 0; i < std::min(items.size(), kNamed); ++i)
+    text += (i ? ", " : " ") + std::to_string(items[i]);
+  return items.size() > kNamed ? text + ", ..." : text;
+}
+
+void describe_list(const std::string& what, const std::vector<int>& items, std::string& text) {
+  if (!items.empty()) text += std::to_string(items.size()) + " " + what + ":" + list_of(items) + "\n";
+}
+
+void describe_edges(const std::string& what, const std::vector<EdgeFault>& edges, std::string& text) {
+  if (edges.empty()) return;
+  text += std::to_string(edges.size()) + " " + what + ":";
+  for (std::size_t i = 0; i < std::min(edges.size(), kNamed); ++i)
+    text += (i ? "; nodes " : " nodes ") + std::to_string(edges[i].nodes[0]) + "-" +
+            std::to_string(edges[i].nodes[1]) + " of elements" + list_of(edges[i].elements);
+  text += edges.size() > kNamed ? "; ...\n" : "\n";
+}
+
+}  // namespace
+
+bool SurfaceReport::ok() const {
+  return !empty && !inward && out_of_range_elements.empty() && repeated_node_elements.empty() &&
+         non_finite_nodes.empty() && boundary_edges.empty() && non_manifold_edges.empty() &&
+         inconsistent_edges.empty() && pinched_nodes.empty() && unused_nodes.empty() && components.empty();
+}
+
+std::string SurfaceReport::describe() const {
+  std::string text;
+  if (empty) text += "the surface has no elements\n";
+  describe_list("elements with a node index out of range", out_of_range_elements, text);
+  describe_list("elements with a repeated node", repeated_node_elements, text);
+  describe_list("nodes that are not finite", non_finite_nodes, text);
+  describe_edges("boundary edges (a hole in the surface)", boundary_edges, text);
+  describe_edges("non-manifold edges (more than two elements: a duplicate or an inner wall between chambers)",
+                 non_manifold_edges, text);
+  describe_edges("inconsistently oriented edges (two elements run them the same way)", inconsistent_edges,
+                 text);
+  describe_list("pinched (non-manifold) nodes, where separate fans of elements meet", pinched_nodes, text);
+  describe_list("nodes that no element uses", unused_nodes, text);
+  if (!components.empty()) {
+    std::vector<int> firsts;
+    for (const std::vector<int>& component : components) firsts.push_back(component.front());
+    describe_list("disconnected components (one control volume is one chamber), first elements", firsts,
+                  text);
+  }
+  if (inward)
+    text += "inward orientation: the enclosed volume is " + std::to_string(volume) + " m3, not positive\n";
+  return text;
+}
+
+SurfaceReport check_closed_surface(const Eigen::Ref<const Eigen::Matrix3Xd>& nodes,
+                                   const Elements& elements) {
+  SurfaceReport report;
+  report.empty = elements.cols() == 0;
+  check_nodes_finite(nodes, report);
+  check_indices(nodes.cols(), elements, report);
+  if (report.empty || !report.out_of_range_elements.empty()) return report;
+  const std::vector<HalfEdge> edges = sorted_edges(elements);
+  const std::vector<EdgeGroup> groups = edge_groups(edges);
+  check_edges(groups, report);
+  check_components(groups, static_cast<int>(elements.cols()), report);
+  check_fans(groups, elements, report);
+  const bool closed = report.boundary_edges.empty() && report.non_manifold_edges.empty();
+  if (closed && report.inconsistent_edges.empty() && report.non_finite_nodes.empty()) {
+    report.volume = enclosed_volume(nodes, elements);
+    report.inward = !(report.volume > 0.0);
+  }
+  return report;
+}
+
+void require_closed_surface(const Eigen::Ref<const Eigen::Matrix3Xd>& nodes, const Elements& elements) {
+  const SurfaceReport report = check_closed_surface(nodes, elements);
+  if (!report.ok())
+    throw std::invalid_argument("surface is not a closed control volume:\n" + report.describe());
+}
+
+}  // namespace membrane

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "membrane/time_step.hpp"
+
+#include <cmath>
+#include <string>
+
+#include "checks.hpp"
+#include "element.hpp"
+#include "membrane/error.hpp"
+
+namespace membrane {
+
+namespace {
+
+double gas_frequency(const BagState& state, double gamma, double pressure) {
+  if (gamma == 0.0) return 0.0;
+  if (!(state.surface.volume > 0.0))
+    throw MembraneError("critical step: the enclosed volume is " + std::to_string(state.surface.volume) +
+                        " m3, gas needs it to be positive");
+  return gamma * pressure / state.surface.volume * state.surface.gradient_mobility;
+}
+
+PlaneStrain<double> strain_of(const BagModel& model, const BagState& state, std::size_t e) {
+  const ElementConstants& c = model.constants;
+  const auto x = state.position.map();
+  const Eigen::Vector3d a = x.col(c.node_a[e]);
+  const Eigen::Vector3d ab = x.col(c.node_b[e]) - a, ac = x.col(c.node_c[e]) - a;
+  double f1[3], f2[3];
+  for (int i = 0; i < 3; ++i) {
+    f1[i] = stretch_1(ab[i], c.gradient_b1[e]);
+    f2[i] = stretch_2(ab[i], ac[i], c.gradient_b2[e], c.gradient_c2[e]);
+  }
+  return green_lagrange_strain(f1, f2);
+}
+
+}  // namespace
+
+StiffnessShares stiffness_shares(const BagModel& model, const BagState& state, double gamma, double pressure,
+                                 double contact) {
+  require_not_negative("stiffness_shares", "gamma", gamma);
+  require_not_negative("stiffness_shares", "pressure", pressure);
+  require_not_negative("stiffness_shares", "contact", contact);
+  return {state.forces.element_frequency, gas_frequency(state, gamma, pressure), contact,
+          model.strap_frequency, model.plate_frequency};
+}
+
+double critical_time_step(const StiffnessShares& shares) {
+  const double total = shares.total();
+  if (!(std::isfinite(total) && total > 0.0))
+    throw MembraneError("critical step: the sum of stiffnesses is not finite and positive");
+  return 2.0 / std::sqrt(total);
+}
+
+ElementResponse element_response(const BagModel& model, const BagState& state, int element) {
+  if (element < 0 || element >= model.element_count)
+    reject("element_response", "element", element, "0 to " + std::to_string(model.element_count - 1));
+  const auto e = static_cast<std::size_t>(element);
+  const ElementConstants& c = model.constants;
+  ElementResponse r;
+  r.strain = strain_of(model, state, e);
+  r.response = isotropic_response(model.description.compression, r.strain,
+                                  {c.young[e], c.spherical[e], c.deviator[e]});
+  r.frequency = frequency_bound(c.material_frequency[e], c.geometric_frequency[e], r.response.strain_1,
+                                r.response.stress_1);
+  return r;
+}
+
+int governing_element(const BagModel& model, const BagState& state) {
+  int governing = 0;
+  double largest = -1.0;
+  for (int e = 0; e < model.element_count; ++e) {
+    const double frequency = element_response(model, state, e).frequency;
+    if (frequency > largest) {
+      largest = frequency;
+      governing = e;
+    }
+  }
+  return governing;
+}
+
+}  // namespace membrane

@@ -1,0 +1,144 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
+# Shows that the tests can fail: applies each mutation of verification/mutations.tsv to a scratch copy of the
+# work tree, one at a time, and expects the named test to turn red there.
+# usage: scripts/mutate.sh [--only REGEX] [--scratch FOLDER]
+#   --only REGEX      only the lines of mutations.tsv that match
+#   --scratch FOLDER  keep copy and build there; a later call builds incrementally
+# Exit code: 0 all mutations killed; 1 some survived or could not be tried; 2 bad arguments.
+set -euo pipefail
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+list=$root/verification/mutations.tsv
+test_time_limit=300 # [s] a mutant that hangs counts as killed
+jobs=$(nproc)
+
+only=.
+scratch=
+while (($#)); do
+  case $1 in
+    --only | --scratch)
+      if (($# < 2)); then
+        echo "mutate.sh: $1 needs a value" >&2
+        exit 2
+      fi
+      if [[ $1 == --only ]]; then only=$2; else scratch=$2; fi
+      shift 2
+      ;;
+    *)
+      echo "mutate.sh: unknown argument '$1'; allowed: --only REGEX, --scratch FOLDER" >&2
+      exit 2
+      ;;
+  esac
+done
+if [[ -z $scratch ]]; then
+  scratch=$(mktemp -d)
+  trap 'rm -rf "$scratch"' EXIT
+fi
+mkdir -p "$scratch"
+scratch=$(cd "$scratch" && pwd)
+copy=$scratch/source
+build=$scratch/build
+log=$scratch/log
+
+# Brings the copy up to date, touching only files that differ, so that a kept build stays incremental.
+copy_work_tree() {
+  local file
+  mkdir -p "$copy"
+  git -c safe.directory="$root" -C "$root" ls-files --cached --others --exclude-standard | LC_ALL=C sort -u >"$scratch/files"
+  (cd "$copy" && find . -type f -printf '%P\n') | LC_ALL=C sort | LC_ALL=C comm -13 "$scratch/files" - |
+    while IFS= read -r file; do rm "$copy/$file"; done
+  while IFS= read -r file; do
+    if [[ -f $root/$file ]] && ! cmp -s "$root/$file" "$copy/$file"; then
+      mkdir -p "$(dirname "$copy/$file")"
+      cp "$root/$file" "$copy/$file"
+      [[ ! -x $root/$file ]] || chmod +x "$copy/$file"
+    fi
+  done <"$scratch/files"
+}
+
+# Warnings stay warnings: a mutation may leave a variable unused.
+configure() {
+  if command -v ccache >/dev/null; then
+    export CMAKE_CXX_COMPILER_LAUNCHER=ccache
+  fi
+  cmake -S "$copy" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DGASJET_WERROR=OFF >"$log" 2>&1
+}
+
+# build_for [TEST]: the programs that this test's commands name in the build folder; everything if none.
+build_for() {
+  local word targets=()
+  if (($#)); then
+    while IFS= read -r word; do
+      [[ ! -f $word || ! -x $word ]] || targets+=("${word#"$build/"}")
+    done < <(ctest --test-dir "$build" -N -V -R "$1" | grep 'Test command:' | grep -oE "$build/[^ \"]+" | sort -u)
+  fi
+  cmake --build "$build" -j "$jobs" ${targets[0]+--target "${targets[@]}"} >"$log" 2>&1
+}
+
+run_test() {
+  timeout "$test_time_limit" ctest --test-dir "$build" -R "$1" --no-tests=error -j "$jobs" >"$log" 2>&1 </dev/null
+}
+
+# find_red_tests: the tests that fail, or do not exist, before any mutation; nothing can be shown with them.
+declare -A red=()
+find_red_tests() {
+  local test
+  for test in "${tests[@]}"; do
+    [[ -z ${red[$test]:-} ]] || continue
+    red[$test]=0
+    run_test "$test" || red[$test]=1
+  done
+}
+
+# try_mutation TEST FILE EXPRESSION: sets `verdict`. The restored file is compiled with the next mutation.
+try_mutation() {
+  local file=$copy/$2
+  if [[ ! -f $file ]]; then
+    verdict="no such file"
+    return
+  fi
+  if [[ ${red[$1]} == 1 ]]; then
+    verdict="test fails or is missing without mutation"
+    return
+  fi
+  cp "$file" "$scratch/original"
+  if ! sed -i -e "$3" "$file" 2>"$log"; then
+    verdict="sed refuses the expression"
+  elif cmp -s "$file" "$scratch/original"; then
+    verdict="sed changed nothing"
+  elif ! build_for "$1"; then
+    verdict="does not compile"
+  elif run_test "$1"; then
+    verdict="SURVIVED"
+  else
+    verdict="killed"
+  fi
+  cp "$scratch/original" "$file"
+}
+
+tests=() mutated_files=() expressions=()
+while IFS=$'\t' read -r test file expression; do
+  tests+=("$test") mutated_files+=("$file") expressions+=("$expression")
+done < <(grep -v -e '^#' -e '^[[:space:]]*$' "$list" | grep -E -e "$only")
+if ((${#tests[@]} == 0)); then
+  echo "mutate.sh: no line of $list matches '$only'" >&2
+  exit 2
+fi
+
+copy_work_tree
+if ! { configure && build_for; }; then
+  tail -40 "$log" >&2
+  echo "mutate.sh: the unmutated tree does not build" >&2
+  exit 1
+fi
+find_red_tests
+
+killed=0
+for i in "${!tests[@]}"; do
+  verdict=
+  try_mutation "${tests[i]}" "${mutated_files[i]}" "${expressions[i]}"
+  printf '%-10s %s | %s | %s\n' "$verdict" "${tests[i]}" "${mutated_files[i]}" "${expressions[i]}"
+  [[ $verdict != killed ]] || killed=$((killed + 1))
+done
+echo "$killed of ${#tests[@]} mutations killed"
+((killed == ${#tests[@]}))

@@ -1,0 +1,79 @@
+# SPDX-License-Identifier: Apache-2.0
+# shellcheck shell=bash
+# Shared by the plot scripts (sourced): panels of pendulum angle, acceleration of its centre of gravity and bag
+# pressure against time (those that the scene has), for one or two result folders. Readable in black and white:
+# first folder solid black, second dashed grey.
+
+fail() {
+  echo "$(basename "$0"): $*" >&2
+  exit 2
+}
+
+# column of the result table | factor to the plot's unit | axis label
+panels=(
+  "pendulum_angle_rad|180/pi|Pendulum angle [°]"
+  "pendulum_cg_acceleration_m_s2|1|Acceleration of c.g. [m/s²]"
+  "pressure_Pa|1e-3|Pressure [kPa]"
+)
+
+# has_column FILE NAME: looks in the header row, the first line that is no comment.
+has_column() { awk -F, -v name="$2" '/^#/ { next } { for (i = 1; i <= NF; i++) found += $i == name; exit } END { exit !found }' "$1"; }
+
+# shown_panels TABLE COLUMN_SUFFIX FOLDER...: the panels whose column every folder's table has.
+shown_panels() {
+  local table=$1 suffix=$2 panel folder
+  shift 2
+  for folder in "$@"; do
+    [[ -f $folder/$table ]] || fail "no file $folder/$table"
+    has_column "$folder/$table" time_s || fail "$folder/$table: no column time_s"
+  done
+  for panel in "${panels[@]}"; do
+    for folder in "$@"; do
+      has_column "$folder/$table" "${panel%%|*}$suffix" || continue 2
+    done
+    echo "$panel"
+  done
+}
+
+# render OUT COUNT: draws the COUNT panels, gnuplot commands on standard input, as OUT.svg and OUT.png.
+render() {
+  local out=$1 count=$2 height=$((60 + 280 * $2)) commands terminal
+  commands=$(cat)
+  mkdir -p "$(dirname "$out")"
+  for terminal in "svg size 800,$height font 'sans,14' background 'white'" \
+    "pngcairo size 1600,$((2 * height)) font 'sans,14' fontscale 2 linewidth 2"; do
+    gnuplot <<END
+set terminal $terminal
+set output '$out.${terminal:0:3}'
+set datafile separator ','
+set border 3
+set tics nomirror
+set grid linecolor 'gray70' linewidth 0.5 dashtype 3
+set key above left Left reverse samplen 3
+set lmargin 12
+set xlabel 'Time [ms]'
+set style line 1 linecolor 'black' linewidth 2 dashtype 1
+set style line 2 linecolor 'gray40' linewidth 2 dashtype 2
+set multiplot layout $count,1
+$commands
+unset multiplot
+END
+    echo "$out.${terminal:0:3}"
+  done
+}
+
+# plot_folders TABLE COLUMN_SUFFIX OUT FOLDER...: one panel a quantity; the caller's curve FILE COLUMN FACTOR
+# NUMBER TITLE prints the gnuplot plot elements of one folder.
+plot_folders() {
+  local table=$1 suffix=$2 out=$3 column factor label elements i shown
+  local folders=("${@:4}")
+  shown=$(shown_panels "$table" "$suffix" "${folders[@]}")
+  [[ -n $shown ]] || fail "no quantity to plot is in every $table"
+  while IFS='|' read -r column factor label; do
+    elements=
+    for i in "${!folders[@]}"; do
+      elements+="${elements:+, }$(curve "${folders[i]}/$table" "$column" "$factor" $((i + 1)) "$(basename "${folders[i]}" | tr _ ' ')")"
+    done
+    printf "set ylabel '%s'\nplot %s\n" "$label" "$elements"
+  done <<<"$shown" | render "$out" "$(wc -l <<<"$shown")"
+}

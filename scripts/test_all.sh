@@ -1,0 +1,84 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
+# Sets up the machine, builds with warnings as errors and runs the tests, then the same suite under
+# AddressSanitizer and UndefinedBehaviorSanitizer. The last line counts the tests of all suites together.
+# usage: scripts/test_all.sh [--no-sanitize] [--long]
+#   --no-sanitize  leave out the sanitizer build
+#   --long         also run the tests labelled `long` (release build only)
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+
+sanitize=1
+long=0
+for argument in "$@"; do
+  case $argument in
+    --no-sanitize) sanitize=0 ;;
+    --long) long=1 ;;
+    *)
+      echo "test_all.sh: unknown argument '$argument'; allowed: --no-sanitize, --long" >&2
+      exit 2
+      ;;
+  esac
+done
+
+jobs=$(nproc)
+logs=$(mktemp -d)
+trap 'rm -rf "$logs"' EXIT
+times=()
+failed_suites=()
+
+# phase NAME COMMAND...: runs it and keeps its wall time.
+phase() {
+  local name=$1 start=$SECONDS status=0
+  shift
+  echo "=== $name"
+  "$@" || status=$?
+  times+=("$(printf '%-22s %4d s' "$name" $((SECONDS - start)))")
+  return "$status"
+}
+
+# suite PRESET: one ctest run; a failed test does not keep the next suite from running.
+suite() {
+  phase "test $1" run_ctest "$1" || failed_suites+=("$1")
+}
+
+run_ctest() {
+  ctest --preset "$1" --no-tests=error -j "$jobs" </dev/null | tee "$logs/$1"
+}
+
+build() {
+  phase "configure $1" cmake --preset "$1"
+  phase "build $1" cmake --build --preset "$1" -j "$jobs"
+}
+
+# closing_line: ctest's "P% tests passed, F tests failed out of N", summed over the suites.
+closing_line() {
+  sed -n 's/.*tests passed, \([0-9]*\) tests* failed out of \([0-9]*\).*/\1 \2/p' "$logs"/* |
+    awk '{ failed += $1; total += $2 }
+         END { if (!total) exit 1
+               printf "%d%% tests passed, %d tests failed out of %d\n", int(100 * (total - failed) / total), failed, total }'
+}
+
+export UBSAN_OPTIONS=${UBSAN_OPTIONS:-print_stacktrace=1}
+if command -v ccache >/dev/null; then
+  export CMAKE_CXX_COMPILER_LAUNCHER=ccache
+fi
+
+phase "set-up" scripts/setup_debian12.sh
+build release
+suite fast
+if ((long)); then
+  suite long
+fi
+if ((sanitize)); then
+  build sanitize
+  suite sanitize
+fi
+
+echo "=== wall time of each phase"
+printf '%s\n' "${times[@]}"
+if ((${#failed_suites[@]})); then
+  echo "failed suites: ${failed_suites[*]}"
+fi
+closing_line
+((${#failed_suites[@]} == 0))

@@ -1,0 +1,69 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
+# Proves that one library stands alone: configures, builds and installs a copy of it that has no other library
+# beside it, then compiles and runs the first ```cpp block of its README against the installed package.
+# usage: scripts/test_library_alone.sh NAME [SCRATCH_FOLDER]   (NAME: gas, membrane, jet, coupling)
+# A given scratch folder is kept, so that a second call builds incrementally.
+set -euo pipefail
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+max_example_lines=20
+
+name=${1:?usage: test_library_alone.sh NAME [SCRATCH_FOLDER]}
+library=$root/lib$name
+if [[ ! -f $library/CMakeLists.txt ]]; then
+  echo "test_library_alone.sh: no library lib$name" >&2
+  exit 2
+fi
+if [[ $# -ge 2 ]]; then
+  scratch=$2
+  mkdir -p "$scratch"
+else
+  scratch=$(mktemp -d)
+  trap 'rm -rf "$scratch"' EXIT
+fi
+scratch=$(cd "$scratch" && pwd)
+
+# The copy keeps file times, so that an unchanged library is not compiled again.
+copy_sources() {
+  rm -rf "$scratch/source" "$scratch/prefix" "$scratch/consumer"
+  mkdir -p "$scratch/source" "$scratch/consumer"
+  cp -a "$library" "$root/cmake" "$scratch/source"
+}
+
+build_and_install() {
+  cmake -S "$scratch/source/lib$name" -B "$scratch/build" -G Ninja -DCMAKE_BUILD_TYPE=Release \
+    -DCMAKE_INSTALL_PREFIX="$scratch/prefix" -DGASJET_WERROR=ON
+  cmake --build "$scratch/build" -j 2
+  cmake --install "$scratch/build"
+}
+
+extract_example() {
+  awk '/^```/ { if (inside) exit; if ($0 == "```cpp") { inside = 1; next } } inside' \
+    "$library/README.md" >"$scratch/consumer/example.cpp"
+  local lines
+  lines=$(wc -l <"$scratch/consumer/example.cpp")
+  if ((lines == 0 || lines > max_example_lines)); then
+    echo "lib$name/README.md: the first \`\`\`cpp block has $lines lines; allowed: 1 to $max_example_lines" >&2
+    exit 1
+  fi
+}
+
+build_and_run_example() {
+  cat >"$scratch/consumer/CMakeLists.txt" <<END
+cmake_minimum_required(VERSION 3.25)
+project(example LANGUAGES CXX)
+find_package(gasjet_$name REQUIRED)
+add_executable(example example.cpp)
+target_link_libraries(example PRIVATE gasjet::$name)
+END
+  cmake -S "$scratch/consumer" -B "$scratch/consumer/build" -G Ninja -DCMAKE_BUILD_TYPE=Release \
+    -DCMAKE_PREFIX_PATH="$scratch/prefix"
+  cmake --build "$scratch/consumer/build"
+  echo "--- output of the example of lib$name/README.md"
+  (cd "$scratch/consumer" && build/example)
+}
+
+copy_sources
+extract_example
+build_and_install
+build_and_run_example

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "closed_form/common.hpp"
+#include "closed_form/membrane.hpp"
+#include "closed_form/pendulum.hpp"
+
+// Closed forms of coupled scenes: gas on a piston, on a pendulum, in an elastic sphere; step-by-step books.
+// All functions throw std::invalid_argument naming the field when a parameter is missing or out of validity.
+namespace closed_form {
+
+/// Mass on a spring and on the gas of a closed cylinder, small oscillation about equilibrium.
+struct GasPiston {
+  PerfectGas gas;
+  double mass = kRequired;      // [kg] > 0
+  double area = kRequired;      // [m2] > 0
+  double volume = kRequired;    // [m3] at equilibrium, > 0
+  double pressure = kRequired;  // [Pa] absolute, at equilibrium, > 0
+  double stiffness = 0.0;       // [N/m] >= 0
+};
+
+/// omega = sqrt((k + gamma p S^2/V)/M) [rad/s], adiabatic. Source: derived here by linearisation.
+double gas_piston_frequency(const GasPiston& piston);
+/// The control with isothermal gas, gamma replaced by 1 [rad/s].
+double gas_piston_isothermal_frequency(const GasPiston& piston);
+
+/// Pendulum whose impactor closes a gas cylinder (area, volume and pressure as for the piston).
+struct PendulumGasSpring {
+  PerfectGas gas;
+  Pendulum pendulum;
+  double area = kRequired;      // [m2] > 0
+  double volume = kRequired;    // [m3] > 0
+  double pressure = kRequired;  // [Pa] absolute, > 0
+};
+/// omega = sqrt((gamma p S^2 L_i^2/V + m g L_cg)/I_O) [rad/s]. Source: derived here by linearisation.
+double pendulum_gas_spring_frequency(const PendulumGasSpring& scene);
+
+/// Elastic sphere filled quasi-statically by gas, adiabatic; starts unstretched at ambient pressure.
+struct SphereFill {
+  PerfectGas gas;
+  StretchedSphere sphere;
+  double ambient_pressure = 101325.0;     // [Pa] > 0
+  double inflow_temperature = kRequired;  // [K] > 0
+};
+struct SphereFillState {
+  double inflow_mass = 0.0;    // [kg]
+  double pressure = 0.0;       // [Pa] absolute
+  double volume = 0.0;         // [m3]
+  double strain_energy = 0.0;  // [J]
+  double ambient_work = 0.0;   // [J] p_a (V - V0)
+};
+/// State at stretch >= 1: m_in = (p V/(gamma-1) + U_el + p_a (V - V0) - p_a V0/(gamma-1)) / (cp T_in).
+/// Source: derived here from the energy balance.
+SphereFillState sphere_fill(const SphereFill& scene, double stretch);
+/// The stretch at which inflow_mass [kg] >= 0 has entered.
+double sphere_fill_stretch(const SphereFill& scene, double inflow_mass);
+
+}  // namespace closed_form

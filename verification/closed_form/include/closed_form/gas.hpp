@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "closed_form/common.hpp"
+
+// Closed forms of one uniform gas volume: filling, mixing, compression, tank-test inverses.
+// All functions throw std::invalid_argument naming the field when a parameter is missing or out of validity.
+namespace closed_form {
+
+/// Rigid adiabatic tank filled at constant mass flow and inflow temperature.
+struct TankFill {
+  PerfectGas gas;
+  double volume = kRequired;               // [m3] > 0
+  double initial_pressure = kRequired;     // [Pa] >= 0; 0 is an evacuated tank
+  double initial_temperature = kRequired;  // [K] > 0
+  double mass_flow = kRequired;            // [kg/s] >= 0
+  double inflow_temperature = kRequired;   // [K] > 0
+};
+
+/// p = p0 + gamma R T_in mdot t / V, m = m0 + mdot t, T = p V / (m R). From an evacuated tank T = gamma T_in
+/// for every t > 0; at t = 0 the temperature returned is that limit. Needs t >= 0 [s]. Source: energy balance
+/// of an open system, textbook result (tank filling).
+GasState tank_fill(const TankFill& tank, double time);
+
+/// Rigid adiabatic tank filled by mdot = (2 M / t_e) sin^2(pi t / t_e), T_in = T1 + (T2 - T1) t / t_e, 0 <= t
+/// <= t_e.
+struct PulseFill {
+  PerfectGas gas;
+  double volume = kRequired;               // [m3] > 0
+  double initial_pressure = kRequired;     // [Pa] > 0
+  double initial_temperature = kRequired;  // [K] > 0
+  double total_mass = kRequired;           // [kg] M > 0
+  double duration = kRequired;             // [s] t_e > 0
+  double start_temperature = kRequired;    // [K] T1 > 0
+  double end_temperature = kRequired;      // [K] T2 > 0
+};
+
+/// Inflow and tank pressure rate of the pulse at one time.
+struct PulseFlow {
+  double mass_flow = 0.0;      // [kg/s]
+  double temperature = 0.0;    // [K] of the inflow
+  double pressure_rate = 0.0;  // [Pa/s] gamma R mdot T_in / V
+};
+
+/// State at time [s]; constant after t_e. With x = t/t_e: int mdot = 2 M (x/2 - sin(2 pi x)/(4 pi)),
+/// int mdot T_in = T1 int mdot + (T2 - T1) 2 M (x^2/4 - x sin(2 pi x)/(4 pi) - (cos(2 pi x) - 1)/(8 pi^2)),
+/// p = p0 + gamma R int mdot T_in / V. Source: derived here from the tank's energy balance.
+GasState pulse_fill(const PulseFill& pulse, double time);
+
+/// mdot, T_in and dp/dt of the pulse at time [s]; zero flow outside (0, t_e).
+PulseFlow pulse_flow(const PulseFill& pulse, double time);
+
+/// A mass of gas B at T_B enters a rigid adiabatic tank that holds gas A.
+struct TwoGasFill {
+  PerfectGas tank_gas;                       // gas A
+  PerfectGas inflow_gas{2077.1, 5.0 / 3.0};  // gas B; default helium
+  double volume = kRequired;                 // [m3] > 0
+  double initial_pressure = kRequired;       // [Pa] > 0
+  double initial_temperature = kRequired;    // [K] > 0
+  double inflow_mass = kRequired;            // [kg] >= 0
+  double inflow_temperature = kRequired;     // [K] > 0
+};
+
+struct TwoGasState {
+  GasState state;
+  double heat_capacity_ratio = 0.0;  // [-] sum(m cp) / sum(m cv), not the mass-weighted mean of gamma
+  double gas_constant = 0.0;         // [J/(kg K)] of the mixture
+};
+
+/// (m_A cv_A + m_B cv_B) T = m_A cv_A T0 + m_B cp_B T_B, p = (m_A R_A + m_B R_B) T / V.
+/// Source: derived here from the energy balance of an ideal mixture.
+TwoGasState two_gas_fill(const TwoGasFill& tank);
+
+/// Steady state of a rigid tank with constant inflow and a choked vent.
+struct VentedFill {
+  PerfectGas gas;
+  double volume = kRequired;              // [m3] > 0
+  double mass_flow = kRequired;           // [kg/s] > 0
+  double inflow_temperature = kRequired;  // [K] > 0
+  double vent_area = kRequired;           // [m2] > 0
+  double discharge_coefficient = 1.0;     // [-] 0 < Cd <= 1
+  double ambient_pressure = 101325.0;     // [Pa] >= 0; the steady vent must be choked against it
+};
+
+struct VentedFillSteady {
+  GasState state;                // T = T_in, p = mdot sqrt(R T_in) / (Cd A phi)
+  double slow_eigenvalue = 0.0;  // [1/s] < 0, of the linearised (m, U) system
+  double fast_eigenvalue = 0.0;  // [1/s] < slow_eigenvalue
+};
+
+/// Eigenvalues (mdot/m_ss) (-(1 + 3 gamma)/2 +- sqrt((1 + 3 gamma)^2/4 - 4 gamma))/2. Refused when the steady
+/// vent would not be choked. Source: derived here by linearisation.
+VentedFillSteady vented_fill_steady(const VentedFill& tank);
+
+/// Gas in a cylinder compressed or expanded without heat: p V^gamma constant.
+struct AdiabaticPiston {
+  PerfectGas gas;
+  double initial_pressure = kRequired;     // [Pa] > 0
+  double initial_temperature = kRequired;  // [K] > 0
+  double initial_volume = kRequired;       // [m3] > 0
+};
+
+struct PistonState {
+  GasState state;
+  double work_on_gas = 0.0;  // [J] (p V - p0 V0) / (gamma - 1)
+};
+
+/// State at volume [m3] > 0. Source: reversible adiabatic process, textbook result.
+PistonState adiabatic_piston(const AdiabaticPiston& piston, double volume);
+
+/// Filling of a volume that grows at constant pressure.
+struct ConstantPressureFill {
+  PerfectGas gas;
+  double pressure = kRequired;             // [Pa] > 0
+  double initial_volume = kRequired;       // [m3] > 0
+  double initial_temperature = kRequired;  // [K] > 0
+  double mass_flow = kRequired;            // [kg/s] >= 0
+  double inflow_temperature = kRequired;   // [K] > 0
+};
+
+/// V = V0 + mdot R T_in t / p; T mixes by enthalpy. Source: derived here; textbook result.
+GasState constant_pressure_fill(const ConstantPressureFill& bag, double time);
+
+/// Tank test with the measured end pressure and the known total mass: T_bar = (p_end - p0) V / (gamma R M)
+/// [K].
+struct AverageTemperature {
+  PerfectGas gas;
+  double volume = kRequired;            // [m3] > 0
+  double initial_pressure = kRequired;  // [Pa] >= 0
+  double final_pressure = kRequired;    // [Pa] > initial_pressure
+  double total_mass = kRequired;        // [kg] > 0
+};
+double average_inflow_temperature(const AverageTemperature& tank);
+
+/// mdot = V (dp/dt) / (gamma R T_bar) [kg/s]: exact for the product mdot T_in, biased by T_in/T_bar in mdot.
+double average_temperature_mass_flow(const AverageTemperature& tank, double pressure_rate);
+
+/// Dual-pressure tank test: choked inflator outlet, chamber pressure and tank pressure rate measured.
+struct DualPressure {
+  PerfectGas gas;
+  double volume = kRequired;            // [m3] of the tank, > 0
+  double outlet_area = kRequired;       // [m2] Cd A > 0
+  double chamber_pressure = kRequired;  // [Pa] > 0
+  double pressure_rate = kRequired;     // [Pa/s] of the tank, > 0
+};
+
+struct DualPressureResult {
+  double mass_flow = 0.0;    // [kg/s] (A phi p_c)^2 / (R Q), Q = V p' / (gamma R)
+  double temperature = 0.0;  // [K] R Q^2 / (A phi p_c)^2, stagnation temperature of the chamber
+};
+/// Source: derived here from the choked-flux formula and the tank's energy balance.
+DualPressureResult dual_pressure(const DualPressure& test);
+
+}  // namespace closed_form

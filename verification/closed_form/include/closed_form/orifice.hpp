@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "closed_form/common.hpp"
+
+// Closed forms of outflow: orifice and porous fabric, and tanks that empty through them.
+// All functions throw std::invalid_argument naming the field when a parameter is missing or out of validity.
+namespace closed_form {
+
+/// r* = (2/(gamma+1))^(gamma/(gamma-1)), 1 < gamma < 3. Source: isentropic nozzle flow, textbook result.
+double critical_pressure_ratio(double heat_capacity_ratio);
+
+/// phi = sqrt(gamma) (2/(gamma+1))^((gamma+1)/(2(gamma-1))) = mdot sqrt(R T) / (A p), choked.
+double choked_flux_coefficient(double heat_capacity_ratio);
+
+/// Sharp-edged hole in a vessel.
+struct Orifice {
+  PerfectGas gas;
+  double area = kRequired;              // [m2] > 0
+  double discharge_coefficient = 1.0;   // [-] 0 < Cd <= 1
+  double pressure = kRequired;          // [Pa] inside, > 0
+  double temperature = kRequired;       // [K] inside, > 0
+  double ambient_pressure = kRequired;  // [Pa] >= 0
+};
+
+/// mdot = Cd A p / sqrt(R T) sqrt(2 gamma/(gamma-1) (r^(2/gamma) - r^((gamma+1)/gamma))) [kg/s],
+/// r = max(p_a/p, r*); 0 when p_a >= p. Computed without cancellation for p_a -> p (expm1, log1p).
+/// Source: isentropic nozzle flow, textbook result.
+double orifice_mass_flow(const Orifice& orifice);
+
+/// p - p_a above which the hole is choked: p_a (1/r* - 1) [Pa].
+double choking_overpressure(double heat_capacity_ratio, double ambient_pressure);
+
+/// mdot / (A sqrt(2 rho dp)) of the hole, rho upstream, epsilon = dp/p in (0, 1 - r*].
+double bernoulli_ratio(double heat_capacity_ratio, double epsilon);
+
+/// Its series 1 - 3 epsilon/(4 gamma) - (40 gamma - 29) epsilon^2/(96 gamma^2); remainder O(epsilon^3).
+double bernoulli_ratio_series(double heat_capacity_ratio, double epsilon);
+
+/// How the porosity eta enters the leak area.
+enum class PorosityLaw {
+  kPrinted,  // eta^2 A, the formula as printed in "Gas Jet Model for Airbag Inflators"
+  kScreen,   // eta A, a resistance coefficient 1/eta^2 as that text says
+};
+
+/// Leak area C = eta^2 A (printed) or eta A (screen) [m2]; 0 <= eta <= 1, A >= 0.
+double leak_area(double porosity, double fabric_area, PorosityLaw law = PorosityLaw::kPrinted);
+
+struct PorousFabric {
+  PerfectGas gas;
+  double porosity = kRequired;     // [-] 0 <= eta <= 1
+  double fabric_area = kRequired;  // [m2] >= 0
+  PorosityLaw law = PorosityLaw::kPrinted;
+  double pressure = kRequired;          // [Pa] inside, > 0
+  double temperature = kRequired;       // [K] inside, > 0
+  double ambient_pressure = kRequired;  // [Pa] >= 0
+};
+
+/// mdot = C sqrt(2 rho (p - p_a)) [kg/s], rho = p/(R T); 0 when p_a >= p.
+double porous_mass_flow(const PorousFabric& fabric);
+
+/// Rigid tank that empties through a hole into the ambient.
+struct Blowdown {
+  PerfectGas gas;
+  double volume = kRequired;               // [m3] > 0
+  double area = kRequired;                 // [m2] > 0
+  double discharge_coefficient = 1.0;      // [-] 0 < Cd <= 1
+  double initial_pressure = kRequired;     // [Pa] > ambient_pressure
+  double initial_temperature = kRequired;  // [K] > 0
+  double ambient_pressure = kRequired;     // [Pa] > 0
+};
+
+/// The instants of a blow-down. A tank that starts unchoked has unchoke_time = 0 and unchoke_pressure = p0.
+struct BlowdownTimes {
+  double time_constant = 0.0;      // [s] tau of the choked phase
+  double unchoke_time = 0.0;       // [s]
+  double unchoke_pressure = 0.0;   // [Pa]
+  double end_time = 0.0;           // [s] p reaches p_a, a finite time
+  double final_temperature = 0.0;  // [K]
+  double final_mass = 0.0;         // [kg]
+};
+
+/// Adiabatic (isentropic inside). Choked: f = 1 + (gamma-1) t/(2 tau), T = T0 f^-2, p = p0 f^(-2
+/// gamma/(gamma-1)). Subsonic: with y = T/T_f, mdot = K sqrt(y - 1) exactly, hence t by int (1 + v^2)^b dv, v
+/// = sqrt(y - 1), b = (2-gamma)/(gamma-1), inverted by Newton. State constant after end_time. Needs time >= 0
+/// [s]. Source: derived here; the problem is the "free batch expansion" of transport-phenomena textbooks.
+GasState blowdown(const Blowdown& tank, double time);
+BlowdownTimes blowdown_times(const Blowdown& tank);
+/// Time [s] at which the pressure [Pa], p_a <= p <= p0, is reached.
+double blowdown_time_of_pressure(const Blowdown& tank, double pressure);
+
+/// The same at constant temperature: choked p = p0 exp(-t/tau); subsonic int (1 + v^2)^b dv with
+/// b = 1/(gamma-1) - 1/2 (a polynomial for gamma = 7/5). Source: derived here.
+GasState isothermal_blowdown(const Blowdown& tank, double time);
+BlowdownTimes isothermal_blowdown_times(const Blowdown& tank);
+
+/// Rigid tank that empties through porous fabric, mdot = C sqrt(2 rho (p - p_a)).
+struct PorousTank {
+  PerfectGas gas;
+  double volume = kRequired;       // [m3] > 0
+  double porosity = kRequired;     // [-] 0 < eta <= 1
+  double fabric_area = kRequired;  // [m2] > 0
+  PorosityLaw law = PorosityLaw::kPrinted;
+  double initial_pressure = kRequired;     // [Pa] > ambient_pressure
+  double initial_temperature = kRequired;  // [K] > 0
+  double ambient_pressure = kRequired;     // [Pa] > 0
+};
+
+/// Isothermal, any overpressure: p = p_a cosh^2(u0 - k t), k = C sqrt(R T/2)/V, u0 = arcosh sqrt(p0/p_a);
+/// ends at u0/k. Source: derived here.
+GasState porous_tank_isothermal(const PorousTank& tank, double time);
+double porous_tank_isothermal_end(const PorousTank& tank);  // [s]
+
+/// Adiabatic: t by int (1 + v^2)^b dv, v = sqrt(p/p_a - 1), b = 1/(2 gamma) - 1. Source: derived here.
+GasState porous_tank_adiabatic(const PorousTank& tank, double time);
+double porous_tank_adiabatic_end(const PorousTank& tank);  // [s]
+
+/// Estimate of that end for small overpressure, where dp = dp0 (1 - t/t_e)^2 [s].
+double porous_tank_parabola_end(const PorousTank& tank);
+
+}  // namespace closed_form

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <cmath>
+#include <numbers>
+
+#include "check.hpp"
+#include "closed_form/pendulum.hpp"
+
+namespace closed_form {
+
+using std::numbers::pi;
+
+SphereContact sphere_plane_cut(double radius, double depth) {
+  check::positive("radius", radius);
+  check::within("depth", depth, 0.0, 2.0 * radius);
+  return {pi * depth * (2.0 * radius - depth), pi * depth * depth * (radius - depth / 3.0)};
+}
+
+SphereForce sphere_plane_contact(double radius, double depth, double stiffness) {
+  check::positive("radius", radius);
+  check::within("depth", depth, 0.0, radius);
+  check::positive("stiffness", stiffness);
+  const double square = pi * stiffness * depth * depth;
+  return {square * (radius - depth), square * depth * (radius / 3.0 - 0.25 * depth)};
+}
+
+PenaltyBounce penalty_bounce(double mass, double stiffness, double speed) {
+  check::positive("mass", mass);
+  check::positive("stiffness", stiffness);
+  check::positive("speed", speed);
+  const double inverse_frequency = std::sqrt(mass / stiffness);
+  return {speed * inverse_frequency, pi * inverse_frequency, speed * std::sqrt(mass * stiffness),
+          2.0 * inverse_frequency};
+}
+
+}  // namespace closed_form

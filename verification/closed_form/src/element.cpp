@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <cmath>
+
+#include "check.hpp"
+#include "closed_form/membrane.hpp"
+
+namespace closed_form {
+namespace {
+
+double plane_stress_modulus(const Sheet& sheet) {
+  return sheet.youngs_modulus / (1.0 - sheet.poisson_ratio * sheet.poisson_ratio);
+}
+
+}  // namespace
+
+WaveSpeeds wave_speeds(const Sheet& sheet) {
+  check::sheet(sheet, true);
+  const double shear = sheet.youngs_modulus / (2.0 * (1.0 + sheet.poisson_ratio));
+  return {std::sqrt(plane_stress_modulus(sheet) / sheet.density),
+          std::sqrt(sheet.youngs_modulus / sheet.density), std::sqrt(shear / sheet.density)};
+}
+
+StretchedWaveSpeeds stretched_wave_speeds(const Sheet& sheet, double stretch) {
+  check::sheet(sheet, true);
+  if (!(std::isfinite(stretch) && stretch >= 1.0))
+    check::refuse("stretch", stretch, "must be finite and >= 1");
+  const double c2 = plane_stress_modulus(sheet) / sheet.density;
+  return {std::sqrt(c2 * (3.0 * stretch * stretch - 1.0) / 2.0),
+          std::sqrt(c2 * (stretch - 1.0) * (stretch + 1.0) / 2.0)};
+}
+
+UniaxialState uniaxial_tension(const Sheet& sheet, double stretch) {
+  check::sheet(sheet, false);
+  check::positive("stretch", stretch);
+  const double twice_strain = (stretch - 1.0) * (stretch + 1.0);
+  const double across = 1.0 - sheet.poisson_ratio * twice_strain;
+  if (across <= 0.0) check::refuse("stretch", stretch, "nu (stretch^2 - 1) must be < 1");
+  const double stress = 0.5 * sheet.youngs_modulus * twice_strain;
+  return {stress, std::sqrt(across), stretch * stress};
+}
+
+PlaneStress simple_shear(const Sheet& sheet, double shear) {
+  check::sheet(sheet, false);
+  check::finite("shear", shear);
+  const double e22 = 0.5 * shear * shear;
+  const double modulus = plane_stress_modulus(sheet);
+  return {modulus * sheet.poisson_ratio * e22, modulus * e22,
+          sheet.youngs_modulus / (2.0 * (1.0 + sheet.poisson_ratio)) * shear};
+}
+
+}  // namespace closed_form

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "closed_form/pendulum.hpp"
+
+#include <gsl/gsl_sf_elljac.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "check.hpp"
+
+namespace closed_form {
+namespace {
+
+using std::numbers::pi;
+
+// Complete elliptic integral K(k) from k' = sqrt(1 - k^2), by the arithmetic-geometric mean.
+double complete_elliptic(double complementary_modulus) {
+  double a = 1.0;
+  double b = complementary_modulus;
+  for (int i = 0; i < 40 && std::abs(a - b) > 1e-16 * a; ++i) {
+    const double mean = 0.5 * (a + b);
+    b = std::sqrt(a * b);
+    a = mean;
+  }
+  return 0.5 * pi / a;
+}
+
+double check_amplitude(double amplitude) {
+  if (!(std::abs(amplitude) < pi)) check::refuse("amplitude", amplitude, "must lie in (-pi, pi)");
+  return amplitude;
+}
+
+}  // namespace
+
+Pendulum paper_pendulum() {
+  Pendulum pendulum;
+  pendulum.mass = 10.9;
+  pendulum.cg_inertia = 2.07;
+  pendulum.cg_arm = 1.065;
+  pendulum.impactor_arm = 1.310;
+  return pendulum;
+}
+
+PendulumConstants pendulum_constants(const Pendulum& pendulum) {
+  const double m = check::positive("mass", pendulum.mass);
+  const double arm = check::positive("cg_arm", pendulum.cg_arm);
+  const double impactor = check::positive("impactor_arm", pendulum.impactor_arm);
+  PendulumConstants constants;
+  const double inertia = check::non_negative("cg_inertia", pendulum.cg_inertia) + m * arm * arm;
+  constants.axis_inertia = inertia;
+  constants.angular_frequency = std::sqrt(m * check::positive("gravity", pendulum.gravity) * arm / inertia);
+  constants.small_swing_period = 2.0 * pi / constants.angular_frequency;
+  constants.angular_acceleration_per_force = impactor / inertia;
+  constants.cg_acceleration_per_force = arm * impactor / inertia;
+  constants.impactor_acceleration_per_force = impactor * impactor / inertia;
+  constants.effective_mass = inertia / (impactor * impactor);
+  constants.centre_of_percussion = inertia / (m * arm);
+  constants.pivot_impulse_ratio = 1.0 - m * arm * impactor / inertia;
+  return constants;
+}
+
+double pendulum_period(const Pendulum& pendulum, double amplitude) {
+  check::from_below("amplitude", amplitude, 0.0, pi);
+  return 4.0 * complete_elliptic(std::cos(0.5 * amplitude)) / pendulum_constants(pendulum).angular_frequency;
+}
+
+PendulumState pendulum_swing(const Pendulum& pendulum, double amplitude, double time) {
+  check_amplitude(amplitude);
+  check::finite("time", time);
+  const double omega0 = pendulum_constants(pendulum).angular_frequency;
+  const double k = std::sin(0.5 * amplitude);
+  const double quarter = complete_elliptic(std::cos(0.5 * amplitude));
+  const double u = quarter - std::remainder(omega0 * time, 4.0 * quarter);
+  double sn = 0.0;
+  double cn = 0.0;
+  double dn = 0.0;
+  gsl_sf_elljac_e(u, k * k, &sn, &cn, &dn);
+  return {2.0 * std::asin(k * sn), -2.0 * k * omega0 * cn};
+}
+
+ImpulseResponse pendulum_impulse(const Pendulum& pendulum, double impulse) {
+  const PendulumConstants constants = pendulum_constants(pendulum);
+  check::positive("impulse", impulse);
+  const double omega = impulse * constants.angular_acceleration_per_force;
+  const double k = 0.5 * omega / constants.angular_frequency;
+  if (k >= 1.0) check::refuse("impulse", impulse, "would carry the pendulum over the top");
+  const double quarter = complete_elliptic(std::sqrt((1.0 - k) * (1.0 + k)));
+  return {omega, 0.5 * impulse * impulse / constants.effective_mass, 2.0 * std::asin(k),
+          quarter / constants.angular_frequency};
+}
+
+double constant_force_maximum_angle(const Pendulum& pendulum, double force) {
+  pendulum_constants(pendulum);
+  check::non_negative("force", force);
+  return 2.0 * std::atan2(force * pendulum.impactor_arm, pendulum.mass * pendulum.gravity * pendulum.cg_arm);
+}
+
+PendulumState half_sine_response(const Pendulum& pendulum, double force, double duration, double time) {
+  const PendulumConstants constants = pendulum_constants(pendulum);
+  check::finite("force", force);
+  check::positive("duration", duration);
+  check::non_negative("time", time);
+  const double w = constants.angular_frequency;
+  const double forcing = pi / duration;
+  if (std::abs(forcing / w - 1.0) < 1e-6)
+    check::refuse("duration", duration, "pi/duration must differ from omega0 (resonance)");
+  const double amplitude = force * constants.angular_acceleration_per_force / ((w - forcing) * (w + forcing));
+  const double t = std::fmin(time, duration);
+  const double angle = amplitude * (std::sin(forcing * t) - forcing / w * std::sin(w * t));
+  const double velocity = amplitude * forcing * (std::cos(forcing * t) - std::cos(w * t));
+  const double phase = w * (time - t);
+  return {angle * std::cos(phase) + velocity / w * std::sin(phase),
+          velocity * std::cos(phase) - w * angle * std::sin(phase)};
+}
+
+}  // namespace closed_form

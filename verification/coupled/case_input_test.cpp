@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: Apache-2.0
+// Bad input: each fault is refused where it stands, as `file:line:column: key: what is wrong, what is
+// allowed`.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "run_case.hpp"
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Fault {
+  const char* name;
+  const char* base;         // shipped case
+  const char* find;         // text in it ...
+  const char* replacement;  // ... and what a user might have written instead
+  const char* key;          // named in the message
+  const char* says;         // part of the message
+};
+
+std::string read(const fs::path& file) {
+  std::ostringstream text;
+  text << std::ifstream(file).rdbuf();
+  return text.str();
+}
+
+// A folder of its own for each test, removed at the end.
+struct Folder {
+  fs::path path;
+  Folder() {
+    std::string pattern = (fs::temp_directory_path() / "gasjet_case_XXXXXX").string();
+    path = mkdtemp(pattern.data());
+  }
+  ~Folder() { fs::remove_all(path); }
+};
+
+std::string message_of(const fs::path& file, const std::vector<std::string>& overrides = {}) {
+  try {
+    driver::CaseDocument document(file, overrides);
+    driver::make_state(driver::read_scene(document));
+  } catch (const driver::CaseError& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+class bad_input : public testing::TestWithParam<Fault> {};
+
+TEST_P(bad_input, is_refused_where_it_stands) {
+  const Fault& fault = GetParam();
+  std::string text = read(std::string(GASJET_SOURCE_DIR "/cases/") + fault.base + ".toml");
+  const auto at = text.find(fault.find);
+  ASSERT_NE(at, std::string::npos) << fault.find;
+  text.replace(at, std::string(fault.find).size(), fault.replacement);
+  const Folder folder;
+  const fs::path file = folder.path / "bad.toml";
+  std::ofstream(file) << text;
+
+  const std::string message = message_of(file);
+  const std::string place = file.string() + ":";
+  ASSERT_EQ(message.substr(0, place.size()), place) << message;
+  const int line = std::stoi(message.substr(place.size()));
+  EXPECT_GT(line, 0) << message;
+  EXPECT_NE(message.find(fault.key), std::string::npos) << message;
+  EXPECT_NE(message.find(fault.says), std::string::npos) << message;
+  // The line named is the one with the fault, or the head of the table that misses something.
+  std::istringstream lines(text);
+  std::string named;
+  for (int i = 0; i < line; ++i) std::getline(lines, named);
+  const std::string last_key = std::string(fault.key).substr(std::string(fault.key).rfind('.') + 1);
+  EXPECT_TRUE(named.find(last_key) != std::string::npos || named.find('[') != std::string::npos)
+      << message << "\n"
+      << named;
+}
+
+const Fault kFaults[] = {
+    {"unknown_key", "rigid_tank", "volume = 0.06", "volume = 0.06\nvolum = 1", "tank.volum", "unknown key"},
+    {"unknown_table", "rigid_tank", "[tank]", "[tanks]\n[tank]", "tanks", "unknown key"},
+    {"missing_key", "rigid_tank", "volume = 0.06", "", "tank.volume", "is missing"},
+    {"missing_table", "rigid_tank", "[scene]", "[scenery]", "scene", "is missing"},
+    {"wrong_type", "rigid_tank", "volume = 0.06", "volume = \"big\"", "tank.volume", "is a string"},
+    {"not_a_table", "rigid_tank", "[tank]\nvolume = 0.06", "tank = 3", "tank", ""},
+    {"nan", "rigid_tank", "volume = 0.06", "volume = nan", "tank.volume", "is nan"},
+    {"inf", "rigid_tank", "end_time = 0.1 ", "end_time = inf ", "scene.end_time", "is inf"},
+    {"negative_volume", "rigid_tank", "volume = 0.06", "volume = -0.06", "tank.volume", "above 0"},
+    {"zero_area", "tank_blowdown", "area = 1.0e-3", "area = 0.0", "vent.0.area", "above 0"},
+    {"negative_coefficient", "tank_blowdown", "discharge_coefficient = 1.0", "discharge_coefficient = -1.0",
+     "vent.0.discharge_coefficient", "at most 1"},
+    {"zero_thickness", "sphere_inflation", "thickness = 0.5e-3", "thickness = 0.0", "fabric.thickness",
+     "above 0"},
+    {"negative_temperature", "rigid_tank", "temperature = 700.0", "temperature = -700.0",
+     "inflator.0.temperature", "above 0"},
+    {"unsorted_knots", "sphere_inflation", "time = [0.0, 0.02, 0.04]", "time = [0.0, 0.04, 0.02]",
+     "inflator.0.mass_flow", "rising order"},
+    {"repeated_knots", "sphere_inflation", "time = [0.0, 0.02, 0.04]", "time = [0.0, 0.02, 0.02]",
+     "inflator.0.mass_flow", "rising order"},
+    {"knots_without_values", "sphere_inflation", "value = [0.0, 1.0, 0.0]", "value = [0.0, 1.0]",
+     "inflator.0.mass_flow", "as many"},
+    {"negative_mass_flow", "sphere_inflation", "value = [0.0, 1.0, 0.0]", "value = [0.0, -1.0, 0.0]",
+     "inflator.0.mass_flow", "0 or more"},
+    {"unknown_species", "sphere_inflation", "composition = { N2 = 1.0 }\nmass_flow",
+     "composition = { Xe = 1.0 }\nmass_flow", "inflator.0.composition", "Xe"},
+    {"fractions", "sphere_inflation", "composition = { N2 = 1.0 }\nmass_flow",
+     "composition = { N2 = 0.5 }\nmass_flow", "inflator.0.composition", "sum to 0.5"},
+    {"temperature_range", "sphere_inflation",
+     "thermodynamics = \"constant\"\ninitial = { composition = { N2 = 1.0 } }",
+     "thermodynamics = \"nasa7\"\ninitial = { composition = { N2 = 1.0 }, temperature = 100.0 }",
+     "gas.initial", "200"},
+    {"wrong_choice", "sphere_inflation", "leak_law = \"none\"", "leak_law = \"leaky\"", "fabric.leak_law",
+     "printed"},
+    {"poisson", "sphere_inflation", "poisson_ratio = 0.3", "poisson_ratio = 1.5", "fabric.poisson_ratio",
+     "0.999"},
+    {"outlet_outside", "passenger_pendulum", "centre = [0.0, 0.0, 0.0] ", "centre = [0.0, 0.9, 0.0] ",
+     "inflator.0.jet.centre", "outside the bag"},
+    {"zero_axis", "passenger_pendulum", "axis = [1.0, 0.0, 0.0] ", "axis = [0.0, 0.0, 0.0] ",
+     "inflator.0.jet", "axis"},
+    {"short_vector", "passenger_pendulum", "axis = [1.0, 0.0, 0.0] ", "axis = [1.0, 0.0] ",
+     "inflator.0.jet.axis", "3 are needed"},
+    {"pendulum_inside", "passenger_pendulum", "pivot = [0.35, 0.0, 1.31]", "pivot = [0.03, 0.0, 1.31]",
+     "pendulum", "inside"},
+    {"unknown_panel", "passenger_pendulum", "null_panels = [\"vent\"]", "null_panels = [\"hole\"]",
+     "membrane.null_panels", "hole"},
+    {"null_with_interior_nodes", "passenger_pendulum", "null_panels = [\"vent\"]",
+     "null_panels = [\"side_right\"]", "membrane", "node"},
+    {"jet_work_of_static_gas", "passenger_pendulum", "outlet = \"sonic\"",
+     "outlet = \"sonic\"\njet_work = \"from_gas\"", "inflator.0.jet.jet_work", "stagnation"},
+    {"tank_and_bag", "sphere_inflation", "[membrane]", "[tank]\nvolume = 1.0\n[membrane]", "tank",
+     "not both"},
+    {"bag_without_fabric", "sphere_inflation", "[fabric]", "[fabrics]", "fabric", "is missing"},
+    {"unsafe_without_step", "rigid_tank", "[output]", "[time]\nunsafe_dt = true\n[output]", "time.unsafe_dt",
+     "`step`"},
+};
+INSTANTIATE_TEST_SUITE_P(faults, bad_input, testing::ValuesIn(kFaults),
+                         [](const auto& info) { return std::string(info.param.name); });
+
+struct BadMesh {
+  const char* name;
+  const char* text;
+  const char* says;
+};
+
+class bad_mesh : public testing::TestWithParam<BadMesh> {};
+
+TEST_P(bad_mesh, is_refused) {
+  const Folder folder;
+  std::ofstream(folder.path / "bag.obj") << GetParam().text;
+  std::string text = read(GASJET_SOURCE_DIR "/cases/sphere_inflation.toml");
+  const std::string generator = "{ generator = \"icosphere\", radius = 0.3, levels = 3 }";
+  text.replace(text.find(generator), generator.size(), "{ file = \"bag.obj\" }");
+  std::ofstream(folder.path / "case.toml") << text;
+  const std::string message = message_of(folder.path / "case.toml");
+  EXPECT_EQ(message.substr(0, folder.path.string().size()), folder.path.string()) << message;
+  EXPECT_NE(message.find(GetParam().says), std::string::npos) << message;
+}
+
+constexpr const char* kCorners = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n";
+const std::string kClosed = std::string(kCorners) + "f 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n";
+const std::string kHole = std::string(kCorners) + "f 1 3 2\nf 1 2 4\nf 2 3 4\n";
+const std::string kTurned = std::string(kCorners) + "f 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 3 4\n";
+const std::string kRepeated = std::string(kCorners) + "f 1 3 2\nf 1 2 4\nf 2 3 3\nf 1 4 3\n";
+const std::string kOutOfRange = std::string(kCorners) + "f 1 3 2\nf 1 2 4\nf 2 3 9\nf 1 4 3\n";
+const std::string kInward = std::string(kCorners) + "f 1 2 3\nf 1 4 2\nf 2 4 3\nf 1 3 4\n";
+const BadMesh kMeshes[] = {
+    {"hole", kHole.c_str(), "edge"},
+    {"orientation", kTurned.c_str(), "edge"},
+    {"repeated_node", kRepeated.c_str(), "bag.obj:7:"},
+    {"out_of_range", kOutOfRange.c_str(), "bag.obj:7:"},
+    {"inward", kInward.c_str(), "inward"},
+    {"not_a_mesh", "hello world\n", "bag.obj:1:"},
+    {"empty", "", "element"},
+};
+INSTANTIATE_TEST_SUITE_P(meshes, bad_mesh, testing::ValuesIn(kMeshes),
+                         [](const auto& info) { return std::string(info.param.name); });
+
+TEST(good_input, closed_mesh_file_is_accepted) {
+  // The control of bad_mesh: the same case with the closed tetrahedron.
+  const Folder folder;
+  std::ofstream(folder.path / "bag.obj") << kClosed;
+  std::string text = read(GASJET_SOURCE_DIR "/cases/sphere_inflation.toml");
+  const std::string generator = "{ generator = \"icosphere\", radius = 0.3, levels = 3 }";
+  text.replace(text.find(generator), generator.size(), "{ file = \"bag.obj\", length_unit = 0.5 }");
+  std::ofstream(folder.path / "case.toml") << text;
+  EXPECT_EQ(message_of(folder.path / "case.toml"), "accepted");
+}
+
+TEST(good_input, every_shipped_case_is_accepted) {
+  int count = 0;
+  for (const auto& entry : fs::directory_iterator(GASJET_SOURCE_DIR "/cases")) {
+    if (entry.path().extension() != ".toml") continue;
+    EXPECT_EQ(message_of(entry.path()), "accepted") << entry.path();
+    ++count;
+  }
+  EXPECT_GE(count, 6);
+}
+
+TEST(case_overrides, reach_their_key_and_name_themselves_in_errors) {
+  const fs::path tank = GASJET_SOURCE_DIR "/cases/rigid_tank.toml";
+  EXPECT_EQ(coupled::scene_of("rigid_tank", {"tank.volume=0.12"}).gas->rigid_volume, 0.12);
+  EXPECT_EQ(coupled::scene_of("rigid_tank", {"time.gas_tolerance=1e-6"}).gas->integrator.relative_tolerance,
+            1e-6);
+  for (const char* text :
+       {"tank.volume=-1", "tank.volum=1", "inflator.0.mass_flow=nan", "inflator.7.mass_flow=1"}) {
+    const std::string message = message_of(tank, {text});
+    EXPECT_NE(message.find(std::string("--set ") + text), std::string::npos) << message;
+  }
+}
+
+TEST(curve_file, is_read_and_refused_by_line) {
+  const Folder folder;
+  std::string text = read(GASJET_SOURCE_DIR "/cases/rigid_tank.toml");
+  const std::string flow = "mass_flow = 1.0 ";
+  text.replace(text.find(flow), flow.size(), "mass_flow = { file = \"flow.csv\", column = \"flow_kg_s\" } ");
+  std::ofstream(folder.path / "case.toml") << text;
+  const auto with = [&](const char* csv) {
+    std::ofstream(folder.path / "flow.csv") << csv;
+    return message_of(folder.path / "case.toml");
+  };
+  EXPECT_EQ(with("# a comment\ntime_s,flow_kg_s\n0,1\n0.1,2\n"), "accepted");
+  EXPECT_NE(with("time_s,flow_kg_s\n0,1\n0.1,abc\n").find("flow.csv:3:5: 'abc'"), std::string::npos);
+  EXPECT_NE(with("time_s,flow_kg_s\n0,1\n0.1\n").find("flow.csv:3:1"), std::string::npos);
+  EXPECT_NE(with("time_s,flow\n0,1\n0.1,2\n").find("no such column"), std::string::npos);
+  EXPECT_NE(with("time_s,flow_kg_s\n0,1\n0,2\n").find("rising order"), std::string::npos);
+  EXPECT_NE(with("time_s,flow_kg_s\n0,1\n1,-2\n").find("0 or more"), std::string::npos);
+  EXPECT_NE(with("").find("flow.csv"), std::string::npos);
+}
+
+}  // namespace

@@ -1,0 +1,101 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
+# The gasjet command as a user meets it. Usage: command_test.sh GASJET SOURCE_DIR PART
+set -u
+gasjet=$1 source=$2 part=$3
+work=$(mktemp -d) || exit 1
+trap 'rm -rf "$work"' EXIT
+failures=0
+
+fail() { echo "FAILED: $*"; failures=$((failures + 1)); }
+
+# expect CODE PATTERN COMMAND...: exit code and a pattern (extended regular expression) in what it prints
+expect() {
+  local code=$1 pattern=$2 output status
+  shift 2
+  output=$("$@" 2>&1 </dev/null)
+  status=$?
+  [ "$status" = "$code" ] || fail "exit $status, $code expected: $* : $output"
+  grep -Eq -- "$pattern" <<<"$output" || fail "no '$pattern' in the output of $*: $output"
+}
+
+part_exit_codes() {
+  expect 0 "done" "$gasjet" run "$source/cases/rigid_tank.toml" --out "$work/tank"
+  for file in history.csv energy.csv summary.json; do [ -s "$work/tank/$file" ] || fail "no $file"; done
+  expect 2 "unknown|not expected|were not" "$gasjet" run "$source/cases/rigid_tank.toml" --no-such-option
+  expect 2 "" "$gasjet"
+  expect 2 "" "$gasjet" no_such_command
+  expect 0 "gasjet [0-9]" "$gasjet" --version
+  expect 3 "above its bound" "$gasjet" run "$source/cases/sphere_inflation.toml" --out "$work/bound" --set time.step=1e-3
+  grep -q '"status": "failed"' "$work/bound/summary.json" || fail "no failed status"
+  expect 3 "stage S" "$gasjet" run "$source/cases/sphere_inflation.toml" --out "$work/unsafe" \
+    --set time.step=4e-4 --set time.unsafe_dt=true --set gas.initial.pressure=121325.0
+  [ "$(grep -vc '^#' "$work/unsafe/history.csv")" -gt 2 ] || fail "history of the blow-up is not kept"
+  grep -Eiq 'nan|inf' <(grep -v '^#' "$work/unsafe/history.csv" | tail -n +2) && fail "nan or inf in the history"
+  expect 0 "critical step" "$gasjet" check "$source/cases/passenger_pendulum.toml"
+  expect 0 "2744 elements" "$gasjet" mesh passenger --out "$work/bag.obj"
+  expect 2 "not writable|No such|Permission|writ" "$gasjet" mesh passenger --out "$work/nowhere/bag.obj"
+}
+
+part_bad_input() {
+  local tank=$source/cases/rigid_tank.toml
+  expect 2 "no such file" "$gasjet" run "$work/missing.toml" --out "$work/out"
+  printf '[scene\nname = "x"\n' >"$work/syntax.toml"
+  expect 2 "syntax.toml:1:[0-9]+: TOML syntax" "$gasjet" run "$work/syntax.toml" --out "$work/out"
+  expect 2 "is a folder" "$gasjet" run "$work" --out "$work/out"
+  expect 2 "unknown key" "$gasjet" run "$tank" --out "$work/out" --set scene.no_such_key=1
+  expect 2 "unknown key" "$gasjet" run "$tank" --out "$work/out" --set no_such_table.key=1
+  expect 2 "key.path=value" "$gasjet" run "$tank" --out "$work/out" --set novalue
+  echo "file in the way" >"$work/file"
+  expect 2 "--out" "$gasjet" run "$tank" --out "$work/file/below"
+  expect 2 "--out" "$gasjet" run "$tank" --out /proc/no_such_folder
+  [ -e "$work/out" ] && fail "bad input wrote $work/out"
+}
+
+part_interrupt() {
+  "$gasjet" run "$source/cases/passenger_pendulum_no_jet.toml" --out "$work/stopped" --set scene.end_time=100 \
+    >"$work/log" 2>&1 </dev/null &
+  local pid=$! rows waited=0
+  until [ -s "$work/stopped/history.csv" ] || [ $waited -ge 300 ]; do sleep 0.1; waited=$((waited + 1)); done
+  kill -INT $pid
+  wait $pid
+  local status=$?
+  [ $status = 130 ] || fail "exit $status after Ctrl-C, 130 expected: $(cat "$work/log")"
+  grep -q '"status": "interrupted"' "$work/stopped/summary.json" || fail "no interrupted status"
+  rows=$(grep -v '^#' "$work/stopped/history.csv" | awk -F, 'NR == 1 {n = NF} NF != n {bad = 1} END {print bad ? -1 : NR}')
+  [ "$rows" -gt 1 ] || fail "history of $rows rows, or a torn row"
+}
+
+without_dates() { sed -E '/^# (date|options): /d' "$1"; }
+
+part_same_bytes() {
+  local short=(--set scene.end_time=0.01 --quiet)
+  "$gasjet" run "$source/cases/passenger_pendulum.toml" --out "$work/a" "${short[@]}" || fail "run a"
+  "$gasjet" run "$source/cases/passenger_pendulum.toml" --out "$work/b" "${short[@]}" || fail "run b"
+  "$gasjet" run "$source/cases/passenger_pendulum.toml" --out "$work/c" "${short[@]}" --threads 2 || fail "run c"
+  for other in b c; do
+    for file in history.csv energy.csv; do
+      cmp <(without_dates "$work/a/$file") <(without_dates "$work/$other/$file") || fail "$file differs in $other"
+    done
+    cmp <(sed -E '/"(date|wall_s|real_time_factor|S[0-9]+_[a-z_]+)"/d' "$work/a/summary.json") \
+      <(sed -E '/"(date|wall_s|real_time_factor|S[0-9]+_[a-z_]+)"/d' "$work/$other/summary.json") || fail "summary differs in $other"
+  done
+}
+
+part_exact() {
+  expect 0 "tank" "$gasjet" exact --list
+  expect 2 "no_such" "$gasjet" exact no_such
+  local name
+  for name in $("$gasjet" exact --list | sed -nE 's/^([a-z0-9_]+): .*/\1/p'); do
+    "$gasjet" exact "$name" >"$work/rows.csv" 2>"$work/error" </dev/null
+    case $? in
+      0) grep -v '^#' "$work/rows.csv" | grep -Eiq '(^|,)-?(nan|inf)' && fail "$name prints nan or inf" ;;
+      2) grep -q "exact $name" "$work/error" || fail "$name: $(cat "$work/error")" ;;
+      *) fail "$name: $(cat "$work/error")" ;;
+    esac
+  done
+  expect 2 "no_such_parameter" "$gasjet" exact "$name" --set no_such_parameter=1
+}
+
+"part_$part"
+[ $failures -eq 0 ] && echo "command $part: passed" || exit 1

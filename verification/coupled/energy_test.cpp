@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+// The books of the coupled scenes.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "run_case.hpp"
+
+namespace {
+
+using coupled::CaseRun;
+using coupled::run_case;
+
+double supplied(const CaseRun& run) {
+  return run.state.flows.enthalpy_in;
+}
+
+// 40 ms take the scenes through unfolding, first contact and the jet's full strength.
+const std::vector<std::string> kShort{"scene.end_time=0.04"};
+
+class coupled_books : public testing::TestWithParam<const char*> {};
+INSTANTIATE_TEST_SUITE_P(scenes, coupled_books,
+                         testing::Values("passenger_pendulum", "passenger_pendulum_no_jet"));
+
+TEST_P(coupled_books, mass_ledger_and_energy_close) {
+  const auto run = run_case(GetParam(), kShort);
+  ASSERT_EQ(run.outcome.status, driver::RunStatus::done) << run.outcome.message;
+  EXPECT_GT(run.state.peaks.first_contact, 0.0);  // the scene does what it is for
+  EXPECT_GT(run.state.step.maximum, 1.2 * run.state.step.minimum) << "steps have to vary for this claim";
+  EXPECT_LT(run.state.peaks.mass_residual, 1e-12);                    // required bound
+  EXPECT_LT(run.state.peaks.ledger_residual, 1e-12 * supplied(run));  // required bound, kick form (K.20)
+  EXPECT_LT(run.state.peaks.energy_residual, 1e-3 * supplied(run));   // required bound, physical drift (K.21)
+  EXPECT_LT(run.state.peaks.momentum_residual, 1e-13);  // eps x some hundred additions of both signs
+}
+
+TEST(coupled_energy, drift_is_second_order_on_a_smooth_scene) {
+  // The sphere stays taut and smooth: x and v both move from the start. Fixed steps, three halvings.
+  std::vector<double> drift;
+  for (const char* step : {"time.step=8e-6", "time.step=4e-6", "time.step=2e-6"}) {
+    const auto run =
+        run_case("sphere_inflation", {step, "scene.end_time=0.02", "gas.initial.pressure=111325.0"});
+    ASSERT_EQ(run.outcome.status, driver::RunStatus::done) << run.outcome.message;
+    drift.push_back(run.state.peaks.energy_residual);
+  }
+  for (std::size_t i = 1; i < drift.size(); ++i) {
+    const double order = std::log2(drift[i - 1] / drift[i]);
+    EXPECT_GT(order, 1.9) << drift[i - 1] << ' ' << drift[i];
+    EXPECT_LT(order, 2.1) << drift[i - 1] << ' ' << drift[i];
+  }
+}
+
+TEST(coupled_energy, drift_falls_with_the_step_on_the_pendulum_scene) {
+  // Chaotic (wrinkles, contact): no order is claimed, only that a quarter of the step drifts less.
+  const auto coarse = run_case("passenger_pendulum_no_jet", kShort);
+  const auto fine = run_case("passenger_pendulum_no_jet", {"scene.end_time=0.04", "time.safety=0.225"});
+  EXPECT_LT(fine.state.peaks.energy_residual, 0.5 * coarse.state.peaks.energy_residual);
+}
+
+TEST(coupled_energy, jet_work_from_gas_balances_too) {
+  const auto run = run_case(
+      "passenger_pendulum",
+      {"scene.end_time=0.02", "inflator.0.jet.temperature=stagnation", "inflator.0.jet.jet_work=from_gas"});
+  ASSERT_EQ(run.outcome.status, driver::RunStatus::done) << run.outcome.message;
+  EXPECT_EQ(run.state.flows.jet_work, 0.0);
+  EXPECT_LT(run.state.peaks.energy_residual, 1e-3 * supplied(run));
+}
+
+TEST(coupled_energy, jet_work_is_what_the_jet_adds) {
+  const auto run = run_case("passenger_pendulum", {"scene.end_time=0.02"});
+  EXPECT_GT(run.state.flows.jet_work, 100 * run.state.peaks.energy_residual)
+      << "the booked work has to stand out of the drift, else the balance could not miss it";
+}
+
+TEST(coupled_energy, centre_of_the_sphere_stays_on_its_side) {
+  const auto run = run_case("passenger_pendulum", kShort);
+  const double radius = coupled::scene_of("passenger_pendulum").pendulum->model.parameters().impactor_radius;
+  EXPECT_GT(run.state.peaks.penetration, 0.0);
+  EXPECT_LT(run.state.peaks.penetration, 0.5 * radius);  // past it the run would have ended with code 3
+}
+
+}  // namespace

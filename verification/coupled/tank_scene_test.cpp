@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+// Whole runs of the scenes without a mesh, against their closed forms.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "closed_form/gas.hpp"
+#include "closed_form/orifice.hpp"
+#include "run_case.hpp"
+
+namespace {
+
+using coupled::run_case;
+constexpr double kGasConstant = 296.8, kGamma = 1.4;  // the cases' model nitrogen
+
+TEST(tank_scene, rigid_tank_eq_linear_pressure) {
+  const auto run = run_case("rigid_tank");
+  ASSERT_EQ(run.outcome.status, driver::RunStatus::done);
+  closed_form::TankFill tank{{kGasConstant, kGamma}, 0.06, 101325.0, 293.15, 1.0, 700.0};
+  for (const auto& row : run.history) {
+    const auto exact = closed_form::tank_fill(tank, row.time_s);
+    // Linear in the state: only the sum over 100 steps rounds, eps x 100 x a condition number of order 1.
+    EXPECT_NEAR(row.pressure_Pa / exact.pressure, 1.0, 1e-13) << row.time_s;
+    EXPECT_NEAR(row.temperature_K / exact.temperature, 1.0, 1e-13) << row.time_s;
+    EXPECT_NEAR(row.gas_mass_kg / exact.mass, 1.0, 1e-13) << row.time_s;
+  }
+  EXPECT_EQ(run.history.size(), 101u);
+}
+
+TEST(tank_scene, rigid_tank_reaches_its_parameters) {
+  // Twice the flow into twice the volume: the same pressure; a parameter that never arrives would show.
+  const auto base = run_case("rigid_tank");
+  const auto twice = run_case("rigid_tank", {"tank.volume=0.12", "inflator.0.mass_flow=2.0"});
+  const auto hotter = run_case("rigid_tank", {"inflator.0.temperature=1400.0"});
+  const double rise = base.history.back().pressure_Pa - 101325.0;
+  EXPECT_NEAR(twice.history.back().pressure_Pa, base.history.back().pressure_Pa, 1e-6);
+  EXPECT_NEAR(hotter.history.back().pressure_Pa - 101325.0, 2.0 * rise, 1e-12 * rise * 100);
+}
+
+TEST(tank_scene, tank_never_builds_a_mesh) {
+  const auto scene = coupled::scene_of("rigid_tank");
+  EXPECT_FALSE(scene.bag || scene.pendulum || scene.contact || scene.target);
+  EXPECT_TRUE(scene.jets.empty());
+}
+
+TEST(tank_scene, blowdown_eq_choked_subsonic_and_rest) {
+  const auto run = run_case("tank_blowdown");
+  ASSERT_EQ(run.outcome.status, driver::RunStatus::done);
+  // G5, G6 of the reference table, to their printed digits; the stepper's tolerance is 1e-10 per step.
+  const auto at = [&](double time) {
+    for (const auto& row : run.history)
+      if (std::abs(row.time_s - time) < 1e-9) return row;
+    ADD_FAILURE() << "no row at " << time;
+    return driver::Record{};
+  };
+  constexpr double tolerance = 1e-8;  // 350 steps at 1e-10, amplified near the square root at p_a
+  EXPECT_NEAR(at(0.05).pressure_Pa / 359732.85620962291, 1.0, tolerance);
+  EXPECT_NEAR(at(0.05).temperature_K / 546.13120702398068, 1.0, tolerance);
+  EXPECT_NEAR(at(0.16).pressure_Pa / 183337.7831698602, 1.0, tolerance);
+  EXPECT_NEAR(at(0.18).pressure_Pa / 163432.05950537481, 1.0, tolerance);
+  EXPECT_NEAR(run.history.back().pressure_Pa / 101325.0, 1.0, 1e-12);
+  EXPECT_NEAR(run.history.back().temperature_K / 380.25843168753486, 1.0, tolerance);
+  EXPECT_EQ(run.history.back().vent_outflow_kg_s, 0.0);
+  EXPECT_LT(run.state.peaks.mass_residual, 1e-12);
+}
+
+TEST(tank_scene, energy_of_a_tank_balances) {
+  for (const char* name : {"rigid_tank", "tank_blowdown"}) {
+    const auto run = run_case(name);
+    double scale = 0.0;
+    for (const auto& row : run.energy) scale = std::max(scale, row.gas_internal_J);
+    // The books repeat the additions of the gas: eps x rows.
+    for (const auto& row : run.energy)
+      EXPECT_LT(std::abs(row.residual_J), 1e-12 * scale) << name << row.time_s;
+  }
+}
+
+}  // namespace

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: Apache-2.0
+// The bound of the contact's omega^2 against the true one and against the step at which motion blows up.
+#include <gtest/gtest.h>
+
+#include <Eigen/Eigenvalues>
+
+#include "scenes.hpp"
+
+namespace {
+
+using Eigen::Matrix3Xd;
+using Eigen::MatrixXd;
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+
+constexpr double kRadius = 0.041, kStiffness = 1e8, kSphereMass = 8.41;
+
+// Unknowns: 3 per node, then the sphere along a direction. Mass-scaled Hessian of the contact energy by
+// central differences of the forces.
+MatrixXd scaled_hessian(const scenes::Skin& skin, const Vector3d& centre, const Vector3d& direction,
+                        double mass) {
+  const auto model = scenes::contact(skin, kRadius, kStiffness, mass);
+  const Eigen::Index nodes = skin.nodes.cols(), size = 3 * nodes + 1;
+  const auto forces = [&](Eigen::Index k, double h) {
+    Matrix3Xd x = skin.nodes;
+    Vector3d c = centre;
+    if (k < 3 * nodes)
+      x(k) += h;
+    else
+      c += h * direction;
+    const auto t = scenes::touch(model, x, c);
+    VectorXd f(size);
+    f << Eigen::Map<const VectorXd>(t.forces.data(), 3 * nodes), t.result.force.dot(direction);
+    return f;
+  };
+  const double h = 1e-9;
+  MatrixXd hessian(size, size);
+  for (Eigen::Index k = 0; k < size; ++k) hessian.col(k) = -(forces(k, h) - forces(k, -h)) / (2.0 * h);
+  VectorXd scale(size);
+  for (Eigen::Index k = 0; k < size; ++k)
+    scale[k] = 1.0 / std::sqrt(k < 3 * nodes ? skin.masses[static_cast<std::size_t>(k / 3)] : mass);
+  return scale.asDiagonal() * (0.5 * (hessian + hessian.transpose())) * scale.asDiagonal();
+}
+
+double largest_eigenvalue(const MatrixXd& matrix) {
+  return Eigen::SelfAdjointEigenSolver<MatrixXd>(matrix, Eigen::EigenvaluesOnly).eigenvalues().maxCoeff();
+}
+
+// Elements from a fifth of the sphere to three times it, sphere heavy and light, pressed anywhere.
+TEST(ContactBound, bound_covers_the_hessian) {
+  double loosest = 0.0;
+  for (const double size : {0.2, 0.7, 3.0})
+    for (const double mass : {8.41, 1e-2, 1e-4})
+      for (unsigned seed = 1; seed <= 6; ++seed) {
+        scenes::Skin skin = scenes::plate(3, size * kRadius);
+        const auto masses = skin.masses;
+        scenes::shake(skin, 0.1 * size * kRadius, seed);
+        skin.masses = masses;
+        const double at = 0.2 * size * kRadius * (seed - 3.0);
+        const Vector3d centre(at, 0.4 * at, kRadius * (0.65 + 0.04 * seed));
+        const double bound =
+            scenes::touch(scenes::contact(skin, kRadius, kStiffness, mass), skin.nodes, centre)
+                .result.omega_squared();
+        const Vector3d direction = Vector3d(0.2, -0.1, 1.0).normalized();
+        const double exact = largest_eigenvalue(scaled_hessian(skin, centre, direction, mass));
+        ASSERT_GT(exact, 0.0);
+        EXPECT_LE(exact, bound * (1.0 + 1e-6)) << size << ' ' << mass << ' ' << seed;  // differences: 1e-7
+        loosest = std::max(loosest, bound / exact);
+      }
+  EXPECT_LT(loosest, 3.0);
+}
+
+// Interior nodes of a patch that lies wholly in the sphere see kappa/(rho h), which is what the default
+// stiffness counts on.
+TEST(ContactBound, full_patch_eq_kappa_over_surface_density) {
+  const double density = 0.31;
+  const auto skin = scenes::plate(20, 0.1 * kRadius, density);
+  const auto t = scenes::touch(scenes::contact(skin, kRadius, kStiffness, kSphereMass), skin.nodes,
+                               {0.0, 0.0, 0.7 * kRadius});
+  EXPECT_NEAR(t.result.omega_squared_skin * density / kStiffness, 1.0, 1e-12);  // six additions a node
+  EXPECT_NEAR(t.result.omega_squared_sphere, kStiffness * t.result.area / kSphereMass,
+              1e-12 * t.result.omega_squared_sphere);
+}
+
+TEST(ContactBound, default_stiffness_adds_its_share_of_the_other_terms) {
+  for (const double size : {0.1, 0.5, 3.0})
+    for (const double share : {0.01, 0.3, 1.0}) {
+      const double other = 2.5e9, density = 0.31;
+      const double kappa = coupling::default_contact_stiffness(share, other, density);
+      const auto skin = scenes::plate(size < 1.0 ? 20 : 3, size * kRadius, density);
+      const auto model = scenes::contact(skin, kRadius, kappa);
+      const auto t = scenes::touch(model, skin.nodes, {0.002, 0.003, 0.6 * kRadius});
+      EXPECT_LE(t.result.omega_squared_skin, share * other * (1.0 + 1e-12));
+      EXPECT_GE(t.result.omega_squared_skin, 0.05 * share * other);  // large elements are touched in part
+    }
+  EXPECT_THROW(coupling::default_contact_stiffness(0.0, 1.0, 1.0), std::invalid_argument);
+  EXPECT_THROW(coupling::default_contact_stiffness(0.1, std::nan(""), 1.0), std::invalid_argument);
+  EXPECT_THROW(coupling::default_contact_stiffness(0.1, 1.0, -1.0), std::invalid_argument);
+}
+
+// Nodes and sphere move along z about an equilibrium of contact and constant loads.
+struct NormalMotion {
+  scenes::Skin skin = scenes::plate(2, 0.2 * kRadius);
+  Vector3d centre{0.001, 0.002, 0.9 * kRadius};
+  coupling::ContactModel model = scenes::contact(skin, kRadius, kStiffness, 0.01);
+  Matrix3Xd load;      // [N] balances the contact at the start
+  double sphere_load;  // [N]
+
+  NormalMotion() {
+    const auto t = scenes::touch(model, skin.nodes, centre);
+    load = -t.forces;
+    sphere_load = -t.result.force.z();
+  }
+  double true_omega_squared() const {
+    const MatrixXd all = scaled_hessian(skin, centre, Vector3d::UnitZ(), 0.01);
+    std::vector<Eigen::Index> kept;
+    for (Eigen::Index k = 2; k < all.cols() - 1; k += 3) kept.push_back(k);
+    kept.push_back(all.cols() - 1);
+    return largest_eigenvalue(all(kept, kept));
+  }
+  // Largest motion of a node from the equilibrium [m], or infinity when the contact's domain is left.
+  double amplitude(double dt, int steps) const {
+    Matrix3Xd x = skin.nodes;
+    Vector3d c = centre;
+    Eigen::RowVectorXd v(x.cols());
+    for (Eigen::Index a = 0; a < x.cols(); ++a)
+      v[a] = 1e-12 / dt * std::cos(2.0 + 3.0 * static_cast<double>(a));
+    double speed = 0.0, largest = 0.0;
+    auto state = model.make_state();
+    for (int n = 0; n < steps && largest < 1e-4; ++n) {
+      Matrix3Xd f = load;
+      const auto t = model.evaluate(state, x, c, f);
+      for (Eigen::Index a = 0; a < x.cols(); ++a)
+        v[a] += dt / skin.masses[static_cast<std::size_t>(a)] * f(2, a);
+      speed += dt / 0.01 * (t.force.z() + sphere_load);
+      x.row(2) += dt * v;
+      c.z() += dt * speed;
+      largest = std::max(largest, (x - skin.nodes).cwiseAbs().maxCoeff());
+    }
+    return largest;
+  }
+};
+
+TEST(ContactBound, motion_blows_up_at_2_over_omega_and_not_at_the_bound) {
+  const NormalMotion scene;
+  const double exact = scene.true_omega_squared();
+  const double bound = scenes::touch(scene.model, scene.skin.nodes, scene.centre).result.omega_squared();
+  const double limit = 2.0 / std::sqrt(exact);
+  EXPECT_LT(exact, bound);
+  EXPECT_GT(exact, 0.5 * bound);  // the sphere's side and the coupling of neighbours are counted in full
+  // +-0.1 % bracket. Past the limit motion grows by exp(2 sqrt(0.002)) = 1.09 a step; below it a beat of
+  // 1/sqrt(1 - 0.999^2) = 22 times the first motion, for each of ten modes.
+  EXPECT_LT(scene.amplitude(0.999 * limit, 1000), 1e-9);
+  EXPECT_GT(scene.amplitude(1.001 * limit, 1000), 1e-5);
+  EXPECT_LT(scene.amplitude(2.0 / std::sqrt(bound), 1000), 1e-9);
+}
+
+}  // namespace

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: Apache-2.0
+// Force, energy and patch of a sphere pressed into a flat plate: convergence with the mesh to the integral
+// over the plane, for elements from a tenth of the sphere to three times it.
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "closed_form/pendulum.hpp"
+#include "scenes.hpp"
+
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double kRadius = 0.041, kStiffness = 1e8;
+
+struct Errors {
+  double force = 0.0, energy = 0.0, area = 0.0, side = 0.0;  // relative, root mean square over positions
+};
+
+// `size` elements of the sphere's radius, sphere at 60 places over the middle cell.
+Errors plate_errors(double size, double depth) {
+  const int cells = 2 * static_cast<int>(std::ceil(1.2 / size)) + 1;
+  const auto skin = scenes::plate(cells, size * kRadius);
+  const auto model = scenes::contact(skin, kRadius, kStiffness);
+  const auto exact = closed_form::sphere_plane_contact(kRadius, depth, kStiffness);
+  const double patch = closed_form::sphere_plane_cut(kRadius, depth).patch_area;
+  std::mt19937 generator(7);
+  std::uniform_real_distribution<double> uniform(-0.5, 0.5);
+  const int places = 60;
+  Errors e;
+  for (int i = 0; i < places; ++i) {
+    const double cell = size * kRadius;
+    const double x = uniform(generator) * cell, y = uniform(generator) * cell;
+    const auto t = scenes::touch(model, skin.nodes, {x, y, kRadius - depth}).result;
+    e.force += std::pow(t.force.z() / exact.force - 1.0, 2);
+    e.side += std::pow(std::hypot(t.force.x(), t.force.y()) / exact.force, 2);
+    e.energy += std::pow(t.energy / exact.energy - 1.0, 2);
+    e.area += std::pow(t.area / patch - 1.0, 2);
+  }
+  for (double* value : {&e.force, &e.side, &e.energy, &e.area}) *value = std::sqrt(*value / places);
+  return e;
+}
+
+// Whatever the elements' size, points are at most r/4 apart: the force is that of the plane within the
+// scatter of a lattice of that spacing (next test: 0.3 % at this depth) and does not grow with the elements.
+TEST(ContactMesh, force_eq_plane_integral_for_elements_from_tenth_to_three_times_the_sphere) {
+  for (const double size : {0.1, 0.2, 0.5, 1.0, 2.0, 3.0}) {
+    const Errors e = plate_errors(size, 0.2 * kRadius);
+    EXPECT_LT(e.force, 5e-3) << size;
+    EXPECT_LT(e.side, 5e-3) << size;
+    EXPECT_LT(e.energy, 2e-3) << size;
+    EXPECT_LT(e.area, 3e-2) << size;  // area has a jump at the patch's edge, force a kink, energy neither
+  }
+}
+
+// A lattice sum of a function whose derivative of order k jumps on a circle is off by h^(k + 3/2) in the root
+// mean square over positions (Kendall 1948: k = 0): area 3/2, force 5/2, energy 7/2. Elements below r/4 hold
+// one point each, so this is convergence with the mesh. The scatter of 60 positions moves an order by 0.3.
+TEST(ContactMesh, area_force_and_energy_converge_at_orders_3_2_5_2_and_7_2) {
+  const Errors coarse = plate_errors(0.16, 0.3 * kRadius), fine = plate_errors(0.02, 0.3 * kRadius);
+  EXPECT_NEAR(std::log2(coarse.area / fine.area) / 3.0, 1.5, 0.3);
+  EXPECT_NEAR(std::log2(coarse.force / fine.force) / 3.0, 2.5, 0.3);
+  EXPECT_NEAR(std::log2(coarse.energy / fine.energy) / 3.0, 3.5, 0.3);
+  EXPECT_LT(fine.force, 1e-4);
+}
+
+TEST(ContactMesh, force_follows_depth) {
+  for (const double depth : {0.02, 0.05, 0.1, 0.3, 0.49}) {
+    const Errors e = plate_errors(0.02, depth * kRadius);
+    EXPECT_LT(e.force, 1e-2 * std::pow(0.02 / depth, 1.5)) << depth;  // spacing over the patch's radius
+  }
+}
+
+// In the stiff limit a flat skin under pressure p lies on the sphere: patch area times pressure is the force.
+TEST(ContactMesh, patch_eq_circle_cut_from_the_sphere) {
+  const double depth = 0.01;  // [m]
+  const auto skin = scenes::plate(61, 0.02 * kRadius * 2.0);
+  const auto t =
+      scenes::touch(scenes::contact(skin, kRadius, kStiffness), skin.nodes, {0.0, 0.0, kRadius - depth});
+  EXPECT_NEAR(closed_form::sphere_plane_cut(kRadius, depth).patch_area, 0.0022619467105846511, 1e-15);
+  EXPECT_NEAR(t.result.area / 0.0022619467105846511, 1.0, 5e-3);  // order 3/2 from 0.04 r
+}
+
+TEST(ContactMesh, points_are_never_farther_apart_than_a_quarter_radius) {
+  for (const double size : {0.01, 0.17, 0.18, 1.0, 30.0}) {
+    const auto skin = scenes::plate(1, size * kRadius);
+    const auto model = scenes::contact(skin, kRadius, kStiffness);
+    const double edge = size * kRadius * std::sqrt(2.0);
+    EXPECT_LE(edge / model.subdivision(0), 0.25 * kRadius * (1.0 + 1e-12)) << size;
+    if (model.subdivision(0) > 1) {
+      EXPECT_GT(edge / (model.subdivision(0) - 1), 0.25 * kRadius) << size;
+    }
+  }
+}
+
+}  // namespace

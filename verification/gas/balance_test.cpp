@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include <numeric>
+
+#include "cases.hpp"
+
+// Books: what is in the volume is what was there, plus what entered, minus what left.
+namespace {
+
+using namespace cases;
+
+struct Books {
+  double mass = 0.0, energy = 0.0;      // of the gas [kg], [J]
+  double in = 0.0, out = 0.0;           // [kg]
+  double energy_in = 0.0;               // [J]
+  double energy_out = 0.0, work = 0.0;  // [J]
+  double magnitude = 0.0;               // [J] sum of the energy terms' magnitudes
+  void add(const gas::StepFluxes& f) {
+    in += f.mass_in;
+    out += f.vent_mass_out + f.fabric_mass_out;
+    energy_in += f.enthalpy_in;
+    energy_out += f.enthalpy_out;
+    work += f.work;
+    magnitude += std::abs(f.enthalpy_in) + std::abs(f.enthalpy_out) + std::abs(f.work);
+  }
+};
+
+double total(const std::vector<double>& masses) {
+  return std::accumulate(masses.begin(), masses.end(), 0.0);
+}
+
+/// A bag-like history: inflow of hot gas into air, a vent, a leak, a breathing volume.
+struct Bag {
+  gas::ControlVolumeModel model;
+  gas::ControlVolumeState state;
+};
+
+Bag bag(bool constant_cp) {
+  std::vector<gas::Species> species;
+  for (const char* name : {"N2", "O2", "Ar", "CO2", "H2O"})
+    species.push_back(constant_cp ? gas::constant_cp_species(name) : gas::nasa7_species(name));
+  const gas::Thermo thermo(species);
+  const std::vector<gas::Component> hot{{"N2", 0.5}, {"CO2", 0.2}, {"H2O", 0.3}};
+  gas::ControlVolumeModel model = closed_tank(thermo);
+  model.inflows.push_back({thermo.mass_fractions_by_mole(hot),
+                           gas::Curve({{0.0, 0.0}, {0.012, 4.0}, {0.08, 0.0}}, gas::Outside::kZero),
+                           gas::Curve({{0.0, 500.0}, {0.03, 1400.0}, {0.09, 700.0}}, gas::Outside::kHeld),
+                           0.00123});
+  model.inflows.push_back({thermo.mass_fractions_by_mole(gas::air_by_mole()),
+                           gas::Curve({{0.0, 1.0}, {1e-5, 0.5}}, gas::Outside::kZero),
+                           gas::Curve::constant(300.0), 0.033333});
+  model.vents.push_back({0.6, 2e-3});
+  gas::ControlVolumeState state = gas::make_state(thermo, thermo.mass_fractions_by_mole(gas::air_by_mole()),
+                                                  kAmbientPressure, 293.15, 0.012);
+  return {model, state};
+}
+
+double bag_volume(double t) {
+  return 0.012 + 0.1 * (1.0 - std::exp(-t / 0.03)) + 0.003 * std::sin(900.0 * t);
+}
+
+Books run(Bag& bag, double tolerance) {
+  gas::GasIntegrator integrator(bag.model, {tolerance});
+  Books books{total(bag.state.masses), bag.state.internal_energy};
+  books.magnitude = std::abs(books.energy);
+  const int steps = 2000;
+  for (int i = 0; i < steps; ++i) {
+    const double t0 = 0.1 * i / steps, t1 = 0.1 * (i + 1) / steps;
+    books.add(integrator.advance(bag.state, t0, t1, {bag_volume(t0), bag_volume(t1), 2e-3, 3e-3}));
+  }
+  return books;
+}
+
+TEST(balance, mass_and_energy_close_at_any_tolerance) {
+  for (const bool constant_cp : {true, false}) {
+    for (const double tolerance : {1e-3, 1e-6, 1e-10}) {
+      Bag b = bag(constant_cp);
+      const Books books = run(b, tolerance);
+      EXPECT_GT(books.out, 0.01);
+      // 2000 additions, each rounding once: 2000 eps at worst.
+      EXPECT_NEAR(total(b.state.masses), books.mass + books.in - books.out, 5e-13 * (books.mass + books.in));
+      EXPECT_NEAR(b.state.internal_energy, books.energy + books.energy_in - books.energy_out - books.work,
+                  5e-13 * books.magnitude);
+      // The inflow's curves: 4 * 0.08 / 2 kg, and 0.75e-5 kg.
+      EXPECT_NEAR(books.in, 0.16 + 0.75e-5, 1e-12 * 0.16);
+    }
+  }
+}
+
+/// Two tolerances give the same history to the looser one.
+TEST(balance, state_converges_with_the_tolerance) {
+  Bag fine = bag(false);
+  run(fine, 1e-12);
+  for (const double tolerance : {1e-5, 1e-7, 1e-9}) {
+    Bag coarse = bag(false);
+    run(coarse, tolerance);
+    // The bag forgets: errors decay over a flushing time of some hundred calls, each within its tolerance.
+    EXPECT_LT(relative(coarse.state.temperature, fine.state.temperature), 100.0 * tolerance) << tolerance;
+    EXPECT_LT(relative(total(coarse.state.masses), total(fine.state.masses)), 100.0 * tolerance);
+  }
+}
+
+TEST(balance, species_leave_in_the_proportion_of_the_mixture) {
+  gas::ControlVolumeModel model = closed_tank(nasa7({"N2", "He", "H2O"}));
+  model.vents.push_back({1.0, 1e-3});
+  const std::vector<double> fractions{0.5, 0.5, 0.0};
+  gas::ControlVolumeState state = gas::make_state(model.thermo, fractions, 4e5, 500.0, 0.06);
+  gas::GasIntegrator(model).advance(state, 0.0, 0.1, rigid(0.06));
+  // The same formula for both, so the same bits up to a rounding per sub-step.
+  EXPECT_LT(relative(state.masses[0], state.masses[1]), 1e-14);
+  EXPECT_EQ(state.masses[2], 0.0);
+}
+
+/// A species flushed out to nothing by another: its mass neither turns negative nor stops the integration.
+TEST(balance, species_running_out_stays_non_negative) {
+  gas::ControlVolumeModel model = closed_tank(nasa7({"N2", "He"}));
+  model.inflows.push_back(steady_inflow(model.thermo, 1.0, 500.0));
+  model.vents.push_back({1.0, 3e-3});
+  gas::ControlVolumeState state = gas::make_state(model.thermo, std::vector{0.0, 1.0}, 2e5, 400.0, 1e-3);
+  gas::GasIntegrator integrator(model, {1e-6});
+  for (int i = 0; i < 200; ++i) {
+    integrator.advance(state, 1e-3 * i, 1e-3 * (i + 1), rigid(1e-3));
+    ASSERT_GE(state.masses[1], 0.0);
+  }
+  // Flushed 60 times over and more: what remains is round-off of what was there.
+  EXPECT_LT(state.masses[1], 1e-12 * state.masses[0]);
+}
+
+TEST(balance, the_same_call_gives_the_same_bits) {
+  Bag one = bag(false), two = bag(false);
+  run(one, 1e-8);
+  run(two, 1e-8);
+  EXPECT_EQ(one.state.internal_energy, two.state.internal_energy);
+  EXPECT_EQ(one.state.masses, two.state.masses);
+}
+
+}  // namespace

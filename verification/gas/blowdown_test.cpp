@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include "cases.hpp"
+#include "closed_form/orifice.hpp"
+
+// Tanks that empty through a hole: choked, through the sonic switch, and with each gas's own gamma.
+namespace {
+
+using namespace cases;
+
+struct Tank {
+  gas::ControlVolumeModel model;
+  closed_form::Blowdown exact;
+  gas::ControlVolumeState state() const {
+    return gas::make_state(model.thermo, kPure, exact.initial_pressure, exact.initial_temperature,
+                           exact.volume);
+  }
+  double pressure(const gas::ControlVolumeState& s, double t) const {
+    return gas::evaluate(model, s, exact.volume, 0.0, t).pressure;
+  }
+};
+
+Tank tank(double gamma = 1.4, double cd = 1.0, double p0 = 5e5, double t0 = 600.0) {
+  const double r = 296.8;
+  const gas::Thermo thermo({gas::constant_cp_species("gas", r, gamma / (gamma - 1.0) * r)});
+  return {{thermo, {kAmbientPressure, 293.15}, {}, {{cd, 1e-3}}},
+          {{r, gamma}, 0.06, 1e-3, cd, p0, t0, kAmbientPressure}};
+}
+
+TEST(blowdown, reference_values_choked_and_subsonic) {
+  const Tank t = tank();
+  gas::ControlVolumeState state = t.state();
+  gas::GasIntegrator integrator(t.model);
+  double time = 0.0;
+  for (const auto& [next, pressure] :
+       std::vector<std::pair<double, double>>{{0.01, 467550.91915249028},
+                                              {0.05, 359732.85620962291},
+                                              {0.1, 262672.56745335721},
+                                              {0.16, 183337.7831698602},
+                                              {0.18, 163432.05950537481},
+                                              {0.26614434361175357, 110000.0}}) {
+    integrator.advance(state, time, next, rigid(0.06));
+    // Local tolerance 1e-10 of mass and energy, some ten sub-steps; p is their ratio times gamma.
+    EXPECT_LT(relative(t.pressure(state, time = next), pressure), 1e-9) << next;
+  }
+}
+
+TEST(blowdown, eq_closed_form_for_every_parameter) {
+  for (const double gamma : {1.2, 1.4, 5.0 / 3.0}) {
+    for (const auto& [cd, p0, t0] :
+         std::vector<std::array<double, 3>>{{1.0, 5e5, 600.0}, {0.6, 3e5, 300.0}, {0.8, 1.5e5, 900.0}}) {
+      const Tank t = tank(gamma, cd, p0, t0);
+      const double end = closed_form::blowdown_times(t.exact).end_time;
+      gas::ControlVolumeState state = t.state();
+      gas::GasIntegrator integrator(t.model);
+      for (int i = 0; i < 4; ++i) {
+        integrator.advance(state, 0.2 * i * end, 0.2 * (i + 1) * end, rigid(0.06));
+        const closed_form::GasState exact = closed_form::blowdown(t.exact, 0.2 * (i + 1) * end);
+        // As above; 1e-9 of p_a leaves room for the amplification near equalisation.
+        EXPECT_LT(relative(t.pressure(state, 0.0), exact.pressure), 1e-9) << gamma << " " << p0 << " " << i;
+        EXPECT_LT(relative(state.temperature, exact.temperature), 1e-9);
+        EXPECT_LT(relative(state.masses[0], exact.mass), 1e-9);
+      }
+    }
+  }
+}
+
+/// Relative error of p at the end of a choked blow-down in `calls` equal steps.
+double choked_error(double tolerance, int calls, double end) {
+  const Tank t = tank();
+  gas::ControlVolumeState state = t.state();
+  gas::GasIntegrator integrator(t.model, {tolerance});
+  for (int i = 0; i < calls; ++i)
+    integrator.advance(state, end * i / calls, end * (i + 1) / calls, rigid(0.06));
+  return relative(t.pressure(state, end), closed_form::blowdown(t.exact, end).pressure);
+}
+
+/// With a loose tolerance each call is one sub-step: the order of Dormand and Prince's formula. (Mass,
+/// temperature and their rates are all far from zero.)
+TEST(blowdown, choked_order_is_five) {
+  double coarse = choked_error(1e-2, 8, 0.15);
+  for (const int calls : {16, 32, 64}) {
+    const double fine = choked_error(1e-2, calls, 0.15);
+    // Approached from above: 5.33, 5.16, 5.08, the next order's term being halved each time.
+    EXPECT_GT(std::log2(coarse / fine), 4.9) << calls;
+    EXPECT_LT(std::log2(coarse / fine), 5.0 + 8.0 / calls) << calls;
+    coarse = fine;
+  }
+}
+
+TEST(blowdown, error_follows_the_tolerance) {
+  for (const double tolerance : {1e-5, 1e-7, 1e-9, 1e-11}) {
+    // A handful of sub-steps, each below the tolerance, on quantities of which p is a ratio; and not far
+    // below it, or work would be wasted: the step is set by the lower-order formula, one power of h apart.
+    EXPECT_LT(choked_error(tolerance, 1, 0.05), 5.0 * tolerance);
+    EXPECT_GT(choked_error(tolerance, 1, 0.05), 1e-3 * tolerance);
+  }
+}
+
+/// Across the switch, where the second derivative jumps, the tolerance still holds.
+TEST(blowdown, sonic_switch_is_located) {
+  const Tank t = tank();
+  for (const double tolerance : {1e-6, 1e-8, 1e-10, 1e-12}) {
+    gas::ControlVolumeState state = t.state();
+    gas::GasIntegrator integrator(t.model, {tolerance});
+    const gas::StepFluxes fluxes = integrator.advance(state, 0.0, 0.18, rigid(0.06));
+    // Up to 70 sub-steps of one tolerance each, partly cancelling.
+    EXPECT_LT(relative(t.pressure(state, 0.18), 163432.05950537481), 10.0 * tolerance) << tolerance;
+    // Without location the sub-steps shrink at the switch: 1e-12 then needs more than a hundred.
+    EXPECT_LT(fluxes.steps, 80);
+  }
+}
+
+TEST(blowdown, into_vacuum_stays_choked) {
+  Tank t = tank();
+  t.model.ambient.pressure = 0.0;
+  gas::ControlVolumeState state = t.state();
+  gas::GasIntegrator(t.model).advance(state, 0.0, 2.0, rigid(0.06));
+  // f = 1 + (gamma - 1) t/(2 tau), p = p0 f^-7: some 200 sub-steps relative to what is left.
+  const double f = 1.0 + 0.2 * 2.0 / 0.20764591762951125;
+  EXPECT_LT(relative(t.pressure(state, 2.0), 5e5 * std::pow(f, -7.0)), 1e-8);
+}
+
+/// Filling against a choked vent: steady pressure, and the two decay rates of the linearised system.
+TEST(blowdown, fill_with_vent_reaches_its_steady_state) {
+  gas::ControlVolumeModel model = closed_tank(nitrogen());
+  model.vents.push_back({1.0, 1e-3});
+  model.inflows.push_back(steady_inflow(model.thermo, 0.5, 700.0));
+  gas::ControlVolumeState state = gas::make_state(model.thermo, kPure, 332836.30571198209, 690.0, 0.06);
+  gas::GasIntegrator integrator(model, {1e-12});
+  integrator.advance(state, 0.0, 8.0, rigid(0.06));
+  // The slow mode, 3.96/s, has decayed by 1e-14; what is left is one tolerance.
+  EXPECT_LT(relative(gas::evaluate(model, state, 0.06, 0.0, 8.0).pressure, 332836.30571198209), 5e-12);
+  EXPECT_LT(relative(state.temperature, 700.0), 5e-12);
+}
+
+}  // namespace

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include "cases.hpp"
+#include "closed_form/orifice.hpp"
+
+// Outflow that ends: p reaches p_a in finite time and stays there.
+namespace {
+
+using namespace cases;
+
+struct Leaking {
+  gas::ControlVolumeModel model;
+  double volume;
+  double leak_area;
+};
+
+Leaking porous() {
+  return {closed_tank(nitrogen()), 0.12, 0.0025 * 1.5};
+}
+
+closed_form::PorousTank porous_exact() {
+  return {{}, 0.12, 0.05, 1.5, closed_form::PorosityLaw::kPrinted, 130000.0, 400.0, kAmbientPressure};
+}
+
+TEST(equalisation, porous_tank_eq_closed_form) {
+  const Leaking tank = porous();
+  gas::ControlVolumeState state = gas::make_state(tank.model.thermo, kPure, 130000.0, 400.0, tank.volume);
+  gas::GasIntegrator integrator(tank.model);
+  double time = 0.0;
+  for (const auto& [next, reference] :
+       std::vector<std::pair<double, double>>{{0.01, 118759.40296999072}, {0.02, 110661.71823484026}}) {
+    integrator.advance(state, time, next, rigid(tank.volume, tank.leak_area));
+    const gas::GasPoint point = gas::evaluate(tank.model, state, tank.volume, tank.leak_area, time = next);
+    // Tolerance 1e-10, a few sub-steps.
+    EXPECT_LT(relative(point.pressure, reference), 1e-9);
+    EXPECT_LT(relative(closed_form::porous_tank_adiabatic(porous_exact(), time).pressure, reference), 1e-12);
+  }
+}
+
+TEST(equalisation, end_time_and_state_of_a_porous_tank) {
+  const Leaking tank = porous();
+  const double end = 0.048952700161241547;
+  for (const double t : {0.999 * end, 1.001 * end, 2.0 * end, 1.0}) {
+    gas::ControlVolumeState state = gas::make_state(tank.model.thermo, kPure, 130000.0, 400.0, tank.volume);
+    gas::GasIntegrator(tank.model).advance(state, 0.0, t, rigid(tank.volume, tank.leak_area));
+    const gas::GasPoint point = gas::evaluate(tank.model, state, tank.volume, tank.leak_area, t);
+    // dp = 28675 (1 - t/end)^2 Pa near the end, to a correction of dp/p: 0.03 Pa at a thousandth before it.
+    if (t < end) {
+      EXPECT_GT(point.pressure - kAmbientPressure, 0.02);
+      EXPECT_LT(point.pressure - kAmbientPressure, 0.03);
+    } else {
+      // On p_a to a hundred roundings of p, and no flow worth the name: C sqrt(2 rho 1e-7 Pa).
+      EXPECT_NEAR(point.pressure, kAmbientPressure, 1e-12 * kAmbientPressure);
+      EXPECT_LT(point.fabric_mass_flow, 2e-6);
+    }
+  }
+}
+
+TEST(equalisation, hole_ends_at_its_time_without_overshoot) {
+  gas::ControlVolumeModel model = closed_tank(nitrogen());
+  model.vents.push_back({1.0, 1e-3});
+  for (const double tolerance : {1e-4, 1e-6, 1e-8, 1e-10}) {
+    gas::GasIntegrator integrator(model, {tolerance});
+    gas::ControlVolumeState state = gas::make_state(model.thermo, kPure, 5e5, 600.0, 0.06);
+    double lowest = 5e5;
+    for (int i = 0; i < 80; ++i) {
+      integrator.advance(state, 0.005 * i, 0.005 * (i + 1), rigid(0.06));
+      lowest = std::min(lowest, gas::evaluate(model, state, 0.06, 0.0, 0.005 * (i + 1)).pressure);
+    }
+    // Ends on p_a, never below, to a hundred roundings.
+    EXPECT_NEAR(lowest, kAmbientPressure, 1e-12 * kAmbientPressure);
+    // Isentropic: T_f = T0 (p_a/p0)^(2/7). Up to a hundred calls, each within its tolerance.
+    EXPECT_LT(relative(state.temperature, 380.25843168753486), 10.0 * tolerance);
+  }
+}
+
+TEST(equalisation, end_time_of_a_hole) {
+  gas::ControlVolumeModel model = closed_tank(nitrogen());
+  model.vents.push_back({1.0, 1e-3});
+  gas::ControlVolumeState state = gas::make_state(model.thermo, kPure, 5e5, 600.0, 0.06);
+  gas::GasIntegrator integrator(model);
+  const double end = 0.31877770016071139;
+  integrator.advance(state, 0.0, 0.31128047097707361, rigid(0.06));
+  // p = 101500 Pa there, where dp/dt = -2 dp/(end - t): 1e-9 of p is 1e-7 of p - p_a.
+  EXPECT_LT(relative(gas::evaluate(model, state, 0.06, 0.0, 0.0).pressure, 101500.0), 1e-9);
+  const gas::StepFluxes last = integrator.advance(state, 0.31128047097707361, end - 1e-5, rigid(0.06));
+  EXPECT_GT(last.vent_mass_out, 0.0);
+  EXPECT_GT(gas::evaluate(model, state, 0.06, 0.0, 0.0).pressure, kAmbientPressure * (1.0 + 1e-11));
+  integrator.advance(state, end - 1e-5, end + 1e-5, rigid(0.06));
+  EXPECT_NEAR(gas::evaluate(model, state, 0.06, 0.0, 0.0).pressure, kAmbientPressure,
+              1e-12 * kAmbientPressure);
+}
+
+TEST(equalisation, nothing_leaves_below_ambient_pressure) {
+  gas::ControlVolumeModel model = closed_tank(nitrogen());
+  model.vents.push_back({1.0, 1e-3});
+  for (const double pressure : {5e4, 101325.0}) {
+    gas::ControlVolumeState state = gas::make_state(model.thermo, kPure, pressure, 300.0, 0.06);
+    const gas::StepFluxes fluxes = gas::GasIntegrator(model).advance(state, 0.0, 1.0, rigid(0.06, 1e-3));
+    EXPECT_EQ(fluxes.vent_mass_out + fluxes.fabric_mass_out, 0.0);
+  }
+}
+
+/// Filled from below p_a, opening when p crosses it: until then a closed tank, exactly.
+TEST(equalisation, outflow_starts_when_ambient_pressure_is_crossed) {
+  gas::ControlVolumeModel model = closed_tank(nitrogen());
+  model.inflows.push_back(steady_inflow(model.thermo, 0.1, 400.0));
+  model.vents.push_back({1.0, 1e-4});
+  const double crossing = (101325.0 - 80000.0) * 0.06 / (1.4 * 296.8 * 400.0 * 0.1);
+  for (const double tolerance : {1e-2, 1e-6, 1e-10}) {
+    gas::ControlVolumeState state = gas::make_state(model.thermo, kPure, 80000.0, 300.0, 0.06);
+    gas::GasIntegrator integrator(model, {tolerance});
+    EXPECT_EQ(integrator.advance(state, 0.0, crossing * (1.0 - 1e-12), rigid(0.06)).vent_mass_out, 0.0);
+    EXPECT_GT(integrator.advance(state, crossing * (1.0 - 1e-12), 2.0 * crossing, rigid(0.06)).vent_mass_out,
+              0.0);
+  }
+}
+
+/// A weak inflow against a large opening: the balance sqrt(p - p_a) = mdot/K, reached from p = p_a.
+TEST(equalisation, weak_inflow_balances_outflow_just_above_ambient) {
+  for (const double mass_flow : {1e-1, 1e-2, 1e-3}) {
+    gas::ControlVolumeModel model = closed_tank(nitrogen());
+    model.inflows.push_back(steady_inflow(model.thermo, mass_flow, 300.0));
+    gas::ControlVolumeState state = gas::make_state(model.thermo, kPure, kAmbientPressure, 300.0, 0.06);
+    gas::GasIntegrator(model, {1e-8}).advance(state, 0.0, 0.1, rigid(0.06, 5e-3));
+    const gas::GasPoint point = gas::evaluate(model, state, 0.06, 5e-3, 0.1);
+    const double excess = std::pow(mass_flow / 5e-3, 2.0) / (2.0 * point.density);
+    // The state's error, a few times 1e-8 of p_a, is all there is once the balance is reached.
+    EXPECT_NEAR(point.pressure - kAmbientPressure, excess, 1e-3 * excess + 1e-7 * kAmbientPressure)
+        << mass_flow;
+  }
+}
+
+TEST(equalisation, too_stiff_a_gas_is_reported) {
+  gas::ControlVolumeModel model = closed_tank(nitrogen());
+  model.inflows.push_back(steady_inflow(model.thermo, 1e-3, 300.0));
+  gas::ControlVolumeState state = gas::make_state(model.thermo, kPure, kAmbientPressure, 300.0, 1e-6);
+  const gas::ControlVolumeState before = state;
+  gas::GasIntegrator integrator(model, {1e-10, 1000});
+  try {
+    integrator.advance(state, 0.0, 10.0, rigid(1e-6, 5e-3));
+    FAIL() << "no error";
+  } catch (const gas::DomainError& error) {
+    EXPECT_NE(std::string(error.what()).find("too stiff"), std::string::npos);
+    EXPECT_NE(std::string(error.what()).find("sub-step"), std::string::npos);
+  }
+  EXPECT_EQ(state.masses, before.masses);
+  EXPECT_EQ(state.internal_energy, before.internal_energy);
+}
+
+}  // namespace

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "cases.hpp"
+
+// No inflow is stepped over and none loses mass or energy, however short, late or steep.
+namespace {
+
+using namespace cases;
+
+const std::vector<double> kStarts{0.0, 1e-7, 0.1, 1.0 / 3.0, 0.5, 0.7123456789, 0.99999};
+
+gas::Inflow pulse(double start_time) {
+  return {kPure, gas::Curve({{0.0, 3.0}, {1e-5, 5.0}}, gas::Outside::kZero), gas::Curve::constant(900.0),
+          start_time};
+}
+
+/// A pulse of 10 microseconds in one step of a second: its mass to the rounding of the tank's mass.
+TEST(inflow, short_pulse_anywhere_adds_its_mass) {
+  for (const double start : kStarts) {
+    for (const double tolerance : {1e-2, 1e-6, 1e-12}) {
+      for (const bool open : {false, true}) {
+        gas::ControlVolumeModel model = closed_tank(nitrogen());
+        model.inflows.push_back(pulse(start));
+        if (open) model.vents.push_back({0.6, 1e-4});
+        gas::GasIntegrator integrator(model, {tolerance});
+        gas::ControlVolumeState state = gas::make_state(model.thermo, kPure, kAmbientPressure, 293.15, 0.06);
+        const double before = state.masses[0];
+        const gas::StepFluxes fluxes = integrator.advance(state, 0.0, 1.0, rigid(0.06));
+        // The pulse itself: knots a few ulp exact, product of two numbers.
+        EXPECT_LT(relative(fluxes.mass_in, 4e-5), 1e-14) << start;
+        EXPECT_LT(relative(fluxes.enthalpy_in, 4e-5 * 1038.8 * 900.0), 1e-14) << start;
+        EXPECT_NEAR(state.masses[0] - before, 4e-5 - fluxes.vent_mass_out, 4.0 * kEpsilon * before);
+      }
+    }
+  }
+}
+
+TEST(inflow, pulse_is_the_same_in_one_step_or_many) {
+  for (const double start : kStarts) {
+    gas::ControlVolumeModel model = closed_tank(nitrogen());
+    model.inflows.push_back(pulse(start));
+    gas::GasIntegrator integrator(model);
+    gas::ControlVolumeState state = gas::make_state(model.thermo, kPure, kAmbientPressure, 293.15, 0.06);
+    double mass = 0.0;
+    const int steps = 40000;
+    for (int i = 0; i < steps; ++i)
+      mass += integrator.advance(state, i * 2.5e-5, (i + 1) * 2.5e-5, rigid(0.06)).mass_in;
+    // Where a step cuts the pulse, the cut's time carries eps * t over 1e-5 s of pulse: 1e-11.
+    EXPECT_LT(relative(mass, 4e-5), 1e-10) << start;
+  }
+}
+
+TEST(inflow, before_firing_and_never_fired_add_nothing) {
+  for (const double start : {2.0, std::numeric_limits<double>::infinity()}) {
+    gas::ControlVolumeModel model = closed_tank(nitrogen());
+    model.inflows.push_back(pulse(start));
+    gas::ControlVolumeState state = gas::make_state(model.thermo, kPure, kAmbientPressure, 293.15, 0.06);
+    EXPECT_EQ(gas::GasIntegrator(model).advance(state, 0.0, 1.0, rigid(0.06)).mass_in, 0.0);
+    EXPECT_EQ(gas::inflator_point(model, 0, 1.0).mass_flow, 0.0);
+  }
+}
+
+/// Enthalpy of a falling flow whose temperature rises through 1000 K, cp(T): against Simpson's rule on each
+/// side of the joint.
+TEST(inflow, nasa7_enthalpy_of_linear_curves_is_exact) {
+  const gas::Thermo thermo = nasa7({"N2", "H2O", "CO2"});
+  const std::vector<double> fractions{0.6, 0.15, 0.25};
+  gas::ControlVolumeModel model = closed_tank(thermo);
+  const gas::Curve flow({{0.0, 2.0}, {0.04, 0.5}}, gas::Outside::kZero);
+  const gas::Curve temperature({{0.0, 600.0}, {0.03, 1500.0}, {0.05, 1300.0}}, gas::Outside::kHeld);
+  model.inflows.push_back({fractions, flow, temperature});
+  gas::ControlVolumeState state = gas::make_state(thermo, fractions, 1e5, 300.0, 0.06);
+  const double enthalpy = gas::GasIntegrator(model).advance(state, 0.0, 0.1, rigid(0.06)).enthalpy_in;
+  double expected = 0.0, magnitude = 0.0;
+  const std::vector<double> pieces{0.0, 0.03 * 400.0 / 900.0, 0.03, 0.04};
+  for (std::size_t i = 0; i + 1 < pieces.size(); ++i) {
+    const int n = 400;
+    const double h = (pieces[i + 1] - pieces[i]) / n;
+    for (int j = 0; j <= n; ++j) {
+      const double t = pieces[i] + j * h, weight = h / 3.0 * (j == 0 || j == n ? 1 : j % 2 ? 4 : 2);
+      // The joint's jump is 1e-3 J/kg of 1e6: nothing at this tolerance.
+      expected += weight * flow.value(t) * thermo.enthalpy(fractions, temperature.value(t));
+      magnitude += weight * flow.value(t) * std::abs(thermo.enthalpy(fractions, temperature.value(t)));
+    }
+  }
+  // Simpson's error with 400 pieces: the fourth derivative over 180 * 400^4, below 1e-11 of the sum; the jump
+  // at the joint with its weight h/3: below 1e-11.
+  EXPECT_NEAR(enthalpy, expected, 3e-11 * magnitude);
+}
+
+}  // namespace

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "gas/thermo.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <map>
+
+#include "cases.hpp"
+
+namespace {
+
+using namespace cases;
+
+const std::vector<double> kTemperatures{200.0,  250.0,  298.15, 400.0,  673.0,  999.9,
+                                        1000.1, 1200.0, 2000.0, 3500.0, 5000.0, 6000.0};
+
+gas::Thermo every_species() {
+  return nasa7(gas::species_names());
+}
+
+/// Gauss-Legendre with 5 points, exact to degree 9.
+template <class Function>
+double integrate(Function f, double a, double b) {
+  constexpr std::array<double, 3> kNodes{0.0, 0.538469310105683091, 0.906179845938663993};
+  constexpr std::array<double, 3> kWeights{0.568888888888888889, 0.478628670499366468, 0.236926885056189088};
+  const double middle = 0.5 * (a + b), half = 0.5 * (b - a);
+  double sum = kWeights[0] * f(middle);
+  for (std::size_t i = 1; i < 3; ++i)
+    sum += kWeights[i] * (f(middle - half * kNodes[i]) + f(middle + half * kNodes[i]));
+  return half * sum;
+}
+
+TEST(thermo, twelve_species_are_built_in) {
+  EXPECT_EQ(gas::species_names().size(), 12u);
+}
+
+TEST(thermo, cp_eq_dhdT) {
+  const gas::Thermo thermo = every_species();
+  for (std::size_t k = 0; k < thermo.size(); ++k) {
+    for (const double t : kTemperatures) {
+      const double a = t <= 1000.0 ? std::max(200.0, t - 20.0) : std::max(1000.05, t - 20.0);
+      const double dh = thermo.enthalpy(k, t) - thermo.enthalpy(k, a);
+      const double heat = integrate([&](double x) { return thermo.cp(k, x); }, a, t);
+      // The rule is exact for cp of degree 4; what is left is the rounding of some ten operations on h, whose
+      // terms exceed h itself by at most a factor 10.
+      const double scale = std::abs(thermo.enthalpy(k, t)) + thermo.cp(k, t) * t;
+      EXPECT_NEAR(heat, dh, 100.0 * kEpsilon * scale) << thermo.species(k).name << " at " << t;
+    }
+  }
+}
+
+TEST(thermo, dsdT_eq_cp_over_T) {
+  const gas::Thermo thermo = every_species();
+  for (std::size_t k = 0; k < thermo.size(); ++k) {
+    for (const double t : {300.0, 640.0, 980.0, 1300.0, 2900.0, 5900.0}) {
+      const double ds = thermo.standard_entropy(k, t) - thermo.standard_entropy(k, t - 10.0);
+      const double sum = integrate([&](double x) { return thermo.cp(k, x) / x; }, t - 10.0, t);
+      // Five points on (T/10 K) > 29 intervals: error of the rule < (1/58)^10; rounding as above.
+      EXPECT_NEAR(sum, ds, 100.0 * kEpsilon * thermo.standard_entropy(k, t)) << thermo.species(k).name;
+    }
+  }
+}
+
+TEST(thermo, h_minus_u_eq_RT_and_cp_minus_cv_eq_R) {
+  const gas::Thermo thermo = every_species();
+  for (std::size_t k = 0; k < thermo.size(); ++k) {
+    std::vector<double> pure(thermo.size(), 0.0);
+    pure[k] = 1.0;
+    for (const double t : kTemperatures) {
+      const double r = thermo.gas_constant(k);
+      // Differences of two numbers of the size of h and cp: one rounding each.
+      EXPECT_NEAR(thermo.enthalpy(k, t) - thermo.internal_energy(k, t), r * t,
+                  4.0 * kEpsilon * std::abs(thermo.enthalpy(k, t)) + 4.0 * kEpsilon * r * t);
+      EXPECT_NEAR(thermo.cp(pure, t) - thermo.cv(pure, t), r, 8.0 * kEpsilon * thermo.cp(k, t));
+      EXPECT_NEAR(thermo.gamma(pure, t), thermo.cp(k, t) / (thermo.cp(k, t) - r), 16.0 * kEpsilon);
+    }
+  }
+}
+
+/// J. D. Cox, D. D. Wagman, V. A. Medvedev, CODATA Key Values for Thermodynamics, 1989: enthalpy of formation
+/// [J/mol] and entropy at 1 bar [J/(mol K)], both at 298.15 K.
+TEST(thermo, formation_enthalpy_and_entropy_eq_codata) {
+  const std::map<std::string, std::array<double, 2>> codata{
+      {"N2", {0.0, 191.609}},        {"O2", {0.0, 205.152}},        {"Ar", {0.0, 154.846}},
+      {"He", {0.0, 126.153}},        {"H2", {0.0, 130.680}},        {"CO", {-110530.0, 197.660}},
+      {"CO2", {-393510.0, 213.785}}, {"H2O", {-241826.0, 188.835}}, {"NH3", {-45940.0, 192.77}}};
+  const gas::Thermo thermo = every_species();
+  for (const auto& [name, value] : codata) {
+    const std::size_t k = thermo.index(name);
+    const double molar_mass = thermo.species(k).molar_mass;
+    // CODATA's own uncertainties: up to 350 J/mol (NH3) and 0.05 J/(mol K).
+    EXPECT_NEAR(thermo.enthalpy(k, 298.15) * molar_mass, value[0], value[0] == 0.0 ? 1.0 : 350.0) << name;
+    EXPECT_NEAR(thermo.standard_entropy(k, 298.15) * molar_mass, value[1], 0.05) << name;
+  }
+}
+
+TEST(thermo, air_by_mole_has_its_gas_constant_and_speed_of_sound) {
+  const gas::Thermo thermo = nasa7({"CO2", "N2", "O2", "Ar"});
+  const std::vector<double> air = thermo.mass_fractions_by_mole(gas::air_by_mole());
+  const double molar_mass = (0.7808 * 28.014 + 0.2095 * 31.998 + 0.0093 * 39.95 + 0.0004 * 44.009) / 1000.0;
+  // Four products and one quotient; the sum of the mole fractions is 1 to one rounding.
+  EXPECT_LT(relative(thermo.gas_constant(air), gas::kMolarGasConstant / molar_mass), 16.0 * kEpsilon);
+  // Dry air at 300 K: 347.2 m/s (ISO 2533, 340.294 m/s at 288.15 K); the spread of tables is 0.1 %.
+  EXPECT_LT(relative(thermo.speed_of_sound(air, 288.15), 340.294), 1e-3);
+}
+
+TEST(thermo, mixture_properties_are_mass_weighted_and_extensive) {
+  const gas::Thermo thermo = nasa7({"N2", "H2O", "CO2"});
+  const std::vector<double> masses{0.02, 0.005, 0.011};
+  for (const double t : kTemperatures) {
+    double h = 0.0, cp = 0.0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      h += masses[k] * thermo.enthalpy(k, t) / 0.036;
+      cp += masses[k] * thermo.cp(k, t) / 0.036;
+    }
+    // Sums of 3 x 6 terms in another order.
+    EXPECT_NEAR(thermo.enthalpy(masses, t), h, 1e3 * kEpsilon * (std::abs(h) + cp * t));
+    EXPECT_LT(relative(thermo.cp(masses, t), cp), 100.0 * kEpsilon);
+    EXPECT_LT(relative(thermo.mixture(masses).cp(t), 0.036 * cp), 100.0 * kEpsilon);
+  }
+}
+
+TEST(thermo, constant_cp_gives_h_eq_cpT_without_offset) {
+  const gas::Thermo thermo({gas::constant_cp_species("H2O"), gas::constant_cp_species("gas", 296.8, 1038.8)});
+  const double cp_water = nasa7({"H2O"}).cp(std::size_t{0}, gas::kReferenceTemperature);
+  for (const double t : {1.0, 300.0, 1000.0, 1e5}) {
+    // One product.
+    EXPECT_LT(relative(thermo.enthalpy(0, t), cp_water * t), 8.0 * kEpsilon);
+    EXPECT_LT(relative(thermo.internal_energy(1, t), 742.0 * t), 8.0 * kEpsilon);
+  }
+}
+
+}  // namespace

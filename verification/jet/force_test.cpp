@@ -1,0 +1,291 @@
+// SPDX-License-Identifier: Apache-2.0
+// Forces of a jet on plane targets (J.6) against closed forms.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "closed_form/jet.hpp"
+#include "jet/field.hpp"
+#include "models.hpp"
+#include "plates.hpp"
+
+namespace {
+
+constexpr double kEps = std::numeric_limits<double>::epsilon();
+const jet::OutletState kOutlet{410.0, 0.97, 1.17e5, 406.0};
+const Eigen::Vector3d kAcross = models::kAxis.cross(models::kLong);
+
+double flux(const jet::JetModel& model) {
+  return jet::momentum_flux(kOutlet, jet::outlet_area(model));
+}
+
+Eigen::Vector3d force(const jet::JetModel& model, const plates::Target& target) {
+  const jet::JetField field(model, target.count());
+  jet::FieldState state = field.make_state();
+  field.evaluate(target.area_vectors, target.centroids, kOutlet, state);
+  return jet::jet_force(state, target.area_vectors);
+}
+
+/// Plate normal to the axis at distance z: n x n square cells of side h, a node on the axis. Normal along the
+/// axis.
+plates::Target normal_plate(double z, double h, int n) {
+  return plates::plate(models::kCentre + z * models::kAxis, h * models::kLong, h * kAcross, n, n);
+}
+
+/// Relative error of the centroid rule on two triangles a square cell, a node on the axis, for exp(-2
+/// r^2/R^2): Poisson sum over the reciprocal lattice, the two centroid lattices being shifted by (2/3, 1/3)
+/// and (1/3, 2/3) cells.
+double lattice_error(double h_over_width) {
+  const double q = 0.5 * std::pow(std::numbers::pi / h_over_width, 2);
+  double sum = 0.0;
+  for (int i = -6; i <= 6; ++i) {
+    for (int j = -6; j <= 6; ++j) {
+      if (i != 0 || j != 0) {
+        sum += std::exp(-q * (i * i + j * j)) * std::cos(2.0 * std::numbers::pi * (2 * i + j) / 3.0);
+      }
+    }
+  }
+  return sum;
+}
+
+TEST(plate_force, error_of_the_centroid_rule_eq_lattice_sum) {
+  jet::JetModel model = models::round(0.02, 0.08);
+  model.cut_off = 0.0;
+  for (const double e : {0.0, 0.5, 1.0}) {
+    model.restitution = e;
+    for (const double z : {0.05, 0.4, 1.5}) {
+      const double width = jet::section(model, z).width;
+      const double exact = closed_form::plate_force(1.0 + e, flux(model));
+      for (const double h : {1.5, 1.0, 0.75, 0.5, 0.25}) {
+        const Eigen::Vector3d f = force(model, normal_plate(z, h * width, 2 * static_cast<int>(6.0 / h)));
+        // 3000 positive terms with exp: 1e-13; the plate ends beyond 5.5 R, erfc(7.8) is below that.
+        EXPECT_NEAR(f.dot(models::kAxis) / exact - 1.0, lattice_error(h), 1e-13) << "z " << z << " h " << h;
+        EXPECT_LT((f - f.dot(models::kAxis) * models::kAxis).norm(), 1e-13 * exact);
+      }
+    }
+  }
+}
+
+TEST(plate_force, cut_off_costs_its_stated_share) {
+  for (const double cut_off : {1e-1, 1e-2, 1e-3}) {
+    jet::JetModel model = models::round(0.02, 0.08);
+    model.cut_off = cut_off;
+    const double z = 0.4, width = jet::section(model, z).width, h = 0.02 * width;
+    const double exact = 2.0 * flux(model) * (1.0 - jet::momentum_loss(model));
+    const double radius = std::sqrt(-0.5 * std::log(cut_off));
+    // Elements across the cut circle count whole or not at all: at most a ring of width h with the density
+    // there.
+    const double ring = 4.0 * radius * (h / width) * cut_off;
+    EXPECT_NEAR(force(model, normal_plate(z, h, 300)).dot(models::kAxis) / exact, 1.0, ring);
+    EXPECT_GT(jet::momentum_loss(model), 3.0 * ring) << "the tolerance must not hide the loss";
+  }
+}
+
+TEST(plate_force, rectangular_jet_eq_momentum_flux) {
+  jet::JetModel model = models::rectangular(0.02, 0.2, 0.11);
+  model.cut_off = 0.0;
+  for (const double z : {0.05, 0.3, 1.0}) {
+    const double width = jet::section(model, z).width;
+    // The cells fit the long side; across, the rule is spectral: 2 exp(-pi^2 R^2 / (2 h^2)) is 5e-35 at h = R
+    // / 4.
+    const plates::Target target = plates::plate(models::kCentre + z * models::kAxis, models::kLong * 0.2 / 16,
+                                                0.25 * width * kAcross, 20, 48);
+    EXPECT_NEAR(force(model, target).dot(models::kAxis) / (2.0 * flux(model)), 1.0, 1e-13);
+  }
+  const jet::OutletState simple{400.0, 1.0, 1e5, 300.0};
+  EXPECT_DOUBLE_EQ(jet::momentum_flux(simple, jet::outlet_area(model)), 640.0);
+}
+
+TEST(plate_force, rectangular_cut_off_costs_its_stated_share) {
+  for (const double cut_off : {1e-1, 1e-3}) {
+    jet::JetModel model = models::rectangular(0.02, 0.2, 0.11);
+    model.cut_off = cut_off;
+    const double z = 0.3, width = jet::section(model, z).width, h = 0.004 * width;
+    const plates::Target target =
+        plates::plate(models::kCentre + z * models::kAxis, models::kLong * 0.2 / 4, h * kAcross, 4, 1200);
+    const double exact = 2.0 * flux(model) * (1.0 - jet::momentum_loss(model));
+    // Strips across the two cut lines count whole or not at all: density sqrt(2/pi)/b cut_off each, width h.
+    const double strips = 2.0 * std::sqrt(2.0 / std::numbers::pi) * cut_off * h / width;
+    EXPECT_NEAR(force(model, target).dot(models::kAxis) / exact, 1.0, strips);
+    EXPECT_GT(jet::momentum_loss(model), 3.0 * strips);
+  }
+}
+
+TEST(disc_force, converges_to_the_closed_fraction_with_second_order) {
+  jet::JetModel model = models::round(0.02, 0.08);
+  model.cut_off = 0.0;
+  const double z = 0.4, width = jet::section(model, z).width;
+  for (const double ratio : {0.25, 0.5, 2.0}) {
+    const double exact = closed_form::disc_fraction(ratio * width, width);
+    double previous = 0.0;
+    for (const int rings : {32, 64, 128, 256}) {
+      const plates::Target target =
+          plates::disc(models::kCentre + z * models::kAxis, models::kLong, kAcross, ratio * width, rings);
+      const double error = force(model, target).dot(models::kAxis) / (2.0 * flux(model)) - exact;
+      if (previous != 0.0) {
+        EXPECT_NEAR(std::log2(previous / error), 2.0, 0.1) << "radius/R " << ratio << " rings " << rings;
+      }
+      previous = error;
+    }
+    EXPECT_LT(std::abs(previous), 1e-3 * exact);
+  }
+}
+
+/// Plate tilted about the long direction by theta, n x n cells that are squares of side h seen along the
+/// axis.
+plates::Target tilted_plate(double z, double theta, double h, int n) {
+  const Eigen::Vector3d slope = kAcross + std::tan(theta) * models::kAxis;
+  return plates::plate(models::kCentre + z * models::kAxis, h * models::kLong, h * slope, n, n);
+}
+
+TEST(inclined_plate_force, without_spreading_eq_cosine) {
+  jet::JetModel model = models::round(0.02, 1e-3);  // the core is 670 radii long: the width is constant
+  model.cut_off = 0.0;
+  const double width = jet::section(model, 2.0).width;
+  for (const double degrees : {0.0, 30.0, 60.0}) {
+    const double theta = degrees * std::numbers::pi / 180.0;
+    const plates::Target target = tilted_plate(2.0, theta, 0.25 * width, 48);
+    const Eigen::Vector3d normal = target.area_vectors.col(0).normalized();
+    const double fraction = force(model, target).dot(normal) / (2.0 * flux(model));
+    EXPECT_NEAR(fraction, closed_form::inclined_plate_fraction(theta), 1e-13);
+  }
+}
+
+TEST(inclined_plate_force, with_spreading_eq_series) {
+  jet::JetModel model = models::round(0.02, 0.08);
+  model.cut_off = 0.0;
+  const double z = 2.0, width = jet::section(model, z).width;  // beyond the core over the whole plate
+  const double slope = std::numbers::sqrt2 * 0.08 / 0.96;
+  for (const double degrees : {30.0, 60.0}) {
+    const double theta = degrees * std::numbers::pi / 180.0;
+    const plates::Target target = tilted_plate(z, theta, 0.125 * width, 96);  // |x| <= 6 R(z)
+    const Eigen::Vector3d normal = target.area_vectors.col(0).normalized();
+    const double fraction = force(model, target).dot(normal) / (2.0 * flux(model));
+    const double s = slope * std::tan(theta);
+    // The series goes on with less than s^6; outside the plate lies less than 1e-7 with the spreading.
+    EXPECT_NEAR(fraction, std::cos(theta) * (1.0 + s * s / 4 + 3.0 * std::pow(s, 4) / 16),
+                std::pow(s, 6) + 1e-7);
+    EXPECT_GT(std::abs(fraction - std::cos(theta)), 50 * (std::pow(s, 6) + 1e-7));
+  }
+}
+
+TEST(field, average_over_sub_triangles_eq_field_of_the_refined_mesh) {
+  jet::JetModel model = models::round(0.02, 0.08);
+  model.cut_off = 0.0;
+  const double z = 0.4, width = jet::section(model, z).width;
+  const plates::Target coarse = tilted_plate(z, 0.3, width, 8);
+  const double normal_force = force(model, tilted_plate(z, 0.3, width / 4, 32)).norm();
+  model.subdivisions = 4;
+  const jet::JetField field(model, coarse.count());
+  jet::FieldState state = field.make_state();
+  field.evaluate_average(coarse.nodes, coarse.triangles, coarse.area_vectors, kOutlet, state);
+  EXPECT_NEAR(jet::jet_force(state, coarse.area_vectors).norm(), normal_force, 1e-12 * normal_force);
+  EXPECT_THROW(field.evaluate(coarse.area_vectors, coarse.centroids, kOutlet, state), std::invalid_argument);
+}
+
+TEST(field, average_converges_with_second_order) {
+  jet::JetModel model = models::round(0.02, 0.08);
+  model.cut_off = 0.0;
+  const double z = 0.4, width = jet::section(model, z).width;
+  const plates::Target disc =
+      plates::disc(models::kCentre + z * models::kAxis, models::kLong, kAcross, width, 2);
+  std::vector<double> forces;
+  for (const int n : {4, 8, 16, 32}) {
+    model.subdivisions = n;
+    const jet::JetField field(model, disc.count());
+    jet::FieldState state = field.make_state();
+    field.evaluate_average(disc.nodes, disc.triangles, disc.area_vectors, kOutlet, state);
+    forces.push_back(jet::jet_force(state, disc.area_vectors).norm());
+  }
+  for (std::size_t i = 2; i < forces.size(); ++i) {
+    const double order = std::log2((forces[i - 1] - forces[i - 2]) / (forces[i] - forces[i - 1]));
+    EXPECT_NEAR(order, 2.0, 0.1);
+  }
+}
+
+TEST(field, overpressure_eq_twice_density_times_normal_velocity_squared) {
+  for (jet::JetModel model : {models::round(0.02, 0.08), models::rectangular(0.02, 0.2, 0.11)}) {
+    for (const auto direction : {jet::Direction::axial, jet::Direction::radial}) {
+      model.direction = direction;
+      const plates::Target target = tilted_plate(0.3, 0.4, 0.01, 20);
+      const jet::JetField field(model, target.count());
+      jet::FieldState state = field.make_state();
+      field.evaluate(target.area_vectors, target.centroids, kOutlet, state);
+      ASSERT_GT(state.candidates.size(), 20u);
+      for (const int e : state.candidates) {
+        const Eigen::Vector3d velocity = 410.0 * jet::relative_velocity(model, target.centroids.col(e));
+        const double normal = velocity.dot(target.area_vectors.col(e).normalized());
+        const double exact = 2.0 * 0.97 * normal * normal;
+        EXPECT_NEAR(state.overpressure[static_cast<std::size_t>(e)], exact, 64 * kEps * exact);
+      }
+    }
+  }
+}
+
+TEST(field, moving_skin_feels_the_relative_velocity) {
+  jet::JetModel model = models::round(0.02, 0.08);
+  model.relative_to_skin = true;
+  const plates::Target target = normal_plate(0.3, 0.01, 20);
+  const jet::JetField field(model, target.count());
+  jet::FieldState state = field.make_state();
+  for (const double speed : {-30.0, 0.0, 100.0, 500.0}) {
+    const Eigen::Matrix3Xd velocity = (speed * models::kAxis).replicate(1, target.count());
+    const jet::Points view(velocity);
+    field.evaluate(target.area_vectors, target.centroids, kOutlet, state, &view);
+    for (const int e : state.candidates) {
+      const double relative = 410.0 * jet::relative_velocity(model, target.centroids.col(e)).norm() - speed;
+      // The difference of the two speeds loses at most their ratio to it; eps of 410 m/s over the smallest
+      // kept.
+      EXPECT_NEAR(std::sqrt(state.overpressure[static_cast<std::size_t>(e)] / (2.0 * 0.97)), relative, 1e-11);
+      EXPECT_GT(relative, 0.0);
+    }
+    EXPECT_EQ(state.candidates.empty(), speed > 410.0);
+  }
+  EXPECT_THROW(field.evaluate(target.area_vectors, target.centroids, kOutlet, state), std::invalid_argument);
+}
+
+TEST(field, null_elements_and_elements_that_face_the_outlet_take_no_load) {
+  const jet::JetModel model = models::round(0.02, 0.08);
+  plates::Target target = normal_plate(0.3, 0.01, 4);
+  const std::vector<int> null = {3, 15, 16};
+  jet::FieldState state = jet::JetField(model, target.count(), null).make_state();
+  jet::JetField(model, target.count(), null).evaluate(target.area_vectors, target.centroids, kOutlet, state);
+  EXPECT_EQ(state.candidates.size(), static_cast<std::size_t>(target.count()) - null.size());
+  for (const int e : null) EXPECT_EQ(state.overpressure[static_cast<std::size_t>(e)], 0.0);
+  target.area_vectors *= -1.0;
+  jet::JetField(model, target.count()).evaluate(target.area_vectors, target.centroids, kOutlet, state);
+  EXPECT_TRUE(state.candidates.empty());
+  for (const double dp : state.overpressure) EXPECT_EQ(dp, 0.0);
+}
+
+TEST(field, mask_removes_the_hidden_share_of_the_force) {
+  const jet::JetModel model = models::round(0.02, 0.08);
+  const plates::Target target = normal_plate(0.3, 0.01, 8);
+  const jet::JetField field(model, target.count());
+  jet::FieldState state = field.make_state();
+  field.evaluate(target.area_vectors, target.centroids, kOutlet, state);
+  const Eigen::Vector3d whole = jet::jet_force(state, target.area_vectors);
+  std::vector<std::uint8_t> lit(state.candidates.size(), 1), dark(lit.size(), 0);
+  lit[2] = 0;
+  const int hidden = state.candidates[2];
+  const Eigen::Vector3d share =
+      state.overpressure[static_cast<std::size_t>(hidden)] * target.area_vectors.col(hidden);
+  jet::apply_mask(lit, state);
+  EXPECT_NEAR((jet::jet_force(state, target.area_vectors) + share - whole).norm(), 0.0, 1e-13 * whole.norm());
+  jet::apply_mask(dark, state);
+  EXPECT_EQ(jet::jet_force(state, target.area_vectors).norm(), 0.0);
+  EXPECT_THROW(jet::apply_mask(std::span(dark).first(1), state), std::invalid_argument);
+}
+
+TEST(field, non_finite_geometry_is_an_error_not_a_number) {
+  const jet::JetModel model = models::round(0.02, 0.08);
+  plates::Target target = normal_plate(0.3, 0.01, 4);
+  target.centroids(1, 5) = std::numeric_limits<double>::quiet_NaN();
+  const jet::JetField field(model, target.count());
+  jet::FieldState state = field.make_state();
+  EXPECT_THROW(field.evaluate(target.area_vectors, target.centroids, kOutlet, state), jet::DomainError);
+}
+
+}  // namespace

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: Apache-2.0
+// Books of the central difference (M.9): exact for any force and any sequence of steps.
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "membrane/error.hpp"
+#include "scenes.hpp"
+
+using membrane::Compression;
+
+namespace {
+
+struct Case {
+  membrane::BagModel model;
+  membrane::BagState state;
+};
+
+// Everything at once: pressure, jet, contact, straps, plate, gravity, damping, fixed nodes, random motion.
+Case loaded_sphere(double damping) {
+  const auto mesh = membrane::icosphere(0.3, 2);
+  auto d = scenes::describe(mesh, Compression::none);
+  d.straps = {{0, 100, 4500.0, 0.2}};
+  d.plates = {{{-0.28, 0.0, 0.0}, {1.0, 0.0, 0.0}, 1e6}};
+  d.fixed_nodes = {3, 50};
+  d.gravity = {1.0, -2.0, -9.81};
+  d.mass_damping = damping;
+  auto model = make_model(d);
+  auto state =
+      membrane::make_state(model, scenes::shaken(mesh.nodes, 0.01, 1), {.jet = true, .contact = true});
+  state.velocity.map() = 5.0 * scenes::Random(2).vectors(mesh.node_count());
+  for (const int node : d.fixed_nodes) state.velocity.map().col(node).setZero();
+  return {std::move(model), std::move(state)};
+}
+
+void load(Case& c, scenes::Random& random, std::vector<double>& dp) {
+  membrane::update_surface(c.model, c.state);
+  membrane::membrane_forces(c.model, c.state);
+  membrane::pressure_forces(c.state, 2e4 * random());
+  for (double& value : dp) value = 1e4 * random();
+  membrane::jet_forces(c.model, c.state, dp);
+  membrane::support_forces(c.model, c.state);
+  c.state.contact_force.map() = 10.0 * random.vectors(c.model.node_count);
+}
+
+}  // namespace
+
+TEST(Books, kick_ledger_closes_for_any_force_and_step) {
+  for (const double damping : {0.0, 20.0, 5e4}) {
+    auto c = loaded_sphere(damping);
+    scenes::Random random(9);
+    std::vector<double> dp(static_cast<std::size_t>(c.model.element_count));
+    double dt_before = 0.0;
+    for (int step = 0; step < 50; ++step) {
+      load(c, random, dp);
+      const double dt_after = 4e-5 * (1.0 + 0.9 * random());
+      const auto& sums = membrane::advance(c.model, c.state, dt_before, dt_after);
+      const auto& w = sums.work;
+      const double size = sums.kinetic_before + sums.kinetic_after + std::abs(w.membrane) +
+                          std::abs(w.pressure) + std::abs(w.jet) + std::abs(w.support) + std::abs(w.contact) +
+                          std::abs(w.gravity) + std::abs(w.damping);
+      // Each term is a sum over 162 nodes of a few products: 1e-13 is 450 eps.
+      EXPECT_NEAR(sums.kinetic_after - sums.kinetic_before, w.total(), 1e-13 * size) << step;
+      dt_before = dt_after;
+    }
+  }
+}
+
+TEST(Books, momentum_change_eq_impulse_without_damping) {
+  auto c = loaded_sphere(0.0);
+  scenes::Random random(9);
+  std::vector<double> dp(static_cast<std::size_t>(c.model.element_count));
+  for (int step = 0; step < 20; ++step) {
+    load(c, random, dp);
+    const auto& sums = membrane::advance(c.model, c.state, 2e-5, 3e-5);
+    const Eigen::Vector3d change = sums.momentum_after - sums.momentum_before;
+    // 162 terms of at most 1e-3 kg x 50 m/s.
+    EXPECT_LE((change - sums.impulse).norm(), 162 * 4 * scenes::kEps * 0.05);
+  }
+}
+
+TEST(Books, fixed_nodes_stay) {
+  auto c = loaded_sphere(0.0);
+  const Eigen::Vector3d before = c.state.position.map().col(50);
+  scenes::Random random(9);
+  std::vector<double> dp(static_cast<std::size_t>(c.model.element_count));
+  for (int step = 0; step < 10; ++step) {
+    load(c, random, dp);
+    membrane::advance(c.model, c.state, 2e-5, 2e-5);
+  }
+  EXPECT_EQ((c.state.position.map().col(50) - before).norm(), 0.0);
+}
+
+TEST(Books, damping_eq_exact_implicit_decay) {
+  // A lone drifting sheet: v+ = v- (1 - alpha tau / 2) / (1 + alpha tau / 2).
+  const auto sheet = membrane::rectangle(2, 2, 0.2, 0.2, membrane::Diagonals::uniform);
+  auto d = scenes::describe(sheet, Compression::none);
+  d.mass_damping = 100.0;
+  const auto model = make_model(d);
+  auto state = membrane::make_state(model, sheet.nodes);
+  state.velocity.map().colwise() = Eigen::Vector3d(1.0, 2.0, 3.0);
+  membrane::membrane_forces(model, state);
+  membrane::advance(model, state, 1e-3, 1e-3);
+  EXPECT_NEAR(state.velocity.map()(2, 4), 3.0 * 0.95 / 1.05, 16 * scenes::kEps);
+}
+
+TEST(Books, free_flight_conserves_momentum_and_angular_momentum) {
+  const auto mesh = membrane::icosphere(0.3, 2);
+  const auto model = make_model(scenes::describe(mesh, Compression::none));
+  auto state = membrane::make_state(model, mesh.nodes);
+  const Eigen::Vector3d spin(20.0, -10.0, 30.0);
+  for (int n = 0; n < model.node_count; ++n)
+    state.velocity.map().col(n) =
+        Eigen::Vector3d(3.0, 1.0, -2.0) + spin.cross(Eigen::Vector3d(mesh.nodes.col(n)));
+  const auto angular_momentum = [&] {
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    for (int n = 0; n < model.node_count; ++n)
+      sum += model.node_mass[static_cast<std::size_t>(n)] *
+             Eigen::Vector3d(state.position.map().col(n)).cross(Eigen::Vector3d(state.velocity.map().col(n)));
+    return sum;
+  };
+  const Eigen::Vector3d before = angular_momentum();
+  Eigen::Vector3d momentum = Eigen::Vector3d::Zero();
+  for (int step = 0; step < 1000; ++step) {
+    membrane::membrane_forces(model, state);
+    const auto& sums = membrane::advance(model, state, step == 0 ? 0.0 : 5e-5, 5e-5);
+    if (step == 0) momentum = sums.momentum_before;
+    // Per step eps x the largest corner force (about 10 N) x dt x nodes, and as much in the moment.
+    ASSERT_LE((sums.momentum_after - momentum).norm(), 1000 * 162 * 6 * scenes::kEps * 10.0 * 5e-5);
+  }
+  // One step shifts x by dt v, which has no moment with m v; x reaches 0.4 m.
+  EXPECT_LE((angular_momentum() - before).norm(), 1000 * 162 * 6 * scenes::kEps * 10.0 * 5e-5);
+}
+
+TEST(Books, non_finite_motion_is_caught_at_once) {
+  auto c = loaded_sphere(0.0);
+  membrane::update_surface(c.model, c.state);
+  membrane::membrane_forces(c.model, c.state);
+  c.state.contact_force.map()(1, 17) = std::numeric_limits<double>::quiet_NaN();
+  try {
+    membrane::advance(c.model, c.state, 1e-5, 1e-5);
+    FAIL() << "accepted";
+  } catch (const membrane::MembraneError& error) {
+    EXPECT_NE(std::string(error.what()).find("node 17"), std::string::npos) << error.what();
+  }
+  EXPECT_THROW(membrane::pressure_forces(c.state, std::numeric_limits<double>::infinity()),
+               membrane::MembraneError);
+}

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: Apache-2.0
+// Icosphere, rectangle and the plain geometry of a mesh.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <stdexcept>
+
+#include "closed_form/membrane.hpp"
+#include "membrane/icosphere.hpp"
+#include "membrane/surface_check.hpp"
+
+namespace {
+
+using membrane::Mesh;
+
+constexpr double kEps = std::numeric_limits<double>::epsilon();
+
+double sphere_volume(double radius) {
+  return 4.0 / 3.0 * std::numbers::pi * radius * radius * radius;
+}
+
+double volume(const Mesh& mesh) {
+  return membrane::enclosed_volume(mesh.nodes, mesh.elements);
+}
+
+// Closed form M2. Tolerance: two sums of 20 * 4^level terms of one sign, some 10 operations each; errors of a
+// term are random in sign, so eps * sqrt(terms) * 10, doubled because the oracle rounds as well.
+TEST(Icosphere, volume_ratio_eq_closed_form) {
+  for (int level = 0; level <= 5; ++level) {
+    const Mesh mesh = membrane::icosphere(0.3, level);
+    const auto exact = closed_form::icosphere_ratios(level);
+    ASSERT_EQ(static_cast<std::size_t>(mesh.element_count()), exact.faces);
+    const double tolerance = 20.0 * kEps * std::sqrt(static_cast<double>(exact.faces));
+    EXPECT_NEAR(volume(mesh) / sphere_volume(0.3), exact.volume_ratio, tolerance) << level;
+    const double area = membrane::element_areas(mesh.nodes, mesh.elements).sum();
+    EXPECT_NEAR(area / (4.0 * std::numbers::pi * 0.09), exact.area_ratio, tolerance) << level;
+  }
+}
+
+// Volume defect is O(h^2): ratios of successive defects tend to 4; 3.93 and above from level 3 (M2).
+TEST(Icosphere, volume_converges_at_order_two) {
+  for (int level = 2; level <= 5; ++level) {
+    const double coarse = 1.0 - volume(membrane::icosphere(1.0, level)) / sphere_volume(1.0);
+    const double fine = 1.0 - volume(membrane::icosphere(1.0, level + 1)) / sphere_volume(1.0);
+    EXPECT_GT(std::log2(coarse / fine), 1.97);
+    EXPECT_LT(std::log2(coarse / fine), 2.01);
+  }
+}
+
+TEST(Icosphere, nodes_lie_on_the_sphere_of_a_closed_surface) {
+  for (int level = 0; level <= 4; ++level) {
+    const Mesh mesh = membrane::icosphere(0.7, level);
+    EXPECT_EQ(mesh.node_count(), 10 * (1 << (2 * level)) + 2);
+    EXPECT_TRUE(membrane::check_closed_surface(mesh.nodes, mesh.elements).ok());
+    // normalise and scale: a division, a product and a square root, and the norm here
+    EXPECT_LT((mesh.nodes.colwise().norm().array() - 0.7).abs().maxCoeff(), 8.0 * 0.7 * kEps);
+  }
+}
+
+TEST(Rectangle, cells_tile_the_sheet_facing_up) {
+  for (const auto diagonals : {membrane::Diagonals::uniform, membrane::Diagonals::union_jack}) {
+    const Mesh mesh = membrane::rectangle(6, 4, 3.0, 1.0, diagonals);
+    ASSERT_EQ(mesh.element_count(), 48);
+    ASSERT_EQ(mesh.node_count(), 35);
+    const Eigen::VectorXd areas = membrane::element_areas(mesh.nodes, mesh.elements);
+    EXPECT_LT((areas.array() - 3.0 / 48.0).abs().maxCoeff(),
+              16.0 * kEps);  // a few roundings of numbers near 1
+    for (int e = 0; e < 48; ++e) {
+      const Eigen::Vector3d a = mesh.nodes.col(mesh.elements(0, e));
+      const Eigen::Vector3d u = mesh.nodes.col(mesh.elements(1, e)) - a,
+                            v = mesh.nodes.col(mesh.elements(2, e)) - a;
+      EXPECT_GT(u.x() * v.y() - u.y() * v.x(), 0.0);
+    }
+    const auto report = membrane::check_closed_surface(mesh.nodes, mesh.elements);
+    EXPECT_EQ(report.boundary_edges.size(), 20u);
+    EXPECT_TRUE(report.inconsistent_edges.empty() && report.components.empty() &&
+                report.pinched_nodes.empty());
+  }
+}
+
+TEST(Rectangle, union_jack_diagonals_alternate) {
+  const Mesh mesh = membrane::rectangle(4, 4, 1.0, 1.0, membrane::Diagonals::union_jack);
+  Eigen::VectorXi valence = Eigen::VectorXi::Zero(25);
+  for (const int node : mesh.elements.reshaped()) ++valence(node);
+  for (const int node : {6, 8, 12, 16, 18}) EXPECT_EQ(valence(node), 8) << node;
+  for (const int node : {7, 11, 13, 17}) EXPECT_EQ(valence(node), 4) << node;
+}
+
+TEST(Generators, bad_arguments_are_refused) {
+  EXPECT_THROW(membrane::icosphere(0.0, 1), std::invalid_argument);
+  EXPECT_THROW(membrane::icosphere(std::nan(""), 1), std::invalid_argument);
+  EXPECT_THROW(membrane::icosphere(1.0, -1), std::invalid_argument);
+  EXPECT_THROW(membrane::icosphere(1.0, 10), std::invalid_argument);
+  const auto uniform = membrane::Diagonals::uniform;
+  EXPECT_THROW(membrane::rectangle(0, 1, 1.0, 1.0, uniform), std::invalid_argument);
+  EXPECT_THROW(membrane::rectangle(1, -1, 1.0, 1.0, uniform), std::invalid_argument);
+  EXPECT_THROW(membrane::rectangle(1, 1, 0.0, 1.0, uniform), std::invalid_argument);
+  EXPECT_THROW(membrane::rectangle(1, 1, 1.0, INFINITY, uniform), std::invalid_argument);
+}
+
+// A translation by 1e6 rounds each coordinate by 1e6 eps / 2 = 1.1e-10; the volume moves by that times the
+// area (12.5).
+TEST(MeshGeometry, volume_is_independent_of_the_origin) {
+  const Mesh mesh = membrane::icosphere(1.0, 3);
+  const double at_origin = volume(mesh);
+  for (const double shift : {1.0, 1e3, 1e6}) {
+    Mesh moved = mesh;
+    moved.nodes.colwise() += Eigen::Vector3d(shift, -0.5 * shift, 0.25 * shift);
+    EXPECT_NEAR(volume(moved), at_origin, 12.5 * shift * kEps + 1e3 * kEps) << shift;
+  }
+}
+
+TEST(MeshGeometry, quality_of_known_triangles) {
+  Mesh mesh;
+  mesh.nodes.resize(3, 4);
+  mesh.nodes << 0, 4, 0, 2, 0, 0, 3, 2.0 * std::sqrt(3.0), 0, 0, 0, 0;
+  mesh.elements.resize(3, 1);
+  mesh.elements << 0, 1, 2;  // 3-4-5
+  auto q = membrane::element_quality(mesh.nodes, mesh.elements);
+  EXPECT_NEAR(q.min_altitude, 2.4, 8 * kEps);  // exact integers but for one quotient
+  EXPECT_NEAR(q.min_angle, std::atan(0.75), 8 * kEps);
+  EXPECT_NEAR(q.max_aspect, 5.0 / 2.4, 8 * kEps);
+  mesh.elements << 0, 1, 3;  // equilateral, side 4
+  q = membrane::element_quality(mesh.nodes, mesh.elements);
+  EXPECT_NEAR(q.min_angle, std::numbers::pi / 3.0, 8 * kEps);
+  EXPECT_NEAR(q.mean_altitude, 2.0 * std::sqrt(3.0), 16 * kEps);
+  mesh.elements << 0, 1, 1;
+  EXPECT_THROW(membrane::element_quality(mesh.nodes, mesh.elements), std::invalid_argument);
+}
+
+TEST(MeshGeometry, nearest_node_is_the_lowest_of_equals) {
+  const Mesh mesh = membrane::rectangle(2, 1, 2.0, 1.0, membrane::Diagonals::uniform);
+  EXPECT_EQ(membrane::nearest_node(mesh, {1.9, 0.8, 0.1}), 5);
+  EXPECT_EQ(membrane::nearest_node(mesh, {0.5, 0.0, 0.0}), 0);
+  EXPECT_THROW(membrane::nearest_node(Mesh{}, Eigen::Vector3d::Zero()), std::invalid_argument);
+}
+
+TEST(MeshGeometry, unknown_panel_lists_the_panels) {
+  const Mesh mesh = membrane::icosphere(1.0, 0);
+  EXPECT_EQ(membrane::panel_elements(mesh, "sphere").size(), 20u);
+  EXPECT_EQ(membrane::panel_nodes(mesh, "sphere").size(), 12u);
+  try {
+    membrane::panel_index(mesh, "front");
+    FAIL() << "accepted";
+  } catch (const std::invalid_argument& error) {
+    EXPECT_NE(std::string(error.what()).find("\"sphere\""), std::string::npos);
+  }
+}
+
+}  // namespace

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+// Order of the central difference on a smooth oscillation with variable steps (M.9).
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+#include "scenes.hpp"
+
+using membrane::Compression;
+
+namespace {
+
+constexpr double kEnd = 2e-3;  // [s], half a breathing period of the inflated sphere
+
+// Smoothly varying steps that nest when their number doubles.
+double time_at(double s) {
+  return kEnd * (s + 0.1 * std::sin(2.0 * std::numbers::pi * s));
+}
+
+struct End {
+  Eigen::Matrix3Xd x;
+  double energy_drift;  // total energy at the end less at the start [J]
+};
+
+// A sphere under constant pressure, off its equilibrium and moving, ovally, always taut.
+End run(int steps) {
+  const auto mesh = membrane::icosphere(0.3, 1);
+  const auto model = make_model(scenes::describe(mesh, Compression::none));
+  const double pressure = 2e4;
+  Eigen::Matrix3Xd x = 1.09 * mesh.nodes;
+  x.row(2) *= 1.01;
+  auto state = membrane::make_state(model, x);
+  state.velocity.map() = 15.0 * mesh.nodes;
+  double before = 0.0, first_energy = 0.0, last_energy = 0.0;
+  for (int i = 0; i < steps; ++i) {
+    membrane::update_surface(model, state);
+    membrane::membrane_forces(model, state);
+    membrane::pressure_forces(state, pressure);
+    const double after = time_at((i + 1.0) / steps) - time_at(static_cast<double>(i) / steps);
+    const auto& sums = membrane::advance(model, state, before, after);
+    const double kinetic = i == 0 ? sums.kinetic_before : 0.5 * (sums.kinetic_before + sums.kinetic_after);
+    last_energy = state.forces.strain_energy - pressure * state.surface.volume + kinetic;
+    if (i == 0) first_energy = last_energy;
+    before = after;
+  }
+  return {state.position.map(), last_energy - first_energy};
+}
+
+}  // namespace
+
+TEST(Oscillation, central_difference_has_order_2_with_variable_steps) {
+  const Eigen::Matrix3Xd reference = run(64 * 128).x;
+  double error[4];
+  for (int level = 0; level < 4; ++level) error[level] = (run(128 << level).x - reference).norm();
+  for (int level = 0; level < 3; ++level) {
+    const double order = std::log2(error[level] / error[level + 1]);
+    EXPECT_GT(order, 1.9) << level;
+    EXPECT_LT(order, 2.1) << level;
+  }
+}
+
+TEST(Oscillation, energy_drift_falls_with_the_step) {
+  const double coarse = std::abs(run(256).energy_drift), fine = std::abs(run(1024).energy_drift);
+  EXPECT_LT(coarse, 1.0);  // of some 100 J exchanged
+  EXPECT_GT(coarse / fine, 8.0);
+}

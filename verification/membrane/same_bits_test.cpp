@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: Apache-2.0
+// The same bits from every instruction set, block order and number of threads.
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <thread>
+#include <vector>
+
+#include "scenes.hpp"
+
+using membrane::Compression;
+using membrane::Isa;
+
+namespace {
+
+struct Reversed {
+  template <class F>
+  void operator()(int count, F&& f) const {
+    for (int block = count - 1; block >= 0; --block) f(block);
+  }
+};
+
+struct TwoThreads {
+  template <class F>
+  void operator()(int count, F&& f) const {
+    const auto half = [&](int parity) {
+      for (int block = parity; block < count; block += 2) f(block);
+    };
+    std::thread other(half, 1);
+    half(0);
+    other.join();
+  }
+};
+
+// Everything a run writes, after some steps with every load.
+template <class ForEachBlock>
+std::vector<double> run(const membrane::Mesh& mesh, Compression compression, Isa isa, ForEachBlock for_each) {
+  auto d = scenes::describe(mesh, compression);
+  d.isa = isa;
+  d.straps = {{0, 10, 4500.0, 0.01}};
+  d.plates = {{{0.0, 0.0, -0.1}, {0.0, 0.0, 1.0}, 1e6}};
+  d.fixed_nodes = {3};
+  d.gravity = {0.0, 0.0, -9.81};
+  d.mass_damping = 20.0;
+  for (std::size_t e = 0; e < d.properties.size(); ++e)
+    d.properties[e].porosity = 0.001 * static_cast<double>(e % 50);
+  const auto model = make_model(d);
+  auto s = membrane::make_state(model, scenes::shaken(mesh.nodes, 0.002, 1), {.jet = true, .contact = true});
+  std::vector<double> dp(static_cast<std::size_t>(model.element_count), 700.0), out;
+  const double dt = 2e-6;
+  for (int i = 0; i < 5; ++i) {
+    membrane::update_surface(model, s, for_each);
+    membrane::membrane_forces(model, s, for_each);
+    membrane::pressure_forces(s, 2e4);
+    membrane::jet_forces(model, s, dp, for_each);
+    membrane::support_forces(model, s, for_each);
+    const auto& sums = membrane::advance(model, s, i == 0 ? 0.0 : dt, dt, for_each);
+    for (const double value :
+         {s.surface.volume, s.surface.area, s.surface.porosity_area, s.surface.porosity_squared_area,
+          s.surface.gradient_mobility, s.forces.strain_energy, s.forces.strap_energy, s.forces.plate_energy,
+          s.forces.element_frequency, sums.work.total(), sums.kinetic_after, sums.max_speed_squared})
+      out.push_back(value);
+  }
+  for (const membrane::Vectors* v :
+       {&s.position, &s.velocity, &s.area_vector, &s.centroid, &s.membrane_force})
+    out.insert(out.end(), v->map().reshaped().begin(), v->map().reshaped().end());
+  return out;
+}
+
+void expect_same_bits(const std::vector<double>& a, const std::vector<double>& b) {
+  ASSERT_EQ(a.size(), b.size());
+  EXPECT_EQ(std::memcmp(a.data(), b.data(), a.size() * sizeof(double)), 0);
+}
+
+// 42 elements (not whole groups of lanes), and 5120 (ten blocks).
+std::vector<membrane::Mesh> meshes() {
+  return {membrane::rectangle(7, 3, 0.7, 0.3, membrane::Diagonals::uniform), membrane::icosphere(0.3, 4)};
+}
+
+}  // namespace
+
+TEST(SameBits, every_instruction_set_gives_the_same_bits) {
+  for (const auto& mesh : meshes())
+    for (const auto compression : {Compression::linear, Compression::none}) {
+      const auto scalar = run(mesh, compression, Isa::scalar, membrane::Serial{});
+      expect_same_bits(scalar, run(mesh, compression, Isa::baseline, membrane::Serial{}));
+      if (membrane::best_isa() != Isa::baseline)
+        expect_same_bits(scalar, run(mesh, compression, membrane::best_isa(), membrane::Serial{}));
+    }
+}
+
+TEST(SameBits, every_block_order_gives_the_same_bits) {
+  for (const auto& mesh : meshes()) {
+    const auto serial = run(mesh, Compression::none, membrane::best_isa(), membrane::Serial{});
+    expect_same_bits(serial, run(mesh, Compression::none, membrane::best_isa(), Reversed{}));
+    expect_same_bits(serial, run(mesh, Compression::none, membrane::best_isa(), TwoThreads{}));
+  }
+}

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0
+// Straps (M.7) and plates (M.8).
+#include <gtest/gtest.h>
+
+#include "scenes.hpp"
+
+using membrane::Compression;
+
+namespace {
+
+membrane::BagDescription supported_sphere() {
+  auto d = scenes::describe(membrane::icosphere(0.3, 1), Compression::none);
+  d.straps = {{0, 20, 4500.0, 0.3}, {0, 30, 3000.0, 0.35}, {5, 6, 4500.0, 5.0}};
+  d.plates = {{{-0.2, 0.0, 0.0}, {2.0, 0.0, 0.5}, 1e6}, {{0.0, 0.25, 0.0}, {0.0, -1.0, 0.0}, 2e6}};
+  return d;
+}
+
+double support_energy(const membrane::BagModel& model, const Eigen::Matrix3Xd& x) {
+  const auto state = scenes::evaluated(model, x);
+  return state.forces.strap_energy + state.forces.plate_energy;
+}
+
+}  // namespace
+
+TEST(Supports, force_eq_minus_energy_derivative) {
+  const auto d = supported_sphere();
+  const auto model = make_model(d);
+  const Eigen::Matrix3Xd x = scenes::shaken(d.reference, 0.05, 3);
+  const auto state = scenes::evaluated(model, x);
+  EXPECT_GT(state.forces.strap_energy, 1.0);
+  EXPECT_GT(state.forces.plate_energy, 1.0);
+  const double h = 1e-6;
+  for (Eigen::Index n = 0; n < x.cols(); ++n)
+    for (int c = 0; c < 3; ++c) {
+      Eigen::Matrix3Xd right = x, left = x;
+      right(c, n) += h;
+      left(c, n) -= h;
+      const double slope = (support_energy(model, right) - support_energy(model, left)) / (2.0 * h);
+      // eps x 500 J / h = 1e-7 N; a node that leaves the plate within h errs by stiffness 3e4 N/m x h.
+      EXPECT_NEAR(state.support_force.map()(c, n), -slope, 0.03);
+    }
+}
+
+TEST(Supports, strap_pulls_and_never_pushes) {
+  auto d = scenes::describe(membrane::icosphere(0.3, 0), Compression::none);
+  d.straps = {{0, 1, 4500.0, 0.5}};
+  const auto model = make_model(d);
+  for (const double length : {0.2, 0.5, 0.6}) {
+    Eigen::Matrix3Xd x = d.reference;
+    x.col(1) = x.col(0) + length * Eigen::Vector3d(0.0, 0.6, 0.8);
+    const auto state = scenes::evaluated(model, x);
+    const double expected = std::max(0.0, 4500.0 * (length - 0.5));
+    const double allowed = 4500.0 * 8 * scenes::kEps;  // rounding of lengths below 1 m
+    EXPECT_NEAR(state.strap_tension[0], expected, allowed);
+    EXPECT_NEAR(state.support_force.map()(2, 0), 0.8 * expected, allowed);
+    EXPECT_NEAR(state.support_force.map()(2, 1), -0.8 * expected, allowed);
+    EXPECT_NEAR(state.forces.strap_energy, 0.5 * expected * std::max(0.0, length - 0.5), allowed);
+  }
+}
+
+TEST(Supports, plate_pressure_eq_stiffness_times_depth) {
+  // A flat sheet pushed d behind the plate feels kappa d on its area.
+  const auto sheet = membrane::rectangle(4, 3, 0.4, 0.3, membrane::Diagonals::uniform);
+  auto d = scenes::describe(sheet, Compression::none);
+  d.plates = {{{0.0, 0.0, 0.01}, {0.0, 0.0, 3.0}, 1e6}};
+  const auto state = scenes::evaluated(make_model(d), sheet.nodes);
+  const double force = 1e6 * 0.01 * 0.12, energy = 0.5 * force * 0.01;
+  EXPECT_NEAR(state.support_force.map().row(2).sum(), force, 100 * scenes::kEps * force);
+  EXPECT_NEAR(state.forces.plate_energy, energy, 100 * scenes::kEps * energy);
+  d.plates[0].normal *= -1.0;  // now the sheet is on the free side
+  EXPECT_EQ(scenes::evaluated(make_model(d), sheet.nodes).forces.plate_energy, 0.0);
+}
+
+// A slack sheet thrown against a plate leaves with the speed it came with: order 2 in the step.
+TEST(Supports, bounce_on_plate_conserves_energy) {
+  const auto sheet = membrane::rectangle(2, 2, 0.2, 0.2, membrane::Diagonals::union_jack);
+  auto d = scenes::describe(sheet, Compression::none);
+  d.plates = {{{0.0, 0.0, -0.01}, {0.0, 0.0, 1.0}, 1e6}};
+  const auto model = make_model(d);
+  const auto speed_after = [&](int steps) {
+    auto state = membrane::make_state(model, sheet.nodes);
+    state.velocity.map().row(2).setConstant(-5.0);
+    const double dt = 6e-3 / steps;
+    for (int i = 0; i < steps; ++i) {
+      membrane::membrane_forces(model, state);
+      membrane::support_forces(model, state);
+      membrane::advance(model, state, i == 0 ? 0.0 : dt, dt);
+    }
+    return state.velocity.map()(2, 4);
+  };
+  // kappa / (rho h) = (1796 rad/s)^2, dt = 3e-6 s: (omega dt)^2 = 3e-5 of the speed, times a small constant.
+  EXPECT_NEAR(speed_after(2000), 5.0, 5.0 * 3e-5);
+  EXPECT_NEAR(speed_after(8000), 5.0, 5.0 * 3e-5 / 8.0);
+}

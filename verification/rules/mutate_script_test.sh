@@ -1,0 +1,45 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
+# Test of scripts/mutate.sh on a project of one function: a mutation that its test sees is killed, one that it
+# does not see survives, and mutations that cannot be tried are reported, none of them as killed.
+set -euo pipefail
+scripts=$(cd "$(dirname "${BASH_SOURCE[0]}")/../../scripts" && pwd)
+tree=$(mktemp -d)
+scratch=$(mktemp -d)
+trap 'rm -rf "$tree" "$scratch"' EXIT
+
+mkdir -p "$tree/scripts" "$tree/verification"
+cp "$scripts/mutate.sh" "$tree/scripts"
+cat >"$tree/CMakeLists.txt" <<'END'
+cmake_minimum_required(VERSION 3.25)
+project(toy LANGUAGES CXX)
+enable_testing()
+add_executable(toy toy.cpp)
+add_test(NAME toy COMMAND toy)
+END
+cat >"$tree/toy.cpp" <<'END'
+double twice(double x) { return 2 * x; }
+int unseen() { return 7; }
+int main() { return twice(3) == 6 ? 0 : 1; }
+END
+git -C "$tree" init -q
+
+# outcome EXPECTED_EXIT EXPECTED_VERDICT TEST FILE EXPRESSION
+outcome() {
+  local report status=0
+  printf '# comment\n%s\t%s\t%s\n' "$3" "$4" "$5" >"$tree/verification/mutations.tsv"
+  report=$("$tree/scripts/mutate.sh" --scratch "$scratch" 2>&1) || status=$?
+  if [[ $status != "$1" || $report != "$2"* ]]; then
+    printf 'mutation %s: expected exit %s and "%s", got exit %s and:\n%s\n' "$5" "$1" "$2" "$status" "$report"
+    exit 1
+  fi
+}
+
+outcome 0 'killed' toy toy.cpp 's/2 \* x/3 * x/'
+outcome 1 'SURVIVED' toy toy.cpp 's/return 7/return 8/'
+outcome 1 'sed changed nothing' toy toy.cpp 's/absent/x/'
+outcome 1 'does not compile' toy toy.cpp 's/2 \* x/2 * y/'
+outcome 1 'test fails or is missing' no_such_test toy.cpp 's/2 \* x/3 * x/'
+outcome 1 'no such file' toy gone.cpp 's/2/3/'
+outcome 0 'killed' '^t[o]y$' toy.cpp 's/2 \* x/4 * x/'
+echo "mutate.sh told all six outcomes apart"

@@ -1,0 +1,49 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
+# Test of the plot scripts: columns are found by name (any order gives the same picture), a quantity that a scene
+# does not have is left out, and a table without any is refused.
+set -euo pipefail
+scripts=$(cd "$(dirname "${BASH_SOURCE[0]}")/../../scripts" && pwd)
+tree=$(mktemp -d)
+trap 'rm -rf "$tree"' EXIT
+cd "$tree"
+
+# table FILE COLUMN...: ten rows, each column a different smooth curve that depends on its name alone.
+table() {
+  mkdir -p "$(dirname "$1")"
+  awk -v names="${*:2}" 'BEGIN {
+    n = split(names, name, " ")
+    print "# case: synthetic, for the test"
+    for (i = 1; i <= n; i++) printf "%s%s", name[i], i < n ? "," : "\n"
+    for (row = 0; row < 10; row++)
+      for (i = 1; i <= n; i++) printf "%.6f%s", name[i] == "time_s" ? row / 100 : row ^ 2 / length(name[i]), i < n ? "," : "\n"
+  }' >"$1"
+}
+
+fail() {
+  echo "$*"
+  exit 1
+}
+
+# panels FILE: how many panels the picture has.
+panels() { grep -c 'Time \[ms\]' "$1"; }
+
+angle=pendulum_angle_rad acceleration=pendulum_cg_acceleration_m_s2 pressure=pressure_Pa
+table a/jet/history.csv time_s $pressure volume_m3 $angle $acceleration
+table b/jet/history.csv $acceleration volume_m3 $angle time_s $pressure
+table tank/history.csv time_s $pressure
+table bare/history.csv time_s volume_m3
+
+"$scripts/plot_history.sh" a/plot a/jet tank >/dev/null
+[[ -s a/plot.png && $(panels a/plot.svg) == 1 ]] || fail "a run and a tank share the pressure alone"
+for run in a b; do "$scripts/plot_history.sh" $run/plot $run/jet >/dev/null; done
+[[ $(panels a/plot.svg) == 3 ]] || fail "a bag with pendulum has three panels"
+cmp a/plot.svg b/plot.svg || fail "the order of the columns changed the picture"
+if "$scripts/plot_history.sh" c/plot bare 2>/dev/null; then fail "a table without the plotted columns was accepted"; fi
+
+table a/jet/ensemble.csv time_s {"$pressure","$angle"}_{mean,standard_error}
+table b/jet/ensemble.csv {"$angle","$pressure"}_{standard_error,mean} time_s
+for run in a b; do "$scripts/plot_ensemble.sh" $run/ensemble $run/jet >/dev/null; done
+[[ $(panels a/ensemble.svg) == 2 ]] || fail "an ensemble of two quantities has two panels"
+cmp a/ensemble.svg b/ensemble.svg || fail "the order of the columns changed the picture of the ensemble"
+echo "plot scripts: columns by name, absent quantities left out, empty tables refused"

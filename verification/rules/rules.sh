@@ -1,0 +1,146 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
+# The rules that the source tree keeps, one function each. A rule prints every violation as `file:line: what`.
+# usage: rules.sh RULE [ROOT]; exit code 0: kept, 1: broken, 2: no such rule
+set -euo pipefail
+shopt -s extglob
+
+rule=${1:?usage: rules.sh RULE [ROOT]}
+root=${2:-$(dirname "${BASH_SOURCE[0]}")/../..}
+cd "$root"
+max_file_lines=250
+
+# files NAME_PATTERN...: every file of the tree with such a name; build folders, results and these rules left out.
+files() {
+  local names=() pattern
+  for pattern in "$@"; do names+=(-o -name "$pattern"); done
+  find . \( -path './build*' -o -path ./results -o -path ./.git -o -path ./verification/rules \) -prune \
+    -o -type f \( "${names[@]:1}" \) -print | sed 's|^\./||' | LC_ALL=C sort
+}
+
+cpp_files() { files '*.cpp' '*.hpp' '*.h' '*.cpp.in' '*.hpp.in'; }
+cmake_files() { files CMakeLists.txt '*.cmake' CMakePresets.json; }
+script_files() { files '*.sh' '*.gp' run; }
+
+# includes FILES...: lines `file:line:<header` or `file:line:"header`.
+includes() {
+  (($# == 0)) && return
+  { grep -HnE '^[[:space:]]*#[[:space:]]*include\b' "$@" || true; } |
+    sed -E 's/^([^:]*:[0-9]+):[[:space:]]*#[[:space:]]*include[[:space:]]*([<"][^>"]*)[>"].*/\1:\2/'
+}
+
+# quoted_is_own FILE HEADER OWN_FOLDER: a header of the library itself, found where the compiler finds it.
+quoted_is_own() {
+  [[ $2 != *..* ]] && { [[ -e $3/include/$2 ]] || [[ -e $3/src/$2 ]] || [[ -e $(dirname "$1")/$2 ]]; }
+}
+
+# check_includes FOLDER ALLOWED_PREFIX...: the files under FOLDER include their own headers, the standard library
+# (a name without a folder), the compiler's intrinsics and the packages named, nothing else.
+check_includes() {
+  local folder=$1 place header prefix allowed file
+  shift
+  while IFS= read -r line; do
+    file=${line%%:*} header=${line#*:*:} place=${line%:"$header"} allowed=no
+    if [[ $header == \"* ]]; then
+      quoted_is_own "$file" "${header:1}" "$folder" && allowed=yes
+    elif [[ $header == '<'@(+([a-z0-9_])|[a-z]mmintrin.h) ]]; then
+      allowed=yes
+    else
+      for prefix in "$@"; do [[ $header == "<$prefix"/* ]] && allowed=yes; done
+    fi
+    [[ $allowed == yes ]] || echo "$place: includes ${header:1}: allowed are $folder, the standard library${*:+, $*}"
+  done < <(mapfile -t list < <(cpp_files | grep -E "^$folder/(include|src)/"); includes "${list[@]}")
+}
+
+# code_matches PATTERN FILES...: lines `file:line:code` that match once comments are taken off.
+code_matches() {
+  local pattern=$1 file comment
+  shift
+  for file in "$@"; do
+    comment='(^|[[:space:]])#.*'
+    [[ $file == *.@(cpp|hpp|h|cpp.in|hpp.in) ]] && comment='//.*'
+    sed -E "s@$comment@@" "$file" | { grep -nE -e "$pattern" || true; } | sed "s|^|$file:|"
+  done
+}
+
+rule_include_rule() {
+  local libraries=(gas membrane jet coupling) name other list
+  check_includes libgas boost gsl
+  check_includes libmembrane Eigen experimental
+  check_includes libjet Eigen CGAL experimental
+  check_includes libcoupling Eigen experimental
+  check_includes verification/closed_form gsl
+  for name in "${libraries[@]}"; do
+    other=$(printf '%s\n' "${libraries[@]}" closed_form driver | grep -vx "$name" | paste -sd '|')
+    mapfile -t list < <(cpp_files | grep -E "^lib$name/")
+    ((${#list[@]} == 0)) || code_matches "\\b($other)::" "${list[@]}" | sed 's/$/   (names another library)/'
+    code_matches "\\b(gasjet::|gasjet_|lib)($other)\\b" "lib$name/CMakeLists.txt" | sed 's/$/   (links another library)/'
+  done
+  mapfile -t list < <(cpp_files | grep -vE '^(libjet/src/[^/]*\.cpp|verification/|benchmarks/)')
+  includes "${list[@]}" | { grep '<CGAL/' || true; } | sed 's|$|> (CGAL belongs in libjet/src/*.cpp)|'
+}
+
+rule_spdx() {
+  local file
+  { cpp_files; cmake_files | grep -v '\.json$'; script_files; } | while IFS= read -r file; do
+    sed -n '1{/^#!/{n}; p; q}' "$file" | grep -qE '^(//|#) SPDX-License-Identifier: Apache-2\.0$' ||
+      echo "$file:1: does not begin with the line SPDX-License-Identifier: Apache-2.0"
+  done
+}
+
+rule_file_size() {
+  local file lines
+  { cpp_files; cmake_files; script_files; } | while IFS= read -r file; do
+    lines=$(wc -l <"$file")
+    ((lines <= max_file_lines)) || echo "$file:$lines: more than $max_file_lines lines"
+  done
+}
+
+# Compiler options that change values, paths of one machine, unfinished work.
+rule_forbidden_words() {
+  local list
+  mapfile -t list < <(cpp_files; cmake_files; script_files)
+  code_matches '-(ffast-math|Ofast|funsafe-math-optimizations|fassociative-math|ffinite-math-only)' "${list[@]}"
+  mapfile -t list < <(files '*.cpp' '*.hpp' '*.h' '*.in' CMakeLists.txt '*.cmake' '*.json' '*.sh' '*.gp' run '*.md' '*.toml' '*.tsv' '*.csv')
+  grep -HnE '(^|[^A-Za-z0-9_./$}-])/(work|home|root|tmp|Users|mnt)/' "${list[@]}" || true
+  grep -HnwE 'TODO|FIXME|XXX' "${list[@]}" || true
+}
+
+# Every tag such as (G.3) in the code is an equation of docs/theory, and no tag is defined twice.
+rule_equation_tags() {
+  local definitions defined list
+  definitions=$(grep -HnoE '\\tag\{[GMJK]\.[0-9]+\}' docs/theory/*.md)
+  awk -F: 'seen[$3]++ { print $0 ": equation defined twice" }' <<<"$definitions"
+  defined=$(sed -E 's/.*\{(.*)\}/\1/' <<<"$definitions")
+  mapfile -t list < <(cpp_files)
+  ((${#list[@]} == 0)) || { grep -HnoE '\([GMJK]\.[0-9]+\)' "${list[@]}" || true; } |
+    while IFS= read -r line; do
+      grep -qxF "$(sed -E 's/.*\((.*)\)$/\1/' <<<"$line")" <<<"$defined" || echo "$line: no such equation in docs/theory"
+    done
+}
+
+# Every relative link of a Markdown file, code blocks aside, leads to a file of the tree.
+rule_links() {
+  local place target list
+  mapfile -t list < <(files '*.md')
+  awk 'FNR == 1 { code = 0 }
+       /^```/ { code = !code }
+       !code { text = $0
+               while (match(text, /\]\([^)]+\)/)) {
+                 print FILENAME ":" FNR " " substr(text, RSTART + 2, RLENGTH - 3)
+                 text = substr(text, RSTART + RLENGTH) } }' "${list[@]}" |
+    while read -r place target; do
+      [[ $target == *://* || $target == '#'* || -e $(dirname "${place%:*}")/${target%%#*} ]] || echo "$place: no file $target"
+    done
+}
+
+if [[ $(type -t "rule_$rule") != function ]]; then
+  echo "rules.sh: no rule '$rule'" >&2
+  exit 2
+fi
+violations=$("rule_$rule")
+if [[ -n $violations ]]; then
+  printf '%s\nrule %s is broken: %d violations\n' "$violations" "$rule" "$(wc -l <<<"$violations")"
+  exit 1
+fi
+echo "rule $rule is kept"

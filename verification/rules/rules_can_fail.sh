@@ -1,0 +1,114 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
+# Test of the rules: a small good tree keeps every rule; each violation below, put into it alone, breaks its rule
+# and is named in the report.
+# usage: rules_can_fail.sh RULE
+set -euo pipefail
+here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+rule=${1:?usage: rules_can_fail.sh RULE}
+tree=$(mktemp -d)
+trap 'rm -rf "$tree"' EXIT
+spdx='// SPDX-License-Identifier: Apache-2.0'
+
+# put FILE LINE...: writes the lines to that file of the tree.
+put() {
+  mkdir -p "$tree/$(dirname "$1")"
+  printf '%s\n' "${@:2}" >"$tree/$1"
+}
+
+good_tree() {
+  rm -rf "${tree:?}"/*
+  local name
+  for name in gas membrane jet coupling; do
+    put "lib$name/include/$name/model.hpp" "$spdx" '#pragma once' '#include <vector>' '// see gas::Curve (G.1)'
+    put "lib$name/src/model.cpp" "$spdx" "#include \"$name/model.hpp\"" '#include "detail.hpp"' '#include <cmath>'
+    put "lib$name/src/detail.hpp" "$spdx" '#pragma once'
+    put "lib$name/CMakeLists.txt" '# SPDX-License-Identifier: Apache-2.0' "gasjet_library($name SOURCES src/model.cpp)"
+  done
+  put libjet/src/tree.cpp "$spdx" '#include <CGAL/AABB_tree.h>' '#include <Eigen/Dense>'
+  put libgas/src/ode.cpp "$spdx" '#include <boost/numeric/odeint.hpp>'
+  put verification/closed_form/src/gas.cpp "$spdx" '#include <gsl/gsl_sf_hyperg.h>'
+  put driver/src/step.cpp "$spdx" '#include "gas/model.hpp"' '#include "jet/model.hpp"'
+  put scripts/run.sh '#!/usr/bin/env bash' '# SPDX-License-Identifier: Apache-2.0' '# built without -ffast-math'
+  put README.md '![figure](docs/figure.svg) [gas](docs/theory/gas.md#tag) [web](https://example.org)' '```cpp' 'run([&](int i) {});' '```'
+  put docs/figure.svg '<svg/>'
+  put docs/theory/gas.md '$$ p V = m R T \tag{G.1} $$'
+}
+
+check() { "$here/rules.sh" "$rule" "$tree" 2>&1; }
+
+# breaks FILE LINE...: this file with these lines breaks the rule, and the report names it.
+tried=0
+breaks() {
+  local report
+  good_tree
+  put "$@"
+  tried=$((tried + 1))
+  if report=$(check); then
+    echo "rule $rule did not notice $1: ${*:2}"
+    exit 1
+  elif ! grep -qF "$1" <<<"$report"; then
+    printf 'rule %s broke for another reason than %s:\n%s\n' "$rule" "$1" "$report"
+    exit 1
+  fi
+}
+
+good_tree
+if ! check; then
+  echo "rule $rule refuses the good tree"
+  exit 1
+fi
+
+case $rule in
+  include_rule)
+    breaks libgas/src/model.cpp "$spdx" '#include "jet/model.hpp"'
+    breaks libgas/include/gas/model.hpp "$spdx" '#include <membrane/model.hpp>'
+    breaks libjet/src/model.cpp "$spdx" '#include "../../libgas/include/gas/model.hpp"'
+    breaks libcoupling/src/model.cpp "$spdx" '  #  include "driver/step.hpp"'
+    breaks libmembrane/src/model.cpp "$spdx" '#include "closed_form/membrane.hpp"'
+    breaks libgas/src/model.cpp "$spdx" '#include <Eigen/Dense>'
+    breaks libmembrane/include/membrane/model.hpp "$spdx" 'void f(const gas::Curve& curve);'
+    breaks libjet/CMakeLists.txt 'gasjet_library(jet SOURCES a.cpp PUBLIC_LINK gasjet::gas)'
+    breaks libjet/CMakeLists.txt 'target_include_directories(x PRIVATE ../libgas/include)'
+    breaks libjet/include/jet/model.hpp "$spdx" '#include <CGAL/Epick.h>'
+    breaks driver/src/step.cpp "$spdx" '#include <CGAL/Epick.h>'
+    breaks verification/closed_form/src/gas.cpp "$spdx" '#include "gas/model.hpp"'
+    breaks verification/closed_form/src/gas.cpp "$spdx" '#include <boost/math/quadrature/gauss.hpp>'
+    ;;
+  spdx)
+    breaks libgas/src/model.cpp '#include <cmath>'
+    breaks libgas/include/gas/model.hpp '#pragma once' "$spdx"
+    breaks libgas/CMakeLists.txt 'project(gas)'
+    breaks scripts/run.sh '#!/usr/bin/env bash' 'true'
+    breaks scripts/plot.gp 'plot x'
+    breaks driver/src/version.hpp.in '#pragma once'
+    breaks libgas/src/model.cpp '// SPDX-License-Identifier: MIT'
+    ;;
+  file_size)
+    mapfile -t long_text < <(yes '//' | head -251 || true)
+    breaks libgas/src/model.cpp "${long_text[@]}"
+    breaks scripts/run.sh "${long_text[@]}"
+    ;;
+  forbidden_words)
+    breaks libgas/CMakeLists.txt 'target_compile_options(x PRIVATE -ffast-math)'
+    breaks CMakePresets.json '{ "CMAKE_CXX_FLAGS": "-Ofast" }'
+    breaks docs/stages.md 'Results are in /home/user/results.'
+    breaks README.md 'See /root/gasjet/docs.'
+    breaks libgas/src/model.cpp 'std::ofstream out("/tmp/trace.csv");'
+    breaks libgas/src/model.cpp 'int x = 0;  // TODO: compute'
+    breaks docs/stages.md 'FIXME'
+    ;;
+  equation_tags)
+    breaks libgas/src/model.cpp '// pressure (G.99)'
+    breaks docs/theory/membrane.md '$$ V = x \tag{M.5} $$' '$$ V = y \tag{M.5} $$'
+    ;;
+  links)
+    breaks README.md '[gas](docs/gas.md)'
+    breaks docs/theory/jet.md 'see [gas](gas.md) and ![figure](figure.svg)'
+    ;;
+  *)
+    echo "rules_can_fail.sh: no violations are listed for rule '$rule'"
+    exit 2
+    ;;
+esac
+echo "rule $rule noticed each of $tried violations"
