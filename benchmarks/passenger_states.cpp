@@ -19,7 +19,7 @@ Settings settings(Shape shape) {
     case Shape::flat:
       return {0.1, 20e3, 0.0, 0.0};
     case Shape::crumpled:
-      return {1.0, -1e3, 20.0, 9e-3};
+      return {1.0, -1e3, 20.0, 7e-3};
     case Shape::inflated:
       break;
   }

@@ -14,7 +14,7 @@ inline constexpr double kGamma = 1.4;                 // [-] of the gas inside
 inline constexpr int kShapes = 3;
 
 // flat: a tenth of the design depth. inflated: the design shape, settled at 5 kPa. crumpled: the design shape
-// sucked in at -1 kPa for 9 ms, so that fabric faces away from the outlet and hides other fabric.
+// sucked in at -1 kPa for 7 ms, so that fabric faces away from the outlet and hides other fabric.
 enum class Shape { flat, crumpled, inflated };
 const char* name_of(Shape shape);
 

@@ -8,7 +8,6 @@
 
 #include "case_log.hpp"
 #include "driver/case_reader.hpp"
-
 #include "toml_library.hpp"
 
 namespace driver {

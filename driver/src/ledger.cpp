@@ -9,13 +9,6 @@
 namespace driver {
 namespace {
 
-// Kinetic energy of the skin at n as the product of the two half-step velocities: for a linear system the
-// central difference conserves it together with the strain energy.
-double skin_kinetic(const State& state) {
-  const auto& sums = state.bag->advance;
-  return state.step.before > 0.0 ? sums.kinetic_product : sums.kinetic_before;
-}
-
 double gas_mass(const State& state) {
   return std::accumulate(state.gas.masses.begin(), state.gas.masses.end(), 0.0);
 }
@@ -53,7 +46,8 @@ EnergyRecord energy_record(const Scene& scene, const State& state) {
     e.ambient_work_J = scene.ambient.pressure * (state.level.volume - state.initial_volume);
   }
   if (state.bag) {
-    e.skin_kinetic_J = skin_kinetic(state);
+    e.skin_kinetic_J = level_kinetic(state.step, state.bag->advance.kinetic_before,
+                                     state.bag->advance.kinetic_after, state.bag->advance.kinetic_product);
     e.skin_strain_J = state.bag->forces.strain_energy;
     e.strap_J = state.bag->forces.strap_energy;
     e.plate_J = state.bag->forces.plate_energy;

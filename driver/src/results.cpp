@@ -47,8 +47,7 @@ CsvWriter<Row>::CsvWriter(const std::filesystem::path& file, const Provenance& l
 template <typename Row>
 void CsvWriter<Row>::write(const Row& row) {
   fmt::memory_buffer line;
-  for (std::size_t i = 0; i < columns_.size(); ++i)
-    {
+  for (std::size_t i = 0; i < columns_.size(); ++i) {
     if (i > 0) line.push_back(',');
     fmt::format_to(std::back_inserter(line), "{}", row.*columns_[i].value);
   }

@@ -92,7 +92,10 @@ void read_jet(TableReader& inflator, std::size_t index, Scene& scene) {
 
   table->located("", [&] {
     jet::OutletModel outlet = read_outlet(*table, model);
-    scene.jets.push_back(JetPart{index, jet::JetField(model, static_cast<int>(elements), null_elements), outlet, {null_elements, model.attachment_elements}});
+    scene.jets.push_back(JetPart{index,
+                                 jet::JetField(model, static_cast<int>(elements), null_elements),
+                                 outlet,
+                                 {null_elements, model.attachment_elements}});
   });
   JetPart& part = scene.jets.back();
   part.occlusion = table->flag("occlusion", true);

@@ -41,6 +41,11 @@ void ledger(const Scene& scene, State& state, const StepRequest& request, StepRe
 
 /// Part of the kick at level n that lies before n: dt_before / (dt_before + dt_after).
 double kick_share(const StepSizes& step);
+/// Kinetic energy at n [J] from those of v at n-1/2 and n+1/2 and their product m v- . v+ / 2: |v_n|^2 of the
+/// linear interpolation less dt_before dt_after |a|^2 / 4. For even steps that is the product alone, which
+/// the central difference of a linear system conserves together with the strain energy; second order for
+/// uneven ones.
+double level_kinetic(const StepSizes& step, double before, double after, double product);
 /// Potential energy of the skin's weight at the current positions [J]; 0 without gravity.
 double skin_gravity(const Scene& scene, const State& state);
 

@@ -116,7 +116,8 @@ void advance(const Scene& scene, State& state) {
   const double after = run.motion.angular_velocity;
   run.kinetic_before = model.kinetic_energy(before);
   run.kinetic_after = model.kinetic_energy(after);
-  run.kinetic = step.before > 0.0 ? 0.5 * model.axis_inertia() * before * after : run.kinetic_before;
+  run.kinetic =
+      level_kinetic(step, run.kinetic_before, run.kinetic_after, 0.5 * model.axis_inertia() * before * after);
   state.flows.kick_work += tau * run.moment * 0.5 * (before + after);
 }
 
@@ -124,6 +125,11 @@ void volume(const Scene& scene, State& state) {
   if (!state.bag) return;
   StageTimer timer(state, Stage::volume);
   membrane::update_surface(scene.bag->model, *state.bag, ParallelBlocks{});
+}
+
+double level_kinetic(const StepSizes& step, double before, double after, double product) {
+  const double late = kick_share(step), early = 1.0 - late;
+  return early * (early - late) * before + late * (late - early) * after + 4.0 * early * late * product;
 }
 
 double kick_share(const StepSizes& step) {

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "driver/state.hpp"
 
-
 #include <Eigen/Geometry>
-
 #include <numeric>
 
 #include "stages.hpp"

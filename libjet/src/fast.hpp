@@ -44,8 +44,8 @@ class FastRoute {
   std::size_t open_uncertain(const Surface& surface, std::span<const int> candidates, double size,
                              bool certain);
   void open_near_away(const Surface& surface);
-  void search(const Surface& surface, std::span<const int> candidates);
-  void resolve(const Surface& surface, const RaySource& source, std::span<const int> candidates);
+  std::size_t search(const Surface& surface, std::span<const int> candidates);
+  std::size_t resolve(const Surface& surface, const RaySource& source, std::span<const int> candidates);
   bool source_on_suspect(const Surface& surface, const blocking::Ray& ray);
 
   bool closed_ = false;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "jet/field.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 #include <stdexcept>
@@ -59,8 +60,26 @@ JetField::JetField(const JetModel& model, int element_count, std::span<const int
   }
   const bool round = model_.shape == OutletShape::round;
   frame_.across = round ? Eigen::Vector3d::Zero() : Eigen::Vector3d(model_.axis.cross(model_.long_direction));
-  frame_.cut_radius = std::sqrt(-0.5 * std::log(model_.cut_off));
   frame_.half_long = round ? 0.0 : 0.5 * model_.long_side;
+  set_cut();
+}
+
+// Every width law is the larger of a constant and a straight line in z; the cut-off is the same multiple of
+// it.
+void JetField::set_cut() {
+  constexpr double everywhere = 1e100;  // stands for a cut-off of 0; its square is finite
+  const double multiple = std::min(std::sqrt(-0.5 * std::log(model_.cut_off)), everywhere);
+  const bool round = model_.shape == OutletShape::round;
+  const double core =
+      (round ? model_.radius : 0.5 * model_.short_side) *
+      (round ? round_core_length(model_.decay_coefficient) : plane_core_length(model_.decay_coefficient));
+  const double in_core = section(model_, 0.0).width;
+  const double beyond = section(model_, 2.0 * core).width;
+  const double slope = model_.spread == Spread::cone ? std::tan(model_.cone_half_angle)
+                                                     : (section(model_, 3.0 * core).width - beyond) / core;
+  frame_.cut_core = multiple * in_core;
+  frame_.cut_slope = multiple * slope;
+  frame_.cut_origin = multiple * (model_.spread == Spread::cone ? in_core : beyond - 2.0 * core * slope);
 }
 
 FieldState JetField::make_state() const {
@@ -78,14 +97,39 @@ void JetField::reset(FieldState& state) const {
   state.candidates.clear();
 }
 
-// Cheap rejections come first; they are written so that a non-finite coordinate passes them all and is found
-// in store().
+// Written so that a non-finite coordinate counts as inside and is found in store().
+inline bool JetField::inside(const double* point) const {
+  const double x = point[0] - model_.centre[0], y = point[1] - model_.centre[1],
+               z = point[2] - model_.centre[2];
+  const auto along = [&](const Eigen::Vector3d& v) { return x * v[0] + y * v[1] + z * v[2]; };
+  const double downstream = along(model_.axis);
+  if (downstream <= 0.0) return false;
+  const double cut = std::max(frame_.cut_core, frame_.cut_origin + frame_.cut_slope * downstream);
+  if (model_.shape == OutletShape::round) return !(x * x + y * y + z * z - sqr(downstream) > sqr(cut));
+  return !(std::abs(along(frame_.across)) > cut || std::abs(along(model_.long_direction)) > frame_.half_long);
+}
+
 double JetField::normal_velocity(const Eigen::Vector3d& point, const Eigen::Vector3d& normal) const {
   const profile::Local local = profile::local(model_, frame_.across, point);
-  if (local.z <= 0.0 || std::abs(local.along) > frame_.half_long) return 0.0;
-  const Section here = section(model_, local.z);
-  if (local.radius2 > sqr(frame_.cut_radius * here.width)) return 0.0;
-  return profile::speed(here, local.radius2) * profile::direction(model_, frame_.across, point).dot(normal);
+  return profile::speed(section(model_, local.z), local.radius2) *
+         profile::direction(model_, frame_.across, point).dot(normal);
+}
+
+// Elements that an axial jet does not see from behind, inside the cut-off: they fill state.candidates for
+// evaluate().
+void JetField::select(const Points& area_vectors, const Points& centroids, FieldState& state) const {
+  state.candidates.resize(static_cast<std::size_t>(element_count_));
+  const bool axial = model_.direction == Direction::axial;
+  const double a[3] = {model_.axis[0], model_.axis[1], model_.axis[2]};
+  const double *area = area_vectors.data(), *centroid = centroids.data();
+  const Eigen::Index area_stride = area_vectors.outerStride(), centroid_stride = centroids.outerStride();
+  std::size_t count = 0;
+  for (int e = 0; e < element_count_; ++e, area += area_stride, centroid += centroid_stride) {
+    if (axial && area[0] * a[0] + area[1] * a[1] + area[2] * a[2] <= 0.0) continue;
+    if (!inside(centroid) || is_null_[static_cast<std::size_t>(e)] != 0) continue;
+    state.candidates[count++] = e;
+  }
+  state.candidates.resize(count);
 }
 
 void JetField::store(int element, double overpressure, FieldState& state) const {
@@ -93,7 +137,6 @@ void JetField::store(int element, double overpressure, FieldState& state) const 
     throw DomainError("jet overpressure of element " + std::to_string(element) + " is not finite");
   }
   state.overpressure[static_cast<std::size_t>(element)] = overpressure;
-  state.candidates.push_back(element);
 }
 
 void JetField::evaluate(const Points& area_vectors, const Points& centroids, const OutletState& outlet,
@@ -104,19 +147,19 @@ void JetField::evaluate(const Points& area_vectors, const Points& centroids, con
   require_velocities(model_, velocities, element_count_);
   reset(state);
   if (outlet.density == 0.0 || outlet.velocity == 0.0) return;
-  const bool axial = model_.direction == Direction::axial;
+  select(area_vectors, centroids, state);
   const double factor = (1.0 + model_.restitution) * outlet.density;
-  for (int e = 0; e < element_count_; ++e) {
-    if (is_null_[static_cast<std::size_t>(e)] || (axial && model_.axis.dot(area_vectors.col(e)) <= 0.0))
-      continue;
-    const double weighted = normal_velocity(centroids.col(e), area_vectors.col(e));
-    if (weighted <= 0.0) continue;
-    const Eigen::Vector3d normal = area_vectors.col(e).normalized();
-    double speed = outlet.velocity * weighted / area_vectors.col(e).norm();
-    if (model_.relative_to_skin) speed -= velocities->col(e).dot(normal);
+  std::size_t count = 0;
+  for (const int e : state.candidates) {
+    const Eigen::Vector3d area = area_vectors.col(e);
+    const double inverse = 1.0 / area.norm();
+    double speed = outlet.velocity * normal_velocity(centroids.col(e), area) * inverse;
+    if (model_.relative_to_skin) speed -= velocities->col(e).dot(area) * inverse;
     if (speed <= 0.0) continue;
     store(e, factor * sqr(speed), state);
+    state.candidates[count++] = e;
   }
+  state.candidates.resize(count);
 }
 
 void JetField::evaluate_average(const Points& nodes, const Triangles& triangles, const Points& area_vectors,
@@ -137,11 +180,13 @@ void JetField::evaluate_average(const Points& nodes, const Triangles& triangles,
     const Eigen::Vector3d ab = nodes.col(triangles(1, e)) - a;
     const Eigen::Vector3d ac = nodes.col(triangles(2, e)) - a;
     const double sum = sum_subtriangles(a, ab, ac, n, [&](const Eigen::Vector3d& point) {
+      if (!inside(point.data())) return 0.0;
       const double velocity = outlet.velocity * normal_velocity(point, normal);
       return velocity <= 0.0 || velocity <= skin ? 0.0 : sqr(velocity - skin);
     });
     if (sum <= 0.0) continue;
     store(e, factor * sum, state);
+    state.candidates.push_back(e);
   }
 }
 

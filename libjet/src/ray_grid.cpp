@@ -47,7 +47,8 @@ bool RayGrid::set_frame(const RaySource& source) {
   return true;
 }
 
-// Slopes x / w enter as x / (w + |x|): the same order, but bounded, so that a few steep rays do not spoil the bins.
+// Slopes x / w enter as x / (w + |x|): the same order, but bounded, so that a few steep rays do not spoil the
+// bins.
 RayGrid::Place RayGrid::place(const double* x) const {
   const Eigen::Vector3d d = Eigen::Map<const Eigen::Vector3d>(x) - centre_;
   const double w = d.dot(forward_);

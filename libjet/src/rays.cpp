@@ -19,8 +19,8 @@ void RayBundle::reserve(std::size_t count) {
 
 void RayBundle::build(const Surface& surface, const RaySource& source, std::span<const int> candidates,
                       double size) {
-  rays.clear();
-  for (const int element : candidates) rays.push_back(blocking::make_ray(surface, element, source));
+  rays.resize(candidates.size());
+  for (std::size_t k = 0; k < rays.size(); ++k) rays[k] = blocking::make_ray(surface, candidates[k], source);
   source.axis.cwiseAbs().maxCoeff(&funnel.w);
   funnel.u = (funnel.w + 1) % 3;
   funnel.v = (funnel.w + 2) % 3;

@@ -16,28 +16,28 @@ namespace jet {
 ///   xu <= high_u + slope_high_u xw,  xu >= low_u + slope_low_u xw, the same for xv,  xw >= low_w
 /// and the line of one ray in it, towards which the winding number is counted.
 struct Funnel {
+  /// The values for xu and xv side by side: the compiler's portable vectors.
+  using Pair = double __attribute__((vector_size(2 * sizeof(double))));
+  using Bits = long long __attribute__((vector_size(2 * sizeof(double))));
+
   bool bounded = false;
   int u = 1, v = 2, w = 0;
   double sign = 1.0;
   double low_w = 0.0;
-  double slope_low[2], slope_high[2], low[2], high[2];
-  double way_slope[2], way_offset[2], way_margin[2];
+  Pair slope_low, slope_high, low, high;
+  Pair way_slope, way_offset, way_margin;
 
   /// Bits of the sides on which a point lies outside. Corners that share a bit keep the element out: the low
   /// five bits out of the funnel, the others away from the way.
   static constexpr unsigned kOutside = 0x1f;
   unsigned code(const double* x) const {
     const double xw = sign * x[w];
-    unsigned bits = xw < low_w ? 16u : 0u;
-    for (int i = 0; i < 2; ++i) {
-      const double xi = x[i == 0 ? u : v];
-      const double off_way = xi - (way_offset[i] + way_slope[i] * xw);
-      bits |= (xi < low[i] + slope_low[i] * xw ? 1u : 0u) << (2 * i);
-      bits |= (xi > high[i] + slope_high[i] * xw ? 2u : 0u) << (2 * i);
-      bits |= (off_way < -way_margin[i] ? 32u : 0u) << (2 * i);
-      bits |= (off_way > way_margin[i] ? 64u : 0u) << (2 * i);
-    }
-    return bits;
+    const Pair at = {x[u], x[v]};
+    const Pair off_way = at - (way_offset + way_slope * xw);
+    const Bits bits = ((at < low + slope_low * xw) & Bits{1, 2}) |
+                      ((at > high + slope_high * xw) & Bits{4, 8}) |
+                      ((off_way < -way_margin) & Bits{32, 64}) | ((off_way > way_margin) & Bits{128, 256});
+    return static_cast<unsigned>(bits[0] | bits[1]) | (xw < low_w ? 16u : 0u);
   }
 };
 

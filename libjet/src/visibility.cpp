@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "jet/visibility.hpp"
 
+#include <algorithm>
+#include <bit>
 #include <cmath>
 #include <numeric>
 #include <stdexcept>
@@ -54,23 +56,29 @@ void check_source(const RaySource& source) {
     refuse("source is too long");
 }
 
-/// Largest magnitude of a coordinate; NaN is found through the comparison that it fails.
+/// Largest magnitude of a coordinate. Magnitudes are compared by their bits, which order like the values and
+/// put infinities and NaN above every number.
 double check_nodes(const Points& nodes, int node_count) {
   if (nodes.cols() != node_count) {
     refuse("nodes has " + std::to_string(nodes.cols()) + " columns, allowed: " + std::to_string(node_count));
   }
-  double largest = 0.0;
-  bool good = true;
-  for (Eigen::Index i = 0; i < nodes.cols(); ++i) {
-    const double x = std::abs(nodes(0, i)), y = std::abs(nodes(1, i)), z = std::abs(nodes(2, i));
-    good &= (x >= kSmallest || x == 0.0) & (y >= kSmallest || y == 0.0) & (z >= kSmallest || z == 0.0);
-    largest = std::max(std::max(largest, x), std::max(y, z));
+  constexpr std::uint64_t smallest = std::bit_cast<std::uint64_t>(kSmallest);
+  constexpr std::uint64_t magnitude = ~std::uint64_t{0} >> 1;
+  std::uint64_t largest = 0;
+  bool tiny = false;
+  const double* node = nodes.data();
+  for (Eigen::Index i = 0; i < nodes.cols(); ++i, node += nodes.outerStride()) {
+    for (int j = 0; j < 3; ++j) {
+      const std::uint64_t bits = std::bit_cast<std::uint64_t>(node[j]) & magnitude;
+      tiny |= bits - 1 < smallest - 1;  // 0 wraps around and passes
+      largest = std::max(largest, bits);
+    }
   }
-  if (good && largest <= kLargest) return largest;
+  if (!tiny && largest <= std::bit_cast<std::uint64_t>(kLargest)) return std::bit_cast<double>(largest);
   for (Eigen::Index i = 0; i < nodes.cols(); ++i) {
     require_coordinates(("node " + std::to_string(i)).c_str(), nodes.col(i));
   }
-  return largest;
+  return kLargest;
 }
 
 /// Every pair, CGAL's predicates: the oracle.

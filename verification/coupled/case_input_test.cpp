@@ -68,12 +68,12 @@ TEST_P(bad_input, is_refused_where_it_stands) {
   EXPECT_GT(line, 0) << message;
   EXPECT_NE(message.find(fault.key), std::string::npos) << message;
   EXPECT_NE(message.find(fault.says), std::string::npos) << message;
-  // The line named is the one with the fault, or the head of the table that misses something.
+  // The line named is the one with the fault, or the head of the table (of the file) that misses something.
   std::istringstream lines(text);
   std::string named;
   for (int i = 0; i < line; ++i) std::getline(lines, named);
   const std::string last_key = std::string(fault.key).substr(std::string(fault.key).rfind('.') + 1);
-  EXPECT_TRUE(named.find(last_key) != std::string::npos || named.find('[') != std::string::npos)
+  EXPECT_TRUE(named.find(last_key) != std::string::npos || named.find('[') != std::string::npos || line == 1)
       << message << "\n"
       << named;
 }
@@ -122,7 +122,7 @@ const Fault kFaults[] = {
     {"short_vector", "passenger_pendulum", "axis = [1.0, 0.0, 0.0] ", "axis = [1.0, 0.0] ",
      "inflator.0.jet.axis", "3 are needed"},
     {"pendulum_inside", "passenger_pendulum", "pivot = [0.35, 0.0, 1.31]", "pivot = [0.03, 0.0, 1.31]",
-     "pendulum", "inside"},
+     "pendulum", "gap"},
     {"unknown_panel", "passenger_pendulum", "null_panels = [\"vent\"]", "null_panels = [\"hole\"]",
      "membrane.null_panels", "hole"},
     {"null_with_interior_nodes", "passenger_pendulum", "null_panels = [\"vent\"]",
@@ -136,7 +136,7 @@ const Fault kFaults[] = {
      "`step`"},
 };
 INSTANTIATE_TEST_SUITE_P(faults, bad_input, testing::ValuesIn(kFaults),
-                         [](const auto& info) { return std::string(info.param.name); });
+                         [](const auto& one) { return std::string(one.param.name); });
 
 struct BadMesh {
   const char* name;
@@ -175,7 +175,7 @@ const BadMesh kMeshes[] = {
     {"empty", "", "element"},
 };
 INSTANTIATE_TEST_SUITE_P(meshes, bad_mesh, testing::ValuesIn(kMeshes),
-                         [](const auto& info) { return std::string(info.param.name); });
+                         [](const auto& one) { return std::string(one.param.name); });
 
 TEST(good_input, closed_mesh_file_is_accepted) {
   // The control of bad_mesh: the same case with the closed tetrahedron.

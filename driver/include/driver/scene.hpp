@@ -70,7 +70,7 @@ struct PendulumPart {
 
 struct TimePart {
   double end = 0.0;            // [s]
-  double safety = 0.9;         // share of the critical step
+  double safety = 0.8;         // share of the critical step
   std::optional<double> step;  // [s] fixed step, instead of safety * critical
   bool unsafe_step = false;    // run a fixed step above its bound
 };

@@ -47,11 +47,14 @@ class JetField {
 
  private:
   struct Frame {
-    Eigen::Vector3d across;  // [-] axis x long direction
-    double cut_radius;       // [-] sqrt(ln(1/cut_off) / 2): |r| beyond cut_radius * width is outside
-    double half_long;        // [m]
+    Eigen::Vector3d across;                  // [-] axis x long direction
+    double half_long;                        // [m]
+    double cut_core, cut_origin, cut_slope;  // [m], [m], [-]: outside where |r| > max(core, origin + slope z)
   };
+  void set_cut();
+  bool inside(const double* point) const;
   double normal_velocity(const Eigen::Vector3d& point, const Eigen::Vector3d& normal) const;
+  void select(const Points& area_vectors, const Points& centroids, FieldState& state) const;
   void store(int element, double overpressure, FieldState& state) const;
   void reset(FieldState& state) const;
 

@@ -61,7 +61,7 @@ struct VisibilityCounters {
   std::size_t hidden = 0;       // facing the source, but blocked
   std::size_t facing_away = 0;  // orientation <= 0
   std::size_t exact_calls = 0;  // predicates left to CGAL's kernel
-  std::size_t fallbacks = 0;    // rays to which the fast route's short cut did not apply
+  std::size_t fallbacks = 0;    // rays to which the fast route's short cut did not apply, or left to CGAL's tree
 };
 
 /// Visibility on a surface of fixed connectivity. Owns its workspace: one object a thread.

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: Apache-2.0
+// Overpressure element by element (J.6): averages, moving skin, who takes load, mask, errors.
+#include "jet/field.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "models.hpp"
+#include "plates.hpp"
+
+namespace {
+
+constexpr double kEps = std::numeric_limits<double>::epsilon();
+const jet::OutletState kOutlet{410.0, 0.97, 1.17e5, 406.0};
+const Eigen::Vector3d kAcross = models::kAxis.cross(models::kLong);
+
+Eigen::Vector3d force(const jet::JetModel& model, const plates::Target& target) {
+  const jet::JetField field(model, target.count());
+  jet::FieldState state = field.make_state();
+  field.evaluate(target.area_vectors, target.centroids, kOutlet, state);
+  return jet::jet_force(state, target.area_vectors);
+}
+
+/// Plate normal to the axis at distance z: n x n square cells of side h, a node on the axis. Normal along the
+/// axis.
+plates::Target normal_plate(double z, double h, int n) {
+  return plates::plate(models::kCentre + z * models::kAxis, h * models::kLong, h * kAcross, n, n);
+}
+
+/// Plate tilted about the long direction by theta, n x n cells that are squares of side h seen along the
+/// axis.
+plates::Target tilted_plate(double z, double theta, double h, int n) {
+  const Eigen::Vector3d slope = kAcross + std::tan(theta) * models::kAxis;
+  return plates::plate(models::kCentre + z * models::kAxis, h * models::kLong, h * slope, n, n);
+}
+
+TEST(field, average_over_sub_triangles_eq_field_of_the_refined_mesh) {
+  jet::JetModel model = models::round(0.02, 0.08);
+  model.cut_off = 0.0;
+  const double z = 0.4, width = jet::section(model, z).width;
+  const plates::Target coarse = tilted_plate(z, 0.3, width, 8);
+  const double normal_force = force(model, tilted_plate(z, 0.3, width / 4, 32)).norm();
+  model.subdivisions = 4;
+  const jet::JetField field(model, coarse.count());
+  jet::FieldState state = field.make_state();
+  field.evaluate_average(coarse.nodes, coarse.triangles, coarse.area_vectors, kOutlet, state);
+  EXPECT_NEAR(jet::jet_force(state, coarse.area_vectors).norm(), normal_force, 1e-12 * normal_force);
+  EXPECT_THROW(field.evaluate(coarse.area_vectors, coarse.centroids, kOutlet, state), std::invalid_argument);
+}
+
+TEST(field, average_converges_with_second_order) {
+  jet::JetModel model = models::round(0.02, 0.08);
+  model.cut_off = 0.0;
+  const double z = 0.4, width = jet::section(model, z).width;
+  const plates::Target disc =
+      plates::disc(models::kCentre + z * models::kAxis, models::kLong, kAcross, width, 2);
+  std::vector<double> forces;
+  for (const int n : {4, 8, 16, 32}) {
+    model.subdivisions = n;
+    const jet::JetField field(model, disc.count());
+    jet::FieldState state = field.make_state();
+    field.evaluate_average(disc.nodes, disc.triangles, disc.area_vectors, kOutlet, state);
+    forces.push_back(jet::jet_force(state, disc.area_vectors).norm());
+  }
+  for (std::size_t i = 2; i < forces.size(); ++i) {
+    const double order = std::log2((forces[i - 1] - forces[i - 2]) / (forces[i] - forces[i - 1]));
+    EXPECT_NEAR(order, 2.0, 0.1);
+  }
+}
+
+TEST(field, overpressure_eq_twice_density_times_normal_velocity_squared) {
+  for (jet::JetModel model : {models::round(0.02, 0.08), models::rectangular(0.02, 0.2, 0.11)}) {
+    for (const auto direction : {jet::Direction::axial, jet::Direction::radial}) {
+      model.direction = direction;
+      const plates::Target target = tilted_plate(0.3, 0.4, 0.01, 20);
+      const jet::JetField field(model, target.count());
+      jet::FieldState state = field.make_state();
+      field.evaluate(target.area_vectors, target.centroids, kOutlet, state);
+      ASSERT_GT(state.candidates.size(), 20u);
+      for (const int e : state.candidates) {
+        const Eigen::Vector3d velocity = 410.0 * jet::relative_velocity(model, target.centroids.col(e));
+        const double normal = velocity.dot(target.area_vectors.col(e).normalized());
+        const double exact = 2.0 * 0.97 * normal * normal;
+        EXPECT_NEAR(state.overpressure[static_cast<std::size_t>(e)], exact, 64 * kEps * exact);
+      }
+    }
+  }
+}
+
+TEST(field, moving_skin_feels_the_relative_velocity) {
+  jet::JetModel model = models::round(0.02, 0.08);
+  model.relative_to_skin = true;
+  const plates::Target target = normal_plate(0.3, 0.01, 20);
+  const jet::JetField field(model, target.count());
+  jet::FieldState state = field.make_state();
+  for (const double speed : {-30.0, 0.0, 100.0, 500.0}) {
+    const Eigen::Matrix3Xd velocity = (speed * models::kAxis).replicate(1, target.count());
+    const jet::Points view(velocity);
+    field.evaluate(target.area_vectors, target.centroids, kOutlet, state, &view);
+    for (const int e : state.candidates) {
+      const double relative = 410.0 * jet::relative_velocity(model, target.centroids.col(e)).norm() - speed;
+      // The difference of the two speeds loses at most their ratio to it; eps of 410 m/s over the smallest
+      // kept.
+      EXPECT_NEAR(std::sqrt(state.overpressure[static_cast<std::size_t>(e)] / (2.0 * 0.97)), relative, 1e-11);
+      EXPECT_GT(relative, 0.0);
+    }
+    EXPECT_EQ(state.candidates.empty(), speed > 410.0);
+  }
+  EXPECT_THROW(field.evaluate(target.area_vectors, target.centroids, kOutlet, state), std::invalid_argument);
+}
+
+TEST(field, null_elements_and_elements_that_face_the_outlet_take_no_load) {
+  const jet::JetModel model = models::round(0.02, 0.08);
+  plates::Target target = normal_plate(0.3, 0.01, 4);
+  const std::vector<int> null = {3, 15, 16};
+  jet::FieldState state = jet::JetField(model, target.count(), null).make_state();
+  jet::JetField(model, target.count(), null).evaluate(target.area_vectors, target.centroids, kOutlet, state);
+  EXPECT_EQ(state.candidates.size(), static_cast<std::size_t>(target.count()) - null.size());
+  for (const int e : null) EXPECT_EQ(state.overpressure[static_cast<std::size_t>(e)], 0.0);
+  target.area_vectors *= -1.0;
+  jet::JetField(model, target.count()).evaluate(target.area_vectors, target.centroids, kOutlet, state);
+  EXPECT_TRUE(state.candidates.empty());
+  for (const double dp : state.overpressure) EXPECT_EQ(dp, 0.0);
+}
+
+TEST(field, mask_removes_the_hidden_share_of_the_force) {
+  const jet::JetModel model = models::round(0.02, 0.08);
+  const plates::Target target = normal_plate(0.3, 0.01, 8);
+  const jet::JetField field(model, target.count());
+  jet::FieldState state = field.make_state();
+  field.evaluate(target.area_vectors, target.centroids, kOutlet, state);
+  const Eigen::Vector3d whole = jet::jet_force(state, target.area_vectors);
+  std::vector<std::uint8_t> lit(state.candidates.size(), 1), dark(lit.size(), 0);
+  lit[2] = 0;
+  const int hidden = state.candidates[2];
+  const Eigen::Vector3d share =
+      state.overpressure[static_cast<std::size_t>(hidden)] * target.area_vectors.col(hidden);
+  jet::apply_mask(lit, state);
+  EXPECT_NEAR((jet::jet_force(state, target.area_vectors) + share - whole).norm(), 0.0, 1e-13 * whole.norm());
+  jet::apply_mask(dark, state);
+  EXPECT_EQ(jet::jet_force(state, target.area_vectors).norm(), 0.0);
+  EXPECT_THROW(jet::apply_mask(std::span(dark).first(1), state), std::invalid_argument);
+}
+
+TEST(field, non_finite_geometry_is_an_error_not_a_number) {
+  const jet::JetModel model = models::round(0.02, 0.08);
+  plates::Target target = normal_plate(0.3, 0.01, 4);
+  target.centroids(1, 5) = std::numeric_limits<double>::quiet_NaN();
+  const jet::JetField field(model, target.count());
+  jet::FieldState state = field.make_state();
+  EXPECT_THROW(field.evaluate(target.area_vectors, target.centroids, kOutlet, state), jet::DomainError);
+}
+
+}  // namespace
