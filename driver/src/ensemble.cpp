@@ -2,7 +2,6 @@
 #include "driver/ensemble.hpp"
 
 #include <fmt/format.h>
-#include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
@@ -60,10 +59,10 @@ double interpolate(const std::vector<Record>& rows, double time, double Record::
 void collect_rows(const Scene& scene, const std::vector<const Member*>& members, EnsembleResult& result) {
   const auto columns = history_columns(scene);
   for (std::size_t c = 1; c < columns.size(); ++c) result.columns.push_back(columns[c].name);
-  const auto count = static_cast<long>(std::llround(scene.time.end / scene.output.history_interval));
+  const auto count = static_cast<long>(std::llround(scene.time.end / scene.output.history_every));
   std::vector<double> values(members.size());
   for (long i = 0; i <= count; ++i) {
-    EnsembleRow row{std::min(scene.time.end, static_cast<double>(i) * scene.output.history_interval), {}};
+    EnsembleRow row{std::min(scene.time.end, static_cast<double>(i) * scene.output.history_every), {}};
     for (std::size_t c = 1; c < columns.size(); ++c) {
       for (std::size_t m = 0; m < members.size(); ++m)
         values[m] = interpolate(members[m]->rows, row.time_s, columns[c].value);
@@ -110,13 +109,12 @@ EnsembleResult run_ensemble(const std::filesystem::path& file, const std::vector
   if (!scene.bag)
     throw CaseError(
         fmt::format("{}: an ensemble perturbs the nodes of a membrane, the scene has none", file.string()));
-  set_threads(1);
+  set_threads(options.threads);
+  ParallelBlocks::threads = 1;  // runs side by side, each serial inside
   std::vector<Member> members(static_cast<std::size_t>(options.runs));
   std::atomic<int> finished = 0;
   std::mutex progress_lock;
   Progress progress(scene.name, options.runs, options.quiet);
-  tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
-                            static_cast<std::size_t>(options.threads));
   tbb::task_arena arena(options.threads);
   arena.execute([&] {
     tbb::parallel_for(0, options.runs, [&](int i) {

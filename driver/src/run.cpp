@@ -39,7 +39,7 @@ class Schedule {
 
 void run_steps(const Scene& scene, State& state, const RecordSink& sink,
                const std::function<void(const State&)>& fields, RunOutcome& outcome) {
-  Schedule history(scene.output.history_interval), pictures(scene.output.fields_interval);
+  Schedule history(scene.output.history_every), pictures(scene.output.fields_every);
   StepRecords records;
   for (;;) {
     StepRequest request;
@@ -106,7 +106,7 @@ RunOutcome run_to_folder(const Scene& scene, const std::filesystem::path& folder
   CsvWriter<EnergyRecord> energy(folder / "energy.csv", lines, energy_columns(scene));
   Progress progress(scene.name, scene.time.end, options.quiet);
   std::optional<FieldWriter> pictures;
-  if (scene.output.fields_interval > 0.0) pictures.emplace(folder, scene);
+  if (scene.output.fields_every > 0.0) pictures.emplace(folder, scene);
   const auto record = [&](const StepRecords& records) {
     history.write(records.history);
     energy.write(records.energy);

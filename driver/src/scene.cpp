@@ -35,13 +35,13 @@ void read_time(TableReader& root, Scene& scene) {
 
 void read_output(TableReader& root, Scene& scene) {
   constexpr int default_rows = 1000;
-  scene.output.history_interval = scene.time.end / default_rows;
+  scene.output.history_every = scene.time.end / default_rows;
   if (auto table = root.optional_table("output")) {
-    scene.output.history_interval =
-        table->number("history_interval", positive, scene.output.history_interval);
-    scene.output.fields_interval = table->number("fields_interval", non_negative, 0.0);
-    if (scene.output.fields_interval > 0.0 && !scene.bag)
-      table->fail("fields_interval", "the scene has no membrane");
+    scene.output.history_every =
+        table->number("history_every", positive, scene.output.history_every);
+    scene.output.fields_every = table->number("fields_every", non_negative, 0.0);
+    if (scene.output.fields_every > 0.0 && !scene.bag)
+      table->fail("fields_every", "the scene has no membrane");
     table->finish();
   }
 }

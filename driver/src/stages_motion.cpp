@@ -90,7 +90,7 @@ void choose_step(const Scene& scene, State& state, bool last) {
     if (step.before > 0.0) step.after = step.before;
     return;
   }
-  double wanted = scene.output.history_interval;
+  double wanted = scene.output.history_every;
   if (scene.moves()) wanted = scene.time.step.value_or(scene.time.safety * step.critical);
   if (state.bag && scene.time.step && wanted > step.critical && !scene.time.unsafe_step)
     fail_step(scene, state, wanted);

@@ -76,9 +76,9 @@ struct TimePart {
 };
 
 struct OutputPart {
-  double history_interval =
+  double history_every =
       0.0;  // [s] a row at the first step at or past each multiple; gas-only scenes step by it
-  double fields_interval = 0.0;  // [s] 0: no field files
+  double fields_every = 0.0;  // [s] 0: no field files
 };
 
 struct Scene {

@@ -44,12 +44,14 @@ int ensemble(const EnsembleArguments& arguments) {
                                             : arguments.out;
   catch_interrupt();
   const auto result = run_ensemble(arguments.scene.file, arguments.scene.overrides, options);
-  write_ensemble(folder, result, provenance(arguments.scene.file, arguments.scene.overrides));
+  write_ensemble(folder / arguments.scene.file.stem(), result,
+                 provenance(arguments.scene.file, arguments.scene.overrides));
   print_quantities(arguments.scene.file.stem().string(), result);
   bool failed = !result.failures.empty();
   if (!arguments.against.empty() && !interrupted()) {
     const auto other = run_ensemble(arguments.against, arguments.scene.overrides, options);
-    write_ensemble(folder / "against", other, provenance(arguments.against, arguments.scene.overrides));
+    write_ensemble(folder / arguments.against.stem(), other,
+                   provenance(arguments.against, arguments.scene.overrides));
     print_quantities(arguments.against.stem().string(), other);
     write_effects(folder / "effects.csv", effects(result, other));
     failed = failed || !other.failures.empty();

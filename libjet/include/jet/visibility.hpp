@@ -2,20 +2,17 @@
 // Stage S5: which elements of a triangulated surface are lit from a source. Exact on the coordinates as
 // given.
 //
-// Definition (J.7). For a candidate element (a, b, c) in double arithmetic, in this order and without
+// Definition (J.7). For a candidate element (a, b, c) in double arithmetic, in this order, without
 // contraction:
-//   g = ((a + b) + c) / 3
-//   s = centre                                                   if half_long = 0 (round outlet)
-//   d = g - centre, t = (dx lx + dy ly) + dz lz clamped to +-half_long, s = centre + t l       (rectangular
-//   outlet)
+//   target  g = ((a + b) + c) / 3
+//   source  s = centre                                          if half_long = 0 (round outlet), else
+//           s = centre + t l, d = g - centre, t = (dx lx + dy ly) + dz lz clamped to +-half_long
 // From there on all predicates are those of exact arithmetic:
 // - facing: orientation(s, a, b, c) > 0, the side of the inward normal is seen;
 // - an element other than the candidate (by index) blocks if the open segment s g meets its closed triangle
-// and does not
-//   lie in its plane; so degenerate triangles never block, and a coincident duplicate of the candidate does;
-// - if s lies on a closed element of non-zero area, whichever role it has, s + eps axis with eps -> 0+ stands
-// for s in
-//   every predicate of that ray; an element whose plane contains that ray, too, never blocks;
+//   and does not lie in its plane; so degenerate triangles never block, a duplicate of the candidate can;
+// - if s lies on a closed element of non-zero area, whichever role it has, s + eps axis with eps -> 0+
+//   stands for s in every predicate of that ray, and an element whose plane holds that ray never blocks;
 // - null and attachment elements never block.
 // A candidate is lit if it faces the source and nothing blocks.
 #pragma once
@@ -33,17 +30,15 @@ namespace jet {
 
 /// Where rays start.
 struct RaySource {
-  Eigen::Vector3d centre = Eigen::Vector3d::Zero();  // [m]
-  Eigen::Vector3d axis =
-      Eigen::Vector3d::UnitX();  // [-] side to which a source on the surface is moved, not 0
-  Eigen::Vector3d long_direction =
-      Eigen::Vector3d::Zero();  // [-] unit, read if half_long > 0; taken as given
-  double half_long = 0.0;       // [m] half the long side of a rectangular outlet; 0: point
+  Eigen::Vector3d centre = Eigen::Vector3d::Zero();          // [m]
+  Eigen::Vector3d axis = Eigen::Vector3d::UnitX();           // [-] a source on the surface is moved so; not 0
+  Eigen::Vector3d long_direction = Eigen::Vector3d::Zero();  // [-] unit, read if half_long > 0; as given
+  double half_long = 0.0;                                    // [m] half the outlet's long side; 0: a point
 };
 
-/// The answer is the same bit for bit.
+/// Ways to the same answer, bit for bit.
 enum class VisibilityRoute {
-  fast,        // filters in double, away-facing elements first (default)
+  fast,        // double arithmetic with error bounds, away-facing elements first (default)
   cgal_tree,   // CGAL's AABB tree, built anew at every call
   brute_force  // every pair, CGAL's predicates: the oracle
 };
@@ -61,7 +56,8 @@ struct VisibilityCounters {
   std::size_t hidden = 0;       // facing the source, but blocked
   std::size_t facing_away = 0;  // orientation <= 0
   std::size_t exact_calls = 0;  // predicates left to CGAL's kernel
-  std::size_t fallbacks = 0;    // rays to which the fast route's short cut did not apply, or left to CGAL's tree
+  std::size_t fallbacks =
+      0;  // rays to which the fast route's short cut did not apply, or left to CGAL's tree
 };
 
 /// Visibility on a surface of fixed connectivity. Owns its workspace: one object a thread.

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+// Whole runs of the paper's scene: what a step costs, and what the jet adds to it. One thread.
+#include <benchmark/benchmark.h>
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "driver/results.hpp"
+#include "driver/run.hpp"
+
+namespace {
+
+using driver::Stage;
+
+double seconds_of(const driver::State& state, Stage stage) {
+  return state.stage_seconds[static_cast<std::size_t>(stage)];
+}
+
+double total_seconds(const driver::State& state) {
+  double sum = 0.0;
+  for (const double s : state.stage_seconds) sum += s;
+  return sum;
+}
+
+// Physics beside the time: a fast run that is wrong shows it in the same line.
+void report(benchmark::State& bench, const driver::Scene& scene, const driver::State& state, double seconds,
+            double jet_seconds, double steps) {
+  bench.counters["us_per_step"] = 1e6 * seconds / steps;
+  bench.counters["ns_per_element"] = 1e9 * seconds / steps / scene.bag->model.element_count;
+  bench.counters["jet_us_per_step"] = 1e6 * jet_seconds / steps;
+  bench.counters["steps"] = static_cast<double>(state.steps);
+  bench.counters["drift_rel"] = state.peaks.energy_residual / state.flows.enthalpy_in;
+  bench.counters["angle_rad"] = state.level.pendulum_angle;
+  if (state.jets.empty()) return;
+  const auto& total = state.jets.front().total;
+  bench.counters["hidden_per_step"] = static_cast<double>(total.hidden) / static_cast<double>(state.steps);
+  bench.counters["exact_calls"] = static_cast<double>(total.exact_calls);
+}
+
+void run_case(benchmark::State& bench, const std::string& name, const std::vector<std::string>& overrides) {
+  driver::CaseDocument document(std::string(GASJET_SOURCE_DIR "/cases/") + name + ".toml", overrides);
+  const driver::Scene scene = driver::read_scene(document);
+  driver::set_threads(1);
+  double seconds = 0.0, jet_seconds = 0.0, steps = 0.0;
+  for (auto iteration : bench) {
+    driver::State state = driver::make_state(scene);
+    const auto outcome = driver::run_scene(scene, state, [](const driver::StepRecords&) {});
+    if (outcome.status != driver::RunStatus::done) {
+      bench.SkipWithError(outcome.message.c_str());
+      return;
+    }
+    bench.SetIterationTime(total_seconds(state));
+    seconds += total_seconds(state);
+    jet_seconds += seconds_of(state, Stage::outlet) + seconds_of(state, Stage::jet_field) +
+                   seconds_of(state, Stage::visibility);
+    steps += static_cast<double>(state.steps);
+    report(bench, scene, state, seconds, jet_seconds, steps);
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  for (const auto& [key, value] : driver::provenance("cases/passenger_pendulum.toml", {}))
+    if (key != "case" && key != "options") benchmark::AddCustomContext(key, value);
+  const auto add = [](const char* label, const std::string& name, std::vector<std::string> overrides) {
+    benchmark::RegisterBenchmark(label, [=](benchmark::State& bench) { run_case(bench, name, overrides); })
+        ->UseManualTime()
+        ->Unit(benchmark::kMillisecond);
+  };
+  add("no_jet", "passenger_pendulum_no_jet", {});
+  add("jet_no_occlusion", "passenger_pendulum", {"inflator.0.jet.occlusion=false"});
+  add("jet_fast", "passenger_pendulum", {"inflator.0.jet.visibility=fast"});
+  add("jet_cgal_tree", "passenger_pendulum", {"inflator.0.jet.visibility=cgal_tree"});
+  benchmark::Initialize(&argc, argv);
+  if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
+  benchmark::RunSpecifiedBenchmarks();
+  benchmark::Shutdown();
+}

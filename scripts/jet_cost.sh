@@ -1,0 +1,42 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
+# What the jet costs: whole runs of the paper's scene, without jet, without occlusion, and with exact occlusion by two
+# routes, side by side in one process on one thread. Prints a table and writes it as CSV with machine, compiler, flags
+# and commit.
+# usage: scripts/jet_cost.sh [CSV]      (docs/charts/jet_cost.csv by default)
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+csv=${1:-docs/charts/jet_cost.csv}
+log=$(mktemp)
+trap 'rm -f "$log"' EXIT
+
+scripts/setup_debian12.sh
+cmake --preset release >/dev/null
+cmake --build --preset release --target step_benchmark -j "$(nproc)" >/dev/null
+build/benchmarks/step_benchmark --benchmark_format=csv --benchmark_repetitions=5 \
+  --benchmark_enable_random_interleaving=true --benchmark_report_aggregates_only=true 2>"$log" >"$log.csv"
+trap 'rm -f "$log" "$log.csv"' EXIT
+
+mkdir -p "$(dirname "$csv")"
+{
+  echo "# machine: $(sed -n 's/^model name[^:]*: //p' /proc/cpuinfo | head -n 1), $(nproc) cores, one thread used"
+  grep -E '^(version|commit|compiler|flags|date): ' "$log" | sed 's/^/# /'
+  echo "# median of 5 interleaved whole runs of 100 ms"
+  echo "case,us_per_step,ns_per_element,jet_us_per_step,jet_over_step,steps,drift_rel,hidden_per_step,exact_calls"
+  awk -F, '
+    /^name,/ { for (i = 1; i <= NF; ++i) { gsub(/"/, "", $i); column[$i] = i } next }
+    /_median"/ {
+      name = $1; gsub(/"|\/.*|_median/, "", name)
+      if (name == "no_jet") base = $column["us_per_step"]
+      order[++n] = name; row[name] = $0
+    }
+    END {
+      for (k = 1; k <= n; ++k) {
+        split(row[order[k]], f, ",")
+        jet = f[column["jet_us_per_step"]]
+        printf "%s,%.2f,%.2f,%.2f,%.3f,%d,%.2e,%.1f,%d\n", order[k], f[column["us_per_step"]], f[column["ns_per_element"]],
+          jet, base ? jet / base : 0, f[column["steps"]], f[column["drift_rel"]], f[column["hidden_per_step"]], f[column["exact_calls"]]
+      }
+    }' "$log.csv"
+} >"$csv"
+cat "$csv"
