@@ -2,41 +2,8 @@
 // No allocation inside a step.
 #include <gtest/gtest.h>
 
-#include <atomic>
-#include <cstdlib>
-#include <new>
-
 #include "run_case.hpp"
-
-namespace {
-std::atomic<long> allocations{0};
-void* counted(std::size_t size, std::size_t alignment) {
-  ++allocations;
-  void* memory = alignment ? std::aligned_alloc(alignment, (size + alignment - 1) / alignment * alignment)
-                           : std::malloc(size);
-  if (memory == nullptr) throw std::bad_alloc();
-  return memory;
-}
-}  // namespace
-
-void* operator new(std::size_t size) {
-  return counted(size, 0);
-}
-void* operator new(std::size_t size, std::align_val_t alignment) {
-  return counted(size, static_cast<std::size_t>(alignment));
-}
-void operator delete(void* memory) noexcept {
-  std::free(memory);
-}
-void operator delete(void* memory, std::size_t) noexcept {
-  std::free(memory);
-}
-void operator delete(void* memory, std::align_val_t) noexcept {
-  std::free(memory);
-}
-void operator delete(void* memory, std::size_t, std::align_val_t) noexcept {
-  std::free(memory);
-}
+#include "support/allocation_counter.hpp"
 
 namespace {
 
@@ -51,9 +18,9 @@ long allocations_of_steps(const driver::Scene& scene, int warm_up, int steps) {
     }
   };
   advance(warm_up);
-  const long before = allocations;
+  const long before = support::allocations();
   advance(steps);
-  return allocations - before;
+  return support::allocations() - before;
 }
 
 TEST(allocation, none_inside_a_step) {
@@ -63,9 +30,9 @@ TEST(allocation, none_inside_a_step) {
     const auto scene = coupled::scene_of(name);
     EXPECT_EQ(allocations_of_steps(scene, 1, 300), 0) << name;
   }
-  const long before = allocations;
+  const long before = support::allocations();
   { std::vector<double> control(10); }
-  EXPECT_GT(allocations - before, 0) << "the counter counts";
+  EXPECT_GT(support::allocations() - before, 0) << "the counter counts";
 }
 
 }  // namespace

@@ -1,29 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
-#include <atomic>
-#include <cstdlib>
-#include <new>
-
 #include "cases.hpp"
-
-namespace {
-std::atomic<long> allocations{0};
-}  // namespace
-
-// Both are replaced together, which gcc does not see where it inlines only one of them.
-#pragma GCC diagnostic ignored "-Wmismatched-new-delete"
-void* operator new(std::size_t size) {
-  ++allocations;
-  if (void* memory = std::malloc(size)) return memory;
-  throw std::bad_alloc();
-}
-void operator delete(void* memory) noexcept {
-  std::free(memory);
-}
-void operator delete(void* memory, std::size_t) noexcept {
-  std::free(memory);
-}
+#include "support/allocation_counter.hpp"
 
 namespace {
 
@@ -39,19 +18,19 @@ TEST(allocation, none_in_advance_and_evaluate) {
   gas::GasIntegrator integrator(model);
   gas::ControlVolumeState state =
       gas::make_state(model.thermo, std::vector{1.0, 0.0}, 101325.0, 293.15, 0.06);
-  const long before = allocations;
+  const long before = support::allocations();
   double peak = 0.0, pressure = 0.0;
   for (int i = 0; i < 100; ++i) {
     integrator.advance(state, 0.01 * i, 0.01 * (i + 1), {0.06 + 1e-5 * i, 0.06 + 1e-5 * (i + 1), 1e-3, 1e-3});
     pressure = gas::evaluate(model, state, 0.06 + 1e-5 * (i + 1), 1e-3, 0.01 * (i + 1)).pressure;
     peak = std::max(peak, pressure);
   }
-  EXPECT_EQ(allocations - before, 0);
+  EXPECT_EQ(support::allocations() - before, 0);
   EXPECT_GT(peak, 2.0 * kAmbientPressure);  // the run was choked
   EXPECT_LT(pressure, 1.001 * kAmbientPressure);
-  const long counted = allocations;
+  const long counted = support::allocations();
   { std::vector<double> control(10); }
-  EXPECT_GT(allocations - counted, 0) << "the counter counts";
+  EXPECT_GT(support::allocations() - counted, 0) << "the counter counts";
 }
 
 }  // namespace

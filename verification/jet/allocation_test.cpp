@@ -1,30 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// The per-step calls of the jet allocate nothing: every operator new of this program is counted.
+// The per-step calls of the jet allocate nothing: every allocation of this program is counted.
 #include <gtest/gtest.h>
-
-#include <cstdlib>
-#include <new>
 
 #include "jet/field.hpp"
 #include "jet/visibility.hpp"
 #include "plates.hpp"
 #include "routes.hpp"
-
-namespace {
-std::size_t allocations = 0;
-}
-
-void* operator new(std::size_t size) {
-  ++allocations;
-  if (void* memory = std::malloc(size)) return memory;
-  throw std::bad_alloc();
-}
-void operator delete(void* memory) noexcept {
-  std::free(memory);
-}
-void operator delete(void* memory, std::size_t) noexcept {
-  std::free(memory);
-}
+#include "support/allocation_counter.hpp"
 
 namespace {
 
@@ -62,13 +44,13 @@ TEST(allocation, a_step_of_the_jet_allocates_nothing) {
       std::vector<std::uint8_t> lit(static_cast<std::size_t>(count));
       const jet::Points areas(bag.surface.area_vectors), centroids(bag.surface.centroids),
           nodes(bag.surface.nodes);
-      const std::size_t before = allocations;
+      const long before = support::allocations();
       field.evaluate(areas, centroids, state, work);
       const auto mask = std::span(lit).first(work.candidates.size());
       query.query(jet::VisibilityRoute::fast, nodes, source, work.candidates, mask);
       jet::apply_mask(mask, work);
       const Eigen::Vector3d force = jet::jet_force(work, areas);
-      EXPECT_EQ(allocations, before);
+      EXPECT_EQ(support::allocations(), before);
       EXPECT_GT(work.candidates.size(), 20u);
       EXPECT_GT(force[0], 0.0);
     }

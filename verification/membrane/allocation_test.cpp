@@ -2,59 +2,8 @@
 // No stage allocates after make_state.
 #include <gtest/gtest.h>
 
-#include <atomic>
-#include <cstdlib>
-#include <new>
-
 #include "scenes.hpp"
-
-namespace {
-std::atomic<long> allocations{0};
-
-void* counted(std::size_t size, std::size_t alignment) {
-  ++allocations;
-  void* p = std::aligned_alloc(alignment, (size + alignment - 1) / alignment * alignment);
-  if (p == nullptr) throw std::bad_alloc();
-  return p;
-}
-}  // namespace
-
-void* operator new(std::size_t size) {
-  return counted(size, alignof(std::max_align_t));
-}
-void* operator new[](std::size_t size) {
-  return counted(size, alignof(std::max_align_t));
-}
-void* operator new(std::size_t size, std::align_val_t a) {
-  return counted(size, static_cast<std::size_t>(a));
-}
-void* operator new[](std::size_t size, std::align_val_t a) {
-  return counted(size, static_cast<std::size_t>(a));
-}
-void operator delete(void* p) noexcept {
-  std::free(p);
-}
-void operator delete[](void* p) noexcept {
-  std::free(p);
-}
-void operator delete(void* p, std::size_t) noexcept {
-  std::free(p);
-}
-void operator delete[](void* p, std::size_t) noexcept {
-  std::free(p);
-}
-void operator delete(void* p, std::align_val_t) noexcept {
-  std::free(p);
-}
-void operator delete[](void* p, std::align_val_t) noexcept {
-  std::free(p);
-}
-void operator delete(void* p, std::size_t, std::align_val_t) noexcept {
-  std::free(p);
-}
-void operator delete[](void* p, std::size_t, std::align_val_t) noexcept {
-  std::free(p);
-}
+#include "support/allocation_counter.hpp"
 
 TEST(Allocation, stages_allocate_nothing) {
   const auto mesh = membrane::icosphere(0.3, 3);
@@ -64,7 +13,7 @@ TEST(Allocation, stages_allocate_nothing) {
   const auto model = make_model(d);
   auto state = membrane::make_state(model, mesh.nodes, {.jet = true, .contact = true});
   const std::vector<double> dp(static_cast<std::size_t>(model.element_count), 700.0);
-  const long before = allocations;
+  const long before = support::allocations();
   EXPECT_GT(before, 0);  // the counter works
   for (int i = 0; i < 3; ++i) {
     membrane::update_surface(model, state);
@@ -76,6 +25,6 @@ TEST(Allocation, stages_allocate_nothing) {
     membrane::advance(model, state, 1e-6, 0.5 * membrane::critical_time_step(shares));
     membrane::governing_element(model, state);
   }
-  const long during = allocations - before;
+  const long during = support::allocations() - before;
   EXPECT_EQ(during, 0);
 }
