@@ -14,7 +14,9 @@ long support::allocations() {
 
 #ifdef __SANITIZE_ADDRESS__
 
-#include <sanitizer/allocator_interface.h>
+// Of the sanitizers' run time; gcc installs no header for it.
+extern "C" int __sanitizer_install_malloc_and_free_hooks(void (*on_malloc)(const volatile void*, std::size_t),
+                                                         void (*on_free)(const volatile void*));
 
 namespace {
 void on_malloc(const volatile void*, std::size_t) {
