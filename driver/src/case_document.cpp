@@ -2,6 +2,7 @@
 // Loading a case file and applying `key.path=value` overrides.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <fstream>
 #include <sstream>
@@ -14,7 +15,8 @@ namespace driver {
 namespace {
 
 std::string read_text(const std::filesystem::path& file) {
-  if (std::filesystem::is_directory(file))
+  std::error_code ignored;
+  if (std::filesystem::is_directory(file, ignored))
     throw CaseError(fmt::format("{}: is a folder, a case file is expected", file.string()));
   std::ifstream stream(file, std::ios::binary);
   if (!stream) throw CaseError(fmt::format("{}: no such file, or not readable", file.string()));
@@ -36,11 +38,17 @@ toml::table parse(const std::string& text, const std::string& name) {
 toml::table parse_override_value(const std::string& override_text, const std::string& value) {
   const std::string name = "--set " + override_text;
   try {
-    return toml::parse("value = " + value, name);
+    toml::table parsed = toml::parse("value = " + value, name);
+    if (parsed.size() != 1) throw CaseError(fmt::format("{}: one value is allowed", name));
+    return parsed;
   } catch (const toml::parse_error&) {
-    toml::table quoted;
-    quoted.insert_or_assign("value", value);
-    return quoted;
+    std::string quoted = "value = \"";
+    for (const char c : value) quoted += (c == '"' || c == '\\') ? std::string{'\\', c} : std::string{c};
+    try {
+      return toml::parse(quoted + '"', name);
+    } catch (const toml::parse_error& error) {
+      throw CaseError(fmt::format("{}: {}", name, error.description()));
+    }
   }
 }
 
@@ -78,6 +86,9 @@ void apply_override(toml::table& root, const std::string& text) {
   if (equals == std::string::npos || equals == 0)
     throw CaseError(fmt::format("--set {}: key.path=value is expected", text));
   const auto parts = split_path(text.substr(0, equals));
+  if (text[equals - 1] == '.' ||
+      std::any_of(parts.begin(), parts.end(), [](const auto& p) { return p.empty(); }))
+    throw CaseError(fmt::format("--set {}: a part of the path is empty", text));
   toml::table value = parse_override_value(text, text.substr(equals + 1));
   toml::node* node = &root;
   for (std::size_t i = 0; i + 1 < parts.size(); ++i) node = &descend(*node, parts[i], text);

@@ -36,8 +36,9 @@ Member run_member(const std::filesystem::path& file, const std::vector<std::stri
   const Scene scene = read_scene(document);
   State state = make_state(scene);
   Member member;
-  member.outcome =
-      run_scene(scene, state, [&](const StepRecords& records) { member.rows.push_back(records.history); });
+  member.outcome = run_scene(scene, state, [&](const StepRecords* records, const State&) {
+    if (records) member.rows.push_back(records->history);
+  });
   member.peaks = state.peaks;
   member.flows = state.flows;
   member.final_angle = state.level.pendulum_angle;
@@ -109,6 +110,9 @@ EnsembleResult run_ensemble(const std::filesystem::path& file, const std::vector
   if (!scene.bag)
     throw CaseError(
         fmt::format("{}: an ensemble perturbs the nodes of a membrane, the scene has none", file.string()));
+  for (const auto& text : overrides)
+    if (text.starts_with("membrane.perturbation"))
+      throw CaseError(fmt::format("--set {}: the ensemble sets the perturbation itself (--amplitude)", text));
   set_threads(options.threads);
   ParallelBlocks::threads = 1;  // runs side by side, each serial inside
   std::vector<Member> members(static_cast<std::size_t>(options.runs));
@@ -173,8 +177,7 @@ std::vector<Effect> effects(const EnsembleResult& with, const EnsembleResult& wi
     Effect effect{name, statistics(values), statistics(other->second), 0.0, 0.0};
     effect.difference = effect.with.mean - effect.without.mean;
     const double error = std::hypot(effect.with.standard_error, effect.without.standard_error);
-    effect.standard_errors =
-        error > 0.0 ? std::abs(effect.difference) / error : (effect.difference != 0.0 ? INFINITY : 0.0);
+    effect.standard_errors = error > 0.0 ? std::abs(effect.difference) / error : 0.0;
     list.push_back(effect);
   }
   return list;

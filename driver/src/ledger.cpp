@@ -156,6 +156,10 @@ void ledger(const Scene& scene, State& state, const StepRequest& request, StepRe
   energy.residual_J = held(energy) + energy.outflow_enthalpy_J + energy.damping_J - state.initial_energy -
                       energy.inflow_enthalpy_J - energy.jet_work_J;
   energy.kick_residual_J = kick_residual;
+  // Absolute enthalpies (NASA-7) pass through zero: no single term serves as the scale of all scenes.
+  state.peaks.energy_scale =
+      std::max({state.peaks.energy_scale, std::abs(energy.inflow_enthalpy_J), std::abs(energy.gas_internal_J),
+                energy.skin_kinetic_J + energy.pendulum_kinetic_J, std::abs(energy.pendulum_gravity_J)});
   state.peaks.energy_residual = std::max(state.peaks.energy_residual, std::abs(energy.residual_J));
   if (state.bag)
     state.peaks.momentum_residual = std::max(state.peaks.momentum_residual, momentum_residual(state));

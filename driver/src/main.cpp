@@ -46,10 +46,11 @@ void add_ensemble(CLI::App& app, Arguments& all) {
       app.add_subcommand("ensemble", "perturbed runs of a chaotic scene: means and standard errors");
   add_case(*ensemble, all.ensemble.scene);
   add_threads(*ensemble, all.ensemble.threads, all.ensemble.quiet);
-  ensemble->add_option("--out", all.ensemble.out, "result folder (results/ensemble_<case> by default), a folder in it for each case");
+  ensemble->add_option("--out", all.ensemble.out,
+                       "result folder (results/ensemble_<case> by default), a folder in it for each case");
   ensemble->add_option("--runs", all.ensemble.runs, "number of runs")->check(CLI::Range(2, 100000));
   ensemble->add_option("--amplitude", all.ensemble.amplitude, "largest displacement of the initial nodes [m]")
-      ->check(CLI::Range(0.0, 1e-3));
+      ->check(CLI::Range(1e-18, 1e-3));
   ensemble->add_option("--against", all.ensemble.against,
                        "a second case: report the difference of the means");
 }

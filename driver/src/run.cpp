@@ -5,13 +5,11 @@
 #include <tbb/global_control.h>
 
 #include <chrono>
+#include <cmath>
 #include <memory>
 
-#include "coupling/error.hpp"
 #include "driver/fields.hpp"
 #include "driver/progress.hpp"
-#include "gas/error.hpp"
-#include "membrane/error.hpp"
 #include "stages.hpp"
 
 namespace driver {
@@ -27,14 +25,14 @@ class Schedule {
   explicit Schedule(double interval) : interval_(interval) {}
   bool due(double time) {
     // Multiples meet the step's times to round-off only.
-    if (interval_ <= 0.0 || time < static_cast<double>(next_) * interval_ * (1.0 - 1e-12)) return false;
-    while (static_cast<double>(next_) * interval_ * (1.0 - 1e-12) <= time) ++next_;
+    if (interval_ <= 0.0 || time < next_ * interval_ * (1.0 - 1e-12)) return false;
+    next_ = std::floor(time / interval_ * (1.0 + 1e-12)) + 1.0;
     return true;
   }
 
  private:
   double interval_;
-  long next_ = 0;
+  double next_ = 0.0;  // multiple that is due next
 };
 
 void run_steps(const Scene& scene, State& state, const RecordSink& sink,
@@ -46,11 +44,10 @@ void run_steps(const Scene& scene, State& state, const RecordSink& sink,
     const bool stop = interrupted();
     request.last = stop || state.time >= scene.time.end;
     request.record = history.due(state.time) || request.last;
-    const bool picture = pictures.due(state.time);
+    if (fields && pictures.due(state.time)) request.before_advance = &fields;
     const double now = state.time;
-    if (fields && picture) fields(state);
     step(scene, state, request, records);
-    if (request.record) sink(records);
+    sink(request.record ? &records : nullptr, state);
     if (stop) outcome.status = RunStatus::interrupted;
     if (request.last) return;
     const double left = scene.time.end - now;
@@ -79,18 +76,10 @@ RunOutcome run_scene(const Scene& scene, State& state, const RecordSink& sink,
   };
   try {
     run_steps(scene, state, sink, fields, outcome);
-  } catch (const StepError& error) {
-    fail(error);
-  } catch (const gas::DomainError& error) {
-    fail(error);
-  } catch (const membrane::MembraneError& error) {
-    fail(error);
-  } catch (const jet::DomainError& error) {
-    fail(error);
-  } catch (const coupling::ContactError& error) {
-    fail(error);
-  } catch (const std::invalid_argument& error) {
-    // A stage refused what an earlier one computed (a coordinate out of range, say).
+  } catch (const OutputError&) {
+    throw;
+  } catch (const std::exception& error) {
+    // A stage refused what an earlier one computed (a coordinate out of range, say), or memory ran out.
     fail(error);
   }
   outcome.wall_seconds = seconds_since(start);
@@ -107,10 +96,11 @@ RunOutcome run_to_folder(const Scene& scene, const std::filesystem::path& folder
   Progress progress(scene.name, scene.time.end, options.quiet);
   std::optional<FieldWriter> pictures;
   if (scene.output.fields_every > 0.0) pictures.emplace(folder, scene);
-  const auto record = [&](const StepRecords& records) {
-    history.write(records.history);
-    energy.write(records.energy);
-    progress.update(records.history.time_s);
+  const auto record = [&](const StepRecords* records, const State& now) {
+    progress.update(now.time);
+    if (!records) return;
+    history.write(records->history);
+    energy.write(records->energy);
   };
   const auto fields = [&](const State& now) {
     if (pictures) pictures->write(now);

@@ -21,8 +21,10 @@ void read_ambient(TableReader& root, Scene& scene) {
 void read_time(TableReader& root, Scene& scene) {
   auto table = root.optional_table("time");
   if (!table) return;
-  scene.time.safety = table->number("safety", positive_fraction, scene.time.safety);
-  scene.time.step = table->optional_number("step", positive);
+  scene.time.step = table->optional_number(
+      "step", Bounds{scene.time.end / 1e9, any_number.high, false, "a step of end_time / 1e9 or more"});
+  if (!scene.time.step)
+    scene.time.safety = table->number("safety", Bounds{1e-3, 1.0, false, "1e-3 to 1"}, scene.time.safety);
   scene.time.unsafe_step = table->flag("unsafe_dt", false);
   if (const auto tolerance =
           table->optional_number("gas_tolerance", Bounds{1e-13, 1e-2, false, "1e-13 to 1e-2"})) {
@@ -33,13 +35,20 @@ void read_time(TableReader& root, Scene& scene) {
   table->finish();
 }
 
+void check_time(TableReader& root, const Scene& scene) {
+  if (!scene.moves() && scene.time.step)
+    root.fail("time", "step acts in scenes that move only; here output.history_every is the step");
+}
+
 void read_output(TableReader& root, Scene& scene) {
   constexpr int default_rows = 1000;
   scene.output.history_every = scene.time.end / default_rows;
   if (auto table = root.optional_table("output")) {
-    scene.output.history_every =
-        table->number("history_every", positive, scene.output.history_every);
-    scene.output.fields_every = table->number("fields_every", non_negative, 0.0);
+    const Bounds rows{scene.time.end / 1e7, any_number.high, false, "an interval of end_time / 1e7 or more"};
+    scene.output.history_every = table->number("history_every", rows, scene.output.history_every);
+    const Bounds frames{scene.time.end / 1e5, any_number.high, false,
+                        "an interval of end_time / 1e5 or more"};
+    scene.output.fields_every = table->optional_number("fields_every", frames).value_or(0.0);
     if (scene.output.fields_every > 0.0 && !scene.bag)
       table->fail("fields_every", "the scene has no membrane");
     table->finish();
@@ -58,6 +67,8 @@ void check_composition(const TableReader& root, const Scene& scene) {
     if (part.work != scene.jets.front().work) root.fail("inflator", "all jets need the same jet_work");
   if (!scene.gas && !scene.moves() && !scene.target)
     root.fail("", "names nothing to simulate: [gas], [membrane] or [pendulum]");
+  if (scene.gas && !scene.has_volume() && !scene.gas->model.vents.empty())
+    root.fail("vent", "needs a volume, [tank] or [membrane]");
   if (scene.pendulum && !scene.bag && !scene.time.step)
     root.fail("time", "step is needed for a pendulum alone");
 }
@@ -88,6 +99,7 @@ Scene read_scene(CaseDocument& document) {
   read_output(root, scene);
   root.finish();
   check_composition(root, scene);
+  check_time(root, scene);
   return scene;
 }
 

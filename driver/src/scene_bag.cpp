@@ -97,13 +97,29 @@ void read_fabric(TableReader& root, membrane::BagDescription& bag, LeakLaw& law)
   bag.properties.assign(static_cast<std::size_t>(bag.elements.cols()), fabric);
 }
 
+// The node nearest to a point of the design shape; a point further off than the mesh is coarse is a slip.
+int anchor(TableReader& reader, const char* key, const membrane::Mesh& mesh) {
+  const Eigen::Vector3d point = reader.vector(key);
+  const int node = membrane::nearest_node(mesh, point);
+  double longest = 0.0;
+  for (int e = 0; e < mesh.element_count(); ++e)
+    for (int i = 0; i < 3; ++i)
+      longest = std::max(
+          longest,
+          (mesh.nodes.col(mesh.elements(i, e)) - mesh.nodes.col(mesh.elements((i + 1) % 3, e))).norm());
+  const double distance = (mesh.nodes.col(node) - point).norm();
+  if (distance > longest)
+    reader.fail(key, fmt::format("is {} m from the nearest node, {} m (the longest element side) is allowed",
+                                 distance, longest));
+  return node;
+}
+
 void read_straps(TableReader& table, const MeshSource& source, std::vector<membrane::Strap>& straps) {
   for (auto& reader : table.tables("strap")) {
     membrane::Strap strap;
     if (reader.has("from") || straps.size() >= source.strap_anchors.size()) {
-      reader.located("from",
-                     [&] { strap.node_a = membrane::nearest_node(source.mesh, reader.vector("from")); });
-      reader.located("to", [&] { strap.node_b = membrane::nearest_node(source.mesh, reader.vector("to")); });
+      strap.node_a = anchor(reader, "from", source.mesh);
+      strap.node_b = anchor(reader, "to", source.mesh);
     } else {
       strap.node_a = source.strap_anchors[straps.size()][0];
       strap.node_b = source.strap_anchors[straps.size()][1];
@@ -172,6 +188,9 @@ void read_bag(TableReader& root, Scene& scene) {
   table->located("null_panels", [&] {
     for (const auto& name : null_panels)
       for (const int element : membrane::panel_elements(source.mesh, name)) null_elements.push_back(element);
+    std::sort(null_elements.begin(), null_elements.end());
+    if (std::adjacent_find(null_elements.begin(), null_elements.end()) != null_elements.end())
+      throw std::invalid_argument("names a panel twice");
   });
   for (const int element : null_elements) {
     bag.properties[static_cast<std::size_t>(element)].null_panel = true;
@@ -182,6 +201,11 @@ void read_bag(TableReader& root, Scene& scene) {
   read_straps(*table, source, bag.straps);
   table->located("", [&] { read_plate(*table, bag); });
 
+  if (law == LeakLaw::screen)
+    scene.warnings.push_back(
+        "fabric.leak_law = \"screen\" leaks 1/porosity times as much as the paper's printed law");
+  if (law == LeakLaw::none && bag.properties.front().porosity > 0.0)
+    scene.warnings.push_back("fabric.porosity has no effect with leak_law = \"none\"");
   Eigen::Matrix3Xd position =
       membrane::flatten(source.mesh, table->number("flatten", positive_fraction, 1.0));
   const double amplitude = table->number("perturbation", Bounds{0.0, 1e-3, false, "0 to 1e-3 m"}, 0.0);

@@ -31,7 +31,10 @@ class SpeciesList {
   SpeciesList(Thermodynamics law, double reference_temperature)
       : law_(law), reference_(reference_temperature) {}
 
-  void add_own(gas::Species species) { own_.push_back(std::move(species)); }
+  void add_own(gas::Species species) {
+    if (is_own(species.name)) throw std::invalid_argument("names \"" + species.name + "\" a second time");
+    own_.push_back(std::move(species));
+  }
 
   void add(const std::string& name) {
     if (name == "air" && !is_own(name)) {
@@ -116,6 +119,9 @@ void read_vents(TableReader& root, std::vector<gas::Orifice>& vents) {
 }  // namespace
 
 gas::Curve to_gas_curve(const CurveData& data, gas::Outside outside) {
+  if (outside == gas::Outside::kZero && !data.time.empty() && data.time.front() < 0.0)
+    throw std::invalid_argument(fmt::format(
+        "its first knot is at {} s: time counts from firing, 0 or more is allowed", data.time.front()));
   if (data.time.empty()) return gas::Curve::constant(data.value.front());
   std::vector<gas::Curve::Knot> knots;
   for (std::size_t i = 0; i < data.time.size(); ++i) knots.push_back({data.time[i], data.value[i]});
@@ -154,12 +160,18 @@ void read_gas(TableReader& root, std::vector<TableReader>& inflators, Scene& sce
 
   for (std::size_t i = 0; i < inflators.size(); ++i) {
     TableReader& reader = inflators[i];
-    reader.located("", [&] {
+    std::optional<gas::Curve> mass_flow, temperature;
+    reader.located("mass_flow", [&] {
+      mass_flow = to_gas_curve(reader.curve("mass_flow", non_negative), gas::Outside::kZero);
+    });
+    reader.located("temperature", [&] {
+      temperature = to_gas_curve(reader.curve("temperature", positive), gas::Outside::kHeld);
+    });
+    const double start = reader.number("start_time", non_negative, 0.0);
+    reader.located("temperature", [&] {
       part.model.inflows.push_back(
-          {mass_fractions(part.model.thermo, list, compositions[i]),
-           to_gas_curve(reader.curve("mass_flow", non_negative), gas::Outside::kZero),
-           to_gas_curve(reader.curve("temperature", positive), gas::Outside::kHeld),
-           reader.number("start_time", non_negative, 0.0)});
+          {mass_fractions(part.model.thermo, list, compositions[i]), *mass_flow, *temperature, start});
+      gas::validate(part.model);
     });
   }
   read_vents(root, part.model.vents);

@@ -2,6 +2,8 @@
 // [inflator.jet] -> JetPart.
 #include <fmt/format.h>
 
+#include <Eigen/Geometry>
+
 #include "coupling/side.hpp"
 #include "scene_parts.hpp"
 
@@ -67,6 +69,18 @@ void require_outlet_inside(const jet::JetModel& model, const BagPart& bag) {
   }
 }
 
+// A target behind the outlet, or facing the wrong way, would feel nothing: a slip.
+void require_target_ahead(const TableReader& table, const jet::JetModel& model, const TargetPart& target) {
+  const Eigen::Vector3d a = target.nodes.col(target.triangles(0, 0)),
+                        b = target.nodes.col(target.triangles(1, 0)),
+                        c = target.nodes.col(target.triangles(2, 0));
+  if (!((b - a).cross(c - a).dot(model.axis) > 0.0))
+    table.fail("axis",
+               "does not meet the target's face: a target whose normal points away from the jet is allowed");
+  if (!((model.axis.transpose() * (target.nodes.colwise() - model.centre)).maxCoeff() > 0.0))
+    table.fail("centre", "lies behind the whole target, which would feel nothing");
+}
+
 std::vector<int> attachment_elements(TableReader& table, const Scene& scene) {
   std::vector<int> elements;
   const auto panels = table.texts("attachment_panels");
@@ -110,6 +124,7 @@ void read_jet(TableReader& inflator, std::size_t index, Scene& scene) {
     table->fail("jet_work",
                 "\"from_gas\" needs temperature = \"stagnation\": with a static temperature the jet's "
                 "kinetic energy is no part of the inflator's enthalpy");
+  if (scene.target) require_target_ahead(*table, model, *scene.target);
   if (scene.bag) table->located("centre", [&] { require_outlet_inside(model, *scene.bag); });
   table->finish();
 }

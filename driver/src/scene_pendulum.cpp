@@ -41,11 +41,13 @@ double contact_stiffness(TableReader& table, const BagPart& bag) {
 }
 
 Eigen::Matrix3Xi fabric_elements(const BagPart& bag) {
-  Eigen::Matrix3Xi kept(3, bag.mesh.elements.cols() - static_cast<Eigen::Index>(bag.null_elements.size()));
+  const auto& properties = bag.model.description.properties;
+  const auto fabric =
+      std::count_if(properties.begin(), properties.end(), [](const auto& p) { return !p.null_panel; });
+  Eigen::Matrix3Xi kept(3, fabric);
   Eigen::Index next = 0;
   for (Eigen::Index e = 0; e < bag.mesh.elements.cols(); ++e)
-    if (!bag.model.description.properties[static_cast<std::size_t>(e)].null_panel)
-      kept.col(next++) = bag.mesh.elements.col(e);
+    if (!properties[static_cast<std::size_t>(e)].null_panel) kept.col(next++) = bag.mesh.elements.col(e);
   return kept;
 }
 

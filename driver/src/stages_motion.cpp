@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "stages.hpp"
 
@@ -22,21 +23,31 @@ std::span<const double> total_overpressure(State& state) {
 }
 
 [[noreturn]] void fail_step(const Scene& scene, const State& state, double given) {
+  constexpr const char* allowed = "a step up to the bound, or unsafe_dt = true, is allowed";
+  if (!state.bag)
+    throw StepError(fmt::format("step {} s is above its bound {} s, set by the pendulum's swing; {}", given,
+                                state.step.critical, allowed));
   const auto& s = state.step.shares;
-  const double all = s.total();
-  throw StepError(fmt::format(
-      "step {} s is above its bound {} s, set by omega^2 of the fabric {:.1f} %, gas {:.1f} %, contact "
-      "{:.1f} %, straps "
-      "{:.1f} %, plate {:.1f} %; stiffest element {}; a step up to the bound, or unsafe_dt = true, is "
-      "allowed",
-      given, state.step.critical, 100 * s.element / all, 100 * s.gas / all, 100 * s.contact / all,
-      100 * s.strap / all, 100 * s.plate / all, membrane::governing_element(scene.bag->model, *state.bag)));
+  const double all = s.total() / 100.0;
+  throw StepError(
+      fmt::format("step {} s is above its bound {} s, set by omega^2 of the fabric {:.1f} %, gas {:.1f} %, "
+                  "contact {:.1f} %, straps "
+                  "{:.1f} %, plate {:.1f} %; stiffest element {}; {}",
+                  given, state.step.critical, s.element / all, s.gas / all, s.contact / all, s.strap / all,
+                  s.plate / all, membrane::governing_element(scene.bag->model, *state.bag), allowed));
 }
 
 void update_bound(const Scene& scene, State& state) {
+  if (!state.bag) {
+    const double swing = state.pendulum ? scene.pendulum->model.omega_squared(Eigen::Vector3d::Zero()) : 0.0;
+    state.step.critical = swing > 0.0 ? 2.0 / std::sqrt(swing) : std::numeric_limits<double>::infinity();
+    return;
+  }
   const bool gas = scene.gas.has_value();
   double contact = state.contact.omega_squared();
-  if (state.pendulum) contact += scene.pendulum->model.omega_squared(state.contact.force);
+  // The turning of the contact force about the pivot; the pendulum's own swing is slower by far than any
+  // skin.
+  if (state.contact.area > 0.0) contact += scene.pendulum->model.omega_squared(state.contact.force);
   state.step.shares =
       membrane::stiffness_shares(scene.bag->model, *state.bag, gas ? state.gas_point.gamma : 0.0,
                                  gas ? state.gas_point.pressure : 0.0, contact);
@@ -84,16 +95,16 @@ void contact(const Scene& scene, State& state) {
 }
 
 void choose_step(const Scene& scene, State& state, bool last) {
+  StageTimer timer(state, Stage::advance);
   StepSizes& step = state.step;
-  if (state.bag) update_bound(scene, state);
-  if (last) {
-    if (step.before > 0.0) step.after = step.before;
+  update_bound(scene, state);
+  if (last && step.before > 0.0) {
+    step.after = step.before;
     return;
   }
   double wanted = scene.output.history_every;
   if (scene.moves()) wanted = scene.time.step.value_or(scene.time.safety * step.critical);
-  if (state.bag && scene.time.step && wanted > step.critical && !scene.time.unsafe_step)
-    fail_step(scene, state, wanted);
+  if (scene.time.step && wanted > step.critical && !scene.time.unsafe_step) fail_step(scene, state, wanted);
   // The last two steps share what is left, so that the end is met without a tiny step.
   const double left = scene.time.end - state.time;
   if (left < 2.0 * wanted && left > wanted * (1.0 + 1e-9)) wanted = 0.5 * left;

@@ -20,6 +20,7 @@ void step(const Scene& scene, State& state, const StepRequest& request, StepReco
   visibility(scene, state);
   forces(scene, state);
   contact(scene, state);
+  if (request.before_advance) (*request.before_advance)(state);
   if (request.record) state.level.skin_gravity = skin_gravity(scene, state);
   choose_step(scene, state, request.last);
   advance(scene, state);

@@ -23,13 +23,6 @@ const char* status_name(RunStatus status) {
   return "failed";
 }
 
-// What the physical drift is measured against: the enthalpy supplied, or what was there where nothing flows
-// in.
-double supplied_energy(const State& state) {
-  const double in = std::abs(state.flows.enthalpy_in);
-  return in > 0.0 ? in : std::max(std::abs(state.initial_energy), state.initial_kinetic);
-}
-
 Json step_sizes(const Scene& scene, const State& state) {
   const StepSizes& step = state.step;
   Json json{{"min", step.minimum}, {"max", step.maximum}};
@@ -45,7 +38,7 @@ Json step_sizes(const Scene& scene, const State& state) {
 
 Json residuals(const Scene& scene, const State& state) {
   Json json;
-  const double energy = supplied_energy(state);
+  const double energy = state.peaks.energy_scale;
   const auto relative = [&](double joule) { return energy > 0.0 ? joule / energy : joule; };
   if (scene.has_volume()) json["mass_rel"] = state.peaks.mass_residual;
   if (scene.moves()) json["ledger_rel"] = relative(state.peaks.ledger_residual);
@@ -177,7 +170,8 @@ void write_summary(const std::filesystem::path& file, const Scene& scene, const 
   json["counters"] = counters(scene, state);
   for (const auto& [key, value] : lines) json["build"][key] = value;
   std::ofstream stream(file);
-  stream << json.dump(2) << '\n';
+  // Paths and overrides may hold bytes that are no UTF-8.
+  stream << json.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
   if (!stream) throw OutputError(file.string() + ": write failed");
 }
 

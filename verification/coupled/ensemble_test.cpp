@@ -21,7 +21,9 @@ TEST(ensemble, jet_effect_on_angle_and_first_contact_exceeds_five_standard_error
   const auto without = ensemble("passenger_pendulum_no_jet", 2);
   EXPECT_TRUE(with.failures.empty());
   EXPECT_TRUE(without.failures.empty());
+  int found = 0;
   for (const auto& effect : driver::effects(with, without)) {
+    found += effect.quantity == "final_angle_rad" || effect.quantity == "first_contact_s";
     if (effect.quantity == "final_angle_rad") {
       EXPECT_GT(effect.difference, 0.0);
       EXPECT_TRUE(effect.decided());
@@ -31,6 +33,7 @@ TEST(ensemble, jet_effect_on_angle_and_first_contact_exceeds_five_standard_error
       EXPECT_TRUE(effect.decided());
     }
   }
+  EXPECT_EQ(found, 2);
 }
 
 TEST(ensemble, statistics_of_known_numbers) {

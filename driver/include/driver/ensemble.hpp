@@ -58,7 +58,8 @@ struct Effect {
   Statistics with, without;
   double difference = 0.0;
   double standard_errors = 0.0;
-  bool decided() const { return standard_errors > 5.0; }
+  /// Fewer than 16 runs on either side say too little of the scatter to decide anything.
+  bool decided() const { return with.count >= 16 && without.count >= 16 && standard_errors > 5.0; }
 };
 std::vector<Effect> effects(const EnsembleResult& with, const EnsembleResult& without);
 

@@ -17,7 +17,7 @@ namespace driver {
 class FieldWriter {
  public:
   FieldWriter(const std::filesystem::path& folder, const Scene& scene);
-  /// Writes the level whose surface the state holds; call it before a step.
+  /// Writes level n; call it when the forces of n stand (StepRequest::before_advance).
   void write(const State& state);
 
  private:

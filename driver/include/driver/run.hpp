@@ -27,15 +27,14 @@ struct RunOutcome {
   double wall_seconds = 0.0;
 };
 
-/// Called with every recorded level.
-using RecordSink = std::function<void(const StepRecords&)>;
+/// Called after every step, with the level's records if it was recorded, else with nullptr.
+using RecordSink = std::function<void(const StepRecords*, const State&)>;
 
 /// Number of threads of the parallel stages, for the whole process; results do not depend on it.
 void set_threads(int threads);
 
-/// Steps the scene to its end or to an interrupt, calling `sink` for each recorded level and `fields` (may be
-/// empty) at each field output. Failures of the computation (exit code 3) are reported in the outcome, not
-/// thrown.
+/// Steps the scene to its end or to an interrupt, calling `sink` after each step and `fields` (may be empty)
+/// at each field output. Failures of the computation (exit code 3) are reported in the outcome, not thrown.
 RunOutcome run_scene(const Scene& scene, State& state, const RecordSink& sink,
                      const std::function<void(const State&)>& fields = {});
 

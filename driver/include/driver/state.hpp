@@ -81,6 +81,7 @@ struct Peaks {
   double mass_residual = 0.0;      // relative
   double ledger_residual = 0.0;    // [J] kick form, largest magnitude
   double energy_residual = 0.0;    // [J] physical drift, largest magnitude at the recorded levels
+  double energy_scale = 0.0;       // [J] largest of supplied enthalpy, internal and kinetic energy
   double momentum_residual = 0.0;  // relative: inner forces and pressure on the closed skin sum to zero
 };
 

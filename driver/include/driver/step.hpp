@@ -2,6 +2,7 @@
 // One step of a scene: the eleven stages of docs/stages.md.
 #pragma once
 
+#include <functional>
 #include <stdexcept>
 
 #include "driver/scene.hpp"
@@ -20,6 +21,7 @@ class StepError : public std::runtime_error {
 struct StepRequest {
   bool record = false;  // fill `history` and `energy` for level n
   bool last = false;    // level n is the end: books only, the state does not go on
+  const std::function<void(const State&)>* before_advance = nullptr;  // called when all forces of n stand
 };
 
 struct StepRecords {

@@ -42,6 +42,16 @@ int ensemble(const EnsembleArguments& arguments) {
   const auto folder = arguments.out.empty() ? std::filesystem::path("results") /
                                                   ("ensemble_" + arguments.scene.file.stem().string())
                                             : arguments.out;
+  if (!arguments.against.empty()) {
+    if (arguments.against.stem() == arguments.scene.file.stem())
+      throw CaseError(fmt::format("--against {}: needs another file name than the first case",
+                                  arguments.against.string()));
+    CaseDocument other(arguments.against, arguments.scene.overrides);
+    read_scene(other);
+  }
+  CaseDocument first(arguments.scene.file, arguments.scene.overrides);
+  read_scene(first);
+  prepare_output(folder);
   catch_interrupt();
   const auto result = run_ensemble(arguments.scene.file, arguments.scene.overrides, options);
   write_ensemble(folder / arguments.scene.file.stem(), result,
