@@ -100,7 +100,7 @@ void read_jet(TableReader& inflator, std::size_t index, Scene& scene) {
   if (!scene.bag && !scene.target) table->fail("", "needs something to blow at: [membrane] or [target]");
   jet::JetModel model = read_model(*table);
   table->located("", [&] { model = jet::validated(model); });
-  model.attachment_elements = attachment_elements(*table, scene);
+  const std::vector<int> attachment = attachment_elements(*table, scene);
   const std::vector<int> null_elements = scene.bag ? scene.bag->null_elements : std::vector<int>{};
   const auto elements = scene.bag ? scene.bag->mesh.elements.cols() : scene.target->triangles.cols();
 
@@ -109,7 +109,7 @@ void read_jet(TableReader& inflator, std::size_t index, Scene& scene) {
     scene.jets.push_back(JetPart{index,
                                  jet::JetField(model, static_cast<int>(elements), null_elements),
                                  outlet,
-                                 {null_elements, model.attachment_elements}});
+                                 {null_elements, attachment}});
   });
   JetPart& part = scene.jets.back();
   part.occlusion = table->flag("occlusion", true);

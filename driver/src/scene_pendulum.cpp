@@ -40,17 +40,6 @@ double contact_stiffness(TableReader& table, const BagPart& bag) {
                                              element->density * element->thickness);
 }
 
-Eigen::Matrix3Xi fabric_elements(const BagPart& bag) {
-  const auto& properties = bag.model.description.properties;
-  const auto fabric =
-      std::count_if(properties.begin(), properties.end(), [](const auto& p) { return !p.null_panel; });
-  Eigen::Matrix3Xi kept(3, fabric);
-  Eigen::Index next = 0;
-  for (Eigen::Index e = 0; e < bag.mesh.elements.cols(); ++e)
-    if (!properties[static_cast<std::size_t>(e)].null_panel) kept.col(next++) = bag.mesh.elements.col(e);
-  return kept;
-}
-
 }  // namespace
 
 void read_pendulum(TableReader& root, Scene& scene) {
@@ -69,10 +58,11 @@ void read_pendulum(TableReader& root, Scene& scene) {
   });
   if (!contact) root.fail("contact", "is missing: a pendulum in front of a bag needs it (it may be empty)");
   contact->located("", [&] {
-    scene.contact.emplace(fabric_elements(*scene.bag), scene.bag->model.description.reference,
+    scene.contact.emplace(scene.bag->mesh.elements, scene.bag->model.description.reference,
                           scene.bag->model.node_mass, model.effective_mass(),
                           coupling::ContactParameters{model.parameters().impactor_radius,
-                                                      contact_stiffness(*contact, *scene.bag)});
+                                                      contact_stiffness(*contact, *scene.bag)},
+                          scene.bag->null_elements);
   });
   contact->finish();
 }

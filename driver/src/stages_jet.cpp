@@ -59,6 +59,7 @@ void visibility(const Scene& scene, State& state) {
     run.total.facing_away += run.counters.facing_away;
     run.total.exact_calls += run.counters.exact_calls;
     run.total.fallbacks += run.counters.fallbacks;
+    run.total.tree_builds += run.counters.tree_builds;
     run.force = jet::jet_force(run.field, now.area_vectors);
   }
 }

@@ -77,7 +77,8 @@ Json counters(const Scene& scene, const State& state) {
                             {"hidden", total.hidden},
                             {"facing_away", total.facing_away},
                             {"exact_calls", total.exact_calls},
-                            {"fallbacks", total.fallbacks}});
+                            {"fallbacks", total.fallbacks},
+                            {"tree_builds", total.tree_builds}});
   }
   if (state.contact_cache) {
     json["contact_searches"] = state.contact_cache->searches;

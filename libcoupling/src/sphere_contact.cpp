@@ -102,7 +102,8 @@ int subdivision_of(const std::string& field, double longest_edge, double radius)
 }  // namespace
 
 ContactModel::ContactModel(const Triangles& triangles, const Nodes& reference, std::span<const double> masses,
-                           double effective_mass, const ContactParameters& parameters)
+                           double effective_mass, const ContactParameters& parameters,
+                           std::span<const int> open_elements)
     : triangles_(triangles),
       masses_(masses.begin(), masses.end()),
       effective_mass_(effective_mass),
@@ -125,6 +126,11 @@ ContactModel::ContactModel(const Triangles& triangles, const Nodes& reference, s
     const int n = subdivision_of(field, edge, parameters.sphere_radius);
     subdivision_.push_back(n);
     weights_.push_back(area / (static_cast<double>(n) * n));
+  }
+  for (const int e : open_elements) {
+    if (e < 0 || e >= element_count())
+      detail::reject("contact.open_elements", std::to_string(e), "an element number");
+    weights_[static_cast<std::size_t>(e)] = 0.0;
   }
 }
 

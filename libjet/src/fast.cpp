@@ -12,7 +12,7 @@ namespace jet {
 void FastRoute::prepare(std::size_t element_count, std::size_t node_count, bool closed) {
   closed_ = closed;
   bundle_.reserve(element_count);
-  grid_.reserve(element_count);
+  grid_.reserve(element_count, node_count);
   codes_.resize(node_count);
   for (std::vector<int>* list : {&near_, &on_way_, &away_, &suspects_}) list->reserve(element_count);
   states_.reserve(element_count);
@@ -27,11 +27,13 @@ VisibilityCounters FastRoute::query(const Surface& surface, const RaySource& sou
   const bool certain = closed_ && shared_ && winding_is_one(surface);
   VisibilityCounters counters;
   counters.fallbacks = open_uncertain(surface, candidates, size, certain);
-  has_grid_ = false;
   if (counters.fallbacks > 0 || !away_.empty()) {
-    has_grid_ = bundle_.funnel.bounded && grid_.build(bundle_.rays, source, size);
-    if (certain) open_near_away(surface);
-    counters.fallbacks = std::max(counters.fallbacks, resolve(surface, source, candidates));
+    if (bundle_.bounded) grid_.build(bundle_, surface, size);
+    if (certain) counters.fallbacks += open_near_away(surface);
+    if (resolve(surface, source, candidates)) {
+      counters.tree_builds = bundle_.bounded ? 0 : 1;
+      bundle_.bounded ? search(surface, candidates) : search_tree(surface, candidates);
+    }
   }
   counters.candidates = candidates.size();
   for (std::size_t k = 0; k < candidates.size(); ++k) {
@@ -44,19 +46,20 @@ VisibilityCounters FastRoute::query(const Surface& surface, const RaySource& sou
   return counters;
 }
 
-// Elements that a ray can meet, by the sides on which their corners lie outside.
+// Elements that a ray not aside or the way can meet, by the sides on which their corners lie outside.
 void FastRoute::collect(const Surface& surface) {
   near_.clear();
   on_way_.clear();
-  if (!bundle_.funnel.bounded) {
+  if (!bundle_.bounded) {
     near_.resize(static_cast<std::size_t>(surface.count));
     std::iota(near_.begin(), near_.end(), 0);
     return;
   }
   std::uint16_t* codes = codes_.data();
+  const Frame frame = bundle_.frame;
   const Funnel funnel = bundle_.funnel;
   for (int i = 0; i < surface.node_count; ++i)
-    codes[i] = static_cast<std::uint16_t>(funnel.code(surface.node(i)));
+    codes[i] = static_cast<std::uint16_t>(funnel.code(frame.at(surface.node(i))));
   near_.resize(static_cast<std::size_t>(surface.count));
   int* near = near_.data();
   std::size_t count = 0;
@@ -65,7 +68,7 @@ void FastRoute::collect(const Surface& surface) {
     const unsigned common = static_cast<unsigned>(codes[t[0]] & codes[t[1]] & codes[t[2]]);
     near[count] = e;  // kept if the next does not overwrite it: no branch to predict
     count += (common & Funnel::kOutside) == 0;
-    if (common == 0) on_way_.push_back(e);
+    if ((common & Funnel::kOffWay) == 0) on_way_.push_back(e);
   }
   near_.resize(count);
 }
@@ -90,31 +93,25 @@ void FastRoute::classify_suspect(const Surface& surface, const RaySource& source
   const double *a = surface.corner(element, 0), *b = surface.corner(element, 1),
                *c = surface.corner(element, 2);
   const bool flat = in_one_coordinate_plane(surface, element, source);
+  const bool beside = bundle_.beside_sources(surface, element);
   if (!flat && source.half_long > 0.0) {
-    suspects_.push_back(element);
     away_.push_back(element);
+    if (beside) return;
+    suspects_.push_back(element);
     shared_ = shared_ && same_side(surface, element);
     return;
   }
   int side = flat ? 0 : kernel_.orientation(source.centre.data(), a, b, c);
   if (side == 0) {
-    suspects_.push_back(element);
+    if (!beside) suspects_.push_back(element);
     side = -kernel_.slope(source.axis.data(), a, b, c);
     shared_ = shared_ && (side != 0 || source.half_long == 0.0);
   }
   if (side < 0) away_.push_back(element);
 }
 
-// No way from one source to another crosses the element: it is beside all of them, or they are on one side of
-// it.
+// No way from one source to another crosses the element's plane.
 bool FastRoute::same_side(const Surface& surface, int element) {
-  const Box box(surface, element);
-  for (int i = 0; i < 3; ++i) {
-    double low = HUGE_VAL, high = -HUGE_VAL;
-    for (const auto& ray : bundle_.rays)
-      low = std::min(low, ray.source[i]), high = std::max(high, ray.source[i]);
-    if (high < box.low[i] || low > box.high[i]) return true;
-  }
   int common = 0;
   for (blocking::Ray ray : bundle_.rays) {
     ray.moved = true;
@@ -126,7 +123,7 @@ bool FastRoute::same_side(const Surface& surface, int element) {
 }
 
 bool FastRoute::winding_is_one(const Surface& surface) {
-  if (bundle_.funnel.bounded) {
+  if (bundle_.bounded) {
     int sum = 0;
     bool generic = true;
     for (const int e : on_way_) {
@@ -156,14 +153,21 @@ std::size_t FastRoute::open_uncertain(const Surface& surface, std::span<const in
     states_[k] = side < 0 ? kFacingAway : short_cut ? kLit : kOpen;
     open += states_[k] == kOpen;
   }
+  for (const std::uint32_t k : bundle_.aside) {  // elements outside the funnel were not looked at
+    if (states_[k] != kLit) continue;
+    states_[k] = kOpen;
+    ++open;
+  }
   return open;
 }
 
-void FastRoute::open_near_away(const Surface& surface) {
-  if (away_.empty()) return;
-  if (!has_grid_) {
+// Rays that meet an element facing away. Returns the number of those opened without being looked at.
+std::size_t FastRoute::open_near_away(const Surface& surface) {
+  if (away_.empty()) return 0;
+  if (!bundle_.bounded) {
+    const auto unseen = std::count(states_.begin(), states_.end(), kLit);
     std::replace(states_.begin(), states_.end(), kLit, kOpen);
-    return;
+    return static_cast<std::size_t>(unseen);
   }
   for (const int e : away_) {
     const Box box(surface, e);
@@ -173,6 +177,7 @@ void FastRoute::open_near_away(const Surface& surface) {
         states_[k] = kOpen;
     });
   }
+  return 0;
 }
 
 bool FastRoute::source_on_suspect(const Surface& surface, const blocking::Ray& ray) {
@@ -182,9 +187,8 @@ bool FastRoute::source_on_suspect(const Surface& surface, const blocking::Ray& r
   return false;
 }
 
-// The whole rule for the open rays. Returns the number of rays left to CGAL's tree.
-std::size_t FastRoute::resolve(const Surface& surface, const RaySource& source,
-                               std::span<const int> candidates) {
+// The whole rule for the open rays begins with their facing. True if any is left to be searched for blockers.
+bool FastRoute::resolve(const Surface& surface, const RaySource& source, std::span<const int> candidates) {
   bool any = false, known = false, moved = false;
   for (std::size_t k = 0; k < candidates.size(); ++k) {
     if (states_[k] != kOpen) continue;
@@ -196,33 +200,43 @@ std::size_t FastRoute::resolve(const Surface& surface, const RaySource& source,
     if (!faces) states_[k] = kFacingAway;
     any = any || faces;
   }
-  return any ? search(surface, candidates) : 0;
+  return any;
 }
 
-std::size_t FastRoute::search(const Surface& surface, std::span<const int> candidates) {
-  if (has_grid_) {
-    for (const int e : near_) {
-      if (surface.never_blocks(e)) continue;
-      const Box box(surface, e);
-      grid_.for_each_near(surface, e, [&](std::uint32_t k) {
-        const bool asked =
-            states_[k] == kOpen && e != candidates[k] && !box.apart_from_segment(bundle_.rays[k]);
-        if (asked && blocking::blocks(kernel_, bundle_.rays[k], surface, e)) states_[k] = kHidden;
-      });
-    }
-    for (State& state : states_) state = state == kOpen ? kLit : state;
-    return 0;
+void FastRoute::search(const Surface& surface, std::span<const int> candidates) {
+  for (const int e : near_) {
+    if (surface.never_blocks(e)) continue;
+    const Box box(surface, e);
+    grid_.for_each_near(surface, e, [&](std::uint32_t k) {
+      const bool asked =
+          states_[k] == kOpen && e != candidates[k] && !box.apart_from_segment(bundle_.rays[k]);
+      if (asked && blocking::blocks(kernel_, bundle_.rays[k], surface, e)) states_[k] = kHidden;
+    });
   }
+  if (!bundle_.aside.empty()) search_aside(surface, candidates);
+  std::replace(states_.begin(), states_.end(), kOpen, kLit);
+}
+
+// The few rays outside the funnel, against all elements.
+void FastRoute::search_aside(const Surface& surface, std::span<const int> candidates) {
+  for (int e = 0; e < surface.count; ++e) {
+    if (surface.never_blocks(e)) continue;
+    const Box box(surface, e);
+    for (const std::uint32_t k : bundle_.aside) {
+      if (states_[k] != kOpen || e == candidates[k] || box.apart_from_segment(bundle_.rays[k])) continue;
+      if (blocking::blocks(kernel_, bundle_.rays[k], surface, e)) states_[k] = kHidden;
+    }
+  }
+}
+
+void FastRoute::search_tree(const Surface& surface, std::span<const int> candidates) {
   const ElementTree tree(surface);
   exact::Kernel kernel;
-  std::size_t count = 0;
   for (std::size_t k = 0; k < candidates.size(); ++k) {
     if (states_[k] != kOpen) continue;
     states_[k] = tree.blocked(kernel, bundle_.rays[k], candidates[k]) ? kHidden : kLit;
-    ++count;
   }
   kernel_.calls += kernel.calls;
-  return count;
 }
 
 }  // namespace jet

@@ -43,14 +43,15 @@ class FastRoute {
   bool winding_is_one(const Surface& surface);
   std::size_t open_uncertain(const Surface& surface, std::span<const int> candidates, double size,
                              bool certain);
-  void open_near_away(const Surface& surface);
-  std::size_t search(const Surface& surface, std::span<const int> candidates);
-  std::size_t resolve(const Surface& surface, const RaySource& source, std::span<const int> candidates);
+  std::size_t open_near_away(const Surface& surface);
+  bool resolve(const Surface& surface, const RaySource& source, std::span<const int> candidates);
+  void search(const Surface& surface, std::span<const int> candidates);
+  void search_aside(const Surface& surface, std::span<const int> candidates);
+  void search_tree(const Surface& surface, std::span<const int> candidates);
   bool source_on_suspect(const Surface& surface, const blocking::Ray& ray);
 
   bool closed_ = false;
   bool shared_ = true;  // all sources have the same winding number
-  bool has_grid_ = false;
   filter::Kernel kernel_;
   RayBundle bundle_;
   RayGrid grid_;
@@ -58,7 +59,7 @@ class FastRoute {
   std::vector<int> near_;             // elements that can meet a ray
   std::vector<int> on_way_;           // those that can meet the way of the winding number
   std::vector<int> away_;             // those near that are not certain to face all sources
-  std::vector<int> suspects_;         // those near whose plane can hold a source
+  std::vector<int> suspects_;         // those near that can hold a source
   std::vector<State> states_;         // of the candidates
 };
 

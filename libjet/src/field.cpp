@@ -152,9 +152,11 @@ void JetField::evaluate(const Points& area_vectors, const Points& centroids, con
   std::size_t count = 0;
   for (const int e : state.candidates) {
     const Eigen::Vector3d area = area_vectors.col(e);
-    const double inverse = 1.0 / area.norm();
+    const double size = area.norm();
+    if (size == 0.0) continue;
+    const double inverse = 1.0 / size;
     double speed = outlet.velocity * normal_velocity(centroids.col(e), area) * inverse;
-    if (model_.relative_to_skin) speed -= velocities->col(e).dot(area) * inverse;
+    if (speed > 0.0 && model_.relative_to_skin) speed -= velocities->col(e).dot(area) * inverse;
     if (speed <= 0.0) continue;
     store(e, factor * sqr(speed), state);
     state.candidates[count++] = e;
@@ -173,8 +175,10 @@ void JetField::evaluate_average(const Points& nodes, const Triangles& triangles,
   const int n = model_.subdivisions;
   const double factor = (1.0 + model_.restitution) * outlet.density / (n * n);
   for (int e = 0; e < element_count_; ++e) {
-    if (is_null_[static_cast<std::size_t>(e)]) continue;
-    const Eigen::Vector3d normal = area_vectors.col(e).normalized();
+    const Eigen::Vector3d area = area_vectors.col(e);
+    const double size = area.norm();
+    if (size == 0.0 || is_null_[static_cast<std::size_t>(e)] != 0) continue;
+    const Eigen::Vector3d normal = area / size;
     const double skin = model_.relative_to_skin ? velocities->col(e).dot(normal) : 0.0;
     const Eigen::Vector3d a = nodes.col(triangles(0, e));
     const Eigen::Vector3d ab = nodes.col(triangles(1, e)) - a;

@@ -59,9 +59,6 @@ void check_options(const JetModel& model) {
   require_range("cut_off", model.cut_off, model.cut_off >= 0.0 && model.cut_off < 1.0, "[0, 1)");
   require_range("subdivisions", model.subdivisions, model.subdivisions >= 1 && model.subdivisions <= 64,
                 "1 to 64");
-  for (const int element : model.attachment_elements) {
-    require_range("attachment_elements", element, element >= 0, ">= 0");
-  }
 }
 
 double cone_width(const JetModel& model, double z) {

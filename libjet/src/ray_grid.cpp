@@ -1,19 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ray_grid.hpp"
 
-#include <Eigen/Geometry>
 #include <cmath>
 
 namespace jet {
 namespace {
 
-// Relative to the coordinates' size. Sources of a line lie beside it by 3e-16, so a slope at kNearest errs by
+// Relative to the coordinates' size. Sources of a line lie beside it by 1e-14, so a slope at kNearest errs by
 // 1e-9; a ray as long as kShortest turns from its plane by 1e-10: kMargin is ten times that or more.
-constexpr double kNearest = 1e-6;
+constexpr double kNearest = 1e-5;
 constexpr double kShortest = 1e-4;
 constexpr double kMargin = 1e-8;
 constexpr double kSquare = 1e-14;
+constexpr double kTiny = 1e-300;  // far below any difference of coordinates
 constexpr double kEverywhere = 1e300;
+
+constexpr unsigned kSmallW = 1, kSmallSide = 2;  // the latter for u, the next bit for v
 
 int side_for(std::size_t ray_count) {
   return std::clamp(static_cast<int>(std::sqrt(static_cast<double>(ray_count))), 1, 1024);
@@ -21,63 +23,55 @@ int side_for(std::size_t ray_count) {
 
 }  // namespace
 
-void RayGrid::reserve(std::size_t ray_count) {
+void RayGrid::reserve(std::size_t ray_count, std::size_t node_count) {
   const std::size_t side = static_cast<std::size_t>(side_for(ray_count));
+  nodes_.resize(node_count);
   entries_.reserve(ray_count);
   sorted_.reserve(ray_count);
   wide_.reserve(ray_count);
   cell_start_.reserve(side * side + 2);
 }
 
-bool RayGrid::set_frame(const RaySource& source) {
-  centre_ = source.centre;
-  line_ = source.half_long > 0.0;
-  forward_ = source.axis / source.axis.cwiseAbs().maxCoeff();
-  if (line_) {
-    along_ = source.long_direction;
-    if (std::abs(along_.squaredNorm() - 1.0) > 1e-12) return false;
-    forward_ -= forward_.dot(along_) * along_;  // must not cancel, to be square to a few roundings
-    if (forward_.squaredNorm() < 0.01) return false;
-    forward_.normalize();
-  } else {
-    forward_.normalize();
-    along_ = forward_.unitOrthogonal();
-  }
-  across_ = forward_.cross(along_);
-  return true;
+// Slopes u / w enter as u / (w + |u|): the same order, but bounded, so that a few steep rays do not spoil the
+// bins. What is upstream counts as at its side, +-1.
+RayGrid::Place RayGrid::place(const Local& x) const {
+  const double u = x.side[0], v = x.side[1], near = kNearest * size_, w = std::max(x.w, 0.0) + kTiny;
+  const unsigned small = (x.w > near ? 0u : kSmallW) | (std::abs(u) > near ? 0u : kSmallSide) |
+                         (std::abs(v) > near ? 0u : 2 * kSmallSide);
+  return {u / (w + std::abs(u)), line_ ? v : v / (w + std::abs(v)), small};
 }
 
-// Slopes x / w enter as x / (w + |x|): the same order, but bounded, so that a few steep rays do not spoil the
-// bins.
-RayGrid::Place RayGrid::place(const double* x) const {
-  const Eigen::Vector3d d = Eigen::Map<const Eigen::Vector3d>(x) - centre_;
-  const double w = d.dot(forward_);
-  if (!(w > kNearest * size_)) return {0.0, 0.0, false};
-  const double across = d.dot(across_), along = d.dot(along_);
-  return {across / (w + std::abs(across)), line_ ? along : along / (w + std::abs(along)), true};
+// A ray from the line's end does not run square to the line: it belongs nowhere in particular.
+bool RayGrid::has_place(const Local& target, const Local& ray) const {
+  const double u = std::abs(target.side[0]), v = std::abs(target.side[1]);
+  const bool far = target.w + std::min(u, line_ ? u : v) > kNearest * size_;
+  const bool square = std::abs(ray.side[1]) <= kSquare * size_ && ray.w + u > kShortest * size_;
+  return far && (square || !line_);
 }
 
-bool RayGrid::build(const std::vector<blocking::Ray>& rays, const RaySource& source, double size) {
+void RayGrid::build(const RayBundle& bundle, const Surface& surface, double size) {
+  line_ = bundle.frame.line;
   size_ = size;
-  if (!set_frame(source)) return false;
+  for (int i = 0; i < surface.node_count; ++i)
+    nodes_[static_cast<std::size_t>(i)] = place(bundle.frame.at(surface.node(i)));
   entries_.clear();
   wide_.clear();
-  for (std::size_t k = 0; k < rays.size(); ++k) {
-    const Place at = place(rays[k].target);
-    const std::uint32_t index = static_cast<std::uint32_t>(k);
-    // A ray from the line's end does not run square to the line: it belongs nowhere in particular.
-    const Eigen::Vector3d d =
-        Eigen::Map<const Eigen::Vector3d>(rays[k].target) - Eigen::Map<const Eigen::Vector3d>(rays[k].source);
-    const bool square =
-        !line_ || (std::abs(d.dot(along_)) <= kSquare * size && d.dot(forward_) > kShortest * size);
-    if (at.usable && square) {
-      entries_.push_back({at.p, at.q, index});
+  auto aside = bundle.aside.begin();
+  for (std::uint32_t k = 0; k < bundle.rays.size(); ++k) {
+    if (aside != bundle.aside.end() && *aside == k) {
+      ++aside;
+      continue;
+    }
+    const blocking::Ray& ray = bundle.rays[k];
+    const Local target = bundle.frame.at(ray.target);
+    if (has_place(target, bundle.frame.direction(ray.source, ray.target))) {
+      const Place at = place(target);
+      entries_.push_back({at.p, at.q, k});
     } else {
-      wide_.push_back(index);
+      wide_.push_back(k);
     }
   }
   sort();
-  return true;
 }
 
 int RayGrid::bin(double value, int axis) const {
@@ -102,17 +96,32 @@ void RayGrid::sort() {
   for (const Entry& e : entries_) sorted_[cell_start_[static_cast<std::size_t>(cell(e)) + 1]++] = e;
 }
 
+// An element that reaches upstream projects to no triangle. If it stays on one side of the axis, its part
+// downstream still lies between its corners' slopes and the side; if not, it is anywhere.
+void RayGrid::extend(Range& range, int axis, unsigned small, double margin) const {
+  const bool one_side = (small & (kSmallSide << axis)) == 0 && range.low[axis] * range.high[axis] > 0.0;
+  if ((small & kSmallW) == 0 || one_side) {
+    range.low[axis] -= margin;
+    range.high[axis] += margin;
+  } else {
+    range.low[axis] = -kEverywhere;
+    range.high[axis] = kEverywhere;
+  }
+}
+
 RayGrid::Range RayGrid::element_range(const Surface& surface, int element) const {
-  Range range{{HUGE_VAL, HUGE_VAL}, {-HUGE_VAL, -HUGE_VAL}};
-  for (int corner = 0; corner < 3; ++corner) {
-    const Place at = place(surface.corner(element, corner));
-    if (!at.usable) return {{-kEverywhere, -kEverywhere}, {kEverywhere, kEverywhere}};
-    const double margin_p = kMargin;
-    const double margin_q = kMargin * (line_ ? size_ : 1.0);
-    range.low[0] = std::min(range.low[0], at.p - margin_p);
-    range.high[0] = std::max(range.high[0], at.p + margin_p);
-    range.low[1] = std::min(range.low[1], at.q - margin_q);
-    range.high[1] = std::max(range.high[1], at.q + margin_q);
+  const auto& t = surface.triangles[element];
+  const Place &a = nodes_[static_cast<std::size_t>(t[0])], &b = nodes_[static_cast<std::size_t>(t[1])],
+              &c = nodes_[static_cast<std::size_t>(t[2])];
+  Range range{{std::min({a.p, b.p, c.p}), std::min({a.q, b.q, c.q})},
+              {std::max({a.p, b.p, c.p}), std::max({a.q, b.q, c.q})}};
+  const unsigned small = a.small | b.small | c.small;
+  extend(range, 0, small, kMargin);
+  if (line_) {
+    range.low[1] -= kMargin * size_;
+    range.high[1] += kMargin * size_;
+  } else {
+    extend(range, 1, small, kMargin);
   }
   return range;
 }

@@ -5,6 +5,7 @@
 #include <bit>
 #include <cmath>
 #include <numeric>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 
@@ -29,6 +30,14 @@ bool allowed(double x) {
   throw std::invalid_argument("visibility " + message);
 }
 
+/// 17 digits: a refused value is shown as it is, 1e-120 not as 0.
+std::string text(double value) {
+  std::ostringstream stream;
+  stream.precision(17);
+  stream << value;
+  return stream.str();
+}
+
 void require_index(const char* name, int index, int count) {
   if (index < 0 || index >= count) {
     refuse(std::string(name) + " " + std::to_string(index) + ", allowed: 0 to " + std::to_string(count - 1));
@@ -38,7 +47,7 @@ void require_index(const char* name, int index, int count) {
 void require_coordinates(const char* name, const Eigen::Vector3d& vector) {
   for (const double x : vector) {
     if (!allowed(x))
-      refuse(std::string(name) + " has coordinate " + std::to_string(x) + ", allowed: 0 or 1e-100 to 1e100");
+      refuse(std::string(name) + " has coordinate " + text(x) + ", allowed: 0 or 1e-100 to 1e100");
   }
 }
 
@@ -47,7 +56,7 @@ void check_source(const RaySource& source) {
   require_coordinates("source axis", source.axis);
   if (source.axis.isZero(0.0)) refuse("source axis is zero");
   if (!(source.half_long >= 0.0 && allowed(source.half_long))) {
-    refuse("source half_long is " + std::to_string(source.half_long) + ", allowed: 0 or 1e-100 to 1e100");
+    refuse("source half_long is " + text(source.half_long) + ", allowed: 0 or 1e-100 to 1e100");
   }
   if (source.half_long == 0.0) return;
   require_coordinates("source long_direction", source.long_direction);
@@ -194,11 +203,14 @@ VisibilityCounters VisibilityQuery::query(VisibilityRoute route, const Points& n
   if (candidates.empty()) return {};
   const Surface surface = impl_->surface(nodes);
   exact::Kernel kernel;
+  VisibilityCounters counters;
   switch (route) {
     case VisibilityRoute::brute_force:
       return query_by(BruteForce{surface, kernel}, surface, source, candidates, lit);
     case VisibilityRoute::cgal_tree:
-      return query_by(TreeSearch{ElementTree(surface), kernel}, surface, source, candidates, lit);
+      counters = query_by(TreeSearch{ElementTree(surface), kernel}, surface, source, candidates, lit);
+      counters.tree_builds = 1;
+      return counters;
     case VisibilityRoute::fast:
       break;
   }

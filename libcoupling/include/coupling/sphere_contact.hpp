@@ -61,11 +61,14 @@ struct ContactState {
 
 class ContactModel {
  public:
-  // triangles: (3 x M) of the elements that take contact; reference: (3 x N) [m] stress-free shape, or the
+  // triangles: (3 x M) of the skin; reference: (3 x N) [m] stress-free shape, or the
   // current one; masses: (N) [kg] lumped; effective_mass: [kg] of the sphere along its path (K.3).
-  // Throws std::invalid_argument (values, node numbers, elements without area, more than kMaxSubdivision).
+  // open_elements close a hole: they push nothing, but the sphere's centre must not cross them either.
+  // Throws std::invalid_argument (values, node and element numbers, elements without area, more than
+  // kMaxSubdivision).
   ContactModel(const Triangles& triangles, const Nodes& reference, std::span<const double> masses,
-               double effective_mass, const ContactParameters& parameters);
+               double effective_mass, const ContactParameters& parameters,
+               std::span<const int> open_elements = {});
 
   ContactState make_state() const;
 

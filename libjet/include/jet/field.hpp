@@ -29,12 +29,13 @@ class JetField {
   FieldState make_state() const;
 
   /// Overpressure dp = (1 + e) rho0 max(V . n, 0)^2 (J.6), V at the centroid, n the unit vector of the area
-  /// vector. `area_vectors` [m2] and `centroids` [m], 3 x M, outward. A candidate has V . n > 0, lies
-  /// downstream of the outlet and within the cut-off. Without flow (density or velocity 0) there is none.
+  /// vector. `area_vectors` [m2] and `centroids` [m], 3 x M, outward. A candidate has V . n > 0 and an
+  /// area > 0, lies downstream of the outlet and within the cut-off. Without flow (density or velocity 0)
+  /// there is none.
   /// `velocities` [m/s] 3 x M of the elements' centroids is read if the model says relative_to_skin: then
-  /// dp = (1 + e) rho0 max(V . n - v . n, 0)^2. Throws std::invalid_argument on a wrong shape, where
-  /// velocities are missing and for subdivisions > 1; DomainError where a candidate's overpressure is not
-  /// finite.
+  /// dp = (1 + e) rho0 max(V . n - v . n, 0)^2, and candidates have V . n > v . n as well. Throws
+  /// std::invalid_argument on a wrong shape, where velocities are missing and for subdivisions > 1;
+  /// DomainError where a candidate's overpressure is not finite.
   void evaluate(const Points& area_vectors, const Points& centroids, const OutletState& outlet,
                 FieldState& state, const Points* velocities = nullptr) const;
 

@@ -56,8 +56,10 @@ struct VisibilityCounters {
   std::size_t hidden = 0;       // facing the source, but blocked
   std::size_t facing_away = 0;  // orientation <= 0
   std::size_t exact_calls = 0;  // predicates left to CGAL's kernel
-  std::size_t fallbacks =
-      0;  // rays to which the fast route's short cut did not apply, or left to CGAL's tree
+  // Of the fast route: rays that needed more than its short cut, that is tests of the whole rule where an
+  // argument of the short cut was not certain.
+  std::size_t fallbacks = 0;
+  std::size_t tree_builds = 0;  // 1 where CGAL's tree was built, which allocates
 };
 
 /// Visibility on a surface of fixed connectivity. Owns its workspace: one object a thread.
