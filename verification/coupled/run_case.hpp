@@ -25,11 +25,12 @@ inline CaseRun run_case(const std::string& name, const std::vector<std::string>&
   const driver::Scene scene = scene_of(name, overrides);
   CaseRun run;
   run.state = driver::make_state(scene);
-  run.outcome = driver::run_scene(scene, run.state, [&](const driver::StepRecords* records, const driver::State&) {
-    if (!records) return;
-    run.history.push_back(records->history);
-    run.energy.push_back(records->energy);
-  });
+  run.outcome =
+      driver::run_scene(scene, run.state, [&](const driver::StepRecords* records, const driver::State&) {
+        if (!records) return;
+        run.history.push_back(records->history);
+        run.energy.push_back(records->energy);
+      });
   return run;
 }
 

@@ -9,6 +9,7 @@
 
 #include "models.hpp"
 #include "plates.hpp"
+#include "scenes.hpp"
 
 namespace {
 
@@ -109,6 +110,66 @@ TEST(field, moving_skin_feels_the_relative_velocity) {
     EXPECT_EQ(state.candidates.empty(), speed > 410.0);
   }
   EXPECT_THROW(field.evaluate(target.area_vectors, target.centroids, kOutlet, state), std::invalid_argument);
+}
+
+jet::JetModel radial_jet(bool relative_to_skin) {
+  jet::JetModel model = models::round(0.02, 0.08);
+  model.direction = jet::Direction::radial;
+  model.relative_to_skin = relative_to_skin;
+  return model;
+}
+
+TEST(field, skin_that_turns_its_back_feels_no_jet_however_it_moves) {
+  plates::Target target = normal_plate(0.3, 0.01, 8);
+  target.area_vectors *= -1.0;
+  const Eigen::Matrix3Xd velocity = (900.0 * models::kAxis).replicate(1, target.count());  // v . n = -900
+  const jet::Points view(velocity);
+  const jet::JetField field(radial_jet(true), target.count());
+  jet::FieldState state = field.make_state();
+  field.evaluate(target.area_vectors, target.centroids, kOutlet, state, &view);
+  EXPECT_TRUE(state.candidates.empty());
+  field.evaluate_average(target.nodes, target.triangles, target.area_vectors, kOutlet, state, &view);
+  EXPECT_TRUE(state.candidates.empty());
+}
+
+TEST(field, average_over_one_triangle_eq_centroid_on_a_moving_bag) {
+  const scenes::Mesh mesh = scenes::sphere(5, 0.3);
+  const plates::Target bag =
+      plates::finish(mesh.points().colwise() + (models::kCentre + 0.1 * models::kAxis), mesh.triangles());
+  scenes::Random random(7);
+  Eigen::Matrix3Xd velocity(3, bag.count());
+  for (int e = 0; e < bag.count(); ++e) velocity.col(e) = random.vector(200.0);
+  const jet::Points view(velocity);
+  const jet::JetField field(radial_jet(true), bag.count());
+  jet::FieldState centroid = field.make_state(), average = field.make_state();
+  field.evaluate(bag.area_vectors, bag.centroids, kOutlet, centroid, &view);
+  field.evaluate_average(bag.nodes, bag.triangles, bag.area_vectors, kOutlet, average, &view);
+  EXPECT_EQ(centroid.candidates, average.candidates);
+  ASSERT_GT(centroid.candidates.size(), 10u);
+  for (const int e : centroid.candidates) {
+    // Two orders of summation at the centroid, 1e-15 of the size, move exp(-(r/R)^2) by 1e-13 at the cut-off.
+    const std::size_t k = static_cast<std::size_t>(e);
+    EXPECT_NEAR(std::sqrt(centroid.overpressure[k]), std::sqrt(average.overpressure[k]), 1e-10);
+  }
+}
+
+TEST(field, element_without_area_takes_no_load) {
+  for (const auto direction : {jet::Direction::axial, jet::Direction::radial}) {
+    jet::JetModel model = radial_jet(false);
+    model.direction = direction;
+    plates::Target target = normal_plate(0.3, 0.01, 4);
+    target.triangles(2, 9) = target.triangles(1, 9);
+    target = plates::finish(target.nodes, target.triangles);
+    ASSERT_EQ(target.area_vectors.col(9).norm(), 0.0);
+    const jet::JetField field(model, target.count());
+    jet::FieldState state = field.make_state();
+    field.evaluate(target.area_vectors, target.centroids, kOutlet, state);
+    EXPECT_EQ(state.candidates.size(), 31u);
+    EXPECT_EQ(state.overpressure[9], 0.0);
+    field.evaluate_average(target.nodes, target.triangles, target.area_vectors, kOutlet, state);
+    EXPECT_EQ(state.candidates.size(), 31u);
+    EXPECT_EQ(state.overpressure[9], 0.0);
+  }
 }
 
 TEST(field, null_elements_and_elements_that_face_the_outlet_take_no_load) {

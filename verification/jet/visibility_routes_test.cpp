@@ -2,7 +2,9 @@
 // The routes give the same bits on every kind of surface.
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <limits>
+#include <string>
 
 #include "routes.hpp"
 
@@ -176,6 +178,28 @@ TEST(input, wrong_meshes_sources_and_sizes_are_refused) {
     }
     EXPECT_THROW(query.query(route, mesh.points(), routes::point({0, 0, 0}, {0, 0, 0}), one, lit),
                  std::invalid_argument);
+  }
+}
+
+TEST(input, refused_coordinates_are_shown_with_all_their_digits) {
+  const Mesh mesh = scenes::sphere(1);
+  jet::VisibilityQuery query(mesh.triangles(), static_cast<int>(mesh.nodes.size()));
+  routes::Mask lit(1);
+  const std::vector<int> one = {0};
+  for (const double bad : {1.0 / 3.0 * 1e-120, -4.0 / 3.0 * 1e101}) {
+    for (const bool half_long : {false, true}) {
+      auto source = routes::line({bad, 0, 0}, {1, 0, 0}, {0, 1, 0}, 1.0);
+      if (half_long) source = routes::line({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, bad);
+      try {
+        query.query(jet::VisibilityRoute::fast, mesh.points(), source, one, lit);
+        ADD_FAILURE() << bad << " was accepted";
+      } catch (const std::invalid_argument& error) {
+        const std::string message = error.what(), before = half_long ? "half_long is " : "has coordinate ";
+        const std::size_t at = message.find(before);
+        ASSERT_NE(at, std::string::npos) << message;
+        EXPECT_EQ(std::strtod(message.c_str() + at + before.size(), nullptr), bad) << message;
+      }
+    }
   }
 }
 

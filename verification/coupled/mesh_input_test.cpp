@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+// Mesh files that are no control volume are refused by name and place.
+#include <gtest/gtest.h>
+
+#include "case_folder.hpp"
+
+namespace {
+
+using coupled::Folder;
+using coupled::message_of;
+using coupled::read;
+
+struct BadMesh {
+  const char* name;
+  const char* text;
+  const char* says;
+};
+
+class bad_mesh : public testing::TestWithParam<BadMesh> {};
+
+TEST_P(bad_mesh, is_refused) {
+  const Folder folder;
+  std::ofstream(folder.path / "bag.obj") << GetParam().text;
+  std::string text = read(GASJET_SOURCE_DIR "/cases/sphere_inflation.toml");
+  const std::string generator = "{ generator = \"icosphere\", radius = 0.3, levels = 3 }";
+  text.replace(text.find(generator), generator.size(), "{ file = \"bag.obj\" }");
+  std::ofstream(folder.path / "case.toml") << text;
+  const std::string message = message_of(folder.path / "case.toml");
+  EXPECT_EQ(message.substr(0, folder.path.string().size()), folder.path.string()) << message;
+  EXPECT_NE(message.find(GetParam().says), std::string::npos) << message;
+}
+
+constexpr const char* kCorners = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n";
+const std::string kClosed = std::string(kCorners) + "f 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n";
+const std::string kHole = std::string(kCorners) + "f 1 3 2\nf 1 2 4\nf 2 3 4\n";
+const std::string kTurned = std::string(kCorners) + "f 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 3 4\n";
+const std::string kRepeated = std::string(kCorners) + "f 1 3 2\nf 1 2 4\nf 2 3 3\nf 1 4 3\n";
+const std::string kOutOfRange = std::string(kCorners) + "f 1 3 2\nf 1 2 4\nf 2 3 9\nf 1 4 3\n";
+const std::string kInward = std::string(kCorners) + "f 1 2 3\nf 1 4 2\nf 2 4 3\nf 1 3 4\n";
+const BadMesh kMeshes[] = {
+    {"hole", kHole.c_str(), "edge"},
+    {"orientation", kTurned.c_str(), "edge"},
+    {"repeated_node", kRepeated.c_str(), "bag.obj:7:"},
+    {"out_of_range", kOutOfRange.c_str(), "bag.obj:7:"},
+    {"inward", kInward.c_str(), "inward"},
+    {"not_a_mesh", "hello world\n", "bag.obj:1:"},
+    {"empty", "", "element"},
+};
+INSTANTIATE_TEST_SUITE_P(meshes, bad_mesh, testing::ValuesIn(kMeshes),
+                         [](const auto& one) { return std::string(one.param.name); });
+
+TEST(good_input, closed_mesh_file_is_accepted) {
+  // The control of bad_mesh: the same case with the closed tetrahedron.
+  const Folder folder;
+  std::ofstream(folder.path / "bag.obj") << kClosed;
+  std::string text = read(GASJET_SOURCE_DIR "/cases/sphere_inflation.toml");
+  const std::string generator = "{ generator = \"icosphere\", radius = 0.3, levels = 3 }";
+  text.replace(text.find(generator), generator.size(), "{ file = \"bag.obj\", length_unit = 0.5 }");
+  std::ofstream(folder.path / "case.toml") << text;
+  EXPECT_EQ(message_of(folder.path / "case.toml"), "accepted");
+}
+
+}  // namespace

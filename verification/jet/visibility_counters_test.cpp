@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+// Where the fast route's short cut does all the work, and what the counters say where it does not.
+#include <gtest/gtest.h>
+
+#include "routes.hpp"
+
+namespace {
+
+using scenes::Mesh;
+
+TEST(fast_route, star_shaped_bag_is_lit_without_any_search) {
+  const Mesh mesh = scenes::star(3, 0.3, 5);
+  for (const Eigen::Vector3d& axis : {Eigen::Vector3d(1, 0, 0), Eigen::Vector3d(0, 0, -1)}) {
+    for (const double cosine : {0.95, 0.7}) {
+      const jet::RaySource source = routes::point({0, 0, 0}, axis);
+      const auto answer = routes::agreed_on(routes::in_cone(mesh, source, cosine), mesh, source);
+      EXPECT_EQ(answer.counters.lit, answer.counters.candidates);
+      EXPECT_EQ(answer.counters.fallbacks, 0u);
+      EXPECT_LT(answer.counters.exact_calls, 10u);
+    }
+  }
+}
+
+TEST(fast_route, oblique_jet_in_a_folded_bag_needs_no_fallback) {
+  for (const Eigen::Vector3d& direction :
+       {Eigen::Vector3d(1, 1, 1), Eigen::Vector3d(-2, 1, 2), Eigen::Vector3d(-1, -1, 0)}) {
+    const Eigen::Vector3d axis = direction.normalized(), along = axis.unitOrthogonal();
+    const Mesh mesh = scenes::crumpled(4, 0.01, 2);
+    for (const auto& source : {routes::point({0, 0, 0}, axis), routes::line({0, 0, 0}, axis, along, 0.1)}) {
+      const std::vector<int> candidates = routes::in_cone(mesh, source, 0.1);
+      ASSERT_GT(candidates.size(), 500u);
+      const auto counters = routes::agreed_on(candidates, mesh, source).counters;
+      EXPECT_EQ(counters.fallbacks, 0u);
+      EXPECT_EQ(counters.tree_builds, 0u);
+      EXPECT_GT(counters.hidden, 50u);
+    }
+  }
+}
+
+TEST(fast_route, ray_upstream_falls_back_alone) {
+  const Mesh mesh = scenes::crumpled(4, 0.01, 2);
+  const jet::RaySource source = routes::point({0, 0, 0}), back = routes::point({0, 0, 0}, {-1, 0, 0});
+  std::vector<int> candidates = routes::in_cone(mesh, source, 0.3);
+  std::size_t facing = 0;
+  for (const int e : routes::in_cone(mesh, back, 0.9)) {
+    if (facing == 5 || routes::agreed_on({e}, mesh, source).counters.facing_away > 0) continue;
+    candidates.push_back(e);
+    ++facing;
+    const auto counters = routes::agreed_on(candidates, mesh, source).counters;
+    EXPECT_EQ(counters.fallbacks, facing);
+    EXPECT_EQ(counters.tree_builds, 0u);
+  }
+  EXPECT_EQ(facing, 5u);
+}
+
+TEST(fast_route, tree_is_built_for_rays_all_around_in_a_folded_bag_alone) {
+  const Mesh folded = scenes::crumpled(3, 0.02, 2), star = scenes::star(3, 0.3, 5);
+  const jet::RaySource source = routes::point({0, 0, 0});
+  const auto all = routes::agreed(folded, source).counters;
+  EXPECT_EQ(all.tree_builds, 1u);
+  EXPECT_GT(all.fallbacks, 100u);
+  EXPECT_LE(all.fallbacks, all.lit + all.hidden);
+  const auto lit = routes::agreed(star, source).counters;
+  EXPECT_EQ(lit.tree_builds, 0u);
+  EXPECT_EQ(lit.fallbacks, 0u);
+  const std::vector<int> one = {0};
+  EXPECT_EQ(routes::ask(jet::VisibilityRoute::cgal_tree, star, source, one).counters.tree_builds, 1u);
+  EXPECT_EQ(routes::ask(jet::VisibilityRoute::brute_force, star, source, one).counters.tree_builds, 0u);
+}
+
+}  // namespace
