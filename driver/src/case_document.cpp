@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <fstream>
 #include <sstream>
@@ -20,9 +21,12 @@ std::string read_text(const std::filesystem::path& file) {
     throw CaseError(fmt::format("{}: is a folder, a case file is expected", file.string()));
   std::ifstream stream(file, std::ios::binary);
   if (!stream) throw CaseError(fmt::format("{}: no such file, or not readable", file.string()));
-  std::ostringstream text;
-  text << stream.rdbuf();
-  return text.str();
+  constexpr std::size_t most = 64u << 20;  // no case file is longer; a device may never end
+  std::string text(most + 1, '\0');
+  stream.read(text.data(), static_cast<std::streamsize>(text.size()));
+  text.resize(static_cast<std::size_t>(stream.gcount()));
+  if (text.size() > most) throw CaseError(fmt::format("{}: is longer than 64 MiB", file.string()));
+  return text;
 }
 
 toml::table parse(const std::string& text, const std::string& name) {
@@ -41,13 +45,16 @@ toml::table parse_override_value(const std::string& override_text, const std::st
     toml::table parsed = toml::parse("value = " + value, name);
     if (parsed.size() != 1) throw CaseError(fmt::format("{}: one value is allowed", name));
     return parsed;
-  } catch (const toml::parse_error&) {
+  } catch (const toml::parse_error& error) {
+    // Only a bare word is meant as a string.
+    if (value.empty() || !(std::isalpha(static_cast<unsigned char>(value[0])) || value[0] == '_'))
+      throw CaseError(fmt::format("{}: {}", name, error.description()));
     std::string quoted = "value = \"";
     for (const char c : value) quoted += (c == '"' || c == '\\') ? std::string{'\\', c} : std::string{c};
     try {
       return toml::parse(quoted + '"', name);
-    } catch (const toml::parse_error& error) {
-      throw CaseError(fmt::format("{}: {}", name, error.description()));
+    } catch (const toml::parse_error& again) {
+      throw CaseError(fmt::format("{}: {}", name, again.description()));
     }
   }
 }
@@ -70,7 +77,8 @@ std::optional<std::size_t> as_index(const std::string& text) {
 // The node that `key` names inside `parent`; a missing table is made, for the strict reader to judge.
 toml::node& descend(toml::node& parent, const std::string& key, const std::string& override_text) {
   if (auto* table = parent.as_table()) {
-    if (!table->contains(key)) table->insert(key, toml::table{});
+    if (!table->contains(key))
+      table->insert(key, std::move(*toml::parse("value = {}", "--set " + override_text).get("value")));
     return *table->get(key);
   }
   if (auto* array = parent.as_array()) {

@@ -166,7 +166,9 @@ void write_ensemble(const std::filesystem::path& folder, const EnsembleResult& r
   for (const auto& [key, value] : lines) json["build"][key] = value;
   std::ofstream summary(folder / "ensemble.json");
   summary << json.dump(2) << '\n';
-  if (!csv || !summary) throw OutputError(fmt::format("{}: write failed", folder.string()));
+  csv.flush();
+  summary.flush();
+  if (!csv || !summary) throw WriteError(fmt::format("{}: write failed", folder.string()));
 }
 
 std::vector<Effect> effects(const EnsembleResult& with, const EnsembleResult& without) {

@@ -63,8 +63,8 @@ void element_data(std::string& out, const Scene& scene, const State& state) {
 
 void save(const std::filesystem::path& file, const std::string& text) {
   std::ofstream stream(file, std::ios::binary);
-  stream << text;
-  if (!stream) throw OutputError(fmt::format("{}: write failed", file.string()));
+  stream << text << std::flush;
+  if (!stream) throw WriteError(fmt::format("{}: write failed", file.string()));
 }
 
 std::string bag_polydata(const Scene& scene, const State& state) {

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <chrono>
+#include <cmath>
 #include <stdexcept>
 
 #include "build_info.hpp"
@@ -48,18 +49,20 @@ template <typename Row>
 void CsvWriter<Row>::write(const Row& row) {
   fmt::memory_buffer line;
   for (std::size_t i = 0; i < columns_.size(); ++i) {
+    if (!std::isfinite(row.*columns_[i].value))
+      throw WriteError(fmt::format("{} is no finite number", columns_[i].name));
     if (i > 0) line.push_back(',');
     fmt::format_to(std::back_inserter(line), "{}", row.*columns_[i].value);
   }
   line.push_back('\n');
   stream_.write(line.data(), static_cast<std::streamsize>(line.size()));
-  if (!stream_) throw OutputError(fmt::format("{}: write failed (disk full?)", file_.string()));
+  if (!stream_) throw WriteError(fmt::format("{}: write failed (disk full?)", file_.string()));
 }
 
 template <typename Row>
 void CsvWriter<Row>::flush() {
   stream_.flush();
-  if (!stream_) throw OutputError(fmt::format("{}: write failed (disk full?)", file_.string()));
+  if (!stream_) throw WriteError(fmt::format("{}: write failed (disk full?)", file_.string()));
 }
 
 template class CsvWriter<Record>;

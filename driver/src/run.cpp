@@ -76,8 +76,6 @@ RunOutcome run_scene(const Scene& scene, State& state, const RecordSink& sink,
   };
   try {
     run_steps(scene, state, sink, fields, outcome);
-  } catch (const OutputError&) {
-    throw;
   } catch (const std::exception& error) {
     // A stage refused what an earlier one computed (a coordinate out of range, say), or memory ran out.
     fail(error);

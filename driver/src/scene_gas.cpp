@@ -174,6 +174,12 @@ void read_gas(TableReader& root, std::vector<TableReader>& inflators, Scene& sce
       gas::validate(part.model);
     });
   }
+  for (std::size_t i = 0; i < inflators.size(); ++i) {
+    const auto& inflow = part.model.inflows[i];
+    const double length = scene.time.end - inflow.start_time;
+    if (!(length > 0.0 && inflow.mass_flow.integral(0.0, length) > 0.0))
+      scene.warnings.push_back(fmt::format("inflator.{} delivers nothing before end_time", i));
+  }
   read_vents(root, part.model.vents);
   if (auto tank = root.optional_table("tank")) {
     part.rigid_volume = tank->number("volume", positive);

@@ -3,6 +3,9 @@
 #include <fmt/format.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
 
 #include "coupling/side.hpp"
 #include "scene_parts.hpp"
@@ -22,6 +25,7 @@ jet::JetModel read_model(TableReader& table) {
     model.long_direction = table.vector("long_direction");
     model.long_side = table.number("long_side", positive);
     model.short_side = table.number("short_side", positive);
+    if (model.short_side > model.long_side) table.fail("short_side", "is longer than long_side");
   }
   model.decay_coefficient = table.number("decay_coefficient", positive);
   model.spread = table.choice<jet::Spread>(
@@ -51,22 +55,53 @@ jet::OutletModel read_outlet(TableReader& table, const jet::JetModel& model) {
   return outlet;
 }
 
-// Ends and centre of the outlet, moved into the bag by a millionth of its size.
+// The outlet's centre and its corners (rectangular) or eight points of its rim (round).
+std::vector<Eigen::Vector3d> outlet_points(const jet::JetModel& model) {
+  std::vector<Eigen::Vector3d> points{model.centre};
+  if (model.shape == jet::OutletShape::rectangular) {
+    const Eigen::Vector3d across = model.axis.cross(model.long_direction);
+    for (const double l : {-0.5, 0.5})
+      for (const double s : {-0.5, 0.5})
+        points.push_back(model.centre + l * model.long_side * model.long_direction +
+                         s * model.short_side * across);
+    return points;
+  }
+  const Eigen::Vector3d first = model.axis.unitOrthogonal(), second = model.axis.cross(first);
+  for (int i = 0; i < 8; ++i) {
+    const double angle = i * std::numbers::pi / 4.0;
+    points.push_back(model.centre + model.radius * (std::cos(angle) * first + std::sin(angle) * second));
+  }
+  return points;
+}
+
+// Every point of the outlet, moved into the bag by a millionth of the bag's size.
 void require_outlet_inside(const jet::JetModel& model, const BagPart& bag) {
   const double size =
       (bag.initial_position.rowwise().maxCoeff() - bag.initial_position.rowwise().minCoeff()).norm();
-  const auto source = jet::ray_source(model);
-  for (const double side : {-1.0, 0.0, 1.0}) {
-    const Eigen::Vector3d end = source.centre + side * source.half_long * source.long_direction;
-    const Eigen::Vector3d point = end + 1e-6 * size * source.axis.normalized();
-    const double winding = coupling::winding_number(bag.mesh.elements, bag.initial_position, point);
+  for (const Eigen::Vector3d& point : outlet_points(model)) {
+    const double winding =
+        coupling::winding_number(bag.mesh.elements, bag.initial_position, point + 1e-6 * size * model.axis);
     if (!(winding > 0.5))
       throw std::invalid_argument(
-          fmt::format("the outlet at [{}, {}, {}] m is outside the bag; a place inside it, or "
-                      "on its skin with the axis inwards, is allowed",
-                      end.x(), end.y(), end.z()));
-    if (source.half_long == 0.0) break;
+          fmt::format("the outlet's point [{}, {}, {}] m is outside the bag; an outlet inside "
+                      "it, or on its skin with the axis inwards, is allowed",
+                      point.x(), point.y(), point.z()));
   }
+}
+
+// Elements wider than the jet at its outlet sample it by chance.
+void warn_if_coarse(const jet::JetModel& model, const Eigen::Matrix3Xd& nodes,
+                    const Eigen::Matrix3Xi& elements, std::vector<std::string>& warnings) {
+  double longest = 0.0;
+  for (Eigen::Index e = 0; e < elements.cols(); ++e)
+    for (int i = 0; i < 3; ++i)
+      longest = std::max(longest, (nodes.col(elements(i, e)) - nodes.col(elements((i + 1) % 3, e))).norm());
+  const double width = jet::section(model, 0.0).width;
+  if (longest > 1.5 * width)
+    warnings.push_back(
+        fmt::format("element sides of up to {:.3g} m are too coarse for a jet {:.3g} m wide at its outlet: "
+                    "its force is a matter of chance",
+                    longest, width));
 }
 
 // A target behind the outlet, or facing the wrong way, would feel nothing: a slip.
@@ -124,6 +159,9 @@ void read_jet(TableReader& inflator, std::size_t index, Scene& scene) {
     table->fail("jet_work",
                 "\"from_gas\" needs temperature = \"stagnation\": with a static temperature the jet's "
                 "kinetic energy is no part of the inflator's enthalpy");
+  const auto& nodes = scene.bag ? scene.bag->mesh.nodes : scene.target->nodes;
+  warn_if_coarse(model, nodes, scene.bag ? scene.bag->mesh.elements : scene.target->triangles,
+                 scene.warnings);
   if (scene.target) require_target_ahead(*table, model, *scene.target);
   if (scene.bag) table->located("centre", [&] { require_outlet_inside(model, *scene.bag); });
   table->finish();

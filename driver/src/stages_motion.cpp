@@ -109,6 +109,9 @@ void choose_step(const Scene& scene, State& state, bool last) {
   const double left = scene.time.end - state.time;
   if (left < 2.0 * wanted && left > wanted * (1.0 + 1e-9)) wanted = 0.5 * left;
   step.after = std::min(wanted, left);
+  if (step.after < left && step.after < 1e-9 * scene.time.end)
+    throw StepError(fmt::format("step {} s would take more than 1e9 of them to end_time; {}", step.after,
+                                "steps of end_time / 1e9 or more are allowed"));
   book_step(step);
 }
 

@@ -37,7 +37,7 @@ Json step_sizes(const Scene& scene, const State& state) {
 }
 
 Json residuals(const Scene& scene, const State& state) {
-  Json json;
+  Json json = Json::object();
   const double energy = state.peaks.energy_scale;
   const auto relative = [&](double joule) { return energy > 0.0 ? joule / energy : joule; };
   if (scene.has_volume()) json["mass_rel"] = state.peaks.mass_residual;
@@ -48,7 +48,7 @@ Json residuals(const Scene& scene, const State& state) {
 }
 
 Json peaks(const Scene& scene, const State& state) {
-  Json json;
+  Json json = Json::object();
   const Peaks& p = state.peaks;
   if (scene.has_volume()) json["pressure_Pa"] = p.pressure;
   if (scene.bag) json["volume_m3"] = p.volume;
@@ -172,8 +172,8 @@ void write_summary(const std::filesystem::path& file, const Scene& scene, const 
   for (const auto& [key, value] : lines) json["build"][key] = value;
   std::ofstream stream(file);
   // Paths and overrides may hold bytes that are no UTF-8.
-  stream << json.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
-  if (!stream) throw OutputError(file.string() + ": write failed");
+  stream << json.dump(2, ' ', false, Json::error_handler_t::replace) << std::endl;
+  if (!stream) throw WriteError(file.string() + ": write failed");
 }
 
 }  // namespace driver

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <iomanip>
 #include <numeric>
 #include <sstream>
 #include <stdexcept>
@@ -32,10 +33,7 @@ bool allowed(double x) {
 
 /// 17 digits: a refused value is shown as it is, 1e-120 not as 0.
 std::string text(double value) {
-  std::ostringstream stream;
-  stream.precision(17);
-  stream << value;
-  return stream.str();
+  return (std::ostringstream() << std::setprecision(17) << value).str();
 }
 
 void require_index(const char* name, int index, int count) {

@@ -136,6 +136,10 @@ const Fault kFaults[] = {
      "second time", "[[gas.species]]\nname = \"model_N2\"\ngas_constant = 1.0"},
     {"empty_array", "sphere_inflation", "time = [0.0, 0.02, 0.04]", "time = []", "inflator.0.mass_flow",
      "as many", "mass_flow = {"},
+    {"wide_outlet", "passenger_pendulum", "centre = [0.0, 0.0, 0.0] ", "centre = [0.0, 0.0, 0.2] ",
+     "inflator.0.jet.centre", "outside the bag", "centre = [0.0, 0.0, 0.2"},
+    {"short_side_longer", "passenger_pendulum", "short_side = 0.080 ", "short_side = 0.2 ",
+     "inflator.0.jet.short_side", "longer", "short_side"},
     {"step_of_a_tank", "rigid_tank", "[output]", "[time]\nstep = 1e-3\n[output]", "time", "move", "time]"},
 };
 INSTANTIATE_TEST_SUITE_P(faults, bad_input, testing::ValuesIn(kFaults),

@@ -37,6 +37,16 @@ part_exit_codes() {
   expect 2 "not writable|No such|Permission|writ" "$gasjet" mesh passenger --out "$work/nowhere/bag.obj"
 }
 
+part_lost_output() {
+  mkdir "$work/full"
+  ln -s /dev/full "$work/full/summary.json"
+  expect 3 "summary.json: write failed" "$gasjet" run "$source/cases/rigid_tank.toml" --out "$work/full"
+  expect 3 "no finite number" "$gasjet" run "$source/cases/plate_jet.toml" --out "$work/inf" --set inflator.0.mass_flow=1e300
+  grep -Eiq '(^|,)-?(nan|inf)' <(grep -v '^#' "$work/inf/history.csv" | tail -n +2) && fail "nan or inf in the history"
+  expect 0 "too coarse" "$gasjet" run "$source/cases/plate_jet.toml" --out "$work/coarse" --set target.rows=6 --set target.columns=6
+  expect 0 "delivers nothing" "$gasjet" run "$source/cases/rigid_tank.toml" --out "$work/idle" --set inflator.0.start_time=5
+}
+
 part_bad_input() {
   local tank=$source/cases/rigid_tank.toml
   expect 2 "no such file" "$gasjet" run "$work/missing.toml" --out "$work/out"
@@ -49,6 +59,13 @@ part_bad_input() {
   echo "file in the way" >"$work/file"
   expect 2 "--out" "$gasjet" run "$tank" --out "$work/file/below"
   expect 2 "--out" "$gasjet" run "$tank" --out /proc/no_such_folder
+  expect 2 "--set scene.end_time=0.1,0.2" "$gasjet" run "$tank" --out "$work/out" --set scene.end_time=0.1,0.2
+  expect 2 "--set a.b=1: a: unknown key" "$gasjet" run "$tank" --out "$work/out" --set a.b=1
+  expect 2 "part of the path" "$gasjet" run "$tank" --out "$work/out" --set scene.end_time.=1
+  expect 2 "longer than 64 MiB" "$gasjet" run /dev/zero --out "$work/out"
+  expect 2 "another file name" "$gasjet" ensemble "$source/cases/sphere_inflation.toml" --runs 2 \
+    --against "$source/cases/sphere_inflation.toml" --out "$work/out"
+  expect 2 "no such file" "$gasjet" ensemble "$source/cases/sphere_inflation.toml" --runs 2 --against "$work/none.toml" --out "$work/out"
   [ -e "$work/out" ] && fail "bad input wrote $work/out"
 }
 

@@ -2,6 +2,8 @@
 // Where the fast route's short cut does all the work, and what the counters say where it does not.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "routes.hpp"
 
 namespace {
@@ -51,6 +53,28 @@ TEST(fast_route, ray_upstream_falls_back_alone) {
     EXPECT_EQ(counters.tree_builds, 0u);
   }
   EXPECT_EQ(facing, 5u);
+}
+
+TEST(fast_route, outlet_that_crosses_the_bag_has_no_common_winding_number) {
+  Mesh mesh = scenes::sphere(3), second = scenes::sphere(3, 0.8);
+  for (auto& p : second.nodes) p += Eigen::Vector3d(0.0, 1.2, 0.0);
+  scenes::append(mesh, second);  // sources below the second sphere's skin, y = 0.4, have 1, those above 2
+  const auto turn = Eigen::AngleAxisd(0.7, Eigen::Vector3d(1, 2, 3).normalized());
+  for (const Eigen::Matrix3d& rotation : {Eigen::Matrix3d::Identity().eval(), turn.toRotationMatrix()}) {
+    Mesh turned = mesh;
+    for (auto& p : turned.nodes) p = rotation * p;
+    const jet::RaySource source =
+        routes::line(rotation.col(1) * 0.2, rotation.col(0), rotation.col(1).normalized(), 0.6);
+    std::vector<int> candidates = routes::in_cone(turned, source, 0.3);
+    const auto place = [&](int e) {
+      return turned.centroid(static_cast<std::size_t>(e)).dot(rotation.col(1));
+    };
+    std::sort(candidates.begin(), candidates.end(), [&](int a, int b) { return place(a) < place(b); });
+    const auto counters = routes::agreed_on(candidates, turned, source).counters;
+    EXPECT_GT(counters.hidden, 10u);
+    EXPECT_EQ(counters.fallbacks, counters.lit + counters.hidden);
+    EXPECT_EQ(counters.tree_builds, 0u);
+  }
 }
 
 TEST(fast_route, tree_is_built_for_rays_all_around_in_a_folded_bag_alone) {

@@ -13,7 +13,7 @@
 namespace driver {
 
 /// Nodes with velocity; elements with overpressure of the jet, gauge pressure, stress, strain and jet mask;
-/// the impactor as a point at the end of a line to the pivot stands in pendulum_*.vtp. Throws OutputError.
+/// the impactor as a point at the end of a line to the pivot stands in pendulum_*.vtp. Throws WriteError.
 class FieldWriter {
  public:
   FieldWriter(const std::filesystem::path& folder, const Scene& scene);

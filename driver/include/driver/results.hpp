@@ -24,13 +24,21 @@ class OutputError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// Results could not be written although the folder was writable at the start, or are no numbers (exit code
+/// 3).
+class WriteError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
 /// A CSV file of chosen columns, readable at any moment of the run: numbers in the shortest form that reads
-/// back to the same double. Throws OutputError when the file cannot be opened or a write fails.
+/// back to the same double. Throws OutputError when the file cannot be opened.
 template <typename Row>
 class CsvWriter {
  public:
   CsvWriter(const std::filesystem::path& file, const Provenance& provenance,
             std::vector<Column<Row>> columns);
+  /// Throws WriteError, and leaves the row out, when a value is not finite or the file takes no more.
   void write(const Row& row);
   void flush();
 

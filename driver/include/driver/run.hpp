@@ -46,7 +46,7 @@ RunOutcome run_to_folder(const Scene& scene, const std::filesystem::path& folder
 std::vector<Column<Record>> history_columns(const Scene& scene);
 std::vector<Column<EnergyRecord>> energy_columns(const Scene& scene);
 
-/// summary.json of a run, whatever its outcome. Throws OutputError.
+/// summary.json of a run, whatever its outcome. Throws WriteError.
 void write_summary(const std::filesystem::path& file, const Scene& scene, const State& state,
                    const RunOutcome& outcome, const Provenance& provenance);
 

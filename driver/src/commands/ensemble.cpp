@@ -32,7 +32,8 @@ void write_effects(const std::filesystem::path& file, const std::vector<Effect>&
     fmt::print("  {:28} {:12.5g} {:12.3g} {:>10}\n", e.quantity, e.difference, e.standard_errors,
                e.decided() ? "decided" : "undecided");
   }
-  if (!csv) throw OutputError(fmt::format("{}: write failed", file.string()));
+  csv.flush();
+  if (!csv) throw WriteError(fmt::format("{}: write failed", file.string()));
 }
 
 }  // namespace

@@ -52,16 +52,17 @@ membrane::PassengerBagOptions passenger_options(const std::vector<std::string>& 
 
 int mesh_passenger(const MeshArguments& arguments) {
   membrane::PassengerBag bag;
+  membrane::ElementQuality quality{};
   try {
     bag = membrane::passenger_bag(passenger_options(arguments.overrides));
     membrane::require_closed_surface(bag.mesh.nodes, bag.mesh.elements);
+    quality = membrane::element_quality(bag.mesh.nodes, bag.mesh.elements);
     membrane::write_obj(bag.mesh, arguments.out);
   } catch (const std::invalid_argument& error) {
     throw CaseError(error.what());
   } catch (const membrane::MeshFileError& error) {
     throw OutputError(error.what());
   }
-  const auto quality = membrane::element_quality(bag.mesh.nodes, bag.mesh.elements);
   fmt::print("{}: {} elements, {} nodes, design volume {:.5g} m3\n", arguments.out.string(),
              bag.mesh.element_count(), bag.mesh.node_count(),
              membrane::enclosed_volume(bag.mesh.nodes, bag.mesh.elements));
