@@ -31,7 +31,6 @@ jet::JetModel jet_model(const PassengerState& p) {
   m.long_side = 0.16;
   m.short_side = 0.0725;
   m.decay_coefficient = 0.1;
-  m.attachment_elements = p.attachment_elements;
   return jet::validated(m);
 }
 
