@@ -22,7 +22,7 @@ const PassengerState& saved(benchmark::State& run) {
 }
 
 // The outlet of 0.0116 m2 in the middle of the attachment, blowing away from the plate.
-jet::JetModel jet_model(const PassengerState& p) {
+jet::JetModel jet_model() {
   jet::JetModel m;
   m.shape = jet::OutletShape::rectangular;
   m.centre = {0.0, 0.0, 0.0};
@@ -43,7 +43,7 @@ jet::OutletState outlet(const jet::JetModel& model) {
 
 struct Field {
   const PassengerState& p;
-  jet::JetModel model = jet_model(p);
+  jet::JetModel model = jet_model();
   jet::OutletState out = outlet(model);
   jet::JetField field{model, p.model.element_count, p.null_elements};
   jet::FieldState state = field.make_state();
