@@ -52,7 +52,7 @@ struct Field {
 };
 
 void BM_outlet(benchmark::State& run) {
-  const jet::JetModel model = jet_model(benchmarks::passenger_state(Shape::flat));
+  const jet::JetModel model = jet_model();
   jet::OutletState out;
   for (auto _ : run) {
     out = outlet(model);
