@@ -27,6 +27,10 @@ struct Fault {
   const char* mark;         // the message names the first place of this text; empty: the start of the file
 };
 
+void PrintTo(const Fault& fault, std::ostream* out) {
+  *out << fault.name;
+}
+
 // `file:line:column` of the faulty key: where its name stands at the start of a line or of an inline table's
 // entry, nearest to the change; of the table's head for what is missing, of the file for a missing table.
 std::string place_of(const fs::path& file, const std::string& text, std::size_t at) {

@@ -16,6 +16,10 @@ struct BadMesh {
   const char* says;
 };
 
+void PrintTo(const BadMesh& mesh, std::ostream* out) {
+  *out << mesh.name;
+}
+
 class bad_mesh : public testing::TestWithParam<BadMesh> {};
 
 TEST_P(bad_mesh, is_refused) {
