@@ -27,6 +27,8 @@ namespace driver {
 enum class LeakLaw { none, printed, screen };
 
 /// Does the work of the jet on the skin come from outside (the paper), or out of the bag's gas?
+/// `from_gas` takes the work of a kick out after the kick: energy balances, the pressure is first order in
+/// it.
 enum class JetWork { external, from_gas };
 
 /// Gas: species, inflators, vents. A scene with a jet on a rigid target has inflators, but no volume of gas.

@@ -39,7 +39,7 @@ int nearest_node(const Mesh& mesh, const Eigen::Vector3d& point);
 Eigen::VectorXd element_areas(const Eigen::Ref<const Eigen::Matrix3Xd>& nodes,
                               const Eigen::Ref<const Eigen::Matrix3Xi>& elements);
 
-/// Enclosed volume [m3], V = (1/6) sum x_a . (x_b x x_c) (M.1), summed about the first node's position so
+/// Enclosed volume [m3], V = (1/6) sum x_a . (x_b x x_c) (M.5), summed about the first node's position so
 /// that it does not depend on the origin to round-off. Positive for outward orientation; meaningful on closed
 /// surfaces only.
 double enclosed_volume(const Eigen::Ref<const Eigen::Matrix3Xd>& nodes,
