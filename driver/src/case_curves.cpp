@@ -1,65 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // Curves and compositions of a case file, and curves that stand in a CSV beside it.
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
-#include <charconv>
 #include <cmath>
-#include <fstream>
 
+#include "csv_table.hpp"
 #include "driver/case_reader.hpp"
 #include "toml_library.hpp"
 
 namespace driver {
 namespace {
-
-struct CsvCell {
-  std::string text;
-  std::size_t column;  // 1-based character position
-};
-
-std::vector<CsvCell> split_row(const std::string& line) {
-  std::vector<CsvCell> cells;
-  std::size_t begin = 0;
-  while (begin <= line.size()) {
-    const std::size_t end = std::min(line.find(',', begin), line.size());
-    std::size_t first = begin, last = end;
-    while (first < last && (line[first] == ' ' || line[first] == '\t')) ++first;
-    while (last > first && (line[last - 1] == ' ' || line[last - 1] == '\t' || line[last - 1] == '\r'))
-      --last;
-    cells.push_back({line.substr(first, last - first), first + 1});
-    begin = end + 1;
-  }
-  return cells;
-}
-
-[[noreturn]] void fail_at(const std::filesystem::path& file, std::size_t line, std::size_t column,
-                          const std::string& message) {
-  throw CaseError(fmt::format("{}:{}:{}: {}", file.string(), line, column, message));
-}
-
-std::size_t column_index(const std::vector<CsvCell>& header, const std::string& name,
-                         const std::filesystem::path& file, std::size_t line) {
-  std::vector<std::string> names;
-  for (const auto& cell : header) {
-    if (cell.text == name) return names.size();
-    names.push_back(cell.text);
-  }
-  fail_at(file, line, 1, fmt::format("{}: no such column, the header has {}", name, fmt::join(names, ", ")));
-}
-
-double cell_number(const std::vector<CsvCell>& row, std::size_t index, const std::filesystem::path& file,
-                   std::size_t line) {
-  if (index >= row.size())
-    fail_at(file, line, 1, fmt::format("has {} columns, {} are needed", row.size(), index + 1));
-  const CsvCell& cell = row[index];
-  double value = 0.0;
-  const char* end = cell.text.data() + cell.text.size();
-  const auto [stop, error] = std::from_chars(cell.text.data(), end, value);
-  if (error != std::errc{} || stop != end || !std::isfinite(value))
-    fail_at(file, line, cell.column, fmt::format("'{}': a finite number is allowed", cell.text));
-  return value;
-}
 
 void check_knots(const CurveData& curve, const std::function<void(const std::string&)>& fail) {
   if (curve.time.size() != curve.value.size())
@@ -76,26 +26,11 @@ void check_knots(const CurveData& curve, const std::function<void(const std::str
 
 CurveData read_curve_csv(const std::filesystem::path& file, const std::string& time_column,
                          const std::string& value_column) {
-  std::ifstream stream(file);
-  if (!stream) throw CaseError(fmt::format("{}: no such file, or not readable", file.string()));
-  CurveData curve;
-  std::vector<CsvCell> header;
-  std::size_t time_index = 0, value_index = 0, line_number = 0;
-  for (std::string line; std::getline(stream, line);) {
-    ++line_number;
-    if (line.empty() || line[0] == '#' || line == "\r") continue;
-    const auto row = split_row(line);
-    if (header.empty()) {
-      header = row;
-      time_index = column_index(header, time_column, file, line_number);
-      value_index = column_index(header, value_column, file, line_number);
-      continue;
-    }
-    curve.time.push_back(cell_number(row, time_index, file, line_number));
-    curve.value.push_back(cell_number(row, value_index, file, line_number));
-  }
+  CsvTable table = read_csv(file, {time_column, value_column});
+  const std::size_t last_line = table.rows() > 0 ? table.lines.back() : 1;
+  CurveData curve{std::move(table.values[0]), std::move(table.values[1])};
   check_knots(curve, [&](const std::string& message) {
-    fail_at(file, line_number, 1, value_column + ": " + message);
+    throw CaseError(fmt::format("{}:{}:1: {}: {}", file.string(), last_line, value_column, message));
   });
   return curve;
 }

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "csv_table.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <sstream>
+
+#include "driver/case_reader.hpp"
+#include "text_file.hpp"
+
+namespace driver {
+namespace {
+
+struct CsvCell {
+  std::string text;
+  std::size_t column;  // 1-based character position
+};
+
+std::vector<CsvCell> split_row(const std::string& line) {
+  std::vector<CsvCell> cells;
+  std::size_t begin = 0;
+  while (begin <= line.size()) {
+    const std::size_t end = std::min(line.find(',', begin), line.size());
+    std::size_t first = begin, last = end;
+    while (first < last && (line[first] == ' ' || line[first] == '\t')) ++first;
+    while (last > first && (line[last - 1] == ' ' || line[last - 1] == '\t' || line[last - 1] == '\r'))
+      --last;
+    cells.push_back({line.substr(first, last - first), first + 1});
+    begin = end + 1;
+  }
+  return cells;
+}
+
+[[noreturn]] void fail_at(const std::filesystem::path& file, std::size_t line, std::size_t column,
+                          const std::string& message) {
+  throw CaseError(fmt::format("{}:{}:{}: {}", file.string(), line, column, message));
+}
+
+std::vector<std::size_t> find_columns(const std::vector<CsvCell>& header, const CsvTable& table,
+                                      std::size_t line) {
+  std::vector<std::string> present;
+  for (const auto& cell : header) present.push_back(cell.text);
+  std::vector<std::size_t> indices;
+  for (const auto& name : table.names) {
+    const auto found = std::find(present.begin(), present.end(), name);
+    if (found == present.end())
+      fail_at(table.file, line, 1,
+              fmt::format("{}: no such column, the header has {}", name, fmt::join(present, ", ")));
+    indices.push_back(static_cast<std::size_t>(found - present.begin()));
+  }
+  return indices;
+}
+
+double cell_number(const std::vector<CsvCell>& row, std::size_t index, const std::filesystem::path& file,
+                   std::size_t line) {
+  if (index >= row.size())
+    fail_at(file, line, 1, fmt::format("has {} columns, {} are needed", row.size(), index + 1));
+  const CsvCell& cell = row[index];
+  double value = 0.0;
+  const char* end = cell.text.data() + cell.text.size();
+  const auto [stop, error] = std::from_chars(cell.text.data(), end, value);
+  if (error != std::errc{} || stop != end || !std::isfinite(value))
+    fail_at(file, line, cell.column, fmt::format("'{}': a finite number is allowed", cell.text));
+  return value;
+}
+
+}  // namespace
+
+void CsvTable::fail(std::size_t column, std::size_t row, const std::string& message) const {
+  fail_at(file, lines[row], positions[column][row], names[column] + ": " + message);
+}
+
+CsvTable read_csv(const std::filesystem::path& file, const std::vector<std::string>& names) {
+  std::istringstream stream(read_text(file));
+  const std::size_t count = names.size();
+  CsvTable table{file, names, std::vector<std::vector<double>>(count), {}, {}};
+  table.positions.resize(count);
+  std::vector<std::size_t> indices;
+  std::size_t line_number = 0;
+  for (std::string line; std::getline(stream, line);) {
+    ++line_number;
+    if (line.empty() || line[0] == '#' || line == "\r") continue;
+    const auto row = split_row(line);
+    if (indices.empty()) {
+      indices = find_columns(row, table, line_number);
+      continue;
+    }
+    table.lines.push_back(line_number);
+    for (std::size_t c = 0; c < count; ++c) {
+      table.values[c].push_back(cell_number(row, indices[c], file, line_number));
+      table.positions[c].push_back(row[indices[c]].column);
+    }
+  }
+  return table;
+}
+
+}  // namespace driver

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+// Numbers in named columns of a CSV file, with the place of each.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace driver {
+
+/// The columns asked for, in that order. Every number is finite.
+struct CsvTable {
+  std::filesystem::path file;
+  std::vector<std::string> names;
+  std::vector<std::vector<double>> values;          // [column][row]
+  std::vector<std::size_t> lines;                   // [row] 1-based line of the file
+  std::vector<std::vector<std::size_t>> positions;  // [column][row] 1-based character in that line
+
+  std::size_t rows() const { return lines.size(); }
+  /// Throws CaseError `file:line:column: name: message` at a cell.
+  [[noreturn]] void fail(std::size_t column, std::size_t row, const std::string& message) const;
+};
+
+/// Reads a CSV file with a header row; `#` lines and empty lines are skipped. Throws CaseError at the place
+/// of the fault for a file that cannot be read, a missing column or cell, and a cell that is no finite
+/// number.
+CsvTable read_csv(const std::filesystem::path& file, const std::vector<std::string>& names);
+
+}  // namespace driver
