@@ -9,6 +9,7 @@
 
 #include "checks.hpp"
 #include "kernel_table.hpp"
+#include "membrane/orthotropic.hpp"
 
 namespace membrane {
 
@@ -18,6 +19,7 @@ namespace {
 struct ReferenceTriangle {
   double area;                           // [m2]
   Eigen::Matrix<double, 2, 3> gradient;  // corner functions' gradients [1/m]
+  Eigen::Matrix<double, 3, 2> axes;      // unit vectors of the frame
 };
 
 ReferenceTriangle reference_triangle(const BagDescription& d, Eigen::Index e) {
@@ -31,7 +33,8 @@ ReferenceTriangle reference_triangle(const BagDescription& d, Eigen::Index e) {
   if (!(twice_area > noise))
     reject("element " + std::to_string(e), "reference area", 0.5 * twice_area,
            "more than rounding, " + std::to_string(0.5 * noise) + " m2 here");
-  ReferenceTriangle t{0.5 * twice_area, {}};
+  ReferenceTriangle t{0.5 * twice_area, {}, {}};
+  t.axes << ab / length, ab.cross(ac).cross(ab) / (twice_area * length);
   const double c1 = ab.dot(ac) / length, c2 = twice_area / length;
   t.gradient.col(1) << 1.0 / length, -c1 / (length * c2);
   t.gradient.col(2) << 0.0, 1.0 / c2;
@@ -39,17 +42,41 @@ ReferenceTriangle reference_triangle(const BagDescription& d, Eigen::Index e) {
   return t;
 }
 
+// Warp in the element's frame, (cos, sin) of its angle; an element without weave has it along the first axis.
+Eigen::Vector2d warp_direction(const ReferenceTriangle& t, const ElementProperties& p, Eigen::Index e) {
+  if (!p.weave) return Eigen::Vector2d::UnitX();
+  const Eigen::Vector2d in_plane = t.axes.transpose() * p.weave->warp.normalized();
+  // Closer to the normal than this the direction is rounding of the element's corners.
+  constexpr double least = 1e-6;
+  if (!(in_plane.norm() > least))
+    reject("element " + std::to_string(e), "part of the warp in the element's plane", in_plane.norm(),
+           "more than 1e-6 of it");
+  return in_plane.normalized();
+}
+
+Weave weave_of(const ElementProperties& p) {
+  if (p.weave) return {p.young, p.weave->young_weft, p.poisson, p.weave->shear};
+  return {p.young, p.young, p.poisson, 0.5 * p.young / (1.0 + p.poisson)};
+}
+
+// Plane-stress stiffness in the frame turned back from the warp by `angle` (cos, sin), for engineering shear.
+Eigen::Matrix3d elasticity(const Weave& w, const Eigen::Vector2d& angle) {
+  const double reciprocal = 1.0 - w.poisson * w.poisson * (w.young_weft / w.young_warp);
+  Eigen::Matrix3d d, turn;
+  const double c12 = w.poisson * w.young_weft;
+  d << w.young_warp, c12, 0.0, c12, w.young_weft, 0.0, 0.0, 0.0, w.shear * reciprocal;
+  const double c = angle[0], s = angle[1];
+  turn << c * c, s * s, c * s, s * s, c * c, -c * s, -2.0 * c * s, 2.0 * c * s, c * c - s * s;
+  return turn.transpose() * d * turn / reciprocal;
+}
+
 // Largest eigenvalue of D B B^T, by the symmetric matrix L^T B B^T L with D = L L^T.
-double stiffness_eigenvalue(const ReferenceTriangle& t, const ElementProperties& p) {
+double stiffness_eigenvalue(const ReferenceTriangle& t, const Eigen::Matrix3d& elasticity) {
   Eigen::Matrix<double, 3, 6> strain_operator;
   for (int k = 0; k < 3; ++k) {
     const double g1 = t.gradient(0, k), g2 = t.gradient(1, k);
     strain_operator.block<3, 2>(0, 2 * k) << g1, 0.0, 0.0, g2, g2, g1;
   }
-  const double nu = p.poisson;
-  Eigen::Matrix3d elasticity;
-  elasticity << 1.0, nu, 0.0, nu, 1.0, 0.0, 0.0, 0.0, 0.5 * (1.0 - nu);
-  elasticity *= p.young / (1.0 - nu * nu);
   const Eigen::Matrix3d factor = elasticity.llt().matrixL();
   const Eigen::Matrix<double, 3, 6> product = factor.transpose() * strain_operator;
   const Eigen::Matrix3d symmetric = product * product.transpose();
@@ -61,24 +88,45 @@ double gradient_eigenvalue(const ReferenceTriangle& t) {
   return Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(g, Eigen::EigenvaluesOnly).eigenvalues()[1];
 }
 
-void resize(ElementConstants& c, int element_count) {
+void resize(ElementConstants& c, int element_count, bool woven) {
   const auto size = static_cast<std::size_t>(padded(element_count));
   for (auto* nodes : {&c.node_a, &c.node_b, &c.node_c}) nodes->assign(size, 0);
   for (auto* values :
        {&c.gradient_b1, &c.gradient_b2, &c.gradient_c2, &c.volume, &c.young, &c.spherical, &c.deviator,
         &c.material_frequency, &c.geometric_frequency, &c.porosity, &c.porosity_squared})
     values->assign(size, 0.0);
+  if (!woven) return;
+  for (auto* values : {&c.cosine, &c.sine, &c.shear, &c.series, &c.skew, &c.taut}) values->assign(size, 0.0);
+  c.warp_scale.assign(size, 1.0);  // a divisor, of the inert elements too
 }
 
-void set_fabric(ElementConstants& c, std::size_t i, const ReferenceTriangle& t, const ElementProperties& p) {
+void set_weave(ElementConstants& c, std::size_t i, const OrthotropicConstants<double>& fabric) {
+  c.cosine[i] = fabric.cosine;
+  c.sine[i] = fabric.sine;
+  c.warp_scale[i] = fabric.warp_scale;
+  c.spherical[i] = fabric.spherical;
+  c.deviator[i] = fabric.deviator;
+  c.shear[i] = fabric.shear;
+  c.series[i] = fabric.series;
+  c.skew[i] = fabric.skew;
+  c.taut[i] = fabric.taut;
+}
+
+void set_fabric(BagModel& m, std::size_t i, const ReferenceTriangle& t, const ElementProperties& p) {
   if (p.null_panel) return;
+  ElementConstants& c = m.constants;
+  const Eigen::Vector2d warp = warp_direction(t, p, static_cast<Eigen::Index>(i));
   const auto fabric = isotropic_constants(p.young, p.poisson);
   c.volume[i] = p.thickness * t.area;
   c.young[i] = fabric.young;
   c.spherical[i] = fabric.spherical;
   c.deviator[i] = fabric.deviator;
+  if (m.woven)
+    set_weave(
+        c, i,
+        orthotropic_constants(weave_of(p), warp[0] * warp[0] - warp[1] * warp[1], 2.0 * warp[0] * warp[1]));
   // Each corner carries a third of the mass rho h A, so M^-1 K has the factor (h A) / (rho h A / 3).
-  c.material_frequency[i] = 3.0 / p.density * stiffness_eigenvalue(t, p);
+  c.material_frequency[i] = 3.0 / p.density * stiffness_eigenvalue(t, elasticity(weave_of(p), warp));
   c.geometric_frequency[i] = 3.0 / p.density * gradient_eigenvalue(t);
   c.porosity[i] = p.porosity;
   c.porosity_squared[i] = p.porosity * p.porosity;
@@ -97,7 +145,7 @@ void set_element(BagModel& m, Eigen::Index e) {
   c.gradient_b2[i] = t.gradient(1, 1);
   c.gradient_c2[i] = t.gradient(1, 2);
   m.reference_area[i] = t.area;
-  set_fabric(c, i, t, p);
+  set_fabric(m, i, t, p);
   if (p.null_panel) return;
   for (int k = 0; k < 3; ++k) {
     m.node_mass[static_cast<std::size_t>(corner[k])] += p.density * p.thickness * t.area / 3.0;
@@ -169,7 +217,9 @@ BagModel make_model(const BagDescription& description) {
   const auto nodes = static_cast<std::size_t>(m.node_count);
   for (auto* values : {&m.node_mass, &m.inverse_mass, &m.node_area}) values->assign(nodes, 0.0);
   m.reference_area.assign(static_cast<std::size_t>(m.element_count), 0.0);
-  resize(m.constants, m.element_count);
+  m.woven = std::any_of(description.properties.begin(), description.properties.end(),
+                        [](const ElementProperties& p) { return !p.null_panel && p.weave; });
+  resize(m.constants, m.element_count, m.woven);
   for (Eigen::Index e = 0; e < m.element_count; ++e) set_element(m, e);
   set_corner_table(m);
   set_masses(m);

@@ -4,6 +4,7 @@
 #include "element.hpp"
 #include "kernel_table.hpp"
 #include "lanes.hpp"
+#include "membrane/orthotropic.hpp"
 
 // Kernels over elements. T is Lanes, or double for the oracle; both visit groups of four elements and keep
 // four partial sums, so that they agree bit for bit.
@@ -85,7 +86,30 @@ void store_corner_forces(double* out, const Vec3<T>& on_b, const Vec3<T>& on_c) 
   store(out + 32, on_c.z);
 }
 
+template <class T>
+void load_fabric(const ForceArrays& s, int e, IsotropicConstants<T>& out) {
+  out = {load<T>(s.young + e), load<T>(s.spherical + e), load<T>(s.deviator + e)};
+}
+template <class T>
+void load_fabric(const ForceArrays& s, int e, OrthotropicConstants<T>& out) {
+  const WeaveArrays& w = s.weave;
+  out = {load<T>(w.cosine + e),    load<T>(w.sine + e),     load<T>(w.warp_scale + e),
+         load<T>(s.spherical + e), load<T>(s.deviator + e), load<T>(w.shear + e),
+         load<T>(w.series + e),    load<T>(w.skew + e),     load<T>(w.taut + e)};
+}
+
 template <Compression kCompression, class T>
+[[gnu::always_inline]] inline PlaneResponse<T> response(const PlaneStrain<T>& e,
+                                                        const IsotropicConstants<T>& c) {
+  return isotropic_response<kCompression>(e, c);
+}
+template <Compression kCompression, class T>
+[[gnu::always_inline]] inline PlaneResponse<T> response(const PlaneStrain<T>& e,
+                                                        const OrthotropicConstants<T>& c) {
+  return orthotropic_response<kCompression>(e, c);
+}
+
+template <template <class> class Fabric, Compression kCompression, class T>
 [[gnu::always_inline]] inline void forces_of(const ForceArrays& s, int e, double* out, T& energy,
                                              T& frequency) {
   const Vec3<T> a = load_nodes<T>(s.position, s.node_a + e);
@@ -95,8 +119,9 @@ template <Compression kCompression, class T>
   const T f1[3] = {stretch_1(ab.x, b1), stretch_1(ab.y, b1), stretch_1(ab.z, b1)};
   const T f2[3] = {stretch_2(ab.x, ac.x, b2, c2), stretch_2(ab.y, ac.y, b2, c2),
                    stretch_2(ab.z, ac.z, b2, c2)};
-  const IsotropicConstants<T> fabric{load<T>(s.young + e), load<T>(s.spherical + e), load<T>(s.deviator + e)};
-  const auto r = isotropic_response<kCompression>(green_lagrange_strain(f1, f2), fabric);
+  Fabric<T> fabric;
+  load_fabric(s, e, fabric);
+  const auto r = response<kCompression>(green_lagrange_strain(f1, f2), fabric);
 
   const T volume = load<T>(s.volume + e);
   const T n11 = -(volume * r.s11), n22 = -(volume * r.s22), n12 = -(volume * r.s12);
@@ -111,14 +136,14 @@ template <Compression kCompression, class T>
   frequency = select(bound > frequency, bound, frequency);
 }
 
-template <Compression kCompression, class T>
+template <template <class> class Fabric, Compression kCompression, class T>
 void element_forces(const ForceArrays& s, int first, int last, ForceTotals& totals) {
   T energy[kParts<T>] = {};
   T frequency[kParts<T>] = {};
   for (int e = first; e < last; e += 4) {
     double* group = s.corner_force + 9 * std::int64_t{e};
     for (int k = 0; k < kParts<T>; ++k)
-      forces_of<kCompression, T>(s, e + k, group + k, energy[k], frequency[k]);
+      forces_of<Fabric, kCompression, T>(s, e + k, group + k, energy[k], frequency[k]);
   }
   totals = {sum_parts(energy), max_parts(frequency)};
 }

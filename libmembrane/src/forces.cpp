@@ -40,14 +40,16 @@ void element_force_block(const BagModel& model, BagState& state, int block) {
                            c.material_frequency.data(),
                            c.geometric_frequency.data(),
                            state.position.data(),
-                           state.corner_force.data()};
+                           state.corner_force.data(),
+                           {c.cosine.data(), c.sine.data(), c.warp_scale.data(), c.shear.data(),
+                            c.series.data(), c.skew.data(), c.taut.data()}};
   const int first = block * kBlock, last = std::min(first + kBlock, padded(model.element_count));
   const KernelTable& table = kernel_table(model.description.isa);
   ForceTotals totals{};
-  if (model.description.compression == Compression::none)
-    table.element_forces_relaxed(arrays, first, last, totals);
-  else
-    table.element_forces_linear(arrays, first, last, totals);
+  const bool relaxed = model.description.compression == Compression::none;
+  const auto forces = model.woven ? (relaxed ? table.woven_forces_relaxed : table.woven_forces_linear)
+                                  : (relaxed ? table.element_forces_relaxed : table.element_forces_linear);
+  forces(arrays, first, last, totals);
   ForceSums& sums = state.block[static_cast<std::size_t>(block)].forces;
   sums.strain_energy = totals.energy;
   sums.element_frequency = totals.frequency;

@@ -24,12 +24,18 @@ struct SurfaceTotals {
   double area, porosity_area, porosity_squared_area;
 };
 
+// Beside `spherical` and `deviator`, for a woven bag only (null otherwise): see OrthotropicConstants.
+struct WeaveArrays {
+  const double *cosine, *sine, *warp_scale, *shear, *series, *skew, *taut;
+};
+
 struct ForceArrays {
   const std::int32_t *node_a, *node_b, *node_c;
   const double *gradient_b1, *gradient_b2, *gradient_c2, *volume;
   const double *young, *spherical, *deviator, *material_frequency, *geometric_frequency;
   const double* position;  // nodes x 4
   double* corner_force;    // groups x 36
+  WeaveArrays weave;
 };
 
 struct ForceTotals {
@@ -73,6 +79,8 @@ struct KernelTable {
   void (*surface)(const SurfaceArrays&, int first, int last, SurfaceTotals&);
   void (*element_forces_linear)(const ForceArrays&, int first, int last, ForceTotals&);
   void (*element_forces_relaxed)(const ForceArrays&, int first, int last, ForceTotals&);
+  void (*woven_forces_linear)(const ForceArrays&, int first, int last, ForceTotals&);
+  void (*woven_forces_relaxed)(const ForceArrays&, int first, int last, ForceTotals&);
   void (*nodal_forces)(const NodeArrays&, int first, int last);
   void (*volume_gradient)(const NodeArrays&, int first, int last, double& mobility);
   void (*jet_forces)(const NodeArrays&, int first, int last);

@@ -7,8 +7,10 @@
 namespace membrane::avx2 {
 
 const KernelTable kTable{surface<Lanes>,
-                         element_forces<Compression::linear, Lanes>,
-                         element_forces<Compression::none, Lanes>,
+                         element_forces<IsotropicConstants, Compression::linear, Lanes>,
+                         element_forces<IsotropicConstants, Compression::none, Lanes>,
+                         element_forces<OrthotropicConstants, Compression::linear, Lanes>,
+                         element_forces<OrthotropicConstants, Compression::none, Lanes>,
                          nodal_forces,
                          volume_gradient,
                          jet_forces,

@@ -54,6 +54,10 @@ struct Lanes {
   friend Mask operator<(Lanes a, Lanes b) { return {a.low < b.low, a.high < b.high}; }
   friend Mask operator>(Lanes a, Lanes b) { return {a.low > b.low, a.high > b.high}; }
   friend Lanes select(Mask m, Lanes a, Lanes b) { return {m.low ? a.low : b.low, m.high ? a.high : b.high}; }
+  friend bool any_positive(Lanes a) {
+    const PairMask m = (a.low > Pair{}) | (a.high > Pair{});
+    return (m[0] | m[1]) != 0;
+  }
   friend Lanes sqrt(Lanes a) { return {sqrt_pair(a.low), sqrt_pair(a.high)}; }
 };
 

@@ -28,6 +28,9 @@ struct Lanes {
   friend Mask operator<(Lanes a, Lanes b) { return a.v < b.v; }
   friend Mask operator>(Lanes a, Lanes b) { return a.v > b.v; }
   friend Lanes select(Mask m, Lanes a, Lanes b) { return Lanes(m ? a.v : b.v); }
+  friend bool any_positive(Lanes a) {
+    return _mm256_movemask_pd(reinterpret_cast<__m256d>(a.v > Values{})) != 0;
+  }
   friend Lanes sqrt(Lanes a) {
     return Lanes(reinterpret_cast<Values>(_mm256_sqrt_pd(reinterpret_cast<__m256d>(a.v))));
   }

@@ -7,6 +7,7 @@
 #include "checks.hpp"
 #include "element.hpp"
 #include "membrane/error.hpp"
+#include "membrane/orthotropic.hpp"
 
 namespace membrane {
 
@@ -31,6 +32,16 @@ PlaneStrain<double> strain_of(const BagModel& model, const BagState& state, std:
     f2[i] = stretch_2(ab[i], ac[i], c.gradient_b2[e], c.gradient_c2[e]);
   }
   return green_lagrange_strain(f1, f2);
+}
+
+PlaneResponse<double> response_of(const BagModel& model, const PlaneStrain<double>& strain, std::size_t e) {
+  const ElementConstants& c = model.constants;
+  const Compression compression = model.description.compression;
+  if (!model.woven)
+    return isotropic_response(compression, strain, {c.young[e], c.spherical[e], c.deviator[e]});
+  return orthotropic_response(compression, strain,
+                              {c.cosine[e], c.sine[e], c.warp_scale[e], c.spherical[e], c.deviator[e],
+                               c.shear[e], c.series[e], c.skew[e], c.taut[e]});
 }
 
 }  // namespace
@@ -58,8 +69,7 @@ ElementResponse element_response(const BagModel& model, const BagState& state, i
   const ElementConstants& c = model.constants;
   ElementResponse r;
   r.strain = strain_of(model, state, e);
-  r.response = isotropic_response(model.description.compression, r.strain,
-                                  {c.young[e], c.spherical[e], c.deviator[e]});
+  r.response = response_of(model, r.strain, e);
   r.frequency = frequency_bound(c.material_frequency[e], c.geometric_frequency[e], r.response.strain_1,
                                 r.response.stress_1);
   return r;

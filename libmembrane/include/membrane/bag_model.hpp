@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include "membrane/isa.hpp"
@@ -14,6 +15,15 @@ namespace membrane {
 
 inline constexpr double kMustBeGiven = std::numeric_limits<double>::quiet_NaN();
 
+// Makes the fabric of an element orthotropic: `young` and `poisson` are then those of the warp (pulled along
+// the warp the fabric contracts by poisson across), with poisson^2 < young / young_weft.
+struct WeaveProperties {
+  double young_weft = kMustBeGiven;  // > 0 [Pa]
+  double shear = kMustBeGiven;       // G > 0, 1e-4 to 100 of sqrt(young young_weft) [Pa]
+  // Along the warp, any length > 0; its part in the plane of the reference element counts.
+  Eigen::Vector3d warp = Eigen::Vector3d::Constant(kMustBeGiven);
+};
+
 // Fabric of one element. A null element closes a hole: it bounds the volume and carries the gas pressure, but
 // has no mass and no stress; its thickness, density, young and poisson are not read and its porosity is zero.
 struct ElementProperties {
@@ -23,6 +33,7 @@ struct ElementProperties {
   double poisson = kMustBeGiven;    // -1 < nu < 1 [-]
   double porosity = 0.0;            // eta, 0 to 1 [-]
   bool null_panel = false;
+  std::optional<WeaveProperties> weave = {};  // absent: isotropic
 };
 
 // Massless spring that pulls when longer than its free length and never pushes (M.7).
@@ -62,6 +73,8 @@ struct ElementConstants {
   AlignedVector<double> gradient_b1, gradient_b2, gradient_c2;  // [1/m]
   AlignedVector<double> volume;                                 // h * reference area [m3], 0 for null
   AlignedVector<double> young, spherical, deviator;             // see IsotropicConstants [Pa], 0 for null
+  AlignedVector<double> cosine, sine, warp_scale, shear, series, skew,
+      taut;                                  // see OrthotropicConstants; empty unless woven
   AlignedVector<double> material_frequency;  // omega^2 of the free element in its reference shape [1/s2]
   AlignedVector<double>
       geometric_frequency;  // omega^2 per principal stress, (3/rho) lambda_max(G) [1/(s2 Pa)]
@@ -80,6 +93,7 @@ struct CornerTable {
 struct BagModel {
   int node_count = 0;
   int element_count = 0;
+  bool woven = false;          // some element has a weave: all take the orthotropic law
   BagDescription description;  // as given and checked
   ElementConstants constants;
   CornerTable corners;

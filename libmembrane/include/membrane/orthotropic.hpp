@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: Apache-2.0
+// Woven fabric: orthotropic St. Venant-Kirchhoff plane stress with or without compression.
+#pragma once
+
+#include <cmath>
+#include <limits>
+
+#include "membrane/material.hpp"
+
+namespace membrane {
+
+// What a fabric's data sheet gives; the Poisson ratio is the weft's contraction in tension along the warp.
+// The stiffness is positive definite for moduli > 0 and poisson^2 < young_warp / young_weft.
+struct Weave {
+  double young_warp, young_weft;  // [Pa]
+  double poisson;                 // nu_12 [-]
+  double shear;                   // G [Pa]
+};
+
+// The elastic constants as the kernels use them (M.13). In the frame of warp and weft the strains along and
+// across are multiplied by `warp_scale` and its inverse, the stresses by the inverses. That keeps S : E and
+// the sign of both tensors, and makes warp and weft equally stiff: the stiffness is then diagonal in the
+// mean, the difference and the shear.
+template <class T>
+struct OrthotropicConstants {
+  T cosine, sine;  // of twice the angle from the frame's first axis to the warp
+  T warp_scale;    // (C_11 / C_22)^(1/4) [-]
+  T spherical;     // sqrt(C_11 C_22) + C_12 [Pa]: mean stress over mean strain
+  T deviator;  // sqrt(C_11 C_22) - C_12 [Pa]: stress over strain, each half the difference of warp and weft
+  T shear;     // 2 G [Pa]: shear stress over tensor shear strain
+  // Of the wrinkled branch (M.14); all 0 for an element without stress.
+  T series;  // 1 / (1 / spherical + 1 / deviator) [Pa]
+  T skew;    // series * (1 / deviator - 1 / shear) [-], 0 if isotropic in the scaled frame
+  T taut;    // 1 + deviator / spherical [-], value of the root at the taut border
+};
+
+// `cosine`, `sine` as above. Precondition: a positive definite stiffness (the caller checks).
+inline OrthotropicConstants<double> orthotropic_constants(const Weave& w, double cosine, double sine) {
+  const double reciprocal = 1.0 - w.poisson * w.poisson * (w.young_weft / w.young_warp);
+  const double c11 = w.young_warp / reciprocal, c22 = w.young_weft / reciprocal, c12 = w.poisson * c22;
+  const double middle = std::sqrt(c11) * std::sqrt(c22);
+  const double spherical = middle + c12, deviator = middle - c12, shear = 2.0 * w.shear;
+  const double series = spherical * deviator / (spherical + deviator);
+  return {cosine,
+          sine,
+          std::sqrt(std::sqrt(c11 / c22)),
+          spherical,
+          deviator,
+          shear,
+          series,
+          series * (1.0 / deviator - 1.0 / shear),
+          1.0 + deviator / spherical};
+}
+
+// SIMD lane types bring their own overload, found by argument-dependent lookup.
+inline bool any_positive(double value) {
+  return value > 0.0;
+}
+
+// Root u of (M.14), 0 at the slack border and `taut` at the other; mean, difference and shear are the scaled
+// strains. Newton from the border on the side of the mean's sign runs to the root without ever passing it,
+// since the function is concave (mean > 0) or convex: so a lane that no longer advances is done, and more
+// rounds for its neighbours do not change it. 12 rounds suffice for shear / deviator from 1e-4 to 100.
+template <class T>
+T wrinkle_root(T mean, T difference, T shear, const OrthotropicConstants<T>& c) {
+  using std::sqrt;
+  constexpr int most_rounds = 60;
+  const T zero(0.0), one(1.0), rounding(0.5 * std::numeric_limits<double>::epsilon());
+  const auto from_taut = mean > zero;
+  T u = select(from_taut, c.taut, zero);
+  for (int round = 0; round < most_rounds; ++round) {
+    const T b = one - c.skew * u;
+    const T db = difference * b;
+    // The smallest normal number keeps 0/0 out; what it lets through is not an advance.
+    const T inverse = one / (sqrt(db * db + shear * shear) + T(std::numeric_limits<double>::min()));
+    const T t = shear * inverse;
+    const T value = mean * b * inverse + (one - u);
+    const T slope = mean * inverse * (c.skew * (t * t)) + one;
+    // The slope is positive unless the start is on the far side of the root: a taut or slack state.
+    const T step = value / select(slope > zero, slope, one);
+    const T advance = select(from_taut, zero - step, step) - c.taut * rounding;
+    if (!any_positive(advance)) break;
+    u = select(advance > zero, u + step, u);
+  }
+  return u;
+}
+
+// Stress, energy and principal values at a point (M.13, M.14), for T = double or a SIMD lane type. Without
+// compression the energy is the least over all added wrinkle strains, the stress its derivative: positive
+// semi-definite, continuous, S : E / 2 = W everywhere.
+template <Compression kCompression, class T>
+PlaneResponse<T> orthotropic_response(const PlaneStrain<T>& e, const OrthotropicConstants<T>& c) {
+  using std::sqrt;
+  const T half(0.5);
+  const T plain_mean = half * (e.e11 + e.e22), plain_difference = half * (e.e11 - e.e22);
+  const T strain_1 = plain_mean + sqrt(plain_difference * plain_difference + e.e12 * e.e12);
+  const T turned = plain_difference * c.cosine + e.e12 * c.sine;
+  const T shear = e.e12 * c.cosine - plain_difference * c.sine;
+  const T warp = c.warp_scale * (plain_mean + turned), weft = (plain_mean - turned) / c.warp_scale;
+  const T mean = half * (warp + weft), difference = half * (warp - weft);
+
+  T a = c.spherical * mean, b = c.deviator * difference, d = c.shear * shear;
+  if constexpr (kCompression == Compression::none) {
+    const T u = wrinkle_root(mean, difference, shear, c);
+    b = c.series * u * difference;
+    d = c.series * u * shear / (T(1.0) - c.skew * u);
+    const T uniaxial = sqrt(b * b + d * d);
+    a = select(a > uniaxial, a, uniaxial);
+  }
+  const T s_warp = c.warp_scale * (a + b), s_weft = (a - b) / c.warp_scale;
+  const T s_mean = half * (s_warp + s_weft), s_difference = half * (s_warp - s_weft);
+  const T s_turned = s_difference * c.cosine - d * c.sine;
+  return {s_mean + s_turned,
+          s_mean - s_turned,
+          s_difference * c.sine + d * c.cosine,
+          a * mean + b * difference + d * shear,
+          s_mean + sqrt(s_difference * s_difference + d * d),
+          strain_1};
+}
+
+// The same with the compression law chosen at run time.
+inline PlaneResponse<double> orthotropic_response(Compression compression, const PlaneStrain<double>& e,
+                                                  const OrthotropicConstants<double>& c) {
+  return compression == Compression::none ? orthotropic_response<Compression::none>(e, c)
+                                          : orthotropic_response<Compression::linear>(e, c);
+}
+
+}  // namespace membrane

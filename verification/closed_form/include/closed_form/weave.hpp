@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "closed_form/common.hpp"
+
+// Woven (orthotropic) sheet in plane stress, with and without compression. Axes: 1 along the warp, 2 along
+// the weft. All functions throw std::invalid_argument naming the field when a parameter is missing or out of
+// validity.
+namespace closed_form {
+
+struct WovenSheet {
+  double warp_modulus = kRequired;  // E1 [Pa] > 0
+  double weft_modulus = kRequired;  // E2 [Pa] > 0
+  double poisson_ratio =
+      kRequired;  // nu_12 [-], nu_12^2 < E1/E2: contraction of the weft in tension along the warp
+  double shear_modulus = kRequired;  // G [Pa] > 0
+};
+
+/// Strain per stress^-1 [Pa]: 1/E(a) = c^4/E1 + s^4/E2 + (1/G - 2 nu/E1) c^2 s^2 of a strip cut at `angle`
+/// [rad] to the warp. Source: textbooks of composite laminates (Jones, Mechanics of Composite Materials,
+/// section 2.6).
+double off_axis_modulus(const WovenSheet& sheet, double angle);
+
+/// Stress and energy of a sheet that carries no compression.
+struct WovenState {
+  double s11 = 0.0, s22 = 0.0, s12 = 0.0;  // [Pa]
+  double energy_density = 0.0;             // [J/m3]
+  double tension_angle = 0.0;  // [rad] of the line of tension to the warp, 0 to pi; NaN unless wrinkled
+};
+/// Taut if the stress of the strain (e12: tensor component) has no compression. Else one-dimensional tension:
+/// by duality W = max over angles of E(a) <t E t>^2 / 2, found here by a scan of 2000 directions and
+/// bisection of the derivative; 0 if no direction is stretched. Source: relaxed energy of Pipkin 1986; the
+/// dual form derived here.
+WovenState woven_tension_field(const WovenSheet& sheet, double e11, double e22, double e12);
+
+}  // namespace closed_form
