@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include "gsl_objects.hpp"
+#include "inversion.hpp"
+
+namespace gas {
+
+/// The inversion of one draw of the pressures.
+struct Sample {
+  Flow flow;
+  std::vector<double> enthalpy_flow;  // K [kg K/s]
+};
+
+/// Independent standard normal numbers, the same in every run.
+class NormalNumbers {
+ public:
+  NormalNumbers();
+  std::span<const double> operator()(std::size_t count);
+
+ private:
+  gsl::Generator generator_;
+  std::vector<double> numbers_;
+};
+
+/// Bands and amplifications of `result` from the samples.
+void add_bands(std::span<const Sample> samples, Identified& result);
+
+}  // namespace gas

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include "tank_test/identify.hpp"
+
+namespace gas {
+
+/// The tank's own gas and the inflator's, of which a mass m [kg] is in the tank; what (G.33) needs of them.
+class TankGas {
+ public:
+  /// Tank filled with its own gas at `initial_pressure` [Pa].
+  TankGas(const TankTest& test, double initial_pressure);
+
+  /// The gas at pressure p [Pa] rising at dp [Pa/s], with m of the inflator's gas in it.
+  struct Rate {
+    double power;   // [W] V p' cv/R: left side of (G.33)
+    double offset;  // [J/kg] cv T R_i/R - u_i(T)
+  };
+  /// Throws DomainError, naming `time`, if the gas temperature leaves its range.
+  Rate rate(double time, double p, double dp, double m) const;
+
+  /// Mass flow [kg/s] of gas at T_s [K] that makes this rate; (G.33).
+  double mass_flow(const Rate& rate, double temperature) const {
+    return rate.power / (inflator_.enthalpy(temperature) + rate.offset);
+  }
+  /// Mass flow [kg/s] through an outlet of effective area [m2] from a chamber at p_c, T_s into a tank at p_t.
+  double outlet_flow(double area, double temperature, double chamber, double tank) const;
+  /// T_s at which outlet_flow makes this rate, (G.36); a bound of temperatures() if there is none inside.
+  double stagnation_temperature(const Rate& rate, double area, double chamber, double tank,
+                                double guess) const;
+
+  /// gamma R [J/(kg K)] of the inflator's gas.
+  double gamma_r(double temperature) const;
+  struct Range {
+    double low, high;  // [K]
+  };
+  Range temperatures() const { return range_; }
+
+ private:
+  double volume_;
+  Mixture own_;       // all of it
+  Mixture inflator_;  // 1 kg
+  Range range_;
+};
+
+}  // namespace gas
