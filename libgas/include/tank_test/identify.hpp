@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "gas/thermo.hpp"
+#include "tank_test/reading_error.hpp"
 
 /// Inverse analysis of a tank test: an inflator fires into a closed rigid adiabatic tank that holds gas of
 /// its own; from the measured pressures, the mass flow and the temperature of what came in.

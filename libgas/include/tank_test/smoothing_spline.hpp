@@ -4,10 +4,10 @@
 #include <cstddef>
 #include <memory>
 #include <span>
-#include <stdexcept>
-#include <string>
 #include <string_view>
 #include <vector>
+
+#include "tank_test/reading_error.hpp"
 
 namespace gas {
 
@@ -24,14 +24,6 @@ struct SplinePoint {
   double slope;  // [1/s]
 };
 SplinePoint evaluate(const SplineBasis& basis, std::span<const double> coefficients);
-
-/// One reading is wrong; what() names series, value and what is allowed.
-struct ReadingError : std::invalid_argument {
-  ReadingError(std::string_view name, std::size_t at, const std::string& message)
-      : std::invalid_argument(std::string(name) + ": " + message), series(name), index(at) {}
-  std::string series;
-  std::size_t index;
-};
 
 /// Smoothing spline through noisy readings y_i > 0 at times t_i whose noise is a fixed fraction of the
 /// reading: quintic B-splines s(t) that minimise
@@ -69,6 +61,8 @@ class SmoothingSpline {
  private:
   struct Workspace;
   void fit(std::span<const double> times, std::span<const double> readings);
+  double residual(std::span<const double> times, std::span<const double> readings,
+                  std::span<const double> weights, std::span<const double> coefficients) const;
 
   double begin_;
   double length_;  // [s]

@@ -14,7 +14,7 @@ namespace gas {
 namespace {
 
 constexpr double kChamberSlack = 5.0;  // standard deviations: what noise alone does not reach
-constexpr double kLeastRise = 5.0;     // standard deviations of the largest K
+constexpr double kLeastRise = 5.0;     // standard deviations of the largest slope
 
 void check_fractions(const TankTest& test, std::span<const double> fractions, const char* name) {
   require(fractions.size() == test.thermo.size(), name, static_cast<double>(fractions.size()),
@@ -97,7 +97,6 @@ void check_chamber(const TankReadings& readings, const Smoothing& tank, const Sm
 Burn find_burn(const std::vector<double>& k, const Pressures& p, double threshold) {
   Burn burn;
   const double limit = threshold * *std::ranges::max_element(k);
-  if (!(limit > 0.0)) throw DomainError("tank test: the tank pressure never rises");
   for (const double value : k) burn.masked.push_back(std::abs(value) < limit || value < 0.0);
   const auto carries = [](char masked) { return !masked; };
   burn.first = static_cast<std::size_t>(std::ranges::find_if(burn.masked, carries) - burn.masked.begin());
@@ -143,16 +142,31 @@ std::vector<double> equally_spaced(double first, double last, int points) {
   return times;
 }
 
+std::vector<double> drawn_coefficients(const SmoothingSpline& spline, NormalNumbers& normals) {
+  std::vector<double> drawn(spline.coefficients().size());
+  spline.draw(normals(drawn.size()), drawn);
+  return drawn;
+}
+
+/// The largest slope must stand clear of its own scatter.
+void check_rise(const Smoothed& tank, const std::vector<double>& slopes, int draws) {
+  const auto peak = std::ranges::max_element(slopes);
+  const SplineBasis& basis = tank.basis[static_cast<std::size_t>(peak - slopes.begin())];
+  NormalNumbers normals;
+  double variance = 0.0;
+  for (int i = 0; i < draws; ++i) {
+    const double miss = evaluate(basis, drawn_coefficients(tank.spline, normals)).slope - *peak;
+    variance += miss * miss / draws;
+  }
+  if (!(*peak > kLeastRise * std::sqrt(variance)))
+    throw DomainError("tank test: the tank pressure does not rise above its noise");
+}
+
 Sample draw(const Splines& splines, const TankTest& test, std::span<const double> times, const Burn& burn,
             const Flow& best, NormalNumbers& normals) {
-  const auto coefficients = [&](const SmoothingSpline& spline) {
-    std::vector<double> drawn(spline.coefficients().size());
-    spline.draw(normals(drawn.size()), drawn);
-    return drawn;
-  };
-  const std::vector<double> tank = coefficients(splines.tank.spline);
+  const std::vector<double> tank = drawn_coefficients(splines.tank.spline, normals);
   const std::vector<double> chamber =
-      splines.chamber ? coefficients(splines.chamber->spline) : std::vector<double>();
+      splines.chamber ? drawn_coefficients(splines.chamber->spline, normals) : std::vector<double>();
   const Pressures p = pressures(splines, tank, chamber);
   return {invert(test, times, p, burn, &best),
           Inversion(test, times, p).enthalpy_flow(best.mean_temperature)};
@@ -175,6 +189,7 @@ Identified identify(const TankTest& test, const TankReadings& readings, const Id
     check_chamber(readings, result.tank, result.chamber);
   }
   const Pressures p = pressures(splines);
+  check_rise(splines.tank, p.rate, options.draws);
   const Burn burn = find_burn(p.rate, p, options.threshold);
   const Flow flow = invert(test, times, p, burn, nullptr);
   const std::vector<double> k = Inversion(test, times, p).enthalpy_flow(flow.mean_temperature);
@@ -197,9 +212,6 @@ Identified identify(const TankTest& test, const TankReadings& readings, const Id
   std::vector<Sample> samples;
   for (int i = 0; i < options.draws; ++i) samples.push_back(draw(splines, test, times, burn, flow, normals));
   add_bands(samples, result);
-  const auto peak = std::ranges::max_element(result.points, {}, &IdentifiedPoint::enthalpy_flow);
-  if (peak->amplification * result.tank.noise * kLeastRise > 1.0)
-    throw DomainError("tank test: the tank pressure does not rise above its noise");
   return result;
 }
 

@@ -1,16 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tank_test/smoothing_spline.hpp"
 
-#include <gsl/gsl_blas.h>
-#include <gsl/gsl_eigen.h>
 #include <gsl/gsl_integration.h>
-#include <gsl/gsl_linalg.h>
 
 #include <algorithm>
 #include <cmath>
 #include <string>
 
-#include "gsl_objects.hpp"
+#include "demmler_reinsch.hpp"
 #include "require.hpp"
 
 namespace gas {
@@ -19,8 +16,7 @@ namespace {
 constexpr std::size_t kOrder = SplineBasis::kOrder;
 constexpr std::size_t kPenalisedDerivative = 3;
 constexpr std::size_t kReadingsPerInterval = 4;
-constexpr std::size_t kWeightReach = 4;            // readings on each side in the mean that sets a weight
-constexpr double kGridRatio = 1.2589254117941673;  // ten values of lambda a decade
+constexpr std::size_t kWeightReach = 4;  // readings on each side in the mean that sets a weight
 
 void check_readings(std::span<const double> times, std::span<const double> readings, std::string_view name) {
   require(times.size() >= SmoothingSpline::kFewestReadings, "number of readings",
@@ -77,12 +73,13 @@ struct SmoothingSpline::Workspace {
   double value(std::size_t j, std::size_t derivative) const {
     return gsl_matrix_get(values.get(), j, derivative);
   }
-  /// Adds factor v v^T of the functions' `derivative` at x.
-  void add_square(double x, std::size_t derivative, double factor, gsl_matrix* sum) {
+  /// Adds factor v v^T of the functions' `derivative` at x; returns the first function's number.
+  std::size_t add_square(double x, std::size_t derivative, double factor, gsl_matrix* sum) {
     const std::size_t first = evaluate(x);
     for (std::size_t i = 0; i < kOrder; ++i)
       for (std::size_t j = 0; j < kOrder; ++j)
         *gsl_matrix_ptr(sum, first + i, first + j) += factor * value(i, derivative) * value(j, derivative);
+    return first;
   }
   gsl::Matrix penalty();
 };
@@ -101,73 +98,6 @@ gsl::Matrix SmoothingSpline::Workspace::penalty() {
   gsl_integration_glfixed_table_free(table);
   return sum;
 }
-
-namespace {
-
-/// Columns z_k with Z^T G Z = 1 and Z^T Omega Z = diag(s): in them every lambda is a scalar problem
-/// (Demmler and Reinsch, Numer. Math. 24, 1975).
-struct Modes {
-  gsl::Matrix columns;
-  std::vector<double> roughness;  // s_k >= 0
-};
-
-Modes make_modes(gsl::Matrix gram, gsl::Matrix penalty) {
-  const std::size_t n = gram->size1;
-  gsl::check(gsl_linalg_cholesky_decomp1(gram.get()), "the readings do not determine it");
-  gsl_blas_dtrsm(CblasLeft, CblasLower, CblasNoTrans, CblasNonUnit, 1.0, gram.get(), penalty.get());
-  gsl_blas_dtrsm(CblasRight, CblasLower, CblasTrans, CblasNonUnit, 1.0, gram.get(), penalty.get());
-  gsl::Vector values = gsl::vector(n);
-  gsl::Matrix columns = gsl::matrix(n, n);
-  gsl_eigen_symmv_workspace* work = gsl::allocated(gsl_eigen_symmv_alloc(n));
-  const int code = gsl_eigen_symmv(penalty.get(), values.get(), columns.get(), work);
-  gsl_eigen_symmv_free(work);
-  gsl::check(code, "eigenvalues");
-  gsl_blas_dtrsm(CblasLeft, CblasLower, CblasTrans, CblasNonUnit, 1.0, gram.get(), columns.get());
-  Modes modes{std::move(columns), std::vector<double>(n)};
-  for (std::size_t k = 0; k < n; ++k) modes.roughness[k] = std::max(0.0, gsl_vector_get(values.get(), k));
-  return modes;
-}
-
-/// What (G.31) needs: amplitudes of the modes in the data, and the residual that no lambda removes.
-struct Scores {
-  std::span<const double> roughness;
-  std::vector<double> amplitudes;
-  double residual;  // weighted sum of squares of the fit with lambda = 0
-  double count;     // of readings
-
-  double degrees_of_freedom(double lambda) const {
-    double sum = 0.0;
-    for (const double s : roughness) sum += 1.0 / (1.0 + lambda * s);
-    return sum;
-  }
-  double residual_sum(double lambda) const {
-    double sum = residual;
-    for (std::size_t k = 0; k < roughness.size(); ++k) {
-      const double lost = amplitudes[k] * lambda * roughness[k] / (1.0 + lambda * roughness[k]);
-      sum += lost * lost;
-    }
-    return sum;
-  }
-  double cross_validation(double lambda) const {  // (G.31)
-    const double free = count - degrees_of_freedom(lambda);
-    return count * residual_sum(lambda) / (free * free);
-  }
-  double best() const;
-};
-
-double Scores::best() const {
-  const double roughest = *std::ranges::max_element(roughness);
-  // From a fit that smooths no mode to one that leaves nothing but a parabola.
-  const double highest = 1e3 * roughest;
-  double best = 1e-3 / roughest;
-  for (double lambda = best; lambda < highest; lambda *= kGridRatio) {
-    if (degrees_of_freedom(lambda) < static_cast<double>(kPenalisedDerivative) + 0.01) break;
-    if (cross_validation(lambda) < cross_validation(best)) best = lambda;
-  }
-  return best;
-}
-
-}  // namespace
 
 SplinePoint evaluate(const SplineBasis& basis, std::span<const double> coefficients) {
   SplinePoint point{0.0, 0.0};
@@ -198,42 +128,38 @@ void SmoothingSpline::fit(std::span<const double> times, std::span<const double>
   gsl::Matrix gram = gsl::matrix(n, n);
   std::vector<double> right(n, 0.0);
   for (std::size_t i = 0; i < times.size(); ++i) {
-    const double weight = weights[i] * weights[i] * scale * scale, x = (times[i] - begin_) / length_;
-    workspace_->add_square(x, 0, weight, gram.get());
-    const SplineBasis b = basis(times[i]);
-    for (std::size_t j = 0; j < kOrder; ++j) right[b.first + j] += weight * b.value[j] * readings[i] / scale;
+    const double weight = weights[i] * weights[i] * scale * scale;
+    const std::size_t first = workspace_->add_square((times[i] - begin_) / length_, 0, weight, gram.get());
+    for (std::size_t j = 0; j < kOrder; ++j)
+      right[first + j] += weight * workspace_->value(j, 0) * readings[i] / scale;
   }
   const Modes modes = make_modes(std::move(gram), workspace_->penalty());
-  const auto z = [&](std::size_t i, std::size_t k) { return gsl_matrix_get(modes.columns.get(), i, k); };
-
-  std::vector<double> amplitudes(n, 0.0);
-  for (std::size_t i = 0; i < n; ++i)
-    for (std::size_t k = 0; k < n; ++k) amplitudes[k] += z(i, k) * right[i];
-  const auto assemble = [&](const std::vector<double>& mode_values) {
-    std::vector<double> sums(n, 0.0);
-    for (std::size_t i = 0; i < n; ++i)
-      for (std::size_t k = 0; k < n; ++k) sums[i] += scale * z(i, k) * mode_values[k];
-    return sums;
-  };
-  const auto residual = [&](const std::vector<double>& fitted) {
-    double sum = 0.0;
-    for (std::size_t i = 0; i < times.size(); ++i) {
-      const double miss = weights[i] * (readings[i] - evaluate(basis(times[i]), fitted).value);
-      sum += miss * miss;
-    }
-    return sum;
-  };
+  std::vector<double> amplitudes = modes.amplitudes(right);
+  const double rest = residual(times, readings, weights, modes.sum(amplitudes, scale));
   const auto count = static_cast<double>(times.size());
-  const Scores scores{modes.roughness, amplitudes, residual(assemble(amplitudes)), count};
+  const Scores scores{modes.roughness, amplitudes, rest, count};
   smoothing_ = scores.best();
   degrees_of_freedom_ = scores.degrees_of_freedom(smoothing_);
   for (std::size_t k = 0; k < n; ++k) amplitudes[k] /= 1.0 + smoothing_ * modes.roughness[k];
-  coefficients_ = assemble(amplitudes);
-  noise_ = std::sqrt(residual(coefficients_) / (count - degrees_of_freedom_));
+  coefficients_ = modes.sum(amplitudes, scale);
+  noise_ = std::sqrt(residual(times, readings, weights, coefficients_) / (count - degrees_of_freedom_));
   spread_.resize(n * n);
   for (std::size_t i = 0; i < n; ++i)
     for (std::size_t k = 0; k < n; ++k)
-      spread_[i * n + k] = noise_ * scale * z(i, k) / std::sqrt(1.0 + smoothing_ * modes.roughness[k]);
+      spread_[i * n + k] =
+          noise_ * scale * modes.column(i, k) / std::sqrt(1.0 + smoothing_ * modes.roughness[k]);
+}
+
+/// Weighted sum of squares of what `coefficients` leave of the readings.
+double SmoothingSpline::residual(std::span<const double> times, std::span<const double> readings,
+                                 std::span<const double> weights,
+                                 std::span<const double> coefficients) const {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    const double miss = weights[i] * (readings[i] - evaluate(basis(times[i]), coefficients).value);
+    sum += miss * miss;
+  }
+  return sum;
 }
 
 SplineBasis SmoothingSpline::basis(double time) const {

@@ -14,6 +14,7 @@ std::vector<Entry> build() {
   std::vector<Entry> list;
   entries::add_tanks(list);
   entries::add_tank_tests(list);
+  entries::add_tank_test_readings(list);
   entries::add_outflow(list);
   entries::add_emptying_tanks(list);
   entries::add_inflated_shapes(list);

@@ -38,6 +38,7 @@ Pendulum pendulum_of(const ParameterMap& values);
 
 void add_tanks(std::vector<Entry>& list);
 void add_tank_tests(std::vector<Entry>& list);
+void add_tank_test_readings(std::vector<Entry>& list);
 void add_outflow(std::vector<Entry>& list);
 void add_emptying_tanks(std::vector<Entry>& list);
 void add_inflated_shapes(std::vector<Entry>& list);

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <random>
+#include <vector>
+
+#include "cases.hpp"
+#include "closed_form/gas.hpp"
+#include "closed_form/tank_test.hpp"
+#include "tank_test/identify.hpp"
+
+// Tank tests made up from known pulses.
+namespace cases {
+
+/// 80 g in 50 ms into 60 litres, 800 K falling to 400 K; mean temperature 600 K by symmetry of the pulse.
+inline closed_form::TankTestPulse pulse(double outlet_area) {
+  return {0.06, 101325.0, 293.15, 0.08, 0.05, 800.0, 400.0, outlet_area};
+}
+
+using Truth = std::function<closed_form::TankTestReadings(double)>;
+
+struct Record {
+  std::vector<double> times, tank, chamber;
+
+  /// `count` readings from 0 to `end` [s], equally spaced.
+  Record(const Truth& truth, double end, int count) {
+    for (int i = 0; i < count; ++i) {
+      times.push_back(end * i / (count - 1));
+      const auto reading = truth(times.back());
+      tank.push_back(reading.tank_pressure);
+      chamber.push_back(reading.chamber_pressure);
+    }
+  }
+  /// Gaussian noise that is a fraction of the reading, independent at every reading.
+  void add_noise(double fraction, unsigned seed) {
+    std::mt19937_64 generator(seed);
+    std::normal_distribution<double> normal;
+    for (double& p : tank) p *= 1.0 + fraction * normal(generator);
+    for (double& p : chamber) p *= 1.0 + fraction * normal(generator);
+  }
+  gas::TankReadings average() const { return {times, tank, {}}; }
+  gas::TankReadings dual() const { return {times, tank, chamber}; }
+};
+
+inline gas::TankTest one_gas_test() {
+  return {nitrogen(), 0.06, 293.15, kPure, kPure, 0.08};
+}
+
+inline Truth one_gas_truth(double outlet_area) {
+  return [=](double t) { return closed_form::tank_test_pulse({}, {}, pulse(outlet_area), t); };
+}
+
+/// Largest relative errors where the analysis does not mask.
+struct Errors {
+  double mass_flow = 0.0, temperature = 0.0;
+  int points = 0;
+};
+
+inline Errors errors(const gas::Identified& found, const Truth& truth) {
+  Errors e;
+  for (const auto& point : found.points) {
+    if (point.masked) continue;
+    const auto exact = truth(point.time);
+    e.mass_flow = std::max(e.mass_flow, relative(point.mass_flow, exact.mass_flow));
+    e.temperature = std::max(e.temperature, relative(point.temperature, exact.temperature));
+    ++e.points;
+  }
+  return e;
+}
+
+/// Share of the unmasked points whose true value is inside the band, over several seeds, and how wide it is.
+struct Coverage {
+  double mass_flow = 0.0, temperature = 0.0;            // shares
+  double mean_temperature = 0.0, effective_area = 0.0;  // share of the records whose band holds them
+  double width = 0.0;                                   // mean of the band's half width of ln T_s over 1.96
+  double error = 0.0;  // mean of the actual error |ln T_s| over 0.798, which is its mean for unit deviation
+};
+
+inline Coverage coverage(double noise, int first_seed, int seeds, const gas::IdentifyOptions& options) {
+  // 10 kHz over 60 ms: the burn and 10 ms of rest.
+  const Truth truth = one_gas_truth(1e-4);
+  Coverage c;
+  int points = 0;
+  for (int seed = first_seed; seed < first_seed + seeds; ++seed) {
+    Record record(truth, 0.06, 601);
+    record.add_noise(noise, static_cast<unsigned>(seed));
+    const gas::Identified found = gas::identify(one_gas_test(), record.dual(), options);
+    const auto inside = [](const gas::Band& band, double x) { return band.low <= x && x <= band.high; };
+    c.mean_temperature += inside(found.mean_temperature_band, 600.0);
+    c.effective_area += inside(found.effective_area_band, 1e-4);
+    EXPECT_LT(found.mean_temperature_band.high - found.mean_temperature_band.low, 0.02 * 600.0);
+    for (const auto& point : found.points) {
+      if (point.masked) continue;
+      const auto exact = truth(point.time);
+      c.mass_flow += inside(point.mass_flow_band, exact.mass_flow);
+      c.temperature += inside(point.temperature_band, exact.temperature);
+      c.width += std::log(point.temperature_band.high / point.temperature_band.low) / (2.0 * 1.96);
+      c.error += std::abs(std::log(point.temperature / exact.temperature)) / 0.798;
+      ++points;
+    }
+  }
+  EXPECT_GT(points, 50 * seeds);
+  return {c.mass_flow / points,     c.temperature / points, c.mean_temperature / seeds,
+          c.effective_area / seeds, c.width / points,       c.error / points};
+}
+
+}  // namespace cases
