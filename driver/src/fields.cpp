@@ -41,10 +41,10 @@ void element_data(std::string& out, const Scene& scene, const State& state) {
   std::vector<double> overpressure(static_cast<std::size_t>(count), 0.0),
       candidate(static_cast<std::size_t>(count), 0.0);
   for (const JetRun& run : state.jets)
-    for (std::size_t k = 0; k < run.field.candidates.size(); ++k) {
-      const auto e = static_cast<std::size_t>(run.field.candidates[k]);
-      overpressure[e] += run.field.overpressure[e];
-      candidate[e] = run.field.overpressure[e] > 0.0 ? 2.0 : 1.0;  // 2 lit, 1 hidden
+    for (const int element : run.load().candidates) {
+      const auto e = static_cast<std::size_t>(element);
+      overpressure[e] += run.load().overpressure[e];
+      candidate[e] = run.load().overpressure[e] > 0.0 ? 2.0 : 1.0;  // 2 lit, if only in part; 1 hidden
     }
   const auto at = [](const std::vector<double>& v) {
     return [&v](int e, int) { return v[static_cast<std::size_t>(e)]; };

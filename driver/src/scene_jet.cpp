@@ -8,10 +8,27 @@
 #include <numbers>
 
 #include "coupling/side.hpp"
+#include "jet/centreline.hpp"
 #include "scene_parts.hpp"
 
 namespace driver {
 namespace {
+
+// The coefficient of a kind of outlet, or a number.
+double read_decay_coefficient(TableReader& table, jet::OutletShape shape) {
+  using Type = jet::OutletType;
+  if (!table.has("outlet_type")) return table.number("decay_coefficient", positive);
+  if (table.has("decay_coefficient"))
+    table.fail("outlet_type", "stands beside decay_coefficient, one of the two is allowed");
+  return jet::decay_coefficient(
+      shape == jet::OutletShape::round
+          ? table.choice<Type>("outlet_type", {{"contracting_nozzle", Type::contracting_nozzle},
+                                               {"cylindrical_tube", Type::cylindrical_tube},
+                                               {"guide_vane_fan", Type::guide_vane_fan}})
+          : table.choice<Type>("outlet_type", {{"plane_nozzle", Type::plane_nozzle},
+                                               {"sharp_slot", Type::sharp_slot},
+                                               {"rounded_slot", Type::rounded_slot}}));
+}
 
 jet::JetModel read_model(TableReader& table) {
   jet::JetModel model;
@@ -27,7 +44,7 @@ jet::JetModel read_model(TableReader& table) {
     model.short_side = table.number("short_side", positive);
     if (model.short_side > model.long_side) table.fail("short_side", "is longer than long_side");
   }
-  model.decay_coefficient = table.number("decay_coefficient", positive);
+  model.decay_coefficient = read_decay_coefficient(table, model.shape);
   model.spread = table.choice<jet::Spread>(
       "spread", {{"momentum", jet::Spread::momentum}, {"cone", jet::Spread::cone}}, "momentum");
   if (model.spread == jet::Spread::cone) {
@@ -38,6 +55,7 @@ jet::JetModel read_model(TableReader& table) {
       "direction", {{"axial", jet::Direction::axial}, {"radial", jet::Direction::radial}}, "axial");
   model.restitution = table.number("restitution", fraction, 1.0);
   model.cut_off = table.number("cut_off", fraction, model.cut_off);
+  model.relative_to_skin = table.flag("relative_to_skin", false);
   return model;
 }
 
@@ -91,11 +109,12 @@ void require_outlet_inside(const jet::JetModel& model, const BagPart& bag) {
 
 // Elements wider than the jet at its outlet sample it by chance.
 void warn_if_coarse(const jet::JetModel& model, const Eigen::Matrix3Xd& nodes,
-                    const Eigen::Matrix3Xi& elements, std::vector<std::string>& warnings) {
+                    const Eigen::Matrix3Xi& elements, int subdivisions, std::vector<std::string>& warnings) {
   double longest = 0.0;
   for (Eigen::Index e = 0; e < elements.cols(); ++e)
     for (int i = 0; i < 3; ++i)
       longest = std::max(longest, (nodes.col(elements(i, e)) - nodes.col(elements((i + 1) % 3, e))).norm());
+  longest /= subdivisions;
   const double width = jet::section(model, 0.0).width;
   if (longest > 1.5 * width)
     warnings.push_back(
@@ -137,14 +156,20 @@ void read_jet(TableReader& inflator, std::size_t index, Scene& scene) {
   table->located("", [&] { model = jet::validated(model); });
   const std::vector<int> attachment = attachment_elements(*table, scene);
   const std::vector<int> null_elements = scene.bag ? scene.bag->null_elements : std::vector<int>{};
-  const auto elements = scene.bag ? scene.bag->mesh.elements.cols() : scene.target->triangles.cols();
-
+  const auto& elements = scene.bag ? scene.bag->mesh.elements : scene.target->triangles;
+  const auto& nodes = scene.bag ? scene.bag->mesh.nodes : scene.target->nodes;
+  const int subdivisions = table->integer("subdivisions", 1, 64, 1);
+  std::optional<jet::Subdivision> pieces;
+  if (subdivisions > 1)
+    table->located("subdivisions",
+                   [&] { pieces.emplace(elements, static_cast<int>(nodes.cols()), subdivisions); });
+  jet::SurfaceRoles roles{null_elements, attachment};
+  if (pieces) roles = {pieces->pieces_of(null_elements), pieces->pieces_of(attachment)};
+  const auto count = static_cast<int>(pieces ? pieces->triangles().cols() : elements.cols());
   table->located("", [&] {
-    jet::OutletModel outlet = read_outlet(*table, model);
-    scene.jets.push_back(JetPart{index,
-                                 jet::JetField(model, static_cast<int>(elements), null_elements),
-                                 outlet,
-                                 {null_elements, attachment}});
+    const jet::OutletModel outlet = read_outlet(*table, model);
+    jet::JetField field(model, count, roles.null_elements);
+    scene.jets.push_back(JetPart{index, std::move(pieces), std::move(field), outlet, std::move(roles)});
   });
   JetPart& part = scene.jets.back();
   part.occlusion = table->flag("occlusion", true);
@@ -159,9 +184,7 @@ void read_jet(TableReader& inflator, std::size_t index, Scene& scene) {
     table->fail("jet_work",
                 "\"from_gas\" needs temperature = \"stagnation\": with a static temperature the jet's "
                 "kinetic energy is no part of the inflator's enthalpy");
-  const auto& nodes = scene.bag ? scene.bag->mesh.nodes : scene.target->nodes;
-  warn_if_coarse(model, nodes, scene.bag ? scene.bag->mesh.elements : scene.target->triangles,
-                 scene.warnings);
+  warn_if_coarse(model, nodes, elements, subdivisions, scene.warnings);
   if (scene.target) require_target_ahead(*table, model, *scene.target);
   if (scene.bag) table->located("centre", [&] { require_outlet_inside(model, *scene.bag); });
   table->finish();

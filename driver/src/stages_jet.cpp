@@ -11,9 +11,65 @@ struct Skin {
   jet::Points nodes, area_vectors, centroids;
 };
 
-Skin skin(const Scene& scene, const State& state) {
+Skin elements(const Scene& scene, const State& state) {
   if (state.bag) return {state.bag->position.map(), state.bag->area_vector.map(), state.bag->centroid.map()};
   return {scene.target->nodes, state.target_area_vectors.map(), state.target_centroids.map()};
+}
+
+Skin asked(const Skin& elements, const JetPart& part, const JetRun& run) {
+  if (!part.pieces) return elements;
+  return {run.skin.nodes, run.skin.area_vectors, run.skin.centroids};
+}
+
+void place_pieces(const jet::Subdivision& pieces, const Skin& elements, JetSkin& skin) {
+  pieces.interpolate(elements.nodes, skin.nodes);
+  pieces.share_areas(elements.area_vectors, skin.area_vectors);
+  jet::corner_means(skin.nodes, pieces.triangles(), skin.centroids);
+}
+
+// Velocity of the elements' centroids at the half step before, all that is known at level n.
+const Eigen::Matrix3Xd& place_velocities(const Scene& scene, const State& state, const JetPart& part,
+                                         JetSkin& skin) {
+  if (state.bag) jet::corner_means(state.bag->velocity.map(), scene.bag->mesh.elements, skin.velocity);
+  if (!part.pieces) return skin.velocity;
+  const int pieces = part.pieces->pieces();
+  for (Eigen::Index e = 0; e < skin.velocity.cols(); ++e)
+    skin.piece_velocity.middleCols(e * pieces, pieces).colwise() = skin.velocity.col(e);
+  return skin.piece_velocity;
+}
+
+void evaluate_field(const Scene& scene, const State& state, const JetPart& part, JetRun& run) {
+  const Skin skin = elements(scene, state);
+  if (part.pieces) place_pieces(*part.pieces, skin, run.skin);
+  const Skin seen = asked(skin, part, run);
+  if (!part.field.model().relative_to_skin) {
+    part.field.evaluate(seen.area_vectors, seen.centroids, run.outlet, run.field);
+    return;
+  }
+  const jet::Points velocity(place_velocities(scene, state, part, run.skin));
+  part.field.evaluate(seen.area_vectors, seen.centroids, run.outlet, run.field, &velocity);
+}
+
+void add(const jet::VisibilityCounters& counters, jet::VisibilityCounters& total) {
+  total.candidates += counters.candidates;
+  total.lit += counters.lit;
+  total.hidden += counters.hidden;
+  total.facing_away += counters.facing_away;
+  total.exact_calls += counters.exact_calls;
+  total.fallbacks += counters.fallbacks;
+  total.tree_builds += counters.tree_builds;
+}
+
+void mask(const JetPart& part, const jet::Points& nodes, JetRun& run) {
+  run.counters = {};
+  if (!part.occlusion || run.field.candidates.empty()) {
+    run.counters.candidates = run.counters.lit = run.field.candidates.size();
+    return;
+  }
+  const std::span<std::uint8_t> lit(run.lit.data(), run.field.candidates.size());
+  run.counters =
+      run.query.query(part.route, nodes, jet::ray_source(part.field.model()), run.field.candidates, lit);
+  jet::apply_mask(lit, run.field);
 }
 
 }  // namespace
@@ -32,35 +88,21 @@ void outlets(const Scene& scene, State& state) {
 void jet_fields(const Scene& scene, State& state) {
   if (scene.jets.empty()) return;
   StageTimer timer(state, Stage::jet_field);
-  const Skin now = skin(scene, state);
   for (std::size_t j = 0; j < scene.jets.size(); ++j)
-    scene.jets[j].field.evaluate(now.area_vectors, now.centroids, state.jets[j].outlet, state.jets[j].field);
+    evaluate_field(scene, state, scene.jets[j], state.jets[j]);
 }
 
 void visibility(const Scene& scene, State& state) {
   if (scene.jets.empty()) return;
   StageTimer timer(state, Stage::visibility);
-  const Skin now = skin(scene, state);
+  const Skin skin = elements(scene, state);
   for (std::size_t j = 0; j < scene.jets.size(); ++j) {
     const JetPart& part = scene.jets[j];
     JetRun& run = state.jets[j];
-    run.counters = {};
-    if (part.occlusion && !run.field.candidates.empty()) {
-      const std::span<std::uint8_t> lit(run.lit.data(), run.field.candidates.size());
-      run.counters = run.query.query(part.route, now.nodes, jet::ray_source(part.field.model()),
-                                     run.field.candidates, lit);
-      jet::apply_mask(lit, run.field);
-    } else {
-      run.counters.candidates = run.counters.lit = run.field.candidates.size();
-    }
-    run.total.candidates += run.counters.candidates;
-    run.total.lit += run.counters.lit;
-    run.total.hidden += run.counters.hidden;
-    run.total.facing_away += run.counters.facing_away;
-    run.total.exact_calls += run.counters.exact_calls;
-    run.total.fallbacks += run.counters.fallbacks;
-    run.total.tree_builds += run.counters.tree_builds;
-    run.force = jet::jet_force(run.field, now.area_vectors);
+    mask(part, asked(skin, part, run).nodes, run);
+    add(run.counters, run.total);
+    if (part.pieces) part.pieces->average(run.field, run.elements);
+    run.force = jet::jet_force(run.load(), skin.area_vectors);
   }
 }
 

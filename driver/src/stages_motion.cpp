@@ -12,12 +12,12 @@ namespace driver {
 namespace {
 
 std::span<const double> total_overpressure(State& state) {
-  if (state.jets.size() == 1) return state.jets.front().field.overpressure;
+  if (state.jets.size() == 1) return state.jets.front().load().overpressure;
   std::fill(state.overpressure.begin(), state.overpressure.end(), 0.0);
   for (const JetRun& run : state.jets)
-    for (const int e : run.field.candidates) {
+    for (const int e : run.load().candidates) {
       const auto element = static_cast<std::size_t>(e);
-      state.overpressure[element] += run.field.overpressure[element];
+      state.overpressure[element] += run.load().overpressure[element];
     }
   return state.overpressure;
 }
@@ -29,12 +29,34 @@ std::span<const double> total_overpressure(State& state) {
                                 state.step.critical, allowed));
   const auto& s = state.step.shares;
   const double all = s.total() / 100.0;
-  throw StepError(
-      fmt::format("step {} s is above its bound {} s, set by omega^2 of the fabric {:.1f} %, gas {:.1f} %, "
-                  "contact {:.1f} %, straps "
-                  "{:.1f} %, plate {:.1f} %; stiffest element {}; {}",
-                  given, state.step.critical, s.element / all, s.gas / all, s.contact / all, s.strap / all,
-                  s.plate / all, membrane::governing_element(scene.bag->model, *state.bag), allowed));
+  throw StepError(fmt::format(
+      "step {} s is above its bound {} s, set by omega^2 of the fabric {:.1f} %, gas {:.1f} %, "
+      "contact {:.1f} %, straps "
+      "{:.1f} %, plate {:.1f} %, and by {:.3g} 1/s of jets relative to the skin; stiffest element "
+      "{}; {}",
+      given, state.step.critical, s.element / all, s.gas / all, s.contact / all, s.strap / all, s.plate / all,
+      state.step.jet_damping, membrane::governing_element(scene.bag->model, *state.bag), allowed));
+}
+
+// Bound of the rate at which jets relative to the skin damp it (J.9) [1/s]: the largest of any element's.
+double jet_damping(const Scene& scene, const State& state) {
+  double sum = 0.0;
+  for (std::size_t j = 0; j < scene.jets.size(); ++j) {
+    const auto& jet_model = scene.jets[j].field.model();
+    if (!jet_model.relative_to_skin) continue;
+    const jet::FieldState& load = state.jets[j].load();
+    const double factor = (1.0 + jet_model.restitution) * state.jets[j].outlet.density;
+    double largest = 0.0;
+    for (const int element : load.candidates) {
+      const auto e = static_cast<std::size_t>(element);
+      const auto& fabric = scene.bag->model.description.properties[e];
+      const double mass = fabric.density * fabric.thickness * scene.bag->model.reference_area[e];
+      const double slope = 2.0 * std::sqrt(factor * load.overpressure[e]);  // d dp / d (v . n)
+      largest = std::max(largest, slope * state.bag->area[e] / mass);
+    }
+    sum += largest;
+  }
+  return sum;
 }
 
 void update_bound(const Scene& scene, State& state) {
@@ -51,7 +73,9 @@ void update_bound(const Scene& scene, State& state) {
   state.step.shares =
       membrane::stiffness_shares(scene.bag->model, *state.bag, gas ? state.gas_point.gamma : 0.0,
                                  gas ? state.gas_point.pressure : 0.0, contact);
-  state.step.critical = membrane::critical_time_step(state.step.shares);
+  state.step.jet_damping = jet_damping(scene, state);
+  state.step.critical =
+      step_with_lagged_damping(membrane::critical_time_step(state.step.shares), state.step.jet_damping);
 }
 
 void book_step(StepSizes& step) {
@@ -139,6 +163,10 @@ void volume(const Scene& scene, State& state) {
   if (!state.bag) return;
   StageTimer timer(state, Stage::volume);
   membrane::update_surface(scene.bag->model, *state.bag, ParallelBlocks{});
+}
+
+double step_with_lagged_damping(double undamped, double rate) {
+  return 4.0 / (rate + std::sqrt(rate * rate + 16.0 / (undamped * undamped)));
 }
 
 double level_kinetic(const StepSizes& step, double before, double after, double product) {

@@ -33,19 +33,43 @@ void start_target(const Scene& scene, State& state) {
   }
 }
 
+JetSkin jet_skin(const JetPart& part, Eigen::Index elements) {
+  JetSkin skin;
+  const bool moving = part.field.model().relative_to_skin;
+  if (moving) skin.velocity.setZero(3, elements);
+  if (!part.pieces) return skin;
+  const auto pieces = part.pieces->triangles().cols();
+  skin.nodes.resize(3, part.pieces->node_count());
+  skin.area_vectors.resize(3, pieces);
+  skin.centroids.resize(3, pieces);
+  if (moving) skin.piece_velocity.setZero(3, pieces);
+  return skin;
+}
+
+JetRun start_jet(const JetPart& part, const Eigen::Matrix3Xi& triangles, Eigen::Index nodes) {
+  jet::FieldState elements;
+  if (part.pieces) {
+    elements.overpressure.assign(static_cast<std::size_t>(triangles.cols()), 0.0);
+    elements.candidates.reserve(elements.overpressure.size());
+  }
+  const Eigen::Matrix3Xi& asked = part.pieces ? part.pieces->triangles() : triangles;
+  const auto asked_nodes = part.pieces ? part.pieces->node_count() : static_cast<int>(nodes);
+  return {{},
+          jet_skin(part, triangles.cols()),
+          part.field.make_state(),
+          std::move(elements),
+          std::vector<std::uint8_t>(static_cast<std::size_t>(asked.cols())),
+          jet::VisibilityQuery(asked, asked_nodes, part.roles),
+          {},
+          {},
+          Eigen::Vector3d::Zero()};
+}
+
 void start_jets(const Scene& scene, State& state) {
   const auto& triangles = scene.bag ? scene.bag->mesh.elements : scene.target->triangles;
   const auto nodes = scene.bag ? scene.bag->mesh.nodes.cols() : scene.target->nodes.cols();
-  const auto elements = static_cast<std::size_t>(triangles.cols());
-  for (const JetPart& part : scene.jets)
-    state.jets.push_back({{},
-                          part.field.make_state(),
-                          std::vector<std::uint8_t>(elements),
-                          jet::VisibilityQuery(triangles, static_cast<int>(nodes), part.roles),
-                          {},
-                          {},
-                          Eigen::Vector3d::Zero()});
-  if (scene.jets.size() > 1) state.overpressure.assign(elements, 0.0);
+  for (const JetPart& part : scene.jets) state.jets.push_back(start_jet(part, triangles, nodes));
+  if (scene.jets.size() > 1) state.overpressure.assign(static_cast<std::size_t>(triangles.cols()), 0.0);
 }
 
 }  // namespace

@@ -13,6 +13,11 @@ constexpr double kPlaneDecay = 1.2;
 constexpr double kPlaneOffset = 0.41;
 }  // namespace
 
+double decay_coefficient(OutletType type) {
+  constexpr double table[] = {0.066, 0.08, 0.12, 0.108, 0.118, 0.155};
+  return table[static_cast<int>(type)];
+}
+
 double round_decay(double distance, double decay_coefficient) {
   return std::min(1.0, kRoundDecay / (decay_coefficient * distance + kRoundOffset));
 }

@@ -26,21 +26,6 @@ void require_velocities(const JetModel& model, const Points* velocities, int ele
   require_columns("velocities", velocities->cols(), element_count);
 }
 
-/// Sum over the n^2 equal sub-triangles of one element of f(centroid of the sub-triangle).
-template <class Function>
-double sum_subtriangles(const Eigen::Vector3d& a, const Eigen::Vector3d& ab, const Eigen::Vector3d& ac, int n,
-                        Function f) {
-  double sum = 0.0;
-  const double scale = 1.0 / (3.0 * n);
-  for (int i = 0; i < n; ++i) {
-    for (int j = 0; i + j < n; ++j) {
-      sum += f(a + scale * (3 * i + 1) * ab + scale * (3 * j + 1) * ac);
-      if (i + j < n - 1) sum += f(a + scale * (3 * i + 2) * ab + scale * (3 * j + 2) * ac);
-    }
-  }
-  return sum;
-}
-
 double sqr(double x) {
   return x * x;
 }
@@ -141,7 +126,6 @@ void JetField::store(int element, double overpressure, FieldState& state) const 
 
 void JetField::evaluate(const Points& area_vectors, const Points& centroids, const OutletState& outlet,
                         FieldState& state, const Points* velocities) const {
-  if (model_.subdivisions != 1) throw std::invalid_argument("jet subdivisions > 1 need evaluate_average");
   require_columns("area_vectors", area_vectors.cols(), element_count_);
   require_columns("centroids", centroids.cols(), element_count_);
   require_velocities(model_, velocities, element_count_);
@@ -162,36 +146,6 @@ void JetField::evaluate(const Points& area_vectors, const Points& centroids, con
     state.candidates[count++] = e;
   }
   state.candidates.resize(count);
-}
-
-void JetField::evaluate_average(const Points& nodes, const Triangles& triangles, const Points& area_vectors,
-                                const OutletState& outlet, FieldState& state,
-                                const Points* velocities) const {
-  require_columns("area_vectors", area_vectors.cols(), element_count_);
-  require_columns("triangles", triangles.cols(), element_count_);
-  require_velocities(model_, velocities, element_count_);
-  reset(state);
-  if (outlet.density == 0.0 || outlet.velocity == 0.0) return;
-  const int n = model_.subdivisions;
-  const double factor = (1.0 + model_.restitution) * outlet.density / (n * n);
-  for (int e = 0; e < element_count_; ++e) {
-    const Eigen::Vector3d area = area_vectors.col(e);
-    const double size = area.norm();
-    if (size == 0.0 || is_null_[static_cast<std::size_t>(e)] != 0) continue;
-    const Eigen::Vector3d normal = area / size;
-    const double skin = model_.relative_to_skin ? velocities->col(e).dot(normal) : 0.0;
-    const Eigen::Vector3d a = nodes.col(triangles(0, e));
-    const Eigen::Vector3d ab = nodes.col(triangles(1, e)) - a;
-    const Eigen::Vector3d ac = nodes.col(triangles(2, e)) - a;
-    const double sum = sum_subtriangles(a, ab, ac, n, [&](const Eigen::Vector3d& point) {
-      if (!inside(point.data())) return 0.0;
-      const double velocity = outlet.velocity * normal_velocity(point, normal);
-      return velocity <= 0.0 || velocity <= skin ? 0.0 : sqr(velocity - skin);
-    });
-    if (sum <= 0.0) continue;
-    store(e, factor * sum, state);
-    state.candidates.push_back(e);
-  }
 }
 
 void apply_mask(std::span<const std::uint8_t> lit, FieldState& state) {

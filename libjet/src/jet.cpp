@@ -57,8 +57,6 @@ void check_options(const JetModel& model) {
   require_range("restitution", model.restitution, model.restitution >= 0.0 && model.restitution <= 1.0,
                 "[0, 1]");
   require_range("cut_off", model.cut_off, model.cut_off >= 0.0 && model.cut_off < 1.0, "[0, 1)");
-  require_range("subdivisions", model.subdivisions, model.subdivisions >= 1 && model.subdivisions <= 64,
-                "1 to 64");
 }
 
 double cone_width(const JetModel& model, double z) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Overpressure element by element (J.6): averages, moving skin, who takes load, mask, errors.
+// Overpressure element by element (J.6): moving skin, who takes load, mask, errors.
 #include "jet/field.hpp"
 
 #include <gtest/gtest.h>
@@ -9,20 +9,12 @@
 
 #include "models.hpp"
 #include "plates.hpp"
-#include "scenes.hpp"
 
 namespace {
 
 constexpr double kEps = std::numeric_limits<double>::epsilon();
 const jet::OutletState kOutlet{410.0, 0.97, 1.17e5, 406.0};
 const Eigen::Vector3d kAcross = models::kAxis.cross(models::kLong);
-
-Eigen::Vector3d force(const jet::JetModel& model, const plates::Target& target) {
-  const jet::JetField field(model, target.count());
-  jet::FieldState state = field.make_state();
-  field.evaluate(target.area_vectors, target.centroids, kOutlet, state);
-  return jet::jet_force(state, target.area_vectors);
-}
 
 /// Plate normal to the axis at distance z: n x n square cells of side h, a node on the axis. Normal along the
 /// axis.
@@ -35,40 +27,6 @@ plates::Target normal_plate(double z, double h, int n) {
 plates::Target tilted_plate(double z, double theta, double h, int n) {
   const Eigen::Vector3d slope = kAcross + std::tan(theta) * models::kAxis;
   return plates::plate(models::kCentre + z * models::kAxis, h * models::kLong, h * slope, n, n);
-}
-
-TEST(field, average_over_sub_triangles_eq_field_of_the_refined_mesh) {
-  jet::JetModel model = models::round(0.02, 0.08);
-  model.cut_off = 0.0;
-  const double z = 0.4, width = jet::section(model, z).width;
-  const plates::Target coarse = tilted_plate(z, 0.3, width, 8);
-  const double normal_force = force(model, tilted_plate(z, 0.3, width / 4, 32)).norm();
-  model.subdivisions = 4;
-  const jet::JetField field(model, coarse.count());
-  jet::FieldState state = field.make_state();
-  field.evaluate_average(coarse.nodes, coarse.triangles, coarse.area_vectors, kOutlet, state);
-  EXPECT_NEAR(jet::jet_force(state, coarse.area_vectors).norm(), normal_force, 1e-12 * normal_force);
-  EXPECT_THROW(field.evaluate(coarse.area_vectors, coarse.centroids, kOutlet, state), std::invalid_argument);
-}
-
-TEST(field, average_converges_with_second_order) {
-  jet::JetModel model = models::round(0.02, 0.08);
-  model.cut_off = 0.0;
-  const double z = 0.4, width = jet::section(model, z).width;
-  const plates::Target disc =
-      plates::disc(models::kCentre + z * models::kAxis, models::kLong, kAcross, width, 2);
-  std::vector<double> forces;
-  for (const int n : {4, 8, 16, 32}) {
-    model.subdivisions = n;
-    const jet::JetField field(model, disc.count());
-    jet::FieldState state = field.make_state();
-    field.evaluate_average(disc.nodes, disc.triangles, disc.area_vectors, kOutlet, state);
-    forces.push_back(jet::jet_force(state, disc.area_vectors).norm());
-  }
-  for (std::size_t i = 2; i < forces.size(); ++i) {
-    const double order = std::log2((forces[i - 1] - forces[i - 2]) / (forces[i] - forces[i - 1]));
-    EXPECT_NEAR(order, 2.0, 0.1);
-  }
 }
 
 TEST(field, overpressure_eq_twice_density_times_normal_velocity_squared) {
@@ -128,29 +86,6 @@ TEST(field, skin_that_turns_its_back_feels_no_jet_however_it_moves) {
   jet::FieldState state = field.make_state();
   field.evaluate(target.area_vectors, target.centroids, kOutlet, state, &view);
   EXPECT_TRUE(state.candidates.empty());
-  field.evaluate_average(target.nodes, target.triangles, target.area_vectors, kOutlet, state, &view);
-  EXPECT_TRUE(state.candidates.empty());
-}
-
-TEST(field, average_over_one_triangle_eq_centroid_on_a_moving_bag) {
-  const scenes::Mesh mesh = scenes::sphere(5, 0.3);
-  const plates::Target bag =
-      plates::finish(mesh.points().colwise() + (models::kCentre + 0.1 * models::kAxis), mesh.triangles());
-  scenes::Random random(7);
-  Eigen::Matrix3Xd velocity(3, bag.count());
-  for (int e = 0; e < bag.count(); ++e) velocity.col(e) = random.vector(200.0);
-  const jet::Points view(velocity);
-  const jet::JetField field(radial_jet(true), bag.count());
-  jet::FieldState centroid = field.make_state(), average = field.make_state();
-  field.evaluate(bag.area_vectors, bag.centroids, kOutlet, centroid, &view);
-  field.evaluate_average(bag.nodes, bag.triangles, bag.area_vectors, kOutlet, average, &view);
-  EXPECT_EQ(centroid.candidates, average.candidates);
-  ASSERT_GT(centroid.candidates.size(), 10u);
-  for (const int e : centroid.candidates) {
-    // Two orders of summation at the centroid, 1e-15 of the size, move exp(-(r/R)^2) by 1e-13 at the cut-off.
-    const std::size_t k = static_cast<std::size_t>(e);
-    EXPECT_NEAR(std::sqrt(centroid.overpressure[k]), std::sqrt(average.overpressure[k]), 1e-10);
-  }
 }
 
 TEST(field, element_without_area_takes_no_load) {
@@ -164,9 +99,6 @@ TEST(field, element_without_area_takes_no_load) {
     const jet::JetField field(model, target.count());
     jet::FieldState state = field.make_state();
     field.evaluate(target.area_vectors, target.centroids, kOutlet, state);
-    EXPECT_EQ(state.candidates.size(), 31u);
-    EXPECT_EQ(state.overpressure[9], 0.0);
-    field.evaluate_average(target.nodes, target.triangles, target.area_vectors, kOutlet, state);
     EXPECT_EQ(state.candidates.size(), 31u);
     EXPECT_EQ(state.overpressure[9], 0.0);
   }

@@ -36,7 +36,6 @@ TEST(model, wrong_members_are_refused_by_name) {
                           {"decay_coefficient", [](auto& m) { m.decay_coefficient = 0.0; }},
                           {"restitution", [](auto& m) { m.restitution = 1.1; }},
                           {"cut_off", [](auto& m) { m.cut_off = 1.0; }},
-                          {"subdivisions", [](auto& m) { m.subdivisions = 0; }},
                           {"cone_initial_width", [](auto& m) { m.spread = jet::Spread::cone; }},
                           {"cone_half_angle", [](auto& m) {
                              m.spread = jet::Spread::cone;

@@ -63,6 +63,29 @@ TEST(centreline, velocity_has_its_pole_at_the_virtual_origin) {
   }
 }
 
+// The tables give the angle between the jet's edges beside each coefficient. Those edges are Tollmien's, so
+// the angle is 2 atan(edge a): an independent check of every row. The tables' own edges are rounded to 3.4
+// and 2.44 (0.9 % off for the plane jet) and their coefficients to three digits: 0.4 degrees.
+TEST(centreline, outlet_types_eq_their_tabulated_spread_angles) {
+  using Type = jet::OutletType;
+  struct Row {
+    Type type;
+    double degrees;
+  };
+  const auto angle = [](double edge, double a) { return 360.0 / std::numbers::pi * std::atan(edge * a); };
+  for (const Row& row : {Row{Type::contracting_nozzle, 25.0 + 20.0 / 60.0}, Row{Type::guide_vane_fan, 44.5}})
+    EXPECT_NEAR(angle(closed_form::tollmien_round().edge, jet::decay_coefficient(row.type)), row.degrees,
+                0.4);
+  // The table's 29 degrees of the tube belong to the lower end of its range, 0.076 to 0.08.
+  EXPECT_NEAR(
+      angle(closed_form::tollmien_round().edge, jet::decay_coefficient(Type::cylindrical_tube) - 0.004), 29.0,
+      0.4);
+  for (const Row& row : {Row{Type::plane_nozzle, 29.5}, Row{Type::sharp_slot, 32.0 + 10.0 / 60.0},
+                         Row{Type::rounded_slot, 41.0 + 20.0 / 60.0}})
+    EXPECT_NEAR(angle(closed_form::tollmien_plane().edge, jet::decay_coefficient(row.type)), row.degrees,
+                0.4);
+}
+
 /// Integral of |V/V0|^power over the plane at z, by the midpoint rule in the outlet's frame. The Gaussian
 /// makes it spectrally accurate across; along the long side the integrand is constant and the cells fit the
 /// outlet.

@@ -16,6 +16,7 @@
 #include "gas/integrator.hpp"
 #include "jet/field.hpp"
 #include "jet/outlet.hpp"
+#include "jet/subdivision.hpp"
 #include "jet/visibility.hpp"
 #include "membrane/bag_model.hpp"
 #include "membrane/mesh.hpp"
@@ -57,6 +58,7 @@ struct TargetPart {
 
 struct JetPart {
   std::size_t inflator = 0;
+  std::optional<jet::Subdivision> pieces;  // of the elements; the field and the roles are theirs then
   jet::JetField field;
   jet::OutletModel outlet;
   jet::SurfaceRoles roles;

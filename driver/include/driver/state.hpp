@@ -48,9 +48,23 @@ struct Flows {
   double contact_impulse = 0.0;  // [N s] resultant's magnitude, integrated
 };
 
+/// What a jet is asked on: the skin's elements, or their pieces.
+struct JetSkin {
+  Eigen::Matrix3Xd nodes;           // [m] pieces only; S4
+  Eigen::Matrix3Xd area_vectors;    // [m2] pieces only; S4
+  Eigen::Matrix3Xd centroids;       // [m] pieces only; S4
+  Eigen::Matrix3Xd velocity;        // [m/s] of the elements, relative jets only; S4
+  Eigen::Matrix3Xd piece_velocity;  // [m/s] that of its element, where both are; S4
+};
+
 struct JetRun {
+  /// Overpressure on the elements, masked.
+  const jet::FieldState& load() const { return elements.overpressure.empty() ? field : elements; }
+
   jet::OutletState outlet;                          // S3
-  jet::FieldState field;                            // S4, masked by S5
+  JetSkin skin;                                     // S4
+  jet::FieldState field;                            // S4, masked by S5; of the pieces if there are any
+  jet::FieldState elements;                         // S5, average over the pieces, else empty
   std::vector<std::uint8_t> lit;                    // S5, one per candidate
   jet::VisibilityQuery query;                       // S5 workspace
   jet::VisibilityCounters counters;                 // S5, of this step
@@ -89,6 +103,7 @@ struct StepSizes {
   double before = 0.0;                   // [s] step that led to n; 0 at the start
   double after = 0.0;                    // [s] step that leaves n
   double critical = 0.0;                 // [s] bound at n
+  double jet_damping = 0.0;              // [1/s] rate of jets relative to the skin at n
   double minimum = 0.0;                  // [s] of the run
   double maximum = 0.0;                  // [s]
   membrane::StiffnessShares shares;      // at n, omega^2

@@ -33,4 +33,8 @@ struct StepRecords {
 /// StepError, gas::DomainError, membrane::MembraneError, jet::DomainError or coupling::ContactError.
 void step(const Scene& scene, State& state, const StepRequest& request, StepRecords& records);
 
+/// Largest stable step [s] of central difference with omega = 2 / `undamped` and a damping force taken from
+/// the velocity of the half step before, rate c [1/s]: omega^2 dt^2 + 2 c dt = 4 (J.9).
+double step_with_lagged_damping(double undamped, double rate);
+
 }  // namespace driver

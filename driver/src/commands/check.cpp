@@ -72,13 +72,14 @@ void print_jet(const Scene& scene, const JetPart& part) {
         point.mass_flow * scene.ambient.pressure / outlet.pressure);
 }
 
-void print_visibility(const Scene& scene, State& state) {
+void print_visibility(const Scene& scene) {
   if (!scene.bag) return;
+  jet::VisibilityQuery query(scene.bag->mesh.elements, scene.bag->model.node_count);
   for (std::size_t j = 0; j < scene.jets.size(); ++j) {
     std::vector<int> every(static_cast<std::size_t>(scene.bag->model.element_count));
     for (std::size_t e = 0; e < every.size(); ++e) every[e] = static_cast<int>(e);
-    const auto windings = state.jets[j].query.winding_numbers(
-        scene.bag->initial_position, jet::ray_source(scene.jets[j].field.model()), every);
+    const auto windings = query.winding_numbers(scene.bag->initial_position,
+                                                jet::ray_source(scene.jets[j].field.model()), every);
     const auto other = std::count_if(windings.begin(), windings.end(), [](const auto& w) { return w != 1; });
     if (other > 0)
       fmt::print("warning: {} of {} rays of jet {} start where the winding number is not 1\n", other,
@@ -101,7 +102,7 @@ int check(const CaseArguments& arguments) {
                state.gas_point.pressure, state.gas_point.temperature, state.gas_point.gamma);
   if (scene.bag) print_bag(scene, state);
   for (const auto& part : scene.jets) print_jet(scene, part);
-  print_visibility(scene, state);
+  print_visibility(scene);
   if (scene.pendulum)
     fmt::print("pendulum: {:.6g} kg m2 about the axis, effective mass {:.5g} kg\n",
                scene.pendulum->model.axis_inertia(), scene.pendulum->model.effective_mass());

@@ -1,11 +1,24 @@
 // SPDX-License-Identifier: Apache-2.0
 // Free turbulent jets: centreline decay and width along the axis, pointwise.
-// Source: Abramovich, The Theory of Turbulent Jets, 1963 (main region of submerged jets); coefficients by
-// outlet type in Idelchik, Handbook of Hydraulic Resistance (a = 0.066 to 0.08 round, 0.09 to 0.12
-// rectangular).
+// Source: Abramovich, The Theory of Turbulent Jets, 1963 (main region of submerged jets).
 #pragma once
 
 namespace jet {
+
+/// Outlets whose decay coefficient a is tabulated; the first three are round, the others plane.
+enum class OutletType {
+  contracting_nozzle,  // 0.066 (to 0.071)
+  cylindrical_tube,    // 0.08 (from 0.076)
+  guide_vane_fan,      // 0.12, axial fan with guide vanes
+  plane_nozzle,        // 0.108, well contracted
+  sharp_slot,          // 0.118, sharp-edged slot in a plane wall
+  rounded_slot         // 0.155, slot along a duct, vanes and rounded edges
+};
+
+/// Coefficient a of (J.3) or (J.4) [-]. Source: Abramovich's turbulence coefficients as tabulated in Cai and
+/// Long, Fluid Mechanics, Pumps and Fans (gas jets), Idelchik, Handbook of Hydraulic Resistance; their spread
+/// angles are Tollmien's, see docs/theory/jet.md.
+double decay_coefficient(OutletType type);
 
 /// Round jet, V_max / V0 = min(1, 0.96 / (a z/R0 + 0.29)) (J.3). `distance` = z/R0 >= 0 [-], R0 the outlet's
 /// radius.

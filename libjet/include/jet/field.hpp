@@ -34,17 +34,10 @@ class JetField {
   /// there is none.
   /// `velocities` [m/s] 3 x M of the elements' centroids is read if the model says relative_to_skin: then
   /// dp = (1 + e) rho0 max(V . n - v . n, 0)^2, and candidates have V . n > v . n as well. Throws
-  /// std::invalid_argument on a wrong shape, where velocities are missing and for subdivisions > 1;
-  /// DomainError where a candidate's overpressure is not finite.
+  /// std::invalid_argument on a wrong shape, where velocities are missing; DomainError where a candidate's
+  /// overpressure is not finite.
   void evaluate(const Points& area_vectors, const Points& centroids, const OutletState& outlet,
                 FieldState& state, const Points* velocities = nullptr) const;
-
-  /// The same, averaged over subdivisions^2 equal sub-triangles of each element, V at their centroids
-  /// (subdivisions = 1 gives `evaluate`). `nodes` [m] 3 x N, `triangles` 3 x M. A candidate has at least one
-  /// sub-triangle that is one.
-  void evaluate_average(const Points& nodes, const Triangles& triangles, const Points& area_vectors,
-                        const OutletState& outlet, FieldState& state,
-                        const Points* velocities = nullptr) const;
 
  private:
   struct Frame {

@@ -40,13 +40,12 @@ struct JetModel {
   double restitution = 1.0;  // [-] e in [0, 1]: 1 complete reflection, 0 deflection into the surface
   double cut_off = 1e-3;     // [-] in [0, 1): no candidate where (V/V_max)^2 is below it, see momentum_loss
   bool relative_to_skin = false;  // overpressure from the velocity relative to the element
-  int subdivisions = 1;  // n: overpressure averaged over n^2 sub-triangles; 1 is the centroid (the paper)
 };
 
 /// The model with `axis` and `long_direction` normalised (a vector of unit length to 4 eps stays as it is).
 /// Throws std::invalid_argument that names the member: zero or non-finite axis, long direction not
 /// perpendicular to the axis (|cosine| > 1e-9), non-positive size, coefficient or width, restitution,
-/// cut_off, angle or subdivisions out of range.
+/// cut_off or angle out of range.
 JetModel validated(const JetModel& model);
 
 /// Area of the outlet [m2], pi R0^2 or 2 b0 L.
