@@ -18,3 +18,8 @@ target_compile_options(gasjet_options INTERFACE
   $<$<BOOL:${GASJET_SANITIZE}>:-fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer>)
 target_link_options(gasjet_options INTERFACE
   $<$<BOOL:${GASJET_SANITIZE}>:-fsanitize=address,undefined>)
+
+# Precompiled headers are two thirds of the work for most files; ccache cannot keep what is compiled with them.
+if(CMAKE_CXX_COMPILER_LAUNCHER MATCHES "ccache")
+  set(CMAKE_DISABLE_PRECOMPILE_HEADERS ON)
+endif()

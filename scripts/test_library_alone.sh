@@ -30,9 +30,10 @@ copy_sources() {
   cp -a "$library" "$root/cmake" "$scratch/source"
 }
 
+# Without optimisation: whether it stands alone does not depend on it.
 build_and_install() {
-  cmake -S "$scratch/source/lib$name" -B "$scratch/build" -G Ninja -DCMAKE_BUILD_TYPE=Release \
-    -DCMAKE_INSTALL_PREFIX="$scratch/prefix" -DGASJET_WERROR=ON
+  cmake -S "$scratch/source/lib$name" -B "$scratch/build" -G Ninja -DCMAKE_BUILD_TYPE=Debug \
+    -DCMAKE_CXX_FLAGS_DEBUG=-O0 -DCMAKE_INSTALL_PREFIX="$scratch/prefix" -DGASJET_WERROR=ON
   cmake --build "$scratch/build" -j 2
   cmake --install "$scratch/build"
 }

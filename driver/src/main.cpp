@@ -102,7 +102,8 @@ int main(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? exit_done : exit_input;
+    if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version
+    return report((std::string(error.what()) + " (--help lists what is allowed)").c_str(), exit_input);
   }
   try {
     return dispatch(app, all);

@@ -25,6 +25,21 @@ Provenance provenance(const std::filesystem::path& case_file, const std::vector<
           {"date", fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(now))}};
 }
 
+namespace {
+
+// Fields of an earlier run are not overwritten by a run with fewer frames; the tables are.
+void remove_fields(const std::filesystem::path& folder) {
+  std::error_code ignored;
+  for (const auto& entry : std::filesystem::directory_iterator(folder, ignored)) {
+    const std::string name = entry.path().filename().string();
+    const bool frame =
+        (name.starts_with("bag_") || name.starts_with("pendulum_")) && entry.path().extension() == ".vtp";
+    if (frame || name == "fields.pvd") std::filesystem::remove(entry.path(), ignored);
+  }
+}
+
+}  // namespace
+
 void prepare_output(const std::filesystem::path& folder) {
   std::error_code error;
   std::filesystem::create_directories(folder, error);
@@ -33,6 +48,7 @@ void prepare_output(const std::filesystem::path& folder) {
   if (!std::ofstream(probe))
     throw OutputError(fmt::format("--out {}: the folder is not writable", folder.string()));
   std::filesystem::remove(probe, error);
+  remove_fields(folder);
 }
 
 template <typename Row>

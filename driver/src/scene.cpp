@@ -8,10 +8,25 @@
 namespace driver {
 namespace {
 
+bool will_move(const TableReader& root) {
+  return root.has("membrane") || root.has("pendulum");
+}
+
+void read_general(TableReader& root, Scene& scene) {
+  TableReader table = root.table("scene");
+  scene.name = table.text("name");
+  scene.time.end = table.number("end_time", positive);
+  scene.gravity = table.vector("gravity", Eigen::Vector3d::Zero());
+  if (table.has("gravity") && !will_move(root))
+    table.fail("gravity", "has no effect: nothing moves; it needs [membrane] or [pendulum]");
+  table.finish();
+}
+
 void read_ambient(TableReader& root, Scene& scene) {
   // The standard atmosphere at 20 degrees C where the case does not say.
   scene.ambient = {101325.0, 293.15};
   if (auto table = root.optional_table("ambient")) {
+    if (!root.has("gas")) table->fail("", "has no effect: it needs [gas]");
     scene.ambient.pressure = table->number("pressure", positive, scene.ambient.pressure);
     scene.ambient.temperature = table->number("temperature", positive, scene.ambient.temperature);
     table->finish();
@@ -21,6 +36,9 @@ void read_ambient(TableReader& root, Scene& scene) {
 void read_time(TableReader& root, Scene& scene) {
   auto table = root.optional_table("time");
   if (!table) return;
+  for (const char* key : {"step", "safety"})
+    if (table->has(key) && !will_move(root))
+      table->fail(key, "has no effect: nothing moves; here output.history_every is the step");
   scene.time.step = table->optional_number(
       "step", Bounds{scene.time.end / 1e9, any_number.high, false, "a step of end_time / 1e9 or more"});
   if (!scene.time.step)
@@ -28,16 +46,12 @@ void read_time(TableReader& root, Scene& scene) {
   scene.time.unsafe_step = table->flag("unsafe_dt", false);
   if (const auto tolerance =
           table->optional_number("gas_tolerance", Bounds{1e-13, 1e-2, false, "1e-13 to 1e-2"})) {
-    if (!scene.gas) table->fail("gas_tolerance", "the scene has no gas");
+    if (!scene.gas || root.has("target"))
+      table->fail("gas_tolerance", "has no effect: the scene has no volume of gas");
     scene.gas->integrator.relative_tolerance = *tolerance;
   }
   if (scene.time.unsafe_step && !scene.time.step) table->fail("unsafe_dt", "is allowed with `step` only");
   table->finish();
-}
-
-void check_time(TableReader& root, const Scene& scene) {
-  if (!scene.moves() && scene.time.step)
-    root.fail("time", "step acts in scenes that move only; here output.history_every is the step");
 }
 
 void read_output(TableReader& root, Scene& scene) {
@@ -79,12 +93,7 @@ Scene read_scene(CaseDocument& document) {
   Scene scene;
   scene.case_file = document.file();
   TableReader root = document.root();
-  TableReader general = root.table("scene");
-  scene.name = general.text("name");
-  scene.time.end = general.number("end_time", positive);
-  scene.gravity = general.vector("gravity", Eigen::Vector3d::Zero());
-  general.finish();
-
+  read_general(root, scene);
   read_ambient(root, scene);
   auto inflators = root.tables("inflator");
   read_gas(root, inflators, scene);
@@ -99,7 +108,6 @@ Scene read_scene(CaseDocument& document) {
   read_output(root, scene);
   root.finish();
   check_composition(root, scene);
-  check_time(root, scene);
   return scene;
 }
 

@@ -116,6 +116,42 @@ void read_vents(TableReader& root, std::vector<gas::Orifice>& vents) {
   }
 }
 
+// What fills the volume at the start.
+void read_initial(TableReader& table, const SpeciesList& list, const NamedComposition& composition,
+                  const gas::Ambient& ambient, GasPart& part) {
+  table.located("composition",
+                [&] { part.initial_fractions = mass_fractions(part.model.thermo, list, composition); });
+  part.initial_pressure = table.number("pressure", non_negative, ambient.pressure);
+  part.initial_temperature = table.number("temperature", positive, ambient.temperature);
+  table.finish();
+}
+
+void read_inflow(TableReader& table, const SpeciesList& list, const NamedComposition& composition,
+                 GasPart& part) {
+  std::optional<gas::Curve> mass_flow, temperature;
+  table.located("mass_flow", [&] {
+    mass_flow = to_gas_curve(table.curve("mass_flow", non_negative), gas::Outside::kZero);
+  });
+  table.located("temperature", [&] {
+    temperature = to_gas_curve(table.curve("temperature", positive), gas::Outside::kHeld);
+  });
+  const double start = table.number("start_time", non_negative, 0.0);
+  table.located("temperature", [&] {
+    part.model.inflows.push_back(
+        {mass_fractions(part.model.thermo, list, composition), *mass_flow, *temperature, start});
+    gas::validate(part.model);
+  });
+}
+
+void warn_if_idle(Scene& scene) {
+  for (std::size_t i = 0; i < scene.gas->model.inflows.size(); ++i) {
+    const auto& inflow = scene.gas->model.inflows[i];
+    const double length = scene.time.end - inflow.start_time;
+    if (!(length > 0.0 && inflow.mass_flow.integral(0.0, length) > 0.0))
+      scene.warnings.push_back(fmt::format("inflator.{} delivers nothing before end_time", i));
+  }
+}
+
 }  // namespace
 
 gas::Curve to_gas_curve(const CurveData& data, gas::Outside outside) {
@@ -136,56 +172,37 @@ void read_gas(TableReader& root, std::vector<TableReader>& inflators, Scene& sce
     return;
   }
   SpeciesList list = read_species(*table);
-  TableReader initial = table->table("initial");
-  const NamedComposition initial_composition = read_composition(initial);
-  std::vector<NamedComposition> compositions;
-  for (auto& inflator : inflators) compositions.push_back(read_composition(inflator));
-  const auto add_species = [&](TableReader& reader, const NamedComposition& composition) {
+  const auto composition_of = [&](TableReader& reader) {
+    NamedComposition composition = read_composition(reader);
     reader.located("composition", [&] {
       for (const auto& entry : composition.fractions) list.add(entry.first);
     });
+    return composition;
   };
-  add_species(initial, initial_composition);
-  for (std::size_t i = 0; i < inflators.size(); ++i) add_species(inflators[i], compositions[i]);
+  std::optional<TableReader> initial;
+  NamedComposition initial_composition;
+  if (root.has("tank") || root.has("membrane")) {
+    initial = table->table("initial");
+    initial_composition = composition_of(*initial);
+  } else if (table->has("initial")) {
+    table->fail("initial", "the scene has no volume, [tank] or [membrane], that gas fills at the start");
+  }
+  std::vector<NamedComposition> compositions;
+  for (auto& inflator : inflators) compositions.push_back(composition_of(inflator));
 
   scene.gas.emplace(GasPart{{gas::Thermo(list.species()), scene.ambient, {}, {}}, {}, {}, 0.0, 0.0, {}});
   GasPart& part = *scene.gas;
-  initial.located("composition", [&] {
-    part.initial_fractions = mass_fractions(part.model.thermo, list, initial_composition);
-  });
-  part.initial_pressure = initial.number("pressure", non_negative, scene.ambient.pressure);
-  part.initial_temperature = initial.number("temperature", positive, scene.ambient.temperature);
-  initial.finish();
+  if (initial) read_initial(*initial, list, initial_composition, scene.ambient, part);
   table->finish();
-
-  for (std::size_t i = 0; i < inflators.size(); ++i) {
-    TableReader& reader = inflators[i];
-    std::optional<gas::Curve> mass_flow, temperature;
-    reader.located("mass_flow", [&] {
-      mass_flow = to_gas_curve(reader.curve("mass_flow", non_negative), gas::Outside::kZero);
-    });
-    reader.located("temperature", [&] {
-      temperature = to_gas_curve(reader.curve("temperature", positive), gas::Outside::kHeld);
-    });
-    const double start = reader.number("start_time", non_negative, 0.0);
-    reader.located("temperature", [&] {
-      part.model.inflows.push_back(
-          {mass_fractions(part.model.thermo, list, compositions[i]), *mass_flow, *temperature, start});
-      gas::validate(part.model);
-    });
-  }
-  for (std::size_t i = 0; i < inflators.size(); ++i) {
-    const auto& inflow = part.model.inflows[i];
-    const double length = scene.time.end - inflow.start_time;
-    if (!(length > 0.0 && inflow.mass_flow.integral(0.0, length) > 0.0))
-      scene.warnings.push_back(fmt::format("inflator.{} delivers nothing before end_time", i));
-  }
+  for (std::size_t i = 0; i < inflators.size(); ++i) read_inflow(inflators[i], list, compositions[i], part);
+  warn_if_idle(scene);
   read_vents(root, part.model.vents);
   if (auto tank = root.optional_table("tank")) {
     part.rigid_volume = tank->number("volume", positive);
     tank->finish();
   }
   table->located("", [&] { gas::validate(part.model); });
+  if (!initial) return;
   table->located("initial", [&] {
     gas::make_state(part.model.thermo, part.initial_fractions, part.initial_pressure,
                     part.initial_temperature, part.rigid_volume.value_or(1.0));

@@ -83,9 +83,10 @@ double stiffness_eigenvalue(const ReferenceTriangle& t, const Eigen::Matrix3d& e
   return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(symmetric, Eigen::EigenvaluesOnly).eigenvalues()[2];
 }
 
+// Larger eigenvalue of the 2 x 2 matrix G G^T.
 double gradient_eigenvalue(const ReferenceTriangle& t) {
   const Eigen::Matrix2d g = t.gradient * t.gradient.transpose();
-  return Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(g, Eigen::EigenvaluesOnly).eigenvalues()[1];
+  return 0.5 * (g(0, 0) + g(1, 1)) + std::hypot(0.5 * (g(0, 0) - g(1, 1)), g(0, 1));
 }
 
 void resize(ElementConstants& c, int element_count, bool woven) {

@@ -150,7 +150,16 @@ const Fault kFaults[] = {
      "inflator.0.jet.centre", "outside the bag", "centre = [0.0, 0.0, 0.2"},
     {"short_side_longer", "passenger_pendulum", "short_side = 0.080 ", "short_side = 0.2 ",
      "inflator.0.jet.short_side", "longer", "short_side"},
-    {"step_of_a_tank", "rigid_tank", "[output]", "[time]\nstep = 1e-3\n[output]", "time", "move", "time]"},
+    {"step_of_a_tank", "rigid_tank", "[output]", "[time]\nstep = 1e-3\n[output]", "time.step",
+     "nothing moves", "step = 1e-3"},
+    {"safety_of_a_tank", "rigid_tank", "[output]", "[time]\nsafety = 0.5\n[output]", "time.safety",
+     "nothing moves", "safety = 0.5"},
+    {"gravity_of_a_tank", "rigid_tank", "end_time = 0.1 ", "gravity = [0.0, 0.0, -9.8]\nend_time = 0.1 ",
+     "scene.gravity", "nothing moves", "gravity = ["},
+    {"initial_gas_of_a_target", "plate_jet", "[gas]", "[gas]\ninitial = { composition = { N2 = 1.0 } }",
+     "gas.initial", "no volume", "initial = {"},
+    {"gas_tolerance_of_a_target", "plate_jet", "[output]", "[time]\ngas_tolerance = 1e-6\n[output]",
+     "time.gas_tolerance", "no volume", "gas_tolerance"},
 };
 INSTANTIATE_TEST_SUITE_P(faults, bad_input, testing::ValuesIn(kFaults),
                          [](const auto& one) { return std::string(one.param.name); });

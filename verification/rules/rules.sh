@@ -1,12 +1,13 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # The rules that the source tree keeps, one function each. A rule prints every violation as `file:line: what`.
-# usage: rules.sh RULE [ROOT]; exit code 0: kept, 1: broken, 2: no such rule
+# usage: rules.sh RULE [ROOT [BUILD]]; exit code 0: kept, 1: broken, 2: no such rule
 set -euo pipefail
 shopt -s extglob
 
-rule=${1:?usage: rules.sh RULE [ROOT]}
+rule=${1:?usage: rules.sh RULE [ROOT [BUILD]]}
 root=${2:-$(dirname "${BASH_SOURCE[0]}")/../..}
+build=${3:-build}
 cd "$root"
 max_file_lines=250
 
@@ -132,6 +133,21 @@ rule_links() {
     while read -r place target; do
       [[ $target == *://* || $target == '#'* || -e $(dirname "${place%:*}")/${target%%#*} ]] || echo "$place: no file $target"
     done
+}
+
+# Every test of the build is matched by a line of mutations.tsv, and every line matches a test. Left out are the rules
+# that have a `_can_fail` partner, and these partners: each of them applies violations of its own.
+rule_mutation_lines() {
+  local list=verification/mutations.tsv names patterns
+  names=$(ctest --test-dir "$build" -N </dev/null | sed -nE 's/^ *Test +#[0-9]+: //p' | grep -v '_NOT_BUILT$')
+  patterns=$(grep -v -e '^#' -e '^[[:space:]]*$' "$list" | cut -f1)
+  grep -vE -e "$patterns" <<<"$names" | grep -vxE -e "$(sed -nE 's/(.*)_can_fail$/\1(_can_fail)?/p' <<<"$names"; echo no_rule)" |
+    while IFS= read -r name; do
+      echo "$list: no line for the test $name; add: expression that matches it, file, sed command that turns it red (tabs between)"
+    done
+  grep -nv -e '^#' -e '^[[:space:]]*$' "$list" | while IFS=$'\t' read -r name _; do
+    grep -qE -e "${name#*:}" <<<"$names" || echo "$list:${name%%:*}: '${name#*:}' matches no test"
+  done
 }
 
 if [[ $(type -t "rule_$rule") != function ]]; then

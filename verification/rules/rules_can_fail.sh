@@ -32,6 +32,9 @@ good_tree() {
   put scripts/run.sh '#!/usr/bin/env bash' '# SPDX-License-Identifier: Apache-2.0' '# built without -ffast-math'
   put README.md '![figure](docs/figure.svg) [gas](docs/theory/gas.md#tag) [web](https://example.org)' '```cpp' 'run([&](int i) {});' '```'
   put docs/figure.svg '<svg/>'
+  put build/CTestTestfile.cmake 'add_test(gas.tank "true")' 'add_test(faults/bad_input.one/nan "true")' \
+    'add_test(rules.links "true")' 'add_test(rules.links_can_fail "true")'
+  put verification/mutations.tsv '# comment' $'gas.(tank|vent)\ta.cpp\ts/a/b/' $'bad_input.*/nan( |$)\tb.cpp\ts/a/b/'
   put docs/theory/gas.md '$$ p V = m R T \tag{G.1} $$'
 }
 
@@ -105,6 +108,11 @@ case $rule in
   links)
     breaks README.md '[gas](docs/gas.md)'
     breaks docs/theory/jet.md 'see [gas](gas.md) and ![figure](figure.svg)'
+    ;;
+  mutation_lines)
+    breaks verification/mutations.tsv $'gas.tank\ta.cpp\ts/a/b/'
+    breaks verification/mutations.tsv $'gas.tank\ta.cpp\ts/a/b/' $'bad_input.*/inf( |$)\tb.cpp\ts/a/b/'
+    breaks verification/mutations.tsv $'.*\ta.cpp\ts/a/b/' $'jet.plume\ta.cpp\ts/a/b/'
     ;;
   *)
     echo "rules_can_fail.sh: no violations are listed for rule '$rule'"
