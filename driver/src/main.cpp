@@ -32,6 +32,7 @@ struct Arguments {
   EnsembleArguments ensemble;
   MeshArguments mesh;
   ExactArguments exact;
+  IdentifyArguments identify;
 };
 
 void add_run(CLI::App& app, Arguments& all) {
@@ -74,11 +75,39 @@ void add_others(CLI::App& app, Arguments& all) {
   exact->add_option("--format", all.exact.format, "csv or json")->check(CLI::IsMember({"csv", "json"}));
 }
 
+void add_identify(CLI::App& app, IdentifyArguments& a) {
+  auto* c = app.add_subcommand("identify", "tank test: mass flow and temperature from measured pressures");
+  const auto add = [&](const char* name, auto& value, const char* text) {
+    return c->add_option(name, value, text)->capture_default_str();
+  };
+  c->add_option("DATA", a.file,
+                "CSV of readings, with a header row; time [s] from firing, pressures [Pa] absolute")
+      ->required();
+  c->add_option("--out", a.out, "CSV of the curves, as a case file takes them")->required();
+  c->add_option("--method", a.method, "average (temperature) or dual (pressure: tank and chamber)")
+      ->required()
+      ->check(CLI::IsMember({"average", "dual"}));
+  c->add_option("--volume", a.volume, "volume of the tank [m3]")->required();
+  c->add_option("--mass", a.mass, "total mass that the inflator delivers [kg]")->required();
+  c->add_option("--gas", a.gas, "what it delivers: NAME or NAME=FRACTION,... (N2=0.7,CO2=0.3)")->required();
+  add("--tank-gas", a.tank_gas, "what the tank holds before firing");
+  add("--by", a.by, "fractions by")->check(CLI::IsMember({"mass", "mole"}));
+  add("--thermodynamics", a.thermodynamics, "cp")->check(CLI::IsMember({"nasa7", "constant"}));
+  add("--initial-temperature", a.initial_temperature, "of the tank's gas [K]");
+  add("--time-column", a.time_column, "name in the header");
+  add("--tank-column", a.tank_column, "name in the header");
+  add("--chamber-column", a.chamber_column, "name in the header");
+  add("--threshold", a.threshold, "rows with |K| below this fraction of the largest are masked");
+  add("--points", a.points, "rows of the curves, equally spaced");
+  add("--draws", a.draws, "random draws behind the 95 % bands");
+}
+
 int dispatch(const CLI::App& app, const Arguments& all) {
   if (app.got_subcommand("run")) return run(all.run);
   if (app.got_subcommand("check")) return check(all.check);
   if (app.got_subcommand("ensemble")) return ensemble(all.ensemble);
   if (app.got_subcommand("mesh")) return mesh_passenger(all.mesh);
+  if (app.got_subcommand("identify")) return identify(all.identify);
   return exact(all.exact);
 }
 
@@ -99,6 +128,7 @@ int main(int argc, char** argv) {
   add_run(app, all);
   add_ensemble(app, all);
   add_others(app, all);
+  add_identify(app, all.identify);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -71,12 +71,15 @@ TEST(identify_band, curve_has_the_known_mass_and_no_flow_outside_the_burn) {
   for (const bool dual : {false, true}) {
     const gas::Identified found = noisy(4, dual);
     std::vector<gas::Curve::Knot> knots;
+    int starts = 0;
     for (const auto& point : found.points) {
+      starts += point.mass_flow > 0.0 && (knots.empty() || knots.back().value == 0.0);
       EXPECT_GE(point.mass_flow, 0.0);
       EXPECT_GT(point.temperature, 0.0);
       EXPECT_TRUE(std::isfinite(point.mass_flow_band.high) && std::isfinite(point.temperature_band.high));
       knots.push_back({point.time, point.mass_flow});
     }
+    EXPECT_EQ(starts, 1);
     EXPECT_EQ(found.points.back().mass_flow, 0.0);
     // The iteration ends at 1e-11 of the mass.
     EXPECT_LT(relative(gas::Curve(knots, gas::Outside::kZero).integral(0.0, 0.06), 0.08), 1e-10);

@@ -46,4 +46,16 @@ table b/jet/ensemble.csv {"$angle","$pressure"}_{standard_error,mean} time_s
 for run in a b; do "$scripts/plot_ensemble.sh" $run/ensemble $run/jet >/dev/null; done
 [[ $(panels a/ensemble.svg) == 2 ]] || fail "an ensemble of two quantities has two panels"
 cmp a/ensemble.svg b/ensemble.svg || fail "the order of the columns changed the picture of the ensemble"
+# Curves of a tank test: every fifth row masked.
+curves() { awk -F, -v OFS=, '/^#/ { print; next } !n++ { print $0, "masked"; next } { print $0, n % 5 == 0 }' "$1" >"$2"; }
+quantities=(mass_flow_kg_s mass_flow_low_kg_s mass_flow_high_kg_s temperature_K temperature_low_K temperature_high_K)
+table a/plain.csv time_s "${quantities[@]}"
+table b/plain.csv "${quantities[@]}" time_s
+for run in a b; do
+  curves $run/plain.csv $run/curves.csv
+  "$scripts/plot_identify.sh" $run/tank_test $run/curves.csv >/dev/null
+done
+[[ $(panels a/tank_test.svg) == 2 ]] || fail "a tank test has two panels"
+cmp a/tank_test.svg b/tank_test.svg || fail "the order of the columns changed the picture of the tank test"
+if "$scripts/plot_identify.sh" c/tank_test a/plain.csv 2>/dev/null; then fail "curves without the column masked were accepted"; fi
 echo "plot scripts: columns by name, absent quantities left out, empty tables refused"

@@ -55,4 +55,24 @@ struct ExactArguments {
 };
 int exact(const ExactArguments& arguments);
 
+struct IdentifyArguments {
+  std::filesystem::path file;
+  std::filesystem::path out;
+  std::string method;            // "average" or "dual"
+  double volume = 0.0;           // [m3]
+  double mass = 0.0;             // [kg]
+  std::string gas;               // of the inflator: NAME or NAME=FRACTION,...
+  std::string tank_gas = "air";  // of the tank before firing
+  std::string by = "mass";       // what the fractions are of: "mass" or "mole"
+  std::string thermodynamics = "nasa7";
+  double initial_temperature = 293.15;  // [K] of the tank's gas
+  std::string time_column = "time_s";
+  std::string tank_column = "tank_pressure_Pa";
+  std::string chamber_column = "chamber_pressure_Pa";
+  double threshold = 0.05;  // of the largest K
+  int points = 501;         // rows of the curve
+  int draws = 400;          // for the bands
+};
+int identify(const IdentifyArguments& arguments);
+
 }  // namespace driver::commands

@@ -34,9 +34,9 @@ struct TankReadings {
 };
 
 struct IdentifyOptions {
-  int points = 501;        // times of the result, equally spaced over the record; 20 to 1e6
-  double threshold = 0.1;  // of the largest K: below it a point is masked; 0.001 to 0.9
-  int draws = 400;         // from the splines' posterior, for the bands; 40 to 1e6
+  int points = 501;         // times of the result, equally spaced over the record; 20 to 1e6
+  double threshold = 0.05;  // of the largest K: below it a point is masked; 0.001 to 0.9
+  int draws = 400;          // from the splines' posterior, for the bands; 40 to 1e6
 };
 
 /// Pointwise 95 % band: 2.5 and 97.5 percentiles over the draws. V, M, T0 and the gases count as exact.
@@ -71,6 +71,8 @@ struct Identified {
   double effective_area = 0.0;  // [m2] Cd A of the inflator's outlet; 0 for average temperature
   Band effective_area_band{};   // [m2]
   double threshold;             // of |K| [kg K/s]
+  double forward_error =
+      0.0;  // largest relative miss of the smoothed tank pressure by a model run with these curves
   Smoothing tank;
   Smoothing chamber{};
 };

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tank_test/identify.hpp"
 
+#include <gsl/gsl_statistics_double.h>
+
 #include <algorithm>
 #include <cmath>
 #include <optional>
 
 #include "bands.hpp"
+#include "forward.hpp"
 #include "inversion.hpp"
 #include "require.hpp"
 #include "tank_test/smoothing_spline.hpp"
@@ -13,8 +16,9 @@
 namespace gas {
 namespace {
 
-constexpr double kChamberSlack = 5.0;  // standard deviations: what noise alone does not reach
-constexpr double kLeastRise = 5.0;     // standard deviations of the largest slope
+constexpr double kChamberSlack = 5.0;       // standard deviations: what noise alone does not reach
+constexpr double kMedianOfNormal = 0.6745;  // of the magnitude, for unit deviation
+constexpr double kLeastRise = 5.0;          // standard deviations of the largest slope
 
 void check_fractions(const TankTest& test, std::span<const double> fractions, const char* name) {
   require(fractions.size() == test.thermo.size(), name, static_cast<double>(fractions.size()),
@@ -83,8 +87,20 @@ Pressures pressures(const Splines& splines) {
                    splines.chamber ? splines.chamber->spline.coefficients() : std::span<const double>());
 }
 
-void check_chamber(const TankReadings& readings, const Smoothing& tank, const Smoothing& chamber) {
-  const double slack = kChamberSlack * std::hypot(tank.noise, chamber.noise);
+/// Noise of one reading as a fraction of it, from the median of the second differences (6 is the sum of the
+/// squares of 1, -2, 1): an outlier does not count.
+double robust_noise(std::span<const double> readings) {
+  std::vector<double> differences;
+  for (std::size_t i = 1; i + 1 < readings.size(); ++i)
+    differences.push_back(std::abs(readings[i - 1] - 2.0 * readings[i] + readings[i + 1]) / readings[i]);
+  std::ranges::sort(differences);
+  return gsl_stats_median_from_sorted_data(differences.data(), 1, differences.size()) /
+         (kMedianOfNormal * std::sqrt(6.0));
+}
+
+void check_chamber(const TankReadings& readings) {
+  const double slack =
+      kChamberSlack * std::hypot(robust_noise(readings.tank), robust_noise(readings.chamber));
   for (std::size_t i = 0; i < readings.times.size(); ++i)
     if (readings.chamber[i] < readings.tank[i] * (1.0 - slack))
       throw ReadingError("chamber pressure", i,
@@ -184,10 +200,8 @@ Identified identify(const TankTest& test, const TankReadings& readings, const Id
   if (dual) splines.chamber.emplace(readings.times, readings.chamber, times, "chamber pressure");
   Identified result{};
   result.tank = splines.tank.report();
-  if (dual) {
-    result.chamber = splines.chamber->report();
-    check_chamber(readings, result.tank, result.chamber);
-  }
+  if (dual) result.chamber = splines.chamber->report();
+  if (dual) check_chamber(readings);
   const Pressures p = pressures(splines);
   check_rise(splines.tank, p.rate, options.draws);
   const Burn burn = find_burn(p.rate, p, options.threshold);
@@ -207,6 +221,8 @@ Identified identify(const TankTest& test, const TankReadings& readings, const Id
                              {},
                              0.0,
                              burn.masked[i] != 0});
+
+  result.forward_error = forward_error(test, result.points);
 
   NormalNumbers normals;
   std::vector<Sample> samples;

@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: Apache-2.0
+// Tank test analysis: mass flow and temperature of an inflator from measured pressures.
+#include "tank_test/identify.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+
+#include "../csv_table.hpp"
+#include "commands.hpp"
+#include "driver/case_reader.hpp"
+#include "driver/results.hpp"
+#include "tank_test/smoothing_spline.hpp"
+
+namespace driver::commands {
+namespace {
+
+std::vector<std::string> split(const std::string& text, char separator) {
+  std::vector<std::string> parts;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find(separator, begin), text.size());
+    parts.push_back(text.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  return parts;
+}
+
+/// NAME or NAME=FRACTION,...; air, as a whole gas, stands for its four species.
+std::vector<gas::Component> read_composition(const std::string& option, const std::string& text) {
+  if (text == "air") return gas::air_by_mole();
+  std::vector<gas::Component> parts;
+  for (const auto& part : split(text, ',')) {
+    const auto equals = std::min(part.find('='), part.size());
+    double fraction = 1.0;
+    const char* end = part.data() + part.size();
+    if (equals < part.size()) {
+      const auto [stop, error] = std::from_chars(part.data() + equals + 1, end, fraction);
+      if (error != std::errc{} || stop != end)
+        throw CaseError(fmt::format("{} {}: '{}' is no NAME=FRACTION", option, text, part));
+    }
+    parts.push_back({part.substr(0, equals), fraction});
+  }
+  return parts;
+}
+
+/// An option's value is wrong: the library says what is allowed.
+template <typename Action>
+auto of_option(const std::string& option, const Action& action) {
+  try {
+    return action();
+  } catch (const std::invalid_argument& error) {
+    throw CaseError(fmt::format("{}: {}", option, error.what()));
+  }
+}
+
+gas::TankTest tank_test(const IdentifyArguments& a) {
+  const auto own = read_composition("--tank-gas", a.tank_gas), in = read_composition("--gas", a.gas);
+  std::vector<gas::Species> species;
+  const auto add = [&](const std::string& option, const std::vector<gas::Component>& parts) {
+    for (const auto& part : parts) {
+      if (std::ranges::find(species, part.species, &gas::Species::name) != species.end()) continue;
+      species.push_back(of_option(option, [&] {
+        return a.thermodynamics == "nasa7" ? gas::nasa7_species(part.species)
+                                           : gas::constant_cp_species(part.species);
+      }));
+    }
+  };
+  add("--tank-gas", own);
+  add("--gas", in);
+  const gas::Thermo thermo(species);
+  const auto fractions = [&](const std::string& option, const std::string& text,
+                             const std::vector<gas::Component>& parts) {
+    return of_option(option + " " + text, [&] {
+      return a.by == "mole" || text == "air" ? thermo.mass_fractions_by_mole(parts)
+                                             : thermo.mass_fractions_by_mass(parts);
+    });
+  };
+  return {thermo,
+          a.volume,
+          a.initial_temperature,
+          fractions("--tank-gas", a.tank_gas, own),
+          fractions("--gas", a.gas, in),
+          a.mass};
+}
+
+CsvTable read_readings(const IdentifyArguments& a) {
+  std::vector<std::string> columns{a.time_column, a.tank_column};
+  if (a.method == "dual") columns.push_back(a.chamber_column);
+  CsvTable table = read_csv(a.file, columns);
+  if (table.rows() < gas::SmoothingSpline::kFewestReadings)
+    throw CaseError(fmt::format("{}:{}:1: {}: has {} readings, {} or more are needed", a.file.string(),
+                                table.rows() > 0 ? table.lines.back() : 1, a.time_column, table.rows(),
+                                gas::SmoothingSpline::kFewestReadings));
+  if (table.values[0].front() < 0.0)
+    table.fail(0, 0,
+               fmt::format("{} s: time counts from firing, 0 or more is allowed", table.values[0].front()));
+  return table;
+}
+
+gas::Identified analyse(const IdentifyArguments& a, const gas::TankTest& test, const CsvTable& table) {
+  gas::TankReadings readings{table.values[0], table.values[1], {}};
+  if (table.values.size() > 2) readings.chamber = table.values[2];
+  try {
+    return gas::identify(test, readings, {a.points, a.threshold, a.draws});
+  } catch (const gas::ReadingError& error) {
+    table.fail(error.series == "time"            ? 0
+               : error.series == "tank pressure" ? 1
+                                                 : 2,
+               error.index, error.what());
+  } catch (const std::invalid_argument& error) {
+    throw CaseError(fmt::format("identify: {}", error.what()));
+  }
+}
+
+std::string text(const gas::Band& band) {
+  return fmt::format("{:.6g} to {:.6g}", band.low, band.high);
+}
+
+std::string text(const gas::Smoothing& s) {
+  return fmt::format("noise {:.4g} % of the reading, {:.4g} degrees of freedom, lambda {:.4g}",
+                     100.0 * s.noise, s.degrees_of_freedom, s.parameter);
+}
+
+/// What stands above the table and on the screen.
+Provenance findings(const IdentifyArguments& a, const gas::Identified& found) {
+  const bool dual = a.method == "dual";
+  const auto masked = std::ranges::count_if(found.points, [](const auto& p) { return p.masked; });
+  const auto peak = std::ranges::max_element(found.points, {}, &gas::IdentifiedPoint::enthalpy_flow);
+  Provenance lines{
+      {"method", dual ? "dual pressure" : "average temperature"},
+      {"gas", fmt::format("{} by {} into {}, {} cp, tank of {} m3, {} kg, {} K at first", a.gas, a.by,
+                          a.tank_gas, a.thermodynamics, a.volume, a.mass, a.initial_temperature)},
+      {"tank_pressure", text(found.tank)}};
+  if (dual) lines.push_back({"chamber_pressure", text(found.chamber)});
+  lines.push_back({"mean_temperature_K", fmt::format("{:.6g}, 95 %: {}", found.mean_temperature,
+                                                     text(found.mean_temperature_band))});
+  if (dual)
+    lines.push_back({"outlet_CdA_m2",
+                     fmt::format("{:.6g}, 95 %: {}", found.effective_area, text(found.effective_area_band))});
+  double worst = 0.0;
+  for (const auto& point : found.points)
+    if (!point.masked) worst = std::max(worst, point.amplification);
+  lines.push_back(
+      {"amplification",
+       fmt::format("deviation of K over that of one reading: {:.3g} at the largest K ({:.5g} kg K/s), "
+                   "up to {:.3g} above the threshold ({:.5g})",
+                   peak->amplification, peak->enthalpy_flow, worst, found.threshold)});
+  lines.push_back({"masked", fmt::format("{} of {} rows, |K| below {} of its largest", masked,
+                                         found.points.size(), a.threshold)});
+  lines.push_back(
+      {"forward_model",
+       fmt::format("a tank with these curves misses the smoothed tank pressure by {:.2g} % at most",
+                   100.0 * found.forward_error)});
+  lines.push_back({"bands", "pointwise 95 %, from the pressures' noise alone"});
+  lines.push_back(
+      {"bias", dual ? "temperature is held where masked"
+                    : "mass_flow is off by T_s/mean_temperature at each moment, not in the bands"});
+  return lines;
+}
+
+void write_curve(const std::filesystem::path& file, const Provenance& lines, const gas::Identified& found) {
+  fmt::memory_buffer out;
+  const auto to = std::back_inserter(out);
+  for (const auto& [key, value] : lines) fmt::format_to(to, "# {}: {}\n", key, value);
+  fmt::format_to(to,
+                 "time_s,mass_flow_kg_s,mass_flow_low_kg_s,mass_flow_high_kg_s,temperature_K,"
+                 "temperature_low_K,temperature_high_K,tank_pressure_Pa,chamber_pressure_Pa,"
+                 "enthalpy_flow_kg_K_s,amplification,masked\n");
+  for (const auto& p : found.points)
+    fmt::format_to(to, "{:.8g},{:.8g},{:.8g},{:.8g},{:.8g},{:.8g},{:.8g},{:.8g},{:.8g},{:.6g},{:.4g},{:d}\n",
+                   p.time, p.mass_flow, p.mass_flow_band.low, p.mass_flow_band.high, p.temperature,
+                   p.temperature_band.low, p.temperature_band.high, p.tank_pressure, p.chamber_pressure,
+                   p.enthalpy_flow, p.amplification, p.masked);
+  std::ofstream stream(file, std::ios::binary);
+  if (!stream) throw OutputError(fmt::format("--out {}: not writable", file.string()));
+  stream.write(out.data(), static_cast<std::streamsize>(out.size()));
+  stream.flush();
+  if (!stream) throw WriteError(fmt::format("{}: write failed (disk full?)", file.string()));
+}
+
+}  // namespace
+
+int identify(const IdentifyArguments& arguments) {
+  const gas::TankTest test = tank_test(arguments);
+  const CsvTable table = read_readings(arguments);
+  const gas::Identified found = analyse(arguments, test, table);
+  Provenance lines = provenance(arguments.file, {});
+  lines.front().first = "data";
+  std::erase_if(lines, [](const auto& line) { return line.first == "options"; });
+  const Provenance results = findings(arguments, found);
+  lines.insert(lines.end(), results.begin(), results.end());
+  write_curve(arguments.out, lines, found);
+  fmt::print("{}: {} readings over {:.4g} s\n", arguments.file.string(), table.rows(),
+             table.values[0].back() - table.values[0].front());
+  for (const auto& [key, value] : results) fmt::print("  {}: {}\n", key, value);
+  fmt::print("{}: mass_flow_kg_s and temperature_K are curves for a case file\n", arguments.out.string());
+  return exit_done;
+}
+
+}  // namespace driver::commands
