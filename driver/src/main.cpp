@@ -56,17 +56,40 @@ void add_ensemble(CLI::App& app, Arguments& all) {
                        "a second case: report the difference of the means");
 }
 
+void add_mesh(CLI::App& app, MeshArguments& arguments) {
+  auto* mesh = app.add_subcommand("mesh", "generate or convert an airbag mesh and report on it");
+  mesh->require_subcommand(1);
+  auto* bag =
+      mesh->add_subcommand("driver", "driver bag: two discs sewn at the rim, attachment, vents, tethers");
+  auto* passenger =
+      mesh->add_subcommand("passenger", "passenger bag: main and side panels, attachment, vent");
+  auto* convert = mesh->add_subcommand("convert", "read a mesh file; write it in the format of --out");
+  const char* formats = ".obj, or LS-DYNA keyword .k, .key, .dyn";
+  bag->add_option("--out", arguments.out, std::string("design shape, ") + formats)->required();
+  bag->add_option("--initial", arguments.initial, "initial shape, of the same formats");
+  passenger->add_option("--out", arguments.out, std::string("design shape, ") + formats)->required();
+  convert->add_option("FILE", arguments.file, formats)->required();
+  convert->add_option("--out", arguments.out, "file to write; without it the report only");
+  convert->add_option("--length-unit", arguments.length_unit, "length unit of FILE [m]")
+      ->check(CLI::PositiveNumber);
+  convert->add_option("--null-panel", arguments.null_panels, "panel that closes a hole; may be repeated")
+      ->allow_extra_args(false);
+  for (auto* command : {bag, passenger})
+    command->add_option("--set", arguments.overrides, "option=value of the generator; may be repeated")
+        ->allow_extra_args(false);
+  for (auto* command : {bag, passenger, convert})
+    command->add_option("--refine", arguments.refine, "split each element in four, so many times")
+        ->check(CLI::Range(0, 6));
+}
+
+int dispatch_mesh(const CLI::App& mesh, const MeshArguments& arguments) {
+  if (mesh.got_subcommand("driver")) return mesh_driver(arguments);
+  return mesh.got_subcommand("passenger") ? mesh_passenger(arguments) : mesh_convert(arguments);
+}
+
 void add_others(CLI::App& app, Arguments& all) {
   auto* check = app.add_subcommand("check", "validate a case, print its settings and what follows from them");
   add_case(*check, all.check);
-  auto* mesh = app.add_subcommand("mesh", "generate an airbag mesh");
-  auto* passenger =
-      mesh->add_subcommand("passenger", "passenger bag: main and side panels, attachment, vent");
-  mesh->require_subcommand(1);
-  passenger->add_option("--out", all.mesh.out, "OBJ file")->required();
-  passenger
-      ->add_option("--set", all.mesh.overrides, "option=value: depth, width, height [m], depth_cells, ...")
-      ->allow_extra_args(false);
   auto* exact = app.add_subcommand("exact", "print a closed form of the verification suite");
   exact->add_option("NAME", all.exact.name, "closed form, see --list");
   exact->add_flag("--list", all.exact.list, "the catalogue");
@@ -106,7 +129,7 @@ int dispatch(const CLI::App& app, const Arguments& all) {
   if (app.got_subcommand("run")) return run(all.run);
   if (app.got_subcommand("check")) return check(all.check);
   if (app.got_subcommand("ensemble")) return ensemble(all.ensemble);
-  if (app.got_subcommand("mesh")) return mesh_passenger(all.mesh);
+  if (app.got_subcommand("mesh")) return dispatch_mesh(*app.get_subcommand("mesh"), all.mesh);
   if (app.got_subcommand("identify")) return identify(all.identify);
   return exact(all.exact);
 }
@@ -127,6 +150,7 @@ int main(int argc, char** argv) {
   Arguments all;
   add_run(app, all);
   add_ensemble(app, all);
+  add_mesh(app, all.mesh);
   add_others(app, all);
   add_identify(app, all.identify);
   try {

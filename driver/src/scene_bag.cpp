@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// [membrane] and [fabric] -> BagPart.
+// [membrane] -> BagPart.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <random>
 
+#include "bag_mesh.hpp"
 #include "membrane/icosphere.hpp"
-#include "membrane/obj.hpp"
-#include "membrane/passenger_bag.hpp"
+#include "membrane/mesh_file.hpp"
 #include "membrane/surface_check.hpp"
 #include "scene_parts.hpp"
 
@@ -17,28 +17,19 @@ namespace {
 // Share of the fabric's own omega^2 that the plate adds by default: stiff, yet a tenth off the step.
 constexpr double default_plate_share = 0.25;
 
-struct MeshSource {
-  membrane::Mesh mesh;
-  std::vector<std::array<int, 2>> strap_anchors;  // of the generator, back and front node
-};
-
-MeshSource generate_passenger(TableReader& table) {
-  membrane::PassengerBagOptions options;
-  options.depth = table.number("depth", positive, options.depth);
-  options.width = table.number("width", positive, options.width);
-  options.height = table.number("height", positive, options.height);
-  options.depth_cells = table.integer("depth_cells", 4, 1000, options.depth_cells);
-  options.width_cells = table.integer("width_cells", 4, 1000, options.width_cells);
-  options.height_cells = table.integer("height_cells", 4, 1000, options.height_cells);
-  auto bag = membrane::passenger_bag(options);
-  return {std::move(bag.mesh), {bag.strap_anchors.begin(), bag.strap_anchors.end()}};
+template <class Options>
+BagMesh generate_with(TableReader& table) {
+  Options options;
+  for (const auto& [name, member] : option_names(options).lengths)
+    options.*member = table.number(name, positive, options.*member);
+  for (const auto& [name, member] : option_names(options).counts)
+    options.*member = table.integer(name, 0, 1000, options.*member);
+  return generate(options);
 }
 
-membrane::Mesh read_mesh_file(TableReader& table) {
-  const auto file = table.beside_case(table.text("file"));
-  const double unit = table.number("length_unit", positive, 1.0);
+membrane::Mesh read_mesh_file(TableReader& table, const char* key, double unit) {
   try {
-    membrane::Mesh mesh = membrane::read_obj(file);
+    membrane::Mesh mesh = membrane::read_mesh(table.beside_case(table.text(key)));
     mesh.nodes *= unit;
     return mesh;
   } catch (const membrane::MeshFileError& error) {
@@ -46,21 +37,34 @@ membrane::Mesh read_mesh_file(TableReader& table) {
   }
 }
 
-MeshSource read_mesh(TableReader table) {
-  MeshSource source;
+BagMesh mesh_of_files(TableReader& table) {
+  const double unit = table.number("length_unit", positive, 1.0);
+  BagMesh source{read_mesh_file(table, "file", unit), std::nullopt, {}};
+  if (table.has("initial_file"))
+    table.located("initial_file", [&] { set_initial(source, read_mesh_file(table, "initial_file", unit)); });
+  return source;
+}
+
+BagMesh generated_mesh(TableReader& table) {
+  enum class Generator { driver, passenger, icosphere };
+  const auto generator = table.choice<Generator>("generator", {{"driver", Generator::driver},
+                                                               {"passenger", Generator::passenger},
+                                                               {"icosphere", Generator::icosphere}});
+  if (generator == Generator::driver) return generate_with<membrane::DriverBagOptions>(table);
+  if (generator == Generator::passenger) return generate_with<membrane::PassengerBagOptions>(table);
+  return {membrane::icosphere(table.number("radius", positive), table.integer("levels", 0, 8, 3)),
+          std::nullopt,
+          {}};
+}
+
+BagMesh read_mesh(TableReader table, const std::vector<std::string>& null_panels) {
+  BagMesh source;
   table.located("", [&] {
-    if (table.has("file")) {
-      source.mesh = read_mesh_file(table);
-    } else {
-      enum class Generator { passenger, icosphere };
-      const auto generator = table.choice<Generator>(
-          "generator", {{"passenger", Generator::passenger}, {"icosphere", Generator::icosphere}});
-      if (generator == Generator::passenger)
-        source = generate_passenger(table);
-      else
-        source.mesh = membrane::icosphere(table.number("radius", positive), table.integer("levels", 0, 8, 3));
-    }
-    membrane::require_closed_surface(source.mesh.nodes, source.mesh.elements);
+    source = table.has("file") ? mesh_of_files(table) : generated_mesh(table);
+    const int times = table.integer("refine", 0, 6, 0);
+    // A mesh that is no closed surface is refused as it was given, with the numbers of its file.
+    membrane::require_closed_surface(source.shape(), source.mesh.elements);
+    refine(source, times, null_panels);
   });
   table.finish();
   return source;
@@ -76,25 +80,6 @@ std::vector<int> nodes_of_panels(TableReader& table, const std::string& key, con
   std::sort(nodes.begin(), nodes.end());
   nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
   return nodes;
-}
-
-void read_fabric(TableReader& root, membrane::BagDescription& bag, LeakLaw& law) {
-  TableReader table = root.table("fabric");
-  membrane::ElementProperties fabric;
-  fabric.young = table.number("young_modulus", positive);
-  fabric.poisson =
-      table.number("poisson_ratio", Bounds{-0.999, 0.999, false, "a number from -0.999 to 0.999"});
-  fabric.density = table.number("density", positive);
-  fabric.thickness = table.number("thickness", positive);
-  fabric.porosity = table.number("porosity", fraction, 0.0);
-  law = table.choice<LeakLaw>(
-      "leak_law", {{"none", LeakLaw::none}, {"printed", LeakLaw::printed}, {"screen", LeakLaw::screen}},
-      "printed");
-  using membrane::Compression;
-  bag.compression = table.choice<Compression>(
-      "compression", {{"none", Compression::none}, {"linear", Compression::linear}}, "none");
-  table.finish();
-  bag.properties.assign(static_cast<std::size_t>(bag.elements.cols()), fabric);
 }
 
 // The node nearest to a point of the design shape; a point further off than the mesh is coarse is a slip.
@@ -114,7 +99,7 @@ int anchor(TableReader& reader, const char* key, const membrane::Mesh& mesh) {
   return node;
 }
 
-void read_straps(TableReader& table, const MeshSource& source, std::vector<membrane::Strap>& straps) {
+void read_straps(TableReader& table, const BagMesh& source, std::vector<membrane::Strap>& straps) {
   for (auto& reader : table.tables("strap")) {
     membrane::Strap strap;
     if (reader.has("from") || straps.size() >= source.strap_anchors.size()) {
@@ -145,10 +130,8 @@ void read_plate(TableReader& table, membrane::BagDescription& bag) {
   if (const auto stiffness = reader->optional_number("stiffness", positive)) {
     plate.stiffness = *stiffness;
   } else {
-    const auto bare = membrane::make_model(bag);
-    const auto& fabric = bag.properties.front();
     plate.stiffness =
-        default_plate_share * largest_material_frequency(bare) * fabric.density * fabric.thickness;
+        default_plate_share * largest_material_frequency(membrane::make_model(bag)) * lightest_fabric(bag);
   }
   reader->finish();
   bag.plates.push_back(plate);
@@ -167,6 +150,41 @@ void perturb(Eigen::Matrix3Xd& position, const std::vector<int>& fixed, double a
     }
 }
 
+std::vector<int> set_null_panels(TableReader& table, const std::vector<std::string>& names,
+                                 const membrane::Mesh& mesh, membrane::BagDescription& bag) {
+  std::vector<int> elements;
+  table.located("null_panels", [&] {
+    for (const auto& name : names)
+      for (const int element : membrane::panel_elements(mesh, name)) elements.push_back(element);
+    std::sort(elements.begin(), elements.end());
+    if (std::adjacent_find(elements.begin(), elements.end()) != elements.end())
+      throw std::invalid_argument("names a panel twice");
+  });
+  for (const int element : elements) {
+    bag.properties[static_cast<std::size_t>(element)].null_panel = true;
+    bag.properties[static_cast<std::size_t>(element)].porosity = 0.0;
+  }
+  return elements;
+}
+
+// The shape at the start: the mesh's own, or the design shape pressed flat.
+Eigen::Matrix3Xd initial_shape(TableReader& table, const BagMesh& source) {
+  if (source.initial && table.has("flatten"))
+    table.fail("flatten", "this mesh has an initial shape of its own; allowed for meshes without one");
+  if (source.initial) return *source.initial;
+  return membrane::flatten(source.mesh, table.number("flatten", positive_fraction, 1.0));
+}
+
+void warn_of_leaks(const membrane::BagDescription& bag, LeakLaw law, Scene& scene) {
+  if (law == LeakLaw::screen)
+    scene.warnings.push_back(
+        "fabric.leak_law = \"screen\" leaks 1/porosity times as much as the paper's printed law");
+  const bool porous = std::any_of(bag.properties.begin(), bag.properties.end(),
+                                  [](const auto& fabric) { return fabric.porosity > 0.0; });
+  if (law == LeakLaw::none && porous)
+    scene.warnings.push_back("fabric.porosity has no effect with leak_law = \"none\"");
+}
+
 }  // namespace
 
 void read_bag(TableReader& root, Scene& scene) {
@@ -175,39 +193,22 @@ void read_bag(TableReader& root, Scene& scene) {
     if (root.has("fabric")) root.fail("fabric", "needs a table [membrane]");
     return;
   }
-  MeshSource source = read_mesh(table->table("mesh"));
+  const auto null_panels = table->texts("null_panels");
+  BagMesh source = read_mesh(table->table("mesh"), null_panels);
   membrane::BagDescription bag;
   bag.reference = source.mesh.nodes;
   bag.elements = source.mesh.elements;
   bag.gravity = scene.gravity;
   LeakLaw law = LeakLaw::none;
-  read_fabric(root, bag, law);
-
-  std::vector<int> null_elements;
-  const auto null_panels = table->texts("null_panels");
-  table->located("null_panels", [&] {
-    for (const auto& name : null_panels)
-      for (const int element : membrane::panel_elements(source.mesh, name)) null_elements.push_back(element);
-    std::sort(null_elements.begin(), null_elements.end());
-    if (std::adjacent_find(null_elements.begin(), null_elements.end()) != null_elements.end())
-      throw std::invalid_argument("names a panel twice");
-  });
-  for (const int element : null_elements) {
-    bag.properties[static_cast<std::size_t>(element)].null_panel = true;
-    bag.properties[static_cast<std::size_t>(element)].porosity = 0.0;
-  }
+  read_fabric(root, source.mesh, bag, law);
+  std::vector<int> null_elements = set_null_panels(*table, null_panels, source.mesh, bag);
   bag.fixed_nodes = nodes_of_panels(*table, "fixed_panels", source.mesh);
   bag.mass_damping = table->number("mass_damping", non_negative, 0.0);
   read_straps(*table, source, bag.straps);
   table->located("", [&] { read_plate(*table, bag); });
 
-  if (law == LeakLaw::screen)
-    scene.warnings.push_back(
-        "fabric.leak_law = \"screen\" leaks 1/porosity times as much as the paper's printed law");
-  if (law == LeakLaw::none && bag.properties.front().porosity > 0.0)
-    scene.warnings.push_back("fabric.porosity has no effect with leak_law = \"none\"");
-  Eigen::Matrix3Xd position =
-      membrane::flatten(source.mesh, table->number("flatten", positive_fraction, 1.0));
+  warn_of_leaks(bag, law, scene);
+  Eigen::Matrix3Xd position = initial_shape(*table, source);
   const double amplitude = table->number("perturbation", Bounds{0.0, 1e-3, false, "0 to 1e-3 m"}, 0.0);
   const int seed = table->integer("perturbation_seed", 0, 1'000'000'000, 0);
   perturb(position, bag.fixed_nodes, amplitude, seed);

@@ -11,6 +11,10 @@ namespace driver {
 void read_gas(TableReader& root, std::vector<TableReader>& inflators, Scene& scene);
 /// [membrane], [fabric]
 void read_bag(TableReader& root, Scene& scene);
+/// [fabric]: properties of each element, compression and leak law; bag.elements are set.
+void read_fabric(TableReader& root, const membrane::Mesh& mesh, membrane::BagDescription& bag, LeakLaw& law);
+/// Least mass per area of a bag's fabric [kg/m2]; infinite if all of it is null.
+double lightest_fabric(const membrane::BagDescription& bag);
 /// [target]
 void read_target(TableReader& root, Scene& scene);
 /// [inflator.jet] of inflator `index`

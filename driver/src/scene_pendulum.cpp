@@ -33,11 +33,8 @@ double contact_stiffness(TableReader& table, const BagPart& bag) {
   if (const auto stiffness = table.optional_number("stiffness", positive)) return *stiffness;
   const double share = table.number("stiffness_share", positive, default_contact_share);
   const auto& frequencies = bag.model.constants.material_frequency;
-  const auto& fabric = bag.model.description.properties;
-  const auto element =
-      std::find_if(fabric.begin(), fabric.end(), [](const auto& p) { return !p.null_panel; });
   return coupling::default_contact_stiffness(share, *std::max_element(frequencies.begin(), frequencies.end()),
-                                             element->density * element->thickness);
+                                             lightest_fabric(bag.model.description));
 }
 
 }  // namespace

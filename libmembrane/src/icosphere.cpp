@@ -2,9 +2,10 @@
 #include "membrane/icosphere.hpp"
 
 #include <cmath>
-#include <map>
 #include <stdexcept>
-#include <utility>
+#include <string>
+
+#include "membrane/refine.hpp"
 
 namespace membrane {
 namespace {
@@ -23,29 +24,14 @@ Mesh icosahedron() {
   mesh.elements << 0, 0, 0, 0, 0, 1, 5, 11, 10, 7, 3, 3, 3, 3, 3, 4, 2, 6, 8, 9,  //
       11, 5, 1, 7, 10, 5, 11, 10, 7, 1, 9, 4, 2, 6, 8, 9, 4, 2, 6, 8,             //
       5, 1, 7, 10, 11, 9, 4, 2, 6, 8, 4, 2, 6, 8, 9, 5, 11, 10, 7, 1;
+  mesh.panel.assign(20, 0);
+  mesh.panel_names = {"sphere"};
   return mesh;
 }
 
-// Splits each element in four; midpoints go onto the unit sphere. New nodes are numbered as the elements
-// come.
-Mesh refined(const Mesh& coarse) {
-  const int old_nodes = coarse.node_count();
-  Mesh fine;
-  fine.nodes.resize(3, old_nodes + 3 * coarse.element_count() / 2);
-  fine.nodes.leftCols(old_nodes) = coarse.nodes;
-  fine.elements.resize(3, 4 * coarse.element_count());
-  std::map<std::pair<int, int>, int> midpoints;
-  int next = old_nodes;
-  const auto midpoint = [&](int a, int b) {
-    const auto [entry, is_new] = midpoints.try_emplace(std::minmax(a, b), next);
-    if (is_new) fine.nodes.col(next++) = (coarse.nodes.col(a) + coarse.nodes.col(b)).normalized();
-    return entry->second;
-  };
-  for (int e = 0; e < coarse.element_count(); ++e) {
-    const int a = coarse.elements(0, e), b = coarse.elements(1, e), c = coarse.elements(2, e);
-    const int ab = midpoint(a, b), bc = midpoint(b, c), ca = midpoint(c, a);
-    fine.elements.middleCols(4 * e, 4) << a, ab, ca, ab, ab, b, bc, bc, ca, bc, c, ca;
-  }
+Mesh refined_on_unit_sphere(const Mesh& coarse) {
+  Mesh fine = refine(coarse);
+  for (int i = coarse.node_count(); i < fine.node_count(); ++i) fine.nodes.col(i).normalize();
   return fine;
 }
 
@@ -63,10 +49,8 @@ Mesh icosphere(double radius, int levels) {
     throw std::invalid_argument("levels: " + std::to_string(levels) + "; must be 0 to " +
                                 std::to_string(kMaxLevels));
   Mesh mesh = icosahedron();
-  for (int level = 0; level < levels; ++level) mesh = refined(mesh);
+  for (int level = 0; level < levels; ++level) mesh = refined_on_unit_sphere(mesh);
   mesh.nodes *= radius;
-  mesh.panel.assign(static_cast<std::size_t>(mesh.element_count()), 0);
-  mesh.panel_names = {"sphere"};
   return mesh;
 }
 

@@ -22,11 +22,12 @@ struct ElementShape {
   double altitude;  // [m] smallest
   double angle;     // [rad] smallest
   double longest;   // [m] longest edge
+  double area;      // [m2]
 };
 
 ElementShape element_shape(const std::array<Eigen::Vector3d, 3>& x) {
   const double twice_area = (x[1] - x[0]).cross(x[2] - x[0]).norm();
-  ElementShape shape{0.0, std::numeric_limits<double>::infinity(), 0.0};
+  ElementShape shape{0.0, std::numeric_limits<double>::infinity(), 0.0, 0.5 * twice_area};
   for (std::size_t i = 0; i < 3; ++i) {
     const Eigen::Vector3d a = x[(i + 1) % 3] - x[i];
     const Eigen::Vector3d b = x[(i + 2) % 3] - x[i];
@@ -81,6 +82,13 @@ Eigen::VectorXd element_areas(const Nodes& nodes, const Elements& elements) {
   return areas;
 }
 
+Eigen::VectorXd panel_areas(const Mesh& mesh) {
+  const Eigen::VectorXd areas = element_areas(mesh.nodes, mesh.elements);
+  Eigen::VectorXd sums = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(mesh.panel_names.size()));
+  for (Eigen::Index e = 0; e < areas.size(); ++e) sums(mesh.panel[static_cast<std::size_t>(e)]) += areas(e);
+  return sums;
+}
+
 double enclosed_volume(const Nodes& nodes, const Elements& elements) {
   if (elements.cols() == 0) return 0.0;
   const Eigen::Vector3d origin = nodes.col(0);
@@ -95,7 +103,7 @@ double enclosed_volume(const Nodes& nodes, const Elements& elements) {
 ElementQuality element_quality(const Nodes& nodes, const Elements& elements) {
   if (elements.cols() == 0) throw std::invalid_argument("elements: none; element quality needs at least one");
   const double infinity = std::numeric_limits<double>::infinity();
-  ElementQuality quality{infinity, infinity, 0.0, 0.0};
+  ElementQuality quality{infinity, infinity, 0.0, 0.0, infinity, 0.0};
   for (Eigen::Index e = 0; e < elements.cols(); ++e) {
     const ElementShape shape = element_shape(corners(nodes, elements, e));
     if (!(shape.altitude > 0.0))
@@ -104,6 +112,8 @@ ElementQuality element_quality(const Nodes& nodes, const Elements& elements) {
     quality.min_altitude = std::min(quality.min_altitude, shape.altitude);
     quality.mean_altitude += shape.altitude / static_cast<double>(elements.cols());
     quality.max_aspect = std::max(quality.max_aspect, shape.longest / shape.altitude);
+    quality.min_area = std::min(quality.min_area, shape.area);
+    quality.max_area = std::max(quality.max_area, shape.area);
   }
   return quality;
 }

@@ -4,14 +4,11 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
-#include <cmath>
-#include <fstream>
-#include <iterator>
 #include <limits>
-#include <optional>
-#include <unordered_map>
 #include <utility>
 #include <vector>
+
+#include "mesh_text.hpp"
 
 namespace membrane {
 namespace {
@@ -40,13 +37,6 @@ std::vector<Token> split(std::string_view line) {
   return tokens;
 }
 
-std::string shown(std::string_view text) {
-  constexpr std::size_t longest = 40;
-  std::string result = "\"";
-  for (const char c : text.substr(0, longest)) result += c >= ' ' && c <= '~' ? c : '?';
-  return result + (text.size() > longest ? "...\"" : "\"");
-}
-
 class Parser {
  public:
   Parser(std::string_view text, const std::string& name) : text_(text), name_(name) {}
@@ -58,8 +48,8 @@ class Parser {
       statement(split(text_.substr(0, end)));
       text_.remove_prefix(std::min(end + 1, text_.size()));
     }
-    if (elements_.empty()) throw MeshFileError(name_, 0, 0, "the file has no elements (f)");
-    return finish();
+    if (mesh_.empty()) throw MeshFileError(name_, 0, 0, "the file has no elements (f)");
+    return std::move(mesh_).finish();
   }
 
  private:
@@ -84,21 +74,14 @@ class Parser {
     if (tokens.size() != 4 && tokens.size() != 5)
       fail(tokens[0].column,
            "v needs 3 coordinates (and at most a weight), has " + std::to_string(tokens.size() - 1));
-    if (nodes_.size() == std::numeric_limits<int>::max() / 3) fail(tokens[0].column, "too many nodes");
-    nodes_.emplace_back(number(tokens[1]), number(tokens[2]), number(tokens[3]));
+    if (mesh_.node_count() == std::numeric_limits<int>::max() / 3) fail(tokens[0].column, "too many nodes");
+    mesh_.add_node({number(tokens[1]), number(tokens[2]), number(tokens[3])});
     if (tokens.size() == 5) number(tokens[4]);
   }
 
   double number(const Token& token) const {
-    std::string_view text = token.text;
-    if (text.size() > 1 && text[0] == '+' && text[1] != '-') text.remove_prefix(1);
     double value = 0.0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error == std::errc::result_out_of_range)
-      fail(token.column, shown(token.text) + " is beyond double range");
-    if (error != std::errc() || end != text.data() + text.size())
-      fail(token.column, shown(token.text) + " is not a number");
-    if (!std::isfinite(value)) fail(token.column, shown(token.text) + " is not finite");
+    if (const std::string fault = number_fault(token.text, value); !fault.empty()) fail(token.column, fault);
     return value;
   }
 
@@ -106,7 +89,6 @@ class Parser {
     if (tokens.size() > 2)
       fail(tokens[2].column, "one name only: an element belongs to one panel, and names have no blanks");
     panel_name_ = tokens.size() == 2 ? std::string(tokens[1].text) : "default";
-    panel_.reset();
   }
 
   void polygon(const std::vector<Token>& tokens) {
@@ -120,18 +102,12 @@ class Parser {
         fail(tokens[i].column, "node " + std::to_string(index + 1) + " is repeated in this element");
       corners.push_back(index);
     }
-    if (count == 4 && second_diagonal_shorter(corners))
-      std::rotate(corners.begin(), corners.begin() + 1, corners.end());
-    if (!panel_) panel_ = current_panel();
-    for (std::size_t i = 2; i < count; ++i) {
-      elements_.emplace_back(corners[0], corners[i - 1], corners[i]);
-      element_panels_.push_back(*panel_);
-    }
+    mesh_.add_polygon(corners, panel_name_);
   }
 
   int corner(const Token& token) const {
     const std::string_view text = token.text;
-    const int node = index(token, text.substr(0, text.find('/')), nodes_.size());
+    const int node = index(token, text.substr(0, text.find('/')));
     std::size_t slash = text.find('/');
     for (int part = 1; slash != std::string_view::npos; ++part) {
       const std::size_t next = text.find('/', slash + 1);
@@ -153,9 +129,9 @@ class Parser {
     return value;
   }
 
-  int index(const Token& token, std::string_view field, std::size_t count) const {
+  int index(const Token& token, std::string_view field) const {
     const long long value = integer(token, field);
-    const long long size = static_cast<long long>(count);
+    const long long size = mesh_.node_count();
     if (value == 0) fail(token.column, "node index 0; indices count from 1, or back from -1");
     if (value > size || value < -size)
       fail(token.column, "node index " + std::to_string(value) + " is out of range: " + std::to_string(size) +
@@ -163,66 +139,17 @@ class Parser {
     return static_cast<int>(value > 0 ? value - 1 : size + value);
   }
 
-  bool second_diagonal_shorter(const std::vector<int>& quad) const {
-    const auto x = [&](std::size_t i) -> const Eigen::Vector3d& {
-      return nodes_[static_cast<std::size_t>(quad[i])];
-    };
-    return (x(3) - x(1)).norm() < (x(2) - x(0)).norm();
-  }
-
-  int current_panel() {
-    const auto [entry, is_new] =
-        panel_of_name_.try_emplace(panel_name_, static_cast<int>(panel_names_.size()));
-    if (is_new) panel_names_.push_back(panel_name_);
-    return entry->second;
-  }
-
-  Mesh finish() {
-    Mesh mesh;
-    mesh.nodes.resize(3, static_cast<Eigen::Index>(nodes_.size()));
-    for (std::size_t i = 0; i < nodes_.size(); ++i) mesh.nodes.col(static_cast<Eigen::Index>(i)) = nodes_[i];
-    mesh.elements.resize(3, static_cast<Eigen::Index>(elements_.size()));
-    for (std::size_t e = 0; e < elements_.size(); ++e)
-      mesh.elements.col(static_cast<Eigen::Index>(e)) = elements_[e];
-    mesh.panel = std::move(element_panels_);
-    mesh.panel_names = std::move(panel_names_);
-    return mesh;
-  }
-
   std::string_view text_;  // what is still to be read
   std::string name_;
   std::size_t line_ = 0;
-  std::vector<Eigen::Vector3d> nodes_;
-  std::vector<Eigen::Vector3i> elements_;
-  std::vector<int> element_panels_;
-  std::vector<std::string> panel_names_;
-  std::unordered_map<std::string, int> panel_of_name_;
+  MeshBuilder mesh_;
   std::string panel_name_ = "default";
-  std::optional<int> panel_;  // index of panel_name_ once an element uses it
 };
-
-std::string location(const std::string& file, std::size_t line, std::size_t column) {
-  return line == 0 ? file : file + ":" + std::to_string(line) + ":" + std::to_string(column);
-}
 
 }  // namespace
 
-MeshFileError::MeshFileError(const std::string& file, std::size_t line, std::size_t column,
-                             const std::string& message)
-    : std::runtime_error(location(file, line, column) + ": " + message), line_(line), column_(column) {}
-
 Mesh parse_obj(std::string_view text, const std::string& name) {
   return Parser(text, name).parse();
-}
-
-Mesh read_obj(const std::filesystem::path& path) {
-  std::error_code ignored;
-  std::ifstream file(path, std::ios::binary);
-  if (!file || std::filesystem::is_directory(path, ignored))
-    throw MeshFileError(path.string(), 0, 0, "cannot be opened for reading");
-  const std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-  if (file.bad()) throw MeshFileError(path.string(), 0, 0, "cannot be read");
-  return parse_obj(text, path.string());
 }
 
 }  // namespace membrane

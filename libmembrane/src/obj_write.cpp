@@ -1,21 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
-#include <array>
-#include <charconv>
-#include <fstream>
 #include <stdexcept>
 
 #include "membrane/obj.hpp"
+#include "mesh_text.hpp"
 
 namespace membrane {
 namespace {
-
-void append_number(double value, std::string& text) {
-  std::array<char, 32> buffer;
-  const auto end =
-      std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr;  // shortest exact form
-  text.append(buffer.data(), end);
-}
 
 void append_node(const Eigen::Vector3d& x, std::string& text) {
   text += "v";
@@ -36,8 +27,7 @@ void require_panel_name(const std::string& name) {
 }  // namespace
 
 std::string format_obj(const Mesh& mesh) {
-  if (!mesh.nodes.allFinite())
-    throw std::invalid_argument("nodes: a coordinate is not finite; OBJ holds finite ones");
+  require_finite_nodes(mesh);
   for (const std::string& name : mesh.panel_names) require_panel_name(name);
   std::string text = "# nodes in metres\n";
   for (int i = 0; i < mesh.node_count(); ++i) append_node(mesh.nodes.col(i), text);
@@ -50,14 +40,6 @@ std::string format_obj(const Mesh& mesh) {
     text += '\n';
   }
   return text;
-}
-
-void write_obj(const Mesh& mesh, const std::filesystem::path& path) {
-  const std::string text = format_obj(mesh);
-  std::ofstream file(path, std::ios::binary);
-  file << text;
-  file.close();
-  if (!file) throw MeshFileError(path.string(), 0, 0, "cannot be written");
 }
 
 }  // namespace membrane

@@ -160,6 +160,18 @@ const Fault kFaults[] = {
      "gas.initial", "no volume", "initial = {"},
     {"gas_tolerance_of_a_target", "plate_jet", "[output]", "[time]\ngas_tolerance = 1e-6\n[output]",
      "time.gas_tolerance", "no volume", "gas_tolerance"},
+    {"warp_across_the_fabric", "driver_bag", "warp = [0.0, 0.0, 1.0]", "warp = [1.0, 0.0, 0.0]", "membrane",
+     "element's plane", "[membrane]"},
+    {"weave_too_soft", "driver_bag", "shear_modulus = 2.0e6", "shear_modulus = 1.0", "membrane", "shear",
+     "[membrane]"},
+    {"fabric_of_no_panel", "driver_bag", "panels = [\"attachment\"]", "panels = [\"hub\"]",
+     "fabric.panel.0.panels", "\"hub\" does not exist", "panels = [\"hub\"]"},
+    {"fabric_panel_twice", "driver_bag", "panels = [\"attachment\"]",
+     "panels = [\"attachment\", \"attachment\"]", "fabric.panel.0.panels", "again", "panels = [\"att"},
+    {"flattened_twice", "driver_bag", "mass_damping = 20.0", "flatten = 0.5\nmass_damping = 20.0",
+     "membrane.flatten", "initial shape of its own", "flatten = 0.5"},
+    {"rings", "driver_bag", "generator = \"driver\"", "generator = \"driver\", rings = 3", "membrane.mesh",
+     "rings", "{ generator"},
 };
 INSTANTIATE_TEST_SUITE_P(faults, bad_input, testing::ValuesIn(kFaults),
                          [](const auto& one) { return std::string(one.param.name); });

@@ -81,6 +81,28 @@ part_bad_input() {
   [ -e "$work/out" ] && fail "bad input wrote $work/out"
 }
 
+part_mesh() {
+  expect 0 "2352 elements" "$gasjet" mesh driver --out "$work/design.k" --initial "$work/open.obj"
+  expect 0 "panel vent_left: 4 elements" "$gasjet" mesh driver --out "$work/again.k" --set rings=14 --set radius=0.35
+  cmp "$work/design.k" "$work/again.k" || fail "the default options by --set give another mesh"
+  expect 0 "closed control volume: no" "$gasjet" mesh convert "$work/design.k"
+  expect 0 "closed control volume: yes" "$gasjet" mesh convert "$work/open.obj" --out "$work/open.k"
+  expect 0 "closed control volume: yes" "$gasjet" mesh convert "$work/open.k" --out "$work/back.obj"
+  cmp "$work/open.obj" "$work/back.obj" || fail "OBJ to keyword and back changed the file"
+  expect 0 "9396 elements.*volume 0.0059362" "$gasjet" mesh convert "$work/open.k" --refine 1 --null-panel vent_left --null-panel vent_right
+  expect 0 "volume 5.9362e-12" "$gasjet" mesh convert "$work/open.k" --length-unit 1e-3
+  expect 0 "10970 elements" "$gasjet" mesh passenger --out "$work/fine.obj" --refine 1 --set vent_depth_cell=5
+  expect 2 "rings = 3" "$gasjet" mesh driver --out "$work/bad.k" --set rings=3
+  expect 2 "unknown option, allowed are radius" "$gasjet" mesh driver --out "$work/bad.k" --set depth=0.1
+  expect 2 "whole number" "$gasjet" mesh driver --out "$work/bad.k" --set rings=5.5
+  expect 2 "ends with .obj, .k, .key or .dyn" "$gasjet" mesh driver --out "$work/bad.stl"
+  printf '*KEYWORD\n*NODE\n1,0,0,zero\n*END\n' >"$work/number.k"
+  expect 2 "number.k:3:7: \"zero\" is not a number" "$gasjet" mesh convert "$work/number.k"
+  expect 2 "lid" "$gasjet" mesh convert "$work/open.k" --refine 1 --null-panel lid
+  expect 2 "" "$gasjet" mesh driver --out "$work/bad.k" --refine 7
+  for file in bad.k bad.stl; do [ -e "$work/$file" ] && fail "bad input wrote $file"; done
+}
+
 part_interrupt() {
   "$gasjet" run "$source/cases/passenger_pendulum_no_jet.toml" --out "$work/stopped" --set scene.end_time=100 \
     >"$work/log" 2>&1 </dev/null &

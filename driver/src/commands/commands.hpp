@@ -41,10 +41,17 @@ struct EnsembleArguments {
 int ensemble(const EnsembleArguments& arguments);
 
 struct MeshArguments {
-  std::filesystem::path out;
-  std::vector<std::string> overrides;  // generator option = value
+  std::filesystem::path file;            // to convert
+  double length_unit = 1.0;              // of that file [m]
+  std::vector<std::string> null_panels;  // of that file
+  std::filesystem::path out;             // design shape, format by the ending; or empty
+  std::filesystem::path initial;         // initial shape, or empty
+  std::vector<std::string> overrides;    // generator option = value
+  int refine = 0;                        // times
 };
+int mesh_driver(const MeshArguments& arguments);
 int mesh_passenger(const MeshArguments& arguments);
+int mesh_convert(const MeshArguments& arguments);
 
 struct ExactArguments {
   std::string name;

@@ -4,75 +4,132 @@
 #include <charconv>
 #include <numbers>
 
+#include "bag_mesh.hpp"
 #include "commands.hpp"
 #include "driver/case_reader.hpp"
 #include "driver/results.hpp"
-#include "membrane/obj.hpp"
-#include "membrane/passenger_bag.hpp"
+#include "membrane/mesh_file.hpp"
 #include "membrane/surface_check.hpp"
 
 namespace driver::commands {
 namespace {
 
-template <typename Number>
-void assign(const std::string& text, std::size_t equals, Number& out) {
-  const char* end = text.data() + text.size();
-  const auto [stop, error] = std::from_chars(text.data() + equals + 1, end, out);
-  if (error != std::errc{} || stop != end)
-    throw CaseError(fmt::format("--set {}: a number is allowed", text));
+// Sets the member that `key` names; false if none has that name.
+template <class Options, class Number>
+bool assign(Options& options, const std::vector<std::pair<const char*, Number Options::*>>& names,
+            const std::string& key, const std::string& text, const std::string& value) {
+  for (const auto& [name, member] : names) {
+    if (key != name) continue;
+    const char* end = value.data() + value.size();
+    const auto [stop, error] = std::from_chars(value.data(), end, options.*member);
+    if (error != std::errc{} || stop != end)
+      throw CaseError(fmt::format("--set {}: a {} is allowed", text,
+                                  std::is_integral_v<Number> ? "whole number" : "number"));
+    return true;
+  }
+  return false;
 }
 
-membrane::PassengerBagOptions passenger_options(const std::vector<std::string>& overrides) {
-  membrane::PassengerBagOptions options;
+template <class Options>
+BagMesh generate_with(const std::vector<std::string>& overrides) {
+  Options options;
+  const auto& names = option_names(options);
   for (const auto& text : overrides) {
-    const auto equals = std::min(text.find('='), text.size() - 1);
-    const std::string key = text.substr(0, equals);
-    if (key == "depth")
-      assign(text, equals, options.depth);
-    else if (key == "width")
-      assign(text, equals, options.width);
-    else if (key == "height")
-      assign(text, equals, options.height);
-    else if (key == "depth_cells")
-      assign(text, equals, options.depth_cells);
-    else if (key == "width_cells")
-      assign(text, equals, options.width_cells);
-    else if (key == "height_cells")
-      assign(text, equals, options.height_cells);
-    else
-      throw CaseError(
-          fmt::format("--set {}: unknown option, allowed are depth, width, height [m], depth_cells, "
-                      "width_cells, height_cells",
-                      text));
+    const auto equals = std::min(text.find('='), text.size());
+    const std::string key = text.substr(0, equals), value = text.substr(std::min(equals + 1, text.size()));
+    if (assign(options, names.lengths, key, text, value) || assign(options, names.counts, key, text, value))
+      continue;
+    std::string allowed;
+    for (const auto& entry : names.lengths) allowed += fmt::format("{} [m], ", entry.first);
+    for (const auto& entry : names.counts) allowed += fmt::format("{}, ", entry.first);
+    throw CaseError(
+        fmt::format("--set {}: unknown option, allowed are {}", text, allowed.substr(0, allowed.size() - 2)));
   }
-  return options;
+  return generate(options);
+}
+
+void print_quality(const char* shape, const Eigen::Matrix3Xd& nodes, const Eigen::Matrix3Xi& elements) {
+  const auto q = membrane::element_quality(nodes, elements);
+  fmt::print(
+      "{}: smallest angle {:.1f} degrees, largest aspect {:.3g}, altitudes from {:.4g} m (mean {:.4g} m), "
+      "areas {:.4g} to "
+      "{:.4g} m2\n",
+      shape, q.min_angle * 180.0 / std::numbers::pi, q.max_aspect, q.min_altitude, q.mean_altitude,
+      q.min_area, q.max_area);
+}
+
+void print_report(const BagMesh& bag) {
+  const membrane::Mesh& mesh = bag.mesh;
+  fmt::print("{} elements, {} nodes, volume {:.5g} m3\n", mesh.element_count(), mesh.node_count(),
+             membrane::enclosed_volume(bag.shape(), mesh.elements));
+  const Eigen::VectorXd areas = membrane::panel_areas(mesh);
+  for (std::size_t i = 0; i < mesh.panel_names.size(); ++i)
+    fmt::print("panel {}: {} elements, {:.5g} m2\n", mesh.panel_names[i],
+               membrane::panel_elements(mesh, mesh.panel_names[i]).size(),
+               areas(static_cast<Eigen::Index>(i)));
+  print_quality("design shape", mesh.nodes, mesh.elements);
+  if (bag.initial) print_quality("initial shape", *bag.initial, mesh.elements);
+  for (const auto& [back, front] : bag.strap_anchors)
+    fmt::print("strap anchors: nodes {} and {}\n", back, front);
+  const auto faults = membrane::check_closed_surface(bag.shape(), mesh.elements).describe();
+  fmt::print("{}", faults.empty() ? "closed control volume: yes\n" : "closed control volume: no\n" + faults);
+}
+
+void write(const BagMesh& bag, const MeshArguments& arguments) {
+  if (!arguments.out.empty()) membrane::write_mesh(bag.mesh, arguments.out);
+  if (arguments.initial.empty()) return;
+  membrane::Mesh shape = bag.mesh;
+  shape.nodes = bag.shape();
+  membrane::write_mesh(shape, arguments.initial);
+}
+
+int finish(BagMesh bag, const MeshArguments& arguments, const std::vector<std::string>& null_panels) {
+  refine(bag, arguments.refine, null_panels);
+  try {
+    write(bag, arguments);
+  } catch (const membrane::MeshFileError& error) {
+    throw OutputError(error.what());
+  }
+  print_report(bag);
+  return exit_done;
+}
+
+// Errors of the library in what was asked for are errors of the command line.
+template <class Action>
+int reported(Action&& action) {
+  try {
+    return action();
+  } catch (const std::invalid_argument& error) {
+    throw CaseError(error.what());
+  } catch (const membrane::MeshFileError& error) {
+    throw CaseError(error.what());
+  }
 }
 
 }  // namespace
 
+int mesh_driver(const MeshArguments& arguments) {
+  return reported([&] {
+    BagMesh bag = generate_with<membrane::DriverBagOptions>(arguments.overrides);
+    const auto vents = vent_panels(bag.mesh);
+    return finish(std::move(bag), arguments, vents);
+  });
+}
+
 int mesh_passenger(const MeshArguments& arguments) {
-  membrane::PassengerBag bag;
-  membrane::ElementQuality quality{};
-  try {
-    bag = membrane::passenger_bag(passenger_options(arguments.overrides));
-    membrane::require_closed_surface(bag.mesh.nodes, bag.mesh.elements);
-    quality = membrane::element_quality(bag.mesh.nodes, bag.mesh.elements);
-    membrane::write_obj(bag.mesh, arguments.out);
-  } catch (const std::invalid_argument& error) {
-    throw CaseError(error.what());
-  } catch (const membrane::MeshFileError& error) {
-    throw OutputError(error.what());
-  }
-  fmt::print("{}: {} elements, {} nodes, design volume {:.5g} m3\n", arguments.out.string(),
-             bag.mesh.element_count(), bag.mesh.node_count(),
-             membrane::enclosed_volume(bag.mesh.nodes, bag.mesh.elements));
-  fmt::print(
-      "smallest angle {:.1f} degrees, smallest altitude {:.4g} m, mean {:.4g} m, largest aspect {:.3g}\n",
-      quality.min_angle * 180.0 / std::numbers::pi, quality.min_altitude, quality.mean_altitude,
-      quality.max_aspect);
-  for (const auto& [back, front] : bag.strap_anchors)
-    fmt::print("strap anchors: nodes {} and {}\n", back, front);
-  return exit_done;
+  return reported([&] {
+    BagMesh bag = generate_with<membrane::PassengerBagOptions>(arguments.overrides);
+    const auto vents = vent_panels(bag.mesh);
+    return finish(std::move(bag), arguments, vents);
+  });
+}
+
+int mesh_convert(const MeshArguments& arguments) {
+  return reported([&] {
+    BagMesh bag{membrane::read_mesh(arguments.file), std::nullopt, {}};
+    bag.mesh.nodes *= arguments.length_unit;
+    return finish(std::move(bag), arguments, arguments.null_panels);
+  });
 }
 
 }  // namespace driver::commands

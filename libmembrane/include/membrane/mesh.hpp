@@ -39,6 +39,9 @@ int nearest_node(const Mesh& mesh, const Eigen::Vector3d& point);
 Eigen::VectorXd element_areas(const Eigen::Ref<const Eigen::Matrix3Xd>& nodes,
                               const Eigen::Ref<const Eigen::Matrix3Xi>& elements);
 
+/// Areas of the panels [m2], in the order of panel_names.
+Eigen::VectorXd panel_areas(const Mesh& mesh);
+
 /// Enclosed volume [m3], V = (1/6) sum x_a . (x_b x x_c) (M.5), summed about the first node's position so
 /// that it does not depend on the origin to round-off. Positive for outward orientation; meaningful on closed
 /// surfaces only.
@@ -47,10 +50,11 @@ double enclosed_volume(const Eigen::Ref<const Eigen::Matrix3Xd>& nodes,
 
 /// Smallest and mean shape figures of a set of elements.
 struct ElementQuality {
-  double min_angle;      // [rad] smallest interior angle
-  double min_altitude;   // [m] smallest altitude: governs the critical time step
-  double mean_altitude;  // [m] mean over the elements of each one's smallest altitude
-  double max_aspect;     // [-] longest edge over smallest altitude (equilateral: 2/sqrt(3))
+  double min_angle;           // [rad] smallest interior angle
+  double min_altitude;        // [m] smallest altitude: governs the critical time step
+  double mean_altitude;       // [m] mean over the elements of each one's smallest altitude
+  double max_aspect;          // [-] longest edge over smallest altitude (equilateral: 2/sqrt(3))
+  double min_area, max_area;  // [m2]
 };
 
 /// Element-quality report. Precondition: at least one element, none of zero area (else

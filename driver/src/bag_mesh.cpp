@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "bag_mesh.hpp"
+
+#include <stdexcept>
+
+#include "membrane/refine.hpp"
+
+namespace driver {
+
+const OptionNames<membrane::PassengerBagOptions>& option_names(const membrane::PassengerBagOptions&) {
+  using Options = membrane::PassengerBagOptions;
+  static const OptionNames<Options> names{{{"depth", &Options::depth},
+                                           {"width", &Options::width},
+                                           {"height", &Options::height},
+                                           {"back_radius", &Options::back_radius},
+                                           {"front_radius", &Options::front_radius}},
+                                          {{"depth_cells", &Options::depth_cells},
+                                           {"width_cells", &Options::width_cells},
+                                           {"height_cells", &Options::height_cells},
+                                           {"attachment_width_cells", &Options::attachment_width_cells},
+                                           {"attachment_height_cells", &Options::attachment_height_cells},
+                                           {"vent_depth_cell", &Options::vent_depth_cell},
+                                           {"vent_height_cell", &Options::vent_height_cell}}};
+  return names;
+}
+
+const OptionNames<membrane::DriverBagOptions>& option_names(const membrane::DriverBagOptions&) {
+  using Options = membrane::DriverBagOptions;
+  static const OptionNames<Options> names{{{"radius", &Options::radius},
+                                           {"inflator_radius", &Options::inflator_radius},
+                                           {"opening", &Options::opening}},
+                                          {{"rings", &Options::rings},
+                                           {"inflator_rings", &Options::inflator_rings},
+                                           {"vents", &Options::vents},
+                                           {"vent_ring", &Options::vent_ring}}};
+  return names;
+}
+
+BagMesh generate(const membrane::PassengerBagOptions& options) {
+  auto bag = membrane::passenger_bag(options);
+  return {std::move(bag.mesh), std::nullopt, {bag.strap_anchors.begin(), bag.strap_anchors.end()}};
+}
+
+BagMesh generate(const membrane::DriverBagOptions& options) {
+  auto bag = membrane::driver_bag(options);
+  return {std::move(bag.mesh), std::move(bag.opened), {bag.tether_anchors.begin(), bag.tether_anchors.end()}};
+}
+
+std::vector<std::string> vent_panels(const membrane::Mesh& mesh) {
+  std::vector<std::string> names;
+  for (const std::string& name : mesh.panel_names)
+    if (name.starts_with("vent")) names.push_back(name);
+  return names;
+}
+
+void refine(BagMesh& bag, int times, const std::vector<std::string>& null_panels) {
+  for (int i = 0; i < times; ++i) {
+    if (bag.initial) {
+      membrane::Mesh shape = bag.mesh;
+      shape.nodes = *bag.initial;
+      bag.initial = membrane::refine(shape, null_panels).nodes;
+    }
+    bag.mesh = membrane::refine(bag.mesh, null_panels);
+  }
+}
+
+void set_initial(BagMesh& bag, const membrane::Mesh& shape) {
+  if (shape.nodes.cols() != bag.mesh.nodes.cols() || shape.elements.cols() != bag.mesh.elements.cols() ||
+      shape.elements != bag.mesh.elements)
+    throw std::invalid_argument(
+        "the initial shape needs the nodes and elements of the design shape in the same order");
+  bag.initial = shape.nodes;
+}
+
+}  // namespace driver

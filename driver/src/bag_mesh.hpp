@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+// The mesh of a bag as a case or `gasjet mesh` asks for it: generated or from a file, refined.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "membrane/driver_bag.hpp"
+#include "membrane/passenger_bag.hpp"
+
+namespace driver {
+
+struct BagMesh {
+  membrane::Mesh mesh;                            // stress-free design shape
+  std::optional<Eigen::Matrix3Xd> initial;        // 3 x nodes [m], if not the design shape
+  std::vector<std::array<int, 2>> strap_anchors;  // of the generator: back and front node
+
+  const Eigen::Matrix3Xd& shape() const { return initial ? *initial : mesh.nodes; }
+};
+
+/// Names of a generator's options in case files and after --set: lengths [m] and counts.
+template <class Options>
+struct OptionNames {
+  std::vector<std::pair<const char*, double Options::*>> lengths;
+  std::vector<std::pair<const char*, int Options::*>> counts;
+};
+const OptionNames<membrane::PassengerBagOptions>& option_names(const membrane::PassengerBagOptions&);
+const OptionNames<membrane::DriverBagOptions>& option_names(const membrane::DriverBagOptions&);
+
+/// The generators throw std::invalid_argument naming the option.
+BagMesh generate(const membrane::PassengerBagOptions& options);
+BagMesh generate(const membrane::DriverBagOptions& options);
+
+/// Names of the panels that begin with "vent": the generators' null panels.
+std::vector<std::string> vent_panels(const membrane::Mesh& mesh);
+
+/// Applies membrane::refine `times` to both shapes.
+void refine(BagMesh& bag, int times, const std::vector<std::string>& null_panels);
+
+/// Takes the nodes of `shape` as initial shape. Throws std::invalid_argument unless it has the same elements.
+void set_initial(BagMesh& bag, const membrane::Mesh& shape);
+
+}  // namespace driver

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+// Mesh files by the end of their name: Wavefront OBJ (.obj) and LS-DYNA keyword (.k, .key, .dyn).
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+
+#include "membrane/mesh.hpp"
+
+namespace membrane {
+
+/// A mesh file that cannot be read; what() reads `file:line:column: what is wrong`.
+class MeshFileError : public std::runtime_error {
+ public:
+  MeshFileError(const std::string& file, std::size_t line, std::size_t column, const std::string& message);
+  std::size_t line() const { return line_; }      // from 1; 0 if the file as a whole is meant
+  std::size_t column() const { return column_; }  // from 1; 0 if the file as a whole is meant
+
+ private:
+  std::size_t line_;
+  std::size_t column_;
+};
+
+/// Reads a mesh, lengths in metres: parse_obj or parse_keyword (obj.hpp, keyword.hpp) of the file's text.
+/// Throws MeshFileError for another ending, a file that cannot be read, and whatever the parsers refuse.
+Mesh read_mesh(const std::filesystem::path& path);
+
+/// Writes a mesh, format by the ending as above. Throws MeshFileError (line 0) for another ending or if the
+/// file cannot be written, std::invalid_argument for what the format cannot hold.
+void write_mesh(const Mesh& mesh, const std::filesystem::path& path);
+
+}  // namespace membrane

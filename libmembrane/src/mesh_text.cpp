@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "mesh_text.hpp"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
+#include <utility>
+
+#include "membrane/mesh_file.hpp"
+
+namespace membrane {
+
+std::string shown(std::string_view text) {
+  constexpr std::size_t longest = 40;
+  std::string result = "\"";
+  for (const char c : text.substr(0, longest)) result += c >= ' ' && c <= '~' ? c : '?';
+  return result + (text.size() > longest ? "...\"" : "\"");
+}
+
+std::string number_fault(std::string_view text, double& value) {
+  std::string_view digits = text;
+  if (digits.size() > 1 && digits[0] == '+' && digits[1] != '-') digits.remove_prefix(1);
+  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+  if (error == std::errc::result_out_of_range) return shown(text) + " is beyond double range";
+  if (error != std::errc() || end != digits.data() + digits.size()) return shown(text) + " is not a number";
+  return std::isfinite(value) ? "" : shown(text) + " is not finite";
+}
+
+void append_number(double value, std::string& text) {
+  std::array<char, 32> buffer;
+  text.append(buffer.data(), std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr);
+}
+
+std::string read_text(const std::filesystem::path& path) {
+  std::error_code ignored;
+  std::ifstream file(path, std::ios::binary);
+  if (!file || std::filesystem::is_directory(path, ignored))
+    throw MeshFileError(path.string(), 0, 0, "cannot be opened for reading");
+  std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+  if (file.bad()) throw MeshFileError(path.string(), 0, 0, "cannot be read");
+  return text;
+}
+
+void write_text(const std::filesystem::path& path, const std::string& text) {
+  std::ofstream file(path, std::ios::binary);
+  file << text;
+  file.close();
+  if (!file) throw MeshFileError(path.string(), 0, 0, "cannot be written");
+}
+
+void require_finite_nodes(const Mesh& mesh) {
+  if (!mesh.nodes.allFinite())
+    throw std::invalid_argument("nodes: a coordinate is not finite; mesh files hold finite ones");
+}
+
+void MeshBuilder::add_polygon(std::span<const int> corners, const std::string& panel) {
+  std::vector<int> c(corners.begin(), corners.end());
+  if (c.size() == 4 && second_diagonal_shorter(corners)) c = {c[1], c[2], c[3], c[0]};
+  const int index = panel_index(panel);
+  for (std::size_t i = 2; i < c.size(); ++i) {
+    elements_.emplace_back(c[0], c[i - 1], c[i]);
+    element_panels_.push_back(index);
+  }
+}
+
+int MeshBuilder::panel_index(const std::string& panel) {
+  const auto [entry, is_new] = panel_of_name_.try_emplace(panel, static_cast<int>(panel_names_.size()));
+  if (is_new) panel_names_.push_back(panel);
+  return entry->second;
+}
+
+bool MeshBuilder::second_diagonal_shorter(std::span<const int> quad) const {
+  const auto x = [&](std::size_t i) -> const Eigen::Vector3d& {
+    return nodes_[static_cast<std::size_t>(quad[i])];
+  };
+  return (x(3) - x(1)).norm() < (x(2) - x(0)).norm();
+}
+
+Mesh MeshBuilder::finish() && {
+  Mesh mesh;
+  mesh.nodes.resize(3, static_cast<Eigen::Index>(nodes_.size()));
+  for (std::size_t i = 0; i < nodes_.size(); ++i) mesh.nodes.col(static_cast<Eigen::Index>(i)) = nodes_[i];
+  mesh.elements.resize(3, static_cast<Eigen::Index>(elements_.size()));
+  for (std::size_t e = 0; e < elements_.size(); ++e)
+    mesh.elements.col(static_cast<Eigen::Index>(e)) = elements_[e];
+  mesh.panel = std::move(element_panels_);
+  mesh.panel_names = std::move(panel_names_);
+  return mesh;
+}
+
+}  // namespace membrane

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+// Private to the mesh files: text in and out, numbers, and the mesh that grows as a file is read.
+#pragma once
+
+#include <Eigen/Core>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+#include "membrane/mesh.hpp"
+
+namespace membrane {
+
+/// The text in quotes, cut and printable, for messages.
+std::string shown(std::string_view text);
+
+/// Reads a finite number (a leading + is allowed). Returns what is wrong with it, empty if nothing.
+std::string number_fault(std::string_view text, double& value);
+
+/// Appends the shortest form that reads back to the same bits.
+void append_number(double value, std::string& text);
+
+std::string read_text(const std::filesystem::path& path);                     // throws MeshFileError
+void write_text(const std::filesystem::path& path, const std::string& text);  // throws MeshFileError
+
+/// Throws std::invalid_argument unless all nodes are finite.
+void require_finite_nodes(const Mesh& mesh);
+
+/// Nodes, polygons and panels in the order of a file.
+class MeshBuilder {
+ public:
+  int node_count() const { return static_cast<int>(nodes_.size()); }
+  bool empty() const { return elements_.empty(); }
+  void add_node(const Eigen::Vector3d& position) { nodes_.push_back(position); }
+  /// 3 or 4 corners, node numbers from 0; a quad becomes two elements along its shorter diagonal (the first
+  /// of equals).
+  void add_polygon(std::span<const int> corners, const std::string& panel);
+  Mesh finish() &&;
+
+ private:
+  int panel_index(const std::string& panel);
+  bool second_diagonal_shorter(std::span<const int> quad) const;
+
+  std::vector<Eigen::Vector3d> nodes_;
+  std::vector<Eigen::Vector3i> elements_;
+  std::vector<int> element_panels_;
+  std::vector<std::string> panel_names_;
+  std::unordered_map<std::string, int> panel_of_name_;
+};
+
+}  // namespace membrane
