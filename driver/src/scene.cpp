@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "jet_peak.hpp"
 #include "scene_parts.hpp"
 
 namespace driver {
@@ -108,6 +109,7 @@ Scene read_scene(CaseDocument& document) {
   read_output(root, scene);
   root.finish();
   check_composition(root, scene);
+  for (auto& warning : jet_warnings(scene)) scene.warnings.push_back(std::move(warning));
   return scene;
 }
 

@@ -32,7 +32,7 @@ ReferenceTriangle reference_triangle(const BagDescription& d, Eigen::Index e) {
   const double noise = 1e-14 * std::max(ab.squaredNorm(), ac.squaredNorm());
   if (!(twice_area > noise))
     reject("element " + std::to_string(e), "reference area", 0.5 * twice_area,
-           "more than rounding, " + std::to_string(0.5 * noise) + " m2 here");
+           "more than rounding, " + shown(0.5 * noise) + " m2 here");
   ReferenceTriangle t{0.5 * twice_area, {}, {}};
   t.axes << ab / length, ab.cross(ac).cross(ab) / (twice_area * length);
   const double c1 = ab.dot(ac) / length, c2 = twice_area / length;

@@ -9,15 +9,19 @@
 
 namespace membrane {
 
+std::string shown(double value) {
+  std::ostringstream text;
+  text.precision(17);
+  text << value;
+  return text.str();
+}
+
 void reject(std::string_view where, const std::string& problem) {
   throw std::invalid_argument(std::string(where) + ": " + problem);
 }
 
 void reject(std::string_view where, const std::string& field, double value, const std::string& allowed) {
-  std::ostringstream message;
-  message.precision(17);
-  message << field << " = " << value << ", allowed: " << allowed;
-  reject(where, message.str());
+  reject(where, field + " = " + shown(value) + ", allowed: " + allowed);
 }
 
 void require_positive(std::string_view where, const char* field, double value) {

@@ -11,6 +11,8 @@ namespace membrane {
                          const std::string& allowed);
 [[noreturn]] void reject(std::string_view where, const std::string& problem);
 
+std::string shown(double value);  // enough digits to tell it from its neighbours
+
 void require_positive(std::string_view where, const char* field, double value);  // finite and > 0
 void require_not_negative(std::string_view where, const char* field, double value);
 void require_finite(std::string_view where, const char* field, double value);

@@ -7,6 +7,8 @@
 
 #include "membrane/refine.hpp"
 
+#include "checks.hpp"
+
 namespace membrane {
 namespace {
 
@@ -35,16 +37,10 @@ Mesh refined_on_unit_sphere(const Mesh& coarse) {
   return fine;
 }
 
-void require_positive(const char* field, double value) {
-  if (!(value > 0.0 && std::isfinite(value)))
-    throw std::invalid_argument(std::string(field) + ": " + std::to_string(value) +
-                                "; must be positive and finite");
-}
-
 }  // namespace
 
 Mesh icosphere(double radius, int levels) {
-  require_positive("radius", radius);
+  require_positive("mesh", "radius", radius);
   if (levels < 0 || levels > kMaxLevels)
     throw std::invalid_argument("levels: " + std::to_string(levels) + "; must be 0 to " +
                                 std::to_string(kMaxLevels));
@@ -55,10 +51,10 @@ Mesh icosphere(double radius, int levels) {
 }
 
 Mesh rectangle(int nx, int ny, double width, double height, Diagonals diagonals) {
-  require_positive("nx", nx);
-  require_positive("ny", ny);
-  require_positive("width", width);
-  require_positive("height", height);
+  require_positive("mesh", "nx", nx);
+  require_positive("mesh", "ny", ny);
+  require_positive("mesh", "width", width);
+  require_positive("mesh", "height", height);
   Mesh mesh;
   mesh.nodes.resize(3, (nx + 1) * (ny + 1));
   for (int j = 0; j <= ny; ++j)

@@ -8,6 +8,8 @@
 #include <limits>
 #include <stdexcept>
 
+#include "checks.hpp"
+
 namespace membrane {
 namespace {
 
@@ -119,8 +121,7 @@ ElementQuality element_quality(const Nodes& nodes, const Elements& elements) {
 }
 
 Eigen::Matrix3Xd flatten(const Mesh& mesh, double factor) {
-  if (!(factor > 0.0 && factor <= 1.0))
-    throw std::invalid_argument("factor: " + std::to_string(factor) + "; must be above 0 and at most 1");
+  if (!(factor > 0.0 && factor <= 1.0)) reject("flatten", "factor", factor, "above 0 and at most 1");
   Eigen::Matrix3Xd nodes = mesh.nodes;
   nodes.row(0) *= factor;
   return nodes;

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "checks.hpp"
 #include "passenger_profile.hpp"
 
 namespace membrane {
@@ -18,8 +19,7 @@ using Options = PassengerBagOptions;
 enum Panel { kMain, kSideLeft, kSideRight, kAttachment, kVent, kPanelCount };
 
 [[noreturn]] void refuse(const char* field, double value, const std::string& allowed) {
-  throw std::invalid_argument("passenger_bag: " + std::string(field) + " = " + std::to_string(value) +
-                              "; must be " + allowed);
+  reject("passenger_bag", field, value, allowed);
 }
 
 void require_length(const char* field, double value) {

@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "checks.hpp"
 #include "membrane/mesh.hpp"
 
 namespace membrane {
@@ -185,8 +186,7 @@ std::string SurfaceReport::describe() const {
     describe_list("disconnected components (one control volume is one chamber), first elements", firsts,
                   text);
   }
-  if (inward)
-    text += "inward orientation: the enclosed volume is " + std::to_string(volume) + " m3, not positive\n";
+  if (inward) text += "inward orientation: the enclosed volume is " + shown(volume) + " m3, not positive\n";
   return text;
 }
 

@@ -135,6 +135,18 @@ rule_links() {
     done
 }
 
+# Every key that the driver reads from a case has a row in docs/case_files.md, and every row's key is read there.
+rule_case_keys() {
+  local page=docs/case_files.md list read_keys rows key
+  mapfile -t list < <(cpp_files | grep '^driver/src/')
+  read_keys=$(cat "${list[@]}" | tr -d '\n' |
+    grep -oE '(\.|->)(number|optional_number|integer|flag|texts?|numbers|vector|curve|composition|choice(<[A-Za-z_:]+>)?|table|optional_table|tables)\([[:space:]]*"[a-z_]+"|\(\*?(table|reader), "[a-z_]+"' |
+    grep -oE '"[a-z_]+"' | tr -d '"' | sort -u)
+  rows=$(grep -E '^\| `' "$page" | cut -d'|' -f2 | grep -oE '[a-z_]+' | sort -u)
+  for key in $(comm -23 <(echo "$read_keys") <(echo "$rows")); do echo "$page: no row for the key $key"; done
+  for key in $(comm -13 <(echo "$read_keys") <(echo "$rows")); do echo "$page: no code reads the key $key"; done
+}
+
 # Every test of the build is matched by a line of mutations.tsv, and every line matches a test. Left out are the rules
 # that have a `_can_fail` partner, and these partners: each of them applies violations of its own.
 rule_mutation_lines() {

@@ -29,6 +29,8 @@ good_tree() {
   put libgas/src/ode.cpp "$spdx" '#include <boost/numeric/odeint.hpp>'
   put verification/closed_form/src/gas.cpp "$spdx" '#include <gsl/gsl_sf_hyperg.h>'
   put driver/src/step.cpp "$spdx" '#include "gas/model.hpp"' '#include "jet/model.hpp"'
+  put driver/src/scene.cpp "$spdx" 'double v = table.number("volume", positive) + t->choice<Law>(' '    "law", laws);'
+  put docs/case_files.md '| key | meaning |' '|---|---|' '| `volume` | of the tank |' '| `law` | of `spread` |'
   put scripts/run.sh '#!/usr/bin/env bash' '# SPDX-License-Identifier: Apache-2.0' '# built without -ffast-math'
   put README.md '![figure](docs/figure.svg) [gas](docs/theory/gas.md#tag) [web](https://example.org)' '```cpp' 'run([&](int i) {});' '```'
   put docs/figure.svg '<svg/>'
@@ -108,6 +110,10 @@ case $rule in
   links)
     breaks README.md '[gas](docs/gas.md)'
     breaks docs/theory/jet.md 'see [gas](gas.md) and ![figure](figure.svg)'
+    ;;
+  case_keys)
+    breaks docs/case_files.md '| `volume` | of the tank |'
+    breaks docs/case_files.md '| `volume`, `law` | of the tank |' '| `colour` | of the bag |'
     ;;
   mutation_lines)
     breaks verification/mutations.tsv $'gas.tank\ta.cpp\ts/a/b/'

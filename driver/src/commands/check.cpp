@@ -2,13 +2,13 @@
 // Validates a case and prints what follows from it before any step is made.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 
+#include "../jet_peak.hpp"
 #include "../stages.hpp"
 #include "commands.hpp"
-#include "coupling/side.hpp"
 #include "driver/run.hpp"
+#include "gas/orifice.hpp"
 
 namespace driver::commands {
 namespace {
@@ -38,53 +38,30 @@ void print_bag(const Scene& scene, State& state) {
       limit(shares.plate));
 }
 
-double peak_time(const gas::Curve& curve) {
-  const auto knots = curve.knots();
-  return std::max_element(knots.begin(), knots.end(),
-                          [](const auto& a, const auto& b) { return a.value < b.value; })
-      ->time;
+// Whether the vents choke: at the start, and from which pressure.
+void print_vents(const Scene& scene, const State& state) {
+  if (!scene.has_volume() || scene.gas->model.vents.empty()) return;
+  const double critical = scene.ambient.pressure / gas::critical_pressure_ratio(state.gas_point.gamma);
+  fmt::print("vents: {} at the start, choked from {:.6g} Pa at that gamma\n",
+             state.gas_point.pressure >= critical ? "choked" : "not choked", critical);
 }
 
 void print_jet(const Scene& scene, const JetPart& part) {
-  const auto& inflow = scene.gas->model.inflows[part.inflator];
-  const double time =
-      inflow.start_time + (inflow.mass_flow.is_constant() ? 0.0 : peak_time(inflow.mass_flow));
-  const auto point = gas::inflator_point(scene.gas->model, part.inflator, time);
-  const auto outlet = jet::outlet_state(part.outlet, {point.mass_flow, point.temperature, point.cp,
-                                                      point.gas_constant, scene.ambient.pressure});
-  const double force = jet::momentum_flux(outlet, part.outlet.area);
+  const JetPeak peak = jet_peak(scene, part);
+  const jet::JetModel& model = part.field.model();
   fmt::print(
       "jet of inflator {}: at its peak (t = {:.4g} s) V0 = {:.5g} m/s, rho0 = {:.4g} kg/m3, outlet pressure "
-      "{:.4g} Pa, "
-      "momentum {:.4g} N; cut-off loses {:.2g} of it\n",
-      part.inflator, time, outlet.velocity, outlet.density, outlet.pressure, force,
-      jet::momentum_loss(part.field.model()));
-  if (outlet.pressure < scene.ambient.pressure)
-    fmt::print(
-        "warning: the outlet pressure is below ambient even at the peak of the mass flow: a sonic outlet of "
-        "that area "
-        "cannot blow into the bag (outlet = \"pressure_matched\" can)\n");
-  else if (part.outlet.law == jet::OutletLaw::sonic && !inflow.mass_flow.is_constant())
-    fmt::print(
-        "warning: outlet = \"sonic\" (the paper's form) lets the outlet pressure fall with the mass flow, "
-        "below "
-        "ambient under {:.3g} kg/s\n",
-        point.mass_flow * scene.ambient.pressure / outlet.pressure);
-}
-
-void print_visibility(const Scene& scene) {
-  if (!scene.bag) return;
-  jet::VisibilityQuery query(scene.bag->mesh.elements, scene.bag->model.node_count);
-  for (std::size_t j = 0; j < scene.jets.size(); ++j) {
-    std::vector<int> every(static_cast<std::size_t>(scene.bag->model.element_count));
-    for (std::size_t e = 0; e < every.size(); ++e) every[e] = static_cast<int>(e);
-    const auto windings = query.winding_numbers(scene.bag->initial_position,
-                                                jet::ray_source(scene.jets[j].field.model()), every);
-    const auto other = std::count_if(windings.begin(), windings.end(), [](const auto& w) { return w != 1; });
-    if (other > 0)
-      fmt::print("warning: {} of {} rays of jet {} start where the winding number is not 1\n", other,
-                 windings.size(), j);
-  }
+      "{:.4g} Pa ({}), momentum {:.4g} N; cut-off loses {:.2g} of it\n",
+      part.inflator, peak.time, peak.outlet.velocity, peak.outlet.density, peak.outlet.pressure,
+      peak.outlet.pressure > scene.ambient.pressure ? "choked" : "not choked",
+      jet::momentum_flux(peak.outlet, part.outlet.area), jet::momentum_loss(model));
+  if (!scene.pendulum) return;
+  const Eigen::Vector3d impactor = scene.pendulum->model.impactor_centre(scene.pendulum->initial.angle);
+  const double speed = peak.outlet.velocity * jet::relative_velocity(model, impactor).dot(model.axis);
+  fmt::print(
+      "  its force on the impactor, unhidden, over that of the pressure: {:.4g} Pa / (p - p_a), overpressure "
+      "by bag pressure\n",
+      (1.0 + model.restitution) * peak.outlet.density * speed * speed);
 }
 
 }  // namespace
@@ -101,8 +78,8 @@ int check(const CaseArguments& arguments) {
     fmt::print("gas: {:.5g} kg at {:.6g} Pa, {:.5g} K, gamma {:.5g}\n", state.gas_point.mass,
                state.gas_point.pressure, state.gas_point.temperature, state.gas_point.gamma);
   if (scene.bag) print_bag(scene, state);
+  print_vents(scene, state);
   for (const auto& part : scene.jets) print_jet(scene, part);
-  print_visibility(scene);
   if (scene.pendulum)
     fmt::print("pendulum: {:.6g} kg m2 about the axis, effective mass {:.5g} kg\n",
                scene.pendulum->model.axis_inertia(), scene.pendulum->model.effective_mass());

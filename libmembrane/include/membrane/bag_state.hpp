@@ -30,7 +30,7 @@ struct ForceSums {
   double element_frequency = 0.0;  // largest element bound of omega^2 (M.10) [1/s2]
 };
 
-// S8: work of each force over one kick, tau f . (v- + v+) / 2 [J] (M.9). Their sum is kinetic_after -
+// S8: work of each force over one kick, tau f . (v- + v+) / 2 [J] (K.20). Their sum is kinetic_after -
 // kinetic_before to round-off, whatever the forces and steps.
 struct KickWork {
   double membrane = 0.0, pressure = 0.0, jet = 0.0, support = 0.0, contact = 0.0, gravity = 0.0,

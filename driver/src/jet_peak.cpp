@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "jet_peak.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numeric>
+
+namespace driver {
+namespace {
+
+double peak_time(const gas::Curve& curve) {
+  if (curve.is_constant()) return 0.0;
+  const auto knots = curve.knots();
+  return std::max_element(knots.begin(), knots.end(),
+                          [](const auto& a, const auto& b) { return a.value < b.value; })
+      ->time;
+}
+
+void warn_of_outlet(const Scene& scene, const JetPart& part, std::vector<std::string>& warnings) {
+  const JetPeak peak = jet_peak(scene, part);
+  const double ambient = scene.ambient.pressure;
+  if (peak.outlet.pressure < ambient)
+    warnings.push_back(fmt::format(
+        "jet of inflator {}: the outlet pressure is below ambient even at the peak of the mass flow: a sonic "
+        "outlet of that area cannot blow into the bag (outlet = \"pressure_matched\" can)",
+        part.inflator));
+  else if (part.outlet.law == jet::OutletLaw::sonic &&
+           !scene.gas->model.inflows[part.inflator].mass_flow.is_constant())
+    warnings.push_back(
+        fmt::format("jet of inflator {}: outlet = \"sonic\" (the paper's form) lets the outlet pressure fall "
+                    "with the mass flow, below ambient under {:.3g} kg/s",
+                    part.inflator, peak.mass_flow * ambient / peak.outlet.pressure));
+}
+
+void warn_of_rays(const Scene& scene, const JetPart& part, std::vector<std::string>& warnings) {
+  jet::VisibilityQuery query(scene.bag->mesh.elements, scene.bag->model.node_count);
+  std::vector<int> every(static_cast<std::size_t>(scene.bag->model.element_count));
+  std::iota(every.begin(), every.end(), 0);
+  const auto windings =
+      query.winding_numbers(scene.bag->initial_position, jet::ray_source(part.field.model()), every);
+  const auto other = std::count_if(windings.begin(), windings.end(), [](const auto& w) { return w != 1; });
+  if (other > 0)
+    warnings.push_back(
+        fmt::format("jet of inflator {}: {} of its {} rays start where the winding number is not 1",
+                    part.inflator, other, windings.size()));
+}
+
+}  // namespace
+
+JetPeak jet_peak(const Scene& scene, const JetPart& part) {
+  const auto& inflow = scene.gas->model.inflows[part.inflator];
+  const double time = inflow.start_time + peak_time(inflow.mass_flow);
+  const auto point = gas::inflator_point(scene.gas->model, part.inflator, time);
+  return {time, point.mass_flow,
+          jet::outlet_state(part.outlet, {point.mass_flow, point.temperature, point.cp, point.gas_constant,
+                                          scene.ambient.pressure})};
+}
+
+std::vector<std::string> jet_warnings(const Scene& scene) {
+  std::vector<std::string> warnings;
+  for (const JetPart& part : scene.jets) {
+    warn_of_outlet(scene, part, warnings);
+    if (scene.bag) warn_of_rays(scene, part, warnings);
+  }
+  return warnings;
+}
+
+}  // namespace driver

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+// A jet at the peak of its inflator's mass flow, and what looks like a slip there.
+#pragma once
+
+#include "driver/scene.hpp"
+
+namespace driver {
+
+struct JetPeak {
+  double time = 0.0;       // [s]
+  double mass_flow = 0.0;  // [kg/s]
+  jet::OutletState outlet;
+};
+
+/// The outlet at the inflator's greatest mass flow, with ambient pressure in the bag.
+JetPeak jet_peak(const Scene& scene, const JetPart& part);
+
+/// Outlets that cannot blow into the bag, rays that start outside it.
+std::vector<std::string> jet_warnings(const Scene& scene);
+
+}  // namespace driver
