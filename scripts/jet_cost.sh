@@ -1,25 +1,27 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# What the jet costs: whole runs of the paper's scene, without jet, without occlusion, and with exact occlusion by two
-# routes, side by side in one process on one thread. Prints a table and writes it as CSV with machine, compiler, flags
-# and commit.
-# usage: scripts/jet_cost.sh [CSV]      (docs/charts/jet_cost.csv by default)
+# What the jet costs on the paper's scene, one thread. First whole runs without jet, without occlusion, and with exact
+# occlusion by two routes, side by side in one process (jet_cost.csv). Then single stages from 700 to a million elements,
+# folded and inflated, each visibility route and Embree side by side in one process (jet_overhead.csv and .svg). The CSV
+# files say machine, compiler, flags and commit.
+# usage: scripts/jet_cost.sh [FOLDER]      (docs/charts by default)
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
-csv=${1:-docs/charts/jet_cost.csv}
+folder=${1:-docs/charts}
+csv=$folder/jet_cost.csv
 log=$(mktemp)
-trap 'rm -f "$log"' EXIT
-
-scripts/setup_debian12.sh
-cmake --preset release >/dev/null
-cmake --build --preset release --target step_benchmark -j "$(nproc)" >/dev/null
-build/benchmarks/step_benchmark --benchmark_format=csv --benchmark_repetitions=5 \
-  --benchmark_enable_random_interleaving=true --benchmark_report_aggregates_only=true 2>"$log" >"$log.csv"
 trap 'rm -f "$log" "$log.csv"' EXIT
 
-mkdir -p "$(dirname "$csv")"
+scripts/setup_debian12.sh libembree-dev # the peer to beat
+cmake --preset release >/dev/null
+cmake --build --preset release --target step_benchmark jet_overhead -j "$(nproc)" >/dev/null
+build/benchmarks/step_benchmark --benchmark_format=csv --benchmark_repetitions=5 \
+  --benchmark_enable_random_interleaving=true --benchmark_report_aggregates_only=true 2>"$log" >"$log.csv"
+
+mkdir -p "$folder"
+machine="# machine: $(sed -n 's/^model name[^:]*: //p' /proc/cpuinfo | head -n 1), $(nproc) cores, one thread used"
 {
-  echo "# machine: $(sed -n 's/^model name[^:]*: //p' /proc/cpuinfo | head -n 1), $(nproc) cores, one thread used"
+  echo "$machine"
   grep -E '^(version|commit|compiler|flags|date): ' "$log" | sed 's/^/# /'
   echo "# median of 5 interleaved whole runs of 100 ms"
   echo "case,us_per_step,ns_per_element,jet_us_per_step,jet_over_step,step_over_no_jet,steps,drift_rel,hidden_per_step,exact_calls"
@@ -40,3 +42,11 @@ mkdir -p "$(dirname "$csv")"
     }' "$log.csv"
 } >"$csv"
 cat "$csv"
+
+{
+  echo "$machine"
+  build/benchmarks/jet_overhead
+} >"$log.csv"
+cp "$log.csv" "$folder/jet_overhead.csv"
+cat "$folder/jet_overhead.csv"
+gnuplot -e "data='$folder/jet_overhead.csv'; out='$folder/jet_overhead.svg'" scripts/jet_overhead.gp

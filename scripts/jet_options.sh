@@ -32,6 +32,8 @@ variants=(
   "jet_bag|\`relative_to_skin = false\` (default)|s/^relative_to_skin = .*/relative_to_skin = false/"
   "jet_bag|second inflator at once: its jet follows its flow|/^start_time/d"
   "jet_bag|without the second jet|/the second jet/,/^relative_to_skin/d"
+  "passenger_pendulum|first 30 ms|s/^end_time = .*/end_time = 0.03/"
+  "passenger_pendulum|first 30 ms, \`occlusion = false\`|s/^end_time = .*/end_time = 0.03/; s/^restitution/occlusion = false\n&/"
 )
 
 # column FILE NAME HOW: last value of a column, its largest (peak), or its integral over time (integral).
@@ -49,7 +51,7 @@ column() {
   echo "<!-- SPDX-License-Identifier: Apache-2.0 -->"
   echo "# What each option of a jet contributes"
   echo
-  echo "Written by \`scripts/jet_options.sh\` from the small cases of that name, one option changed at a time."
+  echo "Written by \`scripts/jet_options.sh\` from the cases of that name, one option changed at a time."
   echo
   echo "| case | change | peak jet force [N] | jet impulse [N s] | external jet work [J] | end pressure [Pa] |"
   echo "|---|---|---|---|---|---|"

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # Installs the Debian 12 packages that Gasjet needs (root, or a user with sudo). Does nothing when all are there.
+# usage: scripts/setup_debian12.sh [PACKAGE...]      further packages, for a benchmark
 set -euo pipefail
 
 packages=(
@@ -8,6 +9,7 @@ packages=(
   libeigen3-dev libboost-dev libgsl-dev libcgal-dev libgmp-dev libmpfr-dev
   libgtest-dev libbenchmark-dev libtomlplusplus-dev libcli11-dev libfmt-dev nlohmann-json3-dev libtbb-dev
   gnuplot-nox
+  "$@"
 )
 
 is_installed() {

@@ -1,0 +1,20 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
+# Error of the jet force against cost for each rung of the hidden-element test, on the paper's scene: CSV with machine,
+# compiler, flags and commit, and a chart.
+# usage: scripts/jet_fidelity.sh [OUT]      (docs/charts/jet_fidelity by default: OUT.csv and OUT.svg)
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+out=${1:-docs/charts/jet_fidelity}
+
+scripts/setup_debian12.sh
+cmake --preset release >/dev/null
+cmake --build --preset release --target jet_fidelity -j "$(nproc)" >/dev/null
+mkdir -p "$(dirname "$out")"
+{
+  echo "# machine: $(sed -n 's/^model name[^:]*: //p' /proc/cpuinfo | head -n 1), $(nproc) cores, one thread used"
+  build/benchmarks/jet_fidelity
+} >"$out.csv.new"
+mv "$out.csv.new" "$out.csv"
+cat "$out.csv"
+gnuplot -e "data='$out.csv'; out='$out.svg'" scripts/jet_fidelity.gp
