@@ -7,6 +7,7 @@ set border 3
 set tics nomirror
 set grid linecolor 'gray70' linewidth 0.5 dashtype 3
 set logscale xy
+set xrange [10:3e5]
 set format x '10^{%L}'
 set format y '10^{%L}'
 set xlabel 'Field and visibility, time per step [µs], one thread'

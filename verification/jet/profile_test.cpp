@@ -141,6 +141,17 @@ TEST(profile, volume_and_energy_flux_eq_closed_form) {
   }
 }
 
+TEST(profile, entrainment_far_downstream_eq_closed_form) {
+  for (const double a : kRoundCoefficients) {
+    const jet::JetModel model = models::round(0.5, a);  // distances are in diameters
+    const double outlet = jet::outlet_area(model);
+    const double slope =
+        (plane_integral(model, 60.0, 1.0) - plane_integral(model, 40.0, 1.0)) / outlet / 20.0;
+    // Q/Q0 of 20 and its difference of 7, each to 1e-13.
+    EXPECT_NEAR(slope, closed_form::round_far_field(a).entrainment_slope, 1e-12);
+  }
+}
+
 TEST(profile, velocity_falls_to_one_over_e_at_the_width) {
   for (const jet::JetModel& model : {models::round(0.02, 0.08), models::rectangular(0.02, 0.2, 0.11)}) {
     for (const double z : {0.02, 0.2, 2.0}) {
