@@ -116,11 +116,6 @@ void read_straps(TableReader& table, const BagMesh& source, std::vector<membrane
   }
 }
 
-double largest_material_frequency(const membrane::BagModel& model) {
-  const auto& values = model.constants.material_frequency;
-  return *std::max_element(values.begin(), values.end());
-}
-
 void read_plate(TableReader& table, membrane::BagDescription& bag) {
   auto reader = table.optional_table("plate");
   if (!reader) return;
@@ -130,8 +125,7 @@ void read_plate(TableReader& table, membrane::BagDescription& bag) {
   if (const auto stiffness = reader->optional_number("stiffness", positive)) {
     plate.stiffness = *stiffness;
   } else {
-    plate.stiffness =
-        default_plate_share * largest_material_frequency(membrane::make_model(bag)) * lightest_fabric(bag);
+    plate.stiffness = default_plate_share * membrane::make_model(bag).fabric_frequency * lightest_fabric(bag);
   }
   reader->finish();
   bag.plates.push_back(plate);

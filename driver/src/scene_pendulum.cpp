@@ -31,8 +31,7 @@ PendulumPart read_model(TableReader& table, const Eigen::Vector3d& gravity) {
 double contact_stiffness(TableReader& table, const BagPart& bag) {
   if (const auto stiffness = table.optional_number("stiffness", positive)) return *stiffness;
   const double share = table.number("stiffness_share", positive, default_contact_share);
-  const auto& frequencies = bag.model.constants.material_frequency;
-  return coupling::default_contact_stiffness(share, *std::max_element(frequencies.begin(), frequencies.end()),
+  return coupling::default_contact_stiffness(share, bag.model.fabric_frequency,
                                              lightest_fabric(bag.model.description));
 }
 

@@ -95,8 +95,8 @@ void book_step(StepSizes& step) {
 void forces(const Scene& scene, State& state) {
   if (!state.bag) return;
   StageTimer timer(state, Stage::forces);
+  // The fabric's forces at these positions came with the surface: S9 of the step before.
   const auto& model = scene.bag->model;
-  membrane::membrane_forces(model, *state.bag, ParallelBlocks{});
   membrane::support_forces(model, *state.bag, ParallelBlocks{});
   membrane::pressure_forces(*state.bag, state.gas_point.pressure - scene.ambient.pressure);
   if (!state.jets.empty())
@@ -162,7 +162,7 @@ void advance(const Scene& scene, State& state) {
 void volume(const Scene& scene, State& state) {
   if (!state.bag) return;
   StageTimer timer(state, Stage::volume);
-  membrane::update_surface(scene.bag->model, *state.bag, ParallelBlocks{});
+  membrane::update_skin(scene.bag->model, *state.bag, ParallelBlocks{});
 }
 
 double step_with_lagged_damping(double undamped, double rate) {

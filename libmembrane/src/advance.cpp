@@ -76,7 +76,7 @@ void check_steps(double dt_before, double dt_after) {
 }
 
 void advance_block(const BagModel& model, BagState& state, double dt_before, double dt_after, int block) {
-  const int first = block * kBlock, last = std::min(first + kBlock, model.node_count);
+  const int first = block * kNodeBlock, last = std::min(first + kNodeBlock, model.node_count);
   const ExtraForces extra = extra_forces(state);
   AdvanceArrays arrays = advance_arrays(model, state, extra);
   arrays.dt_before = dt_before;

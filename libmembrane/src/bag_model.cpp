@@ -7,6 +7,7 @@
 #include <cmath>
 #include <string>
 
+#include "blocks.hpp"
 #include "checks.hpp"
 #include "kernel_table.hpp"
 #include "membrane/orthotropic.hpp"
@@ -89,86 +90,66 @@ double gradient_eigenvalue(const ReferenceTriangle& t) {
   return 0.5 * (g(0, 0) + g(1, 1)) + std::hypot(0.5 * (g(0, 0) - g(1, 1)), g(0, 1));
 }
 
-void resize(ElementConstants& c, int element_count, bool woven) {
-  const auto size = static_cast<std::size_t>(padded(element_count));
-  for (auto* nodes : {&c.node_a, &c.node_b, &c.node_c}) nodes->assign(size, 0);
-  for (auto* values :
-       {&c.gradient_b1, &c.gradient_b2, &c.gradient_c2, &c.volume, &c.young, &c.spherical, &c.deviator,
-        &c.material_frequency, &c.geometric_frequency, &c.porosity, &c.porosity_squared})
-    values->assign(size, 0.0);
-  if (!woven) return;
-  for (auto* values : {&c.cosine, &c.sine, &c.shear, &c.series, &c.skew, &c.taut}) values->assign(size, 0.0);
-  c.warp_scale.assign(size, 1.0);  // a divisor, of the inert elements too
+void set_weave(WeaveGroup& w, ElementGroup& g, std::size_t lane, const OrthotropicConstants<double>& fabric) {
+  w.cosine[lane] = fabric.cosine;
+  w.sine[lane] = fabric.sine;
+  w.warp_scale[lane] = fabric.warp_scale;
+  g.spherical[lane] = fabric.spherical;
+  g.deviator[lane] = fabric.deviator;
+  w.shear[lane] = fabric.shear;
+  w.series[lane] = fabric.series;
+  w.skew[lane] = fabric.skew;
+  w.taut[lane] = fabric.taut;
 }
 
-void set_weave(ElementConstants& c, std::size_t i, const OrthotropicConstants<double>& fabric) {
-  c.cosine[i] = fabric.cosine;
-  c.sine[i] = fabric.sine;
-  c.warp_scale[i] = fabric.warp_scale;
-  c.spherical[i] = fabric.spherical;
-  c.deviator[i] = fabric.deviator;
-  c.shear[i] = fabric.shear;
-  c.series[i] = fabric.series;
-  c.skew[i] = fabric.skew;
-  c.taut[i] = fabric.taut;
-}
-
-void set_fabric(BagModel& m, std::size_t i, const ReferenceTriangle& t, const ElementProperties& p) {
+void set_fabric(BagModel& m, std::size_t e, const ReferenceTriangle& t, const ElementProperties& p) {
   if (p.null_panel) return;
-  ElementConstants& c = m.constants;
-  const Eigen::Vector2d warp = warp_direction(t, p, static_cast<Eigen::Index>(i));
+  const auto [group, lane] = place_of(m.elements, e);
+  ElementGroup& g = m.elements.group[group];
+  const Eigen::Vector2d warp = warp_direction(t, p, static_cast<Eigen::Index>(e));
   const auto fabric = isotropic_constants(p.young, p.poisson);
-  c.volume[i] = p.thickness * t.area;
-  c.young[i] = fabric.young;
-  c.spherical[i] = fabric.spherical;
-  c.deviator[i] = fabric.deviator;
+  g.volume[lane] = p.thickness * t.area;
+  g.young[lane] = fabric.young;
+  g.spherical[lane] = fabric.spherical;
+  g.deviator[lane] = fabric.deviator;
   if (m.woven)
     set_weave(
-        c, i,
+        m.elements.weave[group], g, lane,
         orthotropic_constants(weave_of(p), warp[0] * warp[0] - warp[1] * warp[1], 2.0 * warp[0] * warp[1]));
   // Each corner carries a third of the mass rho h A, so M^-1 K has the factor (h A) / (rho h A / 3).
-  c.material_frequency[i] = 3.0 / p.density * stiffness_eigenvalue(t, elasticity(weave_of(p), warp));
-  c.geometric_frequency[i] = 3.0 / p.density * gradient_eigenvalue(t);
-  c.porosity[i] = p.porosity;
-  c.porosity_squared[i] = p.porosity * p.porosity;
+  g.material_frequency[lane] = 3.0 / p.density * stiffness_eigenvalue(t, elasticity(weave_of(p), warp));
+  g.geometric_frequency[lane] = 3.0 / p.density * gradient_eigenvalue(t);
+  g.porosity[lane] = p.porosity;
+  g.porosity_squared[lane] = p.porosity * p.porosity;
+  m.fabric_frequency = std::max(m.fabric_frequency, g.material_frequency[lane]);
 }
 
 void set_element(BagModel& m, Eigen::Index e) {
   const auto i = static_cast<std::size_t>(e);
   const ReferenceTriangle t = reference_triangle(m.description, e);
   const ElementProperties& p = m.description.properties[i];
-  ElementConstants& c = m.constants;
-  const auto corner = m.description.elements.col(e);
-  c.node_a[i] = corner[0];
-  c.node_b[i] = corner[1];
-  c.node_c[i] = corner[2];
-  c.gradient_b1[i] = t.gradient(0, 1);
-  c.gradient_b2[i] = t.gradient(1, 1);
-  c.gradient_c2[i] = t.gradient(1, 2);
+  const auto [group, lane] = place_of(m.elements, i);
+  ElementGroup& g = m.elements.group[group];
+  g.gradient_b1[lane] = t.gradient(0, 1);
+  g.gradient_b2[lane] = t.gradient(1, 1);
+  g.gradient_c2[lane] = t.gradient(1, 2);
   m.reference_area[i] = t.area;
   set_fabric(m, i, t, p);
   if (p.null_panel) return;
-  for (int k = 0; k < 3; ++k) {
-    m.node_mass[static_cast<std::size_t>(corner[k])] += p.density * p.thickness * t.area / 3.0;
-    m.node_area[static_cast<std::size_t>(corner[k])] += t.area / 3.0;
+  for (const int n : m.description.elements.col(e)) {
+    m.node_mass[static_cast<std::size_t>(n)] += p.density * p.thickness * t.area / 3.0;
+    m.node_area[static_cast<std::size_t>(n)] += t.area / 3.0;
   }
 }
 
-void set_corner_table(BagModel& m) {
-  CornerTable& table = m.corners;
-  const Eigen::Matrix3Xi& elements = m.description.elements;
-  table.row_begin.assign(static_cast<std::size_t>(m.node_count) + 1, 0);
-  for (const int node : elements.reshaped()) ++table.row_begin[static_cast<std::size_t>(node) + 1];
-  for (std::size_t n = 1; n < table.row_begin.size(); ++n) table.row_begin[n] += table.row_begin[n - 1];
-  table.element.resize(static_cast<std::size_t>(elements.size()));
-  table.offset.resize(table.element.size());
-  auto next = table.row_begin;
-  for (std::int32_t e = 0; e < m.element_count; ++e)
-    for (std::int32_t k = 0; k < 3; ++k) {
-      const auto place = static_cast<std::size_t>(next[static_cast<std::size_t>(elements(k, e))]++);
-      table.element[place] = e;
-      table.offset[place] = e / kLanes * (9 * kLanes) + k * (3 * kLanes) + e % kLanes;
-    }
+// Zero but for the divisors, of elements without effect too.
+void set_weave_groups(BagModel& m) {
+  m.woven = std::any_of(m.description.properties.begin(), m.description.properties.end(),
+                        [](const ElementProperties& p) { return !p.null_panel && p.weave; });
+  if (!m.woven) return;
+  WeaveGroup none{};
+  for (double& scale : none.warp_scale) scale = 1.0;
+  m.elements.weave.assign(m.elements.group.size(), none);
 }
 
 void set_masses(BagModel& m) {
@@ -218,11 +199,10 @@ BagModel make_model(const BagDescription& description) {
   const auto nodes = static_cast<std::size_t>(m.node_count);
   for (auto* values : {&m.node_mass, &m.inverse_mass, &m.node_area}) values->assign(nodes, 0.0);
   m.reference_area.assign(static_cast<std::size_t>(m.element_count), 0.0);
-  m.woven = std::any_of(description.properties.begin(), description.properties.end(),
-                        [](const ElementProperties& p) { return !p.null_panel && p.weave; });
-  resize(m.constants, m.element_count, m.woven);
-  for (Eigen::Index e = 0; e < m.element_count; ++e) set_element(m, e);
   set_corner_table(m);
+  set_blocks(m);
+  set_weave_groups(m);
+  for (Eigen::Index e = 0; e < m.element_count; ++e) set_element(m, e);
   set_masses(m);
   m.strap_frequency = strap_bound(m);
   m.plate_frequency = plate_bound(m);

@@ -30,13 +30,14 @@ BagState make_state(const BagModel& model, ConstVectorsRef position, LoadKinds l
   s.position = Vectors(nodes);
   s.position.map() = position;
   for (Vectors* v : {&s.velocity, &s.volume_gradient, &s.membrane_force}) *v = Vectors(nodes);
-  for (Vectors* v : {&s.area_vector, &s.centroid}) *v = Vectors(elements);
-  if (loads.jet) s.jet_force = Vectors(nodes);
+  if (loads.jet) {
+    s.jet_force = Vectors(nodes);
+    for (Vectors* v : {&s.area_vector, &s.centroid}) *v = Vectors(elements);
+  }
   if (loads.contact) s.contact_force = Vectors(nodes);
   if (!d.straps.empty() || !d.plates.empty()) s.support_force = Vectors(nodes);
   s.strap_tension.assign(d.straps.size(), 0.0);
-  s.area.assign(static_cast<std::size_t>(padded(elements)), 0.0);
-  s.corner_force.assign(9 * static_cast<std::size_t>(padded(elements)), 0.0);
+  s.shared_sums.resize(model.shared.slot.size());
   s.block.resize(static_cast<std::size_t>(std::max(element_blocks(model), node_blocks(model))));
   return s;
 }

@@ -5,24 +5,25 @@
 #include "kernel_table.hpp"
 #include "lanes.hpp"
 #include "membrane/orthotropic.hpp"
+#include "node_kernels.hpp"
 
-// Kernels over elements. T is Lanes, or double for the oracle; both visit groups of four elements and keep
-// four partial sums, so that they agree bit for bit.
+// The pass over the elements of a block. T is Lanes, or double for the oracle; both visit groups of four
+// elements, keep four partial sums, and add at the nodes in the order of the elements, so that they agree bit
+// for bit. The block's positions are copied in, and the sums at its nodes out, once.
 namespace membrane::MEMBRANE_KERNELS {
 
-// Partial sums of a group: four numbers, in 4 / width variables.
 template <class T>
-inline constexpr int kParts = 1;
+inline constexpr int kWidth = 4;  // elements handled at a time
 template <>
-inline constexpr int kParts<double> = 4;
+inline constexpr int kWidth<double> = 1;
 
+// Partial sums of a block: four numbers, in 4 / width variables.
 inline double sum_parts(const Lanes (&part)[1]) {
   return sum_lanes(part[0]);
 }
 inline double sum_parts(const double (&part)[4]) {
   return (part[0] + part[1]) + (part[2] + part[3]);
 }
-
 inline double max_parts(const double (&part)[4]) {
   double largest = part[0];
   for (const double value : part) largest = value > largest ? value : largest;
@@ -34,70 +35,101 @@ inline double max_parts(const Lanes (&part)[1]) {
 }
 
 template <class T>
-struct SurfaceParts {
-  T moment{}, area{}, porosity_area{}, porosity_squared_area{};
+struct Parts {
+  T value[4 / kWidth<T>] = {};
+};
+template <class T>
+struct SkinParts {
+  Parts<T> moment, area, porosity_area, porosity_squared_area, energy, frequency;
+};
+
+// Positions and sums of the block's nodes.
+struct BlockNodes {
+  alignas(64) double position[kBlockNodes][4];
+  NodeSums sums[kBlockNodes];
+};
+
+inline void add_row(double* sum, Lanes row) {
+  (Lanes::load(sum) + row).store(sum);
+}
+inline void subtract_row(double* sum, Lanes row) {
+  (Lanes::load(sum) - row).store(sum);
+}
+
+template <class T>
+struct Corners {
+  Vec3<T> a, b, c;
 };
 
 template <class T>
-[[gnu::always_inline]] inline void surface_of(const SurfaceArrays& s, const Vec3<T>& origin, int e,
-                                              SurfaceParts<T>& sums) {
-  const Vec3<T> a = load_nodes<T>(s.position, s.node_a + e);
-  const Vec3<T> b = load_nodes<T>(s.position, s.node_b + e);
-  const Vec3<T> c = load_nodes<T>(s.position, s.node_c + e);
-  const Vec3<T> area_vector = cross(b - a, c - a) * T(0.5);
-  const T area = sqrt(dot(area_vector, area_vector));
-  store_rows(s.area_vector + 4 * std::int64_t{e}, area_vector);
-  store_rows(s.centroid + 4 * std::int64_t{e}, ((a + b) + c) / T(3.0));
-  store(s.area + e, area);
-  sums.moment = sums.moment + dot(a - origin, area_vector);
-  sums.area = sums.area + area;
-  sums.porosity_area = sums.porosity_area + load<T>(s.porosity + e) * area;
-  sums.porosity_squared_area = sums.porosity_squared_area + load<T>(s.porosity_squared + e) * area;
-}
-
-template <class T>
-void surface(const SurfaceArrays& s, int first, int last, SurfaceTotals& totals) {
-  constexpr int parts = kParts<T>;
-  const Vec3<T> origin{T(s.position[0]), T(s.position[1]), T(s.position[2])};
-  SurfaceParts<T> sums[parts];
-  for (int e = first; e < last; e += 4)
-    for (int k = 0; k < parts; ++k) surface_of<T>(s, origin, e + k, sums[k]);
-  T moment[parts], area[parts], porous[parts], squared[parts];
-  for (int k = 0; k < parts; ++k) {
-    moment[k] = sums[k].moment;
-    area[k] = sums[k].area;
-    porous[k] = sums[k].porosity_area;
-    squared[k] = sums[k].porosity_squared_area;
+[[gnu::always_inline]] inline void write_geometry(const SkinArrays& s, std::int64_t place,
+                                                  const Corners<T>& x, const Rows<T>& area_vector) {
+  const Rows<T> centroid(((x.a + x.b) + x.c) / T(3.0));
+  for (int i = 0; i < kWidth<T>; ++i) {
+    const std::int64_t element = s.element[place + i];
+    if (element < 0) continue;
+    area_vector.row[i].store(s.area_vector + 4 * element);
+    centroid.row[i].store(s.centroid + 4 * element);
   }
-  totals = {sum_parts(moment), sum_parts(area), sum_parts(porous), sum_parts(squared)};
 }
 
-// Corner forces -dW/dx_a of one element (M.4), corner by corner and component by component.
+// S1/S9 (M.5): area vectors to the corners, areas and volume to the sums.
 template <class T>
-void store_corner_forces(double* out, const Vec3<T>& on_b, const Vec3<T>& on_c) {
-  store(out, -(on_b.x + on_c.x));
-  store(out + 4, -(on_b.y + on_c.y));
-  store(out + 8, -(on_b.z + on_c.z));
-  store(out + 12, on_b.x);
-  store(out + 16, on_b.y);
-  store(out + 20, on_b.z);
-  store(out + 24, on_c.x);
-  store(out + 28, on_c.y);
-  store(out + 32, on_c.z);
+[[gnu::always_inline]] inline void surface_of(const SkinArrays& s, const Vec3<T>& origin, int group, int lane,
+                                              const Corners<T>& x, BlockNodes& nodes, SkinParts<T>& sums) {
+  const ElementGroup& g = s.group[group];
+  const Vec3<T> area_vector = cross(x.b - x.a, x.c - x.a) * T(0.5);
+  const T area = sqrt(dot(area_vector, area_vector));
+  const int k = lane / kWidth<T>;
+  sums.moment.value[k] = sums.moment.value[k] + dot(x.a - origin, area_vector);
+  sums.area.value[k] = sums.area.value[k] + area;
+  sums.porosity_area.value[k] = sums.porosity_area.value[k] + load<T>(g.porosity + lane) * area;
+  sums.porosity_squared_area.value[k] =
+      sums.porosity_squared_area.value[k] + load<T>(g.porosity_squared + lane) * area;
+  const Rows<T> rows(area_vector);
+  for (int i = 0; i < kWidth<T>; ++i)
+    for (int corner = 0; corner < 3; ++corner)
+      add_row(nodes.sums[g.node[corner][lane + i]].gradient, rows.row[i]);
+  if (s.area_vector) write_geometry(s, std::int64_t{kLanes} * group + lane, x, rows);
 }
 
+// Deformation gradient's columns and strain (M.1) of the elements of a group, then their nominal stress.
+struct alignas(64) GroupWork {
+  double f1[3][kLanes], f2[3][kLanes];           // [-]
+  double e11[kLanes], e22[kLanes], e12[kLanes];  // [-]
+  double n11[kLanes], n22[kLanes], n12[kLanes];  // -(volume S) [J]
+};
+
 template <class T>
-void load_fabric(const ForceArrays& s, int e, IsotropicConstants<T>& out) {
-  out = {load<T>(s.young + e), load<T>(s.spherical + e), load<T>(s.deviator + e)};
-}
-template <class T>
-void load_fabric(const ForceArrays& s, int e, OrthotropicConstants<T>& out) {
-  const WeaveArrays& w = s.weave;
-  out = {load<T>(w.cosine + e),    load<T>(w.sine + e),     load<T>(w.warp_scale + e),
-         load<T>(s.spherical + e), load<T>(s.deviator + e), load<T>(w.shear + e),
-         load<T>(w.series + e),    load<T>(w.skew + e),     load<T>(w.taut + e)};
+[[gnu::always_inline]] inline void strain_of(const ElementGroup& g, int lane, const Corners<T>& x,
+                                             GroupWork& work) {
+  const Vec3<T> ab = x.b - x.a, ac = x.c - x.a;
+  const T b1 = load<T>(g.gradient_b1 + lane), b2 = load<T>(g.gradient_b2 + lane),
+          c2 = load<T>(g.gradient_c2 + lane);
+  const T f1[3] = {stretch_1(ab.x, b1), stretch_1(ab.y, b1), stretch_1(ab.z, b1)};
+  const T f2[3] = {stretch_2(ab.x, ac.x, b2, c2), stretch_2(ab.y, ac.y, b2, c2),
+                   stretch_2(ab.z, ac.z, b2, c2)};
+  for (int i = 0; i < 3; ++i) {
+    store(work.f1[i] + lane, f1[i]);
+    store(work.f2[i] + lane, f2[i]);
+  }
+  const PlaneStrain<T> e = green_lagrange_strain(f1, f2);
+  store(work.e11 + lane, e.e11);
+  store(work.e22 + lane, e.e22);
+  store(work.e12 + lane, e.e12);
 }
 
+// The fabric of one group's elements by each law.
+template <class T>
+void load_fabric(const ElementGroup& g, const WeaveGroup*, int lane, IsotropicConstants<T>& out) {
+  out = {load<T>(g.young + lane), load<T>(g.spherical + lane), load<T>(g.deviator + lane)};
+}
+template <class T>
+void load_fabric(const ElementGroup& g, const WeaveGroup* w, int lane, OrthotropicConstants<T>& out) {
+  out = {load<T>(w->cosine + lane),   load<T>(w->sine + lane),    load<T>(w->warp_scale + lane),
+         load<T>(g.spherical + lane), load<T>(g.deviator + lane), load<T>(w->shear + lane),
+         load<T>(w->series + lane),   load<T>(w->skew + lane),    load<T>(w->taut + lane)};
+}
 template <Compression kCompression, class T>
 [[gnu::always_inline]] inline PlaneResponse<T> response(const PlaneStrain<T>& e,
                                                         const IsotropicConstants<T>& c) {
@@ -109,43 +141,169 @@ template <Compression kCompression, class T>
   return orthotropic_response<kCompression>(e, c);
 }
 
+// Stress (M.2, M.3, M.13, M.14), energy and the bound of omega^2 (M.10).
 template <template <class> class Fabric, Compression kCompression, class T>
-[[gnu::always_inline]] inline void forces_of(const ForceArrays& s, int e, double* out, T& energy,
-                                             T& frequency) {
-  const Vec3<T> a = load_nodes<T>(s.position, s.node_a + e);
-  const Vec3<T> ab = load_nodes<T>(s.position, s.node_b + e) - a;
-  const Vec3<T> ac = load_nodes<T>(s.position, s.node_c + e) - a;
-  const T b1 = load<T>(s.gradient_b1 + e), b2 = load<T>(s.gradient_b2 + e), c2 = load<T>(s.gradient_c2 + e);
-  const T f1[3] = {stretch_1(ab.x, b1), stretch_1(ab.y, b1), stretch_1(ab.z, b1)};
-  const T f2[3] = {stretch_2(ab.x, ac.x, b2, c2), stretch_2(ab.y, ac.y, b2, c2),
-                   stretch_2(ab.z, ac.z, b2, c2)};
+[[gnu::always_inline]] inline void stress_of(const ElementGroup& g, const WeaveGroup* weave, int lane,
+                                             GroupWork& work, SkinParts<T>& sums) {
+  const PlaneStrain<T> e{load<T>(work.e11 + lane), load<T>(work.e22 + lane), load<T>(work.e12 + lane)};
   Fabric<T> fabric;
-  load_fabric(s, e, fabric);
-  const auto r = response<kCompression>(green_lagrange_strain(f1, f2), fabric);
-
-  const T volume = load<T>(s.volume + e);
-  const T n11 = -(volume * r.s11), n22 = -(volume * r.s22), n12 = -(volume * r.s12);
-  const T on_b_1 = n11 * b1 + n12 * b2, on_b_2 = n12 * b1 + n22 * b2;
-  const T on_c_1 = n12 * c2, on_c_2 = n22 * c2;
-  const Vec3<T> column_1{f1[0], f1[1], f1[2]}, column_2{f2[0], f2[1], f2[2]};
-  store_corner_forces(out, column_1 * on_b_1 + column_2 * on_b_2, column_1 * on_c_1 + column_2 * on_c_2);
-
-  energy = energy + volume * r.energy_density;
-  const T bound = frequency_bound(load<T>(s.material_frequency + e), load<T>(s.geometric_frequency + e),
+  load_fabric(g, weave, lane, fabric);
+  const auto r = response<kCompression>(e, fabric);
+  const T volume = load<T>(g.volume + lane);
+  store(work.n11 + lane, -(volume * r.s11));
+  store(work.n22 + lane, -(volume * r.s22));
+  store(work.n12 + lane, -(volume * r.s12));
+  const int k = lane / kWidth<T>;
+  sums.energy.value[k] = sums.energy.value[k] + volume * r.energy_density;
+  const T bound = frequency_bound(load<T>(g.material_frequency + lane), load<T>(g.geometric_frequency + lane),
                                   r.strain_1, r.stress_1);
-  frequency = select(bound > frequency, bound, frequency);
+  sums.frequency.value[k] = select(bound > sums.frequency.value[k], bound, sums.frequency.value[k]);
 }
 
-template <template <class> class Fabric, Compression kCompression, class T>
-void element_forces(const ForceArrays& s, int first, int last, ForceTotals& totals) {
-  T energy[kParts<T>] = {};
-  T frequency[kParts<T>] = {};
-  for (int e = first; e < last; e += 4) {
-    double* group = s.corner_force + 9 * std::int64_t{e};
-    for (int k = 0; k < kParts<T>; ++k)
-      forces_of<Fabric, kCompression, T>(s, e + k, group + k, energy[k], frequency[k]);
+// Forces -dW/dx to the corners (M.4).
+template <class T>
+[[gnu::always_inline]] inline void forces_of(const ElementGroup& g, int lane, const GroupWork& work,
+                                             BlockNodes& nodes) {
+  const T b1 = load<T>(g.gradient_b1 + lane), b2 = load<T>(g.gradient_b2 + lane),
+          c2 = load<T>(g.gradient_c2 + lane);
+  const T n11 = load<T>(work.n11 + lane), n22 = load<T>(work.n22 + lane), n12 = load<T>(work.n12 + lane);
+  const Vec3<T> f1{load<T>(work.f1[0] + lane), load<T>(work.f1[1] + lane), load<T>(work.f1[2] + lane)};
+  const Vec3<T> f2{load<T>(work.f2[0] + lane), load<T>(work.f2[1] + lane), load<T>(work.f2[2] + lane)};
+  const Rows<T> on_b(f1 * (n11 * b1 + n12 * b2) + f2 * (n12 * b1 + n22 * b2));
+  const Rows<T> on_c(f1 * (n12 * c2) + f2 * (n22 * c2));
+  for (int i = 0; i < kWidth<T>; ++i) {
+    subtract_row(nodes.sums[g.node[0][lane + i]].force, on_b.row[i] + on_c.row[i]);
+    add_row(nodes.sums[g.node[1][lane + i]].force, on_b.row[i]);
+    add_row(nodes.sums[g.node[2][lane + i]].force, on_c.row[i]);
   }
-  totals = {sum_parts(energy), max_parts(frequency)};
 }
+
+inline constexpr bool has_forces(SkinPass pass) {
+  return pass != kSurfacePass;
+}
+inline constexpr bool has_surface(SkinPass pass) {
+  return pass != kForcesPass;
+}
+
+template <SkinPass kPass>
+void copy_in(const SkinArrays& s, BlockNodes& nodes) {
+  const Lanes zero;
+  for (int n = 0; n < s.node_count; ++n) {
+    Lanes::load(s.position + 4 * std::int64_t{s.node[n]}).store(nodes.position[n]);
+    if constexpr (has_forces(kPass)) zero.store(nodes.sums[n].force);
+    if constexpr (has_surface(kPass)) zero.store(nodes.sums[n].gradient);
+  }
+}
+
+// Force and gradient at one node, or the share of them that the pass computes.
+template <SkinPass kPass>
+struct NodeRows {
+  Lanes force{}, gradient{};
+  void add(const NodeSums& sums) {
+    if constexpr (has_forces(kPass)) force += Lanes::load(sums.force);
+    if constexpr (has_surface(kPass)) gradient += Lanes::load(sums.gradient);
+  }
+};
+
+// To the nodal arrays; the volume's gradient counts towards the mobility g^T M^-1 g.
+template <SkinPass kPass, class Arrays>
+[[gnu::always_inline]] inline void write_node(const Arrays& s, std::int64_t node, const NodeRows<kPass>& rows,
+                                              Lanes& mobility) {
+  if constexpr (has_forces(kPass)) rows.force.store(s.force + 4 * node);
+  if constexpr (has_surface(kPass)) {
+    const Lanes gradient = rows.gradient * Lanes(1.0 / 3.0);
+    gradient.store(s.gradient + 4 * node);
+    mobility += gradient * gradient * Lanes(s.inverse_mass[node]);
+  }
+}
+
+template <SkinPass kPass>
+double copy_out(const SkinArrays& s, const BlockNodes& nodes) {
+  Lanes mobility{};
+  for (int n = 0; n < s.own_count; ++n) {
+    NodeRows<kPass> rows;
+    rows.add(nodes.sums[n]);
+    write_node(s, s.node[n], rows, mobility);
+  }
+  for (int n = s.own_count; n < s.node_count; ++n) {
+    NodeSums& part = s.shared_sums[n - s.own_count];
+    if constexpr (has_forces(kPass)) Lanes::load(nodes.sums[n].force).store(part.force);
+    if constexpr (has_surface(kPass)) Lanes::load(nodes.sums[n].gradient).store(part.gradient);
+  }
+  return sum_lanes(mobility);
+}
+
+// Calls f(group, lane) for the elements of the groups [first, last), as many at a time as T holds.
+template <class T, class F>
+[[gnu::always_inline]] inline void for_lanes(int first, int last, F&& f) {
+  for (int group = first; group < last; ++group)
+    for (int lane = 0; lane < kLanes; lane += kWidth<T>) f(group, lane);
+}
+
+// Some groups at a time, step by step: the root and the quotient of the stress take longer than a processor
+// looks ahead over a whole element, but several groups of one step fit.
+template <SkinPass kPass, template <class> class Fabric, Compression kCompression, class T>
+void skin(const SkinArrays& s, SkinTotals& totals) {
+  constexpr int kChunk = 8;
+  BlockNodes nodes;
+  GroupWork work[kChunk];
+  copy_in<kPass>(s, nodes);
+  const Vec3<T> origin{T(s.position[0]), T(s.position[1]), T(s.position[2])};
+  SkinParts<T> sums;
+  for (int first = 0; first < s.group_count; first += kChunk) {
+    const int last = first + kChunk < s.group_count ? first + kChunk : s.group_count;
+    for_lanes<T>(
+        first, last, [&](int group, int lane) __attribute__((always_inline)) {
+          const ElementGroup& g = s.group[group];
+          const Corners<T> x{load_nodes<T>(nodes.position, g.node[0] + lane),
+                             load_nodes<T>(nodes.position, g.node[1] + lane),
+                             load_nodes<T>(nodes.position, g.node[2] + lane)};
+          if constexpr (has_forces(kPass)) strain_of<T>(g, lane, x, work[group - first]);
+          if constexpr (has_surface(kPass)) surface_of<T>(s, origin, group, lane, x, nodes, sums);
+        });
+    if constexpr (!has_forces(kPass)) continue;
+    for_lanes<T>(
+        first, last, [&](int group, int lane) __attribute__((always_inline)) {
+          stress_of<Fabric, kCompression, T>(s.group[group], s.weave + group, lane, work[group - first],
+                                             sums);
+        });
+    for_lanes<T>(
+        first, last, [&](int group, int lane) __attribute__((always_inline)) {
+          forces_of<T>(s.group[group], lane, work[group - first], nodes);
+        });
+  }
+  totals = {sum_parts(sums.moment.value),        sum_parts(sums.area.value),
+            sum_parts(sums.porosity_area.value), sum_parts(sums.porosity_squared_area.value),
+            copy_out<kPass>(s, nodes),           sum_parts(sums.energy.value),
+            max_parts(sums.frequency.value)};
+}
+
+// Sums of the shared nodes [first, last) over the blocks that hold them.
+template <SkinPass kPass>
+void shared(const SharedArrays& s, int first, int last, double& mobility) {
+  Lanes sum{};
+  for (int i = first; i < last; ++i) {
+    NodeRows<kPass> rows;
+    for (std::int32_t k = s.row_begin[i]; k < s.row_begin[i + 1]; ++k) rows.add(s.sums[s.slot[k]]);
+    write_node(s, s.node[i], rows, sum);
+  }
+  mobility = sum_lanes(sum);
+}
+
+template <SkinPass kPass, template <class> class Fabric, class T>
+inline constexpr KernelTable::Skin kLinear = skin<kPass, Fabric, Compression::linear, T>;
+template <SkinPass kPass, template <class> class Fabric, class T>
+inline constexpr KernelTable::Skin kRelaxed = skin<kPass, Fabric, Compression::none, T>;
+
+template <class T>
+inline constexpr KernelTable kTableOf{
+    kLinear<kSurfacePass, IsotropicConstants, T>,
+    {{kLinear<kForcesPass, IsotropicConstants, T>, kRelaxed<kForcesPass, IsotropicConstants, T>},
+     {kLinear<kForcesPass, OrthotropicConstants, T>, kRelaxed<kForcesPass, OrthotropicConstants, T>}},
+    {{kLinear<kSkinPass, IsotropicConstants, T>, kRelaxed<kSkinPass, IsotropicConstants, T>},
+     {kLinear<kSkinPass, OrthotropicConstants, T>, kRelaxed<kSkinPass, OrthotropicConstants, T>}},
+    {shared<kSurfacePass>, shared<kForcesPass>, shared<kSkinPass>},
+    jet_forces,
+    advance};
 
 }  // namespace membrane::MEMBRANE_KERNELS

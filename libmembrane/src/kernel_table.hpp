@@ -3,6 +3,7 @@
 
 #include <cstdint>
 
+#include "membrane/element_group.hpp"
 #include "membrane/isa.hpp"
 
 // Border between the library and its kernels, which are compiled once for each instruction set: plain
@@ -10,46 +11,42 @@
 // flags (hence no default member initialisers either: the structs are made with {}).
 namespace membrane {
 
-struct SurfaceArrays {
-  const std::int32_t *node_a, *node_b, *node_c;
-  const double *porosity, *porosity_squared;
-  const double* position;  // nodes x 4
-  double* area_vector;     // elements x 4
-  double* centroid;        // elements x 4
-  double* area;            // elements
+// One block of elements: fabric forces, surface, or both in one pass.
+struct SkinArrays {
+  const ElementGroup* group;
+  const WeaveGroup* weave;  // null unless woven
+  int group_count;
+  const std::int32_t* element;  // of each lane; used with area_vector only
+  const std::int32_t* node;     // of the block: own_count of its own, the shared ones up to node_count
+  int own_count, node_count;
+  const double* position;      // nodes x 4
+  const double* inverse_mass;  // nodes
+  double* area_vector;         // elements x 4, null without jet
+  double* centroid;            // elements x 4, null without jet
+  double *force, *gradient;    // nodes x 4
+  NodeSums* shared_sums;       // of this block's shared nodes
 };
 
-struct SurfaceTotals {
+struct SkinTotals {
   double moment;  // sum of (x_a - x_0) . S_e = 3 V
   double area, porosity_area, porosity_squared_area;
+  double mobility;  // of the block's own nodes
+  double energy, frequency;
 };
 
-// Beside `spherical` and `deviator`, for a woven bag only (null otherwise): see OrthotropicConstants.
-struct WeaveArrays {
-  const double *cosine, *sine, *warp_scale, *shear, *series, *skew, *taut;
-};
-
-struct ForceArrays {
-  const std::int32_t *node_a, *node_b, *node_c;
-  const double *gradient_b1, *gradient_b2, *gradient_c2, *volume;
-  const double *young, *spherical, *deviator, *material_frequency, *geometric_frequency;
-  const double* position;  // nodes x 4
-  double* corner_force;    // groups x 36
-  WeaveArrays weave;
-};
-
-struct ForceTotals {
-  double energy;
-  double frequency;
-};
-
-struct NodeArrays {
-  const std::int32_t *row_begin, *element, *offset;  // corner table
+// The nodes that blocks share: sums over the slots of each.
+struct SharedArrays {
+  const std::int32_t *node, *row_begin, *slot;
+  const NodeSums* sums;
   const double* inverse_mass;
-  const double* corner_force;
-  const double* area_vector;
-  const double* overpressure;  // elements, jet only
-  double* out;                 // nodes x 4
+  double *force, *gradient;  // nodes x 4
+};
+
+struct JetArrays {
+  const std::int32_t *row_begin, *element;  // corner table
+  const double* area_vector;                // elements x 4
+  const double* overpressure;               // elements
+  double* out;                              // nodes x 4
 };
 
 inline constexpr int kMaxExtraForces = 3;
@@ -74,16 +71,16 @@ struct AdvanceTotals {
   double max_speed_squared;
 };
 
-// One entry per kernel; each handles the elements or nodes [first, last).
+// What a pass over the elements computes.
+enum SkinPass { kSurfacePass, kForcesPass, kSkinPass };
+
+// One entry per kernel; those over nodes handle [first, last).
 struct KernelTable {
-  void (*surface)(const SurfaceArrays&, int first, int last, SurfaceTotals&);
-  void (*element_forces_linear)(const ForceArrays&, int first, int last, ForceTotals&);
-  void (*element_forces_relaxed)(const ForceArrays&, int first, int last, ForceTotals&);
-  void (*woven_forces_linear)(const ForceArrays&, int first, int last, ForceTotals&);
-  void (*woven_forces_relaxed)(const ForceArrays&, int first, int last, ForceTotals&);
-  void (*nodal_forces)(const NodeArrays&, int first, int last);
-  void (*volume_gradient)(const NodeArrays&, int first, int last, double& mobility);
-  void (*jet_forces)(const NodeArrays&, int first, int last);
+  using Skin = void (*)(const SkinArrays&, SkinTotals&);
+  Skin surface;
+  Skin forces[2][2], skin[2][2];  // isotropic, woven; linear, relaxed
+  void (*shared[3])(const SharedArrays&, int first, int last, double& mobility);
+  void (*jet_forces)(const JetArrays&, int first, int last);
   void (*advance)(const AdvanceArrays&, int first, int last, AdvanceTotals&);
 };
 

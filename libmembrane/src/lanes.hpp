@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "membrane/element_group.hpp"
+
 // Four double lanes on the compiler's vector extension. Always four, so that the order of every sum is the
 // same on every instruction set. (std::experimental's fixed_size_simd<double, 4> would do, but its masks are
 // bit sets, which makes each blend a round trip through integer registers.) The type lives in the namespace
@@ -54,32 +56,34 @@ inline void store(double* p, Lanes v) {
 
 // Positions of the nodes of one corner; x is padded to 4 doubles a node.
 template <class T>
-Vec3<T> load_nodes(const double* x, const std::int32_t* node);
+Vec3<T> load_nodes(const double (*x)[4], const std::uint16_t* node);
 template <>
-inline Vec3<double> load_nodes<double>(const double* x, const std::int32_t* node) {
-  const double* p = x + 4 * std::int64_t{*node};
+inline Vec3<double> load_nodes<double>(const double (*x)[4], const std::uint16_t* node) {
+  const double* p = x[*node];
   return {p[0], p[1], p[2]};
 }
 template <>
-inline Vec3<Lanes> load_nodes<Lanes>(const double* x, const std::int32_t* node) {
-  const Lanes row[4] = {
-      Lanes::load(x + 4 * std::int64_t{node[0]}), Lanes::load(x + 4 * std::int64_t{node[1]}),
-      Lanes::load(x + 4 * std::int64_t{node[2]}), Lanes::load(x + 4 * std::int64_t{node[3]})};
+inline Vec3<Lanes> load_nodes<Lanes>(const double (*x)[4], const std::uint16_t* node) {
+  const Lanes row[4] = {Lanes::load(x[node[0]]), Lanes::load(x[node[1]]), Lanes::load(x[node[2]]),
+                        Lanes::load(x[node[3]])};
   Vec3<Lanes> v;
   to_lanes(row, v.x, v.y, v.z);
   return v;
 }
 
-// Vectors to an array padded to 4 doubles a vector.
-inline void store_rows(double* p, const Vec3<double>& v) {
-  p[0] = v.x;
-  p[1] = v.y;
-  p[2] = v.z;
-}
-inline void store_rows(double* p, const Vec3<Lanes>& v) {
-  Lanes row[4];
-  to_rows(v.x, v.y, v.z, row);
-  for (int i = 0; i < 4; ++i) row[i].store(p + 4 * i);
-}
+// Vectors of four elements, or of one, as rows (x, y, z, 0), one an element.
+template <class T>
+struct Rows {
+  Lanes row[kLanes];
+  explicit Rows(const Vec3<Lanes>& v) { to_rows(v.x, v.y, v.z, row); }
+};
+template <>
+struct Rows<double> {
+  Lanes row[1];
+  explicit Rows(const Vec3<double>& v) {
+    alignas(32) const double values[4] = {v.x, v.y, v.z, 0.0};
+    row[0] = Lanes::load(values);
+  }
+};
 
 }  // namespace membrane::MEMBRANE_KERNELS

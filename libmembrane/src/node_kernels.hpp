@@ -7,37 +7,7 @@
 // Kernels over nodes; the lanes of one node are (x, y, z, 0).
 namespace membrane::MEMBRANE_KERNELS {
 
-inline void nodal_forces(const NodeArrays& s, int first, int last) {
-  for (std::int64_t n = first; n < last; ++n) {
-    double x = 0.0, y = 0.0, z = 0.0;
-    for (std::int32_t k = s.row_begin[n]; k < s.row_begin[n + 1]; ++k) {
-      const double* corner = s.corner_force + s.offset[k];
-      x += corner[0];
-      y += corner[4];
-      z += corner[8];
-    }
-    double* out = s.out + 4 * n;
-    out[0] = x;
-    out[1] = y;
-    out[2] = z;
-  }
-}
-
-inline void volume_gradient(const NodeArrays& s, int first, int last, double& mobility) {
-  const Lanes three = Lanes(3.0);
-  Lanes sum{};
-  for (std::int64_t n = first; n < last; ++n) {
-    Lanes g{};
-    for (std::int32_t k = s.row_begin[n]; k < s.row_begin[n + 1]; ++k)
-      g += Lanes::load(s.area_vector + 4 * std::int64_t{s.element[k]});
-    g = g / three;
-    g.store(s.out + 4 * n);
-    sum += g * g * Lanes(s.inverse_mass[n]);
-  }
-  mobility = sum_lanes(sum);
-}
-
-inline void jet_forces(const NodeArrays& s, int first, int last) {
+inline void jet_forces(const JetArrays& s, int first, int last) {
   const Lanes three = Lanes(3.0);
   for (std::int64_t n = first; n < last; ++n) {
     Lanes f{};

@@ -43,7 +43,7 @@ double add_strap(const Strap& strap, BagState& state, double& tension) {
 }  // namespace
 
 void plate_force_block(const BagModel& model, BagState& state, int block) {
-  const int first = block * kBlock, last = std::min(first + kBlock, model.node_count);
+  const int first = block * kNodeBlock, last = std::min(first + kNodeBlock, model.node_count);
   std::fill(state.support_force.data() + 4 * first, state.support_force.data() + 4 * last, 0.0);
   double energy = 0.0;
   for (const Plate& plate : model.description.plates) energy += add_plate(model, state, plate, first, last);

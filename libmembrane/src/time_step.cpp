@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include "blocks.hpp"
 #include "checks.hpp"
 #include "element.hpp"
 #include "membrane/error.hpp"
@@ -21,27 +22,32 @@ double gas_frequency(const BagState& state, double gamma, double pressure) {
   return gamma * pressure / state.surface.volume * state.surface.gradient_mobility;
 }
 
-PlaneStrain<double> strain_of(const BagModel& model, const BagState& state, std::size_t e) {
-  const ElementConstants& c = model.constants;
+PlaneStrain<double> strain_of(const BagModel& model, const BagState& state, int element) {
+  const auto [group, lane] = place_of(model.elements, static_cast<std::size_t>(element));
+  const ElementGroup& g = model.elements.group[group];
   const auto x = state.position.map();
-  const Eigen::Vector3d a = x.col(c.node_a[e]);
-  const Eigen::Vector3d ab = x.col(c.node_b[e]) - a, ac = x.col(c.node_c[e]) - a;
+  const Eigen::Vector3i corner = model.description.elements.col(element);
+  const Eigen::Vector3d a = x.col(corner[0]);
+  const Eigen::Vector3d ab = x.col(corner[1]) - a, ac = x.col(corner[2]) - a;
   double f1[3], f2[3];
   for (int i = 0; i < 3; ++i) {
-    f1[i] = stretch_1(ab[i], c.gradient_b1[e]);
-    f2[i] = stretch_2(ab[i], ac[i], c.gradient_b2[e], c.gradient_c2[e]);
+    f1[i] = stretch_1(ab[i], g.gradient_b1[lane]);
+    f2[i] = stretch_2(ab[i], ac[i], g.gradient_b2[lane], g.gradient_c2[lane]);
   }
   return green_lagrange_strain(f1, f2);
 }
 
-PlaneResponse<double> response_of(const BagModel& model, const PlaneStrain<double>& strain, std::size_t e) {
-  const ElementConstants& c = model.constants;
+PlaneResponse<double> response_of(const BagModel& model, const PlaneStrain<double>& strain,
+                                  const ElementPlace& place) {
   const Compression compression = model.description.compression;
+  const ElementGroup& g = model.elements.group[place.group];
+  const std::size_t k = place.lane;
   if (!model.woven)
-    return isotropic_response(compression, strain, {c.young[e], c.spherical[e], c.deviator[e]});
+    return isotropic_response(compression, strain, {g.young[k], g.spherical[k], g.deviator[k]});
+  const WeaveGroup& w = model.elements.weave[place.group];
   return orthotropic_response(compression, strain,
-                              {c.cosine[e], c.sine[e], c.warp_scale[e], c.spherical[e], c.deviator[e],
-                               c.shear[e], c.series[e], c.skew[e], c.taut[e]});
+                              {w.cosine[k], w.sine[k], w.warp_scale[k], g.spherical[k], g.deviator[k],
+                               w.shear[k], w.series[k], w.skew[k], w.taut[k]});
 }
 
 }  // namespace
@@ -65,13 +71,13 @@ double critical_time_step(const StiffnessShares& shares) {
 ElementResponse element_response(const BagModel& model, const BagState& state, int element) {
   if (element < 0 || element >= model.element_count)
     reject("element_response", "element", element, "0 to " + std::to_string(model.element_count - 1));
-  const auto e = static_cast<std::size_t>(element);
-  const ElementConstants& c = model.constants;
+  const ElementPlace place = place_of(model.elements, static_cast<std::size_t>(element));
+  const ElementGroup& g = model.elements.group[place.group];
   ElementResponse r;
-  r.strain = strain_of(model, state, e);
-  r.response = response_of(model, r.strain, e);
-  r.frequency = frequency_bound(c.material_frequency[e], c.geometric_frequency[e], r.response.strain_1,
-                                r.response.stress_1);
+  r.strain = strain_of(model, state, element);
+  r.response = response_of(model, r.strain, place);
+  r.frequency = frequency_bound(g.material_frequency[place.lane], g.geometric_frequency[place.lane],
+                                r.response.strain_1, r.response.stress_1);
   return r;
 }
 

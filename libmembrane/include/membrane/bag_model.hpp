@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "membrane/element_group.hpp"
 #include "membrane/isa.hpp"
 #include "membrane/material.hpp"
 #include "membrane/vectors.hpp"
@@ -65,28 +66,28 @@ struct BagDescription {
   Isa isa = best_isa();                               // kernels to use; every choice gives the same bits
 };
 
-// Per-element numbers of the kernels, one array each, padded with inert elements to whole groups of lanes.
-struct ElementConstants {
-  AlignedVector<std::int32_t> node_a, node_b, node_c;
-  // Gradients of the corner functions in the element's frame (first axis along a-b):
-  // grad N_b = (gradient_b1, gradient_b2), grad N_c = (0, gradient_c2), grad N_a = -(grad N_b + grad N_c).
-  AlignedVector<double> gradient_b1, gradient_b2, gradient_c2;  // [1/m]
-  AlignedVector<double> volume;                                 // h * reference area [m3], 0 for null
-  AlignedVector<double> young, spherical, deviator;             // see IsotropicConstants [Pa], 0 for null
-  AlignedVector<double> cosine, sine, warp_scale, shear, series, skew,
-      taut;                                  // see OrthotropicConstants; empty unless woven
-  AlignedVector<double> material_frequency;  // omega^2 of the free element in its reference shape [1/s2]
-  AlignedVector<double>
-      geometric_frequency;  // omega^2 per principal stress, (3/rho) lambda_max(G) [1/(s2 Pa)]
-  AlignedVector<double> porosity, porosity_squared;  // [-]
+// The elements in the order of the kernels: compact patches of neighbours, whatever the numbering of the
+// mesh, each padded to whole groups by elements without effect. The mesh's numbers stay in all other arrays.
+struct BlockTable {
+  AlignedVector<ElementGroup> group;
+  AlignedVector<WeaveGroup> weave;    // of each group; empty unless woven
+  std::vector<std::int32_t> element;  // of each lane of each group, -1 where it is padding
+  std::vector<std::int32_t> place;    // of each element: kLanes * group + lane
+  std::vector<ElementBlock> block;
+  std::vector<std::int32_t> node;  // of each block: its own, then the shared ones, both ascending
 };
 
-// For each node the corners of the elements around it, in element order (compressed rows). Gathering by rows
-// makes nodal sums independent of how the elements were divided among threads.
+// Nodes that several blocks share, ascending, and the slots of their sums in block order (compressed rows).
+struct SharedNodes {
+  std::vector<std::int32_t> node;
+  std::vector<std::int32_t> row_begin;  // shared nodes + 1
+  std::vector<std::int32_t> slot;
+};
+
+// For each node the elements around it, ascending (compressed rows).
 struct CornerTable {
   std::vector<std::int32_t> row_begin;  // nodes + 1
-  std::vector<std::int32_t> element;    // element of each corner
-  std::vector<std::int32_t> offset;     // place of the corner's x force in BagState::corner_force
+  std::vector<std::int32_t> element;
 };
 
 // Constant during a run. Made by make_model only.
@@ -95,12 +96,14 @@ struct BagModel {
   int element_count = 0;
   bool woven = false;          // some element has a weave: all take the orthotropic law
   BagDescription description;  // as given and checked
-  ElementConstants constants;
+  BlockTable elements;
+  SharedNodes shared;
   CornerTable corners;
   std::vector<double> node_mass;       // sum of rho h A / 3 [kg]
   std::vector<double> inverse_mass;    // 1 / mass, 0 at fixed nodes [1/kg]
   std::vector<double> node_area;       // reference area of the fabric around the node, sum of A / 3 [m2]
   std::vector<double> reference_area;  // of each element [m2]
+  double fabric_frequency = 0.0;       // largest omega^2 of an element in its reference shape (M.10) [1/s2]
   double strap_frequency = 0.0;        // bound of omega^2 added by the straps, taut or not [1/s2]
   double plate_frequency = 0.0;        // bound of omega^2 added by the plates, touched or not [1/s2]
   double fabric_mass = 0.0;            // [kg]

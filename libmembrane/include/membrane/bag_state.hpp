@@ -9,9 +9,9 @@
 
 namespace membrane {
 
-// Elements or nodes handled at a time. Sums are made per block and then over the blocks in order, so their
-// bits do not depend on which thread did which block.
-inline constexpr int kBlock = 512;
+// Nodes handled at a time by S8 and the loads. Sums are made per block and then over the blocks in order, so
+// their bits do not depend on which thread did which block.
+inline constexpr int kNodeBlock = 512;
 
 // S1/S9: sums over the surface.
 struct SurfaceSums {
@@ -56,28 +56,27 @@ struct AdvanceSums {
 struct BlockSums {
   SurfaceSums surface;
   ForceSums forces;
+  double shared_mobility = 0.0;
   AdvanceSums advance;
 };
 
 // All that changes during a run. Each array has one writer, named on its line; everything is allocated by
 // make_state. Arrays of Vectors are padded to 4 doubles a column.
 struct BagState {
-  Vectors position;            // x at n [m], nodes; S8
-  Vectors velocity;            // v at n-1/2 [m/s], nodes, zero at fixed ones; S8
-  Vectors area_vector;         // S_e, outward, length = area [m2], elements; S1/S9
-  Vectors centroid;            // ((a + b) + c) / 3 [m], elements; S1/S9
-  AlignedVector<double> area;  // current area [m2], elements (then zeros up to whole groups); S1/S9
-  Vectors volume_gradient;     // dV/dx = sum of S_e / 3 [m2], nodes; S1/S9
+  Vectors position;         // x at n [m], nodes; S8
+  Vectors velocity;         // v at n-1/2 [m/s], nodes, zero at fixed ones; S8
+  Vectors area_vector;      // S_e, outward, length = area [m2], elements, empty without jet; S1/S9
+  Vectors centroid;         // ((a + b) + c) / 3 [m], elements, empty without jet; S1/S9
+  Vectors volume_gradient;  // dV/dx = sum of S_e / 3 [m2], nodes; S1/S9
   double gauge_pressure =
       0.0;                 // p - p_a [Pa], its force is gauge_pressure * volume_gradient; S6 pressure_forces
   Vectors membrane_force;  // [N], nodes; S6 membrane_forces
   Vectors jet_force;       // [N], nodes, empty without jet; S6 jet_forces
   Vectors support_force;   // straps and plates [N], nodes, empty without them; S6 support_forces
-  std::vector<double> strap_tension;  // [N], straps; S6 support_forces
-  Vectors contact_force;              // [N], nodes, empty without contact; S7, by the caller
-  AlignedVector<double>
-      corner_force;              // scratch of S6: groups of 4 elements x 3 corners x 3 components x 4 lanes
-  std::vector<BlockSums> block;  // scratch of the block sums
+  std::vector<double> strap_tension;    // [N], straps; S6 support_forces
+  Vectors contact_force;                // [N], nodes, empty without contact; S7, by the caller
+  AlignedVector<NodeSums> shared_sums;  // scratch of S6 and S9: each block's share of its shared nodes
+  std::vector<BlockSums> block;         // scratch of the block sums
   SurfaceSums surface;
   ForceSums forces;
   AdvanceSums advance;

@@ -19,16 +19,17 @@ struct Serial {
   }
 };
 
+// What a pass over the elements computes.
+enum class SkinParts { surface, forces, both };
+
 int element_blocks(const BagModel& model);
+int shared_blocks(const BagModel& model);
 int node_blocks(const BagModel& model);
 
 // Parts of the stages below that handle one block, and the closing sums.
-void surface_block(const BagModel& model, BagState& state, int block);
-void volume_gradient_block(const BagModel& model, BagState& state, int block);
-void sum_surface(const BagModel& model, BagState& state);
-void element_force_block(const BagModel& model, BagState& state, int block);
-void nodal_force_block(const BagModel& model, BagState& state, int block);
-void sum_membrane_forces(const BagModel& model, BagState& state);
+void skin_block(const BagModel& model, BagState& state, SkinParts parts, int block);
+void shared_block(const BagModel& model, BagState& state, SkinParts parts, int block);
+void sum_skin(const BagModel& model, BagState& state, SkinParts parts);
 void jet_force_block(const BagModel& model, BagState& state, std::span<const double> overpressure, int block);
 void plate_force_block(const BagModel& model, BagState& state, int block);
 void sum_support_forces(const BagModel& model, BagState& state);
@@ -37,21 +38,29 @@ void sum_advance(const BagModel& model, BagState& state, double dt_before, doubl
 void check_overpressure(const BagModel& model, const BagState& state, std::span<const double> overpressure);
 void check_steps(double dt_before, double dt_after);
 
-// S1 and S9: area vectors, centroids, areas, volume and its gradient at state.position (M.5).
+// S1/S9 and the fabric's part of S6 at state.position in one pass over the elements, which is what a step
+// wants: both need the same corners. Bits as from the two functions below.
+//   surface: volume, its gradient and the areas; with a jet also area vectors and centroids (M.5)
+//   forces:  forces of the fabric, their strain energy and the element bound of omega^2 (M.4, M.10)
 // Throws MembraneError if the volume is not finite.
 template <class ForEachBlock = Serial>
-void update_surface(const BagModel& model, BagState& state, ForEachBlock&& for_each_block = {}) {
-  for_each_block(element_blocks(model), [&](int block) { surface_block(model, state, block); });
-  for_each_block(node_blocks(model), [&](int block) { volume_gradient_block(model, state, block); });
-  sum_surface(model, state);
+void update_skin(const BagModel& model, BagState& state, ForEachBlock&& for_each_block = {},
+                 SkinParts parts = SkinParts::both) {
+  for_each_block(element_blocks(model), [&](int block) { skin_block(model, state, parts, block); });
+  for_each_block(shared_blocks(model), [&](int block) { shared_block(model, state, parts, block); });
+  sum_skin(model, state, parts);
 }
 
-// S6: forces of the fabric, their strain energy and the element bound of omega^2 (M.4, M.10).
+// The surface alone.
+template <class ForEachBlock = Serial>
+void update_surface(const BagModel& model, BagState& state, ForEachBlock&& for_each_block = {}) {
+  update_skin(model, state, for_each_block, SkinParts::surface);
+}
+
+// The fabric's forces alone: open sheets without gas.
 template <class ForEachBlock = Serial>
 void membrane_forces(const BagModel& model, BagState& state, ForEachBlock&& for_each_block = {}) {
-  for_each_block(element_blocks(model), [&](int block) { element_force_block(model, state, block); });
-  for_each_block(node_blocks(model), [&](int block) { nodal_force_block(model, state, block); });
-  sum_membrane_forces(model, state);
+  update_skin(model, state, for_each_block, SkinParts::forces);
 }
 
 // S6: gas pressure less ambient pressure [Pa] on the inside of every element, null ones too (M.6). The nodal

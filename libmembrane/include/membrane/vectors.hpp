@@ -6,6 +6,8 @@
 #include <new>
 #include <vector>
 
+#include "membrane/element_group.hpp"
+
 namespace membrane {
 
 // Cache-line aligned storage, so that the SIMD kernels load whole nodes.
@@ -33,10 +35,7 @@ using VectorsMap = Eigen::Map<Eigen::Matrix3Xd, Eigen::Unaligned, Eigen::OuterSt
 using ConstVectorsMap = Eigen::Map<const Eigen::Matrix3Xd, Eigen::Unaligned, Eigen::OuterStride<4>>;
 using ConstVectorsRef = Eigen::Ref<const Eigen::Matrix3Xd, 0, Eigen::OuterStride<>>;
 
-// The kernels handle elements in groups of this many lanes, whatever the instruction set.
-inline constexpr int kLanes = 4;
-
-// Length of a per-element array: whole groups of lanes.
+// Length of an array of vectors or elements: whole groups of lanes.
 constexpr int padded(int count) {
   return (count + kLanes - 1) / kLanes * kLanes;
 }

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+
+// Plain data only: the kernels include this, once for each instruction set.
+namespace membrane {
+
+// The kernels handle elements in groups of this many lanes, whatever the instruction set.
+inline constexpr int kLanes = 4;
+
+// A block has at most this many elements and nodes, so that its positions and sums stay in the first-level
+// cache. Blocks are what threads share out, and the bits of a sum depend on them alone.
+inline constexpr int kBlockElements = 512;
+inline constexpr int kBlockNodes = 384;
+
+// All that the kernels read of four elements, in one stream: six cache lines.
+struct alignas(64) ElementGroup {
+  std::uint16_t node[3][kLanes];  // corners a, b, c: places in the block's list of nodes
+  // Gradients of the corner functions in the element's frame (first axis along a-b):
+  // grad N_b = (gradient_b1, gradient_b2), grad N_c = (0, gradient_c2), grad N_a = -(grad N_b + grad N_c).
+  alignas(32) double gradient_b1[kLanes];
+  double gradient_b2[kLanes], gradient_c2[kLanes];            // [1/m]
+  double volume[kLanes];                                      // h * reference area [m3], 0 for null
+  double young[kLanes], spherical[kLanes], deviator[kLanes];  // see IsotropicConstants [Pa], 0 for null
+  double material_frequency[kLanes];                          // omega^2 in the reference shape [1/s2]
+  double geometric_frequency[kLanes];                         // omega^2 per principal stress [1/(s2 Pa)]
+  double porosity[kLanes], porosity_squared[kLanes];          // [-]
+};
+
+// Beside `spherical` and `deviator`, for a woven bag only: see OrthotropicConstants.
+struct alignas(32) WeaveGroup {
+  double cosine[kLanes], sine[kLanes], warp_scale[kLanes], shear[kLanes], series[kLanes], skew[kLanes],
+      taut[kLanes];
+};
+
+// Elements and nodes of one block. Its nodes are those of its own first, then those it shares with others.
+struct ElementBlock {
+  std::int32_t first_group, last_group;
+  std::int32_t first_node, first_shared, last_node;  // places in BlockTable::node
+  std::int32_t first_slot;                           // of its shared nodes, in BagState::shared_sums
+};
+
+// Force of the fabric and gradient of the volume at one node, or one block's share of them.
+struct alignas(64) NodeSums {
+  double force[4];     // [N], fourth 0
+  double gradient[4];  // three times dV/dx [m2], fourth 0
+};
+
+}  // namespace membrane

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+
+#include "membrane/bag_model.hpp"
+
+// How the elements are divided into blocks, when a model is built.
+namespace membrane {
+
+// Fills model.corners from the elements of the description.
+void set_corner_table(BagModel& model);
+
+// Fills model.elements and model.shared from the elements and the corner table: blocks grown over neighbours,
+// so that they are compact and share few nodes. The groups get their nodes; the other numbers stay 0.
+void set_blocks(BagModel& model);
+
+// Group of an element and its lane there.
+struct ElementPlace {
+  std::size_t group, lane;
+};
+inline ElementPlace place_of(const BlockTable& table, std::size_t element) {
+  const auto place = static_cast<std::size_t>(table.place[element]);
+  return {place / kLanes, place % kLanes};
+}
+
+}  // namespace membrane

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: Apache-2.0
+// S1/S9 surface and the fabric's part of S6: passes over the blocks of elements.
+#include <algorithm>
+#include <cmath>
+
+#include "kernel_table.hpp"
+#include "membrane/error.hpp"
+#include "membrane/stages.hpp"
+
+namespace membrane {
+
+namespace {
+
+SkinPass pass_of(SkinParts parts) {
+  if (parts == SkinParts::surface) return kSurfacePass;
+  return parts == SkinParts::forces ? kForcesPass : kSkinPass;
+}
+
+SkinArrays skin_arrays(const BagModel& model, BagState& state, const ElementBlock& block) {
+  const BlockTable& table = model.elements;
+  const bool jet = !state.area_vector.empty();
+  return {table.group.data() + block.first_group,
+          model.woven ? table.weave.data() + block.first_group : nullptr,
+          block.last_group - block.first_group,
+          table.element.data() + kLanes * std::ptrdiff_t{block.first_group},
+          table.node.data() + block.first_node,
+          block.first_shared - block.first_node,
+          block.last_node - block.first_node,
+          state.position.data(),
+          model.inverse_mass.data(),
+          jet ? state.area_vector.data() : nullptr,
+          jet ? state.centroid.data() : nullptr,
+          state.membrane_force.data(),
+          state.volume_gradient.data(),
+          state.shared_sums.data() + block.first_slot};
+}
+
+KernelTable::Skin skin_kernel(const BagModel& model, SkinParts parts) {
+  const KernelTable& table = kernel_table(model.description.isa);
+  if (parts == SkinParts::surface) return table.surface;
+  const auto& kernels = parts == SkinParts::forces ? table.forces : table.skin;
+  return kernels[model.woven ? 1 : 0][model.description.compression == Compression::none ? 1 : 0];
+}
+
+int shared_count(const BagModel& model) {
+  return static_cast<int>(model.shared.node.size());
+}
+
+// The volume is taken about the first node, (1/3) sum of (x_a - x_0) . S_e, so that it does not depend on
+// where the origin is; on a closed surface this is (1/6) sum of x_a . (x_b x x_c).
+void sum_surface(const BagModel& model, BagState& state) {
+  SurfaceSums sums;
+  double moment = 0.0;
+  for (int b = 0; b < element_blocks(model); ++b) {
+    const SurfaceSums& block = state.block[static_cast<std::size_t>(b)].surface;
+    moment += block.volume;
+    sums.area += block.area;
+    sums.porosity_area += block.porosity_area;
+    sums.porosity_squared_area += block.porosity_squared_area;
+    sums.gradient_mobility += block.gradient_mobility;
+  }
+  for (int b = 0; b < shared_blocks(model); ++b)
+    sums.gradient_mobility += state.block[static_cast<std::size_t>(b)].shared_mobility;
+  sums.volume = moment / 3.0;
+  if (!std::isfinite(sums.volume) || !std::isfinite(sums.area))
+    throw MembraneError("stage surface: the enclosed volume is not finite");
+  state.surface = sums;
+}
+
+void sum_forces(const BagModel& model, BagState& state) {
+  double energy = 0.0, frequency = 0.0;
+  for (int b = 0; b < element_blocks(model); ++b) {
+    const ForceSums& block = state.block[static_cast<std::size_t>(b)].forces;
+    energy += block.strain_energy;
+    frequency = std::max(frequency, block.element_frequency);
+  }
+  state.forces.strain_energy = energy;
+  state.forces.element_frequency = frequency;
+}
+
+}  // namespace
+
+int element_blocks(const BagModel& model) {
+  return static_cast<int>(model.elements.block.size());
+}
+int shared_blocks(const BagModel& model) {
+  return (shared_count(model) + kNodeBlock - 1) / kNodeBlock;
+}
+int node_blocks(const BagModel& model) {
+  return (model.node_count + kNodeBlock - 1) / kNodeBlock;
+}
+
+void skin_block(const BagModel& model, BagState& state, SkinParts parts, int block) {
+  const auto b = static_cast<std::size_t>(block);
+  SkinTotals totals{};
+  skin_kernel(model, parts)(skin_arrays(model, state, model.elements.block[b]), totals);
+  BlockSums& sums = state.block[b];
+  if (parts != SkinParts::forces)
+    sums.surface = {totals.moment, totals.area, totals.porosity_area, totals.porosity_squared_area,
+                    totals.mobility};
+  if (parts == SkinParts::surface) return;
+  sums.forces.strain_energy = totals.energy;
+  sums.forces.element_frequency = totals.frequency;
+}
+
+void shared_block(const BagModel& model, BagState& state, SkinParts parts, int block) {
+  const int first = block * kNodeBlock, last = std::min(first + kNodeBlock, shared_count(model));
+  const SharedArrays arrays{model.shared.node.data(),    model.shared.row_begin.data(),
+                            model.shared.slot.data(),    state.shared_sums.data(),
+                            model.inverse_mass.data(),   state.membrane_force.data(),
+                            state.volume_gradient.data()};
+  kernel_table(model.description.isa)
+      .shared[pass_of(parts)](arrays, first, last,
+                              state.block[static_cast<std::size_t>(block)].shared_mobility);
+}
+
+void sum_skin(const BagModel& model, BagState& state, SkinParts parts) {
+  if (parts != SkinParts::forces) sum_surface(model, state);
+  if (parts != SkinParts::surface) sum_forces(model, state);
+}
+
+}  // namespace membrane
