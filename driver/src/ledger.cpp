@@ -48,7 +48,7 @@ EnergyRecord energy_record(const Scene& scene, const State& state) {
   if (state.bag) {
     e.skin_kinetic_J = level_kinetic(state.step, state.bag->advance.kinetic_before,
                                      state.bag->advance.kinetic_after, state.bag->advance.kinetic_product);
-    e.skin_strain_J = state.bag->forces.strain_energy;
+    e.skin_strain_J = state.level.skin_strain;
     e.strap_J = state.bag->forces.strap_energy;
     e.plate_J = state.bag->forces.plate_energy;
     e.skin_gravity_J = state.level.skin_gravity;

@@ -97,6 +97,7 @@ void forces(const Scene& scene, State& state) {
   StageTimer timer(state, Stage::forces);
   // The fabric's forces at these positions came with the surface: S9 of the step before.
   const auto& model = scene.bag->model;
+  state.level.skin_strain = state.bag->forces.strain_energy;
   membrane::support_forces(model, *state.bag, ParallelBlocks{});
   membrane::pressure_forces(*state.bag, state.gas_point.pressure - scene.ambient.pressure);
   if (!state.jets.empty())

@@ -5,11 +5,10 @@
 #include "kernel_table.hpp"
 #include "lanes.hpp"
 #include "membrane/orthotropic.hpp"
-#include "node_kernels.hpp"
 
-// The pass over the elements of a block. T is Lanes, or double for the oracle; both visit groups of four
+// What the pass over a block does with each element. T is Lanes, or double for the oracle; both visit groups of four
 // elements, keep four partial sums, and add at the nodes in the order of the elements, so that they agree bit
-// for bit. The block's positions are copied in, and the sums at its nodes out, once.
+// for bit.
 namespace membrane::MEMBRANE_KERNELS {
 
 template <class T>
@@ -177,133 +176,5 @@ template <class T>
     add_row(nodes.sums[g.node[2][lane + i]].force, on_c.row[i]);
   }
 }
-
-inline constexpr bool has_forces(SkinPass pass) {
-  return pass != kSurfacePass;
-}
-inline constexpr bool has_surface(SkinPass pass) {
-  return pass != kForcesPass;
-}
-
-template <SkinPass kPass>
-void copy_in(const SkinArrays& s, BlockNodes& nodes) {
-  const Lanes zero;
-  for (int n = 0; n < s.node_count; ++n) {
-    Lanes::load(s.position + 4 * std::int64_t{s.node[n]}).store(nodes.position[n]);
-    if constexpr (has_forces(kPass)) zero.store(nodes.sums[n].force);
-    if constexpr (has_surface(kPass)) zero.store(nodes.sums[n].gradient);
-  }
-}
-
-// Force and gradient at one node, or the share of them that the pass computes.
-template <SkinPass kPass>
-struct NodeRows {
-  Lanes force{}, gradient{};
-  void add(const NodeSums& sums) {
-    if constexpr (has_forces(kPass)) force += Lanes::load(sums.force);
-    if constexpr (has_surface(kPass)) gradient += Lanes::load(sums.gradient);
-  }
-};
-
-// To the nodal arrays; the volume's gradient counts towards the mobility g^T M^-1 g.
-template <SkinPass kPass, class Arrays>
-[[gnu::always_inline]] inline void write_node(const Arrays& s, std::int64_t node, const NodeRows<kPass>& rows,
-                                              Lanes& mobility) {
-  if constexpr (has_forces(kPass)) rows.force.store(s.force + 4 * node);
-  if constexpr (has_surface(kPass)) {
-    const Lanes gradient = rows.gradient * Lanes(1.0 / 3.0);
-    gradient.store(s.gradient + 4 * node);
-    mobility += gradient * gradient * Lanes(s.inverse_mass[node]);
-  }
-}
-
-template <SkinPass kPass>
-double copy_out(const SkinArrays& s, const BlockNodes& nodes) {
-  Lanes mobility{};
-  for (int n = 0; n < s.own_count; ++n) {
-    NodeRows<kPass> rows;
-    rows.add(nodes.sums[n]);
-    write_node(s, s.node[n], rows, mobility);
-  }
-  for (int n = s.own_count; n < s.node_count; ++n) {
-    NodeSums& part = s.shared_sums[n - s.own_count];
-    if constexpr (has_forces(kPass)) Lanes::load(nodes.sums[n].force).store(part.force);
-    if constexpr (has_surface(kPass)) Lanes::load(nodes.sums[n].gradient).store(part.gradient);
-  }
-  return sum_lanes(mobility);
-}
-
-// Calls f(group, lane) for the elements of the groups [first, last), as many at a time as T holds.
-template <class T, class F>
-[[gnu::always_inline]] inline void for_lanes(int first, int last, F&& f) {
-  for (int group = first; group < last; ++group)
-    for (int lane = 0; lane < kLanes; lane += kWidth<T>) f(group, lane);
-}
-
-// Some groups at a time, step by step: the root and the quotient of the stress take longer than a processor
-// looks ahead over a whole element, but several groups of one step fit.
-template <SkinPass kPass, template <class> class Fabric, Compression kCompression, class T>
-void skin(const SkinArrays& s, SkinTotals& totals) {
-  constexpr int kChunk = 8;
-  BlockNodes nodes;
-  GroupWork work[kChunk];
-  copy_in<kPass>(s, nodes);
-  const Vec3<T> origin{T(s.position[0]), T(s.position[1]), T(s.position[2])};
-  SkinParts<T> sums;
-  for (int first = 0; first < s.group_count; first += kChunk) {
-    const int last = first + kChunk < s.group_count ? first + kChunk : s.group_count;
-    for_lanes<T>(
-        first, last, [&](int group, int lane) __attribute__((always_inline)) {
-          const ElementGroup& g = s.group[group];
-          const Corners<T> x{load_nodes<T>(nodes.position, g.node[0] + lane),
-                             load_nodes<T>(nodes.position, g.node[1] + lane),
-                             load_nodes<T>(nodes.position, g.node[2] + lane)};
-          if constexpr (has_forces(kPass)) strain_of<T>(g, lane, x, work[group - first]);
-          if constexpr (has_surface(kPass)) surface_of<T>(s, origin, group, lane, x, nodes, sums);
-        });
-    if constexpr (!has_forces(kPass)) continue;
-    for_lanes<T>(
-        first, last, [&](int group, int lane) __attribute__((always_inline)) {
-          stress_of<Fabric, kCompression, T>(s.group[group], s.weave + group, lane, work[group - first],
-                                             sums);
-        });
-    for_lanes<T>(
-        first, last, [&](int group, int lane) __attribute__((always_inline)) {
-          forces_of<T>(s.group[group], lane, work[group - first], nodes);
-        });
-  }
-  totals = {sum_parts(sums.moment.value),        sum_parts(sums.area.value),
-            sum_parts(sums.porosity_area.value), sum_parts(sums.porosity_squared_area.value),
-            copy_out<kPass>(s, nodes),           sum_parts(sums.energy.value),
-            max_parts(sums.frequency.value)};
-}
-
-// Sums of the shared nodes [first, last) over the blocks that hold them.
-template <SkinPass kPass>
-void shared(const SharedArrays& s, int first, int last, double& mobility) {
-  Lanes sum{};
-  for (int i = first; i < last; ++i) {
-    NodeRows<kPass> rows;
-    for (std::int32_t k = s.row_begin[i]; k < s.row_begin[i + 1]; ++k) rows.add(s.sums[s.slot[k]]);
-    write_node(s, s.node[i], rows, sum);
-  }
-  mobility = sum_lanes(sum);
-}
-
-template <SkinPass kPass, template <class> class Fabric, class T>
-inline constexpr KernelTable::Skin kLinear = skin<kPass, Fabric, Compression::linear, T>;
-template <SkinPass kPass, template <class> class Fabric, class T>
-inline constexpr KernelTable::Skin kRelaxed = skin<kPass, Fabric, Compression::none, T>;
-
-template <class T>
-inline constexpr KernelTable kTableOf{
-    kLinear<kSurfacePass, IsotropicConstants, T>,
-    {{kLinear<kForcesPass, IsotropicConstants, T>, kRelaxed<kForcesPass, IsotropicConstants, T>},
-     {kLinear<kForcesPass, OrthotropicConstants, T>, kRelaxed<kForcesPass, OrthotropicConstants, T>}},
-    {{kLinear<kSkinPass, IsotropicConstants, T>, kRelaxed<kSkinPass, IsotropicConstants, T>},
-     {kLinear<kSkinPass, OrthotropicConstants, T>, kRelaxed<kSkinPass, OrthotropicConstants, T>}},
-    {shared<kSurfacePass>, shared<kForcesPass>, shared<kSkinPass>},
-    jet_forces,
-    advance};
 
 }  // namespace membrane::MEMBRANE_KERNELS

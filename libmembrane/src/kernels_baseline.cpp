@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #define MEMBRANE_KERNELS baseline
-#include "element_kernels.hpp"
+#include "skin_kernels.hpp"
 
 namespace membrane::baseline {
 

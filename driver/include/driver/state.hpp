@@ -77,6 +77,7 @@ struct Level {
   double internal_energy = 0.0;  // S2 [J]
   double volume = 0.0;           // S2 [m3]
   double skin_area = 0.0;        // S2 [m2]
+  double skin_strain = 0.0;      // S6 [J]
   double pendulum_angle = 0.0;   // S7 [rad]
   Flows flows;                   // S2, sums up to n
   double skin_gravity = 0.0;     // S7 [J], where the books of n are wanted
