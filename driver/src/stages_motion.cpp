@@ -52,7 +52,7 @@ double jet_damping(const Scene& scene, const State& state) {
       const auto& fabric = scene.bag->model.description.properties[e];
       const double mass = fabric.density * fabric.thickness * scene.bag->model.reference_area[e];
       const double slope = 2.0 * std::sqrt(factor * load.overpressure[e]);  // d dp / d (v . n)
-      largest = std::max(largest, slope * state.bag->area[e] / mass);
+      largest = std::max(largest, slope * state.bag->area_vector.map().col(element).norm() / mass);
     }
     sum += largest;
   }
