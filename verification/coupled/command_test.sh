@@ -96,6 +96,7 @@ part_mesh() {
   expect 0 "9396 elements.*volume 0.0059362" "$gasjet" mesh convert "$work/open.k" --refine 1 --null-panel vent_left --null-panel vent_right
   expect 0 "volume 5.9362e-12" "$gasjet" mesh convert "$work/open.k" --length-unit 1e-3
   expect 0 "10970 elements" "$gasjet" mesh passenger --out "$work/fine.obj" --refine 1 --set vent_depth_cell=5
+  expect 0 "panel attachment: 0.0075 m2" "$gasjet" check "$source/cases/driver_bag.toml"
   expect 2 "rings = 3" "$gasjet" mesh driver --out "$work/bad.k" --set rings=3
   expect 2 "unknown option, allowed are radius" "$gasjet" mesh driver --out "$work/bad.k" --set depth=0.1
   expect 2 "whole number" "$gasjet" mesh driver --out "$work/bad.k" --set rings=5.5

@@ -19,6 +19,12 @@ void print_settings(const CaseDocument& document) {
     fmt::print("  {}{} = {}\n", setting.path, setting.is_default ? " *" : "", setting.value);
 }
 
+void print_panels(const membrane::Mesh& mesh) {
+  const Eigen::VectorXd areas = membrane::panel_areas(mesh);
+  for (std::size_t i = 0; i < mesh.panel_names.size(); ++i)
+    fmt::print("panel {}: {:.5g} m2\n", mesh.panel_names[i], areas(static_cast<Eigen::Index>(i)));
+}
+
 void print_bag(const Scene& scene, State& state) {
   const auto& bag = *scene.bag;
   const double stiffness_gas = state.gas_point.gamma;
@@ -36,6 +42,7 @@ void print_bag(const Scene& scene, State& state) {
       "{:.4g})\n",
       membrane::critical_time_step(shares), limit(shares.element), limit(shares.gas), limit(shares.strap),
       limit(shares.plate));
+  print_panels(bag.mesh);
 }
 
 // Whether the vents choke: at the start, and from which pressure.

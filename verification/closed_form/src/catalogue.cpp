@@ -19,6 +19,7 @@ std::vector<Entry> build() {
   entries::add_emptying_tanks(list);
   entries::add_inflated_shapes(list);
   entries::add_tension_and_waves(list);
+  entries::add_weave(list);
   entries::add_stability(list);
   entries::add_jets(list);
   entries::add_jet_targets(list);

@@ -43,6 +43,7 @@ void add_outflow(std::vector<Entry>& list);
 void add_emptying_tanks(std::vector<Entry>& list);
 void add_inflated_shapes(std::vector<Entry>& list);
 void add_tension_and_waves(std::vector<Entry>& list);
+void add_weave(std::vector<Entry>& list);
 void add_stability(std::vector<Entry>& list);
 void add_jets(std::vector<Entry>& list);
 void add_jet_targets(std::vector<Entry>& list);

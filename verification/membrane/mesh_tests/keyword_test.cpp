@@ -199,6 +199,7 @@ TEST(Keyword, damaged_text_is_refused_or_sound) {
     try {
       const Mesh mesh = parse_keyword(text, "damaged");
       EXPECT_TRUE(mesh.nodes.allFinite());
+      EXPECT_GE(mesh.elements.minCoeff(), 0);
       EXPECT_LT(mesh.elements.maxCoeff(), mesh.node_count());
     } catch (const MeshFileError&) {
       ++refused;
