@@ -15,7 +15,7 @@ constexpr gas::IdentifyOptions kBands{.points = 101, .draws = 200};
 
 /// 20 seeds at 10 kHz. Share and width: see identify_coverage for the 200 seeds.
 TEST(identify_band, holds_the_truth_of_twenty_noisy_records) {
-  const Coverage c = coverage(kNoise, 1, 20, kBands);
+  const Coverage c = coverage(one_gas_truth(1e-4), 600.0, kNoise, 1, 20, kBands);
   EXPECT_GE(c.mass_flow, 0.90);
   EXPECT_GE(c.temperature, 0.90);
   // Not wide for safety's sake: the actual error is of the size that the band says.
@@ -23,6 +23,25 @@ TEST(identify_band, holds_the_truth_of_twenty_noisy_records) {
   // Averages are known far better than any point. Binomial: below 15 of 20 at 95 % has a probability of 3e-4.
   EXPECT_GE(c.mean_temperature, 15.0 / 20.0);
   EXPECT_GE(c.effective_area, 15.0 / 20.0);
+}
+
+/// The average-temperature method's band is that of mdot T_s/T_mean, its bias left out.
+TEST(identify_band, of_average_temperature_holds_the_product) {
+  const Truth truth = one_gas_truth(1e-4);
+  int inside = 0, points = 0;
+  for (unsigned seed = 1; seed <= 20; ++seed) {
+    Record record(truth, 0.06, 601);
+    record.add_noise(kNoise, seed);
+    const gas::Identified found = gas::identify(one_gas_test(), record.average(), kBands);
+    for (const auto& point : found.points) {
+      if (point.masked) continue;
+      const auto exact = truth(point.time);
+      const double product = exact.mass_flow * exact.temperature / 600.0;
+      inside += point.mass_flow_band.low <= product && product <= point.mass_flow_band.high;
+      ++points;
+    }
+  }
+  EXPECT_GE(inside, 0.90 * points);
 }
 
 gas::Identified noisy(unsigned seed, bool dual) {

@@ -34,12 +34,14 @@ struct TankReadings {
 };
 
 struct IdentifyOptions {
-  int points = 501;         // times of the result, equally spaced over the record; 20 to 1e6
+  int points = 501;         // times of the result, equally spaced over the record; 20 to 10000
   double threshold = 0.05;  // of the largest K: below it a point is masked; 0.001 to 0.9
-  int draws = 400;          // from the splines' posterior, for the bands; 40 to 1e6
+  int draws = 400;          // from the splines' posterior, for the bands; 40 to 2000
 };
 
-/// Pointwise 95 % band: 2.5 and 97.5 percentiles over the draws. V, M, T0 and the gases count as exact.
+/// 95 % band: pointwise the 2.5 and 97.5 percentiles over the draws; of mean temperature and Cd A, which
+/// noise at the ends of the burn biases, their reflection in the estimate (basic bootstrap interval). V, M,
+/// T0 and the gases count as exact.
 struct Band {
   double low;
   double high;

@@ -40,7 +40,8 @@ class SmoothingSpline {
   static constexpr std::size_t kMostIntervals = 320;
 
   /// `name` is for errors: ReadingError (series "time" or `name`) for times that do not rise strictly or a
-  /// reading that is not above 0 and finite, std::invalid_argument for fewer than kFewestReadings.
+  /// reading that is not above 0, finite and at least a millionth of the largest, std::invalid_argument for
+  /// fewer than kFewestReadings.
   SmoothingSpline(std::span<const double> times, std::span<const double> readings,
                   std::string_view name = "reading");
   ~SmoothingSpline();

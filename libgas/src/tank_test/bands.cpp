@@ -19,6 +19,14 @@ Band band(std::span<const Sample> samples, const Quantity& quantity) {
           gsl_stats_quantile_from_sorted_data(values.data(), 1, values.size(), 0.975)};
 }
 
+/// Of a quantity that the inversion biases (the burn is cut where K <= 0, which noise moves): the draws are
+/// to the estimate as the estimate is to the truth.
+template <typename Quantity>
+Band reflected_band(double estimate, std::span<const Sample> samples, const Quantity& quantity) {
+  const Band draws = band(samples, quantity);
+  return {2.0 * estimate - draws.high, 2.0 * estimate - draws.low};
+}
+
 }  // namespace
 
 NormalNumbers::NormalNumbers() : generator_(gsl::allocated(gsl_rng_alloc(gsl_rng_mt19937))) {
@@ -32,8 +40,10 @@ std::span<const double> NormalNumbers::operator()(std::size_t count) {
 }
 
 void add_bands(std::span<const Sample> samples, Identified& result) {
-  result.mean_temperature_band = band(samples, [](const Sample& s) { return s.flow.mean_temperature; });
-  result.effective_area_band = band(samples, [](const Sample& s) { return s.flow.effective_area; });
+  result.mean_temperature_band = reflected_band(result.mean_temperature, samples,
+                                                [](const Sample& s) { return s.flow.mean_temperature; });
+  result.effective_area_band =
+      reflected_band(result.effective_area, samples, [](const Sample& s) { return s.flow.effective_area; });
   std::vector<double> k(samples.size());
   for (std::size_t i = 0; i < result.points.size(); ++i) {
     IdentifiedPoint& point = result.points[i];

@@ -45,9 +45,9 @@ void check(const TankTest& test, const IdentifyOptions& options) {
   };
   within(test.initial_temperature, test.thermo.minimum_temperature(), test.thermo.maximum_temperature(),
          "initial_temperature [K]", "must be in the species' range");
-  within(options.points, 20, 1e6, "points", "must be 20 to 1000000");
+  within(options.points, 20, 10000, "points", "must be 20 to 10000");
   within(options.threshold, 0.001, 0.9, "threshold", "must be 0.001 to 0.9");
-  within(options.draws, 40, 1e6, "draws", "must be 40 to 1000000");
+  within(options.draws, 40, 2000, "draws", "must be 40 to 2000");
 }
 
 /// One pressure: its spline, and the basis at the times of the result.
@@ -109,19 +109,21 @@ void check_chamber(const TankReadings& readings) {
                              " Pa by more than noise explains: must not be below it");
 }
 
-/// The burn around the points above the threshold; `k` in any scale.
-Burn find_burn(const std::vector<double>& k, const Pressures& p, double threshold) {
-  Burn burn;
-  const double limit = threshold * *std::ranges::max_element(k);
-  for (const double value : k) burn.masked.push_back(std::abs(value) < limit || value < 0.0);
-  const auto carries = [](char masked) { return !masked; };
-  burn.first = static_cast<std::size_t>(std::ranges::find_if(burn.masked, carries) - burn.masked.begin());
-  burn.last = k.size() - 1;
-  while (burn.masked[burn.last]) --burn.last;
+/// Points where |K| is at `limit` or more and the chamber drives a flow; `k` in the scale of `limit`.
+std::vector<char> find_masked(const std::vector<double>& k, const Pressures& p, double limit) {
+  std::vector<char> masked;
+  for (std::size_t i = 0; i < k.size(); ++i)
+    masked.push_back(!(k[i] >= limit) || (!p.chamber.empty() && p.chamber[i] <= p.tank[i]));
+  return masked;
+}
+
+/// From the first point that is not masked to the last, and on either side as far as K > 0.
+Burn find_burn(const std::vector<double>& k, std::vector<char> masked) {
+  Burn burn{0, k.size() - 1, std::move(masked)};
+  while (burn.first < burn.last && burn.masked[burn.first]) ++burn.first;
+  while (burn.first < burn.last && burn.masked[burn.last]) --burn.last;
   while (burn.first > 0 && k[burn.first - 1] > 0.0) --burn.first;
   while (burn.last + 1 < k.size() && k[burn.last + 1] > 0.0) ++burn.last;
-  for (std::size_t i = 0; i < p.chamber.size(); ++i)
-    if (p.chamber[i] <= p.tank[i]) burn.masked[i] = true;
   return burn;
 }
 
@@ -184,7 +186,7 @@ Sample draw(const Splines& splines, const TankTest& test, std::span<const double
   const std::vector<double> chamber =
       splines.chamber ? drawn_coefficients(splines.chamber->spline, normals) : std::vector<double>();
   const Pressures p = pressures(splines, tank, chamber);
-  return {invert(test, times, p, burn, &best),
+  return {invert(test, times, p, find_burn(p.rate, burn.masked), &best),
           Inversion(test, times, p).enthalpy_flow(best.mean_temperature)};
 }
 
@@ -204,7 +206,8 @@ Identified identify(const TankTest& test, const TankReadings& readings, const Id
   if (dual) check_chamber(readings);
   const Pressures p = pressures(splines);
   check_rise(splines.tank, p.rate, options.draws);
-  const Burn burn = find_burn(p.rate, p, options.threshold);
+  const double limit = options.threshold * *std::ranges::max_element(p.rate);
+  const Burn burn = find_burn(p.rate, find_masked(p.rate, p, limit));
   const Flow flow = invert(test, times, p, burn, nullptr);
   const std::vector<double> k = Inversion(test, times, p).enthalpy_flow(flow.mean_temperature);
   result.threshold = options.threshold * *std::ranges::max_element(k);

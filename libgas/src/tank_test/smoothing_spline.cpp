@@ -15,6 +15,7 @@ namespace {
 
 constexpr std::size_t kOrder = SplineBasis::kOrder;
 constexpr std::size_t kPenalisedDerivative = 3;
+constexpr double kSmallestShare = 1e-6;  // of the largest reading
 constexpr std::size_t kReadingsPerInterval = 4;
 constexpr std::size_t kWeightReach = 4;  // readings on each side in the mean that sets a weight
 
@@ -29,6 +30,13 @@ void check_readings(std::span<const double> times, std::span<const double> readi
     if (!std::isfinite(readings[i]) || readings[i] <= 0.0)
       throw ReadingError(name, i, to_text(readings[i]) + ": must be above 0 and finite");
   }
+  // Weights go with the inverse square: beyond this the normal equations have no digits left.
+  const double least = kSmallestShare * *std::ranges::max_element(readings);
+  for (std::size_t i = 0; i < readings.size(); ++i)
+    if (!(readings[i] >= least && std::isfinite(least)))
+      throw ReadingError(name, i, to_text(readings[i]) + ": must not be below a millionth of the largest");
+  if (!std::isfinite(times.back() - times.front()))
+    throw ReadingError("time", times.size() - 1, "the record is too long");
 }
 
 /// 1/(mean of the readings near i): a weight from the reading itself would favour low ones.
@@ -128,7 +136,7 @@ void SmoothingSpline::fit(std::span<const double> times, std::span<const double>
   gsl::Matrix gram = gsl::matrix(n, n);
   std::vector<double> right(n, 0.0);
   for (std::size_t i = 0; i < times.size(); ++i) {
-    const double weight = weights[i] * weights[i] * scale * scale;
+    const double root = weights[i] * scale, weight = root * root;
     const std::size_t first = workspace_->add_square((times[i] - begin_) / length_, 0, weight, gram.get());
     for (std::size_t j = 0; j < kOrder; ++j)
       right[first + j] += weight * workspace_->value(j, 0) * readings[i] / scale;
