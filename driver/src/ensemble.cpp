@@ -11,6 +11,7 @@
 #include <mutex>
 #include <nlohmann/json.hpp>
 
+#include "driver/channel_filter.hpp"
 #include "driver/progress.hpp"
 #include "stages.hpp"
 
@@ -23,6 +24,7 @@ struct Member {
   Peaks peaks;
   Flows flows;
   double final_angle = 0.0;
+  double filtered_peak = 0.0;  // [m/s2] of the c.g. acceleration
 };
 
 std::vector<std::string> member_overrides(std::vector<std::string> overrides, double amplitude, int seed) {
@@ -36,9 +38,17 @@ Member run_member(const std::filesystem::path& file, const std::vector<std::stri
   const Scene scene = read_scene(document);
   State state = make_state(scene);
   Member member;
-  member.outcome = run_scene(scene, state, [&](const StepRecords* records, const State&) {
+  PlanarSignal acceleration;
+  double level = 0.0;  // [s] time of the level that the sink sees
+  member.outcome = run_scene(scene, state, [&](const StepRecords* records, const State& now) {
     if (records) member.rows.push_back(records->history);
+    if (!now.pendulum) return;
+    acceleration.time.push_back(level);
+    acceleration.first.push_back(now.pendulum->acceleration.tangential);
+    acceleration.second.push_back(now.pendulum->acceleration.radial);
+    level += now.step.after;
   });
+  member.filtered_peak = filtered_peak(acceleration, impactor_channel_class);
   member.peaks = state.peaks;
   member.flows = state.flows;
   member.final_angle = state.level.pendulum_angle;
@@ -82,6 +92,7 @@ void collect_quantities(const Scene& scene, const std::vector<const Member*>& me
     if (!scene.pendulum) continue;
     q["final_angle_rad"].push_back(m->final_angle);
     q["peak_cg_acceleration_m_s2"].push_back(m->peaks.cg_acceleration);
+    q["peak_cg_acceleration_cfc180_m_s2"].push_back(m->filtered_peak);
     q["contact_impulse_Ns"].push_back(m->flows.contact_impulse);
     if (m->peaks.first_contact >= 0.0) q["first_contact_s"].push_back(m->peaks.first_contact);
   }
@@ -155,9 +166,13 @@ void write_ensemble(const std::filesystem::path& folder, const EnsembleResult& r
     for (const auto& s : row.values) csv << fmt::format(",{},{}", s.mean, s.standard_error);
     csv << '\n';
   }
+  std::ofstream table(folder / "quantities.csv");
+  table << "quantity,mean,standard_error,minimum,maximum,runs\n";
   nlohmann::ordered_json json;
   for (const auto& [name, values] : result.quantities) {
     const Statistics s = statistics(values);
+    table << fmt::format("{},{},{},{},{},{}\n", name, s.mean, s.standard_error, s.minimum, s.maximum,
+                         s.count);
     json["quantities"][name] = {{"mean", s.mean},       {"standard_error", s.standard_error},
                                 {"minimum", s.minimum}, {"maximum", s.maximum},
                                 {"runs", s.count},      {"values", values}};
@@ -167,8 +182,9 @@ void write_ensemble(const std::filesystem::path& folder, const EnsembleResult& r
   std::ofstream summary(folder / "ensemble.json");
   summary << json.dump(2) << '\n';
   csv.flush();
+  table.flush();
   summary.flush();
-  if (!csv || !summary) throw WriteError(fmt::format("{}: write failed", folder.string()));
+  if (!csv || !table || !summary) throw WriteError(fmt::format("{}: write failed", folder.string()));
 }
 
 std::vector<Effect> effects(const EnsembleResult& with, const EnsembleResult& without) {

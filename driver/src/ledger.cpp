@@ -61,6 +61,7 @@ EnergyRecord energy_record(const Scene& scene, const State& state) {
   const Flows& flows = state.level.flows;
   e.outflow_enthalpy_J = flows.enthalpy_out;
   e.damping_J = flows.damping_loss;
+  e.friction_J = state.flows.friction_loss;
   e.inflow_enthalpy_J = flows.enthalpy_in;
   e.jet_work_J = flows.jet_work;
   return e;
@@ -86,7 +87,14 @@ double momentum_residual(const State& state) {
   return scale > 0.0 ? resultant.norm() / scale : 0.0;
 }
 
-Record history_record(const State& state) {
+double joint_force(const Scene& scene, const State& state) {
+  const PendulumRun& p = *state.pendulum;
+  return scene.pendulum->model
+      .joint_reaction(state.level.pendulum_angle, p.angular_velocity, p.moment, state.contact.force)
+      .norm();
+}
+
+Record history_record(const Scene& scene, const State& state) {
   Record r;
   r.time_s = state.time;
   const auto& gas = state.gas_point;
@@ -110,8 +118,12 @@ Record history_record(const State& state) {
   if (state.pendulum) {
     r.pendulum_angle_rad = state.level.pendulum_angle;
     r.pendulum_angular_velocity_rad_s = state.pendulum->angular_velocity;
+    r.pendulum_cg_tangential_m_s2 = state.pendulum->acceleration.tangential;
+    r.pendulum_cg_radial_m_s2 = state.pendulum->acceleration.radial;
     r.pendulum_cg_acceleration_m_s2 = state.pendulum->acceleration.resultant;
+    r.pendulum_joint_force_N = joint_force(scene, state);
   }
+  if (state.bag) r.plate_force_N = state.bag->forces.plate_force.norm();
   if (state.bag && !state.bag->strap_tension.empty())
     r.strap_force_N = *std::max_element(state.bag->strap_tension.begin(), state.bag->strap_tension.end());
   return r;
@@ -153,8 +165,8 @@ void ledger(const Scene& scene, State& state, const StepRequest& request, StepRe
   EnergyRecord& energy = records.energy;
   energy = energy_record(scene, state);
   if (start) state.initial_energy = held(energy);
-  energy.residual_J = held(energy) + energy.outflow_enthalpy_J + energy.damping_J - state.initial_energy -
-                      energy.inflow_enthalpy_J - energy.jet_work_J;
+  energy.residual_J = held(energy) + energy.outflow_enthalpy_J + energy.damping_J + energy.friction_J -
+                      state.initial_energy - energy.inflow_enthalpy_J - energy.jet_work_J;
   energy.kick_residual_J = kick_residual;
   // Absolute enthalpies (NASA-7) pass through zero: no single term serves as the scale of all scenes.
   state.peaks.energy_scale =
@@ -163,7 +175,7 @@ void ledger(const Scene& scene, State& state, const StepRequest& request, StepRe
   state.peaks.energy_residual = std::max(state.peaks.energy_residual, std::abs(energy.residual_J));
   if (state.bag)
     state.peaks.momentum_residual = std::max(state.peaks.momentum_residual, momentum_residual(state));
-  records.history = history_record(state);
+  records.history = history_record(scene, state);
 }
 
 }  // namespace driver

@@ -35,6 +35,12 @@ double contact_stiffness(TableReader& table, const BagPart& bag) {
                                              lightest_fabric(bag.model.description));
 }
 
+coupling::ContactParameters read_contact(TableReader& table, double radius, const BagPart& bag) {
+  coupling::ContactParameters p{radius, contact_stiffness(table, bag)};
+  p.friction = table.number("friction", non_negative, p.friction);
+  return p;
+}
+
 }  // namespace
 
 void read_pendulum(TableReader& root, Scene& scene) {
@@ -55,8 +61,7 @@ void read_pendulum(TableReader& root, Scene& scene) {
   contact->located("", [&] {
     scene.contact.emplace(scene.bag->mesh.elements, scene.bag->model.description.reference,
                           scene.bag->model.node_mass, model.effective_mass(),
-                          coupling::ContactParameters{model.parameters().impactor_radius,
-                                                      contact_stiffness(*contact, *scene.bag)},
+                          read_contact(*contact, model.parameters().impactor_radius, *scene.bag),
                           scene.bag->null_elements);
   });
   contact->finish();

@@ -27,12 +27,13 @@ struct Enclosure {
 };
 Enclosure enclosure(const Scene& scene, const State& state);
 
-void gas_point(const Scene& scene, State& state);   // S2
-void outlets(const Scene& scene, State& state);     // S3
-void jet_fields(const Scene& scene, State& state);  // S4
-void visibility(const Scene& scene, State& state);  // S5
-void forces(const Scene& scene, State& state);      // S6
-void contact(const Scene& scene, State& state);     // S7
+void gas_point(const Scene& scene, State& state);                  // S2
+void outlets(const Scene& scene, State& state);                    // S3
+void jet_fields(const Scene& scene, State& state);                 // S4
+void visibility(const Scene& scene, State& state);                 // S5
+void forces(const Scene& scene, State& state);                     // S6
+void contact(const Scene& scene, State& state);                    // S7
+double contact_stiffness(const Scene& scene, const State& state);  // bound of its omega^2 at n [1/s2]
 void choose_step(const Scene& scene, State& state, bool last);
 void advance(const Scene& scene, State& state);                                                   // S8
 void volume(const Scene& scene, State& state);                                                    // S9

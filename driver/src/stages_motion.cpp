@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// S6 forces, S7 contact, the size of the step, S8 advance, S9 volume.
+// S6 forces, the size of the step, S8 advance, S9 volume.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -66,13 +66,9 @@ void update_bound(const Scene& scene, State& state) {
     return;
   }
   const bool gas = scene.gas.has_value();
-  double contact = state.contact.omega_squared();
-  // The turning of the contact force about the pivot; the pendulum's own swing is slower by far than any
-  // skin.
-  if (state.contact.area > 0.0) contact += scene.pendulum->model.omega_squared(state.contact.force);
   state.step.shares =
       membrane::stiffness_shares(scene.bag->model, *state.bag, gas ? state.gas_point.gamma : 0.0,
-                                 gas ? state.gas_point.pressure : 0.0, contact);
+                                 gas ? state.gas_point.pressure : 0.0, contact_stiffness(scene, state));
   state.step.jet_damping = jet_damping(scene, state);
   state.step.critical =
       step_with_lagged_damping(membrane::critical_time_step(state.step.shares), state.step.jet_damping);
@@ -102,21 +98,6 @@ void forces(const Scene& scene, State& state) {
   membrane::pressure_forces(*state.bag, state.gas_point.pressure - scene.ambient.pressure);
   if (!state.jets.empty())
     membrane::jet_forces(model, *state.bag, total_overpressure(state), ParallelBlocks{});
-}
-
-void contact(const Scene& scene, State& state) {
-  if (!state.pendulum) return;
-  StageTimer timer(state, Stage::contact);
-  PendulumRun& pendulum = *state.pendulum;
-  const auto& model = scene.pendulum->model;
-  state.level.pendulum_angle = pendulum.motion.angle;
-  pendulum.moment = model.gravity_moment(pendulum.motion.angle);
-  if (!scene.contact) return;
-  if (state.contact.area > 0.0) state.bag->contact_force.map().setZero();
-  const Eigen::Vector3d centre = model.impactor_centre(pendulum.motion.angle);
-  state.contact = scene.contact->evaluate(*state.contact_cache, state.bag->position.map(), centre,
-                                          state.bag->contact_force.map());
-  pendulum.moment += model.moment(state.contact.force, centre);
 }
 
 void choose_step(const Scene& scene, State& state, bool last) {

@@ -83,6 +83,7 @@ Json counters(const Scene& scene, const State& state) {
   if (state.contact_cache) {
     json["contact_searches"] = state.contact_cache->searches;
     json["contact_sweeps"] = state.contact_cache->sweeps;
+    json["contact_skips"] = state.contact_cache->skips;
   }
   return json;
 }
@@ -117,9 +118,13 @@ std::vector<Column<Record>> history_columns(const Scene& scene) {
   if (scene.pendulum) {
     GASJET_COLUMN(pendulum_angle_rad);
     GASJET_COLUMN(pendulum_angular_velocity_rad_s);
+    GASJET_COLUMN(pendulum_cg_tangential_m_s2);
+    GASJET_COLUMN(pendulum_cg_radial_m_s2);
     GASJET_COLUMN(pendulum_cg_acceleration_m_s2);
+    GASJET_COLUMN(pendulum_joint_force_N);
   }
   if (scene.bag && !scene.bag->model.description.straps.empty()) GASJET_COLUMN(strap_force_N);
+  if (scene.bag && !scene.bag->model.description.plates.empty()) GASJET_COLUMN(plate_force_N);
 #undef GASJET_COLUMN
   return columns;
 }
@@ -147,6 +152,7 @@ std::vector<Column<EnergyRecord>> energy_columns(const Scene& scene) {
     GASJET_COLUMN(inflow_enthalpy_J);
   }
   if (scene.bag && scene.bag->model.description.mass_damping > 0.0) GASJET_COLUMN(damping_J);
+  if (scene.contact && scene.contact->parameters().friction > 0.0) GASJET_COLUMN(friction_J);
   if (scene.bag && !scene.jets.empty()) GASJET_COLUMN(jet_work_J);
   GASJET_COLUMN(residual_J);
   if (scene.moves()) GASJET_COLUMN(kick_residual_J);

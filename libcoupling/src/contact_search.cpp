@@ -109,7 +109,20 @@ void search_near_elements(const Eigen::Matrix3Xi& triangles, double radius, Cont
   const double gap = (std::sqrt(nearest2) - std::sqrt(longest2)) / 3.0 - radius;
   state.reach = std::max(listed - radius, gap);
   state.travelled = 0.0;
+  state.gap = 0.0;
   ++state.searches;
+}
+
+double reach_of_gap(const Eigen::Matrix3Xi& triangles, double radius, const ContactState& state) {
+  double reach = state.reach;
+  for (const auto& [e, slack] : state.near) {
+    if (!(slack < reach)) continue;
+    const auto corner = triangles.col(e);
+    const double distance = distance_to_triangle(state.centre, state.nodes.col(corner[0]),
+                                                 state.nodes.col(corner[1]), state.nodes.col(corner[2]));
+    reach = std::min(reach, state.travelled + distance - radius);
+  }
+  return reach;
 }
 
 void sweep_centre_path(const Eigen::Matrix3Xi& triangles, double radius, const Eigen::Vector3d& next_centre,

@@ -17,6 +17,10 @@ bool may_reach(const Eigen::Matrix3Xi& triangles, const Eigen::Matrix3Xd& nodes,
 // least radius + reach away, reach >= 2 radius.
 void search_near_elements(const Eigen::Matrix3Xi& triangles, double radius, ContactState& state);
 
+// Motion since the search at which the sphere may first touch: exact distances to the elements on the list,
+// state.reach for those off it.
+double reach_of_gap(const Eigen::Matrix3Xi& triangles, double radius, const ContactState& state);
+
 // (K.15) for the whole skin, from state.nodes to state.next_nodes. Throws ContactError.
 void sweep_centre_path(const Eigen::Matrix3Xi& triangles, double radius, const Eigen::Vector3d& next_centre,
                        ContactState& state);

@@ -8,80 +8,12 @@
 
 #include "check.hpp"
 #include "contact_search.hpp"
+#include "sphere_element.hpp"
 
 namespace coupling {
 namespace {
 
 using Eigen::Vector3d;
-
-// One element in the sphere's frame: x(xi, eta) = origin + xi first + eta second.
-struct Element {
-  Vector3d origin, first, second;  // [m]
-  double weight;                   // [m2] of one quadrature point
-  int subdivision;
-};
-
-// What the touched points of one element add up to.
-struct ElementSums {
-  Vector3d force[3] = {Vector3d::Zero(), Vector3d::Zero(),
-                       Vector3d::Zero()};  // [N] on the corners, over kappa
-  double shape[3] = {0.0, 0.0, 0.0};       // [m2] sum_q w_q N_a
-  double energy = 0.0, area = 0.0;
-  double least_distance2;  // [m2] of touched points and r^2
-};
-
-void add_point(const Element& element, double radius, double xi, double eta, ElementSums& sums) {
-  const Vector3d x = element.origin + xi * element.first + eta * element.second;
-  const double distance2 = x.squaredNorm();
-  if (!(distance2 < radius * radius)) return;
-  sums.least_distance2 = std::min(sums.least_distance2, distance2);
-  const double distance = std::sqrt(distance2);
-  const double depth = radius - distance;
-  const double shape[3] = {1.0 - xi - eta, xi, eta};
-  // A point at the centre has no normal; its depth r > r/2 is thrown for by the caller.
-  const Vector3d push = (distance > 0.0 ? element.weight * depth / distance : 0.0) * x;
-  for (int i = 0; i < 3; ++i) {
-    sums.force[i] += shape[i] * push;
-    sums.shape[i] += shape[i] * element.weight;
-  }
-  sums.energy += 0.5 * element.weight * depth * depth;
-  sums.area += element.weight;
-}
-
-// Points (j + offset)/n of one row that can lie in the sphere: the row's chord, one point more on either
-// side.
-void add_row(const Element& element, double radius, int row, double offset, int count, ElementSums& sums) {
-  const double n = element.subdivision;
-  const double eta = (row + offset) / n;
-  const Vector3d start = element.origin + eta * element.second;
-  const double length2 = element.first.squaredNorm(), middle = -start.dot(element.first);
-  const double discriminant = middle * middle - length2 * (start.squaredNorm() - radius * radius);
-  const double slack = 1e-9 * length2 * radius * radius;  // round-off near a grazing row
-  if (discriminant < -slack || !(length2 > 0.0)) return;
-  const double half_chord = std::sqrt(std::max(discriminant, 0.0));
-  const double low = (middle - half_chord) / length2 * n - offset - 1.0;
-  const double high = (middle + half_chord) / length2 * n - offset + 1.0;
-  const int begin = static_cast<int>(std::clamp(std::ceil(low), 0.0, static_cast<double>(count)));
-  const int end = static_cast<int>(std::clamp(std::floor(high) + 1.0, 0.0, static_cast<double>(count)));
-  for (int j = begin; j < end; ++j) add_point(element, radius, (j + offset) / n, eta, sums);
-}
-
-ElementSums integrate(const Element& element, double radius) {
-  ElementSums sums;
-  sums.least_distance2 = radius * radius;
-  for (int row = 0; row < element.subdivision; ++row) {
-    add_row(element, radius, row, 1.0 / 3.0, element.subdivision - row, sums);
-    add_row(element, radius, row, 2.0 / 3.0, element.subdivision - row - 1, sums);
-  }
-  return sums;
-}
-
-// No point of a sub-triangle is farther from its centroid than two thirds of its longest edge.
-double cover(const Element& element) {
-  const double edge2 = std::max({element.first.squaredNorm(), element.second.squaredNorm(),
-                                 (element.second - element.first).squaredNorm()});
-  return 2.0 / 3.0 * std::sqrt(edge2) / element.subdivision;
-}
 
 void check_nodes(const Triangles& triangles, Eigen::Index node_count) {
   for (Eigen::Index e = 0; e < triangles.cols(); ++e)
@@ -110,6 +42,7 @@ ContactModel::ContactModel(const Triangles& triangles, const Nodes& reference, s
       parameters_(parameters) {
   detail::require_positive("contact.sphere_radius", parameters.sphere_radius);
   detail::require_positive("contact.stiffness", parameters.stiffness);
+  detail::require_not_negative("contact.friction", parameters.friction);
   detail::require_positive("contact.effective_mass", effective_mass);
   if (masses_.size() != static_cast<std::size_t>(reference.cols()))
     detail::reject("contact.masses", std::to_string(masses_.size()) + " values", "one value a node");
@@ -140,7 +73,25 @@ ContactState ContactModel::make_state() const {
   state.next_nodes = state.nodes;
   state.near.reserve(subdivision_.size());
   state.nodal_stiffness.assign(masses_.size(), 0.0);
+  if (parameters_.friction > 0.0) {
+    // More points than this in touch at once are beyond any scene so far; they would allocate, once.
+    constexpr std::size_t kManyPoints = 1 << 16;
+    std::size_t points = 0;
+    for (const int n : subdivision_) points += static_cast<std::size_t>(n) * static_cast<std::size_t>(n);
+    state.bristles.reserve(std::min(points, kManyPoints));
+    state.old_bristles.reserve(std::min(points, kManyPoints));
+  }
   return state;
+}
+
+bool ContactModel::stays_clear(ContactState& state, double motion) const {
+  constexpr double kRounding = 1.0 + 1e-12;
+  // Not a number compares false.
+  if (!state.started || !(state.travelled + kRounding * motion < state.gap)) return false;
+  state.travelled += kRounding * motion;
+  state.unseen += kRounding * motion;
+  ++state.skips;
+  return true;
 }
 
 // Takes the new level into the state: certificate or sweep for the path, then a valid list.
@@ -154,24 +105,44 @@ void ContactModel::follow(ContactState& state, const Nodes& nodes, const Vector3
   if (state.started && !(motion < state.clearance))
     detail::sweep_centre_path(triangles_, radius, centre, state);
   state.nodes.swap(state.next_nodes);
+  state.shift = centre - state.centre;
   state.centre = centre;
-  state.travelled += motion;
+  // What was bounded since the last call is now measured.
+  state.travelled += motion - state.unseen;
+  state.unseen = 0.0;
   if (!state.started || !(state.travelled < state.reach))
     detail::search_near_elements(triangles_, radius, state);
+  state.bristles.swap(state.old_bristles);
+  state.bristles.clear();
+  if (!state.started) state.old_bristles.clear();
   state.started = true;
 }
 
-void ContactModel::add_element(int e, ContactState& state, NodalForces& forces, ContactResult& result) const {
+// What the corners moved since the last level, which `next_nodes` still holds.
+void ContactModel::aim(int e, const ContactState& state, detail::Grip& grip) const {
+  const auto corner = triangles_.col(e);
+  Vector3d moved[3];
+  for (int i = 0; i < 3; ++i)
+    moved[i] = state.nodes.col(corner[i]) - state.next_nodes.col(corner[i]) - state.shift;
+  grip.origin = moved[0];
+  grip.first = moved[1] - moved[0];
+  grip.second = moved[2] - moved[0];
+  grip.element = e;
+}
+
+void ContactModel::add_element(int e, detail::Grip* grip, ContactState& state, NodalForces& forces,
+                               ContactResult& result) const {
   const double radius = parameters_.sphere_radius, kappa = parameters_.stiffness;
   if (!detail::may_reach(triangles_, state.nodes, e, state.centre, radius)) return;
   const auto corner = triangles_.col(e);
   const Vector3d a = state.nodes.col(corner[0]) - state.centre, b = state.nodes.col(corner[1]) - state.centre,
                  c = state.nodes.col(corner[2]) - state.centre;
   const auto index = static_cast<std::size_t>(e);
-  const Element element{a, b - a, c - a, weights_[index], subdivision_[index]};
-  const ElementSums sums = integrate(element, radius);
+  const detail::Element element{a, b - a, c - a, weights_[index], subdivision_[index]};
+  if (grip) aim(e, state, *grip);
+  const detail::ElementSums sums = detail::integrate(element, radius, grip);
   const double distance = std::sqrt(sums.least_distance2);
-  state.clearance = std::min(state.clearance, distance - cover(element));
+  state.clearance = std::min(state.clearance, distance - detail::cover(element));
   if (!(sums.area > 0.0)) return;
   for (int i = 0; i < 3; ++i) {
     const Vector3d force = kappa * sums.force[i];
@@ -179,6 +150,7 @@ void ContactModel::add_element(int e, ContactState& state, NodalForces& forces, 
     result.force -= force;
     state.nodal_stiffness[static_cast<std::size_t>(corner[i])] += kappa * sums.shape[i];
   }
+  result.couple -= kappa * sums.couple;
   result.energy += kappa * sums.energy;
   result.area += sums.area;
   if (result.deepest_element < 0 || radius - distance > result.penetration) {
@@ -198,17 +170,41 @@ void ContactModel::bound_stiffness(ContactState& state, ContactResult& result) c
   for (const auto& [e, slack] : state.near)
     for (const int node : triangles_.col(e)) state.nodal_stiffness[static_cast<std::size_t>(node)] = 0.0;
   result.omega_squared_sphere = parameters_.stiffness * result.area / effective_mass_;
+  if (!(parameters_.friction > 0.0)) return;
+  // Sticking is as stiff as pressing, at right angles to it; sliding follows the depth, mu times the force.
+  const double skewed = std::hypot(1.0, parameters_.friction);
+  result.omega_squared_skin *= skewed;
+  // Friction acts at the sphere's surface, at most twice as far from a pivot as the centre (r <= L_i).
+  result.omega_squared_sphere *= 4.0 * skewed;
+}
+
+// The gap that lets the next levels pass unseen: exact where the list has elements, its reach elsewhere.
+void ContactModel::measure_gap(ContactState& state, const ContactResult& result) const {
+  if (result.deepest_element >= 0) {
+    state.gap = 0.0;
+    return;
+  }
+  const double radius = parameters_.sphere_radius;
+  // Rounding of the positions, step after step, stays far below.
+  constexpr double kShare = 1e-9;
+  if (!(state.travelled < state.gap))
+    state.gap = detail::reach_of_gap(triangles_, radius, state) - kShare * radius;
+  state.clearance = std::max(state.clearance, radius + state.gap - state.travelled);
 }
 
 ContactResult ContactModel::evaluate(ContactState& state, const Nodes& nodes, const Vector3d& centre,
-                                     NodalForces forces) const {
+                                     NodalForces forces, const Vector3d& turn) const {
   if (nodes.cols() != node_count() || forces.cols() != node_count())
     detail::reject("contact.nodes", std::to_string(nodes.cols()) + " columns", "as many as at build");
   follow(state, nodes, centre);
   ContactResult result;
   state.clearance = parameters_.sphere_radius;
+  detail::Grip grip{{}, {}, {}, turn, parameters_.friction, -1, state.old_bristles, 0, state.bristles, 0.0};
+  detail::Grip* const used = parameters_.friction > 0.0 ? &grip : nullptr;
   for (const auto& [element, slack] : state.near)
-    if (!(state.travelled < slack)) add_element(element, state, forces, result);
+    if (!(state.travelled < slack)) add_element(element, used, state, forces, result);
+  if (used) result.friction_loss = parameters_.stiffness * detail::release_rest(grip);
+  measure_gap(state, result);
   if (result.deepest_element < 0) return result;
   bound_stiffness(state, result);
   if (result.penetration > 0.5 * parameters_.sphere_radius)

@@ -8,20 +8,22 @@ namespace membrane {
 
 namespace {
 
-// Adds one plate's force to the nodes [first, last) and returns its energy (M.8).
-double add_plate(const BagModel& model, BagState& state, const Plate& plate, int first, int last) {
+// Adds one plate's force to the nodes [first, last), and its energy and resultant to the sums (M.8).
+void add_plate(const BagModel& model, BagState& state, const Plate& plate, int first, int last,
+               ForceSums& sums) {
   const double* x = state.position.data();
   double* force = state.support_force.data();
-  double energy = 0.0;
+  double total = 0.0;
   for (int n = first; n < last; ++n) {
     const Eigen::Map<const Eigen::Vector3d> node(x + 4 * n);
     const double depth = plate.normal.dot(plate.point - node);
     if (depth <= 0.0) continue;
     const double push = plate.stiffness * model.node_area[static_cast<std::size_t>(n)] * depth;
     Eigen::Map<Eigen::Vector3d>(force + 4 * n) += push * plate.normal;
-    energy += 0.5 * push * depth;
+    sums.plate_energy += 0.5 * push * depth;
+    total += push;
   }
-  return energy;
+  sums.plate_force += total * plate.normal;
 }
 
 // Adds one strap's forces, sets its tension and returns its energy (M.7).
@@ -45,15 +47,19 @@ double add_strap(const Strap& strap, BagState& state, double& tension) {
 void plate_force_block(const BagModel& model, BagState& state, int block) {
   const int first = block * kNodeBlock, last = std::min(first + kNodeBlock, model.node_count);
   std::fill(state.support_force.data() + 4 * first, state.support_force.data() + 4 * last, 0.0);
-  double energy = 0.0;
-  for (const Plate& plate : model.description.plates) energy += add_plate(model, state, plate, first, last);
-  state.block[static_cast<std::size_t>(block)].forces.plate_energy = energy;
+  ForceSums& sums = state.block[static_cast<std::size_t>(block)].forces;
+  sums.plate_energy = 0.0;
+  sums.plate_force.setZero();
+  for (const Plate& plate : model.description.plates) add_plate(model, state, plate, first, last, sums);
 }
 
 void sum_support_forces(const BagModel& model, BagState& state) {
   double plate_energy = 0.0, strap_energy = 0.0;
-  for (int b = 0; b < node_blocks(model); ++b)
+  state.forces.plate_force.setZero();
+  for (int b = 0; b < node_blocks(model); ++b) {
     plate_energy += state.block[static_cast<std::size_t>(b)].forces.plate_energy;
+    state.forces.plate_force += state.block[static_cast<std::size_t>(b)].forces.plate_force;
+  }
   for (std::size_t i = 0; i < state.strap_tension.size(); ++i)
     strap_energy += add_strap(model.description.straps[i], state, state.strap_tension[i]);
   state.forces.plate_energy = plate_energy;

@@ -56,8 +56,9 @@ inline void shake(Skin& skin, double amplitude, unsigned seed) {
 }
 
 inline coupling::ContactModel contact(const Skin& skin, double radius, double stiffness,
-                                      double effective_mass = 8.41) {
-  return coupling::ContactModel(skin.triangles, skin.nodes, skin.masses, effective_mass, {radius, stiffness});
+                                      double effective_mass = 8.41, double friction = 0.0) {
+  return coupling::ContactModel(skin.triangles, skin.nodes, skin.masses, effective_mass,
+                                {radius, stiffness, friction});
 }
 
 // One evaluation from scratch.

@@ -24,8 +24,12 @@ struct Record {
   double contact_penetration_m = 0.0;
   double pendulum_angle_rad = 0.0;
   double pendulum_angular_velocity_rad_s = 0.0;
+  double pendulum_cg_tangential_m_s2 = 0.0;    // along growing angle
+  double pendulum_cg_radial_m_s2 = 0.0;        // towards the pivot
   double pendulum_cg_acceleration_m_s2 = 0.0;  // resultant
+  double pendulum_joint_force_N = 0.0;         // magnitude
   double strap_force_N = 0.0;                  // largest
+  double plate_force_N = 0.0;                  // magnitude of the plates' resultant on the skin
   double skin_area_m2 = 0.0;
 };
 
@@ -44,6 +48,7 @@ struct EnergyRecord {
   double ambient_work_J = 0.0;  // p_a (V - V0)
   double outflow_enthalpy_J = 0.0;
   double damping_J = 0.0;
+  double friction_J = 0.0;
   double inflow_enthalpy_J = 0.0;
   double jet_work_J = 0.0;  // done by an external jet, 0 when it is taken from the gas
   double residual_J = 0.0;  // physical drift: everything that holds energy minus everything that supplied it

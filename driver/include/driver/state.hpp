@@ -43,6 +43,7 @@ struct Flows {
   double enthalpy_in = 0.0;      // [J]
   double enthalpy_out = 0.0;     // [J]
   double damping_loss = 0.0;     // [J]
+  double friction_loss = 0.0;    // [J]
   double jet_work = 0.0;         // [J] by external jets
   double kick_work = 0.0;        // [J] of every force, kick form
   double contact_impulse = 0.0;  // [N s] resultant's magnitude, integrated
@@ -112,13 +113,14 @@ struct StepSizes {
 };
 
 struct PendulumRun {
-  coupling::PendulumState motion;         // S8
-  double moment = 0.0;                    // S7 [N m] at n
-  double angular_velocity = 0.0;          // S8 [rad/s] at n
-  coupling::CgAcceleration acceleration;  // S8 at n
-  double kinetic_before = 0.0;            // S8 [J] at n-1/2
-  double kinetic_after = 0.0;             // S8 [J] at n+1/2
-  double kinetic = 0.0;                   // S8 [J] at n
+  coupling::PendulumState motion;                    // S8
+  double moment = 0.0;                               // S7 [N m] at n
+  Eigen::Vector3d centre = Eigen::Vector3d::Zero();  // S7 [m] of the impactor at n
+  double angular_velocity = 0.0;                     // S8 [rad/s] at n
+  coupling::CgAcceleration acceleration;             // S8 at n
+  double kinetic_before = 0.0;                       // S8 [J] at n-1/2
+  double kinetic_after = 0.0;                        // S8 [J] at n+1/2
+  double kinetic = 0.0;                              // S8 [J] at n
 };
 
 struct State {

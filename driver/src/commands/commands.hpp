@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "driver/ensemble.hpp"
+
 namespace driver::commands {
 
 inline constexpr int exit_done = 0;
@@ -34,7 +36,7 @@ struct EnsembleArguments {
   std::filesystem::path against;  // a second case to compare with, or empty
   std::filesystem::path out;
   int runs = 16;
-  double amplitude = 1e-12;  // [m] of the initial nodes' random displacement
+  double amplitude = default_amplitude;  // [m] of the initial nodes' random displacement
   int threads = 1;
   bool quiet = false;
 };

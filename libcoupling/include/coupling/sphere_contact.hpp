@@ -9,29 +9,37 @@
 
 namespace coupling {
 
-// Frictionless contact of a rigid sphere with a triangulated skin, by an energy that is an integral over the
-// skin's reference area, so that force against penetration converges with the mesh:
+namespace detail {
+struct Grip;
+}
+
+// Contact of a rigid sphere with a triangulated skin, by an energy that is an integral over the skin's
+// reference area, so that force against penetration converges with the mesh:
 //   (K.10) E = sum_q w_q kappa (r - d_q)^2 / 2 over quadrature points with d_q = |x_q - c| < r.
 // Points sit at the centroids of n x n sub-triangles; n is chosen per element at build so that the longest
 // reference edge / n <= r/4. E depends on positions only: the forces (K.11) f_a = -dE/dx_a are conservative.
+// Friction (K.16) is Coulomb's, regularised by sticking points that stretch elastically, as stiff across the
+// normal as along it, until mu times the pressure is reached.
 // The skin has no thickness and the sphere stays on the side of the skin where it is: see side.hpp.
 
 struct ContactParameters {
-  double sphere_radius;  // [m] r > 0
-  double stiffness;      // [N/m3] kappa > 0: pressure per penetration
+  double sphere_radius;   // [m] r > 0
+  double stiffness;       // [N/m3] kappa > 0: pressure per penetration
+  double friction = 0.0;  // [-] mu >= 0
 };
 
-// One evaluation. Forces are normal to the sphere, so their resultant acts at the sphere's centre: the moment
-// about any point P is (c - P) x force.
+// One evaluation. The moment of the forces on the sphere about any point P is (c - P) x force + couple.
 struct ContactResult {
   Eigen::Vector3d force =
-      Eigen::Vector3d::Zero();        // [N] on the sphere; the nodes' forces sum to its negative
-  double energy = 0.0;                // [J]
-  double area = 0.0;                  // [m2] reference area of the points that touch
-  double penetration = 0.0;           // [m] largest r - d_q, 0 when nothing touches
-  int deepest_element = -1;           // -1 when nothing touches
-  double omega_squared_skin = 0.0;    // [1/s2] (K.12) max_a sum_q w_q kappa N_a(q) / m_a
-  double omega_squared_sphere = 0.0;  // [1/s2] (K.12) sum_q w_q kappa / m_eff
+      Eigen::Vector3d::Zero();  // [N] on the sphere; the nodes' forces sum to its negative
+  Eigen::Vector3d couple = Eigen::Vector3d::Zero();  // [N m] about the centre, of the friction alone
+  double energy = 0.0;                               // [J] stretch of sticking points included
+  double friction_loss = 0.0;                        // [J] (K.17) since the last level
+  double area = 0.0;                                 // [m2] reference area of the points that touch
+  double penetration = 0.0;                          // [m] largest r - d_q, 0 when nothing touches
+  int deepest_element = -1;                          // -1 when nothing touches
+  double omega_squared_skin = 0.0;                   // [1/s2] (K.12) max_a sum_q w_q kappa N_a(q) / m_a
+  double omega_squared_sphere = 0.0;                 // [1/s2] (K.12) sum_q w_q kappa / m_eff
   // (K.12) Upper bound of the contact's omega^2: add it to the other stiffness terms of the step.
   double omega_squared() const { return omega_squared_skin + omega_squared_sphere; }
 };
@@ -42,9 +50,16 @@ struct NearElement {
   double slack;  // [m] relative motion since the search below which it cannot touch
 };
 
+// A quadrature point that sticks or slides.
+struct Bristle {
+  int element, point;
+  Eigen::Vector3d stretch;  // [m] of the skin against the sphere, tangential
+  double weight;            // [m2]
+};
+
 // Work arrays of one run; make one by ContactModel::make_state. Everything in it is a cache: results depend
 // on nodes and centre alone, bit for bit; what it carries from call to call only makes them cheap, and lets
-// the centre's path be tested.
+// the centre's path be tested. With friction, `bristles` are a history that the results do depend on.
 struct ContactState {
   Eigen::Matrix3Xd nodes;                            // (3 x N) [m] at the last call
   Eigen::Matrix3Xd next_nodes;                       // (3 x N) [m] scratch
@@ -52,10 +67,15 @@ struct ContactState {
   double clearance = 0.0;                            // [m] lower bound of centre to skin at the last call
   double travelled = 0.0;                            // [m] bound of the relative motion since the last search
   double reach = 0.0;                                // [m] search again when travelled gets here
+  double gap = 0.0;                                  // [m] nothing touches while travelled is below
+  double unseen = 0.0;                               // [m] part of travelled since the last call
   bool started = false;                              // false: no last call
   std::vector<NearElement> near;                     // in ascending order of elements
   std::vector<double> nodal_stiffness;               // (N) [N/m] zero between calls
+  Eigen::Vector3d shift = Eigen::Vector3d::Zero();   // [m] of the centre at the last call
+  std::vector<Bristle> bristles, old_bristles;       // by element and point; of the last call and before it
   int searches = 0;                                  // counter: rebuilds of `near`
+  int skips = 0;                                     // counter: levels that were certain to be idle
   int sweeps = 0;                                    // counter: swept tests of the whole skin
 };
 
@@ -77,9 +97,15 @@ class ContactModel {
   // skin point are taken to move on straight lines at constant speed, and the centre must not meet the skin
   // (K.15). Set state.started = false to begin anew. No allocation. Throws ContactError, naming the element,
   // when the penetration exceeds r/2, when the centre crosses the skin and when a coordinate is not finite;
-  // `forces` are then not to be used.
+  // `forces` are then not to be used. `turn` [rad] is the sphere's rotation since the last call; only
+  // friction feels it.
   ContactResult evaluate(ContactState& state, const Nodes& nodes, const Eigen::Vector3d& centre,
-                         NodalForces forces) const;
+                         NodalForces forces, const Eigen::Vector3d& turn = Eigen::Vector3d::Zero()) const;
+
+  // Is it certain that nothing touches at this level, which needs no call of `evaluate` then? `motion` [m]
+  // bounds how far skin points and centre have moved relative to each other since the last level. The answer
+  // costs a comparison; it is `false` at the first level and whenever the gap last seen may be used up.
+  bool stays_clear(ContactState& state, double motion) const;
 
   const ContactParameters& parameters() const { return parameters_; }
   int element_count() const { return static_cast<int>(triangles_.cols()); }
@@ -89,8 +115,11 @@ class ContactModel {
   static constexpr int kMaxSubdivision = 512;
 
  private:
+  void measure_gap(ContactState& state, const ContactResult& result) const;
   void follow(ContactState& state, const Nodes& nodes, const Eigen::Vector3d& centre) const;
-  void add_element(int element, ContactState& state, NodalForces& forces, ContactResult& result) const;
+  void aim(int element, const ContactState& state, detail::Grip& grip) const;
+  void add_element(int element, detail::Grip* grip, ContactState& state, NodalForces& forces,
+                   ContactResult& result) const;
   void bound_stiffness(ContactState& state, ContactResult& result) const;
 
   Eigen::Matrix3Xi triangles_;

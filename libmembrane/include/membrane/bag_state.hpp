@@ -24,10 +24,11 @@ struct SurfaceSums {
 
 // S6: sums over the elements and supports.
 struct ForceSums {
-  double strain_energy = 0.0;      // [J]
-  double strap_energy = 0.0;       // [J]
-  double plate_energy = 0.0;       // [J]
-  double element_frequency = 0.0;  // largest element bound of omega^2 (M.10) [1/s2]
+  double strain_energy = 0.0;                             // [J]
+  double strap_energy = 0.0;                              // [J]
+  double plate_energy = 0.0;                              // [J]
+  Eigen::Vector3d plate_force = Eigen::Vector3d::Zero();  // resultant of the plates on the nodes [N]
+  double element_frequency = 0.0;                         // largest element bound of omega^2 (M.10) [1/s2]
 };
 
 // S8: work of each force over one kick, tau f . (v- + v+) / 2 [J] (K.20). Their sum is kinetic_after -

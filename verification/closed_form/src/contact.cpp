@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <gsl/gsl_sf_ellint.h>
+
 #include <cmath>
 #include <numbers>
 
 #include "check.hpp"
 #include "closed_form/pendulum.hpp"
+#include "quadrature.hpp"
 
 namespace closed_form {
 
@@ -21,6 +24,19 @@ SphereForce sphere_plane_contact(double radius, double depth, double stiffness) 
   check::positive("stiffness", stiffness);
   const double square = pi * stiffness * depth * depth;
   return {square * (radius - depth), square * depth * (radius / 3.0 - 0.25 * depth)};
+}
+
+double sphere_plane_sliding(double radius, double depth, double stiffness, double friction) {
+  check::positive("radius", radius);
+  check::within("depth", depth, 0.0, radius * (1.0 - 1e-9));
+  check::positive("stiffness", stiffness);
+  check::non_negative("friction", friction);
+  const double height = radius - depth;
+  const auto ring = [&](double distance) {
+    const double modulus = std::sqrt(std::fmax(0.0, 1.0 - std::pow(height / distance, 2)));
+    return (radius - distance) * distance * gsl_sf_ellint_Ecomp(modulus, GSL_PREC_DOUBLE);
+  };
+  return 4.0 * friction * stiffness * quadrature::integrate(ring, height, radius, 8);
 }
 
 PenaltyBounce penalty_bounce(double mass, double stiffness, double speed) {

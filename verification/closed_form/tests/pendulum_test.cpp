@@ -150,6 +150,24 @@ TEST(ClosedFormPendulum, sphere_contact_eq_surface_quadrature) {
     }
 }
 
+TEST(ClosedFormPendulum, sliding_sphere_eq_surface_quadrature_and_mu_times_force_when_shallow) {
+  const double radius = 0.3, kappa = 3e6, mu = 0.4;
+  for (const double part : {0.05, 0.4, 0.9}) {
+    const double h = radius * (1.0 - part), edge = std::sqrt(radius * radius - h * h);
+    const auto ring = [&](double s) {
+      const double d = std::hypot(h, s);
+      const auto along = [&](double angle) { return std::sqrt(1.0 - std::pow(s / d * std::cos(angle), 2)); };
+      return mu * kappa * (radius - d) * s * test::integrate(along, 0.0, 2 * pi);
+    };
+    expect_relative(sphere_plane_sliding(radius, part * radius, kappa, mu), test::integrate(ring, 0.0, edge),
+                    1e-10);
+  }
+  // Shallow: tractions lie in the plane to first order in depth / radius.
+  const double shallow = 1e-6 * radius;
+  expect_relative(sphere_plane_sliding(radius, shallow, kappa, mu),
+                  mu * sphere_plane_contact(radius, shallow, kappa).force, 1e-5);
+}
+
 TEST(ClosedFormPendulum, penalty_bounce_eq_reference_and_energy) {
   const PenaltyBounce b = penalty_bounce(8.4103796398811258, 1e5, 5.0);
   expect_relative(b.maximum_penetration, 0.045854060997585388, kAlgebra);
@@ -165,6 +183,7 @@ TEST(ClosedFormPendulum, bad_parameters_are_refused_by_name) {
   expect_refused([] { pendulum_period(kOther, pi); }, "amplitude");
   expect_refused([] { pendulum_impulse(kOther, 1e3); }, "impulse");
   expect_refused([] { sphere_plane_contact(0.041, 0.05, 1e6); }, "depth");
+  expect_refused([] { sphere_plane_sliding(0.041, 0.01, 1e6, -0.1); }, "friction");
   const double resonance = pi / pendulum_constants(kOther).angular_frequency;
   expect_refused([&] { half_sine_response(kOther, 1.0, resonance, 0.1); }, "duration");
 }

@@ -81,6 +81,11 @@ struct SphereForce {
 /// Source: derived here.
 SphereForce sphere_plane_contact(double radius, double depth, double stiffness);
 
+/// Friction [N] against the sliding of that sphere along the plane: Coulomb tractions friction times kappa
+/// (R - d), tangential to the sphere, against the sliding's projection: 4 friction kappa int_h^R (R - d) d
+/// E(k) dd, h = R - depth, k^2 = 1 - h^2/d^2. friction >= 0, depth < radius. Source: derived here.
+double sphere_plane_sliding(double radius, double depth, double stiffness, double friction);
+
 struct PenaltyBounce {
   double maximum_penetration = 0.0;  // [m] v sqrt(m/k)
   double duration = 0.0;             // [s] pi sqrt(m/k)

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+// S7: the impactor's sphere against the skin.
+#include "stages.hpp"
+
+namespace driver {
+namespace {
+
+// No skin point moves faster than the fastest node.
+double motion_bound(const State& state, const Eigen::Vector3d& centre) {
+  return state.step.before * std::sqrt(state.bag->advance.max_speed_squared) +
+         (centre - state.pendulum->centre).norm();
+}
+
+}  // namespace
+
+void contact(const Scene& scene, State& state) {
+  if (!state.pendulum) return;
+  StageTimer timer(state, Stage::contact);
+  PendulumRun& pendulum = *state.pendulum;
+  const auto& model = scene.pendulum->model;
+  state.level.pendulum_angle = pendulum.motion.angle;
+  pendulum.moment = model.gravity_moment(pendulum.motion.angle);
+  if (!scene.contact) return;
+  if (state.contact.area > 0.0) state.bag->contact_force.map().setZero();
+  const Eigen::Vector3d centre = model.impactor_centre(pendulum.motion.angle);
+  const double motion = motion_bound(state, centre);
+  pendulum.centre = centre;
+  if (scene.contact->stays_clear(*state.contact_cache, motion)) {
+    state.contact = {};
+    return;
+  }
+  const auto& axis = model.parameters().axis;
+  // The central difference turned the pendulum by this since the last level.
+  const Eigen::Vector3d turn = state.step.before * pendulum.motion.angular_velocity * axis;
+  state.contact = scene.contact->evaluate(*state.contact_cache, state.bag->position.map(), centre,
+                                          state.bag->contact_force.map(), turn);
+  pendulum.moment += model.moment(state.contact.force, centre) + axis.dot(state.contact.couple);
+  state.flows.friction_loss += state.contact.friction_loss;
+}
+
+double contact_stiffness(const Scene& scene, const State& state) {
+  if (!(state.contact.area > 0.0)) return 0.0;
+  // The turning of the contact force about the pivot; the pendulum's own swing is slower by far than any
+  // skin.
+  return state.contact.omega_squared() + scene.pendulum->model.omega_squared(state.contact.force);
+}
+
+}  // namespace driver

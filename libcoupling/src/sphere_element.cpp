@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sphere_element.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace coupling::detail {
+namespace {
+
+using Eigen::Vector3d;
+
+struct Point {
+  int number;
+  double shape[3];
+  Vector3d x;       // [m] from the centre
+  Vector3d normal;  // away from the centre
+  double depth;     // [m]
+};
+
+// The bristle of this point at the last level; those passed over on the way have left the sphere.
+const Bristle* find(Grip& grip, int number) {
+  for (; grip.passed < grip.before.size(); ++grip.passed) {
+    const Bristle& b = grip.before[grip.passed];
+    if (b.element > grip.element || (b.element == grip.element && b.point > number)) return nullptr;
+    if (b.element == grip.element && b.point == number) return &grip.before[grip.passed++];
+    grip.loss += 0.5 * b.weight * b.stretch.squaredNorm();
+  }
+  return nullptr;
+}
+
+// (K.16), (K.17): the stretch follows the skin's motion against the sphere, held to mu times the depth.
+void add_friction(const Element& element, const Point& point, Grip& grip, ElementSums& sums) {
+  Vector3d stretch = Vector3d::Zero();
+  if (const Bristle* last = find(grip, point.number)) {
+    const Vector3d moved =
+        grip.origin + point.shape[1] * grip.first + point.shape[2] * grip.second - grip.turn.cross(point.x);
+    const Vector3d trial = last->stretch + moved;
+    stretch = trial - trial.dot(point.normal) * point.normal;
+    const double length = stretch.norm(), longest = grip.coefficient * point.depth;
+    if (length > longest) stretch *= longest / length;
+    grip.loss += 0.5 * element.weight * (last->stretch + stretch).dot(trial - stretch);
+  }
+  grip.now.push_back({grip.element, point.number, stretch, element.weight});
+  const Vector3d drag = -element.weight * stretch;
+  for (int i = 0; i < 3; ++i) sums.force[i] += point.shape[i] * drag;
+  sums.couple += point.x.cross(drag);
+  sums.energy += 0.5 * element.weight * stretch.squaredNorm();
+}
+
+void add_point(const Element& element, double radius, int number, double xi, double eta, Grip* grip,
+               ElementSums& sums) {
+  Point point{number,
+              {1.0 - xi - eta, xi, eta},
+              element.origin + xi * element.first + eta * element.second,
+              Vector3d::Zero(),
+              0.0};
+  const double distance2 = point.x.squaredNorm();
+  if (!(distance2 < radius * radius)) return;
+  sums.least_distance2 = std::min(sums.least_distance2, distance2);
+  const double distance = std::sqrt(distance2);
+  point.depth = radius - distance;
+  // A point at the centre has no normal; its depth r > r/2 is thrown for by the caller.
+  const Vector3d push = (distance > 0.0 ? element.weight * point.depth / distance : 0.0) * point.x;
+  for (int i = 0; i < 3; ++i) {
+    sums.force[i] += point.shape[i] * push;
+    sums.shape[i] += point.shape[i] * element.weight;
+  }
+  sums.energy += 0.5 * element.weight * point.depth * point.depth;
+  sums.area += element.weight;
+  if (!grip || !(distance > 0.0)) return;
+  point.normal = point.x / distance;
+  add_friction(element, point, *grip, sums);
+}
+
+// Points (j + offset)/n of one row that can lie in the sphere: the row's chord, one point more on either
+// side.
+// `number` is that of j = 0.
+void add_row(const Element& element, double radius, int row, double offset, int count, int number, Grip* grip,
+             ElementSums& sums) {
+  const double n = element.subdivision;
+  const double eta = (row + offset) / n;
+  const Vector3d start = element.origin + eta * element.second;
+  const double length2 = element.first.squaredNorm(), middle = -start.dot(element.first);
+  const double discriminant = middle * middle - length2 * (start.squaredNorm() - radius * radius);
+  const double slack = 1e-9 * length2 * radius * radius;  // round-off near a grazing row
+  if (discriminant < -slack || !(length2 > 0.0)) return;
+  const double half_chord = std::sqrt(std::max(discriminant, 0.0));
+  const double low = (middle - half_chord) / length2 * n - offset - 1.0;
+  const double high = (middle + half_chord) / length2 * n - offset + 1.0;
+  const int begin = static_cast<int>(std::clamp(std::ceil(low), 0.0, static_cast<double>(count)));
+  const int end = static_cast<int>(std::clamp(std::floor(high) + 1.0, 0.0, static_cast<double>(count)));
+  for (int j = begin; j < end; ++j) add_point(element, radius, number + j, (j + offset) / n, eta, grip, sums);
+}
+
+}  // namespace
+
+ElementSums integrate(const Element& element, double radius, Grip* grip) {
+  ElementSums sums;
+  sums.least_distance2 = radius * radius;
+  for (int row = 0, number = 0; row < element.subdivision; ++row) {
+    const int up = element.subdivision - row, down = up - 1;
+    add_row(element, radius, row, 1.0 / 3.0, up, number, grip, sums);
+    add_row(element, radius, row, 2.0 / 3.0, down, number + up, grip, sums);
+    number += up + down;
+  }
+  return sums;
+}
+
+double release_rest(Grip& grip) {
+  grip.element = std::numeric_limits<int>::max();
+  find(grip, 0);
+  return grip.loss;
+}
+
+// No point of a sub-triangle is farther from its centroid than two thirds of its longest edge.
+double cover(const Element& element) {
+  const double edge2 = std::max({element.first.squaredNorm(), element.second.squaredNorm(),
+                                 (element.second - element.first).squaredNorm()});
+  return 2.0 / 3.0 * std::sqrt(edge2) / element.subdivision;
+}
+
+}  // namespace coupling::detail

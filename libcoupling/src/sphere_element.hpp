@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <Eigen/Core>
+#include <vector>
+
+#include "coupling/sphere_contact.hpp"
+
+namespace coupling::detail {
+
+// One element in the sphere's frame: x(xi, eta) = origin + xi first + eta second.
+struct Element {
+  Eigen::Vector3d origin, first, second;  // [m]
+  double weight;                          // [m2] of one quadrature point
+  int subdivision;
+};
+
+// Friction of one evaluation: walks through the bristles of the last level, in ascending order of element and
+// point, while it writes those of this one.
+struct Grip {
+  Eigen::Vector3d origin, first, second;  // [m] displacement of the element since then, less the centre's
+  Eigen::Vector3d turn;                   // [rad] rotation of the sphere since then
+  double coefficient;
+  int element;
+  const std::vector<Bristle>& before;
+  std::size_t passed;
+  std::vector<Bristle>& now;
+  double loss;  // [J] over kappa
+};
+
+// What the touched points of one element add up to, over kappa.
+struct ElementSums {
+  Eigen::Vector3d force[3] = {Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero(),
+                              Eigen::Vector3d::Zero()};  // on the corners
+  Eigen::Vector3d couple = Eigen::Vector3d::Zero();      // of the forces on the skin about the centre
+  double shape[3] = {0.0, 0.0, 0.0};                     // [m2] sum_q w_q N_a
+  double energy = 0.0, area = 0.0;
+  double least_distance2;  // [m2] of touched points and r^2
+};
+
+// Sums over the element's quadrature points that lie in the sphere; `grip` may be null: no friction.
+ElementSums integrate(const Element& element, double radius, Grip* grip);
+
+// What the friction lost, with the points that have left the sphere after the last element [J] over kappa.
+double release_rest(Grip& grip);
+
+// No point of the element is farther from the nearest quadrature point than this [m].
+double cover(const Element& element);
+
+}  // namespace coupling::detail

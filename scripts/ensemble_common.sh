@@ -1,0 +1,63 @@
+# SPDX-License-Identifier: Apache-2.0
+# shellcheck shell=bash
+# Shared by the scripts that compare ensembles with and without jet (sourced, from the repository's top).
+
+build_gasjet() {
+  scripts/setup_debian12.sh
+  cmake --preset release >/dev/null
+  cmake --build --preset release --target gasjet -j "$(nproc)" >/dev/null
+}
+
+# ensemble_quantities CASE RUNS OPTION...: quantities.csv of the ensemble, run unless results/ has it.
+ensemble_quantities() {
+  local case=$1 runs=$2 folder
+  shift 2
+  folder=results/ensembles/$case/$runs$(printf '_%s' "$@" | tr -c 'A-Za-z0-9.\n' '_')
+  [[ -f $folder/$case/quantities.csv ]] ||
+    build/gasjet ensemble "cases/$case.toml" --runs "$runs" --threads "$(nproc)" --quiet --out "$folder" "$@" >"$folder.log" 2>&1 || true
+  [[ -f $folder/$case/quantities.csv ]] || { cat "$folder.log" >&2; return 1; }
+  tail -n +2 "$folder/$case/quantities.csv"
+}
+
+# compare WITH WITHOUT: rows quantity, mean and standard error with jet, without, runs, difference, in standard errors,
+# decided (more than 5 of them, at least 16 runs either side).
+compare() {
+  awk -F, 'NR == FNR { mean[$1] = $2; error[$1] = $3; runs[$1] = $6; next }
+    $1 in mean {
+      s = sqrt(error[$1] ^ 2 + $3 ^ 2); d = mean[$1] - $2; n = s > 0 ? (d < 0 ? -d : d) / s : 0
+      fewest = runs[$1] < $6 ? runs[$1] : $6
+      verdict = n > 5 && fewest >= 16 ? "yes" : "no"
+      printf "%s,%.6g,%.3g,%.6g,%.3g,%d,%.6g,%.3g,%s\n", $1, mean[$1], error[$1], $2, $3, fewest, d, n, verdict
+    }' "$1" "$2"
+}
+
+# effects RUNS OPTION...: the jet's effect on the paper's scene under these options.
+effects() {
+  local with without
+  mkdir -p results/ensembles/passenger_pendulum results/ensembles/passenger_pendulum_no_jet
+  with=$(ensemble_quantities passenger_pendulum "$@")
+  without=$(ensemble_quantities passenger_pendulum_no_jet "$@")
+  compare <(echo "$with") <(echo "$without")
+}
+
+# draw OUT ROWS COLUMNS: gnuplot commands of the panels on standard input, as OUT.svg and OUT.png.
+draw() {
+  local out=$1 rows=$2 columns=$3 commands terminal
+  commands=$(cat)
+  for terminal in "svg size $((330 * columns)),$((260 * rows)) font 'sans,11' background 'white'" \
+    "pngcairo size $((660 * columns)),$((520 * rows)) font 'sans,11' fontscale 2 linewidth 2"; do
+    gnuplot <<END
+set terminal $terminal
+set output '$out.${terminal:0:3}'
+set datafile separator ','
+set border 3
+set tics nomirror
+set offsets graph 0.08, graph 0.08, graph 0.1, graph 0.1
+set key above samplen 1 font ',9'
+set multiplot layout $rows,$columns
+$commands
+unset multiplot
+END
+    echo "$out.${terminal:0:3}" >&2
+  done
+}

@@ -1,0 +1,50 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
+# Means of the paper's scene, with and without jet, against seed, step, contact stiffness, mesh and friction: ensembles,
+# one row a quantity and value. Writes OUT.csv, OUT.svg and OUT.png. Ensembles that are already in results/ are not run
+# again: delete the folder to start anew.
+# usage: scripts/ensemble_convergence.sh [RUNS] [OUT]      (16 runs, docs/charts/ensemble_convergence by default)
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+# shellcheck source-path=SCRIPTDIR source=ensemble_common.sh
+source scripts/ensemble_common.sh
+runs=${1:-16} out=${2:-docs/charts/ensemble_convergence}
+# varied | value | options of `gasjet ensemble`; the base case has seed 1e-4 m, safety 0.8, stiffness share 1
+variations=(
+  "seed|1e-12|--amplitude 1e-12" "seed|1e-9|--amplitude 1e-9" "seed|1e-7|--amplitude 1e-7" "seed|1e-6|--amplitude 1e-6"
+  "seed|1e-5|--amplitude 1e-5" "seed|1e-4|" "seed|5e-4|--amplitude 5e-4"
+  "step|0.9|--set time.safety=0.9" "step|0.8|" "step|0.6|--set time.safety=0.6" "step|0.4|--set time.safety=0.4"
+  "contact|0.5|--set contact.stiffness_share=0.5" "contact|1|" "contact|2|--set contact.stiffness_share=2"
+  "contact|4|--set contact.stiffness_share=4" "contact|8|--set contact.stiffness_share=8"
+  "friction|0|" "friction|0.1|--set contact.friction=0.1" "friction|0.3|--set contact.friction=0.3"
+  "friction|0.6|--set contact.friction=0.6"
+)
+
+build_gasjet
+mkdir -p "$(dirname "$out")"
+{
+  echo "varied,value,quantity,mean_jet,standard_error_jet,mean_no_jet,standard_error_no_jet,runs,difference,standard_errors,decided"
+  for variation in "${variations[@]}"; do
+    IFS='|' read -r varied value options <<<"$variation"
+    # shellcheck disable=SC2086  # options are words
+    effects "$runs" $options | sed "s/^/$varied,$value,/"
+  done
+} >"$out.csv"
+
+# quantity | factor | label
+quantities=("final_angle_rad|180/pi|Final angle [°]" "contact_impulse_Ns|1|Contact impulse [N s]"
+  "peak_cg_acceleration_cfc180_m_s2|1|Peak acceleration, CFC 180 [m/s²]" "peak_cg_acceleration_m_s2|1|Peak acceleration, raw [m/s²]")
+axes=("seed|Seed [m]|set logscale x" "step|Share of the critical step|unset logscale x" "contact|Contact stiffness share|set logscale x 2"
+  "friction|Friction coefficient|unset logscale x")
+{
+  for quantity in "${quantities[@]}"; do
+    IFS='|' read -r name factor label <<<"$quantity"
+    for axis in "${axes[@]}"; do
+      IFS='|' read -r varied title scale <<<"$axis"
+      printf "%s\nset xlabel '%s'\nset ylabel '%s'\n" "$scale" "$title" "$label"
+      select="(strcol(1) eq '$varied' && strcol(3) eq '$name' ? column(2) : NaN)"
+      printf "plot '%s' using %s:(column(4)*%s):(column(5)*2*%s) with yerrorbars pt 7 ps 0.6 lc 'black' title 'jet, ± 2 s.e.', '' using %s:(column(6)*%s):(column(7)*2*%s) with yerrorbars pt 6 ps 0.6 lc 'gray40' title 'no jet'\n" \
+        "$out.csv" "$select" "$factor" "$factor" "$select" "$factor" "$factor"
+    done
+  done
+} | draw "$out" 4 4

@@ -1,0 +1,55 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
+# Where the jet matters: the paper's scene with each invented input at the ends of a plausible range, with and without jet.
+# Writes OUT.csv, OUT.svg and OUT.png: the jet's effect on angle, impulse and peak acceleration. Ensembles that are already
+# in results/ are not run again.
+# usage: scripts/jet_map.sh [RUNS] [OUT]      (16 runs, docs/charts/jet_map by default)
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+# shellcheck source-path=SCRIPTDIR source=ensemble_common.sh
+source scripts/ensemble_common.sh
+runs=${1:-16} out=${2:-docs/charts/jet_map}
+
+# flow TIME PEAK: a triangle that reaches PEAK [kg/s] at 12 ms and ends at TIME [s].
+flow() { echo "inflator.0.mass_flow={time=[0.0,0.012,$1],value=[0.0,$2,0.0]}"; }
+
+# input | value | settings of both cases, by ; | settings of the jet alone, by ;
+inputs=(
+  "as shipped|-||"
+  "gas, kg|0.08|$(flow 0.08 2.0)|" "gas, kg|0.24|$(flow 0.08 6.0)|"
+  "pulse, ms|40|$(flow 0.04 8.0)|" "pulse, ms|120|$(flow 0.12 2.6667)|"
+  "gap to plate, m|0.25|pendulum.pivot=[0.25,0.0,1.31]|" "gap to plate, m|0.5|pendulum.pivot=[0.5,0.0,1.31]|"
+  "vent, m2|0|vent.0.area=0.0|" "vent, m2|0.006|vent.0.area=0.006|"
+  "porosity|0|fabric.porosity=0.0|" "porosity|0.08|fabric.porosity=0.08|"
+  "outlet, m2|0.0058||inflator.0.jet.short_side=0.04" "outlet, m2|0.0232||inflator.0.jet.short_side=0.16"
+  "decay|0.09||inflator.0.jet.decay_coefficient=0.09" "decay|0.12||inflator.0.jet.decay_coefficient=0.12"
+)
+
+# settings LIST: --set options of a list separated by semicolons, one word a line.
+settings() { tr ';' '\n' <<<"$1" | sed '/^$/d; s/^/--set\n/'; }
+
+build_gasjet
+mkdir -p "$(dirname "$out")" results/ensembles/passenger_pendulum results/ensembles/passenger_pendulum_no_jet
+{
+  echo "input,value,quantity,mean_jet,standard_error_jet,mean_no_jet,standard_error_no_jet,runs,difference,standard_errors,decided"
+  for input in "${inputs[@]}"; do
+    IFS='|' read -r name value both jet <<<"$input"
+    mapfile -t shared < <(settings "$both")
+    mapfile -t own < <(settings "$both;$jet")
+    with=$(ensemble_quantities passenger_pendulum "$runs" "${own[@]}")
+    without=$(ensemble_quantities passenger_pendulum_no_jet "$runs" "${shared[@]}")
+    compare <(echo "$with") <(echo "$without") | sed "s/^/\"$name\",$value,/"
+  done
+} >"$out.csv"
+
+quantities=("final_angle_rad|180/pi|Jet’s effect on the angle [°]" "contact_impulse_Ns|1|on the impulse [N s]"
+  "peak_cg_acceleration_cfc180_m_s2|1|on the peak acceleration, CFC 180 [m/s²]")
+{
+  for quantity in "${quantities[@]}"; do
+    IFS='|' read -r name factor label <<<"$quantity"
+    printf "set xlabel '%s'\nset yrange [-1:15] reverse\nset grid x\nset arrow 1 from 0, graph 0 to 0, graph 1 nohead lt 0\n" "$label"
+    rows="< grep ',$name,' $out.csv"
+    printf "plot \"%s\" using ((column(4)-column(6))*%s):0:(2*sqrt(column(5)**2+column(7)**2)*%s):ytic(strcol(1).' '.strcol(2)) with xerrorbars pt 7 ps 0.7 lc 'black' title '± 2 s.e.'\n" \
+      "$rows" "$factor" "$factor"
+  done
+} | draw "$out" 1 3

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+// The channel filter against its published frequency response, and that it shifts nothing.
+#include "driver/channel_filter.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace {
+
+using std::numbers::pi;
+
+// Gain of a sine after the ends have died away.
+double gain(double frequency, double channel_class, double interval) {
+  const int count = static_cast<int>(40.0 / (std::min(frequency, channel_class) * interval));
+  std::vector<double> samples;
+  for (int n = 0; n < count; ++n) samples.push_back(std::sin(2.0 * pi * frequency * interval * n));
+  const auto filtered = driver::channel_filter(samples, interval, channel_class);
+  double in = 0.0, out = 0.0;  // projection on the sine: a phase would show as a loss
+  for (int n = count / 4; n < 3 * count / 4; ++n) {
+    const auto i = static_cast<std::size_t>(n);
+    in += samples[i] * samples[i];
+    out += samples[i] * filtered[i];
+  }
+  return out / in;
+}
+
+TEST(channel_filter, response_eq_published) {
+  for (const double channel_class : {60.0, 180.0, 600.0, 1000.0}) {
+    const double interval = 1e-5, corner = 2.0775 * channel_class;
+    for (const double part : {0.1, 0.5, 1.0, 2.0, 4.0}) {
+      const double frequency = part * channel_class;
+      // The bilinear transform bends the frequency axis: tan(pi f T) for f, about the corner.
+      const double bent = std::tan(pi * frequency * interval) / std::tan(pi * corner * interval);
+      // Half a period more or less in the window: 1e-3.
+      EXPECT_NEAR(gain(frequency, channel_class, interval), 1.0 / (1.0 + std::pow(bent, 4)), 3e-3)
+          << channel_class << ' ' << part;
+    }
+    // SAE J211-1: flat to 0.5 dB up to the class, -3 dB (+0.5, -1) at 1.65 times it, falling by 24 dB an
+    // octave.
+    const auto decibel = [&](double part) {
+      return 20.0 * std::log10(gain(part * channel_class, channel_class, interval));
+    };
+    EXPECT_NEAR(decibel(0.5), 0.0, 0.5);
+    EXPECT_NEAR(decibel(1.65), -3.0, 0.5);
+    EXPECT_NEAR(decibel(4.0) - decibel(8.0), 24.0, 3.0);
+  }
+}
+
+TEST(channel_filter, constants_and_slopes_pass_and_a_pulse_stays_where_it_is) {
+  std::vector<double> constant(2000, 7.0), slope, pulse(2001, 0.0);
+  for (int n = 0; n < 2000; ++n) slope.push_back(0.01 * n);
+  pulse[1000] = 1.0;
+  // Poles that close to 1 amplify a rounding by 1/(pi 374 Hz 1e-5 s)^2 a pass: 2 x 7 eps x 7e3.
+  for (const double y : driver::channel_filter(constant, 1e-5, 180.0)) EXPECT_NEAR(y, 7.0, 2.2e-11);
+  const auto ramp = driver::channel_filter(slope, 1e-5, 180.0);
+  EXPECT_NEAR(ramp[1000], 10.0, 1e-3);  // the ends, 10 ms off, ring with exp(-0.7 w_c t) = exp(-16)
+  const auto spread = driver::channel_filter(pulse, 1e-5, 180.0);
+  double sum = 0.0;
+  for (const double y : spread) sum += y;
+  EXPECT_NEAR(sum, 1.0, 1e-5);
+  for (std::size_t n = 1; n < 300; ++n) EXPECT_NEAR(spread[1000 - n], spread[1000 + n], 1e-12) << n;
+}
+
+TEST(channel_filter, peak_of_a_slow_signal_at_uneven_times_is_kept) {
+  driver::PlanarSignal signal;
+  for (double t = 0.0; t < 0.1; t += 2e-5 * (1.5 + std::sin(1e3 * t))) {
+    signal.time.push_back(t);
+    signal.first.push_back(30.0 * std::sin(2.0 * pi * 20.0 * t));
+    signal.second.push_back(40.0 * std::sin(2.0 * pi * 20.0 * t));
+  }
+  // 20 Hz through CFC 180: 1 - (20/374)^4; linear resampling: (2 pi 20 5e-5)^2 / 8.
+  EXPECT_NEAR(driver::filtered_peak(signal, 180.0), 50.0, 50.0 * 2e-5);
+  EXPECT_EQ(driver::filtered_peak({}, 180.0), 0.0);
+}
+
+TEST(channel_filter, bad_class_or_interval_is_named) {
+  const std::vector<double> samples(10, 1.0);
+  EXPECT_THROW(driver::channel_filter(samples, 1e-5, 0.0), std::invalid_argument);
+  EXPECT_THROW(driver::channel_filter(samples, 1e-5, std::nan("")), std::invalid_argument);
+  EXPECT_THROW(driver::channel_filter(samples, 0.0, 180.0), std::invalid_argument);
+  EXPECT_THROW(driver::channel_filter(samples, 1e-3, 180.0), std::invalid_argument);  // 1 kHz for 180
+}
+
+}  // namespace

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: Apache-2.0
+// Coupled scenes against closed forms: the pendulum on a gas spring, a ball pressed flat.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "closed_form/coupled.hpp"
+#include "run_case.hpp"
+
+namespace {
+
+// --- pendulum on a gas spring
+// ------------------------------------------------------------------------------------
+
+// The impactor of the paper's pendulum closes a cylinder on either side of it, both at ambient pressure at
+// rest: as stiff as one of twice the gas. Steps as the driver takes them: pressure at n, gas last, with its
+// own work.
+double gas_spring_period(int steps_per_period, double expected) {
+  constexpr double area = 0.05, volume = 0.06, pressure = 101325.0;  // [m2] [m3] [Pa]
+  const gas::ControlVolumeModel model{
+      gas::Thermo({gas::constant_cp_species("N2", 296.8, 1038.8)}), {pressure, 293.15}, {}, {}};
+  gas::GasIntegrator integrator(model);
+  const double one[] = {1.0};
+  gas::ControlVolumeState front = gas::make_state(model.thermo, one, pressure, 400.0, volume), back = front;
+  coupling::PendulumParameters p;
+  p.pivot = {0.0, 0.0, 0.0};
+  p.axis = {0.0, -1.0, 0.0};
+  p.rest_direction = {0.0, 0.0, -1.0};
+  p.mass = 10.9, p.inertia_cg = 2.07, p.cg_distance = 1.065, p.impactor_distance = 1.31,
+  p.impactor_radius = 0.041;
+  p.gravity = {0.0, 0.0, -9.80665};
+  const coupling::PendulumModel pendulum(p);
+  coupling::PendulumState swing{0.0, 1e-4};
+  const double dt = expected / steps_per_period;
+  double crossing = 0.0;
+  for (int n = 0;; ++n) {
+    const auto swept = [&](double angle) { return area * p.impactor_distance * std::sin(angle); };
+    const double v = swept(swing.angle);
+    const double push = gas::evaluate(model, back, volume + v, 0.0, 0.0).pressure -
+                        gas::evaluate(model, front, volume - v, 0.0, 0.0).pressure;
+    const double moment =
+        pendulum.gravity_moment(swing.angle) + push * area * p.impactor_distance * std::cos(swing.angle);
+    const double last = swing.angle;
+    swing = pendulum.advance(swing, moment, n == 0 ? 0.5 * dt : dt, dt);
+    const double w = swept(swing.angle), t = n * dt;
+    integrator.advance(back, t, t + dt, {volume + v, volume + w, 0.0, 0.0});
+    integrator.advance(front, t, t + dt, {volume - v, volume - w, 0.0, 0.0});
+    // From 0 upwards and back through 0 to 0 again, the last by the sine through both levels.
+    if (n > steps_per_period / 2 + 2 && last < 0.0 && swing.angle >= 0.0) {
+      const double turn = 2.0 * std::numbers::pi / steps_per_period, ratio = -last / swing.angle;
+      const double part = std::atan2(ratio * std::sin(turn), 1.0 + ratio * std::cos(turn)) / turn;
+      crossing = (n + part) * dt;
+      return crossing;
+    }
+  }
+}
+
+TEST(contact_closed_form, gas_spring_period_is_second_order) {
+  closed_form::PendulumGasSpring scene;
+  scene.pendulum = closed_form::paper_pendulum();
+  scene.gas = {296.8, 1.4};
+  scene.area = 0.05, scene.volume = 0.06, scene.pressure = 2.0 * 101325.0;  // two cylinders
+  const double exact = 2.0 * std::numbers::pi / closed_form::pendulum_gas_spring_frequency(scene);
+  double error[3];
+  for (int level = 0; level < 3; ++level)
+    error[level] = std::abs(gas_spring_period(40 << level, exact) - exact) / exact;
+  EXPECT_NEAR(std::log2(error[0] / error[1]), 2.0, 0.05);
+  EXPECT_NEAR(std::log2(error[1] / error[2]), 2.0, 0.05);
+  // Central difference: (omega dt)^2 / 24 of the period.
+  EXPECT_NEAR(error[2] / (std::pow(2.0 * std::numbers::pi / 160.0, 2) / 24.0), 1.0, 0.01);
+}
+
+}  // namespace
