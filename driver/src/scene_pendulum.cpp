@@ -25,6 +25,7 @@ PendulumPart read_model(TableReader& table, const Eigen::Vector3d& gravity) {
   p.gravity = gravity;
   coupling::PendulumState initial;
   initial.angle = table.number("initial_angle", any_number, 0.0);
+  initial.angular_velocity = table.number("initial_angular_velocity", any_number, 0.0);
   return {coupling::PendulumModel(p), initial};
 }
 
