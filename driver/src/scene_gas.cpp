@@ -108,7 +108,7 @@ std::vector<double> mass_fractions(const gas::Thermo& thermo, const SpeciesList&
                                     : thermo.mass_fractions_by_mass(parts);
 }
 
-void read_vents(TableReader& root, std::vector<gas::Orifice>& vents) {
+void read_vents(TableReader& root, std::vector<gas::Vent>& vents) {
   for (auto& table : root.tables("vent")) {
     vents.push_back(
         {table.number("discharge_coefficient", positive_fraction, 1.0), table.number("area", positive)});

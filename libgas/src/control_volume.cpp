@@ -48,9 +48,71 @@ void validate(const Thermo& thermo, const Inflow& inflow) {
           inflow.start_time, "must be finite, or infinity for never");
 }
 
-double mass_flow(const Inflow& inflow, double time) {
-  const double tau = local_time(inflow, time);
+void require_trigger(const std::optional<std::size_t>& trigger, const TriggerModel& model) {
+  if (trigger)
+    require(*trigger < model.size(), "trigger", static_cast<double>(*trigger), "must be a node of the triggers");
+}
+
+void require_area(const Curve& curve, const char* name) {
+  require(curve.minimum() >= 0.0, name, curve.minimum(), "must not be negative");
+  require(curve.outside() == Outside::kHeld, name, 0.0, "must be held outside its knots");
+}
+
+void validate(const Vent& vent) {
+  require(vent.discharge_coefficient >= 0.0 && vent.discharge_coefficient <= 1.0,
+          "vent.discharge_coefficient", vent.discharge_coefficient, "must be 0 to 1");
+  require(std::isfinite(vent.area) && vent.area >= 0.0, "vent.area [m2]", vent.area,
+          "must be finite and not negative");
+  require(!(vent.area_of_time && vent.area_of_overpressure), "number of area curves", 2.0, "must be 0 or 1");
+  if (vent.area_of_time) require_area(*vent.area_of_time, "vent.area_of_time [m2]");
+  if (vent.area_of_overpressure) require_area(*vent.area_of_overpressure, "vent.area_of_overpressure [m2]");
+}
+
+double mass_flow(const Inflow& inflow, double start, double time) {
+  const double tau = local_time(inflow, start, time);
   return tau >= 0.0 ? inflow.mass_flow.value(tau) : 0.0;
+}
+
+InflatorPoint inflator_point(const ControlVolumeModel& model, const Inflow& inflow, double start, double time) {
+  const double temperature = inflow.temperature.value(local_time(inflow, start, time));
+  const Mixture gas = model.thermo.mixture(inflow.mass_fractions);
+  const double cp = gas.cp(temperature);
+  return {mass_flow(inflow, start, time), temperature, cp / gas.mass, cp / gas.cv(temperature),
+          gas.gas_constant_sum / gas.mass};
+}
+
+double vent_area(const Vent& vent, const TriggerState& triggers, double time, double overpressure) {
+  if (vent.trigger && !triggers.at(*vent.trigger).on) return 0.0;
+  if (vent.area_of_overpressure) return vent.area_of_overpressure->value(overpressure);
+  if (!vent.area_of_time) return vent.area;
+  return vent.area_of_time->value(time - (vent.trigger ? triggers[*vent.trigger].since : 0.0));
+}
+
+/// Flows through the openings at `point`, whose gas is known.
+void add_outflow(const ControlVolumeModel& model, const ControlVolumeState& state, double leak_area,
+                 double time, GasPoint& point) {
+  const double p_a = model.ambient.pressure;
+  for (const Vent& vent : model.vents)
+    point.vent_mass_flow += orifice_mass_flow(
+        vent.discharge_coefficient * vent_area(vent, state.triggers, time, point.pressure - p_a),
+        point.pressure, point.temperature, point.gas_constant, point.cp, point.gamma, p_a);
+  if (!model.fabric_velocity)
+    point.fabric_mass_flow = fabric_mass_flow(leak_area, point.density, point.pressure, p_a);
+  else if (point.pressure > p_a)
+    point.fabric_mass_flow = leak_area * point.density * model.fabric_velocity->value(point.pressure - p_a);
+}
+
+double backflow(const ControlVolumeModel& model, const TriggerState& triggers, double time, double pressure) {
+  const Ambient& ambient = model.ambient;
+  if (pressure >= ambient.pressure) return 0.0;
+  double area = 0.0;
+  for (const Vent& vent : model.vents)
+    if (vent.backflow)
+      area += vent.discharge_coefficient * vent_area(vent, triggers, time, pressure - ambient.pressure);
+  if (area == 0.0) return 0.0;
+  const Mixture air = model.thermo.mixture(ambient.mass_fractions);
+  const double cp = air.cp(ambient.temperature) / air.mass, r = air.gas_constant_sum / air.mass;
+  return orifice_mass_flow(area, ambient.pressure, ambient.temperature, r, cp, cp / (cp - r), pressure);
 }
 
 }  // namespace
@@ -60,12 +122,24 @@ void validate(const ControlVolumeModel& model) {
   require(std::isfinite(p_a) && p_a >= 0.0, "ambient.pressure [Pa]", p_a, "must be finite and not negative");
   require(std::isfinite(t_a) && t_a > 0.0, "ambient.temperature [K]", t_a, "must be finite and positive");
   for (const Inflow& inflow : model.inflows) validate(model.thermo, inflow);
-  for (const Orifice& vent : model.vents) {
-    require(vent.discharge_coefficient >= 0.0 && vent.discharge_coefficient <= 1.0,
-            "vent.discharge_coefficient", vent.discharge_coefficient, "must be 0 to 1");
-    require(std::isfinite(vent.area) && vent.area >= 0.0, "vent.area [m2]", vent.area,
-            "must be finite and not negative");
+  for (const Inflow& inflow : model.inflows) require_trigger(inflow.trigger, model.triggers);
+  bool backflow = false;
+  for (const Vent& vent : model.vents) {
+    validate(vent);
+    require_trigger(vent.trigger, model.triggers);
+    backflow = backflow || vent.backflow;
   }
+  if (backflow) {
+    require_fractions(model.thermo, model.ambient.mass_fractions);
+    require(is_in_range(model.thermo, t_a), "ambient.temperature [K]", t_a, range_text(model.thermo));
+  }
+  const HeatLoss& heat = model.heat_loss;
+  require(std::isfinite(heat.conductance) && heat.conductance >= 0.0, "heat_loss.conductance [W/K]",
+          heat.conductance, "must be finite and not negative");
+  require(std::isfinite(heat.outside_temperature) && heat.outside_temperature > 0.0,
+          "heat_loss.outside_temperature [K]", heat.outside_temperature, "must be finite and positive");
+  if (model.fabric_velocity) require_area(*model.fabric_velocity, "fabric_velocity [m/s]");
+  validate(model.triggers);
 }
 
 ControlVolumeState make_state(const Thermo& thermo, std::span<const double> mass_fractions, double pressure,
@@ -82,36 +156,50 @@ ControlVolumeState make_state(const Thermo& thermo, std::span<const double> mass
   return state;
 }
 
+ControlVolumeState make_state(const ControlVolumeModel& model, std::span<const double> mass_fractions,
+                              double pressure, double temperature, double volume) {
+  ControlVolumeState state = make_state(model.thermo, mass_fractions, pressure, temperature, volume);
+  state.triggers.resize(model.triggers.size());
+  return state;
+}
+
+double firing_time(const Inflow& inflow, const TriggerState& triggers) {
+  return inflow.trigger ? triggers.at(*inflow.trigger).first_on + inflow.start_time : inflow.start_time;
+}
+
 GasPoint evaluate(const ControlVolumeModel& model, const ControlVolumeState& state, double volume,
                   double leak_area, double time) {
   if (!(volume > 0.0)) throw DomainError("volume = " + to_text(volume) + " m3: must be positive");
   GasPoint point{};
   point.temperature = state.temperature;
-  for (const Inflow& inflow : model.inflows) point.inflow += mass_flow(inflow, time);
+  for (const Inflow& inflow : model.inflows)
+    point.inflow += mass_flow(inflow, firing_time(inflow, state.triggers), time);
   const Mixture mixture = model.thermo.mixture(state.masses);
-  if (mixture.mass == 0.0) return point;
-  point.temperature = mixture.temperature(state.internal_energy, state.temperature);
-  point.mass = mixture.mass;
-  point.density = mixture.mass / volume;
-  point.gas_constant = mixture.gas_constant_sum / mixture.mass;
-  point.cp = mixture.cp(point.temperature) / mixture.mass;
-  point.gamma = point.cp / (point.cp - point.gas_constant);
-  point.pressure = mixture.gas_constant_sum * point.temperature / volume;
-  for (const Orifice& vent : model.vents)
-    point.vent_mass_flow +=
-        orifice_mass_flow(vent.discharge_coefficient * vent.area, point.pressure, point.temperature,
-                          point.gas_constant, point.cp, point.gamma, model.ambient.pressure);
-  point.fabric_mass_flow = fabric_mass_flow(leak_area, point.density, point.pressure, model.ambient.pressure);
+  if (mixture.mass > 0.0) {
+    point.temperature = mixture.temperature(state.internal_energy, state.temperature);
+    point.mass = mixture.mass;
+    point.density = mixture.mass / volume;
+    point.gas_constant = mixture.gas_constant_sum / mixture.mass;
+    point.cp = mixture.cp(point.temperature) / mixture.mass;
+    point.gamma = point.cp / (point.cp - point.gas_constant);
+    point.pressure = mixture.gas_constant_sum * point.temperature / volume;
+    point.heat_loss =
+        model.heat_loss.conductance * (point.temperature - model.heat_loss.outside_temperature);
+    add_outflow(model, state, leak_area, time, point);
+  }
+  point.backflow = backflow(model, state.triggers, time, point.pressure);
   return point;
+}
+
+InflatorPoint inflator_point(const ControlVolumeModel& model, const ControlVolumeState& state, std::size_t i,
+                             double time) {
+  const Inflow& inflow = model.inflows.at(i);
+  return inflator_point(model, inflow, firing_time(inflow, state.triggers), time);
 }
 
 InflatorPoint inflator_point(const ControlVolumeModel& model, std::size_t i, double time) {
   const Inflow& inflow = model.inflows.at(i);
-  const double temperature = inflow.temperature.value(local_time(inflow, time));
-  const Mixture gas = model.thermo.mixture(inflow.mass_fractions);
-  const double cp = gas.cp(temperature);
-  return {mass_flow(inflow, time), temperature, cp / gas.mass, cp / gas.cv(temperature),
-          gas.gas_constant_sum / gas.mass};
+  return inflator_point(model, inflow, inflow.start_time, time);
 }
 
 }  // namespace gas

@@ -2,8 +2,8 @@
 #include "flow_balance.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
-#include <numeric>
 
 #include "gas/orifice.hpp"
 
@@ -17,12 +17,22 @@ constexpr double kMassRoundOff = 1e-13;
 
 FlowBalance::FlowBalance(const ControlVolumeModel& model)
     : model_(model),
+      openings_(model),
       segments_(model.inflows.size()),
       delivered_(model.inflows.size()),
       masses_(model.thermo.size()) {
   for (const Inflow& inflow : model.inflows)
     inflow_gas_.push_back(model.thermo.mixture(inflow.mass_fractions));
-  for (const Orifice& vent : model.vents) vent_area_ += vent.discharge_coefficient * vent.area;
+  if (!openings_.any_backflow()) return;
+  air_ = model.thermo.mixture(model.ambient.mass_fractions);
+  air_enthalpy_ = air_.enthalpy(model.ambient.temperature) / air_.mass;
+  air_gamma_ = air_.cp(model.ambient.temperature) / air_.cv(model.ambient.temperature);
+}
+
+std::vector<double> FlowBalance::levels() const {
+  std::vector<double> levels = openings_.knots();
+  for (double& level : levels) level += model_.ambient.pressure;
+  return levels;
 }
 
 void FlowBalance::begin_step(const ControlVolumeState& state, double t0, double t1, const VolumePath& path) {
@@ -32,54 +42,69 @@ void FlowBalance::begin_step(const ControlVolumeState& state, double t0, double 
   volume_rate_ = (path.volume_end - path.volume_begin) / (t1 - t0);
   leak_area_begin_ = path.leak_area_begin;
   leak_area_rate_ = (path.leak_area_end - path.leak_area_begin) / (t1 - t0);
-  std::ranges::fill(delivered_, 0.0);
-  enthalpy_in_ = 0.0;
+  std::ranges::fill(delivered_, StreamFlux{});
   point_.temperature = state.temperature;
 }
 
-double FlowBalance::next_break(double t) const {
-  double next = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < inflow_gas_.size(); ++i)
-    next = std::min(next, gas::next_break(model_.inflows[i], inflow_gas_[i].constant_cp, t));
+double FlowBalance::next_break(const TriggerState& triggers, double t) const {
+  double next = openings_.next_break(triggers, t);
+  for (std::size_t i = 0; i < inflow_gas_.size(); ++i) {
+    const Inflow& inflow = model_.inflows[i];
+    next = std::min(
+        next, gas::next_break(inflow, firing_time(inflow, triggers), inflow_gas_[i].constant_cp, t));
+  }
   return next;
 }
 
-void FlowBalance::begin_segment(double a, double b) {
+void FlowBalance::begin_segment(const TriggerState& triggers, double a, double b) {
   segment_begin_ = a;
+  openings_.begin_segment(triggers, a, b);
   for (std::size_t i = 0; i < segments_.size(); ++i)
-    segments_[i] = InflowSegment(model_.inflows[i], inflow_gas_[i], a, b);
+    segments_[i] = InflowSegment(model_.inflows[i], firing_time(model_.inflows[i], triggers), inflow_gas_[i], a, b);
 }
 
-void FlowBalance::end_segment() {
+void FlowBalance::end_segment(double reached) {
   for (std::size_t i = 0; i < segments_.size(); ++i) {
-    const auto [mass, enthalpy] = segments_[i].total();
-    delivered_[i] += mass;
-    enthalpy_in_ += enthalpy;
+    const auto [mass, enthalpy] = segments_[i].delivered_until(reached);
+    delivered_[i].mass += mass;
+    delivered_[i].enthalpy += enthalpy;
     segments_[i] = InflowSegment();
   }
 }
 
-double FlowBalance::mass_in() const {
-  return std::accumulate(delivered_.begin(), delivered_.end(), 0.0);
+double FlowBalance::species_change(const Vector& y, std::size_t k) const {
+  double change = -y[k];
+  for (std::size_t j = 0; j < backflows(); ++j)
+    change += model_.ambient.mass_fractions[k] * y[back_slot(j)];
+  return change;
 }
 
-/// Fills masses_ and returns the enthalpy delivered since t0. (G.9)
-double FlowBalance::collect(const Vector& y, double elapsed) {
-  double enthalpy = enthalpy_in_;
+double FlowBalance::energy_change(const Vector& y) const {
+  double change = -y[work_slot()] - y[heat_slot()];
+  for (std::size_t s = 0; s < streams(); ++s) change -= y[out_slot(s) + 1];
+  for (std::size_t j = 0; j < backflows(); ++j) change += air_enthalpy_ * y[back_slot(j)];
+  return change;
+}
+
+/// Fills masses_, at time t, and returns the internal energy there. (G.9), (G.10)
+double FlowBalance::collect(const Vector& y, double t) {
+  double energy = start_->internal_energy;
   std::ranges::copy(start_->masses, masses_.begin());
   for (std::size_t i = 0; i < segments_.size(); ++i) {
-    const auto delivered = segments_[i].delivered(elapsed);
-    enthalpy += delivered.enthalpy;
-    const double mass = delivered_[i] + delivered.mass;
+    const auto delivered = segments_[i].delivered(t - segment_begin_);
+    energy += delivered_[i].enthalpy + delivered.enthalpy;
+    const double mass = delivered_[i].mass + delivered.mass;
     for (std::size_t k = 0; k < masses_.size(); ++k) masses_[k] += model_.inflows[i].mass_fractions[k] * mass;
   }
   point_.valid = true;
   for (std::size_t k = 0; k < masses_.size(); ++k) {
+    for (std::size_t j = 0; j < backflows(); ++j)
+      masses_[k] += model_.ambient.mass_fractions[k] * y[back_slot(j)];
     const double available = masses_[k];
     masses_[k] = std::max(0.0, available - y[k]);
     if (!(y[k] <= available * (1.0 + kMassRoundOff))) point_.valid = false;
   }
-  return enthalpy;
+  return energy + energy_change(y);
 }
 
 /// Temperature and pressure, (G.8); no gas has neither energy nor pressure.
@@ -88,6 +113,7 @@ void FlowBalance::locate_point(double internal_energy, double t) {
   point_.mass = mixture_.mass;
   point_.volume = volume(t);
   point_.pressure = point_.gamma = point_.thermal_energy = point_.specific_enthalpy = 0.0;
+  point_.vent = point_.fabric = point_.back = point_.heat = 0.0;
   if (!point_.valid || mixture_.mass == 0.0) return;
   const auto temperature = mixture_.find_temperature(internal_energy, point_.temperature);
   point_.valid = temperature.has_value();
@@ -100,33 +126,70 @@ void FlowBalance::locate_point(double internal_energy, double t) {
   point_.specific_enthalpy = (internal_energy + mixture_.gas_constant_sum * *temperature) / mixture_.mass;
 }
 
-void FlowBalance::outflow_rates(Vector& dydt, double t) const {
-  const double r = mixture_.gas_constant_sum / point_.mass;
-  const double vent = regime_ == Regime::kChoked
-                          ? choked_mass_flow(vent_area_, point_.pressure, point_.temperature, r, point_.gamma)
-                          : subsonic_mass_flow(vent_area_, point_.pressure, point_.temperature, r,
-                                               r * point_.gamma / (point_.gamma - 1.0), point_.gamma,
-                                               model_.ambient.pressure);
-  const double fabric =
-      fabric_mass_flow(leak_area(t), point_.mass / point_.volume, point_.pressure, model_.ambient.pressure);
-  const double per_mass = (vent + fabric) / point_.mass;
+double FlowBalance::pressure(const Vector& y, double t) {
+  segment_begin_ = t;
+  locate_point(collect(y, t), t);
+  return point_.pressure;
+}
+
+void FlowBalance::outflow_rates(Vector& dydt, double t) {
+  const double r = mixture_.gas_constant_sum / point_.mass, p = point_.pressure, p_a = ambient_pressure();
+  const double flux = regime_ == Regime::kOutSonic
+                          ? choked_mass_flow(1.0, p, point_.temperature, r, point_.gamma)
+                          : subsonic_mass_flow(1.0, p, point_.temperature, r,
+                                               r * point_.gamma / (point_.gamma - 1.0), point_.gamma, p_a);
+  for (std::size_t j = 0; j < openings_.vents(); ++j) {
+    const double flow = openings_.effective_area(j, t, p - p_a) * flux;
+    dydt[out_slot(j)] = flow;
+    dydt[out_slot(j) + 1] = flow * point_.specific_enthalpy;
+    point_.vent += flow;
+  }
+  const double density = point_.mass / point_.volume;
+  point_.fabric = model_.fabric_velocity && p > p_a
+                      ? leak_area(t) * density * openings_.fabric_velocity(p - p_a)
+                      : fabric_mass_flow(leak_area(t), density, p, p_a);
+  const std::size_t fabric = out_slot(openings_.vents());
+  dydt[fabric] = point_.fabric;
+  dydt[fabric + 1] = point_.fabric * point_.specific_enthalpy;
+  const double per_mass = (point_.vent + point_.fabric) / point_.mass;
   for (std::size_t k = 0; k < masses_.size(); ++k) dydt[k] = per_mass * masses_[k];
-  dydt[enthalpy_slot()] = (vent + fabric) * point_.specific_enthalpy;
-  dydt[vent_slot()] = vent;
-  dydt[fabric_slot()] = fabric;
+}
+
+void FlowBalance::backflow_rates(Vector& dydt, double t) {
+  const double p_a = ambient_pressure(), t_a = model_.ambient.temperature, r = air_.gas_constant_sum / air_.mass;
+  const double flux = regime_ == Regime::kBackSonic
+                          ? choked_mass_flow(1.0, p_a, t_a, r, air_gamma_)
+                          : subsonic_mass_flow(1.0, p_a, t_a, r, r * air_gamma_ / (air_gamma_ - 1.0),
+                                               air_gamma_, point_.pressure);
+  for (std::size_t j = 0; j < openings_.vents(); ++j) {
+    if (!openings_.has_backflow(j)) continue;
+    dydt[back_slot(j)] = openings_.effective_area(j, t, point_.pressure - p_a) * flux;
+    point_.back += dydt[back_slot(j)];
+  }
 }
 
 void FlowBalance::operator()(const Vector& y, Vector& dydt, double t) {
-  const double enthalpy = collect(y, t - segment_begin_);
-  locate_point(start_->internal_energy + enthalpy - y[enthalpy_slot()] - y[work_slot()], t);
+  locate_point(collect(y, t), t);
   std::ranges::fill(dydt, 0.0);
-  if (!point_.valid || point_.mass == 0.0) return;
+  if (!point_.valid) return;
+  if (regime_ == Regime::kBack || regime_ == Regime::kBackSonic) backflow_rates(dydt, t);
+  if (point_.mass == 0.0) return;
   dydt[work_slot()] = point_.pressure * volume_rate_;
-  if (regime_ != Regime::kClosed) outflow_rates(dydt, t);
+  point_.heat = model_.heat_loss.conductance * (point_.temperature - model_.heat_loss.outside_temperature);
+  dydt[heat_slot()] = point_.heat;
+  if (regime_ == Regime::kOut || regime_ == Regime::kOutSonic) outflow_rates(dydt, t);
 }
 
 bool FlowBalance::is_open() const {
-  return vent_area_ > 0.0 || leak_area_begin_ > 0.0 || leak_area_rate_ > 0.0;
+  return openings_.is_open() || leak_area_begin_ > 0.0 || leak_area_rate_ != 0.0;
+}
+
+bool FlowBalance::has_backflow() const {
+  return openings_.any_backflow() && openings_.is_open();
+}
+
+bool FlowBalance::needs_stepper() const {
+  return is_open() || volume_rate_ != 0.0 || model_.heat_loss.conductance > 0.0;
 }
 
 double FlowBalance::pressure_excess() const {
@@ -138,30 +201,12 @@ double FlowBalance::sonic_excess() const {
   return critical_pressure_ratio(point_.gamma) * point_.pressure - model_.ambient.pressure;
 }
 
-double FlowBalance::closed_pressure_growth(double t) const {
-  double growth = -point_.gamma * point_.pressure * volume_rate_;
-  for (const InflowSegment& segment : segments_) {
-    const auto [mass_flow, temperature] = segment.flow(t - segment_begin_);
-    if (mass_flow == 0.0) continue;
-    const Mixture& gas = segment.gas();
-    growth += mass_flow *
-              (gas.gas_constant_sum * point_.temperature +
-               (point_.gamma - 1.0) * (gas.enthalpy(temperature) - gas.internal_energy(point_.temperature)));
-  }
-  return growth;
-}
-
-double FlowBalance::pressure_rate(const Vector& dydt, double t) const {
-  if (point_.mass == 0.0) return 0.0;
-  const double gas_constant = mixture_.gas_constant_sum / point_.mass;
-  const double loss =
-      point_.gamma * gas_constant * point_.temperature * (dydt[vent_slot()] + dydt[fabric_slot()]);
-  return (closed_pressure_growth(t) - loss) / point_.volume;
+double FlowBalance::back_sonic_excess() const {
+  return point_.pressure - critical_pressure_ratio(air_gamma_) * model_.ambient.pressure;
 }
 
 void FlowBalance::finish(const Vector& y, ControlVolumeState& state) {
-  const double enthalpy = collect(y, 0.0);
-  const double internal_energy = state.internal_energy + enthalpy - y[enthalpy_slot()] - y[work_slot()];
+  const double internal_energy = collect(y, segment_begin_);
   model_.thermo.mixture(masses_, mixture_);
   if (mixture_.mass > 0.0) state.temperature = mixture_.temperature(internal_energy, point_.temperature);
   state.internal_energy = internal_energy;

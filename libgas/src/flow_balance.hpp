@@ -4,26 +4,26 @@
 
 #include "gas/integrator.hpp"
 #include "inflow_segment.hpp"
+#include "openings.hpp"
 
 namespace gas {
 
-/// How gas leaves; each regime has a smooth right-hand side, and the integration is broken where they meet.
+/// Which way gas flows; each regime has a smooth right-hand side, and the integration is broken where they meet.
 enum class Regime {
-  kClosed,    // p <= p_a: nothing leaves
-  kSubsonic,  // p_a < p < p_a/(critical ratio)
-  kChoked,    // vents sonic
+  kClosed,         // p <= p_a and no backflow, or p held at p_a: nothing flows through the openings
+  kOut,            // p > p_a, vents subsonic
+  kOutSonic,       // p > p_a, vents sonic
+  kBack,           // p < p_a, ambient gas flows in through vents with backflow, subsonic
+  kBackSonic,      // the same, sonic
 };
 
-/// Right-hand side of the stepped unknowns over one step:
-///   y = (mass out of each species [kg], enthalpy out [J], work [J], vent mass out [kg], fabric mass out
-///   [kg])
-/// The state follows: m_k = m_k(t0) + delivered_k - y_k, U = U(t0) + delivered enthalpy - enthalpy out -
-/// work.
+/// Right-hand side of the stepped unknowns over one step, see Slot. The state follows:
+///   m_k = m_k(t0) + delivered_k + Y_ak back - out_k,  U = U(t0) + delivered enthalpy + h_a back - out - work - heat.
 class FlowBalance {
  public:
   using Vector = std::vector<double>;
 
-  /// The gas at the last evaluation.
+  /// The gas at the last evaluation, and its flows.
   struct Point {
     bool valid;                // masses not negative, temperature in its range
     double mass;               // [kg]
@@ -33,22 +33,37 @@ class FlowBalance {
     double volume;             // [m3]
     double thermal_energy;     // [J] m cv T: the scale of energy errors
     double specific_enthalpy;  // [J/kg]
+    double vent;               // [kg/s] out through all vents
+    double fabric;             // [kg/s] out through the fabric
+    double back;               // [kg/s] in through all vents
+    double heat;               // [W]
   };
 
   /// `model` must outlive this.
   explicit FlowBalance(const ControlVolumeModel& model);
 
-  std::size_t unknowns() const { return masses_.size() + 4; }
-  std::size_t enthalpy_slot() const { return masses_.size(); }
-  std::size_t work_slot() const { return masses_.size() + 1; }
-  std::size_t vent_slot() const { return masses_.size() + 2; }
-  std::size_t fabric_slot() const { return masses_.size() + 3; }
+  // Unknowns: mass out of each species [kg], work [J], heat [J], then mass [kg] and enthalpy [J] out through
+  // each vent and last the fabric, then (if any vent has backflow) mass [kg] in through each vent.
+  std::size_t species() const { return masses_.size(); }
+  std::size_t work_slot() const { return masses_.size(); }
+  std::size_t heat_slot() const { return masses_.size() + 1; }
+  std::size_t out_slot(std::size_t stream) const { return masses_.size() + 2 + 2 * stream; }
+  std::size_t back_slot(std::size_t vent) const { return out_slot(openings_.vents() + 1) + vent; }
+  std::size_t streams() const { return openings_.vents() + 1; }
+  std::size_t backflows() const { return openings_.any_backflow() ? openings_.vents() : 0; }
+  std::size_t unknowns() const { return back_slot(backflows()); }
 
   void begin_step(const ControlVolumeState& state, double t0, double t1, const VolumePath& path);
-  double next_break(double t) const;
-  void begin_segment(double a, double b);
-  void end_segment();
+  double next_break(const TriggerState& triggers, double t) const;
+  void begin_segment(const TriggerState& triggers, double a, double b);
+  void end_segment(double reached);
+  /// The band of pressure [Pa] around `pressure`, which is no level.
+  void enter_band(double pressure) { openings_.enter_band(pressure - ambient_pressure()); }
+  /// Pressures [Pa] at which the openings' curves have knots.
+  std::vector<double> levels() const;
 
+  /// p [Pa] at (y, t), between two segments or at the begin of one.
+  double pressure(const Vector& y, double t);
   /// dy/dt at (y, t), in the regime set; fills point().
   void operator()(const Vector& y, Vector& dydt, double t);
   /// Turns the state of begin_step() into the one at the end of the last segment; throws DomainError, and
@@ -56,38 +71,48 @@ class FlowBalance {
   void finish(const Vector& y, ControlVolumeState& state);
 
   bool is_open() const;                                  // gas can leave
-  bool is_rigid() const { return volume_rate_ == 0.0; }  // the volume is constant
+  bool has_backflow() const;                             // gas can come in
+  bool needs_stepper() const;                            // something but inflow changes the gas
   double pressure_excess() const;                        // [Pa] p - p_a
   double sonic_excess() const;                           // [Pa] critical ratio * p - p_a
-  /// V dp/dt [W] of the last point if nothing left, with the inflow at time t of this segment.
+  double back_sonic_excess() const;                      // [Pa] p - critical ratio * p_a
+  /// V dp/dt [W] of the last point if nothing flowed through the openings, at time t of this segment.
   double closed_pressure_growth(double t) const;
-  /// dp/dt [Pa/s] at the last point, where the rates are `dydt` and the time is t; zero without gas.
-  double pressure_rate(const Vector& dydt, double t) const;
+  /// dp/dt [Pa/s] at the last point, time t; zero without gas.
+  double pressure_rate(double t) const;
+  /// The faster of the two relaxation rates [1/s] at the last point, (G.14).
+  double relaxation_rate() const;
   void set_regime(Regime regime) { regime_ = regime; }
   Regime regime() const { return regime_; }
   const Point& point() const { return point_; }
   void invalidate() { point_.valid = false; }
   double ambient_pressure() const { return model_.ambient.pressure; }
-  double mass_in() const;
-  double enthalpy_in() const { return enthalpy_in_; }
+  double back_enthalpy() const { return air_enthalpy_; }  // [J/kg]
+  double air_fraction(std::size_t k) const { return model_.ambient.mass_fractions[k]; }
+  std::span<const StreamFlux> delivered() const { return delivered_; }
+  /// Changes of species k's mass and of U with the unknowns: errors of the state from errors of y.
+  double species_change(const Vector& y, std::size_t k) const;
+  double energy_change(const Vector& y) const;
 
  private:
-  double collect(const Vector& y, double elapsed);
+  double collect(const Vector& y, double t);
   void locate_point(double internal_energy, double t);
   double volume(double t) const { return volume_begin_ + volume_rate_ * (t - t0_); }
   double leak_area(double t) const { return leak_area_begin_ + leak_area_rate_ * (t - t0_); }
-  void outflow_rates(Vector& dydt, double t) const;
+  void outflow_rates(Vector& dydt, double t);
+  void backflow_rates(Vector& dydt, double t);
 
   const ControlVolumeModel& model_;
   std::vector<Mixture> inflow_gas_;  // 1 kg of each inflow
-  double vent_area_ = 0.0;           // [m2] sum Cd A
+  Mixture air_;                      // 1 kg of the ambient gas, if a vent lets it in
+  double air_enthalpy_ = 0.0, air_gamma_ = 1.4;
+  Openings openings_;
 
   double t0_ = 0.0, volume_begin_ = 0.0, volume_rate_ = 0.0, leak_area_begin_ = 0.0, leak_area_rate_ = 0.0;
   const ControlVolumeState* start_ = nullptr;
   double segment_begin_ = 0.0;
   std::vector<InflowSegment> segments_;
-  std::vector<double> delivered_;  // [kg] of each inflow, up to segment_begin_
-  double enthalpy_in_ = 0.0;       // [J] up to segment_begin_
+  std::vector<StreamFlux> delivered_;  // of each inflow, up to segment_begin_
 
   Regime regime_ = Regime::kClosed;
   std::vector<double> masses_;  // [kg] at the last evaluation

@@ -23,31 +23,32 @@ double joint_crossing(const Curve& temperature, double tau, double piece_end) {
 
 }  // namespace
 
-double local_time(const Inflow& inflow, double t) {
-  const double tau = t - inflow.start_time;
+double local_time(const Inflow& inflow, double start, double t) {
+  const double tau = t - start;
   if (!std::isfinite(tau)) return tau;
-  const double round_off = 2.0 * kEpsilon * std::max(std::abs(t), std::abs(inflow.start_time));
+  const double round_off = 2.0 * kEpsilon * std::max(std::abs(t), std::abs(start));
   for (const double knot : {0.0, inflow.mass_flow.nearest_knot(tau), inflow.temperature.nearest_knot(tau)})
     if (std::abs(tau - knot) <= round_off) return knot;
   return tau;
 }
 
-double next_break(const Inflow& inflow, bool constant_cp, double t) {
-  const double tau = local_time(inflow, t);
+double next_break(const Inflow& inflow, double start, bool constant_cp, double t) {
+  const double tau = local_time(inflow, start, t);
   if (!(tau > -kInfinity)) return kInfinity;
-  if (tau < 0.0) return std::max(inflow.start_time, std::nextafter(t, kInfinity));
+  if (tau < 0.0) return std::max(start, std::nextafter(t, kInfinity));
   if (inflow.mass_flow.outside() == Outside::kZero && tau >= inflow.mass_flow.knots().back().time)
     return kInfinity;
   const double knot = std::min(inflow.mass_flow.next_knot(tau), inflow.temperature.next_knot(tau));
   const double joint = constant_cp ? kInfinity : joint_crossing(inflow.temperature, tau, knot);
-  return std::max(inflow.start_time + std::min(knot, joint), std::nextafter(t, kInfinity));
+  return std::max(start + std::min(knot, joint), std::nextafter(t, kInfinity));
 }
 
-InflowSegment::InflowSegment(const Inflow& inflow, const Mixture& gas, double a, double b) : gas_(&gas) {
-  const double begin = local_time(inflow, a), end = local_time(inflow, b);
+InflowSegment::InflowSegment(const Inflow& inflow, double start, const Mixture& gas, double a, double b)
+    : inflow_(&inflow), gas_(&gas), start_(start) {
+  const double begin = local_time(inflow, start, a), end = local_time(inflow, start, b);
   if (!(begin >= 0.0)) return;
-  duration_ = end - begin;
-  const double middle = begin + 0.5 * duration_;
+  begin_ = begin;
+  const double middle = begin + 0.5 * (end - begin);
   const Curve::Piece flow = inflow.mass_flow.piece(middle), heat = inflow.temperature.piece(middle);
   mass_flow_ = flow.at(begin);
   mass_flow_slope_ = flow.slope;
@@ -68,6 +69,11 @@ InflowSegment::Delivered InflowSegment::delivered(double elapsed) const {
   if (!gas_->constant_cp) return {mass, enthalpy_by_quadrature(elapsed)};
   const double correlation = mass_flow_slope_ * temperature_slope_ * elapsed * elapsed / 12.0;
   return {mass, gas_->cp(temperature) * elapsed * (mass_flow * temperature + correlation)};
+}
+
+InflowSegment::Delivered InflowSegment::delivered_until(double t) const {
+  if (mass_flow_ == 0.0 && mass_flow_slope_ == 0.0) return {0.0, 0.0};
+  return delivered(local_time(*inflow_, start_, t) - begin_);
 }
 
 double InflowSegment::enthalpy_by_quadrature(double elapsed) const {

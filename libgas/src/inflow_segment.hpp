@@ -4,12 +4,12 @@
 
 namespace gas {
 
-/// Time since firing [s] at time t. The subtraction rounds, so a result within round-off of a knot is that
+/// Time since firing at `start` [s] at time t, -infinity if it never fires. The subtraction rounds, so a result within round-off of a knot is that
 /// knot: a pulse keeps its exact length however late it fires.
-double local_time(const Inflow& inflow, double t);
+double local_time(const Inflow& inflow, double start, double t);
 
 /// First time after t at which the inflow is not smooth: firing, a knot, an inflow temperature of 1000 K.
-double next_break(const Inflow& inflow, bool constant_cp, double t);
+double next_break(const Inflow& inflow, double start, bool constant_cp, double t);
 
 /// One inflow on an interval [a, b] without a break inside, where mass flow and temperature are linear.
 class InflowSegment {
@@ -25,21 +25,22 @@ class InflowSegment {
 
   InflowSegment() = default;
   /// `gas` is 1 kg of the inflow's mixture.
-  InflowSegment(const Inflow& inflow, const Mixture& gas, double a, double b);
+  InflowSegment(const Inflow& inflow, double start, const Mixture& gas, double a, double b);
 
   Flow flow(double elapsed) const;
   /// Mass and enthalpy from a to a + elapsed: closed form, or (cp(T) and a changing temperature) a Gauss rule
   /// that is exact for the integrand, a polynomial of degree 6 in time.
   Delivered delivered(double elapsed) const;
-  /// The same from a to b; the length of the interval is taken between the knots themselves.
-  Delivered total() const { return delivered(duration_); }
+  /// The same from a to t; the lengths of adjoining intervals add up to the distance of the knots themselves.
+  Delivered delivered_until(double t) const;
   const Mixture& gas() const { return *gas_; }
 
  private:
   double enthalpy_by_quadrature(double elapsed) const;
 
+  const Inflow* inflow_ = nullptr;
   const Mixture* gas_ = nullptr;
-  double duration_ = 0.0;
+  double start_ = 0.0, begin_ = 0.0;  // [s] firing; time since it at a
   double mass_flow_ = 0.0, mass_flow_slope_ = 0.0;
   double temperature_ = 0.0, temperature_slope_ = 0.0;
   double enthalpy_ = 0.0;  // [J/kg] at temperature_

@@ -19,9 +19,14 @@ const ControlVolumeModel& validated(const ControlVolumeModel& model) {
 const IntegratorOptions& validated(const IntegratorOptions& options) {
   require(options.relative_tolerance >= 1e-13 && options.relative_tolerance <= 1e-2, "relative_tolerance",
           options.relative_tolerance, "must be 1e-13 to 1e-2");
+  require(options.fixed_step >= 0.0 && std::isfinite(options.fixed_step), "fixed_step [s]", options.fixed_step,
+          "must be positive, or 0 for error control");
   require(options.maximum_steps > 0, "maximum_steps", options.maximum_steps, "must be positive");
   return options;
 }
+
+// A pressure sensor's threshold is reached where the integrator locates it, see Substepper.
+constexpr double kNear = 2e-12;
 
 void require_path(const VolumePath& path) {
   for (const double v : {path.volume_begin, path.volume_end})
@@ -39,48 +44,104 @@ class GasIntegrator::Implementation {
   Implementation(const ControlVolumeModel& model, const IntegratorOptions& options)
       : model_(validated(model)),
         balance_(model_),
-        substepper_(balance_.unknowns(), validated(options)),
-        y_(balance_.unknowns()) {}
+        network_(model_.triggers),
+        substepper_(balance_, levels(), validated(options)),
+        triggers_(model_.triggers.size()),
+        y_(balance_.unknowns()),
+        outflows_(balance_.streams()),
+        backflows_(balance_.backflows()) {}
 
   StepFluxes advance(ControlVolumeState& state, double t0, double t1, const VolumePath& path) {
     require_step(state, t0, t1);
     require_path(path);
     std::ranges::fill(y_, 0.0);
+    triggers_ = state.triggers;
     substepper_.begin_step();
     balance_.begin_step(state, t0, t1, path);
-    for (double a = t0; a < t1;) {
-      const double b = std::min(balance_.next_break(a), t1);
-      balance_.begin_segment(a, b);
-      if (balance_.is_open() || !balance_.is_rigid()) substepper_.integrate(balance_, y_, a, b);
-      balance_.end_segment();
-      a = b;
-    }
+    for (double a = t0; a < t1;) a = advance_segment(a, t1);
     balance_.finish(y_, state);
+    state.triggers = triggers_;
     return fluxes();
   }
 
  private:
+  /// Pressures [Pa] that a sub-step must not step over.
+  std::vector<double> levels() const {
+    std::vector<double> all = balance_.levels();
+    for (const Sensor& sensor : model_.triggers.sensors) {
+      if (sensor.kind != SensorKind::kPressure) continue;
+      all.push_back(model_.ambient.pressure + sensor.threshold);
+      if (sensor.reset) all.push_back(model_.ambient.pressure + *sensor.reset);
+    }
+    std::ranges::sort(all);
+    all.erase(std::ranges::unique(all).begin(), all.end());
+    return all;
+  }
+
+  /// Integrates from a to the next break point or located event, t1 at the latest; returns the time reached.
+  double advance_segment(double a, double t1) {
+    double next = t1;
+    bool watched = false;
+    if (!triggers_.empty()) {
+      watched = network_.watches_pressure(triggers_);
+      network_.update(triggers_, a, watched ? balance_.pressure(y_, a) - model_.ambient.pressure : 0.0,
+                      kNear * model_.ambient.pressure);
+      next = std::min(next, network_.next_break(triggers_, a));
+    }
+    next = std::min(next, balance_.next_break(triggers_, a));
+    balance_.begin_segment(triggers_, a, next);
+    if (balance_.needs_stepper() || watched) next = substepper_.integrate(balance_, y_, a, next);
+    balance_.end_segment(next);
+    return next;
+  }
+
   void require_step(const ControlVolumeState& state, double t0, double t1) const {
     require(std::isfinite(t0), "t0 [s]", t0, "must be finite");
     require(std::isfinite(t1) && t1 > t0, "t1 [s]", t1, "must be finite and later than t0");
     require(state.masses.size() == model_.thermo.size(), "number of masses",
             static_cast<double>(state.masses.size()), "must be one per species");
+    require(state.triggers.size() == model_.triggers.size(), "number of triggers",
+            static_cast<double>(state.triggers.size()), "must be one per node of the model's triggers");
     for (const double m : state.masses)
       require(std::isfinite(m) && m >= 0.0, "masses [kg]", m, "must be finite and not negative");
     require(std::isfinite(state.internal_energy), "internal_energy [J]", state.internal_energy,
             "must be finite");
   }
 
-  StepFluxes fluxes() const {
-    return {balance_.mass_in(),         balance_.enthalpy_in(),       y_[balance_.vent_slot()],
-            y_[balance_.fabric_slot()], y_[balance_.enthalpy_slot()], y_[balance_.work_slot()],
-            substepper_.accepted(),     substepper_.evaluations()};
+  StepFluxes fluxes() {
+    StepFluxes f{};
+    f.inflows = balance_.delivered();
+    f.outflows = outflows_;
+    f.backflows = backflows_;
+    for (const StreamFlux& in : f.inflows) {
+      f.mass_in += in.mass;
+      f.enthalpy_in += in.enthalpy;
+    }
+    for (std::size_t s = 0; s < outflows_.size(); ++s) {
+      outflows_[s] = {y_[balance_.out_slot(s)], y_[balance_.out_slot(s) + 1]};
+      (s + 1 < outflows_.size() ? f.vent_mass_out : f.fabric_mass_out) += outflows_[s].mass;
+      f.enthalpy_out += outflows_[s].enthalpy;
+    }
+    for (std::size_t j = 0; j < backflows_.size(); ++j) {
+      const double mass = y_[balance_.back_slot(j)];
+      backflows_[j] = {mass, balance_.back_enthalpy() * mass};
+      f.backflow_mass += mass;
+      f.backflow_enthalpy += backflows_[j].enthalpy;
+    }
+    f.work = y_[balance_.work_slot()];
+    f.heat = y_[balance_.heat_slot()];
+    f.steps = substepper_.accepted();
+    f.evaluations = substepper_.evaluations();
+    return f;
   }
 
   const ControlVolumeModel model_;
   FlowBalance balance_;
+  TriggerNetwork network_;
   Substepper substepper_;
+  TriggerState triggers_;
   FlowBalance::Vector y_;
+  std::vector<StreamFlux> outflows_, backflows_;
 };
 
 GasIntegrator::GasIntegrator(const ControlVolumeModel& model, const IntegratorOptions& options)

@@ -48,4 +48,18 @@ double fabric_mass_flow(double leak_area, double density, double pressure, doubl
   return leak_area * std::sqrt(2.0 * density * (pressure - ambient_pressure));
 }
 
+double orifice_pressure_exponent(double gamma, double pressure_ratio) {
+  const double log_ratio = std::log(pressure_ratio);
+  if (log_ratio <= log_critical_ratio(gamma)) return 1.0;
+  const double first = std::exp(2.0 / gamma * log_ratio);
+  const double second = std::exp((gamma + 1.0) / gamma * log_ratio);
+  const double difference = -first * std::expm1((gamma - 1.0) / gamma * log_ratio);
+  return 1.0 - (2.0 * first - (gamma + 1.0) * second) / (2.0 * gamma * difference);
+}
+
+double outflow_relaxation_rate(double gamma, double flow_per_mass, double pressure_exponent) {
+  const double b = 0.5 + gamma * (pressure_exponent + 0.5);
+  return 0.5 * flow_per_mass * (b + std::sqrt(b * b - 4.0 * gamma * pressure_exponent));
+}
+
 }  // namespace gas

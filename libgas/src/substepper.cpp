@@ -2,7 +2,6 @@
 #include "substepper.hpp"
 
 #include <algorithm>
-#include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -13,58 +12,68 @@
 namespace gas {
 namespace {
 
-// Pressures closer to a switch than this times p_a are on it: some hundred roundings of p.
-constexpr double kSwitchTolerance = 1e-12;
+// Pressures closer to a switch than this, relative, are on it: some hundred roundings of p.
+constexpr double kNear = 1e-12;
 constexpr double kSafety = 0.9;
-constexpr double kSmallestFactor = 0.2;
+constexpr double kSmallestFactor = 0.05;
 constexpr double kLargestFactor = 5.0;
-constexpr int kEvaluationsPerStep = 6;
-
-/// Step size factor from a scaled error; the error of the step grows as h^5.
-double step_factor(double error) {
-  if (!std::isfinite(error)) return kSmallestFactor;
-  if (error <= 0.0) return kLargestFactor;
-  return std::clamp(kSafety * std::pow(error, -0.2), kSmallestFactor, kLargestFactor);
-}
 
 }  // namespace
 
-Substepper::Substepper(std::size_t unknowns, const IntegratorOptions& options)
-    : options_(options), begin_rate_(unknowns), end_(unknowns), end_rate_(unknowns), error_(unknowns) {
-  stepper_.adjust_size(end_);
+Substepper::Substepper(const FlowBalance& balance, std::vector<double> levels, const IntegratorOptions& options)
+    : options_(options),
+      levels_(std::move(levels)),
+      near_(kNear * std::max(balance.ambient_pressure(), levels_.empty() ? 0.0 : levels_.back())),
+      stepper_(make_stepper(options.method, balance)),
+      begin_rate_(balance.unknowns()) {
+  const Vector zero(balance.unknowns(), 0.0);
+  trial_ = {zero, zero, zero};
 }
 
 void Substepper::begin_step() {
   attempts_ = accepted_ = evaluations_ = 0;
+  band_is_known_ = false;
 }
 
-void Substepper::count_attempt(const FlowBalance& balance, double t, double h) {
-  if (++attempts_ <= options_.maximum_steps && t + h > t) return;
-  const auto& point = balance.point();
-  const std::string where = "at t = " + to_text(t) + " s with p = " + to_text(point.pressure) +
-                            " Pa, T = " + to_text(point.temperature) + " K and a sub-step of " + to_text(h) +
-                            " s";
+/// Step size factor from a scaled error.
+double Substepper::step_factor(double error) const {
+  if (!std::isfinite(error)) return kSmallestFactor;
+  if (error <= 0.0) return kLargestFactor;
+  return std::clamp(kSafety * std::pow(error, -1.0 / stepper_->error_power()), kSmallestFactor, kLargestFactor);
+}
+
+void Substepper::count_attempt(const Rates& rates, double x, double h) {
+  if (++attempts_ > options_.maximum_steps || !(x + h > x)) fail(rates, x, h);
+}
+
+void Substepper::fail(const Rates& rates, double x, double h) const {
+  const auto& point = rates.balance.point();
+  const std::string where = "at t = " + to_text(rates.time(x)) + " s with p = " + to_text(point.pressure) +
+                            " Pa, T = " + to_text(point.temperature) + " K and a sub-step of " +
+                            to_text(rates.time(x + h) - rates.time(x)) + " s";
   if (!point.valid) throw DomainError("the gas leaves its temperature range, or none is left, " + where);
-  throw DomainError("the gas is too stiff for the explicit integrator: " + std::to_string(attempts_) +
-                    " sub-steps, " + where);
+  throw DomainError("the gas is too stiff for the integrator: " + std::to_string(attempts_) + " sub-steps, " +
+                    where + "; it relaxes within " + to_text(1.0 / rates.balance.relaxation_rate()) + " s");
 }
 
-void Substepper::evaluate(FlowBalance& balance, const Vector& y, Vector& dydt, double t) {
-  balance(y, dydt, t);
-  ++evaluations_;
+/// A fixed step past the limit of its method grows where inflow feeds what leaves; where gas only runs out,
+/// p = p_a ends it.
+void Substepper::require_stable(const Rates& rates, double x, double h) const {
+  const FlowBalance& balance = rates.balance;
+  if (options_.fixed_step == 0.0 || !(balance.closed_pressure_growth(x) > 0.0)) return;
+  const double rate = balance.relaxation_rate(), limit = stepper_->stability_limit();
+  if (!(h * rate > limit)) return;
+  throw DomainError("the step " + to_text(h) + " s is above the method's stability limit " + to_text(limit / rate) +
+                    " s at t = " + to_text(x) + " s, where the gas relaxes within " + to_text(1.0 / rate) + " s");
 }
 
-/// One trial; `balance` is left at its end, invalid if any stage was.
-void Substepper::try_step(FlowBalance& balance, const Vector& y, double t, double h) {
-  count_attempt(balance, t, h);
-  bool valid = true;
-  const auto rates = [&](const Vector& state, Vector& dydt, double time) {
-    balance(state, dydt, time);
-    valid = valid && balance.point().valid;
-  };
-  stepper_.do_step(rates, y, begin_rate_, t, end_, end_rate_, h, error_);
-  evaluations_ += kEvaluationsPerStep;
-  if (!valid) balance.invalidate();
+/// One trial; `balance` is left at its end. False if any stage met no valid gas.
+bool Substepper::try_step(Rates& rates, const Vector& y, double x, double h) {
+  count_attempt(rates, x, h);
+  rates.valid = true;
+  stepper_->step(rates, y, begin_rate_, x, h, options_.fixed_step == 0.0, trial_);
+  if (!rates.valid) rates.balance.invalidate();
+  return rates.valid;
 }
 
 /// Error of mass and of thermal energy (what an error of mass takes along at the mixture's h is no error of
@@ -72,150 +81,117 @@ void Substepper::try_step(FlowBalance& balance, const Vector& y, double t, doubl
 double Substepper::scaled_error(const FlowBalance& balance) const {
   const auto& point = balance.point();
   if (!point.valid) return std::numeric_limits<double>::infinity();
+  if (options_.fixed_step > 0.0) return 0.0;
   double mass_error = 0.0, largest = 0.0;
-  for (std::size_t k = 0; k < balance.enthalpy_slot(); ++k) {
-    mass_error += error_[k];
-    largest = std::max(largest, std::abs(error_[k]));
+  for (std::size_t k = 0; k < balance.species(); ++k) {
+    const double change = balance.species_change(trial_.error, k);
+    mass_error += change;
+    largest = std::max(largest, std::abs(change));
   }
-  const double energy_error =
-      std::abs(error_[balance.enthalpy_slot()] - point.specific_enthalpy * mass_error) +
-      std::abs(error_[balance.work_slot()]);
+  const double work = trial_.error[balance.work_slot()];
+  const double energy_error = std::abs(balance.energy_change(trial_.error) + work - point.specific_enthalpy * mass_error) +
+                              std::abs(work);
   if (largest == 0.0 && energy_error == 0.0) return 0.0;
   return std::max(largest / point.mass, energy_error / point.thermal_energy) / options_.relative_tolerance;
 }
 
-/// Regime at (y, t), and the rates in it. At p = p_a gas leaves only if something would raise p in [t, b].
-void Substepper::start_regime(FlowBalance& balance, const Vector& y, double t, double b) {
+void Substepper::enter_band(FlowBalance& balance) const {
+  const double low = band_ == 0 ? levels_.front() - 2.0 : levels_[band_ - 1];
+  const double high = band_ == levels_.size() ? levels_.back() + 2.0 : levels_[band_];
+  balance.enter_band(0.5 * (low + high));
+}
+
+/// The band of levels that p is in, or, on a level, the one it is going to.
+void Substepper::find_band(FlowBalance& balance, double t) {
+  if (levels_.empty()) return;
+  if (!band_is_known_) {
+    const double p = balance.point().pressure;
+    const double least = p + (balance.pressure_rate(t) >= 0.0 ? near_ : -near_);
+    band_ = static_cast<std::size_t>(std::ranges::upper_bound(levels_, least) - levels_.begin());
+  }
+  band_is_known_ = false;
+  enter_band(balance);
+}
+
+/// Regime at (y, t). At p = p_a gas flows only if something would change p in [t, b].
+void Substepper::start_regime(Rates& rates, const Vector& y, double t, double b) {
+  FlowBalance& balance = rates.balance;
   balance.set_regime(Regime::kClosed);
-  evaluate(balance, y, begin_rate_, t);
-  const double tolerance = kSwitchTolerance * balance.ambient_pressure();
+  rates(y, begin_rate_, t);
   const double excess = balance.pressure_excess();
-  if (!balance.is_open() || excess < -tolerance) return;
-  const bool rises = balance.closed_pressure_growth(t) > 0.0 || balance.closed_pressure_growth(b) > 0.0;
-  if (excess <= tolerance && balance.ambient_pressure() > 0.0 && !rises) return;
-  balance.set_regime(balance.sonic_excess() >= 0.0 ? Regime::kChoked : Regime::kSubsonic);
-  evaluate(balance, y, begin_rate_, t);
+  const bool on = std::abs(excess) <= near_ && balance.ambient_pressure() > 0.0;
+  const double begin = balance.closed_pressure_growth(t), end = balance.closed_pressure_growth(b);
+  if (balance.is_open() && (on ? begin > 0.0 || end > 0.0 : excess > -near_))
+    balance.set_regime(balance.sonic_excess() >= 0.0 ? Regime::kOutSonic : Regime::kOut);
+  else if (balance.has_backflow() && (on ? begin < 0.0 || end < 0.0 : excess < 0.0))
+    balance.set_regime(balance.back_sonic_excess() < 0.0 ? Regime::kBackSonic : Regime::kBack);
+  find_band(balance, t);
 }
 
-Substepper::Start Substepper::start_values(const FlowBalance& balance, double t) const {
-  return {balance.pressure_excess(), balance.sonic_excess(), balance.pressure_rate(begin_rate_, t)};
+/// From p = p_a the flow starts as the square root of time: step in that root, counted from where the flow would
+/// be zero. Then brings the rates at (y, t) up to date.
+void Substepper::start_variable(Rates& rates, const Vector& y, double t, double b) {
+  const FlowBalance& balance = rates.balance;
+  const double growth = balance.closed_pressure_growth(t), excess = std::abs(balance.pressure_excess());
+  const bool onset = balance.regime() == Regime::kOut ? growth > 0.0
+                                                      : balance.regime() == Regime::kBack && growth < 0.0;
+  const double shift = excess <= near_ ? 0.0 : excess * balance.point().volume / std::abs(growth);
+  rates.root = options_.fixed_step == 0.0 && onset && shift < b - t;
+  rates.origin = t - shift;
+  rates(y, begin_rate_, rates.position(t));
 }
 
-/// Shortens the trial [t, t + h] to a zero of event(length), to `bits` bits; returns its length.
-template <class Event>
-double Substepper::end_at(FlowBalance& balance, const Vector& y, double t, double h, double begin_value,
-                          double end_value, int bits, Event event) {
-  double length = h;
-  const auto value_at_end = [&](double trial) {
-    try_step(balance, y, t, length = trial);
-    return event(trial);
-  };
-  boost::uintmax_t iterations = 60;
-  const boost::math::tools::eps_tolerance<double> close(bits);
-  const auto bracket =
-      boost::math::tools::toms748_solve(value_at_end, 0.0, h, begin_value, end_value, close, iterations);
-  if (length != bracket.second) try_step(balance, y, t, length = bracket.second);
-  return length;
-}
-
-/// The switch that the gas at time t, the end of a trial, has passed.
-Substepper::Switch Substepper::passed_switch(const FlowBalance& balance, double t) const {
-  const double tolerance = kSwitchTolerance * balance.ambient_pressure();
-  const double excess = balance.pressure_excess(), sonic = balance.sonic_excess();
-  switch (balance.regime()) {
-    case Regime::kClosed:
-      return balance.is_open() && excess > tolerance ? Switch::kAmbient : Switch::kNone;
-    case Regime::kChoked:
-      return sonic < -tolerance ? Switch::kSonic : Switch::kNone;
-    case Regime::kSubsonic:
-      if (sonic > tolerance) return Switch::kSonic;
-      // Outflow alone never takes p below p_a: what is below by error of the method comes back.
-      return excess < -tolerance && balance.closed_pressure_growth(t) <= 0.0 ? Switch::kAmbient
-                                                                             : Switch::kNone;
+/// Enters what lies behind the event; true if the caller has to bring knots and triggers up to date.
+bool Substepper::pass_event(FlowBalance& balance) {
+  if (event_ != Event::kLevelAbove && event_ != Event::kLevelBelow) {
+    balance.set_regime(next_regime_);
+    return false;
   }
-  return Switch::kNone;
+  event_ == Event::kLevelAbove ? ++band_ : --band_;
+  band_is_known_ = true;
+  return true;
 }
 
-/// Whether p may turn, inside the trial [t, t + h], beyond a switch that both ends have not passed. A
-/// parabola turns within h/4 times the sum of its end slopes.
-bool Substepper::may_turn_past_switch(const FlowBalance& balance, double t, double h,
-                                      const Start& start) const {
-  const double rate = balance.pressure_rate(end_rate_, t + h);
-  const double reach = 0.25 * h * (std::abs(start.rate) + std::abs(rate));
-  const bool peak = start.rate > 0.0 && rate < 0.0, dip = start.rate < 0.0 && rate > 0.0;
-  switch (balance.regime()) {
-    case Regime::kClosed:
-      return peak && balance.is_open() && balance.pressure_excess() + reach > 0.0;
-    case Regime::kChoked:
-      return dip && balance.sonic_excess() - reach < 0.0;
-    case Regime::kSubsonic:
-      return peak && balance.sonic_excess() + reach > 0.0;
-  }
-  return false;
-}
-
-/// Shortens the trial to where p turns; 20 bits in time are 40 in p.
-double Substepper::end_at_turn(FlowBalance& balance, const Vector& y, double t, double h,
-                               const Start& start) {
-  const auto rate = [&](double length) { return balance.pressure_rate(end_rate_, t + length); };
-  return end_at(balance, y, t, h, start.rate, rate(h), 20, rate);
-}
-
-/// If the accepted trial [t, t + h] leaves its regime, shortens it to end at the switch and sets
-/// next_regime_. Returns its length; zero if it has to be repeated in the next regime.
-double Substepper::end_at_switch(FlowBalance& balance, const Vector& y, double t, double h,
-                                 const Start& start) {
-  next_regime_ = balance.regime();
-  Switch passed = passed_switch(balance, t + h);
-  if (passed == Switch::kNone && may_turn_past_switch(balance, t, h, start)) {
-    h = end_at_turn(balance, y, t, h, start);
-    passed = passed_switch(balance, t + h);
-  }
-  if (passed == Switch::kNone) return h;
-  const bool sonic = passed == Switch::kSonic;
-  if (balance.regime() != Regime::kSubsonic) {
-    next_regime_ = Regime::kSubsonic;
-  } else {
-    next_regime_ = sonic ? Regime::kChoked : Regime::kClosed;
-  }
-  const double tolerance = kSwitchTolerance * balance.ambient_pressure();
-  const double begin = sonic ? start.sonic : start.excess;
-  const auto value = [&](double) {
-    const double distance = sonic ? balance.sonic_excess() : balance.pressure_excess();
-    return std::abs(distance) <= 0.5 * tolerance ? 0.0 : distance;
-  };
-  const double end = value(h);
-  if (std::abs(begin) > tolerance && begin * end < 0.0)
-    return end_at(balance, y, t, h, begin, end, 50, value);
-  return balance.regime() == Regime::kClosed ? 0.0 : h;
-}
-
-void Substepper::switch_regime(FlowBalance& balance, const Vector& y, double t) {
-  if (next_regime_ == balance.regime()) return;
-  balance.set_regime(next_regime_);
-  evaluate(balance, y, begin_rate_, t);
-}
-
-void Substepper::integrate(FlowBalance& balance, Vector& y, double a, double b) {
-  start_regime(balance, y, a, b);
-  double t = a, h = b - a;
+double Substepper::integrate(FlowBalance& balance, Vector& y, double a, double b) {
+  Rates rates{balance};
+  start_regime(rates, y, a, b);
+  if (balance.regime() != Regime::kClosed) start_variable(rates, y, a, b);
+  double t = a, x = rates.position(a), h = rates.position(b) - x;
   Start start = start_values(balance, t);
   while (t < b) {
-    const bool last = h >= b - t;
-    if (last) h = b - t;
-    try_step(balance, y, t, h);
+    const double x_end = rates.position(b);
+    if (options_.fixed_step > 0.0) h = options_.fixed_step;
+    const bool last = h >= x_end - x;
+    if (last) h = x_end - x;
+    require_stable(rates, x, h);
+    if (!try_step(rates, y, x, h) && options_.fixed_step > 0.0) fail(rates, x, h);
     const double error = scaled_error(balance);
-    const double length = error <= 1.0 ? end_at_switch(balance, y, t, h, start) : 0.0;
+    const double factor = step_factor(error);
+    if (error > 1.0) {
+      h *= factor;
+      continue;
+    }
+    const double length = end_at_events(rates, y, x, h, start);
+    const double next = rates.time(x + factor * h) - rates.time(x);
     if (length > 0.0) {
-      t = last && length == h ? b : t + length;
-      y.swap(end_);
-      begin_rate_.swap(end_rate_);
+      t = last && length == h ? b : rates.time(x + length);
+      y.swap(trial_.end);
+      begin_rate_.swap(trial_.end_rate);
       ++accepted_;
     }
-    if (error <= 1.0) switch_regime(balance, y, t);
-    if (length > 0.0) start = start_values(balance, t);
-    if (length > 0.0 || error > 1.0) h *= step_factor(error);
+    x += length;
+    h *= factor;
+    if (event_ != Event::kNone) {
+      if (length == 0.0) rates(y, begin_rate_, x);
+      if (pass_event(balance)) break;
+      start_variable(rates, y, t, b);
+      x = rates.position(t);
+      h = rates.position(t + next) - x;
+    }
+    start = start_values(balance, t);
   }
+  evaluations_ += rates.evaluations;
+  return t;
 }
 
 }  // namespace gas

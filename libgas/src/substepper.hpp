@@ -1,54 +1,75 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-#include <boost/numeric/odeint/stepper/runge_kutta_dopri5.hpp>
+#include <memory>
+#include <vector>
 
-#include "flow_balance.hpp"
+#include "stepper.hpp"
+#include "trigger_network.hpp"
 
 namespace gas {
 
-/// Integrates a FlowBalance over one segment: Dormand-Prince 5(4) with error control, sub-steps ending where
-/// the outflow changes regime.
+/// Integrates a FlowBalance over one segment with one of the methods; sub-steps end where the flow changes regime,
+/// where p passes a knot of the openings' curves, and where it reaches the threshold of a pressure sensor.
 class Substepper {
  public:
   using Vector = FlowBalance::Vector;
 
-  Substepper(std::size_t unknowns, const IntegratorOptions& options);
+  /// `levels` [Pa]: pressures where sub-steps end, those of the openings' knots and of the pressure sensors.
+  Substepper(const FlowBalance& balance, std::vector<double> levels, const IntegratorOptions& options);
 
   /// Resets the counters.
   void begin_step();
-  /// Advances y from a to b, a segment begun in `balance`. Throws DomainError.
-  void integrate(FlowBalance& balance, Vector& y, double a, double b);
+  /// Advances y from a towards b, in a segment begun in `balance`; returns the time reached: b, or earlier if
+  /// p came to a level (knots and triggers are to be brought up to date). Throws DomainError.
+  double integrate(FlowBalance& balance, Vector& y, double a, double b);
 
   int accepted() const { return accepted_; }
   int evaluations() const { return evaluations_; }
 
  private:
-  /// FlowBalance::pressure_excess, sonic_excess [Pa] and pressure_rate [Pa/s] at the begin of a sub-step.
+  /// Distances [Pa] to the switches, the pressure [Pa] and its rate [Pa/s] at the begin of a sub-step.
   struct Start {
-    double excess;
-    double sonic;
-    double rate;
+    double excess, sonic, back_sonic, pressure, rate;
   };
-  enum class Switch { kNone, kAmbient, kSonic };
+  enum class Event { kNone, kAmbient, kSonic, kBackSonic, kLevelAbove, kLevelBelow };
 
-  void evaluate(FlowBalance& balance, const Vector& y, Vector& dydt, double t);
-  void try_step(FlowBalance& balance, const Vector& y, double t, double h);
+  // substepper.cpp: steps and their errors
+  bool try_step(Rates& rates, const Vector& y, double x, double h);
   double scaled_error(const FlowBalance& balance) const;
-  void start_regime(FlowBalance& balance, const Vector& y, double t, double b);
+  double step_factor(double error) const;
+  void require_stable(const Rates& rates, double x, double h) const;
+  void count_attempt(const Rates& rates, double x, double h);
+  [[noreturn]] void fail(const Rates& rates, double x, double h) const;
+  void start_regime(Rates& rates, const Vector& y, double t, double b);
+  void start_variable(Rates& rates, const Vector& y, double t, double b);
+  void enter_band(FlowBalance& balance) const;
+  void find_band(FlowBalance& balance, double t);
+  bool pass_event(FlowBalance& balance);
+
+  // events.cpp: where a sub-step has to end
   Start start_values(const FlowBalance& balance, double t) const;
-  Switch passed_switch(const FlowBalance& balance, double t) const;
-  bool may_turn_past_switch(const FlowBalance& balance, double t, double h, const Start& start) const;
-  double end_at_turn(FlowBalance& balance, const Vector& y, double t, double h, const Start& start);
-  double end_at_switch(FlowBalance& balance, const Vector& y, double t, double h, const Start& start);
-  template <class Event>
-  double end_at(FlowBalance& balance, const Vector& y, double t, double h, double begin_value,
-                double end_value, int bits, Event event);
-  void switch_regime(FlowBalance& balance, const Vector& y, double t);
-  void count_attempt(const FlowBalance& balance, double t, double h);
+  Event passed_switch(const FlowBalance& balance, double t) const;
+  Event passed_level(const FlowBalance& balance) const;
+  bool may_turn_past_event(const FlowBalance& balance, double t, double h, const Start& start) const;
+  double distance(const FlowBalance& balance, Event event) const;
+  double begin_distance(Event event, const Start& start) const;
+  Regime regime_after(const FlowBalance& balance, Event event, double t) const;
+  double end_at_turn(Rates& rates, const Vector& y, double x, double h, const Start& start);
+  double end_at(Event event, Rates& rates, const Vector& y, double x, double h, const Start& start);
+  double end_at_events(Rates& rates, const Vector& y, double x, double h, const Start& start);
+  template <class Function>
+  double end_at_zero(Rates& rates, const Vector& y, double x, double h, double begin, double end, int bits,
+                     Function function);
 
   IntegratorOptions options_;
-  boost::numeric::odeint::runge_kutta_dopri5<Vector> stepper_;
-  Vector begin_rate_, end_, end_rate_, error_;
+  std::vector<double> levels_;  // [Pa] rising
+  double near_;                 // [Pa] pressures closer to a switch than this are on it
+  std::unique_ptr<Stepper> stepper_;
+  Stepper::Trial trial_;
+  Vector begin_rate_;
+  std::size_t band_ = 0;       // p lies between levels_[band_ - 1] and levels_[band_]
+  bool band_is_known_ = false;  // since the last sub-step ended on a level
+  Event event_ = Event::kNone;
   Regime next_regime_ = Regime::kClosed;
   int attempts_ = 0, accepted_ = 0, evaluations_ = 0;
 };

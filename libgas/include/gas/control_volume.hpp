@@ -1,34 +1,49 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "gas/curve.hpp"
 #include "gas/thermo.hpp"
+#include "gas/trigger.hpp"
 
 /// One volume of gas at uniform pressure and temperature, with inflows and outflows:
 ///   p V = sum(m_k R_k) T,  U = sum m_k u_k(T)                                                        (G.8)
-///   dm_k/dt = sum_i Y_ik mdot_i - Y_k (mdot_vent + mdot_fabric)                                      (G.9)
-///   dU/dt = sum_i mdot_i h_i(T_i) - (mdot_vent + mdot_fabric) h(T) - p dV/dt   (adiabatic)           (G.10)
+///   dm_k/dt = sum_i Y_ik mdot_i + Y_ak mdot_back - Y_k (mdot_vent + mdot_fabric)                     (G.9)
+///   dU/dt = sum_i mdot_i h_i(T_i) + mdot_back h_a(T_a) - (mdot_vent + mdot_fabric) h(T) - p dV/dt - Q (G.10)
+///   Q = h A (T - T_ext)                                                                             (G.11)
 namespace gas {
 
 struct Ambient {
-  double pressure;     // [Pa] >= 0
-  double temperature;  // [K] > 0
+  double pressure;                       // [Pa] >= 0
+  double temperature;                    // [K] > 0
+  std::vector<double> mass_fractions{};  // [-] of the gas outside; needed by vents with backflow only
 };
 
-/// Gas that flows in, as an inflator's curves. Flow is zero before start_time and outside the curve's knots.
+/// Gas that flows in, as an inflator's curves. Flow is zero before firing and outside the curve's knots.
 struct Inflow {
   std::vector<double> mass_fractions;  // [-] one per species of the Thermo, sum 1
-  Curve mass_flow;                     // [kg/s] >= 0, against time since start_time [s]
-  Curve temperature;                   // [K], against time since start_time [s]
-  double start_time = 0.0;             // [s] firing time; infinity: never
+  Curve mass_flow;                     // [kg/s] >= 0, against time since firing [s]
+  Curve temperature;                   // [K], against time since firing [s]
+  double start_time = 0.0;             // [s] firing time, or delay after the trigger; infinity: never
+  std::optional<std::size_t> trigger{};  // node whose first coming on fires; none: fires at start_time
 };
 
-struct Orifice {
-  double discharge_coefficient;  // [-] 0 to 1
-  double area;                   // [m2] >= 0
+/// A hole. Its area is a number or, where given, a curve (held outside its knots).
+struct Vent {
+  double discharge_coefficient;                   // [-] 0 to 1
+  double area;                                    // [m2] >= 0; not read where a curve is given
+  std::optional<Curve> area_of_time{};            // [m2] against time since opening [s]
+  std::optional<Curve> area_of_overpressure{};    // [m2] against p - p_a [Pa]
+  bool backflow = false;                          // ambient gas flows in at p < p_a, (G.6) with the roles changed
+  std::optional<std::size_t> trigger{};           // node while which it is open; none: always open
+};
+
+struct HeatLoss {
+  double conductance = 0.0;           // [W/K] >= 0, h A
+  double outside_temperature = 300.0; // [K] > 0
 };
 
 /// Everything constant about a control volume. validate() checks it; GasIntegrator's constructor does so too.
@@ -36,13 +51,18 @@ struct ControlVolumeModel {
   Thermo thermo;
   Ambient ambient;
   std::vector<Inflow> inflows;
-  std::vector<Orifice> vents;
+  std::vector<Vent> vents;
+  HeatLoss heat_loss{};
+  /// [m/s] >= 0 against p - p_a [Pa]: where given, fabric leaks leak_area rho v(p - p_a)  (G.12) instead of (G.7).
+  std::optional<Curve> fabric_velocity{};
+  TriggerModel triggers{};
 };
 
 struct ControlVolumeState {
   std::vector<double> masses;  // [kg] one per species
   double internal_energy;      // [J]
   double temperature;          // [K] of (masses, internal_energy); only a first guess for the root find
+  TriggerState triggers{};     // one per node of the model's triggers
 };
 
 /// The gas at one moment. Without gas (evacuated) all is zero but `temperature`, which is the state's, and
@@ -58,6 +78,8 @@ struct GasPoint {
   double vent_mass_flow;    // [kg/s] out through all vents, (G.6)
   double fabric_mass_flow;  // [kg/s] out through the fabric, (G.7)
   double inflow;            // [kg/s] in through all inflows
+  double backflow;          // [kg/s] in through all vents
+  double heat_loss;         // [W] (G.11)
 };
 
 /// The gas that an inflator delivers at one moment; what a jet needs to know.
@@ -70,13 +92,20 @@ struct InflatorPoint {
 };
 
 /// Throws std::invalid_argument, naming field, value and what is allowed, unless every field is in its range,
-/// every inflow has one mass fraction per species with sum 1 (to 1e-9), and its temperatures are in the range
-/// of the Thermo.
+/// every inflow (and the ambient, if a vent lets it in) has one mass fraction per species with sum 1 (to 1e-9),
+/// temperatures are in the range of the Thermo, and triggers are nodes that exist.
 void validate(const ControlVolumeModel& model);
 
 /// State of gas at p [Pa] >= 0, T [K], V [m3] > 0; p = 0 is evacuated. Throws std::invalid_argument.
 ControlVolumeState make_state(const Thermo& thermo, std::span<const double> mass_fractions, double pressure,
                               double temperature, double volume);
+
+/// The same, with the triggers of `model` at rest. Throws std::invalid_argument.
+ControlVolumeState make_state(const ControlVolumeModel& model, std::span<const double> mass_fractions,
+                              double pressure, double temperature, double volume);
+
+/// Firing time [s] of inflow `i`; infinity if it has not been triggered.
+double firing_time(const Inflow& inflow, const TriggerState& triggers);
 
 /// Stage S2: the gas of `state` in `volume` [m3] at time `time` [s], with the fabric's leak area [m2] (see
 /// fabric_mass_flow). Does not allocate. Throws DomainError if the volume is not positive or the temperature
@@ -84,7 +113,9 @@ ControlVolumeState make_state(const Thermo& thermo, std::span<const double> mass
 GasPoint evaluate(const ControlVolumeModel& model, const ControlVolumeState& state, double volume,
                   double leak_area, double time);
 
-/// Stage S3: inflow `i` at time `time` [s].
+/// Stage S3: inflow `i` at time `time` [s]; without a state, of an inflator whose trigger comes on at 0.
+InflatorPoint inflator_point(const ControlVolumeModel& model, const ControlVolumeState& state, std::size_t i,
+                             double time);
 InflatorPoint inflator_point(const ControlVolumeModel& model, std::size_t i, double time);
 
 }  // namespace gas

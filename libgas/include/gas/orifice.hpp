@@ -29,4 +29,15 @@ double subsonic_mass_flow(double effective_area, double pressure, double tempera
 double fabric_mass_flow(double leak_area /* [m2] */, double density /* [kg/m3] */, double pressure /* [Pa] */,
                         double ambient_pressure /* [Pa] */);
 
+/// d ln mdot / d ln p of (G.6) at constant T: 1 sonic; 1 - n/2 subsonic,                               (G.13)
+///   n = (2 r^(2/gamma) - (gamma + 1) r^((gamma+1)/gamma))/(gamma (r^(2/gamma) - r^((gamma+1)/gamma))),
+/// with r = p_a/p < 1. Infinite as p -> p_a, where it is p/(2 (p - p_a)).
+double orifice_pressure_exponent(double gamma, double pressure_ratio);
+
+/// The faster relaxation rate [1/s] of mass and energy of a rigid volume that gas leaves at flow_per_mass =
+/// mdot/m [1/s], where mdot ~ p^n/sqrt(T):                                                           (G.14)
+///   mdot/m (b + sqrt(b^2 - 4 gamma n))/2, b = 1/2 + gamma (n + 1/2).
+/// Source: linearised (G.9), (G.10).
+double outflow_relaxation_rate(double gamma, double flow_per_mass, double pressure_exponent);
+
 }  // namespace gas

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include "gas/curve.hpp"
+
+/// What fires an inflator or opens a vent: sensors, combined by logic. The nodes of a TriggerModel are its
+/// sensors, then its gates; a gate reads nodes before itself, so there are no loops.
+namespace gas {
+
+enum class SensorKind {
+  kTime,      // on from `threshold` [s]
+  kSignal,    // on while the supplied signal is `threshold` or more
+  kPressure,  // on from the moment when p - p_a reaches `threshold` [Pa]; off again below `reset`, if given
+  kInput,     // set by the caller between steps (contact): acts from the next step
+};
+
+struct Sensor {
+  SensorKind kind;
+  double threshold = 0.0;         // [s], the signal's unit, [Pa]; not used by kInput
+  std::optional<double> reset{};  // [Pa] < threshold, kPressure only: without it the sensor stays on
+  std::optional<Curve> signal{};  // kSignal only
+};
+
+enum class Logic { kAll, kAny, kNot };
+
+struct Gate {
+  Logic logic;
+  std::vector<std::size_t> inputs;  // nodes before this one; kNot: exactly one
+  double delay = 0.0;               // [s] on only after its condition has held so long ...
+  bool latch = false;               // ... or, latched, so long after it first held; then it stays on
+};
+
+struct TriggerModel {
+  std::vector<Sensor> sensors;
+  std::vector<Gate> gates;
+  std::size_t size() const { return sensors.size() + gates.size(); }
+};
+
+/// One node's memory. A node that has never been on has first_on = infinity.
+struct NodeState {
+  bool on = false;
+  double since = std::numeric_limits<double>::infinity();     // [s] when it last came on
+  double first_on = std::numeric_limits<double>::infinity();  // [s] when it first came on
+  double held_since = std::numeric_limits<double>::infinity();  // [s] since when a gate's condition holds
+};
+
+using TriggerState = std::vector<NodeState>;  // one per node
+
+/// Throws std::invalid_argument, naming the node's field and what is allowed, unless thresholds and delays
+/// are finite, delays not negative, a reset lies below its threshold, a signal sensor has a signal that is
+/// held outside its knots, and gates read earlier nodes only.
+void validate(const TriggerModel& model);
+
+/// Sets a kInput sensor; the integrator takes it into account at the start of its next step. Throws
+/// std::invalid_argument if `node` is no such sensor.
+void set_input(const TriggerModel& model, std::size_t node, bool on, TriggerState& state);
+
+}  // namespace gas

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: Apache-2.0
+// Substepper: where a sub-step has to end, because p passes a switch of the regime or a level.
+#include <algorithm>
+#include <boost/math/tools/toms748_solve.hpp>
+#include <cmath>
+
+#include "substepper.hpp"
+
+namespace gas {
+namespace {
+
+bool is_out(Regime regime) {
+  return regime == Regime::kOut || regime == Regime::kOutSonic;
+}
+
+}  // namespace
+
+Substepper::Start Substepper::start_values(const FlowBalance& balance, double t) const {
+  return {balance.pressure_excess(), balance.sonic_excess(), balance.back_sonic_excess(),
+          balance.point().pressure, balance.pressure_rate(t)};
+}
+
+double Substepper::distance(const FlowBalance& balance, Event event) const {
+  switch (event) {
+    case Event::kSonic:
+      return balance.sonic_excess();
+    case Event::kBackSonic:
+      return balance.back_sonic_excess();
+    case Event::kLevelAbove:
+      return balance.point().pressure - levels_[band_];
+    case Event::kLevelBelow:
+      return balance.point().pressure - levels_[band_ - 1];
+    default:
+      return balance.pressure_excess();
+  }
+}
+
+double Substepper::begin_distance(Event event, const Start& start) const {
+  switch (event) {
+    case Event::kSonic:
+      return start.sonic;
+    case Event::kBackSonic:
+      return start.back_sonic;
+    case Event::kLevelAbove:
+      return start.pressure - levels_[band_];
+    case Event::kLevelBelow:
+      return start.pressure - levels_[band_ - 1];
+    default:
+      return start.excess;
+  }
+}
+
+/// The switch of the regime that the gas at time t, the end of a trial, has passed. Outflow alone never takes p
+/// below p_a, nor backflow above: what is there by error of the method comes back.
+Substepper::Event Substepper::passed_switch(const FlowBalance& balance, double t) const {
+  const double excess = balance.pressure_excess();
+  const auto passed = [](bool yes, Event event) { return yes ? event : Event::kNone; };
+  switch (balance.regime()) {
+    case Regime::kClosed:
+      return passed((balance.is_open() && excess > near_) || (balance.has_backflow() && excess < -near_),
+                    Event::kAmbient);
+    case Regime::kOutSonic:
+      return passed(balance.sonic_excess() < -near_, Event::kSonic);
+    case Regime::kBackSonic:
+      return passed(balance.back_sonic_excess() > near_, Event::kBackSonic);
+    case Regime::kOut:
+      if (balance.sonic_excess() > near_) return Event::kSonic;
+      return passed(excess < -near_ && balance.closed_pressure_growth(t) <= 0.0, Event::kAmbient);
+    case Regime::kBack:
+      if (balance.back_sonic_excess() < -near_) return Event::kBackSonic;
+      return passed(excess > near_ && balance.closed_pressure_growth(t) >= 0.0, Event::kAmbient);
+  }
+  return Event::kNone;
+}
+
+Substepper::Event Substepper::passed_level(const FlowBalance& balance) const {
+  const double p = balance.point().pressure;
+  if (band_ < levels_.size() && p > levels_[band_] + near_) return Event::kLevelAbove;
+  if (band_ > 0 && p < levels_[band_ - 1] - near_) return Event::kLevelBelow;
+  return Event::kNone;
+}
+
+Regime Substepper::regime_after(const FlowBalance& balance, Event event, double t) const {
+  const Regime now = balance.regime();
+  if (event == Event::kSonic) return now == Regime::kOut ? Regime::kOutSonic : Regime::kOut;
+  if (event == Event::kBackSonic) return now == Regime::kBack ? Regime::kBackSonic : Regime::kBack;
+  const double growth = balance.closed_pressure_growth(t), excess = balance.pressure_excess();
+  const bool up = now == Regime::kClosed ? excess > 0.0 : growth > 0.0;
+  const bool down = now == Regime::kClosed ? excess < 0.0 : growth < 0.0;
+  if (up && !is_out(now) && balance.is_open()) return Regime::kOut;
+  return down && now != Regime::kBack && balance.has_backflow() ? Regime::kBack : Regime::kClosed;
+}
+
+/// Whether p may turn, inside the trial that ends at t, beyond a switch or level that both ends have not passed.
+/// A parabola turns within duration/4 times the sum of its end slopes.
+bool Substepper::may_turn_past_event(const FlowBalance& balance, double t, double duration,
+                                     const Start& start) const {
+  const double rate = balance.pressure_rate(t);
+  if (start.rate * rate >= 0.0) return false;
+  const bool peak = start.rate > 0.0;
+  const double reach = (peak ? 0.25 : -0.25) * duration * (std::abs(start.rate) + std::abs(rate));
+  const double p = balance.point().pressure + reach, excess = balance.pressure_excess() + reach;
+  if (band_ < levels_.size() && p > levels_[band_]) return true;
+  if (band_ > 0 && p < levels_[band_ - 1]) return true;
+  switch (balance.regime()) {
+    case Regime::kClosed:
+      return (balance.is_open() && excess > 0.0) || (balance.has_backflow() && excess < 0.0);
+    case Regime::kOutSonic:
+      return !peak && balance.sonic_excess() + reach < 0.0;
+    case Regime::kOut:
+      return peak && balance.sonic_excess() + reach > 0.0;
+    case Regime::kBackSonic:
+      return peak && balance.back_sonic_excess() + reach > 0.0;
+    case Regime::kBack:
+      return !peak && balance.back_sonic_excess() + reach < 0.0;
+  }
+  return false;
+}
+
+/// Shortens the trial [x, x + h] to a zero of function(length), to `bits` bits; returns its length.
+template <class Function>
+double Substepper::end_at_zero(Rates& rates, const Vector& y, double x, double h, double begin, double end,
+                               int bits, Function function) {
+  double length = h;
+  const auto value_at_end = [&](double trial) {
+    try_step(rates, y, x, length = trial);
+    return function(trial);
+  };
+  boost::uintmax_t iterations = 60;
+  const boost::math::tools::eps_tolerance<double> close(bits);
+  const auto bracket =
+      boost::math::tools::toms748_solve(value_at_end, 0.0, h, begin, end, close, iterations);
+  if (length != bracket.second) try_step(rates, y, x, length = bracket.second);
+  return length;
+}
+
+/// Shortens the trial to where p turns; 20 bits in time are 40 in p.
+double Substepper::end_at_turn(Rates& rates, const Vector& y, double x, double h, const Start& start) {
+  const auto rate = [&](double length) { return rates.balance.pressure_rate(rates.time(x + length)); };
+  const double end = rate(h);
+  return start.rate * end >= 0.0 ? h : end_at_zero(rates, y, x, h, start.rate, end, 20, rate);
+}
+
+/// Shortens the trial to end at `event`, which it has passed. A switch that p starts on and leaves at once is made
+/// at the begin (length 0); one that it starts on, leaves and comes back to lies beyond a turn, which ends the trial.
+double Substepper::end_at(Event event, Rates& rates, const Vector& y, double x, double h, const Start& start) {
+  const auto value = [&](double) {
+    const double d = distance(rates.balance, event);
+    return std::abs(d) <= 0.5 * near_ ? 0.0 : d;
+  };
+  const double begin = begin_distance(event, start), end = value(h);
+  event_ = event;
+  next_regime_ = regime_after(rates.balance, event, rates.time(x + h));
+  if (std::abs(begin) > near_ && begin * end < 0.0) return end_at_zero(rates, y, x, h, begin, end, 50, value);
+  if (start.rate * end >= 0.0) return 0.0;
+  event_ = Event::kNone;
+  return end_at_turn(rates, y, x, h, start);
+}
+
+/// If the accepted trial [x, x + h] passes a switch or a level, shortens it to end there and sets event_. Returns
+/// its length; zero if it has to be repeated from its begin.
+double Substepper::end_at_events(Rates& rates, const Vector& y, double x, double h, const Start& start) {
+  const FlowBalance& balance = rates.balance;
+  event_ = Event::kNone;
+  const auto end = [&] { return rates.time(x + h); };
+  if (passed_switch(balance, end()) == Event::kNone && passed_level(balance) == Event::kNone &&
+      may_turn_past_event(balance, end(), end() - rates.time(x), start))
+    h = end_at_turn(rates, y, x, h, start);
+  if (const Event passed = passed_switch(balance, end()); passed != Event::kNone)
+    h = end_at(passed, rates, y, x, h, start);
+  if (const Event passed = passed_level(balance); h > 0.0 && passed != Event::kNone)
+    h = end_at(passed, rates, y, x, h, start);
+  return h;
+}
+
+}  // namespace gas

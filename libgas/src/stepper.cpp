@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "stepper.hpp"
+
+#include <boost/numeric/odeint/stepper/euler.hpp>
+#include <boost/numeric/odeint/stepper/runge_kutta4_classic.hpp>
+#include <boost/numeric/odeint/stepper/runge_kutta_dopri5.hpp>
+
+namespace gas {
+namespace {
+
+namespace odeint = boost::numeric::odeint;
+using Vector = Stepper::Vector;
+
+class DormandPrinceStepper : public Stepper {
+ public:
+  explicit DormandPrinceStepper(std::size_t unknowns) { method_.adjust_size(Vector(unknowns)); }
+  void step(Rates& rates, const Vector& y, const Vector& dydx, double x, double h, bool, Trial& out) override {
+    method_.do_step([&](const Vector& a, Vector& b, double s) { rates(a, b, s); }, y, dydx, x, out.end,
+                    out.end_rate, h, out.error);
+  }
+  double error_power() const override { return 5.0; }
+  double stability_limit() const override { return 3.3065678926; }
+
+ private:
+  odeint::runge_kutta_dopri5<Vector> method_;
+};
+
+/// A method without an error estimate of its own: two half steps, compared with the whole one.
+template <class Method, int Order>
+class DoublingStepper : public Stepper {
+ public:
+  DoublingStepper(std::size_t unknowns, double limit)
+      : middle_(unknowns), middle_rate_(unknowns), limit_(limit) {
+    method_.adjust_size(middle_);
+  }
+  void step(Rates& rates, const Vector& y, const Vector& dydx, double x, double h, bool estimate,
+            Trial& out) override {
+    const auto system = [&](const Vector& a, Vector& b, double s) { rates(a, b, s); };
+    if (!estimate) {
+      method_.do_step(system, y, dydx, x, out.end, h);
+      rates(out.end, out.end_rate, x + h);
+      return;
+    }
+    method_.do_step(system, y, dydx, x, out.error, h);
+    method_.do_step(system, y, dydx, x, middle_, 0.5 * h);
+    rates(middle_, middle_rate_, x + 0.5 * h);
+    method_.do_step(system, middle_, middle_rate_, x + 0.5 * h, out.end, 0.5 * h);
+    rates(out.end, out.end_rate, x + h);
+    constexpr double kShare = 1.0 / ((1 << Order) - 1);  // Richardson
+    for (std::size_t i = 0; i < middle_.size(); ++i) out.error[i] = kShare * (out.end[i] - out.error[i]);
+  }
+  double error_power() const override { return Order + 1.0; }
+  double stability_limit() const override { return limit_; }
+
+ private:
+  Method method_;
+  Vector middle_, middle_rate_;
+  double limit_;
+};
+
+}  // namespace
+
+void Rates::operator()(const Vector& y, Vector& dydx, double x) {
+  balance(y, dydx, time(x));
+  valid = valid && balance.point().valid;
+  ++evaluations;
+  if (root)
+    for (double& rate : dydx) rate *= 2.0 * x;
+}
+
+std::unique_ptr<Stepper> make_stepper(Method method, const FlowBalance& balance) {
+  const std::size_t n = balance.unknowns();
+  switch (method) {
+    case Method::kEuler:
+      return std::make_unique<DoublingStepper<odeint::euler<Vector>, 1>>(n, 2.0);
+    case Method::kRungeKutta4:
+      return std::make_unique<DoublingStepper<odeint::runge_kutta4_classic<Vector>, 4>>(n, 2.7852935634);
+    case Method::kRosenbrock4:
+      return make_rosenbrock_stepper(balance);
+    case Method::kDormandPrince5:
+      break;
+  }
+  return std::make_unique<DormandPrinceStepper>(n);
+}
+
+}  // namespace gas

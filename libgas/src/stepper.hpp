@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <cmath>
+#include <memory>
+
+#include "flow_balance.hpp"
+
+namespace gas {
+
+/// The right-hand side as a stepper sees it: dy/dx with t = x, or t = origin + x^2 from the moment when outflow
+/// starts at p = p_a, where mdot ~ sqrt(t - origin) is no smooth function of t but one of x.
+struct Rates {
+  FlowBalance& balance;
+  bool root = false;
+  double origin = 0.0;    // [s]
+  bool valid = true;      // every evaluation so far met a valid gas
+  int evaluations = 0;
+
+  double time(double x) const { return root ? origin + x * x : x; }
+  double position(double t) const { return root ? std::sqrt(t - origin) : t; }
+  void operator()(const FlowBalance::Vector& y, FlowBalance::Vector& dydx, double x);
+};
+
+/// One step of a method: y at x to `end` at x + h, `end_rate` there; the balance is left at the end. With
+/// `estimate` also the local error of `end`.
+class Stepper {
+ public:
+  using Vector = FlowBalance::Vector;
+  struct Trial {
+    Vector end, end_rate, error;
+  };
+
+  virtual ~Stepper() = default;
+  virtual void step(Rates& rates, const Vector& y, const Vector& dydx, double x, double h, bool estimate,
+                    Trial& out) = 0;
+  /// The error of a step grows as h to this power.
+  virtual double error_power() const = 0;
+  /// Largest stable h times a real, negative eigenvalue's magnitude (infinity: A-stable). Source: E. Hairer,
+  /// G. Wanner, Solving Ordinary Differential Equations II, sec. IV.2: zeros of |R(z)| - 1.
+  virtual double stability_limit() const = 0;
+};
+
+std::unique_ptr<Stepper> make_stepper(Method method, const FlowBalance& balance);
+std::unique_ptr<Stepper> make_rosenbrock_stepper(const FlowBalance& balance);
+
+}  // namespace gas
