@@ -60,14 +60,14 @@ Substepper::Event Substepper::passed_switch(const FlowBalance& balance, double t
       return passed((balance.is_open() && excess > near_) || (balance.has_backflow() && excess < -near_),
                     Event::kAmbient);
     case Regime::kOutSonic:
-      return passed(balance.sonic_excess() < -near_, Event::kSonic);
+      return passed(balance.sonic_excess() < -sonic_near_, Event::kSonic);
     case Regime::kBackSonic:
-      return passed(balance.back_sonic_excess() > near_, Event::kBackSonic);
+      return passed(balance.back_sonic_excess() > sonic_near_, Event::kBackSonic);
     case Regime::kOut:
-      if (balance.sonic_excess() > near_) return Event::kSonic;
+      if (balance.sonic_excess() > sonic_near_) return Event::kSonic;
       return passed(excess < -near_ && balance.closed_pressure_growth(t) <= 0.0, Event::kAmbient);
     case Regime::kBack:
-      if (balance.back_sonic_excess() < -near_) return Event::kBackSonic;
+      if (balance.back_sonic_excess() < -sonic_near_) return Event::kBackSonic;
       return passed(excess > near_ && balance.closed_pressure_growth(t) >= 0.0, Event::kAmbient);
   }
   return Event::kNone;
@@ -144,14 +144,15 @@ double Substepper::end_at_turn(Rates& rates, const Vector& y, double x, double h
 /// Shortens the trial to end at `event`, which it has passed. A switch that p starts on and leaves at once is made
 /// at the begin (length 0); one that it starts on, leaves and comes back to lies beyond a turn, which ends the trial.
 double Substepper::end_at(Event event, Rates& rates, const Vector& y, double x, double h, const Start& start) {
+  const double near = event == Event::kSonic || event == Event::kBackSonic ? sonic_near_ : near_;
   const auto value = [&](double) {
     const double d = distance(rates.balance, event);
-    return std::abs(d) <= 0.5 * near_ ? 0.0 : d;
+    return std::abs(d) <= 0.5 * near ? 0.0 : d;
   };
   const double begin = begin_distance(event, start), end = value(h);
   event_ = event;
   next_regime_ = regime_after(rates.balance, event, rates.time(x + h));
-  if (std::abs(begin) > near_ && begin * end < 0.0) return end_at_zero(rates, y, x, h, begin, end, 50, value);
+  if (std::abs(begin) > near && begin * end < 0.0) return end_at_zero(rates, y, x, h, begin, end, 50, value);
   if (start.rate * end >= 0.0) return 0.0;
   event_ = Event::kNone;
   return end_at_turn(rates, y, x, h, start);

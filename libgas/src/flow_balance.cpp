@@ -108,12 +108,13 @@ double FlowBalance::collect(const Vector& y, double t) {
 }
 
 /// Temperature and pressure, (G.8); no gas has neither energy nor pressure.
-void FlowBalance::locate_point(double internal_energy, double t) {
+void FlowBalance::locate(const Vector& y, double t) {
+  const double internal_energy = collect(y, t);
   model_.thermo.mixture(masses_, mixture_);
   point_.mass = mixture_.mass;
   point_.volume = volume(t);
   point_.pressure = point_.gamma = point_.thermal_energy = point_.specific_enthalpy = 0.0;
-  point_.vent = point_.fabric = point_.back = point_.heat = 0.0;
+  point_.heat = 0.0;
   if (!point_.valid || mixture_.mass == 0.0) return;
   const auto temperature = mixture_.find_temperature(internal_energy, point_.temperature);
   point_.valid = temperature.has_value();
@@ -123,12 +124,13 @@ void FlowBalance::locate_point(double internal_energy, double t) {
   point_.pressure = mixture_.gas_constant_sum * *temperature / point_.volume;
   point_.gamma = cp / cv;
   point_.thermal_energy = cv * *temperature;
+  point_.heat = model_.heat_loss.conductance * (*temperature - model_.heat_loss.outside_temperature);
   point_.specific_enthalpy = (internal_energy + mixture_.gas_constant_sum * *temperature) / mixture_.mass;
 }
 
 double FlowBalance::pressure(const Vector& y, double t) {
   segment_begin_ = t;
-  locate_point(collect(y, t), t);
+  locate(y, t);
   return point_.pressure;
 }
 
@@ -168,14 +170,13 @@ void FlowBalance::backflow_rates(Vector& dydt, double t) {
   }
 }
 
-void FlowBalance::operator()(const Vector& y, Vector& dydt, double t) {
-  locate_point(collect(y, t), t);
+void FlowBalance::fill_rates(Vector& dydt, double t) {
   std::ranges::fill(dydt, 0.0);
+  point_.vent = point_.fabric = point_.back = 0.0;
   if (!point_.valid) return;
   if (regime_ == Regime::kBack || regime_ == Regime::kBackSonic) backflow_rates(dydt, t);
   if (point_.mass == 0.0) return;
   dydt[work_slot()] = point_.pressure * volume_rate_;
-  point_.heat = model_.heat_loss.conductance * (point_.temperature - model_.heat_loss.outside_temperature);
   dydt[heat_slot()] = point_.heat;
   if (regime_ == Regime::kOut || regime_ == Regime::kOutSonic) outflow_rates(dydt, t);
 }

@@ -23,7 +23,7 @@ class FlowBalance {
  public:
   using Vector = std::vector<double>;
 
-  /// The gas at the last evaluation, and its flows.
+  /// The gas last located, and its flows.
   struct Point {
     bool valid;                // masses not negative, temperature in its range
     double mass;               // [kg]
@@ -64,8 +64,10 @@ class FlowBalance {
 
   /// p [Pa] at (y, t), between two segments or at the begin of one.
   double pressure(const Vector& y, double t);
-  /// dy/dt at (y, t), in the regime set; fills point().
-  void operator()(const Vector& y, Vector& dydt, double t);
+  /// The gas at (y, t): fills point(), its flows aside.
+  void locate(const Vector& y, double t);
+  /// dy/dt at the gas located, in the regime set; fills the flows of point().
+  void fill_rates(Vector& dydt, double t);
   /// Turns the state of begin_step() into the one at the end of the last segment; throws DomainError, and
   /// leaves it as it is, if its temperature is out of range.
   void finish(const Vector& y, ControlVolumeState& state);
@@ -96,7 +98,6 @@ class FlowBalance {
 
  private:
   double collect(const Vector& y, double t);
-  void locate_point(double internal_energy, double t);
   double volume(double t) const { return volume_begin_ + volume_rate_ * (t - t0_); }
   double leak_area(double t) const { return leak_area_begin_ + leak_area_rate_ * (t - t0_); }
   void outflow_rates(Vector& dydt, double t);

@@ -61,7 +61,12 @@ class DoublingStepper : public Stepper {
 }  // namespace
 
 void Rates::operator()(const Vector& y, Vector& dydx, double x) {
-  balance(y, dydx, time(x));
+  balance.locate(y, time(x));
+  fill(dydx, x);
+}
+
+void Rates::fill(Vector& dydx, double x) {
+  balance.fill_rates(dydx, time(x));
   valid = valid && balance.point().valid;
   ++evaluations;
   if (root)

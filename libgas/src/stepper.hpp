@@ -19,6 +19,8 @@ struct Rates {
   double time(double x) const { return root ? origin + x * x : x; }
   double position(double t) const { return root ? std::sqrt(t - origin) : t; }
   void operator()(const FlowBalance::Vector& y, FlowBalance::Vector& dydx, double x);
+  /// The same where the balance has located the gas.
+  void fill(FlowBalance::Vector& dydx, double x);
 };
 
 /// One step of a method: y at x to `end` at x + h, `end_rate` there; the balance is left at the end. With

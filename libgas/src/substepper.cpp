@@ -14,9 +14,13 @@ namespace {
 
 // Pressures closer to a switch than this, relative, are on it: some hundred roundings of p.
 constexpr double kNear = 1e-12;
+// The flux has a continuous slope across the sonic switch: an error of its place enters squared.
+constexpr double kSonicNear = 1e-8;
 constexpr double kSafety = 0.9;
 constexpr double kSmallestFactor = 0.05;
 constexpr double kLargestFactor = 5.0;
+// The first step's error constant is of the order kFirstStep^-error_power: a guess, only speed depends on it.
+constexpr double kFirstStep = 5.0;
 
 }  // namespace
 
@@ -24,7 +28,9 @@ Substepper::Substepper(const FlowBalance& balance, std::vector<double> levels, c
     : options_(options),
       levels_(std::move(levels)),
       near_(kNear * std::max(balance.ambient_pressure(), levels_.empty() ? 0.0 : levels_.back())),
+      sonic_near_(kSonicNear * balance.ambient_pressure()),
       stepper_(make_stepper(options.method, balance)),
+      first_step_share_(kFirstStep * std::pow(options.relative_tolerance, 1.0 / stepper_->error_power())),
       begin_rate_(balance.unknowns()) {
   const Vector zero(balance.unknowns(), 0.0);
   trial_ = {zero, zero, zero};
@@ -101,36 +107,42 @@ void Substepper::enter_band(FlowBalance& balance) const {
   balance.enter_band(0.5 * (low + high));
 }
 
-/// The band of levels that p is in, or, on a level, the one it is going to.
+/// The band of levels that p is in, or, on a level, the one it is going to: the flows do not jump there.
 void Substepper::find_band(FlowBalance& balance, double t) {
   if (levels_.empty()) return;
   if (!band_is_known_) {
     const double p = balance.point().pressure;
-    const double least = p + (balance.pressure_rate(t) >= 0.0 ? near_ : -near_);
-    band_ = static_cast<std::size_t>(std::ranges::upper_bound(levels_, least) - levels_.begin());
+    const auto band = [&](double pressure) {
+      return static_cast<std::size_t>(std::ranges::upper_bound(levels_, pressure) - levels_.begin());
+    };
+    band_ = band(p + near_);
+    enter_band(balance);
+    balance.fill_rates(begin_rate_, t);
+    if (balance.pressure_rate(t) < 0.0) band_ = band(p - near_);
   }
   band_is_known_ = false;
   enter_band(balance);
 }
 
 /// Regime at (y, t). At p = p_a gas flows only if something would change p in [t, b].
-void Substepper::start_regime(Rates& rates, const Vector& y, double t, double b) {
-  FlowBalance& balance = rates.balance;
+void Substepper::start_regime(FlowBalance& balance, const Vector& y, double t, double b) {
   balance.set_regime(Regime::kClosed);
-  rates(y, begin_rate_, t);
+  balance.locate(y, t);
   const double excess = balance.pressure_excess();
   const bool on = std::abs(excess) <= near_ && balance.ambient_pressure() > 0.0;
-  const double begin = balance.closed_pressure_growth(t), end = balance.closed_pressure_growth(b);
-  if (balance.is_open() && (on ? begin > 0.0 || end > 0.0 : excess > -near_))
+  // The growth at both ends, where it decides; else the sign of p - p_a.
+  const double begin = on ? balance.closed_pressure_growth(t) : excess;
+  const double end = on ? balance.closed_pressure_growth(b) : excess;
+  if (balance.is_open() && (begin > 0.0 || end > 0.0))
     balance.set_regime(balance.sonic_excess() >= 0.0 ? Regime::kOutSonic : Regime::kOut);
-  else if (balance.has_backflow() && (on ? begin < 0.0 || end < 0.0 : excess < 0.0))
+  else if (balance.has_backflow() && (begin < 0.0 || end < 0.0))
     balance.set_regime(balance.back_sonic_excess() < 0.0 ? Regime::kBackSonic : Regime::kBack);
   find_band(balance, t);
 }
 
 /// From p = p_a the flow starts as the square root of time: step in that root, counted from where the flow would
-/// be zero. Then brings the rates at (y, t) up to date.
-void Substepper::start_variable(Rates& rates, const Vector& y, double t, double b) {
+/// be zero. Then fills the rates at t, where the gas has been located.
+void Substepper::start_variable(Rates& rates, double t, double b) {
   const FlowBalance& balance = rates.balance;
   const double growth = balance.closed_pressure_growth(t), excess = std::abs(balance.pressure_excess());
   const bool onset = balance.regime() == Regime::kOut ? growth > 0.0
@@ -138,7 +150,7 @@ void Substepper::start_variable(Rates& rates, const Vector& y, double t, double 
   const double shift = excess <= near_ ? 0.0 : excess * balance.point().volume / std::abs(growth);
   rates.root = options_.fixed_step == 0.0 && onset && shift < b - t;
   rates.origin = t - shift;
-  rates(y, begin_rate_, rates.position(t));
+  rates.fill(begin_rate_, rates.position(t));
 }
 
 /// Enters what lies behind the event; true if the caller has to bring knots and triggers up to date.
@@ -152,11 +164,21 @@ bool Substepper::pass_event(FlowBalance& balance) {
   return true;
 }
 
+/// A first step [s] from t, from how fast the gas changes.
+double Substepper::first_step(const FlowBalance& balance, double t) const {
+  const auto& point = balance.point();
+  const double fed = std::abs(balance.closed_pressure_growth(t)) / (point.pressure * point.volume);
+  const double left = (point.vent + point.fabric + point.back) / point.mass;
+  return first_step_share_ / (fed + left);
+}
+
 double Substepper::integrate(FlowBalance& balance, Vector& y, double a, double b) {
   Rates rates{balance};
-  start_regime(rates, y, a, b);
-  if (balance.regime() != Regime::kClosed) start_variable(rates, y, a, b);
-  double t = a, x = rates.position(a), h = rates.position(b) - x;
+  start_regime(balance, y, a, b);
+  start_variable(rates, a, b);
+  double t = a, x = rates.position(a);
+  const double first = first_step(balance, a);  // no number where there is no gas yet
+  double h = rates.position(first < b - a ? a + first : b) - x;
   Start start = start_values(balance, t);
   while (t < b) {
     const double x_end = rates.position(b);
@@ -166,25 +188,25 @@ double Substepper::integrate(FlowBalance& balance, Vector& y, double a, double b
     require_stable(rates, x, h);
     if (!try_step(rates, y, x, h) && options_.fixed_step > 0.0) fail(rates, x, h);
     const double error = scaled_error(balance);
-    const double factor = step_factor(error);
     if (error > 1.0) {
-      h *= factor;
+      h *= step_factor(error);
       continue;
     }
     const double length = end_at_events(rates, y, x, h, start);
-    const double next = rates.time(x + factor * h) - rates.time(x);
     if (length > 0.0) {
       t = last && length == h ? b : rates.time(x + length);
       y.swap(trial_.end);
       begin_rate_.swap(trial_.end_rate);
       ++accepted_;
     }
+    if (t == b && event_ == Event::kNone) break;
+    const double factor = step_factor(error), next = rates.time(x + factor * h) - rates.time(x);
     x += length;
     h *= factor;
     if (event_ != Event::kNone) {
-      if (length == 0.0) rates(y, begin_rate_, x);
+      if (length == 0.0) balance.locate(y, t);
       if (pass_event(balance)) break;
-      start_variable(rates, y, t, b);
+      start_variable(rates, t, b);
       x = rates.position(t);
       h = rates.position(t + next) - x;
     }

@@ -37,11 +37,12 @@ class Substepper {
   bool try_step(Rates& rates, const Vector& y, double x, double h);
   double scaled_error(const FlowBalance& balance) const;
   double step_factor(double error) const;
+  double first_step(const FlowBalance& balance, double t) const;
   void require_stable(const Rates& rates, double x, double h) const;
   void count_attempt(const Rates& rates, double x, double h);
   [[noreturn]] void fail(const Rates& rates, double x, double h) const;
-  void start_regime(Rates& rates, const Vector& y, double t, double b);
-  void start_variable(Rates& rates, const Vector& y, double t, double b);
+  void start_regime(FlowBalance& balance, const Vector& y, double t, double b);
+  void start_variable(Rates& rates, double t, double b);
   void enter_band(FlowBalance& balance) const;
   void find_band(FlowBalance& balance, double t);
   bool pass_event(FlowBalance& balance);
@@ -64,7 +65,9 @@ class Substepper {
   IntegratorOptions options_;
   std::vector<double> levels_;  // [Pa] rising
   double near_;                 // [Pa] pressures closer to a switch than this are on it
+  double sonic_near_;           // [Pa] the same of the sonic switches
   std::unique_ptr<Stepper> stepper_;
+  double first_step_share_;     // [-] relative change of the gas in a first step
   Stepper::Trial trial_;
   Vector begin_rate_;
   std::size_t band_ = 0;       // p lies between levels_[band_ - 1] and levels_[band_]
