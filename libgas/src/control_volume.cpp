@@ -50,7 +50,8 @@ void validate(const Thermo& thermo, const Inflow& inflow) {
 
 void require_trigger(const std::optional<std::size_t>& trigger, const TriggerModel& model) {
   if (trigger)
-    require(*trigger < model.size(), "trigger", static_cast<double>(*trigger), "must be a node of the triggers");
+    require(*trigger < model.size(), "trigger", static_cast<double>(*trigger),
+            "must be a node of the triggers");
 }
 
 void require_area(const Curve& curve, const char* name) {
@@ -73,7 +74,8 @@ double mass_flow(const Inflow& inflow, double start, double time) {
   return tau >= 0.0 ? inflow.mass_flow.value(tau) : 0.0;
 }
 
-InflatorPoint inflator_point(const ControlVolumeModel& model, const Inflow& inflow, double start, double time) {
+InflatorPoint inflator_point(const ControlVolumeModel& model, const Inflow& inflow, double start,
+                             double time) {
   const double temperature = inflow.temperature.value(local_time(inflow, start, time));
   const Mixture gas = model.thermo.mixture(inflow.mass_fractions);
   const double cp = gas.cp(temperature);
@@ -183,8 +185,7 @@ GasPoint evaluate(const ControlVolumeModel& model, const ControlVolumeState& sta
     point.cp = mixture.cp(point.temperature) / mixture.mass;
     point.gamma = point.cp / (point.cp - point.gas_constant);
     point.pressure = mixture.gas_constant_sum * point.temperature / volume;
-    point.heat_loss =
-        model.heat_loss.conductance * (point.temperature - model.heat_loss.outside_temperature);
+    point.heat_loss = model.heat_loss.conductance * (point.temperature - model.heat_loss.outside_temperature);
     add_outflow(model, state, leak_area, time, point);
   }
   point.backflow = backflow(model, state.triggers, time, point.pressure);

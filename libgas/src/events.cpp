@@ -50,8 +50,8 @@ double Substepper::begin_distance(Event event, const Start& start) const {
   }
 }
 
-/// The switch of the regime that the gas at time t, the end of a trial, has passed. Outflow alone never takes p
-/// below p_a, nor backflow above: what is there by error of the method comes back.
+/// The switch of the regime that the gas at time t, the end of a trial, has passed. Outflow alone never takes
+/// p below p_a, nor backflow above: what is there by error of the method comes back.
 Substepper::Event Substepper::passed_switch(const FlowBalance& balance, double t) const {
   const double excess = balance.pressure_excess();
   const auto passed = [](bool yes, Event event) { return yes ? event : Event::kNone; };
@@ -91,8 +91,8 @@ Regime Substepper::regime_after(const FlowBalance& balance, Event event, double 
   return down && now != Regime::kBack && balance.has_backflow() ? Regime::kBack : Regime::kClosed;
 }
 
-/// Whether p may turn, inside the trial that ends at t, beyond a switch or level that both ends have not passed.
-/// A parabola turns within duration/4 times the sum of its end slopes.
+/// Whether p may turn, inside the trial that ends at t, beyond a switch or level that both ends have not
+/// passed. A parabola turns within duration/4 times the sum of its end slopes.
 bool Substepper::may_turn_past_event(const FlowBalance& balance, double t, double duration,
                                      const Start& start) const {
   const double rate = balance.pressure_rate(t);
@@ -128,8 +128,7 @@ double Substepper::end_at_zero(Rates& rates, const Vector& y, double x, double h
   };
   boost::uintmax_t iterations = 60;
   const boost::math::tools::eps_tolerance<double> close(bits);
-  const auto bracket =
-      boost::math::tools::toms748_solve(value_at_end, 0.0, h, begin, end, close, iterations);
+  const auto bracket = boost::math::tools::toms748_solve(value_at_end, 0.0, h, begin, end, close, iterations);
   if (length != bracket.second) try_step(rates, y, x, length = bracket.second);
   return length;
 }
@@ -141,9 +140,11 @@ double Substepper::end_at_turn(Rates& rates, const Vector& y, double x, double h
   return start.rate * end >= 0.0 ? h : end_at_zero(rates, y, x, h, start.rate, end, 20, rate);
 }
 
-/// Shortens the trial to end at `event`, which it has passed. A switch that p starts on and leaves at once is made
-/// at the begin (length 0); one that it starts on, leaves and comes back to lies beyond a turn, which ends the trial.
-double Substepper::end_at(Event event, Rates& rates, const Vector& y, double x, double h, const Start& start) {
+/// Shortens the trial to end at `event`, which it has passed. A switch that p starts on and leaves at once is
+/// made at the begin (length 0); one that it starts on, leaves and comes back to lies beyond a turn, which
+/// ends the trial.
+double Substepper::end_at(Event event, Rates& rates, const Vector& y, double x, double h,
+                          const Start& start) {
   const double near = event == Event::kSonic || event == Event::kBackSonic ? sonic_near_ : near_;
   const auto value = [&](double) {
     const double d = distance(rates.balance, event);
@@ -158,8 +159,8 @@ double Substepper::end_at(Event event, Rates& rates, const Vector& y, double x, 
   return end_at_turn(rates, y, x, h, start);
 }
 
-/// If the accepted trial [x, x + h] passes a switch or a level, shortens it to end there and sets event_. Returns
-/// its length; zero if it has to be repeated from its begin.
+/// If the accepted trial [x, x + h] passes a switch or a level, shortens it to end there and sets event_.
+/// Returns its length; zero if it has to be repeated from its begin.
 double Substepper::end_at_events(Rates& rates, const Vector& y, double x, double h, const Start& start) {
   const FlowBalance& balance = rates.balance;
   event_ = Event::kNone;

@@ -50,8 +50,8 @@ double FlowBalance::next_break(const TriggerState& triggers, double t) const {
   double next = openings_.next_break(triggers, t);
   for (std::size_t i = 0; i < inflow_gas_.size(); ++i) {
     const Inflow& inflow = model_.inflows[i];
-    next = std::min(
-        next, gas::next_break(inflow, firing_time(inflow, triggers), inflow_gas_[i].constant_cp, t));
+    next =
+        std::min(next, gas::next_break(inflow, firing_time(inflow, triggers), inflow_gas_[i].constant_cp, t));
   }
   return next;
 }
@@ -60,7 +60,8 @@ void FlowBalance::begin_segment(const TriggerState& triggers, double a, double b
   segment_begin_ = a;
   openings_.begin_segment(triggers, a, b);
   for (std::size_t i = 0; i < segments_.size(); ++i)
-    segments_[i] = InflowSegment(model_.inflows[i], firing_time(model_.inflows[i], triggers), inflow_gas_[i], a, b);
+    segments_[i] =
+        InflowSegment(model_.inflows[i], firing_time(model_.inflows[i], triggers), inflow_gas_[i], a, b);
 }
 
 void FlowBalance::end_segment(double reached) {
@@ -74,8 +75,7 @@ void FlowBalance::end_segment(double reached) {
 
 double FlowBalance::species_change(const Vector& y, std::size_t k) const {
   double change = -y[k];
-  for (std::size_t j = 0; j < backflows(); ++j)
-    change += model_.ambient.mass_fractions[k] * y[back_slot(j)];
+  for (std::size_t j = 0; j < backflows(); ++j) change += model_.ambient.mass_fractions[k] * y[back_slot(j)];
   return change;
 }
 
@@ -158,7 +158,8 @@ void FlowBalance::outflow_rates(Vector& dydt, double t) {
 }
 
 void FlowBalance::backflow_rates(Vector& dydt, double t) {
-  const double p_a = ambient_pressure(), t_a = model_.ambient.temperature, r = air_.gas_constant_sum / air_.mass;
+  const double p_a = ambient_pressure(), t_a = model_.ambient.temperature,
+               r = air_.gas_constant_sum / air_.mass;
   const double flux = regime_ == Regime::kBackSonic
                           ? choked_mass_flow(1.0, p_a, t_a, r, air_gamma_)
                           : subsonic_mass_flow(1.0, p_a, t_a, r, r * air_gamma_ / (air_gamma_ - 1.0),

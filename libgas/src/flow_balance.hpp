@@ -8,17 +8,19 @@
 
 namespace gas {
 
-/// Which way gas flows; each regime has a smooth right-hand side, and the integration is broken where they meet.
+/// Which way gas flows; each regime has a smooth right-hand side, and the integration is broken where they
+/// meet.
 enum class Regime {
-  kClosed,         // p <= p_a and no backflow, or p held at p_a: nothing flows through the openings
-  kOut,            // p > p_a, vents subsonic
-  kOutSonic,       // p > p_a, vents sonic
-  kBack,           // p < p_a, ambient gas flows in through vents with backflow, subsonic
-  kBackSonic,      // the same, sonic
+  kClosed,     // p <= p_a and no backflow, or p held at p_a: nothing flows through the openings
+  kOut,        // p > p_a, vents subsonic
+  kOutSonic,   // p > p_a, vents sonic
+  kBack,       // p < p_a, ambient gas flows in through vents with backflow, subsonic
+  kBackSonic,  // the same, sonic
 };
 
 /// Right-hand side of the stepped unknowns over one step, see Slot. The state follows:
-///   m_k = m_k(t0) + delivered_k + Y_ak back - out_k,  U = U(t0) + delivered enthalpy + h_a back - out - work - heat.
+///   m_k = m_k(t0) + delivered_k + Y_ak back - out_k,  U = U(t0) + delivered enthalpy + h_a back - out - work
+///   - heat.
 class FlowBalance {
  public:
   using Vector = std::vector<double>;
@@ -72,12 +74,12 @@ class FlowBalance {
   /// leaves it as it is, if its temperature is out of range.
   void finish(const Vector& y, ControlVolumeState& state);
 
-  bool is_open() const;                                  // gas can leave
-  bool has_backflow() const;                             // gas can come in
-  bool needs_stepper() const;                            // something but inflow changes the gas
-  double pressure_excess() const;                        // [Pa] p - p_a
-  double sonic_excess() const;                           // [Pa] critical ratio * p - p_a
-  double back_sonic_excess() const;                      // [Pa] p - critical ratio * p_a
+  bool is_open() const;              // gas can leave
+  bool has_backflow() const;         // gas can come in
+  bool needs_stepper() const;        // something but inflow changes the gas
+  double pressure_excess() const;    // [Pa] p - p_a
+  double sonic_excess() const;       // [Pa] critical ratio * p - p_a
+  double back_sonic_excess() const;  // [Pa] p - critical ratio * p_a
   /// V dp/dt [W] of the last point if nothing flowed through the openings, at time t of this segment.
   double closed_pressure_growth(double t) const;
   /// dp/dt [Pa/s] at the last point, time t; zero without gas.

@@ -32,8 +32,7 @@ double FlowBalance::pressure_rate(double t) const {
   const double gas_constant = mixture_.gas_constant_sum / point_.mass;
   double growth = closed_pressure_growth(t) -
                   point_.gamma * gas_constant * point_.temperature * (point_.vent + point_.fabric);
-  if (point_.back > 0.0)
-    growth += point_.back * pressure_growth(air_, model_.ambient.temperature, point_);
+  if (point_.back > 0.0) growth += point_.back * pressure_growth(air_, model_.ambient.temperature, point_);
   return growth / point_.volume;
 }
 

@@ -4,8 +4,8 @@
 
 namespace gas {
 
-/// Time since firing at `start` [s] at time t, -infinity if it never fires. The subtraction rounds, so a result within round-off of a knot is that
-/// knot: a pulse keeps its exact length however late it fires.
+/// Time since firing at `start` [s] at time t, -infinity if it never fires. The subtraction rounds, so a
+/// result within round-off of a knot is that knot: a pulse keeps its exact length however late it fires.
 double local_time(const Inflow& inflow, double start, double t);
 
 /// First time after t at which the inflow is not smooth: firing, a knot, an inflow temperature of 1000 K.

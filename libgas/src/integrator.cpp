@@ -19,8 +19,8 @@ const ControlVolumeModel& validated(const ControlVolumeModel& model) {
 const IntegratorOptions& validated(const IntegratorOptions& options) {
   require(options.relative_tolerance >= 1e-13 && options.relative_tolerance <= 1e-2, "relative_tolerance",
           options.relative_tolerance, "must be 1e-13 to 1e-2");
-  require(options.fixed_step >= 0.0 && std::isfinite(options.fixed_step), "fixed_step [s]", options.fixed_step,
-          "must be positive, or 0 for error control");
+  require(options.fixed_step >= 0.0 && std::isfinite(options.fixed_step), "fixed_step [s]",
+          options.fixed_step, "must be positive, or 0 for error control");
   require(options.maximum_steps > 0, "maximum_steps", options.maximum_steps, "must be positive");
   return options;
 }

@@ -6,8 +6,9 @@
 
 namespace gas {
 
-/// Areas of the vents and the velocity through the fabric, as smooth functions on one sub-step: the interval of
-/// time fixes the pieces of the curves of time, a band of overpressure those of the curves of overpressure.
+/// Areas of the vents and the velocity through the fabric, as smooth functions on one sub-step: the interval
+/// of time fixes the pieces of the curves of time, a band of overpressure those of the curves of
+/// overpressure.
 class Openings {
  public:
   /// `model` must outlive this.

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rosenbrock 4(3) with the coefficients of Boost.Odeint, whose own stepper allocates in each step. The Jacobian is
-// by differences: the rates depend on the unknowns only through the species' masses and the energy, so species + 1
-// of them fill it.
+// Rosenbrock 4(3) with the coefficients of Boost.Odeint, whose own stepper allocates in each step. The
+// Jacobian is by differences: the rates depend on the unknowns only through the species' masses and the
+// energy, so species + 1 of them fill it.
 #include <algorithm>
-#include <boost/numeric/odeint/stepper/rosenbrock4.hpp>
 #include <array>
+#include <boost/numeric/odeint/stepper/rosenbrock4.hpp>
 #include <limits>
 #include <numeric>
 
@@ -62,9 +62,15 @@ class Factors {
 class RosenbrockStepper : public Stepper {
  public:
   explicit RosenbrockStepper(std::size_t n)
-      : factors_(n), y_(n), rate_(n), slope_(n), right_(n), g_{Vector(n), Vector(n), Vector(n), Vector(n), Vector(n)} {}
+      : factors_(n),
+        y_(n),
+        rate_(n),
+        slope_(n),
+        right_(n),
+        g_{Vector(n), Vector(n), Vector(n), Vector(n), Vector(n)} {}
 
-  void step(Rates& rates, const Vector& y, const Vector& dydx, double x, double h, bool, Trial& out) override {
+  void step(Rates& rates, const Vector& y, const Vector& dydx, double x, double h, bool,
+            Trial& out) override {
     fill_matrix(rates, y, dydx, x, h);
     const auto& c = coefficients_;
     stage(rates, y, dydx, x, h, 0, {}, 0.0, {}, c.d1);
@@ -95,7 +101,8 @@ class RosenbrockStepper : public Stepper {
 
   /// y_ = y + sum shifts g, and the stage's g there.
   void stage(Rates& rates, const Vector& y, const Vector& dydx, double x, double h, std::size_t number,
-             std::initializer_list<double> shifts, double node, std::initializer_list<double> weights, double d) {
+             std::initializer_list<double> shifts, double node, std::initializer_list<double> weights,
+             double d) {
     for (std::size_t i = 0; i < y.size(); ++i) {
       y_[i] = y[i];
       const Vector* g = g_.data();

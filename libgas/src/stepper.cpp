@@ -14,7 +14,8 @@ using Vector = Stepper::Vector;
 class DormandPrinceStepper : public Stepper {
  public:
   explicit DormandPrinceStepper(std::size_t unknowns) { method_.adjust_size(Vector(unknowns)); }
-  void step(Rates& rates, const Vector& y, const Vector& dydx, double x, double h, bool, Trial& out) override {
+  void step(Rates& rates, const Vector& y, const Vector& dydx, double x, double h, bool,
+            Trial& out) override {
     method_.do_step([&](const Vector& a, Vector& b, double s) { rates(a, b, s); }, y, dydx, x, out.end,
                     out.end_rate, h, out.error);
   }

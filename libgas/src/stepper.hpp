@@ -7,13 +7,13 @@
 
 namespace gas {
 
-/// The right-hand side as a stepper sees it: dy/dx with t = x, or t = origin + x^2 from the moment when outflow
-/// starts at p = p_a, where mdot ~ sqrt(t - origin) is no smooth function of t but one of x.
+/// The right-hand side as a stepper sees it: dy/dx with t = x, or t = origin + x^2 from the moment when
+/// outflow starts at p = p_a, where mdot ~ sqrt(t - origin) is no smooth function of t but one of x.
 struct Rates {
   FlowBalance& balance;
   bool root = false;
-  double origin = 0.0;    // [s]
-  bool valid = true;      // every evaluation so far met a valid gas
+  double origin = 0.0;  // [s]
+  bool valid = true;    // every evaluation so far met a valid gas
   int evaluations = 0;
 
   double time(double x) const { return root ? origin + x * x : x; }

@@ -24,7 +24,8 @@ constexpr double kFirstStep = 5.0;
 
 }  // namespace
 
-Substepper::Substepper(const FlowBalance& balance, std::vector<double> levels, const IntegratorOptions& options)
+Substepper::Substepper(const FlowBalance& balance, std::vector<double> levels,
+                       const IntegratorOptions& options)
     : options_(options),
       levels_(std::move(levels)),
       near_(kNear * std::max(balance.ambient_pressure(), levels_.empty() ? 0.0 : levels_.back())),
@@ -45,7 +46,8 @@ void Substepper::begin_step() {
 double Substepper::step_factor(double error) const {
   if (!std::isfinite(error)) return kSmallestFactor;
   if (error <= 0.0) return kLargestFactor;
-  return std::clamp(kSafety * std::pow(error, -1.0 / stepper_->error_power()), kSmallestFactor, kLargestFactor);
+  return std::clamp(kSafety * std::pow(error, -1.0 / stepper_->error_power()), kSmallestFactor,
+                    kLargestFactor);
 }
 
 void Substepper::count_attempt(const Rates& rates, double x, double h) {
@@ -69,8 +71,9 @@ void Substepper::require_stable(const Rates& rates, double x, double h) const {
   if (options_.fixed_step == 0.0 || !(balance.closed_pressure_growth(x) > 0.0)) return;
   const double rate = balance.relaxation_rate(), limit = stepper_->stability_limit();
   if (!(h * rate > limit)) return;
-  throw DomainError("the step " + to_text(h) + " s is above the method's stability limit " + to_text(limit / rate) +
-                    " s at t = " + to_text(x) + " s, where the gas relaxes within " + to_text(1.0 / rate) + " s");
+  throw DomainError("the step " + to_text(h) + " s is above the method's stability limit " +
+                    to_text(limit / rate) + " s at t = " + to_text(x) + " s, where the gas relaxes within " +
+                    to_text(1.0 / rate) + " s");
 }
 
 /// One trial; `balance` is left at its end. False if any stage met no valid gas.
@@ -95,8 +98,9 @@ double Substepper::scaled_error(const FlowBalance& balance) const {
     largest = std::max(largest, std::abs(change));
   }
   const double work = trial_.error[balance.work_slot()];
-  const double energy_error = std::abs(balance.energy_change(trial_.error) + work - point.specific_enthalpy * mass_error) +
-                              std::abs(work);
+  const double energy_error =
+      std::abs(balance.energy_change(trial_.error) + work - point.specific_enthalpy * mass_error) +
+      std::abs(work);
   if (largest == 0.0 && energy_error == 0.0) return 0.0;
   return std::max(largest / point.mass, energy_error / point.thermal_energy) / options_.relative_tolerance;
 }
@@ -140,13 +144,13 @@ void Substepper::start_regime(FlowBalance& balance, const Vector& y, double t, d
   find_band(balance, t);
 }
 
-/// From p = p_a the flow starts as the square root of time: step in that root, counted from where the flow would
-/// be zero. Then fills the rates at t, where the gas has been located.
+/// From p = p_a the flow starts as the square root of time: step in that root, counted from where the flow
+/// would be zero. Then fills the rates at t, where the gas has been located.
 void Substepper::start_variable(Rates& rates, double t, double b) {
   const FlowBalance& balance = rates.balance;
   const double growth = balance.closed_pressure_growth(t), excess = std::abs(balance.pressure_excess());
-  const bool onset = balance.regime() == Regime::kOut ? growth > 0.0
-                                                      : balance.regime() == Regime::kBack && growth < 0.0;
+  const bool onset =
+      balance.regime() == Regime::kOut ? growth > 0.0 : balance.regime() == Regime::kBack && growth < 0.0;
   const double shift = excess <= near_ ? 0.0 : excess * balance.point().volume / std::abs(growth);
   rates.root = options_.fixed_step == 0.0 && onset && shift < b - t;
   rates.origin = t - shift;

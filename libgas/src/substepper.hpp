@@ -8,8 +8,9 @@
 
 namespace gas {
 
-/// Integrates a FlowBalance over one segment with one of the methods; sub-steps end where the flow changes regime,
-/// where p passes a knot of the openings' curves, and where it reaches the threshold of a pressure sensor.
+/// Integrates a FlowBalance over one segment with one of the methods; sub-steps end where the flow changes
+/// regime, where p passes a knot of the openings' curves, and where it reaches the threshold of a pressure
+/// sensor.
 class Substepper {
  public:
   using Vector = FlowBalance::Vector;
@@ -67,10 +68,10 @@ class Substepper {
   double near_;                 // [Pa] pressures closer to a switch than this are on it
   double sonic_near_;           // [Pa] the same of the sonic switches
   std::unique_ptr<Stepper> stepper_;
-  double first_step_share_;     // [-] relative change of the gas in a first step
+  double first_step_share_;  // [-] relative change of the gas in a first step
   Stepper::Trial trial_;
   Vector begin_rate_;
-  std::size_t band_ = 0;       // p lies between levels_[band_ - 1] and levels_[band_]
+  std::size_t band_ = 0;        // p lies between levels_[band_ - 1] and levels_[band_]
   bool band_is_known_ = false;  // since the last sub-step ended on a level
   Event event_ = Event::kNone;
   Regime next_regime_ = Regime::kClosed;

@@ -24,26 +24,26 @@ struct Ambient {
 
 /// Gas that flows in, as an inflator's curves. Flow is zero before firing and outside the curve's knots.
 struct Inflow {
-  std::vector<double> mass_fractions;  // [-] one per species of the Thermo, sum 1
-  Curve mass_flow;                     // [kg/s] >= 0, against time since firing [s]
-  Curve temperature;                   // [K], against time since firing [s]
-  double start_time = 0.0;             // [s] firing time, or delay after the trigger; infinity: never
+  std::vector<double> mass_fractions;    // [-] one per species of the Thermo, sum 1
+  Curve mass_flow;                       // [kg/s] >= 0, against time since firing [s]
+  Curve temperature;                     // [K], against time since firing [s]
+  double start_time = 0.0;               // [s] firing time, or delay after the trigger; infinity: never
   std::optional<std::size_t> trigger{};  // node whose first coming on fires; none: fires at start_time
 };
 
 /// A hole. Its area is a number or, where given, a curve (held outside its knots).
 struct Vent {
-  double discharge_coefficient;                   // [-] 0 to 1
-  double area;                                    // [m2] >= 0; not read where a curve is given
-  std::optional<Curve> area_of_time{};            // [m2] against time since opening [s]
-  std::optional<Curve> area_of_overpressure{};    // [m2] against p - p_a [Pa]
-  bool backflow = false;                          // ambient gas flows in at p < p_a, (G.6) with the roles changed
-  std::optional<std::size_t> trigger{};           // node while which it is open; none: always open
+  double discharge_coefficient;                 // [-] 0 to 1
+  double area;                                  // [m2] >= 0; not read where a curve is given
+  std::optional<Curve> area_of_time{};          // [m2] against time since opening [s]
+  std::optional<Curve> area_of_overpressure{};  // [m2] against p - p_a [Pa]
+  bool backflow = false;                 // ambient gas flows in at p < p_a, (G.6) with the roles changed
+  std::optional<std::size_t> trigger{};  // node while which it is open; none: always open
 };
 
 struct HeatLoss {
-  double conductance = 0.0;           // [W/K] >= 0, h A
-  double outside_temperature = 300.0; // [K] > 0
+  double conductance = 0.0;            // [W/K] >= 0, h A
+  double outside_temperature = 300.0;  // [K] > 0
 };
 
 /// Everything constant about a control volume. validate() checks it; GasIntegrator's constructor does so too.
@@ -53,7 +53,8 @@ struct ControlVolumeModel {
   std::vector<Inflow> inflows;
   std::vector<Vent> vents;
   HeatLoss heat_loss{};
-  /// [m/s] >= 0 against p - p_a [Pa]: where given, fabric leaks leak_area rho v(p - p_a)  (G.12) instead of (G.7).
+  /// [m/s] >= 0 against p - p_a [Pa]: where given, fabric leaks leak_area rho v(p - p_a)  (G.12) instead of
+  /// (G.7).
   std::optional<Curve> fabric_velocity{};
   TriggerModel triggers{};
 };
@@ -92,8 +93,8 @@ struct InflatorPoint {
 };
 
 /// Throws std::invalid_argument, naming field, value and what is allowed, unless every field is in its range,
-/// every inflow (and the ambient, if a vent lets it in) has one mass fraction per species with sum 1 (to 1e-9),
-/// temperatures are in the range of the Thermo, and triggers are nodes that exist.
+/// every inflow (and the ambient, if a vent lets it in) has one mass fraction per species with sum 1 (to
+/// 1e-9), temperatures are in the range of the Thermo, and triggers are nodes that exist.
 void validate(const ControlVolumeModel& model);
 
 /// State of gas at p [Pa] >= 0, T [K], V [m3] > 0; p = 0 is evacuated. Throws std::invalid_argument.

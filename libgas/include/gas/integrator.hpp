@@ -24,19 +24,19 @@ struct StreamFlux {
 /// What crossed the boundary during one step; integrals over [t0, t1]. The spans belong to the integrator and
 /// hold until its next step.
 struct StepFluxes {
-  double mass_in;            // [kg] of all inflows
-  double enthalpy_in;        // [J]
-  double vent_mass_out;      // [kg] of all vents
-  double fabric_mass_out;    // [kg]
-  double enthalpy_out;       // [J] of vents and fabric
-  double work;               // [J] int p dV
-  double heat;               // [J] lost through the walls
-  double backflow_mass;      // [kg] of ambient gas, in through all vents
-  double backflow_enthalpy;  // [J]
-  int steps;                 // accepted sub-steps of the integrator (0: no stepper was needed)
-  int evaluations;           // evaluations of the right-hand side
-  std::span<const StreamFlux> inflows;   // in, one each
-  std::span<const StreamFlux> outflows;  // out, one per vent, and last the fabric
+  double mass_in;                         // [kg] of all inflows
+  double enthalpy_in;                     // [J]
+  double vent_mass_out;                   // [kg] of all vents
+  double fabric_mass_out;                 // [kg]
+  double enthalpy_out;                    // [J] of vents and fabric
+  double work;                            // [J] int p dV
+  double heat;                            // [J] lost through the walls
+  double backflow_mass;                   // [kg] of ambient gas, in through all vents
+  double backflow_enthalpy;               // [J]
+  int steps;                              // accepted sub-steps of the integrator (0: no stepper was needed)
+  int evaluations;                        // evaluations of the right-hand side
+  std::span<const StreamFlux> inflows;    // in, one each
+  std::span<const StreamFlux> outflows;   // out, one per vent, and last the fabric
   std::span<const StreamFlux> backflows;  // in, one per vent; empty without backflow
 };
 
@@ -55,13 +55,14 @@ struct IntegratorOptions {
   double fixed_step = 0.0;  // [s] > 0: sub-steps of this length between break points, no error control
 };
 
-/// Stage S10: integrates (G.9), (G.10) over a step. Only outflows, backflow, heat and work are stepped; inflow is
-/// added in closed form at every stage, so that mass and energy balance to round-off and no inflow is ever
-/// stepped over, at any tolerance, by any method. Break points: knots and firing times of the inflows, inflow
-/// temperatures of 1000 K, knots of the vents' curves, switching times of the triggers; located: pressure
-/// triggers, knots of the overpressure, the sonic/subsonic switch of the vents and p = p_a. A sealed
-/// adiabatic volume of constant size is pure quadrature. Explicit methods take sub-steps of the order 1/(G.14)
-/// where inflow is balanced by outflow; with fixed_step a sub-step past the method's limit is an error.
+/// Stage S10: integrates (G.9), (G.10) over a step. Only outflows, backflow, heat and work are stepped;
+/// inflow is added in closed form at every stage, so that mass and energy balance to round-off and no inflow
+/// is ever stepped over, at any tolerance, by any method. Break points: knots and firing times of the
+/// inflows, inflow temperatures of 1000 K, knots of the vents' curves, switching times of the triggers;
+/// located: pressure triggers, knots of the overpressure, the sonic/subsonic switch of the vents and p = p_a.
+/// A sealed adiabatic volume of constant size is pure quadrature. Explicit methods take sub-steps of the
+/// order 1/(G.14) where inflow is balanced by outflow; with fixed_step a sub-step past the method's limit is
+/// an error.
 class GasIntegrator {
  public:
   /// Copies the model. Throws std::invalid_argument for a bad model or option. Allocates all that advance()
@@ -72,9 +73,9 @@ class GasIntegrator {
   GasIntegrator& operator=(GasIntegrator&&) noexcept;
 
   /// Advances `state` from t0 to t1 > t0 [s]. Does not allocate. Throws std::invalid_argument
-  /// for t1 <= t0 or a state of another size, DomainError if a volume is not positive, the temperature leaves its
-  /// range, maximum_steps is exceeded (the gas is too stiff) or fixed_step is past the stability limit; `state`
-  /// is then unchanged.
+  /// for t1 <= t0 or a state of another size, DomainError if a volume is not positive, the temperature leaves
+  /// its range, maximum_steps is exceeded (the gas is too stiff) or fixed_step is past the stability limit;
+  /// `state` is then unchanged.
   StepFluxes advance(ControlVolumeState& state, double t0, double t1, const VolumePath& path);
 
  private:

@@ -43,8 +43,8 @@ struct TriggerModel {
 /// One node's memory. A node that has never been on has first_on = infinity.
 struct NodeState {
   bool on = false;
-  double since = std::numeric_limits<double>::infinity();     // [s] when it last came on
-  double first_on = std::numeric_limits<double>::infinity();  // [s] when it first came on
+  double since = std::numeric_limits<double>::infinity();       // [s] when it last came on
+  double first_on = std::numeric_limits<double>::infinity();    // [s] when it first came on
   double held_since = std::numeric_limits<double>::infinity();  // [s] since when a gate's condition holds
 };
 
