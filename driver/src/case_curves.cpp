@@ -14,11 +14,11 @@ namespace {
 void check_knots(const CurveData& curve, const std::function<void(const std::string&)>& fail) {
   if (curve.time.size() != curve.value.size())
     fail(
-        fmt::format("has {} times and {} values, as many are needed", curve.time.size(), curve.value.size()));
+        fmt::format("has {} knots and {} values, as many are needed", curve.time.size(), curve.value.size()));
   if (curve.time.size() < 2) fail(fmt::format("has {} knots, 2 or more are needed", curve.time.size()));
   for (std::size_t i = 1; i < curve.time.size(); ++i)
     if (!(curve.time[i] > curve.time[i - 1]))
-      fail(fmt::format("knot {} at {} s follows {} s: knots in strictly rising order are allowed", i + 1,
+      fail(fmt::format("knot {} at {} follows {}: knots in strictly rising order are allowed", i + 1,
                        curve.time[i], curve.time[i - 1]));
 }
 
@@ -35,16 +35,19 @@ CurveData read_curve_csv(const std::filesystem::path& file, const std::string& t
   return curve;
 }
 
-CurveData TableReader::curve_of_table(const std::string& key, TableReader&& reader, Bounds bounds) const {
+CurveData TableReader::curve_of_table(const std::string& key, TableReader&& reader, Bounds bounds,
+                                      const std::string& abscissa) const {
   CurveData curve;
   if (reader.has("file")) {
     const auto file = beside_case(reader.text("file"));
-    curve = read_curve_csv(file, reader.text("time_column", "time_s"), reader.text("column"));
+    curve = read_curve_csv(
+        file, reader.text(abscissa + "_column", abscissa == "time" ? "time_s" : abscissa + "_Pa"),
+        reader.text("column"));
     for (const double value : curve.value)
       if (value < bounds.low || value > bounds.high || (bounds.open_low && value == bounds.low))
         fail(key, fmt::format("{} holds {}, {} is allowed", file.string(), value, bounds.text));
   } else {
-    curve.time = reader.numbers("time", any_number);
+    curve.time = reader.numbers(abscissa, any_number);
     curve.value = reader.numbers("value", bounds);
     check_knots(curve, [&](const std::string& message) { fail(key, message); });
   }
@@ -52,9 +55,18 @@ CurveData TableReader::curve_of_table(const std::string& key, TableReader&& read
   return curve;
 }
 
-CurveData TableReader::curve(const std::string& key, Bounds bounds) {
+bool TableReader::is_table(const std::string& key) const {
+  const toml::node* node = table_->get(key);
+  return node && node->is_table();
+}
+
+bool TableReader::has_in_table(const std::string& key, const std::string& inner) const {
+  return is_table(key) && table_->get(key)->as_table()->contains(inner);
+}
+
+CurveData TableReader::curve(const std::string& key, Bounds bounds, const std::string& abscissa) {
   const toml::node& node = require(key, "a number or a curve");
-  if (node.is_table()) return curve_of_table(key, table(key), bounds);
+  if (node.is_table()) return curve_of_table(key, table(key), bounds, abscissa);
   return {{}, {number(key, bounds)}};
 }
 

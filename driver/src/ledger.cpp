@@ -43,7 +43,7 @@ EnergyRecord energy_record(const Scene& scene, const State& state) {
   e.time_s = state.time;
   if (scene.has_volume()) {
     e.gas_internal_J = state.level.internal_energy;
-    e.ambient_work_J = scene.ambient.pressure * (state.level.volume - state.initial_volume);
+    if (state.bag) e.ambient_work_J = scene.ambient.pressure * (state.level.volume - state.initial_volume);
   }
   if (state.bag) {
     e.skin_kinetic_J = level_kinetic(state.step, state.bag->advance.kinetic_before,
@@ -64,6 +64,9 @@ EnergyRecord energy_record(const Scene& scene, const State& state) {
   e.friction_J = state.flows.friction_loss;
   e.inflow_enthalpy_J = flows.enthalpy_in;
   e.jet_work_J = flows.jet_work;
+  e.backflow_enthalpy_J = flows.backflow_enthalpy;
+  e.heat_loss_J = flows.heat_loss;
+  if (!state.bag) e.tank_work_J = flows.gas_work;
   return e;
 }
 
@@ -106,6 +109,8 @@ Record history_record(const Scene& scene, const State& state) {
   r.inflow_kg_s = gas.inflow;
   r.vent_outflow_kg_s = gas.vent_mass_flow;
   r.fabric_outflow_kg_s = gas.fabric_mass_flow;
+  r.backflow_kg_s = gas.backflow;
+  r.heat_loss_W = gas.heat_loss;
   Eigen::Vector3d jet_force = Eigen::Vector3d::Zero();
   for (const JetRun& run : state.jets) {
     jet_force += run.force;
@@ -135,11 +140,10 @@ void book_peaks(const Scene& scene, State& state) {
   peaks.volume = std::max(peaks.volume, state.level.volume);
   for (const JetRun& run : state.jets) peaks.jet_force = std::max(peaks.jet_force, run.force.norm());
   if (scene.has_volume()) {
-    const double expected = state.initial_gas_mass + state.flows.mass_in - state.flows.vent_mass_out -
-                            state.flows.fabric_mass_out;
-    const double scale = state.initial_gas_mass + state.flows.mass_in;
-    if (scale > 0.0)
-      peaks.mass_residual = std::max(peaks.mass_residual, std::abs(gas_mass(state) - expected) / scale);
+    const double supplied = state.initial_gas_mass + state.flows.mass_in + state.flows.backflow_mass;
+    const double expected = supplied - state.flows.vent_mass_out - state.flows.fabric_mass_out;
+    if (supplied > 0.0)
+      peaks.mass_residual = std::max(peaks.mass_residual, std::abs(gas_mass(state) - expected) / supplied);
   }
   if (state.pendulum) {
     peaks.pendulum_angle = std::max(peaks.pendulum_angle, std::abs(state.level.pendulum_angle));
@@ -165,8 +169,9 @@ void ledger(const Scene& scene, State& state, const StepRequest& request, StepRe
   EnergyRecord& energy = records.energy;
   energy = energy_record(scene, state);
   if (start) state.initial_energy = held(energy);
-  energy.residual_J = held(energy) + energy.outflow_enthalpy_J + energy.damping_J + energy.friction_J -
-                      state.initial_energy - energy.inflow_enthalpy_J - energy.jet_work_J;
+  energy.residual_J = held(energy) + energy.outflow_enthalpy_J + energy.damping_J + energy.friction_J +
+                      energy.heat_loss_J + energy.tank_work_J - state.initial_energy -
+                      energy.inflow_enthalpy_J - energy.backflow_enthalpy_J - energy.jet_work_J;
   energy.kick_residual_J = kick_residual;
   // Absolute enthalpies (NASA-7) pass through zero: no single term serves as the scale of all scenes.
   state.peaks.energy_scale =

@@ -23,15 +23,17 @@ void read_general(TableReader& root, Scene& scene) {
   table.finish();
 }
 
-void read_ambient(TableReader& root, Scene& scene) {
+/// The table is finished by the gas, which reads the composition.
+std::optional<TableReader> read_ambient(TableReader& root, Scene& scene) {
   // The standard atmosphere at 20 degrees C where the case does not say.
   scene.ambient = {101325.0, 293.15};
-  if (auto table = root.optional_table("ambient")) {
+  auto table = root.optional_table("ambient");
+  if (table) {
     if (!root.has("gas")) table->fail("", "has no effect: it needs [gas]");
     scene.ambient.pressure = table->number("pressure", positive, scene.ambient.pressure);
     scene.ambient.temperature = table->number("temperature", positive, scene.ambient.temperature);
-    table->finish();
   }
+  return table;
 }
 
 void read_time(TableReader& root, Scene& scene) {
@@ -50,6 +52,14 @@ void read_time(TableReader& root, Scene& scene) {
     if (!scene.gas || root.has("target"))
       table->fail("gas_tolerance", "has no effect: the scene has no volume of gas");
     scene.gas->integrator.relative_tolerance = *tolerance;
+  }
+  if (table->has("gas_method")) {
+    if (!scene.gas) table->fail("gas_method", "the scene has no gas");
+    scene.gas->integrator.method = table->choice<gas::Method>(
+        "gas_method", {{"dormand_prince", gas::Method::kDormandPrince5},
+                       {"runge_kutta", gas::Method::kRungeKutta4},
+                       {"euler", gas::Method::kEuler},
+                       {"rosenbrock", gas::Method::kRosenbrock4}});
   }
   if (scene.time.unsafe_step && !scene.time.step) table->fail("unsafe_dt", "is allowed with `step` only");
   table->finish();
@@ -84,6 +94,11 @@ void check_composition(const TableReader& root, const Scene& scene) {
     root.fail("", "names nothing to simulate: [gas], [membrane] or [pendulum]");
   if (scene.gas && !scene.has_volume() && !scene.gas->model.vents.empty())
     root.fail("vent", "needs a volume, [tank] or [membrane]");
+  if (scene.gas && !scene.has_volume() && scene.gas->model.triggers.size() > 0)
+    root.fail(root.has("sensor") ? "sensor" : "trigger", "needs a volume, [tank] or [membrane]");
+  for (const auto& sensor : scene.gas ? scene.gas->model.triggers.sensors : std::vector<gas::Sensor>{})
+    if (sensor.kind == gas::SensorKind::kInput && !scene.contact)
+      root.fail("sensor", "of contact: the scene has no [contact]");
   if (scene.pendulum && !scene.bag && !scene.time.step)
     root.fail("time", "step is needed for a pendulum alone");
 }
@@ -95,9 +110,10 @@ Scene read_scene(CaseDocument& document) {
   scene.case_file = document.file();
   TableReader root = document.root();
   read_general(root, scene);
-  read_ambient(root, scene);
+  auto ambient = read_ambient(root, scene);
   auto inflators = root.tables("inflator");
-  read_gas(root, inflators, scene);
+  read_gas(root, ambient, inflators, scene);
+  if (ambient) ambient->finish();
   read_time(root, scene);
   read_bag(root, scene);
   read_target(root, scene);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// [gas], [tank], [[inflator]] and [[vent]] -> GasPart.
+// [gas], [[inflator]] -> GasPart.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -108,48 +108,57 @@ std::vector<double> mass_fractions(const gas::Thermo& thermo, const SpeciesList&
                                     : thermo.mass_fractions_by_mass(parts);
 }
 
-void read_vents(TableReader& root, std::vector<gas::Vent>& vents) {
-  for (auto& table : root.tables("vent")) {
-    vents.push_back(
-        {table.number("discharge_coefficient", positive_fraction, 1.0), table.number("area", positive)});
-    table.finish();
-  }
+void add_species(TableReader& reader, const NamedComposition& composition, SpeciesList& list) {
+  reader.located("composition", [&] {
+    for (const auto& entry : composition.fractions) list.add(entry.first);
+  });
 }
 
-// What fills the volume at the start.
-void read_initial(TableReader& table, const SpeciesList& list, const NamedComposition& composition,
-                  const gas::Ambient& ambient, GasPart& part) {
-  table.located("composition",
-                [&] { part.initial_fractions = mass_fractions(part.model.thermo, list, composition); });
-  part.initial_pressure = table.number("pressure", non_negative, ambient.pressure);
-  part.initial_temperature = table.number("temperature", positive, ambient.temperature);
-  table.finish();
+/// Composition of the gas outside; asked for only where a vent lets it in.
+std::optional<NamedComposition> read_ambient_composition(TableReader& root,
+                                                         std::optional<TableReader>& ambient) {
+  bool named = false;
+  for (const auto& vent : root.tables("vent")) named = named || vent.has("backflow");
+  if (!named) return {};
+  if (ambient && ambient->has("composition")) return read_composition(*ambient);
+  return NamedComposition{{{"air", 1.0}}, By::mole};
 }
 
-void read_inflow(TableReader& table, const SpeciesList& list, const NamedComposition& composition,
-                 GasPart& part) {
+gas::Inflow read_inflow(TableReader& reader, std::vector<double> fractions, TriggerNames& names) {
   std::optional<gas::Curve> mass_flow, temperature;
-  table.located("mass_flow", [&] {
-    mass_flow = to_gas_curve(table.curve("mass_flow", non_negative), gas::Outside::kZero);
+  reader.located("mass_flow", [&] {
+    mass_flow = to_gas_curve(reader.curve("mass_flow", non_negative), gas::Outside::kZero);
   });
-  table.located("temperature", [&] {
-    temperature = to_gas_curve(table.curve("temperature", positive), gas::Outside::kHeld);
+  reader.located("temperature", [&] {
+    temperature = to_gas_curve(reader.curve("temperature", positive), gas::Outside::kHeld);
   });
-  const double start = table.number("start_time", non_negative, 0.0);
-  table.located("temperature", [&] {
-    part.model.inflows.push_back(
-        {mass_fractions(part.model.thermo, list, composition), *mass_flow, *temperature, start});
-    gas::validate(part.model);
-  });
+  const double start = reader.number("start_time", non_negative, 0.0);
+  return {std::move(fractions), *mass_flow, *temperature, start, names.optional_node(reader)};
 }
 
-void warn_if_idle(Scene& scene) {
-  for (std::size_t i = 0; i < scene.gas->model.inflows.size(); ++i) {
-    const auto& inflow = scene.gas->model.inflows[i];
-    const double length = scene.time.end - inflow.start_time;
-    if (!(length > 0.0 && inflow.mass_flow.integral(0.0, length) > 0.0))
+void warn_of_idle_inflators(Scene& scene) {
+  const auto& inflows = scene.gas->model.inflows;
+  for (std::size_t i = 0; i < inflows.size(); ++i) {
+    const double length = scene.time.end - inflows[i].start_time;
+    if (!(length > 0.0 && inflows[i].mass_flow.integral(0.0, length) > 0.0))
       scene.warnings.push_back(fmt::format("inflator.{} delivers nothing before end_time", i));
   }
+}
+
+void read_initial(TableReader& initial, const NamedComposition& composition, const SpeciesList& list,
+                  Scene& scene) {
+  GasPart& part = *scene.gas;
+  initial.located("composition",
+                  [&] { part.initial_fractions = mass_fractions(part.model.thermo, list, composition); });
+  part.initial_pressure = initial.number("pressure", non_negative, scene.ambient.pressure);
+  part.initial_temperature = initial.number("temperature", positive, scene.ambient.temperature);
+  initial.finish();
+}
+
+/// What needs a gas and has none.
+void refuse_without_gas(TableReader& root) {
+  for (const char* key : {"tank", "inflator", "vent", "sensor", "trigger"})
+    if (root.has(key)) root.fail(key, "needs a table [gas]");
 }
 
 }  // namespace
@@ -164,43 +173,46 @@ gas::Curve to_gas_curve(const CurveData& data, gas::Outside outside) {
   return {std::move(knots), outside};
 }
 
-void read_gas(TableReader& root, std::vector<TableReader>& inflators, Scene& scene) {
+void read_gas(TableReader& root, std::optional<TableReader>& ambient, std::vector<TableReader>& inflators,
+              Scene& scene) {
   auto table = root.optional_table("gas");
-  if (!table) {
-    for (const char* key : {"tank", "inflator", "vent"})
-      if (root.has(key)) root.fail(key, "needs a table [gas]");
-    return;
-  }
+  if (!table) return refuse_without_gas(root);
   SpeciesList list = read_species(*table);
-  const auto composition_of = [&](TableReader& reader) {
-    NamedComposition composition = read_composition(reader);
-    reader.located("composition", [&] {
-      for (const auto& entry : composition.fractions) list.add(entry.first);
-    });
-    return composition;
-  };
   std::optional<TableReader> initial;
   NamedComposition initial_composition;
   if (root.has("tank") || root.has("membrane")) {
     initial = table->table("initial");
-    initial_composition = composition_of(*initial);
+    initial_composition = read_composition(*initial);
+    add_species(*initial, initial_composition, list);
   } else if (table->has("initial")) {
     table->fail("initial", "the scene has no volume, [tank] or [membrane], that gas fills at the start");
   }
   std::vector<NamedComposition> compositions;
-  for (auto& inflator : inflators) compositions.push_back(composition_of(inflator));
-
-  scene.gas.emplace(GasPart{{gas::Thermo(list.species()), scene.ambient, {}, {}}, {}, {}, 0.0, 0.0, {}});
-  GasPart& part = *scene.gas;
-  if (initial) read_initial(*initial, list, initial_composition, scene.ambient, part);
-  table->finish();
-  for (std::size_t i = 0; i < inflators.size(); ++i) read_inflow(inflators[i], list, compositions[i], part);
-  warn_if_idle(scene);
-  read_vents(root, part.model.vents);
-  if (auto tank = root.optional_table("tank")) {
-    part.rigid_volume = tank->number("volume", positive);
-    tank->finish();
+  for (auto& inflator : inflators) {
+    compositions.push_back(read_composition(inflator));
+    add_species(inflator, compositions.back(), list);
   }
+  const auto outside = read_ambient_composition(root, ambient);
+  if (outside) add_species(ambient ? *ambient : root, *outside, list);
+
+  gas::ControlVolumeModel model{gas::Thermo(list.species()), scene.ambient, {}, {}};
+  if (outside) model.ambient.mass_fractions = mass_fractions(model.thermo, list, *outside);
+  scene.gas.emplace(GasPart{std::move(model), {}, {}, 0.0, 0.0, {}, {}});
+  GasPart& part = *scene.gas;
+  if (initial) read_initial(*initial, initial_composition, list, scene);
+  read_heat_loss(*table, scene);
+  table->finish();
+
+  TriggerNames names = read_triggers(root, part.model.triggers);
+  for (std::size_t i = 0; i < inflators.size(); ++i) {
+    part.model.inflows.push_back(
+        read_inflow(inflators[i], mass_fractions(part.model.thermo, list, compositions[i]), names));
+    inflators[i].located("temperature", [&] { gas::validate(part.model); });
+  }
+  warn_of_idle_inflators(scene);
+  read_vents(root, names, part.model);
+  names.warn_of_idle(scene);
+  read_tank(root, part);
   table->located("", [&] { gas::validate(part.model); });
   if (!initial) return;
   table->located("initial", [&] {

@@ -2,13 +2,43 @@
 // How each table of a case becomes a part of the scene; one file per library.
 #pragma once
 
+#include <set>
+
 #include "driver/scene.hpp"
 
 namespace driver {
 
-/// [gas], [[gas.species]], [tank], [[inflator]] (its gas), [[vent]]. `inflators` are read but not finished:
-/// the jets are read from them later.
-void read_gas(TableReader& root, std::vector<TableReader>& inflators, Scene& scene);
+/// [gas], [[gas.species]], [[inflator]] (its gas), and the tables of the functions below. `ambient` and `inflators`
+/// are read but not finished: the jets are read from the latter later.
+void read_gas(TableReader& root, std::optional<TableReader>& ambient, std::vector<TableReader>& inflators,
+              Scene& scene);
+
+/// Sensors and triggers by their names: nodes of gas::TriggerModel.
+class TriggerNames {
+ public:
+  void add(TableReader& table);
+  /// Node called `name`; the error names `key` of `table`.
+  std::size_t node(const TableReader& table, const std::string& key, const std::string& name) const;
+  /// Node that the optional key "trigger" names.
+  std::optional<std::size_t> optional_node(TableReader& table);
+  void use(const std::vector<std::size_t>& nodes) { used_.insert(nodes.begin(), nodes.end()); }
+  void warn_of_idle(Scene& scene) const;
+
+ private:
+  std::vector<std::string> names_;
+  std::set<std::size_t> used_;
+};
+
+/// [[sensor]], [[trigger]]
+TriggerNames read_triggers(TableReader& root, gas::TriggerModel& model);
+/// [[vent]]
+void read_vents(TableReader& root, TriggerNames& names, gas::ControlVolumeModel& model);
+/// [tank]
+void read_tank(TableReader& root, GasPart& part);
+/// [gas.heat_loss]
+void read_heat_loss(TableReader& gas_table, Scene& scene);
+/// `velocity` of a fabric with leak_law = "table"
+void read_leak_velocity(TableReader& table, gas::ControlVolumeModel& model);
 /// [membrane], [fabric]
 void read_bag(TableReader& root, Scene& scene);
 /// [fabric]: properties of each element, compression and leak law; bag.elements are set.

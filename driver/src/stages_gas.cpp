@@ -1,16 +1,36 @@
 // SPDX-License-Identifier: Apache-2.0
 // S2 gas point, S10 gas.
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
 #include "stages.hpp"
 
 namespace driver {
 
+double TankVolume::at(double time) const {
+  return table ? table->value(time)
+               : mean + amplitude * std::sin(2.0 * std::numbers::pi * frequency * time + phase);
+}
+
+double TankVolume::piece_end(double time) const {
+  constexpr double pieces = 512.0;
+  return table ? table->next_knot(time) : time + 1.0 / (pieces * frequency);
+}
+
 Enclosure enclosure(const Scene& scene, const State& state) {
-  if (!scene.bag) return {scene.gas ? scene.gas->rigid_volume.value_or(0.0) : 0.0, 0.0};
+  if (!scene.bag) {
+    if (!scene.gas) return {};
+    const GasPart& gas = *scene.gas;
+    return {gas.tank_volume ? gas.tank_volume->at(state.time) : gas.rigid_volume.value_or(0.0),
+            gas.tank_leak_area};
+  }
   const auto& surface = state.bag->surface;
   switch (scene.bag->leak_law) {
     case LeakLaw::printed:
       return {surface.volume, surface.porosity_squared_area};
     case LeakLaw::screen:
+    case LeakLaw::table:
       return {surface.volume, surface.porosity_area};
     case LeakLaw::none:
       break;
@@ -29,19 +49,59 @@ void gas_point(const Scene& scene, State& state) {
   if (state.bag) state.level.skin_area = state.bag->surface.area;
 }
 
-void gas_ode(const Scene& scene, State& state, const Enclosure& before) {
-  StageTimer timer(state, Stage::gas);
-  if (!scene.gas || !scene.has_volume()) return;
-  const Enclosure after = enclosure(scene, state);
-  const double next = state.time + state.step.after;
-  const auto fluxes = state.gas_integrator->advance(
-      state.gas, state.time, next, {before.volume, after.volume, before.leak_area, after.leak_area});
+namespace {
+
+void add(std::span<const gas::StreamFlux> fluxes, std::vector<gas::StreamFlux>& sums) {
+  for (std::size_t i = 0; i < fluxes.size(); ++i) {
+    sums[i].mass += fluxes[i].mass;
+    sums[i].enthalpy += fluxes[i].enthalpy;
+  }
+}
+
+void book(const gas::StepFluxes& fluxes, State& state) {
   Flows& flows = state.flows;
   flows.mass_in += fluxes.mass_in;
   flows.enthalpy_in += fluxes.enthalpy_in;
   flows.vent_mass_out += fluxes.vent_mass_out;
   flows.fabric_mass_out += fluxes.fabric_mass_out;
   flows.enthalpy_out += fluxes.enthalpy_out;
+  flows.backflow_mass += fluxes.backflow_mass;
+  flows.backflow_enthalpy += fluxes.backflow_enthalpy;
+  flows.heat_loss += fluxes.heat;
+  flows.gas_work += fluxes.work;
+  flows.gas_substeps += fluxes.steps;
+  flows.gas_evaluations += fluxes.evaluations;
+  add(fluxes.inflows, state.streams.inflows);
+  add(fluxes.outflows, state.streams.outflows);
+  add(fluxes.backflows, state.streams.backflows);
+}
+
+/// A tank that moves along its path: steps end at the ends of the path's linear pieces.
+void advance_tank(const TankVolume& volume, double leak_area, double next, State& state) {
+  for (double t = state.time; t < next;) {
+    const double end = std::min(volume.piece_end(t), next);
+    book(state.gas_integrator->advance(state.gas, t, end,
+                                       {volume.at(t), volume.at(end), leak_area, leak_area}),
+         state);
+    t = end;
+  }
+}
+
+}  // namespace
+
+void gas_ode(const Scene& scene, State& state, const Enclosure& before) {
+  StageTimer timer(state, Stage::gas);
+  if (!scene.gas || !scene.has_volume()) return;
+  const double next = state.time + state.step.after;
+  const auto& sensors = scene.gas->model.triggers.sensors;
+  for (std::size_t i = 0; i < sensors.size(); ++i)
+    if (sensors[i].kind == gas::SensorKind::kInput)
+      gas::set_input(scene.gas->model.triggers, i, state.contact.area > 0.0, state.gas.triggers);
+  if (scene.gas->tank_volume) return advance_tank(*scene.gas->tank_volume, before.leak_area, next, state);
+  const Enclosure after = enclosure(scene, state);
+  book(state.gas_integrator->advance(state.gas, state.time, next,
+                                     {before.volume, after.volume, before.leak_area, after.leak_area}),
+       state);
   if (state.bag && !scene.jets.empty() && scene.jets.front().work == JetWork::from_gas)
     state.gas.internal_energy -= state.bag->advance.work.jet;
 }

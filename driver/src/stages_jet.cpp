@@ -78,7 +78,7 @@ void outlets(const Scene& scene, State& state) {
   if (scene.jets.empty()) return;
   StageTimer timer(state, Stage::outlet);
   for (std::size_t j = 0; j < scene.jets.size(); ++j) {
-    const auto point = gas::inflator_point(scene.gas->model, scene.jets[j].inflator, state.time);
+    const auto point = gas::inflator_point(scene.gas->model, state.gas, scene.jets[j].inflator, state.time);
     const double pressure = scene.has_volume() ? state.gas_point.pressure : scene.ambient.pressure;
     state.jets[j].outlet = jet::outlet_state(
         scene.jets[j].outlet, {point.mass_flow, point.temperature, point.cp, point.gas_constant, pressure});

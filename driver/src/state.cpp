@@ -12,11 +12,14 @@ namespace {
 void start_gas(const Scene& scene, State& state) {
   const GasPart& part = *scene.gas;
   const double volume = enclosure(scene, state).volume;
-  state.gas = gas::make_state(part.model.thermo, part.initial_fractions, part.initial_pressure,
+  state.gas = gas::make_state(part.model, part.initial_fractions, part.initial_pressure,
                               part.initial_temperature, volume);
   state.gas_integrator.emplace(part.model, part.integrator);
   state.initial_gas_mass = std::accumulate(state.gas.masses.begin(), state.gas.masses.end(), 0.0);
   state.initial_volume = volume;
+  state.streams.inflows.resize(part.model.inflows.size());
+  state.streams.outflows.resize(part.model.vents.size() + 1);
+  state.streams.backflows.resize(part.model.vents.size());
 }
 
 void start_target(const Scene& scene, State& state) {

@@ -66,8 +66,36 @@ Json peaks(const Scene& scene, const State& state) {
   return json;
 }
 
+bool has_backflow(const GasPart& gas) {
+  return std::any_of(gas.model.vents.begin(), gas.model.vents.end(),
+                     [](const auto& v) { return v.backflow; });
+}
+
+/// Mass and enthalpy that each stream carried, from the start.
+Json streams(const Scene& scene, const State& state) {
+  Json json = Json::object();
+  const auto entry = [](const gas::StreamFlux& flux) {
+    return Json{{"mass_kg", flux.mass}, {"enthalpy_J", flux.enthalpy}};
+  };
+  const std::size_t vents = scene.gas->model.vents.size();
+  for (std::size_t i = 0; i < state.streams.inflows.size(); ++i) {
+    Json& inflator = json["inflator." + std::to_string(i)] = entry(state.streams.inflows[i]);
+    const double fired = gas::firing_time(scene.gas->model.inflows[i], state.gas.triggers);
+    inflator["fired_s"] = std::isfinite(fired) ? Json(fired) : Json(nullptr);
+  }
+  for (std::size_t j = 0; j < vents; ++j) {
+    json["vent." + std::to_string(j)] = entry(state.streams.outflows[j]);
+    if (scene.gas->model.vents[j].backflow)
+      json["vent." + std::to_string(j) + ".backflow"] = entry(state.streams.backflows[j]);
+  }
+  if (state.streams.outflows[vents].mass > 0.0) json["fabric"] = entry(state.streams.outflows[vents]);
+  return json;
+}
+
 Json counters(const Scene& scene, const State& state) {
   Json json = Json::object();
+  if (scene.has_volume()) json["gas_substeps"] = state.flows.gas_substeps;
+  if (scene.has_volume()) json["gas_evaluations"] = state.flows.gas_evaluations;
   if (scene.bag) json["elements"] = scene.bag->model.element_count;
   if (scene.bag) json["nodes"] = scene.bag->model.node_count;
   for (std::size_t j = 0; j < state.jets.size(); ++j) {
@@ -101,6 +129,9 @@ std::vector<Column<Record>> history_columns(const Scene& scene) {
     GASJET_COLUMN(gas_mass_kg);
     if (!scene.gas->model.inflows.empty()) GASJET_COLUMN(inflow_kg_s);
     if (!scene.gas->model.vents.empty()) GASJET_COLUMN(vent_outflow_kg_s);
+    if (has_backflow(*scene.gas)) GASJET_COLUMN(backflow_kg_s);
+    if (scene.gas->model.heat_loss.conductance > 0.0) GASJET_COLUMN(heat_loss_W);
+    if (scene.gas->tank_leak_area > 0.0) GASJET_COLUMN(fabric_outflow_kg_s);
   }
   if (scene.bag) {
     if (scene.bag->leak_law != LeakLaw::none) GASJET_COLUMN(fabric_outflow_kg_s);
@@ -150,6 +181,9 @@ std::vector<Column<EnergyRecord>> energy_columns(const Scene& scene) {
   if (scene.has_volume()) {
     GASJET_COLUMN(outflow_enthalpy_J);
     GASJET_COLUMN(inflow_enthalpy_J);
+    if (has_backflow(*scene.gas)) GASJET_COLUMN(backflow_enthalpy_J);
+    if (scene.gas->model.heat_loss.conductance > 0.0) GASJET_COLUMN(heat_loss_J);
+    if (scene.gas->tank_volume) GASJET_COLUMN(tank_work_J);
   }
   if (scene.bag && scene.bag->model.description.mass_damping > 0.0) GASJET_COLUMN(damping_J);
   if (scene.contact && scene.contact->parameters().friction > 0.0) GASJET_COLUMN(friction_J);
@@ -174,6 +208,7 @@ void write_summary(const std::filesystem::path& file, const Scene& scene, const 
   json["dt"] = step_sizes(scene, state);
   json["residual"] = residuals(scene, state);
   json["peak"] = peaks(scene, state);
+  if (scene.has_volume()) json["streams"] = streams(scene, state);
   json["counters"] = counters(scene, state);
   for (const auto& [key, value] : lines) json["build"][key] = value;
   std::ofstream stream(file);

@@ -115,6 +115,7 @@ void FlowBalance::locate(const Vector& y, double t) {
   point_.volume = volume(t);
   point_.pressure = point_.gamma = point_.thermal_energy = point_.specific_enthalpy = 0.0;
   point_.heat = 0.0;
+  if (point_.valid && mixture_.mass == 0.0) point_.heat = heat_of_first_gas(t);
   if (!point_.valid || mixture_.mass == 0.0) return;
   const auto temperature = mixture_.find_temperature(internal_energy, point_.temperature);
   point_.valid = temperature.has_value();
@@ -176,9 +177,9 @@ void FlowBalance::fill_rates(Vector& dydt, double t) {
   point_.vent = point_.fabric = point_.back = 0.0;
   if (!point_.valid) return;
   if (regime_ == Regime::kBack || regime_ == Regime::kBackSonic) backflow_rates(dydt, t);
+  dydt[heat_slot()] = point_.heat;
   if (point_.mass == 0.0) return;
   dydt[work_slot()] = point_.pressure * volume_rate_;
-  dydt[heat_slot()] = point_.heat;
   if (regime_ == Regime::kOut || regime_ == Regime::kOutSonic) outflow_rates(dydt, t);
 }
 

@@ -102,6 +102,7 @@ class FlowBalance {
   double collect(const Vector& y, double t);
   double volume(double t) const { return volume_begin_ + volume_rate_ * (t - t0_); }
   double leak_area(double t) const { return leak_area_begin_ + leak_area_rate_ * (t - t0_); }
+  double heat_of_first_gas(double t) const;
   void outflow_rates(Vector& dydt, double t);
   void backflow_rates(Vector& dydt, double t);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rates of the pressure that the integrator's events need, and the gas's own relaxation rate.
+// Rates of the pressure that the integrator's events need, the gas's own relaxation rate, heat of the first gas.
 #include <algorithm>
 #include <cmath>
 
@@ -16,7 +16,41 @@ double pressure_growth(const Mixture& gas, double temperature, const FlowBalance
          gas.mass;
 }
 
+/// `to` plus factor times the amount `from`.
+void add(double factor, const Mixture& from, Mixture& to) {
+  to.constant_cp = from.constant_cp;
+  to.minimum_temperature = from.minimum_temperature;
+  to.maximum_temperature = from.maximum_temperature;
+  to.gas_constant_sum += factor * from.gas_constant_sum;
+  for (std::size_t j = 0; j < to.low.size(); ++j) {
+    to.low[j] += factor * from.low[j];
+    to.high[j] += factor * from.high[j];
+  }
+}
+
 }  // namespace
+
+/// (G.11) while an evacuated volume begins to fill: without a heat capacity, T is where inflow and walls
+/// balance, sum mdot_i (h_i - u_i(T)) = h A (T - T_ext), which is the equation of a mixture with h A added to
+/// its cp.
+double FlowBalance::heat_of_first_gas(double t) const {
+  const HeatLoss& loss = model_.heat_loss;
+  if (loss.conductance == 0.0) return 0.0;
+  Mixture sum;
+  double energy = loss.conductance * loss.outside_temperature, flow = 0.0;
+  for (const InflowSegment& segment : segments_) {
+    const auto [mass_flow, temperature] = segment.flow(t - segment_begin_);
+    if (!(mass_flow > 0.0)) continue;
+    energy += mass_flow * segment.gas().enthalpy(temperature);
+    add(mass_flow, segment.gas(), sum);
+    flow += mass_flow;
+  }
+  if (flow == 0.0) return 0.0;
+  sum.low[0] += loss.conductance;
+  sum.high[0] += loss.conductance;
+  const auto temperature = sum.find_temperature(energy, loss.outside_temperature);
+  return temperature ? loss.conductance * (*temperature - loss.outside_temperature) : 0.0;
+}
 
 double FlowBalance::closed_pressure_growth(double t) const {
   double growth = -point_.gamma * point_.pressure * volume_rate_ - (point_.gamma - 1.0) * point_.heat;

@@ -72,11 +72,13 @@ class RosenbrockStepper : public Stepper {
   void step(Rates& rates, const Vector& y, const Vector& dydx, double x, double h, bool,
             Trial& out) override {
     fill_matrix(rates, y, dydx, x, h);
+    // The sum of gamma_ij that d4 stands for is -0.0362: Odeint (1.74) has it without the sign, which leaves
+    // order 1 where the rates depend on time.
     const auto& c = coefficients_;
     stage(rates, y, dydx, x, h, 0, {}, 0.0, {}, c.d1);
     stage(rates, y, dydx, x, h, 1, {c.a21}, c.c2, {c.c21}, c.d2);
     stage(rates, y, dydx, x, h, 2, {c.a31, c.a32}, c.c3, {c.c31, c.c32}, c.d3);
-    stage(rates, y, dydx, x, h, 3, {c.a41, c.a42, c.a43}, c.c4, {c.c41, c.c42, c.c43}, c.d4);
+    stage(rates, y, dydx, x, h, 3, {c.a41, c.a42, c.a43}, c.c4, {c.c41, c.c42, c.c43}, -c.d4);
     stage(rates, y, dydx, x, h, 4, {c.a51, c.a52, c.a53, c.a54}, 1.0, {c.c51, c.c52, c.c53, c.c54}, 0.0);
     for (std::size_t i = 0; i < y_.size(); ++i) y_[i] += g_[4][i];
     rates(y_, rate_, x + h);
@@ -129,18 +131,29 @@ class RosenbrockStepper : public Stepper {
     for (std::size_t i = 0; i < rate_.size(); ++i) factors_.at(i, column) -= factor * rate_[i];
   }
 
+  /// Forward in x by what changes p by kIncrement of it, at most a millionth of the step.
+  double time_increment(const Rates& rates, double x, double h) const {
+    const FlowBalance& balance = rates.balance;
+    const double t = rates.time(x), energy = balance.point().pressure * balance.point().volume;
+    const double change = kIncrement * energy / std::abs(balance.closed_pressure_growth(t));
+    const double increment = change > 0.0 ? rates.position(t + change) - x : 1e-6 * h;
+    return std::max(std::min(increment, 1e-6 * h),
+                    8.0 * std::numeric_limits<double>::epsilon() * std::abs(x));
+  }
+
   /// Factors of 1/(gamma h) - J, and slope_, the rates' derivative with x.
   void fill_matrix(Rates& rates, const Vector& y, const Vector& dydx, double x, double h) {
     const FlowBalance& balance = rates.balance;
     y_ = y;
+    rates.balance.locate(y, x);
+    const double mass = balance.point().mass, energy = balance.point().thermal_energy;
     for (std::size_t i = 0; i < y.size(); ++i)
       for (std::size_t j = 0; j < y.size(); ++j)
         factors_.at(i, j) = i == j ? 1.0 / (coefficients_.gamma * h) : 0.0;
-    const double increment = std::max(1e-6 * h, 8.0 * std::numeric_limits<double>::epsilon() * std::abs(x));
+    const double increment = time_increment(rates, x, h);
     rates(y_, slope_, x + increment);
-    const double mass = balance.point().mass, energy = balance.point().thermal_energy;
     for (std::size_t i = 0; i < y.size(); ++i) slope_[i] = (slope_[i] - dydx[i]) / increment;
-    if (mass > 0.0) {
+    if (mass > 0.0) {  // else nothing has left yet
       // More of what is there, so that no mass turns negative.
       for (std::size_t k = 0; k < balance.species(); ++k) {
         difference(rates, dydx, k, -kIncrement * mass, x);

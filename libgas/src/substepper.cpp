@@ -68,7 +68,8 @@ void Substepper::fail(const Rates& rates, double x, double h) const {
 /// p = p_a ends it.
 void Substepper::require_stable(const Rates& rates, double x, double h) const {
   const FlowBalance& balance = rates.balance;
-  if (options_.fixed_step == 0.0 || !(balance.closed_pressure_growth(x) > 0.0)) return;
+  if (options_.fixed_step == 0.0 || options_.unsafe_step || !(balance.closed_pressure_growth(x) > 0.0))
+    return;
   const double rate = balance.relaxation_rate(), limit = stepper_->stability_limit();
   if (!(h * rate > limit)) return;
   throw DomainError("the step " + to_text(h) + " s is above the method's stability limit " +

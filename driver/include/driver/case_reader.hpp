@@ -80,7 +80,12 @@ class TableReader {
   Eigen::Vector3d vector(const std::string& key, const Eigen::Vector3d& fallback);
   /// A number (constant curve: empty `time`), { time = [..], value = [..] } or { file = "curve.csv", column =
   /// "name" }.
-  CurveData curve(const std::string& key, Bounds value_bounds);
+  /// A curve against something else names it: { overpressure = [..], value = [..] }; its knots are `time` all
+  /// the same.
+  CurveData curve(const std::string& key, Bounds value_bounds, const std::string& abscissa = "time");
+  /// The key is there and a table; it has the key `inner`.
+  bool is_table(const std::string& key) const;
+  bool has_in_table(const std::string& key, const std::string& inner) const;
   /// { name = fraction, ... }: each in (0, 1], summing to 1 within 1e-9; returned as given.
   std::map<std::string, double> composition(const std::string& key);
 
@@ -116,7 +121,8 @@ class TableReader {
                            const std::string& fallback);
   std::string join(const std::string& key) const;
   void remember(const std::string& key, const std::string& value, bool is_default);
-  CurveData curve_of_table(const std::string& key, TableReader&& reader, Bounds value_bounds) const;
+  CurveData curve_of_table(const std::string& key, TableReader&& reader, Bounds value_bounds,
+                           const std::string& abscissa) const;
 
   const toml::table* table_;
   std::string path_;

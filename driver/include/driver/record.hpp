@@ -17,6 +17,8 @@ struct Record {
   double inflow_kg_s = 0.0;
   double vent_outflow_kg_s = 0.0;
   double fabric_outflow_kg_s = 0.0;
+  double backflow_kg_s = 0.0;  // of ambient gas, in through vents
+  double heat_loss_W = 0.0;
   double jet_force_N = 0.0;  // magnitude of the resultant of all jets on the skin
   double jet_lit_elements = 0.0;
   double jet_hidden_elements = 0.0;
@@ -49,6 +51,9 @@ struct EnergyRecord {
   double outflow_enthalpy_J = 0.0;
   double damping_J = 0.0;
   double friction_J = 0.0;
+  double backflow_enthalpy_J = 0.0;
+  double heat_loss_J = 0.0;
+  double tank_work_J = 0.0;  // done by the gas of a tank that moves
   double inflow_enthalpy_J = 0.0;
   double jet_work_J = 0.0;  // done by an external jet, 0 when it is taken from the gas
   double residual_J = 0.0;  // physical drift: everything that holds energy minus everything that supplied it

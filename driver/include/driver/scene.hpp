@@ -24,13 +24,23 @@
 namespace driver {
 
 /// Which sum over the skin the fabric's leak takes: eta^2 A as printed in the paper, or eta A (screen
-/// resistance).
-enum class LeakLaw { none, printed, screen };
+/// resistance, or a table of the velocity through the share eta of the area).
+enum class LeakLaw { none, printed, screen, table };
 
 /// Does the work of the jet on the skin come from outside (the paper), or out of the bag's gas?
 /// `from_gas` takes the work of a kick out after the kick: energy balances, the pressure is first order in
 /// it.
 enum class JetWork { external, from_gas };
+
+/// Volume of a tank along a prescribed path: a table, or mean + amplitude sin(2 pi frequency t + phase).
+struct TankVolume {
+  std::optional<gas::Curve> table;                                   // [m3]
+  double mean = 0.0, amplitude = 0.0, frequency = 0.0, phase = 0.0;  // [m3], [m3], [1/s], [rad]
+  double at(double time) const;
+  /// End of a piece that begins at `time` on which the volume is taken as linear: to the next knot of the
+  /// table, or for 1/512 of a period, where the chord is off by amplitude * 2e-5.
+  double piece_end(double time) const;
+};
 
 /// Gas: species, inflators, vents. A scene with a jet on a rigid target has inflators, but no volume of gas.
 struct GasPart {
@@ -39,7 +49,9 @@ struct GasPart {
   std::vector<double> initial_fractions;  // mass fractions per species
   double initial_pressure = 0.0;          // [Pa]
   double initial_temperature = 0.0;       // [K]
-  std::optional<double> rigid_volume;     // [m3], set for a tank
+  std::optional<double> rigid_volume;     // [m3], set for a tank; at the start if it moves
+  std::optional<TankVolume> tank_volume;  // of a tank that moves
+  double tank_leak_area = 0.0;            // [m2] of a tank with fabric
 };
 
 struct BagPart {

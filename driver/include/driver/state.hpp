@@ -37,11 +37,17 @@ std::string_view stage_name(Stage stage);
 
 /// Sums from the start to a time level; S10 writes the gas, S8 and S11 the rest.
 struct Flows {
-  double mass_in = 0.0;          // [kg]
-  double vent_mass_out = 0.0;    // [kg]
-  double fabric_mass_out = 0.0;  // [kg]
-  double enthalpy_in = 0.0;      // [J]
-  double enthalpy_out = 0.0;     // [J]
+  double mass_in = 0.0;            // [kg]
+  double vent_mass_out = 0.0;      // [kg]
+  double fabric_mass_out = 0.0;    // [kg]
+  double enthalpy_in = 0.0;        // [J]
+  double enthalpy_out = 0.0;       // [J]
+  double backflow_mass = 0.0;      // [kg] of ambient gas, in through vents
+  double backflow_enthalpy = 0.0;  // [J]
+  double heat_loss = 0.0;          // [J]
+  double gas_work = 0.0;           // [J] int p dV
+  long gas_substeps = 0;
+  long gas_evaluations = 0;
   double damping_loss = 0.0;     // [J]
   double friction_loss = 0.0;    // [J]
   double jet_work = 0.0;         // [J] by external jets
@@ -56,6 +62,11 @@ struct JetSkin {
   Eigen::Matrix3Xd centroids;       // [m] pieces only; S4
   Eigen::Matrix3Xd velocity;        // [m/s] of the elements, relative jets only; S4
   Eigen::Matrix3Xd piece_velocity;  // [m/s] that of its element, where both are; S4
+};
+
+/// Mass and enthalpy of each stream from the start; S10.
+struct Streams {
+  std::vector<gas::StreamFlux> inflows, outflows, backflows;  // outflows: vents, then the fabric
 };
 
 struct JetRun {
@@ -134,6 +145,7 @@ struct State {
 
   gas::ControlVolumeState gas;                       // S10
   std::optional<gas::GasIntegrator> gas_integrator;  // S10 workspace
+  Streams streams;                                   // S10
   gas::GasPoint gas_point{};                         // S2
   double initial_gas_mass = 0.0;                     // [kg]
   double initial_volume = 0.0;                       // [m3]

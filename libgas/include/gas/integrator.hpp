@@ -52,7 +52,8 @@ struct IntegratorOptions {
       1e-10;  // local error of mass and thermal energy, of the gas in the volume; 1e-13 to 1e-2
   int maximum_steps = 100000;  // sub-steps (rejected ones included) in one advance()
   Method method = Method::kDormandPrince5;
-  double fixed_step = 0.0;  // [s] > 0: sub-steps of this length between break points, no error control
+  double fixed_step = 0.0;   // [s] > 0: sub-steps of this length between break points, no error control
+  bool unsafe_step = false;  // take a fixed_step past the method's limit: for measuring that limit
 };
 
 /// Stage S10: integrates (G.9), (G.10) over a step. Only outflows, backflow, heat and work are stepped;

@@ -17,6 +17,7 @@ std::vector<Entry> build() {
   entries::add_tank_test_readings(list);
   entries::add_outflow(list);
   entries::add_emptying_tanks(list);
+  entries::add_exchanging_tanks(list);
   entries::add_inflated_shapes(list);
   entries::add_tension_and_waves(list);
   entries::add_weave(list);

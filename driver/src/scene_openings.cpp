@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: Apache-2.0
+// [[vent]], [tank] with its fabric, [gas.heat_loss] -> GasPart.
+#include <fmt/format.h>
+
+#include "scene_parts.hpp"
+
+namespace driver {
+namespace {
+
+gas::Vent read_vent(TableReader& table, TriggerNames& names) {
+  gas::Vent vent{table.number("discharge_coefficient", positive_fraction, 1.0), 0.0};
+  if (!table.is_table("area")) {
+    vent.area = table.number("area", positive);
+  } else if (table.has_in_table("area", "overpressure")) {
+    table.located("area", [&] {
+      vent.area_of_overpressure =
+          to_gas_curve(table.curve("area", non_negative, "overpressure"), gas::Outside::kHeld);
+    });
+  } else {
+    table.located("area", [&] {
+      vent.area_of_time = to_gas_curve(table.curve("area", non_negative), gas::Outside::kHeld);
+    });
+  }
+  vent.backflow = table.flag("backflow", false);
+  vent.trigger = names.optional_node(table);
+  return vent;
+}
+
+void read_tank_fabric(TableReader& tank, GasPart& part) {
+  auto table = tank.optional_table("fabric");
+  if (!table) return;
+  const double area = table->number("area", positive);
+  const auto law = table->choice<LeakLaw>(
+      "leak_law", {{"printed", LeakLaw::printed}, {"screen", LeakLaw::screen}, {"table", LeakLaw::table}},
+      "printed");
+  if (law == LeakLaw::table) {
+    read_leak_velocity(*table, part.model);
+    part.tank_leak_area = area;
+  } else {
+    const double porosity = table->number("porosity", positive_fraction);
+    part.tank_leak_area = area * porosity * (law == LeakLaw::printed ? porosity : 1.0);
+  }
+  table->finish();
+}
+
+TankVolume read_wave(TableReader&& wave) {
+  TankVolume volume;
+  volume.mean = wave.number("mean", positive);
+  volume.amplitude = wave.number("amplitude", positive);
+  volume.frequency = wave.number("frequency", positive);
+  volume.phase = wave.number("phase", any_number, 0.0);
+  if (!(volume.amplitude < volume.mean))
+    wave.fail("amplitude",
+              fmt::format("is {}, less than mean, {}, is allowed", volume.amplitude, volume.mean));
+  wave.finish();
+  return volume;
+}
+
+}  // namespace
+
+void read_leak_velocity(TableReader& table, gas::ControlVolumeModel& model) {
+  table.located("velocity", [&] {
+    model.fabric_velocity =
+        to_gas_curve(table.curve("velocity", non_negative, "overpressure"), gas::Outside::kHeld);
+  });
+}
+
+void read_vents(TableReader& root, TriggerNames& names, gas::ControlVolumeModel& model) {
+  for (auto& table : root.tables("vent")) {
+    model.vents.push_back(read_vent(table, names));
+    table.finish();
+  }
+}
+
+void read_tank(TableReader& root, GasPart& part) {
+  auto tank = root.optional_table("tank");
+  if (!tank) return;
+  if (!tank->is_table("volume")) {
+    part.rigid_volume = tank->number("volume", positive);
+  } else {
+    TankVolume volume;
+    if (tank->has_in_table("volume", "mean"))
+      volume = read_wave(tank->table("volume"));
+    else
+      tank->located("volume", [&] {
+        volume.table = to_gas_curve(tank->curve("volume", positive), gas::Outside::kHeld);
+      });
+    part.rigid_volume = volume.at(0.0);
+    part.tank_volume = volume;
+  }
+  read_tank_fabric(*tank, part);
+  tank->finish();
+}
+
+void read_heat_loss(TableReader& gas_table, Scene& scene) {
+  auto table = gas_table.optional_table("heat_loss");
+  if (!table) return;
+  const double coefficient = table->number("coefficient", positive), area = table->number("area", positive);
+  scene.gas->model.heat_loss = {coefficient * area,
+                                table->number("outside_temperature", positive, scene.ambient.temperature)};
+  table->finish();
+}
+
+}  // namespace driver

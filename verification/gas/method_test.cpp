@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include "cases.hpp"
+#include "closed_form/orifice.hpp"
+#include "second_route.hpp"
+
+// The methods behind the one interface: their orders, their tolerance, and a second route.
+namespace {
+
+using namespace cases;
+
+constexpr double kEnd = 0.15;  // [s] choked until 0.1523 s
+
+gas::ControlVolumeModel holed_tank() {
+  gas::ControlVolumeModel model = closed_tank(nitrogen());
+  model.vents.push_back({1.0, 1e-3});
+  return model;
+}
+
+/// The same of T in a tank that fills, ever faster, and vents: the rates depend on time.
+double filling_error(const gas::IntegratorOptions& options) {
+  gas::ControlVolumeModel model = holed_tank();
+  model.inflows.push_back(
+      {kPure, gas::Curve({{0.0, 0.0}, {1.0, 50.0}}, gas::Outside::kZero), gas::Curve::constant(1100.0)});
+  const auto temperature = [&](const gas::IntegratorOptions& chosen) {
+    gas::ControlVolumeState state = gas::make_state(model, kPure, 4e5, 700.0, 0.06);
+    gas::GasIntegrator(model, chosen).advance(state, 0.0, 0.04, rigid(0.06));
+    return state.temperature;
+  };
+  return relative(temperature(options), temperature({1e-13}));
+}
+
+/// Relative error of p after `end` in a blow-down, in one call; mass, energy and their rates are far from
+/// zero.
+double blowdown_error(const gas::IntegratorOptions& options, double end = kEnd) {
+  const gas::ControlVolumeModel model = holed_tank();
+  gas::ControlVolumeState state = gas::make_state(model, kPure, 5e5, 600.0, 0.06);
+  gas::GasIntegrator(model, options).advance(state, 0.0, end, rigid(0.06));
+  const closed_form::Blowdown exact{{}, 0.06, 1e-3, 1.0, 5e5, 600.0, kAmbientPressure};
+  return relative(gas::evaluate(model, state, 0.06, 0.0, end).pressure,
+                  closed_form::blowdown(exact, end).pressure);
+}
+
+struct Order {
+  gas::Method method;
+  double order;
+  double excess;  // above the order on the coarsest pair: the next order's term, halved with each halving
+};
+
+class method_order : public testing::TestWithParam<Order> {};
+
+TEST_P(method_order, of_fixed_steps) {
+  const auto [method, order, excess] = GetParam();
+  double coarse = blowdown_error({1e-10, 100000, method, kEnd / 8});
+  double coarse_filling = filling_error({1e-10, 100000, method, 0.04 / 4});
+  double above = excess;
+  for (const int steps : {16, 32, 64}) {
+    const double fine = blowdown_error({1e-10, 100000, method, kEnd / steps});
+    EXPECT_GT(std::log2(coarse / fine), order - 0.1) << steps;
+    EXPECT_LT(std::log2(coarse / fine), order + above) << steps;
+    coarse = fine;
+    if (steps == 64) break;  // the filling's error has come to its rounding
+    const double fine_filling = filling_error({1e-10, 100000, method, 2.0 * 0.04 / steps});
+    EXPECT_GT(std::log2(coarse_filling / fine_filling), order - above) << steps;
+    EXPECT_LT(std::log2(coarse_filling / fine_filling), order + above) << steps;
+    coarse_filling = fine_filling;
+    above *= 0.5;
+  }
+}
+
+std::string name_of(const testing::TestParamInfo<Order>& one) {
+  switch (one.param.method) {
+    case gas::Method::kEuler:
+      return "euler";
+    case gas::Method::kRungeKutta4:
+      return "runge_kutta";
+    case gas::Method::kRosenbrock4:
+      return "rosenbrock";
+    case gas::Method::kDormandPrince5:
+      break;
+  }
+  return "dormand_prince";
+}
+
+INSTANTIATE_TEST_SUITE_P(methods, method_order,
+                         testing::Values(Order{gas::Method::kEuler, 1.0, 0.2},
+                                         Order{gas::Method::kRungeKutta4, 4.0, 0.5},
+                                         Order{gas::Method::kDormandPrince5, 5.0, 0.5},
+                                         Order{gas::Method::kRosenbrock4, 4.0, 0.5}),
+                         name_of);
+
+/// Through the sonic switch, whose second derivative jumps: located, it costs no order.
+TEST(method, sonic_switch_costs_no_order) {
+  double coarse = blowdown_error({1e-10, 100000, gas::Method::kRungeKutta4, 0.18 / 16}, 0.18);
+  for (const int steps : {32, 64, 128}) {
+    const double fine = blowdown_error({1e-10, 100000, gas::Method::kRungeKutta4, 0.18 / steps}, 0.18);
+    // The step that ends at the switch is a share of a step, another one each time: its error wavers by a
+    // step's, 1/steps of the whole.
+    EXPECT_NEAR(std::log2(coarse / fine), 4.0, 16.0 / steps) << steps;
+    coarse = fine;
+  }
+}
+
+TEST(method, error_follows_the_tolerance) {
+  for (const gas::Method method : kMethods) {
+    for (const double tolerance : {1e-4, 1e-6, 1e-8}) {
+      // A first-order method takes 1/sqrt(tolerance) sub-steps, each with an error of one tolerance.
+      const bool euler = method == gas::Method::kEuler;
+      if (euler && tolerance < 1e-7) continue;
+      const double sum = euler ? 1.0 / std::sqrt(tolerance) : 10.0;
+      EXPECT_LT(blowdown_error({tolerance, 1000000, method}), sum * tolerance) << static_cast<int>(method);
+    }
+  }
+}
+
+/// The filled and vented tank of the benchmark by GSL's msbdf, which knows the gas by its pointwise laws
+/// alone.
+TEST(method, all_methods_eq_the_second_route) {
+  const second_route::VentedTank tank = second_route::benchmark_tank();
+  const gas::ControlVolumeState reference = second_route::msbdf(tank, 1e-11);
+  for (const gas::Method method : kMethods) {
+    const double tolerance = method == gas::Method::kEuler ? 1e-6 : 1e-10;
+    gas::ControlVolumeState state = tank.start;
+    gas::GasIntegrator(tank.model, {tolerance, 10000000, method})
+        .advance(state, 0.0, second_route::kEnd, rigid(second_route::kVolume));
+    // msbdf's global error is some hundred tolerances of its own; Euler's a thousand, see above.
+    const double allowed = method == gas::Method::kEuler ? 1e-3 : 5e-9;
+    EXPECT_LT(relative(state.temperature, reference.temperature), allowed) << static_cast<int>(method);
+    for (std::size_t k = 0; k < state.masses.size(); ++k)
+      EXPECT_LT(relative(state.masses[k], reference.masses[k]), allowed) << static_cast<int>(method);
+  }
+}
+
+/// From an evacuated tank and through a step that is one sub-step of the method: T = gamma T_in by all of
+/// them.
+TEST(method, evacuated_fill_is_exact_by_any_method) {
+  gas::ControlVolumeModel model = holed_tank();
+  model.inflows.push_back(steady_inflow(model.thermo, 1.0, 700.0));
+  for (const gas::Method method : kMethods) {
+    gas::ControlVolumeState state = gas::make_state(model, kPure, 0.0, 293.15, 0.06);
+    gas::GasIntegrator(model, {1e-6, 1000, method, 1e-3}).advance(state, 0.0, 5e-3, rigid(0.06));
+    EXPECT_LT(relative(state.temperature, 980.0), 1e-13);  // sums of two products, and their quotient
+  }
+}
+
+/// Heated through 1000 K, where cp and u jump by 1e-9 of their size, with a vent open: the tolerance holds.
+TEST(method, joint_of_cp_is_passed_within_the_tolerance) {
+  const auto run = [](gas::Method method, double tolerance, int& evaluations) {
+    gas::ControlVolumeModel model = closed_tank(nasa7({"N2"}));
+    model.inflows.push_back(steady_inflow(model.thermo, 1.0, 1100.0));
+    model.vents.push_back({1.0, 1e-3});
+    gas::ControlVolumeState state = gas::make_state(model, kPure, 4e5, 950.0, 0.06);
+    const auto fluxes =
+        gas::GasIntegrator(model, {tolerance, 100000, method}).advance(state, 0.0, 0.02, rigid(0.06));
+    evaluations = fluxes.evaluations;
+    EXPECT_GT(state.temperature, 1010.0);
+    return state.temperature;
+  };
+  int evaluations = 0;
+  const double exact = run(gas::Method::kDormandPrince5, 1e-13, evaluations);
+  for (const gas::Method method : {gas::Method::kDormandPrince5, gas::Method::kRosenbrock4}) {
+    for (const double tolerance : {1e-5, 1e-7, 1e-9, 1e-10}) {
+      // Some ten to a hundred sub-steps; the jump of cp, 4e-5 of it for these fits, shows in one of them.
+      EXPECT_LT(relative(run(method, tolerance, evaluations), exact), 20.0 * tolerance);
+      EXPECT_LT(evaluations, 20000);
+    }
+  }
+}
+
+}  // namespace

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "second_route.hpp"
+
+#include <gsl/gsl_errno.h>
+#include <gsl/gsl_odeiv2.h>
+
+#include <cmath>
+#include <stdexcept>
+
+namespace second_route {
+namespace {
+
+int gsl_rates(double t, const double y[], double dydt[], void* parameters) {
+  const auto& tank = *static_cast<const VentedTank*>(parameters);
+  const std::size_t n = tank.start.masses.size() + 1;
+  try {
+    rates(tank, t, {y, n}, {dydt, n});
+  } catch (const std::exception&) {
+    return GSL_EBADFUNC;
+  }
+  return GSL_SUCCESS;
+}
+
+int gsl_jacobian(double t, const double y[], double* dfdy, double dfdt[], void* parameters) {
+  const auto& tank = *static_cast<const VentedTank*>(parameters);
+  const std::size_t n = tank.start.masses.size() + 1;
+  std::vector<double> point(y, y + n), base(n), moved(n);
+  double mass = 0.0;
+  for (std::size_t k = 0; k + 1 < n; ++k) mass += y[k];
+  try {
+    rates(tank, t, point, base);
+    for (std::size_t j = 0; j < n; ++j) {
+      // sqrt(eps) of the size of the unknown; cv T is some 1e6 J/kg.
+      const double change = 1e-8 * (j + 1 < n ? mass : 1e6 * mass);
+      point[j] = y[j] + change;
+      rates(tank, t, point, moved);
+      point[j] = y[j];
+      for (std::size_t i = 0; i < n; ++i) dfdy[i * n + j] = (moved[i] - base[i]) / change;
+    }
+  } catch (const std::exception&) {
+    return GSL_EBADFUNC;
+  }
+  for (std::size_t i = 0; i < n; ++i) dfdt[i] = 0.0;  // the curves are constant
+  return GSL_SUCCESS;
+}
+
+}  // namespace
+
+VentedTank benchmark_tank(double vent_area) {
+  std::vector<gas::Species> species;
+  for (const char* name : {"N2", "O2", "Ar", "CO2", "H2O"}) species.push_back(gas::nasa7_species(name));
+  const gas::Thermo thermo(species);
+  gas::ControlVolumeModel model{thermo, {101325.0, 293.15}, {}, {}};
+  const std::vector<gas::Component> hot{{"N2", 0.5}, {"CO2", 0.2}, {"H2O", 0.3}};
+  model.inflows.push_back({thermo.mass_fractions_by_mole(hot),
+                           gas::Curve({{0.0, 1.0}, {kFilled, 1.0}}, gas::Outside::kZero),
+                           gas::Curve::constant(1200.0)});
+  if (vent_area > 0.0) model.vents.push_back({1.0, vent_area});
+  return {model, gas::make_state(model, thermo.mass_fractions_by_mole(gas::air_by_mole()), 101325.0, 293.15,
+                                 kVolume)};
+}
+
+void rates(const VentedTank& tank, double t, std::span<const double> y, std::span<double> dydt) {
+  const std::size_t n = y.size() - 1;
+  gas::ControlVolumeState state{{y.begin(), y.end() - 1}, y[n], tank.start.temperature, {}};
+  for (double& m : state.masses) m = std::max(m, 0.0);
+  const gas::GasPoint point = gas::evaluate(tank.model, state, kVolume, 0.0, t);
+  const double out = point.vent_mass_flow;
+  for (std::size_t k = 0; k < n; ++k) dydt[k] = -out * state.masses[k] / point.mass;
+  dydt[n] = -out * (state.internal_energy + point.pressure * kVolume) / point.mass;
+  for (std::size_t i = 0; i < tank.model.inflows.size(); ++i) {
+    const gas::InflatorPoint in = gas::inflator_point(tank.model, i, t);
+    const auto& fractions = tank.model.inflows[i].mass_fractions;
+    for (std::size_t k = 0; k < n; ++k) dydt[k] += fractions[k] * in.mass_flow;
+    if (in.mass_flow > 0.0) dydt[n] += in.mass_flow * tank.model.thermo.enthalpy(fractions, in.temperature);
+  }
+}
+
+gas::ControlVolumeState msbdf(const VentedTank& tank, double tolerance) {
+  gsl_set_error_handler_off();
+  std::vector<double> y(tank.start.masses);
+  y.push_back(tank.start.internal_energy);
+  gsl_odeiv2_system system{gsl_rates, gsl_jacobian, y.size(), const_cast<VentedTank*>(&tank)};
+  // One scale for masses and one for the energy: the absolute part of the tolerance, of 0.1 kg and 1e5 J.
+  std::vector<double> scale(y.size(), 0.1);
+  scale.back() = 1e5;
+  double t = 0.0;
+  for (const double end : {kFilled, kEnd}) {
+    gsl_odeiv2_driver* driver = gsl_odeiv2_driver_alloc_scaled_new(&system, gsl_odeiv2_step_msbdf, 1e-9,
+                                                                   tolerance, 0.0, 1.0, 0.0, scale.data());
+    const int status = gsl_odeiv2_driver_apply(driver, &t, end, y.data());
+    gsl_odeiv2_driver_free(driver);
+    if (status != GSL_SUCCESS) throw std::runtime_error(gsl_strerror(status));
+    t = std::nextafter(end, 2.0 * end);  // behind the knot
+  }
+  const std::vector<double> masses(y.begin(), y.end() - 1);
+  return {masses,
+          y.back(),
+          tank.model.thermo.temperature_from_internal_energy(masses, y.back(), tank.start.temperature),
+          {}};
+}
+
+}  // namespace second_route

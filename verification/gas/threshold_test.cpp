@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include <functional>
+
+#include "cases.hpp"
+#include "closed_form/gas.hpp"
+#include "closed_form/orifice.hpp"
+#include "closed_form/stability.hpp"
+#include "gas/orifice.hpp"
+
+// Where each method fails: the limit as a formula, the threshold as measured beside it, an error past it.
+namespace {
+
+using namespace cases;
+
+/// Stability function of a method on y' = z y/h, by its coefficients of z^k; real, negative z.
+double limit_of(const std::vector<double>& coefficients) {
+  const auto growth = [&](double z) {
+    double sum = 0.0, power = 1.0;
+    for (const double c : coefficients) sum += c * power, power *= -z;
+    return std::abs(sum);
+  };
+  double stable = 1.0, unstable = 10.0;
+  for (int i = 0; i < 60; ++i)
+    (growth(0.5 * (stable + unstable)) < 1.0 ? stable : unstable) = 0.5 * (stable + unstable);
+  return stable;
+}
+
+struct Explicit {
+  gas::Method method;
+  double limit;
+};
+
+/// E. Hairer, S. P. Norsett, G. Wanner, Solving Ordinary Differential Equations I, sec. II.4: Dormand and
+/// Prince's six stages give z^6/600.
+std::vector<Explicit> explicit_methods() {
+  return {
+      {gas::Method::kEuler, limit_of({1.0, 1.0})},
+      {gas::Method::kRungeKutta4, limit_of({1.0, 1.0, 1.0 / 2, 1.0 / 6, 1.0 / 24})},
+      {gas::Method::kDormandPrince5, limit_of({1.0, 1.0, 1.0 / 2, 1.0 / 6, 1.0 / 24, 1.0 / 120, 1.0 / 600})}};
+}
+
+/// A tank in balance: what enters leaves.
+struct Balance {
+  gas::ControlVolumeModel model;
+  double volume, pressure, temperature, rate;  // [m3], [Pa], [K], [1/s] the faster relaxation rate
+};
+
+/// Tiny volume, choked vent: the rates of (m, U) in closed form.
+Balance choked_balance() {
+  const closed_form::VentedFill fill{{}, 1e-6, 0.5, 700.0, 1e-3};
+  const closed_form::VentedFillSteady steady = closed_form::vented_fill_steady(fill);
+  Balance b{closed_tank(nitrogen()), 1e-6, steady.state.pressure, 700.0, -steady.fast_eigenvalue};
+  b.model.inflows.push_back(steady_inflow(b.model.thermo, 0.5, 700.0));
+  b.model.vents.push_back({1.0, 1e-3});
+  return b;
+}
+
+/// Weak inflow, vent just above p_a: the square root. mdot = A sqrt(2 rho dp) to dp/p.
+Balance equalising_balance() {
+  const double excess = 1.0, p = kAmbientPressure + excess;
+  Balance b{closed_tank(nitrogen()), 0.06, p, 400.0, 0.0};
+  b.model.vents.push_back({1.0, 1e-3});
+  const double flow = closed_form::orifice_mass_flow({{}, 1e-3, 1.0, p, 400.0, kAmbientPressure});
+  b.model.inflows.push_back(steady_inflow(b.model.thermo, flow, 400.0));
+  b.rate = -closed_form::vent_eigenvalue({{}, 0.06, 1e-3, kAmbientPressure, 400.0}, excess);
+  return b;
+}
+
+/// Whether a small disturbance of the balance has grown after 800 fixed steps of h, one call each.
+bool grows(const Balance& b, gas::Method method, double h) {
+  gas::GasIntegrator integrator(b.model, {1e-10, 100000, method, h, true});
+  gas::ControlVolumeState state = gas::make_state(
+      b.model, kPure, b.pressure + 1e-5 * (b.pressure - kAmbientPressure), b.temperature, b.volume);
+  const auto distance = [&] {
+    return std::abs(gas::evaluate(b.model, state, b.volume, 0.0, 0.0).pressure - b.pressure);
+  };
+  const double begin = distance();
+  for (int i = 0; i < 800; ++i) {
+    try {
+      integrator.advance(state, h * i, h * (i + 1), rigid(b.volume));
+    } catch (const gas::DomainError&) {
+      return true;  // out of the gas's domain
+    }
+  }
+  return distance() > begin;
+}
+
+double measured_threshold(const Balance& b, gas::Method method, double expected) {
+  double stable = 0.5 * expected, unstable = 2.0 * expected;
+  EXPECT_FALSE(grows(b, method, stable));
+  EXPECT_TRUE(grows(b, method, unstable));
+  for (int i = 0; i < 10; ++i) {
+    const double h = 0.5 * (stable + unstable);
+    (grows(b, method, h) ? unstable : stable) = h;
+  }
+  return 0.5 * (stable + unstable);
+}
+
+void expect_threshold(const Balance& b) {
+  for (const auto& [method, limit] : explicit_methods()) {
+    // Ten halvings of 1.5 h leave 0.15 %; 800 steps tell growth from decay to 0.2 % of z, where |R'| is of
+    // order 1.
+    const double h = limit / b.rate;
+    EXPECT_NEAR(measured_threshold(b, method, h) / h, 1.0, 5e-3) << static_cast<int>(method);
+    // Past the limit: an error that names step and limit; below: none.
+    const auto run = [&](double step) {
+      gas::ControlVolumeState state = gas::make_state(b.model, kPure, b.pressure, b.temperature, b.volume);
+      gas::GasIntegrator(b.model, {1e-10, 100000, method, step})
+          .advance(state, 0.0, 20.0 * step, rigid(b.volume));
+    };
+    EXPECT_NO_THROW(run(0.99 * h));
+    try {
+      run(1.01 * h);
+      FAIL() << "no error";
+    } catch (const gas::DomainError& error) {
+      EXPECT_NE(std::string(error.what()).find("stability limit"), std::string::npos) << error.what();
+    }
+  }
+}
+
+TEST(threshold, tiny_volume_eq_relaxation_rate) {
+  expect_threshold(choked_balance());
+}
+
+TEST(threshold, vent_near_ambient_eq_square_root_rate) {
+  expect_threshold(equalising_balance());
+}
+
+/// The implicit method keeps the balance in steps fifty times the explicit limit.
+TEST(threshold, implicit_method_has_none) {
+  for (const Balance& b : {choked_balance(), equalising_balance()}) {
+    gas::ControlVolumeState state = gas::make_state(b.model, kPure, b.pressure, b.temperature, b.volume);
+    const double h = 100.0 / b.rate;
+    gas::GasIntegrator(b.model, {1e-10, 100000, gas::Method::kRosenbrock4, h})
+        .advance(state, 0.0, 50.0 * h, rigid(b.volume));
+    // The Jacobian's differences carry 1e-7 of themselves, and h lambda = 100 of that comes through.
+    EXPECT_LT(relative(gas::evaluate(b.model, state, b.volume, 0.0, 0.0).pressure, b.pressure), 1e-4);
+  }
+}
+
+/// (G.14) against the closed forms of its two ends.
+TEST(threshold, relaxation_rate_eq_closed_forms) {
+  for (const double gamma : {1.2, 1.4, 5.0 / 3.0}) {
+    const closed_form::VentedFill fill{{296.8, gamma}, 0.06, 0.5, 700.0, 1e-3};
+    const closed_form::VentedFillSteady steady = closed_form::vented_fill_steady(fill);
+    // A square root and some ten roundings.
+    EXPECT_LT(
+        relative(gas::outflow_relaxation_rate(gamma, 0.5 / steady.state.mass, 1.0), -steady.fast_eigenvalue),
+        1e-13);
+    for (const double excess : {1.0, 0.01}) {
+      const double p = kAmbientPressure + excess, mass = p * 0.06 / (296.8 * 400.0);
+      const double flow =
+          closed_form::orifice_mass_flow({{296.8, gamma}, 1e-3, 1.0, p, 400.0, kAmbientPressure});
+      const double n = gas::orifice_pressure_exponent(gamma, kAmbientPressure / p);
+      const double root =
+          -closed_form::vent_eigenvalue({{296.8, gamma}, 0.06, 1e-3, kAmbientPressure, 400.0}, excess);
+      // The square root's rate is the limit of small dp/p: off by some dp/p, and eps p/dp of rounding.
+      EXPECT_LT(relative(gas::outflow_relaxation_rate(gamma, flow / mass, n), root),
+                10.0 * excess / p + 1e-8);
+    }
+  }
+}
+
+/// Fixed steps of explicit Euler on a vent alone end in a 2-cycle of amplitude (kappa h)^2; located, they end
+/// on p_a.
+TEST(threshold, chatter_of_plain_euler_is_as_its_formula_and_ours_is_none) {
+  const double h = 1e-3, cv = 742.0;
+  const gas::ControlVolumeModel model = [] {
+    gas::ControlVolumeModel m = closed_tank(nitrogen());
+    m.vents.push_back({1.0, 1e-3});
+    return m;
+  }();
+  double mass = 1.02 * kAmbientPressure * 0.06 / (296.8 * 400.0), energy = mass * cv * 400.0, low = 1e9,
+         high = 0.0;
+  const double air = 296.8 * 400.0;  // what comes back is at 400 K, as the formula's gas
+  for (int i = 0; i < 2000; ++i) {
+    const double p = 0.4 * energy / 0.06, t = energy / (mass * cv);
+    const double out = gas::orifice_mass_flow(1e-3, p, t, 296.8, 1038.8, 1.4, kAmbientPressure);
+    const double back = gas::orifice_mass_flow(1e-3, kAmbientPressure, air / 296.8, 296.8, 1038.8, 1.4, p);
+    mass += h * (back - out);
+    energy += h * 1038.8 * (back * 400.0 - out * t);
+    if (i < 1900) continue;
+    low = std::min(low, p), high = std::max(high, p);
+  }
+  const double t_end = energy / (mass * cv);
+  const closed_form::VentEqualisation vent{{}, 0.06, 1e-3, kAmbientPressure, t_end};
+  // The formula is the leading term in dp/p, and the two half cycles have one gas each.
+  EXPECT_NEAR(0.5 * (high - low), closed_form::vent_chatter_amplitude(vent, h), 0.02 * (high - low));
+  gas::ControlVolumeState state = gas::make_state(model, kPure, 1.02 * kAmbientPressure, 400.0, 0.06);
+  gas::GasIntegrator(model, {1e-10, 100000, gas::Method::kEuler, h}).advance(state, 0.0, 2.0, rigid(0.06));
+  EXPECT_NEAR(gas::evaluate(model, state, 0.06, 0.0, 0.0).pressure, kAmbientPressure,
+              1e-12 * kAmbientPressure);
+}
+
+/// A trace flushed out in h mdot/m = z: Euler takes it to 1 - z, the last stage of RK4 to 1 - z + z^2/2 -
+/// z^3/4, whose root is 1.2956; the gas itself is stable up to 1.09 and 1.51. Below zero is an error.
+TEST(threshold, species_running_out_of_euler_eq_residence_time) {
+  gas::ControlVolumeModel model = closed_tank(nasa7({"N2", "He"}));
+  model.inflows.push_back(steady_inflow(model.thermo, 0.5, 700.0));
+  model.vents.push_back({1.0, 1e-3});
+  gas::ControlVolumeState steady = gas::make_state(model, std::vector{1.0, 0.0}, 3.3e5, 700.0, 1e-3);
+  gas::GasIntegrator(model).advance(steady, 0.0, 1.0, rigid(1e-3));
+  const double residence = steady.masses[0] / 0.5;
+  const auto run = [&](gas::Method method, double h) {
+    gas::ControlVolumeState state = steady;
+    state.masses[1] = 1e-9 * steady.masses[0];
+    gas::GasIntegrator(model, {1e-10, 100000, method, h}).advance(state, 0.0, 5.0 * h, rigid(1e-3));
+    return state.masses[1];
+  };
+  EXPECT_GT(run(gas::Method::kEuler, 0.999 * residence), 0.0);
+  EXPECT_THROW(run(gas::Method::kEuler, 1.001 * residence), gas::DomainError);
+  EXPECT_GT(run(gas::Method::kRungeKutta4, 1.295 * residence), 0.0);
+  EXPECT_THROW(run(gas::Method::kRungeKutta4, 1.296 * residence), gas::DomainError);
+}
+
+}  // namespace
