@@ -145,7 +145,7 @@ class RosenbrockStepper : public Stepper {
   void fill_matrix(Rates& rates, const Vector& y, const Vector& dydx, double x, double h) {
     const FlowBalance& balance = rates.balance;
     y_ = y;
-    rates.balance.locate(y, x);
+    rates.balance.locate(y, rates.time(x));
     const double mass = balance.point().mass, energy = balance.point().thermal_energy;
     for (std::size_t i = 0; i < y.size(); ++i)
       for (std::size_t j = 0; j < y.size(); ++j)

@@ -140,6 +140,31 @@ TEST(threshold, implicit_method_has_none) {
   }
 }
 
+/// With error control, from one call to the next, while the volume grows: few sub-steps where the explicit
+/// method takes one per relaxation.
+TEST(threshold, implicit_method_follows_a_stiff_balance) {
+  const auto run = [](gas::Method method, int& steps) {
+    gas::ControlVolumeModel model = closed_tank(nitrogen());
+    model.inflows.push_back(steady_inflow(model.thermo, 0.02, 406.0));
+    gas::ControlVolumeState state = gas::make_state(model, kPure, kAmbientPressure, 293.15, 1e-4);
+    gas::GasIntegrator integrator(model, {1e-6, 100000, method});
+    steps = 0;
+    for (int i = 0; i < 20; ++i)
+      steps +=
+          integrator
+              .advance(state, 1e-3 * i, 1e-3 * (i + 1), {1e-4 + 5e-6 * i, 1e-4 + 5e-6 * (i + 1), 4e-3, 4e-3})
+              .steps;
+    return gas::evaluate(model, state, 2e-4, 4e-3, 0.0);
+  };
+  int implicit = 0, explicit_steps = 0;
+  const gas::GasPoint point = run(gas::Method::kRosenbrock4, implicit);
+  const gas::GasPoint reference = run(gas::Method::kDormandPrince5, explicit_steps);
+  EXPECT_LT(4 * implicit, explicit_steps);
+  // Twenty calls of a dozen sub-steps of 1e-6 each.
+  EXPECT_LT(relative(point.temperature, reference.temperature), 2e-4);
+  EXPECT_LT(relative(point.pressure, reference.pressure), 2e-4);
+}
+
 /// (G.14) against the closed forms of its two ends.
 TEST(threshold, relaxation_rate_eq_closed_forms) {
   for (const double gamma : {1.2, 1.4, 5.0 / 3.0}) {
