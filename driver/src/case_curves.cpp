@@ -40,9 +40,9 @@ CurveData TableReader::curve_of_table(const std::string& key, TableReader&& read
   CurveData curve;
   if (reader.has("file")) {
     const auto file = beside_case(reader.text("file"));
-    curve = read_curve_csv(
-        file, reader.text(abscissa + "_column", abscissa == "time" ? "time_s" : abscissa + "_Pa"),
-        reader.text("column"));
+    const auto knots = abscissa == "time" ? reader.text("time_column", "time_s")
+                                          : reader.text("overpressure_column", "overpressure_Pa");
+    curve = read_curve_csv(file, knots, reader.text("column"));
     for (const double value : curve.value)
       if (value < bounds.low || value > bounds.high || (bounds.open_low && value == bounds.low))
         fail(key, fmt::format("{} holds {}, {} is allowed", file.string(), value, bounds.text));

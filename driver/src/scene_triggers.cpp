@@ -42,14 +42,17 @@ gas::Gate read_gate(TableReader& table, const TriggerNames& names) {
   const auto given = std::count_if(kinds.begin(), kinds.end(), [&](const auto& k) { return table.has(k); });
   if (given != 1) table.fail("", fmt::format("names {} of {}, one is needed", given, fmt::join(kinds, ", ")));
   gas::Gate gate{gas::Logic::kNot, {}};
-  if (table.has("not")) {
-    gate.inputs.push_back(names.node(table, "not", table.text("not")));
-  } else {
-    const std::string key = table.has("all") ? "all" : "any";
-    gate.logic = key == "all" ? gas::Logic::kAll : gas::Logic::kAny;
-    for (const auto& name : table.texts(key)) gate.inputs.push_back(names.node(table, key, name));
-    if (gate.inputs.empty()) table.fail(key, "is empty, names of sensors and triggers are needed");
-  }
+  const auto add = [&](const std::string& key, gas::Logic logic, const std::vector<std::string>& inputs) {
+    gate.logic = logic;
+    for (const auto& name : inputs) gate.inputs.push_back(names.node(table, key, name));
+    if (inputs.empty()) table.fail(key, "is empty, names of sensors and triggers are needed");
+  };
+  if (table.has("not"))
+    add("not", gas::Logic::kNot, {table.text("not")});
+  else if (table.has("all"))
+    add("all", gas::Logic::kAll, table.texts("all"));
+  else
+    add("any", gas::Logic::kAny, table.texts("any"));
   gate.delay = table.number("delay", non_negative, 0.0);
   gate.latch = table.flag("latch", false);
   return gate;
