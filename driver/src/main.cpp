@@ -112,7 +112,7 @@ void add_identify(CLI::App& app, IdentifyArguments& a) {
       ->check(CLI::IsMember({"average", "dual"}));
   c->add_option("--volume", a.volume, "volume of the tank [m3]")->required();
   c->add_option("--mass", a.mass, "total mass that the inflator delivers [kg]")->required();
-  c->add_option("--gas", a.gas, "what it delivers: NAME or NAME=FRACTION,... (N2=0.7,CO2=0.3)")->required();
+  c->add_option("--gas", a.gas, "what it delivers: NAME, air or NAME=FRACTION,... (N2=0.7,CO2=0.3)")->required();
   add("--tank-gas", a.tank_gas, "what the tank holds before firing");
   add("--by", a.by, "fractions by")->check(CLI::IsMember({"mass", "mole"}));
   add("--thermodynamics", a.thermodynamics, "cp")->check(CLI::IsMember({"nasa7", "constant"}));
