@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The blocking rule (J.7), written once. Every route decides with these functions; `Kernel` supplies exact
-// predicates (orientation, slope, on_triangle), by CGAL alone or behind a filter.
+// predicates (orientation, slope, on_triangle), by CGAL alone or behind a filter, and knows if a source is
+// moved.
 #pragma once
 
 #include <algorithm>
@@ -10,17 +11,24 @@
 
 namespace jet::blocking {
 
+/// The source lies on an element: source + eps axis stands for it. A ray of the fast route does not know it
+/// until a predicate asks.
+enum class Moved : std::uint8_t { no, yes, unknown };
+inline Moved moved_if(bool on_surface) {
+  return on_surface ? Moved::yes : Moved::no;
+}
+
 /// One candidate's open segment from source to target.
 struct Ray {
   double source[3];
   double target[3];
   const double* axis;
-  bool moved;  // the source lies on an element: source + eps axis stands for it
+  mutable Moved moved;
 };
 
-/// End points in double arithmetic, in the order that the definition fixes. `moved` is left false.
+/// End points in double arithmetic, in the order that the definition fixes. The source is left where it is.
 inline Ray make_ray(const Surface& surface, int element, const RaySource& from) {
-  Ray ray{{from.centre[0], from.centre[1], from.centre[2]}, {}, from.axis.data(), false};
+  Ray ray{{from.centre[0], from.centre[1], from.centre[2]}, {}, from.axis.data(), Moved::no};
   const double *a = surface.corner(element, 0), *b = surface.corner(element, 1),
                *c = surface.corner(element, 2);
   for (int i = 0; i < 3; ++i) ray.target[i] = ((a[i] + b[i]) + c[i]) / 3.0;
@@ -39,7 +47,7 @@ template <class Kernel>
 int orientation_from_source(Kernel& kernel, const Ray& ray, const double* p, const double* q,
                             const double* r) {
   const int sign = kernel.orientation(ray.source, p, q, r);
-  if (sign != 0 || !ray.moved) return sign;
+  if (sign != 0 || !kernel.moved(ray)) return sign;
   return -kernel.slope(ray.axis, p, q, r);
 }
 

@@ -1,17 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "jet/centreline.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <numbers>
+#include "centreline_formulas.hpp"
 
 namespace jet {
-namespace {
-constexpr double kRoundDecay = 0.96;
-constexpr double kRoundOffset = 0.29;
-constexpr double kPlaneDecay = 1.2;
-constexpr double kPlaneOffset = 0.41;
-}  // namespace
+
+using namespace formulas;
 
 double decay_coefficient(OutletType type) {
   constexpr double table[] = {0.066, 0.08, 0.12, 0.108, 0.118, 0.155};
@@ -19,11 +13,11 @@ double decay_coefficient(OutletType type) {
 }
 
 double round_decay(double distance, double decay_coefficient) {
-  return std::min(1.0, kRoundDecay / (decay_coefficient * distance + kRoundOffset));
+  return formulas::round_decay(distance, decay_coefficient);
 }
 
 double plane_decay(double distance, double decay_coefficient) {
-  return std::min(1.0, kPlaneDecay / std::sqrt(decay_coefficient * distance + kPlaneOffset));
+  return formulas::plane_decay(distance, decay_coefficient);
 }
 
 double round_core_length(double decay_coefficient) {
@@ -43,11 +37,11 @@ double plane_virtual_origin(double decay_coefficient) {
 }
 
 double round_momentum_width(double decay) {
-  return std::numbers::sqrt2 / decay;
+  return formulas::round_momentum_width(decay);
 }
 
 double plane_momentum_width(double decay) {
-  return 2.0 * std::numbers::sqrt2 * std::numbers::inv_sqrtpi / (decay * decay);
+  return formulas::plane_momentum_width(decay);
 }
 
 }  // namespace jet

@@ -8,17 +8,18 @@
 //
 // The winding number of a source that lies on the surface is that of source + eps axis, and so is the side of
 // an element that holds it; for a source that does not, eps changes neither. So both are taken with eps from
-// the start, and whether a source lies on the surface is only asked for rays that need the whole rule.
+// the start, and whether a source lies on the surface is only asked where an orientation from it is zero.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "filter.hpp"
 #include "jet/visibility.hpp"
-#include "ray_grid.hpp"
+#include "pyramid.hpp"
 #include "rays.hpp"
 #include "surface.hpp"
 
@@ -27,40 +28,64 @@ namespace jet {
 class FastRoute {
  public:
   /// Allocates the workspace for a surface.
-  void prepare(std::size_t element_count, std::size_t node_count, bool closed);
+  void prepare(std::span<const Triangle> triangles, std::size_t node_count, bool closed);
 
-  /// `size` bounds the magnitude of every coordinate of nodes and sources.
-  VisibilityCounters query(const Surface& surface, const RaySource& source, double size,
-                           std::span<const int> candidates, std::span<std::uint8_t> lit);
+  VisibilityCounters query(const Surface& surface, const RaySource& source, std::span<const int> candidates,
+                           std::span<std::uint8_t> lit);
 
  private:
+  /// What is certain of an element: it faces all sources and its ray pierces it, or it faces none.
+  enum Known : std::uint8_t { kUnknown, kFaces, kTurnedAway };
+  static constexpr int kNone = -1;
   enum State : std::uint8_t { kLit, kOpen, kHidden, kFacingAway };
 
-  void collect(const Surface& surface);
-  void classify(const Surface& surface, const RaySource& source, double size);
-  void classify_suspect(const Surface& surface, const RaySource& source, int element);
-  bool same_side(const Surface& surface, int element);
-  bool winding_is_one(const Surface& surface);
-  std::size_t open_uncertain(const Surface& surface, std::span<const int> candidates, double size,
-                             bool certain);
-  std::size_t open_near_away(const Surface& surface);
-  bool resolve(const Surface& surface, const RaySource& source, std::span<const int> candidates);
-  void search(const Surface& surface, std::span<const int> candidates);
-  void search_aside(const Surface& surface, std::span<const int> candidates);
-  void search_tree(const Surface& surface, std::span<const int> candidates);
-  bool source_on_suspect(const Surface& surface, const blocking::Ray& ray);
+  /// Finds out whether a ray's source is moved when the rule asks for it.
+  struct Kernel : filter::Kernel {
+    FastRoute* route = nullptr;
+    bool moved(const blocking::Ray& ray) {
+      if (ray.moved == blocking::Moved::unknown)
+        ray.moved = blocking::moved_if(route->source_on_surface(ray));
+      return ray.moved == blocking::Moved::yes;
+    }
+  };
 
+  void reserve(std::size_t element_count, std::size_t node_count);
+  std::size_t at(int slot) const { return static_cast<std::size_t>(near_[static_cast<std::size_t>(slot)]); }
+  void collect();
+  void classify(int slot);
+  bool same_side(int element);
+  bool source_on_surface(const blocking::Ray& ray);
+  bool winding_is_one();
+  std::size_t open_uncertain(bool certain);
+  std::size_t open_near_away();
+  void meet_away(int hit, int element);
+  void search(std::size_t k);
+  void hide(std::size_t k, int blocker);
+  void hide_again();
+  void search();
+  void search_aside();
+  void search_tree();
+  VisibilityCounters count(std::span<std::uint8_t> lit) const;
+
+  Surface surface_;
+  const RaySource* source_ = nullptr;
+  std::span<const int> candidates_;
   bool closed_ = false;
-  bool shared_ = true;  // all sources have the same winding number
-  filter::Kernel kernel_;
-  RayBundle bundle_;
-  RayGrid grid_;
-  std::vector<std::uint16_t> codes_;  // of the nodes, see Funnel
-  std::vector<int> near_;             // elements that can meet a ray
-  std::vector<int> on_way_;           // those that can meet the way of the winding number
-  std::vector<int> away_;             // those near that are not certain to face all sources
-  std::vector<int> suspects_;         // those near that can hold a source
-  std::vector<State> states_;         // of the candidates
+  bool bounded_ = false;  // there are boxes of the rays and of the elements near them
+  bool shared_ = true;    // all sources have the same winding number
+  std::optional<bool> point_moved_;
+  Kernel kernel_;
+  RayBundle rays_;
+  Pyramid boxes_;              // of near_
+  std::vector<float> points_;  // of near_
+  std::vector<int> near_;      // elements that can meet a ray
+  int near_count_ = 0;
+  std::vector<std::uint8_t> facing_bits_, away_bits_;  // of near_
+  std::vector<Known> faces_;                           // of all elements
+  std::vector<int> away_;      // slots of near_ that are not certain to face all sources
+  std::vector<int> blockers_;  // of all elements: what hid it last, or kNone
+  std::vector<int> hits_;
+  std::vector<State> states_;  // of the candidates
 };
 
 }  // namespace jet

@@ -6,7 +6,8 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "profile.hpp"
+#include "jet/centreline.hpp"
+#include "outline.hpp"
 
 namespace jet {
 namespace {
@@ -26,8 +27,31 @@ void require_velocities(const JetModel& model, const Points* velocities, int ele
   require_columns("velocities", velocities->cols(), element_count);
 }
 
-double sqr(double x) {
-  return x * x;
+Rows rows(const Points& points) {
+  const Eigen::Index last = points.cols() - 1;
+  return {points.data(),
+          points.outerStride(),
+          static_cast<int>(last),
+          {points(0, last), points(1, last), points(2, last), 0.0}};
+}
+
+[[noreturn]] void refuse_overpressure(int element) {
+  throw DomainError("jet overpressure of element " + std::to_string(element) + " is not finite");
+}
+
+// Every width law is the larger of a constant and a straight line in z; the cut-off is the same multiple of
+// it.
+void set_cut(const JetModel& model, JetShape& shape) {
+  constexpr double everywhere = 1e100;  // stands for a cut-off of 0; its square is finite
+  const double multiple = std::min(std::sqrt(-0.5 * std::log(model.cut_off)), everywhere);
+  const double core = shape.size * (shape.round ? round_core_length(model.decay_coefficient)
+                                                : plane_core_length(model.decay_coefficient));
+  const double in_core = section(model, 0.0).width;
+  const double beyond = section(model, 2.0 * core).width;
+  const double slope = shape.momentum ? (section(model, 3.0 * core).width - beyond) / core : shape.cone_slope;
+  shape.cut_core = multiple * in_core;
+  shape.cut_slope = multiple * slope;
+  shape.cut_origin = multiple * (shape.momentum ? beyond - 2.0 * core * slope : in_core);
 }
 
 }  // namespace
@@ -43,29 +67,14 @@ JetField::JetField(const JetModel& model, int element_count, std::span<const int
     }
     is_null_[static_cast<std::size_t>(element)] = 1;
   }
-  const bool round = model_.shape == OutletShape::round;
-  frame_.across = round ? Eigen::Vector3d::Zero() : Eigen::Vector3d(model_.axis.cross(model_.long_direction));
-  frame_.half_long = round ? 0.0 : 0.5 * model_.long_side;
-  set_cut();
+  JetShape shape = outline(model_);
+  set_cut(model_, shape);
+  shape_ = std::make_unique<const JetShape>(shape);
 }
 
-// Every width law is the larger of a constant and a straight line in z; the cut-off is the same multiple of
-// it.
-void JetField::set_cut() {
-  constexpr double everywhere = 1e100;  // stands for a cut-off of 0; its square is finite
-  const double multiple = std::min(std::sqrt(-0.5 * std::log(model_.cut_off)), everywhere);
-  const bool round = model_.shape == OutletShape::round;
-  const double core =
-      (round ? model_.radius : 0.5 * model_.short_side) *
-      (round ? round_core_length(model_.decay_coefficient) : plane_core_length(model_.decay_coefficient));
-  const double in_core = section(model_, 0.0).width;
-  const double beyond = section(model_, 2.0 * core).width;
-  const double slope = model_.spread == Spread::cone ? std::tan(model_.cone_half_angle)
-                                                     : (section(model_, 3.0 * core).width - beyond) / core;
-  frame_.cut_core = multiple * in_core;
-  frame_.cut_slope = multiple * slope;
-  frame_.cut_origin = multiple * (model_.spread == Spread::cone ? in_core : beyond - 2.0 * core * slope);
-}
+JetField::~JetField() = default;
+JetField::JetField(JetField&&) noexcept = default;
+JetField& JetField::operator=(JetField&&) noexcept = default;
 
 FieldState JetField::make_state() const {
   FieldState state;
@@ -82,48 +91,6 @@ void JetField::reset(FieldState& state) const {
   state.candidates.clear();
 }
 
-// Written so that a non-finite coordinate counts as inside and is found in store().
-inline bool JetField::inside(const double* point) const {
-  const double x = point[0] - model_.centre[0], y = point[1] - model_.centre[1],
-               z = point[2] - model_.centre[2];
-  const auto along = [&](const Eigen::Vector3d& v) { return x * v[0] + y * v[1] + z * v[2]; };
-  const double downstream = along(model_.axis);
-  if (downstream <= 0.0) return false;
-  const double cut = std::max(frame_.cut_core, frame_.cut_origin + frame_.cut_slope * downstream);
-  if (model_.shape == OutletShape::round) return !(x * x + y * y + z * z - sqr(downstream) > sqr(cut));
-  return !(std::abs(along(frame_.across)) > cut || std::abs(along(model_.long_direction)) > frame_.half_long);
-}
-
-double JetField::normal_velocity(const Eigen::Vector3d& point, const Eigen::Vector3d& normal) const {
-  const profile::Local local = profile::local(model_, frame_.across, point);
-  return profile::speed(section(model_, local.z), local.radius2) *
-         profile::direction(model_, frame_.across, point).dot(normal);
-}
-
-// Elements that an axial jet does not see from behind, inside the cut-off: they fill state.candidates for
-// evaluate().
-void JetField::select(const Points& area_vectors, const Points& centroids, FieldState& state) const {
-  state.candidates.resize(static_cast<std::size_t>(element_count_));
-  const bool axial = model_.direction == Direction::axial;
-  const double a[3] = {model_.axis[0], model_.axis[1], model_.axis[2]};
-  const double *area = area_vectors.data(), *centroid = centroids.data();
-  const Eigen::Index area_stride = area_vectors.outerStride(), centroid_stride = centroids.outerStride();
-  std::size_t count = 0;
-  for (int e = 0; e < element_count_; ++e, area += area_stride, centroid += centroid_stride) {
-    if (axial && area[0] * a[0] + area[1] * a[1] + area[2] * a[2] <= 0.0) continue;
-    if (!inside(centroid) || is_null_[static_cast<std::size_t>(e)] != 0) continue;
-    state.candidates[count++] = e;
-  }
-  state.candidates.resize(count);
-}
-
-void JetField::store(int element, double overpressure, FieldState& state) const {
-  if (!std::isfinite(overpressure)) {
-    throw DomainError("jet overpressure of element " + std::to_string(element) + " is not finite");
-  }
-  state.overpressure[static_cast<std::size_t>(element)] = overpressure;
-}
-
 void JetField::evaluate(const Points& area_vectors, const Points& centroids, const OutletState& outlet,
                         FieldState& state, const Points* velocities) const {
   require_columns("area_vectors", area_vectors.cols(), element_count_);
@@ -131,21 +98,22 @@ void JetField::evaluate(const Points& area_vectors, const Points& centroids, con
   require_velocities(model_, velocities, element_count_);
   reset(state);
   if (outlet.density == 0.0 || outlet.velocity == 0.0) return;
-  select(area_vectors, centroids, state);
-  const double factor = (1.0 + model_.restitution) * outlet.density;
-  std::size_t count = 0;
-  for (const int e : state.candidates) {
-    const Eigen::Vector3d area = area_vectors.col(e);
-    const double size = area.norm();
-    if (size == 0.0) continue;
-    const double inverse = 1.0 / size;
-    double speed = outlet.velocity * normal_velocity(centroids.col(e), area) * inverse;
-    if (speed > 0.0 && model_.relative_to_skin) speed -= velocities->col(e).dot(area) * inverse;
-    if (speed <= 0.0) continue;
-    store(e, factor * sqr(speed), state);
-    state.candidates[count++] = e;
-  }
-  state.candidates.resize(count);
+  state.candidates.resize(static_cast<std::size_t>(element_count_));
+  FieldArrays arrays{};
+  arrays.area_vectors = rows(area_vectors);
+  arrays.centroids = rows(centroids);
+  arrays.relative_to_skin = model_.relative_to_skin;
+  if (model_.relative_to_skin) arrays.velocities = rows(*velocities);
+  arrays.is_null = is_null_.data();
+  arrays.count = element_count_;
+  arrays.velocity = outlet.velocity;
+  arrays.factor = (1.0 + model_.restitution) * outlet.density;
+  arrays.overpressure = state.overpressure.data();
+  arrays.candidates = state.candidates.data();
+  const KernelTable& kernels = kernel_table();
+  const int count = kernels.evaluate(*shape_, arrays, kernels.select(*shape_, arrays));
+  if (count < 0) refuse_overpressure(-1 - count);
+  state.candidates.resize(static_cast<std::size_t>(count));
 }
 
 void apply_mask(std::span<const std::uint8_t> lit, FieldState& state) {

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "jet/jet.hpp"
 
+#include <Eigen/Geometry>
 #include <cmath>
 #include <numbers>
 #include <sstream>
 #include <stdexcept>
 
+#include "jet/centreline.hpp"
+#include "outline.hpp"
 #include "profile.hpp"
 
 namespace jet {
@@ -59,8 +62,8 @@ void check_options(const JetModel& model) {
   require_range("cut_off", model.cut_off, model.cut_off >= 0.0 && model.cut_off < 1.0, "[0, 1)");
 }
 
-double cone_width(const JetModel& model, double z) {
-  return model.cone_initial_width + z * std::tan(model.cone_half_angle);
+void copy(const Eigen::Vector3d& from, double* to) {
+  for (int i = 0; i < 3; ++i) to[i] = from[i];
 }
 
 }  // namespace
@@ -101,23 +104,44 @@ RaySource ray_source(const JetModel& model) {
   return source;
 }
 
+JetShape outline(const JetModel& model) {
+  JetShape shape{};
+  shape.round = model.shape == OutletShape::round;
+  shape.momentum = model.spread == Spread::momentum;
+  shape.axial = model.direction == Direction::axial;
+  copy(model.centre, shape.centre);
+  copy(model.axis, shape.axis);
+  shape.size = shape.round ? model.radius : 0.5 * model.short_side;
+  shape.decay_coefficient = model.decay_coefficient;
+  shape.origin = shape.size * (shape.round ? round_virtual_origin(model.decay_coefficient)
+                                           : plane_virtual_origin(model.decay_coefficient));
+  if (!shape.round) {
+    copy(model.axis.cross(model.long_direction), shape.across);
+    copy(model.long_direction, shape.along);
+    shape.half_long = 0.5 * model.long_side;
+  }
+  if (!shape.momentum) {
+    shape.cone_width = model.cone_initial_width;
+    shape.cone_slope = std::tan(model.cone_half_angle);
+  }
+  return shape;
+}
+
 Section section(const JetModel& model, double z) {
-  const bool round = model.shape == OutletShape::round;
-  const double size = round ? model.radius : 0.5 * model.short_side;
-  const double decay =
-      round ? round_decay(z / size, model.decay_coefficient) : plane_decay(z / size, model.decay_coefficient);
-  if (model.spread == Spread::cone) return {decay, cone_width(model, z)};
-  return {decay, size * (round ? round_momentum_width(decay) : plane_momentum_width(decay))};
+  const auto at = profile::section(outline(model), z);
+  return {at.decay, at.width};
 }
 
 Eigen::Vector3d relative_velocity(const JetModel& model, const Eigen::Vector3d& point) {
-  const Eigen::Vector3d across = model.axis.cross(model.long_direction);
-  const profile::Local local = profile::local(model, across, point);
-  if (local.z < 0.0) return Eigen::Vector3d::Zero();
-  if (model.shape == OutletShape::rectangular && std::abs(local.along) > 0.5 * model.long_side) {
-    return Eigen::Vector3d::Zero();
+  const JetShape shape = outline(model);
+  const auto at = profile::local(shape, Vec3<double>{point[0], point[1], point[2]});
+  if (at.z < 0.0 || std::abs(at.along) > shape.half_long) return Eigen::Vector3d::Zero();
+  Eigen::Vector3d velocity;
+  for (int i = 0; i < 3; ++i) {
+    const Vec3<double> unit{i == 0 ? 1.0 : 0.0, i == 1 ? 1.0 : 0.0, i == 2 ? 1.0 : 0.0};
+    velocity[i] = profile::velocity_along(shape, at, unit);
   }
-  return profile::speed(section(model, local.z), local.radius2) * profile::direction(model, across, point);
+  return velocity;
 }
 
 }  // namespace jet

@@ -30,6 +30,10 @@ struct Kernel {
     ++calls;
     return exact::slope(d, p, q, r);
   }
+  template <class Ray>
+  bool moved(const Ray& ray) const {
+    return ray.moved == decltype(ray.moved)::yes;
+  }
   bool on_triangle(const double* s, const double* a, const double* b, const double* c) {
     return orientation(s, a, b, c) == 0 && exact::on_triangle(s, a, b, c);
   }

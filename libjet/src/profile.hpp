@@ -1,46 +1,98 @@
 // SPDX-License-Identifier: Apache-2.0
-// The velocity profile behind an outlet in the outlet's own frame: written once, for the pointwise functions
-// and S4.
+// The velocity profile behind an outlet in the outlet's own frame, for one point (T = double) or for lanes of
+// points: written once, for the pointwise functions and S4.
 #pragma once
 
-#include <Eigen/Geometry>
 #include <cmath>
 
-#include "jet/centreline.hpp"
-#include "jet/jet.hpp"
+#include "centreline_formulas.hpp"
+#include "kernel_table.hpp"
 
 namespace jet::profile {
 
-/// Position in the outlet's frame, and the radius that the Gaussian sees.
+using formulas::max;
+
+// True of NaN, so that a non-finite coordinate counts as inside the jet and is found in what follows.
+inline bool not_above(double a, double b) {
+  return !(a > b);
+}
+inline bool not_at_most(double a, double b) {
+  return !(a <= b);
+}
+
+/// Position in the outlet's frame.
+template <class T>
 struct Local {
-  double z;        // [m] along the axis
-  double along;    // [m] along the long side; 0 for a round outlet
-  double radius2;  // [m2] squared distance from the axis (round) or from the long mid-plane (rectangular)
+  Vec3<T> d;        // [m] from the outlet's centre
+  T z;              // [m] along the axis
+  T along, across;  // [m] along the long side and the short one; 0 for a round outlet
+  T radius2;        // [m2] squared distance from the axis (round) or from the long mid-plane (rectangular)
 };
 
-inline Local local(const JetModel& model, const Eigen::Vector3d& across, const Eigen::Vector3d& point) {
-  const Eigen::Vector3d d = point - model.centre;
-  const double z = d.dot(model.axis);
-  if (model.shape == OutletShape::round) return {z, 0.0, (d - z * model.axis).squaredNorm()};
-  const double y = d.dot(across);
-  return {z, d.dot(model.long_direction), y * y};
+template <class T>
+[[gnu::always_inline]] inline T dot(const double* a, const Vec3<T>& b) {
+  return a[0] * b.x + a[1] * b.y + a[2] * b.z;
+}
+template <class T>
+[[gnu::always_inline]] inline T dot(const Vec3<T>& a, const Vec3<T>& b) {
+  return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+/// t a + b
+template <class T>
+[[gnu::always_inline]] inline Vec3<T> ahead(T t, const double* a, const Vec3<T>& b) {
+  return {a[0] * t + b.x, a[1] * t + b.y, a[2] * t + b.z};
 }
 
-/// Unit vector of the velocity. Upstream distance of the virtual origin as in centreline.hpp.
-inline Eigen::Vector3d direction(const JetModel& model, const Eigen::Vector3d& across,
-                                 const Eigen::Vector3d& point) {
-  if (model.direction == Direction::axial) return model.axis;
-  const Eigen::Vector3d d = point - model.centre;
-  if (model.shape == OutletShape::round) {
-    return (d + model.radius * round_virtual_origin(model.decay_coefficient) * model.axis).normalized();
+template <class T>
+[[gnu::always_inline]] inline Local<T> local(const JetShape& jet, const Vec3<T>& point) {
+  const Vec3<T> d = {point.x - jet.centre[0], point.y - jet.centre[1], point.z - jet.centre[2]};
+  const T z = dot(jet.axis, d);
+  if (jet.round) {
+    const Vec3<T> r = ahead(-z, jet.axis, d);
+    return {d, z, T(0.0), T(0.0), dot(r, r)};
   }
-  const double origin = 0.5 * model.short_side * plane_virtual_origin(model.decay_coefficient);
-  return (d.dot(across) * across + (d.dot(model.axis) + origin) * model.axis).normalized();
+  const T across = dot(jet.across, d);
+  return {d, z, dot(jet.along, d), across, across * across};
 }
 
-/// V / V0 on the ray of similarity: V_max / V0 exp(-(r/R)^2).
-inline double speed(const Section& section, double radius2) {
-  return section.decay * std::exp(-radius2 / (section.width * section.width));
+/// Within the cut-off, downstream of the outlet.
+template <class T>
+[[gnu::always_inline]] inline auto inside(const JetShape& jet, const Local<T>& x) {
+  using std::abs;
+  const T cut = max(T(jet.cut_core), jet.cut_origin + jet.cut_slope * x.z);
+  return not_at_most(x.z, T(0.0)) & not_above(x.radius2, cut * cut) &
+         not_above(abs(x.along), T(jet.half_long));
+}
+
+/// V_max / V0 and the width [m].
+template <class T>
+struct SectionOf {
+  T decay, width;
+};
+template <class T>
+[[gnu::always_inline]] inline SectionOf<T> section(const JetShape& jet, T z) {
+  const T distance = z / jet.size;
+  const T decay = jet.round ? formulas::round_decay(distance, jet.decay_coefficient)
+                            : formulas::plane_decay(distance, jet.decay_coefficient);
+  if (!jet.momentum) return {decay, jet.cone_width + jet.cone_slope * z};
+  return {decay, jet.size * (jet.round ? formulas::round_momentum_width(decay)
+                                       : formulas::plane_momentum_width(decay))};
+}
+
+/// V . vector / V0, V_max / V0 exp(-(r/R)^2) along the axis or away from the virtual origin.
+template <class T>
+[[gnu::always_inline]] inline T velocity_along(const JetShape& jet, const Local<T>& x,
+                                               const Vec3<T>& vector) {
+  using std::exp, std::sqrt;
+  const SectionOf<T> section = profile::section(jet, x.z);
+  const T speed = section.decay * exp(-x.radius2 / (section.width * section.width));
+  if (jet.axial) return speed * dot(jet.axis, vector);
+  const Vec3<T> straight = {x.across * T(jet.across[0]), x.across * T(jet.across[1]),
+                            x.across * T(jet.across[2])};
+  const T ahead_of_origin = jet.origin + x.z;
+  const Vec3<T> away =
+      jet.round ? ahead(T(jet.origin), jet.axis, x.d) : ahead(ahead_of_origin, jet.axis, straight);
+  return speed * dot(away, vector) / sqrt(dot(away, away));
 }
 
 }  // namespace jet::profile

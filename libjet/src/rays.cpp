@@ -1,117 +1,211 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "rays.hpp"
 
+#include <algorithm>
+#include <bit>
 #include <cmath>
+#include <numeric>
+#include <utility>
 
-#include "sides.hpp"
+#include "checks.hpp"
 
 namespace jet {
 namespace {
 
-constexpr double kMargin = 1e-11;         // relative to the coordinates' size: 1e5 roundings
-constexpr double kSteepest = 1e6;         // slope against the axis, which widens the margins
-constexpr std::size_t kMostAside = 64;    // more of them are quicker in a tree
-constexpr Pair kWaySlope{0.137, -0.291};  // a general direction: bags are symmetric about the axis
+constexpr std::size_t kMostAside = 64;  // more of them are quicker in a tree
+constexpr float kSteepest = 1e3f;       // steeper bounds keep out too little to be worth their margin
+constexpr double kLargestRatio =
+    1e5;                          // coordinates over extent: sources lie beside their line by 4e-16 of it
+constexpr double kMargin = 1e-6;  // 16 times the error of local coordinates
+constexpr std::uint8_t kFloor = 0x80;
 
-Pair lower(Pair a, Pair b) {
-  return a < b ? a : b;
-}
-Pair higher(Pair a, Pair b) {
-  return a > b ? a : b;
-}
-Pair magnitude(Pair a) {
-  return higher(a, -a);
+double extent(const Surface& surface, const Eigen::Vector3d& centre) {
+  double largest = 0.0;
+  for (int i = 0; i < surface.node_count; ++i) {
+    const double* x = surface.node(i);
+    largest = std::max(largest, (Eigen::Vector3d(x[0], x[1], x[2]) - centre).squaredNorm());
+  }
+  return std::sqrt(largest);
 }
 
 }  // namespace
 
-void RayBundle::reserve(std::size_t count) {
-  rays.reserve(count);
+void RayBundle::reserve(std::size_t element_count, std::size_t node_count) {
+  boxes.reserve(element_count);
   aside.reserve(kMostAside);
+  local_.resize(4 * (node_count + 8));
+  local_targets_.resize(4 * element_count);
+  list_boxes_.resize(32 * (element_count / 64 + 2));
+  list_blocks_.resize(element_count / 8 + 8);
+  points_.resize(kRayFloats * (element_count / 8 + 1));
+  codes_.resize(node_count + 8);
+  aside_bits_.resize(element_count / 8 + 1);
+  made_.resize(element_count);
+  sorted_.resize(element_count);
+  given.resize(element_count);
+  given_at_.resize(element_count);
+  chosen_.resize(element_count / 64 + 1);
+  is_made_.resize(element_count);
 }
 
-void RayBundle::build(const Surface& surface, const RaySource& source, std::span<const int> candidates,
-                      double size) {
-  rays.resize(candidates.size());
-  for (std::size_t k = 0; k < rays.size(); ++k) rays[k] = blocking::make_ray(surface, candidates[k], source);
-  low_source_ = Eigen::Array3d::Constant(HUGE_VAL);
-  high_source_ = -low_source_;
-  for (const blocking::Ray& ray : rays) {
-    const Eigen::Map<const Eigen::Array3d> s(ray.source);
-    low_source_ = low_source_.min(s);
-    high_source_ = high_source_.max(s);
+bool RayBundle::build(const Surface& surface, const RaySource& source, std::span<const int> as_given) {
+  surface_ = surface;
+  source_ = &source;
+  sort(as_given);
+  std::fill_n(is_made_.begin(), candidates.size(), std::uint8_t{0});
+  const double centre = source.centre.cwiseAbs().maxCoeff();
+  if (frame_.build(source)) {
+    if (scale_ == 0.0) rescale();
+    if (!project()) {
+      rescale();
+      project();
+    }
+    size = centre + 1.8 / scale_;  // the square root of 3, and the frame's roundings
+    const bool within = size <= kLargest && size * scale_ <= kLargestRatio && !flags_.outside;
+    if (within && aside.size() <= kMostAside && aside.size() < candidates.size()) return true;
   }
-  margin_ = kMargin * size;
-  aside.clear();
-  bounded = frame.build(source) && bound_slopes();
-  if (!bounded) return;
-  bound(source);
-  set_way(size);
+  const double reach =
+      source.half_long == 0.0 ? 0.0 : source.half_long * source.long_direction.cwiseAbs().maxCoeff();
+  size = std::max(check_nodes(surface), centre + reach);
+  return false;
 }
 
-// The steepest slopes of the rays; false if too many have to be left aside.
-bool RayBundle::bound_slopes() {
-  funnel.slope_low = Pair{kSteepest, kSteepest};
-  funnel.slope_high = -funnel.slope_low;
-  for (std::size_t k = 0; k < rays.size(); ++k) {
-    const Local d = frame.direction(rays[k].source, rays[k].target);
-    if (d.w * kSteepest > std::abs(d.side[0]) + std::abs(d.side[1])) {
-      const Pair slope = d.side / d.w;
-      funnel.slope_low = lower(funnel.slope_low, slope);
-      funnel.slope_high = higher(funnel.slope_high, slope);
-    } else if (aside.size() < kMostAside) {
-      aside.push_back(static_cast<std::uint32_t>(k));
-    } else {
-      aside.clear();
-      return false;
+// Candidates in the mesh's order; as given if one is named twice.
+void RayBundle::sort(std::span<const int> as_given) {
+  std::size_t count = 0;
+  for (std::size_t k = 0; k < as_given.size(); ++k) {
+    const auto i = static_cast<std::size_t>(mesh_.rank[static_cast<std::size_t>(as_given[k])]);
+    chosen_[i / 64] |= std::uint64_t{1} << i % 64;
+    given_at_[i] = static_cast<int>(k);
+  }
+  for (std::size_t word = 0; word < chosen_.size(); ++word) {
+    for (std::uint64_t bits = std::exchange(chosen_[word], 0); bits != 0; bits &= bits - 1) {
+      const std::size_t i = 64 * word + static_cast<std::size_t>(std::countr_zero(bits));
+      sorted_[count] = mesh_.elements[i];
+      given[count++] = given_at_[i];
     }
   }
-  return true;
+  candidates = std::span<const int>(sorted_).first(count);
+  if (count == as_given.size()) return;
+  candidates = as_given;
+  std::iota(given.begin(), given.end(), 0);
 }
 
-// All sources lie between the two ends of the outlet: the bounds hold there, so they hold in between.
-void RayBundle::bound(const RaySource& source) {
-  const Pair margin = margin_ * (1.0 + magnitude(funnel.slope_low) + magnitude(funnel.slope_high));
-  funnel.low_w = HUGE_VAL;
-  funnel.low = Pair{HUGE_VAL, HUGE_VAL};
-  funnel.high = -funnel.low;
-  for (const double t : {-source.half_long, source.half_long}) {
-    const Eigen::Vector3d end =
-        t == 0.0 ? source.centre : Eigen::Vector3d(source.centre + t * source.long_direction);
-    const Local at = frame.at(end.data());
-    funnel.low_w = std::min(funnel.low_w, at.w - margin_);
-    funnel.low = lower(funnel.low, at.side - funnel.slope_low * at.w - margin);
-    funnel.high = higher(funnel.high, at.side - funnel.slope_high * at.w + margin);
+// A scale that keeps the nodes and the sources within 1/2, with room to move. The magnitude of a refused node
+// is not known, so this is where all of them are looked at.
+void RayBundle::rescale() {
+  check_nodes(surface_);
+  const double largest = std::max({extent(surface_, source_->centre), source_->half_long, 1e-150});
+  scale_ = std::ldexp(1.0, -std::ilogb(largest) - 2);
+}
+
+// False where the scale does not fit the nodes any more, or one of them is to be refused.
+bool RayBundle::project() {
+  const KernelTable& kernels = kernel_table();
+  const int last = surface_.node_count - 1;
+  const double* x = surface_.node(last);
+  arrays_ = {{surface_.nodes, surface_.stride, last, {x[0], x[1], x[2], 0.0}},
+             surface_.node_count,
+             {},
+             {},
+             local_targets_.data(),
+             surface_.triangles->data(),
+             candidates.data(),
+             codes_.data(),
+             {},
+             {}};
+  for (int i = 0; i < 3; ++i) {
+    arrays_.centre[i] = source_->centre[i];
+    const Eigen::Vector3d* const axes[] = {&frame_.across, &frame_.along, &frame_.forward};
+    for (int j = 0; j < 3; ++j) arrays_.column[i][j] = scale_ * (*axes[j])[i];
+  }
+  kernels.project_centroids(arrays_, static_cast<int>(candidates.size()));
+  rays_ = {};
+  rays_.local = local_targets_.data();
+  rays_.half_long = static_cast<float>(scale_ * source_->half_long);
+  rays_.boxes = boxes.boxes();
+  rays_.points = points_.data();
+  bounds_ = kernels.ray_boxes(rays_, static_cast<int>(candidates.size()), aside_bits_.data());
+  find_aside(candidates.size());
+  set_sides(bounds_);
+  arrays_.local = local_.data();
+  flags_ = kernels.project_nodes(arrays_);
+  return !flags_.outside && !flags_.small && !flags_.tiny;
+}
+
+void RayBundle::find_aside(std::size_t count) {
+  aside.clear();
+  for (std::size_t b = 0; b < (count + 7) / 8; ++b) {
+    for (unsigned bits = aside_bits_[b]; bits != 0; bits &= bits - 1u) {
+      if (aside.size() > kMostAside) return;
+      aside.push_back(static_cast<std::uint32_t>(8 * b) + static_cast<std::uint32_t>(__builtin_ctz(bits)));
+    }
   }
 }
 
-void RayBundle::set_way(double size) {
-  way_ray = rays[0];
-  way_ray.moved = true;
-  const double reach = 4.0 * size;  // at least 2.3 size along one coordinate, so that the end is outside
-  for (int i = 0; i < 3; ++i) {
-    way_ray.target[i] = way_ray.source[i] + reach * (frame.forward[i] + kWaySlope[0] * frame.across[i] +
-                                                     kWaySlope[1] * frame.along[i]);
-  }
-  const Local from = frame.at(way_ray.source);
-  funnel.way_slope = kWaySlope;
-  funnel.way_offset = from.side - kWaySlope * from.w;
-  funnel.way_margin = margin_ * (1.0 + magnitude(kWaySlope));
+void RayBundle::set_side(int bit, double slope, double bound) {
+  const bool steep = !(std::abs(slope) <= static_cast<double>(kSteepest));
+  arrays_.slope[bit] = steep ? 0.0f : static_cast<float>(slope);
+  arrays_.bound[bit] = steep ? HUGE_VALF : static_cast<float>(bound + kMargin * (1.0 + std::abs(slope)));
 }
 
-bool RayBundle::beside_sources(const Surface& surface, int element) const {
-  const Box box(surface, element);
-  for (int i = 0; i < 3; ++i) {
-    if (box.high[i] < low_source_[i] || box.low[i] > high_source_[i]) return true;
+// Half-spaces that hold all rays not aside, beyond their targets, too.
+void RayBundle::set_sides(const RayBounds& bounds) {
+  set_side(0, bounds.low_u, 0.0);
+  set_side(1, bounds.high_u, 0.0);
+  set_side(2, frame_.line ? 0.0 : bounds.low_v, frame_.line ? -bounds.low_v : 0.0);
+  set_side(3, frame_.line ? 0.0 : bounds.high_v, frame_.line ? bounds.high_v : 0.0);
+  set_side(4, 0.0, 0.0);
+  // What is not above the sources' own plane meets no ray: a source on it starts above, by eps.
+  outside_ = 0x1fu | (frame_.aligned() ? kFloor : 0u);
+}
+
+// Sources have u = w = 0, to 4e-11.
+bool RayBundle::beside_sources(int element) const {
+  const float margin = static_cast<float>(kMargin);
+  bool ahead = true, left = true, right = true;
+  for (const int node : surface_.triangles[element]) {
+    const float* x = local_.data() + 4 * static_cast<std::size_t>(node);
+    ahead = ahead && x[2] > margin;
+    left = left && x[0] < -margin;
+    right = right && x[0] > margin;
   }
-  if (!bounded || !frame.line) return false;
-  unsigned sides = 0xf;  // of the line, on which all corners are
-  for (int i = 0; i < 3; ++i) {
-    const Local x = frame.at(surface.corner(element, i));
-    sides &= (x.w > margin_ ? 1u : 0u) | (x.w < -margin_ ? 2u : 0u) | (x.side[0] > margin_ ? 4u : 0u) |
-             (x.side[0] < -margin_ ? 8u : 0u);
+  return ahead || left || right;
+}
+
+const blocking::Ray& RayBundle::ray(std::size_t k) const {
+  if (is_made_[k] == 0) {
+    is_made_[k] = 1;
+    made_[k] = blocking::make_ray(surface_, candidates[k], *source_);
+    made_[k].moved = blocking::Moved::unknown;
   }
-  return sides != 0;
+  return made_[k];
+}
+
+// A general slope within the bounds: bags are symmetric about the axis. Local coordinates of the end are
+// above 1.
+blocking::Ray RayBundle::way(float* box) const {
+  std::size_t first = 0;
+  while (first < aside.size() && aside[first] == first) ++first;
+  blocking::Ray ray = this->ray(first);
+  ray.moved = blocking::Moved::yes;
+  const auto within = [](float low, float high, double share) {
+    const double a = std::clamp(low, -kSteepest, kSteepest), b = std::clamp(high, -kSteepest, kSteepest);
+    return a + share * (b - a);
+  };
+  const double u = within(bounds_.low_u, bounds_.high_u, 0.382);
+  const double v = frame_.line ? 0.0 : within(bounds_.low_v, bounds_.high_v, 0.618);
+  for (int i = 0; i < 3; ++i) {
+    ray.target[i] =
+        ray.source[i] + 2.0 / scale_ * (frame_.forward[i] + u * frame_.across[i] + v * frame_.along[i]);
+  }
+  const auto turned = [](double slope) { return slope / (1.0 + std::abs(slope)); };
+  const Eigen::Map<const Eigen::Vector3d> from(ray.source);
+  const double at = frame_.line ? scale_ * (from - source_->centre).dot(frame_.along) : turned(v);
+  const double places[2] = {turned(u), at};
+  for (int i = 0; i < 4; ++i)
+    box[i] = static_cast<float>(places[i / 2] + (i % 2 == 0 ? -4.0 : 4.0) * kMargin);
+  return ray;
 }
 
 }  // namespace jet

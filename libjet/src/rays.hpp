@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The rays of one query and a funnel that holds them, beyond their targets, too. The funnel only sorts out
-// what no ray can meet; its bounds carry margins far above rounding, so they cost work at worst, never an
-// answer.
+// The rays of one query in the jet's frame, as boxes of the two coordinates that do not change along a ray:
+// the slopes against the axis (point source), or slope across and place along the line (line source). An
+// element covers a range of each. Boxes carry margins far above rounding, so they cost work at worst, never
+// an answer.
 #pragma once
 
 #include <cstdint>
@@ -10,56 +11,97 @@
 
 #include "blocking.hpp"
 #include "frame.hpp"
+#include "kernel_table.hpp"
+#include "mesh_order.hpp"
+#include "pyramid.hpp"
 
 namespace jet {
 
-/// Convex region in the jet's frame, and a way out of the surface along which the winding number is counted.
-///   u <= high_u + slope_high_u w,  u >= low_u + slope_low_u w, the same for v,  w >= low_w
-struct Funnel {
-  using Bits = long long __attribute__((vector_size(2 * sizeof(double))));
-
-  double low_w = 0.0;
-  Pair slope_low, slope_high, low, high;
-  Pair way_slope, way_offset, way_margin;
-
-  /// Bits of the sides on which a point lies outside. Corners that share one keep the element out: of the
-  /// funnel if it is among kOutside, off the way if it is among kOffWay.
-  static constexpr unsigned kOutside = 0x1f;
-  static constexpr unsigned kOffWay = 0x1f0;
-  unsigned code(const Local& x) const {
-    const Pair off_way = x.side - (way_offset + way_slope * x.w);
-    const Bits bits = ((x.side < low + slope_low * x.w) & Bits{1, 2}) |
-                      ((x.side > high + slope_high * x.w) & Bits{4, 8}) |
-                      ((off_way < -way_margin) & Bits{32, 64}) | ((off_way > way_margin) & Bits{128, 256});
-    return static_cast<unsigned>(bits[0] | bits[1]) | (x.w < low_w ? 16u : 0u);
-  }
-};
-
-/// Rays of the candidates, in their order. Allocates at reserve() alone.
 class RayBundle {
  public:
-  void reserve(std::size_t count);
+  void reserve(std::size_t element_count, std::size_t node_count);
+  void set_mesh(std::span<const Triangle> triangles) { mesh_ = OrderedMesh(triangles); }
 
-  /// `size` bounds every coordinate of nodes and sources.
-  void build(const Surface& surface, const RaySource& source, std::span<const int> candidates, double size);
+  /// Projects rays and nodes; allocates nothing. False if no frame holds them all but a few: nothing but
+  /// `size` is known then. Throws std::invalid_argument for coordinates out of range.
+  bool build(const Surface& surface, const RaySource& source, std::span<const int> as_given);
 
-  /// Certain that the element meets no way from one source to another, so that none lies on it.
-  bool beside_sources(const Surface& surface, int element) const;
+  /// Ray of a candidate in the definition's arithmetic, made when first asked for.
+  const blocking::Ray& ray(std::size_t k) const;
 
-  std::vector<blocking::Ray> rays;
-  bool bounded = false;  // there is a frame, and the funnel holds all rays but those in `aside`
-  Frame frame;
-  Funnel funnel;
-  std::vector<std::uint32_t> aside;  // rays without length, too steep against the jet, or upstream
-  blocking::Ray way_ray;  // the way from the first ray's source, moved, to a point outside the surface
+  /// Elements that can meet a ray or the way of the winding number, in the mesh's order; their number. `near`
+  /// has room for eight more, which repeat the last.
+  int collect(int* near) const;
+
+  /// Boxes of elements, 32 floats for eight, and bits for those that all sources see
+  /// from inside for certain, and those that none does.
+  void element_boxes(const int* elements, int count, float* boxes, float* points, std::uint8_t* facing,
+                     std::uint8_t* away) const;
+
+  /// visit(hit, slot) for the rays that may touch the elements in the slots named, see KernelTable. `boxes`
+  /// and `points` belong to the elements, `hits` is room for as many as there are rays.
+  template <class Visit>
+  void for_each_touching(const Pyramid& elements, const float* points, std::span<const int> slots, int* hits,
+                         Visit visit) {
+    for (std::size_t first = 0; first < slots.size(); first += 8) {
+      const auto eight = slots.subspan(first, std::min<std::size_t>(8, slots.size() - first));
+      make_list(elements, eight);
+      for (const int slot : eight) {
+        const int count = touching_rays(elements, points, slot, hits);
+        for (int i = 0; i < count; ++i) visit(hits[i], slot);
+      }
+    }
+  }
+  /// Elements that may touch a ray; their number.
+  int touching_elements(const Pyramid& elements, const float* points, std::size_t k, int* out) const;
+
+  /// Certain that no way from one source to another meets the element.
+  bool beside_sources(int element) const;
+
+  /// From the source of a ray not aside, moved, to a point outside the surface, within the rays' bounds; and
+  /// its box.
+  blocking::Ray way(float* box) const;
+
+  std::span<const int> candidates;   // in the mesh's order, in which all here is numbered
+  std::vector<int> given;            // their places in the query
+  double size = 0.0;                 // [m] bounds the magnitude of every coordinate of nodes and sources
+  Pyramid boxes;                     // of the rays
+  std::vector<std::uint32_t> aside;  // rays without length, or not downstream of the outlet: empty boxes
 
  private:
-  bool bound_slopes();
-  void bound(const RaySource& source);
-  void set_way(double size);
+  void sort(std::span<const int> as_given);
+  bool project();
+  void make_list(const Pyramid& elements, std::span<const int> slots);
+  int touching_rays(const Pyramid& elements, const float* points, int slot, int* out) const;
+  void rescale();
+  void set_scale(double extent);
+  void set_sides(const RayBounds& bounds);
+  void set_side(int bit, double slope, double bound);
+  void find_aside(std::size_t count);
 
-  double margin_ = 0.0;                      // [m] above rounding
-  Eigen::Array3d low_source_, high_source_;  // box of all sources
+  Surface surface_;
+  const RaySource* source_ = nullptr;
+  OrderedMesh mesh_;
+  std::vector<int> sorted_;
+  std::vector<std::uint64_t> chosen_;  // bit i: the i-th element of the order is a candidate
+  std::vector<int> given_at_;          // place of the i-th element in the query
+  Frame frame_;
+  double scale_ = 0.0;  // [1/m] power of two that brings local coordinates below 1; kept for the next query
+  RayBounds bounds_{};
+  ProjectArrays arrays_{};
+  BoxArrays rays_{};
+  ProjectFlags flags_{};
+  unsigned outside_ = 0;              // bits of a code that keep an element out
+  std::vector<float> local_;          // 4 a node
+  std::vector<float> local_targets_;  // 4 a ray
+  std::vector<float> points_;         // of the rays, see BoxArrays
+  std::vector<float> list_boxes_;     // rays near some elements, see RayList
+  std::vector<int> list_blocks_;
+  int list_count_ = 0;
+  std::vector<std::uint8_t> codes_;  // of the nodes
+  std::vector<std::uint8_t> aside_bits_;
+  mutable std::vector<blocking::Ray> made_;
+  mutable std::vector<std::uint8_t> is_made_;
 };
 
 }  // namespace jet

@@ -85,15 +85,6 @@ struct Box {
     }
     return apart;
   }
-  /// The same of the ray that starts like the segment and does not end.
-  bool apart_from_ray(const blocking::Ray& ray) const {
-    bool apart = false;
-    for (int i = 0; i < 3; ++i) {
-      apart |= (ray.source[i] < low[i]) & (ray.target[i] <= ray.source[i]);
-      apart |= (ray.source[i] > high[i]) & (ray.target[i] >= ray.source[i]);
-    }
-    return apart;
-  }
 };
 
 }  // namespace jet

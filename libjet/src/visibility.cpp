@@ -2,15 +2,10 @@
 #include "jet/visibility.hpp"
 
 #include <algorithm>
-#include <bit>
-#include <cmath>
-#include <iomanip>
 #include <numeric>
-#include <sstream>
-#include <stdexcept>
-#include <string>
 
 #include "blocking.hpp"
+#include "checks.hpp"
 #include "closedness.hpp"
 #include "fast.hpp"
 #include "predicates.hpp"
@@ -19,74 +14,6 @@
 
 namespace jet {
 namespace {
-
-constexpr double kLargest = 1e100;
-constexpr double kSmallest = 1e-100;
-
-bool allowed(double x) {
-  return x == 0.0 || (std::abs(x) >= kSmallest && std::abs(x) <= kLargest);
-}
-
-[[noreturn]] void refuse(const std::string& message) {
-  throw std::invalid_argument("visibility " + message);
-}
-
-/// 17 digits: a refused value is shown as it is, 1e-120 not as 0.
-std::string text(double value) {
-  return (std::ostringstream() << std::setprecision(17) << value).str();
-}
-
-void require_index(const char* name, int index, int count) {
-  if (index < 0 || index >= count) {
-    refuse(std::string(name) + " " + std::to_string(index) + ", allowed: 0 to " + std::to_string(count - 1));
-  }
-}
-
-void require_coordinates(const char* name, const Eigen::Vector3d& vector) {
-  for (const double x : vector) {
-    if (!allowed(x))
-      refuse(std::string(name) + " has coordinate " + text(x) + ", allowed: 0 or 1e-100 to 1e100");
-  }
-}
-
-void check_source(const RaySource& source) {
-  require_coordinates("source centre", source.centre);
-  require_coordinates("source axis", source.axis);
-  if (source.axis.isZero(0.0)) refuse("source axis is zero");
-  if (!(source.half_long >= 0.0 && allowed(source.half_long))) {
-    refuse("source half_long is " + text(source.half_long) + ", allowed: 0 or 1e-100 to 1e100");
-  }
-  if (source.half_long == 0.0) return;
-  require_coordinates("source long_direction", source.long_direction);
-  if (source.long_direction.isZero(0.0)) refuse("source long_direction is zero");
-  if (!(source.half_long * source.long_direction.cwiseAbs().maxCoeff() <= kLargest))
-    refuse("source is too long");
-}
-
-/// Largest magnitude of a coordinate. Magnitudes are compared by their bits, which order like the values and
-/// put infinities and NaN above every number.
-double check_nodes(const Points& nodes, int node_count) {
-  if (nodes.cols() != node_count) {
-    refuse("nodes has " + std::to_string(nodes.cols()) + " columns, allowed: " + std::to_string(node_count));
-  }
-  constexpr std::uint64_t smallest = std::bit_cast<std::uint64_t>(kSmallest);
-  constexpr std::uint64_t magnitude = ~std::uint64_t{0} >> 1;
-  std::uint64_t largest = 0;
-  bool tiny = false;
-  const double* node = nodes.data();
-  for (Eigen::Index i = 0; i < nodes.cols(); ++i, node += nodes.outerStride()) {
-    for (int j = 0; j < 3; ++j) {
-      const std::uint64_t bits = std::bit_cast<std::uint64_t>(node[j]) & magnitude;
-      tiny |= bits - 1 < smallest - 1;  // 0 wraps around and passes
-      largest = std::max(largest, bits);
-    }
-  }
-  if (!tiny && largest <= std::bit_cast<std::uint64_t>(kLargest)) return std::bit_cast<double>(largest);
-  for (Eigen::Index i = 0; i < nodes.cols(); ++i) {
-    require_coordinates(("node " + std::to_string(i)).c_str(), nodes.col(i));
-  }
-  return kLargest;
-}
 
 /// Every pair, CGAL's predicates: the oracle.
 struct BruteForce {
@@ -120,11 +47,11 @@ template <class Search>
 VisibilityCounters query_by(const Search& search, const Surface& surface, const RaySource& source,
                             std::span<const int> candidates, std::span<std::uint8_t> lit) {
   VisibilityCounters counters;
-  bool point_moved = false;
+  auto point_moved = blocking::Moved::no;
   for (std::size_t k = 0; k < candidates.size(); ++k) {
     blocking::Ray ray = blocking::make_ray(surface, candidates[k], source);
     const bool shared = source.half_long == 0.0 && k > 0;  // a point source is looked for once
-    point_moved = ray.moved = shared ? point_moved : search.source_on_surface(ray);
+    point_moved = ray.moved = shared ? point_moved : blocking::moved_if(search.source_on_surface(ray));
     const bool faces = blocking::facing(search.kernel, ray, surface, candidates[k]) > 0;
     lit[k] = faces && !search.blocked(ray, candidates[k]);
     counters.facing_away += !faces;
@@ -158,13 +85,13 @@ struct VisibilityQuery::Impl {
     }
   }
 
-  /// Bound of the magnitude of every coordinate of nodes and sources.
-  double check(const Points& nodes, const RaySource& source, std::span<const int> candidates) const {
+  /// The nodes' coordinates are left to the routes.
+  void check(const Points& nodes, const RaySource& source, std::span<const int> candidates) const {
     check_source(source);
     for (const int e : candidates) require_index("candidate", e, count());
-    const double reach =
-        source.half_long == 0.0 ? 0.0 : source.half_long * source.long_direction.cwiseAbs().maxCoeff();
-    return std::max(check_nodes(nodes, node_count), source.centre.cwiseAbs().maxCoeff() + reach);
+    if (nodes.cols() != node_count)
+      refuse("nodes has " + std::to_string(nodes.cols()) +
+             " columns, allowed: " + std::to_string(node_count));
   }
 };
 
@@ -180,7 +107,7 @@ VisibilityQuery::VisibilityQuery(const Triangles& triangles, int node_count, con
   impl_->assign(roles.attachment_elements, "attachment element", Role::attachment);
   impl_->assign(roles.null_elements, "null element", Role::null_panel);
   impl_->closed = is_closed(impl_->triangles);
-  impl_->fast.prepare(impl_->triangles.size(), static_cast<std::size_t>(node_count), impl_->closed);
+  impl_->fast.prepare(impl_->triangles, static_cast<std::size_t>(node_count), impl_->closed);
 }
 
 VisibilityQuery::~VisibilityQuery() = default;
@@ -196,10 +123,11 @@ bool VisibilityQuery::closed() const {
 
 VisibilityCounters VisibilityQuery::query(VisibilityRoute route, const Points& nodes, const RaySource& source,
                                           std::span<const int> candidates, std::span<std::uint8_t> lit) {
-  const double size = impl_->check(nodes, source, candidates);
+  impl_->check(nodes, source, candidates);
   if (lit.size() != candidates.size()) refuse("lit has another size than candidates");
-  if (candidates.empty()) return {};
   const Surface surface = impl_->surface(nodes);
+  if (candidates.empty() || route != VisibilityRoute::fast) check_nodes(surface);
+  if (candidates.empty()) return {};
   exact::Kernel kernel;
   VisibilityCounters counters;
   switch (route) {
@@ -212,7 +140,7 @@ VisibilityCounters VisibilityQuery::query(VisibilityRoute route, const Points& n
     case VisibilityRoute::fast:
       break;
   }
-  return impl_->fast.query(surface, source, size, candidates, lit);
+  return impl_->fast.query(surface, source, candidates, lit);
 }
 
 std::vector<std::optional<int>> VisibilityQuery::winding_numbers(const Points& nodes, const RaySource& source,
@@ -221,6 +149,7 @@ std::vector<std::optional<int>> VisibilityQuery::winding_numbers(const Points& n
   std::vector<std::optional<int>> numbers(candidates.size());
   if (!impl_->closed) return numbers;
   const Surface surface = impl_->surface(nodes);
+  check_nodes(surface);
   const winding::Box box = winding::bounding_box(surface);
   exact::Kernel kernel;
   const BruteForce search{surface, kernel};
@@ -231,7 +160,7 @@ std::vector<std::optional<int>> VisibilityQuery::winding_numbers(const Points& n
       numbers[k] = numbers[0];
       continue;
     }
-    ray.moved = search.source_on_surface(ray);
+    ray.moved = blocking::moved_if(search.source_on_surface(ray));
     numbers[k] = winding::number(kernel, ray, surface, box);
   }
   return numbers;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -11,6 +12,8 @@
 #include "jet/views.hpp"
 
 namespace jet {
+
+struct JetShape;
 
 /// What S4 writes. Made once by JetField::make_state, then reused: no allocation in a step.
 struct FieldState {
@@ -24,6 +27,10 @@ class JetField {
   /// `null_elements` take no load. Throws std::invalid_argument as validated(JetModel), for an empty surface
   /// and for an element index out of range.
   JetField(const JetModel& model, int element_count, std::span<const int> null_elements = {});
+
+  ~JetField();
+  JetField(JetField&&) noexcept;
+  JetField& operator=(JetField&&) noexcept;
 
   const JetModel& model() const { return model_; }
   FieldState make_state() const;
@@ -40,20 +47,10 @@ class JetField {
                 FieldState& state, const Points* velocities = nullptr) const;
 
  private:
-  struct Frame {
-    Eigen::Vector3d across;                  // [-] axis x long direction
-    double half_long;                        // [m]
-    double cut_core, cut_origin, cut_slope;  // [m], [m], [-]: outside where |r| > max(core, origin + slope z)
-  };
-  void set_cut();
-  bool inside(const double* point) const;
-  double normal_velocity(const Eigen::Vector3d& point, const Eigen::Vector3d& normal) const;
-  void select(const Points& area_vectors, const Points& centroids, FieldState& state) const;
-  void store(int element, double overpressure, FieldState& state) const;
   void reset(FieldState& state) const;
 
   JetModel model_;
-  Frame frame_;
+  std::unique_ptr<const JetShape> shape_;
   int element_count_;
   std::vector<std::uint8_t> is_null_;
 };

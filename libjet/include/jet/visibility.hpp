@@ -38,7 +38,7 @@ struct RaySource {
 
 /// Ways to the same answer, bit for bit.
 enum class VisibilityRoute {
-  fast,        // double arithmetic with error bounds, away-facing elements first (default)
+  fast,        // float and double arithmetic with error bounds, away-facing elements first (default)
   cgal_tree,   // CGAL's AABB tree, built anew at every call
   brute_force  // every pair, CGAL's predicates: the oracle
 };
@@ -55,14 +55,15 @@ struct VisibilityCounters {
   std::size_t lit = 0;
   std::size_t hidden = 0;       // facing the source, but blocked
   std::size_t facing_away = 0;  // orientation <= 0
-  std::size_t exact_calls = 0;  // predicates left to CGAL's kernel
+  std::size_t exact_calls = 0;  // predicates left to CGAL's kernel; may depend on earlier queries
   // Of the fast route: rays that needed more than its short cut, that is tests of the whole rule where an
   // argument of the short cut was not certain.
   std::size_t fallbacks = 0;
   std::size_t tree_builds = 0;  // 1 where CGAL's tree was built, which allocates
 };
 
-/// Visibility on a surface of fixed connectivity. Owns its workspace: one object a thread.
+/// Visibility on a surface of fixed connectivity. Owns its workspace: one object a thread. What it keeps from
+/// earlier queries makes the next one faster and shows in no mask.
 class VisibilityQuery {
  public:
   /// Throws std::invalid_argument for an empty mesh, a node index outside [0, node_count), a role's element

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a visibility query refuses, with std::invalid_argument.
+#pragma once
+
+#include <string>
+
+#include "jet/visibility.hpp"
+#include "surface.hpp"
+
+namespace jet {
+
+inline constexpr double kLargest = 1e100;  // magnitude of a coordinate
+
+[[noreturn]] void refuse(const std::string& message);
+
+void require_index(const char* name, int index, int count);
+
+void check_source(const RaySource& source);
+
+/// Largest magnitude of a coordinate of the nodes.
+double check_nodes(const Surface& surface);
+
+}  // namespace jet

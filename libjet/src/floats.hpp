@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: Apache-2.0
+// Eight float lanes, like the four of lanes.hpp.
+#pragma once
+
+#include "lanes.hpp"
+
+namespace jet::JET_KERNELS {
+
+using Row = float __attribute__((vector_size(16)));
+using UnalignedRow = float __attribute__((vector_size(16), aligned(4), may_alias));
+
+struct Floats {
+  using Values = float __attribute__((vector_size(32)));
+  using Unaligned = float __attribute__((vector_size(32), aligned(4), may_alias));
+  using Mask = std::int32_t __attribute__((vector_size(32)));
+  Values v{};
+
+  Floats() = default;
+  explicit Floats(float x) : v{x, x, x, x, x, x, x, x} {}
+  explicit Floats(Values x) : v(x) {}
+  static Floats load(const float* p) { return Floats(*reinterpret_cast<const Unaligned*>(p)); }
+  void store(float* p) const { *reinterpret_cast<Unaligned*>(p) = v; }
+
+  friend Floats operator+(Floats a, Floats b) { return Floats(a.v + b.v); }
+  friend Floats operator-(Floats a, Floats b) { return Floats(a.v - b.v); }
+  friend Floats operator*(Floats a, Floats b) { return Floats(a.v * b.v); }
+  friend Floats operator/(float a, Floats b) { return Floats(a / b.v); }
+  friend Floats operator*(float a, Floats b) { return Floats(a * b.v); }
+  friend Floats operator+(Floats a, float b) { return Floats(a.v + b); }
+  friend Floats operator-(Floats a) { return Floats(-a.v); }
+  friend Mask operator<(Floats a, Floats b) { return a.v < b.v; }
+  friend Mask operator>(Floats a, Floats b) { return a.v > b.v; }
+  friend Mask operator<=(Floats a, Floats b) { return a.v <= b.v; }
+  friend Floats select(Mask m, Floats a, Floats b) { return Floats(m ? a.v : b.v); }
+  friend Floats min(Floats a, Floats b) { return select(b < a, b, a); }
+  friend Floats max(Floats a, Floats b) { return select(a < b, b, a); }
+  friend Floats abs(Floats a) {
+    return Floats(reinterpret_cast<Values>(reinterpret_cast<Mask>(a.v) & INT32_MAX));
+  }
+};
+
+inline unsigned bits(Floats::Mask m) {
+#if defined(__AVX__)
+  return static_cast<unsigned>(_mm256_movemask_ps(reinterpret_cast<__m256>(m)));
+#else
+  unsigned sum = 0;
+  for (int i = 0; i < 8; ++i) sum |= static_cast<unsigned>(m[i] & 1) << i;
+  return sum;
+#endif
+}
+
+template <class Reduce>
+[[gnu::always_inline]] inline float reduce(Floats a, Reduce better) {
+  a = better(a, Floats(__builtin_shufflevector(a.v, a.v, 4, 5, 6, 7, 0, 1, 2, 3)));
+  a = better(a, Floats(__builtin_shufflevector(a.v, a.v, 2, 3, 0, 1, 6, 7, 4, 5)));
+  return better(a, Floats(__builtin_shufflevector(a.v, a.v, 1, 0, 3, 2, 5, 4, 7, 6))).v[0];
+}
+[[gnu::always_inline]] inline float least(Floats a) {
+  return reduce(a, [](Floats x, Floats y) { return min(x, y); });
+}
+[[gnu::always_inline]] inline float greatest(Floats a) {
+  return reduce(a, [](Floats x, Floats y) { return max(x, y); });
+}
+
+/// Rows index(0) to index(7) of four floats to lanes of the first three.
+template <class Index>
+[[gnu::always_inline]] inline Vec3<Floats> gather_rows(const float* rows, Index index) {
+  const auto pair = [&](int i) {
+    const Row a = *reinterpret_cast<const UnalignedRow*>(rows + 4 * std::ptrdiff_t{index(i)});
+    const Row b = *reinterpret_cast<const UnalignedRow*>(rows + 4 * std::ptrdiff_t{index(i + 4)});
+    return __builtin_shufflevector(a, b, 0, 1, 2, 3, 4, 5, 6, 7);
+  };
+  const auto r0 = pair(0), r1 = pair(1), r2 = pair(2), r3 = pair(3);
+  const auto xy01 = __builtin_shufflevector(r0, r1, 0, 8, 1, 9, 4, 12, 5, 13);
+  const auto xy23 = __builtin_shufflevector(r2, r3, 0, 8, 1, 9, 4, 12, 5, 13);
+  const auto z01 = __builtin_shufflevector(r0, r1, 2, 10, 3, 11, 6, 14, 7, 15);
+  const auto z23 = __builtin_shufflevector(r2, r3, 2, 10, 3, 11, 6, 14, 7, 15);
+  return {Floats(__builtin_shufflevector(xy01, xy23, 0, 1, 8, 9, 4, 5, 12, 13)),
+          Floats(__builtin_shufflevector(xy01, xy23, 2, 3, 10, 11, 6, 7, 14, 15)),
+          Floats(__builtin_shufflevector(z01, z23, 0, 1, 8, 9, 4, 5, 12, 13))};
+}
+
+}  // namespace jet::JET_KERNELS

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+// Order of a mesh's elements in which those that follow each other lie together, at every scale: blocks of
+// eight, and blocks of these, are compact patches, so boxes around them are small.
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+namespace jet {
+
+using Triangle = std::array<int, 3>;
+
+/// Elements in such an order, by repeated pairing of neighbours across edges.
+std::vector<int> mesh_order(std::span<const Triangle> triangles);
+
+/// Fixed connectivity in that order, for the search of elements by their nodes.
+struct OrderedMesh {
+  std::vector<int> elements;        // order
+  std::vector<int> rank;            // place of each element in it
+  std::vector<Triangle> triangles;  // in order
+  std::vector<int> patch_nodes;     // nodes of eight elements, each once
+  std::vector<int> patch_begin;     // in patch_nodes, and the end
+
+  explicit OrderedMesh(std::span<const Triangle> triangles);
+  OrderedMesh() = default;
+};
+
+}  // namespace jet

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: Apache-2.0
+// Nodes and rays to local coordinates along the jet. These are at most 1; in float they err by 2^-25.
+#pragma once
+
+#include "floats.hpp"
+
+namespace jet::JET_KERNELS {
+
+/// A point's row in double to its local coordinates (u, v, w, 0).
+[[gnu::always_inline]] inline Lanes to_local(const ProjectArrays& a, Lanes x) {
+  const Lanes d = x - Lanes(Lanes::Values{a.centre[0], a.centre[1], a.centre[2], 0.0});
+  return Lanes(__builtin_shufflevector(d.v, d.v, 0, 0, 0, 0)) * Lanes::load(a.column[0]) +
+         Lanes(__builtin_shufflevector(d.v, d.v, 1, 1, 1, 1)) * Lanes::load(a.column[1]) +
+         Lanes(__builtin_shufflevector(d.v, d.v, 2, 2, 2, 2)) * Lanes::load(a.column[2]);
+}
+
+[[gnu::always_inline]] inline Floats largest(const Vec3<Floats>& a) {
+  return max(max(abs(a.x), abs(a.y)), abs(a.z));
+}
+struct NodeFlags {
+  Lanes::Mask tiny{};  // bits of coordinates below 1e-100
+  Floats::Mask outside{}, large{};
+};
+
+/// Four nodes to local coordinates in double.
+[[gnu::always_inline]] inline Vec3<Lanes> to_local(const ProjectArrays& a, const Vec3<Lanes>& x,
+                                                   NodeFlags& flags) {
+  const auto tiny = [](Lanes y) { return (abs(y) < Lanes(1e-100)) & reinterpret_cast<Lanes::Mask>(y.v); };
+  flags.tiny |= tiny(x.x) | tiny(x.y) | tiny(x.z);
+  const Vec3<Lanes> d = {x.x - a.centre[0], x.y - a.centre[1], x.z - a.centre[2]};
+  const auto along = [&](int j) {
+    return a.column[0][j] * d.x + a.column[1][j] * d.y + a.column[2][j] * d.z;
+  };
+  return {along(0), along(1), along(2)};
+}
+
+[[gnu::always_inline]] inline Floats joined(Lanes low, Lanes high) {
+  return Floats(__builtin_shufflevector(__builtin_convertvector(low.v, Row),
+                                        __builtin_convertvector(high.v, Row), 0, 1, 2, 3, 4, 5, 6, 7));
+}
+
+/// Sides on which the nodes lie outside, see ProjectArrays.
+[[gnu::always_inline]] inline Floats::Mask code(const ProjectArrays& a, const Vec3<Floats>& x) {
+  const auto low = [&](int i, Floats y) { return (y - a.slope[i] * x.z < Floats(-a.bound[i])) & (1 << i); };
+  const auto high = [&](int i, Floats y) { return (y - a.slope[i] * x.z > Floats(a.bound[i])) & (1 << i); };
+  return low(0, x.x) | high(1, x.x) | low(2, x.y) | high(3, x.y) | low(4, x.z);
+}
+
+[[gnu::always_inline]] inline void store_rows(float* to, const Vec3<Floats>& x) {
+  const Floats zero;
+  const auto xy_0145 = __builtin_shufflevector(x.x.v, x.y.v, 0, 8, 1, 9, 4, 12, 5, 13);
+  const auto xy_2367 = __builtin_shufflevector(x.x.v, x.y.v, 2, 10, 3, 11, 6, 14, 7, 15);
+  const auto z_0145 = __builtin_shufflevector(x.z.v, zero.v, 0, 8, 1, 9, 4, 12, 5, 13);
+  const auto z_2367 = __builtin_shufflevector(x.z.v, zero.v, 2, 10, 3, 11, 6, 14, 7, 15);
+  const auto even = [](auto p, auto q) { return __builtin_shufflevector(p, q, 0, 1, 8, 9, 4, 5, 12, 13); };
+  const auto odd = [](auto p, auto q) { return __builtin_shufflevector(p, q, 2, 3, 10, 11, 6, 7, 14, 15); };
+  const Floats::Values pairs[4] = {even(xy_0145, z_0145), odd(xy_0145, z_0145), even(xy_2367, z_2367),
+                                   odd(xy_2367, z_2367)};
+  for (int i = 0; i < 4; ++i) {
+    *reinterpret_cast<UnalignedRow*>(to + 4 * i) = __builtin_shufflevector(pairs[i], pairs[i], 0, 1, 2, 3);
+    *reinterpret_cast<UnalignedRow*>(to + 4 * i + 16) =
+        __builtin_shufflevector(pairs[i], pairs[i], 4, 5, 6, 7);
+  }
+}
+
+/// Eight nodes: those named by `at`, which gives their rows, to the rows and codes from `first` on.
+template <class At>
+[[gnu::always_inline]] inline void project_eight(const ProjectArrays& a, int first, At at, NodeFlags& flags) {
+  const Vec3<Lanes> low = to_local(a, gather(at(0), at(1), at(2), at(3)), flags),
+                    high = to_local(a, gather(at(4), at(5), at(6), at(7)), flags);
+  const Vec3<Floats> x = {joined(low.x, high.x), joined(low.y, high.y), joined(low.z, high.z)};
+  store_rows(a.local + 4 * std::ptrdiff_t{first}, x);
+  flags.outside |= ~((abs(x.x) <= Floats(1.0f)) & (abs(x.y) <= Floats(1.0f)) & (abs(x.z) <= Floats(1.0f)));
+  flags.large |= largest(x) > Floats(0x1p-6f);
+  const auto floor = [](Lanes w) {
+    using Half = std::int32_t __attribute__((vector_size(16)));
+    return __builtin_convertvector(not_above(w, Lanes()), Half);
+  };
+  const auto below = __builtin_shufflevector(floor(low.z), floor(high.z), 0, 1, 2, 3, 4, 5, 6, 7);
+  using Bytes = std::uint8_t __attribute__((vector_size(8), aligned(1), may_alias));
+  *reinterpret_cast<Bytes*>(a.codes + first) =
+      __builtin_convertvector(code(a, x) | (below & 0x80), std::uint8_t __attribute__((vector_size(8))));
+}
+
+/// Local coordinates and codes of all nodes, and up to seven behind that repeat the last.
+inline ProjectFlags project_nodes(const ProjectArrays& a) {
+  NodeFlags flags;
+  int i = 0;
+  for (; i + 8 < a.count; i += 8)
+    project_eight(
+        a, i, [&](int j) __attribute__((always_inline)) { return a.nodes.first + (i + j) * a.nodes.stride; },
+        flags);
+  project_eight(
+      a, i, [&](int j) { return row(a.nodes, i + j < a.count ? i + j : a.count - 1); }, flags);
+  const Lanes::Mask tiny = flags.tiny & INT64_MAX;
+  return {bits(flags.outside) != 0, bits(flags.large) == 0, (tiny[0] | tiny[1] | tiny[2] | tiny[3]) != 0};
+}
+
+inline void project_centroids(const ProjectArrays& a, int count) {
+  for (int k = 0; k < count; ++k) {
+    const int* t = a.triangles + 3 * std::ptrdiff_t{a.elements[k]};
+    const Lanes sum =
+        Lanes::load(row(a.nodes, t[0])) + Lanes::load(row(a.nodes, t[1])) + Lanes::load(row(a.nodes, t[2]));
+    const Row f = __builtin_convertvector(to_local(a, (1.0 / 3.0) * sum).v, Row);
+    *reinterpret_cast<UnalignedRow*>(a.local + 4 * std::ptrdiff_t{k}) = f;
+  }
+}
+
+}  // namespace jet::JET_KERNELS

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+// Boxes in a plane under boxes of eight under boxes of eight, in the order given: neighbours in a mesh stand
+// beside each other in its numbering, so the upper boxes are small.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "kernel_table.hpp"
+
+namespace jet {
+
+class Pyramid {
+ public:
+  void reserve(std::size_t count) {
+    std::size_t blocks = 0;
+    for (std::size_t n = count; blocks == 0 || n > 1; n = (n + 7) / 8) blocks += (n + 7) / 8;
+    boxes_.resize(32 * blocks);
+  }
+
+  /// Where the boxes of the lowest level are to be written, 32 floats for eight: low p, high p, low q, high
+  /// q.
+  float* boxes() { return boxes_.data(); }
+
+  /// The levels above `count` boxes; those up to the next multiple of eight become empty.
+  void build(int count) {
+    const auto merge = kernel_table().merge;
+    int blocks = (count + 7) / 8;
+    view_ = {boxes_.data(), 1, {}, {blocks}};
+    clear(0, count);
+    for (; blocks > 1; blocks = (blocks + 7) / 8) {
+      const int below = view_.first[view_.levels - 1], above = below + blocks;
+      for (int b = 0; b < blocks; ++b) merge(block(below + b), block(above + b / 8) + b % 8);
+      clear(above, blocks);
+      view_.first[view_.levels] = above;
+      view_.last[view_.levels++] = above + (blocks + 7) / 8;
+    }
+  }
+
+  /// Entry `i` overlaps nothing any more.
+  void drop(int i) {
+    float* box = boxes_.data() + 32 * (i / 8) + i % 8;
+    box[0] = HUGE_VALF;
+    box[8] = -HUGE_VALF;
+  }
+
+  const PyramidView& view() const { return view_; }
+
+  /// Box of one entry, as the kernels ask for it.
+  std::array<float, 4> box(int i) const {
+    const float* b = boxes_.data() + 32 * (i / 8) + i % 8;
+    return {b[0], b[8], b[16], b[24]};
+  }
+
+ private:
+  float* block(int b) { return boxes_.data() + 32 * b; }
+  void clear(int first_block, int count) {
+    for (int i = count; i % 8 != 0; ++i) {
+      float* box = block(first_block + i / 8) + i % 8;
+      box[0] = box[16] = HUGE_VALF;
+      box[8] = box[24] = -HUGE_VALF;
+    }
+  }
+
+  std::vector<float> boxes_;
+  PyramidView view_{};
+};
+
+}  // namespace jet

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: Apache-2.0
+// One query object over a sequence of steps: what it keeps from earlier ones (its scale, the last blockers)
+// must not show in any answer. Every step is compared with brute force and with an object made for it alone.
+#include <gtest/gtest.h>
+
+#include "routes.hpp"
+
+namespace {
+
+using scenes::Mesh;
+
+struct Carried {
+  explicit Carried(const Mesh& mesh)
+      : query(mesh.triangles(), static_cast<int>(mesh.nodes.size())), hidden(0), candidates(0) {}
+
+  void step(const Mesh& mesh, const jet::RaySource& source, const std::vector<int>& chosen) {
+    routes::Mask lit(chosen.size());
+    const auto counters = query.query(jet::VisibilityRoute::fast, mesh.points(), source, chosen, lit);
+    const auto truth = routes::ask(jet::VisibilityRoute::brute_force, mesh, source, chosen);
+    EXPECT_EQ(lit, truth.lit);
+    EXPECT_EQ(lit, routes::ask(jet::VisibilityRoute::fast, mesh, source, chosen).lit);
+    EXPECT_EQ(counters.hidden, truth.counters.hidden);
+    EXPECT_EQ(counters.facing_away, truth.counters.facing_away);
+    hidden += counters.hidden;
+    candidates += chosen.size();
+  }
+
+  jet::VisibilityQuery query;
+  std::size_t hidden, candidates;
+};
+
+void move(Mesh& mesh, scenes::Random& random, double amplitude) {
+  for (auto& p : mesh.nodes) p += random.vector(amplitude);
+}
+
+TEST(motion, carried_answers_eq_fresh_ones_over_random_motions) {
+  for (const bool line : {false, true}) {
+    Mesh mesh = scenes::crumpled(3, 0.02, 31);
+    Carried carried(mesh);
+    scenes::Random random(32);
+    for (int step = 0; step < 40; ++step) {
+      move(mesh, random, std::pow(10.0, -12.0 + 11.0 * (step % 14) / 13.0));
+      const auto source = line ? routes::line({0.02, 0.01, 0.03}, {0, 0.6, 0.8}, {1, 0, 0}, 0.15)
+                               : routes::point({0.02, 0.01, 0.03}, {0, 0.6, 0.8});
+      carried.step(mesh, source, routes::in_cone(mesh, source, 0.4));
+    }
+    EXPECT_GT(carried.hidden, carried.candidates / 20) << "the scene must hide something";
+  }
+}
+
+TEST(motion, carried_answers_eq_fresh_ones_when_everything_changes) {
+  const Mesh first = scenes::crumpled(3, 0.03, 33);
+  Carried carried(first);
+  scenes::Random random(34);
+  for (int step = 0; step < 24; ++step) {
+    Mesh mesh = first;
+    move(mesh, random, 0.1);
+    const double scale = std::pow(10.0, random.integer(-6, 6));
+    mesh = scenes::scaled(mesh, scale);
+    const Eigen::Vector3d axis = random.vector(1.0), centre = 0.2 * scale * random.vector(1.0);
+    const auto source = step % 3 == 0 ? routes::point(centre, axis)
+                                      : routes::line(centre, axis, axis.unitOrthogonal(), 0.1 * scale);
+    // Every fourth time all around, where there is no frame that holds the rays.
+    carried.step(mesh, source,
+                 step % 4 == 0 ? routes::all(mesh.elements.size()) : routes::in_cone(mesh, source, 0.5));
+  }
+  EXPECT_GT(carried.hidden, 100u);
+}
+
+TEST(motion, candidates_in_any_order_and_named_twice) {
+  const Mesh mesh = scenes::crumpled(3, 0.05, 35);
+  Carried carried(mesh);
+  const jet::RaySource source = routes::point({0.05, 0.02, 0.01}, {0, 1, 1});
+  std::vector<int> chosen = routes::in_cone(mesh, source, 0.2);
+  std::reverse(chosen.begin(), chosen.end());
+  carried.step(mesh, source, chosen);
+  const std::vector<int> once = chosen;
+  while (chosen.size() <= mesh.elements.size()) chosen.insert(chosen.end(), once.begin(), once.end());
+  carried.step(mesh, source, chosen);
+  EXPECT_GT(carried.hidden, 10u);
+}
+
+}  // namespace
