@@ -194,7 +194,7 @@ void read_bag(TableReader& root, Scene& scene) {
   bag.elements = source.mesh.elements;
   bag.gravity = scene.gravity;
   LeakLaw law = LeakLaw::none;
-  read_fabric(root, source.mesh, bag, law);
+  read_fabric(root, source.mesh, null_panels, bag, law);
   std::vector<int> null_elements = set_null_panels(*table, null_panels, source.mesh, bag);
   bag.fixed_nodes = nodes_of_panels(*table, "fixed_panels", source.mesh);
   bag.mass_damping = table->number("mass_damping", non_negative, 0.0);

@@ -32,11 +32,12 @@ void read_properties(TableReader& table, membrane::ElementProperties& fabric, Nu
 }
 
 // A panel keeps what [fabric] says of it but for what its own table names.
-void read_panels(TableReader& table, const membrane::Mesh& mesh,
+void read_panels(TableReader& table, const membrane::Mesh& mesh, const std::vector<std::string>& null_panels,
                  std::vector<membrane::ElementProperties>& all) {
+  const membrane::ElementProperties base = all.front();
   std::vector<bool> named(all.size(), false);
   for (TableReader& reader : table.tables("panel")) {
-    membrane::ElementProperties own = all.front();
+    membrane::ElementProperties own = base;
     read_properties(reader, own, [&](const char* key, Bounds bounds, double before) {
       return reader.optional_number(key, bounds).value_or(before);
     });
@@ -44,13 +45,16 @@ void read_panels(TableReader& table, const membrane::Mesh& mesh,
     const auto names = reader.texts("panels");
     if (names.empty()) reader.fail("panels", "is missing or empty, names of panels are needed");
     reader.located("panels", [&] {
-      for (const std::string& name : names)
+      for (const std::string& name : names) {
+        if (std::find(null_panels.begin(), null_panels.end(), name) != null_panels.end())
+          throw std::invalid_argument("names \"" + name + "\", a null panel: it has no fabric");
         for (const int element : membrane::panel_elements(mesh, name)) {
           const auto e = static_cast<std::size_t>(element);
           if (named[e]) throw std::invalid_argument("names panel \"" + name + "\" again");
           named[e] = true;
           all[e] = own;
         }
+      }
     });
     reader.finish();
   }
@@ -58,7 +62,8 @@ void read_panels(TableReader& table, const membrane::Mesh& mesh,
 
 }  // namespace
 
-void read_fabric(TableReader& root, const membrane::Mesh& mesh, membrane::BagDescription& bag, LeakLaw& law) {
+void read_fabric(TableReader& root, const membrane::Mesh& mesh, const std::vector<std::string>& null_panels,
+                 membrane::BagDescription& bag, LeakLaw& law) {
   TableReader table = root.table("fabric");
   membrane::ElementProperties fabric;
   read_properties(table, fabric,
@@ -71,7 +76,7 @@ void read_fabric(TableReader& root, const membrane::Mesh& mesh, membrane::BagDes
   bag.compression = table.choice<Compression>(
       "compression", {{"none", Compression::none}, {"linear", Compression::linear}}, "none");
   bag.properties.assign(static_cast<std::size_t>(bag.elements.cols()), fabric);
-  read_panels(table, mesh, bag.properties);
+  read_panels(table, mesh, null_panels, bag.properties);
   table.finish();
 }
 

@@ -42,7 +42,8 @@ void read_leak_velocity(TableReader& table, gas::ControlVolumeModel& model);
 /// [membrane], [fabric]
 void read_bag(TableReader& root, Scene& scene);
 /// [fabric]: properties of each element, compression and leak law; bag.elements are set.
-void read_fabric(TableReader& root, const membrane::Mesh& mesh, membrane::BagDescription& bag, LeakLaw& law);
+void read_fabric(TableReader& root, const membrane::Mesh& mesh, const std::vector<std::string>& null_panels,
+                 membrane::BagDescription& bag, LeakLaw& law);
 /// Least mass per area of a bag's fabric [kg/m2]; infinite if all of it is null.
 double lightest_fabric(const membrane::BagDescription& bag);
 /// [target]

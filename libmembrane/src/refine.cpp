@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "membrane/refine.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <stdexcept>
+#include <string>
 #include <unordered_map>
 #include <vector>
 

@@ -168,6 +168,8 @@ const Fault kFaults[] = {
      "fabric.panel.0.panels", "\"hub\" does not exist", "panels = [\"hub\"]"},
     {"fabric_panel_twice", "driver_bag", "panels = [\"attachment\"]",
      "panels = [\"attachment\", \"attachment\"]", "fabric.panel.0.panels", "again", "panels = [\"att"},
+    {"fabric_of_a_null_panel", "driver_bag", "panels = [\"attachment\"]", "panels = [\"vent_left\"]",
+     "fabric.panel.0.panels", "no fabric", "panels = [\"vent"},
     {"flattened_twice", "driver_bag", "mass_damping = 20.0", "flatten = 0.5\nmass_damping = 20.0",
      "membrane.flatten", "initial shape of its own", "flatten = 0.5"},
     {"rings", "driver_bag", "generator = \"driver\"", "generator = \"driver\", rings = 3", "membrane.mesh",

@@ -30,6 +30,27 @@ TEST(fabric_scene, panels_have_their_own_fabric) {
   }
 }
 
+// What a table does not name comes from [fabric], whatever tables before it said.
+TEST(fabric_scene, panels_do_not_inherit_from_each_other) {
+  const Folder folder;
+  std::string text = read(GASJET_SOURCE_DIR "/cases/driver_bag.toml");
+  const std::string attachment = "panels = [\"attachment\"]";
+  text.replace(text.find(attachment), attachment.size(), "panels = [\"front\"]");
+  text.insert(text.find("[membrane]"), "[[fabric.panel]]\npanels = [\"back\"]\ndensity = 700.0\n");
+  std::ofstream(folder.path / "case.toml") << text;
+  driver::CaseDocument document(folder.path / "case.toml", {});
+  const driver::Scene scene = driver::read_scene(document);
+  const auto& all = scene.bag->model.description.properties;
+  const auto fabric_of = [&](const char* panel) {
+    return all[static_cast<std::size_t>(membrane::panel_elements(scene.bag->mesh, panel).front())];
+  };
+  EXPECT_EQ(fabric_of("front").thickness, 1e-3);
+  EXPECT_EQ(fabric_of("front").density, 620.0);
+  EXPECT_EQ(fabric_of("back").thickness, 0.5e-3);
+  EXPECT_EQ(fabric_of("back").density, 700.0);
+  EXPECT_EQ(fabric_of("attachment").thickness, 0.5e-3);
+}
+
 // The claim of the theory page, on a coarser mesh: a fabric soft in shear gives way along the bias, so that
 // the bag is larger and its pressure lower. At the case's own mesh and at four times as many elements it is
 // 13 % and 11 % less overpressure, 3 % more volume.
