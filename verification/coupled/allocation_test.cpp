@@ -23,7 +23,7 @@ long allocations_of_steps(const driver::Scene& scene, driver::State& state, int 
 }
 
 TEST(allocation, none_inside_a_step) {
-  for (const char* name : {"passenger_pendulum", "passenger_pendulum_no_jet", "sphere_inflation",
+  for (const char* name : {"passenger_pendulum", "passenger_pendulum_no_jet", "ball_impact", "sphere_inflation",
                            "tank_blowdown", "plate_jet"}) {
     const auto scene = coupled::scene_of(name);
     driver::State state = driver::make_state(scene);

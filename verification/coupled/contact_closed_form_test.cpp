@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Coupled scenes against closed forms: the pendulum on a gas spring, a ball pressed flat.
+// Coupled scenes against closed forms: the pendulum on a gas spring, the columns of a swing.
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <fstream>
 #include <numbers>
 
+#include "case_folder.hpp"
 #include "closed_form/coupled.hpp"
 #include "run_case.hpp"
 
@@ -69,6 +71,43 @@ TEST(contact_closed_form, gas_spring_period_is_second_order) {
   EXPECT_NEAR(std::log2(error[1] / error[2]), 2.0, 0.05);
   // Central difference: (omega dt)^2 / 24 of the period.
   EXPECT_NEAR(error[2] / (std::pow(2.0 * std::numbers::pi / 160.0, 2) / 24.0), 1.0, 0.01);
+}
+
+// --- the pendulum's columns
+// ----------------------------------------------------------------------------------------
+
+TEST(contact_closed_form, columns_of_a_swing_eq_closed_form) {
+  const coupled::Folder folder;
+  const auto file = folder.path / "swing.toml";
+  std::ofstream(file)
+      << "[scene]\nname = \"swing\"\nend_time = 1.0\ngravity = [0.0, 0.0, -9.80665]\n"
+         "[time]\nstep = 1e-4\n"
+         "[pendulum]\npivot = [0.0, 0.0, 0.0]\naxis = [0.0, -2.0, 0.0]\n"
+         "rest_direction = [0.0, 0.0, -1.0]\nmass = 10.9\ninertia_cg = 2.07\ncg_distance = 1.065\n"
+         "impactor_distance = 1.31\nimpactor_radius = 0.041\ninitial_angle = 1.0471975511965976\n";
+  driver::CaseDocument document(file, {});
+  const auto scene = driver::read_scene(document);
+  driver::State state = driver::make_state(scene);
+  const auto pendulum = closed_form::paper_pendulum();
+  const double w = closed_form::pendulum_constants(pendulum).angular_frequency, arm = 1.065, g = 9.80665;
+  int rows = 0;
+  driver::run_scene(scene, state, [&](const driver::StepRecords* records, const driver::State&) {
+    if (!records || ++rows % 100 != 1) return;
+    const auto& row = records->history;
+    const auto exact = closed_form::pendulum_swing(pendulum, 1.0471975511965976, row.time_s);
+    const double tangential = -w * w * std::sin(exact.angle) * arm;
+    const double radial = exact.angular_velocity * exact.angular_velocity * arm;
+    // Newton along and across the arm: the joint carries m (a - g).
+    const double joint =
+        10.9 * std::hypot(tangential + g * std::sin(exact.angle), radial + g * std::cos(exact.angle));
+    // Order 2: (w dt)^2 w t / 24 = 1e-8 of the phase.
+    EXPECT_NEAR(row.pendulum_angle_rad, exact.angle, 1e-7) << row.time_s;
+    EXPECT_NEAR(row.pendulum_cg_tangential_m_s2, tangential, 1e-6) << row.time_s;
+    EXPECT_NEAR(row.pendulum_cg_radial_m_s2, radial, 2e-6) << row.time_s;
+    EXPECT_NEAR(row.pendulum_cg_acceleration_m_s2, std::hypot(tangential, radial), 2e-6) << row.time_s;
+    EXPECT_NEAR(row.pendulum_joint_force_N, joint, 3e-5) << row.time_s;
+  });
+  EXPECT_GT(rows, 900);
 }
 
 }  // namespace

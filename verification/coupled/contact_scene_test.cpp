@@ -98,6 +98,24 @@ TEST(contact_scene, momenta_are_conserved_without_supports) {
   }
 }
 
+// The plate behind a bag is one-sided: nodes behind it are pushed out, and their sum is reported.
+TEST(contact_scene, plate_force_is_the_sum_over_the_nodes_behind_it) {
+  auto overrides = kCoarse;
+  overrides.push_back(
+      "membrane.plate={point=[0.1, 0.0, 0.0], normal=[-1.0, 0.0, 0.0]}");  // 10 mm into the ball
+  const auto scene = coupled::scene_of("ball_impact", overrides);
+  driver::State state = driver::make_state(scene);
+  driver::StepRecords records;
+  driver::step(scene, state, {.record = true}, records);
+  const auto& model = scene.bag->model;
+  double expected = 0.0;
+  for (Eigen::Index a = 0; a < scene.bag->initial_position.cols(); ++a)
+    expected += model.description.plates[0].stiffness * model.node_area[static_cast<std::size_t>(a)] *
+                std::max(0.0, scene.bag->initial_position(0, a) - 0.1);
+  ASSERT_GT(expected, 0.0);
+  EXPECT_NEAR(records.history.plate_force_N / expected, 1.0, 1e-13);  // a few dozen additions of one sign
+}
+
 // Where contact ends, in a whole run: exit code 3 with stage, time and limit, and the threshold beside it.
 
 TEST(contact_limits, stiffness_past_the_cap_of_a_fixed_step_is_refused_while_it_touches) {
