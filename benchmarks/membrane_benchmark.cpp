@@ -5,6 +5,7 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
+#include <numbers>
 
 #include "membrane/stages.hpp"
 #include "membrane/time_step.hpp"
@@ -137,6 +138,44 @@ void BM_bag_step(benchmark::State& run) {
   run.counters["volume_litres"] = 1e3 * state.surface.volume;
 }
 
+// Closed skin of 2 around x across elements: a torus of radii 1 m and 0.3 m.
+membrane::Mesh torus(int around, int across) {
+  const double turn = 2.0 * std::numbers::pi;
+  membrane::Mesh mesh;
+  mesh.nodes.resize(3, around * across);
+  mesh.elements.resize(3, 2 * around * across);
+  for (int i = 0; i < around; ++i)
+    for (int j = 0; j < across; ++j) {
+      const double u = turn * i / around, v = turn * j / across, r = 1.0 + 0.3 * std::cos(v);
+      const int a = i * across + j, d = i * across + (j + 1) % across;
+      const int b = (i + 1) % around * across + j, c = (i + 1) % around * across + (j + 1) % across;
+      mesh.nodes.col(a) << r * std::cos(u), r * std::sin(u), 0.3 * std::sin(v);
+      mesh.elements.col(2 * a) << a, b, c;
+      mesh.elements.col(2 * a + 1) << a, c, d;
+    }
+  return mesh;
+}
+
+// The same step on large meshes, by the instruction set: 100 000 and a million elements.
+void BM_large_step(benchmark::State& run) {
+  const auto isa = static_cast<membrane::Isa>(run.range(1));
+  run.SetLabel(membrane::name_of(isa));
+  const auto mesh = run.range(0) == 0 ? torus(400, 125) : torus(1250, 400);
+  membrane::BagDescription bag;
+  bag.reference = mesh.nodes;
+  bag.elements = mesh.elements;
+  bag.isa = isa;
+  bag.properties.assign(static_cast<std::size_t>(mesh.element_count()),
+                        {0.5e-3, 620.0, 60e6, 0.3, 0.05, false});
+  const auto model = membrane::make_model(bag);
+  auto state = membrane::make_state(model, 1.02 * mesh.nodes);
+  for (auto _ : run) one_step(model, state, 1e3);
+  run.counters["elements"] = mesh.element_count();
+  run.counters["time_per_element"] = benchmark::Counter(
+      mesh.element_count(), benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+  run.counters["volume_m3"] = state.surface.volume;  // 2 pi^2 R r^2 1.02^3 = 1.885 less the facets
+}
+
 void shapes(benchmark::internal::Benchmark* b) {
   b->DenseRange(0, benchmarks::kShapes - 1)->Unit(benchmark::kMicrosecond);
 }
@@ -147,5 +186,9 @@ BENCHMARK(BM_jet_forces)->Apply(shapes);
 BENCHMARK(BM_critical_step)->Apply(shapes);
 BENCHMARK(BM_advance)->Apply(shapes);
 BENCHMARK(BM_bag_step)->Apply(shapes);
+BENCHMARK(BM_large_step)
+    ->ArgsProduct({{0, 1},
+                   {static_cast<int>(membrane::Isa::baseline), static_cast<int>(membrane::best_isa())}})
+    ->Unit(benchmark::kMillisecond);
 
 }  // namespace

@@ -30,8 +30,8 @@ TEST(AddedBound, gas_share_converges_to_breathing_frequency) {
   }
   EXPECT_LT(std::abs(error[2]), 5e-3);
   for (int i = 0; i < 2; ++i) {
-    EXPECT_GT(std::log2(error[i] / error[i + 1]), 1.8);
-    EXPECT_LT(std::log2(error[i] / error[i + 1]), 2.2);
+    EXPECT_GT(std::log2(error[i] / error[i + 1]), 1.9);
+    EXPECT_LT(std::log2(error[i] / error[i + 1]), 2.1);
   }
 }
 
@@ -50,6 +50,7 @@ TEST(AddedBound, sum_is_above_true_limit_of_a_gas_filled_bag) {
     });
     const double total = membrane::stiffness_shares(model, base, kGamma, kPressure).total();
     EXPECT_LE(exact, total * (1.0 + 1e-5));
+    // Single elements of so coarse a bag: 0.70 to 0.8 of the true step (the assembled bound: 0.8 or better).
     EXPECT_GE(std::sqrt(exact / total), 0.7);
   }
 }

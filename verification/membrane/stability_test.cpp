@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: Apache-2.0
+// Where the method fails: the largest stable step by bisection, pressure of the wrong level, a bag with
+// hardly any volume, and fabric that carries compression.
+#include "closed_form/stability.hpp"
+
+#include <gtest/gtest.h>
+
+#include "dense.hpp"
+
+using membrane::Compression;
+
+namespace {
+
+constexpr double kGamma = 1.4, kAmbient = 101325.0;
+
+// A bag at rest in equilibrium, with gas of the absolute pressure p0 at the volume V0 inside (p0 = 0: none).
+struct Bag {
+  membrane::BagModel model;
+  Eigen::Matrix3Xd x;
+  double pressure = 0.0, volume = 0.0;
+
+  double gauge(double v) const {
+    return pressure > 0.0 ? pressure * std::pow(volume / v, kGamma) - kAmbient : 0.0;
+  }
+  Eigen::Matrix3Xd force(const Eigen::Matrix3Xd& at) const {
+    const auto state = scenes::evaluated(model, at);
+    return state.membrane_force.map() + gauge(state.surface.volume) * state.volume_gradient.map();
+  }
+};
+
+// Largest displacement over that of the first step, from a kick of 1e-10 of the size; 1e5 is a blow-up.
+constexpr double kBlownUp = 1e5;
+double growth(const Bag& bag, double dt) {
+  auto state = membrane::make_state(bag.model, bag.x);
+  const double kick = 1e-10 * bag.x.cwiseAbs().maxCoeff();
+  state.velocity.map() = kick / dt * scenes::Random(3).vectors(bag.x.cols());
+  double largest = 0.0;
+  for (int i = 0; i < 400 && largest < kBlownUp; ++i) {
+    membrane::update_skin(bag.model, state);
+    membrane::pressure_forces(state, bag.gauge(state.surface.volume));
+    membrane::advance(bag.model, state, dt, dt);
+    largest = std::max(largest, (state.position.map() - bag.x).cwiseAbs().maxCoeff() / kick);
+  }
+  return largest;
+}
+
+// Largest stable step between 0.5 and 2 times the estimate. A thousandth past the limit a mode grows by
+// 1 + sqrt(8e-3) a step, e^34 in 400; a thousandth below a kick grows to 1 / sin(theta) = 12 of it at most,
+// and rigid motion to the number of steps.
+double measured_limit(const Bag& bag, double estimate) {
+  double stable = 0.5 * estimate, unstable = 2.0 * estimate;
+  EXPECT_LT(growth(bag, stable), kBlownUp);
+  EXPECT_GE(growth(bag, unstable), kBlownUp);
+  while (unstable / stable > 1.0002) {
+    const double middle = 0.5 * (stable + unstable);
+    (growth(bag, middle) < kBlownUp ? stable : unstable) = middle;
+  }
+  return stable;
+}
+
+// The icosahedron's nodes are all alike, so one pressure holds it at any stretch.
+Bag icosahedron(double stretch) {
+  const auto mesh = membrane::icosphere(0.3, 0);
+  Bag bag{make_model(scenes::describe(mesh, Compression::none)), stretch * mesh.nodes};
+  const auto state = scenes::evaluated(bag.model, bag.x);
+  const double inward = -state.membrane_force.map().cwiseProduct(bag.x).sum();
+  bag.volume = state.surface.volume;
+  bag.pressure = kAmbient + inward / (3.0 * bag.volume);  // x . dV/dx = 3 V
+  return bag;
+}
+
+Bag triangle(double base, double apex, double height) {
+  membrane::Mesh mesh;
+  mesh.nodes.resize(3, 3);
+  mesh.nodes << 0.0, base, apex, 0.0, 0.0, height, 0.0, 0.0, 0.0;
+  mesh.elements.resize(3, 1);
+  mesh.elements << 0, 1, 2;
+  return {make_model(scenes::describe(mesh, Compression::linear)), mesh.nodes};
+}
+
+// Growth per step of the breathing mode u: u_n^2 - u_(n-1) u_(n+1) is multiplied by |z|^2 in each step.
+double breathing_growth(const Bag& bag, double dt, bool lagged) {
+  constexpr int steps = 40;
+  auto state = membrane::make_state(bag.model, bag.x);
+  state.velocity.map() = 1e-7 / dt * bag.x;
+  double u[steps + 3] = {}, gauge = bag.gauge(bag.volume);
+  for (int i = 0; i < steps + 2; ++i) {
+    membrane::update_skin(bag.model, state);
+    const double fresh = bag.gauge(state.surface.volume);
+    membrane::pressure_forces(state, lagged ? gauge : fresh);
+    gauge = fresh;
+    membrane::advance(bag.model, state, dt, dt);
+    u[i + 1] = (state.position.map() - bag.x).cwiseProduct(bag.x).sum() / bag.x.squaredNorm();
+  }
+  const auto invariant = [&](int n) { return u[n] * u[n] - u[n - 1] * u[n + 1]; };
+  return std::pow(invariant(steps + 1) / invariant(1), 0.5 / steps);
+}
+
+}  // namespace
+
+TEST(Stability, largest_step_of_single_triangles_eq_closed_form) {
+  const auto sheet = closed_form::paper_fabric();
+  const double shapes[][3] = {{0.01, 0.005, 0.0086602540378443865},  // equilateral
+                              {0.01, 0.0, 0.01},                     // right
+                              {0.001, 0.0005, 0.02},                 // needle
+                              {0.02, 0.011, 0.001}};                 // cap
+  for (const auto& s : shapes) {
+    const double exact =
+        closed_form::critical_time_step(closed_form::triangle_frequency(sheet, s[0], s[1], s[2]));
+    EXPECT_NEAR(measured_limit(triangle(s[0], s[1], s[2]), exact) / exact, 1.0, 1e-3) << s[0];
+  }
+}
+
+// The assembled bag with gas, pressure of the same positions: its limit is that of the dense eigenvalue, and
+// the step from added stiffnesses is below it.
+TEST(Stability, largest_step_of_a_gas_filled_bag_eq_dense_eigenvalue) {
+  for (const double stretch : {1.02, 1.1, 1.25}) {
+    const Bag bag = icosahedron(stretch);
+    const double exact =
+        2.0 / std::sqrt(scenes::greatest_frequency(
+                  bag.model, bag.x, [&](const Eigen::Matrix3Xd& at) { return bag.force(at); }));
+    EXPECT_NEAR(measured_limit(bag, exact) / exact, 1.0, 1e-3) << stretch;
+    const auto state = scenes::evaluated(bag.model, bag.x);
+    const double bound =
+        membrane::critical_time_step(membrane::stiffness_shares(bag.model, state, kGamma, bag.pressure));
+    EXPECT_LT(bound, exact) << stretch;
+  }
+}
+
+TEST(Stability, pressure_lagged_by_one_step_grows_at_every_step_size) {
+  const Bag bag = icosahedron(1.05);
+  const auto shares =
+      membrane::stiffness_shares(bag.model, scenes::evaluated(bag.model, bag.x), kGamma, bag.pressure);
+  for (const double fraction : {0.5, 0.1, 0.02}) {
+    const double dt = fraction * membrane::critical_time_step(shares);
+    // While the mode oscillates the growth does not depend on the fabric's stiffness.
+    const double exact = closed_form::lagged_pressure_growth(0.1, dt * std::sqrt(shares.gas));
+    EXPECT_GT(exact, 1.0 + 1e-5);
+    // Linear to the displacement, up to 2e-5 of the radius, over 40 steps.
+    EXPECT_NEAR(breathing_growth(bag, dt, true), exact, 1e-6) << fraction;
+    EXPECT_NEAR(breathing_growth(bag, dt, false), 1.0, 1e-6) << fraction;
+  }
+}
+
+// A bag that holds hardly any gas: the gas sets the limit, 2 / omega_gas (M.11), and the fabric's stiffness
+// takes off no more than its share.
+TEST(Stability, bag_with_a_tiny_volume_fails_where_the_gas_bound_says) {
+  const auto mesh = membrane::icosphere(0.3, 1);
+  Bag bag{make_model(scenes::describe(mesh, Compression::none)), mesh.nodes, kAmbient};
+  bag.x.row(2) *= 1e-3;  // slack everywhere
+  const auto state = scenes::evaluated(bag.model, bag.x);
+  bag.volume = state.surface.volume;
+  const auto shares = membrane::stiffness_shares(bag.model, state, kGamma, kAmbient);
+  EXPECT_GT(shares.gas, 10.0 * shares.element);
+  const double gas_alone = 2.0 / std::sqrt(shares.gas);
+  const double limit = measured_limit(bag, gas_alone);
+  EXPECT_LT(limit, gas_alone * (1.0 + 1e-3));
+  EXPECT_GT(limit, membrane::critical_time_step(shares) * (1.0 - 1e-3));
+}
+
+// Fabric that carries compression, flattened to a tenth of its depth: it holds energy that no gas put in, its
+// lowest mode has a negative stiffness, and it springs open by itself. Fabric that does not stays where it
+// is.
+TEST(Stability, linear_compression_springs_a_flattened_bag_open) {
+  const auto mesh = membrane::icosphere(0.3, 1);
+  Eigen::Matrix3Xd flat = mesh.nodes;
+  flat.row(2) *= 0.1;
+  for (const auto compression : {Compression::linear, Compression::none}) {
+    const Bag bag{make_model(scenes::describe(mesh, compression)), flat};
+    auto state = scenes::evaluated(bag.model, flat);
+    const double stored = state.forces.strain_energy;
+    const double softest = scenes::greatest_frequency(bag.model, flat, [&](const Eigen::Matrix3Xd& at) {
+      return Eigen::Matrix3Xd(-bag.force(at));
+    });  // of -K
+    const double dt = 0.5 * membrane::critical_time_step({.element = state.forces.element_frequency});
+    for (int i = 0; i < 40; ++i) {
+      membrane::update_skin(bag.model, state);
+      membrane::advance(bag.model, state, i == 0 ? 0.0 : dt, dt);
+    }
+    if (compression == Compression::linear) {
+      EXPECT_GT(stored, 10.0);  // [J]
+      EXPECT_GT(softest, 0.05 * state.forces.element_frequency);
+      EXPECT_GT(state.advance.kinetic_after, 0.1 * stored);
+    } else {
+      // Slack but for strains of rounding: 60 MPa (10 eps)^2 on 0.6 litres of fabric.
+      EXPECT_LT(stored, 1e-25);
+      EXPECT_LT(state.advance.kinetic_after, 1e-25);
+    }
+  }
+}
