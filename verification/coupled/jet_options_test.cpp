@@ -160,7 +160,7 @@ double damping_rate(const driver::Scene& scene, const driver::State& state) {
     for (const int element : run.load().candidates) {
       const auto e = static_cast<std::size_t>(element);
       const double speed = std::sqrt(run.load().overpressure[e] / (2.0 * run.outlet.density));
-      const double stretch = state.bag->area[e] / scene.bag->model.reference_area[e];
+      const double stretch = state.bag->area_vector.map().col(element).norm() / scene.bag->model.reference_area[e];
       largest = std::max(largest, 4.0 * run.outlet.density * speed * stretch / (620.0 * 0.5e-3));
     }
     sum += largest;
