@@ -40,12 +40,12 @@ effects() {
   compare <(echo "$with") <(echo "$without")
 }
 
-# draw OUT ROWS COLUMNS: gnuplot commands of the panels on standard input, as OUT.svg and OUT.png.
+# draw OUT ROWS COLUMNS [HEIGHT]: gnuplot commands of the panels, HEIGHT high, on standard input, as OUT.svg and OUT.png.
 draw() {
-  local out=$1 rows=$2 columns=$3 commands terminal
+  local out=$1 rows=$2 columns=$3 height=${4:-260} commands terminal
   commands=$(cat)
-  for terminal in "svg size $((330 * columns)),$((260 * rows)) font 'sans,11' background 'white'" \
-    "pngcairo size $((660 * columns)),$((520 * rows)) font 'sans,11' fontscale 2 linewidth 2"; do
+  for terminal in "svg size $((330 * columns)),$((height * rows)) font 'sans,11' background 'white'" \
+    "pngcairo size $((660 * columns)),$((2 * height * rows)) font 'sans,11' fontscale 2 linewidth 2"; do
     gnuplot <<END
 set terminal $terminal
 set output '$out.${terminal:0:3}'

@@ -16,12 +16,12 @@ flow() { echo "inflator.0.mass_flow={time=[0.0,0.012,$1],value=[0.0,$2,0.0]}"; }
 # input | value | settings of both cases, by ; | settings of the jet alone, by ;
 inputs=(
   "as shipped|-||"
-  "gas, kg|0.08|$(flow 0.08 2.0)|" "gas, kg|0.24|$(flow 0.08 6.0)|"
-  "pulse, ms|40|$(flow 0.04 8.0)|" "pulse, ms|120|$(flow 0.12 2.6667)|"
-  "gap to plate, m|0.25|pendulum.pivot=[0.25,0.0,1.31]|" "gap to plate, m|0.5|pendulum.pivot=[0.5,0.0,1.31]|"
-  "vent, m2|0|vent.0.area=0.0|" "vent, m2|0.006|vent.0.area=0.006|"
+  "gas [kg]|0.08|$(flow 0.08 2.0)|" "gas [kg]|0.24|$(flow 0.08 6.0)|"
+  "pulse [ms]|40|$(flow 0.04 8.0)|" "pulse [ms]|120|$(flow 0.12 2.6667)|"
+  "centre to plate [m]|0.25|pendulum.pivot=[0.25,0.0,1.31]|" "centre to plate [m]|0.5|pendulum.pivot=[0.5,0.0,1.31]|"
+  "vent [m²]|0.0005|vent.0.area=0.0005|" "vent [m²]|0.006|vent.0.area=0.006|"
   "porosity|0|fabric.porosity=0.0|" "porosity|0.08|fabric.porosity=0.08|"
-  "outlet, m2|0.0058||inflator.0.jet.short_side=0.04" "outlet, m2|0.0232||inflator.0.jet.short_side=0.16"
+  "outlet [m²]|0.0058||inflator.0.jet.short_side=0.04" "outlet [m²]|0.021||inflator.0.jet.short_side=0.145"
   "decay|0.09||inflator.0.jet.decay_coefficient=0.09" "decay|0.12||inflator.0.jet.decay_coefficient=0.12"
 )
 
@@ -38,18 +38,22 @@ mkdir -p "$(dirname "$out")" results/ensembles/passenger_pendulum results/ensemb
     mapfile -t own < <(settings "$both;$jet")
     with=$(ensemble_quantities passenger_pendulum "$runs" "${own[@]}")
     without=$(ensemble_quantities passenger_pendulum_no_jet "$runs" "${shared[@]}")
-    compare <(echo "$with") <(echo "$without") | sed "s/^/\"$name\",$value,/"
+    compare <(echo "$with") <(echo "$without") | sed "s/^/$name,$value,/"
   done
 } >"$out.csv"
 
-quantities=("final_angle_rad|180/pi|Jet’s effect on the angle [°]" "contact_impulse_Ns|1|on the impulse [N s]"
-  "peak_cg_acceleration_cfc180_m_s2|1|on the peak acceleration, CFC 180 [m/s²]")
+# quantity | factor | label | tics | left and right edge of the panel; the first one names the rows
+quantities=("final_angle_rad|180/pi|Jet’s effect on the angle [°]|5|0.22|0.45" "contact_impulse_Ns|1|on the impulse [N s]|10|0.48|0.71"
+  "peak_cg_acceleration_cfc180_m_s2|1|on the CFC 180 peak [m/s²]|50|0.74|0.97")
 {
+  echo "unset offsets; set grid x; set bmargin 4; set tmargin 1; set key off; set yrange [15.5:-0.5]; set yzeroaxis lt 1 lc 'black'"
+  names=":ytic(strcol(1).' '.strcol(2))"
   for quantity in "${quantities[@]}"; do
-    IFS='|' read -r name factor label <<<"$quantity"
-    printf "set xlabel '%s'\nset yrange [-1:15] reverse\nset grid x\nset arrow 1 from 0, graph 0 to 0, graph 1 nohead lt 0\n" "$label"
-    rows="< grep ',$name,' $out.csv"
-    printf "plot \"%s\" using ((column(4)-column(6))*%s):0:(2*sqrt(column(5)**2+column(7)**2)*%s):ytic(strcol(1).' '.strcol(2)) with xerrorbars pt 7 ps 0.7 lc 'black' title '± 2 s.e.'\n" \
-      "$rows" "$factor" "$factor"
+    IFS='|' read -r name factor label tics left right <<<"$quantity"
+    printf "set lmargin at screen %s\nset rmargin at screen %s\nset xlabel '%s, ± 2 s.e.'\nset xtics %s\n" "$left" "$right" "$label" "$tics"
+    printf "plot \"< grep ',%s,' %s\" using ((column(4)-column(6))*%s):0:(2*sqrt(column(5)**2+column(7)**2)*%s)%s with xerrorbars pt 7 ps 0.7 lc 'black'\n" \
+      "$name" "$out.csv" "$factor" "$factor" "$names"
+    names=""
+    echo "unset ytics"
   done
-} | draw "$out" 1 3
+} | draw "$out" 1 3 400
