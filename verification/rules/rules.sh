@@ -147,7 +147,7 @@ rule_case_keys() {
   for key in $(comm -13 <(echo "$read_keys") <(echo "$rows")); do echo "$page: no code reads the key $key"; done
 }
 
-# Every test of the build is matched by a line of mutations.tsv, and every line matches a test. Left out are the rules
+# Every test of the build is matched by a line of mutations.tsv; every line matches a test and changes its file. Left out are the rules
 # that have a `_can_fail` partner, and these partners: each of them applies violations of its own.
 rule_mutation_lines() {
   local list=verification/mutations.tsv names patterns
@@ -157,8 +157,10 @@ rule_mutation_lines() {
     while IFS= read -r name; do
       echo "$list: no line for the test $name; add: expression that matches it, file, sed command that turns it red (tabs between)"
     done
-  grep -nv -e '^#' -e '^[[:space:]]*$' "$list" | while IFS=$'\t' read -r name _; do
+  grep -nv -e '^#' -e '^[[:space:]]*$' "$list" | while IFS=$'\t' read -r name file expression; do
     grep -qE -e "${name#*:}" <<<"$names" || echo "$list:${name%%:*}: '${name#*:}' matches no test"
+    sed -e "$expression" "$file" 2>/dev/null | cmp -s "$file" - && echo "$list:${name%%:*}: '$expression' changes nothing in $file"
+    [[ -f $file ]] || echo "$list:${name%%:*}: no file $file"
   done
 }
 

@@ -36,7 +36,7 @@ good_tree() {
   put docs/figure.svg '<svg/>'
   put build/CTestTestfile.cmake 'add_test(gas.tank "true")' 'add_test(faults/bad_input.one/nan "true")' \
     'add_test(rules.links "true")' 'add_test(rules.links_can_fail "true")'
-  put verification/mutations.tsv '# comment' $'gas.(tank|vent)\ta.cpp\ts/a/b/' $'bad_input.*/nan( |$)\tb.cpp\ts/a/b/'
+  put verification/mutations.tsv '# comment' $'gas.(tank|vent)\tREADME.md\ts/gas/b/' $'bad_input.*/nan( |$)\tREADME.md\ts/gas/b/'
   put docs/theory/gas.md '$$ p V = m R T \tag{G.1} $$'
 }
 
@@ -116,9 +116,11 @@ case $rule in
     breaks docs/case_files.md '| `volume`, `law` | of the tank |' '| `colour` | of the bag |'
     ;;
   mutation_lines)
-    breaks verification/mutations.tsv $'gas.tank\ta.cpp\ts/a/b/'
-    breaks verification/mutations.tsv $'gas.tank\ta.cpp\ts/a/b/' $'bad_input.*/inf( |$)\tb.cpp\ts/a/b/'
-    breaks verification/mutations.tsv $'.*\ta.cpp\ts/a/b/' $'jet.plume\ta.cpp\ts/a/b/'
+    breaks verification/mutations.tsv $'gas.tank\tREADME.md\ts/gas/b/'
+    breaks verification/mutations.tsv $'gas.tank\tREADME.md\ts/gas/b/' $'bad_input.*/inf( |$)\tREADME.md\ts/gas/b/'
+    breaks verification/mutations.tsv $'.*\tREADME.md\ts/gas/b/' $'jet.plume\tREADME.md\ts/gas/b/'
+    breaks verification/mutations.tsv $'.*\tREADME.md\ts/absent/b/'
+    breaks verification/mutations.tsv $'.*\tgone.cpp\ts/gas/b/'
     ;;
   *)
     echo "rules_can_fail.sh: no violations are listed for rule '$rule'"
