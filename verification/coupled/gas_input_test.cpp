@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: Apache-2.0
+// Bad input of the gas tables: refused where it stands.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <fstream>
+
+#include "case_folder.hpp"
+
+namespace {
+
+using coupled::Folder;
+using coupled::message_of;
+using coupled::read;
+
+struct Fault {
+  const char* name;
+  const char* base;
+  const char* find;
+  const char* replacement;  // stands where the message points, at its own first character
+  const char* key;
+  const char* says;
+};
+
+void PrintTo(const Fault& fault, std::ostream* out) {
+  *out << fault.name;
+}
+
+class bad_gas_input : public testing::TestWithParam<Fault> {};
+
+TEST_P(bad_gas_input, is_refused_where_it_stands) {
+  const Fault& fault = GetParam();
+  std::string text = read(std::string(GASJET_SOURCE_DIR "/cases/") + fault.base + ".toml");
+  const auto at = text.find(fault.find);
+  ASSERT_NE(at, std::string::npos) << fault.find;
+  text.replace(at, std::string(fault.find).size(), fault.replacement);
+  const Folder folder;
+  const auto file = folder.path / "bad.toml";
+  std::ofstream(file) << text;
+  const std::string message = message_of(file);
+  EXPECT_NE(message.find(fault.key), std::string::npos) << message;
+  EXPECT_NE(message.find(fault.says), std::string::npos) << message;
+  const auto line = 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n');
+  EXPECT_EQ(message.find(file.string() + ":" + std::to_string(line) + ":"), 0u) << message;
+}
+
+const Fault kFaults[] = {
+    {"two_sensors_in_one", "tank_triggers", "[[sensor]]                    # deceleration of the car, in g",
+     "[[sensor]]\ntime = 1.0", "sensor.0", "one is needed"},
+    {"sensor_of_nothing", "tank_triggers", "[[sensor]]\nname = \"safing\"\ntime",
+     "[[sensor]]\nname = \"safing\"\ntyme", "sensor.1", "one is needed"},
+    {"sensor_reset", "tank_triggers", "reset = 70.0e3", "reset = 90.0e3", "sensor.4.reset",
+     "less than overpressure"},
+    {"sensor_named_twice", "tank_triggers", "name = \"safing\"", "name = \"crash\"", "sensor.1.name",
+     "second time"},
+    {"contact_false", "contact_vent", "contact = true", "contact = false", "sensor.0.contact",
+     "true is allowed"},
+    {"unknown_node", "tank_triggers", "all = [\"crash\", \"safing\"]", "all = [\"crash\", \"safety\"]",
+     "trigger.0.all", "\"safety\""},
+    {"later_node", "tank_triggers", "not = \"too_high\"", "not = \"second\"", "trigger.1.not", "earlier"},
+    {"no_inputs", "tank_triggers", "all = [\"crash\", \"safing\"]", "all = []", "trigger.0.all", "is empty"},
+    {"negative_delay", "tank_triggers", "delay = 0.005", "delay = -0.005", "trigger.2.delay", "0 or more"},
+    {"inflator_of_unknown_trigger", "tank_triggers", "trigger = \"first\"", "trigger = \"frist\"",
+     "inflator.0.trigger", "frist"},
+    {"vent_of_unknown_trigger", "tank_triggers", "trigger = \"disc\"", "trigger = \"disk\"", "vent.0.trigger",
+     "disk"},
+    {"negative_area_curve", "tank_triggers", "area = { time = [0.0, 0.002], value = [0.0, 4.0e-4] }",
+     "area = { time = [0.0, 0.002], value = [0.0, -4.0e-4] }", "vent.0.area.value", "0 or more"},
+    {"unsorted_overpressure", "piston_leak", "area = { overpressure = [5000.0, 30000.0]",
+     "area = { overpressure = [30000.0, 5000.0]", "vent.0.area", "rising order"},
+    {"backflow_is_no_number", "tank_backflow", "backflow = true", "backflow = 1", "vent.0.backflow",
+     "true or false"},
+    {"ambient_composition", "tank_backflow", "composition = { air = 1.0 } ", "composition = { air = 0.9 } ",
+     "ambient.composition", "sum to 0.9"},
+    {"ambient_species", "tank_backflow", "composition = { air = 1.0 } ", "composition = { Xe = 1.0 } ",
+     "ambient.composition", "Xe"},
+    {"heat_coefficient", "tank_backflow", "coefficient = 200.0", "coefficient = -200.0",
+     "gas.heat_loss.coefficient", "above 0"},
+    {"amplitude", "piston_leak", "volume = { mean = 1.0e-3, amplitude = 0.3e-3",
+     "volume = { mean = 1.0e-3, amplitude = 1.3e-3", "tank.volume.amplitude", "less than mean"},
+    {"leak_law", "piston_leak", "leak_law = \"table\"", "leak_law = \"none\"", "tank.fabric.leak_law",
+     "printed"},
+    {"velocity", "piston_leak",
+     "velocity = { overpressure = [0.0, 500.0, 5000.0, 50000.0], value = [0.0, 0.4, 1.8, 7.0] }",
+     "velocity = { overpressure = [0.0, 500.0], value = [0.0, 0.4, 1.8] }", "tank.fabric.velocity",
+     "as many"},
+    {"gas_method", "tank_stiff", "gas_method = \"rosenbrock\"", "gas_method = \"gear\"", "time.gas_method",
+     "rosenbrock"},
+    {"porosity", "tank_stiff", "porosity = 0.05", "porosity = 1.05", "tank.fabric.porosity", "at most 1"},
+    {"volume_of_zero", "tank_stiff",
+     "volume = { time = [0.0, 0.005, 0.015], value = [1.0e-4, 1.0e-4, 2.0e-4] }",
+     "volume = { time = [0.0, 0.005, 0.015], value = [1.0e-4, 0.0, 2.0e-4] }", "tank.volume.value",
+     "above 0"},
+};
+INSTANTIATE_TEST_SUITE_P(faults, bad_gas_input, testing::ValuesIn(kFaults),
+                         [](const auto& one) { return std::string(one.param.name); });
+
+TEST(bad_gas_input, sensors_need_what_they_sense) {
+  const std::filesystem::path cases = GASJET_SOURCE_DIR "/cases";
+  const std::string no_contact =
+      message_of(cases / "tank_triggers.toml", {"sensor.1={name=\"safing\",contact=true}"});
+  EXPECT_NE(no_contact.find("no [contact]"), std::string::npos) << no_contact;
+}
+
+}  // namespace

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: Apache-2.0
+// Whole runs of the gas scenes: what each option contributes, and the books of every stream.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "closed_form/exchange.hpp"
+#include "closed_form/gas.hpp"
+#include "run_case.hpp"
+
+namespace {
+
+using coupled::CaseRun;
+using coupled::run_case;
+
+double pressure_at(const CaseRun& run, double time) {
+  for (const auto& row : run.history)
+    if (row.time_s >= time - 1e-9) return row.pressure_Pa;
+  return run.history.back().pressure_Pa;
+}
+
+double sum_of_masses(const std::vector<gas::StreamFlux>& streams) {
+  double sum = 0.0;
+  for (const auto& stream : streams) sum += stream.mass;
+  return sum;
+}
+
+double sum_of_enthalpies(const std::vector<gas::StreamFlux>& streams) {
+  double sum = 0.0;
+  for (const auto& stream : streams) sum += stream.enthalpy;
+  return sum;
+}
+
+TEST(gas_scene, mass_and_energy_of_each_stream_close) {
+  for (const char* name : {"tank_triggers", "tank_backflow", "piston_leak", "tank_stiff"}) {
+    const CaseRun run = run_case(name);
+    ASSERT_EQ(run.outcome.status, driver::RunStatus::done) << name << run.outcome.message;
+    EXPECT_LT(run.state.peaks.mass_residual, 1e-12) << name;
+    double scale = 0.0;
+    for (const auto& row : run.energy)
+      scale = std::max({scale, std::abs(row.gas_internal_J), std::abs(row.inflow_enthalpy_J)});
+    for (const auto& row : run.energy)
+      EXPECT_LT(std::abs(row.residual_J), 1e-12 * scale) << name << row.time_s;
+    // The streams' sums are the totals' terms in another order: eps x steps.
+    const auto& flows = run.state.flows;
+    EXPECT_NEAR(sum_of_masses(run.state.streams.inflows), flows.mass_in, 1e-12 * flows.mass_in);
+    EXPECT_NEAR(sum_of_masses(run.state.streams.outflows), flows.vent_mass_out + flows.fabric_mass_out,
+                1e-12 * (flows.vent_mass_out + flows.fabric_mass_out));
+    EXPECT_NEAR(sum_of_masses(run.state.streams.backflows), flows.backflow_mass, 1e-12 * flows.backflow_mass);
+    EXPECT_NEAR(sum_of_enthalpies(run.state.streams.outflows), flows.enthalpy_out,
+                1e-12 * std::max(scale, std::abs(flows.enthalpy_out)));
+  }
+}
+
+TEST(gas_scene, triggers_fire_in_their_order) {
+  const CaseRun run = run_case("tank_triggers");
+  const auto& model = run.state.gas.triggers;
+  const driver::Scene scene = coupled::scene_of("tank_triggers");
+  const auto& inflows = scene.gas->model.inflows;
+  // The signal passes 10 g at 8 ms, the safing switch at 9 ms; the second stage follows after 5 ms.
+  EXPECT_EQ(gas::firing_time(inflows[0], model), 0.009);
+  EXPECT_NEAR(gas::firing_time(inflows[1], model), 0.014, 1e-17);
+  const auto& streams = run.state.streams;
+  EXPECT_NEAR(streams.inflows[0].mass, 0.025, 1e-12 * 0.025);
+  EXPECT_NEAR(streams.inflows[1].mass, 0.015, 1e-12 * 0.015);
+  EXPECT_GT(streams.outflows[0].mass, 0.005);
+  EXPECT_GT(streams.outflows[1].mass, 0.005);
+  // A signal that never passes its threshold fires nothing; a pressure that forbids it keeps the second stage
+  // back.
+  EXPECT_EQ(run_case("tank_triggers", {"sensor.0.above=99.0"}).state.flows.mass_in, 0.0);
+  const CaseRun held = run_case("tank_triggers", {"sensor.2.overpressure=50.0e3"});
+  EXPECT_EQ(held.state.streams.inflows[1].mass, 0.0);
+  EXPECT_GT(held.state.streams.inflows[0].mass, 0.0);
+}
+
+TEST(gas_scene, backflow_and_heat_loss_contribute) {
+  const CaseRun with = run_case("tank_backflow"),
+                without = run_case("tank_backflow", {"vent.0.backflow=false"});
+  // The vent throttles what the walls take: 5.6 kPa below ambient, against 33 kPa or more without backflow.
+  EXPECT_GT(with.history.back().pressure_Pa, 95000.0);
+  EXPECT_LT(without.history.back().pressure_Pa, 70000.0);
+  EXPECT_GT(with.state.streams.backflows[0].mass, 0.02);
+  // Walls at the gas's own temperature, and no vent to speak of: nothing happens.
+  const CaseRun even =
+      run_case("tank_backflow", {"gas.heat_loss.outside_temperature=900.0", "vent.0.area=1e-12"});
+  EXPECT_NEAR(even.history.back().temperature_K, 900.0, 1e-4);
+}
+
+TEST(gas_scene, sealed_piston_eq_closed_form) {
+  const CaseRun run = run_case(
+      "piston_leak", {"tank.fabric.area=1e-30", "vent.0.area=1e-30", "gas.reference_temperature=300.0"});
+  const auto start = run.history.front();
+  const auto gamma = run.state.gas_point.gamma;
+  const double r = run.state.gas_point.gas_constant;
+  for (const auto& row : run.history) {
+    const double volume = 1e-3 + 0.3e-3 * std::sin(2.0 * std::numbers::pi * 50.0 * row.time_s);
+    EXPECT_NEAR(row.volume_m3, volume, 1e-15);
+    const auto exact =
+        closed_form::adiabatic_piston({{r, gamma}, start.pressure_Pa, start.temperature_K, 1e-3}, volume);
+    // Some 3000 pieces of the path, each within the local tolerance of 1e-10, partly cancelling over a
+    // period.
+    EXPECT_NEAR(row.pressure_Pa / exact.state.pressure, 1.0, 1e-7) << row.time_s;
+  }
+}
+
+TEST(gas_scene, leak_and_flap_of_the_piston_contribute) {
+  const CaseRun all = run_case("piston_leak"), no_flap = run_case("piston_leak", {"vent.0.area=1e-30"});
+  EXPECT_GT(all.state.streams.outflows[0].mass, 1e-5);
+  EXPECT_GT(all.state.streams.outflows[1].mass, 1e-4);
+  EXPECT_LT(all.state.peaks.pressure, no_flap.state.peaks.pressure);
+}
+
+TEST(gas_scene, implicit_method_of_the_stiff_tank_contributes) {
+  const CaseRun implicit = run_case("tank_stiff");
+  const CaseRun explicit_run = run_case("tank_stiff", {"time.gas_method=dormand_prince"});
+  EXPECT_LT(8 * implicit.state.flows.gas_substeps, explicit_run.state.flows.gas_substeps);
+  // Both within 1e-6 a sub-step of a balance that forgets.
+  EXPECT_NEAR(implicit.history.back().pressure_Pa / explicit_run.history.back().pressure_Pa, 1.0, 1e-5);
+  const CaseRun screen = run_case("tank_stiff", {"tank.fabric.leak_law=screen"});
+  // 20 times the leak area: a 400th of the overpressure.
+  EXPECT_NEAR(
+      (screen.history.back().pressure_Pa - 101325.0) / (implicit.history.back().pressure_Pa - 101325.0),
+      1.0 / 400.0, 0.2 / 400.0);
+}
+
+TEST(gas_scene, volume_table_is_met_at_its_knots) {
+  const CaseRun run = run_case("tank_stiff", {"output.history_every=0.0007"});
+  EXPECT_NEAR(run.history.back().volume_m3, 2e-4, 1e-18);
+  // 0.0005 s behind the knot at 5 ms: linear between the knots.
+  for (const auto& row : run.history) {
+    const double share = std::clamp((row.time_s - 0.005) / 0.01, 0.0, 1.0);
+    EXPECT_NEAR(row.volume_m3, 1e-4 * (1.0 + share), 1e-18) << row.time_s;
+  }
+  EXPECT_GT(pressure_at(run, 0.002), 101325.0);
+}
+
+TEST(gas_scene, contact_opens_the_vent_from_the_next_step) {
+  const CaseRun run = run_case("contact_vent");
+  ASSERT_EQ(run.outcome.status, driver::RunStatus::done) << run.outcome.message;
+  const double touched = run.state.peaks.first_contact, opened = run.state.gas.triggers[2].first_on;
+  ASSERT_GT(touched, 0.0);
+  // The level with the first contact starts the step over which the sensor is on.
+  EXPECT_EQ(opened, touched);
+  for (const auto& row : run.history)
+    EXPECT_TRUE(row.time_s > touched || row.vent_outflow_kg_s == 0.0) << row.time_s;
+  EXPECT_GT(run.state.streams.outflows[0].mass, 1e-4);
+}
+
+}  // namespace
