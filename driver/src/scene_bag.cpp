@@ -171,12 +171,12 @@ Eigen::Matrix3Xd initial_shape(TableReader& table, const BagMesh& source) {
 
 void warn_of_leaks(const membrane::BagDescription& bag, LeakLaw law, Scene& scene) {
   if (law == LeakLaw::screen)
-    scene.warnings.push_back(
+    scene.warnings.emplace_back(
         "fabric.leak_law = \"screen\" leaks 1/porosity times as much as the paper's printed law");
   const bool porous = std::any_of(bag.properties.begin(), bag.properties.end(),
                                   [](const auto& fabric) { return fabric.porosity > 0.0; });
   if (law == LeakLaw::none && porous)
-    scene.warnings.push_back("fabric.porosity has no effect with leak_law = \"none\"");
+    scene.warnings.emplace_back("fabric.porosity has no effect with leak_law = \"none\"");
 }
 
 }  // namespace
