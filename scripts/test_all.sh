@@ -43,7 +43,7 @@ suite() {
 }
 
 run_ctest() {
-  ctest --preset "$1" --no-tests=error -j "$jobs" </dev/null | tee "$logs/$1"
+  ctest --preset "$1" --no-tests=error -j $((jobs + 1)) </dev/null | tee "$logs/$1"
 }
 
 build() {
