@@ -3,63 +3,24 @@
 // allowed`.
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <fstream>
-#include <sstream>
 
 #include "case_folder.hpp"
+#include "fault.hpp"
 #include "run_case.hpp"
 
 namespace {
 
 namespace fs = std::filesystem;
+using coupled::Fault;
 using coupled::Folder;
 using coupled::message_of;
 using coupled::read;
 
-struct Fault {
-  const char* name;
-  const char* base;         // shipped case
-  const char* find;         // text in it ...
-  const char* replacement;  // ... and what a user might have written instead
-  const char* key;          // named in the message
-  const char* says;         // part of the message
-  const char* mark;         // the message names the first place of this text; empty: the start of the file
-};
-
-void PrintTo(const Fault& fault, std::ostream* out) {
-  *out << fault.name;
-}
-
-// `file:line:column` of the faulty key: where its name stands at the start of a line or of an inline table's
-// entry, nearest to the change; of the table's head for what is missing, of the file for a missing table.
-std::string place_of(const fs::path& file, const std::string& text, std::size_t at) {
-  const auto line = 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n');
-  const auto start = text.rfind('\n', at == 0 ? 0 : at - 1);
-  const auto column = at - (start == std::string::npos || at == 0 ? 0 : start + 1) + 1;
-  return file.string() + ":" + std::to_string(line) + ":" + std::to_string(column);
-}
-
-std::string expected_place(const fs::path& file, const std::string& text, const Fault& fault) {
-  return place_of(file, text, fault.mark[0] == '\0' ? 0 : text.find(fault.mark));
-}
-
 class bad_input : public testing::TestWithParam<Fault> {};
 
 TEST_P(bad_input, is_refused_where_it_stands) {
-  const Fault& fault = GetParam();
-  std::string text = read(std::string(GASJET_SOURCE_DIR "/cases/") + fault.base + ".toml");
-  const auto at = text.find(fault.find);
-  ASSERT_NE(at, std::string::npos) << fault.find;
-  text.replace(at, std::string(fault.find).size(), fault.replacement);
-  const Folder folder;
-  const fs::path file = folder.path / "bad.toml";
-  std::ofstream(file) << text;
-
-  const std::string message = message_of(file);
-  EXPECT_NE(message.find(fault.key), std::string::npos) << message;
-  EXPECT_NE(message.find(fault.says), std::string::npos) << message;
-  EXPECT_EQ(message.substr(0, message.find(": ")), expected_place(file, text, fault)) << message;
+  coupled::expect_refused_where_it_stands(GetParam());
 }
 
 const Fault kFaults[] = {

@@ -2,46 +2,18 @@
 // Bad input of the gas tables: refused where it stands.
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <fstream>
-
 #include "case_folder.hpp"
+#include "fault.hpp"
 
 namespace {
 
-using coupled::Folder;
+using coupled::Fault;
 using coupled::message_of;
-using coupled::read;
-
-struct Fault {
-  const char* name;
-  const char* base;
-  const char* find;
-  const char* replacement;  // stands where the message points, at its own first character
-  const char* key;
-  const char* says;
-};
-
-void PrintTo(const Fault& fault, std::ostream* out) {
-  *out << fault.name;
-}
 
 class bad_gas_input : public testing::TestWithParam<Fault> {};
 
 TEST_P(bad_gas_input, is_refused_where_it_stands) {
-  const Fault& fault = GetParam();
-  std::string text = read(std::string(GASJET_SOURCE_DIR "/cases/") + fault.base + ".toml");
-  const auto at = text.find(fault.find);
-  ASSERT_NE(at, std::string::npos) << fault.find;
-  text.replace(at, std::string(fault.find).size(), fault.replacement);
-  const Folder folder;
-  const auto file = folder.path / "bad.toml";
-  std::ofstream(file) << text;
-  const std::string message = message_of(file);
-  EXPECT_NE(message.find(fault.key), std::string::npos) << message;
-  EXPECT_NE(message.find(fault.says), std::string::npos) << message;
-  const auto line = 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n');
-  EXPECT_EQ(message.find(file.string() + ":" + std::to_string(line) + ":"), 0u) << message;
+  coupled::expect_refused_where_it_stands(GetParam());
 }
 
 const Fault kFaults[] = {
@@ -65,7 +37,8 @@ const Fault kFaults[] = {
     {"vent_of_unknown_trigger", "tank_triggers", "trigger = \"disc\"", "trigger = \"disk\"", "vent.0.trigger",
      "disk"},
     {"negative_area_curve", "tank_triggers", "area = { time = [0.0, 0.002], value = [0.0, 4.0e-4] }",
-     "area = { time = [0.0, 0.002], value = [0.0, -4.0e-4] }", "vent.0.area.value", "0 or more"},
+     "area = { time = [0.0, 0.002], value = [0.0, -4.0e-4] }", "vent.0.area.value", "0 or more",
+     "value = [0.0, -4.0e-4]"},
     {"unsorted_overpressure", "piston_leak", "area = { overpressure = [5000.0, 30000.0]",
      "area = { overpressure = [30000.0, 5000.0]", "vent.0.area", "rising order"},
     {"backflow_is_no_number", "tank_backflow", "backflow = true", "backflow = 1", "vent.0.backflow",
@@ -77,7 +50,8 @@ const Fault kFaults[] = {
     {"heat_coefficient", "tank_backflow", "coefficient = 200.0", "coefficient = -200.0",
      "gas.heat_loss.coefficient", "above 0"},
     {"amplitude", "piston_leak", "volume = { mean = 1.0e-3, amplitude = 0.3e-3",
-     "volume = { mean = 1.0e-3, amplitude = 1.3e-3", "tank.volume.amplitude", "less than mean"},
+     "volume = { mean = 1.0e-3, amplitude = 1.3e-3", "tank.volume.amplitude", "less than mean",
+     "amplitude = 1.3e-3"},
     {"leak_law", "piston_leak", "leak_law = \"table\"", "leak_law = \"none\"", "tank.fabric.leak_law",
      "printed"},
     {"velocity", "piston_leak",
@@ -89,8 +63,8 @@ const Fault kFaults[] = {
     {"porosity", "tank_stiff", "porosity = 0.05", "porosity = 1.05", "tank.fabric.porosity", "at most 1"},
     {"volume_of_zero", "tank_stiff",
      "volume = { time = [0.0, 0.005, 0.015], value = [1.0e-4, 1.0e-4, 2.0e-4] }",
-     "volume = { time = [0.0, 0.005, 0.015], value = [1.0e-4, 0.0, 2.0e-4] }", "tank.volume.value",
-     "above 0"},
+     "volume = { time = [0.0, 0.005, 0.015], value = [1.0e-4, 0.0, 2.0e-4] }", "tank.volume.value", "above 0",
+     "value = [1.0e-4, 0.0"},
 };
 INSTANTIATE_TEST_SUITE_P(faults, bad_gas_input, testing::ValuesIn(kFaults),
                          [](const auto& one) { return std::string(one.param.name); });
