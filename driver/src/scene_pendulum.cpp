@@ -8,8 +8,8 @@
 namespace driver {
 namespace {
 
-// Share of the fabric's own omega^2 that contact adds by default: as stiff as the fabric itself. A quarter of
-// it lets the paper's impactor sink in beyond half its radius.
+// Share of the fabric's own omega^2 that contact adds by default: as stiff as the fabric itself, so that it
+// governs at most half of omega^2. A quarter of it lets the paper's impactor sink in beyond half its radius.
 constexpr double default_contact_share = 1.0;
 
 PendulumPart read_model(TableReader& table, const Eigen::Vector3d& gravity) {
@@ -29,17 +29,20 @@ PendulumPart read_model(TableReader& table, const Eigen::Vector3d& gravity) {
   return {coupling::PendulumModel(p), initial};
 }
 
-double contact_stiffness(TableReader& table, const BagPart& bag) {
+double contact_stiffness(TableReader& table, const coupling::PendulumModel& pendulum, double friction,
+                         const BagPart& bag) {
   if (const auto stiffness = table.optional_number("stiffness", positive)) return *stiffness;
   const double share = table.number("stiffness_share", positive, default_contact_share);
-  return coupling::default_contact_stiffness(share, bag.model.fabric_frequency,
-                                             lightest_fabric(bag.model.description));
+  // Of the other terms the fabric's alone never falls: stretch adds to it, gas and straps come and go.
+  return coupling::default_contact_stiffness(
+      {share, bag.model.fabric_frequency, lightest_fabric(bag.model.description),
+       pendulum.parameters().impactor_radius, pendulum.effective_mass(), friction});
 }
 
-coupling::ContactParameters read_contact(TableReader& table, double radius, const BagPart& bag) {
-  coupling::ContactParameters p{radius, contact_stiffness(table, bag)};
-  p.friction = table.number("friction", non_negative, p.friction);
-  return p;
+coupling::ContactParameters read_contact(TableReader& table, const coupling::PendulumModel& pendulum,
+                                         const BagPart& bag) {
+  const double friction = table.number("friction", non_negative, 0.0);
+  return {pendulum.parameters().impactor_radius, contact_stiffness(table, pendulum, friction, bag), friction};
 }
 
 }  // namespace
@@ -62,8 +65,7 @@ void read_pendulum(TableReader& root, Scene& scene) {
   contact->located("", [&] {
     scene.contact.emplace(scene.bag->mesh.elements, scene.bag->model.description.reference,
                           scene.bag->model.node_mass, model.effective_mass(),
-                          read_contact(*contact, model.parameters().impactor_radius, *scene.bag),
-                          scene.bag->null_elements);
+                          read_contact(*contact, model, *scene.bag), scene.bag->null_elements);
   });
   contact->finish();
 }

@@ -34,6 +34,9 @@ PendulumParameters checked(PendulumParameters p) {
   detail::require_not_negative("pendulum.cg_distance", p.cg_distance);
   detail::require_positive("pendulum.impactor_distance", p.impactor_distance);
   detail::require_positive("pendulum.impactor_radius", p.impactor_radius);
+  if (p.impactor_radius > p.impactor_distance)
+    detail::reject("pendulum.impactor_radius", detail::text(p.impactor_radius),
+                   "at most impactor_distance (the pivot lies outside the sphere)");
   detail::require_finite("gravity", p.gravity);
   return p;
 }

@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <string>
 
 #include "check.hpp"
@@ -21,6 +22,19 @@ void check_nodes(const Triangles& triangles, Eigen::Index node_count) {
       if (triangles(i, e) < 0 || triangles(i, e) >= node_count)
         detail::reject("contact.triangles[" + std::to_string(e) + "]", std::to_string(triangles(i, e)),
                        "a node number");
+}
+
+// What friction makes of the two parts of (K.12).
+struct FrictionFactors {
+  double skin = 1.0, sphere = 1.0;
+};
+
+FrictionFactors friction_factors(double coefficient) {
+  if (!(coefficient > 0.0)) return {};
+  // Sticking is as stiff as pressing, at right angles to it; sliding follows the depth, mu times the force.
+  const double skewed = std::hypot(1.0, coefficient);
+  // Friction acts at the sphere's surface, at most twice as far from a pivot as the centre (r <= L_i).
+  return {skewed, 4.0 * skewed};
 }
 
 int subdivision_of(const std::string& field, double longest_edge, double radius) {
@@ -170,12 +184,9 @@ void ContactModel::bound_stiffness(ContactState& state, ContactResult& result) c
   for (const auto& [e, slack] : state.near)
     for (const int node : triangles_.col(e)) state.nodal_stiffness[static_cast<std::size_t>(node)] = 0.0;
   result.omega_squared_sphere = parameters_.stiffness * result.area / effective_mass_;
-  if (!(parameters_.friction > 0.0)) return;
-  // Sticking is as stiff as pressing, at right angles to it; sliding follows the depth, mu times the force.
-  const double skewed = std::hypot(1.0, parameters_.friction);
-  result.omega_squared_skin *= skewed;
-  // Friction acts at the sphere's surface, at most twice as far from a pivot as the centre (r <= L_i).
-  result.omega_squared_sphere *= 4.0 * skewed;
+  const FrictionFactors factors = friction_factors(parameters_.friction);
+  result.omega_squared_skin *= factors.skin;
+  result.omega_squared_sphere *= factors.sphere;
 }
 
 // The gap that lets the next levels pass unseen: exact where the list has elements, its reach elsewhere.
@@ -214,11 +225,18 @@ ContactResult ContactModel::evaluate(ContactState& state, const Nodes& nodes, co
   return result;
 }
 
-double default_contact_stiffness(double share, double omega_squared_other, double surface_density) {
-  detail::require_positive("contact.share", share);
-  detail::require_positive("contact.omega_squared_other", omega_squared_other);
-  detail::require_positive("contact.surface_density", surface_density);
-  return share * omega_squared_other * surface_density;
+double default_contact_stiffness(const StiffnessBudget& budget) {
+  detail::require_positive("contact.stiffness_share", budget.share);
+  detail::require_positive("contact.other_omega_squared", budget.other_omega_squared);
+  detail::require_positive("contact.surface_density", budget.surface_density);
+  detail::require_positive("contact.sphere_radius", budget.sphere_radius);
+  detail::require_positive("contact.effective_mass", budget.effective_mass);
+  detail::require_not_negative("contact.friction", budget.friction);
+  const FrictionFactors factors = friction_factors(budget.friction);
+  // 3/4 of the great circle touch at depth r/2; the turning of the force adds less than the last quarter.
+  const double circle = std::numbers::pi * budget.sphere_radius * budget.sphere_radius;
+  return budget.share * budget.other_omega_squared /
+         (factors.skin / budget.surface_density + factors.sphere * circle / budget.effective_mass);
 }
 
 }  // namespace coupling

@@ -116,6 +116,24 @@ TEST(contact_scene, plate_force_is_the_sum_over_the_nodes_behind_it) {
   EXPECT_NEAR(records.history.plate_force_N / expected, 1.0, 1e-13);  // a few dozen additions of one sign
 }
 
+// The default stiffness never lets contact govern the step by more than its share of the fabric's omega^2.
+TEST(contact_scene, default_stiffness_keeps_contact_within_its_share_of_the_step) {
+  for (const char* name : {"ball_impact", "contact_vent", "passenger_pendulum_no_jet"}) {
+    const auto scene = coupled::scene_of(name, {"scene.end_time=0.03"});
+    driver::State state = driver::make_state(scene);
+    driver::StepRecords records;
+    double largest = 0.0;
+    while (state.time < scene.time.end) {
+      driver::step(scene, state, {}, records);
+      largest = std::max(largest, state.step.shares.contact / state.step.shares.total());
+      state.time += state.step.after;
+      ++state.steps;
+    }
+    EXPECT_LE(largest, 0.5) << name;   // share 1: 1/(1 + 1)
+    EXPECT_GT(largest, 0.01) << name;  // it touches; large elements do so in part only
+  }
+}
+
 // Where contact ends, in a whole run: exit code 3 with stage, time and limit, and the threshold beside it.
 
 TEST(contact_limits, stiffness_past_the_cap_of_a_fixed_step_is_refused_while_it_touches) {

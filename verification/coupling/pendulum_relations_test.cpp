@@ -139,6 +139,7 @@ TEST(Pendulum, bad_input_names_the_field) {
       {"pendulum.cg_distance", [](auto& p) { p.cg_distance = coupling::kNotGiven; }},
       {"pendulum.impactor_distance", [](auto& p) { p.impactor_distance = 0.0; }},
       {"pendulum.impactor_radius", [](auto& p) { p.impactor_radius = -0.041; }},
+      {"pendulum.impactor_radius", [](auto& p) { p.impactor_radius = 1.32; }},
       {"gravity", [](auto& p) { p.gravity.z() = std::numeric_limits<double>::infinity(); }}};
   for (const auto& [field, fault] : faults) {
     PendulumParameters p = scenes::paper_pendulum();

@@ -19,7 +19,7 @@ struct PendulumParameters {
   double inertia_cg = kNotGiven;             // [kg m2] >= 0, about the axis direction through the c.g.
   double cg_distance = kNotGiven;            // [m] >= 0, pivot to c.g.
   double impactor_distance = kNotGiven;      // [m] > 0, pivot to the impactor's centre
-  double impactor_radius = kNotGiven;        // [m] > 0
+  double impactor_radius = kNotGiven;        // [m] > 0, at most impactor_distance
   Eigen::Vector3d gravity = Eigen::Vector3d::Zero();  // [m/s2]
 };
 

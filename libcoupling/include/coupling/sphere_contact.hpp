@@ -130,9 +130,19 @@ class ContactModel {
   ContactParameters parameters_;
 };
 
-// (K.13) Contact stiffness [N/m3] that adds `share` of the other terms' omega^2 [1/s2] to the step's bound:
-// kappa = share omega_other^2 rho h, from sum_q w_q N_a / m_a <= 1/(rho h) with lumped masses of a skin of
-// surface density rho h [kg/m2]. All arguments > 0 and finite, else std::invalid_argument.
-double default_contact_stiffness(double share, double omega_squared_other, double surface_density);
+// What the default stiffness follows from; all > 0 and finite but friction, which may be 0.
+struct StiffnessBudget {
+  double share;                // [-] of other_omega_squared that contact may add to the step's bound
+  double other_omega_squared;  // [1/s2] of the other terms, a lower bound of it over the run
+  double surface_density;      // [kg/m2] rho h, the least of the skin
+  double sphere_radius;        // [m]
+  double effective_mass;       // [kg] of the sphere (K.3)
+  double friction = 0.0;       // [-]
+};
+
+// (K.13) The largest contact stiffness [N/m3] whose omega^2, (K.12) with the turning of its force (K.8),
+// stays within that share wherever one layer of skin lies on the sphere, down to the depth r/2: lumped masses
+// give sum_q w_q N_a / m_a <= 1/(rho h), and the patch is at most 3/4 pi r^2. Throws std::invalid_argument.
+double default_contact_stiffness(const StiffnessBudget& budget);
 
 }  // namespace coupling
