@@ -20,19 +20,38 @@ struct CsvCell {
   std::size_t column;  // 1-based character position
 };
 
+// Where a cell ends: at the next comma, outside quotes.
+std::size_t cell_end(const std::string& line, std::size_t begin) {
+  bool quoted = false;
+  for (; begin < line.size() && (quoted || line[begin] != ','); ++begin)
+    if (line[begin] == '"') quoted = !quoted;
+  return begin;
+}
+
 std::vector<CsvCell> split_row(const std::string& line) {
+  const auto is_blank = [&](std::size_t i) { return line[i] == ' ' || line[i] == '\t' || line[i] == '\r'; };
   std::vector<CsvCell> cells;
   std::size_t begin = 0;
   while (begin <= line.size()) {
-    const std::size_t end = std::min(line.find(',', begin), line.size());
+    const std::size_t end = cell_end(line, begin);
     std::size_t first = begin, last = end;
-    while (first < last && (line[first] == ' ' || line[first] == '\t')) ++first;
-    while (last > first && (line[last - 1] == ' ' || line[last - 1] == '\t' || line[last - 1] == '\r'))
-      --last;
+    const auto trim = [&] {
+      while (first < last && is_blank(first)) ++first;
+      while (last > first && is_blank(last - 1)) --last;
+    };
+    trim();
+    if (last - first >= 2 && line[first] == '"' && line[last - 1] == '"') {
+      ++first, --last;
+      trim();
+    }
     cells.push_back({line.substr(first, last - first), first + 1});
     begin = end + 1;
   }
   return cells;
+}
+
+bool holds_nothing(const std::string& line) {
+  return line.empty() || line[0] == '#' || line == "\r";
 }
 
 [[noreturn]] void fail_at(const std::filesystem::path& file, std::size_t line, std::size_t column,
@@ -74,6 +93,18 @@ void CsvTable::fail(std::size_t column, std::size_t row, const std::string& mess
   fail_at(file, lines[row], positions[column][row], names[column] + ": " + message);
 }
 
+CsvHeader read_csv_header(const std::filesystem::path& file) {
+  std::istringstream stream(read_text(file));
+  CsvHeader header;
+  for (std::string line; std::getline(stream, line);) {
+    ++header.line;
+    if (holds_nothing(line)) continue;
+    for (const auto& cell : split_row(line)) header.names.push_back(cell.text);
+    return header;
+  }
+  throw CaseError(fmt::format("{}:1:1: has no header row", file.string()));
+}
+
 CsvTable read_csv(const std::filesystem::path& file, const std::vector<std::string>& names) {
   std::istringstream stream(read_text(file));
   const std::size_t count = names.size();
@@ -83,7 +114,7 @@ CsvTable read_csv(const std::filesystem::path& file, const std::vector<std::stri
   std::size_t line_number = 0;
   for (std::string line; std::getline(stream, line);) {
     ++line_number;
-    if (line.empty() || line[0] == '#' || line == "\r") continue;
+    if (holds_nothing(line)) continue;
     const auto row = split_row(line);
     if (indices.empty()) {
       indices = find_columns(row, table, line_number);

@@ -22,9 +22,17 @@ struct CsvTable {
   [[noreturn]] void fail(std::size_t column, std::size_t row, const std::string& message) const;
 };
 
-/// Reads a CSV file with a header row; `#` lines and empty lines are skipped. Throws CaseError at the place
-/// of the fault for a file that cannot be read, a missing column or cell, and a cell that is no finite
-/// number.
+struct CsvHeader {
+  std::size_t line = 0;  // 1-based
+  std::vector<std::string> names;
+};
+
+/// Names in the header row. Throws CaseError when the file cannot be read or has none.
+CsvHeader read_csv_header(const std::filesystem::path& file);
+
+/// Reads a CSV file with a header row; `#` lines and empty lines are skipped, quotes around a cell taken off.
+/// Throws CaseError at the place of the fault for a file that cannot be read, a missing column or cell, and a
+/// cell that is no finite number.
 CsvTable read_csv(const std::filesystem::path& file, const std::vector<std::string>& names);
 
 }  // namespace driver

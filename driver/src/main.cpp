@@ -33,6 +33,7 @@ struct Arguments {
   MeshArguments mesh;
   ExactArguments exact;
   IdentifyArguments identify;
+  CompareArguments compare;
 };
 
 void add_run(CLI::App& app, Arguments& all) {
@@ -112,7 +113,8 @@ void add_identify(CLI::App& app, IdentifyArguments& a) {
       ->check(CLI::IsMember({"average", "dual"}));
   c->add_option("--volume", a.volume, "volume of the tank [m3]")->required();
   c->add_option("--mass", a.mass, "total mass that the inflator delivers [kg]")->required();
-  c->add_option("--gas", a.gas, "what it delivers: NAME, air or NAME=FRACTION,... (N2=0.7,CO2=0.3)")->required();
+  c->add_option("--gas", a.gas, "what it delivers: NAME, air or NAME=FRACTION,... (N2=0.7,CO2=0.3)")
+      ->required();
   add("--tank-gas", a.tank_gas, "what the tank holds before firing");
   add("--by", a.by, "fractions by")->check(CLI::IsMember({"mass", "mole"}));
   add("--thermodynamics", a.thermodynamics, "cp")->check(CLI::IsMember({"nasa7", "constant"}));
@@ -125,12 +127,26 @@ void add_identify(CLI::App& app, IdentifyArguments& a) {
   add("--draws", a.draws, "random draws behind the 95 % bands");
 }
 
+void add_compare(CLI::App& app, CompareArguments& a) {
+  auto* c = app.add_subcommand("compare", "difference of two histories against the reference's error band");
+  c->add_option("MINE", a.mine, "history to judge")->required();
+  c->add_option("REFERENCE", a.reference, "history (CSV) with a column <name>_band for each band")
+      ->required();
+  c->add_option("--map", a.map, "names, units and offsets of MINE's columns (TOML)");
+  c->add_option("--columns", a.columns, "quantities to compare, separated by commas; all by default")
+      ->delimiter(',')
+      ->allow_extra_args(false);
+  c->add_option("--rows", a.rows, "CSV file to write: both histories and the band at the common times");
+  c->add_option("--format", a.format, "text or json")->check(CLI::IsMember({"text", "json"}));
+}
+
 int dispatch(const CLI::App& app, const Arguments& all) {
   if (app.got_subcommand("run")) return run(all.run);
   if (app.got_subcommand("check")) return check(all.check);
   if (app.got_subcommand("ensemble")) return ensemble(all.ensemble);
   if (app.got_subcommand("mesh")) return dispatch_mesh(*app.get_subcommand("mesh"), all.mesh);
   if (app.got_subcommand("identify")) return identify(all.identify);
+  if (app.got_subcommand("compare")) return compare(all.compare);
   return exact(all.exact);
 }
 
@@ -153,6 +169,7 @@ int main(int argc, char** argv) {
   add_mesh(app, all.mesh);
   add_others(app, all);
   add_identify(app, all.identify);
+  add_compare(app, all.compare);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

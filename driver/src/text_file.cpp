@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <fstream>
 
 #include "driver/case_reader.hpp"
@@ -16,9 +17,12 @@ std::string read_text(const std::filesystem::path& file) {
   std::ifstream stream(file, std::ios::binary);
   if (!stream) throw CaseError(fmt::format("{}: no such file, or not readable", file.string()));
   constexpr std::size_t most = 64u << 20;  // no input file is longer; a device may never end
-  std::string text(most + 1, '\0');
-  stream.read(text.data(), static_cast<std::streamsize>(text.size()));
-  text.resize(static_cast<std::size_t>(stream.gcount()));
+  std::string text;
+  std::array<char, 1u << 16> chunk;
+  do {
+    stream.read(chunk.data(), chunk.size());
+    text.append(chunk.data(), static_cast<std::size_t>(stream.gcount()));
+  } while (stream && text.size() <= most);
   if (text.size() > most) throw CaseError(fmt::format("{}: is longer than 64 MiB", file.string()));
   return text;
 }

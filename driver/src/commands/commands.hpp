@@ -12,8 +12,10 @@
 namespace driver::commands {
 
 inline constexpr int exit_done = 0;
+inline constexpr int exit_outside = 1;        // compare: outside the reference's band
 inline constexpr int exit_input = 2;          // the command line or an input is wrong; nothing written
 inline constexpr int exit_domain = 3;         // the computation left its domain; what was computed is kept
+inline constexpr int exit_undecided = 4;      // compare: neither inside nor outside can be said
 inline constexpr int exit_interrupted = 130;  // Ctrl-C, as shells report it; what was computed is kept
 
 struct CaseArguments {
@@ -63,6 +65,15 @@ struct ExactArguments {
   std::string format = "csv";
 };
 int exact(const ExactArguments& arguments);
+
+struct CompareArguments {
+  std::filesystem::path mine, reference;
+  std::filesystem::path map;         // of mine's columns, or empty
+  std::vector<std::string> columns;  // to compare; empty: all of the reference
+  std::filesystem::path rows;        // CSV of what was compared, or empty
+  std::string format = "text";       // or "json"
+};
+int compare(const CompareArguments& arguments);
 
 struct IdentifyArguments {
   std::filesystem::path file;

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: Apache-2.0
+// Difference of two histories against the reference's error band.
+#include "driver/compare.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "commands.hpp"
+#include "driver/results.hpp"
+
+namespace driver::commands {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+const char* name_of(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::inside:
+      return "inside";
+    case Verdict::outside:
+      return "outside";
+    case Verdict::undecided:
+      return "undecided";
+    case Verdict::not_judged:
+      break;
+  }
+  return "not judged";
+}
+
+int exit_code(Verdict verdict) {
+  return verdict == Verdict::inside ? exit_done : verdict == Verdict::outside ? exit_outside : exit_undecided;
+}
+
+void print_text(const CompareArguments& a, const Difference& difference) {
+  fmt::print("{} against {}", a.mine.string(), a.reference.string());
+  if (!difference.time.empty())
+    fmt::print(": {} times from {:.6g} to {:.6g} s", difference.time.size(), difference.time.front(),
+               difference.time.back());
+  fmt::print("\n{:34} {:>10} {:>10} {:>10} {:>9} {:>8} {:>10} {:>12} {:>9} {:>12} {:>9}  {}\n", "quantity",
+             "max error", "at [s]", "L2 error", "relative", "of band", "lag [s]", "peak", "at [s]",
+             "reference", "at [s]", "verdict");
+  for (const auto& q : difference.quantities) {
+    if (q.values.empty()) {
+      fmt::print("{:34} {}: {}\n", q.name, name_of(q.verdict), q.reason);
+      continue;
+    }
+    fmt::print(
+        "{:34} {:10.4g} {:10.4g} {:10.4g} {:9.2e} {:>8} {:>10} {:12.6g} {:9.4g} {:12.6g} {:9.4g}  {}{}\n",
+        q.name, q.largest.value, q.largest.time, q.l2, q.relative,
+        q.band.empty() ? "-" : fmt::format("{:.3g}", q.share_of_band),
+        q.phase_lag ? fmt::format("{:.3g}", *q.phase_lag) : "-", q.mine.value, q.mine.time, q.reference.value,
+        q.reference.time, name_of(q.verdict), q.reason.empty() ? "" : ": " + q.reason);
+  }
+  fmt::print("{}{}\n", name_of(difference.verdict),
+             difference.reason.empty() ? "" : ": " + difference.reason);
+}
+
+Json to_json(const Peak& peak) {
+  return {{"value", peak.value}, {"time_s", peak.time}};
+}
+
+Json to_json(const QuantityDifference& q) {
+  Json json{{"verdict", name_of(q.verdict)}, {"reason", q.reason}};
+  if (q.values.empty()) return json;
+  json["max_error"] = to_json(q.largest);
+  json["l2_error"] = q.l2;
+  json["relative_error"] = q.relative;
+  if (!q.band.empty())
+    json["share_of_band"] = std::isfinite(q.share_of_band) ? Json(q.share_of_band) : Json();
+  json["phase_lag_s"] = q.phase_lag ? Json(*q.phase_lag) : Json();
+  json["peak"] = to_json(q.mine);
+  json["reference_peak"] = to_json(q.reference);
+  return json;
+}
+
+void print_json(const CompareArguments& a, const Difference& difference) {
+  Json json{{"mine", a.mine.string()},
+            {"reference", a.reference.string()},
+            {"verdict", name_of(difference.verdict)},
+            {"reason", difference.reason},
+            {"rows", difference.time.size()},
+            {"quantities", Json::object()}};
+  for (const auto& q : difference.quantities) json["quantities"][q.name] = to_json(q);
+  fmt::print("{}\n", json.dump(2));
+}
+
+void write_rows(const std::filesystem::path& file, const Difference& difference) {
+  std::ofstream stream(file);
+  if (!stream) throw OutputError(fmt::format("--rows {}: not writable", file.string()));
+  stream << "time_s";
+  for (const auto& q : difference.quantities) {
+    if (q.values.empty()) continue;
+    stream << ',' << q.name << ',' << q.name << "_reference";
+    if (!q.band.empty()) stream << ',' << q.name << band_suffix;
+  }
+  for (std::size_t i = 0; i < difference.time.size(); ++i) {
+    stream << fmt::format("\n{}", difference.time[i]);
+    for (const auto& q : difference.quantities) {
+      if (q.values.empty()) continue;
+      stream << fmt::format(",{},{}", q.values[i], q.expected[i]);
+      if (!q.band.empty()) stream << fmt::format(",{}", q.band[i]);
+    }
+  }
+  stream << '\n';
+  stream.flush();
+  if (!stream) throw WriteError(fmt::format("{}: write failed (disk full?)", file.string()));
+}
+
+}  // namespace
+
+int compare(const CompareArguments& a) {
+  const Difference difference =
+      driver::compare(read_history(a.mine, a.map), read_history(a.reference), a.columns);
+  if (!a.rows.empty()) write_rows(a.rows, difference);
+  a.format == "json" ? print_json(a, difference) : print_text(a, difference);
+  return exit_code(difference.verdict);
+}
+
+}  // namespace driver::commands

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+// A signal given at rising times: interpolation that knows its own error, means over time.
+#pragma once
+
+#include <span>
+
+namespace driver {
+
+struct Sample {
+  double value = 0.0;  // linear between the neighbours; the end value beyond the ends
+  double doubt = 0.0;  // |linear - cubic through two neighbours on each side|, 0 at a sample
+};
+
+/// Of 3 samples or more. At the ends the cubic has its neighbours on one side.
+Sample interpolate(std::span<const double> time, std::span<const double> values, double t);
+
+/// sqrt(int v^2 dt / T) by the trapezoidal rule; of one row its magnitude.
+double root_mean_square(std::span<const double> time, std::span<const double> values);
+
+}  // namespace driver

@@ -1,0 +1,33 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
+# Plots what `gasjet compare --rows` wrote: each quantity of mine and of the reference against time, the
+# reference's band in grey where it states one.
+# usage: scripts/plot_compare.sh OUT ROWS.csv; writes OUT.svg and OUT.png
+set -euo pipefail
+# shellcheck source-path=SCRIPTDIR source=plot_common.sh
+source "$(dirname "${BASH_SOURCE[0]}")/plot_common.sh"
+
+# quantities: names of the columns that have a column <name>_reference
+quantities() {
+  awk -F, '/^#/ { next } { for (i = 1; i <= NF; i++) there[$i]; for (i = 1; i <= NF; i++) if ($i "_reference" in there) print $i; exit }' "$table"
+}
+
+panel() {
+  local name=$1 band=
+  if has_column "$table" "${name}_band"; then
+    band="'$table' using (1e3*column('time_s')):(column('${name}_reference')-column('${name}_band')):(column('${name}_reference')+column('${name}_band')) with filledcurves fillcolor 'gray80' title 'band', "
+  fi
+  cat <<END
+set ylabel '${name//_/ }'
+plot $band'$table' using (1e3*column('time_s')):(column('$name')) with lines linestyle 1 title 'mine', \
+  '' using (1e3*column('time_s')):(column('${name}_reference')) with lines linestyle 2 title 'reference'
+END
+}
+
+(($# == 2)) || fail "usage: plot_compare.sh OUT ROWS.csv"
+table=$2
+[[ -f $table ]] || fail "no file $table"
+has_column "$table" time_s || fail "$table: no column time_s"
+mapfile -t names < <(quantities)
+((${#names[@]})) || fail "$table: no column with a column <name>_reference beside it"
+for name in "${names[@]}"; do panel "$name"; done | render "$1" "${#names[@]}"
