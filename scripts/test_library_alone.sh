@@ -2,16 +2,16 @@
 # SPDX-License-Identifier: Apache-2.0
 # Proves that one library stands alone: configures, builds and installs a copy of it that has no other library
 # beside it, then compiles and runs the first ```cpp block of its README against the installed package.
-# usage: scripts/test_library_alone.sh NAME [SCRATCH_FOLDER]   (NAME: gas, membrane, jet, coupling)
+# usage: scripts/test_library_alone.sh NAME [SCRATCH_FOLDER]   (NAME: gas, membrane, jet, coupling, closed_form)
 # A given scratch folder is kept, so that a second call builds incrementally.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 max_example_lines=20
 
 name=${1:?usage: test_library_alone.sh NAME [SCRATCH_FOLDER]}
-library=$root/lib$name
-if [[ ! -f $library/CMakeLists.txt ]]; then
-  echo "test_library_alone.sh: no library lib$name" >&2
+library=$([[ $name == closed_form ]] && echo verification/closed_form || echo "lib$name") # its folder in the tree
+if [[ ! -f $root/$library/CMakeLists.txt ]]; then
+  echo "test_library_alone.sh: no library $library" >&2
   exit 2
 fi
 if [[ $# -ge 2 ]]; then
@@ -26,13 +26,14 @@ scratch=$(cd "$scratch" && pwd)
 # The copy keeps file times, so that an unchanged library is not compiled again.
 copy_sources() {
   rm -rf "$scratch/source" "$scratch/prefix" "$scratch/consumer"
-  mkdir -p "$scratch/source" "$scratch/consumer"
-  cp -a "$library" "$root/cmake" "$scratch/source"
+  mkdir -p "$scratch/source/$(dirname "$library")" "$scratch/consumer"
+  cp -a "$root/$library" "$scratch/source/$library"
+  cp -a "$root/cmake" "$scratch/source"
 }
 
 # Without optimisation: whether it stands alone does not depend on it.
 build_and_install() {
-  cmake -S "$scratch/source/lib$name" -B "$scratch/build" -G Ninja -DCMAKE_BUILD_TYPE=Debug \
+  cmake -S "$scratch/source/$library" -B "$scratch/build" -G Ninja -DCMAKE_BUILD_TYPE=Debug \
     -DCMAKE_CXX_FLAGS_DEBUG=-O0 -DCMAKE_INSTALL_PREFIX="$scratch/prefix" -DGASJET_WERROR=ON
   cmake --build "$scratch/build" -j 2
   cmake --install "$scratch/build"
@@ -40,11 +41,11 @@ build_and_install() {
 
 extract_example() {
   awk '/^```/ { if (inside) exit; if ($0 == "```cpp") { inside = 1; next } } inside' \
-    "$library/README.md" >"$scratch/consumer/example.cpp"
+    "$root/$library/README.md" >"$scratch/consumer/example.cpp"
   local lines
   lines=$(wc -l <"$scratch/consumer/example.cpp")
   if ((lines == 0 || lines > max_example_lines)); then
-    echo "lib$name/README.md: the first \`\`\`cpp block has $lines lines; allowed: 1 to $max_example_lines" >&2
+    echo "$library/README.md: the first \`\`\`cpp block has $lines lines; allowed: 1 to $max_example_lines" >&2
     exit 1
   fi
 }
@@ -60,7 +61,7 @@ END
   cmake -S "$scratch/consumer" -B "$scratch/consumer/build" -G Ninja -DCMAKE_BUILD_TYPE=Release \
     -DCMAKE_PREFIX_PATH="$scratch/prefix"
   cmake --build "$scratch/consumer/build"
-  echo "--- output of the example of lib$name/README.md"
+  echo "--- output of the example of $library/README.md"
   (cd "$scratch/consumer" && build/example)
 }
 

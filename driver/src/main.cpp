@@ -96,7 +96,8 @@ void add_others(CLI::App& app, Arguments& all) {
   exact->add_flag("--list", all.exact.list, "the catalogue");
   exact->add_option("--set", all.exact.parameters, "name=value")->allow_extra_args(false);
   exact->add_option("--times", all.exact.times, "abscissae, first:last:step");
-  exact->add_option("--format", all.exact.format, "csv or json")->check(CLI::IsMember({"csv", "json"}));
+  exact->add_option("--format", all.exact.format, "csv or json; of --list also markdown")
+      ->check(CLI::IsMember({"csv", "json", "markdown"}));
 }
 
 void add_identify(CLI::App& app, IdentifyArguments& a) {

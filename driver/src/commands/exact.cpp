@@ -27,8 +27,9 @@ closed_form::ParameterMap parse_parameters(const std::vector<std::string>& texts
   for (const auto& text : texts) {
     const auto equals = text.find('=');
     if (equals == std::string::npos) throw CaseError(fmt::format("--set {}: name=value is expected", text));
-    parameters[text.substr(0, equals)] =
-        parse_number(std::string_view(text).substr(equals + 1), "--set " + text);
+    const double value = parse_number(std::string_view(text).substr(equals + 1), "--set " + text);
+    if (!parameters.emplace(text.substr(0, equals), value).second)
+      throw CaseError(fmt::format("--set {}: {} is given twice", text, text.substr(0, equals)));
   }
   return parameters;
 }
@@ -65,6 +66,27 @@ void print_list() {
   }
 }
 
+// The catalogue page of the documentation.
+void print_page() {
+  fmt::print(
+      "# Closed forms\n\n"
+      "Printed by `gasjet exact --list --format markdown`. `gasjet exact NAME --set parameter=value --times "
+      "0:0.3:1e-3` "
+      "prints one of\nthem as CSV or JSON (`--format`); SI units; the digits are those that are correct. "
+      "Parameters "
+      "outside their validity are refused.\n");
+  std::string family;
+  for (const auto& entry : closed_form::catalogue()) {
+    if (entry.family != family) fmt::print("\n## {}\n", family = entry.family);
+    fmt::print("\n**`{}`**: {}\n\n    {}\n\n", entry.name, entry.title, entry.equation);
+    fmt::print("- columns: `{}`\n", fmt::join(entry.columns, "`, `"));
+    for (const auto& p : entry.parameters)
+      fmt::print("- `{}`{} [{}], {}: {}\n", p.name, p.symbol.empty() ? "" : fmt::format(" (`{}`)", p.symbol),
+                 p.unit, p.default_value ? fmt::format("{}", *p.default_value) : "required", p.meaning);
+    fmt::print("- validity: {}; {} digits; source: {}\n", entry.validity, entry.digits, entry.source);
+  }
+}
+
 void print_csv(const closed_form::Entry& entry, const closed_form::ParameterMap& parameters,
                const closed_form::Table& table) {
   fmt::print("# name: {}\n# equation: {}\n# source: {}\n# validity: {}\n# digits: {}\n", entry.name,
@@ -87,9 +109,11 @@ void print_json(const closed_form::Entry& entry, const closed_form::ParameterMap
 
 int exact(const ExactArguments& arguments) {
   if (arguments.list) {
-    print_list();
+    arguments.format == "markdown" ? print_page() : print_list();
     return exit_done;
   }
+  if (arguments.format == "markdown")
+    throw CaseError("--format markdown: prints --list only; csv or json is allowed");
   if (arguments.name.empty()) throw CaseError("exact: a NAME is needed; `gasjet exact --list` prints them");
   try {
     const auto& entry = closed_form::find_entry(arguments.name);

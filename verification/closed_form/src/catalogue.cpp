@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 #include <stdexcept>
 
 #include "entries.hpp"
@@ -10,23 +11,33 @@
 namespace closed_form {
 namespace {
 
+struct Family {
+  const char* name;
+  void (*add)(std::vector<Entry>&);
+};
+constexpr Family families[] = {{"gas", entries::add_tanks},
+                               {"gas", entries::add_tank_tests},
+                               {"gas", entries::add_tank_test_readings},
+                               {"outflow", entries::add_outflow},
+                               {"outflow", entries::add_emptying_tanks},
+                               {"outflow", entries::add_exchanging_tanks},
+                               {"membrane", entries::add_inflated_shapes},
+                               {"membrane", entries::add_tension_and_waves},
+                               {"membrane", entries::add_weave},
+                               {"stability", entries::add_stability},
+                               {"jet", entries::add_jets},
+                               {"jet", entries::add_jet_targets},
+                               {"jet", entries::add_shadows},
+                               {"pendulum", entries::add_pendulum},
+                               {"coupled", entries::add_contact_and_coupled}};
+
 std::vector<Entry> build() {
   std::vector<Entry> list;
-  entries::add_tanks(list);
-  entries::add_tank_tests(list);
-  entries::add_tank_test_readings(list);
-  entries::add_outflow(list);
-  entries::add_emptying_tanks(list);
-  entries::add_exchanging_tanks(list);
-  entries::add_inflated_shapes(list);
-  entries::add_tension_and_waves(list);
-  entries::add_weave(list);
-  entries::add_stability(list);
-  entries::add_jets(list);
-  entries::add_jet_targets(list);
-  entries::add_shadows(list);
-  entries::add_pendulum(list);
-  entries::add_contact_and_coupled(list);
+  for (const Family& family : families) {
+    const std::size_t first = list.size();
+    family.add(list);
+    for (std::size_t i = first; i < list.size(); ++i) list[i].family = family.name;
+  }
   return list;
 }
 
@@ -56,6 +67,14 @@ std::vector<double> row(const Entry& entry, const ParameterMap& parameters, doub
       throw std::invalid_argument(entry.name + ": " + entry.columns.at(i) +
                                   " is not finite at these parameters");
   return values;
+}
+
+// A refusal may speak of what was derived from a parameter: say which ones were given.
+std::string given_values(const ParameterMap& given) {
+  std::ostringstream text;
+  for (const auto& [name, value] : given)
+    text << (text.str().empty() ? "; given: " : ", ") << name << " = " << value;
+  return text.str();
 }
 
 }  // namespace
@@ -95,18 +114,19 @@ ParameterMap complete_parameters(const Entry& entry, const ParameterMap& given) 
 
 Table evaluate(const Entry& entry, const ParameterMap& given, std::span<const double> abscissae) {
   const ParameterMap parameters = complete_parameters(entry, given);
+  if (!entry.has_abscissa() && !abscissae.empty())
+    throw std::invalid_argument(entry.name + ": has no abscissa: one row, no list of values");
+  const std::vector<double> one_row{0.0};
+  const std::span<const double> own(entry.has_abscissa() ? entry.default_abscissae : one_row);
   Table table{entry.columns, {}};
-  if (!entry.has_abscissa()) {
-    if (!abscissae.empty())
-      throw std::invalid_argument(entry.name + ": has no abscissa: one row, no list of values");
-    table.rows.push_back(row(entry, parameters, 0.0));
-    return table;
-  }
-  const std::span<const double> own(entry.default_abscissae);
   for (const double x : abscissae.empty() ? own : abscissae) {
     if (!std::isfinite(x))
       throw std::invalid_argument(entry.name + ": " + entry.columns.front() + " must be a finite number");
-    table.rows.push_back(row(entry, parameters, x));
+    try {
+      table.rows.push_back(row(entry, parameters, x));
+    } catch (const std::invalid_argument& error) {
+      throw std::invalid_argument(error.what() + given_values(given));
+    }
   }
   return table;
 }

@@ -20,7 +20,8 @@ class CatalogueEntry : public testing::TestWithParam<std::size_t> {
 TEST_P(CatalogueEntry, is_complete_and_evaluates) {
   const Entry& e = entry();
   SCOPED_TRACE(e.name);
-  for (const std::string* text : {&e.title, &e.equation, &e.source, &e.validity}) EXPECT_FALSE(text->empty());
+  for (const std::string* text : {&e.title, &e.family, &e.equation, &e.source, &e.validity})
+    EXPECT_FALSE(text->empty());
   EXPECT_GE(e.digits, 2);
   EXPECT_LE(e.digits, 17);
   std::set<std::string> names;
@@ -55,6 +56,21 @@ TEST_P(CatalogueEntry, every_parameter_reaches_its_formula) {
     if (e.name == "vented_fill_steady" && p.name == "ambient_pressure") continue;  // a validity limit only
     EXPECT_NE(evaluate(e, {{p.name, changed_value(e, p)}}).rows, reference.rows) << e.name << "." << p.name;
   }
+}
+
+// Whatever is asked, the answer is a refusal that names the parameter, or numbers.
+TEST_P(CatalogueEntry, extreme_parameters_are_refused_by_name_or_give_numbers) {
+  const Entry& e = entry();
+  for (const Parameter& p : e.parameters)
+    for (const double value : {0.0, -1.0, -*p.default_value, 1e300, -1e300, 1e-300}) {
+      try {
+        for (const auto& row : evaluate(e, {{p.name, value}}).rows)
+          for (const double x : row) EXPECT_TRUE(std::isfinite(x)) << p.name << " = " << value;
+      } catch (const std::invalid_argument& error) {
+        const std::string message = error.what();
+        EXPECT_NE(message.find(p.name), std::string::npos) << p.name << " = " << value << ": " << message;
+      }
+    }
 }
 
 INSTANTIATE_TEST_SUITE_P(All, CatalogueEntry, testing::Range(std::size_t{0}, catalogue().size()),

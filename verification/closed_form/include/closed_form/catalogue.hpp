@@ -35,6 +35,7 @@ struct Entry {
   std::vector<double> default_abscissae;  // empty: the entry has no abscissa and one row
   /// Values of columns (without the abscissa) at one abscissa; the map is complete.
   std::function<std::vector<double>(const ParameterMap&, double abscissa)> values;
+  std::string family = {};  // gas, outflow, membrane, stability, jet, pendulum or coupled
 
   bool has_abscissa() const { return !default_abscissae.empty(); }
 };
@@ -55,8 +56,8 @@ const Entry& find_entry(std::string_view name);
 ParameterMap complete_parameters(const Entry& entry, const ParameterMap& given);
 
 /// Rows at abscissae (empty: the entry's own). std::invalid_argument for abscissae given to an entry without
-/// one, for bad parameters as above, and for out-of-validity values as the closed form itself says; never a
-/// NaN out.
+/// one, for bad parameters as above, and for out-of-validity values as the closed form itself says, with the
+/// parameters that were given; never a NaN out.
 Table evaluate(const Entry& entry, const ParameterMap& given = {}, std::span<const double> abscissae = {});
 
 }  // namespace closed_form

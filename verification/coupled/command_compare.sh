@@ -1,0 +1,31 @@
+# SPDX-License-Identifier: Apache-2.0
+# shellcheck shell=bash disable=SC2154
+# Parts of command_test.sh (sourced): histories against references.
+
+part_compare() {
+  local mine=$work/tank/history.csv reference=$work/reference.csv rows=$work/rows.csv
+  "$gasjet" run "$source/cases/rigid_tank.toml" --out "$work/tank" --quiet || fail "run"
+  # Bands of the closed form: eps x 100 steps of a number of order 1e5 and 1e3.
+  with_bands() { awk -F, -v p="$1" -v T="$2" '/^#/ { print; next } !n++ { print $0 ",pressure_Pa_band,temperature_K_band"; next } { print $0 "," p "," T }'; }
+  "$gasjet" exact tank_fill --times 0:0.1:0.01 | with_bands 2e-8 2e-10 >"$reference"
+  expect 0 "^inside" "$gasjet" compare "$mine" "$reference" --rows "$rows"
+  [ "$(grep -c . "$rows")" = 12 ] && grep -q '^time_s,pressure_Pa,pressure_Pa_reference,pressure_Pa_band,temperature_K' "$rows" ||
+    fail "rows: $(head -2 "$rows")"
+  expect 0 '"phase_lag_s": 0.0' "$gasjet" compare "$mine" "$reference" --format json
+  # Time in ms and pressure in bar above ambient, brought back by a map; without it there are no such columns.
+  awk -F, '/^#/ { next } !n++ { print "ms,bar"; next } { printf "%.17g,%.17g\n", 1e3 * $1, ($2 - 101325) / 1e5 }' "$mine" >"$work/foreign.csv"
+  printf 'format = "csv"\n[time]\ncolumn = "ms"\nscale = 1e-3\n[[quantity]]\nname = "pressure_Pa"\ncolumn = "bar"\nscale = 1e5\noffset = 101325\n' >"$work/map.toml"
+  expect 0 "^inside" "$gasjet" compare "$work/foreign.csv" "$reference" --map "$work/map.toml" --columns pressure_Pa
+  expect 4 "undecided: temperature_K: mine does not have it" "$gasjet" compare "$work/foreign.csv" "$reference" --map "$work/map.toml"
+  expect 2 "time_s: no such column" "$gasjet" compare "$work/foreign.csv" "$reference"
+  # Outside, and no band to be inside of.
+  "$gasjet" exact tank_fill --times 0:0.1:0.01 --set mass_flow=1.0001 | with_bands 2e-8 2e-10 >"$work/other.csv"
+  expect 1 "^outside: pressure_Pa: 10 of 11 rows outside" "$gasjet" compare "$mine" "$work/other.csv"
+  expect 1 '"verdict": "outside"' "$gasjet" compare "$mine" "$work/other.csv" --format json
+  expect 4 "^undecided: the reference states no band" "$gasjet" compare "$mine" "$mine"
+  expect 2 "--columns volume_m3" "$gasjet" compare "$mine" "$reference" --columns volume_m3
+  expect 2 "no such file" "$gasjet" compare "$work/none.csv" "$reference"
+  expect 2 "no such file" "$gasjet" compare "$mine" "$reference" --map "$work/none.toml"
+  expect 2 "not writable" "$gasjet" compare "$mine" "$reference" --rows "$work/nowhere/rows.csv"
+  expect 2 "required" "$gasjet" compare "$mine"
+}
