@@ -124,11 +124,33 @@ Entry sphere_fill_entry() {
           }};
 }
 
+Entry pressed_balloon_entry() {
+  return {"pressed_balloon",
+          "Inflated elastic sphere pressed between two rigid spheres, over the patch's angle",
+          "F = (p + 2 T/r) pi a^2; StVK equilibrium by shooting",
+          "derived here (after Feng and Yang 1973)",
+          "frictionless, taut; indenter at least as large as the sphere",
+          9,
+          joined({sheet_parameters(false),
+                  {{"radius", "R0", "m", 0.3, "unstretched radius"},
+                   {"overpressure", "p", "Pa", 2e4, "overpressure"},
+                   {"indenter_radius", "r", "m", 0.6, "radius of the indenters"}}}),
+          {"patch_angle_rad", "contact_force_N", "centre_height_m", "patch_area_m2", "pole_stretch",
+           "strain_energy_J", "volume_m3"},
+          range(0.05, 0.5, 9),
+          [](const ParameterMap& v, double angle) {
+            const BalloonPress b = pressed_balloon(
+                {{sheet_of(v, false), get(v, "radius")}, get(v, "overpressure"), get(v, "indenter_radius")},
+                angle);
+            return Row{b.force, b.centre_height, b.patch_area, b.pole_stretch, b.strain_energy, b.volume};
+          }};
+}
+
 }  // namespace
 
 void add_contact_and_coupled(std::vector<Entry>& list) {
   for (Entry (*entry)() : {sphere_cut_entry, sphere_contact_entry, bounce_entry, gas_piston_entry,
-                           pendulum_gas_spring_entry, sphere_fill_entry})
+                           pendulum_gas_spring_entry, sphere_fill_entry, pressed_balloon_entry})
     list.push_back(entry());
 }
 

@@ -73,11 +73,62 @@ TEST(ClosedFormCoupled, sphere_fill_is_a_rigid_tank_when_stiff) {
   expect_relative(s.pressure, tank.pressure, 1e-6);
 }
 
+PressedBalloon pressed(double indenter_radius) {
+  return {{paper_fabric(), 0.3}, 2e4, indenter_radius};
+}
+
+// The potential U - p V falls by what the indenters' forces do on their way.
+TEST(ClosedFormCoupled, force_on_a_pressed_balloon_eq_slope_of_its_potential) {
+  for (const double indenter : {0.3, 3.0, 300.0})
+    for (const double angle : {0.05, 0.2, 0.5}) {
+      const PressedBalloon scene = pressed(indenter);
+      const double step = 2e-3 * angle;
+      const BalloonPress less = pressed_balloon(scene, angle - step),
+                         more = pressed_balloon(scene, angle + step);
+      const double potential =
+          more.strain_energy - less.strain_energy - scene.overpressure * (more.volume - less.volume);
+      const double slope = -potential / (more.centre_height - less.centre_height);
+      // Central difference: (2e-3)^2 = 4e-6 of the curves' bend over their size. The integration's 1e-13 of
+      // 3 kJ is 1e-7 of the smallest difference of potentials, 6 mJ.
+      expect_relative(2.0 * pressed_balloon(scene, angle).force, slope, 1e-5);
+    }
+}
+
+TEST(ClosedFormCoupled, force_on_a_balloon_eq_patch_times_pressure_under_a_plate) {
+  for (const double angle : {0.02, 0.3, 0.5}) {
+    const BalloonPress plate = pressed_balloon(pressed(3e5), angle);
+    // What is left, 2 T/(p r), is the stretched balloon's radius over the indenter's, 1e-6, or less.
+    expect_relative(plate.force, 2e4 * plate.patch_area, 1.1e-6);
+  }
+}
+
+// A small patch leaves the tension at p R/2: F = p (1 + R/r) pi a^2 with the radius R of the inflated
+// balloon, but for a term of the order of angle^2 times its logarithm.
+TEST(ClosedFormCoupled, force_on_a_small_patch_eq_pressure_and_tension_over_it) {
+  const double radius = 0.3 * stretched_sphere({paper_fabric(), 0.3}, 2e4).stretch;
+  for (const double indenter : {0.3, 3.0}) {
+    const auto left = [&](double angle) {
+      const BalloonPress b = pressed_balloon(pressed(indenter), angle);
+      const double limit = 2e4 * (1.0 + radius / indenter) * b.patch_area;
+      return (b.force / limit - 1.0) / (angle * angle * std::log(angle));
+    };
+    EXPECT_LT(std::abs(left(2e-3)), 5.0);            // of 1e-5
+    EXPECT_NEAR(left(1e-2) / left(2e-3), 1.0, 0.2);  // the next term lacks the logarithm, 1/5 of this one
+  }
+}
+
 TEST(ClosedFormCoupled, bad_parameters_are_refused_by_name) {
   expect_refused([] { gas_piston_frequency({}); }, "mass");
   expect_refused([] { pendulum_gas_spring_frequency({{}, paper_pendulum()}); }, "pressure");
   expect_refused([] { sphere_fill({{}, {paper_fabric(), 0.3}}, 1.1); }, "inflow_temperature");
   expect_refused([] { sphere_fill({{}, {paper_fabric(), 0.3}, 1e5, 700.0}, 0.9); }, "stretch");
+  expect_refused([] { pressed_balloon({{paper_fabric(), 0.3}, 2e4}, 0.1); }, "indenter_radius");
+  expect_refused([] { pressed_balloon(pressed(0.2), 0.1); }, "indenter_radius");
+  expect_refused([] { pressed_balloon({{paper_fabric(), 0.3}, 0.0, 0.3}, 0.1); }, "overpressure");
+  for (const double angle : {0.0, 0.7, std::nan("")})
+    expect_refused([&] { pressed_balloon(pressed(0.3), angle); }, "patch_angle");
+  // A plate this wide would leave the hoops slack.
+  expect_refused([] { pressed_balloon({{paper_fabric(), 0.3}, 100.0, 3e3}, 0.6); }, "patch_angle");
 }
 
 }  // namespace

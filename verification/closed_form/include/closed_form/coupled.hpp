@@ -55,4 +55,24 @@ SphereFillState sphere_fill(const SphereFill& scene, double stretch);
 /// The stretch at which inflow_mass [kg] >= 0 has entered.
 double sphere_fill_stretch(const SphereFill& scene, double inflow_mass);
 
+/// Elastic sphere at constant overpressure, pressed between two equal rigid frictionless spheres on its axis.
+struct PressedBalloon {
+  StretchedSphere sphere;
+  double overpressure = kRequired;     // [Pa] > 0
+  double indenter_radius = kRequired;  // [m] >= sphere.radius; very large: a flat plate
+};
+struct BalloonPress {
+  double force = 0.0;  // [N] of each indenter, (p + 2 T/r) pi a^2 with T the tension at the patch's edge
+  double centre_height = 0.0;  // [m] of its centre over the balloon's equator
+  double patch_area = 0.0;     // [m2] pi a^2, of the circle that the patch's edge bounds
+  double pole_stretch = 0.0;   // [-]
+  double strain_energy = 0.0;  // [J] of the whole balloon
+  double volume = 0.0;         // [m3] of the whole balloon
+};
+/// Patch of skin within patch_angle [rad] of the pole, measured on the unstretched sphere, 0 < angle <= 0.6.
+/// Axisymmetric StVK equilibrium by shooting from the pole to the equator; refused where the skin would go
+/// slack. Source: derived here (the free skin and the patch as in W. W. Feng, W.-H. Yang, J. Appl. Mech. 40,
+/// 1973).
+BalloonPress pressed_balloon(const PressedBalloon& scene, double patch_angle);
+
 }  // namespace closed_form
