@@ -58,11 +58,21 @@ struct Range {
           select(g.y > end, Floats(kFar), max(g.y, -half_long) + margin)};
 }
 
-inline RayBounds ray_boxes(const BoxArrays& a, int count, std::uint8_t* aside) {
+[[gnu::always_inline]] inline void store_ray(float* ray, const Vec3<Floats>& g, Floats half_long) {
+  const Floats y = max(min(g.y, half_long), -half_long);
+  const Vec3<Floats> d = {g.x, g.y - y, g.z};
+  store(ray, d);
+  y.store(ray + 24);
+  (y * d.z).store(ray + 32);
+  (y * d.x).store(ray + 40);
+  largest(d).store(ray + 48);
+}
+
+inline RayBounds make_rays(const RayArrays& a, int count, std::uint8_t* aside) {
   const Floats half_long(a.half_long), far(kFar);
   Range u{far, -far}, v{far, -far};
   for (int k = 0; k < count; k += 8) {
-    const Vec3<Floats> g = gather_rows(a.local, [&](int i) { return k + i < count ? k + i : count - 1; });
+    const Vec3<Floats> g = gather_rows(a.targets, [&](int i) { return k + i < count ? k + i : count - 1; });
     unsigned known = (k + 8 <= count ? 0xffu : (1u << (count - k)) - 1u);
     Floats::Mask valid = g.z > Floats(kSlack);
     for (int i = count - k; i < 8; ++i) valid[i] = 0;
@@ -70,9 +80,7 @@ inline RayBounds ray_boxes(const BoxArrays& a, int count, std::uint8_t* aside) {
     const Range p = turned(g.x, g.z), q = a.half_long > 0.0f ? places(g, half_long) : turned(g.y, g.z);
     const auto empty = [&](Range r) { return Range{select(valid, r.low, far), select(valid, r.high, -far)}; };
     store(a.boxes + 4 * std::ptrdiff_t{k}, empty(p), empty(q));
-    float* points = a.points + kRayFloats / 8 * std::ptrdiff_t{k};
-    store(points, g);
-    max(min(g.y, half_long), -half_long).store(points + 24);
+    store_ray(a.rays + kRayFloats / 8 * std::ptrdiff_t{k}, g, half_long);
     const Range slope_u = empty(slopes(g.x, g.z)), slope_v = empty(a.half_long > 0.0f ? q : slopes(g.y, g.z));
     u = {min(u.low, slope_u.low), max(u.high, slope_u.high)};
     v = {min(v.low, slope_v.low), max(v.high, slope_v.high)};
@@ -101,44 +109,94 @@ struct Normal {
   return {e.y * f.z - e.z * f.y, e.z * f.x - e.x * f.z, e.x * f.y - e.y * f.x, max(largest(e), largest(f))};
 }
 
-struct Sides {
-  Floats::Mask inner, outer;
+struct Corners {
+  Vec3<Floats> a, b, c;
 };
-
-/// All sources lie on the inner side of the planes, or all on the outer side. The orientation's height errs
-/// by kUnit d (24 + 96 d) at most; s.error covers second orders, and what makes the ray pierce its own
-/// target.
-[[gnu::always_inline]] inline Sides sides(const BoxArrays& s, const Vec3<Floats>& a, const Vec3<Floats>& b,
-                                          const Vec3<Floats>& c) {
-  const Normal n = normal_of(a, b, c);
-  const Floats height = a.x * n.x + a.y * n.y + a.z * n.z;
-  const Floats change = s.half_long * abs(n.y), error = kUnit * (n.size * (96.0f * n.size + 24.0f)) + s.error;
-  return {height - change > error, height + change < -error};
+template <class Triangle>
+[[gnu::always_inline]] inline Corners gather_corners(const float* local, const int* triangles, Triangle at) {
+  const auto corner = [&](int j) {
+    return gather_rows(local, [&](int i) { return triangles[3 * std::ptrdiff_t{at(i)} + j]; });
+  };
+  return {corner(0), corner(1), corner(2)};
+}
+[[gnu::always_inline]] inline Corners load_corners(const float* points) {
+  return {load_points(points), load_points(points + 24), load_points(points + 48)};
 }
 
-inline void element_boxes(const BoxArrays& s, int count) {
-  for (int k = 0; k < count; k += 8) {
-    const auto corner = [&](int j) {
-      return gather_rows(s.local,
-                         [&](int i) { return s.triangles[3 * std::ptrdiff_t{s.elements[k + i]} + j]; });
-    };
-    const Vec3<Floats> a = corner(0), b = corner(1), c = corner(2), w = {a.z, b.z, c.z};
-    float* points = s.points + kElementFloats / 8 * std::ptrdiff_t{k};
-    store(points, a);
-    store(points + 24, b);
-    store(points + 48, c);
-    const Sides side = sides(s, a, b, c);
-    s.facing[k / 8] = static_cast<std::uint8_t>(bits(side.inner));
-    s.away[k / 8] = static_cast<std::uint8_t>(bits(side.outer));
-    const Floats::Mask upstream = min(min(w.x, w.y), w.z) <= Floats(kUpstream);
-    const Range p = spanned(a.x, b.x, c.x, w, upstream);
-    if (s.half_long > 0.0f) {
-      const Floats low = min(min(a.y, b.y), c.y), high = max(max(a.y, b.y), c.y);
-      store(s.boxes + 4 * std::ptrdiff_t{k}, p, {low - Floats(kSlack), high + kSlack});
-    } else {
-      store(s.boxes + 4 * std::ptrdiff_t{k}, p, spanned(a.y, b.y, c.y, w, upstream));
-    }
+struct Sides {
+  Floats::Mask inner, outer, between;
+};
+
+/// Sides of the planes that the sources are on. A ray from (0, y, 0) keeps its v, unless y is the line's end
+/// and v is beyond: so the sources from which an element can be touched lie within its own range of v,
+/// clamped to the line. The orientation's height over them errs by kUnit d (24 + 96 d) at most; s.error
+/// covers second orders, and what makes the ray pierce its own target.
+[[gnu::always_inline]] inline Sides sides(const PatchArrays& s, const Corners& t) {
+  const auto& [a, b, c] = t;
+  const Normal n = normal_of(a, b, c);
+  const Floats height = a.x * n.x + a.y * n.y + a.z * n.z;
+  const Floats error = kUnit * (n.size * (96.0f * n.size + 24.0f)) + s.error;
+  const Floats end(s.half_long);
+  const auto on_line = [&](Floats v) { return max(min(v, end), -end); };
+  const Floats low = on_line(min(min(a.y, b.y), c.y) - Floats(kSlack)),
+               high = on_line(max(max(a.y, b.y), c.y) + kSlack);
+  const Floats middle = height - 0.5f * (low + high) * n.y, change = 0.5f * (high - low) * abs(n.y);
+  const Floats whole = end * abs(n.y), slack(kSlack);
+  const Floats low_u = min(min(a.x, b.x), c.x), high_u = max(max(a.x, b.x), c.x),
+               low_w = min(min(a.z, b.z), c.z);
+  const auto beside = (low_w > slack) | (low_u > slack) | (high_u < -slack);
+  return {middle - change > error, middle + change < -error,
+          ~(beside | (height - whole > error) | (height + whole < -error))};
+}
+
+/// The line may touch the triangles: it is within their range of v, and on the way across.
+[[gnu::always_inline]] inline Floats::Mask on_way(const float* way, const Corners& t) {
+  const auto within = [](float slope, Floats a, Floats b, Floats c) {
+    const float margin = kTurn * (1.0f + (slope < 0.0f ? -slope : slope));
+    return (min(min(a, b), c) <= Floats(margin)) & (max(max(a, b), c) >= Floats(-margin));
+  };
+  const auto across = [&](const Vec3<Floats>& x) { return x.x - way[0] * x.z; };
+  const auto along = [&](const Vec3<Floats>& x) { return x.y - (way[1] * x.z + way[2]); };
+  return within(way[0], across(t.a), across(t.b), across(t.c)) &
+         within(way[1], along(t.a), along(t.b), along(t.c));
+}
+
+inline void look_at_patches(const PatchArrays& given) {
+  const PatchArrays s = given;  // a copy, which what is stored cannot change
+  for (int k = 0; k < s.count; ++k) {
+    const int patch = s.patches[k];
+    const Corners t = gather_corners(s.local, s.triangles, [&](int i) { return 8 * patch + i; });
+    float* points = s.points + kElementFloats * std::ptrdiff_t{k};
+    store(points, t.a);
+    store(points + 24, t.b);
+    store(points + 48, t.c);
+    const int left = s.elements - 8 * patch;
+    const unsigned there = left < 8 ? (1u << left) - 1u : 0xffu;
+    const Sides side = sides(s, t);
+    s.inner[patch] = static_cast<std::uint8_t>(bits(side.inner) | (~there & 0xffu));
+    s.outer[patch] = static_cast<std::uint8_t>(bits(side.outer) & there);
+    s.between[k] = static_cast<std::uint8_t>(bits(side.between) & there);
+    s.on_way[k] = static_cast<std::uint8_t>(bits(on_way(s.way, t)) & there);
   }
+}
+
+/// Eight boxes of elements.
+[[gnu::always_inline]] inline void store_boxes(float* boxes, const Corners& t, float half_long) {
+  const auto& [a, b, c] = t;
+  const Vec3<Floats> w = {a.z, b.z, c.z};
+  const Floats::Mask upstream = min(min(w.x, w.y), w.z) <= Floats(kUpstream);
+  const Range p = spanned(a.x, b.x, c.x, w, upstream);
+  if (half_long > 0.0f) {
+    const Floats low = min(min(a.y, b.y), c.y), high = max(max(a.y, b.y), c.y);
+    store(boxes, p, {low - Floats(kSlack), high + kSlack});
+  } else {
+    store(boxes, p, spanned(a.y, b.y, c.y, w, upstream));
+  }
+}
+
+inline void element_boxes(const float* points, float half_long, int patches, float* boxes) {
+  for (std::ptrdiff_t k = 0; k < patches; ++k)
+    store_boxes(boxes + 32 * k, load_corners(points + kElementFloats * k), half_long);
 }
 
 }  // namespace jet::JET_KERNELS

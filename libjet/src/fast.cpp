@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fast.hpp"
 
-#include <cmath>
-#include <numeric>
+#include <algorithm>
 
 #include "sides.hpp"
 #include "winding.hpp"
@@ -11,22 +10,19 @@ namespace jet {
 
 void FastRoute::prepare(std::span<const Triangle> triangles, std::size_t node_count, bool closed) {
   closed_ = closed;
-  rays_.set_mesh(triangles);
+  mesh_ = OrderedMesh(triangles);
+  near_.reserve(mesh_);
+  away_.reserve(triangles.size());
   blockers_.assign(triangles.size(), kNone);
   reserve(triangles.size(), node_count);
 }
 
-void FastRoute::reserve(std::size_t element_count, std::size_t node_count) {
-  rays_.reserve(element_count, node_count);
-  boxes_.reserve(element_count);
-  away_.reserve(element_count);
-  hits_.resize(element_count);
-  near_.resize(element_count + 8);
-  points_.resize(kElementFloats * (element_count / 8 + 1));
-  facing_bits_.resize(element_count / 8 + 1);
-  away_bits_.resize(element_count / 8 + 1);
-  faces_.resize(element_count);
-  states_.reserve(element_count);
+void FastRoute::reserve(std::size_t ray_count, std::size_t node_count) {
+  rays_.reserve(mesh_, ray_count, node_count);
+  again_.resize(ray_count);
+  again_by_.resize(ray_count);
+  for (auto* bytes : {&blocked_, &apart_, &alive_}) bytes->resize(ray_count / 8 + 1);
+  states_.reserve(ray_count);
 }
 
 VisibilityCounters FastRoute::query(const Surface& surface, const RaySource& source,
@@ -40,7 +36,7 @@ VisibilityCounters FastRoute::query(const Surface& surface, const RaySource& sou
   point_moved_.reset();
   bounded_ = rays_.build(surface, source, candidates);
   candidates_ = rays_.candidates;
-  collect();
+  bounded_ ? look() : look_at_all();
   const bool certain = closed_ && shared_ && winding_is_one();
   std::size_t fallbacks = open_uncertain(certain), trees = 0;
   if (bounded_) hide_again();
@@ -70,61 +66,46 @@ VisibilityCounters FastRoute::count(std::span<std::uint8_t> lit) const {
   return counters;
 }
 
-// Elements near the rays, and those among them that may face away.
-void FastRoute::collect() {
-  for (int slot = 0; slot < near_count_; ++slot) faces_[at(slot)] = kUnknown;
+// Elements near the rays that may face away.
+void FastRoute::look() {
   away_.clear();
   shared_ = true;
-  if (!bounded_) {
-    near_count_ = surface_.count;
-    std::iota(near_.begin(), near_.begin() + near_count_, 0);
-    for (int slot = 0; slot < near_count_; ++slot) classify(slot);
-    return;
-  }
-  near_count_ = rays_.collect(near_.data());
-  rays_.element_boxes(near_.data(), near_count_, boxes_.boxes(), points_.data(), facing_bits_.data(),
-                      away_bits_.data());
-  for (int slot = 0; slot < near_count_; slot += 8) {
-    const auto block = static_cast<std::size_t>(slot / 8);
-    const unsigned bits = facing_bits_[block], away = away_bits_[block];
-    for (int i = slot; i < std::min(slot + 8, near_count_); ++i) {
-      const bool faces = (bits >> (i - slot) & 1u) != 0;
-      faces_[at(i)] = faces ? kFaces : kUnknown;
-      if (faces) continue;
-      if ((away >> (i - slot) & 1u) != 0) {
-        faces_[at(i)] = kTurnedAway;
-        away_.push_back(i);
-      } else {
-        classify(i);
-      }
-    }
-  }
-  boxes_.build(near_count_);
-  rays_.boxes.build(static_cast<int>(candidates_.size()));
+  way_ = rays_.way();
+  near_.find(rays_, way_);
+  near_.for_each_not_inner([&](int place) {
+    if (near_.shows_outer_side(place) || may_face_away(element(place))) away_.push_back(place);
+  });
+  near_.for_each_between([&](int place) { shared_ = shared_ && !between_sources(element(place)); });
 }
 
-// The sources' sides of an element that floats left open; one that rounding, or the outlet's length, leaves
-// open again counts as facing away.
-void FastRoute::classify(int slot) {
-  const int element = near_[static_cast<std::size_t>(slot)];
-  int side = common_side(surface_, element, *source_, rays_.size);
-  if (side > 0) return;
-  if (side == 0) {
-    const bool flat = in_one_coordinate_plane(surface_, element, *source_);
-    if (!flat && source_->half_long > 0.0) {
-      shared_ = shared_ && ((bounded_ && rays_.beside_sources(element)) || same_side(element));
-    } else {
-      const double *a = surface_.corner(element, 0), *b = surface_.corner(element, 1),
-                   *c = surface_.corner(element, 2);
-      side = flat ? 0 : kernel_.orientation(source_->centre.data(), a, b, c);
-      if (side == 0) {
-        side = -kernel_.slope(source_->axis.data(), a, b, c);
-        shared_ = shared_ && (side != 0 || source_->half_long == 0.0);
-      }
-      if (side >= 0) return;
-    }
+void FastRoute::look_at_all() {
+  away_.clear();
+  shared_ = true;
+  for (int place = 0; place < surface_.count; ++place) {
+    if (may_face_away(element(place))) away_.push_back(place);
+    shared_ = shared_ && !between_sources(element(place));
   }
-  away_.push_back(slot);
+}
+
+// What rounding, or the outlet's length, leaves open counts as facing away.
+bool FastRoute::may_face_away(int element) {
+  int side = common_side(surface_, element, *source_, rays_.size);
+  if (side != 0) return side < 0;
+  const bool flat = in_one_coordinate_plane(surface_, element, *source_);
+  if (!flat && source_->half_long > 0.0) return true;
+  const double *a = surface_.corner(element, 0), *b = surface_.corner(element, 1),
+               *c = surface_.corner(element, 2);
+  if (!flat) side = kernel_.orientation(source_->centre.data(), a, b, c);
+  if (side == 0) side = -kernel_.slope(source_->axis.data(), a, b, c);
+  return side < 0;
+}
+
+// Not certain that all sources, moved by eps, are on one side of the element's plane.
+bool FastRoute::between_sources(int element) {
+  if (source_->half_long == 0.0 || common_side(surface_, element, *source_, rays_.size) != 0) return false;
+  if (!in_one_coordinate_plane(surface_, element, *source_)) return !same_side(element);
+  return kernel_.slope(source_->axis.data(), surface_.corner(element, 0), surface_.corner(element, 1),
+                       surface_.corner(element, 2)) == 0;
 }
 
 // No way from one source to another crosses the element's plane.
@@ -151,16 +132,13 @@ bool FastRoute::source_on_surface(const blocking::Ray& ray) {
 
 bool FastRoute::winding_is_one() {
   if (bounded_) {
-    float box[4];
-    const blocking::Ray way = rays_.way(box);
     int sum = 0;
     bool generic = true;
-    for (int i = kernel_table().overlap(boxes_.view(), box, hits_.data()); i > 0; --i) {
-      const int slot = hits_[static_cast<std::size_t>(i - 1)] / kHitKinds;
-      const auto part = winding::crossing(kernel_, way, surface_, near_[static_cast<std::size_t>(slot)]);
+    near_.for_each_on_way([&](int place) {
+      const auto part = winding::crossing(kernel_, way_.ray, surface_, element(place));
       generic = generic && part.has_value();
       sum += part.value_or(0);
-    }
+    });
     if (generic) return sum == 1;
   }
   blocking::Ray from = rays_.ray(0);
@@ -174,10 +152,12 @@ std::size_t FastRoute::open_uncertain(bool certain) {
   states_.assign(candidates_.size(), kLit);
   std::size_t open = 0;
   for (std::size_t k = 0; k < candidates_.size(); ++k) {
+    if (certain && bounded_ && near_.shows_inner_side(place(k))) continue;
+    if (bounded_ && near_.shows_outer_side(place(k))) {
+      states_[k] = kFacingAway;
+      continue;
+    }
     const int e = candidates_[k];
-    const Known known = faces_[static_cast<std::size_t>(e)];
-    if (known == kTurnedAway) states_[k] = kFacingAway;
-    if (known == kTurnedAway || (certain && known == kFaces)) continue;
     const blocking::Ray& ray = rays_.ray(k);
     if (certain && surely_pierces(surface_, e, ray.source, rays_.size)) continue;
     if (blocking::facing(kernel_, ray, surface_, e) <= 0) {

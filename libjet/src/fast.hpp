@@ -19,7 +19,7 @@
 
 #include "filter.hpp"
 #include "jet/visibility.hpp"
-#include "pyramid.hpp"
+#include "near.hpp"
 #include "rays.hpp"
 #include "surface.hpp"
 
@@ -34,8 +34,6 @@ class FastRoute {
                            std::span<std::uint8_t> lit);
 
  private:
-  /// What is certain of an element: it faces all sources and its ray pierces it, or it faces none.
-  enum Known : std::uint8_t { kUnknown, kFaces, kTurnedAway };
   static constexpr int kNone = -1;
   enum State : std::uint8_t { kLit, kOpen, kHidden, kFacingAway };
 
@@ -49,42 +47,43 @@ class FastRoute {
     }
   };
 
-  void reserve(std::size_t element_count, std::size_t node_count);
-  std::size_t at(int slot) const { return static_cast<std::size_t>(near_[static_cast<std::size_t>(slot)]); }
-  void collect();
-  void classify(int slot);
+  void reserve(std::size_t ray_count, std::size_t node_count);
+  int element(int place) const { return mesh_.elements[static_cast<std::size_t>(place)]; }
+  int place(std::size_t k) const { return mesh_.rank[static_cast<std::size_t>(candidates_[k])]; }
+  void look();
+  void look_at_all();
+  bool may_face_away(int element);
+  bool between_sources(int element);
   bool same_side(int element);
   bool source_on_surface(const blocking::Ray& ray);
   bool winding_is_one();
   std::size_t open_uncertain(bool certain);
   std::size_t open_near_away();
-  void meet_away(int hit, int element);
-  void search(std::size_t k);
+  void meet_away(std::size_t k, int element, int kind);
   void hide(std::size_t k, int blocker);
   void hide_again();
   void search();
+  void search(std::size_t k);
   void search_aside();
   void search_tree();
   VisibilityCounters count(std::span<std::uint8_t> lit) const;
 
   Surface surface_;
   const RaySource* source_ = nullptr;
+  OrderedMesh mesh_;
   std::span<const int> candidates_;
   bool closed_ = false;
-  bool bounded_ = false;  // there are boxes of the rays and of the elements near them
+  bool bounded_ = false;  // the rays have boxes, and elements near them are known
   bool shared_ = true;    // all sources have the same winding number
   std::optional<bool> point_moved_;
   Kernel kernel_;
   RayBundle rays_;
-  Pyramid boxes_;              // of near_
-  std::vector<float> points_;  // of near_
-  std::vector<int> near_;      // elements that can meet a ray
-  int near_count_ = 0;
-  std::vector<std::uint8_t> facing_bits_, away_bits_;  // of near_
-  std::vector<Known> faces_;                           // of all elements
-  std::vector<int> away_;      // slots of near_ that are not certain to face all sources
-  std::vector<int> blockers_;  // of all elements: what hid it last, or kNone
-  std::vector<int> hits_;
+  RayBundle::Way way_;
+  NearElements near_;
+  std::vector<int> away_;              // places of elements that are not certain to face all sources
+  std::vector<int> blockers_;          // of all elements: what hid it last, or kNone
+  std::vector<int> again_, again_by_;  // rays to be hidden again, and blockers
+  std::vector<std::uint8_t> blocked_, apart_, alive_;
   std::vector<State> states_;  // of the candidates
 };
 

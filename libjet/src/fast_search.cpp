@@ -15,17 +15,20 @@ std::size_t FastRoute::open_near_away() {
     std::replace(states_.begin(), states_.end(), kLit, kOpen);
     return static_cast<std::size_t>(unseen);
   }
-  rays_.for_each_touching(boxes_, points_.data(), away_, hits_.data(),
-                          [&](int hit, int slot) { meet_away(hit, near_[static_cast<std::size_t>(slot)]); });
+  const std::size_t blocks = (states_.size() + 7) / 8;
+  std::fill_n(alive_.begin(), blocks, std::uint8_t{0});
+  for (std::size_t k = 0; k < states_.size(); ++k)
+    alive_[k / 8] = static_cast<std::uint8_t>(alive_[k / 8] | (states_[k] == kLit) << k % 8);
+  near_.for_each_touching(rays_, std::span(alive_).first(blocks), away_,
+                          [&](std::size_t k, int place, int kind) {
+                            if (states_[k] == kLit) meet_away(k, element(place), kind);
+                          });
   return 0;
 }
 
 // One ray and one element that faces away and may be on it. If it is, and blocks, the ray need not be
 // searched.
-void FastRoute::meet_away(int hit, int element) {
-  const auto k = static_cast<std::size_t>(hit / kHitKinds);
-  if (states_[k] != kLit && states_[k] != kOpen) return;
-  const int kind = hit % kHitKinds;
+void FastRoute::meet_away(std::size_t k, int element, int kind) {
   const bool can_block = element != candidates_[k] && !surface_.never_blocks(element);
   bool hides = can_block && kind == kBlocked;
   if (kind == 0) {
@@ -45,34 +48,43 @@ void FastRoute::search() {
 }
 
 void FastRoute::search(std::size_t k) {
-  const int count = rays_.touching_elements(boxes_, points_.data(), k, hits_.data());
-  for (int i = 0; i < count; ++i) {
-    const int hit = hits_[static_cast<std::size_t>(i)], e = near_[static_cast<std::size_t>(hit / kHitKinds)];
-    if (e == candidates_[k] || surface_.never_blocks(e)) continue;
-    if (hit % kHitKinds == kBlocked || blocking::blocks(kernel_, rays_.ray(k), surface_, e)) {
-      hide(k, e);
-      return;
-    }
-  }
-  states_[k] = kLit;
+  const bool hidden = near_.any_before_target(rays_, k, [&](int place, int kind) {
+    const int e = element(place);
+    if (e == candidates_[k] || surface_.never_blocks(e)) return false;
+    if (kind != kBlocked && !blocking::blocks(kernel_, rays_.ray(k), surface_, e)) return false;
+    hide(k, e);
+    return true;
+  });
+  if (!hidden) states_[k] = kLit;
 }
 
 void FastRoute::hide(std::size_t k, int blocker) {
   states_[k] = kHidden;
   blockers_[static_cast<std::size_t>(candidates_[k])] = blocker;
-  rays_.boxes.drop(static_cast<int>(k));
+  rays_.drop(k);
 }
 
 // What blocked an element's ray at the last query often does so again.
 void FastRoute::hide_again() {
+  int count = 0;
   for (std::size_t k = 0; k < candidates_.size(); ++k) {
-    int& blocker = blockers_[static_cast<std::size_t>(candidates_[k])];
-    if (states_[k] == kFacingAway) rays_.boxes.drop(static_cast<int>(k));
-    if (blocker == kNone || (states_[k] != kLit && states_[k] != kOpen)) continue;
-    if (blocking::blocks(kernel_, rays_.ray(k), surface_, blocker)) {
-      hide(k, blocker);
+    const int blocker = blockers_[static_cast<std::size_t>(candidates_[k])];
+    if (states_[k] == kFacingAway) rays_.drop(k);
+    again_[static_cast<std::size_t>(count)] = static_cast<int>(k);
+    again_by_[static_cast<std::size_t>(count)] = blocker;
+    count += blocker != kNone && (states_[k] == kLit || states_[k] == kOpen);
+  }
+  kernel_table().meet_pairs(
+      {rays_.arrays().targets, rays_.local(), rays_.arrays().half_long, surface_.triangles->data(),
+       again_.data(), again_by_.data(), blocked_.data(), apart_.data()},
+      count);
+  for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
+    const auto k = static_cast<std::size_t>(again_[i]);
+    const bool blocked = (blocked_[i / 8] >> i % 8 & 1u) != 0, apart = (apart_[i / 8] >> i % 8 & 1u) != 0;
+    if (blocked || (!apart && blocking::blocks(kernel_, rays_.ray(k), surface_, again_by_[i]))) {
+      hide(k, again_by_[i]);
     } else {
-      blocker = kNone;
+      blockers_[static_cast<std::size_t>(candidates_[k])] = kNone;
     }
   }
 }

@@ -31,6 +31,7 @@ struct Floats {
   friend Mask operator<(Floats a, Floats b) { return a.v < b.v; }
   friend Mask operator>(Floats a, Floats b) { return a.v > b.v; }
   friend Mask operator<=(Floats a, Floats b) { return a.v <= b.v; }
+  friend Mask operator>=(Floats a, Floats b) { return a.v >= b.v; }
   friend Floats select(Mask m, Floats a, Floats b) { return Floats(m ? a.v : b.v); }
   friend Floats min(Floats a, Floats b) { return select(b < a, b, a); }
   friend Floats max(Floats a, Floats b) { return select(a < b, b, a); }

@@ -63,20 +63,12 @@ struct ProjectFlags {
   bool tiny;     // some coordinate of a node is not 0, but below 1e-100
 };
 
-/// Boxes of the two coordinates that do not change along a ray, eight side by side: low p, high p, low q,
-/// high q.
-struct BoxArrays {
-  const float* local;
-  float half_long;  // 0: a point source
-  float* boxes;     // 32 floats for eight
-  float* points;  // eight u, eight v and so on: the rays' targets and places of their sources, the elements'
-                  // corners
-  // Of elements:
-  const int* elements;  // indices of a multiple of eight elements
-  const int* triangles;
-  float error;           // absolute part of the bound of the orientation
-  std::uint8_t* facing;  // bit i of byte b: element 8 b + i faces all sources for certain
-  std::uint8_t* away;    // faces none of them for certain
+/// Rays to their targets, eight side by side.
+struct RayArrays {
+  const float* targets;  // local coordinates, 4 a ray
+  float half_long;       // 0: a point source
+  float* boxes;  // of the two coordinates that do not change along a ray: 8 low p, high p, low q, high q
+  float* rays;   // 8 direction u, v, w from the source, its place y on the line, y w, y u, largest |u|
 };
 
 /// Slopes u/w (v/w, or v of a line of sources) of the rays, with their errors.
@@ -84,15 +76,47 @@ struct RayBounds {
   float low_u, high_u, low_v, high_v;
 };
 
-/// Local coordinates of what is to be met.
-struct Touch {
-  float corner[9];          // element: (u, v, w) of its corners
-  float target[3], source;  // ray
+/// Patches of eight elements near the rays. Bits of a byte stand for its elements.
+struct PatchArrays {
+  const float* local;
+  float half_long;
+  const int* triangles;  // in the mesh's order, eight a patch
+  int elements;          // of the mesh
+  const int* patches;
+  int count;
+  float error;            // absolute part of the bound of the orientation
+  float way[3];           // a line u = way[0] w, v = way[1] w + way[2]
+  float* points;          // eight (u, v, w) of their corners
+  std::uint8_t* inner;    // by patch of the mesh: the sources of rays that can touch it see its inner side,
+  std::uint8_t* outer;    // or its outer one, for certain
+  std::uint8_t* between;  // by place in `patches`: may lie between two sources
+  std::uint8_t* on_way;   // may touch the line
 };
+
+/// Elements of which something is asked by their edges.
+struct EdgeArrays {
+  const float* local;
+  float half_long;
+  const int* triangles;  // in the mesh's order
+  const int* elements;   // places in it, a multiple of eight
+  float* boxes;
+  float* edges;
+};
+
+/// Rays and one element for each.
+struct PairArrays {
+  const float *targets, *local;
+  float half_long;
+  const int* triangles;  // as given
+  const int *rays, *elements;
+  std::uint8_t* blocked;  // bits of eight: the segment crosses the interior for certain
+  std::uint8_t* apart;    // it does not touch the element for certain
+};
+
 /// What a kernel knows of a ray that may touch an element: nothing more, that its segment crosses the
 /// interior, or that the line does, before or behind the segment.
 inline constexpr int kHitKinds = 4, kBlocked = 1, kMet = 2;
-inline constexpr int kRayFloats = 32, kElementFloats = 72;  // of the points of eight
+inline constexpr int kRayFloats = 56, kElementFloats = 72, kEdgeFloats = 184;  // of eight
 
 /// Boxes over boxes, eight below one; see pyramid.hpp.
 struct PyramidView {
@@ -100,15 +124,6 @@ struct PyramidView {
   int levels;
   int first[12];  // block of each level
   int last[12];   // and behind its last
-};
-
-/// Blocks of eight rays, and the boxes around them.
-struct RayList {
-  const float* boxes;
-  const int* blocks;
-  int count;
-  const float* ray_boxes;
-  const float* ray_points;
 };
 
 struct KernelTable {
@@ -122,20 +137,20 @@ struct KernelTable {
   ProjectFlags (*project_nodes)(const ProjectArrays&);
   void (*project_centroids)(const ProjectArrays&, int count);
   /// Boxes and bounds of `count` rays; those not certainly downstream get empty boxes and a bit in `aside`.
-  RayBounds (*ray_boxes)(const BoxArrays&, int count, std::uint8_t* aside);
-  void (*element_boxes)(const BoxArrays&, int count);
+  RayBounds (*make_rays)(const RayArrays&, int count, std::uint8_t* aside);
+  void (*look_at_patches)(const PatchArrays&);
+  void (*element_boxes)(const float* points, float half_long, int patches, float* boxes);
+  void (*make_edges)(const EdgeArrays&, int count);
   /// The eight boxes of a block to one: the box around them.
   void (*merge)(const float* block, float* box);
-  /// Entries whose boxes overlap `box`, in ascending order, to `out`: their number. An entry stands there
-  /// times kHitKinds, plus what is certain of it.
-  int (*overlap)(const PyramidView&, const float* box, int* out);
-  /// Blocks of rays that overlap any of eight boxes: boxes to `list`, numbers to `blocks`, their number.
-  int (*shortlist)(const PyramidView& rays, const float* boxes, float* list, int* blocks);
-  /// Entries that may touch, in this way: rays of the list the element, which has this box; elements the
-  /// segment from (0, source, 0) to the target.
-  int (*rays_touching)(const RayList&, const float* box, const Touch& element, int* out);
-  int (*elements_touching)(const PyramidView&, const float* box, const float* points, const Touch& ray,
-                           int* out);
+  void (*meet_pairs)(const PairArrays&, int count);
+  /// Elements with edges that rays of a block of eight, those in `alive`, may touch: 8 times the element plus
+  /// the ray, times kHitKinds, plus what is certain, to `out`: their number. A ray is left after a certain
+  /// touch.
+  int (*meet_edges)(const RayArrays&, int block, unsigned alive, const PyramidView&, const float* edges,
+                    int* out);
+  /// Elements that a ray may touch up to its target, times kHitKinds, plus what is certain.
+  int (*meet_elements)(const RayArrays&, int ray, const PyramidView&, const float* points, int* out);
 };
 
 namespace baseline {

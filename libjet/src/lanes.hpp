@@ -39,8 +39,7 @@ struct Lanes {
   friend Lanes operator-(Lanes a) { return Lanes(-a.v); }
   friend Mask operator<(Lanes a, Lanes b) { return a.v < b.v; }
   friend Mask operator>(Lanes a, Lanes b) { return a.v > b.v; }
-  friend Mask not_above(Lanes a, Lanes b) { return ~(a.v > b.v); }
-  friend Mask not_at_most(Lanes a, Lanes b) { return ~(a.v <= b.v); }
+  friend Mask operator<=(Lanes a, Lanes b) { return a.v <= b.v; }
   friend Lanes select(Mask m, Lanes a, Lanes b) { return Lanes(m ? a.v : b.v); }
   friend Lanes min(Lanes a, Lanes b) { return select(b < a, b, a); }
   friend Lanes max(Lanes a, Lanes b) { return select(a < b, b, a); }
@@ -76,22 +75,14 @@ inline Lanes exp(Lanes x) {
   const Lanes shifted = Lanes(shift) + log2_e * inside;  // n in the low bits
   const Lanes n = shifted - shift;
   const Lanes r = (inside - ln2_high * n) - ln2_low * n;
-  constexpr double inverse_factorial[] = {1.0 / 6227020800.0,
-                                          1.0 / 479001600.0,
-                                          1.0 / 39916800.0,
-                                          1.0 / 3628800.0,
-                                          1.0 / 362880.0,
-                                          1.0 / 40320.0,
-                                          1.0 / 5040.0,
-                                          1.0 / 720.0,
-                                          1.0 / 120.0,
-                                          1.0 / 24.0,
-                                          1.0 / 6.0,
-                                          0.5,
-                                          1.0,
-                                          1.0};
-  Lanes sum(inverse_factorial[0]);
-  for (int i = 1; i < 14; ++i) sum = inverse_factorial[i] + sum * r;
+  // The sum of x^k / k!, in pairs and pairs of pairs: short chains of operations.
+  const auto pair = [&](double even, double odd) { return odd * r + Lanes(even); };
+  const Lanes r2 = r * r, r4 = r2 * r2;
+  const Lanes low = pair(1.0 / 24.0, 1.0 / 120.0) + r2 * pair(1.0 / 720.0, 1.0 / 5040.0);
+  const Lanes high = (pair(1.0 / 40320.0, 1.0 / 362880.0) + r2 * pair(1.0 / 3628800.0, 1.0 / 39916800.0)) +
+                     r4 * pair(1.0 / 479001600.0, 1.0 / 6227020800.0);
+  const Lanes cubic = r2 * pair(0.5, 1.0 / 6.0);
+  const Lanes sum = Lanes(1.0) + (r + (cubic + r4 * (low + r4 * high)));
   const auto exponent = (reinterpret_cast<Lanes::Mask>(shifted.v) + 1023)
                         << 52;  // the shift's own bits fall off
   return select(x < Lanes(-708.0), Lanes(), sum * Lanes(reinterpret_cast<Lanes::Values>(exponent)));

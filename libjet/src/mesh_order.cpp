@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <set>
 #include <tuple>
 
 namespace jet {
@@ -96,18 +97,18 @@ std::vector<int> mesh_order(std::span<const Triangle> triangles) {
   return order;
 }
 
-OrderedMesh::OrderedMesh(std::span<const Triangle> mesh) : elements(mesh_order(mesh)), rank(mesh.size()) {
-  std::vector<int> nodes;
-  for (std::size_t i = 0; i < mesh.size(); ++i) {
-    const auto e = static_cast<std::size_t>(elements[i]);
-    rank[e] = static_cast<int>(i);
-    triangles.push_back(mesh[e]);
-    nodes.insert(nodes.end(), mesh[e].begin(), mesh[e].end());
-    if (i % 8 != 7 && i + 1 != mesh.size()) continue;
-    std::sort(nodes.begin(), nodes.end());
+OrderedMesh::OrderedMesh(std::span<const Triangle> mesh)
+    : elements(mesh_order(mesh)), rank(mesh.size()), patches(static_cast<int>((mesh.size() + 7) / 8)) {
+  for (std::size_t i = 0; i < mesh.size(); ++i)
+    rank[static_cast<std::size_t>(elements[i])] = static_cast<int>(i);
+  elements.resize(8 * static_cast<std::size_t>(patches), elements.back());
+  for (const int e : elements) triangles.push_back(mesh[static_cast<std::size_t>(e)]);
+  for (std::size_t i = 0; i < triangles.size(); i += 8) {
+    std::set<int> nodes;
+    for (std::size_t j = i; j < i + 8; ++j) nodes.insert(triangles[j].begin(), triangles[j].end());
     patch_begin.push_back(static_cast<int>(patch_nodes.size()));
-    patch_nodes.insert(patch_nodes.end(), nodes.begin(), std::unique(nodes.begin(), nodes.end()));
-    nodes.clear();
+    patch_nodes.insert(patch_nodes.end(), nodes.begin(), nodes.end());
+    patch_nodes.resize((patch_nodes.size() + 3) / 4 * 4, *nodes.rbegin());
   }
   patch_begin.push_back(static_cast<int>(patch_nodes.size()));
 }

@@ -16,10 +16,11 @@ std::vector<int> mesh_order(std::span<const Triangle> triangles);
 
 /// Fixed connectivity in that order, for the search of elements by their nodes.
 struct OrderedMesh {
-  std::vector<int> elements;        // order
+  std::vector<int> elements;        // order; the last is repeated to a multiple of eight
   std::vector<int> rank;            // place of each element in it
-  std::vector<Triangle> triangles;  // in order
-  std::vector<int> patch_nodes;     // nodes of eight elements, each once
+  std::vector<Triangle> triangles;  // in order, like `elements`
+  int patches = 0;                  // of eight elements
+  std::vector<int> patch_nodes;     // of each patch, the last repeated to a multiple of four
   std::vector<int> patch_begin;     // in patch_nodes, and the end
 
   explicit OrderedMesh(std::span<const Triangle> triangles);

@@ -12,14 +12,6 @@ namespace jet::profile {
 
 using formulas::max;
 
-// True of NaN, so that a non-finite coordinate counts as inside the jet and is found in what follows.
-inline bool not_above(double a, double b) {
-  return !(a > b);
-}
-inline bool not_at_most(double a, double b) {
-  return !(a <= b);
-}
-
 /// Position in the outlet's frame.
 template <class T>
 struct Local {
@@ -55,13 +47,11 @@ template <class T>
   return {d, z, dot(jet.along, d), across, across * across};
 }
 
-/// Within the cut-off, downstream of the outlet.
+/// Not downstream of the outlet, or beyond the cut-off.
 template <class T>
-[[gnu::always_inline]] inline auto inside(const JetShape& jet, const Local<T>& x) {
-  using std::abs;
-  const T cut = max(T(jet.cut_core), jet.cut_origin + jet.cut_slope * x.z);
-  return not_at_most(x.z, T(0.0)) & not_above(x.radius2, cut * cut) &
-         not_above(abs(x.along), T(jet.half_long));
+[[gnu::always_inline]] inline auto outside(const JetShape& jet, T z, T radius2) {
+  const T cut = max(T(jet.cut_core), jet.cut_origin + jet.cut_slope * z);
+  return (z <= T(0.0)) | (radius2 > cut * cut);
 }
 
 /// V_max / V0 and the width [m].

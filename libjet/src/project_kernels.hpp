@@ -17,16 +17,32 @@ namespace jet::JET_KERNELS {
 [[gnu::always_inline]] inline Floats largest(const Vec3<Floats>& a) {
   return max(max(abs(a.x), abs(a.y)), abs(a.z));
 }
+
+/// Eight masks of one byte each.
+[[gnu::always_inline]] inline void store_bytes(std::uint8_t* to, Floats::Mask m) {
+#if defined(__SSE2__)
+  const auto low = reinterpret_cast<__m128i>(__builtin_shufflevector(m, m, 0, 1, 2, 3)),
+             high = reinterpret_cast<__m128i>(__builtin_shufflevector(m, m, 4, 5, 6, 7));
+  const __m128i words = _mm_packs_epi32(low, high);
+  _mm_storel_epi64(reinterpret_cast<__m128i*>(to), _mm_packus_epi16(words, words));
+#else
+  for (int i = 0; i < 8; ++i) to[i] = static_cast<std::uint8_t>(m[i]);
+#endif
+}
+
 struct NodeFlags {
-  Lanes::Mask tiny{};  // bits of coordinates below 1e-100
-  Floats::Mask outside{}, large{};
+  Lanes::Values smallest = Lanes(1.0).v;  // coordinate but 0, one unit of rounding below
+  Floats::Mask largest{};                 // bits of the largest magnitude; those of NaN are above all
 };
 
 /// Four nodes to local coordinates in double.
 [[gnu::always_inline]] inline Vec3<Lanes> to_local(const ProjectArrays& a, const Vec3<Lanes>& x,
                                                    NodeFlags& flags) {
-  const auto tiny = [](Lanes y) { return (abs(y) < Lanes(1e-100)) & reinterpret_cast<Lanes::Mask>(y.v); };
-  flags.tiny |= tiny(x.x) | tiny(x.y) | tiny(x.z);
+  const Lanes all[] = {x.x, x.y, x.z};
+  for (const Lanes y : all) {
+    const auto below = reinterpret_cast<Lanes::Values>(reinterpret_cast<Lanes::Mask>(abs(y).v) - 1);
+    flags.smallest = below < flags.smallest ? below : flags.smallest;  // 0 became NaN and is left out
+  }
   const Vec3<Lanes> d = {x.x - a.centre[0], x.y - a.centre[1], x.z - a.centre[2]};
   const auto along = [&](int j) {
     return a.column[0][j] * d.x + a.column[1][j] * d.y + a.column[2][j] * d.z;
@@ -63,37 +79,39 @@ struct NodeFlags {
   }
 }
 
-/// Eight nodes: those named by `at`, which gives their rows, to the rows and codes from `first` on.
+/// Eight nodes in the rows that `at` gives, to the rows and codes from `first` on.
 template <class At>
 [[gnu::always_inline]] inline void project_eight(const ProjectArrays& a, int first, At at, NodeFlags& flags) {
   const Vec3<Lanes> low = to_local(a, gather(at(0), at(1), at(2), at(3)), flags),
                     high = to_local(a, gather(at(4), at(5), at(6), at(7)), flags);
   const Vec3<Floats> x = {joined(low.x, high.x), joined(low.y, high.y), joined(low.z, high.z)};
   store_rows(a.local + 4 * std::ptrdiff_t{first}, x);
-  flags.outside |= ~((abs(x.x) <= Floats(1.0f)) & (abs(x.y) <= Floats(1.0f)) & (abs(x.z) <= Floats(1.0f)));
-  flags.large |= largest(x) > Floats(0x1p-6f);
-  const auto floor = [](Lanes w) {
-    using Half = std::int32_t __attribute__((vector_size(16)));
-    return __builtin_convertvector(not_above(w, Lanes()), Half);
-  };
-  const auto below = __builtin_shufflevector(floor(low.z), floor(high.z), 0, 1, 2, 3, 4, 5, 6, 7);
-  using Bytes = std::uint8_t __attribute__((vector_size(8), aligned(1), may_alias));
-  *reinterpret_cast<Bytes*>(a.codes + first) =
-      __builtin_convertvector(code(a, x) | (below & 0x80), std::uint8_t __attribute__((vector_size(8))));
+  const Floats all[] = {x.x, x.y, x.z};
+  for (const Floats y : all) {
+    const auto magnitude = reinterpret_cast<Floats::Mask>(y.v) & INT32_MAX;
+    flags.largest = magnitude > flags.largest ? magnitude : flags.largest;
+  }
+  const auto half = [](Lanes::Mask m) { return reinterpret_cast<Floats::Mask>(m); };
+  const auto below =
+      __builtin_shufflevector(half(low.z <= Lanes()), half(high.z <= Lanes()), 0, 2, 4, 6, 8, 10, 12, 14);
+  store_bytes(a.codes + first, code(a, x) | (below & 0x80));
 }
 
 /// Local coordinates and codes of all nodes, and up to seven behind that repeat the last.
-inline ProjectFlags project_nodes(const ProjectArrays& a) {
+inline ProjectFlags project_nodes(const ProjectArrays& arrays) {
+  const ProjectArrays a = arrays;  // a copy, which what is stored cannot change
   NodeFlags flags;
+  const std::ptrdiff_t stride = a.nodes.stride;
+  const double* x = a.nodes.first;
   int i = 0;
-  for (; i + 8 < a.count; i += 8)
+  for (; i + 8 < a.count; i += 8, x += 8 * stride)
     project_eight(
-        a, i, [&](int j) __attribute__((always_inline)) { return a.nodes.first + (i + j) * a.nodes.stride; },
-        flags);
+        a, i, [=](int j) __attribute__((always_inline)) { return x + j * stride; }, flags);
   project_eight(
       a, i, [&](int j) { return row(a.nodes, i + j < a.count ? i + j : a.count - 1); }, flags);
-  const Lanes::Mask tiny = flags.tiny & INT64_MAX;
-  return {bits(flags.outside) != 0, bits(flags.large) == 0, (tiny[0] | tiny[1] | tiny[2] | tiny[3]) != 0};
+  constexpr std::int32_t one = 0x3f800000, little = 0x3c800000;  // bits of 1 and 1/64
+  const auto small = Lanes(flags.smallest) < Lanes(1e-100);
+  return {bits(flags.largest > one) != 0, bits(flags.largest > little) == 0, bits(small) != 0};
 }
 
 inline void project_centroids(const ProjectArrays& a, int count) {

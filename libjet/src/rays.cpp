@@ -30,14 +30,13 @@ double extent(const Surface& surface, const Eigen::Vector3d& centre) {
 
 }  // namespace
 
-void RayBundle::reserve(std::size_t element_count, std::size_t node_count) {
-  boxes.reserve(element_count);
+void RayBundle::reserve(const OrderedMesh& mesh, std::size_t element_count, std::size_t node_count) {
+  mesh_ = &mesh;
+  boxes_.reserve(element_count);
   aside.reserve(kMostAside);
   local_.resize(4 * (node_count + 8));
   local_targets_.resize(4 * element_count);
-  list_boxes_.resize(32 * (element_count / 64 + 2));
-  list_blocks_.resize(element_count / 8 + 8);
-  points_.resize(kRayFloats * (element_count / 8 + 1));
+  ray_floats_.resize(kRayFloats * (element_count / 8 + 1));
   codes_.resize(node_count + 8);
   aside_bits_.resize(element_count / 8 + 1);
   made_.resize(element_count);
@@ -74,14 +73,14 @@ bool RayBundle::build(const Surface& surface, const RaySource& source, std::span
 void RayBundle::sort(std::span<const int> as_given) {
   std::size_t count = 0;
   for (std::size_t k = 0; k < as_given.size(); ++k) {
-    const auto i = static_cast<std::size_t>(mesh_.rank[static_cast<std::size_t>(as_given[k])]);
+    const auto i = static_cast<std::size_t>(mesh_->rank[static_cast<std::size_t>(as_given[k])]);
     chosen_[i / 64] |= std::uint64_t{1} << i % 64;
     given_at_[i] = static_cast<int>(k);
   }
   for (std::size_t word = 0; word < chosen_.size(); ++word) {
     for (std::uint64_t bits = std::exchange(chosen_[word], 0); bits != 0; bits &= bits - 1) {
       const std::size_t i = 64 * word + static_cast<std::size_t>(std::countr_zero(bits));
-      sorted_[count] = mesh_.elements[i];
+      sorted_[count] = mesh_->elements[i];
       given[count++] = given_at_[i];
     }
   }
@@ -120,12 +119,9 @@ bool RayBundle::project() {
     for (int j = 0; j < 3; ++j) arrays_.column[i][j] = scale_ * (*axes[j])[i];
   }
   kernels.project_centroids(arrays_, static_cast<int>(candidates.size()));
-  rays_ = {};
-  rays_.local = local_targets_.data();
-  rays_.half_long = static_cast<float>(scale_ * source_->half_long);
-  rays_.boxes = boxes.boxes();
-  rays_.points = points_.data();
-  bounds_ = kernels.ray_boxes(rays_, static_cast<int>(candidates.size()), aside_bits_.data());
+  rays_ = {local_targets_.data(), static_cast<float>(scale_ * source_->half_long), boxes_.boxes(),
+           ray_floats_.data()};
+  bounds_ = kernels.make_rays(rays_, static_cast<int>(candidates.size()), aside_bits_.data());
   find_aside(candidates.size());
   set_sides(bounds_);
   arrays_.local = local_.data();
@@ -160,17 +156,19 @@ void RayBundle::set_sides(const RayBounds& bounds) {
   outside_ = 0x1fu | (frame_.aligned() ? kFloor : 0u);
 }
 
-// Sources have u = w = 0, to 4e-11.
-bool RayBundle::beside_sources(int element) const {
-  const float margin = static_cast<float>(kMargin);
-  bool ahead = true, left = true, right = true;
-  for (const int node : surface_.triangles[element]) {
-    const float* x = local_.data() + 4 * static_cast<std::size_t>(node);
-    ahead = ahead && x[2] > margin;
-    left = left && x[0] < -margin;
-    right = right && x[0] > margin;
+int RayBundle::find_patches(int* patches) const {
+  const std::uint8_t* codes = codes_.data();
+  const int *node = mesh_->patch_nodes.data(), *first = node;
+  int count = 0;
+  for (int patch = 0; patch < mesh_->patches; ++patch) {
+    unsigned outside = outside_;
+    for (const int* end = first + mesh_->patch_begin[static_cast<std::size_t>(patch) + 1]; node < end;
+         node += 4)
+      outside &= static_cast<unsigned>(codes[node[0]] & codes[node[1]] & codes[node[2]] & codes[node[3]]);
+    patches[count] = patch;  // kept if the next does not overwrite it: no branch to predict
+    count += outside == 0;
   }
-  return ahead || left || right;
+  return count;
 }
 
 const blocking::Ray& RayBundle::ray(std::size_t k) const {
@@ -184,28 +182,25 @@ const blocking::Ray& RayBundle::ray(std::size_t k) const {
 
 // A general slope within the bounds: bags are symmetric about the axis. Local coordinates of the end are
 // above 1.
-blocking::Ray RayBundle::way(float* box) const {
+RayBundle::Way RayBundle::way() const {
   std::size_t first = 0;
   while (first < aside.size() && aside[first] == first) ++first;
-  blocking::Ray ray = this->ray(first);
-  ray.moved = blocking::Moved::yes;
+  Way way{this->ray(first), {}};
+  way.ray.moved = blocking::Moved::yes;
   const auto within = [](float low, float high, double share) {
     const double a = std::clamp(low, -kSteepest, kSteepest), b = std::clamp(high, -kSteepest, kSteepest);
     return a + share * (b - a);
   };
   const double u = within(bounds_.low_u, bounds_.high_u, 0.382);
   const double v = frame_.line ? 0.0 : within(bounds_.low_v, bounds_.high_v, 0.618);
-  for (int i = 0; i < 3; ++i) {
-    ray.target[i] =
-        ray.source[i] + 2.0 / scale_ * (frame_.forward[i] + u * frame_.across[i] + v * frame_.along[i]);
-  }
-  const auto turned = [](double slope) { return slope / (1.0 + std::abs(slope)); };
-  const Eigen::Map<const Eigen::Vector3d> from(ray.source);
-  const double at = frame_.line ? scale_ * (from - source_->centre).dot(frame_.along) : turned(v);
-  const double places[2] = {turned(u), at};
-  for (int i = 0; i < 4; ++i)
-    box[i] = static_cast<float>(places[i / 2] + (i % 2 == 0 ? -4.0 : 4.0) * kMargin);
-  return ray;
+  for (int i = 0; i < 3; ++i)
+    way.ray.target[i] =
+        way.ray.source[i] + 2.0 / scale_ * (frame_.forward[i] + u * frame_.across[i] + v * frame_.along[i]);
+  const Eigen::Map<const Eigen::Vector3d> from(way.ray.source);
+  way.line[0] = static_cast<float>(u);
+  way.line[1] = static_cast<float>(v);
+  way.line[2] = frame_.line ? static_cast<float>(scale_ * (from - source_->centre).dot(frame_.along)) : 0.0f;
+  return way;
 }
 
 }  // namespace jet

@@ -19,8 +19,7 @@ namespace jet {
 
 class RayBundle {
  public:
-  void reserve(std::size_t element_count, std::size_t node_count);
-  void set_mesh(std::span<const Triangle> triangles) { mesh_ = OrderedMesh(triangles); }
+  void reserve(const OrderedMesh& mesh, std::size_t element_count, std::size_t node_count);
 
   /// Projects rays and nodes; allocates nothing. False if no frame holds them all but a few: nothing but
   /// `size` is known then. Throws std::invalid_argument for coordinates out of range.
@@ -29,59 +28,44 @@ class RayBundle {
   /// Ray of a candidate in the definition's arithmetic, made when first asked for.
   const blocking::Ray& ray(std::size_t k) const;
 
-  /// Elements that can meet a ray or the way of the winding number, in the mesh's order; their number. `near`
-  /// has room for eight more, which repeat the last.
-  int collect(int* near) const;
+  /// From the source of a ray not aside, moved, to a point outside the surface, within the rays' bounds.
+  struct Way {
+    blocking::Ray ray;
+    float line[3];  // of local coordinates, see PatchArrays
+  };
+  Way way() const;
 
-  /// Boxes of elements, 32 floats for eight, and bits for those that all sources see
-  /// from inside for certain, and those that none does.
-  void element_boxes(const int* elements, int count, float* boxes, float* points, std::uint8_t* facing,
-                     std::uint8_t* away) const;
-
-  /// visit(hit, slot) for the rays that may touch the elements in the slots named, see KernelTable. `boxes`
-  /// and `points` belong to the elements, `hits` is room for as many as there are rays.
-  template <class Visit>
-  void for_each_touching(const Pyramid& elements, const float* points, std::span<const int> slots, int* hits,
-                         Visit visit) {
-    for (std::size_t first = 0; first < slots.size(); first += 8) {
-      const auto eight = slots.subspan(first, std::min<std::size_t>(8, slots.size() - first));
-      make_list(elements, eight);
-      for (const int slot : eight) {
-        const int count = touching_rays(elements, points, slot, hits);
-        for (int i = 0; i < count; ++i) visit(hits[i], slot);
-      }
-    }
+  /// No ray can meet an element with these nodes.
+  bool misses(const Triangle& t) const {
+    const auto code = [&](int i) { return codes_[static_cast<std::size_t>(t[static_cast<std::size_t>(i)])]; };
+    return (code(0) & code(1) & code(2) & outside_) != 0;
   }
-  /// Elements that may touch a ray; their number.
-  int touching_elements(const Pyramid& elements, const float* points, std::size_t k, int* out) const;
+  /// Patches of the mesh in order that rays or the way can meet; their number.
+  int find_patches(int* patches) const;
 
-  /// Certain that no way from one source to another meets the element.
-  bool beside_sources(int element) const;
+  /// The ray is not asked about any more.
+  void drop(std::size_t k) { boxes_.drop(static_cast<int>(k)); }
 
-  /// From the source of a ray not aside, moved, to a point outside the surface, within the rays' bounds; and
-  /// its box.
-  blocking::Ray way(float* box) const;
+  const RayArrays& arrays() const { return rays_; }
+  const float* local() const { return local_.data(); }
+  float local_error() const { return static_cast<float>(2.5e-13 * (1.0 + scale_ * size)); }
 
   std::span<const int> candidates;   // in the mesh's order, in which all here is numbered
   std::vector<int> given;            // their places in the query
   double size = 0.0;                 // [m] bounds the magnitude of every coordinate of nodes and sources
-  Pyramid boxes;                     // of the rays
   std::vector<std::uint32_t> aside;  // rays without length, or not downstream of the outlet: empty boxes
 
  private:
   void sort(std::span<const int> as_given);
   bool project();
-  void make_list(const Pyramid& elements, std::span<const int> slots);
-  int touching_rays(const Pyramid& elements, const float* points, int slot, int* out) const;
   void rescale();
-  void set_scale(double extent);
   void set_sides(const RayBounds& bounds);
   void set_side(int bit, double slope, double bound);
   void find_aside(std::size_t count);
 
   Surface surface_;
   const RaySource* source_ = nullptr;
-  OrderedMesh mesh_;
+  const OrderedMesh* mesh_ = nullptr;
   std::vector<int> sorted_;
   std::vector<std::uint64_t> chosen_;  // bit i: the i-th element of the order is a candidate
   std::vector<int> given_at_;          // place of the i-th element in the query
@@ -89,16 +73,14 @@ class RayBundle {
   double scale_ = 0.0;  // [1/m] power of two that brings local coordinates below 1; kept for the next query
   RayBounds bounds_{};
   ProjectArrays arrays_{};
-  BoxArrays rays_{};
+  RayArrays rays_{};
   ProjectFlags flags_{};
   unsigned outside_ = 0;              // bits of a code that keep an element out
   std::vector<float> local_;          // 4 a node
   std::vector<float> local_targets_;  // 4 a ray
-  std::vector<float> points_;         // of the rays, see BoxArrays
-  std::vector<float> list_boxes_;     // rays near some elements, see RayList
-  std::vector<int> list_blocks_;
-  int list_count_ = 0;
-  std::vector<std::uint8_t> codes_;  // of the nodes
+  std::vector<float> ray_floats_;     // see RayArrays
+  Pyramid boxes_;                     // of the rays
+  std::vector<std::uint8_t> codes_;   // of the nodes
   std::vector<std::uint8_t> aside_bits_;
   mutable std::vector<blocking::Ray> made_;
   mutable std::vector<std::uint8_t> is_made_;

@@ -45,24 +45,6 @@ template <class Visit>
     descend(pyramid, box, lowest, level, b, visit);
 }
 
-[[gnu::always_inline]] inline int append_bits(int block, unsigned hits, unsigned blocked, unsigned met,
-                                              int* out) {
-  int count = 0;
-  for (; hits != 0; hits &= hits - 1u) {
-    const int i = __builtin_ctz(hits);
-    out[count++] = kHitKinds * (8 * block + i) + static_cast<int>(blocked >> i & 1u) * kBlocked +
-                   static_cast<int>(met >> i & 1u) * kMet;
-  }
-  return count;
-}
-
-inline int overlap(const PyramidView& pyramid, const float* box, int* out) {
-  int count = 0;
-  for_each_overlap(pyramid, 0, box,
-                   [&](int block, unsigned hits) { count += append_bits(block, hits, 0, 0, out + count); });
-  return count;
-}
-
 [[gnu::always_inline]] inline Floats determinant(const Vec3<Floats>& d, const Vec3<Floats>& a,
                                                  const Vec3<Floats>& b) {
   return d.x * (a.y * b.z - a.z * b.y) + d.y * (a.z * b.x - a.x * b.z) + d.z * (a.x * b.y - a.y * b.x);
@@ -95,77 +77,44 @@ struct Meeting {
           (inner & below) | (outer & above), (inner & above) | (outer & below)};
 }
 
-inline int shortlist(const PyramidView& rays, const float* boxes, float* list, int* blocks) {
-  float around[32];
-  merge(boxes, around);
-  const float bounds[4] = {around[0], around[8], around[16], around[24]};
-  int count = 0;
-  const auto add = [&](int block, const float* box) {
-    float* to = list + 32 * std::ptrdiff_t{count / 8} + count % 8;
-    for (int i = 0; i < 32; i += 8) to[i] = box[i];
-    blocks[count++] = block;
-  };
-  if (rays.levels == 1) {
-    const float everywhere[32] = {-kFar, 0, 0, 0,     0, 0, 0, 0, kFar, 0, 0, 0,   0,
-                                  0,     0, 0, -kFar, 0, 0, 0, 0, 0,    0, 0, kFar};
-    add(0, everywhere);
-  } else {
-    for_each_overlap(rays, 1, bounds, [&](int block, unsigned hits) {
-      const float* parent = rays.boxes + 32 * std::ptrdiff_t{rays.first[1] + block};
-      for (; hits != 0; hits &= hits - 1u) {
-        const int i = __builtin_ctz(hits);
-        add(8 * block + i, parent + i);
-      }
-    });
-  }
-  for (int i = count; i % 8 != 0; ++i) {
-    float* empty = list + 32 * std::ptrdiff_t{i / 8} + i % 8;
-    empty[0] = kFar;
-    empty[8] = -kFar;
-  }
-  return count;
+/// The same of triangles where they are, from the source (0, y, 0).
+[[gnu::always_inline]] inline Meeting meet_from(Floats y, const Vec3<Floats>& d, const Corners& t) {
+  const auto seen = [&](const Vec3<Floats>& x) { return Vec3<Floats>{x.x, x.y - y, x.z}; };
+  return meet(d, seen(t.a), seen(t.b), seen(t.c));
 }
 
-inline int rays_touching(const RayList& list, const float* bounds, const Touch& element, int* out) {
-  const Box box(bounds);
-  const float* c = element.corner;
-  const Vec3<Floats> corners[3] = {{Floats(c[0]), Floats(c[1]), Floats(c[2])},
-                                   {Floats(c[3]), Floats(c[4]), Floats(c[5])},
-                                   {Floats(c[6]), Floats(c[7]), Floats(c[8])}};
+inline void meet_pairs(const PairArrays& p, int count) {
+  const Floats end(p.half_long);
+  for (int k = 0; k < count; k += 8) {
+    const auto last = [&](int i) { return k + i < count ? k + i : count - 1; };
+    const Vec3<Floats> g = gather_rows(p.targets, [&](int i) { return p.rays[last(i)]; });
+    const Corners t = gather_corners(p.local, p.triangles, [&](int i) { return p.elements[last(i)]; });
+    const Floats y = max(min(g.y, end), -end);
+    const Meeting m = meet_from(y, {g.x, g.y - y, g.z}, t);
+    p.blocked[k / 8] = static_cast<std::uint8_t>(bits(m.pierced & m.crossed));
+    p.apart[k / 8] = static_cast<std::uint8_t>(bits(~m.possible | m.beyond));
+  }
+}
+
+inline int meet_elements(const RayArrays& rays, int ray, const PyramidView& pyramid, const float* points,
+                         int* out) {
+  const float* box = rays.boxes + 32 * std::ptrdiff_t{ray / 8} + ray % 8;
+  const float bounds[4] = {box[0], box[8], box[16], box[24]};
+  const float* r = rays.rays + kRayFloats * std::ptrdiff_t{ray / 8} + ray % 8;
+  const Vec3<Floats> d = {Floats(r[0]), Floats(r[8]), Floats(r[16])};
+  const Floats y(r[24]), end(r[16] + kSlack);
   int count = 0;
-  for (int i = 0; i < list.count; i += 8) {
-    for (unsigned near = box.overlaps(list.boxes + 4 * std::ptrdiff_t{i}); near != 0; near &= near - 1u) {
-      const int block = list.blocks[i + __builtin_ctz(near)];
-      const unsigned hits = box.overlaps(list.ray_boxes + 32 * std::ptrdiff_t{block});
-      if (hits == 0) continue;
-      const float* p = list.ray_points + kRayFloats * std::ptrdiff_t{block};
-      const Vec3<Floats> g = load_points(p);
-      const Floats source = Floats::load(p + 24);
-      const auto seen = [&](const Vec3<Floats>& x) { return Vec3<Floats>{x.x, x.y - source, x.z}; };
-      const Meeting meeting =
-          meet({g.x, g.y - source, g.z}, seen(corners[0]), seen(corners[1]), seen(corners[2]));
-      count += append_bits(block, hits & bits(meeting.possible), bits(meeting.pierced & meeting.crossed),
-                           bits(meeting.pierced & meeting.beyond), out + count);
+  for_each_overlap(pyramid, 0, bounds, [&](int block, unsigned hits) {
+    const Corners t = load_corners(points + kElementFloats * std::ptrdiff_t{block});
+    hits &= bits(min(min(t.a.z, t.b.z), t.c.z) <= end);  // the others are behind the target
+    if (hits == 0) return;
+    const Meeting m = meet_from(y, d, t);
+    hits &= bits(m.possible & ~m.beyond);
+    const unsigned blocked = hits & bits(m.pierced & m.crossed);
+    for (; hits != 0; hits &= hits - 1u) {
+      const int i = __builtin_ctz(hits);
+      out[count++] = kHitKinds * (8 * block + i) + static_cast<int>(blocked >> i & 1u) * kBlocked;
     }
-  }
-  return count;
-}
-
-inline int elements_touching(const PyramidView& pyramid, const float* box, const float* points,
-                             const Touch& ray, int* out) {
-  const Floats source(ray.source), end(ray.target[2] + kSlack);
-  const Vec3<Floats> d = {Floats(ray.target[0]), Floats(ray.target[1]) - source, Floats(ray.target[2])};
-  int count = 0;
-  for_each_overlap(pyramid, 0, box, [&](int block, unsigned hits) {
-    const float* p = points + kElementFloats * std::ptrdiff_t{block};
-    const auto corner = [&](int i) {
-      const Vec3<Floats> x = load_points(p + i);
-      return Vec3<Floats>{x.x, x.y - source, x.z};
-    };
-    const Vec3<Floats> a = corner(0), b = corner(24), c = corner(48);
-    const Meeting meeting = meet(d, a, b, c);
-    hits &= bits((min(min(a.z, b.z), c.z) <= end) & meeting.possible & ~meeting.beyond);
-    count += append_bits(block, hits, bits(meeting.pierced & meeting.crossed), 0, out + count);
   });
   return count;
 }

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "near.hpp"
+
+#include <algorithm>
+
+namespace jet {
+
+void NearElements::reserve(const OrderedMesh& mesh) {
+  mesh_ = &mesh;
+  const auto patches = static_cast<std::size_t>(mesh.patches);
+  patches_.resize(patches);
+  points_.resize(kElementFloats * patches);
+  for (auto* bytes : {&inner_, &outer_, &between_, &on_way_}) bytes->resize(patches);
+  boxes_.reserve(8 * patches);
+  edge_boxes_.reserve(8 * patches);
+  places_.resize(8 * patches);
+  edges_.resize(kEdgeFloats * patches);
+  hits_.resize(64 * patches);  // eight rays and all elements
+}
+
+void NearElements::find(const RayBundle& rays, const RayBundle::Way& way) {
+  rays_ = &rays;
+  has_boxes_ = false;
+  count_ = rays.find_patches(patches_.data());
+  std::fill(inner_.begin(), inner_.end(), std::uint8_t{0});
+  std::fill(outer_.begin(), outer_.end(), std::uint8_t{0});
+  kernel_table().look_at_patches({rays.local(),
+                                  rays.arrays().half_long,
+                                  mesh_->triangles.front().data(),
+                                  static_cast<int>(mesh_->rank.size()),
+                                  patches_.data(),
+                                  count_,
+                                  rays.local_error(),
+                                  {way.line[0], way.line[1], way.line[2]},
+                                  points_.data(),
+                                  inner_.data(),
+                                  outer_.data(),
+                                  between_.data(),
+                                  on_way_.data()});
+}
+
+void NearElements::make_boxes(const RayBundle& rays) {
+  kernel_table().element_boxes(points_.data(), rays.arrays().half_long, count_, boxes_.boxes());
+  boxes_.build(8 * count_);
+  has_boxes_ = true;
+}
+
+void NearElements::make_edges(const RayBundle& rays, std::span<const int> places) {
+  const std::size_t count = places.size();
+  std::copy(places.begin(), places.end(), places_.begin());
+  std::fill(places_.begin() + static_cast<std::ptrdiff_t>(count),
+            places_.begin() + static_cast<std::ptrdiff_t>((count + 7) / 8 * 8), places.back());
+  kernel_table().make_edges({rays.local(), rays.arrays().half_long, mesh_->triangles.front().data(),
+                             places_.data(), edge_boxes_.boxes(), edges_.data()},
+                            static_cast<int>(count));
+  edge_boxes_.build(static_cast<int>(count));
+}
+
+}  // namespace jet
