@@ -52,6 +52,18 @@ PerfectGas gas_of(const ParameterMap& values) {
   return {get(values, "gas_constant"), get(values, "heat_capacity_ratio")};
 }
 
+Parameter ambient_pressure_parameter() {
+  return {"ambient_pressure", "p_a", "Pa", 101325.0, "ambient pressure"};
+}
+
+std::vector<std::string> history_columns() {
+  return {"time_s", "pressure_Pa", "temperature_K", "gas_mass_kg"};
+}
+
+Row history(const GasState& state) {
+  return {state.pressure, state.temperature, state.mass};
+}
+
 Parameters tank_parameters(double volume, double pressure, double temperature) {
   return {{"volume", "V", "m3", volume, "volume"},
           {"initial_pressure", "p0", "Pa", pressure, "absolute pressure at t = 0"},

@@ -31,6 +31,10 @@ Parameters gas_constant_parameter();
 PerfectGas gas_of_constant(const ParameterMap& values);
 /// volume, initial pressure and temperature.
 Parameters tank_parameters(double volume, double pressure, double temperature);
+Parameter ambient_pressure_parameter();
+/// Columns of a tank's history, and its row.
+std::vector<std::string> history_columns();
+Row history(const GasState& state);
 Parameters sheet_parameters(bool with_density);
 Sheet sheet_of(const ParameterMap& values, bool with_density);
 Parameters pendulum_parameters();

@@ -109,7 +109,7 @@ Entry sphere_fill_entry() {
           joined({gas_parameters(),
                   sheet_parameters(false),
                   {{"radius", "R0", "m", 0.3, "unstretched radius"},
-                   {"ambient_pressure", "p_a", "Pa", 101325.0, "ambient pressure"},
+                   ambient_pressure_parameter(),
                    {"inflow_temperature", "T_in", "K", 700.0, "temperature of the inflow"}}}),
           {"inflow_mass_kg", "pressure_Pa", "volume_m3", "stretch", "strain_energy_J", "ambient_work_J"},
           range(0.0, 0.1, 50),

@@ -5,18 +5,6 @@
 namespace closed_form::entries {
 namespace {
 
-Row history(const GasState& s) {
-  return {s.pressure, s.temperature, s.mass};
-}
-
-std::vector<std::string> history_columns() {
-  return {"time_s", "pressure_Pa", "temperature_K", "gas_mass_kg"};
-}
-
-Parameter ambient_pressure_parameter() {
-  return {"ambient_pressure", "p_a", "Pa", 101325.0, "ambient pressure"};
-}
-
 Entry ambient_inrush_entry() {
   return {
       "ambient_inrush",

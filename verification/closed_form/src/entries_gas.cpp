@@ -5,10 +5,6 @@
 namespace closed_form::entries {
 namespace {
 
-Row history(const GasState& s) {
-  return {s.pressure, s.temperature, s.mass};
-}
-
 const char* const kBalance = "energy balance of an open system, textbook result; derived here";
 
 Parameters inflow_parameters(double mass_flow, double temperature) {
@@ -24,7 +20,7 @@ Entry tank_fill_entry() {
           "t >= 0; p0 >= 0",
           15,
           joined({gas_parameters(), tank_parameters(0.06, 101325.0, 293.15), inflow_parameters(1.0, 700.0)}),
-          {"time_s", "pressure_Pa", "temperature_K", "gas_mass_kg"},
+          history_columns(),
           range(0.0, 0.1, 100),
           [](const ParameterMap& v, double t) {
             return history(

@@ -9,8 +9,7 @@ namespace {
 const char* const kNozzle = "isentropic nozzle flow, textbook result";
 
 Parameters upstream_parameters() {
-  return {{"temperature", "T", "K", 673.0, "inside"},
-          {"ambient_pressure", "p_a", "Pa", 101325.0, "ambient pressure"}};
+  return {{"temperature", "T", "K", 673.0, "inside"}, ambient_pressure_parameter()};
 }
 
 Parameters blowdown_parameters() {
@@ -18,7 +17,7 @@ Parameters blowdown_parameters() {
                  tank_parameters(0.06, 5e5, 600.0),
                  {{"area", "A", "m2", 1e-3, "area of the hole"},
                   {"discharge_coefficient", "Cd", "1", 1.0, "of the hole"},
-                  {"ambient_pressure", "p_a", "Pa", 101325.0, "ambient pressure"}}});
+                  ambient_pressure_parameter()}});
 }
 
 Blowdown blowdown_of(const ParameterMap& v) {
@@ -43,9 +42,8 @@ PorosityLaw law_of(const ParameterMap& v) {
 }
 
 Parameters porous_tank_parameters() {
-  return joined({tank_parameters(0.12, 130000.0, 400.0),
-                 fabric_parameters(),
-                 {{"ambient_pressure", "p_a", "Pa", 101325.0, "ambient pressure"}}});
+  return joined(
+      {tank_parameters(0.12, 130000.0, 400.0), fabric_parameters(), {ambient_pressure_parameter()}});
 }
 
 PorousTank porous_tank_of(const PerfectGas& gas, const ParameterMap& v) {
@@ -59,13 +57,6 @@ PorousTank porous_tank_of(const PerfectGas& gas, const ParameterMap& v) {
           get(v, "ambient_pressure")};
 }
 
-Row history(const GasState& s) {
-  return {s.pressure, s.temperature, s.mass};
-}
-
-std::vector<std::string> history_columns() {
-  return {"time_s", "pressure_Pa", "temperature_K", "gas_mass_kg"};
-}
 std::vector<std::string> times_columns() {
   return {"time_constant_s", "unchoke_time_s",      "unchoke_pressure_Pa",
           "end_time_s",      "final_temperature_K", "final_gas_mass_kg"};

@@ -65,7 +65,7 @@ Entry sphere_breathing_entry() {
           15,
           joined({sheet_parameters(true),
                   radius_parameter(0.30598317419458695, "unstretched radius"),
-                  {{"ambient_pressure", "p_a", "Pa", 101325.0, "ambient pressure"},
+                  {ambient_pressure_parameter(),
                    {"heat_capacity_ratio", "gamma", "1", 1.4, "of the gas; 0 for none"}}}),
           {"overpressure_Pa", "angular_frequency_rad_s"},
           range(0.0, 1e5, 50),

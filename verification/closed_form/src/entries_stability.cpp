@@ -134,7 +134,7 @@ Entry vent_entry() {
           joined({gas_parameters(),
                   {{"volume", "V", "m3", 0.06, "volume"},
                    {"area", "A", "m2", 1e-3, "Cd A of the vent"},
-                   {"ambient_pressure", "p_a", "Pa", 101325.0, "ambient pressure"},
+                   ambient_pressure_parameter(),
                    {"temperature", "T", "K", 400.0, "temperature"},
                    {"time_step", "dt", "s", 1e-3, "step of explicit Euler"}}}),
           {"overpressure_Pa", "rate_sqrtPa_s", "eigenvalue_1_s", "euler_chatter_Pa"},
