@@ -36,6 +36,28 @@ std::optional<TableReader> read_ambient(TableReader& root, Scene& scene) {
   return table;
 }
 
+/// Method and steps of the gas.
+void read_gas_time(TableReader& table, bool has_volume, Scene& scene) {
+  for (const char* key : {"gas_tolerance", "gas_method", "gas_step"})
+    if (table.has(key) && !has_volume) table.fail(key, "has no effect: the scene has no volume of gas");
+  if (!has_volume) return;
+  gas::IntegratorOptions& options = scene.gas->integrator;
+  options.method = table.choice<gas::Method>("gas_method",
+                                             {{"dormand_prince", gas::Method::kDormandPrince5},
+                                              {"runge_kutta", gas::Method::kRungeKutta4},
+                                              {"euler", gas::Method::kEuler},
+                                              {"rosenbrock", gas::Method::kRosenbrock4}},
+                                             "dormand_prince");
+  if (const auto step = table.optional_number("gas_step", positive)) {
+    if (table.has("gas_tolerance"))
+      table.fail("gas_tolerance", "has no effect with gas_step: its sub-steps are fixed");
+    options.fixed_step = *step;
+    return;
+  }
+  options.relative_tolerance =
+      table.number("gas_tolerance", Bounds{1e-13, 1e-2, false, "1e-13 to 1e-2"}, options.relative_tolerance);
+}
+
 void read_time(TableReader& root, Scene& scene) {
   auto table = root.optional_table("time");
   if (!table) return;
@@ -47,20 +69,7 @@ void read_time(TableReader& root, Scene& scene) {
   if (!scene.time.step)
     scene.time.safety = table->number("safety", Bounds{1e-3, 1.0, false, "1e-3 to 1"}, scene.time.safety);
   scene.time.unsafe_step = table->flag("unsafe_dt", false);
-  if (const auto tolerance =
-          table->optional_number("gas_tolerance", Bounds{1e-13, 1e-2, false, "1e-13 to 1e-2"})) {
-    if (!scene.gas || root.has("target"))
-      table->fail("gas_tolerance", "has no effect: the scene has no volume of gas");
-    scene.gas->integrator.relative_tolerance = *tolerance;
-  }
-  if (table->has("gas_method")) {
-    if (!scene.gas) table->fail("gas_method", "the scene has no gas");
-    scene.gas->integrator.method = table->choice<gas::Method>(
-        "gas_method", {{"dormand_prince", gas::Method::kDormandPrince5},
-                       {"runge_kutta", gas::Method::kRungeKutta4},
-                       {"euler", gas::Method::kEuler},
-                       {"rosenbrock", gas::Method::kRosenbrock4}});
-  }
+  read_gas_time(*table, scene.gas && !root.has("target"), scene);
   if (scene.time.unsafe_step && !scene.time.step) table->fail("unsafe_dt", "is allowed with `step` only");
   table->finish();
 }
@@ -83,7 +92,6 @@ void read_output(TableReader& root, Scene& scene) {
 void check_composition(const TableReader& root, const Scene& scene) {
   if (scene.bag && scene.gas && scene.gas->rigid_volume)
     root.fail("tank", "a scene has a [tank] or a [membrane], not both");
-  if (scene.bag && !scene.gas) root.fail("gas", "is missing: a bag ([membrane]) is filled by a gas");
   if (scene.gas && !scene.has_volume() && !scene.target)
     root.fail("gas", "needs a volume, [tank] or [membrane], or a [target] for its jet");
   if (scene.target && scene.jets.empty())

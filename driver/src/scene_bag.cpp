@@ -187,14 +187,14 @@ void read_bag(TableReader& root, Scene& scene) {
     if (root.has("fabric")) root.fail("fabric", "needs a table [membrane]");
     return;
   }
+  if (!scene.gas) root.fail("gas", "is missing: a bag ([membrane]) is filled by a gas");
   const auto null_panels = table->texts("null_panels");
   BagMesh source = read_mesh(table->table("mesh"), null_panels);
   membrane::BagDescription bag;
   bag.reference = source.mesh.nodes;
   bag.elements = source.mesh.elements;
   bag.gravity = scene.gravity;
-  LeakLaw law = LeakLaw::none;
-  read_fabric(root, source.mesh, null_panels, bag, law);
+  const LeakLaw law = read_fabric(root, source.mesh, null_panels, bag, scene.gas->model);
   std::vector<int> null_elements = set_null_panels(*table, null_panels, source.mesh, bag);
   bag.fixed_nodes = nodes_of_panels(*table, "fixed_panels", source.mesh);
   bag.mass_damping = table->number("mass_damping", non_negative, 0.0);

@@ -62,22 +62,29 @@ void read_panels(TableReader& table, const membrane::Mesh& mesh, const std::vect
 
 }  // namespace
 
-void read_fabric(TableReader& root, const membrane::Mesh& mesh, const std::vector<std::string>& null_panels,
-                 membrane::BagDescription& bag, LeakLaw& law) {
+LeakLaw read_fabric(TableReader& root, const membrane::Mesh& mesh,
+                    const std::vector<std::string>& null_panels, membrane::BagDescription& bag,
+                    gas::ControlVolumeModel& model) {
   TableReader table = root.table("fabric");
   membrane::ElementProperties fabric;
   read_properties(table, fabric,
                   [&](const char* key, Bounds bounds, double) { return table.number(key, bounds); });
-  fabric.porosity = table.number("porosity", fraction, 0.0);
-  law = table.choice<LeakLaw>(
-      "leak_law", {{"none", LeakLaw::none}, {"printed", LeakLaw::printed}, {"screen", LeakLaw::screen}},
-      "printed");
+  const auto law = table.choice<LeakLaw>("leak_law",
+                                         {{"none", LeakLaw::none},
+                                          {"printed", LeakLaw::printed},
+                                          {"screen", LeakLaw::screen},
+                                          {"table", LeakLaw::table}},
+                                         "printed");
+  // A table is measured on the fabric as it is: all of it leaks, unless the case says otherwise.
+  fabric.porosity = table.number("porosity", fraction, law == LeakLaw::table ? 1.0 : 0.0);
+  if (law == LeakLaw::table) read_leak_velocity(table, model);
   using membrane::Compression;
   bag.compression = table.choice<Compression>(
       "compression", {{"none", Compression::none}, {"linear", Compression::linear}}, "none");
   bag.properties.assign(static_cast<std::size_t>(bag.elements.cols()), fabric);
   read_panels(table, mesh, null_panels, bag.properties);
   table.finish();
+  return law;
 }
 
 double lightest_fabric(const membrane::BagDescription& bag) {

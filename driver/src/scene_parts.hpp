@@ -8,8 +8,8 @@
 
 namespace driver {
 
-/// [gas], [[gas.species]], [[inflator]] (its gas), and the tables of the functions below. `ambient` and `inflators`
-/// are read but not finished: the jets are read from the latter later.
+/// [gas], [[gas.species]], [[inflator]] (its gas), and the tables of the functions below. `ambient` and
+/// `inflators` are read but not finished: the jets are read from the latter later.
 void read_gas(TableReader& root, std::optional<TableReader>& ambient, std::vector<TableReader>& inflators,
               Scene& scene);
 
@@ -41,9 +41,11 @@ void read_heat_loss(TableReader& gas_table, Scene& scene);
 void read_leak_velocity(TableReader& table, gas::ControlVolumeModel& model);
 /// [membrane], [fabric]
 void read_bag(TableReader& root, Scene& scene);
-/// [fabric]: properties of each element, compression and leak law; bag.elements are set.
-void read_fabric(TableReader& root, const membrane::Mesh& mesh, const std::vector<std::string>& null_panels,
-                 membrane::BagDescription& bag, LeakLaw& law);
+/// [fabric]: properties of each element, compression and leak law (returned; its table goes to `model`);
+/// bag.elements are set.
+LeakLaw read_fabric(TableReader& root, const membrane::Mesh& mesh,
+                    const std::vector<std::string>& null_panels, membrane::BagDescription& bag,
+                    gas::ControlVolumeModel& model);
 /// Least mass per area of a bag's fabric [kg/m2]; infinite if all of it is null.
 double lightest_fabric(const membrane::BagDescription& bag);
 /// [target]

@@ -124,6 +124,30 @@ TEST(gas_scene, implicit_method_of_the_stiff_tank_contributes) {
       1.0 / 400.0, 0.2 / 400.0);
 }
 
+/// Fixed sub-steps by each explicit method, on both sides of its limit: the balance of the closed form, or an
+/// error.
+TEST(gas_scene, fixed_steps_of_each_method_have_their_limit) {
+  const auto steady = closed_form::vented_fill_steady({{296.8, 1.4}, 1e-3, 0.5, 700.0, 1e-3});
+  for (const auto& [method, limit] : std::vector<std::pair<std::string, double>>{
+           {"euler", 2.0}, {"runge_kutta", 2.7852935634}, {"dormand_prince", 3.3065678926}}) {
+    const auto run = [&](double share) {
+      const double step = share * limit / -steady.fast_eigenvalue;
+      return run_case("tank_fixed_steps",
+                      {"time.gas_method=" + method, "time.gas_step=" + std::to_string(1e3 * step) + "e-3",
+                       "output.history_every=0.15"});
+    };
+    const CaseRun below = run(0.9), above = run(1.1);
+    ASSERT_EQ(below.outcome.status, driver::RunStatus::done) << below.outcome.message;
+    // It starts 0.25 % off and shrinks by 0.8 a step (Euler), more than thirty times.
+    EXPECT_NEAR(below.history.back().pressure_Pa / steady.state.pressure, 1.0, 1e-5) << method;
+    EXPECT_EQ(above.outcome.status, driver::RunStatus::failed) << method;
+    EXPECT_NE(above.outcome.message.find("stability limit"), std::string::npos) << above.outcome.message;
+  }
+  const CaseRun implicit =
+      run_case("tank_fixed_steps", {"time.gas_method=rosenbrock", "time.gas_step=0.015"});
+  EXPECT_NEAR(implicit.history.back().pressure_Pa / steady.state.pressure, 1.0, 1e-5);
+}
+
 TEST(gas_scene, volume_table_is_met_at_its_knots) {
   const CaseRun run = run_case("tank_stiff", {"output.history_every=0.0007"});
   EXPECT_NEAR(run.history.back().volume_m3, 2e-4, 1e-18);
@@ -133,6 +157,30 @@ TEST(gas_scene, volume_table_is_met_at_its_knots) {
     EXPECT_NEAR(row.volume_m3, 1e-4 * (1.0 + share), 1e-18) << row.time_s;
   }
   EXPECT_GT(pressure_at(run, 0.002), 101325.0);
+}
+
+/// The bag's fabric as a table: its outflow is area times density times the velocity at each level.
+TEST(gas_scene, table_of_the_bags_fabric_is_its_outflow) {
+  const CaseRun run = run_case("bag_leak_table"), half = run_case("bag_leak_table", {"fabric.porosity=0.5"}),
+                tight = run_case("bag_leak_table", {"fabric.porosity=0"});
+  ASSERT_EQ(run.outcome.status, driver::RunStatus::done) << run.outcome.message;
+  const gas::Curve velocity({{0.0, 0.0}, {500.0, 0.017}, {5000.0, 0.12}, {20000.0, 0.4}, {50000.0, 0.8}},
+                            gas::Outside::kHeld);
+  for (const auto& [one, share] : {std::pair{&run, 1.0}, {&half, 0.5}, {&tight, 0.0}}) {
+    for (const auto& row : one->history) {
+      const double excess = row.pressure_Pa - 101325.0;
+      const double expected =
+          excess > 0.0 ? share * row.skin_area_m2 * row.gas_mass_kg / row.volume_m3 * velocity.value(excess)
+                       : 0.0;
+      // The same product from the row's rounded numbers; p - p_a loses the digits of p.
+      EXPECT_NEAR(row.fabric_outflow_kg_s, expected, 1e-12 * expected + 1e-12) << row.time_s;
+    }
+  }
+  // What it contributes: a third of the gas has left, half the overpressure at the end.
+  EXPECT_GT(run.state.flows.fabric_mass_out, half.state.flows.fabric_mass_out);
+  EXPECT_EQ(tight.state.flows.fabric_mass_out, 0.0);
+  EXPECT_LT(run.state.peaks.pressure, tight.state.peaks.pressure);
+  EXPECT_LT(run.state.peaks.mass_residual, 1e-12);
 }
 
 TEST(gas_scene, contact_opens_the_vent_from_the_next_step) {
