@@ -69,6 +69,28 @@ void BM_temperature_from_energy(benchmark::State& run) {
   run.counters["error_K"] = worst;
 }
 
+// Cold: states from 250 to 5900 K in an order without neighbours, each from the same guess.
+void BM_temperature_cold(benchmark::State& run) {
+  const int kind = static_cast<int>(run.range(0));
+  run.SetLabel(kLabels[kind]);
+  const gas::Thermo t = thermo(kind);
+  const gas::Mixture mixture = t.mixture(first_only(t));
+  constexpr int kStates = 1000, kStride = 377;  // coprime
+  std::vector<double> temperatures, energies;
+  for (int i = 0; i < kStates; ++i) {
+    temperatures.push_back(250.0 + 5.65 * (i * kStride % kStates));
+    energies.push_back(mixture.internal_energy(temperatures.back()));
+  }
+  double worst = 0.0;
+  for (std::size_t i = 0; i < energies.size(); ++i)
+    worst = std::max(worst, std::abs(mixture.temperature(energies[i], 300.0) - temperatures[i]));
+  for (auto _ : run)
+    for (const double u : energies) benchmark::DoNotOptimize(mixture.temperature(u, 300.0));
+  run.counters["time_per_call"] = benchmark::Counter(
+      kStates, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+  run.counters["error_K"] = worst;
+}
+
 void BM_gas_point(benchmark::State& run) {
   const int kind = static_cast<int>(run.range(0));
   run.SetLabel(kLabels[kind]);
@@ -112,6 +134,7 @@ void BM_gas_advance(benchmark::State& run) {
 }
 
 BENCHMARK(BM_temperature_from_energy)->DenseRange(0, 2);
+BENCHMARK(BM_temperature_cold)->DenseRange(0, 2);
 BENCHMARK(BM_gas_point)->DenseRange(0, 2);
 BENCHMARK(BM_gas_advance)->ArgsProduct({{0, 1, 2}, {0, 1}});
 

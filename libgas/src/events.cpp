@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Substepper: where a sub-step has to end, because p passes a switch of the regime or a level.
+// Substepper: where a sub-step has to end, because p passes a switch of the regime or a level, or because no
+// gas was there before.
 #include <algorithm>
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
@@ -15,38 +16,28 @@ bool is_out(Regime regime) {
 
 }  // namespace
 
-Substepper::Start Substepper::start_values(const FlowBalance& balance, double t) const {
+Substepper::Place Substepper::place(const FlowBalance& balance) const {
   return {balance.pressure_excess(), balance.sonic_excess(), balance.back_sonic_excess(),
-          balance.point().pressure, balance.pressure_rate(t)};
+          balance.point().pressure};
 }
 
-double Substepper::distance(const FlowBalance& balance, Event event) const {
-  switch (event) {
-    case Event::kSonic:
-      return balance.sonic_excess();
-    case Event::kBackSonic:
-      return balance.back_sonic_excess();
-    case Event::kLevelAbove:
-      return balance.point().pressure - levels_[band_];
-    case Event::kLevelBelow:
-      return balance.point().pressure - levels_[band_ - 1];
-    default:
-      return balance.pressure_excess();
-  }
+Substepper::Start Substepper::start_values(const FlowBalance& balance, double t) const {
+  return {place(balance), balance.pressure_rate(t)};
 }
 
-double Substepper::begin_distance(Event event, const Start& start) const {
+/// How far [Pa] the gas is from an event.
+double Substepper::distance(const Place& at, Event event) const {
   switch (event) {
     case Event::kSonic:
-      return start.sonic;
+      return at.sonic;
     case Event::kBackSonic:
-      return start.back_sonic;
+      return at.back_sonic;
     case Event::kLevelAbove:
-      return start.pressure - levels_[band_];
+      return at.pressure - levels_[band_];
     case Event::kLevelBelow:
-      return start.pressure - levels_[band_ - 1];
+      return at.pressure - levels_[band_ - 1];
     default:
-      return start.excess;
+      return at.excess;
   }
 }
 
@@ -89,6 +80,29 @@ Regime Substepper::regime_after(const FlowBalance& balance, Event event, double 
   const bool down = now == Regime::kClosed ? excess < 0.0 : growth < 0.0;
   if (up && !is_out(now) && balance.is_open()) return Regime::kOut;
   return down && now != Regime::kBack && balance.has_backflow() ? Regime::kBack : Regime::kClosed;
+}
+
+/// Behind walls the first gas of an evacuated volume has no heat capacity to be stepped with: it is at its
+/// balance with them. So it is for one fixed step, or until a share of the segment's gas is there that will
+/// be forgotten at its end; and below all switches and levels. Returns the time reached.
+double Substepper::fill_first(Rates& rates, Vector& y, double a, double b) {
+  FlowBalance& balance = rates.balance;
+  const double all = balance.mass_in_until(b), fixed = options_.fixed_step;
+  if (!(all > 0.0)) return a;
+  double lowest = 0.4 * balance.ambient_pressure();  // below the sonic switch of every gas
+  for (const double level : levels_)
+    if (level > 0.0) lowest = std::min(lowest, 0.5 * level);
+  for (double step = fixed > 0.0 ? std::min(fixed, b - a) : b - a;; step *= 0.5) {
+    const double end = step == b - a ? b : a + step;
+    if (fixed == 0.0 && balance.mass_in_until(end) > options_.relative_tolerance * all) continue;
+    std::ranges::copy(y, trial_.end.begin());
+    balance.fill_until(trial_.end, begin_rate_, a, end);
+    balance.locate(trial_.end, end);
+    if (lowest > 0.0 && balance.point().pressure > lowest) continue;
+    y.swap(trial_.end);
+    ++accepted_;
+    return end;
+  }
 }
 
 /// Whether p may turn, inside the trial that ends at t, beyond a switch or level that both ends have not
@@ -147,10 +161,10 @@ double Substepper::end_at(Event event, Rates& rates, const Vector& y, double x, 
                           const Start& start) {
   const double near = event == Event::kSonic || event == Event::kBackSonic ? sonic_near_ : near_;
   const auto value = [&](double) {
-    const double d = distance(rates.balance, event);
+    const double d = distance(place(rates.balance), event);
     return std::abs(d) <= 0.5 * near ? 0.0 : d;
   };
-  const double begin = begin_distance(event, start), end = value(h);
+  const double begin = distance(start.place, event), end = value(h);
   event_ = event;
   next_regime_ = regime_after(rates.balance, event, rates.time(x + h));
   if (std::abs(begin) > near && begin * end < 0.0) return end_at_zero(rates, y, x, h, begin, end, 50, value);

@@ -115,7 +115,6 @@ void FlowBalance::locate(const Vector& y, double t) {
   point_.volume = volume(t);
   point_.pressure = point_.gamma = point_.thermal_energy = point_.specific_enthalpy = 0.0;
   point_.heat = 0.0;
-  if (point_.valid && mixture_.mass == 0.0) point_.heat = heat_of_first_gas(t);
   if (!point_.valid || mixture_.mass == 0.0) return;
   const auto temperature = mixture_.find_temperature(internal_energy, point_.temperature);
   point_.valid = temperature.has_value();

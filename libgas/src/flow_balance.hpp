@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
+#include <optional>
 #include <vector>
 
 #include "gas/integrator.hpp"
@@ -70,6 +71,12 @@ class FlowBalance {
   void locate(const Vector& y, double t);
   /// dy/dt at the gas located, in the regime set; fills the flows of point().
   void fill_rates(Vector& dydt, double t);
+  bool has_walls() const { return model_.heat_loss.conductance > 0.0; }
+  /// Mass [kg] that flows in from the begin of the segment to t, backflow as at the last point.
+  double mass_in_until(double t) const;
+  /// Fills an evacuated volume to time `end`: without a heat capacity the gas is at the temperature at which
+  /// inflow and walls balance there. `dydt`: the rates at `begin`, the last point.
+  void fill_until(Vector& y, const Vector& dydt, double begin, double end);
   /// Turns the state of begin_step() into the one at the end of the last segment; throws DomainError, and
   /// leaves it as it is, if its temperature is out of range.
   void finish(const Vector& y, ControlVolumeState& state);
@@ -84,8 +91,10 @@ class FlowBalance {
   double closed_pressure_growth(double t) const;
   /// dp/dt [Pa/s] at the last point, time t; zero without gas.
   double pressure_rate(double t) const;
-  /// The faster of the two relaxation rates [1/s] at the last point, (G.14).
+  /// The faster of the two relaxation rates [1/s] of outflow at the last point, (G.14).
   double relaxation_rate() const;
+  /// That of the walls, (G.16); zero without gas.
+  double heat_rate() const;
   void set_regime(Regime regime) { regime_ = regime; }
   Regime regime() const { return regime_; }
   const Point& point() const { return point_; }
@@ -102,7 +111,7 @@ class FlowBalance {
   double collect(const Vector& y, double t);
   double volume(double t) const { return volume_begin_ + volume_rate_ * (t - t0_); }
   double leak_area(double t) const { return leak_area_begin_ + leak_area_rate_ * (t - t0_); }
-  double heat_of_first_gas(double t) const;
+  std::optional<double> temperature_of_first_gas(double t) const;
   void outflow_rates(Vector& dydt, double t);
   void backflow_rates(Vector& dydt, double t);
 

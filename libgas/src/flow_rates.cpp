@@ -30,12 +30,10 @@ void add(double factor, const Mixture& from, Mixture& to) {
 
 }  // namespace
 
-/// (G.11) while an evacuated volume begins to fill: without a heat capacity, T is where inflow and walls
-/// balance, sum mdot_i (h_i - u_i(T)) = h A (T - T_ext), which is the equation of a mixture with h A added to
-/// its cp.
-double FlowBalance::heat_of_first_gas(double t) const {
+/// The temperature at which inflow and walls balance while an evacuated volume begins to fill, sum mdot_i (h_i -
+/// u_i(T)) = h A (T - T_ext), which is the equation of a mixture with h A added to its cp. None without inflow.
+std::optional<double> FlowBalance::temperature_of_first_gas(double t) const {
   const HeatLoss& loss = model_.heat_loss;
-  if (loss.conductance == 0.0) return 0.0;
   Mixture sum;
   double energy = loss.conductance * loss.outside_temperature, flow = 0.0;
   for (const InflowSegment& segment : segments_) {
@@ -45,11 +43,29 @@ double FlowBalance::heat_of_first_gas(double t) const {
     add(mass_flow, segment.gas(), sum);
     flow += mass_flow;
   }
-  if (flow == 0.0) return 0.0;
+  if (point_.back > 0.0) {
+    energy += point_.back * air_enthalpy_;
+    add(point_.back, air_, sum);
+    flow += point_.back;
+  }
+  if (flow == 0.0) return {};
   sum.low[0] += loss.conductance;
   sum.high[0] += loss.conductance;
-  const auto temperature = sum.find_temperature(energy, loss.outside_temperature);
-  return temperature ? loss.conductance * (*temperature - loss.outside_temperature) : 0.0;
+  return sum.find_temperature(energy, loss.outside_temperature);
+}
+
+void FlowBalance::fill_until(Vector& y, const Vector& dydt, double begin, double end) {
+  for (std::size_t j = 0; j < backflows(); ++j) y[back_slot(j)] += dydt[back_slot(j)] * (end - begin);
+  const double energy = collect(y, end);
+  model_.thermo.mixture(masses_, mixture_);
+  if (const auto temperature = temperature_of_first_gas(end))
+    y[heat_slot()] += energy - mixture_.internal_energy(*temperature);
+}
+
+double FlowBalance::mass_in_until(double t) const {
+  double mass = 0.0;
+  for (const InflowSegment& segment : segments_) mass += segment.delivered(t - segment_begin_).mass;
+  return mass + point_.back * (t - segment_begin_);
 }
 
 double FlowBalance::closed_pressure_growth(double t) const {
@@ -68,6 +84,11 @@ double FlowBalance::pressure_rate(double t) const {
                   point_.gamma * gas_constant * point_.temperature * (point_.vent + point_.fabric);
   if (point_.back > 0.0) growth += point_.back * pressure_growth(air_, model_.ambient.temperature, point_);
   return growth / point_.volume;
+}
+
+double FlowBalance::heat_rate() const {
+  if (point_.mass == 0.0) return 0.0;
+  return model_.heat_loss.conductance * point_.temperature / point_.thermal_energy;
 }
 
 double FlowBalance::relaxation_rate() const {

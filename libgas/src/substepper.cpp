@@ -61,16 +61,18 @@ void Substepper::fail(const Rates& rates, double x, double h) const {
                             to_text(rates.time(x + h) - rates.time(x)) + " s";
   if (!point.valid) throw DomainError("the gas leaves its temperature range, or none is left, " + where);
   throw DomainError("the gas is too stiff for the integrator: " + std::to_string(attempts_) + " sub-steps, " +
-                    where + "; it relaxes within " + to_text(1.0 / rates.balance.relaxation_rate()) + " s");
+                    where + "; it relaxes within " +
+                    to_text(1.0 / (rates.balance.relaxation_rate() + rates.balance.heat_rate())) + " s");
 }
 
 /// A fixed step past the limit of its method grows where inflow feeds what leaves; where gas only runs out,
-/// p = p_a ends it.
+/// p = p_a ends it. Walls feed and take.
 void Substepper::require_stable(const Rates& rates, double x, double h) const {
   const FlowBalance& balance = rates.balance;
-  if (options_.fixed_step == 0.0 || options_.unsafe_step || !(balance.closed_pressure_growth(x) > 0.0))
-    return;
-  const double rate = balance.relaxation_rate(), limit = stepper_->stability_limit();
+  if (options_.fixed_step == 0.0 || options_.unsafe_step) return;
+  const bool fed = balance.closed_pressure_growth(x) > 0.0;
+  const double rate = balance.heat_rate() + (fed ? balance.relaxation_rate() : 0.0);
+  const double limit = stepper_->stability_limit();
   if (!(h * rate > limit)) return;
   throw DomainError("the step " + to_text(h) + " s is above the method's stability limit " +
                     to_text(limit / rate) + " s at t = " + to_text(x) + " s, where the gas relaxes within " +
@@ -181,9 +183,14 @@ double Substepper::integrate(FlowBalance& balance, Vector& y, double a, double b
   Rates rates{balance};
   start_regime(balance, y, a, b);
   start_variable(rates, a, b);
-  double t = a, x = rates.position(a);
-  const double first = first_step(balance, a);  // no number where there is no gas yet
-  double h = rates.position(first < b - a ? a + first : b) - x;
+  double t = a;
+  if (balance.point().mass == 0.0 && balance.has_walls() && (t = fill_first(rates, y, a, b)) > a) {
+    start_regime(balance, y, t, b);
+    start_variable(rates, t, b);
+  }
+  double x = rates.position(t);
+  const double first = first_step(balance, t);  // no number where there is no gas yet
+  double h = rates.position(first < b - t ? t + first : b) - x;
   Start start = start_values(balance, t);
   while (t < b) {
     const double x_end = rates.position(b);

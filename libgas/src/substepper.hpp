@@ -28,9 +28,14 @@ class Substepper {
   int evaluations() const { return evaluations_; }
 
  private:
-  /// Distances [Pa] to the switches, the pressure [Pa] and its rate [Pa/s] at the begin of a sub-step.
+  /// Distances [Pa] to the switches, and the pressure [Pa].
+  struct Place {
+    double excess, sonic, back_sonic, pressure;
+  };
+  /// The same at the begin of a sub-step, with the rate of the pressure [Pa/s].
   struct Start {
-    double excess, sonic, back_sonic, pressure, rate;
+    Place place;
+    double rate;
   };
   enum class Event { kNone, kAmbient, kSonic, kBackSonic, kLevelAbove, kLevelBelow };
 
@@ -44,6 +49,7 @@ class Substepper {
   [[noreturn]] void fail(const Rates& rates, double x, double h) const;
   void start_regime(FlowBalance& balance, const Vector& y, double t, double b);
   void start_variable(Rates& rates, double t, double b);
+  double fill_first(Rates& rates, Vector& y, double a, double b);
   void enter_band(FlowBalance& balance) const;
   void find_band(FlowBalance& balance, double t);
   bool pass_event(FlowBalance& balance);
@@ -53,8 +59,8 @@ class Substepper {
   Event passed_switch(const FlowBalance& balance, double t) const;
   Event passed_level(const FlowBalance& balance) const;
   bool may_turn_past_event(const FlowBalance& balance, double t, double h, const Start& start) const;
-  double distance(const FlowBalance& balance, Event event) const;
-  double begin_distance(Event event, const Start& start) const;
+  Place place(const FlowBalance& balance) const;
+  double distance(const Place& at, Event event) const;
   Regime regime_after(const FlowBalance& balance, Event event, double t) const;
   double end_at_turn(Rates& rates, const Vector& y, double x, double h, const Start& start);
   double end_at(Event event, Rates& rates, const Vector& y, double x, double h, const Start& start);

@@ -144,6 +144,21 @@ double Thermo::speed_of_sound(std::span<const double> masses, double temperature
                    temperature);
 }
 
+double Thermo::entropy(std::span<const double> masses, double temperature, double pressure) const {
+  const Mixture sums = checked(masses, temperature);
+  require(pressure > 0.0 && std::isfinite(pressure), "pressure [Pa]", pressure,
+          "must be positive and finite");
+  double sum = 0.0;
+  for (std::size_t k = 0; k < size(); ++k) {
+    if (masses[k] == 0.0) continue;                       // X ln X -> 0
+    const double amount = masses[k] * gas_constants_[k];  // [J/K]
+    const double partial_pressure = amount / sums.gas_constant_sum * pressure;
+    sum += masses[k] * standard_entropy(k, temperature) -
+           amount * std::log(partial_pressure / kStandardPressure);
+  }
+  return sum / sums.mass;
+}
+
 double Thermo::temperature_from_internal_energy(std::span<const double> masses, double internal_energy,
                                                 double guess) const {
   const Mixture sums = mixture(masses);

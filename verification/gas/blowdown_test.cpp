@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
+#include <functional>
+
 #include "cases.hpp"
 #include "closed_form/orifice.hpp"
 
@@ -133,6 +135,58 @@ TEST(blowdown, fill_with_vent_reaches_its_steady_state) {
   // The slow mode, 3.96/s, has decayed by 1e-14; what is left is one tolerance.
   EXPECT_LT(relative(gas::evaluate(model, state, 0.06, 0.0, 8.0).pressure, 332836.30571198209), 5e-12);
   EXPECT_LT(relative(state.temperature, 700.0), 5e-12);
+}
+
+/// Disturbed along an eigenvector of (m, U), it comes back at that eigenvalue: log-fit over one e-fold.
+TEST(blowdown, fill_with_vent_decays_at_its_two_rates) {
+  gas::ControlVolumeModel model = closed_tank(nitrogen());
+  model.vents.push_back({1.0, 1e-3});
+  model.inflows.push_back(steady_inflow(model.thermo, 0.5, 700.0));
+  const gas::ControlVolumeState steady =
+      gas::make_state(model.thermo, kPure, 332836.30571198209, 700.0, 0.06);
+  const double per_mass = 0.5 / steady.masses[0];
+  for (const double eigenvalue : {-0.7614835192865496, -1.8385164807134504}) {
+    gas::ControlVolumeState state = steady;
+    // mdot ~ sqrt(m U), so that d(dm/m)/dt = -(mdot/m) (dm/m + dU/U)/2.
+    state.masses[0] *= 1.0 + 1e-5;
+    state.internal_energy *= 1.0 - 1e-5 * (1.0 + 2.0 * eigenvalue);
+    const double time = 1.0 / (per_mass * -eigenvalue);
+    gas::GasIntegrator(model, {1e-13}).advance(state, 0.0, time, rigid(0.06));
+    const double decay = std::log((state.masses[0] / steady.masses[0] - 1.0) / 1e-5) / (time * per_mass);
+    // Quadratic terms are 1e-5 of the linear ones; a few of them.
+    EXPECT_LT(relative(decay, eigenvalue), 1e-4);
+  }
+}
+
+/// Walls so strong that the gas keeps their temperature: off from the isothermal closed forms by what the
+/// heat needs to pass, first order in 1/(hA).
+TEST(blowdown, strong_walls_make_it_isothermal) {
+  const auto error = [](double conductance, double leak_area, double p0, double t0, double volume,
+                        double exact) {
+    gas::ControlVolumeModel model = closed_tank(nitrogen());
+    if (leak_area == 0.0) model.vents.push_back({1.0, 1e-3});
+    model.heat_loss = {conductance, t0};
+    gas::ControlVolumeState state = gas::make_state(model, kPure, p0, t0, volume);
+    const double time = leak_area == 0.0 ? 0.05 : 0.01;
+    gas::GasIntegrator(model, {1e-10, 100000, gas::Method::kRosenbrock4})
+        .advance(state, 0.0, time, rigid(volume, leak_area));
+    return std::abs(gas::evaluate(model, state, volume, leak_area, time).pressure / exact - 1.0);
+  };
+  const auto hole = [&](double conductance) {
+    return error(conductance, 0.0, 5e5, 600.0, 0.06, 393001.55708981881);
+  };
+  const auto fabric = [&](double conductance) {
+    return error(conductance, 0.0025 * 1.5, 130000.0, 400.0, 0.12, 121588.46551630102);
+  };
+  for (const auto& one : {std::function<double(double)>(hole), std::function<double(double)>(fabric)}) {
+    double weak = one(1e6);
+    for (const double conductance : {2e6, 4e6, 8e6}) {
+      const double strong = one(conductance);
+      EXPECT_NEAR(std::log2(weak / strong), 1.0, 0.05) << conductance;  // the next order is a thousandth
+      weak = strong;
+    }
+    EXPECT_LT(weak, 1e-4);
+  }
 }
 
 }  // namespace

@@ -102,6 +102,18 @@ TEST(method, sonic_switch_costs_no_order) {
   }
 }
 
+/// To 97 % of the time to equalisation, where rates go as its root: steps well below the 3 % that are left.
+TEST(method, order_holds_close_to_equalisation) {
+  const double end = 0.97 * 0.31877770016071139;
+  double coarse = blowdown_error({1e-10, 100000, gas::Method::kRungeKutta4, end / 128}, end);
+  for (const int steps : {256, 512, 1024}) {
+    const double fine = blowdown_error({1e-10, 100000, gas::Method::kRungeKutta4, end / steps}, end);
+    // As above, and the steps' share of what is left: 32/steps of it, of which a few orders enter.
+    EXPECT_NEAR(std::log2(coarse / fine), 4.0, 64.0 / steps) << steps;
+    coarse = fine;
+  }
+}
+
 TEST(method, error_follows_the_tolerance) {
   for (const gas::Method method : kMethods) {
     for (const double tolerance : {1e-4, 1e-6, 1e-8}) {

@@ -4,7 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <functional>
+#include <limits>
 #include <map>
+#include <stdexcept>
 
 #include "cases.hpp"
 
@@ -119,6 +122,55 @@ TEST(thermo, mixture_properties_are_mass_weighted_and_extensive) {
     EXPECT_LT(relative(thermo.cp(masses, t), cp), 100.0 * kEpsilon);
     EXPECT_LT(relative(thermo.mixture(masses).cp(t), 0.036 * cp), 100.0 * kEpsilon);
   }
+}
+
+/// At constant p: ds = dh/T, over each step of T by Gauss' rule on cp/T.
+TEST(thermo, mixture_entropy_ds_eq_dh_over_T) {
+  const gas::Thermo real = nasa7({"N2", "H2O", "CO2"});
+  const gas::Thermo constant(
+      {gas::constant_cp_species("N2"), gas::constant_cp_species("H2O"), gas::constant_cp_species("CO2")});
+  const std::vector<double> masses{0.02, 0.005, 0.011};
+  for (const gas::Thermo& thermo : {std::cref(real), std::cref(constant)}) {
+    for (const double t : {300.0, 640.0, 980.0, 1300.0, 2900.0, 5900.0}) {
+      const double ds = thermo.entropy(masses, t, 2e5) - thermo.entropy(masses, t - 10.0, 2e5);
+      const double sum = integrate([&](double x) { return thermo.cp(masses, x) / x; }, t - 10.0, t);
+      // The rule's error as in dsdT_eq_cp_over_T; rounding of s, some ten operations on terms of its size.
+      EXPECT_NEAR(sum, ds, 100.0 * kEpsilon * thermo.entropy(masses, t, 2e5)) << t;
+    }
+  }
+}
+
+TEST(thermo, entropy_of_mixing_and_of_pressure_eq_closed_form) {
+  const gas::Thermo thermo = nasa7({"N2", "He", "CO2"});
+  // Equal numbers of molecules of two gases: R ln 2 per mole; the third has none.
+  const std::vector<double> equal =
+      thermo.mass_fractions_by_mole(std::vector<gas::Component>{{"N2", 0.5}, {"He", 0.5}});
+  const double t = 700.0, p = 3e5, r = thermo.gas_constant(equal);
+  double apart = 0.0;
+  for (std::size_t k = 0; k < 2; ++k) {
+    std::vector<double> pure(3, 0.0);
+    pure[k] = 1.0;
+    apart += equal[k] * thermo.entropy(pure, t, p);
+    // One species at 1 bar: (G.3) itself.
+    EXPECT_EQ(thermo.entropy(pure, t, gas::kStandardPressure), thermo.standard_entropy(k, t));
+  }
+  const double s = thermo.entropy(equal, t, p);
+  // Differences of numbers of the size of s, some ten operations each.
+  EXPECT_NEAR(s - apart, r * std::log(2.0), 50.0 * kEpsilon * s);
+  EXPECT_NEAR(s - thermo.entropy(equal, t, 7.0 * p), r * std::log(7.0), 50.0 * kEpsilon * s);
+  // The amount does not matter.
+  std::vector<double> tenfold = equal;
+  for (double& m : tenfold) m *= 10.0;
+  EXPECT_LT(relative(thermo.entropy(tenfold, t, p), s), 16.0 * kEpsilon);
+}
+
+TEST(thermo, entropy_of_bad_states_is_refused) {
+  const gas::Thermo thermo = nasa7({"N2", "He"});
+  const std::vector<double> half{0.5, 0.5};
+  for (const double p : {0.0, -1.0, std::numeric_limits<double>::infinity(), std::nan("")})
+    EXPECT_THROW(thermo.entropy(half, 300.0, p), std::invalid_argument) << p;
+  EXPECT_THROW(thermo.entropy(half, 199.0, 1e5), gas::DomainError);
+  EXPECT_THROW(thermo.entropy(std::vector{0.0, 0.0}, 300.0, 1e5), std::invalid_argument);
 }
 
 TEST(thermo, constant_cp_gives_h_eq_cpT_without_offset) {

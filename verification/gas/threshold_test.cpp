@@ -219,25 +219,4 @@ TEST(threshold, chatter_of_plain_euler_is_as_its_formula_and_ours_is_none) {
               1e-12 * kAmbientPressure);
 }
 
-/// A trace flushed out in h mdot/m = z: Euler takes it to 1 - z, the last stage of RK4 to 1 - z + z^2/2 -
-/// z^3/4, whose root is 1.2956; the gas itself is stable up to 1.09 and 1.51. Below zero is an error.
-TEST(threshold, species_running_out_of_euler_eq_residence_time) {
-  gas::ControlVolumeModel model = closed_tank(nasa7({"N2", "He"}));
-  model.inflows.push_back(steady_inflow(model.thermo, 0.5, 700.0));
-  model.vents.push_back({1.0, 1e-3});
-  gas::ControlVolumeState steady = gas::make_state(model, std::vector{1.0, 0.0}, 3.3e5, 700.0, 1e-3);
-  gas::GasIntegrator(model).advance(steady, 0.0, 1.0, rigid(1e-3));
-  const double residence = steady.masses[0] / 0.5;
-  const auto run = [&](gas::Method method, double h) {
-    gas::ControlVolumeState state = steady;
-    state.masses[1] = 1e-9 * steady.masses[0];
-    gas::GasIntegrator(model, {1e-10, 100000, method, h}).advance(state, 0.0, 5.0 * h, rigid(1e-3));
-    return state.masses[1];
-  };
-  EXPECT_GT(run(gas::Method::kEuler, 0.999 * residence), 0.0);
-  EXPECT_THROW(run(gas::Method::kEuler, 1.001 * residence), gas::DomainError);
-  EXPECT_GT(run(gas::Method::kRungeKutta4, 1.295 * residence), 0.0);
-  EXPECT_THROW(run(gas::Method::kRungeKutta4, 1.296 * residence), gas::DomainError);
-}
-
 }  // namespace

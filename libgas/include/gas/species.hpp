@@ -8,6 +8,7 @@
 namespace gas {
 
 inline constexpr double kMolarGasConstant = 8.31446261815324;  // [J/(mol K)] CODATA 2018, exact
+inline constexpr double kStandardPressure = 1e5;               // [Pa] of the entropies (G.3)
 inline constexpr double kReferenceTemperature = 298.15;        // [K] of constant cp, unless stated
 inline constexpr double kJointTemperature = 1000.0;            // [K] where the two NASA-7 ranges meet
 

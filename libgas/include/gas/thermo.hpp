@@ -50,6 +50,11 @@ class Thermo {
   double internal_energy(std::span<const double> masses, double temperature) const;  // [J/kg]
   double speed_of_sound(std::span<const double> masses, double temperature) const;   // [m/s]
 
+  /// Entropy at T [K] and p [Pa] > 0, each species at its share X_k p of the pressure:               (G.15)
+  ///   s = sum_k Y_k (s_k(T) - R_k ln(X_k p / 1 bar)), s_k of (G.3) [J/(kg K)]
+  /// For a gas of constant cp s_k = cp ln(T / 1 K): only differences have a meaning.
+  double entropy(std::span<const double> masses, double temperature, double pressure) const;
+
   /// T [K] of the amount `masses` [kg] that holds the internal energy U [J]; see Mixture::temperature.
   double temperature_from_internal_energy(std::span<const double> masses, double internal_energy,
                                           double guess) const;

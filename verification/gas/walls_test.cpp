@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include "cases.hpp"
+
+// Heat through the walls: where each method fails, and the first gas of an evacuated volume, which has no
+// heat capacity.
+namespace {
+
+using namespace cases;
+
+struct Limit {
+  gas::Method method;
+  double value;  // of h lambda: see threshold_test.cpp
+};
+constexpr Limit kLimits[] = {{gas::Method::kEuler, 2.0},
+                             {gas::Method::kRungeKutta4, 2.7852935634},
+                             {gas::Method::kDormandPrince5, 3.3065678926}};
+
+/// Gas at rest: dT/dt = -(hA/(m cv)) (T - T_ext), whose growth is the method's stability function.
+TEST(walls, threshold_eq_their_relaxation_rate) {
+  gas::ControlVolumeModel model = closed_tank(nitrogen());
+  model.heat_loss = {200.0, 400.0};
+  const gas::ControlVolumeState start = gas::make_state(model, kPure, 2e5, 400.001, 0.06);
+  const double rate = 200.0 / (start.masses[0] * 742.0);
+  const auto growth = [&](gas::Method method, double h, bool unsafe) {
+    gas::ControlVolumeState state = start;
+    gas::GasIntegrator(model, {1e-10, 100000, method, h, unsafe}).advance(state, 0.0, 50.0 * h, rigid(0.06));
+    return std::abs(state.temperature - 400.0) / 1e-3;
+  };
+  for (const auto& [method, limit] : kLimits) {
+    const double h = limit / rate;
+    // 50 steps at 1 % from the limit, where the stability function has a slope of 1 (Euler) or more: a factor
+    // 1.02^50 = 2.7 or more.
+    EXPECT_LT(growth(method, 0.99 * h, false), 0.5) << static_cast<int>(method);
+    EXPECT_GT(growth(method, 1.01 * h, true), 2.0) << static_cast<int>(method);
+    EXPECT_THROW(growth(method, 1.01 * h, false), gas::DomainError) << static_cast<int>(method);
+  }
+  EXPECT_LT(growth(gas::Method::kRosenbrock4, 100.0 / rate, false), 1e-3);
+}
+
+/// Evacuated tank filled at a flow that is constant or grows from zero; hA = ratio mdot cv.
+struct Fill {
+  double ratio;
+  bool ramp;
+};
+
+double temperature(const Fill& fill, gas::Method method, double tolerance, double h) {
+  gas::ControlVolumeModel model = closed_tank(nitrogen());
+  model.inflows.push_back(steady_inflow(model.thermo, 1.0, 700.0));
+  if (fill.ramp) model.inflows[0].mass_flow = gas::Curve({{0.0, 0.0}, {1e-3, 2.0}}, gas::Outside::kZero);
+  model.heat_loss = {fill.ratio * 742.0, 300.0};
+  gas::ControlVolumeState state = gas::make_state(model, kPure, 0.0, 300.0, 0.06);
+  const double end = h > 0.0 && !fill.ramp ? 20.0 * h : 1e-3;
+  gas::GasIntegrator(model, {tolerance, 10000000, method, h}).advance(state, 0.0, end, rigid(0.06));
+  return state.temperature;
+}
+
+/// There is no scale of time: hA/(mdot cv) alone decides, for any step.
+TEST(walls, evacuated_fill_has_a_threshold_without_scale) {
+  const auto error = [](gas::Method method, double ratio, double h) {
+    return relative(temperature({ratio, false}, method, 1e-10, h),
+                    (1.4 * 700.0 + ratio * 300.0) / (1.0 + ratio));
+  };
+  for (const auto& [method, limit] : kLimits) {
+    for (const double h : {1e-9, 1e-6, 1e-3}) {
+      // The exact solution is linear in time: rounding alone is left, and hardly amplified.
+      EXPECT_LT(error(method, 0.99 * limit, h), 1e-12) << static_cast<int>(method);
+      EXPECT_THROW(error(method, 1.01 * limit, h), gas::DomainError) << static_cast<int>(method);
+    }
+  }
+  // Error control takes as many sub-steps as it needs; Rosenbrock has no limit.
+  for (const gas::Method method : kMethods) EXPECT_LT(error(method, 100.0, 0.0), 1e-8);
+  for (const double h : {1e-9, 1e-6, 1e-3}) EXPECT_LT(error(gas::Method::kRosenbrock4, 100.0, h), 1e-6);
+}
+
+/// A flow that grows from zero, mdot = s t: dT/dt = (2/t) (gamma T_in - T) - (a/t^2) (T - T_ext), a = 2 hA/(s
+/// cv), so T = int_0^t exp(a/t - a/x) (2 gamma T_in x + a T_ext) dx/t^2; by Simpson's rule, 1e-12 at this
+/// number of points.
+double ramp_fill(double ratio, double t) {
+  const double a = 2.0 * ratio * 742.0 / (2000.0 * 742.0);
+  const int n = 20000;
+  double sum = 0.0;
+  for (int i = 1; i <= n; ++i) {
+    const double x = t * i / n, weight = i == n ? 1.0 : i % 2 == 1 ? 4.0 : 2.0;
+    sum += weight * std::exp(a / t - a / x) * (2.0 * 1.4 * 700.0 * x + a * 300.0);
+  }
+  return sum * t / (3.0 * n) / (t * t);
+}
+
+TEST(walls, evacuated_fill_from_zero_flow_eq_quadrature) {
+  for (const double ratio : {0.1, 1.0, 10.0})
+    for (const auto& [method, tolerance] :
+         std::vector<std::pair<gas::Method, double>>{{gas::Method::kDormandPrince5, 1e-8},
+                                                     {gas::Method::kRungeKutta4, 1e-8},
+                                                     {gas::Method::kRosenbrock4, 1e-8},
+                                                     {gas::Method::kEuler, 1e-5}})
+      // Some hundred sub-steps (Euler: some thousand), most of them forgotten.
+      EXPECT_LT(relative(temperature({ratio, true}, method, tolerance, 0.0), ramp_fill(ratio, 1e-3)),
+                100.0 * tolerance)
+          << static_cast<int>(method) << " " << ratio;
+}
+
+}  // namespace
