@@ -52,7 +52,7 @@ Entry ring_entry() {
       "twisted_ring",
       "Wrinkled ring, inner edge turned against the outer, over the angle",
       "stress A/sqrt(r^2 - c^2) on rays; A = E c angle/L; L = ln((b^2-c^2)/(a^2-c^2))/2; c: greatest c^2/L",
-      "E. Reissner (1938), E. H. Mansfield (1970); c derived here",
+      "E. Reissner, On tension field theory (1938); c derived here",
       "small angle; wrinkled up to the outer edge, c^2/(b^2 - c^2) >= nu",
       14,
       joined(
