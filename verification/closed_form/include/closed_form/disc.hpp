@@ -40,9 +40,9 @@ struct RingTwist {
 };
 /// Uniaxial stress A/sqrt(r^2 - c^2) along the rays, A = E c angle/L, L = ln((b^2 - c^2)/(a^2 - c^2))/2; c
 /// from the greatest c^2/L, 2 L = c^2 (b^2 - a^2)/((a^2 - c^2)(b^2 - c^2)). Angle [rad] of magnitude up to
-/// 0.1, strains of its size neglected. Refused where the outer edge would be taut (margin < 0: b/a > 1.74 for
-/// nu = 0.3). Source: E. Reissner (1938), E. H. Mansfield (1970) for the rays; c derived here from the
-/// complementary energy.
+/// 0.1, strains of its size neglected. Refused where the outer edge would be taut (margin < 0: b/a > 1.745
+/// for nu = 0.3). Source: E. Reissner, On tension field theory, Proc. 5th Int. Congr. Appl. Mech. (1938) for
+/// the rays; c derived here from the complementary energy.
 RingTwist twisted_ring(const TwistedRing& ring, double angle);
 
 }  // namespace closed_form
