@@ -181,12 +181,33 @@ Entry simple_shear_entry() {
           }};
 }
 
+Entry membrane_rebound_entry() {
+  return {"membrane_rebound",
+          "Sphere that rebounds from a tensioned circular membrane, over its speed",
+          "M v^2/2 = pi N a^4 (ln(R/a) + 1/4)/r^2; depth a^2 (1 + 2 ln(R/a))/(2 r)",
+          "derived here",
+          "membrane without mass, small slope a/r",
+          9,
+          {{"tension", "N", "N/m", 2e3, "tension"},
+           {"membrane_radius", "R", "m", 0.3, "radius of the clamped rim"},
+           {"sphere_radius", "r", "m", 10.0, "radius of the sphere"},
+           {"mass", "M", "kg", 40.0, "mass of the sphere"}},
+          {"speed_m_s", "patch_radius_m", "depth_m", "contact_force_N", "duration_s"},
+          range(0.005, 0.05, 9),
+          [](const ParameterMap& v, double speed) {
+            const MembraneRebound b =
+                membrane_rebound({get(v, "tension"), get(v, "membrane_radius"), get(v, "sphere_radius")},
+                                 get(v, "mass"), speed);
+            return Row{b.patch_radius, b.turn.depth, b.turn.force, b.duration};
+          }};
+}
+
 }  // namespace
 
 void add_tension_and_waves(std::vector<Entry>& list) {
   for (Entry (*entry)() :
        {drum_entry, rectangle_entry, lattice_square_entry, square_deflection_entry, circle_deflection_entry,
-        wave_speeds_entry, stretched_waves_entry, uniaxial_entry, simple_shear_entry})
+        membrane_rebound_entry, wave_speeds_entry, stretched_waves_entry, uniaxial_entry, simple_shear_entry})
     list.push_back(entry());
 }
 

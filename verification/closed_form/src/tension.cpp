@@ -7,6 +7,7 @@
 
 #include "check.hpp"
 #include "closed_form/membrane.hpp"
+#include "quadrature.hpp"
 
 namespace closed_form {
 namespace {
@@ -88,6 +89,40 @@ double circle_deflection(double tension, double radius, double overpressure) {
   check::positive("tension", tension);
   check::positive("radius", radius);
   return check::finite("overpressure", overpressure) * radius * radius / (4.0 * tension);
+}
+
+DentState membrane_dent(const MembraneDent& dent, double patch_radius) {
+  check::positive("tension", dent.tension);
+  check::positive("membrane_radius", dent.membrane_radius);
+  check::positive("sphere_radius", dent.sphere_radius);
+  if (dent.sphere_radius < dent.membrane_radius)
+    check::refuse("sphere_radius", dent.sphere_radius, "must be at least the radius of the membrane");
+  check::from_below("patch_radius", patch_radius, 0.0, dent.membrane_radius);
+  if (patch_radius == 0.0) return {};
+  const double log = std::log(dent.membrane_radius / patch_radius);
+  const double square = patch_radius * patch_radius / dent.sphere_radius;
+  return {square * (0.5 + log), 2.0 * pi * dent.tension * square,
+          pi * dent.tension * square * square * (log + 0.25)};
+}
+
+MembraneRebound membrane_rebound(const MembraneDent& dent, double mass, double speed) {
+  check::positive("mass", mass);
+  check::positive("speed", speed);
+  const double energy = 0.5 * mass * speed * speed;
+  double low = 0.0, high = dent.membrane_radius * (1.0 - 1e-9);
+  if (membrane_dent(dent, high).energy <= energy)
+    check::refuse("speed", speed, "must leave the patch smaller than the membrane");
+  // The energy grows with the patch: bisection to the last bit.
+  for (double mid = 0.5 * high; mid > low && mid < high; mid = 0.5 * (low + high))
+    (membrane_dent(dent, mid).energy < energy ? low : high) = mid;
+  // dt = d(depth)/v with a = a_max (1 - u^2), which takes the root of v at the turn.
+  const auto rate = [&](double u) {
+    const double a = high * (1.0 - u * u);
+    const double left = speed * speed - 2.0 * membrane_dent(dent, a).energy / mass;
+    const double slope = 2.0 * a / dent.sphere_radius * std::log(dent.membrane_radius / a);
+    return slope * 2.0 * high * u / std::sqrt(left);
+  };
+  return {high, membrane_dent(dent, high), 2.0 * quadrature::integrate(rate, 0.0, 1.0, 64)};
 }
 
 }  // namespace closed_form

@@ -103,6 +103,39 @@ TEST(ClosedFormTension, circle_deflection_satisfies_poisson) {
   expect_relative(circle_deflection(500.0, 0.3, 40.0), 40.0 * 0.09 / 2000.0, kAlgebra);
 }
 
+TEST(ClosedFormTension, force_of_a_dent_eq_slope_of_its_energy) {
+  const MembraneDent dent{2e3, 0.3, 10.0};
+  for (const double a : {1e-3, 0.05, 0.2}) {
+    const double h = 1e-4 * a;
+    const DentState less = membrane_dent(dent, a - h), more = membrane_dent(dent, a + h);
+    // Central difference: 1e-8 of the curves' bend; cancellation leaves 1e-16/4e-4.
+    expect_relative(membrane_dent(dent, a).force, (more.energy - less.energy) / (more.depth - less.depth),
+                    1e-7);
+  }
+  // The membrane meets the sphere's foot at its own slope: depth less the sagitta is the logarithmic funnel.
+  const DentState s = membrane_dent(dent, 0.05);
+  expect_relative(s.depth - 0.05 * 0.05 / 20.0, s.force * std::log(6.0) / (2 * pi * 2e3), kAlgebra);
+}
+
+// Second route to the duration: energies E_max sin^2(phi), so dt = M v sin(phi)/F dphi.
+TEST(ClosedFormTension, rebound_eq_integral_over_the_energy) {
+  const MembraneDent dent{2e3, 0.3, 10.0};
+  const double mass = 40.0, speed = 0.02;
+  const MembraneRebound bounce = membrane_rebound(dent, mass, speed);
+  expect_relative(bounce.turn.energy, 0.5 * mass * speed * speed, kAlgebra);
+  const auto rate = [&](double phi) {
+    const double part = membrane_rebound(dent, mass, speed * std::sin(phi)).turn.force;
+    return mass * speed * std::sin(phi) / part;
+  };
+  // Both integrands bend like a logarithm where the patch begins: panels, and what is cut off, leave 1e-6.
+  expect_relative(bounce.duration, 2.0 * test::integrate(rate, 1e-6, pi / 2), 1e-5);
+  expect_refused([&] { membrane_rebound(dent, mass, 1.0); }, "speed");
+  expect_refused([&] { membrane_rebound(dent, 0.0, speed); }, "mass");
+  expect_refused([&] { membrane_dent({2e3, 0.3, 0.1}, 0.01); }, "sphere_radius");
+  expect_refused([&] { membrane_dent(dent, 0.3); }, "patch_radius");
+  expect_refused([&] { membrane_dent({}, 0.1); }, "tension");
+}
+
 TEST(ClosedFormTension, wave_speeds_eq_reference) {
   const WaveSpeeds w = wave_speeds(paper_fabric());
   expect_relative(w.plane, 326.1062213997001, kAlgebra);

@@ -132,6 +132,29 @@ SquareDeflection lattice_square_deflection(int divisions);
 /// Centre deflection of the circular membrane, p a^2/(4 n) [m]: tension [N/m], radius [m], overpressure [Pa].
 double circle_deflection(double tension, double radius, double overpressure);
 
+/// Rigid sphere pressed without friction into the middle of a clamped circular membrane, small slope.
+struct MembraneDent {
+  double tension = kRequired;          // [N/m] > 0
+  double membrane_radius = kRequired;  // [m] R > 0
+  double sphere_radius = kRequired;    // [m] r >= R
+};
+struct DentState {
+  double depth = 0.0;   // [m] a^2 (1 + 2 ln(R/a))/(2 r), of the sphere under the membrane's plane
+  double force = 0.0;   // [N] 2 pi N a^2/r
+  double energy = 0.0;  // [J] pi N a^4 (ln(R/a) + 1/4)/r^2
+};
+/// When the patch's radius is 0 <= a < R [m]. Source: derived here (Laplace equation outside the patch).
+DentState membrane_dent(const MembraneDent& dent, double patch_radius);
+
+struct MembraneRebound {
+  double patch_radius = 0.0;  // [m] at the turn
+  DentState turn;
+  double duration = 0.0;  // [s] from first touch to release
+};
+/// Sphere of mass [kg] > 0 that meets that membrane, massless, at speed [m/s] > 0 and leaves at the same
+/// speed; refused if the patch would reach the rim.
+MembraneRebound membrane_rebound(const MembraneDent& dent, double mass, double speed);
+
 /// Small waves in a thin sheet. Source: textbook results.
 struct WaveSpeeds {
   double plane = 0.0;  // [m/s] sqrt(E/(rho (1-nu^2))), thin plate, longitudinal
