@@ -42,6 +42,12 @@ BagMesh mesh_of_files(TableReader& table) {
   BagMesh source{read_mesh_file(table, "file", unit), std::nullopt, {}};
   if (table.has("initial_file"))
     table.located("initial_file", [&] { set_initial(source, read_mesh_file(table, "initial_file", unit)); });
+  const auto report = membrane::check_closed_surface(source.shape(), source.mesh.elements);
+  if (!report.ok())
+    throw CaseError(fmt::format("{}:{}:1: mesh: is not a closed control volume: {}",
+                                table.beside_case(table.text("file")).string(),
+                                source.mesh.line[static_cast<std::size_t>(report.first_element())],
+                                report.describe(source.mesh.line)));
   return source;
 }
 
@@ -62,7 +68,6 @@ BagMesh read_mesh(TableReader table, const std::vector<std::string>& null_panels
   table.located("", [&] {
     source = table.has("file") ? mesh_of_files(table) : generated_mesh(table);
     const int times = table.integer("refine", 0, 6, 0);
-    // A mesh that is no closed surface is refused as it was given, with the numbers of its file.
     membrane::require_closed_surface(source.shape(), source.mesh.elements);
     refine(source, times, null_panels);
   });

@@ -208,7 +208,8 @@ class Parser {
       std::vector<int> corners;
       for (const Corner& corner : shell.corners) corners.push_back(index.at(corner.node));
       const auto named = part_names_.find(shell.part);
-      mesh.add_polygon(corners, named == part_names_.end() ? untitled(shell.part) : named->second);
+      mesh.add_polygon(corners, named == part_names_.end() ? untitled(shell.part) : named->second,
+                       shell.corners.front().line);
     }
     return std::move(mesh).finish();
   }

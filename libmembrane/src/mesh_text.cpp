@@ -56,13 +56,14 @@ void require_finite_nodes(const Mesh& mesh) {
     throw std::invalid_argument("nodes: a coordinate is not finite; mesh files hold finite ones");
 }
 
-void MeshBuilder::add_polygon(std::span<const int> corners, const std::string& panel) {
+void MeshBuilder::add_polygon(std::span<const int> corners, const std::string& panel, std::size_t line) {
   std::vector<int> c(corners.begin(), corners.end());
   if (c.size() == 4 && second_diagonal_shorter(corners)) c = {c[1], c[2], c[3], c[0]};
   const int index = panel_index(panel);
   for (std::size_t i = 2; i < c.size(); ++i) {
     elements_.emplace_back(c[0], c[i - 1], c[i]);
     element_panels_.push_back(index);
+    element_lines_.push_back(static_cast<int>(line));
   }
 }
 
@@ -88,6 +89,7 @@ Mesh MeshBuilder::finish() && {
     mesh.elements.col(static_cast<Eigen::Index>(e)) = elements_[e];
   mesh.panel = std::move(element_panels_);
   mesh.panel_names = std::move(panel_names_);
+  mesh.line = std::move(element_lines_);
   return mesh;
 }
 

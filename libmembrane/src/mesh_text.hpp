@@ -37,7 +37,7 @@ class MeshBuilder {
   void add_node(const Eigen::Vector3d& position) { nodes_.push_back(position); }
   /// 3 or 4 corners, node numbers from 0; a quad becomes two elements along its shorter diagonal (the first
   /// of equals).
-  void add_polygon(std::span<const int> corners, const std::string& panel);
+  void add_polygon(std::span<const int> corners, const std::string& panel, std::size_t line);
   Mesh finish() &&;
 
  private:
@@ -46,7 +46,7 @@ class MeshBuilder {
 
   std::vector<Eigen::Vector3d> nodes_;
   std::vector<Eigen::Vector3i> elements_;
-  std::vector<int> element_panels_;
+  std::vector<int> element_panels_, element_lines_;
   std::vector<std::string> panel_names_;
   std::unordered_map<std::string, int> panel_of_name_;
 };

@@ -102,7 +102,7 @@ class Parser {
         fail(tokens[i].column, "node " + std::to_string(index + 1) + " is repeated in this element");
       corners.push_back(index);
     }
-    mesh_.add_polygon(corners, panel_name_);
+    mesh_.add_polygon(corners, panel_name_, line_);
   }
 
   int corner(const Token& token) const {

@@ -139,23 +139,37 @@ void check_nodes_finite(const Eigen::Ref<const Eigen::Matrix3Xd>& nodes, Surface
     if (!nodes.col(i).allFinite()) report.non_finite_nodes.push_back(i);
 }
 
-std::string list_of(const std::vector<int>& items) {
+// How nodes and elements are named: both numbered from 0, or, in a mesh that was read, nodes from 1 and
+// elements by their lines.
+struct Names {
+  const std::vector<int>& lines;
+  std::string node(int i) const { return std::to_string(lines.empty() ? i : i + 1); }
+  std::string element(int e) const {
+    return std::to_string(lines.empty() ? e : lines[static_cast<std::size_t>(e)]);
+  }
+  std::string elements() const { return lines.empty() ? "elements" : "elements in lines"; }
+};
+
+template <class Name>
+std::string list_of(const std::vector<int>& items, Name&& name) {
   std::string text;
-  for (std::size_t i = 0; i < std::min(items.size(), kNamed); ++i)
-    text += (i ? ", " : " ") + std::to_string(items[i]);
+  for (std::size_t i = 0; i < std::min(items.size(), kNamed); ++i) text += (i ? ", " : " ") + name(items[i]);
   return items.size() > kNamed ? text + ", ..." : text;
 }
 
-void describe_list(const std::string& what, const std::vector<int>& items, std::string& text) {
-  if (!items.empty()) text += std::to_string(items.size()) + " " + what + ":" + list_of(items) + "\n";
+template <class Name>
+void describe_list(const std::string& what, const std::vector<int>& items, Name&& name, std::string& text) {
+  if (!items.empty()) text += std::to_string(items.size()) + " " + what + ":" + list_of(items, name) + "\n";
 }
 
-void describe_edges(const std::string& what, const std::vector<EdgeFault>& edges, std::string& text) {
+void describe_edges(const std::string& what, const std::vector<EdgeFault>& edges, const Names& names,
+                    std::string& text) {
   if (edges.empty()) return;
   text += std::to_string(edges.size()) + " " + what + ":";
   for (std::size_t i = 0; i < std::min(edges.size(), kNamed); ++i)
-    text += (i ? "; nodes " : " nodes ") + std::to_string(edges[i].nodes[0]) + "-" +
-            std::to_string(edges[i].nodes[1]) + " of elements" + list_of(edges[i].elements);
+    text += (i ? "; nodes " : " nodes ") + names.node(edges[i].nodes[0]) + "-" +
+            names.node(edges[i].nodes[1]) + " of " + names.elements() +
+            list_of(edges[i].elements, [&](int e) { return names.element(e); });
   text += edges.size() > kNamed ? "; ...\n" : "\n";
 }
 
@@ -167,24 +181,36 @@ bool SurfaceReport::ok() const {
          inconsistent_edges.empty() && pinched_nodes.empty() && unused_nodes.empty() && components.empty();
 }
 
-std::string SurfaceReport::describe() const {
+int SurfaceReport::first_element() const {
+  for (const auto* elements : {&out_of_range_elements, &repeated_node_elements})
+    if (!elements->empty()) return elements->front();
+  for (const auto* edges : {&boundary_edges, &non_manifold_edges, &inconsistent_edges})
+    if (!edges->empty()) return edges->front().elements.front();
+  return components.empty() ? 0 : components.back().front();
+}
+
+std::string SurfaceReport::describe(const std::vector<int>& lines) const {
+  const Names names{lines};
+  const auto node = [&](int i) { return names.node(i); };
+  const auto element = [&](int e) { return names.element(e); };
   std::string text;
   if (empty) text += "the surface has no elements\n";
-  describe_list("elements with a node index out of range", out_of_range_elements, text);
-  describe_list("elements with a repeated node", repeated_node_elements, text);
-  describe_list("nodes that are not finite", non_finite_nodes, text);
-  describe_edges("boundary edges (a hole in the surface)", boundary_edges, text);
+  describe_list("elements with a node index out of range", out_of_range_elements, element, text);
+  describe_list("elements with a repeated node", repeated_node_elements, element, text);
+  describe_list("nodes that are not finite", non_finite_nodes, node, text);
+  describe_edges("boundary edges (a hole in the surface)", boundary_edges, names, text);
   describe_edges("non-manifold edges (more than two elements: a duplicate or an inner wall between chambers)",
-                 non_manifold_edges, text);
+                 non_manifold_edges, names, text);
   describe_edges("inconsistently oriented edges (two elements run them the same way)", inconsistent_edges,
-                 text);
-  describe_list("pinched (non-manifold) nodes, where separate fans of elements meet", pinched_nodes, text);
-  describe_list("nodes that no element uses", unused_nodes, text);
+                 names, text);
+  describe_list("pinched (non-manifold) nodes, where separate fans of elements meet", pinched_nodes, node,
+                text);
+  describe_list("nodes that no element uses", unused_nodes, node, text);
   if (!components.empty()) {
     std::vector<int> firsts;
     for (const std::vector<int>& component : components) firsts.push_back(component.front());
-    describe_list("disconnected components (one control volume is one chamber), first elements", firsts,
-                  text);
+    describe_list("disconnected components (one control volume is one chamber), first " + names.elements(),
+                  firsts, element, text);
   }
   if (inward) text += "inward orientation: the enclosed volume is " + shown(volume) + " m3, not positive\n";
   return text;

@@ -15,6 +15,7 @@ struct Mesh {
   Eigen::Matrix3Xi elements;             // 3 x M, node indices from 0
   std::vector<int> panel;                // M, index into panel_names
   std::vector<std::string> panel_names;  // one name per panel, unique
+  std::vector<int> line;                 // M, line of its file from 1, by which faults are named; else empty
 
   int node_count() const { return static_cast<int>(nodes.cols()); }
   int element_count() const { return static_cast<int>(elements.cols()); }

@@ -35,8 +35,12 @@ struct SurfaceReport {
   bool ok() const;
 
   /// Findings in prose, one per line, naming the first few offending edges, elements and nodes; empty if
-  /// ok().
-  std::string describe() const;
+  /// ok(). Numbers count from 0; with the `line` of a mesh that was read, elements are named by their lines
+  /// and nodes from 1, in the order of the file.
+  std::string describe(const std::vector<int>& lines = {}) const;
+
+  /// An element of the first finding; 0 where a finding names none.
+  int first_element() const;
 };
 
 /// Checks a surface; O(M log M). `nodes` [m] 3 x N, `elements` 3 x M. When an index is out of range only
