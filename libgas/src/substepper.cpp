@@ -7,13 +7,12 @@
 #include <string>
 
 #include "gas/error.hpp"
+#include "near.hpp"
 #include "require.hpp"
 
 namespace gas {
 namespace {
 
-// Pressures closer to a switch than this, relative, are on it: some hundred roundings of p.
-constexpr double kNear = 1e-12;
 // The flux has a continuous slope across the sonic switch: an error of its place enters squared.
 constexpr double kSonicNear = 1e-8;
 constexpr double kSafety = 0.9;
