@@ -29,6 +29,12 @@ StretchedWaveSpeeds stretched_wave_speeds(const Sheet& sheet, double stretch) {
           std::sqrt(c2 * (stretch - 1.0) * (stretch + 1.0) / 2.0)};
 }
 
+PlaneStress hooke_plane_stress(const Sheet& sheet, double e11, double e22, double e12) {
+  check::sheet(sheet, false);
+  const double modulus = plane_stress_modulus(sheet), nu = sheet.poisson_ratio;
+  return {modulus * (e11 + nu * e22), modulus * (e22 + nu * e11), sheet.youngs_modulus / (1.0 + nu) * e12};
+}
+
 UniaxialState uniaxial_tension(const Sheet& sheet, double stretch) {
   check::sheet(sheet, false);
   check::positive("stretch", stretch);
@@ -42,10 +48,7 @@ UniaxialState uniaxial_tension(const Sheet& sheet, double stretch) {
 PlaneStress simple_shear(const Sheet& sheet, double shear) {
   check::sheet(sheet, false);
   check::finite("shear", shear);
-  const double e22 = 0.5 * shear * shear;
-  const double modulus = plane_stress_modulus(sheet);
-  return {modulus * sheet.poisson_ratio * e22, modulus * e22,
-          sheet.youngs_modulus / (2.0 * (1.0 + sheet.poisson_ratio)) * shear};
+  return hooke_plane_stress(sheet, 0.0, 0.5 * shear * shear, 0.5 * shear);
 }
 
 }  // namespace closed_form

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
+// Reference numbers: 40-digit arithmetic (mpmath), rounded to 17 digits: quadratures of V dp / (gamma R T
+// mdot) along the isentrope or isotherm, roots of them for p(t), and the explicit formulas of the choked
+// part.
 #include <gsl/gsl_sf_hyperg.h>
 
 #include "check.hpp"

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
+// Reference numbers: 40-digit arithmetic (mpmath), rounded to 17 digits: the formulas of closed_form/jet.hpp;
+// Tollmien by Taylor series and beta functions; inclined plate by quadrature of the profile; lattice by its
+// sum.
 #include "closed_form/jet.hpp"
 
 #include <numbers>
@@ -123,6 +126,45 @@ TEST(ClosedFormJet, sonic_outlet_eq_reference) {
   expect_relative(sonic_outlet({{}, 1200.0, false, 1.0, 1e-2}).velocity, 706.13313192343553, kAlgebra);
   expect_relative(plate_force(2.0, s.momentum_flux), 1642.9296759143405, kAlgebra);
   expect_relative(plate_force(1.0, s.momentum_flux), s.momentum_flux, kAlgebra);
+}
+
+// Of all states on an isentrope from rest, the throat's carries the largest mass per area: no speed of sound
+// is used. d ln(rho V)/dT = 1/((gamma-1) T) - 1/(2 (1-T)) falls from plus to minus over 0 < T/T0 < 1.
+double throat_temperature_ratio(double gamma) {
+  double low = 0.0, high = 1.0;
+  for (int i = 0; i < 100; ++i) {
+    const double t = 0.5 * (low + high);
+    (1.0 / ((gamma - 1.0) * t) > 0.5 / (1.0 - t) ? low : high) = t;
+  }
+  return low;
+}
+
+TEST(ClosedFormJet, sonic_outlet_is_the_throat_of_an_isentrope) {
+  for (const PerfectGas& gas : {PerfectGas{296.8, 1.4}, PerfectGas{2077.0, 5.0 / 3.0}, PerfectGas{188.9, 1.3}})
+    for (const bool stagnation : {false, true}) {
+      const double given = 900.0, mass_flow = 1.7, area = 4e-3;
+      const OutletState s = sonic_outlet({gas, given, stagnation, mass_flow, area});
+      const double ratio = throat_temperature_ratio(gas.heat_capacity_ratio);
+      const double rest = stagnation ? given : given / ratio, throat = ratio * rest;
+      const double cp = gas.heat_capacity_ratio / (gas.heat_capacity_ratio - 1.0) * gas.gas_constant;
+      // The bisection's ratio is known to eps; rest - throat loses a digit of it.
+      const double tolerance = 10 * kAlgebra;
+      expect_relative(s.velocity, std::sqrt(2.0 * cp * (rest - throat)), tolerance);
+      expect_relative(s.density * s.velocity * area, mass_flow, kAlgebra);
+      expect_relative(s.momentum_flux, s.density * s.velocity * s.velocity * area, kAlgebra);
+      expect_relative(s.static_pressure, s.density * gas.gas_constant * throat, tolerance);
+    }
+}
+
+TEST(ClosedFormJet, decay_is_tollmiens_to_its_digits) {
+  // 1/V (round) and 1/V^2 (plane) rise by a distance over the constant: 0.96 has two digits, 1.2 has two,
+  // which Abramovich rounds down.
+  for (const double a : {0.066, 0.12}) {
+    const double round = a * 50.0 / (1.0 / round_centreline_ratio(a, 150.0) - 1.0 / round_centreline_ratio(a, 100.0));
+    EXPECT_NEAR(round, tollmien_round().decay_constant, 0.005);
+    const auto inverse = [a](double z) { return std::pow(plane_centreline_ratio(a, z), -2); };
+    EXPECT_NEAR(std::sqrt(a * 50.0 / (inverse(150.0) - inverse(100.0))), tollmien_plane().decay_constant, 0.01);
+  }
 }
 
 TEST(ClosedFormJet, target_fractions_eq_reference_and_limits) {

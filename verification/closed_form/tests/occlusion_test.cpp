@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// Reference numbers: 40-digit arithmetic (mpmath), rounded to 17 digits: van Oosterom and Strackee, and the
+// spherical cap.
 #include "closed_form/occlusion.hpp"
 
 #include <numbers>

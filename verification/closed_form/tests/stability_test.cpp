@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// Reference numbers: 40-digit arithmetic (mpmath), rounded to 17 digits: eigenvalues of 6 x 6 element
+// matrices, logarithms of one step of the volume work, and the explicit formulas.
 #include "closed_form/stability.hpp"
 
 #include <numbers>

@@ -174,6 +174,9 @@ StretchedWaveSpeeds stretched_wave_speeds(const Sheet& sheet, double stretch);
 struct PlaneStress {
   double s11 = 0.0, s22 = 0.0, s12 = 0.0;  // [Pa] second Piola-Kirchhoff
 };
+/// Hooke's law in plane stress: S11 = E/(1-nu^2) (E11 + nu E22), S12 = E/(1+nu) E12 (e12: tensor component).
+/// Source: textbook result (Timoshenko and Goodier, Theory of Elasticity, section 15).
+PlaneStress hooke_plane_stress(const Sheet& sheet, double e11, double e22, double e12);
 struct UniaxialState {
   double stress = 0.0;              // [Pa] S = E (lambda^2 - 1)/2
   double transverse_stretch = 0.0;  // [-] sqrt(1 - nu (lambda^2 - 1))
