@@ -56,10 +56,10 @@ copy_work_tree() {
   done <"$scratch/files"
 }
 
-# Warnings stay warnings: a mutation may leave a variable unused.
+# Warnings stay warnings: a mutation may leave a variable unused. What one scratch folder compiled serves the next.
 configure() {
   if command -v ccache >/dev/null; then
-    export CMAKE_CXX_COMPILER_LAUNCHER=ccache
+    export CMAKE_CXX_COMPILER_LAUNCHER=ccache CCACHE_BASEDIR=$scratch CCACHE_NOHASHDIR=1
   fi
   cmake -S "$copy" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DGASJET_WERROR=OFF >"$log" 2>&1
 }
