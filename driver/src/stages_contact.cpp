@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // S7: the impactor's sphere against the skin.
+#include <cmath>
+
 #include "stages.hpp"
 
 namespace driver {
@@ -9,6 +11,18 @@ namespace {
 double motion_bound(const State& state, const Eigen::Vector3d& centre) {
   return state.step.before * std::sqrt(state.bag->advance.max_speed_squared) +
          (centre - state.pendulum->centre).norm();
+}
+
+// What skin and sphere may move towards each other in a step that contact does not limit [m]: twice what
+// their speeds give.
+double motion_ahead(const Scene& scene, const State& state) {
+  membrane::StiffnessShares others = state.step.shares;
+  others.contact = 0.0;
+  if (!(others.total() > 0.0)) return 0.0;  // before the first step
+  const double arm = scene.pendulum->model.parameters().impactor_distance;
+  const double speed = std::sqrt(state.bag->advance.max_speed_squared) +
+                       arm * std::abs(state.pendulum->motion.angular_velocity);
+  return 2.0 * speed * membrane::critical_time_step(others);
 }
 
 }  // namespace
@@ -25,7 +39,7 @@ void contact(const Scene& scene, State& state) {
   const Eigen::Vector3d centre = model.impactor_centre(pendulum.motion.angle);
   const double motion = motion_bound(state, centre);
   pendulum.centre = centre;
-  if (scene.contact->stays_clear(*state.contact_cache, motion)) {
+  if (scene.contact->stays_clear(*state.contact_cache, motion, motion_ahead(scene, state))) {
     state.contact = {};
     return;
   }
@@ -39,10 +53,13 @@ void contact(const Scene& scene, State& state) {
 }
 
 double contact_stiffness(const Scene& scene, const State& state) {
-  if (!(state.contact.area > 0.0)) return 0.0;
+  if (!scene.contact) return 0.0;
+  const double free = coupling::ContactModel::free_gap(*state.contact_cache);
+  if (free > motion_ahead(scene, state)) return 0.0;
   // The turning of the contact force about the pivot; the pendulum's own swing is slower by far than any
   // skin.
-  return state.contact.omega_squared() + scene.pendulum->model.omega_squared(state.contact.force);
+  return scene.contact->full_omega_squared() + state.contact.omega_squared_sphere +
+         scene.pendulum->model.omega_squared(state.contact.force);
 }
 
 }  // namespace driver

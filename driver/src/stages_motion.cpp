@@ -22,20 +22,23 @@ std::span<const double> total_overpressure(State& state) {
   return state.overpressure;
 }
 
+std::string shares_text(const membrane::StiffnessShares& s) {
+  const double all = s.total() / 100.0;
+  return fmt::format(
+      "omega^2 of the fabric {:.1f} %, gas {:.1f} %, contact {:.1f} %, straps {:.1f} %, plate {:.1f} %",
+      s.element / all, s.gas / all, s.contact / all, s.strap / all, s.plate / all);
+}
+
 [[noreturn]] void fail_step(const Scene& scene, const State& state, double given) {
   constexpr const char* allowed = "a step up to the bound, or unsafe_dt = true, is allowed";
   if (!state.bag)
     throw StepError(fmt::format("step {} s is above its bound {} s, set by the pendulum's swing; {}", given,
                                 state.step.critical, allowed));
-  const auto& s = state.step.shares;
-  const double all = s.total() / 100.0;
   throw StepError(fmt::format(
-      "step {} s is above its bound {} s, set by omega^2 of the fabric {:.1f} %, gas {:.1f} %, "
-      "contact {:.1f} %, straps "
-      "{:.1f} %, plate {:.1f} %, and by {:.3g} 1/s of jets relative to the skin; stiffest element "
-      "{}; {}",
-      given, state.step.critical, s.element / all, s.gas / all, s.contact / all, s.strap / all, s.plate / all,
-      state.step.jet_damping, membrane::governing_element(scene.bag->model, *state.bag), allowed));
+      "step {} s is above its bound {} s, set by {}, and by {:.3g} 1/s of jets relative to the skin; stiffest "
+      "element {}; {}",
+      given, state.step.critical, shares_text(state.step.shares), state.step.jet_damping,
+      membrane::governing_element(scene.bag->model, *state.bag), allowed));
 }
 
 // Bound of the rate at which jets relative to the skin damp it (J.9) [1/s]: the largest of any element's.
@@ -116,7 +119,8 @@ void choose_step(const Scene& scene, State& state, bool last) {
   if (left < 2.0 * wanted && left > wanted * (1.0 + 1e-9)) wanted = 0.5 * left;
   step.after = std::min(wanted, left);
   if (step.after < left && step.after < 1e-9 * scene.time.end)
-    throw StepError(fmt::format("step {} s would take more than 1e9 of them to end_time; {}", step.after,
+    throw StepError(fmt::format("step {} s{} would take more than 1e9 of them to end_time; {}", step.after,
+                                state.bag ? ", set by " + shares_text(step.shares) + "," : std::string(),
                                 "steps of end_time / 1e9 or more are allowed"));
   book_step(step);
 }

@@ -79,6 +79,21 @@ ContactModel::ContactModel(const Triangles& triangles, const Nodes& reference, s
       detail::reject("contact.open_elements", std::to_string(e), "an element number");
     weights_[static_cast<std::size_t>(e)] = 0.0;
   }
+  full_omega_squared_ = full_omega_squared_of_skin();
+}
+
+// Sub-triangles' centroids integrate the shape functions exactly: a third of the element's area to each
+// corner.
+double ContactModel::full_omega_squared_of_skin() const {
+  std::vector<double> area(masses_.size(), 0.0);
+  for (int e = 0; e < element_count(); ++e) {
+    const double n = subdivision(e);
+    for (const int node : triangles_.col(e))
+      area[static_cast<std::size_t>(node)] += weights_[static_cast<std::size_t>(e)] * n * n / 3.0;
+  }
+  double largest = 0.0;
+  for (std::size_t a = 0; a < area.size(); ++a) largest = std::max(largest, area[a] / masses_[a]);
+  return parameters_.stiffness * largest * friction_factors(parameters_.friction).skin;
 }
 
 ContactState ContactModel::make_state() const {
@@ -98,10 +113,11 @@ ContactState ContactModel::make_state() const {
   return state;
 }
 
-bool ContactModel::stays_clear(ContactState& state, double motion) const {
+bool ContactModel::stays_clear(ContactState& state, double motion, double ahead) const {
   constexpr double kRounding = 1.0 + 1e-12;
+  state.ahead = ahead;
   // Not a number compares false.
-  if (!state.started || !(state.travelled + kRounding * motion < state.gap)) return false;
+  if (!state.started || !(state.travelled + kRounding * motion + ahead < state.gap)) return false;
   state.travelled += kRounding * motion;
   state.unseen += kRounding * motion;
   ++state.skips;
@@ -124,7 +140,7 @@ void ContactModel::follow(ContactState& state, const Nodes& nodes, const Vector3
   // What was bounded since the last call is now measured.
   state.travelled += motion - state.unseen;
   state.unseen = 0.0;
-  if (!state.started || !(state.travelled < state.reach))
+  if (!state.started || !(state.travelled + state.ahead < state.reach))
     detail::search_near_elements(triangles_, radius, state);
   state.bristles.swap(state.old_bristles);
   state.bristles.clear();
@@ -198,7 +214,7 @@ void ContactModel::measure_gap(ContactState& state, const ContactResult& result)
   const double radius = parameters_.sphere_radius;
   // Rounding of the positions, step after step, stays far below.
   constexpr double kShare = 1e-9;
-  if (!(state.travelled < state.gap))
+  if (!(state.travelled + state.ahead < state.gap))
     state.gap = detail::reach_of_gap(triangles_, radius, state) - kShare * radius;
   state.clearance = std::max(state.clearance, radius + state.gap - state.travelled);
 }

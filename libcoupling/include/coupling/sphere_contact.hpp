@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 #include <Eigen/Core>
+#include <algorithm>
 #include <span>
 #include <vector>
 
@@ -69,6 +70,7 @@ struct ContactState {
   double reach = 0.0;                                // [m] search again when travelled gets here
   double gap = 0.0;                                  // [m] nothing touches while travelled is below
   double unseen = 0.0;                               // [m] part of travelled since the last call
+  double ahead = 0.0;                                // [m] measure the gap anew when less is left
   bool started = false;                              // false: no last call
   std::vector<NearElement> near;                     // in ascending order of elements
   std::vector<double> nodal_stiffness;               // (N) [N/m] zero between calls
@@ -105,7 +107,15 @@ class ContactModel {
   // Is it certain that nothing touches at this level, which needs no call of `evaluate` then? `motion` [m]
   // bounds how far skin points and centre have moved relative to each other since the last level. The answer
   // costs a comparison; it is `false` at the first level and whenever the gap last seen may be used up.
-  bool stays_clear(ContactState& state, double motion) const;
+  // `ahead` [m] is the motion that free_gap has to see: `evaluate` measures anew what may be less.
+  bool stays_clear(ContactState& state, double motion, double ahead = 0.0) const;
+
+  // Lower bound of the relative motion before anything touches [m]; 0 in touch.
+  static double free_gap(const ContactState& state) { return std::max(0.0, state.gap - state.travelled); }
+
+  // (K.12) with the whole skin in touch: the bound of every level's omega_squared_skin [1/s2]. A step that the
+  // points now in touch allow is too long for those that it brings into touch.
+  double full_omega_squared() const { return full_omega_squared_; }
 
   const ContactParameters& parameters() const { return parameters_; }
   int element_count() const { return static_cast<int>(triangles_.cols()); }
@@ -121,12 +131,14 @@ class ContactModel {
   void add_element(int element, detail::Grip* grip, ContactState& state, NodalForces& forces,
                    ContactResult& result) const;
   void bound_stiffness(ContactState& state, ContactResult& result) const;
+  double full_omega_squared_of_skin() const;
 
   Eigen::Matrix3Xi triangles_;
   std::vector<double> weights_;   // (M) [m2] reference area of one sub-triangle
   std::vector<int> subdivision_;  // (M) n
   std::vector<double> masses_;    // (N) [kg]
   double effective_mass_;         // [kg]
+  double full_omega_squared_ = 0.0;
   ContactParameters parameters_;
 };
 
