@@ -44,7 +44,7 @@ void gas_point(const Scene& scene, State& state) {
   if (!scene.gas || !scene.has_volume()) return;
   const Enclosure now = enclosure(scene, state);
   state.gas_point = gas::evaluate(scene.gas->model, state.gas, now.volume, now.leak_area, state.time);
-  state.level.internal_energy = state.gas.internal_energy;
+  state.level.internal_energy = state.gas.internal_energy + state.jet_work_ahead;
   state.level.volume = now.volume;
   if (state.bag) state.level.skin_area = state.bag->surface.area;
 }
@@ -87,6 +87,15 @@ void advance_tank(const TankVolume& volume, double leak_area, double next, State
   }
 }
 
+// The kick at n works from n-1/2 to n+1/2; the next one's part before n+1 is taken at this one's rate and
+// settled a step later, so that the pressure at n+1 is second order.
+void take_jet_work(State& state) {
+  const double work = state.bag->advance.work.jet, after = state.step.after;
+  const double ahead = work * after / (state.step.before + after);
+  state.gas.internal_energy -= work - state.jet_work_ahead + ahead;
+  state.jet_work_ahead = ahead;
+}
+
 }  // namespace
 
 void gas_ode(const Scene& scene, State& state, const Enclosure& before) {
@@ -102,8 +111,7 @@ void gas_ode(const Scene& scene, State& state, const Enclosure& before) {
   book(state.gas_integrator->advance(state.gas, state.time, next,
                                      {before.volume, after.volume, before.leak_area, after.leak_area}),
        state);
-  if (state.bag && !scene.jets.empty() && scene.jets.front().work == JetWork::from_gas)
-    state.gas.internal_energy -= state.bag->advance.work.jet;
+  if (state.bag && !scene.jets.empty() && scene.jets.front().work == JetWork::from_gas) take_jet_work(state);
 }
 
 }  // namespace driver

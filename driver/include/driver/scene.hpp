@@ -28,8 +28,8 @@ namespace driver {
 enum class LeakLaw { none, printed, screen, table };
 
 /// Does the work of the jet on the skin come from outside (the paper), or out of the bag's gas?
-/// `from_gas` takes the work of a kick out after the kick: energy balances, the pressure is first order in
-/// it.
+/// `from_gas` takes the work of a kick out after the kick, and what the next one will have done by then at the
+/// same rate: energy balances, and the pressure is second order.
 enum class JetWork { external, from_gas };
 
 /// Volume of a tank along a prescribed path: a table, or mean + amplitude sin(2 pi frequency t + phase).

@@ -148,6 +148,7 @@ struct State {
   Streams streams;                                   // S10
   gas::GasPoint gas_point{};                         // S2
   double initial_gas_mass = 0.0;                     // [kg]
+  double jet_work_ahead = 0.0;                       // S10 [J] of the next kick, out of the gas already
   double initial_volume = 0.0;                       // [m3]
   double initial_energy = 0.0;                       // [J] everything that holds energy, at the start
   double initial_kinetic = 0.0;                      // [J] of skin and pendulum
