@@ -66,7 +66,7 @@ struct AdvanceTotals {
   double kinetic_before, kinetic_after;
   double work_membrane, work_pressure;
   double work_extra[kMaxExtraForces];
-  double damped;  // sum of m |v_mean|^2
+  double damped;  // tau times the sum of m |v_mean|^2
   double momentum_before[3], momentum_after[3], impulse[3];
   double max_speed_squared;
 };

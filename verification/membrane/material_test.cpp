@@ -17,7 +17,7 @@ using membrane::PlaneStrain;
 namespace {
 
 constexpr double kYoung = 60e6;
-constexpr std::array<double, 3> kPoissons = {0.0, 0.3, 0.45};
+constexpr std::array<double, 4> kPoissons = {-0.4, 0.0, 0.3, 0.45};
 
 // Principal strains e1 >= e2 with the first direction at `angle`.
 PlaneStrain<double> strain(double e1, double e2, double angle) {
