@@ -209,6 +209,8 @@ void read_bag(TableReader& root, Scene& scene) {
   warn_of_leaks(bag, law, scene);
   Eigen::Matrix3Xd position = initial_shape(*table, source);
   const double amplitude = table->number("perturbation", Bounds{0.0, 1e-3, false, "0 to 1e-3 m"}, 0.0);
+  if (table->has("perturbation_seed") && !table->has("perturbation"))
+    table->fail("perturbation_seed", "is given without perturbation: what it seeds is needed");
   const int seed = table->integer("perturbation_seed", 0, 1'000'000'000, 0);
   perturb(position, bag.fixed_nodes, amplitude, seed);
   table->located("", [&] {

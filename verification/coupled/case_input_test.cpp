@@ -134,6 +134,10 @@ const Fault kFaults[] = {
      "fabric.panel.0.panels", "no fabric", "panels = [\"vent"},
     {"flattened_twice", "driver_bag", "mass_damping = 20.0", "flatten = 0.5\nmass_damping = 20.0",
      "membrane.flatten", "initial shape of its own", "flatten = 0.5"},
+    {"seed_of_nothing", "driver_bag", "mass_damping = 20.0", "perturbation_seed = 3\nmass_damping = 20.0",
+     "membrane.perturbation_seed", "without perturbation", "perturbation_seed = 3"},
+    {"sphere_of_no_size", "sphere_inflation", "radius = 0.3", "radius = 1e-200", "membrane.mesh",
+     "not a closed control volume", "{ generator"},
     {"rings", "driver_bag", "generator = \"driver\"", "generator = \"driver\", rings = 3", "membrane.mesh",
      "rings", "{ generator"},
 };
