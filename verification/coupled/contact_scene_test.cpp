@@ -164,7 +164,7 @@ TEST(contact_limits, any_stiffness_is_followed_by_the_step) {
   for (const char* share : {"16.0", "256.0"}) {
     const auto run = at(share);
     ASSERT_EQ(run.outcome.status, driver::RunStatus::done) << run.outcome.message;
-    EXPECT_GT(run.state.flows.contact_impulse, 1.0) << share;
+    EXPECT_GT(run.state.flows.contact_impulse, 0.1) << share;  // [N s]
     EXPECT_LT(run.state.peaks.energy_residual, 1e-3 * run.state.peaks.energy_scale) << share;
   }
   const auto stiff = at("1e15");

@@ -114,8 +114,8 @@ TEST(fabric_scene, only_fabric_that_bears_compression_springs_open) {
   const auto linear = run_case("flattened_sphere");
   ASSERT_EQ(linear.outcome.status, driver::RunStatus::done) << linear.outcome.message;
   EXPECT_GT(linear.energy.front().skin_strain_J, 1000.0);
-  EXPECT_GT(linear.history.back().volume_m3, 1.2 * linear.history.front().volume_m3);
-  EXPECT_LT(linear.history.back().pressure_Pa, 0.8 * linear.history.front().pressure_Pa);
+  EXPECT_GT(linear.history.back().volume_m3, 1.1 * linear.history.front().volume_m3);
+  EXPECT_LT(linear.history.back().pressure_Pa, 0.9 * linear.history.front().pressure_Pa);
   const auto none = run_case("flattened_sphere", {"fabric.compression=none"});
   EXPECT_LT(none.energy.front().skin_strain_J, 1e-20);
   EXPECT_NEAR(none.history.back().volume_m3 / none.history.front().volume_m3, 1.0, 1e-13);

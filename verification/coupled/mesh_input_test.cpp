@@ -46,7 +46,8 @@ const BadMesh kMeshes[] = {
     {"hole", kHole.c_str(),
      "bag.obj:5:1: mesh: is not a closed control volume: 3 boundary edges (a hole in the surface): nodes 1-3 "
      "of elements in lines 5;"},
-    {"orientation", kTurned.c_str(), "bag.obj:8:1: mesh"},
+    {"orientation", kTurned.c_str(),
+     "bag.obj:5:1: mesh: is not a closed control volume: 3 inconsistently oriented edges"},
     {"repeated_node", kRepeated.c_str(), "bag.obj:7:"},
     {"out_of_range", kOutOfRange.c_str(), "bag.obj:7:"},
     {"inward", kInward.c_str(), "bag.obj:5:1: mesh: is not a closed control volume: inward"},

@@ -104,6 +104,43 @@ TEST(ContactBound, default_stiffness_keeps_to_its_share_of_the_other_terms) {
       }
 }
 
+// Before anything touches: a skin of one density takes kappa over it, on any mesh, and no patch takes more.
+TEST(ContactBound, full_bound_eq_stiffness_by_density_and_covers_every_patch) {
+  for (const double friction : {0.0, 0.3})
+    for (const double size : {0.2, 0.7, 3.0}) {
+      scenes::Skin skin = scenes::plate(4, size * kRadius, 0.31);
+      scenes::shake(skin, 0.1 * size * kRadius, 5);
+      scenes::lump_masses(skin, 0.31);
+      const auto model = scenes::contact(skin, kRadius, kStiffness, kSphereMass, friction);
+      // A dozen elements' areas at a node, each rounded.
+      const double expected = kStiffness / 0.31 * std::hypot(1.0, friction);
+      EXPECT_NEAR(model.full_omega_squared() / expected, 1.0, 1e-14);
+      const auto t = scenes::touch(model, skin.nodes, {0.0, 0.0, 0.7 * kRadius}).result;
+      EXPECT_GT(t.omega_squared_skin, 0.0);
+      EXPECT_LE(t.omega_squared_skin, model.full_omega_squared() * (1.0 + 1e-14));
+    }
+}
+
+// The gap is measured anew in time to see `ahead`, and no sooner.
+TEST(ContactBound, free_gap_is_measured_when_what_lies_ahead_may_close_it) {
+  const scenes::Skin skin = scenes::plate(4, kRadius);
+  const auto model = scenes::contact(skin, kRadius, kStiffness);
+  auto state = model.make_state();
+  Matrix3Xd forces = Matrix3Xd::Zero(3, skin.nodes.cols());
+  const Vector3d centre(0.001, 0.002, 1.5 * kRadius);
+  model.evaluate(state, skin.nodes, centre, forces);
+  EXPECT_NEAR(coupling::ContactModel::free_gap(state), 0.5 * kRadius, 1e-8 * kRadius);
+  // Motion that is told but does not happen eats the bound up; looking ahead finds the gap where it was.
+  ASSERT_TRUE(model.stays_clear(state, 0.2 * kRadius));
+  EXPECT_NEAR(coupling::ContactModel::free_gap(state), 0.3 * kRadius, 1e-8 * kRadius);
+  EXPECT_TRUE(model.stays_clear(state, 0.0, 0.29 * kRadius));
+  ASSERT_FALSE(model.stays_clear(state, 0.0, 0.31 * kRadius));
+  model.evaluate(state, skin.nodes, centre, forces);
+  EXPECT_NEAR(coupling::ContactModel::free_gap(state), 0.5 * kRadius, 1e-8 * kRadius);
+  model.evaluate(state, skin.nodes, {0.001, 0.002, 0.9 * kRadius}, forces);
+  EXPECT_EQ(coupling::ContactModel::free_gap(state), 0.0);
+}
+
 TEST(ContactBound, bad_budget_names_the_field) {
   const double bad[] = {-1.0, std::nan(""), std::numeric_limits<double>::infinity()};
   const std::pair<const char*, double coupling::StiffnessBudget::*> fields[] = {
