@@ -109,7 +109,7 @@ TEST(ContactBound, full_bound_eq_stiffness_by_density_and_covers_every_patch) {
   for (const double friction : {0.0, 0.3})
     for (const double size : {0.2, 0.7, 3.0}) {
       scenes::Skin skin = scenes::plate(4, size * kRadius, 0.31);
-      scenes::shake(skin, 0.1 * size * kRadius, 5);
+      scenes::shake(skin, 0.03 * size * kRadius, 5);
       scenes::lump_masses(skin, 0.31);
       const auto model = scenes::contact(skin, kRadius, kStiffness, kSphereMass, friction);
       // A dozen elements' areas at a node, each rounded.
