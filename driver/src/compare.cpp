@@ -119,7 +119,7 @@ void judge(const std::vector<double>& time, const std::vector<double>& doubt, Qu
 }
 
 QuantityDifference compare_quantity(const std::string& name, const History& mine, const History& reference,
-                                    const std::vector<double>& time, const Window& window) {
+                                    const std::vector<double>& time, const Window& window, double tolerance) {
   QuantityDifference q;
   q.name = name;
   const auto* band = reference.find(name + band_suffix);
@@ -142,6 +142,7 @@ QuantityDifference compare_quantity(const std::string& name, const History& mine
     return q;
   }
   q.band = rows(*band, window);
+  for (double& width : q.band) width += tolerance * std::abs(q.reference.value);
   judge(time, doubt, q);
   if (!window.whole && q.verdict == Verdict::inside) {
     q.verdict = Verdict::undecided;
@@ -189,13 +190,15 @@ const std::vector<double>* History::find(const std::string& name) const {
   return nullptr;
 }
 
-Difference compare(const History& mine, const History& reference, const std::vector<std::string>& only) {
+Difference compare(const History& mine, const History& reference, const std::vector<std::string>& only,
+                   double tolerance) {
   check_bands(reference);
   const Window window = common_rows(mine, reference);
   Difference difference;
   difference.time = rows(reference.time, window);
   for (const auto& name : names_to_compare(reference, only))
-    difference.quantities.push_back(compare_quantity(name, mine, reference, difference.time, window));
+    difference.quantities.push_back(
+        compare_quantity(name, mine, reference, difference.time, window, tolerance));
   conclude(difference);
   return difference;
 }

@@ -29,6 +29,7 @@ void add_threads(CLI::App& command, int& threads, bool& quiet) {
 struct Arguments {
   RunArguments run;
   CaseArguments check;
+  std::string check_format = "text";
   EnsembleArguments ensemble;
   MeshArguments mesh;
   ExactArguments exact;
@@ -65,9 +66,13 @@ void add_mesh(CLI::App& app, MeshArguments& arguments) {
   auto* passenger =
       mesh->add_subcommand("passenger", "passenger bag: main and side panels, attachment, vent");
   auto* convert = mesh->add_subcommand("convert", "read a mesh file; write it in the format of --out");
+  auto* of_case = mesh->add_subcommand("case", "write the mesh that a case runs with");
   const char* formats = ".obj, or LS-DYNA keyword .k, .key, .dyn";
   bag->add_option("--out", arguments.out, std::string("design shape, ") + formats)->required();
   bag->add_option("--initial", arguments.initial, "initial shape, of the same formats");
+  of_case->add_option("CASE", arguments.file, "case file (TOML)")->required();
+  of_case->add_option("--initial", arguments.initial, "initial shape, of the same formats");
+  of_case->add_option("--out", arguments.out, std::string("design shape, ") + formats)->required();
   passenger->add_option("--out", arguments.out, std::string("design shape, ") + formats)->required();
   convert->add_option("FILE", arguments.file, formats)->required();
   convert->add_option("--out", arguments.out, "file to write; without it the report only");
@@ -75,8 +80,10 @@ void add_mesh(CLI::App& app, MeshArguments& arguments) {
       ->check(CLI::PositiveNumber);
   convert->add_option("--null-panel", arguments.null_panels, "panel that closes a hole; may be repeated")
       ->allow_extra_args(false);
-  for (auto* command : {bag, passenger})
-    command->add_option("--set", arguments.overrides, "option=value of the generator; may be repeated")
+  for (auto* command : {bag, passenger, of_case})
+    command
+        ->add_option("--set", arguments.overrides,
+                     "option=value of the generator or the case; may be repeated")
         ->allow_extra_args(false);
   for (auto* command : {bag, passenger, convert})
     command->add_option("--refine", arguments.refine, "split each element in four, so many times")
@@ -85,12 +92,15 @@ void add_mesh(CLI::App& app, MeshArguments& arguments) {
 
 int dispatch_mesh(const CLI::App& mesh, const MeshArguments& arguments) {
   if (mesh.got_subcommand("driver")) return mesh_driver(arguments);
+  if (mesh.got_subcommand("case")) return mesh_of_case(arguments);
   return mesh.got_subcommand("passenger") ? mesh_passenger(arguments) : mesh_convert(arguments);
 }
 
 void add_others(CLI::App& app, Arguments& all) {
   auto* check = app.add_subcommand("check", "validate a case, print its settings and what follows from them");
   add_case(*check, all.check);
+  check->add_option("--format", all.check_format, "text, or json for other programs")
+      ->check(CLI::IsMember({"text", "json"}));
   auto* exact = app.add_subcommand("exact", "print a closed form of the verification suite");
   exact->add_option("NAME", all.exact.name, "closed form, see --list");
   exact->add_flag("--list", all.exact.list, "the catalogue");
@@ -137,13 +147,16 @@ void add_compare(CLI::App& app, CompareArguments& a) {
   c->add_option("--columns", a.columns, "quantities to compare, separated by commas; all by default")
       ->delimiter(',')
       ->allow_extra_args(false);
+  c->add_option("--tolerance", a.tolerance,
+                "that mine may be off by itself, share of the reference's largest magnitude")
+      ->check(CLI::Range(0.0, 1.0));
   c->add_option("--rows", a.rows, "CSV file to write: both histories and the band at the common times");
   c->add_option("--format", a.format, "text or json")->check(CLI::IsMember({"text", "json"}));
 }
 
 int dispatch(const CLI::App& app, const Arguments& all) {
   if (app.got_subcommand("run")) return run(all.run);
-  if (app.got_subcommand("check")) return check(all.check);
+  if (app.got_subcommand("check")) return check(all.check, all.check_format);
   if (app.got_subcommand("ensemble")) return ensemble(all.ensemble);
   if (app.got_subcommand("mesh")) return dispatch_mesh(*app.get_subcommand("mesh"), all.mesh);
   if (app.got_subcommand("identify")) return identify(all.identify);

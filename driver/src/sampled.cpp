@@ -33,7 +33,7 @@ Sample interpolate(std::span<const double> time, std::span<const double> values,
   const double linear = values[below] + share * (values[above] - values[below]);
   const std::size_t count = std::min<std::size_t>(4, time.size());
   const std::size_t first = std::min(below > 0 ? below - 1 : 0, time.size() - count);
-  return {linear, std::abs(lagrange(time, values, first, count, t) - linear)};
+  return {linear, 2.0 * std::abs(lagrange(time, values, first, count, t) - linear)};
 }
 
 double root_mean_square(std::span<const double> time, std::span<const double> values) {

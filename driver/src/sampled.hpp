@@ -8,7 +8,8 @@ namespace driver {
 
 struct Sample {
   double value = 0.0;  // linear between the neighbours; the end value beyond the ends
-  double doubt = 0.0;  // |linear - cubic through two neighbours on each side|, 0 at a sample
+  // Twice |linear - cubic through two neighbours on each side|, since the cubic errs too; 0 at a sample.
+  double doubt = 0.0;
 };
 
 /// Of 3 samples or more. At the ends the cubic has its neighbours on one side.

@@ -29,3 +29,42 @@ part_compare() {
   expect 2 "not writable" "$gasjet" compare "$mine" "$reference" --rows "$work/nowhere/rows.csv"
   expect 2 "required" "$gasjet" compare "$mine"
 }
+
+# The reference set is what its checksums say; every scene but the two ensembles, run anew, lies within the bands.
+part_reference() {
+  local scene case table=$source/cases/reference
+  (cd "$table" && sha256sum --quiet --strict -c SHA256SUMS) || fail "SHA256SUMS of cases/reference"
+  [ "$(ls "$table"/*.csv | wc -l)" = 12 ] || fail "12 scenes expected in $table"
+  for scene in $(cd "$table" && ls -- *.csv | sed 's/\.csv$//'); do
+    grep -q "^# band" "$table/$scene.csv" || fail "$scene states no band"
+    case=$source/$(sed -n 's/^# case: //p' "$table/$scene.csv")
+    "$gasjet" mesh case "$case" --out "$work/$scene.obj" >/dev/null 2>&1 && [ -e "$table/$scene.obj" ] &&
+      { cmp "$work/$scene.obj" "$table/$scene.obj" || fail "$scene: the mesh is not the case's"; }
+    case $scene in passenger*) continue ;; esac
+    expect 0 "" "$gasjet" run "$case" --quiet --out "$work/$scene"
+    expect 0 "^inside" "$gasjet" compare "$work/$scene/history.csv" "$table/$scene.csv"
+  done
+  expect 0 "" "$gasjet" run "$source/cases/reference/sphere_vent.toml" --quiet --out "$work/wrong" --set vent.0.area=3.2e-4
+  expect 1 "^outside" "$gasjet" compare "$work/wrong/history.csv" "$table/sphere_vent.csv"
+}
+
+# A foreign program is inside; each of its defects is caught, as outside, as undecided or as a bad file.
+part_external() {
+  local code defect
+  export GASJET=$gasjet
+  judge() { # judge CODE PATTERN [DEFECT [SCENES]]
+    expect "$1" "$2" env DEFECT="${3:-}" "$source/verification/run_external.sh" --tolerance 1e-5 \
+      --scenes "${4:-tank_fill,tank_blowdown,pendulum_swing}" "$source/verification/coupled/foreign_tank.sh"
+  }
+  judge 0 "pendulum_swing: not done"
+  judge 0 "tank_blowdown: inside"
+  for defect in gauge kilopascal celsius late gamma discharge inflow ambient euler energy_in energy_out never_chokes; do judge 1 ": outside: " $defect; done
+  for defect in no_volume stops; do judge 4 ": undecided: " $defect; done
+  judge 4 "undecided: .* sampled too coarsely" sparse tank_fill
+  judge 2 "tank_fill.csv:[0-9]+:[0-9]+: 'nan'" nan
+  judge 2 "tank_fill: the program failed with exit code 3" crash
+  expect 2 "does none of the scenes" "$source/verification/run_external.sh" --scenes pendulum_swing "$source/verification/coupled/foreign_tank.sh"
+  expect 2 "no scene 'tank'" "$source/verification/run_external.sh" --scenes tank false
+  expect 2 "needs the command" "$source/verification/run_external.sh" --tolerance 0.1
+  expect 2 "unknown option --band" "$source/verification/run_external.sh" --band 1 false
+}

@@ -56,12 +56,14 @@ struct Difference {
   std::vector<QuantityDifference> quantities;
 };
 
-/// Compares at the reference's own times; mine is interpolated linearly, and what that may be off by (its
+/// Compares at the reference's own times; mine is interpolated linearly, and what that may be off by (twice its
 /// difference to the cubic through the neighbours) never decides: a row is outside only beyond band + that.
 /// A quantity with a band is undecided when mine does not have it, does not cover all of the reference's
-/// times or is sampled too coarsely, or when the band is as wide as the signal itself. The whole is outside
-/// if a quantity is, else undecided if one is or none was judged. `only`: names to compare, all if empty;
-/// throws CaseError for a name that the reference does not have.
-Difference compare(const History& mine, const History& reference, const std::vector<std::string>& only = {});
+/// times or is sampled too coarsely, or when the band is as wide as the signal itself. `tolerance`, a share
+/// of the reference's largest magnitude that mine may be off by itself, is added to every band. The whole is
+/// outside if a quantity is, else undecided if one is or none was judged. `only`: names to compare, all if
+/// empty; throws CaseError for a name that the reference does not have.
+Difference compare(const History& mine, const History& reference, const std::vector<std::string>& only = {},
+                   double tolerance = 0.0);
 
 }  // namespace driver

@@ -2,7 +2,9 @@
 // Validates a case and prints what follows from it before any step is made.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "../jet_peak.hpp"
 #include "../stages.hpp"
@@ -17,6 +19,20 @@ void print_settings(const CaseDocument& document) {
   fmt::print("settings (* by default)\n");
   for (const auto& setting : document.settings())
     fmt::print("  {}{} = {}\n", setting.path, setting.is_default ? " *" : "", setting.value);
+}
+
+// Every setting of the case, as nested tables, and which of them were taken by default.
+void print_json(const CaseDocument& document) {
+  nlohmann::json settings, defaults = nlohmann::json::array();
+  for (const auto& setting : document.settings()) {
+    auto path = "/" + setting.path;
+    std::replace(path.begin(), path.end(), '.', '/');
+    const auto value = nlohmann::json::parse(setting.value, nullptr, false);
+    settings[nlohmann::json::json_pointer(path)] =
+        value.is_discarded() ? nlohmann::json(setting.value) : value;
+    if (setting.is_default) defaults.push_back(setting.path);
+  }
+  fmt::print("{}\n", nlohmann::json{{"settings", settings}, {"defaults", defaults}}.dump(2));
 }
 
 void print_panels(const membrane::Mesh& mesh) {
@@ -77,12 +93,16 @@ void print_jet(const Scene& scene, const JetPart& part) {
 
 }  // namespace
 
-int check(const CaseArguments& arguments) {
+int check(const CaseArguments& arguments, const std::string& format) {
   CaseDocument document(arguments.file, arguments.overrides);
   const Scene scene = read_scene(document);
   State state = make_state(scene);
   gas_point(scene, state);
   forces(scene, state);
+  if (format == "json") {
+    print_json(document);
+    return exit_done;
+  }
   print_settings(document);
   fmt::print("\nderived\n");
   if (scene.has_volume())

@@ -31,7 +31,7 @@ struct RunArguments {
 };
 int run(const RunArguments& arguments);
 
-int check(const CaseArguments& arguments);
+int check(const CaseArguments& arguments, const std::string& format = "text");
 
 struct EnsembleArguments {
   CaseArguments scene;
@@ -45,17 +45,18 @@ struct EnsembleArguments {
 int ensemble(const EnsembleArguments& arguments);
 
 struct MeshArguments {
-  std::filesystem::path file;            // to convert
+  std::filesystem::path file;            // to convert, or a case
   double length_unit = 1.0;              // of that file [m]
   std::vector<std::string> null_panels;  // of that file
   std::filesystem::path out;             // design shape, format by the ending; or empty
   std::filesystem::path initial;         // initial shape, or empty
-  std::vector<std::string> overrides;    // generator option = value
+  std::vector<std::string> overrides;    // generator option, or key of the case = value
   int refine = 0;                        // times
 };
 int mesh_driver(const MeshArguments& arguments);
 int mesh_passenger(const MeshArguments& arguments);
 int mesh_convert(const MeshArguments& arguments);
+int mesh_of_case(const MeshArguments& arguments);
 
 struct ExactArguments {
   std::string name;
@@ -70,6 +71,7 @@ struct CompareArguments {
   std::filesystem::path mine, reference;
   std::filesystem::path map;         // of mine's columns, or empty
   std::vector<std::string> columns;  // to compare; empty: all of the reference
+  double tolerance = 0.0;            // of mine, share of the reference's largest magnitude
   std::filesystem::path rows;        // CSV of what was compared, or empty
   std::string format = "text";       // or "json"
 };

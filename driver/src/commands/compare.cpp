@@ -113,7 +113,7 @@ void write_rows(const std::filesystem::path& file, const Difference& difference)
 
 int compare(const CompareArguments& a) {
   const Difference difference =
-      driver::compare(read_history(a.mine, a.map), read_history(a.reference), a.columns);
+      driver::compare(read_history(a.mine, a.map), read_history(a.reference), a.columns, a.tolerance);
   if (!a.rows.empty()) write_rows(a.rows, difference);
   a.format == "json" ? print_json(a, difference) : print_text(a, difference);
   return exit_code(difference.verdict);

@@ -8,6 +8,7 @@
 #include "commands.hpp"
 #include "driver/case_reader.hpp"
 #include "driver/results.hpp"
+#include "driver/scene.hpp"
 #include "membrane/mesh_file.hpp"
 #include "membrane/surface_check.hpp"
 
@@ -130,6 +131,13 @@ int mesh_convert(const MeshArguments& arguments) {
     bag.mesh.nodes *= arguments.length_unit;
     return finish(std::move(bag), arguments, arguments.null_panels);
   });
+}
+
+int mesh_of_case(const MeshArguments& arguments) {
+  CaseDocument document(arguments.file, arguments.overrides);
+  const Scene scene = read_scene(document);
+  if (!scene.bag) throw CaseError(fmt::format("{}: the scene has no membrane", arguments.file.string()));
+  return finish({scene.bag->mesh, scene.bag->initial_position, {}}, arguments, {});
 }
 
 }  // namespace driver::commands
