@@ -99,6 +99,7 @@ std::vector<Route> routes(const JetSurface& surface, const jet::RaySource& sourc
 }
 
 /// Jet stages over consecutive steps of a moving skin, there and back, so that each query sees a new shape.
+/// One route after the other goes through the steps, as it would in a run: none clears the caches of another.
 class Measurement {
  public:
   Measurement(const driver::Scene& scene, const JetState& state, JetSurface& surface, double step)
@@ -111,12 +112,15 @@ class Measurement {
         routes_(routes(surface, jet::ray_source(part_.field.model()))) {}
 
   void run(int rounds, int steps) {
+    exact_.resize(static_cast<std::size_t>(steps));
     for (int round = 0; round < rounds; ++round) {
-      double field_sum = 0.0;
-      for (Route& route : routes_) route.round = 0.0, route.differs = 0;
-      for (int k = 0; k < steps; ++k) field_sum += one_step(round % 2 == 0 ? k : steps - 1 - k);
-      field_best_ = std::min(field_best_, field_sum / steps);
-      for (Route& route : routes_) route.best = std::min(route.best, route.round / steps);
+      for (Route& route : routes_) {
+        double field_sum = 0.0;
+        route.round = 0.0, route.differs = 0;
+        for (int k = 0; k < steps; ++k) field_sum += one_step(route, round % 2 == 0 ? k : steps - 1 - k);
+        field_best_ = std::min(field_best_, field_sum / steps);
+        route.best = std::min(route.best, route.round / steps);
+      }
     }
   }
 
@@ -124,17 +128,15 @@ class Measurement {
   const std::vector<Route>& result() const { return routes_; }
 
  private:
-  double one_step(int k) {
+  double one_step(Route& route, int k) {
     surface_.place(state_, k * step_);
     const double time = microseconds(
         [&] { field_.evaluate(surface_.area_vectors(), surface_.centroids(), state_.outlet, pressure_); });
-    exact_.resize(pressure_.candidates.size());
-    lit_.resize(exact_.size());
-    for (Route& route : routes_) {
-      auto& lit = &route == &routes_.front() ? exact_ : lit_;
-      route.round += microseconds([&] { route.counters = route.ask(surface_, pressure_.candidates, lit); });
-      for (std::size_t i = 0; i < lit.size(); ++i) route.differs += lit[i] != exact_[i];
-    }
+    auto& exact = exact_[static_cast<std::size_t>(k)];
+    auto& lit = &route == &routes_.front() ? exact : lit_;
+    lit.resize(pressure_.candidates.size());
+    route.round += microseconds([&] { route.counters = route.ask(surface_, pressure_.candidates, lit); });
+    for (std::size_t i = 0; i < lit.size(); ++i) route.differs += lit[i] != exact[i];
     return time;
   }
 
@@ -145,7 +147,8 @@ class Measurement {
   JetSurface& surface_;
   double step_;  // [s]
   std::vector<Route> routes_;
-  std::vector<std::uint8_t> exact_, lit_;
+  std::vector<std::vector<std::uint8_t>> exact_;  // by the fast route, of each step
+  std::vector<std::uint8_t> lit_;
   double field_best_ = std::numeric_limits<double>::infinity();
 };
 

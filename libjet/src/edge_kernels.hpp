@@ -25,8 +25,8 @@ inline constexpr int kEdgeError = 15, kNormal = 17, kHeight = 20, kPlaneError = 
 inline void make_edges(const EdgeArrays& s, int count) {
   for (int k = 0; k < count; k += 8) {
     const Corners t = gather_corners(s.local, s.triangles, [&](int i) { return s.elements[k + i]; });
-    store_boxes(s.boxes + 4 * std::ptrdiff_t{k}, t, s.half_long);
     float* to = s.edges + kEdgeFloats / 8 * std::ptrdiff_t{k};
+    store_boxes(s.boxes + 4 * std::ptrdiff_t{k}, t, s.half_long);
     store_edge(to, t.a, t.b);
     store_edge(to + 8 * kEdge, t.b, t.c);
     store_edge(to + 16 * kEdge, t.c, t.a);
@@ -78,25 +78,28 @@ struct Touches {
 }
 
 inline int meet_edges(const RayArrays& rays, int block, unsigned alive, const PyramidView& pyramid,
-                      const float* edges, int* out) {
+                      const float* edges, const HitLists& to) {
   const Block r(rays.rays + kRayFloats * std::ptrdiff_t{block});
-  float box[32];
-  merge(rays.boxes + 32 * std::ptrdiff_t{block}, box);
-  const float bounds[4] = {box[0], box[8], box[16], box[24]};
-  int count = 0;
-  for_each_overlap(pyramid, 0, bounds, [&](int entries, unsigned hits) {
-    for (; hits != 0 && alive != 0; hits &= hits - 1u) {
-      const int i = __builtin_ctz(hits);
-      const Touches t = touch(r, edges + kEdgeFloats * std::ptrdiff_t{entries} + i, alive);
-      for (unsigned rest = t.possible; rest != 0; rest &= rest - 1u) {
-        const int ray = __builtin_ctz(rest);
-        out[count++] = kHitKinds * (8 * (8 * entries + i) + ray) +
-                       static_cast<int>(t.blocked >> ray & 1u) * kBlocked +
-                       static_cast<int>(t.met >> ray & 1u) * kMet;
-      }
-      alive &= ~(t.blocked | t.met);
+  float around[32];
+  merge(rays.boxes + 32 * std::ptrdiff_t{block}, around);
+  const Box box(around, 8);
+  const int blocks = blocks_near(pyramid, box, to.first, to.second);
+  int near = 0, count = 0;
+  for (int i = 0; i < blocks; ++i) {
+    const int entries = to.first[i];
+    near += append_bits(box.overlaps(pyramid.boxes + 32 * std::ptrdiff_t{entries}), 8 * entries,
+                        to.second + near);
+  }
+  for (int i = 0; i < near && alive != 0; ++i) {
+    const int e = to.second[i];
+    const Touches t = touch(r, edges + kEdgeFloats * std::ptrdiff_t{e / 8} + e % 8, alive);
+    for (unsigned rest = t.possible; rest != 0; rest &= rest - 1u) {
+      const int ray = __builtin_ctz(rest);
+      to.hits[count++] = kHitKinds * (8 * e + ray) + static_cast<int>(t.blocked >> ray & 1u) * kBlocked +
+                         static_cast<int>(t.met >> ray & 1u) * kMet;
     }
-  });
+    alive &= ~(t.blocked | t.met);
+  }
   return count;
 }
 

@@ -118,6 +118,11 @@ struct PairArrays {
 inline constexpr int kHitKinds = 4, kBlocked = 1, kMet = 2;
 inline constexpr int kRayFloats = 56, kElementFloats = 72, kEdgeFloats = 184;  // of eight
 
+/// Where hits go, and two lists on the way to them with room for all elements and eight more.
+struct HitLists {
+  int *hits, *first, *second;
+};
+
 /// Boxes over boxes, eight below one; see pyramid.hpp.
 struct PyramidView {
   const float* boxes;
@@ -145,12 +150,12 @@ struct KernelTable {
   void (*merge)(const float* block, float* box);
   void (*meet_pairs)(const PairArrays&, int count);
   /// Elements with edges that rays of a block of eight, those in `alive`, may touch: 8 times the element plus
-  /// the ray, times kHitKinds, plus what is certain, to `out`: their number. A ray is left after a certain
+  /// the ray, times kHitKinds, plus what is certain, to `hits`: their number. A ray is left after a certain
   /// touch.
   int (*meet_edges)(const RayArrays&, int block, unsigned alive, const PyramidView&, const float* edges,
-                    int* out);
+                    const HitLists&);
   /// Elements that a ray may touch up to its target, times kHitKinds, plus what is certain.
-  int (*meet_elements)(const RayArrays&, int ray, const PyramidView&, const float* points, int* out);
+  int (*meet_elements)(const RayArrays&, int ray, const PyramidView&, const float* points, const HitLists&);
 };
 
 namespace baseline {

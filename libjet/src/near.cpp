@@ -16,6 +16,8 @@ void NearElements::reserve(const OrderedMesh& mesh) {
   places_.resize(8 * patches);
   edges_.resize(kEdgeFloats * patches);
   hits_.resize(64 * patches);  // eight rays and all elements
+  first_.resize(8 * patches + 8);
+  second_.resize(8 * patches + 8);
 }
 
 void NearElements::find(const RayBundle& rays, const RayBundle::Way& way) {

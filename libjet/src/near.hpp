@@ -52,7 +52,7 @@ class NearElements {
     for (std::size_t block = 0; block < alive.size(); ++block) {
       if (alive[block] == 0) continue;
       const int count = kernel_table().meet_edges(rays.arrays(), static_cast<int>(block), alive[block],
-                                                  edge_boxes_.view(), edges_.data(), hits_.data());
+                                                  edge_boxes_.view(), edges_.data(), lists());
       for (int i = 0; i < count; ++i) {
         const int hit = hits_[static_cast<std::size_t>(i)], pair = hit / kHitKinds;
         visit(8 * block + static_cast<std::size_t>(pair % 8), places[static_cast<std::size_t>(pair / 8)],
@@ -67,7 +67,7 @@ class NearElements {
   bool any_before_target(const RayBundle& rays, std::size_t k, Visit visit) {
     if (!has_boxes_) make_boxes(rays);
     const int count = kernel_table().meet_elements(rays.arrays(), static_cast<int>(k), boxes_.view(),
-                                                   points_.data(), hits_.data());
+                                                   points_.data(), lists());
     for (int i = 0; i < count; ++i) {
       const int hit = hits_[static_cast<std::size_t>(i)], slot = hit / kHitKinds;
       if (visit(8 * patches_[static_cast<std::size_t>(slot / 8)] + slot % 8, hit % kHitKinds)) return true;
@@ -103,7 +103,9 @@ class NearElements {
   std::vector<int> places_;  // of the elements with edges, filled to a multiple of eight
   std::vector<float> edges_;
   Pyramid edge_boxes_;
-  std::vector<int> hits_;
+  HitLists lists() { return {hits_.data(), first_.data(), second_.data()}; }
+
+  std::vector<int> hits_, first_, second_;
 };
 
 }  // namespace jet

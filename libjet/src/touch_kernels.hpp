@@ -15,34 +15,51 @@ inline void merge(const float* block, float* box) {
 
 struct Box {
   Floats low_p, high_p, low_q, high_q;
-  explicit Box(const float* b) : low_p(b[0]), high_p(b[1]), low_q(b[2]), high_q(b[3]) {}
+  Box(const float* b, int stride)
+      : low_p(b[0]), high_p(b[stride]), low_q(b[2 * stride]), high_q(b[3 * stride]) {}
   [[gnu::always_inline]] unsigned overlaps(const float* b) const {
     return bits((Floats::load(b) <= high_p) & (low_p <= Floats::load(b + 8)) &
                 (Floats::load(b + 16) <= high_q) & (low_q <= Floats::load(b + 24)));
   }
 };
 
-/// visit(block, bits of the entries that overlap) for the blocks of level `lowest` below `block` of `level`.
-template <class Visit>
-void descend(const PyramidView& pyramid, const Box& box, int lowest, int level, int block, Visit& visit) {
-  unsigned hits = box.overlaps(pyramid.boxes + 32 * std::ptrdiff_t{pyramid.first[level] + block});
-  if (level == lowest) {
-    if (hits != 0) visit(block, hits);
-    return;
+/// Places of the bits of a byte, in order.
+struct BitPlaces {
+  std::uint8_t at[256][8];
+  constexpr BitPlaces() : at{} {
+    for (int byte = 0; byte < 256; ++byte)
+      for (int i = 0, count = 0; i < 8; ++i)
+        if ((byte >> i & 1) != 0) at[byte][count++] = static_cast<std::uint8_t>(i);
   }
-  for (; hits != 0; hits &= hits - 1u)
-    descend(pyramid, box, lowest, level - 1, 8 * block + __builtin_ctz(hits), visit);
+};
+inline constexpr BitPlaces kBitPlaces;
+
+/// first + i for the bits i, to `out`, which has room for eight; their number. Nothing to predict.
+[[gnu::always_inline]] inline int append_bits(unsigned bits, int first, int* out) {
+  using Bytes = std::uint8_t __attribute__((vector_size(8)));
+  using Ints = std::int32_t __attribute__((vector_size(32), aligned(4), may_alias));
+  const auto places = *reinterpret_cast<const Bytes*>(kBitPlaces.at[bits]);
+  *reinterpret_cast<Ints*>(out) = __builtin_convertvector(places, Floats::Mask) + first;
+  return __builtin_popcount(bits);
 }
 
-/// The same for all entries. A few blocks are looked through without the levels above them.
-template <class Visit>
-[[gnu::always_inline]] inline void for_each_overlap(const PyramidView& pyramid, int lowest,
-                                                    const float* bounds, Visit visit) {
-  const Box box(bounds);
-  int level = lowest;
+/// Lowest blocks whose boxes overlap, in order, to `out`; level by level, with `scratch` between. A few
+/// blocks are all taken.
+inline int blocks_near(const PyramidView& pyramid, const Box& box, int* out, int* scratch) {
+  int level = 0;
   while (pyramid.last[level] - pyramid.first[level] > 8) ++level;
-  for (int b = 0; b < pyramid.last[level] - pyramid.first[level]; ++b)
-    descend(pyramid, box, lowest, level, b, visit);
+  int count = pyramid.last[level] - pyramid.first[level];
+  for (int i = 0; i < count; ++i) out[i] = i;
+  for (; level > 0; --level) {
+    for (int i = 0; i < count; ++i) scratch[i] = out[i];
+    int found = 0;
+    for (int i = 0; i < count; ++i) {
+      const float* boxes = pyramid.boxes + 32 * std::ptrdiff_t{pyramid.first[level] + scratch[i]};
+      found += append_bits(box.overlaps(boxes), 8 * scratch[i], out + found);
+    }
+    count = found;
+  }
+  return count;
 }
 
 [[gnu::always_inline]] inline Floats determinant(const Vec3<Floats>& d, const Vec3<Floats>& a,
@@ -97,25 +114,32 @@ inline void meet_pairs(const PairArrays& p, int count) {
 }
 
 inline int meet_elements(const RayArrays& rays, int ray, const PyramidView& pyramid, const float* points,
-                         int* out) {
-  const float* box = rays.boxes + 32 * std::ptrdiff_t{ray / 8} + ray % 8;
-  const float bounds[4] = {box[0], box[8], box[16], box[24]};
+                         const HitLists& to) {
+  const float* bounds = rays.boxes + 32 * std::ptrdiff_t{ray / 8} + ray % 8;
+  const Box box(bounds, 8);
   const float* r = rays.rays + kRayFloats * std::ptrdiff_t{ray / 8} + ray % 8;
   const Vec3<Floats> d = {Floats(r[0]), Floats(r[8]), Floats(r[16])};
   const Floats y(r[24]), end(r[16] + kSlack);
-  int count = 0;
-  for_each_overlap(pyramid, 0, bounds, [&](int block, unsigned hits) {
-    const Corners t = load_corners(points + kElementFloats * std::ptrdiff_t{block});
-    hits &= bits(min(min(t.a.z, t.b.z), t.c.z) <= end);  // the others are behind the target
-    if (hits == 0) return;
-    const Meeting m = meet_from(y, d, t);
-    hits &= bits(m.possible & ~m.beyond);
+  const int blocks = blocks_near(pyramid, box, to.first, to.second);
+  int near = 0, count = 0;
+  for (int i = 0; i < blocks; ++i) {
+    const int block = to.first[i];
+    const float* p = points + kElementFloats * std::ptrdiff_t{block};
+    const Floats low = min(min(Floats::load(p + 16), Floats::load(p + 40)), Floats::load(p + 64));
+    const unsigned hits = box.overlaps(pyramid.boxes + 32 * std::ptrdiff_t{block}) & bits(low <= end);
+    to.second[near] = block;  // kept if the next does not overwrite it
+    near += static_cast<int>(hits != 0);
+  }
+  for (int i = 0; i < near; ++i) {
+    const int block = to.second[i];
+    const Meeting m = meet_from(y, d, load_corners(points + kElementFloats * std::ptrdiff_t{block}));
+    unsigned hits = bits(m.possible & ~m.beyond);
     const unsigned blocked = hits & bits(m.pierced & m.crossed);
     for (; hits != 0; hits &= hits - 1u) {
-      const int i = __builtin_ctz(hits);
-      out[count++] = kHitKinds * (8 * block + i) + static_cast<int>(blocked >> i & 1u) * kBlocked;
+      const int e = __builtin_ctz(hits);
+      to.hits[count++] = kHitKinds * (8 * block + e) + static_cast<int>(blocked >> e & 1u) * kBlocked;
     }
-  });
+  }
   return count;
 }
 

@@ -187,14 +187,15 @@ Looked look(const jet::KernelTable& kernels, const Mesh& mesh, float half_long) 
   kernels.make_edges(
       {p.local.data(), half_long, triangles.data(), all.data(), p.boxes.data(), p.edges.data()}, n);
   const jet::PyramidView view{p.boxes.data(), 1, {}, {8}};  // the first 64 elements
-  std::vector<int> hits(8 * count);
+  std::vector<int> hits(8 * count), first(count + 8), second(count + 8);
+  const jet::HitLists lists{hits.data(), first.data(), second.data()};
   for (int block = 0; block < n / 8; ++block) {
-    const int found = kernels.meet_edges(rays, block, 0xf7u, view, p.edges.data(), hits.data());
+    const int found = kernels.meet_edges(rays, block, 0xf7u, view, p.edges.data(), lists);
     p.hits.insert(p.hits.end(), hits.begin(), hits.begin() + found);
   }
   kernels.element_boxes(p.points.data(), half_long, n / 8, p.boxes.data());
   for (int ray = 0; ray < n; ++ray) {
-    const int found = kernels.meet_elements(rays, ray, view, p.points.data(), hits.data());
+    const int found = kernels.meet_elements(rays, ray, view, p.points.data(), lists);
     p.hits.insert(p.hits.end(), hits.begin(), hits.begin() + found);
   }
   return p;
