@@ -66,6 +66,35 @@ TEST(Books, kick_ledger_closes_for_any_force_and_step) {
   }
 }
 
+// K_n = v- . M v+ / 2 and the work (f_n + f_n+1) / 2 . dx balance to round-off for any force, one step
+// length.
+TEST(Books, work_of_mean_forces_closes_for_constant_step) {
+  auto c = loaded_sphere(0.0);
+  scenes::Random random(9);
+  std::vector<double> dp(static_cast<std::size_t>(c.model.element_count));
+  const double dt = 3e-5;
+  Eigen::Matrix3Xd force_before, moved;
+  double kinetic_before = 0.0, work = 0.0, first = 0.0, size = 0.0;
+  for (int step = 0; step < 50; ++step) {
+    load(c, random, dp);
+    Eigen::Matrix3Xd force = c.state.membrane_force.map() + c.state.jet_force.map() +
+                             c.state.support_force.map() + c.state.contact_force.map() +
+                             c.state.gauge_pressure * c.state.volume_gradient.map();
+    for (int n = 0; n < c.model.node_count; ++n)
+      force.col(n) += c.model.node_mass[static_cast<std::size_t>(n)] * c.model.description.gravity;
+    const Eigen::Matrix3Xd before = c.state.position.map();
+    const double kinetic = membrane::advance(c.model, c.state, dt, dt).kinetic_product;
+    if (step == 0) first = kinetic;
+    if (step > 0) work += 0.5 * (force_before + force).cwiseProduct(moved).sum();
+    size += std::abs(kinetic - kinetic_before) + std::abs(kinetic);
+    // Displacements of 1e-4 m are differences of positions of 0.3 m: 3000 eps, each step anew.
+    EXPECT_NEAR(kinetic - first, work, 3000 * scenes::kEps * size) << step;
+    moved = c.state.position.map() - before;
+    force_before = force;
+    kinetic_before = kinetic;
+  }
+}
+
 TEST(Books, momentum_change_eq_impulse_without_damping) {
   auto c = loaded_sphere(0.0);
   scenes::Random random(9);
