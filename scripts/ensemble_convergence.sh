@@ -3,12 +3,12 @@
 # Means of the paper's scene, with and without jet, against seed, step, contact stiffness, mesh and friction: ensembles,
 # one row a quantity and value. Writes OUT.csv, OUT.svg and OUT.png. Ensembles that are already in results/ are not run
 # again: delete the folder to start anew.
-# usage: scripts/ensemble_convergence.sh [RUNS] [OUT]      (16 runs, docs/charts/ensemble_convergence by default)
+# usage: scripts/ensemble_convergence.sh [RUNS] [OUT]      (32 runs, docs/charts/ensemble_convergence by default)
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 # shellcheck source-path=SCRIPTDIR source=ensemble_common.sh
 source scripts/ensemble_common.sh
-runs=${1:-16} out=${2:-docs/charts/ensemble_convergence}
+runs=${1:-32} out=${2:-docs/charts/ensemble_convergence}
 # varied | value | options of `gasjet ensemble`; the base case has seed 1e-4 m, safety 0.8, stiffness share 1
 variations=(
   "seed|1e-12|--amplitude 1e-12" "seed|1e-9|--amplitude 1e-9" "seed|1e-7|--amplitude 1e-7"

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # Recomputes the README's figure and the table of the jet's effect: ensembles of the paper's scene with and without jet.
-# usage: scripts/figures.sh [RUNS]      (16 by default)
+# usage: scripts/figures.sh [RUNS]      (32 by default)
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
@@ -9,7 +9,7 @@ scripts/setup_debian12.sh
 cmake --preset release >/dev/null
 cmake --build --preset release --target gasjet -j "$(nproc)" >/dev/null
 build/gasjet ensemble cases/passenger_pendulum.toml --against cases/passenger_pendulum_no_jet.toml \
-  --runs "${1:-16}" --threads "$(nproc)" --out results/figures
+  --runs "${1:-32}" --threads "$(nproc)" --out results/figures
 mkdir -p docs/figures
 cp results/figures/effects.csv docs/figures/jet_effect.csv
 scripts/plot_ensemble.sh docs/figures/passenger_pendulum \

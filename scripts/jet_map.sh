@@ -3,12 +3,12 @@
 # Where the jet matters: the paper's scene with each invented input at the ends of a plausible range, with and without jet.
 # Writes OUT.csv, OUT.svg and OUT.png: the jet's effect on angle, impulse and peak acceleration. Ensembles that are already
 # in results/ are not run again.
-# usage: scripts/jet_map.sh [RUNS] [OUT]      (16 runs, docs/charts/jet_map by default)
+# usage: scripts/jet_map.sh [RUNS] [OUT]      (32 runs, docs/charts/jet_map by default)
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 # shellcheck source-path=SCRIPTDIR source=ensemble_common.sh
 source scripts/ensemble_common.sh
-runs=${1:-16} out=${2:-docs/charts/jet_map}
+runs=${1:-32} out=${2:-docs/charts/jet_map}
 
 # flow TIME PEAK: a triangle that reaches PEAK [kg/s] at 12 ms and ends at TIME [s].
 flow() { echo "inflator.0.mass_flow={time=[0.0,0.012,$1],value=[0.0,$2,0.0]}"; }

@@ -12,6 +12,11 @@ namespace {
 // governs at most half of omega^2. A quarter of it lets the paper's impactor sink in beyond half its radius.
 constexpr double default_contact_share = 1.0;
 
+// An angle keeps its digits, a coefficient is one of sliding: past these a step would add nothing to the
+// angle, and the default stiffness, which friction divides, would hold nothing.
+constexpr Bounds turns{-1000.0, 1000.0, false, "a number from -1000 to 1000"};
+constexpr Bounds sliding{0.0, 10.0, false, "a number from 0 to 10"};
+
 PendulumPart read_model(TableReader& table, const Eigen::Vector3d& gravity) {
   coupling::PendulumParameters p;
   p.pivot = table.vector("pivot");
@@ -24,7 +29,7 @@ PendulumPart read_model(TableReader& table, const Eigen::Vector3d& gravity) {
   p.impactor_radius = table.number("impactor_radius", positive);
   p.gravity = gravity;
   coupling::PendulumState initial;
-  initial.angle = table.number("initial_angle", any_number, 0.0);
+  initial.angle = table.number("initial_angle", turns, 0.0);
   initial.angular_velocity = table.number("initial_angular_velocity", any_number, 0.0);
   return {coupling::PendulumModel(p), initial};
 }
@@ -41,7 +46,7 @@ double contact_stiffness(TableReader& table, const coupling::PendulumModel& pend
 
 coupling::ContactParameters read_contact(TableReader& table, const coupling::PendulumModel& pendulum,
                                          const BagPart& bag) {
-  const double friction = table.number("friction", non_negative, 0.0);
+  const double friction = table.number("friction", sliding, 0.0);
   return {pendulum.parameters().impactor_radius, contact_stiffness(table, pendulum, friction, bag), friction};
 }
 
