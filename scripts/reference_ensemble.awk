@@ -9,7 +9,7 @@
 }
 {
   time[++rows] = $1
-  for (i = 1; i <= columns; i++) { mean[rows, i] = $(2 * i); width[rows, i] = 4 * sqrt(runs) * $(2 * i + 1) }
+  for (i = 1; i <= columns; i++) { text[rows, i] = $(2 * i); mean[rows, i] = $(2 * i) + 0; width[rows, i] = 4 * sqrt(runs) * $(2 * i + 1) }
 }
 function band(r, i,   k, most) {
   for (k = r - 10; k <= r + 10; k++) if (k >= 1 && k <= rows && width[k, i] > most) most = width[k, i]
@@ -36,7 +36,7 @@ END {
   for (r = 1; r <= rows; r++) {
     if ((r - 1) % stride && r < rows) continue
     printf "%s", time[r]
-    for (i = 1; i <= columns; i++) printf ",%.7g%s", mean[r, i], told[i] ? sprintf(",%.3g", band(r, i)) : ""
+    for (i = 1; i <= columns; i++) printf ",%s%s", text[r, i], told[i] ? sprintf(",%.3g", band(r, i)) : ""
     print ""
   }
 }

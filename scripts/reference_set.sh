@@ -171,7 +171,7 @@ make_scene() {
       exit 2
       ;;
   esac
-  echo "$scene: $(grep -vc '^#' "$out/$scene.csv") rows, $(grep -c '^# band' "$out/$scene.csv") bands"
+  echo "$scene: $(grep -vc '^#' "$out/$scene.csv") rows, $(grep -v '^#' "$out/$scene.csv" | head -1 | tr , '\n' | grep -c '_band$') bands"
 }
 
 mkdir -p "$work"

@@ -4,7 +4,8 @@
 # row with the reference (docs/compare.md).
 # usage: verification/run_external.sh [--tolerance SHARE] [--scenes NAME,...] COMMAND [ARGUMENT...]
 #   called as COMMAND ARGUMENT... SCENE.json HISTORY.csv; exit code 77: it does not do this scene. The JSON holds `settings` (those of
-#   the case file, defaults too, SI units), `times` and `columns` of the reference, and `mesh`, `mesh_keyword` (files) if there is one.
+#   the case file, defaults too, SI units), `times` of the reference and its `columns` that have a band, and files of the mesh if there is one: `mesh` (OBJ) and
+#   `mesh_keyword`, the design shape, and `mesh_initial`, the shape at the start.
 #   HISTORY.csv: a header row with `time_s` and the columns, then rows.
 #   --tolerance SHARE  what the program may be off by itself, of each column's largest magnitude (0 by default)
 # Exit code: 0 inside the bands in all scenes that it does; 1 outside in one; 2 bad arguments, or the program or its file failed; 4 undecided.
@@ -36,13 +37,18 @@ trap 'rm -rf "$work"' EXIT
 
 # scene_as_json SCENE: the case's settings, and what the reference asks for, in one object.
 scene_as_json() {
-  local table=$reference/$1.csv mesh=$reference/$1.obj
+  local table=$reference/$1.csv case
+  case=$(sed -n 's/^# case: //p' "$table")
   awk -F, -v scene="$1" '/^#/ { next }
-    !n++ { for (i = 2; i <= NF; i++) if ($i !~ /_band$/) columns = columns (columns ? ", " : "") "\"" $i "\""; next }
+    !n++ { for (i = 2; i <= NF; i++) if (sub(/_band$/, "", $i)) columns = columns (columns ? ", " : "") "\"" $i "\""; next }
     { times = times (times ? ", " : "") $1 }
     END { printf "{\n  \"scene\": \"%s\",\n  \"columns\": [%s],\n  \"times\": [%s],\n", scene, columns, times }' "$table"
-  [[ ! -f $mesh ]] || printf '  "mesh": "%s",\n  "mesh_keyword": "%s",\n' "$mesh" "${mesh%.obj}.k"
-  (cd "$root" && "$gasjet" check "$(sed -n 's/^# case: //p' "$table")" --format json) | tail -n +2
+  cd "$root" || return
+  if "$gasjet" mesh case "$case" --out "$work/$1.obj" --initial "$work/$1.initial.obj" >/dev/null 2>&1; then
+    "$gasjet" mesh case "$case" --out "$work/$1.k" >/dev/null
+    printf '  "mesh": "%s",\n  "mesh_keyword": "%s",\n  "mesh_initial": "%s",\n' "$work/$1."{obj,k,initial.obj}
+  fi
+  "$gasjet" check "$case" --format json | tail -n +2
 }
 
 worst=0 # the worst exit code so far, in the order 0, 4, 1, 2
@@ -55,7 +61,7 @@ note() {
 judged=0
 for scene in $scenes; do
   [[ -f $reference/$scene.csv ]] || fail "no scene '$scene' in $reference"
-  scene_as_json "$scene" >"$work/$scene.json" || fail "$scene: no JSON"
+  (scene_as_json "$scene") >"$work/$scene.json" || fail "$scene: no JSON"
   "$@" "$work/$scene.json" "$work/$scene.csv" </dev/null >"$work/log" 2>&1
   status=$?
   if ((status == 77)); then

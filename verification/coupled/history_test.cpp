@@ -89,6 +89,8 @@ TEST(history, openradioss_csv_in_si_units) {
       "1.000000,0.000000,1.000000,0.100000,0.000120,62000000.000000,0.090000\n");
   const auto history = driver::read_history(csv, kMaps + "openradioss_monvol.toml");
   EXPECT_DOUBLE_EQ(history.time[2], 1e-3);
+  for (const char* name : {"pressure_Pa", "volume_m3", "gas_mass_kg"})
+    ASSERT_TRUE(history.find(name)) << name;
   EXPECT_DOUBLE_EQ((*history.find("pressure_Pa"))[1], 1.1e5);
   EXPECT_DOUBLE_EQ((*history.find("volume_m3"))[1], 0.061);
   EXPECT_DOUBLE_EQ((*history.find("gas_mass_kg"))[0], 0.07);  // the volume's, not the model's
