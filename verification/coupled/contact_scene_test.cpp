@@ -134,6 +134,16 @@ TEST(contact_scene, default_stiffness_keeps_contact_within_its_share_of_the_step
   }
 }
 
+// Out of reach a level costs a comparison (0.1 % of the step's time); one in a hundred looks at the skin at
+// most.
+TEST(contact_scene, broad_phase_is_idle_while_nothing_is_near) {
+  const auto run =
+      run_case("passenger_pendulum_no_jet", {"pendulum.pivot=[1.5, 0.0, 1.31]", "scene.end_time=0.03"});
+  ASSERT_EQ(run.outcome.status, driver::RunStatus::done) << run.outcome.message;
+  EXPECT_EQ(run.state.peaks.first_contact, -1.0);
+  EXPECT_GT(run.state.contact_cache->skips, 0.99 * static_cast<double>(run.state.steps));
+}
+
 // Where contact ends, in a whole run: exit code 3 with stage, time and limit, and the threshold beside it.
 
 TEST(contact_limits, stiffness_past_the_cap_of_a_fixed_step_is_refused_before_it_touches) {
