@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "membrane/bag_model.hpp"
 
-#include <Eigen/Eigenvalues>
+#include <Eigen/Cholesky>
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
@@ -10,6 +10,7 @@
 #include "blocks.hpp"
 #include "checks.hpp"
 #include "kernel_table.hpp"
+#include "mass_shares.hpp"
 #include "membrane/orthotropic.hpp"
 
 namespace membrane {
@@ -71,25 +72,6 @@ Eigen::Matrix3d elasticity(const Weave& w, const Eigen::Vector2d& angle) {
   return turn.transpose() * d * turn / reciprocal;
 }
 
-// Largest eigenvalue of D B B^T, by the symmetric matrix L^T B B^T L with D = L L^T.
-double stiffness_eigenvalue(const ReferenceTriangle& t, const Eigen::Matrix3d& elasticity) {
-  Eigen::Matrix<double, 3, 6> strain_operator;
-  for (int k = 0; k < 3; ++k) {
-    const double g1 = t.gradient(0, k), g2 = t.gradient(1, k);
-    strain_operator.block<3, 2>(0, 2 * k) << g1, 0.0, 0.0, g2, g2, g1;
-  }
-  const Eigen::Matrix3d factor = elasticity.llt().matrixL();
-  const Eigen::Matrix<double, 3, 6> product = factor.transpose() * strain_operator;
-  const Eigen::Matrix3d symmetric = product * product.transpose();
-  return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(symmetric, Eigen::EigenvaluesOnly).eigenvalues()[2];
-}
-
-// Larger eigenvalue of the 2 x 2 matrix G G^T.
-double gradient_eigenvalue(const ReferenceTriangle& t) {
-  const Eigen::Matrix2d g = t.gradient * t.gradient.transpose();
-  return 0.5 * (g(0, 0) + g(1, 1)) + std::hypot(0.5 * (g(0, 0) - g(1, 1)), g(0, 1));
-}
-
 void set_weave(WeaveGroup& w, ElementGroup& g, std::size_t lane, const OrthotropicConstants<double>& fabric) {
   w.cosine[lane] = fabric.cosine;
   w.sine[lane] = fabric.sine;
@@ -116,15 +98,11 @@ void set_fabric(BagModel& m, std::size_t e, const ReferenceTriangle& t, const El
     set_weave(
         m.elements.weave[group], g, lane,
         orthotropic_constants(weave_of(p), warp[0] * warp[0] - warp[1] * warp[1], 2.0 * warp[0] * warp[1]));
-  // Each corner carries a third of the mass rho h A, so M^-1 K has the factor (h A) / (rho h A / 3).
-  g.material_frequency[lane] = 3.0 / p.density * stiffness_eigenvalue(t, elasticity(weave_of(p), warp));
-  g.geometric_frequency[lane] = 3.0 / p.density * gradient_eigenvalue(t);
   g.porosity[lane] = p.porosity;
   g.porosity_squared[lane] = p.porosity * p.porosity;
-  m.fabric_frequency = std::max(m.fabric_frequency, g.material_frequency[lane]);
 }
 
-void set_element(BagModel& m, Eigen::Index e) {
+void set_element(BagModel& m, Eigen::Index e, std::vector<ElementStiffness>& fabric) {
   const auto i = static_cast<std::size_t>(e);
   const ReferenceTriangle t = reference_triangle(m.description, e);
   const ElementProperties& p = m.description.properties[i];
@@ -136,8 +114,11 @@ void set_element(BagModel& m, Eigen::Index e) {
   m.reference_area[i] = t.area;
   set_fabric(m, i, t, p);
   if (p.null_panel) return;
+  const double mass = p.density * p.thickness * t.area;
+  const Eigen::Matrix3d stiffness = elasticity(weave_of(p), warp_direction(t, p, e));
+  fabric.push_back({static_cast<int>(e), p.thickness * t.area, mass, t.gradient, stiffness.llt().matrixL()});
   for (const int n : m.description.elements.col(e)) {
-    m.node_mass[static_cast<std::size_t>(n)] += p.density * p.thickness * t.area / 3.0;
+    m.node_mass[static_cast<std::size_t>(n)] += mass / 3.0;
     m.node_area[static_cast<std::size_t>(n)] += t.area / 3.0;
   }
 }
@@ -202,8 +183,10 @@ BagModel make_model(const BagDescription& description) {
   set_corner_table(m);
   set_blocks(m);
   set_weave_groups(m);
-  for (Eigen::Index e = 0; e < m.element_count; ++e) set_element(m, e);
+  std::vector<ElementStiffness> fabric;
+  for (Eigen::Index e = 0; e < m.element_count; ++e) set_element(m, e, fabric);
   set_masses(m);
+  set_frequencies(m, fabric);
   m.strap_frequency = strap_bound(m);
   m.plate_frequency = plate_bound(m);
   return m;

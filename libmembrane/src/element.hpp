@@ -18,7 +18,7 @@ T stretch_2(T ab, T ac, T gradient_b2, T gradient_c2) {
 }
 
 // Bound of omega^2 of the element at its current strain and stress (M.10):
-// omega^2 <= omega_0^2 max(1, lambda_max(C)) + (3 / rho) max(0, S_1) lambda_max(G).
+// omega^2 <= omega_0^2 max(1, lambda_max(C)) + h A max(0, S_1) lambda_max(G).
 // The strain operator is B(F) dx = B_0 (U dx), with U the right stretch of C = F^T F, which gives the first
 // term; the tangent of the relaxed energy is below D, so it holds for both compression laws.
 template <class T>

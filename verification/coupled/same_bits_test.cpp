@@ -19,17 +19,18 @@ void expect_same_bits(const coupled::CaseRun& a, const coupled::CaseRun& b) {
 }
 
 TEST(same_bits, for_one_two_and_three_threads) {
-  const std::vector<std::string> overrides{"scene.end_time=0.008"};
+  // 10 976 elements: enough blocks for the threads to share.
+  const std::vector<std::string> overrides{"scene.end_time=0.002", "membrane.mesh.refine=1"};
   driver::set_threads(1);
-  const auto one = run_case("passenger_pendulum", overrides);
+  const auto one = run_case("passenger_pendulum_no_jet", overrides);
   driver::set_threads(2);
-  const auto two = run_case("passenger_pendulum", overrides);
+  const auto two = run_case("passenger_pendulum_no_jet", overrides);
   driver::set_threads(3);
-  const auto three = run_case("passenger_pendulum", overrides);
+  const auto three = run_case("passenger_pendulum_no_jet", overrides);
   driver::set_threads(1);
   expect_same_bits(one, two);
   expect_same_bits(one, three);
-  EXPECT_GT(one.history.back().contact_force_N, 0.0);
+  EXPECT_GT(one.history.size(), 10u);
 }
 
 TEST(same_bits, perturbation_of_1e_12_m_is_another_run) {

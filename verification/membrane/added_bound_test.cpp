@@ -50,7 +50,7 @@ TEST(AddedBound, sum_is_above_true_limit_of_a_gas_filled_bag) {
     });
     const double total = membrane::stiffness_shares(model, base, kGamma, kPressure).total();
     EXPECT_LE(exact, total * (1.0 + 1e-5));
-    // Single elements of so coarse a bag: 0.70 to 0.8 of the true step (the assembled bound: 0.8 or better).
+    // Single elements of so coarse a bag: 0.70 to 0.8 of the true step.
     EXPECT_GE(std::sqrt(exact / total), 0.7);
   }
 }

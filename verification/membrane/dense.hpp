@@ -2,6 +2,8 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <string>
+#include <vector>
 
 #include "scenes.hpp"
 
@@ -33,6 +35,37 @@ double greatest_frequency(const membrane::BagModel& model, const Eigen::Matrix3X
 
 inline Eigen::Matrix3Xd membrane_force(const membrane::BagModel& model, const Eigen::Matrix3Xd& x) {
   return evaluated(model, x).membrane_force.map();
+}
+
+// A generated bag of the paper's fabric, held at its attachment; it carries compression, so that no state is
+// slack.
+inline membrane::BagDescription describe_shipped(const membrane::Mesh& mesh,
+                                                 const std::vector<std::string>& null_panels) {
+  auto d = describe(mesh, membrane::Compression::linear);
+  for (const auto& panel : null_panels)
+    for (const int e : membrane::panel_elements(mesh, panel))
+      d.properties[static_cast<std::size_t>(e)] = {.null_panel = true};
+  d.fixed_nodes = membrane::panel_nodes(mesh, "attachment");
+  return d;
+}
+
+// Rayleigh quotient of M^-1/2 K M^-1/2 after some power steps, K by differences of the fabric's force: below
+// the greatest omega^2, and some percent off it at most.
+inline double power_estimate(const membrane::BagModel& model, const Eigen::Matrix3Xd& x) {
+  const Eigen::Map<const Eigen::RowVectorXd> inverse_mass(model.inverse_mass.data(), model.node_count);
+  const Eigen::RowVectorXd mobility = inverse_mass.cwiseSqrt();
+  const double h = 1e-7;
+  Eigen::Matrix3Xd u = Random(5).vectors(x.cols()), image;
+  double quotient = 0.0;
+  for (int i = 0; i < 400; ++i) {
+    u /= u.norm();
+    const Eigen::Matrix3Xd v = (h * u.array()).rowwise() * mobility.array();
+    image = (membrane_force(model, x - v) - membrane_force(model, x + v)) / (2.0 * h);
+    image.array().rowwise() *= mobility.array();
+    quotient = u.cwiseProduct(image).sum();
+    u = image;
+  }
+  return quotient;
 }
 
 }  // namespace scenes

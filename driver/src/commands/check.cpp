@@ -58,10 +58,6 @@ void print_bag(const Scene& scene, State& state) {
       "{:.4g})\n",
       membrane::critical_time_step(shares), limit(shares.element), limit(shares.gas), limit(shares.strap),
       limit(shares.plate));
-  auto assembled = shares;
-  assembled.element = membrane::assembled_frequency(bag.model, *state.bag);
-  fmt::print("critical step of the assembled fabric (M.15): {:.4g} s\n",
-             membrane::critical_time_step(assembled));
   print_panels(bag.mesh);
 }
 

@@ -23,7 +23,7 @@ struct alignas(64) ElementGroup {
   double gradient_b2[kLanes], gradient_c2[kLanes];            // [1/m]
   double volume[kLanes];                                      // h * reference area [m3], 0 for null
   double young[kLanes], spherical[kLanes], deviator[kLanes];  // see IsotropicConstants [Pa], 0 for null
-  double material_frequency[kLanes];                          // omega^2 in the reference shape [1/s2]
+  double material_frequency[kLanes];                          // omega^2, shared masses (M.15) [1/s2]
   double geometric_frequency[kLanes];                         // omega^2 per principal stress [1/(s2 Pa)]
   double porosity[kLanes], porosity_squared[kLanes];          // [-]
 };

@@ -26,12 +26,6 @@ StiffnessShares stiffness_shares(const BagModel& model, const BagState& state, d
 // Largest stable step of central difference, 2 / omega (M.12) [s]. Throws MembraneError if nothing is stiff.
 double critical_time_step(const StiffnessShares& shares);
 
-// Bound of omega^2 of the assembled fabric at state.position (M.15) [1/s2], to stand in for
-// StiffnessShares::element: each element has the share of its nodes' masses, direction by direction, that its
-// stiffness has of theirs. Never below the true limit, and 0.87 of its step or better on airbag meshes, where
-// single elements give 0.68 to 0.82. Some 10 us per element: for now and then, not for each step.
-double assembled_frequency(const BagModel& model, const BagState& state);
-
 // What one element does at the current positions, for output and messages (not on the path of a step).
 struct ElementResponse {
   PlaneStrain<double> strain;      // in the element's frame, first axis along its reference side a-b
