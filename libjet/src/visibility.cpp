@@ -8,6 +8,7 @@
 #include "checks.hpp"
 #include "closedness.hpp"
 #include "fast.hpp"
+#include "filter.hpp"
 #include "predicates.hpp"
 #include "tree.hpp"
 #include "winding.hpp"
@@ -15,10 +16,11 @@
 namespace jet {
 namespace {
 
-/// Every pair, CGAL's predicates: the oracle.
+/// Every pair. With CGAL's predicates it is the oracle.
+template <class Kernel>
 struct BruteForce {
   const Surface& surface;
-  exact::Kernel& kernel;
+  Kernel& kernel;
 
   bool source_on_surface(const blocking::Ray& ray) const {
     for (int e = 0; e < surface.count; ++e) {
@@ -32,6 +34,11 @@ struct BruteForce {
     }
     return false;
   }
+};
+
+/// Filtered predicates, for rays of which it is known if they are moved.
+struct FilteredKernel : filter::Kernel {
+  bool moved(const blocking::Ray& ray) const { return ray.moved == blocking::Moved::yes; }
 };
 
 struct TreeSearch {
@@ -132,7 +139,7 @@ VisibilityCounters VisibilityQuery::query(VisibilityRoute route, const Points& n
   VisibilityCounters counters;
   switch (route) {
     case VisibilityRoute::brute_force:
-      return query_by(BruteForce{surface, kernel}, surface, source, candidates, lit);
+      return query_by(BruteForce<exact::Kernel>{surface, kernel}, surface, source, candidates, lit);
     case VisibilityRoute::cgal_tree:
       counters = query_by(TreeSearch{ElementTree(surface), kernel}, surface, source, candidates, lit);
       counters.tree_builds = 1;
@@ -151,8 +158,8 @@ std::vector<std::optional<int>> VisibilityQuery::winding_numbers(const Points& n
   const Surface surface = impl_->surface(nodes);
   check_nodes(surface);
   const winding::Box box = winding::bounding_box(surface);
-  exact::Kernel kernel;
-  const BruteForce search{surface, kernel};
+  FilteredKernel kernel;
+  const BruteForce<FilteredKernel> search{surface, kernel};
   for (std::size_t k = 0; k < candidates.size(); ++k) {
     blocking::Ray ray = blocking::make_ray(surface, candidates[k], source);
     const bool shared = source.half_long == 0.0 && k > 0;
