@@ -144,16 +144,16 @@ make_scene() {
     two_gas_fill) scene_by_refinement $out/two_gas_fill.toml 1 "output.history_every=1.25e-4 time.gas_tolerance=1e-12" "" ;;
     tank_blowdown) scene_by_refinement cases/tank_blowdown.toml 2 output.history_every=5e-4 "" blowdown --times 0:0.35:1e-3 ;;
     piston_leak) scene_by_refinement cases/piston_leak.toml 4 "output.history_every=5e-5 time.gas_tolerance=1e-12" "" ;;
-    sphere_vent) scene_by_refinement $out/sphere_vent.toml 1 time.safety=0.4 membrane.mesh.levels=4; meshes ;;
+    sphere_vent) scene_by_refinement $out/sphere_vent.toml 1 time.step=1.25e-5 membrane.mesh.levels=4; meshes ;;
     circular_membrane)
       awk -v shape=disc -v cells=8 -f scripts/reference_meshes.awk >$out/$scene.obj
-      scene_by_refinement $out/circular_membrane.toml 1 time.safety=0.4 "$(fine disc 16)"
+      scene_by_refinement $out/circular_membrane.toml 1 time.step=1.25e-5 "$(fine disc 16)"
       meshes
       ;;
     plate_jet) scene_of_jet cases/plate_jet.toml 0.02 "" "target.rows=240 target.columns=240" ;;
     plate_jet_shadow)
       awk -v shape=baffle -v cells=10 -f scripts/reference_meshes.awk >$out/$scene.obj
-      scene_of_jet $out/plate_jet_shadow.toml 0.002 time.safety=0.4 ""
+      scene_of_jet $out/plate_jet_shadow.toml 0.002 time.step=1e-5 ""
       meshes
       ;;
     pendulum_swing) scene_by_refinement cases/pendulum_swing.toml 1 time.step=5e-4 "" pendulum_swing --times 0:2.5:0.01 ;;
