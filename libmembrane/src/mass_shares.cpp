@@ -82,10 +82,7 @@ void normalise(const BagModel& m, const std::vector<ElementStiffness>& fabric, s
 void set_frequencies(BagModel& m, const std::vector<ElementStiffness>& fabric) {
   constexpr int rounds = 20;  // the step gains less than 1 % from more
   std::vector<Share> shares(fabric.size());
-  for (std::size_t i = 0; i < fabric.size(); ++i) {
-    shares[i].mass.setConstant(fabric[i].mass / 3.0);
-    m.fabric_frequency = std::max(m.fabric_frequency, material_frequency(fabric[i], shares[i].mass));
-  }
+  for (std::size_t i = 0; i < fabric.size(); ++i) shares[i].mass.setConstant(fabric[i].mass / 3.0);
   for (int round = 0; round < rounds; ++round) {
     for (std::size_t i = 0; i < fabric.size(); ++i) update_share(fabric[i], shares[i]);
     normalise(m, fabric, shares);
@@ -94,6 +91,7 @@ void set_frequencies(BagModel& m, const std::vector<ElementStiffness>& fabric) {
     const auto [group, lane] = place_of(m.elements, static_cast<std::size_t>(fabric[i].element));
     m.elements.group[group].material_frequency[lane] = material_frequency(fabric[i], shares[i].mass);
     m.elements.group[group].geometric_frequency[lane] = geometric_frequency(fabric[i], shares[i].mass);
+    m.fabric_frequency = std::max(m.fabric_frequency, m.elements.group[group].material_frequency[lane]);
   }
 }
 

@@ -103,7 +103,7 @@ struct BagModel {
   std::vector<double> inverse_mass;    // 1 / mass, 0 at fixed nodes [1/kg]
   std::vector<double> node_area;       // reference area of the fabric around the node, sum of A / 3 [m2]
   std::vector<double> reference_area;  // of each element [m2]
-  double fabric_frequency = 0.0;       // largest omega^2 of an element with its own mass, as sewn [1/s2]
+  double fabric_frequency = 0.0;       // largest omega^2 of an element with its share of the mass, as sewn [1/s2]
   double strap_frequency = 0.0;        // bound of omega^2 added by the straps, taut or not [1/s2]
   double plate_frequency = 0.0;        // bound of omega^2 added by the plates, touched or not [1/s2]
   double fabric_mass = 0.0;            // [kg]
