@@ -135,6 +135,16 @@ rule_links() {
     done
 }
 
+# Every closed form that a text, a case or a script names as `gasjet exact NAME` is in the catalogue.
+rule_exact_names() {
+  local list known
+  known=$(sed -nE 's/^\*\*`([a-z0-9_]+)`\*\*:.*/\1/p' docs/exact.md)
+  mapfile -t list < <(files '*.md' '*.toml' '*.sh' '*.csv' | grep -v '^verification/')  # tests name absent ones
+  { grep -HnoE 'gasjet"? exact [a-z0-9_]+' "${list[@]}" || true; } | while IFS= read -r line; do
+    grep -qxF "${line##* }" <<<"$known" || echo "$line: no such closed form in docs/exact.md"
+  done
+}
+
 # Every key that the driver reads from a case has a row in docs/case_files.md, and every row's key is read there.
 rule_case_keys() {
   local page=docs/case_files.md list read_keys rows key

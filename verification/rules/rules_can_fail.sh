@@ -37,6 +37,8 @@ good_tree() {
   put build/CTestTestfile.cmake 'add_test(gas.tank "true")' 'add_test(faults/bad_input.one/nan "true")' \
     'add_test(rules.links "true")' 'add_test(rules.links_can_fail "true")'
   put verification/mutations.tsv '# comment' $'gas.(tank|vent)\tREADME.md\ts/gas/b/' $'bad_input.*/nan( |$)\tREADME.md\ts/gas/b/'
+  put docs/exact.md '**`tank_fill`**: of a tank'
+  put cases/tank.toml '# Closed form: `gasjet exact tank_fill`.'
   put docs/theory/gas.md '$$ p V = m R T \tag{G.1} $$'
 }
 
@@ -110,6 +112,10 @@ case $rule in
   links)
     breaks README.md '[gas](docs/gas.md)'
     breaks docs/theory/jet.md 'see [gas](gas.md) and ![figure](figure.svg)'
+    ;;
+  exact_names)
+    breaks cases/tank.toml '# Closed form: `gasjet exact tank_filled`.'
+    breaks scripts/chart.sh '"$build/gasjet" exact round_jet --times 0:1:0.1'
     ;;
   case_keys)
     breaks docs/case_files.md '| `volume` | of the tank |'
