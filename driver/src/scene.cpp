@@ -17,9 +17,9 @@ void read_general(TableReader& root, Scene& scene) {
   TableReader table = root.table("scene");
   scene.name = table.text("name");
   scene.time.end = table.number("end_time", positive);
-  scene.gravity = table.vector("gravity", Eigen::Vector3d::Zero());
   if (table.has("gravity") && !will_move(root))
     table.fail("gravity", "has no effect: nothing moves; it needs [membrane] or [pendulum]");
+  if (will_move(root)) scene.gravity = table.vector("gravity", Eigen::Vector3d::Zero());
   table.finish();
 }
 
@@ -58,19 +58,25 @@ void read_gas_time(TableReader& table, bool has_volume, Scene& scene) {
       table.number("gas_tolerance", Bounds{1e-13, 1e-2, false, "1e-13 to 1e-2"}, options.relative_tolerance);
 }
 
+/// Steps of what moves.
+void read_motion_time(TableReader& table, bool moves, Scene& scene) {
+  for (const char* key : {"step", "safety", "unsafe_dt"})
+    if (table.has(key) && !moves)
+      table.fail(key, "has no effect: nothing moves; here output.history_every is the step");
+  if (!moves) return;
+  scene.time.step = table.optional_number(
+      "step", Bounds{scene.time.end / 1e9, any_number.high, false, "a step of end_time / 1e9 or more"});
+  if (!scene.time.step)
+    scene.time.safety = table.number("safety", Bounds{1e-3, 1.0, false, "1e-3 to 1"}, scene.time.safety);
+  scene.time.unsafe_step = table.flag("unsafe_dt", false);
+  if (scene.time.unsafe_step && !scene.time.step) table.fail("unsafe_dt", "is allowed with `step` only");
+}
+
 void read_time(TableReader& root, Scene& scene) {
   auto table = root.optional_table("time");
   if (!table) return;
-  for (const char* key : {"step", "safety"})
-    if (table->has(key) && !will_move(root))
-      table->fail(key, "has no effect: nothing moves; here output.history_every is the step");
-  scene.time.step = table->optional_number(
-      "step", Bounds{scene.time.end / 1e9, any_number.high, false, "a step of end_time / 1e9 or more"});
-  if (!scene.time.step)
-    scene.time.safety = table->number("safety", Bounds{1e-3, 1.0, false, "1e-3 to 1"}, scene.time.safety);
-  scene.time.unsafe_step = table->flag("unsafe_dt", false);
+  read_motion_time(*table, will_move(root), scene);
   read_gas_time(*table, scene.gas && !root.has("target"), scene);
-  if (scene.time.unsafe_step && !scene.time.step) table->fail("unsafe_dt", "is allowed with `step` only");
   table->finish();
 }
 

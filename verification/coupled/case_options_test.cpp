@@ -4,12 +4,31 @@
 
 #include <cmath>
 
+#include "case_folder.hpp"
+#include "closed_form/membrane.hpp"
 #include "closed_form/pendulum.hpp"
 #include "run_case.hpp"
 
 namespace {
 
 using coupled::run_case;
+
+// What `gasjet check` prints as taken by default is a key that the case may say itself.
+TEST(case_options, check_names_only_keys_that_the_case_may_set) {
+  const std::vector<std::pair<const char*, std::vector<std::string>>> scenes{
+      {"rigid_tank", {"time={}"}}, {"piston_leak", {"time={}"}},  {"tank_triggers", {"time={}"}},
+      {"plate_jet", {"time={}"}},  {"contact_vent", {"time={}"}}, {"pendulum_swing", {}}};
+  for (const auto& [name, overrides] : scenes) {
+    const auto file = coupled::fs::path(GASJET_SOURCE_DIR "/cases") / (std::string(name) + ".toml");
+    driver::CaseDocument document(file, overrides);
+    driver::read_scene(document);
+    std::vector<std::string> defaults;
+    for (const auto& setting : document.settings())
+      if (setting.is_default) defaults.push_back(setting.path + "=" + setting.value);
+    EXPECT_FALSE(defaults.empty()) << name;
+    EXPECT_EQ(coupled::message_of(file, defaults), "accepted") << name;
+  }
+}
 
 double swing_error(const char* step) {
   const auto run = run_case("pendulum_swing", {std::string("time.step=") + step, "scene.end_time=1"});
@@ -58,6 +77,41 @@ TEST(case_options, mass_damping_brings_the_sphere_to_rest) {
   EXPECT_LT(damped.energy.back().skin_kinetic_J, 0.02 * free.energy.back().skin_kinetic_J);
   EXPECT_GT(damped.energy.back().damping_J, 0.0);
   EXPECT_EQ(free.energy.back().damping_J, 0.0);
+}
+
+TEST(case_options, shapes_come_from_files_in_their_unit) {
+  const auto scene = coupled::scene_of("bag_from_files");
+  const double full = 4.0 / 3.0 * M_PI * std::pow(0.3, 3) * closed_form::icosphere_ratios(1).volume_ratio;
+  const auto volume = [&](const auto& nodes) {
+    return membrane::enclosed_volume(nodes, scene.bag->mesh.elements);
+  };
+  // Nine decimals of a millimetre: 3e-12 of the radius, 3e-11 of the flattened one.
+  EXPECT_NEAR(volume(scene.bag->mesh.nodes) / full, 1.0, 1e-11);
+  EXPECT_NEAR(volume(scene.bag->initial_position) / full, 0.1, 1e-11);
+}
+
+TEST(case_options, curves_of_named_columns_are_those_written_in_the_case) {
+  const auto files = run_case("bag_from_files");
+  const auto inside = run_case("bag_from_files",
+                               {"inflator.0.mass_flow={ time = [0.0, 0.02, 0.04], value = [0.0, 4.5, 0.0] }",
+                                "fabric.velocity={ overpressure = [0.0, 500.0, 5000.0, 20000.0, 50000.0], "
+                                "value = [0.0, 0.017, 0.12, 0.4, 0.8] }"});
+  ASSERT_EQ(files.outcome.status, driver::RunStatus::done) << files.outcome.message;
+  ASSERT_EQ(files.history.size(), inside.history.size());
+  EXPECT_EQ(files.history.back().pressure_Pa, inside.history.back().pressure_Pa);
+  EXPECT_EQ(files.history.back().volume_m3, inside.history.back().volume_m3);
+  EXPECT_GT(files.history.back().pressure_Pa, 101.5e3);  // it inflates
+  EXPECT_LT(files.history.back().gas_mass_kg - files.history.front().gas_mass_kg, 0.99 * 0.09);  // and leaks
+}
+
+TEST(case_options, constant_cp_is_that_of_the_reference_temperature) {
+  const auto cp = [](const std::vector<std::string>& overrides) {
+    const auto gas = run_case("bag_from_files", overrides).state.gas_point;
+    return 0.0280134 * gas.gas_constant * gas.gamma / (gas.gamma - 1.0);
+  };
+  // Nitrogen [J/(mol K)], M. W. Chase, NIST-JANAF Thermochemical Tables (1998); the NASA fit is within 0.1 %.
+  EXPECT_NEAR(cp({"scene.end_time=1e-3"}), 30.110, 0.03);
+  EXPECT_NEAR(cp({"scene.end_time=1e-3", "gas.reference_temperature=298.15"}), 29.124, 0.03);
 }
 
 }  // namespace

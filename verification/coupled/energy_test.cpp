@@ -107,12 +107,4 @@ TEST(coupled_energy, jet_work_is_what_the_jet_adds) {
       << "the booked work has to stand out of the drift, else the balance could not miss it";
 }
 
-TEST(coupled_energy, centre_of_the_sphere_stays_on_its_side) {
-  const auto run = run_case("passenger_pendulum", kShort);
-  ASSERT_EQ(run.outcome.status, driver::RunStatus::done) << run.outcome.message;
-  const double radius = coupled::scene_of("passenger_pendulum").pendulum->model.parameters().impactor_radius;
-  EXPECT_GT(run.state.peaks.penetration, 0.0);
-  EXPECT_LT(run.state.peaks.penetration, 0.5 * radius);  // past it the run would have ended with code 3
-}
-
 }  // namespace
