@@ -116,7 +116,7 @@ void choose_step(const Scene& scene, State& state, bool last) {
   if (scene.time.step && wanted > step.critical && !scene.time.unsafe_step) fail_step(scene, state, wanted);
   // The last two steps share what is left, so that the end is met without a tiny step.
   const double left = scene.time.end - state.time;
-  if (left < 2.0 * wanted && left > wanted * (1.0 + 1e-9)) wanted = 0.5 * left;
+  if (left < 2.0 * wanted) wanted = left > wanted * (1.0 + 1e-9) ? 0.5 * left : left;
   step.after = std::min(wanted, left);
   if (step.after < left && step.after < 1e-9 * scene.time.end)
     throw StepError(fmt::format("step {} s{} would take more than 1e9 of them to end_time; {}", step.after,
