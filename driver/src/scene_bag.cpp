@@ -175,9 +175,7 @@ Eigen::Matrix3Xd initial_shape(TableReader& table, const BagMesh& source) {
 }
 
 void warn_of_leaks(const membrane::BagDescription& bag, LeakLaw law, Scene& scene) {
-  if (law == LeakLaw::screen)
-    scene.warnings.emplace_back(
-        "fabric.leak_law = \"screen\" leaks 1/porosity times as much as the paper's printed law");
+  warn_of_screen("fabric", law, scene);
   const bool porous = std::any_of(bag.properties.begin(), bag.properties.end(),
                                   [](const auto& fabric) { return fabric.porosity > 0.0; });
   if (law == LeakLaw::none && porous)

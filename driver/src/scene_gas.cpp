@@ -212,7 +212,7 @@ void read_gas(TableReader& root, std::optional<TableReader>& ambient, std::vecto
   warn_of_idle_inflators(scene);
   read_vents(root, names, part.model);
   names.warn_of_idle(scene);
-  read_tank(root, part);
+  read_tank(root, scene);
   table->located("", [&] { gas::validate(part.model); });
   if (!initial) return;
   table->located("initial", [&] {

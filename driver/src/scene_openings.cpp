@@ -26,13 +26,15 @@ gas::Vent read_vent(TableReader& table, TriggerNames& names) {
   return vent;
 }
 
-void read_tank_fabric(TableReader& tank, GasPart& part) {
+void read_tank_fabric(TableReader& tank, Scene& scene) {
   auto table = tank.optional_table("fabric");
   if (!table) return;
+  GasPart& part = *scene.gas;
   const double area = table->number("area", positive);
   const auto law = table->choice<LeakLaw>(
       "leak_law", {{"printed", LeakLaw::printed}, {"screen", LeakLaw::screen}, {"table", LeakLaw::table}},
       "printed");
+  warn_of_screen("tank.fabric", law, scene);
   if (law == LeakLaw::table) {
     read_leak_velocity(*table, part.model);
     part.tank_leak_area = area;
@@ -58,6 +60,12 @@ TankVolume read_wave(TableReader&& wave) {
 
 }  // namespace
 
+void warn_of_screen(const std::string& fabric, LeakLaw law, Scene& scene) {
+  if (law == LeakLaw::screen)
+    scene.warnings.push_back(
+        fabric + ".leak_law = \"screen\" leaks 1/porosity times as much as the paper's printed law");
+}
+
 void read_leak_velocity(TableReader& table, gas::ControlVolumeModel& model) {
   table.located("velocity", [&] {
     model.fabric_velocity =
@@ -72,9 +80,10 @@ void read_vents(TableReader& root, TriggerNames& names, gas::ControlVolumeModel&
   }
 }
 
-void read_tank(TableReader& root, GasPart& part) {
+void read_tank(TableReader& root, Scene& scene) {
   auto tank = root.optional_table("tank");
   if (!tank) return;
+  GasPart& part = *scene.gas;
   if (!tank->is_table("volume")) {
     part.rigid_volume = tank->number("volume", positive);
   } else {
@@ -88,7 +97,7 @@ void read_tank(TableReader& root, GasPart& part) {
     part.rigid_volume = volume.at(0.0);
     part.tank_volume = volume;
   }
-  read_tank_fabric(*tank, part);
+  read_tank_fabric(*tank, scene);
   tank->finish();
 }
 

@@ -34,7 +34,9 @@ TriggerNames read_triggers(TableReader& root, gas::TriggerModel& model);
 /// [[vent]]
 void read_vents(TableReader& root, TriggerNames& names, gas::ControlVolumeModel& model);
 /// [tank]
-void read_tank(TableReader& root, GasPart& part);
+void read_tank(TableReader& root, Scene& scene);
+/// Of the leak law "screen" in the table `fabric`.
+void warn_of_screen(const std::string& fabric, LeakLaw law, Scene& scene);
 /// [gas.heat_loss]
 void read_heat_loss(TableReader& gas_table, Scene& scene);
 /// `velocity` of a fabric with leak_law = "table"

@@ -18,6 +18,12 @@ double TankVolume::piece_end(double time) const {
   return table ? table->next_knot(time) : time + 1.0 / (pieces * frequency);
 }
 
+gas::VolumePath TankVolume::piece(double begin, double end, double leak_area) const {
+  const double first = at(begin), last = at(end);
+  const double bulge = table ? 0.0 : at(0.5 * (begin + end)) - 0.5 * (first + last);
+  return {first, last, leak_area, leak_area, bulge};
+}
+
 Enclosure enclosure(const Scene& scene, const State& state) {
   if (!scene.bag) {
     if (!scene.gas) return {};
@@ -76,13 +82,11 @@ void book(const gas::StepFluxes& fluxes, State& state) {
   add(fluxes.backflows, state.streams.backflows);
 }
 
-/// A tank that moves along its path: steps end at the ends of the path's linear pieces.
+/// A tank that moves along its path: steps end at the ends of the path's pieces.
 void advance_tank(const TankVolume& volume, double leak_area, double next, State& state) {
   for (double t = state.time; t < next;) {
     const double end = std::min(volume.piece_end(t), next);
-    book(state.gas_integrator->advance(state.gas, t, end,
-                                       {volume.at(t), volume.at(end), leak_area, leak_area}),
-         state);
+    book(state.gas_integrator->advance(state.gas, t, end, volume.piece(t, end, leak_area)), state);
     t = end;
   }
 }

@@ -38,8 +38,10 @@ std::vector<double> FlowBalance::levels() const {
 void FlowBalance::begin_step(const ControlVolumeState& state, double t0, double t1, const VolumePath& path) {
   start_ = &state;
   t0_ = t0;
+  t1_ = t1;
   volume_begin_ = path.volume_begin;
-  volume_rate_ = (path.volume_end - path.volume_begin) / (t1 - t0);
+  mean_rate_ = (path.volume_end - path.volume_begin) / (t1 - t0);
+  curvature_ = 4.0 * path.volume_bulge / ((t1 - t0) * (t1 - t0));
   leak_area_begin_ = path.leak_area_begin;
   leak_area_rate_ = (path.leak_area_end - path.leak_area_begin) / (t1 - t0);
   std::ranges::fill(delivered_, StreamFlux{});
@@ -178,7 +180,7 @@ void FlowBalance::fill_rates(Vector& dydt, double t) {
   if (regime_ == Regime::kBack || regime_ == Regime::kBackSonic) backflow_rates(dydt, t);
   dydt[heat_slot()] = point_.heat;
   if (point_.mass == 0.0) return;
-  dydt[work_slot()] = point_.pressure * volume_rate_;
+  dydt[work_slot()] = point_.pressure * volume_rate(t);
   if (regime_ == Regime::kOut || regime_ == Regime::kOutSonic) outflow_rates(dydt, t);
 }
 
@@ -191,7 +193,7 @@ bool FlowBalance::has_backflow() const {
 }
 
 bool FlowBalance::needs_stepper() const {
-  return is_open() || volume_rate_ != 0.0 || model_.heat_loss.conductance > 0.0;
+  return is_open() || mean_rate_ != 0.0 || curvature_ != 0.0 || model_.heat_loss.conductance > 0.0;
 }
 
 double FlowBalance::pressure_excess() const {

@@ -109,7 +109,10 @@ class FlowBalance {
 
  private:
   double collect(const Vector& y, double t);
-  double volume(double t) const { return volume_begin_ + volume_rate_ * (t - t0_); }
+  double volume(double t) const {
+    return volume_begin_ + (mean_rate_ + curvature_ * (t1_ - t)) * (t - t0_);
+  }  // (G.17)
+  double volume_rate(double t) const { return mean_rate_ + curvature_ * (t0_ + t1_ - 2.0 * t); }
   double leak_area(double t) const { return leak_area_begin_ + leak_area_rate_ * (t - t0_); }
   std::optional<double> temperature_of_first_gas(double t) const;
   void outflow_rates(Vector& dydt, double t);
@@ -121,7 +124,8 @@ class FlowBalance {
   double air_enthalpy_ = 0.0, air_gamma_ = 1.4;
   Openings openings_;
 
-  double t0_ = 0.0, volume_begin_ = 0.0, volume_rate_ = 0.0, leak_area_begin_ = 0.0, leak_area_rate_ = 0.0;
+  double t0_ = 0.0, t1_ = 0.0, volume_begin_ = 0.0, mean_rate_ = 0.0, curvature_ = 0.0;
+  double leak_area_begin_ = 0.0, leak_area_rate_ = 0.0;
   const ControlVolumeState* start_ = nullptr;
   double segment_begin_ = 0.0;
   std::vector<InflowSegment> segments_;

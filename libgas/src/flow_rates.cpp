@@ -69,7 +69,7 @@ double FlowBalance::mass_in_until(double t) const {
 }
 
 double FlowBalance::closed_pressure_growth(double t) const {
-  double growth = -point_.gamma * point_.pressure * volume_rate_ - (point_.gamma - 1.0) * point_.heat;
+  double growth = -point_.gamma * point_.pressure * volume_rate(t) - (point_.gamma - 1.0) * point_.heat;
   for (const InflowSegment& segment : segments_) {
     const auto [mass_flow, temperature] = segment.flow(t - segment_begin_);
     if (mass_flow > 0.0) growth += mass_flow * pressure_growth(segment.gas(), temperature, point_);

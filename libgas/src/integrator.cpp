@@ -25,13 +25,18 @@ const IntegratorOptions& validated(const IntegratorOptions& options) {
   return options;
 }
 
-// A pressure sensor's threshold is reached where the integrator locates it, see Substepper.
-constexpr double kNear = 2e-12;
+// A pressure sensor's threshold is reached where the integrator locates it: to kNear of near.hpp, and as much
+// again for the rounding of p there.
+constexpr double kThresholdNear = 2e-12;
 
 void require_path(const VolumePath& path) {
   for (const double v : {path.volume_begin, path.volume_end})
     if (!(v > 0.0 && std::isfinite(v)))
       throw DomainError("volume = " + to_text(v) + " m3: must be positive and finite");
+  if (!(path.volume_bulge > -std::min(path.volume_begin, path.volume_end) &&
+        std::isfinite(path.volume_bulge)))
+    throw DomainError("volume bulge = " + to_text(path.volume_bulge) +
+                      " m3: must be finite and above minus the smaller volume of the step's ends");
   for (const double a : {path.leak_area_begin, path.leak_area_end})
     if (!(a >= 0.0 && std::isfinite(a)))
       throw DomainError("leak area = " + to_text(a) + " m2: must be finite and not negative");
@@ -85,7 +90,7 @@ class GasIntegrator::Implementation {
     if (!triggers_.empty()) {
       watched = network_.watches_pressure(triggers_);
       network_.update(triggers_, a, watched ? balance_.pressure(y_, a) - model_.ambient.pressure : 0.0,
-                      kNear * model_.ambient.pressure);
+                      kThresholdNear * model_.ambient.pressure);
       next = std::min(next, network_.next_break(triggers_, a));
     }
     next = std::min(next, balance_.next_break(triggers_, a));

@@ -108,7 +108,9 @@ TEST(domain, volume_and_leak_area_must_make_sense) {
   for (const gas::VolumePath& path : {gas::VolumePath{0.06, 0.0, 0.0, 0.0},
                                       {kNan, 0.06, 0.0, 0.0},
                                       {0.06, 0.06, -1.0, 0.0},
-                                      {0.06, 0.06, 0.0, kNan}})
+                                      {0.06, 0.06, 0.0, kNan},
+                                      {0.06, 0.05, 0.0, 0.0, -0.05},
+                                      {0.06, 0.06, 0.0, 0.0, kNan}})
     EXPECT_THROW(integrator.advance(state, 0.0, 1e-3, path), gas::DomainError);
   EXPECT_THROW(gas::evaluate(model, state, 0.0, 0.0, 0.0), gas::DomainError);
 }

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
+#include <numbers>
+
 #include "cases.hpp"
 #include "closed_form/gas.hpp"
+#include "closed_form/orifice.hpp"
 
 // Volumes that change: work exchanged with the gas.
 namespace {
@@ -97,6 +100,57 @@ TEST(volume_path, one_step_eq_many_on_the_same_line) {
   // Some 40 sub-steps of 1e-11 each.
   EXPECT_LT(relative(many.internal_energy, one.internal_energy), 4e-10);
   EXPECT_LT(relative(many.masses[0], one.masses[0]), 4e-10);
+}
+
+/// Sinusoidal volume V0 (1 + a sin(w t)) with a vent that stays choked. Entropy stays, so dm/dt = -k
+/// (m/V)^((gamma + 1)/2) with k of the closed form at the start: (m/m0)^-0.2 = 1 + 0.2 f int (V0/V)^1.2 dt, f
+/// = mdot0/m0, by Simpson's rule.
+struct BreathingTank {
+  static constexpr double kVolume = 1e-3, kAmplitude = 0.3, kFrequency = 50.0, kEnd = 0.013;
+  static double volume(double t) {
+    return kVolume * (1.0 + kAmplitude * std::sin(2.0 * std::numbers::pi * kFrequency * t));
+  }
+  static double mass_left() {
+    constexpr int n = 2000;  // Simpson's error here: (kEnd/n w)^4/180 = 1e-13
+    double sum = 0.0;
+    for (int i = 0; i <= n; ++i)
+      sum += (i == 0 || i == n ? 1.0
+              : i % 2 == 1     ? 4.0
+                               : 2.0) *
+             std::pow(kVolume / volume(kEnd * i / n), 1.2);
+    const double flow = closed_form::orifice_mass_flow({{}, 5e-5, 1.0, 6e5, 600.0, 0.0});
+    const double mass = 6e5 * kVolume / (296.8 * 600.0);
+    return std::pow(1.0 + 0.2 * flow / mass * sum * kEnd / (3.0 * n), -5.0);
+  }
+  /// Relative error of the mass left, on n chords of the path or on n parabolas.
+  static double error(int n, bool parabolas) {
+    gas::ControlVolumeModel model = closed_tank(nitrogen());
+    model.vents.push_back({1.0, 5e-5});
+    gas::ControlVolumeState state = gas::make_state(model.thermo, kPure, 6e5, 600.0, kVolume);
+    const double start = state.masses[0];
+    gas::GasIntegrator integrator(model, {1e-13});
+    for (int i = 0; i < n; ++i) {
+      const double t0 = kEnd * i / n, t1 = kEnd * (i + 1) / n, v0 = volume(t0), v1 = volume(t1);
+      const double bulge = parabolas ? volume(0.5 * (t0 + t1)) - 0.5 * (v0 + v1) : 0.0;
+      integrator.advance(state, t0, t1, {v0, v1, 0.0, 0.0, bulge});
+    }
+    EXPECT_GT(gas::evaluate(model, state, volume(kEnd), 0.0, kEnd).pressure, 2.0 * kAmbientPressure);
+    return relative(state.masses[0] / start, mass_left());
+  }
+};
+
+/// What leaves while the volume breathes: second order on chords, fourth on parabolas, whose error is odd
+/// about the middle.
+TEST(volume_path, breathing_volume_with_a_vent_converges_with_its_pieces) {
+  for (const auto& [parabolas, order] : {std::pair{false, 2.0}, {true, 4.0}}) {
+    double coarse = BreathingTank::error(8, parabolas);
+    for (const int n : {16, 32, 64}) {
+      const double fine = BreathingTank::error(n, parabolas);
+      // The next term is (w h)^2 of the first: at eight pieces a quarter.
+      EXPECT_NEAR(std::log2(coarse / fine), order, 4.0 / n) << n;
+      coarse = fine;
+    }
+  }
 }
 
 /// Expansion through p_a and compression back: outflow stops and starts again.

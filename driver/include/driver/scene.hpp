@@ -28,8 +28,8 @@ namespace driver {
 enum class LeakLaw { none, printed, screen, table };
 
 /// Does the work of the jet on the skin come from outside (the paper), or out of the bag's gas?
-/// `from_gas` takes the work of a kick out after the kick, and what the next one will have done by then at the
-/// same rate: energy balances, and the pressure is second order.
+/// `from_gas` takes the work of a kick out after the kick, and what the next one will have done by then at
+/// the same rate: energy balances, and the pressure is second order.
 enum class JetWork { external, from_gas };
 
 /// Volume of a tank along a prescribed path: a table, or mean + amplitude sin(2 pi frequency t + phase).
@@ -37,9 +37,11 @@ struct TankVolume {
   std::optional<gas::Curve> table;                                   // [m3]
   double mean = 0.0, amplitude = 0.0, frequency = 0.0, phase = 0.0;  // [m3], [m3], [1/s], [rad]
   double at(double time) const;
-  /// End of a piece that begins at `time` on which the volume is taken as linear: to the next knot of the
-  /// table, or for 1/512 of a period, where the chord is off by amplitude * 2e-5.
+  /// End of a piece that begins at `time`: the next knot of the table, or 1/512 of a period.
   double piece_end(double time) const;
+  /// The volume over the piece [begin, end]: linear for a table, else the parabola through its middle, off
+  /// the sine by at most amplitude * 1.5e-8 and on it at both ends.
+  gas::VolumePath piece(double begin, double end, double leak_area) const;
 };
 
 /// Gas: species, inflators, vents. A scene with a jet on a rigid target has inflators, but no volume of gas.

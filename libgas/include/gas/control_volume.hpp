@@ -109,8 +109,8 @@ ControlVolumeState make_state(const ControlVolumeModel& model, std::span<const d
 double firing_time(const Inflow& inflow, const TriggerState& triggers);
 
 /// Stage S2: the gas of `state` in `volume` [m3] at time `time` [s], with the fabric's leak area [m2] (see
-/// fabric_mass_flow). Nothing flows while p is on p_a, to 1e-12 of it. Does not allocate. Throws DomainError if the volume is not positive or the temperature
-/// leaves its range.
+/// fabric_mass_flow). Nothing flows while p is on p_a, to 1e-12 of it. Does not allocate. Throws DomainError
+/// if the volume is not positive or the temperature leaves its range.
 GasPoint evaluate(const ControlVolumeModel& model, const ControlVolumeState& state, double volume,
                   double leak_area, double time);
 

@@ -7,12 +7,14 @@
 
 namespace gas {
 
-/// Volume and leak area over one step, linear in time between the two ends.
+/// Volume and leak area over one step: linear in time between the two ends, the volume plus a parabola that
+/// is zero there. (G.17)
 struct VolumePath {
-  double volume_begin;     // [m3] > 0
-  double volume_end;       // [m3] > 0
-  double leak_area_begin;  // [m2] >= 0, see fabric_mass_flow
-  double leak_area_end;    // [m2] >= 0
+  double volume_begin;        // [m3] > 0
+  double volume_end;          // [m3] > 0
+  double leak_area_begin;     // [m2] >= 0, see fabric_mass_flow
+  double leak_area_end;       // [m2] >= 0
+  double volume_bulge = 0.0;  // [m3] of V at the middle above the mean of its ends; > -min of them
 };
 
 /// What one stream carried.
