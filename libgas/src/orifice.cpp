@@ -6,8 +6,14 @@
 namespace gas {
 namespace {
 
+// log(2/(gamma + 1)), of the throat's temperature over that at rest; by log1p, as its exponents multiply the
+// error.
+double log_sonic_temperature(double gamma) {
+  return std::log1p(-(gamma - 1.0) / (gamma + 1.0));
+}
+
 double log_critical_ratio(double gamma) {
-  return gamma / (gamma - 1.0) * std::log(2.0 / (gamma + 1.0));
+  return gamma / (gamma - 1.0) * log_sonic_temperature(gamma);
 }
 
 }  // namespace
@@ -21,7 +27,7 @@ double choked_mass_flow(double effective_area, double pressure, double temperatu
   if (!(pressure > 0.0)) return 0.0;
   const double half_exponent = 0.5 * (gamma + 1.0) / (gamma - 1.0);
   const double flux = std::sqrt(gamma / (gas_constant * temperature)) *
-                      std::exp(half_exponent * std::log(2.0 / (gamma + 1.0)));
+                      std::exp(half_exponent * log_sonic_temperature(gamma));
   return effective_area * pressure * flux;
 }
 

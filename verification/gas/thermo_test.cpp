@@ -98,6 +98,37 @@ TEST(thermo, formation_enthalpy_and_entropy_eq_codata) {
   }
 }
 
+/// D. R. Lide (ed.), CRC Handbook of Chemistry and Physics, 90th ed., sec. 5, Standard Thermodynamic
+/// Properties: the species that CODATA has not.
+TEST(thermo, formation_enthalpy_and_entropy_eq_handbook) {
+  const std::map<std::string, std::array<double, 2>> handbook{
+      {"NO", {91300.0, 210.8}}, {"N2O", {81600.0, 220.0}}, {"CH4", {-74600.0, 186.3}}};
+  const gas::Thermo thermo = every_species();
+  for (const auto& [name, value] : handbook) {
+    const std::size_t k = thermo.index(name);
+    const double molar_mass = thermo.species(k).molar_mass;
+    // Half a unit of the last digit quoted; of entropy a whole one, evaluations differ by that.
+    EXPECT_NEAR(thermo.enthalpy(k, 298.15) * molar_mass, value[0], 50.0) << name;
+    EXPECT_NEAR(thermo.standard_entropy(k, 298.15) * molar_mass, value[1], 0.1) << name;
+  }
+}
+
+/// Both ranges of a fit are constrained to meet at 1000 K: a wrong digit in either shows there.
+TEST(thermo, ranges_meet_at_1000_K) {
+  const gas::Thermo thermo = every_species();
+  const double below = 1000.0, above = std::nextafter(1000.0, 2000.0);
+  for (std::size_t k = 0; k < thermo.size(); ++k) {
+    const double cp = thermo.cp(k, below);
+    // Nine digits printed: half a unit of the ninth in five terms up to a few times the sum, which is 1e-8.
+    // The largest is 1.4e-8 (cp of NO).
+    EXPECT_LT(relative(thermo.cp(k, above), cp), 2e-8) << thermo.species(k).name;
+    EXPECT_NEAR(thermo.enthalpy(k, above), thermo.enthalpy(k, below), 2e-8 * cp * below)
+        << thermo.species(k).name;
+    EXPECT_LT(relative(thermo.standard_entropy(k, above), thermo.standard_entropy(k, below)), 2e-8)
+        << thermo.species(k).name;
+  }
+}
+
 TEST(thermo, air_by_mole_has_its_gas_constant_and_speed_of_sound) {
   const gas::Thermo thermo = nasa7({"CO2", "N2", "O2", "Ar"});
   const std::vector<double> air = thermo.mass_fractions_by_mole(gas::air_by_mole());
