@@ -30,9 +30,10 @@ part_compare() {
   expect 2 "required" "$gasjet" compare "$mine"
 }
 
-# The reference set is what its checksums say; every scene but the two ensembles, run anew, lies within the bands.
+# The reference set is what its checksums say; every scene, run anew, lies within the bands. The paper's two, with a seed that is
+# none of the ensemble's, in optimised builds only: minutes under the sanitizers.
 part_reference() {
-  local scene case table=$source/cases/reference
+  local scene case options table=$source/cases/reference
   (cd "$table" && sha256sum --quiet --strict -c SHA256SUMS) || fail "SHA256SUMS of cases/reference"
   [ "$(ls "$table"/*.csv | wc -l)" = 12 ] || fail "12 scenes expected in $table"
   for scene in $(cd "$table" && ls -- *.csv | sed 's/\.csv$//'); do
@@ -40,8 +41,13 @@ part_reference() {
     case=$source/$(sed -n 's/^# case: //p' "$table/$scene.csv")
     "$gasjet" mesh case "$case" --out "$work/$scene.obj" >/dev/null 2>&1 && [ -e "$table/$scene.obj" ] &&
       { cmp "$work/$scene.obj" "$table/$scene.obj" || fail "$scene: the mesh is not the case's"; }
-    case $scene in passenger*) continue ;; esac
-    expect 0 "" "$gasjet" run "$case" --quiet --out "$work/$scene"
+    options=()
+    case $scene in passenger*)
+      "$gasjet" --version | grep -q "Release" || continue
+      options=(--set membrane.perturbation=1e-4 --set membrane.perturbation_seed=1001)
+      ;;
+    esac
+    expect 0 "" "$gasjet" run "$case" --quiet --out "$work/$scene" "${options[@]}"
     expect 0 "^inside" "$gasjet" compare "$work/$scene/history.csv" "$table/$scene.csv"
   done
   expect 0 "" "$gasjet" run "$source/cases/reference/sphere_vent.toml" --quiet --out "$work/wrong" --set vent.0.area=3.2e-4
@@ -63,6 +69,8 @@ part_external() {
   judge 4 "undecided: .* sampled too coarsely" sparse tank_fill
   judge 2 "tank_fill.csv:[0-9]+:[0-9]+: 'nan'" nan
   judge 2 "tank_fill: the program failed with exit code 3" crash
+  printf '#!/bin/sh\n[ "$1" != compare ] || exit 139\nexec "%s" "$@"\n' "$gasjet" >"$work/dying" && chmod +x "$work/dying"
+  GASJET=$work/dying judge 2 "tank_fill: " "" tank_fill
   expect 2 "does none of the scenes" "$source/verification/run_external.sh" --scenes pendulum_swing "$source/verification/coupled/foreign_tank.sh"
   expect 2 "no scene 'tank'" "$source/verification/run_external.sh" --scenes tank false
   expect 2 "needs the command" "$source/verification/run_external.sh" --tolerance 0.1
