@@ -107,9 +107,9 @@ rule_forbidden_words() {
   grep -HnwE 'TODO|FIXME|XXX' "${list[@]}" || true
 }
 
-# Every tag such as (G.3) in the code is an equation of docs/theory, and no tag is defined twice.
+# Every tag such as (G.3) in the code is an equation of docs/theory, each of those is named in the code, and none is defined twice.
 rule_equation_tags() {
-  local definitions defined list
+  local definitions defined list place line tag
   definitions=$(grep -HnoE '\\tag\{[GMJK]\.[0-9]+\}' docs/theory/*.md)
   awk -F: 'seen[$3]++ { print $0 ": equation defined twice" }' <<<"$definitions"
   defined=$(sed -E 's/.*\{(.*)\}/\1/' <<<"$definitions")
@@ -118,6 +118,10 @@ rule_equation_tags() {
     while IFS= read -r line; do
       grep -qxF "$(sed -E 's/.*\((.*)\)$/\1/' <<<"$line")" <<<"$defined" || echo "$line: no such equation in docs/theory"
     done
+  while IFS=: read -r place line tag; do
+    tag=${tag//[^GMJK.0-9]/}
+    [[ -z $tag ]] || grep -qE "[(, ]${tag/./[.]}[),]" "${list[@]}" /dev/null || echo "$place:$line: no code names equation $tag"
+  done <<<"$definitions"
 }
 
 # Every relative link of a Markdown file, code blocks aside, leads to a file of the tree.

@@ -107,6 +107,7 @@ case $rule in
     ;;
   equation_tags)
     breaks libgas/src/model.cpp '// pressure (G.99)'
+    breaks docs/theory/membrane.md '$$ V = x \tag{M.98} $$'
     breaks docs/theory/membrane.md '$$ V = x \tag{M.5} $$' '$$ V = y \tag{M.5} $$'
     ;;
   links)

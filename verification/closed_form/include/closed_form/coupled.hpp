@@ -71,8 +71,8 @@ struct BalloonPress {
 };
 /// Patch of skin within patch_angle [rad] of the pole, measured on the unstretched sphere, 0 < angle <= 0.6.
 /// Axisymmetric StVK equilibrium by shooting from the pole to the equator; refused where the skin would go
-/// slack. Source: derived here (the free skin and the patch as in W. W. Feng, W.-H. Yang, J. Appl. Mech. 40,
-/// 1973).
+/// slack. Its force is (K.18). Source: derived here (the free skin and the patch as in W. W. Feng, W.-H.
+/// Yang, J. Appl. Mech. 40, 1973).
 BalloonPress pressed_balloon(const PressedBalloon& scene, double patch_angle);
 
 }  // namespace closed_form

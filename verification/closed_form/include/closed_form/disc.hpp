@@ -39,10 +39,10 @@ struct RingTwist {
   double margin = 0.0;         // [-] c^2/(b^2 - c^2) - nu, >= 0 where the outer edge is wrinkled
 };
 /// Uniaxial stress A/sqrt(r^2 - c^2) along the rays, A = E c angle/L, L = ln((b^2 - c^2)/(a^2 - c^2))/2; c
-/// from the greatest c^2/L, 2 L = c^2 (b^2 - a^2)/((a^2 - c^2)(b^2 - c^2)). Angle [rad] of magnitude up to
-/// 0.1, strains of its size neglected. Refused where the outer edge would be taut (margin < 0: b/a > 1.745
-/// for nu = 0.3). Source: E. Reissner, On tension field theory, Proc. 5th Int. Congr. Appl. Mech. (1938) for
-/// the rays; c derived here from the complementary energy.
+/// from the greatest c^2/L, 2 L = c^2 (b^2 - a^2)/((a^2 - c^2)(b^2 - c^2)) (M.16). Angle [rad] of
+/// magnitude up to 0.1, strains of its size neglected. Refused where the outer edge would be taut (margin <
+/// 0: b/a > 1.745 for nu = 0.3). Source: E. Reissner, On tension field theory, Proc. 5th Int. Congr. Appl.
+/// Mech. (1938) for the rays; c derived here from the complementary energy.
 RingTwist twisted_ring(const TwistedRing& ring, double angle);
 
 }  // namespace closed_form

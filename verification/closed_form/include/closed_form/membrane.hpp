@@ -143,7 +143,8 @@ struct DentState {
   double force = 0.0;   // [N] 2 pi N a^2/r
   double energy = 0.0;  // [J] pi N a^4 (ln(R/a) + 1/4)/r^2
 };
-/// When the patch's radius is 0 <= a < R [m]. Source: derived here (Laplace equation outside the patch).
+/// (K.19), when the patch's radius is 0 <= a < R [m]. Source: derived here (Laplace equation outside the
+/// patch).
 DentState membrane_dent(const MembraneDent& dent, double patch_radius);
 
 struct MembraneRebound {
