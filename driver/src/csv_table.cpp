@@ -4,10 +4,10 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <sstream>
+#include <unordered_map>
 
 #include "driver/case_reader.hpp"
 #include "text_file.hpp"
@@ -62,14 +62,19 @@ bool holds_nothing(const std::string& line) {
 std::vector<std::size_t> find_columns(const std::vector<CsvCell>& header, const CsvTable& table,
                                       std::size_t line) {
   std::vector<std::string> present;
-  for (const auto& cell : header) present.push_back(cell.text);
+  std::unordered_multimap<std::string, std::size_t> places;
+  for (const auto& cell : header) {
+    places.emplace(cell.text, present.size());
+    present.push_back(cell.text);
+  }
   std::vector<std::size_t> indices;
   for (const auto& name : table.names) {
-    const auto found = std::find(present.begin(), present.end(), name);
-    if (found == present.end())
+    const auto count = places.count(name);
+    if (count == 0)
       fail_at(table.file, line, 1,
               fmt::format("{}: no such column, the header has {}", name, fmt::join(present, ", ")));
-    indices.push_back(static_cast<std::size_t>(found - present.begin()));
+    if (count > 1) fail_at(table.file, line, 1, fmt::format("{}: is more than one column", name));
+    indices.push_back(places.find(name)->second);
   }
   return indices;
 }
@@ -85,6 +90,13 @@ double cell_number(const std::vector<CsvCell>& row, std::size_t index, const std
   if (error != std::errc{} || stop != end || !std::isfinite(value))
     fail_at(file, line, cell.column, fmt::format("'{}': a finite number is allowed", cell.text));
   return value;
+}
+
+// More cells than names: a decimal comma, or a column without a name. A comma at the end is none.
+void check_width(const std::vector<CsvCell>& row, std::size_t width, const std::filesystem::path& file,
+                 std::size_t line) {
+  const std::size_t cells = row.size() - (row.back().text.empty() ? 1 : 0);
+  if (cells > width) fail_at(file, line, 1, fmt::format("has {} columns, the header {}", cells, width));
 }
 
 }  // namespace
@@ -111,15 +123,17 @@ CsvTable read_csv(const std::filesystem::path& file, const std::vector<std::stri
   CsvTable table{file, names, std::vector<std::vector<double>>(count), {}, {}};
   table.positions.resize(count);
   std::vector<std::size_t> indices;
-  std::size_t line_number = 0;
+  std::size_t line_number = 0, width = 0;
   for (std::string line; std::getline(stream, line);) {
     ++line_number;
     if (holds_nothing(line)) continue;
     const auto row = split_row(line);
     if (indices.empty()) {
       indices = find_columns(row, table, line_number);
+      width = row.size();
       continue;
     }
+    check_width(row, width, file, line_number);
     table.lines.push_back(line_number);
     for (std::size_t c = 0; c < count; ++c) {
       table.values[c].push_back(cell_number(row, indices[c], file, line_number));

@@ -31,8 +31,8 @@ struct CsvHeader {
 CsvHeader read_csv_header(const std::filesystem::path& file);
 
 /// Reads a CSV file with a header row; `#` lines and empty lines are skipped, quotes around a cell taken off.
-/// Throws CaseError at the place of the fault for a file that cannot be read, a missing column or cell, and a
-/// cell that is no finite number.
+/// Throws CaseError at the place of the fault for a file that cannot be read, a column or cell that is
+/// missing or one too many, and a cell that is no finite number.
 CsvTable read_csv(const std::filesystem::path& file, const std::vector<std::string>& names);
 
 }  // namespace driver

@@ -114,16 +114,21 @@ Statistics statistics(const std::vector<double>& values) {
   return s;
 }
 
-EnsembleResult run_ensemble(const std::filesystem::path& file, const std::vector<std::string>& overrides,
-                            const EnsembleOptions& options) {
+Scene read_ensemble_scene(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
   CaseDocument document(file, overrides);
-  const Scene scene = read_scene(document);
+  Scene scene = read_scene(document);
   if (!scene.bag)
     throw CaseError(
         fmt::format("{}: an ensemble perturbs the nodes of a membrane, the scene has none", file.string()));
   for (const auto& text : overrides)
     if (text.starts_with("membrane.perturbation"))
       throw CaseError(fmt::format("--set {}: the ensemble sets the perturbation itself (--amplitude)", text));
+  return scene;
+}
+
+EnsembleResult run_ensemble(const std::filesystem::path& file, const std::vector<std::string>& overrides,
+                            const EnsembleOptions& options) {
+  const Scene scene = read_ensemble_scene(file, overrides);
   set_threads(options.threads);
   ParallelBlocks::threads = 1;  // runs side by side, each serial inside
   std::vector<Member> members(static_cast<std::size_t>(options.runs));

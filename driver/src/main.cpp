@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The `gasjet` command: parses the command line, maps errors to exit codes.
 #include <CLI/CLI.hpp>
+#include <cmath>
 #include <cstdio>
 
 #include "build_info.hpp"
@@ -11,6 +12,18 @@
 namespace {
 
 using namespace driver::commands;
+
+// Ranges let NaN pass.
+const CLI::Validator finite{[](std::string& text) {
+                              double value = 0.0;
+                              const bool bad =
+                                  CLI::detail::lexical_cast(text, value) && !std::isfinite(value);
+                              return bad ? text + ": a finite number is allowed" : std::string();
+                            },
+                            ""};
+
+const CLI::Validator named{
+    [](std::string& text) { return std::string(text.empty() ? "is empty, a name is needed" : ""); }, ""};
 
 void add_case(CLI::App& command, CaseArguments& arguments) {
   command.add_option("CASE", arguments.file, "case file (TOML)")->required();
@@ -41,7 +54,7 @@ void add_run(CLI::App& app, Arguments& all) {
   auto* run = app.add_subcommand("run", "simulate a case");
   add_case(*run, all.run.scene);
   add_threads(*run, all.run.threads, all.run.quiet);
-  run->add_option("--out", all.run.out, "result folder (results/<case> by default)");
+  run->add_option("--out", all.run.out, "result folder (results/<case> by default)")->check(named);
 }
 
 void add_ensemble(CLI::App& app, Arguments& all) {
@@ -49,13 +62,15 @@ void add_ensemble(CLI::App& app, Arguments& all) {
       app.add_subcommand("ensemble", "perturbed runs of a chaotic scene: means and standard errors");
   add_case(*ensemble, all.ensemble.scene);
   add_threads(*ensemble, all.ensemble.threads, all.ensemble.quiet);
-  ensemble->add_option("--out", all.ensemble.out,
-                       "result folder (results/ensemble_<case> by default), a folder in it for each case");
+  ensemble
+      ->add_option("--out", all.ensemble.out,
+                   "result folder (results/ensemble_<case> by default), a folder in it for each case")
+      ->check(named);
   ensemble->add_option("--runs", all.ensemble.runs, "number of runs")->check(CLI::Range(2, 100000));
   ensemble->add_option("--amplitude", all.ensemble.amplitude, "largest displacement of the initial nodes [m]")
-      ->check(CLI::Range(1e-18, 1e-3));
-  ensemble->add_option("--against", all.ensemble.against,
-                       "a second case: report the difference of the means");
+      ->check(finite & CLI::Range(1e-18, 1e-3));
+  ensemble->add_option("--against", all.ensemble.against, "a second case: report the difference of the means")
+      ->check(named);
 }
 
 void add_mesh(CLI::App& app, MeshArguments& arguments) {
@@ -68,16 +83,20 @@ void add_mesh(CLI::App& app, MeshArguments& arguments) {
   auto* convert = mesh->add_subcommand("convert", "read a mesh file; write it in the format of --out");
   auto* of_case = mesh->add_subcommand("case", "write the mesh that a case runs with");
   const char* formats = ".obj, or LS-DYNA keyword .k, .key, .dyn";
-  bag->add_option("--out", arguments.out, std::string("design shape, ") + formats)->required();
-  bag->add_option("--initial", arguments.initial, "initial shape, of the same formats");
+  bag->add_option("--out", arguments.out, std::string("design shape, ") + formats)->required()->check(named);
+  bag->add_option("--initial", arguments.initial, "initial shape, of the same formats")->check(named);
   of_case->add_option("CASE", arguments.file, "case file (TOML)")->required();
-  of_case->add_option("--initial", arguments.initial, "initial shape, of the same formats");
-  of_case->add_option("--out", arguments.out, std::string("design shape, ") + formats)->required();
-  passenger->add_option("--out", arguments.out, std::string("design shape, ") + formats)->required();
+  of_case->add_option("--initial", arguments.initial, "initial shape, of the same formats")->check(named);
+  of_case->add_option("--out", arguments.out, std::string("design shape, ") + formats)
+      ->required()
+      ->check(named);
+  passenger->add_option("--out", arguments.out, std::string("design shape, ") + formats)
+      ->required()
+      ->check(named);
   convert->add_option("FILE", arguments.file, formats)->required();
-  convert->add_option("--out", arguments.out, "file to write; without it the report only");
+  convert->add_option("--out", arguments.out, "file to write; without it the report only")->check(named);
   convert->add_option("--length-unit", arguments.length_unit, "length unit of FILE [m]")
-      ->check(CLI::PositiveNumber);
+      ->check(finite & CLI::PositiveNumber);
   convert->add_option("--null-panel", arguments.null_panels, "panel that closes a hole; may be repeated")
       ->allow_extra_args(false);
   for (auto* command : {bag, passenger, of_case})
@@ -118,7 +137,7 @@ void add_identify(CLI::App& app, IdentifyArguments& a) {
   c->add_option("DATA", a.file,
                 "CSV of readings, with a header row; time [s] from firing, pressures [Pa] absolute")
       ->required();
-  c->add_option("--out", a.out, "CSV of the curves, as a case file takes them")->required();
+  c->add_option("--out", a.out, "CSV of the curves, as a case file takes them")->required()->check(named);
   c->add_option("--method", a.method, "average (temperature) or dual (pressure: tank and chamber)")
       ->required()
       ->check(CLI::IsMember({"average", "dual"}));
@@ -143,14 +162,15 @@ void add_compare(CLI::App& app, CompareArguments& a) {
   c->add_option("MINE", a.mine, "history to judge")->required();
   c->add_option("REFERENCE", a.reference, "history (CSV) with a column <name>_band for each band")
       ->required();
-  c->add_option("--map", a.map, "names, units and offsets of MINE's columns (TOML)");
+  c->add_option("--map", a.map, "names, units and offsets of MINE's columns (TOML)")->check(named);
   c->add_option("--columns", a.columns, "quantities to compare, separated by commas; all by default")
       ->delimiter(',')
       ->allow_extra_args(false);
   c->add_option("--tolerance", a.tolerance,
                 "that mine may be off by itself, share of the reference's largest magnitude")
-      ->check(CLI::Range(0.0, 1.0));
-  c->add_option("--rows", a.rows, "CSV file to write: both histories and the band at the common times");
+      ->check(finite & CLI::Range(0.0, 1.0));
+  c->add_option("--rows", a.rows, "CSV file to write: both histories and the band at the common times")
+      ->check(named);
   c->add_option("--format", a.format, "text or json")->check(CLI::IsMember({"text", "json"}));
 }
 

@@ -71,6 +71,11 @@ void read_leak_velocity(TableReader& table, gas::ControlVolumeModel& model) {
     model.fabric_velocity =
         to_gas_curve(table.curve("velocity", non_negative, "overpressure"), gas::Outside::kHeld);
   });
+  // The flow would jump where the overpressure changes its sign.
+  if (const double at_rest = model.fabric_velocity->value(0.0); at_rest > 0.0)
+    table.fail("velocity", fmt::format("is {} m/s without overpressure, 0 is allowed there: begin with the "
+                                       "knot (0, 0)",
+                                       at_rest));
 }
 
 void read_vents(TableReader& root, TriggerNames& names, gas::ControlVolumeModel& model) {

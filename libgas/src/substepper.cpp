@@ -59,9 +59,9 @@ void Substepper::fail(const Rates& rates, double x, double h) const {
                             " Pa, T = " + to_text(point.temperature) + " K and a sub-step of " +
                             to_text(rates.time(x + h) - rates.time(x)) + " s";
   if (!point.valid) throw DomainError("the gas leaves its temperature range, or none is left, " + where);
+  const double rate = rates.balance.relaxation_rate() + rates.balance.heat_rate();
   throw DomainError("the gas is too stiff for the integrator: " + std::to_string(attempts_) + " sub-steps, " +
-                    where + "; it relaxes within " +
-                    to_text(1.0 / (rates.balance.relaxation_rate() + rates.balance.heat_rate())) + " s");
+                    where + (rate > 0.0 ? "; it relaxes within " + to_text(1.0 / rate) + " s" : ""));
 }
 
 /// A fixed step past the limit of its method grows where inflow feeds what leaves; where gas only runs out,

@@ -37,6 +37,10 @@ Mesh read_mesh(const std::filesystem::path& path) {
   return parse(read_text(path), path.string());
 }
 
+void check_mesh_ending(const std::filesystem::path& path) {
+  format_of(path);
+}
+
 void write_mesh(const Mesh& mesh, const std::filesystem::path& path) {
   const auto format = format_of(path) == Format::obj ? format_obj : format_keyword;
   write_text(path, format(mesh));

@@ -28,6 +28,11 @@ part_compare() {
   expect 2 "no such file" "$gasjet" compare "$mine" "$reference" --map "$work/none.toml"
   expect 2 "not writable" "$gasjet" compare "$mine" "$reference" --rows "$work/nowhere/rows.csv"
   expect 2 "required" "$gasjet" compare "$mine"
+  cp "$reference" "$work/kept.csv"
+  expect 2 "--rows .*would overwrite" "$gasjet" compare "$mine" "$reference" --rows "$work/./reference.csv"
+  cmp "$reference" "$work/kept.csv" || fail "the reference is overwritten"
+  expect 2 "--rows.*is empty" "$gasjet" compare "$mine" "$reference" --rows ""
+  expect 2 "--tolerance.*finite" "$gasjet" compare "$mine" "$reference" --tolerance nan
 }
 
 # The reference set is what its checksums say; every scene, run anew, lies within the bands. The paper's two, with a seed that is

@@ -82,6 +82,10 @@ part_bad_input() {
   expect 2 "another file name" "$gasjet" ensemble "$source/cases/sphere_inflation.toml" --runs 2 \
     --against "$source/cases/sphere_inflation.toml" --out "$work/out"
   expect 2 "no such file" "$gasjet" ensemble "$source/cases/sphere_inflation.toml" --runs 2 --against "$work/none.toml" --out "$work/out"
+  expect 2 "the scene has none" "$gasjet" ensemble "$source/cases/sphere_inflation.toml" --runs 2 --against "$tank" --out "$work/out"
+  expect 2 "sets the perturbation itself" "$gasjet" ensemble "$source/cases/sphere_inflation.toml" --runs 2 \
+    --set membrane.perturbation=1e-6 --out "$work/out"
+  expect 2 "--amplitude.*finite" "$gasjet" ensemble "$source/cases/sphere_inflation.toml" --amplitude nan --out "$work/out"
   [ -e "$work/out" ] && fail "bad input wrote $work/out"
 }
 
@@ -105,6 +109,13 @@ part_mesh() {
   expect 2 "number.k:3:7: \"zero\" is not a number" "$gasjet" mesh convert "$work/number.k"
   expect 2 "lid" "$gasjet" mesh convert "$work/open.k" --refine 1 --null-panel lid
   expect 2 "" "$gasjet" mesh driver --out "$work/bad.k" --refine 7
+  expect 2 "lid" "$gasjet" mesh convert "$work/open.k" --null-panel lid
+  expect 2 "--initial .*would overwrite" "$gasjet" mesh driver --out "$work/bad.k" --initial "$work/./bad.k"
+  expect 2 "--out .*would overwrite" "$gasjet" mesh convert "$work/open.k" --out "$work/open.k"
+  expect 2 "ends with .obj" "$gasjet" mesh driver --out "$work/bad.k" --initial "$work/bad.xyz"
+  expect 2 "open.k: element 0: its area is zero" "$gasjet" mesh convert "$work/open.k" --out "$work/bad.k" --length-unit 1e-300
+  expect 2 "--length-unit.*finite" "$gasjet" mesh convert "$work/open.k" --length-unit inf
+  expect 2 "--out.*is empty" "$gasjet" mesh driver --out ""
   for file in bad.k bad.stl; do [ -e "$work/$file" ] && fail "bad input wrote $file"; done
 }
 
@@ -154,6 +165,8 @@ part_exact() {
     fail "docs/exact.md is not what gasjet exact --list --format markdown prints"
   expect 2 "given twice" "$gasjet" exact tank_fill --set volume=1 --set volume=2
   expect 2 "prints --list only" "$gasjet" exact tank_fill --format markdown
+  expect 2 "patch_angle" "$gasjet" exact pressed_balloon --times 1e-300
+  expect 2 "overpressure" "$gasjet" exact pressed_balloon --set youngs_modulus=3
   expect 2 "no_such_parameter" "$gasjet" exact "$name" --set no_such_parameter=1
 }
 
@@ -229,6 +242,7 @@ part_identify() {
   bad_option "--gas N2=0.5: sum of fractions = 0.5: must be 1" --gas N2=0.5
   bad_option "--tank-gas N2=x: 'N2=x' is no NAME=FRACTION" --tank-gas N2=x
   bad_option "--method" --method triple
+  expect 2 "--out .*would overwrite" "$gasjet" identify "$data" $base --out "$data"
   expect 2 "not writable" "$gasjet" identify "$data" $base --out "$work/nowhere/none.csv"
   expect 2 "no such file" "$gasjet" identify "$work/missing.csv" $base --out "$work/none.csv"
   expect 2 "required" "$gasjet" identify "$data" --out "$work/none.csv"

@@ -109,6 +109,9 @@ TEST(history, bad_histories_are_refused_where_they_stand) {
   expect(head + "0,1\n1,nan\n2,3\n", "mine.csv:4:3: 'nan'");
   expect(head + "0,1\n1\n2,3\n", "mine.csv:4:1: has 1 columns");
   expect(head + "0,1\n1,2\n", "has 2 rows, 3 or more");
+  expect(head + "0,1,\n1,2,\n2,3,\n", "accepted");
+  expect(head + "0,1\n0,5,101,3\n2,3\n", "mine.csv:4:1: has 4 columns, the header 2");
+  expect("time_s,time_s\n0,1\n1,2\n2,3\n", "mine.csv:1:1: 'time_s' is more than one column");
   expect("t,pressure_Pa\n0,1\n1,2\n2,3\n", "mine.csv:1:1: time_s: no such column");
   expect("# nothing\n", "has no header row");
   EXPECT_NE(refused(files.path).find("is a folder"), std::string::npos);

@@ -46,8 +46,12 @@ struct EnsembleResult {
   std::vector<std::string> failures;  // messages of runs that left their domain
 };
 
-/// Runs the case with seeds 1 to `runs`; the result does not depend on `threads`. Throws CaseError for a bad
-/// case, and for a scene that has no membrane to perturb.
+/// Throws CaseError for a bad case, a scene that has no membrane to perturb, and overrides of the
+/// perturbation.
+Scene read_ensemble_scene(const std::filesystem::path& file, const std::vector<std::string>& overrides);
+
+/// Runs the case with seeds 1 to `runs`; the result does not depend on `threads`. Throws CaseError as
+/// read_ensemble_scene does.
 EnsembleResult run_ensemble(const std::filesystem::path& file, const std::vector<std::string>& overrides,
                             const EnsembleOptions& options);
 

@@ -18,6 +18,10 @@ inline constexpr int exit_domain = 3;         // the computation left its domain
 inline constexpr int exit_undecided = 4;      // compare: neither inside nor outside can be said
 inline constexpr int exit_interrupted = 130;  // Ctrl-C, as shells report it; what was computed is kept
 
+/// Throws CaseError when the file that `option` writes is one of those that are read.
+void refuse_same_file(const char* option, const std::filesystem::path& out,
+                      std::initializer_list<std::filesystem::path> inputs);
+
 struct CaseArguments {
   std::filesystem::path file;
   std::vector<std::string> overrides;  // key.path=value

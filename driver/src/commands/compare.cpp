@@ -112,6 +112,7 @@ void write_rows(const std::filesystem::path& file, const Difference& difference)
 }  // namespace
 
 int compare(const CompareArguments& a) {
+  refuse_same_file("--rows", a.rows, {a.mine, a.reference, a.map});
   const Difference difference =
       driver::compare(read_history(a.mine, a.map), read_history(a.reference), a.columns, a.tolerance);
   if (!a.rows.empty()) write_rows(a.rows, difference);

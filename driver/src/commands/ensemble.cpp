@@ -47,11 +47,9 @@ int ensemble(const EnsembleArguments& arguments) {
     if (arguments.against.stem() == arguments.scene.file.stem())
       throw CaseError(fmt::format("--against {}: needs another file name than the first case",
                                   arguments.against.string()));
-    CaseDocument other(arguments.against, arguments.scene.overrides);
-    read_scene(other);
+    read_ensemble_scene(arguments.against, arguments.scene.overrides);
   }
-  CaseDocument first(arguments.scene.file, arguments.scene.overrides);
-  read_scene(first);
+  read_ensemble_scene(arguments.scene.file, arguments.scene.overrides);
   prepare_output(folder);
   catch_interrupt();
   const auto result = run_ensemble(arguments.scene.file, arguments.scene.overrides, options);

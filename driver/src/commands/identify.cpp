@@ -182,6 +182,7 @@ void write_curve(const std::filesystem::path& file, const Provenance& lines, con
 }  // namespace
 
 int identify(const IdentifyArguments& arguments) {
+  refuse_same_file("--out", arguments.out, {arguments.file});
   const gas::TankTest test = tank_test(arguments);
   const CsvTable table = read_readings(arguments);
   const gas::Identified found = analyse(arguments, test, table);

@@ -59,6 +59,16 @@ void print_quality(const char* shape, const Eigen::Matrix3Xd& nodes, const Eigen
       q.min_area, q.max_area);
 }
 
+// Refuses a shape without a report before anything is written.
+void check_quality(const BagMesh& bag, const std::filesystem::path& file) {
+  try {
+    membrane::element_quality(bag.mesh.nodes, bag.mesh.elements);
+    if (bag.initial) membrane::element_quality(*bag.initial, bag.mesh.elements);
+  } catch (const std::invalid_argument& error) {
+    throw CaseError(fmt::format("{}{}{}", file.string(), file.empty() ? "" : ": ", error.what()));
+  }
+}
+
 void print_report(const BagMesh& bag) {
   const membrane::Mesh& mesh = bag.mesh;
   fmt::print("{} elements, {} nodes, volume {:.5g} m3\n", mesh.element_count(), mesh.node_count(),
@@ -84,9 +94,19 @@ void write(const BagMesh& bag, const MeshArguments& arguments) {
   membrane::write_mesh(shape, arguments.initial);
 }
 
+void check_outputs(const MeshArguments& arguments) {
+  refuse_same_file("--out", arguments.out, {arguments.file});
+  refuse_same_file("--initial", arguments.initial, {arguments.file, arguments.out});
+  for (const auto& file : {arguments.out, arguments.initial})
+    if (!file.empty()) membrane::check_mesh_ending(file);
+}
+
 int finish(BagMesh bag, const MeshArguments& arguments, const std::vector<std::string>& null_panels) {
-  refine(bag, arguments.refine, null_panels);
   try {
+    check_outputs(arguments);
+    for (const auto& name : null_panels) membrane::panel_elements(bag.mesh, name);  // refuses an unknown name
+    refine(bag, arguments.refine, null_panels);
+    check_quality(bag, arguments.file);
     write(bag, arguments);
   } catch (const membrane::MeshFileError& error) {
     throw OutputError(error.what());

@@ -27,6 +27,9 @@ class MeshFileError : public std::runtime_error {
 /// Throws MeshFileError for another ending, a file that cannot be read, and whatever the parsers refuse.
 Mesh read_mesh(const std::filesystem::path& path);
 
+/// Throws MeshFileError (line 0) for another ending than those above.
+void check_mesh_ending(const std::filesystem::path& path);
+
 /// Writes a mesh, format by the ending as above. Throws MeshFileError (line 0) for another ending or if the
 /// file cannot be written, std::invalid_argument for what the format cannot hold.
 void write_mesh(const Mesh& mesh, const std::filesystem::path& path);

@@ -127,7 +127,9 @@ TEST(ClosedFormCoupled, bad_parameters_are_refused_by_name) {
   expect_refused([] { pressed_balloon({{paper_fabric(), 0.3}, 2e4}, 0.1); }, "indenter_radius");
   expect_refused([] { pressed_balloon(pressed(0.2), 0.1); }, "indenter_radius");
   expect_refused([] { pressed_balloon({{paper_fabric(), 0.3}, 0.0, 0.3}, 0.1); }, "overpressure");
-  for (const double angle : {0.0, 0.7, std::nan("")})
+  for (const double stiff : {1e-3, 1e9})  // as good as rigid; burst
+    expect_refused([&] { pressed_balloon({{paper_fabric(), 0.3}, stiff, 0.3}, 0.1); }, "overpressure");
+  for (const double angle : {0.0, 0.99e-4, 0.7, std::nan("")})
     expect_refused([&] { pressed_balloon(pressed(0.3), angle); }, "patch_angle");
   // A plate this wide would leave the hoops slack.
   expect_refused([] { pressed_balloon({{paper_fabric(), 0.3}, 100.0, 3e3}, 0.6); }, "patch_angle");
