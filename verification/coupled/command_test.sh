@@ -170,88 +170,9 @@ part_exact() {
   expect 2 "no_such_parameter" "$gasjet" exact "$name" --set no_such_parameter=1
 }
 
-# misses LIMIT COLUMN_A A COLUMN_B B: fails if two tables differ by more than LIMIT (relative) at a time that both have
-misses() {
-  awk -F, -v limit="$1" -v a="$2" -v b="$4" '
-    /^#/ { next }
-    FNR == 1 || $1 == "time_s" { for (i = 1; i <= NF; i++) if ($i == (NR == FNR ? a : b)) c = i; next }
-    NR == FNR { value[sprintf("%.6f", $1)] = $c; next }
-    (k = sprintf("%.6f", $1)) in value { n++; d = $c / value[k] - 1; d = d < 0 ? -d : d; if (d > worst) worst = d }
-    END { print "worst", worst, "of", n, "limit", limit; exit !(n < 20 || worst > limit) }' "$3" "$5"
-}
-
-# same_rows LIMIT A B: fails unless two tables have the same header and rows, to LIMIT of a column's largest magnitude
-same_rows() {
-  paste -d '|' <(grep -v '^#' "$2") <(grep -v '^#' "$3") | awk -F'|' -v limit="$1" '
-    NR == 1 { if ($1 != $2) bad = "header " $0; next }
-    { n = split($1, a, ","); if (split($2, b, ",") != n) bad = "row " NR
-      for (i = 1; i <= n; i++) { d = a[i] - b[i]; d = d < 0 ? -d : d; m = b[i] < 0 ? -b[i] : b[i]
-        if (d > worst[i]) worst[i] = d; if (m > largest[i]) largest[i] = m } }
-    END { for (i in worst) if (worst[i] > limit * largest[i]) bad = bad " column " i " by " worst[i]
-      print NR, "rows", bad; exit bad != "" || NR < 200 }'
-}
-
-part_identify() {
-  local base='--method dual --volume 0.06 --mass 0.08 --gas N2 --thermodynamics constant --points 601' key limit line data=$work/data.csv
-  "$gasjet" exact tank_test_pulse --times 0:0.06:1e-4 --set gas_constant=296.79670 --set heat_capacity_ratio=1.3995470 \
-    --set tank_gas_constant=287.04164 --set tank_heat_capacity_ratio=1.3999531 --set outlet_area=1e-4 |
-    sed 's/inflow_kg_s/true_flow/' >"$data" || fail "no readings"
-  # Without noise: what comes out runs to the readings' pressure; the limit is the one that the analysis states.
-  for key in dual average; do
-    expect 0 "mean_temperature_K: 600" "$gasjet" identify "$data" ${base/dual/$key} --out "$work/curves_$key.csv"
-    expect 0 "" "$gasjet" run "$source/cases/tank_identified.toml" --out "$work/$key" --quiet \
-      --set "inflator.0.mass_flow={ file = '$work/curves_$key.csv', column = 'mass_flow_kg_s' }" \
-      --set "inflator.0.temperature={ file = '$work/curves_$key.csv', column = 'temperature_K' }"
-    limit=$(sed -nE 's/^# forward_model: .* by ([0-9.e+-]+) % at most/\1/p' "$work/curves_$key.csv")
-    misses "$(awk "BEGIN { print 0.01 * $limit + 1e-5 }")" pressure_Pa "$work/$key/history.csv" tank_pressure_Pa "$data" >"$work/log" && fail "$key: $(cat "$work/log")"
-  done
-  # The curve in the shipped example is the one of its script's command, row by row: 1e-5 of each column's largest value,
-  # for its eight digits and the last bits of another machine's functions that the search for lambda carries on.
-  expect 0 "" "$gasjet" identify "$source/cases/tank_test_readings.csv" ${base/601/241} --out "$work/shipped.csv"
-  same_rows 1e-5 "$work/shipped.csv" "$source/cases/tank_test_curves.csv" >"$work/log" || fail "shipped curves: $(cat "$work/log")"
-  # Its case runs to the truth within the readings' noise (1 %).
-  "$gasjet" run "$source/cases/tank_identified.toml" --out "$work/shipped" --quiet || fail "shipped example"
-  misses 0.01 pressure_Pa "$work/shipped/history.csv" tank_pressure_Pa "$data" >"$work/log" && fail "shipped: $(cat "$work/log")"
-
-  # Bad input: place, name, nothing written.
-  bad() { # bad PATTERN SED_EXPRESSION: the readings changed by sed
-    sed -E "$2" "$data" >"$work/bad.csv"
-    expect 2 "bad.csv:$1" "$gasjet" identify "$work/bad.csv" $base --out "$work/none.csv"
-  }
-  line=$(grep -n '^0.01,' "$data" | cut -d: -f1)
-  bad "[0-9]+:1: tank_pressure_Pa: no such column" 's/tank_pressure_Pa/p/'
-  bad "$line:1: time_s: time: 0.002 s: must be finite and later" "${line}s/^0.01,/0.002,/"
-  bad "$line:1: time_s: time: 0.0099[0-9]* s: must be finite and later" "${line}s/^0.01,/$(sed -n "$((line - 1))s/,.*//p" "$data"),/"
-  bad "$line:6: 'nan'" "${line}s/^0.01,[^,]*/0.01,nan/"
-  bad "$line:6: tank_pressure_Pa: tank pressure: -5: must be above 0" "${line}s/^0.01,[^,]*/0.01,-5/"
-  bad "$line:[0-9]+: chamber_pressure_Pa: chamber pressure: 91234 Pa is below the tank's" "${line}s/^(0.01,[^,]*),[^,]*/\1,91234/"
-  bad "$((line - 90)):1: time_s: has [0-9]+ readings, 20 or more" "$((line - 89)),\$d"
-  bad "[0-9]+:1: time_s: -0.1 s: time counts from firing" 's/^0,/-0.1,/'
-  bad_option() { # bad_option PATTERN OPTION VALUE: in place of the base's, or beside it
-    local options
-    options=$(sed -E "s/$2 [^ ]+//" <<<"$base")
-    expect 2 "$1" "$gasjet" identify "$data" $options --out "$work/none.csv" "$2" "$3"
-  }
-  bad_option "volume \[m3\] = 0: must be above 0" --volume 0
-  bad_option "total_mass \[kg\] = -0.08: must be above 0" --mass -0.08
-  bad_option "initial_temperature \[K\] = -1: must be above 0" --initial-temperature -1
-  bad_option "threshold = 2: must be 0.001 to 0.9" --threshold 2
-  bad_option "points = 3: must be 20 to" --points 3
-  bad_option "draws = 1: must be 40 to" --draws 1
-  bad_option "--gas: species = .Xe.: must be one of" --gas Xe
-  bad_option "--gas N2=0.5: sum of fractions = 0.5: must be 1" --gas N2=0.5
-  bad_option "--tank-gas N2=x: 'N2=x' is no NAME=FRACTION" --tank-gas N2=x
-  bad_option "--method" --method triple
-  expect 2 "--out .*would overwrite" "$gasjet" identify "$data" $base --out "$data"
-  expect 2 "not writable" "$gasjet" identify "$data" $base --out "$work/nowhere/none.csv"
-  expect 2 "no such file" "$gasjet" identify "$work/missing.csv" $base --out "$work/none.csv"
-  expect 2 "required" "$gasjet" identify "$data" --out "$work/none.csv"
-  # A hundredth of the mass: no gas is that hot.
-  expect 3 "do not fit" "$gasjet" identify "$data" --method average --volume 0.06 --mass 0.0008 --gas N2 --out "$work/none.csv"
-  [ -e "$work/none.csv" ] && fail "bad input wrote a table"
-}
-
 # shellcheck source-path=SCRIPTDIR source=command_compare.sh
 source "$(dirname "${BASH_SOURCE[0]}")/command_compare.sh"
+# shellcheck source-path=SCRIPTDIR source=command_identify.sh
+source "$(dirname "${BASH_SOURCE[0]}")/command_identify.sh"
 "part_$part"
 [ $failures -eq 0 ] && echo "command $part: passed" || exit 1
