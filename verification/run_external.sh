@@ -2,12 +2,13 @@
 # SPDX-License-Identifier: Apache-2.0
 # Judges a foreign program by the reference set: hands it each scene as JSON, reads its history back as CSV and compares it row by
 # row with the reference (docs/compare.md).
-# usage: verification/run_external.sh [--tolerance SHARE] [--scenes NAME,...] COMMAND [ARGUMENT...]
+# usage: verification/run_external.sh [--tolerance SHARE] [--timeout SECONDS] [--scenes NAME,...] COMMAND [ARGUMENT...]
 #   called as COMMAND ARGUMENT... SCENE.json HISTORY.csv; exit code 77: it does not do this scene. The JSON holds `settings` (those of
 #   the case file, defaults too, SI units), `times` of the reference and its `columns` that have a band, and files of the mesh if there is one: `mesh` (OBJ) and
 #   `mesh_keyword`, the design shape, and `mesh_initial`, the shape at the start.
 #   HISTORY.csv: a header row with `time_s` and the columns, then rows.
 #   --tolerance SHARE  what the program may be off by itself, of each column's largest magnitude (0 by default)
+#   --timeout SECONDS  what it may take for a scene (3600 by default)
 # Exit code: 0 inside the bands in all scenes that it does; 1 outside in one; 2 bad arguments, or the program or its file failed; 4 undecided.
 set -uo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
@@ -19,16 +20,19 @@ fail() {
   exit 2
 }
 
-tolerance=0 scenes=
+tolerance=0 limit=3600 scenes=
 while [[ ${1:-} == --* ]]; do
   (($# > 1)) || fail "$1 needs a value"
   case $1 in
     --tolerance) tolerance=$2 ;;
+    --timeout) limit=$2 ;;
     --scenes) scenes=${2//,/ } ;;
-    *) fail "unknown option $1; allowed: --tolerance, --scenes" ;;
+    *) fail "unknown option $1; allowed: --tolerance, --timeout, --scenes" ;;
   esac
   shift 2
 done
+[[ $limit =~ ^[1-9][0-9]*$ ]] || fail "--timeout $limit: a whole number of seconds above 0 is allowed"
+[[ $scenes =~ ^[a-z_\ ]*$ ]] || fail "--scenes: names of scenes are allowed, such as tank_fill,plate_jet"
 (($# > 0)) || fail "needs the command of a program"
 [[ -x $gasjet ]] || fail "no program $gasjet: build it first"
 [[ -n $scenes ]] || scenes=$(cd "$reference" && printf '%s\n' *.csv | sed 's/\.csv$//')
@@ -63,7 +67,7 @@ judged=0
 for scene in $scenes; do
   [[ -f $reference/$scene.csv ]] || fail "no scene '$scene' in $reference"
   (scene_as_json "$scene") >"$work/$scene.json" || fail "$scene: no JSON"
-  "$@" "$work/$scene.json" "$work/$scene.csv" </dev/null >"$work/log" 2>&1
+  timeout "$limit" "$@" "$work/$scene.json" "$work/$scene.csv" </dev/null >"$work/log" 2>&1
   status=$?
   if ((status == 77)); then
     echo "$scene: not done by the program"

@@ -182,6 +182,17 @@ void warn_of_leaks(const membrane::BagDescription& bag, LeakLaw law, Scene& scen
     scene.warnings.emplace_back("fabric.porosity has no effect with leak_law = \"none\"");
 }
 
+// Millimetres read as metres run, and give numbers that look like results.
+void warn_of_size(const membrane::Mesh& mesh, Scene& scene) {
+  constexpr double smallest = 0.02, largest = 10.0;  // [m] no airbag is
+  const double extent = (mesh.nodes.rowwise().maxCoeff() - mesh.nodes.rowwise().minCoeff()).maxCoeff();
+  if (extent < smallest || extent > largest)
+    scene.warnings.push_back(
+        fmt::format("membrane.mesh: the bag's longest extent is {:.3g} m; of a mesh from a file length_unit "
+                    "says what its coordinates mean",
+                    extent));
+}
+
 }  // namespace
 
 void read_bag(TableReader& root, Scene& scene) {
@@ -205,6 +216,7 @@ void read_bag(TableReader& root, Scene& scene) {
   table->located("", [&] { read_plate(*table, bag); });
 
   warn_of_leaks(bag, law, scene);
+  warn_of_size(source.mesh, scene);
   Eigen::Matrix3Xd position = initial_shape(*table, source);
   const double amplitude = table->number("perturbation", Bounds{0.0, 1e-3, false, "0 to 1e-3 m"}, 0.0);
   if (table->has("perturbation_seed") && !table->has("perturbation"))

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <fstream>
+#include <string_view>
 
 #include "driver/case_reader.hpp"
 
@@ -24,6 +25,8 @@ std::string read_text(const std::filesystem::path& file) {
     text.append(chunk.data(), static_cast<std::size_t>(stream.gcount()));
   } while (stream && text.size() <= most);
   if (text.size() > most) throw CaseError(fmt::format("{}: is longer than 64 MiB", file.string()));
+  constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";  // of UTF-8, as spreadsheets write it
+  if (text.starts_with(byte_order_mark)) text.erase(0, byte_order_mark.size());
   return text;
 }
 

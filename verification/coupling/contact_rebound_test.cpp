@@ -9,6 +9,7 @@
 
 #include "closed_form/membrane.hpp"
 #include "coupling/sphere_contact.hpp"
+#include "disc_mesh.hpp"
 #include "membrane/stages.hpp"
 #include "membrane/time_step.hpp"
 
@@ -24,30 +25,14 @@ closed_form::MembraneDent dent() {
   return {0.5e-3 * 60e6 / 0.7 * kStrain, kRim, kSphere};
 }
 
-// Flat disc of n rings, 6 k nodes on the ring k.
+// Flat disc of n rings, clamped at the rim.
 membrane::BagDescription disc(int n) {
-  const auto node = [](int ring, int i) {
-    return ring == 0 ? 0 : 1 + 3 * ring * (ring - 1) + i % (6 * ring);
-  };
+  const auto mesh = scenes::disc(kRim, n);
   membrane::BagDescription d;
-  d.reference.setZero(3, 1 + 3 * n * (n + 1));
-  d.elements.resize(3, 6 * n * n);
-  Eigen::Index e = 0;
-  for (int k = 1; k <= n; ++k) {
-    for (int i = 0; i < 6 * k; ++i) {
-      const double angle = std::numbers::pi * i / (3.0 * k);
-      d.reference.col(node(k, i)) = kRim * k / n * Vector3d(std::cos(angle), std::sin(angle), 0.0);
-      if (k == n) d.fixed_nodes.push_back(node(k, i));
-    }
-    for (int s = 0; s < 6; ++s)
-      for (int i = 0; i < k; ++i) {
-        d.elements.col(e++) << node(k - 1, s * (k - 1) + i), node(k, s * k + i), node(k, s * k + i + 1);
-        if (i < k - 1)
-          d.elements.col(e++) << node(k - 1, s * (k - 1) + i), node(k, s * k + i + 1),
-              node(k - 1, s * (k - 1) + i + 1);
-      }
-  }
-  d.properties.assign(static_cast<std::size_t>(6 * n * n), {0.5e-3, 620.0, 60e6, 0.3});
+  d.reference = mesh.nodes;
+  d.elements = mesh.elements;
+  for (int i = 0; i < 6 * n; ++i) d.fixed_nodes.push_back(mesh.node_count() - 6 * n + i);
+  d.properties.assign(static_cast<std::size_t>(mesh.element_count()), {0.5e-3, 620.0, 60e6, 0.3});
   return d;
 }
 

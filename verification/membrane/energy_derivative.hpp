@@ -7,11 +7,10 @@
 
 namespace scenes {
 
-// Checks every component of the fabric's force at x against the derivative of its energy (M.4).
-inline void expect_force_eq_minus_energy_derivative(const membrane::BagModel& model,
-                                                    const Eigen::Matrix3Xd& x) {
-  const auto energy = [&](const Eigen::Matrix3Xd& at) { return evaluated(model, at).forces.strain_energy; };
-  const Eigen::Matrix3Xd force = evaluated(model, x).membrane_force.map();
+// Checks every component of a force at x against the derivative of its energy, by steps of 1e-6 m.
+template <class Energy>
+void expect_eq_minus_derivative(const Eigen::Matrix3Xd& force, const Eigen::Matrix3Xd& x,
+                                const Energy& energy, double tolerance) {
   const double h = 1e-6;
   for (Eigen::Index n = 0; n < x.cols(); ++n)
     for (int c = 0; c < 3; ++c) {
@@ -19,10 +18,19 @@ inline void expect_force_eq_minus_energy_derivative(const membrane::BagModel& mo
       right(c, n) += h;
       left(c, n) -= h;
       const double slope = (energy(right) - energy(left)) / (2.0 * h);
-      // Rounding eps W / h with W < 500 J is 1e-7 N; curvature jumps at wrinkle borders and third derivatives
-      // E h / side give at most 3e4 N/m x h; forces are some 1000 N.
-      EXPECT_NEAR(force(c, n), -slope, 1e-5 * force.cwiseAbs().maxCoeff() + 1e-6);
+      EXPECT_NEAR(force(c, n), -slope, tolerance);
     }
+}
+
+// The fabric's force at x (M.4).
+inline void expect_force_eq_minus_energy_derivative(const membrane::BagModel& model,
+                                                    const Eigen::Matrix3Xd& x) {
+  const Eigen::Matrix3Xd force = evaluated(model, x).membrane_force.map();
+  // Rounding eps W / h with W < 500 J is 1e-7 N; curvature jumps at wrinkle borders and third derivatives
+  // E h / side give at most 3e4 N/m x h; forces are some 1000 N.
+  expect_eq_minus_derivative(
+      force, x, [&](const Eigen::Matrix3Xd& at) { return evaluated(model, at).forces.strain_energy; },
+      1e-5 * force.cwiseAbs().maxCoeff() + 1e-6);
 }
 
 }  // namespace scenes

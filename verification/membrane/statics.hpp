@@ -4,13 +4,11 @@
 #include <functional>
 #include <vector>
 
+#include "disc_mesh.hpp"
 #include "scenes.hpp"
 
 // Meshes of round membranes, and static equilibrium under constant overpressure.
 namespace scenes {
-
-// Plane disc in z = 0, normal +z: ring k of `rings` has 6 k nodes, 6 rings^2 elements, the rim's nodes last.
-membrane::Mesh disc(double radius, int rings);
 
 // Grid closed in one direction, `around` x `along` cells with uniform diagonals; node i + j around at
 // place(i / around, j / along). Outward if place turns anticlockwise about the second direction.
