@@ -68,10 +68,12 @@ fi
 
 phase "set-up" scripts/setup_debian12.sh
 build release
+rm -f build/claims/*.tsv
 suite fast
 if ((long)); then
   suite long
 fi
+phase "verification report" scripts/verification_report.sh --check || failed_suites+=("verification report")
 if ((sanitize)); then
   slow='^(fast_route|shadow|visibility_rule|jet_scene|coupled_energy|contact_scene|same_bits|MassShares|Contact(Idle|Friction|Mesh))\.'
   slow+='|coupled_books|Inflated|command_(reference|external)'

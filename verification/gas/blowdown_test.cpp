@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
-#include <functional>
-
 #include "cases.hpp"
+#include "claim.hpp"
 #include "closed_form/orifice.hpp"
 
 // Tanks that empty through a hole: choked, through the sonic switch, and with each gas's own gamma.
@@ -43,8 +42,9 @@ TEST(blowdown, reference_values_choked_and_subsonic) {
                                               {0.18, 163432.05950537481},
                                               {0.26614434361175357, 110000.0}}) {
     integrator.advance(state, time, next, rigid(0.06));
-    // Local tolerance 1e-10 of mass and energy, some ten sub-steps; p is their ratio times gamma.
-    EXPECT_LT(relative(t.pressure(state, time = next), pressure), 1e-9) << next;
+    claim::expect_relative({"G.6", "blow-down, choked to subsonic: pressure at six times [Pa]",
+                            "some ten sub-steps of local tolerance 1e-10"},
+                           t.pressure(state, time = next), pressure, 1e-9);
   }
 }
 
@@ -59,10 +59,13 @@ TEST(blowdown, eq_closed_form_for_every_parameter) {
       for (int i = 0; i < 4; ++i) {
         integrator.advance(state, 0.2 * i * end, 0.2 * (i + 1) * end, rigid(0.06));
         const closed_form::GasState exact = closed_form::blowdown(t.exact, 0.2 * (i + 1) * end);
-        // As above; 1e-9 of p_a leaves room for the amplification near equalisation.
-        EXPECT_LT(relative(t.pressure(state, 0.0), exact.pressure), 1e-9) << gamma << " " << p0 << " " << i;
-        EXPECT_LT(relative(state.temperature, exact.temperature), 1e-9);
-        EXPECT_LT(relative(state.masses[0], exact.mass), 1e-9);
+        const char* why = "sub-steps of 1e-10, with room for their growth near equalisation";
+        claim::expect_relative({"G.6", "blow-down by gamma, Cd, p0, T0: pressure [Pa]", why},
+                               t.pressure(state, 0.0), exact.pressure, 1e-9);
+        claim::expect_relative({"G.10", "blow-down by gamma, Cd, p0, T0: temperature [K]", why},
+                               state.temperature, exact.temperature, 1e-9);
+        claim::expect_relative({"G.9", "blow-down by gamma, Cd, p0, T0: mass [kg]", why}, state.masses[0],
+                               exact.mass, 1e-9);
       }
     }
   }
@@ -81,14 +84,11 @@ double choked_error(double tolerance, int calls, double end) {
 /// With a loose tolerance each call is one sub-step: the order of Dormand and Prince's formula. (Mass,
 /// temperature and their rates are all far from zero.)
 TEST(blowdown, choked_order_is_five) {
-  double coarse = choked_error(1e-2, 8, 0.15);
-  for (const int calls : {16, 32, 64}) {
-    const double fine = choked_error(1e-2, calls, 0.15);
-    // Approached from above: 5.33, 5.16, 5.08, the next order's term being halved each time.
-    EXPECT_GT(std::log2(coarse / fine), 4.9) << calls;
-    EXPECT_LT(std::log2(coarse / fine), 5.0 + 8.0 / calls) << calls;
-    coarse = fine;
-  }
+  std::vector<double> errors;
+  for (const int calls : {16, 32, 64}) errors.push_back(choked_error(1e-2, calls, 0.15));
+  claim::expect_order({"G.10", "choked blow-down by Dormand-Prince: pressure, one sub-step a call",
+                       "fifth order; the sixth's term is a share of 8 / calls"},
+                      errors, 4.9, 5.25);
 }
 
 TEST(blowdown, error_follows_the_tolerance) {
@@ -107,8 +107,9 @@ TEST(blowdown, sonic_switch_is_located) {
     gas::ControlVolumeState state = t.state();
     gas::GasIntegrator integrator(t.model, {tolerance});
     const gas::StepFluxes fluxes = integrator.advance(state, 0.0, 0.18, rigid(0.06));
-    // Up to 70 sub-steps of one tolerance each, partly cancelling.
-    EXPECT_LT(relative(t.pressure(state, 0.18), 163432.05950537481), 10.0 * tolerance) << tolerance;
+    claim::expect_relative({"G.6", "blow-down across the sonic switch by tolerance: pressure at 0.18 s [Pa]",
+                            "70 sub-steps of one tolerance each, partly cancelling"},
+                           t.pressure(state, 0.18), 163432.05950537481, 10.0 * tolerance);
     // Without location the sub-steps shrink at the switch: 1e-12 then needs more than a hundred.
     EXPECT_LT(fluxes.steps, 80);
   }
@@ -119,9 +120,11 @@ TEST(blowdown, into_vacuum_stays_choked) {
   t.model.ambient.pressure = 0.0;
   gas::ControlVolumeState state = t.state();
   gas::GasIntegrator(t.model).advance(state, 0.0, 2.0, rigid(0.06));
-  // f = 1 + (gamma - 1) t/(2 tau), p = p0 f^-7: some 200 sub-steps relative to what is left.
+  // f = 1 + (gamma - 1) t/(2 tau), p = p0 f^-7.
   const double f = 1.0 + 0.2 * 2.0 / 0.20764591762951125;
-  EXPECT_LT(relative(t.pressure(state, 2.0), 5e5 * std::pow(f, -7.0)), 1e-8);
+  claim::expect_relative({"G.6", "blow-down into vacuum: pressure at 2 s [Pa]",
+                          "some 200 sub-steps of 1e-10, relative to what is left"},
+                         t.pressure(state, 2.0), 5e5 * std::pow(f, -7.0), 1e-8);
 }
 
 /// Filling against a choked vent: steady pressure, and the two decay rates of the linearised system.
@@ -132,9 +135,11 @@ TEST(blowdown, fill_with_vent_reaches_its_steady_state) {
   gas::ControlVolumeState state = gas::make_state(model.thermo, kPure, 332836.30571198209, 690.0, 0.06);
   gas::GasIntegrator integrator(model, {1e-12});
   integrator.advance(state, 0.0, 8.0, rigid(0.06));
-  // The slow mode, 3.96/s, has decayed by 1e-14; what is left is one tolerance.
-  EXPECT_LT(relative(gas::evaluate(model, state, 0.06, 0.0, 8.0).pressure, 332836.30571198209), 5e-12);
-  EXPECT_LT(relative(state.temperature, 700.0), 5e-12);
+  const char* why = "the slow mode, 3.96/s, has decayed by 1e-14: some tolerances are left";
+  claim::expect_relative({"G.9", "inflow against a choked vent: steady pressure [Pa]", why},
+                         gas::evaluate(model, state, 0.06, 0.0, 8.0).pressure, 332836.30571198209, 5e-12);
+  claim::expect_relative({"G.10", "inflow against a choked vent: steady temperature [K]", why},
+                         state.temperature, 700.0, 5e-12);
 }
 
 /// Disturbed along an eigenvector of (m, U), it comes back at that eigenvalue: log-fit over one e-fold.
@@ -153,8 +158,9 @@ TEST(blowdown, fill_with_vent_decays_at_its_two_rates) {
     const double time = 1.0 / (per_mass * -eigenvalue);
     gas::GasIntegrator(model, {1e-13}).advance(state, 0.0, time, rigid(0.06));
     const double decay = std::log((state.masses[0] / steady.masses[0] - 1.0) / 1e-5) / (time * per_mass);
-    // Quadratic terms are 1e-5 of the linear ones; a few of them.
-    EXPECT_LT(relative(decay, eigenvalue), 1e-4);
+    claim::expect_relative({"G.14", "inflow against a choked vent: the two decay rates, per mdot/m [-]",
+                            "quadratic terms are 1e-5 of the linear ones; a few of them"},
+                           decay, eigenvalue, 1e-4);
   }
 }
 
@@ -178,15 +184,13 @@ TEST(blowdown, strong_walls_make_it_isothermal) {
   const auto fabric = [&](double conductance) {
     return error(conductance, 0.0025 * 1.5, 130000.0, 400.0, 0.12, 121588.46551630102);
   };
-  for (const auto& one : {std::function<double(double)>(hole), std::function<double(double)>(fabric)}) {
-    double weak = one(1e6);
-    for (const double conductance : {2e6, 4e6, 8e6}) {
-      const double strong = one(conductance);
-      EXPECT_NEAR(std::log2(weak / strong), 1.0, 0.05) << conductance;  // the next order is a thousandth
-      weak = strong;
-    }
-    EXPECT_LT(weak, 1e-4);
-  }
+  const auto converges = [](const char* what, const auto& one) {
+    const std::vector<double> errors{one(1e6), one(2e6), one(4e6), one(8e6)};
+    claim::expect_order({"G.11", what, "the next order in 1/(hA) is a thousandth"}, errors, 0.95, 1.05);
+    EXPECT_LT(errors.back(), 1e-4);
+  };
+  converges("blow-down, choked, with ever stronger walls against the isothermal one: pressure", hole);
+  converges("leak through fabric with ever stronger walls against the isothermal one: pressure", fabric);
 }
 
 }  // namespace

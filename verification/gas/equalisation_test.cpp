@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "cases.hpp"
+#include "claim.hpp"
 #include "closed_form/orifice.hpp"
 
 // Outflow that ends: p reaches p_a in finite time and stays there.
@@ -32,8 +33,9 @@ TEST(equalisation, porous_tank_eq_closed_form) {
        std::vector<std::pair<double, double>>{{0.01, 118759.40296999072}, {0.02, 110661.71823484026}}) {
     integrator.advance(state, time, next, rigid(tank.volume, tank.leak_area));
     const gas::GasPoint point = gas::evaluate(tank.model, state, tank.volume, tank.leak_area, time = next);
-    // Tolerance 1e-10, a few sub-steps.
-    EXPECT_LT(relative(point.pressure, reference), 1e-9);
+    claim::expect_relative({"G.7", "porous tank, printed law: pressure at 10 and 20 ms [Pa]",
+                            "a few sub-steps of tolerance 1e-10"},
+                           point.pressure, reference, 1e-9);
     EXPECT_LT(relative(closed_form::porous_tank_adiabatic(porous_exact(), time).pressure, reference), 1e-12);
   }
 }
@@ -50,8 +52,8 @@ TEST(equalisation, end_time_and_state_of_a_porous_tank) {
       EXPECT_GT(point.pressure - kAmbientPressure, 0.02);
       EXPECT_LT(point.pressure - kAmbientPressure, 0.03);
     } else {
-      // On p_a to a hundred roundings of p.
-      EXPECT_NEAR(point.pressure, kAmbientPressure, 1e-12 * kAmbientPressure);
+      claim::expect_relative({"G.7", "porous tank: pressure after its end [Pa]", "a hundred roundings of p"},
+                             point.pressure, kAmbientPressure, 1e-12);
       EXPECT_EQ(point.fabric_mass_flow, 0.0);
     }
   }
@@ -68,10 +70,12 @@ TEST(equalisation, hole_ends_at_its_time_without_overshoot) {
       integrator.advance(state, 0.005 * i, 0.005 * (i + 1), rigid(0.06));
       lowest = std::min(lowest, gas::evaluate(model, state, 0.06, 0.0, 0.005 * (i + 1)).pressure);
     }
-    // Ends on p_a, never below, to a hundred roundings.
-    EXPECT_NEAR(lowest, kAmbientPressure, 1e-12 * kAmbientPressure);
-    // Isentropic: T_f = T0 (p_a/p0)^(2/7). Up to a hundred calls, each within its tolerance.
-    EXPECT_LT(relative(state.temperature, 380.25843168753486), 10.0 * tolerance);
+    claim::expect_relative({"G.6", "blow-down to rest by tolerance: lowest pressure [Pa]",
+                            "never below ambient pressure but for a hundred roundings"},
+                           lowest, kAmbientPressure, 1e-12);
+    claim::expect_relative({"G.10", "blow-down to rest by tolerance: temperature, T0 (p_a/p0)^(2/7) [K]",
+                            "up to a hundred calls, each within its tolerance"},
+                           state.temperature, 380.25843168753486, 10.0 * tolerance);
   }
 }
 
@@ -82,14 +86,16 @@ TEST(equalisation, end_time_of_a_hole) {
   gas::GasIntegrator integrator(model);
   const double end = 0.31877770016071139;
   integrator.advance(state, 0.0, 0.31128047097707361, rigid(0.06));
-  // p = 101500 Pa there, where dp/dt = -2 dp/(end - t): 1e-9 of p is 1e-7 of p - p_a.
-  EXPECT_LT(relative(gas::evaluate(model, state, 0.06, 0.0, 0.0).pressure, 101500.0), 1e-9);
+  claim::expect_relative({"G.6", "blow-down just before its end: pressure [Pa]",
+                          "ten tolerances; of p - p_a, whose slope is -2 (p - p_a)/(end - t), 1e-7"},
+                         gas::evaluate(model, state, 0.06, 0.0, 0.0).pressure, 101500.0, 1e-9);
   const gas::StepFluxes last = integrator.advance(state, 0.31128047097707361, end - 1e-5, rigid(0.06));
   EXPECT_GT(last.vent_mass_out, 0.0);
   EXPECT_GT(gas::evaluate(model, state, 0.06, 0.0, 0.0).pressure, kAmbientPressure * (1.0 + 1e-11));
   integrator.advance(state, end - 1e-5, end + 1e-5, rigid(0.06));
-  EXPECT_NEAR(gas::evaluate(model, state, 0.06, 0.0, 0.0).pressure, kAmbientPressure,
-              1e-12 * kAmbientPressure);
+  claim::expect_relative({"G.6", "blow-down: pressure 10 microseconds after its end at 0.3188 s [Pa]",
+                          "a hundred roundings of p"},
+                         gas::evaluate(model, state, 0.06, 0.0, 0.0).pressure, kAmbientPressure, 1e-12);
 }
 
 TEST(equalisation, nothing_leaves_below_ambient_pressure) {

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "cases.hpp"
+#include "claim.hpp"
 
 // No inflow is stepped over and none loses mass or energy, however short, late or steep.
 namespace {
@@ -29,9 +30,13 @@ TEST(inflow, short_pulse_anywhere_adds_its_mass) {
         gas::ControlVolumeState state = gas::make_state(model.thermo, kPure, kAmbientPressure, 293.15, 0.06);
         const double before = state.masses[0];
         const gas::StepFluxes fluxes = integrator.advance(state, 0.0, 1.0, rigid(0.06));
-        // The pulse itself: knots a few ulp exact, product of two numbers.
-        EXPECT_LT(relative(fluxes.mass_in, 4e-5), 1e-14) << start;
-        EXPECT_LT(relative(fluxes.enthalpy_in, 4e-5 * 1038.8 * 900.0), 1e-14) << start;
+        const char* why = "knots a few ulp exact, product of two numbers";
+        claim::expect_relative(
+            {"G.9", "pulse of 10 microseconds anywhere in a step of a second: mass [kg]", why},
+            fluxes.mass_in, 4e-5, 1e-14);
+        claim::expect_relative(
+            {"G.10", "pulse of 10 microseconds anywhere in a step of a second: enthalpy [J]", why},
+            fluxes.enthalpy_in, 4e-5 * 1038.8 * 900.0, 1e-14);
         EXPECT_NEAR(state.masses[0] - before, 4e-5 - fluxes.vent_mass_out, 4.0 * kEpsilon * before);
       }
     }
@@ -86,9 +91,10 @@ TEST(inflow, nasa7_enthalpy_of_linear_curves_is_exact) {
       magnitude += weight * flow.value(t) * std::abs(thermo.enthalpy(fractions, temperature.value(t)));
     }
   }
-  // Simpson's error with 400 pieces: the fourth derivative over 180 * 400^4, below 1e-11 of the sum; the jump
-  // at the joint with its weight h/3: below 1e-11.
-  EXPECT_NEAR(enthalpy, expected, 3e-11 * magnitude);
+  claim::expect_near(
+      {"G.2", "NASA-7 inflow across 1000 K on linear curves: enthalpy [J]",
+       "Simpson's error with 400 pieces, and the joint's jump: each 1e-11 of the sum of magnitudes"},
+      enthalpy, expected, 3e-11 * magnitude);
 }
 
 }  // namespace

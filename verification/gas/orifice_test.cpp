@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "cases.hpp"
+#include "claim.hpp"
 #include "closed_form/orifice.hpp"
 
 namespace {
@@ -39,11 +40,14 @@ const std::vector<Choking> kChoking{{7.0 / 5.0, 0.52828178771717411, 0.684731456
 
 TEST(orifice, critical_ratio_and_choked_flux_eq_reference) {
   for (const auto& [gamma, ratio, flux] : kChoking) {
-    // An exponent of size 0.5 to 0.7 from four roundings, and exp: 4 eps.
-    EXPECT_LT(relative(gas::critical_pressure_ratio(gamma), ratio), 1e-15) << gamma;
+    claim::expect_relative(
+        {"G.5", "critical pressure ratio of five gammas [-]", "four roundings and exp: 4 eps"},
+        gas::critical_pressure_ratio(gamma), ratio, 1e-15);
     for (const double t : {250.0, 700.0, 2500.0}) {
       const double ambient = 0.3 * ratio * 4e5;
-      EXPECT_LT(relative(flow(gamma, 4e5, t, ambient) * std::sqrt(kR * t) / (2e-3 * 4e5), flux), 5e-15);
+      claim::expect_relative(
+          {"G.6", "choked mass flux of five gammas, mdot sqrt(R T)/(A p) [-]", "some 20 eps"},
+          flow(gamma, 4e5, t, ambient) * std::sqrt(kR * t) / (2e-3 * 4e5), flux, 5e-15);
       EXPECT_EQ(flow(gamma, 4e5, t, ambient), flow(gamma, 4e5, t, 0.0));
     }
   }
@@ -67,9 +71,9 @@ TEST(orifice, subsonic_limit_eq_bernoulli) {
                                                                              {1e-4, 0.99994642713641},
                                                                              {1e-6, 0.99999946428557079}}) {
     const double ambient = 1e5 * (1.0 - epsilon);
-    // The reference has epsilon exactly, here it carries the rounding of p_a: eps/epsilon, times
-    // d(ratio)/d(epsilon).
-    EXPECT_LT(relative(bernoulli_ratio(1.4, 1e5, ambient), ratio), 2e-14) << epsilon;
+    claim::expect_relative({"G.6", "orifice as p nears p_a: share of Bernoulli's flow [-]",
+                            "rounding of p_a, eps p/(p - p_a), times the slope"},
+                           bernoulli_ratio(1.4, 1e5, ambient), ratio, 2e-14);
   }
 }
 
@@ -99,12 +103,15 @@ TEST(orifice, both_laws_eq_closed_form) {
     for (const double pressure : {9e4, 101325.0, 101326.0, 1.3e5, 1.9e5, 2.2e5, 9e5}) {
       const closed_form::PerfectGas perfect{kR, gamma};
       const double expected = closed_form::orifice_mass_flow({perfect, 4e-3, 0.5, pressure, 450.0, 101325.0});
-      // Two evaluations of the same formula; exponents up to 1/(gamma - 1) = 10 amplify the rounding.
-      EXPECT_NEAR(flow(gamma, pressure, 450.0, 101325.0), expected, 1e-13 * expected);
+      claim::expect_relative({"G.6", "orifice by gamma and pressure: mass flow [kg/s]",
+                              "exponents up to 1/(gamma - 1) = 10 amplify rounding"},
+                             flow(gamma, pressure, 450.0, 101325.0), expected, 1e-13);
       const double porous = closed_form::porous_mass_flow(
           {perfect, 0.05, 1.5, closed_form::PorosityLaw::kScreen, pressure, 450.0, 101325.0});
-      EXPECT_NEAR(gas::fabric_mass_flow(0.075, pressure / (kR * 450.0), pressure, 101325.0), porous,
-                  1e-14 * porous);
+      claim::expect_relative({"G.7", "porous fabric, screen law, by pressure: mass flow [kg/s]",
+                              "some ten roundings in each route"},
+                             gas::fabric_mass_flow(0.075, pressure / (kR * 450.0), pressure, 101325.0),
+                             porous, 1e-14);
     }
   }
 }
@@ -122,10 +129,13 @@ TEST(orifice, figure_3_eq_table) {
       {1e5, 26.217871633212788, 38.163069391616205}};
   for (const auto& [difference, hole, fabric] : table) {
     const double pressure = 101325.0 + difference, density = pressure / (kR * 673.0);
-    // Some twenty roundings in each route.
-    EXPECT_LT(relative(gas::orifice_mass_flow(0.085, pressure, 673.0, kR, 1038.8, 1.4, 101325.0), hole),
-              1e-13);
-    EXPECT_LT(relative(gas::fabric_mass_flow(0.085, density, pressure, 101325.0), fabric), 1e-13);
+    const char* why = "some twenty roundings in each route; p - p_a loses two digits";
+    claim::expect_relative({"G.6", "the paper's Figure 3, hole, seven pressures: mass flow [kg/s]", why},
+                           gas::orifice_mass_flow(0.085, pressure, 673.0, kR, 1038.8, 1.4, 101325.0), hole,
+                           1e-13);
+    claim::expect_relative(
+        {"G.7", "the paper's Figure 3, fabric, seven pressures: mass flow over eta^2 [kg/s]", why},
+        gas::fabric_mass_flow(0.085, density, pressure, 101325.0), fabric, 1e-13);
     EXPECT_LT(relative(gas::fabric_mass_flow(0.0025 * 0.085, density, pressure, 101325.0), 0.0025 * fabric),
               1e-13);
   }

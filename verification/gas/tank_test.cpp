@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "cases.hpp"
+#include "claim.hpp"
 #include "closed_form/gas.hpp"
 
 // Closed rigid tanks: no stepper, so every result is exact to round-off.
@@ -11,8 +12,8 @@ namespace {
 
 using namespace cases;
 
-// (m, U) are sums of a few products, p and T some ten operations more.
 constexpr double kRoundOff = 1e-13;
+const char* const kWhy = "rounding: sums of a few products, some ten operations more";
 
 TEST(tank, constant_inflow_eq_closed_form) {
   for (const auto& [mass_flow, t_in, p0, t0] : std::vector<std::array<double, 4>>{
@@ -27,9 +28,12 @@ TEST(tank, constant_inflow_eq_closed_form) {
       const gas::StepFluxes fluxes = integrator.advance(state, t, next, rigid(0.06));
       const gas::GasPoint point = gas::evaluate(model, state, 0.06, 0.0, t = next);
       const closed_form::GasState expected = closed_form::tank_fill(tank, t);
-      EXPECT_LT(relative(point.pressure, expected.pressure), kRoundOff);
-      EXPECT_LT(relative(point.temperature, expected.temperature), kRoundOff);
-      EXPECT_LT(relative(point.mass, expected.mass), kRoundOff);
+      claim::expect_relative({"G.8", "constant inflow into a closed tank: pressure [Pa]", kWhy},
+                             point.pressure, expected.pressure, kRoundOff);
+      claim::expect_relative({"G.10", "constant inflow into a closed tank: temperature [K]", kWhy},
+                             point.temperature, expected.temperature, kRoundOff);
+      claim::expect_relative({"G.9", "constant inflow into a closed tank: mass [kg]", kWhy}, point.mass,
+                             expected.mass, kRoundOff);
       EXPECT_EQ(fluxes.steps, 0);
     }
   }
@@ -51,8 +55,10 @@ TEST(tank, evacuated_fill_gives_gamma_T_in) {
     for (const double next : {1e-12, 1e-6, 1e-3}) {
       integrator.advance(state, t, next, rigid(0.06));
       const gas::GasPoint point = gas::evaluate(model, state, 0.06, 0.0, t = next);
-      EXPECT_LT(relative(point.temperature, 980.0), kRoundOff);
-      EXPECT_LT(relative(point.pressure, 1.4 * 296.8 * 700.0 * t / 0.06), kRoundOff);
+      claim::expect_relative({"G.10", "evacuated fill: temperature, gamma T_in [K]", kWhy}, point.temperature,
+                             980.0, kRoundOff);
+      claim::expect_relative({"G.8", "evacuated fill: pressure [Pa]", kWhy}, point.pressure,
+                             1.4 * 296.8 * 700.0 * t / 0.06, kRoundOff);
     }
   }
 }
@@ -69,7 +75,8 @@ TEST(tank, evacuated_fill_with_nasa7_gives_u_eq_h_in) {
       const double middle = 0.5 * (low + high);
       (model.thermo.internal_energy(0, middle) < model.thermo.enthalpy(0, t_in) ? low : high) = middle;
     }
-    EXPECT_LT(relative(state.temperature, low), kRoundOff);
+    claim::expect_relative({"G.4", "evacuated fill with cp(T): temperature, u(T) = h(T_in) [K]", kWhy},
+                           state.temperature, low, kRoundOff);
     EXPECT_GT(relative(state.temperature, 1.4 * t_in), 1e-3) << "constant gamma is not the answer";
   }
 }
@@ -96,14 +103,11 @@ double pulse_pressure_error(const closed_form::PulseFill& pulse, int n) {
 TEST(tank, smooth_pulse_converges_with_the_knots_squared) {
   const closed_form::PulseFill pulse{{}, 0.06, 101325.0, 293.15, 0.08, 0.05, 800.0, 400.0};
   EXPECT_LT(relative(closed_form::pulse_fill(pulse, 0.025).pressure, 284007.40580611622), 1e-12);
-  double coarse = pulse_pressure_error(pulse, 20);
-  for (const int n : {40, 80, 160}) {
-    const double fine = pulse_pressure_error(pulse, n);
-    // Trapezoidal rule on half a period; the fourth-order term is (pi/n)^2 of it.
-    EXPECT_GT(std::log2(coarse / fine), 1.9) << n;
-    EXPECT_LT(std::log2(coarse / fine), 2.1) << n;
-    coarse = fine;
-  }
+  std::vector<double> errors;
+  for (const int n : {20, 40, 80, 160}) errors.push_back(pulse_pressure_error(pulse, n));
+  claim::expect_order({"G.10", "smooth pulse of inflow as a curve of 20 to 160 pieces: pressure [Pa]",
+                       "trapezoidal rule; its fourth-order term is (pi/n)^2 of it"},
+                      errors, 1.9, 2.1);
 }
 
 TEST(tank, two_gas_fill_eq_closed_form) {
@@ -116,9 +120,12 @@ TEST(tank, two_gas_fill_eq_closed_form) {
   const gas::GasPoint point = gas::evaluate(model, state, 0.06, 0.0, 0.05);
   const closed_form::TwoGasState expected =
       closed_form::two_gas_fill({{}, {2077.1, 5.0 / 3.0}, 0.06, 101325.0, 293.15, 0.01, 650.0});
-  EXPECT_LT(relative(point.temperature, expected.state.temperature), kRoundOff);
-  EXPECT_LT(relative(point.pressure, expected.state.pressure), kRoundOff);
-  EXPECT_LT(relative(point.gamma, expected.heat_capacity_ratio), kRoundOff);
+  claim::expect_relative({"G.10", "helium-like gas into nitrogen: temperature [K]", kWhy}, point.temperature,
+                         expected.state.temperature, kRoundOff);
+  claim::expect_relative({"G.8", "helium-like gas into nitrogen: pressure [Pa]", kWhy}, point.pressure,
+                         expected.state.pressure, kRoundOff);
+  claim::expect_relative({"G.1", "helium-like gas into nitrogen: gamma of the mixture [-]", kWhy},
+                         point.gamma, expected.heat_capacity_ratio, kRoundOff);
   // Negative control: a mass-weighted mean of gamma is another number.
   const double mean = (state.masses[0] * 1.4 + state.masses[1] * 5.0 / 3.0) / point.mass;
   EXPECT_GT(relative(point.gamma, mean), 1e-2);
@@ -132,7 +139,8 @@ TEST(tank, several_inflows_superpose) {
   gas::GasIntegrator(model).advance(state, 0.0, 0.02, rigid(0.06));
   const closed_form::GasState expected =
       closed_form::tank_fill({{}, 0.06, 101325.0, 293.15, 1.0, 650.0}, 0.02);
-  EXPECT_LT(relative(gas::evaluate(model, state, 0.06, 0.0, 0.02).pressure, expected.pressure), kRoundOff);
+  claim::expect_relative({"G.8", "two inflows at once: pressure [Pa]", kWhy},
+                         gas::evaluate(model, state, 0.06, 0.0, 0.02).pressure, expected.pressure, kRoundOff);
 }
 
 TEST(tank, stage_quantities_of_an_inflator) {

@@ -10,6 +10,7 @@
 #include <stdexcept>
 
 #include "cases.hpp"
+#include "claim.hpp"
 
 namespace {
 
@@ -45,10 +46,10 @@ TEST(thermo, cp_eq_dhdT) {
       const double a = t <= 1000.0 ? std::max(200.0, t - 20.0) : std::max(1000.05, t - 20.0);
       const double dh = thermo.enthalpy(k, t) - thermo.enthalpy(k, a);
       const double heat = integrate([&](double x) { return thermo.cp(k, x); }, a, t);
-      // The rule is exact for cp of degree 4; what is left is the rounding of some ten operations on h, whose
-      // terms exceed h itself by at most a factor 10.
       const double scale = std::abs(thermo.enthalpy(k, t)) + thermo.cp(k, t) * t;
-      EXPECT_NEAR(heat, dh, 100.0 * kEpsilon * scale) << thermo.species(k).name << " at " << t;
+      claim::expect_near({"G.2", "integral of cp over 20 K, every species: difference of h [J/kg]",
+                          "ten roundings of h, whose terms exceed it up to tenfold; Gauss' rule is exact"},
+                         heat, dh, 100.0 * kEpsilon * scale);
     }
   }
 }
@@ -59,8 +60,9 @@ TEST(thermo, dsdT_eq_cp_over_T) {
     for (const double t : {300.0, 640.0, 980.0, 1300.0, 2900.0, 5900.0}) {
       const double ds = thermo.standard_entropy(k, t) - thermo.standard_entropy(k, t - 10.0);
       const double sum = integrate([&](double x) { return thermo.cp(k, x) / x; }, t - 10.0, t);
-      // Five points on (T/10 K) > 29 intervals: error of the rule < (1/58)^10; rounding as above.
-      EXPECT_NEAR(sum, ds, 100.0 * kEpsilon * thermo.standard_entropy(k, t)) << thermo.species(k).name;
+      claim::expect_near({"G.3", "integral of cp/T over 10 K, every species: difference of s [J/(kg K)]",
+                          "as for h; Gauss' rule of five points is off by (1/58)^10"},
+                         sum, ds, 100.0 * kEpsilon * thermo.standard_entropy(k, t));
     }
   }
 }
@@ -92,9 +94,11 @@ TEST(thermo, formation_enthalpy_and_entropy_eq_codata) {
   for (const auto& [name, value] : codata) {
     const std::size_t k = thermo.index(name);
     const double molar_mass = thermo.species(k).molar_mass;
-    // CODATA's own uncertainties: up to 350 J/mol (NH3) and 0.05 J/(mol K).
-    EXPECT_NEAR(thermo.enthalpy(k, 298.15) * molar_mass, value[0], value[0] == 0.0 ? 1.0 : 350.0) << name;
-    EXPECT_NEAR(thermo.standard_entropy(k, 298.15) * molar_mass, value[1], 0.05) << name;
+    const char* why = "CODATA's own uncertainty, that of NH3 being the largest";
+    claim::expect_near({"G.2", "enthalpy of formation of nine species, CODATA [J/mol]", why},
+                       thermo.enthalpy(k, 298.15) * molar_mass, value[0], value[0] == 0.0 ? 1.0 : 350.0);
+    claim::expect_near({"G.3", "entropy at 1 bar of nine species, CODATA [J/(mol K)]", why},
+                       thermo.standard_entropy(k, 298.15) * molar_mass, value[1], 0.05);
   }
 }
 
@@ -107,9 +111,12 @@ TEST(thermo, formation_enthalpy_and_entropy_eq_handbook) {
   for (const auto& [name, value] : handbook) {
     const std::size_t k = thermo.index(name);
     const double molar_mass = thermo.species(k).molar_mass;
-    // Half a unit of the last digit quoted; of entropy a whole one, evaluations differ by that.
-    EXPECT_NEAR(thermo.enthalpy(k, 298.15) * molar_mass, value[0], 50.0) << name;
-    EXPECT_NEAR(thermo.standard_entropy(k, 298.15) * molar_mass, value[1], 0.1) << name;
+    claim::expect_near({"G.2", "enthalpy of formation of NO, N2O, CH4, CRC Handbook [J/mol]",
+                        "half a unit of the last digit quoted"},
+                       thermo.enthalpy(k, 298.15) * molar_mass, value[0], 50.0);
+    claim::expect_near({"G.3", "entropy at 1 bar of NO, N2O, CH4, CRC Handbook [J/(mol K)]",
+                        "a unit of the last digit quoted: evaluations differ by that"},
+                       thermo.standard_entropy(k, 298.15) * molar_mass, value[1], 0.1);
   }
 }
 
@@ -135,8 +142,9 @@ TEST(thermo, air_by_mole_has_its_gas_constant_and_speed_of_sound) {
   const double molar_mass = (0.7808 * 28.014 + 0.2095 * 31.998 + 0.0093 * 39.95 + 0.0004 * 44.009) / 1000.0;
   // Four products and one quotient; the sum of the mole fractions is 1 to one rounding.
   EXPECT_LT(relative(thermo.gas_constant(air), gas::kMolarGasConstant / molar_mass), 16.0 * kEpsilon);
-  // Dry air at 300 K: 347.2 m/s (ISO 2533, 340.294 m/s at 288.15 K); the spread of tables is 0.1 %.
-  EXPECT_LT(relative(thermo.speed_of_sound(air, 288.15), 340.294), 1e-3);
+  claim::expect_relative(
+      {"G.1", "speed of sound of dry air at 288.15 K, ISO 2533 [m/s]", "the spread of tables"},
+      thermo.speed_of_sound(air, 288.15), 340.294, 1e-3);
 }
 
 TEST(thermo, mixture_properties_are_mass_weighted_and_extensive) {
@@ -186,9 +194,11 @@ TEST(thermo, entropy_of_mixing_and_of_pressure_eq_closed_form) {
     EXPECT_EQ(thermo.entropy(pure, t, gas::kStandardPressure), thermo.standard_entropy(k, t));
   }
   const double s = thermo.entropy(equal, t, p);
-  // Differences of numbers of the size of s, some ten operations each.
-  EXPECT_NEAR(s - apart, r * std::log(2.0), 50.0 * kEpsilon * s);
-  EXPECT_NEAR(s - thermo.entropy(equal, t, 7.0 * p), r * std::log(7.0), 50.0 * kEpsilon * s);
+  const char* why = "differences of numbers of the size of s, some ten operations each";
+  claim::expect_near({"G.15", "entropy of mixing of N2 and He, R ln 2 [J/(kg K)]", why}, s - apart,
+                     r * std::log(2.0), 50.0 * kEpsilon * s);
+  claim::expect_near({"G.15", "entropy of seven times the pressure, -R ln 7 [J/(kg K)]", why},
+                     s - thermo.entropy(equal, t, 7.0 * p), r * std::log(7.0), 50.0 * kEpsilon * s);
   // The amount does not matter.
   std::vector<double> tenfold = equal;
   for (double& m : tenfold) m *= 10.0;

@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "cases.hpp"
+#include "claim.hpp"
 #include "closed_form/gas.hpp"
 #include "closed_form/orifice.hpp"
 
@@ -21,11 +22,12 @@ TEST(volume_path, adiabatic_piston_keeps_p_V_to_gamma) {
           gas::GasIntegrator(model, {tolerance}).advance(state, 0.0, 0.3, {1e-3, ratio * 1e-3, 0.0, 0.0});
       const closed_form::PistonState exact =
           closed_form::adiabatic_piston({{}, 101325.0, 293.15, 1e-3}, ratio * 1e-3);
-      // Up to 40 sub-steps of one tolerance each; compression amplifies early errors by (V0/V)^(gamma - 1)
-      // = 2.3.
-      EXPECT_LT(relative(gas::evaluate(model, state, ratio * 1e-3, 0.0, 0.3).pressure, exact.state.pressure),
-                20.0 * tolerance);
-      EXPECT_LT(relative(fluxes.work, -exact.work_on_gas), 40.0 * tolerance);
+      const char* why = "40 sub-steps of one tolerance each; compression amplifies early ones by 2.3";
+      claim::expect_relative({"G.10", "adiabatic piston by ratio and tolerance: pressure [Pa]", why},
+                             gas::evaluate(model, state, ratio * 1e-3, 0.0, 0.3).pressure,
+                             exact.state.pressure, 20.0 * tolerance);
+      claim::expect_relative({"G.10", "adiabatic piston by ratio and tolerance: work [J]", why}, fluxes.work,
+                             -exact.work_on_gas, 40.0 * tolerance);
     }
   }
 }
@@ -61,8 +63,9 @@ TEST(volume_path, entropy_of_nasa7_gas_without_heat_stays) {
     const double end = opening > 0.0 ? 0.024 : 0.013;
     gas::GasIntegrator(model, {1e-12}).advance(state, 0.0, 0.01, {0.02, end, opening, opening});
     EXPECT_GT(std::abs(state.temperature - 700.0), 20.0);
-    // Up to a hundred sub-steps with errors of 1e-12 of mass and energy, each worth cp of entropy: some R.
-    EXPECT_NEAR(entropy(model, state, end), before, 1e-9 * r);
+    claim::expect_near({"G.15", "NASA-7 mixture, compressed or let out: specific entropy [J/(kg K)]",
+                        "a hundred sub-steps of 1e-12 of mass and energy, each worth cp of entropy"},
+                       entropy(model, state, end), before, 1e-9 * r);
   }
 }
 
@@ -77,8 +80,11 @@ TEST(volume_path, constant_pressure_filling_eq_closed_form) {
   EXPECT_LT(relative(exact.volume, 0.11252158894645941), 1e-14);
   gas::GasIntegrator(model).advance(state, 0.0, 0.1, {0.01, exact.volume, 0.0, 0.0});
   const gas::GasPoint point = gas::evaluate(model, state, exact.volume, 0.0, 0.1);
-  EXPECT_LT(relative(point.pressure, 101325.0), 1e-13);
-  EXPECT_LT(relative(point.temperature, 623.14097435750194), 1e-13);
+  const char* why = "rounding: the exact solution is linear in time";
+  claim::expect_relative({"G.10", "filling at constant pressure: pressure [Pa]", why}, point.pressure,
+                         101325.0, 1e-13);
+  claim::expect_relative({"G.10", "filling at constant pressure: temperature [K]", why}, point.temperature,
+                         623.14097435750194, 1e-13);
 }
 
 /// Leak area and volume vary linearly inside the step: one step equals many on the same lines.
@@ -142,14 +148,13 @@ struct BreathingTank {
 /// What leaves while the volume breathes: second order on chords, fourth on parabolas, whose error is odd
 /// about the middle.
 TEST(volume_path, breathing_volume_with_a_vent_converges_with_its_pieces) {
+  const char* why = "the next term is (w h)^2 of the first: at 16 pieces a sixteenth";
   for (const auto& [parabolas, order] : {std::pair{false, 2.0}, {true, 4.0}}) {
-    double coarse = BreathingTank::error(8, parabolas);
-    for (const int n : {16, 32, 64}) {
-      const double fine = BreathingTank::error(n, parabolas);
-      // The next term is (w h)^2 of the first: at eight pieces a quarter.
-      EXPECT_NEAR(std::log2(coarse / fine), order, 4.0 / n) << n;
-      coarse = fine;
-    }
+    const char* what = parabolas ? "breathing volume with a vent, on parabolas: mass left"
+                                 : "breathing volume with a vent, on chords: mass left";
+    std::vector<double> errors;
+    for (const int n : {16, 32, 64}) errors.push_back(BreathingTank::error(n, parabolas));
+    claim::expect_order({"G.17", what, why}, errors, order - 0.125, order + 0.125);
   }
 }
 

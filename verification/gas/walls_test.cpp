@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "cases.hpp"
+#include "claim.hpp"
 
 // Heat through the walls: where each method fails, and the first gas of an evacuated volume, which has no
 // heat capacity.
@@ -64,8 +65,10 @@ TEST(walls, evacuated_fill_has_a_threshold_without_scale) {
   };
   for (const auto& [method, limit] : kLimits) {
     for (const double h : {1e-9, 1e-6, 1e-3}) {
-      // The exact solution is linear in time: rounding alone is left, and hardly amplified.
-      EXPECT_LT(error(method, 0.99 * limit, h), 1e-12) << static_cast<int>(method);
+      claim::expect_near(
+          {"G.16", "evacuated fill with heat loss, 1 % below the limit of each explicit method: T",
+           "exact solution linear in time: rounding, hardly amplified"},
+          error(method, 0.99 * limit, h), 0.0, 1e-12);
       EXPECT_THROW(error(method, 1.01 * limit, h), gas::DomainError) << static_cast<int>(method);
     }
   }
@@ -95,10 +98,10 @@ TEST(walls, evacuated_fill_from_zero_flow_eq_quadrature) {
                                                      {gas::Method::kRungeKutta4, 1e-8},
                                                      {gas::Method::kRosenbrock4, 1e-8},
                                                      {gas::Method::kEuler, 1e-5}})
-      // Some hundred sub-steps (Euler: some thousand), most of them forgotten.
-      EXPECT_LT(relative(temperature({ratio, true}, method, tolerance, 0.0), ramp_fill(ratio, 1e-3)),
-                100.0 * tolerance)
-          << static_cast<int>(method) << " " << ratio;
+      claim::expect_relative({"G.11", "evacuated fill from zero flow, each method: temperature [K]",
+                              "some hundred sub-steps (Euler: a thousand), most of them forgotten"},
+                             temperature({ratio, true}, method, tolerance, 0.0), ramp_fill(ratio, 1e-3),
+                             100.0 * tolerance);
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <fstream>
 #include <initializer_list>
+#include <set>
 #include <sstream>
 
 namespace claim {
@@ -24,7 +25,8 @@ std::string number(double value) {
 // Columns, one tab apart: kind (near, order, threshold), test, source file, tag, what, why, then
 // near: computed, exact, tolerance; order: errors (spaces between), orders, low, high;
 // threshold: failure, formula, predicted, measured, unit, low, high, past.
-void write_row(const char* kind, const Claim& claim, const Where& where, std::initializer_list<std::string> values) {
+void write_row(const char* kind, const Claim& claim, const Where& where,
+               std::initializer_list<std::string> values) {
   const char* folder = std::getenv("GASJET_CLAIMS");
   if (folder == nullptr) return;
   const auto* info = testing::UnitTest::GetInstance()->current_test_info();
@@ -35,8 +37,11 @@ void write_row(const char* kind, const Claim& claim, const Where& where, std::in
   std::string name = test;
   for (char& c : name)
     if (c == '/') c = '_';
-  std::ofstream out(std::filesystem::path(folder) / name.append(".tsv"), std::ios::app);
-  out << kind << '\t' << test << '\t' << file << '\t' << claim.equation << '\t' << claim.what << '\t' << claim.why;
+  static std::set<std::string> begun;  // by this process; a file of an earlier one is replaced
+  const auto mode = begun.insert(name).second ? std::ios::trunc : std::ios::app;
+  std::ofstream out(std::filesystem::path(folder) / name.append(".tsv"), mode);
+  out << kind << '\t' << test << '\t' << file << '\t' << claim.equation << '\t' << claim.what << '\t'
+      << claim.why;
   for (const auto& value : values) out << '\t' << value;
   out << '\n';
   if (!out.flush()) ADD_FAILURE() << "cannot write to the folder of GASJET_CLAIMS, " << folder;
@@ -52,8 +57,12 @@ void expect_near(const Claim& claim, double computed, double exact, double toler
   write_row("near", claim, where, {number(computed), number(exact), number(tolerance)});
 }
 
-void expect_order(const Claim& claim, const std::vector<double>& errors, double low, double high, double ratio,
-                  Where where) {
+void expect_relative(const Claim& claim, double computed, double exact, double tolerance, Where where) {
+  expect_near(claim, computed, exact, tolerance * std::abs(exact), where);
+}
+
+void expect_order(const Claim& claim, const std::vector<double>& errors, double low, double high,
+                  double ratio, Where where) {
   if (errors.size() < 3) ADD_FAILURE_AT(where.file_name(), where.line()) << "an order needs three errors";
   std::ostringstream orders, all;
   orders.precision(17);
@@ -75,10 +84,11 @@ void expect_threshold(const Claim& claim, const Threshold& t, double low, double
   const double ratio = t.measured / t.predicted;
   if (!(ratio >= low && ratio <= high))
     ADD_FAILURE_AT(where.file_name(), where.line())
-        << t.failure << ": measured " << t.measured << " " << t.unit << ", predicted " << t.predicted << ", ratio "
-        << ratio << ", allowed " << low << " to " << high;
+        << t.failure << ": measured " << t.measured << " " << t.unit << ", predicted " << t.predicted
+        << ", ratio " << ratio << ", allowed " << low << " to " << high;
   write_row("threshold", claim, where,
-            {t.failure, t.formula, number(t.predicted), number(t.measured), t.unit, number(low), number(high), t.past});
+            {t.failure, t.formula, number(t.predicted), number(t.measured), t.unit, number(low), number(high),
+             t.past});
 }
 
 }  // namespace claim
