@@ -13,14 +13,18 @@ build_gasjet
 # [N/m3], that of share 1 on 2744 elements, for all meshes
 stiffness=$(build/gasjet check cases/passenger_pendulum.toml | sed -n 's/^contact stiffness: \([^ ]*\).*/\1/p')
 few=$(((runs + 3) / 4))
+# refined LEVEL SHARE: the mesh refined so often, contact SHARE times as stiff as the default is on 2744 elements.
+refined() {
+  echo "--set membrane.mesh.refine=$1 --set contact={stiffness=$(awk "BEGIN { print $2 * $stiffness }")}"
+}
 # varied | value | options of `gasjet ensemble` | runs if fewer; the base case has seed 1e-4 m, safety 0.8, stiffness share 1
 variations=(
   "seed|1e-12|--amplitude 1e-12" "seed|1e-9|--amplitude 1e-9" "seed|1e-7|--amplitude 1e-7"
   "seed|1e-5|--amplitude 1e-5" "seed|1e-4|"
   "step|0.9|--set time.safety=0.9" "step|0.8|" "step|0.6|--set time.safety=0.6"
   "contact|0.5|--set contact.stiffness_share=0.5" "contact|1|" "contact|4|--set contact.stiffness_share=4"
-  "mesh|2744|" "mesh|10976|--set membrane.mesh.refine=1 --set contact={stiffness=$stiffness}"
-  "mesh|43904|--set membrane.mesh.refine=2 --set contact={stiffness=$stiffness}|$few"
+  "contact_10976|0.5|$(refined 1 0.5)|$few" "contact_10976|1|$(refined 1 1)|$few" "contact_10976|4|$(refined 1 4)|$few"
+  "mesh|2744|" "mesh|10976|$(refined 1 1)" "mesh|43904|$(refined 2 1)|$few"
   "friction|0|" "friction|0.3|--set contact.friction=0.3"
 )
 
