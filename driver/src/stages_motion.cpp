@@ -34,11 +34,12 @@ std::string shares_text(const membrane::StiffnessShares& s) {
   if (!state.bag)
     throw StepError(fmt::format("step {} s is above its bound {} s, set by the pendulum's swing; {}", given,
                                 state.step.critical, allowed));
-  throw StepError(fmt::format(
-      "step {} s is above its bound {} s, set by {}, and by {:.3g} 1/s of jets relative to the skin; stiffest "
-      "element {}; {}",
-      given, state.step.critical, shares_text(state.step.shares), state.step.jet_damping,
-      membrane::governing_element(scene.bag->model, *state.bag), allowed));
+  throw StepError(
+      fmt::format("step {} s is above its bound {} s, set by {}, and by {:.3g} 1/s of jets relative to the "
+                  "skin; stiffest "
+                  "element {}; {}",
+                  given, state.step.critical, shares_text(state.step.shares), state.step.jet_damping,
+                  membrane::governing_element(scene.bag->model, *state.bag), allowed));
 }
 
 // Bound of the rate at which jets relative to the skin damp it (J.9) [1/s]: the largest of any element's.
@@ -149,6 +150,9 @@ void volume(const Scene& scene, State& state) {
   if (!state.bag) return;
   StageTimer timer(state, Stage::volume);
   membrane::update_skin(scene.bag->model, *state.bag, ParallelBlocks{});
+  constexpr int shares_every = 256;  // steps: a round may cost as much as ten of them
+  if ((state.steps + 1) % shares_every == 0)
+    membrane::update_mass_shares(scene.bag->model, *state.bag, ParallelBlocks{});
 }
 
 double step_with_lagged_damping(double undamped, double rate) {

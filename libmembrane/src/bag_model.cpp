@@ -10,8 +10,8 @@
 #include "blocks.hpp"
 #include "checks.hpp"
 #include "kernel_table.hpp"
-#include "mass_shares.hpp"
 #include "membrane/orthotropic.hpp"
+#include "tune_shares.hpp"
 
 namespace membrane {
 
@@ -102,7 +102,7 @@ void set_fabric(BagModel& m, std::size_t e, const ReferenceTriangle& t, const El
   g.porosity_squared[lane] = p.porosity * p.porosity;
 }
 
-void set_element(BagModel& m, Eigen::Index e, std::vector<ElementStiffness>& fabric) {
+void set_element(BagModel& m, Eigen::Index e) {
   const auto i = static_cast<std::size_t>(e);
   const ReferenceTriangle t = reference_triangle(m.description, e);
   const ElementProperties& p = m.description.properties[i];
@@ -116,7 +116,8 @@ void set_element(BagModel& m, Eigen::Index e, std::vector<ElementStiffness>& fab
   if (p.null_panel) return;
   const double mass = p.density * p.thickness * t.area;
   const Eigen::Matrix3d stiffness = elasticity(weave_of(p), warp_direction(t, p, e));
-  fabric.push_back({static_cast<int>(e), p.thickness * t.area, mass, t.gradient, stiffness.llt().matrixL()});
+  m.stiffness[i] = {p.thickness * t.area, t.gradient, stiffness.llt().matrixL()};
+  m.shares.mass.col(e).setConstant(mass / 3.0);
   for (const int n : m.description.elements.col(e)) {
     m.node_mass[static_cast<std::size_t>(n)] += mass / 3.0;
     m.node_area[static_cast<std::size_t>(n)] += t.area / 3.0;
@@ -183,10 +184,11 @@ BagModel make_model(const BagDescription& description) {
   set_corner_table(m);
   set_blocks(m);
   set_weave_groups(m);
-  std::vector<ElementStiffness> fabric;
-  for (Eigen::Index e = 0; e < m.element_count; ++e) set_element(m, e, fabric);
+  m.stiffness.resize(static_cast<std::size_t>(m.element_count));
+  m.shares.mass.setZero(3, m.element_count);
+  for (Eigen::Index e = 0; e < m.element_count; ++e) set_element(m, e);
   set_masses(m);
-  set_frequencies(m, fabric);
+  tune_shares_as_sewn(m);
   m.strap_frequency = strap_bound(m);
   m.plate_frequency = plate_bound(m);
   return m;

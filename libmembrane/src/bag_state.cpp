@@ -37,6 +37,8 @@ BagState make_state(const BagModel& model, ConstVectorsRef position, LoadKinds l
   if (loads.contact) s.contact_force = Vectors(nodes);
   if (!d.straps.empty() || !d.plates.empty()) s.support_force = Vectors(nodes);
   s.strap_tension.assign(d.straps.size(), 0.0);
+  s.shares = model.shares;
+  s.share_demand.assign(static_cast<std::size_t>(elements), 1.0);
   s.shared_sums.resize(model.shared.slot.size());
   s.block.resize(static_cast<std::size_t>(std::max(element_blocks(model), node_blocks(model))));
   return s;

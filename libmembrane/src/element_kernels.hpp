@@ -6,9 +6,9 @@
 #include "lanes.hpp"
 #include "membrane/orthotropic.hpp"
 
-// What the pass over a block does with each element. T is Lanes, or double for the oracle; both visit groups of four
-// elements, keep four partial sums, and add at the nodes in the order of the elements, so that they agree bit
-// for bit.
+// What the pass over a block does with each element. T is Lanes, or double for the oracle; both visit groups
+// of four elements, keep four partial sums, and add at the nodes in the order of the elements, so that they
+// agree bit for bit.
 namespace membrane::MEMBRANE_KERNELS {
 
 template <class T>
@@ -142,8 +142,9 @@ template <Compression kCompression, class T>
 
 // Stress (M.2, M.3, M.13, M.14), energy and the bound of omega^2 (M.10).
 template <template <class> class Fabric, Compression kCompression, class T>
-[[gnu::always_inline]] inline void stress_of(const ElementGroup& g, const WeaveGroup* weave, int lane,
-                                             GroupWork& work, SkinParts<T>& sums) {
+[[gnu::always_inline]] inline void stress_of(const ElementGroup& g, const WeaveGroup* weave,
+                                             const FrequencyGroup& frequency, int lane, GroupWork& work,
+                                             SkinParts<T>& sums) {
   const PlaneStrain<T> e{load<T>(work.e11 + lane), load<T>(work.e22 + lane), load<T>(work.e12 + lane)};
   Fabric<T> fabric;
   load_fabric(g, weave, lane, fabric);
@@ -154,7 +155,7 @@ template <template <class> class Fabric, Compression kCompression, class T>
   store(work.n12 + lane, -(volume * r.s12));
   const int k = lane / kWidth<T>;
   sums.energy.value[k] = sums.energy.value[k] + volume * r.energy_density;
-  const T bound = frequency_bound(load<T>(g.material_frequency + lane), load<T>(g.geometric_frequency + lane),
+  const T bound = frequency_bound(load<T>(frequency.material + lane), load<T>(frequency.geometric + lane),
                                   r.strain_1, r.stress_1);
   sums.frequency.value[k] = select(bound > sums.frequency.value[k], bound, sums.frequency.value[k]);
 }

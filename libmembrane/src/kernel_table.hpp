@@ -15,6 +15,7 @@ namespace membrane {
 struct SkinArrays {
   const ElementGroup* group;
   const WeaveGroup* weave;  // null unless woven
+  const FrequencyGroup* frequency;
   int group_count;
   const std::int32_t* element;  // of each lane; used with area_vector only
   const std::int32_t* node;     // of the block: own_count of its own, the shared ones up to node_count

@@ -21,6 +21,7 @@ SkinArrays skin_arrays(const BagModel& model, BagState& state, const ElementBloc
   const bool jet = !state.area_vector.empty();
   return {table.group.data() + block.first_group,
           model.woven ? table.weave.data() + block.first_group : nullptr,
+          state.shares.frequency.data() + block.first_group,
           block.last_group - block.first_group,
           table.element.data() + kLanes * std::ptrdiff_t{block.first_group},
           table.node.data() + block.first_node,

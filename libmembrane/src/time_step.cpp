@@ -72,12 +72,12 @@ ElementResponse element_response(const BagModel& model, const BagState& state, i
   if (element < 0 || element >= model.element_count)
     reject("element_response", "element", element, "0 to " + std::to_string(model.element_count - 1));
   const ElementPlace place = place_of(model.elements, static_cast<std::size_t>(element));
-  const ElementGroup& g = model.elements.group[place.group];
+  const FrequencyGroup& bound = state.shares.frequency[place.group];
   ElementResponse r;
   r.strain = strain_of(model, state, element);
   r.response = response_of(model, r.strain, place);
-  r.frequency = frequency_bound(g.material_frequency[place.lane], g.geometric_frequency[place.lane],
-                                r.response.strain_1, r.response.stress_1);
+  r.frequency = frequency_bound(bound.material[place.lane], bound.geometric[place.lane], r.response.strain_1,
+                                r.response.stress_1);
   return r;
 }
 

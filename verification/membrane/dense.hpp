@@ -54,13 +54,19 @@ inline membrane::BagDescription describe_shipped(const membrane::Mesh& mesh,
 inline double power_estimate(const membrane::BagModel& model, const Eigen::Matrix3Xd& x) {
   const Eigen::Map<const Eigen::RowVectorXd> inverse_mass(model.inverse_mass.data(), model.node_count);
   const Eigen::RowVectorXd mobility = inverse_mass.cwiseSqrt();
+  auto state = membrane::make_state(model, x);
+  const auto force = [&](const Eigen::Matrix3Xd& at) -> Eigen::Matrix3Xd {
+    state.position.map() = at;
+    membrane::membrane_forces(model, state);
+    return state.membrane_force.map();
+  };
   const double h = 1e-7;
   Eigen::Matrix3Xd u = Random(5).vectors(x.cols()), image;
   double quotient = 0.0;
   for (int i = 0; i < 400; ++i) {
     u /= u.norm();
     const Eigen::Matrix3Xd v = (h * u.array()).rowwise() * mobility.array();
-    image = (membrane_force(model, x - v) - membrane_force(model, x + v)) / (2.0 * h);
+    image = (force(x - v) - force(x + v)) / (2.0 * h);
     image.array().rowwise() *= mobility.array();
     quotient = u.cwiseProduct(image).sum();
     u = image;

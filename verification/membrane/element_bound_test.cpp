@@ -57,7 +57,7 @@ TEST(ElementBound, single_element_eq_closed_form) {
     const auto model = single(s, Compression::linear);
     const double exact = std::pow(closed_form::triangle_frequency(sheet, s.base, s.apex, s.height), 2);
     // Two 3 x 3 eigenvalue routes; conditioned by the side ratio squared, 400 at most.
-    EXPECT_NEAR(model.elements.group[0].material_frequency[0] / exact, 1.0, 1000 * 10 * scenes::kEps);
+    EXPECT_NEAR(model.shares.frequency[0].material[0] / exact, 1.0, 1000 * 10 * scenes::kEps);
   }
   const double a = 0.01, c = closed_form::wave_speeds(sheet).plane;
   const auto scaled_step = [&](const Shape& s, double altitude) {

@@ -56,6 +56,7 @@ std::vector<double> run(const membrane::Mesh& mesh, Compression compression, Isa
       membrane::update_surface(model, s, for_each);
       membrane::membrane_forces(model, s, for_each);
     }
+    membrane::update_mass_shares(model, s, for_each);
     membrane::pressure_forces(s, 2e4);
     membrane::jet_forces(model, s, dp, for_each);
     membrane::support_forces(model, s, for_each);

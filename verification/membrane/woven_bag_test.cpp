@@ -131,7 +131,7 @@ TEST(WovenBag, dense_eigenvalue_of_a_free_element_eq_bound) {
     const auto model = make_model(woven(mesh, Compression::linear, {20e6, 3e6, warp}));
     const auto force = [&](const Eigen::Matrix3Xd& at) { return scenes::membrane_force(model, at); };
     const double exact = scenes::greatest_frequency(model, mesh.nodes, force, 1e-9);
-    EXPECT_NEAR(exact / model.elements.group[0].material_frequency[0], 1.0, 1e-5);  // differences as above
+    EXPECT_NEAR(exact / model.shares.frequency[0].material[0], 1.0, 1e-5);  // differences as above
   }
 }
 

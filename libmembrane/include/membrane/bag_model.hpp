@@ -9,6 +9,7 @@
 
 #include "membrane/element_group.hpp"
 #include "membrane/isa.hpp"
+#include "membrane/mass_shares.hpp"
 #include "membrane/material.hpp"
 #include "membrane/vectors.hpp"
 
@@ -99,14 +100,16 @@ struct BagModel {
   BlockTable elements;
   SharedNodes shared;
   CornerTable corners;
-  std::vector<double> node_mass;       // sum of rho h A / 3 [kg]
-  std::vector<double> inverse_mass;    // 1 / mass, 0 at fixed nodes [1/kg]
-  std::vector<double> node_area;       // reference area of the fabric around the node, sum of A / 3 [m2]
-  std::vector<double> reference_area;  // of each element [m2]
-  double fabric_frequency = 0.0;       // largest omega^2 of an element with its share of the mass, as sewn [1/s2]
-  double strap_frequency = 0.0;        // bound of omega^2 added by the straps, taut or not [1/s2]
-  double plate_frequency = 0.0;        // bound of omega^2 added by the plates, touched or not [1/s2]
-  double fabric_mass = 0.0;            // [kg]
+  std::vector<double> node_mass;            // sum of rho h A / 3 [kg]
+  std::vector<double> inverse_mass;         // 1 / mass, 0 at fixed nodes [1/kg]
+  std::vector<double> node_area;            // reference area of the fabric around the node, sum of A / 3 [m2]
+  std::vector<double> reference_area;       // of each element [m2]
+  std::vector<ElementStiffness> stiffness;  // of each element
+  MassShares shares;                        // as sewn
+  double fabric_frequency = 0.0;            // largest bound of omega^2 of an element, as sewn [1/s2]
+  double strap_frequency = 0.0;             // bound of omega^2 added by the straps, taut or not [1/s2]
+  double plate_frequency = 0.0;             // bound of omega^2 added by the plates, touched or not [1/s2]
+  double fabric_mass = 0.0;                 // [kg]
 };
 
 // Builds the model. Throws std::invalid_argument, naming the element, node, strap or plate, the field, its

@@ -77,6 +77,8 @@ struct BagState {
   std::vector<double> strap_tension;    // [N], straps; S6 support_forces
   Vectors contact_force;                // [N], nodes, empty without contact; S7, by the caller
   AlignedVector<NodeSums> shared_sums;  // scratch of S6 and S9: each block's share of its shared nodes
+  MassShares shares;                    // of the nodes' mass; starts as sewn, update_mass_shares
+  std::vector<double> share_demand;     // elements, scratch of update_mass_shares
   std::vector<BlockSums> block;         // scratch of the block sums
   SurfaceSums surface;
   ForceSums forces;

@@ -14,7 +14,7 @@ inline constexpr int kLanes = 4;
 inline constexpr int kBlockElements = 512;
 inline constexpr int kBlockNodes = 384;
 
-// All that the kernels read of four elements, in one stream: six cache lines.
+// All that the kernels read of four elements and never changes, in one stream: five cache lines.
 struct alignas(64) ElementGroup {
   std::uint16_t node[3][kLanes];  // corners a, b, c: places in the block's list of nodes
   // Gradients of the corner functions in the element's frame (first axis along a-b):
@@ -23,9 +23,13 @@ struct alignas(64) ElementGroup {
   double gradient_b2[kLanes], gradient_c2[kLanes];            // [1/m]
   double volume[kLanes];                                      // h * reference area [m3], 0 for null
   double young[kLanes], spherical[kLanes], deviator[kLanes];  // see IsotropicConstants [Pa], 0 for null
-  double material_frequency[kLanes];                          // omega^2, shared masses (M.15) [1/s2]
-  double geometric_frequency[kLanes];                         // omega^2 per principal stress [1/(s2 Pa)]
   double porosity[kLanes], porosity_squared[kLanes];          // [-]
+};
+
+// The bound of omega^2 (M.10) of four elements with their shares of the mass, 0 for null.
+struct alignas(64) FrequencyGroup {
+  double material[kLanes];   // [1/s2]
+  double geometric[kLanes];  // per principal stress [1/(s2 Pa)]
 };
 
 // Beside `spherical` and `deviator`, for a woven bag only: see OrthotropicConstants.

@@ -35,6 +35,9 @@ void plate_force_block(const BagModel& model, BagState& state, int block);
 void sum_support_forces(const BagModel& model, BagState& state);
 void advance_block(const BagModel& model, BagState& state, double dt_before, double dt_after, int block);
 void sum_advance(const BagModel& model, BagState& state, double dt_before, double dt_after);
+void demand_block(const BagModel& model, BagState& state, int block);
+void share_block(const BagModel& model, BagState& state, int block);
+void frequency_block(const BagModel& model, BagState& state, int block);
 void check_overpressure(const BagModel& model, const BagState& state, std::span<const double> overpressure);
 void check_steps(double dt_before, double dt_after);
 
@@ -82,6 +85,16 @@ void support_forces(const BagModel& model, BagState& state, ForEachBlock&& for_e
   if (state.support_force.empty()) return;
   for_each_block(node_blocks(model), [&](int block) { plate_force_block(model, state, block); });
   sum_support_forces(model, state);
+}
+
+// Now and then, after update_skin: moves mass to the elements whose bound of omega^2 is near the largest at
+// these positions (M.15), one round. Later bounds use the new shares; each is a bound wherever the nodes go.
+// At most some thirty times the cost of update_skin, less when few elements are near.
+template <class ForEachBlock = Serial>
+void update_mass_shares(const BagModel& model, BagState& state, ForEachBlock&& for_each_block = {}) {
+  for_each_block(element_blocks(model), [&](int block) { demand_block(model, state, block); });
+  for_each_block(node_blocks(model), [&](int block) { share_block(model, state, block); });
+  for_each_block(element_blocks(model), [&](int block) { frequency_block(model, state, block); });
 }
 
 // S8: central difference with variable step (M.9):

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: Apache-2.0
+// Shares of the nodes' mass (M.15, M.17): an element gains mass in the ratio of its bound of omega^2 to those
+// of the elements around it.
+#include "tune_shares.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+#include "blocks.hpp"
+#include "membrane/stages.hpp"
+#include "membrane/time_step.hpp"
+
+namespace membrane {
+
+namespace {
+
+// Strain of a displacement of the corner with gradient g.
+Eigen::Matrix<double, 3, 2> strain_operator(const Eigen::Vector2d& g) {
+  Eigen::Matrix<double, 3, 2> b;
+  b << g[0], 0.0, 0.0, g[1], g[1], g[0];
+  return b;
+}
+
+// Greatest eigenvalue of h A L^T B M^-1 B^T L.
+double material_frequency(const ElementStiffness& e, const Eigen::Vector3d& mass) {
+  Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
+  for (int a = 0; a < 3; ++a) {
+    const Eigen::Matrix<double, 3, 2> b = e.factor.transpose() * strain_operator(e.gradient.col(a));
+    sum += b * b.transpose() / mass[a];
+  }
+  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
+  return e.volume * solver.computeDirect(sum, Eigen::EigenvaluesOnly).eigenvalues()[2];
+}
+
+// omega^2 per principal stress: larger eigenvalue of a 2 x 2 matrix.
+double geometric_frequency(const ElementStiffness& e, const Eigen::Vector3d& mass) {
+  const Eigen::Matrix2d g = e.gradient * mass.cwiseInverse().asDiagonal() * e.gradient.transpose();
+  return e.volume * (0.5 * (g(0, 0) + g(1, 1)) + std::hypot(0.5 * (g(0, 0) - g(1, 1)), g(0, 1)));
+}
+
+std::span<const std::int32_t> around(const BagModel& m, int node) {
+  const auto n = static_cast<std::size_t>(node);
+  return std::span(m.corners.element)
+      .subspan(static_cast<std::size_t>(m.corners.row_begin[n]),
+               static_cast<std::size_t>(m.corners.row_begin[n + 1] - m.corners.row_begin[n]));
+}
+
+void update_frequency(const BagModel& m, MassShares& shares, int element) {
+  const auto e = static_cast<std::size_t>(element);
+  if (m.stiffness[e].volume == 0.0) return;
+  const auto [group, lane] = place_of(m.elements, e);
+  shares.frequency[group].material[lane] = material_frequency(m.stiffness[e], shares.mass.col(element));
+  shares.frequency[group].geometric[lane] = geometric_frequency(m.stiffness[e], shares.mass.col(element));
+}
+
+// Multiplies the shares of a node by what their elements demand, and scales them to its mass.
+void share_out(const BagModel& m, std::span<const double> demand, int node, Eigen::Matrix3Xd& mass) {
+  const auto elements = around(m, node);
+  const auto share = [&](std::int32_t e) -> double& {
+    const auto corners = m.description.elements.col(e);
+    return mass(corners[0] == node ? 0 : corners[1] == node ? 1 : 2, e);
+  };
+  double sum = 0.0;
+  for (const std::int32_t e : elements) sum += share(e) *= demand[static_cast<std::size_t>(e)];
+  for (const std::int32_t e : elements) share(e) *= m.node_mass[static_cast<std::size_t>(node)] / sum;
+}
+
+// Some element around the node asks for more of it.
+bool is_asked(const BagModel& m, std::span<const double> demand, int node) {
+  return std::ranges::any_of(around(m, node),
+                             [&](std::int32_t e) { return demand[static_cast<std::size_t>(e)] > 1.0; });
+}
+
+// Calls f with the elements of a block.
+template <class F>
+void for_elements(const BagModel& m, int block, F&& f) {
+  const ElementBlock& b = m.elements.block[static_cast<std::size_t>(block)];
+  for (std::int32_t i = kLanes * b.first_group; i < kLanes * b.last_group; ++i)
+    if (const std::int32_t e = m.elements.element[static_cast<std::size_t>(i)]; e >= 0) f(e);
+}
+
+}  // namespace
+
+void tune_shares_as_sewn(BagModel& m) {
+  constexpr int rounds = 20;  // the step gains less than 1 % from more
+  m.shares.frequency.assign(m.elements.group.size(), FrequencyGroup{});
+  std::vector<double> frequency(m.stiffness.size());
+  for (int round = 0; round <= rounds; ++round) {
+    if (round > 0)
+      for (int n = 0; n < m.node_count; ++n) share_out(m, frequency, n, m.shares.mass);
+    for (int e = 0; e < m.element_count; ++e) {
+      update_frequency(m, m.shares, e);
+      const auto [group, lane] = place_of(m.elements, static_cast<std::size_t>(e));
+      frequency[static_cast<std::size_t>(e)] = m.shares.frequency[group].material[lane];
+    }
+  }
+  m.fabric_frequency = std::ranges::max(frequency);
+}
+
+void demand_block(const BagModel& model, BagState& state, int block) {
+  constexpr double near =
+      0.9;  // to the largest bound: others keep what they have, for when they are stretched
+  const double enough = near * state.forces.element_frequency;
+  for_elements(model, block, [&](int e) {
+    const double frequency = element_response(model, state, e).frequency;
+    state.share_demand[static_cast<std::size_t>(e)] =
+        enough > 0.0 && frequency > enough ? frequency / enough : 1.0;
+  });
+}
+
+void share_block(const BagModel& model, BagState& state, int block) {
+  const int first = block * kNodeBlock, last = std::min(first + kNodeBlock, model.node_count);
+  for (int n = first; n < last; ++n)
+    if (is_asked(model, state.share_demand, n)) share_out(model, state.share_demand, n, state.shares.mass);
+}
+
+void frequency_block(const BagModel& model, BagState& state, int block) {
+  for_elements(model, block, [&](int e) {
+    const auto corners = model.description.elements.col(e);
+    if (std::ranges::any_of(corners, [&](int n) { return is_asked(model, state.share_demand, n); }))
+      update_frequency(model, state.shares, e);
+  });
+}
+
+}  // namespace membrane
