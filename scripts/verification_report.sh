@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # Writes docs/verification.md from the rows that the tests write.
-# usage: scripts/verification_report.sh [--check [ROWS [REPORT]]]
-#   --check  compare docs/verification.md (or REPORT) with rows already in the folder ROWS (build/claims); exit code 1 if they differ
+# usage: scripts/verification_report.sh [ROWS]                      rows already in that folder; else the tests run
+#        scripts/verification_report.sh --check [ROWS [REPORT]]     compares docs/verification.md (or REPORT) with the
+#                                                                   rows of ROWS (build/claims); exit code 1 if they differ
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 work=$(mktemp -d)
@@ -28,13 +29,13 @@ if [[ ${1:-} == --check ]]; then
   fi
   echo "$report holds: $(grep -c '^| \[' "$work/new") rows"
   exit
-elif (($#)); then
-  echo "verification_report.sh: unknown argument '$1'; allowed: --check [ROWS [REPORT]]" >&2
+elif [[ ${1:-} == -* ]]; then
+  echo "verification_report.sh: unknown argument '$1'; allowed: [ROWS], --check [ROWS [REPORT]]" >&2
   exit 2
 fi
 
-scripts/claim_rows.sh "$work/rows"
-tables "$work/rows" >"$work/new"
+(($#)) || scripts/claim_rows.sh "$work/rows"
+tables "${1:-$work/rows}" >"$work/new"
 {
   cat <<'HEAD'
 # Verification report

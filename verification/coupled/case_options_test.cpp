@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "case_folder.hpp"
+#include "claim.hpp"
 #include "closed_form/membrane.hpp"
 #include "closed_form/pendulum.hpp"
 #include "run_case.hpp"
@@ -37,13 +38,9 @@ double swing_error(const char* step) {
 }
 
 TEST(case_options, initial_angle_swings_as_the_closed_form_with_order_2) {
-  // Central difference: second order. Half-steps of 0.02 s leave a relative change of the ratio of (omega0
-  // dt)^2 = 0.003, for which the band is wide.
-  const double coarse = swing_error("0.02"), middle = swing_error("0.01"), fine = swing_error("0.005");
-  EXPECT_GT(std::log2(coarse / middle), 1.95);
-  EXPECT_LT(std::log2(coarse / middle), 2.05);
-  EXPECT_GT(std::log2(middle / fine), 1.98);
-  EXPECT_LT(std::log2(middle / fine), 2.02);
+  claim::expect_order(
+      {"K.4", "case pendulum_swing: angle at the end", "(omega0 dt)^2 = 0.0008 changes the ratio by as much"},
+      {swing_error("0.01"), swing_error("0.005"), swing_error("0.0025")}, 1.98, 2.02);
 }
 
 double pole_distance(const driver::State& state) {

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "claim.hpp"
+
 namespace {
 
 using std::numbers::pi;
@@ -33,9 +35,9 @@ TEST(channel_filter, response_eq_published) {
       const double frequency = part * channel_class;
       // The bilinear transform bends the frequency axis: tan(pi f T) for f, about the corner.
       const double bent = std::tan(pi * frequency * interval) / std::tan(pi * corner * interval);
-      // Half a period more or less in the window: 1e-3.
-      EXPECT_NEAR(gain(frequency, channel_class, interval), 1.0 / (1.0 + std::pow(bent, 4)), 3e-3)
-          << channel_class << ' ' << part;
+      claim::expect_near({"K.22", "channel filters CFC 60 to 1000: gain by frequency [-]",
+                          "half a period more or less in the window: 1e-3"},
+                         gain(frequency, channel_class, interval), 1.0 / (1.0 + std::pow(bent, 4)), 3e-3);
     }
     // SAE J211-1: flat to 0.5 dB up to the class, -3 dB (+0.5, -1) at 1.65 times it, falling by 24 dB an
     // octave.

@@ -4,6 +4,7 @@
 
 #include <Eigen/Eigenvalues>
 
+#include "claim.hpp"
 #include "scenes.hpp"
 
 namespace {
@@ -77,9 +78,12 @@ TEST(ContactBound, full_patch_eq_kappa_over_surface_density) {
   const auto skin = scenes::plate(20, 0.1 * kRadius, density);
   const auto t = scenes::touch(scenes::contact(skin, kRadius, kStiffness, kSphereMass), skin.nodes,
                                {0.0, 0.0, 0.7 * kRadius});
-  EXPECT_NEAR(t.result.omega_squared_skin * density / kStiffness, 1.0, 1e-12);  // six additions a node
-  EXPECT_NEAR(t.result.omega_squared_sphere, kStiffness * t.result.area / kSphereMass,
-              1e-12 * t.result.omega_squared_sphere);
+  claim::expect_relative({"K.12", "patch wholly in the sphere: omega^2 of the skin, kappa / (rho h) [1/s2]",
+                          "six additions a node"},
+                         t.result.omega_squared_skin, kStiffness / density, 1e-12);
+  claim::expect_relative({"K.12", "patch wholly in the sphere: omega^2 of the sphere, kappa A / m [1/s2]",
+                          "sum over 400 elements"},
+                         t.result.omega_squared_sphere, kStiffness * t.result.area / kSphereMass, 1e-12);
 }
 
 // All that contact adds to the step: down to r/2 it stays within the share, for spheres from heavy to lighter

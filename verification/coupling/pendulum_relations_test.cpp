@@ -6,6 +6,7 @@
 #include <functional>
 #include <numbers>
 
+#include "claim.hpp"
 #include "closed_form/pendulum.hpp"
 #include "coupling/error.hpp"
 #include "scenes.hpp"
@@ -40,11 +41,16 @@ const double kAngles[] = {-7.0, -1.3, 0.0, 1e-9, 0.4, 2.0, 3.2, 12.0};
 TEST(Pendulum, constants_eq_closed_form) {
   const PendulumModel model(scenes::paper_pendulum());
   const auto exact = closed_form::pendulum_constants(closed_form::paper_pendulum());
-  EXPECT_NEAR(model.axis_inertia(), exact.axis_inertia, kRoundOff * exact.axis_inertia);
-  EXPECT_NEAR(model.effective_mass(), exact.effective_mass, kRoundOff * exact.effective_mass);
+  const char* why = "a few dozen operations on numbers of order one";
+  claim::expect_relative({"K.2", "the paper's pendulum: moment of inertia about its axis [kg m2]", why},
+                         model.axis_inertia(), exact.axis_inertia, kRoundOff);
+  claim::expect_relative({"K.3", "the paper's pendulum: mass that a blow at the impactor feels [kg]", why},
+                         model.effective_mass(), exact.effective_mass, kRoundOff);
   const double moment = model.moment({1.0, 0.0, 0.0}, model.impactor_centre(0.0));
   EXPECT_NEAR(moment / model.axis_inertia(), exact.angular_acceleration_per_force, kRoundOff);
-  EXPECT_NEAR(model.cg_acceleration(moment, 0.0).tangential, exact.cg_acceleration_per_force, kRoundOff);
+  claim::expect_near({"K.5", "the paper's pendulum: acceleration of the c.g. for 1 N [m/s2]", why},
+                     model.cg_acceleration(moment, 0.0).tangential, exact.cg_acceleration_per_force,
+                     kRoundOff);
 }
 
 TEST(Pendulum, impactor_velocity_eq_axis_cross_arm) {
@@ -78,7 +84,9 @@ TEST(Pendulum, potential_energy_eq_mgh) {
     for (const double angle : kAngles) {
       const Vector3d lift = model.cg_position(angle) - model.cg_position(0.0);
       const double exact = -model.parameters().mass * model.parameters().gravity.dot(lift);
-      EXPECT_NEAR(model.potential_energy(angle), exact, kRoundOff * 200.0);  // J, height cancels metres
+      claim::expect_near({"K.7", "three pendulums, tilted axes and gravity: potential energy [J]",
+                          "height cancels metres: 200 J of weight times arm"},
+                         model.potential_energy(angle), exact, kRoundOff * 200.0);
     }
   // Small angles keep their digits: m g L a^2/2 with a relative error of a^2/12.
   const PendulumModel model(scenes::paper_pendulum());
@@ -101,6 +109,9 @@ TEST(Pendulum, joint_feels_nothing_at_centre_of_percussion) {
     const Vector3d reaction = model.joint_reaction(0.0, 0.0, moment, force);
     const double exact = 100.0 * (10.9 * 1.065 * arm / model.axis_inertia() - 1.0);
     EXPECT_LT((reaction - Vector3d(exact, 0.0, 0.0)).norm(), 100.0 * kRoundOff);
+    claim::expect_near({"K.6", "blows about the centre of percussion: reaction of the joint [N]",
+                        "a few dozen operations on 100 N"},
+                       reaction.x(), exact, 100.0 * kRoundOff);
   }
 }
 

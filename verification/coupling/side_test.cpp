@@ -9,6 +9,7 @@
 #include <random>
 #include <string>
 
+#include "claim.hpp"
 #include "closed_skins.hpp"
 
 namespace {
@@ -53,8 +54,9 @@ TEST(Side, winding_number_of_one_triangle_eq_its_solid_angle) {
   Eigen::Matrix3Xi triangle(3, 1);
   triangle << 0, 1, 2;
   // van Oosterom-Strackee by hand: 0.33983690945412194 sr.
-  EXPECT_NEAR(4.0 * std::numbers::pi * coupling::winding_number(triangle, nodes, Vector3d::Zero()),
-              0.33983690945412194, 1e-15);
+  claim::expect_near({"K.14", "one triangle: solid angle [sr]", "three eps"},
+                     4.0 * std::numbers::pi * coupling::winding_number(triangle, nodes, Vector3d::Zero()),
+                     0.33983690945412194, 1e-15);
 }
 
 // The nearest point by descent over the triangle's own coordinates, as a second route.

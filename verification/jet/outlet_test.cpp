@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "claim.hpp"
 #include "closed_form/jet.hpp"
 
 namespace {
@@ -36,16 +37,19 @@ closed_form::OutletState exact(const Case& c, bool stagnation) {
   return closed_form::sonic_outlet(outlet);
 }
 
-// Ten operations and one square root in each of the two routes: 16 eps.
 constexpr double kFormula = 16 * kEps;
 
 void expect_sonic_state(const Case& c, jet::OutletTemperature meaning) {
   const jet::OutletModel model{jet::OutletLaw::sonic, meaning, kArea};
   const jet::OutletState state = jet::outlet_state(model, input(c));
   const closed_form::OutletState reference = exact(c, meaning == jet::OutletTemperature::stagnation);
-  EXPECT_NEAR(state.velocity, reference.velocity, kFormula * reference.velocity);
-  EXPECT_NEAR(state.density, reference.density, kFormula * reference.density);
-  EXPECT_NEAR(state.pressure, reference.static_pressure, kFormula * reference.static_pressure);
+  const char* why = "ten operations and a square root in each of two routes: 16 eps";
+  claim::expect_relative({"J.1", "sonic outlet by flow and temperature: velocity [m/s]", why}, state.velocity,
+                         reference.velocity, kFormula);
+  claim::expect_relative({"J.2", "sonic outlet by flow and temperature: density [kg/m3]", why}, state.density,
+                         reference.density, kFormula);
+  claim::expect_relative({"J.1", "sonic outlet by flow and temperature: static pressure [Pa]", why},
+                         state.pressure, reference.static_pressure, kFormula);
 }
 
 TEST(outlet, sonic_state_eq_closed_form) {
@@ -62,8 +66,9 @@ TEST(outlet, momentum_flux_eq_mass_flow_times_velocity) {
                                    kArea};
       const jet::OutletState state = jet::outlet_state(model, input(c, bag_pressure));
       const double expected = c.mass_flow * state.velocity;
-      // The subsonic root is well conditioned: a few roundings each in V, T and rho.
-      EXPECT_NEAR(jet::momentum_flux(state, kArea), expected, 64 * kEps * expected);
+      claim::expect_relative({"J.2", "outlet, sonic or pressure-matched: momentum flux, mdot V [N]",
+                              "the subsonic root is well conditioned: a few roundings in V, T, rho"},
+                             jet::momentum_flux(state, kArea), expected, 64 * kEps);
     }
   }
 }
@@ -75,7 +80,9 @@ TEST(outlet, subsonic_state_conserves_energy_at_bag_pressure) {
     const jet::OutletState state = jet::outlet_state(model, input(c, 3e5));
     const double sound = std::sqrt(1.4 * kNitrogen * state.temperature);
     const double total = state.temperature + state.velocity * state.velocity / (2.0 * kNitrogenCp);
-    EXPECT_NEAR(total, c.temperature, kFormula * c.temperature);
+    claim::expect_relative(
+        {"J.1", "pressure-matched outlet: total temperature [K]", "16 eps, as the sonic outlet"}, total,
+        c.temperature, kFormula);
     EXPECT_LE(state.velocity, sound * (1.0 + kFormula));
     const bool choked = state.velocity > 0.99 * sound;
     EXPECT_NEAR(state.pressure, choked ? exact(c, true).static_pressure : 3e5, kFormula * state.pressure);

@@ -7,6 +7,7 @@
 #include <limits>
 #include <numbers>
 
+#include "claim.hpp"
 #include "closed_form/jet.hpp"
 #include "jet/centreline.hpp"
 #include "models.hpp"
@@ -19,16 +20,15 @@ constexpr double kPlaneCoefficients[] = {0.09, 0.1, 0.108, 0.11, 0.12};
 constexpr double kDistances[] = {0.0, 1.0, 5.0, 8.4, 10.0, 20.0, 40.0, 100.0, 1e4};
 
 TEST(centreline, decay_eq_closed_form) {
+  const char* why = "four operations on either side: 8 eps";
   for (const double x : kDistances) {
-    // Four operations on either side: 8 eps.
-    for (const double a : kRoundCoefficients) {
-      const double exact = closed_form::round_centreline_ratio(a, x);
-      EXPECT_NEAR(jet::round_decay(x, a), exact, 8 * kEps * exact);
-    }
-    for (const double a : kPlaneCoefficients) {
-      const double exact = closed_form::plane_centreline_ratio(a, x);
-      EXPECT_NEAR(jet::plane_decay(x, a), exact, 8 * kEps * exact);
-    }
+    for (const double a : kRoundCoefficients)
+      claim::expect_relative({"J.3", "round jet by coefficient and distance: centreline decay [-]", why},
+                             jet::round_decay(x, a), closed_form::round_centreline_ratio(a, x), 8 * kEps);
+    for (const double a : kPlaneCoefficients)
+      claim::expect_relative(
+          {"J.4", "rectangular jet by coefficient and distance: centreline decay [-]", why},
+          jet::plane_decay(x, a), closed_form::plane_centreline_ratio(a, x), 8 * kEps);
   }
   EXPECT_NEAR(jet::round_decay(20.0, 0.08), 0.50793650793650794, 8 * kEps);
   EXPECT_NEAR(jet::plane_decay(40.0, 0.11), 0.54715290310506384, 8 * kEps);
@@ -73,17 +73,20 @@ TEST(centreline, outlet_types_eq_their_tabulated_spread_angles) {
     double degrees;
   };
   const auto angle = [](double edge, double a) { return 360.0 / std::numbers::pi * std::atan(edge * a); };
+  const char* why = "coefficients of three digits, edges rounded in the tables";
   for (const Row& row : {Row{Type::contracting_nozzle, 25.0 + 20.0 / 60.0}, Row{Type::guide_vane_fan, 44.5}})
-    EXPECT_NEAR(angle(closed_form::tollmien_round().edge, jet::decay_coefficient(row.type)), row.degrees,
-                0.4);
+    claim::expect_near({"J.3", "tabulated round outlets: angle between the jet's edges [deg]", why},
+                       angle(closed_form::tollmien_round().edge, jet::decay_coefficient(row.type)),
+                       row.degrees, 0.4);
   // The table's 29 degrees of the tube belong to the lower end of its range, 0.076 to 0.08.
   EXPECT_NEAR(
       angle(closed_form::tollmien_round().edge, jet::decay_coefficient(Type::cylindrical_tube) - 0.004), 29.0,
       0.4);
   for (const Row& row : {Row{Type::plane_nozzle, 29.5}, Row{Type::sharp_slot, 32.0 + 10.0 / 60.0},
                          Row{Type::rounded_slot, 41.0 + 20.0 / 60.0}})
-    EXPECT_NEAR(angle(closed_form::tollmien_plane().edge, jet::decay_coefficient(row.type)), row.degrees,
-                0.4);
+    claim::expect_near({"J.4", "tabulated slots: angle between the jet's edges [deg]", why},
+                       angle(closed_form::tollmien_plane().edge, jet::decay_coefficient(row.type)),
+                       row.degrees, 0.4);
 }
 
 /// Integral of |V/V0|^power over the plane at z, by the midpoint rule in the outlet's frame. The Gaussian
@@ -114,8 +117,10 @@ TEST(profile, momentum_flux_is_the_same_in_every_plane) {
         models::rectangular(0.01, 0.05, 0.09)}) {
     const double area = jet::outlet_area(model);
     for (const double z : {0.01, 0.05, 0.1, 0.3, 1.0, 5.0}) {
-      // exp, squares and a sum of 3600 positive terms; the rule's own error is exp(-pi^2 5^2 / 2).
-      EXPECT_NEAR(plane_integral(model, z, 2.0), area, 1e-13 * area) << "z = " << z;
+      claim::expect_relative(
+          {"J.5", "momentum flux in planes along four jets, over rho0 V0^2 [m2]",
+           "exp and a sum of 3600 positive terms; the rule's own error is exp(-pi^2 5^2 / 2)"},
+          plane_integral(model, z, 2.0), area, 1e-13);
     }
   }
 }
@@ -126,18 +131,25 @@ TEST(profile, volume_and_energy_flux_eq_closed_form) {
     round.radius = 0.02;
     const jet::JetModel model = models::round(0.02, round.spread);
     const closed_form::JetSection exact = closed_form::round_jet_section(round, z);
-    EXPECT_NEAR(plane_integral(model, z, 1.0) / jet::outlet_area(model) / exact.volume_flux_ratio, 1.0,
-                1e-13);
-    EXPECT_NEAR(plane_integral(model, z, 3.0) / jet::outlet_area(model) / exact.energy_flux_ratio, 1.0,
-                1e-13);
-    EXPECT_NEAR(jet::section(model, z).width / exact.width, 1.0, 16 * kEps);
+    const char* why = "sums of 3600 positive terms with exp";
+    claim::expect_relative({"J.5", "round jet: volume flux over the outlet's [-]", why},
+                           plane_integral(model, z, 1.0) / jet::outlet_area(model), exact.volume_flux_ratio,
+                           1e-13);
+    claim::expect_relative({"J.5", "round jet: energy flux over the outlet's [-]", why},
+                           plane_integral(model, z, 3.0) / jet::outlet_area(model), exact.energy_flux_ratio,
+                           1e-13);
+    claim::expect_relative({"J.5", "round jet: width [m]", "16 eps: some ten operations"},
+                           jet::section(model, z).width, exact.width, 16 * kEps);
     closed_form::PlaneJet plane;
     plane.half_width = 0.01;
     plane.length = 0.2;
     const jet::JetModel wedge = models::rectangular(0.02, 0.2, plane.spread);
     const closed_form::JetSection slot = closed_form::plane_jet_section(plane, z);
-    EXPECT_NEAR(plane_integral(wedge, z, 1.0) / jet::outlet_area(wedge) / slot.volume_flux_ratio, 1.0, 1e-13);
-    EXPECT_NEAR(jet::section(wedge, z).width / slot.width, 1.0, 16 * kEps);
+    claim::expect_relative({"J.5", "rectangular jet: volume flux over the outlet's [-]", why},
+                           plane_integral(wedge, z, 1.0) / jet::outlet_area(wedge), slot.volume_flux_ratio,
+                           1e-13);
+    claim::expect_relative({"J.5", "rectangular jet: width [m]", "16 eps: some ten operations"},
+                           jet::section(wedge, z).width, slot.width, 16 * kEps);
   }
 }
 
@@ -147,8 +159,9 @@ TEST(profile, entrainment_far_downstream_eq_closed_form) {
     const double outlet = jet::outlet_area(model);
     const double slope =
         (plane_integral(model, 60.0, 1.0) - plane_integral(model, 40.0, 1.0)) / outlet / 20.0;
-    // Q/Q0 of 20 and its difference of 7, each to 1e-13.
-    EXPECT_NEAR(slope, closed_form::round_far_field(a).entrainment_slope, 1e-12);
+    claim::expect_near({"J.5", "round jet, 40 to 60 diameters: entrainment per diameter [-]",
+                        "Q/Q0 of 20 and its difference of 7, each to 1e-13"},
+                       slope, closed_form::round_far_field(a).entrainment_slope, 1e-12);
   }
 }
 

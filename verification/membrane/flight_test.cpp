@@ -2,7 +2,7 @@
 // A thrown, spinning disc: centre on its parabola, rotation that of a rigid body as the fabric stiffens.
 #include <gtest/gtest.h>
 
-#include "orders.hpp"
+#include "claim.hpp"
 #include "statics.hpp"
 
 using membrane::Compression;
@@ -67,11 +67,16 @@ TEST(Flight, thrown_disc_tends_to_rigid_body_with_order_1_in_compliance) {
   for (const double young : {60e6, 120e6, 240e6, 480e6}) {
     const Flight flight = fly(young);
     // Sums of up to 2000 steps of 1 m: a parabola is exact for equal steps, and these differ by the strain.
-    EXPECT_LE((flight.centre - flight.exact).norm(), 2000 * scenes::kEps);
+    claim::expect_near({"M.9", "thrown disc: distance of its centre from the parabola [m]",
+                        "sums of up to 2000 steps of 1 m"},
+                       (flight.centre - flight.exact).norm(), 0.0, 2000 * scenes::kEps);
     EXPECT_LE(flight.off_plane, 2000 * scenes::kEps);
-    // The elastic answer, to the error of a mesh of 6 rings (1 / 36) and of steps (omega dt)^2.
-    EXPECT_NEAR(flight.lag, 2.0 * spin_strain(young) * kAngle, flight.lag / 36.0);
+    claim::expect_near({"M.9", "spinning disc by stiffness: lag behind the rigid body [rad]",
+                        "mesh of 6 rings, 1 / 36, and steps, (omega dt)^2"},
+                       flight.lag, 2.0 * spin_strain(young) * kAngle, flight.lag / 36.0);
     lag.push_back(flight.lag);
   }
-  scenes::expect_order("spinning_disc_lag", lag, 0.95, 1.05);
+  claim::expect_order(
+      {"M.9", "spinning disc as it stiffens: lag behind the rigid body", "first order in 1/E"}, lag, 0.95,
+      1.05);
 }

@@ -5,8 +5,8 @@
 
 #include <numbers>
 
+#include "claim.hpp"
 #include "inflated_disc.hpp"
-#include "orders.hpp"
 
 using membrane::Compression;
 using std::numbers::pi;
@@ -89,11 +89,15 @@ TEST(Inflated, tube_stretch_converges_with_order_2) {
       hoop.push_back(s.hoop - exact.hoop_stretch);
       axial.push_back(s.axial - exact.axial_stretch);
     }
-    scenes::expect_order(closed ? "closed_tube_hoop" : "fixed_tube_hoop", hoop, 1.95, 2.05);
-    if (closed) scenes::expect_order("closed_tube_axial", axial, 1.95, 2.05);
-    if (!closed) {
-      EXPECT_NEAR(axial.back(), 0.0, 1e-9);  // held at the ends; what relaxation leaves
-    }
+    const char* why = "the apothem of the polygon, whose next term is (pi / n)^2 / 12 of the first";
+    claim::expect_order(
+        {"M.2", closed ? "closed tube: hoop stretch" : "tube of fixed length: hoop stretch", why}, hoop, 1.95,
+        2.05);
+    if (closed) claim::expect_order({"M.2", "closed tube: axial stretch", why}, axial, 1.95, 2.05);
+    if (!closed)
+      claim::expect_near(
+          {"M.2", "tube of fixed length: axial stretch, deviation from 1", "what relaxation leaves"},
+          axial.back(), 0.0, 1e-9);
   }
 }
 
@@ -106,8 +110,12 @@ TEST(Inflated, clamped_disc_converges_to_follower_pressure_solution_with_order_2
     volume.push_back(shape.volume / exact.volume - 1.0);
     height.push_back(shape.centre_height / exact.centre_deflection - 1.0);
   }
-  scenes::expect_order("clamped_disc_volume", volume, 1.9, 2.1);
-  scenes::expect_order("clamped_disc_height", height, 1.7, 2.1);  // at a point: h^2 log h
+  claim::expect_order(
+      {"M.6", "clamped disc under follower pressure: volume", "the first mesh has 96 elements"}, volume, 1.9,
+      2.1);
+  claim::expect_order(
+      {"M.6", "clamped disc under follower pressure: height of the centre", "at a point: h^2 log h"}, height,
+      1.7, 2.1);
 }
 
 TEST(Inflated, sealed_discs_converge_to_elastic_balloon) {
@@ -116,8 +124,9 @@ TEST(Inflated, sealed_discs_converge_to_elastic_balloon) {
   std::vector<double> volume;
   for (const int rings : {4, 8, 16})
     volume.push_back(scenes::inflate(disc, rings, 1e-3).volume / exact.volume - 1.0);
-  // The seam wrinkles over single elements and the tension is greatest at the pole: below 2 on the way there.
-  scenes::expect_order("sealed_discs_volume", volume, 1.6, 2.1);
+  claim::expect_order({"M.3", "two discs sewn together, without compression: volume",
+                       "the seam wrinkles over single elements and tension peaks at the pole: below 2"},
+                      volume, 1.6, 2.1);
 }
 
 // On the whole disc the seam wrinkles ever finer and draws in (by 1 % at 32 rings), so the axisymmetric shape
@@ -131,15 +140,20 @@ TEST(Inflated, sector_of_nearly_inextensible_discs_converges_to_the_mylar_balloo
     const auto shape = scenes::inflate_sector(disc, rings, 3 * rings / 2, 1e-3);
     volume.push_back(shape.volume / exact.volume - 1.0);
     if (rings < 32) continue;
-    // Chords of a / 32 stand 5e-4 a off; the elastic balloon, thicker by 0.005 a, is the greater part.
     const auto mylar = closed_form::mylar_balloon(a);
-    EXPECT_NEAR(2.0 * shape.volume, mylar.volume, 0.01 * mylar.volume);
-    EXPECT_NEAR(shape.nodes.col(2 * rings).norm(), mylar.equator_radius, 0.006 * a);
+    const char* why = "the elastic balloon, thicker by 0.005 a, and chords 5e-4 a off";
+    claim::expect_relative({"M.3", "nearly inextensible sewn discs, the mylar balloon: volume [m3]", why},
+                           2.0 * shape.volume, mylar.volume, 0.01);
+    claim::expect_near({"M.3", "nearly inextensible sewn discs, the mylar balloon: equator radius [m]", why},
+                       shape.nodes.col(2 * rings).norm(), mylar.equator_radius, 0.006 * a);
     for (Eigen::Index n = 0; n < shape.nodes.cols(); ++n) {
       const double r = shape.nodes.col(n).head<2>().norm();
       if (r > 0.9 * mylar.equator_radius) break;  // the profile turns vertical
-      EXPECT_NEAR(shape.nodes(2, n), closed_form::mylar_profile(a, r), 0.006 * a) << n;
+      claim::expect_near({"M.3", "nearly inextensible sewn discs, the mylar balloon: heights [m]", why},
+                         shape.nodes(2, n), closed_form::mylar_profile(a, r), 0.006 * a);
     }
   }
-  scenes::expect_order("mylar_volume", volume, 1.85, 2.1);
+  claim::expect_order(
+      {"M.3", "sector of sewn discs, nearly inextensible: volume", "tension peaks at the pole"}, volume, 1.85,
+      2.1);
 }

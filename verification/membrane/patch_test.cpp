@@ -5,6 +5,7 @@
 #include <Eigen/LU>
 #include <cmath>
 
+#include "claim.hpp"
 #include "closed_form/membrane.hpp"
 #include "closed_form/weave.hpp"
 #include "scenes.hpp"
@@ -72,12 +73,16 @@ TEST(Patch, uniform_strain_has_no_inner_force_and_exact_energy) {
         if (interior(n)) {
           EXPECT_LE(state.membrane_force.map().col(n).norm(), force_round);
         }
-      EXPECT_NEAR(state.forces.strain_energy, exact.energy_density * 0.5e-3,
-                  66e6 * 0.5e-3 * 100 * scenes::kEps);
+      claim::expect_near({"M.2", "irregular patch in uniform strain, both laws: energy [J]",
+                          "100 roundings of E/(1 - nu^2)"},
+                         state.forces.strain_energy, exact.energy_density * 0.5e-3,
+                         66e6 * 0.5e-3 * 100 * scenes::kEps);
       for (int element = 0; element < mesh.element_count(); ++element) {
         const auto r = element_response(model, state, element).response;
         // The dual form finds the line of tension by bisection, to 1e-12 of a turn.
-        EXPECT_NEAR(r.stress_1, largest_principal(exact), 66e6 * 100 * scenes::kEps);
+        claim::expect_near({"M.3", "irregular patch in uniform strain, both laws: largest stress [Pa]",
+                            "100 roundings of E/(1 - nu^2)"},
+                           r.stress_1, largest_principal(exact), 66e6 * 100 * scenes::kEps);
         EXPECT_NEAR(r.s11 + r.s22, exact.s11 + exact.s22, 66e6 * 200 * scenes::kEps);
       }
     }
@@ -93,8 +98,9 @@ TEST(Patch, boundary_force_eq_nominal_traction) {
   const auto s = exact_state(Compression::linear, 0.22, 0.105, 0.0);  // taut: both laws agree
   double pull = 0.0;  // the fabric pulls the edge X = 1 back by P h times its length
   for (int j = 0; j <= kCells; ++j) pull += state.membrane_force.map()(0, j * (kCells + 1) + kCells);
-  EXPECT_NEAR(pull, -1.2 * s.s11 * 0.5e-3,
-              1e-13 * 1.2 * s.s11 * 0.5e-3 * 10);  // some 10 sums, 1e-13 = 450 eps
+  claim::expect_relative(
+      {"M.4", "irregular patch, stretched: pull of its edge [N]", "some 10 sums of 450 eps"}, pull,
+      -1.2 * s.s11 * 0.5e-3, 1e-12);
 }
 
 TEST(Patch, rigid_motion_gives_no_stress) {

@@ -2,6 +2,7 @@
 // Straps (M.7) and plates (M.8).
 #include <gtest/gtest.h>
 
+#include "claim.hpp"
 #include "energy_derivative.hpp"
 #include "scenes.hpp"
 
@@ -32,7 +33,8 @@ TEST(Supports, force_eq_minus_energy_derivative) {
   EXPECT_GT(state.forces.plate_energy, 1.0);
   // eps x 500 J / h = 1e-7 N; a node that leaves the plate within h errs by stiffness 3e4 N/m x h.
   scenes::expect_eq_minus_derivative(
-      state.support_force.map(), x, [&](const Eigen::Matrix3Xd& at) { return support_energy(model, at); }, 0.03);
+      state.support_force.map(), x, [&](const Eigen::Matrix3Xd& at) { return support_energy(model, at); },
+      0.03);
 }
 
 TEST(Supports, strap_pulls_and_never_pushes) {
@@ -45,7 +47,8 @@ TEST(Supports, strap_pulls_and_never_pushes) {
     const auto state = scenes::evaluated(model, x);
     const double expected = std::max(0.0, 4500.0 * (length - 0.5));
     const double allowed = 4500.0 * 8 * scenes::kEps;  // rounding of lengths below 1 m
-    EXPECT_NEAR(state.strap_tension[0], expected, allowed);
+    claim::expect_near({"M.7", "strap, slack and taut: tension [N]", "rounding of lengths below 1 m"},
+                       state.strap_tension[0], expected, allowed);
     EXPECT_NEAR(state.support_force.map()(2, 0), 0.8 * expected, allowed);
     EXPECT_NEAR(state.support_force.map()(2, 1), -0.8 * expected, allowed);
     EXPECT_NEAR(state.forces.strap_energy, 0.5 * expected * std::max(0.0, length - 0.5), allowed);
@@ -59,7 +62,8 @@ TEST(Supports, plate_pressure_eq_stiffness_times_depth) {
   d.plates = {{{0.0, 0.0, 0.01}, {0.0, 0.0, 3.0}, 1e6}};
   const auto state = scenes::evaluated(make_model(d), sheet.nodes);
   const double force = 1e6 * 0.01 * 0.12, energy = 0.5 * force * 0.01;
-  EXPECT_NEAR(state.support_force.map().row(2).sum(), force, 100 * scenes::kEps * force);
+  claim::expect_relative({"M.8", "sheet 10 mm behind a plate: force [N]", "100 roundings"},
+                         state.support_force.map().row(2).sum(), force, 100 * scenes::kEps);
   EXPECT_NEAR(state.forces.plate_energy, energy, 100 * scenes::kEps * energy);
   d.plates[0].normal *= -1.0;  // now the sheet is on the free side
   EXPECT_EQ(scenes::evaluated(make_model(d), sheet.nodes).forces.plate_energy, 0.0);

@@ -5,9 +5,9 @@
 
 #include <numbers>
 
+#include "claim.hpp"
 #include "closed_form/membrane.hpp"
 #include "closed_form/stability.hpp"
-#include "orders.hpp"
 #include "statics.hpp"
 
 using membrane::Compression;
@@ -163,11 +163,15 @@ TEST(Vibration, square_eq_discrete_closed_form_to_round_off) {
       const Vibration v = vibrate_square(divisions, m, n);
       const double exact = closed_form::lattice_square_frequency(kSheet, 0.6, divisions, m, n);
       // The tension comes from strains of 0.023 over cells of 0.02 m at 0.6 m, which carry eps 0.6 / (0.02 *
-      // 0.023), 3e-13; second differences over a cell lose as much, (k h)^-2 = 100 eps.
-      EXPECT_NEAR(v.frequency, exact, 1e-12 * exact) << divisions;
-      // Central difference of that frequency, 1.3 periods on: the phase is 8 rad.
+      // 0.023); second differences over a cell lose as much, (k h)^-2 = 100 eps.
+      claim::expect_relative({"M.4", "modes of a stretched square, discrete: frequency [Hz]",
+                              "rounding of the strains, 3e-13, and of second differences"},
+                             v.frequency, exact, 1e-12);
       const double phase = v.steps * 2.0 * std::asin(pi * exact * v.dt);
-      EXPECT_NEAR(v.last, std::cos(phase), 1e-11) << divisions;
+      claim::expect_near(
+          {"M.9", "modes of a stretched square, central difference: amplitude after 1.3 periods",
+           "the frequency's error times the phase, 8 rad"},
+          v.last, std::cos(phase), 1e-11);
     }
 }
 
@@ -177,8 +181,10 @@ TEST(Vibration, square_frequency_converges_with_order_2) {
     std::vector<double> error;
     for (const int divisions : {8, 16, 32})
       error.push_back(vibrate_square(divisions, m, n).frequency / exact - 1.0);
-    scenes::expect_order("square_" + std::to_string(m) + std::to_string(n), error, 1.95,
-                         2.05);  // the discrete value is the sine of the continuous one
+    claim::expect_order(
+        {"M.4", "stretched square, mode " + std::to_string(m) + std::to_string(n) + ": frequency",
+         "the discrete value is the sine of the continuous one"},
+        error, 1.95, 2.05);
   }
 }
 
@@ -187,7 +193,9 @@ TEST(Vibration, drum_frequency_converges_with_order_2) {
     const double exact = closed_form::drum_frequency(kSheet, 0.3, diameters, 1);
     std::vector<double> error;
     for (const int rings : {4, 8, 16}) error.push_back(drum_frequency(rings, diameters) / exact - 1.0);
-    scenes::expect_order("drum_" + std::to_string(diameters) + "1", error, 1.85, 2.15);
+    claim::expect_order({"M.4", "drum, mode " + std::to_string(diameters) + "1: frequency",
+                         "uneven elements; the first mesh has 4 rings"},
+                        error, 1.85, 2.15);
   }
 }
 
@@ -196,8 +204,9 @@ TEST(Vibration, breathing_frequency_of_gas_filled_sphere_converges_with_order_2)
     std::vector<double> error;
     for (const int level : {1, 2, 3})
       error.push_back(breathe(sphere, level, 1e-5).mesh_frequency(1e-5) / sphere.exact() - 1.0);
-    scenes::expect_order(sphere.overpressure > 0.0 ? "breathing_20kPa" : "breathing_0kPa", error, 1.8,
-                         2.2);  // the first level has 80 elements
+    const char* what = sphere.overpressure > 0.0 ? "gas-filled sphere under 20 kPa: breathing frequency"
+                                                 : "gas-filled sphere, unstressed: breathing frequency";
+    claim::expect_order({"M.11", what, "the first level has 80 elements"}, error, 1.8, 2.2);
   }
 }
 
@@ -208,9 +217,12 @@ TEST(Vibration, breathing_frequency_over_time_step_eq_central_difference) {
   for (const double dt : {8e-5, 4e-5, 2e-5}) {
     const double ratio = breathe(kInflated, 1, dt).step_frequency(dt) / omega;
     error.push_back(ratio - 1.0);
-    // Other modes have 2 % of the amplitude, 4e-4 of the sums, and frequencies up to twice this one.
     const double exact = closed_form::central_difference(omega * dt).frequency_ratio;
-    EXPECT_NEAR(ratio, exact, 2e-3 * (exact - 1.0));
+    claim::expect_near({"M.9", "breathing sphere by step: frequency over that of dt = 0, less 1",
+                        "other modes: 4e-4 of the sums, frequencies up to twice this one"},
+                       ratio - 1.0, exact - 1.0, 2e-3 * (exact - 1.0));
   }
-  scenes::expect_order("step", error, 1.9, 2.1);
+  claim::expect_order(
+      {"M.9", "breathing sphere by step: frequency", "the next term is (omega dt)^2 / 9 of the first"}, error,
+      1.9, 2.1);
 }

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "claim.hpp"
 #include "closed_form/membrane.hpp"
 #include "membrane/icosphere.hpp"
 #include "membrane/surface_check.hpp"
@@ -25,28 +26,28 @@ double volume(const Mesh& mesh) {
   return membrane::enclosed_volume(mesh.nodes, mesh.elements);
 }
 
-// Closed form M2. Tolerance: two sums of 20 * 4^level terms of one sign, some 10 operations each; errors of a
-// term are random in sign, so eps * sqrt(terms) * 10, doubled because the oracle rounds as well.
 TEST(Icosphere, volume_ratio_eq_closed_form) {
   for (int level = 0; level <= 5; ++level) {
     const Mesh mesh = membrane::icosphere(0.3, level);
     const auto exact = closed_form::icosphere_ratios(level);
     ASSERT_EQ(static_cast<std::size_t>(mesh.element_count()), exact.faces);
     const double tolerance = 20.0 * kEps * std::sqrt(static_cast<double>(exact.faces));
-    EXPECT_NEAR(volume(mesh) / sphere_volume(0.3), exact.volume_ratio, tolerance) << level;
+    const char* why = "sums of terms of one sign, random rounding: 10 eps sqrt(terms), twice for the oracle";
+    claim::expect_near({"M.5", "icospheres of 20 to 20480 elements: volume over the sphere's [-]", why},
+                       volume(mesh) / sphere_volume(0.3), exact.volume_ratio, tolerance);
     const double area = membrane::element_areas(mesh.nodes, mesh.elements).sum();
-    EXPECT_NEAR(area / (4.0 * std::numbers::pi * 0.09), exact.area_ratio, tolerance) << level;
+    claim::expect_near({"M.5", "icospheres of 20 to 20480 elements: area over the sphere's [-]", why},
+                       area / (4.0 * std::numbers::pi * 0.09), exact.area_ratio, tolerance);
   }
 }
 
-// Volume defect is O(h^2): ratios of successive defects tend to 4; 3.93 and above from level 3 (M2).
 TEST(Icosphere, volume_converges_at_order_two) {
-  for (int level = 2; level <= 5; ++level) {
-    const double coarse = 1.0 - volume(membrane::icosphere(1.0, level)) / sphere_volume(1.0);
-    const double fine = 1.0 - volume(membrane::icosphere(1.0, level + 1)) / sphere_volume(1.0);
-    EXPECT_GT(std::log2(coarse / fine), 1.97);
-    EXPECT_LT(std::log2(coarse / fine), 2.01);
-  }
+  std::vector<double> defects;
+  for (int level = 2; level <= 6; ++level)
+    defects.push_back(1.0 - volume(membrane::icosphere(1.0, level)) / sphere_volume(1.0));
+  claim::expect_order({"M.5", "icospheres of 320 to 81920 elements: volume",
+                       "ratios of successive defects are 3.93 and above from 1280 elements, and tend to 4"},
+                      defects, 1.97, 2.01);
 }
 
 TEST(Icosphere, nodes_lie_on_the_sphere_of_a_closed_surface) {
