@@ -5,8 +5,8 @@
 // The tank by another package's integrator.
 namespace peers {
 
-/// State at second_route::kEnd by SUNDIALS CVODE (BDF, dense Newton, Jacobian by differences), with the relative
-/// tolerance given; restarted at the end of the inflow. Throws std::runtime_error if it fails.
-gas::ControlVolumeState cvode(const second_route::VentedTank& tank, double tolerance);
+/// States at the tank's stops by SUNDIALS CVODE (BDF, dense Newton, Jacobian by differences), restarted at
+/// each, with the relative tolerance given. Throws std::runtime_error if it fails.
+std::vector<gas::ControlVolumeState> cvode(const second_route::Tank& tank, double tolerance);
 
 }  // namespace peers

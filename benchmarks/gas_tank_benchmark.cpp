@@ -1,98 +1,148 @@
 // SPDX-License-Identifier: Apache-2.0
-// The 60-litre tank of air, cp(T), filled with N2, CO2, H2O at 1200 K for 50 ms and held to 100 ms: sealed, and with a
-// vent of 1e-3 m2, by each method, by GSL's msbdf and, if installed, by SUNDIALS CVODE. Each prints the error it achieved
-// in p and T, against a run at 1e-13.
+// Work against precision of the gas: each tank of gas_problems.hpp at tolerances from 1e-2 to 1e-12 by each
+// method, by GSL's msbdf and, if installed, by SUNDIALS CVODE. Each prints the error that it achieved in p
+// and T beside its time: against the closed form, or else against a run at 1e-13 by another method
+// (Runge-Kutta 4 for Dormand-Prince, which is the reference of all others).
 #include <benchmark/benchmark.h>
 
+#include <algorithm>
 #include <cmath>
-#include <utility>
+#include <map>
 
 #include "gas_peers.hpp"
-#include "second_route.hpp"
+#include "gas_problems.hpp"
 
 namespace {
 
-using second_route::kEnd;
-using second_route::kVolume;
-using second_route::VentedTank;
+using benchmarks::GasProblem;
+using benchmarks::PressureTemperature;
+using gas::Method;
+using States = std::vector<gas::ControlVolumeState>;  // one for each observed time
+using Reference = std::vector<PressureTemperature>;
 
-constexpr gas::VolumePath kRigid{kVolume, kVolume, 0.0, 0.0};
+constexpr int kMostSteps = 100000000;
 
-const VentedTank& tank(bool vented) {
-  static const VentedTank with = second_route::benchmark_tank(), without = second_route::benchmark_tank(0.0);
-  return vented ? with : without;
-}
+struct Work {
+  int steps = 0, evaluations = 0;
+};
 
-/// Larger of the relative errors of p and T at the end.
-double achieved_error(const VentedTank& t, const gas::ControlVolumeState& state) {
-  static const auto reference = [](const VentedTank& exact) {
-    gas::ControlVolumeState end = exact.start;
-    gas::GasIntegrator(exact.model, {1e-13}).advance(end, 0.0, kEnd, kRigid);
-    return gas::evaluate(exact.model, end, kVolume, 0.0, kEnd);
-  };
-  const gas::GasPoint exact = reference(t), point = gas::evaluate(t.model, state, kVolume, 0.0, kEnd);
-  return std::max(std::abs(point.pressure / exact.pressure - 1.0),
-                  std::abs(point.temperature / exact.temperature - 1.0));
-}
-
-void run_integrator(benchmark::State& run, const VentedTank& t, const gas::IntegratorOptions& options) {
-  gas::GasIntegrator integrator(t.model, options);
-  gas::ControlVolumeState state = t.start;
-  gas::StepFluxes fluxes{};
-  for (auto _ : run) {
-    state = t.start;
-    fluxes = integrator.advance(state, 0.0, kEnd, kRigid);
-    benchmark::DoNotOptimize(std::as_const(state.internal_energy));
+/// The states keep their size: nothing is allocated.
+Work integrate(const GasProblem& problem, gas::GasIntegrator& integrator, States& states) {
+  const second_route::Tank& tank = problem.tank;
+  Work work;
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    states[i] = i == 0 ? tank.start : states[i - 1];
+    const gas::StepFluxes fluxes =
+        integrator.advance(states[i], i == 0 ? 0.0 : problem.observed[i - 1], problem.observed[i],
+                           {tank.volume, tank.volume, tank.leak_area, tank.leak_area});
+    work.steps += fluxes.steps;
+    work.evaluations += fluxes.evaluations;
   }
-  run.counters["error"] = achieved_error(t, state);
-  run.counters["substeps"] = fluxes.steps;
-  run.counters["evaluations"] = fluxes.evaluations;
+  return work;
 }
 
-double tolerance(const benchmark::State& run, int argument) {
-  return std::pow(10.0, -static_cast<double>(run.range(argument)));
+Reference compute_reference(const GasProblem& problem, Method method) {
+  States states(problem.observed.size(), problem.tank.start);
+  if (!problem.exact) {
+    gas::GasIntegrator integrator(problem.tank.model, {1e-13, kMostSteps, method});
+    integrate(problem, integrator, states);
+  }
+  Reference reference;
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    const double time = problem.observed[i];
+    reference.push_back(problem.exact ? problem.exact(time)
+                                      : benchmarks::observe(problem.tank, states[i], time));
+  }
+  return reference;
 }
 
-void BM_tank_sealed(benchmark::State& run) {
-  run_integrator(run, tank(false), {});
-  // Against the balance itself: U = U0 + int mdot h, which quadrature has to round-off.
-  const VentedTank& t = tank(false);
-  const double expected =
-      t.start.internal_energy +
-      second_route::kFilled * t.model.thermo.enthalpy(t.model.inflows[0].mass_fractions, 1200.0);
-  gas::ControlVolumeState end = t.start;
-  gas::GasIntegrator(t.model).advance(end, 0.0, kEnd, kRigid);
-  run.counters["error"] = std::abs(end.internal_energy / expected - 1.0);
+const Reference& reference(const GasProblem& problem, Method method) {
+  static std::map<std::pair<std::string, Method>, Reference> known;
+  const auto [place, is_new] = known.try_emplace({problem.name, method});
+  if (is_new) place->second = compute_reference(problem, method);
+  return place->second;
 }
 
-void BM_tank_vented(benchmark::State& run) {
-  const auto method = static_cast<gas::Method>(run.range(0));
-  run.SetLabel(std::vector{"dormand_prince", "runge_kutta", "euler", "rosenbrock"}[static_cast<std::size_t>(method)]);
-  run_integrator(run, tank(true), {tolerance(run, 1), 100000000, method});
+/// Largest relative error of p and T over the observed times.
+double achieved_error(const GasProblem& problem, const Reference& exact, const States& states) {
+  double error = 0.0;
+  for (std::size_t i = 0; i < exact.size(); ++i) {
+    const auto found = benchmarks::observe(problem.tank, states[i], problem.observed[i]);
+    const double below = problem.of_overpressure ? problem.tank.model.ambient.pressure : 0.0;
+    error = std::max({error, std::abs(found.pressure - exact[i].pressure) / (exact[i].pressure - below),
+                      std::abs(found.temperature / exact[i].temperature - 1.0)});
+  }
+  return error;
 }
 
-template <gas::ControlVolumeState (*Peer)(const VentedTank&, double)>
-void run_peer(benchmark::State& run, const char* name) {
-  run.SetLabel(name);
-  gas::ControlVolumeState end;
-  for (auto _ : run) benchmark::DoNotOptimize(end = Peer(tank(true), tolerance(run, 0)));
-  run.counters["error"] = achieved_error(tank(true), end);
+/// A method that took this many evaluations at one tolerance is not tried at the next.
+constexpr int kMostEvaluations = 300000;
+
+void run_method(benchmark::State& run, const GasProblem& problem, Method method, double tolerance) {
+  static std::map<std::pair<std::string, Method>, std::pair<double, int>> last;  // tolerance, evaluations
+  const auto before = last.find({problem.name, method});
+  if (before != last.end() && before->second.first > tolerance && before->second.second > kMostEvaluations)
+    return run.SkipWithError("too many evaluations at the tolerance before");
+  gas::GasIntegrator integrator(problem.tank.model, {tolerance, kMostSteps, method});
+  States states(problem.observed.size(), problem.tank.start);
+  Work work;
+  for (auto _ : run) {
+    work = integrate(problem, integrator, states);
+    benchmark::DoNotOptimize(states.data());
+    benchmark::ClobberMemory();
+  }
+  const Method other = method == Method::kDormandPrince5 ? Method::kRungeKutta4 : Method::kDormandPrince5;
+  run.counters["error"] = achieved_error(problem, reference(problem, other), states);
+  run.counters["substeps"] = work.steps;
+  run.counters["evaluations"] = work.evaluations;
+  last[{problem.name, method}] = {tolerance, work.evaluations};
 }
 
-void BM_tank_vented_msbdf(benchmark::State& run) {
-  run_peer<second_route::msbdf>(run, "msbdf");
+using Peer = States (*)(const second_route::Tank&, double);
+
+void run_peer(benchmark::State& run, const GasProblem& problem, Peer peer, double tolerance) {
+  States all;
+  try {
+    for (auto _ : run) benchmark::DoNotOptimize(all = peer(problem.tank, tolerance));
+  } catch (const std::runtime_error& failure) {
+    return run.SkipWithError(failure.what());
+  }
+  States states;
+  const auto& stops = problem.tank.stops;
+  for (const double time : problem.observed)
+    states.push_back(
+        all[static_cast<std::size_t>(std::find(stops.begin(), stops.end(), time) - stops.begin())]);
+  run.counters["error"] = achieved_error(problem, reference(problem, Method::kDormandPrince5), states);
+  run.counters["substeps"] = 0;  // of our own alone
+  run.counters["evaluations"] = 0;
 }
 
-BENCHMARK(BM_tank_sealed);
-BENCHMARK(BM_tank_vented)->ArgsProduct({{0, 1, 3}, {4, 5, 6, 7, 8, 9, 10, 11}});
-BENCHMARK(BM_tank_vented)->ArgsProduct({{2}, {4, 5, 6, 7}});
-BENCHMARK(BM_tank_vented_msbdf)->DenseRange(5, 11);
-
+bool register_all() {
+  static const std::vector<GasProblem> problems = benchmarks::gas_problems();
+  const std::pair<const char*, Method> methods[] = {{"dormand_prince", Method::kDormandPrince5},
+                                                    {"runge_kutta", Method::kRungeKutta4},
+                                                    {"euler", Method::kEuler},
+                                                    {"rosenbrock", Method::kRosenbrock4}};
+  const std::pair<const char*, Peer> peers[] = {
+      {"msbdf", second_route::msbdf},
 #ifdef GASJET_CVODE
-void BM_tank_vented_cvode(benchmark::State& run) {
-  run_peer<peers::cvode>(run, "cvode");
-}
-BENCHMARK(BM_tank_vented_cvode)->DenseRange(5, 11);
+      {"cvode", peers::cvode},
 #endif
+  };
+  for (const GasProblem& problem : problems)
+    for (int digits = 2; digits <= 12; ++digits) {
+      const double tolerance = std::pow(10.0, -digits);
+      const auto name = [&](const char* solver) {
+        return problem.name + "/" + solver + "/1e-" + (digits < 10 ? "0" : "") + std::to_string(digits);
+      };
+      for (const auto& [solver, method] : methods)
+        benchmark::RegisterBenchmark(name(solver).c_str(), run_method, problem, method, tolerance);
+      for (const auto& [solver, peer] : peers)
+        benchmark::RegisterBenchmark(name(solver).c_str(), run_peer, problem, peer, tolerance);
+    }
+  return true;
+}
+
+const bool registered = register_all();
 
 }  // namespace

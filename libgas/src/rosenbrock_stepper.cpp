@@ -15,8 +15,11 @@ namespace {
 
 using Vector = Stepper::Vector;
 
-// sqrt(eps): balances truncation and rounding of a one-sided difference.
-constexpr double kIncrement = 1.5e-8;
+// Balances truncation (its square) and rounding of a second-order difference where p - p_a is 1e-4 to 1e-2 of
+// p.
+constexpr double kIncrement = 1e-7;
+// Of the step, at most: small against it, yet so large that rounding of x does not show in the slope with x.
+constexpr double kStepShare = 1e-3;
 
 /// Dense LU factors with row pivoting, in place.
 class Factors {
@@ -65,6 +68,7 @@ class RosenbrockStepper : public Stepper {
       : factors_(n),
         y_(n),
         rate_(n),
+        far_(n),
         slope_(n),
         right_(n),
         g_{Vector(n), Vector(n), Vector(n), Vector(n), Vector(n)} {}
@@ -118,27 +122,39 @@ class RosenbrockStepper : public Stepper {
     factors_.solve(right_, g_[number]);
   }
 
+  /// `near` = slope, of second order, at the first of three rates `change` apart; far_ is the third. A
+  /// first-order one would be kIncrement p/(p - p_a) off, which a stiff balance just above p_a turns into as
+  /// much error in each step.
+  void to_slope(const Vector& here, double change, Vector& near) const {
+    for (std::size_t i = 0; i < near.size(); ++i)
+      near[i] = (4.0 * (near[i] - here[i]) - (far_[i] - here[i])) / (2.0 * change);
+  }
+
   /// rate_ = difference of the rates when one slot changes, over the change.
   void difference(Rates& rates, const Vector& dydx, std::size_t slot, double change, double x) {
     const double kept = y_[slot];
+    change = (kept + change) - kept;  // exact, as the difference is divided by it
     y_[slot] = kept + change;
     rates(y_, rate_, x);
+    y_[slot] = kept + 2.0 * change;
+    rates(y_, far_, x);
     y_[slot] = kept;
-    for (std::size_t i = 0; i < rate_.size(); ++i) rate_[i] = (rate_[i] - dydx[i]) / change;
+    to_slope(dydx, change, rate_);
   }
 
   void subtract_column(std::size_t column, double factor) {
     for (std::size_t i = 0; i < rate_.size(); ++i) factors_.at(i, column) -= factor * rate_[i];
   }
 
-  /// Forward in x by what changes p by kIncrement of it, at most a millionth of the step.
+  /// Forward in x by what changes p by kIncrement of it, at most kStepShare of the step; exact in x.
   double time_increment(const Rates& rates, double x, double h) const {
     const FlowBalance& balance = rates.balance;
     const double t = rates.time(x), energy = balance.point().pressure * balance.point().volume;
     const double change = kIncrement * energy / std::abs(balance.closed_pressure_growth(t));
-    const double increment = change > 0.0 ? rates.position(t + change) - x : 1e-6 * h;
-    return std::max(std::min(increment, 1e-6 * h),
-                    8.0 * std::numeric_limits<double>::epsilon() * std::abs(x));
+    const double increment = change > 0.0 ? rates.position(t + change) - x : kStepShare * h;
+    const double chosen = std::max(std::min(increment, kStepShare * h),
+                                   8.0 * std::numeric_limits<double>::epsilon() * std::abs(x));
+    return (x + chosen) - x;
   }
 
   /// Factors of 1/(gamma h) - J, and slope_, the rates' derivative with x.
@@ -152,7 +168,8 @@ class RosenbrockStepper : public Stepper {
         factors_.at(i, j) = i == j ? 1.0 / (coefficients_.gamma * h) : 0.0;
     const double increment = time_increment(rates, x, h);
     rates(y_, slope_, x + increment);
-    for (std::size_t i = 0; i < y.size(); ++i) slope_[i] = (slope_[i] - dydx[i]) / increment;
+    rates(y_, far_, x + 2.0 * increment);
+    to_slope(dydx, increment, slope_);
     if (mass > 0.0) {  // else nothing has left yet
       // More of what is there, so that no mass turns negative.
       for (std::size_t k = 0; k < balance.species(); ++k) {
@@ -173,7 +190,7 @@ class RosenbrockStepper : public Stepper {
 
   const boost::numeric::odeint::default_rosenbrock_coefficients<double> coefficients_{};
   Factors factors_;
-  Vector y_, rate_, slope_, right_;
+  Vector y_, rate_, far_, slope_, right_;
   std::array<Vector, 5> g_;
 };
 

@@ -11,6 +11,10 @@ namespace {
 namespace odeint = boost::numeric::odeint;
 using Vector = Stepper::Vector;
 
+// Steps up to a sixteenth of the time since the onset: each further term of sqrt(t) is less than a thirtieth
+// of the last.
+constexpr double kRootShare = 1.0 / 16.0;
+
 class DormandPrinceStepper : public Stepper {
  public:
   explicit DormandPrinceStepper(std::size_t unknowns) { method_.adjust_size(Vector(unknowns)); }
@@ -72,6 +76,15 @@ void Rates::fill(Vector& dydx, double x) {
   ++evaluations;
   if (root)
     for (double& rate : dydx) rate *= 2.0 * x;
+}
+
+bool Rates::leave_root(double t, double& x, double& h) {
+  const double length = time(x + h) - t;
+  if (!root || length > kRootShare * (t - origin)) return false;
+  root = false;
+  x = t;
+  h = length;
+  return true;
 }
 
 std::unique_ptr<Stepper> make_stepper(Method method, const FlowBalance& balance) {

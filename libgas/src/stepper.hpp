@@ -21,6 +21,10 @@ struct Rates {
   void operator()(const FlowBalance::Vector& y, FlowBalance::Vector& dydx, double x);
   /// The same where the balance has located the gas.
   void fill(FlowBalance::Vector& dydx, double x);
+  /// From steps in the root to the same in t, once h is short against the time since the origin: there t is
+  /// as smooth, and a balance that is steady in t is not in the root. True if so; the rates are then to be
+  /// filled anew.
+  bool leave_root(double t, double& x, double& h);
 };
 
 /// One step of a method: y at x to `end` at x + h, `end_rate` there; the balance is left at the end. With

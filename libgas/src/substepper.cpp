@@ -221,6 +221,7 @@ double Substepper::integrate(FlowBalance& balance, Vector& y, double a, double b
       x = rates.position(t);
       h = rates.position(t + next) - x;
     }
+    if (rates.leave_root(t, x, h)) rates.fill(begin_rate_, x);
     start = start_values(balance, t);
   }
   evaluations_ += rates.evaluations;

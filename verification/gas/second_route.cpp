@@ -4,6 +4,7 @@
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_odeiv2.h>
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -11,10 +12,10 @@ namespace second_route {
 namespace {
 
 int gsl_rates(double t, const double y[], double dydt[], void* parameters) {
-  const auto& tank = *static_cast<const VentedTank*>(parameters);
-  const std::size_t n = tank.start.masses.size() + 1;
+  const auto& stretch = *static_cast<const Stretch*>(parameters);
+  const std::size_t n = stretch.tank.start.masses.size() + 1;
   try {
-    rates(tank, t, {y, n}, {dydt, n});
+    rates(stretch, t, {y, n}, {dydt, n});
   } catch (const std::exception&) {
     return GSL_EBADFUNC;
   }
@@ -22,18 +23,18 @@ int gsl_rates(double t, const double y[], double dydt[], void* parameters) {
 }
 
 int gsl_jacobian(double t, const double y[], double* dfdy, double dfdt[], void* parameters) {
-  const auto& tank = *static_cast<const VentedTank*>(parameters);
-  const std::size_t n = tank.start.masses.size() + 1;
+  const auto& stretch = *static_cast<const Stretch*>(parameters);
+  const std::size_t n = stretch.tank.start.masses.size() + 1;
   std::vector<double> point(y, y + n), base(n), moved(n);
   double mass = 0.0;
   for (std::size_t k = 0; k + 1 < n; ++k) mass += y[k];
   try {
-    rates(tank, t, point, base);
+    rates(stretch, t, point, base);
     for (std::size_t j = 0; j < n; ++j) {
       // sqrt(eps) of the size of the unknown; cv T is some 1e6 J/kg.
       const double change = 1e-8 * (j + 1 < n ? mass : 1e6 * mass);
       point[j] = y[j] + change;
-      rates(tank, t, point, moved);
+      rates(stretch, t, point, moved);
       point[j] = y[j];
       for (std::size_t i = 0; i < n; ++i) dfdy[i * n + j] = (moved[i] - base[i]) / change;
     }
@@ -46,7 +47,7 @@ int gsl_jacobian(double t, const double y[], double* dfdy, double dfdt[], void* 
 
 }  // namespace
 
-VentedTank benchmark_tank(double vent_area) {
+Tank benchmark_tank(double vent_area) {
   std::vector<gas::Species> species;
   for (const char* name : {"N2", "O2", "Ar", "CO2", "H2O"}) species.push_back(gas::nasa7_species(name));
   const gas::Thermo thermo(species);
@@ -60,14 +61,16 @@ VentedTank benchmark_tank(double vent_area) {
                                  kVolume)};
 }
 
-void rates(const VentedTank& tank, double t, std::span<const double> y, std::span<double> dydt) {
+void rates(const Stretch& stretch, double t, std::span<const double> y, std::span<double> dydt) {
+  const auto& [tank, begin, end] = stretch;
   const std::size_t n = y.size() - 1;
+  t = std::clamp(t, std::nextafter(begin, end), std::nextafter(end, begin));
   gas::ControlVolumeState state{{y.begin(), y.end() - 1}, y[n], tank.start.temperature, {}};
   for (double& m : state.masses) m = std::max(m, 0.0);
-  const gas::GasPoint point = gas::evaluate(tank.model, state, kVolume, 0.0, t);
-  const double out = point.vent_mass_flow;
+  const gas::GasPoint point = gas::evaluate(tank.model, state, tank.volume, tank.leak_area, t);
+  const double out = point.vent_mass_flow + point.fabric_mass_flow;
   for (std::size_t k = 0; k < n; ++k) dydt[k] = -out * state.masses[k] / point.mass;
-  dydt[n] = -out * (state.internal_energy + point.pressure * kVolume) / point.mass;
+  dydt[n] = -out * (state.internal_energy + point.pressure * tank.volume) / point.mass;
   for (std::size_t i = 0; i < tank.model.inflows.size(); ++i) {
     const gas::InflatorPoint in = gas::inflator_point(tank.model, i, t);
     const auto& fractions = tank.model.inflows[i].mass_fractions;
@@ -76,28 +79,45 @@ void rates(const VentedTank& tank, double t, std::span<const double> y, std::spa
   }
 }
 
-gas::ControlVolumeState msbdf(const VentedTank& tank, double tolerance) {
-  gsl_set_error_handler_off();
-  std::vector<double> y(tank.start.masses);
-  y.push_back(tank.start.internal_energy);
-  gsl_odeiv2_system system{gsl_rates, gsl_jacobian, y.size(), const_cast<VentedTank*>(&tank)};
-  // One scale for masses and one for the energy: the absolute part of the tolerance, of 0.1 kg and 1e5 J.
-  std::vector<double> scale(y.size(), 0.1);
-  scale.back() = 1e5;
-  double t = 0.0;
-  for (const double end : {kFilled, kEnd}) {
-    gsl_odeiv2_driver* driver = gsl_odeiv2_driver_alloc_scaled_new(&system, gsl_odeiv2_step_msbdf, 1e-9,
-                                                                   tolerance, 0.0, 1.0, 0.0, scale.data());
-    const int status = gsl_odeiv2_driver_apply(driver, &t, end, y.data());
-    gsl_odeiv2_driver_free(driver);
-    if (status != GSL_SUCCESS) throw std::runtime_error(gsl_strerror(status));
-    t = std::nextafter(end, 2.0 * end);  // behind the knot
-  }
+std::vector<double> scales(const Tank& tank) {
+  const gas::GasPoint start = gas::evaluate(tank.model, tank.start, tank.volume, tank.leak_area, 0.0);
+  std::vector<double> scale(tank.start.masses.size(), start.mass);
+  scale.push_back(start.pressure * tank.volume / (start.gamma - 1.0));
+  return scale;
+}
+
+std::vector<double> unknowns(const gas::ControlVolumeState& state) {
+  std::vector<double> y(state.masses);
+  y.push_back(state.internal_energy);
+  return y;
+}
+
+gas::ControlVolumeState state_of(const Tank& tank, std::span<const double> y) {
   const std::vector<double> masses(y.begin(), y.end() - 1);
   return {masses,
           y.back(),
           tank.model.thermo.temperature_from_internal_energy(masses, y.back(), tank.start.temperature),
           {}};
+}
+
+std::vector<gas::ControlVolumeState> msbdf(const Tank& tank, double tolerance) {
+  gsl_set_error_handler_off();
+  std::vector<double> y = unknowns(tank.start);
+  const std::vector<double> scale = scales(tank);
+  std::vector<gas::ControlVolumeState> states;
+  double t = 0.0;
+  for (const double end : tank.stops) {
+    Stretch stretch{tank, t, end};
+    gsl_odeiv2_system system{gsl_rates, gsl_jacobian, y.size(), &stretch};
+    gsl_odeiv2_driver* driver =
+        gsl_odeiv2_driver_alloc_scaled_new(&system, gsl_odeiv2_step_msbdf, std::min(1e-9, 0.5 * (end - t)),
+                                           tolerance, 0.0, 1.0, 0.0, scale.data());
+    const int status = gsl_odeiv2_driver_apply(driver, &t, end, y.data());
+    gsl_odeiv2_driver_free(driver);
+    if (status != GSL_SUCCESS) throw std::runtime_error(gsl_strerror(status));
+    states.push_back(state_of(tank, y));
+  }
+  return states;
 }
 
 }  // namespace second_route

@@ -6,20 +6,37 @@
 // stepped by GSL's msbdf. Nothing of GasIntegrator is used: no closed-form inflow, no events.
 namespace second_route {
 
-struct VentedTank {
-  gas::ControlVolumeModel model;
-  gas::ControlVolumeState start;
-};
-
 inline constexpr double kVolume = 0.06, kFilled = 0.05, kEnd = 0.1;  // [m3], [s], [s]
 
+/// A rigid tank.
+struct Tank {
+  gas::ControlVolumeModel model;
+  gas::ControlVolumeState start;
+  double volume = kVolume;                   // [m3]
+  double leak_area = 0.0;                    // [m2] of fabric, (G.7)
+  std::vector<double> stops{kFilled, kEnd};  // [s] rising: inflows jump at no other time; the last is the end
+};
+
 /// 60 litres of air of cp(T), filled with N2, CO2, H2O at 1200 K for 50 ms, vented through 1e-3 m2.
-VentedTank benchmark_tank(double vent_area = 1e-3);
+Tank benchmark_tank(double vent_area = 1e-3);
 
-/// Rates of y = (m_k, U) at time t. Throws gas::DomainError outside the range.
-void rates(const VentedTank& tank, double t, std::span<const double> y, std::span<double> dydt);
+/// What passes between two stops: at its ends the inflows are those inside.
+struct Stretch {
+  const Tank& tank;
+  double begin, end;  // [s]
+};
 
-/// State at kEnd, stepped with the relative tolerance given.
-gas::ControlVolumeState msbdf(const VentedTank& tank, double tolerance);
+/// Rates of y = (m_k, U) at time t of the stretch. Throws gas::DomainError outside the range.
+void rates(const Stretch& stretch, double t, std::span<const double> y, std::span<double> dydt);
+
+/// What the absolute part of a tolerance multiplies, of y: the mass and the thermal energy at the start.
+std::vector<double> scales(const Tank& tank);
+
+/// (m_k, U), and the state that they are.
+std::vector<double> unknowns(const gas::ControlVolumeState& state);
+gas::ControlVolumeState state_of(const Tank& tank, std::span<const double> y);
+
+/// States at all stops, stepped with the relative tolerance given. Throws std::runtime_error if GSL gives up.
+std::vector<gas::ControlVolumeState> msbdf(const Tank& tank, double tolerance);
 
 }  // namespace second_route

@@ -1,0 +1,36 @@
+# SPDX-License-Identifier: Apache-2.0
+# Achieved error against CPU time of each method on each tank. usage: gnuplot -e "data='X.csv'; out='X.svg'"
+set terminal svg size 1050,700 font 'sans,12' background 'white'
+set output out
+set datafile separator ','
+set border 3
+set tics nomirror
+set grid linecolor 'gray70' linewidth 0.5 dashtype 3
+set logscale xy
+set format x '10^{%L}'
+set format y '10^{%L}'
+set yrange [1e-17:1]
+set ytics 1e-16, 1e4, 1
+set xlabel 'CPU time [µs]' offset 0, 0.3
+set ylabel 'Achieved relative error' offset 1
+unset key
+# An exact answer is drawn at 1e-16.
+rows(problem, solver) = "< awk -F, '$1 == \"".problem."\" && $2 == \"".solver."\"' ".data
+shown(error) = error < 1e-16 ? 1e-16 : error
+solvers = 'dormand_prince rosenbrock runge_kutta euler msbdf cvode'
+names = "'Dormand-Prince 5' 'Rosenbrock 4' 'Runge-Kutta 4' 'Euler' 'GSL msbdf' 'CVODE'"
+set style line 1 linecolor 'black' linewidth 2.2 dashtype 1 pointtype 7 pointsize 0.55
+set style line 2 linecolor 'black' linewidth 1.4 dashtype 2 pointtype 5 pointsize 0.55
+set style line 3 linecolor 'gray30' linewidth 1 dashtype 1 pointtype 6 pointsize 0.6
+set style line 4 linecolor 'gray30' linewidth 1 dashtype 3 pointtype 1 pointsize 0.5
+set style line 5 linecolor 'gray50' linewidth 1.4 dashtype 4 pointtype 8 pointsize 0.6
+set style line 6 linecolor 'gray50' linewidth 1.4 dashtype 1 pointtype 4 pointsize 0.55
+set multiplot layout 2,3 margins 0.07,0.985,0.08,0.95 spacing 0.065,0.15
+problems = 'filled_sealed filled_vented choked_blowdown equalisation tiny_volume three_pulses'
+titles = "'filled, sealed' 'filled, vented' 'choked blow-down' 'equalisation' 'tiny volume' 'three pulses, vented'"
+do for [i = 1:6] {
+  set title word(titles, i) offset 0, -0.6
+  if (i == 1) { set key center at graph 0.55, graph 0.6 samplen 4 spacing 1.1 } else { unset key }
+  plot for [s = 1:6] rows(word(problems, i), word(solvers, s)) using 4:(shown($5)) with linespoints linestyle s title word(names, s)
+}
+unset multiplot
