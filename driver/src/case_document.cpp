@@ -75,7 +75,20 @@ toml::node& descend(toml::node& parent, const std::string& key, const std::strin
   throw CaseError(fmt::format("--set {}: nothing stands below the key before '{}'", override_text, key));
 }
 
+void unset(toml::table& root, const std::string& path) {
+  toml::node* node = &root;
+  const auto parts = split_path(path);
+  for (std::size_t i = 0; node && i + 1 < parts.size(); ++i) {
+    auto* array = node->as_array();
+    const auto index = as_index(parts[i]);
+    node = array && index ? array->get(*index) : node->is_table() ? node->as_table()->get(parts[i]) : nullptr;
+  }
+  if (!node || parts.empty() || !node->is_table() || node->as_table()->erase(parts.back()) == 0)
+    throw CaseError(fmt::format("--unset {}: the case has no such key", path));
+}
+
 void apply_override(toml::table& root, const std::string& text) {
+  if (text.starts_with(unset_prefix)) return unset(root, text.substr(unset_prefix.size()));
   const auto equals = text.find('=');
   if (equals == std::string::npos || equals == 0)
     throw CaseError(fmt::format("--set {}: key.path=value is expected", text));

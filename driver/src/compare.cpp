@@ -184,6 +184,20 @@ void check_bands(const History& reference) {
 
 }  // namespace
 
+const char* verdict_name(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::inside:
+      return "inside";
+    case Verdict::outside:
+      return "outside";
+    case Verdict::undecided:
+      return "undecided";
+    case Verdict::not_judged:
+      break;
+  }
+  return "not judged";
+}
+
 const std::vector<double>* History::find(const std::string& name) const {
   for (const auto& [own, values] : columns)
     if (own == name) return &values;

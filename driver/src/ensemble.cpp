@@ -11,49 +11,12 @@
 #include <mutex>
 #include <nlohmann/json.hpp>
 
-#include "driver/channel_filter.hpp"
 #include "driver/progress.hpp"
+#include "member.hpp"
 #include "stages.hpp"
 
 namespace driver {
 namespace {
-
-struct Member {
-  std::vector<Record> rows;
-  RunOutcome outcome;
-  Peaks peaks;
-  Flows flows;
-  double final_angle = 0.0;
-  double filtered_peak = 0.0;  // [m/s2] of the c.g. acceleration
-};
-
-std::vector<std::string> member_overrides(std::vector<std::string> overrides, double amplitude, int seed) {
-  overrides.push_back(fmt::format("membrane.perturbation={:e}", amplitude));
-  overrides.push_back(fmt::format("membrane.perturbation_seed={}", seed));
-  return overrides;
-}
-
-Member run_member(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
-  CaseDocument document(file, overrides);
-  const Scene scene = read_scene(document);
-  State state = make_state(scene);
-  Member member;
-  PlanarSignal acceleration;
-  double level = 0.0;  // [s] time of the level that the sink sees
-  member.outcome = run_scene(scene, state, [&](const StepRecords* records, const State& now) {
-    if (records) member.rows.push_back(records->history);
-    if (!now.pendulum) return;
-    acceleration.time.push_back(level);
-    acceleration.first.push_back(now.pendulum->acceleration.tangential);
-    acceleration.second.push_back(now.pendulum->acceleration.radial);
-    level += now.step.after;
-  });
-  member.filtered_peak = filtered_peak(acceleration, impactor_channel_class);
-  member.peaks = state.peaks;
-  member.flows = state.flows;
-  member.final_angle = state.level.pendulum_angle;
-  return member;
-}
 
 // The history at `time`, linear between the recorded levels.
 double interpolate(const std::vector<Record>& rows, double time, double Record::*value) {
@@ -85,17 +48,10 @@ void collect_rows(const Scene& scene, const std::vector<const Member*>& members,
 
 void collect_quantities(const Scene& scene, const std::vector<const Member*>& members,
                         EnsembleResult& result) {
-  for (const Member* m : members) {
-    auto& q = result.quantities;
-    q["peak_pressure_Pa"].push_back(m->peaks.pressure);
-    q["peak_volume_m3"].push_back(m->peaks.volume);
-    if (!scene.pendulum) continue;
-    q["final_angle_rad"].push_back(m->final_angle);
-    q["peak_cg_acceleration_m_s2"].push_back(m->peaks.cg_acceleration);
-    q["peak_cg_acceleration_cfc180_m_s2"].push_back(m->filtered_peak);
-    q["contact_impulse_Ns"].push_back(m->flows.contact_impulse);
-    if (m->peaks.first_contact >= 0.0) q["first_contact_s"].push_back(m->peaks.first_contact);
-  }
+  for (const auto& [name, value] : quantity_columns(scene))
+    for (const Member* m : members)
+      if (value != &RunQuantities::first_contact_s || m->quantities.first_contact_s >= 0.0)
+        result.quantities[name].push_back(m->quantities.*value);
 }
 
 }  // namespace
@@ -139,8 +95,8 @@ EnsembleResult run_ensemble(const std::filesystem::path& file, const std::vector
   arena.execute([&] {
     tbb::parallel_for(0, options.runs, [&](int i) {
       if (interrupted()) return;
-      members[static_cast<std::size_t>(i)] =
-          run_member(file, member_overrides(overrides, options.amplitude, i + 1));
+      CaseDocument document(file, perturbed(overrides, options.amplitude, i + 1));
+      members[static_cast<std::size_t>(i)] = run_member(read_scene(document));
       const std::lock_guard<std::mutex> guard(progress_lock);
       progress.update(++finished, fmt::format("run {} of {}", finished.load(), options.runs));
     });

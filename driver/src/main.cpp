@@ -31,6 +31,15 @@ void add_case(CLI::App& command, CaseArguments& arguments) {
       .add_option("--set", arguments.overrides,
                   "key.path=value, replaces or adds a value of the case; may be repeated")
       ->allow_extra_args(false);
+  command
+      .add_option_function<std::vector<std::string>>(
+          "--unset",
+          [&](const std::vector<std::string>& keys) {
+            for (const auto& key : keys)
+              arguments.overrides.push_back(std::string(driver::unset_prefix) + key);
+          },
+          "key.path of a value or table to take out of the case; may be repeated")
+      ->allow_extra_args(false);
 }
 
 void add_threads(CLI::App& command, int& threads, bool& quiet) {
@@ -44,6 +53,7 @@ struct Arguments {
   CaseArguments check;
   std::string check_format = "text";
   EnsembleArguments ensemble;
+  LadderArguments ladder;
   MeshArguments mesh;
   ExactArguments exact;
   IdentifyArguments identify;
@@ -71,6 +81,22 @@ void add_ensemble(CLI::App& app, Arguments& all) {
       ->check(finite & CLI::Range(1e-18, 1e-3));
   ensemble->add_option("--against", all.ensemble.against, "a second case: report the difference of the means")
       ->check(named);
+}
+
+void add_ladder(CLI::App& app, LadderArguments& a) {
+  auto* ladder = app.add_subcommand(
+      "ladder", "error against cost of what a scene can leave out; the cheapest way within a tolerance");
+  add_case(*ladder, a.scene);
+  add_threads(*ladder, a.threads, a.quiet);
+  ladder->add_option("--quantity", a.quantity, "column of the history at the end, or a quantity of `ensemble`")
+      ->required()
+      ->check(named);
+  ladder->add_option("--tolerance", a.tolerance, "share of the quantity, 2% by default")->check(named);
+  ladder->add_option("--hold", a.hold, "axes that stay as the case has them, separated by commas")
+      ->delimiter(',')
+      ->allow_extra_args(false);
+  ladder->add_option("--runs", a.runs, "of each rung where the scene is chaotic")->check(CLI::Range(2, 100000));
+  ladder->add_option("--out", a.out, "result folder (results/ladder_<case> by default)")->check(named);
 }
 
 void add_mesh(CLI::App& app, MeshArguments& arguments) {
@@ -178,6 +204,7 @@ int dispatch(const CLI::App& app, const Arguments& all) {
   if (app.got_subcommand("run")) return run(all.run);
   if (app.got_subcommand("check")) return check(all.check, all.check_format);
   if (app.got_subcommand("ensemble")) return ensemble(all.ensemble);
+  if (app.got_subcommand("ladder")) return ladder(all.ladder);
   if (app.got_subcommand("mesh")) return dispatch_mesh(*app.get_subcommand("mesh"), all.mesh);
   if (app.got_subcommand("identify")) return identify(all.identify);
   if (app.got_subcommand("compare")) return compare(all.compare);
@@ -200,6 +227,7 @@ int main(int argc, char** argv) {
   Arguments all;
   add_run(app, all);
   add_ensemble(app, all);
+  add_ladder(app, all.ladder);
   add_mesh(app, all.mesh);
   add_others(app, all);
   add_identify(app, all.identify);

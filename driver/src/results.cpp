@@ -9,12 +9,16 @@
 #include <stdexcept>
 
 #include "build_info.hpp"
+#include "driver/case_reader.hpp"
 
 namespace driver {
 
 Provenance provenance(const std::filesystem::path& case_file, const std::vector<std::string>& overrides) {
   std::string options;
-  for (const auto& text : overrides) options += (options.empty() ? "--set " : " --set ") + text;
+  for (const auto& text : overrides) {
+    if (!options.empty()) options += ' ';
+    options += as_option(text);
+  }
   const auto now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
   return {{"case", case_file.string()},
           {"version", build_info::version},

@@ -3,5 +3,7 @@
 #pragma once
 
 #define TOML_HEADER_ONLY 0
-#define TOML_ENABLE_FORMATTERS 0
+#ifndef TOML_ENABLE_FORMATTERS
+#define TOML_ENABLE_FORMATTERS 0  // compiled only where a case is written
+#endif
 #include <toml++/toml.h>

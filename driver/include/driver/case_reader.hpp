@@ -14,6 +14,7 @@
 #include <set>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -131,16 +132,25 @@ class TableReader {
   std::set<std::string> asked_;
 };
 
+/// Begins an override that takes a key or a table out of the case: "unset key.path".
+inline constexpr std::string_view unset_prefix = "unset ";
+
+/// An override as the command line has it: `--set key.path=value` or `--unset key.path`.
+std::string as_option(const std::string& override_text);
+
 /// A parsed case file with its overrides applied; owns what the readers point to.
 class CaseDocument {
  public:
-  /// `overrides` are `key.path=value`, the value in TOML syntax (a bare word is a string). Throws CaseError.
+  /// `overrides` are `key.path=value`, the value in TOML syntax (a bare word is a string), or `unset
+  /// key.path`; applied in order. Throws CaseError.
   CaseDocument(const std::filesystem::path& file, const std::vector<std::string>& overrides);
   ~CaseDocument();
   CaseDocument(CaseDocument&&) noexcept;
   TableReader root();
   const std::vector<Setting>& settings() const;
   const std::filesystem::path& file() const { return file_; }
+  /// The case as TOML, its overrides applied, to stand in `folder`: files that it names are found from there.
+  std::string text(const std::filesystem::path& folder) const;
 
  private:
   std::filesystem::path file_;

@@ -28,6 +28,8 @@ History read_history(const std::filesystem::path& file, const std::filesystem::p
 inline constexpr const char* band_suffix = "_band";
 
 enum class Verdict { inside, outside, undecided, not_judged };
+/// As the results have it: "inside", "not judged".
+const char* verdict_name(Verdict verdict);
 
 /// A value and when it was reached.
 struct Peak {

@@ -7,16 +7,19 @@
 #include <string>
 #include <vector>
 
+#include "driver/compare.hpp"
 #include "driver/ensemble.hpp"
 
 namespace driver::commands {
 
 inline constexpr int exit_done = 0;
-inline constexpr int exit_outside = 1;        // compare: outside the reference's band
+inline constexpr int exit_outside = 1;        // compare: outside the reference's band; ladder: no rung within
 inline constexpr int exit_input = 2;          // the command line or an input is wrong; nothing written
 inline constexpr int exit_domain = 3;         // the computation left its domain; what was computed is kept
-inline constexpr int exit_undecided = 4;      // compare: neither inside nor outside can be said
+inline constexpr int exit_undecided = 4;      // compare, ladder: neither inside nor outside can be said
 inline constexpr int exit_interrupted = 130;  // Ctrl-C, as shells report it; what was computed is kept
+
+int exit_code(Verdict verdict);
 
 /// Throws CaseError when the file that `option` writes is one of those that are read.
 void refuse_same_file(const char* option, const std::filesystem::path& out,
@@ -47,6 +50,18 @@ struct EnsembleArguments {
   bool quiet = false;
 };
 int ensemble(const EnsembleArguments& arguments);
+
+struct LadderArguments {
+  CaseArguments scene;
+  std::string quantity;
+  std::string tolerance = "2%";
+  std::vector<std::string> hold;  // axes that stay as the case has them
+  std::filesystem::path out;
+  int runs = 16;  // of each rung of a chaotic scene
+  int threads = 1;
+  bool quiet = false;
+};
+int ladder(const LadderArguments& arguments);
 
 struct MeshArguments {
   std::filesystem::path file;            // to convert, or a case

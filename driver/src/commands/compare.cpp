@@ -16,24 +16,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-const char* name_of(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::inside:
-      return "inside";
-    case Verdict::outside:
-      return "outside";
-    case Verdict::undecided:
-      return "undecided";
-    case Verdict::not_judged:
-      break;
-  }
-  return "not judged";
-}
-
-int exit_code(Verdict verdict) {
-  return verdict == Verdict::inside ? exit_done : verdict == Verdict::outside ? exit_outside : exit_undecided;
-}
-
 void print_text(const CompareArguments& a, const Difference& difference) {
   fmt::print("{} against {}", a.mine.string(), a.reference.string());
   if (!difference.time.empty())
@@ -44,7 +26,7 @@ void print_text(const CompareArguments& a, const Difference& difference) {
              "reference", "at [s]", "verdict");
   for (const auto& q : difference.quantities) {
     if (q.values.empty()) {
-      fmt::print("{:34} {}: {}\n", q.name, name_of(q.verdict), q.reason);
+      fmt::print("{:34} {}: {}\n", q.name, verdict_name(q.verdict), q.reason);
       continue;
     }
     fmt::print(
@@ -52,9 +34,9 @@ void print_text(const CompareArguments& a, const Difference& difference) {
         q.name, q.largest.value, q.largest.time, q.l2, q.relative,
         q.band.empty() ? "-" : fmt::format("{:.3g}", q.share_of_band),
         q.phase_lag ? fmt::format("{:.3g}", *q.phase_lag) : "-", q.mine.value, q.mine.time, q.reference.value,
-        q.reference.time, name_of(q.verdict), q.reason.empty() ? "" : ": " + q.reason);
+        q.reference.time, verdict_name(q.verdict), q.reason.empty() ? "" : ": " + q.reason);
   }
-  fmt::print("{}{}\n", name_of(difference.verdict),
+  fmt::print("{}{}\n", verdict_name(difference.verdict),
              difference.reason.empty() ? "" : ": " + difference.reason);
 }
 
@@ -63,7 +45,7 @@ Json to_json(const Peak& peak) {
 }
 
 Json to_json(const QuantityDifference& q) {
-  Json json{{"verdict", name_of(q.verdict)}, {"reason", q.reason}};
+  Json json{{"verdict", verdict_name(q.verdict)}, {"reason", q.reason}};
   if (q.values.empty()) return json;
   json["max_error"] = to_json(q.largest);
   json["l2_error"] = q.l2;
@@ -79,7 +61,7 @@ Json to_json(const QuantityDifference& q) {
 void print_json(const CompareArguments& a, const Difference& difference) {
   Json json{{"mine", a.mine.string()},
             {"reference", a.reference.string()},
-            {"verdict", name_of(difference.verdict)},
+            {"verdict", verdict_name(difference.verdict)},
             {"reason", difference.reason},
             {"rows", difference.time.size()},
             {"quantities", Json::object()}};
@@ -110,6 +92,10 @@ void write_rows(const std::filesystem::path& file, const Difference& difference)
 }
 
 }  // namespace
+
+int exit_code(Verdict verdict) {
+  return verdict == Verdict::inside ? exit_done : verdict == Verdict::outside ? exit_outside : exit_undecided;
+}
 
 int compare(const CompareArguments& a) {
   refuse_same_file("--rows", a.rows, {a.mine, a.reference, a.map});

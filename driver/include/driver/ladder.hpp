@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: Apache-2.0
+// The fidelity ladder of a scene: which of its effects and resolutions one quantity needs, and what they cost.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "driver/compare.hpp"
+#include "driver/ensemble.hpp"
+
+namespace driver {
+
+/// One way to treat an effect, or one resolution.
+struct LadderChoice {
+  std::string name;                    // "occlusion off"
+  std::vector<std::string> overrides;  // of the case; empty: as it stands
+};
+
+/// What the choices of an axis are: ways to treat an effect, the truest last; resolutions of which those from
+/// `first` on halve a length or a step each, so that an order can be seen; or any that get finer.
+enum class AxisKind { effect, halving, tightening };
+
+/// An effect or a resolution that the case names, its choices from coarse to fine.
+struct LadderAxis {
+  std::string name;
+  AxisKind kind = AxisKind::effect;
+  std::vector<LadderChoice> choices;
+  std::size_t base = 0;   // of the full case: the truest way, or the case's own resolution; finer ones follow
+  std::size_t first = 0;  // choice that can be compared with its neighbours
+};
+
+struct LadderPlan {
+  std::vector<LadderAxis> axes;
+  std::optional<LadderChoice> tank;   // the bag as a rigid tank of its design volume
+  std::vector<std::string> left_out;  // "cp: why"
+};
+
+/// The overrides of the choices `picks`, one an axis, after `more`; nothing inside a table that is taken out.
+std::vector<std::string> combine(const LadderPlan& plan, const std::vector<std::size_t>& picks,
+                                 const std::vector<std::string>& more = {});
+
+/// One run, or the mean of several, of the case with `overrides`.
+struct LadderRung {
+  std::string name;
+  std::vector<std::string> overrides;  // beside the user's own
+  bool can_be_perturbed = false;       // has a membrane
+  std::optional<std::size_t> axis;     // whose choice alone differs from the full case
+  std::size_t choice = 0;              // of that axis
+  Statistics value;
+  double cpu_seconds = 0.0;  // of one run
+  std::string failure;       // why it has no value
+  double error = 0.0;           // value - the reference's
+  double standard_error = 0.0;  // of that
+  Verdict verdict = Verdict::not_judged;
+};
+
+/// What lies beyond the finest value of an axis.
+struct Remainder {
+  double correction = 0.0;     // to add to the value at `at`
+  double uncertainty = 0.0;    // of what was added
+  std::optional<double> order; // where three levels show one from 0.7 to 4.6
+};
+
+/// Of values at levels each twice as fine as the one before (AxisKind::halving), else of any that get finer. With an
+/// order p seen in the last three, Richardson's limit; its own last step is the uncertainty. Otherwise none is
+/// added, and the largest difference of neighbours from `base` on is the uncertainty: right for order 1 or more.
+Remainder remainder(const std::vector<Statistics>& values, std::size_t base, std::size_t at, AxisKind kind);
+
+struct LadderReference {
+  double value = 0.0;           // that of the finest rung, and the remainder of each resolution
+  double standard_error = 0.0;  // of the finest rung
+  double uncertainty = 0.0;     // of the remainders, root of the sum of squares
+  std::vector<std::pair<std::string, Remainder>> remainders;
+};
+
+struct LadderOptions {
+  std::string quantity;           // column of the history at the end, or of an ensemble's quantities; unit optional
+  double tolerance = 0.02;        // share of the reference's magnitude
+  std::vector<std::string> hold;  // axes that stay as the case has them
+  int runs = 16;                  // of each rung where the scene is chaotic
+  int threads = 1;
+  bool quiet = false;
+};
+
+struct LadderResult {
+  std::string quantity;  // full name
+  LadderPlan plan;
+  bool chaotic = false;
+  double spread = 0.0;            // of the quantity over seeds of the full case; scenes with a membrane
+  std::vector<LadderRung> rungs;  // the full case first, then the finest
+  LadderReference reference;
+  std::optional<std::size_t> cheapest;  // rung within the tolerance
+  Verdict verdict = Verdict::not_judged;  // inside: `cheapest` is set; not_judged: interrupted
+};
+
+/// The axes of a case. Throws CaseError for a bad case, a quantity it does not have, a held axis it does not
+/// have, and nothing left to vary.
+LadderPlan plan_ladder(const std::filesystem::path& file, const std::vector<std::string>& overrides,
+                       const std::string& quantity, const std::vector<std::string>& hold);
+
+/// Whole name of a quantity of the scene; the unit may be left off. Throws CaseError with those allowed.
+std::string quantity_name(const Scene& scene, const std::string& quantity);
+
+/// Runs the ladder; results but the costs do not depend on `threads`. Throws CaseError as plan_ladder does, and
+/// std::runtime_error when the full case or the finest rung leaves its domain: errors have no reference then.
+LadderResult run_ladder(const std::filesystem::path& file, const std::vector<std::string>& overrides,
+                        const LadderOptions& options);
+
+/// ladder.csv, ladder.json, and, if there is a cheapest rung, cheapest.toml, which runs as it is. Throws
+/// WriteError.
+void write_ladder(const std::filesystem::path& folder, const LadderResult& result,
+                  const std::filesystem::path& file, const std::vector<std::string>& overrides,
+                  const LadderOptions& options);
+
+}  // namespace driver

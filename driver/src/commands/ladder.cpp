@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "driver/ladder.hpp"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+
+#include "commands.hpp"
+#include "driver/progress.hpp"
+#include "driver/results.hpp"
+
+namespace driver::commands {
+namespace {
+
+// "2%" or "0.02".
+double read_tolerance(const std::string& text) {
+  const bool percent = text.ends_with('%');
+  const std::string digits = percent ? text.substr(0, text.size() - 1) : text;
+  double value = 0.0;
+  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+  if (percent) value /= 100.0;
+  if (error != std::errc{} || end != digits.data() + digits.size() || !(value > 0.0 && value <= 1.0))
+    throw CaseError(
+        fmt::format("--tolerance {}: a share above 0 up to 1, such as 0.02 or 2%, is allowed", text));
+  return value;
+}
+
+void print_scene(const LadderResult& result, const LadderOptions& options) {
+  const double tolerance = 100.0 * options.tolerance;
+  if (result.chaotic)
+    fmt::print("chaotic: seeds of {:g} m scatter {} by {:.3g}, {:g} % of it would be {:.3g}: means of {} runs\n",
+               default_amplitude, result.quantity, result.spread, tolerance,
+               options.tolerance * std::abs(result.reference.value), options.runs);
+  else if (result.rungs.front().can_be_perturbed)
+    fmt::print("not chaotic: seeds of {:g} m scatter {} by {:.3g} only: single runs\n", default_amplitude,
+               result.quantity, result.spread);
+  const LadderReference& reference = result.reference;
+  fmt::print("reference: {:.8g}, standard error {:.2g}, uncertainty {:.2g}\n", reference.value,
+             reference.standard_error, reference.uncertainty);
+  for (const auto& [axis, rest] : reference.remainders)
+    fmt::print("  beyond the finest {}: {:.2g}, uncertain by {:.2g}, {}\n", axis, rest.correction, rest.uncertainty,
+               rest.order ? fmt::format("order {:.2f} seen", *rest.order) : "no order seen");
+}
+
+void print_rungs(const LadderResult& result) {
+  fmt::print("\n  {:28} {:>12} {:>10} {:>9} {:>9} {:>10} {:>8}  {}\n", "rung", "value", "error", "s.e.", "error %",
+             "CPU s", "cost", "");
+  const double full_cost = result.rungs.front().cpu_seconds;
+  for (const LadderRung& rung : result.rungs) {
+    if (!rung.failure.empty()) {
+      fmt::print("  {:28} {}\n", rung.name, rung.failure);
+      continue;
+    }
+    const double share = result.reference.value != 0.0 ? 100.0 * rung.error / std::abs(result.reference.value) : NAN;
+    fmt::print("  {:28} {:12.6g} {:10.3g} {:9.2g} {:9.3g} {:10.3g} {:8.3f}  {}\n", rung.name, rung.value.mean,
+               rung.error, rung.standard_error, share, rung.cpu_seconds, rung.cpu_seconds / full_cost,
+               verdict_name(rung.verdict));
+  }
+  for (const auto& reason : result.plan.left_out) fmt::print("  left out: {}\n", reason);
+}
+
+void print_changes(const LadderResult& result) {
+  fmt::print("\nwhat each does to the full case\n  {:28} {:>12} {:>9} {:>9}\n", "", "change", "s.e.", "change %");
+  const Statistics& full = result.rungs.front().value;
+  for (const LadderRung& rung : result.rungs)
+    if (rung.axis && rung.failure.empty())
+      fmt::print("  {:28} {:12.4g} {:9.2g} {:9.3g}\n", rung.name, rung.value.mean - full.mean,
+                 std::hypot(rung.value.standard_error, full.standard_error),
+                 full.mean != 0.0 ? 100.0 * (rung.value.mean - full.mean) / std::abs(full.mean) : NAN);
+}
+
+void print_verdict(const LadderResult& result, const LadderOptions& options, const std::filesystem::path& folder) {
+  fmt::print("\n");
+  if (!result.cheapest) {
+    fmt::print("no rung is {} within {:g} %: {}\n", result.verdict == Verdict::outside ? "" : "known to be",
+               100.0 * options.tolerance,
+               result.verdict == Verdict::outside
+                   ? "a finer case is needed"
+                   : "more --runs, a finer case, a wider --tolerance or --hold of what is not in question");
+    return;
+  }
+  const LadderRung& best = result.rungs[*result.cheapest];
+  for (const LadderRung& rung : result.rungs)
+    if (rung.verdict == Verdict::undecided && rung.cpu_seconds < best.cpu_seconds)
+      fmt::print("cheaper, but undecided: {}\n", rung.name);
+  fmt::print("cheapest within {:g} %: {}, {:.3g} s of CPU ({:.2g} of the full case); written to {}\n",
+             100.0 * options.tolerance, best.name, best.cpu_seconds,
+             best.cpu_seconds / result.rungs.front().cpu_seconds, (folder / "cheapest.toml").string());
+}
+
+}  // namespace
+
+int ladder(const LadderArguments& arguments) {
+  const LadderOptions options{arguments.quantity, read_tolerance(arguments.tolerance), arguments.hold,
+                              arguments.runs,     arguments.threads,                   arguments.quiet};
+  const auto folder = arguments.out.empty()
+                          ? std::filesystem::path("results") / ("ladder_" + arguments.scene.file.stem().string())
+                          : arguments.out;
+  plan_ladder(arguments.scene.file, arguments.scene.overrides, options.quantity, options.hold);
+  refuse_same_file("--out", folder / "cheapest.toml", {arguments.scene.file});
+  prepare_output(folder);
+  catch_interrupt();
+  const LadderResult result = run_ladder(arguments.scene.file, arguments.scene.overrides, options);
+  write_ladder(folder, result, arguments.scene.file, arguments.scene.overrides, options);
+  if (interrupted()) return exit_interrupted;
+  print_scene(result, options);
+  print_rungs(result);
+  print_changes(result);
+  print_verdict(result, options, folder);
+  return exit_code(result.verdict);
+}
+
+}  // namespace driver::commands

@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "driver/ladder.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "driver/progress.hpp"
+#include "ladder_parts.hpp"
+#include "stages.hpp"
+
+namespace driver {
+namespace {
+
+using Picks = std::vector<std::size_t>;
+
+constexpr int probes = 4;               // seeds that tell a chaotic scene
+constexpr double harmless_share = 0.1;  // of the tolerance that the scatter of single runs may take
+constexpr double worth_it = 0.97;       // of the full case's cost: what saves less is no cheaper
+
+class LadderRun {
+ public:
+  LadderRun(const std::filesystem::path& file, const std::vector<std::string>& user, const LadderOptions& options,
+            LadderResult& result)
+      : file_(file), user_(user), options_(options), result_(result) {
+    CaseDocument document(file, user);
+    const Scene scene = read_scene(document);
+    has_bag_ = scene.bag.has_value();
+    name_ = scene.name;
+    for (const auto& axis : result.plan.axes) full_.push_back(axis.base);
+  }
+
+  void run() {
+    add("full", full_);
+    probe();
+    add_finest();
+    add_as_it_is();
+    add_alternatives();
+    add_tank_rung();
+    run_rungs(1, "rungs");
+    require(0);
+    require(1);
+    const std::size_t before = result_.rungs.size();
+    add_combinations();
+    run_rungs(before, "combinations");
+  }
+
+ private:
+  LadderRung& add(std::string name, const Picks& picks) {
+    LadderRung rung;
+    rung.name = std::move(name);
+    rung.overrides = combine(result_.plan, picks);
+    rung.can_be_perturbed = has_bag_;
+    return result_.rungs.emplace_back(std::move(rung));
+  }
+
+  bool is_new(const std::vector<std::string>& overrides) const {
+    return std::none_of(result_.rungs.begin(), result_.rungs.end(),
+                        [&](const LadderRung& r) { return r.overrides == overrides; });
+  }
+
+  // One level finer in every resolution at once.
+  void add_finest() {
+    Picks finest = full_;
+    for (std::size_t a = 0; a < finest.size(); ++a)
+      finest[a] = std::min(finest[a] + 1, result_.plan.axes[a].choices.size() - 1);
+    add("finest", finest);
+  }
+
+  void add_as_it_is() {
+    if (!is_new({})) return;
+    LadderRung rung;
+    rung.name = "as it is";
+    rung.can_be_perturbed = has_bag_;
+    result_.rungs.push_back(std::move(rung));
+  }
+
+  void add_alternatives() {
+    for (std::size_t a = 0; a < full_.size(); ++a) {
+      const LadderAxis& axis = result_.plan.axes[a];
+      for (std::size_t c = 0; c < axis.choices.size(); ++c) {
+        if (c == axis.base) continue;
+        Picks picks = full_;
+        picks[a] = c;
+        LadderRung& rung = add(axis.choices[c].name, picks);
+        rung.axis = a;
+        rung.choice = c;
+      }
+    }
+  }
+
+  void add_tank_rung() {
+    if (!result_.plan.tank) return;
+    LadderRung rung;
+    rung.name = result_.plan.tank->name;
+    rung.overrides = combine(result_.plan, full_, result_.plan.tank->overrides);
+    result_.rungs.push_back(std::move(rung));
+  }
+
+  // The full case less one thing more each time, the least important first.
+  void add_combinations() {
+    const auto& rungs = result_.rungs;
+    const LadderRung& full = rungs.front();
+    std::vector<LadderRung> cheaper;
+    for (const LadderRung& r : rungs)
+      if (r.axis && r.choice < full_[*r.axis] && r.failure.empty() && r.value.count > 0 &&
+          r.cpu_seconds < worth_it * full.cpu_seconds)
+        cheaper.push_back(r);
+    std::stable_sort(cheaper.begin(), cheaper.end(), [&](const LadderRung& a, const LadderRung& b) {
+      return std::abs(a.value.mean - full.value.mean) < std::abs(b.value.mean - full.value.mean);
+    });
+    Picks picks = full_;
+    std::vector<double> cost(full_.size(), full.cpu_seconds);
+    for (const LadderRung& r : cheaper) {
+      if (r.cpu_seconds >= cost[*r.axis]) continue;
+      cost[*r.axis] = r.cpu_seconds;
+      picks[*r.axis] = r.choice;
+      if (is_new(combine(result_.plan, picks))) add("and " + r.name, picks);
+    }
+  }
+
+  // Whether seeds scatter by what the tolerance would notice: then every rung is a mean.
+  void probe() {
+    if (!has_bag_) return run_rungs(0, "full case");
+    std::vector<LadderJob> jobs;
+    for (int seed = 1; seed <= probes; ++seed) jobs.push_back(job(0, seed));
+    const auto samples = run(jobs, "seeds");
+    double low = INFINITY, high = -INFINITY;
+    for (const LadderSample& s : samples)
+      if (s.value) low = std::min(low, *s.value), high = std::max(high, *s.value);
+    if (interrupted() || !(high >= low)) return run_rungs(0, "full case");
+    result_.spread = high - low;
+    const double size = std::max(std::abs(low), std::abs(high));
+    result_.chaotic = result_.spread > harmless_share * options_.tolerance * size;
+    run_rungs(0, "full case");
+  }
+
+  void run_rungs(std::size_t first, const char* what) {
+    std::vector<LadderJob> jobs;
+    for (std::size_t r = first; r < result_.rungs.size(); ++r) {
+      const bool many = result_.chaotic && result_.rungs[r].can_be_perturbed;
+      for (int i = 0; i < (many ? options_.runs : 1); ++i) jobs.push_back(job(r, many ? i + 1 : 0));
+    }
+    const auto samples = run(jobs, what);
+    for (std::size_t r = first; r < result_.rungs.size(); ++r) collect(jobs, samples, r);
+  }
+
+  void collect(const std::vector<LadderJob>& jobs, const std::vector<LadderSample>& samples, std::size_t index) {
+    std::vector<double> values;
+    LadderRung& rung = result_.rungs[index];
+    double cpu = 0.0;
+    for (std::size_t j = 0; j < jobs.size(); ++j) {
+      if (jobs[j].rung != index) continue;
+      if (!samples[j].failure.empty()) rung.failure = samples[j].failure;
+      if (!samples[j].value) continue;
+      values.push_back(*samples[j].value);
+      cpu += samples[j].cpu_seconds;
+    }
+    rung.value = statistics(values);
+    if (!values.empty()) rung.cpu_seconds = cpu / static_cast<double>(values.size());
+  }
+
+  LadderJob job(std::size_t rung, int seed) const {
+    auto overrides = user_;
+    const auto& own = result_.rungs[rung].overrides;
+    overrides.insert(overrides.end(), own.begin(), own.end());
+    if (seed > 0) overrides = perturbed(std::move(overrides), default_amplitude, seed);
+    return {rung, std::move(overrides), seed > 0};
+  }
+
+  std::vector<LadderSample> run(const std::vector<LadderJob>& jobs, const std::string& what) const {
+    return run_jobs(file_, jobs, result_.quantity, name_ + ", " + what, options_.threads, options_.quiet);
+  }
+
+  void require(std::size_t index) const {
+    const LadderRung& rung = result_.rungs[index];
+    if (!interrupted() && !rung.failure.empty())
+      throw std::runtime_error(fmt::format("rung \"{}\", to which all are compared: {}", rung.name, rung.failure));
+  }
+
+  const std::filesystem::path& file_;
+  const std::vector<std::string>& user_;
+  const LadderOptions& options_;
+  LadderResult& result_;
+  Picks full_;
+  bool has_bag_ = false;
+  std::string name_;
+};
+
+}  // namespace
+
+LadderResult run_ladder(const std::filesystem::path& file, const std::vector<std::string>& overrides,
+                        const LadderOptions& options) {
+  LadderResult result;
+  result.plan = plan_ladder(file, overrides, options.quantity, options.hold);
+  CaseDocument document(file, overrides);
+  result.quantity = quantity_name(read_scene(document), options.quantity);
+  set_threads(options.threads);
+  ParallelBlocks::threads = 1;  // runs side by side, each serial inside
+  LadderRun(file, overrides, options, result).run();
+  if (!interrupted()) judge(result, options.tolerance);
+  return result;
+}
+
+}  // namespace driver

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: Apache-2.0
+// The files of a ladder.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <cmath>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "driver/ladder.hpp"
+#include "driver/results.hpp"
+
+namespace driver {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string options_of(const LadderRung& rung) {
+  std::string text;
+  for (const auto& override_text : rung.overrides) {
+    if (!text.empty()) text += ' ';
+    text += as_option(override_text);
+  }
+  return text;
+}
+
+// Quoted as RFC 4180 has it.
+std::string cell(const std::string& text) {
+  std::string quoted(1, '"');
+  for (const char c : text) {
+    if (c == '"') quoted += c;
+    quoted += c == '\n' ? ' ' : c;
+  }
+  quoted += '"';
+  return quoted;
+}
+
+struct Contribution {
+  double value = 0.0, standard_error = 0.0;
+};
+
+Contribution contribution(const LadderResult& result, const LadderRung& rung) {
+  const Statistics& full = result.rungs.front().value;
+  return {rung.value.mean - full.mean, std::hypot(rung.value.standard_error, full.standard_error)};
+}
+
+bool has_value(const LadderRung& rung) {
+  return rung.failure.empty() && rung.value.count > 0;
+}
+
+void write_rows(const std::filesystem::path& file, const LadderResult& result, const Provenance& lines) {
+  std::ofstream csv(file);
+  for (const auto& [key, value] : lines) csv << "# " << key << ": " << value << '\n';
+  csv << "rung,runs,value,value_se,error,error_se,cpu_s,cost_ratio,verdict,change,change_se,options,failure\n";
+  const bool judged = result.verdict != Verdict::not_judged;
+  for (const LadderRung& rung : result.rungs) {
+    csv << rung.name << ',' << rung.value.count << ',';
+    if (has_value(rung)) {
+      const Contribution change = contribution(result, rung);
+      csv << fmt::format("{},{},", rung.value.mean, rung.value.standard_error);
+      csv << (judged ? fmt::format("{},{},", rung.error, rung.standard_error) : ",,");
+      csv << fmt::format("{:.4g},{:.4g},{},{},{},", rung.cpu_seconds,
+                         rung.cpu_seconds / result.rungs.front().cpu_seconds, verdict_name(rung.verdict),
+                         change.value, change.standard_error);
+    } else {
+      csv << ",,,,,,not judged,,,";
+    }
+    csv << cell(options_of(rung)) << ',' << cell(rung.failure) << '\n';
+  }
+  csv.flush();
+  if (!csv) throw WriteError(fmt::format("{}: write failed", file.string()));
+}
+
+Json reference_json(const LadderReference& reference) {
+  Json json{{"value", reference.value},
+            {"standard_error", reference.standard_error},
+            {"uncertainty", reference.uncertainty}};
+  for (const auto& [axis, rest] : reference.remainders)
+    json["beyond_finest"][axis] = {{"correction", rest.correction},
+                                   {"uncertainty", rest.uncertainty},
+                                   {"order", rest.order ? Json(*rest.order) : Json(nullptr)}};
+  return json;
+}
+
+Json rung_json(const LadderResult& result, const LadderRung& rung) {
+  Json json{{"rung", rung.name}, {"options", options_of(rung)}};
+  if (!has_value(rung)) {
+    json["failure"] = rung.failure;
+    return json;
+  }
+  json["value"] = rung.value.mean;
+  json["value_se"] = rung.value.standard_error;
+  json["runs"] = rung.value.count;
+  json["cpu_s"] = rung.cpu_seconds;
+  if (result.verdict == Verdict::not_judged) return json;
+  json["error"] = rung.error;
+  json["error_se"] = rung.standard_error;
+  json["verdict"] = verdict_name(rung.verdict);
+  return json;
+}
+
+void write_json(const std::filesystem::path& file, const LadderResult& result, const LadderOptions& options,
+                const Provenance& lines) {
+  Json json{{"quantity", result.quantity},
+            {"tolerance", options.tolerance},
+            {"verdict", verdict_name(result.verdict)},
+            {"cheapest", result.cheapest ? Json(result.rungs[*result.cheapest].name) : Json(nullptr)},
+            {"chaotic", result.chaotic},
+            {"spread_of_seeds", result.spread}};
+  if (result.verdict != Verdict::not_judged) json["reference"] = reference_json(result.reference);
+  for (const LadderRung& rung : result.rungs) json["rungs"].push_back(rung_json(result, rung));
+  json["held"] = options.hold;
+  json["left_out"] = result.plan.left_out;
+  for (const auto& [key, value] : lines) json["build"][key] = value;
+  std::ofstream stream(file);
+  stream << json.dump(2) << '\n';
+  stream.flush();
+  if (!stream) throw WriteError(fmt::format("{}: write failed", file.string()));
+}
+
+void write_cheapest(const std::filesystem::path& folder, const LadderResult& result,
+                    const std::filesystem::path& file, const std::vector<std::string>& overrides,
+                    const LadderOptions& options) {
+  const LadderRung& rung = result.rungs[*result.cheapest];
+  auto all = overrides;
+  all.insert(all.end(), rung.overrides.begin(), rung.overrides.end());
+  const CaseDocument document(file, all);
+  std::ofstream stream(folder / "cheapest.toml");
+  stream << fmt::format(
+      "# {}: the cheapest rung of its ladder with {} within {:g} % of the reference.\n"
+      "# Rung \"{}\": {}\n# Off by {:.3g} +- {:.2g} (2 standard errors and the reference's uncertainty) of {:.6g}.\n\n",
+      file.filename().string(), result.quantity, 100.0 * options.tolerance, rung.name,
+      rung.overrides.empty() ? "the case as it is" : options_of(rung), rung.error,
+      2.0 * rung.standard_error + result.reference.uncertainty, result.reference.value);
+  stream << document.text(folder);
+  stream.flush();
+  if (!stream) throw WriteError(fmt::format("{}: write failed", (folder / "cheapest.toml").string()));
+}
+
+}  // namespace
+
+void write_ladder(const std::filesystem::path& folder, const LadderResult& result,
+                  const std::filesystem::path& file, const std::vector<std::string>& overrides,
+                  const LadderOptions& options) {
+  Provenance lines = provenance(file, overrides);
+  lines.emplace_back("quantity", result.quantity);
+  lines.emplace_back("tolerance", fmt::format("{}", options.tolerance));
+  if (!options.hold.empty()) lines.emplace_back("held", fmt::format("{}", fmt::join(options.hold, ", ")));
+  if (result.verdict != Verdict::not_judged) {
+    lines.emplace_back("reference", fmt::format("{}", result.reference.value));
+    lines.emplace_back("uncertainty", fmt::format("{}", result.reference.uncertainty));
+  }
+  write_rows(folder / "ladder.csv", result, lines);
+  write_json(folder / "ladder.json", result, options, lines);
+  std::filesystem::remove(folder / "cheapest.toml");  // of an earlier ladder
+  if (result.cheapest) write_cheapest(folder, result, file, overrides, options);
+}
+
+}  // namespace driver

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: Apache-2.0
+// What lies beyond the finest rung, and what the others are off by.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "ladder_parts.hpp"
+
+namespace driver {
+namespace {
+
+// Orders taken for seen: a first-order method a little before its asymptotic range, up to one that converges as
+// fast as any here.
+constexpr double lowest_order = 0.7, highest_order = 4.6;
+
+bool is_seen(double difference, const Statistics& a, const Statistics& b) {
+  return std::abs(difference) > 2.0 * std::hypot(a.standard_error, b.standard_error);
+}
+
+// Richardson's limit of the last three values.
+std::optional<Remainder> extrapolated(const std::vector<Statistics>& values, std::size_t at) {
+  if (values.size() < 3) return std::nullopt;
+  const Statistics* last = &values.back();
+  const double before = last[-1].mean - last[-2].mean, after = last->mean - last[-1].mean;
+  if (!is_seen(before, last[-1], last[-2]) || !is_seen(after, *last, last[-1])) return std::nullopt;
+  if (!(before / after > 0.0)) return std::nullopt;
+  const double order = std::log2(before / after);
+  if (!(order >= lowest_order && order <= highest_order)) return std::nullopt;
+  const double step = after / (before / after - 1.0);
+  return Remainder{last->mean + step - values[at].mean, std::abs(step), order};
+}
+
+// Of the values along an axis; infinite uncertainty if a finer one is missing.
+Remainder remainder_of(const LadderResult& result, std::size_t index) {
+  const LadderAxis& axis = result.plan.axes[index];
+  std::vector<Statistics> values;
+  for (std::size_t c = axis.first; c < axis.choices.size(); ++c) {
+    const auto rung = std::find_if(result.rungs.begin(), result.rungs.end(), [&](const LadderRung& r) {
+      return r.axis == index && r.choice == c;
+    });
+    const LadderRung& found = c == axis.base ? result.rungs.front() : *rung;
+    if (found.failure.empty())
+      values.push_back(found.value);
+    else if (c > axis.base)
+      return {0.0, std::numeric_limits<double>::infinity(), {}};
+    else
+      values.clear();
+  }
+  const std::size_t base = values.size() - (axis.choices.size() - axis.base);
+  return remainder(values, base, std::min(base + 1, values.size() - 1), axis.kind);
+}
+
+LadderReference reference_of(const LadderResult& result) {
+  const Statistics& finest = result.rungs[1].value;
+  LadderReference reference{finest.mean, finest.standard_error, 0.0, {}};
+  for (std::size_t a = 0; a < result.plan.axes.size(); ++a) {
+    const LadderAxis& axis = result.plan.axes[a];
+    if (axis.kind == AxisKind::effect) continue;
+    const Remainder rest = remainder_of(result, a);
+    reference.value += rest.correction;
+    reference.uncertainty = std::hypot(reference.uncertainty, rest.uncertainty);
+    reference.remainders.emplace_back(axis.name, rest);
+  }
+  return reference;
+}
+
+// Fewer runs say too little of the scatter of a chaotic scene.
+constexpr int fewest_runs = 16;
+
+Verdict verdict_of(const LadderRung& rung, double uncertainty, double allowed, bool chaotic) {
+  if (!rung.failure.empty() || rung.value.count == 0) return Verdict::not_judged;
+  if (chaotic && rung.can_be_perturbed && rung.value.count < fewest_runs) return Verdict::undecided;
+  if (!(allowed > 0.0)) return Verdict::undecided;  // a share of nothing
+  const double doubt = 2.0 * rung.standard_error + uncertainty;
+  if (std::abs(rung.error) + doubt <= allowed) return Verdict::inside;
+  return std::abs(rung.error) - doubt > allowed ? Verdict::outside : Verdict::undecided;
+}
+
+}  // namespace
+
+Remainder remainder(const std::vector<Statistics>& values, std::size_t base, std::size_t at, AxisKind kind) {
+  if (kind == AxisKind::halving)
+    if (const auto seen = extrapolated(values, at)) return *seen;
+  Remainder rest;
+  // Without a finer one, what the last refinement did.
+  for (std::size_t i = base > 0 ? std::min(base, values.size() - 2) : 0; i + 1 < values.size(); ++i)
+    rest.uncertainty = std::max(rest.uncertainty, std::abs(values[i + 1].mean - values[i].mean));
+  return rest;
+}
+
+void judge(LadderResult& result, double tolerance) {
+  result.reference = reference_of(result);
+  const LadderReference& reference = result.reference;
+  const double allowed = tolerance * std::abs(reference.value);
+  bool undecided = false;
+  for (std::size_t i = 0; i < result.rungs.size(); ++i) {
+    LadderRung& rung = result.rungs[i];
+    rung.error = rung.value.mean - reference.value;
+    rung.standard_error = i == 1 ? reference.standard_error
+                                 : std::hypot(rung.value.standard_error, reference.standard_error);
+    rung.verdict = verdict_of(rung, reference.uncertainty, allowed, result.chaotic);
+    undecided = undecided || rung.verdict == Verdict::undecided;
+    if (rung.verdict == Verdict::inside &&
+        (!result.cheapest || rung.cpu_seconds < result.rungs[*result.cheapest].cpu_seconds))
+      result.cheapest = i;
+  }
+  result.verdict = result.cheapest ? Verdict::inside : undecided ? Verdict::undecided : Verdict::outside;
+}
+
+}  // namespace driver
