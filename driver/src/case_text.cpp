@@ -21,9 +21,9 @@ void move_files(toml::node& node, const std::filesystem::path& from, const std::
   if (!table) return;
   for (auto&& [key, value] : *table) {
     if (auto* text = value.as_string(); text && names_file(std::string(key.str())))
-      text->get() =
-          std::filesystem::proximate(std::filesystem::absolute(from / text->get()), std::filesystem::absolute(to))
-              .string();
+      text->get() = std::filesystem::proximate(std::filesystem::absolute(from / text->get()),
+                                               std::filesystem::absolute(to))
+                        .string();
     else
       move_files(value, from, to);
   }

@@ -17,12 +17,11 @@ using Picks = std::vector<std::size_t>;
 
 constexpr int probes = 4;               // seeds that tell a chaotic scene
 constexpr double harmless_share = 0.1;  // of the tolerance that the scatter of single runs may take
-constexpr double worth_it = 0.97;       // of the full case's cost: what saves less is no cheaper
 
 class LadderRun {
  public:
-  LadderRun(const std::filesystem::path& file, const std::vector<std::string>& user, const LadderOptions& options,
-            LadderResult& result)
+  LadderRun(const std::filesystem::path& file, const std::vector<std::string>& user,
+            const LadderOptions& options, LadderResult& result)
       : file_(file), user_(user), options_(options), result_(result) {
     CaseDocument document(file, user);
     const Scene scene = read_scene(document);
@@ -40,7 +39,7 @@ class LadderRun {
     add_tank_rung();
     run_rungs(1, "rungs");
     require(0);
-    require(1);
+    require(result_.finest);
     const std::size_t before = result_.rungs.size();
     add_combinations();
     run_rungs(before, "combinations");
@@ -60,12 +59,11 @@ class LadderRun {
                         [&](const LadderRung& r) { return r.overrides == overrides; });
   }
 
-  // One level finer in every resolution at once.
   void add_finest() {
-    Picks finest = full_;
-    for (std::size_t a = 0; a < finest.size(); ++a)
-      finest[a] = std::min(finest[a] + 1, result_.plan.axes[a].choices.size() - 1);
-    add("finest", finest);
+    const Picks picks = finest_picks(result_.plan);
+    if (picks == full_) return;
+    add("finest", picks);
+    result_.finest = 1;
   }
 
   void add_as_it_is() {
@@ -83,7 +81,9 @@ class LadderRun {
         if (c == axis.base) continue;
         Picks picks = full_;
         picks[a] = c;
-        LadderRung& rung = add(axis.choices[c].name, picks);
+        const bool is_finest = picks == finest_picks(result_.plan);
+        LadderRung& rung = is_finest ? result_.rungs[result_.finest] : add(axis.choices[c].name, picks);
+        if (is_finest) rung.name += ": " + axis.choices[c].name;
         rung.axis = a;
         rung.choice = c;
       }
@@ -146,7 +146,8 @@ class LadderRun {
     for (std::size_t r = first; r < result_.rungs.size(); ++r) collect(jobs, samples, r);
   }
 
-  void collect(const std::vector<LadderJob>& jobs, const std::vector<LadderSample>& samples, std::size_t index) {
+  void collect(const std::vector<LadderJob>& jobs, const std::vector<LadderSample>& samples,
+               std::size_t index) {
     std::vector<double> values;
     LadderRung& rung = result_.rungs[index];
     double cpu = 0.0;
@@ -176,7 +177,8 @@ class LadderRun {
   void require(std::size_t index) const {
     const LadderRung& rung = result_.rungs[index];
     if (!interrupted() && !rung.failure.empty())
-      throw std::runtime_error(fmt::format("rung \"{}\", to which all are compared: {}", rung.name, rung.failure));
+      throw std::runtime_error(
+          fmt::format("rung \"{}\", to which all are compared: {}", rung.name, rung.failure));
   }
 
   const std::filesystem::path& file_;

@@ -51,7 +51,8 @@ bool has_value(const LadderRung& rung) {
 void write_rows(const std::filesystem::path& file, const LadderResult& result, const Provenance& lines) {
   std::ofstream csv(file);
   for (const auto& [key, value] : lines) csv << "# " << key << ": " << value << '\n';
-  csv << "rung,runs,value,value_se,error,error_se,cpu_s,cost_ratio,verdict,change,change_se,options,failure\n";
+  csv << "rung,runs,value,value_se,error,error_se,cpu_s,cost_ratio,verdict,change,change_se,options,"
+         "failure\n";
   const bool judged = result.verdict != Verdict::not_judged;
   for (const LadderRung& rung : result.rungs) {
     csv << rung.name << ',' << rung.value.count << ',';
@@ -128,7 +129,8 @@ void write_cheapest(const std::filesystem::path& folder, const LadderResult& res
   std::ofstream stream(folder / "cheapest.toml");
   stream << fmt::format(
       "# {}: the cheapest rung of its ladder with {} within {:g} % of the reference.\n"
-      "# Rung \"{}\": {}\n# Off by {:.3g} +- {:.2g} (2 standard errors and the reference's uncertainty) of {:.6g}.\n\n",
+      "# Rung \"{}\": {}\n# Off by {:.3g} +- {:.2g} (2 standard errors and the reference's uncertainty) of "
+      "{:.6g}.\n\n",
       file.filename().string(), result.quantity, 100.0 * options.tolerance, rung.name,
       rung.overrides.empty() ? "the case as it is" : options_of(rung), rung.error,
       2.0 * rung.standard_error + result.reference.uncertainty, result.reference.value);

@@ -7,6 +7,9 @@
 
 namespace driver {
 
+/// Share of a cost from which on another is cheaper: CPU times repeat to some percent.
+inline constexpr double worth_it = 0.97;
+
 /// Settings of a case that has been read.
 class CaseSettings {
  public:
@@ -30,8 +33,9 @@ void add_effects(const Scene& scene, const CaseSettings& settings, LadderPlan& p
 void add_resolutions(const Scene& scene, const CaseSettings& settings, LadderPlan& plan);
 
 /// Adds the bag as a rigid tank of its design volume to the plan, or says why there is none.
-void add_tank(const std::filesystem::path& file, const std::vector<std::string>& overrides, const Scene& scene,
-              const CaseSettings& settings, const std::string& quantity, LadderPlan& plan);
+void add_tank(const std::filesystem::path& file, const std::vector<std::string>& overrides,
+              const Scene& scene, const CaseSettings& settings, const std::string& quantity,
+              LadderPlan& plan);
 
 struct LadderJob {
   std::size_t rung = 0;
@@ -47,7 +51,8 @@ struct LadderSample {
 
 /// One sample a job, `threads` at a time; those that an interrupt forestalled have neither value nor failure.
 std::vector<LadderSample> run_jobs(const std::filesystem::path& file, const std::vector<LadderJob>& jobs,
-                                   const std::string& quantity, const std::string& title, int threads, bool quiet);
+                                   const std::string& quantity, const std::string& title, int threads,
+                                   bool quiet);
 
 /// Reference, errors and verdicts of rungs that have run.
 void judge(LadderResult& result, double tolerance);

@@ -25,7 +25,8 @@ void hold_axes(LadderPlan& plan, const std::vector<std::string>& hold) {
   for (const auto& axis : plan.axes) names.push_back(axis.name);
   for (const auto& name : hold)
     if (std::find(names.begin(), names.end(), name) == names.end())
-      throw CaseError(fmt::format("--hold {}: the scene has no such axis, allowed are {}", name, fmt::join(names, ", ")));
+      throw CaseError(
+          fmt::format("--hold {}: the scene has no such axis, allowed are {}", name, fmt::join(names, ", ")));
   std::erase_if(plan.axes, [&](const LadderAxis& axis) {
     return std::find(hold.begin(), hold.end(), axis.name) != hold.end();
   });
@@ -33,6 +34,21 @@ void hold_axes(LadderPlan& plan, const std::vector<std::string>& hold) {
 }
 
 }  // namespace
+
+bool follows_finer_mesh(const LadderPlan& plan, const LadderAxis& axis) {
+  return axis.follows_mesh && std::any_of(plan.axes.begin(), plan.axes.end(), [](const LadderAxis& other) {
+           return other.name == "mesh" && other.base + 1 < other.choices.size();
+         });
+}
+
+std::vector<std::size_t> finest_picks(const LadderPlan& plan) {
+  std::vector<std::size_t> picks;
+  for (const LadderAxis& axis : plan.axes) {
+    const bool finer = axis.kind == AxisKind::halving && !follows_finer_mesh(plan, axis);
+    picks.push_back(std::min(axis.base + (finer ? 1 : 0), axis.choices.size() - 1));
+  }
+  return picks;
+}
 
 std::vector<std::string> combine(const LadderPlan& plan, const std::vector<std::size_t>& picks,
                                  const std::vector<std::string>& more) {

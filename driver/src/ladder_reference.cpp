@@ -9,8 +9,8 @@
 namespace driver {
 namespace {
 
-// Orders taken for seen: a first-order method a little before its asymptotic range, up to one that converges as
-// fast as any here.
+// Orders taken for seen: a first-order method a little before its asymptotic range, up to one that converges
+// as fast as any here.
 constexpr double lowest_order = 0.7, highest_order = 4.6;
 
 bool is_seen(double difference, const Statistics& a, const Statistics& b) {
@@ -31,13 +31,12 @@ std::optional<Remainder> extrapolated(const std::vector<Statistics>& values, std
 }
 
 // Of the values along an axis; infinite uncertainty if a finer one is missing.
-Remainder remainder_of(const LadderResult& result, std::size_t index) {
+Remainder remainder_of(const LadderResult& result, std::size_t index, std::size_t at) {
   const LadderAxis& axis = result.plan.axes[index];
   std::vector<Statistics> values;
   for (std::size_t c = axis.first; c < axis.choices.size(); ++c) {
-    const auto rung = std::find_if(result.rungs.begin(), result.rungs.end(), [&](const LadderRung& r) {
-      return r.axis == index && r.choice == c;
-    });
+    const auto rung = std::find_if(result.rungs.begin(), result.rungs.end(),
+                                   [&](const LadderRung& r) { return r.axis == index && r.choice == c; });
     const LadderRung& found = c == axis.base ? result.rungs.front() : *rung;
     if (found.failure.empty())
       values.push_back(found.value);
@@ -46,17 +45,17 @@ Remainder remainder_of(const LadderResult& result, std::size_t index) {
     else
       values.clear();
   }
-  const std::size_t base = values.size() - (axis.choices.size() - axis.base);
-  return remainder(values, base, std::min(base + 1, values.size() - 1), axis.kind);
+  return remainder(values, at - (axis.choices.size() - values.size()), axis.kind);
 }
 
 LadderReference reference_of(const LadderResult& result) {
-  const Statistics& finest = result.rungs[1].value;
+  const Statistics& finest = result.rungs[result.finest].value;
+  const auto picks = finest_picks(result.plan);
   LadderReference reference{finest.mean, finest.standard_error, 0.0, {}};
   for (std::size_t a = 0; a < result.plan.axes.size(); ++a) {
     const LadderAxis& axis = result.plan.axes[a];
-    if (axis.kind == AxisKind::effect) continue;
-    const Remainder rest = remainder_of(result, a);
+    if (axis.kind == AxisKind::effect || follows_finer_mesh(result.plan, axis)) continue;
+    const Remainder rest = remainder_of(result, a, picks[a]);
     reference.value += rest.correction;
     reference.uncertainty = std::hypot(reference.uncertainty, rest.uncertainty);
     reference.remainders.emplace_back(axis.name, rest);
@@ -78,13 +77,14 @@ Verdict verdict_of(const LadderRung& rung, double uncertainty, double allowed, b
 
 }  // namespace
 
-Remainder remainder(const std::vector<Statistics>& values, std::size_t base, std::size_t at, AxisKind kind) {
+Remainder remainder(const std::vector<Statistics>& values, std::size_t at, AxisKind kind) {
   if (kind == AxisKind::halving)
     if (const auto seen = extrapolated(values, at)) return *seen;
   Remainder rest;
-  // Without a finer one, what the last refinement did.
-  for (std::size_t i = base > 0 ? std::min(base, values.size() - 2) : 0; i + 1 < values.size(); ++i)
-    rest.uncertainty = std::max(rest.uncertainty, std::abs(values[i + 1].mean - values[i].mean));
+  // What was seen beyond `at`, and once more the last difference.
+  for (std::size_t i = at; i + 1 < values.size(); ++i)
+    rest.uncertainty += std::abs(values[i + 1].mean - values[i].mean);
+  if (values.size() > 1) rest.uncertainty += std::abs(values.back().mean - values[values.size() - 2].mean);
   return rest;
 }
 
@@ -92,19 +92,18 @@ void judge(LadderResult& result, double tolerance) {
   result.reference = reference_of(result);
   const LadderReference& reference = result.reference;
   const double allowed = tolerance * std::abs(reference.value);
-  bool undecided = false;
   for (std::size_t i = 0; i < result.rungs.size(); ++i) {
     LadderRung& rung = result.rungs[i];
     rung.error = rung.value.mean - reference.value;
-    rung.standard_error = i == 1 ? reference.standard_error
-                                 : std::hypot(rung.value.standard_error, reference.standard_error);
+    rung.standard_error = i == result.finest
+                              ? reference.standard_error
+                              : std::hypot(rung.value.standard_error, reference.standard_error);
     rung.verdict = verdict_of(rung, reference.uncertainty, allowed, result.chaotic);
-    undecided = undecided || rung.verdict == Verdict::undecided;
     if (rung.verdict == Verdict::inside &&
-        (!result.cheapest || rung.cpu_seconds < result.rungs[*result.cheapest].cpu_seconds))
+        (!result.cheapest || rung.cpu_seconds < worth_it * result.rungs[*result.cheapest].cpu_seconds))
       result.cheapest = i;
   }
-  result.verdict = result.cheapest ? Verdict::inside : undecided ? Verdict::undecided : Verdict::outside;
+  result.verdict = result.cheapest ? Verdict::inside : Verdict::undecided;
 }
 
 }  // namespace driver

@@ -25,7 +25,7 @@ class Resolutions {
       return std::stoi(case_.value(case_.jet_key(jet, "subdivisions")));
     };
     for (const JetPart& jet : scene_.jets) most = std::max(most, own(jet));
-    LadderAxis axis{"pieces", AxisKind::halving, {}, 0, 0};
+    LadderAxis axis{"pieces", AxisKind::halving, {}, 0, 0, true};
     const auto add = [&](auto&& count) {
       LadderChoice choice{fmt::format("pieces {}", count(most)), {}};
       for (const JetPart& jet : scene_.jets)
@@ -66,7 +66,7 @@ class Resolutions {
     const std::string key = fixed ? "time.step" : "time.safety";
     const double own = fixed ? *scene_.time.step : scene_.time.safety;
     constexpr double largest_share = 0.95, least_share = 1e-3;
-    LadderAxis axis{"step", AxisKind::halving, {}, 0, 0};
+    LadderAxis axis{"step", AxisKind::halving, {}, 0, 0, !fixed};
     const auto add = [&](double value) {
       LadderChoice choice{fmt::format("step {:g}", value), {}};
       if (value != own) choice.overrides.push_back(fmt::format("{}={}", key, value));
@@ -88,7 +88,8 @@ class Resolutions {
     if (axis.kind == AxisKind::halving) {
       for (const double factor : {2.0, 1.0, 0.5, 0.25})
         add(fmt::format("step {:g}", factor * options.fixed_step),
-            factor == 1.0 ? Overrides{} : Overrides{fmt::format("time.gas_step={}", factor * options.fixed_step)});
+            factor == 1.0 ? Overrides{}
+                          : Overrides{fmt::format("time.gas_step={}", factor * options.fixed_step)});
       axis.base = 1;
     } else {
       tolerances(options, axis, add);
@@ -109,7 +110,8 @@ class Resolutions {
   }
 
   void target_mesh() {
-    const int columns = std::stoi(case_.value("target.columns")), rows = std::stoi(case_.value("target.rows"));
+    const int columns = std::stoi(case_.value("target.columns")),
+              rows = std::stoi(case_.value("target.rows"));
     LadderAxis axis{"mesh", AxisKind::halving, {}, 0, 0};
     const auto add = [&](int c, int r) {
       LadderChoice choice{fmt::format("mesh {} x {}", c, r), {}};
@@ -132,7 +134,7 @@ class Resolutions {
     const auto text = [](double tolerance) { return fmt::format("time.gas_tolerance={:g}", tolerance); };
     for (const double coarse : {1e-3, implicit})
       if (own < coarse) add(fmt::format("tolerance {:g}", coarse), {text(coarse)});
-    if (options.method != gas::Method::kRosenbrock4 && own < implicit)
+    if (!scene_.bag && options.method != gas::Method::kRosenbrock4 && own < implicit)
       add("rosenbrock", {"time.gas_method=\"rosenbrock\"", text(implicit)});
     axis.base = axis.first = axis.choices.size();
     add(fmt::format("tolerance {:g}", own), {});

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ladder_parts.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
+
+#include "ladder_parts.hpp"
 
 namespace driver {
 namespace {
@@ -70,8 +70,9 @@ std::string CaseSettings::jet_key(const JetPart& jet, const char* key) {
   return fmt::format("inflator.{}.jet.{}", jet.inflator, key);
 }
 
-void add_tank(const std::filesystem::path& file, const std::vector<std::string>& overrides, const Scene& scene,
-              const CaseSettings& settings, const std::string& quantity, LadderPlan& plan) {
+void add_tank(const std::filesystem::path& file, const std::vector<std::string>& overrides,
+              const Scene& scene, const CaseSettings& settings, const std::string& quantity,
+              LadderPlan& plan) {
   try {
     LadderChoice tank{"rigid tank", tank_overrides(scene, settings)};
     auto all = overrides;

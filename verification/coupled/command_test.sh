@@ -170,6 +170,31 @@ part_exact() {
   expect 2 "no_such_parameter" "$gasjet" exact "$name" --set no_such_parameter=1
 }
 
+part_ladder() {
+  local tank=$source/cases/rigid_tank.toml bag=("$source/cases/jet_bag.toml" --set membrane.mesh.levels=2 --quantity pressure --quiet)
+  expect 0 "cheapest within 2 %: " "$gasjet" ladder "$tank" --quantity pressure --out "$work/tank"
+  expect 0 "" "$gasjet" run "$work/tank/cheapest.toml" --out "$work/run" --quiet
+  grep -q '^0.1,586098.3333' "$work/run/history.csv" || fail "the cheapest rung is not the tank"
+  expect 0 "jet off .* inside" "$gasjet" ladder "${bag[@]}" --out "$work/bag" --tolerance 2%
+  grep -q '^rigid tank,1,' "$work/bag/ladder.csv" || fail "no row of the tank"
+  grep -q '"verdict": "inside"' "$work/bag/ladder.json" || fail "no verdict"
+  expect 0 "" "$gasjet" run "$work/bag/cheapest.toml" --out "$work/run" --quiet
+  expect 4 "undecided: no rung" "$gasjet" ladder "${bag[@]}" --out "$work/bag" --tolerance 1e-5 --hold pieces
+  [ -e "$work/bag/cheapest.toml" ] && fail "the cheapest rung of an earlier ladder stayed"
+  expect 3 "rung \"full\".*limit" "$gasjet" ladder "$source/cases/tank_fixed_steps.toml" --quantity pressure \
+    --set time.gas_step=4e-3 --quiet --out "$work/limit"
+  local tolerance
+  for tolerance in 0 -1% nan inf 2%% two 200%; do
+    expect 2 "--tolerance .*such as 0.02 or 2%" "$gasjet" ladder "$tank" --quantity pressure --tolerance="$tolerance" --out "$work/out"
+  done
+  expect 2 "--quantity angle: the scene has none" "$gasjet" ladder "$tank" --quantity angle --out "$work/out"
+  expect 2 "--quantity is required" "$gasjet" ladder "$tank" --out "$work/out"
+  expect 2 "--hold mesh: .*allowed are gas" "$gasjet" ladder "$tank" --quantity pressure --hold mesh --out "$work/out"
+  expect 2 "--unset scene.x: the case has no such key" "$gasjet" ladder "$tank" --quantity pressure --unset scene.x --out "$work/out"
+  expect 2 "--runs" "$gasjet" ladder "$tank" --quantity pressure --runs 1 --out "$work/out"
+  [ -e "$work/out" ] && fail "bad input wrote $work/out"
+}
+
 # shellcheck source-path=SCRIPTDIR source=command_compare.sh
 source "$(dirname "${BASH_SOURCE[0]}")/command_compare.sh"
 # shellcheck source-path=SCRIPTDIR source=command_identify.sh

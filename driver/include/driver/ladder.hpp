@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The fidelity ladder of a scene: which of its effects and resolutions one quantity needs, and what they cost.
+// The fidelity ladder of a scene: which of its effects and resolutions one quantity needs, and what they
+// cost.
 #pragma once
 
 #include <filesystem>
@@ -29,6 +30,7 @@ struct LadderAxis {
   std::vector<LadderChoice> choices;
   std::size_t base = 0;   // of the full case: the truest way, or the case's own resolution; finer ones follow
   std::size_t first = 0;  // choice that can be compared with its neighbours
+  bool follows_mesh = false;  // a finer mesh halves it too
 };
 
 struct LadderPlan {
@@ -36,6 +38,12 @@ struct LadderPlan {
   std::optional<LadderChoice> tank;   // the bag as a rigid tank of its design volume
   std::vector<std::string> left_out;  // "cp: why"
 };
+
+/// Whether a finer mesh of this plan refines the axis too.
+bool follows_finer_mesh(const LadderPlan& plan, const LadderAxis& axis);
+
+/// Choices of the finest rung: everything that halves is one level finer, by the mesh alone what follows it.
+std::vector<std::size_t> finest_picks(const LadderPlan& plan);
 
 /// The overrides of the choices `picks`, one an axis, after `more`; nothing inside a table that is taken out.
 std::vector<std::string> combine(const LadderPlan& plan, const std::vector<std::size_t>& picks,
@@ -49,24 +57,25 @@ struct LadderRung {
   std::optional<std::size_t> axis;     // whose choice alone differs from the full case
   std::size_t choice = 0;              // of that axis
   Statistics value;
-  double cpu_seconds = 0.0;  // of one run
-  std::string failure;       // why it has no value
+  double cpu_seconds = 0.0;     // of one run
+  std::string failure;          // why it has no value
   double error = 0.0;           // value - the reference's
   double standard_error = 0.0;  // of that
   Verdict verdict = Verdict::not_judged;
 };
 
-/// What lies beyond the finest value of an axis.
+/// What lies beyond one value of an axis.
 struct Remainder {
-  double correction = 0.0;     // to add to the value at `at`
-  double uncertainty = 0.0;    // of what was added
-  std::optional<double> order; // where three levels show one from 0.7 to 4.6
+  double correction = 0.0;      // to add to that value
+  double uncertainty = 0.0;     // of what was added
+  std::optional<double> order;  // where three levels show one from 0.7 to 4.6
 };
 
-/// Of values at levels each twice as fine as the one before (AxisKind::halving), else of any that get finer. With an
-/// order p seen in the last three, Richardson's limit; its own last step is the uncertainty. Otherwise none is
-/// added, and the largest difference of neighbours from `base` on is the uncertainty: right for order 1 or more.
-Remainder remainder(const std::vector<Statistics>& values, std::size_t base, std::size_t at, AxisKind kind);
+/// Of values at levels each twice as fine as the one before (AxisKind::halving), else of any that get finer,
+/// beyond that at `at`. With an order p seen in the last three: Richardson's limit, and its own last step as
+/// uncertainty. Otherwise nothing is added, and the uncertainty is what the levels after `at` differ by, with
+/// the last difference once more: right for order 1 or more.
+Remainder remainder(const std::vector<Statistics>& values, std::size_t at, AxisKind kind);
 
 struct LadderReference {
   double value = 0.0;           // that of the finest rung, and the remainder of each resolution
@@ -76,8 +85,8 @@ struct LadderReference {
 };
 
 struct LadderOptions {
-  std::string quantity;           // column of the history at the end, or of an ensemble's quantities; unit optional
-  double tolerance = 0.02;        // share of the reference's magnitude
+  std::string quantity;     // column of the history at the end, or of an ensemble's quantities; unit optional
+  double tolerance = 0.02;  // share of the reference's magnitude
   std::vector<std::string> hold;  // axes that stay as the case has them
   int runs = 16;                  // of each rung where the scene is chaotic
   int threads = 1;
@@ -89,10 +98,12 @@ struct LadderResult {
   LadderPlan plan;
   bool chaotic = false;
   double spread = 0.0;            // of the quantity over seeds of the full case; scenes with a membrane
-  std::vector<LadderRung> rungs;  // the full case first, then the finest
+  std::vector<LadderRung> rungs;  // the full case first
+  std::size_t finest = 0;         // of them
   LadderReference reference;
   std::optional<std::size_t> cheapest;  // rung within the tolerance
-  Verdict verdict = Verdict::not_judged;  // inside: `cheapest` is set; not_judged: interrupted
+  Verdict verdict =
+      Verdict::not_judged;  // inside: `cheapest` is set; else undecided, or not_judged: interrupted
 };
 
 /// The axes of a case. Throws CaseError for a bad case, a quantity it does not have, a held axis it does not
@@ -103,8 +114,9 @@ LadderPlan plan_ladder(const std::filesystem::path& file, const std::vector<std:
 /// Whole name of a quantity of the scene; the unit may be left off. Throws CaseError with those allowed.
 std::string quantity_name(const Scene& scene, const std::string& quantity);
 
-/// Runs the ladder; results but the costs do not depend on `threads`. Throws CaseError as plan_ladder does, and
-/// std::runtime_error when the full case or the finest rung leaves its domain: errors have no reference then.
+/// Runs the ladder; results but the costs do not depend on `threads`. Throws CaseError as plan_ladder does,
+/// and std::runtime_error when the full case or the finest rung leaves its domain: errors have no reference
+/// then.
 LadderResult run_ladder(const std::filesystem::path& file, const std::vector<std::string>& overrides,
                         const LadderOptions& options);
 

@@ -13,7 +13,7 @@
 namespace driver::commands {
 
 inline constexpr int exit_done = 0;
-inline constexpr int exit_outside = 1;        // compare: outside the reference's band; ladder: no rung within
+inline constexpr int exit_outside = 1;        // compare: outside the reference's band
 inline constexpr int exit_input = 2;          // the command line or an input is wrong; nothing written
 inline constexpr int exit_domain = 3;         // the computation left its domain; what was computed is kept
 inline constexpr int exit_undecided = 4;      // compare, ladder: neither inside nor outside can be said

@@ -29,9 +29,10 @@ double read_tolerance(const std::string& text) {
 void print_scene(const LadderResult& result, const LadderOptions& options) {
   const double tolerance = 100.0 * options.tolerance;
   if (result.chaotic)
-    fmt::print("chaotic: seeds of {:g} m scatter {} by {:.3g}, {:g} % of it would be {:.3g}: means of {} runs\n",
-               default_amplitude, result.quantity, result.spread, tolerance,
-               options.tolerance * std::abs(result.reference.value), options.runs);
+    fmt::print(
+        "chaotic: seeds of {:g} m scatter {} by {:.3g}, {:g} % of it would be {:.3g}: means of {} runs\n",
+        default_amplitude, result.quantity, result.spread, tolerance,
+        options.tolerance * std::abs(result.reference.value), options.runs);
   else if (result.rungs.front().can_be_perturbed)
     fmt::print("not chaotic: seeds of {:g} m scatter {} by {:.3g} only: single runs\n", default_amplitude,
                result.quantity, result.spread);
@@ -39,20 +40,22 @@ void print_scene(const LadderResult& result, const LadderOptions& options) {
   fmt::print("reference: {:.8g}, standard error {:.2g}, uncertainty {:.2g}\n", reference.value,
              reference.standard_error, reference.uncertainty);
   for (const auto& [axis, rest] : reference.remainders)
-    fmt::print("  beyond the finest {}: {:.2g}, uncertain by {:.2g}, {}\n", axis, rest.correction, rest.uncertainty,
+    fmt::print("  beyond that of the finest {}: {:.2g}, uncertain by {:.2g}, {}\n", axis, rest.correction,
+               rest.uncertainty,
                rest.order ? fmt::format("order {:.2f} seen", *rest.order) : "no order seen");
 }
 
 void print_rungs(const LadderResult& result) {
-  fmt::print("\n  {:28} {:>12} {:>10} {:>9} {:>9} {:>10} {:>8}  {}\n", "rung", "value", "error", "s.e.", "error %",
-             "CPU s", "cost", "");
+  fmt::print("\n  {:28} {:>12} {:>10} {:>9} {:>9} {:>10} {:>8}  {}\n", "rung", "value", "error", "s.e.",
+             "error %", "CPU s", "cost", "");
   const double full_cost = result.rungs.front().cpu_seconds;
   for (const LadderRung& rung : result.rungs) {
     if (!rung.failure.empty()) {
       fmt::print("  {:28} {}\n", rung.name, rung.failure);
       continue;
     }
-    const double share = result.reference.value != 0.0 ? 100.0 * rung.error / std::abs(result.reference.value) : NAN;
+    const double share =
+        result.reference.value != 0.0 ? 100.0 * rung.error / std::abs(result.reference.value) : NAN;
     fmt::print("  {:28} {:12.6g} {:10.3g} {:9.2g} {:9.3g} {:10.3g} {:8.3f}  {}\n", rung.name, rung.value.mean,
                rung.error, rung.standard_error, share, rung.cpu_seconds, rung.cpu_seconds / full_cost,
                verdict_name(rung.verdict));
@@ -61,7 +64,8 @@ void print_rungs(const LadderResult& result) {
 }
 
 void print_changes(const LadderResult& result) {
-  fmt::print("\nwhat each does to the full case\n  {:28} {:>12} {:>9} {:>9}\n", "", "change", "s.e.", "change %");
+  fmt::print("\nwhat each does to the full case\n  {:28} {:>12} {:>9} {:>9}\n", "", "change", "s.e.",
+             "change %");
   const Statistics& full = result.rungs.front().value;
   for (const LadderRung& rung : result.rungs)
     if (rung.axis && rung.failure.empty())
@@ -70,14 +74,15 @@ void print_changes(const LadderResult& result) {
                  full.mean != 0.0 ? 100.0 * (rung.value.mean - full.mean) / std::abs(full.mean) : NAN);
 }
 
-void print_verdict(const LadderResult& result, const LadderOptions& options, const std::filesystem::path& folder) {
+void print_verdict(const LadderResult& result, const LadderOptions& options,
+                   const std::filesystem::path& folder) {
   fmt::print("\n");
   if (!result.cheapest) {
-    fmt::print("no rung is {} within {:g} %: {}\n", result.verdict == Verdict::outside ? "" : "known to be",
-               100.0 * options.tolerance,
-               result.verdict == Verdict::outside
-                   ? "a finer case is needed"
-                   : "more --runs, a finer case, a wider --tolerance or --hold of what is not in question");
+    fmt::print(
+        "undecided: no rung is known to be within {:g} %; more --runs, a finer case, a wider --tolerance or "
+        "--hold of "
+        "what is not in question\n",
+        100.0 * options.tolerance);
     return;
   }
   const LadderRung& best = result.rungs[*result.cheapest];
@@ -92,11 +97,12 @@ void print_verdict(const LadderResult& result, const LadderOptions& options, con
 }  // namespace
 
 int ladder(const LadderArguments& arguments) {
-  const LadderOptions options{arguments.quantity, read_tolerance(arguments.tolerance), arguments.hold,
-                              arguments.runs,     arguments.threads,                   arguments.quiet};
-  const auto folder = arguments.out.empty()
-                          ? std::filesystem::path("results") / ("ladder_" + arguments.scene.file.stem().string())
-                          : arguments.out;
+  const LadderOptions options{arguments.quantity, read_tolerance(arguments.tolerance),
+                              arguments.hold,     arguments.runs,
+                              arguments.threads,  arguments.quiet};
+  const auto folder = arguments.out.empty() ? std::filesystem::path("results") /
+                                                  ("ladder_" + arguments.scene.file.stem().string())
+                                            : arguments.out;
   plan_ladder(arguments.scene.file, arguments.scene.overrides, options.quantity, options.hold);
   refuse_same_file("--out", folder / "cheapest.toml", {arguments.scene.file});
   prepare_output(folder);

@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: Apache-2.0
+// Ladders where the answer is known.
+#include "driver/ladder.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "case_folder.hpp"
+#include "closed_form/jet.hpp"
+#include "run_case.hpp"
+
+namespace {
+
+using coupled::Folder;
+using driver::LadderResult;
+using driver::LadderRung;
+using driver::Verdict;
+using Texts = std::vector<std::string>;
+
+std::string case_file(const char* name) {
+  return std::string(GASJET_SOURCE_DIR "/cases/") + name + ".toml";
+}
+
+driver::LadderOptions options_of(const char* quantity, double tolerance, Texts hold = {}, int threads = 1) {
+  return {quantity, tolerance, std::move(hold), 16, threads, true};
+}
+
+const LadderRung& rung_of(const LadderResult& result, const std::string& name) {
+  const auto found = std::find_if(result.rungs.begin(), result.rungs.end(), [&](const LadderRung& r) {
+    return r.name.find(name) != std::string::npos;
+  });
+  if (found == result.rungs.end()) throw std::runtime_error("no rung " + name);
+  return *found;
+}
+
+Texts axis_names(const LadderResult& result) {
+  Texts names;
+  for (const auto& axis : result.plan.axes) names.push_back(axis.name);
+  return names;
+}
+
+std::string refusal(const char* name, const char* quantity, const Texts& hold) {
+  try {
+    driver::plan_ladder(case_file(name), {}, quantity, hold);
+  } catch (const driver::CaseError& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+driver::Statistics number(double value, double standard_error = 0.0) {
+  return {value, standard_error, value, value, 16};
+}
+
+TEST(ladder, remainder_of_a_power_of_the_step_is_its_limit) {
+  for (const double order : {1.0, 2.0, 4.0}) {
+    const auto value = [&](int level) { return number(3.0 + 0.7 * std::pow(0.5, order * level)); };
+    const auto rest = driver::remainder({value(0), value(1), value(2)}, 1, driver::AxisKind::halving);
+    // Differences of three numbers near 3, the second over 2^order - 1 at most: some ten roundings of 4e-16.
+    EXPECT_NEAR(value(1).mean + rest.correction, 3.0, 1e-14) << order;
+    ASSERT_TRUE(rest.order.has_value()) << order;
+    // d ln(d1 / d2): those roundings over the smallest difference, 0.7 (2^-4 - 2^-8) = 0.04.
+    EXPECT_NEAR(*rest.order, order, 1e-12);
+    EXPECT_GE(rest.uncertainty * (1.0 + 1e-12), std::abs(value(2).mean - 3.0))
+        << "covers what the finest is off by";
+  }
+}
+
+TEST(ladder, remainder_without_an_order_adds_nothing) {
+  using driver::AxisKind;
+  const std::vector<driver::Statistics> turning{number(1.0), number(2.0), number(1.5)};
+  const std::vector<driver::Statistics> noisy{number(1.0, 0.3), number(1.4, 0.3), number(1.6, 0.3)};
+  const std::vector<driver::Statistics> clean{number(1.0), number(1.4), number(1.6)};
+  for (const auto& values : {turning, noisy}) {
+    const auto rest = driver::remainder(values, 1, AxisKind::halving);
+    EXPECT_FALSE(rest.order.has_value());
+    EXPECT_EQ(rest.correction, 0.0);
+    EXPECT_EQ(rest.uncertainty, 2.0 * std::abs(values[2].mean - values[1].mean));
+  }
+  EXPECT_TRUE(driver::remainder(clean, 1, AxisKind::halving).order.has_value());
+  EXPECT_FALSE(driver::remainder(clean, 1, AxisKind::tightening).order.has_value());
+  EXPECT_EQ(driver::remainder({number(1.0), number(1.4)}, 1, AxisKind::halving).uncertainty, 1.4 - 1.0);
+}
+
+// What the paper's model leaves out of a tank has no rung; the pressure is linear in time, which every
+// stepper gets right to rounding.
+TEST(ladder, rigid_tank_has_gas_rungs_alone_and_its_closed_form) {
+  const auto result = driver::run_ladder(case_file("rigid_tank"), {}, options_of("pressure", 1e-6));
+  EXPECT_EQ(axis_names(result), Texts{"gas"});
+  EXPECT_FALSE(result.plan.tank.has_value());
+  EXPECT_FALSE(result.chaotic);
+  // p0 + gamma R T_in mdot t / V, of the case's own numbers.
+  const double exact = 101325.0 + 1.4 * 296.8 * 700.0 * 1.0 * 0.1 / 0.06;
+  // 100 intervals of some ten roundings each, all of one size.
+  EXPECT_NEAR(result.reference.value / exact, 1.0, 1e3 * 2.2e-16);
+  for (const LadderRung& rung : result.rungs) {
+    EXPECT_NEAR(rung.error / exact, 0.0, 1e3 * 2.2e-16) << rung.name;
+    EXPECT_EQ(rung.verdict, Verdict::inside) << rung.name;
+  }
+  EXPECT_TRUE(result.cheapest.has_value());
+}
+
+// Fixed steps of the fourth-order method in a tank that relaxes: half a relaxation time, so that much is
+// left.
+TEST(ladder, fixed_steps_show_their_order_and_the_reference_is_closer_than_the_finest) {
+  const Texts settings{"time.gas_method=runge_kutta", "time.gas_step=5e-4", "scene.end_time=2e-3",
+                       "output.history_every=2e-3", "gas.initial.pressure=200e3"};
+  const auto result =
+      driver::run_ladder(case_file("tank_fixed_steps"), settings, options_of("pressure", 1e-6));
+  auto exactly = settings;
+  exactly.erase(exactly.begin() + 1);
+  exactly.front() = "time.gas_method=dormand_prince";
+  exactly.emplace_back("unset time.gas_step");
+  exactly.emplace_back("time.gas_tolerance=1e-13");
+  const double exact = coupled::run_case("tank_fixed_steps", exactly).history.back().pressure_Pa;
+  const auto& rest = result.reference.remainders.front().second;
+  ASSERT_TRUE(rest.order.has_value());
+  EXPECT_GT(*rest.order, 3.7);  // of fourth order; h times the rate is 0.3 and less
+  EXPECT_LT(*rest.order, 4.3);
+  const double finest = result.rungs[result.finest].value.mean;
+  EXPECT_LT(std::abs(result.reference.value - exact), 0.5 * std::abs(finest - exact));
+  EXPECT_LE(std::abs(result.reference.value - exact), result.reference.uncertainty);
+  // Estimated errors are the true ones to what the reference is off by.
+  for (const LadderRung& rung : result.rungs) {
+    EXPECT_EQ(rung.failure, "") << rung.name;
+    EXPECT_NEAR(rung.error, rung.value.mean - exact, result.reference.uncertainty) << rung.name;
+  }
+}
+
+TEST(ladder, plate_without_obstacle_needs_no_occlusion) {
+  const auto result = driver::run_ladder(case_file("plate_jet"), {"target.columns=60", "target.rows=60"},
+                                         options_of("jet_force", 0.001, {"outlet"}));
+  EXPECT_EQ(axis_names(result), (Texts{"occlusion", "mesh"}));
+  const LadderRung& off = rung_of(result, "occlusion off");
+  EXPECT_EQ(off.value.mean, result.rungs.front().value.mean) << "it contributes exactly 0";
+  EXPECT_LT(off.cpu_seconds, result.rungs.front().cpu_seconds);
+  ASSERT_TRUE(result.cheapest.has_value());
+  const auto& best = result.rungs[*result.cheapest].overrides;
+  EXPECT_EQ(std::count(best.begin(), best.end(), "inflator.0.jet.occlusion=true"), 0);
+  // The case's outlet: 2 kg/s of the model nitrogen at 406 K through 5e-3 m2; the cut-off only leaves force
+  // out.
+  const double exact =
+      closed_form::plate_force(2.0, closed_form::sonic_outlet({{}, 406.0, false, 2.0, 5e-3}).momentum_flux);
+  const auto scene = coupled::scene_of("plate_jet");
+  const double loss = jet::momentum_loss(scene.jets.front().field.model());
+  EXPECT_NEAR(result.reference.value, exact, result.reference.uncertainty + (loss + 1e-9) * exact);
+}
+
+// A free sphere around two jets back to back: its pressure hardly knows of them.
+TEST(ladder, free_bag_needs_no_jet_for_its_pressure) {
+  const Texts small{"membrane.mesh.levels=2"};
+  const auto options = options_of("pressure", 0.02);
+  const auto result = driver::run_ladder(case_file("jet_bag"), small, options);
+  EXPECT_EQ(axis_names(result),
+            (Texts{"jet", "occlusion", "outlet", "cp", "compression", "pieces", "mesh", "step", "gas"}));
+  EXPECT_FALSE(result.chaotic);
+  EXPECT_EQ(rung_of(result, "jet off").verdict, Verdict::inside);
+  EXPECT_EQ(rung_of(result, "mesh levels 1").verdict, Verdict::outside);
+  EXPECT_EQ(rung_of(result, "rigid tank").verdict, Verdict::outside);
+  ASSERT_TRUE(result.cheapest.has_value());
+  const LadderRung& best = result.rungs[*result.cheapest];
+  EXPECT_EQ(std::count(best.overrides.begin(), best.overrides.end(), "unset inflator.0.jet"), 1);
+  EXPECT_LE(std::abs(best.error) + result.reference.uncertainty, 0.02 * result.reference.value);
+
+  Folder folder;
+  driver::write_ladder(folder.path, result, case_file("jet_bag"), small, options);
+  driver::CaseDocument written(folder.path / "cheapest.toml", {});
+  const driver::Scene scene = driver::read_scene(written);
+  EXPECT_TRUE(scene.jets.empty());
+  driver::State state = driver::make_state(scene);
+  double pressure = 0.0;
+  driver::run_scene(scene, state, [&](const driver::StepRecords* records, const driver::State&) {
+    if (records) pressure = records->history.pressure_Pa;
+  });
+  EXPECT_EQ(pressure, best.value.mean) << "the written case is the rung, to the last bit";
+}
+
+// The first eight milliseconds of the paper's scene: without the jet the bag has not come to the impactor. At
+// a tolerance of a half their scatter does not matter: single runs.
+TEST(ladder, impactor_near_the_jet_needs_it) {
+  const Texts hold{"mesh", "pieces", "step", "gas", "cp", "porosity", "compression", "outlet"};
+  const auto result = driver::run_ladder(case_file("passenger_pendulum"), {"scene.end_time=0.008"},
+                                         options_of("pendulum_angle", 0.5, hold));
+  EXPECT_FALSE(result.chaotic);
+  EXPECT_GT(result.spread, 0.0);
+  const LadderRung& off = rung_of(result, "jet off");
+  EXPECT_EQ(off.verdict, Verdict::outside);
+  EXPECT_EQ(off.value.mean, 0.0);
+  EXPECT_GT(result.reference.value, 0.0);
+  ASSERT_TRUE(result.cheapest.has_value());
+  EXPECT_NE(result.rungs[*result.cheapest].name, off.name);
+}
+
+TEST(ladder, values_are_those_of_any_number_of_threads) {
+  const auto run = [](int threads) {
+    return driver::run_ladder(case_file("jet_bag"), {"membrane.mesh.levels=1", "scene.end_time=0.005"},
+                              options_of("pressure", 0.02, {"mesh"}, threads));
+  };
+  const auto one = run(1), two = run(2);
+  for (const LadderRung& rung : one.rungs)
+    if (rung.axis) {
+      EXPECT_EQ(rung.value.mean, rung_of(two, rung.name).value.mean) << rung.name;
+    }
+  EXPECT_EQ(one.reference.value, two.reference.value);
+}
+
+TEST(ladder, names_of_quantities_and_axes) {
+  const auto scene = coupled::scene_of("passenger_pendulum");
+  EXPECT_EQ(driver::quantity_name(scene, "pendulum_angle"), "pendulum_angle_rad");
+  EXPECT_EQ(driver::quantity_name(scene, "peak_cg_acceleration_m_s2"), "peak_cg_acceleration_m_s2");
+  EXPECT_NE(refusal("passenger_pendulum", "pendulum", {}).find("more than one"), std::string::npos);
+  EXPECT_NE(refusal("rigid_tank", "pendulum_angle", {}).find("allowed are peak_pressure_Pa"),
+            std::string::npos);
+  EXPECT_NE(refusal("rigid_tank", "pressure", {"mesh"}).find("--hold mesh"), std::string::npos);
+  EXPECT_NE(refusal("rigid_tank", "pressure", {"gas"}).find("nothing is left"), std::string::npos);
+}
+
+// What a finer mesh would change by default stays: the contact's and the plate's stiffness.
+TEST(ladder, finer_mesh_is_the_same_scene) {
+  const Texts plate{"membrane.plate={point=[-0.4, 0.0, 0.0], normal=[1.0, 0.0, 0.0]}"};
+  const auto plan = driver::plan_ladder(case_file("contact_vent"), plate, "pendulum_angle", {});
+  const auto mesh =
+      std::find_if(plan.axes.begin(), plan.axes.end(), [](const auto& axis) { return axis.name == "mesh"; });
+  ASSERT_NE(mesh, plan.axes.end());
+  Texts finer = plate;
+  for (const auto& text : mesh->choices.back().overrides) finer.push_back(text);
+  const auto coarse = coupled::scene_of("contact_vent", plate),
+             fine = coupled::scene_of("contact_vent", finer);
+  EXPECT_EQ(fine.bag->model.element_count, 4 * coarse.bag->model.element_count);
+  EXPECT_EQ(fine.contact->parameters().stiffness, coarse.contact->parameters().stiffness);
+  EXPECT_EQ(fine.bag->model.description.plates.front().stiffness,
+            coarse.bag->model.description.plates.front().stiffness);
+}
+
+}  // namespace
