@@ -55,6 +55,75 @@ chart_gas() {
   draw gas_work_precision
 }
 
+chart_tank_test() {
+  build tank_test_benchmark gasjet
+  {
+    header "8 records; CPU time of one analysis, mean; error: r.m.s. over the points that are not masked, of the mass flow over its mean" \
+      "(average: of the product mdot T_s) and of the temperature (average: of the mean)"
+    echo "method,noise,readings,cpu_us,flow_error,temperature_error"
+    measure tank_test_benchmark 1 0 flow_error,temperature_error
+  } >"$folder/tank_test_work_precision.csv"
+  draw tank_test_work_precision
+}
+
+chart_bag() {
+  build bag_benchmark gasjet
+  {
+    header "two periods; CPU time: least of 5; error of the frequency against the closed form"
+    echo "scene,mesh,share_of_critical_step,cpu_us,error,elements,steps"
+    measure bag_benchmark 5 0 error,elements,steps
+  } >"$folder/bag_work_precision.csv"
+  draw bag_work_precision
+}
+
+# Ensembles of the paper's scene: varied | value | runs | options. The last of each group is what the others are held against, for
+# `gas` that of `step`.
+ensembles=(
+  "step|0.9|16|--set time.safety=0.9" "step|0.8|16|" "step|0.4|16|--set time.safety=0.4" "step|0.2|16|--set time.safety=0.2"
+  "gas|dormand_prince 1e-2|16|--set time.gas_tolerance=1e-2" "gas|dormand_prince 1e-6|16|--set time.gas_tolerance=1e-6"
+  "gas|dormand_prince 1e-10|16|" "gas|rosenbrock 1e-6|16|--set time.gas_method=rosenbrock --set time.gas_tolerance=1e-6"
+  "gas|euler 1e-4|16|--set time.gas_method=euler --set time.gas_tolerance=1e-4"
+  "mesh|2744|16|" "mesh|10976|16|--set membrane.mesh.refine=1 --set contact={stiffness=3.364e+08}" # N/m3, that of 2744 elements
+  "mesh|43904|8|--set membrane.mesh.refine=2 --set contact={stiffness=3.364e+08}"
+)
+
+# ensemble_rows FOLDER VARIED VALUE RUNS OPTION...: rows varied, value, quantity, CPU time [s] a run, mean, standard error, runs.
+ensemble_rows() {
+  local folder=$1 varied=$2 value=$3 runs=$4 seconds TIMEFORMAT=%U
+  shift 4
+  seconds=$({ time build/gasjet ensemble cases/passenger_pendulum.toml --runs "$runs" --threads "$(nproc)" --quiet --out "$folder" \
+    "$@" >"$folder.log" 2>&1; } 2>&1) || { cat "$folder.log" >&2; return 1; }
+  awk -F, -v head="$varied,$value" -v cpu="$seconds" -v runs="$runs" \
+    '$1 == "final_angle_rad" || $1 == "contact_impulse_Ns" || $1 == "peak_cg_acceleration_cfc180_m_s2" {
+      printf "%s,%s,%.4g,%s,%s,%s\n", head, $1, cpu / runs, $2, $3, $6 }' "$folder"/passenger_pendulum/quantities.csv
+}
+
+chart_coupled() {
+  build gasjet
+  local scratch one varied value runs options i=0
+  scratch=$(mktemp -d)
+  for one in "${ensembles[@]}"; do
+    IFS='|' read -r varied value runs options <<<"$one"
+    say "coupled: $varied $value, $runs runs"
+    # shellcheck disable=SC2086  # options are words
+    ensemble_rows "$scratch/$((++i))" "$varied" "$value" "$runs" $options >>"$scratch/rows"
+  done
+  {
+    header "cases/passenger_pendulum.toml; error: of the mean, against the last of the group (gas: of step), with its standard error"
+    echo "varied,value,quantity,cpu_s,mean,standard_error,runs,error,error_standard_error"
+    awk -F, -v OFS=, 'NR == FNR { mean[$1, $3] = $5; error[$1, $3] = $6; next }
+      { group = $1 == "gas" ? "step" : $1; m = mean[group, $3]; e = error[group, $3]; d = $5 / m - 1
+        print $0, sprintf("%.3g", d < 0 ? -d : d), sprintf("%.3g", sqrt($6 ^ 2 + e ^ 2) / m) }' "$scratch/rows" "$scratch/rows"
+  } >"$folder/coupled_work_precision.csv"
+  rm -r "$scratch"
+  draw coupled_work_precision
+}
+
+chart_jet() {
+  scripts/jet_fidelity.sh >&2
+  scripts/jet_cost.sh >&2
+}
+
 charts=("$@")
 ((${#charts[@]})) || charts=(gas tank_test bag jet coupled)
 for chart in "${charts[@]}"; do
