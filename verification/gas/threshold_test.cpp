@@ -3,7 +3,9 @@
 
 #include <functional>
 
+#include "bisection.hpp"
 #include "cases.hpp"
+#include "claim.hpp"
 #include "closed_form/gas.hpp"
 #include "closed_form/orifice.hpp"
 #include "closed_form/stability.hpp"
@@ -29,6 +31,7 @@ double limit_of(const std::vector<double>& coefficients) {
 
 struct Explicit {
   gas::Method method;
+  const char* name;
   double limit;
 };
 
@@ -36,9 +39,10 @@ struct Explicit {
 /// Prince's six stages give z^6/600.
 std::vector<Explicit> explicit_methods() {
   return {
-      {gas::Method::kEuler, limit_of({1.0, 1.0})},
-      {gas::Method::kRungeKutta4, limit_of({1.0, 1.0, 1.0 / 2, 1.0 / 6, 1.0 / 24})},
-      {gas::Method::kDormandPrince5, limit_of({1.0, 1.0, 1.0 / 2, 1.0 / 6, 1.0 / 24, 1.0 / 120, 1.0 / 600})}};
+      {gas::Method::kEuler, "explicit Euler", limit_of({1.0, 1.0})},
+      {gas::Method::kRungeKutta4, "Runge-Kutta 4", limit_of({1.0, 1.0, 1.0 / 2, 1.0 / 6, 1.0 / 24})},
+      {gas::Method::kDormandPrince5, "Dormand-Prince 5",
+       limit_of({1.0, 1.0, 1.0 / 2, 1.0 / 6, 1.0 / 24, 1.0 / 120, 1.0 / 600})}};
 }
 
 /// A tank in balance: what enters leaves.
@@ -87,45 +91,43 @@ bool grows(const Balance& b, gas::Method method, double h) {
   return distance() > begin;
 }
 
-double measured_threshold(const Balance& b, gas::Method method, double expected) {
-  double stable = 0.5 * expected, unstable = 2.0 * expected;
-  EXPECT_FALSE(grows(b, method, stable));
-  EXPECT_TRUE(grows(b, method, unstable));
-  for (int i = 0; i < 10; ++i) {
-    const double h = 0.5 * (stable + unstable);
-    (grows(b, method, h) ? unstable : stable) = h;
+/// Past the limit: an error that names step and limit; below: none.
+void expect_refusal(const Balance& b, gas::Method method, double limit) {
+  const auto run = [&](double step) {
+    gas::ControlVolumeState state = gas::make_state(b.model, kPure, b.pressure, b.temperature, b.volume);
+    gas::GasIntegrator(b.model, {1e-10, 100000, method, step}).advance(state, 0.0, 20.0 * step, rigid(b.volume));
+  };
+  EXPECT_NO_THROW(run(0.99 * limit));
+  try {
+    run(1.01 * limit);
+    FAIL() << "no error";
+  } catch (const gas::DomainError& error) {
+    EXPECT_NE(std::string(error.what()).find("stability limit"), std::string::npos) << error.what();
   }
-  return 0.5 * (stable + unstable);
 }
 
-void expect_threshold(const Balance& b) {
-  for (const auto& [method, limit] : explicit_methods()) {
-    // Ten halvings of 1.5 h leave 0.15 %; 800 steps tell growth from decay to 0.2 % of z, where |R'| is of
-    // order 1.
+void expect_threshold(const char* failure, const char* formula, const Balance& b) {
+  for (const auto& [method, name, limit] : explicit_methods()) {
     const double h = limit / b.rate;
-    EXPECT_NEAR(measured_threshold(b, method, h) / h, 1.0, 5e-3) << static_cast<int>(method);
-    // Past the limit: an error that names step and limit; below: none.
-    const auto run = [&](double step) {
-      gas::ControlVolumeState state = gas::make_state(b.model, kPure, b.pressure, b.temperature, b.volume);
-      gas::GasIntegrator(b.model, {1e-10, 100000, method, step})
-          .advance(state, 0.0, 20.0 * step, rigid(b.volume));
-    };
-    EXPECT_NO_THROW(run(0.99 * h));
-    try {
-      run(1.01 * h);
-      FAIL() << "no error";
-    } catch (const gas::DomainError& error) {
-      EXPECT_NE(std::string(error.what()).find("stability limit"), std::string::npos) << error.what();
-    }
+    const double measured = claim::largest_passing(0.5 * h, 2.0 * h, 1e-3, [&, m = method](double step) {
+      return !grows(b, m, step);
+    });
+    claim::expect_threshold(
+        {"G.14", name, "bisection to 0.1 %; 800 steps tell growth from decay to 0.2 % of z, where |R'| is of order 1"},
+        {failure, formula, h, measured, "s",
+         "fixed sub-steps: error with step and limit; error control: smaller sub-steps; Rosenbrock: no limit"},
+        1.0 - 5e-3, 1.0 + 5e-3);
+    expect_refusal(b, method, h);
   }
 }
 
 TEST(threshold, tiny_volume_eq_relaxation_rate) {
-  expect_threshold(choked_balance());
+  expect_threshold("vent relaxation time", "h |λ| = 2, 2.785, 3.307 by order 1, 4, 5", choked_balance());
 }
 
 TEST(threshold, vent_near_ambient_eq_square_root_rate) {
-  expect_threshold(equalising_balance());
+  expect_threshold("square-root equalisation", "h |λ| = 2, 2.785, 3.307, |λ| → κ/√(p − p_a)",
+                   equalising_balance());
 }
 
 /// The implicit method keeps the balance in steps fifty times the explicit limit.
@@ -211,8 +213,11 @@ TEST(threshold, chatter_of_plain_euler_is_as_its_formula_and_ours_is_none) {
   }
   const double t_end = energy / (mass * cv);
   const closed_form::VentEqualisation vent{{}, 0.06, 1e-3, kAmbientPressure, t_end};
-  // The formula is the leading term in dp/p, and the two half cycles have one gas each.
-  EXPECT_NEAR(0.5 * (high - low), closed_form::vent_chatter_amplitude(vent, h), 0.02 * (high - low));
+  claim::expect_threshold(
+      {"G.21", "amplitude of plain Euler's 2-cycle", "leading term in dp/p; each half cycle has another gas"},
+      {"square-root equalisation", "(κ h)²", closed_form::vent_chatter_amplitude(vent, h), 0.5 * (high - low), "Pa",
+       "p = p_a is located: no cycle, every method ends on p_a"},
+      0.98, 1.04);
   gas::ControlVolumeState state = gas::make_state(model, kPure, 1.02 * kAmbientPressure, 400.0, 0.06);
   gas::GasIntegrator(model, {1e-10, 100000, gas::Method::kEuler, h}).advance(state, 0.0, 2.0, rigid(0.06));
   EXPECT_NEAR(gas::evaluate(model, state, 0.06, 0.0, 0.0).pressure, kAmbientPressure,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
+#include "bisection.hpp"
 #include "cases.hpp"
 #include "claim.hpp"
 
@@ -12,11 +13,12 @@ using namespace cases;
 
 struct Limit {
   gas::Method method;
+  const char* name;
   double value;  // of h lambda: see threshold_test.cpp
 };
-constexpr Limit kLimits[] = {{gas::Method::kEuler, 2.0},
-                             {gas::Method::kRungeKutta4, 2.7852935634},
-                             {gas::Method::kDormandPrince5, 3.3065678926}};
+constexpr Limit kLimits[] = {{gas::Method::kEuler, "explicit Euler", 2.0},
+                             {gas::Method::kRungeKutta4, "Runge-Kutta 4", 2.7852935634},
+                             {gas::Method::kDormandPrince5, "Dormand-Prince 5", 3.3065678926}};
 
 /// Gas at rest: dT/dt = -(hA/(m cv)) (T - T_ext), whose growth is the method's stability function.
 TEST(walls, threshold_eq_their_relaxation_rate) {
@@ -29,12 +31,16 @@ TEST(walls, threshold_eq_their_relaxation_rate) {
     gas::GasIntegrator(model, {1e-10, 100000, method, h, unsafe}).advance(state, 0.0, 50.0 * h, rigid(0.06));
     return std::abs(state.temperature - 400.0) / 1e-3;
   };
-  for (const auto& [method, limit] : kLimits) {
+  for (const auto& [method, name, limit] : kLimits) {
     const double h = limit / rate;
-    // 50 steps at 1 % from the limit, where the stability function has a slope of 1 (Euler) or more: a factor
-    // 1.02^50 = 2.7 or more.
-    EXPECT_LT(growth(method, 0.99 * h, false), 0.5) << static_cast<int>(method);
-    EXPECT_GT(growth(method, 1.01 * h, true), 2.0) << static_cast<int>(method);
+    const double measured = claim::largest_passing(
+        0.5 * h, 1.02 * h, 1e-4, [&, m = method](double step) { return growth(m, step, true) < 1.0; });
+    claim::expect_threshold(
+        {"G.16", name, "bisection to 1e-4; the disturbance, 2e-6 of T, changes the rate by as much"},
+        {"explicit stepper, by order", "h λ_w = 2, 2.785, 3.307 by order 1, 4, 5", h, measured, "s",
+         "fixed sub-steps: error with step and limit; error control: smaller sub-steps; Rosenbrock: no limit"},
+        1.0 - 2e-4, 1.0 + 2e-4);
+    EXPECT_LT(growth(method, 0.99 * h, false), 1.0) << static_cast<int>(method);
     EXPECT_THROW(growth(method, 1.01 * h, false), gas::DomainError) << static_cast<int>(method);
   }
   EXPECT_LT(growth(gas::Method::kRosenbrock4, 100.0 / rate, false), 1e-3);
@@ -63,7 +69,7 @@ TEST(walls, evacuated_fill_has_a_threshold_without_scale) {
     return relative(temperature({ratio, false}, method, 1e-10, h),
                     (1.4 * 700.0 + ratio * 300.0) / (1.0 + ratio));
   };
-  for (const auto& [method, limit] : kLimits) {
+  for (const auto& [method, name, limit] : kLimits) {
     for (const double h : {1e-9, 1e-6, 1e-3}) {
       claim::expect_near(
           {"G.16", "evacuated fill with heat loss, 1 % below the limit of each explicit method: T",
@@ -71,6 +77,19 @@ TEST(walls, evacuated_fill_has_a_threshold_without_scale) {
           error(method, 0.99 * limit, h), 0.0, 1e-12);
       EXPECT_THROW(error(method, 1.01 * limit, h), gas::DomainError) << static_cast<int>(method);
     }
+    const auto right = [&, m = method](double ratio) {
+      try {
+        return error(m, ratio, 1e-6) < 1e-12;
+      } catch (const gas::DomainError&) {
+        return false;
+      }
+    };
+    claim::expect_threshold(
+        {"G.16", name, "bisection to 1e-4 on what is accepted, and then right to 1e-12"},
+        {"evacuated tank with walls", "hA/(ṁ c_v) = 2, 2.785, 3.307, whatever the step", limit,
+         claim::largest_passing(0.5 * limit, 2.0 * limit, 1e-4, right), "",
+         "fixed sub-steps: error with step and limit; error control and Rosenbrock: right to their tolerance"},
+        1.0 - 1e-4, 1.0 + 1e-4);
   }
   // Error control takes as many sub-steps as it needs; Rosenbrock has no limit.
   for (const gas::Method method : kMethods) EXPECT_LT(error(method, 100.0, 0.0), 1e-8);

@@ -47,12 +47,12 @@ struct EnclosedGas {
 double gas_breathing_frequency(const EnclosedGas& bag);
 
 /// Greatest |z| per step when the gas pressure lags the shape by one step: z^2 - (2 - W_s^2) z + (1 + W_g^2)
-/// = 0, W_s = omega_structure dt, W_g = omega_gas dt, both >= 0. sqrt(1 + W_g^2) while oscillating: unstable
-/// at every dt. Source: derived here.
+/// = 0, W_s = omega_structure dt, W_g = omega_gas dt, both >= 0. sqrt(1 + W_g^2) while oscillating, (M.17):
+/// unstable at every dt. Source: derived here.
 double lagged_pressure_growth(double omega_structure_dt, double omega_gas_dt);
 
 /// Drift of ln(p V^gamma) in one step, relative volume change delta = dV/V. Euler, E -= p dV: leading
-/// -gamma (gamma-1) delta^2/2, needs -1 < delta < 1/(gamma-1). Trapezoid, mean of both pressures: leading
+/// -gamma (gamma-1) delta^2/2, (G.20), needs -1 < delta < 1/(gamma-1). Trapezoid, mean of both pressures: leading
 /// -gamma (gamma^2-1) delta^3/12, needs -2/(gamma+1) < delta < 2/(gamma-1). Source: derived here.
 double euler_volume_work_drift(double heat_capacity_ratio, double delta);
 double trapezoid_volume_work_drift(double heat_capacity_ratio, double delta);
@@ -69,7 +69,7 @@ struct VentEqualisation {
 double vent_equalisation_rate(const VentEqualisation& vent);
 /// lambda = -kappa/sqrt(dp) [1/s], overpressure dp > 0 [Pa].
 double vent_eigenvalue(const VentEqualisation& vent, double overpressure);
-/// Amplitude (kappa dt)^2 [Pa] of explicit Euler's final 2-cycle.
+/// Amplitude (kappa dt)^2 [Pa] of explicit Euler's final 2-cycle, (G.21).
 double vent_chatter_amplitude(const VentEqualisation& vent, double time_step);
 
 /// Explicit step limit [s] of penalty contact on one node: 2 sqrt(rho h A/k); tributary area A

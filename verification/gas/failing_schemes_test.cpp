@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+#include "cases.hpp"
+#include "claim.hpp"
+#include "closed_form/orifice.hpp"
+#include "gas/orifice.hpp"
+
+// What the library avoids: schemes written out here, each beside the formula of its failure, and the library's own
+// answer on the same problem.
+namespace {
+
+using namespace cases;
+
+constexpr double kGamma = 1.4;
+
+struct Wave {
+  double mean = 0.06, amplitude = 0.3, frequency = 20.0;  // [m3], of the mean, [Hz]
+  int steps = 200;                                        // a period
+  double step() const { return 1.0 / (frequency * steps); }
+  double volume(double t) const {
+    return mean * (1.0 + amplitude * std::sin(2.0 * std::numbers::pi * frequency * t));
+  }
+};
+
+/// ln(p V^gamma) that gas with U' = U - p dV, p of the step's start, loses in one period.
+double explicit_work_loss(const Wave& wave) {
+  double energy = 1.0;  // of any gas: the scheme is linear in U
+  for (int i = 0; i < wave.steps; ++i) {
+    const double v = wave.volume(wave.step() * i);
+    energy -= (kGamma - 1.0) * energy / v * (wave.volume(wave.step() * (i + 1)) - v);
+  }
+  return -std::log(energy);
+}
+
+TEST(failing_scheme, explicit_work_loses_entropy_at_first_order) {
+  for (const int steps : {100, 200, 400}) {
+    const Wave wave{.steps = steps};
+    // (G.20) summed over a period: int (V'/V)^2 dt = 2 pi omega (1/sqrt(1 - a^2) - 1).
+    const double circle = 2.0 * std::numbers::pi, a = wave.amplitude;
+    const double predicted = 0.5 * kGamma * (kGamma - 1.0) * wave.step() * circle * circle * wave.frequency *
+                             (1.0 / std::sqrt(1.0 - a * a) - 1.0);
+    claim::expect_threshold(
+        {"G.20", "ln(p V^γ) lost in a period of " + std::to_string(steps) + " steps",
+         "terms of third order cancel over a period; those of fourth are (2 pi a/steps)^2 of it, 4e-4 at most"},
+        {"explicit p dV", "γ (γ − 1) δ²/2 a step, δ = dV/V", predicted, explicit_work_loss(wave), "",
+         "p dV is integrated inside the step: the loss is the gas stepper's tolerance"},
+        1.0 - 1e-3, 1.0 + 1e-3);
+  }
+  const Wave wave{.steps = 100};
+  const gas::ControlVolumeModel model = closed_tank(nitrogen());
+  gas::ControlVolumeState state = gas::make_state(model, kPure, 2e5, 400.0, wave.mean);
+  gas::GasIntegrator integrator(model);
+  for (int i = 0; i < wave.steps; ++i) {
+    const double t0 = wave.step() * i, t1 = wave.step() * (i + 1);
+    integrator.advance(state, t0, t1, {wave.volume(t0), wave.volume(t1), 0.0, 0.0});
+  }
+  // A hundred steps of the tolerance, 1e-10.
+  EXPECT_LT(relative(gas::evaluate(model, state, wave.mean, 0.0, 0.0).pressure, 2e5), 1e-8);
+}
+
+/// Relative error of p after a blow-down through the switch at 0.1523 s, by Runge-Kutta 4 that steps over it.
+double unlocated_error(int steps) {
+  constexpr double end = 0.18, volume = 0.06, cv = 742.0;
+  struct Rates {
+    double mass, energy;
+  };
+  const auto rates = [](double mass, double energy) {
+    const double t = energy / (mass * cv), p = 0.4 * energy / volume;
+    const double flow = gas::orifice_mass_flow(1e-3, p, t, 296.8, 1038.8, kGamma, kAmbientPressure);
+    return Rates{-flow, -flow * 1038.8 * t};
+  };
+  double m = 5e5 * volume / (296.8 * 600.0), u = m * cv * 600.0;
+  const double h = end / steps;
+  for (int i = 0; i < steps; ++i) {
+    const Rates a = rates(m, u), b = rates(m + 0.5 * h * a.mass, u + 0.5 * h * a.energy);
+    const Rates c = rates(m + 0.5 * h * b.mass, u + 0.5 * h * b.energy);
+    const Rates d = rates(m + h * c.mass, u + h * c.energy);
+    m += h / 6.0 * (a.mass + 2.0 * (b.mass + c.mass) + d.mass);
+    u += h / 6.0 * (a.energy + 2.0 * (b.energy + c.energy) + d.energy);
+  }
+  const closed_form::Blowdown exact{{}, volume, 1e-3, 1.0, 5e5, 600.0, kAmbientPressure};
+  return relative(0.4 * u / volume, closed_form::blowdown(exact, end).pressure);
+}
+
+/// Mean over a quarter more steps: the switch falls anywhere in its step.
+double mean_error(int steps) {
+  double sum = 0.0;
+  for (int n = steps; n < steps + steps / 4; ++n) sum += unlocated_error(n);
+  return sum / (steps / 4);
+}
+
+TEST(failing_scheme, stepping_over_the_sonic_switch_costs_an_order) {
+  // The flux has a continuous slope: a step over the jump of its second derivative errs by h^3, once.
+  for (const int steps : {128, 256}) {
+    const double order = std::log2(mean_error(steps) / mean_error(2 * steps));
+    claim::expect_threshold(
+        {"G.6", "order of Runge-Kutta 4 between " + std::to_string(steps) + " and " + std::to_string(2 * steps) + " steps",
+         "means over a quarter of the range, 32 places of the switch in its step or more"},
+        {"sonic switch", "order 3: the second derivative jumps", 3.0, order, "",
+         "the switch is located and ends a sub-step: every method keeps its order"},
+        0.95, 1.05);
+  }
+}
+
+}  // namespace
