@@ -1,22 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-# Rows of verification/support/claim.cpp, and docs/theory/*.md before them -> the tables of docs/verification.md.
+# Rows of verification/support/claim.cpp -> the tables of docs/verification.md. After theory_links.awk.
 BEGIN { FS = "\t"; count = split("gas membrane jet coupling coupled", families, " ") }
 
-# The heading of each equation: where its tag's link leads.
-FILENAME ~ /\.md$/ {
-  if (/^#+ /) {
-    anchor = tolower($0)
-    sub(/^#+ /, "", anchor)
-    gsub(/[^a-z0-9 _-]/, "", anchor)
-    gsub(/ /, "-", anchor)
-  }
-  if (match($0, /\\tag\{[A-Z]\.[0-9]+\}/))
-    link[substr($0, RSTART + 5, RLENGTH - 6)] = substr(FILENAME, index(FILENAME, "theory/")) "#" anchor
-  next
-}
-
 $1 == "threshold" { next }
-!($4 in link) { printf "%s: %s: no equation (%s) in docs/theory\n", $3, $2, $4 >"/dev/stderr"; bad = 1; next }
+tag($4, $3 ": " $2) ~ /\(\)/ { next }
 
 # A sweep shows its worst row: by the share of the tolerance, or of the half band, that it uses.
 {
@@ -44,7 +31,6 @@ function each(format, values,   list, n, i, text) {
   for (i = 1; i <= n; ++i) text = text (i > 1 ? " " : "") sprintf(format, list[i])
   return text
 }
-function tag(name) { return "[" name "](" link[name] ")" }
 function where(field, key,   test) {
   split(key, test, FS)
   return "[" test[5] "](../" field[3] ")"

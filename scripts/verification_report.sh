@@ -15,7 +15,7 @@ tables() {
   local files
   mapfile -t files < <(find "$1" -name '*.tsv' | LC_ALL=C sort)
   ((${#files[@]})) || { echo "verification_report.sh: no rows in $1; run the tests first (ctest --preset fast)" >&2; return 1; }
-  awk -f scripts/verification_report.awk docs/theory/*.md "${files[@]}"
+  awk -f scripts/theory_links.awk -f scripts/verification_report.awk docs/theory/*.md "${files[@]}"
 }
 
 if [[ ${1:-} == --check ]]; then

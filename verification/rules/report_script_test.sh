@@ -25,7 +25,7 @@ long="near|Bag.shape/3|verification/membrane/bag_long_test.cpp|M.5|height [m]|pu
 good=("$pressure" "$order" "${steps[@]}" "$long")
 
 rows "${good[@]}"
-awk -f "$root/scripts/verification_report.awk" "$root"/docs/theory/*.md "$work/rows/some.tsv" >"$work/report.md"
+awk -f "$root/scripts/theory_links.awk" -f "$root/scripts/verification_report.awk" "$root"/docs/theory/*.md "$work/rows/some.tsv" >"$work/report.md"
 grep -qF '| [G.9](theory/gas.md#balances) | mass [kg] | 2.08 | 2 | 4.0e-02 | 5.0e-02 | steps | 2 | [tank.steps](' "$work/report.md" ||
   fail "the worst row of a sweep is not shown: $(cat "$work/report.md")"
 check | grep -q '4 rows' || fail "refuses its own rows: $(check)"
