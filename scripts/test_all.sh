@@ -74,6 +74,7 @@ if ((long)); then
   suite long
 fi
 phase "verification report" scripts/verification_report.sh --check || failed_suites+=("verification report")
+phase "stability atlas" scripts/stability_atlas.sh --check || failed_suites+=("stability atlas")
 if ((sanitize)); then
   slow='^(fast_route|shadow|visibility_rule|jet_scene|coupled_energy|contact_scene|same_bits|MassShares|Contact(Idle|Friction|Mesh))\.'
   slow+='|coupled_books|Inflated|command_(reference|external)'
