@@ -18,7 +18,7 @@ namespace {
 
 constexpr double kSide = 0.6, kShrink = 0.99;  // [m], of a square whose edge is moved inward by one per cent
 
-// Rate at which the shortest wave of the square in N x N cells grows, (M.18): w_n+1 - 2 w_n + w_n-1 = (rate
+// Rate at which the shortest wave of the square in N x N cells grows, (M.21): w_n+1 - 2 w_n + w_n-1 = (rate
 // dt)^2 w_n.
 double measured_rate(int divisions, Compression compression) {
   const auto mesh = membrane::rectangle(divisions, divisions, kSide, kSide, membrane::Diagonals::uniform);
@@ -94,7 +94,7 @@ TEST(FailingShape, compressed_sheet_wrinkles_at_the_rate_of_its_shortest_wave) {
     const double rate = 2.0 * pi * closed_form::lattice_square_frequency({compression, 620.0 * 0.5e-3}, kSide, divisions,
                                                                           divisions - 1, divisions - 1);
     claim::expect_threshold(
-        {"M.18", "clamped square of 0.6 m, 1 % too small, in " + std::to_string(divisions) + " x " +
+        {"M.21", "clamped square of 0.6 m, 1 % too small, in " + std::to_string(divisions) + " x " +
                      std::to_string(divisions) + " cells",
          "heights of 1e-9 m over cells of 4 cm or more: rounding of 1e-16 m over (rate dt)^2 = 1e-4 of the height"},
         {"linear compression", "w grows as exp(t √(|N|/ρh) k), the shortest wave fastest", rate,

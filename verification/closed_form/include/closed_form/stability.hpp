@@ -47,7 +47,7 @@ struct EnclosedGas {
 double gas_breathing_frequency(const EnclosedGas& bag);
 
 /// Greatest |z| per step when the gas pressure lags the shape by one step: z^2 - (2 - W_s^2) z + (1 + W_g^2)
-/// = 0, W_s = omega_structure dt, W_g = omega_gas dt, both >= 0. sqrt(1 + W_g^2) while oscillating, (M.17):
+/// = 0, W_s = omega_structure dt, W_g = omega_gas dt, both >= 0. sqrt(1 + W_g^2) while oscillating, (M.20):
 /// unstable at every dt. Source: derived here.
 double lagged_pressure_growth(double omega_structure_dt, double omega_gas_dt);
 
