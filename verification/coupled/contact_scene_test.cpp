@@ -34,10 +34,10 @@ TEST(contact_scene, books_close_with_contact_and_friction) {
 
 // Root mean square of the physical drift over the run [J]: its last or largest value alone falls on one phase
 // of the skin's vibration.
-double drift(const std::string& step, const std::string& friction) {
+double drift(const std::string& step, const std::string& friction, const std::string& share) {
   auto overrides = kCoarse;
   overrides.insert(overrides.end(),
-                   {"time.step=" + step, "contact.friction=" + friction, "contact.stiffness_share=0.05"});
+                   {"time.step=" + step, "contact.friction=" + friction, "contact.stiffness_share=" + share});
   const auto run = run_case("ball_impact", overrides);
   EXPECT_EQ(run.outcome.status, driver::RunStatus::done) << run.outcome.message;
   double squares = 0.0;
@@ -49,14 +49,24 @@ double drift(const std::string& step, const std::string& friction) {
 // contact spreads over many points, which average it out. What is left scatters one halving by 0.26, two
 // together by 0.12 (five stiffnesses, with and without friction).
 TEST(contact_scene, drift_is_second_order_through_an_impact) {
+  const auto drifts_at = [](const std::string& friction, const std::string& share) {
+    return std::vector<double>{drift("6e-6", friction, share), drift("3e-6", friction, share),
+                               drift("1.5e-6", friction, share)};
+  };
+  const auto mean_order = [](const std::vector<double>& drifts) {
+    return std::log2(drifts[0] / drifts[2]) / 2.0;
+  };
   for (const char* friction : {"0.0", "0.3"}) {
-    const std::vector<double> drifts{drift("6e-6", friction), drift("3e-6", friction),
-                                     drift("1.5e-6", friction)};
+    const auto drifts = drifts_at(friction, "0.05");
     claim::expect_order({"K.21", std::string("impact on a bag, friction ") + friction + ": drift of energy",
                          "points come into touch one by one: one halving scatters by 0.26"},
                         drifts, 1.7, 2.3);
-    EXPECT_NEAR(std::log2(drifts[0] / drifts[2]) / 2.0, 2.0, 0.15) << friction;
+    EXPECT_NEAR(mean_order(drifts), 2.0, 0.15) << friction;
   }
+  const auto stiff = drifts_at("0.0", "1.0");  // the default
+  EXPECT_NEAR(mean_order(stiff), 2.0, 0.15);
+  EXPECT_NEAR(std::log2(stiff[0] / stiff[1]), 2.0, 0.3);
+  EXPECT_NEAR(std::log2(stiff[1] / stiff[2]), 2.0, 0.3);
 }
 
 // Momenta of x^{n+1}, v^{n+1/2}, which one step of the central difference carries on exactly.
@@ -116,7 +126,7 @@ TEST(contact_scene, plate_force_is_the_sum_over_the_nodes_behind_it) {
   const auto& model = scene.bag->model;
   double expected = 0.0;
   for (Eigen::Index a = 0; a < scene.bag->initial_position.cols(); ++a)
-    expected += model.description.plates[0].stiffness * model.node_area[static_cast<std::size_t>(a)] *
+    expected += *model.description.plates[0].stiffness * model.node_area[static_cast<std::size_t>(a)] *
                 std::max(0.0, scene.bag->initial_position(0, a) - 0.1);
   ASSERT_GT(expected, 0.0);
   EXPECT_NEAR(records.history.plate_force_N / expected, 1.0, 1e-13);  // a few dozen additions of one sign
