@@ -102,7 +102,7 @@ class Resolutions {
   void keep_stiffness(Overrides& overrides) const {
     const auto& plates = scene_.bag->model.description.plates;
     if (!plates.empty() && !case_.has("membrane.plate.stiffness"))
-      overrides.push_back(fmt::format("membrane.plate.stiffness={}", plates.front().stiffness));
+      overrides.push_back(fmt::format("membrane.plate.stiffness={}", *plates.front().stiffness));
     if (scene_.contact && !case_.has("contact.stiffness")) {
       case_.unset(overrides, "contact.stiffness_share");
       overrides.push_back(fmt::format("contact.stiffness={}", scene_.contact->parameters().stiffness));

@@ -118,7 +118,7 @@ void check_plates(const BagDescription& d) {
       require_finite(where, "normal", d.plates[i].normal[c]);
     }
     require_positive(where, "length of the normal", d.plates[i].normal.norm());
-    require_positive(where, "stiffness", d.plates[i].stiffness);
+    if (d.plates[i].stiffness) require_positive(where, "stiffness", *d.plates[i].stiffness);
   }
 }
 

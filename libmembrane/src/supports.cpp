@@ -18,7 +18,7 @@ void add_plate(const BagModel& model, BagState& state, const Plate& plate, int f
     const Eigen::Map<const Eigen::Vector3d> node(x + 4 * n);
     const double depth = plate.normal.dot(plate.point - node);
     if (depth <= 0.0) continue;
-    const double push = plate.stiffness * model.node_area[static_cast<std::size_t>(n)] * depth;
+    const double push = *plate.stiffness * model.node_area[static_cast<std::size_t>(n)] * depth;
     Eigen::Map<Eigen::Vector3d>(force + 4 * n) += push * plate.normal;
     sums.plate_energy += 0.5 * push * depth;
     total += push;

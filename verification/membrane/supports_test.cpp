@@ -70,6 +70,14 @@ TEST(Supports, plate_pressure_eq_stiffness_times_depth) {
 }
 
 // A slack sheet thrown against a plate leaves with the speed it came with: order 2 in the step.
+TEST(Supports, plate_without_stiffness_adds_its_share) {
+  auto d = scenes::describe(membrane::icosphere(0.3, 2), Compression::none);
+  d.plates = {{{-0.2, 0.0, 0.0}, {1.0, 0.0, 0.0}, {}}};
+  const auto model = make_model(d);
+  // Uniform fabric: every node has the same mass per area, to the rounding of sums of six elements.
+  EXPECT_NEAR(model.plate_frequency / model.fabric_frequency, 0.25, 16 * scenes::kEps);
+}
+
 TEST(Supports, bounce_on_plate_conserves_energy) {
   const auto sheet = membrane::rectangle(2, 2, 0.2, 0.2, membrane::Diagonals::union_jack);
   auto d = scenes::describe(sheet, Compression::none);

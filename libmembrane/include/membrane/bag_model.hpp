@@ -50,8 +50,11 @@ struct Strap {
 struct Plate {
   Eigen::Vector3d point = Eigen::Vector3d::Constant(kMustBeGiven);   // on the plane [m]
   Eigen::Vector3d normal = Eigen::Vector3d::Constant(kMustBeGiven);  // towards the bag, any length > 0
-  double stiffness = kMustBeGiven;                                   // kappa > 0, per area [N/m3]
+  std::optional<double> stiffness = {};  // kappa > 0, per area [N/m3]; absent: kDefaultPlateShare decides
 };
+
+// Share of the fabric's own omega^2 that a plate adds by default: stiff, yet a tenth off the step.
+inline constexpr double kDefaultPlateShare = 0.25;
 
 // Everything that defines a bag, as a case gives it.
 struct BagDescription {
