@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "bag_mesh.hpp"
 
+#include <fmt/format.h>
+
+#include <cmath>
 #include <stdexcept>
 
+#include "driver/case_reader.hpp"
 #include "membrane/refine.hpp"
 
 namespace driver {
@@ -53,7 +57,26 @@ std::vector<std::string> vent_panels(const membrane::Mesh& mesh) {
   return names;
 }
 
+void require_areas(const membrane::Mesh& mesh, const std::filesystem::path& file) {
+  for (Eigen::Index e = 0; e < mesh.elements.cols(); ++e) {
+    const Eigen::Vector3d a = mesh.nodes.col(mesh.elements(0, e));
+    if (membrane::has_area(mesh.nodes.col(mesh.elements(1, e)) - a, mesh.nodes.col(mesh.elements(2, e)) - a))
+      continue;
+    throw CaseError(fmt::format("{}:{}:1: mesh: the element has no area, corners off one line are allowed",
+                                file.string(), mesh.line[static_cast<std::size_t>(e)]));
+  }
+}
+
+void check_refinement(int elements, int times) {
+  const double fine = elements * std::pow(4.0, times);
+  if (fine > membrane::kMostElements)
+    throw std::invalid_argument(
+        fmt::format("refine = {} makes up to {:.0f} elements of {}, at most {} are allowed", times, fine,
+                    elements, membrane::kMostElements));
+}
+
 void refine(BagMesh& bag, int times, const std::vector<std::string>& null_panels) {
+  check_refinement(bag.mesh.element_count(), times);
   for (int i = 0; i < times; ++i) {
     if (bag.initial) {
       membrane::Mesh shape = bag.mesh;

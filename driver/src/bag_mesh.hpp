@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <utility>
@@ -37,6 +38,11 @@ BagMesh generate(const membrane::DriverBagOptions& options);
 /// Names of the panels that begin with "vent": the generators' null panels.
 std::vector<std::string> vent_panels(const membrane::Mesh& mesh);
 
+/// Throws CaseError at the line of the first element without area of a mesh read from `file`.
+void require_areas(const membrane::Mesh& mesh, const std::filesystem::path& file);
+/// Throws std::invalid_argument if `times` refinements of so many elements may make more than
+/// membrane::kMostElements.
+void check_refinement(int elements, int times);
 /// Applies membrane::refine `times` to both shapes.
 void refine(BagMesh& bag, int times, const std::vector<std::string>& null_panels);
 

@@ -14,9 +14,6 @@
 namespace driver {
 namespace {
 
-// Share of the fabric's own omega^2 that the plate adds by default: stiff, yet a tenth off the step.
-constexpr double default_plate_share = 0.25;
-
 template <class Options>
 BagMesh generate_with(TableReader& table) {
   Options options;
@@ -33,6 +30,7 @@ membrane::Mesh read_mesh_file(TableReader& table, const char* key, double unit) 
     mesh.nodes *= unit;
     return mesh;
   } catch (const membrane::MeshFileError& error) {
+    if (error.line() == 0) table.fail(key, error.what());  // the file as a whole
     throw CaseError(error.what());
   }
 }
@@ -42,6 +40,7 @@ BagMesh mesh_of_files(TableReader& table) {
   BagMesh source{read_mesh_file(table, "file", unit), std::nullopt, {}};
   if (table.has("initial_file"))
     table.located("initial_file", [&] { set_initial(source, read_mesh_file(table, "initial_file", unit)); });
+  require_areas(source.mesh, table.beside_case(table.text("file")));
   const auto report = membrane::check_closed_surface(source.shape(), source.mesh.elements);
   if (!report.ok())
     throw CaseError(fmt::format("{}:{}:1: mesh: is not a closed control volume: {}",
@@ -68,6 +67,7 @@ BagMesh read_mesh(TableReader table, const std::vector<std::string>& null_panels
   table.located("", [&] {
     source = table.has("file") ? mesh_of_files(table) : generated_mesh(table);
     const int times = table.integer("refine", 0, 6, 0);
+    table.located("refine", [&] { check_refinement(source.mesh.element_count(), times); });
     membrane::require_closed_surface(source.shape(), source.mesh.elements);
     refine(source, times, null_panels);
   });
@@ -127,11 +127,7 @@ void read_plate(TableReader& table, membrane::BagDescription& bag) {
   membrane::Plate plate;
   plate.point = reader->vector("point");
   plate.normal = reader->vector("normal");
-  if (const auto stiffness = reader->optional_number("stiffness", positive)) {
-    plate.stiffness = *stiffness;
-  } else {
-    plate.stiffness = default_plate_share * membrane::make_model(bag).fabric_frequency * lightest_fabric(bag);
-  }
+  plate.stiffness = reader->optional_number("stiffness", positive);
   reader->finish();
   bag.plates.push_back(plate);
 }
@@ -213,7 +209,7 @@ void read_bag(TableReader& root, Scene& scene) {
   bag.fixed_nodes = nodes_of_panels(*table, "fixed_panels", source.mesh);
   bag.mass_damping = table->number("mass_damping", non_negative, 0.0);
   read_straps(*table, source, bag.straps);
-  table->located("", [&] { read_plate(*table, bag); });
+  read_plate(*table, bag);
 
   warn_of_leaks(bag, law, scene);
   warn_of_size(source.mesh, scene);

@@ -10,6 +10,7 @@
 #include "blocks.hpp"
 #include "checks.hpp"
 #include "kernel_table.hpp"
+#include "membrane/mesh.hpp"
 #include "membrane/orthotropic.hpp"
 #include "tune_shares.hpp"
 
@@ -30,11 +31,9 @@ ReferenceTriangle reference_triangle(const BagDescription& d, Eigen::Index e) {
   const Eigen::Vector3d ac = d.reference.col(d.elements(2, e)) - a;
   const double length = ab.norm();
   const double twice_area = ab.cross(ac).norm();
-  // Below this the height is rounding noise of the coordinates' differences.
-  const double noise = 1e-14 * std::max(ab.squaredNorm(), ac.squaredNorm());
-  if (!(twice_area > noise))
+  if (!has_area(ab, ac))
     reject("element " + std::to_string(e), "reference area", 0.5 * twice_area,
-           "more than rounding, " + shown(0.5 * noise) + " m2 here");
+           "more than rounding of its corners, 1e-14 of a side squared");
   ReferenceTriangle t{0.5 * twice_area, {}, {}};
   t.axes << ab / length, ab.cross(ac).cross(ab) / (twice_area * length);
   const double c1 = ab.dot(ac) / length, c2 = twice_area / length;
@@ -160,9 +159,24 @@ double strap_bound(const BagModel& m) {
   return bound;
 }
 
+// Least mass per area of the fabric [kg/m2]: nowhere does a plate then take more than its share.
+double lightest(const BagModel& m) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const ElementProperties& p : m.description.properties)
+    if (!p.null_panel) least = std::min(least, p.density * p.thickness);
+  return least;
+}
+
+void set_plates(BagModel& m) {
+  for (Plate& plate : m.description.plates) {
+    plate.normal.normalize();
+    if (!plate.stiffness) plate.stiffness = kDefaultPlateShare * m.fabric_frequency * lightest(m);
+  }
+}
+
 double plate_bound(const BagModel& m) {
   double stiffness = 0.0, compliance = 0.0;
-  for (const Plate& plate : m.description.plates) stiffness += plate.stiffness;
+  for (const Plate& plate : m.description.plates) stiffness += *plate.stiffness;
   for (std::size_t n = 0; n < m.node_mass.size(); ++n)
     compliance = std::max(compliance, m.node_area[n] * m.inverse_mass[n]);
   return stiffness * compliance;
@@ -175,7 +189,6 @@ BagModel make_model(const BagDescription& description) {
   kernel_table(description.isa);  // refuses an instruction set that is not there
   BagModel m;
   m.description = description;
-  for (Plate& plate : m.description.plates) plate.normal.normalize();
   m.node_count = static_cast<int>(description.reference.cols());
   m.element_count = static_cast<int>(description.elements.cols());
   const auto nodes = static_cast<std::size_t>(m.node_count);
@@ -189,6 +202,7 @@ BagModel make_model(const BagDescription& description) {
   for (Eigen::Index e = 0; e < m.element_count; ++e) set_element(m, e);
   set_masses(m);
   tune_shares_as_sewn(m);
+  set_plates(m);
   m.strap_frequency = strap_bound(m);
   m.plate_frequency = plate_bound(m);
   return m;

@@ -102,6 +102,10 @@ double enclosed_volume(const Nodes& nodes, const Elements& elements) {
   return six_volumes / 6.0;
 }
 
+bool has_area(const Eigen::Vector3d& ab, const Eigen::Vector3d& ac) {
+  return ab.cross(ac).norm() > 1e-14 * std::max(ab.squaredNorm(), ac.squaredNorm());
+}
+
 ElementQuality element_quality(const Nodes& nodes, const Elements& elements) {
   if (elements.cols() == 0) throw std::invalid_argument("elements: none; element quality needs at least one");
   const double infinity = std::numeric_limits<double>::infinity();

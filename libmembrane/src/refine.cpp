@@ -12,8 +12,6 @@
 namespace membrane {
 namespace {
 
-constexpr int kMostElements = 10'000'000;
-
 using Triangle = Eigen::Vector3i;
 
 class Midpoints {

@@ -42,6 +42,7 @@ const std::string kRepeated = std::string(kCorners) + "f 1 3 2\nf 1 2 4\nf 2 3 3
 const std::string kOutOfRange = std::string(kCorners) + "f 1 3 2\nf 1 2 4\nf 2 3 9\nf 1 4 3\n";
 const std::string kInward = std::string(kCorners) + "f 1 2 3\nf 1 4 2\nf 2 4 3\nf 1 3 4\n";
 const std::string kTwo = kClosed + "v 5 0 0\nv 6 0 0\nv 5 1 0\nv 5 0 1\nf 5 7 6\nf 5 6 8\nf 6 7 8\nf 5 8 7\n";
+const std::string kNoArea = kClosed + "v 1 0 1\nv 2 0 2\nv 3 0 3\nf 5 6 7\n";
 const BadMesh kMeshes[] = {
     {"hole", kHole.c_str(),
      "bag.obj:5:1: mesh: is not a closed control volume: 3 boundary edges (a hole in the surface): nodes 1-3 "
@@ -51,6 +52,7 @@ const BadMesh kMeshes[] = {
     {"repeated_node", kRepeated.c_str(), "bag.obj:7:"},
     {"out_of_range", kOutOfRange.c_str(), "bag.obj:7:"},
     {"inward", kInward.c_str(), "bag.obj:5:1: mesh: is not a closed control volume: inward"},
+    {"no_area", kNoArea.c_str(), "bag.obj:12:1: mesh: the element has no area"},
     {"two_chambers", kTwo.c_str(), "one control volume is one chamber"},
     {"not_a_mesh", "hello world\n", "bag.obj:1:"},
     {"empty", "", "element"},

@@ -159,6 +159,7 @@ int mesh_convert(const MeshArguments& arguments) {
   return reported([&] {
     BagMesh bag{membrane::read_mesh(arguments.file), std::nullopt, {}};
     bag.mesh.nodes *= arguments.length_unit;
+    require_areas(bag.mesh, arguments.file);
     return finish(std::move(bag), arguments, arguments.null_panels);
   });
 }

@@ -49,6 +49,10 @@ Eigen::VectorXd panel_areas(const Mesh& mesh);
 double enclosed_volume(const Eigen::Ref<const Eigen::Matrix3Xd>& nodes,
                        const Eigen::Ref<const Eigen::Matrix3Xi>& elements);
 
+/// False if the area of a triangle of sides `ab` and `ac` [m] is rounding noise of its corners, at most 1e-14
+/// of the longer one's square.
+bool has_area(const Eigen::Vector3d& ab, const Eigen::Vector3d& ac);
+
 /// Smallest and mean shape figures of a set of elements.
 struct ElementQuality {
   double min_angle;           // [rad] smallest interior angle
