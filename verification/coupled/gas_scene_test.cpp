@@ -9,6 +9,7 @@
 #include "claim.hpp"
 #include "closed_form/exchange.hpp"
 #include "closed_form/gas.hpp"
+#include "real_axis_limit.hpp"
 #include "run_case.hpp"
 
 namespace {
@@ -145,7 +146,9 @@ TEST(gas_scene, implicit_method_of_the_stiff_tank_contributes) {
 TEST(gas_scene, fixed_steps_of_each_method_have_their_limit) {
   const auto steady = closed_form::vented_fill_steady({{296.8, 1.4}, 1e-3, 0.5, 700.0, 1e-3});
   for (const auto& [method, limit] : std::vector<std::pair<std::string, double>>{
-           {"euler", 2.0}, {"runge_kutta", 2.7852935634}, {"dormand_prince", 3.3065678926}}) {
+           {"euler", support::real_axis_limit(support::kEulerPolynomial)},
+           {"runge_kutta", support::real_axis_limit(support::kRungeKutta4Polynomial)},
+           {"dormand_prince", support::real_axis_limit(support::kDormandPrince5Polynomial)}}) {
     const auto run = [&](double share) {
       const double step = share * limit / -steady.fast_eigenvalue;
       return run_case("tank_fixed_steps",

@@ -4,6 +4,7 @@
 #include "bisection.hpp"
 #include "cases.hpp"
 #include "claim.hpp"
+#include "real_axis_limit.hpp"
 
 // Heat through the walls: where each method fails, and the first gas of an evacuated volume, which has no
 // heat capacity.
@@ -14,11 +15,13 @@ using namespace cases;
 struct Limit {
   gas::Method method;
   const char* name;
-  double value;  // of h lambda: see threshold_test.cpp
+  double value;  // of h lambda
 };
-constexpr Limit kLimits[] = {{gas::Method::kEuler, "explicit Euler", 2.0},
-                             {gas::Method::kRungeKutta4, "Runge-Kutta 4", 2.7852935634},
-                             {gas::Method::kDormandPrince5, "Dormand-Prince 5", 3.3065678926}};
+const Limit kLimits[] = {
+    {gas::Method::kEuler, "explicit Euler", support::real_axis_limit(support::kEulerPolynomial)},
+    {gas::Method::kRungeKutta4, "Runge-Kutta 4", support::real_axis_limit(support::kRungeKutta4Polynomial)},
+    {gas::Method::kDormandPrince5, "Dormand-Prince 5",
+     support::real_axis_limit(support::kDormandPrince5Polynomial)}};
 
 /// Gas at rest: dT/dt = -(hA/(m cv)) (T - T_ext), whose growth is the method's stability function.
 TEST(walls, threshold_eq_their_relaxation_rate) {
