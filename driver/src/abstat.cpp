@@ -5,12 +5,12 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
 #include <cmath>
 #include <set>
 #include <sstream>
 
 #include "driver/case_reader.hpp"
+#include "number_text.hpp"
 #include "text_file.hpp"
 
 namespace driver {
@@ -41,10 +41,11 @@ Row read_row(const std::filesystem::path& file, std::size_t line_number, const s
       throw CaseError(fmt::format("{}: the row ends in field {} of {}", place, i + 1, fields));
     const std::string_view field = std::string_view(line).substr(begin, widths[i]);
     const auto skip = std::min(field.find_first_not_of(' '), field.size());
-    const auto [stop, error] =
-        std::from_chars(field.data() + skip, field.data() + field.size(), row.values[i]);
-    if (error != std::errc{} || stop != field.data() + field.size() || !std::isfinite(row.values[i]))
-      throw CaseError(fmt::format("{}: '{}': a finite number is allowed", place, field));
+    const auto value = number_of(field.substr(skip));
+    if (!value) throw CaseError(fmt::format("{}: '{}': a finite number is allowed", place, field));
+    if (i == number_field && !(*value >= 1.0 && *value <= 1e9 && *value == std::floor(*value)))
+      throw CaseError(fmt::format("{}: '{}': a whole number from 1 to 1e9 is allowed", place, field));
+    row.values[i] = *value;
     row.positions[i] = begin + skip + 1;
   }
   return row;

@@ -6,6 +6,7 @@
 
 #include "csv_table.hpp"
 #include "driver/case_reader.hpp"
+#include "text_file.hpp"
 #include "toml_library.hpp"
 
 namespace driver {
@@ -42,7 +43,12 @@ CurveData TableReader::curve_of_table(const std::string& key, TableReader&& read
     const auto file = beside_case(reader.text("file"));
     const auto knots = abscissa == "time" ? reader.text("time_column", "time_s")
                                           : reader.text("overpressure_column", "overpressure_Pa");
-    curve = read_curve_csv(file, knots, reader.text("column"));
+    const auto column = reader.text("column");
+    try {
+      curve = read_curve_csv(file, knots, column);
+    } catch (const FileError& error) {
+      reader.fail("file", error.what());
+    }
     for (const double value : curve.value)
       if (value < bounds.low || value > bounds.high || (bounds.open_low && value == bounds.low))
         fail(key, fmt::format("{} holds {}, {} is allowed", file.string(), value, bounds.text));

@@ -2,9 +2,12 @@
 #include "driver/compare.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
+#include <unordered_map>
 
 #include "driver/case_reader.hpp"
 #include "phase_lag.hpp"
@@ -19,15 +22,30 @@ bool is_band(const std::string& name) {
   return name.size() > std::string(band_suffix).size() && name.ends_with(band_suffix);
 }
 
+// A history may have thousands of columns.
+class Columns {
+ public:
+  explicit Columns(const History& history) {
+    for (const auto& [name, values] : history.columns) values_.emplace(name, &values);
+  }
+  const std::vector<double>* find(const std::string& name) const {
+    const auto found = values_.find(name);
+    return found == values_.end() ? nullptr : found->second;
+  }
+
+ private:
+  std::unordered_map<std::string_view, const std::vector<double>*> values_;
+};
+
 std::vector<std::string> names_to_compare(const History& reference, const std::vector<std::string>& only) {
-  for (const auto& name : only)
-    if (is_band(name) || !reference.find(name))
-      throw CaseError(fmt::format("--columns {}: the reference has no such quantity", name));
-  if (!only.empty()) return only;
   std::vector<std::string> names;
   for (const auto& [name, values] : reference.columns)
     if (!is_band(name)) names.push_back(name);
-  return names;
+  for (const auto& name : only)
+    if (std::find(names.begin(), names.end(), name) == names.end())
+      throw CaseError(fmt::format("--columns {}: the reference has no such quantity, allowed are {}", name,
+                                  fmt::join(names, ", ")));
+  return only.empty() ? names : only;
 }
 
 struct Window {
@@ -118,12 +136,17 @@ void judge(const std::vector<double>& time, const std::vector<double>& doubt, Qu
   }
 }
 
-QuantityDifference compare_quantity(const std::string& name, const History& mine, const History& reference,
+struct Side {
+  const std::vector<double>& time;
+  Columns columns;
+};
+
+QuantityDifference compare_quantity(const std::string& name, const Side& mine, const Columns& reference,
                                     const std::vector<double>& time, const Window& window, double tolerance) {
   QuantityDifference q;
   q.name = name;
   const auto* band = reference.find(name + band_suffix);
-  const auto* values = mine.find(name);
+  const auto* values = mine.columns.find(name);
   if (!values || window.count == 0) {
     if (band) q.verdict = Verdict::undecided;
     q.reason = values ? "no common times: mine " + window.text : "mine does not have it";
@@ -169,11 +192,11 @@ void conclude(Difference& difference) {
   if (!judged) difference.reason = "the reference states no band";
 }
 
-void check_bands(const History& reference) {
+void check_bands(const History& reference, const Columns& columns) {
   for (const auto& [name, values] : reference.columns) {
     if (!is_band(name)) continue;
     const std::string quantity = name.substr(0, name.size() - std::string(band_suffix).size());
-    if (!reference.find(quantity))
+    if (!columns.find(quantity))
       throw CaseError(fmt::format("{}: the reference has a band but no column {}", name, quantity));
     for (std::size_t i = 0; i < values.size(); ++i)
       if (values[i] < 0.0)
@@ -206,13 +229,15 @@ const std::vector<double>* History::find(const std::string& name) const {
 
 Difference compare(const History& mine, const History& reference, const std::vector<std::string>& only,
                    double tolerance) {
-  check_bands(reference);
+  const Side my_side{mine.time, Columns(mine)};
+  const Columns expected(reference);
+  check_bands(reference, expected);
   const Window window = common_rows(mine, reference);
   Difference difference;
   difference.time = rows(reference.time, window);
   for (const auto& name : names_to_compare(reference, only))
     difference.quantities.push_back(
-        compare_quantity(name, mine, reference, difference.time, window, tolerance));
+        compare_quantity(name, my_side, expected, difference.time, window, tolerance));
   conclude(difference);
   return difference;
 }

@@ -4,12 +4,11 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <charconv>
-#include <cmath>
 #include <sstream>
 #include <unordered_map>
 
 #include "driver/case_reader.hpp"
+#include "number_text.hpp"
 #include "text_file.hpp"
 
 namespace driver {
@@ -84,12 +83,9 @@ double cell_number(const std::vector<CsvCell>& row, std::size_t index, const std
   if (index >= row.size())
     fail_at(file, line, 1, fmt::format("has {} columns, {} are needed", row.size(), index + 1));
   const CsvCell& cell = row[index];
-  double value = 0.0;
-  const char* end = cell.text.data() + cell.text.size();
-  const auto [stop, error] = std::from_chars(cell.text.data(), end, value);
-  if (error != std::errc{} || stop != end || !std::isfinite(value))
-    fail_at(file, line, cell.column, fmt::format("'{}': a finite number is allowed", cell.text));
-  return value;
+  const auto value = number_of(cell.text);
+  if (!value) fail_at(file, line, cell.column, fmt::format("'{}': a finite number is allowed", cell.text));
+  return *value;
 }
 
 // More cells than names: a decimal comma, or a column without a name. A comma at the end is none.

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <unordered_map>
 
 #include "abstat.hpp"
 #include "csv_table.hpp"
@@ -55,20 +56,33 @@ Map read_map(const std::filesystem::path& file) {
   return map;
 }
 
+// The pattern has a star.
 bool matches(const std::string& pattern, const std::string& name) {
   const auto star = pattern.find('*');
-  if (star == std::string::npos) return pattern == name;
   const std::string_view tail = std::string_view(pattern).substr(star + 1);
   return name.size() + 1 >= pattern.size() && name.starts_with(pattern.substr(0, star)) &&
          name.ends_with(tail);
 }
 
-// The column's name in the header; empty when it is not there, since a map may name more than a run wrote.
-std::string find_column(const std::filesystem::path& file, const CsvHeader& header,
-                        const std::string& pattern) {
+using NameCounts = std::unordered_map<std::string, std::size_t>;
+
+// Names of the header that a pattern means.
+std::vector<std::string> matching(const CsvHeader& header, const NameCounts& counts,
+                                  const std::string& pattern) {
+  if (pattern.find('*') == std::string::npos) {
+    const auto found = counts.find(pattern);
+    return std::vector<std::string>(found == counts.end() ? 0 : found->second, pattern);
+  }
   std::vector<std::string> found;
   for (const auto& name : header.names)
     if (matches(pattern, name)) found.push_back(name);
+  return found;
+}
+
+// The column's name in the header; empty when it is not there, since a map may name more than a run wrote.
+std::string find_column(const std::filesystem::path& file, const CsvHeader& header, const NameCounts& counts,
+                        const std::string& pattern) {
+  const auto found = matching(header, counts, pattern);
   if (found.size() > 1)
     throw CaseError(fmt::format("{}:{}:1: '{}' is more than one column: {}", file.string(), header.line,
                                 pattern, fmt::join(found, "; ")));
@@ -85,8 +99,10 @@ std::vector<MappedColumn> own_columns(const CsvHeader& header) {
 // Read as CSV: the columns that are there take the file's full names.
 CsvTable read_mapped_csv(const std::filesystem::path& file, std::vector<MappedColumn>& columns,
                          const CsvHeader& header) {
+  NameCounts counts;
+  for (const auto& name : header.names) ++counts[name];
   for (auto& column : columns)
-    if (const auto name = find_column(file, header, column.column);
+    if (const auto name = find_column(file, header, counts, column.column);
         &column == &columns.front() || !name.empty())
       column.column = name.empty() ? column.column : name;
     else
@@ -114,8 +130,8 @@ History in_si_units(const CsvTable& table, const std::vector<MappedColumn>& colu
 void check_times(const CsvTable& table, const History& history) {
   constexpr std::size_t fewest = 3;  // interpolation judges itself by a parabola
   if (table.rows() < fewest)
-    throw CaseError(
-        fmt::format("{}: has {} rows, {} or more are needed", table.file.string(), table.rows(), fewest));
+    throw CaseError(fmt::format("{}:{}:1: has {} rows, {} or more are needed", table.file.string(),
+                                table.rows() > 0 ? table.lines.back() : 1, table.rows(), fewest));
   for (std::size_t i = 1; i < history.time.size(); ++i)
     if (!(history.time[i] > history.time[i - 1]))
       table.fail(0, i,

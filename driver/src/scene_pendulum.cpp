@@ -15,6 +15,7 @@ constexpr double default_contact_share = 1.0;
 // An angle keeps its digits, a coefficient is one of sliding: past these a step would add nothing to the
 // angle, and the default stiffness, which friction divides, would hold nothing.
 constexpr Bounds turns{-1000.0, 1000.0, false, "a number from -1000 to 1000"};
+constexpr Bounds shares{0.0, 1e20, true, "a number above 0, at most 1e20"};
 constexpr Bounds sliding{0.0, 10.0, false, "a number from 0 to 10"};
 
 PendulumPart read_model(TableReader& table, const Eigen::Vector3d& gravity) {
@@ -37,7 +38,7 @@ PendulumPart read_model(TableReader& table, const Eigen::Vector3d& gravity) {
 double contact_stiffness(TableReader& table, const coupling::PendulumModel& pendulum, double friction,
                          const BagPart& bag) {
   if (const auto stiffness = table.optional_number("stiffness", positive)) return *stiffness;
-  const double share = table.number("stiffness_share", positive, default_contact_share);
+  const double share = table.number("stiffness_share", shares, default_contact_share);
   // Of the other terms the fabric's alone never falls: stretch adds to it, gas and straps come and go.
   return coupling::default_contact_stiffness(
       {share, bag.model.fabric_frequency, lightest_fabric(bag.model.description),

@@ -71,6 +71,7 @@ std::size_t TriggerNames::node(const TableReader& table, const std::string& key,
 
 void TriggerNames::add(TableReader& table) {
   const std::string name = table.text("name");
+  if (name.empty()) table.fail("name", "is empty, a name is needed");
   if (std::find(names_.begin(), names_.end(), name) != names_.end())
     table.fail("name", fmt::format("names \"{}\" a second time", name));
   names_.push_back(name);

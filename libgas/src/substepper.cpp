@@ -59,6 +59,10 @@ void Substepper::fail(const Rates& rates, double x, double h) const {
                             " Pa, T = " + to_text(point.temperature) + " K and a sub-step of " +
                             to_text(rates.time(x + h) - rates.time(x)) + " s";
   if (!point.valid) throw DomainError("the gas leaves its temperature range, or none is left, " + where);
+  if (options_.fixed_step > 0.0)
+    throw DomainError("a fixed sub-step of " + to_text(options_.fixed_step) + " s takes more than " +
+                      std::to_string(options_.maximum_steps) + " sub-steps, " + where +
+                      "; a longer one (gas_step of a case), or none, is allowed");
   const double rate = rates.balance.relaxation_rate() + rates.balance.heat_rate();
   throw DomainError("the gas is too stiff for the integrator: " + std::to_string(attempts_) + " sub-steps, " +
                     where + (rate > 0.0 ? "; it relaxes within " + to_text(1.0 / rate) + " s" : ""));

@@ -142,6 +142,8 @@ const Fault kFaults[] = {
      "membrane.perturbation_seed", "without perturbation", "perturbation_seed = 3"},
     {"sphere_of_no_size", "sphere_inflation", "radius = 0.3", "radius = 1e-200", "membrane.mesh",
      "not a closed control volume", "{ generator"},
+    {"refined_beyond_memory", "sphere_inflation", "levels = 3", "levels = 8, refine = 6",
+     "membrane.mesh.refine", "makes up to 5368709120 elements of 1310720, at most 10000000", "refine = 6"},
     {"rings", "driver_bag", "generator = \"driver\"", "generator = \"driver\", rings = 3", "membrane.mesh",
      "rings", "{ generator"},
 };
@@ -156,6 +158,21 @@ TEST(good_input, every_shipped_case_is_accepted) {
     ++count;
   }
   EXPECT_GE(count, 6);
+}
+
+// Millimetres taken for metres, and the bag as it is.
+TEST(warnings, name_a_bag_of_no_airbags_size) {
+  const auto warned = [](const char* unit) {
+    const driver::Scene scene =
+        coupled::scene_of("bag_from_files", {std::string("membrane.mesh.length_unit=") + unit});
+    return std::ranges::any_of(scene.warnings, [](const std::string& text) {
+      return text.find("longest extent") != std::string::npos;
+    });
+  };
+  const double unit = 1e-3;  // of the shipped files
+  EXPECT_FALSE(warned("1e-3")) << unit;
+  EXPECT_TRUE(warned("1.0"));
+  EXPECT_TRUE(warned("1e-6"));
 }
 
 TEST(case_overrides, reach_their_key_and_name_themselves_in_errors) {
@@ -187,6 +204,11 @@ TEST(curve_file, is_read_and_refused_by_line) {
   EXPECT_NE(with("time_s,flow_kg_s\n0,1\n0,2\n").find("rising order"), std::string::npos);
   EXPECT_NE(with("time_s,flow_kg_s\n0,1\n1,-2\n").find("0 or more"), std::string::npos);
   EXPECT_NE(with("").find("flow.csv"), std::string::npos);
+  fs::remove(folder.path / "flow.csv");  // then the place is that of the key
+  const std::string gone = message_of(folder.path / "case.toml");
+  const auto key = text.find("file = \"flow.csv\"");
+  EXPECT_EQ(gone.substr(0, gone.find(": ")), coupled::place_of(folder.path / "case.toml", text, key)) << gone;
+  EXPECT_NE(gone.find("no such file"), std::string::npos) << gone;
 }
 
 }  // namespace

@@ -23,11 +23,14 @@ part_compare() {
   expect 1 "^outside: pressure_Pa: 10 of 11 rows outside" "$gasjet" compare "$mine" "$work/other.csv"
   expect 1 '"verdict": "outside"' "$gasjet" compare "$mine" "$work/other.csv" --format json
   expect 4 "^undecided: the reference states no band" "$gasjet" compare "$mine" "$mine"
-  expect 2 "--columns volume_m3" "$gasjet" compare "$mine" "$reference" --columns volume_m3
+  expect 2 "--columns volume_m3: .* allowed are pressure_Pa, temperature_K" "$gasjet" compare "$mine" "$reference" --columns volume_m3
   expect 2 "no such file" "$gasjet" compare "$work/none.csv" "$reference"
   expect 2 "no such file" "$gasjet" compare "$mine" "$reference" --map "$work/none.toml"
   expect 2 "not writable" "$gasjet" compare "$mine" "$reference" --rows "$work/nowhere/rows.csv"
   expect 2 "required" "$gasjet" compare "$mine"
+  # Thousands of columns take no longer than their bytes: a second, or a minute if each were looked for among all.
+  awk 'BEGIN { for (r = 0; r < 5; ++r) { printf r ? r : "time_s"; for (c = 0; c < 20000; ++c) printf ",%s%d", r ? "" : "q", c; print "" } }' >"$work/wide.csv"
+  expect 4 "states no band" timeout 30 "$gasjet" compare "$work/wide.csv" "$work/wide.csv"
   cp "$reference" "$work/kept.csv"
   expect 2 "--rows .*would overwrite" "$gasjet" compare "$mine" "$reference" --rows "$work/./reference.csv"
   cmp "$reference" "$work/kept.csv" || fail "the reference is overwritten"
@@ -77,6 +80,10 @@ part_external() {
   printf '#!/bin/sh\n[ "$1" != compare ] || exit 139\nexec "%s" "$@"\n' "$gasjet" >"$work/dying" && chmod +x "$work/dying"
   GASJET=$work/dying judge 2 "tank_fill: " "" tank_fill
   expect 2 "does none of the scenes" "$source/verification/run_external.sh" --scenes pendulum_swing "$source/verification/coupled/foreign_tank.sh"
+  # A program that does not end is ended.
+  printf '#!/bin/sh\nexec sleep 20\n' >"$work/endless" && chmod +x "$work/endless"
+  expect 2 "tank_fill: the program failed with exit code 124" "$source/verification/run_external.sh" --timeout 1 --scenes tank_fill "$work/endless"
+  expect 2 "--timeout 0: a whole number" "$source/verification/run_external.sh" --timeout 0 false
   expect 2 "no scene 'tank'" "$source/verification/run_external.sh" --scenes tank false
   expect 2 "needs the command" "$source/verification/run_external.sh" --tolerance 0.1
   expect 2 "unknown option --band" "$source/verification/run_external.sh" --band 1 false

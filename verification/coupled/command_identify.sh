@@ -64,12 +64,12 @@ part_identify() {
     options=$(sed -E "s/$2 [^ ]+//" <<<"$base")
     expect 2 "$1" "$gasjet" identify "$data" $options --out "$work/none.csv" "$2" "$3"
   }
-  bad_option "volume \[m3\] = 0: must be above 0" --volume 0
-  bad_option "total_mass \[kg\] = -0.08: must be above 0" --mass -0.08
-  bad_option "initial_temperature \[K\] = -1: must be above 0" --initial-temperature -1
-  bad_option "threshold = 2: must be 0.001 to 0.9" --threshold 2
-  bad_option "points = 3: must be 20 to" --points 3
-  bad_option "draws = 1: must be 40 to" --draws 1
+  bad_option "gasjet: --volume \[m3\] = 0: must be above 0" --volume 0
+  bad_option "gasjet: --mass \[kg\] = -0.08: must be above 0" --mass -0.08
+  bad_option "gasjet: --initial-temperature \[K\] = -1: must be above 0" --initial-temperature -1
+  bad_option "gasjet: --threshold = 2: must be 0.001 to 0.9" --threshold 2
+  bad_option "gasjet: --points = 3: must be 20 to" --points 3
+  bad_option "gasjet: --draws = 1: must be 40 to" --draws 1
   bad_option "--gas: species = .Xe.: must be one of" --gas Xe
   bad_option "--gas N2=0.5: sum of fractions = 0.5: must be 1" --gas N2=0.5
   bad_option "--tank-gas N2=x: 'N2=x' is no NAME=FRACTION" --tank-gas N2=x

@@ -22,6 +22,8 @@ const Fault kFaults[] = {
      "above 0", "stiffness = -1e9"},
     {"share_zero", "ball_impact", "friction = 0.3", "stiffness_share = 0.0", "contact.stiffness_share",
      "above 0", "stiffness_share = 0.0"},
+    {"share_beyond_all", "ball_impact", "friction = 0.3", "stiffness_share = 1e300",
+     "contact.stiffness_share", "at most 1e20", "stiffness_share = 1e300"},
     {"friction_of_glue", "ball_impact", "friction = 0.3", "friction = 11.0", "contact.friction",
      "from 0 to 10", "friction = 11.0"},
     {"angle_beyond_digits", "pendulum_swing", "initial_angle = 1.0471975511965976", "initial_angle = 1e15",

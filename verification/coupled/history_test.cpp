@@ -106,9 +106,12 @@ TEST(history, bad_histories_are_refused_where_they_stand) {
   };
   expect(head + "0,1\n1,2\n2,3\n", "accepted");
   expect(head + "0,1\n1,2\n1,3\n", "mine.csv:5:1: time_s: 1 s follows 1 s");
+  expect(head + "0,+1\n1,1e-400\n2,-1e-320\n", "accepted");
+  expect(head + "0,1\n1,1e400\n2,3\n", "mine.csv:4:3: '1e400'");
+  expect(head + "0,1\n1,+-2\n2,3\n", "mine.csv:4:3: '+-2'");
   expect(head + "0,1\n1,nan\n2,3\n", "mine.csv:4:3: 'nan'");
   expect(head + "0,1\n1\n2,3\n", "mine.csv:4:1: has 1 columns");
-  expect(head + "0,1\n1,2\n", "has 2 rows, 3 or more");
+  expect(head + "0,1\n1,2\n", "mine.csv:4:1: has 2 rows, 3 or more");
   expect(head + "0,1,\n1,2,\n2,3,\n", "accepted");
   expect(head + "0,1\n0,5,101,3\n2,3\n", "mine.csv:4:1: has 4 columns, the header 2");
   expect("time_s,time_s\n0,1\n1,2\n2,3\n", "mine.csv:1:1: 'time_s' is more than one column");
@@ -142,6 +145,9 @@ TEST(history, bad_maps_are_refused_where_they_stand) {
   expect(log, "format = \"abstat\"\nvolume_number = 3\n[time]\ncolumn = \"time\"\n",
          "no such airbag, the first is 1");
   expect(csv, abstat, "no state of an abstat file");
+  std::string numbered = kAbstat;
+  numbered.replace(numbered.rfind("       1"), 8, "   1e300");
+  expect(files.write("numbered", numbered), abstat, "a whole number from 1 to 1e9");
   expect(files.write("cut", kAbstat.substr(0, kAbstat.size() - 40)), abstat,
          "cut:19:107: the row ends in field 9");
 }

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "case_folder.hpp"
+#include "fault.hpp"
 
 namespace {
 
@@ -59,6 +60,25 @@ const BadMesh kMeshes[] = {
 };
 INSTANTIATE_TEST_SUITE_P(meshes, bad_mesh, testing::ValuesIn(kMeshes),
                          [](const auto& one) { return std::string(one.param.name); });
+
+TEST(missing_mesh, is_told_at_the_key_that_names_it) {
+  const std::filesystem::path file = GASJET_SOURCE_DIR "/cases/bag_from_files.toml";
+  for (const char* key : {"file", "initial_file"}) {
+    const Folder folder;
+    std::string text = read(file);
+    const std::string name =
+        key == std::string("file") ? "bag_from_files/design.obj" : "bag_from_files/start.obj";
+    text.replace(text.find(name), name.size(), "none.obj");
+    // The other files are where they were.
+    std::filesystem::copy(file.parent_path() / "bag_from_files", folder.path / "bag_from_files");
+    std::ofstream(folder.path / "case.toml") << text;
+    const std::string message = message_of(folder.path / "case.toml");
+    const auto at = text.find("none.obj") - std::string(" = \"").size() - std::string(key).size();
+    EXPECT_EQ(message.substr(0, message.find(": ")), coupled::place_of(folder.path / "case.toml", text, at))
+        << message;
+    EXPECT_NE(message.find("cannot be opened"), std::string::npos) << message;
+  }
+}
 
 TEST(good_input, closed_mesh_file_is_accepted) {
   // The control of bad_mesh: the same case with the closed tetrahedron.

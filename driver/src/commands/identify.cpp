@@ -98,6 +98,21 @@ CsvTable read_readings(const IdentifyArguments& a) {
   return table;
 }
 
+/// The library's message with the name of the option as it is typed.
+std::string as_typed(const std::string& message) {
+  static const std::pair<const char*, const char*> options[] = {
+      {"volume", "--volume"},
+      {"total_mass", "--mass"},
+      {"initial_temperature", "--initial-temperature"},
+      {"threshold", "--threshold"},
+      {"points", "--points"},
+      {"draws", "--draws"}};
+  for (const auto& [name, option] : options)
+    if (message.starts_with(std::string(name) + " "))
+      return option + message.substr(std::string(name).size());
+  return "identify: " + message;
+}
+
 gas::Identified analyse(const IdentifyArguments& a, const gas::TankTest& test, const CsvTable& table) {
   gas::TankReadings readings{table.values[0], table.values[1], {}};
   if (table.values.size() > 2) readings.chamber = table.values[2];
@@ -109,7 +124,7 @@ gas::Identified analyse(const IdentifyArguments& a, const gas::TankTest& test, c
                                                  : 2,
                error.index, error.what());
   } catch (const std::invalid_argument& error) {
-    throw CaseError(fmt::format("identify: {}", error.what()));
+    throw CaseError(as_typed(error.what()));
   }
 }
 

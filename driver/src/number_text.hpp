@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+namespace driver {
+
+/// The finite number that `text` is as a whole, as programs write it: a leading plus is allowed, what is too
+/// small for a double is 0. Nothing for any other text.
+std::optional<double> number_of(std::string_view text);
+
+}  // namespace driver
