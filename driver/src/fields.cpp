@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <functional>
 
 #include "driver/results.hpp"
@@ -33,31 +34,43 @@ void connectivity(std::string& out, const membrane::Mesh& mesh) {
   out += "</DataArray>\n</Polys>\n";
 }
 
-void element_data(std::string& out, const Scene& scene, const State& state) {
-  const auto& model = scene.bag->model;
-  const int count = model.element_count;
-  std::vector<membrane::ElementResponse> responses;
-  for (int e = 0; e < count; ++e) responses.push_back(membrane::element_response(model, *state.bag, e));
-  std::vector<double> overpressure(static_cast<std::size_t>(count), 0.0),
-      candidate(static_cast<std::size_t>(count), 0.0);
+// What all jets do to each element: overpressure [Pa]; 0 no load, 1 in a jet but hidden or facing
+// away, 2 lit, if only in part and by one of them.
+struct JetLoads {
+  std::vector<double> overpressure;
+  std::vector<int> mask;
+};
+
+JetLoads jet_loads(const State& state, std::size_t count) {
+  JetLoads loads{std::vector<double>(count, 0.0), std::vector<int>(count, 0)};
   for (const JetRun& run : state.jets)
     for (const int element : run.load().candidates) {
       const auto e = static_cast<std::size_t>(element);
-      overpressure[e] += run.load().overpressure[e];
-      candidate[e] = run.load().overpressure[e] > 0.0 ? 2.0 : 1.0;  // 2 lit, if only in part; 1 hidden
+      const double pressure = run.load().overpressure[e];
+      loads.overpressure[e] += pressure;
+      loads.mask[e] = std::max(loads.mask[e], pressure > 0.0 ? 2 : 1);
     }
-  const auto at = [](const std::vector<double>& v) {
-    return [&v](int e, int) { return v[static_cast<std::size_t>(e)]; };
+  return loads;
+}
+
+void element_data(std::string& out, const Scene& scene, const State& state) {
+  const auto count = static_cast<std::size_t>(scene.bag->model.element_count);
+  std::vector<membrane::PlaneResponse<double>> fabric;
+  for (std::size_t e = 0; e < count; ++e)
+    fabric.push_back(membrane::element_response(scene.bag->model, *state.bag, static_cast<int>(e)).response);
+  const JetLoads jets = jet_loads(state, count);
+  const double gauge = state.gas_point.pressure - scene.ambient.pressure;
+  const auto add = [&](const char* name, const auto& value) {
+    data_array(out, name, 1, static_cast<int>(count),
+               [&](int e, int) { return value(static_cast<std::size_t>(e)); });
   };
   out += "<CellData>\n";
-  data_array(out, "panel", 1, count,
-             [&](int e, int) { return scene.bag->mesh.panel[static_cast<std::size_t>(e)]; });
-  data_array(out, "principal_stress_Pa", 1, count,
-             [&](int e, int) { return responses[static_cast<std::size_t>(e)].response.stress_1; });
-  data_array(out, "principal_strain", 1, count,
-             [&](int e, int) { return responses[static_cast<std::size_t>(e)].response.strain_1; });
-  data_array(out, "jet_overpressure_Pa", 1, count, at(overpressure));
-  data_array(out, "jet_mask", 1, count, at(candidate));
+  add("panel", [&](std::size_t e) { return scene.bag->mesh.panel[e]; });
+  add("principal_stress_Pa", [&](std::size_t e) { return fabric[e].stress_1; });
+  add("principal_strain", [&](std::size_t e) { return fabric[e].strain_1; });
+  add("overpressure_Pa", [&](std::size_t e) { return gauge + jets.overpressure[e]; });
+  add("jet_overpressure_Pa", [&](std::size_t e) { return jets.overpressure[e]; });
+  add("jet_mask", [&](std::size_t e) { return jets.mask[e]; });
   out += "</CellData>\n";
 }
 

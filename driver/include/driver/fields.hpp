@@ -12,8 +12,10 @@
 
 namespace driver {
 
-/// Nodes with velocity; elements with overpressure of the jet, gauge pressure, stress, strain and jet mask;
-/// the impactor as a point at the end of a line to the pivot stands in pendulum_*.vtp. Throws WriteError.
+/// bag_*.vtp: nodes with velocity; elements with panel, larger principal stress [Pa] and strain, overpressure
+/// of gas and jets together and of the jets alone [Pa], and jet mask (0 outside, 1 in a jet but hidden or
+/// facing away, 2 lit). pendulum_*.vtp: a line from the pivot to the impactor's centre, with its radius [m].
+/// Throws WriteError.
 class FieldWriter {
  public:
   FieldWriter(const std::filesystem::path& folder, const Scene& scene);
