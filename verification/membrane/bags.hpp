@@ -25,19 +25,24 @@ struct Bag {
   }
 };
 
-// Largest displacement over that of the first step, from a kick of 1e-10 of the size; 1e5 is a blow-up.
+// Largest displacement over that of the first step, from a kick of 1e-10 of the size; 1e5 is a blow-up, which ends the run.
+// `lagged`: the pressure is that of the step before. `taken`, if wanted: steps until the blow-up, or all of them.
 inline constexpr double kBlownUp = 1e5;
-inline double growth(const Bag& bag, double dt) {
+inline double growth(const Bag& bag, double dt, int steps = 400, bool lagged = false, int* taken = nullptr) {
   auto state = membrane::make_state(bag.model, bag.x);
   const double kick = 1e-10 * bag.x.cwiseAbs().maxCoeff();
   state.velocity.map() = kick / dt * Random(3).vectors(bag.x.cols());
-  double largest = 0.0;
-  for (int i = 0; i < 400 && largest < kBlownUp; ++i) {
+  double largest = 0.0, before = bag.gauge(bag.volume);
+  int i = 0;
+  for (; i < steps && largest < kBlownUp; ++i) {
     membrane::update_skin(bag.model, state);
-    membrane::pressure_forces(state, bag.gauge(state.surface.volume));
+    const double now = bag.gauge(state.surface.volume);
+    membrane::pressure_forces(state, lagged ? before : now);
+    before = now;
     membrane::advance(bag.model, state, dt, dt);
     largest = std::max(largest, (state.position.map() - bag.x).cwiseAbs().maxCoeff() / kick);
   }
+  if (taken != nullptr) *taken = i;
   return largest;
 }
 
