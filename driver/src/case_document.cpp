@@ -4,8 +4,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <charconv>
-#include <sstream>
 
 #include "case_log.hpp"
 #include "driver/case_reader.hpp"
@@ -45,30 +43,30 @@ toml::table parse_override_value(const std::string& override_text, const std::st
   }
 }
 
-std::vector<std::string> split_path(const std::string& path) {
-  std::vector<std::string> parts;
-  std::string part;
-  std::istringstream stream(path);
-  while (std::getline(stream, part, '.')) parts.push_back(part);
-  return parts;
-}
-
-std::optional<std::size_t> as_index(const std::string& text) {
-  std::size_t index = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), index);
-  if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
-  return index;
+// Where the path of an override ends: its first = outside quotes.
+std::size_t end_of_path(const std::string& text) {
+  bool inside = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] == '\\' && inside)
+      ++i;
+    else if (text[i] == '"')
+      inside = !inside;
+    else if (text[i] == '=' && !inside)
+      return i;
+  }
+  return std::string::npos;
 }
 
 // The node that `key` names inside `parent`; a missing table is made, for the strict reader to judge.
-toml::node& descend(toml::node& parent, const std::string& key, const std::string& override_text) {
+toml::node& descend(toml::node& parent, const PathPart& part, const std::string& override_text) {
+  const auto& [key, index] = part;
   if (auto* table = parent.as_table()) {
     if (!table->contains(key))
       table->insert(key, std::move(*toml::parse("value = {}", "--set " + override_text).get("value")));
     return *table->get(key);
   }
   if (auto* array = parent.as_array()) {
-    if (const auto index = as_index(key); index && *index < array->size()) return *array->get(*index);
+    if (index && *index < array->size()) return *array->get(*index);
     throw CaseError(fmt::format("--set {}: '{}' is no index of that array, 0 to {} are allowed",
                                 override_text, key, static_cast<long>(array->size()) - 1));
   }
@@ -80,34 +78,34 @@ void unset(toml::table& root, const std::string& path) {
   const auto parts = split_path(path);
   for (std::size_t i = 0; node && i + 1 < parts.size(); ++i) {
     auto* array = node->as_array();
-    const auto index = as_index(parts[i]);
-    node = array && index ? array->get(*index) : node->is_table() ? node->as_table()->get(parts[i]) : nullptr;
+    const auto& [key, index] = parts[i];
+    node = array && index ? array->get(*index) : node->is_table() ? node->as_table()->get(key) : nullptr;
   }
-  if (!node || parts.empty() || !node->is_table() || node->as_table()->erase(parts.back()) == 0)
+  if (!node || parts.empty() || !node->is_table() || node->as_table()->erase(parts.back().key) == 0)
     throw CaseError(fmt::format("--unset {}: the case has no such key", path));
 }
 
 void apply_override(toml::table& root, const std::string& text) {
   if (text.starts_with(unset_prefix)) return unset(root, text.substr(unset_prefix.size()));
-  const auto equals = text.find('=');
+  const auto equals = end_of_path(text);
   if (equals == std::string::npos || equals == 0)
     throw CaseError(fmt::format("--set {}: key.path=value is expected", text));
   const auto parts = split_path(text.substr(0, equals));
   if (text[equals - 1] == '.' ||
-      std::any_of(parts.begin(), parts.end(), [](const auto& p) { return p.empty(); }))
+      std::any_of(parts.begin(), parts.end(), [](const auto& p) { return p.key.empty(); }))
     throw CaseError(fmt::format("--set {}: a part of the path is empty", text));
   toml::table value = parse_override_value(text, text.substr(equals + 1));
   toml::node* node = &root;
   for (std::size_t i = 0; i + 1 < parts.size(); ++i) node = &descend(*node, parts[i], text);
   if (auto* table = node->as_table()) {
-    table->insert_or_assign(parts.back(), std::move(*value.get("value")));
+    table->insert_or_assign(parts.back().key, std::move(*value.get("value")));
   } else if (auto* array = node->as_array()) {
-    const auto index = as_index(parts.back());
+    const auto& [key, index] = parts.back();
     if (!index || *index >= array->size())
-      throw CaseError(fmt::format("--set {}: '{}' is no index of that array", text, parts.back()));
+      throw CaseError(fmt::format("--set {}: '{}' is no index of that array", text, key));
     array->replace(array->cbegin() + static_cast<std::ptrdiff_t>(*index), std::move(*value.get("value")));
   } else {
-    throw CaseError(fmt::format("--set {}: the key before '{}' is no table", text, parts.back()));
+    throw CaseError(fmt::format("--set {}: the key before '{}' is no table", text, parts.back().key));
   }
 }
 

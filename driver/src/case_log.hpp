@@ -10,4 +10,7 @@ struct CaseLog {
   std::vector<Setting> settings;  // in the order of reading
 };
 
+/// `key` as a part of a path: bare if it is a word, else quoted.
+std::string path_key(const std::string& key);
+
 }  // namespace driver

@@ -33,4 +33,11 @@ void step(const Scene& scene, State& state, const StepRequest& request, StepReco
   state.step.before = state.step.after;
 }
 
+State state_at_start(const Scene& scene) {
+  State state = make_state(scene);
+  gas_point(scene, state);
+  forces(scene, state);
+  return state;
+}
+
 }  // namespace driver

@@ -33,7 +33,7 @@ TableReader::TableReader(const toml::table& table, std::string path, std::string
 
 std::string TableReader::join(const std::string& key) const {
   if (key.empty()) return path_.empty() ? "case" : path_;
-  return path_.empty() ? key : path_ + "." + key;
+  return path_.empty() ? path_key(key) : path_ + "." + path_key(key);
 }
 
 void TableReader::fail(const std::string& key, const std::string& message) const {
@@ -128,14 +128,14 @@ std::string TableReader::text(const std::string& key) {
   const toml::node& node = require(key, "a string");
   const auto value = node.value_exact<std::string>();
   if (!value) fail(key, fmt::format("is {}, a string is allowed", type_name(node)));
-  remember(key, '"' + *value + '"', false);
+  remember(key, quoted(*value), false);
   return *value;
 }
 
 std::string TableReader::text(const std::string& key, const std::string& fallback) {
   if (has(key)) return text(key);
   find(key);
-  remember(key, '"' + fallback + '"', true);
+  remember(key, quoted(fallback), true);
   return fallback;
 }
 
@@ -161,14 +161,15 @@ std::vector<std::string> TableReader::texts(const std::string& key) {
   const toml::node* node = find(key);
   if (node && !node->is_array())
     fail(key, fmt::format("is {}, an array of strings is allowed", type_name(*node)));
-  std::vector<std::string> values;
+  std::vector<std::string> values, written;
   if (node)
     for (const toml::node& element : *node->as_array()) {
       const auto value = element.value_exact<std::string>();
       if (!value) fail(key, fmt::format("holds {}, strings are allowed", type_name(element)));
       values.push_back(*value);
+      written.push_back(quoted(*value));
     }
-  remember(key, fmt::format("{}", values), node == nullptr);
+  remember(key, fmt::format("[{}]", fmt::join(written, ", ")), node == nullptr);
   return values;
 }
 

@@ -53,6 +53,19 @@ struct Setting {
   bool is_default;
 };
 
+/// One part of a setting's path: a key, or the number of an element of an array of tables.
+struct PathPart {
+  std::string key;
+  std::optional<std::size_t> index;
+};
+
+/// Parts of `key.0."any key"`. Keys other than [A-Za-z_-][A-Za-z0-9_-]* are quoted as in JSON. A quote that
+/// is not closed, or text beside quotes, gives an empty part.
+std::vector<PathPart> split_path(const std::string& path);
+
+/// `text` in quotes, as TOML and JSON both read it.
+std::string quoted(const std::string& text);
+
 /// A piecewise linear curve as given: knots in s, values in the unit of its key.
 struct CurveData {
   std::vector<double> time;

@@ -37,4 +37,7 @@ void step(const Scene& scene, State& state, const StepRequest& request, StepReco
 /// the velocity of the half step before, rate c [1/s]: omega^2 dt^2 + 2 c dt = 4 (J.9).
 double step_with_lagged_damping(double undamped, double rate);
 
+/// The state at the start, gas point and forces included: what a forecast and other derived values read.
+State state_at_start(const Scene& scene);
+
 }  // namespace driver

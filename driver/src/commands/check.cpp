@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Validates a case and prints what follows from it before any step is made.
+#include "check.hpp"
+
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "../jet_peak.hpp"
-#include "../stages.hpp"
 #include "commands.hpp"
 #include "driver/run.hpp"
 #include "gas/orifice.hpp"
@@ -21,27 +20,13 @@ void print_settings(const CaseDocument& document) {
     fmt::print("  {}{} = {}\n", setting.path, setting.is_default ? " *" : "", setting.value);
 }
 
-// Every setting of the case, as nested tables, and which of them were taken by default.
-void print_json(const CaseDocument& document) {
-  nlohmann::json settings, defaults = nlohmann::json::array();
-  for (const auto& setting : document.settings()) {
-    auto path = "/" + setting.path;
-    std::replace(path.begin(), path.end(), '.', '/');
-    const auto value = nlohmann::json::parse(setting.value, nullptr, false);
-    settings[nlohmann::json::json_pointer(path)] =
-        value.is_discarded() ? nlohmann::json(setting.value) : value;
-    if (setting.is_default) defaults.push_back(setting.path);
-  }
-  fmt::print("{}\n", nlohmann::json{{"settings", settings}, {"defaults", defaults}}.dump(2));
-}
-
 void print_panels(const membrane::Mesh& mesh) {
   const Eigen::VectorXd areas = membrane::panel_areas(mesh);
   for (std::size_t i = 0; i < mesh.panel_names.size(); ++i)
     fmt::print("panel {}: {:.5g} m2\n", mesh.panel_names[i], areas(static_cast<Eigen::Index>(i)));
 }
 
-void print_bag(const Scene& scene, State& state) {
+void print_bag(const Scene& scene, const State& state) {
   const auto& bag = *scene.bag;
   const double stiffness_gas = state.gas_point.gamma;
   const auto shares =
@@ -78,13 +63,13 @@ void print_jet(const Scene& scene, const JetPart& part) {
       part.inflator, peak.time, peak.outlet.velocity, peak.outlet.density, peak.outlet.pressure,
       peak.outlet.pressure > scene.ambient.pressure ? "choked" : "not choked",
       jet::momentum_flux(peak.outlet, part.outlet.area), jet::momentum_loss(model));
-  if (!scene.pendulum) return;
-  const Eigen::Vector3d impactor = scene.pendulum->model.impactor_centre(scene.pendulum->initial.angle);
-  const double speed = peak.outlet.velocity * jet::relative_velocity(model, impactor).dot(model.axis);
-  fmt::print(
-      "  its force on the impactor, unhidden, over that of the pressure: {:.4g} Pa / (p - p_a), overpressure "
-      "by bag pressure\n",
-      (1.0 + model.restitution) * peak.outlet.density * speed * speed);
+}
+
+void print_forecast(const Forecast& f) {
+  if (f.groups.empty()) return;
+  fmt::print("\nforecast (sizes: 0.1 matters, 0.01 shows, below negligible)\n");
+  for (const Group& g : f.groups)
+    fmt::print("  {:<10} {:>9.3g}  {} ({})\n", verdict(g), g.value, g.meaning, g.equation);
 }
 
 }  // namespace
@@ -92,11 +77,10 @@ void print_jet(const Scene& scene, const JetPart& part) {
 int check(const CaseArguments& arguments, const std::string& format) {
   CaseDocument document(arguments.file, arguments.overrides);
   const Scene scene = read_scene(document);
-  State state = make_state(scene);
-  gas_point(scene, state);
-  forces(scene, state);
+  const State state = state_at_start(scene);
+  const Forecast groups = forecast(scene, state);
   if (format == "json") {
-    print_json(document);
+    fmt::print("{}\n", check_json(document, scene, state, groups));
     return exit_done;
   }
   print_settings(document);
@@ -111,6 +95,7 @@ int check(const CaseArguments& arguments, const std::string& format) {
     fmt::print("pendulum: {:.6g} kg m2 about the axis, effective mass {:.5g} kg\n",
                scene.pendulum->model.axis_inertia(), scene.pendulum->model.effective_mass());
   if (scene.contact) fmt::print("contact stiffness: {:.4g} N/m3\n", scene.contact->parameters().stiffness);
+  print_forecast(groups);
   for (const auto& warning : scene.warnings) fmt::print("warning: {}\n", warning);
   return exit_done;
 }

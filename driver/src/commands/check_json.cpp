@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: Apache-2.0
+// What `gasjet check` knows of a case, as JSON for other programs.
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "../jet_peak.hpp"
+#include "check.hpp"
+#include "membrane/time_step.hpp"
+
+namespace driver::commands {
+namespace {
+
+using nlohmann::json;
+
+// Every setting of the case, as nested tables and arrays.
+json settings_of(const CaseDocument& document) {
+  json settings = json::object();
+  for (const auto& setting : document.settings()) {
+    json* node = &settings;
+    for (const auto& part : split_path(setting.path))
+      node = part.index ? &(*node)[*part.index] : &(*node)[part.key];
+    *node = json::parse(setting.value);
+  }
+  return settings;
+}
+
+json defaults_of(const CaseDocument& document) {
+  json defaults = json::array();
+  for (const auto& setting : document.settings())
+    if (setting.is_default) defaults.push_back(setting.path);
+  return defaults;
+}
+
+json species_of(const gas::Thermo& thermo) {
+  json all = json::object();
+  for (std::size_t k = 0; k < thermo.size(); ++k) {
+    const gas::Species& s = thermo.species(k);
+    json& one =
+        all[s.name] = {{"gas_constant_J_kg_K", thermo.gas_constant(k)}, {"molar_mass_kg_mol", s.molar_mass}};
+    if (s.constant_cp)
+      one["constant_cp_J_kg_K"] = s.low[0] * thermo.gas_constant(k);
+    else
+      one.update({{"minimum_temperature_K", s.minimum_temperature},
+                  {"joint_temperature_K", gas::kJointTemperature},
+                  {"maximum_temperature_K", s.maximum_temperature},
+                  {"coefficients_low", s.low},
+                  {"coefficients_high", s.high}});
+  }
+  return all;
+}
+
+json bag_of(const BagPart& bag, const State& state) {
+  const auto shares =
+      membrane::stiffness_shares(bag.model, *state.bag, state.gas_point.gamma, state.gas_point.pressure);
+  json plates = json::array();
+  for (const auto& plate : bag.model.description.plates) plates.push_back(plate.stiffness);
+  return {{"elements", bag.model.element_count},
+          {"nodes", bag.model.node_count},
+          {"mass_kg", bag.model.fabric_mass},
+          {"initial_volume_m3", state.bag->surface.volume},
+          {"design_volume_m3", membrane::enclosed_volume(bag.mesh.nodes, bag.mesh.elements)},
+          {"plate_stiffness_N_m3", plates},
+          {"critical_step_s", membrane::critical_time_step(shares)},
+          {"omega_squared_1_s2",
+           {{"elements", shares.element},
+            {"of_the_gas", shares.gas},
+            {"straps", shares.strap},
+            {"plates", shares.plate}}}};
+}
+
+json jets_of(const Scene& scene) {
+  json jets = json::array();
+  for (const auto& part : scene.jets) {
+    const JetPeak peak = jet_peak(scene, part);
+    jets.push_back({{"inflator_number", part.inflator},
+                    {"peak_time_s", peak.time},
+                    {"peak_velocity_m_s", peak.outlet.velocity},
+                    {"peak_density_kg_m3", peak.outlet.density},
+                    {"peak_outlet_pressure_Pa", peak.outlet.pressure},
+                    {"peak_momentum_N", jet::momentum_flux(peak.outlet, part.outlet.area)},
+                    {"cut_off_loss", jet::momentum_loss(part.field.model())}});
+  }
+  return jets;
+}
+
+json derived_of(const Scene& scene, const State& state, const Forecast& f) {
+  json derived = {{"step_s", f.step}};
+  if (scene.has_volume())
+    derived["gas_at_start"] = {{"mass_kg", state.gas_point.mass},
+                               {"pressure_Pa", state.gas_point.pressure},
+                               {"temperature_K", state.gas_point.temperature},
+                               {"gamma", state.gas_point.gamma}};
+  if (f.full)
+    derived["full_volume"] = {{"volume_m3", f.full->volume},
+                              {"closed_pressure_Pa", f.full->closed_pressure},
+                              {"pressure_Pa", f.full->pressure},
+                              {"vent_outflow_kg_s", f.full->vent_flow},
+                              {"fabric_outflow_kg_s", f.full->fabric_flow}};
+  if (scene.gas) derived["supply"] = {{"mass_kg", f.supply.mass}, {"peak_flow_kg_s", f.supply.peak_flow}};
+  if (scene.bag) derived["bag"] = bag_of(*scene.bag, state);
+  if (!scene.jets.empty()) derived["jets"] = jets_of(scene);
+  if (scene.pendulum)
+    derived["pendulum_body"] = {{"axis_inertia_kg_m2", scene.pendulum->model.axis_inertia()},
+                                {"effective_mass_kg", scene.pendulum->model.effective_mass()}};
+  if (scene.contact) derived["contact_stiffness_N_m3"] = scene.contact->parameters().stiffness;
+  return derived;
+}
+
+}  // namespace
+
+std::string check_json(const CaseDocument& document, const Scene& scene, const State& state,
+                       const Forecast& f) {
+  json groups = json::array();
+  for (const Group& g : f.groups)
+    groups.push_back({{"name", g.name},
+                      {"equation", g.equation},
+                      {"meaning", g.meaning},
+                      {"value", std::isfinite(g.value) ? json(g.value) : json("infinite")},
+                      {"verdict", verdict(g)}});
+  json all = {{"settings", settings_of(document)},
+              {"defaults", defaults_of(document)},
+              {"warnings", scene.warnings},
+              {"derived", derived_of(scene, state, f)},
+              {"forecast", groups}};
+  if (scene.gas) all["species"] = species_of(scene.gas->model.thermo);
+  return all.dump(2);
+}
+
+}  // namespace driver::commands

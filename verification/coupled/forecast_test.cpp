@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: Apache-2.0
+// The forecast's groups by hand, and the paths and strings of settings that `check --format json` is made of.
+#include "driver/forecast.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <map>
+
+#include "case_folder.hpp"
+#include "claim.hpp"
+#include "run_case.hpp"
+
+namespace {
+
+struct Read {
+  driver::Forecast forecast;
+  std::map<std::string, double> group;
+};
+
+Read read(const char* name, const std::vector<std::string>& overrides = {}) {
+  const auto scene = coupled::scene_of(name, overrides);
+  Read r{driver::forecast(scene, driver::state_at_start(scene)), {}};
+  for (const auto& g : r.forecast.groups) r.group[g.name] = g.value;
+  return r;
+}
+
+// The built-in nitrogen: 0.028014 kg/mol, and its cp at 298.15 K by TM-4513's coefficients, eight digits.
+constexpr double kR = 8.31446261815324 / 0.028014, kCp = 1039.6296, kGamma = kCp / (kCp - kR), kDigits = 1e-7;
+
+TEST(forecast, pressure_of_the_full_volume_by_hand) {
+  // p0 + gamma R T mdot t / V of the model nitrogen; no opening, no leak.
+  const Read tank = read("rigid_tank");
+  claim::expect_relative(
+      {"K.30", "case rigid_tank: pressure of the full volume over ambient [-]", "ten roundings"},
+      tank.group.at("full_pressure"), 1.0 + 1.4 * 296.8 * 700.0 * 0.1 / 0.06 / 101325.0, 1e-14);
+  EXPECT_FALSE(tank.group.contains("vent_leak"));
+  // The bag's volume stays: 0.0075 + 0.002 kg at 600 K into the icosphere's 0.99139384262975479 of a sphere
+  // of 0.2 m.
+  const Read bag = read("jet_bag");
+  const double volume = 0.99139384262975479 * 4.0 / 3.0 * M_PI * 0.008;
+  claim::expect_relative(
+      {"K.30", "case jet_bag: pressure of the full volume over ambient [-]", "eight digits of cp"},
+      bag.group.at("full_pressure"), 1.0 + kGamma * kR * 600.0 * 0.0095 / volume / 101325.0, kDigits);
+  // E h / (1 - nu) = 42857 N/m.
+  claim::expect_relative(
+      {"K.36", "case jet_bag: stiffness of the gas over the fabric's [-]", "eight digits of cp"},
+      bag.group.at("fabric_stretch"),
+      1.5 * kGamma * bag.forecast.full->pressure * std::cbrt(0.75 * volume / M_PI) / (60e6 * 0.5e-3 / 0.7),
+      kDigits);
+}
+
+TEST(forecast, balance_and_choking_by_hand) {
+  // The fabric takes the whole flow: C sqrt(2 rho (p - p_a)) = mdot with C = 0.05^2 x 1.5 m2.
+  const Read stiff = read("tank_stiff");
+  const double c = 0.0025 * 1.5, rho_dp = std::pow(0.02 / c, 2) / 2.0;
+  const double excess = 0.5 * (std::sqrt(101325.0 * 101325.0 + 4.0 * rho_dp * kR * 406.0) - 101325.0);
+  claim::expect_relative({"K.31", "case tank_stiff: overpressure in balance [Pa]",
+                          "bisection to rounding of p, of which p - p_a is 2e-5"},
+                         stiff.forecast.full->pressure - 101325.0, excess, kDigits);
+  claim::expect_relative({"K.33", "case tank_stiff: outflow of the fabric over the peak inflow [-]",
+                          "bisection to rounding of p, of which p - p_a is 2e-5"},
+                         stiff.group.at("fabric_leak"), 1.0, 1e-9);
+  // lambda = mdot/m (b + sqrt(b^2 - 4 gamma))/2, b = 1/2 + 3 gamma/2, over a step of 1 ms.
+  const double mass = 101325.0 * 1e-4 / (kR * 293.15), b = 0.5 + 1.5 * kGamma;
+  claim::expect_relative(
+      {"K.37", "case tank_stiff: relaxations of the gas in a step [-]", "eight digits of cp"},
+      stiff.group.at("gas_relaxation"), 1e-3 * 0.02 / mass * 0.5 * (b + std::sqrt(b * b - 4.0 * kGamma)),
+      kDigits);
+  claim::expect_relative({"K.32", "case tank_blowdown: pressure over the choking one [-]", "ten roundings"},
+                         read("tank_blowdown").group.at("vent_choking"), 5e5 / 101325.0 * 0.52828178771717411,
+                         1e-14);
+}
+
+TEST(forecast, jet_and_mesh_by_hand) {
+  // A triangle of flow: sonic from mdot* on, a share 1 - (mdot*/mdot_p)^2 of its mass.
+  const Read bag = read("jet_bag");
+  const double t = 2.0 * 600.0 / (kGamma + 1.0), v = std::sqrt(kGamma * kR * t), area = M_PI * 4e-4;
+  const double least = 101325.0 / (kR * t) * v * area;
+  claim::expect_near({"K.34", "case jet_bag: gas that leaves below ambient outlet pressure [-]",
+                      "midpoint rule of 4000 pieces"},
+                     bag.group.at("below_sonic_0"), least * least, 5e-4);
+  claim::expect_relative(
+      {"K.35", "case jet_bag: jet over pressure on the bag [-]", "eight digits of cp"},
+      bag.group.at("jet_on_bag_0"),
+      2.0 * 1.0 * v /
+          ((bag.forecast.full->pressure - 101325.0) * std::pow(bag.forecast.full->volume, 2.0 / 3.0)),
+      kDigits);
+  const Read scene = read("passenger_pendulum");
+  // 0.54923 + 0.36138 + 0.35948 + 0.027779 + 0.0018993 m2 in 2744 elements, the impactor 82 mm wide.
+  claim::expect_relative(
+      {"K.38", "case passenger_pendulum: (element side / impactor)^2 [-]", "five digits of the areas"},
+      scene.group.at("contact_mesh"), 4.0 * 1.2997683 / (std::sqrt(3.0) * 2744.0) / (0.082 * 0.082), 1e-5);
+  EXPECT_GT(scene.group.at("jet_on_impactor_0"), 0.1);
+}
+
+TEST(forecast, verdicts_and_cases_without_groups) {
+  const driver::Group size{"a", "K.33", "", 0.1, true}, number{"a", "K.31", "", 5.0, false};
+  EXPECT_STREQ(driver::verdict(size), "matters");
+  EXPECT_STREQ(driver::verdict({"a", "K.33", "", 0.0999, true}), "shows");
+  EXPECT_STREQ(driver::verdict({"a", "K.33", "", 0.00999, true}), "negligible");
+  EXPECT_STREQ(driver::verdict({"a", "K.35", "", INFINITY, true}), "matters");
+  EXPECT_STREQ(driver::verdict(number), "");
+  EXPECT_TRUE(read("pendulum_swing").forecast.groups.empty());
+  EXPECT_GT(read("driver_bag").group.at("full_pressure"), 1.0);  // its design shape is flat, without volume
+  // Too little gas for the volume.
+  EXPECT_TRUE(std::isinf(read("jet_bag", {"gas.initial.pressure=1e3"}).group.at("jet_on_bag_0")));
+}
+
+TEST(setting_path, splits_and_quotes_any_key) {
+  const auto parts = driver::split_path("inflator.0.composition.\"a/b.~\\\"1\"");
+  ASSERT_EQ(parts.size(), 4u);
+  EXPECT_EQ(parts[1].index, 0u);
+  EXPECT_FALSE(parts[2].index);
+  EXPECT_EQ(parts[3].key, "a/b.~\"1");
+  EXPECT_FALSE(driver::split_path("\"7\"").front().index);  // a key, no number of an element
+  for (const char* bad : {"", "a..b", "a.", "\"open", "\"a\"b", "\"\""})
+    EXPECT_TRUE(driver::split_path(bad).back().key.empty() || driver::split_path(bad)[1].key.empty()) << bad;
+  EXPECT_EQ(driver::quoted("a\"b\\c\n"), "\"a\\\"b\\\\c\\u000a\"");
+}
+
+// A gas with such a name is read, printed and set again by the printed path.
+TEST(setting_path, odd_names_reach_their_setting) {
+  const coupled::Folder folder;
+  const auto file = folder.path / "odd.toml";
+  std::ofstream(file)
+      << "[scene]\nname = \"say \\\"no\\\"\"\nend_time = 0.1\n[gas]\nthermodynamics = \"constant\"\n"
+         "initial = { composition = { \"7\" = 0.5, \"a/b.~\\\"\" = 0.5 } }\n"
+         "[[gas.species]]\nname = \"7\"\ngas_constant = 300.0\ncp = 1000.0\n"
+         "[[gas.species]]\nname = \"a/b.~\\\"\"\ngas_constant = 200.0\ncp = 1000.0\n"
+         "[tank]\nvolume = 0.06\n[output]\nhistory_every = 0.1\n";
+  std::map<std::string, std::string> settings;
+  driver::CaseDocument document(
+      file, {"gas.initial.composition.\"7\"=0.25", "gas.initial.composition.\"a/b.~\\\"\"=0.75"});
+  driver::read_scene(document);
+  for (const auto& setting : document.settings()) settings[setting.path] = setting.value;
+  EXPECT_EQ(settings.at("gas.initial.composition.\"7\""), "0.25");
+  EXPECT_EQ(settings.at("gas.initial.composition.\"a/b.~\\\"\""), "0.75");
+  EXPECT_EQ(settings.at("scene.name"), "\"say \\\"no\\\"\"");
+}
+
+}  // namespace
