@@ -2,6 +2,7 @@
 #include "driver/ladder.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <charconv>
 #include <cmath>
@@ -86,9 +87,11 @@ void print_verdict(const LadderResult& result, const LadderOptions& options,
     return;
   }
   const LadderRung& best = result.rungs[*result.cheapest];
+  std::vector<std::string> undecided;
   for (const LadderRung& rung : result.rungs)
     if (rung.verdict == Verdict::undecided && rung.cpu_seconds < best.cpu_seconds)
-      fmt::print("cheaper, but undecided: {}\n", rung.name);
+      undecided.push_back(rung.name);
+  if (!undecided.empty()) fmt::print("cheaper, but undecided: {}\n", fmt::join(undecided, "; "));
   fmt::print("cheapest within {:g} %: {}, {:.3g} s of CPU ({:.2g} of the full case); written to {}\n",
              100.0 * options.tolerance, best.name, best.cpu_seconds,
              best.cpu_seconds / result.rungs.front().cpu_seconds, (folder / "cheapest.toml").string());
