@@ -178,6 +178,32 @@ rule_mutation_lines() {
   done
 }
 
+# source_number FILE ROW COLUMN SCALE FORMAT: that number of a CSV table (comment lines aside), formatted. ROW: column=value,...
+source_number() {
+  awk -F, -v row="$2" -v column="$3" -v scale="$4" -v format="$5" '
+    /^#/ { next }
+    !head { head = 1; for (i = 1; i <= NF; ++i) at[$i] = i; n = split(row, want, ","); next }
+    { for (i = 1; i <= n; ++i) { split(want[i], pair, "="); if ($(at[pair[1]]) != pair[2]) next }
+      if (column in at) { ++found; text = sprintf(format, $(at[column]) * scale) } }
+    END { print found == 1 ? text : found + 0 " such rows" }' "$1"
+}
+
+# Each number that docs/numbers.tsv lists says what its source file says.
+rule_numbers() {
+  local page pattern source row column scale format number=0 says
+  while IFS=$'\t' read -r page pattern source row column scale format; do
+    number=$((number + 1))
+    [[ -n $page && $page != \#* ]] || continue
+    if [[ ! -f $page || ! -f $source || -z $format ]]; then
+      echo "docs/numbers.tsv:$number: $page, $source: seven columns and two files of the tree are needed"
+      continue
+    fi
+    says=$(sed -nE "s@.*$pattern.*@\\1@p" "$page")
+    [[ $says == "$(source_number "$source" "$row" "$column" "$scale" "$format")" ]] ||
+      echo "$page: '$pattern' says '$says', $source ($row, $column): $(source_number "$source" "$row" "$column" "$scale" "$format")"
+  done <docs/numbers.tsv
+}
+
 if [[ $(type -t "rule_$rule") != function ]]; then
   echo "rules.sh: no rule '$rule'" >&2
   exit 2

@@ -39,6 +39,9 @@ good_tree() {
   put verification/mutations.tsv '# comment' $'gas.(tank|vent)\tREADME.md\ts/gas/b/' $'bad_input.*/nan( |$)\tREADME.md\ts/gas/b/'
   put docs/exact.md '**`tank_fill`**: of a tank'
   put cases/tank.toml '# Closed form: `gasjet exact tank_fill`.'
+  put docs/page.md 'The force is 12.3 N.'
+  put docs/table.csv '# machine' 'case,force_kN' 'one,0.01234' 'two,5'
+  put docs/numbers.tsv '# comment' $'docs/page.md\tforce is ([0-9.]+) N\tdocs/table.csv\tcase=one\tforce_kN\t1000\t%.1f'
   put docs/theory/gas.md '$$ p V = m R T \tag{G.1} $$'
 }
 
@@ -121,6 +124,14 @@ case $rule in
   case_keys)
     breaks docs/case_files.md '| `volume` | of the tank |'
     breaks docs/case_files.md '| `volume`, `law` | of the tank |' '| `colour` | of the bag |'
+    ;;
+  numbers)
+    breaks docs/page.md 'The force is 12.4 N.'
+    breaks docs/page.md 'The force is twelve N.'
+    breaks docs/table.csv 'case,force_kN' 'one,0.0125'
+    breaks docs/table.csv 'case,force_kN' 'two,0.01234'
+    breaks docs/table.csv 'case,load' 'one,0.01234'
+    breaks docs/numbers.tsv $'docs/page.md\tforce is ([0-9.]+) N\tdocs/gone.csv\tcase=one\tforce_kN\t1000\t%.1f'
     ;;
   mutation_lines)
     breaks verification/mutations.tsv $'gas.tank\tREADME.md\ts/gas/b/'
