@@ -53,7 +53,7 @@ json bag_of(const BagPart& bag, const State& state) {
   const auto shares =
       membrane::stiffness_shares(bag.model, *state.bag, state.gas_point.gamma, state.gas_point.pressure);
   json plates = json::array();
-  for (const auto& plate : bag.model.description.plates) plates.push_back(plate.stiffness);
+  for (const auto& plate : bag.model.description.plates) plates.push_back(plate.stiffness.value());
   return {{"elements", bag.model.element_count},
           {"nodes", bag.model.node_count},
           {"mass_kg", bag.model.fabric_mass},
