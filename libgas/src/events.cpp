@@ -141,7 +141,7 @@ double Substepper::end_at_zero(Rates& rates, const Vector& y, double x, double h
     return function(trial);
   };
   boost::uintmax_t iterations = 60;
-  const boost::math::tools::eps_tolerance<double> close(bits);
+  const boost::math::tools::eps_tolerance<double> close(static_cast<unsigned>(bits));
   const auto bracket = boost::math::tools::toms748_solve(value_at_end, 0.0, h, begin, end, close, iterations);
   if (length != bracket.second) try_step(rates, y, x, length = bracket.second);
   return length;

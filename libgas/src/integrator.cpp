@@ -79,7 +79,7 @@ class GasIntegrator::Implementation {
       if (sensor.reset) all.push_back(model_.ambient.pressure + *sensor.reset);
     }
     std::ranges::sort(all);
-    all.erase(std::ranges::unique(all).begin(), all.end());
+    all.erase(std::unique(all.begin(), all.end()), all.end());
     return all;
   }
 

@@ -40,7 +40,7 @@ std::vector<double> Openings::knots() const {
   for (const Vent& vent : model_.vents) add_knots(vent.area_of_overpressure, knots);
   add_knots(model_.fabric_velocity, knots);
   std::ranges::sort(knots);
-  knots.erase(std::ranges::unique(knots).begin(), knots.end());
+  knots.erase(std::unique(knots.begin(), knots.end()), knots.end());
   return knots;
 }
 
