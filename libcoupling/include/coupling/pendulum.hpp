@@ -5,6 +5,7 @@
 
 namespace coupling {
 
+/// Default of what has to be given.
 inline constexpr double kNotGiven = std::numeric_limits<double>::quiet_NaN();
 
 // What must be given of a rigid pendulum on a revolute joint with a spherical impactor. The impactor's centre
@@ -43,24 +44,28 @@ class PendulumModel {
   // Throws std::invalid_argument naming field, value and what is allowed.
   explicit PendulumModel(const PendulumParameters& parameters);
 
-  const PendulumParameters& parameters() const { return parameters_; }
+  const PendulumParameters& parameters() const { return parameters_; }  // directions normalised
 
   // (K.2) I = I_cg + m L_cg^2 [kg m2], about the axis.
   double axis_inertia() const { return axis_inertia_; }
   // (K.3) m_eff = I / L_i^2 [kg], the mass that a force along the path of the impactor's centre sees.
   double effective_mass() const { return effective_mass_; }
 
-  // Positions [m] and velocity [m/s] at an angle [rad] and angular velocity [rad/s].
+  // Centre of gravity [m] at an angle [rad].
   Eigen::Vector3d cg_position(double angle) const;
+  // Centre of the impactor [m] at an angle [rad].
   Eigen::Vector3d impactor_centre(double angle) const;
+  // Velocity of that centre [m/s] at an angle [rad] and angular velocity [rad/s].
   Eigen::Vector3d impactor_velocity(double angle, double angular_velocity) const;
 
-  // Moments about the axis [N m]: of gravity, and of a force [N] acting at a point [m].
+  // Moment of gravity about the axis [N m] at an angle [rad].
   double gravity_moment(double angle) const;
+  // Moment about the axis [N m] of a force [N] acting at a point [m].
   double moment(const Eigen::Vector3d& force, const Eigen::Vector3d& point) const;
 
-  // (K.7) Energies [J]: -m g . (x_cg(angle) - x_cg(0)) and I omega^2 / 2.
+  // (K.7) Energy of gravity [J], -m g . (x_cg(angle) - x_cg(0)).
   double potential_energy(double angle) const;
+  // (K.7) I omega^2 / 2 [J].
   double kinetic_energy(double angular_velocity) const;
 
   // (K.4) omega^{n+1/2} = omega^{n-1/2} + tau alpha, theta^{n+1} = theta^n + dt_after omega^{n+1/2}, with

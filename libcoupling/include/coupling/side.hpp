@@ -16,6 +16,7 @@ double winding_number(const Triangles& triangles, const Nodes& nodes, const Eige
 double distance_to_triangle(const Eigen::Vector3d& point, const Eigen::Vector3d& a, const Eigen::Vector3d& b,
                             const Eigen::Vector3d& c);
 
+// How near a sphere is to the skin.
 struct Gap {
   double distance = 0.0;  // [m] sphere to skin, negative when they overlap
   int element = -1;       // the nearest

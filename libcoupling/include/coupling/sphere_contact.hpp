@@ -47,13 +47,14 @@ struct ContactResult {
 
 // An element that the sphere may reach before the next search.
 struct NearElement {
-  int element;
+  int element;   // its number
   double slack;  // [m] relative motion since the search below which it cannot touch
 };
 
 // A quadrature point that sticks or slides.
 struct Bristle {
-  int element, point;
+  int element;              // its number
+  int point;                // of the element's quadrature
   Eigen::Vector3d stretch;  // [m] of the skin against the sphere, tangential
   double weight;            // [m2]
 };
@@ -75,12 +76,14 @@ struct ContactState {
   std::vector<NearElement> near;                     // in ascending order of elements
   std::vector<double> nodal_stiffness;               // (N) [N/m] zero between calls
   Eigen::Vector3d shift = Eigen::Vector3d::Zero();   // [m] of the centre at the last call
-  std::vector<Bristle> bristles, old_bristles;       // by element and point; of the last call and before it
+  std::vector<Bristle> bristles;                     // by element and point; of the last call
+  std::vector<Bristle> old_bristles;                 // and of the one before it
   int searches = 0;                                  // counter: rebuilds of `near`
   int skips = 0;                                     // counter: levels that were certain to be idle
   int sweeps = 0;                                    // counter: swept tests of the whole skin
 };
 
+// Penalty contact of a sphere with the skin, (K.11), and the bound of its stiffness, (K.12). Immutable.
 class ContactModel {
  public:
   // triangles: (3 x M) of the skin; reference: (3 x N) [m] stress-free shape, or the
@@ -92,7 +95,7 @@ class ContactModel {
                double effective_mass, const ContactParameters& parameters,
                std::span<const int> open_elements = {});
 
-  ContactState make_state() const;
+  ContactState make_state() const;  // with all that evaluate() needs
 
   // S7: adds the contact forces (K.11) to `forces` for touched nodes only and returns the sphere's side.
   // Calls of one state belong to successive levels: between the last call and this one the centre and every
@@ -113,16 +116,17 @@ class ContactModel {
   // Lower bound of the relative motion before anything touches [m]; 0 in touch.
   static double free_gap(const ContactState& state) { return std::max(0.0, state.gap - state.travelled); }
 
-  // (K.12) with the whole skin in touch: the bound of every level's omega_squared_skin [1/s2]. A step that the
-  // points now in touch allow is too long for those that it brings into touch.
+  // (K.12) with the whole skin in touch: the bound of every level's omega_squared_skin [1/s2]. A step that
+  // the points now in touch allow is too long for those that it brings into touch.
   double full_omega_squared() const { return full_omega_squared_; }
 
-  const ContactParameters& parameters() const { return parameters_; }
-  int element_count() const { return static_cast<int>(triangles_.cols()); }
-  int node_count() const { return static_cast<int>(masses_.size()); }
+  const ContactParameters& parameters() const { return parameters_; }        // as given
+  int element_count() const { return static_cast<int>(triangles_.cols()); }  // M of the skin
+  int node_count() const { return static_cast<int>(masses_.size()); }        // N of the skin
+  // n: the element is loaded at n^2 points. Precondition: 0 <= element < M.
   int subdivision(int element) const { return subdivision_[static_cast<std::size_t>(element)]; }
 
-  static constexpr int kMaxSubdivision = 512;
+  static constexpr int kMaxSubdivision = 512;  // of an element, else the constructor throws
 
  private:
   void measure_gap(ContactState& state, const ContactResult& result) const;

@@ -16,6 +16,7 @@
 ///   Q = h A (T - T_ext)                                                                             (G.11)
 namespace gas {
 
+/// Air around: what vents and fabric blow into.
 struct Ambient {
   double pressure;                       // [Pa] >= 0
   double temperature;                    // [K] > 0
@@ -41,6 +42,7 @@ struct Vent {
   std::optional<std::size_t> trigger{};  // node while which it is open; none: always open
 };
 
+/// Heat through the walls, (G.11); none by default.
 struct HeatLoss {
   double conductance = 0.0;            // [W/K] >= 0, h A
   double outside_temperature = 300.0;  // [K] > 0
@@ -48,17 +50,18 @@ struct HeatLoss {
 
 /// Everything constant about a control volume. validate() checks it; GasIntegrator's constructor does so too.
 struct ControlVolumeModel {
-  Thermo thermo;
-  Ambient ambient;
-  std::vector<Inflow> inflows;
-  std::vector<Vent> vents;
-  HeatLoss heat_loss{};
+  Thermo thermo;                // species of the gas; all mass fractions are in their order
+  Ambient ambient;              // constant over a run
+  std::vector<Inflow> inflows;  // of any number
+  std::vector<Vent> vents;      // of any number; fabric leaks besides
+  HeatLoss heat_loss{};         // adiabatic by default
   /// [m/s] >= 0 against p - p_a [Pa]: where given, fabric leaks leak_area rho v(p - p_a)  (G.12) instead of
   /// (G.7).
   std::optional<Curve> fabric_velocity{};
-  TriggerModel triggers{};
+  TriggerModel triggers{};  // whose nodes inflows and vents name
 };
 
+/// What the integrator advances; make one by make_state.
 struct ControlVolumeState {
   std::vector<double> masses;  // [kg] one per species
   double internal_energy;      // [J]
@@ -114,9 +117,10 @@ double firing_time(const Inflow& inflow, const TriggerState& triggers);
 GasPoint evaluate(const ControlVolumeModel& model, const ControlVolumeState& state, double volume,
                   double leak_area, double time);
 
-/// Stage S3: inflow `i` at time `time` [s]; without a state, of an inflator whose trigger comes on at 0.
+/// Stage S3: inflow `i` at time `time` [s].
 InflatorPoint inflator_point(const ControlVolumeModel& model, const ControlVolumeState& state, std::size_t i,
                              double time);
+/// The same without a state: of an inflator whose trigger comes on at 0.
 InflatorPoint inflator_point(const ControlVolumeModel& model, std::size_t i, double time);
 
 }  // namespace gas

@@ -14,6 +14,7 @@ enum class Outside {
 /// Piecewise linear function of time through knots (t, value).
 class Curve {
  public:
+  /// A point of the curve.
   struct Knot {
     double time;   // [s]
     double value;  // in the unit of the quantity
@@ -21,8 +22,9 @@ class Curve {
   /// value(t) = value + slope (t - origin) on one piece.
   struct Piece {
     double origin;  // [s]
-    double value;
-    double slope;  // [1/s]
+    double value;   // at the origin, in the unit of the quantity
+    double slope;   // [unit/s]
+    /// Value at `time` [s], on the piece's line even outside the piece.
     double at(double time) const { return value + slope * (time - origin); }
   };
 
@@ -43,11 +45,12 @@ class Curve {
   /// Integral over [a, b], a <= b, exact to round-off.
   double integral(double a, double b) const;
 
+  /// As given, in rising time.
   std::span<const Knot> knots() const { return knots_; }
-  Outside outside() const { return outside_; }
-  bool is_constant() const { return knots_.size() == 1; }
-  double minimum() const;  // smallest value at a knot
-  double maximum() const;  // largest value at a knot
+  Outside outside() const { return outside_; }             // as given
+  bool is_constant() const { return knots_.size() == 1; }  // one knot: the same everywhere
+  double minimum() const;                                  // smallest value at a knot
+  double maximum() const;                                  // largest value at a knot
 
  private:
   std::vector<Knot> knots_;

@@ -42,6 +42,7 @@ struct StepFluxes {
   std::span<const StreamFlux> backflows;  // in, one per vent; empty without backflow
 };
 
+/// How the gas is stepped between break points.
 enum class Method {
   kDormandPrince5,  // explicit, order 5(4); the default: see docs/charts/gas_work_precision
   kRungeKutta4,     // explicit, order 4, error by step doubling
@@ -49,11 +50,12 @@ enum class Method {
   kRosenbrock4,     // implicit, L-stable, order 4(3)
 };
 
+/// Accuracy and method of the integration; the defaults suit an airbag.
 struct IntegratorOptions {
   double relative_tolerance =
       1e-10;  // local error of mass and thermal energy, of the gas in the volume; 1e-13 to 1e-2
-  int maximum_steps = 100000;  // sub-steps (rejected ones included) in one advance()
-  Method method = Method::kDormandPrince5;
+  int maximum_steps = 100000;               // sub-steps (rejected ones included) in one advance()
+  Method method = Method::kDormandPrince5;  // see there
   double fixed_step = 0.0;   // [s] > 0: sub-steps of this length between break points, no error control
   bool unsafe_step = false;  // take a fixed_step past the method's limit: for measuring that limit
 };

@@ -19,7 +19,7 @@ class Mixture {
   Sums high{};                       // the same, T > 1000 K
   double minimum_temperature = 0.0;  // [K]
   double maximum_temperature = 0.0;  // [K]
-  bool constant_cp = true;
+  bool constant_cp = true;           // no part's cp depends on T
 
   /// Heat capacity at constant pressure [J/K], (G.1).
   double cp(double temperature) const;

@@ -17,9 +17,10 @@ double orifice_mass_flow(double effective_area /* Cd A [m2] */, double pressure 
                          double temperature /* [K] */, double gas_constant /* [J/(kg K)] */,
                          double cp /* [J/(kg K)] */, double gamma, double ambient_pressure /* [Pa] */);
 
-/// The two branches of (G.6), each continued smoothly past the switch; the subsonic one is zero for p <= p_a.
+/// The sonic branch of (G.6) [kg/s], continued smoothly past the switch.
 double choked_mass_flow(double effective_area, double pressure, double temperature, double gas_constant,
                         double gamma);
+/// The subsonic branch of (G.6) [kg/s], continued smoothly past the switch; zero for p <= p_a.
 double subsonic_mass_flow(double effective_area, double pressure, double temperature, double gas_constant,
                           double cp, double gamma, double ambient_pressure);
 

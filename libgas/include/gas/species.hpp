@@ -21,7 +21,7 @@ using Nasa7 = std::array<double, 7>;
 /// An ideal gas. A gas of constant cp has a1 = cp/R, all other coefficients zero (so h = cp T, u = cv T,
 /// without offset) and every positive temperature as its range.
 struct Species {
-  std::string name;
+  std::string name;            // by which compositions refer to it
   double molar_mass;           // [kg/mol]
   double minimum_temperature;  // [K]
   double maximum_temperature;  // [K]
@@ -46,8 +46,8 @@ Species constant_cp_species(std::string_view name, double gas_constant, double c
 
 /// One part of a composition; by mole or by mass, as the function that takes it says.
 struct Component {
-  std::string species;
-  double fraction;  // [-]
+  std::string species;  // its name
+  double fraction;      // [-]
 };
 
 /// Dry air by mole: 0.7808 N2, 0.2095 O2, 0.0093 Ar, the rest CO2.

@@ -18,7 +18,8 @@ class Thermo {
   /// Throws std::invalid_argument if `species` is empty or names one twice.
   explicit Thermo(std::vector<Species> species);
 
-  std::size_t size() const { return species_.size(); }
+  std::size_t size() const { return species_.size(); }  // number of species
+  /// Species number k; throws std::out_of_range.
   const Species& species(std::size_t k) const { return species_.at(k); }
   /// Number of the species called `name`; throws std::invalid_argument if the mixture does not have it.
   std::size_t index(std::string_view name) const;
@@ -27,10 +28,11 @@ class Thermo {
 
   /// Specific gas constant of species k [J/(kg K)].
   double gas_constant(std::size_t k) const { return gas_constants_.at(k); }
-  /// Heat capacity, enthalpy [J/(kg K)], [J/kg] of species k at T [K]; DomainError outside its range. (G.1),
-  /// (G.2)
+  /// Heat capacity [J/(kg K)] of species k at T [K]; DomainError outside its range. (G.1)
   double cp(std::size_t k, double temperature) const;
+  /// Enthalpy [J/kg] of species k at T [K]; DomainError outside its range. (G.2)
   double enthalpy(std::size_t k, double temperature) const;
+  /// Internal energy [J/kg] of species k at T [K], h - R T; DomainError outside its range. (G.4)
   double internal_energy(std::size_t k, double temperature) const;
   /// Entropy at 1 bar [J/(kg K)], (G.3).
   double standard_entropy(std::size_t k, double temperature) const;
@@ -59,10 +61,11 @@ class Thermo {
   double temperature_from_internal_energy(std::span<const double> masses, double internal_energy,
                                           double guess) const;
 
-  /// Mass fractions [-] per species of this mixture from a composition by mole or by mass, scaled to sum 1.
+  /// Mass fractions [-] per species of this mixture from a composition by mole, scaled to sum 1.
   /// Throws std::invalid_argument for a species that the mixture does not have, one named twice, a fraction
   /// that is negative or not finite, or a sum that differs from 1 by more than 1e-6.
   std::vector<double> mass_fractions_by_mole(std::span<const Component> composition) const;
+  /// The same from a composition by mass.
   std::vector<double> mass_fractions_by_mass(std::span<const Component> composition) const;
 
  private:

@@ -11,6 +11,7 @@
 /// sensors, then its gates; a gate reads nodes before itself, so there are no loops.
 namespace gas {
 
+/// What a sensor watches.
 enum class SensorKind {
   kTime,      // on from `threshold` [s]
   kSignal,    // on while the supplied signal is `threshold` or more
@@ -18,31 +19,36 @@ enum class SensorKind {
   kInput,     // set by the caller between steps (contact): acts from the next step
 };
 
+/// A node that watches one thing.
 struct Sensor {
-  SensorKind kind;
+  SensorKind kind;                // decides which of the others are read
   double threshold = 0.0;         // [s], the signal's unit, [Pa]; not used by kInput
   std::optional<double> reset{};  // [Pa] < threshold, kPressure only: without it the sensor stays on
   std::optional<Curve> signal{};  // kSignal only
 };
 
+/// When a gate's condition holds: all inputs on, any on, or its one input off.
 enum class Logic { kAll, kAny, kNot };
 
+/// A node that joins earlier ones.
 struct Gate {
-  Logic logic;
+  Logic logic;                      // of its condition
   std::vector<std::size_t> inputs;  // nodes before this one; kNot: exactly one
   double delay = 0.0;               // [s] on only after its condition has held so long ...
   bool latch = false;               // ... or, latched, so long after it first held; then it stays on
 };
 
+/// The nodes and how they hang together; validate() checks it.
 struct TriggerModel {
-  std::vector<Sensor> sensors;
-  std::vector<Gate> gates;
+  std::vector<Sensor> sensors;  // nodes 0, 1, ...
+  std::vector<Gate> gates;      // the nodes that follow
+  /// Number of nodes.
   std::size_t size() const { return sensors.size() + gates.size(); }
 };
 
 /// One node's memory. A node that has never been on has first_on = infinity.
 struct NodeState {
-  bool on = false;
+  bool on = false;                                              // now
   double since = std::numeric_limits<double>::infinity();       // [s] when it last came on
   double first_on = std::numeric_limits<double>::infinity();    // [s] when it first came on
   double held_since = std::numeric_limits<double>::infinity();  // [s] since when a gate's condition holds

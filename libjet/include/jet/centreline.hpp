@@ -28,19 +28,21 @@ double round_decay(double distance, double decay_coefficient);
 /// short side.
 double plane_decay(double distance, double decay_coefficient);
 
-/// Length of the core, where V_max = V0: 0.67/a outlet radii (round), 1.03/a half short sides (plane) [-].
+/// Length of a round jet's core, where V_max = V0: 0.67/a outlet radii [-].
 double round_core_length(double decay_coefficient);
+/// Length of a plane jet's core: 1.03/a half short sides [-].
 double plane_core_length(double decay_coefficient);
 
-/// Distance of the virtual origin upstream of the outlet, where the decay law has its pole:
-/// 0.29/a outlet radii (round), 0.41/a half short sides (plane) [-].
+/// Distance of a round jet's virtual origin upstream of the outlet, where the decay law has its pole: 0.29/a
+/// outlet radii [-].
 double round_virtual_origin(double decay_coefficient);
+/// The same of a plane jet: 0.41/a half short sides [-].
 double plane_virtual_origin(double decay_coefficient);
 
-/// Width that conserves axial momentum flux for V = V_max exp(-(r/R)^2) (J.5):
-///   round  R / R0 = sqrt(2) V0/V_max,  plane  b / b0 = 2 sqrt(2/pi) (V0/V_max)^2.  `decay` = V_max / V0 in
-///   (0, 1].
+/// Width of a round jet that conserves axial momentum flux for V = V_max exp(-(r/R)^2) (J.5),
+/// R / R0 = sqrt(2) V0/V_max. `decay` = V_max / V0 in (0, 1].
 double round_momentum_width(double decay);
+/// The same of a plane jet, b / b0 = 2 sqrt(2/pi) (V0/V_max)^2.
 double plane_momentum_width(double decay);
 
 }  // namespace jet

@@ -32,8 +32,8 @@ class JetField {
   JetField(JetField&&) noexcept;
   JetField& operator=(JetField&&) noexcept;
 
-  const JetModel& model() const { return model_; }
-  FieldState make_state() const;
+  const JetModel& model() const { return model_; }  // with axis and long direction normalised
+  FieldState make_state() const;                    // sized for the surface, all zero
 
   /// Overpressure dp = (1 + e) rho0 max(V . n, 0)^2 (J.6), V at the centroid, n the unit vector of the area
   /// vector. `area_vectors` [m2] and `centroids` [m], 3 x M, outward. A candidate has V . n > 0 and an

@@ -9,6 +9,7 @@
 
 namespace jet {
 
+/// Shape of the outlet: a round or a plane jet.
 enum class OutletShape { round, rectangular };
 
 /// Width law: conservation of axial momentum flux, or a constant half angle as drawn in the paper.
@@ -20,9 +21,10 @@ enum class Direction { axial, radial };
 
 /// Gas jet. Members that are NaN by default have to be given where the shape or the spread reads them.
 struct JetModel {
+  /// Default of what has to be given.
   static constexpr double kMustBeGiven = std::numeric_limits<double>::quiet_NaN();
 
-  OutletShape shape = OutletShape::round;
+  OutletShape shape = OutletShape::round;  // decides which of the sizes below are read
   Eigen::Vector3d centre = Eigen::Vector3d::Constant(kMustBeGiven);  // [m] centre of the outlet
   Eigen::Vector3d axis = Eigen::Vector3d::Constant(kMustBeGiven);    // [-] into the bag; any length but 0
   Eigen::Vector3d long_direction =
@@ -32,11 +34,11 @@ struct JetModel {
   double long_side = kMustBeGiven;              // [m] rectangular: L
   double decay_coefficient = kMustBeGiven;      // [-] a of (J.3), (J.4)
 
-  Spread spread = Spread::momentum;
+  Spread spread = Spread::momentum;          // how the width grows along the axis
   double cone_initial_width = kMustBeGiven;  // [m] cone: R(0) or b(0), the 1/e half-width in the outlet
   double cone_half_angle = kMustBeGiven;     // [rad] cone: in [0, pi/2)
 
-  Direction direction = Direction::axial;
+  Direction direction = Direction::axial;  // of the velocity
   double restitution = 1.0;  // [-] e in [0, 1]: 1 complete reflection, 0 deflection into the surface
   double cut_off = 1e-3;     // [-] in [0, 1): no candidate where (V/V_max)^2 is below it, see momentum_loss
   bool relative_to_skin = false;  // overpressure from the velocity relative to the element
@@ -58,11 +60,12 @@ double momentum_loss(const JetModel& model);
 /// Where the jet's rays start: the centre (round), or the line through it along the long side (rectangular).
 RaySource ray_source(const JetModel& model);
 
-/// V_max / V0 [-] and width R or b [m] at the distance z >= 0 [m] from the outlet.
+/// What the jet has become at one distance from the outlet.
 struct Section {
-  double decay;  // [-]
-  double width;  // [m]
+  double decay;  // [-] V_max / V0
+  double width;  // [m] R or b, where V is V_max/e
 };
+/// Section at the distance z >= 0 [m] from the outlet.
 Section section(const JetModel& model, double z);
 
 /// Velocity relative to the outlet's, V / V0 [-], at a point; zero upstream of the outlet and beyond the long

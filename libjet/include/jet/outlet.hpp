@@ -23,9 +23,9 @@ enum class OutletTemperature { static_value, stagnation };
 
 /// Constant part of an outlet.
 struct OutletModel {
-  OutletLaw law = OutletLaw::sonic;
-  OutletTemperature temperature = OutletTemperature::static_value;
-  double area = 0.0;  // [m2] > 0, see outlet_area(JetModel)
+  OutletLaw law = OutletLaw::sonic;                                 // sets the outlet pressure
+  OutletTemperature temperature = OutletTemperature::static_value;  // what OutletInput::temperature means
+  double area = 0.0;                                                // [m2] > 0, see outlet_area(JetModel)
 };
 
 /// What the outlet is fed with at one instant.

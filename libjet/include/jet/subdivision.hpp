@@ -27,9 +27,9 @@ class Subdivision {
   /// outside [0, node_count), n outside 1 to 64, and more than 2^31 - 1 pieces.
   Subdivision(const Triangles& triangles, int node_count, int n);
 
-  int pieces() const { return pieces_; }  // of one element, n^2
-  int node_count() const { return static_cast<int>(nodes_.size()); }
-  const Eigen::Matrix3Xi& triangles() const { return triangles_; }  // 3 x M n^2
+  int pieces() const { return pieces_; }                              // of one element, n^2
+  int node_count() const { return static_cast<int>(nodes_.size()); }  // of the pieces
+  const Eigen::Matrix3Xi& triangles() const { return triangles_; }    // 3 x M n^2
 
   /// Pieces of the elements listed, in their order.
   std::vector<int> pieces_of(std::span<const int> elements) const;

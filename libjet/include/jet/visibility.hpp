@@ -51,8 +51,8 @@ struct SurfaceRoles {
 
 /// What a query did. candidates = lit + hidden + facing_away.
 struct VisibilityCounters {
-  std::size_t candidates = 0;
-  std::size_t lit = 0;
+  std::size_t candidates = 0;   // elements asked about
+  std::size_t lit = 0;          // facing the source, nothing between
   std::size_t hidden = 0;       // facing the source, but blocked
   std::size_t facing_away = 0;  // orientation <= 0
   std::size_t exact_calls = 0;  // predicates left to CGAL's kernel; may depend on earlier queries
@@ -85,8 +85,8 @@ class VisibilityQuery {
   std::vector<std::optional<int>> winding_numbers(const Points& nodes, const RaySource& source,
                                                   std::span<const int> candidates);
 
-  int element_count() const;
-  bool closed() const;  // every directed edge has its opposite equally often
+  int element_count() const;  // M of the surface
+  bool closed() const;        // every directed edge has its opposite equally often
 
  private:
   struct Impl;
