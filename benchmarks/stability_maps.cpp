@@ -12,7 +12,9 @@ namespace {
 constexpr int kPoints = 15;  // along each axis
 
 // Point `i` of a logarithmic axis.
-double on_axis(double low, double high, int i) { return low * std::pow(high / low, i / (kPoints - 1.0)); }
+double on_axis(double low, double high, int i) {
+  return low * std::pow(high / low, i / (kPoints - 1.0));
+}
 
 void print_point(double x, double dt, bool stable, double formula) {
   std::printf("%.5g,%.5g,%d,%.5g\n", x, dt, stable ? 1 : 0, formula);
@@ -32,20 +34,25 @@ scenes::Bag with_sliver(double side) {
   return {make_model(scenes::describe(mesh, membrane::Compression::linear)), mesh.nodes};
 }
 
-// Sphere of 80 elements, slack, flattened to the share `depth` of its depth and so of its volume, with air at rest inside.
+// Sphere of 80 elements, slack, flattened to the share `depth` of its depth and so of its volume, with air at
+// rest inside.
 scenes::Bag flattened(double depth) {
   const auto mesh = membrane::icosphere(0.3, 1);
-  scenes::Bag bag{make_model(scenes::describe(mesh, membrane::Compression::none)), mesh.nodes, scenes::kAmbient};
+  scenes::Bag bag{make_model(scenes::describe(mesh, membrane::Compression::none)), mesh.nodes,
+                  scenes::kAmbient};
   bag.x.row(2) *= depth;
   bag.volume = scenes::evaluated(bag.model, bag.x).surface.volume;
   return bag;
 }
 
 double gas_omega_squared(const scenes::Bag& bag) {
-  return membrane::stiffness_shares(bag.model, scenes::evaluated(bag.model, bag.x), scenes::kGamma, bag.pressure).gas;
+  return membrane::stiffness_shares(bag.model, scenes::evaluated(bag.model, bag.x), scenes::kGamma,
+                                    bag.pressure)
+      .gas;
 }
 
-// Points of a bag for each x: dt from `low` to `high`, stable over 400 steps or not, and the bound of a run (M.12).
+// Points of a bag for each x: dt from `low` to `high`, stable over 400 steps or not, and the bound of a run
+// (M.12).
 template <class MakeBag>
 void bag_map(double x_low, double dt_low, double dt_high, MakeBag&& make_bag) {
   for (int i = 0; i < kPoints; ++i) {
@@ -59,8 +66,9 @@ void bag_map(double x_low, double dt_low, double dt_high, MakeBag&& make_bag) {
   }
 }
 
-// Pressure of the step before: x is the time simulated [s]. A run is over where a disturbance has grown 1e5-fold; by (M.20) that takes
-// t = ln(1e5) dt/ln sqrt(1 + omega^2 dt^2). dt(t) of that by bisection, on its falling side.
+// Pressure of the step before: x is the time simulated [s]. A run is over where a disturbance has grown
+// 1e5-fold; by (M.20) that takes t = ln(1e5) dt/ln sqrt(1 + omega^2 dt^2). dt(t) of that by bisection, on its
+// falling side.
 void lagged_map() {
   const scenes::Bag bag = flattened(0.1);
   const double omega_squared = gas_omega_squared(bag), longest = 0.1;
@@ -76,7 +84,8 @@ void lagged_map() {
   for (int j = 0; j < kPoints; ++j) {
     const double dt = on_axis(5e-6, 2e-4, j);
     int steps = 0;
-    const bool stable = scenes::growth(bag, dt, static_cast<int>(longest / dt), true, &steps) < scenes::kBlownUp;
+    const bool stable =
+        scenes::growth(bag, dt, static_cast<int>(longest / dt), true, &steps) < scenes::kBlownUp;
     for (int i = 0; i < kPoints; ++i) {
       const double t = on_axis(8e-3, longest, i);
       print_point(t, dt, stable || steps * dt > t, formula(t));

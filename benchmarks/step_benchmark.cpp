@@ -45,7 +45,8 @@ void run_case(benchmark::State& bench, const std::string& name, const std::vecto
   double seconds = 0.0, jet_seconds = 0.0, steps = 0.0;
   for (auto iteration : bench) {
     driver::State state = driver::make_state(scene);
-    const auto outcome = driver::run_scene(scene, state, [](const driver::StepRecords*, const driver::State&) {});
+    const auto outcome =
+        driver::run_scene(scene, state, [](const driver::StepRecords*, const driver::State&) {});
     if (outcome.status != driver::RunStatus::done) {
       bench.SkipWithError(outcome.message.c_str());
       return;

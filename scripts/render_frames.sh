@@ -15,6 +15,6 @@ cases=(passenger_pendulum passenger_pendulum_no_jet)
 for case in "${cases[@]}"; do
   build/gasjet run "cases/$case.toml" --out "results/frames/$case" --quiet --set output.fields_every=5e-3
 done
-xvfb-run -a -s "-screen 0 1600x1200x24" /usr/bin/python3 scripts/render_frames.py docs/figures/frames.jpg \
+xvfb-run -a -s "-screen 0 1600x1200x24" /usr/bin/python3 -B scripts/render_frames.py docs/figures/frames.jpg \
   "with jet=results/frames/${cases[0]}" "without jet=results/frames/${cases[1]}" "${times[@]}"
 echo docs/figures/frames.jpg

@@ -20,11 +20,16 @@ function once(name, text) {
   last[key, name] = text
   return cell(text)
 }
+# A limit of a band; one that is 1 to six digits is told by its distance.
+function limit(x,   off) {
+  off = x - 1
+  return off != 0 && off * off < 1e-11 ? sprintf("1 %s %.2g", off < 0 ? "−" : "+", off < 0 ? -off : off) : sprintf("%.6g", x)
+}
 function line(   formula, unit) {
   formula = tag($4, $3 ": " $2) " " cell($8)
   unit = $11 == "" ? "" : " " $11
-  return sprintf("| %s: %s | %s | %.4g%s | %.4g%s | %.4f | %.6g to %.6g: %s | %s | [%s](../%s) |", $7, cell($5), formula, $9, unit,
-                 $10, unit, $10 / $9, $12, $13, cell($6), once("past", $14), $2, $3)
+  return sprintf("| %s: %s | %s | %.4g%s | %.4g%s | %.4f | %s to %s: %s | %s | [%s](../%s) |", $7, cell($5), formula, $9, unit,
+                 $10, unit, $10 / $9, limit($12), limit($13), cell($6), once("past", $14), $2, $3)
 }
 
 END {

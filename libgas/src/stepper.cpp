@@ -11,7 +11,7 @@ namespace {
 namespace odeint = boost::numeric::odeint;
 using Vector = Stepper::Vector;
 
-// Steps up to a sixteenth of the time since the onset: each further term of sqrt(t) is less than a thirtieth
+// Steps up to a sixteenth of the time since the onset: each further term of sqrt(t) is less than a sixteenth
 // of the last.
 constexpr double kRootShare = 1.0 / 16.0;
 

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-# Error of ensemble means of the coupled scene against CPU time, with two standard errors. usage: gnuplot -e "data='X.csv'; out='X.svg'"
-set terminal svg size 1050,640 font 'sans,12' background 'white'
+# Error of ensemble means of the coupled scene against CPU time, with two standard errors.
+# usage: gnuplot -e "data='X.csv'; out='X.svg'"
+set terminal svg size 1050,670 font 'sans,12' background 'white'
 set output out
 set datafile separator ','
 set border 3
@@ -14,12 +15,14 @@ unset key
 low(error, bar) = error - 2 * bar > 1e-4 ? error - 2 * bar : 1e-4
 rows(varied, quantity) = "< awk -F, '$1 == \"".varied."\" && $3 == \"".quantity."\" && $8 > 0' ".data
 # "1: first value, 2: second ..." of the points drawn
-values(varied, quantity) = system("awk -F, '$1 == \"".varied."\" && $3 == \"".quantity."\" && $8 > 0 { gsub(\"_\", \" \", $2); printf \"%s%d: %s\", n == 3 ? \"\\n\" : n ? \", \" : \"\", ++n, $2 }' ".data)
-extreme(order, varied) = real(system("awk -F, '$1 == \"".varied."\" && $8 > 0 { print $4 }' ".data." | sort ".order." | head -n 1"))
+values(varied, quantity) = system("awk -F, '$1 == \"".varied."\" && $3 == \"".quantity."\" && $8 > 0 ". \
+  "{ gsub(\"_\", \" \", $2); printf \"%s%d: %s\", n == 3 ? \"\\n\" : n ? \", \" : \"\", ++n, $2 }' ".data)
+extreme(order, varied) = real(system("awk -F, '$1 == \"".varied."\" && $8 > 0 { print $4 }' ". \
+  data." | sort ".order." | head -n 1"))
 set yrange [1e-4:0.5]
 set xtics (0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 1, 1.5, 2, 3, 4, 6, 10)
 set format x '%g'
-set multiplot layout 2,3 margins 0.075,0.985,0.13,0.95 spacing 0.065,0.2
+set multiplot layout 2,3 margins 0.075,0.985,0.155,0.95 spacing 0.065,0.2
 quantities = 'contact_impulse_Ns final_angle_rad'
 labels = "'Relative error of the mean impulse' 'Relative error of the mean angle'"
 groups = 'step gas mesh'

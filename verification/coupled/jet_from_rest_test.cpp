@@ -12,9 +12,10 @@
 
 namespace {
 
-// A small thin bag, soft enough that the jet sets the step, in a jet as wide as itself that starts at the third level.
+// A small thin bag, soft enough that the jet sets the step, in a jet as wide as itself that starts at the
+// third level.
 struct Start {
-  double bound = 0.0;          // [s] of the program, when the jet is there
+  double bound = 0.0;                // [s] of the program, when the jet is there
   double before = 0.0, after = 0.0;  // [Pa] on the element of the greatest load then, and a step later
 };
 
@@ -51,13 +52,16 @@ TEST(jet_from_rest, skin_outruns_the_jet_past_the_step_of_its_damping) {
   ASSERT_GT(at_rest.before, 1e5);  // [Pa]
   const double measured = claim::largest_passing(0.5 * at_rest.bound, 2.0 * at_rest.bound, 1e-3,
                                                  [](double dt) { return start(dt).after > 0.0; });
-  // A free skin at rest takes the jet's speed in one step of 2/c. Nodes average the load of their elements, some
-  // of them farther off the axis, and the bound has the gas and the fabric in it: both let the skin have a little more.
-  claim::expect_threshold({"J.9", "thin bag, wide jet, full flow at once", "nodes average loads; gas and fabric in the bound"},
-                          {"jet at full strength from rest", "ω²Δt² + 2 c Δt = 4, c = 2(1 + e) ρ₀ V A_e/m_e",
-                           at_rest.bound, measured, "s",
-                           "past it the skin is faster than the jet and its load goes out; the bound forbids that"},
-                          1.0, 1.25);
+  // A free skin at rest takes the jet's speed in one step of 2/c. Nodes average the load of their elements,
+  // some of them farther off the axis, and the bound has the gas and the fabric in it: both let the skin have
+  // a little more.
+  claim::expect_threshold(
+      {"J.9", "thin bag, wide jet, full flow at once; bound at rest",
+       "nodes average loads; gas and fabric in the bound"},
+      {"jet at full strength from rest", "ω²Δt² + 2 c Δt = 4, c = 2(1 + e) ρ₀ V A_e/m_e", at_rest.bound,
+       measured, "s",
+       "past it the skin is faster than the jet and its load goes out; the bound forbids that"},
+      1.0, 1.25);
 }
 
 }  // namespace

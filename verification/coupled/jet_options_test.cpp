@@ -149,10 +149,12 @@ TEST(jet_options, lagged_damping_limit_eq_measured_threshold) {
     for (const double ratio : {0.01, 0.5, 3.0}) {
       const double rate = ratio * omega;
       const double limit = driver::step_with_lagged_damping(2.0 / omega, rate);
-      const double measured =
-          claim::largest_passing(0.5 * limit, 2.0 * limit, 2e-4, [&](double dt) { return bounded(omega, rate, dt); });
+      const double measured = claim::largest_passing(0.5 * limit, 2.0 * limit, 2e-4,
+                                                     [&](double dt) { return bounded(omega, rate, dt); });
       claim::expect_threshold(
-          {"J.9", "one mode, c/ω = " + std::to_string(ratio).substr(0, 4) + (omega > 1.0 ? ", ω = 4e4/s" : ", ω = 1/s"),
+          {"J.9",
+           "one mode, c/ω = " + std::to_string(ratio).substr(0, 4) +
+               (omega > 1.0 ? ", ω = 4e4/s" : ", ω = 1/s"),
            "bisection to 2e-4; past the limit by 1e-3 the amplitude grows by that share a step, e^20 in all"},
           {"jet relative to the skin", "ω²Δt² + 2 c Δt = 4", limit, measured, "s",
            "the rate is part of the bound; a fixed step above it: exit 3, naming the jet"},

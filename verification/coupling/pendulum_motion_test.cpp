@@ -212,11 +212,12 @@ TEST(PendulumMotion, step_limit_eq_2_over_omega) {
     // A thousandth past the limit growth is 1.065 a step; the beat below it is 1/sqrt(1 - 0.999^2) = 22.
     return largest < 1e-10;
   };
-  claim::expect_threshold({"K.8", "the paper's pendulum", "bisection to 2e-4; a thousandth decides within 200 steps"},
-                          {"pendulum under gravity", "Δt = 2/ω_rot", limit,
-                           claim::largest_passing(0.5 * limit, 2.0 * limit, 2e-4, bounded), "s",
-                           "a share of the bound: Δt follows; a fixed step: exit 3"},
-                          1.0 - 1e-3, 1.0 + 1e-3);
+  claim::expect_threshold(
+      {"K.8", "the paper's pendulum", "bisection to 2e-4; a thousandth decides within 200 steps"},
+      {"pendulum under gravity", "Δt = 2/ω_rot", limit,
+       claim::largest_passing(0.5 * limit, 2.0 * limit, 2e-4, bounded), "s",
+       "a share of the bound: Δt follows; a fixed step: exit 3"},
+      1.0 - 1e-3, 1.0 + 1e-3);
 }
 
 }  // namespace

@@ -172,11 +172,12 @@ TEST(threshold, species_running_out_eq_first_zero_of_a_stage) {
         return false;
       }
     };
-    claim::expect_threshold({"G.9", name, "the trace is 1e-9 of the gas and its Jacobian carries 1e-8"},
-                            {"species that runs out", "h ṁ/m = first zero of a stage", limit,
-                             claim::largest_passing(0.5 * limit, 1.2 * limit, 1e-4, stays), "",
-                             "fixed sub-steps: error, never a negative mass; error control: smaller sub-steps"},
-                            0.999, 1.001);
+    claim::expect_threshold(
+        {"G.9", name, "the trace is 1e-9 of the gas and its Jacobian carries 1e-8"},
+        {"species that runs out", "h ṁ/m = first zero of a stage", limit,
+         claim::largest_passing(0.5 * limit, 1.2 * limit, 1e-4, stays), "",
+         "fixed sub-steps: error, never a negative mass; error control: smaller sub-steps"},
+        0.999, 1.001);
   }
 }
 

@@ -8,8 +8,8 @@
 #include "closed_form/orifice.hpp"
 #include "gas/orifice.hpp"
 
-// What the library avoids: schemes written out here, each beside the formula of its failure, and the library's own
-// answer on the same problem.
+// What the library avoids: schemes written out here, each beside the formula of its failure, and the
+// library's own answer on the same problem.
 namespace {
 
 using namespace cases;
@@ -44,7 +44,8 @@ TEST(failing_scheme, explicit_work_loses_entropy_at_first_order) {
                              (1.0 / std::sqrt(1.0 - a * a) - 1.0);
     claim::expect_threshold(
         {"G.20", "ln(p V^γ) lost in a period of " + std::to_string(steps) + " steps",
-         "terms of third order cancel over a period; those of fourth are (2 pi a/steps)^2 of it, 4e-4 at most"},
+         "terms of third order cancel over a period; those of fourth are (2 pi a/steps)^2 of it, 4e-4 at "
+         "most"},
         {"explicit p dV", "γ (γ − 1) δ²/2 a step, δ = dV/V", predicted, explicit_work_loss(wave), "",
          "p dV is integrated inside the step: the loss is the gas stepper's tolerance"},
         1.0 - 1e-3, 1.0 + 1e-3);
@@ -98,7 +99,9 @@ TEST(failing_scheme, stepping_over_the_sonic_switch_costs_an_order) {
   for (const int steps : {128, 256}) {
     const double order = std::log2(mean_error(steps) / mean_error(2 * steps));
     claim::expect_threshold(
-        {"G.6", "order of Runge-Kutta 4 between " + std::to_string(steps) + " and " + std::to_string(2 * steps) + " steps",
+        {"G.6",
+         "order of Runge-Kutta 4 between " + std::to_string(steps) + " and " + std::to_string(2 * steps) +
+             " steps",
          "means over a quarter of the range, 32 places of the switch in its step or more"},
         {"sonic switch", "order 3: the second derivative jumps", 3.0, order, "",
          "the switch is located and ends a sub-step: every method keeps its order"},

@@ -71,24 +71,28 @@ TEST(temperature, overlap_at_the_joint_gives_the_lower_root) {
 /// How far T(u) leaps where two temperatures fit, and how much u it is 1000 K for where none does.
 TEST(temperature, leap_and_gap_at_the_joint_eq_the_jump_of_the_fits) {
   const auto highest = [](const gas::Mixture& gas, auto&& passes) {  // u [J/kg], |u| well above the jump
-    const double u = gas.internal_energy(1000.0), low = gas.internal_energy(999.0), high = gas.internal_energy(1001.0);
+    const double u = gas.internal_energy(1000.0), low = gas.internal_energy(999.0),
+                 high = gas.internal_energy(1001.0);
     EXPECT_GT(std::abs(u), 1e5);
     return low - 1.0 + claim::largest_passing(1.0, high - low + 1.0, 1e-9, [&](double more) {
              return passes(gas.temperature(low - 1.0 + more, 1000.0));
            });
   };
-  // Bisection to 1e-9 of some 1 kJ/kg, and rounding of u, 1e5 to 1e7 J/kg: 1e-6 to 1e-8 J/kg, of jumps of 6e-3 and 0.06.
+  // Bisection to 1e-9 of some 1 kJ/kg, and rounding of u, 1e5 to 1e7 J/kg: 1e-6 to 1e-8 J/kg, of jumps of
+  // 6e-3 and 0.06.
   const gas::Mixture carbon_dioxide = one_kilogram("CO2"), methane = one_kilogram("CH4");
   const double gap = highest(carbon_dioxide, [](double t) { return t <= 1000.0; }) -
                      highest(carbon_dioxide, [](double t) { return t < 1000.0; });
-  const char* past = "T = 1000 K in a gap, the lower root in an overlap; the search is bracketed and cannot cycle";
-  claim::expect_threshold({"G.4", "CO2, u at 1000 K jumps up: gap", "rounding of u over the jump, and its bisection"},
-                          {"cp joint", "jump Δu of the fits at 1000 K", jump(carbon_dioxide), gap, "J/kg", past}, 0.999,
-                          1.001);
+  const char* past =
+      "T = 1000 K in a gap, the lower root in an overlap; the search is bracketed and cannot cycle";
+  claim::expect_threshold(
+      {"G.4", "CO2, u at 1000 K jumps up: gap", "rounding of u over the jump, and its bisection"},
+      {"cp joint", "jump Δu of the fits at 1000 K", jump(carbon_dioxide), gap, "J/kg", past}, 0.999, 1.001);
   const double top = highest(methane, [](double t) { return t < 1000.0; });
   const double leap = methane.temperature(top + 1e-5, 1000.0) - methane.temperature(top - 1e-5, 1000.0);
-  claim::expect_threshold({"G.4", "CH4, u at 1000 K jumps down: leap of T", "the two sides are 2e-5 J/kg apart"},
-                          {"cp joint", "|Δu|/c_v", -jump(methane) / methane.cv(1000.0), leap, "K", past}, 0.998, 1.002);
+  claim::expect_threshold(
+      {"G.4", "CH4, u at 1000 K jumps down: leap of T", "the two sides are 2e-5 J/kg apart"},
+      {"cp joint", "|Δu|/c_v", -jump(methane) / methane.cv(1000.0), leap, "K", past}, 0.998, 1.002);
 }
 
 TEST(temperature, outside_the_range_is_an_error) {

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
-#include <functional>
-
 #include "bisection.hpp"
 #include "cases.hpp"
 #include "claim.hpp"
@@ -10,24 +8,12 @@
 #include "closed_form/orifice.hpp"
 #include "closed_form/stability.hpp"
 #include "gas/orifice.hpp"
+#include "real_axis_limit.hpp"
 
 // Where each method fails: the limit as a formula, the threshold as measured beside it, an error past it.
 namespace {
 
 using namespace cases;
-
-/// Stability function of a method on y' = z y/h, by its coefficients of z^k; real, negative z.
-double limit_of(const std::vector<double>& coefficients) {
-  const auto growth = [&](double z) {
-    double sum = 0.0, power = 1.0;
-    for (const double c : coefficients) sum += c * power, power *= -z;
-    return std::abs(sum);
-  };
-  double stable = 1.0, unstable = 10.0;
-  for (int i = 0; i < 60; ++i)
-    (growth(0.5 * (stable + unstable)) < 1.0 ? stable : unstable) = 0.5 * (stable + unstable);
-  return stable;
-}
 
 struct Explicit {
   gas::Method method;
@@ -35,14 +21,12 @@ struct Explicit {
   double limit;
 };
 
-/// E. Hairer, S. P. Norsett, G. Wanner, Solving Ordinary Differential Equations I, sec. II.4: Dormand and
-/// Prince's six stages give z^6/600.
 std::vector<Explicit> explicit_methods() {
-  return {
-      {gas::Method::kEuler, "explicit Euler", limit_of({1.0, 1.0})},
-      {gas::Method::kRungeKutta4, "Runge-Kutta 4", limit_of({1.0, 1.0, 1.0 / 2, 1.0 / 6, 1.0 / 24})},
-      {gas::Method::kDormandPrince5, "Dormand-Prince 5",
-       limit_of({1.0, 1.0, 1.0 / 2, 1.0 / 6, 1.0 / 24, 1.0 / 120, 1.0 / 600})}};
+  using support::real_axis_limit;
+  return {{gas::Method::kEuler, "explicit Euler", real_axis_limit(support::kEulerPolynomial)},
+          {gas::Method::kRungeKutta4, "Runge-Kutta 4", real_axis_limit(support::kRungeKutta4Polynomial)},
+          {gas::Method::kDormandPrince5, "Dormand-Prince 5",
+           real_axis_limit(support::kDormandPrince5Polynomial)}};
 }
 
 /// A tank in balance: what enters leaves.
@@ -95,7 +79,8 @@ bool grows(const Balance& b, gas::Method method, double h) {
 void expect_refusal(const Balance& b, gas::Method method, double limit) {
   const auto run = [&](double step) {
     gas::ControlVolumeState state = gas::make_state(b.model, kPure, b.pressure, b.temperature, b.volume);
-    gas::GasIntegrator(b.model, {1e-10, 100000, method, step}).advance(state, 0.0, 20.0 * step, rigid(b.volume));
+    gas::GasIntegrator(b.model, {1e-10, 100000, method, step})
+        .advance(state, 0.0, 20.0 * step, rigid(b.volume));
   };
   EXPECT_NO_THROW(run(0.99 * limit));
   try {
@@ -109,13 +94,14 @@ void expect_refusal(const Balance& b, gas::Method method, double limit) {
 void expect_threshold(const char* failure, const char* formula, const Balance& b) {
   for (const auto& [method, name, limit] : explicit_methods()) {
     const double h = limit / b.rate;
-    const double measured = claim::largest_passing(0.5 * h, 2.0 * h, 1e-3, [&, m = method](double step) {
-      return !grows(b, m, step);
-    });
+    const double measured = claim::largest_passing(
+        0.5 * h, 2.0 * h, 1e-3, [&, m = method](double step) { return !grows(b, m, step); });
     claim::expect_threshold(
-        {"G.14", name, "bisection to 0.1 %; 800 steps tell growth from decay to 0.2 % of z, where |R'| is of order 1"},
+        {"G.14", name,
+         "bisection to 0.1 %; 800 steps tell growth from decay to 0.2 % of z, where |R'| is of order 1"},
         {failure, formula, h, measured, "s",
-         "fixed sub-steps: error with step and limit; error control: smaller sub-steps; Rosenbrock: no limit"},
+         "fixed sub-steps: error with step and limit; error control: smaller sub-steps; Rosenbrock: no "
+         "limit"},
         1.0 - 5e-3, 1.0 + 5e-3);
     expect_refusal(b, method, h);
   }
@@ -215,8 +201,8 @@ TEST(threshold, chatter_of_plain_euler_is_as_its_formula_and_ours_is_none) {
   const closed_form::VentEqualisation vent{{}, 0.06, 1e-3, kAmbientPressure, t_end};
   claim::expect_threshold(
       {"G.21", "amplitude of plain Euler's 2-cycle", "leading term in dp/p; each half cycle has another gas"},
-      {"square-root equalisation", "(κ h)²", closed_form::vent_chatter_amplitude(vent, h), 0.5 * (high - low), "Pa",
-       "p = p_a is located: no cycle, every method ends on p_a"},
+      {"square-root equalisation", "(κ h)²", closed_form::vent_chatter_amplitude(vent, h), 0.5 * (high - low),
+       "Pa", "p = p_a is located: no cycle, every method ends on p_a"},
       0.98, 1.04);
   gas::ControlVolumeState state = gas::make_state(model, kPure, 1.02 * kAmbientPressure, 400.0, 0.06);
   gas::GasIntegrator(model, {1e-10, 100000, gas::Method::kEuler, h}).advance(state, 0.0, 2.0, rigid(0.06));

@@ -41,7 +41,8 @@ TEST(walls, threshold_eq_their_relaxation_rate) {
     claim::expect_threshold(
         {"G.16", name, "bisection to 1e-4; the disturbance, 2e-6 of T, changes the rate by as much"},
         {"explicit stepper, by order", "h λ_w = 2, 2.785, 3.307 by order 1, 4, 5", h, measured, "s",
-         "fixed sub-steps: error with step and limit; error control: smaller sub-steps; Rosenbrock: no limit"},
+         "fixed sub-steps: error with step and limit; error control: smaller sub-steps; Rosenbrock: no "
+         "limit"},
         1.0 - 2e-4, 1.0 + 2e-4);
     EXPECT_LT(growth(method, 0.99 * h, false), 1.0) << static_cast<int>(method);
     EXPECT_THROW(growth(method, 1.01 * h, false), gas::DomainError) << static_cast<int>(method);
@@ -87,12 +88,12 @@ TEST(walls, evacuated_fill_has_a_threshold_without_scale) {
         return false;
       }
     };
-    claim::expect_threshold(
-        {"G.16", name, "bisection to 1e-4 on what is accepted, and then right to 1e-12"},
-        {"evacuated tank with walls", "hA/(ṁ c_v) = 2, 2.785, 3.307, whatever the step", limit,
-         claim::largest_passing(0.5 * limit, 2.0 * limit, 1e-4, right), "",
-         "fixed sub-steps: error with step and limit; error control and Rosenbrock: right to their tolerance"},
-        1.0 - 1e-4, 1.0 + 1e-4);
+    claim::expect_threshold({"G.16", name, "bisection to 1e-4 on what is accepted, and then right to 1e-12"},
+                            {"evacuated tank with walls", "hA/(ṁ c_v) = 2, 2.785, 3.307, whatever the step",
+                             limit, claim::largest_passing(0.5 * limit, 2.0 * limit, 1e-4, right), "",
+                             "fixed sub-steps: error with step and limit; error control and Rosenbrock: "
+                             "right to their tolerance"},
+                            1.0 - 1e-4, 1.0 + 1e-4);
   }
   // Error control takes as many sub-steps as it needs; Rosenbrock has no limit.
   for (const gas::Method method : kMethods) EXPECT_LT(error(method, 100.0, 0.0), 1e-8);

@@ -25,8 +25,9 @@ struct Bag {
   }
 };
 
-// Largest displacement over that of the first step, from a kick of 1e-10 of the size; 1e5 is a blow-up, which ends the run.
-// `lagged`: the pressure is that of the step before. `taken`, if wanted: steps until the blow-up, or all of them.
+// Largest displacement over that of the first step, from a kick of 1e-10 of the size; 1e5 is a blow-up, which
+// ends the run. `lagged`: the pressure is that of the step before. `taken`, if wanted: steps until the
+// blow-up, or all of them.
 inline constexpr double kBlownUp = 1e5;
 inline double growth(const Bag& bag, double dt, int steps = 400, bool lagged = false, int* taken = nullptr) {
   auto state = membrane::make_state(bag.model, bag.x);

@@ -106,8 +106,8 @@ TEST(MassShares, shipped_bags_reach_four_fifths_of_the_true_step) {
       }
       claim::expect_threshold(
           {"M.15",
-           std::string(bag.name) + " bag at " + std::to_string(static_cast<int>(overpressure)) + " Pa",
-           "at least 0.8 of the limit, and 1e-5 for the differences"},
+           std::string(bag.name) + " bag at " + std::to_string(static_cast<int>(overpressure)) + " Pa, bound",
+           "bound at least 0.8 of the limit by power iteration, and 1e-5 for the differences"},
           {"critical step of a bag", "2 / omega, masses shared",
            2.0 / std::sqrt(state.forces.element_frequency), 2.0 / std::sqrt(below), "s",
            "exit 3 before the first step"},

@@ -28,7 +28,9 @@ double measured_limit(const Bag& bag, double estimate) {
 }
 const char* const kBisected = "bisection to 2e-4; a thousandth off the limit decides within 400 steps";
 
-std::string percent(double share) { return std::to_string(std::lround(100.0 * share)) + " %"; }
+std::string percent(double share) {
+  return std::to_string(std::lround(100.0 * share)) + " %";
+}
 
 Bag triangle(double base, double apex, double height) {
   membrane::Mesh mesh;
@@ -65,17 +67,19 @@ TEST(Stability, largest_step_of_single_triangles_eq_closed_form) {
     const char *failure, *name;
     double base, apex, height;
   };
-  const Shape shapes[] = {{"membrane critical step", "equilateral, side 10 mm", 0.01, 0.005, 0.0086602540378443865},
-                          {"membrane critical step", "right, legs 10 mm", 0.01, 0.0, 0.01},
-                          {"sliver", "needle, base 1 mm, height 20 mm", 0.001, 0.0005, 0.02},
-                          {"sliver", "cap, base 20 mm, height 1 mm", 0.02, 0.011, 0.001}};
+  const Shape shapes[] = {
+      {"membrane critical step", "equilateral, side 10 mm", 0.01, 0.005, 0.0086602540378443865},
+      {"membrane critical step", "right, legs 10 mm", 0.01, 0.0, 0.01},
+      {"sliver", "needle, base 1 mm, height 20 mm", 0.001, 0.0005, 0.02},
+      {"sliver", "cap, base 20 mm, height 1 mm", 0.02, 0.011, 0.001}};
   for (const auto& s : shapes) {
     const double exact =
         closed_form::critical_time_step(closed_form::triangle_frequency(sheet, s.base, s.apex, s.height));
     claim::expect_threshold(
         {"M.10", s.name, kBisected},
-        {s.failure, "Δt = 2/ω_e, one free triangle", exact, measured_limit(triangle(s.base, s.apex, s.height), exact),
-         "s", "Δt follows; a fixed step: exit 3 before the first step, naming element, limit and shares"},
+        {s.failure, "Δt = 2/ω_e, one free triangle", exact,
+         measured_limit(triangle(s.base, s.apex, s.height), exact), "s",
+         "Δt follows; a fixed step: exit 3 before the first step, naming element, limit and shares"},
         1.0 - 1e-3, 1.0 + 1e-3);
   }
 }
@@ -88,10 +92,11 @@ TEST(Stability, largest_step_of_a_gas_filled_bag_eq_dense_eigenvalue) {
     const double exact =
         2.0 / std::sqrt(scenes::greatest_frequency(
                   bag.model, bag.x, [&](const Eigen::Matrix3Xd& at) { return bag.force(at); }));
-    claim::expect_threshold({"M.12", "icosahedron full of gas, stretched by " + percent(stretch - 1.0), kBisected},
-                            {"assembled bag with gas", "Δt = 2/ω, greatest eigenvalue of M⁻¹K", exact,
-                             measured_limit(bag, exact), "s", "the added bound stays below it at any stretch"},
-                            1.0 - 1e-3, 1.0 + 1e-3);
+    claim::expect_threshold(
+        {"M.12", "icosahedron full of gas, stretched by " + percent(stretch - 1.0), kBisected},
+        {"assembled bag with gas", "Δt = 2/ω, greatest eigenvalue of M⁻¹K", exact, measured_limit(bag, exact),
+         "s", "the added bound stays below it at any stretch"},
+        1.0 - 1e-3, 1.0 + 1e-3);
     const auto state = scenes::evaluated(bag.model, bag.x);
     const double bound =
         membrane::critical_time_step(membrane::stiffness_shares(bag.model, state, kGamma, bag.pressure));
@@ -111,8 +116,8 @@ TEST(Stability, largest_step_of_the_passenger_bag_eq_eigenvalue) {
   EXPECT_LT(bound, limit);
   claim::expect_threshold({"M.15", "passenger bag, 2744 elements, against power iteration",
                            "power steps come from below in omega^2, within a percent"},
-                          {"membrane critical step", "Δt = 2/ω, greatest eigenvalue of M⁻¹K", estimate, limit, "s",
-                           "the bound of a run is below it: safe without being asked"},
+                          {"membrane critical step", "Δt = 2/ω, greatest eigenvalue of M⁻¹K", estimate, limit,
+                           "s", "the bound of a run is below it: safe without being asked"},
                           1.0 - 5e-3, 1.0 + 5e-3);
 }
 
@@ -127,12 +132,13 @@ TEST(Stability, pressure_lagged_by_one_step_grows_at_every_step_size) {
     EXPECT_GT(exact, 1.0 + 1e-5);
     // Linear to the displacement, up to 2e-5 of the radius, over 40 steps: 1e-6 of the growth.
     const double slack = 1e-6 / (exact - 1.0);
-    claim::expect_threshold({"M.20", "growth a step, less 1, at " + percent(fraction) + " of the bound's step",
-                             "1e-6 of the growth: displacements up to 2e-5 of the radius"},
-                            {"pressure lagged by a step", "√(1 + ω_gas² Δt²): unstable at every Δt", exact - 1.0,
-                             breathing_growth(bag, dt, true) - 1.0, "",
-                             "pressure and forces belong to the same positions: no growth"},
-                            1.0 - slack, 1.0 + slack);
+    claim::expect_threshold(
+        {"M.20", "growth a step, less 1, at " + percent(fraction) + " of the bound's step",
+         "1e-6 of the growth: displacements up to 2e-5 of the radius"},
+        {"pressure lagged by a step", "√(1 + ω_gas² Δt²): unstable at every Δt", exact - 1.0,
+         breathing_growth(bag, dt, true) - 1.0, "",
+         "pressure and forces belong to the same positions: no growth"},
+        1.0 - slack, 1.0 + slack);
     EXPECT_NEAR(breathing_growth(bag, dt, false), 1.0, 1e-6) << fraction;
   }
 }
@@ -149,10 +155,12 @@ TEST(Stability, bag_with_a_tiny_volume_fails_where_the_gas_bound_says) {
   EXPECT_GT(shares.gas, 10.0 * shares.element);
   const double gas_alone = 2.0 / std::sqrt(shares.gas);
   // Between the bound with all shares and the gas alone; bisection to 2e-4.
-  claim::expect_threshold({"M.11", "icosphere flattened to a thousandth of its depth", "slack fabric takes off its share at most"},
-                          {"gas stiffness of a small volume", "Δt = 2/ω_gas", gas_alone, measured_limit(bag, gas_alone),
-                           "s", "the gas is a share of the bound: the step falls with the volume; V ≤ 0: exit 3"},
-                          membrane::critical_time_step(shares) / gas_alone - 1e-3, 1.0 + 1e-3);
+  claim::expect_threshold(
+      {"M.11", "icosphere flattened to a thousandth of its depth",
+       "slack fabric takes off its share at most"},
+      {"gas stiffness of a small volume", "Δt = 2/ω_gas", gas_alone, measured_limit(bag, gas_alone), "s",
+       "the gas is a share of the bound: the step falls with the volume; V ≤ 0: exit 3"},
+      membrane::critical_time_step(shares) / gas_alone - 1e-3, 1.0 + 1e-3);
 }
 
 // Fabric that carries compression, flattened to a tenth of its depth: it holds energy that no gas put in, its

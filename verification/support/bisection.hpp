@@ -5,8 +5,8 @@
 
 namespace claim {
 
-// Largest value for which `passes` holds, halfway between two values less than the share `width` apart. Expects it to
-// hold at `low` and not at `high` > low > 0; between them it has to change once.
+// Largest value for which `passes` holds, halfway between two values less than the share `width` apart.
+// Expects it to hold at `low` and not at `high` > low > 0; between them it has to change once.
 template <class Passes>
 double largest_passing(double low, double high, double width, Passes&& passes) {
   EXPECT_TRUE(passes(low)) << low;

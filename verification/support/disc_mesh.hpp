@@ -10,7 +10,8 @@
 
 namespace scenes {
 
-inline membrane::Mesh plain_mesh(const Eigen::Matrix3Xd& nodes, const std::vector<Eigen::Vector3i>& elements) {
+inline membrane::Mesh plain_mesh(const Eigen::Matrix3Xd& nodes,
+                                 const std::vector<Eigen::Vector3i>& elements) {
   membrane::Mesh mesh;
   mesh.nodes = nodes;
   mesh.elements.resize(3, static_cast<Eigen::Index>(elements.size()));

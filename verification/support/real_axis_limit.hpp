@@ -7,8 +7,8 @@
 namespace support {
 
 // Stability polynomials 1 + z + ... of explicit Runge-Kutta methods: of order p with p stages they are the
-// truncated exponential. Dormand and Prince's sixth stage (1980, b = 35/384, 0, 500/1113, ...) adds z^6 /
-// 600.
+// truncated exponential; Dormand and Prince's six stages add z^6/600 (E. Hairer, S. P. Norsett, G. Wanner,
+// Solving Ordinary Differential Equations I, sec. II.4).
 inline const std::vector<double> kEulerPolynomial{1.0, 1.0};
 inline const std::vector<double> kRungeKutta4Polynomial{1.0, 1.0, 1.0 / 2.0, 1.0 / 6.0, 1.0 / 24.0};
 inline const std::vector<double> kDormandPrince5Polynomial{1.0,        1.0,         1.0 / 2.0,  1.0 / 6.0,

@@ -52,8 +52,8 @@ double gas_breathing_frequency(const EnclosedGas& bag);
 double lagged_pressure_growth(double omega_structure_dt, double omega_gas_dt);
 
 /// Drift of ln(p V^gamma) in one step, relative volume change delta = dV/V. Euler, E -= p dV: leading
-/// -gamma (gamma-1) delta^2/2, (G.20), needs -1 < delta < 1/(gamma-1). Trapezoid, mean of both pressures: leading
-/// -gamma (gamma^2-1) delta^3/12, needs -2/(gamma+1) < delta < 2/(gamma-1). Source: derived here.
+/// -gamma (gamma-1) delta^2/2, (G.20), needs -1 < delta < 1/(gamma-1). Trapezoid, mean of both pressures:
+/// leading -gamma (gamma^2-1) delta^3/12, needs -2/(gamma+1) < delta < 2/(gamma-1). Source: derived here.
 double euler_volume_work_drift(double heat_capacity_ratio, double delta);
 double trapezoid_volume_work_drift(double heat_capacity_ratio, double delta);
 
