@@ -3,7 +3,7 @@
 # Sourced by stability_atlas.sh and verification_report.sh: a page of docs, written from the rows that tests
 # write, or compared with them. The caller defines page_head, which prints what stands above the tables.
 
-# claim_tables TABLES ROWS: the tables that scripts/TABLES.awk makes of that folder; row files in a fixed order.
+# claim_tables TABLES ROWS: what scripts/TABLES.awk makes of that folder; row files in a fixed order.
 claim_tables() {
   local files
   mapfile -t files < <(find "$2" -name '*.tsv' | LC_ALL=C sort)
@@ -16,8 +16,8 @@ claim_tables() {
 
 count_rows() { grep -c '](../verification/' "$1"; }
 
-# claim_page NAME DRIFT PAGE [--from ROWS | --check [ROWS [OTHER_PAGE]]]: of scripts/NAME.sh, whose tables are by
-# NAME.awk and compared by DRIFT.awk.
+# claim_page NAME DRIFT PAGE [--from ROWS | --check [ROWS [OTHER_PAGE]]]: of scripts/NAME.sh, whose tables are
+# by NAME.awk and compared by DRIFT.awk.
 claim_page() {
   local name=$1 drift=$2 page=$3 rows work
   shift 3

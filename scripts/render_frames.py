@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 # Draws bags at the same times side by side, from the field files of two runs: the skin coloured by
-# overpressure, what the jet lights and what is hidden from it, plate and pendulum. Called by render_frames.sh.
+# overpressure, what the jet lights and what is hidden from it, plate and pendulum. Used by render_frames.sh.
 # usage: render_frames.py PICTURE.jpg TITLE=FOLDER TITLE=FOLDER TIME_MS...
 import math
 import os

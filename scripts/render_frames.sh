@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# Draws the paper's scene with and without jet at the same times, as its Figures 10 and 11 do: docs/figures/frames.jpg.
-# VTK draws, on a display in memory.
+# Draws the paper's scene with and without jet at the same times, as its Figures 10 and 11 do, in
+# docs/figures/frames.jpg. VTK draws, on a display in memory.
 # usage: scripts/render_frames.sh [TIME_MS...]      (5 10 20 30 50 90 by default)
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
