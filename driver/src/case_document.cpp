@@ -81,7 +81,11 @@ void unset(toml::table& root, const std::string& path) {
     const auto& [key, index] = parts[i];
     node = array && index ? array->get(*index) : node->is_table() ? node->as_table()->get(key) : nullptr;
   }
-  if (!node || parts.empty() || !node->is_table() || node->as_table()->erase(parts.back().key) == 0)
+  if (auto* array = node ? node->as_array() : nullptr;
+      array && parts.back().index && *parts.back().index < array->size())
+    throw CaseError(
+        fmt::format("--unset {}: one entry of a list; a key, a table or a whole list is allowed", path));
+  if (!node || !node->is_table() || node->as_table()->erase(parts.back().key) == 0)
     throw CaseError(fmt::format("--unset {}: the case has no such key", path));
 }
 

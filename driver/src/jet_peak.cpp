@@ -5,21 +5,17 @@
 
 #include <algorithm>
 
+#include "supply.hpp"
+
 namespace driver {
 namespace {
-
-double peak_time(const gas::Curve& curve) {
-  if (curve.is_constant()) return 0.0;
-  const auto knots = curve.knots();
-  return std::max_element(knots.begin(), knots.end(),
-                          [](const auto& a, const auto& b) { return a.value < b.value; })
-      ->time;
-}
 
 void warn_of_outlet(const Scene& scene, const JetPart& part, std::vector<std::string>& warnings) {
   const JetPeak peak = jet_peak(scene, part);
   const double ambient = scene.ambient.pressure;
-  if (peak.outlet.pressure < ambient)
+  if (!(peak.mass_flow > 0.0))
+    warnings.push_back(fmt::format("jet of inflator {}: nothing flows up to the end", part.inflator));
+  else if (peak.outlet.pressure < ambient)
     warnings.push_back(fmt::format(
         "jet of inflator {}: the outlet pressure is below ambient even at the peak of the mass flow: a sonic "
         "outlet of that area cannot blow into the bag (outlet = \"pressure_matched\" can)",
@@ -52,8 +48,13 @@ void warn_of_rays(const Scene& scene, const JetPart& part, std::vector<std::stri
 
 JetPeak jet_peak(const Scene& scene, const JetPart& part) {
   const auto& inflow = scene.gas->model.inflows[part.inflator];
-  const double time = inflow.start_time + peak_time(inflow.mass_flow);
-  const auto point = gas::inflator_point(scene.gas->model, part.inflator, time);
+  double time = inflow.start_time;
+  auto point = gas::inflator_point(scene.gas->model, part.inflator, time);
+  if (duration(scene, inflow) <= 0.0) point.mass_flow = 0.0;
+  for (const double t : corner_times(scene, inflow)) {
+    const auto other = gas::inflator_point(scene.gas->model, part.inflator, t);
+    if (other.mass_flow > point.mass_flow) time = t, point = other;
+  }
   return {time, point.mass_flow,
           jet::outlet_state(part.outlet, {point.mass_flow, point.temperature, point.cp, point.gas_constant,
                                           scene.ambient.pressure})};

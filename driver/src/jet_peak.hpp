@@ -12,7 +12,8 @@ struct JetPeak {
   jet::OutletState outlet;
 };
 
-/// The outlet at the inflator's greatest mass flow, with ambient pressure in the bag.
+/// The outlet at the inflator's greatest mass flow up to the scene's end (0: it begins later), with ambient
+/// pressure in the bag.
 JetPeak jet_peak(const Scene& scene, const JetPart& part);
 
 /// Outlets that cannot blow into the bag, rays that start outside it.

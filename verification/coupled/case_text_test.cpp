@@ -49,9 +49,11 @@ TEST(case_text, unset_takes_out_a_key_and_a_table) {
 TEST(case_text, unset_of_what_is_not_there_is_refused) {
   const auto file = cases / "passenger_pendulum.toml";
   for (const char* key :
-       {"scene.no_such", "no_table.key", "inflator.3.jet", "inflator.0", "scene.name.x", ""})
+       {"scene.no_such", "no_table.key", "inflator.3.jet", "inflator.3", "scene.name.x", ""})
     EXPECT_NE(coupled::message_of(file, {std::string("unset ") + key}).find("no such key"), std::string::npos)
         << key;
+  EXPECT_NE(coupled::message_of(file, {"unset inflator.0"}).find("one entry of a list; a key"),
+            std::string::npos);
   EXPECT_NE(coupled::message_of(file, {"unset scene.end_time"}).find("end_time: is missing"),
             std::string::npos);
 }

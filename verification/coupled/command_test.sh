@@ -35,6 +35,9 @@ part_exit_codes() {
   grep -Eiq 'nan|inf' <(grep -v '^#' "$work/unsafe/history.csv" | tail -n +2) && fail "nan or inf in the history"
   expect 0 "critical step" "$gasjet" check "$source/cases/passenger_pendulum.toml"
   expect 0 "matters .* pressure on the impactor" "$gasjet" check "$source/cases/passenger_pendulum.toml"
+  expect 0 "scene.end_time = 0.01" "$gasjet" check "$source/cases/rigid_tank.toml" --unset scene.end_time --set scene.end_time=0.01
+  expect 2 "end_time: is missing" "$gasjet" check "$source/cases/rigid_tank.toml" --set scene.end_time=0.01 --unset scene.end_time
+  expect 0 "does not fill the volume" "$gasjet" check "$source/cases/passenger_pendulum.toml" --set scene.end_time=0.001
   expect 0 "choked at the start, choked from 1918" "$gasjet" check "$source/cases/tank_blowdown.toml"
   expect 0 "warning: jet of inflator 0: the outlet pressure is below ambient" "$gasjet" run \
     "$source/cases/passenger_pendulum.toml" --out "$work/warned" --set scene.end_time=1e-4

@@ -22,10 +22,12 @@ struct Supply {
   double temperature = 0.0;  // [K] mean by mass
 };
 
-/// The gas of the full volume, or of the start where nothing flows in.
+/// The gas of the full volume, or of the start where nothing flows in. What flows in may not fill it: then
+/// there is no pressure of (K.31), and no group that refers to it.
 struct FullState {
   double volume = 0.0;                        // [m3] as sewn, or at the start if that is more
   double closed_pressure = 0.0;               // [Pa] if nothing left, (K.30)
+  bool fills = true;                          // the closed pressure is ambient at least, or nothing flows in
   double pressure = 0.0;                      // [Pa] with what the openings let out at the peak flow, (K.31)
   double vent_flow = 0.0, fabric_flow = 0.0;  // [kg/s] at that pressure
   double gamma = 0.0;

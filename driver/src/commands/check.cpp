@@ -28,9 +28,8 @@ void print_panels(const membrane::Mesh& mesh) {
 
 void print_bag(const Scene& scene, const State& state) {
   const auto& bag = *scene.bag;
-  const double stiffness_gas = state.gas_point.gamma;
   const auto shares =
-      membrane::stiffness_shares(bag.model, *state.bag, stiffness_gas, state.gas_point.pressure);
+      membrane::stiffness_shares(bag.model, *state.bag, state.gas_point.gamma, state.gas_point.pressure);
   fmt::print(
       "bag: {} elements, {} nodes, fabric {:.4g} kg, initial volume {:.4g} m3, design volume {:.4g} m3\n",
       bag.model.element_count, bag.model.node_count, bag.model.fabric_mass, state.bag->surface.volume,
@@ -66,6 +65,11 @@ void print_jet(const Scene& scene, const JetPart& part) {
 }
 
 void print_forecast(const Forecast& f) {
+  if (f.full && !f.full->fills)
+    fmt::print(
+        "\nwhat flows in up to the end does not fill the volume: {:.4g} Pa in {:.4g} m3, below ambient "
+        "(K.30)\n",
+        f.full->closed_pressure, f.full->volume);
   if (f.groups.empty()) return;
   fmt::print("\nforecast (sizes: 0.1 matters, 0.01 shows, below negligible)\n");
   for (const Group& g : f.groups)

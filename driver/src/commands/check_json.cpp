@@ -63,7 +63,7 @@ json bag_of(const BagPart& bag, const State& state) {
           {"critical_step_s", membrane::critical_time_step(shares)},
           {"omega_squared_1_s2",
            {{"elements", shares.element},
-            {"of_the_gas", shares.gas},
+            {"gas", shares.gas},
             {"straps", shares.strap},
             {"plates", shares.plate}}}};
 }
@@ -83,6 +83,16 @@ json jets_of(const Scene& scene) {
   return jets;
 }
 
+json full_volume_of(const FullState& full) {
+  json all = {
+      {"volume_m3", full.volume}, {"closed_pressure_Pa", full.closed_pressure}, {"fills", full.fills}};
+  if (full.fills)
+    all.update({{"pressure_Pa", full.pressure},
+                {"vent_outflow_kg_s", full.vent_flow},
+                {"fabric_outflow_kg_s", full.fabric_flow}});
+  return all;
+}
+
 json derived_of(const Scene& scene, const State& state, const Forecast& f) {
   json derived = {{"step_s", f.step}};
   if (scene.has_volume())
@@ -90,18 +100,13 @@ json derived_of(const Scene& scene, const State& state, const Forecast& f) {
                                {"pressure_Pa", state.gas_point.pressure},
                                {"temperature_K", state.gas_point.temperature},
                                {"gamma", state.gas_point.gamma}};
-  if (f.full)
-    derived["full_volume"] = {{"volume_m3", f.full->volume},
-                              {"closed_pressure_Pa", f.full->closed_pressure},
-                              {"pressure_Pa", f.full->pressure},
-                              {"vent_outflow_kg_s", f.full->vent_flow},
-                              {"fabric_outflow_kg_s", f.full->fabric_flow}};
+  if (f.full) derived["full_volume"] = full_volume_of(*f.full);
   if (scene.gas) derived["supply"] = {{"mass_kg", f.supply.mass}, {"peak_flow_kg_s", f.supply.peak_flow}};
   if (scene.bag) derived["bag"] = bag_of(*scene.bag, state);
   if (!scene.jets.empty()) derived["jets"] = jets_of(scene);
   if (scene.pendulum)
-    derived["pendulum_body"] = {{"axis_inertia_kg_m2", scene.pendulum->model.axis_inertia()},
-                                {"effective_mass_kg", scene.pendulum->model.effective_mass()}};
+    derived["pendulum"] = {{"axis_inertia_kg_m2", scene.pendulum->model.axis_inertia()},
+                           {"effective_mass_kg", scene.pendulum->model.effective_mass()}};
   if (scene.contact) derived["contact_stiffness_N_m3"] = scene.contact->parameters().stiffness;
   return derived;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The subcommands of `gasjet`, one file each. They return exit codes and throw CaseError or OutputError for
-// code 2.
+// The command line of `gasjet` and its subcommands, one file each. They return exit codes and throw CaseError
+// or OutputError for code 2.
 #pragma once
 
 #include <filesystem>
@@ -21,13 +21,16 @@ inline constexpr int exit_interrupted = 130;  // Ctrl-C, as shells report it; wh
 
 int exit_code(Verdict verdict);
 
+/// Runs the subcommand that the command line asks for.
+int run_command_line(int argc, char** argv);
+
 /// Throws CaseError when the file that `option` writes is one of those that are read.
 void refuse_same_file(const char* option, const std::filesystem::path& out,
                       std::initializer_list<std::filesystem::path> inputs);
 
 struct CaseArguments {
   std::filesystem::path file;
-  std::vector<std::string> overrides;  // key.path=value
+  std::vector<std::string> overrides;  // in the order given: key.path=value, or unset key.path
 };
 
 struct RunArguments {

@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: Apache-2.0
+// The options of `gasjet` and its subcommands.
+#include <CLI/CLI.hpp>
+#include <cmath>
+
+#include "build_info.hpp"
+#include "commands.hpp"
+#include "driver/case_reader.hpp"
+
+namespace driver::commands {
+namespace {
+
+// Ranges let NaN pass.
+const CLI::Validator finite{[](std::string& text) {
+                              double value = 0.0;
+                              const bool bad =
+                                  CLI::detail::lexical_cast(text, value) && !std::isfinite(value);
+                              return bad ? text + ": a finite number is allowed" : std::string();
+                            },
+                            ""};
+
+const CLI::Validator named{
+    [](std::string& text) { return std::string(text.empty() ? "is empty, a name is needed" : ""); }, ""};
+
+// Taken as soon as it is read: overrides act in the order of the command line.
+void add_override(CLI::App& command, std::vector<std::string>& overrides, const char* name,
+                  std::string_view prefix, const char* meaning) {
+  command
+      .add_option_function<std::string>(
+          name,
+          [&overrides, prefix](const std::string& text) { overrides.push_back(std::string(prefix) + text); },
+          meaning)
+      ->trigger_on_parse();
+}
+
+void add_case(CLI::App& command, CaseArguments& arguments) {
+  command.add_option("CASE", arguments.file, "case file (TOML)")->required();
+  add_override(command, arguments.overrides, "--set", "",
+               "key.path=value, replaces or adds a value of the case; may be repeated");
+  add_override(command, arguments.overrides, "--unset", unset_prefix,
+               "key.path of a value or table to take out of the case; may be repeated");
+}
+
+void add_threads(CLI::App& command, int& threads, bool& quiet) {
+  command.add_option("--threads", threads, "threads; the results do not depend on it")
+      ->check(CLI::Range(1, 1024));
+  command.add_flag("--quiet", quiet, "no progress, no closing line");
+}
+
+struct Arguments {
+  RunArguments run;
+  CaseArguments check;
+  std::string check_format = "text";
+  EnsembleArguments ensemble;
+  LadderArguments ladder;
+  MeshArguments mesh;
+  ExactArguments exact;
+  IdentifyArguments identify;
+  CompareArguments compare;
+};
+
+void add_run(CLI::App& app, Arguments& all) {
+  auto* run = app.add_subcommand("run", "simulate a case");
+  add_case(*run, all.run.scene);
+  add_threads(*run, all.run.threads, all.run.quiet);
+  run->add_option("--out", all.run.out, "result folder (results/<case> by default)")->check(named);
+}
+
+void add_ensemble(CLI::App& app, Arguments& all) {
+  auto* ensemble =
+      app.add_subcommand("ensemble", "perturbed runs of a chaotic scene: means and standard errors");
+  add_case(*ensemble, all.ensemble.scene);
+  add_threads(*ensemble, all.ensemble.threads, all.ensemble.quiet);
+  ensemble
+      ->add_option("--out", all.ensemble.out,
+                   "result folder (results/ensemble_<case> by default), a folder in it for each case")
+      ->check(named);
+  ensemble->add_option("--runs", all.ensemble.runs, "number of runs")->check(CLI::Range(2, 100000));
+  ensemble->add_option("--amplitude", all.ensemble.amplitude, "largest displacement of the initial nodes [m]")
+      ->check(finite & CLI::Range(1e-18, 1e-3));
+  ensemble->add_option("--against", all.ensemble.against, "a second case: report the difference of the means")
+      ->check(named);
+}
+
+void add_ladder(CLI::App& app, LadderArguments& a) {
+  auto* ladder = app.add_subcommand(
+      "ladder", "error against cost of what a scene can leave out; the cheapest way within a tolerance");
+  add_case(*ladder, a.scene);
+  add_threads(*ladder, a.threads, a.quiet);
+  ladder
+      ->add_option("--quantity", a.quantity, "column of the history at the end, or a quantity of `ensemble`")
+      ->required()
+      ->check(named);
+  ladder->add_option("--tolerance", a.tolerance, "share of the quantity, 2% by default")->check(named);
+  ladder->add_option("--hold", a.hold, "axes that stay as the case has them, separated by commas")
+      ->delimiter(',')
+      ->allow_extra_args(false);
+  ladder->add_option("--runs", a.runs, "of each rung where the scene is chaotic")
+      ->check(CLI::Range(2, 100000));
+  ladder->add_option("--out", a.out, "result folder (results/ladder_<case> by default)")->check(named);
+}
+
+void add_mesh(CLI::App& app, MeshArguments& arguments) {
+  auto* mesh = app.add_subcommand("mesh", "generate or convert an airbag mesh and report on it");
+  mesh->require_subcommand(1);
+  auto* bag =
+      mesh->add_subcommand("driver", "driver bag: two discs sewn at the rim, attachment, vents, tethers");
+  auto* passenger =
+      mesh->add_subcommand("passenger", "passenger bag: main and side panels, attachment, vent");
+  auto* convert = mesh->add_subcommand("convert", "read a mesh file; write it in the format of --out");
+  auto* of_case = mesh->add_subcommand("case", "write the mesh that a case runs with");
+  const char* formats = ".obj, or LS-DYNA keyword .k, .key, .dyn";
+  bag->add_option("--out", arguments.out, std::string("design shape, ") + formats)->required()->check(named);
+  bag->add_option("--initial", arguments.initial, "initial shape, of the same formats")->check(named);
+  of_case->add_option("CASE", arguments.file, "case file (TOML)")->required();
+  of_case->add_option("--initial", arguments.initial, "initial shape, of the same formats")->check(named);
+  of_case->add_option("--out", arguments.out, std::string("design shape, ") + formats)
+      ->required()
+      ->check(named);
+  passenger->add_option("--out", arguments.out, std::string("design shape, ") + formats)
+      ->required()
+      ->check(named);
+  convert->add_option("FILE", arguments.file, formats)->required();
+  convert->add_option("--out", arguments.out, "file to write; without it the report only")->check(named);
+  convert->add_option("--length-unit", arguments.length_unit, "length unit of FILE [m]")
+      ->check(finite & CLI::PositiveNumber);
+  convert->add_option("--null-panel", arguments.null_panels, "panel that closes a hole; may be repeated")
+      ->allow_extra_args(false);
+  for (auto* command : {bag, passenger, of_case})
+    command
+        ->add_option("--set", arguments.overrides,
+                     "option=value of the generator or the case; may be repeated")
+        ->allow_extra_args(false);
+  for (auto* command : {bag, passenger, convert})
+    command->add_option("--refine", arguments.refine, "split each element in four, so many times")
+        ->check(CLI::Range(0, 6));
+}
+
+int dispatch_mesh(const CLI::App& mesh, const MeshArguments& arguments) {
+  if (mesh.got_subcommand("driver")) return mesh_driver(arguments);
+  if (mesh.got_subcommand("case")) return mesh_of_case(arguments);
+  return mesh.got_subcommand("passenger") ? mesh_passenger(arguments) : mesh_convert(arguments);
+}
+
+void add_others(CLI::App& app, Arguments& all) {
+  auto* check = app.add_subcommand("check", "validate a case, print its settings and what follows from them");
+  add_case(*check, all.check);
+  check->add_option("--format", all.check_format, "text, or json for other programs")
+      ->check(CLI::IsMember({"text", "json"}));
+  auto* exact = app.add_subcommand("exact", "print a closed form of the verification suite");
+  exact->add_option("NAME", all.exact.name, "closed form, see --list");
+  exact->add_flag("--list", all.exact.list, "the catalogue");
+  exact->add_option("--set", all.exact.parameters, "name=value")->allow_extra_args(false);
+  exact->add_option("--times", all.exact.times, "abscissae, first:last:step");
+  exact->add_option("--format", all.exact.format, "csv or json; of --list also markdown")
+      ->check(CLI::IsMember({"csv", "json", "markdown"}));
+}
+
+void add_identify(CLI::App& app, IdentifyArguments& a) {
+  auto* c = app.add_subcommand("identify", "tank test: mass flow and temperature from measured pressures");
+  const auto add = [&](const char* name, auto& value, const char* text) {
+    return c->add_option(name, value, text)->capture_default_str();
+  };
+  c->add_option("DATA", a.file,
+                "CSV of readings, with a header row; time [s] from firing, pressures [Pa] absolute")
+      ->required();
+  c->add_option("--out", a.out, "CSV of the curves, as a case file takes them")->required()->check(named);
+  c->add_option("--method", a.method, "average (temperature) or dual (pressure: tank and chamber)")
+      ->required()
+      ->check(CLI::IsMember({"average", "dual"}));
+  c->add_option("--volume", a.volume, "volume of the tank [m3]")->required();
+  c->add_option("--mass", a.mass, "total mass that the inflator delivers [kg]")->required();
+  c->add_option("--gas", a.gas, "what it delivers: NAME, air or NAME=FRACTION,... (N2=0.7,CO2=0.3)")
+      ->required();
+  add("--tank-gas", a.tank_gas, "what the tank holds before firing");
+  add("--by", a.by, "fractions by")->check(CLI::IsMember({"mass", "mole"}));
+  add("--thermodynamics", a.thermodynamics, "cp")->check(CLI::IsMember({"nasa7", "constant"}));
+  add("--initial-temperature", a.initial_temperature, "of the tank's gas [K]");
+  add("--time-column", a.time_column, "name in the header");
+  add("--tank-column", a.tank_column, "name in the header");
+  add("--chamber-column", a.chamber_column, "name in the header");
+  add("--threshold", a.threshold, "rows with |K| below this fraction of the largest are masked");
+  add("--points", a.points, "rows of the curves, equally spaced");
+  add("--draws", a.draws, "random draws behind the 95 % bands");
+}
+
+void add_compare(CLI::App& app, CompareArguments& a) {
+  auto* c = app.add_subcommand("compare", "difference of two histories against the reference's error band");
+  c->add_option("MINE", a.mine, "history to judge")->required();
+  c->add_option("REFERENCE", a.reference, "history (CSV) with a column <name>_band for each band")
+      ->required();
+  c->add_option("--map", a.map, "names, units and offsets of MINE's columns (TOML)")->check(named);
+  c->add_option("--columns", a.columns, "quantities to compare, separated by commas; all by default")
+      ->delimiter(',')
+      ->allow_extra_args(false);
+  c->add_option("--tolerance", a.tolerance,
+                "that mine may be off by itself, share of the reference's largest magnitude")
+      ->check(finite & CLI::Range(0.0, 1.0));
+  c->add_option("--rows", a.rows, "CSV file to write: both histories and the band at the common times")
+      ->check(named);
+  c->add_option("--format", a.format, "text or json")->check(CLI::IsMember({"text", "json"}));
+}
+
+int dispatch(const CLI::App& app, const Arguments& all) {
+  if (app.got_subcommand("run")) return run(all.run);
+  if (app.got_subcommand("check")) return check(all.check, all.check_format);
+  if (app.got_subcommand("ensemble")) return ensemble(all.ensemble);
+  if (app.got_subcommand("ladder")) return ladder(all.ladder);
+  if (app.got_subcommand("mesh")) return dispatch_mesh(*app.get_subcommand("mesh"), all.mesh);
+  if (app.got_subcommand("identify")) return identify(all.identify);
+  if (app.got_subcommand("compare")) return compare(all.compare);
+  return exact(all.exact);
+}
+
+}  // namespace
+
+int run_command_line(int argc, char** argv) {
+  CLI::App app("Gasjet: inflating airbags with an analytical gas jet");
+  app.set_version_flag("--version", std::string("gasjet ") + build_info::version + " (" + build_info::commit +
+                                        ", " + build_info::compiler + ", " + build_info::flags + ")");
+  app.require_subcommand(1);
+  Arguments all;
+  add_run(app, all);
+  add_ensemble(app, all);
+  add_ladder(app, all.ladder);
+  add_mesh(app, all.mesh);
+  add_others(app, all);
+  add_identify(app, all.identify);
+  add_compare(app, all.compare);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version
+    throw CaseError(std::string(error.what()) + " (--help lists what is allowed)");
+  }
+  return dispatch(app, all);
+}
+
+}  // namespace driver::commands

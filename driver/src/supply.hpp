@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the inflators send in up to the end of a scene, triggers taken to fire at 0, and the volume that it
+// fills.
+#pragma once
+
+#include "driver/forecast.hpp"
+
+namespace driver {
+
+/// Seconds of an inflow's own time that the scene sees.
+double duration(const Scene& scene, const gas::Inflow& inflow);
+
+/// Times up to the scene's end between which its flow is linear; empty if it begins later.
+std::vector<double> corner_times(const Scene& scene, const gas::Inflow& inflow);
+
+Supply supply_of(const Scene& scene);
+
+FullState full_state(const Scene& scene, const State& state, const Supply& supply);
+
+}  // namespace driver
