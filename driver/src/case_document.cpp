@@ -130,6 +130,12 @@ TableReader CaseDocument::root() {
   return {*table_, "", file_.string() + ":1:1", *log_};
 }
 
+std::vector<std::filesystem::path> CaseDocument::files() const {
+  auto all = log_->files;
+  all.push_back(file_);
+  return all;
+}
+
 const std::vector<Setting>& CaseDocument::settings() const {
   return log_->settings;
 }

@@ -54,7 +54,8 @@ void TableReader::located(const std::string& key, const std::function<void()>& a
 }
 
 std::filesystem::path TableReader::beside_case(const std::string& file) const {
-  return log_->folder / file;
+  log_->files.push_back(log_->folder / file);
+  return log_->files.back();
 }
 
 void TableReader::remember(const std::string& key, const std::string& value, bool is_default) {

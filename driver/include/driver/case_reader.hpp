@@ -162,6 +162,8 @@ class CaseDocument {
   TableReader root();
   const std::vector<Setting>& settings() const;
   const std::filesystem::path& file() const { return file_; }
+  /// The case file and those that it names, as far as it was read.
+  std::vector<std::filesystem::path> files() const;
   /// The case as TOML, its overrides applied, to stand in `folder`: files that it names are found from there.
   std::string text(const std::filesystem::path& folder) const;
 

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <filesystem>
+#include <initializer_list>
 #include <string>
 #include <vector>
 
@@ -26,7 +27,13 @@ int run_command_line(int argc, char** argv);
 
 /// Throws CaseError when the file that `option` writes is one of those that are read.
 void refuse_same_file(const char* option, const std::filesystem::path& out,
-                      std::initializer_list<std::filesystem::path> inputs);
+                      const std::vector<std::filesystem::path>& inputs);
+/// The same for the files `outputs` that a command writes to the folder of --out.
+void refuse_inputs(const std::filesystem::path& folder, std::initializer_list<const char*> outputs,
+                   const std::vector<std::filesystem::path>& inputs);
+/// A case and the files that it names. Throws CaseError.
+std::vector<std::filesystem::path> input_files(const std::filesystem::path& file,
+                                               const std::vector<std::string>& overrides);
 
 struct CaseArguments {
   std::filesystem::path file;

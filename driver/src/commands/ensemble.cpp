@@ -9,6 +9,13 @@
 namespace driver::commands {
 namespace {
 
+void refuse_inputs_of(const std::filesystem::path& folder, const std::filesystem::path& file,
+                      const std::vector<std::string>& overrides) {
+  const auto inputs = input_files(file, overrides);
+  refuse_inputs(folder / file.stem(), {"ensemble.csv", "quantities.csv", "ensemble.json"}, inputs);
+  refuse_inputs(folder, {"effects.csv"}, inputs);
+}
+
 void print_quantities(const std::string& title, const EnsembleResult& result) {
   fmt::print("{}\n  {:28} {:>12} {:>12} {:>12} {:>12} {:>5}\n", title, "quantity", "mean", "std. error",
              "minimum", "maximum", "runs");
@@ -48,8 +55,10 @@ int ensemble(const EnsembleArguments& arguments) {
       throw CaseError(fmt::format("--against {}: needs another file name than the first case",
                                   arguments.against.string()));
     read_ensemble_scene(arguments.against, arguments.scene.overrides);
+    refuse_inputs_of(folder, arguments.against, arguments.scene.overrides);
   }
   read_ensemble_scene(arguments.scene.file, arguments.scene.overrides);
+  refuse_inputs_of(folder, arguments.scene.file, arguments.scene.overrides);
   prepare_output(folder);
   catch_interrupt();
   const auto result = run_ensemble(arguments.scene.file, arguments.scene.overrides, options);

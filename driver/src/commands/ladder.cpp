@@ -107,7 +107,8 @@ int ladder(const LadderArguments& arguments) {
                                                   ("ladder_" + arguments.scene.file.stem().string())
                                             : arguments.out;
   plan_ladder(arguments.scene.file, arguments.scene.overrides, options.quantity, options.hold);
-  refuse_same_file("--out", folder / "cheapest.toml", {arguments.scene.file});
+  refuse_inputs(folder, {"ladder.csv", "ladder.json", "cheapest.toml"},
+                input_files(arguments.scene.file, arguments.scene.overrides));
   prepare_output(folder);
   catch_interrupt();
   const LadderResult result = run_ladder(arguments.scene.file, arguments.scene.overrides, options);

@@ -127,16 +127,6 @@ int reported(Action&& action) {
   }
 }
 
-// Files that the case reads its mesh from.
-std::vector<std::filesystem::path> mesh_files(CaseDocument& document) {
-  std::vector<std::filesystem::path> files;
-  auto membrane = document.root().optional_table("membrane");
-  auto mesh = membrane ? membrane->optional_table("mesh") : std::nullopt;
-  for (const char* key : {"file", "initial_file"})
-    if (mesh && mesh->has(key)) files.push_back(mesh->beside_case(mesh->text(key)));
-  return files;
-}
-
 }  // namespace
 
 int mesh_driver(const MeshArguments& arguments) {
@@ -167,10 +157,8 @@ int mesh_convert(const MeshArguments& arguments) {
 int mesh_of_case(const MeshArguments& arguments) {
   CaseDocument document(arguments.file, arguments.overrides);
   const Scene scene = read_scene(document);
-  for (const auto& file : mesh_files(document)) {
-    refuse_same_file("--out", arguments.out, {file});
-    refuse_same_file("--initial", arguments.initial, {file});
-  }
+  refuse_same_file("--out", arguments.out, document.files());
+  refuse_same_file("--initial", arguments.initial, document.files());
   if (!scene.bag) throw CaseError(fmt::format("{}: the scene has no membrane", arguments.file.string()));
   return finish({scene.bag->mesh, scene.bag->initial_position, {}}, arguments, {});
 }

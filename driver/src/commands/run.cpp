@@ -16,6 +16,7 @@ int run(const RunArguments& arguments) {
   for (const auto& warning : scene.warnings) fmt::print(stderr, "warning: {}\n", warning);
   const auto folder =
       arguments.out.empty() ? std::filesystem::path("results") / arguments.scene.file.stem() : arguments.out;
+  refuse_inputs(folder, {"history.csv", "energy.csv", "summary.json"}, document.files());
   catch_interrupt();
   const auto outcome =
       run_to_folder(scene, folder, provenance(arguments.scene.file, arguments.scene.overrides),

@@ -2,7 +2,7 @@
 #include <fmt/format.h>
 
 #include "commands.hpp"
-#include "driver/case_reader.hpp"
+#include "driver/scene.hpp"
 
 namespace driver::commands {
 namespace {
@@ -16,11 +16,23 @@ bool is_same(const std::filesystem::path& a, const std::filesystem::path& b) {
 }  // namespace
 
 void refuse_same_file(const char* option, const std::filesystem::path& out,
-                      std::initializer_list<std::filesystem::path> inputs) {
+                      const std::vector<std::filesystem::path>& inputs) {
   for (const auto& input : inputs)
     if (!out.empty() && !input.empty() && is_same(out, input))
       throw CaseError(fmt::format("{} {}: would overwrite {}, another file is allowed", option, out.string(),
                                   input.string()));
+}
+
+void refuse_inputs(const std::filesystem::path& folder, std::initializer_list<const char*> outputs,
+                   const std::vector<std::filesystem::path>& inputs) {
+  for (const char* name : outputs) refuse_same_file("--out", folder / name, inputs);
+}
+
+std::vector<std::filesystem::path> input_files(const std::filesystem::path& file,
+                                               const std::vector<std::string>& overrides) {
+  CaseDocument document(file, overrides);
+  read_scene(document);
+  return document.files();
 }
 
 }  // namespace driver::commands
