@@ -73,7 +73,9 @@ SpeciesList read_species(TableReader& table) {
   SpeciesList list(law, reference);
   for (auto& own : table.tables("species")) {
     own.located("", [&] {
-      list.add_own(gas::constant_cp_species(own.text("name"), own.number("gas_constant", positive),
+      const std::string name = own.text("name");
+      if (name.empty()) own.fail("name", "is empty, a name is needed");
+      list.add_own(gas::constant_cp_species(name, own.number("gas_constant", positive),
                                             own.number("cp", positive)));
     });
     own.finish();

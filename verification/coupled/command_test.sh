@@ -57,6 +57,14 @@ part_fields() {
 }
 
 part_lost_output() {
+  mkdir "$work/own"
+  cp "$source/cases/tank_test_curves.csv" "$work/own/history.csv"
+  cp "$source/cases/tank_test_curves.csv" "$work/own/ladder.csv"
+  sed 's/tank_test_curves.csv/history.csv/' "$source/cases/tank_identified.toml" >"$work/own/run.toml"
+  sed 's/tank_test_curves.csv/ladder.csv/' "$source/cases/tank_identified.toml" >"$work/own/ladder.toml"
+  expect 2 "--out .*history.csv: would overwrite" "$gasjet" run "$work/own/run.toml" --out "$work/own"
+  expect 2 "--out .*ladder.csv: would overwrite" "$gasjet" ladder "$work/own/ladder.toml" --quantity pressure --out "$work/own"
+  cmp "$work/own/history.csv" "$source/cases/tank_test_curves.csv" || fail "an input was overwritten"
   mkdir "$work/full"
   ln -s /dev/full "$work/full/summary.json"
   expect 3 "summary.json: write failed" "$gasjet" run "$source/cases/rigid_tank.toml" --out "$work/full"

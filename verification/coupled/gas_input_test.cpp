@@ -76,6 +76,7 @@ const Fault kFaults[] = {
      "mass_flow = { time = [0.0, 0.02, 0.04], value = [0.0, 1.0, 0.0] }   # kg/s, 0.02 kg\n"
      "temperature = 406.0           # K\n",
      "", "gas", "is missing", ""},
+    {"species_without_name", "tank_fixed_steps", "name = \"model_N2\"", "name = \"\"", "gas.species.0.name", "is empty"},
     {"sensor_without_name", "tank_triggers", "name = \"crash\"", "name = \"\"", "sensor.0.name", "is empty"},
     {"gas_step_of_zero", "tank_fixed_steps", "gas_step = 3.0e-3", "gas_step = 0.0", "time.gas_step",
      "above 0"},
