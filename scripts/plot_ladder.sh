@@ -14,12 +14,14 @@ for name in rung error error_se cpu_s; do has_column "$table" $name || fail "$ta
 
 header() { sed -n "s/^# $1: //p" "$table"; }
 reference=$(header reference) tolerance=$(header tolerance) uncertainty=$(header uncertainty) quantity=$(header quantity)
+zero=$(header 'counted from') # of pressures: the ambient one
 [[ -n $reference ]] || fail "$table: no line '# reference:'; was the ladder interrupted?"
+size=$(awk -v value="$reference" -v zero="${zero:-0}" 'BEGIN { s = value - zero; printf "%.17g", s < 0 ? -s : s }')
 
 # rows: name|cost [s]|error|low|high|number on the front, 1 there; errors in per cent of the reference, not below the floor
 # of a thousandth of the tolerance. By cost, so that the front is where the error falls.
 rows() {
-  awk -F, -v OFS='|' -v size="${reference#-}" -v floor="$tolerance" '
+  awk -F, -v OFS='|' -v size="$size" -v floor="$tolerance" '
     function at_least(value, least) { return value > least ? value : least }
     /^#/ { next }
     !head { for (i = 1; i <= NF; i++) c[$i] = i; head = 1; next }
@@ -54,7 +56,7 @@ set offsets graph 0.05, graph 0.05, 0, 0
 $data
 EOD
 set style fill solid 1 noborder
-u = 100.0 * $uncertainty / ${reference#-}
+u = 100.0 * $uncertainty / $size
 set yrange [*:*]
 plot (u > 0 ? u : NaN) with filledcurves y1=1e-30 fillcolor 'gray90' title 'uncertainty of the reference', \
   100.0 * $tolerance with lines linecolor 'black' dashtype 2 title 'tolerance', \

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // A case back to text.
 #define TOML_ENABLE_FORMATTERS 1
+#include <algorithm>
 #include <sstream>
+#include <string_view>
 
 #include "driver/case_reader.hpp"
 #include "toml_library.hpp"
@@ -29,10 +31,24 @@ void move_files(toml::node& node, const std::filesystem::path& from, const std::
   }
 }
 
+// As a shell takes it for one word: between apostrophes if it has any character that means something there.
+std::string shell_word(const std::string& text) {
+  const auto is_plain = [](char c) {
+    return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
+           std::string_view("_-+./,:=%@").find(c) != std::string_view::npos;
+  };
+  if (!text.empty() && std::all_of(text.begin(), text.end(), is_plain)) return text;
+  std::string quoted = "'";
+  for (const char c : text) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return quoted + "'";
+}
+
 }  // namespace
 
 std::string as_option(const std::string& override_text) {
-  return (override_text.starts_with(unset_prefix) ? "--" : "--set ") + override_text;
+  if (override_text.starts_with(unset_prefix))
+    return "--unset " + shell_word(override_text.substr(unset_prefix.size()));
+  return "--set " + shell_word(override_text);
 }
 
 std::string CaseDocument::text(const std::filesystem::path& folder) const {

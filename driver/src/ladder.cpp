@@ -2,6 +2,7 @@
 #include "driver/ladder.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -49,9 +50,17 @@ class LadderRun {
   LadderRung& add(std::string name, const Picks& picks) {
     LadderRung rung;
     rung.name = std::move(name);
+    rung.differs = picks == full_ ? rung.name : differing(picks);
     rung.overrides = combine(result_.plan, picks);
     rung.can_be_perturbed = has_bag_;
     return result_.rungs.emplace_back(std::move(rung));
+  }
+
+  std::string differing(const Picks& picks) const {
+    std::vector<std::string> names;
+    for (std::size_t a = 0; a < picks.size(); ++a)
+      if (picks[a] != full_[a]) names.push_back(result_.plan.axes[a].choices[picks[a]].name);
+    return fmt::format("{}", fmt::join(names, ", "));
   }
 
   bool is_new(const std::vector<std::string>& overrides) const {
@@ -69,7 +78,7 @@ class LadderRun {
   void add_as_it_is() {
     if (!is_new({})) return;
     LadderRung rung;
-    rung.name = "as it is";
+    rung.name = rung.differs = "as it is";
     rung.can_be_perturbed = has_bag_;
     result_.rungs.push_back(std::move(rung));
   }
@@ -93,7 +102,7 @@ class LadderRun {
   void add_tank_rung() {
     if (!result_.plan.tank) return;
     LadderRung rung;
-    rung.name = result_.plan.tank->name;
+    rung.name = rung.differs = result_.plan.tank->name;
     rung.overrides = combine(result_.plan, full_, result_.plan.tank->overrides);
     result_.rungs.push_back(std::move(rung));
   }
@@ -126,12 +135,19 @@ class LadderRun {
     std::vector<LadderJob> jobs;
     for (int seed = 1; seed <= probes; ++seed) jobs.push_back(job(0, seed));
     const auto samples = run(jobs, "seeds");
-    double low = INFINITY, high = -INFINITY;
-    for (const LadderSample& s : samples)
-      if (s.value) low = std::min(low, *s.value), high = std::max(high, *s.value);
-    if (interrupted() || !(high >= low)) return run_rungs(0, "full case");
-    result_.spread = high - low;
-    const double size = std::max(std::abs(low), std::abs(high));
+    std::vector<double> values;
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+      if (!samples[i].failure.empty())
+        throw std::runtime_error(fmt::format("seed {} of rung \"full\", to which all are compared: {}", i + 1,
+                                             samples[i].failure));
+      if (samples[i].value) values.push_back(*samples[i].value);
+    }
+    if (interrupted() || values.empty()) return run_rungs(0, "full case");
+    const Statistics seeds = statistics(values);
+    result_.spread = seeds.maximum - seeds.minimum;
+    deviation_ = seeds.standard_error * std::sqrt(seeds.count);
+    const double size =
+        std::max(std::abs(seeds.minimum - result_.zero), std::abs(seeds.maximum - result_.zero));
     result_.chaotic = result_.spread > harmless_share * options_.tolerance * size;
     run_rungs(0, "full case");
   }
@@ -159,6 +175,7 @@ class LadderRun {
       cpu += samples[j].cpu_seconds;
     }
     rung.value = statistics(values);
+    if (!result_.chaotic && rung.can_be_perturbed) rung.value.standard_error = deviation_;
     if (!values.empty()) rung.cpu_seconds = cpu / static_cast<double>(values.size());
   }
 
@@ -186,6 +203,7 @@ class LadderRun {
   const LadderOptions& options_;
   LadderResult& result_;
   Picks full_;
+  double deviation_ = 0.0;  // of one seed from another, in the full case
   bool has_bag_ = false;
   std::string name_;
 };
@@ -197,7 +215,9 @@ LadderResult run_ladder(const std::filesystem::path& file, const std::vector<std
   LadderResult result;
   result.plan = plan_ladder(file, overrides, options.quantity, options.hold);
   CaseDocument document(file, overrides);
-  result.quantity = quantity_name(read_scene(document), options.quantity);
+  const Scene scene = read_scene(document);
+  result.quantity = quantity_name(scene, options.quantity);
+  if (result.quantity.ends_with("pressure_Pa")) result.zero = scene.ambient.pressure;
   set_threads(options.threads);
   ParallelBlocks::threads = 1;  // runs side by side, each serial inside
   LadderRun(file, overrides, options, result).run();

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
@@ -35,15 +34,6 @@ std::string cell(const std::string& text) {
   return quoted;
 }
 
-struct Contribution {
-  double value = 0.0, standard_error = 0.0;
-};
-
-Contribution contribution(const LadderResult& result, const LadderRung& rung) {
-  const Statistics& full = result.rungs.front().value;
-  return {rung.value.mean - full.mean, std::hypot(rung.value.standard_error, full.standard_error)};
-}
-
 bool has_value(const LadderRung& rung) {
   return rung.failure.empty() && rung.value.count > 0;
 }
@@ -57,7 +47,7 @@ void write_rows(const std::filesystem::path& file, const LadderResult& result, c
   for (const LadderRung& rung : result.rungs) {
     csv << rung.name << ',' << rung.value.count << ',';
     if (has_value(rung)) {
-      const Contribution change = contribution(result, rung);
+      const Change change = change_of(result, rung);
       csv << fmt::format("{},{},", rung.value.mean, rung.value.standard_error);
       csv << (judged ? fmt::format("{},{},", rung.error, rung.standard_error) : ",,");
       csv << fmt::format("{:.4g},{:.4g},{},{},{},", rung.cpu_seconds,
@@ -84,7 +74,7 @@ Json reference_json(const LadderReference& reference) {
 }
 
 Json rung_json(const LadderResult& result, const LadderRung& rung) {
-  Json json{{"rung", rung.name}, {"options", options_of(rung)}};
+  Json json{{"rung", rung.name}, {"differs", rung.differs}, {"options", options_of(rung)}};
   if (!has_value(rung)) {
     json["failure"] = rung.failure;
     return json;
@@ -106,6 +96,7 @@ void write_json(const std::filesystem::path& file, const LadderResult& result, c
             {"tolerance", options.tolerance},
             {"verdict", verdict_name(result.verdict)},
             {"cheapest", result.cheapest ? Json(result.rungs[*result.cheapest].name) : Json(nullptr)},
+            {"counted_from", result.zero},
             {"chaotic", result.chaotic},
             {"spread_of_seeds", result.spread}};
   if (result.verdict != Verdict::not_judged) json["reference"] = reference_json(result.reference);
@@ -129,9 +120,10 @@ void write_cheapest(const std::filesystem::path& folder, const LadderResult& res
   std::ofstream stream(folder / "cheapest.toml");
   stream << fmt::format(
       "# {}: the cheapest rung of its ladder with {} within {:g} % of the reference.\n"
-      "# Rung \"{}\": {}\n# Off by {:.3g} +- {:.2g} (2 standard errors and the reference's uncertainty) of "
+      "# Rung \"{}\": {}\n# Off by {:.3g} +- {:.2g} (2 standard errors and the reference's "
+      "uncertainty) of "
       "{:.6g}.\n\n",
-      file.filename().string(), result.quantity, 100.0 * options.tolerance, rung.name,
+      file.filename().string(), result.quantity, 100.0 * options.tolerance, rung.differs,
       rung.overrides.empty() ? "the case as it is" : options_of(rung), rung.error,
       2.0 * rung.standard_error + result.reference.uncertainty, result.reference.value);
   stream << document.text(folder);
@@ -147,6 +139,7 @@ void write_ladder(const std::filesystem::path& folder, const LadderResult& resul
   Provenance lines = provenance(file, overrides);
   lines.emplace_back("quantity", result.quantity);
   lines.emplace_back("tolerance", fmt::format("{}", options.tolerance));
+  if (result.zero != 0.0) lines.emplace_back("counted from", fmt::format("{}", result.zero));
   if (!options.hold.empty()) lines.emplace_back("held", fmt::format("{}", fmt::join(options.hold, ", ")));
   if (result.verdict != Verdict::not_judged) {
     lines.emplace_back("reference", fmt::format("{}", result.reference.value));

@@ -54,7 +54,4 @@ std::vector<LadderSample> run_jobs(const std::filesystem::path& file, const std:
                                    const std::string& quantity, const std::string& title, int threads,
                                    bool quiet);
 
-/// Reference, errors and verdicts of rungs that have run.
-void judge(LadderResult& result, double tolerance);
-
 }  // namespace driver

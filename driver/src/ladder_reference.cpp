@@ -24,10 +24,19 @@ std::optional<Remainder> extrapolated(const std::vector<Statistics>& values, std
   const double before = last[-1].mean - last[-2].mean, after = last->mean - last[-1].mean;
   if (!is_seen(before, last[-1], last[-2]) || !is_seen(after, *last, last[-1])) return std::nullopt;
   if (!(before / after > 0.0)) return std::nullopt;
-  const double order = std::log2(before / after);
+  const double ratio = before / after, order = std::log2(ratio);
   if (!(order >= lowest_order && order <= highest_order)) return std::nullopt;
-  const double step = after / (before / after - 1.0);
-  return Remainder{last->mean + step - values[at].mean, std::abs(step), order};
+  const double step = after / (ratio - 1.0);
+  // What the limit, last + after^2 / (before - after), changes by with each of the three.
+  const double by_after = (2.0 * ratio - 1.0) / ((ratio - 1.0) * (ratio - 1.0)),
+               by_before = -1.0 / ((ratio - 1.0) * (ratio - 1.0));
+  const double by_value[] = {-by_before, by_before - by_after, 1.0 + by_after};
+  double error = 0.0;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const double by = (i + 3 < values.size() ? 0.0 : by_value[i + 3 - values.size()]) - (i == at ? 1.0 : 0.0);
+    error = std::hypot(error, by * values[i].standard_error);
+  }
+  return Remainder{last->mean + step - values[at].mean, std::abs(step), error, order};
 }
 
 // Of the values along an axis; infinite uncertainty if a finer one is missing.
@@ -41,7 +50,7 @@ Remainder remainder_of(const LadderResult& result, std::size_t index, std::size_
     if (found.failure.empty())
       values.push_back(found.value);
     else if (c > axis.base)
-      return {0.0, std::numeric_limits<double>::infinity(), {}};
+      return {0.0, std::numeric_limits<double>::infinity(), 0.0, {}};
     else
       values.clear();
   }
@@ -57,6 +66,7 @@ LadderReference reference_of(const LadderResult& result) {
     if (axis.kind == AxisKind::effect || follows_finer_mesh(result.plan, axis)) continue;
     const Remainder rest = remainder_of(result, a, picks[a]);
     reference.value += rest.correction;
+    reference.standard_error += rest.standard_error;
     reference.uncertainty = std::hypot(reference.uncertainty, rest.uncertainty);
     reference.remainders.emplace_back(axis.name, rest);
   }
@@ -66,11 +76,15 @@ LadderReference reference_of(const LadderResult& result) {
 // Fewer runs say too little of the scatter of a chaotic scene.
 constexpr int fewest_runs = 16;
 
-Verdict verdict_of(const LadderRung& rung, double uncertainty, double allowed, bool chaotic) {
+Verdict verdict_of(const LadderRung& rung, const LadderResult& result, double allowed) {
+  const auto says_too_little = [](const LadderRung& r) {
+    return r.can_be_perturbed && r.value.count < fewest_runs;
+  };
   if (!rung.failure.empty() || rung.value.count == 0) return Verdict::not_judged;
-  if (chaotic && rung.can_be_perturbed && rung.value.count < fewest_runs) return Verdict::undecided;
+  if (result.chaotic && (says_too_little(rung) || says_too_little(result.rungs[result.finest])))
+    return Verdict::undecided;
   if (!(allowed > 0.0)) return Verdict::undecided;  // a share of nothing
-  const double doubt = 2.0 * rung.standard_error + uncertainty;
+  const double doubt = 2.0 * rung.standard_error + result.reference.uncertainty;
   if (std::abs(rung.error) + doubt <= allowed) return Verdict::inside;
   return std::abs(rung.error) - doubt > allowed ? Verdict::outside : Verdict::undecided;
 }
@@ -88,17 +102,24 @@ Remainder remainder(const std::vector<Statistics>& values, std::size_t at, AxisK
   return rest;
 }
 
+Change change_of(const LadderResult& result, const LadderRung& rung) {
+  const LadderRung& full = result.rungs.front();
+  if (&rung == &full) return {};
+  return {rung.value.mean - full.value.mean,
+          std::hypot(rung.value.standard_error, full.value.standard_error)};
+}
+
 void judge(LadderResult& result, double tolerance) {
   result.reference = reference_of(result);
   const LadderReference& reference = result.reference;
-  const double allowed = tolerance * std::abs(reference.value);
+  const double allowed = tolerance * std::abs(reference.value - result.zero);
   for (std::size_t i = 0; i < result.rungs.size(); ++i) {
     LadderRung& rung = result.rungs[i];
     rung.error = rung.value.mean - reference.value;
     rung.standard_error = i == result.finest
                               ? reference.standard_error
                               : std::hypot(rung.value.standard_error, reference.standard_error);
-    rung.verdict = verdict_of(rung, reference.uncertainty, allowed, result.chaotic);
+    rung.verdict = verdict_of(rung, result, allowed);
     if (rung.verdict == Verdict::inside &&
         (!result.cheapest || rung.cpu_seconds < worth_it * result.rungs[*result.cheapest].cpu_seconds))
       result.cheapest = i;

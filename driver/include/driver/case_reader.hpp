@@ -148,7 +148,8 @@ class TableReader {
 /// Begins an override that takes a key or a table out of the case: "unset key.path".
 inline constexpr std::string_view unset_prefix = "unset ";
 
-/// An override as the command line has it: `--set key.path=value` or `--unset key.path`.
+/// An override as a shell's command line has it: `--set key.path=value` or `--unset key.path`, between
+/// apostrophes what the shell would change.
 std::string as_option(const std::string& override_text);
 
 /// A parsed case file with its overrides applied; owns what the readers point to.

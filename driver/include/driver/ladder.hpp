@@ -56,7 +56,8 @@ struct LadderRung {
   bool can_be_perturbed = false;       // has a membrane
   std::optional<std::size_t> axis;     // whose choice alone differs from the full case
   std::size_t choice = 0;              // of that axis
-  Statistics value;
+  std::string differs;                 // what is not the full case's, joined; else the name
+  Statistics value;             // of a single run of a membrane: with the deviation of seeds as its error
   double cpu_seconds = 0.0;     // of one run
   std::string failure;          // why it has no value
   double error = 0.0;           // value - the reference's
@@ -68,25 +69,27 @@ struct LadderRung {
 struct Remainder {
   double correction = 0.0;      // to add to that value
   double uncertainty = 0.0;     // of what was added
+  double standard_error = 0.0;  // of what was added, from those of the values
   std::optional<double> order;  // where three levels show one from 0.7 to 4.6
 };
 
 /// Of values at levels each twice as fine as the one before (AxisKind::halving), else of any that get finer,
-/// beyond that at `at`. With an order p seen in the last three: Richardson's limit, and its own last step as
-/// uncertainty. Otherwise nothing is added, and the uncertainty is what the levels after `at` differ by, with
-/// the last difference once more: right for order 1 or more.
+/// beyond that at `at`. With an order p seen in the last three, of which both changes exceed two of their
+/// standard errors: Richardson's limit, and its own last step as uncertainty. Otherwise nothing is added, and
+/// the uncertainty is what the levels after `at` differ by, with the last difference once more: right for
+/// order 1 or more.
 Remainder remainder(const std::vector<Statistics>& values, std::size_t at, AxisKind kind);
 
 struct LadderReference {
   double value = 0.0;           // that of the finest rung, and the remainder of each resolution
-  double standard_error = 0.0;  // of the finest rung
+  double standard_error = 0.0;  // of the finest rung and the remainders, added up: they may share runs
   double uncertainty = 0.0;     // of the remainders, root of the sum of squares
   std::vector<std::pair<std::string, Remainder>> remainders;
 };
 
 struct LadderOptions {
   std::string quantity;     // column of the history at the end, or of an ensemble's quantities; unit optional
-  double tolerance = 0.02;  // share of the reference's magnitude
+  double tolerance = 0.02;  // share of the reference's magnitude, from LadderResult::zero
   std::vector<std::string> hold;  // axes that stay as the case has them
   int runs = 16;                  // of each rung where the scene is chaotic
   int threads = 1;
@@ -95,6 +98,7 @@ struct LadderOptions {
 
 struct LadderResult {
   std::string quantity;  // full name
+  double zero = 0.0;     // value from which the quantity counts: the ambient pressure for pressures
   LadderPlan plan;
   bool chaotic = false;
   double spread = 0.0;            // of the quantity over seeds of the full case; scenes with a membrane
@@ -106,6 +110,16 @@ struct LadderResult {
       Verdict::not_judged;  // inside: `cheapest` is set; else undecided, or not_judged: interrupted
 };
 
+/// What a rung does to the full case; standard error 0 for that itself.
+struct Change {
+  double value = 0.0, standard_error = 0.0;
+};
+Change change_of(const LadderResult& result, const LadderRung& rung);
+
+/// Reference, errors and verdicts of rungs that have run, with the costs that they have. In a chaotic scene
+/// fewer than 16 runs, of a rung or of the finest, decide nothing.
+void judge(LadderResult& result, double tolerance);
+
 /// The axes of a case. Throws CaseError for a bad case, a quantity it does not have, a held axis it does not
 /// have, and nothing left to vary.
 LadderPlan plan_ladder(const std::filesystem::path& file, const std::vector<std::string>& overrides,
@@ -115,8 +129,8 @@ LadderPlan plan_ladder(const std::filesystem::path& file, const std::vector<std:
 std::string quantity_name(const Scene& scene, const std::string& quantity);
 
 /// Runs the ladder; results but the costs do not depend on `threads`. Throws CaseError as plan_ladder does,
-/// and std::runtime_error when the full case or the finest rung leaves its domain: errors have no reference
-/// then.
+/// and std::runtime_error when the full case, one of its seeds or the finest rung leaves its domain: errors
+/// have no reference then.
 LadderResult run_ladder(const std::filesystem::path& file, const std::vector<std::string>& overrides,
                         const LadderOptions& options);
 

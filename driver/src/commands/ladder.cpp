@@ -27,19 +27,26 @@ double read_tolerance(const std::string& text) {
   return value;
 }
 
+// Per cent of the reference, from where the quantity counts.
+double per_cent(const LadderResult& result, double value) {
+  const double size = std::abs(result.reference.value - result.zero);
+  return size > 0.0 ? 100.0 * value / size : NAN;
+}
+
 void print_scene(const LadderResult& result, const LadderOptions& options) {
   const double tolerance = 100.0 * options.tolerance;
   if (result.chaotic)
     fmt::print(
         "chaotic: seeds of {:g} m scatter {} by {:.3g}, {:g} % of it would be {:.3g}: means of {} runs\n",
         default_amplitude, result.quantity, result.spread, tolerance,
-        options.tolerance * std::abs(result.reference.value), options.runs);
+        options.tolerance * std::abs(result.reference.value - result.zero), options.runs);
   else if (result.rungs.front().can_be_perturbed)
     fmt::print("not chaotic: seeds of {:g} m scatter {} by {:.3g} only: single runs\n", default_amplitude,
                result.quantity, result.spread);
   const LadderReference& reference = result.reference;
   fmt::print("reference: {:.8g}, standard error {:.2g}, uncertainty {:.2g}\n", reference.value,
              reference.standard_error, reference.uncertainty);
+  if (result.zero != 0.0) fmt::print("  counted from {:g}, the ambient pressure\n", result.zero);
   for (const auto& [axis, rest] : reference.remainders)
     fmt::print("  beyond that of the finest {}: {:.2g}, uncertain by {:.2g}, {}\n", axis, rest.correction,
                rest.uncertainty,
@@ -55,11 +62,9 @@ void print_rungs(const LadderResult& result) {
       fmt::print("  {:28} {}\n", rung.name, rung.failure);
       continue;
     }
-    const double share =
-        result.reference.value != 0.0 ? 100.0 * rung.error / std::abs(result.reference.value) : NAN;
     fmt::print("  {:28} {:12.6g} {:10.3g} {:9.2g} {:9.3g} {:10.3g} {:8.3f}  {}\n", rung.name, rung.value.mean,
-               rung.error, rung.standard_error, share, rung.cpu_seconds, rung.cpu_seconds / full_cost,
-               verdict_name(rung.verdict));
+               rung.error, rung.standard_error, per_cent(result, rung.error), rung.cpu_seconds,
+               rung.cpu_seconds / full_cost, verdict_name(rung.verdict));
   }
   for (const auto& reason : result.plan.left_out) fmt::print("  left out: {}\n", reason);
 }
@@ -67,12 +72,12 @@ void print_rungs(const LadderResult& result) {
 void print_changes(const LadderResult& result) {
   fmt::print("\nwhat each does to the full case\n  {:28} {:>12} {:>9} {:>9}\n", "", "change", "s.e.",
              "change %");
-  const Statistics& full = result.rungs.front().value;
-  for (const LadderRung& rung : result.rungs)
-    if (rung.axis && rung.failure.empty())
-      fmt::print("  {:28} {:12.4g} {:9.2g} {:9.3g}\n", rung.name, rung.value.mean - full.mean,
-                 std::hypot(rung.value.standard_error, full.standard_error),
-                 full.mean != 0.0 ? 100.0 * (rung.value.mean - full.mean) / std::abs(full.mean) : NAN);
+  for (const LadderRung& rung : result.rungs) {
+    if (!rung.axis || !rung.failure.empty()) continue;
+    const Change change = change_of(result, rung);
+    fmt::print("  {:28} {:12.4g} {:9.2g} {:9.3g}\n", rung.name, change.value, change.standard_error,
+               per_cent(result, change.value));
+  }
 }
 
 void print_verdict(const LadderResult& result, const LadderOptions& options,
@@ -90,10 +95,10 @@ void print_verdict(const LadderResult& result, const LadderOptions& options,
   std::vector<std::string> undecided;
   for (const LadderRung& rung : result.rungs)
     if (rung.verdict == Verdict::undecided && rung.cpu_seconds < best.cpu_seconds)
-      undecided.push_back(rung.name);
+      undecided.push_back(rung.differs);
   if (!undecided.empty()) fmt::print("cheaper, but undecided: {}\n", fmt::join(undecided, "; "));
   fmt::print("cheapest within {:g} %: {}, {:.3g} s of CPU ({:.2g} of the full case); written to {}\n",
-             100.0 * options.tolerance, best.name, best.cpu_seconds,
+             100.0 * options.tolerance, best.differs, best.cpu_seconds,
              best.cpu_seconds / result.rungs.front().cpu_seconds, (folder / "cheapest.toml").string());
 }
 

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a ladder makes of values and costs that are given.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "driver/ladder.hpp"
+
+namespace {
+
+using driver::LadderResult;
+using driver::LadderRung;
+using driver::Verdict;
+
+driver::Statistics number(double value, double standard_error = 0.0) {
+  return {value, standard_error, value, value, 16};
+}
+
+TEST(ladder, remainder_of_a_power_of_the_step_is_its_limit) {
+  for (const double order : {1.0, 2.0, 4.0}) {
+    const auto value = [&](int level) { return number(3.0 + 0.7 * std::pow(0.5, order * level)); };
+    const auto rest = driver::remainder({value(0), value(1), value(2)}, 1, driver::AxisKind::halving);
+    // Differences of three numbers near 3, the second over 2^order - 1 at most: some ten roundings of 4e-16.
+    EXPECT_NEAR(value(1).mean + rest.correction, 3.0, 1e-14) << order;
+    ASSERT_TRUE(rest.order.has_value()) << order;
+    // d ln(d1 / d2): those roundings over the smallest difference, 0.7 (2^-4 - 2^-8) = 0.04.
+    EXPECT_NEAR(*rest.order, order, 1e-12);
+    EXPECT_GE(rest.uncertainty * (1.0 + 1e-12), std::abs(value(2).mean - 3.0))
+        << "covers what the finest is off by";
+  }
+}
+
+TEST(ladder, remainder_without_an_order_adds_nothing) {
+  using driver::AxisKind;
+  const std::vector<driver::Statistics> turning{number(1.0), number(2.0), number(1.5)};
+  const std::vector<driver::Statistics> noisy{number(1.0, 0.3), number(1.4, 0.3), number(1.6, 0.3)};
+  const std::vector<driver::Statistics> clean{number(1.0), number(1.4), number(1.6)};
+  for (const auto& values : {turning, noisy}) {
+    const auto rest = driver::remainder(values, 1, AxisKind::halving);
+    EXPECT_FALSE(rest.order.has_value());
+    EXPECT_EQ(rest.correction, 0.0);
+    EXPECT_EQ(rest.uncertainty, 2.0 * std::abs(values[2].mean - values[1].mean));
+  }
+  EXPECT_TRUE(driver::remainder(clean, 1, AxisKind::halving).order.has_value());
+  EXPECT_FALSE(driver::remainder(clean, 1, AxisKind::tightening).order.has_value());
+  EXPECT_EQ(driver::remainder({number(1.0), number(1.4)}, 1, AxisKind::halving).uncertainty, 1.4 - 1.0);
+}
+
+// The limit y2 + (y2 - y1)^2 / (2 y1 - y0 - y2) changes by 1, -4 and 4 with y0, y1 and y2 at order 1; the
+// remainder beyond y1 by one less with that.
+TEST(ladder, remainder_carries_the_errors_of_its_values) {
+  const double e = 1e-3;
+  const auto rest =
+      driver::remainder({number(4.0, e), number(2.0, e), number(1.0, e)}, 1, driver::AxisKind::halving);
+  EXPECT_NEAR(rest.standard_error, e * std::sqrt(1.0 + 25.0 + 16.0), 1e-15);  // some roundings of 6e-3
+}
+
+// A chaotic full case and a coarser choice, by hand: costs and values are given.
+LadderResult two_rungs(int runs_of_full, int runs_of_other) {
+  LadderResult result;
+  result.chaotic = true;
+  for (const int runs : {runs_of_full, runs_of_other}) {
+    LadderRung rung;
+    rung.can_be_perturbed = true;
+    rung.value = {1.0, 0.001, 0.99, 1.01, runs};
+    rung.cpu_seconds = result.rungs.empty() ? 2.0 : 1.0;
+    result.rungs.push_back(rung);
+  }
+  return result;
+}
+
+TEST(ladder, judgement_names_the_cheaper_and_needs_runs_of_both) {
+  LadderResult enough = two_rungs(16, 16), few_of_full = two_rungs(15, 16);
+  driver::judge(enough, 0.1);
+  driver::judge(few_of_full, 0.1);
+  EXPECT_EQ(enough.cheapest, std::optional<std::size_t>(1));
+  EXPECT_EQ(few_of_full.rungs[1].verdict, Verdict::undecided);
+  EXPECT_EQ(few_of_full.verdict, Verdict::undecided);
+}
+
+}  // namespace
