@@ -20,7 +20,7 @@ double thread_cpu_seconds() {
 
 std::vector<Column<RunQuantities>> quantity_columns(const Scene& scene) {
   std::vector<Column<RunQuantities>> columns;
-#define GASJET_COLUMN(name) columns.push_back({#name, &RunQuantities::name})
+#define GASJET_COLUMN(name) columns.emplace_back(#name, &RunQuantities::name)
   if (scene.has_volume()) {
     GASJET_COLUMN(peak_pressure_Pa);
     GASJET_COLUMN(peak_volume_m3);
