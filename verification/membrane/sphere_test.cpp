@@ -34,7 +34,7 @@ TEST(Sphere, stretch_converges_to_closed_form_with_order_2) {
     for (const int level : {1, 2, 3})
       error.push_back((equilibrium_stretch(level, pressure) - exact) / (exact - 1.0));
     claim::expect_order(
-        {"M.2", std::string("sphere under ") + (pressure > 1e3 ? "20 kPa" : "100 Pa") + ": stretch",
+        {"M.2", pressure > 1e3 ? "sphere under 20 kPa: stretch" : "sphere under 100 Pa: stretch",
          "sides of an icosphere vary by 10 %, the first level is coarse"},
         error, 1.8, 2.2);
     EXPECT_LT(std::abs(error.back()), 0.02);  // 1280 elements: 11 / 1280 in volume and area
