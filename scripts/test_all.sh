@@ -77,7 +77,7 @@ phase "verification report" scripts/verification_report.sh --check || failed_sui
 phase "stability atlas" scripts/stability_atlas.sh --check || failed_suites+=("stability atlas")
 if ((sanitize)); then
   slow='^(fast_route|shadow|visibility_rule|jet_scene|coupled_energy|contact_scene|same_bits|MassShares|Contact(Idle|Friction|Mesh))\.'
-  slow+='|coupled_books|Inflated|command_(reference|external)'
+  slow+='|coupled_books|Inflated|command_(reference|external|ladder)|ladder.(impactor|free_bag)'
   build sanitize
   if ((long)); then suite sanitize; else suite sanitize -E "$slow"; fi
 fi
