@@ -100,8 +100,7 @@ void forces(const Scene& scene, State& state) {
   state.level.skin_strain = state.bag->forces.strain_energy;
   membrane::support_forces(model, *state.bag, ParallelBlocks{});
   membrane::pressure_forces(*state.bag, state.gas_point.pressure - scene.ambient.pressure);
-  if (!state.jets.empty())
-    membrane::jet_forces(model, *state.bag, total_overpressure(state), ParallelBlocks{});
+  if (!state.jets.empty()) membrane::jet_forces(model, *state.bag, total_overpressure(state));
 }
 
 void choose_step(const Scene& scene, State& state, bool last) {

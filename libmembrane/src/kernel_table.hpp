@@ -43,13 +43,6 @@ struct SharedArrays {
   double *force, *gradient;  // nodes x 4
 };
 
-struct JetArrays {
-  const std::int32_t *row_begin, *element;  // corner table
-  const double* area_vector;                // elements x 4
-  const double* overpressure;               // elements
-  double* out;                              // nodes x 4
-};
-
 inline constexpr int kMaxExtraForces = 3;
 
 struct AdvanceArrays {
@@ -81,7 +74,6 @@ struct KernelTable {
   Skin surface;
   Skin forces[2][2], skin[2][2];  // isotropic, woven; linear, relaxed
   void (*shared[3])(const SharedArrays&, int first, int last, double& mobility);
-  void (*jet_forces)(const JetArrays&, int first, int last);
   void (*advance)(const AdvanceArrays&, int first, int last, AdvanceTotals&);
 };
 

@@ -7,18 +7,6 @@
 // Kernels over nodes; the lanes of one node are (x, y, z, 0).
 namespace membrane::MEMBRANE_KERNELS {
 
-inline void jet_forces(const JetArrays& s, int first, int last) {
-  const Lanes third = Lanes(1.0 / 3.0);
-  for (std::int64_t n = first; n < last; ++n) {
-    Lanes f{};
-    for (std::int32_t k = s.row_begin[n]; k < s.row_begin[n + 1]; ++k) {
-      const std::int64_t e = s.element[k];
-      f += Lanes(s.overpressure[e]) * Lanes::load(s.area_vector + 4 * e);
-    }
-    (f * third).store(s.out + 4 * n);
-  }
-}
-
 struct AdvanceParts {
   Lanes kinetic_before{}, kinetic_after{}, membrane{}, pressure{}, extra[kMaxExtraForces]{}, damped{};
   Lanes momentum_before{}, momentum_after{}, impulse{};

@@ -133,7 +133,6 @@ inline constexpr KernelTable kTableOf{
     {{kLinear<kSkinPass, IsotropicConstants, T>, kRelaxed<kSkinPass, IsotropicConstants, T>},
      {kLinear<kSkinPass, OrthotropicConstants, T>, kRelaxed<kSkinPass, OrthotropicConstants, T>}},
     {shared<kSurfacePass>, shared<kForcesPass>, shared<kSkinPass>},
-    jet_forces,
     advance};
 
 }  // namespace membrane::MEMBRANE_KERNELS

@@ -30,7 +30,6 @@ int node_blocks(const BagModel& model);
 void skin_block(const BagModel& model, BagState& state, SkinParts parts, int block);
 void shared_block(const BagModel& model, BagState& state, SkinParts parts, int block);
 void sum_skin(const BagModel& model, BagState& state, SkinParts parts);
-void jet_force_block(const BagModel& model, BagState& state, std::span<const double> overpressure, int block);
 void plate_force_block(const BagModel& model, BagState& state, int block);
 void sum_support_forces(const BagModel& model, BagState& state);
 void advance_block(const BagModel& model, BagState& state, double dt_before, double dt_after, int block);
@@ -38,7 +37,6 @@ void sum_advance(const BagModel& model, BagState& state, double dt_before, doubl
 void demand_block(const BagModel& model, BagState& state, int block);
 void share_block(const BagModel& model, BagState& state, int block);
 void frequency_block(const BagModel& model, BagState& state, int block);
-void check_overpressure(const BagModel& model, const BagState& state, std::span<const double> overpressure);
 void check_steps(double dt_before, double dt_after);
 
 // S1/S9 and the fabric's part of S6 at state.position in one pass over the elements, which is what a step
@@ -72,12 +70,7 @@ void pressure_forces(BagState& state, double gauge_pressure);
 
 // S6: jet overpressure of each element [Pa] on its inside, S_e / 3 to each corner. Needs LoadKinds::jet;
 // throws std::invalid_argument without it or if there is not one value per element.
-template <class ForEachBlock = Serial>
-void jet_forces(const BagModel& model, BagState& state, std::span<const double> overpressure,
-                ForEachBlock&& for_each_block = {}) {
-  check_overpressure(model, state, overpressure);
-  for_each_block(node_blocks(model), [&](int block) { jet_force_block(model, state, overpressure, block); });
-}
+void jet_forces(const BagModel& model, BagState& state, std::span<const double> overpressure);
 
 // S6: straps and plates with their energies (M.7, M.8). Nothing happens in a bag without them.
 template <class ForEachBlock = Serial>
