@@ -82,11 +82,15 @@ run_test() {
 # find_red_tests: the tests that fail, or do not exist, before any mutation; nothing can be shown with them.
 declare -A red=()
 find_red_tests() {
-  local test
+  local test matching
+  ctest --test-dir "$build" -N | sed -n 's/^ *Test *#[0-9]*: //p' >"$scratch/names"
+  ctest --test-dir "$build" -R "$(printf '%s\n' "${tests[@]}" | LC_ALL=C sort -u | paste -sd '|')" --timeout "$test_time_limit" \
+    -j "$jobs" >"$log" 2>&1 </dev/null || true
+  sed -n '/^The following tests FAILED/,$s/^[[:space:]]*[0-9]* - \(.*\) (.*/\1/p' "$log" >"$scratch/failed"
   for test in "${tests[@]}"; do
-    [[ -z ${red[$test]:-} ]] || continue
+    matching=$(grep -E -e "$test" "$scratch/names" || true)
     red[$test]=0
-    run_test "$test" || red[$test]=1
+    if [[ -z $matching ]] || grep -qxF -e "$matching" "$scratch/failed"; then red[$test]=1; fi
   done
 }
 

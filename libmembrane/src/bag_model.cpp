@@ -5,6 +5,8 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <cstring>
+#include <map>
 #include <string>
 
 #include "blocks.hpp"
@@ -71,12 +73,12 @@ Eigen::Matrix3d elasticity(const Weave& w, const Eigen::Vector2d& angle) {
   return turn.transpose() * d * turn / reciprocal;
 }
 
-void set_weave(WeaveGroup& w, ElementGroup& g, std::size_t lane, const OrthotropicConstants<double>& fabric) {
+void set_weave(WeaveGroup& w, FabricGroup& f, std::size_t lane, const OrthotropicConstants<double>& fabric) {
   w.cosine[lane] = fabric.cosine;
   w.sine[lane] = fabric.sine;
   w.warp_scale[lane] = fabric.warp_scale;
-  g.spherical[lane] = fabric.spherical;
-  g.deviator[lane] = fabric.deviator;
+  f.spherical[lane] = fabric.spherical;
+  f.deviator[lane] = fabric.deviator;
   w.shear[lane] = fabric.shear;
   w.series[lane] = fabric.series;
   w.skew[lane] = fabric.skew;
@@ -86,19 +88,19 @@ void set_weave(WeaveGroup& w, ElementGroup& g, std::size_t lane, const Orthotrop
 void set_fabric(BagModel& m, std::size_t e, const ReferenceTriangle& t, const ElementProperties& p) {
   if (p.null_panel) return;
   const auto [group, lane] = place_of(m.elements, e);
-  ElementGroup& g = m.elements.group[group];
+  FabricGroup& f = m.elements.fabric[group];
   const Eigen::Vector2d warp = warp_direction(t, p, static_cast<Eigen::Index>(e));
   const auto fabric = isotropic_constants(p.young, p.poisson);
-  g.volume[lane] = p.thickness * t.area;
-  g.young[lane] = fabric.young;
-  g.spherical[lane] = fabric.spherical;
-  g.deviator[lane] = fabric.deviator;
+  m.elements.group[group].volume[lane] = p.thickness * t.area;
+  f.young[lane] = fabric.young;
+  f.spherical[lane] = fabric.spherical;
+  f.deviator[lane] = fabric.deviator;
   if (m.woven)
     set_weave(
-        m.elements.weave[group], g, lane,
+        m.elements.weave[group], f, lane,
         orthotropic_constants(weave_of(p), warp[0] * warp[0] - warp[1] * warp[1], 2.0 * warp[0] * warp[1]));
-  g.porosity[lane] = p.porosity;
-  g.porosity_squared[lane] = p.porosity * p.porosity;
+  f.porosity[lane] = p.porosity;
+  f.porosity_squared[lane] = p.porosity * p.porosity;
 }
 
 void set_element(BagModel& m, Eigen::Index e) {
@@ -131,6 +133,19 @@ void set_weave_groups(BagModel& m) {
   WeaveGroup none{};
   for (double& scale : none.warp_scale) scale = 1.0;
   m.elements.weave.assign(m.elements.group.size(), none);
+}
+
+// Each fabric once, in the order of the groups.
+void share_fabrics(BlockTable& table) {
+  const auto before = [](const FabricGroup& a, const FabricGroup& b) { return std::memcmp(&a, &b, sizeof a) < 0; };
+  std::map<FabricGroup, std::int32_t, decltype(before)> places(before);
+  AlignedVector<FabricGroup> distinct;
+  for (std::size_t g = 0; g < table.group.size(); ++g) {
+    const auto [found, is_new] = places.emplace(table.fabric[g], static_cast<std::int32_t>(distinct.size()));
+    if (is_new) distinct.push_back(table.fabric[g]);
+    table.group[g].fabric = found->second;
+  }
+  table.fabric = distinct;
 }
 
 void set_masses(BagModel& m) {
@@ -197,9 +212,11 @@ BagModel make_model(const BagDescription& description) {
   set_corner_table(m);
   set_blocks(m);
   set_weave_groups(m);
+  m.elements.fabric.assign(m.elements.group.size(), {});
   m.stiffness.resize(static_cast<std::size_t>(m.element_count));
   m.shares.mass.setZero(3, m.element_count);
   for (Eigen::Index e = 0; e < m.element_count; ++e) set_element(m, e);
+  share_fabrics(m.elements);
   set_masses(m);
   tune_shares_as_sewn(m);
   set_plates(m);

@@ -76,15 +76,16 @@ template <class T>
 template <class T>
 [[gnu::always_inline]] inline void surface_of(const SkinArrays& s, const Vec3<T>& origin, int group, int lane,
                                               const Corners<T>& x, BlockNodes& nodes, SkinParts<T>& sums) {
+  const FabricGroup& fabric = s.fabric[s.group[group].fabric];
   const ElementGroup& g = s.group[group];
   const Vec3<T> area_vector = cross(x.b - x.a, x.c - x.a) * T(0.5);
   const T area = sqrt(dot(area_vector, area_vector));
   const int k = lane / kWidth<T>;
   sums.moment.value[k] = sums.moment.value[k] + dot(x.a - origin, area_vector);
   sums.area.value[k] = sums.area.value[k] + area;
-  sums.porosity_area.value[k] = sums.porosity_area.value[k] + load<T>(g.porosity + lane) * area;
+  sums.porosity_area.value[k] = sums.porosity_area.value[k] + load<T>(fabric.porosity + lane) * area;
   sums.porosity_squared_area.value[k] =
-      sums.porosity_squared_area.value[k] + load<T>(g.porosity_squared + lane) * area;
+      sums.porosity_squared_area.value[k] + load<T>(fabric.porosity_squared + lane) * area;
   const Rows<T> rows(area_vector);
   for (int i = 0; i < kWidth<T>; ++i)
     for (int corner = 0; corner < 3; ++corner)
@@ -120,13 +121,13 @@ template <class T>
 
 // The fabric of one group's elements by each law.
 template <class T>
-void load_fabric(const ElementGroup& g, const WeaveGroup*, int lane, IsotropicConstants<T>& out) {
-  out = {load<T>(g.young + lane), load<T>(g.spherical + lane), load<T>(g.deviator + lane)};
+void load_fabric(const FabricGroup& f, const WeaveGroup*, int lane, IsotropicConstants<T>& out) {
+  out = {load<T>(f.young + lane), load<T>(f.spherical + lane), load<T>(f.deviator + lane)};
 }
 template <class T>
-void load_fabric(const ElementGroup& g, const WeaveGroup* w, int lane, OrthotropicConstants<T>& out) {
+void load_fabric(const FabricGroup& f, const WeaveGroup* w, int lane, OrthotropicConstants<T>& out) {
   out = {load<T>(w->cosine + lane),   load<T>(w->sine + lane),    load<T>(w->warp_scale + lane),
-         load<T>(g.spherical + lane), load<T>(g.deviator + lane), load<T>(w->shear + lane),
+         load<T>(f.spherical + lane), load<T>(f.deviator + lane), load<T>(w->shear + lane),
          load<T>(w->series + lane),   load<T>(w->skew + lane),    load<T>(w->taut + lane)};
 }
 template <Compression kCompression, class T>
@@ -142,12 +143,12 @@ template <Compression kCompression, class T>
 
 // Stress (M.2, M.3, M.13, M.14), energy and the bound of omega^2 (M.10).
 template <template <class> class Fabric, Compression kCompression, class T>
-[[gnu::always_inline]] inline void stress_of(const ElementGroup& g, const WeaveGroup* weave,
+[[gnu::always_inline]] inline void stress_of(const ElementGroup& g, const FabricGroup& constants, const WeaveGroup* weave,
                                              const FrequencyGroup& frequency, int lane, GroupWork& work,
                                              SkinParts<T>& sums) {
   const PlaneStrain<T> e{load<T>(work.e11 + lane), load<T>(work.e22 + lane), load<T>(work.e12 + lane)};
   Fabric<T> fabric;
-  load_fabric(g, weave, lane, fabric);
+  load_fabric(constants, weave, lane, fabric);
   const auto r = response<kCompression>(e, fabric);
   const T volume = load<T>(g.volume + lane);
   store(work.n11 + lane, -(volume * r.s11));

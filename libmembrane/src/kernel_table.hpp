@@ -14,6 +14,7 @@ namespace membrane {
 // One block of elements: fabric forces, surface, or both in one pass.
 struct SkinArrays {
   const ElementGroup* group;
+  const FabricGroup* fabric;
   const WeaveGroup* weave;  // null unless woven
   const FrequencyGroup* frequency;
   int group_count;

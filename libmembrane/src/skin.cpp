@@ -20,6 +20,7 @@ SkinArrays skin_arrays(const BagModel& model, BagState& state, const ElementBloc
   const BlockTable& table = model.elements;
   const bool jet = !state.area_vector.empty();
   return {table.group.data() + block.first_group,
+          table.fabric.data(),
           model.woven ? table.weave.data() + block.first_group : nullptr,
           state.shares.frequency.data() + block.first_group,
           block.last_group - block.first_group,

@@ -94,8 +94,8 @@ void skin(const SkinArrays& s, SkinTotals& totals) {
     if constexpr (!has_forces(kPass)) continue;
     for_lanes<T>(
         first, last, [&](int group, int lane) __attribute__((always_inline)) {
-          stress_of<Fabric, kCompression, T>(s.group[group], s.weave + group, s.frequency[group], lane,
-                                             work[group - first], sums);
+          stress_of<Fabric, kCompression, T>(s.group[group], s.fabric[s.group[group].fabric], s.weave + group,
+                                             s.frequency[group], lane, work[group - first], sums);
         });
     for_lanes<T>(
         first, last, [&](int group, int lane) __attribute__((always_inline)) {

@@ -40,13 +40,13 @@ PlaneStrain<double> strain_of(const BagModel& model, const BagState& state, int 
 PlaneResponse<double> response_of(const BagModel& model, const PlaneStrain<double>& strain,
                                   const ElementPlace& place) {
   const Compression compression = model.description.compression;
-  const ElementGroup& g = model.elements.group[place.group];
+  const FabricGroup& f = model.elements.fabric_of(place.group);
   const std::size_t k = place.lane;
   if (!model.woven)
-    return isotropic_response(compression, strain, {g.young[k], g.spherical[k], g.deviator[k]});
+    return isotropic_response(compression, strain, {f.young[k], f.spherical[k], f.deviator[k]});
   const WeaveGroup& w = model.elements.weave[place.group];
   return orthotropic_response(compression, strain,
-                              {w.cosine[k], w.sine[k], w.warp_scale[k], g.spherical[k], g.deviator[k],
+                              {w.cosine[k], w.sine[k], w.warp_scale[k], f.spherical[k], f.deviator[k],
                                w.shear[k], w.series[k], w.skew[k], w.taut[k]});
 }
 

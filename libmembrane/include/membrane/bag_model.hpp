@@ -74,11 +74,14 @@ struct BagDescription {
 // mesh, each padded to whole groups by elements without effect. The mesh's numbers stay in all other arrays.
 struct BlockTable {
   AlignedVector<ElementGroup> group;
+  AlignedVector<FabricGroup> fabric;  // each once, see ElementGroup::fabric
   AlignedVector<WeaveGroup> weave;    // of each group; empty unless woven
   std::vector<std::int32_t> element;  // of each lane of each group, -1 where it is padding
   std::vector<std::int32_t> place;    // of each element: kLanes * group + lane
   std::vector<ElementBlock> block;
   std::vector<std::int32_t> node;  // of each block: its own, then the shared ones, both ascending
+
+  const FabricGroup& fabric_of(std::size_t g) const { return fabric[static_cast<std::size_t>(group[g].fabric)]; }
 };
 
 // Nodes that several blocks share, ascending, and the slots of their sums in block order (compressed rows).

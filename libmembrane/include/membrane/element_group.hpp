@@ -14,16 +14,21 @@ inline constexpr int kLanes = 4;
 inline constexpr int kBlockElements = 512;
 inline constexpr int kBlockNodes = 384;
 
-// All that the kernels read of four elements and never changes, in one stream: five cache lines.
-struct alignas(64) ElementGroup {
+// What four elements have in common with many others: a table of the few that differ stays in the first-level cache.
+struct alignas(32) FabricGroup {
+  double young[kLanes], spherical[kLanes], deviator[kLanes];  // see IsotropicConstants [Pa], 0 for null
+  double porosity[kLanes], porosity_squared[kLanes];          // [-]
+};
+
+// All else that the kernels read of four elements and never changes, in one stream.
+struct alignas(32) ElementGroup {
   std::uint16_t node[3][kLanes];  // corners a, b, c: places in the block's list of nodes
+  std::int32_t fabric;            // place in the table of fabrics
   // Gradients of the corner functions in the element's frame (first axis along a-b):
   // grad N_b = (gradient_b1, gradient_b2), grad N_c = (0, gradient_c2), grad N_a = -(grad N_b + grad N_c).
   alignas(32) double gradient_b1[kLanes];
-  double gradient_b2[kLanes], gradient_c2[kLanes];            // [1/m]
-  double volume[kLanes];                                      // h * reference area [m3], 0 for null
-  double young[kLanes], spherical[kLanes], deviator[kLanes];  // see IsotropicConstants [Pa], 0 for null
-  double porosity[kLanes], porosity_squared[kLanes];          // [-]
+  double gradient_b2[kLanes], gradient_c2[kLanes];  // [1/m]
+  double volume[kLanes];                            // h * reference area [m3], 0 for null
 };
 
 // The bound of omega^2 (M.10) of four elements with their shares of the mass, 0 for null.
@@ -32,7 +37,7 @@ struct alignas(64) FrequencyGroup {
   double geometric[kLanes];  // per principal stress [1/(s2 Pa)]
 };
 
-// Beside `spherical` and `deviator`, for a woven bag only: see OrthotropicConstants.
+// Beside `spherical` and `deviator` of its fabric, for a woven bag only: see OrthotropicConstants.
 struct alignas(32) WeaveGroup {
   double cosine[kLanes], sine[kLanes], warp_scale[kLanes], shear[kLanes], series[kLanes], skew[kLanes],
       taut[kLanes];
