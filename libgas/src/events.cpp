@@ -14,6 +14,10 @@ bool is_out(Regime regime) {
   return regime == Regime::kOut || regime == Regime::kOutSonic;
 }
 
+bool is_back(Regime regime) {
+  return regime == Regime::kBack || regime == Regime::kBackSonic;
+}
+
 }  // namespace
 
 Substepper::Place Substepper::place(const FlowBalance& balance) const {
@@ -103,6 +107,17 @@ double Substepper::fill_first(Rates& rates, Vector& y, double a, double b) {
     ++accepted_;
     return end;
   }
+}
+
+/// Whether the trial that ends at t takes p through p_a by an error of the method, be it within its
+/// tolerance: outflow that inflow feeds ends above p_a, backflow that something draws in ends below.
+/// Accepted, it would be followed by an onset, and that by the next crossing, where the implicit method can
+/// settle in the balance.
+bool Substepper::crosses_against_flow(const FlowBalance& balance, double t, const Start& start) const {
+  if (options_.fixed_step > 0.0 || std::isfinite(stepper_->stability_limit())) return false;
+  const double excess = balance.pressure_excess(), growth = balance.closed_pressure_growth(t);
+  if (is_out(balance.regime())) return start.place.excess > near_ && excess < -near_ && growth > 0.0;
+  return is_back(balance.regime()) && start.place.excess < -near_ && excess > near_ && growth < 0.0;
 }
 
 /// Whether p may turn, inside the trial that ends at t, beyond a switch or level that both ends have not

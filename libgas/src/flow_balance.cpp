@@ -88,6 +88,10 @@ double FlowBalance::energy_change(const Vector& y) const {
   return change;
 }
 
+double FlowBalance::species_energy(std::size_t k) const {
+  return point_.mass == 0.0 ? 0.0 : model_.thermo.internal_energy(k, point_.temperature);
+}
+
 /// Fills masses_, at time t, and returns the internal energy there. (G.9), (G.10)
 double FlowBalance::collect(const Vector& y, double t) {
   double energy = start_->internal_energy;
@@ -98,14 +102,15 @@ double FlowBalance::collect(const Vector& y, double t) {
     const double mass = delivered_[i].mass + delivered.mass;
     for (std::size_t k = 0; k < masses_.size(); ++k) masses_[k] += model_.inflows[i].mass_fractions[k] * mass;
   }
-  point_.valid = true;
+  point_.depleted.reset();
   for (std::size_t k = 0; k < masses_.size(); ++k) {
     for (std::size_t j = 0; j < backflows(); ++j)
       masses_[k] += model_.ambient.mass_fractions[k] * y[back_slot(j)];
     const double available = masses_[k];
     masses_[k] = std::max(0.0, available - y[k]);
-    if (!(y[k] <= available * (1.0 + kMassRoundOff))) point_.valid = false;
+    if (!(y[k] <= available * (1.0 + kMassRoundOff))) point_.depleted = k;
   }
+  point_.valid = !point_.depleted;
   return energy + energy_change(y);
 }
 

@@ -28,18 +28,19 @@ class FlowBalance {
 
   /// The gas last located, and its flows.
   struct Point {
-    bool valid;                // masses not negative, temperature in its range
-    double mass;               // [kg]
-    double pressure;           // [Pa]
-    double temperature;        // [K]
-    double gamma;              // [-]
-    double volume;             // [m3]
-    double thermal_energy;     // [J] m cv T: the scale of energy errors
-    double specific_enthalpy;  // [J/kg]
-    double vent;               // [kg/s] out through all vents
-    double fabric;             // [kg/s] out through the fabric
-    double back;               // [kg/s] in through all vents
-    double heat;               // [W]
+    bool valid;                           // masses not negative, temperature in its range
+    std::optional<std::size_t> depleted;  // not valid: species of which more has left than there was
+    double mass;                          // [kg]
+    double pressure;                      // [Pa]
+    double temperature;                   // [K]
+    double gamma;                         // [-]
+    double volume;                        // [m3]
+    double thermal_energy;                // [J] m cv T: the scale of energy errors
+    double specific_enthalpy;             // [J/kg]
+    double vent;                          // [kg/s] out through all vents
+    double fabric;                        // [kg/s] out through the fabric
+    double back;                          // [kg/s] in through all vents
+    double heat;                          // [W]
   };
 
   /// `model` must outlive this.
@@ -99,6 +100,7 @@ class FlowBalance {
   Regime regime() const { return regime_; }
   const Point& point() const { return point_; }
   void invalidate() { point_.valid = false; }
+  const Thermo& thermo() const { return model_.thermo; }
   double ambient_pressure() const { return model_.ambient.pressure; }
   double back_enthalpy() const { return air_enthalpy_; }  // [J/kg]
   double air_fraction(std::size_t k) const { return model_.ambient.mass_fractions[k]; }
@@ -106,6 +108,8 @@ class FlowBalance {
   /// Changes of species k's mass and of U with the unknowns: errors of the state from errors of y.
   double species_change(const Vector& y, std::size_t k) const;
   double energy_change(const Vector& y) const;
+  /// u [J/kg] of species k at the temperature of the last point; zero without gas.
+  double species_energy(std::size_t k) const;
 
  private:
   double collect(const Vector& y, double t);

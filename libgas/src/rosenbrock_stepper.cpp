@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // Rosenbrock 4(3) with the coefficients of Boost.Odeint, whose own stepper allocates in each step. The
-// Jacobian is by differences: the rates depend on the unknowns only through the species' masses and the
-// energy, so species + 1 of them fill it.
+// rates depend on the unknowns y only through the gas, z = S y: the species' masses, and the energy less what
+// they bring along at the gas's temperature. So the Jacobian is C S with C = d(rates)/dz by differences, and
+// (1/(gamma h) - C S) x = b has the solution x = gamma h (b + C z), (1/(gamma h) - S C) z = S b. In these z
+// each part of the gas hastens its own way out, at constant T or p: pivots are positive as they come.
 #include <algorithm>
 #include <array>
 #include <boost/numeric/odeint/stepper/rosenbrock4.hpp>
 #include <limits>
-#include <numeric>
 
+#include "near.hpp"
 #include "stepper.hpp"
 
 namespace gas {
@@ -15,57 +17,49 @@ namespace {
 
 using Vector = Stepper::Vector;
 
-// Balances truncation (its square) and rounding of a second-order difference where p - p_a is 1e-4 to 1e-2 of
-// p.
+// Change of the gas, relative, for differences: at most.
 constexpr double kIncrement = 1e-7;
+// Rounding of p, relative: some hundred operations.
+constexpr double kNoise = 2e-14;
 // Of the step, at most: small against it, yet so large that rounding of x does not show in the slope with x.
 constexpr double kStepShare = 1e-3;
 
-/// Dense LU factors with row pivoting, in place.
+/// Dense LU factors in place, without pivoting: a row that is zero but for its diagonal, that of an absent
+/// species, stays so to the bit, and no mass of it appears.
 class Factors {
  public:
-  explicit Factors(std::size_t n) : n_(n), a_(n * n), row_(n) {}
+  explicit Factors(std::size_t n) : n_(n), a_(n * n) {}
   double& at(std::size_t i, std::size_t j) { return a_[i * n_ + j]; }
 
   void factorize() {
-    std::iota(row_.begin(), row_.end(), std::size_t{0});
-    for (std::size_t k = 0; k < n_; ++k) {
-      std::size_t pivot = k;
-      for (std::size_t i = k + 1; i < n_; ++i)
-        if (std::abs(at(i, k)) > std::abs(at(pivot, k))) pivot = i;
-      if (pivot != k) {
-        std::swap(row_[k], row_[pivot]);
-        std::swap_ranges(&at(k, 0), &at(k, 0) + n_, &at(pivot, 0));
-      }
+    for (std::size_t k = 0; k < n_; ++k)
       for (std::size_t i = k + 1; i < n_; ++i) {
         const double factor = at(i, k) /= at(k, k);
-        if (factor == 0.0) continue;
         for (std::size_t j = k + 1; j < n_; ++j) at(i, j) -= factor * at(k, j);
       }
-    }
   }
 
-  void solve(const Vector& b, Vector& x) {
-    for (std::size_t i = 0; i < n_; ++i) {
-      x[i] = b[row_[i]];
-      for (std::size_t j = 0; j < i; ++j) x[i] -= at(i, j) * x[j];
-    }
+  void solve(Vector& b) {
+    for (std::size_t i = 0; i < n_; ++i)
+      for (std::size_t j = 0; j < i; ++j) b[i] -= at(i, j) * b[j];
     for (std::size_t i = n_; i-- > 0;) {
-      for (std::size_t j = i + 1; j < n_; ++j) x[i] -= at(i, j) * x[j];
-      x[i] /= at(i, i);
+      for (std::size_t j = i + 1; j < n_; ++j) b[i] -= at(i, j) * b[j];
+      b[i] /= at(i, i);
     }
   }
 
  private:
   std::size_t n_;
   std::vector<double> a_;
-  std::vector<std::size_t> row_;
 };
 
 class RosenbrockStepper : public Stepper {
  public:
-  explicit RosenbrockStepper(std::size_t n)
-      : factors_(n),
+  RosenbrockStepper(std::size_t n, std::size_t species)
+      : factors_(species + 1),
+        columns_(species + 1, Vector(n)),
+        gas_(species + 1),
+        energy_(species + 1),
         y_(n),
         rate_(n),
         far_(n),
@@ -87,7 +81,7 @@ class RosenbrockStepper : public Stepper {
     for (std::size_t i = 0; i < y_.size(); ++i) y_[i] += g_[4][i];
     rates(y_, rate_, x + h);
     right_side(h, {c.c61, c.c62, c.c63, c.c64, c.c65}, 0.0);
-    factors_.solve(right_, out.error);
+    solve(rates.balance, h, out.error);
     for (std::size_t i = 0; i < y_.size(); ++i) out.end[i] = y_[i] + out.error[i];
     rates(out.end, out.end_rate, x + h);
   }
@@ -119,77 +113,100 @@ class RosenbrockStepper : public Stepper {
     else
       rates(y_, rate_, x + node * h);
     right_side(h, weights, d);
-    factors_.solve(right_, g_[number]);
+    solve(rates.balance, h, g_[number]);
   }
 
-  /// `near` = slope, of second order, at the first of three rates `change` apart; far_ is the third. A
-  /// first-order one would be kIncrement p/(p - p_a) off, which a stiff balance just above p_a turns into as
-  /// much error in each step.
+  /// `near` = slope, of second order, at the first of three rates `change` apart; far_ is the third.
   void to_slope(const Vector& here, double change, Vector& near) const {
     for (std::size_t i = 0; i < near.size(); ++i)
       near[i] = (4.0 * (near[i] - here[i]) - (far_[i] - here[i])) / (2.0 * change);
   }
 
-  /// rate_ = difference of the rates when one slot changes, over the change.
-  void difference(Rates& rates, const Vector& dydx, std::size_t slot, double change, double x) {
-    const double kept = y_[slot];
-    change = (kept + change) - kept;  // exact, as the difference is divided by it
-    y_[slot] = kept + change;
-    rates(y_, rate_, x);
-    y_[slot] = kept + 2.0 * change;
-    rates(y_, far_, x);
-    y_[slot] = kept;
-    to_slope(dydx, change, rate_);
+  /// Column `part` of C, from a change of that part of the gas: more of what is there, so that no mass turns
+  /// negative.
+  void difference(Rates& rates, const Vector& dydx, const Vector& y, std::size_t part, double change,
+                  double x) {
+    const std::size_t work = rates.balance.work_slot();
+    const auto change_to = [&](double times, Vector& rate) {
+      if (part < work) y_[part] = y[part] - times * change;
+      y_[work] = y[work] - times * change * energy_[part];
+      rates(y_, rate, x);
+    };
+    change_to(1.0, columns_[part]);
+    change_to(2.0, far_);
+    y_[part] = y[part];
+    y_[work] = y[work];
+    to_slope(dydx, change, columns_[part]);
   }
 
-  void subtract_column(std::size_t column, double factor) {
-    for (std::size_t i = 0; i < rate_.size(); ++i) factors_.at(i, column) -= factor * rate_[i];
+  /// z = S y of a change of the unknowns.
+  void gas_change(const FlowBalance& balance, const Vector& y, Vector& z) const {
+    double brought = 0.0;
+    for (std::size_t k = 0; k < balance.species(); ++k) {
+      z[k] = balance.species_change(y, k);
+      brought += energy_[k] * z[k];
+    }
+    z.back() = balance.energy_change(y) - brought;
   }
 
-  /// Forward in x by what changes p by kIncrement of it, at most kStepShare of the step; exact in x.
+  /// x of the matrix for the right side right_.
+  void solve(const FlowBalance& balance, double h, Vector& x) {
+    gas_change(balance, right_, gas_);
+    factors_.solve(gas_);
+    for (std::size_t i = 0; i < x.size(); ++i) {
+      double sum = right_[i];
+      for (std::size_t part = 0; part < gas_.size(); ++part) sum += columns_[part][i] * gas_[part];
+      x[i] = coefficients_.gamma * h * sum;
+    }
+  }
+
+  /// Relative change of the gas at the last point for a difference. Flow is the root of d = |p - p_a|/p: a
+  /// second-order difference over r d is off by r^2, and by noise/(r d), which balance at r^3 = noise/d.
+  static double increment(const FlowBalance& balance) {
+    const double d = std::max(std::abs(balance.pressure_excess()) / balance.point().pressure, kNear);
+    return std::min(kIncrement, std::cbrt(kNoise * d * d));
+  }
+
+  /// Forward in x by what changes p by increment(), at most kStepShare of the step; exact in x.
   double time_increment(const Rates& rates, double x, double h) const {
     const FlowBalance& balance = rates.balance;
     const double t = rates.time(x), energy = balance.point().pressure * balance.point().volume;
-    const double change = kIncrement * energy / std::abs(balance.closed_pressure_growth(t));
+    const double change = increment(balance) * energy / std::abs(balance.closed_pressure_growth(t));
     const double increment = change > 0.0 ? rates.position(t + change) - x : kStepShare * h;
     const double chosen = std::max(std::min(increment, kStepShare * h),
                                    8.0 * std::numeric_limits<double>::epsilon() * std::abs(x));
     return (x + chosen) - x;
   }
 
-  /// Factors of 1/(gamma h) - J, and slope_, the rates' derivative with x.
+  /// columns_, energy_, the factors of 1/(gamma h) - S C, and slope_, the rates' derivative with x.
   void fill_matrix(Rates& rates, const Vector& y, const Vector& dydx, double x, double h) {
     const FlowBalance& balance = rates.balance;
     y_ = y;
     rates.balance.locate(y, rates.time(x));
     const double mass = balance.point().mass, energy = balance.point().thermal_energy;
-    for (std::size_t i = 0; i < y.size(); ++i)
-      for (std::size_t j = 0; j < y.size(); ++j)
-        factors_.at(i, j) = i == j ? 1.0 / (coefficients_.gamma * h) : 0.0;
-    const double increment = time_increment(rates, x, h);
-    rates(y_, slope_, x + increment);
-    rates(y_, far_, x + 2.0 * increment);
-    to_slope(dydx, increment, slope_);
-    if (mass > 0.0) {  // else nothing has left yet
-      // More of what is there, so that no mass turns negative.
-      for (std::size_t k = 0; k < balance.species(); ++k) {
-        difference(rates, dydx, k, -kIncrement * mass, x);
-        subtract_column(k, 1.0);
-        for (std::size_t b = 0; b < balance.backflows(); ++b)
-          subtract_column(balance.back_slot(b), -balance.air_fraction(k));
-      }
-      difference(rates, dydx, balance.work_slot(), -kIncrement * energy, x);
-      subtract_column(balance.work_slot(), 1.0);
-      subtract_column(balance.heat_slot(), 1.0);
-      for (std::size_t s = 0; s < balance.streams(); ++s) subtract_column(balance.out_slot(s) + 1, 1.0);
-      for (std::size_t b = 0; b < balance.backflows(); ++b)
-        subtract_column(balance.back_slot(b), -balance.back_enthalpy());
+    const double change = increment(balance);
+    for (std::size_t k = 0; k < balance.species(); ++k) energy_[k] = balance.species_energy(k);
+    energy_.back() = 1.0;
+    const double step = time_increment(rates, x, h);
+    rates(y_, slope_, x + step);
+    rates(y_, far_, x + 2.0 * step);
+    to_slope(dydx, step, slope_);
+    for (std::size_t part = 0; part < gas_.size(); ++part) {
+      std::ranges::fill(columns_[part], 0.0);  // of no gas: nothing has left yet
+      if (mass > 0.0)
+        difference(rates, dydx, y, part, change * (part < balance.species() ? mass : energy), x);
+      gas_change(balance, columns_[part], gas_);
+      for (std::size_t i = 0; i < gas_.size(); ++i)
+        factors_.at(i, part) = (i == part ? 1.0 / (coefficients_.gamma * h) : 0.0) - gas_[i];
     }
     factors_.factorize();
   }
 
   const boost::numeric::odeint::default_rosenbrock_coefficients<double> coefficients_{};
   Factors factors_;
+  std::vector<Vector> columns_;  // of C
+  Vector gas_;                   // z
+  Vector energy_;                // [J/kg] that a change of each mass takes along; 1 for the energy itself
   Vector y_, rate_, far_, slope_, right_;
   std::array<Vector, 5> g_;
 };
@@ -197,7 +214,7 @@ class RosenbrockStepper : public Stepper {
 }  // namespace
 
 std::unique_ptr<Stepper> make_rosenbrock_stepper(const FlowBalance& balance) {
-  return std::make_unique<RosenbrockStepper>(balance.unknowns());
+  return std::make_unique<RosenbrockStepper>(balance.unknowns(), balance.species());
 }
 
 }  // namespace gas

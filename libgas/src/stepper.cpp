@@ -72,6 +72,7 @@ void Rates::operator()(const Vector& y, Vector& dydx, double x) {
 
 void Rates::fill(Vector& dydx, double x) {
   balance.fill_rates(dydx, time(x));
+  if (valid && !balance.point().valid) depleted = balance.point().depleted;
   valid = valid && balance.point().valid;
   ++evaluations;
   if (root)

@@ -2,6 +2,7 @@
 #pragma once
 #include <cmath>
 #include <memory>
+#include <optional>
 
 #include "flow_balance.hpp"
 
@@ -12,8 +13,9 @@ namespace gas {
 struct Rates {
   FlowBalance& balance;
   bool root = false;
-  double origin = 0.0;  // [s]
-  bool valid = true;    // every evaluation so far met a valid gas
+  double origin = 0.0;                    // [s]
+  bool valid = true;                      // every evaluation so far met a valid gas
+  std::optional<std::size_t> depleted{};  // species that the first invalid one lacked
   int evaluations = 0;
 
   double time(double x) const { return root ? origin + x * x : x; }

@@ -18,6 +18,7 @@ constexpr double kSonicNear = 1e-8;
 constexpr double kSafety = 0.9;
 constexpr double kSmallestFactor = 0.05;
 constexpr double kLargestFactor = 5.0;
+constexpr double kCrossingFactor = 0.25;
 // The first step's error constant is of the order kFirstStep^-error_power: a guess, only speed depends on it.
 constexpr double kFirstStep = 5.0;
 
@@ -55,17 +56,28 @@ void Substepper::count_attempt(const Rates& rates, double x, double h) {
 
 void Substepper::fail(const Rates& rates, double x, double h) const {
   const auto& point = rates.balance.point();
-  const std::string where = "at t = " + to_text(rates.time(x)) + " s with p = " + to_text(point.pressure) +
-                            " Pa, T = " + to_text(point.temperature) + " K and a sub-step of " +
+  const Thermo& thermo = rates.balance.thermo();
+  const bool fixed = options_.fixed_step > 0.0;
+  const std::string where = "at t = " + to_text(rates.time(x)) + " s with a sub-step of " +
                             to_text(rates.time(x + h) - rates.time(x)) + " s";
-  if (!point.valid) throw DomainError("the gas leaves its temperature range, or none is left, " + where);
-  if (options_.fixed_step > 0.0)
+  if (rates.depleted)
+    throw DomainError("species " + thermo.species(*rates.depleted).name +
+                      " runs out: more of it would leave than there is, " + where +
+                      (fixed ? "; a shorter one (gas_step of a case), or none, is allowed" : ""));
+  if (!point.valid)
+    throw DomainError("the gas leaves its temperature range, " + to_text(thermo.minimum_temperature()) +
+                      " to " + to_text(thermo.maximum_temperature()) + " K, " + where);
+  const std::string gas =
+      ", p = " + to_text(point.pressure) + " Pa and T = " + to_text(point.temperature) + " K";
+  if (fixed)
     throw DomainError("a fixed sub-step of " + to_text(options_.fixed_step) + " s takes more than " +
-                      std::to_string(options_.maximum_steps) + " sub-steps, " + where +
+                      std::to_string(options_.maximum_steps) + " sub-steps, " + where + gas +
                       "; a longer one (gas_step of a case), or none, is allowed");
   const double rate = rates.balance.relaxation_rate() + rates.balance.heat_rate();
+  const bool is_explicit = std::isfinite(stepper_->stability_limit());
   throw DomainError("the gas is too stiff for the integrator: " + std::to_string(attempts_) + " sub-steps, " +
-                    where + (rate > 0.0 ? "; it relaxes within " + to_text(1.0 / rate) + " s" : ""));
+                    where + gas + (rate > 0.0 ? "; it relaxes within " + to_text(1.0 / rate) + " s" : "") +
+                    (is_explicit ? "; Rosenbrock 4 (gas_method of a case) has no such limit" : ""));
 }
 
 /// A fixed step past the limit of its method grows where inflow feeds what leaves; where gas only runs out,
@@ -86,6 +98,7 @@ void Substepper::require_stable(const Rates& rates, double x, double h) const {
 bool Substepper::try_step(Rates& rates, const Vector& y, double x, double h) {
   count_attempt(rates, x, h);
   rates.valid = true;
+  rates.depleted.reset();
   stepper_->step(rates, y, begin_rate_, x, h, options_.fixed_step == 0.0, trial_);
   if (!rates.valid) rates.balance.invalidate();
   return rates.valid;
@@ -203,8 +216,8 @@ double Substepper::integrate(FlowBalance& balance, Vector& y, double a, double b
     require_stable(rates, x, h);
     if (!try_step(rates, y, x, h) && options_.fixed_step > 0.0) fail(rates, x, h);
     const double error = scaled_error(balance);
-    if (error > 1.0) {
-      h *= step_factor(error);
+    if (error > 1.0 || crosses_against_flow(balance, rates.time(x + h), start)) {
+      h *= error > 1.0 ? step_factor(error) : kCrossingFactor;
       continue;
     }
     const double length = end_at_events(rates, y, x, h, start);

@@ -181,6 +181,25 @@ TEST(threshold, species_running_out_eq_first_zero_of_a_stage) {
   }
 }
 
+/// Past that threshold the error says which species, not that of the temperature.
+TEST(balance, species_that_would_turn_negative_is_named) {
+  gas::ControlVolumeModel model = closed_tank(nasa7({"N2", "He"}));
+  model.inflows.push_back(steady_inflow(model.thermo, 0.5, 700.0));
+  model.vents.push_back({1.0, 1e-3});
+  gas::ControlVolumeState state = gas::make_state(model, std::vector{0.999, 0.001}, 3.3e5, 700.0, 1e-3);
+  const double h = 1.5 * (state.masses[0] + state.masses[1]) / 0.5;  // half as much again leaves in a step
+  try {
+    gas::GasIntegrator(model, {1e-10, 100000, gas::Method::kRungeKutta4, h, true})
+        .advance(state, 0.0, 2.0 * h, rigid(1e-3));
+    FAIL() << "no error";
+  } catch (const gas::DomainError& error) {
+    const std::string message = error.what();
+    EXPECT_NE(message.find("species He runs out"), std::string::npos) << message;
+    EXPECT_NE(message.find("gas_step"), std::string::npos) << message;
+    EXPECT_EQ(message.find("temperature"), std::string::npos) << message;
+  }
+}
+
 TEST(balance, the_same_call_gives_the_same_bits) {
   Bag one = bag(false), two = bag(false);
   run(one, 1e-8);

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include "cases.hpp"
+
+// Work where flow comes to rest at p = p_a or turns there: evaluations of the right-hand side grow as the
+// order of the method asks, and no further.
+namespace {
+
+using namespace cases;
+
+struct Work {
+  int evaluations = 0;
+  gas::ControlVolumeState state{};
+  double pressure = 0.0;  // [Pa] at the end
+};
+
+/// `calls` steps of `length` [s] in 60 litres.
+Work run(const gas::ControlVolumeModel& model, gas::ControlVolumeState state,
+         const gas::IntegratorOptions& options, int calls, double length) {
+  gas::GasIntegrator integrator(model, options);
+  Work work;
+  for (int i = 0; i < calls; ++i)
+    work.evaluations += integrator.advance(state, length * i, length * (i + 1), rigid(0.06)).evaluations;
+  work.pressure = gas::evaluate(model, state, 0.06, 0.0, length * calls).pressure;
+  work.state = state;
+  return work;
+}
+
+gas::ControlVolumeModel vented(const gas::Thermo& thermo, double effective_area, bool backflow) {
+  gas::ControlVolumeModel model = closed_tank(thermo);
+  model.vents.push_back({1.0, effective_area});
+  model.vents.back().backflow = backflow;
+  return model;
+}
+
+/// Nitrogen at 5 bar that leaves, until p = p_a.
+Work vent_to_rest(const gas::IntegratorOptions& options) {
+  const gas::ControlVolumeModel model = vented(nitrogen(), 1e-3, false);
+  return run(model, gas::make_state(model, kPure, 5e5, 600.0, 0.06), options, 1, 0.5);
+}
+
+/// Air of one species that flows into a tank at 0.2 bar, until p = p_a.
+Work inrush_to_rest(const gas::IntegratorOptions& options) {
+  gas::ControlVolumeModel model = vented(nitrogen(), 1e-3, true);
+  model.ambient.mass_fractions = kPure;
+  return run(model, gas::make_state(model, kPure, 2e4, 350.0, 0.06), options, 1, 2.0);
+}
+
+/// cases/tank_backflow.toml: hot nitrogen leaves and cools, then air comes back, three of whose species were
+/// absent.
+Work cooling(const gas::IntegratorOptions& options, int calls, double length) {
+  gas::ControlVolumeModel model = vented(nasa7({"N2", "O2", "Ar", "CO2"}), 4e-4, true);
+  model.ambient.mass_fractions = model.thermo.mass_fractions_by_mole(gas::air_by_mole());
+  model.heat_loss = {180.0, 293.15};
+  return run(model, gas::make_state(model, std::vector{1.0, 0.0, 0.0, 0.0}, 2e5, 900.0, 0.06), options, calls,
+             length);
+}
+
+/// Evaluations allowed: twice the most that the problems below take.
+struct Effort {
+  gas::Method method;
+  const char* name;
+  double power;  // steps grow as tolerance^(-1/power)
+  int slope;     // times that: the order's share
+  int start;     // starts, and events located: hardly more at a tight tolerance than at a loose one
+  int call;      // of a call that is one sub-step
+  double allowed(double tolerance, int calls) const {
+    return start + calls * call + slope * std::pow(tolerance, -1.0 / power);
+  }
+};
+
+void PrintTo(const Effort& effort, std::ostream* out) {
+  *out << effort.name;
+}
+
+class effort : public testing::TestWithParam<Effort> {};
+
+TEST_P(effort, of_equalisation_and_backflow_follows_the_order) {
+  const Effort& allowed = GetParam();
+  for (const double tolerance : {1e-2, 1e-4, 1e-6, 1e-8, 1e-10}) {
+    if (allowed.method == gas::Method::kEuler && tolerance < 1e-8) continue;  // 1e5 sub-steps
+    const gas::IntegratorOptions options{tolerance, 100000, allowed.method};
+    for (const auto& problem : {vent_to_rest, inrush_to_rest}) {
+      const Work work = problem(options);
+      EXPECT_LT(work.evaluations, allowed.allowed(tolerance, 0)) << tolerance;
+      // The end is located to a hundred roundings of p.
+      EXPECT_NEAR(work.pressure, kAmbientPressure, 1e-12 * kAmbientPressure);
+    }
+    EXPECT_LT(cooling(options, 100, 5e-3).evaluations, allowed.allowed(tolerance, 100)) << tolerance;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(methods, effort,
+                         testing::Values(Effort{gas::Method::kDormandPrince5, "dormand_prince", 5.0, 14, 300,
+                                                14},
+                                         Effort{gas::Method::kRungeKutta4, "runge_kutta", 5.0, 24, 600, 24},
+                                         Effort{gas::Method::kEuler, "euler", 2.0, 4, 100, 6},
+                                         Effort{gas::Method::kRosenbrock4, "rosenbrock", 4.0, 50, 600, 40}),
+                         [](const auto& one) { return std::string(one.param.name); });
+
+/// A species that is not there stays away to the bit: what a solver's rounding made of it could not leave,
+/// and would stop every sub-step.
+TEST(effort, absent_species_stay_absent) {
+  for (const gas::Method method : kMethods) {
+    const Work work = cooling({1e-6, 100000, method}, 50, 1e-3);
+    EXPECT_GT(work.pressure, 1.3 * kAmbientPressure);  // still all outflow
+    EXPECT_EQ(work.state.masses[1] + work.state.masses[2] + work.state.masses[3], 0.0);
+  }
+}
+
+/// Backflow that fades as the walls cool the gas, in one call: a balance ever closer below p_a, which relaxes
+/// ever faster. The implicit method follows it to rest.
+TEST(effort, implicit_method_follows_a_fading_balance) {
+  for (const double tolerance : {1e-2, 1e-4, 1e-6, 1e-8}) {  // below, rounding of p - p_a sets the steps
+    const Work work = cooling({tolerance, 100000, gas::Method::kRosenbrock4}, 1, 5.0);
+    // Twice what it takes, some 2000 at the start and then as the order; else 100 times as many at 1e-8.
+    EXPECT_LT(work.evaluations, 3000 + 100 * std::pow(tolerance, -0.25)) << tolerance;
+    // At rest to the errors of the last few sub-steps; by then the gas is within 4e-6 of the walls'
+    // temperature.
+    EXPECT_NEAR(work.state.temperature, 293.15, 293.15 * (10.0 * tolerance + 1e-5));
+    EXPECT_NEAR(work.pressure, kAmbientPressure, 10.0 * tolerance * kAmbientPressure);
+  }
+}
+
+/// cases/tank_stiff.toml: a weak inflow into a tenth of a litre, 17 Pa above p_a. At a tolerance that knows
+/// no difference between that and p_a the implicit method still settles there, instead of crossing p_a for
+/// ever.
+TEST(effort, implicit_method_settles_above_ambient_at_a_loose_tolerance) {
+  gas::ControlVolumeModel model = closed_tank(nitrogen());
+  model.inflows.push_back(steady_inflow(model.thermo, 0.02, 406.0));
+  for (const double tolerance : {1e-2, 1e-3}) {
+    gas::ControlVolumeState state = gas::make_state(model, kPure, kAmbientPressure, 293.15, 1e-4);
+    gas::GasIntegrator integrator(model, {tolerance, 100000, gas::Method::kRosenbrock4});
+    // Twice what it takes; crossing, it takes 40 times as many at 1e-2.
+    EXPECT_LT(integrator.advance(state, 0.0, 0.02, rigid(1e-4, 3.75e-3)).evaluations, 1100);
+    const gas::GasPoint point = gas::evaluate(model, state, 1e-4, 3.75e-3, 0.02);
+    const double excess = std::pow(0.02 / 3.75e-3, 2.0) / (2.0 * point.density);
+    EXPECT_NEAR(point.pressure - kAmbientPressure, excess, 0.01 * excess);  // settled: within 1 % after 20 ms
+  }
+}
+
+}  // namespace
