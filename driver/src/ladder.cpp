@@ -18,6 +18,15 @@ using Picks = std::vector<std::size_t>;
 
 constexpr int probes = 4;               // seeds that tell a chaotic scene
 constexpr double harmless_share = 0.1;  // of the tolerance that the scatter of single runs may take
+constexpr double rounding = 1e-12;      // of a difference from a value, as its share: some thousand roundings
+
+// Of the quantity, so that a tolerance can be a share of it.
+void need_size(LadderResult& result, double value, const char* where) {
+  if (std::abs(value - result.zero) <= rounding * std::abs(result.zero))
+    result.reason =
+        fmt::format("{} is {:g} in {}, the value that it counts from: no tolerance is a share of that",
+                    result.quantity, result.zero, where);
+}
 
 class LadderRun {
  public:
@@ -34,13 +43,16 @@ class LadderRun {
   void run() {
     add("full", full_);
     probe();
+    if (result_.reason.empty()) run_rungs(0, "full case");
+    if (const Statistics& full = result_.rungs.front().value; full.count > 0)
+      need_size(result_, full.mean, "the full case");
+    if (!result_.reason.empty()) return;
     add_finest();
-    add_as_it_is();
     add_alternatives();
+    add_as_it_is();
     add_tank_rung();
     run_rungs(1, "rungs");
-    require(0);
-    require(result_.finest);
+    if (!result_.reason.empty()) return;
     const std::size_t before = result_.rungs.size();
     add_combinations();
     run_rungs(before, "combinations");
@@ -76,6 +88,10 @@ class LadderRun {
   }
 
   void add_as_it_is() {
+    if (const auto same = std::find_if(result_.rungs.begin() + 1, result_.rungs.end(),
+                                       [](const LadderRung& r) { return r.overrides.empty(); });
+        same != result_.rungs.end())
+      same->name = "as it is: " + same->name;
     if (!is_new({})) return;
     LadderRung rung;
     rung.name = rung.differs = "as it is";
@@ -131,25 +147,22 @@ class LadderRun {
 
   // Whether seeds scatter by what the tolerance would notice: then every rung is a mean.
   void probe() {
-    if (!has_bag_) return run_rungs(0, "full case");
+    if (!has_bag_) return;
     std::vector<LadderJob> jobs;
     for (int seed = 1; seed <= probes; ++seed) jobs.push_back(job(0, seed));
     const auto samples = run(jobs, "seeds");
     std::vector<double> values;
     for (std::size_t i = 0; i < samples.size(); ++i) {
-      if (!samples[i].failure.empty())
-        throw std::runtime_error(fmt::format("seed {} of rung \"full\", to which all are compared: {}", i + 1,
-                                             samples[i].failure));
+      need(fmt::format("seed {} of rung \"full\"", i + 1), samples[i]);
       if (samples[i].value) values.push_back(*samples[i].value);
     }
-    if (interrupted() || values.empty()) return run_rungs(0, "full case");
+    if (interrupted() || values.empty()) return;
     const Statistics seeds = statistics(values);
     result_.spread = seeds.maximum - seeds.minimum;
     deviation_ = seeds.standard_error * std::sqrt(seeds.count);
     const double size =
         std::max(std::abs(seeds.minimum - result_.zero), std::abs(seeds.maximum - result_.zero));
     result_.chaotic = result_.spread > harmless_share * options_.tolerance * size;
-    run_rungs(0, "full case");
   }
 
   void run_rungs(std::size_t first, const char* what) {
@@ -169,6 +182,7 @@ class LadderRun {
     double cpu = 0.0;
     for (std::size_t j = 0; j < jobs.size(); ++j) {
       if (jobs[j].rung != index) continue;
+      if (index == 0 || index == result_.finest) need(fmt::format("rung \"{}\"", rung.name), samples[j]);
       if (!samples[j].failure.empty()) rung.failure = samples[j].failure;
       if (!samples[j].value) continue;
       values.push_back(*samples[j].value);
@@ -191,11 +205,12 @@ class LadderRun {
     return run_jobs(file_, jobs, result_.quantity, name_ + ", " + what, options_.threads, options_.quiet);
   }
 
-  void require(std::size_t index) const {
-    const LadderRung& rung = result_.rungs[index];
-    if (!interrupted() && !rung.failure.empty())
-      throw std::runtime_error(
-          fmt::format("rung \"{}\", to which all are compared: {}", rung.name, rung.failure));
+  // All are compared to this one.
+  void need(const std::string& name, const LadderSample& sample) {
+    if (interrupted() || sample.failure.empty()) return;
+    const auto message = fmt::format("{}, to which all are compared: {}", name, sample.failure);
+    if (!sample.no_event) throw std::runtime_error(message);
+    if (result_.reason.empty()) result_.reason = message;
   }
 
   const std::filesystem::path& file_;
@@ -221,7 +236,9 @@ LadderResult run_ladder(const std::filesystem::path& file, const std::vector<std
   set_threads(options.threads);
   ParallelBlocks::threads = 1;  // runs side by side, each serial inside
   LadderRun(file, overrides, options, result).run();
-  if (!interrupted()) judge(result, options.tolerance);
+  if (interrupted() || !result.reason.empty()) return result;
+  judge(result, options.tolerance);
+  need_size(result, result.reference.value, "the reference");
   return result;
 }
 

@@ -50,7 +50,8 @@ LadderSample run_job(const std::filesystem::path& file, const LadderJob& job, co
       sample.cpu_seconds = i == 0 ? member.cpu_seconds : std::min(sample.cpu_seconds, member.cpu_seconds);
       if (job.is_one_of_many || sample.cpu_seconds > short_run) break;
     }
-    if (!sample.value) sample.failure = "the run has no such event";
+    sample.no_event = !sample.value;
+    if (sample.no_event) sample.failure = "the run has no such event";
   } catch (const std::exception& error) {
     sample.failure = error.what();
   }

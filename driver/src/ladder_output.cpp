@@ -14,6 +14,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+// Its first line tells it from a file of the user's.
+constexpr std::string_view cheapest_mark = "# Written by gasjet ladder, which writes it anew each time.";
+
 std::string options_of(const LadderRung& rung) {
   std::string text;
   for (const auto& override_text : rung.overrides) {
@@ -95,6 +98,7 @@ void write_json(const std::filesystem::path& file, const LadderResult& result, c
   Json json{{"quantity", result.quantity},
             {"tolerance", options.tolerance},
             {"verdict", verdict_name(result.verdict)},
+            {"reason", result.reason.empty() ? Json(nullptr) : Json(result.reason)},
             {"cheapest", result.cheapest ? Json(result.rungs[*result.cheapest].name) : Json(nullptr)},
             {"counted_from", result.zero},
             {"chaotic", result.chaotic},
@@ -119,11 +123,11 @@ void write_cheapest(const std::filesystem::path& folder, const LadderResult& res
   const CaseDocument document(file, all);
   std::ofstream stream(folder / "cheapest.toml");
   stream << fmt::format(
-      "# {}: the cheapest rung of its ladder with {} within {:g} % of the reference.\n"
+      "{}\n# {}: the cheapest rung of its ladder with {} within {:g} % of the reference.\n"
       "# Rung \"{}\": {}\n# Off by {:.3g} +- {:.2g} (2 standard errors and the reference's "
       "uncertainty) of "
       "{:.6g}.\n\n",
-      file.filename().string(), result.quantity, 100.0 * options.tolerance, rung.differs,
+      cheapest_mark, file.filename().string(), result.quantity, 100.0 * options.tolerance, rung.differs,
       rung.overrides.empty() ? "the case as it is" : options_of(rung), rung.error,
       2.0 * rung.standard_error + result.reference.uncertainty, result.reference.value);
   stream << document.text(folder);
@@ -132,6 +136,15 @@ void write_cheapest(const std::filesystem::path& folder, const LadderResult& res
 }
 
 }  // namespace
+
+void refuse_own_cheapest(const std::filesystem::path& folder) {
+  std::ifstream file(folder / "cheapest.toml");
+  std::string first;
+  if (file && !(std::getline(file, first) && first == cheapest_mark))
+    throw CaseError(fmt::format(
+        "--out {}: would overwrite cheapest.toml, which no ladder wrote; another folder is allowed",
+        folder.string()));
+}
 
 void write_ladder(const std::filesystem::path& folder, const LadderResult& result,
                   const std::filesystem::path& file, const std::vector<std::string>& overrides,

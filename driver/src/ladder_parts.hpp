@@ -46,7 +46,8 @@ struct LadderJob {
 struct LadderSample {
   std::optional<double> value;
   double cpu_seconds = 0.0;
-  std::string failure;
+  std::string failure;    // why it has no value
+  bool no_event = false;  // that is all: the run is whole
 };
 
 /// One sample a job, `threads` at a time; those that an interrupt forestalled have neither value nor failure.

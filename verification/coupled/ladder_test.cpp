@@ -13,15 +13,12 @@
 
 namespace {
 
+using coupled::case_file;
 using coupled::Folder;
 using driver::LadderResult;
 using driver::LadderRung;
 using driver::Verdict;
 using Texts = std::vector<std::string>;
-
-std::string case_file(const char* name) {
-  return std::string(GASJET_SOURCE_DIR "/cases/") + name + ".toml";
-}
 
 driver::LadderOptions options_of(const char* quantity, double tolerance, Texts hold = {}, int threads = 1) {
   return {quantity, tolerance, std::move(hold), 16, threads, true};
@@ -113,16 +110,6 @@ TEST(ladder, pressures_are_judged_by_what_they_are_above_the_ambient_one) {
   EXPECT_LT(rung_of(result, "gas tolerance 0.001").value.mean, 101325.0);
   EXPECT_EQ(rung_of(result, "gas tolerance 0.001").verdict, Verdict::outside);
   EXPECT_EQ(rung_of(result, "cp constant").verdict, Verdict::inside);
-}
-
-TEST(ladder, seed_without_the_quantity_is_told) {
-  try {
-    driver::run_ladder(case_file("passenger_pendulum"), {"scene.end_time=0.001"},
-                       options_of("first_contact", 0.02));
-    ADD_FAILURE() << "accepted";
-  } catch (const std::runtime_error& error) {
-    EXPECT_NE(std::string(error.what()).find("seed 1 of rung \"full\""), std::string::npos) << error.what();
-  }
 }
 
 // A free sphere around two jets back to back: its pressure hardly knows of them.

@@ -16,8 +16,12 @@ struct CaseRun {
   driver::State state;
 };
 
+inline std::string case_file(const std::string& name) {
+  return GASJET_SOURCE_DIR "/cases/" + name + ".toml";
+}
+
 inline driver::Scene scene_of(const std::string& name, const std::vector<std::string>& overrides = {}) {
-  driver::CaseDocument document(std::string(GASJET_SOURCE_DIR "/cases/") + name + ".toml", overrides);
+  driver::CaseDocument document(case_file(name), overrides);
   return driver::read_scene(document);
 }
 

@@ -105,9 +105,9 @@ struct LadderResult {
   std::vector<LadderRung> rungs;  // the full case first
   std::size_t finest = 0;         // of them
   LadderReference reference;
-  std::optional<std::size_t> cheapest;  // rung within the tolerance
-  Verdict verdict =
-      Verdict::not_judged;  // inside: `cheapest` is set; else undecided, or not_judged: interrupted
+  std::optional<std::size_t> cheapest;    // rung within the tolerance
+  Verdict verdict = Verdict::not_judged;  // inside: `cheapest` is set; else undecided, or not_judged
+  std::string reason;  // why there is no share to judge by: no such event, or a value of nothing
 };
 
 /// What a rung does to the full case; standard error 0 for that itself.
@@ -128,14 +128,18 @@ LadderPlan plan_ladder(const std::filesystem::path& file, const std::vector<std:
 /// Whole name of a quantity of the scene; the unit may be left off. Throws CaseError with those allowed.
 std::string quantity_name(const Scene& scene, const std::string& quantity);
 
-/// Runs the ladder; results but the costs do not depend on `threads`. Throws CaseError as plan_ladder does,
+/// Runs the ladder; results but the costs do not depend on `threads`. Where the quantity is 0 in the full
+/// case or has no event there, only that is run, and `reason` says so. Throws CaseError as plan_ladder does,
 /// and std::runtime_error when the full case, one of its seeds or the finest rung leaves its domain: errors
 /// have no reference then.
 LadderResult run_ladder(const std::filesystem::path& file, const std::vector<std::string>& overrides,
                         const LadderOptions& options);
 
-/// ladder.csv, ladder.json, and, if there is a cheapest rung, cheapest.toml, which runs as it is. Throws
-/// WriteError.
+/// Throws CaseError if `folder` has a cheapest.toml that no ladder wrote.
+void refuse_own_cheapest(const std::filesystem::path& folder);
+
+/// ladder.csv, ladder.json, and, if there is a cheapest rung, cheapest.toml, which runs as it is; that of an
+/// earlier ladder goes. Throws WriteError.
 void write_ladder(const std::filesystem::path& folder, const LadderResult& result,
                   const std::filesystem::path& file, const std::vector<std::string>& overrides,
                   const LadderOptions& options);

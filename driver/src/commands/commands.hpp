@@ -25,6 +25,10 @@ int exit_code(Verdict verdict);
 /// Runs the subcommand that the command line asks for.
 int run_command_line(int argc, char** argv);
 
+/// The words of a command line without the first, in reverse, as CLI11 takes them. "--name=" has the empty
+/// value, not what stands after it.
+std::vector<std::string> words(int argc, char** argv);
+
 /// Throws CaseError when the file that `option` writes is one of those that are read.
 void refuse_same_file(const char* option, const std::filesystem::path& out,
                       const std::vector<std::filesystem::path>& inputs);

@@ -24,21 +24,29 @@ void print_quantities(const std::string& title, const EnsembleResult& result) {
     fmt::print("  {:28} {:12.5g} {:12.3g} {:12.5g} {:12.5g} {:5}\n", name, s.mean, s.standard_error,
                s.minimum, s.maximum, s.count);
   }
-  for (const auto& failure : result.failures) fmt::print("  failed run: {}\n", failure);
+}
+
+void report(const std::string& title, const EnsembleResult& result, bool quiet) {
+  if (!quiet) print_quantities(title, result);
+  for (const auto& failure : result.failures)
+    fmt::print(stderr, "gasjet: {}: failed run: {}\n", title, failure);
+}
+
+void print_effects(const std::vector<Effect>& list) {
+  fmt::print("difference\n  {:28} {:>12} {:>12} {:>10}\n", "quantity", "difference", "std. errors", "");
+  for (const Effect& e : list)
+    fmt::print("  {:28} {:12.5g} {:12.3g} {:>10}\n", e.quantity, e.difference, e.standard_errors,
+               e.decided() ? "decided" : "undecided");
 }
 
 void write_effects(const std::filesystem::path& file, const std::vector<Effect>& list) {
   std::ofstream csv(file);
   csv << "quantity,mean,standard_error,mean_against,standard_error_against,difference,standard_errors,"
          "decided\n";
-  fmt::print("difference\n  {:28} {:>12} {:>12} {:>10}\n", "quantity", "difference", "std. errors", "");
-  for (const Effect& e : list) {
+  for (const Effect& e : list)
     csv << fmt::format("{},{},{},{},{},{},{},{}\n", e.quantity, e.with.mean, e.with.standard_error,
                        e.without.mean, e.without.standard_error, e.difference, e.standard_errors,
                        e.decided() ? "yes" : "no");
-    fmt::print("  {:28} {:12.5g} {:12.3g} {:>10}\n", e.quantity, e.difference, e.standard_errors,
-               e.decided() ? "decided" : "undecided");
-  }
   csv.flush();
   if (!csv) throw WriteError(fmt::format("{}: write failed", file.string()));
 }
@@ -64,14 +72,16 @@ int ensemble(const EnsembleArguments& arguments) {
   const auto result = run_ensemble(arguments.scene.file, arguments.scene.overrides, options);
   write_ensemble(folder / arguments.scene.file.stem(), result,
                  provenance(arguments.scene.file, arguments.scene.overrides));
-  print_quantities(arguments.scene.file.stem().string(), result);
+  report(arguments.scene.file.stem().string(), result, options.quiet);
   bool failed = !result.failures.empty();
   if (!arguments.against.empty() && !interrupted()) {
     const auto other = run_ensemble(arguments.against, arguments.scene.overrides, options);
     write_ensemble(folder / arguments.against.stem(), other,
                    provenance(arguments.against, arguments.scene.overrides));
-    print_quantities(arguments.against.stem().string(), other);
-    write_effects(folder / "effects.csv", effects(result, other));
+    report(arguments.against.stem().string(), other, options.quiet);
+    const auto list = effects(result, other);
+    write_effects(folder / "effects.csv", list);
+    if (!options.quiet) print_effects(list);
     failed = failed || !other.failures.empty();
   }
   if (interrupted()) return exit_interrupted;

@@ -29,8 +29,7 @@ double read_tolerance(const std::string& text) {
 
 // Per cent of the reference, from where the quantity counts.
 double per_cent(const LadderResult& result, double value) {
-  const double size = std::abs(result.reference.value - result.zero);
-  return size > 0.0 ? 100.0 * value / size : NAN;
+  return 100.0 * value / std::abs(result.reference.value - result.zero);
 }
 
 void print_scene(const LadderResult& result, const LadderOptions& options) {
@@ -102,6 +101,13 @@ void print_verdict(const LadderResult& result, const LadderOptions& options,
              best.cpu_seconds / result.rungs.front().cpu_seconds, (folder / "cheapest.toml").string());
 }
 
+void print(const LadderResult& result, const LadderOptions& options, const std::filesystem::path& folder) {
+  print_scene(result, options);
+  print_rungs(result);
+  print_changes(result);
+  print_verdict(result, options, folder);
+}
+
 }  // namespace
 
 int ladder(const LadderArguments& arguments) {
@@ -114,15 +120,17 @@ int ladder(const LadderArguments& arguments) {
   plan_ladder(arguments.scene.file, arguments.scene.overrides, options.quantity, options.hold);
   refuse_inputs(folder, {"ladder.csv", "ladder.json", "cheapest.toml"},
                 input_files(arguments.scene.file, arguments.scene.overrides));
+  refuse_own_cheapest(folder);
   prepare_output(folder);
   catch_interrupt();
   const LadderResult result = run_ladder(arguments.scene.file, arguments.scene.overrides, options);
   write_ladder(folder, result, arguments.scene.file, arguments.scene.overrides, options);
   if (interrupted()) return exit_interrupted;
-  print_scene(result, options);
-  print_rungs(result);
-  print_changes(result);
-  print_verdict(result, options, folder);
+  if (!result.reason.empty()) {
+    fmt::print(stderr, "gasjet: undecided: {}\n", result.reason);
+    return exit_undecided;
+  }
+  if (!options.quiet) print(result, options, folder);
   return exit_code(result.verdict);
 }
 

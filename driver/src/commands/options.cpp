@@ -44,7 +44,7 @@ void add_case(CLI::App& command, CaseArguments& arguments) {
 void add_threads(CLI::App& command, int& threads, bool& quiet) {
   command.add_option("--threads", threads, "threads; the results do not depend on it")
       ->check(CLI::Range(1, 1024));
-  command.add_flag("--quiet", quiet, "no progress, no closing line");
+  command.add_flag("--quiet", quiet, "nothing but errors is printed");
 }
 
 struct Arguments {
@@ -91,7 +91,7 @@ void add_ladder(CLI::App& app, LadderArguments& a) {
       ->add_option("--quantity", a.quantity, "column of the history at the end, or a quantity of `ensemble`")
       ->required()
       ->check(named);
-  ladder->add_option("--tolerance", a.tolerance, "share of the quantity, 2% by default")->check(named);
+  ladder->add_option("--tolerance", a.tolerance, "of the quantity, 2% by default")->type_name("SHARE");
   ladder->add_option("--hold", a.hold, "axes that stay as the case has them, separated by commas")
       ->delimiter(',')
       ->allow_extra_args(false);
@@ -215,7 +215,7 @@ int dispatch(const CLI::App& app, const Arguments& all) {
 }  // namespace
 
 int run_command_line(int argc, char** argv) {
-  CLI::App app("Gasjet: inflating airbags with an analytical gas jet");
+  CLI::App app("Gasjet: inflating airbags with an analytical gas jet", "gasjet");
   app.set_version_flag("--version", std::string("gasjet ") + build_info::version + " (" + build_info::commit +
                                         ", " + build_info::compiler + ", " + build_info::flags + ")");
   app.require_subcommand(1);
@@ -228,7 +228,7 @@ int run_command_line(int argc, char** argv) {
   add_identify(app, all.identify);
   add_compare(app, all.compare);
   try {
-    app.parse(argc, argv);
+    app.parse(words(argc, argv));
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version
     throw CaseError(std::string(error.what()) + " (--help lists what is allowed)");
