@@ -71,6 +71,20 @@ struct Groups {
   }
 };
 
+// Of the gas at the start, its outflow choked, and of the full volume; the faster one [1/s].
+double relaxation_rate(const Scene& scene, double mass_at_start, const Forecast& f) {
+  const FullState& full = *f.full;
+  double rate = 0.0;
+  if (mass_at_start > 0.0)
+    rate = gas::outflow_relaxation_rate(full.gamma, f.supply.peak_flow / mass_at_start, 1.0);
+  const double flow = full.vent_flow + full.fabric_flow, ambient = scene.ambient.pressure;
+  if (!(flow > 0.0)) return rate;
+  const double of_vents = gas::orifice_pressure_exponent(full.gamma, ambient / full.pressure),
+               of_fabric = 0.5 + 0.5 * full.pressure / (full.pressure - ambient);
+  const double exponent = (full.vent_flow * of_vents + full.fabric_flow * of_fabric) / flow;
+  return std::max(rate, gas::outflow_relaxation_rate(full.gamma, flow / full.mass, exponent));
+}
+
 void add_gas(const Scene& scene, const State& state, const Forecast& f, Groups& groups) {
   const FullState& full = *f.full;
   const double ambient = scene.ambient.pressure, flow = f.supply.peak_flow;
@@ -84,9 +98,9 @@ void add_gas(const Scene& scene, const State& state, const Forecast& f, Groups& 
   if (flow > 0.0 && full.fabric_flow > 0.0)
     groups.add_size("fabric_leak", "K.33", "outflow of the fabric over the peak inflow",
                     full.fabric_flow / flow);
-  if (flow > 0.0 && state.gas_point.mass > 0.0 && full.vent_flow + full.fabric_flow > 0.0)
-    groups.add_number("gas_relaxation", "K.37", "relaxations of the gas in a step at the start",
-                      f.step * gas::outflow_relaxation_rate(full.gamma, flow / state.gas_point.mass, 1.0));
+  if (full.vent_flow + full.fabric_flow > 0.0)
+    groups.add_number("gas_relaxation", "K.37", "relaxations of the gas in a step of the start",
+                      f.step * relaxation_rate(scene, state.gas_point.mass, f));
 }
 
 // A jet's names in the groups.

@@ -141,7 +141,8 @@ class LadderRun {
       if (r.cpu_seconds >= cost[*r.axis]) continue;
       cost[*r.axis] = r.cpu_seconds;
       picks[*r.axis] = r.choice;
-      if (is_new(combine(result_.plan, picks))) add("and " + r.name, picks);
+      if (is_new(combine(result_.plan, picks)))
+        add("and " + result_.plan.axes[*r.axis].choices[r.choice].name, picks);
     }
   }
 

@@ -87,7 +87,8 @@ std::vector<LadderSample> run_jobs(const std::filesystem::path& file, const std:
       if (interrupted()) return;
       samples[j] = run_job(file, jobs[j], quantity);
       const std::lock_guard<std::mutex> guard(lock);
-      progress.update(static_cast<double>(++finished), fmt::format("run {} of {}", finished, jobs.size()));
+      ++finished;
+      progress.update(static_cast<double>(finished), fmt::format("run {} of {}", finished, jobs.size()));
     });
   });
   return samples;

@@ -103,6 +103,7 @@ FullState full_state(const Scene& scene, const State& state, const Supply& suppl
   full.pressure = high;
   full.vent_flow = at(high).vent_mass_flow;
   full.fabric_flow = at(high).fabric_mass_flow;
+  full.mass = at(high).mass;
   return full;
 }
 

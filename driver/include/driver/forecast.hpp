@@ -30,6 +30,7 @@ struct FullState {
   bool fills = true;                          // the closed pressure is ambient at least, or nothing flows in
   double pressure = 0.0;                      // [Pa] with what the openings let out at the peak flow, (K.31)
   double vent_flow = 0.0, fabric_flow = 0.0;  // [kg/s] at that pressure
+  double mass = 0.0;                          // [kg]
   double gamma = 0.0;
 };
 
