@@ -1,15 +1,14 @@
 # SPDX-License-Identifier: Apache-2.0
-# gasjet_library(NAME SOURCES ... [PUBLIC_LINK ...] [PRIVATE_LINK ...] [PACKAGES ...] [PRECOMPILE ...])
+# gasjet_library(NAME SOURCES ... [PUBLIC_LINK ...] [PRIVATE_LINK ...] [PACKAGES ...])
 # One independent library: target gasjet_NAME, alias gasjet::NAME, package gasjet_NAME (find_package), headers include/NAME.
-# PACKAGES are the packages a user of the installed library needs; PRECOMPILE the headers that most sources spend
-# their compile time on.
+# PACKAGES are the packages a user of the installed library needs.
 include_guard(GLOBAL)
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 include(${CMAKE_CURRENT_LIST_DIR}/GasjetOptions.cmake)
 
 function(gasjet_library name)
-  cmake_parse_arguments(ARG "" "" "SOURCES;PUBLIC_LINK;PRIVATE_LINK;PACKAGES;PRECOMPILE" ${ARGN})
+  cmake_parse_arguments(ARG "" "" "SOURCES;PUBLIC_LINK;PRIVATE_LINK;PACKAGES" ${ARGN})
   set(target gasjet_${name})
   add_library(${target} STATIC ${ARG_SOURCES})
   add_library(gasjet::${name} ALIAS ${target})
@@ -19,7 +18,6 @@ function(gasjet_library name)
     PUBLIC $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/include> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>
     PRIVATE ${CMAKE_CURRENT_SOURCE_DIR}/src)
   target_link_libraries(${target} PUBLIC ${ARG_PUBLIC_LINK} PRIVATE ${ARG_PRIVATE_LINK} $<BUILD_INTERFACE:gasjet_options>)
-  target_precompile_headers(${target} PRIVATE ${ARG_PRECOMPILE})
 
   install(TARGETS ${target} EXPORT ${target}-targets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
   install(DIRECTORY include/${name} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})

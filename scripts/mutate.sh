@@ -61,7 +61,8 @@ configure() {
   if command -v ccache >/dev/null; then
     export CMAKE_CXX_COMPILER_LAUNCHER=ccache CCACHE_BASEDIR=$scratch CCACHE_NOHASHDIR=1
   fi
-  cmake -S "$copy" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DGASJET_WERROR=OFF -DGASJET_BENCHMARKS=ON >"$log" 2>&1
+  cmake -S "$copy" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DGASJET_WERROR=OFF -DGASJET_BENCHMARKS=ON \
+    -DCMAKE_UNITY_BUILD=OFF >"$log" 2>&1
 }
 
 # build_for [TEST]: the programs that this test's commands name in the build folder; everything if none.

@@ -49,7 +49,7 @@ run_ctest() {
 
 # build PRESET
 build() {
-  phase "configure $1" cmake --preset "$1"
+  phase "configure $1" cmake --preset "$1" -DCMAKE_UNITY_BUILD=ON
   phase "build $1" cmake --build --preset "$1" -j "$jobs"
 }
 

@@ -34,7 +34,7 @@ copy_sources() {
 # Without optimisation: whether it stands alone does not depend on it.
 build_and_install() {
   cmake -S "$scratch/source/$library" -B "$scratch/build" -G Ninja -DCMAKE_BUILD_TYPE=Debug \
-    -DCMAKE_CXX_FLAGS_DEBUG=-O0 -DCMAKE_INSTALL_PREFIX="$scratch/prefix" -DGASJET_WERROR=ON
+    -DCMAKE_CXX_FLAGS_DEBUG=-O0 -DCMAKE_INSTALL_PREFIX="$scratch/prefix" -DGASJET_WERROR=ON -DCMAKE_UNITY_BUILD=ON
   cmake --build "$scratch/build" -j 2
   cmake --install "$scratch/build"
 }

@@ -16,8 +16,8 @@
 namespace driver {
 namespace {
 
-constexpr std::size_t fields = 12, number_field = 1;
-constexpr std::size_t widths[fields] = {12, 8, 15, 15, 15, 15, 15, 11, 11, 11, 11, 11};
+constexpr std::size_t kFields = 12, number_field = 1;
+constexpr std::size_t widths[kFields] = {12, 8, 15, 15, 15, 15, 15, 11, 11, 11, 11, 11};
 
 bool is_heading(const std::string& line) {
   return line.find("time") != std::string::npos && line.find("airbag/cv #") != std::string::npos;
@@ -28,17 +28,17 @@ bool is_blank(const std::string& line) {
 }
 
 struct Row {
-  double values[fields] = {};
-  std::size_t positions[fields] = {};
+  double values[kFields] = {};
+  std::size_t positions[kFields] = {};
 };
 
 Row read_row(const std::filesystem::path& file, std::size_t line_number, const std::string& line) {
   Row row;
   std::size_t begin = 0;
-  for (std::size_t i = 0; i < fields; begin += widths[i++]) {
+  for (std::size_t i = 0; i < kFields; begin += widths[i++]) {
     const auto place = fmt::format("{}:{}:{}", file.string(), line_number, begin + 1);
     if (line.size() < begin + widths[i])
-      throw CaseError(fmt::format("{}: the row ends in field {} of {}", place, i + 1, fields));
+      throw CaseError(fmt::format("{}: the row ends in field {} of {}", place, i + 1, kFields));
     const std::string_view field = std::string_view(line).substr(begin, widths[i]);
     const auto skip = std::min(field.find_first_not_of(' '), field.size());
     const auto value = number_of(field.substr(skip));
@@ -57,9 +57,9 @@ CsvTable read_abstat(const std::filesystem::path& file, int volume_number) {
   CsvTable table{file,
                  {"time", "volume", "pressure", "internal_energy", "dm_dt_in", "density", "dm_dt_out",
                   "total_mass", "gas_temp", "surface_area", "reaction"},
-                 std::vector<std::vector<double>>(fields - 1),
+                 std::vector<std::vector<double>>(kFields - 1),
                  {},
-                 std::vector<std::vector<std::size_t>>(fields - 1)};
+                 std::vector<std::vector<std::size_t>>(kFields - 1)};
   std::istringstream stream(read_text(file));
   std::set<int> present;
   std::size_t line_number = 0;
@@ -75,7 +75,7 @@ CsvTable read_abstat(const std::filesystem::path& file, int volume_number) {
     present.insert(static_cast<int>(row.values[number_field]));
     if (row.values[number_field] != volume_number) continue;
     table.lines.push_back(line_number);
-    for (std::size_t i = 0, c = 0; i < fields; ++i) {
+    for (std::size_t i = 0, c = 0; i < kFields; ++i) {
       if (i == number_field) continue;
       table.values[c].push_back(row.values[i]);
       table.positions[c++].push_back(row.positions[i]);

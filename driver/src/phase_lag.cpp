@@ -10,13 +10,13 @@
 namespace driver {
 namespace {
 
-constexpr int points = 400;  // of the common grid, a quarter of which is searched to either side
+constexpr int kPoints = 400;  // of the common grid, a quarter of which is searched to either side
 
 std::vector<double> on_grid(std::span<const double> time, std::span<const double> values) {
   std::vector<double> grid;
   const double span = time.back() - time.front();
-  for (int i = 0; i <= points; ++i)
-    grid.push_back(interpolate(time, values, time.front() + span * i / points).value);
+  for (int i = 0; i <= kPoints; ++i)
+    grid.push_back(interpolate(time, values, time.front() + span * i / kPoints).value);
   return grid;
 }
 
@@ -30,10 +30,10 @@ bool changes(const std::vector<double>& values) {
 double distance(const std::vector<double>& mine, const std::vector<double>& reference, double shift) {
   double sum = 0.0;
   int count = 0;
-  for (int i = 0; i <= points; ++i) {
+  for (int i = 0; i <= kPoints; ++i) {
     const double x = i + shift;
-    if (x < 0.0 || x > points) continue;
-    const auto below = static_cast<std::size_t>(std::min(std::floor(x), points - 1.0));
+    if (x < 0.0 || x > kPoints) continue;
+    const auto below = static_cast<std::size_t>(std::min(std::floor(x), kPoints - 1.0));
     const double part = x - static_cast<double>(below);
     const double off =
         mine[below] + part * (mine[below + 1] - mine[below]) - reference[static_cast<std::size_t>(i)];
@@ -50,7 +50,7 @@ std::optional<double> phase_lag(std::span<const double> time, std::span<const do
   if (time.size() < 8) return std::nullopt;
   const auto a = on_grid(time, mine), b = on_grid(time, reference);
   if (!changes(a) || !changes(b)) return std::nullopt;
-  constexpr int most = points / 4;
+  constexpr int most = kPoints / 4;
   int best = 0;
   double least = distance(a, b, 0.0);
   for (int magnitude = 1; magnitude <= most; ++magnitude)  // of equal distances the smallest shift
@@ -64,7 +64,7 @@ std::optional<double> phase_lag(std::span<const double> time, std::span<const do
   }
   const double shift = 0.5 * (low + high);
   constexpr double found_to = 1e-8;  // cells: the root of eps, at which a least square is flat
-  return std::abs(shift) < found_to ? 0.0 : shift * (time.back() - time.front()) / points;
+  return std::abs(shift) < found_to ? 0.0 : shift * (time.back() - time.front()) / kPoints;
 }
 
 }  // namespace driver

@@ -3,14 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "infinity.hpp"
 #include "require.hpp"
 
 namespace gas {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// Calls visit(a, b) for each interval of [a, b] without a knot of f or g inside.
 template <class Visit>

@@ -6,10 +6,11 @@
 #include <cmath>
 #include <limits>
 
+#include "infinity.hpp"
+
 namespace gas {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 
 /// When the temperature, on its piece around tau, passes 1000 K after tau; infinity if it does not.

@@ -3,12 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+
+#include "infinity.hpp"
 
 namespace gas {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 void add_knots(const std::optional<Curve>& curve, std::vector<double>& knots) {
   if (!curve || curve->is_constant()) return;

@@ -3,10 +3,10 @@
 
 #include <algorithm>
 
+#include "infinity.hpp"
+
 namespace gas {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// Where the piecewise linear signal crosses the threshold. At the threshold counts as on.
 std::vector<double> crossings(const Curve& signal, double threshold) {

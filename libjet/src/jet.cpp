@@ -14,7 +14,7 @@
 namespace jet {
 namespace {
 
-[[noreturn]] void refuse(const char* name, double value, const char* allowed) {
+[[noreturn]] void refuse_model(const char* name, double value, const char* allowed) {
   std::ostringstream message;
   message.precision(17);
   message << "jet " << name << " is " << value << ", allowed: " << allowed;
@@ -22,11 +22,11 @@ namespace {
 }
 
 void require_positive(const char* name, double value) {
-  if (!(value > 0.0) || !std::isfinite(value)) refuse(name, value, "finite and > 0");
+  if (!(value > 0.0) || !std::isfinite(value)) refuse_model(name, value, "finite and > 0");
 }
 
 void require_range(const char* name, double value, bool inside, const char* allowed) {
-  if (!inside) refuse(name, value, allowed);
+  if (!inside) refuse_model(name, value, allowed);
 }
 
 Eigen::Vector3d unit(const char* name, const Eigen::Vector3d& vector) {

@@ -8,27 +8,27 @@ namespace jet {
 namespace {
 
 template <class Error>
-[[noreturn]] void refuse(const char* name, double value, const char* allowed) {
+[[noreturn]] void refuse_outlet(const char* name, double value, const char* allowed) {
   std::ostringstream message;
   message.precision(17);
   message << name << " is " << value << ", allowed: " << allowed;
   throw Error(message.str());
 }
 
-void require_positive(const char* name, double value) {
-  if (!(value > 0.0) || !std::isfinite(value)) refuse<DomainError>(name, value, "finite and > 0");
+void check_positive(const char* name, double value) {
+  if (!(value > 0.0) || !std::isfinite(value)) refuse_outlet<DomainError>(name, value, "finite and > 0");
 }
 
 void check(const OutletModel& model, const OutletInput& input) {
   if (!(input.mass_flow >= 0.0) || !std::isfinite(input.mass_flow)) {
-    refuse<DomainError>("outlet mass_flow", input.mass_flow, "finite and >= 0");
+    refuse_outlet<DomainError>("outlet mass_flow", input.mass_flow, "finite and >= 0");
   }
-  require_positive("outlet temperature", input.temperature);
-  require_positive("outlet gas_constant", input.gas_constant);
+  check_positive("outlet temperature", input.temperature);
+  check_positive("outlet gas_constant", input.gas_constant);
   if (!(input.cp > input.gas_constant) || !std::isfinite(input.cp)) {
-    refuse<DomainError>("outlet cp", input.cp, "finite and > gas_constant");
+    refuse_outlet<DomainError>("outlet cp", input.cp, "finite and > gas_constant");
   }
-  if (model.law == OutletLaw::pressure_matched) require_positive("outlet bag_pressure", input.bag_pressure);
+  if (model.law == OutletLaw::pressure_matched) check_positive("outlet bag_pressure", input.bag_pressure);
 }
 
 OutletState sonic_state(const OutletModel& model, const OutletInput& input) {
@@ -58,7 +58,7 @@ OutletState subsonic_state(const OutletModel& model, const OutletInput& input) {
 
 void validate(const OutletModel& model) {
   if (!(model.area > 0.0) || !std::isfinite(model.area)) {
-    refuse<std::invalid_argument>("outlet area", model.area, "finite and > 0 [m2]");
+    refuse_outlet<std::invalid_argument>("outlet area", model.area, "finite and > 0 [m2]");
   }
   if (model.law == OutletLaw::pressure_matched && model.temperature != OutletTemperature::stagnation) {
     throw std::invalid_argument(

@@ -11,23 +11,23 @@
 namespace jet {
 namespace {
 
-[[noreturn]] void refuse(const std::string& name, long long value, const std::string& allowed) {
+[[noreturn]] void refuse_mesh(const std::string& name, long long value, const std::string& allowed) {
   throw std::invalid_argument("jet subdivision " + name + " is " + std::to_string(value) +
                               ", allowed: " + allowed);
 }
 
 void require(const char* name, Eigen::Index value, Eigen::Index wanted) {
-  if (value != wanted) refuse(std::string(name) + " columns", value, std::to_string(wanted));
+  if (value != wanted) refuse_mesh(std::string(name) + " columns", value, std::to_string(wanted));
 }
 
 void check(const Triangles& triangles, int node_count, int n) {
-  if (n < 1 || n > 64) refuse("n", n, "1 to 64");
-  if (triangles.cols() < 1) refuse("element count", triangles.cols(), "1 or more");
+  if (n < 1 || n > 64) refuse_mesh("n", n, "1 to 64");
+  if (triangles.cols() < 1) refuse_mesh("element count", triangles.cols(), "1 or more");
   if (triangles.cols() > std::numeric_limits<int>::max() / (n * n))
-    refuse("piece count", static_cast<long long>(triangles.cols()) * n * n, "2^31 - 1 or less");
+    refuse_mesh("piece count", static_cast<long long>(triangles.cols()) * n * n, "2^31 - 1 or less");
   if (triangles.minCoeff() < 0 || triangles.maxCoeff() >= node_count)
-    refuse("node index", triangles.minCoeff() < 0 ? triangles.minCoeff() : triangles.maxCoeff(),
-           "0 to " + std::to_string(node_count - 1));
+    refuse_mesh("node index", triangles.minCoeff() < 0 ? triangles.minCoeff() : triangles.maxCoeff(),
+                "0 to " + std::to_string(node_count - 1));
 }
 
 /// Cuts one element after the other; nodes on an edge are made by the first element that has it.
@@ -108,7 +108,7 @@ void Subdivision::interpolate(const Points& values, Eigen::Matrix3Xd& result) co
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
     const auto& [p, w] = nodes_[i];
     if (p[0] >= values.cols() || p[1] >= values.cols() || p[2] >= values.cols())
-      refuse("values columns", values.cols(), "the mesh's node count");
+      refuse_mesh("values columns", values.cols(), "the mesh's node count");
     const auto column = static_cast<Eigen::Index>(i);
     if (w[0] == 1.0)
       result.col(column) = values.col(p[0]);

@@ -10,17 +10,13 @@
 namespace membrane {
 namespace {
 
-using Options = DriverBagOptions;
-
-enum Panel { kFront, kBack, kAttachment, kVentLeft, kVentRight, kPanelCount };
-
 void require(bool allowed, const char* field, double value, const std::string& range) {
   if (!allowed)
     throw std::invalid_argument("driver_bag: " + std::string(field) + " = " + std::to_string(value) +
                                 "; must be " + range);
 }
 
-const Options& checked(const Options& o) {
+const DriverBagOptions& checked(const DriverBagOptions& o) {
   constexpr double longest = 1e6;  // [m] so that squares stay finite
   require(o.radius > 0.0 && o.radius <= longest, "radius", o.radius, "above 0, at most 1e6");
   require(o.inflator_radius > 0.0 && o.inflator_radius < o.radius, "inflator_radius", o.inflator_radius,
@@ -38,9 +34,12 @@ const Options& checked(const Options& o) {
 }
 
 // A disc of rings with 6 k nodes in ring k, counter-clockwise seen from +x, beginning above the middle.
-class Builder {
+class DriverBagBuilder {
+  enum Panel { kFront, kBack, kAttachment, kVentLeft, kVentRight, kPanelCount };
+
  public:
-  explicit Builder(const Options& options) : o_(options), disc_(1 + 3 * o_.rings * (o_.rings + 1)) {
+  explicit DriverBagBuilder(const DriverBagOptions& options)
+      : o_(options), disc_(1 + 3 * o_.rings * (o_.rings + 1)) {
     for (int sector = 0; sector < 6; ++sector)
       for (int ring = 0; ring < o_.rings; ++ring) add_cells(sector, ring);
   }
@@ -131,7 +130,7 @@ class Builder {
       }
   }
 
-  Options o_;
+  DriverBagOptions o_;
   int disc_;  // nodes of one disc
   std::array<std::vector<Eigen::Vector3i>, kPanelCount> panels_;
 };
@@ -139,7 +138,7 @@ class Builder {
 }  // namespace
 
 DriverBag driver_bag(const DriverBagOptions& options) {
-  return Builder(checked(options)).build();
+  return DriverBagBuilder(checked(options)).build();
 }
 
 }  // namespace membrane

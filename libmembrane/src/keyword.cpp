@@ -50,9 +50,9 @@ std::string untitled(Id part) {
   return std::string("part_").append(std::to_string(part));
 }
 
-class Parser {
+class KeywordParser {
  public:
-  Parser(std::string_view text, const std::string& name) : text_(text), name_(name) {}
+  KeywordParser(std::string_view text, const std::string& name) : text_(text), name_(name) {}
 
   Mesh parse() {
     while (!text_.empty() && section_ != Section::end) {
@@ -231,7 +231,7 @@ class Parser {
 }  // namespace
 
 Mesh parse_keyword(std::string_view text, const std::string& name) {
-  return Parser(text, name).parse();
+  return KeywordParser(text, name).parse();
 }
 
 }  // namespace membrane

@@ -37,9 +37,9 @@ std::vector<Token> split(std::string_view line) {
   return tokens;
 }
 
-class Parser {
+class ObjParser {
  public:
-  Parser(std::string_view text, const std::string& name) : text_(text), name_(name) {}
+  ObjParser(std::string_view text, const std::string& name) : text_(text), name_(name) {}
 
   Mesh parse() {
     while (!text_.empty()) {
@@ -149,7 +149,7 @@ class Parser {
 }  // namespace
 
 Mesh parse_obj(std::string_view text, const std::string& name) {
-  return Parser(text, name).parse();
+  return ObjParser(text, name).parse();
 }
 
 }  // namespace membrane

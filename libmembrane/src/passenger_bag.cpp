@@ -14,10 +14,6 @@
 namespace membrane {
 namespace {
 
-using Options = PassengerBagOptions;
-
-enum Panel { kMain, kSideLeft, kSideRight, kAttachment, kVent, kPanelCount };
-
 [[noreturn]] void refuse(const char* field, double value, const std::string& allowed) {
   reject("passenger_bag", field, value, allowed);
 }
@@ -30,7 +26,7 @@ void require_cells(const char* field, int value, int low, int high) {
   if (value < low || value > high) refuse(field, value, std::to_string(low) + " to " + std::to_string(high));
 }
 
-void check_lengths(const Options& o) {
+void check_lengths(const PassengerBagOptions& o) {
   require_length("depth", o.depth);
   require_length("width", o.width);
   require_length("height", o.height);
@@ -42,7 +38,7 @@ void check_lengths(const Options& o) {
   if (2.0 * o.front_radius > o.height) refuse("front_radius", o.front_radius, "at most height / 2");
 }
 
-void check_cells(const Options& o) {
+void check_cells(const PassengerBagOptions& o) {
   constexpr int most = 100;  // smoothing costs the fourth power of it
   require_cells("depth_cells", o.depth_cells, 4, most);
   require_cells("width_cells", o.width_cells, 2, most);
@@ -63,9 +59,11 @@ void check_cells(const Options& o) {
 
 using Quad = std::array<int, 4>;  // nodes, counter-clockwise seen from outside
 
-class Builder {
+class PassengerBagBuilder {
+  enum Panel { kMain, kSideLeft, kSideRight, kAttachment, kVent, kPanelCount };
+
  public:
-  explicit Builder(const Options& options) : o_(options), side_(options) {
+  explicit PassengerBagBuilder(const PassengerBagOptions& options) : o_(options), side_(options) {
     add_nodes();
     add_main_panel();
     add_side_panel(kSideLeft);
@@ -167,13 +165,13 @@ class Builder {
              {main_node(lower, j), main_node(front - lower, j)}}};
   }
 
-  Options o_;
+  PassengerBagOptions o_;
   SideGrid side_;
   Eigen::Matrix3Xd nodes_;
   std::array<std::vector<Eigen::Vector3i>, kPanelCount> panels_;
 };
 
-const Options& checked(const Options& options) {
+const PassengerBagOptions& checked(const PassengerBagOptions& options) {
   check_lengths(options);
   check_cells(options);
   return options;
@@ -182,7 +180,7 @@ const Options& checked(const Options& options) {
 }  // namespace
 
 PassengerBag passenger_bag(const PassengerBagOptions& options) {
-  return Builder(checked(options)).build();
+  return PassengerBagBuilder(checked(options)).build();
 }
 
 }  // namespace membrane

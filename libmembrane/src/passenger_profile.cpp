@@ -9,16 +9,15 @@
 namespace membrane {
 namespace {
 
-using Options = PassengerBagOptions;
 using Vec2 = ProfilePoint;
 
-double perimeter(const Options& o) {
+double perimeter(const PassengerBagOptions& o) {
   return 2.0 * (o.depth + o.height) - (4.0 - std::numbers::pi) * (o.back_radius + o.front_radius);
 }
 
 // Point of the upper half of the profile at arc length t from the middle of the back, 0 <= t <= perimeter
 // / 2.
-Vec2 upper_profile(const Options& o, double t) {
+Vec2 upper_profile(const PassengerBagOptions& o, double t) {
   const double half = 0.5 * o.height, rb = o.back_radius, rf = o.front_radius;
   const double quarter = 0.5 * std::numbers::pi;
   if (t <= half - rb) return {0.0, t};
@@ -45,17 +44,17 @@ double diagonal_altitude(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2
 
 }  // namespace
 
-int rim_count(const Options& o) {
+int rim_count(const PassengerBagOptions& o) {
   return 2 * (o.depth_cells + o.height_cells);
 }
 
-double rim_step(const Options& o) {
+double rim_step(const PassengerBagOptions& o) {
   return perimeter(o) / rim_count(o);
 }
 
 // Positions are counted in half steps from the middle of the back, so that the halves mirror each other
 // exactly.
-std::vector<Vec2> rim_points(const Options& o) {
+std::vector<Vec2> rim_points(const PassengerBagOptions& o) {
   const int count = rim_count(o);
   std::vector<Vec2> points;
   for (int r = 0; r < count; ++r) {
@@ -68,7 +67,7 @@ std::vector<Vec2> rim_points(const Options& o) {
   return points;
 }
 
-SideGrid::SideGrid(const Options& o) : nx_(o.depth_cells), nz_(o.height_cells) {
+SideGrid::SideGrid(const PassengerBagOptions& o) : nx_(o.depth_cells), nz_(o.height_cells) {
   const std::vector<Vec2> rim = rim_points(o);
   points_.assign(static_cast<std::size_t>((nx_ + 1) * (nz_ + 1)), Vec2(0.5 * o.depth, 0.0));
   for (int i = 0; i <= nx_; ++i)

@@ -9,7 +9,7 @@ namespace {
 using coupled::Folder;
 namespace fs = std::filesystem;
 
-const fs::path cases = GASJET_SOURCE_DIR "/cases";
+const fs::path kCases = GASJET_SOURCE_DIR "/cases";
 
 // Every setting but the names of files.
 std::vector<std::string> settings_of(const fs::path& file) {
@@ -25,7 +25,7 @@ std::vector<std::string> settings_of(const fs::path& file) {
 TEST(case_text, means_the_same_in_another_folder) {
   Folder folder;
   int count = 0, with_files = 0;
-  for (const auto& entry : fs::directory_iterator(cases)) {
+  for (const auto& entry : fs::directory_iterator(kCases)) {
     if (entry.path().extension() != ".toml") continue;
     const std::string text = driver::CaseDocument(entry.path(), {}).text(folder.path);
     const fs::path copy = folder.path / entry.path().filename();
@@ -39,7 +39,7 @@ TEST(case_text, means_the_same_in_another_folder) {
 }
 
 TEST(case_text, unset_takes_out_a_key_and_a_table) {
-  driver::CaseDocument document(cases / "passenger_pendulum.toml",
+  driver::CaseDocument document(kCases / "passenger_pendulum.toml",
                                 {"unset inflator.0.jet", "unset scene.gravity"});
   const auto scene = driver::read_scene(document);
   EXPECT_TRUE(scene.jets.empty());
@@ -47,7 +47,7 @@ TEST(case_text, unset_takes_out_a_key_and_a_table) {
 }
 
 TEST(case_text, unset_of_what_is_not_there_is_refused) {
-  const auto file = cases / "passenger_pendulum.toml";
+  const auto file = kCases / "passenger_pendulum.toml";
   for (const char* key :
        {"scene.no_such", "no_table.key", "inflator.3.jet", "inflator.3", "scene.name.x", ""})
     EXPECT_NE(coupled::message_of(file, {std::string("unset ") + key}).find("no such key"), std::string::npos)

@@ -15,7 +15,7 @@ TEST_P(bad_contact_input, is_refused_where_it_stands) {
   coupled::expect_refused_where_it_stands(GetParam());
 }
 
-const Fault kFaults[] = {
+const Fault kContactFaults[] = {
     {"stiffness_nan", "ball_impact", "friction = 0.3", "stiffness = nan", "contact.stiffness", "is nan",
      "stiffness = nan"},
     {"stiffness_negative", "ball_impact", "friction = 0.3", "stiffness = -1e9", "contact.stiffness",
@@ -38,7 +38,7 @@ const Fault kFaults[] = {
     {"contact_without_bag", "rigid_tank", "[scene]", "[contact]\n[scene]", "contact",
      "needs [pendulum] and [membrane]", "contact]"}};
 
-INSTANTIATE_TEST_SUITE_P(Faults, bad_contact_input, testing::ValuesIn(kFaults),
+INSTANTIATE_TEST_SUITE_P(Faults, bad_contact_input, testing::ValuesIn(kContactFaults),
                          [](const auto& fault) { return std::string(fault.param.name); });
 
 }  // namespace

@@ -14,14 +14,14 @@
 
 namespace {
 
-struct Read {
+struct Forecasted {
   driver::Forecast forecast;
   std::map<std::string, double> group;
 };
 
-Read read(const char* name, const std::vector<std::string>& overrides = {}) {
+Forecasted forecasted(const char* name, const std::vector<std::string>& overrides = {}) {
   const auto scene = coupled::scene_of(name, overrides);
-  Read r{driver::forecast(scene, driver::state_at_start(scene)), {}};
+  Forecasted r{driver::forecast(scene, driver::state_at_start(scene)), {}};
   for (const auto& g : r.forecast.groups) r.group[g.name] = g.value;
   return r;
 }
@@ -31,14 +31,14 @@ constexpr double kR = 8.31446261815324 / 0.028014, kCp = 1039.6296, kGamma = kCp
 
 TEST(forecast, pressure_of_the_full_volume_by_hand) {
   // p0 + gamma R T mdot t / V of the model nitrogen; no opening, no leak.
-  const Read tank = read("rigid_tank");
+  const Forecasted tank = forecasted("rigid_tank");
   claim::expect_relative(
       {"K.30", "case rigid_tank: pressure of the full volume over ambient [-]", "ten roundings"},
       tank.group.at("full_pressure"), 1.0 + 1.4 * 296.8 * 700.0 * 0.1 / 0.06 / 101325.0, 1e-14);
   EXPECT_FALSE(tank.group.contains("vent_leak"));
   // The bag's volume stays: 0.0075 + 0.002 kg at 600 K into the icosphere's 0.99139384262975479 of a sphere
   // of 0.2 m.
-  const Read bag = read("jet_bag");
+  const Forecasted bag = forecasted("jet_bag");
   const double volume = 0.99139384262975479 * 4.0 / 3.0 * M_PI * 0.008;
   claim::expect_relative(
       {"K.30", "case jet_bag: pressure of the full volume over ambient [-]", "eight digits of cp"},
@@ -53,7 +53,7 @@ TEST(forecast, pressure_of_the_full_volume_by_hand) {
 
 TEST(forecast, balance_and_choking_by_hand) {
   // The fabric takes the whole flow: C sqrt(2 rho (p - p_a)) = mdot with C = 0.05^2 x 1.5 m2.
-  const Read stiff = read("tank_stiff");
+  const Forecasted stiff = forecasted("tank_stiff");
   const double c = 0.0025 * 1.5, rho_dp = std::pow(0.02 / c, 2) / 2.0;
   const double excess = 0.5 * (std::sqrt(101325.0 * 101325.0 + 4.0 * rho_dp * kR * 406.0) - 101325.0);
   claim::expect_relative(
@@ -79,13 +79,13 @@ TEST(forecast, balance_and_choking_by_hand) {
       read("tank_stiff", {"gas.initial.pressure=10.0"}).group.at("gas_relaxation"),
       relaxations(0.02, 10.0 * 1e-4 / (kR * 293.15), kGamma, 1.0), kDigits);
   claim::expect_relative({"K.32", "case tank_blowdown: pressure over the choking one [-]", "ten roundings"},
-                         read("tank_blowdown").group.at("vent_choking"), 5e5 / 101325.0 * 0.52828178771717411,
-                         1e-14);
+                         forecasted("tank_blowdown").group.at("vent_choking"),
+                         5e5 / 101325.0 * 0.52828178771717411, 1e-14);
 }
 
 TEST(forecast, jet_and_mesh_by_hand) {
   // A triangle of flow: sonic from mdot* on, a share 1 - (mdot*/mdot_p)^2 of its mass.
-  const Read bag = read("jet_bag");
+  const Forecasted bag = forecasted("jet_bag");
   const double t = 2.0 * 600.0 / (kGamma + 1.0), v = std::sqrt(kGamma * kR * t), area = M_PI * 4e-4;
   const double least = 101325.0 / (kR * t) * v * area;
   claim::expect_near({"K.34", "case jet_bag: gas that leaves below ambient outlet pressure [-]",
@@ -97,7 +97,7 @@ TEST(forecast, jet_and_mesh_by_hand) {
       2.0 * 1.0 * v /
           ((bag.forecast.full->pressure - 101325.0) * std::pow(bag.forecast.full->volume, 2.0 / 3.0)),
       kDigits);
-  const Read scene = read("passenger_pendulum");
+  const Forecasted scene = forecasted("passenger_pendulum");
   // 0.54923 + 0.36138 + 0.35948 + 0.027779 + 0.0018993 m2 in 2744 elements, the impactor 82 mm wide.
   claim::expect_relative(
       {"K.38", "case passenger_pendulum: (element side / impactor)^2 [-]", "five digits of the areas"},
@@ -112,30 +112,31 @@ TEST(forecast, verdicts_and_cases_without_groups) {
   EXPECT_STREQ(driver::verdict({"a", "K.33", "", 0.00999, true}), "negligible");
   EXPECT_STREQ(driver::verdict({"a", "K.35", "", INFINITY, true}), "matters");
   EXPECT_STREQ(driver::verdict(number), "");
-  EXPECT_TRUE(read("pendulum_swing").forecast.groups.empty());
-  EXPECT_GT(read("driver_bag").group.at("full_pressure"), 1.0);  // its design shape is flat, without volume
+  EXPECT_TRUE(forecasted("pendulum_swing").forecast.groups.empty());
+  EXPECT_GT(forecasted("driver_bag").group.at("full_pressure"),
+            1.0);  // its design shape is flat, without volume
 }
 
 TEST(forecast, too_little_gas_does_not_fill_the_volume) {
-  const Read bag = read("jet_bag", {"gas.initial.pressure=1e3", "scene.end_time=1e-3"});
+  const Forecasted bag = forecasted("jet_bag", {"gas.initial.pressure=1e3", "scene.end_time=1e-3"});
   EXPECT_FALSE(bag.forecast.full->fills);
   EXPECT_LT(bag.forecast.full->closed_pressure, 101325.0);
   for (const char* name : {"full_pressure", "jet_on_bag_0", "fabric_stretch"})
     EXPECT_FALSE(bag.group.contains(name)) << name;
   EXPECT_TRUE(bag.group.contains("below_sonic_0"));
   // Nothing flows in: the state of the start, be it below ambient; a flattened bag keeps its volume.
-  const Read empty = read("tank_blowdown", {"gas.initial.pressure=5e4"});
+  const Forecasted empty = forecasted("tank_blowdown", {"gas.initial.pressure=5e4"});
   EXPECT_EQ(empty.group.at("full_pressure"), 5e4 / 101325.0);
-  const Read flat = read("passenger_pendulum", {"unset inflator"});
+  const Forecasted flat = forecasted("passenger_pendulum", {"unset inflator"});
   const auto scene = coupled::scene_of("passenger_pendulum", {"unset inflator"});
   EXPECT_EQ(flat.forecast.full->volume, driver::state_at_start(scene).bag->surface.volume);
 }
 
 TEST(forecast, peak_flow_may_stand_at_the_end) {
   // Both flows rise at 4.5 ms: 1 kg/s x 4.5/5 + 0.5 kg/s x 0.5/4; a few roundings.
-  EXPECT_NEAR(read("jet_bag", {"scene.end_time=4.5e-3"}).forecast.supply.peak_flow, 0.9625, 1e-14);
+  EXPECT_NEAR(forecasted("jet_bag", {"scene.end_time=4.5e-3"}).forecast.supply.peak_flow, 0.9625, 1e-14);
   // The second has not begun at 3 ms; the first is at 0.6 kg/s, sonic.
-  const Read bag = read("jet_bag", {"scene.end_time=3e-3"});
+  const Forecasted bag = forecasted("jet_bag", {"scene.end_time=3e-3"});
   const double velocity = std::sqrt(kGamma * kR * 2.0 * 600.0 / (kGamma + 1.0));
   const double excess = bag.forecast.full->pressure - 101325.0;
   const double force = excess * std::pow(bag.forecast.full->volume, 2.0 / 3.0);
@@ -143,7 +144,7 @@ TEST(forecast, peak_flow_may_stand_at_the_end) {
               kDigits * bag.group.at("jet_on_bag_0"));
   EXPECT_FALSE(bag.group.contains("below_sonic_1"));
   // Past the peak the end changes nothing.
-  EXPECT_EQ(read("passenger_pendulum", {"scene.end_time=0.05"}).forecast.supply.peak_flow, 4.0);
+  EXPECT_EQ(forecasted("passenger_pendulum", {"scene.end_time=0.05"}).forecast.supply.peak_flow, 4.0);
 }
 
 TEST(setting_path, splits_and_quotes_any_key) {

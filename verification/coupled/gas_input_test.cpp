@@ -16,7 +16,7 @@ TEST_P(bad_gas_input, is_refused_where_it_stands) {
   coupled::expect_refused_where_it_stands(GetParam());
 }
 
-const Fault kFaults[] = {
+const Fault kGasFaults[] = {
     {"two_sensors_in_one", "tank_triggers", "[[sensor]]                    # deceleration of the car, in g",
      "[[sensor]]\ntime = 1.0", "sensor.0", "one is needed"},
     {"sensor_of_nothing", "tank_triggers", "[[sensor]]\nname = \"safing\"\ntime",
@@ -76,7 +76,8 @@ const Fault kFaults[] = {
      "mass_flow = { time = [0.0, 0.02, 0.04], value = [0.0, 1.0, 0.0] }   # kg/s, 0.02 kg\n"
      "temperature = 406.0           # K\n",
      "", "gas", "is missing", ""},
-    {"species_without_name", "tank_fixed_steps", "name = \"model_N2\"", "name = \"\"", "gas.species.0.name", "is empty"},
+    {"species_without_name", "tank_fixed_steps", "name = \"model_N2\"", "name = \"\"", "gas.species.0.name",
+     "is empty"},
     {"sensor_without_name", "tank_triggers", "name = \"crash\"", "name = \"\"", "sensor.0.name", "is empty"},
     {"gas_step_of_zero", "tank_fixed_steps", "gas_step = 3.0e-3", "gas_step = 0.0", "time.gas_step",
      "above 0"},
@@ -92,7 +93,7 @@ const Fault kFaults[] = {
      "volume = { time = [0.0, 0.005, 0.015], value = [1.0e-4, 0.0, 2.0e-4] }", "tank.volume.value", "above 0",
      "value = [1.0e-4, 0.0"},
 };
-INSTANTIATE_TEST_SUITE_P(faults, bad_gas_input, testing::ValuesIn(kFaults),
+INSTANTIATE_TEST_SUITE_P(faults, bad_gas_input, testing::ValuesIn(kGasFaults),
                          [](const auto& one) { return std::string(one.param.name); });
 
 TEST(bad_gas_input, sensors_need_what_they_sense) {

@@ -12,12 +12,12 @@
 namespace {
 
 using coupled::run_case;
-constexpr double kGasConstant = 296.8, kGamma = 1.4;  // the cases' model nitrogen
+constexpr double kGasConstant = 296.8, kModelGamma = 1.4;  // the cases' model nitrogen
 
 TEST(tank_scene, rigid_tank_eq_linear_pressure) {
   const auto run = run_case("rigid_tank");
   ASSERT_EQ(run.outcome.status, driver::RunStatus::done);
-  closed_form::TankFill tank{{kGasConstant, kGamma}, 0.06, 101325.0, 293.15, 1.0, 700.0};
+  closed_form::TankFill tank{{kGasConstant, kModelGamma}, 0.06, 101325.0, 293.15, 1.0, 700.0};
   for (const auto& row : run.history) {
     const auto exact = closed_form::tank_fill(tank, row.time_s);
     const char* why = "linear in the state: the sum over 100 steps rounds";
@@ -50,7 +50,7 @@ TEST(tank_scene, tank_never_builds_a_mesh) {
 TEST(tank_scene, blowdown_eq_choked_subsonic_and_rest) {
   const auto run = run_case("tank_blowdown");
   ASSERT_EQ(run.outcome.status, driver::RunStatus::done);
-  const closed_form::Blowdown tank{{kGasConstant, kGamma}, 0.06, 1e-3, 1.0, 5e5, 600.0, 101325.0};
+  const closed_form::Blowdown tank{{kGasConstant, kModelGamma}, 0.06, 1e-3, 1.0, 5e5, 600.0, 101325.0};
   constexpr double tolerance = 1e-8;
   const char* why = "350 steps of the stepper's 1e-10, amplified near the square root at p_a";
   for (const auto& row : run.history) {

@@ -8,7 +8,7 @@
 namespace {
 
 TEST(ContactAllocation, evaluate_and_advance_allocate_nothing) {
-  constexpr double kRadius = 0.041;
+  using scenes::kRadius;
   const auto skin = scenes::plate(30, 0.4 * kRadius);
   const auto model = scenes::contact(skin, kRadius, 1e8);
   const coupling::PendulumModel pendulum(scenes::paper_pendulum());

@@ -15,7 +15,10 @@ using Eigen::MatrixXd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-constexpr double kRadius = 0.041, kStiffness = 1e8, kSphereMass = 8.41;
+using scenes::kRadius;
+using scenes::kStiffness;
+
+constexpr double kSphereMass = 8.41;
 
 // Unknowns: 3 per node, then the sphere along a direction. Mass-scaled Hessian of the contact energy by
 // central differences of the forces.

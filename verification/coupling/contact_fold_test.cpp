@@ -10,7 +10,8 @@
 
 namespace {
 
-constexpr double kRadius = 0.041, kStiffness = 1e8;
+using scenes::kRadius;
+using scenes::kStiffness;
 
 // A roof with its ridge along y through the origin, each side at `half` [rad] from straight down.
 scenes::Skin roof(double half) {

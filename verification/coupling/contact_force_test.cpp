@@ -12,7 +12,8 @@ namespace {
 using Eigen::Vector3d;
 using scenes::Skin;
 
-constexpr double kRadius = 0.041, kStiffness = 1e8;
+using scenes::kRadius;
+using scenes::kStiffness;
 
 // Shaken plates with elements from half the sphere to three times it, pressed off centre.
 struct Case {

@@ -16,7 +16,10 @@ using Eigen::Matrix3Xd;
 using Eigen::MatrixXd;
 using Eigen::Vector3d;
 
-constexpr double kRadius = 0.041, kStiffness = 1e8, kDepth = 0.2 * kRadius;
+using scenes::kRadius;
+using scenes::kStiffness;
+
+constexpr double kDepth = 0.2 * kRadius;
 
 // A fine plate that a caller moves past the sphere at rest, and one evaluation a level.
 struct Slider {

@@ -13,7 +13,8 @@ namespace {
 using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
 
-constexpr double kRadius = 0.041, kStiffness = 1e8;
+using scenes::kRadius;
+using scenes::kStiffness;
 
 // One run of levels; every call checks the path from the last.
 struct Path {

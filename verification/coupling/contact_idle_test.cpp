@@ -10,7 +10,8 @@ namespace {
 using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
 
-constexpr double kRadius = 0.041, kStiffness = 1e8;
+using scenes::kRadius;
+using scenes::kStiffness;
 
 struct Counts {
   int touching = 0, skipped = 0, needless = 0;

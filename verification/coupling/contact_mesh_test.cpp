@@ -13,7 +13,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kRadius = 0.041, kStiffness = 1e8;
+using scenes::kRadius;
+using scenes::kStiffness;
 
 struct Errors {
   double force = 0.0, energy = 0.0, area = 0.0, side = 0.0;  // relative, root mean square over positions

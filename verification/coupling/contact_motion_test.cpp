@@ -13,7 +13,9 @@ namespace {
 using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
 
-constexpr double kRadius = 0.041, kStiffness = 1e7;
+using scenes::kRadius;
+
+constexpr double kSoft = 1e7;              // [N/m3]
 constexpr double kSpring = 300.0 * 300.0;  // [1/s2] of every node to its place, over its mass
 
 // A skin that moves and is sprung from the start.
@@ -54,7 +56,7 @@ struct MovingSkin {
 TEST(ContactMotion, momenta_are_conserved_to_round_off) {
   MovingSkin s;
   s.spring = 0.0;
-  const auto model = scenes::contact(s.skin, kRadius, kStiffness);
+  const auto model = scenes::contact(s.skin, kRadius, kSoft);
   auto state = model.make_state();
   const double mass = 0.05;
   Vector3d centre(0.003, -0.002, 1.1 * kRadius), velocity(0.3, 0.1, -2.0);
@@ -109,7 +111,7 @@ template <class Step>
 Books bounce(double duration, Step step_size) {
   MovingSkin s;
   const auto pendulum = light_pendulum();
-  const auto model = scenes::contact(s.skin, kRadius, kStiffness, pendulum.effective_mass());
+  const auto model = scenes::contact(s.skin, kRadius, kSoft, pendulum.effective_mass());
   auto state = model.make_state();
   coupling::PendulumState swing{0.0, 1.5};
   Books books;

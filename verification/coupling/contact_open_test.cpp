@@ -10,7 +10,7 @@
 namespace {
 
 using Eigen::Vector3d;
-constexpr double kRadius = 0.041;
+using scenes::kRadius;
 
 struct OpenPlate {
   scenes::Skin skin = scenes::plate(6, kRadius);

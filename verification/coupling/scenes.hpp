@@ -11,6 +11,8 @@
 
 namespace scenes {
 
+inline constexpr double kRadius = 0.041, kStiffness = 1e8;  // of the sphere [m], [N/m3] of its contact
+
 struct Skin {
   Eigen::Matrix3Xi triangles;
   Eigen::Matrix3Xd nodes;      // [m]

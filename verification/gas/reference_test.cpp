@@ -13,20 +13,20 @@ namespace {
 
 using namespace cases;
 
-struct Tank {
+struct ReferenceTank {
   gas::ControlVolumeModel model = closed_tank(nitrogen());
   double volume = 0.06, pressure = kAmbientPressure, temperature = 293.15, leak_area = 0.0;
 };
 
-Tank filled(double mass_flow, double inflow_temperature, double pressure = kAmbientPressure) {
-  Tank tank;
+ReferenceTank filled(double mass_flow, double inflow_temperature, double pressure = kAmbientPressure) {
+  ReferenceTank tank;
   tank.pressure = pressure;
   tank.model.inflows.push_back(steady_inflow(tank.model.thermo, mass_flow, inflow_temperature));
   return tank;
 }
 
-Tank holed(double pressure = 5e5, double temperature = 600.0) {
-  Tank tank;
+ReferenceTank holed(double pressure = 5e5, double temperature = 600.0) {
+  ReferenceTank tank;
   tank.model.vents.push_back({1.0, 1e-3});
   tank.pressure = pressure;
   tank.temperature = temperature;
@@ -34,7 +34,8 @@ Tank holed(double pressure = 5e5, double temperature = 600.0) {
 }
 
 /// The gas at time `end`, the volume then being `last` (as at the start if 0).
-gas::GasPoint run(const Tank& tank, double end, const gas::IntegratorOptions& options, double last = 0.0) {
+gas::GasPoint run(const ReferenceTank& tank, double end, const gas::IntegratorOptions& options,
+                  double last = 0.0) {
   last = last > 0.0 ? last : tank.volume;
   gas::ControlVolumeState state =
       gas::make_state(tank.model, kPure, tank.pressure, tank.temperature, tank.volume);
@@ -71,7 +72,7 @@ Compared subsonic_blowdown() {
 }
 
 Compared porous_tank() {
-  Tank tank;
+  ReferenceTank tank;
   tank.volume = 0.12, tank.pressure = 130000.0, tank.temperature = 400.0, tank.leak_area = 0.0025 * 1.5;
   return worst({{run(tank, 0.01, kFine).pressure, 118759.40296999072},
                 {run(tank, 0.02, kFine).pressure, 110661.71823484026},
@@ -79,21 +80,21 @@ Compared porous_tank() {
 }
 
 Compared piston() {
-  Tank tank;
+  ReferenceTank tank;
   tank.volume = 1e-3;
   const gas::GasPoint p = run(tank, 1.0, kFine, 1e-3 / 8.0);
   return worst({{p.pressure, 1862269.7731211932}, {p.temperature, 673.48184553476162}});
 }
 
 Compared vented_fill() {
-  Tank tank = holed(332836.0, 690.0);
+  ReferenceTank tank = holed(332836.0, 690.0);
   tank.model.inflows.push_back(steady_inflow(tank.model.thermo, 0.5, 700.0));
   const gas::GasPoint p = run(tank, 8.0, kFine);
   return worst({{p.pressure, 332836.30571198209}, {p.temperature, 700.0}});
 }
 
 Compared constant_pressure() {
-  Tank tank = filled(0.5, 700.0);
+  ReferenceTank tank = filled(0.5, 700.0);
   tank.volume = 0.01;
   const gas::GasPoint p = run(tank, 0.1, {}, 0.11252158894645941);
   return worst({{p.pressure, kAmbientPressure}, {p.temperature, 623.14097435750194}});

@@ -157,7 +157,7 @@ TEST(trigger, input_acts_from_the_next_step) {
 }
 
 template <class Change>
-void expect_refused(Change change, const std::string& field) {
+void expect_bad_model(Change change, const std::string& field) {
   gas::TriggerModel model{{kClock, kShock, {SensorKind::kPressure, 2e4, 1e4}}, {{Logic::kAll, {0, 1}}}};
   EXPECT_NO_THROW(gas::validate(model));
   change(model);
@@ -170,14 +170,14 @@ void expect_refused(Change change, const std::string& field) {
 }
 
 TEST(trigger, bad_models_are_refused) {
-  expect_refused([](auto& m) { m.sensors[0].threshold = std::nan(""); }, "sensor.threshold");
-  expect_refused([](auto& m) { m.sensors[2].reset = 2e4; }, "sensor.reset");
-  expect_refused([](auto& m) { m.sensors[0].reset = 0.0; }, "sensor.reset");
-  expect_refused([](auto& m) { m.sensors[1].signal.reset(); }, "sensor.signal");
-  expect_refused([](auto& m) { m.gates[0].inputs = {}; }, "gate.inputs");
-  expect_refused([](auto& m) { m.gates[0].inputs = {3}; }, "gate.inputs");
-  expect_refused([](auto& m) { m.gates[0].logic = Logic::kNot; }, "gate.inputs");
-  expect_refused([](auto& m) { m.gates[0].delay = -1.0; }, "gate.delay");
+  expect_bad_model([](auto& m) { m.sensors[0].threshold = std::nan(""); }, "sensor.threshold");
+  expect_bad_model([](auto& m) { m.sensors[2].reset = 2e4; }, "sensor.reset");
+  expect_bad_model([](auto& m) { m.sensors[0].reset = 0.0; }, "sensor.reset");
+  expect_bad_model([](auto& m) { m.sensors[1].signal.reset(); }, "sensor.signal");
+  expect_bad_model([](auto& m) { m.gates[0].inputs = {}; }, "gate.inputs");
+  expect_bad_model([](auto& m) { m.gates[0].inputs = {3}; }, "gate.inputs");
+  expect_bad_model([](auto& m) { m.gates[0].logic = Logic::kNot; }, "gate.inputs");
+  expect_bad_model([](auto& m) { m.gates[0].delay = -1.0; }, "gate.delay");
   gas::TriggerModel model{{kClock}, {}};
   gas::TriggerState state(1);
   EXPECT_THROW(gas::set_input(model, 0, true, state), std::invalid_argument);

@@ -10,25 +10,15 @@
 #include "claim.hpp"
 #include "models.hpp"
 #include "plates.hpp"
+#include "rounding.hpp"
 
 namespace {
 
-constexpr double kEps = std::numeric_limits<double>::epsilon();
-const jet::OutletState kOutlet{410.0, 0.97, 1.17e5, 406.0};
-const Eigen::Vector3d kAcross = models::kAxis.cross(models::kLong);
-
-/// Plate normal to the axis at distance z: n x n square cells of side h, a node on the axis. Normal along the
-/// axis.
-plates::Target normal_plate(double z, double h, int n) {
-  return plates::plate(models::kCentre + z * models::kAxis, h * models::kLong, h * kAcross, n, n);
-}
-
-/// Plate tilted about the long direction by theta, n x n cells that are squares of side h seen along the
-/// axis.
-plates::Target tilted_plate(double z, double theta, double h, int n) {
-  const Eigen::Vector3d slope = kAcross + std::tan(theta) * models::kAxis;
-  return plates::plate(models::kCentre + z * models::kAxis, h * models::kLong, h * slope, n, n);
-}
+using models::kAcross;
+using models::kOutlet;
+using models::normal_plate;
+using models::tilted_plate;
+using support::kEps;
 
 TEST(field, overpressure_eq_twice_density_times_normal_velocity_squared) {
   for (jet::JetModel model : {models::round(0.02, 0.08), models::rectangular(0.02, 0.2, 0.11)}) {

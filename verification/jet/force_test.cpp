@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <sstream>
 #include <vector>
@@ -13,12 +12,15 @@
 #include "jet/field.hpp"
 #include "models.hpp"
 #include "plates.hpp"
+#include "rounding.hpp"
 
 namespace {
 
-constexpr double kEps = std::numeric_limits<double>::epsilon();
-const jet::OutletState kOutlet{410.0, 0.97, 1.17e5, 406.0};
-const Eigen::Vector3d kAcross = models::kAxis.cross(models::kLong);
+using models::kAcross;
+using models::kOutlet;
+using models::normal_plate;
+using models::tilted_plate;
+using support::kEps;
 
 double flux(const jet::JetModel& model) {
   return jet::momentum_flux(kOutlet, jet::outlet_area(model));
@@ -29,12 +31,6 @@ Eigen::Vector3d force(const jet::JetModel& model, const plates::Target& target) 
   jet::FieldState state = field.make_state();
   field.evaluate(target.area_vectors, target.centroids, kOutlet, state);
   return jet::jet_force(state, target.area_vectors);
-}
-
-/// Plate normal to the axis at distance z: n x n square cells of side h, a node on the axis. Normal along the
-/// axis.
-plates::Target normal_plate(double z, double h, int n) {
-  return plates::plate(models::kCentre + z * models::kAxis, h * models::kLong, h * kAcross, n, n);
 }
 
 /// Relative error of the centroid rule on two triangles a square cell, a node on the axis, for exp(-2
@@ -159,13 +155,6 @@ TEST(disc_force, off_the_axis_converges_to_marcum_with_second_order) {
     claim::expect_order({"J.6", what.str(), kDiscOrder}, errors, 1.9, 2.1);
     EXPECT_LT(std::abs(errors.back()), 1e-3 * exact);
   }
-}
-
-/// Plate tilted about the long direction by theta, n x n cells that are squares of side h seen along the
-/// axis.
-plates::Target tilted_plate(double z, double theta, double h, int n) {
-  const Eigen::Vector3d slope = kAcross + std::tan(theta) * models::kAxis;
-  return plates::plate(models::kCentre + z * models::kAxis, h * models::kLong, h * slope, n, n);
 }
 
 TEST(inclined_plate_force, without_spreading_eq_cosine) {

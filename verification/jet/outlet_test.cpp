@@ -9,10 +9,11 @@
 
 #include "claim.hpp"
 #include "closed_form/jet.hpp"
+#include "rounding.hpp"
 
 namespace {
 
-constexpr double kEps = std::numeric_limits<double>::epsilon();
+using support::kEps;
 constexpr double kNitrogen = 296.8;              // [J/(kg K)]
 constexpr double kNitrogenCp = 3.5 * kNitrogen;  // [J/(kg K)] gamma = 7/5
 constexpr double kArea = 5e-3;                   // [m2]

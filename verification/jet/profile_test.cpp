@@ -4,17 +4,17 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 #include "claim.hpp"
 #include "closed_form/jet.hpp"
 #include "jet/centreline.hpp"
 #include "models.hpp"
+#include "rounding.hpp"
 
 namespace {
 
-constexpr double kEps = std::numeric_limits<double>::epsilon();
+using support::kEps;
 constexpr double kRoundCoefficients[] = {0.066, 0.076, 0.08, 0.089};
 constexpr double kPlaneCoefficients[] = {0.09, 0.1, 0.108, 0.11, 0.12};
 constexpr double kDistances[] = {0.0, 1.0, 5.0, 8.4, 10.0, 20.0, 40.0, 100.0, 1e4};

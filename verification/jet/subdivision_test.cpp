@@ -6,19 +6,19 @@
 
 #include <cmath>
 #include <functional>
-#include <limits>
 
 #include "claim.hpp"
 #include "closed_form/occlusion.hpp"
 #include "models.hpp"
 #include "plates.hpp"
+#include "rounding.hpp"
 #include "scenes.hpp"
 
 namespace {
 
-constexpr double kEps = std::numeric_limits<double>::epsilon();
-const jet::OutletState kOutlet{410.0, 0.97, 1.17e5, 406.0};
-const Eigen::Vector3d kAcross = models::kAxis.cross(models::kLong);
+using models::kAcross;
+using models::kOutlet;
+using support::kEps;
 
 /// A target whose elements are cut into n^2 pieces.
 struct Cut {

@@ -4,16 +4,19 @@
 
 #include <numbers>
 
+#include "bags.hpp"
 #include "claim.hpp"
 #include "closed_form/stability.hpp"
 #include "dense.hpp"
 #include "membrane/error.hpp"
 
 using membrane::Compression;
+using scenes::kAmbient;
+using scenes::kGamma;
 
 namespace {
 
-constexpr double kGamma = 1.4, kPressure = 121325.0, kAmbient = 101325.0;
+constexpr double kPressure = 121325.0;
 
 membrane::StiffnessShares shares_at(const membrane::BagModel& model, const Eigen::Matrix3Xd& x) {
   return membrane::stiffness_shares(model, scenes::evaluated(model, x), kGamma, kPressure);

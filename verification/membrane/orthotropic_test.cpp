@@ -42,7 +42,7 @@ PlaneResponse<double> response(Compression compression, const PlaneStrain<double
 }
 
 // Random strains up to 0.3, and states at the corners of the cone: uniaxial, equal, none.
-std::vector<PlaneStrain<double>> strains() {
+std::vector<PlaneStrain<double>> cone_strains() {
   std::vector<PlaneStrain<double>> list = {{0, 0, 0},   {-0.1, -0.1, 0}, {0.1, 0.1, 0},
                                            {0.1, 0, 0}, {0, 0, 0.1},     {-0.1, 0, 0}};
   scenes::Random random(11);
@@ -65,7 +65,7 @@ double largest_difference(const PlaneResponse<double>& a, const PlaneResponse<do
 // The oracle maximises over the direction of tension, a route without a scaled frame or Newton.
 TEST(Orthotropic, relaxed_state_eq_maximum_over_tension_direction) {
   for (const auto& w : kWeaves)
-    for (const auto& e : strains()) {
+    for (const auto& e : cone_strains()) {
       const auto exact = closed_form::woven_tension_field({w.young_warp, w.young_weft, w.poisson, w.shear},
                                                           e.e11, e.e22, e.e12);
       const auto r = response(Compression::none, e, w);
@@ -84,7 +84,7 @@ TEST(Orthotropic, stress_eq_energy_derivative) {
   const double h = 1e-5;
   for (const auto compression : {Compression::linear, Compression::none})
     for (const auto& w : kWeaves)
-      for (const auto& e : strains()) {
+      for (const auto& e : cone_strains()) {
         const auto r = response(compression, e, w, 0.4);
         const auto slope = [&](double d11, double d22, double d12) {
           const auto at = [&](double s) {
@@ -106,7 +106,7 @@ TEST(Orthotropic, stress_eq_energy_derivative) {
 TEST(Orthotropic, stress_is_continuous) {
   scenes::Random random(5);
   for (const auto& w : kWeaves)
-    for (const auto& e : strains())
+    for (const auto& e : cone_strains())
       for (int trial = 0; trial < 4; ++trial) {
         const double delta = std::pow(10.0, -3.0 - 4.0 * trial);
         const PlaneStrain<double> near{e.e11 + delta * random(), e.e22 + delta * random(),
@@ -120,7 +120,7 @@ TEST(Orthotropic, stress_is_continuous) {
 
 TEST(Orthotropic, relaxed_stress_has_no_compression) {
   for (const auto& w : kWeaves)
-    for (const auto& e : strains()) {
+    for (const auto& e : cone_strains()) {
       const auto r = response(Compression::none, e, w, 1.1);
       const double smallest = 0.5 * (r.s11 + r.s22) - std::hypot(0.5 * (r.s11 - r.s22), r.s12);
       EXPECT_GE(smallest, -50 * scenes::kEps * stiffness(w));
@@ -133,7 +133,7 @@ TEST(Orthotropic, isotropic_constants_give_the_isotropic_law) {
   const double young = 60e6, nu = 0.3;
   for (const auto compression : {Compression::linear, Compression::none})
     for (const double warp : {0.0, 0.6, 2.0})
-      for (const auto& e : strains()) {
+      for (const auto& e : cone_strains()) {
         const auto woven = response(compression, e, {young, young, nu, 0.5 * young / (1.0 + nu)}, warp);
         const auto plain =
             membrane::isotropic_response(compression, e, membrane::isotropic_constants(young, nu));
@@ -167,7 +167,7 @@ TEST(Orthotropic, turning_the_frame_turns_the_stress) {
 TEST(Orthotropic, borders_and_tiny_strains_are_finite) {
   for (const auto& w : kWeaves)
     for (const double size : {1.0, 1e-8, 1e-100, 1e-200, 1e-310})
-      for (const auto& e : strains()) {
+      for (const auto& e : cone_strains()) {
         const auto r = response(Compression::none, {size * e.e11, size * e.e22, size * e.e12}, w);
         for (const double value : {r.s11, r.s22, r.s12, r.energy_density, r.stress_1})
           EXPECT_LE(std::abs(value), 2.0 * size * stiffness(w));

@@ -12,7 +12,7 @@ using membrane::Compression;
 
 namespace {
 
-constexpr double kSide = 0.64;  // [m]
+constexpr double kWaveSide = 0.64;  // [m]
 
 struct Wave {
   const char* name;
@@ -34,7 +34,7 @@ std::vector<Wave> waves() {
 // Height of the standing wave A cos(k x) at the middle node after `steps` steps from rest, over A. One step
 // carries a disturbance one cell, so the free edges (cells / 2 away) are not felt.
 double height_after(const Wave& wave, int cells, double wave_number, double dt, int steps) {
-  const auto mesh = membrane::rectangle(cells, cells, kSide, kSide, membrane::Diagonals::uniform);
+  const auto mesh = membrane::rectangle(cells, cells, kWaveSide, kWaveSide, membrane::Diagonals::uniform);
   const auto model = make_model(scenes::describe(mesh, Compression::linear));
   const int middle = cells / 2 * (cells + 1) + cells / 2;
   const double x0 = mesh.nodes(0, middle), amplitude = 1e-7;
@@ -57,11 +57,11 @@ double height_after(const Wave& wave, int cells, double wave_number, double dt, 
 // sin(omega dt / 2) = (c dt / h) sin(k h / 2) exactly, in every direction of displacement.
 TEST(Wave, frequency_eq_discrete_dispersion_relation) {
   const int cells = 32, steps = 14;
-  const double h = kSide / cells;
+  const double h = kWaveSide / cells;
   for (const auto& wave : waves())
     for (const double waves_on_side : {2.0, 5.0, 8.0}) {
       SCOPED_TRACE(wave.name);
-      const double k = 2.0 * std::numbers::pi * waves_on_side / kSide;
+      const double k = 2.0 * std::numbers::pi * waves_on_side / kWaveSide;
       const double dt = 0.35 * h / std::max(wave.speed, waves()[2].speed);
       const double exact = 2.0 / dt * std::asin(wave.speed * dt / h * std::sin(0.5 * k * h));
       claim::expect_near(
@@ -72,13 +72,13 @@ TEST(Wave, frequency_eq_discrete_dispersion_relation) {
 }
 
 TEST(Wave, speed_converges_with_order_2) {
-  const double k = 2.0 * std::numbers::pi * 2.0 / kSide;
+  const double k = 2.0 * std::numbers::pi * 2.0 / kWaveSide;
   for (const auto& wave : waves()) {
     SCOPED_TRACE(wave.name);
     std::vector<double> error;
     for (int level = 0; level < 3; ++level) {
       const int cells = 16 << level;
-      const double dt = 0.35 * kSide / cells / waves()[2].speed;
+      const double dt = 0.35 * kWaveSide / cells / waves()[2].speed;
       const int steps = 7 << level;
       const double frequency = std::acos(height_after(wave, cells, k, dt, steps)) / (steps * dt);
       error.push_back(1.0 - frequency / (wave.speed * k));

@@ -45,28 +45,28 @@ Json to_json(const Peak& peak) {
 }
 
 Json to_json(const QuantityDifference& q) {
-  Json json{{"verdict", verdict_name(q.verdict)}, {"reason", q.reason}};
-  if (q.values.empty()) return json;
-  json["max_error"] = to_json(q.largest);
-  json["l2_error"] = q.l2;
-  json["relative_error"] = q.relative;
+  Json object{{"verdict", verdict_name(q.verdict)}, {"reason", q.reason}};
+  if (q.values.empty()) return object;
+  object["max_error"] = to_json(q.largest);
+  object["l2_error"] = q.l2;
+  object["relative_error"] = q.relative;
   if (!q.band.empty())
-    json["share_of_band"] = std::isfinite(q.share_of_band) ? Json(q.share_of_band) : Json();
-  json["phase_lag_s"] = q.phase_lag ? Json(*q.phase_lag) : Json();
-  json["peak"] = to_json(q.mine);
-  json["reference_peak"] = to_json(q.reference);
-  return json;
+    object["share_of_band"] = std::isfinite(q.share_of_band) ? Json(q.share_of_band) : Json();
+  object["phase_lag_s"] = q.phase_lag ? Json(*q.phase_lag) : Json();
+  object["peak"] = to_json(q.mine);
+  object["reference_peak"] = to_json(q.reference);
+  return object;
 }
 
 void print_json(const CompareArguments& a, const Difference& difference) {
-  Json json{{"mine", a.mine.string()},
-            {"reference", a.reference.string()},
-            {"verdict", verdict_name(difference.verdict)},
-            {"reason", difference.reason},
-            {"rows", difference.time.size()},
-            {"quantities", Json::object()}};
-  for (const auto& q : difference.quantities) json["quantities"][q.name] = to_json(q);
-  fmt::print("{}\n", json.dump(2));
+  Json object{{"mine", a.mine.string()},
+              {"reference", a.reference.string()},
+              {"verdict", verdict_name(difference.verdict)},
+              {"reason", difference.reason},
+              {"rows", difference.time.size()},
+              {"quantities", Json::object()}};
+  for (const auto& q : difference.quantities) object["quantities"][q.name] = to_json(q);
+  fmt::print("{}\n", object.dump(2));
 }
 
 void write_rows(const std::filesystem::path& file, const Difference& difference) {

@@ -99,11 +99,11 @@ void print_csv(const closed_form::Entry& entry, const closed_form::ParameterMap&
 
 void print_json(const closed_form::Entry& entry, const closed_form::ParameterMap& parameters,
                 const closed_form::Table& table) {
-  nlohmann::ordered_json json{{"name", entry.name},       {"equation", entry.equation},
-                              {"source", entry.source},   {"validity", entry.validity},
-                              {"digits", entry.digits},   {"parameters", parameters},
-                              {"columns", table.columns}, {"rows", table.rows}};
-  fmt::print("{}\n", json.dump(2));
+  nlohmann::ordered_json object{{"name", entry.name},       {"equation", entry.equation},
+                                {"source", entry.source},   {"validity", entry.validity},
+                                {"digits", entry.digits},   {"parameters", parameters},
+                                {"columns", table.columns}, {"rows", table.rows}};
+  fmt::print("{}\n", object.dump(2));
 }
 
 }  // namespace

@@ -14,7 +14,7 @@ namespace {
 constexpr double kLowest = 1.0, kHighest = 1e5;  // [K]
 // Newton steps in ln T; quadratic but for the slope of gamma(T), which is left out.
 constexpr int kMostSteps = 60;
-constexpr double kSettled = 1e-13;
+constexpr double kTemperatureSettled = 1e-13;
 constexpr double kLeastSlope = 0.05;
 
 Mixture amount(const Thermo& thermo, std::span<const double> fractions, double mass) {
@@ -63,7 +63,7 @@ double TankGas::stagnation_temperature(const Rate& rate, double area, double cha
     const double slope = std::max(kLeastSlope, inflator_.cp(t) * t / content - 0.5);
     const double step = excess > 0.0 ? std::clamp(-std::log(excess) / slope, -1.0, 1.0) : 1.0;
     const double next = std::clamp(t * std::exp(step), range_.low, range_.high);
-    if (std::abs(next - t) <= kSettled * t) return next;
+    if (std::abs(next - t) <= kTemperatureSettled * t) return next;
     t = next;
   }
   return t;

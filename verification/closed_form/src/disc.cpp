@@ -23,7 +23,7 @@ struct Problem {
   double q, poisson_ratio;
   bool no_compression;
 };
-enum { kX, kPull, kZ, kVolume, kSize };  // x, s T1 cos(phi), z, volume
+enum { kX, kPull, kZ, kDiscVolume, kSize };  // x, s T1 cos(phi), z, volume
 using State = std::array<double, kSize>;
 
 // The positive root of l^3 + c l = k > 0. The cubic is convex there and positive at the start, so Newton
@@ -59,7 +59,7 @@ int rates(double s, const double y[], double rate[], void* data) {
   rate[kX] = h.meridian_stretch * y[kPull] / pull;
   rate[kZ] = -h.meridian_stretch * push / pull;
   rate[kPull] = h.tension + problem.q * y[kX] * rate[kZ];
-  rate[kVolume] = -pi * y[kX] * y[kX] * rate[kZ];
+  rate[kDiscVolume] = -pi * y[kX] * y[kX] * rate[kZ];
   return GSL_SUCCESS;
 }
 
@@ -125,7 +125,7 @@ InflatedDisc inflated_disc(const CircularMembrane& membrane, bool sealed) {
   // Hencky's membrane has 0.30 q^(2/3) at the centre for nu = 0.3.
   const double excess = rising_root(miss, 0.2 * std::cbrt(q * q));
   const State edge = edge_state(problem, excess);
-  return {1.0 + excess, -a * edge[kZ], a * edge[kX], a * a * a * edge[kVolume]};
+  return {1.0 + excess, -a * edge[kZ], a * edge[kX], a * a * a * edge[kDiscVolume]};
 }
 
 }  // namespace

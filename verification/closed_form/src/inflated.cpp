@@ -4,6 +4,7 @@
 
 #include "check.hpp"
 #include "closed_form/membrane.hpp"
+#include "strain.hpp"
 
 namespace closed_form {
 namespace {
@@ -20,10 +21,6 @@ const Sheet& check_balloon(const Sheet& sheet, double radius, double overpressur
 // Biaxial modulus E/(1 - nu).
 double biaxial_modulus(const Sheet& sheet) {
   return sheet.youngs_modulus / (1.0 - sheet.poisson_ratio);
-}
-
-double green_lagrange(double stretch) {
-  return 0.5 * (stretch - 1.0) * (stretch + 1.0);
 }
 
 }  // namespace

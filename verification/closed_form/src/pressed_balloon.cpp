@@ -10,6 +10,7 @@
 
 #include "check.hpp"
 #include "closed_form/coupled.hpp"
+#include "strain.hpp"
 
 // Unknowns over the angle psi of the unstretched sphere from the pole: distance rho from the axis, height z,
 // angle phi of the meridian below the horizontal, meridional stretch l1; and two integrals.
@@ -36,10 +37,6 @@ struct Tensions {
   double slope1, slope2;               // dP1/dl1, dP1/dl2
 };
 
-double green_lagrange(double stretch) {
-  return 0.5 * (stretch - 1.0) * (stretch + 1.0);
-}
-
 Tensions tensions(const Skin& skin, double psi, const double y[]) {
   const double l1 = y[kStretch], l2 = y[kRho] / (skin.radius * std::sin(psi)), nu = skin.poisson;
   const double e1 = green_lagrange(l1), e2 = green_lagrange(l2), d = skin.modulus;
@@ -53,7 +50,7 @@ Tensions tensions(const Skin& skin, double psi, const double y[]) {
 
 // d(P1 sin psi)/dpsi = P2 cos phi along the meridian; across it the skin follows the indenter in the patch,
 // and P1 sin psi dphi/dpsi = p rho l1 - P2 sin phi beyond.
-int right_hand_side(double psi, const double y[], double dydpsi[], void* given) {
+int meridian_slopes(double psi, const double y[], double dydpsi[], void* given) {
   Skin& skin = *static_cast<Skin*>(given);
   const Tensions t = tensions(skin, psi, y);
   if (!(std::isfinite(t.energy) && t.slope1 > 0.0)) return GSL_EBADFUNC;
@@ -79,7 +76,7 @@ struct Shot {
 };
 
 Shot shoot(Skin skin, double pole_stretch, double patch_angle) {
-  gsl_odeiv2_system system{right_hand_side, nullptr, kUnknowns, &skin};
+  gsl_odeiv2_system system{meridian_slopes, nullptr, kUnknowns, &skin};
   const std::unique_ptr<gsl_odeiv2_driver, decltype(&gsl_odeiv2_driver_free)> driver{
       gsl_odeiv2_driver_alloc_y_new(&system, gsl_odeiv2_step_rk8pd, 1e-6, 1e-14, 1e-13),
       &gsl_odeiv2_driver_free};

@@ -49,7 +49,7 @@ double horner(const std::vector<double>& c, double x) {
 }
 
 // Independent variable 1 - g; y = {x, K, int f^2 phi dphi}.
-int right_hand_side(double t, const double y[], double dydt[], void*) {
+int tollmien_slopes(double t, const double y[], double dydt[], void*) {
   const double g = 1.0 - t;
   const double x = y[0];
   const double k = y[1];
@@ -81,7 +81,7 @@ class RoundJetIntegrator {
   double momentum() const { return y_[2]; }
 
  private:
-  gsl_odeiv2_system system_{right_hand_side, nullptr, 3, nullptr};
+  gsl_odeiv2_system system_{tollmien_slopes, nullptr, 3, nullptr};
   std::unique_ptr<gsl_odeiv2_driver, decltype(&gsl_odeiv2_driver_free)> driver_{
       gsl_odeiv2_driver_alloc_y_new(&system_, gsl_odeiv2_step_rk8pd, 1e-3, 1e-15, 1e-14),
       &gsl_odeiv2_driver_free};

@@ -9,11 +9,14 @@
 #include <cstddef>
 #include <functional>
 #include <memory>
+#include <numbers>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 namespace test {
+
+inline constexpr double kDegree = std::numbers::pi / 180.0;  // [rad]
 
 // Tens of operations of relative error 2.2e-16, powers with exponents up to 10: condition number about 10.
 inline constexpr double kAlgebra = 1e-14;

@@ -15,8 +15,7 @@ using std::numbers::pi;
 using test::expect_refused;
 using test::expect_relative;
 using test::kAlgebra;
-
-constexpr double kDegree = pi / 180.0;
+using test::kDegree;
 
 TEST(ClosedFormJet, centreline_eq_reference) {
   struct Row {
@@ -140,7 +139,8 @@ double throat_temperature_ratio(double gamma) {
 }
 
 TEST(ClosedFormJet, sonic_outlet_is_the_throat_of_an_isentrope) {
-  for (const PerfectGas& gas : {PerfectGas{296.8, 1.4}, PerfectGas{2077.0, 5.0 / 3.0}, PerfectGas{188.9, 1.3}})
+  for (const PerfectGas& gas :
+       {PerfectGas{296.8, 1.4}, PerfectGas{2077.0, 5.0 / 3.0}, PerfectGas{188.9, 1.3}})
     for (const bool stagnation : {false, true}) {
       const double given = 900.0, mass_flow = 1.7, area = 4e-3;
       const OutletState s = sonic_outlet({gas, given, stagnation, mass_flow, area});
@@ -160,10 +160,12 @@ TEST(ClosedFormJet, decay_is_tollmiens_to_its_digits) {
   // 1/V (round) and 1/V^2 (plane) rise by a distance over the constant: 0.96 has two digits, 1.2 has two,
   // which Abramovich rounds down.
   for (const double a : {0.066, 0.12}) {
-    const double round = a * 50.0 / (1.0 / round_centreline_ratio(a, 150.0) - 1.0 / round_centreline_ratio(a, 100.0));
+    const double round =
+        a * 50.0 / (1.0 / round_centreline_ratio(a, 150.0) - 1.0 / round_centreline_ratio(a, 100.0));
     EXPECT_NEAR(round, tollmien_round().decay_constant, 0.005);
     const auto inverse = [a](double z) { return std::pow(plane_centreline_ratio(a, z), -2); };
-    EXPECT_NEAR(std::sqrt(a * 50.0 / (inverse(150.0) - inverse(100.0))), tollmien_plane().decay_constant, 0.01);
+    EXPECT_NEAR(std::sqrt(a * 50.0 / (inverse(150.0) - inverse(100.0))), tollmien_plane().decay_constant,
+                0.01);
   }
 }
 

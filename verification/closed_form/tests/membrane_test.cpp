@@ -16,7 +16,7 @@ using test::expect_relative;
 using test::kAlgebra;
 using test::kInverted;
 
-constexpr Sheet kOther{2e8, 0.45, 2e-4, 900.0};
+constexpr Sheet kOtherSheet{2e8, 0.45, 2e-4, 900.0};
 
 TEST(ClosedFormMembrane, icosphere_ratios_eq_reference) {
   struct Row {
@@ -57,7 +57,8 @@ TEST(ClosedFormMembrane, stretched_sphere_eq_reference) {
 }
 
 TEST(ClosedFormMembrane, sphere_strain_energy_eq_pressure_work) {
-  for (const StretchedSphere& sphere : {StretchedSphere{paper_fabric(), 0.3}, StretchedSphere{kOther, 0.1}}) {
+  for (const StretchedSphere& sphere :
+       {StretchedSphere{paper_fabric(), 0.3}, StretchedSphere{kOtherSheet, 0.1}}) {
     const SphereStretch s = stretched_sphere(sphere, 3e4);
     const auto power = [&sphere](double stretch) {  // p dV/dlambda
       return stretched_sphere_pressure(sphere, stretch) * 4 * pi * std::pow(sphere.radius, 3) * stretch *
@@ -75,7 +76,7 @@ TEST(ClosedFormMembrane, sphere_breathing_eq_reference_and_second_difference) {
   expect_relative(2 * pi / sphere_breathing_frequency(sphere, 20000.0, 101325.0, 1.4), 0.0021003621894567881,
                   kAlgebra);
   // Force on the wall per area, gas along its adiabat: slope by a central difference of step 1e-5.
-  const StretchedSphere other{kOther, 0.1};
+  const StretchedSphere other{kOtherSheet, 0.1};
   const double p = 5e4;
   const double stretch = stretched_sphere(other, p).stretch;
   const auto force = [&](double x) {
@@ -83,7 +84,7 @@ TEST(ClosedFormMembrane, sphere_breathing_eq_reference_and_second_difference) {
     return (gas - stretched_sphere_pressure(other, x)) * x * x;
   };
   const double slope = (force(stretch + 1e-5) - force(stretch - 1e-5)) / 2e-5;
-  const double omega = std::sqrt(-slope / (kOther.density * kOther.thickness * other.radius));
+  const double omega = std::sqrt(-slope / (kOtherSheet.density * kOtherSheet.thickness * other.radius));
   expect_relative(sphere_breathing_frequency(other, p, 9e4, 1.3), omega, 1e-8);
 }
 
@@ -96,7 +97,7 @@ TEST(ClosedFormMembrane, cylinders_eq_reference_and_equilibrium) {
   const CylinderStretch small = closed_cylinder(cylinder, 2.0);  // linear strains .085 and .020 at 20 kPa
   expect_relative(small.hoop_stretch - 1.0, 0.085e-4, 1e-4);     // next order: a few times the load 1e-5
   expect_relative(small.axial_stretch - 1.0, 0.020e-4, 1e-4);
-  for (const StretchedCylinder& c : {cylinder, StretchedCylinder{kOther, 0.08}}) {
+  for (const StretchedCylinder& c : {cylinder, StretchedCylinder{kOtherSheet, 0.08}}) {
     const CylinderStretch s = closed_cylinder(c, 2e4);
     const double load = 2e4 * c.radius / c.sheet.thickness;
     expect_relative(s.hoop_stress, load * s.axial_stretch, kAlgebra * 10);  // strains of 0.1: a digit is lost

@@ -14,10 +14,10 @@ using std::numbers::pi;
 using test::expect_refused;
 using test::expect_relative;
 using test::kAlgebra;
+using test::kDegree;
 using test::kIntegrated;
 
-constexpr double kDegree = pi / 180.0;
-constexpr Pendulum kOther{3.0, 0.4, 0.5, 0.9, 1.62};
+constexpr Pendulum kOtherPendulum{3.0, 0.4, 0.5, 0.9, 1.62};
 
 std::vector<double> swing_rate(const Pendulum& p, const std::vector<double>& y, double force) {
   const double inertia = p.cg_inertia + p.mass * p.cg_arm * p.cg_arm;
@@ -53,10 +53,10 @@ TEST(ClosedFormPendulum, period_eq_reference_and_standard_library) {
                        Row{60, 2.4009546449164229}, Row{90, 2.6406930277547075}, Row{120, 3.0714490113661091},
                        Row{170, 5.4574146914688503}})
     expect_relative(pendulum_period(paper_pendulum(), r.degrees * kDegree), r.period, kAlgebra);
-  const PendulumConstants c = pendulum_constants(kOther);
-  expect_relative(pendulum_period(kOther, 0.0), c.small_swing_period, kAlgebra);
+  const PendulumConstants c = pendulum_constants(kOtherPendulum);
+  expect_relative(pendulum_period(kOtherPendulum, 0.0), c.small_swing_period, kAlgebra);
   for (const double amplitude : {1e-3, 0.7, 2.9})
-    expect_relative(pendulum_period(kOther, amplitude),
+    expect_relative(pendulum_period(kOtherPendulum, amplitude),
                     4 * std::comp_ellint_1(std::sin(amplitude / 2)) / c.angular_frequency, 1e-13);
 }
 
@@ -65,18 +65,18 @@ TEST(ClosedFormPendulum, swing_eq_reference_and_period) {
   expect_relative(pendulum_swing(paper_pendulum(), 60 * kDegree, 1.0).angle, -0.91181648631676731, 1e-13);
   expect_relative(pendulum_swing(paper_pendulum(), 90 * kDegree, 0.3).angle, 1.2173406486533704, 1e-13);
   for (const double amplitude : {-1.0, 0.2, 2.5}) {
-    const double T = pendulum_period(kOther, std::abs(amplitude));
-    expect_relative(pendulum_swing(kOther, amplitude, 0.0).angle, amplitude, 1e-13);
-    EXPECT_NEAR(pendulum_swing(kOther, amplitude, T / 4).angle, 0.0, 1e-13);
-    expect_relative(pendulum_swing(kOther, amplitude, 7.5 * T).angle, -amplitude, 1e-12);
+    const double T = pendulum_period(kOtherPendulum, std::abs(amplitude));
+    expect_relative(pendulum_swing(kOtherPendulum, amplitude, 0.0).angle, amplitude, 1e-13);
+    EXPECT_NEAR(pendulum_swing(kOtherPendulum, amplitude, T / 4).angle, 0.0, 1e-13);
+    expect_relative(pendulum_swing(kOtherPendulum, amplitude, 7.5 * T).angle, -amplitude, 1e-12);
     const double k = std::sin(amplitude / 2);
-    expect_relative(pendulum_swing(kOther, amplitude, T / 4).angular_velocity,
-                    -2 * k * pendulum_constants(kOther).angular_frequency, 1e-13);
+    expect_relative(pendulum_swing(kOtherPendulum, amplitude, T / 4).angular_velocity,
+                    -2 * k * pendulum_constants(kOtherPendulum).angular_frequency, 1e-13);
   }
 }
 
 TEST(ClosedFormPendulum, swing_eq_integrated_motion) {
-  for (const Pendulum& p : {paper_pendulum(), kOther})
+  for (const Pendulum& p : {paper_pendulum(), kOtherPendulum})
     for (const double amplitude : {0.1, 1.5, 3.0}) {
       const test::Rate rate = [&p](double, const std::vector<double>& y) { return swing_rate(p, y, 0.0); };
       const std::vector<double> y = test::integrate_ode(rate, {amplitude, 0.0}, 0.0, 1.7);
@@ -91,18 +91,21 @@ TEST(ClosedFormPendulum, impulse_eq_reference_and_swing) {
   expect_relative(r.kinetic_energy, 23.780139371072058, kAlgebra);
   expect_relative(r.maximum_angle, 0.6581747325953754, kAlgebra);
   expect_relative(r.time_of_maximum, 0.5748373083340303, kAlgebra);
-  const ImpulseResponse o = pendulum_impulse(kOther, 1.1);
-  expect_relative(o.time_of_maximum, pendulum_period(kOther, o.maximum_angle) / 4, kAlgebra);
-  expect_relative(o.kinetic_energy,
-                  kOther.mass * kOther.gravity * kOther.cg_arm * (1 - std::cos(o.maximum_angle)), kAlgebra);
+  const ImpulseResponse o = pendulum_impulse(kOtherPendulum, 1.1);
+  expect_relative(o.time_of_maximum, pendulum_period(kOtherPendulum, o.maximum_angle) / 4, kAlgebra);
+  expect_relative(
+      o.kinetic_energy,
+      kOtherPendulum.mass * kOtherPendulum.gravity * kOtherPendulum.cg_arm * (1 - std::cos(o.maximum_angle)),
+      kAlgebra);
 }
 
 TEST(ClosedFormPendulum, constant_force_eq_reference_and_energy) {
   expect_relative(constant_force_maximum_angle(paper_pendulum(), 100.0), 1.7107363399699255, kAlgebra);
   for (const double force : {0.1, 2.0, 50.0}) {
-    const double a = constant_force_maximum_angle(kOther, force);
-    expect_relative(force * kOther.impactor_arm * std::sin(a),
-                    kOther.mass * kOther.gravity * kOther.cg_arm * (1 - std::cos(a)), kAlgebra);
+    const double a = constant_force_maximum_angle(kOtherPendulum, force);
+    expect_relative(force * kOtherPendulum.impactor_arm * std::sin(a),
+                    kOtherPendulum.mass * kOtherPendulum.gravity * kOtherPendulum.cg_arm * (1 - std::cos(a)),
+                    kAlgebra);
   }
 }
 
@@ -115,11 +118,11 @@ TEST(ClosedFormPendulum, half_sine_eq_reference_and_nonlinear_pendulum) {
     const double force = 1e-3;
     const double duration = 0.3;
     const test::Rate rate = [&](double time, const std::vector<double>& y) {
-      return swing_rate(kOther, y, time < duration ? force * std::sin(pi * time / duration) : 0.0);
+      return swing_rate(kOtherPendulum, y, time < duration ? force * std::sin(pi * time / duration) : 0.0);
     };
     std::vector<double> y = test::integrate_ode(rate, {0.0, 0.0}, 0.0, std::fmin(t, duration));
     if (t > duration) y = test::integrate_ode(rate, y, duration, t);
-    const PendulumState linear = half_sine_response(kOther, force, duration, t);
+    const PendulumState linear = half_sine_response(kOtherPendulum, force, duration, t);
     expect_relative(linear.angle, y[0], 1e-7);
     expect_relative(linear.angular_velocity, y[1], 1e-7);
   }
@@ -182,12 +185,12 @@ TEST(ClosedFormPendulum, penalty_bounce_eq_reference_and_energy) {
 
 TEST(ClosedFormPendulum, bad_parameters_are_refused_by_name) {
   expect_refused([] { pendulum_constants({}); }, "mass");
-  expect_refused([] { pendulum_period(kOther, pi); }, "amplitude");
-  expect_refused([] { pendulum_impulse(kOther, 1e3); }, "impulse");
+  expect_refused([] { pendulum_period(kOtherPendulum, pi); }, "amplitude");
+  expect_refused([] { pendulum_impulse(kOtherPendulum, 1e3); }, "impulse");
   expect_refused([] { sphere_plane_contact(0.041, 0.05, 1e6); }, "depth");
   expect_refused([] { sphere_plane_sliding(0.041, 0.01, 1e6, -0.1); }, "friction");
-  const double resonance = pi / pendulum_constants(kOther).angular_frequency;
-  expect_refused([&] { half_sine_response(kOther, 1.0, resonance, 0.1); }, "duration");
+  const double resonance = pi / pendulum_constants(kOtherPendulum).angular_frequency;
+  expect_refused([&] { half_sine_response(kOtherPendulum, 1.0, resonance, 0.1); }, "duration");
 }
 
 }  // namespace

@@ -17,13 +17,14 @@
 #include "membrane/passenger_bag.hpp"
 #include "membrane/refine.hpp"
 #include "membrane/surface_check.hpp"
+#include "rounding.hpp"
 
 namespace {
 
 using membrane::DriverBagOptions;
 using membrane::Mesh;
 
-constexpr double kEps = 2.3e-16;
+using support::kEps;
 
 std::vector<DriverBagOptions> several() {
   return {{},

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <stdexcept>
 
@@ -11,12 +10,13 @@
 #include "closed_form/membrane.hpp"
 #include "membrane/icosphere.hpp"
 #include "membrane/surface_check.hpp"
+#include "rounding.hpp"
 
 namespace {
 
 using membrane::Mesh;
 
-constexpr double kEps = std::numeric_limits<double>::epsilon();
+using support::kEps;
 
 double sphere_volume(double radius) {
   return 4.0 / 3.0 * std::numbers::pi * radius * radius * radius;
