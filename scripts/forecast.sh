@@ -1,0 +1,86 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
+# What `gasjet check` forecasts beside what ladders measure: docs/charts/forecast.csv, and the table of it in
+# docs/theory/forecast.md. Ladders that results/forecast has are not run again; that of the paper's scene is the
+# committed one.
+# usage: scripts/forecast.sh [--check [CSV]]
+#   --check  compare the table of the page with docs/charts/forecast.csv (or CSV); exit code 1 if they differ
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+page=docs/theory/forecast.md csv=docs/charts/forecast.csv folder=results/forecast
+
+# Cases, and the quantity of the ladder.
+scenes() {
+  cat <<'TABLE'
+rigid_tank pressure
+tank_triggers peak_pressure
+tank_blowdown temperature
+tank_backflow temperature
+tank_stiff peak_pressure
+plate_jet jet_force
+jet_slot_plate jet_force
+sphere_inflation peak_pressure
+jet_bag peak_pressure
+bag_leak_table peak_pressure
+bag_from_files peak_pressure
+driver_bag peak_pressure
+ball_impact contact_impulse
+contact_vent pendulum_angle
+passenger_pendulum pendulum_angle
+TABLE
+}
+
+# ladder_of CASE QUANTITY: its table; undecided is an answer too.
+ladder_of() {
+  local table=$folder/$1/ladder.csv code=0
+  if [[ $1 == passenger_pendulum ]]; then
+    table=docs/charts/ladder_passenger.csv
+  elif [[ ! -f $table ]]; then
+    build/gasjet ladder "cases/$1.toml" --quantity "$2" --threads "$(nproc)" --quiet --out "$folder/$1" >&2 || code=$?
+    ((code == 0 || code == 4))
+  fi
+  echo "$table"
+}
+
+write_csv() {
+  local scene quantity table
+  build/gasjet --version | sed 's/^/# /'
+  echo "scene,quantity,effect,group,size,forecast,change_percent,change_se_percent,ladder,agree"
+  while read -r scene quantity; do
+    table=$(ladder_of "$scene" "$quantity")
+    awk -v scene="$scene" -f scripts/forecast.awk <(build/gasjet check "cases/$scene.toml" --format json) "$table"
+  done < <(scenes) | awk -F, '{ print; sum += $NF; count += $NF != "" }
+    END { print "all that agree,,,,,,,,," sum + 0; print "all,,,,,,,,," count + 0 }'
+}
+
+table() {
+  awk -F, '
+    /^#/ || /^all/ { next }
+    !head { head = 1; print "| scene, quantity | left out or refined | group | forecast | changes by [%] | agree |\n|---|---|---|---|---|---|"; next }
+    { sub(/_(rad|Pa|N|Ns|K)$/, "", $2)
+      print "| " ($1 == last ? "" : "`" $1 "`, " $2) " | " $3 " | " $4 " | " $5 ", " $6 " | " $7 ($8 > 0 ? " ± " $8 : "") \
+        " | " ($10 == "" ? "undecided" : $10 ? "yes" : "**no**") " |"; last = $1 }' "$1"
+}
+
+# page_with CSV: the page with the table of CSV between its two marks.
+page_with() {
+  awk -v table="$(table "$1")" '
+    /^<!-- end of the table -->/ { inside = 0 }
+    !inside
+    /^<!-- table by scripts\/forecast.sh -->/ { inside = 1; print "\n" table "\n" }' "$page"
+}
+
+if [[ ${1:-} == --check && $# -le 2 ]]; then
+  diff <(page_with "${2:-$csv}") "$page" || { echo "$page is not what ${2:-$csv} says: scripts/forecast.sh writes it anew"; exit 1; }
+  echo "$page holds: $(grep -vc '^#\|^scene\|^all' "${2:-$csv}") rows"
+elif (($#)); then
+  echo "forecast.sh: cannot take '$*'; allowed: nothing, --check [CSV]" >&2
+  exit 2
+else
+  mkdir -p "$folder"
+  write_csv >"$folder/forecast.csv"
+  cp "$folder/forecast.csv" "$csv"
+  page_with "$csv" >"$folder/forecast.md"
+  cp "$folder/forecast.md" "$page"
+  tail -n 2 "$csv"
+fi
