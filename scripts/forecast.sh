@@ -49,8 +49,10 @@ write_csv() {
   while read -r scene quantity; do
     table=$(ladder_of "$scene" "$quantity")
     awk -v scene="$scene" -f scripts/forecast.awk <(build/gasjet check "cases/$scene.toml" --format json) "$table"
-  done < <(scenes) | awk -F, '{ print; sum += $NF; count += $NF != "" }
-    END { print "all that agree,,,,,,,,," sum + 0; print "all,,,,,,,,," count + 0 }'
+  done < <(scenes) | awk -F, '
+    { print; sum += $NF; count += $NF != "" }
+    $4 != "gas_relaxation" { sizes += $NF; of_sizes += $NF != "" }
+    END { printf "all that agree,,,,,,,,,%d\nall,,,,,,,,,%d\nall sizes that agree,,,,,,,,,%d\nall sizes,,,,,,,,,%d\n", sum, count, sizes, of_sizes }'
 }
 
 table() {
@@ -82,5 +84,5 @@ else
   cp "$folder/forecast.csv" "$csv"
   page_with "$csv" >"$folder/forecast.md"
   cp "$folder/forecast.md" "$page"
-  tail -n 2 "$csv"
+  tail -n 4 "$csv"
 fi

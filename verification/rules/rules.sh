@@ -178,14 +178,36 @@ rule_mutation_lines() {
   done
 }
 
-# source_number FILE ROW COLUMN SCALE FORMAT: that number of a CSV table (comment lines aside), formatted. ROW: column=value,...
+# source_number FILE ROW COLUMN SCALE FORMAT: that number of a CSV table (comment lines aside) or of a table of a page,
+# formatted. ROW: column=value,..., in a page one pair. Of a CSV also two rows, "A - B", "A / B" or "A % B" (A/B - 1).
 source_number() {
-  awk -F, -v row="$2" -v column="$3" -v scale="$4" -v format="$5" '
+  local separator=,
+  [[ $1 != *.md ]] || separator=' *[|] *'
+  awk -F"$separator" -v row="$2" -v column="$3" -v scale="$4" -v format="$5" '
+    function head(line,   i, n, name) { split("", at); n = split(line, name); for (i = 1; i <= n; ++i) at[name[i]] = i }
+    function fits(wanted,   i, n, want, sign) {
+      if (FS != ",") { n = 1; want[1] = wanted } else n = split(wanted, want)
+      for (i = 1; i <= n; ++i) {
+        sign = index(want[i], "=")
+        if ($(at[substr(want[i], 1, sign - 1)]) != substr(want[i], sign + 1)) return 0
+      }
+      return 1
+    }
+    BEGIN {
+      rows = split(row, part, FS == "," ? " [-/%] " : "\n")
+      how = rows == 2 ? substr(row, length(part[1]) + 2, 1) : ""
+    }
     /^#/ { next }
-    !head { head = 1; for (i = 1; i <= NF; ++i) at[$i] = i; n = split(row, want, ","); next }
-    { for (i = 1; i <= n; ++i) { split(want[i], pair, "="); if ($(at[pair[1]]) != pair[2]) next }
-      if (column in at) { ++found; text = sprintf(format, $(at[column]) * scale) } }
-    END { print found == 1 ? text : found + 0 " such rows" }' "$1"
+    FS == "," && !started++ { head($0); next }
+    /^[|]-/ { head(before) }
+    { before = $0 }
+    !(column in at) { next }
+    { for (i = 1; i <= rows; ++i) if (fits(part[i])) { ++found[i]; value[i] = $(at[column]) } }
+    END {
+      for (i = 1; i <= rows; ++i) if (found[i] != 1) { print found[i] + 0 " rows " part[i]; exit }
+      number = how == "-" ? value[1] - value[2] : how == "/" ? value[1] / value[2] : how == "%" ? value[1] / value[2] - 1 : value[1]
+      printf format "\n", number * scale
+    }' "$1"
 }
 
 # Each number that docs/numbers.tsv lists says what its source file says.

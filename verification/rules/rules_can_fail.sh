@@ -39,9 +39,14 @@ good_tree() {
   put verification/mutations.tsv '# comment' $'gas.(tank|vent)\tREADME.md\ts/gas/b/' $'bad_input.*/nan( |$)\tREADME.md\ts/gas/b/'
   put docs/exact.md '**`tank_fill`**: of a tank'
   put cases/tank.toml '# Closed form: `gasjet exact tank_fill`.'
-  put docs/page.md 'The force is 12.3 N.'
+  put docs/page.md 'The force is 12.3 N.' 'Two is larger by 4.988 kN, 405 times, 40419 %. It is off by 3 %.'
   put docs/table.csv '# machine' 'case,force_kN' 'one,0.01234' 'two,5'
-  put docs/numbers.tsv '# comment' $'docs/page.md\tforce is ([0-9.]+) N\tdocs/table.csv\tcase=one\tforce_kN\t1000\t%.1f'
+  put docs/report.md '| check | off |' '|---|---|' '| one | 0.03 |' '| two | 0 |'
+  put docs/numbers.tsv '# comment' $'docs/page.md\tforce is ([0-9.]+) N\tdocs/table.csv\tcase=one\tforce_kN\t1000\t%.1f' \
+    $'docs/page.md\tlarger by ([0-9.]+) kN\tdocs/table.csv\tcase=two - case=one\tforce_kN\t1\t%.3f' \
+    $'docs/page.md\tkN, ([0-9.]+) times\tdocs/table.csv\tcase=two / case=one\tforce_kN\t1\t%.0f' \
+    $'docs/page.md\ttimes, ([0-9.]+) %\tdocs/table.csv\tcase=two % case=one\tforce_kN\t100\t%.0f' \
+    $'docs/page.md\toff by ([0-9.]+) %\tdocs/report.md\tcheck=one\toff\t100\t%.0f'
   put docs/theory/gas.md '$$ p V = m R T \tag{G.1} $$'
 }
 
@@ -126,11 +131,17 @@ case $rule in
     breaks docs/case_files.md '| `volume`, `law` | of the tank |' '| `colour` | of the bag |'
     ;;
   numbers)
-    breaks docs/page.md 'The force is 12.4 N.'
-    breaks docs/page.md 'The force is twelve N.'
-    breaks docs/table.csv 'case,force_kN' 'one,0.0125'
+    two='Two is larger by 4.988 kN, 405 times, 40419 %. It is off by 3 %.'
+    breaks docs/page.md 'The force is 12.4 N.' "$two"
+    breaks docs/page.md 'The force is twelve N.' "$two"
+    breaks docs/page.md 'The force is 12.3 N.' "${two/4.988/4.989}"
+    breaks docs/page.md 'The force is 12.3 N.' "${two/405/406}"
+    breaks docs/page.md 'The force is 12.3 N.' "${two/40419/40519}"
+    breaks docs/page.md 'The force is 12.3 N.' "${two/by 3/by 4}"
+    breaks docs/report.md '| check | off |' '|---|---|' '| other | 0.03 |'
+    breaks docs/table.csv 'case,force_kN' 'one,0.0125' 'two,5'
     breaks docs/table.csv 'case,force_kN' 'two,0.01234'
-    breaks docs/table.csv 'case,load' 'one,0.01234'
+    breaks docs/table.csv 'case,load' 'one,0.01234' 'two,5'
     breaks docs/numbers.tsv $'docs/page.md\tforce is ([0-9.]+) N\tdocs/gone.csv\tcase=one\tforce_kN\t1000\t%.1f'
     ;;
   mutation_lines)
