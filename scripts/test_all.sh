@@ -66,7 +66,7 @@ if command -v ccache >/dev/null; then
   export CMAKE_CXX_COMPILER_LAUNCHER=ccache
 fi
 
-phase "set-up" scripts/setup_debian12.sh
+phase "set-up" scripts/setup_debian12.sh doxygen clang # what only tests use
 build release
 rm -f build/claims/*.tsv
 suite fast

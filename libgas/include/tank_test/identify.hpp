@@ -17,7 +17,7 @@ namespace gas {
 
 /// What is known of the test.
 struct TankTest {
-  Thermo thermo;
+  Thermo thermo;                           // species of both gases
   double volume;                           // [m3] > 0
   double initial_temperature;              // [K] of the tank's own gas
   std::vector<double> tank_fractions;      // [-] by mass, one per species, sum 1: the tank's own gas
@@ -28,11 +28,12 @@ struct TankTest {
 /// Readings at times [s] that rise strictly; pressures [Pa] absolute, above 0, with noise that is a fixed
 /// fraction of the reading.
 struct TankReadings {
-  std::span<const double> times;
-  std::span<const double> tank;
-  std::span<const double> chamber;  // empty for the average-temperature method
+  std::span<const double> times;    // [s]
+  std::span<const double> tank;     // [Pa] one per time
+  std::span<const double> chamber;  // [Pa] one per time; empty for the average-temperature method
 };
 
+/// Resolution of the result and of its bands.
 struct IdentifyOptions {
   int points = 501;         // times of the result, equally spaced over the record; 20 to 10000
   double threshold = 0.05;  // of the largest K: below it a point is masked; 0.001 to 0.9
@@ -43,10 +44,11 @@ struct IdentifyOptions {
 /// noise at the ends of the burn biases, their reflection in the estimate (basic bootstrap interval). V, M,
 /// T0 and the gases count as exact.
 struct Band {
-  double low;
-  double high;
+  double low;   // unit of what it belongs to
+  double high;  // >= low
 };
 
+/// The result at one time.
 struct IdentifiedPoint {
   double time;              // [s]
   double tank_pressure;     // [Pa] smoothed
@@ -54,29 +56,31 @@ struct IdentifiedPoint {
   double enthalpy_flow;     // K [kg K/s] with gamma and R of the inflator's gas at the mean temperature
   double mass_flow;         // [kg/s] >= 0
   double temperature;       // [K] T_s, stagnation; where masked, that of the nearest point which is not
-  Band mass_flow_band;
-  Band temperature_band;
+  Band mass_flow_band;      // [kg/s]
+  Band temperature_band;    // [K]
   double amplification;  // relative standard deviation of K over the tank's noise; masked: at the threshold
   bool masked;           // |K| below its threshold, or the chamber's pressure does not exceed the tank's
 };
 
+/// What SmoothingSpline made of one series.
 struct Smoothing {
   double parameter;           // lambda of (G.30)
   double degrees_of_freedom;  // of the fit
   double noise;               // [-] standard deviation of one reading as a fraction of it
 };
 
+/// Curves and figures of one test.
 struct Identified {
-  std::vector<IdentifiedPoint> points;
-  double mean_temperature;      // [K] the constant T_s that gives the total mass
-  Band mean_temperature_band;   // [K]
-  double effective_area = 0.0;  // [m2] Cd A of the inflator's outlet; 0 for average temperature
-  Band effective_area_band{};   // [m2]
-  double threshold;             // of |K| [kg K/s]
+  std::vector<IdentifiedPoint> points;  // IdentifyOptions::points of them
+  double mean_temperature;              // [K] the constant T_s that gives the total mass
+  Band mean_temperature_band;           // [K]
+  double effective_area = 0.0;          // [m2] Cd A of the inflator's outlet; 0 for average temperature
+  Band effective_area_band{};           // [m2]
+  double threshold;                     // of |K| [kg K/s]
   double forward_error =
-      0.0;  // largest relative miss of the smoothed tank pressure by a model run with these curves
-  Smoothing tank;
-  Smoothing chamber{};
+      0.0;         // largest relative miss of the smoothed tank pressure by a model run with these curves
+  Smoothing tank;  // of the tank's pressure
+  Smoothing chamber{};  // of the chamber's; zero without its readings
 };
 
 /// Average temperature: T_s constant, such that the mass is M. Exact for K, hence for mdot T_s of one gas;

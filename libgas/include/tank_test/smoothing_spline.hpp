@@ -14,15 +14,17 @@ namespace gas {
 /// Value and slope of a spline at one time as sums over its coefficients from `first` on.
 struct SplineBasis {
   static constexpr std::size_t kOrder = 6;  // quintic
-  std::size_t first;
-  std::array<double, kOrder> value;
-  std::array<double, kOrder> slope;  // [1/s]
+  std::size_t first;                        // coefficient
+  std::array<double, kOrder> value;         // of the kOrder functions that are not zero there
+  std::array<double, kOrder> slope;         // [1/s]
 };
 
+/// A spline at one time.
 struct SplinePoint {
-  double value;
+  double value;  // in the unit of its coefficients
   double slope;  // [1/s]
 };
+/// The spline with these coefficients, at the time of the basis. Precondition: both of one SmoothingSpline.
 SplinePoint evaluate(const SplineBasis& basis, std::span<const double> coefficients);
 
 /// Smoothing spline through noisy readings y_i > 0 at times t_i whose noise is a fixed fraction of the
@@ -35,6 +37,7 @@ SplinePoint evaluate(const SplineBasis& basis, std::span<const double> coefficie
 /// B 45, 1983, 133-150; Nychka, J. Am. Stat. Assoc. 83, 1988, 1134-1143).                             (G.32)
 class SmoothingSpline {
  public:
+  /// The constructor refuses fewer.
   static constexpr std::size_t kFewestReadings = 20;
   /// One interval holds four readings or more; at most this many intervals.
   static constexpr std::size_t kMostIntervals = 320;

@@ -15,6 +15,7 @@
 
 namespace membrane {
 
+// Default of what has none: make_model refuses it by name.
 inline constexpr double kMustBeGiven = std::numeric_limits<double>::quiet_NaN();
 
 // Makes the fabric of an element orthotropic: `young` and `poisson` are then those of the warp (pulled along
@@ -29,18 +30,19 @@ struct WeaveProperties {
 // Fabric of one element. A null element closes a hole: it bounds the volume and carries the gas pressure, but
 // has no mass and no stress; its thickness, density, young and poisson are not read and its porosity is zero.
 struct ElementProperties {
-  double thickness = kMustBeGiven;  // h > 0 [m]
-  double density = kMustBeGiven;    // rho > 0 [kg/m3]
-  double young = kMustBeGiven;      // E > 0 [Pa]
-  double poisson = kMustBeGiven;    // -1 < nu < 1 [-]
-  double porosity = 0.0;            // eta, 0 to 1 [-]
-  bool null_panel = false;
+  double thickness = kMustBeGiven;            // h > 0 [m]
+  double density = kMustBeGiven;              // rho > 0 [kg/m3]
+  double young = kMustBeGiven;                // E > 0 [Pa]
+  double poisson = kMustBeGiven;              // -1 < nu < 1 [-]
+  double porosity = 0.0;                      // eta, 0 to 1 [-]
+  bool null_panel = false;                    // closes a hole
   std::optional<WeaveProperties> weave = {};  // absent: isotropic
 };
 
 // Massless spring that pulls when longer than its free length and never pushes (M.7).
 struct Strap {
-  int node_a = -1, node_b = -1;
+  int node_a = -1;                    // one end
+  int node_b = -1;                    // the other, not node_a
   double stiffness = kMustBeGiven;    // k > 0 [N/m]
   double free_length = kMustBeGiven;  // > 0 [m]
 };
@@ -58,13 +60,13 @@ inline constexpr double kDefaultPlateShare = 0.25;
 
 // Everything that defines a bag, as a case gives it.
 struct BagDescription {
-  Eigen::Matrix3Xd reference;                 // stress-free positions, 3 x nodes [m]
-  Eigen::Matrix3Xi elements;                  // corner nodes, 3 x elements, oriented outward
-  std::vector<ElementProperties> properties;  // one per element
-  Compression compression = Compression::none;
-  std::vector<int> fixed_nodes;
-  std::vector<Strap> straps;
-  std::vector<Plate> plates;
+  Eigen::Matrix3Xd reference;                         // stress-free positions, 3 x nodes [m]
+  Eigen::Matrix3Xi elements;                          // corner nodes, 3 x elements, oriented outward
+  std::vector<ElementProperties> properties;          // one per element
+  Compression compression = Compression::none;        // of all fabric
+  std::vector<int> fixed_nodes;                       // they never move; in any order, repeats allowed
+  std::vector<Strap> straps;                          // may be empty
+  std::vector<Plate> plates;                          // may be empty
   double mass_damping = 0.0;                          // alpha >= 0: force -alpha m v [1/s]
   Eigen::Vector3d gravity = Eigen::Vector3d::Zero();  // [m/s2]
   Isa isa = best_isa();                               // kernels to use; every choice gives the same bits
@@ -73,39 +75,42 @@ struct BagDescription {
 // The elements in the order of the kernels: compact patches of neighbours, whatever the numbering of the
 // mesh, each padded to whole groups by elements without effect. The mesh's numbers stay in all other arrays.
 struct BlockTable {
-  AlignedVector<ElementGroup> group;
+  AlignedVector<ElementGroup> group;  // kLanes elements each
   AlignedVector<FabricGroup> fabric;  // each once, see ElementGroup::fabric
   AlignedVector<WeaveGroup> weave;    // of each group; empty unless woven
   std::vector<std::int32_t> element;  // of each lane of each group, -1 where it is padding
   std::vector<std::int32_t> place;    // of each element: kLanes * group + lane
-  std::vector<ElementBlock> block;
-  std::vector<std::int32_t> node;  // of each block: its own, then the shared ones, both ascending
+  std::vector<ElementBlock> block;    // in the order of their sums
+  std::vector<std::int32_t> node;     // of each block: its own, then the shared ones, both ascending
 
-  const FabricGroup& fabric_of(std::size_t g) const { return fabric[static_cast<std::size_t>(group[g].fabric)]; }
+  // The fabric of group g.
+  const FabricGroup& fabric_of(std::size_t g) const {
+    return fabric[static_cast<std::size_t>(group[g].fabric)];
+  }
 };
 
 // Nodes that several blocks share, ascending, and the slots of their sums in block order (compressed rows).
 struct SharedNodes {
-  std::vector<std::int32_t> node;
+  std::vector<std::int32_t> node;       // their numbers in the mesh
   std::vector<std::int32_t> row_begin;  // shared nodes + 1
-  std::vector<std::int32_t> slot;
+  std::vector<std::int32_t> slot;       // in BagState::shared_sums, by rows
 };
 
 // For each node the elements around it, ascending (compressed rows).
 struct CornerTable {
   std::vector<std::int32_t> row_begin;  // nodes + 1
-  std::vector<std::int32_t> element;
+  std::vector<std::int32_t> element;    // by rows
 };
 
 // Constant during a run. Made by make_model only.
 struct BagModel {
-  int node_count = 0;
-  int element_count = 0;
-  bool woven = false;          // some element has a weave: all take the orthotropic law
-  BagDescription description;  // as given and checked
-  BlockTable elements;
-  SharedNodes shared;
-  CornerTable corners;
+  int node_count = 0;                       // N
+  int element_count = 0;                    // M, null ones too
+  bool woven = false;                       // some element has a weave: all take the orthotropic law
+  BagDescription description;               // as given and checked
+  BlockTable elements;                      // for the kernels
+  SharedNodes shared;                       // of the blocks
+  CornerTable corners;                      // elements around each node
   std::vector<double> node_mass;            // sum of rho h A / 3 [kg]
   std::vector<double> inverse_mass;         // 1 / mass, 0 at fixed nodes [1/kg]
   std::vector<double> node_area;            // reference area of the fabric around the node, sum of A / 3 [m2]

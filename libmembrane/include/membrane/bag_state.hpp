@@ -34,14 +34,20 @@ struct ForceSums {
 // S8: work of each force over one kick, tau f . (v- + v+) / 2 [J] (K.20). Their sum is kinetic_after -
 // kinetic_before to round-off, whatever the forces and steps.
 struct KickWork {
-  double membrane = 0.0, pressure = 0.0, jet = 0.0, support = 0.0, contact = 0.0, gravity = 0.0,
-         damping = 0.0;
+  double membrane = 0.0;  // of the fabric's stress
+  double pressure = 0.0;  // of the gas
+  double jet = 0.0;       // of its overpressure
+  double support = 0.0;   // of straps and plates
+  double contact = 0.0;   // of what the caller wrote to contact_force
+  double gravity = 0.0;   // of the weight
+  double damping = 0.0;   // <= 0
+  // Sum of all.
   double total() const { return membrane + pressure + jet + support + contact + gravity + damping; }
 };
 
 // S8: results of one step.
 struct AdvanceSums {
-  KickWork work;
+  KickWork work;                // by cause
   double kinetic_before = 0.0;  // of v at n-1/2 [J]
   double kinetic_after = 0.0;   // of v at n+1/2 [J]
   double kinetic_product =
@@ -55,10 +61,10 @@ struct AdvanceSums {
 
 // Partial sums of one block; scratch of the stages.
 struct BlockSums {
-  SurfaceSums surface;
-  ForceSums forces;
-  double shared_mobility = 0.0;
-  AdvanceSums advance;
+  SurfaceSums surface;           // of a block of elements; its volume is still three times the volume
+  ForceSums forces;              // fabric of a block of elements, plates of a block of nodes
+  double shared_mobility = 0.0;  // part of gradient_mobility, of a block of shared nodes [m4/kg]
+  AdvanceSums advance;           // of a block of nodes
 };
 
 // All that changes during a run. Each array has one writer, named on its line; everything is allocated by
@@ -80,15 +86,15 @@ struct BagState {
   MassShares shares;                    // of the nodes' mass; starts as sewn, update_mass_shares
   std::vector<double> share_demand;     // elements, scratch of update_mass_shares
   std::vector<BlockSums> block;         // scratch of the block sums
-  SurfaceSums surface;
-  ForceSums forces;
-  AdvanceSums advance;
+  SurfaceSums surface;                  // S1/S9
+  ForceSums forces;                     // S6
+  AdvanceSums advance;                  // S8
 };
 
 // Loads that the scene has beside pressure and supports; what is absent costs nothing.
 struct LoadKinds {
-  bool jet = false;
-  bool contact = false;
+  bool jet = false;      // area vectors, centroids and jet forces are kept
+  bool contact = false;  // contact_force is there to be written
 };
 
 // State at rest at the given positions (3 x nodes [m]), surface and membrane forces not yet computed.

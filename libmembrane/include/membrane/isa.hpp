@@ -10,6 +10,7 @@ enum class Isa { scalar, baseline, avx2 };
 // The fastest of them that this processor runs.
 Isa best_isa();
 
+// `scalar`, `baseline` or `avx2`.
 const char* name_of(Isa isa);
 
 }  // namespace membrane

@@ -13,7 +13,9 @@ enum class Compression { linear, none };
 // Green-Lagrange strain in an orthonormal frame of the reference plane (M.1); e12 is the tensor component.
 template <class T>
 struct PlaneStrain {
-  T e11, e22, e12;  // [-]
+  T e11;  // [-] along the first axis
+  T e22;  // [-] along the second
+  T e12;  // [-] half the shear angle
 };
 
 // Elastic constants of isotropic St. Venant-Kirchhoff plane stress (M.2) as the kernels use them.
@@ -27,7 +29,9 @@ struct IsotropicConstants {
 // What the pointwise law returns: second Piola-Kirchhoff stress and its energy.
 template <class T>
 struct PlaneResponse {
-  T s11, s22, s12;   // [Pa]
+  T s11;             // [Pa] along the first axis
+  T s22;             // [Pa] along the second
+  T s12;             // [Pa] shear
   T energy_density;  // [J/m3 of the reference volume]
   T stress_1;        // largest principal second Piola-Kirchhoff stress [Pa]
   T strain_1;        // largest principal Green-Lagrange strain [-]

@@ -17,7 +17,9 @@ struct Mesh {
   std::vector<std::string> panel_names;  // one name per panel, unique
   std::vector<int> line;                 // M, line of its file from 1, by which faults are named; else empty
 
+  /// N
   int node_count() const { return static_cast<int>(nodes.cols()); }
+  /// M
   int element_count() const { return static_cast<int>(elements.cols()); }
 };
 
@@ -55,11 +57,12 @@ bool has_area(const Eigen::Vector3d& ab, const Eigen::Vector3d& ac);
 
 /// Smallest and mean shape figures of a set of elements.
 struct ElementQuality {
-  double min_angle;           // [rad] smallest interior angle
-  double min_altitude;        // [m] smallest altitude: governs the critical time step
-  double mean_altitude;       // [m] mean over the elements of each one's smallest altitude
-  double max_aspect;          // [-] longest edge over smallest altitude (equilateral: 2/sqrt(3))
-  double min_area, max_area;  // [m2]
+  double min_angle;      // [rad] smallest interior angle
+  double min_altitude;   // [m] smallest altitude: governs the critical time step
+  double mean_altitude;  // [m] mean over the elements of each one's smallest altitude
+  double max_aspect;     // [-] longest edge over smallest altitude (equilateral: 2/sqrt(3))
+  double min_area;       // [m2] of the smallest element
+  double max_area;       // [m2] of the largest
 };
 
 /// Element-quality report. Precondition: at least one element, none of zero area (else

@@ -14,6 +14,7 @@ namespace membrane {
 /// A mesh file that cannot be read; what() reads `file:line:column: what is wrong`.
 class MeshFileError : public std::runtime_error {
  public:
+  /// Line and column from 1, or both 0 where the file as a whole is meant and what() names neither.
   MeshFileError(const std::string& file, std::size_t line, std::size_t column, const std::string& message);
   std::size_t line() const { return line_; }      // from 1; 0 if the file as a whole is meant
   std::size_t column() const { return column_; }  // from 1; 0 if the file as a whole is meant

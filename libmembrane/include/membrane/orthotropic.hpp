@@ -12,9 +12,10 @@ namespace membrane {
 // What a fabric's data sheet gives; the Poisson ratio is the weft's contraction in tension along the warp.
 // The stiffness is positive definite for moduli > 0 and poisson^2 < young_warp / young_weft.
 struct Weave {
-  double young_warp, young_weft;  // [Pa]
-  double poisson;                 // nu_12 [-]
-  double shear;                   // G [Pa]
+  double young_warp;  // [Pa] > 0
+  double young_weft;  // [Pa] > 0
+  double poisson;     // nu_12 [-]
+  double shear;       // G [Pa] > 0
 };
 
 // The elastic constants as the kernels use them (M.13). In the frame of warp and weft the strains along and
@@ -23,11 +24,12 @@ struct Weave {
 // mean, the difference and the shear.
 template <class T>
 struct OrthotropicConstants {
-  T cosine, sine;  // of twice the angle from the frame's first axis to the warp
-  T warp_scale;    // (C_11 / C_22)^(1/4) [-]
-  T spherical;     // sqrt(C_11 C_22) + C_12 [Pa]: mean stress over mean strain
-  T deviator;  // sqrt(C_11 C_22) - C_12 [Pa]: stress over strain, each half the difference of warp and weft
-  T shear;     // 2 G [Pa]: shear stress over tensor shear strain
+  T cosine;      // of twice the angle from the frame's first axis to the warp
+  T sine;        // of the same
+  T warp_scale;  // (C_11 / C_22)^(1/4) [-]
+  T spherical;   // sqrt(C_11 C_22) + C_12 [Pa]: mean stress over mean strain
+  T deviator;    // sqrt(C_11 C_22) - C_12 [Pa]: stress over strain, each half the difference of warp and weft
+  T shear;       // 2 G [Pa]: shear stress over tensor shear strain
   // Of the wrinkled branch (M.14); all 0 for an element without stress.
   T series;  // 1 / (1 / spherical + 1 / deviator) [Pa]
   T skew;    // series * (1 / deviator - 1 / shear) [-], 0 if isotropic in the scaled frame

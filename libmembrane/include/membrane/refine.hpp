@@ -8,6 +8,7 @@
 
 namespace membrane {
 
+// Limit of what refine makes.
 inline constexpr int kMostElements = 10'000'000;
 
 /// Splits every element in four at the midpoints of its sides: volume, area and panels stay, lengths halve.

@@ -12,7 +12,9 @@
 // same bits whatever it does.
 namespace membrane {
 
+// One block after the other in the calling thread.
 struct Serial {
+  // Calls f(0) ... f(count - 1).
   template <class F>
   void operator()(int count, F&& f) const {
     for (int block = 0; block < count; ++block) f(block);
@@ -22,21 +24,35 @@ struct Serial {
 // What a pass over the elements computes.
 enum class SkinParts { surface, forces, both };
 
+// How many blocks there are, of elements (at most kBlockElements each) ...
 int element_blocks(const BagModel& model);
+// ... of nodes that several of them share (kNodeBlock each) ...
 int shared_blocks(const BagModel& model);
+// ... and of all nodes (kNodeBlock each).
 int node_blocks(const BagModel& model);
 
-// Parts of the stages below that handle one block, and the closing sums.
+// Parts of the stages below that handle one block, and the closing sums. Precondition: `block` is one of the
+// kind's. update_skin, a block of elements: their sums, and forces and gradients at their nodes.
 void skin_block(const BagModel& model, BagState& state, SkinParts parts, int block);
+// update_skin, a block of shared nodes, after all blocks of elements: adds up what those left there.
 void shared_block(const BagModel& model, BagState& state, SkinParts parts, int block);
+// update_skin: sums over the blocks, in order. Throws MembraneError if volume or area is not finite.
 void sum_skin(const BagModel& model, BagState& state, SkinParts parts);
+// support_forces, a block of nodes: the plates' part.
 void plate_force_block(const BagModel& model, BagState& state, int block);
+// support_forces: the straps, and sums over the blocks.
 void sum_support_forces(const BagModel& model, BagState& state);
+// advance, a block of nodes.
 void advance_block(const BagModel& model, BagState& state, double dt_before, double dt_after, int block);
+// advance: sums over the blocks. Throws MembraneError naming the node whose velocity is not finite.
 void sum_advance(const BagModel& model, BagState& state, double dt_before, double dt_after);
+// update_mass_shares, a block of elements: how much more mass each asks for (M.17).
 void demand_block(const BagModel& model, BagState& state, int block);
+// update_mass_shares, a block of nodes: the shares by what their elements ask for.
 void share_block(const BagModel& model, BagState& state, int block);
+// update_mass_shares, a block of elements: the bounds of omega^2 that follow.
 void frequency_block(const BagModel& model, BagState& state, int block);
+// advance: std::invalid_argument unless dt_before >= 0, dt_after > 0, both finite.
 void check_steps(double dt_before, double dt_after);
 
 // S1/S9 and the fabric's part of S6 at state.position in one pass over the elements, which is what a step

@@ -11,8 +11,8 @@ namespace membrane {
 
 /// An edge (node pair as the first of the elements runs it) and the elements that share it.
 struct EdgeFault {
-  std::array<int, 2> nodes;
-  std::vector<int> elements;
+  std::array<int, 2> nodes;   // from 0
+  std::vector<int> elements;  // from 0
 };
 
 /// Everything found wrong with a surface; all lists empty and inward false on a valid control volume.

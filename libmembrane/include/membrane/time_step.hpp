@@ -12,8 +12,9 @@ struct StiffnessShares {
   double element = 0.0;  // fabric at its current stretch, geometric stiffness included (M.10)
   double gas = 0.0;      // (gamma p / V) g^T M^-1 g (M.11)
   double contact = 0.0;  // given by the contact model
-  double strap = 0.0;
-  double plate = 0.0;
+  double strap = 0.0;    // of all straps, taut or not
+  double plate = 0.0;    // of all plates, touched or not
+  // Bound of the whole bag's omega^2 (M.12).
   double total() const { return element + gas + contact + strap + plate; }
 };
 
@@ -32,6 +33,8 @@ struct ElementResponse {
   PlaneResponse<double> response;  // zero for a null element
   double frequency = 0.0;          // bound of omega^2 of this element (M.10) [1/s2]
 };
+// Response of an element, without pressure and supports. Throws std::invalid_argument for a number out of
+// range.
 ElementResponse element_response(const BagModel& model, const BagState& state, int element);
 
 // Element with the largest bound: the one that governs the step.

@@ -11,7 +11,7 @@ namespace closed_form {
 
 /// Mass on a spring and on the gas of a closed cylinder, small oscillation about equilibrium.
 struct GasPiston {
-  PerfectGas gas;
+  PerfectGas gas;               // in the cylinder
   double mass = kRequired;      // [kg] > 0
   double area = kRequired;      // [m2] > 0
   double volume = kRequired;    // [m3] at equilibrium, > 0
@@ -26,8 +26,8 @@ double gas_piston_isothermal_frequency(const GasPiston& piston);
 
 /// Pendulum whose impactor closes a gas cylinder (area, volume and pressure as for the piston).
 struct PendulumGasSpring {
-  PerfectGas gas;
-  Pendulum pendulum;
+  PerfectGas gas;               // in the cylinder
+  Pendulum pendulum;            // hanging, its impactor on the piston
   double area = kRequired;      // [m2] > 0
   double volume = kRequired;    // [m3] > 0
   double pressure = kRequired;  // [Pa] absolute, > 0
@@ -37,11 +37,12 @@ double pendulum_gas_spring_frequency(const PendulumGasSpring& scene);
 
 /// Elastic sphere filled quasi-statically by gas, adiabatic; starts unstretched at ambient pressure.
 struct SphereFill {
-  PerfectGas gas;
-  StretchedSphere sphere;
+  PerfectGas gas;                         // that flows in, and that is inside at the start
+  StretchedSphere sphere;                 // what it fills
   double ambient_pressure = 101325.0;     // [Pa] > 0
   double inflow_temperature = kRequired;  // [K] > 0
 };
+/// Filled sphere.
 struct SphereFillState {
   double inflow_mass = 0.0;    // [kg]
   double pressure = 0.0;       // [Pa] absolute
@@ -57,10 +58,11 @@ double sphere_fill_stretch(const SphereFill& scene, double inflow_mass);
 
 /// Elastic sphere at constant overpressure, pressed between two equal rigid frictionless spheres on its axis.
 struct PressedBalloon {
-  StretchedSphere sphere;
+  StretchedSphere sphere;              // unstretched
   double overpressure = kRequired;     // [Pa] > 0
   double indenter_radius = kRequired;  // [m] >= sphere.radius; very large: a flat plate
 };
+/// Pressed balloon at one size of the patch in touch.
 struct BalloonPress {
   double force = 0.0;  // [N] of each indenter, (p + 2 T/r) pi a^2 with T the tension at the patch's edge
   double centre_height = 0.0;  // [m] of its centre over the balloon's equator

@@ -8,6 +8,7 @@
 // parameter is missing or out of validity.
 namespace closed_form {
 
+/// Shape of one disc under pressure.
 struct InflatedDisc {
   double centre_stretch = 0.0;     // [-] in every direction
   double centre_deflection = 0.0;  // [m] above the plane of the edge
@@ -32,6 +33,7 @@ struct TwistedRing {
   double inner_radius = kRequired;  // a [m] > 0
   double outer_radius = kRequired;  // b [m] > a
 };
+/// What the turn does.
 struct RingTwist {
   double ray_radius = 0.0;     // c [m] of the circle that the rays touch
   double torque = 0.0;         // [N m] 2 pi c A h

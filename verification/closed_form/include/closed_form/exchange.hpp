@@ -10,7 +10,7 @@ namespace closed_form {
 /// Rigid tank at rest below ambient pressure that fills through a hole with ambient gas, adiabatic; tank gas
 /// and ambient gas are the same.
 struct AmbientInrush {
-  PerfectGas gas;
+  PerfectGas gas;                          // of tank and ambient
   double volume = kRequired;               // [m3] > 0
   double area = kRequired;                 // [m2] Cd A > 0
   double initial_pressure = kRequired;     // [Pa] 0 <= p0 < ambient_pressure; 0 is an evacuated tank
@@ -24,11 +24,11 @@ struct AmbientInrush {
 /// m0)/V, so an evacuated tank ends at T = gamma T_a. State constant after the end. Needs time >= 0 [s].
 /// Source: derived here.
 GasState ambient_inrush(const AmbientInrush& tank, double time);
-double ambient_inrush_end(const AmbientInrush& tank);  // [s]
+double ambient_inrush_end(const AmbientInrush& tank);  // [s] when the tank is at ambient pressure
 
 /// Rigid tank filled at constant mass flow and inflow temperature, which loses heat h A (T - T_ext).
 struct HeatLossFill {
-  PerfectGas gas;
+  PerfectGas gas;                          // of tank and inflow
   double volume = kRequired;               // [m3] > 0
   double initial_pressure = kRequired;     // [Pa] > 0
   double initial_temperature = kRequired;  // [K] > 0
@@ -45,7 +45,7 @@ GasState heat_loss_fill(const HeatLossFill& tank, double time);
 
 /// Rigid adiabatic tank that leaks through fabric of velocity v = k (p - p_a): mdot = C rho v.
 struct LinearFabricTank {
-  PerfectGas gas;
+  PerfectGas gas;                          // in the tank
   double volume = kRequired;               // [m3] > 0
   double area = kRequired;                 // [m2] C > 0
   double permeability = kRequired;         // [m/(s Pa)] k > 0

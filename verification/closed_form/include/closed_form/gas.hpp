@@ -9,7 +9,7 @@ namespace closed_form {
 
 /// Rigid adiabatic tank filled at constant mass flow and inflow temperature.
 struct TankFill {
-  PerfectGas gas;
+  PerfectGas gas;                          // of tank and inflow
   double volume = kRequired;               // [m3] > 0
   double initial_pressure = kRequired;     // [Pa] >= 0; 0 is an evacuated tank
   double initial_temperature = kRequired;  // [K] > 0
@@ -25,7 +25,7 @@ GasState tank_fill(const TankFill& tank, double time);
 /// Rigid adiabatic tank filled by mdot = (2 M / t_e) sin^2(pi t / t_e), T_in = T1 + (T2 - T1) t / t_e, 0 <= t
 /// <= t_e.
 struct PulseFill {
-  PerfectGas gas;
+  PerfectGas gas;                          // of tank and inflow
   double volume = kRequired;               // [m3] > 0
   double initial_pressure = kRequired;     // [Pa] > 0
   double initial_temperature = kRequired;  // [K] > 0
@@ -61,8 +61,9 @@ struct TwoGasFill {
   double inflow_temperature = kRequired;     // [K] > 0
 };
 
+/// Mixture after the fill.
 struct TwoGasState {
-  GasState state;
+  GasState state;                    // of the mixture
   double heat_capacity_ratio = 0.0;  // [-] sum(m cp) / sum(m cv), not the mass-weighted mean of gamma
   double gas_constant = 0.0;         // [J/(kg K)] of the mixture
 };
@@ -73,7 +74,7 @@ TwoGasState two_gas_fill(const TwoGasFill& tank);
 
 /// Steady state of a rigid tank with constant inflow and a choked vent.
 struct VentedFill {
-  PerfectGas gas;
+  PerfectGas gas;                         // of tank and inflow
   double volume = kRequired;              // [m3] > 0
   double mass_flow = kRequired;           // [kg/s] > 0
   double inflow_temperature = kRequired;  // [K] > 0
@@ -82,6 +83,7 @@ struct VentedFill {
   double ambient_pressure = 101325.0;     // [Pa] >= 0; the steady vent must be choked against it
 };
 
+/// The steady state and how fast it is approached.
 struct VentedFillSteady {
   GasState state;                // T = T_in, p = mdot sqrt(R T_in) / (Cd A phi)
   double slow_eigenvalue = 0.0;  // [1/s] < 0, of the linearised (m, U) system
@@ -94,14 +96,15 @@ VentedFillSteady vented_fill_steady(const VentedFill& tank);
 
 /// Gas in a cylinder compressed or expanded without heat: p V^gamma constant.
 struct AdiabaticPiston {
-  PerfectGas gas;
+  PerfectGas gas;                          // in the cylinder
   double initial_pressure = kRequired;     // [Pa] > 0
   double initial_temperature = kRequired;  // [K] > 0
   double initial_volume = kRequired;       // [m3] > 0
 };
 
+/// Compressed or expanded gas.
 struct PistonState {
-  GasState state;
+  GasState state;            // after the change of volume
   double work_on_gas = 0.0;  // [J] (p V - p0 V0) / (gamma - 1)
 };
 
@@ -110,7 +113,7 @@ PistonState adiabatic_piston(const AdiabaticPiston& piston, double volume);
 
 /// Filling of a volume that grows at constant pressure.
 struct ConstantPressureFill {
-  PerfectGas gas;
+  PerfectGas gas;                          // of volume and inflow
   double pressure = kRequired;             // [Pa] > 0
   double initial_volume = kRequired;       // [m3] > 0
   double initial_temperature = kRequired;  // [K] > 0
@@ -121,15 +124,15 @@ struct ConstantPressureFill {
 /// V = V0 + mdot R T_in t / p; T mixes by enthalpy. Source: derived here; textbook result.
 GasState constant_pressure_fill(const ConstantPressureFill& bag, double time);
 
-/// Tank test with the measured end pressure and the known total mass: T_bar = (p_end - p0) V / (gamma R M)
-/// [K].
+/// Tank test with the measured end pressure and the known total mass.
 struct AverageTemperature {
-  PerfectGas gas;
+  PerfectGas gas;                       // of tank and inflow
   double volume = kRequired;            // [m3] > 0
   double initial_pressure = kRequired;  // [Pa] >= 0
   double final_pressure = kRequired;    // [Pa] > initial_pressure
   double total_mass = kRequired;        // [kg] > 0
 };
+/// T_bar = (p_end - p0) V / (gamma R M) [K]. Source: tank_fill, solved for T_in.
 double average_inflow_temperature(const AverageTemperature& tank);
 
 /// mdot = V (dp/dt) / (gamma R T_bar) [kg/s]: exact for the product mdot T_in, biased by T_in/T_bar in mdot.
@@ -137,13 +140,14 @@ double average_temperature_mass_flow(const AverageTemperature& tank, double pres
 
 /// Dual-pressure tank test: choked inflator outlet, chamber pressure and tank pressure rate measured.
 struct DualPressure {
-  PerfectGas gas;
+  PerfectGas gas;                       // of inflator and tank
   double volume = kRequired;            // [m3] of the tank, > 0
   double outlet_area = kRequired;       // [m2] Cd A > 0
   double chamber_pressure = kRequired;  // [Pa] > 0
   double pressure_rate = kRequired;     // [Pa/s] of the tank, > 0
 };
 
+/// What the two readings give at one time.
 struct DualPressureResult {
   double mass_flow = 0.0;    // [kg/s] (A phi p_c)^2 / (R Q), Q = V p' / (gamma R)
   double temperature = 0.0;  // [K] R Q^2 / (A phi p_c)^2, stagnation temperature of the chamber

@@ -8,13 +8,14 @@
 // validity.
 namespace closed_form {
 
-/// Jet outlet. Round: radius R0. Plane: b0, half the short side.
+/// Jet from a round outlet.
 struct RoundJet {
   double radius = kRequired;     // [m] R0 > 0
   double spread = 0.08;          // [-] a, turbulence structure coefficient, > 0
   double outlet_velocity = 1.0;  // [m/s] V0 > 0
   double outlet_density = 1.0;   // [kg/m3] rho0 > 0
 };
+/// Jet from a slit, uniform along the long side.
 struct PlaneJet {
   double half_width = kRequired;  // [m] b0 > 0
   double length = 1.0;            // [m] long side of the outlet, > 0
@@ -37,17 +38,19 @@ struct JetSection {
 double round_centreline_ratio(double spread, double distance_over_radius);
 /// Vm/V0 = min(1, 1.2/sqrt(a z/b0 + 0.41)), z >= 0. Source: as above.
 double plane_centreline_ratio(double spread, double distance_over_half_width);
-/// Core length over R0, (0.96 - 0.29)/a = 0.67/a; over b0, (1.44 - 0.41)/a = 1.03/a.
+/// Core length over R0, (0.96 - 0.29)/a = 0.67/a.
 double round_core_length(double spread);
+/// Core length over b0, (1.44 - 0.41)/a = 1.03/a.
 double plane_core_length(double spread);
 
 /// R = sqrt 2 R0 V0/Vm, Q/Q0 = 2 V0/Vm, K/K0 = (2/3) Vm/V0. Source: derived here.
 JetSection round_jet_section(const RoundJet& jet, double distance);
-/// b = 2 sqrt(2/pi) b0 (V0/Vm)^2, Q/Q0 = sqrt 2 V0/Vm, K/K0 = sqrt(2/3) Vm/V0... per the same Gaussian.
+/// b = 2 sqrt(2/pi) b0 (V0/Vm)^2, Q/Q0 = sqrt 2 V0/Vm, K/K0 = sqrt(2/3) Vm/V0.
 /// Source: derived here.
 JetSection plane_jet_section(const PlaneJet& jet, double distance);
-/// Velocity [m/s] at axial distance z and distance r from the axis (round) or from the mid plane (plane).
+/// Velocity [m/s] at axial distance z >= 0 [m] and distance r [m] from the axis.
 double round_jet_velocity(const RoundJet& jet, double distance, double r);
+/// Velocity [m/s] at axial distance z >= 0 [m] and distance r [m] from the mid plane.
 double plane_jet_velocity(const PlaneJet& jet, double distance, double r);
 
 /// Far-field constants that experiments report.
@@ -56,11 +59,14 @@ struct RoundFarField {
   double half_width_slope = 0.0;   // S = sqrt(2 ln 2) a/0.96
   double entrainment_slope = 0.0;  // d(Q/Q0)/d(z/D) = 4 a/0.96
 };
+/// The same of a plane jet.
 struct PlaneFarField {
   double decay_constant = 0.0;    // K = 2 a/1.44 in (V0/Vm)^2 = K z/h + ..., h = 2 b0
   double half_width_slope = 0.0;  // 2 sqrt(2/pi) sqrt(ln 2) a/1.44
 };
+/// Of a round jet, a > 0. Source: the sections above far from the outlet, derived here.
 RoundFarField round_far_field(double spread);
+/// Of a plane jet, a > 0. Source: as above.
 PlaneFarField plane_far_field(double spread);
 
 /// Tollmien's mixing-length similarity solution, phi = r/(a z).
@@ -71,25 +77,28 @@ struct TollmienConstants {
   double flux_integral = 0.0;      // [-] int f phi dphi (round), int f dphi (plane)
   double decay_constant = 0.0;     // C in Vm/V0 = C/(a z/R0) or C/sqrt(a z/b0)
 };
-/// Round: ODE (Taylor start, Runge-Kutta). Plane: Beta functions. Source: W. Tollmien (1926);
-/// derived here.
+/// Round jet, by its ODE (Taylor start, Runge-Kutta). Source: W. Tollmien (1926); derived here.
 TollmienConstants tollmien_round();
+/// Plane jet, by Beta functions. Source: as above.
 TollmienConstants tollmien_plane();
 
 /// Sonic outlet. static_temperature variant is the printed formula of "Gas Jet Model for Airbag Inflators".
 struct SonicOutlet {
-  PerfectGas gas;
+  PerfectGas gas;                  // of the inflator
   double temperature = kRequired;  // [K] > 0, static, or stagnation if stagnation = true
-  bool stagnation = false;
-  double mass_flow = kRequired;  // [kg/s] > 0
-  double area = kRequired;       // [m2] > 0
+  bool stagnation = false;         // which of the two temperature is
+  double mass_flow = kRequired;    // [kg/s] > 0
+  double area = kRequired;         // [m2] > 0
 };
+/// Gas in the outlet.
 struct OutletState {
   double velocity = 0.0;         // [m/s] sqrt(gamma R T), times sqrt(2/(gamma+1)) for stagnation
   double density = 0.0;          // [kg/m3] mdot/(A V0)
   double momentum_flux = 0.0;    // [N] mdot V0
   double static_pressure = 0.0;  // [Pa] rho0 R T_static: not fixed to the bag's pressure by the formula
 };
+/// Uniform flow at the speed of sound. Source: static temperature as printed there; stagnation: isentropic
+/// flow, textbook result.
 OutletState sonic_outlet(const SonicOutlet& outlet);
 
 /// Force [N] on an unbounded plate normal to the jet: c J, c = 1 deflection, 2 complete reflection; J = rho0

@@ -25,6 +25,7 @@ Sheet paper_fabric();
 /// Volume [m3] of the regular icosahedron of given edge [m] > 0: 5 (3 + sqrt 5)/12 edge^3.
 double icosahedron_volume(double edge);
 
+/// Refined icosahedron against its sphere.
 struct IcosphereRatios {
   std::size_t faces = 0;      // 20 * 4^level
   double volume_ratio = 0.0;  // mesh volume / sphere volume
@@ -36,9 +37,10 @@ IcosphereRatios icosphere_ratios(int level);
 
 /// Spherical StVK balloon.
 struct StretchedSphere {
-  Sheet sheet;
+  Sheet sheet;                // its skin
   double radius = kRequired;  // [m] unstretched, > 0
 };
+/// Inflated sphere.
 struct SphereStretch {
   double stretch = 0.0;        // [-] lambda = (q + sqrt(q^2 + 4))/2, q = p R0 (1 - nu)/(E h)
   double stress = 0.0;         // [Pa] second Piola-Kirchhoff, E/(1-nu) (lambda^2 - 1)/2
@@ -57,9 +59,10 @@ double sphere_breathing_frequency(const StretchedSphere& sphere, double overpres
 
 /// StVK cylinder of fixed length.
 struct StretchedCylinder {
-  Sheet sheet;
+  Sheet sheet;                // its skin
   double radius = kRequired;  // [m] unstretched, > 0
 };
+/// Inflated cylinder.
 struct CylinderStretch {
   double hoop_stretch = 0.0;   // [-] sqrt(1 + 2 (1-nu^2) p R/(E h))
   double axial_stretch = 0.0;  // [-] 1 if fixed
@@ -74,10 +77,11 @@ CylinderStretch closed_cylinder(const StretchedCylinder& cylinder, double overpr
 
 /// Clamped circular membrane, Hencky's series: pressure keeps its direction, moderate rotation (Foeppl).
 struct CircularMembrane {
-  Sheet sheet;
+  Sheet sheet;                      // unstretched
   double radius = kRequired;        // [m] > 0
   double overpressure = kRequired;  // [Pa] > 0; q = p a/(E h) <= 0.1 (small slope)
 };
+/// The series and what follows from it.
 struct HenckyMembrane {
   std::vector<double> coefficients;  // b_0, b_2, b_4, ...
   double centre_deflection = 0.0;    // [m]
@@ -138,6 +142,7 @@ struct MembraneDent {
   double membrane_radius = kRequired;  // [m] R > 0
   double sphere_radius = kRequired;    // [m] r >= R
 };
+/// The sphere at one depth.
 struct DentState {
   double depth = 0.0;   // [m] a^2 (1 + 2 ln(R/a))/(2 r), of the sphere under the membrane's plane
   double force = 0.0;   // [N] 2 pi N a^2/r
@@ -147,10 +152,11 @@ struct DentState {
 /// patch).
 DentState membrane_dent(const MembraneDent& dent, double patch_radius);
 
+/// Impact of the sphere.
 struct MembraneRebound {
   double patch_radius = 0.0;  // [m] at the turn
-  DentState turn;
-  double duration = 0.0;  // [s] from first touch to release
+  DentState turn;             // where the sphere is at rest
+  double duration = 0.0;      // [s] from first touch to release
 };
 /// Sphere of mass [kg] > 0 that meets that membrane, massless, at speed [m/s] > 0 and leaves at the same
 /// speed; refused if the patch would reach the rim.
@@ -162,8 +168,10 @@ struct WaveSpeeds {
   double bar = 0.0;    // [m/s] sqrt(E/rho)
   double shear = 0.0;  // [m/s] sqrt(G/rho)
 };
+/// In the unstretched sheet; needs sheet.density.
 WaveSpeeds wave_speeds(const Sheet& sheet);
 
+/// The same in a stretched sheet.
 struct StretchedWaveSpeeds {
   double longitudinal = 0.0;  // [m/s] referential, sqrt((E/(rho (1-nu^2))) (3 lambda^2 - 1)/2)
   double transverse = 0.0;    // [m/s] referential, sqrt(S/rho), S = E/(1-nu^2) (lambda^2-1)/2
@@ -172,12 +180,16 @@ struct StretchedWaveSpeeds {
 /// Source: derived here.
 StretchedWaveSpeeds stretched_wave_speeds(const Sheet& sheet, double stretch);
 
+/// Second Piola-Kirchhoff stress.
 struct PlaneStress {
-  double s11 = 0.0, s22 = 0.0, s12 = 0.0;  // [Pa] second Piola-Kirchhoff
+  double s11 = 0.0;  // [Pa]
+  double s22 = 0.0;  // [Pa]
+  double s12 = 0.0;  // [Pa]
 };
 /// Hooke's law in plane stress: S11 = E/(1-nu^2) (E11 + nu E22), S12 = E/(1+nu) E12 (e12: tensor component).
 /// Source: textbook result (Timoshenko and Goodier, Theory of Elasticity, section 15).
 PlaneStress hooke_plane_stress(const Sheet& sheet, double e11, double e22, double e12);
+/// Strip in tension.
 struct UniaxialState {
   double stress = 0.0;              // [Pa] S = E (lambda^2 - 1)/2
   double transverse_stretch = 0.0;  // [-] sqrt(1 - nu (lambda^2 - 1))

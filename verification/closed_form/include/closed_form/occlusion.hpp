@@ -9,9 +9,9 @@
 // All functions throw std::invalid_argument naming the field when a parameter is missing or out of validity.
 namespace closed_form {
 
-using Point2 = std::array<double, 2>;
-using Point3 = std::array<double, 3>;
-using Triangle2 = std::array<Point2, 3>;
+using Point2 = std::array<double, 2>;     // [m] in a plane
+using Point3 = std::array<double, 3>;     // [m]
+using Triangle2 = std::array<Point2, 3>;  // corners, in either order
 
 /// Fraction of target hidden by occluder, a source at distance occluder_distance and target_distance > it [m]
 /// from two parallel planes; coordinates [m] in those planes about the source's foot. The shadow is the

@@ -15,7 +15,7 @@ double choked_flux_coefficient(double heat_capacity_ratio);
 
 /// Sharp-edged hole in a vessel.
 struct Orifice {
-  PerfectGas gas;
+  PerfectGas gas;                       // in the vessel
   double area = kRequired;              // [m2] > 0
   double discharge_coefficient = 1.0;   // [-] 0 < Cd <= 1
   double pressure = kRequired;          // [Pa] inside, > 0
@@ -46,14 +46,15 @@ enum class PorosityLaw {
 /// Leak area C = eta^2 A (printed) or eta A (screen) [m2]; 0 <= eta <= 1, A >= 0.
 double leak_area(double porosity, double fabric_area, PorosityLaw law = PorosityLaw::kPrinted);
 
+/// Fabric with gas under pressure behind it.
 struct PorousFabric {
-  PerfectGas gas;
-  double porosity = kRequired;     // [-] 0 <= eta <= 1
-  double fabric_area = kRequired;  // [m2] >= 0
-  PorosityLaw law = PorosityLaw::kPrinted;
-  double pressure = kRequired;          // [Pa] inside, > 0
-  double temperature = kRequired;       // [K] inside, > 0
-  double ambient_pressure = kRequired;  // [Pa] >= 0
+  PerfectGas gas;                           // behind the fabric
+  double porosity = kRequired;              // [-] 0 <= eta <= 1
+  double fabric_area = kRequired;           // [m2] >= 0
+  PorosityLaw law = PorosityLaw::kPrinted;  // of the leak area
+  double pressure = kRequired;              // [Pa] inside, > 0
+  double temperature = kRequired;           // [K] inside, > 0
+  double ambient_pressure = kRequired;      // [Pa] >= 0
 };
 
 /// mdot = C sqrt(2 rho (p - p_a)) [kg/s], rho = p/(R T); 0 when p_a >= p.
@@ -61,7 +62,7 @@ double porous_mass_flow(const PorousFabric& fabric);
 
 /// Rigid tank that empties through a hole into the ambient.
 struct Blowdown {
-  PerfectGas gas;
+  PerfectGas gas;                          // in the tank
   double volume = kRequired;               // [m3] > 0
   double area = kRequired;                 // [m2] > 0
   double discharge_coefficient = 1.0;      // [-] 0 < Cd <= 1
@@ -85,6 +86,7 @@ struct BlowdownTimes {
 /// = sqrt(y - 1), b = (2-gamma)/(gamma-1), inverted by Newton. State constant after end_time. Needs time >= 0
 /// [s]. Source: derived here; the problem is the "free batch expansion" of transport-phenomena textbooks.
 GasState blowdown(const Blowdown& tank, double time);
+/// Instants of that blow-down.
 BlowdownTimes blowdown_times(const Blowdown& tank);
 /// Time [s] at which the pressure [Pa], p_a <= p <= p0, is reached.
 double blowdown_time_of_pressure(const Blowdown& tank, double pressure);
@@ -92,18 +94,19 @@ double blowdown_time_of_pressure(const Blowdown& tank, double pressure);
 /// The same at constant temperature: choked p = p0 exp(-t/tau); subsonic int (1 + v^2)^b dv with
 /// b = 1/(gamma-1) - 1/2 (a polynomial for gamma = 7/5). Source: derived here.
 GasState isothermal_blowdown(const Blowdown& tank, double time);
+/// Instants of that blow-down; final_temperature is the initial one.
 BlowdownTimes isothermal_blowdown_times(const Blowdown& tank);
 
 /// Rigid tank that empties through porous fabric, mdot = C sqrt(2 rho (p - p_a)).
 struct PorousTank {
-  PerfectGas gas;
-  double volume = kRequired;       // [m3] > 0
-  double porosity = kRequired;     // [-] 0 < eta <= 1
-  double fabric_area = kRequired;  // [m2] > 0
-  PorosityLaw law = PorosityLaw::kPrinted;
-  double initial_pressure = kRequired;     // [Pa] > ambient_pressure
-  double initial_temperature = kRequired;  // [K] > 0
-  double ambient_pressure = kRequired;     // [Pa] > 0
+  PerfectGas gas;                           // in the tank
+  double volume = kRequired;                // [m3] > 0
+  double porosity = kRequired;              // [-] 0 < eta <= 1
+  double fabric_area = kRequired;           // [m2] > 0
+  PorosityLaw law = PorosityLaw::kPrinted;  // of the leak area
+  double initial_pressure = kRequired;      // [Pa] > ambient_pressure
+  double initial_temperature = kRequired;   // [K] > 0
+  double ambient_pressure = kRequired;      // [Pa] > 0
 };
 
 /// Isothermal, any overpressure: p = p_a cosh^2(u0 - k t), k = C sqrt(R T/2)/V, u0 = arcosh sqrt(p0/p_a);

@@ -19,6 +19,7 @@ struct Pendulum {
 /// The pendulum of "Gas Jet Model for Airbag Inflators": 10.9 kg, 2.07 kg m2, 1.065 m, 1.310 m.
 Pendulum paper_pendulum();
 
+/// What follows from the five numbers.
 struct PendulumConstants {
   double axis_inertia = 0.0;        // [kg m2] I_O = I_cg + m L^2
   double angular_frequency = 0.0;   // [rad/s] omega0 = sqrt(m g L / I_O)
@@ -38,6 +39,7 @@ PendulumConstants pendulum_constants(const Pendulum& pendulum);
 /// Source: textbook result (Landau and Lifshitz, Mechanics).
 double pendulum_period(const Pendulum& pendulum, double amplitude);
 
+/// Motion at one time.
 struct PendulumState {
   double angle = 0.0;             // [rad]
   double angular_velocity = 0.0;  // [rad/s]
@@ -47,6 +49,7 @@ struct PendulumState {
 /// Source: textbook result (Jacobi elliptic functions).
 PendulumState pendulum_swing(const Pendulum& pendulum, double amplitude, double time);
 
+/// Pendulum after a blow.
 struct ImpulseResponse {
   double angular_velocity = 0.0;  // [rad/s] just after, J L_i / I_O
   double kinetic_energy = 0.0;    // [J] J^2 / (2 m_eff)
@@ -65,6 +68,7 @@ double constant_force_maximum_angle(const Pendulum& pendulum, double force);
 /// refused (resonance).
 PendulumState half_sine_response(const Pendulum& pendulum, double force, double duration, double time);
 
+/// Part of a sphere beyond a plane.
 struct SphereContact {
   double patch_area = 0.0;  // [m2] pi (2 R delta - delta^2), cut of the sphere by the plane
   double cap_volume = 0.0;  // [m3] pi delta^2 (R - delta/3)
@@ -72,6 +76,7 @@ struct SphereContact {
 /// Rigid sphere radius [m] > 0 pressed 0 <= depth <= 2 radius [m] through a plane.
 SphereContact sphere_plane_cut(double radius, double depth);
 
+/// Contact of sphere and plane.
 struct SphereForce {
   double force = 0.0;   // [N] pi kappa delta^2 (R - delta), along the plane's normal
   double energy = 0.0;  // [J] pi kappa delta^3 (R/3 - delta/4)
@@ -86,6 +91,7 @@ SphereForce sphere_plane_contact(double radius, double depth, double stiffness);
 /// E(k) dd, h = R - depth, k^2 = 1 - h^2/d^2. friction >= 0, depth < radius. Source: derived here.
 double sphere_plane_sliding(double radius, double depth, double stiffness, double friction);
 
+/// Bounce off a one-sided spring.
 struct PenaltyBounce {
   double maximum_penetration = 0.0;  // [m] v sqrt(m/k)
   double duration = 0.0;             // [s] pi sqrt(m/k)

@@ -15,6 +15,7 @@ struct CentralDifference {
   double growth_per_step = 1.0;   // [-] |z|: 1 up to W = 2, then W^2/2 - 1 + sqrt((W^2/2 - 1)^2 - 1)
   double energy_amplitude = 0.0;  // [-] W^2/4, relative excess of the averaged-velocity energy
 };
+/// At W = omega_dt > 0 [-].
 CentralDifference central_difference(double omega_dt);
 /// 2/omega [s].
 double critical_time_step(double angular_frequency);
@@ -36,7 +37,7 @@ double right_mesh_frequency(const Sheet& sheet, double leg);
 
 /// Gas enclosed by a membrane of uniform area density, normal motion.
 struct EnclosedGas {
-  PerfectGas gas;
+  PerfectGas gas;                   // in the bag
   double pressure = kRequired;      // [Pa] absolute, > 0
   double volume = kRequired;        // [m3] > 0
   double area = kRequired;          // [m2] of the surface, > 0
@@ -51,15 +52,16 @@ double gas_breathing_frequency(const EnclosedGas& bag);
 /// unstable at every dt. Source: derived here.
 double lagged_pressure_growth(double omega_structure_dt, double omega_gas_dt);
 
-/// Drift of ln(p V^gamma) in one step, relative volume change delta = dV/V. Euler, E -= p dV: leading
-/// -gamma (gamma-1) delta^2/2, (G.20), needs -1 < delta < 1/(gamma-1). Trapezoid, mean of both pressures:
-/// leading -gamma (gamma^2-1) delta^3/12, needs -2/(gamma+1) < delta < 2/(gamma-1). Source: derived here.
+/// Drift of ln(p V^gamma) in one step of Euler, E -= p dV, relative volume change delta = dV/V: leading
+/// -gamma (gamma-1) delta^2/2, (G.20). Needs -1 < delta < 1/(gamma-1). Source: derived here.
 double euler_volume_work_drift(double heat_capacity_ratio, double delta);
+/// The same with the mean of both pressures: leading -gamma (gamma^2-1) delta^3/12. Needs -2/(gamma+1) <
+/// delta < 2/(gamma-1). Source: derived here.
 double trapezoid_volume_work_drift(double heat_capacity_ratio, double delta);
 
 /// Vent near equalisation: d sqrt(dp)/dt = -kappa.
 struct VentEqualisation {
-  PerfectGas gas;
+  PerfectGas gas;                       // in the vessel, near ambient pressure
   double volume = kRequired;            // [m3] > 0
   double area = kRequired;              // [m2] Cd A > 0
   double ambient_pressure = kRequired;  // [Pa] > 0

@@ -22,6 +22,7 @@ struct TankTestPulse {
   double outlet_area = kRequired;          // [m2] Cd A > 0
 };
 
+/// Readings at one time, and what is behind them.
 struct TankTestReadings {
   double tank_pressure = 0.0;     // [Pa]
   double chamber_pressure = 0.0;  // [Pa] that of the tank when nothing flows
@@ -43,11 +44,12 @@ double chamber_pressure(const PerfectGas& gas, double outlet_area, double mass_f
 
 /// A species with NASA-7 coefficients, as much of it as its share of the mass.
 struct Nasa7Share {
-  double mass_fraction;       // [-]
-  double gas_constant;        // [J/(kg K)]
-  std::array<double, 7> low;  // to 1000 K
-  std::array<double, 7> high;
+  double mass_fraction;        // [-]
+  double gas_constant;         // [J/(kg K)]
+  std::array<double, 7> low;   // to 1000 K
+  std::array<double, 7> high;  // from there on
 };
+/// Mixture; the mass fractions sum to 1.
 using Nasa7Gas = std::vector<Nasa7Share>;
 
 /// Specific enthalpy [J/kg] of the polynomials. Source: NASA TM-4513, 1993.

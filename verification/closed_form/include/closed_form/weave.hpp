@@ -8,6 +8,7 @@
 // validity.
 namespace closed_form {
 
+/// Fabric of warp and weft.
 struct WovenSheet {
   double warp_modulus = kRequired;  // E1 [Pa] > 0
   double weft_modulus = kRequired;  // E2 [Pa] > 0
@@ -23,12 +24,14 @@ double off_axis_modulus(const WovenSheet& sheet, double angle);
 
 /// Stress and energy of a sheet that carries no compression.
 struct WovenState {
-  double s11 = 0.0, s22 = 0.0, s12 = 0.0;  // [Pa]
-  double energy_density = 0.0;             // [J/m3]
-  double tension_angle = 0.0;  // [rad] of the line of tension to the warp, 0 to pi; NaN unless wrinkled
+  double s11 = 0.0;             // [Pa] along the warp
+  double s22 = 0.0;             // [Pa] along the weft
+  double s12 = 0.0;             // [Pa] shear
+  double energy_density = 0.0;  // [J/m3]
+  double tension_angle = 0.0;   // [rad] of the line of tension to the warp, 0 to pi; NaN unless wrinkled
 };
 /// Taut if the stress of the strain (e12: tensor component) has no compression. Else one-dimensional tension:
-/// by duality W = max over angles of E(a) <t E t>^2 / 2, found here by a scan of 2000 directions and
+/// by duality W = max over angles of E(a) max(t.Et, 0)^2 / 2, found here by a scan of 2000 directions and
 /// bisection of the derivative; 0 if no direction is stretched. Source: relaxed energy of Pipkin 1986; the
 /// dual form derived here.
 WovenState woven_tension_field(const WovenSheet& sheet, double e11, double e22, double e12);
