@@ -41,10 +41,13 @@ std::vector<std::string> names_to_compare(const History& reference, const std::v
   std::vector<std::string> names;
   for (const auto& [name, values] : reference.columns)
     if (!is_band(name)) names.push_back(name);
-  for (const auto& name : only)
+  for (const auto& name : only) {
+    if (std::count(only.begin(), only.end(), name) > 1)
+      throw CaseError(fmt::format("--columns {}: is given twice, once is allowed", name));
     if (std::find(names.begin(), names.end(), name) == names.end())
       throw CaseError(fmt::format("--columns {}: the reference has no such quantity, allowed are {}", name,
                                   fmt::join(names, ", ")));
+  }
   return only.empty() ? names : only;
 }
 
@@ -113,7 +116,7 @@ void judge(const std::vector<double>& time, const std::vector<double>& doubt, Qu
     const double off = std::abs(q.values[i] - q.expected[i]);
     if (off > 0.0) q.share_of_band = std::max(q.share_of_band, q.band[i] > 0.0 ? off / q.band[i] : HUGE_VAL);
     if (off <= q.band[i]) continue;
-    if (off <= q.band[i] + doubt[i]) {
+    if (!(off > q.band[i] + doubt[i])) {  // the doubt between samples an instant apart may be infinite
       ++unclear;
     } else if (outside++ == 0) {
       first = i;

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <unordered_map>
 
 #include "abstat.hpp"
@@ -113,11 +114,18 @@ CsvTable read_mapped_csv(const std::filesystem::path& file, std::vector<MappedCo
   return read_csv(file, names);
 }
 
+// The squares of larger values and times have no place in a double.
+constexpr double largest_magnitude = 1e100;
+
 History in_si_units(const CsvTable& table, const std::vector<MappedColumn>& columns) {
   History history;
   for (std::size_t c = 0; c < columns.size(); ++c) {
     auto values = table.values[c];
-    for (double& value : values) value = columns[c].scale * value + columns[c].offset;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      values[i] = columns[c].scale * values[i] + columns[c].offset;
+      if (!(std::abs(values[i]) <= largest_magnitude))
+        table.fail(c, i, fmt::format("{} in SI units: a magnitude of at most 1e100 is allowed", values[i]));
+    }
     if (c == 0) {
       history.time = std::move(values);
     } else {

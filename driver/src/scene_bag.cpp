@@ -24,9 +24,10 @@ BagMesh generate_with(TableReader& table) {
   return generate(options);
 }
 
-membrane::Mesh read_mesh_file(TableReader& table, const char* key, double unit) {
+membrane::Mesh read_mesh_file(const TableReader& table, const char* key, const std::filesystem::path& file,
+                              double unit) {
   try {
-    membrane::Mesh mesh = membrane::read_mesh(table.beside_case(table.text(key)));
+    membrane::Mesh mesh = membrane::read_mesh(file);
     mesh.nodes *= unit;
     return mesh;
   } catch (const membrane::MeshFileError& error) {
@@ -37,14 +38,17 @@ membrane::Mesh read_mesh_file(TableReader& table, const char* key, double unit) 
 
 BagMesh mesh_of_files(TableReader& table) {
   const double unit = table.number("length_unit", positive, 1.0);
-  BagMesh source{read_mesh_file(table, "file", unit), std::nullopt, {}};
+  const auto file = table.beside_case(table.text("file"));
+  BagMesh source{read_mesh_file(table, "file", file, unit), std::nullopt, {}};
   if (table.has("initial_file"))
-    table.located("initial_file", [&] { set_initial(source, read_mesh_file(table, "initial_file", unit)); });
-  require_areas(source.mesh, table.beside_case(table.text("file")));
+    table.located("initial_file", [&] {
+      const auto initial = table.beside_case(table.text("initial_file"));
+      set_initial(source, read_mesh_file(table, "initial_file", initial, unit));
+    });
+  require_areas(source.mesh, file);
   const auto report = membrane::check_closed_surface(source.shape(), source.mesh.elements);
   if (!report.ok())
-    throw CaseError(fmt::format("{}:{}:1: mesh: is not a closed control volume: {}",
-                                table.beside_case(table.text("file")).string(),
+    throw CaseError(fmt::format("{}:{}:1: mesh: is not a closed control volume: {}", file.string(),
                                 source.mesh.line[static_cast<std::size_t>(report.first_element())],
                                 report.describe(source.mesh.line)));
   return source;

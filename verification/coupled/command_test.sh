@@ -131,6 +131,7 @@ part_mesh() {
   expect 2 "--out .*would overwrite .*design.obj" "$gasjet" mesh case "$work/bag_from_files.toml" --out "$work/bag_from_files/design.obj"
   expect 2 "--initial .*would overwrite .*start.obj" "$gasjet" mesh case "$work/bag_from_files.toml" --out "$work/bad.k" \
     --initial "$work/bag_from_files/start.obj"
+  [ "$("$gasjet" check "$work/bag_from_files.toml" | grep -c 'membrane.mesh.\(initial_\)*file = ')" = 2 ] || fail "check prints a file twice"
   for file in design start; do cmp "$work/bag_from_files/$file.obj" "$source/cases/bag_from_files/$file.obj" || fail "$file.obj changed"; done
   expect 2 "ends with .obj" "$gasjet" mesh driver --out "$work/bad.k" --initial "$work/bad.xyz"
   expect 2 "open.k:[0-9]+:1: mesh: the element has no area" "$gasjet" mesh convert "$work/open.k" --out "$work/bad.k" --length-unit 1e-300
@@ -184,6 +185,8 @@ part_exact() {
   "$gasjet" exact --list --format markdown | cmp - "$source/docs/exact.md" ||
     fail "docs/exact.md is not what gasjet exact --list --format markdown prints"
   expect 2 "given twice" "$gasjet" exact tank_fill --set volume=1 --set volume=2
+  expect 2 "--format json: prints one NAME" "$gasjet" exact --list --format json
+  expect 2 "--list: prints the whole catalogue" "$gasjet" exact tank_fill --list
   expect 2 "prints --list only" "$gasjet" exact tank_fill --format markdown
   expect 2 "patch_angle" "$gasjet" exact pressed_balloon --times 1e-300
   expect 2 "overpressure" "$gasjet" exact pressed_balloon --set youngs_modulus=3

@@ -116,6 +116,14 @@ TEST(compare, resampled_history_is_judged_within_what_interpolation_knows) {
   EXPECT_EQ(driver::compare(wrong, sampled(pulse, 101, 0.5 * error(31))).verdict, Verdict::outside);
 }
 
+TEST(compare, samples_an_instant_apart_leave_it_open) {
+  // The cubic through them has weights beyond a double: what interpolation may err is then unknown.
+  const History mine{{0.0, 1e-310, 0.5 * kEnd, kEnd},
+                     {{"pressure_Pa", {kBase, kBase, pulse(0.5 * kEnd), kBase}}}};
+  const auto d = driver::compare(mine, sampled(pulse, 101, 1.0));
+  EXPECT_EQ(d.verdict, Verdict::undecided) << d.reason;
+}
+
 TEST(compare, cut_history_is_undecided_unless_it_is_wrong) {
   const auto reference = sampled(pulse, 101, 50.0);
   const auto cut = driver::compare(sampled(pulse, 61, 0.0, 0.0, 0.06), reference);
@@ -173,6 +181,8 @@ TEST(compare, bad_reference_is_refused) {
   EXPECT_NE(message(reference, {"volume_m3"}).find("--columns volume_m3: the reference has no"),
             std::string::npos);
   EXPECT_NE(message(reference, {"pressure_Pa_band"}).find("no such quantity"), std::string::npos);
+  EXPECT_NE(message(reference, {"pressure_Pa", "pressure_Pa"}).find("--columns pressure_Pa: is given twice"),
+            std::string::npos);
   reference.columns[1].second[3] = -1.0;
   EXPECT_NE(message(reference, {}).find("pressure_Pa_band: -1 at 0.003 s"), std::string::npos);
   reference.columns[1] = {"volume_m3_band", std::vector<double>(101, 1.0)};

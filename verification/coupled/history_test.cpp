@@ -108,6 +108,9 @@ TEST(history, bad_histories_are_refused_where_they_stand) {
   expect(head + "0,1\n1,2\n1,3\n", "mine.csv:5:1: time_s: 1 s follows 1 s");
   expect(head + "0,+1\n1,1e-400\n2,-1e-320\n", "accepted");
   expect(head + "0,1\n1,1e400\n2,3\n", "mine.csv:4:3: '1e400'");
+  expect(head + "0,1\n1,-1e100\n2,3\n", "accepted");
+  expect(head + "0,1\n1,-1.01e100\n2,3\n",
+         "mine.csv:4:3: pressure_Pa: -1.01e+100 in SI units: a magnitude of at most 1e100");
   expect(head + "0,1\n1,+-2\n2,3\n", "mine.csv:4:3: '+-2'");
   expect(head + "0,1\n1,nan\n2,3\n", "mine.csv:4:3: 'nan'");
   expect(head + "0,1\n1\n2,3\n", "mine.csv:4:1: has 1 columns");
@@ -133,6 +136,7 @@ TEST(history, bad_maps_are_refused_where_they_stand) {
   expect(csv, good + "\"p left\"\n", "accepted");
   expect(csv, good + "\"p*\"\n", "'p*' is more than one column: p left; p right");
   expect(csv, good + "\"p left\"\nscale = 0\n", "map.toml:7:1: quantity.0.scale: 0 forgets");
+  expect(csv, good + "\"p left\"\nscale = 1e300\noffset = 1e308\n", "mine.csv:2:3: p left: ");
   expect(csv, good + "\"p left\"\nunit = \"Pa\"\n", "unknown key");
   expect(csv, good + "\"p left\"\n[[quantity]]\nname = \"pressure_Pa\"\ncolumn = \"p right\"\n",
          "given twice");

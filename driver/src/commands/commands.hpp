@@ -96,7 +96,7 @@ struct ExactArguments {
   bool list = false;
   std::vector<std::string> parameters;  // name=value
   std::string times;                    // first:last:step
-  std::string format = "csv";
+  std::string format;                   // csv (the default) or json; of the list markdown
 };
 int exact(const ExactArguments& arguments);
 

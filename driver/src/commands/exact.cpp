@@ -106,14 +106,20 @@ void print_json(const closed_form::Entry& entry, const closed_form::ParameterMap
   fmt::print("{}\n", object.dump(2));
 }
 
+int list(const ExactArguments& a) {
+  if (!a.name.empty() || !a.parameters.empty() || !a.times.empty())
+    throw CaseError("--list: prints the whole catalogue; no NAME, --set or --times is allowed beside it");
+  if (!a.format.empty() && a.format != "markdown")
+    throw CaseError(fmt::format("--format {}: prints one NAME; of --list markdown is allowed", a.format));
+  a.format.empty() ? print_list() : print_page();
+  return exit_done;
+}
+
 }  // namespace
 
 int exact(const ExactArguments& arguments) {
   gsl_set_error_handler_off();  // a closed form refuses what is no number; GSL's own handler ends the program
-  if (arguments.list) {
-    arguments.format == "markdown" ? print_page() : print_list();
-    return exit_done;
-  }
+  if (arguments.list) return list(arguments);
   if (arguments.format == "markdown")
     throw CaseError("--format markdown: prints --list only; csv or json is allowed");
   if (arguments.name.empty()) throw CaseError("exact: a NAME is needed; `gasjet exact --list` prints them");

@@ -54,8 +54,7 @@ std::string parameter_names(const Entry& entry) {
 const Parameter& find_parameter(const Entry& entry, const std::string& name) {
   for (const Parameter& p : entry.parameters)
     if (name == p.name || (!p.symbol.empty() && name == p.symbol)) return p;
-  throw std::invalid_argument(entry.name + ": unknown parameter " + name +
-                              "; allowed: " + parameter_names(entry));
+  throw std::invalid_argument("unknown parameter " + name + "; allowed: " + parameter_names(entry));
 }
 
 std::vector<double> row(const Entry& entry, const ParameterMap& parameters, double abscissa) {
@@ -65,8 +64,7 @@ std::vector<double> row(const Entry& entry, const ParameterMap& parameters, doub
   values.insert(values.end(), computed.begin(), computed.end());
   for (std::size_t i = 0; i < values.size(); ++i)
     if (!std::isfinite(values[i]))
-      throw std::invalid_argument(entry.name + ": " + entry.columns.at(i) +
-                                  " is not finite at these parameters");
+      throw std::invalid_argument(entry.columns.at(i) + " is not finite at these parameters");
   return values;
 }
 
@@ -98,16 +96,15 @@ ParameterMap complete_parameters(const Entry& entry, const ParameterMap& given) 
   ParameterMap complete;
   for (const auto& [name, value] : given) {
     const Parameter& parameter = find_parameter(entry, name);
-    if (!std::isfinite(value))
-      throw std::invalid_argument(entry.name + ": " + name + " must be a finite number");
+    if (!std::isfinite(value)) throw std::invalid_argument(name + " must be a finite number");
     if (!complete.emplace(parameter.name, value).second)
-      throw std::invalid_argument(entry.name + ": " + parameter.name + " is given twice");
+      throw std::invalid_argument(parameter.name + " is given twice");
   }
   for (const Parameter& parameter : entry.parameters) {
     if (complete.contains(parameter.name)) continue;
     if (!parameter.default_value)
-      throw std::invalid_argument(entry.name + ": missing parameter " + parameter.name + " [" +
-                                  parameter.unit + "]; allowed: " + parameter_names(entry));
+      throw std::invalid_argument("missing parameter " + parameter.name + " [" + parameter.unit +
+                                  "]; allowed: " + parameter_names(entry));
     complete.emplace(parameter.name, *parameter.default_value);
   }
   return complete;
@@ -116,13 +113,12 @@ ParameterMap complete_parameters(const Entry& entry, const ParameterMap& given) 
 Table evaluate(const Entry& entry, const ParameterMap& given, std::span<const double> abscissae) {
   const ParameterMap parameters = complete_parameters(entry, given);
   if (!entry.has_abscissa() && !abscissae.empty())
-    throw std::invalid_argument(entry.name + ": has no abscissa: one row, no list of values");
+    throw std::invalid_argument("has no abscissa: one row, no list of values");
   const std::vector<double> one_row{0.0};
   const std::span<const double> own(entry.has_abscissa() ? entry.default_abscissae : one_row);
   Table table{entry.columns, {}};
   for (const double x : abscissae.empty() ? own : abscissae) {
-    if (!std::isfinite(x))
-      throw std::invalid_argument(entry.name + ": " + entry.columns.front() + " must be a finite number");
+    if (!std::isfinite(x)) throw std::invalid_argument(entry.columns.front() + " must be a finite number");
     try {
       table.rows.push_back(row(entry, parameters, x));
     } catch (const std::invalid_argument& error) {
