@@ -133,7 +133,12 @@ scene_by_ensemble() {
   "$gasjet" compare "$work/$scene.seed/history.csv" "$out/$scene.csv" | tail -1
 }
 
-meshes() { "$gasjet" mesh case "$case" --out "$out/$scene.obj" "$@" >/dev/null && "$gasjet" mesh case "$case" --out "$out/$scene.k" >/dev/null; }
+# meshes [--initial FILE]: the case's mesh in both formats, by way of $work: a case may read the file that is written.
+meshes() {
+  "$gasjet" mesh case "$case" --out "$work/$scene.obj" "$@" >/dev/null
+  "$gasjet" mesh case "$case" --out "$work/$scene.k" >/dev/null
+  mv "$work/$scene".{obj,k} "$out"
+}
 finer="membrane.mesh.refine=1 time.step=1.25e-5" # of the same polyhedron, as programs are handed the mesh; the step by its bound
 
 make_scene() {
@@ -176,4 +181,6 @@ make_scene() {
 
 mkdir -p "$work"
 for name in "${scenes[@]}"; do make_scene "$name"; done
-(cd "$out" && LC_ALL=C find . -type f ! -name SHA256SUMS ! -name README.md -printf '%P\n' | LC_ALL=C sort | xargs sha256sum >SHA256SUMS)
+# what the folder holds, and the cases beside it
+(cd "$out" && { find . -type f ! -name SHA256SUMS ! -name README.md -printf '%P\n'; sed -n 's|^# case: cases/\([^/]*\)$|../\1|p' ./*.csv; } |
+  LC_ALL=C sort -u | while IFS= read -r file; do [[ ! -e $file ]] || sha256sum "$file"; done >SHA256SUMS)
