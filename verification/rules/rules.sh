@@ -107,17 +107,19 @@ rule_forbidden_words() {
   grep -HnwE 'TODO|FIXME|XXX' "${list[@]}" || true
 }
 
-# Every tag such as (G.3) in the code is an equation of docs/theory, each of those is named in the code, and none is defined twice.
+# Every tag such as (G.3) in code, pages and cases is an equation of docs/theory, each of those is named in the code, and none is
+# defined twice.
 rule_equation_tags() {
   local definitions defined list place line tag
   definitions=$(grep -HnoE '\\tag\{[GMJK]\.[0-9]+\}' docs/theory/*.md)
   awk -F: 'seen[$3]++ { print $0 ": equation defined twice" }' <<<"$definitions"
   defined=$(sed -E 's/.*\{(.*)\}/\1/' <<<"$definitions")
+  mapfile -t list < <(cpp_files; files '*.md' '*.toml')
+  { grep -HnoE '(^|[^A-Za-z0-9_.])[GMJK]\.[0-9]+' "${list[@]}" || true; } |
+    awk 'NR == FNR { is_defined[$0]; next }
+         { match($0, /[GMJK]\.[0-9]+$/) }
+         !(substr($0, RSTART) in is_defined) { print $0 ": no such equation in docs/theory" }' <(echo "$defined") -
   mapfile -t list < <(cpp_files)
-  ((${#list[@]} == 0)) || { grep -HnoE '\([GMJK]\.[0-9]+\)' "${list[@]}" || true; } |
-    while IFS= read -r line; do
-      grep -qxF "$(sed -E 's/.*\((.*)\)$/\1/' <<<"$line")" <<<"$defined" || echo "$line: no such equation in docs/theory"
-    done
   while IFS=: read -r place line tag; do
     tag=${tag//[^GMJK.0-9]/}
     [[ -z $tag ]] || grep -qE "[(, ]${tag/./[.]}[),]" "${list[@]}" /dev/null || echo "$place:$line: no code names equation $tag"

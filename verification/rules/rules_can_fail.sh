@@ -115,6 +115,8 @@ case $rule in
     ;;
   equation_tags)
     breaks libgas/src/model.cpp '// pressure (G.99)'
+    breaks libgas/src/model.cpp '// pressure (G.1, G.99)'
+    breaks docs/limits.md 'by (M.97)'
     breaks docs/theory/membrane.md '$$ V = x \tag{M.98} $$'
     breaks docs/theory/membrane.md '$$ V = x \tag{M.5} $$' '$$ V = y \tag{M.5} $$'
     ;;
