@@ -12,13 +12,16 @@ quantities() {
   awk -F, '/^#/ { next } { for (i = 1; i <= NF; i++) there[$i]; for (i = 1; i <= NF; i++) if ($i "_reference" in there) print $i; exit }' "$table"
 }
 
+# label NAME: the name with its unit in brackets
+label() { sed -E 's/_(rad_s|kg_s|m_s2|m_s|Pa|K|m3|m2|kg|N|rad|m|J|s)$/ [\1]/; s/\[(rad|kg|m)_s/[\1\/s/; s/2]$/²]/; s/3]$/³]/; s/_/ /g' <<<"$1"; }
+
 panel() {
   local name=$1 band=
   if has_column "$table" "${name}_band"; then
     band="'$table' using (1e3*column('time_s')):(column('${name}_reference')-column('${name}_band')):(column('${name}_reference')+column('${name}_band')) with filledcurves fillcolor 'gray80' title 'band', "
   fi
   cat <<END
-set ylabel '${name//_/ }'
+set ylabel '$(label "$name")'
 plot $band'$table' using (1e3*column('time_s')):(column('$name')) with lines linestyle 1 title 'mine', \
   '' using (1e3*column('time_s')):(column('${name}_reference')) with lines linestyle 2 title 'reference'
 END

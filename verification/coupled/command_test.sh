@@ -184,6 +184,8 @@ part_exact() {
   done
   "$gasjet" exact --list --format markdown | cmp - "$source/docs/exact.md" ||
     fail "docs/exact.md is not what gasjet exact --list --format markdown prints"
+  expect 0 "^# volume: 1$" "$gasjet" exact tank_fill --set volume=+1
+  expect 2 "'nan' is no finite number" "$gasjet" exact tank_fill --set volume=nan
   expect 2 "given twice" "$gasjet" exact tank_fill --set volume=1 --set volume=2
   expect 2 "--format json: prints one NAME" "$gasjet" exact --list --format json
   expect 2 "--list: prints the whole catalogue" "$gasjet" exact tank_fill --list

@@ -4,23 +4,21 @@
 #include <fmt/ranges.h>
 #include <gsl/gsl_errno.h>
 
-#include <charconv>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "closed_form/catalogue.hpp"
 #include "commands.hpp"
 #include "driver/case_reader.hpp"
+#include "number_text.hpp"
 
 namespace driver::commands {
 namespace {
 
 double parse_number(std::string_view text, const std::string& whole) {
-  double value = 0.0;
-  const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc{} || stop != text.data() + text.size() || !std::isfinite(value))
-    throw CaseError(fmt::format("{}: '{}' is no finite number", whole, text));
-  return value;
+  const auto value = number_of(text);
+  if (!value) throw CaseError(fmt::format("{}: '{}' is no finite number", whole, text));
+  return *value;
 }
 
 closed_form::ParameterMap parse_parameters(const std::vector<std::string>& texts) {
