@@ -104,7 +104,7 @@ void measure(const std::vector<double>& time, QuantityDifference& q) {
   q.largest.value = std::abs(q.largest.value);
   q.l2 = root_mean_square(time, difference);
   const double size = root_mean_square(time, q.expected);
-  q.relative = size > 0.0 ? q.l2 / size : q.l2;
+  if (size > 0.0) q.relative = q.l2 / size;
   q.mine = peak(time, q.values);
   q.reference = peak(time, q.expected);
   q.phase_lag = phase_lag(time, q.values, q.expected);

@@ -32,7 +32,10 @@ struct Map {
 MappedColumn read_column(TableReader&& table, const std::string& name) {
   MappedColumn column;
   column.name = name.empty() ? table.text("name") : name;
+  if (column.name.empty()) table.fail("name", "is empty, the name of a quantity is allowed");
   column.column = table.text("column");
+  if (column.column.empty() || std::count(column.column.begin(), column.column.end(), '*') > 1)
+    table.fail("column", fmt::format("is '{}', a name with at most one * is allowed", column.column));
   column.scale = table.number("scale", any_number, 1.0);
   if (column.scale == 0.0) table.fail("scale", "0 forgets the column, another number is allowed");
   column.offset = table.number("offset", any_number, 0.0);

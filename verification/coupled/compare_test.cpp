@@ -71,12 +71,21 @@ TEST(compare, scaled_history_shows_its_factor) {
   const auto mine = sampled([](double t) { return 1.01 * pulse(t); }, 101);
   const auto d = driver::compare(mine, sampled(pulse, 101, 1000.0));
   const auto& q = d.quantities[0];
-  EXPECT_NEAR(q.relative, 0.01, 1e-14);  // eps over 0.01
+  ASSERT_TRUE(q.relative);
+  EXPECT_NEAR(*q.relative, 0.01, 1e-14);  // eps over 0.01
   EXPECT_NEAR(q.largest.value, 0.01 * (kBase + kHeight), 1e-10);
   EXPECT_NEAR(q.share_of_band, 1.2, 1e-12);
   EXPECT_NEAR(q.mine.value / q.reference.value, 1.01, 1e-14);
   EXPECT_EQ(d.verdict, Verdict::outside);
   EXPECT_EQ(driver::compare(mine, sampled(pulse, 101, 1201.0)).verdict, Verdict::inside);
+}
+
+TEST(compare, nothing_is_relative_to_a_signal_of_zeros) {
+  const auto zeros = sampled([](double) { return 0.0; }, 101, 1.0);
+  const auto d = driver::compare(sampled([](double) { return 0.5; }, 101), zeros);
+  EXPECT_FALSE(d.quantities[0].relative);
+  EXPECT_EQ(d.quantities[0].l2, 0.5);
+  EXPECT_EQ(d.verdict, Verdict::inside) << d.reason;
 }
 
 TEST(compare, offset_is_max_and_l2_on_any_rows) {

@@ -135,6 +135,10 @@ TEST(history, bad_maps_are_refused_where_they_stand) {
   };
   expect(csv, good + "\"p left\"\n", "accepted");
   expect(csv, good + "\"p*\"\n", "'p*' is more than one column: p left; p right");
+  expect(csv, good + "\"* *\"\n", "map.toml:6:1: quantity.0.column: is '* *', a name with at most one *");
+  expect(csv, good + "\"\"\n", "quantity.0.column: is ''");
+  expect(csv, "format = \"csv\"\n[time]\ncolumn = \"t\"\n[[quantity]]\nname = \"\"\ncolumn = \"p left\"\n",
+         "map.toml:5:1: quantity.0.name: is empty");
   expect(csv, good + "\"p left\"\nscale = 0\n", "map.toml:7:1: quantity.0.scale: 0 forgets");
   expect(csv, good + "\"p left\"\nscale = 1e300\noffset = 1e308\n", "mine.csv:2:3: p left: ");
   expect(csv, good + "\"p left\"\nunit = \"Pa\"\n", "unknown key");

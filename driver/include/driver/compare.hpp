@@ -44,7 +44,7 @@ struct QuantityDifference {
   std::string reason;               // unless inside
   Peak largest;                     // of |mine - reference|
   double l2 = 0.0;                  // sqrt(mean over time of (mine - reference)^2)
-  double relative = 0.0;            // l2 over the reference's own, sqrt(mean of reference^2)
+  std::optional<double> relative;   // l2 over sqrt(mean of reference^2), none where that is 0
   double share_of_band = 0.0;       // largest |mine - reference| / band over the rows
   std::optional<double> phase_lag;  // [s] by which mine is late; none for a signal that does not change
   Peak mine, reference;             // of largest magnitude
@@ -58,13 +58,13 @@ struct Difference {
   std::vector<QuantityDifference> quantities;
 };
 
-/// Compares at the reference's own times; mine is interpolated linearly, and what that may be off by (twice its
-/// difference to the cubic through the neighbours) never decides: a row is outside only beyond band + that.
-/// A quantity with a band is undecided when mine does not have it, does not cover all of the reference's
-/// times or is sampled too coarsely, or when the band is as wide as the signal itself. `tolerance`, a share
-/// of the reference's largest magnitude that mine may be off by itself, is added to every band. The whole is
-/// outside if a quantity is, else undecided if one is or none was judged. `only`: names to compare, all if
-/// empty; throws CaseError for a name that the reference does not have.
+/// Compares at the reference's own times; mine is interpolated linearly, and what that may be off by (twice
+/// its difference to the cubic through the neighbours) never decides: a row is outside only beyond band +
+/// that. A quantity with a band is undecided when mine does not have it, does not cover all of the
+/// reference's times or is sampled too coarsely, or when the band is as wide as the signal itself.
+/// `tolerance`, a share of the reference's largest magnitude that mine may be off by itself, is added to
+/// every band. The whole is outside if a quantity is, else undecided if one is or none was judged. `only`:
+/// names to compare, all if empty; throws CaseError for one that the reference does not have, or given twice.
 Difference compare(const History& mine, const History& reference, const std::vector<std::string>& only = {},
                    double tolerance = 0.0);
 

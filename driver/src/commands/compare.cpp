@@ -30,8 +30,8 @@ void print_text(const CompareArguments& a, const Difference& difference) {
       continue;
     }
     fmt::print(
-        "{:34} {:10.4g} {:10.4g} {:10.4g} {:9.2e} {:>8} {:>10} {:12.6g} {:9.4g} {:12.6g} {:9.4g}  {}{}\n",
-        q.name, q.largest.value, q.largest.time, q.l2, q.relative,
+        "{:34} {:10.4g} {:10.4g} {:10.4g} {:>9} {:>8} {:>10} {:12.6g} {:9.4g} {:12.6g} {:9.4g}  {}{}\n",
+        q.name, q.largest.value, q.largest.time, q.l2, q.relative ? fmt::format("{:.2e}", *q.relative) : "-",
         q.band.empty() ? "-" : fmt::format("{:.3g}", q.share_of_band),
         q.phase_lag ? fmt::format("{:.3g}", *q.phase_lag) : "-", q.mine.value, q.mine.time, q.reference.value,
         q.reference.time, verdict_name(q.verdict), q.reason.empty() ? "" : ": " + q.reason);
@@ -49,7 +49,7 @@ Json to_json(const QuantityDifference& q) {
   if (q.values.empty()) return object;
   object["max_error"] = to_json(q.largest);
   object["l2_error"] = q.l2;
-  object["relative_error"] = q.relative;
+  object["relative_error"] = q.relative ? Json(*q.relative) : Json();
   if (!q.band.empty())
     object["share_of_band"] = std::isfinite(q.share_of_band) ? Json(q.share_of_band) : Json();
   object["phase_lag_s"] = q.phase_lag ? Json(*q.phase_lag) : Json();
