@@ -76,7 +76,7 @@ TEST(forecast, balance_and_choking_by_hand) {
       relaxations(0.02, pressure * 1e-4 / (kR * 406.0), kGamma, 0.5 + 0.5 * pressure / excess), kDigits);
   claim::expect_relative(
       {"K.37", "case tank_stiff from 10 Pa: relaxations of the gas in a step [-]", "eight digits of cp"},
-      read("tank_stiff", {"gas.initial.pressure=10.0"}).group.at("gas_relaxation"),
+      forecasted("tank_stiff", {"gas.initial.pressure=10.0"}).group.at("gas_relaxation"),
       relaxations(0.02, 10.0 * 1e-4 / (kR * 293.15), kGamma, 1.0), kDigits);
   claim::expect_relative({"K.32", "case tank_blowdown: pressure over the choking one [-]", "ten roundings"},
                          forecasted("tank_blowdown").group.at("vent_choking"),
