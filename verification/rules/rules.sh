@@ -182,6 +182,7 @@ rule_mutation_lines() {
 
 # source_number FILE ROW COLUMN SCALE FORMAT: that number of a CSV table (comment lines aside) or of a table of a page,
 # formatted. ROW: column=value,..., in a page one pair. Of a CSV also two rows, "A - B", "A / B" or "A % B" (A/B - 1).
+# COLUMN: its name, or "one/other".
 source_number() {
   local separator=,
   [[ $1 != *.md ]] || separator=' *[|] *'
@@ -197,14 +198,16 @@ source_number() {
     }
     BEGIN {
       rows = split(row, part, FS == "," ? " [-/%] " : "\n")
+      columns = split(column, ratio, "/")
       how = rows == 2 ? substr(row, length(part[1]) + 2, 1) : ""
     }
     /^#/ { next }
     FS == "," && !started++ { head($0); next }
     /^[|]-/ { head(before) }
     { before = $0 }
-    !(column in at) { next }
-    { for (i = 1; i <= rows; ++i) if (fits(part[i])) { ++found[i]; value[i] = $(at[column]) } }
+    !(ratio[1] in at) || !(ratio[columns] in at) { next }
+    { for (i = 1; i <= rows; ++i)
+        if (fits(part[i])) { ++found[i]; value[i] = columns == 2 ? $(at[ratio[1]]) / $(at[ratio[2]]) : $(at[column]) } }
     END {
       for (i = 1; i <= rows; ++i) if (found[i] != 1) { print found[i] + 0 " rows " part[i]; exit }
       number = how == "-" ? value[1] - value[2] : how == "/" ? value[1] / value[2] : how == "%" ? value[1] / value[2] - 1 : value[1]
