@@ -75,8 +75,8 @@ SpeciesList read_species(TableReader& table) {
     own.located("", [&] {
       const std::string name = own.text("name");
       if (name.empty()) own.fail("name", "is empty, a name is needed");
-      list.add_own(gas::constant_cp_species(name, own.number("gas_constant", positive),
-                                            own.number("cp", positive)));
+      list.add_own(
+          gas::constant_cp_species(name, own.number("gas_constant", positive), own.number("cp", positive)));
     });
     own.finish();
   }
@@ -121,6 +121,9 @@ std::optional<NamedComposition> read_ambient_composition(TableReader& root,
                                                          std::optional<TableReader>& ambient) {
   bool named = false;
   for (const auto& vent : root.tables("vent")) named = named || vent.has("backflow");
+  for (const char* key : {"composition", "composition_by"})
+    if (!named && ambient && ambient->has(key))
+      ambient->fail(key, "has no effect: no [[vent]] has backflow, which lets the ambient gas in");
   if (!named) return {};
   if (ambient && ambient->has("composition")) return read_composition(*ambient);
   return NamedComposition{{{"air", 1.0}}, By::mole};

@@ -67,6 +67,8 @@ part_identify() {
   bad_option "gasjet: --volume \[m3\] = 0: must be above 0" --volume 0
   bad_option "gasjet: --mass \[kg\] = -0.08: must be above 0" --mass -0.08
   bad_option "gasjet: --initial-temperature \[K\] = -1: must be above 0" --initial-temperature -1
+  expect 2 "gasjet: --initial-temperature \[K\] = 100: must be 200 to 6000$" "$gasjet" identify "$data" \
+    ${base/constant/nasa7} --initial-temperature 100 --out "$work/none.csv"
   bad_option "gasjet: --threshold = 2: must be 0.001 to 0.9" --threshold 2
   bad_option "gasjet: --points = 3: must be 20 to" --points 3
   bad_option "gasjet: --draws = 1: must be 40 to" --draws 1

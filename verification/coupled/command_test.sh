@@ -223,6 +223,7 @@ part_ladder() {
   expect 2 "--quantity angle: the scene has none" "$gasjet" ladder "$tank" --quantity angle --out "$work/out"
   expect 2 "--quantity is required" "$gasjet" ladder "$tank" --out "$work/out"
   expect 2 "--hold mesh: .*allowed are gas" "$gasjet" ladder "$tank" --quantity pressure --hold mesh --out "$work/out"
+  expect 2 "--hold '': a name is empty, allowed are gas" "$gasjet" ladder "$tank" --quantity pressure --hold gas, --out "$work/out"
   expect 2 "--unset scene.x: the case has no such key" "$gasjet" ladder "$tank" --quantity pressure --unset scene.x --out "$work/out"
   expect 2 "--runs" "$gasjet" ladder "$tank" --quantity pressure --runs 1 --out "$work/out"
   [ -e "$work/out" ] && fail "bad input wrote $work/out"

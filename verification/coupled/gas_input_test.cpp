@@ -47,6 +47,8 @@ const Fault kGasFaults[] = {
      "ambient.composition", "sum to 0.9"},
     {"ambient_species", "tank_backflow", "composition = { air = 1.0 } ", "composition = { Xe = 1.0 } ",
      "ambient.composition", "Xe"},
+    {"composition_that_no_vent_lets_in", "tank_backflow", "backflow = true", "", "ambient.composition",
+     "no [[vent]] has backflow", "composition = { air = 1.0 }"},
     {"heat_coefficient", "tank_backflow", "coefficient = 200.0", "coefficient = -200.0",
      "gas.heat_loss.coefficient", "above 0"},
     {"amplitude", "piston_leak", "volume = { mean = 1.0e-3, amplitude = 0.3e-3",

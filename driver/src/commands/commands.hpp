@@ -29,6 +29,9 @@ int run_command_line(int argc, char** argv);
 /// value, not what stands after it.
 std::vector<std::string> words(int argc, char** argv);
 
+/// The parts of a list between separators, empty ones too.
+std::vector<std::string> split(const std::string& text, char separator);
+
 /// Throws CaseError when the file that `option` writes is one of those that are read.
 void refuse_same_file(const char* option, const std::filesystem::path& out,
                       const std::vector<std::filesystem::path>& inputs);
@@ -69,7 +72,7 @@ struct LadderArguments {
   CaseArguments scene;
   std::string quantity;
   std::string tolerance = "2%";
-  std::vector<std::string> hold;  // axes that stay as the case has them
+  std::vector<std::string> hold;  // axes that stay as the case has them, lists with commas
   std::filesystem::path out;
   int runs = 16;  // of each rung of a chaotic scene
   int threads = 1;

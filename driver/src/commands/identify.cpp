@@ -16,16 +16,6 @@
 namespace driver::commands {
 namespace {
 
-std::vector<std::string> split(const std::string& text, char separator) {
-  std::vector<std::string> parts;
-  for (std::size_t begin = 0; begin <= text.size();) {
-    const std::size_t end = std::min(text.find(separator, begin), text.size());
-    parts.push_back(text.substr(begin, end - begin));
-    begin = end + 1;
-  }
-  return parts;
-}
-
 /// NAME or NAME=FRACTION,...; air, as a whole gas, stands for its four species.
 std::vector<gas::Component> read_composition(const std::string& option, const std::string& text) {
   if (text == "air") return gas::air_by_mole();

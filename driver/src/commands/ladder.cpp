@@ -108,12 +108,20 @@ void print(const LadderResult& result, const LadderOptions& options, const std::
   print_verdict(result, options, folder);
 }
 
+/// The axes of every --hold, each a list.
+std::vector<std::string> names_of(const std::vector<std::string>& lists) {
+  std::vector<std::string> names;
+  for (const auto& list : lists)
+    for (auto& name : split(list, ',')) names.push_back(std::move(name));
+  return names;
+}
+
 }  // namespace
 
 int ladder(const LadderArguments& arguments) {
-  const LadderOptions options{arguments.quantity, read_tolerance(arguments.tolerance),
-                              arguments.hold,     arguments.runs,
-                              arguments.threads,  arguments.quiet};
+  const LadderOptions options{arguments.quantity,       read_tolerance(arguments.tolerance),
+                              names_of(arguments.hold), arguments.runs,
+                              arguments.threads,        arguments.quiet};
   const auto folder = arguments.out.empty() ? std::filesystem::path("results") /
                                                   ("ladder_" + arguments.scene.file.stem().string())
                                             : arguments.out;

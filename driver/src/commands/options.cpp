@@ -93,7 +93,6 @@ void add_ladder(CLI::App& app, LadderArguments& a) {
       ->check(named);
   ladder->add_option("--tolerance", a.tolerance, "of the quantity, 2% by default")->type_name("SHARE");
   ladder->add_option("--hold", a.hold, "axes that stay as the case has them, separated by commas")
-      ->delimiter(',')
       ->allow_extra_args(false);
   ladder->add_option("--runs", a.runs, "of each rung where the scene is chaotic")
       ->check(CLI::Range(2, 100000));

@@ -40,14 +40,14 @@ void check(const TankTest& test, const IdentifyOptions& options) {
   positive(test.initial_temperature, "initial_temperature [K]");
   check_fractions(test, test.tank_fractions, "tank_fractions");
   check_fractions(test, test.inflator_fractions, "inflator_fractions");
-  const auto within = [](double value, double low, double high, const char* name, const char* allowed) {
-    require(value >= low && value <= high, name, value, allowed);
+  const auto within = [](double value, double low, double high, const char* name) {
+    require(value >= low && value <= high, name, value, "must be " + to_text(low) + " to " + to_text(high));
   };
   within(test.initial_temperature, test.thermo.minimum_temperature(), test.thermo.maximum_temperature(),
-         "initial_temperature [K]", "must be in the species' range");
-  within(options.points, 20, 10000, "points", "must be 20 to 10000");
-  within(options.threshold, 0.001, 0.9, "threshold", "must be 0.001 to 0.9");
-  within(options.draws, 40, 2000, "draws", "must be 40 to 2000");
+         "initial_temperature [K]");
+  within(options.points, 20, 10000, "points");
+  within(options.threshold, 0.001, 0.9, "threshold");
+  within(options.draws, 40, 2000, "draws");
 }
 
 /// One pressure: its spline, and the basis at the times of the result.
