@@ -83,14 +83,16 @@ Extent extent(const Eigen::Matrix3Xi& triangles, const Eigen::Matrix3Xd& nodes, 
 
 constexpr double kRounding = 1.0 + 1e-12;  // keeps an element that only round-off puts out of reach
 
+// From a sphere of that radius about the point to the element's bounding circle, at most [m].
+double gap_of(const Extent& e, double radius) {
+  return (std::sqrt(e.distance2) - kRounding * std::sqrt(e.reach2)) / (3.0 * kRounding) - radius;
+}
+
 }  // namespace
 
-bool may_reach(const Eigen::Matrix3Xi& triangles, const Eigen::Matrix3Xd& nodes, int element,
-               const Eigen::Vector3d& point, double distance) {
-  // g < d + R follows from g^2 < 2 (d^2 + R^2) never being missed: (d + R)^2 <= 2 (d^2 + R^2).
-  const Extent e = extent(triangles, nodes, element, point);
-  if (!(e.distance2 < kRounding * 2.0 * (9.0 * distance * distance + e.reach2))) return false;
-  return std::sqrt(e.distance2) < kRounding * (3.0 * distance + std::sqrt(e.reach2));
+double gap_bound(const Eigen::Matrix3Xi& triangles, const Eigen::Matrix3Xd& nodes, int element,
+                 const Eigen::Vector3d& point, double radius) {
+  return gap_of(extent(triangles, nodes, element, point), radius);
 }
 
 void search_near_elements(const Eigen::Matrix3Xi& triangles, double radius, ContactState& state) {
@@ -103,8 +105,8 @@ void search_near_elements(const Eigen::Matrix3Xi& triangles, double radius, Cont
     nearest2 = std::min(nearest2, x.distance2);
     longest2 = std::max(longest2, x.reach2);
     if (!(x.distance2 < kRounding * 2.0 * (9.0 * listed * listed + x.reach2))) continue;
-    const double distance = (std::sqrt(x.distance2) - kRounding * std::sqrt(x.reach2)) / (3.0 * kRounding);
-    if (distance < listed) state.near.push_back({e, distance - radius});
+    const double gap = gap_of(x, radius);
+    if (gap < listed - radius) state.near.push_back({e, gap});
   }
   const double gap = (std::sqrt(nearest2) - std::sqrt(longest2)) / 3.0 - radius;
   state.reach = std::max(listed - radius, gap);
@@ -115,13 +117,19 @@ void search_near_elements(const Eigen::Matrix3Xi& triangles, double radius, Cont
 
 double reach_of_gap(const Eigen::Matrix3Xi& triangles, double radius, const ContactState& state) {
   double reach = state.reach;
-  for (const auto& [e, slack] : state.near) {
-    if (!(slack < reach)) continue;
+  const auto look_at = [&](int e) {
     const auto corner = triangles.col(e);
     const double distance = distance_to_triangle(state.centre, state.nodes.col(corner[0]),
                                                  state.nodes.col(corner[1]), state.nodes.col(corner[2]));
     reach = std::min(reach, state.travelled + distance - radius);
-  }
+  };
+  // That of the least slack first: its distance lets most others pass.
+  const auto first = std::min_element(state.near.begin(), state.near.end(),
+                                      [](const auto& a, const auto& b) { return a.slack < b.slack; });
+  if (first == state.near.end()) return reach;
+  look_at(first->element);
+  for (const auto& [e, slack] : state.near)
+    if (slack < reach && e != first->element) look_at(e);
   return reach;
 }
 

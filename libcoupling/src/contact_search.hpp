@@ -8,10 +8,10 @@ namespace coupling::detail {
 // column from that of `old`; NaN when a coordinate is not finite.
 double copy_and_measure_motion(const Nodes& from, const Eigen::Matrix3Xd& old, Eigen::Matrix3Xd& to);
 
-// false only when no point of the element is nearer to `point` than `distance` [m]: the point is that far,
-// and more, from the circle about the centroid that holds the corners.
-bool may_reach(const Eigen::Matrix3Xi& triangles, const Eigen::Matrix3Xd& nodes, int element,
-               const Eigen::Vector3d& point, double distance);
+// No more than what is between a sphere of that radius about `point` and the element [m]: up to the circle
+// about the centroid that holds the corners. Positive only if they do not touch.
+double gap_bound(const Eigen::Matrix3Xi& triangles, const Eigen::Matrix3Xd& nodes, int element,
+                 const Eigen::Vector3d& point, double radius);
 
 // Rebuilds state.near and state.reach for state.nodes and state.centre: every element off the list is at
 // least radius + reach away, reach >= 2 radius.

@@ -135,7 +135,6 @@ void ContactModel::aim(int e, const ContactState& state, detail::Grip& grip) con
 void ContactModel::add_element(int e, detail::Grip* grip, ContactState& state, NodalForces& forces,
                                ContactResult& result) const {
   const double radius = parameters_.sphere_radius, kappa = parameters_.stiffness;
-  if (!detail::may_reach(triangles_, state.nodes, e, state.centre, radius)) return;
   const auto corner = triangles_.col(e);
   const Vector3d a = state.nodes.col(corner[0]) - state.centre, b = state.nodes.col(corner[1]) - state.centre,
                  c = state.nodes.col(corner[2]) - state.centre;
@@ -184,8 +183,14 @@ ContactResult ContactModel::evaluate(ContactState& state, const Nodes& nodes, co
   state.clearance = parameters_.sphere_radius;
   detail::Grip grip{{}, {}, {}, turn, parameters_.friction, -1, state.old_bristles, 0, state.bristles, 0.0};
   detail::Grip* const used = parameters_.friction > 0.0 ? &grip : nullptr;
-  for (const auto& [element, slack] : state.near)
-    if (!(state.travelled < slack)) add_element(element, used, state, forces, result);
+  for (auto& [element, slack] : state.near) {
+    if (state.travelled < slack) continue;
+    const double gap = detail::gap_bound(triangles_, state.nodes, element, centre, parameters_.sphere_radius);
+    if (gap > 0.0)
+      slack = state.travelled + gap;
+    else
+      add_element(element, used, state, forces, result);
+  }
   if (used) result.friction_loss = parameters_.stiffness * detail::release_rest(grip);
   measure_gap(state, result);
   if (result.deepest_element < 0) return result;

@@ -4,10 +4,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "claim.hpp"
+#include "coupling/sphere_contact.hpp"
 
 namespace {
 
@@ -77,6 +79,63 @@ TEST(channel_filter, peak_of_a_slow_signal_at_uneven_times_is_kept) {
   // 20 Hz through CFC 180: 1 - (20/374)^4; linear resampling: (2 pi 20 5e-5)^2 / 8.
   EXPECT_NEAR(driver::filtered_peak(signal, 180.0), 50.0, 50.0 * 2e-5);
   EXPECT_EQ(driver::filtered_peak({}, 180.0), 0.0);
+}
+
+// --- free skin that arrives at the impactor: peaks by the contact's stiffness
+
+constexpr double kSide = 0.04, kSpeed = 5.0, kDensity = 0.31;  // [m] [m/s] [kg/m2]
+constexpr double kSample = 1e-6;                               // [s] the step too
+
+// Force [N] on a sphere so large that a square of free skin meets it all at once, 20 ms before and after.
+std::vector<double> arrival(double stiffness) {
+  constexpr double radius = 1e5;
+  const Eigen::Matrix3Xi triangles{{0, 0}, {1, 2}, {2, 3}};
+  Eigen::Matrix3Xd x{{0.0, kSide, kSide, 0.0}, {0.0, 0.0, kSide, kSide}, {0.0, 0.0, 0.0, 0.0}};
+  const double sixth = kDensity * kSide * kSide / 6.0;
+  const double masses[] = {2.0 * sixth, sixth, 2.0 * sixth, sixth};
+  const coupling::ContactModel contact(triangles, x, masses, 8.41, {radius, stiffness});
+  auto cache = contact.make_state();
+  Eigen::RowVector4d speed = Eigen::RowVector4d::Constant(kSpeed);
+  std::vector<double> force(40000, 0.0);
+  for (std::size_t n = 20000; n < force.size(); ++n) {
+    Eigen::Matrix3Xd f = Eigen::Matrix3Xd::Zero(3, 4);
+    force[n] = contact.evaluate(cache, x, {0.5 * kSide, 0.5 * kSide, radius + 1e-5}, f).force.z();
+    for (int a = 0; a < 4; ++a) speed[a] += kSample * f(2, a) / masses[a];
+    x.row(2) += kSample * speed;
+  }
+  return force;
+}
+
+// Behind CFC 180, by the spectrum of a half sine that lasts T: J cos(pi f T) / (1 - (2 f T)^2).
+double filtered_half_sine(double impulse, double duration) {
+  double sum = 0.0;
+  for (double f = 0.5; f < 4e4; f += 1.0)
+    sum += 2.0 / (1.0 + std::pow(f / (2.0775 * 180.0), 4)) * std::cos(pi * f * duration) /
+           (1.0 - std::pow(2.0 * f * duration, 2));
+  return impulse * sum;
+}
+
+TEST(channel_filter, peak_of_arriving_skin_follows_the_stiffness_raw_and_the_impulse_filtered) {
+  const double area = kSide * kSide, impulse = 2.0 * kDensity * kSpeed * area;
+  std::vector<double> filtered;
+  for (const double stiffness : {1.67e8, 3.35e8, 13.4e8}) {  // half, once and four times the default
+    const auto force = arrival(stiffness);
+    const double rate = std::sqrt(stiffness / kDensity), tolerance = std::pow(rate * kSample, 2) + 1e-4;
+    const char* why = "(omega dt)^2, of entry and exit within a step";
+    double given = 0.0;
+    for (const double f : force) given += f * kSample;
+    claim::expect_relative(
+        {"K.23", "free skin arrives at the impactor, three stiffnesses: raw peak [N]", why},
+        *std::max_element(force.begin(), force.end()), kSpeed * std::sqrt(stiffness * kDensity) * area,
+        tolerance);
+    claim::expect_relative({"K.23", "the same: impulse [N s]", why}, given, impulse, tolerance);
+    const auto channel = driver::channel_filter(force, kSample, 180.0);
+    filtered.push_back(*std::max_element(channel.begin(), channel.end()));
+    claim::expect_relative({"K.23", "the same: peak behind CFC 180 [N]", why}, filtered.back(),
+                           filtered_half_sine(impulse, pi / rate), tolerance);
+  }
+  // Raw peaks are as 1 to 2.83; a filter whose corner is at f_c sees (f_c T)^2 = 0.3 % of that.
+  EXPECT_NEAR(filtered.back() / filtered.front(), 1.0, 1e-2);
 }
 
 TEST(channel_filter, bad_class_or_interval_is_named) {

@@ -5,6 +5,7 @@
 
 #include <Eigen/Geometry>
 
+#include "claim.hpp"
 #include "scenes.hpp"
 
 namespace {
@@ -66,12 +67,14 @@ TEST(ContactForce, action_eq_reaction_in_force_and_moment) {
   for (const Case& c : cases()) {
     const auto t = scenes::touch(scenes::contact(c.skin, kRadius, kStiffness), c.skin.nodes, c.centre);
     const double scale = t.result.force.norm();
-    // A few hundred additions of the same sign.
-    EXPECT_LT((t.forces.rowwise().sum() + t.result.force).norm(), 1e-13 * scale);
+    claim::expect_near({"K.11", "sphere in shaken skins: forces on skin and sphere, their sum [N]",
+                        "a few hundred additions of one sign"},
+                       (t.forces.rowwise().sum() + t.result.force).norm(), 0.0, 1e-13 * scale);
     Vector3d moment = Vector3d::Zero();
     for (Eigen::Index a = 0; a < t.forces.cols(); ++a)
       moment += Vector3d(c.skin.nodes.col(a)).cross(Vector3d(t.forces.col(a)));
-    EXPECT_LT((moment + c.centre.cross(t.result.force)).norm(), 1e-13 * scale);  // arms below 1 m
+    claim::expect_near({"K.11", "the same: their moments, sum [N m]", "arms below 1 m"},
+                       (moment + c.centre.cross(t.result.force)).norm(), 0.0, 1e-13 * scale);
   }
 }
 

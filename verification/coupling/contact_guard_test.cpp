@@ -6,6 +6,8 @@
 #include <functional>
 #include <string>
 
+#include "bisection.hpp"
+#include "claim.hpp"
 #include "scenes.hpp"
 
 namespace {
@@ -34,6 +36,19 @@ struct Path {
   }
 };
 
+// Both layers of a fold, 1 mm apart.
+scenes::Skin sleeve() {
+  const scenes::Skin plate = scenes::plate(6, kRadius);
+  scenes::Skin both = plate;
+  both.nodes.resize(3, 2 * plate.nodes.cols());
+  both.nodes << plate.nodes, (plate.nodes.colwise() - Vector3d(0.0, 0.0, 0.001));
+  both.triangles.resize(3, 2 * plate.triangles.cols());
+  both.triangles << plate.triangles,
+      (plate.triangles.array() + static_cast<int>(plate.nodes.cols())).matrix();
+  scenes::lump_masses(both, 0.31);
+  return both;
+}
+
 bool names(const std::string& message, const std::string& what) {
   return message.find(what) != std::string::npos;
 }
@@ -42,14 +57,17 @@ TEST(ContactGuard, penetration_beyond_half_the_radius_throws) {
   // One element under the centre, its quadrature point at the foot: the threshold is exact to round-off.
   scenes::Skin skin = scenes::plate(1, 0.1 * kRadius);
   const Vector3d foot = (skin.nodes.col(0) + skin.nodes.col(2) + skin.nodes.col(3)) / 3.0;
-  for (const double depth : {0.1, 0.4, 0.499999, 0.500001, 0.7}) {
+  const auto passes = [&](double depth) {
     Path run(skin);
-    const std::string message = run.go(foot + Vector3d(0.0, 0.0, (1.0 - depth) * kRadius));
-    EXPECT_EQ(message.empty(), depth < 0.5) << depth << message;
-    if (depth > 0.5) {
-      EXPECT_TRUE(names(message, "penetration") && names(message, "element 0")) << message;
-    }
-  }
+    const std::string message = run.go(foot + Vector3d(0.0, 0.0, kRadius - depth));
+    EXPECT_TRUE(message.empty() || (names(message, "penetration") && names(message, "element 0"))) << message;
+    return message.empty();
+  };
+  const double deepest = claim::largest_passing(0.1 * kRadius, 0.7 * kRadius, 1e-9, passes);
+  claim::expect_threshold({"K.15", "sphere of 41 mm pressed into a plate", "bisection to 1e-9"},
+                          {"penetration", "r/2", 0.5 * kRadius, deepest, "m",
+                           "exit 3, naming element, depth and limit; contact's force ends there"},
+                          1.0 - 1e-8, 1.0 + 1e-8);
 }
 
 TEST(ContactGuard, centre_on_the_skin_throws) {
@@ -65,6 +83,30 @@ TEST(ContactGuard, jump_across_the_skin_is_found) {
   }
 }
 
+// One step straight down from a clear height: past r/2 deep it is refused, and where the centre has come to
+// the skin the sweep names the crossing, however far it goes.
+TEST(ContactGuard, centre_crosses_from_where_the_step_is_as_long_as_its_height) {
+  const double height = 2.0 * kRadius;
+  for (const bool two_layers : {false, true}) {
+    const auto message = [&](double motion) {
+      Path run(two_layers ? sleeve() : scenes::plate(6, kRadius));
+      EXPECT_EQ(run.go({0.001, 0.002, height}), "");
+      return run.go({0.001, 0.002, height - motion});
+    };
+    const double longest = claim::largest_passing(1.6 * kRadius, 10.0 * kRadius, 1e-4, [&](double motion) {
+      const std::string text = message(motion);
+      EXPECT_TRUE(names(text, "penetration") || names(text, "crossed the skin at element")) << text;
+      return !names(text, "crossed the skin");
+    });
+    claim::expect_threshold(
+        {"K.15", two_layers ? "sphere's centre 82 mm over two layers 1 mm apart" : "the same over one layer",
+         "bisection to 1e-4; less motion than the distance needs no sweep"},
+        {"centre crosses the skin", "motion in a step = distance of the centre", height, longest, "m",
+         "exit 3, naming the element; from a motion of distance − r/2 on, for its depth"},
+        1.0 - 2e-4, 1.0 + 2e-4);
+  }
+}
+
 TEST(ContactGuard, skin_that_jumps_across_the_centre_is_found) {
   Path run(scenes::plate(6, kRadius));
   EXPECT_EQ(run.go({0.001, 0.002, 2.0 * kRadius}), "");
@@ -74,15 +116,7 @@ TEST(ContactGuard, skin_that_jumps_across_the_centre_is_found) {
 
 // Both layers of a thin sleeve at once: the centre ends outside again, so a winding number would say nothing.
 TEST(ContactGuard, jump_across_two_layers_is_found) {
-  const scenes::Skin plate = scenes::plate(6, kRadius);
-  scenes::Skin sleeve = plate;
-  sleeve.nodes.resize(3, 2 * plate.nodes.cols());
-  sleeve.nodes << plate.nodes, (plate.nodes.colwise() - Vector3d(0.0, 0.0, 0.001));
-  sleeve.triangles.resize(3, 2 * plate.triangles.cols());
-  sleeve.triangles << plate.triangles,
-      (plate.triangles.array() + static_cast<int>(plate.nodes.cols())).matrix();
-  scenes::lump_masses(sleeve, 0.31);
-  Path run(sleeve);
+  Path run(sleeve());
   EXPECT_EQ(run.go({0.0, 0.001, 2.0 * kRadius}), "");
   EXPECT_TRUE(names(run.go({0.0, 0.001, -2.0 * kRadius}), "crossed the skin"));
 }

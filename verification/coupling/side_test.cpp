@@ -9,6 +9,7 @@
 #include <random>
 #include <string>
 
+#include "bisection.hpp"
 #include "claim.hpp"
 #include "closed_skins.hpp"
 
@@ -119,6 +120,18 @@ TEST(Side, start_inside_or_overlapping_is_bad_input) {
   EXPECT_NE(refusal({1.19, 0.0, 0.0}, 0.2).find("gap >= 0"), std::string::npos);
   EXPECT_NE(refusal({0.1, 0.2, 0.0}, 0.2).find("outside the skin"), std::string::npos);
   EXPECT_EQ(refusal({0.1, 0.2, 0.0}, 0.2).rfind("pendulum.impactor", 0), 0u);
+}
+
+// From inside outwards along an axis that meets a node: refused up to where the sphere touches it.
+TEST(Side, start_is_refused_up_to_touch) {
+  const auto starts_outside = [](double centre) { return refusal({centre, 0.0, 0.0}, 0.2).empty(); };
+  const double nearest =
+      claim::largest_passing(0.01, 3.0, 1e-11, [&](double x) { return !starts_outside(x); });
+  claim::expect_threshold({"K.14", "sphere of 0.2 m outside a closed skin of 1 m, from its centre outwards",
+                           "overlap of 1e-9 radii is round-off; bisection to 1e-11"},
+                          {"sphere that starts inside", "distance of the centre = R + r", 1.2, nearest, "m",
+                           "nearer: exit 2, naming pendulum.impactor and the element"},
+                          1.0 - 2e-10, 1.0 + 1e-10);
 }
 
 // Fine sampling in time as a second route: least distance of the origin from the moving triangle.

@@ -25,7 +25,7 @@ struct Grip;
 
 struct ContactParameters {
   double sphere_radius;   // [m] r > 0
-  double stiffness;       // [N/m3] kappa > 0: pressure per penetration
+  double stiffness;       // [N/m3] kappa > 0: pressure per penetration; peaks follow its root (K.23)
   double friction = 0.0;  // [-] mu >= 0
 };
 
@@ -48,7 +48,7 @@ struct ContactResult {
 // An element that the sphere may reach before the next search.
 struct NearElement {
   int element;   // its number
-  double slack;  // [m] relative motion since the search below which it cannot touch
+  double slack;  // [m] relative motion since the search below which it cannot touch; grows when looked at
 };
 
 // A quadrature point that sticks or slides.
