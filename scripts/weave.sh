@@ -29,7 +29,7 @@ peak() { sed -nE "s/^ *\"$1\": ([-+.e0-9]+),?$/\1/p" "$work/run/summary.json" | 
         !head { head = 1; for (i = 1; i <= NF; ++i) at[$i] = i; next }
         ambient == "" { ambient = $(at["pressure_Pa"]) }  # the gas starts at it
         { if ($(at["strap_force_N"]) > most) most = $(at["strap_force_N"]) }
-        END { printf "%s,%.6g,%.6g,%.4g\n", name, pressure - ambient, volume, most }' "$work/run/history.csv"
+        END { printf "%s,%.6g,%.6g,%.6g\n", name, pressure - ambient, volume, most }' "$work/run/history.csv"
     done
   done < <(fabrics)
 } >"$work/weave.csv"
