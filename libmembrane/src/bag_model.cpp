@@ -137,7 +137,9 @@ void set_weave_groups(BagModel& m) {
 
 // Each fabric once, in the order of the groups.
 void share_fabrics(BlockTable& table) {
-  const auto before = [](const FabricGroup& a, const FabricGroup& b) { return std::memcmp(&a, &b, sizeof a) < 0; };
+  const auto before = [](const FabricGroup& a, const FabricGroup& b) {
+    return std::memcmp(&a, &b, sizeof a) < 0;
+  };
   std::map<FabricGroup, std::int32_t, decltype(before)> places(before);
   AlignedVector<FabricGroup> distinct;
   for (std::size_t g = 0; g < table.group.size(); ++g) {

@@ -143,9 +143,9 @@ template <Compression kCompression, class T>
 
 // Stress (M.2, M.3, M.13, M.14), energy and the bound of omega^2 (M.10).
 template <template <class> class Fabric, Compression kCompression, class T>
-[[gnu::always_inline]] inline void stress_of(const ElementGroup& g, const FabricGroup& constants, const WeaveGroup* weave,
-                                             const FrequencyGroup& frequency, int lane, GroupWork& work,
-                                             SkinParts<T>& sums) {
+[[gnu::always_inline]] inline void stress_of(const ElementGroup& g, const FabricGroup& constants,
+                                             const WeaveGroup* weave, const FrequencyGroup& frequency,
+                                             int lane, GroupWork& work, SkinParts<T>& sums) {
   const PlaneStrain<T> e{load<T>(work.e11 + lane), load<T>(work.e22 + lane), load<T>(work.e12 + lane)};
   Fabric<T> fabric;
   load_fabric(constants, weave, lane, fabric);
