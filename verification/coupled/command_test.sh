@@ -154,6 +154,17 @@ part_interrupt() {
   [ "$rows" -gt 1 ] || fail "history of $rows rows, or a torn row"
 }
 
+part_progress() {
+  local run=("$gasjet" run "$source/cases/passenger_pendulum_no_jet.toml" --out "$work/bar")
+  script -qec "$(printf '%q ' "${run[@]}")" "$work/terminal" >/dev/null </dev/null || fail "exit $? on a terminal"
+  tr '\r' '\n' <"$work/terminal" | sed -nE 's/.*\[[#.]{40}\] +([0-9]+) %.*/\1/p' >"$work/percent"
+  sort -nc "$work/percent" || fail "progress goes back: $(paste -sd ' ' "$work/percent")"
+  [ "$(tail -n 1 "$work/percent")" = 100 ] || fail "no 100 % at the end: $(paste -sd ' ' "$work/percent")"
+  "${run[@]}" >"$work/log" 2>&1 </dev/null || fail "exit $? without a terminal"
+  ! grep -q $'\r' "$work/log" || fail "a bar without a terminal"
+  [ -z "$("${run[@]}" --quiet 2>&1 </dev/null)" ] || fail "--quiet is not quiet"
+}
+
 without_dates() { sed -E '/^# (date|options): /d' "$1"; }
 
 same_bytes() { # same_bytes CASE OPTION...: one run on one thread, one on two
