@@ -5,6 +5,8 @@
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 
+#include "gas/error.hpp"
+#include "require.hpp"
 #include "substepper.hpp"
 
 namespace gas {
@@ -110,14 +112,22 @@ double Substepper::fill_first(Rates& rates, Vector& y, double a, double b) {
 }
 
 /// Whether the trial that ends at t takes p through p_a by an error of the method, be it within its
-/// tolerance: outflow that inflow feeds ends above p_a, backflow that something draws in ends below.
-/// Accepted, it would be followed by an onset, and that by the next crossing, where the implicit method can
-/// settle in the balance.
+/// tolerance: outflow that inflow feeds ends below p_a, backflow that something draws in ends above.
+/// Accepted, it would be followed by flow the other way, and that by the next crossing: an exchange of gas
+/// that no balance makes.
 bool Substepper::crosses_against_flow(const FlowBalance& balance, double t, const Start& start) const {
-  if (options_.fixed_step > 0.0 || std::isfinite(stepper_->stability_limit())) return false;
+  if (options_.unsafe_step) return false;
   const double excess = balance.pressure_excess(), growth = balance.closed_pressure_growth(t);
-  if (is_out(balance.regime())) return start.place.excess > near_ && excess < -near_ && growth > 0.0;
-  return is_back(balance.regime()) && start.place.excess < -near_ && excess > near_ && growth < 0.0;
+  if (is_out(balance.regime())) return start.place.excess >= -near_ && excess < -near_ && growth > 0.0;
+  return is_back(balance.regime()) && start.place.excess <= near_ && excess > near_ && growth < 0.0;
+}
+
+/// A fixed step that crosses so is above the limit of the balance that it has yet to reach.
+void Substepper::fail_crossing(double x, double h) const {
+  throw DomainError("the step " + to_text(h) +
+                    " s is too long for the balance near ambient pressure at t = " + to_text(x) +
+                    " s: flow through the openings takes p past p_a, where it would turn; "
+                    "a shorter one (gas_step of a case), or none, is allowed");
 }
 
 /// Whether p may turn, inside the trial that ends at t, beyond a switch or level that both ends have not

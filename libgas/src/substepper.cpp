@@ -216,7 +216,9 @@ double Substepper::integrate(FlowBalance& balance, Vector& y, double a, double b
     require_stable(rates, x, h);
     if (!try_step(rates, y, x, h) && options_.fixed_step > 0.0) fail(rates, x, h);
     const double error = scaled_error(balance);
-    if (error > 1.0 || crosses_against_flow(balance, rates.time(x + h), start)) {
+    const bool crosses = error <= 1.0 && crosses_against_flow(balance, rates.time(x + h), start);
+    if (crosses && options_.fixed_step > 0.0) fail_crossing(x, h);
+    if (error > 1.0 || crosses) {
       h *= error > 1.0 ? step_factor(error) : kCrossingFactor;
       continue;
     }

@@ -59,6 +59,7 @@ class Substepper {
   Event passed_switch(const FlowBalance& balance, double t) const;
   Event passed_level(const FlowBalance& balance) const;
   bool crosses_against_flow(const FlowBalance& balance, double t, const Start& start) const;
+  [[noreturn]] void fail_crossing(double x, double h) const;
   bool may_turn_past_event(const FlowBalance& balance, double t, double h, const Start& start) const;
   Place place(const FlowBalance& balance) const;
   double distance(const Place& at, Event event) const;
