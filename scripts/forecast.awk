@@ -2,7 +2,7 @@
 # One scene: what `gasjet check --format json` says beside what its ladder measured. Files: the JSON, ladder.csv.
 # Rows: scene, quantity, effect left out, group, its size, whether that matters (from 0.01 on; relaxations from 1 on),
 # change of the quantity [%], its standard error, whether that is 1 % or more, agree (1, 0; empty: undecided).
-BEGIN { FS = "," }
+BEGIN { FS = ","; infinite = 1e300 }
 
 FNR == NR { read_json(); next }
 /^# reference: / { reference = substr($0, 14) + 0 }
@@ -16,7 +16,13 @@ function read_json() {
   if (/^  "forecast": \[/) inside = 1
   else if (/^  \]/) inside = 0
   else if (inside && /"name":/) { name = $0; gsub(/.*: "|",?$/, "", name) }
-  else if (inside && /"value":/) { value = $0; gsub(/.*: |,$/, "", value); keep(name, value == "null" ? 1e300 : value + 0) }
+  else if (inside && /"value":/) { value = $0; gsub(/.*: |,$/, "", value); keep(name, number(value)) }
+}
+# JSON has no word for infinity; check says "infinite".
+function number(value) {
+  if (value == "\"infinite\"") return infinite
+  if (value !~ /^-?[0-9]/) { print "forecast.awk: value " value " is no number" >"/dev/stderr"; exit 2 }
+  return value + 0
 }
 # Of several jets the largest.
 function keep(name, value) {
@@ -45,6 +51,6 @@ function compare(rung, name,   size, share, error, says, seen, agree) {
   seen = sqrt(share ^ 2) >= 1 ? "yes" : "no"
   agree = sqrt((sqrt(share ^ 2) - 1) ^ 2) < 2 * error ? "" : says == seen
   sub(/^finest: /, "", rung)
-  printf "%s,%s,%s,%s,%.3g,%s,%.3g,%.2g,%s,%s\n", scene, quantity, rung, name, size, says, share, error,
+  printf "%s,%s,%s,%s,%s,%s,%.3g,%.2g,%s,%s\n", scene, quantity, rung, name, size == infinite ? "infinite" : sprintf("%.3g", size), says, share, error,
     agree == "" ? "undecided" : seen, agree
 }

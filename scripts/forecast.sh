@@ -4,7 +4,8 @@
 # docs/theory/forecast.md. Ladders that results/forecast has are not run again; that of the paper's scene is the
 # committed one.
 # usage: scripts/forecast.sh [--check [CSV]]
-#   --check  compare the table of the page with docs/charts/forecast.csv (or CSV); exit code 1 if they differ
+#   --check  compare the table and the counts of the page, and the totals, with the rows of docs/charts/forecast.csv
+#            (or CSV); exit code 1 if they differ, 2 without rows
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 page=docs/theory/forecast.md csv=docs/charts/forecast.csv folder=results/forecast
@@ -43,17 +44,28 @@ ladder_of() {
 }
 
 write_csv() {
-  local scene quantity table
+  local scene quantity table json
   build/gasjet --version | sed 's/^/# /'
   echo "scene,quantity,effect,group,size,forecast,change_percent,change_se_percent,ladder,agree"
   while read -r scene quantity; do
     table=$(ladder_of "$scene" "$quantity")
-    awk -v scene="$scene" -f scripts/forecast.awk <(build/gasjet check "cases/$scene.toml" --format json) "$table"
-  done < <(scenes) | awk -F, '
-    { print; sum += $NF; count += $NF != "" }
+    json=$(build/gasjet check "cases/$scene.toml" --format json)
+    awk -v scene="$scene" -f scripts/forecast.awk <(echo "$json") "$table"
+  done < <(scenes)
+}
+
+rows() { grep -v '^#\|^scene,\|^all' "$1"; }
+
+# totals CSV: its last four lines, from its rows.
+totals() {
+  rows "$1" | awk -F, '
+    { sum += $NF; count += $NF != "" }
     $4 != "gas_relaxation" { sizes += $NF; of_sizes += $NF != "" }
     END { printf "all that agree,,,,,,,,,%d\nall,,,,,,,,,%d\nall sizes that agree,,,,,,,,,%d\nall sizes,,,,,,,,,%d\n", sum, count, sizes, of_sizes }'
 }
+
+# counts CSV: the same as the page says it.
+counts() { totals "$1" | awk -F, '{ n[NR] = $NF } END { printf "It agrees in %d of %d; of the sizes alone in %d of %d.", n[1], n[2], n[3], n[4] }'; }
 
 table() {
   awk -F, '
@@ -64,23 +76,37 @@ table() {
         " | " ($10 == "" ? "undecided" : $10 ? "yes" : "**no**") " |"; last = $1 }' "$1"
 }
 
-# page_with CSV: the page with the table of CSV between its two marks.
+# page_with CSV: the page with the counts of CSV and its table between the two marks.
 page_with() {
-  awk -v table="$(table "$1")" '
+  awk -v table="$(table "$1")" -v counts="$(counts "$1")" '
+    { sub(/It agrees in [0-9]+ of [0-9]+; of the sizes alone in [0-9]+ of [0-9]+\./, counts) }
     /^<!-- end of the table -->/ { inside = 0 }
     !inside
     /^<!-- table by scripts\/forecast.sh -->/ { inside = 1; print "\n" table "\n" }' "$page"
 }
 
+# check CSV
+check() {
+  if [[ ! -f $1 || ! -r $1 ]] || ! rows "$1" >/dev/null; then
+    echo "forecast.sh: $1 has no rows, or is not there" >&2
+    exit 2
+  fi
+  diff <(totals "$1") <(grep '^all' "$1") || { echo "the totals of $1 are not those of its rows"; exit 1; }
+  { diff <(page_with "$1") "$page" && grep -qF "$(counts "$1")" "$page"; } ||
+    { echo "$page is not what $1 says: scripts/forecast.sh writes it anew"; exit 1; }
+  echo "$page holds: $(rows "$1" | wc -l) rows"
+}
+
 if [[ ${1:-} == --check && $# -le 2 ]]; then
-  diff <(page_with "${2:-$csv}") "$page" || { echo "$page is not what ${2:-$csv} says: scripts/forecast.sh writes it anew"; exit 1; }
-  echo "$page holds: $(grep -vc '^#\|^scene\|^all' "${2:-$csv}") rows"
+  check "${2-$csv}"
 elif (($#)); then
   echo "forecast.sh: cannot take '$*'; allowed: nothing, --check [CSV]" >&2
   exit 2
 else
   mkdir -p "$folder"
   write_csv >"$folder/forecast.csv"
+  totals "$folder/forecast.csv" >"$folder/totals"
+  cat "$folder/totals" >>"$folder/forecast.csv"
   cp "$folder/forecast.csv" "$csv"
   page_with "$csv" >"$folder/forecast.md"
   cp "$folder/forecast.md" "$page"

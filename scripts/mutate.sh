@@ -34,7 +34,16 @@ if [[ -z $scratch ]]; then
   scratch=$(mktemp -d)
   trap 'rm -rf "$scratch"' EXIT
 fi
-mkdir -p "$scratch"
+matches=0
+grep -qE -e "$only" /dev/null 2>/dev/null || matches=$?
+if ((matches > 1)); then
+  echo "mutate.sh: --only '$only' is no extended regular expression" >&2
+  exit 2
+fi
+if ! mkdir -p "$scratch" 2>/dev/null || [[ ! -w $scratch ]]; then
+  echo "mutate.sh: --scratch '$scratch' is no folder that can be made and written" >&2
+  exit 2
+fi
 scratch=$(cd "$scratch" && pwd)
 copy=$scratch/source
 build=$scratch/build

@@ -45,7 +45,8 @@ std::vector<std::string> names_to_compare(const History& reference, const std::v
     if (std::count(only.begin(), only.end(), name) > 1)
       throw CaseError(fmt::format("--columns {}: is given twice, once is allowed", name));
     if (std::find(names.begin(), names.end(), name) == names.end())
-      throw CaseError(fmt::format("--columns {}: the reference has no such quantity, allowed are {}", name,
+      throw CaseError(fmt::format("--columns {}: {}, allowed are {}", name.empty() ? "''" : name,
+                                  name.empty() ? "a name is empty" : "the reference has no such quantity",
                                   fmt::join(names, ", ")));
   }
   return only.empty() ? names : only;

@@ -128,6 +128,8 @@ History in_si_units(const CsvTable& table, const std::vector<MappedColumn>& colu
       values[i] = columns[c].scale * values[i] + columns[c].offset;
       if (!(std::abs(values[i]) <= largest_magnitude))
         table.fail(c, i, fmt::format("{} in SI units: a magnitude of at most 1e100 is allowed", values[i]));
+      if (values[i] < 0.0 && columns[c].name.ends_with(band_suffix))
+        table.fail(c, i, fmt::format("{}: a half width of 0 or more is allowed", values[i]));
     }
     if (c == 0) {
       history.time = std::move(values);

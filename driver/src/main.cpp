@@ -2,6 +2,7 @@
 // The `gasjet` command: maps errors to exit codes.
 #include <cstdio>
 #include <exception>
+#include <iostream>
 
 #include "commands/commands.hpp"
 #include "driver/case_reader.hpp"
@@ -14,17 +15,26 @@ int report(const char* message, int code) {
   return code;
 }
 
+constexpr const char* lost_output = "standard output: write failed (disk full?)";
+
+// What was printed has arrived, or the command has not done its work.
+int finish(int code) {
+  std::cout.flush();
+  if (std::fflush(stdout) == 0 && !std::ferror(stdout)) return code;
+  return report(lost_output, driver::commands::exit_domain);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   using namespace driver::commands;
   try {
-    return run_command_line(argc, argv);
+    return finish(run_command_line(argc, argv));
   } catch (const driver::CaseError& error) {
     return report(error.what(), exit_input);
   } catch (const driver::OutputError& error) {
     return report(error.what(), exit_input);
   } catch (const std::exception& error) {
-    return report(error.what(), exit_domain);
+    return report(std::ferror(stdout) ? lost_output : error.what(), exit_domain);
   }
 }

@@ -44,7 +44,7 @@ void remove_fields(const std::filesystem::path& folder) {
 
 }  // namespace
 
-void prepare_output(const std::filesystem::path& folder) {
+void prepare_output(const std::filesystem::path& folder, std::initializer_list<const char*> names) {
   std::error_code error;
   std::filesystem::create_directories(folder, error);
   if (error) throw OutputError(fmt::format("--out {}: {}", folder.string(), error.message()));
@@ -52,6 +52,10 @@ void prepare_output(const std::filesystem::path& folder) {
   if (!std::ofstream(probe))
     throw OutputError(fmt::format("--out {}: the folder is not writable", folder.string()));
   std::filesystem::remove(probe, error);
+  for (const char* name : names)
+    if (const auto file = folder / name;
+        std::filesystem::exists(file, error) && !std::ofstream(file, std::ios::app))
+      throw OutputError(fmt::format("--out {}: {} is there and not writable", folder.string(), name));
   remove_fields(folder);
 }
 

@@ -88,7 +88,7 @@ RunOutcome run_to_folder(const Scene& scene, const std::filesystem::path& folder
                          const RunOptions& options) {
   set_threads(options.threads);
   State state = make_state(scene);
-  prepare_output(folder);
+  prepare_output(folder, {"summary.json"});
   CsvWriter<Record> history(folder / "history.csv", lines, history_columns(scene));
   CsvWriter<EnergyRecord> energy(folder / "energy.csv", lines, energy_columns(scene));
   Progress progress(scene.name, scene.time.end, options.quiet);

@@ -31,7 +31,7 @@ std::optional<TableReader> read_ambient(TableReader& root, Scene& scene) {
   if (table) {
     if (!root.has("gas")) table->fail("", "has no effect: it needs [gas]");
     scene.ambient.pressure = table->number("pressure", positive, scene.ambient.pressure);
-    scene.ambient.temperature = table->number("temperature", positive, scene.ambient.temperature);
+    scene.ambient.temperature = table->number("temperature", gas_temperature, scene.ambient.temperature);
   }
   return table;
 }

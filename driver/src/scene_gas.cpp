@@ -135,7 +135,7 @@ gas::Inflow read_inflow(TableReader& reader, std::vector<double> fractions, Trig
     mass_flow = to_gas_curve(reader.curve("mass_flow", non_negative), gas::Outside::kZero);
   });
   reader.located("temperature", [&] {
-    temperature = to_gas_curve(reader.curve("temperature", positive), gas::Outside::kHeld);
+    temperature = to_gas_curve(reader.curve("temperature", gas_temperature), gas::Outside::kHeld);
   });
   const double start = reader.number("start_time", non_negative, 0.0);
   return {std::move(fractions), *mass_flow, *temperature, start, names.optional_node(reader)};
@@ -156,7 +156,7 @@ void read_initial(TableReader& initial, const NamedComposition& composition, con
   initial.located("composition",
                   [&] { part.initial_fractions = mass_fractions(part.model.thermo, list, composition); });
   part.initial_pressure = initial.number("pressure", non_negative, scene.ambient.pressure);
-  part.initial_temperature = initial.number("temperature", positive, scene.ambient.temperature);
+  part.initial_temperature = initial.number("temperature", gas_temperature, scene.ambient.temperature);
   initial.finish();
 }
 

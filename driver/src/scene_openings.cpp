@@ -110,8 +110,8 @@ void read_heat_loss(TableReader& gas_table, Scene& scene) {
   auto table = gas_table.optional_table("heat_loss");
   if (!table) return;
   const double coefficient = table->number("coefficient", positive), area = table->number("area", positive);
-  scene.gas->model.heat_loss = {coefficient * area,
-                                table->number("outside_temperature", positive, scene.ambient.temperature)};
+  scene.gas->model.heat_loss = {
+      coefficient * area, table->number("outside_temperature", gas_temperature, scene.ambient.temperature)};
   table->finish();
 }
 

@@ -24,6 +24,12 @@ part_compare() {
   expect 1 '"verdict": "outside"' "$gasjet" compare "$mine" "$work/other.csv" --format json
   expect 4 "^undecided: the reference states no band" "$gasjet" compare "$mine" "$mine"
   expect 2 "--columns volume_m3: .* allowed are pressure_Pa, temperature_K" "$gasjet" compare "$mine" "$reference" --columns volume_m3
+  expect 2 "--columns '': a name is empty, allowed are pressure_Pa" "$gasjet" compare "$mine" "$reference" --columns pressure_Pa,
+  expect 0 "^inside" "$gasjet" compare "$mine" "$reference" --columns pressure_Pa,temperature_K
+  "$gasjet" exact tank_fill --times 0:0.1:0.01 | with_bands -0.1 2e-10 >"$work/negative.csv"
+  expect 2 "negative.csv:[0-9]+:[0-9]+: pressure_Pa_band: -0.1: a half width of 0 or more" "$gasjet" compare "$mine" "$work/negative.csv"
+  lost "$gasjet" compare "$mine" "$reference"
+  lost "$gasjet" compare "$mine" "$reference" --format json
   expect 2 "no such file" "$gasjet" compare "$work/none.csv" "$reference"
   expect 2 "no such file" "$gasjet" compare "$mine" "$reference" --map "$work/none.toml"
   expect 2 "not writable" "$gasjet" compare "$mine" "$reference" --rows "$work/nowhere/rows.csv"

@@ -19,12 +19,25 @@ expect() {
   grep -Eq -- "$pattern" <<<"$output" || fail "no '$pattern' in the output of $*: $output"
 }
 
+# lost COMMAND...: what cannot be printed is said, and told by the exit code
+lost() {
+  local error status
+  error=$("$@" 2>&1 >/dev/full </dev/null)
+  status=$?
+  [ "$status" = 3 ] && grep -q "standard output: write failed" <<<"$error" || fail "exit $status with a full disk: $* : $error"
+}
+
 part_exit_codes() {
   expect 0 "done" "$gasjet" run "$source/cases/rigid_tank.toml" --out "$work/tank"
   for file in history.csv energy.csv summary.json; do [ -s "$work/tank/$file" ] || fail "no $file"; done
   expect 2 "^gasjet: .*not expected.*no-such-option" "$gasjet" run "$source/cases/rigid_tank.toml" --no-such-option
   expect 2 "^gasjet: .*subcommand is required" "$gasjet"
-  expect 2 "^gasjet: .*--help" "$gasjet" no_such_command
+  expect 2 "^gasjet: 'no_such_command' is no command, allowed are run, .*compare \(see --help" "$gasjet" no_such_command
+  lost "$gasjet" check "$source/cases/rigid_tank.toml"
+  lost "$gasjet" check "$source/cases/rigid_tank.toml" --format json
+  lost "$gasjet" mesh passenger --out "$work/bag.obj"
+  lost "$gasjet" exact tank_fill
+  lost "$gasjet" --version
   expect 0 "ensemble" "$gasjet" --help
   expect 0 "gasjet [0-9]" "$gasjet" --version
   expect 3 "above its bound" "$gasjet" run "$source/cases/sphere_inflation.toml" --out "$work/bound" --set time.step=1e-3
@@ -41,6 +54,8 @@ part_exit_codes() {
   expect 0 "choked at the start, choked from 1918" "$gasjet" check "$source/cases/tank_blowdown.toml"
   expect 0 "warning: jet of inflator 0: the outlet pressure is below ambient" "$gasjet" run \
     "$source/cases/passenger_pendulum.toml" --out "$work/warned" --set scene.end_time=1e-4
+  [ -z "$("$gasjet" run "$source/cases/passenger_pendulum.toml" --quiet --out "$work/warned" --set scene.end_time=1e-4 2>&1)" ] ||
+    fail "--quiet prints a warning"
   expect 0 "2744 elements" "$gasjet" mesh passenger --out "$work/bag.obj"
   expect 2 "not writable|No such|Permission|writ" "$gasjet" mesh passenger --out "$work/nowhere/bag.obj"
 }
@@ -68,6 +83,9 @@ part_lost_output() {
   mkdir "$work/full"
   ln -s /dev/full "$work/full/summary.json"
   expect 3 "summary.json: write failed" "$gasjet" run "$source/cases/rigid_tank.toml" --out "$work/full"
+  mkdir -p "$work/way/summary.json" "$work/way/sphere_inflation/ensemble.json"
+  expect 2 "--out .*/way: summary.json is there and not writable" "$gasjet" run "$source/cases/rigid_tank.toml" --out "$work/way"
+  expect 2 "ensemble.json is there and not writable" "$gasjet" ensemble "$source/cases/sphere_inflation.toml" --runs 2 --out "$work/way"
   expect 3 "no finite number" "$gasjet" run "$source/cases/plate_jet.toml" --out "$work/inf" --set inflator.0.mass_flow=1e300
   grep -Eiq '(^|,)-?(nan|inf)' <(grep -v '^#' "$work/inf/history.csv" | tail -n +2) && fail "nan or inf in the history"
   expect 0 "too coarse" "$gasjet" run "$source/cases/plate_jet.toml" --out "$work/coarse" --set target.rows=6 --set target.columns=6
@@ -75,7 +93,7 @@ part_lost_output() {
 }
 
 part_bad_input() {
-  local tank=$source/cases/rigid_tank.toml
+  local tank=$source/cases/rigid_tank.toml temperature
   # A byte order mark, as spreadsheets write it, is none of the text.
   { printf '\xef\xbb\xbf' && cat "$tank"; } >"$work/marked.toml"
   expect 0 "^settings" "$gasjet" check "$work/marked.toml"
@@ -92,6 +110,14 @@ part_bad_input() {
   expect 2 "--out" "$gasjet" run "$tank" --out /proc/no_such_folder
   expect 2 "--set scene.end_time=0.1,0.2" "$gasjet" run "$tank" --out "$work/out" --set scene.end_time=0.1,0.2
   expect 2 "--set a.b=1: a: unknown key" "$gasjet" run "$tank" --out "$work/out" --set a.b=1
+  for temperature in 1e300 1e-300; do
+    expect 2 "--set inflator.0.temperature=$temperature: inflator.0.temperature: .*1 to 1e5 K" "$gasjet" run \
+      "$source/cases/plate_jet.toml" --out "$work/out" --set inflator.0.temperature=$temperature
+  done
+  expect 2 "ambient.temperature: .*1 to 1e5 K" "$gasjet" check "$tank" --set ambient.temperature=1e300
+  expect 2 "gas.initial.temperature: .*1 to 1e5 K" "$gasjet" check "$tank" --set gas.initial.temperature=1e300
+  expect 2 "outside_temperature: .*1 to 1e5 K" "$gasjet" check "$source/cases/tank_backflow.toml" --set gas.heat_loss.coefficient=1 \
+    --set gas.heat_loss.area=1 --set gas.heat_loss.outside_temperature=1e300
   expect 2 "part of the path" "$gasjet" run "$tank" --out "$work/out" --set scene.end_time.=1
   expect 2 "longer than 64 MiB" "$gasjet" run /dev/zero --out "$work/out"
   expect 2 "another file name" "$gasjet" ensemble "$source/cases/sphere_inflation.toml" --runs 2 \
@@ -200,49 +226,19 @@ part_exact() {
   expect 2 "given twice" "$gasjet" exact tank_fill --set volume=1 --set volume=2
   expect 2 "--format json: prints one NAME" "$gasjet" exact --list --format json
   expect 2 "--list: prints the whole catalogue" "$gasjet" exact tank_fill --list
+  expect 2 "--times.*is empty, first:last:step is needed" "$gasjet" exact tank_fill --times=
+  expect 2 "--times.*is empty" "$gasjet" exact --list --times=
   expect 2 "prints --list only" "$gasjet" exact tank_fill --format markdown
   expect 2 "patch_angle" "$gasjet" exact pressed_balloon --times 1e-300
   expect 2 "overpressure" "$gasjet" exact pressed_balloon --set youngs_modulus=3
   expect 2 "no_such_parameter" "$gasjet" exact "$name" --set no_such_parameter=1
 }
 
-part_ladder() {
-  local tank=$source/cases/rigid_tank.toml bag=("$source/cases/jet_bag.toml" --set membrane.mesh.levels=2 --quantity pressure)
-  expect 0 "cheapest within 2 %: " "$gasjet" ladder "$tank" --quantity pressure --out "$work/tank"
-  expect 0 "" "$gasjet" run "$work/tank/cheapest.toml" --out "$work/run" --quiet
-  grep -q '^0.1,586098.3333' "$work/run/history.csv" || fail "the cheapest rung is not the tank"
-  expect 0 "jet off .* inside" "$gasjet" ladder "${bag[@]}" --out "$work/bag" --tolerance 10%
-  grep -q '^rigid tank,1,' "$work/bag/ladder.csv" || fail "no row of the tank"
-  grep -q '"verdict": "inside"' "$work/bag/ladder.json" || fail "no verdict"
-  expect 0 "" "$gasjet" run "$work/bag/cheapest.toml" --out "$work/run" --quiet
-  expect 4 "undecided: no rung" "$gasjet" ladder "${bag[@]}" --out "$work/bag" --tolerance 1e-5 --hold pieces
-  [ -e "$work/bag/cheapest.toml" ] && fail "the cheapest rung of an earlier ladder stayed"
-  cp "$tank" "$work/bag/cheapest.toml"
-  expect 2 "--out .*/bag: would overwrite cheapest.toml, which no ladder wrote" "$gasjet" ladder "$tank" --quantity pressure --out "$work/bag"
-  cmp "$tank" "$work/bag/cheapest.toml" || fail "a cheapest.toml of the user's was overwritten"
-  [ -z "$("$gasjet" ladder "$tank" --quantity pressure --out "$work/tank" --quiet 2>&1)" ] || fail "--quiet prints"
-  expect 4 "undecided: pressure_Pa is 101325 in the full case" "$gasjet" ladder "$tank" --quantity pressure --quiet \
-    --set inflator.0.start_time=5 --out "$work/nothing"
-  grep -q '"reason": "pressure_Pa is' "$work/nothing/ladder.json" || fail "no reason in ladder.json"
-  grep -Eiq '(^|,)-?(nan|inf)' "$work/nothing/ladder.csv" && fail "nan or inf in ladder.csv"
-  expect 3 "rung \"full\".*limit" "$gasjet" ladder "$source/cases/tank_fixed_steps.toml" --quantity pressure \
-    --set time.gas_step=4e-3 --quiet --out "$work/limit"
-  local tolerance
-  for tolerance in "" 0 -1% nan inf 2%% two 200%; do
-    expect 2 "--tolerance.*such as 0.02 or 2%" "$gasjet" ladder "$tank" --quantity pressure --tolerance="$tolerance" --out "$work/out"
-  done
-  expect 2 "--quantity angle: the scene has none" "$gasjet" ladder "$tank" --quantity angle --out "$work/out"
-  expect 2 "--quantity is required" "$gasjet" ladder "$tank" --out "$work/out"
-  expect 2 "--hold mesh: .*allowed are gas" "$gasjet" ladder "$tank" --quantity pressure --hold mesh --out "$work/out"
-  expect 2 "--hold '': a name is empty, allowed are gas" "$gasjet" ladder "$tank" --quantity pressure --hold gas, --out "$work/out"
-  expect 2 "--unset scene.x: the case has no such key" "$gasjet" ladder "$tank" --quantity pressure --unset scene.x --out "$work/out"
-  expect 2 "--runs" "$gasjet" ladder "$tank" --quantity pressure --runs 1 --out "$work/out"
-  [ -e "$work/out" ] && fail "bad input wrote $work/out"
-}
-
 # shellcheck source-path=SCRIPTDIR source=command_compare.sh
 source "$(dirname "${BASH_SOURCE[0]}")/command_compare.sh"
 # shellcheck source-path=SCRIPTDIR source=command_identify.sh
 source "$(dirname "${BASH_SOURCE[0]}")/command_identify.sh"
+# shellcheck source-path=SCRIPTDIR source=command_ladder.sh
+source "$(dirname "${BASH_SOURCE[0]}")/command_ladder.sh"
 "part_$part"
 [ $failures -eq 0 ] && echo "command $part: passed" || exit 1

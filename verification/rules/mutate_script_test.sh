@@ -42,4 +42,14 @@ outcome 1 'does not compile' toy toy.cpp 's/2 \* x/2 * y/'
 outcome 1 'test fails or is missing' no_such_test toy.cpp 's/2 \* x/3 * x/'
 outcome 1 'no such file' toy gone.cpp 's/2/3/'
 outcome 0 'killed' '^t[o]y$' toy.cpp 's/2 \* x/4 * x/'
+
+# refuses PATTERN ARGUMENT...: exit code 2 and one line
+refuses() {
+  local said status=0
+  said=$("$tree/scripts/mutate.sh" "${@:2}" 2>&1) || status=$?
+  [[ $status == 2 && $said == *"$1"* && $said != *$'\n'* ]] || { echo "exit $status, 2 and '$1' expected: $said"; exit 1; }
+}
+refuses "no folder that can be made" --scratch /dev/null
+refuses "no extended regular expression" --only '['
+refuses "no line of" --only no_such_line
 echo "mutate.sh told all six outcomes apart"

@@ -43,6 +43,8 @@ struct Bounds {
 inline constexpr Bounds any_number{};
 inline constexpr Bounds positive{0.0, std::numeric_limits<double>::max(), true, "a number above 0"};
 inline constexpr Bounds non_negative{0.0, std::numeric_limits<double>::max(), false, "a number of 0 or more"};
+// Constant cp has no range of its own; beyond this one no gas is one of molecules, and powers overflow.
+inline constexpr Bounds gas_temperature{1.0, 1e5, false, "1 to 1e5 K"};
 inline constexpr Bounds fraction{0.0, 1.0, false, "a number from 0 to 1"};
 inline constexpr Bounds positive_fraction{0.0, 1.0, true, "a number above 0, at most 1"};
 

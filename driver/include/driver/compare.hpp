@@ -21,7 +21,8 @@ struct History {
 
 /// Reads a history: a CSV file with a column `time_s` and every other column a quantity, or, with a map
 /// (TOML, docs/case_files.md), a foreign file of which the map names the columns, units and offsets. Throws
-/// CaseError at the place of the fault: unreadable, no number, times that do not rise, fewer than 3 rows.
+/// CaseError at the place of the fault: unreadable, no number, a band below 0, times that do not rise, fewer
+/// than 3 rows.
 History read_history(const std::filesystem::path& file, const std::filesystem::path& map = {});
 
 /// Ends the name of a column that holds the half width of the error band of the column before it.

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <initializer_list>
 #include <string>
 #include <utility>
 #include <vector>
@@ -50,7 +51,8 @@ class CsvWriter {
 extern template class CsvWriter<Record>;
 extern template class CsvWriter<EnergyRecord>;
 
-/// Makes `folder` (and its parents) and proves that files can be written there. Throws OutputError.
-void prepare_output(const std::filesystem::path& folder);
+/// Makes `folder` (and its parents) and proves that files can be written there, those of `names` that are
+/// there already too. Throws OutputError.
+void prepare_output(const std::filesystem::path& folder, std::initializer_list<const char*> names = {});
 
 }  // namespace driver

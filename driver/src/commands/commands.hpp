@@ -32,6 +32,9 @@ std::vector<std::string> words(int argc, char** argv);
 /// The parts of a list between separators, empty ones too.
 std::vector<std::string> split(const std::string& text, char separator);
 
+/// The names of every list with commas, empty ones too.
+std::vector<std::string> names_of(const std::vector<std::string>& lists);
+
 /// Throws CaseError when the file that `option` writes is one of those that are read.
 void refuse_same_file(const char* option, const std::filesystem::path& out,
                       const std::vector<std::filesystem::path>& inputs);
@@ -106,7 +109,7 @@ int exact(const ExactArguments& arguments);
 struct CompareArguments {
   std::filesystem::path mine, reference;
   std::filesystem::path map;         // of mine's columns, or empty
-  std::vector<std::string> columns;  // to compare; empty: all of the reference
+  std::vector<std::string> columns;  // to compare, lists with commas; empty: all of the reference
   double tolerance = 0.0;            // of mine, share of the reference's largest magnitude
   std::filesystem::path rows;        // CSV of what was compared, or empty
   std::string format = "text";       // or "json"

@@ -99,8 +99,8 @@ int exit_code(Verdict verdict) {
 
 int compare(const CompareArguments& a) {
   refuse_same_file("--rows", a.rows, {a.mine, a.reference, a.map});
-  const Difference difference =
-      driver::compare(read_history(a.mine, a.map), read_history(a.reference), a.columns, a.tolerance);
+  const Difference difference = driver::compare(read_history(a.mine, a.map), read_history(a.reference),
+                                                names_of(a.columns), a.tolerance);
   if (!a.rows.empty()) write_rows(a.rows, difference);
   a.format == "json" ? print_json(a, difference) : print_text(a, difference);
   return exit_code(difference.verdict);

@@ -9,10 +9,12 @@
 namespace driver::commands {
 namespace {
 
+constexpr std::initializer_list<const char*> files_of_case{"ensemble.csv", "quantities.csv", "ensemble.json"};
+
 void refuse_inputs_of(const std::filesystem::path& folder, const std::filesystem::path& file,
                       const std::vector<std::string>& overrides) {
   const auto inputs = input_files(file, overrides);
-  refuse_inputs(folder / file.stem(), {"ensemble.csv", "quantities.csv", "ensemble.json"}, inputs);
+  refuse_inputs(folder / file.stem(), files_of_case, inputs);
   refuse_inputs(folder, {"effects.csv"}, inputs);
 }
 
@@ -67,7 +69,9 @@ int ensemble(const EnsembleArguments& arguments) {
   }
   read_ensemble_scene(arguments.scene.file, arguments.scene.overrides);
   refuse_inputs_of(folder, arguments.scene.file, arguments.scene.overrides);
-  prepare_output(folder);
+  prepare_output(folder, {"effects.csv"});
+  prepare_output(folder / arguments.scene.file.stem(), files_of_case);
+  if (!arguments.against.empty()) prepare_output(folder / arguments.against.stem(), files_of_case);
   catch_interrupt();
   const auto result = run_ensemble(arguments.scene.file, arguments.scene.overrides, options);
   write_ensemble(folder / arguments.scene.file.stem(), result,

@@ -108,14 +108,6 @@ void print(const LadderResult& result, const LadderOptions& options, const std::
   print_verdict(result, options, folder);
 }
 
-/// The axes of every --hold, each a list.
-std::vector<std::string> names_of(const std::vector<std::string>& lists) {
-  std::vector<std::string> names;
-  for (const auto& list : lists)
-    for (auto& name : split(list, ',')) names.push_back(std::move(name));
-  return names;
-}
-
 }  // namespace
 
 int ladder(const LadderArguments& arguments) {
@@ -126,10 +118,10 @@ int ladder(const LadderArguments& arguments) {
                                                   ("ladder_" + arguments.scene.file.stem().string())
                                             : arguments.out;
   plan_ladder(arguments.scene.file, arguments.scene.overrides, options.quantity, options.hold);
-  refuse_inputs(folder, {"ladder.csv", "ladder.json", "cheapest.toml"},
-                input_files(arguments.scene.file, arguments.scene.overrides));
+  const auto files = {"ladder.csv", "ladder.json", "cheapest.toml"};
+  refuse_inputs(folder, files, input_files(arguments.scene.file, arguments.scene.overrides));
   refuse_own_cheapest(folder);
-  prepare_output(folder);
+  prepare_output(folder, files);
   catch_interrupt();
   const LadderResult result = run_ladder(arguments.scene.file, arguments.scene.overrides, options);
   write_ladder(folder, result, arguments.scene.file, arguments.scene.overrides, options);

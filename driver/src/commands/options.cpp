@@ -19,8 +19,11 @@ const CLI::Validator finite{[](std::string& text) {
                             },
                             ""};
 
-const CLI::Validator named{
-    [](std::string& text) { return std::string(text.empty() ? "is empty, a name is needed" : ""); }, ""};
+CLI::Validator not_empty(const std::string& needed) {
+  const std::string fault = "is empty, " + needed + " is needed";
+  return {[fault](std::string& text) { return text.empty() ? fault : std::string(); }, ""};
+}
+const CLI::Validator named = not_empty("a name");
 
 // Taken as soon as it is read: overrides act in the order of the command line.
 void add_override(CLI::App& command, std::vector<std::string>& overrides, const char* name,
@@ -113,12 +116,10 @@ void add_mesh(CLI::App& app, MeshArguments& arguments) {
   bag->add_option("--initial", arguments.initial, "initial shape, of the same formats")->check(named);
   of_case->add_option("CASE", arguments.file, "case file (TOML)")->required();
   of_case->add_option("--initial", arguments.initial, "initial shape, of the same formats")->check(named);
-  of_case->add_option("--out", arguments.out, std::string("design shape, ") + formats)
-      ->required()
-      ->check(named);
-  passenger->add_option("--out", arguments.out, std::string("design shape, ") + formats)
-      ->required()
-      ->check(named);
+  for (auto* command : {of_case, passenger})
+    command->add_option("--out", arguments.out, std::string("design shape, ") + formats)
+        ->required()
+        ->check(named);
   convert->add_option("FILE", arguments.file, formats)->required();
   convert->add_option("--out", arguments.out, "file to write; without it the report only")->check(named);
   convert->add_option("--length-unit", arguments.length_unit, "length unit of FILE [m]")
@@ -150,7 +151,8 @@ void add_others(CLI::App& app, Arguments& all) {
   exact->add_option("NAME", all.exact.name, "closed form, see --list");
   exact->add_flag("--list", all.exact.list, "the catalogue");
   exact->add_option("--set", all.exact.parameters, "name=value")->allow_extra_args(false);
-  exact->add_option("--times", all.exact.times, "abscissae, first:last:step");
+  exact->add_option("--times", all.exact.times, "abscissae, first:last:step")
+      ->check(not_empty("first:last:step"));
   exact->add_option("--format", all.exact.format, "csv or json; of --list also markdown")
       ->check(CLI::IsMember({"csv", "json", "markdown"}));
 }
@@ -190,7 +192,6 @@ void add_compare(CLI::App& app, CompareArguments& a) {
       ->required();
   c->add_option("--map", a.map, "names, units and offsets of MINE's columns (TOML)")->check(named);
   c->add_option("--columns", a.columns, "quantities to compare, separated by commas; all by default")
-      ->delimiter(',')
       ->allow_extra_args(false);
   c->add_option("--tolerance", a.tolerance,
                 "that mine may be off by itself, share of the reference's largest magnitude")
@@ -198,6 +199,16 @@ void add_compare(CLI::App& app, CompareArguments& a) {
   c->add_option("--rows", a.rows, "CSV file to write: both histories and the band at the common times")
       ->check(named);
   c->add_option("--format", a.format, "text or json")->check(CLI::IsMember({"text", "json"}));
+}
+
+// CLI11 would only say that a command is missing.
+void refuse_unknown_command(const CLI::App& app, const std::string& word) {
+  std::string allowed;
+  for (const auto* command : app.get_subcommands({})) {
+    if (word == command->get_name() || word.starts_with('-')) return;
+    allowed += (allowed.empty() ? "" : ", ") + command->get_name();
+  }
+  throw CaseError("'" + word + "' is no command, allowed are " + allowed + " (see --help)");
 }
 
 int dispatch(const CLI::App& app, const Arguments& all) {
@@ -226,6 +237,7 @@ int run_command_line(int argc, char** argv) {
   add_others(app, all);
   add_identify(app, all.identify);
   add_compare(app, all.compare);
+  if (argc > 1) refuse_unknown_command(app, argv[1]);
   try {
     app.parse(words(argc, argv));
   } catch (const CLI::ParseError& error) {

@@ -13,7 +13,8 @@ namespace driver::commands {
 int run(const RunArguments& arguments) {
   CaseDocument document(arguments.scene.file, arguments.scene.overrides);
   const Scene scene = read_scene(document);
-  for (const auto& warning : scene.warnings) fmt::print(stderr, "warning: {}\n", warning);
+  if (!arguments.quiet)
+    for (const auto& warning : scene.warnings) fmt::print(stderr, "warning: {}\n", warning);
   const auto folder =
       arguments.out.empty() ? std::filesystem::path("results") / arguments.scene.file.stem() : arguments.out;
   refuse_inputs(folder, {"history.csv", "energy.csv", "summary.json"}, document.files());

@@ -28,4 +28,11 @@ std::vector<std::string> split(const std::string& text, char separator) {
   return parts;
 }
 
+std::vector<std::string> names_of(const std::vector<std::string>& lists) {
+  std::vector<std::string> names;
+  for (const auto& list : lists)
+    for (auto& name : split(list, ',')) names.push_back(std::move(name));
+  return names;
+}
+
 }  // namespace driver::commands
