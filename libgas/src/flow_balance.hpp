@@ -92,7 +92,8 @@ class FlowBalance {
   double closed_pressure_growth(double t) const;
   /// dp/dt [Pa/s] at the last point, time t; zero without gas.
   double pressure_rate(double t) const;
-  /// The faster of the two relaxation rates [1/s] of outflow at the last point, (G.14).
+  /// The faster of the two relaxation rates [1/s] of outflow at the last point, (G.14); that of p by
+  /// backflow.
   double relaxation_rate() const;
   /// That of the walls, (G.16); zero without gas.
   double heat_rate() const;

@@ -93,6 +93,9 @@ double FlowBalance::heat_rate() const {
 
 double FlowBalance::relaxation_rate() const {
   const double p_a = ambient_pressure(), flow = point_.vent + point_.fabric;
+  if (regime_ == Regime::kBack && point_.back > 0.0)  // as the root of p_a - p, which it is near p_a
+    return point_.back * pressure_growth(air_, model_.ambient.temperature, point_) /
+           (2.0 * point_.volume * (p_a - point_.pressure));
   if (!(flow > 0.0)) return 0.0;
   const double vent = point_.vent * orifice_pressure_exponent(point_.gamma, p_a / point_.pressure);
   const double fabric = point_.fabric * (0.5 + 0.5 * point_.pressure / (point_.pressure - p_a));

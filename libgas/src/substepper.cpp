@@ -85,7 +85,7 @@ void Substepper::fail(const Rates& rates, double x, double h) const {
 void Substepper::require_stable(const Rates& rates, double x, double h) const {
   const FlowBalance& balance = rates.balance;
   if (options_.fixed_step == 0.0 || options_.unsafe_step) return;
-  const bool fed = balance.closed_pressure_growth(x) > 0.0;
+  const bool fed = balance.point().back == 0.0 && balance.closed_pressure_growth(x) > 0.0;
   const double rate = balance.heat_rate() + (fed ? balance.relaxation_rate() : 0.0);
   const double limit = stepper_->stability_limit();
   if (!(h * rate > limit)) return;

@@ -220,4 +220,23 @@ INSTANTIATE_TEST_SUITE_P(of, balance_at_ambient,
                          testing::Values(AtAmbient{"walls", 0.0, 180.0}, AtAmbient{"inflow", 0.36, 0.0}),
                          [](const auto& one) { return std::string(one.param.name); });
 
+TEST(effort, too_stiff_a_backflow_names_its_relaxation) {
+  const AtAmbient walls{"walls", 0.0, 180.0};
+  try {
+    double wrong = 0.0;
+    walls.run({1e-3, 100}, wrong);
+    FAIL();
+  } catch (const gas::DomainError& error) {
+    const std::string text = error.what(), words = "relaxes within ";
+    ASSERT_NE(text.find(words), std::string::npos) << text;
+    // Air of m' = hA (T - T_a)/(cp T_a) falls through (m'/C)^2/(2 rho), and raises p by gamma R T_a m'/V:
+    // that of the balance, which p swings about by as much.
+    const double flow = 180.0 * (900.0 - 293.15) / (1038.8 * 293.15), rt = 296.8 * 293.15;
+    const double drop = flow * flow / 0.01 / (2.0 * kAmbientPressure / rt);
+    const double time = 2.0 * drop * 0.06 / (1038.8 / 742.0 * rt * flow);
+    const double named = std::stod(text.substr(text.find(words) + words.size()));
+    EXPECT_LT(std::abs(std::log(named / time)), std::log(4.0)) << text;
+  }
+}
+
 }  // namespace
