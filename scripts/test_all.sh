@@ -76,7 +76,7 @@ fi
 phase "verification report" scripts/verification_report.sh --check || failed_suites+=("verification report")
 phase "stability atlas" scripts/stability_atlas.sh --check || failed_suites+=("stability atlas")
 if ((sanitize)); then
-  slow='^(jet_scene|coupled_energy|contact_scene|same_bits|MassShares|ContactBalloon|ContactRebound)\.'
+  slow='^(jet_scene|coupled_energy|contact_scene|same_bits|MassShares|ContactBalloon|ContactRebound|shadow)\.|plate_that_the_folded_bag_crosses'
   slow+='|coupled_books|Inflated|command_(reference|external|ladder)|ladder.(impactor|free_bag)'
   build sanitize
   if ((long)); then suite sanitize; else suite sanitize -E "$slow"; fi
