@@ -16,8 +16,8 @@
 namespace driver {
 namespace {
 
-constexpr std::size_t kFields = 12, number_field = 1;
-constexpr std::size_t widths[kFields] = {12, 8, 15, 15, 15, 15, 15, 11, 11, 11, 11, 11};
+constexpr std::size_t kFields = 12, kNumberField = 1;
+constexpr std::size_t kWidths[kFields] = {12, 8, 15, 15, 15, 15, 15, 11, 11, 11, 11, 11};
 
 bool is_heading(const std::string& line) {
   return line.find("time") != std::string::npos && line.find("airbag/cv #") != std::string::npos;
@@ -35,15 +35,15 @@ struct Row {
 Row read_row(const std::filesystem::path& file, std::size_t line_number, const std::string& line) {
   Row row;
   std::size_t begin = 0;
-  for (std::size_t i = 0; i < kFields; begin += widths[i++]) {
+  for (std::size_t i = 0; i < kFields; begin += kWidths[i++]) {
     const auto place = fmt::format("{}:{}:{}", file.string(), line_number, begin + 1);
-    if (line.size() < begin + widths[i])
+    if (line.size() < begin + kWidths[i])
       throw CaseError(fmt::format("{}: the row ends in field {} of {}", place, i + 1, kFields));
-    const std::string_view field = std::string_view(line).substr(begin, widths[i]);
+    const std::string_view field = std::string_view(line).substr(begin, kWidths[i]);
     const auto skip = std::min(field.find_first_not_of(' '), field.size());
     const auto value = number_of(field.substr(skip));
     if (!value) throw CaseError(fmt::format("{}: '{}': a finite number is allowed", place, field));
-    if (i == number_field && !(*value >= 1.0 && *value <= 1e9 && *value == std::floor(*value)))
+    if (i == kNumberField && !(*value >= 1.0 && *value <= 1e9 && *value == std::floor(*value)))
       throw CaseError(fmt::format("{}: '{}': a whole number from 1 to 1e9 is allowed", place, field));
     row.values[i] = *value;
     row.positions[i] = begin + skip + 1;
@@ -72,11 +72,11 @@ CsvTable read_abstat(const std::filesystem::path& file, int volume_number) {
     }
     if (!in_state) continue;  // the legend that opens the file
     const Row row = read_row(file, line_number, line);
-    present.insert(static_cast<int>(row.values[number_field]));
-    if (row.values[number_field] != volume_number) continue;
+    present.insert(static_cast<int>(row.values[kNumberField]));
+    if (row.values[kNumberField] != volume_number) continue;
     table.lines.push_back(line_number);
     for (std::size_t i = 0, c = 0; i < kFields; ++i) {
-      if (i == number_field) continue;
+      if (i == kNumberField) continue;
       table.values[c].push_back(row.values[i]);
       table.positions[c++].push_back(row.positions[i]);
     }

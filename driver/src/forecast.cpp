@@ -80,7 +80,7 @@ double relaxation_rate(const Scene& scene, double mass_at_start, const Forecast&
   const double flow = full.vent_flow + full.fabric_flow, ambient = scene.ambient.pressure;
   if (!(flow > 0.0)) return rate;
   const double of_vents = gas::orifice_pressure_exponent(full.gamma, ambient / full.pressure),
-               of_fabric = 0.5 + 0.5 * full.pressure / (full.pressure - ambient);
+               of_fabric = gas::fabric_pressure_exponent(full.pressure, ambient);
   const double exponent = (full.vent_flow * of_vents + full.fabric_flow * of_fabric) / flow;
   return std::max(rate, gas::outflow_relaxation_rate(full.gamma, flow / full.mass, exponent));
 }

@@ -104,6 +104,7 @@ void search_near_elements(const Eigen::Matrix3Xi& triangles, double radius, Cont
     const Extent x = extent(triangles, state.nodes, e, state.centre);
     nearest2 = std::min(nearest2, x.distance2);
     longest2 = std::max(longest2, x.reach2);
+    // Cheap, and misses none: g < d + R gives g^2 < (d + R)^2 <= 2 (d^2 + R^2).
     if (!(x.distance2 < kRounding * 2.0 * (9.0 * listed * listed + x.reach2))) continue;
     const double gap = gap_of(x, radius);
     if (gap < listed - radius) state.near.push_back({e, gap});

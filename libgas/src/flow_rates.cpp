@@ -98,7 +98,7 @@ double FlowBalance::relaxation_rate() const {
            (2.0 * point_.volume * (p_a - point_.pressure));
   if (!(flow > 0.0)) return 0.0;
   const double vent = point_.vent * orifice_pressure_exponent(point_.gamma, p_a / point_.pressure);
-  const double fabric = point_.fabric * (0.5 + 0.5 * point_.pressure / (point_.pressure - p_a));
+  const double fabric = point_.fabric * fabric_pressure_exponent(point_.pressure, p_a);
   return outflow_relaxation_rate(point_.gamma, flow / point_.mass, (vent + fabric) / flow);
 }
 

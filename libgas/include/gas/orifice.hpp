@@ -35,6 +35,9 @@ double fabric_mass_flow(double leak_area /* [m2] */, double density /* [kg/m3] *
 /// with r = p_a/p < 1. Infinite as p -> p_a, where it is p/(2 (p - p_a)).
 double orifice_pressure_exponent(double gamma, double pressure_ratio);
 
+/// The same of (G.7), the fabric's flow, at constant T: 1/2 + p/(2 (p - p_a)) for p > p_a [Pa].
+double fabric_pressure_exponent(double pressure, double ambient_pressure);
+
 /// The faster relaxation rate [1/s] of mass and energy of a rigid volume that gas leaves at flow_per_mass =
 /// mdot/m [1/s], where mdot ~ p^n/sqrt(T):                                                           (G.14)
 ///   mdot/m (b + sqrt(b^2 - 4 gamma n))/2, b = 1/2 + gamma (n + 1/2).
