@@ -186,6 +186,7 @@ part_progress() {
   tr '\r' '\n' <"$work/terminal" | sed -nE 's/.*\[[#.]{40}\] +([0-9]+) %.*/\1/p' >"$work/percent"
   sort -nc "$work/percent" || fail "progress goes back: $(paste -sd ' ' "$work/percent")"
   [ "$(tail -n 1 "$work/percent")" = 100 ] || fail "no 100 % at the end: $(paste -sd ' ' "$work/percent")"
+  run+=(--set scene.end_time=0.002)
   "${run[@]}" >"$work/log" 2>&1 </dev/null || fail "exit $? without a terminal"
   ! grep -q $'\r' "$work/log" || fail "a bar without a terminal"
   [ -z "$("${run[@]}" --quiet 2>&1 </dev/null)" ] || fail "--quiet is not quiet"
