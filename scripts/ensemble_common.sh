@@ -8,6 +8,12 @@ build_gasjet() {
   cmake --build --preset release --target gasjet -j "$(nproc)" >/dev/null
 }
 
+# provenance: head of a table, from what machine and build it is
+provenance() {
+  echo "# machine: $(sed -n 's/^model name[^:]*: //p' /proc/cpuinfo | head -n 1), $(nproc) cores"
+  build/gasjet --version | sed 's/^/# /'
+}
+
 # ensemble_quantities CASE RUNS OPTION...: quantities.csv of the ensemble, run unless results/ has it.
 ensemble_quantities() {
   local case=$1 runs=$2 folder

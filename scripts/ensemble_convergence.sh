@@ -30,6 +30,7 @@ variations=(
 
 mkdir -p "$(dirname "$out")"
 {
+  provenance
   echo "varied,value,quantity,mean_jet,standard_error_jet,mean_no_jet,standard_error_no_jet,runs,difference,standard_errors,decided"
   for variation in "${variations[@]}"; do
     IFS='|' read -r varied value options fewer <<<"$variation"

@@ -4,13 +4,12 @@
 # usage: scripts/figures.sh [RUNS]      (32 by default)
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
-
-scripts/setup_debian12.sh
-cmake --preset release >/dev/null
-cmake --build --preset release --target gasjet -j "$(nproc)" >/dev/null
+# shellcheck source-path=SCRIPTDIR source=ensemble_common.sh
+source scripts/ensemble_common.sh
+build_gasjet
 build/gasjet ensemble cases/passenger_pendulum.toml --against cases/passenger_pendulum_no_jet.toml \
   --runs "${1:-32}" --threads "$(nproc)" --out results/figures
 mkdir -p docs/figures
-cp results/figures/effects.csv docs/figures/jet_effect.csv
+{ provenance; cat results/figures/effects.csv; } >docs/figures/jet_effect.csv
 scripts/plot_ensemble.sh docs/figures/passenger_pendulum \
   results/figures/passenger_pendulum results/figures/passenger_pendulum_no_jet

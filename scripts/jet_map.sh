@@ -31,6 +31,7 @@ settings() { tr ';' '\n' <<<"$1" | sed '/^$/d; s/^/--set\n/'; }
 build_gasjet
 mkdir -p "$(dirname "$out")" results/ensembles/passenger_pendulum results/ensembles/passenger_pendulum_no_jet
 {
+  provenance
   echo "input,value,quantity,mean_jet,standard_error_jet,mean_no_jet,standard_error_no_jet,runs,difference,standard_errors,decided"
   for input in "${inputs[@]}"; do
     IFS='|' read -r name value both jet <<<"$input"

@@ -9,22 +9,27 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 source scripts/ensemble_common.sh
 runs=${1:-8} out=${2:-docs/charts/mesh_parts}
 build_gasjet
+command -v python3 >/dev/null || scripts/setup_debian12.sh python3
 name=passenger_pendulum_no_jet work=results/mesh_parts
 stiffness=$(build/gasjet check "cases/$name.toml" | sed -n 's/^contact stiffness: \([^ ]*\).*/\1/p')
 mkdir -p "$work"
 build/gasjet mesh case "cases/$name.toml" --initial "$work/initial.obj" --out "$work/design.obj" >/dev/null
 
-# The generator's straps, which a mesh from a file has to be told: [m] of the design shape.
-strap() { echo "from=[0.0,0.0,$1], to=[0.68,0.0,$1], stiffness=4500.0, free_length=0.62"; }
+# The generator's straps, which a mesh from a file has to be told; stiffness and length are the case's.
+mapfile -t straps < <(build/gasjet check "cases/$name.toml" | sed -n 's/^strap [0-9]*: //p')
+with_straps() {
+  awk -v first="${straps[0]}" -v second="${straps[1]}" '{ print }
+    /^\[\[membrane.strap\]\]/ { ends = n++ ? second : first; sub(/, to/, "\nto", ends); print ends }'
+}
 
 {
+  provenance
   echo "part,elements,contact_impulse_Ns,standard_error_Ns,final_angle_rad,standard_error_rad,runs"
   for part in none front rest main,attachment side_left,side_right all; do
     label=${part//,/+}
     python3 scripts/refine_part.py "$work"/{design,initial}.obj "$work/$label"_{design,initial}.obj "$part"
     sed -e "s/^mesh = .*/mesh = { file = \"${label}_design.obj\", initial_file = \"${label}_initial.obj\" }/" -e '/^flatten/d' \
-      -e '/^\[\[membrane.strap/,/^\[pendulum/{/^\[pendulum/!d}' -e "s/^\[membrane\]/&\nstrap = [{$(strap 0.0740781698089253)}, {$(strap -0.0740781698089253)}]/" \
-      "cases/$name.toml" >"$work/$label.toml"
+      "cases/$name.toml" | with_straps >"$work/$label.toml"
     build/gasjet ensemble "$work/$label.toml" --runs "$runs" --threads "$(nproc)" --quiet --out "$work/$label" \
       --set "contact={stiffness=$stiffness}" >/dev/null
     awk -F, -v part="$label" -v elements="$(grep -c '^f' "$work/${label}_design.obj")" '{ mean[$1] = $2; error[$1] = $3; runs = $6 }

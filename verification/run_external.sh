@@ -21,19 +21,25 @@ fail() {
 }
 
 tolerance=0 limit=3600 scenes=
-while [[ ${1:-} == --* ]]; do
-  (($# > 1)) || fail "$1 needs a value"
+while [[ ${1:-} == -* ]]; do
+  case $1 in
+    --tolerance | --timeout | --scenes) (($# > 1)) || fail "$1 needs a value" ;;
+    *) fail "unknown option $1; allowed before the command: --tolerance, --timeout, --scenes" ;;
+  esac
   case $1 in
     --tolerance) tolerance=$2 ;;
     --timeout) limit=$2 ;;
     --scenes) scenes=${2//,/ } ;;
-    *) fail "unknown option $1; allowed: --tolerance, --timeout, --scenes" ;;
   esac
   shift 2
 done
+if [[ ! $tolerance =~ ^[0-9]*\.?[0-9]+([eE][-+]?[0-9]+)?$ ]] || awk -v share="$tolerance" 'BEGIN { exit share + 0 <= 1 }'; then
+  fail "--tolerance $tolerance: a share from 0 to 1 is allowed"
+fi
 [[ $limit =~ ^[1-9][0-9]*$ ]] || fail "--timeout $limit: a whole number of seconds above 0 is allowed"
 [[ $scenes =~ ^[a-z_\ ]*$ ]] || fail "--scenes: names of scenes are allowed, such as tank_fill,plate_jet"
 (($# > 0)) || fail "needs the command of a program"
+command -v "$1" >/dev/null || fail "no program '$1'"
 [[ -x $gasjet ]] || fail "no program $gasjet: build it first"
 [[ -n $scenes ]] || scenes=$(cd "$reference" && printf '%s\n' *.csv | sed 's/\.csv$//')
 work=$(mktemp -d)
@@ -84,4 +90,4 @@ for scene in $scenes; do
   echo "$scene: $(tail -1 "$work/verdict")"
 done
 ((judged > 0)) || fail "the program does none of the scenes"
-exit $worst
+exit "$worst"

@@ -13,10 +13,13 @@ bool will_move(const TableReader& root) {
   return root.has("membrane") || root.has("pendulum");
 }
 
+// What a molecule of air flies between two collisions takes a fifth of it: no gas flows in less.
+constexpr Bounds shortest_run{1e-9, any_number.high, false, "1e-9 s or more"};
+
 void read_general(TableReader& root, Scene& scene) {
   TableReader table = root.table("scene");
   scene.name = table.text("name");
-  scene.time.end = table.number("end_time", positive);
+  scene.time.end = table.number("end_time", shortest_run);
   if (table.has("gravity") && !will_move(root))
     table.fail("gravity", "has no effect: nothing moves; it needs [membrane] or [pendulum]");
   if (will_move(root)) scene.gravity = table.vector("gravity", Eigen::Vector3d::Zero());

@@ -92,11 +92,19 @@ part_external() {
   printf '#!/bin/sh\n[ "$1" != compare ] || exit 139\nexec "%s" "$@"\n' "$gasjet" >"$work/dying" && chmod +x "$work/dying"
   GASJET=$work/dying judge 2 "tank_fill: " "" tank_fill
   expect 2 "does none of the scenes" "$source/verification/run_external.sh" --scenes pendulum_swing "$source/verification/coupled/foreign_tank.sh"
+  # The generator's straps are handed over with their ends: the keys are nowhere in the case.
+  printf '#!/bin/sh\n[ "$(grep -c "\\(from\\|to\\)_m" "$1")" = 4 ] && exit 77\n' >"$work/straps" && chmod +x "$work/straps"
+  expect 2 "passenger_jet: not done" "$source/verification/run_external.sh" --scenes passenger_jet "$work/straps"
   # A program that does not end is ended.
   printf '#!/bin/sh\nexec sleep 20\n' >"$work/endless" && chmod +x "$work/endless"
   expect 2 "tank_fill: the program failed with exit code 124" "$source/verification/run_external.sh" --timeout 1 --scenes tank_fill "$work/endless"
   expect 2 "--timeout 0: a whole number" "$source/verification/run_external.sh" --timeout 0 false
   expect 2 "no scene 'tank'" "$source/verification/run_external.sh" --scenes tank false
   expect 2 "needs the command" "$source/verification/run_external.sh" --tolerance 0.1
-  expect 2 "unknown option --band" "$source/verification/run_external.sh" --band 1 false
+  expect 2 "^run_external.sh: unknown option --band; allowed before" "$source/verification/run_external.sh" --band
+  expect 2 "no program '/no/such'" "$source/verification/run_external.sh" /no/such
+  local share
+  for share in nan inf -1 1.5 x ""; do
+    expect 2 "^run_external.sh: --tolerance $share: a share from 0 to 1" "$source/verification/run_external.sh" --tolerance "$share" false
+  done
 }

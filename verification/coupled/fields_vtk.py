@@ -6,8 +6,11 @@ import sys
 import tempfile
 import xml.etree.ElementTree as xml
 
-from vtkmodules.vtkFiltersCore import vtkMassProperties
-from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
+try:
+    from vtkmodules.vtkFiltersCore import vtkMassProperties
+    from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
+except ImportError as missing:
+    sys.exit("SKIPPED, VTK for Python is missing (package python3-vtk9): %s" % missing)
 
 gasjet, source = sys.argv[1:]
 arrays = {"panel", "principal_stress_Pa", "principal_strain", "overpressure_Pa", "jet_overpressure_Pa", "jet_mask"}

@@ -49,6 +49,19 @@ json species_of(const gas::Thermo& thermo) {
   return all;
 }
 
+json point_of(const BagPart& bag, int node) {
+  const Eigen::Vector3d point = bag.mesh.nodes.col(node);
+  return {point.x(), point.y(), point.z()};
+}
+
+// Where the straps begin and end in the design shape; a generated mesh brings its own places.
+json straps_of(const BagPart& bag) {
+  json straps = json::array();
+  for (const auto& strap : bag.model.description.straps)
+    straps.push_back({{"from_m", point_of(bag, strap.node_a)}, {"to_m", point_of(bag, strap.node_b)}});
+  return straps;
+}
+
 json bag_of(const BagPart& bag, const State& state) {
   const auto shares =
       membrane::stiffness_shares(bag.model, *state.bag, state.gas_point.gamma, state.gas_point.pressure);
@@ -59,6 +72,7 @@ json bag_of(const BagPart& bag, const State& state) {
           {"mass_kg", bag.model.fabric_mass},
           {"initial_volume_m3", state.bag->surface.volume},
           {"design_volume_m3", membrane::enclosed_volume(bag.mesh.nodes, bag.mesh.elements)},
+          {"straps", straps_of(bag)},
           {"plate_stiffness_N_m3", plates},
           {"critical_step_s", membrane::critical_time_step(shares)},
           {"omega_squared_1_s2",

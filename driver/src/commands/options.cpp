@@ -2,6 +2,7 @@
 // The options of `gasjet` and its subcommands.
 #include <CLI/CLI.hpp>
 #include <cmath>
+#include <span>
 
 #include "build_info.hpp"
 #include "commands.hpp"
@@ -10,14 +11,12 @@
 namespace driver::commands {
 namespace {
 
-// Ranges let NaN pass.
-const CLI::Validator finite{[](std::string& text) {
-                              double value = 0.0;
-                              const bool bad =
-                                  CLI::detail::lexical_cast(text, value) && !std::isfinite(value);
-                              return bad ? text + ": a finite number is allowed" : std::string();
-                            },
-                            ""};
+std::string fault_unless_finite(const std::string& text) {
+  double value = 0.0;
+  const bool bad = CLI::detail::lexical_cast(text, value) && !std::isfinite(value);
+  return bad ? text + ": a finite number is allowed" : std::string();
+}
+const CLI::Validator finite{fault_unless_finite, ""};  // ranges let NaN pass
 
 CLI::Validator not_empty(const std::string& needed) {
   const std::string fault = "is empty, " + needed + " is needed";
@@ -107,8 +106,7 @@ void add_mesh(CLI::App& app, MeshArguments& arguments) {
   mesh->require_subcommand(1);
   auto* bag =
       mesh->add_subcommand("driver", "driver bag: two discs sewn at the rim, attachment, vents, tethers");
-  auto* passenger =
-      mesh->add_subcommand("passenger", "passenger bag: main and side panels, attachment, vent");
+  auto* passenger = mesh->add_subcommand("passenger", "passenger bag: main and side panels, one vent");
   auto* convert = mesh->add_subcommand("convert", "read a mesh file; write it in the format of --out");
   auto* of_case = mesh->add_subcommand("case", "write the mesh that a case runs with");
   const char* formats = ".obj, or LS-DYNA keyword .k, .key, .dyn";
@@ -196,19 +194,21 @@ void add_compare(CLI::App& app, CompareArguments& a) {
   c->add_option("--tolerance", a.tolerance,
                 "that mine may be off by itself, share of the reference's largest magnitude")
       ->check(finite & CLI::Range(0.0, 1.0));
-  c->add_option("--rows", a.rows, "CSV file to write: both histories and the band at the common times")
-      ->check(named);
+  c->add_option("--rows", a.rows, "CSV to write: both histories and band at common times")->check(named);
   c->add_option("--format", a.format, "text or json")->check(CLI::IsMember({"text", "json"}));
 }
 
 // CLI11 would only say that a command is missing.
-void refuse_unknown_command(const CLI::App& app, const std::string& word) {
+void refuse_unknown_command(const CLI::App& app, std::span<char*> words) {
+  if (words.empty() || words[0][0] == '-') return;
   std::string allowed;
   for (const auto* command : app.get_subcommands({})) {
-    if (word == command->get_name() || word.starts_with('-')) return;
+    if (command->get_name() == words[0]) return refuse_unknown_command(*command, words.subspan(1));
     allowed += (allowed.empty() ? "" : ", ") + command->get_name();
   }
-  throw CaseError("'" + word + "' is no command, allowed are " + allowed + " (see --help)");
+  if (allowed.empty()) return;  // a command without commands of its own
+  throw CaseError(std::string("'") + words[0] + "' is no command of " + app.get_name() + ", allowed are " +
+                  allowed + " (see --help)");
 }
 
 int dispatch(const CLI::App& app, const Arguments& all) {
@@ -237,7 +237,7 @@ int run_command_line(int argc, char** argv) {
   add_others(app, all);
   add_identify(app, all.identify);
   add_compare(app, all.compare);
-  if (argc > 1) refuse_unknown_command(app, argv[1]);
+  refuse_unknown_command(app, std::span(argv, argc).subspan(argc > 0));
   try {
     app.parse(words(argc, argv));
   } catch (const CLI::ParseError& error) {
