@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-# From ensemble.csv (mean and standard error of each column) the reference of a chaotic scene: the mean, and as band four standard
-# deviations of a single run, the largest within 10 rows. Variables: runs, stride, scene, file, made.
+# From ensemble.csv (mean and standard error of each column) the reference of a chaotic scene: the mean, and as band five standard
+# deviations of a single run, the largest within 20 rows. Variables: runs, stride, scene, file, made.
 /^#/ { if ($0 !~ /^# (date|options|case):/) print; next }
 !columns {
   columns = (NF - 1) / 2
@@ -9,13 +9,16 @@
 }
 {
   time[++rows] = $1
-  for (i = 1; i <= columns; i++) { text[rows, i] = $(2 * i); mean[rows, i] = $(2 * i) + 0; width[rows, i] = 4 * sqrt(runs) * $(2 * i + 1) }
+  for (i = 1; i <= columns; i++) { text[rows, i] = $(2 * i); mean[rows, i] = $(2 * i) + 0; width[rows, i] = 5 * sqrt(runs) * $(2 * i + 1); squares[i] += width[rows, i] ^ 2 }
 }
+# Numbers of elements jump, now and then in one run of many: half the root mean square width at least.
 function band(r, i,   k, most) {
-  for (k = r - 10; k <= r + 10; k++) if (k >= 1 && k <= rows && width[k, i] > most) most = width[k, i]
-  return most > 1e-12 * top[i] ? most : 1e-12 * top[i]
+  most = 1e-12 * top[i]
+  if (name[i] ~ /_elements$/) most = sqrt(squares[i] / rows) / 2
+  for (k = r - 20; k <= r + 20; k++) if (k >= 1 && k <= rows && width[k, i] > most) most = width[k, i]
+  return most
 }
-# As wide as the signal for half of the rows and more: no band.
+# Not as wide as the signal for half of the rows and more.
 function tells(i,   r, low, high, wide) {
   low = high = mean[1, i]
   for (r = 1; r <= rows; r++) {
@@ -24,19 +27,19 @@ function tells(i,   r, low, high, wide) {
     top[i] = (high > -low ? high : -low)
   }
   for (r = 1; r <= rows; r++) wide += band(r, i) >= high - low
-  return 2 * wide < rows && name[i] !~ /_elements$/
+  return 2 * wide < rows
 }
 END {
+  for (i = 1; i <= columns; i++) if (!tells(i)) { print scene ": " name[i] " has a band as wide as the signal" >"/dev/stderr"; exit 1 }
   print "# scene: " scene "\n# case: " file "\n# made by: scripts/reference_set.sh" made
-  print "# bands: four standard deviations of a run, the largest within 10 rows of the ensemble"
-  for (i = 1; i <= columns; i++) told[i] = tells(i)
+  print "# bands: five standard deviations of a run, the largest within 20 rows of the ensemble; numbers of elements: half their rms at least"
   printf "time_s"
-  for (i = 1; i <= columns; i++) printf ",%s%s", name[i], told[i] ? "," name[i] "_band" : ""
+  for (i = 1; i <= columns; i++) printf ",%s,%s_band", name[i], name[i]
   print ""
   for (r = 1; r <= rows; r++) {
     if ((r - 1) % stride && r < rows) continue
     printf "%s", time[r]
-    for (i = 1; i <= columns; i++) printf ",%s%s", text[r, i], told[i] ? sprintf(",%.3g", band(r, i)) : ""
+    for (i = 1; i <= columns; i++) printf ",%s,%.3g", text[r, i], band(r, i)
     print ""
   }
 }

@@ -51,7 +51,9 @@ part_reference() {
   (cd "$table" && sha256sum --quiet --strict -c SHA256SUMS) || fail "SHA256SUMS of cases/reference"
   [ "$(ls "$table"/*.csv | wc -l)" = 12 ] || fail "12 scenes expected in $table"
   for scene in $(cd "$table" && ls -- *.csv | sed 's/\.csv$//'); do
-    grep -q "^# band" "$table/$scene.csv" || fail "$scene states no band"
+    grep -q "^# band" "$table/$scene.csv" || fail "$scene does not say where its bands are from"
+    grep -v '^#' "$table/$scene.csv" | head -1 | tr , '\n' | awk 'NR == 1 { next } $0 == last "_band" { last = ""; next } last { exit 1 } { last = $0 }
+      END { exit last != "" }' || fail "$scene: a column without a band"
     case=$source/$(sed -n 's/^# case: //p' "$table/$scene.csv")
     "$gasjet" mesh case "$case" --out "$work/$scene.obj" >/dev/null 2>&1 && [ -e "$table/$scene.obj" ] &&
       { cmp "$work/$scene.obj" "$table/$scene.obj" || fail "$scene: the mesh is not the case's"; }
@@ -72,6 +74,11 @@ part_reference() {
   (cd "$work/set" && sha256sum --quiet --strict -c SHA256SUMS) || fail "SHA256SUMS of a set made anew"
   expect 0 "" "$gasjet" run "$source/cases/reference/sphere_vent.toml" --quiet --out "$work/wrong" --set vent.0.area=3.2e-4
   expect 1 "^outside" "$gasjet" compare "$work/wrong/history.csv" "$table/sphere_vent.csv"
+  local wrong
+  for wrong in friction=0.25 stiffness=0.9e8; do
+    expect 0 "" "$gasjet" run "$table/cushion_impact.toml" --quiet --out "$work/wrong" --set contact.$wrong
+    expect 1 "contact_force_N .* outside: " "$gasjet" compare "$work/wrong/history.csv" "$table/cushion_impact.csv"
+  done
 }
 
 # A foreign program is inside; each of its defects is caught, as outside, as undecided or as a bad file.
