@@ -16,9 +16,15 @@ SkinPass pass_of(SkinParts parts) {
   return parts == SkinParts::forces ? kForcesPass : kSkinPass;
 }
 
-SkinArrays skin_arrays(const BagModel& model, BagState& state, const ElementBlock& block) {
+// Fetching what a cache holds already costs a tenth of the pass; this many elements take 32 MB.
+constexpr int kCachedElements = 150000;
+
+SkinArrays skin_arrays(const BagModel& model, BagState& state, std::size_t b) {
   const BlockTable& table = model.elements;
+  const ElementBlock& block = table.block[b];
   const bool jet = !state.area_vector.empty();
+  const bool fetch = model.element_count > kCachedElements && b + 1 < table.block.size();
+  const ElementBlock next = fetch ? table.block[b + 1] : ElementBlock{};
   return {table.group.data() + block.first_group,
           table.fabric.data(),
           model.woven ? table.weave.data() + block.first_group : nullptr,
@@ -28,6 +34,8 @@ SkinArrays skin_arrays(const BagModel& model, BagState& state, const ElementBloc
           table.node.data() + block.first_node,
           block.first_shared - block.first_node,
           block.last_node - block.first_node,
+          next.last_group - next.first_group,
+          next.last_node - next.first_node,
           state.position.data(),
           model.inverse_mass.data(),
           jet ? state.area_vector.data() : nullptr,
@@ -95,7 +103,7 @@ int node_blocks(const BagModel& model) {
 void skin_block(const BagModel& model, BagState& state, SkinParts parts, int block) {
   const auto b = static_cast<std::size_t>(block);
   SkinTotals totals{};
-  skin_kernel(model, parts)(skin_arrays(model, state, model.elements.block[b]), totals);
+  skin_kernel(model, parts)(skin_arrays(model, state, b), totals);
   BlockSums& sums = state.block[b];
   if (parts != SkinParts::forces)
     sums.surface = {totals.moment, totals.area, totals.porosity_area, totals.porosity_squared_area,

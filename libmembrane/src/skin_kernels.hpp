@@ -70,6 +70,27 @@ template <class T, class F>
     for (int lane = 0; lane < kLanes; lane += kWidth<T>) f(group, lane);
 }
 
+// The next block comes from memory while this one is computed: the part of it that goes with the groups
+// [first, last). Left to itself, the processor waits for each block's nodes.
+inline void fetch_next(const SkinArrays& s, int first, int last) {
+  constexpr int kLine = 64, kForWriting = 1, kSecondLevel = 2;
+  const auto part = [&](int count, int group) {
+    return static_cast<int>(std::int64_t{count} * group / s.group_count);
+  };
+  for (int g = part(s.next_groups, first); g < part(s.next_groups, last); ++g) {
+    const auto* group = reinterpret_cast<const char*>(s.group + s.group_count + g);
+    for (std::size_t i = 0; i < sizeof(ElementGroup); i += kLine)
+      __builtin_prefetch(group + i, 0, kSecondLevel);
+    __builtin_prefetch(s.frequency + s.group_count + g, 0, kSecondLevel);
+  }
+  for (int n = part(s.next_nodes, first); n < part(s.next_nodes, last); ++n) {
+    const std::int64_t row = 4 * std::int64_t{s.node[s.node_count + n]};
+    __builtin_prefetch(s.position + row, 0, kSecondLevel);
+    __builtin_prefetch(s.force + row, kForWriting, kSecondLevel);
+    __builtin_prefetch(s.gradient + row, kForWriting, kSecondLevel);
+  }
+}
+
 // Some groups at a time, step by step: the root and the quotient of the stress take longer than a processor
 // looks ahead over a whole element, but several groups of one step fit.
 template <SkinPass kPass, template <class> class Fabric, Compression kCompression, class T>
@@ -82,6 +103,7 @@ void skin(const SkinArrays& s, SkinTotals& totals) {
   SkinParts<T> sums;
   for (int first = 0; first < s.group_count; first += kChunk) {
     const int last = first + kChunk < s.group_count ? first + kChunk : s.group_count;
+    if (s.next_nodes != 0) fetch_next(s, first, last);
     for_lanes<T>(
         first, last, [&](int group, int lane) __attribute__((always_inline)) {
           const ElementGroup& g = s.group[group];

@@ -97,6 +97,13 @@ TEST(SameBits, every_instruction_set_gives_the_same_bits) {
     }
 }
 
+// 156,800 elements: past the size from which a block is fetched while the one before it is computed.
+TEST(SameBits, bag_too_large_for_the_cache_has_those_of_the_oracle) {
+  const auto mesh = membrane::rectangle(280, 280, 1.0, 1.0, membrane::Diagonals::uniform);
+  expect_same_bits(run(mesh, Compression::none, Isa::scalar, membrane::Serial{}),
+                   run(mesh, Compression::none, membrane::best_isa(), membrane::Serial{}));
+}
+
 TEST(SameBits, every_block_order_gives_the_same_bits) {
   for (const auto& mesh : meshes()) {
     const auto serial = run(mesh, Compression::none, membrane::best_isa(), membrane::Serial{});
