@@ -81,6 +81,35 @@ part_reference() {
   done
 }
 
+# A whole history as foreign programs print it, in kg, mm and ms, by the shipped maps: abstat has four to five digits (l2a's formats),
+# th_to_csv six decimals, which is nothing of a pressure in GPa.
+part_foreign_history() {
+  local reference=$source/cases/reference/sphere_vent.csv maps=$source/cases/maps columns=volume_m3,temperature_K,gas_mass_kg,skin_area_m2 flow
+  "$gasjet" run "$source/cases/reference/sphere_vent.toml" --quiet --out "$work/vent" || fail "run"
+  abstat() { # abstat FACTOR: of the vent's flow
+    printf '\n  airbag/control volume statistics\n'
+    awk -F, -v factor="$1" '/^#/ || !n++ { next } {
+      printf "\n\n      time   airbag/cv #  volume        pressure    internal energy      dm/dt in      density dm/dt out  total mass gas temp. surface area   reaction\n"
+      printf "%12.5E%8d%15.4E%15.4E%15.4E%15.4E%15.4E%11.3E%11.3E%11.3E%11.3E%11.3E\n", 1e3 * $1, 1, 1e9 * $4, $2 / 1e9, 0, $6 / 1e3, $5 / $4 / 1e9, factor * $7 / 1e3, $5, $3, 1e6 * $8, 0
+    }' "$work/vent/history.csv"
+  }
+  abstat 1 >"$work/abstat"
+  expect 0 "^inside" "$gasjet" compare "$work/abstat" "$reference" --map "$maps/lsdyna_abstat.toml" --tolerance 1e-3
+  for flow in -1 1.1; do
+    abstat $flow >"$work/wrong"
+    expect 1 "^outside: vent_outflow_kg_s" "$gasjet" compare "$work/wrong" "$reference" --map "$maps/lsdyna_abstat.toml" --tolerance 1e-3
+  done
+  head -n 400 "$work/abstat" >"$work/cut"
+  expect 4 "^undecided: .*covers 0 to 0.0[0-9]+ s, the reference 0 to 0.06 s" "$gasjet" compare "$work/cut" "$reference" --map "$maps/lsdyna_abstat.toml" --tolerance 1e-3
+  head -c 20000 "$work/abstat" >"$work/torn"
+  expect 2 "torn:[0-9]+:[0-9]+: the row ends in field" "$gasjet" compare "$work/torn" "$reference" --map "$maps/lsdyna_abstat.toml"
+  awk -F, 'BEGIN { print "\"time\",\"MASS\",\"TH_BAG  1 bag       MASS      \",\"TH_BAG  1 bag       VOL       \",\"TH_BAG  1 bag       P         \",\"TH_BAG  1 bag       A         \",\"TH_BAG  1 bag       T         \"" }
+    /^#/ || !n++ { next } { printf "%f,%f,%f,%f,%f,%f,%f\n", 1e3 * $1, 9, $5, 1e9 * $4, $2 / 1e9, 1e6 * $8, $3 }' "$work/vent/history.csv" >"$work/bagT01.csv"
+  expect 0 "^inside" "$gasjet" compare "$work/bagT01.csv" "$reference" --map "$maps/openradioss_monvol.toml" --columns $columns
+  expect 1 "^outside: pressure_Pa" "$gasjet" compare "$work/bagT01.csv" "$reference" --map "$maps/openradioss_monvol.toml"
+  expect 4 "undecided: inflow_kg_s: mine does not have it" "$gasjet" compare "$work/bagT01.csv" "$reference" --map "$maps/openradioss_monvol.toml" --columns $columns,inflow_kg_s
+}
+
 # A foreign program is inside; each of its defects is caught, as outside, as undecided or as a bad file.
 part_external() {
   local code defect
