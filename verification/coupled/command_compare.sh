@@ -138,7 +138,7 @@ part_external() {
   expect 2 "no scene 'tank'" "$source/verification/run_external.sh" --scenes tank false
   expect 2 "needs the command" "$source/verification/run_external.sh" --tolerance 0.1
   expect 2 "^run_external.sh: unknown option --band; allowed before" "$source/verification/run_external.sh" --band
-  expect 2 "no program '/no/such'" "$source/verification/run_external.sh" /no/such
+  expect 2 "^run_external.sh: no program '/no/such'" "$source/verification/run_external.sh" /no/such
   local share
   for share in nan inf -1 1.5 x ""; do
     expect 2 "^run_external.sh: --tolerance $share: a share from 0 to 1" "$source/verification/run_external.sh" --tolerance "$share" false
