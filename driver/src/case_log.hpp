@@ -6,8 +6,8 @@
 namespace driver {
 
 struct CaseLog {
-  std::filesystem::path folder;   // of the case file; files it names stand beside it
-  std::vector<Setting> settings;  // in the order of reading
+  std::filesystem::path folder;              // of the case file; files it names stand beside it
+  std::vector<Setting> settings;             // in the order of reading
   std::vector<std::filesystem::path> files;  // that the case names, those read so far
 };
 

@@ -93,10 +93,9 @@ class LadderRun {
         same != result_.rungs.end())
       same->name = "as it is: " + same->name;
     if (!is_new({})) return;
-    LadderRung rung;
+    LadderRung& rung = result_.rungs.emplace_back();
     rung.name = rung.differs = "as it is";
     rung.can_be_perturbed = has_bag_;
-    result_.rungs.push_back(std::move(rung));
   }
 
   void add_alternatives() {
@@ -117,10 +116,15 @@ class LadderRun {
 
   void add_tank_rung() {
     if (!result_.plan.tank) return;
-    LadderRung rung;
-    rung.name = rung.differs = result_.plan.tank->name;
-    rung.overrides = combine(result_.plan, full_, result_.plan.tank->overrides);
-    result_.rungs.push_back(std::move(rung));
+    add_without_membrane(bag_by_volume(file_, job(0, 0).overrides, options_.quiet, result_.plan));
+    add_without_membrane(result_.plan.tank);
+  }
+
+  void add_without_membrane(const std::optional<LadderChoice>& choice) {
+    if (!choice) return;
+    LadderRung& rung = result_.rungs.emplace_back();
+    rung.name = rung.differs = choice->name;
+    rung.overrides = combine(result_.plan, full_, choice->overrides);
   }
 
   // The full case less one thing more each time, the least important first.

@@ -148,8 +148,9 @@ void refuse_own_cheapest(const std::filesystem::path& folder) {
 
 void write_ladder(const std::filesystem::path& folder, const LadderResult& result,
                   const std::filesystem::path& file, const std::vector<std::string>& overrides,
-                  const LadderOptions& options) {
+                  const LadderOptions& options, bool partial) {
   Provenance lines = provenance(file, overrides);
+  if (partial) lines.emplace_back("status", "interrupted: what had run by then");
   lines.emplace_back("quantity", result.quantity);
   lines.emplace_back("tolerance", fmt::format("{}", options.tolerance));
   if (result.zero != 0.0) lines.emplace_back("counted from", fmt::format("{}", result.zero));
@@ -158,9 +159,12 @@ void write_ladder(const std::filesystem::path& folder, const LadderResult& resul
     lines.emplace_back("reference", fmt::format("{}", result.reference.value));
     lines.emplace_back("uncertainty", fmt::format("{}", result.reference.uncertainty));
   }
-  write_rows(folder / "ladder.csv", result, lines);
-  write_json(folder / "ladder.json", result, options, lines);
-  std::filesystem::remove(folder / "cheapest.toml");  // of an earlier ladder
+  const char* name = partial ? "ladder_partial" : "ladder";
+  write_rows(folder / fmt::format("{}.csv", name), result, lines);
+  write_json(folder / fmt::format("{}.json", name), result, options, lines);
+  if (partial) return;
+  for (const char* earlier : {"cheapest.toml", "ladder_partial.csv", "ladder_partial.json"})
+    std::filesystem::remove(folder / earlier);
   if (result.cheapest) write_cheapest(folder, result, file, overrides, options);
 }
 

@@ -37,6 +37,12 @@ void add_tank(const std::filesystem::path& file, const std::vector<std::string>&
               const Scene& scene, const CaseSettings& settings, const std::string& quantity,
               LadderPlan& plan);
 
+/// The rigid tank of the plan with the volume of the bag of the case with `overrides` at rest, by its
+/// pressure; or nothing, and the plan says why.
+std::optional<LadderChoice> bag_by_volume(const std::filesystem::path& file,
+                                          const std::vector<std::string>& overrides, bool quiet,
+                                          LadderPlan& plan);
+
 struct LadderJob {
   std::size_t rung = 0;
   std::vector<std::string> overrides;  // all of them

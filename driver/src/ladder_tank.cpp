@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 
+#include "bag_volume.hpp"
 #include "ladder_parts.hpp"
 
 namespace driver {
@@ -68,6 +70,26 @@ void CaseSettings::unset(std::vector<std::string>& overrides, const std::string&
 
 std::string CaseSettings::jet_key(const JetPart& jet, const char* key) {
   return fmt::format("inflator.{}.jet.{}", jet.inflator, key);
+}
+
+std::optional<LadderChoice> bag_by_volume(const std::filesystem::path& file,
+                                          const std::vector<std::string>& overrides, bool quiet,
+                                          LadderPlan& plan) {
+  LadderChoice bag{"volume by pressure", plan.tank->overrides};
+  try {
+    CaseDocument document(file, overrides);
+    const gas::Curve volume = bag_volume(read_scene(document), quiet);
+    std::vector<double> overpressure, value;
+    for (const gas::Curve::Knot& knot : volume.knots()) {
+      overpressure.push_back(knot.time);
+      value.push_back(knot.value);
+    }
+    bag.overrides.back() = fmt::format("tank.volume={{overpressure={}, value={}}}", overpressure, value);
+    return bag;
+  } catch (const std::runtime_error& error) {
+    plan.left_out.push_back(fmt::format("{}: {}", bag.name, error.what()));
+    return {};
+  }
 }
 
 void add_tank(const std::filesystem::path& file, const std::vector<std::string>& overrides,

@@ -58,6 +58,31 @@ TankVolume read_wave(TableReader&& wave) {
   return volume;
 }
 
+void read_volume_of_time(TableReader& tank, GasPart& part) {
+  TankVolume volume;
+  if (tank.has_in_table("volume", "mean"))
+    volume = read_wave(tank.table("volume"));
+  else
+    tank.located("volume",
+                 [&] { volume.table = to_gas_curve(tank.curve("volume", positive), gas::Outside::kHeld); });
+  part.rigid_volume = volume.at(0.0);
+  part.tank_volume = volume;
+}
+
+void read_volume_of_overpressure(TableReader& tank, GasPart& part) {
+  tank.located("volume", [&] {
+    const auto curve = to_gas_curve(tank.curve("volume", positive, "overpressure"), gas::Outside::kHeld);
+    const double overpressure = part.initial_pressure - part.model.ambient.pressure;
+    part.model.volume_of_overpressure = curve;
+    gas::validate(part.model);
+    if (overpressure > curve.knots().back().time)
+      throw std::invalid_argument(fmt::format(
+          "ends at an overpressure of {} Pa, that of the gas at the start, {} Pa, or more is allowed",
+          curve.knots().back().time, overpressure));
+    part.rigid_volume = curve.value(overpressure);
+  });
+}
+
 }  // namespace
 
 void warn_of_screen(const std::string& fabric, LeakLaw law, Scene& scene) {
@@ -89,19 +114,12 @@ void read_tank(TableReader& root, Scene& scene) {
   auto tank = root.optional_table("tank");
   if (!tank) return;
   GasPart& part = *scene.gas;
-  if (!tank->is_table("volume")) {
+  if (!tank->is_table("volume"))
     part.rigid_volume = tank->number("volume", positive);
-  } else {
-    TankVolume volume;
-    if (tank->has_in_table("volume", "mean"))
-      volume = read_wave(tank->table("volume"));
-    else
-      tank->located("volume", [&] {
-        volume.table = to_gas_curve(tank->curve("volume", positive), gas::Outside::kHeld);
-      });
-    part.rigid_volume = volume.at(0.0);
-    part.tank_volume = volume;
-  }
+  else if (tank->has_in_table("volume", "overpressure"))
+    read_volume_of_overpressure(*tank, part);
+  else
+    read_volume_of_time(*tank, part);
   read_tank_fabric(*tank, scene);
   tank->finish();
 }

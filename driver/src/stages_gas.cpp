@@ -51,7 +51,7 @@ void gas_point(const Scene& scene, State& state) {
   const Enclosure now = enclosure(scene, state);
   state.gas_point = gas::evaluate(scene.gas->model, state.gas, now.volume, now.leak_area, state.time);
   state.level.internal_energy = state.gas.internal_energy + state.jet_work_ahead;
-  state.level.volume = now.volume;
+  state.level.volume = state.gas_point.volume;
   if (state.bag) state.level.skin_area = state.bag->surface.area;
 }
 

@@ -183,7 +183,7 @@ std::vector<Column<EnergyRecord>> energy_columns(const Scene& scene) {
     GASJET_COLUMN(inflow_enthalpy_J);
     if (has_backflow(*scene.gas)) GASJET_COLUMN(backflow_enthalpy_J);
     if (scene.gas->model.heat_loss.conductance > 0.0) GASJET_COLUMN(heat_loss_J);
-    if (scene.gas->tank_volume) GASJET_COLUMN(tank_work_J);
+    if (scene.gas->tank_volume || scene.gas->model.volume_of_overpressure) GASJET_COLUMN(tank_work_J);
   }
   if (scene.bag && scene.bag->model.description.mass_damping > 0.0) GASJET_COLUMN(damping_J);
   if (scene.contact && scene.contact->parameters().friction > 0.0) GASJET_COLUMN(friction_J);

@@ -34,6 +34,22 @@ gas::ControlVolumeModel opened(gas::ControlVolumeModel model) {
   return model;
 }
 
+// The pressure [Pa] in a volume that follows it, after `work` [J] of inflows and none out, by (K.30) with p
+// dV instead of p_a dV: int p dV = p V - p0 V0 - int V dp.
+double closed_pressure(const gas::Curve& volume, double ambient, double start, double gamma, double work) {
+  const auto product = [&](double p) { return p * volume.value(p - ambient); };
+  const auto missing = [&](double p) {
+    return gamma * (product(start) - product(p)) + work +
+           (gamma - 1.0) * volume.integral(start - ambient, p - ambient);
+  };
+  double low = start, high = start + work / volume.value(start - ambient);
+  for (int i = 0; i < 60; ++i) {
+    const double middle = 0.5 * (low + high);
+    (missing(middle) > 0.0 ? low : high) = middle;
+  }
+  return high;
+}
+
 }  // namespace
 
 double duration(const Scene& scene, const gas::Inflow& inflow) {
@@ -71,7 +87,7 @@ Supply supply_of(const Scene& scene) {
 }
 
 FullState full_state(const Scene& scene, const State& state, const Supply& supply) {
-  const auto model = opened(scene.gas->model);
+  auto model = opened(scene.gas->model);
   const double ambient = scene.ambient.pressure, start = enclosure(scene, state).volume;
   const double leak_area = enclosure(scene, state).leak_area;
   FullState full;
@@ -85,6 +101,12 @@ FullState full_state(const Scene& scene, const State& state, const Supply& suppl
   full.closed_pressure = (scene.gas->initial_pressure * start + supply.work -
                           (full.gamma - 1.0) * ambient * (full.volume - start)) /
                          full.volume;  // (K.30)
+  if (const auto curve = model.volume_of_overpressure) {
+    full.closed_pressure =
+        closed_pressure(*curve, ambient, scene.gas->initial_pressure, full.gamma, supply.work);
+    full.volume = curve->value(full.closed_pressure - ambient);
+    model.volume_of_overpressure.reset();
+  }
   full.fills = !filled || full.closed_pressure >= ambient;
   if (!full.fills) return full;
   const auto at = [&](double pressure) {

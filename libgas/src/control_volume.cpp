@@ -8,6 +8,7 @@
 #include "gas/orifice.hpp"
 #include "inflow_segment.hpp"
 #include "near.hpp"
+#include "pressure_volume.hpp"
 #include "require.hpp"
 
 namespace gas {
@@ -68,6 +69,20 @@ void validate(const Vent& vent) {
   require(!(vent.area_of_time && vent.area_of_overpressure), "number of area curves", 2.0, "must be 0 or 1");
   if (vent.area_of_time) require_area(*vent.area_of_time, "vent.area_of_time [m2]");
   if (vent.area_of_overpressure) require_area(*vent.area_of_overpressure, "vent.area_of_overpressure [m2]");
+}
+
+void require_volume(const Curve& curve, double ambient_pressure) {
+  const char* name = "volume_of_overpressure [m3]";
+  const auto knots = curve.knots();
+  require(knots.size() >= 2, "number of knots of volume_of_overpressure", static_cast<double>(knots.size()),
+          "must be at least 2");
+  require(curve.outside() == Outside::kHeld, name, 0.0, "must be held outside its knots");
+  require(knots.front().time >= -ambient_pressure, "first overpressure of volume_of_overpressure [Pa]",
+          knots.front().time, "must not be below -ambient.pressure");
+  require(knots.front().value > 0.0, name, knots.front().value, "must be positive");
+  for (std::size_t i = 1; i < knots.size(); ++i)
+    require(knots[i].value >= knots[i - 1].value, name, knots[i].value,
+            "must not fall with the overpressure");
 }
 
 double mass_flow(const Inflow& inflow, double start, double time) {
@@ -142,6 +157,7 @@ void validate(const ControlVolumeModel& model) {
   require(std::isfinite(heat.outside_temperature) && heat.outside_temperature > 0.0,
           "heat_loss.outside_temperature [K]", heat.outside_temperature, "must be finite and positive");
   if (model.fabric_velocity) require_area(*model.fabric_velocity, "fabric_velocity [m/s]");
+  if (model.volume_of_overpressure) require_volume(*model.volume_of_overpressure, p_a);
   validate(model.triggers);
 }
 
@@ -172,8 +188,10 @@ double firing_time(const Inflow& inflow, const TriggerState& triggers) {
 
 GasPoint evaluate(const ControlVolumeModel& model, const ControlVolumeState& state, double volume,
                   double leak_area, double time) {
-  if (!(volume > 0.0)) throw DomainError("volume = " + to_text(volume) + " m3: must be positive");
+  const auto& curve = model.volume_of_overpressure;
+  if (!curve && !(volume > 0.0)) throw DomainError("volume = " + to_text(volume) + " m3: must be positive");
   GasPoint point{};
+  point.volume = curve ? curve->value(-model.ambient.pressure) : volume;
   point.temperature = state.temperature;
   for (const Inflow& inflow : model.inflows)
     point.inflow += mass_flow(inflow, firing_time(inflow, state.triggers), time);
@@ -181,11 +199,19 @@ GasPoint evaluate(const ControlVolumeModel& model, const ControlVolumeState& sta
   if (mixture.mass > 0.0) {
     point.temperature = mixture.temperature(state.internal_energy, state.temperature);
     point.mass = mixture.mass;
-    point.density = mixture.mass / volume;
+    const double product = mixture.gas_constant_sum * point.temperature;
+    if (curve) {
+      const PressurePlace place = pressure_place(*curve, model.ambient.pressure, product);
+      if (place.beyond) throw DomainError(beyond_text(*curve));
+      point.volume = place.volume;
+      point.pressure = place.pressure;
+    } else {
+      point.pressure = product / volume;
+    }
+    point.density = mixture.mass / point.volume;
     point.gas_constant = mixture.gas_constant_sum / mixture.mass;
     point.cp = mixture.cp(point.temperature) / mixture.mass;
     point.gamma = point.cp / (point.cp - point.gas_constant);
-    point.pressure = mixture.gas_constant_sum * point.temperature / volume;
     point.heat_loss = model.heat_loss.conductance * (point.temperature - model.heat_loss.outside_temperature);
   }
   // On p_a the integrator lets nothing flow; the square root of what rounding leaves of p - p_a would.

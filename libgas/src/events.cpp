@@ -5,8 +5,6 @@
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 
-#include "gas/error.hpp"
-#include "require.hpp"
 #include "substepper.hpp"
 
 namespace gas {
@@ -120,14 +118,6 @@ bool Substepper::crosses_against_flow(const FlowBalance& balance, double t, cons
   const double excess = balance.pressure_excess(), growth = balance.closed_pressure_growth(t);
   if (is_out(balance.regime())) return start.place.excess >= -near_ && excess < -near_ && growth > 0.0;
   return is_back(balance.regime()) && start.place.excess <= near_ && excess > near_ && growth < 0.0;
-}
-
-/// A fixed step that crosses so is above the limit of the balance that it has yet to reach.
-void Substepper::fail_crossing(double x, double h) const {
-  throw DomainError("the step " + to_text(h) +
-                    " s is too long for the balance near ambient pressure at t = " + to_text(x) +
-                    " s: flow through the openings takes p past p_a, where it would turn; "
-                    "a shorter one (gas_step of a case), or none, is allowed");
 }
 
 /// Whether p may turn, inside the trial that ends at t, beyond a switch or level that both ends have not

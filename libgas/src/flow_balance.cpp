@@ -8,12 +8,6 @@
 #include "gas/orifice.hpp"
 
 namespace gas {
-namespace {
-
-// A species that runs out leaves a remainder of round-off, of either sign, relative to what passed through.
-constexpr double kMassRoundOff = 1e-13;
-
-}  // namespace
 
 FlowBalance::FlowBalance(const ControlVolumeModel& model)
     : model_(model),
@@ -31,6 +25,8 @@ FlowBalance::FlowBalance(const ControlVolumeModel& model)
 
 std::vector<double> FlowBalance::levels() const {
   std::vector<double> levels = openings_.knots();
+  if (model_.volume_of_overpressure)
+    for (const Curve::Knot& knot : model_.volume_of_overpressure->knots()) levels.push_back(knot.time);
   for (double& level : levels) level += model_.ambient.pressure;
   return levels;
 }
@@ -46,6 +42,13 @@ void FlowBalance::begin_step(const ControlVolumeState& state, double t0, double 
   leak_area_rate_ = (path.leak_area_end - path.leak_area_begin) / (t1 - t0);
   std::ranges::fill(delivered_, StreamFlux{});
   point_.temperature = state.temperature;
+  work_begin_ = 0.0;
+  if (!model_.volume_of_overpressure) return;
+  mean_rate_ = curvature_ = 0.0;
+  model_.thermo.mixture(state.masses, mixture_);
+  if (mixture_.mass == 0.0) return;
+  place_gas(state.internal_energy, mixture_.temperature(state.internal_energy, state.temperature));
+  work_begin_ = point_.work;
 }
 
 double FlowBalance::next_break(const TriggerState& triggers, double t) const {
@@ -90,55 +93,6 @@ double FlowBalance::energy_change(const Vector& y) const {
 
 double FlowBalance::species_energy(std::size_t k) const {
   return point_.mass == 0.0 ? 0.0 : model_.thermo.internal_energy(k, point_.temperature);
-}
-
-/// Fills masses_, at time t, and returns the internal energy there. (G.9), (G.10)
-double FlowBalance::collect(const Vector& y, double t) {
-  double energy = start_->internal_energy;
-  std::ranges::copy(start_->masses, masses_.begin());
-  for (std::size_t i = 0; i < segments_.size(); ++i) {
-    const auto delivered = segments_[i].delivered(t - segment_begin_);
-    energy += delivered_[i].enthalpy + delivered.enthalpy;
-    const double mass = delivered_[i].mass + delivered.mass;
-    for (std::size_t k = 0; k < masses_.size(); ++k) masses_[k] += model_.inflows[i].mass_fractions[k] * mass;
-  }
-  point_.depleted.reset();
-  for (std::size_t k = 0; k < masses_.size(); ++k) {
-    for (std::size_t j = 0; j < backflows(); ++j)
-      masses_[k] += model_.ambient.mass_fractions[k] * y[back_slot(j)];
-    const double available = masses_[k];
-    masses_[k] = std::max(0.0, available - y[k]);
-    if (!(y[k] <= available * (1.0 + kMassRoundOff))) point_.depleted = k;
-  }
-  point_.valid = !point_.depleted;
-  return energy + energy_change(y);
-}
-
-/// Temperature and pressure, (G.8); no gas has neither energy nor pressure.
-void FlowBalance::locate(const Vector& y, double t) {
-  const double internal_energy = collect(y, t);
-  model_.thermo.mixture(masses_, mixture_);
-  point_.mass = mixture_.mass;
-  point_.volume = volume(t);
-  point_.pressure = point_.gamma = point_.thermal_energy = point_.specific_enthalpy = 0.0;
-  point_.heat = 0.0;
-  if (!point_.valid || mixture_.mass == 0.0) return;
-  const auto temperature = mixture_.find_temperature(internal_energy, point_.temperature);
-  point_.valid = temperature.has_value();
-  if (!temperature) return;
-  const double cp = mixture_.cp(*temperature), cv = cp - mixture_.gas_constant_sum;
-  point_.temperature = *temperature;
-  point_.pressure = mixture_.gas_constant_sum * *temperature / point_.volume;
-  point_.gamma = cp / cv;
-  point_.thermal_energy = cv * *temperature;
-  point_.heat = model_.heat_loss.conductance * (*temperature - model_.heat_loss.outside_temperature);
-  point_.specific_enthalpy = (internal_energy + mixture_.gas_constant_sum * *temperature) / mixture_.mass;
-}
-
-double FlowBalance::pressure(const Vector& y, double t) {
-  segment_begin_ = t;
-  locate(y, t);
-  return point_.pressure;
 }
 
 void FlowBalance::outflow_rates(Vector& dydt, double t) {
@@ -212,14 +166,6 @@ double FlowBalance::sonic_excess() const {
 
 double FlowBalance::back_sonic_excess() const {
   return point_.pressure - critical_pressure_ratio(air_gamma_) * model_.ambient.pressure;
-}
-
-void FlowBalance::finish(const Vector& y, ControlVolumeState& state) {
-  const double internal_energy = collect(y, segment_begin_);
-  model_.thermo.mixture(masses_, mixture_);
-  if (mixture_.mass > 0.0) state.temperature = mixture_.temperature(internal_energy, point_.temperature);
-  state.internal_energy = internal_energy;
-  std::ranges::copy(masses_, state.masses.begin());
 }
 
 }  // namespace gas

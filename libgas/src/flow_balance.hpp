@@ -35,7 +35,10 @@ class FlowBalance {
     double temperature;                   // [K]
     double gamma;                         // [-]
     double volume;                        // [m3]
-    double thermal_energy;                // [J] m cv T: the scale of energy errors
+    double compliance;                    // [-] 1 + gamma (p/V) dV/dp
+    double work;                          // [J] (G.19) where the volume follows the pressure
+    bool beyond;                          // not valid: p above the curve of such a volume
+    double thermal_energy;                // [J] m cv T, with (G.19): the scale of energy errors
     double specific_enthalpy;             // [J/kg]
     double vent;                          // [kg/s] out through all vents
     double fabric;                        // [kg/s] out through the fabric
@@ -79,8 +82,8 @@ class FlowBalance {
   /// inflow and walls balance there. `dydt`: the rates at `begin`, the last point.
   void fill_until(Vector& y, const Vector& dydt, double begin, double end);
   /// Turns the state of begin_step() into the one at the end of the last segment; throws DomainError, and
-  /// leaves it as it is, if its temperature is out of range.
-  void finish(const Vector& y, ControlVolumeState& state);
+  /// leaves it as it is, if its temperature is out of range. Fills the work in y of a volume that follows p.
+  void finish(Vector& y, ControlVolumeState& state);
 
   bool is_open() const;              // gas can leave
   bool has_backflow() const;         // gas can come in
@@ -109,11 +112,15 @@ class FlowBalance {
   /// Changes of species k's mass and of U with the unknowns: errors of the state from errors of y.
   double species_change(const Vector& y, std::size_t k) const;
   double energy_change(const Vector& y) const;
+  const std::optional<Curve>& volume_curve() const { return model_.volume_of_overpressure; }
   /// u [J/kg] of species k at the temperature of the last point; zero without gas.
   double species_energy(std::size_t k) const;
 
  private:
   double collect(const Vector& y, double t);
+  std::optional<double> temperature_of(double energy) const;
+  void place_gas(double energy, double temperature);
+  double settled_work(double energy);
   double volume(double t) const {
     return volume_begin_ + (mean_rate_ + curvature_ * (t1_ - t)) * (t - t0_);
   }  // (G.17)
@@ -130,6 +137,7 @@ class FlowBalance {
   Openings openings_;
 
   double t0_ = 0.0, t1_ = 0.0, volume_begin_ = 0.0, mean_rate_ = 0.0, curvature_ = 0.0;
+  double work_begin_ = 0.0;  // [J] (G.19) at t0
   double leak_area_begin_ = 0.0, leak_area_rate_ = 0.0;
   const ControlVolumeState* start_ = nullptr;
   double segment_begin_ = 0.0;

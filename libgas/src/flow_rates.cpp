@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rates of the pressure that the integrator's events need, the gas's own relaxation rate, heat of the first gas.
+// Rates of the pressure that the integrator's events need, the gas's own relaxation rate, heat of the first
+// gas.
 #include <algorithm>
 #include <cmath>
 
@@ -30,8 +31,9 @@ void add(double factor, const Mixture& from, Mixture& to) {
 
 }  // namespace
 
-/// The temperature at which inflow and walls balance while an evacuated volume begins to fill, sum mdot_i (h_i -
-/// u_i(T)) = h A (T - T_ext), which is the equation of a mixture with h A added to its cp. None without inflow.
+/// The temperature at which inflow and walls balance while an evacuated volume begins to fill, sum mdot_i
+/// (h_i - u_i(T)) = h A (T - T_ext), which is the equation of a mixture with h A added to its cp. None
+/// without inflow.
 std::optional<double> FlowBalance::temperature_of_first_gas(double t) const {
   const HeatLoss& loss = model_.heat_loss;
   Mixture sum;
@@ -74,16 +76,15 @@ double FlowBalance::closed_pressure_growth(double t) const {
     const auto [mass_flow, temperature] = segment.flow(t - segment_begin_);
     if (mass_flow > 0.0) growth += mass_flow * pressure_growth(segment.gas(), temperature, point_);
   }
-  return growth;
+  return growth / point_.compliance;
 }
 
 double FlowBalance::pressure_rate(double t) const {
   if (point_.mass == 0.0) return 0.0;
   const double gas_constant = mixture_.gas_constant_sum / point_.mass;
-  double growth = closed_pressure_growth(t) -
-                  point_.gamma * gas_constant * point_.temperature * (point_.vent + point_.fabric);
+  double growth = -point_.gamma * gas_constant * point_.temperature * (point_.vent + point_.fabric);
   if (point_.back > 0.0) growth += point_.back * pressure_growth(air_, model_.ambient.temperature, point_);
-  return growth / point_.volume;
+  return (closed_pressure_growth(t) + growth / point_.compliance) / point_.volume;
 }
 
 double FlowBalance::heat_rate() const {
@@ -95,11 +96,11 @@ double FlowBalance::relaxation_rate() const {
   const double p_a = ambient_pressure(), flow = point_.vent + point_.fabric;
   if (regime_ == Regime::kBack && point_.back > 0.0)  // as the root of p_a - p, which it is near p_a
     return point_.back * pressure_growth(air_, model_.ambient.temperature, point_) /
-           (2.0 * point_.volume * (p_a - point_.pressure));
+           (2.0 * point_.compliance * point_.volume * (p_a - point_.pressure));
   if (!(flow > 0.0)) return 0.0;
   const double vent = point_.vent * orifice_pressure_exponent(point_.gamma, p_a / point_.pressure);
   const double fabric = point_.fabric * fabric_pressure_exponent(point_.pressure, p_a);
-  return outflow_relaxation_rate(point_.gamma, flow / point_.mass, (vent + fabric) / flow);
+  return outflow_relaxation_rate(point_.gamma, flow / point_.mass, (vent + fabric) / flow, point_.compliance);
 }
 
 }  // namespace gas

@@ -67,9 +67,10 @@ double fabric_pressure_exponent(double pressure, double ambient_pressure) {
   return 0.5 + 0.5 * pressure / (pressure - ambient_pressure);
 }
 
-double outflow_relaxation_rate(double gamma, double flow_per_mass, double pressure_exponent) {
-  const double b = 0.5 + gamma * (pressure_exponent + 0.5);
-  return 0.5 * flow_per_mass * (b + std::sqrt(b * b - 4.0 * gamma * pressure_exponent));
+double outflow_relaxation_rate(double gamma, double flow_per_mass, double pressure_exponent,
+                               double compliance) {
+  const double b = 1.0 + (gamma * (pressure_exponent + 0.5) - 0.5) / compliance;
+  return 0.5 * flow_per_mass * (b + std::sqrt(b * b - 4.0 * gamma * pressure_exponent / compliance));
 }
 
 }  // namespace gas

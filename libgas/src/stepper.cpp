@@ -72,7 +72,10 @@ void Rates::operator()(const Vector& y, Vector& dydx, double x) {
 
 void Rates::fill(Vector& dydx, double x) {
   balance.fill_rates(dydx, time(x));
-  if (valid && !balance.point().valid) depleted = balance.point().depleted;
+  if (valid && !balance.point().valid) {
+    depleted = balance.point().depleted;
+    beyond = balance.point().beyond;
+  }
   valid = valid && balance.point().valid;
   ++evaluations;
   if (root)

@@ -39,14 +39,12 @@ class Substepper {
   };
   enum class Event { kNone, kAmbient, kSonic, kBackSonic, kLevelAbove, kLevelBelow };
 
-  // substepper.cpp: steps and their errors
+  // substepper.cpp: steps
   bool try_step(Rates& rates, const Vector& y, double x, double h);
   double scaled_error(const FlowBalance& balance) const;
   double step_factor(double error) const;
   double first_step(const FlowBalance& balance, double t) const;
-  void require_stable(const Rates& rates, double x, double h) const;
   void count_attempt(const Rates& rates, double x, double h);
-  [[noreturn]] void fail(const Rates& rates, double x, double h) const;
   void start_regime(FlowBalance& balance, const Vector& y, double t, double b);
   void start_variable(Rates& rates, double t, double b);
   double fill_first(Rates& rates, Vector& y, double a, double b);
@@ -54,12 +52,16 @@ class Substepper {
   void find_band(FlowBalance& balance, double t);
   bool pass_event(FlowBalance& balance);
 
+  // substepper_errors.cpp: why a step cannot be
+  void require_stable(const Rates& rates, double x, double h) const;
+  [[noreturn]] void fail(const Rates& rates, double x, double h) const;
+  [[noreturn]] void fail_crossing(double x, double h) const;
+
   // events.cpp: where a sub-step has to end
   Start start_values(const FlowBalance& balance, double t) const;
   Event passed_switch(const FlowBalance& balance, double t) const;
   Event passed_level(const FlowBalance& balance) const;
   bool crosses_against_flow(const FlowBalance& balance, double t, const Start& start) const;
-  [[noreturn]] void fail_crossing(double x, double h) const;
   bool may_turn_past_event(const FlowBalance& balance, double t, double h, const Start& start) const;
   Place place(const FlowBalance& balance) const;
   double distance(const Place& at, Event event) const;

@@ -17,8 +17,9 @@ using coupled::run_case;
 // What `gasjet check` prints as taken by default is a key that the case may say itself.
 TEST(case_options, check_names_only_keys_that_the_case_may_set) {
   const std::vector<std::pair<const char*, std::vector<std::string>>> scenes{
-      {"rigid_tank", {"time={}"}}, {"piston_leak", {"time={}"}},  {"tank_triggers", {"time={}"}},
-      {"plate_jet", {"time={}"}},  {"contact_vent", {"time={}"}}, {"pendulum_swing", {}}};
+      {"rigid_tank", {"time={}"}},    {"piston_leak", {"time={}"}}, {"bag_volume", {"time={}"}},
+      {"tank_triggers", {"time={}"}}, {"plate_jet", {"time={}"}},   {"contact_vent", {"time={}"}},
+      {"pendulum_swing", {}}};
   for (const auto& [name, overrides] : scenes) {
     const auto file = coupled::fs::path(GASJET_SOURCE_DIR "/cases") / (std::string(name) + ".toml");
     driver::CaseDocument document(file, overrides);

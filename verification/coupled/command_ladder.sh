@@ -9,6 +9,7 @@ part_ladder() {
   grep -q '^0.1,586098.3333' "$work/run/history.csv" || fail "the cheapest rung is not the tank"
   expect 0 "jet off .* inside" "$gasjet" ladder "${bag[@]}" --out "$work/bag" --tolerance 10%
   grep -q '^rigid tank,1,' "$work/bag/ladder.csv" || fail "no row of the tank"
+  grep -q '^volume by pressure,1,' "$work/bag/ladder.csv" || fail "no row of the bag without a membrane"
   grep -q '"verdict": "inside"' "$work/bag/ladder.json" || fail "no verdict"
   expect 0 "" "$gasjet" run "$work/bag/cheapest.toml" --out "$work/run" --quiet
   expect 4 "undecided: no rung" "$gasjet" ladder "${bag[@]}" --out "$work/bag" --tolerance 1e-5 --hold pieces
@@ -23,6 +24,23 @@ part_ladder() {
   grep -Eiq '(^|,)-?(nan|inf)' "$work/nothing/ladder.csv" && fail "nan or inf in ladder.csv"
   expect 3 "rung \"full\".*limit" "$gasjet" ladder "$source/cases/tank_fixed_steps.toml" --quantity pressure \
     --set time.gas_step=4e-3 --quiet --out "$work/limit"
+  # Interrupted: what was computed is kept beside what an earlier ladder found.
+  "$gasjet" ladder "$tank" --quantity pressure --out "$work/tank" --quiet || fail "no ladder to keep"
+  cp -r "$work/tank" "$work/kept"
+  "$gasjet" ladder "$source/cases/passenger_pendulum.toml" --quantity pendulum_angle --out "$work/tank" >"$work/interrupted" 2>&1 </dev/null &
+  local pid=$! code=0 waited=0
+  until [ -s "$work/interrupted" ] || [ $waited -ge 300 ]; do sleep 0.1; waited=$((waited + 1)); done
+  kill -INT $pid
+  wait $pid || code=$?
+  [ $code = 130 ] || fail "an interrupted ladder ends with $code"
+  grep -q "interrupted: .*ladder_partial.csv" "$work/interrupted" || fail "nothing says where the partial ladder is"
+  local file
+  for file in ladder.csv ladder.json cheapest.toml; do
+    cmp "$work/tank/$file" "$work/kept/$file" || fail "an interrupted ladder touched $file"
+  done
+  grep -q '^# status: interrupted' "$work/tank/ladder_partial.csv" || fail "the partial ladder does not say so"
+  "$gasjet" ladder "$tank" --quantity pressure --out "$work/tank" --quiet || fail "no ladder after an interrupted one"
+  [ -e "$work/tank/ladder_partial.csv" ] && fail "the partial ladder outlives a whole one"
   local tolerance
   for tolerance in "" 0 -1% nan inf 2%% two 200%; do
     expect 2 "--tolerance.*such as 0.02 or 2%" "$gasjet" ladder "$tank" --quantity pressure --tolerance="$tolerance" --out "$work/out"

@@ -36,7 +36,7 @@ double sum_of_enthalpies(const std::vector<gas::StreamFlux>& streams) {
 }
 
 TEST(gas_scene, mass_and_energy_of_each_stream_close) {
-  for (const char* name : {"tank_triggers", "tank_backflow", "piston_leak", "tank_stiff"}) {
+  for (const char* name : {"tank_triggers", "tank_backflow", "piston_leak", "tank_stiff", "bag_volume"}) {
     const CaseRun run = run_case(name);
     ASSERT_EQ(run.outcome.status, driver::RunStatus::done) << name << run.outcome.message;
     EXPECT_LT(run.state.peaks.mass_residual, 1e-12) << name;
@@ -104,6 +104,30 @@ TEST(gas_scene, sealed_piston_eq_closed_form) {
     claim::expect_relative({"G.10", "case piston_leak, sealed, every row: pressure [Pa]",
                             "3000 pieces of the path, 1e-10 each, partly cancelling over a period"},
                            row.pressure_Pa, exact.state.pressure, 1e-7);
+  }
+}
+
+TEST(gas_scene, sealed_bag_behind_a_spring_eq_closed_form) {
+  const CaseRun run =
+      run_case("bag_volume", {"unset tank.fabric", "vent.0.area=1e-30", "gas.initial.composition={N2=1.0}",
+                              "inflator.0.mass_flow=1.0", "gas.reference_temperature=300.0",
+                              "tank.volume={overpressure=[0.0, 1e6], value=[0.06, 0.56]}"});
+  ASSERT_EQ(run.outcome.status, driver::RunStatus::done) << run.outcome.message;
+  const auto start = run.history.front();
+  const closed_form::SpringBag bag{{run.state.gas_point.gas_constant, run.state.gas_point.gamma},
+                                   start.pressure_Pa,
+                                   start.temperature_K,
+                                   0.06,
+                                   5e-7};
+  const char* why = "linear in the state: the sum over 100 steps rounds";
+  for (const auto& row : run.history) {
+    const auto exact = closed_form::spring_bag_fill(bag, row.time_s, 406.0);
+    claim::expect_relative(
+        {"G.18", "case bag_volume, sealed, a curve of two knots, every row: pressure [Pa]", why},
+        row.pressure_Pa, exact.pressure, 1e-12);
+    claim::expect_relative(
+        {"G.18", "case bag_volume, sealed, a curve of two knots, every row: volume [m3]", why}, row.volume_m3,
+        exact.volume, 1e-12);
   }
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "closed_form/coupled.hpp"
 #include "driver/ladder.hpp"
 #include "run_case.hpp"
 
@@ -66,6 +67,36 @@ TEST(ladder, case_as_it_is_runs_once) {
   const auto is_own = [](const LadderRung& r) { return r.overrides.empty(); };
   EXPECT_EQ(std::count_if(result.rungs.begin(), result.rungs.end(), is_own), 1);
   EXPECT_EQ(std::find_if(result.rungs.begin(), result.rungs.end(), is_own)->name, "as it is: cp constant");
+}
+
+// A sphere blown up slowly against its breathing: its volume follows its pressure, and so does the rung's.
+TEST(ladder, bag_without_a_membrane_is_the_sphere_at_rest) {
+  auto options = options_of("pressure");
+  options.hold = {"cp", "compression", "mesh", "step"};
+  const auto result = driver::run_ladder(case_file("sphere_inflation"), {}, options);
+  const auto rung = std::find_if(result.rungs.begin(), result.rungs.end(),
+                                 [](const LadderRung& r) { return r.name == "volume by pressure"; });
+  ASSERT_NE(rung, result.rungs.end());
+  driver::CaseDocument document(case_file("sphere_inflation"), rung->overrides);
+  const driver::Scene scene = driver::read_scene(document);
+  ASSERT_TRUE(scene.gas->model.volume_of_overpressure && !scene.bag);
+  const auto knots = scene.gas->model.volume_of_overpressure->knots();
+  const closed_form::StretchedSphere sphere{{60e6, 0.3, 0.5e-3, 620.0}, 0.3};
+  // Facets: skin and volume are those of a sphere smaller by that.
+  const double facets = 1.0 - closed_form::icosphere_ratios(3).volume_ratio;
+  constexpr double rest = 1e-4 / 3.0;  // of the side, where the motion is taken for rest
+  for (std::size_t i = 1; i < knots.size(); ++i) {
+    const double exact = closed_form::stretched_sphere(sphere, knots[i].time).stretch;
+    EXPECT_NEAR(std::cbrt(knots[i].value / knots[0].value), exact, facets * (exact - 1.0) + rest)
+        << knots[i].time;
+  }
+  const auto& model = scene.gas->model;
+  const double r = model.thermo.gas_constant(scene.gas->initial_fractions),
+               gamma = model.thermo.gamma(scene.gas->initial_fractions, 300.0);
+  const closed_form::SphereFill fill{{r, gamma}, sphere, 101325.0, 406.0};
+  const double exact = closed_form::sphere_fill(fill, closed_form::sphere_fill_stretch(fill, 0.02)).pressure;
+  // The chord of a curve that bends over a factor of two in pressure, and the facets.
+  EXPECT_NEAR((rung->value.mean - 101325.0) / (exact - 101325.0), 1.0, 2.0 * facets);
 }
 
 }  // namespace

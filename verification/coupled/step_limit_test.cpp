@@ -39,7 +39,8 @@ TEST(step_limit, stable_below_the_bound_and_blown_up_well_above) {
   const auto below = run_case("sphere_inflation", fixed_step(0.9 * bound));
   EXPECT_EQ(below.outcome.status, driver::RunStatus::done) << below.outcome.message;
   EXPECT_LT(below.state.peaks.energy_residual, 1e-3 * below.state.flows.enthalpy_in);
-  // The bound is of single elements, 0.80 to 0.82 of the assembled limit of an icosphere: 1.7 is past it for certain.
+  // The bound is of single elements, 0.80 to 0.82 of the assembled limit of an icosphere: 1.7 is past it for
+  // certain.
   const auto above = run_case("sphere_inflation", fixed_step(1.7 * bound));
   EXPECT_EQ(above.outcome.status, driver::RunStatus::failed);
 }

@@ -138,10 +138,11 @@ LadderResult run_ladder(const std::filesystem::path& file, const std::vector<std
 /// Throws CaseError if `folder` has a cheapest.toml that no ladder wrote.
 void refuse_own_cheapest(const std::filesystem::path& folder);
 
-/// ladder.csv, ladder.json, and, if there is a cheapest rung, cheapest.toml, which runs as it is; that of an
-/// earlier ladder goes. Throws WriteError.
+/// ladder.csv, ladder.json, and, if there is a cheapest rung, cheapest.toml, which runs as it is; those of an
+/// earlier ladder go. `partial`, of one that was interrupted: ladder_partial.csv and ladder_partial.json,
+/// and those of an earlier one stay. Throws WriteError.
 void write_ladder(const std::filesystem::path& folder, const LadderResult& result,
                   const std::filesystem::path& file, const std::vector<std::string>& overrides,
-                  const LadderOptions& options);
+                  const LadderOptions& options, bool partial);
 
 }  // namespace driver

@@ -118,14 +118,20 @@ int ladder(const LadderArguments& arguments) {
                                                   ("ladder_" + arguments.scene.file.stem().string())
                                             : arguments.out;
   plan_ladder(arguments.scene.file, arguments.scene.overrides, options.quantity, options.hold);
-  const auto files = {"ladder.csv", "ladder.json", "cheapest.toml"};
+  const auto files = {"ladder.csv", "ladder.json", "cheapest.toml", "ladder_partial.csv",
+                      "ladder_partial.json"};
   refuse_inputs(folder, files, input_files(arguments.scene.file, arguments.scene.overrides));
   refuse_own_cheapest(folder);
   prepare_output(folder, files);
   catch_interrupt();
   const LadderResult result = run_ladder(arguments.scene.file, arguments.scene.overrides, options);
-  write_ladder(folder, result, arguments.scene.file, arguments.scene.overrides, options);
-  if (interrupted()) return exit_interrupted;
+  const bool partial = interrupted();
+  write_ladder(folder, result, arguments.scene.file, arguments.scene.overrides, options, partial);
+  if (partial) {
+    fmt::print(stderr, "gasjet: interrupted: what had run by then is in {}\n",
+               (folder / "ladder_partial.csv").string());
+    return exit_interrupted;
+  }
   if (!result.reason.empty()) {
     fmt::print(stderr, "gasjet: undecided: {}\n", result.reason);
     return exit_undecided;

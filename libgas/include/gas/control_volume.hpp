@@ -58,6 +58,9 @@ struct ControlVolumeModel {
   /// [m/s] >= 0 against p - p_a [Pa]: where given, fabric leaks leak_area rho v(p - p_a)  (G.12) instead of
   /// (G.7).
   std::optional<Curve> fabric_velocity{};
+  /// [m3] > 0, not falling, against p - p_a [Pa]: where given, the volume follows the pressure, (G.18), and
+  /// those of calls are not read. Held below the first knot (at -p_a or above); above the last: DomainError.
+  std::optional<Curve> volume_of_overpressure{};
   TriggerModel triggers{};  // whose nodes inflows and vents name
 };
 
@@ -74,6 +77,7 @@ struct ControlVolumeState {
 struct GasPoint {
   double pressure;          // [Pa]
   double temperature;       // [K]
+  double volume;            // [m3]
   double density;           // [kg/m3]
   double gamma;             // [-] cp/cv
   double cp;                // [J/(kg K)]
@@ -113,7 +117,7 @@ double firing_time(const Inflow& inflow, const TriggerState& triggers);
 
 /// Stage S2: the gas of `state` in `volume` [m3] at time `time` [s], with the fabric's leak area [m2] (see
 /// fabric_mass_flow). Nothing flows while p is on p_a, to 1e-12 of it. Does not allocate. Throws DomainError
-/// if the volume is not positive or the temperature leaves its range.
+/// if the volume is not positive or p and temperature leave their ranges.
 GasPoint evaluate(const ControlVolumeModel& model, const ControlVolumeState& state, double volume,
                   double leak_area, double time);
 

@@ -8,7 +8,7 @@
 namespace gas {
 
 /// Volume and leak area over one step: linear in time between the two ends, the volume plus a parabola that
-/// is zero there. (G.17)
+/// is zero there. (G.17) Its volumes are not read where the model's follows the pressure.
 struct VolumePath {
   double volume_begin;        // [m3] > 0
   double volume_end;          // [m3] > 0
@@ -65,9 +65,9 @@ struct IntegratorOptions {
 /// is ever stepped over, at any tolerance, by any method. Break points: knots and firing times of the
 /// inflows, inflow temperatures of 1000 K, knots of the vents' curves, switching times of the triggers;
 /// located: pressure triggers, knots of the overpressure, the sonic/subsonic switch of the vents and p = p_a.
-/// A sealed adiabatic volume of constant size is pure quadrature. Explicit methods take sub-steps of the
-/// order 1/(G.14) where inflow is balanced by outflow, or cooling by backflow; with fixed_step a sub-step
-/// past the method's limit, or past p_a against what feeds the flow, is an error.
+/// A sealed adiabatic volume of constant size, or that follows the pressure, is pure quadrature. Explicit
+/// methods take sub-steps of the order 1/(G.14) where inflow is balanced by outflow, or cooling by backflow;
+/// with fixed_step a sub-step past the method's limit, or past p_a against what feeds the flow, is an error.
 class GasIntegrator {
  public:
   /// Copies the model. Throws std::invalid_argument for a bad model or option. Allocates all that advance()

@@ -38,10 +38,11 @@ double orifice_pressure_exponent(double gamma, double pressure_ratio);
 /// The same of (G.7), the fabric's flow, at constant T: 1/2 + p/(2 (p - p_a)) for p > p_a [Pa].
 double fabric_pressure_exponent(double pressure, double ambient_pressure);
 
-/// The faster relaxation rate [1/s] of mass and energy of a rigid volume that gas leaves at flow_per_mass =
-/// mdot/m [1/s], where mdot ~ p^n/sqrt(T):                                                           (G.14)
-///   mdot/m (b + sqrt(b^2 - 4 gamma n))/2, b = 1/2 + gamma (n + 1/2).
+/// The faster relaxation rate [1/s] of mass and energy of a volume that gas leaves at flow_per_mass =
+/// mdot/m [1/s], where mdot ~ p^n/sqrt(T), with c = 1 + gamma (p/V) dV/dp, 1 if it is rigid:          (G.14)
+///   mdot/m (b + sqrt(b^2 - 4 gamma n/c))/2, b = 1 + (gamma (n + 1/2) - 1/2)/c.
 /// Source: linearised (G.9), (G.10).
-double outflow_relaxation_rate(double gamma, double flow_per_mass, double pressure_exponent);
+double outflow_relaxation_rate(double gamma, double flow_per_mass, double pressure_exponent,
+                               double compliance = 1.0);
 
 }  // namespace gas

@@ -124,6 +124,19 @@ struct ConstantPressureFill {
 /// V = V0 + mdot R T_in t / p; T mixes by enthalpy. Source: derived here; textbook result.
 GasState constant_pressure_fill(const ConstantPressureFill& bag, double time);
 
+/// Bag behind a linear spring: V = V0 + k (p - p0).
+struct SpringBag {
+  PerfectGas gas;                          // of bag and inflow
+  double initial_pressure = kRequired;     // [Pa] > 0
+  double initial_temperature = kRequired;  // [K] > 0
+  double initial_volume = kRequired;       // [m3] > 0
+  double compliance = kRequired;           // [m3/Pa] k >= 0
+};
+
+/// After `mass` [kg] at `temperature` [K] has come in without heat or loss, however fast:
+/// (p V - p0 V0)/(gamma - 1) + k (p^2 - p0^2)/2 = m cp T. Source: derived here from the energy balance.
+GasState spring_bag_fill(const SpringBag& bag, double mass, double temperature);
+
 /// Tank test with the measured end pressure and the known total mass.
 struct AverageTemperature {
   PerfectGas gas;                       // of tank and inflow

@@ -97,6 +97,11 @@ GasState isothermal_blowdown(const Blowdown& tank, double time);
 /// Instants of that blow-down; final_temperature is the initial one.
 BlowdownTimes isothermal_blowdown_times(const Blowdown& tank);
 
+/// A bag instead of a tank: V = V0 p/p0, `volume` is V0. Choked, mdot = mdot0 (p/p0)/sqrt(T/T0), and what
+/// stays inside expands reversibly: m/m0 = (1 - mdot0 t/(2 m0))^2 = (p/p0)^((gamma + 1)/gamma). Needs a vent
+/// choked up to time >= 0 [s]; ambient_pressure may be 0. Source: derived here.
+GasState proportional_blowdown(const Blowdown& bag, double time);
+
 /// Rigid tank that empties through porous fabric, mdot = C sqrt(2 rho (p - p_a)).
 struct PorousTank {
   PerfectGas gas;                           // in the tank
