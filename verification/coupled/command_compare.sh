@@ -128,9 +128,15 @@ part_external() {
   printf '#!/bin/sh\n[ "$1" != compare ] || exit 139\nexec "%s" "$@"\n' "$gasjet" >"$work/dying" && chmod +x "$work/dying"
   GASJET=$work/dying judge 2 "tank_fill: " "" tank_fill
   expect 2 "does none of the scenes" "$source/verification/run_external.sh" --scenes pendulum_swing "$source/verification/coupled/foreign_tank.sh"
-  # The generator's straps are handed over with their ends: the keys are nowhere in the case.
-  printf '#!/bin/sh\n[ "$(grep -c "\\(from\\|to\\)_m" "$1")" = 4 ] && exit 77\n' >"$work/straps" && chmod +x "$work/straps"
-  expect 2 "passenger_jet: not done" "$source/verification/run_external.sh" --scenes passenger_jet "$work/straps"
+  # What no case says is handed over: the ends of the generator's straps, and three files of the mesh.
+  cat >"$work/looks" <<'PROGRAM'
+#!/bin/bash
+mapfile -t meshes < <(sed -nE 's/^  "mesh[a-z_]*": "(.*)",$/\1/p' "$1")
+[ ${#meshes[@]} = 3 ] && [ -s "${meshes[0]}" ] && grep -q ELEMENT_SHELL "${meshes[1]}" && [ -s "${meshes[2]}" ] || exit 1
+[ "$(grep -c '"\(from\|to\)_m"' "$1")" = 4 ] && grep -q '"jet_hidden_elements"' "$1" && exit 77
+PROGRAM
+  chmod +x "$work/looks"
+  expect 2 "passenger_jet: not done" "$source/verification/run_external.sh" --scenes passenger_jet "$work/looks"
   # A program that does not end is ended.
   printf '#!/bin/sh\nexec sleep 20\n' >"$work/endless" && chmod +x "$work/endless"
   expect 2 "tank_fill: the program failed with exit code 124" "$source/verification/run_external.sh" --timeout 1 --scenes tank_fill "$work/endless"
