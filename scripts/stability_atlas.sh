@@ -45,6 +45,9 @@ than 0.5 % is a failure.
 Each point is a run of a bag of 80 elements, of 400 steps in the first two maps; the line is the formula.
 `scripts/stability_maps.sh` writes them.
 
+There is no map of the contact's stiffness against the step: it adds to the bag's frequency as the gas does
+(M.12), so that it would be the second map again; its thresholds are rows below.
+
 **One sliver sets the step of the whole bag.** One node of the sphere is moved along a side
 ([table](charts/stability_sliver.csv)): no run below the bound blows up, and few above it do not.
 

@@ -5,6 +5,7 @@
 
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <thread>
 
 #include "driver/ladder.hpp"
 #include "driver/results.hpp"
@@ -135,6 +136,16 @@ void write_cheapest(const std::filesystem::path& folder, const LadderResult& res
   if (!stream) throw WriteError(fmt::format("{}: write failed", (folder / "cheapest.toml").string()));
 }
 
+// Costs are of a machine; empty where the system does not name it.
+std::string machine() {
+  std::ifstream cpuinfo("/proc/cpuinfo");
+  constexpr std::string_view key = "model name";
+  for (std::string line; std::getline(cpuinfo, line);)
+    if (const auto colon = line.find(": "); line.starts_with(key) && colon != std::string::npos)
+      return fmt::format("{}, {} cores", line.substr(colon + 2), std::thread::hardware_concurrency());
+  return {};
+}
+
 }  // namespace
 
 void refuse_own_cheapest(const std::filesystem::path& folder) {
@@ -150,6 +161,7 @@ void write_ladder(const std::filesystem::path& folder, const LadderResult& resul
                   const std::filesystem::path& file, const std::vector<std::string>& overrides,
                   const LadderOptions& options, bool partial) {
   Provenance lines = provenance(file, overrides);
+  if (auto name = machine(); !name.empty()) lines.emplace_back("machine", std::move(name));
   if (partial) lines.emplace_back("status", "interrupted: what had run by then");
   lines.emplace_back("quantity", result.quantity);
   lines.emplace_back("tolerance", fmt::format("{}", options.tolerance));

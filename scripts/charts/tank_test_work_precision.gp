@@ -24,7 +24,8 @@ plot by_noise('dual') using 2:6 with linespoints linestyle 2 title 'dual: T_s', 
   by_noise('average') using 2:5 with linespoints linestyle 3 title 'average: product', \
   by_noise('average') using 2:6 with linespoints linestyle 4 title 'average: mean T'
 set xlabel 'CPU time of an analysis [ms], 151 to 4801 readings'
-set key bottom left
+set key top right
+set yrange [1e-4:1]
 set xrange [10:1000]
 plot by_readings('dual', '1e-2') using ($4 / 1e3):5 with linespoints linestyle 1 title 'dual: mass flow, noise 10^{-2}', \
   by_readings('average', '1e-2') using ($4 / 1e3):5 with linespoints linestyle 3 title 'average: product, noise 10^{-2}', \
