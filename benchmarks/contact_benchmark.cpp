@@ -51,7 +51,7 @@ void BM_contact(benchmark::State& run) {
     const auto result = scene.evaluate(shift);
     benchmark::DoNotOptimize(result);
   }
-  const int searches = scene.work.searches, skips = scene.work.skips;
+  const int looks = scene.work.looks, skips = scene.work.skips;
   scene.forces.map().setZero();
   const auto result = scene.evaluate(true);
   const double force = result.force.norm();
@@ -60,7 +60,7 @@ void BM_contact(benchmark::State& run) {
   run.counters["depth_mm"] = 1e3 * result.penetration;
   run.counters["reaction_error"] =
       force > 0.0 ? (scene.forces.map().rowwise().sum() + result.force).norm() / force : 0.0;
-  run.counters["searches_per_step"] = searches / static_cast<double>(run.iterations());
+  run.counters["looks_per_step"] = looks / static_cast<double>(run.iterations());
   run.counters["skips_per_step"] = skips / static_cast<double>(run.iterations());
   run.counters["sweeps"] = scene.work.sweeps;
 }

@@ -109,7 +109,7 @@ Json counters(const Scene& scene, const State& state) {
                             {"tree_builds", total.tree_builds}});
   }
   if (state.contact_cache) {
-    json["contact_searches"] = state.contact_cache->searches;
+    json["contact_looks"] = state.contact_cache->looks;
     json["contact_sweeps"] = state.contact_cache->sweeps;
     json["contact_skips"] = state.contact_cache->skips;
   }

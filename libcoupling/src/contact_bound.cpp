@@ -42,12 +42,12 @@ double ContactModel::full_omega_squared_of_skin() const {
 // (K.12) The Hessian of kappa (r-d)^2/2 is kappa n n^T less a positive part, so per node the sum of its row's
 // 3 x 3 blocks is at most sum_q w_q kappa N_a (sum_b N_b). Leaves nodal_stiffness zero.
 void ContactModel::bound_stiffness(ContactState& state, ContactResult& result) const {
-  for (const auto& [e, slack] : state.near)
+  for (const int e : state.near)
     for (const int node : triangles_.col(e)) {
       const auto a = static_cast<std::size_t>(node);
       result.omega_squared_skin = std::max(result.omega_squared_skin, state.nodal_stiffness[a] / masses_[a]);
     }
-  for (const auto& [e, slack] : state.near)
+  for (const int e : state.near)
     for (const int node : triangles_.col(e)) state.nodal_stiffness[static_cast<std::size_t>(node)] = 0.0;
   result.omega_squared_sphere = parameters_.stiffness * result.area / effective_mass_;
   const FrictionFactors factors = friction_factors(parameters_.friction);

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <limits>
 #include <string>
 
@@ -11,137 +10,156 @@
 
 namespace coupling::detail {
 
-namespace {
-
-// Two doubles in one register (a vector of GCC and Clang): the pass over the nodes is all that a step without
-// contact costs.
-using Pair [[gnu::vector_size(16)]] = double;
-
-Pair load(const double* p) {
-  Pair v;
-  std::memcpy(&v, p, sizeof v);
-  return v;
-}
-
-void store(Pair v, double* p) {
-  std::memcpy(p, &v, sizeof v);
-}
-
-// Largest squared differences and, to carry a coordinate that is not finite (a maximum drops it), their sums.
-struct Motion {
-  Pair largest{}, sum{};
-  void add(Pair difference) {
-    const Pair squared = difference * difference;
-    largest = squared > largest ? squared : largest;
+double largest_motion(const Nodes& nodes, const Eigen::Matrix3Xd& old) {
+  // Components apart: at most sqrt(3) above the largest length, and a bound all the same. The sums carry a
+  // coordinate that is not finite, which a maximum drops.
+  Eigen::Array3d largest = Eigen::Array3d::Zero(), sum = Eigen::Array3d::Zero();
+  for (Eigen::Index a = 0; a < nodes.cols(); ++a) {
+    const Eigen::Array3d squared = (nodes.col(a) - old.col(a)).array().square();
+    largest = largest.max(squared);
     sum += squared;
   }
-  bool finite() const { return std::isfinite(sum[0] + sum[1]); }
-};
-
-}  // namespace
-
-double copy_and_measure_motion(const Nodes& from, const Eigen::Matrix3Xd& old, Eigen::Matrix3Xd& to) {
-  Motion even, odd, z;
-  const Eigen::Index count = from.cols(), stride = from.outerStride();
-  for (Eigen::Index a = 0; a < count; a += 2) {
-    // Two nodes at a time; the last of an odd number is paired with itself.
-    const Eigen::Index b = std::min(a + 1, count - 1);
-    const double *xa = from.data() + a * stride, *xb = from.data() + b * stride;
-    const double *oa = old.data() + 3 * a, *ob = old.data() + 3 * b;
-    double *na = to.data() + 3 * a, *nb = to.data() + 3 * b;
-    const Pair xya = load(xa), xyb = load(xb);
-    even.add(xya - load(oa));
-    odd.add(xyb - load(ob));
-    z.add(Pair{xa[2], xb[2]} - Pair{oa[2], ob[2]});
-    store(xya, na);
-    store(xyb, nb);
-    na[2] = xa[2], nb[2] = xb[2];
-  }
-  if (!(even.finite() && odd.finite() && z.finite())) return std::numeric_limits<double>::quiet_NaN();
-  // Components apart: at most sqrt(3) above the largest length, and a bound all the same.
-  return std::sqrt(std::max(even.largest[0], odd.largest[0]) + std::max(even.largest[1], odd.largest[1]) +
-                   std::max(z.largest[0], z.largest[1]));
+  return std::isfinite(sum.sum()) ? std::sqrt(largest.sum()) : std::numeric_limits<double>::quiet_NaN();
 }
 
 namespace {
 
-// Nine times the squared distances point to centroid and centroid to farthest corner: neither root nor
-// division.
-struct Extent {
-  double distance2, reach2;  // [m2] times 9
+constexpr double kUnknown = -std::numeric_limits<double>::infinity();
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kRounding = 1.0 + 1e-12;  // keeps an element that only round-off puts out of reach
+// Of the radius: rounding of the positions, step after step, stays far below.
+constexpr double kShare = 1e-9;
+// A box whose gap is this much of its size will do for long enough.
+constexpr double kWorthwhile = 0.05;
+
+// What is at least between a sphere and something, and the size of that [m].
+struct Bound {
+  double gap, size;
 };
 
-Extent extent(const Eigen::Matrix3Xi& triangles, const Eigen::Matrix3Xd& nodes, int element,
-              const Eigen::Vector3d& point) {
-  const auto corner = triangles.col(element);
-  const Eigen::Vector3d a = nodes.col(corner[0]), first = nodes.col(corner[1]) - a,
-                        second = nodes.col(corner[2]) - a;
+// Up to the circle about an element's centroid that holds its corners.
+Bound circle_bound(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c,
+                   const Eigen::Vector3d& centre, double radius) {
+  const Eigen::Vector3d first = b - a, second = c - a;
   const double f2 = first.squaredNorm(), fs = 2.0 * first.dot(second), s2 = second.squaredNorm();
   const double reach2 = std::max(f2 + s2 + fs, std::max(4.0 * f2 + s2 - 2.0 * fs, 4.0 * s2 + f2 - 2.0 * fs));
-  return {(3.0 * (a - point) + first + second).squaredNorm(), reach2};
+  const double circle = kRounding * std::sqrt(reach2) / 3.0;
+  const double distance = (3.0 * (a - centre) + first + second).norm() / 3.0;
+  return {distance / kRounding - circle - radius, circle};
 }
 
-constexpr double kRounding = 1.0 + 1e-12;  // keeps an element that only round-off puts out of reach
+// Up to the box around nodes.
+Bound box_bound(const Nodes& nodes, const int* begin, const int* end, const Eigen::Vector3d& centre,
+                double radius) {
+  Eigen::Array3d low = Eigen::Array3d::Constant(kInfinity), high = -low, sum = Eigen::Array3d::Zero();
+  for (const int* node = begin; node != end; ++node) {
+    const Eigen::Array3d x = nodes.col(*node);
+    low = low.min(x);
+    high = high.max(x);
+    sum += x;
+  }
+  // A minimum drops what is no number, a sum does not.
+  if (!std::isfinite(sum.sum())) return {std::numeric_limits<double>::quiet_NaN(), 0.0};
+  const Eigen::Array3d outside = (low - centre.array()).max(centre.array() - high).max(0.0);
+  return {outside.matrix().norm() / kRounding - radius - kShare * radius, (high - low).maxCoeff()};
+}
 
-// From a sphere of that radius about the point to the element's bounding circle, at most [m].
-double gap_of(const Extent& e, double radius) {
-  return (std::sqrt(e.distance2) - kRounding * std::sqrt(e.reach2)) / (3.0 * kRounding) - radius;
+// In four strands, which need not wait for each other.
+double least_of(const std::vector<double>& values) {
+  double least[4] = {kInfinity, kInfinity, kInfinity, kInfinity};
+  std::size_t i = 0;
+  for (; i + 4 <= values.size(); i += 4)
+    for (std::size_t strand = 0; strand < 4; ++strand)
+      least[strand] = std::min(least[strand], values[i + strand]);
+  for (; i < values.size(); ++i) least[0] = std::min(least[0], values[i]);
+  return std::min(std::min(least[0], least[1]), std::min(least[2], least[3]));
 }
 
 }  // namespace
 
-double gap_bound(const Eigen::Matrix3Xi& triangles, const Eigen::Matrix3Xd& nodes, int element,
-                 const Eigen::Vector3d& point, double radius) {
-  return gap_of(extent(triangles, nodes, element, point), radius);
-}
-
-void search_near_elements(const Eigen::Matrix3Xi& triangles, double radius, ContactState& state) {
-  const int count = static_cast<int>(triangles.cols());
-  const double listed = 3.0 * radius;
-  double nearest2 = std::numeric_limits<double>::infinity(), longest2 = 0.0;
-  state.near.clear();
-  for (int e = 0; e < count; ++e) {
-    const Extent x = extent(triangles, state.nodes, e, state.centre);
-    nearest2 = std::min(nearest2, x.distance2);
-    longest2 = std::max(longest2, x.reach2);
-    // Cheap, and misses none: g < d + R gives g^2 < (d + R)^2 <= 2 (d^2 + R^2).
-    if (!(x.distance2 < kRounding * 2.0 * (9.0 * listed * listed + x.reach2))) continue;
-    const double gap = gap_of(x, radius);
-    if (gap < listed - radius) state.near.push_back({e, gap});
-  }
-  const double gap = (std::sqrt(nearest2) - std::sqrt(longest2)) / 3.0 - radius;
-  state.reach = std::max(listed - radius, gap);
+void forget_gaps(ContactState& state) {
+  std::fill(state.slack.begin(), state.slack.end(), kUnknown);
+  std::fill(state.group_slack.begin(), state.group_slack.end(), kUnknown);
   state.travelled = 0.0;
-  state.gap = 0.0;
-  ++state.searches;
+  state.nearest = 0;
 }
 
-double reach_of_gap(const Eigen::Matrix3Xi& triangles, double radius, const ContactState& state) {
-  double reach = state.reach;
-  const auto look_at = [&](int e) {
-    const auto corner = triangles.col(e);
-    const double distance = distance_to_triangle(state.centre, state.nodes.col(corner[0]),
-                                                 state.nodes.col(corner[1]), state.nodes.col(corner[2]));
-    reach = std::min(reach, state.travelled + distance - radius);
-  };
-  // That of the least slack first: its distance lets most others pass.
-  const auto first = std::min_element(state.near.begin(), state.near.end(),
-                                      [](const auto& a, const auto& b) { return a.slack < b.slack; });
-  if (first == state.near.end()) return reach;
-  look_at(first->element);
-  for (const auto& [e, slack] : state.near)
-    if (slack < reach && e != first->element) look_at(e);
-  return reach;
+double Search::exact_gap(int element) const {
+  const auto corner = triangles.col(element);
+  return distance_to_triangle(state.centre, nodes.col(corner[0]), nodes.col(corner[1]),
+                              nodes.col(corner[2])) -
+         radius - kShare * radius;
 }
 
-void sweep_centre_path(const Eigen::Matrix3Xi& triangles, double radius, const Eigen::Vector3d& next_centre,
-                       ContactState& state) {
+// Gap of the element: exact if it is less than the element's own size or than `wanted`, else a bound that
+// costs a fifth.
+double Search::look(int element, double wanted) {
+  ++state.looks;
+  const auto corner = triangles.col(element);
+  const Bound bound =
+      circle_bound(nodes.col(corner[0]), nodes.col(corner[1]), nodes.col(corner[2]), state.centre, radius);
+  return bound.gap > std::max(bound.size, wanted) ? bound.gap : exact_gap(element);
+}
+
+// Calls found(element, gap) for the elements looked at: those that may be nearer than `wanted`.
+template <class Found>
+void Search::look_at_group(std::size_t g, double wanted, Found&& found) {
+  const Bound box = box_bound(nodes, groups.nodes.data() + groups.first_node[g],
+                              groups.nodes.data() + groups.first_node[g + 1], state.centre, radius);
+  if (!std::isfinite(box.gap)) throw ContactError("contact: a node or the sphere's centre is not finite");
+  state.group_slack[g] = state.travelled + box.gap;
+  if (box.gap > std::max(kWorthwhile * box.size, wanted)) return;
+  const std::size_t first = g * ElementGroups::kSize,
+                    last = std::min(first + ElementGroups::kSize, state.slack.size());
+  const double needed = state.travelled + wanted;
+  double least = kInfinity;
+  for (std::size_t k = first; k < last; ++k) {
+    if (!(needed < state.slack[k])) {
+      const double gap = look(groups.elements[k], wanted);
+      state.slack[k] = state.travelled + gap;
+      found(groups.elements[k], gap);
+    }
+    least = std::min(least, state.slack[k]);
+  }
+  state.group_slack[g] = std::max(state.group_slack[g], least);
+}
+
+void Search::find_near_elements() {
+  state.near.clear();
+  const double travelled = state.travelled;
+  for (std::size_t g = 0; g < groups.count(); ++g)
+    if (!(travelled < state.group_slack[g]))
+      look_at_group(g, 0.0, [&](int element, double gap) {
+        if (!(gap > 0.0)) state.near.push_back(element);
+      });
+  std::sort(state.near.begin(), state.near.end());
+  state.gap = least_of(state.group_slack);
+}
+
+void Search::settle_gap() {
+  if (!state.near.empty()) return;
+  // While one element is within the step ahead no level will do without a look: that of the last level,
+  // mostly.
+  double least = exact_gap(state.nearest);
+  const double wanted = std::max(state.ahead, 0.5 * least);
+  if (!(least > state.ahead) || state.travelled + wanted < state.gap) return;
+  for (std::size_t g = 0; g < groups.count() && least > state.ahead; ++g)
+    if (!(state.travelled + wanted < state.group_slack[g]))
+      look_at_group(g, wanted, [&](int element, double gap) {
+        if (gap < least) state.nearest = element;
+        least = std::min(least, gap);
+      });
+  state.gap = least_of(state.group_slack);
+}
+
+void sweep_centre_path(const Eigen::Matrix3Xi& triangles, double radius, const Nodes& nodes,
+                       const Eigen::Vector3d& next_centre, ContactState& state) {
   ++state.sweeps;
   for (Eigen::Index e = 0; e < triangles.cols(); ++e) {
     Eigen::Matrix3d start, end;
     for (int i = 0; i < 3; ++i) {
       start.col(i) = state.nodes.col(triangles(i, e)) - state.centre;
-      end.col(i) = state.next_nodes.col(triangles(i, e)) - next_centre;
+      end.col(i) = nodes.col(triangles(i, e)) - next_centre;
     }
     // A centre this close to the skin is far beyond the penetration allowed, whichever side it ends on.
     if (path_meets_triangle(start, end, 0.01 * radius))

@@ -4,25 +4,37 @@
 
 namespace coupling::detail {
 
-// Copies `from` into `to` and returns an upper bound (at most sqrt(3) times) of the largest distance [m] of a
-// column from that of `old`; NaN when a coordinate is not finite.
-double copy_and_measure_motion(const Nodes& from, const Eigen::Matrix3Xd& old, Eigen::Matrix3Xd& to);
+// An upper bound (at most sqrt(3) times) of the largest distance [m] between columns of the two; NaN when a
+// coordinate is not finite.
+double largest_motion(const Nodes& nodes, const Eigen::Matrix3Xd& old);
 
-// No more than what is between a sphere of that radius about `point` and the element [m]: up to the circle
-// about the centroid that holds the corners. Positive only if they do not touch.
-double gap_bound(const Eigen::Matrix3Xi& triangles, const Eigen::Matrix3Xd& nodes, int element,
-                 const Eigen::Vector3d& point, double radius);
+// Forgets what is known of the gaps: the next search looks at every group.
+void forget_gaps(ContactState& state);
 
-// Rebuilds state.near and state.reach for state.nodes and state.centre: every element off the list is at
-// least radius + reach away, reach >= 2 radius.
-void search_near_elements(const Eigen::Matrix3Xi& triangles, double radius, ContactState& state);
+// One level of a skin, and the sphere that searches it.
+struct Search {
+  const Eigen::Matrix3Xi& triangles;
+  const ElementGroups& groups;
+  const Nodes& nodes;
+  double radius;
+  ContactState& state;  // with the level's `centre` and `travelled`
 
-// Motion since the search at which the sphere may first touch: exact distances to the elements on the list,
-// state.reach for those off it.
-double reach_of_gap(const Eigen::Matrix3Xi& triangles, double radius, const ContactState& state);
+  // Looks at what the motion may have brought to the sphere and lists the elements that overlap it in
+  // state.near, ascending; state.gap follows. Throws ContactError where a coordinate is not finite.
+  void find_near_elements();
+  // Makes state.gap, if it is less, more than state.ahead where so much is free, and at least half of what is
+  // free.
+  void settle_gap();
 
-// (K.15) for the whole skin, from state.nodes to state.next_nodes. Throws ContactError.
-void sweep_centre_path(const Eigen::Matrix3Xi& triangles, double radius, const Eigen::Vector3d& next_centre,
-                       ContactState& state);
+ private:
+  double exact_gap(int element) const;
+  double look(int element, double wanted);
+  template <class Found>
+  void look_at_group(std::size_t g, double wanted, Found&& found);
+};
+
+// (K.15) for the whole skin, from state.nodes to `nodes`. Throws ContactError.
+void sweep_centre_path(const Eigen::Matrix3Xi& triangles, double radius, const Nodes& nodes,
+                       const Eigen::Vector3d& next_centre, ContactState& state);
 
 }  // namespace coupling::detail

@@ -15,6 +15,8 @@ namespace {
 
 using Eigen::Vector3d;
 
+constexpr double kRounding = 1.0 + 1e-12;  // of a motion bound that others computed
+
 void check_nodes(const Triangles& triangles, Eigen::Index node_count) {
   for (Eigen::Index e = 0; e < triangles.cols(); ++e)
     for (int i = 0; i < 3; ++i)
@@ -65,13 +67,15 @@ ContactModel::ContactModel(const Triangles& triangles, const Nodes& reference, s
       detail::reject("contact.open_elements", std::to_string(e), "an element number");
     weights_[static_cast<std::size_t>(e)] = 0.0;
   }
+  groups_ = make_groups(triangles, reference);
   full_omega_squared_ = full_omega_squared_of_skin();
 }
 
 ContactState ContactModel::make_state() const {
   ContactState state;
   state.nodes = Eigen::Matrix3Xd::Zero(3, node_count());
-  state.next_nodes = state.nodes;
+  state.slack.resize(subdivision_.size());
+  state.group_slack.resize(groups_.count());
   state.near.reserve(subdivision_.size());
   state.nodal_stiffness.assign(masses_.size(), 0.0);
   if (parameters_.friction > 0.0) {
@@ -86,65 +90,78 @@ ContactState ContactModel::make_state() const {
 }
 
 bool ContactModel::stays_clear(ContactState& state, double motion, double ahead) const {
-  constexpr double kRounding = 1.0 + 1e-12;
   state.ahead = ahead;
+  state.told = motion;
   // Not a number compares false.
   if (!state.started || !(state.travelled + kRounding * motion + ahead < state.gap)) return false;
   state.travelled += kRounding * motion;
-  state.unseen += kRounding * motion;
+  state.told = ContactState::kNotTold;
   ++state.skips;
   return true;
 }
 
-// Takes the new level into the state: certificate or sweep for the path, then a valid list.
+// Takes the new level into the state: certificate or sweep for the path, then the elements that overlap.
 void ContactModel::follow(ContactState& state, const Nodes& nodes, const Vector3d& centre) const {
   const double radius = parameters_.sphere_radius;
-  const double motion =
-      detail::copy_and_measure_motion(nodes, state.nodes, state.next_nodes) + (centre - state.centre).norm();
-  if (!std::isfinite(motion)) throw ContactError("contact: a node or the sphere's centre is not finite");
-  // No skin point was nearer to the centre than `clearance`: less motion than that cannot bring them
-  // together.
-  if (state.started && !(motion < state.clearance))
-    detail::sweep_centre_path(triangles_, radius, centre, state);
-  state.nodes.swap(state.next_nodes);
+  if (!state.started) detail::forget_gaps(state);
+  double motion = state.told;
+  if (!(motion >= 0.0)) motion = detail::largest_motion(nodes, state.nodes) + (centre - state.centre).norm();
+  if (!std::isfinite(motion) || !centre.allFinite())
+    throw ContactError("contact: a node or the sphere's centre is not finite");
+  // No skin point was nearer to the centre than this: less motion cannot bring them together.
+  const double clearance = radius + state.gap - state.travelled;
+  if (state.started && !(motion < clearance)) {
+    if (!state.kept)
+      throw ContactError("contact: skin and sphere moved " + detail::text(motion) +
+                         " m within one step, where " + detail::text(state.ahead) +
+                         " m were expected: too far to tell whether the centre crossed the skin");
+    detail::sweep_centre_path(triangles_, radius, nodes, centre, state);
+  }
+  state.travelled += kRounding * motion;
+  state.told = ContactState::kNotTold;
   state.shift = centre - state.centre;
   state.centre = centre;
-  // What was bounded since the last call is now measured.
-  state.travelled += motion - state.unseen;
-  state.unseen = 0.0;
-  if (!state.started || !(state.travelled + state.ahead < state.reach))
-    detail::search_near_elements(triangles_, radius, state);
+  detail::Search search{triangles_, groups_, nodes, radius, state};
+  search.find_near_elements();
+  search.settle_gap();
   state.bristles.swap(state.old_bristles);
   state.bristles.clear();
   if (!state.started) state.old_bristles.clear();
   state.started = true;
 }
 
-// What the corners moved since the last level, which `next_nodes` still holds.
-void ContactModel::aim(int e, const ContactState& state, detail::Grip& grip) const {
+// The positions that the next call may need: for its sweep if the motion ahead may be too long for the
+// certificate, and for the skin's motion under bristles.
+void ContactModel::keep(ContactState& state, const Nodes& nodes) const {
+  const double clearance = parameters_.sphere_radius + state.gap - state.travelled;
+  const bool certain = state.ahead > 0.0 && state.ahead < clearance;
+  state.kept = !certain || !state.bristles.empty();
+  if (state.kept) state.nodes = nodes;
+}
+
+// What the corners moved since the last level. Without kept positions there is no bristle that follows them.
+void ContactModel::aim(int e, const ContactState& state, const Nodes& nodes, detail::Grip& grip) const {
   const auto corner = triangles_.col(e);
   Vector3d moved[3];
-  for (int i = 0; i < 3; ++i)
-    moved[i] = state.nodes.col(corner[i]) - state.next_nodes.col(corner[i]) - state.shift;
+  for (int i = 0; i < 3; ++i) moved[i] = nodes.col(corner[i]) - state.nodes.col(corner[i]) - state.shift;
   grip.origin = moved[0];
   grip.first = moved[1] - moved[0];
   grip.second = moved[2] - moved[0];
   grip.element = e;
 }
 
-void ContactModel::add_element(int e, detail::Grip* grip, ContactState& state, NodalForces& forces,
-                               ContactResult& result) const {
+void ContactModel::add_element(int e, detail::Grip* grip, ContactState& state, const Nodes& nodes,
+                               NodalForces& forces, ContactResult& result) const {
   const double radius = parameters_.sphere_radius, kappa = parameters_.stiffness;
   const auto corner = triangles_.col(e);
-  const Vector3d a = state.nodes.col(corner[0]) - state.centre, b = state.nodes.col(corner[1]) - state.centre,
-                 c = state.nodes.col(corner[2]) - state.centre;
+  const Vector3d a = nodes.col(corner[0]) - state.centre, b = nodes.col(corner[1]) - state.centre,
+                 c = nodes.col(corner[2]) - state.centre;
   const auto index = static_cast<std::size_t>(e);
   const detail::Element element{a, b - a, c - a, weights_[index], subdivision_[index]};
-  if (grip) aim(e, state, *grip);
+  if (grip) aim(e, state, nodes, *grip);
   const detail::ElementSums sums = detail::integrate(element, radius, grip);
-  const double distance = std::sqrt(sums.least_distance2);
-  state.clearance = std::min(state.clearance, distance - detail::cover(element));
   if (!(sums.area > 0.0)) return;
+  const double distance = std::sqrt(sums.least_distance2);
   for (int i = 0; i < 3; ++i) {
     const Vector3d force = kappa * sums.force[i];
     forces.col(corner[i]) += force;
@@ -160,39 +177,17 @@ void ContactModel::add_element(int e, detail::Grip* grip, ContactState& state, N
   }
 }
 
-// The gap that lets the next levels pass unseen: exact where the list has elements, its reach elsewhere.
-void ContactModel::measure_gap(ContactState& state, const ContactResult& result) const {
-  if (result.deepest_element >= 0) {
-    state.gap = 0.0;
-    return;
-  }
-  const double radius = parameters_.sphere_radius;
-  // Rounding of the positions, step after step, stays far below.
-  constexpr double kShare = 1e-9;
-  if (!(state.travelled + state.ahead < state.gap))
-    state.gap = detail::reach_of_gap(triangles_, radius, state) - kShare * radius;
-  state.clearance = std::max(state.clearance, radius + state.gap - state.travelled);
-}
-
 ContactResult ContactModel::evaluate(ContactState& state, const Nodes& nodes, const Vector3d& centre,
                                      NodalForces forces, const Vector3d& turn) const {
   if (nodes.cols() != node_count() || forces.cols() != node_count())
     detail::reject("contact.nodes", std::to_string(nodes.cols()) + " columns", "as many as at build");
   follow(state, nodes, centre);
   ContactResult result;
-  state.clearance = parameters_.sphere_radius;
   detail::Grip grip{{}, {}, {}, turn, parameters_.friction, -1, state.old_bristles, 0, state.bristles, 0.0};
   detail::Grip* const used = parameters_.friction > 0.0 ? &grip : nullptr;
-  for (auto& [element, slack] : state.near) {
-    if (state.travelled < slack) continue;
-    const double gap = detail::gap_bound(triangles_, state.nodes, element, centre, parameters_.sphere_radius);
-    if (gap > 0.0)
-      slack = state.travelled + gap;
-    else
-      add_element(element, used, state, forces, result);
-  }
+  for (const int element : state.near) add_element(element, used, state, nodes, forces, result);
   if (used) result.friction_loss = parameters_.stiffness * detail::release_rest(grip);
-  measure_gap(state, result);
+  keep(state, nodes);
   if (result.deepest_element < 0) return result;
   bound_stiffness(state, result);
   if (result.penetration > 0.5 * parameters_.sphere_radius)

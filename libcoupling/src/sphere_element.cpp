@@ -114,11 +114,4 @@ double release_rest(Grip& grip) {
   return grip.loss;
 }
 
-// No point of a sub-triangle is farther from its centroid than two thirds of its longest edge.
-double cover(const Element& element) {
-  const double edge2 = std::max({element.first.squaredNorm(), element.second.squaredNorm(),
-                                 (element.second - element.first).squaredNorm()});
-  return 2.0 / 3.0 * std::sqrt(edge2) / element.subdivision;
-}
-
 }  // namespace coupling::detail

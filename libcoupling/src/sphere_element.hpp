@@ -43,7 +43,4 @@ ElementSums integrate(const Element& element, double radius, Grip* grip);
 // What the friction lost, with the points that have left the sphere after the last element [J] over kappa.
 double release_rest(Grip& grip);
 
-// No point of the element is farther from the nearest quadrature point than this [m].
-double cover(const Element& element);
-
 }  // namespace coupling::detail

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The paper's scene with its jet over its whole 100 ms: books, and the impactor's side of the skin.
+// The paper's scene, with its jet and without, over its whole 100 ms: books, and the impactor's side of the skin.
 #include <gtest/gtest.h>
 
 #include "coupling/side.hpp"
@@ -7,8 +7,12 @@
 
 namespace {
 
-TEST(passenger_long, books_close_and_the_sphere_stays_outside_for_100_ms) {
-  const driver::Scene scene = coupled::scene_of("passenger_pendulum");
+class passenger_long : public testing::TestWithParam<const char*> {};
+INSTANTIATE_TEST_SUITE_P(scenes, passenger_long,
+                         testing::Values("passenger_pendulum", "passenger_pendulum_no_jet"));
+
+TEST_P(passenger_long, books_close_and_the_sphere_stays_outside_for_100_ms) {
+  const driver::Scene scene = coupled::scene_of(GetParam());
   driver::State state = driver::make_state(scene);
   int rows = 0;
   const auto outcome =
@@ -33,7 +37,7 @@ TEST(passenger_long, books_close_and_the_sphere_stays_outside_for_100_ms) {
 }
 
 // As without the jet: chaotic, no order, but half at a quarter of the step.
-TEST(passenger_long, drift_falls_with_the_step_with_the_jet_too) {
+TEST(passenger_long_drift, falls_with_the_step_with_the_jet_too) {
   const auto coarse = coupled::run_case("passenger_pendulum", {"scene.end_time=0.03"});
   const auto fine = coupled::run_case("passenger_pendulum", {"scene.end_time=0.03", "time.safety=0.2"});
   ASSERT_EQ(coarse.outcome.status, driver::RunStatus::done) << coarse.outcome.message;

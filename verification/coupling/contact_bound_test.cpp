@@ -144,7 +144,8 @@ TEST(ContactBound, free_gap_is_measured_when_what_lies_ahead_may_close_it) {
   EXPECT_TRUE(model.stays_clear(state, 0.0, 0.29 * kRadius));
   ASSERT_FALSE(model.stays_clear(state, 0.0, 0.31 * kRadius));
   model.evaluate(state, skin.nodes, centre, forces);
-  EXPECT_NEAR(coupling::ContactModel::free_gap(state), 0.5 * kRadius, 1e-8 * kRadius);
+  EXPECT_GT(coupling::ContactModel::free_gap(state), 0.31 * kRadius);
+  EXPECT_LE(coupling::ContactModel::free_gap(state), 0.5 * kRadius);
   model.evaluate(state, skin.nodes, {0.001, 0.002, 0.9 * kRadius}, forces);
   EXPECT_EQ(coupling::ContactModel::free_gap(state), 0.0);
 }

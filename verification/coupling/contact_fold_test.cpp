@@ -73,7 +73,7 @@ TEST(ContactFold, ridge_deeper_than_half_the_radius_is_refused) {
     };
     const double deepest = claim::largest_passing(0.2 * kRadius, 0.8 * kRadius, 1e-3, passes);
     claim::expect_threshold(
-        {"K.15", "ridge at " + std::to_string(static_cast<int>(degrees)) + " degrees from straight down",
+        {"K.24", "ridge at " + std::to_string(static_cast<int>(degrees)) + " degrees from straight down",
          "the nearest point is up to 0.014 r off the ridge: as much depth, where it is sharp"},
         {"sharp fold", "depth r/2, at any angle", 0.5 * kRadius, deepest, "m",
          "exit 3, naming element, depth and limit; the force up to there falls with the angle"},

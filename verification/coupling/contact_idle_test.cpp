@@ -63,6 +63,89 @@ TEST(ContactIdle, skipped_levels_touch_nothing_and_the_rest_keep_their_bits) {
     }
 }
 
+// As the driver steps: a sphere falls on a plate that waves and is thrown back, told what its levels and the
+// ones ahead move. Bits are those of a fresh state, the answer on what is free that of all elements'
+// distances.
+TEST(ContactIdle, levels_told_their_motion_keep_their_bits) {
+  for (const double size : {0.5, 2.0})
+    for (const double friction : {0.0, 0.3}) {
+      const scenes::Skin flat = scenes::plate(static_cast<int>(12.0 / size), size * kRadius);
+      const auto model = scenes::contact(flat, kRadius, kStiffness, 8.41, friction);
+      auto state = model.make_state();
+      const auto height = [](double s) { return kRadius * (0.9 + 1.5 * std::abs(std::sin(s))); };
+      const double step = 4e-3, speed = 1.8 * kRadius + 0.5;  // [m/s] of what both can do against each other
+      Matrix3Xd forces = Matrix3Xd::Zero(3, flat.nodes.cols());
+      int touching = 0, kept = 0, free = 0, looked = 0;
+      for (int n = 0; n < 1500; ++n) {
+        const double s = step * n, ahead = 1.5 * step * speed;
+        Matrix3Xd nodes = flat.nodes;
+        for (Eigen::Index a = 0; a < nodes.cols(); ++a)
+          nodes(2, a) += 0.1 * kRadius * std::sin(3.0 * s + 20.0 * nodes(0, a));
+        const Vector3d centre(0.1 * std::sin(s), 0.1 * std::cos(0.7 * s), height(s));
+        const auto fresh = scenes::touch(model, nodes, centre);
+        touching += fresh.result.deepest_element >= 0;
+        const double gap = coupling::smallest_gap(flat.triangles, nodes, centre, kRadius).distance;
+        if (model.stays_clear(state, step * speed, ahead)) {
+          EXPECT_GT(gap, ahead) << n;
+          continue;
+        }
+        ++looked;
+        const auto result = model.evaluate(state, nodes, centre, forces.setZero());
+        kept += state.kept;
+        free += coupling::ContactModel::free_gap(state) > ahead;
+        EXPECT_EQ(result.area, fresh.result.area) << n;
+        EXPECT_EQ(result.penetration, fresh.result.penetration) << n;
+        EXPECT_EQ(coupling::ContactModel::free_gap(state) > ahead, gap - 1e-9 * kRadius > ahead) << n;
+        if (friction > 0.0) continue;  // a fresh state knows of no stretch
+        EXPECT_EQ(forces, fresh.forces) << n;
+      }
+      EXPECT_GT(touching, 50) << size;
+      EXPECT_GT(free, 30) << size;
+      EXPECT_GT(state.skips, 100) << size;
+      // Positions are kept at the first level and, with friction, in touch.
+      EXPECT_EQ(kept > 10, friction > 0.0) << kept;
+      // A pass over all elements at the first level, a few of them at the others.
+      EXPECT_LT(state.looks, model.element_count() + 30 * looked + 0.05 * model.element_count() * looked)
+          << size;
+    }
+}
+
+// A promise that was broken by more than it allows is no motion that could be tested.
+TEST(ContactIdle, motion_far_beyond_what_was_told_is_refused) {
+  const scenes::Skin skin = scenes::plate(6, kRadius);
+  const auto model = scenes::contact(skin, kRadius, kStiffness);
+  auto state = model.make_state();
+  Matrix3Xd forces = Matrix3Xd::Zero(3, skin.nodes.cols());
+  const auto go = [&](double height, double motion, double ahead) {
+    if (!model.stays_clear(state, motion, ahead))
+      model.evaluate(state, skin.nodes, {0.001, 0.002, height}, forces.setZero());
+  };
+  go(1.2 * kRadius, 0.0, 0.3 * kRadius);
+  EXPECT_FALSE(state.kept);
+  EXPECT_NO_THROW(go(0.8 * kRadius, 0.4 * kRadius, 0.3 * kRadius));
+  EXPECT_FALSE(state.kept);
+  try {
+    go(-0.8 * kRadius, 1.6 * kRadius, 0.3 * kRadius);
+    ADD_FAILURE();
+  } catch (const coupling::ContactError& error) {
+    EXPECT_NE(std::string(error.what()).find("within one step, where 0.0123 m were expected"),
+              std::string::npos)
+        << error.what();
+  }
+}
+
+// A corner that is no number is refused where it is looked at, told the motion or not.
+TEST(ContactIdle, corner_that_is_no_number_is_refused_where_it_is_looked_at) {
+  scenes::Skin skin = scenes::plate(6, kRadius);
+  const auto model = scenes::contact(skin, kRadius, kStiffness);
+  auto state = model.make_state();
+  Matrix3Xd forces = Matrix3Xd::Zero(3, skin.nodes.cols());
+  model.evaluate(state, skin.nodes, {0.0, 0.0, 1.1 * kRadius}, forces);
+  skin.nodes(1, 24) = std::nan("");  // under the sphere
+  EXPECT_FALSE(model.stays_clear(state, 0.2 * kRadius, 0.1 * kRadius));
+  EXPECT_THROW(model.evaluate(state, skin.nodes, {0.0, 0.0, 1.1 * kRadius}, forces), coupling::ContactError);
+}
+
 TEST(ContactIdle, first_level_and_motion_that_is_no_number_are_never_clear) {
   const scenes::Skin skin = scenes::plate(4, kRadius);
   const auto model = scenes::contact(skin, kRadius, kStiffness);

@@ -127,7 +127,7 @@ TEST(Side, start_is_refused_up_to_touch) {
   const auto starts_outside = [](double centre) { return refusal({centre, 0.0, 0.0}, 0.2).empty(); };
   const double nearest =
       claim::largest_passing(0.01, 3.0, 1e-11, [&](double x) { return !starts_outside(x); });
-  claim::expect_threshold({"K.14", "sphere of 0.2 m outside a closed skin of 1 m, from its centre outwards",
+  claim::expect_threshold({"K.24", "sphere of 0.2 m outside a closed skin of 1 m, from its centre outwards",
                            "overlap of 1e-9 radii is round-off; bisection to 1e-11"},
                           {"sphere that starts inside", "distance of the centre = R + r", 1.2, nearest, "m",
                            "nearer: exit 2, naming pendulum.impactor and the element"},

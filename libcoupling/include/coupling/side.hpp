@@ -26,8 +26,9 @@ struct Gap {
 Gap smallest_gap(const Triangles& triangles, const Nodes& nodes, const Eigen::Vector3d& centre,
                  double radius);
 
-// Checks that a sphere lies outside a closed surface and does not overlap it by more than 1e-9 radius (the
-// round-off of placing it in touch). Throws std::invalid_argument naming pendulum.impactor and the element.
+// (K.24) Checks that a sphere lies outside a closed surface and does not overlap it by more than 1e-9 radius
+// (the round-off of placing it in touch). Throws std::invalid_argument naming pendulum.impactor and the
+// element.
 void require_outside(const Triangles& triangles, const Nodes& nodes, const Eigen::Vector3d& centre,
                      double radius);
 

@@ -2,9 +2,11 @@
 #pragma once
 #include <Eigen/Core>
 #include <algorithm>
+#include <limits>
 #include <span>
 #include <vector>
 
+#include "coupling/element_groups.hpp"
 #include "coupling/error.hpp"
 #include "coupling/skin.hpp"
 
@@ -45,12 +47,6 @@ struct ContactResult {
   double omega_squared() const { return omega_squared_skin + omega_squared_sphere; }
 };
 
-// An element that the sphere may reach before the next search.
-struct NearElement {
-  int element;   // its number
-  double slack;  // [m] relative motion since the search below which it cannot touch; grows when looked at
-};
-
 // A quadrature point that sticks or slides.
 struct Bristle {
   int element;              // its number
@@ -63,24 +59,27 @@ struct Bristle {
 // on nodes and centre alone, bit for bit; what it carries from call to call only makes them cheap, and lets
 // the centre's path be tested. With friction, `bristles` are a history that the results do depend on.
 struct ContactState {
-  Eigen::Matrix3Xd nodes;                            // (3 x N) [m] at the last call
-  Eigen::Matrix3Xd next_nodes;                       // (3 x N) [m] scratch
   Eigen::Vector3d centre = Eigen::Vector3d::Zero();  // [m] at the last call
-  double clearance = 0.0;                            // [m] lower bound of centre to skin at the last call
-  double travelled = 0.0;                            // [m] bound of the relative motion since the last search
-  double reach = 0.0;                                // [m] search again when travelled gets here
-  double gap = 0.0;                                  // [m] nothing touches while travelled is below
-  double unseen = 0.0;                               // [m] part of travelled since the last call
-  double ahead = 0.0;                                // [m] measure the gap anew when less is left
+  Eigen::Vector3d shift = Eigen::Vector3d::Zero();   // [m] of the centre up to the last call
+  Eigen::Matrix3Xd nodes;                            // (3 x N) [m] at the last call, if kept
+  bool kept = false;                                 // a step may come that needs them
   bool started = false;                              // false: no last call
-  std::vector<NearElement> near;                     // in ascending order of elements
-  std::vector<double> nodal_stiffness;               // (N) [N/m] zero between calls
-  Eigen::Vector3d shift = Eigen::Vector3d::Zero();   // [m] of the centre at the last call
-  std::vector<Bristle> bristles;                     // by element and point; of the last call
-  std::vector<Bristle> old_bristles;                 // and of the one before it
-  int searches = 0;                                  // counter: rebuilds of `near`
-  int skips = 0;                                     // counter: levels that were certain to be idle
-  int sweeps = 0;                                    // counter: swept tests of the whole skin
+  double travelled = 0.0;                            // [m] bound of the relative motion since the first call
+  double told = kNotTold;                            // [m] motion since the last level, by stays_clear
+  double ahead = 0.0;                                // [m] motion that has to fit into the gap
+  double gap = 0.0;                 // [m] nothing touches while travelled is below: least slack
+  std::vector<double> slack;        // (M) [m] by place in the groups: cannot touch while travelled is below
+  std::vector<double> group_slack;  // (groups) [m] least of each, or less
+  std::vector<int> near;            // elements that overlap the sphere, ascending
+  int nearest = 0;                  // an element within `ahead` at the last level that had one
+  std::vector<double> nodal_stiffness;  // (N) [N/m] zero between calls
+  std::vector<Bristle> bristles;        // by element and point; of the last call
+  std::vector<Bristle> old_bristles;    // and of the one before it
+  int looks = 0;                        // counter: elements whose gap was computed
+  int skips = 0;                        // counter: levels that were certain to be idle
+  int sweeps = 0;                       // counter: swept tests of the whole skin
+
+  static constexpr double kNotTold = std::numeric_limits<double>::quiet_NaN();
 };
 
 // Penalty contact of a sphere with the skin, (K.11), and the bound of its stiffness, (K.12). Immutable.
@@ -101,16 +100,18 @@ class ContactModel {
   // Calls of one state belong to successive levels: between the last call and this one the centre and every
   // skin point are taken to move on straight lines at constant speed, and the centre must not meet the skin
   // (K.15). Set state.started = false to begin anew. No allocation. Throws ContactError, naming the element,
-  // when the penetration exceeds r/2, when the centre crosses the skin and when a coordinate is not finite;
-  // `forces` are then not to be used. `turn` [rad] is the sphere's rotation since the last call; only
-  // friction feels it.
+  // when the penetration exceeds r/2 (K.24), when the centre crosses the skin and when a coordinate is not
+  // finite (all are looked at unless stays_clear was told the motion); `forces` are then not to be used.
+  // `turn` [rad] is the sphere's rotation since the last call; only friction feels it.
   ContactResult evaluate(ContactState& state, const Nodes& nodes, const Eigen::Vector3d& centre,
                          NodalForces forces, const Eigen::Vector3d& turn = Eigen::Vector3d::Zero()) const;
 
   // Is it certain that nothing touches at this level, which needs no call of `evaluate` then? `motion` [m]
-  // bounds how far skin points and centre have moved relative to each other since the last level. The answer
-  // costs a comparison; it is `false` at the first level and whenever the gap last seen may be used up.
-  // `ahead` [m] is the motion that free_gap has to see: `evaluate` measures anew what may be less.
+  // bounds how far skin points and centre have moved relative to each other since the last level; if the
+  // answer is `false`, the call of `evaluate` takes it from here, else it measures the motion of every node.
+  // The answer costs a comparison; it is `false` at the first level and whenever the gap last seen may be
+  // used up. `ahead` [m] > 0 bounds the next level's motion, up to a factor of two: free_gap has to see it,
+  // and positions are kept from level to level only where a path may need testing over such a motion.
   bool stays_clear(ContactState& state, double motion, double ahead = 0.0) const;
 
   // Lower bound of the relative motion before anything touches [m]; 0 in touch.
@@ -129,15 +130,16 @@ class ContactModel {
   static constexpr int kMaxSubdivision = 512;  // of an element, else the constructor throws
 
  private:
-  void measure_gap(ContactState& state, const ContactResult& result) const;
   void follow(ContactState& state, const Nodes& nodes, const Eigen::Vector3d& centre) const;
-  void aim(int element, const ContactState& state, detail::Grip& grip) const;
-  void add_element(int element, detail::Grip* grip, ContactState& state, NodalForces& forces,
-                   ContactResult& result) const;
+  void keep(ContactState& state, const Nodes& nodes) const;
+  void aim(int element, const ContactState& state, const Nodes& nodes, detail::Grip& grip) const;
+  void add_element(int element, detail::Grip* grip, ContactState& state, const Nodes& nodes,
+                   NodalForces& forces, ContactResult& result) const;
   void bound_stiffness(ContactState& state, ContactResult& result) const;
   double full_omega_squared_of_skin() const;
 
   Eigen::Matrix3Xi triangles_;
+  ElementGroups groups_;
   std::vector<double> weights_;   // (M) [m2] reference area of one sub-triangle
   std::vector<int> subdivision_;  // (M) n
   std::vector<double> masses_;    // (N) [kg]
