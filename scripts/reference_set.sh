@@ -5,8 +5,8 @@
 #   --work FOLDER  keep the runs there; ensembles that are there already are taken as they are
 # Bands are half widths, one for each column, in the reference's own header with their reason:
 #   closed form: twice the largest difference to it;
-#   refinement: twice the largest change when the step is halved, plus twice that when each element of the same polyhedron is cut in
-#   four (of numbers of elements, a quarter of them then);
+#   refinement: twice the largest change when the step is halved, plus 1.5 times that when each element of the same polyhedron is cut
+#   in 16 (of numbers of elements, a 16th of them then): an error of first order is 4/3 of that change, one of second 16/15;
 #   chaotic scenes: five standard deviations of a run, or twice what the case without displacements differs from the mean, the
 #   largest within 2 ms. Fails where a band would be as wide as its signal.
 # At least round-off: 1e-12 of the column's largest magnitude, eps times some thousand additions.
@@ -42,10 +42,10 @@ differences() {
   { "$gasjet" compare "$1" "$2" || [[ $? == 4 ]]; } | awk '$2 + 0 == $2 && NF > 8 && $1 != "quantity" { print $1, $2 }'
 }
 
-# quarter_of_elements HISTORY: of a bag whose elements are cut in four, numbers of elements as of the uncut one
-quarter_of_elements() {
+# sixteenth_of_elements HISTORY: of a mesh whose elements are cut in 16, numbers of elements as of the uncut one
+sixteenth_of_elements() {
   awk -F, -v OFS=, '/^#/ { print; next } !n++ { for (i = 1; i <= NF; i++) if ($i ~ /_elements$/) counts[i]; print; next }
-    { for (i in counts) $i = sprintf("%.17g", $i / 4); print }' "$1"
+    { for (i in counts) $i = sprintf("%.17g", $i / 16); print }' "$1"
 }
 
 # widths FACTOR REASON: reads `column difference`, prints `column width reason`
@@ -100,8 +100,8 @@ refined() {
   if [[ -n $mesh ]]; then
     # shellcheck disable=SC2086
     run mesh $mesh
-    quarter_of_elements "$work/$scene.mesh/history.csv" >"$work/$scene.cut.csv"
-    differences "$work/$scene.cut.csv" "$base/history.csv" | widths 2 "elements cut ($mesh)" | sed 's/ / +/'
+    sixteenth_of_elements "$work/$scene.mesh/history.csv" >"$work/$scene.cut.csv"
+    differences "$work/$scene.cut.csv" "$base/history.csv" | widths 1.5 "elements cut ($mesh)" | sed 's/ / +/'
   fi
   if [[ -s $work/$scene.exact ]]; then
     differences "$work/$scene.exact" "$base/history.csv" | widths 2 "gasjet exact $exact"
@@ -159,7 +159,7 @@ meshes() {
   "$gasjet" mesh case "$case" --out "$work/$scene.k" >/dev/null
   mv "$work/$scene".{obj,k} "$out"
 }
-finer="membrane.mesh.refine=1 time.step=1.25e-5" # of the same polyhedron, as programs are handed the mesh; the step by its bound
+finer="membrane.mesh.refine=2 time.step=6.25e-6" # of the same polyhedron, as programs are handed the mesh; the step by its bound
 
 make_scene() {
   scene=$1 case='' exact='' made=''
@@ -175,10 +175,10 @@ make_scene() {
       scene_by_refinement $out/circular_membrane.toml 1 time.step=1.25e-5 "$finer"
       meshes
       ;;
-    plate_jet) scene_of_jet cases/plate_jet.toml 0.02 "" "target.rows=240 target.columns=240" ;;
+    plate_jet) scene_of_jet cases/plate_jet.toml 0.02 "" "target.rows=480 target.columns=480" ;;
     plate_jet_shadow)
       awk -v shape=baffle -v cells=10 -f scripts/reference_meshes.awk >$out/$scene.obj
-      scene_of_jet $out/plate_jet_shadow.toml 0.002 time.step=1e-5 membrane.mesh.refine=1
+      scene_of_jet $out/plate_jet_shadow.toml 0.002 time.step=1e-5 membrane.mesh.refine=2
       meshes
       ;;
     pendulum_swing) scene_by_refinement cases/pendulum_swing.toml 1 time.step=5e-4 "" pendulum_swing --times 0:2.5:0.01 ;;
