@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # What `gasjet check` forecasts beside what ladders measure: docs/charts/forecast.csv, and the table of it in
-# docs/theory/forecast.md. Ladders that results/forecast has are not run again; that of the paper's scene is the
-# committed one.
+# docs/theory/forecast.md; and what those ladders say of a bag without a membrane: docs/charts/without_membrane.csv. Ladders
+# that results/forecast has are not run again; that of the paper's scene is the committed one.
 # usage: scripts/forecast.sh [--check [CSV]]
 #   --check  compare the table and the counts of the page, and the totals, with the rows of docs/charts/forecast.csv
 #            (or CSV); exit code 1 if they differ, 2 without rows
@@ -41,6 +41,26 @@ ladder_of() {
     ((code == 0 || code == 4))
   fi
   echo "$table"
+}
+
+# without_membrane: the rungs of that kind of three bags, the last the paper's as it is, where only the jet is varied.
+without_membrane() {
+  local scene paper=$folder/passenger_pendulum_pressure
+  [[ -f $paper/ladder.csv ]] ||
+    build/gasjet ladder cases/passenger_pendulum.toml --quantity peak_pressure --tolerance 10% --quiet --threads "$(nproc)" \
+      --hold mesh,pieces,step,gas,outlet,occlusion,compression,porosity,cp --out "$paper" >&2
+  build/gasjet --version | sed 's/^/# /'
+  echo "scene,rung,overpressure_Pa,change_percent,change_se_percent,cost_ratio"
+  for scene in sphere_inflation jet_bag passenger_pendulum_pressure; do
+    awk -F, -v scene="${scene%_pressure}" '
+      /^# counted from: / { zero = substr($0, 17) + 0 }
+      /^# reference: / { size = substr($0, 14) - zero }
+      /^#/ { next }
+      !head { head = 1; for (i = 1; i <= NF; ++i) at[$i] = i; next }
+      $1 ~ /^(full|volume by pressure|rigid tank)$/ {
+        printf "%s,%s,%.6g,%.3g,%.2g,%.3g\n", scene, $1, $(at["value"]) - zero, 100 * $(at["change"]) / size,
+          100 * $(at["change_se"]) / size, $(at["cost_ratio"]) }' "$folder/$scene/ladder.csv"
+  done
 }
 
 write_csv() {
@@ -111,4 +131,6 @@ else
   page_with "$csv" >"$folder/forecast.md"
   cp "$folder/forecast.md" "$page"
   tail -n 4 "$csv"
+  without_membrane >"$folder/without_membrane.csv"
+  cp "$folder/without_membrane.csv" docs/charts/without_membrane.csv
 fi
