@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Substepper: where a sub-step has to end, because p passes a switch of the regime or a level, or because no
-// gas was there before.
+// Substepper: where a sub-step has to end, because p passes a switch of the regime or a level.
 #include <algorithm>
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
@@ -9,6 +8,9 @@
 
 namespace gas {
 namespace {
+
+// Where p is no longer held is located to this, of the flow at kHoldNear.
+constexpr double kShareNear = 1e-9;
 
 bool is_out(Regime regime) {
   return regime == Regime::kOut || regime == Regime::kOutSonic;
@@ -26,7 +28,7 @@ Substepper::Place Substepper::place(const FlowBalance& balance) const {
 }
 
 Substepper::Start Substepper::start_values(const FlowBalance& balance, double t) const {
-  return {place(balance), balance.pressure_rate(t)};
+  return {place(balance), balance.pressure_rate(t), balance.point().share};
 }
 
 /// How far [Pa] the gas is from an event.
@@ -64,6 +66,8 @@ Substepper::Event Substepper::passed_switch(const FlowBalance& balance, double t
     case Regime::kBack:
       if (balance.back_sonic_excess() < -sonic_near_) return Event::kBackSonic;
       return passed(excess > near_ && balance.closed_pressure_growth(t) >= 0.0, Event::kAmbient);
+    case Regime::kHeld:
+      break;
   }
   return Event::kNone;
 }
@@ -84,29 +88,6 @@ Regime Substepper::regime_after(const FlowBalance& balance, Event event, double 
   const bool down = now == Regime::kClosed ? excess < 0.0 : growth < 0.0;
   if (up && !is_out(now) && balance.is_open()) return Regime::kOut;
   return down && now != Regime::kBack && balance.has_backflow() ? Regime::kBack : Regime::kClosed;
-}
-
-/// Behind walls the first gas of an evacuated volume has no heat capacity to be stepped with: it is at its
-/// balance with them. So it is for one fixed step, or until a share of the segment's gas is there that will
-/// be forgotten at its end; and below all switches and levels. Returns the time reached.
-double Substepper::fill_first(Rates& rates, Vector& y, double a, double b) {
-  FlowBalance& balance = rates.balance;
-  const double all = balance.mass_in_until(b), fixed = options_.fixed_step;
-  if (!(all > 0.0)) return a;
-  double lowest = 0.4 * balance.ambient_pressure();  // below the sonic switch of every gas
-  for (const double level : levels_)
-    if (level > 0.0) lowest = std::min(lowest, 0.5 * level);
-  for (double step = fixed > 0.0 ? std::min(fixed, b - a) : b - a;; step *= 0.5) {
-    const double end = step == b - a ? b : a + step;
-    if (fixed == 0.0 && balance.mass_in_until(end) > options_.relative_tolerance * all) continue;
-    std::ranges::copy(y, trial_.end.begin());
-    balance.fill_until(trial_.end, begin_rate_, a, end);
-    balance.locate(trial_.end, end);
-    if (lowest > 0.0 && balance.point().pressure > lowest) continue;
-    y.swap(trial_.end);
-    ++accepted_;
-    return end;
-  }
 }
 
 /// Whether the trial that ends at t takes p through p_a by an error of the method, be it within its
@@ -142,38 +123,39 @@ bool Substepper::may_turn_past_event(const FlowBalance& balance, double t, doubl
       return peak && balance.back_sonic_excess() + reach > 0.0;
     case Regime::kBack:
       return !peak && balance.back_sonic_excess() + reach < 0.0;
+    default:
+      break;  // held: p does not turn
   }
   return false;
 }
 
 /// Shortens the trial [x, x + h] to a zero of function(length), to `bits` bits; returns its length.
 template <class Function>
-double Substepper::end_at_zero(Rates& rates, const Vector& y, double x, double h, double begin, double end,
-                               int bits, Function function) {
+double Substepper::end_at_zero(Rates& rates, double x, double h, double begin, double end, int bits,
+                               Function function) {
   double length = h;
   const auto value_at_end = [&](double trial) {
-    try_step(rates, y, x, length = trial);
+    try_step(rates, x, length = trial);
     return function(trial);
   };
   boost::uintmax_t iterations = 60;
   const boost::math::tools::eps_tolerance<double> close(static_cast<unsigned>(bits));
   const auto bracket = boost::math::tools::toms748_solve(value_at_end, 0.0, h, begin, end, close, iterations);
-  if (length != bracket.second) try_step(rates, y, x, length = bracket.second);
+  if (length != bracket.second) try_step(rates, x, length = bracket.second);
   return length;
 }
 
 /// Shortens the trial to where p turns; 20 bits in time are 40 in p.
-double Substepper::end_at_turn(Rates& rates, const Vector& y, double x, double h, const Start& start) {
+double Substepper::end_at_turn(Rates& rates, double x, double h, const Start& start) {
   const auto rate = [&](double length) { return rates.balance.pressure_rate(rates.time(x + length)); };
   const double end = rate(h);
-  return start.rate * end >= 0.0 ? h : end_at_zero(rates, y, x, h, start.rate, end, 20, rate);
+  return start.rate * end >= 0.0 ? h : end_at_zero(rates, x, h, start.rate, end, 20, rate);
 }
 
 /// Shortens the trial to end at `event`, which it has passed. A switch that p starts on and leaves at once is
 /// made at the begin (length 0); one that it starts on, leaves and comes back to lies beyond a turn, which
 /// ends the trial.
-double Substepper::end_at(Event event, Rates& rates, const Vector& y, double x, double h,
-                          const Start& start) {
+double Substepper::end_at(Event event, Rates& rates, double x, double h, const Start& start) {
   const double near = event == Event::kSonic || event == Event::kBackSonic ? sonic_near_ : near_;
   const auto value = [&](double) {
     const double d = distance(place(rates.balance), event);
@@ -182,25 +164,57 @@ double Substepper::end_at(Event event, Rates& rates, const Vector& y, double x, 
   const double begin = distance(start.place, event), end = value(h);
   event_ = event;
   next_regime_ = regime_after(rates.balance, event, rates.time(x + h));
-  if (std::abs(begin) > near && begin * end < 0.0) return end_at_zero(rates, y, x, h, begin, end, 50, value);
+  if (std::abs(begin) > near && begin * end < 0.0) return end_at_zero(rates, x, h, begin, end, 50, value);
   if (start.rate * end >= 0.0) return 0.0;
   event_ = Event::kNone;
-  return end_at_turn(rates, y, x, h, start);
+  return end_at_turn(rates, x, h, start);
 }
 
-/// If the accepted trial [x, x + h] passes a switch or a level, shortens it to end there and sets event_.
-/// Returns its length; zero if it has to be repeated from its begin.
-double Substepper::end_at_events(Rates& rates, const Vector& y, double x, double h, const Start& start) {
+/// Ends the trial [x, x + h] where p is no longer held, if it gets there, and returns its length.
+double Substepper::end_of_hold(Rates& rates, double x, double h, double start_share) {
+  FlowBalance& balance = rates.balance;
+  const double end = balance.point().share;
+  if (!(end >= 0.0 && end <= 1.0)) {
+    const double bound = end > 1.0 ? 1.0 : 0.0, begin = start_share - bound;
+    const bool out = balance.closed_pressure_growth(rates.time(x + h)) > 0.0;
+    event_ = Event::kHold;
+    next_regime_ = bound == 0.0 ? Regime::kClosed : out ? Regime::kOut : Regime::kBack;
+    if (std::abs(begin) < kShareNear || begin * (end - bound) > 0.0) return 0.0;
+    h = end_at_zero(rates, x, h, begin, end - bound, 40,
+                    [&](double) { return balance.point().share - bound; });
+  }
+  balance.settle(trial_.end, trial_.end_rate, rates.time(x + h), h);
+  return h;
+}
+
+/// Shortens the trial to end at a switch or a level that it passes.
+double Substepper::end_at_switches(Rates& rates, double x, double h, const Start& start) {
   const FlowBalance& balance = rates.balance;
-  event_ = Event::kNone;
   const auto end = [&] { return rates.time(x + h); };
   if (passed_switch(balance, end()) == Event::kNone && passed_level(balance) == Event::kNone &&
       may_turn_past_event(balance, end(), end() - rates.time(x), start))
-    h = end_at_turn(rates, y, x, h, start);
+    h = end_at_turn(rates, x, h, start);
   if (const Event passed = passed_switch(balance, end()); passed != Event::kNone)
-    h = end_at(passed, rates, y, x, h, start);
+    h = end_at(passed, rates, x, h, start);
   if (const Event passed = passed_level(balance); h > 0.0 && passed != Event::kNone)
-    h = end_at(passed, rates, y, x, h, start);
+    h = end_at(passed, rates, x, h, start);
+  return h;
+}
+
+/// If the accepted trial [x, x + h] passes a switch or a level, or comes to where p is held, ends it there
+/// and sets event_. Returns its length; zero if it has to be repeated from its begin.
+double Substepper::end_at_events(Rates& rates, double x, double h, const Start& start) {
+  FlowBalance& balance = rates.balance;
+  event_ = Event::kNone;
+  if (balance.is_held()) return end_of_hold(rates, x, h, start.share);
+  h = end_at_switches(rates, x, h, start);
+  const Regime regime = balance.regime();
+  const double t = rates.time(x + h);
+  if (event_ == Event::kNone && regime != Regime::kClosed && start_hold(balance, t, t, 0.25)) {
+    event_ = Event::kHold;
+    next_regime_ = balance.regime();
+    balance.set_regime(regime);
+  }
   return h;
 }
 

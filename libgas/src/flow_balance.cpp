@@ -8,13 +8,16 @@
 #include "gas/orifice.hpp"
 
 namespace gas {
-
 FlowBalance::FlowBalance(const ControlVolumeModel& model)
     : model_(model),
       openings_(model),
       segments_(model.inflows.size()),
       delivered_(model.inflows.size()),
-      masses_(model.thermo.size()) {
+      received_(model.inflows.size()),
+      masses_(model.thermo.size()),
+      base_(masses_.size() + 1),
+      totals_(unknowns()),
+      scratch_(unknowns()) {
   for (const Inflow& inflow : model.inflows)
     inflow_gas_.push_back(model.thermo.mixture(inflow.mass_fractions));
   if (!openings_.any_backflow()) return;
@@ -32,7 +35,7 @@ std::vector<double> FlowBalance::levels() const {
 }
 
 void FlowBalance::begin_step(const ControlVolumeState& state, double t0, double t1, const VolumePath& path) {
-  start_ = &state;
+  begin_books(state);
   t0_ = t0;
   t1_ = t1;
   volume_begin_ = path.volume_begin;
@@ -40,7 +43,6 @@ void FlowBalance::begin_step(const ControlVolumeState& state, double t0, double 
   curvature_ = 4.0 * path.volume_bulge / ((t1 - t0) * (t1 - t0));
   leak_area_begin_ = path.leak_area_begin;
   leak_area_rate_ = (path.leak_area_end - path.leak_area_begin) / (t1 - t0);
-  std::ranges::fill(delivered_, StreamFlux{});
   point_.temperature = state.temperature;
   work_begin_ = 0.0;
   if (!model_.volume_of_overpressure) return;
@@ -62,41 +64,19 @@ double FlowBalance::next_break(const TriggerState& triggers, double t) const {
 }
 
 void FlowBalance::begin_segment(const TriggerState& triggers, double a, double b) {
-  segment_begin_ = a;
+  segment_begin_ = base_time_ = a;
   openings_.begin_segment(triggers, a, b);
   for (std::size_t i = 0; i < segments_.size(); ++i)
     segments_[i] =
         InflowSegment(model_.inflows[i], firing_time(model_.inflows[i], triggers), inflow_gas_[i], a, b);
 }
 
-void FlowBalance::end_segment(double reached) {
-  for (std::size_t i = 0; i < segments_.size(); ++i) {
-    const auto [mass, enthalpy] = segments_[i].delivered_until(reached);
-    delivered_[i].mass += mass;
-    delivered_[i].enthalpy += enthalpy;
-    segments_[i] = InflowSegment();
-  }
-}
-
-double FlowBalance::species_change(const Vector& y, std::size_t k) const {
-  double change = -y[k];
-  for (std::size_t j = 0; j < backflows(); ++j) change += model_.ambient.mass_fractions[k] * y[back_slot(j)];
-  return change;
-}
-
-double FlowBalance::energy_change(const Vector& y) const {
-  double change = -y[work_slot()] - y[heat_slot()];
-  for (std::size_t s = 0; s < streams(); ++s) change -= y[out_slot(s) + 1];
-  for (std::size_t j = 0; j < backflows(); ++j) change += air_enthalpy_ * y[back_slot(j)];
-  return change;
-}
-
 double FlowBalance::species_energy(std::size_t k) const {
   return point_.mass == 0.0 ? 0.0 : model_.thermo.internal_energy(k, point_.temperature);
 }
 
-void FlowBalance::outflow_rates(Vector& dydt, double t) {
-  const double r = mixture_.gas_constant_sum / point_.mass, p = point_.pressure, p_a = ambient_pressure();
+void FlowBalance::outflow_rates(Vector& dydt, double t, double p) {
+  const double r = mixture_.gas_constant_sum / point_.mass, p_a = ambient_pressure();
   const double flux = regime_ == Regime::kOutSonic
                           ? choked_mass_flow(1.0, p, point_.temperature, r, point_.gamma)
                           : subsonic_mass_flow(1.0, p, point_.temperature, r,
@@ -118,16 +98,16 @@ void FlowBalance::outflow_rates(Vector& dydt, double t) {
   for (std::size_t k = 0; k < masses_.size(); ++k) dydt[k] = per_mass * masses_[k];
 }
 
-void FlowBalance::backflow_rates(Vector& dydt, double t) {
+void FlowBalance::backflow_rates(Vector& dydt, double t, double p) {
   const double p_a = ambient_pressure(), t_a = model_.ambient.temperature,
                r = air_.gas_constant_sum / air_.mass;
-  const double flux = regime_ == Regime::kBackSonic
-                          ? choked_mass_flow(1.0, p_a, t_a, r, air_gamma_)
-                          : subsonic_mass_flow(1.0, p_a, t_a, r, r * air_gamma_ / (air_gamma_ - 1.0),
-                                               air_gamma_, point_.pressure);
+  const double flux =
+      regime_ == Regime::kBackSonic
+          ? choked_mass_flow(1.0, p_a, t_a, r, air_gamma_)
+          : subsonic_mass_flow(1.0, p_a, t_a, r, r * air_gamma_ / (air_gamma_ - 1.0), air_gamma_, p);
   for (std::size_t j = 0; j < openings_.vents(); ++j) {
     if (!openings_.has_backflow(j)) continue;
-    dydt[back_slot(j)] = openings_.effective_area(j, t, point_.pressure - p_a) * flux;
+    dydt[back_slot(j)] = openings_.effective_area(j, t, p - p_a) * flux;
     point_.back += dydt[back_slot(j)];
   }
 }
@@ -136,11 +116,12 @@ void FlowBalance::fill_rates(Vector& dydt, double t) {
   std::ranges::fill(dydt, 0.0);
   point_.vent = point_.fabric = point_.back = 0.0;
   if (!point_.valid) return;
-  if (regime_ == Regime::kBack || regime_ == Regime::kBackSonic) backflow_rates(dydt, t);
+  if (regime_ == Regime::kBack || regime_ == Regime::kBackSonic) backflow_rates(dydt, t, point_.pressure);
   dydt[heat_slot()] = point_.heat;
   if (point_.mass == 0.0) return;
   dydt[work_slot()] = point_.pressure * volume_rate(t);
-  if (regime_ == Regime::kOut || regime_ == Regime::kOutSonic) outflow_rates(dydt, t);
+  if (regime_ == Regime::kOut || regime_ == Regime::kOutSonic) outflow_rates(dydt, t, point_.pressure);
+  if (is_held()) hold(dydt, t);
 }
 
 bool FlowBalance::is_open() const {

@@ -3,6 +3,7 @@
 #include <optional>
 #include <vector>
 
+#include "compensated_sum.hpp"
 #include "gas/integrator.hpp"
 #include "inflow_segment.hpp"
 #include "openings.hpp"
@@ -17,14 +18,17 @@ enum class Regime {
   kOutSonic,   // p > p_a, vents sonic
   kBack,       // p < p_a, ambient gas flows in through vents with backflow, subsonic
   kBackSonic,  // the same, sonic
+  kHeld,       // p held within kHoldNear of p_a: what comes in leaves, ambient gas replaces what p would lose
 };
 
-/// Right-hand side of the stepped unknowns over one step, see Slot. The state follows:
+/// Right-hand side of the stepped unknowns y over one step; they count from the begin of a sub-step, t0. The
+/// gas follows:
 ///   m_k = m_k(t0) + delivered_k + Y_ak back - out_k,  U = U(t0) + delivered enthalpy + h_a back - out - work
 ///   - heat.
 class FlowBalance {
  public:
   using Vector = std::vector<double>;
+  using Gas = std::vector<double>;  // mass [kg] of each species, and last U [J]
 
   /// The gas last located, and its flows.
   struct Point {
@@ -44,6 +48,7 @@ class FlowBalance {
     double fabric;                        // [kg/s] out through the fabric
     double back;                          // [kg/s] in through all vents
     double heat;                          // [W]
+    double share;  // [-] while p is held: flow through the openings over that at kHoldNear from p_a
   };
 
   /// `model` must outlive this.
@@ -58,6 +63,7 @@ class FlowBalance {
   std::size_t back_slot(std::size_t vent) const { return out_slot(openings_.vents() + 1) + vent; }
   std::size_t streams() const { return openings_.vents() + 1; }
   std::size_t backflows() const { return openings_.any_backflow() ? openings_.vents() : 0; }
+  bool is_flow(std::size_t i) const { return i != work_slot() && i != heat_slot(); }
   std::size_t unknowns() const { return back_slot(backflows()); }
 
   void begin_step(const ControlVolumeState& state, double t0, double t1, const VolumePath& path);
@@ -69,12 +75,30 @@ class FlowBalance {
   /// Pressures [Pa] at which the openings' curves have knots.
   std::vector<double> levels() const;
 
-  /// p [Pa] at (y, t), between two segments or at the begin of one.
-  double pressure(const Vector& y, double t);
+  /// Ends a sub-step with y at t: the next begins there.
+  void accept(const Vector& y, double t);
+  /// Makes what leaves in all streams the mass of what leaves of all species, which an implicit method keeps
+  /// only as well as it knows its matrix.
+  void close_streams(Vector& y) const;
+  /// Sum of unknown i over the step, up to the last sub-step accepted.
+  double total(std::size_t i) const { return totals_[i].value(); }
+
+  /// p [Pa] at t, between two segments or at the begin of one.
+  double pressure(double t);
   /// The gas at (y, t): fills point(), its flows aside.
   void locate(const Vector& y, double t);
+  /// The same for `gas` at time t.
+  void locate_gas(const Gas& gas, double t);
+  /// Fills `gas` with that of the sub-step's begin; `change` with that which the unknowns make; adds factor
+  /// times the inflow's rates at t.
+  void gas_begin(Gas& gas) const;
+  void gas_change(const Vector& y, Gas& change) const;
+  void add_inflow_rates(double factor, double t, Gas& rates) const;
   /// dy/dt at the gas located, in the regime set; fills the flows of point().
   void fill_rates(Vector& dydt, double t);
+  /// Where p is held, corrects y at t, the end of h, by flow that goes on longer, so that p is on its
+  /// balance.
+  void settle(Vector& y, Vector& dydt, double t, double h);
   bool has_walls() const { return model_.heat_loss.conductance > 0.0; }
   /// Mass [kg] that flows in from the begin of the segment to t, backflow as at the last point.
   double mass_in_until(double t) const;
@@ -82,8 +106,9 @@ class FlowBalance {
   /// inflow and walls balance there. `dydt`: the rates at `begin`, the last point.
   void fill_until(Vector& y, const Vector& dydt, double begin, double end);
   /// Turns the state of begin_step() into the one at the end of the last segment; throws DomainError, and
-  /// leaves it as it is, if its temperature is out of range. Fills the work in y of a volume that follows p.
-  void finish(Vector& y, ControlVolumeState& state);
+  /// leaves it as it is, if its temperature is out of range. Fills the total of the work of a volume that
+  /// follows p.
+  void finish(ControlVolumeState& state);
 
   bool is_open() const;              // gas can leave
   bool has_backflow() const;         // gas can come in
@@ -100,8 +125,12 @@ class FlowBalance {
   double relaxation_rate() const;
   /// That of the walls, (G.16); zero without gas.
   double heat_rate() const;
+  double volume_rate(double t) const {  // [m3/s]
+    return mean_rate_ + curvature_ * (t0_ + t1_ - 2.0 * t);
+  }
   void set_regime(Regime regime) { regime_ = regime; }
   Regime regime() const { return regime_; }
+  bool is_held() const { return regime_ == Regime::kHeld; }
   const Point& point() const { return point_; }
   void invalidate() { point_.valid = false; }
   const Thermo& thermo() const { return model_.thermo; }
@@ -117,18 +146,24 @@ class FlowBalance {
   double species_energy(std::size_t k) const;
 
  private:
-  double collect(const Vector& y, double t);
+  void begin_books(const ControlVolumeState& state);
+  void add_inflow(std::size_t i, double mass, double enthalpy);
+  void supply(double t);
+  void collect(const Vector& y, double t);
+  void find_point(double t);
   std::optional<double> temperature_of(double energy) const;
   void place_gas(double energy, double temperature);
-  double settled_work(double energy);
+  double settled_work();
   double volume(double t) const {
     return volume_begin_ + (mean_rate_ + curvature_ * (t1_ - t)) * (t - t0_);
   }  // (G.17)
-  double volume_rate(double t) const { return mean_rate_ + curvature_ * (t0_ + t1_ - 2.0 * t); }
   double leak_area(double t) const { return leak_area_begin_ + leak_area_rate_ * (t - t0_); }
   std::optional<double> temperature_of_first_gas(double t) const;
-  void outflow_rates(Vector& dydt, double t);
-  void backflow_rates(Vector& dydt, double t);
+  void outflow_rates(Vector& dydt, double t, double pressure);
+  void backflow_rates(Vector& dydt, double t, double pressure);
+  double flows_near_ambient(Vector& dydt, double t, bool out, double share);
+  void hold(Vector& dydt, double t);
+  double held_overpressure(double t);
 
   const ControlVolumeModel& model_;
   std::vector<Mixture> inflow_gas_;  // 1 kg of each inflow
@@ -139,13 +174,17 @@ class FlowBalance {
   double t0_ = 0.0, t1_ = 0.0, volume_begin_ = 0.0, mean_rate_ = 0.0, curvature_ = 0.0;
   double work_begin_ = 0.0;  // [J] (G.19) at t0
   double leak_area_begin_ = 0.0, leak_area_rate_ = 0.0;
-  const ControlVolumeState* start_ = nullptr;
-  double segment_begin_ = 0.0;
+  double segment_begin_ = 0.0, base_time_ = 0.0;  // [s] of the segment, of the sub-step
   std::vector<InflowSegment> segments_;
   std::vector<StreamFlux> delivered_;  // of each inflow, up to segment_begin_
+  std::vector<StreamFlux> received_;   // of each inflow, from there to base_time_
 
   Regime regime_ = Regime::kClosed;
-  std::vector<double> masses_;  // [kg] at the last evaluation
+  std::vector<double> masses_;          // [kg] at the last evaluation
+  double energy_ = 0.0;                 // [J] U there
+  std::vector<CompensatedSum> base_;    // the gas at base_time_
+  std::vector<CompensatedSum> totals_;  // of the unknowns, over the step
+  Vector scratch_;
   Mixture mixture_;
   Point point_{};
 };

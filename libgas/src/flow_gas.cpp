@@ -8,37 +8,7 @@
 #include "require.hpp"
 
 namespace gas {
-namespace {
-
-// A species that runs out leaves a remainder of round-off, of either sign, relative to what passed through.
-constexpr double kMassRoundOff = 1e-13;
-
-}  // namespace
-
-/// Fills masses_, at time t, and returns the internal energy there, of a volume that follows p with the work
-/// since t0. (G.9), (G.10)
-double FlowBalance::collect(const Vector& y, double t) {
-  double energy = start_->internal_energy;
-  std::ranges::copy(start_->masses, masses_.begin());
-  for (std::size_t i = 0; i < segments_.size(); ++i) {
-    const auto delivered = segments_[i].delivered(t - segment_begin_);
-    energy += delivered_[i].enthalpy + delivered.enthalpy;
-    const double mass = delivered_[i].mass + delivered.mass;
-    for (std::size_t k = 0; k < masses_.size(); ++k) masses_[k] += model_.inflows[i].mass_fractions[k] * mass;
-  }
-  point_.depleted.reset();
-  for (std::size_t k = 0; k < masses_.size(); ++k) {
-    for (std::size_t j = 0; j < backflows(); ++j)
-      masses_[k] += model_.ambient.mass_fractions[k] * y[back_slot(j)];
-    const double available = masses_[k];
-    masses_[k] = std::max(0.0, available - y[k]);
-    if (!(y[k] <= available * (1.0 + kMassRoundOff))) point_.depleted = k;
-  }
-  point_.valid = !point_.depleted;
-  return energy + energy_change(y);
-}
-
-/// Of the gas in mixture_ with what collect() returns.
+/// Of the gas in mixture_ with `energy` U, of a volume that follows p with the work since t0.
 std::optional<double> FlowBalance::temperature_of(double energy) const {
   const auto& curve = model_.volume_of_overpressure;
   return curve ? find_temperature(mixture_, *curve, ambient_pressure(), energy + work_begin_,
@@ -68,9 +38,8 @@ void FlowBalance::place_gas(double energy, double temperature) {
   point_.specific_enthalpy = (energy + r * temperature) / mixture_.mass;
 }
 
-/// Temperature and pressure, (G.8); no gas has neither energy nor pressure.
-void FlowBalance::locate(const Vector& y, double t) {
-  const double energy = collect(y, t);
+/// Temperature and pressure of masses_ and energy_, (G.8); no gas has neither energy nor pressure.
+void FlowBalance::find_point(double t) {
   model_.thermo.mixture(masses_, mixture_);
   point_.mass = mixture_.mass;
   point_.volume =
@@ -79,41 +48,37 @@ void FlowBalance::locate(const Vector& y, double t) {
   point_.compliance = 1.0;
   point_.heat = point_.work = 0.0;
   point_.beyond = false;
+  point_.valid = !point_.depleted;
   if (!point_.valid || mixture_.mass == 0.0) return;
-  const auto temperature = temperature_of(energy);
+  const auto temperature = temperature_of(energy_);
   point_.valid = temperature.has_value();
   if (!temperature) return;
-  place_gas(energy, *temperature);
+  place_gas(energy_, *temperature);
   if (point_.beyond) point_.valid = false;
   point_.heat = model_.heat_loss.conductance * (*temperature - model_.heat_loss.outside_temperature);
 }
 
-double FlowBalance::pressure(const Vector& y, double t) {
-  segment_begin_ = t;
-  locate(y, t);
-  return point_.pressure;
-}
-
-/// Work since t0 of the gas in mixture_, with what collect() returns.
-double FlowBalance::settled_work(double energy) {
-  const auto temperature = temperature_of(energy);
+/// Work since t0 of the gas in mixture_, its energy that of supply().
+double FlowBalance::settled_work() {
+  const auto temperature = temperature_of(energy_);
   if (!temperature)
     throw DomainError("the gas leaves its temperature range, " + to_text(mixture_.minimum_temperature) +
                       " to " + to_text(mixture_.maximum_temperature) + " K");
-  place_gas(energy, *temperature);
+  place_gas(energy_, *temperature);
   if (point_.beyond) throw DomainError(beyond_text(*model_.volume_of_overpressure));
   return point_.work - work_begin_;
 }
 
-void FlowBalance::finish(Vector& y, ControlVolumeState& state) {
-  double internal_energy = collect(y, segment_begin_);
+void FlowBalance::finish(ControlVolumeState& state) {
+  supply(segment_begin_);
   model_.thermo.mixture(masses_, mixture_);
   if (model_.volume_of_overpressure && mixture_.mass > 0.0) {
-    y[work_slot()] = settled_work(internal_energy);
-    internal_energy -= y[work_slot()];
+    const double work = settled_work();
+    totals_[work_slot()] = work;
+    energy_ -= work;
   }
-  if (mixture_.mass > 0.0) state.temperature = mixture_.temperature(internal_energy, point_.temperature);
-  state.internal_energy = internal_energy;
+  if (mixture_.mass > 0.0) state.temperature = mixture_.temperature(energy_, point_.temperature);
+  state.internal_energy = energy_;
   std::ranges::copy(masses_, state.masses.begin());
 }
 

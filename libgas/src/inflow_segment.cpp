@@ -62,33 +62,34 @@ InflowSegment::Flow InflowSegment::flow(double elapsed) const {
   return {mass_flow_ + mass_flow_slope_ * elapsed, temperature_ + temperature_slope_ * elapsed};
 }
 
-InflowSegment::Delivered InflowSegment::delivered(double elapsed) const {
+InflowSegment::Delivered InflowSegment::delivered(double from, double to) const {
   if (mass_flow_ == 0.0 && mass_flow_slope_ == 0.0) return {0.0, 0.0};
-  const auto [mass_flow, temperature] = flow(0.5 * elapsed);
+  const double elapsed = to - from;
+  const auto [mass_flow, temperature] = flow(0.5 * (from + to));
   const double mass = elapsed * mass_flow;
   if (temperature_slope_ == 0.0) return {mass, mass * enthalpy_};
-  if (!gas_->constant_cp) return {mass, enthalpy_by_quadrature(elapsed)};
+  if (!gas_->constant_cp) return {mass, enthalpy_by_quadrature(from, to)};
   const double correlation = mass_flow_slope_ * temperature_slope_ * elapsed * elapsed / 12.0;
   return {mass, gas_->cp(temperature) * elapsed * (mass_flow * temperature + correlation)};
 }
 
 InflowSegment::Delivered InflowSegment::delivered_until(double t) const {
   if (mass_flow_ == 0.0 && mass_flow_slope_ == 0.0) return {0.0, 0.0};
-  return delivered(local_time(*inflow_, start_, t) - begin_);
+  return delivered(0.0, local_time(*inflow_, start_, t) - begin_);
 }
 
-double InflowSegment::enthalpy_by_quadrature(double elapsed) const {
+double InflowSegment::enthalpy_by_quadrature(double from, double to) const {
   // Gauss-Legendre, 4 points, exact to degree 7. Abramowitz & Stegun, table 25.4.
   constexpr std::array<double, 2> kNodes{0.339981043584856264803, 0.861136311594052575224};
   constexpr std::array<double, 2> kWeights{0.652145154862546142627, 0.347854845137453857373};
   double sum = 0.0;
   for (std::size_t i = 0; i < kNodes.size(); ++i) {
     for (const double node : {-kNodes[i], kNodes[i]}) {
-      const auto [mass_flow, temperature] = flow(0.5 * elapsed * (1.0 + node));
+      const auto [mass_flow, temperature] = flow(0.5 * (from + to + (to - from) * node));
       sum += kWeights[i] * mass_flow * gas_->enthalpy(temperature);
     }
   }
-  return 0.5 * elapsed * sum;
+  return 0.5 * (to - from) * sum;
 }
 
 }  // namespace gas

@@ -28,15 +28,15 @@ class InflowSegment {
   InflowSegment(const Inflow& inflow, double start, const Mixture& gas, double a, double b);
 
   Flow flow(double elapsed) const;
-  /// Mass and enthalpy from a to a + elapsed: closed form, or (cp(T) and a changing temperature) a Gauss rule
-  /// that is exact for the integrand, a polynomial of degree 6 in time.
-  Delivered delivered(double elapsed) const;
+  /// Mass and enthalpy from a + from to a + to: closed form, or (cp(T) and a changing temperature) a Gauss
+  /// rule that is exact for the integrand, a polynomial of degree 6 in time.
+  Delivered delivered(double from, double to) const;
   /// The same from a to t; the lengths of adjoining intervals add up to the distance of the knots themselves.
   Delivered delivered_until(double t) const;
   const Mixture& gas() const { return *gas_; }
 
  private:
-  double enthalpy_by_quadrature(double elapsed) const;
+  double enthalpy_by_quadrature(double from, double to) const;
 
   const Inflow* inflow_ = nullptr;
   const Mixture* gas_ = nullptr;

@@ -52,19 +52,17 @@ class GasIntegrator::Implementation {
         network_(model_.triggers),
         substepper_(balance_, levels(), validated(options)),
         triggers_(model_.triggers.size()),
-        y_(balance_.unknowns()),
         outflows_(balance_.streams()),
         backflows_(balance_.backflows()) {}
 
   StepFluxes advance(ControlVolumeState& state, double t0, double t1, const VolumePath& path) {
     require_step(state, t0, t1);
     require_path(path);
-    std::ranges::fill(y_, 0.0);
     triggers_ = state.triggers;
     substepper_.begin_step();
     balance_.begin_step(state, t0, t1, path);
     for (double a = t0; a < t1;) a = advance_segment(a, t1);
-    balance_.finish(y_, state);
+    balance_.finish(state);
     state.triggers = triggers_;
     return fluxes();
   }
@@ -89,13 +87,13 @@ class GasIntegrator::Implementation {
     bool watched = false;
     if (!triggers_.empty()) {
       watched = network_.watches_pressure(triggers_);
-      network_.update(triggers_, a, watched ? balance_.pressure(y_, a) - model_.ambient.pressure : 0.0,
+      network_.update(triggers_, a, watched ? balance_.pressure(a) - model_.ambient.pressure : 0.0,
                       kThresholdNear * model_.ambient.pressure);
       next = std::min(next, network_.next_break(triggers_, a));
     }
     next = std::min(next, balance_.next_break(triggers_, a));
     balance_.begin_segment(triggers_, a, next);
-    if (balance_.needs_stepper() || watched) next = substepper_.integrate(balance_, y_, a, next);
+    if (balance_.needs_stepper() || watched) next = substepper_.integrate(balance_, a, next);
     balance_.end_segment(next);
     return next;
   }
@@ -123,18 +121,18 @@ class GasIntegrator::Implementation {
       f.enthalpy_in += in.enthalpy;
     }
     for (std::size_t s = 0; s < outflows_.size(); ++s) {
-      outflows_[s] = {y_[balance_.out_slot(s)], y_[balance_.out_slot(s) + 1]};
+      outflows_[s] = {balance_.total(balance_.out_slot(s)), balance_.total(balance_.out_slot(s) + 1)};
       (s + 1 < outflows_.size() ? f.vent_mass_out : f.fabric_mass_out) += outflows_[s].mass;
       f.enthalpy_out += outflows_[s].enthalpy;
     }
     for (std::size_t j = 0; j < backflows_.size(); ++j) {
-      const double mass = y_[balance_.back_slot(j)];
+      const double mass = balance_.total(balance_.back_slot(j));
       backflows_[j] = {mass, balance_.back_enthalpy() * mass};
       f.backflow_mass += mass;
       f.backflow_enthalpy += backflows_[j].enthalpy;
     }
-    f.work = y_[balance_.work_slot()];
-    f.heat = y_[balance_.heat_slot()];
+    f.work = balance_.total(balance_.work_slot());
+    f.heat = balance_.total(balance_.heat_slot());
     f.steps = substepper_.accepted();
     f.evaluations = substepper_.evaluations();
     return f;
@@ -145,7 +143,6 @@ class GasIntegrator::Implementation {
   TriggerNetwork network_;
   Substepper substepper_;
   TriggerState triggers_;
-  FlowBalance::Vector y_;
   std::vector<StreamFlux> outflows_, backflows_;
 };
 

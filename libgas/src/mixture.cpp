@@ -37,6 +37,8 @@ constexpr double kNewtonTolerance = 1e-8;
 constexpr double kChebyshevTolerance = 2e-6;
 constexpr int kQuickIterations = 4;
 constexpr int kMaximumIterations = 200;
+// Of U, relative: some hundred operations. What is so close to an end of the range is there.
+constexpr double kRoundOff = 2e-14;
 
 struct Root {
   const Sums& coefficients;
@@ -91,6 +93,7 @@ std::optional<double> Mixture::find_temperature(double internal_energy, double g
     return t > 0.0 && std::isfinite(t) ? std::optional(t) : std::nullopt;
   }
   const Root lower{low, gas_constant_sum, internal_energy}, upper{high, gas_constant_sum, internal_energy};
+  const double round_off = kRoundOff * (std::abs(internal_energy) + gas_constant_sum * maximum_temperature);
   const double joint = std::min(kJointTemperature, maximum_temperature);
   // One kelvin clear of the joint, where the two ranges may both have a root.
   if (guess < joint) {
@@ -98,9 +101,9 @@ std::optional<double> Mixture::find_temperature(double internal_energy, double g
   } else if (const auto t = quick_root(upper, guess, joint + 1.0, maximum_temperature)) {
     return t;
   }
-  if (!(lower.excess(minimum_temperature) <= 0.0)) return {};
+  if (!(lower.excess(minimum_temperature) <= round_off)) return {};
   if (lower.excess(joint) >= 0.0) return bracketed_root(lower, guess, minimum_temperature, joint);
-  if (maximum_temperature <= joint || !(upper.excess(maximum_temperature) >= 0.0)) return {};
+  if (maximum_temperature <= joint || !(upper.excess(maximum_temperature) >= -round_off)) return {};
   if (upper.excess(joint) >= 0.0) return joint;
   return bracketed_root(upper, guess, joint, maximum_temperature);
 }

@@ -6,4 +6,7 @@ namespace gas {
 // Pressures closer to a switch than this, relative, are on it: some hundred roundings of p.
 inline constexpr double kNear = 1e-12;
 
+// A balance that is closer to p_a than this, relative, holds p; a hundred times what is on p_a.
+inline constexpr double kHoldNear = 1e-10;
+
 }  // namespace gas

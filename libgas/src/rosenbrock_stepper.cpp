@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // Rosenbrock 4(3) with the coefficients of Boost.Odeint, whose own stepper allocates in each step. The
-// rates depend on the unknowns y only through the gas, z = S y: the species' masses, and the energy less what
-// they bring along at the gas's temperature. So the Jacobian is C S with C = d(rates)/dz by differences, and
-// (1/(gamma h) - C S) x = b has the solution x = gamma h (b + C z), (1/(gamma h) - S C) z = S b. In these z
-// each part of the gas hastens its own way out, at constant T or p: pivots are positive as they come.
+// rates of the unknowns y depend on the gas alone, so it is stepped beside them: w' = in(t) + S r(w, t), y' =
+// r. Inflow counts as a rate of the gas here: where it leaves as it comes, through a volume that holds far
+// less than passes in a step, the gas hardly changes, and each stage sees just that. The matrix is solved in
+// z, which is w with the energy less what the masses bring along at the gas's temperature: there each part of
+// the gas hastens its own way out, at constant T or p, and pivots are positive as they come.
 #include <algorithm>
 #include <array>
 #include <boost/numeric/odeint/stepper/rosenbrock4.hpp>
 #include <limits>
+#include <tuple>
 
 #include "near.hpp"
 #include "stepper.hpp"
@@ -56,159 +58,166 @@ class Factors {
 class RosenbrockStepper : public Stepper {
  public:
   RosenbrockStepper(std::size_t n, std::size_t species)
-      : factors_(species + 1),
-        columns_(species + 1, Vector(n)),
-        gas_(species + 1),
-        energy_(species + 1),
-        y_(n),
-        rate_(n),
-        far_(n),
-        slope_(n),
-        right_(n),
-        g_{Vector(n), Vector(n), Vector(n), Vector(n), Vector(n)} {}
+      : factors_(species + 1), columns_(species + 1, Vector(n)), energy_(species + 1) {
+    for (Gas* gas : {&gas_, &trial_gas_, &column_}) gas->resize(species + 1);
+    for (Pair* pair : {&rate_, &far_, &slope_, &right_}) *pair = {Vector(n), Gas(species + 1)};
+    g_.fill(rate_);
+  }
 
   void step(Rates& rates, const Vector& y, const Vector& dydx, double x, double h, bool,
             Trial& out) override {
-    fill_matrix(rates, y, dydx, x, h);
+    rates.balance.gas_begin(gas_);
+    rate_.flows = dydx;
+    rates.gas_rates(dydx, rate_.gas, x);
+    fill_matrix(rates, x, h);
     // The sum of gamma_ij that d4 stands for is -0.0362: Odeint (1.74) has it without the sign, which leaves
     // order 1 where the rates depend on time.
     const auto& c = coefficients_;
-    stage(rates, y, dydx, x, h, 0, {}, 0.0, {}, c.d1);
-    stage(rates, y, dydx, x, h, 1, {c.a21}, c.c2, {c.c21}, c.d2);
-    stage(rates, y, dydx, x, h, 2, {c.a31, c.a32}, c.c3, {c.c31, c.c32}, c.d3);
-    stage(rates, y, dydx, x, h, 3, {c.a41, c.a42, c.a43}, c.c4, {c.c41, c.c42, c.c43}, -c.d4);
-    stage(rates, y, dydx, x, h, 4, {c.a51, c.a52, c.a53, c.a54}, 1.0, {c.c51, c.c52, c.c53, c.c54}, 0.0);
-    for (std::size_t i = 0; i < y_.size(); ++i) y_[i] += g_[4][i];
-    rates(y_, rate_, x + h);
-    right_side(h, {c.c61, c.c62, c.c63, c.c64, c.c65}, 0.0);
-    solve(rates.balance, h, out.error);
-    for (std::size_t i = 0; i < y_.size(); ++i) out.end[i] = y_[i] + out.error[i];
+    solve_stage(h, {}, c.d1, g_[0]);
+    const auto stage = [&](std::size_t number, std::initializer_list<double> shifts, double node,
+                           std::initializer_list<double> weights, double d) {
+      evaluate(rates, shifts, x + node * h);
+      solve_stage(h, weights, d, g_[number]);
+    };
+    stage(1, {c.a21}, c.c2, {c.c21}, c.d2);
+    stage(2, {c.a31, c.a32}, c.c3, {c.c31, c.c32}, c.d3);
+    stage(3, {c.a41, c.a42, c.a43}, c.c4, {c.c41, c.c42, c.c43}, -c.d4);
+    stage(4, {c.a51, c.a52, c.a53, c.a54}, 1.0, {c.c51, c.c52, c.c53, c.c54}, 0.0);
+    stage(5, {c.a51, c.a52, c.a53, c.a54, 1.0}, 1.0, {c.c61, c.c62, c.c63, c.c64, c.c65}, 0.0);
+    out.error = g_[5].flows;
+    for (std::size_t i = 0; i < y.size(); ++i)
+      out.end[i] = y[i] + sum(&Pair::flows, i, {c.a51, c.a52, c.a53, c.a54, 1.0, 1.0});
+    rates.balance.close_streams(out.end);
     rates(out.end, out.end_rate, x + h);
   }
   double error_power() const override { return 4.0; }
   double stability_limit() const override { return std::numeric_limits<double>::infinity(); }
 
  private:
-  /// right_ = rate_ + h d slope_ + sum weights g / h.
-  void right_side(double h, std::initializer_list<double> weights, double d) {
-    for (std::size_t i = 0; i < right_.size(); ++i) {
-      double sum = 0.0;
-      const Vector* g = g_.data();
-      for (const double weight : weights) sum += weight * (*g++)[i];
-      right_[i] = rate_[i] + h * d * slope_[i] + sum / h;
-    }
+  using Gas = FlowBalance::Gas;
+  /// Changes of the unknowns, and of the gas.
+  struct Pair {
+    Vector flows;
+    Gas gas;
+  };
+
+  /// sum weights g, at place i of one part.
+  double sum(Vector Pair::*part, std::size_t i, std::initializer_list<double> weights) const {
+    double result = 0.0;
+    const Pair* g = g_.data();
+    for (const double weight : weights) result += weight * ((g++)->*part)[i];
+    return result;
   }
 
-  /// y_ = y + sum shifts g, and the stage's g there.
-  void stage(Rates& rates, const Vector& y, const Vector& dydx, double x, double h, std::size_t number,
-             std::initializer_list<double> shifts, double node, std::initializer_list<double> weights,
-             double d) {
-    for (std::size_t i = 0; i < y.size(); ++i) {
-      y_[i] = y[i];
-      const Vector* g = g_.data();
-      for (const double shift : shifts) y_[i] += shift * (*g++)[i];
-    }
-    if (number == 0)
-      rate_ = dydx;
-    else
-      rates(y_, rate_, x + node * h);
-    right_side(h, weights, d);
-    solve(rates.balance, h, g_[number]);
+  /// rate_ at the gas of the begin + sum shifts g.
+  void evaluate(Rates& rates, std::initializer_list<double> shifts, double x) {
+    for (std::size_t i = 0; i < gas_.size(); ++i) trial_gas_[i] = gas_[i] + sum(&Pair::gas, i, shifts);
+    rates.of_gas(trial_gas_, rate_.flows, x);
+    rates.gas_rates(rate_.flows, rate_.gas, x);
   }
 
-  /// `near` = slope, of second order, at the first of three rates `change` apart; far_ is the third.
-  void to_slope(const Vector& here, double change, Vector& near) const {
+  /// The g of the right side rate_ + h d slope_ + sum weights g / h.
+  void solve_stage(double h, std::initializer_list<double> weights, double d, Pair& g) {
+    for (const auto part : {&Pair::flows, &Pair::gas})
+      for (std::size_t i = 0; i < (right_.*part).size(); ++i)
+        (right_.*part)[i] = (rate_.*part)[i] + h * d * (slope_.*part)[i] + sum(part, i, weights) / h;
+    g.gas = right_.gas;
+    to_parts(g.gas);
+    factors_.solve(g.gas);
+    for (std::size_t i = 0; i < g.flows.size(); ++i) {
+      double rate = right_.flows[i];
+      for (std::size_t part = 0; part < g.gas.size(); ++part) rate += columns_[part][i] * g.gas[part];
+      g.flows[i] = coefficients_.gamma * h * rate;
+    }
+    for (std::size_t k = 0; k + 1 < g.gas.size(); ++k) g.gas.back() += energy_[k] * g.gas[k];
+  }
+
+  /// w to z.
+  void to_parts(Gas& change) const {
+    for (std::size_t k = 0; k + 1 < change.size(); ++k) change.back() -= energy_[k] * change[k];
+  }
+
+  /// `near` = slope, of second order, at the first of three rates `change` apart.
+  static void to_slope(const Vector& here, double change, const Vector& far, Vector& near) {
     for (std::size_t i = 0; i < near.size(); ++i)
-      near[i] = (4.0 * (near[i] - here[i]) - (far_[i] - here[i])) / (2.0 * change);
+      near[i] = (4.0 * (near[i] - here[i]) - (far[i] - here[i])) / (2.0 * change);
   }
 
-  /// Column `part` of C, from a change of that part of the gas: more of what is there, so that no mass turns
-  /// negative.
-  void difference(Rates& rates, const Vector& dydx, const Vector& y, std::size_t part, double change,
-                  double x) {
-    const std::size_t work = rates.balance.work_slot();
+  /// Column `part` of d(rates)/dz.
+  void difference(Rates& rates, std::size_t part, double change, double x) {
     const auto change_to = [&](double times, Vector& rate) {
-      if (part < work) y_[part] = y[part] - times * change;
-      y_[work] = y[work] - times * change * energy_[part];
-      rates(y_, rate, x);
+      trial_gas_ = gas_;
+      if (part + 1 < gas_.size()) trial_gas_[part] += times * change;
+      trial_gas_.back() += times * change * energy_[part];
+      rates.of_gas(trial_gas_, rate, x);
     };
     change_to(1.0, columns_[part]);
-    change_to(2.0, far_);
-    y_[part] = y[part];
-    y_[work] = y[work];
-    to_slope(dydx, change, columns_[part]);
-  }
-
-  /// z = S y of a change of the unknowns.
-  void gas_change(const FlowBalance& balance, const Vector& y, Vector& z) const {
-    double brought = 0.0;
-    for (std::size_t k = 0; k < balance.species(); ++k) {
-      z[k] = balance.species_change(y, k);
-      brought += energy_[k] * z[k];
-    }
-    z.back() = balance.energy_change(y) - brought;
-  }
-
-  /// x of the matrix for the right side right_.
-  void solve(const FlowBalance& balance, double h, Vector& x) {
-    gas_change(balance, right_, gas_);
-    factors_.solve(gas_);
-    for (std::size_t i = 0; i < x.size(); ++i) {
-      double sum = right_[i];
-      for (std::size_t part = 0; part < gas_.size(); ++part) sum += columns_[part][i] * gas_[part];
-      x[i] = coefficients_.gamma * h * sum;
-    }
+    change_to(2.0, far_.flows);
+    to_slope(rate_.flows, change, far_.flows, columns_[part]);
   }
 
   /// Relative change of the gas at the last point for a difference. Flow is the root of d = |p - p_a|/p: a
   /// second-order difference over r d is off by r^2, and by noise/(r d), which balance at r^3 = noise/d.
   static double increment(const FlowBalance& balance) {
+    if (balance.is_held()) return kIncrement;
     const double d = std::max(std::abs(balance.pressure_excess()) / balance.point().pressure, kNear);
     return std::min(kIncrement, std::cbrt(kNoise * d * d));
   }
 
-  /// Forward in x by what changes p by increment(), at most kStepShare of the step; exact in x.
+  /// Forward in x by kStepShare of the step, less where the volume changes p by more than increment(); exact
+  /// in x.
   double time_increment(const Rates& rates, double x, double h) const {
     const FlowBalance& balance = rates.balance;
-    const double t = rates.time(x), energy = balance.point().pressure * balance.point().volume;
-    const double change = increment(balance) * energy / std::abs(balance.closed_pressure_growth(t));
-    const double increment = change > 0.0 ? rates.position(t + change) - x : kStepShare * h;
-    const double chosen = std::max(std::min(increment, kStepShare * h),
+    const double t = rates.time(x), share = std::abs(balance.volume_rate(t)) / balance.point().volume;
+    const double by_volume = share > 0.0 ? rates.position(t + increment(balance) / share) - x : h;
+    const double chosen = std::max(std::min(by_volume, kStepShare * h),
                                    8.0 * std::numeric_limits<double>::epsilon() * std::abs(x));
     return (x + chosen) - x;
   }
 
-  /// columns_, energy_, the factors of 1/(gamma h) - S C, and slope_, the rates' derivative with x.
-  void fill_matrix(Rates& rates, const Vector& y, const Vector& dydx, double x, double h) {
+  /// The rates' derivative with x, the gas held.
+  void fill_slope(Rates& rates, double x, double step) {
+    const auto at = [&](double place, Pair& rate) {
+      rates.of_gas(gas_, rate.flows, place);
+      rates.gas_rates(rate.flows, rate.gas, place);
+    };
+    at(x + step, slope_);
+    at(x + 2.0 * step, far_);
+    for (const auto part : {&Pair::flows, &Pair::gas}) to_slope(rate_.*part, step, far_.*part, slope_.*part);
+  }
+
+  /// columns_, energy_, the factors of 1/(gamma h) - S d(rates)/dz, and slope_. Differences are to more of
+  /// what is there, so that no mass turns negative, and to less energy at the upper end of the temperature
+  /// range.
+  void fill_matrix(Rates& rates, double x, double h) {
     const FlowBalance& balance = rates.balance;
-    y_ = y;
-    rates.balance.locate(y, rates.time(x));
-    const double mass = balance.point().mass, energy = balance.point().thermal_energy;
+    rates.balance.locate_gas(gas_, rates.time(x));
+    const auto [mass, energy, temperature] =
+        std::tuple(balance.point().mass, balance.point().thermal_energy, balance.point().temperature);
     const double change = increment(balance);
+    const double inward =
+        temperature * (1.0 + 3.0 * change) > balance.thermo().maximum_temperature() ? -energy : energy;
     for (std::size_t k = 0; k < balance.species(); ++k) energy_[k] = balance.species_energy(k);
     energy_.back() = 1.0;
-    const double step = time_increment(rates, x, h);
-    rates(y_, slope_, x + step);
-    rates(y_, far_, x + 2.0 * step);
-    to_slope(dydx, step, slope_);
+    fill_slope(rates, x, time_increment(rates, x, h));
     for (std::size_t part = 0; part < gas_.size(); ++part) {
       std::ranges::fill(columns_[part], 0.0);  // of no gas: nothing has left yet
-      if (mass > 0.0)
-        difference(rates, dydx, y, part, change * (part < balance.species() ? mass : energy), x);
-      gas_change(balance, columns_[part], gas_);
+      if (mass > 0.0) difference(rates, part, change * (part < balance.species() ? mass : inward), x);
+      balance.gas_change(columns_[part], column_);
+      to_parts(column_);
       for (std::size_t i = 0; i < gas_.size(); ++i)
-        factors_.at(i, part) = (i == part ? 1.0 / (coefficients_.gamma * h) : 0.0) - gas_[i];
+        factors_.at(i, part) = (i == part ? 1.0 / (coefficients_.gamma * h) : 0.0) - column_[i];
     }
     factors_.factorize();
   }
 
   const boost::numeric::odeint::default_rosenbrock_coefficients<double> coefficients_{};
   Factors factors_;
-  std::vector<Vector> columns_;  // of C
-  Vector gas_;                   // z
+  std::vector<Vector> columns_;  // of d(rates)/dz
   Vector energy_;                // [J/kg] that a change of each mass takes along; 1 for the energy itself
-  Vector y_, rate_, far_, slope_, right_;
-  std::array<Vector, 5> g_;
+  Gas gas_, trial_gas_, column_;
+  Pair rate_, far_, slope_, right_;
+  std::array<Pair, 6> g_;
 };
 
 }  // namespace

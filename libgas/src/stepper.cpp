@@ -70,6 +70,16 @@ void Rates::operator()(const Vector& y, Vector& dydx, double x) {
   fill(dydx, x);
 }
 
+void Rates::of_gas(const FlowBalance::Gas& gas, Vector& dydx, double x) {
+  balance.locate_gas(gas, time(x));
+  fill(dydx, x);
+}
+
+void Rates::gas_rates(const Vector& dydx, FlowBalance::Gas& rates, double x) const {
+  balance.gas_change(dydx, rates);
+  balance.add_inflow_rates(root ? 2.0 * x : 1.0, time(x), rates);
+}
+
 void Rates::fill(Vector& dydx, double x) {
   balance.fill_rates(dydx, time(x));
   if (valid && !balance.point().valid) {

@@ -22,7 +22,10 @@ struct Rates {
   double time(double x) const { return root ? origin + x * x : x; }
   double position(double t) const { return root ? std::sqrt(t - origin) : t; }
   void operator()(const FlowBalance::Vector& y, FlowBalance::Vector& dydx, double x);
-  /// The same where the balance has located the gas.
+  /// The same for a gas; and the rates of the gas, d(gas)/dx, that go with dydx.
+  void of_gas(const FlowBalance::Gas& gas, FlowBalance::Vector& dydx, double x);
+  void gas_rates(const FlowBalance::Vector& dydx, FlowBalance::Gas& rates, double x) const;
+  /// As operator() where the balance has located the gas.
   void fill(FlowBalance::Vector& dydx, double x);
   /// From steps in the root to the same in t, once h is short against the time since the origin: there t is
   /// as smooth, and a balance that is steady in t is not in the root. True if so; the rates are then to be

@@ -29,9 +29,9 @@ Substepper::Substepper(const FlowBalance& balance, std::vector<double> levels,
       sonic_near_(kSonicNear * balance.ambient_pressure()),
       stepper_(make_stepper(options.method, balance)),
       first_step_share_(kFirstStep * std::pow(options.relative_tolerance, 1.0 / stepper_->error_power())),
-      begin_rate_(balance.unknowns()) {
-  const Vector zero(balance.unknowns(), 0.0);
-  trial_ = {zero, zero, zero};
+      zero_(balance.unknowns(), 0.0),
+      begin_rate_(zero_) {
+  trial_ = {zero_, zero_, zero_};
 }
 
 void Substepper::begin_step() {
@@ -52,12 +52,13 @@ void Substepper::count_attempt(const Rates& rates, double x, double h) {
 }
 
 /// One trial; `balance` is left at its end. False if any stage met no valid gas.
-bool Substepper::try_step(Rates& rates, const Vector& y, double x, double h) {
+bool Substepper::try_step(Rates& rates, double x, double h) {
   count_attempt(rates, x, h);
   rates.valid = true;
   rates.depleted.reset();
   rates.beyond = false;
-  stepper_->step(rates, y, begin_rate_, x, h, options_.fixed_step == 0.0, trial_);
+  h = (x + h) - x;  // what flows in until then, exactly
+  stepper_->step(rates, zero_, begin_rate_, x, h, options_.fixed_step == 0.0, trial_);
   if (!rates.valid) rates.balance.invalidate();
   return rates.valid;
 }
@@ -105,10 +106,11 @@ void Substepper::find_band(FlowBalance& balance, double t) {
   enter_band(balance);
 }
 
-/// Regime at (y, t). At p = p_a gas flows only if something would change p in [t, b].
-void Substepper::start_regime(FlowBalance& balance, const Vector& y, double t, double b) {
+/// Regime at time t, the begin of a sub-step. At p = p_a gas flows only if something would change p in [t,
+/// b].
+void Substepper::start_regime(FlowBalance& balance, double t, double b) {
   balance.set_regime(Regime::kClosed);
-  balance.locate(y, t);
+  balance.locate(zero_, t);
   const double excess = balance.pressure_excess();
   const bool on = std::abs(excess) <= near_ && balance.ambient_pressure() > 0.0;
   // The growth at both ends, where it decides; else the sign of p - p_a.
@@ -119,17 +121,24 @@ void Substepper::start_regime(FlowBalance& balance, const Vector& y, double t, d
   else if (balance.has_backflow() && (begin < 0.0 || end < 0.0))
     balance.set_regime(balance.back_sonic_excess() < 0.0 ? Regime::kBackSonic : Regime::kBack);
   find_band(balance, t);
+  start_hold(balance, t, b, 1.0);
 }
 
 /// From p = p_a the flow starts as the square root of time: step in that root, counted from where the flow
-/// would be zero. Then fills the rates at t, where the gas has been located.
+/// would be zero, while less flows than half of what p would rest at. Fills the rates at t, where the gas has
+/// been located.
 void Substepper::start_variable(Rates& rates, double t, double b) {
   const FlowBalance& balance = rates.balance;
+  rates.root = false;
+  rates.fill(begin_rate_, t);
   const double growth = balance.closed_pressure_growth(t), excess = std::abs(balance.pressure_excess());
   const bool onset =
       balance.regime() == Regime::kOut ? growth > 0.0 : balance.regime() == Regime::kBack && growth < 0.0;
+  if (!onset || options_.fixed_step > 0.0 || balance.pressure_rate(t) / growth < 0.5 / balance.point().volume)
+    return;
   const double shift = excess <= near_ ? 0.0 : excess * balance.point().volume / std::abs(growth);
-  rates.root = options_.fixed_step == 0.0 && onset && shift < b - t;
+  if (!(shift < b - t)) return;
+  rates.root = true;
   rates.origin = t - shift;
   rates.fill(begin_rate_, rates.position(t));
 }
@@ -153,13 +162,13 @@ double Substepper::first_step(const FlowBalance& balance, double t) const {
   return first_step_share_ / (fed + left);
 }
 
-double Substepper::integrate(FlowBalance& balance, Vector& y, double a, double b) {
+double Substepper::integrate(FlowBalance& balance, double a, double b) {
   Rates rates{balance};
-  start_regime(balance, y, a, b);
+  start_regime(balance, a, b);
   start_variable(rates, a, b);
   double t = a;
-  if (balance.point().mass == 0.0 && balance.has_walls() && (t = fill_first(rates, y, a, b)) > a) {
-    start_regime(balance, y, t, b);
+  if (balance.point().mass == 0.0 && balance.has_walls() && (t = fill_first(rates, a, b)) > a) {
+    start_regime(balance, t, b);
     start_variable(rates, t, b);
   }
   double x = rates.position(t);
@@ -172,7 +181,7 @@ double Substepper::integrate(FlowBalance& balance, Vector& y, double a, double b
     const bool last = h >= x_end - x;
     if (last) h = x_end - x;
     require_stable(rates, x, h);
-    if (!try_step(rates, y, x, h) && options_.fixed_step > 0.0) fail(rates, x, h);
+    if (!try_step(rates, x, h) && options_.fixed_step > 0.0) fail(rates, x, h);
     const double error = scaled_error(balance);
     const bool crosses = error <= 1.0 && crosses_against_flow(balance, rates.time(x + h), start);
     if (crosses && options_.fixed_step > 0.0) fail_crossing(x, h);
@@ -180,10 +189,10 @@ double Substepper::integrate(FlowBalance& balance, Vector& y, double a, double b
       h *= error > 1.0 ? step_factor(error) : kCrossingFactor;
       continue;
     }
-    const double length = end_at_events(rates, y, x, h, start);
+    const double length = end_at_events(rates, x, h, start);
     if (length > 0.0) {
       t = last && length == h ? b : rates.time(x + length);
-      y.swap(trial_.end);
+      balance.accept(trial_.end, t);
       begin_rate_.swap(trial_.end_rate);
       ++accepted_;
     }
@@ -192,7 +201,7 @@ double Substepper::integrate(FlowBalance& balance, Vector& y, double a, double b
     x += length;
     h *= factor;
     if (event_ != Event::kNone) {
-      if (length == 0.0) balance.locate(y, t);
+      if (length == 0.0) balance.locate(zero_, t);
       if (pass_event(balance)) break;
       start_variable(rates, t, b);
       x = rates.position(t);

@@ -20,9 +20,9 @@ class Substepper {
 
   /// Resets the counters.
   void begin_step();
-  /// Advances y from a towards b, in a segment begun in `balance`; returns the time reached: b, or earlier if
-  /// p came to a level (knots and triggers are to be brought up to date). Throws DomainError.
-  double integrate(FlowBalance& balance, Vector& y, double a, double b);
+  /// Advances `balance` from a towards b, in a segment begun there; returns the time reached: b, or earlier
+  /// if p came to a level (knots and triggers are to be brought up to date). Throws DomainError.
+  double integrate(FlowBalance& balance, double a, double b);
 
   int accepted() const { return accepted_; }
   int evaluations() const { return evaluations_; }
@@ -35,19 +35,18 @@ class Substepper {
   /// The same at the begin of a sub-step, with the rate of the pressure [Pa/s].
   struct Start {
     Place place;
-    double rate;
+    double rate, share;  // FlowBalance::Point::share
   };
-  enum class Event { kNone, kAmbient, kSonic, kBackSonic, kLevelAbove, kLevelBelow };
+  enum class Event { kNone, kAmbient, kSonic, kBackSonic, kLevelAbove, kLevelBelow, kHold };
 
   // substepper.cpp: steps
-  bool try_step(Rates& rates, const Vector& y, double x, double h);
+  bool try_step(Rates& rates, double x, double h);
   double scaled_error(const FlowBalance& balance) const;
   double step_factor(double error) const;
   double first_step(const FlowBalance& balance, double t) const;
   void count_attempt(const Rates& rates, double x, double h);
-  void start_regime(FlowBalance& balance, const Vector& y, double t, double b);
+  void start_regime(FlowBalance& balance, double t, double b);
   void start_variable(Rates& rates, double t, double b);
-  double fill_first(Rates& rates, Vector& y, double a, double b);
   void enter_band(FlowBalance& balance) const;
   void find_band(FlowBalance& balance, double t);
   bool pass_event(FlowBalance& balance);
@@ -56,6 +55,10 @@ class Substepper {
   void require_stable(const Rates& rates, double x, double h) const;
   [[noreturn]] void fail(const Rates& rates, double x, double h) const;
   [[noreturn]] void fail_crossing(double x, double h) const;
+
+  // first_gas.cpp, held_pressure.cpp
+  double fill_first(Rates& rates, double a, double b);
+  bool start_hold(FlowBalance& balance, double t, double b, double share);
 
   // events.cpp: where a sub-step has to end
   Start start_values(const FlowBalance& balance, double t) const;
@@ -66,12 +69,13 @@ class Substepper {
   Place place(const FlowBalance& balance) const;
   double distance(const Place& at, Event event) const;
   Regime regime_after(const FlowBalance& balance, Event event, double t) const;
-  double end_at_turn(Rates& rates, const Vector& y, double x, double h, const Start& start);
-  double end_at(Event event, Rates& rates, const Vector& y, double x, double h, const Start& start);
-  double end_at_events(Rates& rates, const Vector& y, double x, double h, const Start& start);
+  double end_at_turn(Rates& rates, double x, double h, const Start& start);
+  double end_at(Event event, Rates& rates, double x, double h, const Start& start);
+  double end_of_hold(Rates& rates, double x, double h, double start_share);
+  double end_at_switches(Rates& rates, double x, double h, const Start& start);
+  double end_at_events(Rates& rates, double x, double h, const Start& start);
   template <class Function>
-  double end_at_zero(Rates& rates, const Vector& y, double x, double h, double begin, double end, int bits,
-                     Function function);
+  double end_at_zero(Rates& rates, double x, double h, double begin, double end, int bits, Function function);
 
   IntegratorOptions options_;
   std::vector<double> levels_;  // [Pa] rising
@@ -80,6 +84,7 @@ class Substepper {
   std::unique_ptr<Stepper> stepper_;
   double first_step_share_;  // [-] relative change of the gas in a first step
   Stepper::Trial trial_;
+  const Vector zero_;  // the unknowns at the begin of each sub-step
   Vector begin_rate_;
   std::size_t band_ = 0;        // p lies between levels_[band_ - 1] and levels_[band_]
   bool band_is_known_ = false;  // since the last sub-step ended on a level

@@ -11,7 +11,8 @@
 namespace gas {
 
 void Substepper::fail(const Rates& rates, double x, double h) const {
-  const auto& point = rates.balance.point();
+  FlowBalance& balance = rates.balance;
+  const auto& point = balance.point();
   const Thermo& thermo = rates.balance.thermo();
   const bool fixed = options_.fixed_step > 0.0;
   const std::string where = "at t = " + to_text(rates.time(x)) + " s with a sub-step of " +
@@ -26,25 +27,30 @@ void Substepper::fail(const Rates& rates, double x, double h) const {
   if (!point.valid)
     throw DomainError("the gas leaves its temperature range, " + to_text(thermo.minimum_temperature()) +
                       " to " + to_text(thermo.maximum_temperature()) + " K, " + where);
+  Vector rate(zero_);
+  balance.locate(zero_, rates.time(x));
+  balance.fill_rates(rate, rates.time(x));
   const std::string gas =
       ", p = " + to_text(point.pressure) + " Pa and T = " + to_text(point.temperature) + " K";
   if (fixed)
     throw DomainError("a fixed sub-step of " + to_text(options_.fixed_step) + " s takes more than " +
                       std::to_string(options_.maximum_steps) + " sub-steps, " + where + gas +
                       "; a longer one (gas_step of a case), or none, is allowed");
-  const double rate = rates.balance.relaxation_rate() + rates.balance.heat_rate();
+  const double relaxation = balance.relaxation_rate() + balance.heat_rate();
   const bool is_explicit = std::isfinite(stepper_->stability_limit());
   throw DomainError("the gas is too stiff for the integrator: " + std::to_string(attempts_) + " sub-steps, " +
-                    where + gas + (rate > 0.0 ? "; it relaxes within " + to_text(1.0 / rate) + " s" : "") +
+                    where + gas +
+                    (relaxation > 0.0 ? "; it relaxes within " + to_text(1.0 / relaxation) + " s" : "") +
                     (is_explicit ? "; Rosenbrock 4 (gas_method of a case) has no such limit" : ""));
 }
 
-/// A fixed step past the limit of its method grows where inflow feeds what leaves; where gas only runs out,
-/// p = p_a ends it. Walls feed and take.
+/// A fixed step past the limit of its method grows where inflow feeds what leaves, or walls or expansion draw
+/// in what comes back; where gas only runs out or in, p = p_a ends it. Walls feed and take.
 void Substepper::require_stable(const Rates& rates, double x, double h) const {
   const FlowBalance& balance = rates.balance;
   if (options_.fixed_step == 0.0 || options_.unsafe_step) return;
-  const bool fed = balance.point().back == 0.0 && balance.closed_pressure_growth(x) > 0.0;
+  const double growth = balance.closed_pressure_growth(x);
+  const bool fed = balance.point().back > 0.0 ? growth < 0.0 : growth > 0.0;
   const double rate = balance.heat_rate() + (fed ? balance.relaxation_rate() : 0.0);
   const double limit = stepper_->stability_limit();
   if (!(h * rate > limit)) return;

@@ -65,9 +65,10 @@ struct IntegratorOptions {
 /// is ever stepped over, at any tolerance, by any method. Break points: knots and firing times of the
 /// inflows, inflow temperatures of 1000 K, knots of the vents' curves, switching times of the triggers;
 /// located: pressure triggers, knots of the overpressure, the sonic/subsonic switch of the vents and p = p_a.
-/// A sealed adiabatic volume of constant size, or that follows the pressure, is pure quadrature. Explicit
-/// methods take sub-steps of the order 1/(G.14) where inflow is balanced by outflow, or cooling by backflow;
-/// with fixed_step a sub-step past the method's limit, or past p_a against what feeds the flow, is an error.
+/// A sealed adiabatic volume of constant size, or that follows the pressure, is pure quadrature. A balance of
+/// flows within 1e-10 of p_a holds p there, to as much (G.22). Explicit methods take sub-steps of the order
+/// 1/(G.14) where inflow is balanced by outflow, or cooling by backflow; with fixed_step a sub-step past the
+/// method's limit, or past p_a against what feeds the flow, is an error.
 class GasIntegrator {
  public:
   /// Copies the model. Throws std::invalid_argument for a bad model or option. Allocates all that advance()

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+// The first gas of an evacuated volume, which has no heat capacity.
+#include <algorithm>
+
+#include "substepper.hpp"
+
+namespace gas {
+namespace {
+
+/// `to` plus factor times the amount `from`.
+void add(double factor, const Mixture& from, Mixture& to) {
+  to.constant_cp = from.constant_cp;
+  to.minimum_temperature = from.minimum_temperature;
+  to.maximum_temperature = from.maximum_temperature;
+  to.gas_constant_sum += factor * from.gas_constant_sum;
+  for (std::size_t j = 0; j < to.low.size(); ++j) {
+    to.low[j] += factor * from.low[j];
+    to.high[j] += factor * from.high[j];
+  }
+}
+
+}  // namespace
+
+/// The temperature at which inflow and walls balance while an evacuated volume begins to fill, sum mdot_i
+/// (h_i - u_i(T)) = h A (T - T_ext), which is the equation of a mixture with h A added to its cp. None
+/// without inflow.
+std::optional<double> FlowBalance::temperature_of_first_gas(double t) const {
+  const HeatLoss& loss = model_.heat_loss;
+  Mixture sum;
+  double energy = loss.conductance * loss.outside_temperature, flow = 0.0;
+  for (const InflowSegment& segment : segments_) {
+    const auto [mass_flow, temperature] = segment.flow(t - segment_begin_);
+    if (!(mass_flow > 0.0)) continue;
+    energy += mass_flow * segment.gas().enthalpy(temperature);
+    add(mass_flow, segment.gas(), sum);
+    flow += mass_flow;
+  }
+  if (point_.back > 0.0) {
+    energy += point_.back * air_enthalpy_;
+    add(point_.back, air_, sum);
+    flow += point_.back;
+  }
+  if (flow == 0.0) return {};
+  sum.low[0] += loss.conductance;
+  sum.high[0] += loss.conductance;
+  return sum.find_temperature(energy, loss.outside_temperature);
+}
+
+void FlowBalance::fill_until(Vector& y, const Vector& dydt, double begin, double end) {
+  for (std::size_t j = 0; j < backflows(); ++j) y[back_slot(j)] += dydt[back_slot(j)] * (end - begin);
+  collect(y, end);
+  model_.thermo.mixture(masses_, mixture_);
+  if (const auto temperature = temperature_of_first_gas(end))
+    y[heat_slot()] += energy_ - mixture_.internal_energy(*temperature);
+}
+
+double FlowBalance::mass_in_until(double t) const {
+  double mass = 0.0;
+  for (const InflowSegment& segment : segments_) mass += segment.delivered(0.0, t - segment_begin_).mass;
+  return mass + point_.back * (t - segment_begin_);
+}
+
+/// Behind walls the first gas of an evacuated volume has no heat capacity to be stepped with: it is at its
+/// balance with them. So it is for one fixed step, or until a share of the segment's gas is there that will
+/// be forgotten at its end; and below all switches and levels. Returns the time reached.
+double Substepper::fill_first(Rates& rates, double a, double b) {
+  FlowBalance& balance = rates.balance;
+  const double all = balance.mass_in_until(b), fixed = options_.fixed_step;
+  if (!(all > 0.0)) return a;
+  double lowest = 0.4 * balance.ambient_pressure();  // below the sonic switch of every gas
+  for (const double level : levels_)
+    if (level > 0.0) lowest = std::min(lowest, 0.5 * level);
+  for (double step = fixed > 0.0 ? std::min(fixed, b - a) : b - a;; step *= 0.5) {
+    const double end = step == b - a ? b : a + step;
+    if (fixed == 0.0 && balance.mass_in_until(end) > options_.relative_tolerance * all) continue;
+    trial_.end = zero_;
+    balance.fill_until(trial_.end, begin_rate_, a, end);
+    balance.locate(trial_.end, end);
+    if (lowest > 0.0 && balance.point().pressure > lowest) continue;
+    balance.accept(trial_.end, end);
+    ++accepted_;
+    return end;
+  }
+}
+
+}  // namespace gas

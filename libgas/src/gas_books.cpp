@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: Apache-2.0
+// FlowBalance: what the gas holds. It is carried from sub-step to sub-step, not as what it held at the step's
+// begin less what has passed since: through a tiny volume that is so much more that the difference would be
+// rounding.
+#include <algorithm>
+
+#include "flow_balance.hpp"
+
+namespace gas {
+namespace {
+
+// A species that runs out leaves a remainder of round-off, of either sign, relative to what passed through.
+constexpr double kMassRoundOff = 1e-13;
+
+}  // namespace
+
+void FlowBalance::begin_books(const ControlVolumeState& state) {
+  for (std::size_t k = 0; k < masses_.size(); ++k) base_[k] = state.masses[k];
+  base_.back() = state.internal_energy;
+  std::ranges::fill(totals_, CompensatedSum{});
+  std::ranges::fill(delivered_, StreamFlux{});
+  std::ranges::fill(received_, StreamFlux{});
+}
+
+void FlowBalance::end_segment(double reached) {
+  for (std::size_t i = 0; i < segments_.size(); ++i) {
+    const auto [mass, enthalpy] = segments_[i].delivered_until(reached);
+    add_inflow(i, mass - received_[i].mass, enthalpy - received_[i].enthalpy);
+    delivered_[i].mass += mass;
+    delivered_[i].enthalpy += enthalpy;
+    received_[i] = {};
+    segments_[i] = InflowSegment();
+  }
+}
+
+void FlowBalance::add_inflow(std::size_t i, double mass, double enthalpy) {
+  for (std::size_t k = 0; k < masses_.size(); ++k) base_[k].add(model_.inflows[i].mass_fractions[k] * mass);
+  base_.back().add(enthalpy);
+  received_[i].mass += mass;
+  received_[i].enthalpy += enthalpy;
+}
+
+void FlowBalance::accept(const Vector& y, double t) {
+  for (std::size_t i = 0; i < segments_.size(); ++i) {
+    const auto [mass, enthalpy] = segments_[i].delivered(base_time_ - segment_begin_, t - segment_begin_);
+    add_inflow(i, mass, enthalpy);
+  }
+  for (std::size_t k = 0; k < masses_.size(); ++k) {
+    base_[k].add(species_change(y, k));
+    if (base_[k].value() < 0.0) base_[k] = 0.0;
+  }
+  base_.back().add(energy_change(y));
+  for (std::size_t i = 0; i < totals_.size(); ++i) totals_[i].add(y[i]);
+  base_time_ = t;
+}
+
+void FlowBalance::close_streams(Vector& y) const {
+  double species = 0.0, out = 0.0;
+  for (std::size_t k = 0; k < masses_.size(); ++k) species += y[k];
+  for (std::size_t s = 0; s < streams(); ++s) out += y[out_slot(s)];
+  if (!(out > 0.0)) return;
+  for (std::size_t s = 0; s < streams(); ++s) y[out_slot(s)] *= species / out;
+}
+
+double FlowBalance::species_change(const Vector& y, std::size_t k) const {
+  double change = -y[k];
+  for (std::size_t j = 0; j < backflows(); ++j) change += model_.ambient.mass_fractions[k] * y[back_slot(j)];
+  return change;
+}
+
+double FlowBalance::energy_change(const Vector& y) const {
+  double change = -y[work_slot()] - y[heat_slot()];
+  for (std::size_t s = 0; s < streams(); ++s) change -= y[out_slot(s) + 1];
+  for (std::size_t j = 0; j < backflows(); ++j) change += air_enthalpy_ * y[back_slot(j)];
+  return change;
+}
+
+/// Fills masses_ and energy_ with the gas of the sub-step's begin and what has flowed in since.
+void FlowBalance::supply(double t) {
+  for (std::size_t k = 0; k < masses_.size(); ++k) masses_[k] = base_[k].value();
+  energy_ = base_.back().value();
+  for (std::size_t i = 0; i < segments_.size(); ++i) {
+    const auto [mass, enthalpy] = segments_[i].delivered(base_time_ - segment_begin_, t - segment_begin_);
+    for (std::size_t k = 0; k < masses_.size(); ++k) masses_[k] += model_.inflows[i].mass_fractions[k] * mass;
+    energy_ += enthalpy;
+  }
+  point_.depleted.reset();
+}
+
+/// The gas at time t, (G.9), (G.10).
+void FlowBalance::collect(const Vector& y, double t) {
+  supply(t);
+  for (std::size_t k = 0; k < masses_.size(); ++k) {
+    for (std::size_t j = 0; j < backflows(); ++j)
+      masses_[k] += model_.ambient.mass_fractions[k] * y[back_slot(j)];
+    const double available = masses_[k];
+    masses_[k] = std::max(0.0, available - y[k]);
+    if (!(y[k] <= available * (1.0 + kMassRoundOff))) point_.depleted = k;
+  }
+  energy_ += energy_change(y);
+}
+
+void FlowBalance::locate(const Vector& y, double t) {
+  collect(y, t);
+  find_point(t);
+}
+
+void FlowBalance::locate_gas(const Gas& gas, double t) {
+  double mass = 0.0;
+  for (std::size_t k = 0; k < masses_.size(); ++k) mass += masses_[k] = std::max(0.0, gas[k]);
+  point_.depleted.reset();
+  for (std::size_t k = 0; k < masses_.size(); ++k)
+    if (!(gas[k] >= -kMassRoundOff * mass)) point_.depleted = k;
+  energy_ = gas.back();
+  find_point(t);
+}
+
+double FlowBalance::pressure(double t) {
+  base_time_ = segment_begin_ = t;
+  supply(t);
+  find_point(t);
+  return point_.pressure;
+}
+
+void FlowBalance::gas_begin(Gas& gas) const {
+  for (std::size_t i = 0; i < gas.size(); ++i) gas[i] = base_[i].value();
+}
+
+void FlowBalance::gas_change(const Vector& y, Gas& change) const {
+  for (std::size_t k = 0; k < masses_.size(); ++k) change[k] = species_change(y, k);
+  change.back() = energy_change(y);
+}
+
+void FlowBalance::add_inflow_rates(double factor, double t, Gas& rates) const {
+  for (std::size_t i = 0; i < segments_.size(); ++i) {
+    const auto [mass_flow, temperature] = segments_[i].flow(t - segment_begin_);
+    if (mass_flow == 0.0) continue;
+    for (std::size_t k = 0; k < masses_.size(); ++k)
+      rates[k] += factor * mass_flow * model_.inflows[i].mass_fractions[k];
+    rates.back() += factor * mass_flow * segments_[i].gas().enthalpy(temperature);
+  }
+}
+
+}  // namespace gas

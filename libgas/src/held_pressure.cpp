@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+// Where a balance lies within kHoldNear of p_a, p is held there: what flows through the openings is what
+// keeps it. The difference of the pressures, of which the flow is the root, would be rounding.
+#include <algorithm>
+#include <cmath>
+
+#include "flow_balance.hpp"
+#include "near.hpp"
+#include "substepper.hpp"
+
+namespace gas {
+
+/// Fills the flows at `share` times kHoldNear from p_a, out or in; returns what they do to V dp/dt [W].
+double FlowBalance::flows_near_ambient(Vector& dydt, double t, bool out, double share) {
+  point_.vent = point_.fabric = point_.back = 0.0;
+  if (out)
+    outflow_rates(dydt, t, ambient_pressure() * (1.0 + share * kHoldNear));
+  else
+    backflow_rates(dydt, t, ambient_pressure() * (1.0 - share * kHoldNear));
+  return pressure_rate(t) * point_.volume - closed_pressure_growth(t);
+}
+
+/// The flows that hold p, (G.22). Without backflow nothing does so where p would fall: the share is then
+/// negative.
+void FlowBalance::hold(Vector& dydt, double t) {
+  const double growth = closed_pressure_growth(t);
+  point_.share = -growth / flows_near_ambient(dydt, t, growth >= 0.0 || !has_backflow(), 1.0);
+  const double factor = std::isfinite(point_.share) ? std::max(0.0, point_.share) : 0.0;
+  for (std::size_t i = 0; i < dydt.size(); ++i)
+    if (is_flow(i)) dydt[i] *= factor;
+  point_.vent *= factor;
+  point_.fabric *= factor;
+  point_.back *= factor;
+}
+
+/// The overpressure at which the openings carry the share: flow ~ overpressure^n.
+double FlowBalance::held_overpressure(double t) {
+  const double share = point_.share;
+  const bool out = closed_pressure_growth(t) >= 0.0;
+  if (!(share > 0.0)) return 0.0;
+  const double full = flows_near_ambient(scratch_, t, out, 1.0);
+  const double n = std::log(full / flows_near_ambient(scratch_, t, out, 0.25)) / std::log(4.0);
+  return (out ? kHoldNear : -kHoldNear) * ambient_pressure() * std::pow(std::min(1.0, share), 1.0 / n);
+}
+
+void FlowBalance::settle(Vector& y, Vector& dydt, double t, double h) {
+  // Newton's method: from an error of p of 1e-2, the largest tolerance, to rounding.
+  for (int i = 0; i < 3; ++i) {
+    const double excess = (pressure_excess() - held_overpressure(t)) * point_.volume;
+    double longer = excess / closed_pressure_growth(t);
+    const Vector* rates = &dydt;
+    if (!(longer >= -0.5 * h && std::isfinite(longer))) {  // an error of p more than its flow in h
+      if (excess < 0.0 && !has_backflow()) break;
+      longer = -excess / flows_near_ambient(scratch_, t, excess > 0.0, 1.0);
+      rates = &scratch_;
+    }
+    for (std::size_t j = 0; j < y.size(); ++j)
+      if (is_flow(j)) y[j] += longer * (*rates)[j];
+    locate(y, t);
+    fill_rates(dydt, t);
+  }
+  fill_rates(dydt, t);
+}
+
+/// Sets the regime that holds p, if p is on its balance to `share` times kHoldNear and can be held there from
+/// t to b.
+bool Substepper::start_hold(FlowBalance& balance, double t, double b, double share) {
+  const double p_a = balance.ambient_pressure(), begin = balance.closed_pressure_growth(t);
+  if (p_a == 0.0 || std::abs(balance.pressure_excess()) > share * kHoldNear * p_a) return false;
+  const double growth = begin != 0.0 ? begin : balance.closed_pressure_growth(b);
+  if (!(growth > 0.0 ? balance.is_open() : growth < 0.0 && balance.has_backflow())) return false;
+  const Regime before = balance.regime();
+  balance.set_regime(Regime::kHeld);
+  balance.fill_rates(trial_.end_rate, t);
+  if (balance.point().share >= 0.0 && balance.point().share <= share) return true;
+  balance.set_regime(before);
+  balance.fill_rates(trial_.end_rate, t);
+  return false;
+}
+
+}  // namespace gas
