@@ -69,7 +69,10 @@ jet::OutletModel read_outlet(TableReader& table, const jet::JetModel& model) {
       {{"static", jet::OutletTemperature::static_value}, {"stagnation", jet::OutletTemperature::stagnation}},
       "static");
   outlet.area = jet::outlet_area(model);
-  jet::validate(outlet);
+  if (!(outlet.area > 0.0 && std::isfinite(outlet.area)))
+    table.fail(model.shape == jet::OutletShape::round ? "radius" : "short_side",
+               fmt::format("makes an outlet of {} m2, a finite area above 0 is allowed", outlet.area));
+  table.located("temperature", [&] { jet::validate(outlet); });
   return outlet;
 }
 

@@ -10,23 +10,18 @@
 #include "jet/centreline.hpp"
 #include "outline.hpp"
 #include "profile.hpp"
+#include "refuse.hpp"
 
 namespace jet {
 namespace {
 
-[[noreturn]] void refuse_model(const char* name, double value, const char* allowed) {
-  std::ostringstream message;
-  message.precision(17);
-  message << "jet " << name << " is " << value << ", allowed: " << allowed;
-  throw std::invalid_argument(message.str());
-}
-
 void require_positive(const char* name, double value) {
-  if (!(value > 0.0) || !std::isfinite(value)) refuse_model(name, value, "finite and > 0");
+  if (!(value > 0.0) || !std::isfinite(value))
+    refuse_value(std::string("jet ") + name, value, "finite and > 0");
 }
 
 void require_range(const char* name, double value, bool inside, const char* allowed) {
-  if (!inside) refuse_model(name, value, allowed);
+  if (!inside) refuse_value(std::string("jet ") + name, value, allowed);
 }
 
 Eigen::Vector3d unit(const char* name, const Eigen::Vector3d& vector) {

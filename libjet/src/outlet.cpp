@@ -2,31 +2,24 @@
 #include "jet/outlet.hpp"
 
 #include <cmath>
-#include <sstream>
+
+#include "refuse.hpp"
 
 namespace jet {
 namespace {
 
-template <class Error>
-[[noreturn]] void refuse_outlet(const char* name, double value, const char* allowed) {
-  std::ostringstream message;
-  message.precision(17);
-  message << name << " is " << value << ", allowed: " << allowed;
-  throw Error(message.str());
-}
-
 void check_positive(const char* name, double value) {
-  if (!(value > 0.0) || !std::isfinite(value)) refuse_outlet<DomainError>(name, value, "finite and > 0");
+  if (!(value > 0.0) || !std::isfinite(value)) refuse_value<DomainError>(name, value, "finite and > 0");
 }
 
 void check(const OutletModel& model, const OutletInput& input) {
   if (!(input.mass_flow >= 0.0) || !std::isfinite(input.mass_flow)) {
-    refuse_outlet<DomainError>("outlet mass_flow", input.mass_flow, "finite and >= 0");
+    refuse_value<DomainError>("outlet mass_flow", input.mass_flow, "finite and >= 0");
   }
   check_positive("outlet temperature", input.temperature);
   check_positive("outlet gas_constant", input.gas_constant);
   if (!(input.cp > input.gas_constant) || !std::isfinite(input.cp)) {
-    refuse_outlet<DomainError>("outlet cp", input.cp, "finite and > gas_constant");
+    refuse_value<DomainError>("outlet cp", input.cp, "finite and > gas_constant");
   }
   if (model.law == OutletLaw::pressure_matched) check_positive("outlet bag_pressure", input.bag_pressure);
 }
@@ -58,7 +51,7 @@ OutletState subsonic_state(const OutletModel& model, const OutletInput& input) {
 
 void validate(const OutletModel& model) {
   if (!(model.area > 0.0) || !std::isfinite(model.area)) {
-    refuse_outlet<std::invalid_argument>("outlet area", model.area, "finite and > 0 [m2]");
+    refuse_value("outlet area", model.area, "finite and > 0 [m2]");
   }
   if (model.law == OutletLaw::pressure_matched && model.temperature != OutletTemperature::stagnation) {
     throw std::invalid_argument(

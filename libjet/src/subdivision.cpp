@@ -4,16 +4,16 @@
 #include <algorithm>
 #include <limits>
 #include <map>
-#include <stdexcept>
 #include <string>
 #include <utility>
+
+#include "refuse.hpp"
 
 namespace jet {
 namespace {
 
 [[noreturn]] void refuse_mesh(const std::string& name, long long value, const std::string& allowed) {
-  throw std::invalid_argument("jet subdivision " + name + " is " + std::to_string(value) +
-                              ", allowed: " + allowed);
+  refuse_value("jet subdivision " + name, static_cast<double>(value), allowed);
 }
 
 void require(const char* name, Eigen::Index value, Eigen::Index wanted) {

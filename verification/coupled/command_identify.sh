@@ -76,6 +76,7 @@ part_identify() {
   bad_option "--gas N2=0.5: sum of fractions = 0.5: must be 1" --gas N2=0.5
   bad_option "--tank-gas N2=x: 'N2=x' is no NAME=FRACTION" --tank-gas N2=x
   bad_option "--method" --method triple
+  expect 2 "--draws: is empty" "$gasjet" identify "$data" $base --draws= --out "$work/none.csv"
   expect 2 "--out .*would overwrite" "$gasjet" identify "$data" $base --out "$data"
   expect 2 "not writable" "$gasjet" identify "$data" $base --out "$work/nowhere/none.csv"
   expect 2 "no such file" "$gasjet" identify "$work/missing.csv" $base --out "$work/none.csv"

@@ -23,7 +23,7 @@ CLI::Validator not_empty(const std::string& needed) {
   return {[fault](std::string& text) { return text.empty() ? fault : std::string(); }, ""};
 }
 const CLI::Validator named = not_empty("a name");
-
+const CLI::Validator given = not_empty("a value");  // empty text would be read as the number 0
 // Taken as soon as it is read: overrides act in the order of the command line.
 void add_override(CLI::App& command, std::vector<std::string>& overrides, const char* name,
                   std::string_view prefix, const char* meaning) {
@@ -158,7 +158,7 @@ void add_others(CLI::App& app, Arguments& all) {
 void add_identify(CLI::App& app, IdentifyArguments& a) {
   auto* c = app.add_subcommand("identify", "tank test: mass flow and temperature from measured pressures");
   const auto add = [&](const char* name, auto& value, const char* text) {
-    return c->add_option(name, value, text)->capture_default_str();
+    return c->add_option(name, value, text)->capture_default_str()->check(given);
   };
   c->add_option("DATA", a.file,
                 "CSV of readings, with a header row; time [s] from firing, pressures [Pa] absolute")
@@ -167,8 +167,8 @@ void add_identify(CLI::App& app, IdentifyArguments& a) {
   c->add_option("--method", a.method, "average (temperature) or dual (pressure: tank and chamber)")
       ->required()
       ->check(CLI::IsMember({"average", "dual"}));
-  c->add_option("--volume", a.volume, "volume of the tank [m3]")->required();
-  c->add_option("--mass", a.mass, "total mass that the inflator delivers [kg]")->required();
+  c->add_option("--volume", a.volume, "volume of the tank [m3]")->required()->check(given);
+  c->add_option("--mass", a.mass, "total mass that the inflator delivers [kg]")->required()->check(given);
   c->add_option("--gas", a.gas, "what it delivers: NAME, air or NAME=FRACTION,... (N2=0.7,CO2=0.3)")
       ->required();
   add("--tank-gas", a.tank_gas, "what the tank holds before firing");
