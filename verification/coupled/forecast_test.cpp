@@ -10,6 +10,7 @@
 
 #include "case_folder.hpp"
 #include "claim.hpp"
+#include "closed_form/gas.hpp"
 #include "run_case.hpp"
 
 namespace {
@@ -49,6 +50,18 @@ TEST(forecast, pressure_of_the_full_volume_by_hand) {
       bag.group.at("fabric_stretch"),
       1.5 * kGamma * bag.forecast.full->pressure * std::cbrt(0.75 * volume / M_PI) / (60e6 * 0.5e-3 / 0.7),
       kDigits);
+}
+
+TEST(forecast, full_volume_that_follows_its_pressure_eq_closed_form) {
+  const Forecasted bag = forecasted(
+      "bag_volume",
+      {"gas.initial.composition={N2=1.0}", "tank.volume={overpressure=[0.0, 1e6], value=[0.06, 0.56]}"});
+  const closed_form::SpringBag spring{{kR, kGamma}, 101325.0, 293.15, 0.06, 5e-7};
+  const auto exact = closed_form::spring_bag_fill(spring, 0.16, 406.0);  // the case's triangle of inflow
+  claim::expect_relative(
+      {"K.30", "case bag_volume, a curve of two knots: closed pressure [Pa]", "eight digits of cp"},
+      bag.forecast.full->closed_pressure, exact.pressure, kDigits);
+  EXPECT_NEAR(bag.forecast.full->volume, exact.volume, kDigits * exact.volume);
 }
 
 TEST(forecast, balance_and_choking_by_hand) {

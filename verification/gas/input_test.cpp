@@ -39,6 +39,19 @@ void expect_model_refused(Change change, const std::string& field) {
   expect_refused([&] { gas::GasIntegrator{model}; }, field);
 }
 
+TEST(input, volume_of_overpressure) {
+  using Knots = std::vector<gas::Curve::Knot>;
+  const auto refused = [](Knots knots, gas::Outside outside, const std::string& field) {
+    expect_model_refused([&](auto& model) { model.volume_of_overpressure = gas::Curve(knots, outside); },
+                         field);
+  };
+  refused({{0.0, 0.1}, {1e4, 0.09}}, gas::Outside::kHeld, "must not fall");
+  refused({{0.0, 0.0}, {1e4, 0.1}}, gas::Outside::kHeld, "must be positive");
+  refused({{-2e5, 0.1}, {1e4, 0.1}}, gas::Outside::kHeld, "first overpressure");
+  refused({{0.0, 0.1}}, gas::Outside::kHeld, "at least 2");
+  refused({{0.0, 0.1}, {1e4, 0.1}}, gas::Outside::kZero, "held outside");
+}
+
 TEST(input, species) {
   expect_refused([] { gas::nasa7_species("Xe"); }, "Xe");
   expect_refused([] { gas::constant_cp_species("N2", 100.0); }, "temperature");
