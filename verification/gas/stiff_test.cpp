@@ -33,7 +33,7 @@ struct Leaky {
 
 TEST(stiff, implicit_method_has_the_balance_in_any_volume_at_any_tolerance) {
   for (const double volume : {1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12})
-    for (const double tolerance : {1e-4, 1e-6, 1e-8}) {
+    for (const double tolerance : {1e-4, 1e-6, 1e-9}) {
       SCOPED_TRACE(testing::Message() << volume << " m3 at " << tolerance);
       const Leaky tank{volume, 3.75e-3, 0.02};
       double out = 0.0;
@@ -128,14 +128,16 @@ TEST(held_pressure, is_let_go_and_taken_up) {
     gas::ControlVolumeState state = gas::make_state(model, kPure, kAmbientPressure, 300.0, 0.06);
     gas::GasIntegrator integrator(model, {1e-12, 100000, method});
     const double density = kAmbientPressure / (296.8 * 300.0);
-    for (int i = 0; i < 20; ++i) {
-      const gas::StepFluxes f = integrator.advance(state, 1e-3 * i, 1e-3 * (i + 1), rigid(0.06));
-      const gas::GasPoint point = gas::evaluate(model, state, 0.06, 0.0, 1e-3 * (i + 1));
-      const double flow = 0.1 * std::min(1e-3 * (i + 1), 0.02 - 1e-3 * (i + 1));
-      const double excess = std::pow(flow / 0.02, 2.0) / (2.0 * density);
-      // p lags by (p - p_a)/growth V, some 1e-5 s, in which the flow changes by 1 % at 1 ms.
-      EXPECT_NEAR(point.pressure - kAmbientPressure, excess, 0.02 * excess + 1e-10 * kAmbientPressure) << i;
-      const double in = 1e-7 * (i < 10 ? i + 0.5 : 19.5 - i);
+    for (int i = 0; i < 4; ++i) {
+      const double begin = 5e-3 * i, end = 5e-3 * (i + 1);
+      const gas::StepFluxes f = integrator.advance(state, begin, end, rigid(0.06));
+      const double flow = 0.1 * std::min(end, 0.02 - end),
+                   excess = std::pow(flow / 0.02, 2.0) / (2.0 * density);
+      // p lags by (p - p_a)/growth V, some 1e-5 s, in which the flow changes by less than 1 %.
+      EXPECT_NEAR(gas::evaluate(model, state, 0.06, 0.0, end).pressure - kAmbientPressure, excess,
+                  0.02 * excess + 1e-10 * kAmbientPressure)
+          << i;
+      const double in = i == 0 || i == 3 ? 1.25e-6 : 3.75e-6;
       EXPECT_NEAR(f.mass_in, in, 1e-12 * in);
       EXPECT_NEAR(f.vent_mass_out, in, 1e-8 * 0.06 * density) << i;
     }
