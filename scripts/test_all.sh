@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # Sets up the machine, builds with warnings as errors and runs the tests, then runs them once more with libraries and
-# driver under AddressSanitizer and UndefinedBehaviorSanitizer, but for whole scenes and convergence of whole membranes,
+# driver under AddressSanitizer and UndefinedBehaviorSanitizer, but for orders and convergence over whole scenes and membranes,
 # which take minutes there. The last line counts the tests of both suites together.
 # usage: scripts/test_all.sh [--no-sanitize] [--long]
 #   --no-sanitize  leave out the sanitizer build
@@ -79,8 +79,10 @@ fi
 phase "verification report" scripts/verification_report.sh --check || failed_suites+=("verification report")
 phase "stability atlas" scripts/stability_atlas.sh --check || failed_suites+=("stability atlas")
 if ((sanitize)); then
-  slow='^(jet_scene|coupled_energy|contact_scene|same_bits|MassShares|ContactBalloon|ContactRebound|shadow)\.|plate_that_the_folded_bag_crosses'
+  slow='^(MassShares|ContactBalloon|ContactRebound|shadow)\.|plate_that_the_folded_bag_crosses'
   slow+='|coupled_books|Inflated|command_(reference|external|ladder)|ladder.(impactor|free_bag)'
+  slow+='|jet_scene\.fast_route|coupled_energy\.(drift|jet_work_leaves)|contact_scene\.(drift|default_stiffness|broad_phase)'
+  slow+='|same_bits\.for_one_two_and_three'
   build sanitize
   if ((long)); then suite sanitize; else suite sanitize -E "$slow"; fi
 fi
