@@ -13,7 +13,7 @@ namespace {
 // quadratic.
 constexpr double kSmallStep = 1e-8;
 constexpr int kSmallSteps = 3;
-constexpr int kMaximumIterations = 100;
+constexpr int kMostNewtonSteps = 100;
 
 }  // namespace
 
@@ -46,7 +46,7 @@ std::optional<double> find_temperature(const Mixture& gas, const Curve& curve, d
                                        double energy, double guess) noexcept {
   double t = guess;
   int small = 0, outside = 0;
-  for (int i = 0; i < kMaximumIterations && outside < 2; ++i) {
+  for (int i = 0; i < kMostNewtonSteps && outside < 2; ++i) {
     const PressurePlace place = pressure_place(curve, ambient_pressure, gas.gas_constant_sum * t);
     const double excess = gas.internal_energy(t) + place.work - energy;
     const double next = t - excess / heat_capacity(place, gas.cv(t), gas.gas_constant_sum);
