@@ -79,6 +79,7 @@ struct ContactState {
   int skips = 0;                        // counter: levels that were certain to be idle
   int sweeps = 0;                       // counter: swept tests of the whole skin
 
+  // Of `told`.
   static constexpr double kNotTold = std::numeric_limits<double>::quiet_NaN();
 };
 
