@@ -110,7 +110,7 @@ struct Emptied {
 };
 
 /// 0.1 s of a choked blow-down.
-Emptied blowdown(const gas::IntegratorOptions& options) {
+Emptied empty_the_bag(const gas::IntegratorOptions& options) {
   constexpr double volume = 0.06, pressure = 5e5, end = 0.1;
   gas::ControlVolumeModel model = proportional_bag(volume, pressure);
   model.vents.push_back({1.0, 1e-3});
@@ -136,13 +136,13 @@ TEST(pressure_volume, blowdown_of_a_proportional_bag_has_each_methods_order) {
         Order{gas::Method::kRosenbrock4, "Rosenbrock 4(3)", 4.0, 0.3}}) {
     std::vector<double> errors;
     for (const int steps : {8, 16, 32})
-      errors.push_back(blowdown({1e-10, 100000, method, 0.1 / steps}).error);
+      errors.push_back(empty_the_bag({1e-10, 100000, method, 0.1 / steps}).error);
     claim::expect_order({"G.18", std::string(name) + ", blow-down of a bag, V ~ p: pressure",
                          "the next order's term, halved with each halving"},
                         errors, order - band, order + band);
     // One tolerance a sub-step; Euler's are too many at 1e-10.
     const double tolerance = method == gas::Method::kEuler ? 1e-6 : 1e-10;
-    const Emptied run = blowdown({tolerance, 100000, method});
+    const Emptied run = empty_the_bag({tolerance, 100000, method});
     EXPECT_LT(run.error, run.steps * tolerance) << name;
   }
 }
