@@ -11,7 +11,7 @@ using test::expect_relative;
 using test::kAlgebra;
 using test::kIntegrated;
 
-constexpr PerfectGas kArgon{208.13, 5.0 / 3.0};
+constexpr PerfectGas kBagGas{208.13, 5.0 / 3.0};
 
 TEST(ClosedFormBag, rigid_spring_bag_eq_tank_fill) {
   const GasState bag = spring_bag_fill({{}, 101325.0, 293.15, 0.06, 0.0}, 0.05, 700.0);
@@ -21,7 +21,7 @@ TEST(ClosedFormBag, rigid_spring_bag_eq_tank_fill) {
 }
 
 TEST(ClosedFormBag, spring_bag_fill_closes_the_energy_balance) {
-  for (const PerfectGas& gas : {PerfectGas{}, kArgon})
+  for (const PerfectGas& gas : {PerfectGas{}, kBagGas})
     for (const double k : {1e-9, 5e-7, 1e-4}) {
       const SpringBag bag{gas, 1.2e5, 350.0, 0.02, k};
       const GasState s = spring_bag_fill(bag, 0.03, 800.0);
@@ -36,7 +36,7 @@ TEST(ClosedFormBag, spring_bag_fill_closes_the_energy_balance) {
 
 // dm/dt and dU/dt in (m, U), where p^2 = (gamma - 1) U p0/V0 and p dV = dU (gamma - 1)/2.
 TEST(ClosedFormBag, proportional_blowdown_eq_integrated_rates) {
-  for (const PerfectGas& gas : {PerfectGas{}, kArgon}) {
+  for (const PerfectGas& gas : {PerfectGas{}, kBagGas}) {
     const Blowdown bag{gas, 0.06, 1e-3, 0.7, 5e5, 600.0, 101325.0};
     const double g1 = gas.heat_capacity_ratio - 1.0, cv = specific_heat_cv(gas);
     const auto rates = [&](const std::vector<double>& y) {
