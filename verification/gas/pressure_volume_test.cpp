@@ -122,7 +122,7 @@ Emptied empty_the_bag(const gas::IntegratorOptions& options) {
       steps};
 }
 
-struct Order {
+struct OrderInP {
   gas::Method method;
   const char* name;
   double order, band;
@@ -130,10 +130,10 @@ struct Order {
 
 TEST(pressure_volume, blowdown_of_a_proportional_bag_has_each_methods_order) {
   for (const auto& [method, name, order, band] :
-       {Order{gas::Method::kEuler, "Euler", 1.0, 0.1},
-        Order{gas::Method::kRungeKutta4, "Runge-Kutta 4", 4.0, 0.3},
-        Order{gas::Method::kDormandPrince5, "Dormand-Prince 5", 5.0, 0.3},
-        Order{gas::Method::kRosenbrock4, "Rosenbrock 4(3)", 4.0, 0.3}}) {
+       {OrderInP{gas::Method::kEuler, "Euler", 1.0, 0.1},
+        OrderInP{gas::Method::kRungeKutta4, "Runge-Kutta 4", 4.0, 0.3},
+        OrderInP{gas::Method::kDormandPrince5, "Dormand-Prince 5", 5.0, 0.3},
+        OrderInP{gas::Method::kRosenbrock4, "Rosenbrock 4(3)", 4.0, 0.3}}) {
     std::vector<double> errors;
     for (const int steps : {8, 16, 32})
       errors.push_back(empty_the_bag({1e-10, 100000, method, 0.1 / steps}).error);
