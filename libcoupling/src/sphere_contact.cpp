@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 
 #include "check.hpp"
@@ -91,7 +92,7 @@ ContactState ContactModel::make_state() const {
 
 bool ContactModel::stays_clear(ContactState& state, double motion, double ahead) const {
   state.ahead = ahead;
-  state.told = motion;
+  state.told = motion >= 0.0 ? motion : std::numeric_limits<double>::infinity();
   // Not a number compares false.
   if (!state.started || !(state.travelled + kRounding * motion + ahead < state.gap)) return false;
   state.travelled += kRounding * motion;
@@ -105,6 +106,9 @@ void ContactModel::follow(ContactState& state, const Nodes& nodes, const Vector3
   const double radius = parameters_.sphere_radius;
   if (!state.started) detail::forget_gaps(state);
   double motion = state.told;
+  if (state.started && !(motion >= 0.0) && !state.kept)
+    detail::reject("contact motion", "not known",
+                   "stays_clear asked before each level, where it was told what lies ahead");
   if (!(motion >= 0.0)) motion = detail::largest_motion(nodes, state.nodes) + (centre - state.centre).norm();
   if (!std::isfinite(motion) || !centre.allFinite())
     throw ContactError("contact: a node or the sphere's centre is not finite");
@@ -113,7 +117,7 @@ void ContactModel::follow(ContactState& state, const Nodes& nodes, const Vector3
   if (state.started && !(motion < clearance)) {
     if (!state.kept)
       throw ContactError("contact: skin and sphere moved " + detail::text(motion) +
-                         " m within one step, where " + detail::text(state.ahead) +
+                         " m within one step, where " + detail::text(state.expected) +
                          " m were expected: too far to tell whether the centre crossed the skin");
     detail::sweep_centre_path(triangles_, radius, nodes, centre, state);
   }
@@ -135,6 +139,7 @@ void ContactModel::follow(ContactState& state, const Nodes& nodes, const Vector3
 void ContactModel::keep(ContactState& state, const Nodes& nodes) const {
   const double clearance = parameters_.sphere_radius + state.gap - state.travelled;
   const bool certain = state.ahead > 0.0 && state.ahead < clearance;
+  state.expected = state.ahead;
   state.kept = !certain || !state.bristles.empty();
   if (state.kept) state.nodes = nodes;
 }

@@ -80,9 +80,13 @@ void require_volume(const Curve& curve, double ambient_pressure) {
   require(knots.front().time >= -ambient_pressure, "first overpressure of volume_of_overpressure [Pa]",
           knots.front().time, "must not be below -ambient.pressure");
   require(knots.front().value > 0.0, name, knots.front().value, "must be positive");
-  for (std::size_t i = 1; i < knots.size(); ++i)
-    require(knots[i].value >= knots[i - 1].value, name, knots[i].value,
-            "must not fall with the overpressure");
+  constexpr double steepest = 1e100;  // [m3/Pa] squares are finite
+  for (std::size_t i = 1; i < knots.size(); ++i) {
+    const double rise = knots[i].value - knots[i - 1].value;
+    require(rise >= 0.0, name, knots[i].value, "must not fall with the overpressure");
+    require(rise <= steepest * (knots[i].time - knots[i - 1].time), name, knots[i].value,
+            "must not rise by more than 1e100 m3/Pa");
+  }
 }
 
 double mass_flow(const Inflow& inflow, double start, double time) {

@@ -2,6 +2,7 @@
 // The first gas of an evacuated volume, which has no heat capacity.
 #include <algorithm>
 
+#include "pressure_volume.hpp"
 #include "substepper.hpp"
 
 namespace gas {
@@ -22,8 +23,8 @@ void add(double factor, const Mixture& from, Mixture& to) {
 }  // namespace
 
 /// The temperature at which inflow and walls balance while an evacuated volume begins to fill, sum mdot_i
-/// (h_i - u_i(T)) = h A (T - T_ext), which is the equation of a mixture with h A added to its cp. None
-/// without inflow.
+/// (h_i - u_i(T)) = h A (T - T_ext), which is the equation of a mixture with h A added to its cp: work
+/// against its pressure is of second order in its mass. None without inflow.
 std::optional<double> FlowBalance::temperature_of_first_gas(double t) const {
   const HeatLoss& loss = model_.heat_loss;
   Mixture sum;
@@ -50,8 +51,13 @@ void FlowBalance::fill_until(Vector& y, const Vector& dydt, double begin, double
   for (std::size_t j = 0; j < backflows(); ++j) y[back_slot(j)] += dydt[back_slot(j)] * (end - begin);
   collect(y, end);
   model_.thermo.mixture(masses_, mixture_);
-  if (const auto temperature = temperature_of_first_gas(end))
-    y[heat_slot()] += energy_ - mixture_.internal_energy(*temperature);
+  const auto temperature = temperature_of_first_gas(end);
+  if (!temperature) return;
+  double heat = energy_ - mixture_.internal_energy(*temperature);
+  if (const auto& curve = volume_curve())
+    heat -= pressure_place(*curve, ambient_pressure(), mixture_.gas_constant_sum * *temperature).work -
+            work_begin_;
+  y[heat_slot()] += heat;
 }
 
 double FlowBalance::mass_in_until(double t) const {

@@ -131,6 +131,10 @@ class FlowBalance {
   void set_regime(Regime regime) { regime_ = regime; }
   Regime regime() const { return regime_; }
   bool is_held() const { return regime_ == Regime::kHeld; }
+  /// Until set free, what holds p are flows as at the gas located last, out or in, where the gas hardly has
+  /// what comes in: a matrix of both would let some of it leave before it came.
+  void keep_hold_direction(double t);
+  void free_hold_direction() { hold_direction_.reset(); }
   const Point& point() const { return point_; }
   void invalidate() { point_.valid = false; }
   const Thermo& thermo() const { return model_.thermo; }
@@ -180,6 +184,7 @@ class FlowBalance {
   std::vector<StreamFlux> received_;   // of each inflow, from there to base_time_
 
   Regime regime_ = Regime::kClosed;
+  std::optional<bool> hold_direction_;  // none: that of the growth of p
   std::vector<double> masses_;          // [kg] at the last evaluation
   double energy_ = 0.0;                 // [J] U there
   std::vector<CompensatedSum> base_;    // the gas at base_time_

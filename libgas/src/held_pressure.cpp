@@ -24,13 +24,22 @@ double FlowBalance::flows_near_ambient(Vector& dydt, double t, bool out, double 
 /// negative.
 void FlowBalance::hold(Vector& dydt, double t) {
   const double growth = closed_pressure_growth(t);
-  point_.share = -growth / flows_near_ambient(dydt, t, growth >= 0.0 || !has_backflow(), 1.0);
+  const bool out = hold_direction_ ? *hold_direction_ : growth >= 0.0 || !has_backflow();
+  point_.share = -growth / flows_near_ambient(dydt, t, out, 1.0);
   const double factor = std::isfinite(point_.share) ? std::max(0.0, point_.share) : 0.0;
   for (std::size_t i = 0; i < dydt.size(); ++i)
     if (is_flow(i)) dydt[i] *= factor;
   point_.vent *= factor;
   point_.fabric *= factor;
   point_.back *= factor;
+}
+
+void FlowBalance::keep_hold_direction(double t) {
+  constexpr double kLittle = 1e-3;
+  if (!is_held() || !has_backflow()) return;
+  for (std::size_t k = 0; k < masses_.size(); ++k)
+    if (masses_[k] < kLittle * model_.ambient.mass_fractions[k] * point_.mass)
+      hold_direction_ = closed_pressure_growth(t) >= 0.0;
 }
 
 /// The overpressure at which the openings carry the share: flow ~ overpressure^n.
@@ -54,6 +63,7 @@ void FlowBalance::settle(Vector& y, Vector& dydt, double t, double h) {
       longer = -excess / flows_near_ambient(scratch_, t, excess > 0.0, 1.0);
       rates = &scratch_;
     }
+    if (!std::isfinite(longer)) break;  // at rest
     for (std::size_t j = 0; j < y.size(); ++j)
       if (is_flow(j)) y[j] += longer * (*rates)[j];
     locate(y, t);

@@ -192,6 +192,7 @@ class RosenbrockStepper : public Stepper {
   void fill_matrix(Rates& rates, double x, double h) {
     const FlowBalance& balance = rates.balance;
     rates.balance.locate_gas(gas_, rates.time(x));
+    rates.balance.keep_hold_direction(rates.time(x));
     const auto [mass, energy, temperature] =
         std::tuple(balance.point().mass, balance.point().thermal_energy, balance.point().temperature);
     const double change = increment(balance);
@@ -208,6 +209,7 @@ class RosenbrockStepper : public Stepper {
       for (std::size_t i = 0; i < gas_.size(); ++i)
         factors_.at(i, part) = (i == part ? 1.0 / (coefficients_.gamma * h) : 0.0) - column_[i];
     }
+    rates.balance.free_hold_direction();
     factors_.factorize();
   }
 

@@ -21,8 +21,7 @@ struct SkinArrays {
   const std::int32_t* element;  // of each lane; used with area_vector only
   const std::int32_t* node;     // of the block: own_count of its own, the shared ones up to node_count
   int own_count, node_count;
-  int next_groups,
-      next_nodes;  // of the block that follows in the tables; 0 for none, and in bags that stay in cache
+  int next_groups, next_nodes;  // of the block that follows; 0 for none, and in bags that stay in cache
   const double* position;      // nodes x 4
   const double* inverse_mass;  // nodes
   double* area_vector;         // elements x 4, null without jet

@@ -103,8 +103,8 @@ TEST(ladder, plate_without_obstacle_needs_no_occlusion) {
   EXPECT_NEAR(result.reference.value, exact, result.reference.uncertainty + (loss + 1e-9) * exact);
 }
 
-// A tank that has relaxed to 17 Pa above the ambient pressure: 0.7 mPa are little of the pressure, and 4e-5 of
-// those.
+// A tank that has relaxed to 17 Pa above the ambient pressure: 0.7 mPa are little of the pressure, and 4e-5
+// of those.
 TEST(ladder, pressures_are_judged_by_what_they_are_above_the_ambient_one) {
   constexpr double tolerance = 2e-5;
   const auto result = driver::run_ladder(case_file("tank_stiff"), {}, options_of("pressure", tolerance));

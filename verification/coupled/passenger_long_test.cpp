@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The paper's scene, with its jet and without, over its whole 100 ms: books, and the impactor's side of the skin.
+// The paper's scene, with its jet and without, over its whole 100 ms: books, and the impactor's side of the
+// skin.
 #include <gtest/gtest.h>
 
 #include "coupling/side.hpp"

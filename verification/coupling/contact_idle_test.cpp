@@ -125,7 +125,7 @@ TEST(ContactIdle, motion_far_beyond_what_was_told_is_refused) {
   EXPECT_NO_THROW(go(0.8 * kRadius, 0.4 * kRadius, 0.3 * kRadius));
   EXPECT_FALSE(state.kept);
   try {
-    go(-0.8 * kRadius, 1.6 * kRadius, 0.3 * kRadius);
+    go(-0.8 * kRadius, 1.6 * kRadius, 0.9 * kRadius);
     ADD_FAILURE();
   } catch (const coupling::ContactError& error) {
     EXPECT_NE(std::string(error.what()).find("within one step, where 0.0123 m were expected"),
@@ -134,7 +134,22 @@ TEST(ContactIdle, motion_far_beyond_what_was_told_is_refused) {
   }
 }
 
-// A corner that is no number is refused where it is looked at, told the motion or not.
+// Where no nodes were kept, the motion cannot be measured any more.
+TEST(ContactIdle, level_without_a_known_motion_is_refused) {
+  const scenes::Skin skin = scenes::plate(6, kRadius);
+  const auto model = scenes::contact(skin, kRadius, kStiffness);
+  auto state = model.make_state();
+  Matrix3Xd forces = Matrix3Xd::Zero(3, skin.nodes.cols());
+  const Eigen::Vector3d centre(0.0, 0.0, 1.2 * kRadius);
+  EXPECT_FALSE(model.stays_clear(state, 0.0, 0.3 * kRadius));
+  model.evaluate(state, skin.nodes, centre, forces);
+  ASSERT_FALSE(state.kept);
+  EXPECT_THROW(model.evaluate(state, skin.nodes, centre, forces), std::invalid_argument);
+  EXPECT_FALSE(model.stays_clear(state, std::nan(""), 0.3 * kRadius));
+  EXPECT_THROW(model.evaluate(state, skin.nodes, centre, forces), coupling::ContactError);
+}
+
+// A corner that is no number is refused where it is looked at.
 TEST(ContactIdle, corner_that_is_no_number_is_refused_where_it_is_looked_at) {
   scenes::Skin skin = scenes::plate(6, kRadius);
   const auto model = scenes::contact(skin, kRadius, kStiffness);

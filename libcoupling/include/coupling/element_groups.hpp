@@ -9,9 +9,9 @@ namespace coupling {
 // Groups of neighbouring elements, for bounds that many elements share.
 struct ElementGroups {
   static constexpr std::size_t kSize = 16;  // elements of a group, but the last
-  std::vector<int> elements;            // (M) numbers; group g holds [g kSize, (g + 1) kSize)
-  std::vector<int> nodes;               // corners of one group after the other, each once in each
-  std::vector<std::size_t> first_node;  // (groups + 1) where a group's begin in `nodes`
+  std::vector<int> elements;                // (M) numbers; group g holds [g kSize, (g + 1) kSize)
+  std::vector<int> nodes;                   // corners of one group after the other, each once in each
+  std::vector<std::size_t> first_node;      // (groups + 1) where a group's begin in `nodes`
   // Number of groups.
   std::size_t count() const { return first_node.size() - 1; }
 };

@@ -67,6 +67,7 @@ struct ContactState {
   double travelled = 0.0;                            // [m] bound of the relative motion since the first call
   double told = kNotTold;                            // [m] motion since the last level, by stays_clear
   double ahead = 0.0;                                // [m] motion that has to fit into the gap
+  double expected = 0.0;                             // [m] that of the last level, without which nodes are kept
   double gap = 0.0;                 // [m] nothing touches while travelled is below: least slack
   std::vector<double> slack;        // (M) [m] by place in the groups: cannot touch while travelled is below
   std::vector<double> group_slack;  // (groups) [m] least of each, or less
@@ -111,8 +112,9 @@ class ContactModel {
   // bounds how far skin points and centre have moved relative to each other since the last level; if the
   // answer is `false`, the call of `evaluate` takes it from here, else it measures the motion of every node.
   // The answer costs a comparison; it is `false` at the first level and whenever the gap last seen may be
-  // used up. `ahead` [m] > 0 bounds the next level's motion, up to a factor of two: free_gap has to see it,
-  // and positions are kept from level to level only where a path may need testing over such a motion.
+  // used up. `ahead` [m] > 0 bounds the next level's motion, 0 says nothing of it: positions are kept from level
+  // to level only where a path may need testing over such a motion. Without them `evaluate` refuses a level that
+  // was not asked about here (std::invalid_argument), and a longer motion that may have crossed the skin.
   bool stays_clear(ContactState& state, double motion, double ahead = 0.0) const;
 
   // Lower bound of the relative motion before anything touches [m]; 0 in touch.

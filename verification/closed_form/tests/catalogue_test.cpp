@@ -53,7 +53,8 @@ TEST_P(CatalogueEntry, every_parameter_reaches_its_formula) {
   const Entry& e = entry();
   const Table reference = evaluate(e);
   for (const Parameter& p : e.parameters) {
-    if ((e.name == "vented_fill_steady" || e.name == "proportional_blowdown") && p.name == "ambient_pressure") continue;  // a validity limit only
+    if ((e.name == "vented_fill_steady" || e.name == "proportional_blowdown") && p.name == "ambient_pressure")
+      continue;  // a validity limit only
     EXPECT_NE(evaluate(e, {{p.name, changed_value(e, p)}}).rows, reference.rows) << e.name << "." << p.name;
   }
 }
