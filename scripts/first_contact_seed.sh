@@ -13,12 +13,14 @@ name=passenger_pendulum_no_jet
 stiffness=$(build/gasjet check "cases/$name.toml" | sed -n 's/^contact stiffness: \([^ ]*\).*/\1/p')
 mkdir -p "results/ensembles/$name"
 {
+  provenance
   echo "elements,seed_m,first_contact_s,standard_error_s,runs"
   for level_seed in 0,1e-4 1,5e-5 2,2.5e-5; do
     level=${level_seed%,*} seed=${level_seed#*,}
+    elements=$(build/gasjet check "cases/$name.toml" --set "membrane.mesh.refine=$level" | sed -n 's/.*[^0-9]\([0-9]*\) elements.*/\1/p' | head -1)
     ensemble_quantities "$name" "$runs" --amplitude "$seed" --set "membrane.mesh.refine=$level" \
       --set "contact={stiffness=$stiffness}" --set scene.end_time=0.0155 |
-      awk -F, -v elements=$((2744 * 4 ** level)) -v seed="$seed" '$1 == "first_contact_s" {
+      awk -F, -v elements="$elements" -v seed="$seed" '$1 == "first_contact_s" {
         printf "%d,%s,%.6g,%.3g,%d\n", elements, seed, $2, $3, $6 }'
   done
 } >"$out.csv"

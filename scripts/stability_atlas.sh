@@ -46,7 +46,7 @@ Each point is a run of a bag of 80 elements, of 400 steps in the first two maps;
 `scripts/stability_maps.sh` writes them.
 
 There is no map of the contact's stiffness against the step: it adds to the bag's frequency as the gas does
-(M.12), so that it would be the second map again; its thresholds are rows below.
+(M.12), but a ball touches few points of a node: what happens past that formula is in rows below.
 
 **One sliver sets the step of the whole bag.** One node of the sphere is moved along a side
 ([table](charts/stability_sliver.csv)): no run below the bound blows up, and few above it do not.

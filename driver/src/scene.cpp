@@ -13,7 +13,7 @@ bool will_move(const TableReader& root) {
   return root.has("membrane") || root.has("pendulum");
 }
 
-// What a molecule of air flies between two collisions takes a fifth of it: no gas flows in less.
+// What a molecule of air flies between two collisions, 68 nm at 464 m/s, takes a seventh of it: no gas flows in less.
 constexpr Bounds shortest_run{1e-9, any_number.high, false, "1e-9 s or more"};
 
 void read_general(TableReader& root, Scene& scene) {

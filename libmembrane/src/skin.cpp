@@ -16,7 +16,7 @@ SkinPass pass_of(SkinParts parts) {
   return parts == SkinParts::forces ? kForcesPass : kSkinPass;
 }
 
-// Fetching what a cache holds already costs a tenth of the pass; this many elements take 32 MB.
+// Fetching what a cache holds already costs more than it gains; this many elements take 32 MB.
 constexpr int kCachedElements = 150000;
 
 SkinArrays skin_arrays(const BagModel& model, BagState& state, std::size_t b) {
