@@ -146,6 +146,7 @@ TEST(ContactBound, free_gap_is_measured_when_what_lies_ahead_may_close_it) {
   model.evaluate(state, skin.nodes, centre, forces);
   EXPECT_GT(coupling::ContactModel::free_gap(state), 0.31 * kRadius);
   EXPECT_LE(coupling::ContactModel::free_gap(state), 0.5 * kRadius);
+  EXPECT_FALSE(model.stays_clear(state, 0.6 * kRadius));
   model.evaluate(state, skin.nodes, {0.001, 0.002, 0.9 * kRadius}, forces);
   EXPECT_EQ(coupling::ContactModel::free_gap(state), 0.0);
 }
