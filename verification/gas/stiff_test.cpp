@@ -165,15 +165,6 @@ TEST(held_pressure, backflow_fades_to_rest_in_any_volume) {
     }
 }
 
-TEST(held_pressure, gas_that_leaves_until_it_is_as_warm_as_its_walls_is_at_rest) {
-  gas::ControlVolumeModel model = closed_tank(nitrogen());
-  model.vents = {{0.8, 5e-4}}, model.heat_loss = {180.0, 400.0};
-  gas::ControlVolumeState state = gas::make_state(model, kPure, kAmbientPressure, 200.5, 1e-3);
-  gas::GasIntegrator integrator(model, {1e-6, 2000, gas::Method::kRosenbrock4});
-  for (int i = 0; i < 500; ++i) integrator.advance(state, 1e-3 * i, 1e-3 * (i + 1), rigid(1e-3));
-  EXPECT_LT(relative(state.temperature, 400.0), 1e-14);  // some ten roundings
-}
-
 /// A balance by backflow relaxes as one by outflow does: a fixed step past the limit is refused with it.
 TEST(stiff, fixed_steps_past_the_limit_of_backflow_are_refused) {
   gas::ControlVolumeModel model = closed_tank(nitrogen());
