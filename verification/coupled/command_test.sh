@@ -166,6 +166,8 @@ part_mesh() {
   for file in design start; do cmp "$work/bag_from_files/$file.obj" "$source/cases/bag_from_files/$file.obj" || fail "$file.obj changed"; done
   expect 2 "ends with .obj" "$gasjet" mesh driver --out "$work/bad.k" --initial "$work/bad.xyz"
   expect 2 "open.k:[0-9]+:1: mesh: the element has no area" "$gasjet" mesh convert "$work/open.k" --out "$work/bad.k" --length-unit 1e-300
+  printf 'v 0 0 0\nv 1e-80 0 0\nv 0 1e-80 0\nf 1 2 3\n' >"$work/small.obj" # squares of a fine mesh's areas underflow
+  expect 2 "small.obj: element [0-9]+: its area is zero" "$gasjet" mesh convert "$work/small.obj" --out "$work/bad.k" --refine 5
   expect 2 "--length-unit.*finite" "$gasjet" mesh convert "$work/open.k" --length-unit inf
   expect 2 "--out.*is empty" "$gasjet" mesh driver --out ""
   for file in bad.k bad.stl; do [ -e "$work/$file" ] && fail "bad input wrote $file"; done
