@@ -2,16 +2,13 @@
 # shellcheck shell=bash
 # Shared by the scripts that compare ensembles with and without jet (sourced, from the repository's top).
 
+# shellcheck source-path=SCRIPTDIR source=provenance.sh
+source scripts/provenance.sh
+
 build_gasjet() {
   scripts/setup_debian12.sh
   cmake --preset release >/dev/null
   cmake --build --preset release --target gasjet -j "$(nproc)" >/dev/null
-}
-
-# provenance: head of a table, from what machine and build it is
-provenance() {
-  echo "# machine: $(sed -n 's/^model name[^:]*: //p' /proc/cpuinfo | head -n 1), $(nproc) cores"
-  build/gasjet --version | sed 's/^/# /'
 }
 
 # ensemble_quantities CASE RUNS OPTION...: quantities.csv of the ensemble, run unless results/ has it.

@@ -6,6 +6,8 @@
 # usage: scripts/figure_3.sh [GASJET]   (build/gasjet by default; writes docs/figures/figure_3.csv and .svg)
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
+# shellcheck source-path=SCRIPTDIR source=provenance.sh
+source scripts/provenance.sh
 gasjet=${1:-build/gasjet}
 csv=docs/figures/figure_3.csv
 
@@ -15,6 +17,7 @@ column() {
     awk -F, '!/^#/ && header++ { print $2 }'
 }
 {
+  provenance
   echo "# N2 (R = 296.8 J/(kg K), gamma = 1.4), T = 673 K, A = 0.085 m2, Cd = 1, p_a = 101325 Pa (assumed)"
   echo "overpressure_Pa,hole_kg_s,fabric_over_eta2_kg_s,fabric_eta_0.05_kg_s"
   paste -d, <(seq 0 1000 100000) <(column orifice_flow --set area=0.085 --set discharge_coefficient=1) \

@@ -8,6 +8,8 @@
 #            (or CSV); exit code 1 if they differ, 2 without rows
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
+# shellcheck source-path=SCRIPTDIR source=provenance.sh
+source scripts/provenance.sh
 page=docs/theory/forecast.md csv=docs/charts/forecast.csv folder=results/forecast
 
 # Cases, and the quantity of the ladder.
@@ -49,7 +51,7 @@ without_membrane() {
   [[ -f $paper/ladder.csv ]] ||
     build/gasjet ladder cases/passenger_pendulum.toml --quantity peak_pressure --tolerance 10% --quiet --threads "$(nproc)" \
       --hold mesh,pieces,step,gas,outlet,occlusion,compression,porosity,cp --out "$paper" >&2
-  build/gasjet --version | sed 's/^/# /'
+  provenance
   echo "scene,rung,overpressure_Pa,change_percent,change_se_percent,cost_ratio"
   for scene in sphere_inflation jet_bag passenger_pendulum_pressure; do
     awk -F, -v scene="${scene%_pressure}" '
@@ -65,7 +67,7 @@ without_membrane() {
 
 write_csv() {
   local scene quantity table json
-  build/gasjet --version | sed 's/^/# /'
+  provenance
   echo "scene,quantity,effect,group,size,forecast,change_percent,change_se_percent,ladder,agree"
   while read -r scene quantity; do
     table=$(ladder_of "$scene" "$quantity")

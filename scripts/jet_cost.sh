@@ -7,6 +7,8 @@
 # usage: scripts/jet_cost.sh [FOLDER]      (docs/charts by default)
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
+# shellcheck source-path=SCRIPTDIR source=provenance.sh
+source scripts/provenance.sh
 folder=${1:-docs/charts}
 csv=$folder/jet_cost.csv
 log=$(mktemp)
@@ -19,9 +21,8 @@ build/benchmarks/step_benchmark --benchmark_format=csv --benchmark_repetitions=5
   --benchmark_enable_random_interleaving=true --benchmark_report_aggregates_only=true 2>"$log" >"$log.csv"
 
 mkdir -p "$folder"
-machine="# machine: $(sed -n 's/^model name[^:]*: //p' /proc/cpuinfo | head -n 1), $(nproc) cores, one thread used"
 {
-  echo "$machine"
+  machine "one thread used"
   grep -E '^(version|commit|compiler|flags|date): ' "$log" | sed 's/^/# /'
   echo "# median of 5 interleaved whole runs of 100 ms"
   echo "case,us_per_step,ns_per_element,jet_us_per_step,jet_over_step,step_over_no_jet,steps,drift_rel,hidden_per_step,exact_calls"
@@ -44,7 +45,7 @@ machine="# machine: $(sed -n 's/^model name[^:]*: //p' /proc/cpuinfo | head -n 1
 cat "$csv"
 
 {
-  echo "$machine"
+  machine "one thread used"
   build/benchmarks/jet_overhead
 } >"$log.csv"
 cp "$log.csv" "$folder/jet_overhead.csv"

@@ -5,6 +5,8 @@
 # usage: scripts/jet_fidelity.sh [OUT]      (docs/charts/jet_fidelity by default: OUT.csv and OUT.svg)
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
+# shellcheck source-path=SCRIPTDIR source=provenance.sh
+source scripts/provenance.sh
 out=${1:-docs/charts/jet_fidelity}
 
 scripts/setup_debian12.sh
@@ -12,7 +14,7 @@ cmake --preset release >/dev/null
 cmake --build --preset release --target jet_fidelity -j "$(nproc)" >/dev/null
 mkdir -p "$(dirname "$out")"
 {
-  echo "# machine: $(sed -n 's/^model name[^:]*: //p' /proc/cpuinfo | head -n 1), $(nproc) cores, one thread used"
+  machine "one thread used"
   build/benchmarks/jet_fidelity
 } >"$out.csv.new"
 mv "$out.csv.new" "$out.csv"

@@ -1,22 +1,22 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # Maps of the stability atlas: stable or not over two parameters, each point a run, beside the formula. Writes
-# OUT_sliver, OUT_gas and OUT_lagged, .csv with machine, compiler and commit, and .svg.
+# OUT_sliver, OUT_gas and OUT_lagged, .csv with machine, compiler, flags and commit, and .svg.
 # usage: scripts/stability_maps.sh [OUT]      (docs/charts/stability by default)
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
+# shellcheck source-path=SCRIPTDIR source=provenance.sh
+source scripts/provenance.sh
 out=${1:-docs/charts/stability}
 
 cmake --preset release >/dev/null
-cmake --build --preset release --target stability_maps -j "$(nproc)" >/dev/null
+cmake --build --preset release --target stability_maps gasjet -j "$(nproc)" >/dev/null
 mkdir -p "$(dirname "$out")"
 
 # map NAME X_LABEL FORMULA
 map() {
   {
-    echo "# machine: $(sed -n 's/^model name[^:]*: //p' /proc/cpuinfo | head -n 1)"
-    echo "# compiler: $(c++ --version | head -n 1)"
-    echo "# commit: $(git describe --always --dirty)"
+    provenance
     echo "# points: $1, stable over time (1) or grown 1e5-fold from a disturbance of 1e-10 (0); formula: $3"
     build/benchmarks/stability_maps "$1"
   } >"$out"_"$1.csv"

@@ -3,6 +3,8 @@
 # What the weave does: the driver bag of woven and of isotropic fabric on two meshes, docs/charts/weave.csv.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
+# shellcheck source-path=SCRIPTDIR source=provenance.sh
+source scripts/provenance.sh
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
@@ -18,7 +20,7 @@ TABLE
 peak() { sed -nE "s/^ *\"$1\": ([-+.e0-9]+),?$/\1/p" "$work/run/summary.json" | tail -n 1; }
 
 {
-  build/gasjet --version | sed 's/^/# /'
+  provenance
   echo "fabric,refine,peak_overpressure_Pa,peak_volume_m3,peak_strap_force_N"
   while IFS='|' read -r name options; do
     for refine in 0 1; do

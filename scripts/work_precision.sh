@@ -5,6 +5,8 @@
 # usage: scripts/work_precision.sh [CHART...]      gas, tank_test, bag, jet, coupled; all of them by default
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
+# shellcheck source-path=SCRIPTDIR source=provenance.sh
+source scripts/provenance.sh
 folder=docs/charts
 
 say() { echo "work_precision: $*" >&2; }
@@ -15,8 +17,8 @@ build() {
 }
 
 header() {
-  echo "# machine: $(sed -n 's/^model name[^:]*: //p' /proc/cpuinfo | head -n 1), $(nproc) cores, one used"
-  echo "# $(build/gasjet --version)"
+  machine "one used"
+  build_version
   printf '# %s\n' "$@"
 }
 

@@ -73,20 +73,23 @@ class BagAtRest {
 
 }  // namespace
 
-gas::Curve bag_volume(const Scene& scene, bool quiet) {
+std::optional<gas::Curve> bag_volume(const Scene& scene, bool quiet) {
   const State start = state_at_start(scene);
   const double highest = full_state(scene, start, supply_of(scene)).closed_pressure - scene.ambient.pressure;
   BagAtRest bag(scene);
   std::vector<gas::Curve::Knot> knots{{0.0, bag.volume()}};
-  Progress progress(scene.name + ", bag at rest", std::max(highest, first_overpressure), quiet);
-  for (double p = first_overpressure; !interrupted(); p *= factor) {
+  const double factors =
+      std::ceil(std::log2(std::max(highest / first_overpressure, 1.0)) / std::log2(factor));
+  Progress progress(scene.name + ", bag at rest", factors + 1.0, quiet);
+  progress.update(0.0);
+  for (double i = 0.0; i <= factors && !interrupted(); ++i) {
     // Wrinkles settle one way or another: no volume is taken for less than that at a lower pressure.
-    knots.push_back({p, std::max(bag.volume_at(p), knots.back().value)});
-    progress.update(std::min(p, highest));
-    if (p >= highest) break;
+    const double overpressure = first_overpressure * std::pow(factor, i);
+    knots.push_back({overpressure, std::max(bag.volume_at(overpressure), knots.back().value)});
+    progress.update(i + 1.0);
   }
-  if (knots.size() < 2) knots.push_back({first_overpressure, knots.back().value});
-  return {std::move(knots), gas::Outside::kHeld};
+  if (interrupted()) return {};
+  return gas::Curve(std::move(knots), gas::Outside::kHeld);
 }
 
 }  // namespace driver

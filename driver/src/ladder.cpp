@@ -50,7 +50,7 @@ class LadderRun {
     add_finest();
     add_alternatives();
     add_as_it_is();
-    add_tank_rung();
+    add_rungs_without_membrane();
     run_rungs(1, "rungs");
     if (!result_.reason.empty()) return;
     const std::size_t before = result_.rungs.size();
@@ -114,10 +114,10 @@ class LadderRun {
     }
   }
 
-  void add_tank_rung() {
-    if (!result_.plan.tank) return;
+  void add_rungs_without_membrane() {
+    if (!result_.plan.no_membrane) return;
     add_without_membrane(bag_by_volume(file_, job(0, 0).overrides, options_.quiet, result_.plan));
-    add_without_membrane(result_.plan.tank);
+    add_without_membrane(rigid_tank(result_.plan));
   }
 
   void add_without_membrane(const std::optional<LadderChoice>& choice) {

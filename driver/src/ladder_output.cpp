@@ -45,7 +45,7 @@ bool has_value(const LadderRung& rung) {
 void write_rows(const std::filesystem::path& file, const LadderResult& result, const Provenance& lines) {
   std::ofstream csv(file);
   for (const auto& [key, value] : lines) csv << "# " << key << ": " << value << '\n';
-  csv << "rung,runs,value,value_se,error,error_se,cpu_s,cost_ratio,verdict,change,change_se,options,"
+  csv << "rung,runs,value,value_se,error,error_se,cpu_s,cost_ratio,verdict,front,change,change_se,options,"
          "failure\n";
   const bool judged = result.verdict != Verdict::not_judged;
   for (const LadderRung& rung : result.rungs) {
@@ -54,11 +54,11 @@ void write_rows(const std::filesystem::path& file, const LadderResult& result, c
       const Change change = change_of(result, rung);
       csv << fmt::format("{},{},", rung.value.mean, rung.value.standard_error);
       csv << (judged ? fmt::format("{},{},", rung.error, rung.standard_error) : ",,");
-      csv << fmt::format("{:.4g},{:.4g},{},{},{},", rung.cpu_seconds,
+      csv << fmt::format("{:.4g},{:.4g},{},{},{},{},", rung.cpu_seconds,
                          rung.cpu_seconds / result.rungs.front().cpu_seconds, verdict_name(rung.verdict),
-                         change.value, change.standard_error);
+                         judged ? fmt::format("{}", rung.front) : "", change.value, change.standard_error);
     } else {
-      csv << ",,,,,,not judged,,,";
+      csv << ",,,,,,not judged,,,,";
     }
     csv << cell(options_of(rung)) << ',' << cell(rung.failure) << '\n';
   }
@@ -91,6 +91,7 @@ Json rung_json(const LadderResult& result, const LadderRung& rung) {
   json["error"] = rung.error;
   json["error_se"] = rung.standard_error;
   json["verdict"] = verdict_name(rung.verdict);
+  json["front"] = rung.front;
   return json;
 }
 
@@ -175,7 +176,8 @@ void write_ladder(const std::filesystem::path& folder, const LadderResult& resul
   write_rows(folder / fmt::format("{}.csv", name), result, lines);
   write_json(folder / fmt::format("{}.json", name), result, options, lines);
   if (partial) return;
-  for (const char* earlier : {"cheapest.toml", "ladder_partial.csv", "ladder_partial.json"})
+  for (const char* earlier :
+       {"cheapest.toml", "ladder.gp", "ladder.svg", "ladder_partial.csv", "ladder_partial.json"})
     std::filesystem::remove(folder / earlier);
   if (result.cheapest) write_cheapest(folder, result, file, overrides, options);
 }

@@ -32,13 +32,16 @@ class CaseSettings {
 void add_effects(const Scene& scene, const CaseSettings& settings, LadderPlan& plan);
 void add_resolutions(const Scene& scene, const CaseSettings& settings, LadderPlan& plan);
 
-/// Adds the bag as a rigid tank of its design volume to the plan, or says why there is none.
-void add_tank(const std::filesystem::path& file, const std::vector<std::string>& overrides,
-              const Scene& scene, const CaseSettings& settings, const std::string& quantity,
-              LadderPlan& plan);
+/// Adds what takes the membrane out of the bag's case to the plan, or says why that cannot be.
+void add_no_membrane(const std::filesystem::path& file, const std::vector<std::string>& overrides,
+                     const Scene& scene, const CaseSettings& settings, const std::string& quantity,
+                     LadderPlan& plan);
 
-/// The rigid tank of the plan with the volume of the bag of the case with `overrides` at rest, by its
-/// pressure; or nothing, and the plan says why.
+/// The gas of the plan's bag in a rigid tank of its design volume; or nothing, and the plan says why.
+std::optional<LadderChoice> rigid_tank(LadderPlan& plan);
+
+/// The same in a volume that follows its pressure as that of the bag of the case with `overrides` does at
+/// rest; or nothing, and the plan says why unless it was an interrupt.
 std::optional<LadderChoice> bag_by_volume(const std::filesystem::path& file,
                                           const std::vector<std::string>& overrides, bool quiet,
                                           LadderPlan& plan);

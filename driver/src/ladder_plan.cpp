@@ -75,7 +75,7 @@ LadderPlan plan_ladder(const std::filesystem::path& file, const std::vector<std:
   add_effects(scene, settings, plan);
   add_resolutions(scene, settings, plan);
   hold_axes(plan, hold);
-  if (scene.bag) add_tank(file, overrides, scene, settings, name, plan);
+  if (scene.bag) add_no_membrane(file, overrides, scene, settings, name, plan);
   return plan;
 }
 

@@ -89,6 +89,23 @@ Verdict verdict_of(const LadderRung& rung, const LadderResult& result, double al
   return std::abs(rung.error) - doubt > allowed ? Verdict::outside : Verdict::undecided;
 }
 
+// By cost: what is more exact than all that is cheaper.
+void mark_front(LadderResult& result, double floor) {
+  std::vector<LadderRung*> by_cost;
+  for (LadderRung& rung : result.rungs)
+    if (rung.verdict != Verdict::not_judged) by_cost.push_back(&rung);
+  std::stable_sort(by_cost.begin(), by_cost.end(),
+                   [](const LadderRung* a, const LadderRung* b) { return a->cpu_seconds < b->cpu_seconds; });
+  double least = std::numeric_limits<double>::infinity();
+  int place = 0;
+  for (LadderRung* rung : by_cost) {
+    const double error = std::max(std::abs(rung->error), floor);
+    if (!(error < least)) continue;
+    least = error;
+    rung->front = ++place;
+  }
+}
+
 }  // namespace
 
 Remainder remainder(const std::vector<Statistics>& values, std::size_t at, AxisKind kind) {
@@ -124,6 +141,7 @@ void judge(LadderResult& result, double tolerance) {
         (!result.cheapest || rung.cpu_seconds < worth_it * result.rungs[*result.cheapest].cpu_seconds))
       result.cheapest = i;
   }
+  mark_front(result, least_share * allowed);
   result.verdict = result.cheapest ? Verdict::inside : Verdict::undecided;
 }
 

@@ -2,14 +2,40 @@
 # shellcheck shell=bash disable=SC2154
 # Part of command_test.sh (sourced): the ladder.
 
+# chart_is_of FOLDER: the picture numbers and names the rungs that the table has on the front.
+chart_is_of() {
+  local number name
+  awk -F, '/^#/ { next } !at { for (i = 1; i <= NF; ++i) if ($i == "front") at = i; next } $at > 0 { print $at "|" $1 }' \
+    "$1/ladder.csv" | sort -n >"$work/front"
+  [ -s "$work/front" ] || fail "no front in $1/ladder.csv"
+  while IFS='|' read -r number name; do
+    grep -q ">$number  $name<" "$1/ladder.svg" || fail "the chart in $1 does not name '$number  $name'"
+  done <"$work/front"
+  [ "$(grep -cE '>[0-9]+  [^<]*<' "$1/ladder.svg")" = "$(wc -l <"$work/front")" ] || fail "the chart in $1 names more than the front"
+}
+
+# interrupt_at TEXT ARGUMENTS...: Ctrl-C as soon as a ladder says TEXT.
+interrupt_at() {
+  local text=$1 code=0 waited=0 pid
+  shift
+  "$gasjet" ladder "$@" >"$work/interrupted" 2>&1 </dev/null &
+  pid=$!
+  until grep -q "$text" "$work/interrupted" || [ $waited -ge 600 ]; do sleep 0.1; waited=$((waited + 1)); done
+  kill -INT $pid
+  wait $pid || code=$?
+  [ $code = 130 ] || fail "an interrupted ladder ends with $code"
+}
+
 part_ladder() {
-  local tank=$source/cases/rigid_tank.toml bag=("$source/cases/jet_bag.toml" --set membrane.mesh.levels=2 --quantity pressure)
+  local file tank=$source/cases/rigid_tank.toml bag=("$source/cases/jet_bag.toml" --set membrane.mesh.levels=2 --quantity pressure)
   expect 0 "cheapest within 2 %: " "$gasjet" ladder "$tank" --quantity pressure --out "$work/tank"
+  chart_is_of "$work/tank"
   expect 0 "" "$gasjet" run "$work/tank/cheapest.toml" --out "$work/run" --quiet
   grep -q '^0.1,586098.3333' "$work/run/history.csv" || fail "the cheapest rung is not the tank"
   expect 0 "jet off .* inside" "$gasjet" ladder "${bag[@]}" --out "$work/bag" --tolerance 10%
   grep -q '^rigid tank,1,' "$work/bag/ladder.csv" || fail "no row of the tank"
   grep -q '^volume by pressure,1,' "$work/bag/ladder.csv" || fail "no row of the bag without a membrane"
+  chart_is_of "$work/bag"
   grep -q '"verdict": "inside"' "$work/bag/ladder.json" || fail "no verdict"
   expect 0 "" "$gasjet" run "$work/bag/cheapest.toml" --out "$work/run" --quiet
   expect 4 "undecided: no rung" "$gasjet" ladder "${bag[@]}" --out "$work/bag" --tolerance 1e-5 --hold pieces
@@ -18,6 +44,17 @@ part_ladder() {
   expect 2 "--out .*/bag: would overwrite cheapest.toml, which no ladder wrote" "$gasjet" ladder "$tank" --quantity pressure --out "$work/bag"
   cmp "$tank" "$work/bag/cheapest.toml" || fail "a cheapest.toml of the user's was overwritten"
   [ -z "$("$gasjet" ladder "$tank" --quantity pressure --out "$work/tank" --quiet 2>&1)" ] || fail "--quiet prints"
+  # Without gnuplot, and with one that ends badly.
+  mkdir -p "$work/none" "$work/bad"
+  printf '#!/bin/sh\necho half >ladder.svg\nexit 1\n' >"$work/bad/gnuplot"
+  chmod +x "$work/bad/gnuplot"
+  local path
+  for path in none bad; do
+    expect 0 "no chart: gnuplot.*; its commands are in .*/tank/ladder.gp" \
+      env PATH="$work/$path" "$gasjet" ladder "$tank" --quantity pressure --quiet --out "$work/tank"
+    [ -e "$work/tank/ladder.svg" ] && fail "a chart that is not of this ladder is there"
+  done
+  grep -q '^plot' "$work/tank/ladder.gp" || fail "no commands of the chart"
   expect 4 "undecided: pressure_Pa is 101325 in the full case" "$gasjet" ladder "$tank" --quantity pressure --quiet \
     --set inflator.0.start_time=5 --out "$work/nothing"
   grep -q '"reason": "pressure_Pa is' "$work/nothing/ladder.json" || fail "no reason in ladder.json"
@@ -27,18 +64,16 @@ part_ladder() {
   # Interrupted: what was computed is kept beside what an earlier ladder found.
   "$gasjet" ladder "$tank" --quantity pressure --out "$work/tank" --quiet || fail "no ladder to keep"
   cp -r "$work/tank" "$work/kept"
-  "$gasjet" ladder "$source/cases/passenger_pendulum.toml" --quantity pendulum_angle --out "$work/tank" >"$work/interrupted" 2>&1 </dev/null &
-  local pid=$! code=0 waited=0
-  until [ -s "$work/interrupted" ] || [ $waited -ge 300 ]; do sleep 0.1; waited=$((waited + 1)); done
-  kill -INT $pid
-  wait $pid || code=$?
-  [ $code = 130 ] || fail "an interrupted ladder ends with $code"
+  interrupt_at . "$source/cases/passenger_pendulum.toml" --quantity pendulum_angle --out "$work/tank"
   grep -q "interrupted: .*ladder_partial.csv" "$work/interrupted" || fail "nothing says where the partial ladder is"
-  local file
-  for file in ladder.csv ladder.json cheapest.toml; do
+  for file in ladder.csv ladder.json ladder.svg cheapest.toml; do
     cmp "$work/tank/$file" "$work/kept/$file" || fail "an interrupted ladder touched $file"
   done
   grep -q '^# status: interrupted' "$work/tank/ladder_partial.csv" || fail "the partial ladder does not say so"
+  interrupt_at "bag at rest" "$source/cases/sphere_inflation.toml" --quantity pressure --out "$work/tank" \
+    --hold mesh,step --set membrane.mesh.levels=5 --set gas.initial.pressure=120e3 --set scene.end_time=1e-4
+  grep -q "^full," "$work/tank/ladder_partial.csv" || fail "what had run is not in the partial ladder"
+  grep -q "^volume by pressure," "$work/tank/ladder_partial.csv" && fail "a volume that was not found is in the partial ladder"
   "$gasjet" ladder "$tank" --quantity pressure --out "$work/tank" --quiet || fail "no ladder after an interrupted one"
   [ -e "$work/tank/ladder_partial.csv" ] && fail "the partial ladder outlives a whole one"
   local tolerance

@@ -78,4 +78,26 @@ TEST(ladder, judgement_names_the_cheaper_and_needs_runs_of_both) {
   EXPECT_EQ(few_of_full.verdict, Verdict::undecided);
 }
 
+// Costs and values by hand, the full case first and exact: those on the front by cost have places 1, 2, 3.
+TEST(ladder, front_is_what_is_more_exact_than_all_that_is_cheaper) {
+  struct Given {
+    double cost, value;
+    int place;
+  };
+  // Within a tolerance of 0.1 an error of 5e-5 is below its thousandth: as good as none.
+  const Given given[] = {{8.0, 1.0, 0}, {4.0, 1.0 - 5e-5, 3}, {1.0, 1.3, 1},
+                         {2.0, 0.6, 0}, {3.0, 0.9, 2},        {3.5, 1.2, 0}};
+  LadderResult result;
+  for (const Given& g : given) {
+    LadderRung rung;
+    rung.value = number(g.value);
+    rung.cpu_seconds = g.cost;
+    result.rungs.push_back(rung);
+  }
+  result.rungs.emplace_back().failure = "left its domain";
+  driver::judge(result, 0.1);
+  for (std::size_t i = 0; i < std::size(given); ++i) EXPECT_EQ(result.rungs[i].front, given[i].place) << i;
+  EXPECT_EQ(result.rungs.back().front, 0) << "has no value";
+}
+
 }  // namespace

@@ -6,6 +6,7 @@
 
 #include "closed_form/coupled.hpp"
 #include "driver/ladder.hpp"
+#include "membrane/stages.hpp"
 #include "run_case.hpp"
 
 namespace {
@@ -97,6 +98,64 @@ TEST(ladder, bag_without_a_membrane_is_the_sphere_at_rest) {
   const double exact = closed_form::sphere_fill(fill, closed_form::sphere_fill_stretch(fill, 0.02)).pressure;
   // The chord of a curve that bends over a factor of two in pressure, and the facets.
   EXPECT_NEAR((rung->value.mean - 101325.0) / (exact - 101325.0), 1.0, 2.0 * facets);
+}
+
+struct Leak {
+  const char* name;
+  const char* scene;
+  Texts settings;
+};
+
+class ladder_leak : public testing::TestWithParam<Leak> {};
+
+// The gas of a bag without its membrane leaks through what the skin as cut would: sums over the skin's
+// elements by the membrane's own route.
+TEST_P(ladder_leak, without_a_membrane_eq_that_of_the_skin_as_cut) {
+  const auto file = case_file(GetParam().scene);
+  Texts texts = GetParam().settings;
+  const driver::Scene bag = coupled::scene_of(GetParam().scene, texts);
+  auto state = membrane::make_state(bag.bag->model, bag.bag->model.description.reference);
+  membrane::update_skin(bag.bag->model, state);
+  const bool printed = bag.bag->leak_law == driver::LeakLaw::printed;
+  const double area = printed ? state.surface.porosity_squared_area : state.surface.porosity_area;
+  ASSERT_GT(area, 0.0);
+
+  const auto plan = driver::plan_ladder(file, texts, "peak_pressure", {});
+  ASSERT_TRUE(plan.no_membrane.has_value());
+  texts.insert(texts.end(), plan.no_membrane->begin(), plan.no_membrane->end());
+  texts.emplace_back("tank.volume=1");
+  const driver::Scene tank = coupled::scene_of(GetParam().scene, texts);
+  EXPECT_NEAR(tank.gas->tank_leak_area / area, 1.0, 2e3 * 2.2e-16);  // a rounding for each element
+  const auto &skin = bag.gas->model.fabric_velocity, &wall = tank.gas->model.fabric_velocity;
+  ASSERT_EQ(wall.has_value(), skin.has_value());
+  if (!skin) return;
+  ASSERT_EQ(wall->knots().size(), skin->knots().size());
+  for (std::size_t i = 0; i < skin->knots().size(); ++i) {
+    EXPECT_EQ(wall->knots()[i].time, skin->knots()[i].time);
+    EXPECT_EQ(wall->knots()[i].value, skin->knots()[i].value);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    fabrics, ladder_leak,
+    testing::Values(Leak{"panels", "driver_bag", {}},
+                    Leak{"panels_as_a_screen", "driver_bag", {"fabric.leak_law=\"screen\""}},
+                    Leak{"table", "bag_leak_table", {"fabric.porosity=0.5"}},
+                    Leak{"table_from_a_file", "bag_from_files", {}}),
+    [](const auto& test) { return std::string(test.param.name); });
+
+// Flat as sewn, with panels that leak and straps: no tank of its design volume, but a volume by its pressure.
+TEST(ladder, flat_bag_has_a_volume_by_pressure_alone) {
+  auto options = options_of("pressure");
+  options.hold = {"cp", "compression", "mesh", "step", "porosity"};
+  const auto result = driver::run_ladder(case_file("driver_bag"), {"scene.end_time=1e-3"}, options);
+  const auto has = [&](const char* name) {
+    return std::any_of(result.rungs.begin(), result.rungs.end(),
+                       [&](const LadderRung& r) { return r.name == name && r.failure.empty(); });
+  };
+  EXPECT_TRUE(has("volume by pressure"));
+  EXPECT_FALSE(has("rigid tank"));
+  EXPECT_EQ(result.plan.left_out, Texts{"rigid tank: the design shape is flat"});
 }
 
 }  // namespace

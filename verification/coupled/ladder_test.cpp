@@ -52,7 +52,7 @@ std::string refusal(const char* name, const char* quantity, const Texts& hold) {
 TEST(ladder, rigid_tank_has_gas_rungs_alone_and_its_closed_form) {
   const auto result = driver::run_ladder(case_file("rigid_tank"), {}, options_of("pressure", 1e-6));
   EXPECT_EQ(axis_names(result), Texts{"gas"});
-  EXPECT_FALSE(result.plan.tank.has_value());
+  EXPECT_FALSE(result.plan.no_membrane.has_value());
   EXPECT_FALSE(result.chaotic);
   // p0 + gamma R T_in mdot t / V, of the case's own numbers.
   const double exact = 101325.0 + 1.4 * 296.8 * 700.0 * 1.0 * 0.1 / 0.06;

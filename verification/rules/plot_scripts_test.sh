@@ -65,23 +65,4 @@ for run in a b; do "$scripts/plot_compare.sh" $run/rows $run/rows.csv >/dev/null
 grep -q "pressure \[Pa\]" a/rows.svg && grep -q "volume \[m³\]" a/rows.svg || fail "units of the comparison"
 cmp a/rows.svg b/rows.svg || fail "the order of the columns changed the picture of the comparison"
 if "$scripts/plot_compare.sh" c/rows tank/history.csv 2>/dev/null; then fail "a history without reference was accepted"; fi
-# Rungs of a ladder: cost halves and error doubles from one to the next, so that all are on the front; one has failed.
-ladder() {
-  awk -v names="${*:2}" 'BEGIN {
-    n = split(names, name, " ")
-    print "# quantity: pressure_Pa\n# tolerance: 0.02\n# reference: -2e5\n# uncertainty: 10"
-    for (i = 1; i <= n; i++) printf "%s%s", name[i], i < n ? "," : "\n"
-    for (row = 0; row < 4; row++)
-      for (i = 1; i <= n; i++) {
-        v = name[i] == "rung" ? "rung " row : row == 3 ? "" : name[i] == "cpu_s" ? 2 ^ -row : name[i] == "error" ? -100 * 2 ^ row : 5
-        printf "%s%s", v, i < n ? "," : "\n"
-      }
-  }' >"$1"
-}
-ladder a/ladder.csv rung cpu_s error error_se verdict
-ladder b/ladder.csv verdict error_se error cpu_s rung
-for run in a b; do "$scripts/plot_ladder.sh" $run/ladder $run/ladder.csv >/dev/null; done
-[[ -s a/ladder.png && $(grep -c '>[123]  rung [012]<' a/ladder.svg) == 3 ]] || fail "three rungs are on the front"
-cmp a/ladder.svg b/ladder.svg || fail "the order of the columns changed the picture of the ladder"
-if "$scripts/plot_ladder.sh" c/ladder tank/history.csv 2>/dev/null; then fail "a history was accepted as a ladder"; fi
 echo "plot scripts: columns by name, absent quantities left out, empty tables refused"

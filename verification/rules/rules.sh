@@ -182,7 +182,8 @@ rule_mutation_lines() {
 
 # source_number FILE ROW COLUMN SCALE FORMAT: that number of a CSV table (comment lines aside) or of a table of a page,
 # formatted. ROW: column=value,..., in a page one pair. Of a CSV also two rows, "A - B", "A / B" or "A % B" (A/B - 1).
-# COLUMN: its name, or "one/other".
+# COLUMN: its name, or "one/other". SCALE: numbers and names joined by * and /; names are pi, reference (what a ladder's table
+# says above its columns, from where the quantity counts) and root_runs (of the row's column `runs`).
 source_number() {
   local separator=,
   [[ $1 != *.md ]] || separator=' *[|] *'
@@ -196,23 +197,52 @@ source_number() {
       }
       return 1
     }
+    function factor(name) {
+      if (name == "pi") return 3.141592653589793
+      if (name == "reference") return reference > zero ? reference - zero : zero - reference
+      return name == "root_runs" ? sqrt(runs) : name
+    }
+    function product(text,   result, i, n, name) {
+      n = split(text, name, "[*/]")
+      result = factor(name[1])
+      for (i = 2; i <= n; ++i) {
+        text = substr(text, length(name[i - 1]) + 1)
+        result = text ~ /^[*]/ ? result * factor(name[i]) : result / factor(name[i])
+        text = substr(text, 2)
+      }
+      return result
+    }
     BEGIN {
       rows = split(row, part, FS == "," ? " [-/%] " : "\n")
       columns = split(column, ratio, "/")
       how = rows == 2 ? substr(row, length(part[1]) + 2, 1) : ""
     }
+    /^# reference: / { reference = substr($0, 14) + 0 }
+    /^# counted from: / { zero = substr($0, 17) + 0 }
     /^#/ { next }
     FS == "," && !started++ { head($0); next }
     /^[|]-/ { head(before) }
     { before = $0 }
     !(ratio[1] in at) || !(ratio[columns] in at) { next }
     { for (i = 1; i <= rows; ++i)
-        if (fits(part[i])) { ++found[i]; value[i] = columns == 2 ? $(at[ratio[1]]) / $(at[ratio[2]]) : $(at[column]) } }
+        if (fits(part[i])) { ++found[i]; runs = "runs" in at ? $(at["runs"]) : 0; value[i] = columns == 2 ? $(at[ratio[1]]) / $(at[ratio[2]]) : $(at[column]) } }
     END {
       for (i = 1; i <= rows; ++i) if (found[i] != 1) { print found[i] + 0 " rows " part[i]; exit }
       number = how == "-" ? value[1] - value[2] : how == "/" ? value[1] / value[2] : how == "%" ? value[1] / value[2] - 1 : value[1]
-      printf format "\n", number * scale
+      printf format "\n", number * product(scale)
     }' "$1"
+}
+
+# Every table of the pages says first what it was made on and by: machine, commit, compiler and flags.
+rule_table_heads() {
+  local file head part
+  for file in docs/charts/*.csv docs/figures/*.csv; do
+    [[ -f $file ]] || continue
+    head=$(sed '/^#/!q' "$file" | sed -E 's/^# gasjet [^ ]+ \(([0-9a-f]+[^,]*), ([^,]+), ([^)]+)\)$/# commit: \1\n# compiler: \2\n# flags: \3/')
+    for part in machine commit compiler flags; do
+      grep -qE "^# $part: ." <<<"$head" || echo "$file:1: the lines above the columns do not name its $part (scripts/provenance.sh)"
+    done
+  done
 }
 
 # Each number that docs/numbers.tsv lists says what its source file says.

@@ -39,14 +39,19 @@ good_tree() {
   put verification/mutations.tsv '# comment' $'gas.(tank|vent)\tREADME.md\ts/gas/b/' $'bad_input.*/nan( |$)\tREADME.md\ts/gas/b/'
   put docs/exact.md '**`tank_fill`**: of a tank'
   put cases/tank.toml '# Closed form: `gasjet exact tank_fill`.'
-  put docs/page.md 'The force is 12.3 N.' 'Two is larger by 4.988 kN, 405 times, 40419 %. It is off by 3 %.'
+  put docs/page.md 'The force is 12.3 N.' 'Two is larger by 4.988 kN, 405 times, 40419 %. It is off by 3 %.' 'The rung is off by 2.5 %, 11.46 degrees.'
   put docs/table.csv '# machine' 'case,force_kN' 'one,0.01234' 'two,5'
+  put docs/charts/ladder.csv '# machine: M, 2 cores' '# commit: 0123abc' '# compiler: GNU 12' '# flags: -O3' '# counted from: 3' \
+    '# reference: 1' 'rung,runs,error' 'full,16,0.05'
+  put docs/charts/bag.csv '# machine: M, 2 cores' '# gasjet 0.1.0 (0123abc-dirty, GNU 12, Release -O3)' 'x' '1'
   put docs/report.md '| check | off |' '|---|---|' '| one | 0.03 |' '| two | 0 |'
   put docs/numbers.tsv '# comment' $'docs/page.md\tforce is ([0-9.]+) N\tdocs/table.csv\tcase=one\tforce_kN\t1000\t%.1f' \
     $'docs/page.md\tlarger by ([0-9.]+) kN\tdocs/table.csv\tcase=two - case=one\tforce_kN\t1\t%.3f' \
     $'docs/page.md\tkN, ([0-9.]+) times\tdocs/table.csv\tcase=two / case=one\tforce_kN\t1\t%.0f' \
     $'docs/page.md\ttimes, ([0-9.]+) %\tdocs/table.csv\tcase=two % case=one\tforce_kN\t100\t%.0f' \
-    $'docs/page.md\toff by ([0-9.]+) %\tdocs/report.md\tcheck=one\toff\t100\t%.0f'
+    $'docs/page.md\trung is off by ([0-9.]+) %\tdocs/charts/ladder.csv\trung=full\terror\t100/reference\t%.1f' \
+    $'docs/page.md\t%, ([0-9.]+) degrees\tdocs/charts/ladder.csv\trung=full\terror\t180/pi*root_runs\t%.2f' \
+    $'docs/page.md\tIt is off by ([0-9.]+) %\tdocs/report.md\tcheck=one\toff\t100\t%.0f'
   put docs/theory/gas.md '$$ p V = m R T \tag{G.1} $$'
 }
 
@@ -133,18 +138,32 @@ case $rule in
     breaks docs/case_files.md '| `volume`, `law` | of the tank |' '| `colour` | of the bag |'
     ;;
   numbers)
+    rung='The rung is off by 2.5 %, 11.46 degrees.'
     two='Two is larger by 4.988 kN, 405 times, 40419 %. It is off by 3 %.'
-    breaks docs/page.md 'The force is 12.4 N.' "$two"
-    breaks docs/page.md 'The force is twelve N.' "$two"
-    breaks docs/page.md 'The force is 12.3 N.' "${two/4.988/4.989}"
-    breaks docs/page.md 'The force is 12.3 N.' "${two/405/406}"
-    breaks docs/page.md 'The force is 12.3 N.' "${two/40419/40519}"
-    breaks docs/page.md 'The force is 12.3 N.' "${two/by 3/by 4}"
+    breaks docs/page.md 'The force is 12.4 N.' "$two" "$rung"
+    breaks docs/page.md 'The force is twelve N.' "$two" "$rung"
+    breaks docs/page.md 'The force is 12.3 N.' "${two/4.988/4.989}" "$rung"
+    breaks docs/page.md 'The force is 12.3 N.' "${two/405/406}" "$rung"
+    breaks docs/page.md 'The force is 12.3 N.' "${two/40419/40519}" "$rung"
+    breaks docs/page.md 'The force is 12.3 N.' "${two/by 3/by 4}" "$rung"
+    breaks docs/page.md 'The force is 12.3 N.' "$two" "${rung/2.5/5.0}"
+    breaks docs/page.md 'The force is 12.3 N.' "$two" "${rung/11.46/2.86}"
+    breaks docs/charts/ladder.csv '# machine: M' '# counted from: 0' '# reference: 1' 'rung,runs,error' 'full,16,0.05'
+    breaks docs/charts/ladder.csv '# machine: M' '# counted from: 3' '# reference: 1' 'rung,runs,error' 'full,9,0.05'
     breaks docs/report.md '| check | off |' '|---|---|' '| other | 0.03 |'
     breaks docs/table.csv 'case,force_kN' 'one,0.0125' 'two,5'
     breaks docs/table.csv 'case,force_kN' 'two,0.01234'
     breaks docs/table.csv 'case,load' 'one,0.01234' 'two,5'
     breaks docs/numbers.tsv $'docs/page.md\tforce is ([0-9.]+) N\tdocs/gone.csv\tcase=one\tforce_kN\t1000\t%.1f'
+    ;;
+  table_heads)
+    version='# gasjet 0.1.0 (0123abc, GNU 12, Release -O3)'
+    breaks docs/charts/bag.csv 'x' '1'
+    breaks docs/charts/bag.csv "$version" 'x' '1'
+    breaks docs/charts/bag.csv '# machine: M, 2 cores' 'x' "$version" '1'
+    breaks docs/figures/bag.csv '# machine: M, 2 cores' '# gasjet 0.1.0 (unknown, GNU 12, Release -O3)' 'x' '1'
+    breaks docs/charts/ladder.csv '# machine: M' '# commit: 0123abc' '# compiler: GNU 12' 'rung,error' 'full,0.05'
+    breaks docs/charts/ladder.csv '# machine: ' '# commit: 0123abc' '# compiler: GNU 12' '# flags: -O3' 'rung,error' 'full,0.05'
     ;;
   mutation_lines)
     breaks verification/mutations.tsv $'gas.tank\tREADME.md\ts/gas/b/'

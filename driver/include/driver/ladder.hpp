@@ -35,7 +35,9 @@ struct LadderAxis {
 
 struct LadderPlan {
   std::vector<LadderAxis> axes;
-  std::optional<LadderChoice> tank;   // the bag as a rigid tank of its design volume
+  std::optional<std::vector<std::string>>
+      no_membrane;                    // overrides that leave the bag's gas; no tank.volume yet
+  double design_volume = 0.0;         // [m3] of the bag; 0 if it is flat
   std::vector<std::string> left_out;  // "cp: why"
 };
 
@@ -63,6 +65,7 @@ struct LadderRung {
   double error = 0.0;           // value - the reference's
   double standard_error = 0.0;  // of that
   Verdict verdict = Verdict::not_judged;
+  int front = 0;  // place on the front by cost, from 1; 0: another is no dearer and as exact
 };
 
 /// What lies beyond one value of an axis.
@@ -116,8 +119,11 @@ struct Change {
 };
 Change change_of(const LadderResult& result, const LadderRung& rung);
 
-/// Reference, errors and verdicts of rungs that have run, with the costs that they have. In a chaotic scene
-/// fewer than 16 runs, of a rung or of the finest, decide nothing.
+/// Share of the tolerance below which errors do not tell rungs apart on the front.
+inline constexpr double least_share = 1e-3;
+
+/// Reference, errors, front and verdicts of rungs that have run, with the costs that they have. In a chaotic
+/// scene fewer than 16 runs, of a rung or of the finest, decide nothing.
 void judge(LadderResult& result, double tolerance);
 
 /// The axes of a case. Throws CaseError for a bad case, a quantity it does not have, a held axis it does not
@@ -139,10 +145,16 @@ LadderResult run_ladder(const std::filesystem::path& file, const std::vector<std
 void refuse_own_cheapest(const std::filesystem::path& folder);
 
 /// ladder.csv, ladder.json, and, if there is a cheapest rung, cheapest.toml, which runs as it is; those of an
-/// earlier ladder go. `partial`, of one that was interrupted: ladder_partial.csv and ladder_partial.json,
-/// and those of an earlier one stay. Throws WriteError.
+/// earlier ladder go, and its chart. `partial`, of one that was interrupted: ladder_partial.csv and
+/// ladder_partial.json, and those of an earlier one stay. Throws WriteError.
 void write_ladder(const std::filesystem::path& folder, const LadderResult& result,
                   const std::filesystem::path& file, const std::vector<std::string>& overrides,
                   const LadderOptions& options, bool partial);
+
+/// The chart of a ladder that has been judged, error against cost of its rungs: ladder.gp, gnuplot's commands
+/// with the numbers, and ladder.svg, which gnuplot draws of them. Returns why there is no picture; empty:
+/// there is. Throws WriteError.
+std::string draw_ladder(const std::filesystem::path& folder, const LadderResult& result,
+                        const LadderOptions& options);
 
 }  // namespace driver

@@ -72,7 +72,8 @@ void print_changes(const LadderResult& result) {
   fmt::print("\nwhat each does to the full case\n  {:28} {:>12} {:>9} {:>9}\n", "", "change", "s.e.",
              "change %");
   for (const LadderRung& rung : result.rungs) {
-    if (!rung.axis || !rung.failure.empty()) continue;
+    const bool no_membrane = result.plan.no_membrane && !rung.can_be_perturbed;
+    if (!(rung.axis || no_membrane) || !rung.failure.empty()) continue;
     const Change change = change_of(result, rung);
     fmt::print("  {:28} {:12.4g} {:9.2g} {:9.3g}\n", rung.name, change.value, change.standard_error,
                per_cent(result, change.value));
@@ -118,8 +119,8 @@ int ladder(const LadderArguments& arguments) {
                                                   ("ladder_" + arguments.scene.file.stem().string())
                                             : arguments.out;
   plan_ladder(arguments.scene.file, arguments.scene.overrides, options.quantity, options.hold);
-  const auto files = {"ladder.csv", "ladder.json", "cheapest.toml", "ladder_partial.csv",
-                      "ladder_partial.json"};
+  const auto files = {"ladder.csv",    "ladder.json",        "ladder.gp",          "ladder.svg",
+                      "cheapest.toml", "ladder_partial.csv", "ladder_partial.json"};
   refuse_inputs(folder, files, input_files(arguments.scene.file, arguments.scene.overrides));
   refuse_own_cheapest(folder);
   prepare_output(folder, files);
@@ -137,6 +138,10 @@ int ladder(const LadderArguments& arguments) {
     return exit_undecided;
   }
   if (!options.quiet) print(result, options, folder);
+  if (const auto problem = draw_ladder(folder, result, options); !problem.empty())
+    fmt::print(stderr, "gasjet: no chart: {}\n", problem);
+  else if (!options.quiet)
+    fmt::print("chart: {}\n", (folder / "ladder.svg").string());
   return exit_code(result.verdict);
 }
 

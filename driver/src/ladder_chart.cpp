@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: Apache-2.0
+// The chart of a ladder, by gnuplot.
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cmath>
+#include <cstring>
+#include <fstream>
+
+#include "driver/ladder.hpp"
+#include "driver/results.hpp"
+
+namespace driver {
+namespace {
+
+// Data blocks $rungs (cost, error, low, high), $front (cost, error, place), $named (cost, error) and the
+// numbers `tolerance` and `uncertainty` stand before it; errors in per cent of the reference.
+constexpr std::string_view commands = R"(
+set terminal svg size 900,560 font 'sans,12' background 'white' noenhanced
+set output 'ladder.svg'
+set border 3
+set tics nomirror
+set logscale xy
+set format xy '%g'
+set rmargin 32
+set offsets graph 0.05, graph 0.05, 0, 0
+set xlabel 'CPU time of a run [s]'
+set label 1 'on the front, the cheapest first' at graph 1.03, graph 0.98
+set label 2 list at graph 1.03, graph 0.92 font ',10'
+set key bottom left at graph 1.03, graph 0.02 Left reverse samplen 2 font ',10'
+set style fill solid 1 noborder
+plot (uncertainty > 0 ? uncertainty : NaN) with filledcurves y1=1e-30 fillcolor 'gray90' \
+    title 'uncertainty of the reference', \
+  tolerance with lines linecolor 'black' dashtype 2 title 'tolerance', \
+  $rungs using 1:2:3:4 with yerrorbars linecolor 'gray50' pointtype 6 title 'rung, ± 2 s.e.', \
+  $front using 1:2 with points linecolor 'black' pointtype 7 title 'on the front', \
+  $named using 1:2 with points linecolor 'black' pointtype 6 pointsize 2 title 'the cheapest within', \
+  $front using 1:2:3 with labels offset 1.2,0.8 font ',10' notitle
+)";
+
+std::string block(const char* name, const std::string& rows) {
+  return fmt::format("${} << EOD\n{}EOD\n", name, rows.empty() ? "NaN NaN NaN\n" : rows);
+}
+
+std::string chart(const LadderResult& result, const LadderOptions& options) {
+  const double percent = 100.0 / std::abs(result.reference.value - result.zero),
+               floor = 100.0 * least_share * options.tolerance;
+  const auto shown = [&](double error) { return std::max(percent * error, floor); };
+  std::string rungs, front, named;
+  std::vector<std::string> names(result.rungs.size());
+  for (const LadderRung& rung : result.rungs) {
+    if (rung.verdict == Verdict::not_judged) continue;
+    const double error = std::abs(rung.error), bar = 2.0 * rung.standard_error;
+    const std::string point = fmt::format("{} {}", rung.cpu_seconds, shown(error));
+    rungs += fmt::format("{} {} {}\n", point, shown(error - bar), shown(error + bar));
+    if (result.cheapest && &rung == &result.rungs[*result.cheapest]) named = point + '\n';
+    if (rung.front == 0) continue;
+    front += fmt::format("{} {}\n", point, rung.front);
+    names[static_cast<std::size_t>(rung.front) - 1] = fmt::format("{}  {}\\n", rung.front, rung.name);
+  }
+  std::string list;
+  for (const std::string& name : names) list += name;
+  return fmt::format(
+             "# Error of {0} against CPU time of the rungs of a ladder; filled: the front, than which "
+             "nothing cheaper is as "
+             "exact.\n# Errors below {1:g} of the tolerance are drawn there. `gnuplot ladder.gp` draws "
+             "ladder.svg.\n"
+             "tolerance = {2}\nuncertainty = {3}\nlist = \"{4}\"\nset ylabel 'Error of {0} [%]'\n",
+             result.quantity, least_share, 100.0 * options.tolerance, percent * result.reference.uncertainty,
+             list) +
+         block("rungs", rungs) + block("front", front) + block("named", named) + std::string(commands);
+}
+
+// What keeps `gnuplot ladder.gp` in `folder` from ending well; empty: nothing.
+std::string run_gnuplot(const std::filesystem::path& folder) {
+  posix_spawn_file_actions_t actions;
+  posix_spawn_file_actions_init(&actions);
+  posix_spawn_file_actions_addchdir_np(&actions, folder.c_str());
+  posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
+  std::string program = "gnuplot", script = "ladder.gp";
+  char* const arguments[] = {program.data(), script.data(), nullptr};
+  pid_t child = 0;
+  const int code = posix_spawnp(&child, program.c_str(), &actions, nullptr, arguments, environ);
+  posix_spawn_file_actions_destroy(&actions);
+  if (code != 0) return fmt::format("gnuplot: {}", std::strerror(code));
+  int status = 0;
+  while (waitpid(child, &status, 0) < 0 && errno == EINTR) continue;
+  return WIFEXITED(status) && WEXITSTATUS(status) == 0 ? "" : "gnuplot failed";
+}
+
+}  // namespace
+
+std::string draw_ladder(const std::filesystem::path& folder, const LadderResult& result,
+                        const LadderOptions& options) {
+  const auto script = folder / "ladder.gp";
+  std::ofstream stream(script);
+  stream << chart(result, options);
+  stream.close();
+  if (!stream) throw WriteError(fmt::format("{}: write failed", script.string()));
+  const std::string problem = run_gnuplot(folder);
+  if (problem.empty()) return {};
+  std::filesystem::remove(folder / "ladder.svg");
+  return fmt::format("{}; its commands are in {}", problem, script.string());
+}
+
+}  // namespace driver
