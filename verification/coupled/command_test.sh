@@ -242,11 +242,9 @@ part_exact() {
   expect 2 "no_such_parameter" "$gasjet" exact "$name" --set no_such_parameter=1
 }
 
-# shellcheck source-path=SCRIPTDIR source=command_compare.sh
-source "$(dirname "${BASH_SOURCE[0]}")/command_compare.sh"
-# shellcheck source-path=SCRIPTDIR source=command_identify.sh
-source "$(dirname "${BASH_SOURCE[0]}")/command_identify.sh"
-# shellcheck source-path=SCRIPTDIR source=command_ladder.sh
-source "$(dirname "${BASH_SOURCE[0]}")/command_ladder.sh"
+for family in compare identify ladder; do
+  # shellcheck source=/dev/null
+  source "$(dirname "${BASH_SOURCE[0]}")/command_$family.sh"
+done
 "part_$part"
 [ $failures -eq 0 ] && echo "command $part: passed" || exit 1
