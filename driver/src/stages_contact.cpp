@@ -35,6 +35,9 @@ void contact(const Scene& scene, State& state) {
   state.level.pendulum_angle = pendulum.motion.angle;
   pendulum.moment = model.gravity_moment(pendulum.motion.angle);
   if (!scene.contact) return;
+  // The central difference turned the pendulum by this since the last level.
+  const double turn = state.step.before * pendulum.motion.angular_velocity;
+  model.require_followed(turn);
   if (state.contact.area > 0.0) state.bag->contact_force.map().setZero();
   const Eigen::Vector3d centre = model.impactor_centre(pendulum.motion.angle);
   const double motion = motion_bound(state, centre);
@@ -44,10 +47,8 @@ void contact(const Scene& scene, State& state) {
     return;
   }
   const auto& axis = model.parameters().axis;
-  // The central difference turned the pendulum by this since the last level.
-  const Eigen::Vector3d turn = state.step.before * pendulum.motion.angular_velocity * axis;
   state.contact = scene.contact->evaluate(*state.contact_cache, state.bag->position.map(), centre,
-                                          state.bag->contact_force.map(), turn);
+                                          state.bag->contact_force.map(), turn * axis);
   pendulum.moment += model.moment(state.contact.force, centre) + axis.dot(state.contact.couple);
   state.flows.friction_loss += state.contact.friction_loss;
 }

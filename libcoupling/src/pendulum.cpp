@@ -105,6 +105,15 @@ PendulumState PendulumModel::advance(const PendulumState& state, double moment, 
   return next;
 }
 
+void PendulumModel::require_followed(double turn) const {
+  const double path = parameters_.impactor_distance * std::abs(turn),
+               half = 0.5 * parameters_.impactor_radius;
+  if (!(path <= half))
+    throw ContactError("contact: the impactor swings " + detail::text(path) +
+                       " m within one step, more than half its radius, " + detail::text(half) +
+                       " m: too far to tell what it met on the way");
+}
+
 double PendulumModel::angular_velocity_at_level(const PendulumState& state, double moment,
                                                 double dt_before) const {
   return state.angular_velocity + 0.5 * dt_before * (moment / axis_inertia_);

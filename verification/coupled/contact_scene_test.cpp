@@ -152,6 +152,27 @@ TEST(contact_scene, default_stiffness_keeps_contact_within_its_share_of_the_step
   }
 }
 
+// Until the paper's scene comes into touch a step may cost 2 % more for the broad phase, the work on 55 of
+// 2744 elements; a look at one costs about as much as that work on three.
+TEST(contact_scene, broad_phase_looks_at_few_elements_until_something_touches) {
+  for (const char* name : {"passenger_pendulum", "passenger_pendulum_no_jet"}) {
+    const auto scene = coupled::scene_of(name);
+    driver::State state = driver::make_state(scene);
+    driver::StepRecords records;
+    int looks = 0, levels = 0;
+    for (;; ++levels) {
+      driver::step(scene, state, {}, records);
+      if (state.contact.area > 0.0) break;
+      looks = state.contact_cache->looks;
+      state.time += state.step.after;
+      ++state.steps;
+    }
+    EXPECT_GT(levels, 100) << name;
+    EXPECT_LT(3.0 * looks, 0.02 * scene.contact->element_count() * levels) << name;
+    EXPECT_GT(state.contact_cache->skips, 0.8 * levels) << name;
+  }
+}
+
 // Out of reach a level costs a comparison (0.1 % of the step's time); one in a hundred looks at the skin at
 // most.
 TEST(contact_scene, broad_phase_is_idle_while_nothing_is_near) {
@@ -160,87 +181,6 @@ TEST(contact_scene, broad_phase_is_idle_while_nothing_is_near) {
   ASSERT_EQ(run.outcome.status, driver::RunStatus::done) << run.outcome.message;
   EXPECT_EQ(run.state.peaks.first_contact, -1.0);
   EXPECT_GT(run.state.contact_cache->skips, 0.99 * static_cast<double>(run.state.steps));
-}
-
-// Where contact ends, in a whole run: exit code 3 with stage, time and limit, and the threshold beside it.
-
-TEST(contact_limits, stiffness_past_the_cap_of_a_fixed_step_is_refused_before_it_touches) {
-  // Fabric alone allows 34.3 us (this ball at rest, 3 % less when it breathes): 24 us leaves half of omega^2.
-  const auto at = [](const char* share) {
-    return run_case("ball_impact", {"time.step=24e-6", "scene.end_time=0.006",
-                                    std::string("contact.stiffness_share=") + share});
-  };
-  const auto soft = at("0.3");
-  EXPECT_EQ(soft.outcome.status, driver::RunStatus::done) << soft.outcome.message;
-  EXPECT_GT(soft.state.flows.contact_impulse, 0.0);
-  const auto stiff = at("3.0");
-  ASSERT_EQ(stiff.outcome.status, driver::RunStatus::failed);
-  for (const char* word : {"above its bound", "contact", "stage S8_advance"})
-    EXPECT_NE(stiff.outcome.message.find(word), std::string::npos) << stiff.outcome.message;
-  // As soon as a step could bring it into touch, and not from the start.
-  EXPECT_EQ(stiff.state.contact.area, 0.0);
-  EXPECT_GT(stiff.state.time, 0.002);
-  EXPECT_LT(stiff.state.time, soft.state.peaks.first_contact);
-}
-
-// The step falls before the skin touches: what stiffness asks of it is never found out by a blow-up.
-TEST(contact_limits, any_stiffness_is_followed_by_the_step) {
-  const auto at = [](const char* share) {
-    return run_case("ball_impact", {"membrane.mesh.levels=2", "contact.friction=0.0", "scene.end_time=0.006",
-                                    std::string("contact.stiffness_share=") + share});
-  };
-  for (const char* share : {"16.0", "256.0"}) {
-    const auto run = at(share);
-    ASSERT_EQ(run.outcome.status, driver::RunStatus::done) << run.outcome.message;
-    EXPECT_GT(run.state.flows.contact_impulse, 0.1) << share;  // [N s]
-    EXPECT_LT(run.state.peaks.energy_residual, 1e-3 * run.state.peaks.energy_scale) << share;
-  }
-  const auto stiff = at("1e15");
-  ASSERT_EQ(stiff.outcome.status, driver::RunStatus::failed);
-  for (const char* word : {"contact 100.0 %", "more than 1e9 of them", "stage S8_advance"})
-    EXPECT_NE(stiff.outcome.message.find(word), std::string::npos) << stiff.outcome.message;
-  EXPECT_EQ(stiff.state.flows.contact_impulse, 0.0);
-}
-
-TEST(contact_limits, soft_contact_ends_at_half_the_radius) {
-  const auto at = [](const char* share) {
-    return run_case("ball_impact", {"membrane.mesh.levels=2", "contact.friction=0.0",
-                                    std::string("contact.stiffness_share=") + share});
-  };
-  const double half = 0.5 * 0.041;  // [m] of the case's impactor
-  const auto soft = at("0.01");
-  EXPECT_EQ(soft.outcome.status, driver::RunStatus::done) << soft.outcome.message;
-  EXPECT_GT(soft.state.peaks.penetration, 0.5 * half);
-  const auto softer = at("0.001");
-  ASSERT_EQ(softer.outcome.status, driver::RunStatus::failed);
-  for (const char* word : {"penetration", "element", "exceeds half the sphere's radius", "stage S7_contact"})
-    EXPECT_NE(softer.outcome.message.find(word), std::string::npos) << softer.outcome.message;
-  EXPECT_LE(softer.state.peaks.penetration, half);
-}
-
-TEST(contact_limits, centre_that_crosses_the_skin_in_a_step_is_found_at_any_speed) {
-  // 27 us x 1.31 m x omega: 1e3 rad/s is 35 mm a step, less than the radius; 1e4 is 0.35 m, through the ball.
-  for (const char* speed : {"300.0", "1e3", "1e4", "3e4"}) {
-    const auto run = run_case("ball_impact", {std::string("pendulum.initial_angular_velocity=") + speed,
-                                              "membrane.mesh.levels=2", "pendulum.pivot=[-0.2, 0.0, 1.31]"});
-    ASSERT_EQ(run.outcome.status, driver::RunStatus::failed) << speed;
-    const bool crossed = run.outcome.message.find("crossed the skin at element") != std::string::npos;
-    const bool deep = run.outcome.message.find("exceeds half") != std::string::npos;
-    EXPECT_TRUE(std::stod(speed) > 5e3 ? crossed : crossed || deep) << speed << run.outcome.message;
-  }
-}
-
-TEST(contact_limits, sphere_that_starts_inside_or_in_the_skin_is_refused) {
-  const auto at = [](const char* pivot) { return std::string("pendulum.pivot=[") + pivot + ", 0.0, 1.31]"; };
-  EXPECT_NO_THROW(coupled::scene_of("ball_impact", {at("-0.1511")}));  // 0.1 mm off
-  for (const char* pivot : {"-0.1500", "-0.1100", "0.0"}) {
-    try {
-      coupled::scene_of("ball_impact", {at(pivot)});
-      ADD_FAILURE() << pivot << " accepted";
-    } catch (const driver::CaseError& error) {
-      EXPECT_NE(std::string(error.what()).find("pendulum.impactor"), std::string::npos) << error.what();
-    }
-  }
 }
 
 }  // namespace

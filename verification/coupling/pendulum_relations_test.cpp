@@ -164,6 +164,23 @@ TEST(Pendulum, bad_input_names_the_field) {
   }
 }
 
+TEST(Pendulum, turn_that_takes_the_impactor_half_a_radius_is_the_last_one_followed) {
+  for (const auto& model : models()) {
+    const double turn = 0.5 * model.parameters().impactor_radius / model.parameters().impactor_distance;
+    for (const double sign : {1.0, -1.0}) {
+      EXPECT_NO_THROW(model.require_followed(sign * turn * (1.0 - 1e-14)));
+      EXPECT_THROW(model.require_followed(sign * turn * (1.0 + 1e-14)), coupling::ContactError);
+      EXPECT_THROW(model.require_followed(sign * 2.0 * std::numbers::pi), coupling::ContactError);
+    }
+    EXPECT_THROW(model.require_followed(std::nan("")), coupling::ContactError);
+    // The arc's middle is off its chord by half a radius squared over 8 arms, to the turn's square / 48.
+    const Vector3d chord = 0.5 * (model.impactor_centre(0.0) + model.impactor_centre(turn));
+    const double sagitta = (model.impactor_centre(0.5 * turn) - chord).norm();
+    const double radius = model.parameters().impactor_radius, arm = model.parameters().impactor_distance;
+    EXPECT_NEAR(sagitta / (radius * radius / (32.0 * arm)), 1.0, turn * turn / 48.0 + 1e-10);
+  }
+}
+
 TEST(Pendulum, advance_refuses_what_is_not_finite) {
   const PendulumModel model(scenes::paper_pendulum());
   EXPECT_THROW(model.advance({0.0, 1.0}, std::nan(""), 1e-3, 1e-3), coupling::ContactError);

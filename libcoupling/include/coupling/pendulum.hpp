@@ -74,6 +74,10 @@ class PendulumModel {
   // omega_+)/2 exactly. Throws ContactError when the result is not finite.
   PendulumState advance(const PendulumState& state, double moment, double tau, double dt_after) const;
 
+  // (K.25) Throws ContactError when a step's turn [rad] takes the impactor's centre farther than r/2 along
+  // its arc. Contact tests the chord: up to there it is off the arc by r/32 at most, and no turn is left out.
+  void require_followed(double turn) const;
+
   // omega^n = omega^{n-1/2} + (dt_before/2) alpha [rad/s], second order.
   double angular_velocity_at_level(const PendulumState& state, double moment, double dt_before) const;
 
