@@ -38,6 +38,16 @@ void report(benchmark::State& bench, const driver::Scene& scene, const driver::S
   bench.counters["exact_calls"] = static_cast<double>(total.exact_calls);
 }
 
+// Time of S7 and of all stages up to first contact: what the search costs while nothing touches.
+struct Untouched {
+  double contact = 0.0, all = 0.0;  // [s]
+  void update(const driver::State& state) {
+    if (state.peaks.first_contact >= 0.0) return;
+    contact = seconds_of(state, Stage::contact);
+    all = total_seconds(state);
+  }
+};
+
 void run_case(benchmark::State& bench, const std::string& name, const std::vector<std::string>& overrides) {
   driver::CaseDocument document(std::string(GASJET_SOURCE_DIR "/cases/") + name + ".toml", overrides);
   const driver::Scene scene = driver::read_scene(document);
@@ -45,8 +55,9 @@ void run_case(benchmark::State& bench, const std::string& name, const std::vecto
   double seconds = 0.0, jet_seconds = 0.0, steps = 0.0;
   for (auto iteration : bench) {
     driver::State state = driver::make_state(scene);
-    const auto outcome =
-        driver::run_scene(scene, state, [](const driver::StepRecords*, const driver::State&) {});
+    Untouched untouched;
+    const auto outcome = driver::run_scene(
+        scene, state, [&](const driver::StepRecords*, const driver::State& now) { untouched.update(now); });
     if (outcome.status != driver::RunStatus::done) {
       bench.SkipWithError(outcome.message.c_str());
       return;
@@ -57,6 +68,7 @@ void run_case(benchmark::State& bench, const std::string& name, const std::vecto
                    seconds_of(state, Stage::visibility);
     steps += static_cast<double>(state.steps);
     report(bench, scene, state, seconds, jet_seconds, steps);
+    bench.counters["untouched_contact_percent"] = 100.0 * untouched.contact / untouched.all;
   }
 }
 

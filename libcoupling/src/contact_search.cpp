@@ -141,14 +141,19 @@ void Search::settle_gap() {
   // While one element is within the step ahead no level will do without a look: that of the last level,
   // mostly.
   double least = exact_gap(state.nearest);
-  const double wanted = std::max(state.ahead, 0.5 * least);
-  if (!(least > state.ahead) || state.travelled + wanted < state.gap) return;
-  for (std::size_t g = 0; g < groups.count() && least > state.ahead; ++g)
-    if (!(state.travelled + wanted < state.group_slack[g]))
-      look_at_group(g, wanted, [&](int element, double gap) {
-        if (gap < least) state.nearest = element;
-        least = std::min(least, gap);
-      });
+  const auto take = [&](int element, double gap) {
+    if (gap < least) state.nearest = element;
+    least = std::min(least, gap);
+  };
+  const auto enough = [&](double slack) {
+    return !(least > state.ahead) || state.travelled + std::max(state.ahead, 0.5 * least) < slack;
+  };
+  if (enough(state.gap)) return;
+  // The group that seems nearest says how far there is to look in the others.
+  const auto first = std::min_element(state.group_slack.begin(), state.group_slack.end());
+  look_at_group(static_cast<std::size_t>(first - state.group_slack.begin()), state.ahead, take);
+  for (std::size_t g = 0; g < groups.count(); ++g)
+    if (!enough(state.group_slack[g])) look_at_group(g, std::max(state.ahead, 0.5 * least), take);
   state.gap = least_of(state.group_slack);
 }
 
