@@ -16,8 +16,8 @@ SkinPass pass_of(SkinParts parts) {
   return parts == SkinParts::forces ? kForcesPass : kSkinPass;
 }
 
-// Fetching what a cache holds already costs more than it gains; this many elements take 32 MB.
-constexpr int kCachedElements = 150000;
+// Fetching what the second-level cache holds already costs more than it gains; this many elements take 4 MB.
+constexpr int kCachedElements = 20000;
 
 SkinArrays skin_arrays(const BagModel& model, BagState& state, std::size_t b) {
   const BlockTable& table = model.elements;
