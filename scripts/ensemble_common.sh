@@ -13,11 +13,12 @@ build_gasjet() {
 
 # ensemble_quantities CASE RUNS OPTION...: quantities.csv of the ensemble, run unless results/ has it.
 ensemble_quantities() {
-  local case=$1 runs=$2 folder
+  local case=$1 runs=$2 folder code=0
   shift 2
   folder=results/ensembles/$case/$runs$(printf '_%s' "$@" | tr -c 'A-Za-z0-9.\n' '_')
   [[ -f $folder/$case/quantities.csv ]] ||
-    build/gasjet ensemble "cases/$case.toml" --runs "$runs" --threads "$(nproc)" --quiet --out "$folder" "$@" >"$folder.log" 2>&1 || true
+    build/gasjet ensemble "cases/$case.toml" --runs "$runs" --threads "$(nproc)" --quiet --out "$folder" "$@" >"$folder.log" 2>&1 || code=$?
+  ((code != 130)) || rm -rf "$folder" # interrupted: some of the runs
   [[ -f $folder/$case/quantities.csv ]] || { cat "$folder.log" >&2; return 1; }
   tail -n +2 "$folder/$case/quantities.csv"
 }

@@ -23,8 +23,8 @@ variations=(
   "seed|1e-5|--amplitude 1e-5" "seed|1e-4|"
   "step|0.9|--set time.safety=0.9" "step|0.8|" "step|0.6|--set time.safety=0.6"
   "contact|0.5|--set contact.stiffness_share=0.5" "contact|1|" "contact|4|--set contact.stiffness_share=4"
-  "contact_10976|0.5|$(refined 1 0.5)|$few" "contact_10976|1|$(refined 1 1)|$few" "contact_10976|4|$(refined 1 4)|$few"
-  "mesh|2744|" "mesh|10976|$(refined 1 1)" "mesh|43904|$(refined 2 1)|$few"
+  "contact_10970|0.5|$(refined 1 0.5)|$few" "contact_10970|1|$(refined 1 1)|$few" "contact_10970|4|$(refined 1 4)|$few"
+  "mesh|2744|" "mesh|10970|$(refined 1 1)" "mesh|43862|$(refined 2 1)|$few"
   "friction|0|" "friction|0.3|--set contact.friction=0.3"
 )
 
@@ -43,7 +43,7 @@ mkdir -p "$(dirname "$out")"
 quantities=("final_angle_rad|180/pi|Final angle [°]" "contact_impulse_Ns|1|Contact impulse [N s]"
   "peak_cg_acceleration_cfc180_m_s2|1|Peak acceleration, CFC 180 [m/s²]" "peak_cg_acceleration_m_s2|1|Peak acceleration, raw [m/s²]")
 axes=("seed|Seed [m]|set logscale x; set xtics 1e3; set format x '%.0e'" "step|Share of the critical step|set xtics 0.1"
-  "contact|Contact stiffness share|set logscale x 2; set xtics auto" "mesh|Elements|set logscale x; set xtics (2744, 10976, 43904)"
+  "contact|Contact stiffness share|set logscale x 2; set xtics auto" "mesh|Elements|set logscale x; set xtics (2744, 10970, 43862)"
   "friction|Friction coefficient|set xtics 0.1")
 {
   for quantity in "${quantities[@]}"; do

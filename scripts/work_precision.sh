@@ -100,7 +100,7 @@ gas|rosenbrock 1e-6|--set time.gas_method=rosenbrock --set time.gas_tolerance=1e
 gas|euler 1e-4|--set time.gas_method=euler --set time.gas_tolerance=1e-4
 mesh|1216|$cells $panels $stiffness
 mesh|2744|
-mesh|10976|--set membrane.mesh.refine=1 $stiffness
+mesh|10970|--set membrane.mesh.refine=1 $stiffness
 TABLE
 }
 

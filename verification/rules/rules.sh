@@ -181,7 +181,8 @@ rule_mutation_lines() {
 }
 
 # source_number FILE ROW COLUMN SCALE FORMAT: that number of a CSV table (comment lines aside) or of a table of a page,
-# formatted. ROW: column=value,..., in a page one pair. Of a CSV also two rows, "A - B", "A / B" or "A % B" (A/B - 1).
+# formatted. ROW: column=value,..., in a page one pair. Of a CSV also two rows, "A - B", "A / B" or "A % B" (A/B - 1), or three that halve
+# a length, "A ~ B ~ C" (the order that they show) or "A > B > C" (their limit by that).
 # COLUMN: its name, or "one/other". SCALE: numbers and names joined by * and /; names are pi, reference (what a ladder's table
 # says above its columns, from where the quantity counts) and root_runs (of the row's column `runs`).
 source_number() {
@@ -213,9 +214,9 @@ source_number() {
       return result
     }
     BEGIN {
-      rows = split(row, part, FS == "," ? " [-/%] " : "\n")
+      rows = split(row, part, FS == "," ? " [-/%~>] " : "\n")
       columns = split(column, ratio, "/")
-      how = rows == 2 ? substr(row, length(part[1]) + 2, 1) : ""
+      how = rows > 1 ? substr(row, length(part[1]) + 2, 1) : ""
     }
     /^# reference: / { reference = substr($0, 14) + 0 }
     /^# counted from: / { zero = substr($0, 17) + 0 }
@@ -226,9 +227,13 @@ source_number() {
     !(ratio[1] in at) || !(ratio[columns] in at) { next }
     { for (i = 1; i <= rows; ++i)
         if (fits(part[i])) { ++found[i]; runs = "runs" in at ? $(at["runs"]) : 0; value[i] = columns == 2 ? $(at[ratio[1]]) / $(at[ratio[2]]) : $(at[column]) } }
+    function levels(   first, second) {
+      first = value[1] - value[2]; second = value[2] - value[3]
+      return how == "~" ? log(first / second) / log(2) : value[3] - second * second / (first - second)
+    }
     END {
       for (i = 1; i <= rows; ++i) if (found[i] != 1) { print found[i] + 0 " rows " part[i]; exit }
-      number = how == "-" ? value[1] - value[2] : how == "/" ? value[1] / value[2] : how == "%" ? value[1] / value[2] - 1 : value[1]
+      number = rows == 3 ? levels() : how == "-" ? value[1] - value[2] : how == "/" ? value[1] / value[2] : how == "%" ? value[1] / value[2] - 1 : value[1]
       printf format "\n", number * product(scale)
     }' "$1"
 }

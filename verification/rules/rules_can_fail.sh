@@ -39,7 +39,9 @@ good_tree() {
   put verification/mutations.tsv '# comment' $'gas.(tank|vent)\tREADME.md\ts/gas/b/' $'bad_input.*/nan( |$)\tREADME.md\ts/gas/b/'
   put docs/exact.md '**`tank_fill`**: of a tank'
   put cases/tank.toml '# Closed form: `gasjet exact tank_fill`.'
-  put docs/page.md 'The force is 12.3 N.' 'Two is larger by 4.988 kN, 405 times, 40419 %. It is off by 3 %.' 'The rung is off by 2.5 %, 11.46 degrees.'
+  put docs/page.md 'The force is 12.3 N.' 'Two is larger by 4.988 kN, 405 times, 40419 %. It is off by 3 %.' 'The rung is off by 2.5 %, 11.46 degrees.' \
+    'It settles at 1.0 by order 2.0.'
+  put docs/levels.csv 'level,x' '1,17' '2,5' '3,2'
   put docs/table.csv '# machine' 'case,force_kN' 'one,0.01234' 'two,5'
   put docs/charts/ladder.csv '# machine: M, 2 cores' '# commit: 0123abc' '# compiler: GNU 12' '# flags: -O3' '# counted from: 3' \
     '# reference: 1' 'rung,runs,error' 'full,16,0.05'
@@ -51,6 +53,8 @@ good_tree() {
     $'docs/page.md\ttimes, ([0-9.]+) %\tdocs/table.csv\tcase=two % case=one\tforce_kN\t100\t%.0f' \
     $'docs/page.md\trung is off by ([0-9.]+) %\tdocs/charts/ladder.csv\trung=full\terror\t100/reference\t%.1f' \
     $'docs/page.md\t%, ([0-9.]+) degrees\tdocs/charts/ladder.csv\trung=full\terror\t180/pi*root_runs\t%.2f' \
+    $'docs/page.md\tsettles at ([0-9.]+) by\tdocs/levels.csv\tlevel=1 > level=2 > level=3\tx\t1\t%.1f' \
+    $'docs/page.md\tby order ([0-9.]+)\.\tdocs/levels.csv\tlevel=1 ~ level=2 ~ level=3\tx\t1\t%.1f' \
     $'docs/page.md\tIt is off by ([0-9.]+) %\tdocs/report.md\tcheck=one\toff\t100\t%.0f'
   put docs/theory/gas.md '$$ p V = m R T \tag{G.1} $$'
 }
@@ -139,17 +143,20 @@ case $rule in
     ;;
   numbers)
     rung='The rung is off by 2.5 %, 11.46 degrees.'
+    settles='It settles at 1.0 by order 2.0.'
     two='Two is larger by 4.988 kN, 405 times, 40419 %. It is off by 3 %.'
-    breaks docs/page.md 'The force is 12.4 N.' "$two" "$rung"
-    breaks docs/page.md 'The force is twelve N.' "$two" "$rung"
-    breaks docs/page.md 'The force is 12.3 N.' "${two/4.988/4.989}" "$rung"
-    breaks docs/page.md 'The force is 12.3 N.' "${two/405/406}" "$rung"
-    breaks docs/page.md 'The force is 12.3 N.' "${two/40419/40519}" "$rung"
-    breaks docs/page.md 'The force is 12.3 N.' "${two/by 3/by 4}" "$rung"
-    breaks docs/page.md 'The force is 12.3 N.' "$two" "${rung/2.5/5.0}"
-    breaks docs/page.md 'The force is 12.3 N.' "$two" "${rung/11.46/2.86}"
+    breaks docs/page.md 'The force is 12.4 N.' "$two" "$rung" "$settles"
+    breaks docs/page.md 'The force is twelve N.' "$two" "$rung" "$settles"
+    breaks docs/page.md 'The force is 12.3 N.' "${two/4.988/4.989}" "$rung" "$settles"
+    breaks docs/page.md 'The force is 12.3 N.' "${two/405/406}" "$rung" "$settles"
+    breaks docs/page.md 'The force is 12.3 N.' "${two/40419/40519}" "$rung" "$settles"
+    breaks docs/page.md 'The force is 12.3 N.' "${two/by 3/by 4}" "$rung" "$settles"
+    breaks docs/page.md 'The force is 12.3 N.' "$two" "${rung/2.5/5.0}" "$settles"
+    breaks docs/page.md 'The force is 12.3 N.' "$two" "${rung/11.46/2.86}" "$settles"
     breaks docs/charts/ladder.csv '# machine: M' '# counted from: 0' '# reference: 1' 'rung,runs,error' 'full,16,0.05'
     breaks docs/charts/ladder.csv '# machine: M' '# counted from: 3' '# reference: 1' 'rung,runs,error' 'full,9,0.05'
+    breaks docs/page.md 'The force is 12.3 N.' "$two" "$rung" "${settles/1.0/2.0}"
+    breaks docs/page.md 'The force is 12.3 N.' "$two" "$rung" "${settles/2.0/1.0}"
     breaks docs/report.md '| check | off |' '|---|---|' '| other | 0.03 |'
     breaks docs/table.csv 'case,force_kN' 'one,0.0125' 'two,5'
     breaks docs/table.csv 'case,force_kN' 'two,0.01234'
