@@ -13,7 +13,9 @@ part_compare() {
     fail "rows: $(head -2 "$rows")"
   expect 0 '"phase_lag_s": 0.0' "$gasjet" compare "$mine" "$reference" --format json
   # Time in ms and pressure in bar above ambient, brought back by a map; without it there are no such columns.
-  awk -F, '/^#/ { next } !n++ { print "ms,bar"; next } { printf "%.17g,%.17g\n", 1e3 * $1, ($2 - 101325) / 1e5 }' "$mine" >"$work/foreign.csv"
+  # Begun by a byte order mark, as spreadsheets write it, which is none of the text.
+  { printf '\xef\xbb\xbf' && awk -F, '/^#/ { next } !n++ { print "ms,bar"; next } { printf "%.17g,%.17g\n", 1e3 * $1, ($2 - 101325) / 1e5 }' "$mine"; } \
+    >"$work/foreign.csv"
   printf 'format = "csv"\n[time]\ncolumn = "ms"\nscale = 1e-3\n[[quantity]]\nname = "pressure_Pa"\ncolumn = "bar"\nscale = 1e5\noffset = 101325\n' >"$work/map.toml"
   expect 0 "^inside" "$gasjet" compare "$work/foreign.csv" "$reference" --map "$work/map.toml" --columns pressure_Pa
   expect 4 "undecided: temperature_K: mine does not have it" "$gasjet" compare "$work/foreign.csv" "$reference" --map "$work/map.toml"
