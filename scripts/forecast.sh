@@ -45,7 +45,7 @@ ladder_of() {
   echo "$table"
 }
 
-# without_membrane: the rungs of that kind of three bags, the last the paper's as it is, where only the jet is varied.
+# without_membrane: the rungs of that kind of five bags, the last the paper's as it is, where only the jet is varied.
 without_membrane() {
   local scene paper=$folder/passenger_pendulum_pressure
   [[ -f $paper/ladder.csv ]] ||
@@ -53,7 +53,7 @@ without_membrane() {
       --hold mesh,pieces,step,gas,outlet,occlusion,compression,porosity,cp --out "$paper" >&2
   provenance
   echo "scene,rung,overpressure_Pa,change_percent,change_se_percent,cost_ratio"
-  for scene in sphere_inflation jet_bag passenger_pendulum_pressure; do
+  for scene in sphere_inflation jet_bag bag_leak_table driver_bag passenger_pendulum_pressure; do
     awk -F, -v scene="${scene%_pressure}" '
       /^# counted from: / { zero = substr($0, 17) + 0 }
       /^# reference: / { size = substr($0, 14) - zero }

@@ -56,9 +56,10 @@ part_ladder() {
   done
   grep -q '^plot' "$work/tank/ladder.gp" || fail "no commands of the chart"
   expect 4 "undecided: pressure_Pa is 101325 in the full case" "$gasjet" ladder "$tank" --quantity pressure --quiet \
-    --set inflator.0.start_time=5 --out "$work/nothing"
-  grep -q '"reason": "pressure_Pa is' "$work/nothing/ladder.json" || fail "no reason in ladder.json"
-  grep -Eiq '(^|,)-?(nan|inf)' "$work/nothing/ladder.csv" && fail "nan or inf in ladder.csv"
+    --set inflator.0.start_time=5 --out "$work/tank"
+  grep -q '"reason": "pressure_Pa is' "$work/tank/ladder.json" || fail "no reason in ladder.json"
+  grep -Eiq '(^|,)-?(nan|inf)' "$work/tank/ladder.csv" && fail "nan or inf in ladder.csv"
+  [ -e "$work/tank/ladder.gp" ] && fail "the chart of an earlier ladder stayed"
   expect 3 "rung \"full\".*limit" "$gasjet" ladder "$source/cases/tank_fixed_steps.toml" --quantity pressure \
     --set time.gas_step=4e-3 --quiet --out "$work/limit"
   # Interrupted: what was computed is kept beside what an earlier ladder found.
