@@ -69,7 +69,7 @@ TEST(ContactFriction, sticking_is_elastic_and_loses_nothing) {
   const double step = 1e-3 * kDepth;
   for (int n = 0; n < 20; ++n) s.move({step, 0.0, 0.0});
   const double pulled = s.touch.force.x() - still, moved = 20 * step;
-  // kappa times the patch, less the edge (moved / (mu depth) = 4 % of the depth) and the slope of the sphere.
+  // kappa times the patch, less its edge, moved / (mu depth) = 4 %, and the sphere's slope, (a/r)^2/4 = 9 %.
   const double patch = closed_form::sphere_plane_cut(kRadius, kDepth).patch_area;
   EXPECT_NEAR(pulled / (kStiffness * patch * moved), 1.0, 0.15);
   for (int n = 0; n < 20; ++n) s.move({-step, 0.0, 0.0});

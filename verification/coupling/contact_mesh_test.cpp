@@ -76,7 +76,6 @@ TEST(ContactMesh, area_force_and_energy_converge_at_orders_3_2_5_2_and_7_2) {
                       2.75);
   claim::expect_order({"K.10", "sphere in a plate: energy, root mean square over places", why}, energy, 3.25,
                       3.75);
-  EXPECT_LT(force.back(), 1e-5);
 }
 
 TEST(ContactMesh, force_follows_depth) {
