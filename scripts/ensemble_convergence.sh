@@ -39,6 +39,8 @@ mkdir -p "$(dirname "$out")"
   done
 } >"$out.csv"
 
+[[ $out != docs/charts/ensemble_convergence ]] || scripts/mesh_limits.sh
+
 # quantity | factor | label
 quantities=("final_angle_rad|180/pi|Final angle [°]" "contact_impulse_Ns|1|Contact impulse [N s]"
   "peak_cg_acceleration_cfc180_m_s2|1|Peak acceleration, CFC 180 [m/s²]" "peak_cg_acceleration_m_s2|1|Peak acceleration, raw [m/s²]")

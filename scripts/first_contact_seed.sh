@@ -24,3 +24,4 @@ mkdir -p "results/ensembles/$name"
         printf "%d,%s,%.6g,%.3g,%d\n", elements, seed, $2, $3, $6 }'
   done
 } >"$out.csv"
+[[ $out != docs/charts/first_contact_seed ]] || scripts/mesh_limits.sh
