@@ -145,7 +145,7 @@ const Fault kFaults[] = {
     {"refined_beyond_memory", "sphere_inflation", "levels = 3", "levels = 8, refine = 6",
      "membrane.mesh.refine", "makes up to 5368709120 elements of 1310720, at most 10000000", "refine = 6"},
     {"rings", "driver_bag", "generator = \"driver\"", "generator = \"driver\", rings = 3", "membrane.mesh",
-     "rings", "{ generator"},
+     "rings = 3", "{ generator"},
 };
 INSTANTIATE_TEST_SUITE_P(faults, bad_input, testing::ValuesIn(kFaults),
                          [](const auto& one) { return std::string(one.param.name); });
