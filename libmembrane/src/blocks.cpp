@@ -101,21 +101,21 @@ std::vector<std::int32_t> nodes_of(const BagModel& m, const std::vector<std::int
   return nodes;
 }
 
-// Groups of one block; `place_in_block` of its nodes is set.
+// Groups of one block; `place_in_block` of its nodes is set. Each lane runs through a quarter of the elements, so
+// that those of a group share no nodes, or few: additions to one node's sum wait for each other, which from
+// neighbour to neighbour took a seventh of a step in cache.
 void append_groups(BagModel& m, const std::vector<std::int32_t>& elements,
                    const std::vector<std::uint16_t>& place_in_block) {
   BlockTable& table = m.elements;
+  const std::size_t first = table.group.size(), count = (elements.size() + kLanes - 1) / kLanes;
+  table.group.resize(first + count);
+  table.element.resize(kLanes * (first + count), -1);
   for (std::size_t i = 0; i < elements.size(); ++i) {
-    if (i % kLanes == 0) {
-      table.group.push_back({});
-      table.element.insert(table.element.end(), kLanes, -1);
-    }
-    const std::size_t place = kLanes * (table.group.size() - 1) + i % kLanes;
-    table.element[place] = elements[i];
-    table.place[at(elements[i])] = static_cast<std::int32_t>(place);
+    const std::size_t group = first + i % count, lane = i / count;
+    table.element[kLanes * group + lane] = elements[i];
+    table.place[at(elements[i])] = static_cast<std::int32_t>(kLanes * group + lane);
     for (int corner = 0; corner < 3; ++corner)
-      table.group.back().node[corner][i % kLanes] =
-          place_in_block[at(m.description.elements(corner, elements[i]))];
+      table.group[group].node[corner][lane] = place_in_block[at(m.description.elements(corner, elements[i]))];
   }
 }
 
