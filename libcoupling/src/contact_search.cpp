@@ -142,8 +142,10 @@ void Search::settle_gap() {
   // mostly.
   double least = exact_gap(state.nearest);
   const auto take = [&](int element, double gap) {
-    if (gap < least) state.nearest = element;
-    least = std::min(least, gap);
+    if (!(gap < least)) return;
+    const double exact = exact_gap(element);  // the gap may be a bound, below what is free
+    if (exact < least) state.nearest = element;
+    least = std::min(least, exact);
   };
   const auto enough = [&](double slack) {
     return !(least > state.ahead) || state.travelled + std::max(state.ahead, 0.5 * least) < slack;

@@ -113,6 +113,11 @@ TEST(ContactIdle, levels_told_their_motion_keep_their_bits) {
         EXPECT_EQ(result.area, fresh.result.area) << n;
         EXPECT_EQ(result.penetration, fresh.result.penetration) << n;
         EXPECT_EQ(coupling::ContactModel::free_gap(state) > ahead, gap - 1e-9 * kRadius > ahead) << n;
+        // Where the step ahead fits into it, at least half of what is free is known, and never more.
+        if (gap - 1e-9 * kRadius > ahead) {
+          EXPECT_GE(coupling::ContactModel::free_gap(state), 0.5 * gap - 1e-9 * kRadius) << n;
+          EXPECT_LE(coupling::ContactModel::free_gap(state), gap) << n;
+        }
         if (friction > 0.0) continue;  // a fresh state knows of no stretch
         EXPECT_EQ(forces, fresh.forces) << n;
       }
