@@ -81,7 +81,6 @@ std::optional<gas::Curve> bag_volume(const Scene& scene, bool quiet) {
   const double factors =
       std::ceil(std::log2(std::max(highest / first_overpressure, 1.0)) / std::log2(factor));
   Progress progress(scene.name + ", bag at rest", factors + 1.0, quiet);
-  progress.update(0.0);
   for (double i = 0.0; i <= factors && !interrupted(); ++i) {
     // Wrinkles settle one way or another: no volume is taken for less than that at a lower pressure.
     const double overpressure = first_overpressure * std::pow(factor, i);
