@@ -205,7 +205,7 @@ GasPoint evaluate(const ControlVolumeModel& model, const ControlVolumeState& sta
     point.mass = mixture.mass;
     const double product = mixture.gas_constant_sum * point.temperature;
     if (curve) {
-      const PressurePlace place = pressure_place(*curve, model.ambient.pressure, product);
+      const PressurePlace place = PressureVolume(*curve, model.ambient.pressure).place(product);
       if (place.beyond) throw DomainError(beyond_text(*curve));
       point.volume = place.volume;
       point.pressure = place.pressure;

@@ -23,8 +23,7 @@ bool is_back(Regime regime) {
 }  // namespace
 
 Substepper::Place Substepper::place(const FlowBalance& balance) const {
-  return {balance.pressure_excess(), balance.sonic_excess(), balance.back_sonic_excess(),
-          balance.point().pressure};
+  return {balance.pressure_excess(), balance.sonic_excess(), balance.back_sonic_excess()};
 }
 
 Substepper::Start Substepper::start_values(const FlowBalance& balance, double t) const {
@@ -39,22 +38,29 @@ double Substepper::distance(const Place& at, Event event) const {
     case Event::kBackSonic:
       return at.back_sonic;
     case Event::kLevelAbove:
-      return at.pressure - levels_[band_];
+      return at.excess - levels_[band_];
     case Event::kLevelBelow:
-      return at.pressure - levels_[band_ - 1];
+      return at.excess - levels_[band_ - 1];
     default:
       return at.excess;
   }
 }
 
+/// Distances [Pa] to an event below this are none.
+double Substepper::closeness(const FlowBalance& balance, Event event) const {
+  if (event == Event::kSonic || event == Event::kBackSonic) return sonic_near_;
+  if (event == Event::kLevelAbove) return level_near(balance, band_);
+  return event == Event::kLevelBelow ? level_near(balance, band_ - 1) : ambient_near(balance);
+}
+
 /// The switch of the regime that the gas at time t, the end of a trial, has passed. Outflow alone never takes
 /// p below p_a, nor backflow above: what is there by error of the method comes back.
 Substepper::Event Substepper::passed_switch(const FlowBalance& balance, double t) const {
-  const double excess = balance.pressure_excess();
+  const double excess = balance.pressure_excess(), near = ambient_near(balance);
   const auto passed = [](bool yes, Event event) { return yes ? event : Event::kNone; };
   switch (balance.regime()) {
     case Regime::kClosed:
-      return passed((balance.is_open() && excess > near_) || (balance.has_backflow() && excess < -near_),
+      return passed((balance.is_open() && excess > near) || (balance.has_backflow() && excess < -near),
                     Event::kAmbient);
     case Regime::kOutSonic:
       return passed(balance.sonic_excess() < -sonic_near_, Event::kSonic);
@@ -62,10 +68,10 @@ Substepper::Event Substepper::passed_switch(const FlowBalance& balance, double t
       return passed(balance.back_sonic_excess() > sonic_near_, Event::kBackSonic);
     case Regime::kOut:
       if (balance.sonic_excess() > sonic_near_) return Event::kSonic;
-      return passed(excess < -near_ && balance.closed_pressure_growth(t) <= 0.0, Event::kAmbient);
+      return passed(excess < -near && balance.closed_pressure_growth(t) <= 0.0, Event::kAmbient);
     case Regime::kBack:
       if (balance.back_sonic_excess() < -sonic_near_) return Event::kBackSonic;
-      return passed(excess > near_ && balance.closed_pressure_growth(t) >= 0.0, Event::kAmbient);
+      return passed(excess > near && balance.closed_pressure_growth(t) >= 0.0, Event::kAmbient);
     case Regime::kHeld:
       break;
   }
@@ -73,9 +79,10 @@ Substepper::Event Substepper::passed_switch(const FlowBalance& balance, double t
 }
 
 Substepper::Event Substepper::passed_level(const FlowBalance& balance) const {
-  const double p = balance.point().pressure;
-  if (band_ < levels_.size() && p > levels_[band_] + near_) return Event::kLevelAbove;
-  if (band_ > 0 && p < levels_[band_ - 1] - near_) return Event::kLevelBelow;
+  const double excess = balance.pressure_excess();
+  if (band_ < levels_.size() && excess > levels_[band_] + level_near(balance, band_))
+    return Event::kLevelAbove;
+  if (band_ > 0 && excess < levels_[band_ - 1] - level_near(balance, band_ - 1)) return Event::kLevelBelow;
   return Event::kNone;
 }
 
@@ -96,9 +103,10 @@ Regime Substepper::regime_after(const FlowBalance& balance, Event event, double 
 /// that no balance makes.
 bool Substepper::crosses_against_flow(const FlowBalance& balance, double t, const Start& start) const {
   if (options_.unsafe_step) return false;
-  const double excess = balance.pressure_excess(), growth = balance.closed_pressure_growth(t);
-  if (is_out(balance.regime())) return start.place.excess >= -near_ && excess < -near_ && growth > 0.0;
-  return is_back(balance.regime()) && start.place.excess <= near_ && excess > near_ && growth < 0.0;
+  const double excess = balance.pressure_excess(), growth = balance.closed_pressure_growth(t),
+               near = ambient_near(balance);
+  if (is_out(balance.regime())) return start.place.excess >= -near && excess < -near && growth > 0.0;
+  return is_back(balance.regime()) && start.place.excess <= near && excess > near && growth < 0.0;
 }
 
 /// Whether p may turn, inside the trial that ends at t, beyond a switch or level that both ends have not
@@ -109,9 +117,9 @@ bool Substepper::may_turn_past_event(const FlowBalance& balance, double t, doubl
   if (start.rate * rate >= 0.0) return false;
   const bool peak = start.rate > 0.0;
   const double reach = (peak ? 0.25 : -0.25) * duration * (std::abs(start.rate) + std::abs(rate));
-  const double p = balance.point().pressure + reach, excess = balance.pressure_excess() + reach;
-  if (band_ < levels_.size() && p > levels_[band_]) return true;
-  if (band_ > 0 && p < levels_[band_ - 1]) return true;
+  const double excess = balance.pressure_excess() + reach;
+  if (band_ < levels_.size() && excess > levels_[band_]) return true;
+  if (band_ > 0 && excess < levels_[band_ - 1]) return true;
   switch (balance.regime()) {
     case Regime::kClosed:
       return (balance.is_open() && excess > 0.0) || (balance.has_backflow() && excess < 0.0);
@@ -156,7 +164,7 @@ double Substepper::end_at_turn(Rates& rates, double x, double h, const Start& st
 /// made at the begin (length 0); one that it starts on, leaves and comes back to lies beyond a turn, which
 /// ends the trial.
 double Substepper::end_at(Event event, Rates& rates, double x, double h, const Start& start) {
-  const double near = event == Event::kSonic || event == Event::kBackSonic ? sonic_near_ : near_;
+  const double near = closeness(rates.balance, event);
   const auto value = [&](double) {
     const double d = distance(place(rates.balance), event);
     return std::abs(d) <= 0.5 * near ? 0.0 : d;

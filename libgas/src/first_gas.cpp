@@ -54,9 +54,8 @@ void FlowBalance::fill_until(Vector& y, const Vector& dydt, double begin, double
   const auto temperature = temperature_of_first_gas(end);
   if (!temperature) return;
   double heat = energy_ - mixture_.internal_energy(*temperature);
-  if (const auto& curve = volume_curve())
-    heat -= pressure_place(*curve, ambient_pressure(), mixture_.gas_constant_sum * *temperature).work -
-            work_begin_;
+  if (volume_by_pressure_)
+    heat -= volume_by_pressure_->place(mixture_.gas_constant_sum * *temperature).work - work_begin_;
   y[heat_slot()] += heat;
 }
 
@@ -75,7 +74,7 @@ double Substepper::fill_first(Rates& rates, double a, double b) {
   if (!(all > 0.0)) return a;
   double lowest = 0.4 * balance.ambient_pressure();  // below the sonic switch of every gas
   for (const double level : levels_)
-    if (level > 0.0) lowest = std::min(lowest, 0.5 * level);
+    if (const double p = balance.ambient_pressure() + level; p > 0.0) lowest = std::min(lowest, 0.5 * p);
   for (double step = fixed > 0.0 ? std::min(fixed, b - a) : b - a;; step *= 0.5) {
     const double end = step == b - a ? b : a + step;
     if (fixed == 0.0 && balance.mass_in_until(end) > options_.relative_tolerance * all) continue;

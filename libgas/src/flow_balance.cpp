@@ -18,6 +18,8 @@ FlowBalance::FlowBalance(const ControlVolumeModel& model)
       base_(masses_.size() + 1),
       totals_(unknowns()),
       scratch_(unknowns()) {
+  if (model.volume_of_overpressure)
+    volume_by_pressure_.emplace(*model.volume_of_overpressure, model.ambient.pressure);
   for (const Inflow& inflow : model.inflows)
     inflow_gas_.push_back(model.thermo.mixture(inflow.mass_fractions));
   if (!openings_.any_backflow()) return;
@@ -30,7 +32,6 @@ std::vector<double> FlowBalance::levels() const {
   std::vector<double> levels = openings_.knots();
   if (model_.volume_of_overpressure)
     for (const Curve::Knot& knot : model_.volume_of_overpressure->knots()) levels.push_back(knot.time);
-  for (double& level : levels) level += model_.ambient.pressure;
   return levels;
 }
 
@@ -45,12 +46,18 @@ void FlowBalance::begin_step(const ControlVolumeState& state, double t0, double 
   leak_area_rate_ = (path.leak_area_end - path.leak_area_begin) / (t1 - t0);
   point_.temperature = state.temperature;
   work_begin_ = 0.0;
-  if (!model_.volume_of_overpressure) return;
+  if (!volume_by_pressure_) return;
+  volume_by_pressure_->leave_piece();
   mean_rate_ = curvature_ = 0.0;
   model_.thermo.mixture(state.masses, mixture_);
   if (mixture_.mass == 0.0) return;
   place_gas(state.internal_energy, mixture_.temperature(state.internal_energy, state.temperature));
   work_begin_ = point_.work;
+}
+
+void FlowBalance::enter_band(double overpressure) {
+  openings_.enter_band(overpressure);
+  if (volume_by_pressure_) volume_by_pressure_->enter_piece(overpressure);
 }
 
 double FlowBalance::next_break(const TriggerState& triggers, double t) const {
@@ -72,7 +79,9 @@ void FlowBalance::begin_segment(const TriggerState& triggers, double a, double b
 }
 
 double FlowBalance::species_energy(std::size_t k) const {
-  return point_.mass == 0.0 ? 0.0 : model_.thermo.internal_energy(k, point_.temperature);
+  if (point_.mass == 0.0) return 0.0;
+  return model_.thermo.internal_energy(k, point_.temperature) +
+         work_share_ * model_.thermo.gas_constant(k) * point_.temperature;
 }
 
 void FlowBalance::outflow_rates(Vector& dydt, double t, double p) {
@@ -134,10 +143,6 @@ bool FlowBalance::has_backflow() const {
 
 bool FlowBalance::needs_stepper() const {
   return is_open() || mean_rate_ != 0.0 || curvature_ != 0.0 || model_.heat_loss.conductance > 0.0;
-}
-
-double FlowBalance::pressure_excess() const {
-  return point_.pressure - model_.ambient.pressure;
 }
 
 double FlowBalance::sonic_excess() const {

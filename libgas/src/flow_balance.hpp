@@ -7,6 +7,7 @@
 #include "gas/integrator.hpp"
 #include "inflow_segment.hpp"
 #include "openings.hpp"
+#include "pressure_volume.hpp"
 
 namespace gas {
 
@@ -36,12 +37,13 @@ class FlowBalance {
     std::optional<std::size_t> depleted;  // not valid: species of which more has left than there was
     double mass;                          // [kg]
     double pressure;                      // [Pa]
+    double overpressure;                  // [Pa] p - p_a, PressurePlace's where the volume follows p
     double temperature;                   // [K]
     double gamma;                         // [-]
     double volume;                        // [m3]
     double compliance;                    // [-] 1 + gamma (p/V) dV/dp
     double work;                          // [J] (G.19) where the volume follows the pressure
-    bool beyond;                          // not valid: p above the curve of such a volume
+    bool beyond;                          // p is above the curve of such a volume
     double thermal_energy;                // [J] m cv T, with (G.19): the scale of energy errors
     double specific_enthalpy;             // [J/kg]
     double vent;                          // [kg/s] out through all vents
@@ -70,9 +72,10 @@ class FlowBalance {
   double next_break(const TriggerState& triggers, double t) const;
   void begin_segment(const TriggerState& triggers, double a, double b);
   void end_segment(double reached);
-  /// The band of pressure [Pa] around `pressure`, which is no level.
-  void enter_band(double pressure) { openings_.enter_band(pressure - ambient_pressure()); }
-  /// Pressures [Pa] at which the openings' curves have knots.
+  /// The band around `overpressure` [Pa], which is no level: until the segment ends, each curve against it is
+  /// its line there.
+  void enter_band(double overpressure);
+  /// Overpressures [Pa] at which the curves of openings and volume have knots.
   std::vector<double> levels() const;
 
   /// Ends a sub-step with y at t: the next begins there.
@@ -113,7 +116,7 @@ class FlowBalance {
   bool is_open() const;              // gas can leave
   bool has_backflow() const;         // gas can come in
   bool needs_stepper() const;        // something but inflow changes the gas
-  double pressure_excess() const;    // [Pa] p - p_a
+  double pressure_excess() const { return point_.overpressure; }  // [Pa] p - p_a
   double sonic_excess() const;       // [Pa] critical ratio * p - p_a
   double back_sonic_excess() const;  // [Pa] p - critical ratio * p_a
   /// V dp/dt [W] of the last point if nothing flowed through the openings, at time t of this segment.
@@ -145,8 +148,11 @@ class FlowBalance {
   /// Changes of species k's mass and of U with the unknowns: errors of the state from errors of y.
   double species_change(const Vector& y, std::size_t k) const;
   double energy_change(const Vector& y) const;
+  /// Whether the band lies above the curve of the volume.
+  bool is_beyond_volume() const { return volume_by_pressure_ && volume_by_pressure_->is_beyond(); }
   const std::optional<Curve>& volume_curve() const { return model_.volume_of_overpressure; }
-  /// u [J/kg] of species k at the temperature of the last point; zero without gas.
+  /// Energy [J/kg] that species k brings along at the temperature of the last point, u and the work (G.19)
+  /// that it does; zero without gas.
   double species_energy(std::size_t k) const;
 
  private:
@@ -174,6 +180,7 @@ class FlowBalance {
   Mixture air_;                      // 1 kg of the ambient gas, if a vent lets it in
   double air_enthalpy_ = 0.0, air_gamma_ = 1.4;
   Openings openings_;
+  std::optional<PressureVolume> volume_by_pressure_;
 
   double t0_ = 0.0, t1_ = 0.0, volume_begin_ = 0.0, mean_rate_ = 0.0, curvature_ = 0.0;
   double work_begin_ = 0.0;  // [J] (G.19) at t0
@@ -191,6 +198,7 @@ class FlowBalance {
   std::vector<CompensatedSum> totals_;  // of the unknowns, over the step
   Vector scratch_;
   Mixture mixture_;
+  double work_share_ = 0.0;  // [-] of a change of p V at the last point
   Point point_{};
 };
 

@@ -10,10 +10,9 @@
 namespace gas {
 /// Of the gas in mixture_ with `energy` U, of a volume that follows p with the work since t0.
 std::optional<double> FlowBalance::temperature_of(double energy) const {
-  const auto& curve = model_.volume_of_overpressure;
-  return curve ? find_temperature(mixture_, *curve, ambient_pressure(), energy + work_begin_,
-                                  point_.temperature)
-               : mixture_.find_temperature(energy, point_.temperature);
+  return volume_by_pressure_
+             ? volume_by_pressure_->find_temperature(mixture_, energy + work_begin_, point_.temperature)
+             : mixture_.find_temperature(energy, point_.temperature);
 }
 
 /// The point of the gas in mixture_, but for its flows.
@@ -22,17 +21,20 @@ void FlowBalance::place_gas(double energy, double temperature) {
   double capacity = cp - r;
   point_.gamma = cp / capacity;
   point_.temperature = temperature;
-  if (const auto& curve = model_.volume_of_overpressure) {
-    const PressurePlace place = pressure_place(*curve, ambient_pressure(), r * temperature);
+  if (volume_by_pressure_) {
+    const PressurePlace place = volume_by_pressure_->place(r * temperature);
     capacity = heat_capacity(place, capacity, r);
+    work_share_ = work_share(place);
     point_.volume = place.volume;
     point_.pressure = place.pressure;
+    point_.overpressure = place.overpressure;
     point_.compliance = 1.0 + point_.gamma * place.pressure * place.slope / place.volume;
     point_.work = place.work;
     point_.beyond = place.beyond;
     energy -= place.work - work_begin_;
   } else {
     point_.pressure = r * temperature / point_.volume;
+    point_.overpressure = point_.pressure - ambient_pressure();
   }
   point_.thermal_energy = capacity * temperature;
   point_.specific_enthalpy = (energy + r * temperature) / mixture_.mass;
@@ -45,6 +47,7 @@ void FlowBalance::find_point(double t) {
   point_.volume =
       model_.volume_of_overpressure ? model_.volume_of_overpressure->value(-ambient_pressure()) : volume(t);
   point_.pressure = point_.gamma = point_.thermal_energy = point_.specific_enthalpy = 0.0;
+  point_.overpressure = -ambient_pressure();
   point_.compliance = 1.0;
   point_.heat = point_.work = 0.0;
   point_.beyond = false;
@@ -54,7 +57,6 @@ void FlowBalance::find_point(double t) {
   point_.valid = temperature.has_value();
   if (!temperature) return;
   place_gas(energy_, *temperature);
-  if (point_.beyond) point_.valid = false;
   point_.heat = model_.heat_loss.conductance * (*temperature - model_.heat_loss.outside_temperature);
 }
 

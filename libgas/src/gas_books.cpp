@@ -31,6 +31,7 @@ void FlowBalance::end_segment(double reached) {
     received_[i] = {};
     segments_[i] = InflowSegment();
   }
+  if (volume_by_pressure_) volume_by_pressure_->leave_piece();
 }
 
 void FlowBalance::add_inflow(std::size_t i, double mass, double enthalpy) {

@@ -68,13 +68,13 @@ class GasIntegrator::Implementation {
   }
 
  private:
-  /// Pressures [Pa] that a sub-step must not step over.
+  /// Overpressures [Pa] that a sub-step must not step over.
   std::vector<double> levels() const {
     std::vector<double> all = balance_.levels();
     for (const Sensor& sensor : model_.triggers.sensors) {
       if (sensor.kind != SensorKind::kPressure) continue;
-      all.push_back(model_.ambient.pressure + sensor.threshold);
-      if (sensor.reset) all.push_back(model_.ambient.pressure + *sensor.reset);
+      all.push_back(sensor.threshold);
+      if (sensor.reset) all.push_back(*sensor.reset);
     }
     std::ranges::sort(all);
     all.erase(std::unique(all.begin(), all.end()), all.end());

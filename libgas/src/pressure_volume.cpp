@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "near.hpp"
 #include "require.hpp"
 
 namespace gas {
@@ -14,48 +15,80 @@ namespace {
 constexpr double kSmallStep = 1e-8;
 constexpr int kSmallSteps = 3;
 constexpr int kMostNewtonSteps = 100;
+// Of an energy, relative: some hundred operations. What is so close to an end of the range is there.
+constexpr double kRoundOff = 2e-14;
+
+/// The piece left of the first knot that is_above(p [Pa], knot).
+template <class IsAbove>
+VolumePiece find_piece(const Curve& curve, double ambient_pressure, IsAbove is_above) {
+  const auto knots = curve.knots();
+  const Curve::Knot& first = knots.front();
+  VolumePiece piece{first.time, ambient_pressure + first.time, first.value, 0.0, 0.0, false};
+  for (std::size_t i = 0; i < knots.size(); ++i) {
+    const double p = ambient_pressure + knots[i].time, grown = knots[i].value - piece.volume;
+    piece.slope = i == 0 ? 0.0 : grown / (knots[i].time - knots[i - 1].time);
+    if (is_above(p, knots[i])) return piece;
+    piece = {knots[i].time, p, knots[i].value, 0.0, piece.work + 0.5 * grown * (piece.pressure + p), false};
+  }
+  piece.beyond = true;
+  return piece;
+}
 
 }  // namespace
 
-PressurePlace pressure_place(const Curve& curve, double ambient_pressure, double product) {
-  const auto knots = curve.knots();
-  const auto pressure = [&](const Curve::Knot& knot) { return ambient_pressure + knot.time; };
-  if (const double v = knots.front().value; product <= pressure(knots.front()) * v)
-    return {product / v, v, 0.0, 0.0, false};
-  double work = 0.0;
-  for (std::size_t i = 0; i + 1 < knots.size(); ++i) {
-    const double p = pressure(knots[i]), v = knots[i].value, grown = knots[i + 1].value - v;
-    if (product <= pressure(knots[i + 1]) * knots[i + 1].value) {
-      const double slope = grown / (knots[i + 1].time - knots[i].time);
-      // (p + d)(v + slope d) = product, the root that does not cancel.
-      const double b = v + slope * p, c = product - p * v;
-      const double d = 2.0 * c / (b + std::sqrt(b * b + 4.0 * slope * c));
-      return {p + d, v + slope * d, slope, work + slope * d * (p + 0.5 * d), false};
-    }
-    work += 0.5 * grown * (p + pressure(knots[i + 1]));
-  }
-  return {product / knots.back().value, knots.back().value, 0.0, work, true};
+PressurePlace VolumePiece::place(double product) const {
+  // (p + d)(v + slope d) = product, the root that does not cancel. Beyond its ends, too, p and V are positive.
+  const double b = volume + slope * pressure, c = product - pressure * volume;
+  const double d = 2.0 * c / (b + std::sqrt(b * b + 4.0 * slope * c));
+  return {slope == 0.0 ? product / volume : pressure + d,
+          overpressure + d,
+          volume + slope * d,
+          slope,
+          work + slope * d * (pressure + 0.5 * d),
+          beyond};
+}
+
+void PressureVolume::enter_piece(double overpressure) {
+  piece_ = find_piece(curve_, ambient_,
+                      [&](double, const Curve::Knot& knot) { return overpressure < knot.time; });
+}
+
+PressurePlace PressureVolume::place(double product) const {
+  if (piece_) return piece_->place(product);
+  const Curve::Knot* last = &curve_.knots().back();
+  return find_piece(curve_, ambient_,
+                    [&](double p, const Curve::Knot& knot) {
+                      return product <= p * knot.value * (&knot == last ? 1.0 + kNear : 1.0);
+                    })
+      .place(product);
+}
+
+double work_share(const PressurePlace& place) {
+  const double taken = place.pressure * place.slope;
+  return taken / (place.volume + taken);
 }
 
 double heat_capacity(const PressurePlace& place, double cv, double gas_constant_sum) {
-  const double taken = place.pressure * place.slope;
-  return cv + gas_constant_sum * taken / (place.volume + taken);
+  return cv + gas_constant_sum * work_share(place);
 }
 
-std::optional<double> find_temperature(const Mixture& gas, const Curve& curve, double ambient_pressure,
-                                       double energy, double guess) noexcept {
+std::optional<double> PressureVolume::find_temperature(const Mixture& gas, double energy,
+                                                       double guess) const noexcept {
+  const double r = gas.gas_constant_sum;
+  const double round_off = kRoundOff * (std::abs(energy) + r * guess);
   double t = guess;
   int small = 0, outside = 0;
   for (int i = 0; i < kMostNewtonSteps && outside < 2; ++i) {
-    const PressurePlace place = pressure_place(curve, ambient_pressure, gas.gas_constant_sum * t);
-    const double excess = gas.internal_energy(t) + place.work - energy;
-    const double next = t - excess / heat_capacity(place, gas.cv(t), gas.gas_constant_sum);
+    const PressurePlace at = place(r * t);
+    const double capacity = heat_capacity(at, gas.cv(t), r);
+    const double next = t - (gas.internal_energy(t) + at.work - energy) / capacity;
     if (!std::isfinite(next)) return {};
     const double kept = std::clamp(next, std::max(gas.minimum_temperature, 0.5 * t), gas.maximum_temperature);
-    outside = kept == next || kept == 0.5 * t ? 0 : outside + 1;
+    const bool inside = kept == 0.5 * t || std::abs(next - kept) * capacity <= round_off;
+    outside = inside ? 0 : outside + 1;
     if (std::abs(kept - t) > kSmallStep * t)
       small = 0;
-    else if (++small == kSmallSteps && outside == 0)
+    else if (++small == kSmallSteps && inside)
       return kept;
     t = kept;
   }

@@ -10,23 +10,51 @@ namespace gas {
 
 /// Gas in a volume that follows its pressure.
 struct PressurePlace {
-  double pressure;  // [Pa]
-  double volume;    // [m3]
-  double slope;     // [m3/Pa] dV/dp
-  double work;      // [J] int p dV from the first knot on, (G.19)
+  double pressure;      // [Pa]
+  double overpressure;  // [Pa] p - p_a, as good as its knots: where the volume grows fast, better than p is
+  double volume;        // [m3]
+  double slope;         // [m3/Pa] dV/dp
+  double work;          // [J] int p dV from the first knot on, (G.19)
   bool beyond;      // above the last knot, where there is no volume; kept rigid there
 };
 
-/// Where p V(p - p_a) is `product` [J], sum(m_k R_k) T. `curve`: the volume [m3] against p - p_a [Pa], not
-/// falling; rigid below its first knot. (G.18)
-PressurePlace pressure_place(const Curve& curve, double ambient_pressure, double product);
+/// One line of the curve, and on beyond both its ends.
+struct VolumePiece {
+  double overpressure;  // [Pa] at one of its points
+  double pressure;      // [Pa] there
+  double volume;        // [m3] there
+  double slope;         // [m3/Pa]
+  double work;          // [J] there
+  bool beyond;          // above the last knot
+  /// Where p V is `product` [J].
+  PressurePlace place(double product) const;
+};
 
-/// Temperature [K] at which U + int p dV of the gas is `energy` [J]. Newton's method: the heat capacity lies
-/// between cv and cp, so that each step takes most of the error, `guess` [K] only sets the speed. Empty
-/// outside the temperature range.
-std::optional<double> find_temperature(const Mixture& gas, const Curve& curve, double ambient_pressure,
-                                       double energy, double guess) noexcept;
+/// The volume of gas that follows its pressure, by `curve`: [m3] against p - p_a [Pa], not falling; rigid
+/// below its first knot. (G.18)
+class PressureVolume {
+ public:
+  /// `curve` must outlive this.
+  PressureVolume(const Curve& curve, double ambient_pressure) : curve_(curve), ambient_(ambient_pressure) {}
+  /// Until leave_piece(), the line around `overpressure` [Pa], which is no knot, stands for the curve.
+  void enter_piece(double overpressure);
+  void leave_piece() { piece_.reset(); }
+  bool is_beyond() const { return piece_ && piece_->beyond; }  // that line is above the last knot
+  /// Where p V is `product` [J], sum(m_k R_k) T.
+  PressurePlace place(double product) const;
+  /// Temperature [K] at which U + int p dV of the gas is `energy` [J]. Newton's method: the heat capacity
+  /// lies between cv and cp, so that each step takes most of the error, `guess` [K] only sets the speed.
+  /// Empty outside the temperature range.
+  std::optional<double> find_temperature(const Mixture& gas, double energy, double guess) const noexcept;
 
+ private:
+  const Curve& curve_;
+  double ambient_;
+  std::optional<VolumePiece> piece_;
+};
+
+/// Share [-] of a change of p V that is work: p V'/(V + p V').
+double work_share(const PressurePlace& place);
 /// Heat capacity [J/K] of gas at `place` with cv [J/K]: that which the skin takes as work included.
 double heat_capacity(const PressurePlace& place, double cv, double gas_constant_sum);
 

@@ -82,10 +82,7 @@ void Rates::gas_rates(const Vector& dydx, FlowBalance::Gas& rates, double x) con
 
 void Rates::fill(Vector& dydx, double x) {
   balance.fill_rates(dydx, time(x));
-  if (valid && !balance.point().valid) {
-    depleted = balance.point().depleted;
-    beyond = balance.point().beyond;
-  }
+  if (valid && !balance.point().valid) depleted = balance.point().depleted;
   valid = valid && balance.point().valid;
   ++evaluations;
   if (root)

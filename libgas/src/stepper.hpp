@@ -16,7 +16,6 @@ struct Rates {
   double origin = 0.0;                    // [s]
   bool valid = true;                      // every evaluation so far met a valid gas
   std::optional<std::size_t> depleted{};  // species that the first invalid one lacked
-  bool beyond = false;                    // its pressure was above the curve of the volume
   int evaluations = 0;
 
   double time(double x) const { return root ? origin + x * x : x; }

@@ -7,6 +7,7 @@
 
 #include "near.hpp"
 
+
 namespace gas {
 namespace {
 
@@ -25,7 +26,6 @@ Substepper::Substepper(const FlowBalance& balance, std::vector<double> levels,
                        const IntegratorOptions& options)
     : options_(options),
       levels_(std::move(levels)),
-      near_(kNear * std::max(balance.ambient_pressure(), levels_.empty() ? 0.0 : levels_.back())),
       sonic_near_(kSonicNear * balance.ambient_pressure()),
       stepper_(make_stepper(options.method, balance)),
       first_step_share_(kFirstStep * std::pow(options.relative_tolerance, 1.0 / stepper_->error_power())),
@@ -56,7 +56,6 @@ bool Substepper::try_step(Rates& rates, double x, double h) {
   count_attempt(rates, x, h);
   rates.valid = true;
   rates.depleted.reset();
-  rates.beyond = false;
   h = (x + h) - x;  // what flows in until then, exactly
   stepper_->step(rates, zero_, begin_rate_, x, h, options_.fixed_step == 0.0, trial_);
   if (!rates.valid) rates.balance.invalidate();
@@ -84,26 +83,51 @@ double Substepper::scaled_error(const FlowBalance& balance) const {
 }
 
 void Substepper::enter_band(FlowBalance& balance) const {
-  const double low = band_ == 0 ? levels_.front() - 2.0 : levels_[band_ - 1];
-  const double high = band_ == levels_.size() ? levels_.back() + 2.0 : levels_[band_];
-  balance.enter_band(0.5 * (low + high));
+  const double front = levels_.front(), back = levels_.back();
+  balance.enter_band(band_ == 0                ? front - std::abs(front) - 1.0
+                     : band_ == levels_.size() ? back + std::abs(back) + 1.0
+                                               : 0.5 * (levels_[band_ - 1] + levels_[band_]));
+}
+
+/// Overpressures [Pa] closer to zero than this are there. Where the volume follows p, the gas changes by
+/// `compliance` times as much as p.
+double Substepper::ambient_near(const FlowBalance& balance) const {
+  return kNear * balance.ambient_pressure() / balance.point().compliance;
+}
+
+/// The same of a level: not below the rounding of a few operations on it.
+double Substepper::level_near(const FlowBalance& balance, std::size_t i) const {
+  constexpr double kRoundOff = 8.0 * std::numeric_limits<double>::epsilon();
+  return std::max(ambient_near(balance) + kNear * std::max(0.0, levels_[i]) / balance.point().compliance,
+                  kRoundOff * std::abs(levels_[i]));
+}
+
+/// The band of p, on a level that above or below it.
+std::size_t Substepper::band_above(const FlowBalance& balance) const {
+  std::size_t band = 0;
+  while (band < levels_.size() && balance.pressure_excess() >= levels_[band] - level_near(balance, band))
+    ++band;
+  return band;
+}
+
+std::size_t Substepper::band_below(const FlowBalance& balance) const {
+  std::size_t band = levels_.size();
+  while (band > 0 && balance.pressure_excess() <= levels_[band - 1] + level_near(balance, band - 1)) --band;
+  return band;
 }
 
 /// The band of levels that p is in, or, on a level, the one it is going to: the flows do not jump there.
 void Substepper::find_band(FlowBalance& balance, double t) {
   if (levels_.empty()) return;
   if (!band_is_known_) {
-    const double p = balance.point().pressure;
-    const auto band = [&](double pressure) {
-      return static_cast<std::size_t>(std::ranges::upper_bound(levels_, pressure) - levels_.begin());
-    };
-    band_ = band(p + near_);
+    band_ = band_above(balance);
     enter_band(balance);
     balance.fill_rates(begin_rate_, t);
-    if (balance.pressure_rate(t) < 0.0) band_ = band(p - near_);
+    if (balance.pressure_rate(t) <= 0.0) band_ = band_below(balance);
   }
   band_is_known_ = false;
   enter_band(balance);
+  require_volume(balance, t);
 }
 
 /// Regime at time t, the begin of a sub-step. At p = p_a gas flows only if something would change p in [t,
@@ -112,7 +136,7 @@ void Substepper::start_regime(FlowBalance& balance, double t, double b) {
   balance.set_regime(Regime::kClosed);
   balance.locate(zero_, t);
   const double excess = balance.pressure_excess();
-  const bool on = std::abs(excess) <= near_ && balance.ambient_pressure() > 0.0;
+  const bool on = std::abs(excess) <= ambient_near(balance) && balance.ambient_pressure() > 0.0;
   // The growth at both ends, where it decides; else the sign of p - p_a.
   const double begin = on ? balance.closed_pressure_growth(t) : excess;
   const double end = on ? balance.closed_pressure_growth(b) : excess;
@@ -136,7 +160,7 @@ void Substepper::start_variable(Rates& rates, double t, double b) {
       balance.regime() == Regime::kOut ? growth > 0.0 : balance.regime() == Regime::kBack && growth < 0.0;
   if (!onset || options_.fixed_step > 0.0 || balance.pressure_rate(t) / growth < 0.5 / balance.point().volume)
     return;
-  const double shift = excess <= near_ ? 0.0 : excess * balance.point().volume / std::abs(growth);
+  const double shift = excess <= ambient_near(balance) ? 0.0 : excess * balance.point().volume / std::abs(growth);
   if (!(shift < b - t)) return;
   rates.root = true;
   rates.origin = t - shift;

@@ -9,13 +9,13 @@
 namespace gas {
 
 /// Integrates a FlowBalance over one segment with one of the methods; sub-steps end where the flow changes
-/// regime, where p passes a knot of the openings' curves, and where it reaches the threshold of a pressure
-/// sensor.
+/// regime, where p passes a knot of the curves of openings and volume, and where it reaches the threshold of a
+/// pressure sensor.
 class Substepper {
  public:
   using Vector = FlowBalance::Vector;
 
-  /// `levels` [Pa]: pressures where sub-steps end, those of the openings' knots and of the pressure sensors.
+  /// `levels` [Pa]: overpressures where sub-steps end, those of the curves' knots and of the pressure sensors.
   Substepper(const FlowBalance& balance, std::vector<double> levels, const IntegratorOptions& options);
 
   /// Resets the counters.
@@ -28,9 +28,9 @@ class Substepper {
   int evaluations() const { return evaluations_; }
 
  private:
-  /// Distances [Pa] to the switches, and the pressure [Pa].
+  /// Distances [Pa] to the switches; the first is the overpressure.
   struct Place {
-    double excess, sonic, back_sonic, pressure;
+    double excess, sonic, back_sonic;
   };
   /// The same at the begin of a sub-step, with the rate of the pressure [Pa/s].
   struct Start {
@@ -48,10 +48,15 @@ class Substepper {
   void start_regime(FlowBalance& balance, double t, double b);
   void start_variable(Rates& rates, double t, double b);
   void enter_band(FlowBalance& balance) const;
+  double ambient_near(const FlowBalance& balance) const;
+  double level_near(const FlowBalance& balance, std::size_t i) const;
+  std::size_t band_above(const FlowBalance& balance) const;
+  std::size_t band_below(const FlowBalance& balance) const;
   void find_band(FlowBalance& balance, double t);
   bool pass_event(FlowBalance& balance);
 
   // substepper_errors.cpp: why a step cannot be
+  void require_volume(const FlowBalance& balance, double t) const;
   void require_stable(const Rates& rates, double x, double h) const;
   [[noreturn]] void fail(const Rates& rates, double x, double h) const;
   [[noreturn]] void fail_crossing(double x, double h) const;
@@ -68,6 +73,7 @@ class Substepper {
   bool may_turn_past_event(const FlowBalance& balance, double t, double h, const Start& start) const;
   Place place(const FlowBalance& balance) const;
   double distance(const Place& at, Event event) const;
+  double closeness(const FlowBalance& balance, Event event) const;
   Regime regime_after(const FlowBalance& balance, Event event, double t) const;
   double end_at_turn(Rates& rates, double x, double h, const Start& start);
   double end_at(Event event, Rates& rates, double x, double h, const Start& start);
@@ -78,15 +84,14 @@ class Substepper {
   double end_at_zero(Rates& rates, double x, double h, double begin, double end, int bits, Function function);
 
   IntegratorOptions options_;
-  std::vector<double> levels_;  // [Pa] rising
-  double near_;                 // [Pa] pressures closer to a switch than this are on it
-  double sonic_near_;           // [Pa] the same of the sonic switches
+  std::vector<double> levels_;  // [Pa] overpressures, rising
+  double sonic_near_;           // [Pa] pressures closer to a sonic switch than this are on it
   std::unique_ptr<Stepper> stepper_;
   double first_step_share_;  // [-] relative change of the gas in a first step
   Stepper::Trial trial_;
   const Vector zero_;  // the unknowns at the begin of each sub-step
   Vector begin_rate_;
-  std::size_t band_ = 0;        // p lies between levels_[band_ - 1] and levels_[band_]
+  std::size_t band_ = 0;        // p - p_a lies between levels_[band_ - 1] and levels_[band_]
   bool band_is_known_ = false;  // since the last sub-step ended on a level
   Event event_ = Event::kNone;
   Regime next_regime_ = Regime::kClosed;

@@ -21,9 +21,6 @@ void Substepper::fail(const Rates& rates, double x, double h) const {
     throw DomainError("species " + thermo.species(*rates.depleted).name +
                       " runs out: more of it would leave than there is, " + where +
                       (fixed ? "; a shorter one (gas_step of a case), or none, is allowed" : ""));
-  if (rates.beyond)
-    throw DomainError(beyond_text(*rates.balance.volume_curve()) + ", at t = " + to_text(rates.time(x)) +
-                      " s");
   if (!point.valid)
     throw DomainError("the gas leaves its temperature range, " + to_text(thermo.minimum_temperature()) +
                       " to " + to_text(thermo.maximum_temperature()) + " K, " + where);
@@ -42,6 +39,12 @@ void Substepper::fail(const Rates& rates, double x, double h) const {
                     where + gas +
                     (relaxation > 0.0 ? "; it relaxes within " + to_text(1.0 / relaxation) + " s" : "") +
                     (is_explicit ? "; Rosenbrock 4 (gas_method of a case) has no such limit" : ""));
+}
+
+/// Where no volume belongs to the band of p at t.
+void Substepper::require_volume(const FlowBalance& balance, double t) const {
+  if (balance.is_beyond_volume())
+    throw DomainError(beyond_text(*balance.volume_curve()) + ", at t = " + to_text(t) + " s");
 }
 
 /// A fixed step past the limit of its method grows where inflow feeds what leaves, or walls or expansion draw
