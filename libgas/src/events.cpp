@@ -191,7 +191,7 @@ double Substepper::end_of_hold(Rates& rates, double x, double h, double start_sh
     h = end_at_zero(rates, x, h, begin, end - bound, 40,
                     [&](double) { return balance.point().share - bound; });
   }
-  balance.settle(trial_.end, trial_.end_rate, rates.time(x + h), h);
+  balance.settle(trial_.end, trial_.change, trial_.end_rate, rates.time(x + h), h);
   return h;
 }
 

@@ -52,7 +52,7 @@ double FlowBalance::held_overpressure(double t) {
   return (out ? kHoldNear : -kHoldNear) * ambient_pressure() * std::pow(std::min(1.0, share), 1.0 / n);
 }
 
-void FlowBalance::settle(Vector& y, Vector& dydt, double t, double h) {
+void FlowBalance::settle(Vector& y, Gas& change, Vector& dydt, double t, double h) {
   // Newton's method: from an error of p of 1e-2, the largest tolerance, to rounding.
   for (int i = 0; i < 3; ++i) {
     const double excess = (pressure_excess() - held_overpressure(t)) * point_.volume;
@@ -64,9 +64,13 @@ void FlowBalance::settle(Vector& y, Vector& dydt, double t, double h) {
       rates = &scratch_;
     }
     if (!std::isfinite(longer)) break;  // at rest
-    for (std::size_t j = 0; j < y.size(); ++j)
-      if (is_flow(j)) y[j] += longer * (*rates)[j];
-    locate(y, t);
+    for (std::size_t j = 0; j < y.size(); ++j) {
+      scratch_[j] = is_flow(j) ? longer * (*rates)[j] : 0.0;
+      y[j] += scratch_[j];
+    }
+    gas_change(scratch_, scratch_gas_);
+    for (std::size_t k = 0; k < change.size(); ++k) change[k] += scratch_gas_[k];
+    locate_change(change, t);
     fill_rates(dydt, t);
   }
   fill_rates(dydt, t);
@@ -80,12 +84,23 @@ bool Substepper::start_hold(FlowBalance& balance, double t, double b, double sha
   const double growth = begin != 0.0 ? begin : balance.closed_pressure_growth(b);
   if (!(growth > 0.0 ? balance.is_open() : growth < 0.0 && balance.has_backflow())) return false;
   const Regime before = balance.regime();
+  const std::size_t band = band_;
   balance.set_regime(Regime::kHeld);
+  enter_hold_band(balance, growth > 0.0);
   balance.fill_rates(trial_.end_rate, t);
   if (balance.point().share >= 0.0 && balance.point().share <= share) return true;
   balance.set_regime(before);
+  if (band != band_) enter_band(balance, band);
   balance.fill_rates(trial_.end_rate, t);
   return false;
+}
+
+/// A level on p_a itself is none while p is held: the curves are those of the side where the flow is.
+void Substepper::enter_hold_band(FlowBalance& balance, bool out) {
+  const double near = ambient_near(balance);
+  std::size_t band = 0;
+  while (band < levels_.size() && levels_[band] <= (out ? near : -near)) ++band;
+  if (band != band_) enter_band(balance, band);
 }
 
 }  // namespace gas

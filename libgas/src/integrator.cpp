@@ -25,6 +25,13 @@ const IntegratorOptions& validated(const IntegratorOptions& options) {
   return options;
 }
 
+/// Share of the gas that is nothing: round-off; of a species that leaves faster than a sub-step, some of the
+/// error that is allowed.
+double negligible(const IntegratorOptions& options) {
+  constexpr double kRoundOff = 1e-13;
+  return options.fixed_step > 0.0 ? kRoundOff : std::max(kRoundOff, 0.1 * options.relative_tolerance);
+}
+
 // A pressure sensor's threshold is reached where the integrator locates it: to kNear of near.hpp, and as much
 // again for the rounding of p there.
 constexpr double kThresholdNear = 2e-12;
@@ -48,9 +55,9 @@ class GasIntegrator::Implementation {
  public:
   Implementation(const ControlVolumeModel& model, const IntegratorOptions& options)
       : model_(validated(model)),
-        balance_(model_),
+        balance_(model_, negligible(validated(options))),
         network_(model_.triggers),
-        substepper_(balance_, levels(), validated(options)),
+        substepper_(balance_, levels(), options),
         triggers_(model_.triggers.size()),
         outflows_(balance_.streams()),
         backflows_(balance_.backflows()) {}

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include "cases.hpp"
+
+// Balances closer to p_a than p can tell.
+namespace {
+
+using namespace cases;
+
+/// Inflow of 300 K into 60 litres of 900 K behind openings so wide that p stays on p_a: what comes in leaves,
+/// at T. p V is held, so m' = mdot (1 - m/M), M = m at 300 K.
+struct WideOpen {
+  double vent, leak_area;
+  double mass(double t) const {
+    const double last = kAmbientPressure * 0.06 / (296.8 * 300.0);
+    return last * (1.0 - std::exp(-0.36 * t / last) * (1.0 - 300.0 / 900.0));
+  }
+  gas::GasPoint run(const gas::IntegratorOptions& options, gas::StepFluxes& fluxes) const {
+    gas::ControlVolumeModel model = closed_tank(nitrogen());
+    model.inflows.push_back(steady_inflow(model.thermo, 0.36, 300.0));
+    model.vents.push_back({1.0, vent});
+    model.vents.push_back({0.5, vent});
+    gas::ControlVolumeState state = gas::make_state(model, kPure, kAmbientPressure, 900.0, 0.06);
+    fluxes = gas::GasIntegrator(model, options).advance(state, 0.0, 0.1, rigid(0.06, leak_area));
+    fluxes.inflows = fluxes.outflows = fluxes.backflows = {};
+    return gas::evaluate(model, state, 0.06, leak_area, 0.1);
+  }
+};
+
+TEST(held_pressure, wide_openings_keep_ambient_pressure) {
+  for (const auto& [vent, leak] : {std::pair{200.0, 0.0}, {0.0, 200.0}, {100.0, 100.0}})
+    for (const gas::Method method : kMethods) {
+      SCOPED_TRACE(testing::Message()
+                   << vent << " m2, " << leak << " m2, method " << static_cast<int>(method));
+      const WideOpen tank{vent, leak};
+      const double tolerance = method == gas::Method::kEuler ? 1e-7 : 1e-10;
+      gas::StepFluxes f{};
+      // Explicit sub-steps at the balance would be 1e-11 s.
+      const gas::GasPoint end = tank.run({tolerance, 5000, method}, f);
+      // p V stays, so errors of m damp as m itself, t/tau = 0.5: sub-steps times the tolerance, which is 0.1
+      // s over h ~ tau sqrt(2 tolerance) of Euler's, at most some hundred of the others'; and 1e-10, where p
+      // is held.
+      const double bound = method == gas::Method::kEuler ? std::sqrt(tolerance) : 100.0 * tolerance + 1e-10;
+      EXPECT_LT(relative(end.mass, tank.mass(0.1)), bound);
+      EXPECT_NEAR(end.pressure, kAmbientPressure, 1e-10 * kAmbientPressure);
+      EXPECT_GT(end.pressure, kAmbientPressure);
+      // The books: what came less what is there; vents and fabric by their areas, two vents and a half of
+      // one.
+      const double out = 0.036 + tank.mass(0.0) - end.mass;
+      EXPECT_NEAR(f.vent_mass_out + f.fabric_mass_out, out, 1e-12);
+      EXPECT_NEAR(f.vent_mass_out, out * 1.5 * vent / (1.5 * vent + leak), 1e-9 * out);
+    }
+}
+
+/// The instant's outflow, which a difference of 1e-6 Pa drives, is still what comes in: to the rounding of p
+/// in it.
+TEST(held_pressure, outflow_of_the_instant_is_what_holds_it) {
+  gas::StepFluxes f{};
+  const gas::GasPoint end = WideOpen{200.0, 0.0}.run({1e-10, 5000}, f);
+  // 0.36 kg/s of 300 K drive out as much volume, so mass 300/T of it.
+  const double flow = 0.36 * 300.0 / end.temperature, excess = end.pressure - kAmbientPressure;
+  EXPECT_LT(relative(end.vent_mass_flow, flow), 0.5 * 10.0 * kEpsilon * kAmbientPressure / excess);
+}
+
+/// An inflow that grows from nothing and fades again: p is held, let go where the openings no longer carry it
+/// within 1e-10 of p_a, and held again.
+TEST(held_pressure, is_let_go_and_taken_up) {
+  for (const gas::Method method : {gas::Method::kDormandPrince5, gas::Method::kRosenbrock4}) {
+    gas::ControlVolumeModel model = closed_tank(nitrogen());
+    model.vents.push_back({1.0, 0.02});
+    gas::Inflow inflow = steady_inflow(model.thermo, 0.0, 300.0);
+    inflow.mass_flow = gas::Curve({{0.0, 0.0}, {0.01, 1e-3}, {0.02, 0.0}}, gas::Outside::kZero);
+    model.inflows.push_back(inflow);
+    gas::ControlVolumeState state = gas::make_state(model, kPure, kAmbientPressure, 300.0, 0.06);
+    gas::GasIntegrator integrator(model, {1e-12, 100000, method});
+    const double density = kAmbientPressure / (296.8 * 300.0);
+    for (int i = 0; i < 4; ++i) {
+      const double begin = 5e-3 * i, end = 5e-3 * (i + 1);
+      const gas::StepFluxes f = integrator.advance(state, begin, end, rigid(0.06));
+      const double flow = 0.1 * std::min(end, 0.02 - end),
+                   excess = std::pow(flow / 0.02, 2.0) / (2.0 * density);
+      // p lags by (p - p_a)/growth V, some 1e-5 s, in which the flow changes by less than 1 %.
+      EXPECT_NEAR(gas::evaluate(model, state, 0.06, 0.0, end).pressure - kAmbientPressure, excess,
+                  0.02 * excess + 1e-10 * kAmbientPressure)
+          << i;
+      const double in = i == 0 || i == 3 ? 1.25e-6 : 3.75e-6;
+      EXPECT_NEAR(f.mass_in, in, 1e-12 * in);
+      EXPECT_NEAR(f.vent_mass_out, in, 1e-8 * 0.06 * density) << i;
+    }
+  }
+}
+
+/// Walls cool the gas behind a vent with backflow to their temperature, cases/tank_backflow.toml in small:
+/// air comes in until both are alike. Once m cv/(hA) has passed many times over p = p_a and T = T_w, to
+/// rounding.
+TEST(held_pressure, backflow_fades_to_rest_in_any_volume) {
+  for (const double volume : {1e-3, 1e-6, 1e-9, 1e-12})
+    for (const double tolerance : {1e-4, 1e-6, 1e-9}) {
+      SCOPED_TRACE(testing::Message() << volume << " m3 at " << tolerance);
+      gas::ControlVolumeModel model = closed_tank(nitrogen());
+      model.ambient.mass_fractions = kPure;
+      model.vents.push_back({0.8, 5e-4});
+      model.vents.back().backflow = true;
+      model.heat_loss = {180.0, 293.15};
+      gas::ControlVolumeState state = gas::make_state(model, kPure, 2e5, 900.0, volume);
+      gas::GasIntegrator integrator(model, {tolerance, 2000, gas::Method::kRosenbrock4});
+      for (int i = 0; i < 50; ++i) integrator.advance(state, 1e-2 * i, 1e-2 * (i + 1), rigid(volume));
+      // Some ten roundings of each.
+      EXPECT_LT(relative(state.temperature, 293.15), 1e-14);
+      EXPECT_LT(relative(gas::evaluate(model, state, volume, 0.0, 0.5).pressure, kAmbientPressure), 1e-12);
+    }
+}
+
+}  // namespace

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include "cases.hpp"
+
+// Volumes that follow the pressure, (G.18), where gas rests, or begins, on a knot of their curve.
+namespace {
+
+using namespace cases;
+
+constexpr double kNotRead = 1.0;  // [m3] volumes of calls
+
+gas::Curve knots(std::vector<gas::Curve::Knot> list) {
+  return {std::move(list), gas::Outside::kHeld};
+}
+
+gas::GasPoint point_of(const gas::ControlVolumeModel& model, const gas::ControlVolumeState& state) {
+  return gas::evaluate(model, state, kNotRead, 0.0, 0.0);
+}
+
+/// A knot on p_a itself, and one far away: air comes back through a vent as the walls cool the gas, until
+/// both are at rest on that knot.
+TEST(volume_knot, air_comes_back_to_rest_on_a_knot) {
+  gas::ControlVolumeModel model = closed_tank(nasa7({"N2", "CO2", "O2"}));
+  model.ambient.mass_fractions = {0.77, 0.0, 0.23};
+  model.volume_of_overpressure = knots({{-2e3, 5e-5}, {0.0, 6e-5}, {100.0, 1.5e-4}, {1e9, 1.6e-4}});
+  model.vents.push_back({0.6, 3e-5});
+  model.vents.back().backflow = true;
+  model.heat_loss = {180.0, 293.15};
+  for (const gas::Method method : {gas::Method::kDormandPrince5, gas::Method::kRosenbrock4})
+    for (const double tolerance : {1e-4, 1e-7, 1e-9}) {
+      SCOPED_TRACE(testing::Message() << static_cast<int>(method) << " at " << tolerance);
+      gas::ControlVolumeState state =
+          gas::make_state(model, std::vector{0.5, 0.5, 0.0}, 0.3 * kAmbientPressure, 300.0, 5e-5);
+      gas::GasIntegrator integrator(model, {tolerance, 100000, method});
+      for (int i = 0; i < 50; ++i) integrator.advance(state, 1e-3 * i, 1e-3 * (i + 1), rigid(kNotRead));
+      const gas::GasPoint end = point_of(model, state);
+      // p is held to 1e-10 of p_a; the gas's own relaxation, m cv/(hA) = 3e-4 s, is long past.
+      EXPECT_NEAR(end.pressure, kAmbientPressure, 1e-10 * kAmbientPressure);
+      EXPECT_LT(relative(end.temperature, 293.15), 10.0 * tolerance);
+      EXPECT_NEAR(end.volume, 6e-5, 1e-10);  // 9e-7 m3/Pa times 1e-10 p_a, tenfold
+    }
+}
+
+/// p held on p_a by a wide vent, on a knot: the volume is that of the knot, whichever side is the soft one.
+TEST(volume_knot, held_pressure_on_a_knot) {
+  for (const double soft : {0.0, -100.0})
+    for (const gas::Method method : kMethods) {
+      gas::ControlVolumeModel model = closed_tank(nitrogen());
+      model.volume_of_overpressure = knots({{-1e3, 0.02}, {soft, 0.02}, {soft + 100.0, 0.12}, {1e6, 0.13}});
+      model.inflows.push_back(steady_inflow(model.thermo, 0.01, 400.0));
+      model.vents.push_back({0.6, 20.0});
+      const double volume = soft == 0.0 ? 0.02 : 0.12;
+      gas::ControlVolumeState state = gas::make_state(model, kPure, kAmbientPressure, 300.0, volume);
+      const gas::StepFluxes fluxes =
+          gas::GasIntegrator(model, {1e-6, 1000, method}).advance(state, 0.0, 0.1, rigid(kNotRead));
+      const gas::GasPoint end = point_of(model, state);
+      const double excess = end.pressure - kAmbientPressure;
+      EXPECT_GT(excess, 0.0);
+      EXPECT_LT(excess, 1e-10 * kAmbientPressure);
+      EXPECT_NEAR(end.volume, volume, 1e-3 * 1e-10 * kAmbientPressure);  // 1e-3 m3/Pa on the soft side
+      // At constant p V what comes in drives out as much volume.
+      EXPECT_NEAR(fluxes.vent_mass_out * end.temperature, 1e-3 * 400.0, 0.02 * 1e-3 * 400.0);
+    }
+}
+
+/// Gas that starts on the last knot stays in the curve where it leaves or rests; heated, it has no volume.
+TEST(volume_knot, start_on_the_last_knot) {
+  for (const double walls : {300.0, 299.0, 301.0})
+    for (const gas::Method method : kMethods) {
+      gas::ControlVolumeModel model = closed_tank(nasa7({"N2", "CO2"}));
+      model.volume_of_overpressure = knots({{0.0, 0.06}, {5e4, 0.07}});
+      model.heat_loss = {10.0, walls};
+      gas::ControlVolumeState state =
+          gas::make_state(model, std::vector{0.5, 0.5}, kAmbientPressure + 5e4, 300.0, 0.07);
+      try {
+        gas::GasIntegrator(model, {1e-6, 1000, method}).advance(state, 0.0, 0.01, rigid(kNotRead));
+        EXPECT_LT(walls, 301.0);
+        EXPECT_LE(point_of(model, state).pressure, (kAmbientPressure + 5e4) * (1.0 + 1e-12));
+      } catch (const gas::DomainError& error) {
+        EXPECT_EQ(walls, 301.0) << error.what();
+        EXPECT_NE(std::string(error.what()).find("passes 50000 Pa"), std::string::npos) << error.what();
+        EXPECT_NE(std::string(error.what()).find("at t = 0 s"), std::string::npos) << error.what();
+      }
+    }
+}
+
+}  // namespace
