@@ -92,6 +92,7 @@ TEST(input, model) {
 
 TEST(input, options) {
   expect_refused([] { gas::GasIntegrator(valid_model(), {0.0}); }, "relative_tolerance");
+  expect_refused([] { gas::GasIntegrator(valid_model(), {0.1}); }, "relative_tolerance");
   expect_refused([] { gas::GasIntegrator(valid_model(), {kNan}); }, "relative_tolerance");
   expect_refused([] { gas::GasIntegrator(valid_model(), {1e-8, 0}); }, "maximum_steps");
 }
