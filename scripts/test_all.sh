@@ -81,7 +81,7 @@ phase "stability atlas" scripts/stability_atlas.sh --check || failed_suites+=("s
 if ((sanitize)); then
   slow='MassShares\.(shipped|every_shape)|ContactBalloon|ContactRebound\.(depth|energy)|shadow\.(disc_off|jet_force)'
   slow+='|plate_that_the_folded_bag_crosses|command_(reference|external|ladder)|ladder\.impactor|jet_scene\.fast_route'
-  slow+='|coupled_energy\.drift_falls|contact_scene\.drift'
+  slow+='|coupled_energy\.drift_falls|contact_scene\.(drift|broad_phase_looks)'
   build sanitize
   if ((long)); then suite sanitize; else suite sanitize -E "$slow"; fi
 fi
