@@ -43,11 +43,13 @@ void evaluate_field(const Scene& scene, const State& state, const JetPart& part,
   if (part.pieces) place_pieces(*part.pieces, skin, run.skin);
   const Skin seen = asked(skin, part, run);
   if (!part.field.model().relative_to_skin) {
-    part.field.evaluate(seen.area_vectors, seen.centroids, run.outlet, run.field);
+    part.field.evaluate(seen.area_vectors, seen.centroids, run.outlet, run.field, nullptr,
+                        state.step.travelled);
     return;
   }
   const jet::Points velocity(place_velocities(scene, state, part, run.skin));
-  part.field.evaluate(seen.area_vectors, seen.centroids, run.outlet, run.field, &velocity);
+  part.field.evaluate(seen.area_vectors, seen.centroids, run.outlet, run.field, &velocity,
+                      state.step.travelled);
 }
 
 void add(const jet::VisibilityCounters& counters, jet::VisibilityCounters& total) {
@@ -60,15 +62,15 @@ void add(const jet::VisibilityCounters& counters, jet::VisibilityCounters& total
   total.tree_builds += counters.tree_builds;
 }
 
-void mask(const JetPart& part, const jet::Points& nodes, JetRun& run) {
+void mask(const JetPart& part, const jet::Points& nodes, double travelled, JetRun& run) {
   run.counters = {};
   if (!part.occlusion || run.field.candidates.empty()) {
     run.counters.candidates = run.counters.lit = run.field.candidates.size();
     return;
   }
   const std::span<std::uint8_t> lit(run.lit.data(), run.field.candidates.size());
-  run.counters =
-      run.query.query(part.route, nodes, jet::ray_source(part.field.model()), run.field.candidates, lit);
+  run.counters = run.query.query(part.route, nodes, jet::ray_source(part.field.model()), run.field.candidates,
+                                 lit, travelled);
   jet::apply_mask(lit, run.field);
 }
 
@@ -99,7 +101,7 @@ void visibility(const Scene& scene, State& state) {
   for (std::size_t j = 0; j < scene.jets.size(); ++j) {
     const JetPart& part = scene.jets[j];
     JetRun& run = state.jets[j];
-    mask(part, asked(skin, part, run).nodes, run);
+    mask(part, asked(skin, part, run).nodes, state.step.travelled, run);
     add(run.counters, run.total);
     if (part.pieces) part.pieces->average(run.field, run.elements);
     run.force = jet::jet_force(run.load(), skin.area_vectors);

@@ -127,8 +127,12 @@ void choose_step(const Scene& scene, State& state, bool last) {
 
 void advance(const Scene& scene, State& state) {
   StageTimer timer(state, Stage::advance);
-  const StepSizes& step = state.step;
-  if (state.bag) membrane::advance(scene.bag->model, *state.bag, step.before, step.after, ParallelBlocks{});
+  StepSizes& step = state.step;
+  if (state.bag) {
+    membrane::advance(scene.bag->model, *state.bag, step.before, step.after, ParallelBlocks{});
+    const double motion = step.after * std::sqrt(state.bag->advance.max_speed_squared);
+    step.travelled = std::nextafter(step.travelled + motion, std::numeric_limits<double>::infinity());
+  }
   if (!state.pendulum) return;
   PendulumRun& run = *state.pendulum;
   const auto& model = scene.pendulum->model;

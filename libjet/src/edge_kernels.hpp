@@ -80,8 +80,9 @@ struct Touches {
 inline int meet_edges(const RayArrays& rays, int block, unsigned alive, const PyramidView& pyramid,
                       const float* edges, const HitLists& to) {
   const Block r(rays.rays + kRayFloats * std::ptrdiff_t{block});
+  const float* ray_boxes = rays.boxes + 32 * std::ptrdiff_t{block};
   float around[32];
-  merge(rays.boxes + 32 * std::ptrdiff_t{block}, around);
+  merge(ray_boxes, around);
   const Box box(around, 8);
   const int blocks = blocks_near(pyramid, box, to.first, to.second);
   int near = 0, count = 0;
@@ -90,7 +91,15 @@ inline int meet_edges(const RayArrays& rays, int block, unsigned alive, const Py
     near += append_bits(box.overlaps(pyramid.boxes + 32 * std::ptrdiff_t{entries}), 8 * entries,
                         to.second + near);
   }
-  for (int i = 0; i < near && alive != 0; ++i) {
+  // Those beside all rays are left out, without a branch to predict.
+  int touched = 0;
+  for (int i = 0; i < near; ++i) {
+    const int e = to.second[i];
+    const Box own(pyramid.boxes + 32 * std::ptrdiff_t{e / 8} + e % 8, 8);
+    to.second[touched] = e;
+    touched += static_cast<int>((own.overlaps(ray_boxes) & alive) != 0);
+  }
+  for (int i = 0; i < touched && alive != 0; ++i) {
     const int e = to.second[i];
     const Touches t = touch(r, edges + kEdgeFloats * std::ptrdiff_t{e / 8} + e % 8, alive);
     for (unsigned rest = t.possible; rest != 0; rest &= rest - 1u) {

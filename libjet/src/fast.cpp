@@ -26,7 +26,8 @@ void FastRoute::reserve(std::size_t ray_count, std::size_t node_count) {
 }
 
 VisibilityCounters FastRoute::query(const Surface& surface, const RaySource& source,
-                                    std::span<const int> candidates, std::span<std::uint8_t> lit) {
+                                    std::span<const int> candidates, std::span<std::uint8_t> lit,
+                                    double travelled) {
   if (candidates.size() > states_.capacity())  // some are named twice
     reserve(candidates.size(), static_cast<std::size_t>(surface.node_count));
   surface_ = surface;
@@ -34,7 +35,7 @@ VisibilityCounters FastRoute::query(const Surface& surface, const RaySource& sou
   kernel_.calls = 0;
   kernel_.route = this;
   point_moved_.reset();
-  bounded_ = rays_.build(surface, source, candidates);
+  bounded_ = rays_.build(surface, source, candidates, travelled);
   candidates_ = rays_.candidates;
   bounded_ ? look() : look_at_all();
   const bool certain = closed_ && shared_ && winding_is_one();

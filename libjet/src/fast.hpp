@@ -31,7 +31,7 @@ class FastRoute {
   void prepare(std::span<const Triangle> triangles, std::size_t node_count, bool closed);
 
   VisibilityCounters query(const Surface& surface, const RaySource& source, std::span<const int> candidates,
-                           std::span<std::uint8_t> lit);
+                           std::span<std::uint8_t> lit, double travelled);
 
  private:
   static constexpr int kNone = -1;

@@ -72,7 +72,8 @@ void FastRoute::hide_again() {
     if (states_[k] == kFacingAway) rays_.drop(k);
     again_[static_cast<std::size_t>(count)] = static_cast<int>(k);
     again_by_[static_cast<std::size_t>(count)] = blocker;
-    count += blocker != kNone && (states_[k] == kLit || states_[k] == kOpen);
+    const bool known = blocker != kNone && rays_.knows(mesh_.rank[static_cast<std::size_t>(blocker)]);
+    count += known && (states_[k] == kLit || states_[k] == kOpen);
   }
   kernel_table().meet_pairs(
       {rays_.arrays().targets, rays_.local(), rays_.arrays().half_long, surface_.triangles->data(),

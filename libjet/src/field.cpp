@@ -39,6 +39,13 @@ Rows rows(const Points& points) {
   throw DomainError("jet overpressure of element " + std::to_string(element) + " is not finite");
 }
 
+// Groups of four, to a multiple of eight that the kernels read.
+std::size_t slack_size(int element_count) {
+  return (static_cast<std::size_t>(element_count) + 31) / 32 * 8;
+}
+
+constexpr std::size_t kRoom = 8;  // that the kernels want behind the candidates
+
 // Every width law is the larger of a constant and a straight line in z; the cut-off is the same multiple of
 // it.
 void set_cut(const JetModel& model, JetShape& shape) {
@@ -51,6 +58,8 @@ void set_cut(const JetModel& model, JetShape& shape) {
   const double slope = shape.momentum ? (section(model, 3.0 * core).width - beyond) / core : shape.cone_slope;
   shape.cut_core = multiple * in_core;
   shape.cut_slope = multiple * slope;
+  shape.cut_cosine = 1.0 / std::hypot(1.0, shape.cut_slope);
+  shape.centre_size = model.centre.cwiseAbs().maxCoeff();
   shape.cut_origin = multiple * (shape.momentum ? beyond - 2.0 * core * slope : in_core);
 }
 
@@ -59,17 +68,23 @@ void set_cut(const JetModel& model, JetShape& shape) {
 JetField::JetField(const JetModel& model, int element_count, std::span<const int> null_elements)
     : model_(validated(model)), element_count_(element_count) {
   if (element_count < 1) throw std::invalid_argument("jet field surface has no element, allowed: 1 or more");
-  is_null_.assign(static_cast<std::size_t>(element_count), 0);
+  loaded_.assign(static_cast<std::size_t>(element_count + 3) / 4, 0xf);
+  for (int i = element_count; i % 4 != 0; ++i) take_no_load(i);
   for (const int element : null_elements) {
     if (element < 0 || element >= element_count) {
       throw std::invalid_argument("jet field null element " + std::to_string(element) + ", allowed: 0 to " +
                                   std::to_string(element_count - 1));
     }
-    is_null_[static_cast<std::size_t>(element)] = 1;
+    take_no_load(element);
   }
   JetShape shape = outline(model_);
   set_cut(model_, shape);
   shape_ = std::make_unique<const JetShape>(shape);
+}
+
+void JetField::take_no_load(int element) {
+  auto& group = loaded_[static_cast<std::size_t>(element / 4)];
+  group = static_cast<std::uint8_t>(group & ~(1 << element % 4));
 }
 
 JetField::~JetField() = default;
@@ -79,12 +94,14 @@ JetField& JetField::operator=(JetField&&) noexcept = default;
 FieldState JetField::make_state() const {
   FieldState state;
   state.overpressure.assign(static_cast<std::size_t>(element_count_), 0.0);
-  state.candidates.reserve(static_cast<std::size_t>(element_count_));
+  state.candidates.reserve(static_cast<std::size_t>(element_count_) + kRoom);
+  state.slack.assign(slack_size(element_count_), -HUGE_VAL);
   return state;
 }
 
 void JetField::reset(FieldState& state) const {
-  if (state.overpressure.size() != static_cast<std::size_t>(element_count_)) {
+  if (state.overpressure.size() != static_cast<std::size_t>(element_count_) ||
+      state.slack.size() != slack_size(element_count_)) {
     throw std::invalid_argument("jet field state does not belong to this surface, use make_state");
   }
   for (const int element : state.candidates) state.overpressure[static_cast<std::size_t>(element)] = 0.0;
@@ -92,20 +109,24 @@ void JetField::reset(FieldState& state) const {
 }
 
 void JetField::evaluate(const Points& area_vectors, const Points& centroids, const OutletState& outlet,
-                        FieldState& state, const Points* velocities) const {
+                        FieldState& state, const Points* velocities, double travelled) const {
   require_columns("area_vectors", area_vectors.cols(), element_count_);
   require_columns("centroids", centroids.cols(), element_count_);
   require_velocities(model_, velocities, element_count_);
   reset(state);
   if (outlet.density == 0.0 || outlet.velocity == 0.0) return;
-  state.candidates.resize(static_cast<std::size_t>(element_count_));
+  if (!(travelled >= state.travelled)) std::fill(state.slack.begin(), state.slack.end(), -HUGE_VAL);
+  state.travelled = travelled;
+  state.candidates.resize(static_cast<std::size_t>(element_count_) + kRoom);
   FieldArrays arrays{};
   arrays.area_vectors = rows(area_vectors);
   arrays.centroids = rows(centroids);
   arrays.relative_to_skin = model_.relative_to_skin;
   if (model_.relative_to_skin) arrays.velocities = rows(*velocities);
-  arrays.is_null = is_null_.data();
+  arrays.loaded = loaded_.data();
   arrays.count = element_count_;
+  arrays.travelled = travelled;
+  arrays.slack = state.slack.data();
   arrays.velocity = outlet.velocity;
   arrays.factor = (1.0 + model_.restitution) * outlet.density;
   arrays.overpressure = state.overpressure.data();

@@ -2,31 +2,43 @@
 // Kernels of S4, four elements at a time.
 #pragma once
 
-#include "lanes.hpp"
+#include "floats.hpp"
 #include "profile.hpp"
 
 namespace jet::JET_KERNELS {
 
-/// Which of four points are not outside the jet; NaN is not, and found in what follows.
+/// Bound of what rounding adds to a point's motion and to its distances, over its coordinates: some 10
+/// roundings.
+inline constexpr double kPlaceError = 1e-14;
+
+/// Which of a group's four points are not outside the jet; NaN is not, and found in what follows. And how far
+/// all may move and stay outside: every bound of the jet is a distance, or one over the cosine.
+struct Inside {
+  unsigned points;
+  double slack;  // [m]
+};
 template <bool round>
-[[gnu::always_inline]] inline unsigned inside(const JetShape& jet, const Vec3<Lanes>& x) {
+[[gnu::always_inline]] inline Inside inside(const JetShape& jet, const Vec3<Lanes>& x) {
   const Vec3<Lanes> d = {x.x - jet.centre[0], x.y - jet.centre[1], x.z - jet.centre[2]};
   const Lanes z = profile::dot(jet.axis, d);
+  Lanes radius, radius2, beyond = -z;
+  Lanes::Mask outside;
   if constexpr (round) {
     const Vec3<Lanes> r = profile::ahead(-z, jet.axis, d);
-    return ~bits(profile::outside(jet, z, profile::dot(r, r))) & 0xfu;
+    radius2 = profile::dot(r, r);
+    radius = sqrt(radius2);
+    outside = profile::outside(jet, z, radius2);
   } else {
-    const Lanes across = profile::dot(jet.across, d), along = profile::dot(jet.along, d);
-    const Lanes::Mask beside = abs(along) > Lanes(jet.half_long);
-    return ~bits(profile::outside(jet, z, across * across) | beside) & 0xfu;
+    const Lanes across = profile::dot(jet.across, d), along = abs(profile::dot(jet.along, d));
+    radius2 = across * across;
+    radius = abs(across);
+    outside = profile::outside(jet, z, radius2) | (along > Lanes(jet.half_long));
+    beyond = max(beyond, along - jet.half_long);
   }
+  beyond = max(beyond, jet.cut_cosine * (radius - profile::cut(jet, z)));
+  const Lanes size = max(max(abs(d.x), abs(d.y)), abs(d.z)) + Lanes(jet.centre_size);
+  return {~bits(outside) & 0xfu, least(0.999 * beyond - kPlaceError * size)};
 }
-
-/// A group of four elements, and which of them are inside.
-struct Group {
-  int first;
-  unsigned inside;
-};
 
 /// Rows e to e + 3; behind the last it is the last again.
 [[gnu::always_inline]] inline Vec3<Lanes> four_rows(const Rows& r, int e) {
@@ -36,40 +48,51 @@ struct Group {
   return gather(at(0), at(1), at(2), at(3));
 }
 
-/// Groups from element `begin` to `end` with elements that may be inside the jet; without a branch for each.
+/// Groups from element `begin` on that may be inside the jet, and which of their elements. Those that cannot
+/// have come there since they were looked at are left out. Nothing to predict.
+struct Groups {
+  static constexpr int kMost = 256;
+  int count = 0;
+  int first[kMost + 8];
+  unsigned inside[kMost + 8];
+};
 template <bool round>
-inline int find_groups(const JetShape& given, const Rows& centroids, int begin, int end, Group* groups) {
+inline void find_groups(const JetShape& given, const FieldArrays& a, int begin, int count, Groups& groups) {
   const JetShape jet = given;  // a copy, which what is stored cannot change
-  const std::ptrdiff_t stride = centroids.stride;
-  const double* x = centroids.first + begin * stride;
-  int count = 0, e = begin;
-  const auto add = [&](const Vec3<Lanes>& points) __attribute__((always_inline)) {
-    groups[count] = {e, inside<round>(jet, points)};
-    count += static_cast<int>(groups[count].inside != 0);
-  };
-  for (; e + 4 < end; e += 4, x += 4 * stride) add(gather(x, x + stride, x + 2 * stride, x + 3 * stride));
-  add(four_rows(centroids, e));
-  return count;
+  const Rows centroids = a.centroids;
+  const Lanes travelled(a.travelled);
+  double* slack = a.slack + begin / 4;
+  int open = 0, found = 0;
+  for (int g = 0; g < count; g += 8) {
+    const unsigned clear =
+        bits(travelled < Lanes::load(slack + g)) | bits(travelled < Lanes::load(slack + g + 4)) << 4;
+    open += append_bits(~clear & 0xffu, g, groups.first + open);
+  }
+  for (int i = 0; i < open && groups.first[i] < count; ++i) {
+    const int group = groups.first[i], e = begin + 4 * group;
+    const Inside now = inside<round>(jet, four_rows(centroids, e));
+    slack[group] = a.travelled + now.slack;
+    groups.first[found] = e;
+    groups.inside[found] = now.points;
+    found += static_cast<int>(now.points != 0);
+  }
+  groups.count = found;
 }
 
 /// Elements inside the jet and not seen from behind.
 inline int select_elements(const JetShape& jet, const FieldArrays& arrays) {
   const FieldArrays a = arrays;
-  constexpr int kElements = 1024;
-  Group groups[kElements / 4];
+  Groups groups;
   int count = 0;
-  for (int begin = 0; begin < a.count; begin += kElements) {
-    const int end = begin + kElements < a.count ? begin + kElements : a.count;
-    const int group_count = jet.round ? find_groups<true>(jet, a.centroids, begin, end, groups)
-                                      : find_groups<false>(jet, a.centroids, begin, end, groups);
-    for (int g = 0; g < group_count; ++g) {
-      const int e = groups[g].first, lanes = a.count - e < 4 ? a.count - e : 4;
-      unsigned chosen = groups[g].inside;
+  for (int begin = 0; begin < a.count; begin += 4 * Groups::kMost) {
+    const int left = (a.count - begin + 3) / 4, batch = left < Groups::kMost ? left : Groups::kMost;
+    jet.round ? find_groups<true>(jet, a, begin, batch, groups)
+              : find_groups<false>(jet, a, begin, batch, groups);
+    for (int g = 0; g < groups.count; ++g) {
+      const int e = groups.first[g];
+      unsigned chosen = groups.inside[g] & a.loaded[e / 4];
       if (jet.axial) chosen &= ~bits(profile::dot(jet.axis, four_rows(a.area_vectors, e)) <= Lanes());
-      for (int i = 0; i < lanes; ++i) {
-        a.candidates[count] = e + i;
-        count += static_cast<int>(chosen >> i & 1u) & (a.is_null[e + i] ^ 1);
-      }
+      count += append_bits(chosen, e, a.candidates + count);
     }
   }
   return count;

@@ -63,6 +63,32 @@ template <class Reduce>
   return reduce(a, [](Floats x, Floats y) { return max(x, y); });
 }
 
+/// Places of the bits of a byte, in order.
+struct BitPlaces {
+  std::uint8_t at[256][8];
+  constexpr BitPlaces() : at{} {
+    for (int byte = 0; byte < 256; ++byte)
+      for (int i = 0, count = 0; i < 8; ++i)
+        if ((byte >> i & 1) != 0) at[byte][count++] = static_cast<std::uint8_t>(i);
+  }
+};
+inline constexpr BitPlaces kBitPlaces;
+
+/// first + i for the bits i, to `out`, which has room for eight; their number. Nothing to predict.
+[[gnu::always_inline]] inline int append_bits(unsigned bits, int first, int* out) {
+  using Ints = std::int32_t __attribute__((vector_size(32), aligned(4), may_alias));
+  const std::uint8_t* places = kBitPlaces.at[bits];
+#if defined(__AVX2__)  // which gcc does not find by itself
+  const auto wide = reinterpret_cast<Floats::Mask>(
+      _mm256_cvtepu8_epi32(_mm_loadl_epi64(reinterpret_cast<const __m128i*>(places))));
+#else
+  using Bytes = std::uint8_t __attribute__((vector_size(8)));
+  const auto wide = __builtin_convertvector(*reinterpret_cast<const Bytes*>(places), Floats::Mask);
+#endif
+  *reinterpret_cast<Ints*>(out) = wide + first;
+  return __builtin_popcount(bits);
+}
+
 /// Rows index(0) to index(7) of four floats to lanes of the first three.
 template <class Index>
 [[gnu::always_inline]] inline Vec3<Floats> gather_rows(const float* rows, Index index) {

@@ -31,16 +31,20 @@ struct JetShape {
   double cone_width, cone_slope;           // [m], [-]
   double origin;                           // [m] of the virtual origin upstream
   double cut_core, cut_origin, cut_slope;  // [m], [m], [-]: outside where |r| > max(core, origin + slope z)
+  double cut_cosine;                       // [-] of the cut-off's angle to the axis beyond the core
+  double centre_size;                      // [m] largest coordinate of the centre
 };
 
 struct FieldArrays {
   Rows area_vectors, centroids, velocities;
   bool relative_to_skin;
-  const std::uint8_t* is_null;
-  int count;                // elements
-  double velocity, factor;  // [m/s] V0, [kg/m3] (1 + e) rho0
-  double* overpressure;     // [Pa] written at the candidates
-  int* candidates;
+  const std::uint8_t* loaded;  // bits of groups of four: elements that take load
+  int count;                   // elements
+  double travelled;            // [m]
+  double* slack;               // [m] see FieldState
+  double velocity, factor;     // [m/s] V0, [kg/m3] (1 + e) rho0
+  double* overpressure;        // [Pa] written at the candidates
+  int* candidates;             // and room for eight more
 };
 
 /// Coordinates along a jet as floats between -1 and 1, four a row: u across, v along the outlet's long side,
@@ -55,6 +59,7 @@ struct ProjectArrays {
   const int* elements;   // to project the centroids of
   std::uint8_t* codes;   // bits 0 to 4: u - slope w below -bound, above bound, the same of v, w below -bound;
   float slope[5], bound[5];  // bit 7: w <= 0 in double. Room for 7 more as well
+  const int* listed;         // nodes to project where not all are
 };
 
 struct ProjectFlags {
@@ -140,6 +145,8 @@ struct KernelTable {
 
   /// Nodes to local coordinates and codes; centroids of `count` elements to local coordinates.
   ProjectFlags (*project_nodes)(const ProjectArrays&);
+  /// The same of `count` nodes listed, a multiple of eight.
+  ProjectFlags (*project_listed)(const ProjectArrays&, int count);
   void (*project_centroids)(const ProjectArrays&, int count);
   /// Boxes and bounds of `count` rays; those not certainly downstream get empty boxes and a bit in `aside`.
   RayBounds (*make_rays)(const RayArrays&, int count, std::uint8_t* aside);

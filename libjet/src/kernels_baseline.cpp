@@ -6,8 +6,8 @@
 
 namespace jet::baseline {
 
-const KernelTable kTable{select_elements, evaluate,        project_nodes, project_centroids,
-                         make_rays,       look_at_patches, element_boxes, make_edges,
-                         merge,           meet_pairs,      meet_edges,    meet_elements};
+const KernelTable kTable{select_elements, evaluate,        project_nodes, project_listed, project_centroids,
+                         make_rays,       look_at_patches, element_boxes, make_edges,     merge,
+                         meet_pairs,      meet_edges,      meet_elements};
 
 }  // namespace jet::baseline

@@ -65,6 +65,11 @@ inline unsigned bits(Lanes::Mask m) {
 #endif
 }
 
+[[gnu::always_inline]] inline double least(Lanes a) {
+  a = min(a, Lanes(__builtin_shufflevector(a.v, a.v, 2, 3, 0, 1)));
+  return min(a, Lanes(__builtin_shufflevector(a.v, a.v, 1, 0, 3, 2))).v[0];
+}
+
 /// e^x for x <= 0, 0 below -708, within 2 roundings. Cody and Waite's reduction to |r| <= ln(2)/2, where
 /// Taylor's polynomial of degree 13 has a remainder of 5e-18.
 inline Lanes exp(Lanes x) {

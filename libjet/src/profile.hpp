@@ -47,10 +47,15 @@ template <class T>
   return {d, z, dot(jet.along, d), across, across * across};
 }
 
+/// Distance of the cut-off from the axis or the long mid-plane [m].
+template <class T>
+[[gnu::always_inline]] inline T cut(const JetShape& jet, T z) {
+  return max(T(jet.cut_core), jet.cut_origin + jet.cut_slope * z);
+}
 /// Not downstream of the outlet, or beyond the cut-off.
 template <class T>
 [[gnu::always_inline]] inline auto outside(const JetShape& jet, T z, T radius2) {
-  const T cut = max(T(jet.cut_core), jet.cut_origin + jet.cut_slope * z);
+  const T cut = profile::cut(jet, z);
   return (z <= T(0.0)) | (radius2 > cut * cut);
 }
 

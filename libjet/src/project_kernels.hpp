@@ -6,14 +6,6 @@
 
 namespace jet::JET_KERNELS {
 
-/// A point's row in double to its local coordinates (u, v, w, 0).
-[[gnu::always_inline]] inline Lanes to_local(const ProjectArrays& a, Lanes x) {
-  const Lanes d = x - Lanes(Lanes::Values{a.centre[0], a.centre[1], a.centre[2], 0.0});
-  return Lanes(__builtin_shufflevector(d.v, d.v, 0, 0, 0, 0)) * Lanes::load(a.column[0]) +
-         Lanes(__builtin_shufflevector(d.v, d.v, 1, 1, 1, 1)) * Lanes::load(a.column[1]) +
-         Lanes(__builtin_shufflevector(d.v, d.v, 2, 2, 2, 2)) * Lanes::load(a.column[2]);
-}
-
 [[gnu::always_inline]] inline Floats largest(const Vec3<Floats>& a) {
   return max(max(abs(a.x), abs(a.y)), abs(a.z));
 }
@@ -35,7 +27,16 @@ struct NodeFlags {
   Floats::Mask largest{};                 // bits of the largest magnitude; those of NaN are above all
 };
 
-/// Four nodes to local coordinates in double.
+/// Four points to local coordinates in double.
+[[gnu::always_inline]] inline Vec3<Lanes> to_local(const ProjectArrays& a, const Vec3<Lanes>& x) {
+  const Vec3<Lanes> d = {x.x - a.centre[0], x.y - a.centre[1], x.z - a.centre[2]};
+  const auto along = [&](int j) {
+    return a.column[0][j] * d.x + a.column[1][j] * d.y + a.column[2][j] * d.z;
+  };
+  return {along(0), along(1), along(2)};
+}
+
+/// The same of nodes.
 [[gnu::always_inline]] inline Vec3<Lanes> to_local(const ProjectArrays& a, const Vec3<Lanes>& x,
                                                    NodeFlags& flags) {
   const Lanes all[] = {x.x, x.y, x.z};
@@ -43,11 +44,7 @@ struct NodeFlags {
     const auto below = reinterpret_cast<Lanes::Values>(reinterpret_cast<Lanes::Mask>(abs(y).v) - 1);
     flags.smallest = below < flags.smallest ? below : flags.smallest;  // 0 became NaN and is left out
   }
-  const Vec3<Lanes> d = {x.x - a.centre[0], x.y - a.centre[1], x.z - a.centre[2]};
-  const auto along = [&](int j) {
-    return a.column[0][j] * d.x + a.column[1][j] * d.y + a.column[2][j] * d.z;
-  };
-  return {along(0), along(1), along(2)};
+  return to_local(a, x);
 }
 
 [[gnu::always_inline]] inline Floats joined(Lanes low, Lanes high) {
@@ -79,13 +76,14 @@ struct NodeFlags {
   }
 }
 
-/// Eight nodes in the rows that `at` gives, to the rows and codes from `first` on.
+/// Eight nodes in the rows that `at` gives, to eight rows and codes.
 template <class At>
-[[gnu::always_inline]] inline void project_eight(const ProjectArrays& a, int first, At at, NodeFlags& flags) {
+[[gnu::always_inline]] inline void project_eight(const ProjectArrays& a, At at, NodeFlags& flags,
+                                                 float* local, std::uint8_t* codes) {
   const Vec3<Lanes> low = to_local(a, gather(at(0), at(1), at(2), at(3)), flags),
                     high = to_local(a, gather(at(4), at(5), at(6), at(7)), flags);
   const Vec3<Floats> x = {joined(low.x, high.x), joined(low.y, high.y), joined(low.z, high.z)};
-  store_rows(a.local + 4 * std::ptrdiff_t{first}, x);
+  store_rows(local, x);
   const Floats all[] = {x.x, x.y, x.z};
   for (const Floats y : all) {
     const auto magnitude = reinterpret_cast<Floats::Mask>(y.v) & INT32_MAX;
@@ -94,7 +92,13 @@ template <class At>
   const auto half = [](Lanes::Mask m) { return reinterpret_cast<Floats::Mask>(m); };
   const auto below =
       __builtin_shufflevector(half(low.z <= Lanes()), half(high.z <= Lanes()), 0, 2, 4, 6, 8, 10, 12, 14);
-  store_bytes(a.codes + first, code(a, x) | (below & 0x80));
+  store_bytes(codes, code(a, x) | (below & 0x80));
+}
+
+inline ProjectFlags project_flags(const NodeFlags& flags) {
+  constexpr std::int32_t one = 0x3f800000, little = 0x3c800000;  // bits of 1 and 1/64
+  const auto small = Lanes(flags.smallest) < Lanes(1e-100);
+  return {bits(flags.largest > one) != 0, bits(flags.largest > little) == 0, bits(small) != 0};
 }
 
 /// Local coordinates and codes of all nodes, and up to seven behind that repeat the last.
@@ -106,21 +110,51 @@ inline ProjectFlags project_nodes(const ProjectArrays& arrays) {
   int i = 0;
   for (; i + 8 < a.count; i += 8, x += 8 * stride)
     project_eight(
-        a, i, [=](int j) __attribute__((always_inline)) { return x + j * stride; }, flags);
+        a, [=](int j) __attribute__((always_inline)) { return x + j * stride; }, flags,
+        a.local + 4 * std::ptrdiff_t{i}, a.codes + i);
   project_eight(
-      a, i, [&](int j) { return row(a.nodes, i + j < a.count ? i + j : a.count - 1); }, flags);
-  constexpr std::int32_t one = 0x3f800000, little = 0x3c800000;  // bits of 1 and 1/64
-  const auto small = Lanes(flags.smallest) < Lanes(1e-100);
-  return {bits(flags.largest > one) != 0, bits(flags.largest > little) == 0, bits(small) != 0};
+      a, [&](int j) { return row(a.nodes, i + j < a.count ? i + j : a.count - 1); }, flags,
+      a.local + 4 * std::ptrdiff_t{i}, a.codes + i);
+  return project_flags(flags);
 }
 
-inline void project_centroids(const ProjectArrays& a, int count) {
-  for (int k = 0; k < count; ++k) {
-    const int* t = a.triangles + 3 * std::ptrdiff_t{a.elements[k]};
-    const Lanes sum =
-        Lanes::load(row(a.nodes, t[0])) + Lanes::load(row(a.nodes, t[1])) + Lanes::load(row(a.nodes, t[2]));
-    const Row f = __builtin_convertvector(to_local(a, (1.0 / 3.0) * sum).v, Row);
-    *reinterpret_cast<UnalignedRow*>(a.local + 4 * std::ptrdiff_t{k}) = f;
+inline ProjectFlags project_listed(const ProjectArrays& arrays, int count) {
+  const ProjectArrays a = arrays;
+  NodeFlags flags;
+  for (const int *node = a.listed, *end = node + count; node < end; node += 8) {
+    alignas(32) float local[32];
+    std::uint8_t codes[8];
+    project_eight(
+        a, [ =, &a ](int j) __attribute__((always_inline)) { return row(a.nodes, node[j]); }, flags, local,
+        codes);
+    for (int j = 0; j < 8; ++j) {
+      *reinterpret_cast<UnalignedRow*>(a.local + 4 * std::ptrdiff_t{node[j]}) =
+          *reinterpret_cast<const UnalignedRow*>(local + 4 * j);
+      a.codes[node[j]] = codes[j];
+    }
+  }
+  return project_flags(flags);
+}
+
+/// Of `count` elements; rows up to seven behind repeat the last.
+inline void project_centroids(const ProjectArrays& arrays, int count) {
+  const ProjectArrays a = arrays;
+  const auto corner = [&](int k, int i) __attribute__((always_inline)) {
+    const auto node = [ =, &a ](int j) __attribute__((always_inline)) {
+      const int e = a.elements[k + j < count ? k + j : count - 1];
+      return row(a.nodes, a.triangles[3 * std::ptrdiff_t{e} + i]);
+    };
+    return gather(node(0), node(1), node(2), node(3));
+  };
+  const auto four = [&](int k) __attribute__((always_inline)) {
+    const Vec3<Lanes> p = corner(k, 0), q = corner(k, 1), r = corner(k, 2);
+    constexpr double third = 1.0 / 3.0;
+    return to_local(a, {third * (p.x + q.x + r.x), third * (p.y + q.y + r.y), third * (p.z + q.z + r.z)});
+  };
+  for (int k = 0; k < count; k += 8) {
+    const Vec3<Lanes> low = four(k), high = four(k + 4);
+    store_rows(a.local + 4 * std::ptrdiff_t{k},
+               {joined(low.x, high.x), joined(low.y, high.y), joined(low.z, high.z)});
   }
 }
 

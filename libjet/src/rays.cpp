@@ -18,6 +18,7 @@ constexpr double kLargestRatio =
     1e5;                          // coordinates over extent: sources lie beside their line by 4e-16 of it
 constexpr double kMargin = 1e-6;  // 16 times the error of local coordinates
 constexpr std::uint8_t kFloor = 0x80;
+constexpr double kStepsAhead = 6.0;  // motion that the choice of close patches is made for
 
 double extent(const Surface& surface, const Eigen::Vector3d& centre) {
   double largest = 0.0;
@@ -35,7 +36,7 @@ void RayBundle::reserve(const OrderedMesh& mesh, std::size_t element_count, std:
   boxes_.reserve(element_count);
   aside.reserve(kMostAside);
   local_.resize(4 * (node_count + 8));
-  local_targets_.resize(4 * element_count);
+  local_targets_.resize(4 * (element_count + 8));
   ray_floats_.resize(kRayFloats * (element_count / 8 + 1));
   codes_.resize(node_count + 8);
   aside_bits_.resize(element_count / 8 + 1);
@@ -45,11 +46,17 @@ void RayBundle::reserve(const OrderedMesh& mesh, std::size_t element_count, std:
   given_at_.resize(element_count);
   chosen_.resize(element_count / 64 + 1);
   is_made_.resize(element_count);
+  close_.reserve(mesh, node_count);
+  all_.resize(static_cast<std::size_t>(mesh.patches));
+  std::iota(all_.begin(), all_.end(), 0);
 }
 
-bool RayBundle::build(const Surface& surface, const RaySource& source, std::span<const int> as_given) {
+bool RayBundle::build(const Surface& surface, const RaySource& source, std::span<const int> as_given,
+                      double travelled) {
   surface_ = surface;
   source_ = &source;
+  step_ = travelled - travelled_;
+  travelled_ = travelled;
   sort(as_given);
   std::fill_n(is_made_.begin(), candidates.size(), std::uint8_t{0});
   const double centre = source.centre.cwiseAbs().maxCoeff();
@@ -93,6 +100,7 @@ void RayBundle::sort(std::span<const int> as_given) {
 // A scale that keeps the nodes and the sources within 1/2, with room to move. The magnitude of a refused node
 // is not known, so this is where all of them are looked at.
 void RayBundle::rescale() {
+  close_.forget();
   check_nodes(surface_);
   const double largest = std::max({extent(surface_, source_->centre), source_->half_long, 1e-150});
   scale_ = std::ldexp(1.0, -std::ilogb(largest) - 2);
@@ -112,7 +120,8 @@ bool RayBundle::project() {
              candidates.data(),
              codes_.data(),
              {},
-             {}};
+             {},
+             nullptr};
   for (int i = 0; i < 3; ++i) {
     arrays_.centre[i] = source_->centre[i];
     const Eigen::Vector3d* const axes[] = {&frame_.across, &frame_.along, &frame_.forward};
@@ -123,10 +132,38 @@ bool RayBundle::project() {
            ray_floats_.data()};
   bounds_ = kernels.make_rays(rays_, static_cast<int>(candidates.size()), aside_bits_.data());
   find_aside(candidates.size());
-  set_sides(bounds_);
   arrays_.local = local_.data();
+  return project_nodes();
+}
+
+// Of all nodes, or of those close to the rays.
+bool RayBundle::project_nodes() {
+  const KernelTable& kernels = kernel_table();
+  if (!close_.holds(*source_, scale_, bounds_, travelled_)) {
+    close_.forget();
+    const double reach = kStepsAhead * step_;
+    if (reach >= 0.0 && !choose_close(reach)) return false;
+  }
+  set_sides(bounds_);
+  if (close_.any()) {
+    arrays_.listed = close_.nodes().data();
+    flags_ = kernels.project_listed(arrays_, static_cast<int>(close_.nodes().size()));
+    return !flags_.outside && !flags_.tiny;
+  }
   flags_ = kernels.project_nodes(arrays_);
   return !flags_.outside && !flags_.small && !flags_.tiny;
+}
+
+// Patches that can come between the rays' wider bounds while nodes move by `reach` [m].
+bool RayBundle::choose_close(double reach) {
+  const RayBounds wide = CloseSet::widened(bounds_);
+  set_sides(wide, 1.001 * scale_ * reach);
+  flags_ = kernel_table().project_nodes(arrays_);
+  if (flags_.outside || flags_.small || flags_.tiny) return false;
+  constexpr unsigned sides = 0x1f;  // what is in the sources' plane now may rise from it
+  close_.choose(*source_, scale_, wide, travelled_, reach,
+                [&](int* patches) { return find_patches(all_, sides, patches); });
+  return true;
 }
 
 void RayBundle::find_aside(std::size_t count) {
@@ -139,31 +176,36 @@ void RayBundle::find_aside(std::size_t count) {
   }
 }
 
-void RayBundle::set_side(int bit, double slope, double bound) {
+void RayBundle::set_side(int bit, double slope, double bound, double reach) {
   const bool steep = !(std::abs(slope) <= static_cast<double>(kSteepest));
   arrays_.slope[bit] = steep ? 0.0f : static_cast<float>(slope);
-  arrays_.bound[bit] = steep ? HUGE_VALF : static_cast<float>(bound + kMargin * (1.0 + std::abs(slope)));
+  arrays_.bound[bit] =
+      steep ? HUGE_VALF
+            : static_cast<float>(bound + kMargin * (1.0 + std::abs(slope)) + reach * std::hypot(1.0, slope));
 }
 
-// Half-spaces that hold all rays not aside, beyond their targets, too.
-void RayBundle::set_sides(const RayBounds& bounds) {
-  set_side(0, bounds.low_u, 0.0);
-  set_side(1, bounds.high_u, 0.0);
-  set_side(2, frame_.line ? 0.0 : bounds.low_v, frame_.line ? -bounds.low_v : 0.0);
-  set_side(3, frame_.line ? 0.0 : bounds.high_v, frame_.line ? bounds.high_v : 0.0);
-  set_side(4, 0.0, 0.0);
+// Half-spaces that hold all rays not aside, beyond their targets, too, and what is within `reach` of them.
+void RayBundle::set_sides(const RayBounds& bounds, double reach) {
+  set_side(0, bounds.low_u, 0.0, reach);
+  set_side(1, bounds.high_u, 0.0, reach);
+  set_side(2, frame_.line ? 0.0 : bounds.low_v, frame_.line ? -bounds.low_v : 0.0, reach);
+  set_side(3, frame_.line ? 0.0 : bounds.high_v, frame_.line ? bounds.high_v : 0.0, reach);
+  set_side(4, 0.0, 0.0, reach);
   // What is not above the sources' own plane meets no ray: a source on it starts above, by eps.
   outside_ = 0x1fu | (frame_.aligned() ? kFloor : 0u);
 }
 
 int RayBundle::find_patches(int* patches) const {
+  return find_patches(close_.any() ? close_.patches() : all_, outside_, patches);
+}
+
+int RayBundle::find_patches(std::span<const int> among, unsigned all_outside, int* patches) const {
   const std::uint8_t* codes = codes_.data();
-  const int *node = mesh_->patch_nodes.data(), *first = node;
+  const int *nodes = mesh_->patch_nodes.data(), *begin = mesh_->patch_begin.data();
   int count = 0;
-  for (int patch = 0; patch < mesh_->patches; ++patch) {
-    unsigned outside = outside_;
-    for (const int* end = first + mesh_->patch_begin[static_cast<std::size_t>(patch) + 1]; node < end;
-         node += 4)
+  for (const int patch : among) {
+    unsigned outside = all_outside;
+    for (const int *node = nodes + begin[patch], *end = nodes + begin[patch + 1]; node < end; node += 4)
       outside &= static_cast<unsigned>(codes[node[0]] & codes[node[1]] & codes[node[2]] & codes[node[3]]);
     patches[count] = patch;  // kept if the next does not overwrite it: no branch to predict
     count += outside == 0;

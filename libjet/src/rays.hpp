@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "blocking.hpp"
+#include "close_set.hpp"
 #include "frame.hpp"
 #include "kernel_table.hpp"
 #include "mesh_order.hpp"
@@ -23,7 +24,9 @@ class RayBundle {
 
   /// Projects rays and nodes; allocates nothing. False if no frame holds them all but a few: nothing but
   /// `size` is known then. Throws std::invalid_argument for coordinates out of range.
-  bool build(const Surface& surface, const RaySource& source, std::span<const int> as_given);
+  /// `travelled`: see VisibilityQuery.
+  bool build(const Surface& surface, const RaySource& source, std::span<const int> as_given,
+             double travelled);
 
   /// Ray of a candidate in the definition's arithmetic, made when first asked for.
   const blocking::Ray& ray(std::size_t k) const;
@@ -35,7 +38,10 @@ class RayBundle {
   };
   Way way() const;
 
-  /// No ray can meet an element with these nodes.
+  /// The element's nodes are projected; no ray can meet those of others.
+  bool knows(int place) const { return !close_.any() || close_.has(static_cast<std::size_t>(place / 8)); }
+
+  /// No ray can meet an element with these nodes. Precondition: they are projected.
   bool misses(const Triangle& t) const {
     const auto code = [&](int i) { return codes_[static_cast<std::size_t>(t[static_cast<std::size_t>(i)])]; };
     return (code(0) & code(1) & code(2) & outside_) != 0;
@@ -58,9 +64,12 @@ class RayBundle {
  private:
   void sort(std::span<const int> as_given);
   bool project();
+  bool project_nodes();
+  bool choose_close(double reach);
+  int find_patches(std::span<const int> among, unsigned outside, int* patches) const;
   void rescale();
-  void set_sides(const RayBounds& bounds);
-  void set_side(int bit, double slope, double bound);
+  void set_sides(const RayBounds& bounds, double reach = 0.0);
+  void set_side(int bit, double slope, double bound, double reach);
   void find_aside(std::size_t count);
 
   Surface surface_;
@@ -75,7 +84,11 @@ class RayBundle {
   ProjectArrays arrays_{};
   RayArrays rays_{};
   ProjectFlags flags_{};
-  unsigned outside_ = 0;              // bits of a code that keep an element out
+  unsigned outside_ = 0;               // bits of a code that keep an element out
+  double travelled_ = kMotionUnknown;  // [m] by the nodes
+  double step_ = 0.0;                  // [m] of it since the last query
+  CloseSet close_;
+  std::vector<int> all_;              // patches
   std::vector<float> local_;          // 4 a node
   std::vector<float> local_targets_;  // 4 a ray
   std::vector<float> ray_floats_;     // see RayArrays

@@ -23,26 +23,6 @@ struct Box {
   }
 };
 
-/// Places of the bits of a byte, in order.
-struct BitPlaces {
-  std::uint8_t at[256][8];
-  constexpr BitPlaces() : at{} {
-    for (int byte = 0; byte < 256; ++byte)
-      for (int i = 0, count = 0; i < 8; ++i)
-        if ((byte >> i & 1) != 0) at[byte][count++] = static_cast<std::uint8_t>(i);
-  }
-};
-inline constexpr BitPlaces kBitPlaces;
-
-/// first + i for the bits i, to `out`, which has room for eight; their number. Nothing to predict.
-[[gnu::always_inline]] inline int append_bits(unsigned bits, int first, int* out) {
-  using Bytes = std::uint8_t __attribute__((vector_size(8)));
-  using Ints = std::int32_t __attribute__((vector_size(32), aligned(4), may_alias));
-  const auto places = *reinterpret_cast<const Bytes*>(kBitPlaces.at[bits]);
-  *reinterpret_cast<Ints*>(out) = __builtin_convertvector(places, Floats::Mask) + first;
-  return __builtin_popcount(bits);
-}
-
 /// Lowest blocks whose boxes overlap, in order, to `out`; level by level, with `scratch` between. A few
 /// blocks are all taken.
 inline int blocks_near(const PyramidView& pyramid, const Box& box, int* out, int* scratch) {

@@ -95,7 +95,10 @@ struct VisibilityQuery::Impl {
   /// The nodes' coordinates are left to the routes.
   void check(const Points& nodes, const RaySource& source, std::span<const int> candidates) const {
     check_source(source);
-    for (const int e : candidates) require_index("candidate", e, count());
+    bool wrong = false;  // looked at in one go, and named only if there is one
+    for (const int e : candidates) wrong |= static_cast<unsigned>(e) >= static_cast<unsigned>(count());
+    for (std::size_t k = 0; wrong && k < candidates.size(); ++k)
+      require_index("candidate", candidates[k], count());
     if (nodes.cols() != node_count)
       refuse("nodes has " + std::to_string(nodes.cols()) +
              " columns, allowed: " + std::to_string(node_count));
@@ -129,7 +132,8 @@ bool VisibilityQuery::closed() const {
 }
 
 VisibilityCounters VisibilityQuery::query(VisibilityRoute route, const Points& nodes, const RaySource& source,
-                                          std::span<const int> candidates, std::span<std::uint8_t> lit) {
+                                          std::span<const int> candidates, std::span<std::uint8_t> lit,
+                                          double travelled) {
   impl_->check(nodes, source, candidates);
   if (lit.size() != candidates.size()) refuse("lit has another size than candidates");
   const Surface surface = impl_->surface(nodes);
@@ -147,7 +151,7 @@ VisibilityCounters VisibilityQuery::query(VisibilityRoute route, const Points& n
     case VisibilityRoute::fast:
       break;
   }
-  return impl_->fast.query(surface, source, candidates, lit);
+  return impl_->fast.query(surface, source, candidates, lit, travelled);
 }
 
 std::vector<std::optional<int>> VisibilityQuery::winding_numbers(const Points& nodes, const RaySource& source,

@@ -4,8 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <random>
 
 #include "claim.hpp"
 #include "models.hpp"
@@ -129,6 +131,52 @@ TEST(field, mask_removes_the_hidden_share_of_the_force) {
   jet::apply_mask(dark, state);
   EXPECT_EQ(jet::jet_force(state, target.area_vectors).norm(), 0.0);
   EXPECT_THROW(jet::apply_mask(std::span(dark).first(1), state), std::invalid_argument);
+}
+
+/// Points that fly about a jet, as far in each step as is told; some straight towards its axis.
+TEST(field, far_elements_are_left_out_only_while_they_stay_outside) {
+  constexpr int count = 1602;
+  constexpr double stride = 0.013;  // [m]
+  jet::JetModel cone = models::round(0.02, 0.08);
+  cone.spread = jet::Spread::cone;
+  cone.cone_initial_width = 0.03;
+  cone.cone_half_angle = 0.6;
+  jet::JetModel all = models::round(0.02, 0.08);
+  all.cut_off = 0.0;
+  for (const jet::JetModel& model :
+       {models::round(0.02, 0.08), models::rectangular(0.04, 0.3, 0.11), jet::validated(cone), all}) {
+    std::mt19937_64 engine(5);
+    const auto random = [&] {
+      const auto one = [&] { return static_cast<double>(engine() >> 11) * 0x1p-52 - 1.0; };
+      const double x = one(), y = one(), z = one();
+      return Eigen::Vector3d(x, y, z);
+    };
+    Eigen::Matrix3Xd centroids(3, count), areas(3, count);
+    for (int e = 0; e < count; ++e) {
+      centroids.col(e) = models::kCentre + random();
+      areas.col(e) = 1e-4 * (random() + 2.0 * models::kAxis);
+    }
+    const jet::JetField field(model, count);
+    jet::FieldState carried = field.make_state(), fresh = field.make_state();
+    std::size_t changes = 0;
+    for (int step = 0; step < 60; ++step) {
+      const std::vector<int> before = carried.candidates;
+      field.evaluate(areas, centroids, kOutlet, carried, nullptr, stride * step);
+      field.evaluate(areas, centroids, kOutlet, fresh);
+      EXPECT_EQ(carried.candidates, fresh.candidates);
+      EXPECT_EQ(carried.overpressure, fresh.overpressure);
+      changes += carried.candidates != before;
+      for (int e = 0; e < count; ++e) {
+        const Eigen::Vector3d aim =
+            e % 3 == 0 ? Eigen::Vector3d(models::kCentre + 0.5 * models::kAxis - centroids.col(e)) : random();
+        centroids.col(e) += 0.999 * stride * aim.normalized();
+      }
+    }
+    EXPECT_GT(changes, model.cut_off > 0.0 ? 40u : 10u);
+    const auto left_out =
+        std::count_if(carried.slack.begin(), carried.slack.end(), [&](double s) { return s > 60 * stride; });
+    EXPECT_GT(left_out, 0) << "something must be left out";
+  }
 }
 
 TEST(field, non_finite_geometry_is_an_error_not_a_number) {

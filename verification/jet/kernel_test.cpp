@@ -24,8 +24,9 @@ jet::Rows rows(const Eigen::Matrix3Xd& points) {
 }
 
 jet::JetShape shape(bool round, bool axial) {
-  jet::JetShape s{round, axial, axial, {0.1, 0.0, -0.1}, {0, 0, 1}, {}, {}, 0.1, 0.0, 0.1, 0.1, 0.2, 0.3,
-                  0.4,   0.0,   0.5};
+  jet::JetShape s{
+      round, axial, axial, {0.1, 0.0, -0.1}, {0, 0, 1}, {}, {}, 0.1, 0.0, 0.1, 0.1, 0.2, 0.3, 0.4, 0.0,
+      0.5,   0.89,  0.1};
   if (round) return s;
   s.across[0] = s.along[1] = 1.0;
   s.half_long = 0.5;
@@ -35,20 +36,25 @@ jet::JetShape shape(bool round, bool axial) {
 struct Field {
   std::vector<double> overpressure;
   std::vector<int> candidates;
+  std::vector<double> slack;
   bool operator==(const Field&) const = default;
 };
 
 Field field(const jet::KernelTable& kernels, const jet::JetShape& jet, const Eigen::Matrix3Xd& centroids,
             const Eigen::Matrix3Xd& areas) {
   const auto count = static_cast<std::size_t>(centroids.cols());
-  Field result{std::vector<double>(count), std::vector<int>(count)};
-  const std::vector<std::uint8_t> is_null(count);
+  Field result{std::vector<double>(count), std::vector<int>(count + 8),
+               std::vector<double>(count / 32 * 8 + 8, -1.0)};
+  std::vector<std::uint8_t> loaded(count / 4 + 1, 0xf);
+  loaded.back() = static_cast<std::uint8_t>((1 << count % 4) - 1);
   jet::FieldArrays a{rows(areas),
                      rows(centroids),
                      {},
                      false,
-                     is_null.data(),
+                     loaded.data(),
                      static_cast<int>(count),
+                     0.0,
+                     result.slack.data(),
                      410.0,
                      1.9,
                      result.overpressure.data(),
@@ -117,9 +123,7 @@ struct Looked {
 };
 
 template <class T>
-std::vector<T> zeros(std::size_t count) {
-  return std::vector<T>(count);
-}
+using zeros = std::vector<T>;
 
 void project(const jet::KernelTable& kernels, const Mesh& mesh, const Eigen::Matrix3Xi& triangles,
              const std::vector<int>& elements, Looked& p) {
@@ -133,10 +137,18 @@ void project(const jet::KernelTable& kernels, const Mesh& mesh, const Eigen::Mat
                        elements.data(),
                        p.codes.data(),
                        {-0.5f, 0.5f, -0.5f, 0.5f, 0.0f},
-                       {0.1f, 0.1f, 0.1f, 0.1f, 0.1f}};
+                       {0.1f, 0.1f, 0.1f, 0.1f, 0.1f},
+                       nullptr};
   for (int i = 0; i < 3; ++i) a.column[i][(i + 1) % 3] = 0.25;
   const jet::ProjectFlags flags = kernels.project_nodes(a);
   EXPECT_FALSE(flags.outside || flags.small || flags.tiny);
+  std::vector<int> listed(mesh.nodes.size() / 8 * 8);
+  std::iota(listed.rbegin(), listed.rend(), 0);
+  const Looked whole = p;
+  a.listed = listed.data();
+  std::fill_n(p.local.begin(), 4 * listed.size(), 0.0f);
+  kernels.project_listed(a, static_cast<int>(listed.size()));
+  EXPECT_EQ(p, whole);
   a.local = p.targets.data();
   kernels.project_centroids(a, static_cast<int>(elements.size()));
 }

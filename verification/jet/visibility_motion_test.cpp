@@ -3,6 +3,9 @@
 // must not show in any answer. Every step is compared with brute force and with an object made for it alone.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <limits>
+
 #include "routes.hpp"
 
 namespace {
@@ -13,9 +16,11 @@ struct Carried {
   explicit Carried(const Mesh& mesh)
       : query(mesh.triangles(), static_cast<int>(mesh.nodes.size())), hidden(0), candidates(0) {}
 
-  void step(const Mesh& mesh, const jet::RaySource& source, const std::vector<int>& chosen) {
+  void step(const Mesh& mesh, const jet::RaySource& source, const std::vector<int>& chosen,
+            double travelled = jet::kMotionUnknown) {
     routes::Mask lit(chosen.size());
-    const auto counters = query.query(jet::VisibilityRoute::fast, mesh.points(), source, chosen, lit);
+    const auto counters =
+        query.query(jet::VisibilityRoute::fast, mesh.points(), source, chosen, lit, travelled);
     const auto truth = routes::ask(jet::VisibilityRoute::brute_force, mesh, source, chosen);
     EXPECT_EQ(lit, truth.lit);
     EXPECT_EQ(lit, routes::ask(jet::VisibilityRoute::fast, mesh, source, chosen).lit);
@@ -65,6 +70,64 @@ TEST(motion, carried_answers_eq_fresh_ones_when_everything_changes) {
                  step % 4 == 0 ? routes::all(mesh.elements.size()) : routes::in_cone(mesh, source, 0.5));
   }
   EXPECT_GT(carried.hidden, 100u);
+}
+
+TEST(motion, what_flies_into_the_rays_is_seen_though_far_nodes_are_not_looked_at) {
+  // A closed blade crosses the beam as fast as is told; the bag breathes less.
+  constexpr double stride = 0.05;
+  for (const bool line : {false, true}) {
+    Mesh mesh = scenes::star(3, 0.1, 41);
+    const std::size_t bag = mesh.nodes.size();
+    Mesh blade = scenes::scaled(scenes::octahedron(), 0.12);
+    for (auto& p : blade.nodes) p += Eigen::Vector3d(-0.75, 0.02, 0.4);
+    scenes::append(mesh, blade);
+    const auto source =
+        line ? routes::line({0, 0, -0.2}, {0, 0, 1}, {0, 1, 0}, 0.1) : routes::point({0, 0, -0.2}, {0, 0, 1});
+    Carried carried(mesh);
+    scenes::Random random(42);
+    std::size_t most = 0;
+    for (int step = 0; step < 36; ++step) {
+      const std::size_t before = carried.hidden;
+      carried.step(mesh, source, routes::in_cone(mesh, source, 0.97), stride * step);
+      most = std::max(most, carried.hidden - before);
+      for (std::size_t i = 0; i < bag; ++i) mesh.nodes[i] += random.vector(0.01);
+      for (std::size_t i = bag; i < mesh.nodes.size(); ++i) mesh.nodes[i][0] += 0.999 * stride;
+    }
+    EXPECT_GT(most, 3u) << "the blade must hide something";
+  }
+}
+
+/// Nodes that a query refuses when they are no number any more, of every 37th.
+std::size_t refused(double travelled) {
+  const Mesh mesh = scenes::star(4, 0.1, 43);
+  const auto source = routes::point({0, 0, 0}, {0, 0, 1});
+  const std::vector<int> chosen = routes::in_cone(mesh, source, 0.9);
+  routes::Mask lit(chosen.size());
+  std::size_t count = 0;
+  for (std::size_t node = 0; node < mesh.nodes.size(); node += 37) {
+    Mesh poisoned = mesh;
+    poisoned.nodes[node][0] = std::numeric_limits<double>::quiet_NaN();
+    Carried carried(mesh);
+    const auto ask = [&](const Mesh& now, double way) {
+      carried.query.query(jet::VisibilityRoute::fast, now.points(), source, chosen, lit, way);
+    };
+    ask(mesh, 0.0);
+    ask(mesh, 1e-3);
+    try {
+      ask(poisoned, travelled);
+    } catch (const std::invalid_argument&) {
+      ++count;
+    }
+  }
+  return count;
+}
+
+TEST(motion, nodes_far_from_the_rays_are_looked_at_when_nothing_is_told) {
+  const std::size_t all = refused(jet::kMotionUnknown);
+  EXPECT_EQ(all, (scenes::star(4, 0.1, 43).nodes.size() + 36) / 37);
+  EXPECT_EQ(refused(0.0), all);  // less than before: another motion
+  EXPECT_EQ(refused(1.0), all);
+  EXPECT_LT(refused(2e-3), all / 2);  // a cone of 26 degrees holds a twentieth of the sphere
 }
 
 TEST(motion, candidates_in_any_order_and_named_twice) {

@@ -116,6 +116,7 @@ struct StepSizes {
   double before = 0.0;                   // [s] step that led to n; 0 at the start
   double after = 0.0;                    // [s] step that leaves n
   double critical = 0.0;                 // [s] bound at n
+  double travelled = 0.0;                // [m] no node of the skin has gone farther since the start; S8
   double jet_damping = 0.0;              // [1/s] rate of jets relative to the skin at n
   double minimum = 0.0;                  // [s] of the run
   double maximum = 0.0;                  // [s]

@@ -15,10 +15,12 @@ namespace jet {
 
 struct JetShape;
 
-/// What S4 writes. Made once by JetField::make_state, then reused: no allocation in a step.
+/// What S4 writes. Made once by JetField::make_state, for this field, then reused: no allocation in a step.
 struct FieldState {
-  std::vector<double> overpressure;  // [Pa] M, dp of each element; zero off the candidates
-  std::vector<int> candidates;       // elements inside the jet, facing it, above the cut-off; ascending
+  std::vector<double> overpressure;   // [Pa] M, dp of each element; zero off the candidates
+  std::vector<int> candidates;        // elements inside the jet, facing it, above the cut-off; ascending
+  double travelled = kMotionUnknown;  // [m] as of the last call that found flow
+  std::vector<double> slack{};        // [m] groups of four elements: outside the jet while travelled is below
 };
 
 /// Field of one jet over a surface of M elements. Const after construction.
@@ -39,20 +41,25 @@ class JetField {
   /// vector. `area_vectors` [m2] and `centroids` [m], 3 x M, outward. A candidate has V . n > 0 and an
   /// area > 0, lies downstream of the outlet and within the cut-off. Without flow (density or velocity 0)
   /// there is none.
+  /// `travelled` [m]: between two calls no centroid moves farther than it grows by. Elements far from the jet
+  /// then need not be looked at every time; the results are the same. Without it, and whenever it decreases,
+  /// all are.
   /// `velocities` [m/s] 3 x M of the elements' centroids is read if the model says relative_to_skin: then
   /// dp = (1 + e) rho0 max(V . n - v . n, 0)^2, and candidates have V . n > v . n as well. Throws
   /// std::invalid_argument on a wrong shape, where velocities are missing; DomainError where a candidate's
   /// overpressure is not finite.
   void evaluate(const Points& area_vectors, const Points& centroids, const OutletState& outlet,
-                FieldState& state, const Points* velocities = nullptr) const;
+                FieldState& state, const Points* velocities = nullptr,
+                double travelled = kMotionUnknown) const;
 
  private:
+  void take_no_load(int element);
   void reset(FieldState& state) const;
 
   JetModel model_;
   std::unique_ptr<const JetShape> shape_;
   int element_count_;
-  std::vector<std::uint8_t> is_null_;
+  std::vector<std::uint8_t> loaded_;  // bits of groups of four elements: take load
 };
 
 /// Stage S5's last line: dp of candidates[k] is set to zero where lit[k] is 0.

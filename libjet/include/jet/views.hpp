@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <limits>
 
 namespace jet {
 
@@ -13,5 +14,8 @@ using Points = Eigen::Ref<const Eigen::Matrix3Xd, 0, Eigen::OuterStride<>>;
 /// 3 x M node indices from 0, one column an element. Closed surfaces are wound counter-clockwise seen from
 /// outside.
 using Triangles = Eigen::Ref<const Eigen::Matrix3Xi, 0, Eigen::OuterStride<>>;
+
+/// Nobody says how far the points of a surface have moved.
+inline constexpr double kMotionUnknown = std::numeric_limits<double>::quiet_NaN();
 
 }  // namespace jet

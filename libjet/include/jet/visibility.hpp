@@ -76,8 +76,12 @@ class VisibilityQuery {
   /// lit[k] = 1 if candidates[k] is lit, else 0. `nodes` [m] 3 x node_count; coordinates of nodes and source
   /// must be 0 or 1e-100 to 1e100 in magnitude, axis not zero, else std::invalid_argument; so for wrong sizes
   /// and indices.
+  /// `travelled` [m]: between two queries no node moves farther than it grows by. The fast route then looks
+  /// at nodes far from all rays from time to time only, at their coordinates' range, too; the mask is the
+  /// same. Without it, and whenever it decreases, it looks at all.
   VisibilityCounters query(VisibilityRoute route, const Points& nodes, const RaySource& source,
-                           std::span<const int> candidates, std::span<std::uint8_t> lit);
+                           std::span<const int> candidates, std::span<std::uint8_t> lit,
+                           double travelled = kMotionUnknown);
 
   /// Winding number of each candidate's ray source (moved as above where it lies on the surface): 1 inside a
   /// closed outward surface. Exact; std::nullopt where the surface is open or no generic ray was found. Meant

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: Apache-2.0
+// Patches of a mesh that rays can come to meet while its nodes move by no more than a reach, and the rays
+// stay within wider bounds than they had. The others need not be looked at so long.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "jet/visibility.hpp"
+#include "kernel_table.hpp"
+#include "mesh_order.hpp"
+
+namespace jet {
+
+class CloseSet {
+ public:
+  void reserve(const OrderedMesh& mesh, std::size_t node_count) {
+    mesh_ = &mesh;
+    patches_.resize(static_cast<std::size_t>(mesh.patches));
+    nodes_.resize(node_count + 8);
+    has_patch_.resize(static_cast<std::size_t>(mesh.patches));
+    has_node_.resize(node_count);
+  }
+
+  /// Everything is close, from now on.
+  void forget() { until_ = from_ = kMotionUnknown; }
+
+  /// What was chosen still holds all that the rays can meet.
+  bool holds(const RaySource& source, double scale, const RayBounds& rays, double travelled) const {
+    return travelled >= from_ && travelled <= until_ && scale == scale_ && same_source(source) &&
+           rays.low_u >= wide_.low_u && rays.high_u <= wide_.high_u && rays.low_v >= wide_.low_v &&
+           rays.high_v <= wide_.high_v;
+  }
+
+  /// Where there are rays now, and a tenth of their range more.
+  static RayBounds widened(const RayBounds& rays) {
+    constexpr float share = 0.1f;
+    const float u = share * (rays.high_u - rays.low_u), v = share * (rays.high_v - rays.low_v);
+    return {rays.low_u - u, rays.high_u + u, rays.low_v - v, rays.high_v + v};
+  }
+
+  /// Takes the patches that `find` writes for rays in the wider bounds and nodes within the reach.
+  template <class Find>
+  void choose(const RaySource& source, double scale, const RayBounds& wide, double travelled, double reach,
+              Find find) {
+    source_ = source;
+    scale_ = scale;
+    wide_ = wide;
+    from_ = travelled;
+    until_ = travelled + reach;
+    std::fill(has_patch_.begin(), has_patch_.end(), std::uint8_t{0});
+    std::fill(has_node_.begin(), has_node_.end(), std::uint8_t{0});
+    patch_count_ = static_cast<std::size_t>(find(patches_.data()));
+    node_count_ = 0;
+    for (const int patch : patches()) add(static_cast<std::size_t>(patch));
+    while (node_count_ % 8 != 0) nodes_[node_count_] = nodes_[node_count_ - 1], ++node_count_;
+  }
+
+  bool any() const { return until_ >= from_; }
+  bool has(std::size_t patch) const { return has_patch_[patch] != 0; }
+  std::span<const int> patches() const { return std::span(patches_).first(patch_count_); }
+  std::span<const int> nodes() const { return std::span(nodes_).first(node_count_); }  // a multiple of eight
+
+ private:
+  bool same_source(const RaySource& source) const {
+    return source.centre == source_.centre && source.axis == source_.axis &&
+           source.long_direction == source_.long_direction && source.half_long == source_.half_long;
+  }
+  void add(std::size_t patch) {
+    has_patch_[patch] = 1;
+    const auto begin = static_cast<std::size_t>(mesh_->patch_begin[patch]),
+               end = static_cast<std::size_t>(mesh_->patch_begin[patch + 1]);
+    for (const int node : std::span(mesh_->patch_nodes).subspan(begin, end - begin)) {
+      std::uint8_t& has = has_node_[static_cast<std::size_t>(node)];
+      nodes_[node_count_] = node;
+      node_count_ += has == 0;
+      has = 1;
+    }
+  }
+
+  const OrderedMesh* mesh_ = nullptr;
+  RaySource source_;
+  double scale_ = 0.0;
+  RayBounds wide_{};
+  double from_ = kMotionUnknown, until_ = kMotionUnknown;  // [m] travelled
+  std::size_t patch_count_ = 0, node_count_ = 0;
+  std::vector<int> patches_, nodes_;
+  std::vector<std::uint8_t> has_patch_, has_node_;
+};
+
+}  // namespace jet
