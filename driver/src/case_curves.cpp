@@ -16,7 +16,9 @@ void check_knots(const CurveData& curve, const std::function<void(const std::str
   if (curve.time.size() != curve.value.size())
     fail(
         fmt::format("has {} knots and {} values, as many are needed", curve.time.size(), curve.value.size()));
-  if (curve.time.size() < 2) fail(fmt::format("has {} knots, 2 or more are needed", curve.time.size()));
+  if (curve.time.size() < 2)
+    fail(fmt::format("has {} knot{}, 2 or more are needed", curve.time.size(),
+                     curve.time.size() == 1 ? "" : "s"));
   for (std::size_t i = 1; i < curve.time.size(); ++i)
     if (!(curve.time[i] > curve.time[i - 1]))
       fail(fmt::format("knot {} at {} follows {}: knots in strictly rising order are allowed", i + 1,

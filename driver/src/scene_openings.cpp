@@ -118,8 +118,12 @@ void read_tank(TableReader& root, Scene& scene) {
     part.rigid_volume = tank->number("volume", positive);
   else if (tank->has_in_table("volume", "overpressure"))
     read_volume_of_overpressure(*tank, part);
-  else
+  else if (tank->has_in_table("volume", "time") || tank->has_in_table("volume", "mean"))
     read_volume_of_time(*tank, part);
+  else
+    tank->fail("volume",
+               "has neither time, nor overpressure, nor mean: a number, a curve {time, value}, a curve "
+               "{overpressure, value} or a wave {mean, ...} is allowed");
   read_tank_fabric(*tank, scene);
   tank->finish();
 }

@@ -59,16 +59,25 @@ class GasIntegrator::Implementation {
         network_(model_.triggers),
         substepper_(balance_, levels(), options),
         triggers_(model_.triggers.size()),
+        before_(model_.triggers.size()),
+        switchings_(model_.triggers.size()),
         outflows_(balance_.streams()),
         backflows_(balance_.backflows()) {}
 
   StepFluxes advance(ControlVolumeState& state, double t0, double t1, const VolumePath& path) {
     require_step(state, t0, t1);
     require_path(path);
-    triggers_ = state.triggers;
+    triggers_ = before_ = state.triggers;
+    std::ranges::fill(switchings_, 0);
     substepper_.begin_step();
     balance_.begin_step(state, t0, t1, path);
-    for (double a = t0; a < t1;) a = advance_segment(a, t1);
+    double a = t0;
+    try {
+      while (a < t1) a = advance_segment(a, t1);
+    } catch (const TooStiff&) {
+      require_no_chatter(t0, a);
+      throw;
+    }
     balance_.finish(state);
     state.triggers = triggers_;
     return fluxes();
@@ -97,12 +106,30 @@ class GasIntegrator::Implementation {
       network_.update(triggers_, a, watched ? balance_.pressure(a) - model_.ambient.pressure : 0.0,
                       kThresholdNear * model_.ambient.pressure);
       next = std::min(next, network_.next_break(triggers_, a));
+      for (std::size_t i = 0; i < triggers_.size(); ++i) switchings_[i] += triggers_[i].on != before_[i].on;
+      before_ = triggers_;
     }
     next = std::min(next, balance_.next_break(triggers_, a));
     balance_.begin_segment(triggers_, a, next);
     if (balance_.needs_stepper() || watched) next = substepper_.integrate(balance_, a, next);
     balance_.end_segment(next);
     return next;
+  }
+
+  /// Throws if it was a pressure sensor that took the sub-steps, by what it opens and closes.
+  void require_no_chatter(double t0, double t) const {
+    constexpr int kOften = 100;
+    for (std::size_t i = 0; i < model_.triggers.sensors.size(); ++i) {
+      const Sensor& sensor = model_.triggers.sensors[i];
+      if (sensor.kind != SensorKind::kPressure || switchings_[i] < kOften) continue;
+      const double reset = sensor.reset.value_or(sensor.threshold);
+      throw DomainError("pressure sensor " + std::to_string(i + 1) + ", on at " + to_text(sensor.threshold) +
+                        " Pa and off at " + to_text(reset) + " Pa, keeps switching: " +
+                        std::to_string(switchings_[i]) + " times from t = " + to_text(t0) +
+                        " s to t = " + to_text(t) + " s, every " + to_text((t - t0) / switchings_[i]) +
+                        " s, for what it opens and closes takes p back and forth between the two; " +
+                        "a lower reset, a delay, or a smaller opening, is allowed");
+    }
   }
 
   void require_step(const ControlVolumeState& state, double t0, double t1) const {
@@ -150,6 +177,8 @@ class GasIntegrator::Implementation {
   TriggerNetwork network_;
   Substepper substepper_;
   TriggerState triggers_;
+  TriggerState before_;          // at the last update
+  std::vector<int> switchings_;  // of each node in this call
   std::vector<StreamFlux> outflows_, backflows_;
 };
 

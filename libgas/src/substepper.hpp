@@ -3,10 +3,16 @@
 #include <memory>
 #include <vector>
 
+#include "gas/error.hpp"
 #include "stepper.hpp"
 #include "trigger_network.hpp"
 
 namespace gas {
+
+/// Sub-steps that became too many or too short.
+struct TooStiff : DomainError {
+  using DomainError::DomainError;
+};
 
 /// Integrates a FlowBalance over one segment with one of the methods; sub-steps end where the flow changes
 /// regime, where p passes a knot of the curves of openings and volume, and where it reaches the threshold of

@@ -35,10 +35,10 @@ void Substepper::fail(const Rates& rates, double x, double h) const {
                       "; a longer one (gas_step of a case), or none, is allowed");
   const double relaxation = balance.relaxation_rate() + balance.heat_rate();
   const bool is_explicit = std::isfinite(stepper_->stability_limit());
-  throw DomainError("the gas is too stiff for the integrator: " + std::to_string(attempts_) + " sub-steps, " +
-                    where + gas +
-                    (relaxation > 0.0 ? "; it relaxes within " + to_text(1.0 / relaxation) + " s" : "") +
-                    (is_explicit ? "; Rosenbrock 4 (gas_method of a case) has no such limit" : ""));
+  throw TooStiff("the gas is too stiff for the integrator: " + std::to_string(attempts_) + " sub-steps, " +
+                 where + gas +
+                 (relaxation > 0.0 ? "; it relaxes within " + to_text(1.0 / relaxation) + " s" : "") +
+                 (is_explicit ? "; Rosenbrock 4 (gas_method of a case) has no such limit" : ""));
 }
 
 /// Where no volume belongs to the band of p at t.

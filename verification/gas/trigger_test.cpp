@@ -185,4 +185,25 @@ TEST(trigger, bad_models_are_refused) {
   EXPECT_THROW(gas::GasIntegrator{tank}, std::invalid_argument);
 }
 
+/// A relief valve that closes a hair below where it opens keeps p there by switching ever again: that, not
+/// the gas, is what the error names.
+TEST(trigger, chatter_is_named) {
+  gas::ControlVolumeModel model = closed_tank(nitrogen());
+  model.triggers.sensors = {{gas::SensorKind::kPressure, 5e4, 5e4 - 1e-3}};
+  model.inflows.push_back(steady_inflow(model.thermo, 0.1, 400.0));
+  model.vents.push_back({1.0, 1e-3});
+  model.vents.back().trigger = 0;
+  gas::ControlVolumeState state = gas::make_state(model, kPure, kAmbientPressure + 4.99e4, 300.0, 0.06);
+  try {
+    gas::GasIntegrator(model, {1e-6, 20000}).advance(state, 0.0, 0.1, rigid(0.06));
+    FAIL() << "no error";
+  } catch (const gas::DomainError& error) {
+    const std::string text = error.what(), words = " Pa, keeps switching: ";
+    EXPECT_NE(text.find("pressure sensor 1, on at 50000 Pa"), std::string::npos) << text;
+    ASSERT_NE(text.find(words), std::string::npos) << text;
+    EXPECT_GT(std::stoi(text.substr(text.find(words) + words.size())), 1000) << text;
+    EXPECT_NE(text.find("a lower reset, a delay"), std::string::npos) << text;
+  }
+}
+
 }  // namespace
