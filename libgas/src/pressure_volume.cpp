@@ -16,7 +16,7 @@ constexpr double kSmallStep = 1e-8;
 constexpr int kSmallSteps = 3;
 constexpr int kMostNewtonSteps = 100;
 // Of an energy, relative: some hundred operations. What is so close to an end of the range is there.
-constexpr double kRoundOff = 2e-14;
+constexpr double kEnergyRoundOff = 2e-14;
 
 /// The piece left of the first knot that is_above(p [Pa], knot).
 template <class IsAbove>
@@ -76,7 +76,7 @@ double heat_capacity(const PressurePlace& place, double cv, double gas_constant_
 std::optional<double> PressureVolume::find_temperature(const Mixture& gas, double energy,
                                                        double guess) const noexcept {
   const double r = gas.gas_constant_sum;
-  const double round_off = kRoundOff * (std::abs(energy) + r * guess);
+  const double round_off = kEnergyRoundOff * (std::abs(energy) + r * guess);
   double t = guess;
   int small = 0, outside = 0;
   for (int i = 0; i < kMostNewtonSteps && outside < 2; ++i) {

@@ -185,12 +185,12 @@ part_interrupt() {
 }
 
 part_progress() {
-  local run=("$gasjet" run "$source/cases/passenger_pendulum_no_jet.toml" --out "$work/bar" --set scene.end_time=0.02)
+  local run=("$gasjet" run "$source/cases/passenger_pendulum_no_jet.toml" --out "$work/bar")
   script -qec "$(printf '%q ' "${run[@]}")" "$work/terminal" >/dev/null </dev/null || fail "exit $? on a terminal"
   tr '\r' '\n' <"$work/terminal" | sed -nE 's/.*\[[#.]{40}\] +([0-9]+) %.*/\1/p' >"$work/percent"
   sort -nc "$work/percent" || fail "progress goes back: $(paste -sd ' ' "$work/percent")"
   [ "$(tail -n 1 "$work/percent")" = 100 ] || fail "no 100 % at the end: $(paste -sd ' ' "$work/percent")"
-  run+=(--set scene.end_time=0.002) # of two the later holds
+  run+=(--set scene.end_time=0.002)
   "${run[@]}" >"$work/log" 2>&1 </dev/null || fail "exit $? without a terminal"
   ! grep -q $'\r' "$work/log" || fail "a bar without a terminal"
   [ -z "$("${run[@]}" --quiet 2>&1 </dev/null)" ] || fail "--quiet is not quiet"
