@@ -32,10 +32,6 @@ double negligible(const IntegratorOptions& options) {
   return options.fixed_step > 0.0 ? kRoundOff : std::max(kRoundOff, 0.1 * options.relative_tolerance);
 }
 
-// A pressure sensor's threshold is reached where the integrator locates it: to kNear of near.hpp, and as much
-// again for the rounding of p there.
-constexpr double kThresholdNear = 2e-12;
-
 void require_path(const VolumePath& path) {
   for (const double v : {path.volume_begin, path.volume_end})
     if (!(v > 0.0 && std::isfinite(v)))
@@ -104,7 +100,7 @@ class GasIntegrator::Implementation {
     if (!triggers_.empty()) {
       watched = network_.watches_pressure(triggers_);
       network_.update(triggers_, a, watched ? balance_.pressure(a) - model_.ambient.pressure : 0.0,
-                      kThresholdNear * model_.ambient.pressure);
+                      model_.ambient.pressure);
       next = std::min(next, network_.next_break(triggers_, a));
       for (std::size_t i = 0; i < triggers_.size(); ++i) switchings_[i] += triggers_[i].on != before_[i].on;
       before_ = triggers_;

@@ -8,6 +8,10 @@
 namespace gas {
 namespace {
 
+// Of the pressure, relative: a threshold is located to kNear of near.hpp, and as much again for the rounding
+// there.
+constexpr double kThresholdNear = 2e-12;
+
 /// Where the piecewise linear signal crosses the threshold. At the threshold counts as on.
 std::vector<double> crossings(const Curve& signal, double threshold) {
   std::vector<double> times;
@@ -56,12 +60,13 @@ double TriggerNetwork::next_break(const TriggerState& state, double t) const {
 }
 
 bool TriggerNetwork::sensor_on(std::size_t i, const NodeState& node, double t, double overpressure,
-                               double tolerance) const {
+                               double ambient_pressure) const {
   const Sensor& sensor = model_.sensors[i];
   if (sensor.kind == SensorKind::kInput) return node.on;
   if (sensor.kind == SensorKind::kPressure) {
-    if (!node.on) return overpressure >= sensor.threshold - tolerance;
-    return !sensor.reset || overpressure > *sensor.reset + tolerance;
+    const auto near = [&](double level) { return kThresholdNear * (ambient_pressure + std::max(0.0, level)); };
+    if (!node.on) return overpressure >= sensor.threshold - near(sensor.threshold);
+    return !sensor.reset || overpressure > *sensor.reset + near(*sensor.reset);
   }
   const auto passed = std::ranges::upper_bound(switching_[i], t) - switching_[i].begin();
   return starts_on_[i] != (passed % 2 == 1);
@@ -82,14 +87,15 @@ bool TriggerNetwork::update_gate(const Gate& gate, NodeState& node, const Trigge
   return t >= node.held_since + gate.delay;
 }
 
-bool TriggerNetwork::update(TriggerState& state, double t, double overpressure, double tolerance) const {
+bool TriggerNetwork::update(TriggerState& state, double t, double overpressure,
+                            double ambient_pressure) const {
   bool changed = false;
   const std::size_t sensors = model_.sensors.size();
   for (std::size_t i = 0; i < model_.size(); ++i) {
     NodeState& node = state[i];
     const double since = node.since;
     set(node,
-        i < sensors ? sensor_on(i, node, t, overpressure, tolerance)
+        i < sensors ? sensor_on(i, node, t, overpressure, ambient_pressure)
                     : update_gate(model_.gates[i - sensors], node, state, t),
         t);
     changed = changed || (node.since == kInfinity) != (since == kInfinity);

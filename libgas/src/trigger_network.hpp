@@ -15,14 +15,16 @@ class TriggerNetwork {
 
   /// First time after t at which a sensor of time or signal, or a running delay, may switch a node.
   double next_break(const TriggerState& state, double t) const;
-  /// Brings every node to time t, where the overpressure is known to within `tolerance` [Pa]; true if a gate
-  /// or sensor came on or went off. Input sensors keep what the caller set.
-  bool update(TriggerState& state, double t, double overpressure, double tolerance) const;
+  /// Brings every node to time t; true if a gate or sensor came on or went off. A pressure sensor switches where
+  /// the integrator locates its threshold [Pa, over the ambient pressure]. Input sensors keep what the caller
+  /// set.
+  bool update(TriggerState& state, double t, double overpressure, double ambient_pressure) const;
   /// True while a pressure sensor may still switch something.
   bool watches_pressure(const TriggerState& state) const;
 
  private:
-  bool sensor_on(std::size_t i, const NodeState& node, double t, double overpressure, double tolerance) const;
+  bool sensor_on(std::size_t i, const NodeState& node, double t, double overpressure,
+                 double ambient_pressure) const;
   bool gate_condition(const Gate& gate, const TriggerState& state) const;
   bool update_gate(const Gate& gate, NodeState& node, const TriggerState& state, double t) const;
 

@@ -114,9 +114,9 @@ void JetField::evaluate(const Points& area_vectors, const Points& centroids, con
   require_columns("centroids", centroids.cols(), element_count_);
   require_velocities(model_, velocities, element_count_);
   reset(state);
-  if (outlet.density == 0.0 || outlet.velocity == 0.0) return;
   if (!(travelled >= state.travelled)) std::fill(state.slack.begin(), state.slack.end(), -HUGE_VAL);
   state.travelled = travelled;
+  if (outlet.density == 0.0 || outlet.velocity == 0.0) return;
   state.candidates.resize(static_cast<std::size_t>(element_count_) + kRoom);
   FieldArrays arrays{};
   arrays.area_vectors = rows(area_vectors);

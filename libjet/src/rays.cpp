@@ -57,6 +57,7 @@ bool RayBundle::build(const Surface& surface, const RaySource& source, std::span
   source_ = &source;
   step_ = travelled - travelled_;
   travelled_ = travelled;
+  if (!(step_ >= 0.0)) close_.forget();
   sort(as_given);
   std::fill_n(is_made_.begin(), candidates.size(), std::uint8_t{0});
   const double centre = source.centre.cwiseAbs().maxCoeff();

@@ -113,6 +113,20 @@ TEST(trigger, pressure_threshold_is_located_inside_the_step) {
   }
 }
 
+/// Near vacuum outside the threshold is located to its own digits, not to those of p_a.
+TEST(trigger, pressure_threshold_far_above_the_ambient_pressure_is_not_missed) {
+  const double rate = 1.4 * 296.8 * 700.0 * 0.2 / 0.06;  // [Pa/s]
+  for (int i = 1; i <= 40; ++i) {
+    const double rise = 1234.5 * i;  // [Pa]
+    gas::ControlVolumeModel model =
+        triggered_tank({{{SensorKind::kPressure, kAmbientPressure + rise - 10.0}}, {}}, 0);
+    model.ambient.pressure = 10.0;
+    model.inflows.insert(model.inflows.begin(), steady_inflow(model.thermo, 0.2, 700.0));
+    // To 1e-12 of the pressure, and the rounding of some ten operations on it.
+    EXPECT_NEAR(fire(model).time, rise / rate, 3e-12 * (kAmbientPressure + rise) / rate);
+  }
+}
+
 /// A valve that opens at 20 kPa and closes at 10 kPa: each opening and closing is located.
 TEST(trigger, valve_with_hysteresis_keeps_the_pressure_in_its_band) {
   gas::ControlVolumeModel model = closed_tank(nitrogen());

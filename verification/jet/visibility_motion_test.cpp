@@ -98,7 +98,7 @@ TEST(motion, what_flies_into_the_rays_is_seen_though_far_nodes_are_not_looked_at
 }
 
 /// Nodes that a query refuses when they are no number any more, of every 37th.
-std::size_t refused(double travelled) {
+std::size_t refused(double travelled, double before = 1e-3) {
   const Mesh mesh = scenes::star(4, 0.1, 43);
   const auto source = routes::point({0, 0, 0}, {0, 0, 1});
   const std::vector<int> chosen = routes::in_cone(mesh, source, 0.9);
@@ -113,6 +113,7 @@ std::size_t refused(double travelled) {
     };
     ask(mesh, 0.0);
     ask(mesh, 1e-3);
+    ask(mesh, before);
     try {
       ask(poisoned, travelled);
     } catch (const std::invalid_argument&) {
@@ -126,6 +127,7 @@ TEST(motion, nodes_far_from_the_rays_are_looked_at_when_nothing_is_told) {
   const std::size_t all = refused(jet::kMotionUnknown);
   EXPECT_EQ(all, (scenes::star(4, 0.1, 43).nodes.size() + 36) / 37);
   EXPECT_EQ(refused(0.0), all);  // less than before: another motion
+  EXPECT_EQ(refused(1.5e-3, 2e-3), all);
   EXPECT_EQ(refused(1.0), all);
   EXPECT_LT(refused(2e-3), all / 2);  // a cone of 26 degrees holds a twentieth of the sphere
 }

@@ -19,7 +19,7 @@ struct JetShape;
 struct FieldState {
   std::vector<double> overpressure;   // [Pa] M, dp of each element; zero off the candidates
   std::vector<int> candidates;        // elements inside the jet, facing it, above the cut-off; ascending
-  double travelled = kMotionUnknown;  // [m] as of the last call that found flow
+  double travelled = kMotionUnknown;  // [m] as of the last call
   std::vector<double> slack{};        // [m] groups of four elements: outside the jet while travelled is below
 };
 
