@@ -9,7 +9,7 @@
 namespace gas {
 namespace {
 
-// Where p is no longer held is located to this, of the flow at kHoldNear.
+// Where p is no longer held is located to this, of the flow at hold_near().
 constexpr double kShareNear = 1e-9;
 
 bool is_out(Regime regime) {
@@ -191,7 +191,7 @@ double Substepper::end_of_hold(Rates& rates, double x, double h, double start_sh
     h = end_at_zero(rates, x, h, begin, end - bound, 40,
                     [&](double) { return balance.point().share - bound; });
   }
-  balance.settle(trial_.end, trial_.change, trial_.end_rate, rates.time(x + h), h);
+  balance.settle(trial_.end, trial_.end_rate, rates.time(x + h), h);
   return h;
 }
 

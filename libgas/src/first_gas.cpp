@@ -82,8 +82,7 @@ double Substepper::fill_first(Rates& rates, double a, double b) {
     balance.fill_until(trial_.end, begin_rate_, a, end);
     balance.locate(trial_.end, end);
     if (lowest > 0.0 && balance.point().pressure > lowest) continue;
-    balance.whole_change(trial_.end, end, trial_.change);
-    balance.accept(trial_.end, trial_.change, end);
+    balance.accept(trial_.end, end);
     ++accepted_;
     return end;
   }

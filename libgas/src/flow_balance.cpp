@@ -6,23 +6,18 @@
 #include <limits>
 
 #include "gas/orifice.hpp"
-#include "infinity.hpp"
 
 namespace gas {
-
-FlowBalance::FlowBalance(const ControlVolumeModel& model, double negligible)
+FlowBalance::FlowBalance(const ControlVolumeModel& model)
     : model_(model),
-      negligible_(negligible),
       openings_(model),
       segments_(model.inflows.size()),
       delivered_(model.inflows.size()),
       received_(model.inflows.size()),
-      coming_(model.inflows.size()),
       masses_(model.thermo.size()),
       base_(masses_.size() + 1),
       totals_(unknowns()),
-      scratch_(unknowns()),
-      scratch_gas_(base_.size()) {
+      scratch_(unknowns()) {
   if (model.volume_of_overpressure)
     volume_by_pressure_.emplace(*model.volume_of_overpressure, model.ambient.pressure);
   for (const Inflow& inflow : model.inflows)
@@ -77,7 +72,6 @@ double FlowBalance::next_break(const TriggerState& triggers, double t) const {
 
 void FlowBalance::begin_segment(const TriggerState& triggers, double a, double b) {
   segment_begin_ = base_time_ = a;
-  coming_time_ = kInfinity;
   openings_.begin_segment(triggers, a, b);
   for (std::size_t i = 0; i < segments_.size(); ++i)
     segments_[i] =

@@ -19,7 +19,7 @@ enum class Regime {
   kOutSonic,   // p > p_a, vents sonic
   kBack,       // p < p_a, ambient gas flows in through vents with backflow, subsonic
   kBackSonic,  // the same, sonic
-  kHeld,       // p held within kHoldNear of p_a: what comes in leaves, ambient gas replaces what p would lose
+  kHeld,       // p held within hold_near() of p_a: what comes in leaves, ambient gas replaces what p would lose
 };
 
 /// Right-hand side of the stepped unknowns y over one step; they count from the begin of a sub-step, t0. The
@@ -50,12 +50,11 @@ class FlowBalance {
     double fabric;                        // [kg/s] out through the fabric
     double back;                          // [kg/s] in through all vents
     double heat;                          // [W]
-    double share;  // [-] while p is held: flow through the openings over that at kHoldNear from p_a
+    double share;  // [-] while p is held: flow through the openings over that at hold_near() from p_a
   };
 
-  /// `model` must outlive this. `negligible`: share of the gas by which a species may be missing; it is then
-  /// gone.
-  FlowBalance(const ControlVolumeModel& model, double negligible);
+  /// `model` must outlive this.
+  explicit FlowBalance(const ControlVolumeModel& model);
 
   // Unknowns: mass out of each species [kg], work [J], heat [J], then mass [kg] and enthalpy [J] out through
   // each vent and last the fabric, then (if any vent has backflow) mass [kg] in through each vent.
@@ -79,12 +78,11 @@ class FlowBalance {
   /// Overpressures [Pa] at which the curves of openings and volume have knots.
   std::vector<double> levels() const;
 
-  /// Ends a sub-step with y and the change of the gas at t: the next begins there.
-  void accept(Vector& y, const Gas& change, double t);
-  /// Makes y and the change of the gas at t of an implicit method agree. Where most of what comes in leaves,
-  /// the method knows the gas to its rounding, but the flows to that of what passes, which may be far more:
-  /// what leaves then follows from the gas; else the gas from the flows.
-  void reconcile(Vector& y, Gas& change, double t);
+  /// Ends a sub-step with y at t: the next begins there.
+  void accept(const Vector& y, double t);
+  /// Makes what leaves in all streams the mass of what leaves of all species, which an implicit method keeps
+  /// only as well as it knows its matrix.
+  void close_streams(Vector& y) const;
   /// Sum of unknown i over the step, up to the last sub-step accepted.
   double total(std::size_t i) const { return totals_[i].value(); }
 
@@ -92,20 +90,20 @@ class FlowBalance {
   double pressure(double t);
   /// The gas at (y, t): fills point(), its flows aside.
   void locate(const Vector& y, double t);
-  /// The same for `gas` at time t, and for that of the sub-step's begin with `change`.
+  /// The same for `gas` at time t.
   void locate_gas(const Gas& gas, double t);
-  void locate_change(const Gas& change, double t);
-  /// Fills `gas` with that of the sub-step's begin; `change` with that which the unknowns make, and with that
-  /// and the inflow until t; adds factor times the inflow's rates at t.
+  /// Fills `gas` with that of the sub-step's begin; `change` with that which the unknowns make; adds factor
+  /// times the inflow's rates at t.
   void gas_begin(Gas& gas) const;
   void gas_change(const Vector& y, Gas& change) const;
-  void whole_change(const Vector& y, double t, Gas& change);
   void add_inflow_rates(double factor, double t, Gas& rates) const;
   /// dy/dt at the gas located, in the regime set; fills the flows of point().
   void fill_rates(Vector& dydt, double t);
-  /// Where p is held, corrects y and the change of the gas at t, the end of h, by flow that goes on longer,
-  /// so that p is on its balance.
-  void settle(Vector& y, Gas& change, Vector& dydt, double t, double h);
+  /// Where p is held, corrects y at t, the end of h, by flow that goes on longer, so that p is on its
+  /// balance.
+  void settle(Vector& y, Vector& dydt, double t, double h);
+  /// How close to p_a p can be held [Pa].
+  double hold_near() const;
   bool has_walls() const { return model_.heat_loss.conductance > 0.0; }
   /// Mass [kg] that flows in from the begin of the segment to t, backflow as at the last point.
   double mass_in_until(double t) const;
@@ -117,12 +115,12 @@ class FlowBalance {
   /// follows p.
   void finish(ControlVolumeState& state);
 
-  bool is_open() const;                                           // gas can leave
-  bool has_backflow() const;                                      // gas can come in
-  bool needs_stepper() const;                                     // something but inflow changes the gas
+  bool is_open() const;              // gas can leave
+  bool has_backflow() const;         // gas can come in
+  bool needs_stepper() const;        // something but inflow changes the gas
   double pressure_excess() const { return point_.overpressure; }  // [Pa] p - p_a
-  double sonic_excess() const;                                    // [Pa] critical ratio * p - p_a
-  double back_sonic_excess() const;                               // [Pa] p - critical ratio * p_a
+  double sonic_excess() const;       // [Pa] critical ratio * p - p_a
+  double back_sonic_excess() const;  // [Pa] p - critical ratio * p_a
   /// V dp/dt [W] of the last point if nothing flowed through the openings, at time t of this segment.
   double closed_pressure_growth(double t) const;
   /// dp/dt [Pa/s] at the last point, time t; zero without gas.
@@ -149,6 +147,9 @@ class FlowBalance {
   double back_enthalpy() const { return air_enthalpy_; }  // [J/kg]
   double air_fraction(std::size_t k) const { return model_.ambient.mass_fractions[k]; }
   std::span<const StreamFlux> delivered() const { return delivered_; }
+  /// Changes of species k's mass and of U with the unknowns: errors of the state from errors of y.
+  double species_change(const Vector& y, std::size_t k) const;
+  double energy_change(const Vector& y) const;
   /// Whether the band lies above the curve of the volume.
   bool is_beyond_volume() const { return volume_by_pressure_ && volume_by_pressure_->is_beyond(); }
   const std::optional<Curve>& volume_curve() const { return model_.volume_of_overpressure; }
@@ -158,14 +159,9 @@ class FlowBalance {
 
  private:
   void begin_books(const ControlVolumeState& state);
-  double species_change(const Vector& y, std::size_t k) const;
-  double energy_change(const Vector& y) const;
-  void close_streams(Vector& y) const;
-  void add_rest(std::size_t i, const StreamFlux& rest);
-  void deliver(double t);
+  void add_inflow(std::size_t i, double mass, double enthalpy);
   void supply(double t);
   void collect(const Vector& y, double t);
-  void find_depleted();
   void find_point(double t);
   std::optional<double> temperature_of(double energy) const;
   void place_gas(double energy, double temperature);
@@ -182,7 +178,6 @@ class FlowBalance {
   double held_overpressure(double t);
 
   const ControlVolumeModel& model_;
-  double negligible_;                // [-] of the mass
   std::vector<Mixture> inflow_gas_;  // 1 kg of each inflow
   Mixture air_;                      // 1 kg of the ambient gas, if a vent lets it in
   double air_enthalpy_ = 0.0, air_gamma_ = 1.4;
@@ -196,8 +191,6 @@ class FlowBalance {
   std::vector<InflowSegment> segments_;
   std::vector<StreamFlux> delivered_;  // of each inflow, up to segment_begin_
   std::vector<StreamFlux> received_;   // of each inflow, from there to base_time_
-  std::vector<StreamFlux> coming_;     // of each inflow, from there to coming_time_
-  double coming_time_;                 // [s] infinity: none
 
   Regime regime_ = Regime::kClosed;
   std::optional<bool> hold_direction_;  // none: that of the growth of p
@@ -206,7 +199,6 @@ class FlowBalance {
   std::vector<CompensatedSum> base_;    // the gas at base_time_
   std::vector<CompensatedSum> totals_;  // of the unknowns, over the step
   Vector scratch_;
-  Gas scratch_gas_;
   Mixture mixture_;
   double work_share_ = 0.0;  // [-] of a change of p V at the last point
   Point point_{};

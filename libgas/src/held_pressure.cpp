@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where a balance lies within kHoldNear of p_a, p is held there: what flows through the openings is what
+// Where a balance lies within hold_near() of p_a, p is held there: what flows through the openings is what
 // keeps it. The difference of the pressures, of which the flow is the root, would be rounding.
 #include <algorithm>
 #include <cmath>
@@ -10,13 +10,21 @@
 
 namespace gas {
 
-/// Fills the flows at `share` times kHoldNear from p_a, out or in; returns what they do to V dp/dt [W].
+/// Where the volume follows p, the gas changes by `compliance` times as much as p.
+double FlowBalance::hold_near() const {
+  return kHoldNear * ambient_pressure() / point_.compliance;
+}
+
+/// Fills the flows at `share` times hold_near() from p_a, out or in; returns what they do to V dp/dt [W].
 double FlowBalance::flows_near_ambient(Vector& dydt, double t, bool out, double share) {
   point_.vent = point_.fabric = point_.back = 0.0;
+  for (std::size_t i = 0; i < dydt.size(); ++i)
+    if (is_flow(i)) dydt[i] = 0.0;
   if (out)
-    outflow_rates(dydt, t, ambient_pressure() * (1.0 + share * kHoldNear));
+    outflow_rates(dydt, t, ambient_pressure() + share * hold_near());
   else
-    backflow_rates(dydt, t, ambient_pressure() * (1.0 - share * kHoldNear));
+    backflow_rates(dydt, t, ambient_pressure() - share * hold_near());
+  if (point_.vent + point_.fabric + point_.back == 0.0) return 0.0;  // exactly, where the openings are shut
   return pressure_rate(t) * point_.volume - closed_pressure_growth(t);
 }
 
@@ -49,10 +57,10 @@ double FlowBalance::held_overpressure(double t) {
   if (!(share > 0.0)) return 0.0;
   const double full = flows_near_ambient(scratch_, t, out, 1.0);
   const double n = std::log(full / flows_near_ambient(scratch_, t, out, 0.25)) / std::log(4.0);
-  return (out ? kHoldNear : -kHoldNear) * ambient_pressure() * std::pow(std::min(1.0, share), 1.0 / n);
+  return (out ? 1.0 : -1.0) * hold_near() * std::pow(std::min(1.0, share), 1.0 / n);
 }
 
-void FlowBalance::settle(Vector& y, Gas& change, Vector& dydt, double t, double h) {
+void FlowBalance::settle(Vector& y, Vector& dydt, double t, double h) {
   // Newton's method: from an error of p of 1e-2, the largest tolerance, to rounding.
   for (int i = 0; i < 3; ++i) {
     const double excess = (pressure_excess() - held_overpressure(t)) * point_.volume;
@@ -64,43 +72,29 @@ void FlowBalance::settle(Vector& y, Gas& change, Vector& dydt, double t, double 
       rates = &scratch_;
     }
     if (!std::isfinite(longer)) break;  // at rest
-    for (std::size_t j = 0; j < y.size(); ++j) {
-      scratch_[j] = is_flow(j) ? longer * (*rates)[j] : 0.0;
-      y[j] += scratch_[j];
-    }
-    gas_change(scratch_, scratch_gas_);
-    for (std::size_t k = 0; k < change.size(); ++k) change[k] += scratch_gas_[k];
-    locate_change(change, t);
+    for (std::size_t j = 0; j < y.size(); ++j)
+      if (is_flow(j)) y[j] += longer * (*rates)[j];
+    locate(y, t);
     fill_rates(dydt, t);
   }
   fill_rates(dydt, t);
 }
 
-/// Sets the regime that holds p, if p is on its balance to `share` times kHoldNear and can be held there from
-/// t to b.
+/// Sets the regime that holds p, if p is on its balance to `share` times hold_near() and can be held there
+/// from t to b.
 bool Substepper::start_hold(FlowBalance& balance, double t, double b, double share) {
-  const double p_a = balance.ambient_pressure(), begin = balance.closed_pressure_growth(t);
-  if (p_a == 0.0 || std::abs(balance.pressure_excess()) > share * kHoldNear * p_a) return false;
+  const double begin = balance.closed_pressure_growth(t);
+  if (balance.ambient_pressure() == 0.0 || std::abs(balance.pressure_excess()) > share * balance.hold_near())
+    return false;
   const double growth = begin != 0.0 ? begin : balance.closed_pressure_growth(b);
   if (!(growth > 0.0 ? balance.is_open() : growth < 0.0 && balance.has_backflow())) return false;
   const Regime before = balance.regime();
-  const std::size_t band = band_;
   balance.set_regime(Regime::kHeld);
-  enter_hold_band(balance, growth > 0.0);
   balance.fill_rates(trial_.end_rate, t);
   if (balance.point().share >= 0.0 && balance.point().share <= share) return true;
   balance.set_regime(before);
-  if (band != band_) enter_band(balance, band);
   balance.fill_rates(trial_.end_rate, t);
   return false;
-}
-
-/// A level on p_a itself is none while p is held: the curves are those of the side where the flow is.
-void Substepper::enter_hold_band(FlowBalance& balance, bool out) {
-  const double near = ambient_near(balance);
-  std::size_t band = 0;
-  while (band < levels_.size() && levels_[band] <= (out ? near : -near)) ++band;
-  if (band != band_) enter_band(balance, band);
 }
 
 }  // namespace gas

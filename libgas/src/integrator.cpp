@@ -25,13 +25,6 @@ const IntegratorOptions& validated(const IntegratorOptions& options) {
   return options;
 }
 
-/// Share of the gas that is nothing: round-off; of a species that leaves faster than a sub-step, some of the
-/// error that is allowed.
-double negligible(const IntegratorOptions& options) {
-  constexpr double kRoundOff = 1e-13;
-  return options.fixed_step > 0.0 ? kRoundOff : std::max(kRoundOff, 0.1 * options.relative_tolerance);
-}
-
 void require_path(const VolumePath& path) {
   for (const double v : {path.volume_begin, path.volume_end})
     if (!(v > 0.0 && std::isfinite(v)))
@@ -51,9 +44,9 @@ class GasIntegrator::Implementation {
  public:
   Implementation(const ControlVolumeModel& model, const IntegratorOptions& options)
       : model_(validated(model)),
-        balance_(model_, negligible(validated(options))),
+        balance_(model_),
         network_(model_.triggers),
-        substepper_(balance_, levels(), options),
+        substepper_(balance_, levels(), validated(options)),
         triggers_(model_.triggers.size()),
         before_(model_.triggers.size()),
         switchings_(model_.triggers.size()),

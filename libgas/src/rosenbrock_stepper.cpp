@@ -84,13 +84,11 @@ class RosenbrockStepper : public Stepper {
     stage(3, {c.a41, c.a42, c.a43}, c.c4, {c.c41, c.c42, c.c43}, -c.d4);
     stage(4, {c.a51, c.a52, c.a53, c.a54}, 1.0, {c.c51, c.c52, c.c53, c.c54}, 0.0);
     stage(5, {c.a51, c.a52, c.a53, c.a54, 1.0}, 1.0, {c.c61, c.c62, c.c63, c.c64, c.c65}, 0.0);
-    const std::initializer_list<double> last{c.a51, c.a52, c.a53, c.a54, 1.0, 1.0};
-    for (std::size_t i = 0; i < y.size(); ++i) out.end[i] = y[i] + sum(&Pair::flows, i, last);
-    for (std::size_t i = 0; i < gas_.size(); ++i) out.change[i] = sum(&Pair::gas, i, last);
-    out.change_error = g_[5].gas;
-    out.work_error = g_[5].flows[rates.balance.work_slot()];
-    rates.balance.reconcile(out.end, out.change, rates.time(x + h));
-    rates.of_change(out.change, out.end_rate, x + h);
+    out.error = g_[5].flows;
+    for (std::size_t i = 0; i < y.size(); ++i)
+      out.end[i] = y[i] + sum(&Pair::flows, i, {c.a51, c.a52, c.a53, c.a54, 1.0, 1.0});
+    rates.balance.close_streams(out.end);
+    rates(out.end, out.end_rate, x + h);
   }
   double error_power() const override { return 4.0; }
   double stability_limit() const override { return std::numeric_limits<double>::infinity(); }

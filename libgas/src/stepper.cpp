@@ -15,14 +15,6 @@ using Vector = Stepper::Vector;
 // of the last.
 constexpr double kRootShare = 1.0 / 16.0;
 
-/// What an explicit step does to the gas, from the unknowns.
-void fill_change(Rates& rates, double x, Stepper::Trial& out) {
-  FlowBalance& balance = rates.balance;
-  balance.whole_change(out.end, rates.time(x), out.change);
-  balance.gas_change(out.error, out.change_error);
-  out.work_error = out.error[balance.work_slot()];
-}
-
 class DormandPrinceStepper : public Stepper {
  public:
   explicit DormandPrinceStepper(std::size_t unknowns) { method_.adjust_size(Vector(unknowns)); }
@@ -30,7 +22,6 @@ class DormandPrinceStepper : public Stepper {
             Trial& out) override {
     method_.do_step([&](const Vector& a, Vector& b, double s) { rates(a, b, s); }, y, dydx, x, out.end,
                     out.end_rate, h, out.error);
-    fill_change(rates, x + h, out);
   }
   double error_power() const override { return 5.0; }
   double stability_limit() const override { return 3.3065678926; }
@@ -53,7 +44,6 @@ class DoublingStepper : public Stepper {
     if (!estimate) {
       method_.do_step(system, y, dydx, x, out.end, h);
       rates(out.end, out.end_rate, x + h);
-      fill_change(rates, x + h, out);
       return;
     }
     method_.do_step(system, y, dydx, x, out.error, h);
@@ -63,7 +53,6 @@ class DoublingStepper : public Stepper {
     rates(out.end, out.end_rate, x + h);
     constexpr double kShare = 1.0 / ((1 << Order) - 1);  // Richardson
     for (std::size_t i = 0; i < middle_.size(); ++i) out.error[i] = kShare * (out.end[i] - out.error[i]);
-    fill_change(rates, x + h, out);
   }
   double error_power() const override { return Order + 1.0; }
   double stability_limit() const override { return limit_; }
@@ -83,11 +72,6 @@ void Rates::operator()(const Vector& y, Vector& dydx, double x) {
 
 void Rates::of_gas(const FlowBalance::Gas& gas, Vector& dydx, double x) {
   balance.locate_gas(gas, time(x));
-  fill(dydx, x);
-}
-
-void Rates::of_change(const FlowBalance::Gas& change, Vector& dydx, double x) {
-  balance.locate_change(change, time(x));
   fill(dydx, x);
 }
 

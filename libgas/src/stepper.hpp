@@ -24,8 +24,6 @@ struct Rates {
   /// The same for a gas; and the rates of the gas, d(gas)/dx, that go with dydx.
   void of_gas(const FlowBalance::Gas& gas, FlowBalance::Vector& dydx, double x);
   void gas_rates(const FlowBalance::Vector& dydx, FlowBalance::Gas& rates, double x) const;
-  /// The same for the gas of the begin with `change`.
-  void of_change(const FlowBalance::Gas& change, FlowBalance::Vector& dydx, double x);
   /// As operator() where the balance has located the gas.
   void fill(FlowBalance::Vector& dydx, double x);
   /// From steps in the root to the same in t, once h is short against the time since the origin: there t is
@@ -34,16 +32,13 @@ struct Rates {
   bool leave_root(double t, double& x, double& h);
 };
 
-/// One step of a method: y at x to `end` at x + h, `end_rate` there, the gas changed by `change`; the balance
-/// is left at the end. With `estimate` also the local errors.
+/// One step of a method: y at x to `end` at x + h, `end_rate` there; the balance is left at the end. With
+/// `estimate` also the local error of `end`.
 class Stepper {
  public:
   using Vector = FlowBalance::Vector;
-  using Gas = FlowBalance::Gas;
   struct Trial {
-    Vector end, end_rate, error;  // the last of explicit methods only
-    Gas change, change_error;
-    double work_error;  // [J]
+    Vector end, end_rate, error;
   };
 
   virtual ~Stepper() = default;

@@ -7,6 +7,7 @@
 
 #include "near.hpp"
 
+
 namespace gas {
 namespace {
 
@@ -30,8 +31,7 @@ Substepper::Substepper(const FlowBalance& balance, std::vector<double> levels,
       first_step_share_(kFirstStep * std::pow(options.relative_tolerance, 1.0 / stepper_->error_power())),
       zero_(balance.unknowns(), 0.0),
       begin_rate_(zero_) {
-  const FlowBalance::Gas gas(balance.species() + 1);
-  trial_ = {zero_, zero_, zero_, gas, gas, 0.0};
+  trial_ = {zero_, zero_, zero_};
 }
 
 void Substepper::begin_step() {
@@ -70,18 +70,19 @@ double Substepper::scaled_error(const FlowBalance& balance) const {
   if (options_.fixed_step > 0.0) return 0.0;
   double mass_error = 0.0, largest = 0.0;
   for (std::size_t k = 0; k < balance.species(); ++k) {
-    mass_error += trial_.change_error[k];
-    largest = std::max(largest, std::abs(trial_.change_error[k]));
+    const double change = balance.species_change(trial_.error, k);
+    mass_error += change;
+    largest = std::max(largest, std::abs(change));
   }
-  const double work = trial_.work_error;
+  const double work = trial_.error[balance.work_slot()];
   const double energy_error =
-      std::abs(trial_.change_error.back() + work - point.specific_enthalpy * mass_error) + std::abs(work);
+      std::abs(balance.energy_change(trial_.error) + work - point.specific_enthalpy * mass_error) +
+      std::abs(work);
   if (largest == 0.0 && energy_error == 0.0) return 0.0;
   return std::max(largest / point.mass, energy_error / point.thermal_energy) / options_.relative_tolerance;
 }
 
-void Substepper::enter_band(FlowBalance& balance, std::size_t band) {
-  band_ = band;
+void Substepper::enter_band(FlowBalance& balance) const {
   const double front = levels_.front(), back = levels_.back();
   balance.enter_band(band_ == 0                ? front - std::abs(front) - 1.0
                      : band_ == levels_.size() ? back + std::abs(back) + 1.0
@@ -119,12 +120,13 @@ std::size_t Substepper::band_below(const FlowBalance& balance) const {
 void Substepper::find_band(FlowBalance& balance, double t) {
   if (levels_.empty()) return;
   if (!band_is_known_) {
-    enter_band(balance, band_above(balance));
+    band_ = band_above(balance);
+    enter_band(balance);
     balance.fill_rates(begin_rate_, t);
     if (balance.pressure_rate(t) <= 0.0) band_ = band_below(balance);
   }
   band_is_known_ = false;
-  enter_band(balance, band_);
+  enter_band(balance);
   require_volume(balance, t);
 }
 
@@ -158,8 +160,7 @@ void Substepper::start_variable(Rates& rates, double t, double b) {
       balance.regime() == Regime::kOut ? growth > 0.0 : balance.regime() == Regime::kBack && growth < 0.0;
   if (!onset || options_.fixed_step > 0.0 || balance.pressure_rate(t) / growth < 0.5 / balance.point().volume)
     return;
-  const double shift =
-      excess <= ambient_near(balance) ? 0.0 : excess * balance.point().volume / std::abs(growth);
+  const double shift = excess <= ambient_near(balance) ? 0.0 : excess * balance.point().volume / std::abs(growth);
   if (!(shift < b - t)) return;
   rates.root = true;
   rates.origin = t - shift;
@@ -215,7 +216,7 @@ double Substepper::integrate(FlowBalance& balance, double a, double b) {
     const double length = end_at_events(rates, x, h, start);
     if (length > 0.0) {
       t = last && length == h ? b : rates.time(x + length);
-      balance.accept(trial_.end, trial_.change, t);
+      balance.accept(trial_.end, t);
       begin_rate_.swap(trial_.end_rate);
       ++accepted_;
     }

@@ -15,14 +15,13 @@ struct TooStiff : DomainError {
 };
 
 /// Integrates a FlowBalance over one segment with one of the methods; sub-steps end where the flow changes
-/// regime, where p passes a knot of the curves of openings and volume, and where it reaches the threshold of
-/// a pressure sensor.
+/// regime, where p passes a knot of the curves of openings and volume, and where it reaches the threshold of a
+/// pressure sensor.
 class Substepper {
  public:
   using Vector = FlowBalance::Vector;
 
-  /// `levels` [Pa]: overpressures where sub-steps end, those of the curves' knots and of the pressure
-  /// sensors.
+  /// `levels` [Pa]: overpressures where sub-steps end, those of the curves' knots and of the pressure sensors.
   Substepper(const FlowBalance& balance, std::vector<double> levels, const IntegratorOptions& options);
 
   /// Resets the counters.
@@ -54,7 +53,7 @@ class Substepper {
   void count_attempt(const Rates& rates, double x, double h);
   void start_regime(FlowBalance& balance, double t, double b);
   void start_variable(Rates& rates, double t, double b);
-  void enter_band(FlowBalance& balance, std::size_t band);
+  void enter_band(FlowBalance& balance) const;
   double ambient_near(const FlowBalance& balance) const;
   double level_near(const FlowBalance& balance, std::size_t i) const;
   std::size_t band_above(const FlowBalance& balance) const;
@@ -71,7 +70,6 @@ class Substepper {
   // first_gas.cpp, held_pressure.cpp
   double fill_first(Rates& rates, double a, double b);
   bool start_hold(FlowBalance& balance, double t, double b, double share);
-  void enter_hold_band(FlowBalance& balance, bool out);
 
   // events.cpp: where a sub-step has to end
   Start start_values(const FlowBalance& balance, double t) const;

@@ -64,7 +64,9 @@ bool TriggerNetwork::sensor_on(std::size_t i, const NodeState& node, double t, d
   const Sensor& sensor = model_.sensors[i];
   if (sensor.kind == SensorKind::kInput) return node.on;
   if (sensor.kind == SensorKind::kPressure) {
-    const auto near = [&](double level) { return kThresholdNear * (ambient_pressure + std::max(0.0, level)); };
+    const auto near = [&](double level) {
+      return kThresholdNear * (ambient_pressure + std::max(0.0, level));
+    };
     if (!node.on) return overpressure >= sensor.threshold - near(sensor.threshold);
     return !sensor.reset || overpressure > *sensor.reset + near(*sensor.reset);
   }

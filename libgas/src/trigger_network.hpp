@@ -15,9 +15,9 @@ class TriggerNetwork {
 
   /// First time after t at which a sensor of time or signal, or a running delay, may switch a node.
   double next_break(const TriggerState& state, double t) const;
-  /// Brings every node to time t; true if a gate or sensor came on or went off. A pressure sensor switches where
-  /// the integrator locates its threshold [Pa, over the ambient pressure]. Input sensors keep what the caller
-  /// set.
+  /// Brings every node to time t; true if a gate or sensor came on or went off. A pressure sensor switches
+  /// where the integrator locates its threshold [Pa, over the ambient pressure]. Input sensors keep what the
+  /// caller set.
   bool update(TriggerState& state, double t, double overpressure, double ambient_pressure) const;
   /// True while a pressure sensor may still switch something.
   bool watches_pressure(const TriggerState& state) const;
