@@ -122,9 +122,6 @@ struct Looked {
   bool operator==(const Looked&) const = default;
 };
 
-template <class T>
-using zeros = std::vector<T>;
-
 void project(const jet::KernelTable& kernels, const Mesh& mesh, const Eigen::Matrix3Xi& triangles,
              const std::vector<int>& elements, Looked& p) {
   const Eigen::Matrix3Xd nodes = mesh.points();
@@ -159,15 +156,15 @@ Looked look(const jet::KernelTable& kernels, const Mesh& mesh, float half_long) 
   const std::size_t nodes = mesh.nodes.size(), count = mesh.elements.size(), patches = count / 8;
   std::vector<int> all(count);
   std::iota(all.begin(), all.end(), 0);
-  const auto bytes = [&] { return zeros<std::uint8_t>(patches); };
-  Looked p{zeros<float>(4 * nodes + 32),
-           zeros<float>(jet::kElementFloats * patches),
-           zeros<float>(4 * count),
-           zeros<float>(4 * count),
-           zeros<float>(jet::kRayFloats * patches),
-           zeros<float>(4 * count),
-           zeros<float>(jet::kEdgeFloats * patches),
-           zeros<std::uint8_t>(nodes + 8),
+  const auto bytes = [&] { return std::vector<std::uint8_t>(patches); };
+  Looked p{std::vector<float>(4 * nodes + 32),
+           std::vector<float>(jet::kElementFloats * patches),
+           std::vector<float>(4 * count),
+           std::vector<float>(4 * count),
+           std::vector<float>(jet::kRayFloats * patches),
+           std::vector<float>(4 * count),
+           std::vector<float>(jet::kEdgeFloats * patches),
+           std::vector<std::uint8_t>(nodes + 8),
            bytes(),
            bytes(),
            bytes(),
