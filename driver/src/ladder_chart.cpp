@@ -82,15 +82,17 @@ std::string run_gnuplot(const std::filesystem::path& folder) {
   posix_spawn_file_actions_init(&actions);
   posix_spawn_file_actions_addchdir_np(&actions, folder.c_str());
   posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
-  std::string program = "gnuplot", script = "ladder.gp";
-  char* const arguments[] = {program.data(), script.data(), nullptr};
+  std::string program = "gnuplot", no_settings_of_the_user = "-d", script = "ladder.gp";
+  char* const arguments[] = {program.data(), no_settings_of_the_user.data(), script.data(), nullptr};
   pid_t child = 0;
   const int code = posix_spawnp(&child, program.c_str(), &actions, nullptr, arguments, environ);
   posix_spawn_file_actions_destroy(&actions);
   if (code != 0) return fmt::format("gnuplot: {}", std::strerror(code));
   int status = 0;
   while (waitpid(child, &status, 0) < 0 && errno == EINTR) continue;
-  return WIFEXITED(status) && WEXITSTATUS(status) == 0 ? "" : "gnuplot failed";
+  const bool drawn =
+      WIFEXITED(status) && WEXITSTATUS(status) == 0 && std::filesystem::exists(folder / "ladder.svg");
+  return drawn ? "" : "gnuplot failed";
 }
 
 }  // namespace
@@ -102,9 +104,9 @@ std::string draw_ladder(const std::filesystem::path& folder, const LadderResult&
   stream << chart(result, options);
   stream.close();
   if (!stream) throw WriteError(fmt::format("{}: write failed", script.string()));
+  std::filesystem::remove(folder / "ladder.svg");
   const std::string problem = run_gnuplot(folder);
   if (problem.empty()) return {};
-  std::filesystem::remove(folder / "ladder.svg");
   return fmt::format("{}; its commands are in {}", problem, script.string());
 }
 
