@@ -104,9 +104,11 @@ std::string draw_ladder(const std::filesystem::path& folder, const LadderResult&
   stream << chart(result, options);
   stream.close();
   if (!stream) throw WriteError(fmt::format("{}: write failed", script.string()));
-  std::filesystem::remove(folder / "ladder.svg");
+  const auto picture = folder / "ladder.svg";
+  std::filesystem::remove(picture);
   const std::string problem = run_gnuplot(folder);
   if (problem.empty()) return {};
+  std::filesystem::remove(picture);  // half of one
   return fmt::format("{}; its commands are in {}", problem, script.string());
 }
 
