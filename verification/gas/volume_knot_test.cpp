@@ -8,14 +8,14 @@ namespace {
 
 using namespace cases;
 
-constexpr double kNotRead = 1.0;  // [m3] volumes of calls
+constexpr double kVolumeNotRead = 1.0;  // [m3] volumes of calls
 
 gas::Curve knots(std::vector<gas::Curve::Knot> list) {
   return {std::move(list), gas::Outside::kHeld};
 }
 
 gas::GasPoint point_of(const gas::ControlVolumeModel& model, const gas::ControlVolumeState& state) {
-  return gas::evaluate(model, state, kNotRead, 0.0, 0.0);
+  return gas::evaluate(model, state, kVolumeNotRead, 0.0, 0.0);
 }
 
 /// A knot on p_a itself, and one far away: air comes back through a vent as the walls cool the gas, until
@@ -33,7 +33,7 @@ TEST(volume_knot, air_comes_back_to_rest_on_a_knot) {
       gas::ControlVolumeState state =
           gas::make_state(model, std::vector{0.5, 0.5, 0.0}, 0.3 * kAmbientPressure, 300.0, 5e-5);
       gas::GasIntegrator integrator(model, {tolerance, 100000, method});
-      for (int i = 0; i < 50; ++i) integrator.advance(state, 1e-3 * i, 1e-3 * (i + 1), rigid(kNotRead));
+      for (int i = 0; i < 50; ++i) integrator.advance(state, 1e-3 * i, 1e-3 * (i + 1), rigid(kVolumeNotRead));
       const gas::GasPoint end = point_of(model, state);
       // p is held to 1e-10 of p_a; the gas's own relaxation, m cv/(hA) = 3e-4 s, is long past.
       EXPECT_NEAR(end.pressure, kAmbientPressure, 1e-10 * kAmbientPressure);
@@ -53,7 +53,7 @@ TEST(volume_knot, held_pressure_on_a_knot) {
     const double volume = soft == 0.0 ? 0.02 : 0.12;
     gas::ControlVolumeState state = gas::make_state(model, kPure, kAmbientPressure, 300.0, volume);
     const gas::StepFluxes fluxes = gas::GasIntegrator(model, {1e-6, 1000, gas::Method::kRosenbrock4})
-                                       .advance(state, 0.0, 0.1, rigid(kNotRead));
+                                       .advance(state, 0.0, 0.1, rigid(kVolumeNotRead));
     const gas::GasPoint end = point_of(model, state);
     const double excess = end.pressure - kAmbientPressure;
     EXPECT_GT(excess, 0.0);
@@ -74,7 +74,7 @@ TEST(volume_knot, start_on_the_last_knot) {
       gas::ControlVolumeState state =
           gas::make_state(model, std::vector{0.5, 0.5}, kAmbientPressure + 5e4, 300.0, 0.07);
       try {
-        gas::GasIntegrator(model, {1e-6, 1000, method}).advance(state, 0.0, 0.01, rigid(kNotRead));
+        gas::GasIntegrator(model, {1e-6, 1000, method}).advance(state, 0.0, 0.01, rigid(kVolumeNotRead));
         EXPECT_LT(walls, 301.0);
         EXPECT_LE(point_of(model, state).pressure, (kAmbientPressure + 5e4) * (1.0 + 1e-12));
       } catch (const gas::DomainError& error) {
@@ -96,7 +96,7 @@ TEST(volume_knot, soft_bag_follows_the_pressure_next_to_ambient) {
     model.vents.push_back({0.6, 2e-3});
     gas::ControlVolumeState state = gas::make_state(model, kPure, kAmbientPressure, 293.15, 0.009);
     gas::GasIntegrator integrator(model, {tolerance, 100000, method});
-    for (int i = 0; i < 20; ++i) integrator.advance(state, 1e-3 * i, 1e-3 * (i + 1), rigid(kNotRead));
+    for (int i = 0; i < 20; ++i) integrator.advance(state, 1e-3 * i, 1e-3 * (i + 1), rigid(kVolumeNotRead));
     return point_of(model, state);
   };
   const gas::GasPoint exact = filled(gas::Method::kDormandPrince5, 1e-11);
