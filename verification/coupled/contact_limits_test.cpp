@@ -80,7 +80,7 @@ TEST(contact_limits, sphere_that_strikes_at_full_speed_is_stopped_in_the_skin) {
 
 // Turns through the ball in a step, a hundred of them too, are refused for what they are.
 TEST(contact_limits, impactor_that_swings_farther_than_half_its_radius_in_a_step_is_refused) {
-  constexpr double kStep = 24e-6, kHalf = 0.5 * 0.041, kArm = 1.31;  // [s], [m]
+  constexpr double kInterval = 24e-6, kHalf = 0.5 * 0.041, kArm = 1.31;  // [s], [m]
   const auto at = [](double speed) {
     return run_case("ball_impact", {"time.step=24e-6", "scene.end_time=72e-6",
                                     "pendulum.initial_angular_velocity=" + std::to_string(speed),
@@ -95,10 +95,10 @@ TEST(contact_limits, impactor_that_swings_farther_than_half_its_radius_in_a_step
   });
   claim::expect_threshold(
       {"K.25", "the paper's pendulum, fixed step of 24 us, nothing near", "bisection to 1e-6"},
-      {"impactor's swing in a step", "L_i Δt |dθ/dt| ≤ r/2", kHalf / (kArm * kStep), fastest, "rad/s",
+      {"impactor's swing in a step", "L_i Δt |dθ/dt| ≤ r/2", kHalf / (kArm * kInterval), fastest, "rad/s",
        "exit 3, naming the path in the step and the limit"},
       1.0 - 1e-6, 1.0 + 1e-6);
-  for (const double speed : {9e4, 2.0 * std::numbers::pi / kStep, 1e9})
+  for (const double speed : {9e4, 2.0 * std::numbers::pi / kInterval, 1e9})
     EXPECT_EQ(at(speed).outcome.status, driver::RunStatus::failed) << speed;
 }
 
