@@ -62,8 +62,9 @@ void require_areas(const membrane::Mesh& mesh, const std::filesystem::path& file
     const Eigen::Vector3d a = mesh.nodes.col(mesh.elements(0, e));
     if (membrane::has_area(mesh.nodes.col(mesh.elements(1, e)) - a, mesh.nodes.col(mesh.elements(2, e)) - a))
       continue;
-    throw CaseError(fmt::format("{}:{}:1: mesh: the element has no area, corners off one line are allowed",
-                                file.string(), mesh.line[static_cast<std::size_t>(e)]));
+    throw CaseError(fmt::format(
+        "{}:{}:1: mesh: the element has no area that a number holds, corners off one line are allowed",
+        file.string(), mesh.line[static_cast<std::size_t>(e)]));
   }
 }
 

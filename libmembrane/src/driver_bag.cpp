@@ -3,17 +3,15 @@
 
 #include <cmath>
 #include <numbers>
-#include <stdexcept>
-#include <string>
 #include <vector>
+
+#include "checks.hpp"
 
 namespace membrane {
 namespace {
 
-void require(bool allowed, const char* field, double value, const std::string& range) {
-  if (!allowed)
-    throw std::invalid_argument("driver_bag: " + std::string(field) + " = " + std::to_string(value) +
-                                "; must be " + range);
+void require(bool allowed, const char* field, double value, const char* range) {
+  if (!allowed) reject("driver_bag", field, value, range);
 }
 
 const DriverBagOptions& checked(const DriverBagOptions& o) {

@@ -94,6 +94,7 @@ class KeywordParser {
     std::string word = upper(line.substr(0, line.find_first_of(" \t,")));
     if (section_ == Section::start) return first_keyword(word, line);
     is_long_ = word.ends_with('+') || (file_is_long_ && !word.ends_with('-'));
+    const std::size_t rest = line.find_first_not_of(" \t", word.size());
     if (word.ends_with('+') || word.ends_with('-')) word.pop_back();
     const bool element = word.starts_with("*ELEMENT"), nodes = word.starts_with("*NODE");
     if (word == "*NODE")
@@ -108,6 +109,9 @@ class KeywordParser {
       fail(1, shown(word) + " is not read here; allowed are *NODE, *ELEMENT_SHELL and *PART in one file");
     else
       section_ = Section::skipped;
+    // Such as *NODE %, other columns: what they would give is no mesh, or worse, one.
+    if (section_ != Section::skipped && section_ != Section::end && rest < line.size())
+      fail(rest + 1, shown(line.substr(rest)) + " after " + word + " is not read here; allowed: nothing");
   }
 
   void first_keyword(const std::string& word, std::string_view line) {
@@ -115,10 +119,11 @@ class KeywordParser {
     section_ = Section::skipped;
     const std::string options = upper(line.substr(word.size()));
     file_is_long_ = options.find("LONG=Y") != std::string::npos;
-    for (const char* other : {"LONG=K", "I10="})
-      if (const auto at = options.find(other); at != std::string::npos)
-        fail(word.size() + at + 1,
-             std::string(other) + " is not read here; allowed: LONG=Y (20 columns) or nothing");
+    const auto at = std::min(options.find("I10"), file_is_long_ ? std::string::npos : options.find("LONG"));
+    if (at < options.size() && !options.substr(at).starts_with("LONG=S"))
+      fail(word.size() + at + 1, shown(options.substr(at)) +
+                                     " is not read here; allowed: LONG=Y (20 columns), "
+                                     "LONG=S or nothing");
   }
 
   Id id(const CardField& field, const char* what) const {

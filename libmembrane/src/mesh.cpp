@@ -103,7 +103,8 @@ double enclosed_volume(const Nodes& nodes, const Elements& elements) {
 }
 
 bool has_area(const Eigen::Vector3d& ab, const Eigen::Vector3d& ac) {
-  return ab.cross(ac).norm() > 1e-14 * std::max(ab.squaredNorm(), ac.squaredNorm());
+  const double twice_area = ab.cross(ac).norm();
+  return std::isfinite(twice_area) && twice_area > 1e-14 * std::max(ab.squaredNorm(), ac.squaredNorm());
 }
 
 ElementQuality element_quality(const Nodes& nodes, const Elements& elements) {
@@ -112,7 +113,7 @@ ElementQuality element_quality(const Nodes& nodes, const Elements& elements) {
   ElementQuality quality{infinity, infinity, 0.0, 0.0, infinity, 0.0};
   for (Eigen::Index e = 0; e < elements.cols(); ++e) {
     const ElementShape shape = element_shape(corners(nodes, elements, e));
-    if (!(shape.altitude > 0.0))
+    if (!(shape.altitude > 0.0 && std::isfinite(shape.area)))
       throw std::invalid_argument("element " + std::to_string(e) + ": its area is zero or not finite");
     quality.min_angle = std::min(quality.min_angle, shape.angle);
     quality.min_altitude = std::min(quality.min_altitude, shape.altitude);

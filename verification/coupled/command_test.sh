@@ -144,7 +144,7 @@ part_mesh() {
   expect 0 "volume 5.9362e-12" "$gasjet" mesh convert "$work/open.k" --length-unit 1e-3
   expect 0 "10970 elements" "$gasjet" mesh passenger --out "$work/fine.obj" --refine 1 --set vent_depth_cell=5
   expect 0 "panel attachment: 0.0075 m2" "$gasjet" check "$source/cases/driver_bag.toml"
-  expect 2 "rings = 3" "$gasjet" mesh driver --out "$work/bad.k" --set rings=3
+  expect 2 "rings = 3, allowed: 4 to 100" "$gasjet" mesh driver --out "$work/bad.k" --set rings=3
   expect 2 "unknown option, allowed are radius" "$gasjet" mesh driver --out "$work/bad.k" --set depth=0.1
   expect 2 "whole number" "$gasjet" mesh driver --out "$work/bad.k" --set rings=5.5
   expect 2 "ends with .obj, .k, .key or .dyn" "$gasjet" mesh driver --out "$work/bad.stl"
@@ -165,7 +165,10 @@ part_mesh() {
   expect 2 "open.k:[0-9]+:1: mesh: the element has no area" "$gasjet" mesh convert "$work/open.k" --out "$work/bad.k" --length-unit 1e-300
   printf 'v 0 0 0\nv 1e-80 0 0\nv 0 1e-80 0\nf 1 2 3\n' >"$work/small.obj" # squares of a fine mesh's areas underflow
   expect 2 "small.obj: element [0-9]+: its area is zero" "$gasjet" mesh convert "$work/small.obj" --out "$work/bad.k" --refine 5
-  expect 2 "--length-unit.*finite" "$gasjet" mesh convert "$work/open.k" --length-unit inf
+  expect 2 "open.k:[0-9]+:1: mesh: the element has no area" "$gasjet" mesh convert "$work/open.k" --length-unit 1e120
+  for unit in inf 0 mm; do expect 2 "$unit: a finite number above 0 is allowed" "$gasjet" mesh convert "$work/open.k" --length-unit $unit; done
+  sed '$d' "$work/open.obj" >"$work/hole.obj" # the last element, f 791 792 838, has the side 791-838 with that of the line above
+  expect 0 "3 boundary edges.* nodes 791-838 of elements in lines 3535;" "$gasjet" mesh convert "$work/hole.obj"
   expect 2 "--out.*is empty" "$gasjet" mesh driver --out ""
   for file in bad.k bad.stl; do [ -e "$work/$file" ] && fail "bad input wrote $file"; done
 }

@@ -82,7 +82,7 @@ void print_report(const BagMesh& bag) {
   if (bag.initial) print_quality("initial shape", *bag.initial, mesh.elements);
   for (const auto& [back, front] : bag.strap_anchors)
     fmt::print("strap anchors: nodes {} and {}\n", back, front);
-  const auto faults = membrane::check_closed_surface(bag.shape(), mesh.elements).describe();
+  const auto faults = membrane::check_closed_surface(bag.shape(), mesh.elements).describe(mesh.line);
   fmt::print("{}", faults.empty() ? "closed control volume: yes\n" : "closed control volume: no\n" + faults);
 }
 

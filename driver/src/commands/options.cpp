@@ -1,29 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // The options of `gasjet` and its subcommands.
 #include <CLI/CLI.hpp>
-#include <cmath>
 #include <span>
 
 #include "build_info.hpp"
 #include "commands.hpp"
 #include "driver/case_reader.hpp"
+#include "validators.hpp"
 
 namespace driver::commands {
 namespace {
 
-std::string fault_unless_finite(const std::string& text) {
-  double value = 0.0;
-  const bool bad = CLI::detail::lexical_cast(text, value) && !std::isfinite(value);
-  return bad ? text + ": a finite number is allowed" : std::string();
-}
-const CLI::Validator finite{fault_unless_finite, ""};  // ranges let NaN pass
-
-CLI::Validator not_empty(const std::string& needed) {
-  const std::string fault = "is empty, " + needed + " is needed";
-  return {[fault](std::string& text) { return text.empty() ? fault : std::string(); }, ""};
-}
-const CLI::Validator named = not_empty("a name");
-const CLI::Validator given = not_empty("a value");  // empty text would be read as the number 0
 // Taken as soon as it is read: overrides act in the order of the command line.
 void add_override(CLI::App& command, std::vector<std::string>& overrides, const char* name,
                   std::string_view prefix, const char* meaning) {
@@ -120,8 +107,7 @@ void add_mesh(CLI::App& app, MeshArguments& arguments) {
         ->check(named);
   convert->add_option("FILE", arguments.file, formats)->required();
   convert->add_option("--out", arguments.out, "file to write; without it the report only")->check(named);
-  convert->add_option("--length-unit", arguments.length_unit, "length unit of FILE [m]")
-      ->check(finite & CLI::PositiveNumber);
+  convert->add_option("--length-unit", arguments.length_unit, "length unit of FILE [m]")->check(positive);
   convert->add_option("--null-panel", arguments.null_panels, "panel that closes a hole; may be repeated")
       ->allow_extra_args(false);
   for (auto* command : {bag, passenger, of_case})

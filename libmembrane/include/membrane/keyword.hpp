@@ -16,8 +16,9 @@ namespace membrane {
 /// shell whose n4 is blank, 0 or n3 is a triangle; quads are split along the shorter diagonal. Panels are the
 /// parts in the order of their first element, named by the title (blanks and # as _, a repeated title with
 /// _id) or "part_id". Nodes that no shell uses are left out; other keywords are skipped. *INCLUDE, other
-/// elements and forms of *NODE, 8-node shells, ids that are not above 0 or repeated, nodes that do not exist
-/// and numbers that are blank or not finite throw MeshFileError with line and column.
+/// elements, columns and forms of *NODE, text after a keyword, 8-node shells, ids that are not above 0 or
+/// repeated, nodes that do not exist and numbers that are blank or not finite throw MeshFileError with line
+/// and column.
 Mesh parse_keyword(std::string_view text, const std::string& name);
 
 /// Keyword text of a mesh: long format, comma separated, so that nodes round-trip bit for bit. (Numbers of

@@ -52,7 +52,7 @@ double enclosed_volume(const Eigen::Ref<const Eigen::Matrix3Xd>& nodes,
                        const Eigen::Ref<const Eigen::Matrix3Xi>& elements);
 
 /// False if the area of a triangle of sides `ab` and `ac` [m] is rounding noise of its corners, at most 1e-14
-/// of the longer one's square.
+/// of the longer one's square, or beyond what a double's square holds.
 bool has_area(const Eigen::Vector3d& ab, const Eigen::Vector3d& ac);
 
 /// Smallest and mean shape figures of a set of elements.
@@ -65,7 +65,7 @@ struct ElementQuality {
   double max_area;       // [m2] of the largest
 };
 
-/// Element-quality report. Precondition: at least one element, none of zero area (else
+/// Element-quality report. Precondition: at least one element, none of zero area or beyond double range (else
 /// std::invalid_argument).
 ElementQuality element_quality(const Eigen::Ref<const Eigen::Matrix3Xd>& nodes,
                                const Eigen::Ref<const Eigen::Matrix3Xi>& elements);

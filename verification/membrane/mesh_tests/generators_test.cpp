@@ -131,6 +131,14 @@ TEST(MeshGeometry, quality_of_known_triangles) {
   EXPECT_THROW(membrane::element_quality(mesh.nodes, mesh.elements), std::invalid_argument);
 }
 
+// Squares of lengths of 1e120 m have no double: no such mesh has a volume.
+TEST(MeshGeometry, areas_beyond_double_range_are_none) {
+  const Mesh mesh = membrane::rectangle(1, 1, 1e120, 1e120, membrane::Diagonals::uniform);
+  EXPECT_FALSE(
+      membrane::has_area(mesh.nodes.col(1) - mesh.nodes.col(0), mesh.nodes.col(2) - mesh.nodes.col(0)));
+  EXPECT_THROW(membrane::element_quality(mesh.nodes, mesh.elements), std::invalid_argument);
+}
+
 TEST(MeshGeometry, nearest_node_is_the_lowest_of_equals) {
   const Mesh mesh = membrane::rectangle(2, 1, 2.0, 1.0, membrane::Diagonals::uniform);
   EXPECT_EQ(membrane::nearest_node(mesh, {1.9, 0.8, 0.1}), 5);

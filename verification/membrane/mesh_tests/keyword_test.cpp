@@ -182,6 +182,10 @@ const Bad kBad[] = {
     {"other_element", "*KEYWORD\n*ELEMENT_SOLID\n", 2, 1, "*ELEMENT_SOLID"},
     {"shell_option", "*KEYWORD\n*ELEMENT_SHELL_THICKNESS\n", 2, 1, "*ELEMENT_SHELL_THICKNESS"},
     {"node_option", "*KEYWORD\n*NODE_TRANSFORM\n", 2, 1, "*NODE_TRANSFORM"},
+    {"other_columns", kHead + "*NODE %\n", 6, 7, "after *NODE"},
+    {"shell_columns", kHead + "*ELEMENT_SHELL (i10)\n", 6, 16, "after *ELEMENT_SHELL"},
+    {"long_with_blanks", "*KEYWORD LONG = Y\n", 1, 10, "LONG=Y (20 columns)"},
+    {"long_ids", "*KEYWORD LONG=K\n", 1, 10, "LONG=K"},
     {"other_width", "*KEYWORD I10=Y\n", 1, 10, "I10="}};
 INSTANTIATE_TEST_SUITE_P(files, bad_keyword, testing::ValuesIn(kBad),
                          [](const auto& one) { return std::string(one.param.name); });

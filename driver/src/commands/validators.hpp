@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+// What options allow, in our words: CLI11's ranges let NaN pass and print all digits of their ends.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <limits>
+#include <string>
+
+namespace driver::commands {
+
+inline CLI::Validator finite_above(double least, const std::string& allowed) {
+  const auto fault = [least, allowed](std::string& text) {
+    double value = 0.0;
+    const bool good = CLI::detail::lexical_cast(text, value) && std::isfinite(value) && value > least;
+    return good ? std::string() : text + ": " + allowed + " is allowed";
+  };
+  return {fault, ""};
+}
+inline const CLI::Validator finite = finite_above(std::numeric_limits<double>::lowest(), "a finite number");
+inline const CLI::Validator positive = finite_above(0.0, "a finite number above 0");
+
+inline CLI::Validator not_empty(const std::string& needed) {
+  const std::string fault = "is empty, " + needed + " is needed";
+  return {[fault](std::string& text) { return text.empty() ? fault : std::string(); }, ""};
+}
+inline const CLI::Validator named = not_empty("a name");
+inline const CLI::Validator given = not_empty("a value");  // empty text would be read as the number 0
+
+}  // namespace driver::commands
