@@ -1,11 +1,10 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # Sets up the machine, builds with warnings as errors and runs the tests, then runs them once more with libraries and
-# driver under AddressSanitizer and UndefinedBehaviorSanitizer, but for what takes more than 10 s of one core there: some orders
-# over whole scenes and membranes, the reference set, ladders of bags. The last line counts the tests of both suites together.
+# driver under AddressSanitizer and UndefinedBehaviorSanitizer. The last line counts the tests of both suites together.
 # usage: scripts/test_all.sh [--no-sanitize] [--long]
 #   --no-sanitize  leave out the sanitizer build
-#   --long         also run the tests labelled `long` (release build only), and all fast ones under the sanitizers
+#   --long         also run the tests labelled `long` (release build only)
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
@@ -79,11 +78,8 @@ fi
 phase "verification report" scripts/verification_report.sh --check || failed_suites+=("verification report")
 phase "stability atlas" scripts/stability_atlas.sh --check || failed_suites+=("stability atlas")
 if ((sanitize)); then
-  slow='MassShares\.(shipped|every_shape)|ContactBalloon|ContactRebound\.(depth|energy)|shadow\.(disc_off|jet_force)'
-  slow+='|plate_that_the_folded_bag_crosses|command_(reference|external|ladder)|ladder\.impactor|jet_scene\.fast_route'
-  slow+='|coupled_energy\.drift_falls|contact_scene\.(drift|broad_phase_looks)'
   build sanitize
-  if ((long)); then suite sanitize; else suite sanitize -E "$slow"; fi
+  suite sanitize
 fi
 
 echo "=== wall time of each phase"
