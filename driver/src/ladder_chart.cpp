@@ -8,11 +8,16 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <chrono>
 #include <cmath>
+#include <csignal>
 #include <cstring>
 #include <fstream>
+#include <optional>
+#include <thread>
 
 #include "driver/ladder.hpp"
+#include "driver/progress.hpp"
 #include "driver/results.hpp"
 
 namespace driver {
@@ -65,15 +70,35 @@ std::string chart(const LadderResult& result, const LadderOptions& options) {
   }
   std::string list;
   for (const std::string& name : names) list += name;
+  // Where it is not known it fills nothing: all would be grey.
+  const double uncertainty =
+      std::isfinite(result.reference.uncertainty) ? percent * result.reference.uncertainty : 0.0;
   return fmt::format(
              "# Error of {0} against CPU time of the rungs of a ladder; filled: the front, than which "
              "nothing cheaper is as "
              "exact.\n# Errors below {1:g} of the tolerance are drawn there. `gnuplot ladder.gp` draws "
              "ladder.svg.\n"
              "tolerance = {2}\nuncertainty = {3}\nlist = \"{4}\"\nset ylabel 'Error of {0} [%]'\n",
-             result.quantity, least_share, 100.0 * options.tolerance, percent * result.reference.uncertainty,
-             list) +
+             result.quantity, least_share, 100.0 * options.tolerance, uncertainty, list) +
          block("rungs", rungs) + block("front", front) + block("named", named) + std::string(commands);
+}
+
+constexpr std::chrono::seconds longest_wait{30};  // some hundred times what a chart takes
+
+// How the process ended; without one it did not within that time, or until Ctrl-C, and was ended.
+std::optional<int> status_within(pid_t child, std::chrono::seconds time) {
+  const auto until = std::chrono::steady_clock::now() + time;
+  int status = 0;
+  for (;;) {
+    const pid_t ended = waitpid(child, &status, WNOHANG);
+    if (ended == child) return status;
+    if (ended < 0 && errno != EINTR) return std::nullopt;
+    if (interrupted() || std::chrono::steady_clock::now() > until) break;
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+  kill(child, SIGKILL);
+  while (waitpid(child, &status, 0) < 0 && errno == EINTR) continue;
+  return std::nullopt;
 }
 
 // What keeps `gnuplot ladder.gp` in `folder` from ending well; empty: nothing.
@@ -88,10 +113,10 @@ std::string run_gnuplot(const std::filesystem::path& folder) {
   const int code = posix_spawnp(&child, program.c_str(), &actions, nullptr, arguments, environ);
   posix_spawn_file_actions_destroy(&actions);
   if (code != 0) return fmt::format("gnuplot: {}", std::strerror(code));
-  int status = 0;
-  while (waitpid(child, &status, 0) < 0 && errno == EINTR) continue;
+  const std::optional<int> status = status_within(child, longest_wait);
+  if (!status) return fmt::format("gnuplot did not end within {} s or before Ctrl-C", longest_wait.count());
   const bool drawn =
-      WIFEXITED(status) && WEXITSTATUS(status) == 0 && std::filesystem::exists(folder / "ladder.svg");
+      WIFEXITED(*status) && WEXITSTATUS(*status) == 0 && std::filesystem::exists(folder / "ladder.svg");
   return drawn ? "" : "gnuplot failed";
 }
 

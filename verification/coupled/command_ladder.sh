@@ -43,6 +43,17 @@ part_ladder() {
     [ -e "$work/tank/ladder.svg" ] && fail "a chart that is not of this ladder is there"
   done
   grep -q '^plot' "$work/tank/ladder.gp" || fail "no commands of the chart"
+  # One that never ends goes with Ctrl-C.
+  printf '#!/bin/sh\n: >begun\nexec sleep 100\n' >"$work/bad/gnuplot"
+  rm -f "$work/tank/begun"
+  PATH="$work/bad:$PATH" "$gasjet" ladder "$tank" --quantity pressure --quiet --out "$work/tank" >"$work/hung" 2>&1 </dev/null &
+  local hung=$! tries=0 from
+  until [ -e "$work/tank/begun" ] || [ $tries -ge 300 ]; do sleep 0.1; tries=$((tries + 1)); done
+  from=$SECONDS
+  kill -INT $hung
+  wait $hung
+  grep -q "gnuplot did not end" "$work/hung" || fail "nothing says that gnuplot did not end: $(cat "$work/hung")"
+  ((SECONDS - from < 15)) || fail "Ctrl-C waits for gnuplot"
   expect 4 "undecided: pressure_Pa is 101325 in the full case" "$gasjet" ladder "$tank" --quantity pressure --quiet \
     --set inflator.0.start_time=5 --out "$work/tank"
   grep -q '"reason": "pressure_Pa is' "$work/tank/ladder.json" || fail "no reason in ladder.json"
