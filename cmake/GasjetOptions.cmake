@@ -16,7 +16,7 @@ target_compile_options(gasjet_options INTERFACE
   -ffp-contract=off -fno-math-errno -fno-trapping-math
   $<$<BOOL:${GASJET_WERROR}>:-Werror>
   $<$<BOOL:${GASJET_SANITIZE}>:-fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer>
-  # Eigen's temporaries go out of scope so often that to watch for it alone takes four fifths of the time.
+  # Eigen's temporaries go out of scope so often that to watch for it takes up to four fifths of a test's time.
   $<$<BOOL:${GASJET_SANITIZE}>:-fno-sanitize-address-use-after-scope>)
 # Eigen aligns by hand where it sees AddressSanitizer; the tests' objects, compiled without, must free the same way.
 target_compile_definitions(gasjet_options INTERFACE $<$<BOOL:${GASJET_SANITIZE}>:EIGEN_MALLOC_ALREADY_ALIGNED=1>)

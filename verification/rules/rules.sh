@@ -247,6 +247,7 @@ rule_table_heads() {
     for part in machine commit compiler flags; do
       grep -qE "^# $part: ." <<<"$head" || echo "$file:1: the lines above the columns do not name its $part (scripts/provenance.sh)"
     done
+    ! grep -q -- '-dirty' <<<"$head" || echo "$file:1: made by a build of changed sources, of which no commit tells"
   done
 }
 

@@ -45,7 +45,7 @@ good_tree() {
   put docs/table.csv '# machine' 'case,force_kN' 'one,0.01234' 'two,5'
   put docs/charts/ladder.csv '# machine: M, 2 cores' '# commit: 0123abc' '# compiler: GNU 12' '# flags: -O3' '# counted from: 3' \
     '# reference: 1' 'rung,runs,error' 'full,16,0.05'
-  put docs/charts/bag.csv '# machine: M, 2 cores' '# gasjet 0.1.0 (0123abc-dirty, GNU 12, Release -O3)' 'x' '1'
+  put docs/charts/bag.csv '# machine: M, 2 cores' '# gasjet 0.1.0 (0123abc, GNU 12, Release -O3)' 'x' '1'
   put docs/report.md '| check | off |' '|---|---|' '| one | 0.03 |' '| two | 0 |'
   put docs/numbers.tsv '# comment' $'docs/page.md\tforce is ([0-9.]+) N\tdocs/table.csv\tcase=one\tforce_kN\t1000\t%.1f' \
     $'docs/page.md\tlarger by ([0-9.]+) kN\tdocs/table.csv\tcase=two - case=one\tforce_kN\t1\t%.3f' \
@@ -170,6 +170,7 @@ case $rule in
     breaks docs/charts/bag.csv '# machine: M, 2 cores' 'x' "$version" '1'
     breaks docs/figures/bag.csv '# machine: M, 2 cores' '# gasjet 0.1.0 (unknown, GNU 12, Release -O3)' 'x' '1'
     breaks docs/charts/ladder.csv '# machine: M' '# commit: 0123abc' '# compiler: GNU 12' 'rung,error' 'full,0.05'
+    breaks docs/charts/bag.csv '# machine: M, 2 cores' '# gasjet 0.1.0 (0123abc-dirty, GNU 12, Release -O3)' 'x' '1'
     breaks docs/charts/ladder.csv '# machine: ' '# commit: 0123abc' '# compiler: GNU 12' '# flags: -O3' 'rung,error' 'full,0.05'
     ;;
   mutation_lines)
