@@ -12,6 +12,7 @@
 #include "claim.hpp"
 #include "closed_form/orifice.hpp"
 #include "gas/orifice.hpp"
+#include "rosenbrock_step.hpp"
 
 // What the library avoids: schemes written out here, each beside the formula of its failure, and the
 // library's own answer on the same problem.
@@ -86,6 +87,13 @@ double unlocated_error(int steps) {
   return relative(0.4 * x[1] / volume, closed_form::blowdown(exact, end).pressure);
 }
 
+struct Rosenbrock4 {
+  template <class Rates>
+  void do_step(const Rates& rates, std::array<double, 2>& x, double, double h) {
+    x = rosenbrock_step(rates, x, h);
+  }
+};
+
 /// Mean over a quarter more steps: the switch falls anywhere in its step.
 template <class Stepper>
 double mean_error(int steps) {
@@ -117,6 +125,7 @@ TEST(failing_scheme, stepping_over_the_sonic_switch_costs_order) {
   expect_order<odeint::runge_kutta4<State>>("Runge-Kutta 4", 3.0, "order 3: the second derivative jumps");
   expect_order<odeint::runge_kutta_dopri5<State>>("Dormand-Prince 5", 3.0,
                                                   "order 3: the second derivative jumps");
+  expect_order<Rosenbrock4>("Rosenbrock 4", 3.0, "order 3: the second derivative jumps");
 }
 
 }  // namespace

@@ -61,17 +61,30 @@ Tank benchmark_tank(double vent_area) {
                                  kVolume)};
 }
 
+void add_inflow(const Stretch& stretch, double t, std::span<double> y) {
+  const gas::ControlVolumeModel& model = stretch.tank.model;
+  for (const gas::Inflow& in : model.inflows) {
+    const double from = std::max(0.0, stretch.begin - in.start_time), to = t - in.start_time;
+    if (!(to > from)) continue;
+    const double mass = in.mass_flow.integral(from, to);
+    for (std::size_t k = 0; k + 1 < y.size(); ++k) y[k] += mass * in.mass_fractions[k];
+    y.back() += mass * model.thermo.enthalpy(in.mass_fractions, in.temperature.value(from));
+  }
+}
+
 void rates(const Stretch& stretch, double t, std::span<const double> y, std::span<double> dydt) {
-  const auto& [tank, begin, end] = stretch;
+  const auto& [tank, begin, end, inflow] = stretch;
   const std::size_t n = y.size() - 1;
   t = std::clamp(t, std::nextafter(begin, end), std::nextafter(end, begin));
-  gas::ControlVolumeState state{{y.begin(), y.end() - 1}, y[n], tank.start.temperature, {}};
+  std::vector<double> held(y.begin(), y.end());
+  if (inflow == Inflow::kClosedForm) add_inflow(stretch, t, held);
+  gas::ControlVolumeState state{{held.begin(), held.end() - 1}, held[n], tank.start.temperature, {}};
   for (double& m : state.masses) m = std::max(m, 0.0);
   const gas::GasPoint point = gas::evaluate(tank.model, state, tank.volume, tank.leak_area, t);
   const double out = point.vent_mass_flow + point.fabric_mass_flow;
   for (std::size_t k = 0; k < n; ++k) dydt[k] = -out * state.masses[k] / point.mass;
   dydt[n] = -out * (state.internal_energy + point.pressure * tank.volume) / point.mass;
-  for (std::size_t i = 0; i < tank.model.inflows.size(); ++i) {
+  for (std::size_t i = 0; inflow == Inflow::kStepped && i < tank.model.inflows.size(); ++i) {
     const gas::InflatorPoint in = gas::inflator_point(tank.model, i, t);
     const auto& fractions = tank.model.inflows[i].mass_fractions;
     for (std::size_t k = 0; k < n; ++k) dydt[k] += fractions[k] * in.mass_flow;
@@ -100,14 +113,14 @@ gas::ControlVolumeState state_of(const Tank& tank, std::span<const double> y) {
           {}};
 }
 
-std::vector<gas::ControlVolumeState> msbdf(const Tank& tank, double tolerance) {
+std::vector<gas::ControlVolumeState> msbdf(const Tank& tank, double tolerance, Inflow inflow) {
   gsl_set_error_handler_off();
   std::vector<double> y = unknowns(tank.start);
   const std::vector<double> scale = scales(tank);
   std::vector<gas::ControlVolumeState> states;
   double t = 0.0;
   for (const double end : tank.stops) {
-    Stretch stretch{tank, t, end};
+    Stretch stretch{tank, t, end, inflow};
     gsl_odeiv2_system system{gsl_rates, gsl_jacobian, y.size(), &stretch};
     gsl_odeiv2_driver* driver =
         gsl_odeiv2_driver_alloc_scaled_new(&system, gsl_odeiv2_step_msbdf, std::min(1e-9, 0.5 * (end - t)),
@@ -115,6 +128,7 @@ std::vector<gas::ControlVolumeState> msbdf(const Tank& tank, double tolerance) {
     const int status = gsl_odeiv2_driver_apply(driver, &t, end, y.data());
     gsl_odeiv2_driver_free(driver);
     if (status != GSL_SUCCESS) throw std::runtime_error(gsl_strerror(status));
+    if (inflow == Inflow::kClosedForm) add_inflow(stretch, end, y);
     states.push_back(state_of(tank, y));
   }
   return states;

@@ -67,20 +67,32 @@ TEST(thermo, dsdT_eq_cp_over_T) {
   }
 }
 
+/// Every species alone, and air.
+std::vector<std::vector<double>> compositions(const gas::Thermo& thermo) {
+  std::vector<std::vector<double>> all;
+  for (std::size_t k = 0; k < thermo.size(); ++k) {
+    all.emplace_back(thermo.size(), 0.0);
+    all.back()[k] = 1.0;
+  }
+  all.push_back(thermo.mass_fractions_by_mole(gas::air_by_mole()));
+  return all;
+}
+
 TEST(thermo, h_minus_u_eq_RT_and_cp_minus_cv_eq_R) {
   const gas::Thermo thermo = every_species();
-  for (std::size_t k = 0; k < thermo.size(); ++k) {
-    std::vector<double> pure(thermo.size(), 0.0);
-    pure[k] = 1.0;
+  for (const std::vector<double>& gas : compositions(thermo))
     for (const double t : kTemperatures) {
-      const double r = thermo.gas_constant(k);
-      // Differences of two numbers of the size of h and cp: one rounding each.
-      EXPECT_NEAR(thermo.enthalpy(k, t) - thermo.internal_energy(k, t), r * t,
-                  4.0 * kEpsilon * std::abs(thermo.enthalpy(k, t)) + 4.0 * kEpsilon * r * t);
-      EXPECT_NEAR(thermo.cp(pure, t) - thermo.cv(pure, t), r, 8.0 * kEpsilon * thermo.cp(k, t));
-      EXPECT_NEAR(thermo.gamma(pure, t), thermo.cp(k, t) / (thermo.cp(k, t) - r), 16.0 * kEpsilon);
+      const double r = thermo.gas_constant(gas), h = thermo.enthalpy(gas, t), cp = thermo.cp(gas, t);
+      // Differences of two numbers of the size of h and cp: one rounding each, a few more in air's sums.
+      EXPECT_NEAR(h - thermo.mixture(gas).internal_energy(t), r * t, 8.0 * kEpsilon * (std::abs(h) + cp * t));
+      EXPECT_NEAR(cp - thermo.cv(gas, t), r, 8.0 * kEpsilon * cp);
+      EXPECT_NEAR(thermo.gamma(gas, t), cp / (cp - r), 16.0 * kEpsilon);
+      EXPECT_LT(relative(thermo.speed_of_sound(gas, t), std::sqrt(cp / (cp - r) * r * t)), 16.0 * kEpsilon);
     }
-  }
+  for (std::size_t k = 0; k < thermo.size(); ++k)
+    for (const double t : kTemperatures)
+      EXPECT_NEAR(thermo.enthalpy(k, t) - thermo.internal_energy(k, t), thermo.gas_constant(k) * t,
+                  4.0 * kEpsilon * (std::abs(thermo.enthalpy(k, t)) + thermo.gas_constant(k) * t));
 }
 
 /// J. D. Cox, D. D. Wagman, V. A. Medvedev, CODATA Key Values for Thermodynamics, 1989: enthalpy of formation

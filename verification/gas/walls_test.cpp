@@ -5,6 +5,7 @@
 #include "cases.hpp"
 #include "claim.hpp"
 #include "real_axis_limit.hpp"
+#include "rosenbrock_step.hpp"
 
 // Heat through the walls: where each method fails, and the first gas of an evacuated volume, which has no
 // heat capacity.
@@ -47,7 +48,36 @@ TEST(walls, threshold_eq_their_relaxation_rate) {
     EXPECT_LT(growth(method, 0.99 * h, false), 1.0) << static_cast<int>(method);
     EXPECT_THROW(growth(method, 1.01 * h, false), gas::DomainError) << static_cast<int>(method);
   }
-  EXPECT_LT(growth(gas::Method::kRosenbrock4, 100.0 / rate, false), 1e-3);
+}
+
+/// u after one step of u' = -z u from 1: the method's stability function.
+double rosenbrock_growth(double z) {
+  const auto rates = [&](const std::array<double, 2>& u, std::array<double, 2>& rate, double) {
+    rate = {-z * u[0], 0.0};
+  };
+  return rosenbrock_step(rates, {1.0, 1.0}, 1.0)[0];
+}
+
+/// The implicit method has no limit: in one step a disturbance falls to |R(-z)|, below 1 at any z = h lambda.
+TEST(walls, implicit_method_damps_at_any_step) {
+  gas::ControlVolumeModel model = closed_tank(nitrogen());
+  model.heat_loss = {200.0, 400.0};
+  const gas::ControlVolumeState start = gas::make_state(model, kPure, 2e5, 401.0, 0.06);
+  const double rate = 200.0 / (start.masses[0] * 742.0);
+  for (const double z : {1.0, 10.0, 100.0, 1e4}) {
+    const double h = z / rate, predicted = rosenbrock_growth(z);
+    EXPECT_LT(std::abs(predicted), 1.0);
+    gas::ControlVolumeState state = start;
+    gas::GasIntegrator(model, {1e-10, 100000, gas::Method::kRosenbrock4, h})
+        .advance(state, 0.0, h, rigid(0.06));
+    std::ostringstream name;
+    name << "Rosenbrock 4, h λ_w = " << z;
+    claim::expect_threshold(
+        {"G.16", name.str(), "linear: the Jacobian's differences, 1e-7, through six stages"},
+        {"implicit stepper", "|R(−h λ_w)| of a step, below 1 for any", std::abs(predicted),
+         std::abs(state.temperature - 400.0), "", "no limit"},
+        1.0 - 1e-6, 1.0 + 1e-6);
+  }
 }
 
 /// Evacuated tank filled at a flow that is constant or grows from zero; hA = ratio mdot cv.

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include "cases.hpp"
+
+// Balances on p_a itself, closer to it than any tolerance: nothing may flow the other way.
+namespace {
+
+using namespace cases;
+
+/// A tank behind a wide vent that lets air of its own gas in, kept at p_a: p V and so U stay.
+struct AtAmbient {
+  const char* name;
+  double inflow, conductance;  // [kg/s] of 300 K, [W/K]; one is zero
+  gas::ControlVolumeModel model() const {
+    gas::ControlVolumeModel model = closed_tank(nitrogen());
+    model.vents.push_back({1.0, 0.1});
+    model.vents.back().backflow = true;
+    model.ambient.mass_fractions = kPure;
+    if (inflow > 0.0) model.inflows.push_back(steady_inflow(model.thermo, inflow, 300.0));
+    model.heat_loss = {conductance, 293.15};
+    return model;
+  }
+  /// Time [s] in which the gas goes from `begin` to `end` [K], with cp 1038.8 J/(kg K). What an inflow brings
+  /// leaves at T: m' = inflow (1 - m/M), M = m of its temperature. What walls take, air brings:
+  /// cp m' = hA (M/m - 1), M = m of theirs.
+  double time(double begin, double end) const {
+    const double last = inflow > 0.0 ? 300.0 : 293.15;
+    const double final = kAmbientPressure * 0.06 / (296.8 * last), m0 = final * last / begin,
+                 m1 = final * last / end, decay = std::log((final - m0) / (final - m1));
+    return inflow > 0.0 ? final / inflow * decay : (m0 - m1 + final * decay) * 1038.8 / conductance;
+  }
+  /// What goes the wrong way [kg] in 0.1 s, and the state then.
+  gas::ControlVolumeState run(const gas::IntegratorOptions& options, double& wrong) const {
+    const gas::ControlVolumeModel m = model();
+    gas::GasIntegrator integrator(m, options);
+    gas::ControlVolumeState state = gas::make_state(m, kPure, kAmbientPressure, 900.0, 0.06);
+    for (int i = 0; i < 100; ++i) {
+      const gas::StepFluxes f = integrator.advance(state, 1e-3 * i, 1e-3 * (i + 1), rigid(0.06));
+      wrong += inflow > 0.0 ? f.backflow_mass : f.vent_mass_out;
+    }
+    return state;
+  }
+};
+
+void PrintTo(const AtAmbient& balance, std::ostream* out) {
+  *out << balance.name;
+}
+
+class balance_at_ambient : public testing::TestWithParam<AtAmbient> {
+ protected:
+  /// Nothing goes the wrong way, and T is right to `bound`, relative, and to the pressure drop at the vent,
+  /// 6 Pa of p_a, that the formula leaves out.
+  void expect_right(const gas::IntegratorOptions& options, double bound) const {
+    double wrong = 0.0;
+    const double end = GetParam().run(options, wrong).temperature;
+    EXPECT_EQ(wrong, 0.0);
+    const double slope = (GetParam().time(900.0, end * 1.001) - GetParam().time(900.0, end * 0.999)) / 0.002;
+    EXPECT_NEAR((GetParam().time(900.0, end) - 0.1) / slope, 0.0, bound + 1e-4);
+  }
+};
+
+/// The balance is far closer to p_a than any tolerance here, which is of p: no method may take its error for
+/// flow the other way.
+TEST_P(balance_at_ambient, exchanges_nothing) {
+  for (const gas::Method method : kMethods)
+    for (const double tolerance : {1e-3, 1e-4, 1e-5, 1e-6}) {
+      SCOPED_TRACE(testing::Message() << static_cast<int>(method) << " at " << tolerance);
+      // As p V is held, the error of m is that of p, a sub-step's, and of the heat: some three of a
+      // tolerance. Euler's two half sub-steps of h are off by h^2 x''/4 = tolerance x, x = m/M, x' = (1/x -
+      // 1)/tau, tau = 0.4 s: over 0.1 s from x = 0.33 they add up to 0.96 sqrt(tolerance). Twice that, for
+      // sub-steps that the balance of p keeps shorter.
+      const bool first_order = method == gas::Method::kEuler;
+      expect_right({tolerance, 100000, method}, first_order ? 2.0 * std::sqrt(tolerance) : 3.0 * tolerance);
+    }
+}
+
+/// Fixed steps too long for that balance are an error; short ones exchange nothing.
+TEST_P(balance_at_ambient, fixed_steps_exchange_nothing_or_fail) {
+  for (const gas::Method method :
+       {gas::Method::kEuler, gas::Method::kRungeKutta4, gas::Method::kDormandPrince5}) {
+    double wrong = 0.0;
+    for (const double step : {1e-3, 1e-4, 3e-5})
+      EXPECT_THROW(GetParam().run({1e-10, 100000, method, step}, wrong), gas::DomainError) << step;
+    EXPECT_EQ(wrong, 0.0);  // nor did any before it failed
+    // Euler's error is of the order of the step's share of the walls' tau.
+    expect_right({1e-10, 100000, method, 4e-6}, 4e-6 / 0.05);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(of, balance_at_ambient,
+                         testing::Values(AtAmbient{"walls", 0.0, 180.0}, AtAmbient{"inflow", 0.36, 0.0}),
+                         [](const auto& one) { return std::string(one.param.name); });
+
+TEST(effort, too_stiff_a_backflow_names_its_relaxation) {
+  const AtAmbient walls{"walls", 0.0, 180.0};
+  try {
+    double wrong = 0.0;
+    walls.run({1e-3, 100}, wrong);
+    FAIL();
+  } catch (const gas::DomainError& error) {
+    const std::string text = error.what(), words = "relaxes within ";
+    ASSERT_NE(text.find(words), std::string::npos) << text;
+    // Air of m' = hA (T - T_a)/(cp T_a) falls through (m'/C)^2/(2 rho), and raises p by gamma R T_a m'/V:
+    // that of the balance, which p swings about by as much.
+    const double flow = 180.0 * (900.0 - 293.15) / (1038.8 * 293.15), rt = 296.8 * 293.15;
+    const double drop = flow * flow / 0.01 / (2.0 * kAmbientPressure / rt);
+    const double time = 2.0 * drop * 0.06 / (1038.8 / 742.0 * rt * flow);
+    const double named = std::stod(text.substr(text.find(words) + words.size()));
+    EXPECT_LT(std::abs(std::log(named / time)), std::log(4.0)) << text;
+  }
+}
+
+}  // namespace
