@@ -58,16 +58,6 @@ struct Range {
           select(g.y > end, Floats(kFar), max(g.y, -half_long) + margin)};
 }
 
-[[gnu::always_inline]] inline void store_ray(float* ray, const Vec3<Floats>& g, Floats half_long) {
-  const Floats y = max(min(g.y, half_long), -half_long);
-  const Vec3<Floats> d = {g.x, g.y - y, g.z};
-  store(ray, d);
-  y.store(ray + 24);
-  (y * d.z).store(ray + 32);
-  (y * d.x).store(ray + 40);
-  largest(d).store(ray + 48);
-}
-
 inline RayBounds make_rays(const RayArrays& a, int count, std::uint8_t* aside) {
   const Floats half_long(a.half_long), far(kFar);
   Range u{far, -far}, v{far, -far};
@@ -80,7 +70,6 @@ inline RayBounds make_rays(const RayArrays& a, int count, std::uint8_t* aside) {
     const Range p = turned(g.x, g.z), q = a.half_long > 0.0f ? places(g, half_long) : turned(g.y, g.z);
     const auto empty = [&](Range r) { return Range{select(valid, r.low, far), select(valid, r.high, -far)}; };
     store(a.boxes + 4 * std::ptrdiff_t{k}, empty(p), empty(q));
-    store_ray(a.rays + kRayFloats / 8 * std::ptrdiff_t{k}, g, half_long);
     const Range slope_u = empty(slopes(g.x, g.z)), slope_v = empty(a.half_long > 0.0f ? q : slopes(g.y, g.z));
     u = {min(u.low, slope_u.low), max(u.high, slope_u.high)};
     v = {min(v.low, slope_v.low), max(v.high, slope_v.high)};
@@ -121,6 +110,12 @@ template <class Triangle>
 }
 [[gnu::always_inline]] inline Corners load_corners(const float* points) {
   return {load_points(points), load_points(points + 24), load_points(points + 48)};
+}
+
+[[gnu::always_inline]] inline void store(float* points, const Corners& t) {
+  store(points, t.a);
+  store(points + 24, t.b);
+  store(points + 48, t.c);
 }
 
 struct Sides {
@@ -166,10 +161,7 @@ inline void look_at_patches(const PatchArrays& given) {
   for (int k = 0; k < s.count; ++k) {
     const int patch = s.patches[k];
     const Corners t = gather_corners(s.local, s.triangles, [&](int i) { return 8 * patch + i; });
-    float* points = s.points + kElementFloats * std::ptrdiff_t{k};
-    store(points, t.a);
-    store(points + 24, t.b);
-    store(points + 48, t.c);
+    store(s.points + kElementFloats * std::ptrdiff_t{k}, t);
     const int left = s.elements - 8 * patch;
     const unsigned there = left < 8 ? (1u << left) - 1u : 0xffu;
     const Sides side = sides(s, t);

@@ -70,10 +70,9 @@ struct ProjectFlags {
 
 /// Rays to their targets, eight side by side.
 struct RayArrays {
-  const float* targets;  // local coordinates, 4 a ray
+  const float* targets;  // local coordinates, 4 a ray, to a multiple of eight rays
   float half_long;       // 0: a point source
   float* boxes;  // of the two coordinates that do not change along a ray: 8 low p, high p, low q, high q
-  float* rays;   // 8 direction u, v, w from the source, its place y on the line, y w, y u, largest |u|
 };
 
 /// Slopes u/w (v/w, or v of a line of sources) of the rays, with their errors.
@@ -98,14 +97,14 @@ struct PatchArrays {
   std::uint8_t* on_way;   // may touch the line
 };
 
-/// Elements of which something is asked by their edges.
-struct EdgeArrays {
+/// Elements that blocks of rays are tested against.
+struct ElementArrays {
   const float* local;
   float half_long;
   const int* triangles;  // in the mesh's order
   const int* elements;   // places in it, a multiple of eight
   float* boxes;
-  float* edges;
+  float* points;  // eight (u, v, w) of their corners
 };
 
 /// Rays and one element for each.
@@ -121,7 +120,7 @@ struct PairArrays {
 /// What a kernel knows of a ray that may touch an element: nothing more, that its segment crosses the
 /// interior, or that the line does, before or behind the segment.
 inline constexpr int kHitKinds = 4, kBlocked = 1, kMet = 2;
-inline constexpr int kRayFloats = 56, kElementFloats = 72, kEdgeFloats = 184;  // of eight
+inline constexpr int kElementFloats = 72;  // of eight
 
 /// Where hits go, and two lists on the way to them with room for all elements and eight more.
 struct HitLists {
@@ -152,15 +151,15 @@ struct KernelTable {
   RayBounds (*make_rays)(const RayArrays&, int count, std::uint8_t* aside);
   void (*look_at_patches)(const PatchArrays&);
   void (*element_boxes)(const float* points, float half_long, int patches, float* boxes);
-  void (*make_edges)(const EdgeArrays&, int count);
+  void (*gather_elements)(const ElementArrays&, int count);
   /// The eight boxes of a block to one: the box around them.
   void (*merge)(const float* block, float* box);
   void (*meet_pairs)(const PairArrays&, int count);
-  /// Elements with edges that rays of a block of eight, those in `alive`, may touch: 8 times the element plus
+  /// Elements that rays of a block of eight, those in `alive`, may touch: 8 times the element plus
   /// the ray, times kHitKinds, plus what is certain, to `hits`: their number. A ray is left after a certain
   /// touch.
-  int (*meet_edges)(const RayArrays&, int block, unsigned alive, const PyramidView&, const float* edges,
-                    const HitLists&);
+  int (*meet_blocks)(const RayArrays&, int block, unsigned alive, const PyramidView&, const float* points,
+                     const HitLists&);
   /// Elements that a ray may touch up to its target, times kHitKinds, plus what is certain.
   int (*meet_elements)(const RayArrays&, int ray, const PyramidView&, const float* points, const HitLists&);
 };

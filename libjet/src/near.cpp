@@ -12,9 +12,9 @@ void NearElements::reserve(const OrderedMesh& mesh) {
   points_.resize(kElementFloats * patches);
   for (auto* bytes : {&inner_, &outer_, &between_, &on_way_}) bytes->resize(patches);
   boxes_.reserve(8 * patches);
-  edge_boxes_.reserve(8 * patches);
+  own_boxes_.reserve(8 * patches);
   places_.resize(8 * patches);
-  edges_.resize(kEdgeFloats * patches);
+  own_points_.resize(kElementFloats * patches);
   hits_.resize(64 * patches);  // eight rays and all elements
   first_.resize(8 * patches + 8);
   second_.resize(8 * patches + 8);
@@ -47,15 +47,15 @@ void NearElements::make_boxes(const RayBundle& rays) {
   has_boxes_ = true;
 }
 
-void NearElements::make_edges(const RayBundle& rays, std::span<const int> places) {
+void NearElements::gather_elements(const RayBundle& rays, std::span<const int> places) {
   const std::size_t count = places.size();
   std::copy(places.begin(), places.end(), places_.begin());
   std::fill(places_.begin() + static_cast<std::ptrdiff_t>(count),
             places_.begin() + static_cast<std::ptrdiff_t>((count + 7) / 8 * 8), places.back());
-  kernel_table().make_edges({rays.local(), rays.arrays().half_long, mesh_->triangles.front().data(),
-                             places_.data(), edge_boxes_.boxes(), edges_.data()},
-                            static_cast<int>(count));
-  edge_boxes_.build(static_cast<int>(count));
+  kernel_table().gather_elements({rays.local(), rays.arrays().half_long, mesh_->triangles.front().data(),
+                                  places_.data(), own_boxes_.boxes(), own_points_.data()},
+                                 static_cast<int>(count));
+  own_boxes_.build(static_cast<int>(count));
 }
 
 }  // namespace jet

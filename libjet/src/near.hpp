@@ -48,11 +48,11 @@ class NearElements {
   template <class Visit>
   void for_each_touching(const RayBundle& rays, std::span<const std::uint8_t> alive,
                          std::span<const int> places, Visit visit) {
-    make_edges(rays, places);
+    gather_elements(rays, places);
     for (std::size_t block = 0; block < alive.size(); ++block) {
       if (alive[block] == 0) continue;
-      const int count = kernel_table().meet_edges(rays.arrays(), static_cast<int>(block), alive[block],
-                                                  edge_boxes_.view(), edges_.data(), lists());
+      const int count = kernel_table().meet_blocks(rays.arrays(), static_cast<int>(block), alive[block],
+                                                   own_boxes_.view(), own_points_.data(), lists());
       for (int i = 0; i < count; ++i) {
         const int hit = hits_[static_cast<std::size_t>(i)], pair = hit / kHitKinds;
         visit(8 * block + static_cast<std::size_t>(pair % 8), places[static_cast<std::size_t>(pair / 8)],
@@ -88,7 +88,7 @@ class NearElements {
       }
     }
   }
-  void make_edges(const RayBundle& rays, std::span<const int> places);
+  void gather_elements(const RayBundle& rays, std::span<const int> places);
   void make_boxes(const RayBundle& rays);
 
   const OrderedMesh* mesh_ = nullptr;
@@ -100,9 +100,9 @@ class NearElements {
   std::vector<std::uint8_t> between_, on_way_;  // of those found
   Pyramid boxes_;                               // of the patches' elements
   bool has_boxes_ = false;
-  std::vector<int> places_;  // of the elements with edges, filled to a multiple of eight
-  std::vector<float> edges_;
-  Pyramid edge_boxes_;
+  std::vector<int> places_;  // of the elements that blocks are tested against, filled to a multiple of eight
+  std::vector<float> own_points_;
+  Pyramid own_boxes_;
   HitLists lists() { return {hits_.data(), first_.data(), second_.data()}; }
 
   std::vector<int> hits_, first_, second_;

@@ -37,7 +37,6 @@ void RayBundle::reserve(const OrderedMesh& mesh, std::size_t element_count, std:
   aside.reserve(kMostAside);
   local_.resize(4 * (node_count + 8));
   local_targets_.resize(4 * (element_count + 8));
-  ray_floats_.resize(kRayFloats * (element_count / 8 + 1));
   codes_.resize(node_count + 8);
   aside_bits_.resize(element_count / 8 + 1);
   made_.resize(element_count);
@@ -129,8 +128,7 @@ bool RayBundle::project() {
     for (int j = 0; j < 3; ++j) arrays_.column[i][j] = scale_ * (*axes[j])[i];
   }
   kernels.project_centroids(arrays_, static_cast<int>(candidates.size()));
-  rays_ = {local_targets_.data(), static_cast<float>(scale_ * source_->half_long), boxes_.boxes(),
-           ray_floats_.data()};
+  rays_ = {local_targets_.data(), static_cast<float>(scale_ * source_->half_long), boxes_.boxes()};
   bounds_ = kernels.make_rays(rays_, static_cast<int>(candidates.size()), aside_bits_.data());
   find_aside(candidates.size());
   arrays_.local = local_.data();

@@ -91,7 +91,6 @@ class RayBundle {
   std::vector<int> all_;              // patches
   std::vector<float> local_;          // 4 a node
   std::vector<float> local_targets_;  // 4 a ray
-  std::vector<float> ray_floats_;     // see RayArrays
   Pyramid boxes_;                     // of the rays
   std::vector<std::uint8_t> codes_;   // of the nodes
   std::vector<std::uint8_t> aside_bits_;

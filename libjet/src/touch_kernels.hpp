@@ -42,54 +42,78 @@ inline int blocks_near(const PyramidView& pyramid, const Box& box, int* out, int
   return count;
 }
 
-[[gnu::always_inline]] inline Floats determinant(const Vec3<Floats>& d, const Vec3<Floats>& a,
-                                                 const Vec3<Floats>& b) {
-  return d.x * (a.y * b.z - a.z * b.y) + d.y * (a.z * b.x - a.x * b.z) + d.z * (a.x * b.y - a.y * b.x);
-}
-
-struct Meeting {
-  Floats::Mask possible;  // the line may touch the triangle
-  Floats::Mask pierced;   // it passes through the triangle's interior for certain
-  Floats::Mask crossed;   // the segment's ends are on either side of the plane for certain
-  Floats::Mask beyond;    // they are on one side for certain
+/// A ray from (0, y, 0) to g, on the line u = slope_u w, v = y + slope_v w.
+struct Line {
+  Vec3<Floats> g;
+  Floats y, slope_u, slope_v;
+  Floats error, error_w;  // of a place beside the line at w: error + error_w |w|
 };
 
-/// The line along d, and its segment, and a triangle; all are seen from the source. With D and m the largest
-/// coordinates of d and the corners, which err by 2^-23, the determinants err by 3e-6 m (D + D m + m) at
-/// most, the heights over the plane by 1e-5 n (M + n), M and n the largest coordinates of the points and of
-/// the edges, as in `sides`.
-[[gnu::always_inline]] inline Meeting meet(const Vec3<Floats>& d, const Vec3<Floats>& a,
-                                           const Vec3<Floats>& b, const Vec3<Floats>& c) {
-  const Floats m = max(max(largest(a), largest(b)), largest(c)), D = largest(d);
-  const Floats error = 3e-6f * (m * (D + D * m + m)) + 1e-12f;
-  const Floats ab = determinant(d, a, b), bc = determinant(d, b, c), ca = determinant(d, c, a);
-  const Floats high = max(max(ab, bc), ca), low = min(min(ab, bc), ca);
-  const Normal n = normal_of(a, b, c);
-  const Floats plane_error = 1e-5f * (n.size * (m + D + n.size)) + 1e-12f;
-  const Floats near = a.x * n.x + a.y * n.y + a.z * n.z;
-  const Floats far = (a.x - d.x) * n.x + (a.y - d.y) * n.y + (a.z - d.z) * n.z;
-  const auto inner = near > plane_error, outer = near<-plane_error, above = far> plane_error,
-             below = far < -plane_error;
-  return {~((high > error) & (low < -error)), (low > error) | (high < -error),
-          (inner & below) | (outer & above), (inner & above) | (outer & below)};
+/// With u = 2^-25 and s the larger slope, slopes err by 7 u (1 + s) / g.w and what `beside` computes from
+/// corners, which err by u, by 10 u (1 + s) (1 + |w| / g.w) at most. Nothing is certain where g is not
+/// downstream.
+[[gnu::always_inline]] inline Line line_to(const Vec3<Floats>& g, Floats half_long) {
+  const Floats y = max(min(g.y, half_long), -half_long);
+  const Floats inverse = select(g.z > Floats(kSlack), 1.0f / g.z, Floats(kFar));
+  const Floats u = g.x * inverse, v = (g.y - y) * inverse;
+  const Floats error = 5e-7f * (max(abs(u), abs(v)) + 1.0f);
+  return {g, y, u, v, error, error * inverse};
 }
 
-/// The same of triangles where they are, from the source (0, y, 0).
-[[gnu::always_inline]] inline Meeting meet_from(Floats y, const Vec3<Floats>& d, const Corners& t) {
-  const auto seen = [&](const Vec3<Floats>& x) { return Vec3<Floats>{x.x, x.y - y, x.z}; };
-  return meet(d, seen(t.a), seen(t.b), seen(t.c));
+/// Signs with which a line passes the edges of triangles: those of the corners' places beside it, taken two
+/// by two. With E the error of a place and m the largest, a product errs by 3.4 m E + 0.8 E^2 at most.
+struct Passing {
+  Floats low, high, error;
+  Floats::Mask possible() const { return ~((high > error) & (low < -error)); }
+  Floats::Mask pierced() const { return (low > error) | (high < -error); }
+};
+[[gnu::always_inline]] inline Passing pass(const Line& r, const Corners& t) {
+  struct Place {
+    Floats u, v;
+  };
+  const auto beside = [&](const Vec3<Floats>& x) {
+    return Place{x.x - r.slope_u * x.z, (x.y - r.y) - r.slope_v * x.z};
+  };
+  const Place a = beside(t.a), b = beside(t.b), c = beside(t.c);
+  const auto larger = [](const Place& p) { return max(abs(p.u), abs(p.v)); };
+  const Floats m = max(max(larger(a), larger(b)), larger(c));
+  const Floats error = r.error + r.error_w * max(max(abs(t.a.z), abs(t.b.z)), abs(t.c.z));
+  const Floats ab = a.u * b.v - a.v * b.u, bc = b.u * c.v - b.v * c.u, ca = c.u * a.v - c.v * a.u;
+  return {min(min(ab, bc), ca), max(max(ab, bc), ca), 6.0f * (error * (m + error))};
+}
+
+/// Where on its line a segment ends.
+struct Ends {
+  Floats::Mask crossed;  // if the line pierces the triangle, the segment does for certain
+  Floats::Mask beyond;   // the segment does not touch it for certain
+};
+
+/// All corners are between the ends, or beyond one of them; or the ends are on either side, or one side, of
+/// the plane. With M and n the largest coordinates of the points and of the edges, heights over the plane err
+/// by 4e-6 n (M + n) at most.
+[[gnu::always_inline]] inline Ends ends(const Line& r, const Corners& t) {
+  const auto& [a, b, c] = t;
+  const Floats low = min(min(a.z, b.z), c.z), high = max(max(a.z, b.z), c.z), slack(kSlack);
+  const Normal n = normal_of(a, b, c);
+  const Floats size = max(max(largest(a), largest(b)), max(largest(c), largest(r.g)));
+  const Floats error = 1e-5f * (n.size * (size + n.size)) + 1e-12f;
+  const Floats near = a.x * n.x + (a.y - r.y) * n.y + a.z * n.z;
+  const Floats far = (a.x - r.g.x) * n.x + (a.y - r.g.y) * n.y + (a.z - r.g.z) * n.z;
+  const auto inner = near > error, outer = near<-error, above = far> error, below = far < -error;
+  return {((low > slack) & (high < r.g.z - slack)) | (inner & below) | (outer & above),
+          (low > r.g.z + kSlack) | (high < -slack) | (inner & above) | (outer & below)};
 }
 
 inline void meet_pairs(const PairArrays& p, int count) {
-  const Floats end(p.half_long);
   for (int k = 0; k < count; k += 8) {
     const auto last = [&](int i) { return k + i < count ? k + i : count - 1; };
-    const Vec3<Floats> g = gather_rows(p.targets, [&](int i) { return p.rays[last(i)]; });
+    const Line r =
+        line_to(gather_rows(p.targets, [&](int i) { return p.rays[last(i)]; }), Floats(p.half_long));
     const Corners t = gather_corners(p.local, p.triangles, [&](int i) { return p.elements[last(i)]; });
-    const Floats y = max(min(g.y, end), -end);
-    const Meeting m = meet_from(y, {g.x, g.y - y, g.z}, t);
-    p.blocked[k / 8] = static_cast<std::uint8_t>(bits(m.pierced & m.crossed));
-    p.apart[k / 8] = static_cast<std::uint8_t>(bits(~m.possible | m.beyond));
+    const Passing passing = pass(r, t);
+    const Ends end = ends(r, t);
+    p.blocked[k / 8] = static_cast<std::uint8_t>(bits(passing.pierced() & end.crossed));
+    p.apart[k / 8] = static_cast<std::uint8_t>(bits(~passing.possible() | end.beyond));
   }
 }
 
@@ -97,9 +121,9 @@ inline int meet_elements(const RayArrays& rays, int ray, const PyramidView& pyra
                          const HitLists& to) {
   const float* bounds = rays.boxes + 32 * std::ptrdiff_t{ray / 8} + ray % 8;
   const Box box(bounds, 8);
-  const float* r = rays.rays + kRayFloats * std::ptrdiff_t{ray / 8} + ray % 8;
-  const Vec3<Floats> d = {Floats(r[0]), Floats(r[8]), Floats(r[16])};
-  const Floats y(r[24]), end(r[16] + kSlack);
+  const float* g = rays.targets + 4 * std::ptrdiff_t{ray};
+  const Line line = line_to({Floats(g[0]), Floats(g[1]), Floats(g[2])}, Floats(rays.half_long));
+  const Floats end = line.g.z + kSlack;
   const int blocks = blocks_near(pyramid, box, to.first, to.second);
   int near = 0, count = 0;
   for (int i = 0; i < blocks; ++i) {
@@ -112,9 +136,11 @@ inline int meet_elements(const RayArrays& rays, int ray, const PyramidView& pyra
   }
   for (int i = 0; i < near; ++i) {
     const int block = to.second[i];
-    const Meeting m = meet_from(y, d, load_corners(points + kElementFloats * std::ptrdiff_t{block}));
-    unsigned hits = bits(m.possible & ~m.beyond);
-    const unsigned blocked = hits & bits(m.pierced & m.crossed);
+    const Corners t = load_corners(points + kElementFloats * std::ptrdiff_t{block});
+    const Passing passing = pass(line, t);
+    const Ends on = ends(line, t);
+    unsigned hits = bits(passing.possible() & ~on.beyond);
+    const unsigned blocked = hits & bits(passing.pierced() & on.crossed);
     for (; hits != 0; hits &= hits - 1u) {
       const int e = __builtin_ctz(hits);
       to.hits[count++] = kHitKinds * (8 * block + e) + static_cast<int>(blocked >> e & 1u) * kBlocked;

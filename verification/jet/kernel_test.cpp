@@ -116,7 +116,7 @@ TEST(kernels, profile_eq_exponential) {
 }
 
 struct Looked {
-  std::vector<float> local, points, targets, ray_boxes, rays, boxes, edges;
+  std::vector<float> local, points, targets, ray_boxes, boxes, near_points;
   std::vector<std::uint8_t> codes, inner, outer, between, on_way, aside, blocked, apart;
   std::vector<int> hits;
   bool operator==(const Looked&) const = default;
@@ -161,9 +161,8 @@ Looked look(const jet::KernelTable& kernels, const Mesh& mesh, float half_long) 
            std::vector<float>(jet::kElementFloats * patches),
            std::vector<float>(4 * count),
            std::vector<float>(4 * count),
-           std::vector<float>(jet::kRayFloats * patches),
            std::vector<float>(4 * count),
-           std::vector<float>(jet::kEdgeFloats * patches),
+           std::vector<float>(jet::kElementFloats * patches),
            std::vector<std::uint8_t>(nodes + 8),
            bytes(),
            bytes(),
@@ -175,7 +174,7 @@ Looked look(const jet::KernelTable& kernels, const Mesh& mesh, float half_long) 
            {}};
   project(kernels, mesh, triangles, all, p);
   const int n = static_cast<int>(count);
-  const jet::RayArrays rays{p.targets.data(), half_long, p.ray_boxes.data(), p.rays.data()};
+  const jet::RayArrays rays{p.targets.data(), half_long, p.ray_boxes.data()};
   kernels.make_rays(rays, n, p.aside.data());
   kernels.look_at_patches({p.local.data(),
                            half_long,
@@ -193,13 +192,13 @@ Looked look(const jet::KernelTable& kernels, const Mesh& mesh, float half_long) 
   kernels.meet_pairs({p.targets.data(), p.local.data(), half_long, triangles.data(), all.data(),
                       all.data() + 8, p.blocked.data(), p.apart.data()},
                      n - 8);
-  kernels.make_edges(
-      {p.local.data(), half_long, triangles.data(), all.data(), p.boxes.data(), p.edges.data()}, n);
+  kernels.gather_elements(
+      {p.local.data(), half_long, triangles.data(), all.data(), p.boxes.data(), p.near_points.data()}, n);
   const jet::PyramidView view{p.boxes.data(), 1, {}, {8}};  // the first 64 elements
   std::vector<int> hits(8 * count), first(count + 8), second(count + 8);
   const jet::HitLists lists{hits.data(), first.data(), second.data()};
   for (int block = 0; block < n / 8; ++block) {
-    const int found = kernels.meet_edges(rays, block, 0xf7u, view, p.edges.data(), lists);
+    const int found = kernels.meet_blocks(rays, block, 0xf7u, view, p.near_points.data(), lists);
     p.hits.insert(p.hits.end(), hits.begin(), hits.begin() + found);
   }
   kernels.element_boxes(p.points.data(), half_long, n / 8, p.boxes.data());
