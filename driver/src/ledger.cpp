@@ -17,6 +17,8 @@ void book_kick(const Scene& scene, State& state, bool last) {
   if (state.contact.area > 0.0) {
     const double tau = 0.5 * (state.step.before + (last ? 0.0 : state.step.after));
     state.flows.contact_impulse += tau * state.contact.force.norm();
+    state.flows.path_impulse +=
+        tau * state.pendulum->contact_moment / scene.pendulum->model.parameters().impactor_distance;
   }
   if (!state.bag) return;
   const auto& work = state.bag->advance.work;

@@ -30,6 +30,7 @@ std::vector<Column<RunQuantities>> quantity_columns(const Scene& scene) {
     GASJET_COLUMN(peak_cg_acceleration_m_s2);
     GASJET_COLUMN(peak_cg_acceleration_cfc180_m_s2);
     GASJET_COLUMN(contact_impulse_Ns);
+    GASJET_COLUMN(path_impulse_Ns);
     GASJET_COLUMN(first_contact_s);
   }
 #undef GASJET_COLUMN
@@ -57,6 +58,7 @@ Member run_member(const Scene& scene) {
                        state.peaks.cg_acceleration,
                        filtered_peak(acceleration, impactor_channel_class),
                        state.flows.contact_impulse,
+                       state.flows.path_impulse,
                        state.peaks.first_contact};
   return member;
 }

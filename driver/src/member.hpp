@@ -14,6 +14,7 @@ struct RunQuantities {
   double peak_cg_acceleration_m_s2 = 0.0;
   double peak_cg_acceleration_cfc180_m_s2 = 0.0;
   double contact_impulse_Ns = 0.0;
+  double path_impulse_Ns = 0.0;
   double first_contact_s = -1.0;  // negative: none
 };
 

@@ -34,6 +34,7 @@ void contact(const Scene& scene, State& state) {
   const auto& model = scene.pendulum->model;
   state.level.pendulum_angle = pendulum.motion.angle;
   pendulum.moment = model.gravity_moment(pendulum.motion.angle);
+  pendulum.contact_moment = 0.0;
   if (!scene.contact) return;
   // The central difference turned the pendulum by this since the last level.
   const double turn = state.step.before * pendulum.motion.angular_velocity;
@@ -49,7 +50,8 @@ void contact(const Scene& scene, State& state) {
   const auto& axis = model.parameters().axis;
   state.contact = scene.contact->evaluate(*state.contact_cache, state.bag->position.map(), centre,
                                           state.bag->contact_force.map(), turn * axis);
-  pendulum.moment += model.moment(state.contact.force, centre) + axis.dot(state.contact.couple);
+  pendulum.contact_moment = model.moment(state.contact.force, centre) + axis.dot(state.contact.couple);
+  pendulum.moment += pendulum.contact_moment;
   state.flows.friction_loss += state.contact.friction_loss;
 }
 

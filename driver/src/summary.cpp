@@ -61,6 +61,7 @@ Json peaks(const Scene& scene, const State& state) {
     json["contact_force_N"] = p.contact_force;
     json["contact_penetration_m"] = p.penetration;
     json["contact_impulse_Ns"] = state.flows.contact_impulse;
+    json["path_impulse_Ns"] = state.flows.path_impulse;
     json["first_contact_s"] = p.first_contact >= 0.0 ? Json(p.first_contact) : Json(nullptr);
   }
   return json;

@@ -32,6 +32,26 @@ TEST(contact_scene, books_close_with_contact_and_friction) {
         << i;
 }
 
+// What contact gives the pendulum along the impactor's path is what its angular momentum gained, but for
+// gravity's.
+TEST(contact_scene, path_impulse_eq_angular_momentum_that_contact_gave) {
+  for (const char* friction : {"0.0", "0.3"}) {
+    const auto run = run_case("ball_impact",
+                              {std::string("contact.friction=") + friction, "scene.gravity=[0.0, 0.0, 0.0]"});
+    ASSERT_EQ(run.outcome.status, driver::RunStatus::done) << run.outcome.message;
+    const auto scene = coupled::scene_of("ball_impact");
+    const auto& model = scene.pendulum->model;
+    const double gained = model.axis_inertia() *
+                          (run.state.pendulum->angular_velocity - scene.pendulum->initial.angular_velocity) /
+                          model.parameters().impactor_distance;
+    claim::expect_near({"K.26", "pendulum strikes a ball, without gravity: impulse along its path [N s]",
+                        "eps x 1000 kicks"},
+                       run.state.flows.path_impulse, gained, 1e-12 * std::abs(gained));
+    // The force leans off the path, the more so with friction: its size has more impulse.
+    EXPECT_LT(std::abs(run.state.flows.path_impulse), run.state.flows.contact_impulse) << friction;
+  }
+}
+
 // Root mean square of the physical drift over the run [J]: its last or largest value alone falls on one phase
 // of the skin's vibration.
 double drift(const std::string& step, const std::string& friction, const std::string& share) {

@@ -114,13 +114,15 @@ TEST(ContactForce, carried_state_gives_the_same_bits) {
   const auto model = scenes::contact(skin, kRadius, kStiffness);
   auto state = model.make_state();
   Eigen::Matrix3Xd forces(3, skin.nodes.cols());
-  int touching = 0;
+  int touching = 0, idle_looks = 0;
   for (int n = 0; n < 400; ++n) {
     const double s = 0.02 * n;
     const Vector3d centre(0.2 * std::sin(s), 0.15 * std::sin(1.7 * s),
                           kRadius * (1.5 + 0.9 * std::sin(2.9 * s)));
     forces.setZero();
+    const int looks = state.looks;
     const auto result = model.evaluate(state, skin.nodes, centre, forces);
+    if (n > 0 && result.deepest_element < 0) idle_looks += state.looks - looks;
     const auto t = scenes::touch(model, skin.nodes, centre);
     touching += result.deepest_element >= 0;
     ASSERT_EQ(result.energy, t.result.energy) << n;
@@ -129,8 +131,9 @@ TEST(ContactForce, carried_state_gives_the_same_bits) {
   }
   EXPECT_GT(touching, 50);
   EXPECT_LT(touching, 350);
-  // And it is a cache that works: it spares nine tenths of looking at all elements each time.
-  EXPECT_LT(state.looks, 400 * model.element_count() / 10);
+  // And it is a cache that works: a step may cost 2 % more for it where nothing touches, the work on 2 % of
+  // the elements; a look at one costs about as much as that work on three.
+  EXPECT_LT(3.0 * idle_looks, 0.02 * model.element_count() * (399 - touching));
 }
 
 TEST(ContactForce, result_reports_deepest_point) {

@@ -53,6 +53,7 @@ struct Flows {
   double jet_work = 0.0;         // [J] by external jets
   double kick_work = 0.0;        // [J] of every force, kick form
   double contact_impulse = 0.0;  // [N s] resultant's magnitude, integrated
+  double path_impulse = 0.0;     // [N s] (K.26), of its part along the impactor's path
 };
 
 /// What a jet is asked on: the skin's elements, or their pieces.
@@ -127,6 +128,7 @@ struct StepSizes {
 struct PendulumRun {
   coupling::PendulumState motion;                    // S8
   double moment = 0.0;                               // S7 [N m] at n
+  double contact_moment = 0.0;                       // S7 [N m] at n, contact's share of it
   Eigen::Vector3d centre = Eigen::Vector3d::Zero();  // S7 [m] of the impactor at n
   double angular_velocity = 0.0;                     // S8 [rad/s] at n
   coupling::CgAcceleration acceleration;             // S8 at n
