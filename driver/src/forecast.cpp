@@ -77,10 +77,11 @@ double relaxation_rate(const Scene& scene, double mass_at_start, const Forecast&
   double rate = 0.0;
   if (mass_at_start > 0.0)
     rate = gas::outflow_relaxation_rate(full.gamma, f.supply.peak_flow / mass_at_start, 1.0);
-  const double flow = full.vent_flow + full.fabric_flow, ambient = scene.ambient.pressure;
+  const double flow = full.vent_flow + full.fabric_flow;
   if (!(flow > 0.0)) return rate;
-  const double of_vents = gas::orifice_pressure_exponent(full.gamma, ambient / full.pressure),
-               of_fabric = gas::fabric_pressure_exponent(full.pressure, ambient);
+  const double share = 1.0 - scene.ambient.pressure / full.pressure;
+  const double of_vents = gas::orifice_pressure_exponent(full.gamma, share),
+               of_fabric = gas::fabric_pressure_exponent(share);
   const double exponent = (full.vent_flow * of_vents + full.fabric_flow * of_fabric) / flow;
   return std::max(rate, gas::outflow_relaxation_rate(full.gamma, flow / full.mass, exponent));
 }

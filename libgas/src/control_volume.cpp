@@ -119,7 +119,7 @@ void add_outflow(const ControlVolumeModel& model, const ControlVolumeState& stat
         vent.discharge_coefficient * vent_area(vent, state.triggers, time, point.pressure - p_a),
         point.pressure, point.temperature, point.gas_constant, point.cp, point.gamma, p_a);
   if (!model.fabric_velocity)
-    point.fabric_mass_flow = fabric_mass_flow(leak_area, point.density, point.pressure, p_a);
+    point.fabric_mass_flow = fabric_mass_flow(leak_area, point.density, point.pressure - p_a);
   else if (point.pressure > p_a)
     point.fabric_mass_flow = leak_area * point.density * model.fabric_velocity->value(point.pressure - p_a);
 }

@@ -11,6 +11,8 @@ namespace {
 
 // Where p is no longer held is located to this, of the flow at hold_near().
 constexpr double kShareNear = 1e-9;
+// No more than this of it, which may be infinite, takes part in that.
+constexpr double kMostShare = 2.0;
 
 bool is_out(Regime regime) {
   return regime == Regime::kOut || regime == Regime::kOutSonic;
@@ -160,9 +162,9 @@ double Substepper::end_at_turn(Rates& rates, double x, double h, const Start& st
   return start.rate * end >= 0.0 ? h : end_at_zero(rates, x, h, start.rate, end, 20, rate);
 }
 
-/// Shortens the trial to end at `event`, which it has passed. A switch that p starts on and leaves at once is
-/// made at the begin (length 0); one that it starts on, leaves and comes back to lies beyond a turn, which
-/// ends the trial.
+/// Shortens the trial to end at `event`, which it has passed. A switch that p starts on and leaves at once,
+/// or has passed already, is made at the begin (length 0); one that it starts on, leaves and comes back to
+/// lies beyond a turn, which ends the trial.
 double Substepper::end_at(Event event, Rates& rates, double x, double h, const Start& start) {
   const double near = closeness(rates.balance, event);
   const auto value = [&](double) {
@@ -173,7 +175,7 @@ double Substepper::end_at(Event event, Rates& rates, double x, double h, const S
   event_ = event;
   next_regime_ = regime_after(rates.balance, event, rates.time(x + h));
   if (std::abs(begin) > near && begin * end < 0.0) return end_at_zero(rates, x, h, begin, end, 50, value);
-  if (start.rate * end >= 0.0) return 0.0;
+  if (std::abs(begin) > near || start.rate * end >= 0.0) return 0.0;
   event_ = Event::kNone;
   return end_at_turn(rates, x, h, start);
 }
@@ -188,8 +190,10 @@ double Substepper::end_of_hold(Rates& rates, double x, double h, double start_sh
     event_ = Event::kHold;
     next_regime_ = bound == 0.0 ? Regime::kClosed : out ? Regime::kOut : Regime::kBack;
     if (std::abs(begin) < kShareNear || begin * (end - bound) > 0.0) return 0.0;
-    h = end_at_zero(rates, x, h, begin, end - bound, 40,
-                    [&](double) { return balance.point().share - bound; });
+    const auto value = [&](double) {
+      return std::clamp(balance.point().share, -kMostShare, kMostShare) - bound;
+    };
+    h = end_at_zero(rates, x, h, begin, value(h), 40, value);
   }
   balance.settle(trial_.end, trial_.end_rate, rates.time(x + h), h);
   return h;

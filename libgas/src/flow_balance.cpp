@@ -8,13 +8,15 @@
 #include "gas/orifice.hpp"
 
 namespace gas {
-FlowBalance::FlowBalance(const ControlVolumeModel& model)
+FlowBalance::FlowBalance(const ControlVolumeModel& model, double negligible)
     : model_(model),
+      negligible_(negligible),
       openings_(model),
       segments_(model.inflows.size()),
       delivered_(model.inflows.size()),
       received_(model.inflows.size()),
       masses_(model.thermo.size()),
+      lack_(masses_.size()),
       base_(masses_.size() + 1),
       totals_(unknowns()),
       scratch_(unknowns()) {
@@ -84,22 +86,24 @@ double FlowBalance::species_energy(std::size_t k) const {
          work_share_ * model_.thermo.gas_constant(k) * point_.temperature;
 }
 
-void FlowBalance::outflow_rates(Vector& dydt, double t, double p) {
-  const double r = mixture_.gas_constant_sum / point_.mass, p_a = ambient_pressure();
-  const double flux = regime_ == Regime::kOutSonic
-                          ? choked_mass_flow(1.0, p, point_.temperature, r, point_.gamma)
-                          : subsonic_mass_flow(1.0, p, point_.temperature, r,
-                                               r * point_.gamma / (point_.gamma - 1.0), point_.gamma, p_a);
+/// At p_a + overpressure, as is backflow_rates().
+void FlowBalance::outflow_rates(Vector& dydt, double t, double overpressure) {
+  const double r = mixture_.gas_constant_sum / point_.mass, p = ambient_pressure() + overpressure;
+  const double flux =
+      regime_ == Regime::kOutSonic
+          ? choked_mass_flow(1.0, p, point_.temperature, r, point_.gamma)
+          : subsonic_mass_flow(1.0, p, point_.temperature, r, r * point_.gamma / (point_.gamma - 1.0),
+                               point_.gamma, overpressure);
   for (std::size_t j = 0; j < openings_.vents(); ++j) {
-    const double flow = openings_.effective_area(j, t, p - p_a) * flux;
+    const double flow = openings_.effective_area(j, t, overpressure) * flux;
     dydt[out_slot(j)] = flow;
     dydt[out_slot(j) + 1] = flow * point_.specific_enthalpy;
     point_.vent += flow;
   }
   const double density = point_.mass / point_.volume;
-  point_.fabric = model_.fabric_velocity && p > p_a
-                      ? leak_area(t) * density * openings_.fabric_velocity(p - p_a)
-                      : fabric_mass_flow(leak_area(t), density, p, p_a);
+  point_.fabric = model_.fabric_velocity && overpressure > 0.0
+                      ? leak_area(t) * density * openings_.fabric_velocity(overpressure)
+                      : fabric_mass_flow(leak_area(t), density, overpressure);
   const std::size_t fabric = out_slot(openings_.vents());
   dydt[fabric] = point_.fabric;
   dydt[fabric + 1] = point_.fabric * point_.specific_enthalpy;
@@ -107,16 +111,16 @@ void FlowBalance::outflow_rates(Vector& dydt, double t, double p) {
   for (std::size_t k = 0; k < masses_.size(); ++k) dydt[k] = per_mass * masses_[k];
 }
 
-void FlowBalance::backflow_rates(Vector& dydt, double t, double p) {
+void FlowBalance::backflow_rates(Vector& dydt, double t, double overpressure) {
   const double p_a = ambient_pressure(), t_a = model_.ambient.temperature,
                r = air_.gas_constant_sum / air_.mass;
-  const double flux =
-      regime_ == Regime::kBackSonic
-          ? choked_mass_flow(1.0, p_a, t_a, r, air_gamma_)
-          : subsonic_mass_flow(1.0, p_a, t_a, r, r * air_gamma_ / (air_gamma_ - 1.0), air_gamma_, p);
+  const double flux = regime_ == Regime::kBackSonic
+                          ? choked_mass_flow(1.0, p_a, t_a, r, air_gamma_)
+                          : subsonic_mass_flow(1.0, p_a, t_a, r, r * air_gamma_ / (air_gamma_ - 1.0),
+                                               air_gamma_, -overpressure);
   for (std::size_t j = 0; j < openings_.vents(); ++j) {
     if (!openings_.has_backflow(j)) continue;
-    dydt[back_slot(j)] = openings_.effective_area(j, t, p - p_a) * flux;
+    dydt[back_slot(j)] = openings_.effective_area(j, t, overpressure) * flux;
     point_.back += dydt[back_slot(j)];
   }
 }
@@ -125,11 +129,11 @@ void FlowBalance::fill_rates(Vector& dydt, double t) {
   std::ranges::fill(dydt, 0.0);
   point_.vent = point_.fabric = point_.back = 0.0;
   if (!point_.valid) return;
-  if (regime_ == Regime::kBack || regime_ == Regime::kBackSonic) backflow_rates(dydt, t, point_.pressure);
+  if (regime_ == Regime::kBack || regime_ == Regime::kBackSonic) backflow_rates(dydt, t, point_.overpressure);
   dydt[heat_slot()] = point_.heat;
   if (point_.mass == 0.0) return;
   dydt[work_slot()] = point_.pressure * volume_rate(t);
-  if (regime_ == Regime::kOut || regime_ == Regime::kOutSonic) outflow_rates(dydt, t, point_.pressure);
+  if (regime_ == Regime::kOut || regime_ == Regime::kOutSonic) outflow_rates(dydt, t, point_.overpressure);
   if (is_held()) hold(dydt, t);
 }
 

@@ -19,7 +19,7 @@ enum class Regime {
   kOutSonic,   // p > p_a, vents sonic
   kBack,       // p < p_a, ambient gas flows in through vents with backflow, subsonic
   kBackSonic,  // the same, sonic
-  kHeld,       // p held within hold_near() of p_a: what comes in leaves, ambient gas replaces what p would lose
+  kHeld,  // p held within hold_near() of p_a: what comes in leaves, ambient gas replaces what p would lose
 };
 
 /// Right-hand side of the stepped unknowns y over one step; they count from the begin of a sub-step, t0. The
@@ -53,8 +53,9 @@ class FlowBalance {
     double share;  // [-] while p is held: flow through the openings over that at hold_near() from p_a
   };
 
-  /// `model` must outlive this.
-  explicit FlowBalance(const ControlVolumeModel& model);
+  /// `model` must outlive this. `negligible`: share of the gas by which a species may be lacking; it is then
+  /// gone.
+  FlowBalance(const ControlVolumeModel& model, double negligible);
 
   // Unknowns: mass out of each species [kg], work [J], heat [J], then mass [kg] and enthalpy [J] out through
   // each vent and last the fabric, then (if any vent has backflow) mass [kg] in through each vent.
@@ -80,6 +81,8 @@ class FlowBalance {
 
   /// Ends a sub-step with y at t: the next begins there.
   void accept(const Vector& y, double t);
+  /// Takes what more of a species has left than there was, at the point last located, out of y again.
+  void return_lack(Vector& y) const;
   /// Makes what leaves in all streams the mass of what leaves of all species, which an implicit method keeps
   /// only as well as it knows its matrix.
   void close_streams(Vector& y) const;
@@ -115,12 +118,12 @@ class FlowBalance {
   /// follows p.
   void finish(ControlVolumeState& state);
 
-  bool is_open() const;              // gas can leave
-  bool has_backflow() const;         // gas can come in
-  bool needs_stepper() const;        // something but inflow changes the gas
+  bool is_open() const;                                           // gas can leave
+  bool has_backflow() const;                                      // gas can come in
+  bool needs_stepper() const;                                     // something but inflow changes the gas
   double pressure_excess() const { return point_.overpressure; }  // [Pa] p - p_a
-  double sonic_excess() const;       // [Pa] critical ratio * p - p_a
-  double back_sonic_excess() const;  // [Pa] p - critical ratio * p_a
+  double sonic_excess() const;                                    // [Pa] critical ratio * p - p_a
+  double back_sonic_excess() const;                               // [Pa] p - critical ratio * p_a
   /// V dp/dt [W] of the last point if nothing flowed through the openings, at time t of this segment.
   double closed_pressure_growth(double t) const;
   /// dp/dt [Pa/s] at the last point, time t; zero without gas.
@@ -156,12 +159,15 @@ class FlowBalance {
   /// Energy [J/kg] that species k brings along at the temperature of the last point, u and the work (G.19)
   /// that it does; zero without gas.
   double species_energy(std::size_t k) const;
+  /// h [J/kg] of species k there.
+  double species_enthalpy(std::size_t k) const { return model_.thermo.enthalpy(k, point_.temperature); }
 
  private:
   void begin_books(const ControlVolumeState& state);
   void add_inflow(std::size_t i, double mass, double enthalpy);
   void supply(double t);
   void collect(const Vector& y, double t);
+  void find_depleted();
   void find_point(double t);
   std::optional<double> temperature_of(double energy) const;
   void place_gas(double energy, double temperature);
@@ -171,13 +177,14 @@ class FlowBalance {
   }  // (G.17)
   double leak_area(double t) const { return leak_area_begin_ + leak_area_rate_ * (t - t0_); }
   std::optional<double> temperature_of_first_gas(double t) const;
-  void outflow_rates(Vector& dydt, double t, double pressure);
-  void backflow_rates(Vector& dydt, double t, double pressure);
+  void outflow_rates(Vector& dydt, double t, double overpressure);
+  void backflow_rates(Vector& dydt, double t, double overpressure);
   double flows_near_ambient(Vector& dydt, double t, bool out, double share);
   void hold(Vector& dydt, double t);
   double held_overpressure(double t);
 
   const ControlVolumeModel& model_;
+  double negligible_;                // [-] of the gas
   std::vector<Mixture> inflow_gas_;  // 1 kg of each inflow
   Mixture air_;                      // 1 kg of the ambient gas, if a vent lets it in
   double air_enthalpy_ = 0.0, air_gamma_ = 1.4;
@@ -195,6 +202,8 @@ class FlowBalance {
   Regime regime_ = Regime::kClosed;
   std::optional<bool> hold_direction_;  // none: that of the growth of p
   std::vector<double> masses_;          // [kg] at the last evaluation
+  std::vector<double> lack_;            // [kg] by which more of each had left there
+  bool lacks_ = false;                  // any of it
   double energy_ = 0.0;                 // [J] U there
   std::vector<CompensatedSum> base_;    // the gas at base_time_
   std::vector<CompensatedSum> totals_;  // of the unknowns, over the step

@@ -41,14 +41,15 @@ double FlowBalance::heat_rate() const {
 }
 
 double FlowBalance::relaxation_rate() const {
-  const double p_a = ambient_pressure(), flow = point_.vent + point_.fabric;
+  const double flow = point_.vent + point_.fabric;
   if (is_held()) return (flow + point_.back) / point_.mass;  // p is no part of it
   if (regime_ == Regime::kBack && point_.back > 0.0)         // as the root of p_a - p, which it is near p_a
     return point_.back * pressure_growth(air_, model_.ambient.temperature, point_) /
-           (2.0 * point_.compliance * point_.volume * (p_a - point_.pressure));
+           (2.0 * point_.compliance * point_.volume * -point_.overpressure);
   if (!(flow > 0.0)) return 0.0;
-  const double vent = point_.vent * orifice_pressure_exponent(point_.gamma, p_a / point_.pressure);
-  const double fabric = point_.fabric * fabric_pressure_exponent(point_.pressure, p_a);
+  const double share = point_.overpressure / point_.pressure;
+  const double vent = point_.vent * orifice_pressure_exponent(point_.gamma, share);
+  const double fabric = point_.fabric * fabric_pressure_exponent(share);
   return outflow_relaxation_rate(point_.gamma, flow / point_.mass, (vent + fabric) / flow, point_.compliance);
 }
 

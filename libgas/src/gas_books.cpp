@@ -3,6 +3,7 @@
 // begin less what has passed since: through a tiny volume that is so much more that the difference would be
 // rounding.
 #include <algorithm>
+#include <numeric>
 
 #include "flow_balance.hpp"
 
@@ -55,6 +56,12 @@ void FlowBalance::accept(const Vector& y, double t) {
   base_time_ = t;
 }
 
+void FlowBalance::return_lack(Vector& y) const {
+  if (!lacks_) return;
+  for (std::size_t k = 0; k < masses_.size(); ++k) y[k] -= lack_[k];
+  close_streams(y);
+}
+
 void FlowBalance::close_streams(Vector& y) const {
   double species = 0.0, out = 0.0;
   for (std::size_t k = 0; k < masses_.size(); ++k) species += y[k];
@@ -86,6 +93,7 @@ void FlowBalance::supply(double t) {
     energy_ += enthalpy;
   }
   point_.depleted.reset();
+  lacks_ = false;
 }
 
 /// The gas at time t, (G.9), (G.10).
@@ -96,9 +104,20 @@ void FlowBalance::collect(const Vector& y, double t) {
       masses_[k] += model_.ambient.mass_fractions[k] * y[back_slot(j)];
     const double available = masses_[k];
     masses_[k] = std::max(0.0, available - y[k]);
-    if (!(y[k] <= available * (1.0 + kMassRoundOff))) point_.depleted = k;
+    lack_[k] = y[k] <= available * (1.0 + kMassRoundOff) ? 0.0 : y[k] - available;
   }
   energy_ += energy_change(y);
+  find_depleted();
+}
+
+/// A species of which more has left than can be overlooked.
+void FlowBalance::find_depleted() {
+  point_.depleted.reset();
+  lacks_ = std::ranges::any_of(lack_, [](double lack) { return lack != 0.0; });
+  if (!lacks_) return;
+  const double allowed = negligible_ * std::accumulate(masses_.begin(), masses_.end(), 0.0);
+  for (std::size_t k = 0; k < masses_.size(); ++k)
+    if (!(lack_[k] <= allowed)) point_.depleted = k;
 }
 
 void FlowBalance::locate(const Vector& y, double t) {
@@ -109,9 +128,8 @@ void FlowBalance::locate(const Vector& y, double t) {
 void FlowBalance::locate_gas(const Gas& gas, double t) {
   double mass = 0.0;
   for (std::size_t k = 0; k < masses_.size(); ++k) mass += masses_[k] = std::max(0.0, gas[k]);
-  point_.depleted.reset();
-  for (std::size_t k = 0; k < masses_.size(); ++k)
-    if (!(gas[k] >= -kMassRoundOff * mass)) point_.depleted = k;
+  for (std::size_t k = 0; k < masses_.size(); ++k) lack_[k] = gas[k] >= -kMassRoundOff * mass ? 0.0 : -gas[k];
+  find_depleted();
   energy_ = gas.back();
   find_point(t);
 }

@@ -21,19 +21,20 @@ double FlowBalance::flows_near_ambient(Vector& dydt, double t, bool out, double 
   for (std::size_t i = 0; i < dydt.size(); ++i)
     if (is_flow(i)) dydt[i] = 0.0;
   if (out)
-    outflow_rates(dydt, t, ambient_pressure() + share * hold_near());
+    outflow_rates(dydt, t, share * hold_near());
   else
-    backflow_rates(dydt, t, ambient_pressure() - share * hold_near());
+    backflow_rates(dydt, t, -share * hold_near());
   if (point_.vent + point_.fabric + point_.back == 0.0) return 0.0;  // exactly, where the openings are shut
   return pressure_rate(t) * point_.volume - closed_pressure_growth(t);
 }
 
 /// The flows that hold p, (G.22). Without backflow nothing does so where p would fall: the share is then
-/// negative.
+/// negative. It is infinite where the openings are shut that way.
 void FlowBalance::hold(Vector& dydt, double t) {
   const double growth = closed_pressure_growth(t);
   const bool out = hold_direction_ ? *hold_direction_ : growth >= 0.0 || !has_backflow();
-  point_.share = -growth / flows_near_ambient(dydt, t, out, 1.0);
+  const double full = flows_near_ambient(dydt, t, out, 1.0);
+  point_.share = growth == 0.0 ? 0.0 : -growth / full;
   const double factor = std::isfinite(point_.share) ? std::max(0.0, point_.share) : 0.0;
   for (std::size_t i = 0; i < dydt.size(); ++i)
     if (is_flow(i)) dydt[i] *= factor;

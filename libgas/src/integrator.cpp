@@ -11,6 +11,9 @@
 namespace gas {
 namespace {
 
+// Of the tolerance: by so much may a species that leaves faster than a sub-step be missing.
+constexpr double kNegligible = 0.1;
+
 const ControlVolumeModel& validated(const ControlVolumeModel& model) {
   validate(model);
   return model;
@@ -44,9 +47,10 @@ class GasIntegrator::Implementation {
  public:
   Implementation(const ControlVolumeModel& model, const IntegratorOptions& options)
       : model_(validated(model)),
-        balance_(model_),
+        balance_(model_,
+                 validated(options).fixed_step > 0.0 ? 0.0 : kNegligible * options.relative_tolerance),
         network_(model_.triggers),
-        substepper_(balance_, levels(), validated(options)),
+        substepper_(balance_, levels(), options),
         triggers_(model_.triggers.size()),
         before_(model_.triggers.size()),
         switchings_(model_.triggers.size()),

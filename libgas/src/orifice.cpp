@@ -32,10 +32,9 @@ double choked_mass_flow(double effective_area, double pressure, double temperatu
 }
 
 double subsonic_mass_flow(double effective_area, double pressure, double temperature, double gas_constant,
-                          double cp, double gamma, double ambient_pressure) {
-  if (!(pressure > ambient_pressure)) return 0.0;
-  // log of p_a/p; the difference of the pressures is exact where it matters (within a factor of 2).
-  const double log_ratio = std::log1p(-(pressure - ambient_pressure) / pressure);
+                          double cp, double gamma, double overpressure) {
+  if (!(overpressure > 0.0)) return 0.0;
+  const double log_ratio = std::log1p(-overpressure / pressure);  // of p_a/p
   const double powers = std::exp(2.0 / gamma * log_ratio) * -std::expm1((gamma - 1.0) / gamma * log_ratio);
   return effective_area * pressure / (gas_constant * temperature) *
          std::sqrt(2.0 * cp * temperature * powers);
@@ -46,16 +45,17 @@ double orifice_mass_flow(double effective_area, double pressure, double temperat
   if (!(pressure > ambient_pressure)) return 0.0;
   if (ambient_pressure <= critical_pressure_ratio(gamma) * pressure)
     return choked_mass_flow(effective_area, pressure, temperature, gas_constant, gamma);
-  return subsonic_mass_flow(effective_area, pressure, temperature, gas_constant, cp, gamma, ambient_pressure);
+  // The difference is exact where it matters, within a factor of 2.
+  return subsonic_mass_flow(effective_area, pressure, temperature, gas_constant, cp, gamma,
+                            pressure - ambient_pressure);
 }
 
-double fabric_mass_flow(double leak_area, double density, double pressure, double ambient_pressure) {
-  if (!(pressure > ambient_pressure)) return 0.0;
-  return leak_area * std::sqrt(2.0 * density * (pressure - ambient_pressure));
+double fabric_mass_flow(double leak_area, double density, double overpressure) {
+  return overpressure > 0.0 ? leak_area * std::sqrt(2.0 * density * overpressure) : 0.0;
 }
 
-double orifice_pressure_exponent(double gamma, double pressure_ratio) {
-  const double log_ratio = std::log(pressure_ratio);
+double orifice_pressure_exponent(double gamma, double overpressure_share) {
+  const double log_ratio = std::log1p(-overpressure_share);
   if (log_ratio <= log_critical_ratio(gamma)) return 1.0;
   const double first = std::exp(2.0 / gamma * log_ratio);
   const double second = std::exp((gamma + 1.0) / gamma * log_ratio);
@@ -63,8 +63,8 @@ double orifice_pressure_exponent(double gamma, double pressure_ratio) {
   return 1.0 - (2.0 * first - (gamma + 1.0) * second) / (2.0 * gamma * difference);
 }
 
-double fabric_pressure_exponent(double pressure, double ambient_pressure) {
-  return 0.5 + 0.5 * pressure / (pressure - ambient_pressure);
+double fabric_pressure_exponent(double overpressure_share) {
+  return 0.5 + 0.5 / overpressure_share;
 }
 
 double outflow_relaxation_rate(double gamma, double flow_per_mass, double pressure_exponent,

@@ -20,7 +20,7 @@ namespace {
 using Vector = Stepper::Vector;
 
 // Change of the gas, relative, for differences: at most.
-constexpr double kIncrement = 1e-7;
+constexpr double kIncrement = 2e-5;
 // Rounding of p, relative: some hundred operations.
 constexpr double kNoise = 2e-14;
 // Of the step, at most: small against it, yet so large that rounding of x does not show in the slope with x.
@@ -160,7 +160,8 @@ class RosenbrockStepper : public Stepper {
   /// second-order difference over r d is off by r^2, and by noise/(r d), which balance at r^3 = noise/d.
   static double increment(const FlowBalance& balance) {
     if (balance.is_held()) return kIncrement;
-    const double d = std::max(std::abs(balance.pressure_excess()) / balance.point().pressure, kNear);
+    const auto& point = balance.point();
+    const double d = std::max(std::abs(point.overpressure) * point.compliance / point.pressure, kNear);
     return std::min(kIncrement, std::cbrt(kNoise * d * d));
   }
 

@@ -7,7 +7,6 @@
 
 #include "near.hpp"
 
-
 namespace gas {
 namespace {
 
@@ -59,25 +58,24 @@ bool Substepper::try_step(Rates& rates, double x, double h) {
   h = (x + h) - x;  // what flows in until then, exactly
   stepper_->step(rates, zero_, begin_rate_, x, h, options_.fixed_step == 0.0, trial_);
   if (!rates.valid) rates.balance.invalidate();
+  rates.balance.return_lack(trial_.end);
   return rates.valid;
 }
 
-/// Error of mass and of thermal energy (what an error of mass takes along at the mixture's h is no error of
+/// Error of mass and of thermal energy (what an error of a mass takes along at its own h is no error of
 /// temperature), over the tolerance.
 double Substepper::scaled_error(const FlowBalance& balance) const {
   const auto& point = balance.point();
   if (!point.valid) return std::numeric_limits<double>::infinity();
   if (options_.fixed_step > 0.0) return 0.0;
-  double mass_error = 0.0, largest = 0.0;
+  const double work = trial_.error[balance.work_slot()];
+  double energy = balance.energy_change(trial_.error) + work, largest = 0.0;
   for (std::size_t k = 0; k < balance.species(); ++k) {
     const double change = balance.species_change(trial_.error, k);
-    mass_error += change;
+    if (change != 0.0) energy -= balance.species_enthalpy(k) * change;
     largest = std::max(largest, std::abs(change));
   }
-  const double work = trial_.error[balance.work_slot()];
-  const double energy_error =
-      std::abs(balance.energy_change(trial_.error) + work - point.specific_enthalpy * mass_error) +
-      std::abs(work);
+  const double energy_error = std::abs(energy) + std::abs(work);
   if (largest == 0.0 && energy_error == 0.0) return 0.0;
   return std::max(largest / point.mass, energy_error / point.thermal_energy) / options_.relative_tolerance;
 }
@@ -160,7 +158,8 @@ void Substepper::start_variable(Rates& rates, double t, double b) {
       balance.regime() == Regime::kOut ? growth > 0.0 : balance.regime() == Regime::kBack && growth < 0.0;
   if (!onset || options_.fixed_step > 0.0 || balance.pressure_rate(t) / growth < 0.5 / balance.point().volume)
     return;
-  const double shift = excess <= ambient_near(balance) ? 0.0 : excess * balance.point().volume / std::abs(growth);
+  const double shift =
+      excess <= ambient_near(balance) ? 0.0 : excess * balance.point().volume / std::abs(growth);
   if (!(shift < b - t)) return;
   rates.root = true;
   rates.origin = t - shift;
@@ -178,9 +177,10 @@ bool Substepper::pass_event(FlowBalance& balance) {
   return true;
 }
 
-/// A first step [s] from t, from how fast the gas changes.
+/// A first step [s] from t, from how fast the gas changes; from none, as long as there is.
 double Substepper::first_step(const FlowBalance& balance, double t) const {
   const auto& point = balance.point();
+  if (point.mass == 0.0) return std::numeric_limits<double>::infinity();
   const double fed = std::abs(balance.closed_pressure_growth(t)) / (point.pressure * point.volume);
   const double left = (point.vent + point.fabric + point.back) / point.mass;
   return first_step_share_ / (fed + left);
@@ -196,7 +196,7 @@ double Substepper::integrate(FlowBalance& balance, double a, double b) {
     start_variable(rates, t, b);
   }
   double x = rates.position(t);
-  const double first = first_step(balance, t);  // no number where there is no gas yet
+  const double first = first_step(balance, t);
   double h = rates.position(first < b - t ? t + first : b) - x;
   Start start = start_values(balance, t);
   while (t < b) {

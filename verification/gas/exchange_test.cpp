@@ -93,6 +93,27 @@ TEST(exchange, heat_loss_eq_closed_form) {
   }
 }
 
+/// An evacuated tank that an inflow and, sonic, air fill at once: mass and enthalpy are proportional to time.
+TEST(exchange, evacuated_fill_by_inflow_and_air_is_exact_by_any_method) {
+  gas::ControlVolumeModel model = closed_tank(nitrogen());
+  model.ambient.mass_fractions = kPure;
+  model.inflows.push_back(steady_inflow(model.thermo, 1e-3, 406.0));
+  model.vents.push_back({0.5, 2e-5});
+  model.vents.back().backflow = true;
+  // The flux of a sonic hole, (G.6) at (G.5), gamma = 7/5.
+  const double back = 1e-5 * kAmbientPressure * std::sqrt(1.4 / (296.8 * 293.15)) * std::pow(2.0 / 2.4, 3.0);
+  const double mass = 0.01 * (1e-3 + back), energy = 0.01 * 1038.8 * (1e-3 * 406.0 + back * 293.15);
+  for (const gas::Method method : kMethods)
+    for (const double tolerance : {1e-2, 1e-6, 1e-10}) {
+      SCOPED_TRACE(testing::Message() << static_cast<int>(method) << " at " << tolerance);
+      gas::ControlVolumeState state = gas::make_state(model, kPure, 0.0, 300.0, 1e-3);
+      gas::GasIntegrator(model, {tolerance, 1000, method}).advance(state, 0.0, 0.01, rigid(1e-3));
+      // Some hundred roundings: constant rates are exact by every method.
+      EXPECT_LT(relative(state.masses[0], mass), 1e-13);
+      EXPECT_LT(relative(state.internal_energy, energy), 1e-13);
+    }
+}
+
 /// The first gas of an evacuated tank has no heat capacity: inflow and walls balance from the first moment.
 TEST(exchange, evacuated_fill_with_heat_loss_is_at_its_balance_with_the_walls) {
   gas::ControlVolumeModel model = closed_tank(nitrogen());

@@ -144,7 +144,7 @@ Compared figure_3() {
     const double p = kAmbientPressure + excess, rho = p / (296.8 * 673.0);
     all = worst({all,
                  {gas::orifice_mass_flow(0.085, p, 673.0, 296.8, 1038.8, 1.4, kAmbientPressure), hole},
-                 {gas::fabric_mass_flow(0.085, rho, p, kAmbientPressure), fabric}});
+                 {gas::fabric_mass_flow(0.085, rho, p - kAmbientPressure), fabric}});
   }
   return all;
 }

@@ -185,7 +185,7 @@ TEST(threshold, relaxation_rate_eq_closed_forms) {
       const double p = kAmbientPressure + excess, mass = p * 0.06 / (296.8 * 400.0);
       const double flow =
           closed_form::orifice_mass_flow({{296.8, gamma}, 1e-3, 1.0, p, 400.0, kAmbientPressure});
-      const double n = gas::orifice_pressure_exponent(gamma, kAmbientPressure / p);
+      const double n = gas::orifice_pressure_exponent(gamma, (p - kAmbientPressure) / p);
       const double root =
           -closed_form::vent_eigenvalue({{296.8, gamma}, 0.06, 1e-3, kAmbientPressure, 400.0}, excess);
       // The square root's rate is the limit of small dp/p: off by some dp/p, and eps p/dp of rounding.

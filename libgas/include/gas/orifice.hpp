@@ -20,23 +20,24 @@ double orifice_mass_flow(double effective_area /* Cd A [m2] */, double pressure 
 /// The sonic branch of (G.6) [kg/s], continued smoothly past the switch.
 double choked_mass_flow(double effective_area, double pressure, double temperature, double gas_constant,
                         double gamma);
-/// The subsonic branch of (G.6) [kg/s], continued smoothly past the switch; zero for p <= p_a.
+/// The subsonic branch of (G.6) [kg/s], continued smoothly past the switch; zero for p <= p_a. Of p - p_a
+/// [Pa], which may be known better than its difference.
 double subsonic_mass_flow(double effective_area, double pressure, double temperature, double gas_constant,
-                          double cp, double gamma, double ambient_pressure);
+                          double cp, double gamma, double overpressure);
 
 /// Mass flow [kg/s] through porous fabric, leak_area sqrt(2 rho (p - p_a)), never choked.             (G.7)
 /// leak_area [m2] is sum eta^2 A for the printed law, sum eta A for the screen law (eta: porosity, A: element
 /// area).
-double fabric_mass_flow(double leak_area /* [m2] */, double density /* [kg/m3] */, double pressure /* [Pa] */,
-                        double ambient_pressure /* [Pa] */);
+double fabric_mass_flow(double leak_area /* [m2] */, double density /* [kg/m3] */,
+                        double overpressure /* p - p_a [Pa] */);
 
 /// d ln mdot / d ln p of (G.6) at constant T: 1 sonic; 1 - n/2 subsonic,                               (G.13)
 ///   n = (2 r^(2/gamma) - (gamma + 1) r^((gamma+1)/gamma))/(gamma (r^(2/gamma) - r^((gamma+1)/gamma))),
-/// with r = p_a/p < 1. Infinite as p -> p_a, where it is p/(2 (p - p_a)).
-double orifice_pressure_exponent(double gamma, double pressure_ratio);
+/// with r = p_a/p < 1, of the share (p - p_a)/p. Infinite as p -> p_a, where it is p/(2 (p - p_a)).
+double orifice_pressure_exponent(double gamma, double overpressure_share);
 
-/// The same of (G.7), the fabric's flow, at constant T: 1/2 + p/(2 (p - p_a)) for p > p_a [Pa].
-double fabric_pressure_exponent(double pressure, double ambient_pressure);
+/// The same of (G.7), the fabric's flow, at constant T: 1/2 + p/(2 (p - p_a)) for p > p_a.
+double fabric_pressure_exponent(double overpressure_share);
 
 /// The faster relaxation rate [1/s] of mass and energy of a volume that gas leaves at flow_per_mass =
 /// mdot/m [1/s], where mdot ~ p^n/sqrt(T), with c = 1 + gamma (p/V) dV/dp, 1 if it is rigid:          (G.14)

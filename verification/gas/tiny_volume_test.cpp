@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include "cases.hpp"
+
+// Several species in volumes through which far more passes than they hold, by the implicit method.
+namespace {
+
+using namespace cases;
+
+struct Passage {
+  gas::GasPoint end{};
+  std::vector<double> masses{};  // [kg]
+  double mass_out = 0.0;         // [kg]
+  int steps = 0;
+};
+
+/// 0.02 kg/s of nitrogen through a volume behind much porous fabric, in 20 ms; there is `first` at first.
+Passage pass(double volume, const std::vector<double>& first, double tolerance) {
+  gas::ControlVolumeModel model = closed_tank(nasa7({"N2", "CO2", "H2O"}));
+  model.inflows.push_back(steady_inflow(model.thermo, 0.02, 406.0));
+  gas::ControlVolumeState state = gas::make_state(model, first, kAmbientPressure, 500.0, volume);
+  gas::GasIntegrator integrator(model, {tolerance, 20000, gas::Method::kRosenbrock4});
+  Passage passage;
+  for (int i = 0; i < 20; ++i) {
+    const auto fluxes = integrator.advance(state, 1e-3 * i, 1e-3 * (i + 1), rigid(volume, 3.75e-3));
+    passage.mass_out += fluxes.fabric_mass_out;
+    passage.steps += fluxes.steps;
+  }
+  passage.end = gas::evaluate(model, state, volume, 3.75e-3, 0.02);
+  passage.masses = state.masses;
+  return passage;
+}
+
+/// What was there at first leaves within m/mdot, faster than a sub-step: it is gone to the tolerance, never
+/// negative, and costs few sub-steps more than a gas of one species does.
+TEST(tiny_volume, species_that_leave_cost_few_sub_steps) {
+  for (const double volume : {1e-6, 1e-8, 1e-10})
+    for (const double tolerance : {1e-4, 1e-6, 1e-8}) {
+      SCOPED_TRACE(testing::Message() << volume << " m3 at " << tolerance);
+      const Passage pure = pass(volume, {1.0, 0.0, 0.0}, tolerance),
+                    mixed = pass(volume, {0.4, 0.3, 0.3}, tolerance);
+      // Composition changes by the whole where the pure gas's temperature does by a fifth: at order 4 at most
+      // 5^(1/4) times as many, and those of ln(1/tolerance) residence times.
+      EXPECT_LE(mixed.steps, 2.0 * pure.steps);
+      for (const std::size_t k : {1, 2}) {
+        EXPECT_GE(mixed.masses[k], 0.0);
+        EXPECT_LE(mixed.masses[k], tolerance * mixed.end.mass);
+      }
+      // Of the whole: that of a few sub-steps, and ten roundings of what passes in a call, 2e-5 kg.
+      const double bound = 5.0 * tolerance + 10.0 * kEpsilon * 2e-5 / mixed.end.mass;
+      EXPECT_LT(relative(mixed.end.temperature, 406.0), bound);
+      EXPECT_NEAR(mixed.end.pressure, pure.end.pressure, bound * kAmbientPressure);
+      EXPECT_NEAR(mixed.mass_out, 4e-4, 4e-4 * 1e-9 + 2.0 * mixed.end.mass);
+    }
+}
+
+/// Of a mixture of other formation enthalpies than the air's some is driven out through a wide vent and
+/// replaced by air: what an error of a species takes along is no error of the temperature.
+TEST(tiny_volume, formation_enthalpies_cost_no_sub_steps) {
+  const auto steps = [](const gas::Thermo& thermo) {
+    gas::ControlVolumeModel model = closed_tank(thermo);
+    model.ambient.mass_fractions = {0.0, 0.0, 0.77, 0.23};
+    model.vents.push_back({0.6, 1.0});
+    model.vents.back().backflow = true;
+    gas::ControlVolumeState state =
+        gas::make_state(model, std::vector{0.6, 0.4, 0.0, 0.0}, kAmbientPressure, 250.0, 4.8e-5);
+    gas::GasIntegrator integrator(model, {1e-10, 200000, gas::Method::kRosenbrock4});
+    const int squeezed = integrator.advance(state, 0.0, 2e-5, {4.8e-5, 4.6e-5, 0.0, 0.0}).steps;
+    return squeezed + integrator.advance(state, 2e-5, 4e-5, {4.6e-5, 4.8e-5, 0.0, 0.0}).steps;
+  };
+  const int alike = steps(nasa7({"Ar", "He", "N2", "O2"}));
+  EXPECT_LE(steps(nasa7({"CO2", "H2O", "N2", "O2"})), 2 * alike);
+}
+
+/// A volume so soft next to p_a that p, rounded, does not tell the overpressure which drives the flow.
+TEST(tiny_volume, soft_volume_knows_its_overpressure) {
+  for (const double tolerance : {1e-4, 1e-6, 1e-8}) {
+    SCOPED_TRACE(tolerance);
+    gas::ControlVolumeModel model = closed_tank(nitrogen());
+    model.volume_of_overpressure =
+        gas::Curve({{-1e3, 4e-9}, {0.0, 4e-8}, {1e-4, 1.2e-7}, {1e3, 1.6e-7}}, gas::Outside::kHeld);
+    model.inflows.push_back(steady_inflow(model.thermo, 1e-5, 406.0));
+    model.vents.push_back({0.6, 1.0});
+    gas::ControlVolumeState state = gas::make_state(model, kPure, kAmbientPressure + 1e-5, 2000.0, 4.8e-8);
+    gas::GasIntegrator integrator(model, {tolerance, 2000, gas::Method::kRosenbrock4});
+    gas::StepFluxes fluxes{};
+    for (int i = 0; i < 20; ++i) fluxes = integrator.advance(state, 5e-3 * i, 5e-3 * (i + 1), rigid(1.0));
+    const gas::GasPoint end = gas::evaluate(model, state, 1.0, 0.0, 0.1);
+    // Some twenty times m/mdot = 3e-3 s have passed; the balance is 2e-10 Pa above p_a, less than p tells.
+    EXPECT_LT(relative(end.temperature, 406.0), 10.0 * tolerance);
+    const double excess = std::pow(1e-5 / 0.6, 2.0) / (2.0 * kAmbientPressure / (296.8 * 406.0));
+    EXPECT_LT(relative(end.volume, 4e-8 + 8e-4 * excess), 10.0 * tolerance);
+    EXPECT_LT(relative(fluxes.vent_mass_out, 5e-8), 10.0 * tolerance);
+  }
+}
+
+/// Gas that comes to rest at p_a with the walls behind a vent that lets nothing out or in there, but out
+/// above: nothing could hold p, and nothing has to.
+TEST(held_pressure, vent_shut_where_p_would_fall) {
+  for (const double tolerance : {1e-6, 1e-8, 1e-10}) {
+    gas::ControlVolumeModel model = closed_tank(nasa7({"N2", "CO2"}));
+    gas::Vent shut{0.6, 0.0};
+    shut.area_of_overpressure = gas::Curve({{0.0, 0.0}, {20.0, 1.3e-10}}, gas::Outside::kHeld);
+    shut.backflow = true;
+    model.vents = {{0.6, 1.3e-10}, shut};
+    model.ambient.mass_fractions = {1.0, 0.0};
+    model.heat_loss = {0.0328, 293.15};
+    gas::ControlVolumeState state =
+        gas::make_state(model, std::vector{0.5, 0.5}, kAmbientPressure + 1e-4, 200.5, 2e-11);
+    gas::GasIntegrator integrator(model, {tolerance, 100000, gas::Method::kRosenbrock4});
+    for (int i = 0; i < 50; ++i) integrator.advance(state, 1e-3 * i, 1e-3 * (i + 1), rigid(2e-11));
+    // T to rounding: m cv/(hA) = 5e-7 s; p to a few errors of T, which let out gas that does not come back.
+    EXPECT_LT(relative(state.temperature, 293.15), 1e-13);
+    EXPECT_NEAR(gas::evaluate(model, state, 2e-11, 0.0, 0.0).pressure, kAmbientPressure,
+                (1e-10 + 3.0 * tolerance) * kAmbientPressure);
+  }
+}
+
+/// A wide vent that closes just as the inflow fades: at the end there is neither flow nor opening.
+TEST(held_pressure, vent_that_closes_as_the_inflow_fades) {
+  for (const gas::Method method : kMethods) {
+    gas::ControlVolumeModel model = closed_tank(nitrogen());
+    model.inflows.push_back(steady_inflow(model.thermo, 0.0, 300.0));
+    model.inflows[0].mass_flow = gas::Curve({{0.0, 0.01}, {0.01, 0.0}}, gas::Outside::kZero);
+    model.vents.push_back({1.0, 0.0});
+    model.vents[0].area_of_time = gas::Curve({{0.0, 20.0}, {0.01, 0.0}}, gas::Outside::kHeld);
+    gas::ControlVolumeState state = gas::make_state(model, kPure, kAmbientPressure, 300.0, 0.06);
+    const gas::StepFluxes fluxes =
+        gas::GasIntegrator(model, {1e-8, 1000, method}).advance(state, 0.0, 0.02, rigid(0.06));
+    // To the tolerance, 1e-8: of the mass, 0.07 kg, and of T.
+    EXPECT_NEAR(fluxes.vent_mass_out, 5e-5, 1e-8 * 0.07);
+    EXPECT_LT(relative(state.temperature, 300.0), 1e-8);
+  }
+}
+
+}  // namespace
