@@ -125,7 +125,8 @@ bool register_all() {
                                                     {"euler", Method::kEuler},
                                                     {"rosenbrock", Method::kRosenbrock4}};
   const std::pair<const char*, Peer> peers[] = {
-      {"msbdf", second_route::msbdf},
+      {"msbdf",
+       [](const second_route::Tank& tank, double tolerance) { return second_route::msbdf(tank, tolerance); }},
 #ifdef GASJET_CVODE
       {"cvode", peers::cvode},
 #endif
