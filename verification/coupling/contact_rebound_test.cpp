@@ -91,20 +91,19 @@ Bounce rebound(int rings, double mass, double share, double safety) {
 TEST(ContactRebound, depth_and_duration_converge_to_the_massless_membrane) {
   const double mass = 40.0, speed = std::sqrt(2.0 * closed_form::membrane_dent(dent(), kPatch).energy / mass);
   const auto exact = closed_form::membrane_rebound(dent(), mass, speed);
-  double error[3];
-  const double rings[] = {6.0, 9.0, 13.0};
-  for (int level = 0; level < 3; ++level) {
-    const Bounce b = rebound(static_cast<int>(rings[level]), mass, 1.0, 0.8);
-    error[level] = b.depth / exact.turn.depth - 1.0;
+  std::vector<double> error;
+  for (const int rings : {6, 12, 24}) {
+    const Bounce b = rebound(rings, mass, 1.0, 0.8);
+    error.push_back(b.depth / exact.turn.depth - 1.0);
     claim::expect_relative({"K.19", "heavy sphere rebounds from a membrane, three meshes: duration [s]",
                             "twice as far off as the depth, and the membrane's mass rides along"},
-                           b.duration, exact.duration, 2.0 * std::abs(error[level]) + b.mass_ratio);
+                           b.duration, exact.duration, 2.0 * std::abs(error.back()) + b.mass_ratio);
   }
-  // Order 2 with the mesh and the stiffness that goes with it, less the logarithm at the patch's edge.
-  for (int level = 1; level < 3; ++level)
-    EXPECT_NEAR(std::log(error[level - 1] / error[level]) / std::log(rings[level] / rings[level - 1]), 2.0,
-                0.2)
-        << level;
+  // The membrane's mass, 2e-3 of the sphere's, takes 0.06 off order 2; where the patch's edge falls between
+  // the rings scatters a doubling by 0.12 (six of them, from 6 to 12 rings up): twice that.
+  claim::expect_order({"K.19", "heavy sphere rebounds from a membrane: error of the depth",
+                       "mesh and stiffness together; the patch's edge among the rings scatters by 0.12"},
+                      error, 1.7, 2.2);
 }
 
 // Skin that leaves with the sphere is no faster than it, so the waves keep less than its mass ratio of the
