@@ -41,6 +41,29 @@ TEST(tank_scene, rigid_tank_reaches_its_parameters) {
   EXPECT_NEAR(hotter.history.back().pressure_Pa - 101325.0, 2.0 * rise, 1e-12 * rise * 100);
 }
 
+/// Whatever an inflator names is in the gas, also what nothing named before: its share of what came in, to
+/// the rounding of the sum.
+TEST(tank_scene, every_species_that_enters_is_there) {
+  const std::vector<std::string> changes{"inflator.0.composition={ NH3=0.5, H2=0.5 }",
+                                         "inflator.1.composition={ He=1.0 }",
+                                         "sensor.2.overpressure=1e9",
+                                         "sensor.3.overpressure=1e9",
+                                         "sensor.4.overpressure=1e9",
+                                         "sensor.4.reset=1e8"};  // vents stay shut
+  const auto run = run_case("tank_triggers", changes);
+  ASSERT_EQ(run.outcome.status, driver::RunStatus::done) << run.outcome.message;
+  const auto scene = coupled::scene_of("tank_triggers", changes);
+  const gas::Thermo& thermo = scene.gas->model.thermo;
+  ASSERT_EQ(thermo.size(), 7u);  // those of air, and three
+  const auto mass = [&](const char* name) { return run.state.gas.masses[thermo.index(name)]; };
+  // 0.025 kg of equal moles of 17.03 and 2.016 g/mol, and 0.015 kg.
+  const double ammonia = thermo.species(thermo.index("NH3")).molar_mass,
+               hydrogen = thermo.species(thermo.index("H2")).molar_mass;
+  EXPECT_NEAR(mass("NH3"), 0.025 * ammonia / (ammonia + hydrogen), 1e-14);
+  EXPECT_NEAR(mass("H2"), 0.025 * hydrogen / (ammonia + hydrogen), 1e-14);
+  EXPECT_NEAR(mass("He"), 0.015, 1e-14);
+}
+
 TEST(tank_scene, tank_never_builds_a_mesh) {
   const auto scene = coupled::scene_of("rigid_tank");
   EXPECT_FALSE(scene.bag || scene.pendulum || scene.contact || scene.target);

@@ -15,7 +15,7 @@ constexpr gas::IdentifyOptions kBands{.points = 101, .draws = 200};
 
 /// 20 seeds at 10 kHz. Share and width: see identify_coverage for the 200 seeds.
 TEST(identify_band, holds_the_truth_of_twenty_noisy_records) {
-  const Coverage c = coverage(one_gas_truth(1e-4), 600.0, kNoise, 1, 20, kBands);
+  const Coverage c = coverage(one_gas_test(), one_gas_truth(1e-4), 600.0, kNoise, 1, 20, kBands);
   EXPECT_GE(c.mass_flow, 0.90);
   EXPECT_GE(c.temperature, 0.90);
   // Not wide for safety's sake: the actual error is of the size that the band says.
@@ -23,6 +23,22 @@ TEST(identify_band, holds_the_truth_of_twenty_noisy_records) {
   // Averages are known far better than any point. Binomial: below 15 of 20 at 95 % has a probability of 3e-4.
   EXPECT_GE(c.mean_temperature, 15.0 / 20.0);
   EXPECT_GE(c.effective_area, 15.0 / 20.0);
+}
+
+/// Six seeds with cp(T), a mixture into air; its mean temperature is that of the enthalpy, from the clean
+/// record.
+TEST(identify_band, holds_the_truth_of_nasa7_gas) {
+  const gas::TankTest test = nasa7_test();
+  const Truth truth = nasa7_truth(test);
+  const double mean =
+      gas::identify(test, Record(truth, 0.05, 2001).average(), {.draws = 40}).mean_temperature;
+  const Coverage c = coverage(test, truth, mean, kNoise, 1, 6, kBands);
+  EXPECT_GE(c.mass_flow, 0.90);
+  EXPECT_GE(c.temperature, 0.90);
+  EXPECT_GT(c.error, 0.6 * c.width);
+  // Binomial: below 4 of 6 at 95 % has a probability of 2e-3.
+  EXPECT_GE(c.mean_temperature, 4.0 / 6.0);
+  EXPECT_GE(c.effective_area, 4.0 / 6.0);
 }
 
 /// The average-temperature method's band is that of mdot T_s/T_mean, its bias left out.

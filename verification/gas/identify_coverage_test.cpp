@@ -7,7 +7,8 @@ namespace {
 using namespace cases;
 
 Coverage measured(const char* name, const Truth& truth, double mean_temperature, int seeds) {
-  const Coverage c = coverage(truth, mean_temperature, 0.01, 1000, seeds, {.points = 101, .draws = 200});
+  const Coverage c =
+      coverage(one_gas_test(), truth, mean_temperature, 0.01, 1000, seeds, {.points = 101, .draws = 200});
   std::printf(
       "%s: inside mass flow %.4f, temperature %.4f, mean T %.3f, Cd A %.3f; deviation of ln T %.4f, actual "
       "%.4f\n",

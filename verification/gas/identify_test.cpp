@@ -110,40 +110,18 @@ TEST(identify, subsonic_outlet_is_not_choked) {
   EXPECT_GT(relative(choked.temperature, reading.temperature), 0.05);
 }
 
-closed_form::Nasa7Gas shares(const gas::Thermo& thermo, const std::vector<double>& fractions) {
-  closed_form::Nasa7Gas gas;
-  for (std::size_t k = 0; k < fractions.size(); ++k) {
-    const gas::Species& s = thermo.species(k);
-    gas.push_back({fractions[k], thermo.gas_constant(k), s.low, s.high});
-  }
-  return gas;
-}
-
 /// cp(T), air in the tank, a mixture that comes in across 1000 K; the readings by an oracle of its own.
 TEST(identify, nasa7_gas_into_air_recovers_both_curves) {
-  const gas::Thermo thermo = nasa7({"N2", "O2", "Ar", "CO2", "H2O"});
-  const gas::TankTest test{
-      thermo,
-      0.06,
-      293.15,
-      thermo.mass_fractions_by_mole(gas::air_by_mole()),
-      thermo.mass_fractions_by_mole(std::vector<gas::Component>{{"N2", 0.5}, {"CO2", 0.3}, {"H2O", 0.2}}),
-      0.05};
-  auto sent = pulse(1e-4);
-  sent.total_mass = 0.05;
-  sent.start_temperature = 1200.0;
-  sent.end_temperature = 700.0;
-  const Truth truth = [&](double t) {
-    return closed_form::nasa7_tank_test_pulse(shares(thermo, test.tank_fractions),
-                                              shares(thermo, test.inflator_fractions), sent, t);
-  };
+  const gas::TankTest test = nasa7_test();
+  const Truth truth = nasa7_truth(test);
+  const closed_form::TankTestPulse sent = nasa7_pulse();
   const Record record(truth, 0.05, 2001);
   const gas::Identified found = gas::identify(test, record.dual(), {.threshold = 0.05, .draws = 40});
   const Errors error = errors(found, truth);
   expect_recovered("dual-pressure tank test, cp(T), mixture into air", error, found.effective_area, 1e-4);
   // The mean is that of the enthalpy, 950 K but for the curvature of h(T).
   EXPECT_NEAR(found.mean_temperature, 950.0, 5.0);
-  const auto gas = shares(thermo, test.inflator_fractions);
+  const auto gas = shares(test.thermo, test.inflator_fractions);
   double enthalpy = 0.0;
   constexpr int steps = 2000;  // trapezoidal rule of a periodic pulse: far below 1e-6
   for (int i = 0; i < steps; ++i) {

@@ -53,6 +53,38 @@ inline Truth one_gas_truth(double outlet_area) {
   return [=](double t) { return closed_form::tank_test_pulse({}, {}, pulse(outlet_area), t); };
 }
 
+inline closed_form::Nasa7Gas shares(const gas::Thermo& thermo, const std::vector<double>& fractions) {
+  closed_form::Nasa7Gas gas;
+  for (std::size_t k = 0; k < fractions.size(); ++k) {
+    const gas::Species& s = thermo.species(k);
+    gas.push_back({fractions[k], thermo.gas_constant(k), s.low, s.high});
+  }
+  return gas;
+}
+
+/// 50 g of a mixture of cp(T), 1200 K falling to 700 K, into air.
+inline gas::TankTest nasa7_test() {
+  const gas::Thermo thermo = nasa7({"N2", "O2", "Ar", "CO2", "H2O"});
+  return {thermo,
+          0.06,
+          293.15,
+          thermo.mass_fractions_by_mole(gas::air_by_mole()),
+          thermo.mass_fractions_by_mole(std::vector<gas::Component>{{"N2", 0.5}, {"CO2", 0.3}, {"H2O", 0.2}}),
+          0.05};
+}
+
+inline closed_form::TankTestPulse nasa7_pulse() {
+  return {0.06, 101325.0, 293.15, 0.05, 0.05, 1200.0, 700.0, 1e-4};
+}
+
+/// The readings of that test by an oracle of its own.
+inline Truth nasa7_truth(const gas::TankTest& test) {
+  return [own = shares(test.thermo, test.tank_fractions),
+          inflator = shares(test.thermo, test.inflator_fractions)](double t) {
+    return closed_form::nasa7_tank_test_pulse(own, inflator, nasa7_pulse(), t);
+  };
+}
+
 /// Largest relative errors where the analysis does not mask.
 struct Errors {
   double mass_flow = 0.0, temperature = 0.0;
@@ -90,14 +122,14 @@ inline closed_form::TankTestReadings triangle_truth(double t) {
 }
 
 /// Readings of `truth` at 10 kHz over 60 ms: a burn of 50 ms and 10 ms of rest; Cd A is 1e-4 m2.
-inline Coverage coverage(const Truth& truth, double mean_temperature, double noise, int first_seed, int seeds,
-                         const gas::IdentifyOptions& options) {
+inline Coverage coverage(const gas::TankTest& test, const Truth& truth, double mean_temperature, double noise,
+                         int first_seed, int seeds, const gas::IdentifyOptions& options) {
   Coverage c;
   int points = 0;
   for (int seed = first_seed; seed < first_seed + seeds; ++seed) {
     Record record(truth, 0.06, 601);
     record.add_noise(noise, static_cast<unsigned>(seed));
-    const gas::Identified found = gas::identify(one_gas_test(), record.dual(), options);
+    const gas::Identified found = gas::identify(test, record.dual(), options);
     const auto inside = [](const gas::Band& band, double x) { return band.low <= x && x <= band.high; };
     c.mean_temperature += inside(found.mean_temperature_band, mean_temperature);
     c.effective_area += inside(found.effective_area_band, 1e-4);
