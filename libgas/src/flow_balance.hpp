@@ -165,6 +165,7 @@ class FlowBalance {
  private:
   void begin_books(const ControlVolumeState& state);
   void add_inflow(std::size_t i, double mass, double enthalpy);
+  void keep_masses_non_negative();
   void supply(double t);
   void collect(const Vector& y, double t);
   void find_depleted();

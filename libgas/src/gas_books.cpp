@@ -32,6 +32,8 @@ void FlowBalance::end_segment(double reached) {
     received_[i] = {};
     segments_[i] = InflowSegment();
   }
+  // Times within rounding of a knot count as the knot: what came in within them, and left, may be taken back.
+  keep_masses_non_negative();
   if (volume_by_pressure_) volume_by_pressure_->leave_piece();
 }
 
@@ -42,15 +44,18 @@ void FlowBalance::add_inflow(std::size_t i, double mass, double enthalpy) {
   received_[i].enthalpy += enthalpy;
 }
 
+void FlowBalance::keep_masses_non_negative() {
+  for (std::size_t k = 0; k < masses_.size(); ++k)
+    if (base_[k].value() < 0.0) base_[k] = 0.0;
+}
+
 void FlowBalance::accept(const Vector& y, double t) {
   for (std::size_t i = 0; i < segments_.size(); ++i) {
     const auto [mass, enthalpy] = segments_[i].delivered(base_time_ - segment_begin_, t - segment_begin_);
     add_inflow(i, mass, enthalpy);
   }
-  for (std::size_t k = 0; k < masses_.size(); ++k) {
-    base_[k].add(species_change(y, k));
-    if (base_[k].value() < 0.0) base_[k] = 0.0;
-  }
+  for (std::size_t k = 0; k < masses_.size(); ++k) base_[k].add(species_change(y, k));
+  keep_masses_non_negative();
   base_.back().add(energy_change(y));
   for (std::size_t i = 0; i < totals_.size(); ++i) totals_[i].add(y[i]);
   base_time_ = t;
