@@ -4,6 +4,7 @@
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 
+#include "infinity.hpp"
 #include "substepper.hpp"
 
 namespace gas {
@@ -112,13 +113,15 @@ bool Substepper::crosses_against_flow(const FlowBalance& balance, double t, cons
 }
 
 /// Whether p may turn, inside the trial that ends at t, beyond a switch or level that both ends have not
-/// passed. A parabola turns within duration/4 times the sum of its end slopes.
+/// passed. A parabola turns within duration/4 times the sum of its end slopes, and gas that follows a balance
+/// within the time in which it relaxes.
 bool Substepper::may_turn_past_event(const FlowBalance& balance, double t, double duration,
                                      const Start& start) const {
   const double rate = balance.pressure_rate(t);
   if (start.rate * rate >= 0.0) return false;
   const bool peak = start.rate > 0.0;
-  const double reach = (peak ? 0.25 : -0.25) * duration * (std::abs(start.rate) + std::abs(rate));
+  const double within = std::min(0.25 * duration, 1.0 / balance.relaxation_rate());
+  const double reach = (peak ? within : -within) * (std::abs(start.rate) + std::abs(rate));
   const double excess = balance.pressure_excess() + reach;
   if (band_ < levels_.size() && excess > levels_[band_]) return true;
   if (band_ > 0 && excess < levels_[band_ - 1]) return true;
@@ -144,14 +147,16 @@ template <class Function>
 double Substepper::end_at_zero(Rates& rates, double x, double h, double begin, double end, int bits,
                                Function function) {
   double length = h;
+  const double shortest = std::nextafter(x, kInfinity) - x;
   const auto value_at_end = [&](double trial) {
-    try_step(rates, x, length = trial);
-    return function(trial);
+    try_step(rates, x, length = std::max(trial, shortest));
+    return function(length);
   };
   boost::uintmax_t iterations = 60;
   const boost::math::tools::eps_tolerance<double> close(static_cast<unsigned>(bits));
   const auto bracket = boost::math::tools::toms748_solve(value_at_end, 0.0, h, begin, end, close, iterations);
-  if (length != bracket.second) try_step(rates, x, length = bracket.second);
+  if (const double last = std::max(bracket.second, shortest); length != last)
+    try_step(rates, x, length = last);
   return length;
 }
 

@@ -95,6 +95,10 @@ class FlowBalance {
   void locate(const Vector& y, double t);
   /// The same for `gas` at time t.
   void locate_gas(const Gas& gas, double t);
+  /// Puts the gas last located, as it is, at `change` [Pa] more than the pressure of `at`.
+  void move_pressure(const Point& at, double change);
+  /// dp [Pa] of 1 kg more of species `part` at constant T, or, after the last, of 1 J more, with (G.19).
+  double pressure_slope(const Point& at, std::size_t part) const;
   /// Fills `gas` with that of the sub-step's begin; `change` with that which the unknowns make; adds factor
   /// times the inflow's rates at t.
   void gas_begin(Gas& gas) const;

@@ -60,6 +60,20 @@ void FlowBalance::find_point(double t) {
   point_.heat = model_.heat_loss.conductance * (*temperature - model_.heat_loss.outside_temperature);
 }
 
+void FlowBalance::move_pressure(const Point& at, double change) {
+  point_.pressure = at.pressure + change;
+  point_.overpressure = at.overpressure + change;
+  if (!volume_by_pressure_) return;
+  point_.volume = at.volume * (1.0 + (at.compliance - 1.0) / at.gamma * change / at.pressure);
+  point_.compliance = at.compliance;
+}
+
+double FlowBalance::pressure_slope(const Point& at, std::size_t part) const {
+  const double product = part < masses_.size() ? model_.thermo.gas_constant(part) * at.temperature
+                                               : at.pressure * at.volume / at.thermal_energy;
+  return product / (at.volume * (1.0 + (at.compliance - 1.0) / at.gamma));
+}
+
 /// Work since t0 of the gas in mixture_, its energy that of supply().
 double FlowBalance::settled_work() {
   const auto temperature = temperature_of(energy_);

@@ -37,7 +37,8 @@ VolumePiece find_piece(const Curve& curve, double ambient_pressure, IsAbove is_a
 }  // namespace
 
 PressurePlace VolumePiece::place(double product) const {
-  // (p + d)(v + slope d) = product, the root that does not cancel. Beyond its ends, too, p and V are positive.
+  // (p + d)(v + slope d) = product, the root that does not cancel. Beyond its ends, too, p and V are
+  // positive.
   const double b = volume + slope * pressure, c = product - pressure * volume;
   const double d = 2.0 * c / (b + std::sqrt(b * b + 4.0 * slope * c));
   return {slope == 0.0 ? product / volume : pressure + d,
@@ -49,8 +50,8 @@ PressurePlace VolumePiece::place(double product) const {
 }
 
 void PressureVolume::enter_piece(double overpressure) {
-  piece_ = find_piece(curve_, ambient_,
-                      [&](double, const Curve::Knot& knot) { return overpressure < knot.time; });
+  piece_ =
+      find_piece(curve_, ambient_, [&](double, const Curve::Knot& knot) { return overpressure < knot.time; });
 }
 
 PressurePlace PressureVolume::place(double product) const {

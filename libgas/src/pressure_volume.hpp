@@ -15,7 +15,7 @@ struct PressurePlace {
   double volume;        // [m3]
   double slope;         // [m3/Pa] dV/dp
   double work;          // [J] int p dV from the first knot on, (G.19)
-  bool beyond;      // above the last knot, where there is no volume; kept rigid there
+  bool beyond;          // above the last knot, where there is no volume; kept rigid there
 };
 
 /// One line of the curve, and on beyond both its ends.

@@ -9,7 +9,6 @@
 #include <array>
 #include <boost/numeric/odeint/stepper/rosenbrock4.hpp>
 #include <limits>
-#include <tuple>
 
 #include "near.hpp"
 #include "stepper.hpp"
@@ -19,10 +18,10 @@ namespace {
 
 using Vector = Stepper::Vector;
 
-// Change of the gas, relative, for differences: at most.
-constexpr double kIncrement = 2e-5;
-// Rounding of p, relative: some hundred operations.
-constexpr double kNoise = 2e-14;
+// Change of the gas at constant p, and of p - p_a, relative, for differences of second order, which rounding,
+// 1e-15/1e-5, and truncation, 1e-10, then leave alike; where p is held, less than what turns the flow that
+// holds it.
+constexpr double kIncrement = 1e-5, kSmallIncrement = 1e-7;
 // Of the step, at most: small against it, yet so large that rounding of x does not show in the slope with x.
 constexpr double kStepShare = 1e-3;
 
@@ -58,7 +57,7 @@ class Factors {
 class RosenbrockStepper : public Stepper {
  public:
   RosenbrockStepper(std::size_t n, std::size_t species)
-      : factors_(species + 1), columns_(species + 1, Vector(n)), energy_(species + 1) {
+      : factors_(species + 1), columns_(species + 1, Vector(n)), energy_(species + 1), by_pressure_(n) {
     for (Gas* gas : {&gas_, &trial_gas_, &column_}) gas->resize(species + 1);
     for (Pair* pair : {&rate_, &far_, &slope_, &right_}) *pair = {Vector(n), Gas(species + 1)};
     g_.fill(rate_);
@@ -143,48 +142,50 @@ class RosenbrockStepper : public Stepper {
       near[i] = (4.0 * (near[i] - here[i]) - (far[i] - here[i])) / (2.0 * change);
   }
 
-  /// Column `part` of d(rates)/dz.
-  void difference(Rates& rates, std::size_t part, double change, double x) {
+  /// by_pressure_ at `here`. Flow is the root of p - p_a, which may be
+  /// far less than p knows: the derivative with p is one number a rate, and p's with the gas is exact.
+  void fill_pressure_slope(Rates& rates, const FlowBalance::Point& here, double x) {
+    const FlowBalance& balance = rates.balance;
+    const double least = kNear * here.pressure / here.compliance;
+    const double apart = std::copysign(std::max(std::abs(here.overpressure), least), here.overpressure);
+    const double change = balance.is_held() ? kSmallIncrement * here.pressure : kIncrement * apart;
+    rates.of_gas(gas_, by_pressure_, x, here, change);
+    rates.of_gas(gas_, far_.flows, x, here, 2.0 * change);
+    to_slope(rate_.flows, change, far_.flows, by_pressure_);
+    by_pressure_[balance.work_slot()] = balance.volume_rate(rates.time(x)) * rates.time_slope(x);
+  }
+
+  /// Column `part` of d(rates)/dz, (G.23).
+  void difference(Rates& rates, const FlowBalance::Point& here, std::size_t part, double change, double x) {
     const auto change_to = [&](double times, Vector& rate) {
       trial_gas_ = gas_;
       if (part + 1 < gas_.size()) trial_gas_[part] += times * change;
       trial_gas_.back() += times * change * energy_[part];
-      rates.of_gas(trial_gas_, rate, x);
+      rates.of_gas(trial_gas_, rate, x, here, 0.0);
     };
     change_to(1.0, columns_[part]);
     change_to(2.0, far_.flows);
     to_slope(rate_.flows, change, far_.flows, columns_[part]);
-  }
-
-  /// Relative change of the gas at the last point for a difference. Flow is the root of d = |p - p_a|/p: a
-  /// second-order difference over r d is off by r^2, and by noise/(r d), which balance at r^3 = noise/d.
-  static double increment(const FlowBalance& balance) {
-    if (balance.is_held()) return kIncrement;
-    const auto& point = balance.point();
-    const double d = std::max(std::abs(point.overpressure) * point.compliance / point.pressure, kNear);
-    return std::min(kIncrement, std::cbrt(kNoise * d * d));
-  }
-
-  /// Forward in x by kStepShare of the step, less where the volume changes p by more than increment(); exact
-  /// in x.
-  double time_increment(const Rates& rates, double x, double h) const {
-    const FlowBalance& balance = rates.balance;
-    const double t = rates.time(x), share = std::abs(balance.volume_rate(t)) / balance.point().volume;
-    const double by_volume = share > 0.0 ? rates.position(t + increment(balance) / share) - x : h;
-    const double chosen = std::max(std::min(by_volume, kStepShare * h),
-                                   8.0 * std::numeric_limits<double>::epsilon() * std::abs(x));
-    return (x + chosen) - x;
+    const double slope = rates.balance.pressure_slope(here, part);
+    for (std::size_t i = 0; i < by_pressure_.size(); ++i) columns_[part][i] += slope * by_pressure_[i];
   }
 
   /// The rates' derivative with x, the gas held.
-  void fill_slope(Rates& rates, double x, double step) {
+  void fill_slope(Rates& rates, const FlowBalance::Point& here, double x, double h) {
+    const double least = 8.0 * std::numeric_limits<double>::epsilon() * std::abs(x);
+    const double step = (x + std::max(least, kStepShare * h)) - x;  // exact in x
     const auto at = [&](double place, Pair& rate) {
-      rates.of_gas(gas_, rate.flows, place);
+      rates.of_gas(gas_, rate.flows, place, here, 0.0);
       rates.gas_rates(rate.flows, rate.gas, place);
     };
     at(x + step, slope_);
     at(x + 2.0 * step, far_);
     for (const auto part : {&Pair::flows, &Pair::gas}) to_slope(rate_.*part, step, far_.*part, slope_.*part);
+    const double slope =
+        -here.pressure * rates.balance.volume_rate(rates.time(x)) / here.volume * rates.time_slope(x);
+    rates.balance.gas_change(by_pressure_, column_);
+    for (std::size_t i = 0; i < by_pressure_.size(); ++i) slope_.flows[i] += slope * by_pressure_[i];
+    for (std::size_t i = 0; i < column_.size(); ++i) slope_.gas[i] += slope * column_[i];
   }
 
   /// columns_, energy_, the factors of 1/(gamma h) - S d(rates)/dz, and slope_. Differences are to more of
@@ -194,17 +195,23 @@ class RosenbrockStepper : public Stepper {
     const FlowBalance& balance = rates.balance;
     rates.balance.locate_gas(gas_, rates.time(x));
     rates.balance.keep_hold_direction(rates.time(x));
-    const auto [mass, energy, temperature] =
-        std::tuple(balance.point().mass, balance.point().thermal_energy, balance.point().temperature);
-    const double change = increment(balance);
-    const double inward =
-        temperature * (1.0 + 3.0 * change) > balance.thermo().maximum_temperature() ? -energy : energy;
+    const FlowBalance::Point here = balance.point();
+    const auto beyond = [&](double share) {
+      const double change = here.temperature * share, top = balance.thermo().maximum_temperature();
+      return here.temperature + change > top ||
+             here.temperature - change < balance.thermo().minimum_temperature();
+    };
+    const double change = balance.is_held() || beyond(3.0 * kIncrement) ? kSmallIncrement : kIncrement;
+    const bool at_top = here.temperature * (1.0 + 3.0 * change) > balance.thermo().maximum_temperature();
+    const double inward = at_top ? -here.thermal_energy : here.thermal_energy;
     for (std::size_t k = 0; k < balance.species(); ++k) energy_[k] = balance.species_energy(k);
     energy_.back() = 1.0;
-    fill_slope(rates, x, time_increment(rates, x, h));
+    if (here.mass > 0.0) fill_pressure_slope(rates, here, x);
+    fill_slope(rates, here, x, h);
     for (std::size_t part = 0; part < gas_.size(); ++part) {
       std::ranges::fill(columns_[part], 0.0);  // of no gas: nothing has left yet
-      if (mass > 0.0) difference(rates, part, change * (part < balance.species() ? mass : inward), x);
+      if (here.mass > 0.0)
+        difference(rates, here, part, change * (part < balance.species() ? here.mass : inward), x);
       balance.gas_change(columns_[part], column_);
       to_parts(column_);
       for (std::size_t i = 0; i < gas_.size(); ++i)
@@ -218,6 +225,7 @@ class RosenbrockStepper : public Stepper {
   Factors factors_;
   std::vector<Vector> columns_;  // of d(rates)/dz
   Vector energy_;                // [J/kg] that a change of each mass takes along; 1 for the energy itself
+  Vector by_pressure_;           // d(rates)/dp, the gas held
   Gas gas_, trial_gas_, column_;
   Pair rate_, far_, slope_, right_;
   std::array<Pair, 6> g_;

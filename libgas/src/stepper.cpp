@@ -75,9 +75,16 @@ void Rates::of_gas(const FlowBalance::Gas& gas, Vector& dydx, double x) {
   fill(dydx, x);
 }
 
+void Rates::of_gas(const FlowBalance::Gas& gas, Vector& dydx, double x, const FlowBalance::Point& at,
+                   double change) {
+  balance.locate_gas(gas, time(x));
+  balance.move_pressure(at, change);
+  fill(dydx, x);
+}
+
 void Rates::gas_rates(const Vector& dydx, FlowBalance::Gas& rates, double x) const {
   balance.gas_change(dydx, rates);
-  balance.add_inflow_rates(root ? 2.0 * x : 1.0, time(x), rates);
+  balance.add_inflow_rates(time_slope(x), time(x), rates);
 }
 
 void Rates::fill(Vector& dydx, double x) {
@@ -86,7 +93,7 @@ void Rates::fill(Vector& dydx, double x) {
   valid = valid && balance.point().valid;
   ++evaluations;
   if (root)
-    for (double& rate : dydx) rate *= 2.0 * x;
+    for (double& rate : dydx) rate *= time_slope(x);
 }
 
 bool Rates::leave_root(double t, double& x, double& h) {

@@ -19,10 +19,14 @@ struct Rates {
   int evaluations = 0;
 
   double time(double x) const { return root ? origin + x * x : x; }
+  double time_slope(double x) const { return root ? 2.0 * x : 1.0; }  // dt/dx
   double position(double t) const { return root ? std::sqrt(t - origin) : t; }
   void operator()(const FlowBalance::Vector& y, FlowBalance::Vector& dydx, double x);
   /// The same for a gas; and the rates of the gas, d(gas)/dx, that go with dydx.
   void of_gas(const FlowBalance::Gas& gas, FlowBalance::Vector& dydx, double x);
+  /// The same for a gas as if it were at `change` [Pa] more than the pressure of `at`.
+  void of_gas(const FlowBalance::Gas& gas, FlowBalance::Vector& dydx, double x, const FlowBalance::Point& at,
+              double change);
   void gas_rates(const FlowBalance::Vector& dydx, FlowBalance::Gas& rates, double x) const;
   /// As operator() where the balance has located the gas.
   void fill(FlowBalance::Vector& dydx, double x);

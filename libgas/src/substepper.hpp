@@ -15,13 +15,14 @@ struct TooStiff : DomainError {
 };
 
 /// Integrates a FlowBalance over one segment with one of the methods; sub-steps end where the flow changes
-/// regime, where p passes a knot of the curves of openings and volume, and where it reaches the threshold of a
-/// pressure sensor.
+/// regime, where p passes a knot of the curves of openings and volume, and where it reaches the threshold of
+/// a pressure sensor.
 class Substepper {
  public:
   using Vector = FlowBalance::Vector;
 
-  /// `levels` [Pa]: overpressures where sub-steps end, those of the curves' knots and of the pressure sensors.
+  /// `levels` [Pa]: overpressures where sub-steps end, those of the curves' knots and of the pressure
+  /// sensors.
   Substepper(const FlowBalance& balance, std::vector<double> levels, const IntegratorOptions& options);
 
   /// Resets the counters.
