@@ -20,6 +20,7 @@ means() {
 
 {
   grep '^#' "$table"
+  sed -n 's/^# gasjet/# first contact without jet: gasjet/p' "$(dirname "$table")/first_contact_seed.csv"
   means | awk -F, '
     function side(elements) { return elements < 5000 ? 1 : elements < 20000 ? 0.5 : 0.25 }
     # Weighted least squares of mean = limit + change h^p; leaves limit, its error, change, its error, chi2.
