@@ -71,14 +71,14 @@ Compared subsonic_blowdown() {
                 {run(holed(), 0.5, kFine).pressure, kAmbientPressure}});
 }
 
-ReferenceTank porous() {
+ReferenceTank porous_reference() {
   ReferenceTank tank;
   tank.volume = 0.12, tank.pressure = 130000.0, tank.temperature = 400.0, tank.leak_area = 0.0025 * 1.5;
   return tank;
 }
 
 Compared porous_tank() {
-  const ReferenceTank tank = porous();
+  const ReferenceTank tank = porous_reference();
   return worst({{run(tank, 0.01, kFine).pressure, 118759.40296999072},
                 {run(tank, 0.02, kFine).pressure, 110661.71823484026},
                 {run(tank, 0.06, kFine).pressure, kAmbientPressure}});
@@ -105,7 +105,7 @@ Compared isothermal_blowdown() {
 }
 
 Compared isothermal_porous_tank() {
-  const ReferenceTank tank = porous();
+  const ReferenceTank tank = porous_reference();
   return worst({{isothermal(tank, 0.01), 121588.46551630102}, {isothermal(tank, 0.02), 114824.70715404161}});
 }
 
