@@ -3,10 +3,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
 #include "driver/case_reader.hpp"
+#include "membrane/node_order.hpp"
 #include "membrane/refine.hpp"
 
 namespace driver {
@@ -86,6 +88,19 @@ void refine(BagMesh& bag, int times, const std::vector<std::string>& null_panels
     }
     bag.mesh = membrane::refine(bag.mesh, null_panels);
   }
+}
+
+void order_nodes(BagMesh& bag) {
+  if (bag.mesh.element_count() <= membrane::kCachedElements) return;
+  const auto order = membrane::node_order(bag.mesh);
+  for (auto& anchors : bag.strap_anchors)
+    for (int& node : anchors)
+      node = static_cast<int>(std::find(order.begin(), order.end(), node) - order.begin());
+  if (bag.initial) {
+    const Eigen::Matrix3Xd initial = *bag.initial;
+    *bag.initial = initial(Eigen::all, order);
+  }
+  bag.mesh = membrane::renumbered(bag.mesh, order);
 }
 
 void set_initial(BagMesh& bag, const membrane::Mesh& shape) {

@@ -46,6 +46,9 @@ void check_refinement(int elements, int times);
 /// Applies membrane::refine `times` to both shapes.
 void refine(BagMesh& bag, int times, const std::vector<std::string>& null_panels);
 
+/// Numbers the nodes of a large bag by membrane::node_order, those of both shapes and the anchors.
+void order_nodes(BagMesh& bag);
+
 /// Takes the nodes of `shape` as initial shape. Throws std::invalid_argument unless it has the same elements.
 void set_initial(BagMesh& bag, const membrane::Mesh& shape);
 

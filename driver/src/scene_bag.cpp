@@ -74,6 +74,7 @@ BagMesh read_mesh(TableReader table, const std::vector<std::string>& null_panels
     table.located("refine", [&] { check_refinement(source.mesh.element_count(), times); });
     membrane::require_closed_surface(source.shape(), source.mesh.elements);
     refine(source, times, null_panels);
+    order_nodes(source);
   });
   table.finish();
   return source;

@@ -5,6 +5,7 @@
 
 #include "kernel_table.hpp"
 #include "membrane/error.hpp"
+#include "membrane/node_order.hpp"
 #include "membrane/stages.hpp"
 
 namespace membrane {
@@ -16,13 +17,11 @@ SkinPass pass_of(SkinParts parts) {
   return parts == SkinParts::forces ? kForcesPass : kSkinPass;
 }
 
-// Fetching pays from here on (measured): so many elements take 4 MB, beyond a core's second-level cache.
-constexpr int kCachedElements = 20000;
-
 SkinArrays skin_arrays(const BagModel& model, BagState& state, std::size_t b) {
   const BlockTable& table = model.elements;
   const ElementBlock& block = table.block[b];
   const bool jet = !state.area_vector.empty();
+  // Fetching pays from there on (measured).
   const bool fetch = model.element_count > kCachedElements && b + 1 < table.block.size();
   const ElementBlock next = fetch ? table.block[b + 1] : ElementBlock{};
   return {table.group.data() + block.first_group,

@@ -2,10 +2,13 @@
 // The same bits from every instruction set, block order and number of threads.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstring>
+#include <stdexcept>
 #include <thread>
 #include <vector>
 
+#include "membrane/node_order.hpp"
 #include "scenes.hpp"
 
 using membrane::Compression;
@@ -110,6 +113,45 @@ TEST(SameBits, every_block_order_gives_the_same_bits) {
     expect_same_bits(serial, run(mesh, Compression::none, membrane::best_isa(), Reversed{}));
     expect_same_bits(serial, run(mesh, Compression::none, membrane::best_isa(), TwoThreads{}));
   }
+}
+
+// An icosphere's own numbers go by its subdivision, all over the sphere.
+TEST(SameBits, node_order_puts_blocks_together_and_moves_no_node) {
+  const auto mesh = membrane::icosphere(0.3, 3);
+  const auto order = membrane::node_order(mesh);
+  const auto ordered = membrane::renumbered(mesh, order);
+  const auto moved = [](const membrane::Mesh& m) {
+    const auto model = make_model(scenes::describe(m, Compression::none));
+    auto state = membrane::make_state(model, 1.01 * m.nodes);
+    for (int i = 0; i < 20; ++i) {
+      membrane::update_skin(model, state);
+      membrane::pressure_forces(state, 2e4);
+      membrane::advance(model, state, i == 0 ? 0.0 : 1e-5, 1e-5);
+    }
+    return state;
+  };
+  const auto a = moved(mesh), b = moved(ordered);
+  EXPECT_TRUE(a.position.map()(Eigen::all, order) == b.position.map());
+  EXPECT_TRUE(a.velocity.map()(Eigen::all, order) == b.velocity.map());
+  EXPECT_NEAR(a.surface.volume / b.surface.volume, 1.0, 1280 * scenes::kEps);  // about another node
+  const auto model = make_model(scenes::describe(ordered, Compression::none));
+  std::int32_t next = 0;  // the blocks' own nodes follow each other, the shared ones come after them all
+  for (const auto& block : model.elements.block)
+    for (auto i = block.first_node; i < block.first_shared; ++i)
+      EXPECT_EQ(model.elements.node[static_cast<std::size_t>(i)], next++);
+  EXPECT_EQ(model.shared.node.front(), next);
+  EXPECT_TRUE(renumbered(ordered, membrane::node_order(ordered)).elements == ordered.elements);
+}
+
+TEST(SameBits, node_order_has_every_node_once) {
+  auto mesh = membrane::rectangle(2, 2, 1.0, 1.0, membrane::Diagonals::uniform);
+  mesh.elements.conservativeResize(3, 1);  // the other nodes belong to no element
+  auto order = membrane::node_order(mesh);
+  std::sort(order.begin(), order.end());
+  for (int node = 0; node < mesh.node_count(); ++node)
+    EXPECT_EQ(order.at(static_cast<std::size_t>(node)), node);
+  mesh.elements(0, 0) = mesh.node_count();
+  EXPECT_THROW(membrane::node_order(mesh), std::invalid_argument);
 }
 
 TEST(SameBits, one_pass_gives_the_same_bits_as_two) {
