@@ -119,8 +119,7 @@ void BM_advance(benchmark::State& run) {
   run.counters["ledger_error"] = worst;  // kick form
 }
 
-// One step of the bag under constant gauge pressure: S9 with the fabric's part of S6, supports and pressure,
-// S8.
+// One step of the bag under constant gauge pressure: S9 with the fabric of S6, supports and pressure, S8.
 template <class ForEachBlock = membrane::Serial>
 void one_step(const membrane::BagModel& model, membrane::BagState& state, double gauge_pressure,
               const ForEachBlock& for_each_block = {}) {
@@ -186,9 +185,8 @@ membrane::BagModel torus_model(const membrane::Mesh& mesh, membrane::Isa isa, bo
   return make_model(bag);
 }
 
-// The same step on meshes that fit the second-level cache (0), the third (1), or none (2): instruction set,
-// threads, woven fabric. Every array of the step is read or written once: bytes_per_second of it, to be held
-// against that of BM_copy.
+// The same step on meshes that fit the second-level cache (0), the third (1), or none (2). Every array of the
+// step is read or written once: bytes_per_second of it, to be held against that of BM_copy.
 void BM_torus_step(benchmark::State& run) {
   constexpr int size[3][2] = {{49, 28}, {400, 125}, {1250, 400}};
   const auto isa = static_cast<membrane::Isa>(run.range(1));
@@ -205,11 +203,13 @@ void BM_torus_step(benchmark::State& run) {
       mesh.element_count(), benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
   run.counters["volume_m3"] = state.surface.volume;  // 2 pi^2 R r^2 1.02^3 = 1.885 less the facets
   // A group of four elements, and of each node: x, v, f and g of 32 bytes with 5 reads and 4 writes, mass.
-  const auto groups = model.elements.group.size();
-  const std::size_t step_bytes = groups * (sizeof(membrane::ElementGroup) + sizeof(membrane::FrequencyGroup) +
-                                           (woven ? sizeof(membrane::WeaveGroup) : 0)) +
-                                 static_cast<std::size_t>(model.node_count) * (9 * 32 + 3 * 8);
-  run.SetBytesProcessed(run.iterations() * static_cast<std::int64_t>(step_bytes));
+  const std::size_t group_bytes = sizeof(membrane::ElementGroup) + sizeof(membrane::FrequencyGroup) +
+                                  (woven ? sizeof(membrane::WeaveGroup) : 0);
+  const auto element_bytes = static_cast<double>(model.elements.group.size() * group_bytes);
+  const double node_bytes = model.node_count * (9.0 * 32.0 + 3.0 * 8.0);
+  run.counters["element_bytes"] = element_bytes / mesh.element_count();  // per element, as the next
+  run.counters["node_bytes"] = node_bytes / mesh.element_count();
+  run.SetBytesProcessed(run.iterations() * static_cast<std::int64_t>(element_bytes + node_bytes));
 }
 
 // Copy of as many MB as given: what the memory gives, reads and writes together.
