@@ -25,7 +25,7 @@ mkdir -p "$folder"
   machine "one thread used"
   grep -E '^(version|commit|compiler|flags|date): ' "$log" | sed 's/^/# /'
   echo "# median of 5 interleaved whole runs of 100 ms"
-  echo "case,us_per_step,ns_per_element,jet_us_per_step,jet_over_step,step_over_no_jet,steps,drift_rel,hidden_per_step,exact_calls"
+  echo "case,us_per_step,ns_per_element,jet_us_per_step,jet_over_step,step_over_no_jet,steps,drift_rel,hidden_per_step,exact_calls,jet_us_while_blowing"
   awk -F, '
     /^name,/ { for (i = 1; i <= NF; ++i) { gsub(/"/, "", $i); column[$i] = i } next }
     /_median"/ {
@@ -37,8 +37,8 @@ mkdir -p "$folder"
       for (k = 1; k <= n; ++k) {
         split(row[order[k]], f, ",")
         jet = f[column["jet_us_per_step"]]
-        printf "%s,%.2f,%.2f,%.2f,%.3f,%.3f,%d,%.2e,%.1f,%d\n", order[k], f[column["us_per_step"]], f[column["ns_per_element"]],
-          jet, jet / base, f[column["us_per_step"]] / base, f[column["steps"]], f[column["drift_rel"]], f[column["hidden_per_step"]], f[column["exact_calls"]]
+        printf "%s,%.2f,%.2f,%.2f,%.3f,%.3f,%d,%.2e,%.1f,%d,%.2f\n", order[k], f[column["us_per_step"]], f[column["ns_per_element"]],
+          jet, jet / base, f[column["us_per_step"]] / base, f[column["steps"]], f[column["drift_rel"]], f[column["hidden_per_step"]], f[column["exact_calls"]], f[column["jet_us_while_blowing"]]
       }
     }' "$log.csv"
 } >"$csv"

@@ -94,14 +94,16 @@ JetField& JetField::operator=(JetField&&) noexcept = default;
 FieldState JetField::make_state() const {
   FieldState state;
   state.overpressure.assign(static_cast<std::size_t>(element_count_), 0.0);
-  state.candidates.reserve(static_cast<std::size_t>(element_count_) + kRoom);
+  state.candidates.reserve(static_cast<std::size_t>(element_count_));
+  state.selected.resize(static_cast<std::size_t>(element_count_) + kRoom);
   state.slack.assign(slack_size(element_count_), -HUGE_VAL);
   return state;
 }
 
 void JetField::reset(FieldState& state) const {
   if (state.overpressure.size() != static_cast<std::size_t>(element_count_) ||
-      state.slack.size() != slack_size(element_count_)) {
+      state.slack.size() != slack_size(element_count_) ||
+      state.selected.size() != static_cast<std::size_t>(element_count_) + kRoom) {
     throw std::invalid_argument("jet field state does not belong to this surface, use make_state");
   }
   for (const int element : state.candidates) state.overpressure[static_cast<std::size_t>(element)] = 0.0;
@@ -117,7 +119,6 @@ void JetField::evaluate(const Points& area_vectors, const Points& centroids, con
   if (!(travelled >= state.travelled)) std::fill(state.slack.begin(), state.slack.end(), -HUGE_VAL);
   state.travelled = travelled;
   if (outlet.density == 0.0 || outlet.velocity == 0.0) return;
-  state.candidates.resize(static_cast<std::size_t>(element_count_) + kRoom);
   FieldArrays arrays{};
   arrays.area_vectors = rows(area_vectors);
   arrays.centroids = rows(centroids);
@@ -130,11 +131,11 @@ void JetField::evaluate(const Points& area_vectors, const Points& centroids, con
   arrays.velocity = outlet.velocity;
   arrays.factor = (1.0 + model_.restitution) * outlet.density;
   arrays.overpressure = state.overpressure.data();
-  arrays.candidates = state.candidates.data();
+  arrays.candidates = state.selected.data();
   const KernelTable& kernels = kernel_table();
   const int count = kernels.evaluate(*shape_, arrays, kernels.select(*shape_, arrays));
   if (count < 0) refuse_overpressure(-1 - count);
-  state.candidates.resize(static_cast<std::size_t>(count));
+  state.candidates.assign(state.selected.begin(), state.selected.begin() + count);
 }
 
 void apply_mask(std::span<const std::uint8_t> lit, FieldState& state) {

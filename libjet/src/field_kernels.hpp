@@ -98,7 +98,9 @@ inline int select_elements(const JetShape& jet, const FieldArrays& arrays) {
   return count;
 }
 
-inline int evaluate(const JetShape& jet, const FieldArrays& a, int selected) {
+inline int evaluate(const JetShape& given, const FieldArrays& arrays, int selected) {
+  const JetShape jet = given;
+  const FieldArrays a = arrays;
   int count = 0;
   for (int k = 0; k < selected; k += 4) {
     int e[4];
@@ -113,11 +115,15 @@ inline int evaluate(const JetShape& jet, const FieldArrays& a, int selected) {
     if (a.relative_to_skin)
       speed = select(speed > Lanes(), speed - profile::dot(rows(a.velocities), area) / size, speed);
     const Lanes overpressure = a.factor * (speed * speed);
-    for (int i = 0; i < 4 && k + i < selected; ++i) {
-      if (size[i] == 0.0 || speed[i] <= 0.0) continue;
-      if (!(overpressure[i] - overpressure[i] == 0.0)) return -1 - e[i];
-      a.overpressure[e[i]] = overpressure[i];
-      a.candidates[count++] = e[i];
+    const Lanes::Mask none = (size <= Lanes()) | (speed <= Lanes());
+    const unsigned loaded = ~bits(none) & (k + 4 <= selected ? 0xfu : (1u << (selected - k)) - 1u);
+    const unsigned finite = bits(overpressure - overpressure <= Lanes());
+    if ((loaded & ~finite) != 0) return -1 - e[__builtin_ctz(loaded & ~finite)];
+    const Lanes kept = select(none, Lanes(), overpressure);
+    for (int i = 0; i < 4; ++i) {  // lanes behind the last repeat it; no branch to predict
+      a.overpressure[e[i]] = kept[i];
+      a.candidates[count] = e[i];
+      count += static_cast<int>(loaded >> i & 1u);
     }
   }
   return count;

@@ -21,6 +21,7 @@ struct FieldState {
   std::vector<int> candidates;        // elements inside the jet, facing it, above the cut-off; ascending
   double travelled = kMotionUnknown;  // [m] as of the last call
   std::vector<double> slack{};        // [m] groups of four elements: outside the jet while travelled is below
+  std::vector<int> selected{};        // workspace of the choice of candidates
 };
 
 /// Field of one jet over a surface of M elements. Const after construction.
