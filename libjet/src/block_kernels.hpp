@@ -9,7 +9,7 @@ namespace jet::JET_KERNELS {
 inline void gather_elements(const ElementArrays& s, int count) {
   for (int k = 0; k < count; k += 8) {
     const Corners t = gather_corners(s.local, s.triangles, [&](int i) { return s.elements[k + i]; });
-    store_boxes(s.boxes + 4 * std::ptrdiff_t{k}, t, s.half_long);
+    store_boxes(s.boxes + kBoxFloats / 8 * std::ptrdiff_t{k}, t, s.half_long);
     store(s.points + kElementFloats / 8 * std::ptrdiff_t{k}, t);
   }
 }
@@ -33,22 +33,23 @@ inline int meet_blocks(const RayArrays& rays, int block, unsigned alive, const P
                        const float* points, const HitLists& to) {
   const float* targets = rays.targets + 32 * std::ptrdiff_t{block};
   const Line r = line_to(gather_rows(targets, [](int i) { return i; }), Floats(rays.half_long));
-  const float* ray_boxes = rays.boxes + 32 * std::ptrdiff_t{block};
-  float around[32];
+  const float* ray_boxes = rays.boxes + kBoxFloats * std::ptrdiff_t{block};
+  float around[kBoxFloats];
   merge(ray_boxes, around);
-  const Box box(around, 8);
+  const Floats everything(kFar);  // before the target and behind it
+  const Box box(around, everything);
   const int blocks = blocks_near(pyramid, box, to.first, to.second);
   int near = 0, count = 0;
   for (int i = 0; i < blocks; ++i) {
     const int entries = to.first[i];
-    near += append_bits(box.overlaps(pyramid.boxes + 32 * std::ptrdiff_t{entries}), 8 * entries,
+    near += append_bits(box.overlaps(pyramid.boxes + kBoxFloats * std::ptrdiff_t{entries}), 8 * entries,
                         to.second + near);
   }
   // Those beside all rays are left out, without a branch to predict.
   int touched = 0;
   for (int i = 0; i < near; ++i) {
     const int e = to.second[i];
-    const Box own(pyramid.boxes + 32 * std::ptrdiff_t{e / 8} + e % 8, 8);
+    const Box own(pyramid.boxes + kBoxFloats * std::ptrdiff_t{e / 8} + e % 8, everything);
     to.second[touched] = e;
     touched += static_cast<int>((own.overlaps(ray_boxes) & alive) != 0);
   }

@@ -27,11 +27,12 @@ struct Range {
   return {place - margin, place + margin};
 }
 
-[[gnu::always_inline]] inline void store(float* block, Range p, Range q) {
+[[gnu::always_inline]] inline void store(float* block, Range p, Range q, Floats depth) {
   p.low.store(block);
   p.high.store(block + 8);
   q.low.store(block + 16);
   q.high.store(block + 24);
+  depth.store(block + 32);
 }
 
 [[gnu::always_inline]] inline void store(float* points, const Vec3<Floats>& x) {
@@ -69,7 +70,7 @@ inline RayBounds make_rays(const RayArrays& a, int count, std::uint8_t* aside) {
     aside[k / 8] = static_cast<std::uint8_t>(known & ~bits(valid));
     const Range p = turned(g.x, g.z), q = a.half_long > 0.0f ? places(g, half_long) : turned(g.y, g.z);
     const auto empty = [&](Range r) { return Range{select(valid, r.low, far), select(valid, r.high, -far)}; };
-    store(a.boxes + 4 * std::ptrdiff_t{k}, empty(p), empty(q));
+    store(a.boxes + kBoxFloats / 8 * std::ptrdiff_t{k}, empty(p), empty(q), Floats());
     const Range slope_u = empty(slopes(g.x, g.z)), slope_v = empty(a.half_long > 0.0f ? q : slopes(g.y, g.z));
     u = {min(u.low, slope_u.low), max(u.high, slope_u.high)};
     v = {min(v.low, slope_v.low), max(v.high, slope_v.high)};
@@ -176,19 +177,20 @@ inline void look_at_patches(const PatchArrays& given) {
 [[gnu::always_inline]] inline void store_boxes(float* boxes, const Corners& t, float half_long) {
   const auto& [a, b, c] = t;
   const Vec3<Floats> w = {a.z, b.z, c.z};
-  const Floats::Mask upstream = min(min(w.x, w.y), w.z) <= Floats(kUpstream);
+  const Floats depth = min(min(w.x, w.y), w.z);
+  const Floats::Mask upstream = depth <= Floats(kUpstream);
   const Range p = spanned(a.x, b.x, c.x, w, upstream);
   if (half_long > 0.0f) {
     const Floats low = min(min(a.y, b.y), c.y), high = max(max(a.y, b.y), c.y);
-    store(boxes, p, {low - Floats(kSlack), high + kSlack});
+    store(boxes, p, {low - Floats(kSlack), high + kSlack}, depth);
   } else {
-    store(boxes, p, spanned(a.y, b.y, c.y, w, upstream));
+    store(boxes, p, spanned(a.y, b.y, c.y, w, upstream), depth);
   }
 }
 
 inline void element_boxes(const float* points, float half_long, int patches, float* boxes) {
   for (std::ptrdiff_t k = 0; k < patches; ++k)
-    store_boxes(boxes + 32 * k, load_corners(points + kElementFloats * k), half_long);
+    store_boxes(boxes + kBoxFloats * k, load_corners(points + kElementFloats * k), half_long);
 }
 
 }  // namespace jet::JET_KERNELS

@@ -72,7 +72,8 @@ struct ProjectFlags {
 struct RayArrays {
   const float* targets;  // local coordinates, 4 a ray, to a multiple of eight rays
   float half_long;       // 0: a point source
-  float* boxes;  // of the two coordinates that do not change along a ray: 8 low p, high p, low q, high q
+  float* boxes;  // of the two coordinates that do not change along a ray: 8 low p, high p, low q, high q,
+                 // and 8 unused
 };
 
 /// Slopes u/w (v/w, or v of a line of sources) of the rays, with their errors.
@@ -120,7 +121,7 @@ struct PairArrays {
 /// What a kernel knows of a ray that may touch an element: nothing more, that its segment crosses the
 /// interior, or that the line does, before or behind the segment.
 inline constexpr int kHitKinds = 4, kBlocked = 1, kMet = 2;
-inline constexpr int kElementFloats = 72;  // of eight
+inline constexpr int kElementFloats = 72, kBoxFloats = 40;  // of eight
 
 /// Where hits go, and two lists on the way to them with room for all elements and eight more.
 struct HitLists {

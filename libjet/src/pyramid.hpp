@@ -16,11 +16,11 @@ class Pyramid {
   void reserve(std::size_t count) {
     std::size_t blocks = 0;
     for (std::size_t n = count; blocks == 0 || n > 1; n = (n + 7) / 8) blocks += (n + 7) / 8;
-    boxes_.resize(32 * blocks);
+    boxes_.resize(kBoxFloats * blocks);
   }
 
-  /// Where the boxes of the lowest level are to be written, 32 floats for eight: low p, high p, low q, high
-  /// q.
+  /// Where the boxes of the lowest level are to be written, kBoxFloats for eight: low p, high p, low q, high
+  /// q, and where they begin downstream.
   float* boxes() { return boxes_.data(); }
 
   /// The levels above `count` boxes; those up to the next multiple of eight become empty.
@@ -40,7 +40,7 @@ class Pyramid {
 
   /// Entry `i` overlaps nothing any more.
   void drop(int i) {
-    float* box = boxes_.data() + 32 * (i / 8) + i % 8;
+    float* box = boxes_.data() + kBoxFloats * (i / 8) + i % 8;
     box[0] = HUGE_VALF;
     box[8] = -HUGE_VALF;
   }
@@ -49,12 +49,12 @@ class Pyramid {
 
   /// Box of one entry, as the kernels ask for it.
   std::array<float, 4> box(int i) const {
-    const float* b = boxes_.data() + 32 * (i / 8) + i % 8;
+    const float* b = boxes_.data() + kBoxFloats * (i / 8) + i % 8;
     return {b[0], b[8], b[16], b[24]};
   }
 
  private:
-  float* block(int b) { return boxes_.data() + 32 * b; }
+  float* block(int b) { return boxes_.data() + kBoxFloats * b; }
   void clear(int first_block, int count) {
     for (int i = count; i % 8 != 0; ++i) {
       float* box = block(first_block + i / 8) + i % 8;

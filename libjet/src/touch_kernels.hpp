@@ -11,15 +11,18 @@ inline void merge(const float* block, float* box) {
   box[8] = greatest(Floats::load(block + 8));
   box[16] = least(Floats::load(block + 16));
   box[24] = greatest(Floats::load(block + 24));
+  box[32] = least(Floats::load(block + 32));
 }
 
+/// A box in front of everything that begins deeper than `depth`.
 struct Box {
-  Floats low_p, high_p, low_q, high_q;
-  Box(const float* b, int stride)
-      : low_p(b[0]), high_p(b[stride]), low_q(b[2 * stride]), high_q(b[3 * stride]) {}
+  Floats low_p, high_p, low_q, high_q, depth;
+  Box(const float* b, Floats deepest)
+      : low_p(b[0]), high_p(b[8]), low_q(b[16]), high_q(b[24]), depth(deepest) {}
   [[gnu::always_inline]] unsigned overlaps(const float* b) const {
     return bits((Floats::load(b) <= high_p) & (low_p <= Floats::load(b + 8)) &
-                (Floats::load(b + 16) <= high_q) & (low_q <= Floats::load(b + 24)));
+                (Floats::load(b + 16) <= high_q) & (low_q <= Floats::load(b + 24)) &
+                (Floats::load(b + 32) <= depth));
   }
 };
 
@@ -34,7 +37,7 @@ inline int blocks_near(const PyramidView& pyramid, const Box& box, int* out, int
     for (int i = 0; i < count; ++i) scratch[i] = out[i];
     int found = 0;
     for (int i = 0; i < count; ++i) {
-      const float* boxes = pyramid.boxes + 32 * std::ptrdiff_t{pyramid.first[level] + scratch[i]};
+      const float* boxes = pyramid.boxes + kBoxFloats * std::ptrdiff_t{pyramid.first[level] + scratch[i]};
       found += append_bits(box.overlaps(boxes), 8 * scratch[i], out + found);
     }
     count = found;
@@ -119,20 +122,16 @@ inline void meet_pairs(const PairArrays& p, int count) {
 
 inline int meet_elements(const RayArrays& rays, int ray, const PyramidView& pyramid, const float* points,
                          const HitLists& to) {
-  const float* bounds = rays.boxes + 32 * std::ptrdiff_t{ray / 8} + ray % 8;
-  const Box box(bounds, 8);
+  const float* bounds = rays.boxes + kBoxFloats * std::ptrdiff_t{ray / 8} + ray % 8;
   const float* g = rays.targets + 4 * std::ptrdiff_t{ray};
   const Line line = line_to({Floats(g[0]), Floats(g[1]), Floats(g[2])}, Floats(rays.half_long));
-  const Floats end = line.g.z + kSlack;
+  const Box box(bounds, line.g.z + kSlack);
   const int blocks = blocks_near(pyramid, box, to.first, to.second);
   int near = 0, count = 0;
   for (int i = 0; i < blocks; ++i) {
     const int block = to.first[i];
-    const float* p = points + kElementFloats * std::ptrdiff_t{block};
-    const Floats low = min(min(Floats::load(p + 16), Floats::load(p + 40)), Floats::load(p + 64));
-    const unsigned hits = box.overlaps(pyramid.boxes + 32 * std::ptrdiff_t{block}) & bits(low <= end);
     to.second[near] = block;  // kept if the next does not overwrite it
-    near += static_cast<int>(hits != 0);
+    near += static_cast<int>(box.overlaps(pyramid.boxes + kBoxFloats * std::ptrdiff_t{block}) != 0);
   }
   for (int i = 0; i < near; ++i) {
     const int block = to.second[i];
