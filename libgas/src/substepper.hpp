@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "gas/error.hpp"
@@ -66,6 +67,7 @@ class Substepper {
   void require_volume(const FlowBalance& balance, double t) const;
   void require_stable(const Rates& rates, double x, double h) const;
   [[noreturn]] void fail(const Rates& rates, double x, double h) const;
+  std::string advice(const FlowBalance& balance, double length) const;
   [[noreturn]] void fail_crossing(double x, double h) const;
 
   // first_gas.cpp, held_pressure.cpp

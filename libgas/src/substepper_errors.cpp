@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Substepper: why a sub-step cannot be taken.
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 
 #include "gas/error.hpp"
@@ -10,13 +12,32 @@
 
 namespace gas {
 
+/// What could be done about sub-steps of `length` [s], too many or too short, at the gas last located.
+std::string Substepper::advice(const FlowBalance& balance, double length) const {
+  constexpr double kRoundOff = 100.0 * std::numeric_limits<double>::epsilon();
+  const auto& point = balance.point();
+  const double relaxation = balance.relaxation_rate() + balance.heat_rate();
+  const double passing = std::max(point.vent + point.fabric, point.back) / point.mass;
+  std::string text;
+  if (relaxation > 0.0) text = "; it relaxes within " + to_text(1.0 / relaxation) + " s";
+  if (length * relaxation > 0.1 * stepper_->stability_limit())
+    text += "; Rosenbrock 4 (gas_method of a case) has no such limit";
+  const double limit = options_.relative_tolerance / (kRoundOff * passing);
+  if (length > 0.1 * limit)
+    text += "; it passes through within " + to_text(1.0 / passing) +
+            " s, so that rounding takes sub-steps below " + to_text(limit) +
+            " s; a looser tolerance (gas_tolerance of a case) is allowed";
+  return text;
+}
+
 void Substepper::fail(const Rates& rates, double x, double h) const {
   FlowBalance& balance = rates.balance;
   const auto& point = balance.point();
   const Thermo& thermo = rates.balance.thermo();
   const bool fixed = options_.fixed_step > 0.0;
-  const std::string where = "at t = " + to_text(rates.time(x)) + " s with a sub-step of " +
-                            to_text(rates.time(x + h) - rates.time(x)) + " s";
+  const double length = h * rates.time_slope(x + 0.5 * h);
+  const std::string where =
+      "at t = " + to_text(rates.time(x)) + " s with a sub-step of " + to_text(length) + " s";
   if (rates.depleted)
     throw DomainError("species " + thermo.species(*rates.depleted).name +
                       " runs out: more of it would leave than there is, " + where +
@@ -33,12 +54,8 @@ void Substepper::fail(const Rates& rates, double x, double h) const {
     throw DomainError("a fixed sub-step of " + to_text(options_.fixed_step) + " s takes more than " +
                       std::to_string(options_.maximum_steps) + " sub-steps, " + where + gas +
                       "; a longer one (gas_step of a case), or none, is allowed");
-  const double relaxation = balance.relaxation_rate() + balance.heat_rate();
-  const bool is_explicit = std::isfinite(stepper_->stability_limit());
-  throw TooStiff("the gas is too stiff for the integrator: " + std::to_string(attempts_) + " sub-steps, " +
-                 where + gas +
-                 (relaxation > 0.0 ? "; it relaxes within " + to_text(1.0 / relaxation) + " s" : "") +
-                 (is_explicit ? "; Rosenbrock 4 (gas_method of a case) has no such limit" : ""));
+  throw TooStiff("the gas is too stiff for the integrator: " + std::to_string(attempts_) +
+                 (attempts_ == 1 ? " sub-step, " : " sub-steps, ") + where + gas + advice(balance, length));
 }
 
 /// Where no volume belongs to the band of p at t.

@@ -55,6 +55,29 @@ TEST(tiny_volume, species_that_leave_cost_few_sub_steps) {
     }
 }
 
+/// In a tenth of a femtolitre what passes in a sub-step rounds to more than the tolerance of what is there:
+/// the error names the residence time m/mdot, the limit tolerance/(100 epsilon) of it, and what is allowed.
+TEST(tiny_volume, rounding_of_what_passes_is_named) {
+  constexpr double kVolume = 1e-16;
+  try {
+    pass(kVolume, {1.0, 0.0, 0.0}, 1e-10);
+    FAIL() << "no error";
+  } catch (const gas::DomainError& error) {
+    const std::string text = error.what();
+    const auto number_after = [&](const std::string& words) {
+      const std::size_t at = text.find(words);
+      return at == std::string::npos ? 0.0 : std::stod(text.substr(at + words.size()));
+    };
+    // m of the balance, 17 Pa above p_a, R to the five digits of the gas constant.
+    const double residence = 1.00017 * kAmbientPressure * kVolume / (296.8 * 406.0) / 0.02;
+    EXPECT_LT(relative(number_after("passes through within "), residence), 1e-2) << text;
+    EXPECT_LT(relative(number_after("sub-steps below "), residence * 1e-10 / (100.0 * kEpsilon)), 1e-2)
+        << text;
+    EXPECT_NE(text.find("a looser tolerance (gas_tolerance of a case) is allowed"), std::string::npos)
+        << text;
+  }
+}
+
 /// Of a mixture of other formation enthalpies than the air's some is driven out through a wide vent and
 /// replaced by air: what an error of a species takes along is no error of the temperature.
 TEST(tiny_volume, formation_enthalpies_cost_no_sub_steps) {
