@@ -80,9 +80,8 @@ class FlowBalance {
   std::vector<double> levels() const;
 
   /// Ends a sub-step with y at t: the next begins there.
-  void accept(const Vector& y, double t);
-  /// Takes what more of a species has left than there was, at the point last located, out of y again.
-  void return_lack(Vector& y) const;
+  /// What more of a species has left than there was is taken out of y again.
+  void accept(Vector& y, double t);
   /// Makes what leaves in all streams the mass of what leaves of all species, which an implicit method keeps
   /// only as well as it knows its matrix.
   void close_streams(Vector& y) const;
@@ -208,7 +207,6 @@ class FlowBalance {
   std::optional<bool> hold_direction_;  // none: that of the growth of p
   std::vector<double> masses_;          // [kg] at the last evaluation
   std::vector<double> lack_;            // [kg] by which more of each had left there
-  bool lacks_ = false;                  // any of it
   double energy_ = 0.0;                 // [J] U there
   std::vector<CompensatedSum> base_;    // the gas at base_time_
   std::vector<CompensatedSum> totals_;  // of the unknowns, over the step

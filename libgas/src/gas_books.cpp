@@ -49,22 +49,23 @@ void FlowBalance::keep_masses_non_negative() {
     if (base_[k].value() < 0.0) base_[k] = 0.0;
 }
 
-void FlowBalance::accept(const Vector& y, double t) {
+void FlowBalance::accept(Vector& y, double t) {
   for (std::size_t i = 0; i < segments_.size(); ++i) {
     const auto [mass, enthalpy] = segments_[i].delivered(base_time_ - segment_begin_, t - segment_begin_);
     add_inflow(i, mass, enthalpy);
   }
   for (std::size_t k = 0; k < masses_.size(); ++k) base_[k].add(species_change(y, k));
+  bool lacks = false;
+  for (std::size_t k = 0; k < masses_.size(); ++k) {
+    const double left = std::min(0.0, base_[k].value());
+    y[k] += left;
+    lacks = lacks || left < 0.0;
+  }
+  if (lacks) close_streams(y);
   keep_masses_non_negative();
   base_.back().add(energy_change(y));
   for (std::size_t i = 0; i < totals_.size(); ++i) totals_[i].add(y[i]);
   base_time_ = t;
-}
-
-void FlowBalance::return_lack(Vector& y) const {
-  if (!lacks_) return;
-  for (std::size_t k = 0; k < masses_.size(); ++k) y[k] -= lack_[k];
-  close_streams(y);
 }
 
 void FlowBalance::close_streams(Vector& y) const {
@@ -98,7 +99,6 @@ void FlowBalance::supply(double t) {
     energy_ += enthalpy;
   }
   point_.depleted.reset();
-  lacks_ = false;
 }
 
 /// The gas at time t, (G.9), (G.10).
@@ -118,8 +118,7 @@ void FlowBalance::collect(const Vector& y, double t) {
 /// A species of which more has left than can be overlooked.
 void FlowBalance::find_depleted() {
   point_.depleted.reset();
-  lacks_ = std::ranges::any_of(lack_, [](double lack) { return lack != 0.0; });
-  if (!lacks_) return;
+  if (std::ranges::none_of(lack_, [](double lack) { return lack != 0.0; })) return;
   const double allowed = negligible_ * std::accumulate(masses_.begin(), masses_.end(), 0.0);
   for (std::size_t k = 0; k < masses_.size(); ++k)
     if (!(lack_[k] <= allowed)) point_.depleted = k;

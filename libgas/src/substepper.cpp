@@ -58,7 +58,6 @@ bool Substepper::try_step(Rates& rates, double x, double h) {
   h = (x + h) - x;  // what flows in until then, exactly
   stepper_->step(rates, zero_, begin_rate_, x, h, options_.fixed_step == 0.0, trial_);
   if (!rates.valid) rates.balance.invalidate();
-  rates.balance.return_lack(trial_.end);
   return rates.valid;
 }
 
