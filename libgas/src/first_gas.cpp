@@ -30,7 +30,7 @@ std::optional<double> FlowBalance::temperature_of_first_gas(double t) const {
   Mixture sum;
   double energy = loss.conductance * loss.outside_temperature, flow = 0.0;
   for (const InflowSegment& segment : segments_) {
-    const auto [mass_flow, temperature] = segment.flow(t - segment_begin_);
+    const auto [mass_flow, temperature] = segment.flow(t);
     if (!(mass_flow > 0.0)) continue;
     energy += mass_flow * segment.gas().enthalpy(temperature);
     add(mass_flow, segment.gas(), sum);
@@ -61,7 +61,7 @@ void FlowBalance::fill_until(Vector& y, const Vector& dydt, double begin, double
 
 double FlowBalance::mass_in_until(double t) const {
   double mass = 0.0;
-  for (const InflowSegment& segment : segments_) mass += segment.delivered(0.0, t - segment_begin_).mass;
+  for (const InflowSegment& segment : segments_) mass += segment.delivered_until(t).mass;
   return mass + point_.back * (t - segment_begin_);
 }
 

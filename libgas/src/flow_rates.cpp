@@ -21,7 +21,7 @@ double pressure_growth(const Mixture& gas, double temperature, const FlowBalance
 double FlowBalance::closed_pressure_growth(double t) const {
   double growth = -point_.gamma * point_.pressure * volume_rate(t) - (point_.gamma - 1.0) * point_.heat;
   for (const InflowSegment& segment : segments_) {
-    const auto [mass_flow, temperature] = segment.flow(t - segment_begin_);
+    const auto [mass_flow, temperature] = segment.flow(t);
     if (mass_flow > 0.0) growth += mass_flow * pressure_growth(segment.gas(), temperature, point_);
   }
   return growth / point_.compliance;

@@ -51,7 +51,7 @@ void FlowBalance::keep_masses_non_negative() {
 
 void FlowBalance::accept(Vector& y, double t) {
   for (std::size_t i = 0; i < segments_.size(); ++i) {
-    const auto [mass, enthalpy] = segments_[i].delivered(base_time_ - segment_begin_, t - segment_begin_);
+    const auto [mass, enthalpy] = segments_[i].delivered(base_time_, t);
     add_inflow(i, mass, enthalpy);
   }
   for (std::size_t k = 0; k < masses_.size(); ++k) base_[k].add(species_change(y, k));
@@ -94,7 +94,7 @@ void FlowBalance::supply(double t) {
   for (std::size_t k = 0; k < masses_.size(); ++k) masses_[k] = base_[k].value();
   energy_ = base_.back().value();
   for (std::size_t i = 0; i < segments_.size(); ++i) {
-    const auto [mass, enthalpy] = segments_[i].delivered(base_time_ - segment_begin_, t - segment_begin_);
+    const auto [mass, enthalpy] = segments_[i].delivered(base_time_, t);
     for (std::size_t k = 0; k < masses_.size(); ++k) masses_[k] += model_.inflows[i].mass_fractions[k] * mass;
     energy_ += enthalpy;
   }
@@ -156,7 +156,7 @@ void FlowBalance::gas_change(const Vector& y, Gas& change) const {
 
 void FlowBalance::add_inflow_rates(double factor, double t, Gas& rates) const {
   for (std::size_t i = 0; i < segments_.size(); ++i) {
-    const auto [mass_flow, temperature] = segments_[i].flow(t - segment_begin_);
+    const auto [mass_flow, temperature] = segments_[i].flow(t);
     if (mass_flow == 0.0) continue;
     for (std::size_t k = 0; k < masses_.size(); ++k)
       rates[k] += factor * mass_flow * model_.inflows[i].mass_fractions[k];

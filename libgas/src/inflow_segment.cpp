@@ -22,14 +22,18 @@ double joint_crossing(const Curve& temperature, double tau, double piece_end) {
   return crossing > tau + clearance && crossing < piece_end ? crossing : kInfinity;
 }
 
+/// Of t - start.
+double round_off(double start, double t) {
+  return 2.0 * kEpsilon * std::max(std::abs(t), std::abs(start));
+}
+
 }  // namespace
 
 double local_time(const Inflow& inflow, double start, double t) {
   const double tau = t - start;
   if (!std::isfinite(tau)) return tau;
-  const double round_off = 2.0 * kEpsilon * std::max(std::abs(t), std::abs(start));
   for (const double knot : {0.0, inflow.mass_flow.nearest_knot(tau), inflow.temperature.nearest_knot(tau)})
-    if (std::abs(tau - knot) <= round_off) return knot;
+    if (std::abs(tau - knot) <= round_off(start, t)) return knot;
   return tau;
 }
 
@@ -49,6 +53,7 @@ InflowSegment::InflowSegment(const Inflow& inflow, double start, const Mixture& 
   const double begin = local_time(inflow, start, a), end = local_time(inflow, start, b);
   if (!(begin >= 0.0)) return;
   begin_ = begin;
+  end_ = end;
   const double middle = begin + 0.5 * (end - begin);
   const Curve::Piece flow = inflow.mass_flow.piece(middle), heat = inflow.temperature.piece(middle);
   mass_flow_ = flow.at(begin);
@@ -58,14 +63,24 @@ InflowSegment::InflowSegment(const Inflow& inflow, double start, const Mixture& 
   enthalpy_ = gas.enthalpy(temperature_);
 }
 
-InflowSegment::Flow InflowSegment::flow(double elapsed) const {
+double InflowSegment::elapsed(double t) const {
+  const double tau = t - start_, rounding = round_off(start_, t);
+  if (tau - begin_ > rounding && end_ - tau > rounding) return tau - begin_;  // as no knot lies between
+  return std::max(0.0, local_time(*inflow_, start_, t) - begin_);
+}
+
+InflowSegment::Flow InflowSegment::flow_after(double elapsed) const {
   return {mass_flow_ + mass_flow_slope_ * elapsed, temperature_ + temperature_slope_ * elapsed};
 }
 
-InflowSegment::Delivered InflowSegment::delivered(double from, double to) const {
-  if (mass_flow_ == 0.0 && mass_flow_slope_ == 0.0) return {0.0, 0.0};
+InflowSegment::Flow InflowSegment::flow(double t) const {
+  if (mass_flow_slope_ == 0.0 && temperature_slope_ == 0.0) return {mass_flow_, temperature_};
+  return flow_after(elapsed(t));
+}
+
+InflowSegment::Delivered InflowSegment::delivered_between(double from, double to) const {
   const double elapsed = to - from;
-  const auto [mass_flow, temperature] = flow(0.5 * (from + to));
+  const auto [mass_flow, temperature] = flow_after(0.5 * (from + to));
   const double mass = elapsed * mass_flow;
   if (temperature_slope_ == 0.0) return {mass, mass * enthalpy_};
   if (!gas_->constant_cp) return {mass, enthalpy_by_quadrature(from, to)};
@@ -73,9 +88,14 @@ InflowSegment::Delivered InflowSegment::delivered(double from, double to) const 
   return {mass, gas_->cp(temperature) * elapsed * (mass_flow * temperature + correlation)};
 }
 
+InflowSegment::Delivered InflowSegment::delivered(double t0, double t1) const {
+  if (mass_flow_ == 0.0 && mass_flow_slope_ == 0.0) return {0.0, 0.0};
+  return delivered_between(elapsed(t0), elapsed(t1));
+}
+
 InflowSegment::Delivered InflowSegment::delivered_until(double t) const {
   if (mass_flow_ == 0.0 && mass_flow_slope_ == 0.0) return {0.0, 0.0};
-  return delivered(0.0, local_time(*inflow_, start_, t) - begin_);
+  return delivered_between(0.0, elapsed(t));
 }
 
 double InflowSegment::enthalpy_by_quadrature(double from, double to) const {
@@ -85,7 +105,7 @@ double InflowSegment::enthalpy_by_quadrature(double from, double to) const {
   double sum = 0.0;
   for (std::size_t i = 0; i < kNodes.size(); ++i) {
     for (const double node : {-kNodes[i], kNodes[i]}) {
-      const auto [mass_flow, temperature] = flow(0.5 * (from + to + (to - from) * node));
+      const auto [mass_flow, temperature] = flow_after(0.5 * (from + to + (to - from) * node));
       sum += kWeights[i] * mass_flow * gas_->enthalpy(temperature);
     }
   }

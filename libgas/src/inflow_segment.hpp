@@ -27,20 +27,25 @@ class InflowSegment {
   /// `gas` is 1 kg of the inflow's mixture.
   InflowSegment(const Inflow& inflow, double start, const Mixture& gas, double a, double b);
 
-  Flow flow(double elapsed) const;
-  /// Mass and enthalpy from a + from to a + to: closed form, or (cp(T) and a changing temperature) a Gauss
-  /// rule that is exact for the integrand, a polynomial of degree 6 in time.
-  Delivered delivered(double from, double to) const;
+  Flow flow(double t) const;
+  /// Mass and enthalpy from t0 to t1: closed form, or (cp(T) and a changing temperature) a Gauss rule that is
+  /// exact for the integrand, a polynomial of degree 6 in time.
+  Delivered delivered(double t0, double t1) const;
   /// The same from a to t; the lengths of adjoining intervals add up to the distance of the knots themselves.
   Delivered delivered_until(double t) const;
   const Mixture& gas() const { return *gas_; }
 
  private:
+  // Of a to t by the clock of the firing: the one for rates, books and pieces alike, else a level that was
+  // located by one is not reached by another.
+  double elapsed(double t) const;
+  Flow flow_after(double elapsed) const;
+  Delivered delivered_between(double from, double to) const;
   double enthalpy_by_quadrature(double from, double to) const;
 
   const Inflow* inflow_ = nullptr;
   const Mixture* gas_ = nullptr;
-  double start_ = 0.0, begin_ = 0.0;  // [s] firing; time since it at a
+  double start_ = 0.0, begin_ = 0.0, end_ = 0.0;  // [s] firing; time since it at a and at b
   double mass_flow_ = 0.0, mass_flow_slope_ = 0.0;
   double temperature_ = 0.0, temperature_slope_ = 0.0;
   double enthalpy_ = 0.0;  // [J/kg] at temperature_

@@ -144,7 +144,8 @@ TEST(inflow, firing_a_rounding_before_the_end_of_a_call) {
     gas::GasIntegrator integrator(model, {1e-6, 100000, method});
     const double past = std::nextafter(1e-4, 1.0);
     integrator.advance(state, 0.0, past, rigid(1e-3));
-    EXPECT_EQ(state.masses[1], 0.0);
+    EXPECT_GE(state.masses[1], 0.0);
+    EXPECT_LE(state.masses[1], 0.5 * 150.0 * std::pow(past - 1e-4, 2));  // what flows in within that rounding
     const gas::StepFluxes fluxes = integrator.advance(state, past, 2e-4, rigid(1e-3));
     // Half the ramp, 0.03 (1e-4)^2/(2 2e-4); its begin is as good as the rounding of 1e-4 s.
     EXPECT_LT(relative(fluxes.mass_in, 7.5e-7), 1e-13);

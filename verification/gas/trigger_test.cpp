@@ -127,6 +127,28 @@ TEST(trigger, pressure_threshold_far_above_the_ambient_pressure_is_not_missed) {
   }
 }
 
+/// Where an inflow starts within rounding of a call's end, and lifts p by more than a level's tolerance
+/// within that rounding.
+TEST(trigger, pressure_threshold_is_not_missed_after_a_firing_between_two_calls) {
+  const double rate = 1.4 * 296.8 * 406.0 * 10.0 / 0.005;  // [Pa/s]
+  gas::ControlVolumeModel model = triggered_tank({{{SensorKind::kPressure, 200.0}}, {}}, 0);
+  model.ambient.pressure = 1000.0;
+  model.inflows.insert(model.inflows.begin(), steady_inflow(model.thermo, 10.0, 406.0));
+  for (int start = 1; start <= 29; ++start) {
+    const double fires = 0.01 * start;
+    model.inflows.front().start_time = fires;
+    for (const double call : {std::nextafter(fires, 0.0), fires, std::nextafter(fires, 1.0)}) {
+      gas::ControlVolumeState state = gas::make_state(model, kPure, 1000.0, 293.15, 0.005);
+      gas::GasIntegrator integrator(model);
+      integrator.advance(state, 0.0, call, rigid(0.005));
+      integrator.advance(state, call, fires + 0.01, rigid(0.005));
+      // Located to 1e-12 of the pressure; a few roundings of the time.
+      EXPECT_NEAR(gas::firing_time(model.inflows.back(), state.triggers), fires + 200.0 / rate,
+                  3e-12 * 1200.0 / rate + 4.0 * kEpsilon * fires);
+    }
+  }
+}
+
 /// A valve that opens at 20 kPa and closes at 10 kPa: each opening and closing is located.
 TEST(trigger, valve_with_hysteresis_keeps_the_pressure_in_its_band) {
   gas::ControlVolumeModel model = closed_tank(nitrogen());
