@@ -85,6 +85,8 @@ class FlowBalance {
   /// Makes what leaves in all streams the mass of what leaves of all species, which an implicit method keeps
   /// only as well as it knows its matrix.
   void close_streams(Vector& y) const;
+  /// What an error of the method let flow the wrong way does not flow: it is error. Returns its mass [kg].
+  double stop_reversed_streams(Vector& y, Vector& error) const;
   /// Sum of unknown i over the step, up to the last sub-step accepted.
   double total(std::size_t i) const { return totals_[i].value(); }
 

@@ -76,6 +76,27 @@ void FlowBalance::close_streams(Vector& y) const {
   for (std::size_t s = 0; s < streams(); ++s) y[out_slot(s)] *= species / out;
 }
 
+double FlowBalance::stop_reversed_streams(Vector& y, Vector& error) const {
+  double out = 0.0, reversed = 0.0;
+  for (std::size_t s = 0; s < streams(); ++s) out += y[out_slot(s)];
+  const auto stop = [&](std::size_t i) {
+    error[i] += y[i];
+    y[i] = 0.0;
+  };
+  if (out < 0.0) {
+    reversed = -out;
+    for (std::size_t k = 0; k < masses_.size(); ++k) stop(k);
+    for (std::size_t s = 0; s < streams(); ++s)
+      for (const std::size_t i : {out_slot(s), out_slot(s) + 1}) stop(i);
+  }
+  for (std::size_t j = 0; j < backflows(); ++j)
+    if (const double back = y[back_slot(j)]; back < 0.0) {
+      reversed -= back;
+      stop(back_slot(j));
+    }
+  return reversed;
+}
+
 double FlowBalance::species_change(const Vector& y, std::size_t k) const {
   double change = -y[k];
   for (std::size_t j = 0; j < backflows(); ++j) change += model_.ambient.mass_fractions[k] * y[back_slot(j)];

@@ -86,6 +86,7 @@ class RosenbrockStepper : public Stepper {
     out.error = g_[5].flows;
     for (std::size_t i = 0; i < y.size(); ++i)
       out.end[i] = y[i] + sum(&Pair::flows, i, {c.a51, c.a52, c.a53, c.a54, 1.0, 1.0});
+    out.reversed = rates.balance.stop_reversed_streams(out.end, out.error);
     rates.balance.close_streams(out.end);
     rates(out.end, out.end_rate, x + h);
   }

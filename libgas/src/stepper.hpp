@@ -43,6 +43,7 @@ class Stepper {
   using Vector = FlowBalance::Vector;
   struct Trial {
     Vector end, end_rate, error;
+    double reversed = 0.0;  // [kg] that would have flowed the wrong way
   };
 
   virtual ~Stepper() = default;

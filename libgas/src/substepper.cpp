@@ -207,8 +207,8 @@ double Substepper::integrate(FlowBalance& balance, double a, double b) {
     if (!try_step(rates, x, h) && options_.fixed_step > 0.0) fail(rates, x, h);
     const double error = scaled_error(balance);
     const bool crosses = error <= 1.0 && crosses_against_flow(balance, rates.time(x + h), start);
-    if (crosses && options_.fixed_step > 0.0) fail_crossing(x, h);
-    if (error > 1.0 || crosses) {
+    if (options_.fixed_step > 0.0 && (crosses || flows_backwards(balance))) fail_crossing(x, h);
+    if (error > 1.0 || crosses || lags_behind_balance(balance, t, rates.time(x + h), start)) {
       h *= error > 1.0 ? step_factor(error) : kCrossingFactor;
       continue;
     }

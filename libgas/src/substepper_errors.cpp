@@ -11,6 +11,17 @@
 #include "substepper.hpp"
 
 namespace gas {
+namespace {
+
+// p left behind a balance, of what it went: a parabola that is followed exactly leaves twice as much.
+constexpr double kMostLeft = 2.0;
+// From where on that is asked, in overpressures of the begin: flow has twice the slope there.
+constexpr double kFarther = 4.0;
+
+// Of the gas, what may flow the wrong way by rounding: a hundred times what a hundred operations make.
+constexpr double kReversed = 1e-12;
+
+}  // namespace
 
 /// What could be done about sub-steps of `length` [s], too many or too short, at the gas last located.
 std::string Substepper::advice(const FlowBalance& balance, double length) const {
@@ -58,6 +69,27 @@ void Substepper::fail(const Rates& rates, double x, double h) const {
                  (attempts_ == 1 ? " sub-step, " : " sub-steps, ") + where + gas + advice(balance, length));
 }
 
+/// Whether an implicit trial away from p_a leaves p further from where its flows take it than p went: the
+/// slope of flow with p is beyond bounds at p_a, and a matrix of it holds p there, and its error, whatever
+/// flows in.
+bool Substepper::lags_behind_balance(const FlowBalance& balance, double begin, double end,
+                                     const Start& start) const {
+  if (std::isfinite(stepper_->stability_limit()) || options_.fixed_step > 0.0 || !balance.point().valid ||
+      balance.regime() == Regime::kClosed || balance.regime() == Regime::kHeld)
+    return false;
+  const double excess = balance.pressure_excess(), from = start.place.excess;
+  if (std::abs(excess) < kFarther * std::abs(from)) return false;
+  const double rate = std::abs(balance.pressure_rate(end));
+  const double left = rate / std::max(balance.relaxation_rate(), 1.0 / (end - begin));
+  return left >
+         kMostLeft * (std::abs(excess - from) + options_.relative_tolerance * balance.point().pressure);
+}
+
+/// Whether more flows the wrong way in the trial than its rounding.
+bool Substepper::flows_backwards(const FlowBalance& balance) const {
+  return trial_.reversed > kReversed * balance.point().mass;
+}
+
 /// Where no volume belongs to the band of p at t.
 void Substepper::require_volume(const FlowBalance& balance, double t) const {
   if (balance.is_beyond_volume())
@@ -83,7 +115,7 @@ void Substepper::require_stable(const Rates& rates, double x, double h) const {
 void Substepper::fail_crossing(double x, double h) const {
   throw DomainError("the step " + to_text(h) +
                     " s is too long for the balance near ambient pressure at t = " + to_text(x) +
-                    " s: flow through the openings takes p past p_a, where it would turn; "
+                    " s: flow through the openings takes p past p_a, where it would turn, or the wrong way; "
                     "a shorter one (gas_step of a case), or none, is allowed");
 }
 

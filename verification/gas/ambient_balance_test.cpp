@@ -111,4 +111,51 @@ TEST(effort, too_stiff_a_backflow_names_its_relaxation) {
   }
 }
 
+/// Flow out of a small tank sets in at p_a while its inflow grows from nothing: at the begin its slope with p
+/// has no bound, and a matrix of that slope would hold p there.
+TEST(onset_at_ambient, implicit_steps_follow_the_flows) {
+  for (const double area : {1.4e-6, 1.4e-5, 1.4e-4}) {
+    gas::ControlVolumeModel model = closed_tank(nitrogen());
+    model.inflows.push_back(
+        {kPure, gas::Curve({{0.0, 0.0}, {2e-3, 1.1e-3}}, gas::Outside::kHeld), gas::Curve::constant(406.0)});
+    model.vents.push_back({0.6, area});
+    model.vents.back().backflow = true;
+    model.ambient.mass_fractions = kPure;
+    const auto run = [&](const gas::IntegratorOptions& options) {
+      gas::ControlVolumeState state = gas::make_state(model, kPure, kAmbientPressure, 293.15, 1.5e-4);
+      const int steps = gas::GasIntegrator(model, options).advance(state, 0.0, 2e-4, rigid(1.5e-4)).steps;
+      return std::pair{gas::evaluate(model, state, 1.5e-4, 0.0, 2e-4).pressure, steps};
+    };
+    const double pressure = run({1e-12}).first;
+    for (const double tolerance : {1e-4, 1e-6, 1e-8}) {
+      const auto [found, steps] = run({tolerance, 100000, gas::Method::kRosenbrock4});
+      // Each sub-step may be off by the tolerance.
+      EXPECT_LT(relative(found, pressure), steps * tolerance) << area << ' ' << tolerance;
+    }
+  }
+}
+
+/// Walls warm gas behind a wide vent, tens of thousands of times stiffer than its sub-steps: the books close.
+TEST(onset_at_ambient, books_close_behind_a_wide_vent) {
+  gas::ControlVolumeModel model = closed_tank(nasa7({"H2", "CO2", "N2"}));
+  model.ambient.mass_fractions = {0.0, 0.0, 1.0};
+  model.vents.push_back({0.6, 1.0});
+  model.vents.back().backflow = true;
+  model.heat_loss = {28.0, 400.0};
+  for (const double tolerance : {1e-3, 1e-6, 1e-8}) {
+    gas::ControlVolumeState state =
+        gas::make_state(model, std::vector{0.5, 0.5, 0.0}, kAmbientPressure, 293.15, 2.3e-4);
+    gas::GasIntegrator integrator(model, {tolerance, 100000, gas::Method::kRosenbrock4});
+    const double begin = state.masses[0] + state.masses[1];
+    double out = 0.0;
+    for (int i = 0; i < 50; ++i) {
+      const gas::StepFluxes f = integrator.advance(state, 2e-4 * i, 2e-4 * (i + 1), rigid(2.3e-4));
+      out += f.vent_mass_out - f.backflow_mass;
+    }
+    // Some thousand sub-steps of a rounding each.
+    EXPECT_LT(std::abs(begin - out - state.masses[0] - state.masses[1] - state.masses[2]), 1e-13 * begin)
+        << tolerance;
+  }
+}
+
 }  // namespace
