@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
+#include <string>
+
 #include "cases.hpp"
 
 // Balances on p_a itself, closer to it than any tolerance: nothing may flow the other way.
@@ -155,6 +157,22 @@ TEST(onset_at_ambient, books_close_behind_a_wide_vent) {
     // Some thousand sub-steps of a rounding each.
     EXPECT_LT(std::abs(begin - out - state.masses[0] - state.masses[1] - state.masses[2]), 1e-13 * begin)
         << tolerance;
+  }
+}
+
+/// Gas that walls cool from just above p_a is below it within one fixed step, whose method lets the flow turn
+/// round in a vent that lets nothing in.
+TEST(onset_at_ambient, fixed_step_that_turns_the_flow_round_is_refused) {
+  gas::ControlVolumeModel model = closed_tank(nitrogen());
+  model.vents.push_back({0.6, 1e-6});
+  model.heat_loss = {50.0, 293.15};
+  gas::ControlVolumeState state = gas::make_state(model, kPure, kAmbientPressure * (1.0 + 1e-4), 900.0, 1e-3);
+  try {
+    gas::GasIntegrator(model, {1e-6, 1000, gas::Method::kRosenbrock4, 1e-3})
+        .advance(state, 0.0, 1e-3, rigid(1e-3));
+    FAIL() << "no error";
+  } catch (const gas::DomainError& error) {
+    EXPECT_NE(std::string(error.what()).find("the wrong way"), std::string::npos) << error.what();
   }
 }
 
