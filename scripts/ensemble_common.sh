@@ -11,6 +11,11 @@ build_gasjet() {
   cmake --build --preset release --target gasjet -j "$(nproc)" >/dev/null
 }
 
+# contact_stiffness CASE: [N/m3], what the case's own mesh and share give.
+contact_stiffness() {
+  build/gasjet check "cases/$1.toml" | sed -n 's/^contact stiffness: \([^ ]*\).*/\1/p'
+}
+
 # ensemble_quantities CASE RUNS OPTION...: quantities.csv of the ensemble, run unless results/ has it.
 ensemble_quantities() {
   local case=$1 runs=$2 folder code=0

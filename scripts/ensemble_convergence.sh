@@ -11,7 +11,7 @@ source scripts/ensemble_common.sh
 runs=${1:-32} out=${2:-docs/charts/ensemble_convergence}
 build_gasjet
 # [N/m3], that of share 1 on 2744 elements, for all meshes
-stiffness=$(build/gasjet check cases/passenger_pendulum.toml | sed -n 's/^contact stiffness: \([^ ]*\).*/\1/p')
+stiffness=$(contact_stiffness passenger_pendulum)
 few=$(((runs + 3) / 4))
 # refined LEVEL SHARE: the mesh refined so often, contact SHARE times as stiff as the default is on 2744 elements.
 refined() {

@@ -10,7 +10,7 @@ source scripts/ensemble_common.sh
 runs=${1:-8} out=${2:-docs/charts/first_contact_seed}
 build_gasjet
 name=passenger_pendulum_no_jet
-stiffness=$(build/gasjet check "cases/$name.toml" | sed -n 's/^contact stiffness: \([^ ]*\).*/\1/p')
+stiffness=$(contact_stiffness "$name")
 mkdir -p "results/ensembles/$name"
 {
   provenance

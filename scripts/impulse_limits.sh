@@ -13,7 +13,7 @@ source scripts/ensemble_common.sh
 runs=${1:-32} out=${2:-docs/charts/impulse_limits}
 build_gasjet
 # [N/m3], that of share 1 on 2744 elements, for all meshes
-stiffness=$(build/gasjet check cases/passenger_pendulum.toml | sed -n 's/^contact stiffness: \([^ ]*\).*/\1/p')
+stiffness=$(contact_stiffness passenger_pendulum)
 few=$(((runs + 3) / 4))
 # Contact that is as stiff as `share` times the fabric shortens the step by sqrt(1 + share).
 one_step() { awk "BEGIN { printf \"--set time.safety=%.4f\", 0.8 * sqrt((1 + $1) / 17) }"; }

@@ -11,7 +11,7 @@ runs=${1:-8} out=${2:-docs/charts/mesh_parts}
 build_gasjet
 command -v python3 >/dev/null || scripts/setup_debian12.sh python3
 name=passenger_pendulum_no_jet work=results/mesh_parts
-stiffness=$(build/gasjet check "cases/$name.toml" | sed -n 's/^contact stiffness: \([^ ]*\).*/\1/p')
+stiffness=$(contact_stiffness "$name")
 mkdir -p "$work"
 build/gasjet mesh case "cases/$name.toml" --initial "$work/initial.obj" --out "$work/design.obj" >/dev/null
 
