@@ -12,9 +12,6 @@ namespace {
 
 // The flux has a continuous slope across the sonic switch: an error of its place enters squared.
 constexpr double kSonicNear = 1e-8;
-constexpr double kSafety = 0.9;
-constexpr double kSmallestFactor = 0.05;
-constexpr double kLargestFactor = 5.0;
 constexpr double kCrossingFactor = 0.25;
 // The first step's error constant is of the order kFirstStep^-error_power: a guess, only speed depends on it.
 constexpr double kFirstStep = 5.0;
@@ -36,14 +33,6 @@ Substepper::Substepper(const FlowBalance& balance, std::vector<double> levels,
 void Substepper::begin_step() {
   attempts_ = accepted_ = evaluations_ = 0;
   band_is_known_ = false;
-}
-
-/// Step size factor from a scaled error.
-double Substepper::step_factor(double error) const {
-  if (!std::isfinite(error)) return kSmallestFactor;
-  if (error <= 0.0) return kLargestFactor;
-  return std::clamp(kSafety * std::pow(error, -1.0 / stepper_->error_power()), kSmallestFactor,
-                    kLargestFactor);
 }
 
 void Substepper::count_attempt(const Rates& rates, double x, double h) {
@@ -176,15 +165,6 @@ bool Substepper::pass_event(FlowBalance& balance) {
   return true;
 }
 
-/// A first step [s] from t, from how fast the gas changes; from none, as long as there is.
-double Substepper::first_step(const FlowBalance& balance, double t) const {
-  const auto& point = balance.point();
-  if (point.mass == 0.0) return std::numeric_limits<double>::infinity();
-  const double fed = std::abs(balance.closed_pressure_growth(t)) / (point.pressure * point.volume);
-  const double left = (point.vent + point.fabric + point.back) / point.mass;
-  return first_step_share_ / (fed + left);
-}
-
 double Substepper::integrate(FlowBalance& balance, double a, double b) {
   Rates rates{balance};
   start_regime(balance, a, b);
@@ -198,9 +178,10 @@ double Substepper::integrate(FlowBalance& balance, double a, double b) {
   const double first = first_step(balance, t);
   double h = rates.position(first < b - t ? t + first : b) - x;
   Start start = start_values(balance, t);
+  double longest = longest_step(rates, x);
   while (t < b) {
     const double x_end = rates.position(b);
-    if (options_.fixed_step > 0.0) h = options_.fixed_step;
+    h = options_.fixed_step > 0.0 ? options_.fixed_step : std::min(h, longest);
     const bool last = h >= x_end - x;
     if (last) h = x_end - x;
     require_stable(rates, x, h);
@@ -232,6 +213,7 @@ double Substepper::integrate(FlowBalance& balance, double a, double b) {
     }
     if (rates.leave_root(t, x, h)) rates.fill(begin_rate_, x);
     start = start_values(balance, t);
+    longest = longest_step(rates, x);
   }
   evaluations_ += rates.evaluations;
   return t;

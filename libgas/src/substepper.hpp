@@ -50,8 +50,6 @@ class Substepper {
   // substepper.cpp: steps
   bool try_step(Rates& rates, double x, double h);
   double scaled_error(const FlowBalance& balance) const;
-  double step_factor(double error) const;
-  double first_step(const FlowBalance& balance, double t) const;
   void count_attempt(const Rates& rates, double x, double h);
   void start_regime(FlowBalance& balance, double t, double b);
   void start_variable(Rates& rates, double t, double b);
@@ -62,6 +60,11 @@ class Substepper {
   std::size_t band_below(const FlowBalance& balance) const;
   void find_band(FlowBalance& balance, double t);
   bool pass_event(FlowBalance& balance);
+
+  // step_length.cpp
+  double step_factor(double error) const;
+  double first_step(const FlowBalance& balance, double t) const;
+  double longest_step(const Rates& rates, double x) const;
 
   // substepper_errors.cpp: why a step cannot be
   void require_volume(const FlowBalance& balance, double t) const;

@@ -94,6 +94,22 @@ INSTANTIATE_TEST_SUITE_P(of, balance_at_ambient,
                          testing::Values(AtAmbient{"walls", 0.0, 180.0}, AtAmbient{"inflow", 0.36, 0.0}),
                          [](const auto& one) { return std::string(one.param.name); });
 
+/// Walls cool the gas to the T of what comes in for it, within a thousandth of the run. Past the limit of
+/// (G.16) an explicit method would let T swing about theirs by its tolerance, for ever, and gas out and in
+/// with it.
+TEST(onset_at_ambient, gas_at_rest_behind_strong_walls_exchanges_nothing) {
+  const AtAmbient walls{"walls", 0.0, 1e6};  // hA/(m cv) is 1.9e4 to 5.8e4/s
+  for (const gas::Method method :
+       {gas::Method::kEuler, gas::Method::kRungeKutta4, gas::Method::kDormandPrince5})
+    for (const double tolerance : {1e-2, 1e-4, 1e-6}) {
+      double wrong = 0.0;
+      const gas::ControlVolumeState state = walls.run({tolerance, 100000, method}, wrong);
+      // Each of the 100 calls puts p on its balance to the 1e-10 to which it is held.
+      EXPECT_LT(std::abs(wrong), 1e-8 * state.masses[0]) << static_cast<int>(method) << " at " << tolerance;
+      EXPECT_LT(relative(state.temperature, 293.15), 1e-10);
+    }
+}
+
 TEST(effort, too_stiff_a_backflow_names_its_relaxation) {
   const AtAmbient walls{"walls", 0.0, 180.0};
   try {
