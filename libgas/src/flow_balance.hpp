@@ -110,6 +110,9 @@ class FlowBalance {
   /// Where p is held, corrects y at t, the end of h, by flow that goes on longer, so that p is on its
   /// balance.
   void settle(Vector& y, Vector& dydt, double t, double h);
+  /// What the openings would let through at `overpressure` [Pa], of what would hold p at the gas located,
+  /// [-]; spoils point()'s flows.
+  double relief(double t, double overpressure);
   /// How close to p_a p can be held [Pa].
   double hold_near() const;
   bool has_walls() const { return model_.heat_loss.conductance > 0.0; }

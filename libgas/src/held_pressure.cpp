@@ -28,6 +28,11 @@ double FlowBalance::flows_near_ambient(Vector& dydt, double t, bool out, double 
   return pressure_rate(t) * point_.volume - closed_pressure_growth(t);
 }
 
+double FlowBalance::relief(double t, double overpressure) {
+  const double share = overpressure / hold_near();
+  return -flows_near_ambient(scratch_, t, share > 0.0, std::abs(share)) / closed_pressure_growth(t);
+}
+
 /// The flows that hold p, (G.22). Without backflow nothing does so where p would fall: the share is then
 /// negative. It is infinite where the openings are shut that way.
 void FlowBalance::hold(Vector& dydt, double t) {
@@ -91,10 +96,10 @@ bool Substepper::start_hold(FlowBalance& balance, double t, double b, double sha
   if (!(growth > 0.0 ? balance.is_open() : growth < 0.0 && balance.has_backflow())) return false;
   const Regime before = balance.regime();
   balance.set_regime(Regime::kHeld);
-  balance.fill_rates(trial_.end_rate, t);
+  balance.fill_rates(hold_rate_, t);
   if (balance.point().share >= 0.0 && balance.point().share <= share) return true;
   balance.set_regime(before);
-  balance.fill_rates(trial_.end_rate, t);
+  balance.fill_rates(hold_rate_, t);
   return false;
 }
 

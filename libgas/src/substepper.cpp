@@ -26,7 +26,8 @@ Substepper::Substepper(const FlowBalance& balance, std::vector<double> levels,
       stepper_(make_stepper(options.method, balance)),
       first_step_share_(kFirstStep * std::pow(options.relative_tolerance, 1.0 / stepper_->error_power())),
       zero_(balance.unknowns(), 0.0),
-      begin_rate_(zero_) {
+      begin_rate_(zero_),
+      hold_rate_(zero_) {
   trial_ = {zero_, zero_, zero_};
 }
 
@@ -134,26 +135,6 @@ void Substepper::start_regime(FlowBalance& balance, double t, double b) {
   start_hold(balance, t, b, 1.0);
 }
 
-/// From p = p_a the flow starts as the square root of time: step in that root, counted from where the flow
-/// would be zero, while less flows than half of what p would rest at. Fills the rates at t, where the gas has
-/// been located.
-void Substepper::start_variable(Rates& rates, double t, double b) {
-  const FlowBalance& balance = rates.balance;
-  rates.root = false;
-  rates.fill(begin_rate_, t);
-  const double growth = balance.closed_pressure_growth(t), excess = std::abs(balance.pressure_excess());
-  const bool onset =
-      balance.regime() == Regime::kOut ? growth > 0.0 : balance.regime() == Regime::kBack && growth < 0.0;
-  if (!onset || options_.fixed_step > 0.0 || balance.pressure_rate(t) / growth < 0.5 / balance.point().volume)
-    return;
-  const double shift =
-      excess <= ambient_near(balance) ? 0.0 : excess * balance.point().volume / std::abs(growth);
-  if (!(shift < b - t)) return;
-  rates.root = true;
-  rates.origin = t - shift;
-  rates.fill(begin_rate_, rates.position(t));
-}
-
 /// Enters what lies behind the event; true if the caller has to bring knots and triggers up to date.
 bool Substepper::pass_event(FlowBalance& balance) {
   if (event_ != Event::kLevelAbove && event_ != Event::kLevelBelow) {
@@ -178,17 +159,17 @@ double Substepper::integrate(FlowBalance& balance, double a, double b) {
   const double first = first_step(balance, t);
   double h = rates.position(first < b - t ? t + first : b) - x;
   Start start = start_values(balance, t);
-  double longest = longest_step(rates, x);
+  double longest = longest_step(rates, t);
   while (t < b) {
     const double x_end = rates.position(b);
-    h = options_.fixed_step > 0.0 ? options_.fixed_step : std::min(h, longest);
+    h = options_.fixed_step > 0.0 ? longest : std::min(h, longest);
     const bool last = h >= x_end - x;
     if (last) h = x_end - x;
     require_stable(rates, x, h);
     if (!try_step(rates, x, h) && options_.fixed_step > 0.0) fail(rates, x, h);
     const double error = scaled_error(balance);
     const bool crosses = error <= 1.0 && crosses_against_flow(balance, rates.time(x + h), start);
-    if (options_.fixed_step > 0.0 && (crosses || flows_backwards(balance))) fail_crossing(x, h);
+    if (options_.fixed_step > 0.0 && (crosses || flows_backwards(balance))) fail_crossing(t);
     if (error > 1.0 || crosses || lags_behind_balance(balance, t, rates.time(x + h), start)) {
       h *= error > 1.0 ? step_factor(error) : kCrossingFactor;
       continue;
@@ -211,9 +192,9 @@ double Substepper::integrate(FlowBalance& balance, double a, double b) {
       x = rates.position(t);
       h = rates.position(t + next) - x;
     }
-    if (rates.leave_root(t, x, h)) rates.fill(begin_rate_, x);
+    if (may_leave_root(rates, t) && rates.leave_root(t, x, h)) rates.fill(begin_rate_, x);
     start = start_values(balance, t);
-    longest = longest_step(rates, x);
+    longest = longest_step(rates, t);
   }
   evaluations_ += rates.evaluations;
   return t;

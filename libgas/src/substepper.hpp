@@ -52,7 +52,6 @@ class Substepper {
   double scaled_error(const FlowBalance& balance) const;
   void count_attempt(const Rates& rates, double x, double h);
   void start_regime(FlowBalance& balance, double t, double b);
-  void start_variable(Rates& rates, double t, double b);
   void enter_band(FlowBalance& balance) const;
   double ambient_near(const FlowBalance& balance) const;
   double level_near(const FlowBalance& balance, std::size_t i) const;
@@ -64,14 +63,18 @@ class Substepper {
   // step_length.cpp
   double step_factor(double error) const;
   double first_step(const FlowBalance& balance, double t) const;
-  double longest_step(const Rates& rates, double x) const;
+  bool is_onset(const FlowBalance& balance, double t) const;
+  void start_variable(Rates& rates, double t, double b);
+  void start_fixed_steps(Rates& rates, double t, double b);
+  bool may_leave_root(const Rates& rates, double t) const;
+  double longest_step(const Rates& rates, double t) const;
 
   // substepper_errors.cpp: why a step cannot be
   void require_volume(const FlowBalance& balance, double t) const;
   void require_stable(const Rates& rates, double x, double h) const;
   [[noreturn]] void fail(const Rates& rates, double x, double h) const;
   std::string advice(const FlowBalance& balance, double length) const;
-  [[noreturn]] void fail_crossing(double x, double h) const;
+  [[noreturn]] void fail_crossing(double t) const;
 
   // first_gas.cpp, held_pressure.cpp
   double fill_first(Rates& rates, double a, double b);
@@ -104,11 +107,12 @@ class Substepper {
   double first_step_share_;  // [-] relative change of the gas in a first step
   Stepper::Trial trial_;
   const Vector zero_;  // the unknowns at the begin of each sub-step
-  Vector begin_rate_;
+  Vector begin_rate_, hold_rate_;
   std::size_t band_ = 0;        // p - p_a lies between levels_[band_ - 1] and levels_[band_]
   bool band_is_known_ = false;  // since the last sub-step ended on a level
   Event event_ = Event::kNone;
   Regime next_regime_ = Regime::kClosed;
+  double onset_begin_ = 0.0, onset_step_ = 0.0;  // [s] of flow from p_a; the first fixed sub-step of it
   int attempts_ = 0, accepted_ = 0, evaluations_ = 0;
 };
 

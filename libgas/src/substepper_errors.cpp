@@ -101,20 +101,22 @@ void Substepper::require_volume(const FlowBalance& balance, double t) const {
 void Substepper::require_stable(const Rates& rates, double x, double h) const {
   const FlowBalance& balance = rates.balance;
   if (options_.fixed_step == 0.0 || options_.unsafe_step) return;
-  const double growth = balance.closed_pressure_growth(x);
+  const double t = rates.time(x), growth = balance.closed_pressure_growth(t);
   const bool fed = balance.point().back > 0.0 ? growth < 0.0 : growth > 0.0;
   const double rate = balance.heat_rate() + (fed ? balance.relaxation_rate() : 0.0);
   const double limit = stepper_->stability_limit();
-  if (!(h * rate > limit)) return;
-  throw DomainError("the step " + to_text(h) + " s is above the method's stability limit " +
-                    to_text(limit / rate) + " s at t = " + to_text(x) + " s, where the gas relaxes within " +
-                    to_text(1.0 / rate) + " s");
+  if (!(h * rates.time_slope(x) * rate > limit)) return;
+  throw DomainError("the step " + to_text(options_.fixed_step) + " s is above the method's stability limit " +
+                    to_text(limit / rate) + " s at t = " + to_text(t) + " s, where the gas relaxes within " +
+                    to_text(1.0 / rate) +
+                    " s; Rosenbrock 4 (gas_method of a case) has no such limit, and error control (no "
+                    "gas_step) keeps to it");
 }
 
 /// A fixed step that crosses so is above the limit of the balance that it has yet to reach.
-void Substepper::fail_crossing(double x, double h) const {
-  throw DomainError("the step " + to_text(h) +
-                    " s is too long for the balance near ambient pressure at t = " + to_text(x) +
+void Substepper::fail_crossing(double t) const {
+  throw DomainError("the step " + to_text(options_.fixed_step) +
+                    " s is too long for the balance near ambient pressure at t = " + to_text(t) +
                     " s: flow through the openings takes p past p_a, where it would turn, or the wrong way; "
                     "a shorter one (gas_step of a case), or none, is allowed");
 }
