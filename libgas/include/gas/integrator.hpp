@@ -56,7 +56,9 @@ struct IntegratorOptions {
       1e-10;  // local error of mass and thermal energy, of the gas in the volume; 1e-13 to 1e-2
   int maximum_steps = 100000;               // sub-steps (rejected ones included) in one advance()
   Method method = Method::kDormandPrince5;  // see there
-  double fixed_step = 0.0;   // [s] > 0: sub-steps of this length between break points, no error control
+  // [s] > 0: sub-steps of this length between break points, shorter where flow sets in at p_a; no error
+  // control
+  double fixed_step = 0.0;
   bool unsafe_step = false;  // take a fixed_step past the method's limit: for measuring that limit
 };
 
