@@ -5,13 +5,12 @@
 #include <cmath>
 
 #include "infinity.hpp"
+#include "near.hpp"
 #include "substepper.hpp"
 
 namespace gas {
 namespace {
 
-// Where p is no longer held is located to this, of the flow at hold_near().
-constexpr double kShareNear = 1e-9;
 // No more than this of it, which may be infinite, takes part in that.
 constexpr double kMostShare = 2.0;
 
@@ -75,7 +74,8 @@ Substepper::Event Substepper::passed_switch(const FlowBalance& balance, double t
     case Regime::kBack:
       if (balance.back_sonic_excess() < -sonic_near_) return Event::kBackSonic;
       return passed(excess > near && balance.closed_pressure_growth(t) >= 0.0, Event::kAmbient);
-    case Regime::kHeld:
+    case Regime::kHeldOut:
+    case Regime::kHeldBack:
       break;
   }
   return Event::kNone;
@@ -185,19 +185,20 @@ double Substepper::end_at(Event event, Rates& rates, double x, double h, const S
   return end_at_turn(rates, x, h, start);
 }
 
-/// Ends the trial [x, x + h] where p is no longer held, if it gets there, and returns its length.
-double Substepper::end_of_hold(Rates& rates, double x, double h, double start_share) {
+/// Ends the trial [x, x + h] where p is no longer held, or by flow the other way, if it gets there, and
+/// returns its length. `turned`: it has just turned, and what it does at rest is rounding.
+double Substepper::end_of_hold(Rates& rates, double x, double h, double start_share, bool turned) {
   FlowBalance& balance = rates.balance;
   const double end = balance.point().share;
-  if (!(end >= 0.0 && end <= 1.0)) {
-    const double bound = end > 1.0 ? 1.0 : 0.0, begin = start_share - bound;
-    const bool out = balance.closed_pressure_growth(rates.time(x + h)) > 0.0;
+  const double bound = end > 1.0 ? 1.0 : 0.0;
+  const auto beyond = [&](double share) { return std::clamp(share, -kMostShare, kMostShare) - bound; };
+  const double begin = beyond(start_share);
+  const bool rests = turned && bound == 0.0 && std::abs(begin) < kShareNear;
+  if (!(end >= 0.0 && end <= 1.0) && !rests) {
     event_ = Event::kHold;
-    next_regime_ = bound == 0.0 ? Regime::kClosed : out ? Regime::kOut : Regime::kBack;
+    next_regime_ = regime_after_hold(balance, bound > 0.0);
     if (std::abs(begin) < kShareNear || begin * (end - bound) > 0.0) return 0.0;
-    const auto value = [&](double) {
-      return std::clamp(balance.point().share, -kMostShare, kMostShare) - bound;
-    };
+    const auto value = [&](double) { return beyond(balance.point().share); };
     h = end_at_zero(rates, x, h, begin, value(h), 40, value);
   }
   balance.settle(trial_.end, trial_.end_rate, rates.time(x + h), h);
@@ -222,8 +223,9 @@ double Substepper::end_at_switches(Rates& rates, double x, double h, const Start
 /// and sets event_. Returns its length; zero if it has to be repeated from its begin.
 double Substepper::end_at_events(Rates& rates, double x, double h, const Start& start) {
   FlowBalance& balance = rates.balance;
+  const bool turned = event_ == Event::kHold;
   event_ = Event::kNone;
-  if (balance.is_held()) return end_of_hold(rates, x, h, start.share);
+  if (balance.is_held()) return end_of_hold(rates, x, h, start.share, turned);
   h = end_at_switches(rates, x, h, start);
   const Regime regime = balance.regime();
   const double t = rates.time(x + h);

@@ -19,7 +19,8 @@ enum class Regime {
   kOutSonic,   // p > p_a, vents sonic
   kBack,       // p < p_a, ambient gas flows in through vents with backflow, subsonic
   kBackSonic,  // the same, sonic
-  kHeld,  // p held within hold_near() of p_a: what comes in leaves, ambient gas replaces what p would lose
+  kHeldOut,    // p held within hold_near() of p_a: what comes in leaves
+  kHeldBack,   // the same: ambient gas replaces what p would lose
 };
 
 /// Right-hand side of the stepped unknowns y over one step; they count from the begin of a sub-step, t0. The
@@ -50,7 +51,7 @@ class FlowBalance {
     double fabric;                        // [kg/s] out through the fabric
     double back;                          // [kg/s] in through all vents
     double heat;                          // [W]
-    double share;  // [-] while p is held: flow through the openings over that at hold_near() from p_a
+    double share;  // [-] while p is held: flow its way through the openings over that at hold_near() from p_a
   };
 
   /// `model` must outlive this. `negligible`: share of the gas by which a species may be lacking; it is then
@@ -105,6 +106,8 @@ class FlowBalance {
   void gas_begin(Gas& gas) const;
   void gas_change(const Vector& y, Gas& change) const;
   void add_inflow_rates(double factor, double t, Gas& rates) const;
+  /// The same of their derivatives with t.
+  void add_inflow_slopes(double factor, double t, Gas& slopes) const;
   /// dy/dt at the gas located, in the regime set; fills the flows of point().
   void fill_rates(Vector& dydt, double t);
   /// Where p is held, corrects y at t, the end of h, by flow that goes on longer, so that p is on its
@@ -146,11 +149,7 @@ class FlowBalance {
   }
   void set_regime(Regime regime) { regime_ = regime; }
   Regime regime() const { return regime_; }
-  bool is_held() const { return regime_ == Regime::kHeld; }
-  /// Until set free, what holds p are flows as at the gas located last, out or in, where the gas hardly has
-  /// what comes in: a matrix of both would let some of it leave before it came.
-  void keep_hold_direction(double t);
-  void free_hold_direction() { hold_direction_.reset(); }
+  bool is_held() const { return regime_ == Regime::kHeldOut || regime_ == Regime::kHeldBack; }
   const Point& point() const { return point_; }
   void invalidate() { point_.valid = false; }
   const Thermo& thermo() const { return model_.thermo; }
@@ -173,6 +172,7 @@ class FlowBalance {
  private:
   void begin_books(const ControlVolumeState& state);
   void add_inflow(std::size_t i, double mass, double enthalpy);
+  void add_stream(std::size_t i, double factor, const InflowSegment::Delivered& stream, Gas& gas) const;
   void keep_masses_non_negative();
   void supply(double t);
   void collect(const Vector& y, double t);
@@ -209,7 +209,6 @@ class FlowBalance {
   std::vector<StreamFlux> received_;   // of each inflow, from there to base_time_
 
   Regime regime_ = Regime::kClosed;
-  std::optional<bool> hold_direction_;  // none: that of the growth of p
   std::vector<double> masses_;          // [kg] at the last evaluation
   std::vector<double> lack_;            // [kg] by which more of each had left there
   double energy_ = 0.0;                 // [J] U there

@@ -176,13 +176,20 @@ void FlowBalance::gas_change(const Vector& y, Gas& change) const {
 }
 
 void FlowBalance::add_inflow_rates(double factor, double t, Gas& rates) const {
-  for (std::size_t i = 0; i < segments_.size(); ++i) {
-    const auto [mass_flow, temperature] = segments_[i].flow(t);
-    if (mass_flow == 0.0) continue;
-    for (std::size_t k = 0; k < masses_.size(); ++k)
-      rates[k] += factor * mass_flow * model_.inflows[i].mass_fractions[k];
-    rates.back() += factor * mass_flow * segments_[i].gas().enthalpy(temperature);
-  }
+  for (std::size_t i = 0; i < segments_.size(); ++i) add_stream(i, factor, segments_[i].rate(t), rates);
+}
+
+void FlowBalance::add_inflow_slopes(double factor, double t, Gas& slopes) const {
+  for (std::size_t i = 0; i < segments_.size(); ++i)
+    add_stream(i, factor, segments_[i].rate_slope(t), slopes);
+}
+
+/// Adds to `gas` factor times what inflow i brings.
+void FlowBalance::add_stream(std::size_t i, double factor, const InflowSegment::Delivered& stream,
+                             Gas& gas) const {
+  for (std::size_t k = 0; k < masses_.size(); ++k)
+    gas[k] += factor * stream.mass * model_.inflows[i].mass_fractions[k];
+  gas.back() += factor * stream.enthalpy;
 }
 
 }  // namespace gas

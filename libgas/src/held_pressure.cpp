@@ -33,14 +33,13 @@ double FlowBalance::relief(double t, double overpressure) {
   return -flows_near_ambient(scratch_, t, share > 0.0, std::abs(share)) / closed_pressure_growth(t);
 }
 
-/// The flows that hold p, (G.22). Without backflow nothing does so where p would fall: the share is then
-/// negative. It is infinite where the openings are shut that way.
+/// The flows that hold p, (G.22). Their share is infinite where the openings are shut that way. Negative, it
+/// is the smooth continuation for the stages of a sub-step that has to end where it is zero.
 void FlowBalance::hold(Vector& dydt, double t) {
   const double growth = closed_pressure_growth(t);
-  const bool out = hold_direction_ ? *hold_direction_ : growth >= 0.0 || !has_backflow();
-  const double full = flows_near_ambient(dydt, t, out, 1.0);
+  const double full = flows_near_ambient(dydt, t, regime_ == Regime::kHeldOut, 1.0);
   point_.share = growth == 0.0 ? 0.0 : -growth / full;
-  const double factor = std::isfinite(point_.share) ? std::max(0.0, point_.share) : 0.0;
+  const double factor = std::isfinite(point_.share) ? point_.share : 0.0;
   for (std::size_t i = 0; i < dydt.size(); ++i)
     if (is_flow(i)) dydt[i] *= factor;
   point_.vent *= factor;
@@ -48,18 +47,10 @@ void FlowBalance::hold(Vector& dydt, double t) {
   point_.back *= factor;
 }
 
-void FlowBalance::keep_hold_direction(double t) {
-  constexpr double kLittle = 1e-3;
-  if (!is_held() || !has_backflow()) return;
-  for (std::size_t k = 0; k < masses_.size(); ++k)
-    if (masses_[k] < kLittle * model_.ambient.mass_fractions[k] * point_.mass)
-      hold_direction_ = closed_pressure_growth(t) >= 0.0;
-}
-
 /// The overpressure at which the openings carry the share: flow ~ overpressure^n.
 double FlowBalance::held_overpressure(double t) {
   const double share = point_.share;
-  const bool out = closed_pressure_growth(t) >= 0.0;
+  const bool out = regime_ == Regime::kHeldOut;
   if (!(share > 0.0)) return 0.0;
   const double full = flows_near_ambient(scratch_, t, out, 1.0);
   const double n = std::log(full / flows_near_ambient(scratch_, t, out, 0.25)) / std::log(4.0);
@@ -95,12 +86,26 @@ bool Substepper::start_hold(FlowBalance& balance, double t, double b, double sha
   const double growth = begin != 0.0 ? begin : balance.closed_pressure_growth(b);
   if (!(growth > 0.0 ? balance.is_open() : growth < 0.0 && balance.has_backflow())) return false;
   const Regime before = balance.regime();
-  balance.set_regime(Regime::kHeld);
+  balance.set_regime(growth > 0.0 ? Regime::kHeldOut : Regime::kHeldBack);
   balance.fill_rates(hold_rate_, t);
   if (balance.point().share >= 0.0 && balance.point().share <= share) return true;
   balance.set_regime(before);
   balance.fill_rates(hold_rate_, t);
   return false;
+}
+
+/// Whether the flow that holds p, from none, goes the other way at the end of a trial, as it did from there
+/// the way before: between, it turns.
+bool Substepper::hold_turns_back(const FlowBalance& balance, const Start& start) const {
+  return options_.fixed_step == 0.0 && balance.is_held() && event_ == Event::kHold &&
+         std::abs(start.share) < kShareNear && balance.point().share < -kShareNear;
+}
+
+Regime Substepper::regime_after_hold(const FlowBalance& balance, bool released) const {
+  const bool out = balance.regime() == Regime::kHeldOut;
+  if (released) return out ? Regime::kOut : Regime::kBack;
+  if (out) return balance.has_backflow() ? Regime::kHeldBack : Regime::kClosed;
+  return Regime::kHeldOut;
 }
 
 }  // namespace gas

@@ -78,6 +78,19 @@ InflowSegment::Flow InflowSegment::flow(double t) const {
   return flow_after(elapsed(t));
 }
 
+InflowSegment::Delivered InflowSegment::rate(double t) const {
+  if (mass_flow_ == 0.0 && mass_flow_slope_ == 0.0) return {0.0, 0.0};
+  const auto [mass_flow, temperature] = flow(t);
+  return {mass_flow, mass_flow * (temperature_slope_ == 0.0 ? enthalpy_ : gas_->enthalpy(temperature))};
+}
+
+InflowSegment::Delivered InflowSegment::rate_slope(double t) const {
+  if (mass_flow_ == 0.0 && mass_flow_slope_ == 0.0) return {0.0, 0.0};
+  const auto [mass_flow, temperature] = flow(t);
+  return {mass_flow_slope_, mass_flow_slope_ * gas_->enthalpy(temperature) +
+                                mass_flow * temperature_slope_ * gas_->cp(temperature)};
+}
+
 InflowSegment::Delivered InflowSegment::delivered_between(double from, double to) const {
   const double elapsed = to - from;
   const auto [mass_flow, temperature] = flow_after(0.5 * (from + to));

@@ -28,6 +28,9 @@ class InflowSegment {
   InflowSegment(const Inflow& inflow, double start, const Mixture& gas, double a, double b);
 
   Flow flow(double t) const;
+  /// Mass [kg/s] and enthalpy [W] at t, and their derivatives with t.
+  Delivered rate(double t) const;
+  Delivered rate_slope(double t) const;
   /// Mass and enthalpy from t0 to t1: closed form, or (cp(T) and a changing temperature) a Gauss rule that is
   /// exact for the integrand, a polynomial of degree 6 in time.
   Delivered delivered(double t0, double t1) const;

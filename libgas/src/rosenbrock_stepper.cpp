@@ -19,11 +19,11 @@ namespace {
 using Vector = Stepper::Vector;
 
 // Change of the gas at constant p, and of p - p_a, relative, for differences of second order, which rounding,
-// 1e-15/1e-5, and truncation, 1e-10, then leave alike; where p is held, less than what turns the flow that
-// holds it.
+// 1e-15/1e-5, and truncation, 1e-10, then leave alike; where the temperature range is narrow, less.
 constexpr double kIncrement = 1e-5, kSmallIncrement = 1e-7;
-// Of the step, at most: small against it, yet so large that rounding of x does not show in the slope with x.
-constexpr double kStepShare = 1e-3;
+// Of the step, at most: small against it, for a difference of second order, yet so large that the flows'
+// rounding over it is still small against what flows in the step.
+constexpr double kStepShare = 1.0 / 64.0;
 
 /// Dense LU factors in place, without pivoting: a row that is zero but for its diagonal, that of an absent
 /// species, stays so to the bit, and no mass of it appears.
@@ -57,17 +57,19 @@ class Factors {
 class RosenbrockStepper : public Stepper {
  public:
   RosenbrockStepper(std::size_t n, std::size_t species)
-      : factors_(species + 1), columns_(species + 1, Vector(n)), energy_(species + 1), by_pressure_(n) {
+      : factors_(species + 1),
+        columns_(species + 1, Vector(n)),
+        energy_(species + 1),
+        by_pressure_(n),
+        far_(n) {
     for (Gas* gas : {&gas_, &trial_gas_, &column_}) gas->resize(species + 1);
-    for (Pair* pair : {&rate_, &far_, &slope_, &right_}) *pair = {Vector(n), Gas(species + 1)};
+    for (Pair* pair : {&rate_, &slope_, &right_}) *pair = {Vector(n), Gas(species + 1)};
     g_.fill(rate_);
   }
 
-  void step(Rates& rates, const Vector& y, const Vector& dydx, double x, double h, bool,
-            Trial& out) override {
+  void step(Rates& rates, const Vector& y, const Vector&, double x, double h, bool, Trial& out) override {
     rates.balance.gas_begin(gas_);
-    rate_.flows = dydx;
-    rates.gas_rates(dydx, rate_.gas, x);
+    evaluate(rates, {}, x);  // at the very point of the matrix: of p - p_a the last step's end may know less
     fill_matrix(rates, x, h);
     // The sum of gamma_ij that d4 stands for is -0.0362: Odeint (1.74) has it without the sign, which leaves
     // order 1 where the rates depend on time.
@@ -86,7 +88,8 @@ class RosenbrockStepper : public Stepper {
     out.error = g_[5].flows;
     for (std::size_t i = 0; i < y.size(); ++i)
       out.end[i] = y[i] + sum(&Pair::flows, i, {c.a51, c.a52, c.a53, c.a54, 1.0, 1.0});
-    out.reversed = rates.balance.stop_reversed_streams(out.end, out.error);
+    // What holds p ends its sub-step where it turns; stopped, it would not be seen to.
+    out.reversed = rates.balance.is_held() ? 0.0 : rates.balance.stop_reversed_streams(out.end, out.error);
     rates.balance.close_streams(out.end);
     rates(out.end, out.end_rate, x + h);
   }
@@ -149,10 +152,10 @@ class RosenbrockStepper : public Stepper {
     const FlowBalance& balance = rates.balance;
     const double least = kNear * here.pressure / here.compliance;
     const double apart = std::copysign(std::max(std::abs(here.overpressure), least), here.overpressure);
-    const double change = balance.is_held() ? kSmallIncrement * here.pressure : kIncrement * apart;
+    const double change = kIncrement * (balance.is_held() ? here.pressure : apart);
     rates.of_gas(gas_, by_pressure_, x, here, change);
-    rates.of_gas(gas_, far_.flows, x, here, 2.0 * change);
-    to_slope(rate_.flows, change, far_.flows, by_pressure_);
+    rates.of_gas(gas_, far_, x, here, 2.0 * change);
+    to_slope(rate_.flows, change, far_, by_pressure_);
     by_pressure_[balance.work_slot()] = balance.volume_rate(rates.time(x)) * rates.time_slope(x);
   }
 
@@ -165,8 +168,8 @@ class RosenbrockStepper : public Stepper {
       rates.of_gas(trial_gas_, rate, x, here, 0.0);
     };
     change_to(1.0, columns_[part]);
-    change_to(2.0, far_.flows);
-    to_slope(rate_.flows, change, far_.flows, columns_[part]);
+    change_to(2.0, far_);
+    to_slope(rate_.flows, change, far_, columns_[part]);
     const double slope = rates.balance.pressure_slope(here, part);
     for (std::size_t i = 0; i < by_pressure_.size(); ++i) columns_[part][i] += slope * by_pressure_[i];
   }
@@ -175,18 +178,13 @@ class RosenbrockStepper : public Stepper {
   void fill_slope(Rates& rates, const FlowBalance::Point& here, double x, double h) {
     const double least = 8.0 * std::numeric_limits<double>::epsilon() * std::abs(x);
     const double step = (x + std::max(least, kStepShare * h)) - x;  // exact in x
-    const auto at = [&](double place, Pair& rate) {
-      rates.of_gas(gas_, rate.flows, place, here, 0.0);
-      rates.gas_rates(rate.flows, rate.gas, place);
-    };
-    at(x + step, slope_);
-    at(x + 2.0 * step, far_);
-    for (const auto part : {&Pair::flows, &Pair::gas}) to_slope(rate_.*part, step, far_.*part, slope_.*part);
+    rates.of_gas(gas_, slope_.flows, x + step, here, 0.0);
+    rates.of_gas(gas_, far_, x + 2.0 * step, here, 0.0);
+    to_slope(rate_.flows, step, far_, slope_.flows);
     const double slope =
         -here.pressure * rates.balance.volume_rate(rates.time(x)) / here.volume * rates.time_slope(x);
-    rates.balance.gas_change(by_pressure_, column_);
     for (std::size_t i = 0; i < by_pressure_.size(); ++i) slope_.flows[i] += slope * by_pressure_[i];
-    for (std::size_t i = 0; i < column_.size(); ++i) slope_.gas[i] += slope * column_[i];
+    rates.gas_slope(slope_.flows, slope_.gas, x);
   }
 
   /// columns_, energy_, the factors of 1/(gamma h) - S d(rates)/dz, and slope_. Differences are to more of
@@ -194,15 +192,13 @@ class RosenbrockStepper : public Stepper {
   /// range.
   void fill_matrix(Rates& rates, double x, double h) {
     const FlowBalance& balance = rates.balance;
-    rates.balance.locate_gas(gas_, rates.time(x));
-    rates.balance.keep_hold_direction(rates.time(x));
     const FlowBalance::Point here = balance.point();
     const auto beyond = [&](double share) {
       const double change = here.temperature * share, top = balance.thermo().maximum_temperature();
       return here.temperature + change > top ||
              here.temperature - change < balance.thermo().minimum_temperature();
     };
-    const double change = balance.is_held() || beyond(3.0 * kIncrement) ? kSmallIncrement : kIncrement;
+    const double change = beyond(3.0 * kIncrement) ? kSmallIncrement : kIncrement;
     const bool at_top = here.temperature * (1.0 + 3.0 * change) > balance.thermo().maximum_temperature();
     const double inward = at_top ? -here.thermal_energy : here.thermal_energy;
     for (std::size_t k = 0; k < balance.species(); ++k) energy_[k] = balance.species_energy(k);
@@ -218,7 +214,6 @@ class RosenbrockStepper : public Stepper {
       for (std::size_t i = 0; i < gas_.size(); ++i)
         factors_.at(i, part) = (i == part ? 1.0 / (coefficients_.gamma * h) : 0.0) - column_[i];
     }
-    rates.balance.free_hold_direction();
     factors_.factorize();
   }
 
@@ -228,7 +223,8 @@ class RosenbrockStepper : public Stepper {
   Vector energy_;                // [J/kg] that a change of each mass takes along; 1 for the energy itself
   Vector by_pressure_;           // d(rates)/dp, the gas held
   Gas gas_, trial_gas_, column_;
-  Pair rate_, far_, slope_, right_;
+  Vector far_;
+  Pair rate_, slope_, right_;
   std::array<Pair, 6> g_;
 };
 

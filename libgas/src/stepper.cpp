@@ -87,6 +87,13 @@ void Rates::gas_rates(const Vector& dydx, FlowBalance::Gas& rates, double x) con
   balance.add_inflow_rates(time_slope(x), time(x), rates);
 }
 
+void Rates::gas_slope(const Vector& slope, FlowBalance::Gas& gas_slope, double x) const {
+  balance.gas_change(slope, gas_slope);
+  const double dtdx = time_slope(x);
+  if (root) balance.add_inflow_rates(2.0, time(x), gas_slope);
+  balance.add_inflow_slopes(dtdx * dtdx, time(x), gas_slope);
+}
+
 void Rates::fill(Vector& dydx, double x) {
   balance.fill_rates(dydx, time(x));
   if (valid && !balance.point().valid) depleted = balance.point().depleted;

@@ -28,6 +28,8 @@ struct Rates {
   void of_gas(const FlowBalance::Gas& gas, FlowBalance::Vector& dydx, double x, const FlowBalance::Point& at,
               double change);
   void gas_rates(const FlowBalance::Vector& dydx, FlowBalance::Gas& rates, double x) const;
+  /// The derivative of those with x that goes with the flows'.
+  void gas_slope(const FlowBalance::Vector& slope, FlowBalance::Gas& gas_slope, double x) const;
   /// As operator() where the balance has located the gas.
   void fill(FlowBalance::Vector& dydx, double x);
   /// From steps in the root to the same in t, once h is short against the time since the origin: there t is

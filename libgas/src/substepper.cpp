@@ -148,6 +148,7 @@ bool Substepper::pass_event(FlowBalance& balance) {
 
 double Substepper::integrate(FlowBalance& balance, double a, double b) {
   Rates rates{balance};
+  event_ = Event::kNone;
   start_regime(balance, a, b);
   start_variable(rates, a, b);
   double t = a;
@@ -170,7 +171,8 @@ double Substepper::integrate(FlowBalance& balance, double a, double b) {
     const double error = scaled_error(balance);
     const bool crosses = error <= 1.0 && crosses_against_flow(balance, rates.time(x + h), start);
     if (options_.fixed_step > 0.0 && (crosses || flows_backwards(balance))) fail_crossing(t);
-    if (error > 1.0 || crosses || lags_behind_balance(balance, t, rates.time(x + h), start)) {
+    if (error > 1.0 || crosses || hold_turns_back(balance, start) ||
+        lags_behind_balance(balance, t, rates.time(x + h), start)) {
       h *= error > 1.0 ? step_factor(error) : kCrossingFactor;
       continue;
     }

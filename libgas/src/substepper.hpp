@@ -94,7 +94,9 @@ class Substepper {
   Regime regime_after(const FlowBalance& balance, Event event, double t) const;
   double end_at_turn(Rates& rates, double x, double h, const Start& start);
   double end_at(Event event, Rates& rates, double x, double h, const Start& start);
-  double end_of_hold(Rates& rates, double x, double h, double start_share);
+  bool hold_turns_back(const FlowBalance& balance, const Start& start) const;
+  Regime regime_after_hold(const FlowBalance& balance, bool released) const;
+  double end_of_hold(Rates& rates, double x, double h, double start_share, bool turned);
   double end_at_switches(Rates& rates, double x, double h, const Start& start);
   double end_at_events(Rates& rates, double x, double h, const Start& start);
   template <class Function>

@@ -75,7 +75,7 @@ void Substepper::fail(const Rates& rates, double x, double h) const {
 bool Substepper::lags_behind_balance(const FlowBalance& balance, double begin, double end,
                                      const Start& start) const {
   if (std::isfinite(stepper_->stability_limit()) || options_.fixed_step > 0.0 || !balance.point().valid ||
-      balance.regime() == Regime::kClosed || balance.regime() == Regime::kHeld)
+      balance.regime() == Regime::kClosed || balance.is_held())
     return false;
   const double excess = balance.pressure_excess(), from = start.place.excess;
   if (std::abs(excess) < kFarther * std::abs(from)) return false;

@@ -165,4 +165,29 @@ TEST(effort, implicit_method_settles_above_ambient_at_a_loose_tolerance) {
   }
 }
 
+/// Walls so strong that gas at p_a is at their temperature at once, in a volume that shrinks or grows: what
+/// holds p is a flow next to none, out or in, and what a stage of a sub-step makes of it may have the other
+/// sign.
+TEST(effort, gas_rests_with_its_walls_while_the_volume_moves) {
+  for (const double end : {1.5e-12, 6e-12})
+    for (const double tolerance : {1e-4, 1e-6, 1e-8}) {
+      SCOPED_TRACE(testing::Message() << end << " m3 at " << tolerance);
+      gas::ControlVolumeModel model = closed_tank(nitrogen());
+      model.ambient.mass_fractions = kPure;
+      model.heat_loss = {6.4, 1500.0};
+      model.vents.push_back({0.6, 2.4e-5});
+      model.vents[0].backflow = true;
+      gas::ControlVolumeState state = gas::make_state(model, kPure, kAmbientPressure, 300.0, 3.6e-12);
+      gas::GasIntegrator integrator(model, {tolerance, 100000, gas::Method::kRosenbrock4});
+      const int steps = integrator.advance(state, 0.0, 0.01, {3.6e-12, end, 0.0, 0.0}).steps;
+      // m cv/(hA) = 9.5e-14 s: fivefold sub-steps up from there to 10 ms, the relaxation to rest, and the
+      // volume's change by a factor of 2.4, less than a relaxation.
+      EXPECT_LT(steps, std::log(0.01 / 9.5e-14) / std::log(5.0) + 2.0 * steps_to_rest(tolerance));
+      // What compression heats, p dV, walls take: 1e-8 of T.
+      EXPECT_LT(relative(state.temperature, 1500.0), 10.0 * tolerance + 1e-8);
+      const double mass = kAmbientPressure * end / (296.8 * 1500.0);
+      EXPECT_LT(relative(state.masses[0], mass), 10.0 * tolerance + 1e-8);
+    }
+}
+
 }  // namespace
