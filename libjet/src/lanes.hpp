@@ -17,7 +17,7 @@ namespace jet::JET_KERNELS {
 
 struct Lanes {
   using Values = double __attribute__((vector_size(32)));
-  using Unaligned = double __attribute__((vector_size(32), aligned(8), may_alias));
+  typedef double Unaligned __attribute__((vector_size(32), aligned(8), may_alias));  // clang: not of `using`
   using Mask = std::int64_t __attribute__((vector_size(32)));
   Values v{};
 
