@@ -8,10 +8,12 @@ namespace jet::JET_KERNELS {
 
 using Row = float __attribute__((vector_size(16)));
 typedef float UnalignedRow __attribute__((vector_size(16), aligned(4), may_alias));
+static_assert(alignof(UnalignedRow) == 4);
 
 struct Floats {
   using Values = float __attribute__((vector_size(32)));
   typedef float Unaligned __attribute__((vector_size(32), aligned(4), may_alias));
+  static_assert(alignof(Unaligned) == 4);
   using Mask = std::int32_t __attribute__((vector_size(32)));
   Values v{};
 
@@ -77,6 +79,7 @@ inline constexpr BitPlaces kBitPlaces;
 /// first + i for the bits i, to `out`, which has room for eight; their number. Nothing to predict.
 [[gnu::always_inline]] inline int append_bits(unsigned bits, int first, int* out) {
   typedef std::int32_t Ints __attribute__((vector_size(32), aligned(4), may_alias));
+  static_assert(alignof(Ints) == 4);
   const std::uint8_t* places = kBitPlaces.at[bits];
 #if defined(__AVX2__)  // which gcc does not find by itself
   const auto wide = reinterpret_cast<Floats::Mask>(

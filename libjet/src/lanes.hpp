@@ -17,7 +17,8 @@ namespace jet::JET_KERNELS {
 
 struct Lanes {
   using Values = double __attribute__((vector_size(32)));
-  typedef double Unaligned __attribute__((vector_size(32), aligned(8), may_alias));  // clang: not of `using`
+  typedef double Unaligned __attribute__((vector_size(32), aligned(8), may_alias));
+  static_assert(alignof(Unaligned) == 8);  // clang aligns an alias by `using` to 32
   using Mask = std::int64_t __attribute__((vector_size(32)));
   Values v{};
 
