@@ -59,7 +59,7 @@ class Resolutions {
     plan_.axes.push_back(std::move(axis));
   }
 
-  // By halves from the case's own; for a share of the bound, 0.95 as the cheaper choice.
+  // By halves from the case's own; the cheaper choice is twice a fixed step, or 0.95 of the bound.
   void step() {
     if (!scene_.moves()) return;
     const bool fixed = scene_.time.step.has_value();
@@ -72,8 +72,10 @@ class Resolutions {
       if (value != own) choice.overrides.push_back(fmt::format("{}={}", key, value));
       axis.choices.push_back(std::move(choice));
     };
+    if (fixed) add(2.0 * own);
     if (!fixed && own < largest_share) add(largest_share);
-    axis.base = axis.first = axis.choices.size();
+    axis.base = axis.choices.size();
+    axis.first = fixed ? 0 : axis.base;
     for (double value = own; value >= own / 4.0 && (fixed || value >= least_share); value /= 2.0) add(value);
     plan_.axes.push_back(std::move(axis));
   }

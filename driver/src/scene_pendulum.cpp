@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // [pendulum] and [contact] -> PendulumPart, ContactModel.
 #include <algorithm>
+#include <optional>
 
 #include "coupling/side.hpp"
 #include "scene_parts.hpp"
@@ -68,10 +69,13 @@ void read_pendulum(TableReader& root, Scene& scene) {
                               model.parameters().impactor_radius);
   });
   if (!contact) root.fail("contact", "is missing: a pendulum in front of a bag needs it (it may be empty)");
-  contact->located("", [&] {
+  std::optional<coupling::ContactParameters> parameters;
+  contact->located("", [&] { parameters = read_contact(*contact, model, *scene.bag); });
+  // What a case can still get wrong is a sphere too small for the elements.
+  table->located("impactor_radius", [&] {
     scene.contact.emplace(scene.bag->mesh.elements, scene.bag->model.description.reference,
-                          scene.bag->model.node_mass, model.effective_mass(),
-                          read_contact(*contact, model, *scene.bag), scene.bag->null_elements);
+                          scene.bag->model.node_mass, model.effective_mass(), *parameters,
+                          scene.bag->null_elements);
   });
   contact->finish();
 }

@@ -53,7 +53,7 @@ ContactModel::ContactModel(const Triangles& triangles, const Nodes& reference, s
     detail::require_positive("contact.masses[" + std::to_string(a) + "]", masses_[a]);
   check_nodes(triangles, reference.cols());
   for (Eigen::Index e = 0; e < triangles.cols(); ++e) {
-    const std::string field = "contact.reference element " + std::to_string(e);
+    const std::string field = "contact: skin element " + std::to_string(e);
     const Vector3d a = reference.col(triangles(0, e)), b = reference.col(triangles(1, e)),
                    c = reference.col(triangles(2, e));
     const double area = 0.5 * (b - a).cross(c - a).norm();

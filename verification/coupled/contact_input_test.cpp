@@ -35,6 +35,8 @@ const Fault kContactFaults[] = {
      "rest_direction = [0.0, -1.0, 0.0]", "pendulum", "normal to the axis", "[pendulum]"},
     {"impactor_holds_pivot", "ball_impact", "impactor_radius = 0.041", "impactor_radius = 1.32", "pendulum",
      "at most impactor_distance", "[pendulum]"},
+    {"impactor_too_small", "contact_vent", "impactor_radius = 0.041", "impactor_radius = 1e-4",
+     "pendulum.impactor_radius", "skin element 0 = 0.0963", "impactor_radius = 1e-4"},
     {"contact_without_bag", "rigid_tank", "[scene]", "[contact]\n[scene]", "contact",
      "needs [pendulum] and [membrane]", "contact]"}};
 

@@ -87,6 +87,20 @@ TEST(ladder, fixed_steps_show_their_order_and_the_reference_is_closer_than_the_f
   EXPECT_LE(std::abs(result.reference.value - exact), result.reference.uncertainty);
 }
 
+// The central difference is of second order: half a per mille of the period in a step, and less.
+TEST(ladder, fixed_step_is_tried_twice_as_long_and_shows_its_order) {
+  const auto result = driver::run_ladder(case_file("pendulum_swing"), {}, options_of("pendulum_angle", 1e-5));
+  const auto& rest = result.reference.remainders.front().second;
+  ASSERT_TRUE(rest.order.has_value());
+  EXPECT_GT(*rest.order, 1.9);
+  EXPECT_LT(*rest.order, 2.1);
+  const LadderRung &full = result.rungs.front(), &coarse = rung_of(result, "step 0.002");
+  EXPECT_EQ(coarse.verdict, Verdict::inside);
+  // 2^2, in the same band of the order.
+  EXPECT_GT(coarse.error / full.error, std::pow(2.0, 1.9));
+  EXPECT_LT(coarse.error / full.error, std::pow(2.0, 2.1));
+}
+
 TEST(ladder, plate_without_obstacle_needs_no_occlusion) {
   const auto result = driver::run_ladder(case_file("plate_jet"), {"target.columns=60", "target.rows=60"},
                                          options_of("jet_force", 0.001, {"outlet"}));

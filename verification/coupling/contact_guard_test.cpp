@@ -181,8 +181,8 @@ TEST(ContactGuard, bad_input_names_the_field) {
       {"contact.masses[3]", [](Input& i) { i.skin.masses[3] = 0.0; }},
       {"contact.triangles[1]", [](Input& i) { i.skin.triangles(2, 1) = 9; }},
       {"contact.triangles[1]", [](Input& i) { i.skin.triangles(2, 1) = -1; }},
-      {"contact.reference element 0 area", [](Input& i) { i.skin.nodes.col(4) = i.skin.nodes.col(0); }},
-      {"contact.reference element 0", [](Input& i) { i.parameters.sphere_radius = 1e-4; }}};
+      {"contact: skin element 0 area", [](Input& i) { i.skin.nodes.col(4) = i.skin.nodes.col(0); }},
+      {"contact: skin element 0", [](Input& i) { i.parameters.sphere_radius = 1e-4; }}};
   for (const auto& [field, fault] : faults) {
     Input i;
     fault(i);
