@@ -5,10 +5,6 @@
 #include <limits>
 #include <string>
 
-#include "gas/orifice.hpp"
-#include "inflow_segment.hpp"
-#include "near.hpp"
-#include "pressure_volume.hpp"
 #include "require.hpp"
 
 namespace gas {
@@ -89,54 +85,6 @@ void require_volume(const Curve& curve, double ambient_pressure) {
   }
 }
 
-double mass_flow(const Inflow& inflow, double start, double time) {
-  const double tau = local_time(inflow, start, time);
-  return tau >= 0.0 ? inflow.mass_flow.value(tau) : 0.0;
-}
-
-InflatorPoint inflator_point(const ControlVolumeModel& model, const Inflow& inflow, double start,
-                             double time) {
-  const double temperature = inflow.temperature.value(local_time(inflow, start, time));
-  const Mixture gas = model.thermo.mixture(inflow.mass_fractions);
-  const double cp = gas.cp(temperature);
-  return {mass_flow(inflow, start, time), temperature, cp / gas.mass, cp / gas.cv(temperature),
-          gas.gas_constant_sum / gas.mass};
-}
-
-double vent_area(const Vent& vent, const TriggerState& triggers, double time, double overpressure) {
-  if (vent.trigger && !triggers.at(*vent.trigger).on) return 0.0;
-  if (vent.area_of_overpressure) return vent.area_of_overpressure->value(overpressure);
-  if (!vent.area_of_time) return vent.area;
-  return vent.area_of_time->value(time - (vent.trigger ? triggers[*vent.trigger].since : 0.0));
-}
-
-/// Flows through the openings at `point`, whose gas is known.
-void add_outflow(const ControlVolumeModel& model, const ControlVolumeState& state, double leak_area,
-                 double time, GasPoint& point) {
-  const double p_a = model.ambient.pressure;
-  for (const Vent& vent : model.vents)
-    point.vent_mass_flow += orifice_mass_flow(
-        vent.discharge_coefficient * vent_area(vent, state.triggers, time, point.pressure - p_a),
-        point.pressure, point.temperature, point.gas_constant, point.cp, point.gamma, p_a);
-  if (!model.fabric_velocity)
-    point.fabric_mass_flow = fabric_mass_flow(leak_area, point.density, point.pressure - p_a);
-  else if (point.pressure > p_a)
-    point.fabric_mass_flow = leak_area * point.density * model.fabric_velocity->value(point.pressure - p_a);
-}
-
-double backflow(const ControlVolumeModel& model, const TriggerState& triggers, double time, double pressure) {
-  const Ambient& ambient = model.ambient;
-  if (pressure >= ambient.pressure) return 0.0;
-  double area = 0.0;
-  for (const Vent& vent : model.vents)
-    if (vent.backflow)
-      area += vent.discharge_coefficient * vent_area(vent, triggers, time, pressure - ambient.pressure);
-  if (area == 0.0) return 0.0;
-  const Mixture air = model.thermo.mixture(ambient.mass_fractions);
-  const double cp = air.cp(ambient.temperature) / air.mass, r = air.gas_constant_sum / air.mass;
-  return orifice_mass_flow(area, ambient.pressure, ambient.temperature, r, cp, cp / (cp - r), pressure);
-}
-
 }  // namespace
 
 void validate(const ControlVolumeModel& model) {
@@ -188,53 +136,6 @@ ControlVolumeState make_state(const ControlVolumeModel& model, std::span<const d
 
 double firing_time(const Inflow& inflow, const TriggerState& triggers) {
   return inflow.trigger ? triggers.at(*inflow.trigger).first_on + inflow.start_time : inflow.start_time;
-}
-
-GasPoint evaluate(const ControlVolumeModel& model, const ControlVolumeState& state, double volume,
-                  double leak_area, double time) {
-  const auto& curve = model.volume_of_overpressure;
-  if (!curve && !(volume > 0.0)) throw DomainError("volume = " + to_text(volume) + " m3: must be positive");
-  GasPoint point{};
-  point.volume = curve ? curve->value(-model.ambient.pressure) : volume;
-  point.temperature = state.temperature;
-  for (const Inflow& inflow : model.inflows)
-    point.inflow += mass_flow(inflow, firing_time(inflow, state.triggers), time);
-  const Mixture mixture = model.thermo.mixture(state.masses);
-  if (mixture.mass > 0.0) {
-    point.temperature = mixture.temperature(state.internal_energy, state.temperature);
-    point.mass = mixture.mass;
-    const double product = mixture.gas_constant_sum * point.temperature;
-    if (curve) {
-      const PressurePlace place = PressureVolume(*curve, model.ambient.pressure).place(product);
-      if (place.beyond) throw DomainError(beyond_text(*curve));
-      point.volume = place.volume;
-      point.pressure = place.pressure;
-    } else {
-      point.pressure = product / volume;
-    }
-    point.density = mixture.mass / point.volume;
-    point.gas_constant = mixture.gas_constant_sum / mixture.mass;
-    point.cp = mixture.cp(point.temperature) / mixture.mass;
-    point.gamma = point.cp / (point.cp - point.gas_constant);
-    point.heat_loss = model.heat_loss.conductance * (point.temperature - model.heat_loss.outside_temperature);
-  }
-  // On p_a the integrator lets nothing flow; the square root of what rounding leaves of p - p_a would.
-  const double p_a = model.ambient.pressure;
-  if (std::abs(point.pressure - p_a) <= kNear * p_a) return point;
-  if (point.mass > 0.0) add_outflow(model, state, leak_area, time, point);
-  point.backflow = backflow(model, state.triggers, time, point.pressure);
-  return point;
-}
-
-InflatorPoint inflator_point(const ControlVolumeModel& model, const ControlVolumeState& state, std::size_t i,
-                             double time) {
-  const Inflow& inflow = model.inflows.at(i);
-  return inflator_point(model, inflow, firing_time(inflow, state.triggers), time);
-}
-
-InflatorPoint inflator_point(const ControlVolumeModel& model, std::size_t i, double time) {
-  const Inflow& inflow = model.inflows.at(i);
-  return inflator_point(model, inflow, inflow.start_time, time);
 }
 
 }  // namespace gas

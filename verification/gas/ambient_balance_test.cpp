@@ -192,4 +192,39 @@ TEST(onset_at_ambient, fixed_step_that_turns_the_flow_round_is_refused) {
   }
 }
 
+/// Where p is held within 1e-12 of p_a, the flows at a moment are those that a step carries: of inflow
+/// through a vent and fabric, of walls that cool and of a volume that grows through a vent that lets gas in.
+TEST(held_flow, at_a_moment_eq_what_a_step_carries) {
+  gas::ControlVolumeModel inflow = closed_tank(nitrogen()), walls = inflow;
+  inflow.vents.push_back({1.0, 10.0});
+  inflow.inflows.push_back(steady_inflow(inflow.thermo, 1e-3, 406.0));
+  walls.vents.push_back({1.0, 10.0});
+  walls.vents.back().backflow = true;
+  walls.ambient.mass_fractions = kPure;
+  gas::ControlVolumeModel growing = walls;
+  walls.heat_loss = {0.1, 293.15};
+  struct Held {
+    gas::ControlVolumeModel model;
+    double growth, leak_area;  // [m3/s], [m2]
+  };
+  for (const auto& [model, growth, leak_area] :
+       {Held{inflow, 0.0, 5.0}, Held{walls, 0.0, 0.0}, Held{growing, 1e-3, 0.0}}) {
+    constexpr double kStep = 1e-3, kVolume = 1e-3;
+    gas::ControlVolumeState state = gas::make_state(model, kPure, kAmbientPressure, 600.0, kVolume);
+    const gas::GasPoint begin = gas::evaluate(model, state, kVolume, leak_area, 0.0, growth);
+    const double end_volume = kVolume + growth * kStep;
+    const gas::StepFluxes f = gas::GasIntegrator(model, {1e-12, 100000, gas::Method::kRosenbrock4})
+                                  .advance(state, 0.0, kStep, {kVolume, end_volume, leak_area, leak_area});
+    const gas::GasPoint end = gas::evaluate(model, state, end_volume, leak_area, kStep, growth);
+    const auto expect_mean = [&](double from, double to, double carried) {
+      // The trapezium's error, (h mdot/m)^2/12 of some 1e-3 each.
+      EXPECT_NEAR(0.5 * kStep * (from + to), carried, 1e-6 * carried);
+    };
+    expect_mean(begin.vent_mass_flow, end.vent_mass_flow, f.vent_mass_out);
+    expect_mean(begin.fabric_mass_flow, end.fabric_mass_flow, f.fabric_mass_out);
+    expect_mean(begin.backflow, end.backflow, f.backflow_mass);
+    EXPECT_GT(f.vent_mass_out + f.backflow_mass, 0.0);
+  }
+}
+
 }  // namespace

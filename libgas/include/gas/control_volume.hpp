@@ -116,10 +116,11 @@ ControlVolumeState make_state(const ControlVolumeModel& model, std::span<const d
 double firing_time(const Inflow& inflow, const TriggerState& triggers);
 
 /// Stage S2: the gas of `state` in `volume` [m3] at time `time` [s], with the fabric's leak area [m2] (see
-/// fabric_mass_flow). Nothing flows while p is on p_a, to 1e-12 of it. Does not allocate. Throws DomainError
-/// if the volume is not positive or p and temperature leave their ranges.
+/// fabric_mass_flow). Where p is held within 1e-10 of p_a, what flows is (G.22), for which `volume_rate`
+/// [m3/s] is dV/dt; else nothing does while p is on p_a, to 1e-12 of it. Does not allocate. Throws
+/// DomainError if the volume is not positive or p and temperature leave their ranges.
 GasPoint evaluate(const ControlVolumeModel& model, const ControlVolumeState& state, double volume,
-                  double leak_area, double time);
+                  double leak_area, double time, double volume_rate = 0.0);
 
 /// Stage S3: inflow `i` at time `time` [s].
 InflatorPoint inflator_point(const ControlVolumeModel& model, const ControlVolumeState& state, std::size_t i,
