@@ -206,7 +206,10 @@ class FlowBalance {
   double segment_begin_ = 0.0, base_time_ = 0.0;  // [s] of the segment, of the sub-step
   std::vector<InflowSegment> segments_;
   std::vector<StreamFlux> delivered_;  // of each inflow, up to segment_begin_
-  std::vector<StreamFlux> received_;   // of each inflow, from there to base_time_
+  struct Received {
+    CompensatedSum mass, enthalpy;
+  };
+  std::vector<Received> received_;  // of each inflow, from there to base_time_
 
   Regime regime_ = Regime::kClosed;
   std::vector<double> masses_;          // [kg] at the last evaluation

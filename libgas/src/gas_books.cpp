@@ -20,28 +20,26 @@ void FlowBalance::begin_books(const ControlVolumeState& state) {
   base_.back() = state.internal_energy;
   std::ranges::fill(totals_, CompensatedSum{});
   std::ranges::fill(delivered_, StreamFlux{});
-  std::ranges::fill(received_, StreamFlux{});
+  std::ranges::fill(received_, Received{});
 }
 
 void FlowBalance::end_segment(double reached) {
   for (std::size_t i = 0; i < segments_.size(); ++i) {
-    const auto [mass, enthalpy] = segments_[i].delivered_until(reached);
-    add_inflow(i, mass - received_[i].mass, enthalpy - received_[i].enthalpy);
-    delivered_[i].mass += mass;
-    delivered_[i].enthalpy += enthalpy;
+    const auto [mass, enthalpy] = segments_[i].delivered(base_time_, reached);
+    add_inflow(i, mass, enthalpy);
+    delivered_[i].mass += received_[i].mass.value();
+    delivered_[i].enthalpy += received_[i].enthalpy.value();
     received_[i] = {};
     segments_[i] = InflowSegment();
   }
-  // Times within rounding of a knot count as the knot: what came in within them, and left, may be taken back.
-  keep_masses_non_negative();
   if (volume_by_pressure_) volume_by_pressure_->leave_piece();
 }
 
 void FlowBalance::add_inflow(std::size_t i, double mass, double enthalpy) {
   for (std::size_t k = 0; k < masses_.size(); ++k) base_[k].add(model_.inflows[i].mass_fractions[k] * mass);
   base_.back().add(enthalpy);
-  received_[i].mass += mass;
-  received_[i].enthalpy += enthalpy;
+  received_[i].mass.add(mass);
+  received_[i].enthalpy.add(enthalpy);
 }
 
 void FlowBalance::keep_masses_non_negative() {

@@ -2,6 +2,7 @@
 // Substepper: how long a sub-step may be.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "infinity.hpp"
 #include "substepper.hpp"
@@ -97,13 +98,24 @@ bool Substepper::may_leave_root(const Rates& rates, double t) const {
   return options_.fixed_step == 0.0 || !is_onset(rates.balance, t);
 }
 
+/// What passes through in a sub-step [s] of this length rounds to the tolerance of what is there.
+double Substepper::rounding_limit(const FlowBalance& balance) const {
+  constexpr double kRoundOff = 100.0 * std::numeric_limits<double>::epsilon();
+  const auto& point = balance.point();
+  const double passing = std::max(point.vent + point.fabric, point.back);
+  return passing > 0.0 && point.mass > 0.0 ? options_.relative_tolerance * point.mass / (kRoundOff * passing)
+                                           : kInfinity;
+}
+
 /// The longest sub-step from t in x; the fixed one. Under error control, past the limit of its method on
 /// walls, (G.16), an explicit one would leave T to swing about theirs by the tolerance, for ever, and at p_a
 /// gas would be let out and in with it that no balance exchanges.
 double Substepper::longest_step(const Rates& rates, double t) const {
-  const double longest = options_.fixed_step > 0.0
-                             ? std::min(options_.fixed_step, std::max(onset_step_, t - onset_begin_))
-                             : kBelowLimit * stepper_->stability_limit() / rates.balance.heat_rate();
+  double longest = rounding_limit(rates.balance);
+  if (options_.fixed_step > 0.0)
+    longest = std::min(options_.fixed_step, std::max(onset_step_, t - onset_begin_));
+  else if (const double walls = rates.balance.heat_rate(); walls > 0.0)
+    longest = std::min(longest, kBelowLimit * stepper_->stability_limit() / walls);
   return longest < kInfinity ? rates.position(t + longest) - rates.position(t) : kInfinity;
 }
 

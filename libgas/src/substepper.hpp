@@ -67,6 +67,7 @@ class Substepper {
   void start_variable(Rates& rates, double t, double b);
   void start_fixed_steps(Rates& rates, double t, double b);
   bool may_leave_root(const Rates& rates, double t) const;
+  double rounding_limit(const FlowBalance& balance) const;
   double longest_step(const Rates& rates, double t) const;
 
   // substepper_errors.cpp: why a step cannot be

@@ -25,17 +25,16 @@ constexpr double kReversed = 1e-12;
 
 /// What could be done about sub-steps of `length` [s], too many or too short, at the gas last located.
 std::string Substepper::advice(const FlowBalance& balance, double length) const {
-  constexpr double kRoundOff = 100.0 * std::numeric_limits<double>::epsilon();
   const auto& point = balance.point();
   const double relaxation = balance.relaxation_rate() + balance.heat_rate();
-  const double passing = std::max(point.vent + point.fabric, point.back) / point.mass;
   std::string text;
   if (relaxation > 0.0) text = "; it relaxes within " + to_text(1.0 / relaxation) + " s";
   if (length * relaxation > 0.1 * stepper_->stability_limit())
     text += "; Rosenbrock 4 (gas_method of a case) has no such limit";
-  const double limit = options_.relative_tolerance / (kRoundOff * passing);
+  const double limit = rounding_limit(balance);
   if (length > 0.1 * limit)
-    text += "; it passes through within " + to_text(1.0 / passing) +
+    text += "; it passes through within " +
+            to_text(point.mass / std::max(point.vent + point.fabric, point.back)) +
             " s, so that rounding takes sub-steps below " + to_text(limit) +
             " s; a looser tolerance (gas_tolerance of a case) is allowed";
   return text;

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include "bisection.hpp"
+#include "cases.hpp"
+#include "claim.hpp"
+#include "gas/orifice.hpp"
+
+// How small a volume each method bears under error control: a balance of inflow and choked vent, T = 406 K.
+namespace {
+
+using namespace cases;
+
+constexpr double kFlow = 0.02, kArea = 1e-5, kTemperature = 406.0, kTime = 1e-3;  // [kg/s], [m2], [K], [s]
+
+double balance_pressure() {
+  return kFlow / gas::orifice_mass_flow(kArea, 1e6, kTemperature, 296.8, 1038.8, 1.4, kAmbientPressure) * 1e6;
+}
+
+double mass(double volume) {
+  return balance_pressure() * volume / (296.8 * kTemperature);
+}
+
+/// Relative error of p after kTime; negative if that is refused.
+double error(double volume, const gas::IntegratorOptions& options) {
+  gas::ControlVolumeModel model = closed_tank(nitrogen());
+  model.inflows.push_back(steady_inflow(model.thermo, kFlow, kTemperature));
+  model.vents.push_back({1.0, kArea});
+  gas::ControlVolumeState state = gas::make_state(model, kPure, balance_pressure(), kTemperature, volume);
+  try {
+    gas::GasIntegrator(model, options).advance(state, 0.0, kTime, rigid(volume));
+  } catch (const gas::DomainError&) {
+    return -1.0;
+  }
+  return relative(gas::evaluate(model, state, volume, 0.0, kTime).pressure, balance_pressure());
+}
+
+/// From a microlitre down to 1e-21 m3 each method is right to some tolerances, or refuses: what passes
+/// through in the call is up to 2e13 times what is there.
+TEST(femtolitre, is_right_or_refused) {
+  for (const gas::Method method : kMethods)
+    for (const double tolerance : {1e-3, 1e-6, 1e-9}) {
+      double volume = 1e-9, wrong = 0.0;
+      for (; volume > 1e-21; volume *= 0.1) wrong = std::max(wrong, error(volume, {tolerance, 2000, method}));
+      // A sub-step's error, of which the balance forgets what is older than a few.
+      EXPECT_LT(wrong, 3.0 * tolerance) << static_cast<int>(method) << " at " << tolerance;
+      EXPECT_LT(error(1e-21, {tolerance, 2000, method}), 0.0);
+    }
+}
+
+struct Limit {
+  gas::Method method;
+  const char* name;
+  double halves;  // of a sub-step that are stepped, where its error is by doubling
+};
+
+TEST(femtolitre, smallest_volume_eq_formula) {
+  constexpr int kSteps = 2000;
+  constexpr double kTolerance = 1e-8;
+  const auto measured = [&](gas::Method method, double predicted) {
+    return 1.0 / claim::largest_passing(0.2 / predicted, 5.0 / predicted, 1e-3, [&](double inverse) {
+             return error(1.0 / inverse, {kTolerance, kSteps, method}) >= 0.0;
+           });
+  };
+  const double unit = mass(1.0);  // [kg/m3]
+  for (const auto& [method, name, halves] : {Limit{gas::Method::kEuler, "explicit Euler", 2.0},
+                                             Limit{gas::Method::kRungeKutta4, "Runge-Kutta 4", 2.0},
+                                             Limit{gas::Method::kDormandPrince5, "Dormand-Prince 5", 1.0}}) {
+    const double rate = gas::outflow_relaxation_rate(1.4, kFlow / unit, 1.0);
+    const double predicted = kTime * rate / (halves * gas::stability_limit(method)) / kSteps;
+    claim::expect_threshold(
+        {"G.14", name,
+         "error control goes past the limit and comes back: up to half of the sub-steps are repeated"},
+        {"tiny volume: sub-steps of a call",
+         "t |λ| / z = maximum_steps; z = 4, 5.571, 3.307 by order 1, 4, 5", predicted,
+         measured(method, predicted), "m³", "error that names 1/|λ| and the method without that limit"},
+        1.0, 1.5);
+  }
+  const double predicted = 100.0 * kEpsilon * kFlow * kTime / (kTolerance * unit * kSteps);
+  claim::expect_threshold(
+      {"G.9", "Rosenbrock 4",
+       "bisection to 0.1 %; a first sub-step, that grows fivefold up to the limit, and a last"},
+      {"tiny volume: rounding of what passes", "t = maximum_steps τ m/(100 ε ṁ)", predicted,
+       measured(gas::Method::kRosenbrock4, predicted), "m³",
+       "error that names m/ṁ, the limit, and a looser tolerance"},
+      1.0 - 1e-3, 1.02);
+}
+
+}  // namespace
