@@ -72,18 +72,10 @@ struct Groups {
 };
 
 // Of the gas at the start, its outflow choked, and of the full volume; the faster one [1/s].
-double relaxation_rate(const Scene& scene, double mass_at_start, const Forecast& f) {
-  const FullState& full = *f.full;
-  double rate = 0.0;
-  if (mass_at_start > 0.0)
-    rate = gas::outflow_relaxation_rate(full.gamma, f.supply.peak_flow / mass_at_start, 1.0);
-  const double flow = full.vent_flow + full.fabric_flow;
-  if (!(flow > 0.0)) return rate;
-  const double share = 1.0 - scene.ambient.pressure / full.pressure;
-  const double of_vents = gas::orifice_pressure_exponent(full.gamma, share),
-               of_fabric = gas::fabric_pressure_exponent(share);
-  const double exponent = (full.vent_flow * of_vents + full.fabric_flow * of_fabric) / flow;
-  return std::max(rate, gas::outflow_relaxation_rate(full.gamma, flow / full.mass, exponent));
+double relaxation_rate(double mass_at_start, const Forecast& f) {
+  if (!(mass_at_start > 0.0)) return f.full->relaxation;
+  return std::max(gas::outflow_relaxation_rate(f.full->gamma, f.supply.peak_flow / mass_at_start, 1.0),
+                  f.full->relaxation);
 }
 
 void add_gas(const Scene& scene, const State& state, const Forecast& f, Groups& groups) {
@@ -101,7 +93,10 @@ void add_gas(const Scene& scene, const State& state, const Forecast& f, Groups& 
                     full.fabric_flow / flow);
   if (full.vent_flow + full.fabric_flow > 0.0)
     groups.add_number("gas_relaxation", "K.37", "relaxations of the gas in a step of the start",
-                      f.step * relaxation_rate(scene, state.gas_point.mass, f));
+                      f.step * relaxation_rate(state.gas_point.mass, f));
+  if (full.relaxations > 0.0)
+    groups.add_number("gas_relaxations", "K.39", "relaxations of the gas in the whole scene",
+                      full.relaxations);
 }
 
 // A jet's names in the groups.

@@ -2,7 +2,9 @@
 #include "supply.hpp"
 
 #include <algorithm>
+#include <cmath>
 
+#include "gas/orifice.hpp"
 #include "stages.hpp"
 
 namespace driver {
@@ -23,8 +25,9 @@ double peak_flow(const Scene& scene) {
   return peak;
 }
 
-// Vents as they are once open, as wide as they get with time.
+// Vents as they are once open, as wide as they get with time; nothing comes in.
 gas::ControlVolumeModel opened(gas::ControlVolumeModel model) {
+  model.inflows.clear();
   for (auto& vent : model.vents) {
     vent.trigger.reset();
     if (!vent.area_of_time) continue;
@@ -48,6 +51,74 @@ double closed_pressure(const gas::Curve& volume, double ambient, double start, d
     (missing(middle) > 0.0 ? low : high) = middle;
   }
   return high;
+}
+
+// The openings of the full volume, holding gas at the mean temperature of what comes in.
+class FullOpenings {
+ public:
+  FullOpenings(const Scene& scene, const Supply& supply, double volume, double leak_area)
+      : model_(opened(scene.gas->model)),
+        fractions_(supply.mass > 0.0 ? supply.mass_fractions : scene.gas->initial_fractions),
+        temperature_(supply.mass > 0.0 ? supply.temperature : scene.gas->initial_temperature),
+        volume_(volume),
+        leak_area_(leak_area) {
+    model_.volume_of_overpressure.reset();
+  }
+
+  gas::GasPoint at(double pressure) const {
+    return gas::evaluate(model_, gas::make_state(model_, fractions_, pressure, temperature_, volume_),
+                         volume_, leak_area_, 0.0);
+  }
+
+  double outflow(double pressure) const {
+    const gas::GasPoint point = at(pressure);
+    return point.vent_mass_flow + point.fabric_mass_flow;
+  }
+
+  // Pressure [Pa] up to `high` at which they let out `flow` [kg/s]; `high` if they do not.
+  double balance(double flow, double high) const {
+    double low = model_.ambient.pressure;
+    if (!(outflow(high) > flow)) return high;
+    for (int i = 0; i < 60; ++i) {
+      const double middle = 0.5 * (low + high);
+      (outflow(middle) > flow ? high : low) = middle;
+    }
+    return high;
+  }
+
+ private:
+  gas::ControlVolumeModel model_;
+  const std::vector<double>& fractions_;
+  double temperature_, volume_, leak_area_;
+};
+
+// The faster rate [1/s] at which gas relaxes while its openings let out what comes in, (G.14); where p is
+// held, that of what passes.
+double relaxation_rate(const gas::GasPoint& point, double inflow, double ambient_pressure) {
+  constexpr double held = 1e-10;
+  const double out = point.vent_mass_flow + point.fabric_mass_flow, flow = std::min(out, inflow);
+  if (!(flow > 0.0)) return 0.0;
+  const double share = 1.0 - ambient_pressure / point.pressure;
+  if (share <= held) return flow / point.mass;
+  const double of_vents = gas::orifice_pressure_exponent(point.gamma, share),
+               of_fabric = gas::fabric_pressure_exponent(share);
+  const double exponent = (point.vent_mass_flow * of_vents + point.fabric_mass_flow * of_fabric) / out;
+  return gas::outflow_relaxation_rate(point.gamma, flow / point.mass, exponent);
+}
+
+// (K.39), by the midpoint rule.
+double relaxations(const Scene& scene, const FullOpenings& openings, const FullState& full) {
+  constexpr int pieces = 400;
+  const gas::GasPoint point = openings.at(full.pressure);
+  double sum = 0.0;
+  if (const double conductance = scene.gas->model.heat_loss.conductance;
+      conductance > 0.0 && point.mass > 0.0)
+    sum = pieces * conductance / (point.mass * (point.cp - point.gas_constant));
+  for (int i = 0; i < pieces; ++i)
+    if (const double flow = total_flow(scene, scene.time.end * (i + 0.5) / pieces); flow > 0.0)
+      sum += relaxation_rate(openings.at(openings.balance(flow, full.closed_pressure)), flow,
+                             scene.ambient.pressure);
+  return sum * scene.time.end / pieces;
 }
 
 }  // namespace
@@ -87,45 +158,36 @@ Supply supply_of(const Scene& scene) {
 }
 
 FullState full_state(const Scene& scene, const State& state, const Supply& supply) {
-  auto model = opened(scene.gas->model);
-  const double ambient = scene.ambient.pressure, start = enclosure(scene, state).volume;
-  const double leak_area = enclosure(scene, state).leak_area;
+  const auto& model = scene.gas->model;
+  const double ambient = scene.ambient.pressure;
+  const auto [start, leak_area] = enclosure(scene, state);
   FullState full;
   const bool filled = supply.mass > 0.0;
   full.volume = start;  // a flat design shape has none
   if (scene.bag && filled)
     full.volume = std::max(start, membrane::enclosed_volume(scene.bag->mesh.nodes, scene.bag->mesh.elements));
-  const auto& fractions = filled ? supply.mass_fractions : scene.gas->initial_fractions;
-  const double temperature = filled ? supply.temperature : scene.gas->initial_temperature;
-  full.gamma = model.thermo.gamma(fractions, temperature);
+  full.gamma = filled ? model.thermo.gamma(supply.mass_fractions, supply.temperature)
+                      : model.thermo.gamma(scene.gas->initial_fractions, scene.gas->initial_temperature);
   full.closed_pressure = (scene.gas->initial_pressure * start + supply.work -
                           (full.gamma - 1.0) * ambient * (full.volume - start)) /
                          full.volume;  // (K.30)
-  if (const auto curve = model.volume_of_overpressure) {
+  if (const auto& curve = model.volume_of_overpressure) {
     full.closed_pressure =
         closed_pressure(*curve, ambient, scene.gas->initial_pressure, full.gamma, supply.work);
     full.volume = curve->value(full.closed_pressure - ambient);
-    model.volume_of_overpressure.reset();
   }
   full.fills = !filled || full.closed_pressure >= ambient;
   if (!full.fills) return full;
-  const auto at = [&](double pressure) {
-    return gas::evaluate(model, gas::make_state(model, fractions, pressure, temperature, full.volume),
-                         full.volume, leak_area, 0.0);
-  };
-  const auto out = [&](double pressure) {
-    return at(pressure).vent_mass_flow + at(pressure).fabric_mass_flow;
-  };
-  double low = ambient, high = full.closed_pressure;
-  if (filled && out(high) > supply.peak_flow)  // (K.31)
-    for (int i = 0; i < 60; ++i) {
-      const double middle = 0.5 * (low + high);
-      (out(middle) > supply.peak_flow ? high : low) = middle;
-    }
-  full.pressure = high;
-  full.vent_flow = at(high).vent_mass_flow;
-  full.fabric_flow = at(high).fabric_mass_flow;
-  full.mass = at(high).mass;
+  const FullOpenings openings(scene, supply, full.volume, leak_area);
+  full.pressure =
+      filled ? openings.balance(supply.peak_flow, full.closed_pressure) : full.closed_pressure;  // (K.31)
+  const gas::GasPoint point = openings.at(full.pressure);
+  const double out = point.vent_mass_flow + point.fabric_mass_flow;
+  const double known = filled ? std::min(1.0, supply.peak_flow / out) : 1.0;  // p rounds close to p_a
+  full.vent_flow = known * point.vent_mass_flow;
+  full.fabric_flow = known * point.fabric_mass_flow;
+  full.relaxation = relaxation_rate(point, filled ? supply.peak_flow : out, ambient);
+  full.relaxations = relaxations(scene, openings, full);
   return full;
 }
 

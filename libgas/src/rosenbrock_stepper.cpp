@@ -94,7 +94,7 @@ class RosenbrockStepper : public Stepper {
     rates(out.end, out.end_rate, x + h);
   }
   double error_power() const override { return 4.0; }
-  double stability_limit() const override { return std::numeric_limits<double>::infinity(); }
+  double stability_limit() const override { return gas::stability_limit(Method::kRosenbrock4); }
 
  private:
   using Gas = FlowBalance::Gas;

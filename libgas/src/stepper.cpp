@@ -4,6 +4,7 @@
 #include <boost/numeric/odeint/stepper/euler.hpp>
 #include <boost/numeric/odeint/stepper/runge_kutta4_classic.hpp>
 #include <boost/numeric/odeint/stepper/runge_kutta_dopri5.hpp>
+#include <limits>
 
 namespace gas {
 namespace {
@@ -24,7 +25,7 @@ class DormandPrinceStepper : public Stepper {
                     out.end_rate, h, out.error);
   }
   double error_power() const override { return 5.0; }
-  double stability_limit() const override { return 3.3065678926; }
+  double stability_limit() const override { return gas::stability_limit(Method::kDormandPrince5); }
 
  private:
   odeint::runge_kutta_dopri5<Vector> method_;
@@ -112,13 +113,28 @@ bool Rates::leave_root(double t, double& x, double& h) {
   return true;
 }
 
+double stability_limit(Method method) {
+  switch (method) {
+    case Method::kEuler:
+      return 2.0;
+    case Method::kRungeKutta4:
+      return 2.7852935634;
+    case Method::kDormandPrince5:
+      return 3.3065678926;
+    case Method::kRosenbrock4:
+      break;
+  }
+  return std::numeric_limits<double>::infinity();
+}
+
 std::unique_ptr<Stepper> make_stepper(Method method, const FlowBalance& balance) {
   const std::size_t n = balance.unknowns();
   switch (method) {
     case Method::kEuler:
-      return std::make_unique<DoublingStepper<odeint::euler<Vector>, 1>>(n, 2.0);
+      return std::make_unique<DoublingStepper<odeint::euler<Vector>, 1>>(n, stability_limit(method));
     case Method::kRungeKutta4:
-      return std::make_unique<DoublingStepper<odeint::runge_kutta4_classic<Vector>, 4>>(n, 2.7852935634);
+      return std::make_unique<DoublingStepper<odeint::runge_kutta4_classic<Vector>, 4>>(
+          n, stability_limit(method));
     case Method::kRosenbrock4:
       return make_rosenbrock_stepper(balance);
     case Method::kDormandPrince5:

@@ -53,8 +53,7 @@ class Stepper {
                     Trial& out) = 0;
   /// The error of a step grows as h to this power.
   virtual double error_power() const = 0;
-  /// Largest stable h times a real, negative eigenvalue's magnitude (infinity: A-stable). Source: E. Hairer,
-  /// G. Wanner, Solving Ordinary Differential Equations II, sec. IV.2: zeros of |R(z)| - 1.
+  /// That of its Method.
   virtual double stability_limit() const = 0;
 };
 

@@ -96,6 +96,29 @@ TEST(forecast, balance_and_choking_by_hand) {
                          5e5 / 101325.0 * 0.52828178771717411, 1e-14);
 }
 
+TEST(forecast, relaxations_of_the_scene_by_hand) {
+  // A constant flow for 20 steps of 1 ms.
+  const std::vector<std::string> rigid{"tank.volume=1e-4"};
+  const Forecasted stiff = forecasted("tank_stiff", rigid);
+  claim::expect_relative(
+      {"K.39", "case tank_stiff: relaxations of the gas in the whole scene [-]", "400 roundings"},
+      stiff.group.at("gas_relaxations"), 20.0 * stiff.group.at("gas_relaxation"), 1e-13);
+  // An explicit method takes as many sub-steps, at its limit; error control lets them grow past it, by up to
+  // its safety of 0.9, and the gas of the start is lighter than that of the balance by as much again.
+  const double limit = gas::stability_limit(gas::Method::kDormandPrince5);
+  const auto run =
+      coupled::run_case("tank_stiff", {"tank.volume=1e-4", "time.gas_method=\"dormand_prince\""});
+  const double share =
+      static_cast<double>(run.state.flows.gas_substeps) / (stiff.group.at("gas_relaxations") / limit);
+  EXPECT_GT(share, 0.81);
+  EXPECT_LT(share, 1.0);
+  // Fabric so wide that the balance lies 1.7e-12 p_a above p_a: p is held, and only what passes is left.
+  const Forecasted held = forecasted("tank_stiff", {rigid[0], "tank.fabric.area=1.5e4"});
+  claim::expect_relative({"K.39", "case tank_stiff, p held: relaxations [-]", "eight digits of cp"},
+                         held.group.at("gas_relaxations"), 0.02 * 0.02 * kR * 406.0 / (101325.0 * 1e-4),
+                         kDigits);
+}
+
 TEST(forecast, jet_and_mesh_by_hand) {
   // A triangle of flow: sonic from mdot* on, a share 1 - (mdot*/mdot_p)^2 of its mass.
   const Forecasted bag = forecasted("jet_bag");

@@ -30,7 +30,8 @@ struct FullState {
   bool fills = true;                          // the closed pressure is ambient at least, or nothing flows in
   double pressure = 0.0;                      // [Pa] with what the openings let out at the peak flow, (K.31)
   double vent_flow = 0.0, fabric_flow = 0.0;  // [kg/s] at that pressure
-  double mass = 0.0;                          // [kg]
+  double relaxation = 0.0;                    // [1/s] the faster rate of what flows out there, (G.14)
+  double relaxations = 0.0;                   // [-] in the whole scene, (K.39)
   double gamma = 0.0;
 };
 

@@ -50,6 +50,11 @@ enum class Method {
   kRosenbrock4,     // implicit, L-stable, order 4(3)
 };
 
+/// Largest stable h times a real, negative eigenvalue's magnitude, where the stability function |R(z)| passes
+/// 1; infinity for the implicit method. Source: E. Hairer, G. Wanner, Solving Ordinary Differential Equations
+/// II, sec. IV.2.
+double stability_limit(Method method);
+
 /// Accuracy and method of the integration; the defaults suit an airbag.
 struct IntegratorOptions {
   double relative_tolerance =
