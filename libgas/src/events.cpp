@@ -193,7 +193,7 @@ double Substepper::end_of_hold(Rates& rates, double x, double h, double start_sh
   const double bound = end > 1.0 ? 1.0 : 0.0;
   const auto beyond = [&](double share) { return std::clamp(share, -kMostShare, kMostShare) - bound; };
   const double begin = beyond(start_share);
-  const bool rests = turned && bound == 0.0 && std::abs(begin) < kShareNear;
+  const bool rests = turned && bound == 0.0 && begin < kShareNear;
   if (!(end >= 0.0 && end <= 1.0) && !rests) {
     event_ = Event::kHold;
     next_regime_ = regime_after_hold(balance, bound > 0.0);

@@ -110,12 +110,15 @@ class FlowBalance {
   void add_inflow_slopes(double factor, double t, Gas& slopes) const;
   /// dy/dt at the gas located, in the regime set; fills the flows of point().
   void fill_rates(Vector& dydt, double t);
-  /// Where p is held, corrects y at t, the end of h, by flow that goes on longer, so that p is on its
-  /// balance.
+  /// Where p is held, or on its balance, corrects y at t, the end of h, by flow that goes on longer, so that
+  /// p is on its balance.
   void settle(Vector& y, Vector& dydt, double t, double h);
   /// What the openings would let through at `overpressure` [Pa], of what would hold p at the gas located,
   /// [-]; spoils point()'s flows.
   double relief(double t, double overpressure);
+  /// Whether the balance of flows, not held, at t is one to which p comes well within h, and both are so
+  /// close to p_a that it comes there within rounding of t, or that an `error` [Pa] of p matters there.
+  bool is_on_balance(double t, double h, double error);
   /// How close to p_a p can be held [Pa].
   double hold_near() const;
   bool has_walls() const { return model_.heat_loss.conductance > 0.0; }
@@ -191,6 +194,7 @@ class FlowBalance {
   double flows_near_ambient(Vector& dydt, double t, bool out, double share);
   void hold(Vector& dydt, double t);
   double held_overpressure(double t);
+  double balanced_overpressure(double t);
 
   const ControlVolumeModel& model_;
   double negligible_;                // [-] of the gas

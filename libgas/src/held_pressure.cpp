@@ -3,6 +3,7 @@
 // keeps it. The difference of the pressures, of which the flow is the root, would be rounding.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "flow_balance.hpp"
 #include "near.hpp"
@@ -57,12 +58,42 @@ double FlowBalance::held_overpressure(double t) {
   return (out ? 1.0 : -1.0) * hold_near() * std::pow(std::min(1.0, share), 1.0 / n);
 }
 
+/// The overpressure at which outflow or backflow, not held, balances; by a power law near it, thrice.
+double FlowBalance::balanced_overpressure(double t) {
+  if (is_held()) return held_overpressure(t);
+  const double sign = regime_ == Regime::kOut ? 1.0 : -1.0;
+  double size = std::max(std::abs(pressure_excess()), hold_near());
+  for (int i = 0; i < 3; ++i) {
+    const double share = relief(t, sign * size);
+    const double n = std::log(share / relief(t, sign * 0.25 * size)) / std::log(4.0);
+    size *= std::pow(share, -1.0 / n);
+  }
+  return sign * size;
+}
+
+bool FlowBalance::is_on_balance(double t, double h, double error) {
+  constexpr double kTimes = 30.0, kRounding = 64.0 * std::numeric_limits<double>::epsilon();
+  const double growth = closed_pressure_growth(t), rate = std::abs(growth) / point_.volume;
+  const double near = std::max(kTimes * error, 0.5 / kTimes * rate * kRounding * std::abs(t));
+  if (!(regime_ == Regime::kOut ? growth > 0.0 : regime_ == Regime::kBack && growth < 0.0)) return false;
+  if (std::abs(pressure_excess()) > near) return false;
+  const Point kept = point_;
+  const double balance = balanced_overpressure(t);
+  point_ = kept;
+  return std::abs(balance) <= near && std::abs(pressure_excess() - balance) <= 0.5 * rate * h &&
+         2.0 * kTimes * std::abs(balance) <= rate * h;
+}
+
 void FlowBalance::settle(Vector& y, Vector& dydt, double t, double h) {
   // Newton's method: from an error of p of 1e-2, the largest tolerance, to rounding.
   for (int i = 0; i < 3; ++i) {
-    const double excess = (pressure_excess() - held_overpressure(t)) * point_.volume;
+    const double balance = balanced_overpressure(t), excess = (pressure_excess() - balance) * point_.volume;
     double longer = excess / closed_pressure_growth(t);
     const Vector* rates = &dydt;
+    if (!is_held()) {
+      relief(t, balance);
+      rates = &scratch_;
+    }
     if (!(longer >= -0.5 * h && std::isfinite(longer))) {  // an error of p more than its flow in h
       if (excess < 0.0 && !has_backflow()) break;
       longer = -excess / flows_near_ambient(scratch_, t, excess > 0.0, 1.0);
@@ -75,6 +106,27 @@ void FlowBalance::settle(Vector& y, Vector& dydt, double t, double h) {
     fill_rates(dydt, t);
   }
   fill_rates(dydt, t);
+}
+
+/// Puts p of an implicit trial that ends at t on the balance to which it comes within far less than h, where
+/// the tolerance does not tell it from there: the next trial would start beside it, with a matrix of another
+/// slope. True if so.
+bool Substepper::settle_trial(FlowBalance& balance, double t, double h) {
+  if (std::isfinite(stepper_->stability_limit()) || options_.fixed_step > 0.0) return false;
+  const auto& point = balance.point();
+  const double error = options_.relative_tolerance * point.pressure / point.compliance;
+  if (!balance.is_on_balance(t, h, error)) return false;
+  balance.settle(trial_.end, trial_.end_rate, t, h);
+  return true;
+}
+
+/// The same at t, the begin of sub-steps, where p has been left or has come to p_a.
+bool Substepper::settle_start(FlowBalance& balance, double t, double b) {
+  std::ranges::fill(trial_.end, 0.0);
+  if (!settle_trial(balance, t, std::min(first_step(balance, t), b - t))) return false;
+  balance.accept(trial_.end, t);
+  start_hold(balance, t, b, 0.25);
+  return true;
 }
 
 /// Sets the regime that holds p, if p is on its balance to `share` times hold_near() and can be held there
@@ -94,11 +146,13 @@ bool Substepper::start_hold(FlowBalance& balance, double t, double b, double sha
   return false;
 }
 
-/// Whether the flow that holds p, from none, goes the other way at the end of a trial, as it did from there
-/// the way before: between, it turns.
-bool Substepper::hold_turns_back(const FlowBalance& balance, const Start& start) const {
+/// Whether the flow that holds p, from none, goes the other way at the end of a trial of length h, as it did
+/// from there the way before, by more than the tolerance sees: between, it turns.
+bool Substepper::hold_turns_back(const FlowBalance& balance, double h, const Start& start) const {
+  const auto& point = balance.point();
   return options_.fixed_step == 0.0 && balance.is_held() && event_ == Event::kHold &&
-         std::abs(start.share) < kShareNear && balance.point().share < -kShareNear;
+         std::abs(start.share) < kShareNear && point.share < -kShareNear &&
+         -h * (point.vent + point.fabric + point.back) > 0.1 * options_.relative_tolerance * point.mass;
 }
 
 Regime Substepper::regime_after_hold(const FlowBalance& balance, bool released) const {

@@ -56,6 +56,7 @@ void Substepper::start_variable(Rates& rates, double t, double b) {
   FlowBalance& balance = rates.balance;
   rates.root = false;
   rates.fill(begin_rate_, t);
+  if (settle_start(balance, t, b)) rates.fill(begin_rate_, t);
   const double growth = balance.closed_pressure_growth(t), excess = std::abs(balance.pressure_excess());
   const double shift =
       excess <= ambient_near(balance) ? 0.0 : excess * balance.point().volume / std::abs(growth);

@@ -115,6 +115,7 @@ void Substepper::find_band(FlowBalance& balance, double t) {
   band_is_known_ = false;
   enter_band(balance);
   require_volume(balance, t);
+  balance.locate(zero_, t);
 }
 
 /// Regime at time t, the begin of a sub-step. At p = p_a gas flows only if something would change p in [t,
@@ -169,9 +170,10 @@ double Substepper::integrate(FlowBalance& balance, double a, double b) {
     require_stable(rates, x, h);
     if (!try_step(rates, x, h) && options_.fixed_step > 0.0) fail(rates, x, h);
     const double error = scaled_error(balance);
+    if (error <= 1.0 && !rates.root) settle_trial(balance, x + h, h);
     const bool crosses = error <= 1.0 && crosses_against_flow(balance, rates.time(x + h), start);
     if (options_.fixed_step > 0.0 && (crosses || flows_backwards(balance))) fail_crossing(t);
-    if (error > 1.0 || crosses || hold_turns_back(balance, start) ||
+    if (error > 1.0 || crosses || hold_turns_back(balance, h, start) ||
         lags_behind_balance(balance, t, rates.time(x + h), start)) {
       h *= error > 1.0 ? step_factor(error) : kCrossingFactor;
       continue;

@@ -79,6 +79,8 @@ class Substepper {
 
   // first_gas.cpp, held_pressure.cpp
   double fill_first(Rates& rates, double a, double b);
+  bool settle_trial(FlowBalance& balance, double t, double h);
+  bool settle_start(FlowBalance& balance, double t, double b);
   bool start_hold(FlowBalance& balance, double t, double b, double share);
 
   // events.cpp: where a sub-step has to end
@@ -95,7 +97,7 @@ class Substepper {
   Regime regime_after(const FlowBalance& balance, Event event, double t) const;
   double end_at_turn(Rates& rates, double x, double h, const Start& start);
   double end_at(Event event, Rates& rates, double x, double h, const Start& start);
-  bool hold_turns_back(const FlowBalance& balance, const Start& start) const;
+  bool hold_turns_back(const FlowBalance& balance, double h, const Start& start) const;
   Regime regime_after_hold(const FlowBalance& balance, bool released) const;
   double end_of_hold(Rates& rates, double x, double h, double start_share, bool turned);
   double end_at_switches(Rates& rates, double x, double h, const Start& start);

@@ -118,6 +118,28 @@ TEST(tiny_volume, soft_volume_knows_its_overpressure) {
   }
 }
 
+/// From p_a, at a time whose rounding is a thousand times what p takes to come to its balance: it is on it
+/// from there on.
+TEST(tiny_volume, balance_sets_in_within_the_rounding_of_time) {
+  constexpr double kVolume = 1e-12, kLeak = 0.05, kBegin = 1000.0;
+  for (const double tolerance : {1e-4, 1e-6, 1e-8}) {
+    gas::ControlVolumeModel model = closed_tank(nitrogen());
+    model.inflows.push_back(steady_inflow(model.thermo, 0.02, 406.0));
+    gas::ControlVolumeState state = gas::make_state(model, kPure, kAmbientPressure, 293.15, kVolume);
+    const gas::StepFluxes fluxes = gas::GasIntegrator(model, {tolerance, 2000, gas::Method::kRosenbrock4})
+                                       .advance(state, kBegin, kBegin + 0.02, rigid(kVolume, kLeak));
+    const gas::GasPoint end = gas::evaluate(model, state, kVolume, kLeak, kBegin);
+    const double excess = std::pow(0.02 / kLeak, 2.0) / (2.0 * kAmbientPressure / (296.8 * 406.0));
+    const double filling = excess * kVolume / (1.4 * 296.8 * 406.0 * 0.02);  // [s]
+    EXPECT_LT(1e3 * filling, kEpsilon * kBegin);
+    // Of the whole: the tolerance, and ten roundings of what passes, 4e-4 kg.
+    const double bound = 5.0 * tolerance + 10.0 * kEpsilon * 4e-4 / end.mass;
+    EXPECT_NEAR(end.pressure, kAmbientPressure + excess, bound * kAmbientPressure);
+    EXPECT_LT(relative(end.temperature, 406.0), bound);
+    EXPECT_NEAR(fluxes.fabric_mass_out, 4e-4, 4e-4 * 1e-9 + end.mass);
+  }
+}
+
 /// Gas that comes to rest at p_a with the walls behind a vent that lets nothing out or in there, but out
 /// above: nothing could hold p, and nothing has to.
 TEST(held_pressure, vent_shut_where_p_would_fall) {
