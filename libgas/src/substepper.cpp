@@ -13,6 +13,9 @@ namespace {
 // The flux has a continuous slope across the sonic switch: an error of its place enters squared.
 constexpr double kSonicNear = 1e-8;
 constexpr double kCrossingFactor = 0.25;
+// Where flow ends as the root of time errors fall as h^1.5: (2^4 - 1)/(2^1.5 - 1) times what doubling makes
+// of them.
+constexpr double kRootError = 8.2;
 // The first step's error constant is of the order kFirstStep^-error_power: a guess, only speed depends on it.
 constexpr double kFirstStep = 5.0;
 
@@ -179,6 +182,11 @@ double Substepper::integrate(FlowBalance& balance, double a, double b) {
       continue;
     }
     const double length = end_at_events(rates, x, h, start);
+    if (const double shorter = ends_as_root() && length > 0.0 ? kRootError * scaled_error(balance) : 0.0;
+        shorter > 1.0) {
+      h = length * step_factor(shorter);
+      continue;
+    }
     if (length > 0.0) {
       t = last && length == h ? b : rates.time(x + length);
       balance.accept(trial_.end, t);

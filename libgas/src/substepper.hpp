@@ -89,6 +89,7 @@ class Substepper {
   Event passed_level(const FlowBalance& balance) const;
   bool crosses_against_flow(const FlowBalance& balance, double t, const Start& start) const;
   bool lags_behind_balance(const FlowBalance& balance, double begin, double end, const Start& start) const;
+  bool ends_as_root() const;
   bool flows_backwards(const FlowBalance& balance) const;
   bool may_turn_past_event(const FlowBalance& balance, double t, double h, const Start& start) const;
   Place place(const FlowBalance& balance) const;

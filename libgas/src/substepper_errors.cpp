@@ -84,6 +84,12 @@ bool Substepper::lags_behind_balance(const FlowBalance& balance, double begin, d
          kMostLeft * (std::abs(excess - from) + options_.relative_tolerance * balance.point().pressure);
 }
 
+/// Whether an explicit trial ends where flow does so at p_a, which may be as the root of time: the error up
+/// to there can be greater than that of the trial beyond.
+bool Substepper::ends_as_root() const {
+  return event_ == Event::kAmbient && std::isfinite(stepper_->stability_limit());
+}
+
 /// Whether more flows the wrong way in the trial than its rounding.
 bool Substepper::flows_backwards(const FlowBalance& balance) const {
   return trial_.reversed > kReversed * balance.point().mass;
