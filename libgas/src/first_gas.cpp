@@ -47,8 +47,19 @@ std::optional<double> FlowBalance::temperature_of_first_gas(double t) const {
   return sum.find_temperature(energy, loss.outside_temperature);
 }
 
-void FlowBalance::fill_until(Vector& y, const Vector& dydt, double begin, double end) {
-  for (std::size_t j = 0; j < backflows(); ++j) y[back_slot(j)] += dydt[back_slot(j)] * (end - begin);
+void FlowBalance::fill_backflow(Vector& dydt, double t) {
+  std::fill_n(dydt.begin() + static_cast<std::ptrdiff_t>(back_slot(0)), backflows(), 0.0);
+  point_.back = 0.0;
+  if (regime_ == Regime::kBack || regime_ == Regime::kBackSonic) backflow_rates(dydt, t, point_.overpressure);
+}
+
+double FlowBalance::first_backflow(std::size_t vent, const FirstFlow& flow) const {
+  return 0.5 * (flow.begin_rate[back_slot(vent)] + flow.end_rate[back_slot(vent)]) * (flow.end - flow.begin);
+}
+
+void FlowBalance::fill_until(Vector& y, const FirstFlow& flow) {
+  const double end = flow.end;
+  for (std::size_t j = 0; j < backflows(); ++j) y[back_slot(j)] += first_backflow(j, flow);
   collect(y, end);
   model_.thermo.mixture(masses_, mixture_);
   const auto temperature = temperature_of_first_gas(end);
@@ -59,10 +70,11 @@ void FlowBalance::fill_until(Vector& y, const Vector& dydt, double begin, double
   y[heat_slot()] += heat;
 }
 
-double FlowBalance::mass_in_until(double t) const {
+double FlowBalance::mass_in(const FirstFlow& flow) const {
   double mass = 0.0;
-  for (const InflowSegment& segment : segments_) mass += segment.delivered_until(t).mass;
-  return mass + point_.back * (t - segment_begin_);
+  for (const InflowSegment& segment : segments_) mass += segment.delivered_until(flow.end).mass;
+  for (std::size_t j = 0; j < backflows(); ++j) mass += first_backflow(j, flow);
+  return mass;
 }
 
 /// Behind walls the first gas of an evacuated volume has no heat capacity to be stepped with: it is at its
@@ -70,16 +82,21 @@ double FlowBalance::mass_in_until(double t) const {
 /// be forgotten at its end; and below all switches and levels. Returns the time reached.
 double Substepper::fill_first(Rates& rates, double a, double b) {
   FlowBalance& balance = rates.balance;
-  const double all = balance.mass_in_until(b), fixed = options_.fixed_step;
+  const auto flow_until = [&](double end) {
+    balance.fill_backflow(trial_.end_rate, end);
+    return FlowBalance::FirstFlow{begin_rate_, trial_.end_rate, a, end};
+  };
+  const double all = balance.mass_in(flow_until(b)), fixed = options_.fixed_step;
   if (!(all > 0.0)) return a;
   double lowest = 0.4 * balance.ambient_pressure();  // below the sonic switch of every gas
   for (const double level : levels_)
     if (const double p = balance.ambient_pressure() + level; p > 0.0) lowest = std::min(lowest, 0.5 * p);
   for (double step = fixed > 0.0 ? std::min(fixed, b - a) : b - a;; step *= 0.5) {
     const double end = step == b - a ? b : a + step;
-    if (fixed == 0.0 && balance.mass_in_until(end) > options_.relative_tolerance * all) continue;
+    const FlowBalance::FirstFlow flow = flow_until(end);
+    if (fixed == 0.0 && balance.mass_in(flow) > options_.relative_tolerance * all) continue;
     trial_.end = zero_;
-    balance.fill_until(trial_.end, begin_rate_, a, end);
+    balance.fill_until(trial_.end, flow);
     balance.locate(trial_.end, end);
     if (lowest > 0.0 && balance.point().pressure > lowest) continue;
     balance.accept(trial_.end, end);

@@ -122,11 +122,18 @@ class FlowBalance {
   /// How close to p_a p can be held [Pa].
   double hold_near() const;
   bool has_walls() const { return model_.heat_loss.conductance > 0.0; }
-  /// Mass [kg] that flows in from the begin of the segment to t, backflow as at the last point.
-  double mass_in_until(double t) const;
-  /// Fills an evacuated volume to time `end`: without a heat capacity the gas is at the temperature at which
-  /// inflow and walls balance there. `dydt`: the rates at `begin`, the last point.
-  void fill_until(Vector& y, const Vector& dydt, double begin, double end);
+  /// The rates of backflow alone at t, p as at the last point.
+  void fill_backflow(Vector& dydt, double t);
+  /// Flow into an evacuated volume from `begin` of a segment: backflow, sonic, is linear in time as areas
+  /// are.
+  struct FirstFlow {
+    const Vector &begin_rate, &end_rate;  // dy/dt
+    double begin, end;                    // [s]
+  };
+  double mass_in(const FirstFlow& flow) const;  // [kg]
+  /// Fills an evacuated volume: without a heat capacity the gas is at the temperature at which inflow and
+  /// walls balance at the end, that of the last fill_backflow().
+  void fill_until(Vector& y, const FirstFlow& flow);
   /// Turns the state of begin_step() into the one at the end of the last segment; throws DomainError, and
   /// leaves it as it is, if its temperature is out of range. Fills the total of the work of a volume that
   /// follows p.
@@ -189,6 +196,7 @@ class FlowBalance {
   }  // (G.17)
   double leak_area(double t) const { return leak_area_begin_ + leak_area_rate_ * (t - t0_); }
   std::optional<double> temperature_of_first_gas(double t) const;
+  double first_backflow(std::size_t vent, const FirstFlow& flow) const;  // [kg]
   void outflow_rates(Vector& dydt, double t, double overpressure);
   void backflow_rates(Vector& dydt, double t, double overpressure);
   double flows_near_ambient(Vector& dydt, double t, bool out, double share);
