@@ -111,7 +111,7 @@ ensemble_rows() {
   seconds=$({ time build/gasjet ensemble cases/passenger_pendulum.toml --runs "$runs" --threads "$(nproc)" --quiet --out "$folder" \
     "$@" >"$folder.log" 2>&1; } 2>&1) || { cat "$folder.log" >&2; return 1; }
   awk -F, -v head="$varied,$value" -v cpu="$seconds" -v runs="$runs" \
-    '$1 == "final_angle_rad" || $1 == "contact_impulse_Ns" || $1 == "peak_cg_acceleration_cfc180_m_s2" {
+    '$1 == "final_angle_rad" || $1 == "path_impulse_Ns" || $1 == "peak_cg_acceleration_cfc180_m_s2" {
       printf "%s,%s,%.4g,%s,%s,%s\n", head, $1, cpu / runs, $2, $3, $6 }' "$folder"/passenger_pendulum/quantities.csv
 }
 

@@ -22,7 +22,7 @@ extreme(order, varied) = real(system("awk -F, '$1 == \"".varied."\" && $8 > 0 { 
 set yrange [1e-4:0.5]
 set format x '%g'
 set multiplot layout 2,3 margins 0.075,0.985,0.155,0.95 spacing 0.065,0.2
-quantities = 'contact_impulse_Ns final_angle_rad'
+quantities = 'path_impulse_Ns final_angle_rad'
 labels = "'Relative error of the mean impulse' 'Relative error of the mean angle'"
 groups = 'step gas mesh'
 titles = "'share of the critical step' 'gas: method and tolerance' 'elements'"
