@@ -51,7 +51,8 @@ column() {
   echo "<!-- SPDX-License-Identifier: Apache-2.0 -->"
   echo "# What each option of a jet contributes"
   echo
-  echo "Written by \`scripts/jet_options.sh\` from the cases of that name, one option changed at a time."
+  echo "Written by \`scripts/jet_options.sh\` from the cases of that name, one option changed at a time, by $(build/gasjet --version)."
+  echo "One run each: \`passenger_pendulum\` is [chaotic](../ensembles.md), so that its differences are trends."
   echo
   echo "| case | change | peak jet force [N] | jet impulse [N s] | external jet work [J] | end pressure [Pa] |"
   echo "|---|---|---|---|---|---|"
