@@ -25,7 +25,8 @@ double FlowBalance::flows_near_ambient(Vector& dydt, double t, bool out, double 
     outflow_rates(dydt, t, share * hold_near());
   else
     backflow_rates(dydt, t, -share * hold_near());
-  if (point_.vent + point_.fabric + point_.back == 0.0) return 0.0;  // exactly, where the openings are shut
+  // Exactly, where the openings are shut: of the sign of the flow that there would be.
+  if (point_.vent + point_.fabric + point_.back == 0.0) return out ? -0.0 : 0.0;
   return pressure_rate(t) * point_.volume - closed_pressure_growth(t);
 }
 

@@ -124,4 +124,29 @@ TEST(onset, books_close_at_tolerances_that_miss_it) {
     }
 }
 
+/// The same after a blow-down through it, which comes to p_a as the inverse square of time: within rounding
+/// of p_a, the opening still opens.
+TEST(onset, area_that_ended_a_blow_down_opens_again) {
+  constexpr double kVolume = 5e-6, kTemperature = 514.0, kPressure = 2.5e5;
+  gas::ControlVolumeModel model = closed_tank(nitrogen());
+  model.ambient = {kAmbientPressure, 293.15, kPure};
+  model.vents.push_back({0.15, 0.0, {}, gas::Curve({{0.0, 0.0}, {5700.0, 7e-5}}, gas::Outside::kHeld), true});
+  model.inflows.push_back({kPure, gas::Curve({{0.0, 0.0}, {0.011, 2.8e-4}}, gas::Outside::kZero),
+                           gas::Curve::constant(900.0), 0.75});
+  const auto fill = [&](double pressure, double temperature, double begin,
+                        const gas::IntegratorOptions& options) {
+    gas::ControlVolumeState state = gas::make_state(model, kPure, pressure, temperature, kVolume);
+    gas::GasIntegrator(model, options).advance(state, begin, 0.761, rigid(kVolume));
+    return gas::evaluate(model, state, kVolume, 0.0, 0.761).pressure;
+  };
+  // Isentropic from the begin to p_a; from there 1e-8 of p_a, the rest of the blow-down, aside.
+  const double exact =
+      fill(kAmbientPressure, kTemperature * std::pow(kAmbientPressure / kPressure, 0.4 / 1.4), 0.75, {1e-12});
+  for (const gas::Method method : {gas::Method::kDormandPrince5, gas::Method::kRosenbrock4})
+    for (const double tolerance : {1e-3, 1e-4, 1e-6, 1e-8})
+      EXPECT_LT(relative(fill(kPressure, kTemperature, 0.0, {tolerance, 100000, method}), exact),
+                10.0 * tolerance + 1e-8)  // some ten sub-steps, and the rest
+          << static_cast<int>(method) << ' ' << tolerance;
+}
+
 }  // namespace
