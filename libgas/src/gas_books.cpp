@@ -25,8 +25,10 @@ void FlowBalance::begin_books(const ControlVolumeState& state) {
 
 void FlowBalance::end_segment(double reached) {
   for (std::size_t i = 0; i < segments_.size(); ++i) {
-    const auto [mass, enthalpy] = segments_[i].delivered(base_time_, reached);
-    add_inflow(i, mass, enthalpy);
+    if (reached != base_time_) {
+      const auto [mass, enthalpy] = segments_[i].delivered(base_time_, reached);
+      add_inflow(i, mass, enthalpy);
+    }
     delivered_[i].mass += received_[i].mass.value();
     delivered_[i].enthalpy += received_[i].enthalpy.value();
     received_[i] = {};

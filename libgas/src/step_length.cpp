@@ -49,6 +49,13 @@ bool Substepper::is_onset(const FlowBalance& balance, double t) const {
   return fed && balance.pressure_rate(t) / growth >= 0.5 / balance.point().volume;
 }
 
+/// Whether what feeds the flow hardly grows in a fixed sub-step; error control sees to that.
+bool Substepper::is_steady(const FlowBalance& balance, double t, double b) const {
+  if (options_.fixed_step == 0.0) return true;
+  const double next = balance.closed_pressure_growth(std::min(b, t + options_.fixed_step));
+  return std::abs(next) <= kOnsetGrowth * std::abs(balance.closed_pressure_growth(t));
+}
+
 /// From p = p_a the flow starts as the square root of time: step in that root, counted from where the flow
 /// would be zero, while less flows than half of what p would rest at. Fills the rates at t, where the gas has
 /// been located.
@@ -60,8 +67,7 @@ void Substepper::start_variable(Rates& rates, double t, double b) {
   const double growth = balance.closed_pressure_growth(t), excess = std::abs(balance.pressure_excess());
   const double shift =
       excess <= ambient_near(balance) ? 0.0 : excess * balance.point().volume / std::abs(growth);
-  const double next = balance.closed_pressure_growth(std::min(b, t + options_.fixed_step));
-  if (is_onset(balance, t) && shift < b - t && std::abs(next) <= kOnsetGrowth * std::abs(growth)) {
+  if (is_onset(balance, t) && shift < b - t && is_steady(balance, t, b)) {
     rates.root = true;
     rates.origin = t - shift;
     rates.fill(begin_rate_, rates.position(t));

@@ -64,6 +64,7 @@ class Substepper {
   double step_factor(double error) const;
   double first_step(const FlowBalance& balance, double t) const;
   bool is_onset(const FlowBalance& balance, double t) const;
+  bool is_steady(const FlowBalance& balance, double t, double b) const;
   void start_variable(Rates& rates, double t, double b);
   void start_fixed_steps(Rates& rates, double t, double b);
   bool may_leave_root(const Rates& rates, double t) const;
