@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
+#include <algorithm>
 #include <optional>
 #include <vector>
 
@@ -86,6 +87,10 @@ class FlowBalance {
   /// Makes what leaves in all streams the mass of what leaves of all species, which an implicit method keeps
   /// only as well as it knows its matrix.
   void close_streams(Vector& y) const;
+  /// Whether more of a species would have left than there was, at the gas last located, by however little.
+  bool lacks_species() const {
+    return std::ranges::any_of(lack_, [](double lack) { return lack > 0.0; });
+  }
   /// What an error of the method let flow the wrong way does not flow: it is error. Returns its mass [kg].
   double stop_reversed_streams(Vector& y, Vector& error) const;
   /// Sum of unknown i over the step, up to the last sub-step accepted.
@@ -119,6 +124,9 @@ class FlowBalance {
   /// Whether the balance of flows, not held, at t is one to which p comes well within h, and both are so
   /// close to p_a that it comes there within rounding of t, or that an `error` [Pa] of p matters there.
   bool is_on_balance(double t, double h, double error);
+  /// Whether backflow at p_a raises p: cold gas of many atoms takes more from hot gas of one atom than it
+  /// brings.
+  bool can_hold_back(double t);
   /// How close to p_a p can be held [Pa].
   double hold_near() const;
   bool has_walls() const { return model_.heat_loss.conductance > 0.0; }

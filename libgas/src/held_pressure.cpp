@@ -35,13 +35,18 @@ double FlowBalance::relief(double t, double overpressure) {
   return -flows_near_ambient(scratch_, t, share > 0.0, std::abs(share)) / closed_pressure_growth(t);
 }
 
-/// The flows that hold p, (G.22). Their share is infinite where the openings are shut that way. Negative, it
-/// is the smooth continuation for the stages of a sub-step that has to end where it is zero.
+bool FlowBalance::can_hold_back(double t) {
+  return has_backflow() && flows_near_ambient(scratch_, t, false, 1.0) >= 0.0;
+}
+
+/// The flows that hold p, (G.22). Their share is infinite where the openings are shut that way. Of outflow,
+/// negative, it is the smooth continuation for the stages of a sub-step that has to end where it is zero.
 void FlowBalance::hold(Vector& dydt, double t) {
   const double growth = closed_pressure_growth(t);
   const double full = flows_near_ambient(dydt, t, regime_ == Regime::kHeldOut, 1.0);
   point_.share = growth == 0.0 ? 0.0 : -growth / full;
-  const double factor = std::isfinite(point_.share) ? point_.share : 0.0;
+  double factor = std::isfinite(point_.share) ? point_.share : 0.0;
+  if (regime_ == Regime::kHeldBack) factor = std::max(0.0, factor);  // ambient gas may not be there to leave
   for (std::size_t i = 0; i < dydt.size(); ++i)
     if (is_flow(i)) dydt[i] *= factor;
   point_.vent *= factor;
@@ -95,15 +100,22 @@ void FlowBalance::settle(Vector& y, Vector& dydt, double t, double h) {
       relief(t, balance);
       rates = &scratch_;
     }
-    if (!(longer >= -0.5 * h && std::isfinite(longer))) {  // an error of p more than its flow in h
+    if (!(std::abs(longer) <= 0.5 * h)) {  // an error of p more than its flow in h
       if (excess < 0.0 && !has_backflow()) break;
       longer = -excess / flows_near_ambient(scratch_, t, excess > 0.0, 1.0);
       rates = &scratch_;
     }
     if (!std::isfinite(longer)) break;  // at rest
-    for (std::size_t j = 0; j < y.size(); ++j)
-      if (is_flow(j)) y[j] += longer * (*rates)[j];
-    locate(y, t);
+    const auto go_on = [&](double time) {
+      for (std::size_t j = 0; j < y.size(); ++j)
+        if (is_flow(j)) y[j] += time * (*rates)[j];
+      locate(y, t);
+    };
+    go_on(longer);
+    if (lacks_species()) {  // of ambient gas, that would have to leave again
+      go_on(-longer);
+      break;
+    }
     fill_rates(dydt, t);
   }
   fill_rates(dydt, t);
@@ -156,10 +168,10 @@ bool Substepper::hold_turns_back(const FlowBalance& balance, double h, const Sta
          -h * (point.vent + point.fabric + point.back) > 0.1 * options_.relative_tolerance * point.mass;
 }
 
-Regime Substepper::regime_after_hold(const FlowBalance& balance, bool released) const {
+Regime Substepper::regime_after_hold(FlowBalance& balance, double t, bool released) const {
   const bool out = balance.regime() == Regime::kHeldOut;
   if (released) return out ? Regime::kOut : Regime::kBack;
-  if (out) return balance.has_backflow() ? Regime::kHeldBack : Regime::kClosed;
+  if (out) return balance.can_hold_back(t) ? Regime::kHeldBack : Regime::kClosed;
   return Regime::kHeldOut;
 }
 

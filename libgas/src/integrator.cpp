@@ -96,8 +96,8 @@ class GasIntegrator::Implementation {
     bool watched = false;
     if (!triggers_.empty()) {
       watched = network_.watches_pressure(triggers_);
-      network_.update(triggers_, a, watched ? balance_.pressure(a) - model_.ambient.pressure : 0.0,
-                      model_.ambient.pressure);
+      const double overpressure = watched ? balance_.pressure(a) - model_.ambient.pressure : 0.0;
+      network_.update(triggers_, a, substepper_.take_level().value_or(overpressure), model_.ambient.pressure);
       next = std::min(next, network_.next_break(triggers_, a));
       for (std::size_t i = 0; i < triggers_.size(); ++i) switchings_[i] += triggers_[i].on != before_[i].on;
       before_ = triggers_;

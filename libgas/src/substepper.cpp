@@ -37,6 +37,7 @@ Substepper::Substepper(const FlowBalance& balance, std::vector<double> levels,
 void Substepper::begin_step() {
   attempts_ = accepted_ = evaluations_ = 0;
   band_is_known_ = false;
+  level_.reset();
 }
 
 void Substepper::count_attempt(const Rates& rates, double x, double h) {
@@ -145,6 +146,7 @@ bool Substepper::pass_event(FlowBalance& balance) {
     balance.set_regime(next_regime_);
     return false;
   }
+  level_ = levels_[event_ == Event::kLevelAbove ? band_ : band_ - 1];
   event_ == Event::kLevelAbove ? ++band_ : --band_;
   band_is_known_ = true;
   return true;

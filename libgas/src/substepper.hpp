@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 #include <memory>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "gas/error.hpp"
@@ -32,6 +34,9 @@ class Substepper {
   /// if p came to a level (knots and triggers are to be brought up to date). Throws DomainError.
   double integrate(FlowBalance& balance, double a, double b);
 
+  /// The level [Pa] on which the last sub-step ended, once: p itself is as close to it as the
+  /// method's rounding.
+  std::optional<double> take_level() { return std::exchange(level_, std::nullopt); }
   int accepted() const { return accepted_; }
   int evaluations() const { return evaluations_; }
 
@@ -100,7 +105,7 @@ class Substepper {
   double end_at_turn(Rates& rates, double x, double h, const Start& start);
   double end_at(Event event, Rates& rates, double x, double h, const Start& start);
   bool hold_turns_back(const FlowBalance& balance, double h, const Start& start) const;
-  Regime regime_after_hold(const FlowBalance& balance, bool released) const;
+  Regime regime_after_hold(FlowBalance& balance, double t, bool released) const;
   double end_of_hold(Rates& rates, double x, double h, double start_share, bool turned);
   double end_at_switches(Rates& rates, double x, double h, const Start& start);
   double end_at_events(Rates& rates, double x, double h, const Start& start);
@@ -117,6 +122,7 @@ class Substepper {
   Vector begin_rate_, hold_rate_;
   std::size_t band_ = 0;        // p - p_a lies between levels_[band_ - 1] and levels_[band_]
   bool band_is_known_ = false;  // since the last sub-step ended on a level
+  std::optional<double> level_;
   Event event_ = Event::kNone;
   Regime next_regime_ = Regime::kClosed;
   double onset_begin_ = 0.0, onset_step_ = 0.0;  // [s] of flow from p_a; the first fixed sub-step of it

@@ -140,6 +140,26 @@ TEST(tiny_volume, balance_sets_in_within_the_rounding_of_time) {
   }
 }
 
+/// p passes a sensor's threshold in a volume where walls leave p uncertain by more than the sensor's
+/// rounding: the vent opens there all the same, and not when the call ends.
+TEST(tiny_volume, threshold_is_passed_by_whatever_rounding) {
+  constexpr double kVolume = 5.7e-14;
+  gas::ControlVolumeModel model = closed_tank(nasa7({"He", "N2"}));
+  model.ambient.pressure = 5e4;
+  model.inflows.push_back({{0.0, 1.0}, gas::Curve::constant(3.35e-6), gas::Curve::constant(1200.0)});
+  model.heat_loss = {0.0956, 1500.0};
+  model.triggers.sensors.push_back({});
+  model.triggers.sensors[0].kind = gas::SensorKind::kPressure;
+  model.vents.push_back({0.6, 2.6e-9});
+  model.vents[0].trigger = 0;
+  for (int i = 0; i < 200; ++i) {
+    model.triggers.sensors[0].threshold = 1e4 + 37.0 * i;
+    gas::ControlVolumeState state = gas::make_state(model, std::vector{1.0, 0.0}, 5e4, 5999.0, kVolume);
+    gas::GasIntegrator integrator(model, {1e-6, 10000, gas::Method::kRosenbrock4});
+    EXPECT_GT(integrator.advance(state, 0.0, 2e-8, rigid(kVolume)).vent_mass_out, 0.0) << i;
+  }
+}
+
 /// Gas that comes to rest at p_a with the walls behind a vent that lets nothing out or in there, but out
 /// above: nothing could hold p, and nothing has to.
 TEST(held_pressure, vent_shut_where_p_would_fall) {

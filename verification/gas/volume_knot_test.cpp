@@ -184,4 +184,28 @@ TEST(held_pressure, vent_shut_at_ambient_pressure) {
     }
 }
 
+/// A soft volume rests with walls a little colder: ambient gas is to come in, and none leaves before it came.
+TEST(volume_knot, books_close_where_no_ambient_gas_is_there) {
+  gas::ControlVolumeModel model = closed_tank(gas::Thermo(
+      {gas::constant_cp_species("CO2", 188.9, 846.0), gas::constant_cp_species("N2", 296.8, 1038.8)}));
+  model.ambient.mass_fractions = {0.0, 1.0};
+  model.volume_of_overpressure =
+      gas::Curve({{-700.0, 1.9e-10}, {-4.7, 1.9e-10}, {0.0, 2.3e-10}, {4e-3, 3.8e-10}, {1e9, 1.6e-8}},
+                 gas::Outside::kHeld);
+  model.heat_loss = {0.16, 200.0};
+  model.vents.push_back({1.0, 0.01});
+  model.vents[0].backflow = true;
+  for (const double tolerance : {1e-4, 1e-6, 1e-8}) {
+    gas::ControlVolumeState state =
+        gas::make_state(model, std::vector{1.0, 0.0}, kAmbientPressure + 1e-5, 200.5, 2.3e-10);
+    gas::GasIntegrator integrator(model, {tolerance, 10000, gas::Method::kRosenbrock4});
+    for (int i = 0; i < 10; ++i) {
+      const double before = state.masses[0] + state.masses[1];
+      const auto fluxes = integrator.advance(state, 1e-3 * i, 1e-3 * (i + 1), rigid(1.0));
+      EXPECT_NEAR(state.masses[0] + state.masses[1], before + fluxes.backflow_mass - fluxes.vent_mass_out,
+                  100.0 * kEpsilon * before);  // a hundred roundings
+    }
+  }
+}
+
 }  // namespace
