@@ -48,11 +48,14 @@ void Substepper::fail(const Rates& rates, double x, double h) const {
   const double length = h * rates.time_slope(x + 0.5 * h);
   const std::string where =
       "at t = " + to_text(rates.time(x)) + " s with a sub-step of " + to_text(length) + " s";
-  if (rates.depleted)
+  // What a trial met there is no matter: events and rates need shorter sub-steps than there are.
+  const double rounding = 2.0 * std::numeric_limits<double>::epsilon() * std::abs(rates.time(x));
+  const bool too_short = !fixed && length <= rounding;
+  if (rates.depleted && !too_short)
     throw DomainError("species " + thermo.species(*rates.depleted).name +
                       " runs out: more of it would leave than there is, " + where +
                       (fixed ? "; a shorter one (gas_step of a case), or none, is allowed" : ""));
-  if (!point.valid)
+  if (!point.valid && !too_short)
     throw DomainError("the gas leaves its temperature range, " + to_text(thermo.minimum_temperature()) +
                       " to " + to_text(thermo.maximum_temperature()) + " K, " + where);
   Vector rate(zero_);
@@ -64,8 +67,13 @@ void Substepper::fail(const Rates& rates, double x, double h) const {
     throw DomainError("a fixed sub-step of " + to_text(options_.fixed_step) + " s takes more than " +
                       std::to_string(options_.maximum_steps) + " sub-steps, " + where + gas +
                       "; a longer one (gas_step of a case), or none, is allowed");
+  const std::string limit =
+      too_short ? "; that is below the rounding of t, " + to_text(rounding) +
+                      " s: a larger volume, smaller openings or a start nearer to t = 0 is allowed"
+                : "";
   throw TooStiff("the gas is too stiff for the integrator: " + std::to_string(attempts_) +
-                 (attempts_ == 1 ? " sub-step, " : " sub-steps, ") + where + gas + advice(balance, length));
+                 (attempts_ == 1 ? " sub-step, " : " sub-steps, ") + where + gas + advice(balance, length) +
+                 limit);
 }
 
 /// Whether an implicit trial away from p_a leaves p further from where its flows take it than p went: the

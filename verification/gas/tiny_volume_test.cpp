@@ -140,6 +140,26 @@ TEST(tiny_volume, balance_sets_in_within_the_rounding_of_time) {
   }
 }
 
+/// What leaves such a volume does so within the rounding of time: no sub-step is as short, and the error says
+/// so.
+TEST(tiny_volume, rounding_of_time_is_named) {
+  constexpr double kVolume = 1e-16, kBegin = 1000.0;
+  const gas::ControlVolumeModel model = closed_tank(nitrogen());
+  for (const gas::Method method : {gas::Method::kDormandPrince5, gas::Method::kRosenbrock4}) {
+    gas::ControlVolumeState state = gas::make_state(model, kPure, 2e5, 293.15, kVolume);
+    try {
+      gas::GasIntegrator(model, {1e-6, 100000, method})
+          .advance(state, kBegin, kBegin + 1.0, rigid(kVolume, 0.05));
+      FAIL() << "no error";
+    } catch (const gas::DomainError& error) {
+      const std::string text = error.what(), words = "below the rounding of t, ";
+      const std::size_t at = text.find(words);
+      ASSERT_NE(at, std::string::npos) << text;
+      EXPECT_LT(relative(std::stod(text.substr(at + words.size())), 2.0 * kEpsilon * kBegin), 1e-3) << text;
+    }
+  }
+}
+
 /// p passes a sensor's threshold in a volume where walls leave p uncertain by more than the sensor's
 /// rounding: the vent opens there all the same, and not when the call ends.
 TEST(tiny_volume, threshold_is_passed_by_whatever_rounding) {
