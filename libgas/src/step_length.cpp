@@ -49,10 +49,10 @@ bool Substepper::is_onset(const FlowBalance& balance, double t) const {
   return fed && balance.pressure_rate(t) / growth >= 0.5 / balance.point().volume;
 }
 
-/// Whether what feeds the flow hardly grows in a fixed sub-step; error control sees to that.
+/// Whether what feeds the flow hardly grows in the first fixed sub-step; error control sees to that.
 bool Substepper::is_steady(const FlowBalance& balance, double t, double b) const {
   if (options_.fixed_step == 0.0) return true;
-  const double next = balance.closed_pressure_growth(std::min(b, t + options_.fixed_step));
+  const double next = balance.closed_pressure_growth(std::min(b, t + onset_step_));
   return std::abs(next) <= kOnsetGrowth * std::abs(balance.closed_pressure_growth(t));
 }
 
@@ -67,22 +67,22 @@ void Substepper::start_variable(Rates& rates, double t, double b) {
   const double growth = balance.closed_pressure_growth(t), excess = std::abs(balance.pressure_excess());
   const double shift =
       excess <= ambient_near(balance) ? 0.0 : excess * balance.point().volume / std::abs(growth);
-  if (is_onset(balance, t) && shift < b - t && is_steady(balance, t, b)) {
+  const bool onset = is_onset(balance, t) && shift < b - t;
+  if (options_.fixed_step > 0.0) start_fixed_steps(rates, t, b, onset);
+  if (onset && is_steady(balance, t, b)) {
     rates.root = true;
-    rates.origin = t - shift;
+    rates.origin = onset_begin_ = t - shift;
     rates.fill(begin_rate_, rates.position(t));
   }
-  if (options_.fixed_step > 0.0) start_fixed_steps(rates, t, b);
 }
 
 /// Where flow sets in at p_a, the first of the fixed sub-steps is shorter, and none is longer than it has
 /// lasted.
-void Substepper::start_fixed_steps(Rates& rates, double t, double b) {
+void Substepper::start_fixed_steps(Rates& rates, double t, double b, bool onset) {
   FlowBalance& balance = rates.balance;
   const bool flows = balance.regime() == Regime::kOut || balance.regime() == Regime::kBack;
-  const bool onset =
-      rates.root || (flows && std::abs(balance.pressure_excess()) <= 2.0 * balance.hold_near());
-  onset_begin_ = !onset ? -kInfinity : rates.root ? rates.origin : t;
+  onset = onset || (flows && std::abs(balance.pressure_excess()) <= 2.0 * balance.hold_near());
+  onset_begin_ = onset ? t : -kInfinity;
   onset_step_ = options_.fixed_step;
   if (!onset) return;
   const auto point = balance.point();
@@ -96,7 +96,7 @@ void Substepper::start_fixed_steps(Rates& rates, double t, double b) {
            (size > kOnsetNear * balance.ambient_pressure() || balance.relief(t, overpressure) > kOnsetRelief);
   };
   while (is_too_long(onset_step_)) onset_step_ *= 0.25;
-  rates.fill(begin_rate_, rates.position(t));
+  rates.fill(begin_rate_, t);
 }
 
 /// Error control leaves the root once its sub-steps are short in it; fixed ones do once p no longer grows as

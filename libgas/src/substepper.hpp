@@ -71,7 +71,7 @@ class Substepper {
   bool is_onset(const FlowBalance& balance, double t) const;
   bool is_steady(const FlowBalance& balance, double t, double b) const;
   void start_variable(Rates& rates, double t, double b);
-  void start_fixed_steps(Rates& rates, double t, double b);
+  void start_fixed_steps(Rates& rates, double t, double b, bool onset);
   bool may_leave_root(const Rates& rates, double t) const;
   double rounding_limit(const FlowBalance& balance) const;
   double longest_step(const Rates& rates, double t) const;
