@@ -13,7 +13,7 @@ namespace {
 
 using namespace cases;
 
-constexpr double kEnd = 0.01;  // [s]
+constexpr double kRunEnd = 0.01;  // [s]
 
 /// 60 l of nitrogen at p_a behind a vent, fed with 5 g in all; ambient gas may come in.
 struct Onset {
@@ -23,18 +23,18 @@ struct Onset {
     gas::ControlVolumeModel model = closed_tank(nitrogen());
     model.vents.push_back({1.0, area});
     model.inflows.push_back(steady_inflow(model.thermo, 0.5, 406.0));
-    if (grows) model.inflows[0].mass_flow = gas::Curve({{0.0, 0.0}, {kEnd, 1.0}}, gas::Outside::kHeld);
+    if (grows) model.inflows[0].mass_flow = gas::Curve({{0.0, 0.0}, {kRunEnd, 1.0}}, gas::Outside::kHeld);
     return model;
   }
   /// Mass [kg] that leaves.
   double outflow(const gas::IntegratorOptions& options) const {
     const gas::ControlVolumeModel m = model();
     gas::ControlVolumeState state = gas::make_state(m, kPure, kAmbientPressure, 293.15, 0.06);
-    return gas::GasIntegrator(m, options).advance(state, 0.0, kEnd, rigid(0.06)).vent_mass_out;
+    return gas::GasIntegrator(m, options).advance(state, 0.0, kRunEnd, rigid(0.06)).vent_mass_out;
   }
 };
 
-struct Order {
+struct OnsetOrder {
   gas::Method method;
   const char* name;
   double order, band;
@@ -46,15 +46,15 @@ struct Order {
 /// it, h^1.5.
 TEST(onset, fixed_steps_have_the_order_of_the_root) {
   for (const auto& [method, name, order, band, steps] :
-       {Order{gas::Method::kEuler, "Euler", 1.0, 0.05, {64, 128, 256, 512}},
-        Order{gas::Method::kRungeKutta4, "Runge-Kutta 4", 2.5, 0.05, {32, 64, 128, 256}},
-        Order{gas::Method::kDormandPrince5, "Dormand-Prince 5", 3.0, 0.15, {8, 16, 32, 64}},
-        Order{gas::Method::kRosenbrock4, "Rosenbrock 4", 1.5, 0.1, {512, 1024, 2048}}}) {
+       {OnsetOrder{gas::Method::kEuler, "Euler", 1.0, 0.05, {64, 128, 256, 512}},
+        OnsetOrder{gas::Method::kRungeKutta4, "Runge-Kutta 4", 2.5, 0.05, {32, 64, 128, 256}},
+        OnsetOrder{gas::Method::kDormandPrince5, "Dormand-Prince 5", 3.0, 0.15, {8, 16, 32, 64}},
+        OnsetOrder{gas::Method::kRosenbrock4, "Rosenbrock 4", 1.5, 0.1, {512, 1024, 2048}}}) {
     const Onset onset{6e-4, false};
     const double exact = onset.outflow({1e-13});
     std::vector<double> errors;
     for (const int n : steps)
-      errors.push_back(onset.outflow({1e-10, 100000, method, kEnd / n}) / exact - 1.0);
+      errors.push_back(onset.outflow({1e-10, 100000, method, kRunEnd / n}) / exact - 1.0);
     claim::expect_order({"G.9", std::string(name) + ", flow that sets in at p_a: what has left",
                          "the next term, sqrt(1/steps) of the leading one"},
                         errors, order - band, order + band);
@@ -70,7 +70,7 @@ TEST(onset, implicit_fixed_steps_of_any_length_let_out_what_comes_in) {
         return Onset{area, grows}.outflow({tolerance, 100000, gas::Method::kRosenbrock4, step});
       };
       // No sub-step is longer than an eighth of the run, nor than the flow has lasted: order 3 or better.
-      EXPECT_LT(relative(outflow(1e-10, kEnd / 8), outflow(1e-10, 0.0)), 1.0 / 512.0)
+      EXPECT_LT(relative(outflow(1e-10, kRunEnd / 8), outflow(1e-10, 0.0)), 1.0 / 512.0)
           << area << (grows ? " grows" : "");
     }
 }
@@ -79,7 +79,7 @@ TEST(onset, implicit_fixed_steps_of_any_length_let_out_what_comes_in) {
 TEST(onset, area_that_grows_from_nothing_is_stepped_by_every_method) {
   gas::ControlVolumeModel model = closed_tank(nitrogen());
   model.vents.push_back({0.6, 0.0, {}, gas::Curve({{0.0, 0.0}, {14000.0, 1e-3}}, gas::Outside::kHeld)});
-  model.inflows.push_back({kPure, gas::Curve({{0.0, 0.0}, {kEnd, 1.0}}, gas::Outside::kZero),
+  model.inflows.push_back({kPure, gas::Curve({{0.0, 0.0}, {kRunEnd, 1.0}}, gas::Outside::kZero),
                            gas::Curve::constant(406.0), 0.00615});
   const auto outflow = [&](const gas::IntegratorOptions& options) {
     gas::ControlVolumeState state = gas::make_state(model, kPure, kAmbientPressure, 293.15, 0.06);

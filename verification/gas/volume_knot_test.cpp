@@ -47,7 +47,7 @@ TEST(volume_knot, air_comes_back_to_rest_on_a_knot) {
 /// is ten million times as soft: from there on it takes in what flows through the vent at that overpressure,
 /// and nothing at once.
 TEST(volume_knot, soft_volume_below_ambient_pressure_fills_no_faster_than_its_vent) {
-  constexpr double kArea = 1.2e-8, kKnot = 2e-4, kRigid = 1.5e-11, kEnd = 1e-3;
+  constexpr double kArea = 1.2e-8, kKnot = 2e-4, kRigid = 1.5e-11, kLast = 1e-3;
   gas::ControlVolumeModel model = closed_tank(nitrogen());
   model.ambient.mass_fractions = kPure;
   model.heat_loss = {0.053, 293.15};
@@ -56,11 +56,11 @@ TEST(volume_knot, soft_volume_below_ambient_pressure_fills_no_faster_than_its_ve
   model.vents.push_back({1.0, kArea});
   model.vents[0].backflow = true;
   const double density = kAmbientPressure / (296.8 * 293.15), rigid_mass = density * kRigid;
-  const double filled = kArea * std::sqrt(2.0 * density * kKnot) * kEnd;
+  const double filled = kArea * std::sqrt(2.0 * density * kKnot) * kLast;
   for (const double tolerance : {1e-5, 1e-6, 1e-7, 1e-8, 1e-9}) {
     gas::ControlVolumeState state = gas::make_state(model, kPure, 0.0, 200.0, kRigid);
     gas::GasIntegrator(model, {tolerance, 100000, gas::Method::kRosenbrock4})
-        .advance(state, 0.0, kEnd, rigid(kVolumeNotRead));
+        .advance(state, 0.0, kLast, rigid(kVolumeNotRead));
     // 1e-5 s of the time are needed to get there, flow falls by as little as p rises.
     EXPECT_NEAR(state.masses[0], rigid_mass + filled, 0.02 * filled + 20.0 * tolerance * rigid_mass)
         << tolerance;
