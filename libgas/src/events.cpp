@@ -196,7 +196,7 @@ double Substepper::end_of_hold(Rates& rates, double x, double h, double start_sh
   const bool rests = turned && bound == 0.0 && begin < kShareNear;
   if (!(end >= 0.0 && end <= 1.0) && !rests) {
     event_ = Event::kHold;
-    next_regime_ = regime_after_hold(balance, bound > 0.0);
+    next_regime_ = regime_after_hold(balance, rates.time(x + h), bound > 0.0);
     if (std::abs(begin) < kShareNear || begin * (end - bound) > 0.0) return 0.0;
     const auto value = [&](double) { return beyond(balance.point().share); };
     h = end_at_zero(rates, x, h, begin, value(h), 40, value);

@@ -124,6 +124,9 @@ class FlowBalance {
   /// Whether the balance of flows, not held, at t is one to which p comes well within h, and both are so
   /// close to p_a that it comes there within rounding of t, or that an `error` [Pa] of p matters there.
   bool is_on_balance(double t, double h, double error);
+  /// Whether backflow at p_a raises p: cold gas of many atoms takes more from hot gas of one atom than it
+  /// brings.
+  bool can_hold_back(double t);
   /// How close to p_a p can be held [Pa].
   double hold_near() const;
   bool has_walls() const { return model_.heat_loss.conductance > 0.0; }

@@ -35,6 +35,10 @@ double FlowBalance::relief(double t, double overpressure) {
   return -flows_near_ambient(scratch_, t, share > 0.0, std::abs(share)) / closed_pressure_growth(t);
 }
 
+bool FlowBalance::can_hold_back(double t) {
+  return has_backflow() && flows_near_ambient(scratch_, t, false, 1.0) >= 0.0;
+}
+
 /// The flows that hold p, (G.22). Their share is infinite where the openings are shut that way. Of outflow,
 /// negative, it is the smooth continuation for the stages of a sub-step that has to end where it is zero.
 void FlowBalance::hold(Vector& dydt, double t) {
@@ -164,10 +168,10 @@ bool Substepper::hold_turns_back(const FlowBalance& balance, double h, const Sta
          -h * (point.vent + point.fabric + point.back) > 0.1 * options_.relative_tolerance * point.mass;
 }
 
-Regime Substepper::regime_after_hold(const FlowBalance& balance, bool released) const {
+Regime Substepper::regime_after_hold(FlowBalance& balance, double t, bool released) const {
   const bool out = balance.regime() == Regime::kHeldOut;
   if (released) return out ? Regime::kOut : Regime::kBack;
-  if (out) return balance.has_backflow() ? Regime::kHeldBack : Regime::kClosed;
+  if (out) return balance.can_hold_back(t) ? Regime::kHeldBack : Regime::kClosed;
   return Regime::kHeldOut;
 }
 

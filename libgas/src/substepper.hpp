@@ -105,7 +105,7 @@ class Substepper {
   double end_at_turn(Rates& rates, double x, double h, const Start& start);
   double end_at(Event event, Rates& rates, double x, double h, const Start& start);
   bool hold_turns_back(const FlowBalance& balance, double h, const Start& start) const;
-  Regime regime_after_hold(const FlowBalance& balance, bool released) const;
+  Regime regime_after_hold(FlowBalance& balance, double t, bool released) const;
   double end_of_hold(Rates& rates, double x, double h, double start_share, bool turned);
   double end_at_switches(Rates& rates, double x, double h, const Start& start);
   double end_at_events(Rates& rates, double x, double h, const Start& start);
