@@ -112,9 +112,9 @@ bool Substepper::crosses_against_flow(const FlowBalance& balance, double t, cons
   return is_back(balance.regime()) && start.place.excess <= near && excess > near && growth < 0.0;
 }
 
-/// Whether p may turn, inside the trial that ends at t, beyond a switch or level that both ends have not
-/// passed. A parabola turns within duration/4 times the sum of its end slopes, and gas that follows a balance
-/// within the time in which it relaxes.
+/// Whether p may turn, inside the trial that ends at t, beyond a switch or level. A parabola turns, beyond
+/// the nearer end, within duration/4 times the sum of its end slopes, and gas that follows a balance within
+/// the time in which it relaxes.
 bool Substepper::may_turn_past_event(const FlowBalance& balance, double t, double duration,
                                      const Start& start) const {
   const double rate = balance.pressure_rate(t);
@@ -122,20 +122,25 @@ bool Substepper::may_turn_past_event(const FlowBalance& balance, double t, doubl
   const bool peak = start.rate > 0.0;
   const double within = std::min(0.25 * duration, 1.0 / balance.relaxation_rate());
   const double reach = (peak ? within : -within) * (std::abs(start.rate) + std::abs(rate));
-  const double excess = balance.pressure_excess() + reach;
+  const auto turn = [&](double from, double to) {
+    return (peak ? std::max(from, to) : std::min(from, to)) + reach;
+  };
+  const double excess = turn(start.place.excess, balance.pressure_excess());
+  const double sonic = turn(start.place.sonic, balance.sonic_excess());
+  const double back_sonic = turn(start.place.back_sonic, balance.back_sonic_excess());
   if (band_ < levels_.size() && excess > levels_[band_]) return true;
   if (band_ > 0 && excess < levels_[band_ - 1]) return true;
   switch (balance.regime()) {
     case Regime::kClosed:
       return (balance.is_open() && excess > 0.0) || (balance.has_backflow() && excess < 0.0);
     case Regime::kOutSonic:
-      return !peak && balance.sonic_excess() + reach < 0.0;
+      return sonic < 0.0;
     case Regime::kOut:
-      return peak && balance.sonic_excess() + reach > 0.0;
+      return sonic > 0.0;
     case Regime::kBackSonic:
-      return peak && balance.back_sonic_excess() + reach > 0.0;
+      return back_sonic > 0.0;
     case Regime::kBack:
-      return !peak && balance.back_sonic_excess() + reach < 0.0;
+      return back_sonic < 0.0;
     default:
       break;  // held: p does not turn
   }
@@ -209,9 +214,8 @@ double Substepper::end_of_hold(Rates& rates, double x, double h, double start_sh
 double Substepper::end_at_switches(Rates& rates, double x, double h, const Start& start) {
   const FlowBalance& balance = rates.balance;
   const auto end = [&] { return rates.time(x + h); };
-  if (passed_switch(balance, end()) == Event::kNone && passed_level(balance) == Event::kNone &&
-      may_turn_past_event(balance, end(), end() - rates.time(x), start))
-    h = end_at_turn(rates, x, h, start);
+  // First the turn: the end may have passed one event, and p before it another.
+  if (may_turn_past_event(balance, end(), end() - rates.time(x), start)) h = end_at_turn(rates, x, h, start);
   if (const Event passed = passed_switch(balance, end()); passed != Event::kNone)
     h = end_at(passed, rates, x, h, start);
   if (const Event passed = passed_level(balance); h > 0.0 && passed != Event::kNone)

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include <utility>
+#include <vector>
+
+#include "cases.hpp"
+
+// What one sub-step could step over: calls of any length come to the same.
+namespace {
+
+using namespace cases;
+
+/// State at `end`, by `calls` of equal length, volume linear in time.
+gas::ControlVolumeState run(const gas::ControlVolumeModel& model, gas::ControlVolumeState state,
+                            std::pair<double, double> volume, double end, int calls,
+                            const gas::IntegratorOptions& options) {
+  gas::GasIntegrator integrator(model, options);
+  const auto at = [&](int i) { return volume.first + (volume.second - volume.first) * i / calls; };
+  for (int i = 0; i < calls; ++i)
+    integrator.advance(state, end * i / calls, end * (i + 1) / calls, {at(i), at(i + 1), 0.0, 0.0});
+  return state;
+}
+
+/// p dips from above both levels of a sensor to below them and comes back: a vent that its going off opens.
+TEST(missed_event, dip_below_both_levels_of_a_sensor) {
+  gas::ControlVolumeModel model = closed_tank(nitrogen());
+  model.triggers.sensors.push_back({gas::SensorKind::kPressure, 52500.0});
+  model.triggers.sensors[0].reset = 52400.0;
+  gas::Gate dipped{gas::Logic::kNot, {0}};
+  dipped.latch = true;
+  dipped.delay = 1e-4;
+  model.triggers.gates.push_back(dipped);
+  model.vents.push_back({1.0, 1e-4});
+  model.vents[0].trigger = 1;
+  model.inflows.push_back(steady_inflow(model.thermo, 0.0, 300.0));
+  model.inflows[0].mass_flow = gas::Curve({{0.0, 0.0}, {0.02, 0.1}}, gas::Outside::kZero);
+  const auto begin = gas::make_state(model, kPure, 1.54e5, 300.0, 1e-3);
+  const auto mass = [&](int calls, const gas::IntegratorOptions& options) {
+    return run(model, begin, {1e-3, 1.2e-3}, 0.02, calls, options).masses[0];
+  };
+  const double exact = mass(200, {1e-12});
+  for (const gas::Method method : {gas::Method::kDormandPrince5, gas::Method::kRosenbrock4})
+    for (const double tolerance : {1e-4, 1e-6, 1e-8})  // a dozen sub-steps
+      EXPECT_LT(relative(mass(1, {tolerance, 100000, method}), exact), 10.0 * tolerance) << tolerance;
+}
+
+/// A call that begins a rounding of time behind the first gas of an evacuated volume.
+TEST(missed_event, first_gas_a_rounding_before_a_call) {
+  for (const double start : {0.0003, 0.0006, 0.0007, 0.0012, 0.003}) {
+    gas::ControlVolumeModel model = closed_tank(nitrogen());
+    model.vents.push_back({1.0, 1e-4});
+    model.inflows.push_back(steady_inflow(model.thermo, 0.0, 600.0));
+    model.inflows[0].mass_flow = gas::Curve({{0.0, 0.0}, {0.01, 0.1}}, gas::Outside::kZero);
+    model.inflows[0].start_time = start;
+    const auto begin = gas::make_state(model, kPure, 0.0, 300.0, 1e-3);
+    gas::ControlVolumeState state = begin;
+    gas::GasIntegrator integrator(model, {1e-8});
+    double t = 0.0;  // a sum, as of steps
+    for (; t < 0.004; t += 1e-5) integrator.advance(state, t, t + 1e-5, rigid(1e-3));
+    const double filled = 0.5 * 10.0 * (t - start) * (t - start);  // nothing leaves below p_a
+    EXPECT_LT(relative(state.masses[0], filled), 1e-12) << start;
+    EXPECT_LT(relative(state.temperature, 1.4 * 600.0), 1e-8) << start;
+  }
+}
+
+/// Cold ambient nitrogen lowers the pressure of hot helium: it cannot hold p where growth of the volume draws
+/// it in, and falls in until the gas is cold.
+TEST(missed_event, ambient_gas_that_lowers_the_pressure) {
+  gas::ControlVolumeModel model = closed_tank(nasa7({"He", "N2"}));
+  model.ambient = {kAmbientPressure, 293.15, {0.0, 1.0}};
+  model.inflows.push_back({{1.0, 0.0},
+                           gas::Curve({{0.0, 1e-3}, {0.01, 0.0}}, gas::Outside::kZero),
+                           gas::Curve::constant(1500.0)});
+  model.vents.push_back({0.6, 1e-2});
+  model.vents[0].backflow = true;
+  const auto begin = gas::make_state(model, std::vector{1.0, 0.0}, kAmbientPressure, 1500.0, 1e-3);
+  const auto temperature = [&](int calls, double tolerance) {
+    return run(model, begin, {1e-3, 1.1e-3}, 0.01, calls, {tolerance, 100000, gas::Method::kRosenbrock4})
+        .temperature;
+  };
+  const double exact = temperature(16, 1e-11);
+  EXPECT_LT(exact, 1000.0);
+  // Rest at p_a is unstable here: a tolerance delays what leaves it by its logarithm. Held, T stays at 1500
+  // K.
+  for (const double tolerance : {1e-6, 1e-8})
+    EXPECT_LT(relative(temperature(1, tolerance), exact), 0.01) << tolerance;
+}
+
+}  // namespace
