@@ -152,7 +152,8 @@ class RosenbrockStepper : public Stepper {
     const FlowBalance& balance = rates.balance;
     const double least = kNear * here.pressure / here.compliance;
     const double apart = std::copysign(std::max(std::abs(here.overpressure), least), here.overpressure);
-    const double change = kIncrement * (balance.is_held() ? here.pressure : apart);
+    const bool through = balance.regime() != Regime::kClosed && !balance.is_held();
+    const double change = kIncrement * (through ? apart : here.pressure);
     rates.of_gas(gas_, by_pressure_, x, here, change);
     rates.of_gas(gas_, far_, x, here, 2.0 * change);
     to_slope(rate_.flows, change, far_, by_pressure_);

@@ -129,12 +129,11 @@ void Substepper::start_regime(FlowBalance& balance, double t, double b) {
   balance.locate(zero_, t);
   const double excess = balance.pressure_excess();
   const bool on = std::abs(excess) <= ambient_near(balance) && balance.ambient_pressure() > 0.0;
-  // The growth at both ends, where it decides; else the sign of p - p_a.
-  const double begin = on ? balance.closed_pressure_growth(t) : excess;
-  const double end = on ? balance.closed_pressure_growth(b) : excess;
-  if (balance.is_open() && (begin > 0.0 || end > 0.0))
+  const double begin = balance.closed_pressure_growth(t);
+  const double side = !on ? excess : begin != 0.0 ? begin : balance.closed_pressure_growth(b);
+  if (balance.is_open() && side > 0.0)
     balance.set_regime(balance.sonic_excess() >= 0.0 ? Regime::kOutSonic : Regime::kOut);
-  else if (balance.has_backflow() && (begin < 0.0 || end < 0.0))
+  else if (balance.has_backflow() && side < 0.0)
     balance.set_regime(balance.back_sonic_excess() < 0.0 ? Regime::kBackSonic : Regime::kBack);
   find_band(balance, t);
   start_hold(balance, t, b, 1.0);

@@ -87,4 +87,22 @@ TEST(missed_event, ambient_gas_that_lowers_the_pressure) {
     EXPECT_LT(relative(temperature(1, tolerance), exact), 0.01) << tolerance;
 }
 
+/// From p_a p falls, as the volume grows, until the inflow has grown: first ambient gas comes in.
+TEST(missed_event, backflow_before_outflow) {
+  gas::ControlVolumeModel model = closed_tank(nitrogen());
+  model.ambient = {kAmbientPressure, 293.15, kPure};
+  model.vents.push_back({0.6, 1e-3});
+  model.vents[0].backflow = true;
+  model.inflows.push_back(steady_inflow(model.thermo, 0.0, 300.0));
+  model.inflows[0].mass_flow = gas::Curve({{0.0, 0.0}, {0.002, 0.1}}, gas::Outside::kZero);
+  const auto begin = gas::make_state(model, kPure, kAmbientPressure, 300.0, 1e-3);
+  const auto mass = [&](const gas::IntegratorOptions& options) {
+    return run(model, begin, {1e-3, 1.05e-3}, 0.002, 1, options).masses[0];
+  };
+  const double exact = mass({1e-12});
+  for (const gas::Method method : {gas::Method::kDormandPrince5, gas::Method::kRosenbrock4})
+    for (const double tolerance : {1e-4, 1e-6, 1e-8})  // some ten sub-steps
+      EXPECT_LT(relative(mass({tolerance, 100000, method}), exact), 10.0 * tolerance) << tolerance;
+}
+
 }  // namespace
