@@ -177,6 +177,7 @@ double Substepper::integrate(FlowBalance& balance, double a, double b) {
     if (error <= 1.0 && !rates.root) settle_trial(balance, x + h, h);
     const bool crosses = error <= 1.0 && crosses_against_flow(balance, rates.time(x + h), start);
     if (options_.fixed_step > 0.0 && (crosses || flows_backwards(balance))) fail_crossing(t);
+    if (stands_still(rates, x, h, start)) fail_standing(t);
     if (error > 1.0 || crosses || hold_turns_back(balance, h, start) ||
         lags_behind_balance(balance, t, rates.time(x + h), start)) {
       h *= error > 1.0 ? step_factor(error) : kCrossingFactor;

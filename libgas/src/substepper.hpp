@@ -82,6 +82,8 @@ class Substepper {
   [[noreturn]] void fail(const Rates& rates, double x, double h) const;
   std::string advice(const FlowBalance& balance, double length) const;
   [[noreturn]] void fail_crossing(double t) const;
+  bool stands_still(const Rates& rates, double x, double h, const Start& start) const;
+  [[noreturn]] void fail_standing(double t) const;
 
   // first_gas.cpp, held_pressure.cpp
   double fill_first(Rates& rates, double a, double b);

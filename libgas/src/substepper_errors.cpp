@@ -126,6 +126,30 @@ void Substepper::require_stable(const Rates& rates, double x, double h) const {
                     "gas_step) keeps to it");
 }
 
+/// Whether p, at the end of a fixed trial of an explicit method, is about where it was though its rate at
+/// both ends would have moved it far: between it has turned, past the method's limit on a balance that it
+/// misses.
+bool Substepper::stands_still(const Rates& rates, double x, double h, const Start& start) const {
+  constexpr double kStill = 0.01;  // of the motion by the lesser rate; at the limit itself it is none
+  if (options_.fixed_step == 0.0 || options_.unsafe_step || rates.root ||
+      std::isinf(stepper_->stability_limit()))
+    return false;
+  const FlowBalance& balance = rates.balance;
+  const double end = rates.time(x + h), rate = balance.pressure_rate(end);
+  if (!(start.rate * rate > 0.0)) return false;
+  const double moved = std::min(std::abs(start.rate), std::abs(rate)) * (end - rates.time(x));
+  return moved > options_.relative_tolerance * balance.point().pressure &&
+         std::abs(balance.pressure_excess() - start.place.excess) < kStill * moved;
+}
+
+void Substepper::fail_standing(double t) const {
+  throw DomainError(
+      "the step " + to_text(options_.fixed_step) +
+      " s is too long for the balance of flows at t = " + to_text(t) +
+      " s: p stays where its rate would move it; a shorter one (gas_step of a case), or none, is "
+      "allowed");
+}
+
 /// A fixed step that crosses so is above the limit of the balance that it has yet to reach.
 void Substepper::fail_crossing(double t) const {
   throw DomainError("the step " + to_text(options_.fixed_step) +

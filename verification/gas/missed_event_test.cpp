@@ -105,4 +105,23 @@ TEST(missed_event, backflow_before_outflow) {
       EXPECT_LT(relative(mass({tolerance, 100000, method}), exact), 10.0 * tolerance) << tolerance;
 }
 
+/// Inflow that falls to a thirteenth: p comes down to a balance where the gas relaxes faster than fixed
+/// sub-steps past the limit (G.14) bear. Above it they would stand where their errors cancel.
+TEST(missed_event, balance_that_fixed_steps_cannot_reach) {
+  gas::ControlVolumeModel model = closed_tank(nitrogen());
+  model.vents.push_back({1.0, 1e-4});
+  model.inflows.push_back(steady_inflow(model.thermo, 0.0, 600.0));
+  model.inflows[0].mass_flow =
+      gas::Curve({{0.0, 8e-3}, {1e-3, 8e-3}, {1.001e-3, 6e-4}, {4e-3, 6e-4}}, gas::Outside::kZero);
+  const auto begin = gas::make_state(model, kPure, kAmbientPressure, 300.0, 1e-5);
+  const auto pressure = [&](double step) {
+    const auto state =
+        run(model, begin, {1e-5, 1e-5}, 4e-3, 1, {1e-10, 100000, gas::Method::kDormandPrince5, step});
+    return gas::evaluate(model, state, 1e-5, 0.0, 4e-3).pressure - kAmbientPressure;
+  };
+  const double exact = pressure(0.0);
+  EXPECT_LT(relative(pressure(1.4e-5), exact), 1e-3);  // below the limit, 3.307/(2.2e5 1/s)
+  for (const double step : {1.8e-5, 2e-5, 2.5e-5}) EXPECT_THROW(pressure(step), gas::DomainError) << step;
+}
+
 }  // namespace
