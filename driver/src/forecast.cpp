@@ -95,7 +95,7 @@ void add_gas(const Scene& scene, const State& state, const Forecast& f, Groups& 
     groups.add_number("gas_relaxation", "K.37", "relaxations of the gas in a step of the start",
                       f.step * relaxation_rate(state.gas_point.mass, f));
   if (full.relaxations > 0.0)
-    groups.add_number("gas_relaxations", "K.39", "relaxations of the gas in the whole scene",
+    groups.add_number("gas_relaxations_in_scene", "K.39", "relaxations of the gas in the whole scene",
                       full.relaxations);
 }
 
@@ -181,6 +181,31 @@ Forecast forecast(const Scene& scene, const State& state) {
   if (scene.bag && f.full) add_bag(scene, *f.full, groups);
   f.groups = std::move(groups.list);
   return f;
+}
+
+double gas_substeps(const Scene& scene, double relaxations) {
+  const gas::IntegratorOptions& options = scene.gas->integrator;
+  if (options.fixed_step > 0.0) return 0.0;
+  const bool doubled = options.method == gas::Method::kEuler || options.method == gas::Method::kRungeKutta4;
+  return relaxations / ((doubled ? 2.0 : 1.0) * gas::stability_limit(options.method));
+}
+
+std::string gas_advice(const Scene& scene, const Forecast& f) {
+  constexpr double many = 1e5;  // some 0.1 s, at a microsecond each: less is not worth a change of method
+  if (!f.full) return {};
+  const double all = gas_substeps(scene, f.full->relaxations);
+  if (!(all > many)) return {};
+  // In one call: a step at the peak flow, or all of a shorter pulse.
+  const double of_a_step = gas_substeps(scene, std::min(f.full->relaxations, f.step * f.full->relaxation));
+  const int most = scene.gas->integrator.maximum_steps;
+  return fmt::format(
+      "the gas method is explicit and takes some {:.1g} sub-steps, all relaxations (K.39) at its limit{}; "
+      "time.gas_method = \"rosenbrock\" has none",
+      all,
+      of_a_step > most
+          ? fmt::format("; some {:.1g} of them are of one step, in which the run would end after {}",
+                        of_a_step, most)
+          : "");
 }
 
 const char* verdict(const Group& group) {

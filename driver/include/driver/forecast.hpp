@@ -55,6 +55,14 @@ struct Forecast {
 /// Of that state. Throws gas::DomainError where the supply's gas leaves its range.
 Forecast forecast(const Scene& scene, const State& state);
 
+/// Sub-steps that the scene's gas method takes under error control for that many relaxations (K.39): an
+/// explicit one goes to its limit, of each half where its error is by doubling. 0 for the implicit one and
+/// for fixed sub-steps.
+double gas_substeps(const Scene& scene, double relaxations);
+
+/// To take the implicit gas method, if the explicit one is dear or ends the run; else empty.
+std::string gas_advice(const Scene& scene, const Forecast& forecast);
+
 /// "matters" from 0.1, "shows" from 0.01, else "negligible"; empty for a number.
 const char* verdict(const Group& group);
 

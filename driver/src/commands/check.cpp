@@ -96,18 +96,6 @@ void print_forecast(const Forecast& f) {
     fmt::print("  {:<10} {:>9.3g}  {} ({})\n", verdict(g), g.value, g.meaning, g.equation);
 }
 
-// An explicit method takes as many sub-steps as its limit asks for.
-void print_gas_method(const Scene& scene, const Forecast& f) {
-  constexpr double many = 1e5;
-  if (!f.full) return;
-  const double substeps = f.full->relaxations / gas::stability_limit(scene.gas->integrator.method);
-  if (substeps > many)
-    fmt::print(
-        "advice: the gas method is explicit and takes some {:.1g} sub-steps, all relaxations (K.39) at its "
-        "limit; time.gas_method = \"rosenbrock\" has none\n",
-        substeps);
-}
-
 }  // namespace
 
 int check(const CaseArguments& arguments, const std::string& format) {
@@ -132,7 +120,8 @@ int check(const CaseArguments& arguments, const std::string& format) {
                scene.pendulum->model.axis_inertia(), scene.pendulum->model.effective_mass());
   if (scene.contact) fmt::print("contact stiffness: {:.4g} N/m3\n", scene.contact->parameters().stiffness);
   print_forecast(groups);
-  print_gas_method(scene, groups);
+  if (const std::string advice = gas_advice(scene, groups); !advice.empty())
+    fmt::print("advice: {}\n", advice);
   for (const auto& warning : scene.warnings) fmt::print("warning: {}\n", warning);
   return exit_done;
 }

@@ -136,9 +136,11 @@ std::string check_json(const CaseDocument& document, const Scene& scene, const S
                       {"meaning", g.meaning},
                       {"value", std::isfinite(g.value) ? json(g.value) : json("infinite")},
                       {"verdict", verdict(g)}});
+  auto warnings = scene.warnings;
+  if (std::string advice = gas_advice(scene, f); !advice.empty()) warnings.push_back(std::move(advice));
   json all = {{"settings", settings_of(document)},
               {"defaults", defaults_of(document)},
-              {"warnings", scene.warnings},
+              {"warnings", warnings},
               {"derived", derived_of(scene, state, f)},
               {"forecast", groups}};
   if (scene.gas) all["species"] = species_of(scene.gas->model.thermo);
