@@ -152,11 +152,11 @@ class RosenbrockStepper : public Stepper {
     const FlowBalance& balance = rates.balance;
     const double least = kNear * here.pressure / here.compliance;
     const double apart = std::copysign(std::max(std::abs(here.overpressure), least), here.overpressure);
-    const bool through = balance.regime() != Regime::kClosed && !balance.is_held();
-    const double change = kIncrement * (through ? apart : here.pressure);
+    const double change = kIncrement * (balance.is_held() ? here.pressure : apart);
     rates.of_gas(gas_, by_pressure_, x, here, change);
     rates.of_gas(gas_, far_, x, here, 2.0 * change);
     to_slope(rate_.flows, change, far_, by_pressure_);
+    by_pressure_[balance.heat_slot()] = 0.0;  // at constant T; the difference would be its rounding
     by_pressure_[balance.work_slot()] = balance.volume_rate(rates.time(x)) * rates.time_slope(x);
   }
 
