@@ -11,7 +11,7 @@
 namespace gas {
 namespace {
 
-// No more than this of it, which may be infinite, takes part in that.
+// The share of a flow that holds p, which may be infinite, is cut to this where its zero is sought.
 constexpr double kMostShare = 2.0;
 
 bool is_out(Regime regime) {

@@ -9,7 +9,7 @@ inline constexpr double kNear = 1e-12;
 // A balance that is closer to p_a than this, relative, holds p; a hundred times what is on p_a.
 inline constexpr double kHoldNear = 1e-10;
 
-// Where p is no longer held is located to this, of the flow at that.
+// The share of the flow at which p is let go is located to this.
 inline constexpr double kShareNear = 1e-9;
 
 }  // namespace gas

@@ -146,8 +146,8 @@ class RosenbrockStepper : public Stepper {
       near[i] = (4.0 * (near[i] - here[i]) - (far[i] - here[i])) / (2.0 * change);
   }
 
-  /// by_pressure_ at `here`. Flow is the root of p - p_a, which may be
-  /// far less than p knows: the derivative with p is one number a rate, and p's with the gas is exact.
+  /// by_pressure_ at `here`. Flow is the root of p - p_a, which may be far less than p knows: the derivative
+  /// with p is one number a rate, and p's with the gas is exact.
   void fill_pressure_slope(Rates& rates, const FlowBalance::Point& here, double x) {
     const FlowBalance& balance = rates.balance;
     const double least = kNear * here.pressure / here.compliance;

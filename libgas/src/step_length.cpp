@@ -38,7 +38,7 @@ double Substepper::first_step(const FlowBalance& balance, double t) const {
   if (point.mass == 0.0) return kInfinity;
   const double fed = std::abs(balance.closed_pressure_growth(t)) / (point.pressure * point.volume);
   const double left = (point.vent + point.fabric + point.back) / point.mass;
-  constexpr double kLeast = 8.0 * std::numeric_limits<double>::epsilon();  // gas of a rounding of t is none yet
+  constexpr double kLeast = 8.0 * std::numeric_limits<double>::epsilon();  // a rounding's gas is none yet
   return std::max(first_step_share_ / (fed + left), kLeast * std::abs(t));
 }
 

@@ -13,8 +13,8 @@ namespace {
 // The flux has a continuous slope across the sonic switch: an error of its place enters squared.
 constexpr double kSonicNear = 1e-8;
 constexpr double kCrossingFactor = 0.25;
-// Where flow ends as the root of time errors fall as h^1.5: (2^4 - 1)/(2^1.5 - 1) times what doubling makes
-// of them.
+// Where flow ends as the root of time errors fall as h^1.5: (2^4 - 1)/(2^1.5 - 1) times what doubling of
+// order 4 makes of them; more than of order 1, and than an embedded pair's.
 constexpr double kRootError = 8.2;
 // The first step's error constant is of the order kFirstStep^-error_power: a guess, only speed depends on it.
 constexpr double kFirstStep = 5.0;

@@ -76,29 +76,31 @@ class Substepper {
   double rounding_limit(const FlowBalance& balance) const;
   double longest_step(const Rates& rates, double t) const;
 
-  // substepper_errors.cpp: why a step cannot be
+  // substepper_errors.cpp: why a step cannot be, or has to be repeated
   void require_volume(const FlowBalance& balance, double t) const;
   void require_stable(const Rates& rates, double x, double h) const;
   [[noreturn]] void fail(const Rates& rates, double x, double h) const;
   std::string advice(const FlowBalance& balance, double length) const;
   [[noreturn]] void fail_crossing(double t) const;
-  bool stands_still(const Rates& rates, double x, double h, const Start& start) const;
   [[noreturn]] void fail_standing(double t) const;
+  bool stands_still(const Rates& rates, double x, double h, const Start& start) const;
+  bool lags_behind_balance(const FlowBalance& balance, double begin, double end, const Start& start) const;
+  bool ends_as_root() const;
+  bool flows_backwards(const FlowBalance& balance) const;
 
   // first_gas.cpp, held_pressure.cpp
   double fill_first(Rates& rates, double a, double b);
   bool settle_trial(FlowBalance& balance, double t, double h);
   bool settle_start(FlowBalance& balance, double t, double b);
   bool start_hold(FlowBalance& balance, double t, double b, double share);
+  bool hold_turns_back(const FlowBalance& balance, double h, const Start& start) const;
+  Regime regime_after_hold(FlowBalance& balance, double t, bool released) const;
 
   // events.cpp: where a sub-step has to end
   Start start_values(const FlowBalance& balance, double t) const;
   Event passed_switch(const FlowBalance& balance, double t) const;
   Event passed_level(const FlowBalance& balance) const;
   bool crosses_against_flow(const FlowBalance& balance, double t, const Start& start) const;
-  bool lags_behind_balance(const FlowBalance& balance, double begin, double end, const Start& start) const;
-  bool ends_as_root() const;
-  bool flows_backwards(const FlowBalance& balance) const;
   bool may_turn_past_event(const FlowBalance& balance, double t, double h, const Start& start) const;
   Place place(const FlowBalance& balance) const;
   double distance(const Place& at, Event event) const;
@@ -106,8 +108,6 @@ class Substepper {
   Regime regime_after(const FlowBalance& balance, Event event, double t) const;
   double end_at_turn(Rates& rates, double x, double h, const Start& start);
   double end_at(Event event, Rates& rates, double x, double h, const Start& start);
-  bool hold_turns_back(const FlowBalance& balance, double h, const Start& start) const;
-  Regime regime_after_hold(FlowBalance& balance, double t, bool released) const;
   double end_of_hold(Rates& rates, double x, double h, double start_share, bool turned);
   double end_at_switches(Rates& rates, double x, double h, const Start& start);
   double end_at_events(Rates& rates, double x, double h, const Start& start);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Substepper: why a sub-step cannot be taken.
+// Substepper: why a sub-step cannot be taken, or has to be repeated.
 #include <algorithm>
 #include <cmath>
 #include <limits>
