@@ -25,9 +25,11 @@ double FlowBalance::flows_near_ambient(Vector& dydt, double t, bool out, double 
     outflow_rates(dydt, t, share * hold_near());
   else
     backflow_rates(dydt, t, -share * hold_near());
-  // Exactly, where the openings are shut: of the sign of the flow that there would be.
-  if (point_.vent + point_.fabric + point_.back == 0.0) return out ? -0.0 : 0.0;
-  return pressure_rate(t) * point_.volume - closed_pressure_growth(t);
+  // Exactly, where the openings are shut, or let through less than a rounding of what feeds them: outflow
+  // lowers p, and the zero has its sign.
+  const bool shut = point_.vent + point_.fabric + point_.back == 0.0;
+  const double change = shut ? 0.0 : pressure_rate(t) * point_.volume - closed_pressure_growth(t);
+  return out && !(change < 0.0) ? -0.0 : change;
 }
 
 double FlowBalance::relief(double t, double overpressure) {
