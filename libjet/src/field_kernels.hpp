@@ -48,6 +48,13 @@ template <bool round>
   return gather(at(0), at(1), at(2), at(3));
 }
 
+/// Rows of four elements in ascending order: only the last can be behind all others.
+[[gnu::always_inline]] inline Vec3<Lanes> four_rows(const Rows& r, const int* e) {
+  const auto at = [&](int i) { return r.first + e[i] * r.stride; };
+  if (e[3] < r.last) return gather(at(0), at(1), at(2), at(3));
+  return gather(row(r, e[0]), row(r, e[1]), row(r, e[2]), row(r, e[3]));
+}
+
 /// Groups from element `begin` on that may be inside the jet, and which of their elements. Those that cannot
 /// have come there since they were looked at are left out. Nothing to predict.
 struct Groups {
@@ -98,32 +105,63 @@ inline int select_elements(const JetShape& jet, const FieldArrays& arrays) {
   return count;
 }
 
+/// Candidates, four a place. Each step is taken for all before the next one, so that the long chains of
+/// divisions and roots overlap.
+struct Batch {
+  static constexpr int kMost = 16;
+  using Values = Lanes::Values;  // which nothing sets to zero first
+  Values z[kMost], radius2[kMost], decay[kMost], exponent[kMost], along[kMost], distance2[kMost], skin[kMost],
+      area2[kMost];
+};
+
 inline int evaluate(const JetShape& given, const FieldArrays& arrays, int selected) {
   const JetShape jet = given;
   const FieldArrays a = arrays;
+  Batch b;
   int count = 0;
-  for (int k = 0; k < selected; k += 4) {
-    int e[4];
-    for (int i = 0; i < 4; ++i) e[i] = a.candidates[k + i < selected ? k + i : selected - 1];
-    const auto rows = [&](const Rows& r) {
-      return gather(row(r, e[0]), row(r, e[1]), row(r, e[2]), row(r, e[3]));
-    };
-    const Vec3<Lanes> area = rows(a.area_vectors);
-    const Lanes size = sqrt(profile::dot(area, area));
-    Lanes speed =
-        a.velocity * profile::velocity_along(jet, profile::local(jet, rows(a.centroids)), area) / size;
-    if (a.relative_to_skin)
-      speed = select(speed > Lanes(), speed - profile::dot(rows(a.velocities), area) / size, speed);
-    const Lanes overpressure = a.factor * (speed * speed);
-    const Lanes::Mask none = (size <= Lanes()) | (speed <= Lanes());
-    const unsigned loaded = ~bits(none) & (k + 4 <= selected ? 0xfu : (1u << (selected - k)) - 1u);
-    const unsigned finite = bits(overpressure - overpressure <= Lanes());
-    if ((loaded & ~finite) != 0) return -1 - e[__builtin_ctz(loaded & ~finite)];
-    const Lanes kept = select(none, Lanes(), overpressure);
-    for (int i = 0; i < 4; ++i) {  // lanes behind the last repeat it; no branch to predict
-      a.overpressure[e[i]] = kept[i];
-      a.candidates[count] = e[i];
-      count += static_cast<int>(loaded >> i & 1u);
+  for (int k = selected; k % 4 != 0; ++k) a.candidates[k] = a.candidates[selected - 1];
+  for (int begin = 0; begin < selected; begin += 4 * Batch::kMost) {
+    const int left = (selected - begin + 3) / 4, batch = left < Batch::kMost ? left : Batch::kMost;
+    for (int i = 0; i < batch; ++i) {
+      const auto rows = [&](const Rows& r) { return four_rows(r, a.candidates + begin + 4 * i); };
+      const Vec3<Lanes> area = rows(a.area_vectors);
+      const profile::Local<Lanes> x = profile::local(jet, rows(a.centroids));
+      const profile::Part<Lanes> part = profile::part(jet, x, area);
+      b.z[i] = x.z.v;
+      b.radius2[i] = x.radius2.v;
+      b.along[i] = part.along.v;
+      b.distance2[i] = part.distance2.v;
+      b.area2[i] = profile::dot(area, area).v;
+      if (a.relative_to_skin) b.skin[i] = profile::dot(rows(a.velocities), area).v;
+    }
+    for (int i = 0; i < batch; ++i) {
+      const profile::Speed<Lanes> at = profile::speed(jet, Lanes(b.z[i]), Lanes(b.radius2[i]));
+      b.decay[i] = at.decay.v;
+      b.exponent[i] = at.exponent.v;
+    }
+    for (int i = 0; i < batch; ++i) {
+      const int k = begin + 4 * i;
+      const int e[4] = {a.candidates[k], a.candidates[k + 1], a.candidates[k + 2], a.candidates[k + 3]};
+      const profile::Speed<Lanes> at{Lanes(b.decay[i]), Lanes(b.exponent[i])};
+      const profile::Part<Lanes> part{Lanes(b.along[i]), Lanes(b.distance2[i])};
+      const Lanes size = sqrt(Lanes(b.area2[i]));
+      Lanes speed = a.velocity * profile::velocity_along(jet, at, part) / size;
+      if (a.relative_to_skin) speed = select(speed > Lanes(), speed - Lanes(b.skin[i]) / size, speed);
+      const Lanes overpressure = a.factor * (speed * speed);
+      const Lanes::Mask none = (size <= Lanes()) | (speed <= Lanes());
+      const unsigned loaded = ~bits(none) & (k + 4 <= selected ? 0xfu : (1u << (selected - k)) - 1u);
+      const unsigned finite = bits(overpressure - overpressure <= Lanes());
+      if ((loaded & ~finite) != 0) return -1 - e[__builtin_ctz(loaded & ~finite)];
+      const Lanes kept = select(none, Lanes(), overpressure);
+      for (int j = 0; j < 4; ++j) a.overpressure[e[j]] = kept[j];  // lanes behind the last repeat it
+      if (loaded == 0xf && count == k) {                           // in their places already
+        count += 4;
+        continue;
+      }
+      for (int j = 0; j < 4; ++j) {  // no branch to predict
+        a.candidates[count] = e[j];
+        count += static_cast<int>(loaded >> j & 1u);
+      }
     }
   }
   return count;

@@ -74,20 +74,46 @@ template <class T>
                                        : formulas::plane_momentum_width(decay))};
 }
 
-/// V . vector / V0, V_max / V0 exp(-(r/R)^2) along the axis or away from the virtual origin.
+/// V / V0 = decay e^exponent, V_max / V0 exp(-(r/R)^2)
 template <class T>
-[[gnu::always_inline]] inline T velocity_along(const JetShape& jet, const Local<T>& x,
-                                               const Vec3<T>& vector) {
-  using std::exp, std::sqrt;
-  const SectionOf<T> section = profile::section(jet, x.z);
-  const T speed = section.decay * exp(-x.radius2 / (section.width * section.width));
-  if (jet.axial) return speed * dot(jet.axis, vector);
+struct Speed {
+  T decay, exponent;
+};
+template <class T>
+[[gnu::always_inline]] inline Speed<T> speed(const JetShape& jet, T z, T radius2) {
+  const SectionOf<T> section = profile::section(jet, z);
+  return {section.decay, -radius2 / (section.width * section.width)};
+}
+
+/// A vector's part along the flow: `along`, over the distance from the virtual origin if the flow is radial.
+template <class T>
+struct Part {
+  T along, distance2;
+};
+template <class T>
+[[gnu::always_inline]] inline Part<T> part(const JetShape& jet, const Local<T>& x, const Vec3<T>& vector) {
+  if (jet.axial) return {dot(jet.axis, vector), T(1.0)};
   const Vec3<T> straight = {x.across * T(jet.across[0]), x.across * T(jet.across[1]),
                             x.across * T(jet.across[2])};
   const T ahead_of_origin = jet.origin + x.z;
   const Vec3<T> away =
       jet.round ? ahead(T(jet.origin), jet.axis, x.d) : ahead(ahead_of_origin, jet.axis, straight);
-  return speed * dot(away, vector) / sqrt(dot(away, away));
+  return {dot(away, vector), dot(away, away)};
+}
+
+/// V . vector / V0
+template <class T>
+[[gnu::always_inline]] inline T velocity_along(const JetShape& jet, const Speed<T>& at,
+                                               const Part<T>& vector) {
+  using std::exp, std::sqrt;
+  const T speed = at.decay * exp(at.exponent);
+  if (jet.axial) return speed * vector.along;
+  return speed * vector.along / sqrt(vector.distance2);
+}
+template <class T>
+[[gnu::always_inline]] inline T velocity_along(const JetShape& jet, const Local<T>& x,
+                                               const Vec3<T>& vector) {
+  return velocity_along(jet, speed(jet, x.z, x.radius2), part(jet, x, vector));
 }
 
 }  // namespace jet::profile
