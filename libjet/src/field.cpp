@@ -97,12 +97,13 @@ FieldState JetField::make_state() const {
   state.candidates.reserve(static_cast<std::size_t>(element_count_));
   state.selected.resize(static_cast<std::size_t>(element_count_) + kRoom);
   state.slack.assign(slack_size(element_count_), -HUGE_VAL);
+  state.inside.assign(slack_size(element_count_), 0);
   return state;
 }
 
 void JetField::reset(FieldState& state) const {
   if (state.overpressure.size() != static_cast<std::size_t>(element_count_) ||
-      state.slack.size() != slack_size(element_count_) ||
+      state.slack.size() != slack_size(element_count_) || state.inside.size() != slack_size(element_count_) ||
       state.selected.size() != static_cast<std::size_t>(element_count_) + kRoom) {
     throw std::invalid_argument("jet field state does not belong to this surface, use make_state");
   }
@@ -128,6 +129,7 @@ void JetField::evaluate(const Points& area_vectors, const Points& centroids, con
   arrays.count = element_count_;
   arrays.travelled = travelled;
   arrays.slack = state.slack.data();
+  arrays.inside = state.inside.data();
   arrays.velocity = outlet.velocity;
   arrays.factor = (1.0 + model_.restitution) * outlet.density;
   arrays.overpressure = state.overpressure.data();

@@ -12,7 +12,8 @@ namespace jet::JET_KERNELS {
 inline constexpr double kPlaceError = 1e-14;
 
 /// Which of a group's four points are not outside the jet; NaN is not, and found in what follows. And how far
-/// all may move and stay outside: every bound of the jet is a distance, or one over the cosine.
+/// all may move and stay where they are: every bound of the jet is a distance, or one over the cosine, seen
+/// from both sides.
 struct Inside {
   unsigned points;
   double slack;  // [m]
@@ -37,7 +38,7 @@ template <bool round>
   }
   beyond = max(beyond, jet.cut_cosine * (radius - profile::cut(jet, z)));
   const Lanes size = max(max(abs(d.x), abs(d.y)), abs(d.z)) + Lanes(jet.centre_size);
-  return {~bits(outside) & 0xfu, least(0.999 * beyond - kPlaceError * size)};
+  return {~bits(outside) & 0xfu, least(max(Lanes(), 0.999 * abs(beyond) - kPlaceError * size))};
 }
 
 /// Rows e to e + 3; behind the last it is the last again.
@@ -55,49 +56,55 @@ template <bool round>
   return gather(row(r, e[0]), row(r, e[1]), row(r, e[2]), row(r, e[3]));
 }
 
-/// Groups from element `begin` on that may be inside the jet, and which of their elements. Those that cannot
-/// have come there since they were looked at are left out. Nothing to predict.
-struct Groups {
-  static constexpr int kMost = 256;
-  int count = 0;
-  int first[kMost + 8];
-  unsigned inside[kMost + 8];
-};
+/// Looks at the groups whose points may have crossed a bound of the jet since they were looked at.
 template <bool round>
-inline void find_groups(const JetShape& given, const FieldArrays& a, int begin, int count, Groups& groups) {
+inline void look_at_groups(const JetShape& given, const FieldArrays& a, int begin, int count, int* list) {
   const JetShape jet = given;  // a copy, which what is stored cannot change
   const Rows centroids = a.centroids;
   const Lanes travelled(a.travelled);
-  double* slack = a.slack + begin / 4;
-  int open = 0, found = 0;
+  double* slack = a.slack + begin;
+  int open = 0;
   for (int g = 0; g < count; g += 8) {
     const unsigned clear =
         bits(travelled < Lanes::load(slack + g)) | bits(travelled < Lanes::load(slack + g + 4)) << 4;
-    open += append_bits(~clear & 0xffu, g, groups.first + open);
+    open += append_bits(~clear & 0xffu, begin + g, list + open);
   }
-  for (int i = 0; i < open && groups.first[i] < count; ++i) {
-    const int group = groups.first[i], e = begin + 4 * group;
-    const Inside now = inside<round>(jet, four_rows(centroids, e));
-    slack[group] = a.travelled + now.slack;
-    groups.first[found] = e;
-    groups.inside[found] = now.points;
-    found += static_cast<int>(now.points != 0);
+  for (int i = 0; i < open && list[i] < begin + count; ++i) {
+    const int group = list[i];
+    const Inside now = inside<round>(jet, four_rows(centroids, 4 * group));
+    a.slack[group] = a.travelled + now.slack;
+    a.inside[group] = static_cast<std::uint8_t>(now.points & a.loaded[group]);
   }
-  groups.count = found;
+}
+
+/// Groups with a point inside. Nothing to predict.
+inline int list_inside(const std::uint8_t* inside, int begin, int count, int* list) {
+  int found = 0;
+  for (int g = 0; g < count; g += 8) {
+    std::uint64_t eight;  // bytes up to 0xf
+    __builtin_memcpy(&eight, inside + begin + g, sizeof(eight));
+    // The lowest bits of those that are not 0, then side by side: byte i is moved to bit 56 + i.
+    const std::uint64_t some = (eight + 0x7f7f7f7f7f7f7f7fu) >> 7 & 0x0101010101010101u;
+    found += append_bits(static_cast<unsigned>(some * 0x0102040810204080u >> 56), begin + g, list + found);
+  }
+  return found;
 }
 
 /// Elements inside the jet and not seen from behind.
 inline int select_elements(const JetShape& jet, const FieldArrays& arrays) {
+  constexpr int most = 256;
   const FieldArrays a = arrays;
-  Groups groups;
+  const int groups = (a.count + 3) / 4;
+  int list[most + 8];
   int count = 0;
-  for (int begin = 0; begin < a.count; begin += 4 * Groups::kMost) {
-    const int left = (a.count - begin + 3) / 4, batch = left < Groups::kMost ? left : Groups::kMost;
-    jet.round ? find_groups<true>(jet, a, begin, batch, groups)
-              : find_groups<false>(jet, a, begin, batch, groups);
-    for (int g = 0; g < groups.count; ++g) {
-      const int e = groups.first[g];
-      unsigned chosen = groups.inside[g] & a.loaded[e / 4];
+  for (int begin = 0; begin < groups; begin += most) {
+    const int batch = groups - begin < most ? groups - begin : most;
+    jet.round ? look_at_groups<true>(jet, a, begin, batch, list)
+              : look_at_groups<false>(jet, a, begin, batch, list);
+    const int found = list_inside(a.inside, begin, batch, list);
+    for (int i = 0; i < found; ++i) {
+      const int e = 4 * list[i];
+      unsigned chosen = a.inside[list[i]];
       if (jet.axial) chosen &= ~bits(profile::dot(jet.axis, four_rows(a.area_vectors, e)) <= Lanes());
       count += append_bits(chosen, e, a.candidates + count);
     }

@@ -42,6 +42,7 @@ struct FieldArrays {
   int count;                   // elements
   double travelled;            // [m]
   double* slack;               // [m] see FieldState
+  std::uint8_t* inside;        // see FieldState
   double velocity, factor;     // [m/s] V0, [kg/m3] (1 + e) rho0
   double* overpressure;        // [Pa] written at the candidates
   int* candidates;             // and room for eight more

@@ -37,6 +37,7 @@ struct Field {
   std::vector<double> overpressure;
   std::vector<int> candidates;
   std::vector<double> slack;
+  std::vector<std::uint8_t> inside;
   bool operator==(const Field&) const = default;
 };
 
@@ -44,7 +45,7 @@ Field field(const jet::KernelTable& kernels, const jet::JetShape& jet, const Eig
             const Eigen::Matrix3Xd& areas) {
   const auto count = static_cast<std::size_t>(centroids.cols());
   Field result{std::vector<double>(count), std::vector<int>(count + 8),
-               std::vector<double>(count / 32 * 8 + 8, -1.0)};
+               std::vector<double>(count / 32 * 8 + 8, -1.0), std::vector<std::uint8_t>(count / 32 * 8 + 8)};
   std::vector<std::uint8_t> loaded(count / 4 + 1, 0xf);
   loaded.back() = static_cast<std::uint8_t>((1 << count % 4) - 1);
   jet::FieldArrays a{rows(areas),
@@ -55,6 +56,7 @@ Field field(const jet::KernelTable& kernels, const jet::JetShape& jet, const Eig
                      static_cast<int>(count),
                      0.0,
                      result.slack.data(),
+                     result.inside.data(),
                      410.0,
                      1.9,
                      result.overpressure.data(),

@@ -17,11 +17,12 @@ struct JetShape;
 
 /// What S4 writes. Made once by JetField::make_state, for this field, then reused: no allocation in a step.
 struct FieldState {
-  std::vector<double> overpressure;   // [Pa] M, dp of each element; zero off the candidates
-  std::vector<int> candidates;        // elements inside the jet, facing it, above the cut-off; ascending
-  double travelled = kMotionUnknown;  // [m] as of the last call
-  std::vector<double> slack{};        // [m] groups of four elements: outside the jet while travelled is below
-  std::vector<int> selected{};        // workspace of the choice of candidates
+  std::vector<double> overpressure;    // [Pa] M, dp of each element; zero off the candidates
+  std::vector<int> candidates;         // elements inside the jet, facing it, above the cut-off; ascending
+  double travelled = kMotionUnknown;   // [m] as of the last call
+  std::vector<std::uint8_t> inside{};  // bits of groups of four elements: inside the jet, and take load
+  std::vector<double> slack{};         // [m] by group: they stay so while travelled is below
+  std::vector<int> selected{};         // workspace of the choice of candidates
 };
 
 /// Field of one jet over a surface of M elements. Const after construction.
