@@ -69,7 +69,8 @@ inline void look_at_groups(const JetShape& given, const FieldArrays& a, int begi
         bits(travelled < Lanes::load(slack + g)) | bits(travelled < Lanes::load(slack + g + 4)) << 4;
     open += append_bits(~clear & 0xffu, begin + g, list + open);
   }
-  for (int i = 0; i < open && list[i] < begin + count; ++i) {
+  while (open > 0 && list[open - 1] >= begin + count) --open;  // behind the last
+  for (int i = 0; i < open; ++i) {
     const int group = list[i];
     const Inside now = inside<round>(jet, four_rows(centroids, 4 * group));
     a.slack[group] = a.travelled + now.slack;
@@ -121,8 +122,11 @@ struct Batch {
       area2[kMost];
 };
 
-inline int evaluate(const JetShape& given, const FieldArrays& arrays, int selected) {
-  const JetShape jet = given;
+template <bool round, bool axial>
+inline int evaluate_as(const JetShape& given, const FieldArrays& arrays, int selected) {
+  JetShape jet = given;
+  jet.round = round;  // which the compiler then knows
+  jet.axial = axial;
   const FieldArrays a = arrays;
   Batch b;
   int count = 0;
@@ -172,6 +176,13 @@ inline int evaluate(const JetShape& given, const FieldArrays& arrays, int select
     }
   }
   return count;
+}
+
+inline int evaluate(const JetShape& jet, const FieldArrays& a, int selected) {
+  if (jet.round) {
+    return jet.axial ? evaluate_as<true, true>(jet, a, selected) : evaluate_as<true, false>(jet, a, selected);
+  }
+  return jet.axial ? evaluate_as<false, true>(jet, a, selected) : evaluate_as<false, false>(jet, a, selected);
 }
 
 }  // namespace jet::JET_KERNELS
