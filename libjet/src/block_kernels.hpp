@@ -16,7 +16,7 @@ inline void gather_elements(const ElementArrays& s, int count) {
 
 /// What is certain of eight rays and one element, as bits.
 struct Touches {
-  unsigned possible, blocked, met;
+  unsigned possible, pierced, crossed, beyond;
 };
 [[gnu::always_inline]] inline Touches touch(const Line& r, const float* e, unsigned alive) {
   const auto point = [&](int i) { return Vec3<Floats>{Floats(e[i]), Floats(e[i + 8]), Floats(e[i + 16])}; };
@@ -26,44 +26,61 @@ struct Touches {
   if (possible == 0) return {};
   const unsigned pierced = possible & bits(passing.pierced());
   const Ends end = ends(r, t);
-  return {possible, pierced & bits(end.crossed), pierced & bits(end.beyond)};
+  return {possible, pierced, pierced & bits(end.crossed), bits(end.beyond)};
 }
 
-inline int meet_blocks(const RayArrays& rays, int block, unsigned alive, const PyramidView& pyramid,
-                       const float* points, const HitLists& to) {
-  const float* targets = rays.targets + 32 * std::ptrdiff_t{block};
-  const Line r = line_to(gather_rows(targets, [](int i) { return i; }), Floats(rays.half_long));
-  const float* ray_boxes = rays.boxes + kBoxFloats * std::ptrdiff_t{block};
-  float around[kBoxFloats];
-  merge(ray_boxes, around);
-  const Floats everything(kFar);  // before the target and behind it
-  const Box box(around, everything);
+/// Eight rays of the list from `first` on.
+template <bool to_targets>
+[[gnu::always_inline]] inline int meet(const RayArrays& rays, int first, const PyramidView& pyramid,
+                                       const float* points, const HitLists& to) {
+  const Vec3<Floats> g = gather_rows(rays.targets, [list = rays.list + first](int i) { return list[i]; });
+  unsigned alive = rays.count - first < 8 ? (1u << (rays.count - first)) - 1u : 0xffu;
+  const RayRanges own = ranges(g, rays.half_long);
+  const Floats depth = to_targets ? g.z + kSlack : Floats(kFar);
+  const Box box(own, depth);
   const int blocks = blocks_near(pyramid, box, to.first, to.second);
   int near = 0, count = 0;
   for (int i = 0; i < blocks; ++i) {
-    const int entries = to.first[i];
-    near += append_bits(box.overlaps(pyramid.boxes + kBoxFloats * std::ptrdiff_t{entries}), 8 * entries,
+    const int block = to.first[i];
+    near += append_bits(box.overlaps(pyramid.boxes + kBoxFloats * std::ptrdiff_t{block}), kBoxFloats * block,
                         to.second + near);
   }
   // Those beside all rays are left out, without a branch to predict.
   int touched = 0;
   for (int i = 0; i < near; ++i) {
-    const int e = to.second[i];
-    const Box own(pyramid.boxes + kBoxFloats * std::ptrdiff_t{e / 8} + e % 8, everything);
-    to.second[touched] = e;
-    touched += static_cast<int>((own.overlaps(ray_boxes) & alive) != 0);
+    const int box_at = to.second[i];
+    const float* b = pyramid.boxes + box_at;
+    auto overlaps = (Floats(b[0]) <= own.p.high) & (own.p.low <= Floats(b[8])) &
+                    (Floats(b[16]) <= own.q.high) & (own.q.low <= Floats(b[24]));
+    if constexpr (to_targets) overlaps &= Floats(b[32]) <= depth;
+    to.second[touched] = box_at;
+    touched += static_cast<int>((bits(overlaps) & alive) != 0);
   }
+  const Line r = line_to(g, Floats(rays.half_long));
   for (int i = 0; i < touched && alive != 0; ++i) {
-    const int e = to.second[i];
-    const Touches t = touch(r, points + kElementFloats * std::ptrdiff_t{e / 8} + e % 8, alive);
-    for (unsigned rest = t.possible; rest != 0; rest &= rest - 1u) {
+    const unsigned box_at = static_cast<unsigned>(to.second[i]), block = box_at / kBoxFloats,
+                   lane = box_at % kBoxFloats;
+    const Touches t = touch(r, points + kElementFloats * std::size_t{block} + lane, alive);
+    if (t.possible == 0) continue;
+    const int e = static_cast<int>(8 * block + lane);
+    const unsigned met = t.pierced & t.beyond;
+    for (unsigned rest = to_targets ? t.possible & ~t.beyond : t.possible; rest != 0; rest &= rest - 1u) {
       const int ray = __builtin_ctz(rest);
-      to.hits[count++] = kHitKinds * (8 * e + ray) + static_cast<int>(t.blocked >> ray & 1u) * kBlocked +
-                         static_cast<int>(t.met >> ray & 1u) * kMet;
+      to.hits[count++] = kHitKinds * (8 * e + ray) + static_cast<int>(t.crossed >> ray & 1u) * kBlocked +
+                         static_cast<int>(met >> ray & 1u) * kMet;
     }
-    alive &= ~(t.blocked | t.met);
+    if constexpr (!to_targets) alive &= ~(t.crossed | met);
   }
   return count;
+}
+
+inline int meet_lines(const RayArrays& rays, int first, const PyramidView& pyramid, const float* points,
+                      const HitLists& to) {
+  return meet<false>(rays, first, pyramid, points, to);
+}
+inline int meet_segments(const RayArrays& rays, int first, const PyramidView& pyramid, const float* points,
+                         const HitLists& to) {
+  return meet<true>(rays, first, pyramid, points, to);
 }
 
 }  // namespace jet::JET_KERNELS

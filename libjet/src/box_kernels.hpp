@@ -18,9 +18,8 @@ struct Range {
 };
 
 /// u / (w + |u|), which orders like the slope u / w but stays bounded; what is upstream counts as at its
-/// side,
-/// +-1. Both coordinates err by kUnit, the slope by less than kUnit (1 + |u/w|) / w: kTurn covers 30 times
-/// that.
+/// side, +-1. Coordinates err by 2.5 kUnit at most, those of targets, so this by 5 kUnit / (w + |u|) and its
+/// roundings: kTurn covers 10 times that.
 [[gnu::always_inline]] inline Range turned(Floats u, Floats w) {
   const Floats inverse = 1.0f / (max(w, Floats()) + abs(u) + 1e-30f);
   const Floats place = u * inverse, margin = kTurn * inverse;
@@ -44,7 +43,7 @@ struct Range {
   return {Floats::load(points), Floats::load(points + 8), Floats::load(points + 16)};
 }
 
-/// Slopes u / w, which err by less than 2 kUnit (1 + |slope|) / w.
+/// Slopes u / w, which err by less than 6 kUnit (1 + |slope|) / w.
 [[gnu::always_inline]] inline Range slopes(Floats u, Floats w) {
   const Floats inverse = 1.0f / w;
   const Floats slope = u * inverse, margin = kSlack * ((abs(slope) + 1.0f) * inverse);
@@ -59,23 +58,49 @@ struct Range {
           select(g.y > end, Floats(kFar), max(g.y, -half_long) + margin)};
 }
 
-inline RayBounds make_rays(const RayArrays& a, int count, std::uint8_t* aside) {
-  const Floats half_long(a.half_long), far(kFar);
-  Range u{far, -far}, v{far, -far};
-  for (int k = 0; k < count; k += 8) {
-    const Vec3<Floats> g = gather_rows(a.targets, [&](int i) { return k + i < count ? k + i : count - 1; });
-    unsigned known = (k + 8 <= count ? 0xffu : (1u << (count - k)) - 1u);
-    Floats::Mask valid = g.z > Floats(kSlack);
-    for (int i = count - k; i < 8; ++i) valid[i] = 0;
-    aside[k / 8] = static_cast<std::uint8_t>(known & ~bits(valid));
-    const Range p = turned(g.x, g.z), q = a.half_long > 0.0f ? places(g, half_long) : turned(g.y, g.z);
-    const auto empty = [&](Range r) { return Range{select(valid, r.low, far), select(valid, r.high, -far)}; };
-    store(a.boxes + kBoxFloats / 8 * std::ptrdiff_t{k}, empty(p), empty(q), Floats());
-    const Range slope_u = empty(slopes(g.x, g.z)), slope_v = empty(a.half_long > 0.0f ? q : slopes(g.y, g.z));
-    u = {min(u.low, slope_u.low), max(u.high, slope_u.high)};
-    v = {min(v.low, slope_v.low), max(v.high, slope_v.high)};
+/// Ranges of rays: of the two coordinates that do not change along them.
+struct RayRanges {
+  Range p, q;
+};
+[[gnu::always_inline]] inline RayRanges ranges(const Vec3<Floats>& target, float half_long) {
+  return {turned(target.x, target.z),
+          half_long > 0.0f ? places(target, Floats(half_long)) : turned(target.y, target.z)};
+}
+
+/// Bounds of the rays seen so far.
+struct Bounds {
+  Range u{Floats(kFar), Floats(-kFar)}, v = u;
+
+  /// Takes in those rays whose targets lie deeper: they are returned.
+  [[gnu::always_inline]] Floats::Mask take(const Vec3<Floats>& g, Floats::Mask rays, float half_long,
+                                           float least_depth) {
+    const Floats far(kFar);
+    const Floats::Mask valid = rays & (g.z > Floats(least_depth));
+    const Range slope_u = slopes(g.x, g.z),
+                slope_v = half_long > 0.0f ? places(g, Floats(half_long)) : slopes(g.y, g.z);
+    const auto grown = [&](Range r, Range by) {
+      return Range{min(r.low, select(valid, by.low, far)), max(r.high, select(valid, by.high, -far))};
+    };
+    u = grown(u, slope_u);
+    v = grown(v, slope_v);
+    return valid;
   }
-  return {least(u.low), greatest(u.high), least(v.low), greatest(v.high)};
+  RayBounds all() const {
+    return {least(u.low).v[0], greatest(u.high).v[0], least(v.low).v[0], greatest(v.high).v[0]};
+  }
+};
+
+[[gnu::always_inline]] inline Floats::Mask lanes_of(unsigned bits) {
+  return ((Floats::Mask{} + static_cast<int>(bits)) & Floats::Mask{1, 2, 4, 8, 16, 32, 64, 128}) != 0;
+}
+
+inline RayBounds bound_rays(const ProjectArrays& arrays, float half_long, int count) {
+  const ProjectArrays a = arrays;
+  Bounds bounds;
+  constexpr float least_depth = 0.5f * kSlack;  // no ray is left out that look_at_patches takes in
+  for (int k = 0; k < count; k += 8)
+    bounds.take(local_centroids(a, k, count), lanes_of(0xffu), half_long, least_depth);
+  return bounds.all();
 }
 
 /// Range of a triangle's part downstream. If it reaches upstream, it must stay on one side; if not, it is
@@ -145,32 +170,56 @@ struct Sides {
           ~(beside | (height - whole > error) | (height + whole < -error))};
 }
 
-/// The line may touch the triangles: it is within their range of v, and on the way across.
-[[gnu::always_inline]] inline Floats::Mask on_way(const float* way, const Corners& t) {
-  const auto within = [](float slope, Floats a, Floats b, Floats c) {
-    const float margin = kTurn * (1.0f + (slope < 0.0f ? -slope : slope));
-    return (min(min(a, b), c) <= Floats(margin)) & (max(max(a, b), c) >= Floats(-margin));
-  };
-  const auto across = [&](const Vec3<Floats>& x) { return x.x - way[0] * x.z; };
-  const auto along = [&](const Vec3<Floats>& x) { return x.y - (way[1] * x.z + way[2]); };
-  return within(way[0], across(t.a), across(t.b), across(t.c)) &
-         within(way[1], along(t.a), along(t.b), along(t.c));
-}
-
-inline void look_at_patches(const PatchArrays& given) {
+inline PatchesFound look_at_patches(const PatchArrays& given) {
   const PatchArrays s = given;  // a copy, which what is stored cannot change
+  PatchesFound found{};
+  Bounds bounds;
   for (int k = 0; k < s.count; ++k) {
     const int patch = s.patches[k];
-    const Corners t = gather_corners(s.local, s.triangles, [&](int i) { return 8 * patch + i; });
+    const auto corner = [&](int j) {
+      const std::uint32_t* rows = s.corner_rows + 24 * std::ptrdiff_t{patch} + 8 * j;
+      return gather_four(s.local, [=](int i) { return std::ptrdiff_t{rows[i]}; });
+    };
+    const FourFloats a = corner(0), b = corner(1), c = corner(2);
+    const Corners t = {a.point, b.point, c.point};
     store(s.points + kElementFloats * std::ptrdiff_t{k}, t);
+    const auto code = [](const FourFloats& x) { return reinterpret_cast<Floats::Mask>(x.fourth.v); };
     const int left = s.elements - 8 * patch;
     const unsigned there = left < 8 ? (1u << left) - 1u : 0xffu;
+    const Floats::Mask common = code(a) & code(b) & code(c);
+    const unsigned near = there & ~bits((common & s.outside) != 0);
     const Sides side = sides(s, t);
-    s.inner[patch] = static_cast<std::uint8_t>(bits(side.inner) | (~there & 0xffu));
+    const unsigned inner = bits(side.inner) | (~there & 0xffu);
+    s.inner[patch] = static_cast<std::uint8_t>(inner);
     s.outer[patch] = static_cast<std::uint8_t>(bits(side.outer) & there);
-    s.between[k] = static_cast<std::uint8_t>(bits(side.between) & there);
-    s.on_way[k] = static_cast<std::uint8_t>(bits(on_way(s.way, t)) & there);
+    found.not_inner += append_bits(near & ~inner, 8 * patch, s.not_inner + found.not_inner);
+    const unsigned between = near & bits(side.between), on_way = near & ~bits((common & kBesideWay) != 0);
+    if (between != 0) found.between += append_bits(between, 8 * patch, s.between + found.between);
+    if (on_way != 0) found.on_way += append_bits(on_way, 8 * patch, s.on_way + found.on_way);
+    const unsigned asked = s.asked[patch];
+    if (asked == 0) continue;
+    // The mean of three coordinates that err by kUnit / 2 errs by 2.5 kUnit.
+    const auto mean = [](Floats x, Floats y, Floats z) { return (1.0f / 3.0f) * (x + y + z); };
+    const Vec3<Floats> g = {mean(t.a.x, t.b.x, t.c.x), mean(t.a.y, t.b.y, t.c.y), mean(t.a.z, t.b.z, t.c.z)};
+    store_rows([&](int i) { return s.targets + 4 * (8 * std::ptrdiff_t{patch} + i); }, g, Floats());
+    const unsigned aside = asked & ~bits(bounds.take(g, lanes_of(asked), s.half_long, kSlack));
+    if (aside != 0) found.aside += append_bits(aside, 8 * patch, s.aside + found.aside);
+    ++found.asked;
   }
+  found.bounds = bounds.all();
+  return found;
+}
+
+/// Places of the bits of bytes.
+inline int list_bits(const std::uint8_t* bytes, int count, int* places) {
+  int found = 0;
+  for (int i = 0; i < count; i += 8) {
+    std::uint64_t eight;
+    __builtin_memcpy(&eight, bytes + i, 8);
+    if (eight == 0) continue;
+    for (int j = i; j < i + 8; ++j) found += append_bits(bytes[j], 8 * j, places + found);
+  }
+  return found;
 }
 
 /// Eight boxes of elements.

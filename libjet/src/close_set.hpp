@@ -27,19 +27,23 @@ class CloseSet {
   /// Everything is close, from now on.
   void forget() { until_ = from_ = kMotionUnknown; }
 
-  /// What was chosen still holds all that the rays can meet.
-  bool holds(const RaySource& source, double scale, const RayBounds& rays, double travelled) const {
-    return travelled >= from_ && travelled <= until_ && scale == scale_ && same_source(source) &&
-           rays.low_u >= wide_.low_u && rays.high_u <= wide_.high_u && rays.low_v >= wide_.low_v &&
-           rays.high_v <= wide_.high_v;
-  }
-
-  /// Where there are rays now, and a tenth of their range more.
-  static RayBounds widened(const RayBounds& rays) {
-    constexpr float share = 0.1f;
+  /// Bounds, and a share of their range more.
+  static RayBounds widened(const RayBounds& rays, float share) {
     const float u = share * (rays.high_u - rays.low_u), v = share * (rays.high_v - rays.low_v);
     return {rays.low_u - u, rays.high_u + u, rays.low_v - v, rays.high_v + v};
   }
+
+  /// Chosen for these rays' coordinates.
+  bool fits(const RaySource& source, double scale) const {
+    return any() && scale == scale_ && source.centre == source_.centre && source.axis == source_.axis &&
+           source.long_direction == source_.long_direction && source.half_long == source_.half_long;
+  }
+  /// Still holds all that these rays can meet.
+  bool holds(const RayBounds& rays, double travelled) const {
+    return travelled >= from_ && travelled <= until_ && rays.low_u >= wide_.low_u &&
+           rays.high_u <= wide_.high_u && rays.low_v >= wide_.low_v && rays.high_v <= wide_.high_v;
+  }
+  const RayBounds& bounds() const { return wide_; }
 
   /// Takes the patches that `find` writes for rays in the wider bounds and nodes within the reach.
   template <class Find>
@@ -53,8 +57,10 @@ class CloseSet {
     std::fill(has_patch_.begin(), has_patch_.end(), std::uint8_t{0});
     std::fill(has_node_.begin(), has_node_.end(), std::uint8_t{0});
     patch_count_ = static_cast<std::size_t>(find(patches_.data()));
-    node_count_ = 0;
-    for (const int patch : patches()) add(static_cast<std::size_t>(patch));
+    list_nodes();
+    const auto end = nodes_.begin() + static_cast<std::ptrdiff_t>(node_count_),
+               last = std::find(nodes_.begin(), end, static_cast<int>(has_node_.size()) - 1);
+    if (last != end) std::iter_swap(last, end - 1);
     while (node_count_ % 8 != 0) nodes_[node_count_] = nodes_[node_count_ - 1], ++node_count_;
   }
 
@@ -64,20 +70,21 @@ class CloseSet {
   std::span<const int> nodes() const { return std::span(nodes_).first(node_count_); }  // a multiple of eight
 
  private:
-  bool same_source(const RaySource& source) const {
-    return source.centre == source_.centre && source.axis == source_.axis &&
-           source.long_direction == source_.long_direction && source.half_long == source_.half_long;
-  }
-  void add(std::size_t patch) {
-    has_patch_[patch] = 1;
-    const auto begin = static_cast<std::size_t>(mesh_->patch_begin[patch]),
-               end = static_cast<std::size_t>(mesh_->patch_begin[patch + 1]);
-    for (const int node : std::span(mesh_->patch_nodes).subspan(begin, end - begin)) {
-      std::uint8_t& has = has_node_[static_cast<std::size_t>(node)];
-      nodes_[node_count_] = node;
-      node_count_ += has == 0;
-      has = 1;
+  void list_nodes() {
+    const std::uint32_t* rows = mesh_->patch_rows.data();  // which the bytes written cannot change
+    const int* begin = mesh_->patch_begin.data();
+    int* to = nodes_.data();
+    std::uint8_t* has = has_node_.data();
+    for (const int patch : patches()) {
+      has_patch_[static_cast<std::size_t>(patch)] = 1;
+      for (const std::uint32_t *row = rows + begin[patch], *end = rows + begin[patch + 1]; row < end; ++row) {
+        const std::uint32_t node = *row / 4;
+        *to = static_cast<int>(node);  // kept if it is the first
+        to += has[node] == 0;
+        has[node] = 1;
+      }
     }
+    node_count_ = static_cast<std::size_t>(to - nodes_.data());
   }
 
   const OrderedMesh* mesh_ = nullptr;

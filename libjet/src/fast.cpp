@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "bits.hpp"
 #include "sides.hpp"
 #include "winding.hpp"
 
@@ -12,31 +13,31 @@ void FastRoute::prepare(std::span<const Triangle> triangles, std::size_t node_co
   closed_ = closed;
   mesh_ = OrderedMesh(triangles);
   near_.reserve(mesh_);
-  away_.reserve(triangles.size());
-  blockers_.assign(triangles.size(), kNone);
-  reserve(triangles.size(), node_count);
-}
-
-void FastRoute::reserve(std::size_t ray_count, std::size_t node_count) {
-  rays_.reserve(mesh_, ray_count, node_count);
-  again_.resize(ray_count);
-  again_by_.resize(ray_count);
-  for (auto* bytes : {&blocked_, &apart_, &alive_}) bytes->resize(ray_count / 8 + 1);
-  states_.reserve(ray_count);
+  rays_.reserve(mesh_, node_count);
+  const std::size_t patches = rays_.asked().size(), elements = 8 * patches;
+  for (auto* places : {&away_, &open_, &again_, &again_by_}) places->reserve(elements + 8);
+  hidden_.reserve(elements);
+  last_.reserve(elements);
+  for (auto* bytes : {&blocked_, &apart_, &alive_, &unsure_}) bytes->resize(patches);
+  listed_.resize(elements + 8);
+  states_.resize(elements);
 }
 
 VisibilityCounters FastRoute::query(const Surface& surface, const RaySource& source,
                                     std::span<const int> candidates, std::span<std::uint8_t> lit,
                                     double travelled) {
-  if (candidates.size() > states_.capacity())  // some are named twice
-    reserve(candidates.size(), static_cast<std::size_t>(surface.node_count));
   surface_ = surface;
   source_ = &source;
   kernel_.calls = 0;
   kernel_.route = this;
   point_moved_.reset();
-  bounded_ = rays_.build(surface, source, candidates, travelled);
-  candidates_ = rays_.candidates;
+  rays_.ask(surface, source, candidates, travelled);
+  std::fill(states_.begin(), states_.end(), kLit);
+  std::copy(rays_.asked().begin(), rays_.asked().end(), alive_.begin());
+  open_.clear();
+  using Known = RayBundle::Bounds;
+  bounded_ = find_near(Known::last) || find_near(Known::close) || find_near(Known::fresh);
+  if (!bounded_) rays_.do_without();
   bounded_ ? look() : look_at_all();
   const bool certain = closed_ && shared_ && winding_is_one();
   std::size_t fallbacks = open_uncertain(certain), trees = 0;
@@ -44,7 +45,7 @@ VisibilityCounters FastRoute::query(const Surface& surface, const RaySource& sou
   if (certain && !away_.empty()) fallbacks += open_near_away();
   if (bounded_) {
     search();
-  } else if (std::find(states_.begin(), states_.end(), kOpen) != states_.end()) {
+  } else if (!open_.empty()) {
     search_tree();
     trees = 1;
   }
@@ -54,29 +55,52 @@ VisibilityCounters FastRoute::query(const Surface& surface, const RaySource& sou
   return counters;
 }
 
+void FastRoute::set(int place, State state) {
+  this->state(place) = state;
+  std::uint8_t& bits = alive_[static_cast<std::size_t>(place / 8)];
+  bits = static_cast<std::uint8_t>(bits & ~(1 << place % 8));
+  if (state == kOpen) open_.push_back(place);
+}
+
+std::span<const int> FastRoute::list(std::span<const std::uint8_t> bits) {
+  const int count = kernel_table().list_bits(bits.data(), static_cast<int>(bits.size()), listed_.data());
+  if (count > 0) std::fill_n(listed_.begin() + count, 7, listed_[static_cast<std::size_t>(count) - 1]);
+  return std::span(listed_).first(static_cast<std::size_t>(count));
+}
+
 VisibilityCounters FastRoute::count(std::span<std::uint8_t> lit) const {
   VisibilityCounters counters;
-  counters.candidates = candidates_.size();
-  for (std::size_t k = 0; k < candidates_.size(); ++k) {
-    lit[static_cast<std::size_t>(rays_.given[k])] = states_[k] == kLit;
-    counters.lit += states_[k] == kLit;
-    counters.hidden += states_[k] == kHidden;
-    counters.facing_away += states_[k] == kFacingAway;
+  const std::span<const int> places = rays_.places_given();
+  counters.candidates = places.size();
+  const State* states = states_.data();  // which the bytes written cannot change
+  std::uint8_t* to = lit.data();
+  std::size_t lit_count = 0, hidden = 0;
+  for (const int place : places) {
+    const State state = states[place];
+    *to++ = state == kLit;
+    lit_count += state == kLit;
+    hidden += state == kHidden;
   }
+  counters.lit = lit_count;
+  counters.hidden = hidden;
+  counters.facing_away = counters.candidates - counters.lit - counters.hidden;
   counters.exact_calls = kernel_.calls;
   return counters;
+}
+
+bool FastRoute::find_near(RayBundle::Bounds known) {
+  if (!rays_.project(known)) return false;
+  near_.find(rays_);
+  return rays_.accept(near_.found(), near_.patches(), near_.aside());
 }
 
 // Elements near the rays that may face away.
 void FastRoute::look() {
   away_.clear();
   shared_ = true;
-  way_ = rays_.way();
-  near_.find(rays_, way_);
-  near_.for_each_not_inner([&](int place) {
+  for (const int place : near_.not_inner())
     if (near_.shows_outer_side(place) || may_face_away(element(place))) away_.push_back(place);
-  });
-  near_.for_each_between([&](int place) { shared_ = shared_ && !between_sources(element(place)); });
+  for (const int place : near_.between()) shared_ = shared_ && !between_sources(element(place));
 }
 
 void FastRoute::look_at_all() {
@@ -112,8 +136,8 @@ bool FastRoute::between_sources(int element) {
 // No way from one source to another crosses the element's plane.
 bool FastRoute::same_side(int element) {
   int common = 0;
-  for (std::size_t k = 0; k < candidates_.size(); ++k) {
-    blocking::Ray ray = rays_.ray(k);
+  for (const int place : rays_.places()) {
+    blocking::Ray ray = rays_.ray(place);
     ray.moved = blocking::Moved::yes;
     const int side = blocking::facing(kernel_, ray, surface_, element);
     if (side == 0 || side == -common) return false;
@@ -135,14 +159,14 @@ bool FastRoute::winding_is_one() {
   if (bounded_) {
     int sum = 0;
     bool generic = true;
-    near_.for_each_on_way([&](int place) {
-      const auto part = winding::crossing(kernel_, way_.ray, surface_, element(place));
+    for (const int place : near_.on_way()) {
+      const auto part = winding::crossing(kernel_, rays_.way(), surface_, element(place));
       generic = generic && part.has_value();
       sum += part.value_or(0);
-    });
+    }
     if (generic) return sum == 1;
   }
-  blocking::Ray from = rays_.ray(0);
+  blocking::Ray from = rays_.ray(rays_.places().front());
   from.moved = blocking::Moved::yes;
   return winding::number(kernel_, from, surface_, winding::bounding_box(surface_)) == 1;
 }
@@ -150,31 +174,24 @@ bool FastRoute::winding_is_one() {
 // Rays for which the argument of fast.hpp does not hold for certain are open; the number of those that may be
 // lit is returned.
 std::size_t FastRoute::open_uncertain(bool certain) {
-  states_.assign(candidates_.size(), kLit);
-  std::size_t open = 0;
-  for (std::size_t k = 0; k < candidates_.size(); ++k) {
-    if (certain && bounded_ && near_.shows_inner_side(place(k))) continue;
-    if (bounded_ && near_.shows_outer_side(place(k))) {
-      states_[k] = kFacingAway;
+  if (certain && bounded_) and_not(alive_, near_.inner(), unsure_);
+  for (const int place : list(certain && bounded_ ? unsure_ : alive_)) {
+    if (bounded_ && near_.shows_outer_side(place)) {
+      set(place, kFacingAway);
       continue;
     }
-    const int e = candidates_[k];
-    const blocking::Ray& ray = rays_.ray(k);
+    const int e = element(place);
+    const blocking::Ray& ray = rays_.ray(place);
     if (certain && surely_pierces(surface_, e, ray.source, rays_.size)) continue;
     if (blocking::facing(kernel_, ray, surface_, e) <= 0) {
-      states_[k] = kFacingAway;
+      set(place, kFacingAway);
     } else if (!certain || !blocking::passage(kernel_, ray, surface_, e).pierces()) {
-      states_[k] = kOpen;
-      ++open;
+      set(place, kOpen);
     }
   }
-  if (!bounded_) return open;
-  for (const std::uint32_t k : rays_.aside) {  // elements beside the other rays were not looked at
-    if (states_[k] != kLit) continue;
-    states_[k] = kOpen;
-    ++open;
-  }
-  return open;
+  for (const int place : rays_.aside)  // elements beside the other rays were not looked at
+    if (state(place) == kLit) set(place, kOpen);
+  return open_.size();
 }
 
 }  // namespace jet

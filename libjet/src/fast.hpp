@@ -34,8 +34,11 @@ class FastRoute {
                            std::span<std::uint8_t> lit, double travelled);
 
  private:
-  static constexpr int kNone = -1;
   enum State : std::uint8_t { kLit, kOpen, kHidden, kFacingAway };
+  /// A ray and the element that hides it, by their places in the mesh's order.
+  struct Hidden {
+    int ray, by;
+  };
 
   /// Finds out whether a ray's source is moved when the rule asks for it.
   struct Kernel : filter::Kernel {
@@ -47,9 +50,14 @@ class FastRoute {
     }
   };
 
-  void reserve(std::size_t ray_count, std::size_t node_count);
   int element(int place) const { return mesh_.elements[static_cast<std::size_t>(place)]; }
-  int place(std::size_t k) const { return mesh_.rank[static_cast<std::size_t>(candidates_[k])]; }
+  State& state(int place) { return states_[static_cast<std::size_t>(place)]; }
+  void set(int place, State state);
+  bool alive(int place) const {
+    return (alive_[static_cast<std::size_t>(place / 8)] >> place % 8 & 1) != 0;
+  }
+  std::span<const int> list(std::span<const std::uint8_t> bits);
+  bool find_near(RayBundle::Bounds known);
   void look();
   void look_at_all();
   bool may_face_away(int element);
@@ -59,11 +67,10 @@ class FastRoute {
   bool winding_is_one();
   std::size_t open_uncertain(bool certain);
   std::size_t open_near_away();
-  void meet_away(std::size_t k, int element, int kind);
-  void hide(std::size_t k, int blocker);
+  void meet_away(int ray, int by, int kind);
+  void hide(int ray, int by);
   void hide_again();
   void search();
-  void search(std::size_t k);
   void search_aside();
   void search_tree();
   VisibilityCounters count(std::span<std::uint8_t> lit) const;
@@ -71,20 +78,22 @@ class FastRoute {
   Surface surface_;
   const RaySource* source_ = nullptr;
   OrderedMesh mesh_;
-  std::span<const int> candidates_;
   bool closed_ = false;
   bool bounded_ = false;  // the rays have boxes, and elements near them are known
   bool shared_ = true;    // all sources have the same winding number
   std::optional<bool> point_moved_;
   Kernel kernel_;
   RayBundle rays_;
-  RayBundle::Way way_;
   NearElements near_;
   std::vector<int> away_;              // places of elements that are not certain to face all sources
-  std::vector<int> blockers_;          // of all elements: what hid it last, or kNone
-  std::vector<int> again_, again_by_;  // rays to be hidden again, and blockers
-  std::vector<std::uint8_t> blocked_, apart_, alive_;
-  std::vector<State> states_;  // of the candidates
+  std::vector<int> open_;              // places of rays that were opened
+  std::vector<Hidden> hidden_, last_;  // rays in front of which an element was found; at the last query
+  std::vector<int> again_, again_by_;  // rays that may be hidden again, and by which elements
+  std::vector<std::uint8_t> blocked_, apart_;
+  std::vector<std::uint8_t> alive_;  // by patch: bits of the rays that are lit so far
+  std::vector<std::uint8_t> unsure_;
+  std::vector<int> listed_;
+  std::vector<State> states_;  // of the places asked about
 };
 
 }  // namespace jet

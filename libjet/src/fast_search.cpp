@@ -10,96 +10,83 @@ namespace jet {
 
 // Rays that meet an element facing away. Returns the number of those opened without being looked at.
 std::size_t FastRoute::open_near_away() {
-  if (!bounded_) {
-    const auto unseen = std::count(states_.begin(), states_.end(), kLit);
-    std::replace(states_.begin(), states_.end(), kLit, kOpen);
-    return static_cast<std::size_t>(unseen);
+  const std::span<const int> rays = list(alive_);
+  if (bounded_) {
+    near_.for_each_touching(rays_, rays, away_, [&](int ray, int by, int kind) {
+      if (state(ray) == kLit) meet_away(ray, by, kind);
+    });
+    return 0;
   }
-  const std::size_t blocks = (states_.size() + 7) / 8;
-  std::fill_n(alive_.begin(), blocks, std::uint8_t{0});
-  for (std::size_t k = 0; k < states_.size(); ++k)
-    alive_[k / 8] = static_cast<std::uint8_t>(alive_[k / 8] | (states_[k] == kLit) << k % 8);
-  near_.for_each_touching(rays_, std::span(alive_).first(blocks), away_,
-                          [&](std::size_t k, int place, int kind) {
-                            if (states_[k] == kLit) meet_away(k, element(place), kind);
-                          });
-  return 0;
+  for (const int ray : rays) set(ray, kOpen);
+  return rays.size();
 }
 
 // One ray and one element that faces away and may be on it. If it is, and blocks, the ray need not be
 // searched.
-void FastRoute::meet_away(std::size_t k, int element, int kind) {
-  const bool can_block = element != candidates_[k] && !surface_.never_blocks(element);
+void FastRoute::meet_away(int ray, int by, int kind) {
+  const int e = element(by);
+  const bool can_block = e != element(ray) && !surface_.never_blocks(e);
   bool hides = can_block && kind == kBlocked;
   if (kind == 0) {
-    const blocking::Ray& ray = rays_.ray(k);
-    if (!blocking::passage(kernel_, ray, surface_, element).touches()) return;
-    hides = can_block && blocking::blocks(kernel_, ray, surface_, element);
+    const blocking::Ray& segment = rays_.ray(ray);
+    if (!blocking::passage(kernel_, segment, surface_, e).touches()) return;
+    hides = can_block && blocking::blocks(kernel_, segment, surface_, e);
   }
-  hides ? hide(k, element) : void(states_[k] = kOpen);
+  hides ? hide(ray, by) : set(ray, kOpen);
 }
 
 // Open rays against the elements that can be on them.
 void FastRoute::search() {
   if (!rays_.aside.empty()) search_aside();
-  for (std::size_t k = 0; k < candidates_.size(); ++k) {
-    if (states_[k] == kOpen) search(k);
-  }
-}
-
-void FastRoute::search(std::size_t k) {
-  const bool hidden = near_.any_before_target(rays_, k, [&](int place, int kind) {
-    const int e = element(place);
-    if (e == candidates_[k] || surface_.never_blocks(e)) return false;
-    if (kind != kBlocked && !blocking::blocks(kernel_, rays_.ray(k), surface_, e)) return false;
-    hide(k, e);
-    return true;
+  std::erase_if(open_, [&](int ray) { return state(ray) != kOpen; });
+  if (open_.empty()) return;
+  std::sort(open_.begin(), open_.end());  // eight by eight, neighbours together
+  const std::size_t count = open_.size();
+  open_.resize(count + 7, open_.back());
+  near_.for_each_before_target(rays_, std::span(open_).first(count), [&](int ray, int by, int kind) {
+    const int e = element(by);
+    if (state(ray) != kOpen || e == element(ray) || surface_.never_blocks(e)) return;
+    if (kind == kBlocked || blocking::blocks(kernel_, rays_.ray(ray), surface_, e)) hide(ray, by);
   });
-  if (!hidden) states_[k] = kLit;
+  for (const int ray : open_)
+    if (state(ray) == kOpen) state(ray) = kLit;
 }
 
-void FastRoute::hide(std::size_t k, int blocker) {
-  states_[k] = kHidden;
-  blockers_[static_cast<std::size_t>(candidates_[k])] = blocker;
-  rays_.drop(k);
+void FastRoute::hide(int ray, int by) {
+  set(ray, kHidden);
+  hidden_.push_back({ray, by});
 }
 
 // What blocked an element's ray at the last query often does so again.
 void FastRoute::hide_again() {
-  int count = 0;
-  for (std::size_t k = 0; k < candidates_.size(); ++k) {
-    const int blocker = blockers_[static_cast<std::size_t>(candidates_[k])];
-    if (states_[k] == kFacingAway) rays_.drop(k);
-    again_[static_cast<std::size_t>(count)] = static_cast<int>(k);
-    again_by_[static_cast<std::size_t>(count)] = blocker;
-    const bool known = blocker != kNone && rays_.knows(mesh_.rank[static_cast<std::size_t>(blocker)]);
-    count += known && (states_[k] == kLit || states_[k] == kOpen);
+  std::swap(hidden_, last_);
+  hidden_.clear();
+  again_.clear();
+  again_by_.clear();
+  for (const auto& [ray, by] : last_) {
+    if (!alive(ray) || !rays_.knows(by)) continue;
+    again_.push_back(ray);
+    again_by_.push_back(by);
   }
-  kernel_table().meet_pairs(
-      {rays_.arrays().targets, rays_.local(), rays_.arrays().half_long, surface_.triangles->data(),
-       again_.data(), again_by_.data(), blocked_.data(), apart_.data()},
-      count);
-  for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
-    const auto k = static_cast<std::size_t>(again_[i]);
+  kernel_table().meet_pairs({rays_.targets(), rays_.local(), rays_.half_long(), mesh_.triangles.front().data(),
+                             again_.data(), again_by_.data(), blocked_.data(), apart_.data()},
+                            static_cast<int>(again_.size()));
+  for (std::size_t i = 0; i < again_.size(); ++i) {
+    const int ray = again_[i], by = again_by_[i];
     const bool blocked = (blocked_[i / 8] >> i % 8 & 1u) != 0, apart = (apart_[i / 8] >> i % 8 & 1u) != 0;
-    if (blocked || (!apart && blocking::blocks(kernel_, rays_.ray(k), surface_, again_by_[i]))) {
-      hide(k, again_by_[i]);
-    } else {
-      blockers_[static_cast<std::size_t>(candidates_[k])] = kNone;
-    }
+    if (blocked || (!apart && blocking::blocks(kernel_, rays_.ray(ray), surface_, element(by)))) hide(ray, by);
   }
 }
 
-// The few rays without boxes, against all elements.
+// The few rays without bounds, against all elements.
 void FastRoute::search_aside() {
-  for (const std::uint32_t k : rays_.aside) {
-    if (states_[k] != kOpen) continue;
-    const blocking::Ray& ray = rays_.ray(k);
-    states_[k] = kLit;
-    for (int e = 0; e < surface_.count && states_[k] == kLit; ++e) {
-      if (e == candidates_[k] || surface_.never_blocks(e) || Box(surface_, e).apart_from_segment(ray))
-        continue;
-      if (blocking::blocks(kernel_, ray, surface_, e)) states_[k] = kHidden;
+  for (const int place : rays_.aside) {
+    if (state(place) != kOpen) continue;
+    const blocking::Ray& ray = rays_.ray(place);
+    state(place) = kLit;
+    for (int e = 0; e < surface_.count && state(place) == kLit; ++e) {
+      if (e == element(place) || surface_.never_blocks(e) || Box(surface_, e).apart_from_segment(ray)) continue;
+      if (blocking::blocks(kernel_, ray, surface_, e)) state(place) = kHidden;
     }
   }
 }
@@ -107,11 +94,11 @@ void FastRoute::search_aside() {
 void FastRoute::search_tree() {
   const ElementTree tree(surface_);
   exact::Kernel kernel;
-  for (std::size_t k = 0; k < candidates_.size(); ++k) {
-    if (states_[k] != kOpen) continue;
-    const blocking::Ray& ray = rays_.ray(k);
+  for (const int place : open_) {
+    if (state(place) != kOpen) continue;
+    const blocking::Ray& ray = rays_.ray(place);
     kernel_.moved(ray);
-    states_[k] = tree.blocked(kernel, ray, candidates_[k]) ? kHidden : kLit;
+    state(place) = tree.blocked(kernel, ray, element(place)) ? kHidden : kLit;
   }
   kernel_.calls += kernel.calls;
 }

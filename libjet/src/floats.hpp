@@ -52,16 +52,17 @@ inline unsigned bits(Floats::Mask m) {
 #endif
 }
 
+/// To all lanes.
 template <class Reduce>
-[[gnu::always_inline]] inline float reduce(Floats a, Reduce better) {
+[[gnu::always_inline]] inline Floats reduce(Floats a, Reduce better) {
   a = better(a, Floats(__builtin_shufflevector(a.v, a.v, 4, 5, 6, 7, 0, 1, 2, 3)));
   a = better(a, Floats(__builtin_shufflevector(a.v, a.v, 2, 3, 0, 1, 6, 7, 4, 5)));
-  return better(a, Floats(__builtin_shufflevector(a.v, a.v, 1, 0, 3, 2, 5, 4, 7, 6))).v[0];
+  return better(a, Floats(__builtin_shufflevector(a.v, a.v, 1, 0, 3, 2, 5, 4, 7, 6)));
 }
-[[gnu::always_inline]] inline float least(Floats a) {
+[[gnu::always_inline]] inline Floats least(Floats a) {
   return reduce(a, [](Floats x, Floats y) { return min(x, y); });
 }
-[[gnu::always_inline]] inline float greatest(Floats a) {
+[[gnu::always_inline]] inline Floats greatest(Floats a) {
   return reduce(a, [](Floats x, Floats y) { return max(x, y); });
 }
 
@@ -92,12 +93,16 @@ inline constexpr BitPlaces kBitPlaces;
   return __builtin_popcount(bits);
 }
 
-/// Rows index(0) to index(7) of four floats to lanes of the first three.
-template <class Index>
-[[gnu::always_inline]] inline Vec3<Floats> gather_rows(const float* rows, Index index) {
+/// Rows of four floats that begin at at(0) to at(7), to lanes.
+struct FourFloats {
+  Vec3<Floats> point;
+  Floats fourth;
+};
+template <class At>
+[[gnu::always_inline]] inline FourFloats gather_four(const float* rows, At at) {
   const auto pair = [&](int i) {
-    const Row a = *reinterpret_cast<const UnalignedRow*>(rows + 4 * std::ptrdiff_t{index(i)});
-    const Row b = *reinterpret_cast<const UnalignedRow*>(rows + 4 * std::ptrdiff_t{index(i + 4)});
+    const Row a = *reinterpret_cast<const UnalignedRow*>(rows + at(i));
+    const Row b = *reinterpret_cast<const UnalignedRow*>(rows + at(i + 4));
     return __builtin_shufflevector(a, b, 0, 1, 2, 3, 4, 5, 6, 7);
   };
   const auto r0 = pair(0), r1 = pair(1), r2 = pair(2), r3 = pair(3);
@@ -105,9 +110,15 @@ template <class Index>
   const auto xy23 = __builtin_shufflevector(r2, r3, 0, 8, 1, 9, 4, 12, 5, 13);
   const auto z01 = __builtin_shufflevector(r0, r1, 2, 10, 3, 11, 6, 14, 7, 15);
   const auto z23 = __builtin_shufflevector(r2, r3, 2, 10, 3, 11, 6, 14, 7, 15);
-  return {Floats(__builtin_shufflevector(xy01, xy23, 0, 1, 8, 9, 4, 5, 12, 13)),
-          Floats(__builtin_shufflevector(xy01, xy23, 2, 3, 10, 11, 6, 7, 14, 15)),
-          Floats(__builtin_shufflevector(z01, z23, 0, 1, 8, 9, 4, 5, 12, 13))};
+  return {{Floats(__builtin_shufflevector(xy01, xy23, 0, 1, 8, 9, 4, 5, 12, 13)),
+           Floats(__builtin_shufflevector(xy01, xy23, 2, 3, 10, 11, 6, 7, 14, 15)),
+           Floats(__builtin_shufflevector(z01, z23, 0, 1, 8, 9, 4, 5, 12, 13))},
+          Floats(__builtin_shufflevector(z01, z23, 2, 3, 10, 11, 6, 7, 14, 15))};
+}
+/// The first three of rows index(0) to index(7).
+template <class Index>
+[[gnu::always_inline]] inline Vec3<Floats> gather_rows(const float* rows, Index index) {
+  return gather_four(rows, [&](int i) { return 4 * std::ptrdiff_t{index(i)}; }).point;
 }
 
 }  // namespace jet::JET_KERNELS

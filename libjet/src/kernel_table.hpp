@@ -49,19 +49,22 @@ struct FieldArrays {
 };
 
 /// Coordinates along a jet as floats between -1 and 1, four a row: u across, v along the outlet's long side,
-/// w downstream, 0.
+/// w downstream, and a node's code. Bits 0 to 4 of that: u - slope w below -bound, above bound, the same of
+/// v, w below -bound; bit 7: w <= 0 in double; bits 8 to 11: beside the line u = way[0] w, v = way[1] w +
+/// way[2], in u and in v.
 struct ProjectArrays {
   Rows nodes;            // [m]
   int count;             // of nodes
   double centre[3];      // [m]
   double column[3][4];   // [1/m] (u, v, w, 0) of x, y and z
-  float* local;          // 4 a node, and room for 7 more nodes
+  float* local;          // a row a node, and room for 7 more
   const int* triangles;  // 3 an element
-  const int* elements;   // to project the centroids of
-  std::uint8_t* codes;   // bits 0 to 4: u - slope w below -bound, above bound, the same of v, w below -bound;
-  float slope[5], bound[5];  // bit 7: w <= 0 in double. Room for 7 more as well
-  const int* listed;         // nodes to project where not all are
+  const int* elements;   // to bound the rays of
+  float slope[5], bound[5], way[3];
+  const int* listed;  // nodes to project where not all are; the last of all only among the last eight
 };
+
+inline constexpr int kBesideWay = 0xf00;
 
 struct ProjectFlags {
   bool outside;  // some coordinate is not within -1 and 1, or not a number
@@ -69,12 +72,12 @@ struct ProjectFlags {
   bool tiny;     // some coordinate of a node is not 0, but below 1e-100
 };
 
-/// Rays to their targets, eight side by side.
+/// Rays to their targets.
 struct RayArrays {
-  const float* targets;  // local coordinates, 4 a ray, to a multiple of eight rays
+  const float* targets;  // rows of local coordinates
   float half_long;       // 0: a point source
-  float* boxes;  // of the two coordinates that do not change along a ray: 8 low p, high p, low q, high q,
-                 // and 8 unused
+  const int* list;       // rows, and seven more that may be read
+  int count;
 };
 
 /// Slopes u/w (v/w, or v of a line of sources) of the rays, with their errors.
@@ -82,24 +85,34 @@ struct RayBounds {
   float low_u, high_u, low_v, high_v;
 };
 
-/// Patches of eight elements near the rays. Bits of a byte stand for its elements.
+/// Patches of eight elements near the rays. Bits of a byte stand for its elements; elements have the numbers
+/// of the mesh's order, eight a patch. Lists have room for all of them and eight more.
 struct PatchArrays {
   const float* local;
   float half_long;
-  const int* triangles;  // in the mesh's order, eight a patch
-  int elements;          // of the mesh
+  const std::uint32_t* corner_rows;  // see OrderedMesh
+  int elements;                      // of the mesh
   const int* patches;
   int count;
-  float error;            // absolute part of the bound of the orientation
-  float way[3];           // a line u = way[0] w, v = way[1] w + way[2]
-  float* points;          // eight (u, v, w) of their corners
-  std::uint8_t* inner;    // by patch of the mesh: the sources of rays that can touch it see its inner side,
-  std::uint8_t* outer;    // or its outer one, for certain
-  std::uint8_t* between;  // by place in `patches`: may lie between two sources
-  std::uint8_t* on_way;   // may touch the line
+  int outside;                // bits of a code that keep an element out
+  const std::uint8_t* asked;  // by patch of the mesh: elements that have rays
+  float error;                // absolute part of the bound of the orientation
+  float* points;              // eight (u, v, w) of their corners
+  float* targets;             // rows of the patches that have rays
+  std::uint8_t* inner;        // by patch of the mesh: the sources of rays that can touch it see its inner side,
+  std::uint8_t* outer;        // or its outer one, for certain
+  int* not_inner;             // list of those near that may not show the inner side
+  int* between;               // near, may lie between two sources
+  int* on_way;                // near, may touch the line
+  int* aside;                 // asked, but with rays that are not certainly downstream
+};
+struct PatchesFound {
+  int not_inner, between, on_way, aside;  // lengths of the lists
+  int asked;                              // patches that have rays
+  RayBounds bounds;                       // of the rays not aside
 };
 
-/// Elements that blocks of rays are tested against.
+/// Elements that rays are tested against.
 struct ElementArrays {
   const float* local;
   float half_long;
@@ -144,26 +157,25 @@ struct KernelTable {
   /// -1 - element where the overpressure is not finite.
   int (*evaluate)(const JetShape&, const FieldArrays&, int count);
 
-  /// Nodes to local coordinates and codes; centroids of `count` elements to local coordinates.
+  /// Nodes to local coordinates and codes.
   ProjectFlags (*project_nodes)(const ProjectArrays&);
   /// The same of `count` nodes listed, a multiple of eight.
   ProjectFlags (*project_listed)(const ProjectArrays&, int count);
-  void (*project_centroids)(const ProjectArrays&, int count);
-  /// Boxes and bounds of `count` rays; those not certainly downstream get empty boxes and a bit in `aside`.
-  RayBounds (*make_rays)(const RayArrays&, int count, std::uint8_t* aside);
-  void (*look_at_patches)(const PatchArrays&);
+  /// Bounds of the rays to the centroids of `count` elements, of those that are certainly downstream.
+  RayBounds (*bound_rays)(const ProjectArrays&, float half_long, int count);
+  PatchesFound (*look_at_patches)(const PatchArrays&);
+  /// Places of the bits of `count` bytes, a multiple of eight: their number. Room for eight more.
+  int (*list_bits)(const std::uint8_t* bytes, int count, int* places);
   void (*element_boxes)(const float* points, float half_long, int patches, float* boxes);
   void (*gather_elements)(const ElementArrays&, int count);
-  /// The eight boxes of a block to one: the box around them.
-  void (*merge)(const float* block, float* box);
+  /// The eight boxes of each block to one: the box around them.
+  void (*merge)(const float* blocks, int count, float* boxes);
   void (*meet_pairs)(const PairArrays&, int count);
-  /// Elements that rays of a block of eight, those in `alive`, may touch: 8 times the element plus
-  /// the ray, times kHitKinds, plus what is certain, to `hits`: their number. A ray is left after a certain
-  /// touch.
-  int (*meet_blocks)(const RayArrays&, int block, unsigned alive, const PyramidView&, const float* points,
-                     const HitLists&);
-  /// Elements that a ray may touch up to its target, times kHitKinds, plus what is certain.
-  int (*meet_elements)(const RayArrays&, int ray, const PyramidView&, const float* points, const HitLists&);
+  /// Elements that eight rays of the list, or less, from `first` on, may touch: 8 times the element plus the
+  /// ray, times kHitKinds, plus what is certain, to `hits`: their number. A ray is left after a certain touch.
+  int (*meet_lines)(const RayArrays&, int first, const PyramidView&, const float* points, const HitLists&);
+  /// Those that they may touch up to their targets.
+  int (*meet_segments)(const RayArrays&, int first, const PyramidView&, const float* points, const HitLists&);
 };
 
 namespace baseline {

@@ -6,8 +6,8 @@
 
 namespace jet::baseline {
 
-const KernelTable kTable{select_elements, evaluate,        project_nodes, project_listed,  project_centroids,
-                         make_rays,       look_at_patches, element_boxes, gather_elements, merge,
-                         meet_pairs,      meet_blocks,     meet_elements};
+const KernelTable kTable{select_elements, evaluate,      project_nodes, project_listed,  bound_rays,
+                         look_at_patches, list_bits,     element_boxes, gather_elements, merge,
+                         meet_pairs,      meet_lines,    meet_segments};
 
 }  // namespace jet::baseline

@@ -10,7 +10,8 @@ void NearElements::reserve(const OrderedMesh& mesh) {
   const auto patches = static_cast<std::size_t>(mesh.patches);
   patches_.resize(patches);
   points_.resize(kElementFloats * patches);
-  for (auto* bytes : {&inner_, &outer_, &between_, &on_way_}) bytes->resize(patches);
+  for (auto* bytes : {&inner_, &outer_}) bytes->resize((patches + 7) / 8 * 8);
+  for (auto* list : {&not_inner_, &between_, &on_way_, &aside_}) list->resize(8 * patches + 8);
   boxes_.reserve(8 * patches);
   own_boxes_.reserve(8 * patches);
   places_.resize(8 * patches);
@@ -20,31 +21,32 @@ void NearElements::reserve(const OrderedMesh& mesh) {
   second_.resize(8 * patches + 8);
 }
 
-void NearElements::find(const RayBundle& rays, const RayBundle::Way& way) {
-  rays_ = &rays;
-  has_boxes_ = false;
+void NearElements::find(RayBundle& rays) {
   count_ = rays.find_patches(patches_.data());
   std::fill(inner_.begin(), inner_.end(), std::uint8_t{0});
   std::fill(outer_.begin(), outer_.end(), std::uint8_t{0});
-  kernel_table().look_at_patches({rays.local(),
-                                  rays.arrays().half_long,
-                                  mesh_->triangles.front().data(),
-                                  static_cast<int>(mesh_->rank.size()),
-                                  patches_.data(),
-                                  count_,
-                                  rays.local_error(),
-                                  {way.line[0], way.line[1], way.line[2]},
-                                  points_.data(),
-                                  inner_.data(),
-                                  outer_.data(),
-                                  between_.data(),
-                                  on_way_.data()});
+  found_ = kernel_table().look_at_patches({rays.local(),
+                                           rays.half_long(),
+                                           mesh_->corner_rows.data(),
+                                           static_cast<int>(mesh_->rank.size()),
+                                           patches_.data(),
+                                           count_,
+                                           static_cast<int>(rays.outside()),
+                                           rays.asked().data(),
+                                           rays.local_error(),
+                                           points_.data(),
+                                           rays.targets(),
+                                           inner_.data(),
+                                           outer_.data(),
+                                           not_inner_.data(),
+                                           between_.data(),
+                                           on_way_.data(),
+                                           aside_.data()});
 }
 
 void NearElements::make_boxes(const RayBundle& rays) {
-  kernel_table().element_boxes(points_.data(), rays.arrays().half_long, count_, boxes_.boxes());
+  kernel_table().element_boxes(points_.data(), rays.half_long(), count_, boxes_.boxes());
   boxes_.build(8 * count_);
-  has_boxes_ = true;
 }
 
 void NearElements::gather_elements(const RayBundle& rays, std::span<const int> places) {
@@ -52,7 +54,7 @@ void NearElements::gather_elements(const RayBundle& rays, std::span<const int> p
   std::copy(places.begin(), places.end(), places_.begin());
   std::fill(places_.begin() + static_cast<std::ptrdiff_t>(count),
             places_.begin() + static_cast<std::ptrdiff_t>((count + 7) / 8 * 8), places.back());
-  kernel_table().gather_elements({rays.local(), rays.arrays().half_long, mesh_->triangles.front().data(),
+  kernel_table().gather_elements({rays.local(), rays.half_long(), mesh_->triangles.front().data(),
                                   places_.data(), own_boxes_.boxes(), own_points_.data()},
                                  static_cast<int>(count));
   own_boxes_.build(static_cast<int>(count));

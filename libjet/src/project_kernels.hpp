@@ -10,18 +10,6 @@ namespace jet::JET_KERNELS {
   return max(max(abs(a.x), abs(a.y)), abs(a.z));
 }
 
-/// Eight masks of one byte each.
-[[gnu::always_inline]] inline void store_bytes(std::uint8_t* to, Floats::Mask m) {
-#if defined(__SSE2__)
-  const auto low = reinterpret_cast<__m128i>(__builtin_shufflevector(m, m, 0, 1, 2, 3)),
-             high = reinterpret_cast<__m128i>(__builtin_shufflevector(m, m, 4, 5, 6, 7));
-  const __m128i words = _mm_packs_epi32(low, high);
-  _mm_storel_epi64(reinterpret_cast<__m128i*>(to), _mm_packus_epi16(words, words));
-#else
-  for (int i = 0; i < 8; ++i) to[i] = static_cast<std::uint8_t>(m[i]);
-#endif
-}
-
 struct NodeFlags {
   Lanes::Values smallest = Lanes(1.0).v;  // coordinate but 0, one unit of rounding below
   Floats::Mask largest{};                 // bits of the largest magnitude; those of NaN are above all
@@ -52,38 +40,44 @@ struct NodeFlags {
                                         __builtin_convertvector(high.v, Row), 0, 1, 2, 3, 4, 5, 6, 7));
 }
 
+inline constexpr float kWayMargin = 4e-6f;  // 65 times the error of local coordinates
+
 /// Sides on which the nodes lie outside, see ProjectArrays.
 [[gnu::always_inline]] inline Floats::Mask code(const ProjectArrays& a, const Vec3<Floats>& x) {
   const auto low = [&](int i, Floats y) { return (y - a.slope[i] * x.z < Floats(-a.bound[i])) & (1 << i); };
   const auto high = [&](int i, Floats y) { return (y - a.slope[i] * x.z > Floats(a.bound[i])) & (1 << i); };
-  return low(0, x.x) | high(1, x.x) | low(2, x.y) | high(3, x.y) | low(4, x.z);
+  const Floats across = x.x - a.way[0] * x.z, along = x.y - (a.way[1] * x.z + Floats(a.way[2]));
+  const auto beside = [](int i, Floats y, float slope) {
+    const Floats margin(kWayMargin * (1.0f + (slope < 0.0f ? -slope : slope)));
+    return ((y < -margin) & (1 << i)) | ((y > margin) & (2 << i));
+  };
+  return low(0, x.x) | high(1, x.x) | low(2, x.y) | high(3, x.y) | low(4, x.z) |
+         beside(8, across, a.way[0]) | beside(10, along, a.way[1]);
 }
 
-[[gnu::always_inline]] inline void store_rows(float* to, const Vec3<Floats>& x) {
-  const Floats zero;
+/// Eight rows of four, row i to to(i).
+template <class To>
+[[gnu::always_inline]] inline void store_rows(To to, const Vec3<Floats>& x, Floats fourth) {
   const auto xy_0145 = __builtin_shufflevector(x.x.v, x.y.v, 0, 8, 1, 9, 4, 12, 5, 13);
   const auto xy_2367 = __builtin_shufflevector(x.x.v, x.y.v, 2, 10, 3, 11, 6, 14, 7, 15);
-  const auto z_0145 = __builtin_shufflevector(x.z.v, zero.v, 0, 8, 1, 9, 4, 12, 5, 13);
-  const auto z_2367 = __builtin_shufflevector(x.z.v, zero.v, 2, 10, 3, 11, 6, 14, 7, 15);
+  const auto z_0145 = __builtin_shufflevector(x.z.v, fourth.v, 0, 8, 1, 9, 4, 12, 5, 13);
+  const auto z_2367 = __builtin_shufflevector(x.z.v, fourth.v, 2, 10, 3, 11, 6, 14, 7, 15);
   const auto even = [](auto p, auto q) { return __builtin_shufflevector(p, q, 0, 1, 8, 9, 4, 5, 12, 13); };
   const auto odd = [](auto p, auto q) { return __builtin_shufflevector(p, q, 2, 3, 10, 11, 6, 7, 14, 15); };
   const Floats::Values pairs[4] = {even(xy_0145, z_0145), odd(xy_0145, z_0145), even(xy_2367, z_2367),
                                    odd(xy_2367, z_2367)};
   for (int i = 0; i < 4; ++i) {
-    *reinterpret_cast<UnalignedRow*>(to + 4 * i) = __builtin_shufflevector(pairs[i], pairs[i], 0, 1, 2, 3);
-    *reinterpret_cast<UnalignedRow*>(to + 4 * i + 16) =
-        __builtin_shufflevector(pairs[i], pairs[i], 4, 5, 6, 7);
+    *reinterpret_cast<UnalignedRow*>(to(i)) = __builtin_shufflevector(pairs[i], pairs[i], 0, 1, 2, 3);
+    *reinterpret_cast<UnalignedRow*>(to(i + 4)) = __builtin_shufflevector(pairs[i], pairs[i], 4, 5, 6, 7);
   }
 }
 
-/// Eight nodes in the rows that `at` gives, to eight rows and codes.
-template <class At>
-[[gnu::always_inline]] inline void project_eight(const ProjectArrays& a, At at, NodeFlags& flags,
-                                                 float* local, std::uint8_t* codes) {
+/// Eight nodes in the rows that `at` gives, to the rows that `to` gives.
+template <class At, class To>
+[[gnu::always_inline]] inline void project_eight(const ProjectArrays& a, At at, NodeFlags& flags, To to) {
   const Vec3<Lanes> low = to_local(a, gather(at(0), at(1), at(2), at(3)), flags),
                     high = to_local(a, gather(at(4), at(5), at(6), at(7)), flags);
   const Vec3<Floats> x = {joined(low.x, high.x), joined(low.y, high.y), joined(low.z, high.z)};
-  store_rows(local, x);
   const Floats all[] = {x.x, x.y, x.z};
   for (const Floats y : all) {
     const auto magnitude = reinterpret_cast<Floats::Mask>(y.v) & INT32_MAX;
@@ -92,7 +86,7 @@ template <class At>
   const auto half = [](Lanes::Mask m) { return reinterpret_cast<Floats::Mask>(m); };
   const auto below =
       __builtin_shufflevector(half(low.z <= Lanes()), half(high.z <= Lanes()), 0, 2, 4, 6, 8, 10, 12, 14);
-  store_bytes(codes, code(a, x) | (below & 0x80));
+  store_rows(to, x, Floats(reinterpret_cast<Floats::Values>(code(a, x) | (below & 0x80))));
 }
 
 inline ProjectFlags project_flags(const NodeFlags& flags) {
@@ -107,55 +101,48 @@ inline ProjectFlags project_nodes(const ProjectArrays& arrays) {
   NodeFlags flags;
   const std::ptrdiff_t stride = a.nodes.stride;
   const double* x = a.nodes.first;
+  float* local = a.local;
+  const auto to = [&](int j) __attribute__((always_inline)) { return local + 4 * j; };
   int i = 0;
-  for (; i + 8 < a.count; i += 8, x += 8 * stride)
+  for (; i + 8 < a.count; i += 8, x += 8 * stride, local += 32)
     project_eight(
-        a, [=](int j) __attribute__((always_inline)) { return x + j * stride; }, flags,
-        a.local + 4 * std::ptrdiff_t{i}, a.codes + i);
+        a, [=](int j) __attribute__((always_inline)) { return x + j * stride; }, flags, to);
   project_eight(
-      a, [&](int j) { return row(a.nodes, i + j < a.count ? i + j : a.count - 1); }, flags,
-      a.local + 4 * std::ptrdiff_t{i}, a.codes + i);
+      a, [&](int j) { return row(a.nodes, i + j < a.count ? i + j : a.count - 1); }, flags, to);
   return project_flags(flags);
 }
 
 inline ProjectFlags project_listed(const ProjectArrays& arrays, int count) {
   const ProjectArrays a = arrays;
   NodeFlags flags;
-  for (const int *node = a.listed, *end = node + count; node < end; node += 8) {
-    alignas(32) float local[32];
-    std::uint8_t codes[8];
+  const std::ptrdiff_t stride = a.nodes.stride;
+  const double* first = a.nodes.first;
+  const int *node = a.listed, *last = node + count - 8;
+  const auto to = [&](int j) __attribute__((always_inline)) { return a.local + 4 * std::ptrdiff_t{node[j]}; };
+  for (; node < last; node += 8)
     project_eight(
-        a, [ =, &a ](int j) __attribute__((always_inline)) { return row(a.nodes, node[j]); }, flags, local,
-        codes);
-    for (int j = 0; j < 8; ++j) {
-      *reinterpret_cast<UnalignedRow*>(a.local + 4 * std::ptrdiff_t{node[j]}) =
-          *reinterpret_cast<const UnalignedRow*>(local + 4 * j);
-      a.codes[node[j]] = codes[j];
-    }
-  }
+        a, [=](int j) __attribute__((always_inline)) { return first + node[j] * stride; }, flags, to);
+  project_eight(
+      a, [&](int j) { return row(a.nodes, node[j]); }, flags, to);
   return project_flags(flags);
 }
 
-/// Of `count` elements; rows up to seven behind repeat the last.
-inline void project_centroids(const ProjectArrays& arrays, int count) {
-  const ProjectArrays a = arrays;
-  const auto corner = [&](int k, int i) __attribute__((always_inline)) {
+/// Local centroids of elements k to k + 7 of those listed; behind the last it is the last again.
+[[gnu::always_inline]] inline Vec3<Floats> local_centroids(const ProjectArrays& a, int k, int count) {
+  const auto corner = [&](int first, int i) __attribute__((always_inline)) {
     const auto node = [ =, &a ](int j) __attribute__((always_inline)) {
-      const int e = a.elements[k + j < count ? k + j : count - 1];
+      const int e = a.elements[first + j < count ? first + j : count - 1];
       return row(a.nodes, a.triangles[3 * std::ptrdiff_t{e} + i]);
     };
     return gather(node(0), node(1), node(2), node(3));
   };
-  const auto four = [&](int k) __attribute__((always_inline)) {
-    const Vec3<Lanes> p = corner(k, 0), q = corner(k, 1), r = corner(k, 2);
+  const auto four = [&](int first) __attribute__((always_inline)) {
+    const Vec3<Lanes> p = corner(first, 0), q = corner(first, 1), r = corner(first, 2);
     constexpr double third = 1.0 / 3.0;
     return to_local(a, {third * (p.x + q.x + r.x), third * (p.y + q.y + r.y), third * (p.z + q.z + r.z)});
   };
-  for (int k = 0; k < count; k += 8) {
-    const Vec3<Lanes> low = four(k), high = four(k + 4);
-    store_rows(a.local + 4 * std::ptrdiff_t{k},
-               {joined(low.x, high.x), joined(low.y, high.y), joined(low.z, high.z)});
-  }
+  const Vec3<Lanes> low = four(k), high = four(k + 4);
+  return {joined(low.x, high.x), joined(low.y, high.y), joined(low.z, high.z)};
 }
 
 }  // namespace jet::JET_KERNELS

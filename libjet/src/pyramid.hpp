@@ -3,7 +3,6 @@
 // beside each other in its numbering, so the upper boxes are small.
 #pragma once
 
-#include <array>
 #include <cmath>
 #include <vector>
 
@@ -31,27 +30,14 @@ class Pyramid {
     clear(0, count);
     for (; blocks > 1; blocks = (blocks + 7) / 8) {
       const int below = view_.first[view_.levels - 1], above = below + blocks;
-      for (int b = 0; b < blocks; ++b) merge(block(below + b), block(above + b / 8) + b % 8);
+      merge(block(below), blocks, block(above));
       clear(above, blocks);
       view_.first[view_.levels] = above;
       view_.last[view_.levels++] = above + (blocks + 7) / 8;
     }
   }
 
-  /// Entry `i` overlaps nothing any more.
-  void drop(int i) {
-    float* box = boxes_.data() + kBoxFloats * (i / 8) + i % 8;
-    box[0] = HUGE_VALF;
-    box[8] = -HUGE_VALF;
-  }
-
   const PyramidView& view() const { return view_; }
-
-  /// Box of one entry, as the kernels ask for it.
-  std::array<float, 4> box(int i) const {
-    const float* b = boxes_.data() + kBoxFloats * (i / 8) + i % 8;
-    return {b[0], b[8], b[16], b[24]};
-  }
 
  private:
   float* block(int b) { return boxes_.data() + kBoxFloats * b; }

@@ -7,6 +7,7 @@
 #include <numeric>
 #include <utility>
 
+#include "bits.hpp"
 #include "checks.hpp"
 
 namespace jet {
@@ -19,6 +20,7 @@ constexpr double kLargestRatio =
 constexpr double kMargin = 1e-6;  // 16 times the error of local coordinates
 constexpr std::uint8_t kFloor = 0x80;
 constexpr double kStepsAhead = 6.0;  // motion that the choice of close patches is made for
+constexpr float kCloseShare = 0.05f, kLastShare = 0.03f;  // of the rays' range, by which bounds are widened
 
 double extent(const Surface& surface, const Eigen::Vector3d& centre) {
   double largest = 0.0;
@@ -31,70 +33,119 @@ double extent(const Surface& surface, const Eigen::Vector3d& centre) {
 
 }  // namespace
 
-void RayBundle::reserve(const OrderedMesh& mesh, std::size_t element_count, std::size_t node_count) {
+void RayBundle::reserve(const OrderedMesh& mesh, std::size_t node_count) {
   mesh_ = &mesh;
-  boxes_.reserve(element_count);
-  aside.reserve(kMostAside);
+  const auto patches = static_cast<std::size_t>((mesh.patches + 7) / 8 * 8), elements = 8 * patches;
   local_.resize(4 * (node_count + 8));
-  local_targets_.resize(4 * (element_count + 8));
-  codes_.resize(node_count + 8);
-  aside_bits_.resize(element_count / 8 + 1);
-  made_.resize(element_count);
-  sorted_.resize(element_count);
-  given.resize(element_count);
-  given_at_.resize(element_count);
-  chosen_.resize(element_count / 64 + 1);
-  is_made_.resize(element_count);
+  local_targets_.resize(4 * elements);
+  given_.reserve(elements);
+  places_.resize(elements + 8);
+  asked_.resize(patches);
+  asked_before_.resize(patches);
+  new_.resize(elements + 8);
+  aside.reserve(elements);
+  made_.resize(elements);
+  is_made_.resize(elements);
   close_.reserve(mesh, node_count);
   all_.resize(static_cast<std::size_t>(mesh.patches));
   std::iota(all_.begin(), all_.end(), 0);
 }
 
-bool RayBundle::build(const Surface& surface, const RaySource& source, std::span<const int> as_given,
-                      double travelled) {
+void RayBundle::ask(const Surface& surface, const RaySource& source, std::span<const int> candidates,
+                    double travelled) {
   surface_ = surface;
   source_ = &source;
   step_ = travelled - travelled_;
   travelled_ = travelled;
   if (!(step_ >= 0.0)) close_.forget();
-  sort(as_given);
-  std::fill_n(is_made_.begin(), candidates.size(), std::uint8_t{0});
-  const double centre = source.centre.cwiseAbs().maxCoeff();
-  if (frame_.build(source)) {
-    if (scale_ == 0.0) rescale();
-    if (!project()) {
-      rescale();
-      project();
-    }
-    size = centre + 1.8 / scale_;  // the square root of 3, and the frame's roundings
-    const bool within = size <= kLargest && size * scale_ <= kLargestRatio && !flags_.outside;
-    if (within && aside.size() <= kMostAside && aside.size() < candidates.size()) return true;
+  candidates_ = candidates;
+  given_.resize(candidates.size());
+  asked_.swap(asked_before_);
+  std::fill(asked_.begin(), asked_.end(), std::uint8_t{0});
+  const int* rank = mesh_->rank.data();  // which the bytes written cannot change
+  int* given = given_.data();
+  std::uint8_t* asked = asked_.data();
+  for (const int element : candidates) {
+    const auto place = static_cast<unsigned>(rank[element]);
+    *given++ = static_cast<int>(place);
+    asked[place / 8] = static_cast<std::uint8_t>(asked[place / 8] | 1u << place % 8);
   }
-  const double reach =
-      source.half_long == 0.0 ? 0.0 : source.half_long * source.long_direction.cwiseAbs().maxCoeff();
-  size = std::max(check_nodes(surface), centre + reach);
-  return false;
+  place_count_ = static_cast<std::size_t>(
+      kernel_table().list_bits(asked_.data(), static_cast<int>(asked_.size()), places_.data()));
+  asked_patches_ = static_cast<int>(asked_.size() - static_cast<std::size_t>(std::count(
+                                                        asked_.begin(), asked_.end(), std::uint8_t{0})));
+  std::fill(is_made_.begin(), is_made_.end(), std::uint8_t{0});
+  has_frame_ = frame_.build(source);
 }
 
-// Candidates in the mesh's order; as given if one is named twice.
-void RayBundle::sort(std::span<const int> as_given) {
-  std::size_t count = 0;
-  for (std::size_t k = 0; k < as_given.size(); ++k) {
-    const auto i = static_cast<std::size_t>(mesh_->rank[static_cast<std::size_t>(as_given[k])]);
-    chosen_[i / 64] |= std::uint64_t{1} << i % 64;
-    given_at_[i] = static_cast<int>(k);
-  }
-  for (std::size_t word = 0; word < chosen_.size(); ++word) {
-    for (std::uint64_t bits = std::exchange(chosen_[word], 0); bits != 0; bits &= bits - 1) {
-      const std::size_t i = 64 * word + static_cast<std::size_t>(std::countr_zero(bits));
-      sorted_[count] = mesh_->elements[i];
-      given[count++] = given_at_[i];
+bool RayBundle::project(Bounds known) {
+  fresh_ = known == Bounds::fresh;
+  if (!has_frame_) return false;
+  if (fresh_) {
+    if (scale_ == 0.0) rescale();
+    set_arrays();
+    if (!project_fresh()) {
+      rescale();
+      set_arrays();
+      project_fresh();
+    }
+  } else {
+    if (!(step_ >= 0.0) || !close_.fits(*source_, scale_)) return false;
+    set_arrays();
+    if (known == Bounds::last) {
+      const RayBounds expected = CloseSet::widened(with_new(last_), kLastShare);
+      if (!close_.holds(expected, travelled_) && !choose_close(CloseSet::widened(expected, kCloseShare)))
+        return false;
+      if (!project_close(expected)) return false;
+    } else if (!close_.holds(close_.bounds(), travelled_) || !project_close(close_.bounds())) {
+      return false;
     }
   }
-  candidates = std::span<const int>(sorted_).first(count);
-  if (count == as_given.size()) return;
-  candidates = as_given;
-  std::iota(given.begin(), given.end(), 0);
+  size = source_->centre.cwiseAbs().maxCoeff() + 1.8 / scale_;  // root of 3, and the frame's roundings
+  return size <= kLargest && size * scale_ <= kLargestRatio && !flags_.outside;
+}
+
+// The bounds of rays asked about before and of those that were not.
+RayBounds RayBundle::with_new(const RayBounds& before) {
+  and_not(asked_, asked_before_, asked_before_);
+  const int count =
+      kernel_table().list_bits(asked_before_.data(), static_cast<int>(asked_.size()), new_.data());
+  if (count == 0) return before;
+  for (int& place : std::span(new_).first(static_cast<std::size_t>(count)))
+    place = mesh_->elements[static_cast<std::size_t>(place)];
+  arrays_.elements = new_.data();
+  const RayBounds now = kernel_table().bound_rays(arrays_, half_long(), count);
+  return {std::min(before.low_u, now.low_u), std::max(before.high_u, now.high_u),
+          std::min(before.low_v, now.low_v), std::max(before.high_v, now.high_v)};
+}
+
+bool RayBundle::accept(const PatchesFound& found, std::span<const int> patches,
+                       std::span<const int> not_downstream) {
+  aside.assign(not_downstream.begin(), not_downstream.end());
+  if (!fresh_) {  // the bounds are not made of these rays
+    const auto above = [](float x, float low) { return x >= low || low < -kSteepest; };
+    const RayBounds &b = bounds_, &r = found.bounds;
+    if (found.asked < asked_patches_ || !above(r.low_u, b.low_u) || !above(-r.high_u, -b.high_u) ||
+        !above(r.low_v, b.low_v) || !above(-r.high_v, -b.high_v))
+      return false;
+  } else if (found.asked < asked_patches_) {  // they hold no ray of these patches
+    std::vector<std::uint8_t> missing(asked_);
+    for (const int patch : patches) missing[static_cast<std::size_t>(patch)] = 0;
+    aside.resize(places_.size());
+    const auto count = static_cast<std::size_t>(not_downstream.size());
+    const int more =
+        kernel_table().list_bits(missing.data(), static_cast<int>(missing.size()), aside.data() + count);
+    aside.resize(count + static_cast<std::size_t>(more));
+  }
+  last_ = found.bounds;
+  return aside.size() <= kMostAside && aside.size() < place_count_;
+}
+
+void RayBundle::do_without() {
+  aside.clear();
+  const double reach =
+      source_->half_long == 0.0 ? 0.0 : source_->half_long * source_->long_direction.cwiseAbs().maxCoeff();
+  size = std::max(check_nodes(surface_), source_->centre.cwiseAbs().maxCoeff() + reach);
 }
 
 // A scale that keeps the nodes and the sources within 1/2, with room to move. The magnitude of a refused node
@@ -106,19 +157,17 @@ void RayBundle::rescale() {
   scale_ = std::ldexp(1.0, -std::ilogb(largest) - 2);
 }
 
-// False where the scale does not fit the nodes any more, or one of them is to be refused.
-bool RayBundle::project() {
-  const KernelTable& kernels = kernel_table();
+void RayBundle::set_arrays() {
   const int last = surface_.node_count - 1;
   const double* x = surface_.node(last);
   arrays_ = {{surface_.nodes, surface_.stride, last, {x[0], x[1], x[2], 0.0}},
              surface_.node_count,
              {},
              {},
-             local_targets_.data(),
+             local_.data(),
              surface_.triangles->data(),
-             candidates.data(),
-             codes_.data(),
+             candidates_.data(),
+             {},
              {},
              {},
              nullptr};
@@ -127,35 +176,22 @@ bool RayBundle::project() {
     const Eigen::Vector3d* const axes[] = {&frame_.across, &frame_.along, &frame_.forward};
     for (int j = 0; j < 3; ++j) arrays_.column[i][j] = scale_ * (*axes[j])[i];
   }
-  kernels.project_centroids(arrays_, static_cast<int>(candidates.size()));
-  rays_ = {local_targets_.data(), static_cast<float>(scale_ * source_->half_long), boxes_.boxes()};
-  bounds_ = kernels.make_rays(rays_, static_cast<int>(candidates.size()), aside_bits_.data());
-  find_aside(candidates.size());
-  arrays_.local = local_.data();
-  return project_nodes();
 }
 
-// Of all nodes, or of those close to the rays.
-bool RayBundle::project_nodes() {
-  const KernelTable& kernels = kernel_table();
-  if (!close_.holds(*source_, scale_, bounds_, travelled_)) {
-    close_.forget();
-    const double reach = kStepsAhead * step_;
-    if (reach >= 0.0 && !choose_close(reach)) return false;
-  }
-  set_sides(bounds_);
-  if (close_.any()) {
-    arrays_.listed = close_.nodes().data();
-    flags_ = kernels.project_listed(arrays_, static_cast<int>(close_.nodes().size()));
-    return !flags_.outside && !flags_.tiny;
-  }
-  flags_ = kernels.project_nodes(arrays_);
+// All nodes. False where the scale does not fit them any more, or one of them is to be refused.
+bool RayBundle::project_fresh() {
+  close_.forget();
+  bounds_ = kernel_table().bound_rays(arrays_, half_long(), static_cast<int>(candidates_.size()));
+  if (step_ >= 0.0) return choose_close(CloseSet::widened(bounds_, kCloseShare)) && project_close(bounds_);
+  set_sides(bounds_, 0.0);
+  set_way();
+  flags_ = kernel_table().project_nodes(arrays_);
   return !flags_.outside && !flags_.small && !flags_.tiny;
 }
 
-// Patches that can come between the rays' wider bounds while nodes move by `reach` [m].
-bool RayBundle::choose_close(double reach) {
-  const RayBounds wide = CloseSet::widened(bounds_);
+// Patches that can come between rays in these bounds while nodes move by a reach.
+bool RayBundle::choose_close(const RayBounds& wide) {
+  const double reach = kStepsAhead * step_;
   set_sides(wide, 1.001 * scale_ * reach);
   flags_ = kernel_table().project_nodes(arrays_);
   if (flags_.outside || flags_.small || flags_.tiny) return false;
@@ -165,14 +201,13 @@ bool RayBundle::choose_close(double reach) {
   return true;
 }
 
-void RayBundle::find_aside(std::size_t count) {
-  aside.clear();
-  for (std::size_t b = 0; b < (count + 7) / 8; ++b) {
-    for (unsigned bits = aside_bits_[b]; bits != 0; bits &= bits - 1u) {
-      if (aside.size() > kMostAside) return;
-      aside.push_back(static_cast<std::uint32_t>(8 * b) + static_cast<std::uint32_t>(__builtin_ctz(bits)));
-    }
-  }
+bool RayBundle::project_close(const RayBounds& bounds) {
+  bounds_ = bounds;
+  set_sides(bounds_, 0.0);
+  set_way();
+  arrays_.listed = close_.nodes().data();
+  flags_ = kernel_table().project_listed(arrays_, static_cast<int>(close_.nodes().size()));
+  return !flags_.outside && !flags_.tiny;
 }
 
 void RayBundle::set_side(int bit, double slope, double bound, double reach) {
@@ -180,7 +215,8 @@ void RayBundle::set_side(int bit, double slope, double bound, double reach) {
   arrays_.slope[bit] = steep ? 0.0f : static_cast<float>(slope);
   arrays_.bound[bit] =
       steep ? HUGE_VALF
-            : static_cast<float>(bound + kMargin * (1.0 + std::abs(slope)) + reach * std::hypot(1.0, slope));
+            : static_cast<float>(bound + kMargin * (1.0 + std::abs(slope)) +
+                                 (reach > 0.0 ? reach * std::hypot(1.0, slope) : 0.0));
 }
 
 // Half-spaces that hold all rays not aside, beyond their targets, too, and what is within `reach` of them.
@@ -199,35 +235,45 @@ int RayBundle::find_patches(int* patches) const {
 }
 
 int RayBundle::find_patches(std::span<const int> among, unsigned all_outside, int* patches) const {
-  const std::uint8_t* codes = codes_.data();
-  const int *nodes = mesh_->patch_nodes.data(), *begin = mesh_->patch_begin.data();
+  const std::uint32_t* rows = mesh_->patch_rows.data();
+  const int* begin = mesh_->patch_begin.data();
+  const auto code = [codes = local_.data() + 3](std::uint32_t row) {
+    return std::bit_cast<std::uint32_t>(codes[row]);
+  };
   int count = 0;
   for (const int patch : among) {
     unsigned outside = all_outside;
-    for (const int *node = nodes + begin[patch], *end = nodes + begin[patch + 1]; node < end; node += 4)
-      outside &= static_cast<unsigned>(codes[node[0]] & codes[node[1]] & codes[node[2]] & codes[node[3]]);
+    for (const std::uint32_t *row = rows + begin[patch], *end = rows + begin[patch + 1]; row < end && outside != 0;
+         row += 4)
+      outside &= code(row[0]) & code(row[1]) & code(row[2]) & code(row[3]);
     patches[count] = patch;  // kept if the next does not overwrite it: no branch to predict
     count += outside == 0;
   }
   return count;
 }
 
-const blocking::Ray& RayBundle::ray(std::size_t k) const {
-  if (is_made_[k] == 0) {
-    is_made_[k] = 1;
-    made_[k] = blocking::make_ray(surface_, candidates[k], *source_);
-    made_[k].moved = blocking::Moved::unknown;
+const blocking::Ray& RayBundle::ray(int place) const {
+  const auto i = static_cast<std::size_t>(place);
+  if (is_made_[i] == 0) {
+    is_made_[i] = 1;
+    made_[i] = blocking::make_ray(surface_, mesh_->elements[i], *source_);
+    made_[i].moved = blocking::Moved::unknown;
   }
-  return made_[k];
+  return made_[i];
 }
 
 // A general slope within the bounds: bags are symmetric about the axis. Local coordinates of the end are
 // above 1.
-RayBundle::Way RayBundle::way() const {
-  std::size_t first = 0;
-  while (first < aside.size() && aside[first] == first) ++first;
-  Way way{this->ray(first), {}};
-  way.ray.moved = blocking::Moved::yes;
+void RayBundle::set_way() {
+  arrays_.way[2] = 0.0f;
+  for (const int place : places()) {  // the first that is not aside is within the bounds
+    way_ = ray(place);
+    if (!frame_.line) break;
+    const Eigen::Map<const Eigen::Vector3d> from(way_.source);
+    arrays_.way[2] = static_cast<float>(scale_ * (from - source_->centre).dot(frame_.along));
+    if (arrays_.way[2] >= bounds_.low_v && arrays_.way[2] <= bounds_.high_v) break;
+  }
+  way_.moved = blocking::Moved::yes;
   const auto within = [](float low, float high, double share) {
     const double a = std::clamp(low, -kSteepest, kSteepest), b = std::clamp(high, -kSteepest, kSteepest);
     return a + share * (b - a);
@@ -235,13 +281,10 @@ RayBundle::Way RayBundle::way() const {
   const double u = within(bounds_.low_u, bounds_.high_u, 0.382);
   const double v = frame_.line ? 0.0 : within(bounds_.low_v, bounds_.high_v, 0.618);
   for (int i = 0; i < 3; ++i)
-    way.ray.target[i] =
-        way.ray.source[i] + 2.0 / scale_ * (frame_.forward[i] + u * frame_.across[i] + v * frame_.along[i]);
-  const Eigen::Map<const Eigen::Vector3d> from(way.ray.source);
-  way.line[0] = static_cast<float>(u);
-  way.line[1] = static_cast<float>(v);
-  way.line[2] = frame_.line ? static_cast<float>(scale_ * (from - source_->centre).dot(frame_.along)) : 0.0f;
-  return way;
+    way_.target[i] =
+        way_.source[i] + 2.0 / scale_ * (frame_.forward[i] + u * frame_.across[i] + v * frame_.along[i]);
+  arrays_.way[0] = static_cast<float>(u);
+  arrays_.way[1] = static_cast<float>(v);
 }
 
 }  // namespace jet

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// The rays of one query in the jet's frame, as boxes of the two coordinates that do not change along a ray:
-// the slopes against the axis (point source), or slope across and place along the line (line source). An
-// element covers a range of each. Boxes carry margins far above rounding, so they cost work at worst, never
-// an answer.
+// The rays of one query in the jet's frame, by the places of their elements in the mesh's order, and the nodes
+// that they can come near to. Bounds of the rays are slopes against the axis (point source), or slope across
+// and place along the line (line source). They carry margins far above rounding, so they cost work at worst,
+// never an answer.
 #pragma once
 
+#include <bit>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -14,86 +15,91 @@
 #include "frame.hpp"
 #include "kernel_table.hpp"
 #include "mesh_order.hpp"
-#include "pyramid.hpp"
 
 namespace jet {
 
 class RayBundle {
  public:
-  void reserve(const OrderedMesh& mesh, std::size_t element_count, std::size_t node_count);
+  void reserve(const OrderedMesh& mesh, std::size_t node_count);
 
-  /// Projects rays and nodes; allocates nothing. False if no frame holds them all but a few: nothing but
-  /// `size` is known then. Throws std::invalid_argument for coordinates out of range.
-  /// `travelled`: see VisibilityQuery.
-  bool build(const Surface& surface, const RaySource& source, std::span<const int> as_given,
-             double travelled);
+  /// One ray for each element that is asked about; `travelled`: see VisibilityQuery.
+  void ask(const Surface& surface, const RaySource& source, std::span<const int> candidates, double travelled);
 
-  /// Ray of a candidate in the definition's arithmetic, made when first asked for.
-  const blocking::Ray& ray(std::size_t k) const;
+  /// How the rays' bounds are known before they are looked at: near to those of the last query, within those
+  /// that nodes were chosen for, from their targets.
+  enum class Bounds { last, close, fresh };
+  /// Projects the nodes that rays in these bounds can come near to. False if the bounds are not known, or no
+  /// frame holds the nodes. Throws std::invalid_argument for coordinates out of range.
+  bool project(Bounds known);
+  /// What was looked at holds all that the rays can meet, but those that are now aside and not too many.
+  bool accept(const PatchesFound& found, std::span<const int> patches, std::span<const int> aside);
+  /// The rays have no bounds: nothing but `size` is known. Throws as project().
+  void do_without();
 
-  /// From the source of a ray not aside, moved, to a point outside the surface, within the rays' bounds.
-  struct Way {
-    blocking::Ray ray;
-    float line[3];  // of local coordinates, see PatchArrays
-  };
-  Way way() const;
+  /// Ray to an element in the definition's arithmetic, made when first asked for.
+  const blocking::Ray& ray(int place) const;
+
+  /// From the source of a ray, moved, to a point outside the surface, within the rays' bounds.
+  const blocking::Ray& way() const { return way_; }
 
   /// The element's nodes are projected; no ray can meet those of others.
   bool knows(int place) const { return !close_.any() || close_.has(static_cast<std::size_t>(place / 8)); }
 
-  /// No ray can meet an element with these nodes. Precondition: they are projected.
-  bool misses(const Triangle& t) const {
-    const auto code = [&](int i) { return codes_[static_cast<std::size_t>(t[static_cast<std::size_t>(i)])]; };
-    return (code(0) & code(1) & code(2) & outside_) != 0;
-  }
   /// Patches of the mesh in order that rays or the way can meet; their number.
   int find_patches(int* patches) const;
 
-  /// The ray is not asked about any more.
-  void drop(std::size_t k) { boxes_.drop(static_cast<int>(k)); }
-
-  const RayArrays& arrays() const { return rays_; }
+  std::span<const int> places() const { return std::span(places_).first(place_count_); }  // ascending
+  std::span<const int> places_given() const { return given_; }
+  std::span<const std::uint8_t> asked() const { return asked_; }  // by patch: bits of the elements
+  RayArrays arrays(std::span<const int> list) const {
+    return {local_targets_.data(), half_long(), list.data(), static_cast<int>(list.size())};
+  }
   const float* local() const { return local_.data(); }
+  float* targets() { return local_targets_.data(); }
+  float half_long() const { return static_cast<float>(scale_ * source_->half_long); }
   float local_error() const { return static_cast<float>(2.5e-13 * (1.0 + scale_ * size)); }
+  unsigned outside() const { return outside_; }  // bits of a code that keep an element out
 
-  std::span<const int> candidates;   // in the mesh's order, in which all here is numbered
-  std::vector<int> given;            // their places in the query
-  double size = 0.0;                 // [m] bounds the magnitude of every coordinate of nodes and sources
-  std::vector<std::uint32_t> aside;  // rays without length, or not downstream of the outlet: empty boxes
+  double size = 0.0;       // [m] bounds the magnitude of every coordinate of nodes and sources
+  std::vector<int> aside;  // places whose rays have no length or do not go downstream: not in the bounds
 
  private:
-  void sort(std::span<const int> as_given);
-  bool project();
-  bool project_nodes();
-  bool choose_close(double reach);
-  int find_patches(std::span<const int> among, unsigned outside, int* patches) const;
+  RayBounds with_new(const RayBounds& before);
+  bool project_fresh();
+  bool project_close(const RayBounds& bounds);
+  bool choose_close(const RayBounds& wide);
   void rescale();
-  void set_sides(const RayBounds& bounds, double reach = 0.0);
+  void set_arrays();
+  void set_way();
+  void set_sides(const RayBounds& bounds, double reach);
   void set_side(int bit, double slope, double bound, double reach);
-  void find_aside(std::size_t count);
+  int find_patches(std::span<const int> among, unsigned outside, int* patches) const;
 
   Surface surface_;
   const RaySource* source_ = nullptr;
   const OrderedMesh* mesh_ = nullptr;
-  std::vector<int> sorted_;
-  std::vector<std::uint64_t> chosen_;  // bit i: the i-th element of the order is a candidate
-  std::vector<int> given_at_;          // place of the i-th element in the query
+  std::span<const int> candidates_;
+  std::vector<int> given_;  // their places
+  std::vector<int> places_;
+  std::size_t place_count_ = 0;
+  std::vector<std::uint8_t> asked_, asked_before_;
+  std::vector<int> new_;  // elements asked about now, not before
+  int asked_patches_ = 0;
   Frame frame_;
+  bool has_frame_ = false;
   double scale_ = 0.0;  // [1/m] power of two that brings local coordinates below 1; kept for the next query
-  RayBounds bounds_{};
+  RayBounds bounds_{}, last_{};
+  blocking::Ray way_{};
   ProjectArrays arrays_{};
-  RayArrays rays_{};
   ProjectFlags flags_{};
-  unsigned outside_ = 0;               // bits of a code that keep an element out
+  unsigned outside_ = 0;
   double travelled_ = kMotionUnknown;  // [m] by the nodes
   double step_ = 0.0;                  // [m] of it since the last query
   CloseSet close_;
+  bool fresh_ = false;
   std::vector<int> all_;              // patches
-  std::vector<float> local_;          // 4 a node
-  std::vector<float> local_targets_;  // 4 a ray
-  Pyramid boxes_;                     // of the rays
-  std::vector<std::uint8_t> codes_;   // of the nodes
-  std::vector<std::uint8_t> aside_bits_;
+  std::vector<float> local_;          // rows of nodes
+  std::vector<float> local_targets_;  // rows of elements
   mutable std::vector<blocking::Ray> made_;
   mutable std::vector<std::uint8_t> is_made_;
 };

@@ -6,19 +6,24 @@
 
 namespace jet::JET_KERNELS {
 
-inline void merge(const float* block, float* box) {
-  box[0] = least(Floats::load(block));
-  box[8] = greatest(Floats::load(block + 8));
-  box[16] = least(Floats::load(block + 16));
-  box[24] = greatest(Floats::load(block + 24));
-  box[32] = least(Floats::load(block + 32));
+inline void merge(const float* blocks, int count, float* boxes) {
+  for (int i = 0; i < count; ++i) {
+    const float* block = blocks + kBoxFloats * std::ptrdiff_t{i};
+    float* box = boxes + kBoxFloats * std::ptrdiff_t{i / 8} + i % 8;
+    for (int low = 0; low <= 32; low += 16) box[low] = least(Floats::load(block + low)).v[0];
+    for (int high = 8; high <= 24; high += 16) box[high] = greatest(Floats::load(block + high)).v[0];
+  }
 }
 
-/// A box in front of everything that begins deeper than `depth`.
+/// A box around rays, in front of everything that begins deeper than `depth`.
 struct Box {
   Floats low_p, high_p, low_q, high_q, depth;
-  Box(const float* b, Floats deepest)
-      : low_p(b[0]), high_p(b[8]), low_q(b[16]), high_q(b[24]), depth(deepest) {}
+  [[gnu::always_inline]] Box(const RayRanges& r, Floats deepest)
+      : low_p(least(r.p.low)),
+        high_p(greatest(r.p.high)),
+        low_q(least(r.q.low)),
+        high_q(greatest(r.q.high)),
+        depth(greatest(deepest)) {}
   [[gnu::always_inline]] unsigned overlaps(const float* b) const {
     return bits((Floats::load(b) <= high_p) & (low_p <= Floats::load(b + 8)) &
                 (Floats::load(b + 16) <= high_q) & (low_q <= Floats::load(b + 24)) &
@@ -52,9 +57,9 @@ struct Line {
   Floats error, error_w;  // of a place beside the line at w: error + error_w |w|
 };
 
-/// With u = 2^-25 and s the larger slope, slopes err by 7 u (1 + s) / g.w and what `beside` computes from
-/// corners, which err by u, by 10 u (1 + s) (1 + |w| / g.w) at most. Nothing is certain where g is not
-/// downstream.
+/// With u = 2^-25 and s the larger slope, targets err by 5 u, slopes by 11 u (1 + s) / g.w and what `beside`
+/// computes from corners, which err by u, by 14 u (1 + s) (1 + |w| / g.w) at most. Nothing is certain where g
+/// is not downstream.
 [[gnu::always_inline]] inline Line line_to(const Vec3<Floats>& g, Floats half_long) {
   const Floats y = max(min(g.y, half_long), -half_long);
   const Floats inverse = select(g.z > Floats(kSlack), 1.0f / g.z, Floats(kFar));
@@ -93,7 +98,7 @@ struct Ends {
 
 /// All corners are between the ends, or beyond one of them; or the ends are on either side, or one side, of
 /// the plane. With M and n the largest coordinates of the points and of the edges, heights over the plane err
-/// by 4e-6 n (M + n) at most.
+/// by 5e-6 n (M + n) at most.
 [[gnu::always_inline]] inline Ends ends(const Line& r, const Corners& t) {
   const auto& [a, b, c] = t;
   const Floats low = min(min(a.z, b.z), c.z), high = max(max(a.z, b.z), c.z), slack(kSlack);
@@ -118,34 +123,6 @@ inline void meet_pairs(const PairArrays& p, int count) {
     p.blocked[k / 8] = static_cast<std::uint8_t>(bits(passing.pierced() & end.crossed));
     p.apart[k / 8] = static_cast<std::uint8_t>(bits(~passing.possible() | end.beyond));
   }
-}
-
-inline int meet_elements(const RayArrays& rays, int ray, const PyramidView& pyramid, const float* points,
-                         const HitLists& to) {
-  const float* bounds = rays.boxes + kBoxFloats * std::ptrdiff_t{ray / 8} + ray % 8;
-  const float* g = rays.targets + 4 * std::ptrdiff_t{ray};
-  const Line line = line_to({Floats(g[0]), Floats(g[1]), Floats(g[2])}, Floats(rays.half_long));
-  const Box box(bounds, line.g.z + kSlack);
-  const int blocks = blocks_near(pyramid, box, to.first, to.second);
-  int near = 0, count = 0;
-  for (int i = 0; i < blocks; ++i) {
-    const int block = to.first[i];
-    to.second[near] = block;  // kept if the next does not overwrite it
-    near += static_cast<int>(box.overlaps(pyramid.boxes + kBoxFloats * std::ptrdiff_t{block}) != 0);
-  }
-  for (int i = 0; i < near; ++i) {
-    const int block = to.second[i];
-    const Corners t = load_corners(points + kElementFloats * std::ptrdiff_t{block});
-    const Passing passing = pass(line, t);
-    const Ends on = ends(line, t);
-    unsigned hits = bits(passing.possible() & ~on.beyond);
-    const unsigned blocked = hits & bits(passing.pierced() & on.crossed);
-    for (; hits != 0; hits &= hits - 1u) {
-      const int e = __builtin_ctz(hits);
-      to.hits[count++] = kHitKinds * (8 * block + e) + static_cast<int>(blocked >> e & 1u) * kBlocked;
-    }
-  }
-  return count;
 }
 
 }  // namespace jet::JET_KERNELS

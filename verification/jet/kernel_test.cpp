@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <limits>
 #include <numeric>
+#include <utility>
 
 #include "kernel_table.hpp"
 #include "mesh_order.hpp"
@@ -15,6 +17,11 @@
 namespace {
 
 using scenes::Mesh;
+
+/// Codes stand among the numbers, and may be none.
+bool same_bits(const std::vector<float>& a, const std::vector<float>& b) {
+  return a.size() == b.size() && std::memcmp(a.data(), b.data(), 4 * a.size()) == 0;
+}
 
 const jet::KernelTable* const kTables[] = {&jet::baseline::kTable, &jet::kernel_table()};
 
@@ -118,14 +125,19 @@ TEST(kernels, profile_eq_exponential) {
 }
 
 struct Looked {
-  std::vector<float> local, points, targets, ray_boxes, boxes, near_points;
-  std::vector<std::uint8_t> codes, inner, outer, between, on_way, aside, blocked, apart;
-  std::vector<int> hits;
+  std::vector<float> local, points, targets, boxes, near_points, merged;
+  std::vector<std::uint8_t> inner, outer, blocked, apart;
+  std::vector<int> not_inner, between, on_way, aside, hits;
+  std::vector<float> bounds;
   bool operator==(const Looked&) const = default;
 };
 
+void append(const jet::RayBounds& b, std::vector<float>& to) {
+  to.insert(to.end(), {b.low_u, b.high_u, b.low_v, b.high_v});
+}
+
 void project(const jet::KernelTable& kernels, const Mesh& mesh, const Eigen::Matrix3Xi& triangles,
-             const std::vector<int>& elements, Looked& p) {
+             const std::vector<int>& elements, float half_long, Looked& p) {
   const Eigen::Matrix3Xd nodes = mesh.points();
   jet::ProjectArrays a{rows(nodes),
                        static_cast<int>(mesh.nodes.size()),
@@ -134,22 +146,23 @@ void project(const jet::KernelTable& kernels, const Mesh& mesh, const Eigen::Mat
                        p.local.data(),
                        triangles.data(),
                        elements.data(),
-                       p.codes.data(),
                        {-0.5f, 0.5f, -0.5f, 0.5f, 0.0f},
                        {0.1f, 0.1f, 0.1f, 0.1f, 0.1f},
+                       {0.1f, 0.2f, 0.01f},
                        nullptr};
   for (int i = 0; i < 3; ++i) a.column[i][(i + 1) % 3] = 0.25;
   const jet::ProjectFlags flags = kernels.project_nodes(a);
   EXPECT_FALSE(flags.outside || flags.small || flags.tiny);
   std::vector<int> listed(mesh.nodes.size() / 8 * 8);
   std::iota(listed.rbegin(), listed.rend(), 0);
-  const Looked whole = p;
   a.listed = listed.data();
-  std::fill_n(p.local.begin(), 4 * listed.size(), 0.0f);
+  const std::vector<float> whole = std::exchange(p.local, std::vector<float>(p.local.size()));
+  a.local = p.local.data();
   kernels.project_listed(a, static_cast<int>(listed.size()));
-  EXPECT_EQ(p, whole);
-  a.local = p.targets.data();
-  kernels.project_centroids(a, static_cast<int>(elements.size()));
+  const auto end = 4 * static_cast<std::ptrdiff_t>(listed.size());
+  EXPECT_TRUE(same_bits({whole.begin(), whole.begin() + end}, {p.local.begin(), p.local.begin() + end}));
+  p.local = whole;
+  append(kernels.bound_rays(a, half_long, static_cast<int>(elements.size())), p.bounds);
 }
 
 /// All that the fast route asks of its kernels, with all elements in all roles.
@@ -158,64 +171,82 @@ Looked look(const jet::KernelTable& kernels, const Mesh& mesh, float half_long) 
   const std::size_t nodes = mesh.nodes.size(), count = mesh.elements.size(), patches = count / 8;
   std::vector<int> all(count);
   std::iota(all.begin(), all.end(), 0);
+  std::vector<std::uint32_t> corner_rows(3 * count);
+  for (std::size_t i = 0; i < corner_rows.size(); ++i) {
+    const auto e = static_cast<Eigen::Index>(i / 24 * 8 + i % 8), corner = static_cast<Eigen::Index>(i / 8 % 3);
+    corner_rows[i] = 4 * static_cast<std::uint32_t>(triangles(corner, e));
+  }
   const auto bytes = [&] { return std::vector<std::uint8_t>(patches); };
-  Looked p{std::vector<float>(4 * nodes + 32),
-           std::vector<float>(jet::kElementFloats * patches),
-           std::vector<float>(4 * count),
-           std::vector<float>(jet::kBoxFloats / 8 * count),
-           std::vector<float>(jet::kBoxFloats / 8 * count),
-           std::vector<float>(jet::kElementFloats * patches),
-           std::vector<std::uint8_t>(nodes + 8),
-           bytes(),
-           bytes(),
-           bytes(),
-           bytes(),
-           bytes(),
-           bytes(),
-           bytes(),
-           {}};
-  project(kernels, mesh, triangles, all, p);
+  const auto places = [&] { return std::vector<int>(count + 8); };
+  Looked p;
+  p.local.resize(4 * nodes + 32);
+  p.points.resize(jet::kElementFloats * patches);
+  p.near_points = p.points;
+  p.targets.resize(4 * count);
+  p.boxes.resize(jet::kBoxFloats * patches);
+  p.merged.resize(jet::kBoxFloats * (patches / 8 + 1));
+  p.inner = p.outer = p.blocked = p.apart = bytes();
+  p.not_inner = p.between = p.on_way = p.aside = places();
+  project(kernels, mesh, triangles, all, half_long, p);
   const int n = static_cast<int>(count);
-  const jet::RayArrays rays{p.targets.data(), half_long, p.ray_boxes.data()};
-  kernels.make_rays(rays, n, p.aside.data());
-  kernels.look_at_patches({p.local.data(),
-                           half_long,
-                           triangles.data(),
-                           n,
-                           all.data(),
-                           n / 8,
-                           1e-12f,
-                           {0.1f, 0.2f, 0.01f},
-                           p.points.data(),
-                           p.inner.data(),
-                           p.outer.data(),
-                           p.between.data(),
-                           p.on_way.data()});
+  const std::vector<std::uint8_t> asked(patches, 0xd7);
+  const jet::PatchesFound found =
+      kernels.look_at_patches({p.local.data(), half_long, corner_rows.data(), n, all.data(), n / 8, 0x9f,
+                               asked.data(), 1e-12f, p.points.data(), p.targets.data(), p.inner.data(),
+                               p.outer.data(), p.not_inner.data(), p.between.data(), p.on_way.data(),
+                               p.aside.data()});
+  EXPECT_EQ(found.asked, n / 8);
+  EXPECT_GT(found.not_inner, 0);
+  EXPECT_GT(found.on_way, 0);
+  p.not_inner.resize(static_cast<std::size_t>(found.not_inner));
+  p.between.resize(static_cast<std::size_t>(found.between));
+  p.on_way.resize(static_cast<std::size_t>(found.on_way));
+  p.aside.resize(static_cast<std::size_t>(found.aside));
+  append(found.bounds, p.bounds);
   kernels.meet_pairs({p.targets.data(), p.local.data(), half_long, triangles.data(), all.data(),
                       all.data() + 8, p.blocked.data(), p.apart.data()},
                      n - 8);
   kernels.gather_elements(
       {p.local.data(), half_long, triangles.data(), all.data(), p.boxes.data(), p.near_points.data()}, n);
+  kernels.merge(p.boxes.data(), n / 8, p.merged.data());
   const jet::PyramidView view{p.boxes.data(), 1, {}, {8}};  // the first 64 elements
   std::vector<int> hits(8 * count), first(count + 8), second(count + 8);
   const jet::HitLists lists{hits.data(), first.data(), second.data()};
-  for (int block = 0; block < n / 8; ++block) {
-    const int found = kernels.meet_blocks(rays, block, 0xf7u, view, p.near_points.data(), lists);
-    p.hits.insert(p.hits.end(), hits.begin(), hits.begin() + found);
-  }
+  const auto meet = [&](auto kernel, const std::vector<float>& points) {
+    for (int ray = 0; ray + 8 <= n; ray += 8) {
+      const jet::RayArrays rays{p.targets.data(), half_long, all.data(), ray % 16 == 0 ? n : ray + 3};
+      const int hit_count = kernel(rays, ray, view, points.data(), lists);
+      p.hits.insert(p.hits.end(), hits.begin(), hits.begin() + hit_count);
+    }
+  };
+  meet(kernels.meet_lines, p.near_points);
   kernels.element_boxes(p.points.data(), half_long, n / 8, p.boxes.data());
-  for (int ray = 0; ray < n; ++ray) {
-    const int found = kernels.meet_elements(rays, ray, view, p.points.data(), lists);
-    p.hits.insert(p.hits.end(), hits.begin(), hits.begin() + found);
-  }
+  meet(kernels.meet_segments, p.points);
+  std::vector<int> listed(count + 8);
+  listed.resize(static_cast<std::size_t>(kernels.list_bits(asked.data(), n / 8 / 8 * 8, listed.data())));
+  p.hits.insert(p.hits.end(), listed.begin(), listed.end());
   return p;
+}
+
+TEST(kernels, bits_are_listed_in_order) {
+  std::vector<std::uint8_t> bytes(16);
+  bytes[1] = 0x81;
+  bytes[9] = 0xff;
+  const std::vector<int> expected{8, 15, 72, 73, 74, 75, 76, 77, 78, 79};
+  for (const jet::KernelTable* kernels : kTables) {
+    std::vector<int> places(10 + 8);
+    ASSERT_EQ(kernels->list_bits(bytes.data(), 16, places.data()), 10);
+    places.resize(10);
+    EXPECT_EQ(places, expected);
+  }
 }
 
 TEST(kernels, visibility_has_the_same_bits_on_every_instruction_set) {
   const Mesh mesh = scenes::crumpled(3, 0.05, 42);
   for (const float half_long : {0.0f, 0.05f}) {
-    const Looked reference = look(*kTables[0], mesh, half_long);
-    EXPECT_EQ(look(*kTables[1], mesh, half_long), reference);
+    Looked reference = look(*kTables[0], mesh, half_long), fast = look(*kTables[1], mesh, half_long);
+    EXPECT_TRUE(same_bits(std::exchange(reference.local, {}), std::exchange(fast.local, {})));
+    EXPECT_EQ(fast, reference);
     EXPECT_GT(reference.hits.size(), 0u);
   }
 }
@@ -231,16 +262,20 @@ TEST(mesh_order, patches_of_eight_are_compact_and_hold_each_element_once) {
       ++seen[e];
       EXPECT_EQ(ordered.rank[e], static_cast<int>(i));
       EXPECT_EQ(ordered.triangles[i], triangles[e]);
-      const auto begin = ordered.patch_nodes.begin() + ordered.patch_begin[i / 8],
-                 end = ordered.patch_nodes.begin() + ordered.patch_begin[i / 8 + 1];
-      for (const int node : triangles[e]) EXPECT_NE(std::find(begin, end, node), end);
+      const auto begin = ordered.patch_rows.begin() + ordered.patch_begin[i / 8],
+                 end = ordered.patch_rows.begin() + ordered.patch_begin[i / 8 + 1];
+      for (std::size_t corner = 0; corner < 3; ++corner) {
+        const auto row = static_cast<std::uint32_t>(4 * triangles[e][corner]);
+        EXPECT_NE(std::find(begin, end, row), end);
+        EXPECT_EQ(ordered.corner_rows[i / 8 * 24 + 8 * corner + i % 8], row);
+      }
     }
     EXPECT_EQ(seen, std::vector<int>(triangles.size(), 1));
     EXPECT_EQ(ordered.patches, static_cast<int>((triangles.size() + 7) / 8));
     if (mesh.elements.size() == 2048) {
       // Eight triangles in a strip have 10 nodes, around a node 9; blocks need not begin where a patch does.
       // At random they have 24. Filled to a multiple of four, most have 12.
-      EXPECT_LT(static_cast<double>(ordered.patch_nodes.size()) / ordered.patches, 13.0);
+      EXPECT_LT(static_cast<double>(ordered.patch_rows.size()) / ordered.patches, 13.0);
     }
   }
 }
