@@ -24,14 +24,13 @@ void FastRoute::prepare(std::span<const Triangle> triangles, std::size_t node_co
 }
 
 VisibilityCounters FastRoute::query(const Surface& surface, const RaySource& source,
-                                    std::span<const int> candidates, std::span<std::uint8_t> lit,
-                                    double travelled) {
+                                    std::span<const int> candidates, std::span<std::uint8_t> lit) {
   surface_ = surface;
   source_ = &source;
   kernel_.calls = 0;
   kernel_.route = this;
   point_moved_.reset();
-  rays_.ask(surface, source, candidates, travelled);
+  rays_.ask(surface, source, candidates);
   std::fill(states_.begin(), states_.end(), kLit);
   std::copy(rays_.asked().begin(), rays_.asked().end(), alive_.begin());
   open_.clear();

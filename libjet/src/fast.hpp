@@ -30,8 +30,11 @@ class FastRoute {
   /// Allocates the workspace for a surface.
   void prepare(std::span<const Triangle> triangles, std::size_t node_count, bool closed);
 
+  /// The nodes may have moved: to be said before every query of any route. `travelled`: see VisibilityQuery.
+  void move_to(double travelled) { rays_.move_to(travelled); }
+
   VisibilityCounters query(const Surface& surface, const RaySource& source, std::span<const int> candidates,
-                           std::span<std::uint8_t> lit, double travelled);
+                           std::span<std::uint8_t> lit);
 
  private:
   enum State : std::uint8_t { kLit, kOpen, kHidden, kFacingAway };

@@ -136,7 +136,10 @@ void JetField::evaluate(const Points& area_vectors, const Points& centroids, con
   arrays.candidates = state.selected.data();
   const KernelTable& kernels = kernel_table();
   const int count = kernels.evaluate(*shape_, arrays, kernels.select(*shape_, arrays));
-  if (count < 0) refuse_overpressure(-1 - count);
+  if (count < 0) {
+    std::fill(state.overpressure.begin(), state.overpressure.end(), 0.0);  // some may have been written
+    refuse_overpressure(-1 - count);
+  }
   state.candidates.assign(state.selected.begin(), state.selected.begin() + count);
 }
 

@@ -29,9 +29,9 @@ struct Frame {
 
   /// w is one coordinate of the points, and all sources have the same: the sign of w is exact.
   bool aligned() const {
-    for (int i = 0; i < 3; ++i) {
-      if (std::abs(forward[i]) == 1.0 && forward.cwiseAbs().sum() == 1.0 && along[i] == 0.0) return true;
-    }
+    if ((forward.array() == 0.0).count() != 2) return false;
+    for (int i = 0; i < 3; ++i)
+      if (std::abs(forward[i]) == 1.0 && along[i] == 0.0) return true;
     return false;
   }
 };

@@ -51,13 +51,15 @@ void RayBundle::reserve(const OrderedMesh& mesh, std::size_t node_count) {
   std::iota(all_.begin(), all_.end(), 0);
 }
 
-void RayBundle::ask(const Surface& surface, const RaySource& source, std::span<const int> candidates,
-                    double travelled) {
-  surface_ = surface;
-  source_ = &source;
+void RayBundle::move_to(double travelled) {
   step_ = travelled - travelled_;
   travelled_ = travelled;
   if (!(step_ >= 0.0)) close_.forget();
+}
+
+void RayBundle::ask(const Surface& surface, const RaySource& source, std::span<const int> candidates) {
+  surface_ = surface;
+  source_ = &source;
   candidates_ = candidates;
   given_.resize(candidates.size());
   asked_.swap(asked_before_);
@@ -82,19 +84,21 @@ bool RayBundle::project(Bounds known) {
   fresh_ = known == Bounds::fresh;
   if (!has_frame_) return false;
   if (fresh_) {
-    if (scale_ == 0.0) rescale();
+    bool rescaled = scale_ == 0.0;
+    if (rescaled) rescale();
     set_arrays();
-    if (!project_fresh()) {
+    if (!project_fresh(rescaled)) {
+      if (rescaled) return false;
       rescale();
       set_arrays();
-      project_fresh();
+      if (!project_fresh(true)) return false;
     }
   } else {
     if (!(step_ >= 0.0) || !close_.fits(*source_, scale_)) return false;
     set_arrays();
     if (known == Bounds::last) {
       const RayBounds expected = CloseSet::widened(with_new(last_), kLastShare);
-      if (!close_.holds(expected, travelled_) && !choose_close(CloseSet::widened(expected, kCloseShare)))
+      if (!close_.holds(expected, travelled_) && !choose_close(CloseSet::widened(expected, kCloseShare), false))
         return false;
       if (!project_close(expected)) return false;
     } else if (!close_.holds(close_.bounds(), travelled_) || !project_close(close_.bounds())) {
@@ -102,7 +106,7 @@ bool RayBundle::project(Bounds known) {
     }
   }
   size = source_->centre.cwiseAbs().maxCoeff() + 1.8 / scale_;  // root of 3, and the frame's roundings
-  return size <= kLargest && size * scale_ <= kLargestRatio && !flags_.outside;
+  return size <= kLargest && size * scale_ <= kLargestRatio;
 }
 
 // The bounds of rays asked about before and of those that were not.
@@ -178,23 +182,28 @@ void RayBundle::set_arrays() {
   }
 }
 
-// All nodes. False where the scale does not fit them any more, or one of them is to be refused.
-bool RayBundle::project_fresh() {
+// All nodes. False where the scale does not fit them any more, or one of them is to be refused. A small extent
+// does fit if the scale is of these very nodes and sources.
+bool RayBundle::project_fresh(bool rescaled) {
   close_.forget();
   bounds_ = kernel_table().bound_rays(arrays_, half_long(), static_cast<int>(candidates_.size()));
-  if (step_ >= 0.0) return choose_close(CloseSet::widened(bounds_, kCloseShare)) && project_close(bounds_);
+  if (step_ >= 0.0)
+    return choose_close(CloseSet::widened(bounds_, kCloseShare), rescaled) && project_close(bounds_);
   set_sides(bounds_, 0.0);
   set_way();
-  flags_ = kernel_table().project_nodes(arrays_);
-  return !flags_.outside && !flags_.small && !flags_.tiny;
+  return project_all(rescaled);
+}
+
+bool RayBundle::project_all(bool rescaled) {
+  const ProjectFlags flags = kernel_table().project_nodes(arrays_);
+  return !flags.outside && !flags.tiny && (rescaled || !flags.small);
 }
 
 // Patches that can come between rays in these bounds while nodes move by a reach.
-bool RayBundle::choose_close(const RayBounds& wide) {
+bool RayBundle::choose_close(const RayBounds& wide, bool rescaled) {
   const double reach = kStepsAhead * step_;
   set_sides(wide, 1.001 * scale_ * reach);
-  flags_ = kernel_table().project_nodes(arrays_);
-  if (flags_.outside || flags_.small || flags_.tiny) return false;
+  if (!project_all(rescaled)) return false;
   constexpr unsigned sides = 0x1f;  // what is in the sources' plane now may rise from it
   close_.choose(*source_, scale_, wide, travelled_, reach,
                 [&](int* patches) { return find_patches(all_, sides, patches); });
@@ -206,8 +215,9 @@ bool RayBundle::project_close(const RayBounds& bounds) {
   set_sides(bounds_, 0.0);
   set_way();
   arrays_.listed = close_.nodes().data();
-  flags_ = kernel_table().project_listed(arrays_, static_cast<int>(close_.nodes().size()));
-  return !flags_.outside && !flags_.tiny;
+  const ProjectFlags flags =
+      kernel_table().project_listed(arrays_, static_cast<int>(close_.nodes().size()));
+  return !flags.outside && !flags.tiny;
 }
 
 void RayBundle::set_side(int bit, double slope, double bound, double reach) {

@@ -22,8 +22,10 @@ class RayBundle {
  public:
   void reserve(const OrderedMesh& mesh, std::size_t node_count);
 
-  /// One ray for each element that is asked about; `travelled`: see VisibilityQuery.
-  void ask(const Surface& surface, const RaySource& source, std::span<const int> candidates, double travelled);
+  /// The nodes may have moved. `travelled`: see VisibilityQuery.
+  void move_to(double travelled);
+  /// One ray for each element that is asked about.
+  void ask(const Surface& surface, const RaySource& source, std::span<const int> candidates);
 
   /// How the rays' bounds are known before they are looked at: near to those of the last query, within those
   /// that nodes were chosen for, from their targets.
@@ -65,9 +67,10 @@ class RayBundle {
 
  private:
   RayBounds with_new(const RayBounds& before);
-  bool project_fresh();
+  bool project_fresh(bool rescaled);
+  bool project_all(bool rescaled);
   bool project_close(const RayBounds& bounds);
-  bool choose_close(const RayBounds& wide);
+  bool choose_close(const RayBounds& wide, bool rescaled);
   void rescale();
   void set_arrays();
   void set_way();
@@ -91,10 +94,9 @@ class RayBundle {
   RayBounds bounds_{}, last_{};
   blocking::Ray way_{};
   ProjectArrays arrays_{};
-  ProjectFlags flags_{};
   unsigned outside_ = 0;
   double travelled_ = kMotionUnknown;  // [m] by the nodes
-  double step_ = 0.0;                  // [m] of it since the last query
+  double step_ = kMotionUnknown;       // [m] of it since the last query
   CloseSet close_;
   bool fresh_ = false;
   std::vector<int> all_;              // patches

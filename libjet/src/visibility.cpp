@@ -134,6 +134,7 @@ bool VisibilityQuery::closed() const {
 VisibilityCounters VisibilityQuery::query(VisibilityRoute route, const Points& nodes, const RaySource& source,
                                           std::span<const int> candidates, std::span<std::uint8_t> lit,
                                           double travelled) {
+  impl_->fast.move_to(travelled);  // refused or not, and whatever the route
   impl_->check(nodes, source, candidates);
   if (lit.size() != candidates.size()) refuse("lit has another size than candidates");
   const Surface surface = impl_->surface(nodes);
@@ -151,7 +152,7 @@ VisibilityCounters VisibilityQuery::query(VisibilityRoute route, const Points& n
     case VisibilityRoute::fast:
       break;
   }
-  return impl_->fast.query(surface, source, candidates, lit, travelled);
+  return impl_->fast.query(surface, source, candidates, lit);
 }
 
 std::vector<std::optional<int>> VisibilityQuery::winding_numbers(const Points& nodes, const RaySource& source,
