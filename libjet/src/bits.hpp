@@ -2,6 +2,7 @@
 // Sets as bytes of eight bits.
 #pragma once
 
+#include <bit>
 #include <cstdint>
 #include <cstring>
 #include <span>
@@ -17,6 +18,16 @@ inline void and_not(std::span<const std::uint8_t> a, std::span<const std::uint8_
     std::memcpy(&y, &b[i], 8);
     x &= ~y;
     std::memcpy(&to[i], &x, 8);
+  }
+}
+
+/// Bytes of 0 or 1 to bits, eight to a byte. Precondition: eight times as many bytes.
+inline void pack(std::span<const std::uint8_t> bytes, std::span<std::uint8_t> bits) {
+  for (std::size_t i = 0; i < bits.size(); ++i) {
+    static_assert(std::endian::native == std::endian::little);
+    std::uint64_t eight;
+    std::memcpy(&eight, &bytes[8 * i], 8);
+    bits[i] = static_cast<std::uint8_t>(eight * 0x0102040810204080u >> 56);  // byte j to bit 56 + j
   }
 }
 

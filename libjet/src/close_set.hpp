@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "bits.hpp"
 #include "jet/visibility.hpp"
 #include "kernel_table.hpp"
 #include "mesh_order.hpp"
@@ -20,8 +21,9 @@ class CloseSet {
     mesh_ = &mesh;
     patches_.resize(static_cast<std::size_t>(mesh.patches));
     nodes_.resize(node_count + 8);
+    node_bits_.resize((node_count + 63) / 64 * 8);
     has_patch_.resize(static_cast<std::size_t>(mesh.patches));
-    has_node_.resize(node_count);
+    has_node_.resize(8 * node_bits_.size());
   }
 
   /// Everything is close, from now on.
@@ -55,13 +57,8 @@ class CloseSet {
     from_ = travelled;
     until_ = travelled + reach;
     std::fill(has_patch_.begin(), has_patch_.end(), std::uint8_t{0});
-    std::fill(has_node_.begin(), has_node_.end(), std::uint8_t{0});
     patch_count_ = static_cast<std::size_t>(find(patches_.data()));
     list_nodes();
-    const auto end = nodes_.begin() + static_cast<std::ptrdiff_t>(node_count_),
-               last = std::find(nodes_.begin(), end, static_cast<int>(has_node_.size()) - 1);
-    if (last != end) std::iter_swap(last, end - 1);
-    while (node_count_ % 8 != 0) nodes_[node_count_] = nodes_[node_count_ - 1], ++node_count_;
   }
 
   bool any() const { return until_ >= from_; }
@@ -70,21 +67,21 @@ class CloseSet {
   std::span<const int> nodes() const { return std::span(nodes_).first(node_count_); }  // a multiple of eight
 
  private:
+  // Ascending: the last of all nodes comes last.
   void list_nodes() {
     const std::uint32_t* rows = mesh_->patch_rows.data();  // which the bytes written cannot change
     const int* begin = mesh_->patch_begin.data();
-    int* to = nodes_.data();
     std::uint8_t* has = has_node_.data();
+    std::fill(has_node_.begin(), has_node_.end(), std::uint8_t{0});
     for (const int patch : patches()) {
       has_patch_[static_cast<std::size_t>(patch)] = 1;
-      for (const std::uint32_t *row = rows + begin[patch], *end = rows + begin[patch + 1]; row < end; ++row) {
-        const std::uint32_t node = *row / 4;
-        *to = static_cast<int>(node);  // kept if it is the first
-        to += has[node] == 0;
-        has[node] = 1;
-      }
+      for (const std::uint32_t *row = rows + begin[patch], *end = rows + begin[patch + 1]; row < end; ++row)
+        has[*row / 4] = 1;
     }
-    node_count_ = static_cast<std::size_t>(to - nodes_.data());
+    pack(has_node_, node_bits_);
+    node_count_ = static_cast<std::size_t>(
+        kernel_table().list_bits(node_bits_.data(), static_cast<int>(node_bits_.size()), nodes_.data()));
+    while (node_count_ % 8 != 0) nodes_[node_count_] = nodes_[node_count_ - 1], ++node_count_;
   }
 
   const OrderedMesh* mesh_ = nullptr;
@@ -94,7 +91,7 @@ class CloseSet {
   double from_ = kMotionUnknown, until_ = kMotionUnknown;  // [m] travelled
   std::size_t patch_count_ = 0, node_count_ = 0;
   std::vector<int> patches_, nodes_;
-  std::vector<std::uint8_t> has_patch_, has_node_;
+  std::vector<std::uint8_t> has_patch_, has_node_, node_bits_;
 };
 
 }  // namespace jet
