@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// The rays of one query in the jet's frame, by the places of their elements in the mesh's order, and the nodes
-// that they can come near to. Bounds of the rays are slopes against the axis (point source), or slope across
-// and place along the line (line source). They carry margins far above rounding, so they cost work at worst,
-// never an answer.
+// The rays of one query in the jet's frame, by the places of their elements in the mesh's order, and the
+// nodes that they can come near to. Bounds of the rays are slopes against the axis (point source), or slope
+// across and place along the line (line source). They carry margins far above rounding, so they cost work at
+// worst, never an answer.
 #pragma once
 
-#include <bit>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -23,7 +22,8 @@ class RayBundle {
   void reserve(const OrderedMesh& mesh, std::size_t node_count);
 
   /// One ray for each element that is asked about; `travelled`: see VisibilityQuery.
-  void ask(const Surface& surface, const RaySource& source, std::span<const int> candidates, double travelled);
+  void ask(const Surface& surface, const RaySource& source, std::span<const int> candidates,
+           double travelled);
 
   /// How the rays' bounds are known before they are looked at: near to those of the last query, within those
   /// that nodes were chosen for, from their targets.
@@ -64,6 +64,8 @@ class RayBundle {
   std::vector<int> aside;  // places whose rays have no length or do not go downstream: not in the bounds
 
  private:
+  static constexpr float kSteepest = 1e3f;  // steeper bounds keep out too little to be worth their margin
+
   RayBounds with_new(const RayBounds& before);
   bool project_fresh();
   bool project_close(const RayBounds& bounds);
