@@ -145,4 +145,48 @@ TEST(motion, candidates_in_any_order_and_named_twice) {
   EXPECT_GT(carried.hidden, 10u);
 }
 
+TEST(motion, rays_that_leave_the_bounds_of_the_last_query_meet_what_is_beyond_them) {
+  for (const bool line : {false, true}) {
+    Mesh mesh = scenes::star(3, 0.05, 44);
+    const auto source =
+        line ? routes::line({0, 0, -0.2}, {0, 0, 1}, {0, 1, 0}, 0.1) : routes::point({0, 0, -0.2}, {0, 0, 1});
+    const std::vector<int> chosen = routes::in_cone(mesh, source, 0.97);
+    ASSERT_GT(chosen.size(), 4u);
+    for (const int e : chosen) {  // half-way to each of them a closed blade, which goes with it
+      Mesh blade = scenes::scaled(scenes::octahedron(), 0.01);
+      const Eigen::Vector3d target = mesh.centroid(static_cast<std::size_t>(e));
+      const Eigen::Vector3d from(0.0, line ? std::clamp(target.y(), -0.1, 0.1) : 0.0, -0.2);
+      for (auto& p : blade.nodes) p += 0.5 * (from + target);
+      scenes::append(mesh, blade);
+    }
+    Carried carried(mesh);
+    double travelled = 0.0;
+    for (int step = 0; step < 12; ++step) {
+      carried.step(mesh, source, chosen, travelled);
+      double farthest = 0.0;
+      for (auto& p : mesh.nodes) {
+        const double growth = step % 3 == 2 ? 0.2 : 1e-3;
+        const Eigen::Vector3d motion(growth * p.x(), line ? 0.0 : growth * p.y(), 0.0);
+        farthest = std::max(farthest, motion.norm());
+        p += motion;
+      }
+      travelled += 1.001 * farthest;
+    }
+    EXPECT_GT(carried.hidden, carried.candidates * 3 / 4);
+  }
+}
+
+TEST(motion, elements_upstream_that_are_newly_asked_about_are_aside) {
+  const Mesh mesh = scenes::crumpled(3, 0.05, 45);
+  const auto source = routes::point({0.05, 0.02, 0.01}, {0, 1, 1});
+  std::vector<int> chosen = routes::in_cone(mesh, source, 0.5);
+  Carried carried(mesh);
+  for (int step = 0; step < 3; ++step) carried.step(mesh, source, chosen, 1e-6 * step);
+  const auto behind = routes::in_cone(mesh, routes::point(source.centre, {0, -1, -1}), 0.5);
+  for (std::size_t i = 0; i < behind.size(); i += behind.size() / 40 + 1) chosen.push_back(behind[i]);
+  const std::size_t before = carried.hidden;
+  carried.step(mesh, source, chosen, 3e-6);
+  EXPECT_GT(carried.hidden, before + 3);
+}
+
 }  // namespace
