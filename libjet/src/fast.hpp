@@ -56,9 +56,7 @@ class FastRoute {
   int element(int place) const { return mesh_.elements[static_cast<std::size_t>(place)]; }
   State& state(int place) { return states_[static_cast<std::size_t>(place)]; }
   void set(int place, State state);
-  bool alive(int place) const {
-    return (alive_[static_cast<std::size_t>(place / 8)] >> place % 8 & 1) != 0;
-  }
+  bool alive(int place) const { return (alive_[static_cast<std::size_t>(place / 8)] >> place % 8 & 1) != 0; }
   std::span<const int> list(std::span<const std::uint8_t> bits);
   bool find_near(RayBundle::Bounds known);
   void look();

@@ -68,13 +68,15 @@ void FastRoute::hide_again() {
     again_.push_back(ray);
     again_by_.push_back(by);
   }
-  kernel_table().meet_pairs({rays_.targets(), rays_.local(), rays_.half_long(), mesh_.triangles.front().data(),
-                             again_.data(), again_by_.data(), blocked_.data(), apart_.data()},
-                            static_cast<int>(again_.size()));
+  kernel_table().meet_pairs(
+      {rays_.targets(), rays_.local(), rays_.half_long(), mesh_.triangles.front().data(), again_.data(),
+       again_by_.data(), blocked_.data(), apart_.data()},
+      static_cast<int>(again_.size()));
   for (std::size_t i = 0; i < again_.size(); ++i) {
     const int ray = again_[i], by = again_by_[i];
     const bool blocked = (blocked_[i / 8] >> i % 8 & 1u) != 0, apart = (apart_[i / 8] >> i % 8 & 1u) != 0;
-    if (blocked || (!apart && blocking::blocks(kernel_, rays_.ray(ray), surface_, element(by)))) hide(ray, by);
+    if (blocked || (!apart && blocking::blocks(kernel_, rays_.ray(ray), surface_, element(by))))
+      hide(ray, by);
   }
 }
 
@@ -85,7 +87,8 @@ void FastRoute::search_aside() {
     const blocking::Ray& ray = rays_.ray(place);
     state(place) = kLit;
     for (int e = 0; e < surface_.count && state(place) == kLit; ++e) {
-      if (e == element(place) || surface_.never_blocks(e) || Box(surface_, e).apart_from_segment(ray)) continue;
+      if (e == element(place) || surface_.never_blocks(e) || Box(surface_, e).apart_from_segment(ray))
+        continue;
       if (blocking::blocks(kernel_, ray, surface_, e)) state(place) = kHidden;
     }
   }

@@ -99,12 +99,12 @@ struct PatchArrays {
   float error;                // absolute part of the bound of the orientation
   float* points;              // eight (u, v, w) of their corners
   float* targets;             // rows of the patches that have rays
-  std::uint8_t* inner;        // by patch of the mesh: the sources of rays that can touch it see its inner side,
-  std::uint8_t* outer;        // or its outer one, for certain
-  int* not_inner;             // list of those near that may not show the inner side
-  int* between;               // near, may lie between two sources
-  int* on_way;                // near, may touch the line
-  int* aside;                 // asked, but with rays that are not certainly downstream
+  std::uint8_t* inner;  // by patch of the mesh: the sources of rays that can touch it see its inner side,
+  std::uint8_t* outer;  // or its outer one, for certain
+  int* not_inner;       // list of those near that may not show the inner side
+  int* between;         // near, may lie between two sources
+  int* on_way;          // near, may touch the line
+  int* aside;           // asked, but with rays that are not certainly downstream
 };
 struct PatchesFound {
   int not_inner, between, on_way, aside;  // lengths of the lists
@@ -126,7 +126,7 @@ struct ElementArrays {
 struct PairArrays {
   const float *targets, *local;
   float half_long;
-  const int* triangles;  // as given
+  const int* triangles;  // in the mesh's order
   const int *rays, *elements;
   std::uint8_t* blocked;  // bits of eight: the segment crosses the interior for certain
   std::uint8_t* apart;    // it does not touch the element for certain
@@ -172,7 +172,8 @@ struct KernelTable {
   void (*merge)(const float* blocks, int count, float* boxes);
   void (*meet_pairs)(const PairArrays&, int count);
   /// Elements that eight rays of the list, or less, from `first` on, may touch: 8 times the element plus the
-  /// ray, times kHitKinds, plus what is certain, to `hits`: their number. A ray is left after a certain touch.
+  /// ray, times kHitKinds, plus what is certain, to `hits`: their number. A ray is left after a certain
+  /// touch.
   int (*meet_lines)(const RayArrays&, int first, const PyramidView&, const float* points, const HitLists&);
   /// Those that they may touch up to their targets.
   int (*meet_segments)(const RayArrays&, int first, const PyramidView&, const float* points, const HitLists&);

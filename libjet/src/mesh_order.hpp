@@ -21,8 +21,9 @@ struct OrderedMesh {
   std::vector<int> rank;            // place of each element in it
   std::vector<Triangle> triangles;  // in order, like `elements`
   int patches = 0;                  // of eight elements
-  // Where the nodes' rows of four numbers begin: 4 times the node.
-  std::vector<std::uint32_t> patch_rows;   // of the nodes of each patch, the last repeated to a multiple of four
+  // Where the nodes' rows of four numbers begin: 4 times the node. Of the nodes of each patch, the last
+  // repeated to a multiple of four:
+  std::vector<std::uint32_t> patch_rows;
   std::vector<int> patch_begin;            // in patch_rows, and the end
   std::vector<std::uint32_t> corner_rows;  // eight first, eight second, eight third corners of each patch
 

@@ -25,23 +25,11 @@ void NearElements::find(RayBundle& rays) {
   count_ = rays.find_patches(patches_.data());
   std::fill(inner_.begin(), inner_.end(), std::uint8_t{0});
   std::fill(outer_.begin(), outer_.end(), std::uint8_t{0});
-  found_ = kernel_table().look_at_patches({rays.local(),
-                                           rays.half_long(),
-                                           mesh_->corner_rows.data(),
-                                           static_cast<int>(mesh_->rank.size()),
-                                           patches_.data(),
-                                           count_,
-                                           static_cast<int>(rays.outside()),
-                                           rays.asked().data(),
-                                           rays.local_error(),
-                                           points_.data(),
-                                           rays.targets(),
-                                           inner_.data(),
-                                           outer_.data(),
-                                           not_inner_.data(),
-                                           between_.data(),
-                                           on_way_.data(),
-                                           aside_.data()});
+  found_ = kernel_table().look_at_patches(
+      {rays.local(), rays.half_long(), mesh_->corner_rows.data(), static_cast<int>(mesh_->rank.size()),
+       patches_.data(), count_, static_cast<int>(rays.outside()), rays.asked().data(), rays.local_error(),
+       points_.data(), rays.targets(), inner_.data(), outer_.data(), not_inner_.data(), between_.data(),
+       on_way_.data(), aside_.data()});
 }
 
 void NearElements::make_boxes(const RayBundle& rays) {

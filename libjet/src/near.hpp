@@ -22,10 +22,10 @@ class NearElements {
   /// are those in the mesh's order.
   void find(RayBundle& rays);
 
-  /// All sources whose rays can touch the element see its inner side, and its own ray pierces it; or all see
-  /// its outer side.
-  bool shows_inner_side(int place) const { return bit(inner_, place); }
-  bool shows_outer_side(int place) const { return bit(outer_, place); }
+  /// All sources whose rays can touch the element see its outer side.
+  bool shows_outer_side(int place) const {
+    return (outer_[static_cast<std::size_t>(place / 8)] >> place % 8 & 1) != 0;
+  }
 
   /// Elements near the rays that may not show their inner side, may lie between two sources, may touch the
   /// way; and those asked about whose rays are not certainly downstream.
@@ -36,7 +36,7 @@ class NearElements {
 
   const PatchesFound& found() const { return found_; }
   std::span<const int> patches() const { return first(patches_, count_); }
-  /// By patch: bits of the elements that show their inner side.
+  /// By patch: bits of the elements whose inner side all these sources see, and whose own rays pierce them.
   std::span<const std::uint8_t> inner() const { return inner_; }
 
   /// visit(ray, place, kind) for the rays listed and the elements of `places` that they may touch.
@@ -44,8 +44,9 @@ class NearElements {
   void for_each_touching(const RayBundle& rays, std::span<const int> list, std::span<const int> places,
                          Visit visit) {
     gather_elements(rays, places);
-    for_each_hit(kernel_table().meet_lines, rays.arrays(list), own_boxes_, own_points_,
-                 [&](int ray, int slot, int kind) { visit(ray, places[static_cast<std::size_t>(slot)], kind); });
+    for_each_hit(
+        kernel_table().meet_lines, rays.arrays(list), own_boxes_, own_points_,
+        [&](int ray, int slot, int kind) { visit(ray, places[static_cast<std::size_t>(slot)], kind); });
   }
 
   /// The same for elements near the rays that these may touch before their targets.
@@ -59,9 +60,6 @@ class NearElements {
   }
 
  private:
-  static bool bit(const std::vector<std::uint8_t>& bytes, int place) {
-    return (bytes[static_cast<std::size_t>(place / 8)] >> (place % 8) & 1u) != 0;
-  }
   static std::span<const int> first(const std::vector<int>& list, int count) {
     return std::span(list).first(static_cast<std::size_t>(count));
   }

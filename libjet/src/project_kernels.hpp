@@ -40,7 +40,7 @@ struct NodeFlags {
                                         __builtin_convertvector(high.v, Row), 0, 1, 2, 3, 4, 5, 6, 7));
 }
 
-inline constexpr float kWayMargin = 4e-6f;  // 65 times the error of local coordinates
+inline constexpr float kWayMargin = 4e-6f;  // 134 times the error of local coordinates
 
 /// Sides on which the nodes lie outside, see ProjectArrays.
 [[gnu::always_inline]] inline Floats::Mask code(const ProjectArrays& a, const Vec3<Floats>& x) {
@@ -51,8 +51,8 @@ inline constexpr float kWayMargin = 4e-6f;  // 65 times the error of local coord
     const Floats margin(kWayMargin * (1.0f + (slope < 0.0f ? -slope : slope)));
     return ((y < -margin) & (1 << i)) | ((y > margin) & (2 << i));
   };
-  return low(0, x.x) | high(1, x.x) | low(2, x.y) | high(3, x.y) | low(4, x.z) |
-         beside(8, across, a.way[0]) | beside(10, along, a.way[1]);
+  return low(0, x.x) | high(1, x.x) | low(2, x.y) | high(3, x.y) | low(4, x.z) | beside(8, across, a.way[0]) |
+         beside(10, along, a.way[1]);
 }
 
 /// Eight rows of four, row i to to(i).
@@ -102,7 +102,9 @@ inline ProjectFlags project_nodes(const ProjectArrays& arrays) {
   const std::ptrdiff_t stride = a.nodes.stride;
   const double* x = a.nodes.first;
   float* local = a.local;
-  const auto to = [&](int j) __attribute__((always_inline)) { return local + 4 * j; };
+  const auto to = [&](int j) __attribute__((always_inline)) {
+    return local + 4 * j;
+  };
   int i = 0;
   for (; i + 8 < a.count; i += 8, x += 8 * stride, local += 32)
     project_eight(
@@ -118,7 +120,9 @@ inline ProjectFlags project_listed(const ProjectArrays& arrays, int count) {
   const std::ptrdiff_t stride = a.nodes.stride;
   const double* first = a.nodes.first;
   const int *node = a.listed, *last = node + count - 8;
-  const auto to = [&](int j) __attribute__((always_inline)) { return a.local + 4 * std::ptrdiff_t{node[j]}; };
+  const auto to = [&](int j) __attribute__((always_inline)) {
+    return a.local + 4 * std::ptrdiff_t{node[j]};
+  };
   for (; node < last; node += 8)
     project_eight(
         a, [=](int j) __attribute__((always_inline)) { return first + node[j] * stride; }, flags, to);

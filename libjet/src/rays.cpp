@@ -2,10 +2,8 @@
 #include "rays.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <numeric>
-#include <utility>
 
 #include "bits.hpp"
 #include "checks.hpp"
@@ -14,11 +12,8 @@ namespace jet {
 namespace {
 
 constexpr std::size_t kMostAside = 64;  // more of them are quicker in a tree
-constexpr float kSteepest = 1e3f;       // steeper bounds keep out too little to be worth their margin
 constexpr double kLargestRatio =
-    1e5;                          // coordinates over extent: sources lie beside their line by 4e-16 of it
-constexpr double kMargin = 1e-6;  // 16 times the error of local coordinates
-constexpr std::uint8_t kFloor = 0x80;
+    1e5;                             // coordinates over extent: sources lie beside their line by 4e-16 of it
 constexpr double kStepsAhead = 6.0;  // motion that the choice of close patches is made for
 constexpr float kCloseShare = 0.05f, kLastShare = 0.03f;  // of the rays' range, by which bounds are widened
 
@@ -43,7 +38,7 @@ void RayBundle::reserve(const OrderedMesh& mesh, std::size_t node_count) {
   asked_.resize(patches);
   asked_before_.resize(patches);
   new_.resize(elements + 8);
-  aside.reserve(elements);
+  aside.reserve(elements + 8);
   made_.resize(elements);
   is_made_.resize(elements);
   close_.reserve(mesh, node_count);
@@ -74,8 +69,8 @@ void RayBundle::ask(const Surface& surface, const RaySource& source, std::span<c
   }
   place_count_ = static_cast<std::size_t>(
       kernel_table().list_bits(asked_.data(), static_cast<int>(asked_.size()), places_.data()));
-  asked_patches_ = static_cast<int>(asked_.size() - static_cast<std::size_t>(std::count(
-                                                        asked_.begin(), asked_.end(), std::uint8_t{0})));
+  asked_patches_ = static_cast<int>(
+      asked_.size() - static_cast<std::size_t>(std::count(asked_.begin(), asked_.end(), std::uint8_t{0})));
   std::fill(is_made_.begin(), is_made_.end(), std::uint8_t{0});
   has_frame_ = frame_.build(source);
 }
@@ -98,7 +93,8 @@ bool RayBundle::project(Bounds known) {
     set_arrays();
     if (known == Bounds::last) {
       const RayBounds expected = CloseSet::widened(with_new(last_), kLastShare);
-      if (!close_.holds(expected, travelled_) && !choose_close(CloseSet::widened(expected, kCloseShare), false))
+      if (!close_.holds(expected, travelled_) &&
+          !choose_close(CloseSet::widened(expected, kCloseShare), false))
         return false;
       if (!project_close(expected)) return false;
     } else if (!close_.holds(close_.bounds(), travelled_) || !project_close(close_.bounds())) {
@@ -132,8 +128,9 @@ bool RayBundle::accept(const PatchesFound& found, std::span<const int> patches,
     if (found.asked < asked_patches_ || !above(r.low_u, b.low_u) || !above(-r.high_u, -b.high_u) ||
         !above(r.low_v, b.low_v) || !above(-r.high_v, -b.high_v))
       return false;
-  } else if (found.asked < asked_patches_) {  // they hold no ray of these patches
-    std::vector<std::uint8_t> missing(asked_);
+  } else if (found.asked < asked_patches_) {             // they hold no ray of these patches
+    std::vector<std::uint8_t>& missing = asked_before_;  // not read any more
+    missing = asked_;
     for (const int patch : patches) missing[static_cast<std::size_t>(patch)] = 0;
     aside.resize(places_.size());
     const auto count = static_cast<std::size_t>(not_downstream.size());
@@ -182,8 +179,9 @@ void RayBundle::set_arrays() {
   }
 }
 
-// All nodes. False where the scale does not fit them any more, or one of them is to be refused. A small extent
-// does fit if the scale is of these very nodes and sources.
+// Bounds from the rays' targets, and nodes: all, or where the motion is known those close to the rays. False
+// where the scale does not fit them any more, or one of them is to be refused. A small extent does fit if the
+// scale is of these very nodes and sources.
 bool RayBundle::project_fresh(bool rescaled) {
   close_.forget();
   bounds_ = kernel_table().bound_rays(arrays_, half_long(), static_cast<int>(candidates_.size()));
@@ -215,86 +213,8 @@ bool RayBundle::project_close(const RayBounds& bounds) {
   set_sides(bounds_, 0.0);
   set_way();
   arrays_.listed = close_.nodes().data();
-  const ProjectFlags flags =
-      kernel_table().project_listed(arrays_, static_cast<int>(close_.nodes().size()));
+  const ProjectFlags flags = kernel_table().project_listed(arrays_, static_cast<int>(close_.nodes().size()));
   return !flags.outside && !flags.tiny;
-}
-
-void RayBundle::set_side(int bit, double slope, double bound, double reach) {
-  const bool steep = !(std::abs(slope) <= static_cast<double>(kSteepest));
-  arrays_.slope[bit] = steep ? 0.0f : static_cast<float>(slope);
-  arrays_.bound[bit] =
-      steep ? HUGE_VALF
-            : static_cast<float>(bound + kMargin * (1.0 + std::abs(slope)) +
-                                 (reach > 0.0 ? reach * std::hypot(1.0, slope) : 0.0));
-}
-
-// Half-spaces that hold all rays not aside, beyond their targets, too, and what is within `reach` of them.
-void RayBundle::set_sides(const RayBounds& bounds, double reach) {
-  set_side(0, bounds.low_u, 0.0, reach);
-  set_side(1, bounds.high_u, 0.0, reach);
-  set_side(2, frame_.line ? 0.0 : bounds.low_v, frame_.line ? -bounds.low_v : 0.0, reach);
-  set_side(3, frame_.line ? 0.0 : bounds.high_v, frame_.line ? bounds.high_v : 0.0, reach);
-  set_side(4, 0.0, 0.0, reach);
-  // What is not above the sources' own plane meets no ray: a source on it starts above, by eps.
-  outside_ = 0x1fu | (frame_.aligned() ? kFloor : 0u);
-}
-
-int RayBundle::find_patches(int* patches) const {
-  return find_patches(close_.any() ? close_.patches() : all_, outside_, patches);
-}
-
-int RayBundle::find_patches(std::span<const int> among, unsigned all_outside, int* patches) const {
-  const std::uint32_t* rows = mesh_->patch_rows.data();
-  const int* begin = mesh_->patch_begin.data();
-  const auto code = [codes = local_.data() + 3](std::uint32_t row) {
-    return std::bit_cast<std::uint32_t>(codes[row]);
-  };
-  int count = 0;
-  for (const int patch : among) {
-    unsigned outside = all_outside;
-    for (const std::uint32_t *row = rows + begin[patch], *end = rows + begin[patch + 1]; row < end && outside != 0;
-         row += 4)
-      outside &= code(row[0]) & code(row[1]) & code(row[2]) & code(row[3]);
-    patches[count] = patch;  // kept if the next does not overwrite it: no branch to predict
-    count += outside == 0;
-  }
-  return count;
-}
-
-const blocking::Ray& RayBundle::ray(int place) const {
-  const auto i = static_cast<std::size_t>(place);
-  if (is_made_[i] == 0) {
-    is_made_[i] = 1;
-    made_[i] = blocking::make_ray(surface_, mesh_->elements[i], *source_);
-    made_[i].moved = blocking::Moved::unknown;
-  }
-  return made_[i];
-}
-
-// A general slope within the bounds: bags are symmetric about the axis. Local coordinates of the end are
-// above 1.
-void RayBundle::set_way() {
-  arrays_.way[2] = 0.0f;
-  for (const int place : places()) {  // the first that is not aside is within the bounds
-    way_ = ray(place);
-    if (!frame_.line) break;
-    const Eigen::Map<const Eigen::Vector3d> from(way_.source);
-    arrays_.way[2] = static_cast<float>(scale_ * (from - source_->centre).dot(frame_.along));
-    if (arrays_.way[2] >= bounds_.low_v && arrays_.way[2] <= bounds_.high_v) break;
-  }
-  way_.moved = blocking::Moved::yes;
-  const auto within = [](float low, float high, double share) {
-    const double a = std::clamp(low, -kSteepest, kSteepest), b = std::clamp(high, -kSteepest, kSteepest);
-    return a + share * (b - a);
-  };
-  const double u = within(bounds_.low_u, bounds_.high_u, 0.382);
-  const double v = frame_.line ? 0.0 : within(bounds_.low_v, bounds_.high_v, 0.618);
-  for (int i = 0; i < 3; ++i)
-    way_.target[i] =
-        way_.source[i] + 2.0 / scale_ * (frame_.forward[i] + u * frame_.across[i] + v * frame_.along[i]);
-  arrays_.way[0] = static_cast<float>(u);
-  arrays_.way[1] = static_cast<float>(v);
 }
 
 }  // namespace jet

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// The rays of one query in the jet's frame, by the places of their elements in the mesh's order, and the nodes
-// that they can come near to. Bounds of the rays are slopes against the axis (point source), or slope across
-// and place along the line (line source). They carry margins far above rounding, so they cost work at worst,
-// never an answer.
+// The rays of one query in the jet's frame, by the places of their elements in the mesh's order, and the
+// nodes that they can come near to. Bounds of the rays are slopes against the axis (point source), or slope
+// across and place along the line (line source). They carry margins far above rounding, so they cost work at
+// worst, never an answer.
 #pragma once
 
-#include <bit>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -66,6 +65,8 @@ class RayBundle {
   std::vector<int> aside;  // places whose rays have no length or do not go downstream: not in the bounds
 
  private:
+  static constexpr float kSteepest = 1e3f;  // steeper bounds keep out too little to be worth their margin
+
   RayBounds with_new(const RayBounds& before);
   bool project_fresh(bool rescaled);
   bool project_all(bool rescaled);

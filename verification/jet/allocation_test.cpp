@@ -63,4 +63,23 @@ TEST(allocation, a_step_of_the_jet_allocates_nothing) {
   }
 }
 
+TEST(allocation, rays_that_go_upstream_allocate_nothing) {
+  const scenes::Mesh mesh = scenes::star(4, 0.2, 1);
+  jet::VisibilityQuery query(mesh.triangles(), static_cast<int>(mesh.nodes.size()));
+  jet::RaySource source;
+  std::vector<int> chosen;
+  for (int e = 0; e < 2048; e += 32) {
+    if ((mesh.centroid(static_cast<std::size_t>(e)) - source.centre).dot(source.axis) > 0.0 || e % 64 == 0)
+      chosen.push_back(e);
+  }
+  std::vector<std::uint8_t> lit(chosen.size());
+  const Eigen::Matrix3Xd points = mesh.points();
+  const jet::Points nodes(points);
+  const long before = support::allocations();
+  const auto counters = query.query(jet::VisibilityRoute::fast, nodes, source, chosen, lit);
+  EXPECT_EQ(support::allocations(), before);
+  EXPECT_EQ(counters.tree_builds, 0u);
+  EXPECT_GT(counters.fallbacks, 10u);
+}
+
 }  // namespace

@@ -2,7 +2,6 @@
 // The kernels give the same bits on every instruction set, and their exponential is one.
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -10,8 +9,6 @@
 #include <utility>
 
 #include "kernel_table.hpp"
-#include "mesh_order.hpp"
-#include "pyramid.hpp"
 #include "scenes.hpp"
 
 namespace {
@@ -125,10 +122,9 @@ TEST(kernels, profile_eq_exponential) {
 }
 
 struct Looked {
-  std::vector<float> local, points, targets, boxes, near_points, merged;
+  std::vector<float> local, points, targets, boxes, near_points, merged, bounds;
   std::vector<std::uint8_t> inner, outer, blocked, apart;
   std::vector<int> not_inner, between, on_way, aside, hits;
-  std::vector<float> bounds;
   bool operator==(const Looked&) const = default;
 };
 
@@ -173,7 +169,8 @@ Looked look(const jet::KernelTable& kernels, const Mesh& mesh, float half_long) 
   std::iota(all.begin(), all.end(), 0);
   std::vector<std::uint32_t> corner_rows(3 * count);
   for (std::size_t i = 0; i < corner_rows.size(); ++i) {
-    const auto e = static_cast<Eigen::Index>(i / 24 * 8 + i % 8), corner = static_cast<Eigen::Index>(i / 8 % 3);
+    const auto e = static_cast<Eigen::Index>(i / 24 * 8 + i % 8),
+               corner = static_cast<Eigen::Index>(i / 8 % 3);
     corner_rows[i] = 4 * static_cast<std::uint32_t>(triangles(corner, e));
   }
   const auto bytes = [&] { return std::vector<std::uint8_t>(patches); };
@@ -190,11 +187,10 @@ Looked look(const jet::KernelTable& kernels, const Mesh& mesh, float half_long) 
   project(kernels, mesh, triangles, all, half_long, p);
   const int n = static_cast<int>(count);
   const std::vector<std::uint8_t> asked(patches, 0xd7);
-  const jet::PatchesFound found =
-      kernels.look_at_patches({p.local.data(), half_long, corner_rows.data(), n, all.data(), n / 8, 0x9f,
-                               asked.data(), 1e-12f, p.points.data(), p.targets.data(), p.inner.data(),
-                               p.outer.data(), p.not_inner.data(), p.between.data(), p.on_way.data(),
-                               p.aside.data()});
+  const jet::PatchesFound found = kernels.look_at_patches(
+      {p.local.data(), half_long, corner_rows.data(), n, all.data(), n / 8, 0x9f, asked.data(), 1e-12f,
+       p.points.data(), p.targets.data(), p.inner.data(), p.outer.data(), p.not_inner.data(),
+       p.between.data(), p.on_way.data(), p.aside.data()});
   EXPECT_EQ(found.asked, n / 8);
   EXPECT_GT(found.not_inner, 0);
   EXPECT_GT(found.on_way, 0);
@@ -248,35 +244,6 @@ TEST(kernels, visibility_has_the_same_bits_on_every_instruction_set) {
     EXPECT_TRUE(same_bits(std::exchange(reference.local, {}), std::exchange(fast.local, {})));
     EXPECT_EQ(fast, reference);
     EXPECT_GT(reference.hits.size(), 0u);
-  }
-}
-
-TEST(mesh_order, patches_of_eight_are_compact_and_hold_each_element_once) {
-  for (const Mesh& mesh : {scenes::sphere(4), scenes::soup(37, 0.3, 1), scenes::lattice_cube(4)}) {
-    std::vector<jet::Triangle> triangles;
-    for (const auto& t : mesh.elements) triangles.push_back({t[0], t[1], t[2]});
-    const jet::OrderedMesh ordered(triangles);
-    std::vector<int> seen(triangles.size());
-    for (std::size_t i = 0; i < triangles.size(); ++i) {
-      const auto e = static_cast<std::size_t>(ordered.elements[i]);
-      ++seen[e];
-      EXPECT_EQ(ordered.rank[e], static_cast<int>(i));
-      EXPECT_EQ(ordered.triangles[i], triangles[e]);
-      const auto begin = ordered.patch_rows.begin() + ordered.patch_begin[i / 8],
-                 end = ordered.patch_rows.begin() + ordered.patch_begin[i / 8 + 1];
-      for (std::size_t corner = 0; corner < 3; ++corner) {
-        const auto row = static_cast<std::uint32_t>(4 * triangles[e][corner]);
-        EXPECT_NE(std::find(begin, end, row), end);
-        EXPECT_EQ(ordered.corner_rows[i / 8 * 24 + 8 * corner + i % 8], row);
-      }
-    }
-    EXPECT_EQ(seen, std::vector<int>(triangles.size(), 1));
-    EXPECT_EQ(ordered.patches, static_cast<int>((triangles.size() + 7) / 8));
-    if (mesh.elements.size() == 2048) {
-      // Eight triangles in a strip have 10 nodes, around a node 9; blocks need not begin where a patch does.
-      // At random they have 24. Filled to a multiple of four, most have 12.
-      EXPECT_LT(static_cast<double>(ordered.patch_rows.size()) / ordered.patches, 13.0);
-    }
   }
 }
 

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0
+// The rays of one query, second part: half-spaces that hold them, the patches in these, and a way between
+// them.
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include "rays.hpp"
+
+namespace jet {
+namespace {
+
+constexpr double kMargin = 1e-6;       // 33 times the error of local coordinates
+constexpr std::uint8_t kFloor = 0x80;  // bit of a code: not above the sources' own plane
+
+}  // namespace
+
+void RayBundle::set_side(int bit, double slope, double bound, double reach) {
+  const bool steep = !(std::abs(slope) <= static_cast<double>(kSteepest));
+  arrays_.slope[bit] = steep ? 0.0f : static_cast<float>(slope);
+  arrays_.bound[bit] = steep ? HUGE_VALF
+                             : static_cast<float>(bound + kMargin * (1.0 + std::abs(slope)) +
+                                                  (reach > 0.0 ? reach * std::hypot(1.0, slope) : 0.0));
+}
+
+// Half-spaces that hold all rays not aside, beyond their targets, too, and what is within `reach` of them.
+void RayBundle::set_sides(const RayBounds& bounds, double reach) {
+  set_side(0, bounds.low_u, 0.0, reach);
+  set_side(1, bounds.high_u, 0.0, reach);
+  set_side(2, frame_.line ? 0.0 : bounds.low_v, frame_.line ? -bounds.low_v : 0.0, reach);
+  set_side(3, frame_.line ? 0.0 : bounds.high_v, frame_.line ? bounds.high_v : 0.0, reach);
+  set_side(4, 0.0, 0.0, reach);
+  // What is not above the sources' own plane meets no ray: a source on it starts above, by eps.
+  outside_ = 0x1fu | (frame_.aligned() ? kFloor : 0u);
+}
+
+int RayBundle::find_patches(int* patches) const {
+  return find_patches(close_.any() ? close_.patches() : all_, outside_, patches);
+}
+
+int RayBundle::find_patches(std::span<const int> among, unsigned all_outside, int* patches) const {
+  const std::uint32_t* rows = mesh_->patch_rows.data();
+  const int* begin = mesh_->patch_begin.data();
+  const auto code = [codes = local_.data() + 3](std::uint32_t row) {
+    return std::bit_cast<std::uint32_t>(codes[row]);
+  };
+  int count = 0;
+  for (const int patch : among) {
+    unsigned outside = all_outside;
+    for (const std::uint32_t *row = rows + begin[patch], *end = rows + begin[patch + 1];
+         row < end && outside != 0; row += 4)
+      outside &= code(row[0]) & code(row[1]) & code(row[2]) & code(row[3]);
+    patches[count] = patch;  // kept if the next does not overwrite it: no branch to predict
+    count += outside == 0;
+  }
+  return count;
+}
+
+const blocking::Ray& RayBundle::ray(int place) const {
+  const auto i = static_cast<std::size_t>(place);
+  if (is_made_[i] == 0) {
+    is_made_[i] = 1;
+    made_[i] = blocking::make_ray(surface_, mesh_->elements[i], *source_);
+    made_[i].moved = blocking::Moved::unknown;
+  }
+  return made_[i];
+}
+
+// A general slope within the bounds: bags are symmetric about the axis. Local coordinates of the end are
+// above 1.
+void RayBundle::set_way() {
+  arrays_.way[2] = 0.0f;
+  for (const int place : places()) {  // the first that is not aside is within the bounds
+    way_ = ray(place);
+    if (!frame_.line) break;
+    const Eigen::Map<const Eigen::Vector3d> from(way_.source);
+    arrays_.way[2] = static_cast<float>(scale_ * (from - source_->centre).dot(frame_.along));
+    if (arrays_.way[2] >= bounds_.low_v && arrays_.way[2] <= bounds_.high_v) break;
+  }
+  way_.moved = blocking::Moved::yes;
+  const auto within = [](float low, float high, double share) {
+    const double a = std::clamp(low, -kSteepest, kSteepest), b = std::clamp(high, -kSteepest, kSteepest);
+    return a + share * (b - a);
+  };
+  const double u = within(bounds_.low_u, bounds_.high_u, 0.382);
+  const double v = frame_.line ? 0.0 : within(bounds_.low_v, bounds_.high_v, 0.618);
+  for (int i = 0; i < 3; ++i)
+    way_.target[i] =
+        way_.source[i] + 2.0 / scale_ * (frame_.forward[i] + u * frame_.across[i] + v * frame_.along[i]);
+  arrays_.way[0] = static_cast<float>(u);
+  arrays_.way[1] = static_cast<float>(v);
+}
+
+}  // namespace jet
