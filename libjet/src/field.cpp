@@ -113,12 +113,13 @@ void JetField::reset(FieldState& state) const {
 
 void JetField::evaluate(const Points& area_vectors, const Points& centroids, const OutletState& outlet,
                         FieldState& state, const Points* velocities, double travelled) const {
+  // Refused or not, the elements may have moved.
+  if (!(travelled >= state.travelled)) std::fill(state.slack.begin(), state.slack.end(), -HUGE_VAL);
+  state.travelled = travelled;
   require_columns("area_vectors", area_vectors.cols(), element_count_);
   require_columns("centroids", centroids.cols(), element_count_);
   require_velocities(model_, velocities, element_count_);
   reset(state);
-  if (!(travelled >= state.travelled)) std::fill(state.slack.begin(), state.slack.end(), -HUGE_VAL);
-  state.travelled = travelled;
   if (outlet.density == 0.0 || outlet.velocity == 0.0) return;
   FieldArrays arrays{};
   arrays.area_vectors = rows(area_vectors);

@@ -133,6 +133,74 @@ TEST(motion, nodes_far_from_the_rays_are_looked_at_when_nothing_is_told) {
   EXPECT_LT(refused(2e-3), all / 2);  // a cone of 26 degrees holds a twentieth of the sphere
 }
 
+/// Cube of half the side `half` about the origin, outward.
+Mesh cube(double half) {
+  Mesh mesh = scenes::welded(scenes::lattice_cube(6));
+  for (auto& p : mesh.nodes) p = half / 3.0 * (p - Eigen::Vector3d(3, 3, 3));
+  return mesh;
+}
+
+TEST(motion, outlet_much_longer_than_the_bag_comes_from_inside_a_shell) {
+  Mesh mesh = cube(1.0);
+  const std::size_t outer = mesh.elements.size();
+  scenes::append(mesh, cube(0.5));
+  const auto above = [](double z) { return routes::line({0, 0, z}, {0, 0, 1}, {0, 1, 0}, 100.0); };
+  std::vector<int> lid;
+  for (std::size_t e = 0; e < outer; ++e) {
+    const Eigen::Vector3d g = mesh.centroid(e);
+    if (g[2] > 0.75 && std::abs(g[0]) < 0.9 && std::abs(g[1]) < 0.4) lid.push_back(static_cast<int>(e));
+  }
+  scenes::Random random(44);
+  std::size_t hidden = 0;
+  for (int i = 0; i < 40; ++i) {
+    const double low = random.uniform(-2.0, 0.0), high = random.uniform(0.0, 2.0);
+    std::vector<int> part = lid;
+    std::erase_if(part, [&](int e) {
+      const double slope = mesh.centroid(static_cast<std::size_t>(e))[0] / 0.3;
+      return slope < low || slope > high;
+    });
+    if (part.empty()) continue;
+    Carried carried(mesh);
+    carried.step(mesh, above(0.7), part, 0.0);
+    carried.step(mesh, above(0.0), lid, 0.0);
+    hidden += carried.hidden;
+  }
+  EXPECT_GT(hidden, 100u) << "the inner shell must hide something";
+}
+
+TEST(motion, every_query_says_how_far_nodes_moved) {
+  // A blade that was far from the rays is put among them; the query after it may be any that can be asked.
+  using Route = jet::VisibilityRoute;
+  const auto source = routes::point({0, 0, -0.2}, {0, 0, 1});
+  for (const double travelled : {jet::kMotionUnknown, 0.0}) {
+    for (const Route route : routes::kAll) {
+      for (const int candidates : {-1, 0, 1}) {  // refused, none, some
+        Mesh mesh = scenes::star(3, 0.1, 41), blade = scenes::scaled(scenes::octahedron(), 0.12);
+        for (auto& p : blade.nodes) p += Eigen::Vector3d(-0.75, 0.02, 0.4);
+        const std::size_t bag = mesh.nodes.size();
+        scenes::append(mesh, blade);
+        const std::vector<int> chosen = routes::in_cone(mesh, source, 0.97);
+        Carried carried(mesh);
+        carried.step(mesh, source, chosen, 0.0);
+        carried.step(mesh, source, chosen, 1e-3);
+        EXPECT_EQ(carried.hidden, 0u);
+        for (std::size_t i = bag; i < mesh.nodes.size(); ++i) mesh.nodes[i][0] += 0.75;
+        const std::vector<int> between(static_cast<std::size_t>(std::abs(candidates)),
+                                       candidates < 0 ? -1 : chosen.front());
+        routes::Mask lit(between.size());
+        const auto ask = [&] { carried.query.query(route, mesh.points(), source, between, lit, travelled); };
+        if (candidates < 0) {
+          EXPECT_THROW(ask(), std::invalid_argument);
+        } else {
+          ask();
+        }
+        carried.step(mesh, source, chosen, 2e-3);
+        EXPECT_GT(carried.hidden, 3u) << "the blade must hide something";
+      }
+    }
+  }
+}
+
 TEST(motion, candidates_in_any_order_and_named_twice) {
   const Mesh mesh = scenes::crumpled(3, 0.05, 35);
   Carried carried(mesh);

@@ -104,6 +104,59 @@ TEST(routes, agree_over_scales) {
   }
 }
 
+/// About the axis `across` by a right angle, with the cosine that the mathematics library gives: 6.1e-17.
+Eigen::Matrix3d right_angle(int across) {
+  const double c = std::cos(std::acos(0.0)), s = std::sin(std::acos(0.0));
+  Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
+  const int i = (across + 1) % 3, j = (across + 2) % 3;
+  turn(i, i) = turn(j, j) = c;
+  turn(i, j) = -s;
+  turn(j, i) = s;
+  return turn;
+}
+
+TEST(routes, agree_on_an_outlet_in_the_wall_of_a_cube_turned_by_a_right_angle) {
+  scenes::Random random(6);
+  std::size_t lit = 0;
+  for (int seed = 0; seed < 24; ++seed) {
+    const Mesh cube = scenes::welded(scenes::lattice_cube(1 + seed % 5));
+    const Eigen::Vector3d outlet(0.0, random.uniform(0.5, 5.5), random.uniform(0.5, 5.5));
+    for (const int across : {1, 2}) {
+      const Eigen::Matrix3d turn = right_angle(across);
+      Mesh mesh = cube;
+      for (auto& p : mesh.nodes) p = turn * (p - outlet);
+      const auto source = routes::point({0, 0, 0}, turn.col(0));
+      lit += routes::agreed_on(routes::in_cone(mesh, source, 0.3), mesh, source).counters.lit;
+    }
+  }
+  EXPECT_GT(lit, 1000u);
+}
+
+TEST(routes, agree_on_a_sheet_that_an_axis_next_to_a_coordinate_leaves_just_in_front) {
+  scenes::Random random(7);
+  std::size_t hidden = 0, lit = 0;
+  for (int i = 0; i < 200; ++i) {
+    const double lean = i == 0 ? std::cos(std::acos(0.0)) : random.uniform(1e-17, 1e-16);
+    Mesh mesh;  // in the outlet's plane but for its roundings
+    for (const auto& [x, y] : {std::pair{-0.9, -1.0}, {-0.8, 1.0}, {1.1, 0.1}}) {
+      const Eigen::Vector3d off = random.vector(0.1);
+      mesh.nodes.emplace_back(x + off[0], y + off[1], -lean * (x + off[0]));
+    }
+    mesh.elements.assign(8, {0, 1, 2});
+    Mesh bag = scenes::sphere(1);
+    for (auto& p : bag.nodes) p[2] += 0.5;
+    scenes::append(mesh, bag);
+    const auto source = routes::point({0, 0, 0}, {lean, 0, 1});
+    std::vector<int> behind = routes::in_cone(mesh, source, 0.3);
+    std::erase_if(behind, [](int e) { return e < 8; });
+    const auto counters = routes::agreed_on(behind, mesh, source).counters;
+    hidden += counters.hidden;
+    lit += counters.lit;
+  }
+  EXPECT_GT(hidden, 100u);
+  EXPECT_GT(lit, 100u);
+}
+
 TEST(routes, mask_does_not_depend_on_the_order_of_the_candidates) {
   const Mesh mesh = scenes::crumpled(3, 0.1, 2);
   const auto reference = agreed(mesh, routes::point({0.1, 0.1, 0.05}));
