@@ -84,4 +84,27 @@ inline Answer agreed(const scenes::Mesh& mesh, const jet::RaySource& source,
   return agreed_on(all(mesh.elements.size()), mesh, source, roles);
 }
 
+/// One query object over a sequence of steps, each compared with brute force and with an object made for it.
+struct Carried {
+  explicit Carried(const scenes::Mesh& mesh)
+      : query(mesh.triangles(), static_cast<int>(mesh.nodes.size())), hidden(0), candidates(0) {}
+
+  void step(const scenes::Mesh& mesh, const jet::RaySource& source, const std::vector<int>& chosen,
+            double travelled = jet::kMotionUnknown) {
+    Mask lit(chosen.size());
+    const auto counters =
+        query.query(jet::VisibilityRoute::fast, mesh.points(), source, chosen, lit, travelled);
+    const auto truth = ask(jet::VisibilityRoute::brute_force, mesh, source, chosen);
+    EXPECT_EQ(lit, truth.lit);
+    EXPECT_EQ(lit, ask(jet::VisibilityRoute::fast, mesh, source, chosen).lit);
+    EXPECT_EQ(counters.hidden, truth.counters.hidden);
+    EXPECT_EQ(counters.facing_away, truth.counters.facing_away);
+    hidden += counters.hidden;
+    candidates += chosen.size();
+  }
+
+  jet::VisibilityQuery query;
+  std::size_t hidden, candidates;
+};
+
 }  // namespace routes

@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
 #include <limits>
 
 #include "routes.hpp"
@@ -13,27 +12,7 @@ namespace {
 
 using scenes::Mesh;
 
-struct Carried {
-  explicit Carried(const Mesh& mesh)
-      : query(mesh.triangles(), static_cast<int>(mesh.nodes.size())), hidden(0), candidates(0) {}
-
-  void step(const Mesh& mesh, const jet::RaySource& source, const std::vector<int>& chosen,
-            double travelled = jet::kMotionUnknown) {
-    routes::Mask lit(chosen.size());
-    const auto counters =
-        query.query(jet::VisibilityRoute::fast, mesh.points(), source, chosen, lit, travelled);
-    const auto truth = routes::ask(jet::VisibilityRoute::brute_force, mesh, source, chosen);
-    EXPECT_EQ(lit, truth.lit);
-    EXPECT_EQ(lit, routes::ask(jet::VisibilityRoute::fast, mesh, source, chosen).lit);
-    EXPECT_EQ(counters.hidden, truth.counters.hidden);
-    EXPECT_EQ(counters.facing_away, truth.counters.facing_away);
-    hidden += counters.hidden;
-    candidates += chosen.size();
-  }
-
-  jet::VisibilityQuery query;
-  std::size_t hidden, candidates;
-};
+using routes::Carried;
 
 void move(Mesh& mesh, scenes::Random& random, double amplitude) {
   for (auto& p : mesh.nodes) p += random.vector(amplitude);
@@ -212,84 +191,6 @@ TEST(motion, candidates_in_any_order_and_named_twice) {
   while (chosen.size() <= mesh.elements.size()) chosen.insert(chosen.end(), once.begin(), once.end());
   carried.step(mesh, source, chosen);
   EXPECT_GT(carried.hidden, 10u);
-}
-
-TEST(motion, rays_that_leave_the_bounds_of_the_last_query_meet_what_is_beyond_them) {
-  for (const bool line : {false, true}) {
-    const Mesh bag = scenes::star(3, 0.05, 44);
-    const auto source =
-        line ? routes::line({0, 0, -0.2}, {0, 0, 1}, {0, 1, 0}, 0.1) : routes::point({0, 0, -0.2}, {0, 0, 1});
-    const std::vector<int> chosen = routes::in_cone(bag, source, 0.97);
-    ASSERT_GT(chosen.size(), 4u);
-    // Half-way to each of them a closed blade, on the ray or between it and the axis.
-    const auto scene = [&](double width, double place) {
-      Mesh mesh = bag;
-      for (auto& p : mesh.nodes) p.x() *= width;
-      for (const int e : chosen) {
-        Mesh blade = scenes::scaled(scenes::octahedron(), 0.01);
-        const Eigen::Vector3d target = mesh.centroid(static_cast<std::size_t>(e));
-        const double y = 0.5 * (line ? std::clamp(target.y(), -0.1, 0.1) + target.y() : target.y());
-        for (auto& p : blade.nodes)
-          p += Eigen::Vector3d(0.5 * place * target.x(), y, 0.5 * (target.z() - 0.2));
-        scenes::append(mesh, blade);
-      }
-      return mesh;
-    };
-    Mesh mesh = scene(1.0, 0.7);
-    Carried carried(mesh);
-    double travelled = 0.0, width = 1.0;
-    std::size_t hidden = 0;
-    for (int step = 0; step < 12; ++step) {
-      const std::size_t before = carried.hidden;
-      carried.step(mesh, source, chosen, travelled);
-      if (step % 4 == 3) hidden += carried.hidden - before;
-      width *= step % 4 == 2 ? 1.2 : 1.001;
-      const Mesh next = scene(width, step % 4 == 2 ? 1.0 : 0.7);
-      double farthest = 0.0;
-      for (std::size_t i = 0; i < mesh.nodes.size(); ++i)
-        farthest = std::max(farthest, (next.nodes[i] - mesh.nodes[i]).norm());
-      travelled += 1.001 * farthest;
-      mesh = next;
-    }
-    EXPECT_GT(hidden, 3 * chosen.size() / 2) << "most must be hidden as they leave";
-  }
-}
-
-TEST(motion, elements_upstream_that_are_newly_asked_about_are_aside) {
-  const Mesh mesh = scenes::crumpled(3, 0.05, 45);
-  const auto source = routes::point({0.05, 0.02, 0.01}, {0, 1, 1});
-  std::vector<int> chosen = routes::in_cone(mesh, source, 0.5);
-  Carried carried(mesh);
-  for (int step = 0; step < 3; ++step) carried.step(mesh, source, chosen, 1e-6 * step);
-  const auto behind = routes::in_cone(mesh, routes::point(source.centre, {0, -1, -1}), 0.5);
-  for (std::size_t i = 0; i < behind.size(); i += behind.size() / 40 + 1) chosen.push_back(behind[i]);
-  const std::size_t before = carried.hidden;
-  carried.step(mesh, source, chosen, 3e-6);
-  EXPECT_GT(carried.hidden, before + 3);
-}
-
-/// Closed and outward, between two corners.
-Mesh box(const Eigen::Vector3d& low, const Eigen::Vector3d& high) {
-  Mesh mesh;
-  for (int i = 0; i < 8; ++i)
-    mesh.nodes.emplace_back(i % 2 == 0 ? low.x() : high.x(), i / 2 % 2 == 0 ? low.y() : high.y(),
-                            i / 4 == 0 ? low.z() : high.z());
-  for (const auto& [a, b, c, d] : {std::array{0, 2, 3, 1}, std::array{4, 5, 7, 6}, std::array{0, 1, 5, 4},
-                                   std::array{2, 6, 7, 3}, std::array{0, 4, 6, 2}, std::array{1, 3, 7, 5}}) {
-    mesh.elements.push_back({a, b, c});
-    mesh.elements.push_back({a, c, d});
-  }
-  return mesh;
-}
-
-TEST(motion, outlet_much_longer_than_the_bag_is_counted_from_where_it_is_now) {
-  Mesh mesh = box({-1.0, -1.0, -1.0}, {1.0, 1.0, 3.0});
-  scenes::append(mesh, box({-0.5, -0.9, -0.3}, {0.5, 0.9, 0.3}));
-  Carried carried(mesh);
-  const std::vector<int> top = {2, 3};
-  for (const double z : {0.4, 0.4, 0.01})  // into the inner box, where the winding number is 2
-    carried.step(mesh, routes::line({0, 0, z}, {0, 0, 1}, {0, 1, 0}, 150.0), top, 0.0);
-  EXPECT_EQ(carried.hidden, 2u);
 }
 
 }  // namespace

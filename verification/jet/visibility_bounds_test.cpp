@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+// Rays that leave the bounds expected of them, from one query to the next.
+#include <gtest/gtest.h>
+
+#include "routes.hpp"
+
+namespace {
+
+using routes::Carried;
+using scenes::Mesh;
+
+TEST(motion, rays_that_leave_the_bounds_of_the_last_query_meet_what_is_beyond_them) {
+  for (const bool line : {false, true}) {
+    const Mesh bag = scenes::star(3, 0.05, 44);
+    const auto source =
+        line ? routes::line({0, 0, -0.2}, {0, 0, 1}, {0, 1, 0}, 0.1) : routes::point({0, 0, -0.2}, {0, 0, 1});
+    const std::vector<int> chosen = routes::in_cone(bag, source, 0.97);
+    ASSERT_GT(chosen.size(), 4u);
+    // Half-way to each of them a closed blade, on the ray or between it and the axis.
+    const auto scene = [&](double width, double place) {
+      Mesh mesh = bag;
+      for (auto& p : mesh.nodes) p.x() *= width;
+      for (const int e : chosen) {
+        Mesh blade = scenes::scaled(scenes::octahedron(), 0.01);
+        const Eigen::Vector3d target = mesh.centroid(static_cast<std::size_t>(e));
+        const double y = 0.5 * (line ? std::clamp(target.y(), -0.1, 0.1) + target.y() : target.y());
+        for (auto& p : blade.nodes)
+          p += Eigen::Vector3d(0.5 * place * target.x(), y, 0.5 * (target.z() - 0.2));
+        scenes::append(mesh, blade);
+      }
+      return mesh;
+    };
+    Mesh mesh = scene(1.0, 0.7);
+    Carried carried(mesh);
+    double travelled = 0.0, width = 1.0;
+    std::size_t hidden = 0;
+    for (int step = 0; step < 12; ++step) {
+      const std::size_t before = carried.hidden;
+      carried.step(mesh, source, chosen, travelled);
+      if (step % 4 == 3) hidden += carried.hidden - before;
+      width *= step % 4 == 2 ? 1.2 : 1.001;
+      const Mesh next = scene(width, step % 4 == 2 ? 1.0 : 0.7);
+      double farthest = 0.0;
+      for (std::size_t i = 0; i < mesh.nodes.size(); ++i)
+        farthest = std::max(farthest, (next.nodes[i] - mesh.nodes[i]).norm());
+      travelled += 1.001 * farthest;
+      mesh = next;
+    }
+    EXPECT_GT(hidden, 3 * chosen.size() / 2) << "most must be hidden as they leave";
+  }
+}
+
+TEST(motion, elements_upstream_that_are_newly_asked_about_are_aside) {
+  const Mesh mesh = scenes::crumpled(3, 0.05, 45);
+  const auto source = routes::point({0.05, 0.02, 0.01}, {0, 1, 1});
+  std::vector<int> chosen = routes::in_cone(mesh, source, 0.5);
+  Carried carried(mesh);
+  for (int step = 0; step < 3; ++step) carried.step(mesh, source, chosen, 1e-6 * step);
+  const auto behind = routes::in_cone(mesh, routes::point(source.centre, {0, -1, -1}), 0.5);
+  for (std::size_t i = 0; i < behind.size(); i += behind.size() / 40 + 1) chosen.push_back(behind[i]);
+  const std::size_t before = carried.hidden;
+  carried.step(mesh, source, chosen, 3e-6);
+  EXPECT_GT(carried.hidden, before + 3);
+}
+
+}  // namespace
