@@ -151,8 +151,7 @@ void apply_mask(std::span<const std::uint8_t> lit, FieldState& state) {
                                 std::to_string(state.candidates.size()));
   }
   for (std::size_t k = 0; k < lit.size(); ++k) {
-    const double factor = lit[k] != 0;  // no branch to predict
-    state.overpressure[static_cast<std::size_t>(state.candidates[k])] *= factor;
+    if (lit[k] == 0) state.overpressure[static_cast<std::size_t>(state.candidates[k])] = 0.0;
   }
 }
 
