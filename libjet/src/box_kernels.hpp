@@ -181,13 +181,15 @@ inline PatchesFound look_at_patches(const PatchArrays& given) {
       return gather_four(s.local, [=](int i) { return std::ptrdiff_t{rows[i]}; });
     };
     const FourFloats a = corner(0), b = corner(1), c = corner(2);
-    const Corners t = {a.point, b.point, c.point};
-    store(s.points + kElementFloats * std::ptrdiff_t{k}, t);
     const auto code = [](const FourFloats& x) { return reinterpret_cast<Floats::Mask>(x.fourth.v); };
     const int left = s.elements - 8 * patch;
     const unsigned there = left < 8 ? (1u << left) - 1u : 0xffu;
     const Floats::Mask common = code(a) & code(b) & code(c);
     const unsigned near = there & ~bits((common & s.outside) != 0);
+    if (near == 0) continue;
+    const Corners t = {a.point, b.point, c.point};
+    store(s.points + kElementFloats * std::ptrdiff_t{found.near}, t);
+    s.near[found.near++] = patch;
     const Sides side = sides(s, t);
     const unsigned inner = bits(side.inner) | (~there & 0xffu);
     s.inner[patch] = static_cast<std::uint8_t>(inner);

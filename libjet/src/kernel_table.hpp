@@ -97,6 +97,7 @@ struct PatchArrays {
   int outside;                // bits of a code that keep an element out
   const std::uint8_t* asked;  // by patch of the mesh: elements that have rays
   float error;                // absolute part of the bound of the orientation
+  int* near;                  // those of the patches that rays can meet
   float* points;              // eight (u, v, w) of their corners
   float* targets;             // rows of the patches that have rays
   std::uint8_t* inner;  // by patch of the mesh: the sources of rays that can touch it see its inner side,
@@ -107,7 +108,7 @@ struct PatchArrays {
   int* aside;           // asked, but with rays that are not certainly downstream
 };
 struct PatchesFound {
-  int not_inner, between, on_way, aside;  // lengths of the lists
+  int near, not_inner, between, on_way, aside;  // lengths of the lists
   int asked;                              // patches that have rays
   RayBounds bounds;                       // of the rays not aside
 };

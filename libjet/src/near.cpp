@@ -22,19 +22,19 @@ void NearElements::reserve(const OrderedMesh& mesh) {
 }
 
 void NearElements::find(RayBundle& rays) {
-  count_ = rays.find_patches(patches_.data());
+  const std::span<const int> patches = rays.find_patches(patches_);
   std::fill(inner_.begin(), inner_.end(), std::uint8_t{0});
   std::fill(outer_.begin(), outer_.end(), std::uint8_t{0});
   found_ = kernel_table().look_at_patches(
       {rays.local(), rays.half_long(), mesh_->corner_rows.data(), static_cast<int>(mesh_->rank.size()),
-       patches_.data(), count_, static_cast<int>(rays.outside()), rays.asked().data(), rays.local_error(),
-       points_.data(), rays.targets(), inner_.data(), outer_.data(), not_inner_.data(), between_.data(),
+       patches.data(), static_cast<int>(patches.size()), static_cast<int>(rays.outside()),
+       rays.asked().data(), rays.local_error(), patches_.data(), points_.data(), rays.targets(), inner_.data(), outer_.data(), not_inner_.data(), between_.data(),
        on_way_.data(), aside_.data()});
 }
 
 void NearElements::make_boxes(const RayBundle& rays) {
-  kernel_table().element_boxes(points_.data(), rays.half_long(), count_, boxes_.boxes());
-  boxes_.build(8 * count_);
+  kernel_table().element_boxes(points_.data(), rays.half_long(), found_.near, boxes_.boxes());
+  boxes_.build(8 * found_.near);
 }
 
 void NearElements::gather_elements(const RayBundle& rays, std::span<const int> places) {

@@ -35,7 +35,7 @@ class NearElements {
   std::span<const int> aside() const { return first(aside_, found_.aside); }
 
   const PatchesFound& found() const { return found_; }
-  std::span<const int> patches() const { return first(patches_, count_); }
+  std::span<const int> patches() const { return first(patches_, found_.near); }
   /// By patch: bits of the elements whose inner side all these sources see, and whose own rays pierce them.
   std::span<const std::uint8_t> inner() const { return inner_; }
 
@@ -80,7 +80,6 @@ class NearElements {
 
   const OrderedMesh* mesh_ = nullptr;
   std::vector<int> patches_;
-  int count_ = 0;
   std::vector<float> points_;                // of the patches, see PatchArrays
   std::vector<std::uint8_t> inner_, outer_;  // of all patches of the mesh
   std::vector<int> not_inner_, between_, on_way_, aside_;

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "bits.hpp"
 #include "checks.hpp"
@@ -42,8 +41,6 @@ void RayBundle::reserve(const OrderedMesh& mesh, std::size_t node_count) {
   made_.resize(elements);
   is_made_.resize(elements);
   close_.reserve(mesh, node_count);
-  all_.resize(static_cast<std::size_t>(mesh.patches));
-  std::iota(all_.begin(), all_.end(), 0);
 }
 
 void RayBundle::move_to(double travelled) {
@@ -204,7 +201,7 @@ bool RayBundle::choose_close(const RayBounds& wide, bool rescaled) {
   if (!project_all(rescaled)) return false;
   constexpr unsigned sides = 0x1f;  // what is in the sources' plane now may rise from it
   close_.choose(*source_, scale_, wide, travelled_, reach,
-                [&](int* patches) { return find_patches(all_, sides, patches); });
+                [&](int* patches) { return find_patches(sides, patches); });
   return true;
 }
 

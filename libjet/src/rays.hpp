@@ -46,8 +46,8 @@ class RayBundle {
   /// The element's nodes are projected; no ray can meet those of others.
   bool knows(int place) const { return !close_.any() || close_.has(static_cast<std::size_t>(place / 8)); }
 
-  /// Patches of the mesh in order that rays or the way can meet; their number.
-  int find_patches(int* patches) const;
+  /// Patches of the mesh, ascending: without them, rays and the way meet nothing. `out` has room for all.
+  std::span<const int> find_patches(std::span<int> out) const;
 
   std::span<const int> places() const { return std::span(places_).first(place_count_); }  // ascending
   std::span<const int> places_given() const { return given_; }
@@ -77,7 +77,7 @@ class RayBundle {
   void set_way();
   void set_sides(const RayBounds& bounds, double reach);
   void set_side(int bit, double slope, double bound, double reach);
-  int find_patches(std::span<const int> among, unsigned outside, int* patches) const;
+  int find_patches(unsigned outside, int* patches) const;
 
   Surface surface_;
   const RaySource* source_ = nullptr;
@@ -100,7 +100,6 @@ class RayBundle {
   double step_ = kMotionUnknown;       // [m] of it since the last query
   CloseSet close_;
   bool fresh_ = false;
-  std::vector<int> all_;              // patches
   std::vector<float> local_;          // rows of nodes
   std::vector<float> local_targets_;  // rows of elements
   mutable std::vector<blocking::Ray> made_;

@@ -34,18 +34,19 @@ void RayBundle::set_sides(const RayBounds& bounds, double reach) {
   outside_ = 0x1fu | (frame_.aligned() ? kFloor : 0u);
 }
 
-int RayBundle::find_patches(int* patches) const {
-  return find_patches(close_.any() ? close_.patches() : all_, outside_, patches);
+std::span<const int> RayBundle::find_patches(std::span<int> out) const {
+  if (close_.any()) return close_.patches();
+  return out.first(static_cast<std::size_t>(find_patches(outside_, out.data())));
 }
 
-int RayBundle::find_patches(std::span<const int> among, unsigned all_outside, int* patches) const {
+int RayBundle::find_patches(unsigned all_outside, int* patches) const {
   const std::uint32_t* rows = mesh_->patch_rows.data();
   const int* begin = mesh_->patch_begin.data();
   const auto code = [codes = local_.data() + 3](std::uint32_t row) {
     return std::bit_cast<std::uint32_t>(codes[row]);
   };
   int count = 0;
-  for (const int patch : among) {
+  for (int patch = 0; patch < mesh_->patches; ++patch) {
     unsigned outside = all_outside;
     for (const std::uint32_t *row = rows + begin[patch], *end = rows + begin[patch + 1];
          row < end && outside != 0; row += 4)
