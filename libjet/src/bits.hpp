@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Sets as bytes of eight bits.
+// Sets as bytes of eight bits, to a multiple of 32 bytes.
 #pragma once
 
 #include <bit>
@@ -9,7 +9,11 @@
 
 namespace jet {
 
-/// to = a without b. Precondition: the same size, a multiple of eight.
+inline std::size_t set_bytes(std::size_t bytes) {
+  return (bytes + 31) / 32 * 32;
+}
+
+/// to = a without b. Precondition: the same size.
 inline void and_not(std::span<const std::uint8_t> a, std::span<const std::uint8_t> b,
                     std::span<std::uint8_t> to) {
   for (std::size_t i = 0; i < to.size(); i += 8) {

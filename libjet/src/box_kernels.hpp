@@ -212,14 +212,19 @@ inline PatchesFound look_at_patches(const PatchArrays& given) {
   return found;
 }
 
-/// Places of the bits of bytes.
+/// Places of the bits of bytes: first of the bytes that have some. No branch to predict.
 inline int list_bits(const std::uint8_t* bytes, int count, int* places) {
+  constexpr int most = 512;
+  int some[most + 8];
   int found = 0;
-  for (int i = 0; i < count; i += 8) {
-    std::uint64_t eight;
-    __builtin_memcpy(&eight, bytes + i, 8);
-    if (eight == 0) continue;
-    for (int j = i; j < i + 8; ++j) found += append_bits(bytes[j], 8 * j, places + found);
+  for (int begin = 0; begin < count; begin += most) {
+    const int end = count - begin < most ? count : begin + most;
+    int listed = 0;
+    for (int i = begin; i < end; i += 32) {
+      const unsigned has = not_zero(bytes + i);
+      for (int j = 0; j < 32; j += 8) listed += append_bits(has >> j & 0xffu, i + j, some + listed);
+    }
+    for (int i = 0; i < listed; ++i) found += append_bits(bytes[some[i]], 8 * some[i], places + found);
   }
   return found;
 }

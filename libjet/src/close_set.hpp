@@ -21,7 +21,7 @@ class CloseSet {
     mesh_ = &mesh;
     patches_.resize(static_cast<std::size_t>(mesh.patches));
     nodes_.resize(node_count + 8);
-    node_bits_.resize((node_count + 63) / 64 * 8);
+    node_bits_.resize(set_bytes((node_count + 7) / 8));
     has_patch_.resize(static_cast<std::size_t>(mesh.patches));
     has_node_.resize(8 * node_bits_.size());
   }

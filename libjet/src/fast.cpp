@@ -69,7 +69,7 @@ std::span<const int> FastRoute::list(std::span<const std::uint8_t> bits) {
 
 VisibilityCounters FastRoute::count(std::span<std::uint8_t> lit) const {
   VisibilityCounters counters;
-  const std::span<const int> places = rays_.places_given();
+  const std::span<const int> places = rays_.places();
   counters.candidates = places.size();
   const State* states = states_.data();  // which the bytes written cannot change
   std::uint8_t* to = lit.data();

@@ -38,12 +38,14 @@ void FastRoute::meet_away(int ray, int by, int kind) {
 // Open rays against the elements that can be on them.
 void FastRoute::search() {
   if (!rays_.aside.empty()) search_aside();
-  std::erase_if(open_, [&](int ray) { return state(ray) != kOpen; });
-  if (open_.empty()) return;
-  std::sort(open_.begin(), open_.end());  // eight by eight, neighbours together
-  const std::size_t count = open_.size();
-  open_.resize(count + 7, open_.back());
-  near_.for_each_before_target(rays_, std::span(open_).first(count), [&](int ray, int by, int kind) {
+  std::fill(unsure_.begin(), unsure_.end(), std::uint8_t{0});
+  for (const int ray : open_) {
+    std::uint8_t& bits = unsure_[static_cast<std::size_t>(ray / 8)];
+    bits = static_cast<std::uint8_t>(bits | int{state(ray) == kOpen} << ray % 8);
+  }
+  const std::span<const int> rays = list(unsure_);  // eight by eight, neighbours together
+  if (rays.empty()) return;
+  near_.for_each_before_target(rays_, rays, [&](int ray, int by, int kind) {
     const int e = element(by);
     if (state(ray) != kOpen || e == element(ray) || surface_.never_blocks(e)) return;
     if (kind == kBlocked || blocking::blocks(kernel_, rays_.ray(ray), surface_, e)) hide(ray, by);

@@ -84,9 +84,8 @@ inline int list_inside(const std::uint8_t* inside, int begin, int count, int* li
   for (int g = 0; g < count; g += 8) {
     std::uint64_t eight;  // bytes up to 0xf
     __builtin_memcpy(&eight, inside + begin + g, sizeof(eight));
-    // The lowest bits of those that are not 0, then side by side: byte i is moved to bit 56 + i.
     const std::uint64_t some = (eight + 0x7f7f7f7f7f7f7f7fu) >> 7 & 0x0101010101010101u;
-    found += append_bits(static_cast<unsigned>(some * 0x0102040810204080u >> 56), begin + g, list + found);
+    found += append_bits(first_bits(some), begin + g, list + found);
   }
   return found;
 }

@@ -77,6 +77,28 @@ struct BitPlaces {
 };
 inline constexpr BitPlaces kBitPlaces;
 
+/// The lowest bits of eight bytes of 0 or 1, side by side: byte i is moved to bit 56 + i.
+[[gnu::always_inline]] inline unsigned first_bits(std::uint64_t bytes) {
+  return static_cast<unsigned>(bytes * 0x0102040810204080u >> 56);
+}
+
+/// A bit for each of 32 bytes.
+[[gnu::always_inline]] inline unsigned not_zero(const std::uint8_t* bytes) {
+#if defined(__AVX2__)
+  const __m256i x = _mm256_loadu_si256(reinterpret_cast<const __m256i*>(bytes));
+  return ~static_cast<unsigned>(_mm256_movemask_epi8(_mm256_cmpeq_epi8(x, _mm256_setzero_si256())));
+#else
+  unsigned all = 0;
+  for (int i = 0; i < 4; ++i) {
+    constexpr std::uint64_t low = 0x7f7f7f7f7f7f7f7fu;
+    std::uint64_t x;
+    __builtin_memcpy(&x, bytes + 8 * i, 8);
+    all |= first_bits((((x & low) + low) | x) >> 7 & ~low >> 7) << 8 * i;
+  }
+  return all;
+#endif
+}
+
 /// first + i for the bits i, to `out`, which has room for eight; their number. Nothing to predict.
 [[gnu::always_inline]] inline int append_bits(unsigned bits, int first, int* out) {
   typedef std::int32_t Ints __attribute__((vector_size(32), aligned(4), may_alias));

@@ -165,7 +165,7 @@ struct KernelTable {
   /// Bounds of the rays to the centroids of `count` elements, of those that are certainly downstream.
   RayBounds (*bound_rays)(const ProjectArrays&, float half_long, int count);
   PatchesFound (*look_at_patches)(const PatchArrays&);
-  /// Places of the bits of `count` bytes, a multiple of eight: their number. Room for eight more.
+  /// Places of the bits of `count` bytes, a multiple of 32: their number. Room for eight more.
   int (*list_bits)(const std::uint8_t* bytes, int count, int* places);
   void (*element_boxes)(const float* points, float half_long, int patches, float* boxes);
   void (*gather_elements)(const ElementArrays&, int count);

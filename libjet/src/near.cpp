@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "bits.hpp"
+
 namespace jet {
 
 void NearElements::reserve(const OrderedMesh& mesh) {
@@ -10,7 +12,7 @@ void NearElements::reserve(const OrderedMesh& mesh) {
   const auto patches = static_cast<std::size_t>(mesh.patches);
   patches_.resize(patches);
   points_.resize(kElementFloats * patches);
-  for (auto* bytes : {&inner_, &outer_}) bytes->resize((patches + 7) / 8 * 8);
+  for (auto* bytes : {&inner_, &outer_}) bytes->resize(set_bytes(patches));
   for (auto* list : {&not_inner_, &between_, &on_way_, &aside_}) list->resize(8 * patches + 8);
   boxes_.reserve(8 * patches);
   own_boxes_.reserve(8 * patches);

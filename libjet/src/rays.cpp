@@ -2,6 +2,7 @@
 #include "rays.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 #include "bits.hpp"
@@ -29,17 +30,17 @@ double extent(const Surface& surface, const Eigen::Vector3d& centre) {
 
 void RayBundle::reserve(const OrderedMesh& mesh, std::size_t node_count) {
   mesh_ = &mesh;
-  const auto patches = static_cast<std::size_t>((mesh.patches + 7) / 8 * 8), elements = 8 * patches;
+  const std::size_t patches = set_bytes(static_cast<std::size_t>(mesh.patches)), elements = 8 * patches;
   local_.resize(4 * (node_count + 8));
   local_targets_.resize(4 * elements);
   given_.reserve(elements);
-  places_.resize(elements + 8);
   asked_.resize(patches);
   asked_before_.resize(patches);
   new_.resize(elements + 8);
   aside.reserve(elements + 8);
   made_.resize(elements);
   is_made_.resize(elements);
+  made_places_.reserve(elements);
   close_.reserve(mesh, node_count);
 }
 
@@ -64,11 +65,10 @@ void RayBundle::ask(const Surface& surface, const RaySource& source, std::span<c
     *given++ = static_cast<int>(place);
     asked[place / 8] = static_cast<std::uint8_t>(asked[place / 8] | 1u << place % 8);
   }
-  place_count_ = static_cast<std::size_t>(
-      kernel_table().list_bits(asked_.data(), static_cast<int>(asked_.size()), places_.data()));
   asked_patches_ = static_cast<int>(
       asked_.size() - static_cast<std::size_t>(std::count(asked_.begin(), asked_.end(), std::uint8_t{0})));
-  std::fill(is_made_.begin(), is_made_.end(), std::uint8_t{0});
+  for (const int place : made_places_) is_made_[static_cast<std::size_t>(place)] = 0;
+  made_places_.clear();
   has_frame_ = frame_.build(source);
 }
 
@@ -129,14 +129,21 @@ bool RayBundle::accept(const PatchesFound& found, std::span<const int> patches,
     std::vector<std::uint8_t>& missing = asked_before_;  // not read any more
     missing = asked_;
     for (const int patch : patches) missing[static_cast<std::size_t>(patch)] = 0;
-    aside.resize(places_.size());
     const auto count = static_cast<std::size_t>(not_downstream.size());
+    aside.resize(count + 8 * missing.size() + 8);
     const int more =
         kernel_table().list_bits(missing.data(), static_cast<int>(missing.size()), aside.data() + count);
     aside.resize(count + static_cast<std::size_t>(more));
   }
   last_ = found.bounds;
-  return aside.size() <= kMostAside && aside.size() < place_count_;
+  return aside.empty() || (aside.size() <= kMostAside && aside.size() < count_asked());
+}
+
+// Given twice, an element counts once.
+std::size_t RayBundle::count_asked() const {
+  std::size_t count = 0;
+  for (const std::uint8_t bits : asked_) count += static_cast<std::size_t>(std::popcount(bits));
+  return count;
 }
 
 void RayBundle::do_without() {

@@ -49,8 +49,7 @@ class RayBundle {
   /// Patches of the mesh, ascending: without them, rays and the way meet nothing. `out` has room for all.
   std::span<const int> find_patches(std::span<int> out) const;
 
-  std::span<const int> places() const { return std::span(places_).first(place_count_); }  // ascending
-  std::span<const int> places_given() const { return given_; }
+  std::span<const int> places() const { return given_; }  // in the order of those asked about
   std::span<const std::uint8_t> asked() const { return asked_; }  // by patch: bits of the elements
   RayArrays arrays(std::span<const int> list) const {
     return {local_targets_.data(), half_long(), list.data(), static_cast<int>(list.size())};
@@ -67,6 +66,7 @@ class RayBundle {
  private:
   static constexpr float kSteepest = 1e3f;  // steeper bounds keep out too little to be worth their margin
 
+  std::size_t count_asked() const;
   RayBounds with_new(const RayBounds& before);
   bool project_fresh(bool rescaled);
   bool project_all(bool rescaled);
@@ -84,8 +84,6 @@ class RayBundle {
   const OrderedMesh* mesh_ = nullptr;
   std::span<const int> candidates_;
   std::vector<int> given_;  // their places
-  std::vector<int> places_;
-  std::size_t place_count_ = 0;
   std::vector<std::uint8_t> asked_, asked_before_;
   std::vector<int> new_;  // elements asked about now, not before
   int asked_patches_ = 0;
@@ -104,6 +102,7 @@ class RayBundle {
   std::vector<float> local_targets_;  // rows of elements
   mutable std::vector<blocking::Ray> made_;
   mutable std::vector<std::uint8_t> is_made_;
+  mutable std::vector<int> made_places_;
 };
 
 }  // namespace jet

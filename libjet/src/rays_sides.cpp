@@ -61,6 +61,7 @@ const blocking::Ray& RayBundle::ray(int place) const {
   const auto i = static_cast<std::size_t>(place);
   if (is_made_[i] == 0) {
     is_made_[i] = 1;
+    made_places_.push_back(place);
     made_[i] = blocking::make_ray(surface_, mesh_->elements[i], *source_);
     made_[i].moved = blocking::Moved::unknown;
   }

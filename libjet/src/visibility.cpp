@@ -95,9 +95,10 @@ struct VisibilityQuery::Impl {
   /// The nodes' coordinates are left to the routes.
   void check(const Points& nodes, const RaySource& source, std::span<const int> candidates) const {
     check_source(source);
-    bool wrong = false;  // looked at in one go, and named only if there is one
-    for (const int e : candidates) wrong |= static_cast<unsigned>(e) >= static_cast<unsigned>(count());
-    for (std::size_t k = 0; wrong && k < candidates.size(); ++k)
+    const auto last = static_cast<unsigned>(count() - 1);
+    unsigned signs = 0;  // looked at in one go, and named only if there is one
+    for (const int e : candidates) signs |= static_cast<unsigned>(e) | (last - static_cast<unsigned>(e));
+    for (std::size_t k = 0; signs >> 31 != 0 && k < candidates.size(); ++k)
       require_index("candidate", candidates[k], count());
     if (nodes.cols() != node_count)
       refuse("nodes has " + std::to_string(nodes.cols()) +
