@@ -21,6 +21,7 @@ class CloseSet {
     mesh_ = &mesh;
     patches_.resize(static_cast<std::size_t>(mesh.patches));
     nodes_.resize(node_count + 8);
+    rows_.resize(node_count + 8);
     node_bits_.resize(set_bytes((node_count + 7) / 8));
     has_patch_.resize(static_cast<std::size_t>(mesh.patches));
     has_node_.resize(8 * node_bits_.size());
@@ -64,10 +65,10 @@ class CloseSet {
   bool any() const { return until_ >= from_; }
   bool has(std::size_t patch) const { return has_patch_[patch] != 0; }
   std::span<const int> patches() const { return std::span(patches_).first(patch_count_); }
-  std::span<const int> nodes() const { return std::span(nodes_).first(node_count_); }  // a multiple of eight
+  /// Where the nodes' rows of four numbers begin, ascending, the last repeated to a multiple of eight.
+  std::span<const std::uint32_t> rows() const { return std::span(rows_).first(row_count_); }
 
  private:
-  // Ascending: the last of all nodes comes last.
   void list_nodes() {
     const std::uint32_t* rows = mesh_->patch_rows.data();  // which the bytes written cannot change
     const int* begin = mesh_->patch_begin.data();
@@ -79,9 +80,10 @@ class CloseSet {
         has[*row / 4] = 1;
     }
     pack(has_node_, node_bits_);
-    node_count_ = static_cast<std::size_t>(
+    row_count_ = static_cast<std::size_t>(
         kernel_table().list_bits(node_bits_.data(), static_cast<int>(node_bits_.size()), nodes_.data()));
-    while (node_count_ % 8 != 0) nodes_[node_count_] = nodes_[node_count_ - 1], ++node_count_;
+    for (std::size_t i = 0; i < row_count_; ++i) rows_[i] = 4 * static_cast<std::uint32_t>(nodes_[i]);
+    for (; row_count_ % 8 != 0; ++row_count_) rows_[row_count_] = rows_[row_count_ - 1];
   }
 
   const OrderedMesh* mesh_ = nullptr;
@@ -89,8 +91,9 @@ class CloseSet {
   double scale_ = 0.0;
   RayBounds wide_{};
   double from_ = kMotionUnknown, until_ = kMotionUnknown;  // [m] travelled
-  std::size_t patch_count_ = 0, node_count_ = 0;
+  std::size_t patch_count_ = 0, row_count_ = 0;
   std::vector<int> patches_, nodes_;
+  std::vector<std::uint32_t> rows_;
   std::vector<std::uint8_t> has_patch_, has_node_, node_bits_;
 };
 

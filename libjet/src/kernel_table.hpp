@@ -61,7 +61,7 @@ struct ProjectArrays {
   const int* triangles;  // 3 an element
   const int* elements;   // to bound the rays of
   float slope[5], bound[5], way[3];
-  const int* listed;  // nodes to project where not all are; the last of all only among the last eight
+  const std::uint32_t* listed;  // rows of nodes to project where not all are, ascending
 };
 
 inline constexpr int kBesideWay = 0xf00;

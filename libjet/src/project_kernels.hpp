@@ -114,21 +114,33 @@ inline ProjectFlags project_nodes(const ProjectArrays& arrays) {
   return project_flags(flags);
 }
 
-inline ProjectFlags project_listed(const ProjectArrays& arrays, int count) {
+/// `padded`: nodes' own rows are four numbers apart, too.
+template <bool padded>
+inline ProjectFlags project_listed_as(const ProjectArrays& arrays, int count) {
   const ProjectArrays a = arrays;
   NodeFlags flags;
   const std::ptrdiff_t stride = a.nodes.stride;
   const double* first = a.nodes.first;
-  const int *node = a.listed, *last = node + count - 8;
+  const std::uint32_t *row_of = a.listed, *end = row_of + count;
+  const bool with_last = count > 0 && static_cast<int>(end[-1] / 4) == a.nodes.last;
   const auto to = [&](int j) __attribute__((always_inline)) {
-    return a.local + 4 * std::ptrdiff_t{node[j]};
+    return a.local + row_of[j];
   };
-  for (; node < last; node += 8)
+  for (const std::uint32_t* stop = with_last ? end - 8 : end; row_of < stop; row_of += 8)
     project_eight(
-        a, [=](int j) __attribute__((always_inline)) { return first + node[j] * stride; }, flags, to);
-  project_eight(
-      a, [&](int j) { return row(a.nodes, node[j]); }, flags, to);
+        a, [=](int j) __attribute__((always_inline)) {
+          return first + (padded ? std::ptrdiff_t{row_of[j]} : row_of[j] / 4 * stride);
+        },
+        flags, to);
+  if (with_last)
+    project_eight(
+        a, [&](int j) { return row(a.nodes, static_cast<int>(row_of[j] / 4)); }, flags, to);
   return project_flags(flags);
+}
+
+inline ProjectFlags project_listed(const ProjectArrays& arrays, int count) {
+  return arrays.nodes.stride == 4 ? project_listed_as<true>(arrays, count)
+                                  : project_listed_as<false>(arrays, count);
 }
 
 /// Local centroids of elements k to k + 7 of those listed; behind the last it is the last again.

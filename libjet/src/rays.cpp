@@ -216,8 +216,8 @@ bool RayBundle::project_close(const RayBounds& bounds) {
   bounds_ = bounds;
   set_sides(bounds_, 0.0);
   set_way();
-  arrays_.listed = close_.nodes().data();
-  const ProjectFlags flags = kernel_table().project_listed(arrays_, static_cast<int>(close_.nodes().size()));
+  arrays_.listed = close_.rows().data();
+  const ProjectFlags flags = kernel_table().project_listed(arrays_, static_cast<int>(close_.rows().size()));
   return !flags.outside && !flags.tiny;
 }
 
