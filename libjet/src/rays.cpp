@@ -15,7 +15,7 @@ constexpr std::size_t kMostAside = 64;  // more of them are quicker in a tree
 constexpr double kLargestRatio =
     1e5;                             // coordinates over extent: sources lie beside their line by 4e-16 of it
 constexpr double kStepsAhead = 6.0;  // motion that the choice of close patches is made for
-constexpr float kCloseShare = 0.05f, kLastShare = 0.03f;  // of the rays' range, by which bounds are widened
+constexpr float kCloseShare = 0.05f, kLastShare = 0.02f;  // of the rays' range, by which bounds are widened
 
 double extent(const Surface& surface, const Eigen::Vector3d& centre) {
   double largest = 0.0;
@@ -89,7 +89,11 @@ bool RayBundle::project(Bounds known) {
     if (!(step_ >= 0.0) || !close_.fits(*source_, scale_)) return false;
     set_arrays();
     if (known == Bounds::last) {
-      const RayBounds expected = CloseSet::widened(with_new(last_), kLastShare);
+      const auto on = [](float before, float last) { return last + (last - before); };
+      const RayBounds &b = before_, &l = last_;
+      const RayBounds next{std::min(l.low_u, on(b.low_u, l.low_u)), std::max(l.high_u, on(b.high_u, l.high_u)),
+                           std::min(l.low_v, on(b.low_v, l.low_v)), std::max(l.high_v, on(b.high_v, l.high_v))};
+      const RayBounds expected = CloseSet::widened(with_new(next), kLastShare);
       if (!close_.holds(expected, travelled_) &&
           !choose_close(CloseSet::widened(expected, kCloseShare), false))
         return false;
@@ -135,6 +139,7 @@ bool RayBundle::accept(const PatchesFound& found, std::span<const int> patches,
         kernel_table().list_bits(missing.data(), static_cast<int>(missing.size()), aside.data() + count);
     aside.resize(count + static_cast<std::size_t>(more));
   }
+  before_ = last_;
   last_ = found.bounds;
   return aside.empty() || (aside.size() <= kMostAside && aside.size() < count_asked());
 }

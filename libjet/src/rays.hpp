@@ -90,7 +90,7 @@ class RayBundle {
   Frame frame_;
   bool has_frame_ = false;
   double scale_ = 0.0;  // [1/m] power of two that brings local coordinates below 1; kept for the next query
-  RayBounds bounds_{}, last_{};
+  RayBounds bounds_{}, last_{}, before_{};
   blocking::Ray way_{};
   ProjectArrays arrays_{};
   unsigned outside_ = 0;
