@@ -76,8 +76,9 @@ class CloseSet {
     std::fill(has_node_.begin(), has_node_.end(), std::uint8_t{0});
     for (const int patch : patches()) {
       has_patch_[static_cast<std::size_t>(patch)] = 1;
-      for (const std::uint32_t *row = rows + begin[patch], *end = rows + begin[patch + 1]; row < end; ++row)
-        has[*row / 4] = 1;
+      for (const std::uint32_t *row = rows + begin[patch], *end = rows + begin[patch + 1]; row < end;
+           row += 4)
+        has[row[0] / 4] = has[row[1] / 4] = has[row[2] / 4] = has[row[3] / 4] = 1;
     }
     pack(has_node_, node_bits_);
     row_count_ = static_cast<std::size_t>(

@@ -177,6 +177,22 @@ inline int evaluate_as(const JetShape& given, const FieldArrays& arrays, int sel
   return count;
 }
 
+/// Four sums, so that additions overlap.
+inline void force(const Rows& area_vectors, const double* overpressure, const int* elements, int count,
+                  double* sum) {
+  Lanes sums[4];
+  const auto add = [&](int k, const double* area) {
+    const Lanes term = overpressure[elements[k]] * Lanes::load(area);
+    sums[k % 4] = sums[k % 4] + term;
+  };
+  int k = 0;
+  for (; k + 4 < count; k += 4)
+    for (int i = 0; i < 4; ++i) add(k + i, area_vectors.first + elements[k + i] * area_vectors.stride);
+  for (; k < count; ++k) add(k, row(area_vectors, elements[k]));  // only the last can be behind all others
+  const Lanes all = (sums[0] + sums[1]) + (sums[2] + sums[3]);
+  for (int i = 0; i < 4; ++i) sum[i] = all[i];
+}
+
 inline int evaluate(const JetShape& jet, const FieldArrays& a, int selected) {
   if (jet.round) {
     return jet.axial ? evaluate_as<true, true>(jet, a, selected) : evaluate_as<true, false>(jet, a, selected);

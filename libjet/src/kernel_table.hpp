@@ -109,8 +109,8 @@ struct PatchArrays {
 };
 struct PatchesFound {
   int near, not_inner, between, on_way, aside;  // lengths of the lists
-  int asked;                              // patches that have rays
-  RayBounds bounds;                       // of the rays not aside
+  int asked;                                    // patches that have rays
+  RayBounds bounds;                             // of the rays not aside
 };
 
 /// Elements that rays are tested against.
@@ -157,6 +157,10 @@ struct KernelTable {
   /// Overpressure of the first `count` candidates; those without are dropped. Returns their number, or
   /// -1 - element where the overpressure is not finite.
   int (*evaluate)(const JetShape&, const FieldArrays&, int count);
+  /// Sum of overpressure times area vector over `count` elements, ascending, to `sum` of four, three of which
+  /// count.
+  void (*force)(const Rows& area_vectors, const double* overpressure, const int* elements, int count,
+                double* sum);
 
   /// Nodes to local coordinates and codes.
   ProjectFlags (*project_nodes)(const ProjectArrays&);

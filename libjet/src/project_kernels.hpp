@@ -128,7 +128,8 @@ inline ProjectFlags project_listed_as(const ProjectArrays& arrays, int count) {
   };
   for (const std::uint32_t* stop = with_last ? end - 8 : end; row_of < stop; row_of += 8)
     project_eight(
-        a, [=](int j) __attribute__((always_inline)) {
+        a,
+        [=](int j) __attribute__((always_inline)) {
           return first + (padded ? std::ptrdiff_t{row_of[j]} : row_of[j] / 4 * stride);
         },
         flags, to);

@@ -91,8 +91,9 @@ bool RayBundle::project(Bounds known) {
     if (known == Bounds::last) {
       const auto on = [](float before, float last) { return last + (last - before); };
       const RayBounds &b = before_, &l = last_;
-      const RayBounds next{std::min(l.low_u, on(b.low_u, l.low_u)), std::max(l.high_u, on(b.high_u, l.high_u)),
-                           std::min(l.low_v, on(b.low_v, l.low_v)), std::max(l.high_v, on(b.high_v, l.high_v))};
+      const RayBounds next{
+          std::min(l.low_u, on(b.low_u, l.low_u)), std::max(l.high_u, on(b.high_u, l.high_u)),
+          std::min(l.low_v, on(b.low_v, l.low_v)), std::max(l.high_v, on(b.high_v, l.high_v))};
       const RayBounds expected = CloseSet::widened(with_new(next), kLastShare);
       if (!close_.holds(expected, travelled_) &&
           !choose_close(CloseSet::widened(expected, kCloseShare), false))
