@@ -8,6 +8,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "bits.hpp"
 #include "jet/centreline.hpp"
 #include "outline.hpp"
 
@@ -41,9 +42,9 @@ Rows rows(const Points& points) {
   throw DomainError("jet overpressure of element " + std::to_string(element) + " is not finite");
 }
 
-// Groups of four, to a multiple of eight that the kernels read.
+// Groups of four, to a multiple of 32 that the kernels read.
 std::size_t slack_size(int element_count) {
-  return (static_cast<std::size_t>(element_count) + 31) / 32 * 8;
+  return set_bytes((static_cast<std::size_t>(element_count) + 3) / 4);
 }
 
 constexpr std::size_t kRoom = 8;  // that the kernels want behind the candidates

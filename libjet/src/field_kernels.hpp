@@ -81,11 +81,9 @@ inline void look_at_groups(const JetShape& given, const FieldArrays& a, int begi
 /// Groups with a point inside. Nothing to predict.
 inline int list_inside(const std::uint8_t* inside, int begin, int count, int* list) {
   int found = 0;
-  for (int g = 0; g < count; g += 8) {
-    std::uint64_t eight;  // bytes up to 0xf
-    __builtin_memcpy(&eight, inside + begin + g, sizeof(eight));
-    const std::uint64_t some = (eight + 0x7f7f7f7f7f7f7f7fu) >> 7 & 0x0101010101010101u;
-    found += append_bits(first_bits(some), begin + g, list + found);
+  for (int g = begin; g < begin + count; g += 32) {
+    const unsigned has = not_zero(inside + g);
+    for (int i = 0; i < 32; i += 8) found += append_bits(has >> i & 0xffu, g + i, list + found);
   }
   return found;
 }

@@ -173,7 +173,7 @@ struct KernelTable {
   int (*list_bits)(const std::uint8_t* bytes, int count, int* places);
   void (*element_boxes)(const float* points, float half_long, int patches, float* boxes);
   void (*gather_elements)(const ElementArrays&, int count);
-  /// The eight boxes of each block to one: the box around them.
+  /// The eight boxes of each block to one: the box around them. What fills the last block is no box.
   void (*merge)(const float* blocks, int count, float* boxes);
   void (*meet_pairs)(const PairArrays&, int count);
   /// Elements that eight rays of the list, or less, from `first` on, may touch: 8 times the element plus the

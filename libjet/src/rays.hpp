@@ -49,7 +49,7 @@ class RayBundle {
   /// Patches of the mesh, ascending: without them, rays and the way meet nothing. `out` has room for all.
   std::span<const int> find_patches(std::span<int> out) const;
 
-  std::span<const int> places() const { return given_; }  // in the order of those asked about
+  std::span<const int> places() const { return given_; }          // in the order of those asked about
   std::span<const std::uint8_t> asked() const { return asked_; }  // by patch: bits of the elements
   RayArrays arrays(std::span<const int> list) const {
     return {local_targets_.data(), half_long(), list.data(), static_cast<int>(list.size())};

@@ -6,12 +6,37 @@
 
 namespace jet::JET_KERNELS {
 
+/// The best lane of each of eight rows, in their order.
+template <class Rows, class Better>
+[[gnu::always_inline]] inline Floats best_lanes(Rows rows, Better better) {
+  const auto halves = [&](int i) {
+    const auto a = rows(i).v, b = rows(i + 1).v;
+    return better(Floats(__builtin_shufflevector(a, b, 0, 8, 1, 9, 4, 12, 5, 13)),
+                  Floats(__builtin_shufflevector(a, b, 2, 10, 3, 11, 6, 14, 7, 15)))
+        .v;
+  };
+  const auto quarters = [&](int i) {
+    const auto a = halves(i), b = halves(i + 2);
+    return better(Floats(__builtin_shufflevector(a, b, 0, 1, 8, 9, 4, 5, 12, 13)),
+                  Floats(__builtin_shufflevector(a, b, 2, 3, 10, 11, 6, 7, 14, 15)))
+        .v;
+  };
+  const auto a = quarters(0), b = quarters(4);
+  return better(Floats(__builtin_shufflevector(a, b, 0, 1, 2, 3, 8, 9, 10, 11)),
+                Floats(__builtin_shufflevector(a, b, 4, 5, 6, 7, 12, 13, 14, 15)));
+}
+
+/// Lanes behind the last repeat it.
 inline void merge(const float* blocks, int count, float* boxes) {
-  for (int i = 0; i < count; ++i) {
-    const float* block = blocks + kBoxFloats * std::ptrdiff_t{i};
-    float* box = boxes + kBoxFloats * std::ptrdiff_t{i / 8} + i % 8;
-    for (int low = 0; low <= 32; low += 16) box[low] = least(Floats::load(block + low)).v[0];
-    for (int high = 8; high <= 24; high += 16) box[high] = greatest(Floats::load(block + high)).v[0];
+  for (int i = 0; i < count; i += 8, boxes += kBoxFloats) {
+    const auto best = [&](int row, auto better) {
+      const auto at = [&](int j) {
+        return Floats::load(blocks + kBoxFloats * std::ptrdiff_t{i + j < count ? i + j : count - 1} + row);
+      };
+      best_lanes(at, better).store(boxes + row);
+    };
+    for (int low = 0; low <= 32; low += 16) best(low, [](Floats x, Floats y) { return min(x, y); });
+    for (int high = 8; high <= 24; high += 16) best(high, [](Floats x, Floats y) { return max(x, y); });
   }
 }
 
