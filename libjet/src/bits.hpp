@@ -21,6 +21,18 @@ inline void and_not(std::span<const std::uint8_t> a, std::span<const std::uint8_
   for (std::size_t i = 0; i < count; ++i) to[i] = static_cast<std::uint8_t>(a[i] & ~b[i]);
 }
 
+/// Bytes that have a bit.
+inline int count_used(std::span<const std::uint8_t> bytes) {
+  std::uint64_t count = 0;
+  for (std::size_t i = 0; i < bytes.size(); i += 8) {
+    constexpr std::uint64_t low = 0x7f7f7f7f7f7f7f7fu, ones = 0x0101010101010101u;
+    std::uint64_t x;
+    std::memcpy(&x, &bytes[i], 8);
+    count += ((((x & low) + low) | x) >> 7 & ones) * ones >> 56;
+  }
+  return static_cast<int>(count);
+}
+
 /// Bytes of 0 or 1 to bits, eight to a byte. Precondition: eight times as many bytes.
 inline void pack(std::span<const std::uint8_t> bytes, std::span<std::uint8_t> bits) {
   for (std::size_t i = 0; i < bits.size(); ++i) {

@@ -70,15 +70,13 @@ class CloseSet {
 
  private:
   void list_nodes() {
-    const std::uint32_t* rows = mesh_->patch_rows.data();  // which the bytes written cannot change
-    const int* begin = mesh_->patch_begin.data();
+    const int *nodes = mesh_->patch_nodes.data(), *begin = mesh_->patch_begin.data();  // as bytes may alias
     std::uint8_t* has = has_node_.data();
     std::fill(has_node_.begin(), has_node_.end(), std::uint8_t{0});
     for (const int patch : patches()) {
       has_patch_[static_cast<std::size_t>(patch)] = 1;
-      for (const std::uint32_t *row = rows + begin[patch], *end = rows + begin[patch + 1]; row < end;
-           row += 4)
-        has[row[0] / 4] = has[row[1] / 4] = has[row[2] / 4] = has[row[3] / 4] = 1;
+      for (const int *node = nodes + begin[patch], *end = nodes + begin[patch + 1]; node < end; node += 4)
+        has[node[0]] = has[node[1]] = has[node[2]] = has[node[3]] = 1;
     }
     pack(has_node_, node_bits_);
     row_count_ = static_cast<std::size_t>(

@@ -10,6 +10,9 @@ using Row = float __attribute__((vector_size(16)));
 typedef float UnalignedRow __attribute__((vector_size(16), aligned(4), may_alias));
 static_assert(alignof(UnalignedRow) == 4);
 
+typedef std::int32_t UnalignedInts __attribute__((vector_size(32), aligned(4), may_alias));
+static_assert(alignof(UnalignedInts) == 4);
+
 struct Floats {
   using Values = float __attribute__((vector_size(32)));
   typedef float Unaligned __attribute__((vector_size(32), aligned(4), may_alias));
@@ -101,8 +104,6 @@ inline constexpr BitPlaces kBitPlaces;
 
 /// first + i for the bits i, to `out`, which has room for eight; their number. Nothing to predict.
 [[gnu::always_inline]] inline int append_bits(unsigned bits, int first, int* out) {
-  typedef std::int32_t Ints __attribute__((vector_size(32), aligned(4), may_alias));
-  static_assert(alignof(Ints) == 4);
   const std::uint8_t* places = kBitPlaces.at[bits];
 #if defined(__AVX2__)  // which gcc does not find by itself
   const auto wide = reinterpret_cast<Floats::Mask>(
@@ -111,7 +112,7 @@ inline constexpr BitPlaces kBitPlaces;
   using Bytes = std::uint8_t __attribute__((vector_size(8)));
   const auto wide = __builtin_convertvector(*reinterpret_cast<const Bytes*>(places), Floats::Mask);
 #endif
-  *reinterpret_cast<Ints*>(out) = wide + first;
+  *reinterpret_cast<UnalignedInts*>(out) = wide + first;
   return __builtin_popcount(bits);
 }
 

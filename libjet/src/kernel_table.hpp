@@ -58,13 +58,14 @@ struct ProjectArrays {
   double centre[3];      // [m]
   double column[3][4];   // [1/m] (u, v, w, 0) of x, y and z
   float* local;          // a row a node, and room for 7 more
+  std::int32_t* codes;   // of the nodes, and room for 7 more
   const int* triangles;  // 3 an element
   const int* elements;   // to bound the rays of
   float slope[5], bound[5], way[3];
   const std::uint32_t* listed;  // rows of nodes to project where not all are, ascending
 };
 
-inline constexpr int kBesideWay = 0xf00;
+inline constexpr int kSides = 0x1f, kBesideWay = 0xf00;
 
 struct ProjectFlags {
   bool outside;  // some coordinate is not within -1 and 1, or not a number
@@ -164,7 +165,9 @@ struct KernelTable {
 
   /// Nodes to local coordinates and codes.
   ProjectFlags (*project_nodes)(const ProjectArrays&);
-  /// The same of `count` nodes listed, a multiple of eight.
+  /// Bits 0 to 4 of their codes, and nothing else.
+  ProjectFlags (*code_nodes)(const ProjectArrays&);
+  /// Local coordinates, and codes in their rows, of `count` nodes listed, a multiple of eight.
   ProjectFlags (*project_listed)(const ProjectArrays&, int count);
   /// Bounds of the rays to the centroids of `count` elements, of those that are certainly downstream.
   RayBounds (*bound_rays)(const ProjectArrays&, float half_long, int count);

@@ -106,14 +106,14 @@ OrderedMesh::OrderedMesh(std::span<const Triangle> mesh)
   for (std::size_t i = 0; i < triangles.size(); i += 8) {
     std::set<int> nodes;
     for (std::size_t j = i; j < i + 8; ++j) nodes.insert(triangles[j].begin(), triangles[j].end());
-    patch_begin.push_back(static_cast<int>(patch_rows.size()));
-    for (const int node : nodes) patch_rows.push_back(4 * static_cast<std::uint32_t>(node));
-    patch_rows.resize((patch_rows.size() + 3) / 4 * 4, patch_rows.back());
+    patch_begin.push_back(static_cast<int>(patch_nodes.size()));
+    patch_nodes.insert(patch_nodes.end(), nodes.begin(), nodes.end());
+    patch_nodes.resize((patch_nodes.size() + 3) / 4 * 4, patch_nodes.back());
     for (std::size_t corner = 0; corner < 3; ++corner)
       for (std::size_t j = i; j < i + 8; ++j)
         corner_rows.push_back(4 * static_cast<std::uint32_t>(triangles[j][corner]));
   }
-  patch_begin.push_back(static_cast<int>(patch_rows.size()));
+  patch_begin.push_back(static_cast<int>(patch_nodes.size()));
 }
 
 }  // namespace jet

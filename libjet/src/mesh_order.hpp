@@ -21,11 +21,11 @@ struct OrderedMesh {
   std::vector<int> rank;            // place of each element in it
   std::vector<Triangle> triangles;  // in order, like `elements`
   int patches = 0;                  // of eight elements
-  // Where the nodes' rows of four numbers begin: 4 times the node. Of the nodes of each patch, the last
-  // repeated to a multiple of four:
-  std::vector<std::uint32_t> patch_rows;
-  std::vector<int> patch_begin;            // in patch_rows, and the end
-  std::vector<std::uint32_t> corner_rows;  // eight first, eight second, eight third corners of each patch
+  std::vector<int> patch_nodes;     // of each patch, the last repeated to a multiple of four
+  std::vector<int> patch_begin;     // in patch_nodes, and the end
+  // Eight first, eight second, eight third corners of each patch: where the nodes' rows of four numbers
+  // begin, 4 times the node.
+  std::vector<std::uint32_t> corner_rows;
 
   explicit OrderedMesh(std::span<const Triangle> triangles);
   OrderedMesh() = default;

@@ -29,9 +29,9 @@ void NearElements::find(RayBundle& rays) {
   std::fill(outer_.begin(), outer_.end(), std::uint8_t{0});
   found_ = kernel_table().look_at_patches(
       {rays.local(), rays.half_long(), mesh_->corner_rows.data(), static_cast<int>(mesh_->rank.size()),
-       patches.data(), static_cast<int>(patches.size()), static_cast<int>(rays.outside()),
-       rays.asked().data(), rays.local_error(), patches_.data(), points_.data(), rays.targets(),
-       inner_.data(), outer_.data(), not_inner_.data(), between_.data(), on_way_.data(), aside_.data()});
+       patches.data(), static_cast<int>(patches.size()), rays.outside(), rays.asked().data(),
+       rays.local_error(), patches_.data(), points_.data(), rays.targets(), inner_.data(), outer_.data(),
+       not_inner_.data(), between_.data(), on_way_.data(), aside_.data()});
 }
 
 void NearElements::make_boxes(const RayBundle& rays) {

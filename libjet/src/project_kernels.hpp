@@ -42,17 +42,19 @@ struct NodeFlags {
 
 inline constexpr float kWayMargin = 4e-6f;  // 134 times the error of local coordinates
 
-/// Sides on which the nodes lie outside, see ProjectArrays.
-[[gnu::always_inline]] inline Floats::Mask code(const ProjectArrays& a, const Vec3<Floats>& x) {
+/// Sides on which the nodes lie outside, see ProjectArrays: those that bound the rays, and of their line.
+[[gnu::always_inline]] inline Floats::Mask sides_code(const ProjectArrays& a, const Vec3<Floats>& x) {
   const auto low = [&](int i, Floats y) { return (y - a.slope[i] * x.z < Floats(-a.bound[i])) & (1 << i); };
   const auto high = [&](int i, Floats y) { return (y - a.slope[i] * x.z > Floats(a.bound[i])) & (1 << i); };
+  return low(0, x.x) | high(1, x.x) | low(2, x.y) | high(3, x.y) | ((x.z < Floats(-a.bound[4])) & (1 << 4));
+}
+[[gnu::always_inline]] inline Floats::Mask way_code(const ProjectArrays& a, const Vec3<Floats>& x) {
   const Floats across = x.x - a.way[0] * x.z, along = x.y - (a.way[1] * x.z + Floats(a.way[2]));
   const auto beside = [](int i, Floats y, float slope) {
     const Floats margin(kWayMargin * (1.0f + (slope < 0.0f ? -slope : slope)));
     return ((y < -margin) & (1 << i)) | ((y > margin) & (2 << i));
   };
-  return low(0, x.x) | high(1, x.x) | low(2, x.y) | high(3, x.y) | low(4, x.z) | beside(8, across, a.way[0]) |
-         beside(10, along, a.way[1]);
+  return beside(8, across, a.way[0]) | beside(10, along, a.way[1]);
 }
 
 /// Eight rows of four, row i to to(i).
@@ -72,9 +74,10 @@ template <class To>
   }
 }
 
-/// Eight nodes in the rows that `at` gives, to the rows that `to` gives.
-template <class At, class To>
-[[gnu::always_inline]] inline void project_eight(const ProjectArrays& a, At at, NodeFlags& flags, To to) {
+/// Eight nodes in the rows that `at` gives: store(x, below), with bit 7 where w <= 0.
+template <class At, class Store>
+[[gnu::always_inline]] inline void project_eight(const ProjectArrays& a, At at, NodeFlags& flags,
+                                                 Store store) {
   const Vec3<Lanes> low = to_local(a, gather(at(0), at(1), at(2), at(3)), flags),
                     high = to_local(a, gather(at(4), at(5), at(6), at(7)), flags);
   const Vec3<Floats> x = {joined(low.x, high.x), joined(low.y, high.y), joined(low.z, high.z)};
@@ -84,9 +87,18 @@ template <class At, class To>
     flags.largest = magnitude > flags.largest ? magnitude : flags.largest;
   }
   const auto half = [](Lanes::Mask m) { return reinterpret_cast<Floats::Mask>(m); };
-  const auto below =
-      __builtin_shufflevector(half(low.z <= Lanes()), half(high.z <= Lanes()), 0, 2, 4, 6, 8, 10, 12, 14);
-  store_rows(to, x, Floats(reinterpret_cast<Floats::Values>(code(a, x) | (below & 0x80))));
+  store(x,
+        __builtin_shufflevector(half(low.z <= Lanes()), half(high.z <= Lanes()), 0, 2, 4, 6, 8, 10, 12, 14) &
+            0x80);
+}
+
+/// Rows with codes to to(0) to to(7).
+template <class To>
+[[gnu::always_inline]] inline Floats::Mask store_local(const ProjectArrays& a, const Vec3<Floats>& x,
+                                                       Floats::Mask below, To to) {
+  const Floats::Mask code = sides_code(a, x) | way_code(a, x) | below;
+  store_rows(to, x, Floats(reinterpret_cast<Floats::Values>(code)));
+  return code;
 }
 
 inline ProjectFlags project_flags(const NodeFlags& flags) {
@@ -95,23 +107,43 @@ inline ProjectFlags project_flags(const NodeFlags& flags) {
   return {bits(flags.largest > one) != 0, bits(flags.largest > little) == 0, bits(small) != 0};
 }
 
-/// Local coordinates and codes of all nodes, and up to seven behind that repeat the last.
-inline ProjectFlags project_nodes(const ProjectArrays& arrays) {
-  const ProjectArrays a = arrays;  // a copy, which what is stored cannot change
+/// All nodes, and up to seven behind that repeat the last: store(i, x, below) of those from i on.
+template <class Store>
+[[gnu::always_inline]] inline ProjectFlags project_each(const ProjectArrays& a, Store store) {
   NodeFlags flags;
   const std::ptrdiff_t stride = a.nodes.stride;
   const double* x = a.nodes.first;
-  float* local = a.local;
-  const auto to = [&](int j) __attribute__((always_inline)) {
-    return local + 4 * j;
-  };
   int i = 0;
-  for (; i + 8 < a.count; i += 8, x += 8 * stride, local += 32)
+  const auto eight = [&](const Vec3<Floats>& local, Floats::Mask below) __attribute__((always_inline)) {
+    store(i, local, below);
+  };
+  for (; i + 8 < a.count; i += 8, x += 8 * stride)
     project_eight(
-        a, [=](int j) __attribute__((always_inline)) { return x + j * stride; }, flags, to);
+        a, [=](int j) __attribute__((always_inline)) { return x + j * stride; }, flags, eight);
   project_eight(
-      a, [&](int j) { return row(a.nodes, i + j < a.count ? i + j : a.count - 1); }, flags, to);
+      a, [&](int j) { return row(a.nodes, i + j < a.count ? i + j : a.count - 1); }, flags, eight);
   return project_flags(flags);
+}
+
+/// Local coordinates and codes.
+inline ProjectFlags project_nodes(const ProjectArrays& arrays) {
+  const ProjectArrays a = arrays;  // a copy, which what is stored cannot change
+  return project_each(
+      a, [&](int i, const Vec3<Floats>& x, Floats::Mask below) __attribute__((always_inline)) {
+        float* local = a.local + 4 * std::ptrdiff_t{i};
+        const auto code = store_local(
+            a, x, below, [=](int j) __attribute__((always_inline)) { return local + 4 * j; });
+        *reinterpret_cast<UnalignedInts*>(a.codes + i) = code;
+      });
+}
+
+/// Codes only, and of these only the sides.
+inline ProjectFlags code_nodes(const ProjectArrays& arrays) {
+  const ProjectArrays a = arrays;
+  return project_each(
+      a, [&](int i, const Vec3<Floats>& x, Floats::Mask) __attribute__((always_inline)) {
+        *reinterpret_cast<UnalignedInts*>(a.codes + i) = sides_code(a, x);
+      });
 }
 
 /// `padded`: nodes' own rows are four numbers apart, too.
@@ -123,8 +155,9 @@ inline ProjectFlags project_listed_as(const ProjectArrays& arrays, int count) {
   const double* first = a.nodes.first;
   const std::uint32_t *row_of = a.listed, *end = row_of + count;
   const bool with_last = count > 0 && static_cast<int>(end[-1] / 4) == a.nodes.last;
-  const auto to = [&](int j) __attribute__((always_inline)) {
-    return a.local + row_of[j];
+  const auto store = [&](const Vec3<Floats>& x, Floats::Mask below) __attribute__((always_inline)) {
+    store_local(
+        a, x, below, [&](int j) __attribute__((always_inline)) { return a.local + row_of[j]; });
   };
   for (const std::uint32_t* stop = with_last ? end - 8 : end; row_of < stop; row_of += 8)
     project_eight(
@@ -132,10 +165,10 @@ inline ProjectFlags project_listed_as(const ProjectArrays& arrays, int count) {
         [=](int j) __attribute__((always_inline)) {
           return first + (padded ? std::ptrdiff_t{row_of[j]} : row_of[j] / 4 * stride);
         },
-        flags, to);
+        flags, store);
   if (with_last)
     project_eight(
-        a, [&](int j) { return row(a.nodes, static_cast<int>(row_of[j] / 4)); }, flags, to);
+        a, [&](int j) { return row(a.nodes, static_cast<int>(row_of[j] / 4)); }, flags, store);
   return project_flags(flags);
 }
 

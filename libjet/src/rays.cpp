@@ -32,6 +32,7 @@ void RayBundle::reserve(const OrderedMesh& mesh, std::size_t node_count) {
   mesh_ = &mesh;
   const std::size_t patches = set_bytes(static_cast<std::size_t>(mesh.patches)), elements = 8 * patches;
   local_.resize(4 * (node_count + 8));
+  codes_.resize(node_count + 8);
   local_targets_.resize(4 * elements);
   given_.reserve(elements);
   asked_.resize(patches);
@@ -65,8 +66,7 @@ void RayBundle::ask(const Surface& surface, const RaySource& source, std::span<c
     *given++ = static_cast<int>(place);
     asked[place / 8] = static_cast<std::uint8_t>(asked[place / 8] | 1u << place % 8);
   }
-  asked_patches_ = static_cast<int>(
-      asked_.size() - static_cast<std::size_t>(std::count(asked_.begin(), asked_.end(), std::uint8_t{0})));
+  asked_patches_ = count_used(asked_);
   for (const int place : made_places_) is_made_[static_cast<std::size_t>(place)] = 0;
   made_places_.clear();
   has_frame_ = frame_.build(source);
@@ -176,6 +176,7 @@ void RayBundle::set_arrays() {
              {},
              {},
              local_.data(),
+             codes_.data(),
              surface_.triangles->data(),
              candidates_.data(),
              {},
@@ -190,8 +191,7 @@ void RayBundle::set_arrays() {
 }
 
 // Bounds from the rays' targets, and nodes: all, or where the motion is known those close to the rays. False
-// where the scale does not fit them any more, or one of them is to be refused. A small extent does fit if the
-// scale is of these very nodes and sources.
+// where the scale does not fit them any more, or one of them is to be refused.
 bool RayBundle::project_fresh(bool rescaled) {
   close_.forget();
   bounds_ = kernel_table().bound_rays(arrays_, half_long(), static_cast<int>(candidates_.size()));
@@ -199,11 +199,11 @@ bool RayBundle::project_fresh(bool rescaled) {
     return choose_close(CloseSet::widened(bounds_, kCloseShare), rescaled) && project_close(bounds_);
   set_sides(bounds_, 0.0);
   set_way();
-  return project_all(rescaled);
+  return fits(kernel_table().project_nodes(arrays_), rescaled);
 }
 
-bool RayBundle::project_all(bool rescaled) {
-  const ProjectFlags flags = kernel_table().project_nodes(arrays_);
+// The scale holds the nodes. A small extent does fit if the scale is of these very nodes and sources.
+bool RayBundle::fits(const ProjectFlags& flags, bool rescaled) {
   return !flags.outside && !flags.tiny && (rescaled || !flags.small);
 }
 
@@ -211,10 +211,9 @@ bool RayBundle::project_all(bool rescaled) {
 bool RayBundle::choose_close(const RayBounds& wide, bool rescaled) {
   const double reach = kStepsAhead * step_;
   set_sides(wide, 1.001 * scale_ * reach);
-  if (!project_all(rescaled)) return false;
-  constexpr unsigned sides = 0x1f;  // what is in the sources' plane now may rise from it
+  if (!fits(kernel_table().code_nodes(arrays_), rescaled)) return false;
   close_.choose(*source_, scale_, wide, travelled_, reach,
-                [&](int* patches) { return find_patches(sides, patches); });
+                [&](int* patches) { return find_patches(kSides, patches); });  // no floor: they may rise
   return true;
 }
 

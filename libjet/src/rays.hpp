@@ -58,7 +58,7 @@ class RayBundle {
   float* targets() { return local_targets_.data(); }
   float half_long() const { return static_cast<float>(scale_ * source_->half_long); }
   float local_error() const { return static_cast<float>(2.5e-13 * (1.0 + scale_ * size)); }
-  unsigned outside() const { return outside_; }  // bits of a code that keep an element out
+  int outside() const { return outside_; }  // bits of a code that keep an element out
 
   double size = 0.0;       // [m] bounds the magnitude of every coordinate of nodes and sources
   std::vector<int> aside;  // places whose rays have no length or do not go downstream: not in the bounds
@@ -69,7 +69,7 @@ class RayBundle {
   std::size_t count_asked() const;
   RayBounds with_new(const RayBounds& before);
   bool project_fresh(bool rescaled);
-  bool project_all(bool rescaled);
+  static bool fits(const ProjectFlags& flags, bool rescaled);
   bool project_close(const RayBounds& bounds);
   bool choose_close(const RayBounds& wide, bool rescaled);
   void rescale();
@@ -77,7 +77,7 @@ class RayBundle {
   void set_way();
   void set_sides(const RayBounds& bounds, double reach);
   void set_side(int bit, double slope, double bound, double reach);
-  int find_patches(unsigned outside, int* patches) const;
+  int find_patches(int outside, int* patches) const;
 
   Surface surface_;
   const RaySource* source_ = nullptr;
@@ -93,12 +93,13 @@ class RayBundle {
   RayBounds bounds_{}, last_{}, before_{};
   blocking::Ray way_{};
   ProjectArrays arrays_{};
-  unsigned outside_ = 0;
+  int outside_ = 0;
   double travelled_ = kMotionUnknown;  // [m] by the nodes
   double step_ = kMotionUnknown;       // [m] of it since the last query
   CloseSet close_;
   bool fresh_ = false;
   std::vector<float> local_;          // rows of nodes
+  std::vector<std::int32_t> codes_;   // of nodes, where all were looked at
   std::vector<float> local_targets_;  // rows of elements
   mutable std::vector<blocking::Ray> made_;
   mutable std::vector<std::uint8_t> is_made_;

@@ -2,7 +2,6 @@
 // The rays of one query, second part: half-spaces that hold them, the patches in these, and a way between
 // them.
 #include <algorithm>
-#include <bit>
 #include <cmath>
 
 #include "rays.hpp"
@@ -10,8 +9,8 @@
 namespace jet {
 namespace {
 
-constexpr double kMargin = 1e-6;       // 33 times the error of local coordinates
-constexpr std::uint8_t kFloor = 0x80;  // bit of a code: not above the sources' own plane
+constexpr double kMargin = 1e-6;  // 33 times the error of local coordinates
+constexpr int kFloor = 0x80;      // bit of a code: not above the sources' own plane
 
 }  // namespace
 
@@ -31,7 +30,7 @@ void RayBundle::set_sides(const RayBounds& bounds, double reach) {
   set_side(3, frame_.line ? 0.0 : bounds.high_v, frame_.line ? bounds.high_v : 0.0, reach);
   set_side(4, 0.0, 0.0, reach);
   // What is not above the sources' own plane meets no ray: a source on it starts above, by eps.
-  outside_ = 0x1fu | (frame_.aligned() ? kFloor : 0u);
+  outside_ = kSides | (frame_.aligned() ? kFloor : 0);
 }
 
 std::span<const int> RayBundle::find_patches(std::span<int> out) const {
@@ -39,18 +38,15 @@ std::span<const int> RayBundle::find_patches(std::span<int> out) const {
   return out.first(static_cast<std::size_t>(find_patches(outside_, out.data())));
 }
 
-int RayBundle::find_patches(unsigned all_outside, int* patches) const {
-  const std::uint32_t* rows = mesh_->patch_rows.data();
-  const int* begin = mesh_->patch_begin.data();
-  const auto code = [codes = local_.data() + 3](std::uint32_t row) {
-    return std::bit_cast<std::uint32_t>(codes[row]);
-  };
+int RayBundle::find_patches(int all_outside, int* patches) const {
+  const int *nodes = mesh_->patch_nodes.data(), *begin = mesh_->patch_begin.data();
+  const std::int32_t* codes = codes_.data();
   int count = 0;
   for (int patch = 0; patch < mesh_->patches; ++patch) {
-    unsigned outside = all_outside;
-    for (const std::uint32_t *row = rows + begin[patch], *end = rows + begin[patch + 1];
-         row < end && outside != 0; row += 4)
-      outside &= code(row[0]) & code(row[1]) & code(row[2]) & code(row[3]);
+    int outside = all_outside;
+    for (const int *node = nodes + begin[patch], *end = nodes + begin[patch + 1]; node < end && outside != 0;
+         node += 4)
+      outside &= codes[node[0]] & codes[node[1]] & codes[node[2]] & codes[node[3]];
     patches[count] = patch;  // kept if the next does not overwrite it: no branch to predict
     count += outside == 0;
   }
