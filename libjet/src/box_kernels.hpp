@@ -185,7 +185,7 @@ inline PatchesFound look_at_patches(const PatchArrays& given) {
     const int left = s.elements - 8 * patch;
     const unsigned there = left < 8 ? (1u << left) - 1u : 0xffu;
     const Floats::Mask common = code(a) & code(b) & code(c);
-    const unsigned near = there & ~bits((common & s.outside) != 0);
+    const unsigned near = there & bits((common & s.outside) == 0);
     if (near == 0) continue;
     const Corners t = {a.point, b.point, c.point};
     store(s.points + kElementFloats * std::ptrdiff_t{found.near}, t);
@@ -195,7 +195,7 @@ inline PatchesFound look_at_patches(const PatchArrays& given) {
     s.inner[patch] = static_cast<std::uint8_t>(inner);
     s.outer[patch] = static_cast<std::uint8_t>(bits(side.outer) & there);
     found.not_inner += append_bits(near & ~inner, 8 * patch, s.not_inner + found.not_inner);
-    const unsigned between = near & bits(side.between), on_way = near & ~bits((common & kBesideWay) != 0);
+    const unsigned between = near & bits(side.between), on_way = near & bits((common & kBesideWay) == 0);
     if (between != 0) found.between += append_bits(between, 8 * patch, s.between + found.between);
     if (on_way != 0) found.on_way += append_bits(on_way, 8 * patch, s.on_way + found.on_way);
     const unsigned asked = s.asked[patch];
