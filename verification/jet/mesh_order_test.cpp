@@ -24,12 +24,12 @@ TEST(mesh_order, patches_of_eight_are_compact_and_hold_each_element_once) {
       ++seen[e];
       EXPECT_EQ(ordered.rank[e], static_cast<int>(i));
       EXPECT_EQ(ordered.triangles[i], triangles[e]);
-      const auto begin = ordered.patch_rows.begin() + ordered.patch_begin[i / 8],
-                 end = ordered.patch_rows.begin() + ordered.patch_begin[i / 8 + 1];
+      const auto begin = ordered.patch_nodes.begin() + ordered.patch_begin[i / 8],
+                 end = ordered.patch_nodes.begin() + ordered.patch_begin[i / 8 + 1];
       for (std::size_t corner = 0; corner < 3; ++corner) {
-        const auto row = static_cast<std::uint32_t>(4 * triangles[e][corner]);
-        EXPECT_NE(std::find(begin, end, row), end);
-        EXPECT_EQ(ordered.corner_rows[i / 8 * 24 + 8 * corner + i % 8], row);
+        const int node = triangles[e][corner];
+        EXPECT_NE(std::find(begin, end, node), end);
+        EXPECT_EQ(ordered.corner_rows[i / 8 * 24 + 8 * corner + i % 8], static_cast<std::uint32_t>(4 * node));
       }
     }
     EXPECT_EQ(seen, std::vector<int>(triangles.size(), 1));
@@ -37,7 +37,7 @@ TEST(mesh_order, patches_of_eight_are_compact_and_hold_each_element_once) {
     if (mesh.elements.size() == 2048) {
       // Eight triangles in a strip have 10 nodes, around a node 9; blocks need not begin where a patch does.
       // At random they have 24. Filled to a multiple of four, most have 12.
-      EXPECT_LT(static_cast<double>(ordered.patch_rows.size()) / ordered.patches, 13.0);
+      EXPECT_LT(static_cast<double>(ordered.patch_nodes.size()) / ordered.patches, 13.0);
     }
   }
 }
@@ -58,11 +58,12 @@ TEST(close_set, nodes_are_each_listed_once_and_the_last_of_the_mesh_at_the_end) 
       for (int i = 0; i < ordered.patches; ++i) patches[i] = i;
       return ordered.patches;
     });
-    std::vector<int> listed(close.nodes().begin(), close.nodes().end());
+    std::vector<std::uint32_t> listed(close.rows().begin(), close.rows().end());
     ASSERT_EQ(listed.size() % 8, 0u);
-    EXPECT_EQ(listed.back(), nodes - 1);
-    EXPECT_EQ(std::count(listed.begin(), listed.end() - 8, nodes - 1), 0);
-    std::sort(listed.begin(), listed.end());
+    const auto last = static_cast<std::uint32_t>(4 * (nodes - 1));
+    EXPECT_EQ(listed.back(), last);
+    EXPECT_EQ(std::count(listed.begin(), listed.end() - 8, last), 0);
+    EXPECT_TRUE(std::is_sorted(listed.begin(), listed.end()));
     listed.erase(std::unique(listed.begin(), listed.end()), listed.end());
     EXPECT_EQ(listed.size(), mesh.nodes.size());
   }

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: Apache-2.0
+// Kernels that project, list, merge and add up: parts against the whole, and loops that do the same one by
+// one.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <vector>
+
+#include "kernel_table.hpp"
+#include "scenes.hpp"
+
+namespace {
+
+const jet::KernelTable* const kBoth[] = {&jet::baseline::kTable, &jet::kernel_table()};
+
+/// Listed nodes, with rows of three and of four numbers behind the last of which there is nothing, and codes
+/// alone are as those of all nodes.
+TEST(kernels, listed_nodes_and_codes_eq_those_of_all) {
+  const Eigen::Matrix3Xd nodes = scenes::crumpled(2, 0.05, 42).points();
+  const auto count = static_cast<std::size_t>(nodes.cols());
+  std::vector<double> padded;
+  for (Eigen::Index i = 0; i < nodes.cols(); ++i)
+    padded.insert(padded.end(), {nodes(0, i), nodes(1, i), nodes(2, i), NAN});
+  const std::vector<double> four(padded.begin(), padded.end() - 1);
+  const auto last = nodes.rightCols<1>();
+  std::vector<float> whole(4 * count + 32), local(whole.size());
+  std::vector<std::int32_t> codes(count + 8), sides(count + 8);
+  std::vector<std::uint32_t> listed((count + 7) / 8 * 8, static_cast<std::uint32_t>(4 * (count - 1)));
+  for (std::size_t i = 0; i < count; ++i) listed[i] = static_cast<std::uint32_t>(4 * i);
+  jet::ProjectArrays a{{nodes.data(), 3, static_cast<int>(count) - 1, {last[0], last[1], last[2], 0.0}},
+                       static_cast<int>(count),
+                       {0.1, 0.02, 0.03},
+                       {},
+                       whole.data(),
+                       codes.data(),
+                       nullptr,
+                       nullptr,
+                       {-0.5f, 0.5f, -0.5f, 0.5f, 0.0f},
+                       {0.1f, 0.1f, 0.1f, 0.1f, 0.1f},
+                       {0.1f, 0.2f, 0.01f},
+                       listed.data()};
+  for (int i = 0; i < 3; ++i) a.column[i][(i + 1) % 3] = 0.25;
+  for (const jet::KernelTable* kernels : kBoth) {
+    a.local = whole.data();
+    a.codes = codes.data();
+    kernels->project_nodes(a);
+    a.codes = sides.data();
+    kernels->code_nodes(a);
+    for (std::size_t i = 0; i < count; ++i) {
+      EXPECT_EQ(sides[i], codes[i] & jet::kSides);
+      EXPECT_EQ(std::memcmp(&codes[i], &whole[4 * i + 3], 4), 0);
+    }
+    a.local = local.data();
+    for (const bool padded_rows : {false, true}) {
+      a.nodes.first = padded_rows ? four.data() : nodes.data();
+      a.nodes.stride = padded_rows ? 4 : 3;
+      for (const std::size_t left_out : {8, 0}) {  // without the last node of all, and with it
+        std::fill(local.begin(), local.end(), 0.0f);
+        const std::size_t n = listed.size() - left_out;
+        kernels->project_listed(a, static_cast<int>(n));
+        EXPECT_EQ(std::memcmp(local.data(), whole.data(), 16 * std::min(n, count)), 0);
+      }
+    }
+    a.nodes.first = nodes.data();
+    a.nodes.stride = 3;
+  }
+}
+
+TEST(kernels, bits_are_listed_in_order) {
+  scenes::Random random(7);
+  for (const std::size_t size : {32u, 64u, 1120u}) {  // the last beyond what is listed in one go
+    for (const double share : {0.002, 0.1, 0.9}) {
+      std::vector<std::uint8_t> bytes(size);
+      std::vector<int> expected;
+      for (int i = 0; i < static_cast<int>(8 * size); ++i) {
+        if (0.5 * (random.vector(1.0).x() + 1.0) > share) continue;
+        auto& byte = bytes[static_cast<std::size_t>(i / 8)];
+        byte = static_cast<std::uint8_t>(byte | 1 << i % 8);
+        expected.push_back(i);
+      }
+      for (const jet::KernelTable* kernels : kBoth) {
+        std::vector<int> places(expected.size() + 8);
+        const int count = kernels->list_bits(bytes.data(), static_cast<int>(size), places.data());
+        ASSERT_EQ(count, static_cast<int>(expected.size()));
+        places.resize(expected.size());
+        EXPECT_EQ(places, expected);
+      }
+    }
+  }
+}
+
+TEST(kernels, merged_boxes_hold_eight_and_no_more) {
+  scenes::Random random(8);
+  for (const int count : {1, 2, 7, 8, 9, 24}) {
+    const auto blocks = static_cast<std::size_t>(count);
+    std::vector<float> boxes(jet::kBoxFloats * blocks);
+    for (float& x : boxes) x = static_cast<float>(random.vector(1.0).x());
+    for (const jet::KernelTable* kernels : kBoth) {
+      std::vector<float> merged(jet::kBoxFloats * ((blocks + 7) / 8));
+      kernels->merge(boxes.data(), count, merged.data());
+      for (std::size_t i = 0; i < blocks; ++i) {
+        for (std::size_t row = 0; row < 5; ++row) {
+          const auto first = boxes.begin() + static_cast<std::ptrdiff_t>(jet::kBoxFloats * i + 8 * row);
+          const bool high = row == 1 || row == 3;
+          EXPECT_EQ(merged[jet::kBoxFloats * (i / 8) + 8 * row + i % 8],
+                    high ? *std::max_element(first, first + 8) : *std::min_element(first, first + 8))
+              << count << ' ' << i << ' ' << row;
+        }
+      }
+    }
+  }
+}
+
+/// With rows of three numbers, behind the last of which there is nothing.
+TEST(kernels, force_eq_sum_of_its_terms) {
+  scenes::Random random(9);
+  for (const int count : {1, 3, 4, 5, 8, 203}) {
+    Eigen::Matrix3Xd areas(3, count);
+    std::vector<double> overpressure;
+    std::vector<int> elements;
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero(), size = sum;
+    for (int e = 0; e < count; ++e) {
+      areas.col(e) = random.vector(1e-3);
+      overpressure.push_back(1e5 * random.vector(1.0).x());
+      if (e % 3 == 1 && e + 1 < count) continue;
+      elements.push_back(e);
+      sum += overpressure.back() * areas.col(e);
+      size += (overpressure.back() * areas.col(e)).cwiseAbs();
+    }
+    const auto last = areas.col(count - 1);
+    const jet::Rows rows{areas.data(), 3, count - 1, {last.x(), last.y(), last.z(), 0.0}};
+    double bits[2][4];
+    for (int i = 0; i < 2; ++i)
+      kBoth[i]->force(rows, overpressure.data(), elements.data(), static_cast<int>(elements.size()), bits[i]);
+    for (int j = 0; j < 3; ++j) {
+      EXPECT_EQ(bits[0][j], bits[1][j]);
+      // Each addition, here and there, errs by half a rounding of a partial sum.
+      EXPECT_NEAR(bits[0][j], sum[j], count * std::numeric_limits<double>::epsilon() * size[j]);
+    }
+  }
+}
+
+}  // namespace
