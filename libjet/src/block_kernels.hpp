@@ -30,9 +30,8 @@ struct Touches {
 }
 
 /// Eight rays of the list from `first` on.
-template <bool to_targets>
-[[gnu::always_inline]] inline int meet(const RayArrays& rays, int first, const PyramidView& pyramid,
-                                       const float* points, const HitLists& to) {
+inline int meet(const RayArrays& rays, int first, bool to_targets, const PyramidView& pyramid,
+                const float* points, const HitLists& to) {
   const Vec3<Floats> g = gather_rows(rays.targets, [list = rays.list + first](int i) { return list[i]; });
   unsigned alive = rays.count - first < 8 ? (1u << (rays.count - first)) - 1u : 0xffu;
   const RayRanges own = ranges(g, rays.half_long);
@@ -46,13 +45,14 @@ template <bool to_targets>
                         to.second + near);
   }
   // Those beside all rays are left out, without a branch to predict.
+  const unsigned whole = to_targets ? 0u : 0xffu;  // lines
   int touched = 0;
   for (int i = 0; i < near; ++i) {
     const int box_at = to.second[i];
     const float* b = pyramid.boxes + box_at;
     auto overlaps = (Floats(b[0]) <= own.p.high) & (own.p.low <= Floats(b[8])) &
                     (Floats(b[16]) <= own.q.high) & (own.q.low <= Floats(b[24]));
-    if constexpr (to_targets) overlaps &= Floats(b[32]) <= depth;
+    overlaps &= Floats(b[32]) <= depth;
     to.second[touched] = box_at;
     touched += static_cast<int>((bits(overlaps) & alive) != 0);
   }
@@ -64,23 +64,14 @@ template <bool to_targets>
     if (t.possible == 0) continue;
     const int e = static_cast<int>(8 * block + lane);
     const unsigned met = t.pierced & t.beyond;
-    for (unsigned rest = to_targets ? t.possible & ~t.beyond : t.possible; rest != 0; rest &= rest - 1u) {
+    for (unsigned rest = t.possible & (whole | ~t.beyond); rest != 0; rest &= rest - 1u) {
       const int ray = __builtin_ctz(rest);
       to.hits[count++] = kHitKinds * (8 * e + ray) + static_cast<int>(t.crossed >> ray & 1u) * kBlocked +
                          static_cast<int>(met >> ray & 1u) * kMet;
     }
-    if constexpr (!to_targets) alive &= ~(t.crossed | met);
+    alive &= ~((t.crossed | met) & whole);
   }
   return count;
-}
-
-inline int meet_lines(const RayArrays& rays, int first, const PyramidView& pyramid, const float* points,
-                      const HitLists& to) {
-  return meet<false>(rays, first, pyramid, points, to);
-}
-inline int meet_segments(const RayArrays& rays, int first, const PyramidView& pyramid, const float* points,
-                         const HitLists& to) {
-  return meet<true>(rays, first, pyramid, points, to);
 }
 
 }  // namespace jet::JET_KERNELS

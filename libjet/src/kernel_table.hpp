@@ -181,10 +181,9 @@ struct KernelTable {
   void (*meet_pairs)(const PairArrays&, int count);
   /// Elements that eight rays of the list, or less, from `first` on, may touch: 8 times the element plus the
   /// ray, times kHitKinds, plus what is certain, to `hits`: their number. A ray is left after a certain
-  /// touch.
-  int (*meet_lines)(const RayArrays&, int first, const PyramidView&, const float* points, const HitLists&);
-  /// Those that they may touch up to their targets.
-  int (*meet_segments)(const RayArrays&, int first, const PyramidView&, const float* points, const HitLists&);
+  /// touch. Or `to_targets`: those that they may touch before their targets.
+  int (*meet)(const RayArrays&, int first, bool to_targets, const PyramidView&, const float* points,
+              const HitLists&);
 };
 
 namespace baseline {

@@ -44,31 +44,30 @@ class NearElements {
   void for_each_touching(const RayBundle& rays, std::span<const int> list, std::span<const int> places,
                          Visit visit) {
     gather_elements(rays, places);
-    for_each_hit(
-        kernel_table().meet_lines, rays.arrays(list), own_boxes_, own_points_,
-        [&](int ray, int slot, int kind) { visit(ray, places[static_cast<std::size_t>(slot)], kind); });
+    for_each_hit(rays.arrays(list), false, own_boxes_, own_points_, [&](int ray, int slot, int kind) {
+      visit(ray, places[static_cast<std::size_t>(slot)], kind);
+    });
   }
 
   /// The same for elements near the rays that these may touch before their targets.
   template <class Visit>
   void for_each_before_target(const RayBundle& rays, std::span<const int> list, Visit visit) {
     make_boxes(rays);
-    for_each_hit(kernel_table().meet_segments, rays.arrays(list), boxes_, points_,
-                 [&](int ray, int slot, int kind) {
-                   visit(ray, 8 * patches_[static_cast<std::size_t>(slot / 8)] + slot % 8, kind);
-                 });
+    for_each_hit(rays.arrays(list), true, boxes_, points_, [&](int ray, int slot, int kind) {
+      visit(ray, 8 * patches_[static_cast<std::size_t>(slot / 8)] + slot % 8, kind);
+    });
   }
 
  private:
   static std::span<const int> first(const std::vector<int>& list, int count) {
     return std::span(list).first(static_cast<std::size_t>(count));
   }
-  template <class Meet, class Visit>
-  void for_each_hit(Meet meet, const RayArrays& rays, const Pyramid& boxes, const std::vector<float>& points,
-                    Visit visit) {
+  template <class Visit>
+  void for_each_hit(const RayArrays& rays, bool to_targets, const Pyramid& boxes,
+                    const std::vector<float>& points, Visit visit) {
     const HitLists lists{hits_.data(), first_.data(), second_.data()};
     for (int begin = 0; begin < rays.count; begin += 8) {
-      const int count = meet(rays, begin, boxes.view(), points.data(), lists);
+      const int count = kernel_table().meet(rays, begin, to_targets, boxes.view(), points.data(), lists);
       for (int i = 0; i < count; ++i) {
         const int hit = hits_[static_cast<std::size_t>(i)], pair = hit / kHitKinds;
         visit(rays.list[begin + pair % 8], pair / 8, hit % kHitKinds);
