@@ -176,6 +176,9 @@ inline PatchesFound look_at_patches(const PatchArrays& given) {
   Bounds bounds;
   for (int k = 0; k < s.count; ++k) {
     const int patch = s.patches[k];
+    const std::uint32_t* ahead = s.corner_rows + 24 * std::ptrdiff_t{s.patches[k + 6 < s.count ? k + 6 : k]};
+    __builtin_prefetch(ahead);
+    __builtin_prefetch(ahead + 16);
     const auto corner = [&](int j) {
       const std::uint32_t* rows = s.corner_rows + 24 * std::ptrdiff_t{patch} + 8 * j;
       return gather_four(s.local, [=](int i) { return std::ptrdiff_t{rows[i]}; });
