@@ -206,16 +206,16 @@ Looked look(const jet::KernelTable& kernels, const Mesh& mesh, float half_long) 
   const jet::PyramidView view{p.boxes.data(), 1, {}, {8}};  // the first 64 elements
   std::vector<int> hits(8 * count), first(count + 8), second(count + 8);
   const jet::HitLists lists{hits.data(), first.data(), second.data()};
-  const auto meet = [&](auto kernel, const std::vector<float>& points) {
+  const auto meet = [&](bool to_targets, const std::vector<float>& points) {
     for (int ray = 0; ray + 8 <= n; ray += 8) {
       const jet::RayArrays rays{p.targets.data(), half_long, all.data(), ray % 16 == 0 ? n : ray + 3};
-      const int hit_count = kernel(rays, ray, view, points.data(), lists);
+      const int hit_count = kernels.meet(rays, ray, to_targets, view, points.data(), lists);
       p.hits.insert(p.hits.end(), hits.begin(), hits.begin() + hit_count);
     }
   };
-  meet(kernels.meet_lines, p.near_points);
+  meet(false, p.near_points);
   kernels.element_boxes(p.points.data(), half_long, found.near, p.boxes.data());
-  meet(kernels.meet_segments, p.points);
+  meet(true, p.points);
   return p;
 }
 
