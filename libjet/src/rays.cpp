@@ -134,11 +134,8 @@ bool RayBundle::accept(const PatchesFound& found, std::span<const int> patches,
     std::vector<std::uint8_t>& missing = asked_before_;  // not read any more
     missing = asked_;
     for (const int patch : patches) missing[static_cast<std::size_t>(patch)] = 0;
-    const auto count = static_cast<std::size_t>(not_downstream.size());
-    aside.resize(count + 8 * missing.size() + 8);
-    const int more =
-        kernel_table().list_bits(missing.data(), static_cast<int>(missing.size()), aside.data() + count);
-    aside.resize(count + static_cast<std::size_t>(more));
+    const int more = kernel_table().list_bits(missing.data(), static_cast<int>(missing.size()), new_.data());
+    aside.insert(aside.end(), new_.begin(), new_.begin() + more);
   }
   before_ = last_;
   last_ = found.bounds;
