@@ -70,7 +70,8 @@ class CloseSet {
 
  private:
   void list_nodes() {
-    const int *nodes = mesh_->patch_nodes.data(), *begin = mesh_->patch_begin.data();  // as bytes may alias
+    // Copies, which the bytes written cannot change.
+    const int *nodes = mesh_->patch_nodes.data(), *begin = mesh_->patch_begin.data();
     std::uint8_t* has = has_node_.data();
     std::fill(has_node_.begin(), has_node_.end(), std::uint8_t{0});
     for (const int patch : patches()) {

@@ -137,7 +137,7 @@ bool RayBundle::accept(const PatchesFound& found, std::span<const int> patches,
     const int more = kernel_table().list_bits(missing.data(), static_cast<int>(missing.size()), new_.data());
     aside.insert(aside.end(), new_.begin(), new_.begin() + more);
   }
-  before_ = last_;
+  before_ = fresh_ ? found.bounds : last_;
   last_ = found.bounds;
   return aside.empty() || (aside.size() <= kMostAside && aside.size() < count_asked());
 }
