@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Sets as bytes of eight bits, to a multiple of 32 bytes.
+// Sets as bytes of eight bits, to a multiple of 32 bytes. Kernels share no inline code with others:
+// floats.hpp has the same tricks.
 #pragma once
 
 #include <bit>

@@ -45,7 +45,7 @@ inline int meet(const RayArrays& rays, int first, bool to_targets, const Pyramid
                         to.second + near);
   }
   // Those beside all rays are left out, without a branch to predict.
-  const unsigned whole = to_targets ? 0u : 0xffu;  // lines
+  const unsigned lines = to_targets ? 0u : 0xffu;  // rays that count beyond their targets
   int touched = 0;
   for (int i = 0; i < near; ++i) {
     const int box_at = to.second[i];
@@ -64,12 +64,12 @@ inline int meet(const RayArrays& rays, int first, bool to_targets, const Pyramid
     if (t.possible == 0) continue;
     const int e = static_cast<int>(8 * block + lane);
     const unsigned met = t.pierced & t.beyond;
-    for (unsigned rest = t.possible & (whole | ~t.beyond); rest != 0; rest &= rest - 1u) {
+    for (unsigned rest = t.possible & (lines | ~t.beyond); rest != 0; rest &= rest - 1u) {
       const int ray = __builtin_ctz(rest);
       to.hits[count++] = kHitKinds * (8 * e + ray) + static_cast<int>(t.crossed >> ray & 1u) * kBlocked +
                          static_cast<int>(met >> ray & 1u) * kMet;
     }
-    alive &= ~((t.crossed | met) & whole);
+    alive &= ~((t.crossed | met) & lines);
   }
   return count;
 }

@@ -215,7 +215,7 @@ inline PatchesFound look_at_patches(const PatchArrays& given) {
   return found;
 }
 
-/// Places of the bits of bytes: first of the bytes that have some. No branch to predict.
+/// Lists the bytes that are not zero, 512 at a time, then the places of their bits. No branch to predict.
 inline int list_bits(const std::uint8_t* bytes, int count, int* places) {
   constexpr int most = 512;
   int some[most + 8];

@@ -92,7 +92,7 @@ class CloseSet {
   RayBounds wide_{};
   double from_ = kMotionUnknown, until_ = kMotionUnknown;  // [m] travelled
   std::size_t patch_count_ = 0, row_count_ = 0;
-  std::vector<int> patches_, nodes_;
+  std::vector<int> patches_, nodes_;  // nodes_: workspace
   std::vector<std::uint32_t> rows_;
   std::vector<std::uint8_t> has_patch_, has_node_, node_bits_;
 };

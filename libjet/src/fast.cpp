@@ -18,7 +18,7 @@ void FastRoute::prepare(std::span<const Triangle> triangles, std::size_t node_co
   for (auto* places : {&away_, &open_, &again_, &again_by_}) places->reserve(elements + 8);
   hidden_.reserve(elements);
   last_.reserve(elements);
-  for (auto* bytes : {&blocked_, &apart_, &alive_, &unsure_}) bytes->resize(patches);
+  for (auto* bytes : {&blocked_, &apart_, &alive_, &chosen_}) bytes->resize(patches);
   listed_.resize(elements + 8);
   states_.resize(elements);
 }
@@ -173,8 +173,8 @@ bool FastRoute::winding_is_one() {
 // Rays for which the argument of fast.hpp does not hold for certain are open; the number of those that may be
 // lit is returned.
 std::size_t FastRoute::open_uncertain(bool certain) {
-  if (certain && bounded_) and_not(alive_, near_.inner(), unsure_);
-  for (const int place : list(certain && bounded_ ? unsure_ : alive_)) {
+  if (certain && bounded_) and_not(alive_, near_.inner(), chosen_);
+  for (const int place : list(certain && bounded_ ? chosen_ : alive_)) {
     if (bounded_ && near_.shows_outer_side(place)) {
       set(place, kFacingAway);
       continue;

@@ -91,8 +91,8 @@ class FastRoute {
   std::vector<Hidden> hidden_, last_;  // rays in front of which an element was found; at the last query
   std::vector<int> again_, again_by_;  // rays that may be hidden again, and by which elements
   std::vector<std::uint8_t> blocked_, apart_;
-  std::vector<std::uint8_t> alive_;  // by patch: bits of the rays that are lit so far
-  std::vector<std::uint8_t> unsure_;
+  std::vector<std::uint8_t> alive_;   // by patch: bits of the rays that are lit so far
+  std::vector<std::uint8_t> chosen_;  // workspace: bits of rays
   std::vector<int> listed_;
   std::vector<State> states_;  // of the places asked about
 };

@@ -38,12 +38,12 @@ void FastRoute::meet_away(int ray, int by, int kind) {
 // Open rays against the elements that can be on them.
 void FastRoute::search() {
   if (!rays_.aside.empty()) search_aside();
-  std::fill(unsure_.begin(), unsure_.end(), std::uint8_t{0});
+  std::fill(chosen_.begin(), chosen_.end(), std::uint8_t{0});
   for (const int ray : open_) {
-    std::uint8_t& bits = unsure_[static_cast<std::size_t>(ray / 8)];
+    std::uint8_t& bits = chosen_[static_cast<std::size_t>(ray / 8)];
     bits = static_cast<std::uint8_t>(bits | int{state(ray) == kOpen} << ray % 8);
   }
-  const std::span<const int> rays = list(unsure_);  // eight by eight, neighbours together
+  const std::span<const int> rays = list(chosen_);  // eight by eight, neighbours together
   if (rays.empty()) return;
   near_.for_each_before_target(rays_, rays, [&](int ray, int by, int kind) {
     const int e = element(by);

@@ -154,13 +154,15 @@ void apply_mask(std::span<const std::uint8_t> lit, FieldState& state) {
                                 std::to_string(state.candidates.size()));
   }
   double* overpressure = state.overpressure.data();
-  for (std::size_t k = 0; k < lit.size(); ++k) {  // no branch to predict, and no product: 0 inf is not 0
+  for (std::size_t k = 0; k < lit.size();
+       ++k) {  // no branch to predict; a product would keep the sign, and NaN
     double& dp = overpressure[state.candidates[k]];
     dp = std::bit_cast<double>(std::bit_cast<std::uint64_t>(dp) & (lit[k] == 0 ? 0 : ~std::uint64_t{0}));
   }
 }
 
 Eigen::Vector3d jet_force(const FieldState& state, const Points& area_vectors) {
+  require_columns("area_vectors", area_vectors.cols(), static_cast<int>(state.overpressure.size()));
   if (state.candidates.empty()) return Eigen::Vector3d::Zero();
   std::array<double, 4> force{};
   kernel_table().force(rows(area_vectors), state.overpressure.data(), state.candidates.data(),

@@ -179,14 +179,14 @@ inline int evaluate_as(const JetShape& given, const FieldArrays& arrays, int sel
 inline void force(const Rows& area_vectors, const double* overpressure, const int* elements, int count,
                   double* sum) {
   Lanes sums[4];
-  const auto add = [&](int k, const double* area) {
-    const Lanes term = overpressure[elements[k]] * Lanes::load(area);
-    sums[k % 4] = sums[k % 4] + term;
+  const auto add = [&](int k, Lanes& to) {
+    const int e = elements[k];
+    to = to + overpressure[e] * Lanes::load(row(area_vectors, e));
   };
   int k = 0;
-  for (; k + 4 < count; k += 4)
-    for (int i = 0; i < 4; ++i) add(k + i, area_vectors.first + elements[k + i] * area_vectors.stride);
-  for (; k < count; ++k) add(k, row(area_vectors, elements[k]));  // only the last can be behind all others
+  for (; k + 4 <= count; k += 4)
+    for (int i = 0; i < 4; ++i) add(k + i, sums[i]);
+  for (; k < count; ++k) add(k, sums[0]);
   const Lanes all = (sums[0] + sums[1]) + (sums[2] + sums[3]);
   for (int i = 0; i < 4; ++i) sum[i] = all[i];
 }

@@ -61,8 +61,9 @@ struct ProjectArrays {
   std::int32_t* codes;   // of the nodes, and room for 7 more
   const int* triangles;  // 3 an element
   const int* elements;   // to bound the rays of
-  float slope[5], bound[5], way[3];
-  const std::uint32_t* listed;  // rows of nodes to project where not all are, ascending
+  float slope[4], bound[5], way[3];
+  const std::uint32_t* listed;  // where rows in `local` begin of the nodes to project if not all are:
+                                // ascending, the last repeated to a multiple of eight
 };
 
 inline constexpr int kSides = 0x1f, kBesideWay = 0xf00;
@@ -100,9 +101,9 @@ struct PatchArrays {
   float error;                // absolute part of the bound of the orientation
   int* near;                  // those of the patches that rays can meet
   float* points;              // eight (u, v, w) of their corners
-  float* targets;             // rows of the patches that have rays
+  float* targets;             // rows of the patches near that have rays
   std::uint8_t* inner;  // by patch of the mesh: the sources of rays that can touch it see its inner side,
-  std::uint8_t* outer;  // or its outer one, for certain
+  std::uint8_t* outer;  // or its outer one, for certain; of patches that are not near nothing is written
   int* not_inner;       // list of those near that may not show the inner side
   int* between;         // near, may lie between two sources
   int* on_way;          // near, may touch the line
@@ -110,7 +111,7 @@ struct PatchArrays {
 };
 struct PatchesFound {
   int near, not_inner, between, on_way, aside;  // lengths of the lists
-  int asked;                                    // patches that have rays
+  int asked;                                    // patches near that have rays
   RayBounds bounds;                             // of the rays not aside
 };
 
@@ -158,7 +159,7 @@ struct KernelTable {
   /// Overpressure of the first `count` candidates; those without are dropped. Returns their number, or
   /// -1 - element where the overpressure is not finite.
   int (*evaluate)(const JetShape&, const FieldArrays&, int count);
-  /// Sum of overpressure times area vector over `count` elements, ascending, to `sum` of four, three of which
+  /// Sum of overpressure times area vector over `count` elements, to `sum` of four, three of which
   /// count.
   void (*force)(const Rows& area_vectors, const double* overpressure, const int* elements, int count,
                 double* sum);
@@ -176,7 +177,7 @@ struct KernelTable {
   int (*list_bits)(const std::uint8_t* bytes, int count, int* places);
   void (*element_boxes)(const float* points, float half_long, int patches, float* boxes);
   void (*gather_elements)(const ElementArrays&, int count);
-  /// The eight boxes of each block to one: the box around them. What fills the last block is no box.
+  /// The eight boxes of each block to one: the box around them. Lanes behind the last hold anything.
   void (*merge)(const float* blocks, int count, float* boxes);
   void (*meet_pairs)(const PairArrays&, int count);
   /// Elements that eight rays of the list, or less, from `first` on, may touch: 8 times the element plus the

@@ -37,7 +37,7 @@ void RayBundle::reserve(const OrderedMesh& mesh, std::size_t node_count) {
   given_.reserve(elements);
   asked_.resize(patches);
   asked_before_.resize(patches);
-  new_.resize(elements + 8);
+  listed_.resize(elements + 8);
   aside.reserve(elements + 8);
   made_.resize(elements);
   is_made_.resize(elements);
@@ -111,11 +111,11 @@ bool RayBundle::project(Bounds known) {
 RayBounds RayBundle::with_new(const RayBounds& before) {
   and_not(asked_, asked_before_, asked_before_);
   const int count =
-      kernel_table().list_bits(asked_before_.data(), static_cast<int>(asked_.size()), new_.data());
+      kernel_table().list_bits(asked_before_.data(), static_cast<int>(asked_.size()), listed_.data());
   if (count == 0) return before;
-  for (int& place : std::span(new_).first(static_cast<std::size_t>(count)))
+  for (int& place : std::span(listed_).first(static_cast<std::size_t>(count)))
     place = mesh_->elements[static_cast<std::size_t>(place)];
-  arrays_.elements = new_.data();
+  arrays_.elements = listed_.data();
   const RayBounds now = kernel_table().bound_rays(arrays_, half_long(), count);
   return {std::min(before.low_u, now.low_u), std::max(before.high_u, now.high_u),
           std::min(before.low_v, now.low_v), std::max(before.high_v, now.high_v)};
@@ -134,8 +134,9 @@ bool RayBundle::accept(const PatchesFound& found, std::span<const int> patches,
     std::vector<std::uint8_t>& missing = asked_before_;  // not read any more
     missing = asked_;
     for (const int patch : patches) missing[static_cast<std::size_t>(patch)] = 0;
-    const int more = kernel_table().list_bits(missing.data(), static_cast<int>(missing.size()), new_.data());
-    aside.insert(aside.end(), new_.begin(), new_.begin() + more);
+    const int more =
+        kernel_table().list_bits(missing.data(), static_cast<int>(missing.size()), listed_.data());
+    aside.insert(aside.end(), listed_.begin(), listed_.begin() + more);
   }
   before_ = fresh_ ? found.bounds : last_;
   last_ = found.bounds;

@@ -26,8 +26,8 @@ class RayBundle {
   /// One ray for each element that is asked about.
   void ask(const Surface& surface, const RaySource& source, std::span<const int> candidates);
 
-  /// How the rays' bounds are known before they are looked at: near to those of the last query, within those
-  /// that nodes were chosen for, from their targets.
+  /// How the rays' bounds are known before they are looked at: near to those of the last queries, within
+  /// those that nodes were chosen for, from their targets.
   enum class Bounds { last, close, fresh };
   /// Projects the nodes that rays in these bounds can come near to. False if the bounds are not known, or no
   /// frame holds the nodes. Throws std::invalid_argument for coordinates out of range.
@@ -85,7 +85,7 @@ class RayBundle {
   std::span<const int> candidates_;
   std::vector<int> given_;  // their places
   std::vector<std::uint8_t> asked_, asked_before_;
-  std::vector<int> new_;  // elements asked about now, not before
+  std::vector<int> listed_;  // workspace: places, or elements there
   int asked_patches_ = 0;
   Frame frame_;
   bool has_frame_ = false;

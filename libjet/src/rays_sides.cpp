@@ -28,7 +28,7 @@ void RayBundle::set_sides(const RayBounds& bounds, double reach) {
   set_side(1, bounds.high_u, 0.0, reach);
   set_side(2, frame_.line ? 0.0 : bounds.low_v, frame_.line ? -bounds.low_v : 0.0, reach);
   set_side(3, frame_.line ? 0.0 : bounds.high_v, frame_.line ? bounds.high_v : 0.0, reach);
-  set_side(4, 0.0, 0.0, reach);
+  arrays_.bound[4] = static_cast<float>(kMargin + std::max(reach, 0.0));
   // What is not above the sources' own plane meets no ray: a source on it starts above, by eps.
   outside_ = kSides | (frame_.aligned() ? kFloor : 0);
 }

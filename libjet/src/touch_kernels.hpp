@@ -26,7 +26,6 @@ template <class Rows, class Better>
                 Floats(__builtin_shufflevector(a, b, 4, 5, 6, 7, 12, 13, 14, 15)));
 }
 
-/// Lanes behind the last repeat it.
 inline void merge(const float* blocks, int count, float* boxes) {
   for (int i = 0; i < count; i += 8, boxes += kBoxFloats) {
     const auto best = [&](int row, auto better) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <stdexcept>
 
 #include "jet/field.hpp"
 #include "models.hpp"
@@ -35,6 +36,18 @@ TEST(field, refused_evaluation_leaves_no_overpressure) {
       EXPECT_EQ(std::count(state.overpressure.begin(), state.overpressure.end(), 0.0), near.count());
     }
   }
+}
+
+TEST(field, force_needs_one_area_vector_an_element) {
+  const plates::Target plate = models::normal_plate(0.2, 0.001, 4);
+  const jet::JetField field(models::round(0.05, 0.08), plate.count());
+  jet::FieldState state = field.make_state();
+  EXPECT_EQ(jet::jet_force(state, plate.area_vectors), Eigen::Vector3d(0, 0, 0));
+  field.evaluate(plate.area_vectors, plate.centroids, models::kOutlet, state);
+  EXPECT_GT(jet::jet_force(state, plate.area_vectors).norm(), 0.0);
+  for (const Eigen::Index count : {Eigen::Index{0}, plate.area_vectors.cols() - 1})
+    EXPECT_THROW(jet::jet_force(state, Eigen::Matrix3Xd(plate.area_vectors.leftCols(count))),
+                 std::invalid_argument);
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <span>
 #include <vector>
 
 #include "kernel_table.hpp"
@@ -15,6 +16,48 @@
 namespace {
 
 const jet::KernelTable* const kBoth[] = {&jet::baseline::kTable, &jet::kernel_table()};
+
+bool same(const jet::ProjectFlags& a, const jet::ProjectFlags& b) {
+  return a.outside == b.outside && a.small == b.small && a.tiny == b.tiny;
+}
+
+/// Each is found by every kernel that projects, wherever it stands.
+TEST(kernels, nodes_out_of_range_are_noticed) {
+  const auto count = 21;
+  const std::uint32_t rows[] = {0,  4,  8,  12, 16, 20, 24, 28, 32, 36, 40, 44,
+                                48, 52, 56, 60, 64, 68, 72, 76, 80, 80, 80, 80};
+  for (const jet::KernelTable* kernels : kBoth) {
+    for (int node = 0; node < count; ++node) {
+      for (const double value : {1.5, static_cast<double>(NAN), 1e-120, -1e-120}) {
+        Eigen::Matrix3Xd nodes = Eigen::Matrix3Xd::Constant(3, count, 0.5);
+        nodes(node % 3, node) = value;
+        const auto last = nodes.rightCols<1>();
+        std::vector<float> local(4 * count + 32);
+        std::vector<std::int32_t> codes(count + 8);
+        jet::ProjectArrays a{{nodes.data(), 3, count - 1, {last[0], last[1], last[2], 0.0}},
+                             count,
+                             {},
+                             {},
+                             local.data(),
+                             codes.data(),
+                             nullptr,
+                             nullptr,
+                             {},
+                             {},
+                             {},
+                             rows};
+        for (int i = 0; i < 3; ++i) a.column[i][i] = 1.0;
+        const bool tiny = std::abs(value) < 1e-100;
+        for (const jet::ProjectFlags& flags :
+             {kernels->project_nodes(a), kernels->code_nodes(a), kernels->project_listed(a, 24)}) {
+          EXPECT_EQ(flags.outside, !tiny);
+          EXPECT_EQ(flags.tiny, tiny);
+          EXPECT_FALSE(flags.small);
+        }
+      }
+    }
+  }
+}
 
 /// Listed nodes, with rows of three and of four numbers behind the last of which there is nothing, and codes
 /// alone are as those of all nodes.
@@ -28,8 +71,9 @@ TEST(kernels, listed_nodes_and_codes_eq_those_of_all) {
   const auto last = nodes.rightCols<1>();
   std::vector<float> whole(4 * count + 32), local(whole.size());
   std::vector<std::int32_t> codes(count + 8), sides(count + 8);
-  std::vector<std::uint32_t> listed((count + 7) / 8 * 8, static_cast<std::uint32_t>(4 * (count - 1)));
-  for (std::size_t i = 0; i < count; ++i) listed[i] = static_cast<std::uint32_t>(4 * i);
+  std::vector<std::uint32_t> listed;  // every third node and the last
+  for (std::size_t i = 0; i + 1 < count; i += 3) listed.push_back(static_cast<std::uint32_t>(4 * i));
+  listed.resize(listed.size() / 8 * 8 + 8, static_cast<std::uint32_t>(4 * (count - 1)));
   jet::ProjectArrays a{{nodes.data(), 3, static_cast<int>(count) - 1, {last[0], last[1], last[2], 0.0}},
                        static_cast<int>(count),
                        {0.1, 0.02, 0.03},
@@ -38,7 +82,7 @@ TEST(kernels, listed_nodes_and_codes_eq_those_of_all) {
                        codes.data(),
                        nullptr,
                        nullptr,
-                       {-0.5f, 0.5f, -0.5f, 0.5f, 0.0f},
+                       {-0.5f, 0.5f, -0.5f, 0.5f},
                        {0.1f, 0.1f, 0.1f, 0.1f, 0.1f},
                        {0.1f, 0.2f, 0.01f},
                        listed.data()};
@@ -46,9 +90,9 @@ TEST(kernels, listed_nodes_and_codes_eq_those_of_all) {
   for (const jet::KernelTable* kernels : kBoth) {
     a.local = whole.data();
     a.codes = codes.data();
-    kernels->project_nodes(a);
+    const jet::ProjectFlags flags = kernels->project_nodes(a);
     a.codes = sides.data();
-    kernels->code_nodes(a);
+    EXPECT_TRUE(same(kernels->code_nodes(a), flags));
     for (std::size_t i = 0; i < count; ++i) {
       EXPECT_EQ(sides[i], codes[i] & jet::kSides);
       EXPECT_EQ(std::memcmp(&codes[i], &whole[4 * i + 3], 4), 0);
@@ -59,9 +103,11 @@ TEST(kernels, listed_nodes_and_codes_eq_those_of_all) {
       a.nodes.stride = padded_rows ? 4 : 3;
       for (const std::size_t left_out : {8, 0}) {  // without the last node of all, and with it
         std::fill(local.begin(), local.end(), 0.0f);
-        const std::size_t n = listed.size() - left_out;
-        kernels->project_listed(a, static_cast<int>(n));
-        EXPECT_EQ(std::memcmp(local.data(), whole.data(), 16 * std::min(n, count)), 0);
+        const std::span<const std::uint32_t> rows(listed.data(), listed.size() - left_out);
+        EXPECT_TRUE(same(kernels->project_listed(a, static_cast<int>(rows.size())), flags));
+        std::vector<float> expected(local.size());
+        for (const std::uint32_t row : rows) std::memcpy(&expected[row], &whole[row], 16);
+        EXPECT_EQ(std::memcmp(local.data(), expected.data(), 4 * local.size()), 0);
       }
     }
     a.nodes.first = nodes.data();
@@ -114,7 +160,7 @@ TEST(kernels, merged_boxes_hold_eight_and_no_more) {
   }
 }
 
-/// With rows of three numbers, behind the last of which there is nothing.
+/// With rows of three and of four numbers, behind the last of which there is nothing, and in between NaN.
 TEST(kernels, force_eq_sum_of_its_terms) {
   scenes::Random random(9);
   for (const int count : {1, 3, 4, 5, 8, 203}) {
@@ -131,10 +177,16 @@ TEST(kernels, force_eq_sum_of_its_terms) {
       size += (overpressure.back() * areas.col(e)).cwiseAbs();
     }
     const auto last = areas.col(count - 1);
-    const jet::Rows rows{areas.data(), 3, count - 1, {last.x(), last.y(), last.z(), 0.0}};
+    std::vector<double> four;
+    for (int e = 0; e < count; ++e) four.insert(four.end(), {areas(0, e), areas(1, e), areas(2, e), NAN});
+    four.pop_back();
+    four.shrink_to_fit();
+    const jet::Rows rows[2] = {{areas.data(), 3, count - 1, {last.x(), last.y(), last.z(), 0.0}},
+                               {four.data(), 4, count - 1, {last.x(), last.y(), last.z(), 0.0}}};
     double bits[2][4];
     for (int i = 0; i < 2; ++i)
-      kBoth[i]->force(rows, overpressure.data(), elements.data(), static_cast<int>(elements.size()), bits[i]);
+      kBoth[i]->force(rows[i], overpressure.data(), elements.data(), static_cast<int>(elements.size()),
+                      bits[i]);
     for (int j = 0; j < 3; ++j) {
       EXPECT_EQ(bits[0][j], bits[1][j]);
       // Each addition, here and there, errs by half a rounding of a partial sum.

@@ -145,7 +145,7 @@ void project(const jet::KernelTable& kernels, const Mesh& mesh, const Eigen::Mat
                        p.codes.data(),
                        triangles.data(),
                        elements.data(),
-                       {-0.5f, 0.5f, -0.5f, 0.5f, 0.0f},
+                       {-0.5f, 0.5f, -0.5f, 0.5f},
                        {0.1f, 0.1f, 0.1f, 0.1f, 0.1f},
                        {0.1f, 0.2f, 0.01f},
                        nullptr};
@@ -187,7 +187,7 @@ Looked look(const jet::KernelTable& kernels, const Mesh& mesh, float half_long) 
        p.near.data(), p.points.data(), p.targets.data(), p.inner.data(), p.outer.data(), p.not_inner.data(),
        p.between.data(), p.on_way.data(), p.aside.data()});
   EXPECT_EQ(found.asked, found.near);
-  EXPECT_GT(found.near, 0);
+  EXPECT_GE(found.near, 8);  // as many blocks as are met below
   EXPECT_LT(found.near, n / 8);
   EXPECT_GT(found.not_inner, 0);
   EXPECT_GT(found.on_way, 0);
