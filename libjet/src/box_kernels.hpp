@@ -215,23 +215,6 @@ inline PatchesFound look_at_patches(const PatchArrays& given) {
   return found;
 }
 
-/// Lists the bytes that are not zero, 512 at a time, then the places of their bits. No branch to predict.
-inline int list_bits(const std::uint8_t* bytes, int count, int* places) {
-  constexpr int most = 512;
-  int some[most + 8];
-  int found = 0;
-  for (int begin = 0; begin < count; begin += most) {
-    const int end = count - begin < most ? count : begin + most;
-    int listed = 0;
-    for (int i = begin; i < end; i += 32) {
-      const unsigned has = not_zero(bytes + i);
-      for (int j = 0; j < 32; j += 8) listed += append_bits(has >> j & 0xffu, i + j, some + listed);
-    }
-    for (int i = 0; i < listed; ++i) found += append_bits(bytes[some[i]], 8 * some[i], places + found);
-  }
-  return found;
-}
-
 /// Eight boxes of elements.
 [[gnu::always_inline]] inline void store_boxes(float* boxes, const Corners& t, float half_long) {
   const auto& [a, b, c] = t;
