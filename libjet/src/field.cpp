@@ -154,8 +154,8 @@ void apply_mask(std::span<const std::uint8_t> lit, FieldState& state) {
                                 std::to_string(state.candidates.size()));
   }
   double* overpressure = state.overpressure.data();
-  for (std::size_t k = 0; k < lit.size();
-       ++k) {  // no branch to predict; a product would keep the sign, and NaN
+  // No branch to predict; a product would keep the sign, and NaN.
+  for (std::size_t k = 0; k < lit.size(); ++k) {
     double& dp = overpressure[state.candidates[k]];
     dp = std::bit_cast<double>(std::bit_cast<std::uint64_t>(dp) & (lit[k] == 0 ? 0 : ~std::uint64_t{0}));
   }

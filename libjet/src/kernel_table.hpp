@@ -99,7 +99,7 @@ struct PatchArrays {
   int outside;                // bits of a code that keep an element out
   const std::uint8_t* asked;  // by patch of the mesh: elements that have rays
   float error;                // absolute part of the bound of the orientation
-  int* near;                  // those of the patches that rays can meet
+  int* near;                  // those of `patches` that rays can meet; may be the same array
   float* points;              // eight (u, v, w) of their corners
   float* targets;             // rows of the patches near that have rays
   std::uint8_t* inner;  // by patch of the mesh: the sources of rays that can touch it see its inner side,
