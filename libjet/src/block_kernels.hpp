@@ -29,15 +29,29 @@ struct Touches {
   return {possible, pierced, pierced & bits(end.crossed), bits(end.beyond)};
 }
 
-/// Eight rays of the list from `first` on.
-inline int meet(const RayArrays& rays, int first, bool to_targets, const PyramidView& pyramid,
+/// Rays before the widest gap between two that follow each other, each way against the box's width.
+inline int rays_before_gap(const RayRanges& r, const Box& box, int count) {
+  const float width_p = box.high_p.v[0] - box.low_p.v[0], width_q = box.high_q.v[0] - box.low_q.v[0];
+  const auto distance = [](Floats x, int i) { return __builtin_fabsf(x.v[i] - x.v[i - 1]); };
+  float widest = 0.0f;
+  int before = 1;
+  for (int i = 1; i < count; ++i) {
+    const float gap = distance(r.p.low, i) * width_q + distance(r.q.low, i) * width_p;
+    if (gap > widest) widest = gap, before = i;
+  }
+  return before;
+}
+
+/// Up to eight rays.
+inline int meet(const RayArrays& rays, int most_blocks, bool to_targets, const PyramidView& pyramid,
                 const float* points, const HitLists& to) {
-  const Vec3<Floats> g = gather_rows(rays.targets, [list = rays.list + first](int i) { return list[i]; });
-  unsigned alive = rays.count - first < 8 ? (1u << (rays.count - first)) - 1u : 0xffu;
+  const Vec3<Floats> g = gather_rows(rays.targets, [&](int i) { return rays.list[i < rays.count ? i : 0]; });
+  unsigned alive = 0xffu >> (8 - rays.count);
   const RayRanges own = ranges(g, rays.half_long);
   const Floats depth = to_targets ? g.z + kSlack : Floats(kFar);
   const Box box(own, depth);
-  const int blocks = blocks_near(pyramid, box, to.first, to.second);
+  const int blocks = blocks_near(pyramid, box, most_blocks, to.first, to.second);
+  if (blocks < 0) return -rays_before_gap(own, box, rays.count);
   int near = 0, count = 0;
   for (int i = 0; i < blocks; ++i) {
     const int block = to.first[i];

@@ -63,7 +63,6 @@ void FastRoute::set(int place, State state) {
 
 std::span<const int> FastRoute::list(std::span<const std::uint8_t> bits) {
   const int count = kernel_table().list_bits(bits.data(), static_cast<int>(bits.size()), listed_.data());
-  if (count > 0) std::fill_n(listed_.begin() + count, 7, listed_[static_cast<std::size_t>(count) - 1]);
   return std::span(listed_).first(static_cast<std::size_t>(count));
 }
 

@@ -78,7 +78,7 @@ struct ProjectFlags {
 struct RayArrays {
   const float* targets;  // rows of local coordinates
   float half_long;       // 0: a point source
-  const int* list;       // rows, and seven more that may be read
+  const int* list;       // rows
   int count;
 };
 
@@ -180,10 +180,11 @@ struct KernelTable {
   /// The eight boxes of each block to one: the box around them. Lanes behind the last hold anything.
   void (*merge)(const float* blocks, int count, float* boxes);
   void (*meet_pairs)(const PairArrays&, int count);
-  /// Elements that eight rays of the list, or less, from `first` on, may touch: 8 times the element plus the
-  /// ray, times kHitKinds, plus what is certain, to `hits`: their number. A ray is left after a certain
-  /// touch. Or `to_targets`: those that they may touch before their targets.
-  int (*meet)(const RayArrays&, int first, bool to_targets, const PyramidView&, const float* points,
+  /// Elements that these rays, eight at most, may touch: 8 times the element plus the ray's place in the
+  /// list, times kHitKinds, plus what is certain, to `hits`: their number. A ray is left after a certain
+  /// touch. Or `to_targets`: those that they may touch before their targets. Rays for which some level of the
+  /// pyramid shows more than `most_blocks` are better parted: then minus the number of the first of them.
+  int (*meet)(const RayArrays&, int most_blocks, bool to_targets, const PyramidView&, const float* points,
               const HitLists&);
 };
 

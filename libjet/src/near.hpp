@@ -3,7 +3,9 @@
 // of them rays can meet. What is said here is certain, or else left open.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -59,6 +61,10 @@ class NearElements {
   }
 
  private:
+  /// Eight rays that follow each other in a list may have different parts of the surface in their way: in
+  /// fine meshes they see many blocks then, most of them in vain. From there on (measured) they part.
+  static constexpr int kMostBlocks = 64, kNoLimit = std::numeric_limits<int>::max();
+
   static std::span<const int> first(const std::vector<int>& list, int count) {
     return std::span(list).first(static_cast<std::size_t>(count));
   }
@@ -66,11 +72,21 @@ class NearElements {
   void for_each_hit(const RayArrays& rays, bool to_targets, const Pyramid& boxes,
                     const std::vector<float>& points, Visit visit) {
     const HitLists lists{hits_.data(), first_.data(), second_.data()};
-    for (int begin = 0; begin < rays.count; begin += 8) {
-      const int count = kernel_table().meet(rays, begin, to_targets, boxes.view(), points.data(), lists);
-      for (int i = 0; i < count; ++i) {
+    for (int begin = 0, count = 0; begin < rays.count; begin += count) {
+      count = std::min(8, rays.count - begin);
+      const int* const list = rays.list + begin;
+      const auto meet = [&](int most_blocks) {
+        return kernel_table().meet({rays.targets, rays.half_long, list, count}, most_blocks, to_targets,
+                                   boxes.view(), points.data(), lists);
+      };
+      int hits = meet(count > 1 ? kMostBlocks : kNoLimit);
+      if (hits < 0) {
+        count = -hits;
+        hits = meet(kNoLimit);
+      }
+      for (int i = 0; i < hits; ++i) {
         const int hit = hits_[static_cast<std::size_t>(i)], pair = hit / kHitKinds;
-        visit(rays.list[begin + pair % 8], pair / 8, hit % kHitKinds);
+        visit(list[pair % 8], pair / 8, hit % kHitKinds);
       }
     }
   }

@@ -56,8 +56,8 @@ struct Box {
 };
 
 /// Lowest blocks whose boxes overlap, in order, to `out`; level by level, with `scratch` between. A few
-/// blocks are all taken.
-inline int blocks_near(const PyramidView& pyramid, const Box& box, int* out, int* scratch) {
+/// blocks are all taken. Negative if some level has more than `most`.
+inline int blocks_near(const PyramidView& pyramid, const Box& box, int most, int* out, int* scratch) {
   int level = 0;
   while (pyramid.last[level] - pyramid.first[level] > 8) ++level;
   int count = pyramid.last[level] - pyramid.first[level];
@@ -70,6 +70,7 @@ inline int blocks_near(const PyramidView& pyramid, const Box& box, int* out, int
       found += append_bits(box.overlaps(boxes), 8 * scratch[i], out + found);
     }
     count = found;
+    if (count > most) return -1;
   }
   return count;
 }

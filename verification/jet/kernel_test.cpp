@@ -208,8 +208,8 @@ Looked look(const jet::KernelTable& kernels, const Mesh& mesh, float half_long) 
   const jet::HitLists lists{hits.data(), first.data(), second.data()};
   const auto meet = [&](bool to_targets, const std::vector<float>& points) {
     for (int ray = 0; ray + 8 <= n; ray += 8) {
-      const jet::RayArrays rays{p.targets.data(), half_long, all.data(), ray % 16 == 0 ? n : ray + 3};
-      const int hit_count = kernels.meet(rays, ray, to_targets, view, points.data(), lists);
+      const jet::RayArrays rays{p.targets.data(), half_long, all.data() + ray, ray % 16 == 0 ? 8 : 3};
+      const int hit_count = kernels.meet(rays, n, to_targets, view, points.data(), lists);
       p.hits.insert(p.hits.end(), hits.begin(), hits.begin() + hit_count);
     }
   };

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: Apache-2.0
+// Bounds of rays, and rays that part since their bounds together hold too much.
+#include <gtest/gtest.h>
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "kernel_table.hpp"
+#include "pyramid.hpp"
+
+namespace {
+
+const jet::KernelTable* const kBoth[] = {&jet::baseline::kTable, &jet::kernel_table()};
+
+/// Targets on both sides of a line's ends, and at them: bounds hold the rays as far as coordinates of 1, and
+/// are not far from them.
+TEST(kernels, bounds_of_rays_from_a_line_follow_its_ends) {
+  const double half_long = 0.0625;
+  for (const jet::KernelTable* kernels : kBoth) {
+    for (const double beyond : {-0.03, -1e-6, -1e-8, 0.0, 1e-8, 1e-6, 0.003, 0.4}) {
+      for (const double side : {-1.0, 1.0}) {
+        for (const auto& [u, w] : {std::pair{0.0, 0.3}, {0.3, 0.3}, {-0.5, 0.01}, {0.001, 0.0005}}) {
+          const double v = side * (half_long + beyond), from = std::clamp(v, -half_long, half_long);
+          const Eigen::Matrix3Xd nodes = Eigen::Vector3d(u, v, w).replicate(1, 3);
+          const int triangle[] = {0, 1, 2}, element[] = {0};
+          jet::ProjectArrays a{};
+          a.nodes = {nodes.data(), 3, 2, {u, v, w, 0.0}};
+          for (int i = 0; i < 3; ++i) a.column[i][i] = 1.0;
+          a.triangles = triangle;
+          a.elements = element;
+          const jet::RayBounds found = kernels->bound_rays(a, static_cast<float>(half_long), 1);
+          const double way = (v - from) / std::max(w, std::abs(u)), margin = 2e-5 / (w + std::abs(u));
+          EXPECT_LE(found.low_v, from + std::min(way, 0.0));
+          EXPECT_GE(found.high_v, from + std::max(way, 0.0));
+          EXPECT_GE(found.low_v, from + 2.02 * std::min(way, 0.0) - margin) << "v " << v;
+          EXPECT_LE(found.high_v, from + 2.02 * std::max(way, 0.0) + margin) << "v " << v;
+        }
+      }
+    }
+  }
+}
+
+using Hit = std::tuple<int, int, int>;  // ray, element, what is certain
+
+/// Rays to two places before a plate of a thousand blocks: together they have too many of them in their way
+/// and part where the places do; then they meet what they meet together.
+TEST(kernels, rays_with_many_blocks_in_their_way_part) {
+  const int side = 64, blocks = side * side / 4;
+  std::vector<float> points(static_cast<std::size_t>(jet::kElementFloats * blocks)), targets;
+  for (int block = 0; block < blocks; ++block) {  // 2 x 2 cells of two triangles
+    for (int i = 0; i < 8; ++i) {
+      const int x = 2 * (block % (side / 2)) + i / 2 % 2, y = 2 * (block / (side / 2)) + i / 4;
+      const int corners[3][2] = {{x + i % 2, y + i % 2}, {x + 1, y}, {x, y + 1}};
+      for (int corner = 0; corner < 3; ++corner) {
+        float* point = &points[static_cast<std::size_t>(jet::kElementFloats * block + 24 * corner + i)];
+        for (int axis = 0; axis < 2; ++axis)
+          point[8 * axis] = static_cast<float>(corners[corner][axis]) / static_cast<float>(side) - 0.5f;
+        point[16] = 0.5f;
+      }
+    }
+  }
+  for (const float u : {-0.61f, -0.612f, -0.615f, 0.6f, 0.601f, 0.604f, 0.602f, 0.603f})
+    targets.insert(targets.end(), {u, 0.7f * u, 0.8f, 0.0f});
+  const int list[] = {0, 1, 2, 3, 4, 5, 6, 7};
+  for (const jet::KernelTable* kernels : kBoth) {
+    jet::Pyramid pyramid;
+    pyramid.reserve(static_cast<std::size_t>(8 * blocks));
+    kernels->element_boxes(points.data(), 0.0f, blocks, pyramid.boxes());
+    pyramid.build(8 * blocks);
+    std::vector<int> hits(static_cast<std::size_t>(64 * blocks)), first(hits.size()), second(hits.size());
+    const auto meet = [&](int begin, int count, int most_blocks) {
+      const jet::RayArrays rays{targets.data(), 0.0f, list + begin, count};
+      return kernels->meet(rays, most_blocks, true, pyramid.view(), points.data(),
+                           {hits.data(), first.data(), second.data()});
+    };
+    const auto met = [&](int begin, int count, int most_blocks) {
+      std::vector<Hit> out;
+      for (int i = 0, found = meet(begin, count, most_blocks); i < found; ++i) {
+        const int hit = hits[static_cast<std::size_t>(i)], pair = hit / jet::kHitKinds;
+        out.emplace_back(begin + pair % 8, pair / 8, hit % jet::kHitKinds);
+      }
+      return out;
+    };
+    EXPECT_EQ(meet(0, 8, 64), -3);
+    std::vector<Hit> together = met(0, 8, 8 * blocks), apart = met(0, 3, 64);
+    const std::vector<Hit> others = met(3, 5, 64);
+    apart.insert(apart.end(), others.begin(), others.end());
+    for (auto* all : {&together, &apart}) std::sort(all->begin(), all->end());
+    EXPECT_EQ(together, apart);
+    EXPECT_GE(together.size(), 8u);
+  }
+}
+
+}  // namespace
