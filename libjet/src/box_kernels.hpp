@@ -51,13 +51,14 @@ struct Range {
 }
 
 /// Where rays from a line run along it: at the place of the target or, from the line's end, farther by
-/// (v - end) / max(w, |u|) at most, as no coordinate is above 1. The larger of two is at least half their
-/// sum; above kUpstream this errs by 5 kUnit, 0.3 %, which 2.01 covers; v, by 2.5 kUnit, which kSlack covers.
+/// 2 (v - end) / max(w, |u|) at most, as no coordinate is above 2: nodes looked at are within 1, and none
+/// moves by more than 1 until it is again. The larger of two is at least half their sum; above kUpstream this
+/// errs by 5 kUnit, 0.3 %, which 4.02 covers; v, by 2.5 kUnit, which kSlack covers.
 [[gnu::always_inline]] inline Range places(Vec3<Floats> g, Floats half_long) {
   const Floats distance = max(g.z, Floats()) + abs(g.x), inverse = 1.0f / (distance + 1e-30f);
   const Floats margin = kTurn * inverse + kSlack, end = half_long - Floats(kSlack);
   const auto way = [&](Floats beyond) {
-    return select(distance > Floats(kUpstream), 2.01f * (beyond * inverse), Floats(kFar));
+    return select(distance > Floats(kUpstream), 4.02f * (beyond * inverse), Floats(kFar));
   };
   const Floats from = max(min(g.y, half_long), -half_long);
   return {from - select(g.y < -end, way(-end - g.y), Floats()) - margin,

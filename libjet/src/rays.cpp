@@ -207,7 +207,8 @@ bool RayBundle::fits(const ProjectFlags& flags, bool rescaled) {
 
 // Patches that can come between rays in these bounds while nodes move by a reach.
 bool RayBundle::choose_close(const RayBounds& wide, bool rescaled) {
-  const double reach = kStepsAhead * step_;
+  const double reach =
+      std::min(kStepsAhead * step_, 1.0 / scale_);  // no coordinate gets above 2, see places()
   set_sides(wide, 1.001 * scale_ * reach);
   if (!fits(kernel_table().code_nodes(arrays_), rescaled)) return false;
   close_.choose(*source_, scale_, wide, travelled_, reach,

@@ -16,7 +16,7 @@ namespace {
 
 const jet::KernelTable* const kBoth[] = {&jet::baseline::kTable, &jet::kernel_table()};
 
-/// Targets on both sides of a line's ends, and at them: bounds hold the rays as far as coordinates of 1, and
+/// Targets on both sides of a line's ends, and at them: bounds hold the rays as far as coordinates of 2, and
 /// are not far from them.
 TEST(kernels, bounds_of_rays_from_a_line_follow_its_ends) {
   const double half_long = 0.0625;
@@ -33,7 +33,7 @@ TEST(kernels, bounds_of_rays_from_a_line_follow_its_ends) {
           a.triangles = triangle;
           a.elements = element;
           const jet::RayBounds found = kernels->bound_rays(a, static_cast<float>(half_long), 1);
-          const double way = (v - from) / std::max(w, std::abs(u)), margin = 2e-5 / (w + std::abs(u));
+          const double way = 2.0 * (v - from) / std::max(w, std::abs(u)), margin = 2e-5 / (w + std::abs(u));
           EXPECT_LE(found.low_v, from + std::min(way, 0.0));
           EXPECT_GE(found.high_v, from + std::max(way, 0.0));
           EXPECT_GE(found.low_v, from + 2.02 * std::min(way, 0.0) - margin) << "v " << v;
