@@ -20,7 +20,7 @@ struct Touches {
 };
 [[gnu::always_inline]] inline Touches touch(const Line& r, const float* e, unsigned alive) {
   const auto point = [&](int i) {
-    return Vec3<Floats>{Floats::repeat(e + i), Floats::repeat(e + i + 8), Floats::repeat(e + i + 16)};
+    return Vec3<Floats>{repeat(e + i), repeat(e + i + 8), repeat(e + i + 16)};
   };
   const Corners t = {point(0), point(24), point(48)};
   const Passing passing = pass(r, t);
@@ -66,9 +66,9 @@ inline int meet(const RayArrays& rays, int most_blocks, bool to_targets, const P
   for (int i = 0; i < near; ++i) {
     const int box_at = to.second[i];
     const float* b = pyramid.boxes + box_at;
-    const auto overlaps = (Floats::repeat(b) <= own.p.high) & (own.p.low <= Floats::repeat(b + 8)) &
-                          (Floats::repeat(b + 16) <= own.q.high) & (own.q.low <= Floats::repeat(b + 24)) &
-                          (Floats::repeat(b + 32) <= depth);
+    const auto overlaps = (repeat(b) <= own.p.high) & (own.p.low <= repeat(b + 8)) &
+                          (repeat(b + 16) <= own.q.high) & (own.q.low <= repeat(b + 24)) &
+                          (repeat(b + 32) <= depth);
     to.second[touched] = box_at;
     touched += static_cast<int>((bits(overlaps) & alive) != 0);
   }

@@ -25,61 +25,34 @@ struct Floats {
   explicit Floats(Values x) : v(x) {}
   static Floats load(const float* p) { return Floats(*reinterpret_cast<const Unaligned*>(p)); }
   void store(float* p) const { *reinterpret_cast<Unaligned*>(p) = v; }
-  /// One number for all lanes, by one instruction: GCC 12 makes two of Floats(*p).
-  static Floats repeat(const float* p) {
-#if defined(__AVX__)
-    return Floats(reinterpret_cast<Values>(_mm256_broadcast_ss(p)));
-#else
-    return Floats(*p);
-#endif
-  }
 
-  friend Floats operator+(Floats a, Floats b) {
-    return Floats(a.v + b.v);
-  }
-  friend Floats operator-(Floats a, Floats b) {
-    return Floats(a.v - b.v);
-  }
-  friend Floats operator*(Floats a, Floats b) {
-    return Floats(a.v * b.v);
-  }
-  friend Floats operator/(float a, Floats b) {
-    return Floats(a / b.v);
-  }
-  friend Floats operator*(float a, Floats b) {
-    return Floats(a * b.v);
-  }
-  friend Floats operator+(Floats a, float b) {
-    return Floats(a.v + b);
-  }
-  friend Floats operator-(Floats a) {
-    return Floats(-a.v);
-  }
-  friend Mask operator<(Floats a, Floats b) {
-    return a.v < b.v;
-  }
-  friend Mask operator>(Floats a, Floats b) {
-    return a.v > b.v;
-  }
-  friend Mask operator<=(Floats a, Floats b) {
-    return a.v <= b.v;
-  }
-  friend Mask operator>=(Floats a, Floats b) {
-    return a.v >= b.v;
-  }
-  friend Floats select(Mask m, Floats a, Floats b) {
-    return Floats(m ? a.v : b.v);
-  }
-  friend Floats min(Floats a, Floats b) {
-    return select(b < a, b, a);
-  }
-  friend Floats max(Floats a, Floats b) {
-    return select(a < b, b, a);
-  }
+  friend Floats operator+(Floats a, Floats b) { return Floats(a.v + b.v); }
+  friend Floats operator-(Floats a, Floats b) { return Floats(a.v - b.v); }
+  friend Floats operator*(Floats a, Floats b) { return Floats(a.v * b.v); }
+  friend Floats operator/(float a, Floats b) { return Floats(a / b.v); }
+  friend Floats operator*(float a, Floats b) { return Floats(a * b.v); }
+  friend Floats operator+(Floats a, float b) { return Floats(a.v + b); }
+  friend Floats operator-(Floats a) { return Floats(-a.v); }
+  friend Mask operator<(Floats a, Floats b) { return a.v < b.v; }
+  friend Mask operator>(Floats a, Floats b) { return a.v > b.v; }
+  friend Mask operator<=(Floats a, Floats b) { return a.v <= b.v; }
+  friend Mask operator>=(Floats a, Floats b) { return a.v >= b.v; }
+  friend Floats select(Mask m, Floats a, Floats b) { return Floats(m ? a.v : b.v); }
+  friend Floats min(Floats a, Floats b) { return select(b < a, b, a); }
+  friend Floats max(Floats a, Floats b) { return select(a < b, b, a); }
   friend Floats abs(Floats a) {
     return Floats(reinterpret_cast<Values>(reinterpret_cast<Mask>(a.v) & INT32_MAX));
   }
 };
+
+/// One number in all lanes, by one instruction: GCC 12 makes two of Floats(*p).
+inline Floats repeat(const float* p) {
+#if defined(__AVX__)
+  return Floats(reinterpret_cast<Floats::Values>(_mm256_broadcast_ss(p)));
+#else
+  return Floats(*p);
+#endif
+}
 
 inline unsigned bits(Floats::Mask m) {
 #if defined(__AVX__)
