@@ -6,25 +6,35 @@
 
 namespace jet::JET_KERNELS {
 
-inline void gather_elements(const ElementArrays& s, int count) {
-  for (int k = 0; k < count; k += 8) {
-    const Corners t = gather_corners(s.local, s.triangles, [&](int i) { return s.elements[k + i]; });
-    store_boxes(s.boxes + kBoxFloats / 8 * std::ptrdiff_t{k}, t, s.half_long);
-    store(s.points + kElementFloats / 8 * std::ptrdiff_t{k}, t);
+inline int choose_boxes(const BoxArrays& from, const std::uint8_t* chosen, float* boxes, int* patches) {
+  int found = 0;
+  for (int k = 0; k < from.count; ++k) {
+    const int patch = from.patches[k];
+    if (chosen[patch] == 0) continue;
+    const Floats::Mask lanes = lanes_of(chosen[patch]);
+    const float* block = from.boxes + kBoxFloats * std::ptrdiff_t{k};
+    for (int row = 0; row < kBoxFloats; row += 8) {
+      const Floats none(row % 16 == 0 ? __builtin_inff() : -__builtin_inff());
+      select(lanes, Floats::load(block + row), none).store(boxes + kBoxFloats * std::ptrdiff_t{found} + row);
+    }
+    patches[found++] = patch;
   }
+  return found;
 }
 
 /// What is certain of eight rays and one element, as bits.
 struct Touches {
   unsigned possible, pierced, crossed, beyond;
 };
-[[gnu::always_inline]] inline Touches touch(const Line& r, const float* e, unsigned alive) {
-  const auto point = [&](int i) {
-    return Vec3<Floats>{repeat(e + i), repeat(e + i + 8), repeat(e + i + 16)};
+[[gnu::always_inline]] inline Touches touch(const Line& r, const float* local, const std::uint32_t* rows,
+                                            unsigned alive) {
+  const auto corner = [&](int j) {
+    const float* x = local + rows[8 * j];
+    return Vec3<Floats>{repeat(x), repeat(x + 1), repeat(x + 2)};
   };
-  const Corners t = {point(0), point(24), point(48)};
+  const Corners t = {corner(0), corner(1), corner(2)};
   const Passing passing = pass(r, t);
-  const unsigned possible = alive & bits(passing.possible());
+  const unsigned possible = alive & ~bits(passing.missed());
   if (possible == 0) return {};
   const unsigned pierced = possible & bits(passing.pierced());
   const Ends end = ends(r, t);
@@ -46,7 +56,7 @@ inline int rays_before_gap(const RayRanges& r, const Box& box, int count) {
 
 /// Up to eight rays.
 inline int meet(const RayArrays& rays, int most_blocks, bool to_targets, const PyramidView& pyramid,
-                const float* points, const HitLists& to) {
+                const ElementArrays& elements, const HitLists& to) {
   const Vec3<Floats> g = gather_rows(rays.targets, [&](int i) { return rays.list[i < rays.count ? i : 0]; });
   unsigned alive = 0xffu >> (8 - rays.count);
   const RayRanges own = ranges(g, rays.half_long);
@@ -61,24 +71,27 @@ inline int meet(const RayArrays& rays, int most_blocks, bool to_targets, const P
                         to.second + near);
   }
   // Those beside all rays are left out, without a branch to predict.
+  const auto own_places = *reinterpret_cast<const UnalignedInts*>(rays.list);
   const unsigned lines = to_targets ? 0u : 0xffu;  // rays that count beyond their targets
-  int touched = 0;
-  for (int i = 0; i < near; ++i) {
-    const int box_at = to.second[i];
-    const float* b = pyramid.boxes + box_at;
+  int* touched = to.second;
+  for (const int *at = to.second, *end = at + near; at < end; ++at) {
+    const float* b = pyramid.boxes + static_cast<unsigned>(*at);
     const auto overlaps = (repeat(b) <= own.p.high) & (own.p.low <= repeat(b + 8)) &
                           (repeat(b + 16) <= own.q.high) & (own.q.low <= repeat(b + 24)) &
                           (repeat(b + 32) <= depth);
-    to.second[touched] = box_at;
-    touched += static_cast<int>((bits(overlaps) & alive) != 0);
+    *touched = *at;
+    touched += (bits(overlaps) & alive) != 0;
   }
+  if (touched == to.second) return 0;
   const Line r = line_to(g, Floats(rays.half_long));
-  for (int i = 0; i < touched && alive != 0; ++i) {
-    const unsigned box_at = static_cast<unsigned>(to.second[i]), block = box_at / kBoxFloats,
+  for (const int* at = to.second; at < touched && alive != 0; ++at) {
+    const unsigned box_at = static_cast<unsigned>(*at), block = box_at / kBoxFloats,
                    lane = box_at % kBoxFloats;
-    const Touches t = touch(r, points + kElementFloats * std::size_t{block} + lane, alive);
+    const int patch = elements.patches[block], e = 8 * patch + static_cast<int>(lane);
+    const unsigned others = to_targets ? ~bits(own_places == e) : ~0u;
+    const std::uint32_t* rows = elements.corner_rows + 24 * std::ptrdiff_t{patch} + lane;
+    const Touches t = touch(r, elements.local, rows, alive & others);
     if (t.possible == 0) continue;
-    const int e = static_cast<int>(8 * block + lane);
     const unsigned met = t.pierced & t.beyond;
     for (unsigned rest = t.possible & (lines | ~t.beyond); rest != 0; rest &= rest - 1u) {
       const int ray = __builtin_ctz(rest);

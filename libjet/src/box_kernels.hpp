@@ -34,15 +34,6 @@ struct Range {
   depth.store(block + 32);
 }
 
-[[gnu::always_inline]] inline void store(float* points, const Vec3<Floats>& x) {
-  x.x.store(points);
-  x.y.store(points + 8);
-  x.z.store(points + 16);
-}
-[[gnu::always_inline]] inline Vec3<Floats> load_points(const float* points) {
-  return {Floats::load(points), Floats::load(points + 8), Floats::load(points + 16)};
-}
-
 /// Slopes u / w, which err by less than 6 kUnit (1 + |slope|) / w.
 [[gnu::always_inline]] inline Range slopes(Floats u, Floats w) {
   const Floats inverse = 1.0f / w;
@@ -141,16 +132,6 @@ template <class Triangle>
   };
   return {corner(0), corner(1), corner(2)};
 }
-[[gnu::always_inline]] inline Corners load_corners(const float* points) {
-  return {load_points(points), load_points(points + 24), load_points(points + 48)};
-}
-
-[[gnu::always_inline]] inline void store(float* points, const Corners& t) {
-  store(points, t.a);
-  store(points + 24, t.b);
-  store(points + 48, t.c);
-}
-
 struct Sides {
   Floats::Mask inner, outer, between;
 };
@@ -177,52 +158,6 @@ struct Sides {
           ~(beside | (height - whole > error) | (height + whole < -error))};
 }
 
-inline PatchesFound look_at_patches(const PatchArrays& given) {
-  const PatchArrays s = given;  // a copy, which what is stored cannot change
-  PatchesFound found{};
-  Bounds bounds;
-  for (int k = 0; k < s.count; ++k) {
-    const int patch = s.patches[k];
-    // The two cache lines of a later patch: with cold caches the query takes 1.5 % less.
-    const std::uint32_t* ahead = s.corner_rows + 24 * std::ptrdiff_t{s.patches[k + 6 < s.count ? k + 6 : k]};
-    __builtin_prefetch(ahead);
-    __builtin_prefetch(ahead + 16);
-    const auto corner = [&](int j) {
-      const std::uint32_t* rows = s.corner_rows + 24 * std::ptrdiff_t{patch} + 8 * j;
-      return gather_four(s.local, [=](int i) { return std::ptrdiff_t{rows[i]}; });
-    };
-    const FourFloats a = corner(0), b = corner(1), c = corner(2);
-    const auto code = [](const FourFloats& x) { return reinterpret_cast<Floats::Mask>(x.fourth.v); };
-    const int left = s.elements - 8 * patch;
-    const unsigned there = left < 8 ? (1u << left) - 1u : 0xffu;
-    const Floats::Mask common = code(a) & code(b) & code(c);
-    const unsigned near = there & bits((common & s.outside) == 0);
-    if (near == 0) continue;
-    const Corners t = {a.point, b.point, c.point};
-    store(s.points + kElementFloats * std::ptrdiff_t{found.near}, t);
-    s.near[found.near++] = patch;
-    const Sides side = sides(s, t);
-    const unsigned inner = bits(side.inner) | (~there & 0xffu);
-    s.inner[patch] = static_cast<std::uint8_t>(inner);
-    s.outer[patch] = static_cast<std::uint8_t>(bits(side.outer) & there);
-    found.not_inner += append_bits(near & ~inner, 8 * patch, s.not_inner + found.not_inner);
-    const unsigned between = near & bits(side.between), on_way = near & bits((common & kBesideWay) == 0);
-    if (between != 0) found.between += append_bits(between, 8 * patch, s.between + found.between);
-    if (on_way != 0) found.on_way += append_bits(on_way, 8 * patch, s.on_way + found.on_way);
-    const unsigned asked = s.asked[patch];
-    if (asked == 0) continue;
-    // The mean of three coordinates that err by kUnit / 2 errs by 2.5 kUnit.
-    const auto mean = [](Floats x, Floats y, Floats z) { return (1.0f / 3.0f) * (x + y + z); };
-    const Vec3<Floats> g = {mean(t.a.x, t.b.x, t.c.x), mean(t.a.y, t.b.y, t.c.y), mean(t.a.z, t.b.z, t.c.z)};
-    store_rows([&](int i) { return s.targets + 4 * (8 * std::ptrdiff_t{patch} + i); }, g, Floats());
-    const unsigned aside = asked & ~bits(bounds.take(g, lanes_of(asked), s.half_long, kSlack));
-    if (aside != 0) found.aside += append_bits(aside, 8 * patch, s.aside + found.aside);
-    ++found.asked;
-  }
-  found.bounds = bounds.all();
-  return found;
-}
-
 /// Eight boxes of elements.
 [[gnu::always_inline]] inline void store_boxes(float* boxes, const Corners& t, float half_long) {
   const auto& [a, b, c] = t;
@@ -238,9 +173,52 @@ inline PatchesFound look_at_patches(const PatchArrays& given) {
   }
 }
 
-inline void element_boxes(const float* points, float half_long, int patches, float* boxes) {
-  for (std::ptrdiff_t k = 0; k < patches; ++k)
-    store_boxes(boxes + kBoxFloats * k, load_corners(points + kElementFloats * k), half_long);
+inline PatchesFound look_at_patches(const PatchArrays& given) {
+  const PatchArrays s = given;  // a copy, which what is stored cannot change
+  PatchesFound found{};
+  Bounds bounds;
+  for (int k = 0; k < s.count; ++k) {
+    const int patch = s.patches[k];
+    // The two cache lines of a later patch: with cold caches the query takes 1.5 % less.
+    const std::uint32_t* ahead = s.corner_rows + 24 * std::ptrdiff_t{s.patches[k + 6 < s.count ? k + 6 : k]};
+    __builtin_prefetch(ahead);
+    __builtin_prefetch(ahead + 16);
+    const std::uint32_t* rows = s.corner_rows + 24 * std::ptrdiff_t{patch};
+    const auto corner = [&](int j) {
+      return gather_four(s.local, [&](int i) { return std::ptrdiff_t{rows[8 * j + i]}; });
+    };
+    const FourFloats a = corner(0), b = corner(1), c = corner(2);
+    const auto code = [](const FourFloats& x) { return reinterpret_cast<Floats::Mask>(x.fourth.v); };
+    const int left = s.elements - 8 * patch;
+    const unsigned there = left < 8 ? (1u << left) - 1u : 0xffu;
+    const Floats::Mask common = code(a) & code(b) & code(c);
+    const unsigned near = there & bits((common & s.outside) == 0);
+    if (near == 0) continue;
+    const Corners t = {a.point, b.point, c.point};
+    store_boxes(s.boxes + kBoxFloats * std::ptrdiff_t{found.near}, t, s.half_long);
+    s.near[found.near++] = patch;
+    const Sides side = sides(s, t);
+    const unsigned inner = bits(side.inner) | (~there & 0xffu), outer = bits(side.outer) & there;
+    s.inner[patch] = static_cast<std::uint8_t>(inner);
+    s.outer[patch] = static_cast<std::uint8_t>(outer);
+    s.not_inner[patch] = static_cast<std::uint8_t>(near & ~inner);
+    const unsigned uncertain = near & ~(inner | outer);
+    if (uncertain != 0) found.uncertain += append_bits(uncertain, 8 * patch, s.uncertain + found.uncertain);
+    const unsigned between = near & bits(side.between), on_way = near & bits((common & kBesideWay) == 0);
+    if (between != 0) found.between += append_bits(between, 8 * patch, s.between + found.between);
+    if (on_way != 0) found.on_way += append_bits(on_way, 8 * patch, s.on_way + found.on_way);
+    const unsigned asked = s.asked[patch];
+    if (asked == 0) continue;
+    // The mean of three coordinates that err by kUnit / 2 errs by 2.5 kUnit.
+    const auto mean = [](Floats x, Floats y, Floats z) { return (1.0f / 3.0f) * (x + y + z); };
+    const Vec3<Floats> g = {mean(t.a.x, t.b.x, t.c.x), mean(t.a.y, t.b.y, t.c.y), mean(t.a.z, t.b.z, t.c.z)};
+    store_rows([&](int i) { return s.targets + 4 * (8 * std::ptrdiff_t{patch} + i); }, g, Floats());
+    const unsigned aside = asked & ~bits(bounds.take(g, lanes_of(asked), s.half_long, kSlack));
+    if (aside != 0) found.aside += append_bits(aside, 8 * patch, s.aside + found.aside);
+    ++found.asked;
+  }
+  found.bounds = bounds.all();
+  return found;
 }
 
 }  // namespace jet::JET_KERNELS

@@ -15,10 +15,10 @@ void FastRoute::prepare(std::span<const Triangle> triangles, std::size_t node_co
   near_.reserve(mesh_);
   rays_.reserve(mesh_, node_count);
   const std::size_t patches = rays_.asked().size(), elements = 8 * patches;
-  for (auto* places : {&away_, &open_, &again_, &again_by_}) places->reserve(elements + 8);
-  hidden_.reserve(elements);
-  last_.reserve(elements);
-  for (auto* bytes : {&blocked_, &apart_, &alive_, &chosen_}) bytes->resize(patches);
+  for (auto* places : {&open_, &again_, &again_by_}) places->reserve(2 * elements + 8);
+  for (auto* met : {&hidden_, &last_hidden_, &met_, &last_met_}) met->reserve(elements);
+  for (auto* bytes : {&alive_, &chosen_}) bytes->resize(patches);
+  for (auto* bytes : {&blocked_, &apart_, &missed_}) bytes->resize(2 * patches);
   listed_.resize(elements + 8);
   states_.resize(elements);
 }
@@ -40,8 +40,8 @@ VisibilityCounters FastRoute::query(const Surface& surface, const RaySource& sou
   bounded_ ? look() : look_at_all();
   const bool certain = closed_ && shared_ && winding_is_one();
   std::size_t fallbacks = open_uncertain(certain), trees = 0;
-  if (bounded_) hide_again();
-  if (certain && !away_.empty()) fallbacks += open_near_away();
+  if (bounded_) meet_again();
+  if (certain) fallbacks += open_near_away();
   if (bounded_) {
     search();
   } else if (!open_.empty()) {
@@ -94,18 +94,17 @@ bool FastRoute::find_near(RayBundle::Bounds known) {
 
 // Elements near the rays that may face away.
 void FastRoute::look() {
-  away_.clear();
   shared_ = true;
-  for (const int place : near_.not_inner())
-    if (near_.shows_outer_side(place) || may_face_away(element(place))) away_.push_back(place);
+  for (const int place : near_.uncertain())
+    if (!may_face_away(element(place))) near_.take_as_inner(place);
   for (const int place : near_.between()) shared_ = shared_ && !between_sources(element(place));
 }
 
 void FastRoute::look_at_all() {
-  away_.clear();
+  any_away_ = false;
   shared_ = true;
   for (int place = 0; place < surface_.count; ++place) {
-    if (may_face_away(element(place))) away_.push_back(place);
+    any_away_ = any_away_ || may_face_away(element(place));
     shared_ = shared_ && !between_sources(element(place));
   }
 }

@@ -38,8 +38,8 @@ class FastRoute {
 
  private:
   enum State : std::uint8_t { kLit, kOpen, kHidden, kFacingAway };
-  /// A ray and the element that hides it, by their places in the mesh's order.
-  struct Hidden {
+  /// A ray and an element on it, by their places in the mesh's order.
+  struct Met {
     int ray, by;
   };
 
@@ -70,7 +70,8 @@ class FastRoute {
   std::size_t open_near_away();
   void meet_away(int ray, int by, int kind);
   void hide(int ray, int by);
-  void hide_again();
+  void open(int ray, int by);
+  void meet_again();
   void search();
   void search_aside();
   void search_tree();
@@ -80,17 +81,18 @@ class FastRoute {
   const RaySource* source_ = nullptr;
   OrderedMesh mesh_;
   bool closed_ = false;
-  bool bounded_ = false;  // the rays have boxes, and elements near them are known
-  bool shared_ = true;    // all sources have the same winding number
+  bool bounded_ = false;   // the rays have boxes, and elements near them are known
+  bool any_away_ = false;  // without boxes: some element is not certain to face all sources
+  bool shared_ = true;     // all sources have the same winding number
   std::optional<bool> point_moved_;
   Kernel kernel_;
   RayBundle rays_;
   NearElements near_;
-  std::vector<int> away_;              // places of elements that are not certain to face all sources
-  std::vector<int> open_;              // places of rays that were opened
-  std::vector<Hidden> hidden_, last_;  // rays in front of which an element was found; at the last query
-  std::vector<int> again_, again_by_;  // rays that may be hidden again, and by which elements
-  std::vector<std::uint8_t> blocked_, apart_;
+  std::vector<int> open_;                  // places of rays that were opened
+  std::vector<Met> hidden_, last_hidden_;  // rays and what blocks them; at the last query
+  std::vector<Met> met_, last_met_;        // rays opened as they met an element facing away
+  std::vector<int> again_, again_by_;      // rays that may meet elements again, and which
+  std::vector<std::uint8_t> blocked_, apart_, missed_;
   std::vector<std::uint8_t> alive_;   // by patch: bits of the rays that are lit so far
   std::vector<std::uint8_t> chosen_;  // workspace: bits of rays
   std::vector<int> listed_;

@@ -10,9 +10,10 @@ namespace jet {
 
 // Rays that meet an element facing away. Returns the number of those opened without being looked at.
 std::size_t FastRoute::open_near_away() {
+  if (!bounded_ && !any_away_) return 0;
   const std::span<const int> rays = list(alive_);
   if (bounded_) {
-    near_.for_each_touching(rays_, rays, away_, [&](int ray, int by, int kind) {
+    near_.for_each_touching(rays_, rays, [&](int ray, int by, int kind) {
       if (state(ray) == kLit) meet_away(ray, by, kind);
     });
     return 0;
@@ -32,7 +33,7 @@ void FastRoute::meet_away(int ray, int by, int kind) {
     if (!blocking::passage(kernel_, segment, surface_, e).touches()) return;
     hides = can_block && blocking::blocks(kernel_, segment, surface_, e);
   }
-  hides ? hide(ray, by) : set(ray, kOpen);
+  hides ? hide(ray, by) : open(ray, by);
 }
 
 // Open rays against the elements that can be on them.
@@ -59,26 +60,41 @@ void FastRoute::hide(int ray, int by) {
   hidden_.push_back({ray, by});
 }
 
-// What blocked an element's ray at the last query often does so again.
-void FastRoute::hide_again() {
-  std::swap(hidden_, last_);
+void FastRoute::open(int ray, int by) {
+  set(ray, kOpen);
+  met_.push_back({ray, by});
+}
+
+// What blocked an element's ray at the last query often does so again, and so does what opened it.
+void FastRoute::meet_again() {
+  std::swap(hidden_, last_hidden_);
+  std::swap(met_, last_met_);
   hidden_.clear();
+  met_.clear();
   again_.clear();
   again_by_.clear();
-  for (const auto& [ray, by] : last_) {
-    if (!alive(ray) || !rays_.knows(by)) continue;
-    again_.push_back(ray);
-    again_by_.push_back(by);
-  }
+  const auto ask = [&](const Met& met) {
+    again_.push_back(met.ray);
+    again_by_.push_back(met.by);
+  };
+  for (const Met& met : last_hidden_)
+    if (alive(met.ray) && rays_.knows(met.by)) ask(met);
+  const std::size_t hidden = again_.size();
+  for (const Met& met : last_met_)
+    if (alive(met.ray) && rays_.knows(met.by) && !near_.shows_inner_side(met.by)) ask(met);
   kernel_table().meet_pairs(
       {rays_.targets(), rays_.local(), rays_.half_long(), mesh_.triangles.front().data(), again_.data(),
-       again_by_.data(), blocked_.data(), apart_.data()},
+       again_by_.data(), blocked_.data(), apart_.data(), missed_.data()},
       static_cast<int>(again_.size()));
   for (std::size_t i = 0; i < again_.size(); ++i) {
+    const auto bit = [&](const std::vector<std::uint8_t>& bits) { return (bits[i / 8] >> i % 8 & 1u) != 0; };
+    const bool blocked = bit(blocked_), apart = bit(apart_), missed = bit(missed_);
     const int ray = again_[i], by = again_by_[i];
-    const bool blocked = (blocked_[i / 8] >> i % 8 & 1u) != 0, apart = (apart_[i / 8] >> i % 8 & 1u) != 0;
-    if (blocked || (!apart && blocking::blocks(kernel_, rays_.ray(ray), surface_, element(by))))
+    if (i >= hidden) {
+      if (alive(ray) && !missed) open(ray, by);
+    } else if (blocked || (!apart && blocking::blocks(kernel_, rays_.ray(ray), surface_, element(by)))) {
       hide(ray, by);
+    }
   }
 }
 

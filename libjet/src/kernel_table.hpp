@@ -78,7 +78,7 @@ struct ProjectFlags {
 struct RayArrays {
   const float* targets;  // rows of local coordinates
   float half_long;       // 0: a point source
-  const int* list;       // rows
+  const int* list;       // rows; eight can be read
   int count;
 };
 
@@ -100,29 +100,34 @@ struct PatchArrays {
   const std::uint8_t* asked;  // by patch of the mesh: elements that have rays
   float error;                // absolute part of the bound of the orientation
   int* near;                  // those of `patches` that rays can meet; may be the same array
-  float* points;              // eight (u, v, w) of their corners
+  float* boxes;               // of these, kBoxFloats each
   float* targets;             // rows of the patches near that have rays
-  std::uint8_t* inner;  // by patch of the mesh: the sources of rays that can touch it see its inner side,
-  std::uint8_t* outer;  // or its outer one, for certain; of patches that are not near nothing is written
-  int* not_inner;       // list of those near that may not show the inner side
-  int* between;         // near, may lie between two sources
-  int* on_way;          // near, may touch the line
-  int* aside;           // asked, but with rays that are not certainly downstream
+  std::uint8_t* inner;      // by patch of the mesh: the sources of rays that can touch it see its inner side,
+  std::uint8_t* outer;      // or its outer one, for certain; of patches that are not near nothing is written
+  std::uint8_t* not_inner;  // near, may not show the inner side
+  int* uncertain;           // list of those near that may show either side
+  int* between;             // near, may lie between two sources
+  int* on_way;              // near, may touch the line
+  int* aside;               // asked, but with rays that are not certainly downstream
 };
 struct PatchesFound {
-  int near, not_inner, between, on_way, aside;  // lengths of the lists
+  int near, uncertain, between, on_way, aside;  // lengths of the lists
   int asked;                                    // patches near that have rays
   RayBounds bounds;                             // of the rays not aside
 };
 
-/// Elements that rays are tested against.
+/// Elements that rays are tested against: those of patches that the lowest blocks of a pyramid stand for.
 struct ElementArrays {
   const float* local;
-  float half_long;
-  const int* triangles;  // in the mesh's order
-  const int* elements;   // places in it, a multiple of eight
-  float* boxes;
-  float* points;  // eight (u, v, w) of their corners
+  const std::uint32_t* corner_rows;  // see OrderedMesh
+  const int* patches;
+};
+
+/// Boxes of patches, see PatchArrays.
+struct BoxArrays {
+  const float* boxes;
+  const int* patches;
+  int count;
 };
 
 /// Rays and one element for each.
@@ -133,12 +138,13 @@ struct PairArrays {
   const int *rays, *elements;
   std::uint8_t* blocked;  // bits of eight: the segment crosses the interior for certain
   std::uint8_t* apart;    // it does not touch the element for certain
+  std::uint8_t* missed;   // nor does its line
 };
 
 /// What a kernel knows of a ray that may touch an element: nothing more, that its segment crosses the
 /// interior, or that the line does, before or behind the segment.
 inline constexpr int kHitKinds = 4, kBlocked = 1, kMet = 2;
-inline constexpr int kElementFloats = 72, kBoxFloats = 40;  // of eight
+inline constexpr int kBoxFloats = 40;  // of eight elements
 
 /// Where hits go, and two lists on the way to them with room for all elements and eight more.
 struct HitLists {
@@ -175,16 +181,18 @@ struct KernelTable {
   PatchesFound (*look_at_patches)(const PatchArrays&);
   /// Places of the bits of `count` bytes, a multiple of 32: their number. Room for eight more.
   int (*list_bits)(const std::uint8_t* bytes, int count, int* places);
-  void (*element_boxes)(const float* points, float half_long, int patches, float* boxes);
-  void (*gather_elements)(const ElementArrays&, int count);
+  /// The patches with elements `chosen`, bits by patch of the mesh, to `patches`: their number. And their
+  /// boxes; those of other elements become empty.
+  int (*choose_boxes)(const BoxArrays&, const std::uint8_t* chosen, float* boxes, int* patches);
   /// The eight boxes of each block to one: the box around them. Lanes behind the last hold anything.
   void (*merge)(const float* blocks, int count, float* boxes);
   void (*meet_pairs)(const PairArrays&, int count);
-  /// Elements that these rays, eight at most, may touch: 8 times the element plus the ray's place in the
-  /// list, times kHitKinds, plus what is certain, to `hits`: their number. A ray is left after a certain
-  /// touch. Or `to_targets`: those that they may touch before their targets. Rays for which some level of the
-  /// pyramid shows more than `most_blocks` are better parted: then minus the number of the first of them.
-  int (*meet)(const RayArrays&, int most_blocks, bool to_targets, const PyramidView&, const float* points,
+  /// Elements that these rays, eight at most, may touch: 8 times the element's place in the mesh plus the
+  /// ray's in the list, times kHitKinds, plus what is certain, to `hits`: their number. A ray is left after a
+  /// certain touch. Or `to_targets`: those that they may touch before their targets, and not these
+  /// themselves. Rays for which some level of the pyramid shows more than `most_blocks` are better parted:
+  /// then minus the number of the first of them.
+  int (*meet)(const RayArrays&, int most_blocks, bool to_targets, const PyramidView&, const ElementArrays&,
               const HitLists&);
 };
 

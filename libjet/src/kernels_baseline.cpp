@@ -6,8 +6,18 @@
 
 namespace jet::baseline {
 
-const KernelTable kTable{select_elements, evaluate,   force,           project_nodes, code_nodes,
-                         project_listed,  bound_rays, look_at_patches, list_bits,     element_boxes,
-                         gather_elements, merge,      meet_pairs,      meet};
+const KernelTable kTable{select_elements,
+                         evaluate,
+                         force,
+                         project_nodes,
+                         code_nodes,
+                         project_listed,
+                         bound_rays,
+                         look_at_patches,
+                         list_bits,
+                         choose_boxes,
+                         merge,
+                         meet_pairs,
+                         meet};
 
 }  // namespace jet::baseline

@@ -28,10 +28,13 @@ class NearElements {
   bool shows_outer_side(int place) const {
     return (outer_[static_cast<std::size_t>(place / 8)] >> place % 8 & 1) != 0;
   }
+  bool shows_inner_side(int place) const {
+    return (inner_[static_cast<std::size_t>(place / 8)] >> place % 8 & 1) != 0;
+  }
 
-  /// Elements near the rays that may not show their inner side, may lie between two sources, may touch the
-  /// way; and those asked about whose rays are not certainly downstream.
-  std::span<const int> not_inner() const { return first(not_inner_, found_.not_inner); }
+  /// Elements near the rays that may show either side, may lie between two sources, may touch the way; and
+  /// those asked about whose rays are not certainly downstream.
+  std::span<const int> uncertain() const { return first(uncertain_, found_.uncertain); }
   std::span<const int> between() const { return first(between_, found_.between); }
   std::span<const int> on_way() const { return first(on_way_, found_.on_way); }
   std::span<const int> aside() const { return first(aside_, found_.aside); }
@@ -41,43 +44,50 @@ class NearElements {
   /// By patch: bits of the elements whose inner side all these sources see, and whose own rays pierce them.
   std::span<const std::uint8_t> inner() const { return inner_; }
 
-  /// visit(ray, place, kind) for the rays listed and the elements of `places` that they may touch.
+  /// The element shows no outer side, after all.
+  void take_as_inner(int place) {
+    std::uint8_t& bits = not_inner_[static_cast<std::size_t>(place / 8)];
+    bits = static_cast<std::uint8_t>(bits & ~(1 << place % 8));
+  }
+
+  /// visit(ray, place, kind) for the rays listed and the elements that may show the outer side and that they
+  /// may touch.
   template <class Visit>
-  void for_each_touching(const RayBundle& rays, std::span<const int> list, std::span<const int> places,
-                         Visit visit) {
-    gather_elements(rays, places);
-    for_each_hit(rays.arrays(list), false, own_boxes_, own_points_, [&](int ray, int slot, int kind) {
-      visit(ray, places[static_cast<std::size_t>(slot)], kind);
-    });
+  void for_each_touching(const RayBundle& rays, std::span<const int> list, Visit visit) {
+    const int count =
+        kernel_table().choose_boxes({boxes_.boxes(), patches_.data(), found_.near}, not_inner_.data(),
+                                    outer_boxes_.boxes(), outer_patches_.data());
+    for_each_hit(rays, list, false, outer_boxes_, first(outer_patches_, count), visit);
   }
 
   /// The same for elements near the rays that these may touch before their targets.
   template <class Visit>
   void for_each_before_target(const RayBundle& rays, std::span<const int> list, Visit visit) {
-    make_boxes(rays);
-    for_each_hit(rays.arrays(list), true, boxes_, points_, [&](int ray, int slot, int kind) {
-      visit(ray, 8 * patches_[static_cast<std::size_t>(slot / 8)] + slot % 8, kind);
-    });
+    for_each_hit(rays, list, true, boxes_, patches(), visit);
   }
 
  private:
   /// Eight rays that follow each other in a list may have different parts of the surface in their way: in
   /// fine meshes they see many blocks then, most of them in vain. From there on (measured) they part.
-  static constexpr int kMostBlocks = 64, kNoLimit = std::numeric_limits<int>::max();
+  static constexpr int kMostBlocks = 32, kNoLimit = std::numeric_limits<int>::max();
 
   static std::span<const int> first(const std::vector<int>& list, int count) {
     return std::span(list).first(static_cast<std::size_t>(count));
   }
   template <class Visit>
-  void for_each_hit(const RayArrays& rays, bool to_targets, const Pyramid& boxes,
-                    const std::vector<float>& points, Visit visit) {
+  void for_each_hit(const RayBundle& bundle, std::span<const int> all, bool to_targets, Pyramid& boxes,
+                    std::span<const int> patches, Visit visit) {
+    if (patches.empty()) return;
+    boxes.build(static_cast<int>(patches.size()));
+    const RayArrays rays = bundle.arrays(all);
+    const ElementArrays elements{bundle.local(), mesh_->corner_rows.data(), patches.data()};
     const HitLists lists{hits_.data(), first_.data(), second_.data()};
     for (int begin = 0, count = 0; begin < rays.count; begin += count) {
       count = std::min(8, rays.count - begin);
       const int* const list = rays.list + begin;
       const auto meet = [&](int most_blocks) {
         return kernel_table().meet({rays.targets, rays.half_long, list, count}, most_blocks, to_targets,
-                                   boxes.view(), points.data(), lists);
+                                   boxes.view(), elements, lists);
       };
       int hits = meet(count > 1 ? kMostBlocks : kNoLimit);
       if (hits < 0) {
@@ -90,19 +100,12 @@ class NearElements {
       }
     }
   }
-  void gather_elements(const RayBundle& rays, std::span<const int> places);
-  void make_boxes(const RayBundle& rays);
-
   const OrderedMesh* mesh_ = nullptr;
-  std::vector<int> patches_;
-  std::vector<float> points_;                // of the patches, see PatchArrays
-  std::vector<std::uint8_t> inner_, outer_;  // of all patches of the mesh
-  std::vector<int> not_inner_, between_, on_way_, aside_;
+  std::vector<int> patches_, outer_patches_;             // near; of these, those with elements not inner
+  std::vector<std::uint8_t> inner_, outer_, not_inner_;  // of all patches of the mesh
+  std::vector<int> uncertain_, between_, on_way_, aside_;
   PatchesFound found_{};
-  Pyramid boxes_;            // of the patches' elements
-  std::vector<int> places_;  // of the elements that blocks are tested against, filled to a multiple of eight
-  std::vector<float> own_points_;
-  Pyramid own_boxes_;
+  Pyramid boxes_, outer_boxes_;  // of the elements in these patches
   std::vector<int> hits_, first_, second_;
 };
 

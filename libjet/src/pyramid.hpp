@@ -22,12 +22,10 @@ class Pyramid {
   /// q, and where they begin downstream.
   float* boxes() { return boxes_.data(); }
 
-  /// The levels above `count` boxes; those up to the next multiple of eight become empty.
-  void build(int count) {
+  /// The levels above so many blocks of eight boxes.
+  void build(int blocks) {
     const auto merge = kernel_table().merge;
-    int blocks = (count + 7) / 8;
     view_ = {boxes_.data(), 1, {}, {blocks}};
-    clear(0, count);
     for (; blocks > 1; blocks = (blocks + 7) / 8) {
       const int below = view_.first[view_.levels - 1], above = below + blocks;
       merge(block(below), blocks, block(above));

@@ -97,7 +97,7 @@ struct Line {
 /// by two. With E the error of a place and m the largest, a product errs by 3.4 m E + 0.8 E^2 at most.
 struct Passing {
   Floats low, high, error;
-  Floats::Mask possible() const { return ~((high > error) & (low < -error)); }
+  Floats::Mask missed() const { return (high > error) & (low < -error); }
   Floats::Mask pierced() const { return (low > error) | (high < -error); }
 };
 [[gnu::always_inline]] inline Passing pass(const Line& r, const Corners& t) {
@@ -145,8 +145,10 @@ inline void meet_pairs(const PairArrays& p, int count) {
     const Corners t = gather_corners(p.local, p.triangles, [&](int i) { return p.elements[last(i)]; });
     const Passing passing = pass(r, t);
     const Ends end = ends(r, t);
+    const unsigned missed = bits(passing.missed());
     p.blocked[k / 8] = static_cast<std::uint8_t>(bits(passing.pierced() & end.crossed));
-    p.apart[k / 8] = static_cast<std::uint8_t>(bits(~passing.possible() | end.beyond));
+    p.apart[k / 8] = static_cast<std::uint8_t>(missed | bits(end.beyond));
+    p.missed[k / 8] = static_cast<std::uint8_t>(missed);
   }
 }
 

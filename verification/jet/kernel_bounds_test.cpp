@@ -5,6 +5,8 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <numeric>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -50,31 +52,44 @@ using Hit = std::tuple<int, int, int>;  // ray, element, what is certain
 /// and part where the places do; then they meet what they meet together.
 TEST(kernels, rays_with_many_blocks_in_their_way_part) {
   const int side = 64, blocks = side * side / 4;
-  std::vector<float> points(static_cast<std::size_t>(jet::kElementFloats * blocks)), targets;
+  std::vector<float> local, targets;
+  std::vector<std::uint32_t> corner_rows;
   for (int block = 0; block < blocks; ++block) {  // 2 x 2 cells of two triangles
-    for (int i = 0; i < 8; ++i) {
-      const int x = 2 * (block % (side / 2)) + i / 2 % 2, y = 2 * (block / (side / 2)) + i / 4;
-      const int corners[3][2] = {{x + i % 2, y + i % 2}, {x + 1, y}, {x, y + 1}};
-      for (int corner = 0; corner < 3; ++corner) {
-        float* point = &points[static_cast<std::size_t>(jet::kElementFloats * block + 24 * corner + i)];
-        for (int axis = 0; axis < 2; ++axis)
-          point[8 * axis] = static_cast<float>(corners[corner][axis]) / static_cast<float>(side) - 0.5f;
-        point[16] = 0.5f;
+    for (int corner = 0; corner < 3; ++corner) {
+      for (int i = 0; i < 8; ++i) {
+        const int x = 2 * (block % (side / 2)) + i / 2 % 2, y = 2 * (block / (side / 2)) + i / 4;
+        const int corners[3][2] = {{x + i % 2, y + i % 2}, {x + 1, y}, {x, y + 1}};
+        const auto place = [&](int axis) {
+          return static_cast<float>(corners[corner][axis]) / static_cast<float>(side) - 0.5f;
+        };
+        corner_rows.push_back(static_cast<std::uint32_t>(local.size()));
+        local.insert(local.end(), {place(0), place(1), 0.5f, 0.0f});
       }
     }
   }
+  std::vector<int> patches(static_cast<std::size_t>(blocks));
+  std::iota(patches.begin(), patches.end(), 0);
   for (const float u : {-0.61f, -0.612f, -0.615f, 0.6f, 0.601f, 0.604f, 0.602f, 0.603f})
     targets.insert(targets.end(), {u, 0.7f * u, 0.8f, 0.0f});
-  const int list[] = {0, 1, 2, 3, 4, 5, 6, 7};
+  const int rows[16] = {0, 1, 2, 3, 4, 5, 6, 7};
   for (const jet::KernelTable* kernels : kBoth) {
     jet::Pyramid pyramid;
     pyramid.reserve(static_cast<std::size_t>(8 * blocks));
-    kernels->element_boxes(points.data(), 0.0f, blocks, pyramid.boxes());
-    pyramid.build(8 * blocks);
+    std::vector<std::uint8_t> bits(patches.size()), inner(bits), outer(bits), not_inner(bits);
+    std::vector<int> near(patches), list(8 * patches.size() + 8), between(list), on_way(list);
+    EXPECT_EQ(kernels
+                  ->look_at_patches({local.data(), 0.0f, corner_rows.data(), 8 * blocks, patches.data(),
+                                     blocks, 0, bits.data(), 0.0f, near.data(), pyramid.boxes(), nullptr,
+                                     inner.data(), outer.data(), not_inner.data(), list.data(),
+                                     between.data(), on_way.data(), nullptr})
+                  .near,
+              blocks);
+    pyramid.build(blocks);
     std::vector<int> hits(static_cast<std::size_t>(64 * blocks)), first(hits.size()), second(hits.size());
     const auto meet = [&](int begin, int count, int most_blocks) {
-      const jet::RayArrays rays{targets.data(), 0.0f, list + begin, count};
-      return kernels->meet(rays, most_blocks, true, pyramid.view(), points.data(),
+      const jet::RayArrays rays{targets.data(), 0.0f, rows + begin, count};
+      return kernels->meet(rays, most_blocks, true, pyramid.view(),
+                           {local.data(), corner_rows.data(), patches.data()},
                            {hits.data(), first.data(), second.data()});
     };
     const auto met = [&](int begin, int count, int most_blocks) {

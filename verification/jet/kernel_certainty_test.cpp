@@ -57,10 +57,10 @@ TEST(kernels, what_is_certain_of_segments_and_small_triangles_is_true) {
     std::vector<int> rays(count), triangles(3 * count);
     std::iota(rays.begin(), rays.end(), 0);
     std::iota(triangles.begin(), triangles.end(), 0);
-    std::vector<std::uint8_t> blocked(count / 8), apart(count / 8);
+    std::vector<std::uint8_t> blocked(count / 8), apart(count / 8), missed(count / 8);
     for (const jet::KernelTable* kernels : {&jet::baseline::kTable, &jet::kernel_table()}) {
       kernels->meet_pairs({targets.data(), nodes.data(), static_cast<float>(half_long), triangles.data(),
-                           rays.data(), rays.data(), blocked.data(), apart.data()},
+                           rays.data(), rays.data(), blocked.data(), apart.data(), missed.data()},
                           count);
       for (int k = 0; k < count; ++k) {
         const auto says = [&](const std::vector<std::uint8_t>& bits) {
@@ -69,10 +69,12 @@ TEST(kernels, what_is_certain_of_segments_and_small_triangles_is_true) {
         const Pass& p = passes[static_cast<std::size_t>(k)];
         const bool blocks = p.inside && p.before;
         EXPECT_FALSE(says(blocks ? apart : blocked)) << k;
+        EXPECT_FALSE(p.inside && says(missed)) << k;
         // Slopes are below 1.5, so places err by 5e-7 (1 + 1.5) (1 + 1.6) at most, times 6 and the size twice
         // over an edge of two sizes, seen shorter by the slope: a twentieth of the size is enough.
         if (p.gap > 0.05 * kSize) {
           EXPECT_TRUE(says(blocks ? blocked : apart)) << k;
+          EXPECT_TRUE(p.inside || says(missed)) << k;
         }
       }
     }

@@ -123,9 +123,9 @@ TEST(kernels, profile_eq_exponential) {
 }
 
 struct Looked {
-  std::vector<float> local, points, targets, boxes, near_points, merged, bounds;
-  std::vector<std::uint8_t> inner, outer, blocked, apart;
-  std::vector<int> near, not_inner, between, on_way, aside, hits;
+  std::vector<float> local, targets, boxes, chosen_boxes, merged, bounds;
+  std::vector<std::uint8_t> inner, outer, not_inner, blocked, apart, missed;
+  std::vector<int> near, uncertain, between, on_way, aside, chosen, hits;
   std::vector<std::int32_t> codes;
   bool operator==(const Looked&) const = default;
 };
@@ -172,50 +172,50 @@ Looked look(const jet::KernelTable& kernels, const Mesh& mesh, float half_long) 
   Looked p;
   p.local.resize(4 * nodes + 32);
   p.codes.resize(nodes + 8);
-  p.points.resize(jet::kElementFloats * patches);
-  p.near_points = p.points;
   p.targets.resize(4 * count);
   p.boxes.resize(jet::kBoxFloats * patches);
+  p.chosen_boxes = p.boxes;
   p.merged.resize(jet::kBoxFloats * (patches / 8 + 1));
-  p.inner = p.outer = p.blocked = p.apart = bytes();
-  p.near = p.not_inner = p.between = p.on_way = p.aside = places();
+  p.inner = p.outer = p.not_inner = p.blocked = p.apart = p.missed = bytes();
+  p.near = p.uncertain = p.between = p.on_way = p.aside = p.chosen = places();
   project(kernels, mesh, triangles, all, half_long, p);
   const int n = static_cast<int>(count);
   const std::vector<std::uint8_t> asked(patches, 0xd7);
   const jet::PatchesFound found = kernels.look_at_patches(
-      {p.local.data(), half_long, corner_rows.data(), n, all.data(), n / 8, 0x9f, asked.data(), 1e-12f,
-       p.near.data(), p.points.data(), p.targets.data(), p.inner.data(), p.outer.data(), p.not_inner.data(),
-       p.between.data(), p.on_way.data(), p.aside.data()});
+      {p.local.data(), half_long, corner_rows.data(), n, all.data(), n / 8, 0x9f, asked.data(), 1e-4f,
+       p.near.data(), p.boxes.data(), p.targets.data(), p.inner.data(), p.outer.data(), p.not_inner.data(),
+       p.uncertain.data(), p.between.data(), p.on_way.data(), p.aside.data()});
   EXPECT_EQ(found.asked, found.near);
   EXPECT_GE(found.near, 8);  // as many blocks as are met below
   EXPECT_LT(found.near, n / 8);
-  EXPECT_GT(found.not_inner, 0);
+  EXPECT_GT(found.uncertain, 0);
   EXPECT_GT(found.on_way, 0);
   p.near.resize(static_cast<std::size_t>(found.near));
-  p.not_inner.resize(static_cast<std::size_t>(found.not_inner));
+  p.uncertain.resize(static_cast<std::size_t>(found.uncertain));
   p.between.resize(static_cast<std::size_t>(found.between));
   p.on_way.resize(static_cast<std::size_t>(found.on_way));
   p.aside.resize(static_cast<std::size_t>(found.aside));
   append(found.bounds, p.bounds);
   kernels.meet_pairs({p.targets.data(), p.local.data(), half_long, triangles.data(), all.data(),
-                      all.data() + 8, p.blocked.data(), p.apart.data()},
+                      all.data() + 8, p.blocked.data(), p.apart.data(), p.missed.data()},
                      n - 8);
-  kernels.gather_elements(
-      {p.local.data(), half_long, triangles.data(), all.data(), p.boxes.data(), p.near_points.data()}, n);
-  kernels.merge(p.boxes.data(), n / 8, p.merged.data());
-  const jet::PyramidView view{p.boxes.data(), 1, {}, {8}};  // the first 64 elements
+  const int chosen = kernels.choose_boxes({p.boxes.data(), p.near.data(), found.near}, p.not_inner.data(),
+                                          p.chosen_boxes.data(), p.chosen.data());
+  EXPECT_GE(chosen, 8);
+  kernels.merge(p.boxes.data(), found.near, p.merged.data());
   std::vector<int> hits(8 * count), first(count + 8), second(count + 8);
   const jet::HitLists lists{hits.data(), first.data(), second.data()};
-  const auto meet = [&](bool to_targets, const std::vector<float>& points) {
+  const auto meet = [&](bool to_targets, const std::vector<float>& boxes, const std::vector<int>& blocks) {
+    const jet::PyramidView view{boxes.data(), 1, {}, {8}};  // the first 64 elements
     for (int ray = 0; ray + 8 <= n; ray += 8) {
       const jet::RayArrays rays{p.targets.data(), half_long, all.data() + ray, ray % 16 == 0 ? 8 : 3};
-      const int hit_count = kernels.meet(rays, n, to_targets, view, points.data(), lists);
+      const int hit_count =
+          kernels.meet(rays, n, to_targets, view, {p.local.data(), corner_rows.data(), blocks.data()}, lists);
       p.hits.insert(p.hits.end(), hits.begin(), hits.begin() + hit_count);
     }
   };
-  meet(false, p.near_points);
-  kernels.element_boxes(p.points.data(), half_long, found.near, p.boxes.data());
-  meet(true, p.points);
+  meet(false, p.chosen_boxes, p.chosen);
+  meet(true, p.boxes, p.near);
   return p;
 }
 
