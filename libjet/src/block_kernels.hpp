@@ -6,22 +6,6 @@
 
 namespace jet::JET_KERNELS {
 
-inline int choose_boxes(const BoxArrays& from, const std::uint8_t* chosen, float* boxes, int* patches) {
-  int found = 0;
-  for (int k = 0; k < from.count; ++k) {
-    const int patch = from.patches[k];
-    if (chosen[patch] == 0) continue;
-    const Floats::Mask lanes = lanes_of(chosen[patch]);
-    const float* block = from.boxes + kBoxFloats * std::ptrdiff_t{k};
-    for (int row = 0; row < kBoxFloats; row += 8) {
-      const Floats none(row % 16 == 0 ? __builtin_inff() : -__builtin_inff());
-      select(lanes, Floats::load(block + row), none).store(boxes + kBoxFloats * std::ptrdiff_t{found} + row);
-    }
-    patches[found++] = patch;
-  }
-  return found;
-}
-
 /// What is certain of eight rays and one element, as bits.
 struct Touches {
   unsigned possible, pierced, crossed, beyond;
@@ -89,7 +73,7 @@ inline int meet(const RayArrays& rays, int most_blocks, bool to_targets, const P
                    lane = box_at % kBoxFloats;
     const int patch = elements.patches[block], e = 8 * patch + static_cast<int>(lane);
     const unsigned others = to_targets ? ~bits(own_places == e) : ~0u;
-    const std::uint32_t* rows = elements.corner_rows + 24 * std::ptrdiff_t{patch} + lane;
+    const std::uint32_t* rows = rows_of(elements.corner_rows, patch, lane);
     const Touches t = touch(r, elements.local, rows, alive & others);
     if (t.possible == 0) continue;
     const unsigned met = t.pierced & t.beyond;

@@ -20,10 +20,12 @@ struct Range {
 /// u / (w + |u|), which orders like the slope u / w but stays bounded; what is upstream counts as at its
 /// side, +-1. Coordinates err by 2.5 kUnit at most, those of targets, so this by 5 kUnit / (w + |u|) and its
 /// roundings: kTurn covers 10 times that.
-[[gnu::always_inline]] inline Range turned(Floats u, Floats w) {
-  const Floats inverse = 1.0f / (max(w, Floats()) + abs(u) + 1e-30f);
-  const Floats place = u * inverse, margin = kTurn * inverse;
-  return {place - margin, place + margin};
+struct Turned {
+  Floats place, inverse;
+};
+[[gnu::always_inline]] inline Turned turned(Floats u, Floats w) {
+  const Floats inverse = 1.0f / (max(w, Floats(1e-30f)) + abs(u));
+  return {u * inverse, inverse};
 }
 
 [[gnu::always_inline]] inline void store(float* block, Range p, Range q, Floats depth) {
@@ -46,7 +48,7 @@ struct Range {
 /// moves by more than 1 until it is again. The larger of two is at least half their sum; above kUpstream this
 /// errs by 5 kUnit, 0.3 %, which 4.02 covers; v, by 2.5 kUnit, which kSlack covers.
 [[gnu::always_inline]] inline Range places(Vec3<Floats> g, Floats half_long) {
-  const Floats distance = max(g.z, Floats()) + abs(g.x), inverse = 1.0f / (distance + 1e-30f);
+  const Floats distance = max(g.z, Floats(1e-30f)) + abs(g.x), inverse = 1.0f / distance;
   const Floats margin = kTurn * inverse + kSlack, end = half_long - Floats(kSlack);
   const auto way = [&](Floats beyond) {
     return select(distance > Floats(kUpstream), 4.02f * (beyond * inverse), Floats(kFar));
@@ -61,8 +63,11 @@ struct RayRanges {
   Range p, q;
 };
 [[gnu::always_inline]] inline RayRanges ranges(const Vec3<Floats>& target, float half_long) {
-  return {turned(target.x, target.z),
-          half_long > 0.0f ? places(target, Floats(half_long)) : turned(target.y, target.z)};
+  const auto turn = [&](Floats u) {
+    const Turned t = turned(u, target.z);
+    return Range{t.place - kTurn * t.inverse, t.place + kTurn * t.inverse};
+  };
+  return {turn(target.x), half_long > 0.0f ? places(target, Floats(half_long)) : turn(target.y)};
 }
 
 /// Bounds of the rays seen so far.
@@ -105,12 +110,13 @@ inline RayBounds bound_rays(const ProjectArrays& arrays, float half_long, int co
 /// anywhere.
 [[gnu::always_inline]] inline Range spanned(Floats a, Floats b, Floats c, const Vec3<Floats>& w,
                                             Floats::Mask upstream) {
-  const Range ra = turned(a, w.x), rb = turned(b, w.y), rc = turned(c, w.z);
+  const Turned ta = turned(a, w.x), tb = turned(b, w.y), tc = turned(c, w.z);
+  const Floats margin = kTurn * max(max(ta.inverse, tb.inverse), tc.inverse);
   const Floats::Mask one_side =
       (min(min(a, b), c) > Floats(kUpstream)) | (max(max(a, b), c) < Floats(-kUpstream));
   const Floats::Mask anywhere = upstream & ~one_side;
-  return {select(anywhere, Floats(-kFar), min(min(ra.low, rb.low), rc.low)),
-          select(anywhere, Floats(kFar), max(max(ra.high, rb.high), rc.high))};
+  return {select(anywhere, Floats(-kFar), min(min(ta.place, tb.place), tc.place) - margin),
+          select(anywhere, Floats(kFar), max(max(ta.place, tb.place), tc.place) + margin)};
 }
 
 struct Normal {
@@ -122,18 +128,17 @@ struct Normal {
   return {e.y * f.z - e.z * f.y, e.z * f.x - e.x * f.z, e.x * f.y - e.y * f.x, max(largest(e), largest(f))};
 }
 
+/// Where the row of an element's first corner begins; those of the others stand 8 and 16 on.
+[[gnu::always_inline]] inline const std::uint32_t* rows_of(const std::uint32_t* corner_rows, int patch,
+                                                           unsigned lane = 0) {
+  return corner_rows + 24 * std::ptrdiff_t{patch} + lane;
+}
+
 struct Corners {
   Vec3<Floats> a, b, c;
 };
-template <class Triangle>
-[[gnu::always_inline]] inline Corners gather_corners(const float* local, const int* triangles, Triangle at) {
-  const auto corner = [&](int j) {
-    return gather_rows(local, [&](int i) { return triangles[3 * std::ptrdiff_t{at(i)} + j]; });
-  };
-  return {corner(0), corner(1), corner(2)};
-}
 struct Sides {
-  Floats::Mask inner, outer, between;
+  Floats::Mask inner, outer, apart;
 };
 
 /// Sides of the planes that the sources are on. A ray from (0, y, 0) keeps its v, unless y is the line's end
@@ -155,7 +160,7 @@ struct Sides {
                low_w = min(min(a.z, b.z), c.z);
   const auto beside = (low_w > slack) | (low_u > slack) | (high_u < -slack);
   return {middle - change > error, middle + change < -error,
-          ~(beside | (height - whole > error) | (height + whole < -error))};
+          beside | (height - whole > error) | (height + whole < -error)};
 }
 
 /// Eight boxes of elements.
@@ -180,10 +185,10 @@ inline PatchesFound look_at_patches(const PatchArrays& given) {
   for (int k = 0; k < s.count; ++k) {
     const int patch = s.patches[k];
     // The two cache lines of a later patch: with cold caches the query takes 1.5 % less.
-    const std::uint32_t* ahead = s.corner_rows + 24 * std::ptrdiff_t{s.patches[k + 6 < s.count ? k + 6 : k]};
+    const std::uint32_t* ahead = rows_of(s.corner_rows, s.patches[k + 6 < s.count ? k + 6 : k]);
     __builtin_prefetch(ahead);
     __builtin_prefetch(ahead + 16);
-    const std::uint32_t* rows = s.corner_rows + 24 * std::ptrdiff_t{patch};
+    const std::uint32_t* rows = rows_of(s.corner_rows, patch);
     const auto corner = [&](int j) {
       return gather_four(s.local, [&](int i) { return std::ptrdiff_t{rows[8 * j + i]}; });
     };
@@ -204,7 +209,7 @@ inline PatchesFound look_at_patches(const PatchArrays& given) {
     s.not_inner[patch] = static_cast<std::uint8_t>(near & ~inner);
     const unsigned uncertain = near & ~(inner | outer);
     if (uncertain != 0) found.uncertain += append_bits(uncertain, 8 * patch, s.uncertain + found.uncertain);
-    const unsigned between = near & bits(side.between), on_way = near & bits((common & kBesideWay) == 0);
+    const unsigned between = near & ~bits(side.apart), on_way = near & bits((common & kBesideWay) == 0);
     if (between != 0) found.between += append_bits(between, 8 * patch, s.between + found.between);
     if (on_way != 0) found.on_way += append_bits(on_way, 8 * patch, s.on_way + found.on_way);
     const unsigned asked = s.asked[patch];

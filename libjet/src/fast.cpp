@@ -15,7 +15,9 @@ void FastRoute::prepare(std::span<const Triangle> triangles, std::size_t node_co
   near_.reserve(mesh_);
   rays_.reserve(mesh_, node_count);
   const std::size_t patches = rays_.asked().size(), elements = 8 * patches;
-  for (auto* places : {&open_, &again_, &again_by_}) places->reserve(2 * elements + 8);
+  open_.reserve(elements);
+  for (auto* places : {&again_, &again_by_})
+    places->reserve(2 * elements);  // by what hid them, what opened them
   for (auto* met : {&hidden_, &last_hidden_, &met_, &last_met_}) met->reserve(elements);
   for (auto* bytes : {&alive_, &chosen_}) bytes->resize(patches);
   for (auto* bytes : {&blocked_, &apart_, &missed_}) bytes->resize(2 * patches);
@@ -92,11 +94,11 @@ bool FastRoute::find_near(RayBundle::Bounds known) {
   return rays_.accept(near_.found(), near_.patches(), near_.aside());
 }
 
-// Elements near the rays that may face away.
+// Of the elements near the rays that may show either side, those that face all sources are sorted out.
 void FastRoute::look() {
   shared_ = true;
   for (const int place : near_.uncertain())
-    if (!may_face_away(element(place))) near_.take_as_inner(place);
+    if (!may_face_away(element(place))) near_.rule_out_outer_side(place);
   for (const int place : near_.between()) shared_ = shared_ && !between_sources(element(place));
 }
 

@@ -38,7 +38,7 @@ class FastRoute {
 
  private:
   enum State : std::uint8_t { kLit, kOpen, kHidden, kFacingAway };
-  /// A ray and an element on it, by their places in the mesh's order.
+  /// A ray and an element that is on it, or may be, by their places in the mesh's order.
   struct Met {
     int ray, by;
   };
@@ -90,7 +90,7 @@ class FastRoute {
   NearElements near_;
   std::vector<int> open_;                  // places of rays that were opened
   std::vector<Met> hidden_, last_hidden_;  // rays and what blocks them; at the last query
-  std::vector<Met> met_, last_met_;        // rays opened as they met an element facing away
+  std::vector<Met> met_, last_met_;        // rays that an element opened that faces away
   std::vector<int> again_, again_by_;      // rays that may meet elements again, and which
   std::vector<std::uint8_t> blocked_, apart_, missed_;
   std::vector<std::uint8_t> alive_;   // by patch: bits of the rays that are lit so far

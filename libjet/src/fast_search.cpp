@@ -48,6 +48,7 @@ void FastRoute::search() {
   if (rays.empty()) return;
   near_.for_each_before_target(rays_, rays, [&](int ray, int by, int kind) {
     const int e = element(by);
+    // Its own element may be among them: the mesh's last one stands at several places.
     if (state(ray) != kOpen || e == element(ray) || surface_.never_blocks(e)) return;
     if (kind == kBlocked || blocking::blocks(kernel_, rays_.ray(ray), surface_, e)) hide(ray, by);
   });
@@ -65,7 +66,8 @@ void FastRoute::open(int ray, int by) {
   met_.push_back({ray, by});
 }
 
-// What blocked an element's ray at the last query often does so again, and so does what opened it.
+// What blocked an element's ray at the last query often blocks it again, and what opened it opens it again. A
+// ray opened in vain costs a search, so that is not asked exactly.
 void FastRoute::meet_again() {
   std::swap(hidden_, last_hidden_);
   std::swap(met_, last_met_);
@@ -81,11 +83,10 @@ void FastRoute::meet_again() {
     if (alive(met.ray) && rays_.knows(met.by)) ask(met);
   const std::size_t hidden = again_.size();
   for (const Met& met : last_met_)
-    if (alive(met.ray) && rays_.knows(met.by) && !near_.shows_inner_side(met.by)) ask(met);
-  kernel_table().meet_pairs(
-      {rays_.targets(), rays_.local(), rays_.half_long(), mesh_.triangles.front().data(), again_.data(),
-       again_by_.data(), blocked_.data(), apart_.data(), missed_.data()},
-      static_cast<int>(again_.size()));
+    if (alive(met.ray) && near_.may_show_outer_side(met.by)) ask(met);
+  kernel_table().meet_pairs({rays_.targets(), rays_.local(), rays_.half_long(), mesh_.corner_rows.data(),
+                             again_.data(), again_by_.data(), blocked_.data(), apart_.data(), missed_.data()},
+                            static_cast<int>(again_.size()));
   for (std::size_t i = 0; i < again_.size(); ++i) {
     const auto bit = [&](const std::vector<std::uint8_t>& bits) { return (bits[i / 8] >> i % 8 & 1u) != 0; };
     const bool blocked = bit(blocked_), apart = bit(apart_), missed = bit(missed_);

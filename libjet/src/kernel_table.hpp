@@ -78,7 +78,7 @@ struct ProjectFlags {
 struct RayArrays {
   const float* targets;  // rows of local coordinates
   float half_long;       // 0: a point source
-  const int* list;       // rows; eight can be read
+  const int* list;       // rows, the places of the rays' own elements; eight can be read
   int count;
 };
 
@@ -100,15 +100,15 @@ struct PatchArrays {
   const std::uint8_t* asked;  // by patch of the mesh: elements that have rays
   float error;                // absolute part of the bound of the orientation
   int* near;                  // those of `patches` that rays can meet; may be the same array
-  float* boxes;               // of these, kBoxFloats each
+  float* boxes;               // of their elements, kBoxFloats each; behind the mesh's last, of that one
   float* targets;             // rows of the patches near that have rays
-  std::uint8_t* inner;      // by patch of the mesh: the sources of rays that can touch it see its inner side,
-  std::uint8_t* outer;      // or its outer one, for certain; of patches that are not near nothing is written
-  std::uint8_t* not_inner;  // near, may not show the inner side
-  int* uncertain;           // list of those near that may show either side
-  int* between;             // near, may lie between two sources
-  int* on_way;              // near, may touch the line
-  int* aside;               // asked, but with rays that are not certainly downstream
+  // By patch of the mesh, written for those near: the sources of rays that can touch an element see its inner
+  // side for certain, or its outer side for certain; or it is near and not certain to show its inner side.
+  std::uint8_t *inner, *outer, *not_inner;
+  int* uncertain;  // list of those near that may show either side
+  int* between;    // near, may lie between two sources
+  int* on_way;     // near, may touch the line
+  int* aside;      // asked, but with rays that are not certainly downstream
 };
 struct PatchesFound {
   int near, uncertain, between, on_way, aside;  // lengths of the lists
@@ -134,11 +134,11 @@ struct BoxArrays {
 struct PairArrays {
   const float *targets, *local;
   float half_long;
-  const int* triangles;  // in the mesh's order
+  const std::uint32_t* corner_rows;  // see OrderedMesh
   const int *rays, *elements;
   std::uint8_t* blocked;  // bits of eight: the segment crosses the interior for certain
   std::uint8_t* apart;    // it does not touch the element for certain
-  std::uint8_t* missed;   // nor does its line
+  std::uint8_t* missed;   // nor does its line, for certain
 };
 
 /// What a kernel knows of a ray that may touch an element: nothing more, that its segment crosses the
@@ -181,17 +181,18 @@ struct KernelTable {
   PatchesFound (*look_at_patches)(const PatchArrays&);
   /// Places of the bits of `count` bytes, a multiple of 32: their number. Room for eight more.
   int (*list_bits)(const std::uint8_t* bytes, int count, int* places);
-  /// The patches with elements `chosen`, bits by patch of the mesh, to `patches`: their number. And their
-  /// boxes; those of other elements become empty.
+  /// Of these patches those with elements `chosen`, bits by patch of the mesh, to `patches`: their number.
+  /// And their boxes to `boxes`, those of other elements empty.
   int (*choose_boxes)(const BoxArrays&, const std::uint8_t* chosen, float* boxes, int* patches);
   /// The eight boxes of each block to one: the box around them. Lanes behind the last hold anything.
   void (*merge)(const float* blocks, int count, float* boxes);
   void (*meet_pairs)(const PairArrays&, int count);
   /// Elements that these rays, eight at most, may touch: 8 times the element's place in the mesh plus the
   /// ray's in the list, times kHitKinds, plus what is certain, to `hits`: their number. A ray is left after a
-  /// certain touch. Or `to_targets`: those that they may touch before their targets, and not these
-  /// themselves. Rays for which some level of the pyramid shows more than `most_blocks` are better parted:
-  /// then minus the number of the first of them.
+  /// certain touch. Or `to_targets`: those that they may touch before their targets, without their own
+  /// elements; places behind the mesh's last stand for that one, and are not left out. Rays for which some
+  /// level of the pyramid shows more than `most_blocks` are better parted: then minus the number of the first
+  /// of them.
   int (*meet)(const RayArrays&, int most_blocks, bool to_targets, const PyramidView&, const ElementArrays&,
               const HitLists&);
 };

@@ -102,16 +102,17 @@ OrderedMesh::OrderedMesh(std::span<const Triangle> mesh)
   for (std::size_t i = 0; i < mesh.size(); ++i)
     rank[static_cast<std::size_t>(elements[i])] = static_cast<int>(i);
   elements.resize(8 * static_cast<std::size_t>(patches), elements.back());
-  for (const int e : elements) triangles.push_back(mesh[static_cast<std::size_t>(e)]);
-  for (std::size_t i = 0; i < triangles.size(); i += 8) {
+  const auto triangle = [&](std::size_t place) { return mesh[static_cast<std::size_t>(elements[place])]; };
+  for (std::size_t i = 0; i < elements.size(); i += 8) {
     std::set<int> nodes;
-    for (std::size_t j = i; j < i + 8; ++j) nodes.insert(triangles[j].begin(), triangles[j].end());
+    for (std::size_t j = i; j < i + 8; ++j)
+      for (const int node : triangle(j)) nodes.insert(node);
     patch_begin.push_back(static_cast<int>(patch_nodes.size()));
     patch_nodes.insert(patch_nodes.end(), nodes.begin(), nodes.end());
     patch_nodes.resize((patch_nodes.size() + 3) / 4 * 4, patch_nodes.back());
     for (std::size_t corner = 0; corner < 3; ++corner)
       for (std::size_t j = i; j < i + 8; ++j)
-        corner_rows.push_back(4 * static_cast<std::uint32_t>(triangles[j][corner]));
+        corner_rows.push_back(4 * static_cast<std::uint32_t>(triangle(j)[corner]));
   }
   patch_begin.push_back(static_cast<int>(patch_nodes.size()));
 }

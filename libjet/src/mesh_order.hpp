@@ -17,12 +17,11 @@ std::vector<int> mesh_order(std::span<const Triangle> triangles);
 
 /// Fixed connectivity in that order, for the search of elements by their nodes.
 struct OrderedMesh {
-  std::vector<int> elements;        // order; the last is repeated to a multiple of eight
-  std::vector<int> rank;            // place of each element in it
-  std::vector<Triangle> triangles;  // in order, like `elements`
-  int patches = 0;                  // of eight elements
-  std::vector<int> patch_nodes;     // of each patch, the last repeated to a multiple of four
-  std::vector<int> patch_begin;     // in patch_nodes, and the end
+  std::vector<int> elements;     // order; the last is repeated to a multiple of eight
+  std::vector<int> rank;         // place of each element in it
+  int patches = 0;               // of eight elements
+  std::vector<int> patch_nodes;  // of each patch, the last repeated to a multiple of four
+  std::vector<int> patch_begin;  // in patch_nodes, and the end
   // Eight first, eight second, eight third corners of each patch: where the nodes' rows of four numbers
   // begin, 4 times the node.
   std::vector<std::uint32_t> corner_rows;

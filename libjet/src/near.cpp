@@ -14,8 +14,8 @@ void NearElements::reserve(const OrderedMesh& mesh) {
   outer_patches_.resize(patches);
   for (auto* bytes : {&inner_, &outer_, &not_inner_}) bytes->resize(set_bytes(patches));
   for (auto* list : {&uncertain_, &between_, &on_way_, &aside_}) list->resize(8 * patches + 8);
-  boxes_.reserve(8 * patches);
-  outer_boxes_.reserve(8 * patches);
+  boxes_.reserve(patches);
+  outer_boxes_.reserve(patches);
   hits_.resize(64 * patches);  // eight rays and all elements
   first_.resize(8 * patches + 8);
   second_.resize(8 * patches + 8);
@@ -23,8 +23,8 @@ void NearElements::reserve(const OrderedMesh& mesh) {
 
 void NearElements::find(RayBundle& rays) {
   const std::span<const int> patches = rays.find_patches(patches_);
-  std::fill(inner_.begin(), inner_.end(), std::uint8_t{0});
-  std::fill(outer_.begin(), outer_.end(), std::uint8_t{0});
+  for (auto* bytes : {&inner_, &outer_, &not_inner_})
+    std::fill(bytes->begin(), bytes->end(), std::uint8_t{0});
   found_ = kernel_table().look_at_patches(
       {rays.local(), rays.half_long(), mesh_->corner_rows.data(), static_cast<int>(mesh_->rank.size()),
        patches.data(), static_cast<int>(patches.size()), rays.outside(), rays.asked().data(),

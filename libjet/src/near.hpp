@@ -28,10 +28,10 @@ class NearElements {
   bool shows_outer_side(int place) const {
     return (outer_[static_cast<std::size_t>(place / 8)] >> place % 8 & 1) != 0;
   }
-  bool shows_inner_side(int place) const {
-    return (inner_[static_cast<std::size_t>(place / 8)] >> place % 8 & 1) != 0;
+  /// The element is near, and may show its outer side to sources whose rays can touch it.
+  bool may_show_outer_side(int place) const {
+    return (not_inner_[static_cast<std::size_t>(place / 8)] >> place % 8 & 1) != 0;
   }
-
   /// Elements near the rays that may show either side, may lie between two sources, may touch the way; and
   /// those asked about whose rays are not certainly downstream.
   std::span<const int> uncertain() const { return first(uncertain_, found_.uncertain); }
@@ -44,14 +44,13 @@ class NearElements {
   /// By patch: bits of the elements whose inner side all these sources see, and whose own rays pierce them.
   std::span<const std::uint8_t> inner() const { return inner_; }
 
-  /// The element shows no outer side, after all.
-  void take_as_inner(int place) {
+  void rule_out_outer_side(int place) {
     std::uint8_t& bits = not_inner_[static_cast<std::size_t>(place / 8)];
     bits = static_cast<std::uint8_t>(bits & ~(1 << place % 8));
   }
 
-  /// visit(ray, place, kind) for the rays listed and the elements that may show the outer side and that they
-  /// may touch.
+  /// visit(ray, place, kind) for the rays listed and the elements near them that may show the outer side and
+  /// that these may touch.
   template <class Visit>
   void for_each_touching(const RayBundle& rays, std::span<const int> list, Visit visit) {
     const int count =
@@ -60,7 +59,7 @@ class NearElements {
     for_each_hit(rays, list, false, outer_boxes_, first(outer_patches_, count), visit);
   }
 
-  /// The same for elements near the rays that these may touch before their targets.
+  /// The same for all elements near the rays that these may touch before their targets, without their own.
   template <class Visit>
   void for_each_before_target(const RayBundle& rays, std::span<const int> list, Visit visit) {
     for_each_hit(rays, list, true, boxes_, patches(), visit);
@@ -105,7 +104,7 @@ class NearElements {
   std::vector<std::uint8_t> inner_, outer_, not_inner_;  // of all patches of the mesh
   std::vector<int> uncertain_, between_, on_way_, aside_;
   PatchesFound found_{};
-  Pyramid boxes_, outer_boxes_;  // of the elements in these patches
+  Pyramid boxes_, outer_boxes_;  // of the patches' elements, of those not inner
   std::vector<int> hits_, first_, second_;
 };
 

@@ -12,17 +12,18 @@ namespace jet {
 
 class Pyramid {
  public:
-  void reserve(std::size_t count) {
-    std::size_t blocks = 0;
-    for (std::size_t n = count; blocks == 0 || n > 1; n = (n + 7) / 8) blocks += (n + 7) / 8;
-    boxes_.resize(kBoxFloats * blocks);
+  /// Room for so many blocks of eight boxes, and the levels above.
+  void reserve(std::size_t blocks) {
+    std::size_t all = blocks;
+    for (std::size_t n = blocks; n > 1; n = (n + 7) / 8) all += (n + 7) / 8;
+    boxes_.resize(kBoxFloats * all);
   }
 
   /// Where the boxes of the lowest level are to be written, kBoxFloats for eight: low p, high p, low q, high
   /// q, and where they begin downstream.
   float* boxes() { return boxes_.data(); }
 
-  /// The levels above so many blocks of eight boxes.
+  /// The levels above so many blocks, all of whose boxes are written.
   void build(int blocks) {
     const auto merge = kernel_table().merge;
     view_ = {boxes_.data(), 1, {}, {blocks}};

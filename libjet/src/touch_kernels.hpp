@@ -39,6 +39,23 @@ inline void merge(const float* blocks, int count, float* boxes) {
   }
 }
 
+inline int choose_boxes(const BoxArrays& from, const std::uint8_t* chosen, float* boxes, int* patches) {
+  int found = 0;
+  for (int k = 0; k < from.count; ++k) {
+    const int patch = from.patches[k];
+    if (chosen[patch] == 0) continue;
+    const Floats::Mask lanes = lanes_of(chosen[patch]);
+    const float* block = from.boxes + kBoxFloats * std::ptrdiff_t{k};
+    for (int row = 0; row < kBoxFloats; row += 8) {
+      // Low p, low q and the depth; between them high p and high q.
+      const Floats none(row % 16 == 0 ? __builtin_inff() : -__builtin_inff());
+      select(lanes, Floats::load(block + row), none).store(boxes + kBoxFloats * std::ptrdiff_t{found} + row);
+    }
+    patches[found++] = patch;
+  }
+  return found;
+}
+
 /// A box around rays, in front of everything that begins deeper than `depth`.
 struct Box {
   Floats low_p, high_p, low_q, high_q, depth;
@@ -142,7 +159,15 @@ inline void meet_pairs(const PairArrays& p, int count) {
     const auto last = [&](int i) { return k + i < count ? k + i : count - 1; };
     const Line r =
         line_to(gather_rows(p.targets, [&](int i) { return p.rays[last(i)]; }), Floats(p.half_long));
-    const Corners t = gather_corners(p.local, p.triangles, [&](int i) { return p.elements[last(i)]; });
+    const std::uint32_t* rows[8];
+    for (int i = 0; i < 8; ++i) {
+      const auto element = static_cast<unsigned>(p.elements[last(i)]);
+      rows[i] = rows_of(p.corner_rows, static_cast<int>(element / 8), element % 8);
+    }
+    const auto corner = [&](int j) {
+      return gather_four(p.local, [&](int i) { return std::ptrdiff_t{rows[i][8 * j]}; }).point;
+    };
+    const Corners t = {corner(0), corner(1), corner(2)};
     const Passing passing = pass(r, t);
     const Ends end = ends(r, t);
     const unsigned missed = bits(passing.missed());

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Bounds of rays, and rays that part since their bounds together hold too much.
+// Bounds of rays, rays that part since their bounds together hold too much, and what a ray meets of its own
+// patch.
 #include <gtest/gtest.h>
 
 #include <Eigen/Core>
@@ -71,16 +72,16 @@ TEST(kernels, rays_with_many_blocks_in_their_way_part) {
   std::iota(patches.begin(), patches.end(), 0);
   for (const float u : {-0.61f, -0.612f, -0.615f, 0.6f, 0.601f, 0.604f, 0.602f, 0.603f})
     targets.insert(targets.end(), {u, 0.7f * u, 0.8f, 0.0f});
-  const int rows[16] = {0, 1, 2, 3, 4, 5, 6, 7};
+  const int rows[16] = {0, 1, 2, 3, 4, 5, 6, 7};  // eight can be read behind the first of any part
   for (const jet::KernelTable* kernels : kBoth) {
     jet::Pyramid pyramid;
-    pyramid.reserve(static_cast<std::size_t>(8 * blocks));
-    std::vector<std::uint8_t> bits(patches.size()), inner(bits), outer(bits), not_inner(bits);
-    std::vector<int> near(patches), list(8 * patches.size() + 8), between(list), on_way(list);
+    pyramid.reserve(patches.size());
+    std::vector<std::uint8_t> asked(patches.size()), inner(asked), outer(asked), not_inner(asked);
+    std::vector<int> near(patches), uncertain(8 * patches.size() + 8), between(uncertain), on_way(uncertain);
     EXPECT_EQ(kernels
                   ->look_at_patches({local.data(), 0.0f, corner_rows.data(), 8 * blocks, patches.data(),
-                                     blocks, 0, bits.data(), 0.0f, near.data(), pyramid.boxes(), nullptr,
-                                     inner.data(), outer.data(), not_inner.data(), list.data(),
+                                     blocks, 0, asked.data(), 0.0f, near.data(), pyramid.boxes(), nullptr,
+                                     inner.data(), outer.data(), not_inner.data(), uncertain.data(),
                                      between.data(), on_way.data(), nullptr})
                   .near,
               blocks);
@@ -107,6 +108,51 @@ TEST(kernels, rays_with_many_blocks_in_their_way_part) {
     for (auto* all : {&together, &apart}) std::sort(all->begin(), all->end());
     EXPECT_EQ(together, apart);
     EXPECT_GE(together.size(), 8u);
+  }
+}
+
+/// Two triangles one behind the other, the others of their patch aside: the ray to the second meets the
+/// first, and not its own.
+TEST(kernels, element_is_not_in_the_way_to_itself) {
+  std::vector<float> local, targets;
+  std::vector<std::uint32_t> corner_rows;
+  const auto depth = [](int i) { return i < 2 ? 0.3f + 0.1f * static_cast<float>(i) : 0.9f; };
+  for (int corner = 0; corner < 3; ++corner) {
+    for (int i = 0; i < 8; ++i) {
+      const float side = i < 2 ? 0.0f : 2.0f;  // the others stand aside
+      corner_rows.push_back(static_cast<std::uint32_t>(local.size()));
+      local.insert(local.end(),
+                   {side + (corner == 1 ? 0.1f : -0.05f), corner == 2 ? 0.1f : -0.05f, depth(i), 0.0f});
+    }
+  }
+  for (int i = 0; i < 8; ++i) targets.insert(targets.end(), {i < 2 ? 0.0f : 2.0f, 0.0f, depth(i), 0.0f});
+  const int patches[] = {0}, rows[16] = {1};
+  for (const jet::KernelTable* kernels : kBoth) {
+    jet::Pyramid pyramid;
+    pyramid.reserve(1);
+    const std::uint8_t asked[1] = {0};
+    std::uint8_t inner[1], outer[1], not_inner[1];
+    int near[1], uncertain[16], between[16], on_way[16];
+    ASSERT_EQ(kernels
+                  ->look_at_patches({local.data(), 0.0f, corner_rows.data(), 8, patches, 1, 0, asked, 0.0f,
+                                     near, pyramid.boxes(), nullptr, inner, outer, not_inner, uncertain,
+                                     between, on_way, nullptr})
+                  .near,
+              1);
+    pyramid.build(1);
+    int hits[64], first[16], second[16];
+    const auto meet = [&](bool to_targets) {
+      return kernels->meet({targets.data(), 0.0f, rows, 1}, 8, to_targets, pyramid.view(),
+                           {local.data(), corner_rows.data(), patches}, {hits, first, second});
+    };
+    ASSERT_EQ(meet(true), 1);
+    EXPECT_EQ(hits[0], jet::kBlocked);
+    EXPECT_EQ(meet(false), 1);  // a certain touch is enough
+    targets[4 + 2] = 0.2f;      // now before both: its line goes on to them
+    EXPECT_EQ(meet(true), 0);
+    EXPECT_EQ(meet(false), 1);
+    EXPECT_EQ(hits[0], jet::kMet);
+    targets[4 + 2] = depth(1);
   }
 }
 

@@ -54,12 +54,14 @@ TEST(kernels, what_is_certain_of_segments_and_small_triangles_is_true) {
       append(passes.back().target, targets);
       for (const Eigen::Vector3d& x : passes.back().corners) append(x, nodes);
     }
-    std::vector<int> rays(count), triangles(3 * count);
+    std::vector<int> rays(count);
     std::iota(rays.begin(), rays.end(), 0);
-    std::iota(triangles.begin(), triangles.end(), 0);
+    std::vector<std::uint32_t> corner_rows;
+    for (unsigned i = 0; i < 3 * count; ++i)
+      corner_rows.push_back(4 * (3 * (i / 24 * 8 + i % 8) + i / 8 % 3));
     std::vector<std::uint8_t> blocked(count / 8), apart(count / 8), missed(count / 8);
     for (const jet::KernelTable* kernels : {&jet::baseline::kTable, &jet::kernel_table()}) {
-      kernels->meet_pairs({targets.data(), nodes.data(), static_cast<float>(half_long), triangles.data(),
+      kernels->meet_pairs({targets.data(), nodes.data(), static_cast<float>(half_long), corner_rows.data(),
                            rays.data(), rays.data(), blocked.data(), apart.data(), missed.data()},
                           count);
       for (int k = 0; k < count; ++k) {

@@ -195,4 +195,27 @@ TEST(kernels, force_eq_sum_of_its_terms) {
   }
 }
 
+/// Patches without any are left out; of the others, the chosen keep their boxes, and nothing overlaps the
+/// rest.
+TEST(kernels, chosen_boxes_keep_their_lanes) {
+  const int patches[] = {9, 2, 5, 7, 0};
+  const std::uint8_t chosen[10] = {0x80, 0xff, 0x05, 0xff, 0xff, 0, 0xff, 0xff, 0xff, 0x7e};
+  std::vector<float> boxes(5 * jet::kBoxFloats), out(boxes.size());
+  for (std::size_t i = 0; i < boxes.size(); ++i) boxes[i] = static_cast<float>(i);
+  for (const jet::KernelTable* kernels : kBoth) {
+    int left[5] = {};
+    ASSERT_EQ(kernels->choose_boxes({boxes.data(), patches, 5}, chosen, out.data(), left), 4);
+    for (int k = 0, from = 0; k < 4; ++k, ++from) {
+      if (chosen[patches[from]] == 0) ++from;
+      EXPECT_EQ(left[k], patches[from]);
+      for (int i = 0; i < jet::kBoxFloats; ++i) {
+        const bool kept = (chosen[left[k]] >> i % 8 & 1) != 0, low = i / 8 % 2 == 0;
+        const float none = low ? HUGE_VALF : -HUGE_VALF;
+        EXPECT_EQ(out[static_cast<std::size_t>(k * jet::kBoxFloats + i)],
+                  kept ? boxes[static_cast<std::size_t>(from * jet::kBoxFloats + i)] : none);
+      }
+    }
+  }
+}
+
 }  // namespace

@@ -181,8 +181,9 @@ Looked look(const jet::KernelTable& kernels, const Mesh& mesh, float half_long) 
   project(kernels, mesh, triangles, all, half_long, p);
   const int n = static_cast<int>(count);
   const std::vector<std::uint8_t> asked(patches, 0xd7);
+  const float wide = 1e-4f;  // bound of the orientation: some sides stay open
   const jet::PatchesFound found = kernels.look_at_patches(
-      {p.local.data(), half_long, corner_rows.data(), n, all.data(), n / 8, 0x9f, asked.data(), 1e-4f,
+      {p.local.data(), half_long, corner_rows.data(), n, all.data(), n / 8, 0x9f, asked.data(), wide,
        p.near.data(), p.boxes.data(), p.targets.data(), p.inner.data(), p.outer.data(), p.not_inner.data(),
        p.uncertain.data(), p.between.data(), p.on_way.data(), p.aside.data()});
   EXPECT_EQ(found.asked, found.near);
@@ -196,7 +197,7 @@ Looked look(const jet::KernelTable& kernels, const Mesh& mesh, float half_long) 
   p.on_way.resize(static_cast<std::size_t>(found.on_way));
   p.aside.resize(static_cast<std::size_t>(found.aside));
   append(found.bounds, p.bounds);
-  kernels.meet_pairs({p.targets.data(), p.local.data(), half_long, triangles.data(), all.data(),
+  kernels.meet_pairs({p.targets.data(), p.local.data(), half_long, corner_rows.data(), all.data(),
                       all.data() + 8, p.blocked.data(), p.apart.data(), p.missed.data()},
                      n - 8);
   const int chosen = kernels.choose_boxes({p.boxes.data(), p.near.data(), found.near}, p.not_inner.data(),

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// One query object over a sequence of steps: what it keeps from earlier ones (its scale, the last blockers)
-// must not show in any answer. Every step is compared with brute force and with an object made for it alone.
+// One query object over a sequence of steps: what it keeps from earlier ones (its scale, the last blockers
+// and what opened rays) must not show in any answer. Every step is compared with brute force and with an
+// object made for it alone.
 #include <gtest/gtest.h>
 
 #include <algorithm>
