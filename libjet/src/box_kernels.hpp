@@ -137,6 +137,7 @@ struct Normal {
 struct Corners {
   Vec3<Floats> a, b, c;
 };
+
 struct Sides {
   Floats::Mask inner, outer, apart;
 };
