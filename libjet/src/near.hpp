@@ -32,6 +32,7 @@ class NearElements {
   bool may_show_outer_side(int place) const {
     return (not_inner_[static_cast<std::size_t>(place / 8)] >> place % 8 & 1) != 0;
   }
+
   /// Elements near the rays that may show either side, may lie between two sources, may touch the way; and
   /// those asked about whose rays are not certainly downstream.
   std::span<const int> uncertain() const { return first(uncertain_, found_.uncertain); }
@@ -99,6 +100,7 @@ class NearElements {
       }
     }
   }
+
   const OrderedMesh* mesh_ = nullptr;
   std::vector<int> patches_, outer_patches_;             // near; of these, those with elements not inner
   std::vector<std::uint8_t> inner_, outer_, not_inner_;  // of all patches of the mesh
