@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Boxes of rays and elements, and the sides that elements show. What these kernels say is certain: each
-// states the error that its margins cover. kUnit stands for twice the error of a local coordinate.
+// Ranges of rays, and of elements between them. What these kernels say is certain: each states the error that
+// its margins cover. kUnit stands for twice the error of a local coordinate.
 #pragma once
 
 #include "project_kernels.hpp"
@@ -23,17 +23,10 @@ struct Range {
 struct Turned {
   Floats place, inverse;
 };
+template <bool upstream = true>
 [[gnu::always_inline]] inline Turned turned(Floats u, Floats w) {
-  const Floats inverse = 1.0f / (max(w, Floats(1e-30f)) + abs(u));
+  const Floats inverse = 1.0f / ((upstream ? max(w, Floats(1e-30f)) : w) + abs(u));
   return {u * inverse, inverse};
-}
-
-[[gnu::always_inline]] inline void store(float* block, Range p, Range q, Floats depth) {
-  p.low.store(block);
-  p.high.store(block + 8);
-  q.low.store(block + 16);
-  q.high.store(block + 24);
-  depth.store(block + 32);
 }
 
 /// Slopes u / w, which err by less than 6 kUnit (1 + |slope|) / w.
@@ -50,6 +43,7 @@ struct Turned {
 [[gnu::always_inline]] inline Range places(Vec3<Floats> g, Floats half_long) {
   const Floats distance = max(g.z, Floats(1e-30f)) + abs(g.x), inverse = 1.0f / distance;
   const Floats margin = kTurn * inverse + kSlack, end = half_long - Floats(kSlack);
+  if (bits(abs(g.y) > end) == 0) return {g.y - margin, g.y + margin};  // as what follows, where it is rare
   const auto way = [&](Floats beyond) {
     return select(distance > Floats(kUpstream), 4.02f * (beyond * inverse), Floats(kFar));
   };
@@ -107,16 +101,19 @@ inline RayBounds bound_rays(const ProjectArrays& arrays, float half_long, int co
 }
 
 /// Range of a triangle's part downstream. If it reaches upstream, it must stay on one side; if not, it is
-/// anywhere.
+/// anywhere. Or none of them reaches upstream.
+template <bool upstream>
 [[gnu::always_inline]] inline Range spanned(Floats a, Floats b, Floats c, const Vec3<Floats>& w,
-                                            Floats::Mask upstream) {
-  const Turned ta = turned(a, w.x), tb = turned(b, w.y), tc = turned(c, w.z);
+                                            Floats depth) {
+  const Turned ta = turned<upstream>(a, w.x), tb = turned<upstream>(b, w.y), tc = turned<upstream>(c, w.z);
   const Floats margin = kTurn * max(max(ta.inverse, tb.inverse), tc.inverse);
+  const Range range = {min(min(ta.place, tb.place), tc.place) - margin,
+                       max(max(ta.place, tb.place), tc.place) + margin};
+  if (!upstream) return range;
   const Floats::Mask one_side =
       (min(min(a, b), c) > Floats(kUpstream)) | (max(max(a, b), c) < Floats(-kUpstream));
-  const Floats::Mask anywhere = upstream & ~one_side;
-  return {select(anywhere, Floats(-kFar), min(min(ta.place, tb.place), tc.place) - margin),
-          select(anywhere, Floats(kFar), max(max(ta.place, tb.place), tc.place) + margin)};
+  const Floats::Mask anywhere = (depth <= Floats(kUpstream)) & ~one_side;
+  return {select(anywhere, Floats(-kFar), range.low), select(anywhere, Floats(kFar), range.high)};
 }
 
 struct Normal {
@@ -137,94 +134,5 @@ struct Normal {
 struct Corners {
   Vec3<Floats> a, b, c;
 };
-
-struct Sides {
-  Floats::Mask inner, outer, apart;
-};
-
-/// Sides of the planes that the sources are on. A ray from (0, y, 0) keeps its v, unless y is the line's end
-/// and v is beyond: so the sources from which an element can be touched lie within its own range of v,
-/// clamped to the line. The orientation's height over them errs by kUnit d (24 + 96 d) at most; s.error
-/// covers second orders, and what makes the ray pierce its own target.
-[[gnu::always_inline]] inline Sides sides(const PatchArrays& s, const Corners& t) {
-  const auto& [a, b, c] = t;
-  const Normal n = normal_of(a, b, c);
-  const Floats height = a.x * n.x + a.y * n.y + a.z * n.z;
-  const Floats error = kUnit * (n.size * (96.0f * n.size + 24.0f)) + s.error;
-  const Floats end(s.half_long);
-  const auto on_line = [&](Floats v) { return max(min(v, end), -end); };
-  const Floats low = on_line(min(min(a.y, b.y), c.y) - Floats(kSlack)),
-               high = on_line(max(max(a.y, b.y), c.y) + kSlack);
-  const Floats middle = height - 0.5f * (low + high) * n.y, change = 0.5f * (high - low) * abs(n.y);
-  const Floats whole = end * abs(n.y), slack(kSlack);
-  const Floats low_u = min(min(a.x, b.x), c.x), high_u = max(max(a.x, b.x), c.x),
-               low_w = min(min(a.z, b.z), c.z);
-  const auto beside = (low_w > slack) | (low_u > slack) | (high_u < -slack);
-  return {middle - change > error, middle + change < -error,
-          beside | (height - whole > error) | (height + whole < -error)};
-}
-
-/// Eight boxes of elements.
-[[gnu::always_inline]] inline void store_boxes(float* boxes, const Corners& t, float half_long) {
-  const auto& [a, b, c] = t;
-  const Vec3<Floats> w = {a.z, b.z, c.z};
-  const Floats depth = min(min(w.x, w.y), w.z);
-  const Floats::Mask upstream = depth <= Floats(kUpstream);
-  const Range p = spanned(a.x, b.x, c.x, w, upstream);
-  if (half_long > 0.0f) {
-    const Floats low = min(min(a.y, b.y), c.y), high = max(max(a.y, b.y), c.y);
-    store(boxes, p, {low - Floats(kSlack), high + kSlack}, depth);
-  } else {
-    store(boxes, p, spanned(a.y, b.y, c.y, w, upstream), depth);
-  }
-}
-
-inline PatchesFound look_at_patches(const PatchArrays& given) {
-  const PatchArrays s = given;  // a copy, which what is stored cannot change
-  PatchesFound found{};
-  Bounds bounds;
-  for (int k = 0; k < s.count; ++k) {
-    const int patch = s.patches[k];
-    // The two cache lines of a later patch: with cold caches the query takes 1.5 % less.
-    const std::uint32_t* ahead = rows_of(s.corner_rows, s.patches[k + 6 < s.count ? k + 6 : k]);
-    __builtin_prefetch(ahead);
-    __builtin_prefetch(ahead + 16);
-    const std::uint32_t* rows = rows_of(s.corner_rows, patch);
-    const auto corner = [&](int j) {
-      return gather_four(s.local, [&](int i) { return std::ptrdiff_t{rows[8 * j + i]}; });
-    };
-    const FourFloats a = corner(0), b = corner(1), c = corner(2);
-    const auto code = [](const FourFloats& x) { return reinterpret_cast<Floats::Mask>(x.fourth.v); };
-    const int left = s.elements - 8 * patch;
-    const unsigned there = left < 8 ? (1u << left) - 1u : 0xffu;
-    const Floats::Mask common = code(a) & code(b) & code(c);
-    const unsigned near = there & bits((common & s.outside) == 0);
-    if (near == 0) continue;
-    const Corners t = {a.point, b.point, c.point};
-    store_boxes(s.boxes + kBoxFloats * std::ptrdiff_t{found.near}, t, s.half_long);
-    s.near[found.near++] = patch;
-    const Sides side = sides(s, t);
-    const unsigned inner = bits(side.inner) | (~there & 0xffu), outer = bits(side.outer) & there;
-    s.inner[patch] = static_cast<std::uint8_t>(inner);
-    s.outer[patch] = static_cast<std::uint8_t>(outer);
-    s.not_inner[patch] = static_cast<std::uint8_t>(near & ~inner);
-    const unsigned uncertain = near & ~(inner | outer);
-    if (uncertain != 0) found.uncertain += append_bits(uncertain, 8 * patch, s.uncertain + found.uncertain);
-    const unsigned between = near & ~bits(side.apart), on_way = near & bits((common & kBesideWay) == 0);
-    if (between != 0) found.between += append_bits(between, 8 * patch, s.between + found.between);
-    if (on_way != 0) found.on_way += append_bits(on_way, 8 * patch, s.on_way + found.on_way);
-    const unsigned asked = s.asked[patch];
-    if (asked == 0) continue;
-    // The mean of three coordinates that err by kUnit / 2 errs by 2.5 kUnit.
-    const auto mean = [](Floats x, Floats y, Floats z) { return (1.0f / 3.0f) * (x + y + z); };
-    const Vec3<Floats> g = {mean(t.a.x, t.b.x, t.c.x), mean(t.a.y, t.b.y, t.c.y), mean(t.a.z, t.b.z, t.c.z)};
-    store_rows([&](int i) { return s.targets + 4 * (8 * std::ptrdiff_t{patch} + i); }, g, Floats());
-    const unsigned aside = asked & ~bits(bounds.take(g, lanes_of(asked), s.half_long, kSlack));
-    if (aside != 0) found.aside += append_bits(aside, 8 * patch, s.aside + found.aside);
-    ++found.asked;
-  }
-  found.bounds = bounds.all();
-  return found;
-}
 
 }  // namespace jet::JET_KERNELS

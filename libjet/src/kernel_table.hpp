@@ -50,8 +50,7 @@ struct FieldArrays {
 
 /// Coordinates along a jet as floats between -1 and 1, four a row: u across, v along the outlet's long side,
 /// w downstream, and a node's code. Bits 0 to 4 of that: u - slope w below -bound, above bound, the same of
-/// v, w below -bound; bit 7: w <= 0 in double; bits 8 to 11: beside the line u = way[0] w, v = way[1] w +
-/// way[2], in u and in v.
+/// v, w below -bound; bit 7: w <= 0 in double.
 struct ProjectArrays {
   Rows nodes;            // [m]
   int count;             // of nodes
@@ -61,12 +60,12 @@ struct ProjectArrays {
   std::int32_t* codes;   // of the nodes, and room for 7 more
   const int* triangles;  // 3 an element
   const int* elements;   // to bound the rays of
-  float slope[4], bound[5], way[3];
+  float slope[4], bound[5];
   const std::uint32_t* listed;  // where rows in `local` begin of the nodes to project if not all are:
                                 // ascending, the last repeated to a multiple of eight
 };
 
-inline constexpr int kSides = 0x1f, kBesideWay = 0xf00;
+inline constexpr int kSides = 0x1f;
 
 struct ProjectFlags {
   bool outside;  // some coordinate is not within -1 and 1, or not a number
@@ -99,6 +98,7 @@ struct PatchArrays {
   int outside;                // bits of a code that keep an element out
   const std::uint8_t* asked;  // by patch of the mesh: elements that have rays
   float error;                // absolute part of the bound of the orientation
+  float way_u, way_v;         // of a line from a source: its slopes, or slope across and place along the line
   int* near;                  // those of `patches` that rays can meet; may be the same array
   float* boxes;               // of their elements, kBoxFloats each; behind the mesh's last, of that one
   float* targets;             // rows of the patches near that have rays
@@ -107,7 +107,7 @@ struct PatchArrays {
   std::uint8_t *inner, *outer, *not_inner;
   int* uncertain;  // list of those near that may show either side
   int* between;    // near, may lie between two sources
-  int* on_way;     // near, may touch the line
+  int* on_way;     // near, may touch the way
   int* aside;      // asked, but with rays that are not certainly downstream
 };
 struct PatchesFound {

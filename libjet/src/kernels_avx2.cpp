@@ -3,6 +3,7 @@
 #define JET_KERNELS avx2
 #include "block_kernels.hpp"
 #include "field_kernels.hpp"
+#include "look_kernels.hpp"
 
 namespace jet::avx2 {
 

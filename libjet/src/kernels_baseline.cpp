@@ -3,6 +3,7 @@
 #define JET_KERNELS baseline
 #include "block_kernels.hpp"
 #include "field_kernels.hpp"
+#include "look_kernels.hpp"
 
 namespace jet::baseline {
 

@@ -25,11 +25,27 @@ void NearElements::find(RayBundle& rays) {
   const std::span<const int> patches = rays.find_patches(patches_);
   for (auto* bytes : {&inner_, &outer_, &not_inner_})
     std::fill(bytes->begin(), bytes->end(), std::uint8_t{0});
-  found_ = kernel_table().look_at_patches(
-      {rays.local(), rays.half_long(), mesh_->corner_rows.data(), static_cast<int>(mesh_->rank.size()),
-       patches.data(), static_cast<int>(patches.size()), rays.outside(), rays.asked().data(),
-       rays.local_error(), patches_.data(), boxes_.boxes(), rays.targets(), inner_.data(), outer_.data(),
-       not_inner_.data(), uncertain_.data(), between_.data(), on_way_.data(), aside_.data()});
+  found_ = kernel_table().look_at_patches({rays.local(),
+                                           rays.half_long(),
+                                           mesh_->corner_rows.data(),
+                                           static_cast<int>(mesh_->rank.size()),
+                                           patches.data(),
+                                           static_cast<int>(patches.size()),
+                                           rays.outside(),
+                                           rays.asked().data(),
+                                           rays.local_error(),
+                                           rays.way_u(),
+                                           rays.way_v(),
+                                           patches_.data(),
+                                           boxes_.boxes(),
+                                           rays.targets(),
+                                           inner_.data(),
+                                           outer_.data(),
+                                           not_inner_.data(),
+                                           uncertain_.data(),
+                                           between_.data(),
+                                           on_way_.data(),
+                                           aside_.data()});
 }
 
 }  // namespace jet

@@ -36,25 +36,20 @@ struct NodeFlags {
 }
 
 [[gnu::always_inline]] inline Floats joined(Lanes low, Lanes high) {
+#if defined(__AVX__)  // gcc copies what it converts
+  const auto four = [](Lanes x) { return _mm256_cvtpd_ps(reinterpret_cast<__m256d>(x.v)); };
+  return Floats(reinterpret_cast<Floats::Values>(_mm256_set_m128(four(high), four(low))));
+#else
   return Floats(__builtin_shufflevector(__builtin_convertvector(low.v, Row),
                                         __builtin_convertvector(high.v, Row), 0, 1, 2, 3, 4, 5, 6, 7));
+#endif
 }
 
-inline constexpr float kWayMargin = 4e-6f;  // 134 times the error of local coordinates
-
-/// Sides on which the nodes lie outside, see ProjectArrays: those that bound the rays, and of their line.
+/// Sides on which the nodes lie outside, see ProjectArrays.
 [[gnu::always_inline]] inline Floats::Mask sides_code(const ProjectArrays& a, const Vec3<Floats>& x) {
   const auto low = [&](int i, Floats y) { return (y - a.slope[i] * x.z < Floats(-a.bound[i])) & (1 << i); };
   const auto high = [&](int i, Floats y) { return (y - a.slope[i] * x.z > Floats(a.bound[i])) & (1 << i); };
   return low(0, x.x) | high(1, x.x) | low(2, x.y) | high(3, x.y) | ((x.z < Floats(-a.bound[4])) & (1 << 4));
-}
-[[gnu::always_inline]] inline Floats::Mask way_code(const ProjectArrays& a, const Vec3<Floats>& x) {
-  const Floats across = x.x - a.way[0] * x.z, along = x.y - (a.way[1] * x.z + Floats(a.way[2]));
-  const auto beside = [](int i, Floats y, float slope) {
-    const Floats margin(kWayMargin * (1.0f + (slope < 0.0f ? -slope : slope)));
-    return ((y < -margin) & (1 << i)) | ((y > margin) & (2 << i));
-  };
-  return beside(8, across, a.way[0]) | beside(10, along, a.way[1]);
 }
 
 /// Eight rows of four, row i to to(i).
@@ -70,7 +65,11 @@ template <class To>
                                    odd(xy_2367, z_2367)};
   for (int i = 0; i < 4; ++i) {
     *reinterpret_cast<UnalignedRow*>(to(i)) = __builtin_shufflevector(pairs[i], pairs[i], 0, 1, 2, 3);
+#if defined(__AVX__)  // gcc takes two instructions
+    _mm_storeu_ps(to(i + 4), _mm256_extractf128_ps(reinterpret_cast<__m256>(pairs[i]), 1));
+#else
     *reinterpret_cast<UnalignedRow*>(to(i + 4)) = __builtin_shufflevector(pairs[i], pairs[i], 4, 5, 6, 7);
+#endif
   }
 }
 
@@ -96,7 +95,7 @@ template <class At, class Store>
 template <class To>
 [[gnu::always_inline]] inline Floats::Mask store_local(const ProjectArrays& a, const Vec3<Floats>& x,
                                                        Floats::Mask below, To to) {
-  const Floats::Mask code = sides_code(a, x) | way_code(a, x) | below;
+  const Floats::Mask code = sides_code(a, x) | below;
   store_rows(to, x, Floats(reinterpret_cast<Floats::Values>(code)));
   return code;
 }

@@ -179,7 +179,6 @@ void RayBundle::set_arrays() {
              candidates_.data(),
              {},
              {},
-             {},
              nullptr};
   for (int i = 0; i < 3; ++i) {
     arrays_.centre[i] = source_->centre[i];

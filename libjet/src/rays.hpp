@@ -42,6 +42,9 @@ class RayBundle {
 
   /// From the source of a ray, moved, to a point outside the surface, within the rays' bounds.
   const blocking::Ray& way() const { return way_; }
+  /// Its slopes, or slope across and place along the line.
+  float way_u() const { return static_cast<float>(way_u_); }
+  float way_v() const { return static_cast<float>(way_v_); }
 
   /// The element's nodes are projected; no ray can meet those of others.
   bool knows(int place) const { return !close_.any() || close_.has(static_cast<std::size_t>(place / 8)); }
@@ -92,6 +95,7 @@ class RayBundle {
   double scale_ = 0.0;  // [1/m] power of two that brings local coordinates below 1; kept for the next query
   RayBounds bounds_{}, last_{}, before_{};
   blocking::Ray way_{};
+  double way_u_ = 0.0, way_v_ = 0.0;
   ProjectArrays arrays_{};
   int outside_ = 0;
   double travelled_ = kMotionUnknown;  // [m] by the nodes

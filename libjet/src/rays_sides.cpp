@@ -67,13 +67,13 @@ const blocking::Ray& RayBundle::ray(int place) const {
 // A general slope within the bounds: bags are symmetric about the axis. Local coordinates of the end are
 // above 1.
 void RayBundle::set_way() {
-  arrays_.way[2] = 0.0f;
+  way_v_ = 0.0;
   for (const int place : places()) {  // the first that is not aside is within the bounds
     way_ = ray(place);
     if (!frame_.line) break;
     const Eigen::Map<const Eigen::Vector3d> from(way_.source);
-    arrays_.way[2] = static_cast<float>(scale_ * (from - source_->centre).dot(frame_.along));
-    if (arrays_.way[2] >= bounds_.low_v && arrays_.way[2] <= bounds_.high_v) break;
+    way_v_ = scale_ * (from - source_->centre).dot(frame_.along);
+    if (way_v_ >= bounds_.low_v && way_v_ <= bounds_.high_v) break;
   }
   way_.moved = blocking::Moved::yes;
   const auto within = [](float low, float high, double share) {
@@ -85,8 +85,8 @@ void RayBundle::set_way() {
   for (int i = 0; i < 3; ++i)
     way_.target[i] =
         way_.source[i] + 2.0 / scale_ * (frame_.forward[i] + u * frame_.across[i] + v * frame_.along[i]);
-  arrays_.way[0] = static_cast<float>(u);
-  arrays_.way[1] = static_cast<float>(v);
+  way_u_ = u;
+  if (!frame_.line) way_v_ = v;
 }
 
 }  // namespace jet

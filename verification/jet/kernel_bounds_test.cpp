@@ -79,10 +79,27 @@ TEST(kernels, rays_with_many_blocks_in_their_way_part) {
     std::vector<std::uint8_t> asked(patches.size()), inner(asked), outer(asked), not_inner(asked);
     std::vector<int> near(patches), uncertain(8 * patches.size() + 8), between(uncertain), on_way(uncertain);
     EXPECT_EQ(kernels
-                  ->look_at_patches({local.data(), 0.0f, corner_rows.data(), 8 * blocks, patches.data(),
-                                     blocks, 0, asked.data(), 0.0f, near.data(), pyramid.boxes(), nullptr,
-                                     inner.data(), outer.data(), not_inner.data(), uncertain.data(),
-                                     between.data(), on_way.data(), nullptr})
+                  ->look_at_patches({local.data(),
+                                     0.0f,
+                                     corner_rows.data(),
+                                     8 * blocks,
+                                     patches.data(),
+                                     blocks,
+                                     0,
+                                     asked.data(),
+                                     0.0f,
+                                     0.0f,
+                                     0.0f,
+                                     near.data(),
+                                     pyramid.boxes(),
+                                     nullptr,
+                                     inner.data(),
+                                     outer.data(),
+                                     not_inner.data(),
+                                     uncertain.data(),
+                                     between.data(),
+                                     on_way.data(),
+                                     nullptr})
                   .near,
               blocks);
     pyramid.build(blocks);
@@ -134,9 +151,27 @@ TEST(kernels, element_is_not_in_the_way_to_itself) {
     std::uint8_t inner[1], outer[1], not_inner[1];
     int near[1], uncertain[16], between[16], on_way[16];
     ASSERT_EQ(kernels
-                  ->look_at_patches({local.data(), 0.0f, corner_rows.data(), 8, patches, 1, 0, asked, 0.0f,
-                                     near, pyramid.boxes(), nullptr, inner, outer, not_inner, uncertain,
-                                     between, on_way, nullptr})
+                  ->look_at_patches({local.data(),
+                                     0.0f,
+                                     corner_rows.data(),
+                                     8,
+                                     patches,
+                                     1,
+                                     0,
+                                     asked,
+                                     0.0f,
+                                     0.0f,
+                                     0.0f,
+                                     near,
+                                     pyramid.boxes(),
+                                     nullptr,
+                                     inner,
+                                     outer,
+                                     not_inner,
+                                     uncertain,
+                                     between,
+                                     on_way,
+                                     nullptr})
                   .near,
               1);
     pyramid.build(1);

@@ -44,7 +44,6 @@ TEST(kernels, nodes_out_of_range_are_noticed) {
                              nullptr,
                              {},
                              {},
-                             {},
                              rows};
         for (int i = 0; i < 3; ++i) a.column[i][i] = 1.0;
         const bool tiny = std::abs(value) < 1e-100;
@@ -84,7 +83,6 @@ TEST(kernels, listed_nodes_and_codes_eq_those_of_all) {
                        nullptr,
                        {-0.5f, 0.5f, -0.5f, 0.5f},
                        {0.1f, 0.1f, 0.1f, 0.1f, 0.1f},
-                       {0.1f, 0.2f, 0.01f},
                        listed.data()};
   for (int i = 0; i < 3; ++i) a.column[i][(i + 1) % 3] = 0.25;
   for (const jet::KernelTable* kernels : kBoth) {

@@ -147,7 +147,6 @@ void project(const jet::KernelTable& kernels, const Mesh& mesh, const Eigen::Mat
                        elements.data(),
                        {-0.5f, 0.5f, -0.5f, 0.5f},
                        {0.1f, 0.1f, 0.1f, 0.1f, 0.1f},
-                       {0.1f, 0.2f, 0.01f},
                        nullptr};
   for (int i = 0; i < 3; ++i) a.column[i][(i + 1) % 3] = 0.25;
   const jet::ProjectFlags flags = kernels.project_nodes(a);
@@ -182,10 +181,27 @@ Looked look(const jet::KernelTable& kernels, const Mesh& mesh, float half_long) 
   const int n = static_cast<int>(count);
   const std::vector<std::uint8_t> asked(patches, 0xd7);
   const float wide = 1e-4f;  // bound of the orientation: some sides stay open
-  const jet::PatchesFound found = kernels.look_at_patches(
-      {p.local.data(), half_long, corner_rows.data(), n, all.data(), n / 8, 0x9f, asked.data(), wide,
-       p.near.data(), p.boxes.data(), p.targets.data(), p.inner.data(), p.outer.data(), p.not_inner.data(),
-       p.uncertain.data(), p.between.data(), p.on_way.data(), p.aside.data()});
+  const jet::PatchesFound found = kernels.look_at_patches({p.local.data(),
+                                                           half_long,
+                                                           corner_rows.data(),
+                                                           n,
+                                                           all.data(),
+                                                           n / 8,
+                                                           0x9f,
+                                                           asked.data(),
+                                                           wide,
+                                                           0.1f,
+                                                           0.1f,
+                                                           p.near.data(),
+                                                           p.boxes.data(),
+                                                           p.targets.data(),
+                                                           p.inner.data(),
+                                                           p.outer.data(),
+                                                           p.not_inner.data(),
+                                                           p.uncertain.data(),
+                                                           p.between.data(),
+                                                           p.on_way.data(),
+                                                           p.aside.data()});
   EXPECT_EQ(found.asked, found.near);
   EXPECT_GE(found.near, 8);  // as many blocks as are met below
   EXPECT_LT(found.near, n / 8);

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: Apache-2.0
+// Elements near the rays: their boxes, and the sides that they show. Certain, like box_kernels.hpp.
+#pragma once
+
+#include "box_kernels.hpp"
+
+namespace jet::JET_KERNELS {
+
+struct Sides {
+  Floats::Mask inner, outer;
+};
+
+/// Sides of the planes that the sources are on. A ray from (0, y, 0) keeps its v, unless y is the line's end
+/// and v is beyond: so the sources from which an element can be touched lie within its own range of v,
+/// clamped to the line. The orientation's height over them errs by kUnit d (24 + 96 d) at most; s.error
+/// covers second orders, and what makes the ray pierce its own target.
+[[gnu::always_inline]] inline Sides sides(const PatchArrays& s, const Corners& t) {
+  const auto& [a, b, c] = t;
+  const Normal n = normal_of(a, b, c);
+  const Floats height = a.x * n.x + a.y * n.y + a.z * n.z;
+  const Floats error = kUnit * (n.size * (96.0f * n.size + 24.0f)) + s.error;
+  const Floats end(s.half_long);
+  const auto on_line = [&](Floats v) { return max(min(v, end), -end); };
+  const Floats low = on_line(min(min(a.y, b.y), c.y) - Floats(kSlack)),
+               high = on_line(max(max(a.y, b.y), c.y) + kSlack);
+  const Floats middle = height - 0.5f * (low + high) * n.y, change = 0.5f * (high - low) * abs(n.y);
+  return {middle - change > error, middle + change < -error};
+}
+
+/// Certainly not between two sources: beside their line, or all of them are on one side of the plane.
+[[gnu::always_inline]] inline Floats::Mask beside_sources(const PatchArrays& s, const Corners& t) {
+  const auto& [a, b, c] = t;
+  const Normal n = normal_of(a, b, c);
+  const Floats height = a.x * n.x + a.y * n.y + a.z * n.z;
+  const Floats error = kUnit * (n.size * (96.0f * n.size + 24.0f)) + s.error;
+  const Floats whole = s.half_long * abs(n.y), slack(kSlack);
+  const Floats low_u = min(min(a.x, b.x), c.x), high_u = max(max(a.x, b.x), c.x),
+               low_w = min(min(a.z, b.z), c.z);
+  return (low_w > slack) | (low_u > slack) | (high_u < -slack) | (height - whole > error) |
+         (height + whole < -error);
+}
+
+/// Eight boxes of elements.
+struct Boxes {
+  Range p, q;
+  Floats depth;
+
+  [[gnu::always_inline]] void store(float* block) const {
+    p.low.store(block);
+    p.high.store(block + 8);
+    q.low.store(block + 16);
+    q.high.store(block + 24);
+    depth.store(block + 32);
+  }
+};
+template <bool upstream>
+[[gnu::always_inline]] inline Boxes boxes_of(const Corners& t, Floats depth, float half_long) {
+  const auto& [a, b, c] = t;
+  const Vec3<Floats> w = {a.z, b.z, c.z};
+  const Range p = spanned<upstream>(a.x, b.x, c.x, w, depth);
+  if (half_long > 0.0f) {
+    const Floats low = min(min(a.y, b.y), c.y), high = max(max(a.y, b.y), c.y);
+    return {p, {low - Floats(kSlack), high + kSlack}, depth};
+  }
+  return {p, spanned<upstream>(a.y, b.y, c.y, w, depth), depth};
+}
+
+/// Bounds of the two coordinates that do not change along the way.
+struct Way {
+  Range p, q;
+  explicit Way(const PatchArrays& s) : p(around(turned(s.way_u))) {
+    q = around(s.half_long > 0.0f ? s.way_v : turned(s.way_v));
+  }
+  [[gnu::always_inline]] unsigned overlaps(const Boxes& b) const {
+    return bits((b.p.low <= p.high) & (p.low <= b.p.high) & (b.q.low <= q.high) & (q.low <= b.q.high));
+  }
+
+ private:
+  static float turned(float slope) { return slope / (1.0f + (slope < 0.0f ? -slope : slope)); }
+  static Range around(float place) { return {Floats(place - kTurn), Floats(place + kTurn)}; }
+};
+
+inline PatchesFound look_at_patches(const PatchArrays& given) {
+  const PatchArrays s = given;  // a copy, which what is stored cannot change
+  const Way way(s);
+  PatchesFound found{};
+  Bounds bounds;
+  for (int k = 0; k < s.count; ++k) {
+    const int patch = s.patches[k];
+    // The two cache lines of a later patch: with cold caches the query takes 1.5 % less.
+    const std::uint32_t* ahead = rows_of(s.corner_rows, s.patches[k + 6 < s.count ? k + 6 : k]);
+    __builtin_prefetch(ahead);
+    __builtin_prefetch(ahead + 16);
+    const std::uint32_t* rows = rows_of(s.corner_rows, patch);
+    const auto corner = [&](int j) {
+      return gather_four(s.local, [&](int i) { return std::ptrdiff_t{rows[8 * j + i]}; });
+    };
+    const FourFloats a = corner(0), b = corner(1), c = corner(2);
+    const auto code = [](const FourFloats& x) { return reinterpret_cast<Floats::Mask>(x.fourth.v); };
+    const int left = s.elements - 8 * patch;
+    const unsigned there = left < 8 ? (1u << left) - 1u : 0xffu;
+    const Floats::Mask common = code(a) & code(b) & code(c);
+    const unsigned near = there & bits((common & s.outside) == 0);
+    if (near == 0) continue;
+    const Corners t = {a.point, b.point, c.point};
+    const Floats depth = min(min(t.a.z, t.b.z), t.c.z);
+    unsigned on_way = near, between = 0;
+    const auto take_boxes = [&](const Boxes& boxes) __attribute__((always_inline)) {
+      boxes.store(s.boxes + kBoxFloats * std::ptrdiff_t{found.near});
+      on_way &= way.overlaps(boxes);
+    };
+    if (bits(depth <= Floats(kUpstream)) == 0) {  // nearly all patches
+      take_boxes(boxes_of<false>(t, depth, s.half_long));
+    } else {
+      take_boxes(boxes_of<true>(t, depth, s.half_long));
+      between = near & ~bits(beside_sources(s, t));
+    }
+    s.near[found.near++] = patch;
+    const Sides side = sides(s, t);
+    const unsigned inner = bits(side.inner) | (~there & 0xffu), outer = bits(side.outer) & there;
+    s.inner[patch] = static_cast<std::uint8_t>(inner);
+    s.outer[patch] = static_cast<std::uint8_t>(outer);
+    s.not_inner[patch] = static_cast<std::uint8_t>(near & ~inner);
+    const unsigned uncertain = near & ~(inner | outer);
+    if (uncertain != 0) found.uncertain += append_bits(uncertain, 8 * patch, s.uncertain + found.uncertain);
+    if (between != 0) found.between += append_bits(between, 8 * patch, s.between + found.between);
+    if (on_way != 0) found.on_way += append_bits(on_way, 8 * patch, s.on_way + found.on_way);
+    const unsigned asked = s.asked[patch];
+    if (asked == 0) continue;
+    // The mean of three coordinates that err by kUnit / 2 errs by 2.5 kUnit.
+    const auto mean = [](Floats x, Floats y, Floats z) { return (1.0f / 3.0f) * (x + y + z); };
+    const Vec3<Floats> g = {mean(t.a.x, t.b.x, t.c.x), mean(t.a.y, t.b.y, t.c.y), mean(t.a.z, t.b.z, t.c.z)};
+    store_rows([&](int i) { return s.targets + 4 * (8 * std::ptrdiff_t{patch} + i); }, g, Floats());
+    const unsigned aside = asked & ~bits(bounds.take(g, lanes_of(asked), s.half_long, kSlack));
+    if (aside != 0) found.aside += append_bits(aside, 8 * patch, s.aside + found.aside);
+    ++found.asked;
+  }
+  found.bounds = bounds.all();
+  return found;
+}
+
+}  // namespace jet::JET_KERNELS
