@@ -5,6 +5,7 @@
 // worst, never an answer.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -59,7 +60,10 @@ class RayBundle {
   }
   const float* local() const { return local_.data(); }
   float* targets() { return local_targets_.data(); }
-  float half_long() const { return static_cast<float>(scale_ * source_->half_long); }
+  float half_long() const {  // above 0 for every line, as the frame has it
+    return source_->half_long == 0.0 ? 0.0f
+                                     : std::max(static_cast<float>(scale_ * source_->half_long), 1e-30f);
+  }
   float local_error() const { return static_cast<float>(2.5e-13 * (1.0 + scale_ * size)); }
   int outside() const { return outside_; }  // bits of a code that keep an element out
 

@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rays that leave the bounds expected of them, from one query to the next.
+// Rays that leave the bounds expected of them, from one query to the next, and bounds from the shortest
+// lines.
 #include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <numeric>
+#include <vector>
 
 #include "routes.hpp"
 
@@ -47,6 +52,31 @@ TEST(motion, rays_that_leave_the_bounds_of_the_last_query_meet_what_is_beyond_th
       mesh = next;
     }
     EXPECT_GT(hidden, 3 * chosen.size() / 2) << "most must be hidden as they leave";
+  }
+}
+
+/// A line shorter than floats hold is still one: its rays are bounded by places along it, not by slopes.
+TEST(fast_route, lines_shorter_than_floats_agree) {
+  const Eigen::Vector3d far_off(0, 0.05, 0.5), aside(0, 0.5, 0.1), in_the_way(0, 0.05, 0.01);
+  Mesh mesh;  // eight elements at each, so that they do not share patches
+  for (const Eigen::Vector3d& at : {far_off, aside, in_the_way}) {
+    const Eigen::Vector3d u(1, 0, 0), v = at.normalized().cross(u);
+    const double size = at == in_the_way ? 3e-3 : 1e-3;
+    for (int i = 0; i < 8; ++i) {
+      const Eigen::Vector3d centre = (1.0 + 1e-3 * i) * at;
+      const int n = static_cast<int>(mesh.nodes.size());
+      mesh.nodes.push_back(centre + size * u);
+      mesh.nodes.push_back(centre + size * (0.8 * v - 0.5 * u));
+      mesh.nodes.push_back(centre - size * (0.8 * v + 0.5 * u));
+      mesh.elements.push_back({n, n + 1, n + 2});
+    }
+  }
+  std::vector<int> chosen(16);
+  std::iota(chosen.begin(), chosen.end(), 0);
+  for (const double half_long : {1e-30, 1e-40, 1e-50, 1e-99}) {
+    Carried carried(mesh);
+    carried.step(mesh, routes::line({0, 0, 0}, {0, 0, 1}, {0, 1, 0}, half_long), chosen, 0.0);
+    EXPECT_EQ(carried.hidden, 15u);
   }
 }
 
