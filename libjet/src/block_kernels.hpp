@@ -39,14 +39,18 @@ inline int rays_before_gap(const RayRanges& r, const Box& box, int count) {
 }
 
 /// Up to eight rays.
-inline int meet(const RayArrays& rays, int most_blocks, bool to_targets, const PyramidView& pyramid,
+inline int meet(const RayArrays& rays, const Parting& parting, bool to_targets, const PyramidView& pyramid,
                 const ElementArrays& elements, const HitLists& to) {
+  const auto own_places = *reinterpret_cast<const UnalignedInts*>(rays.list);
+  const auto step = __builtin_shufflevector(own_places, own_places, 1, 2, 3, 4, 5, 6, 7, 7) - own_places;
+  const unsigned far = bits(Floats::Mask(step > parting.places)) & ((1u << (rays.count - 1)) - 1u);
+  if (far != 0) return -1 - __builtin_ctz(far);
   const Vec3<Floats> g = gather_rows(rays.targets, [&](int i) { return rays.list[i < rays.count ? i : 0]; });
   unsigned alive = 0xffu >> (8 - rays.count);
   const RayRanges own = ranges(g, rays.half_long);
   const Floats depth = to_targets ? g.z + kSlack : Floats(kFar);
   const Box box(own, depth);
-  const int blocks = blocks_near(pyramid, box, most_blocks, to.first, to.second);
+  const int blocks = blocks_near(pyramid, box, parting.blocks, to.first, to.second);
   if (blocks < 0) return -rays_before_gap(own, box, rays.count);
   int near = 0, count = 0;
   for (int i = 0; i < blocks; ++i) {
@@ -55,7 +59,6 @@ inline int meet(const RayArrays& rays, int most_blocks, bool to_targets, const P
                         to.second + near);
   }
   // Those beside all rays are left out, without a branch to predict.
-  const auto own_places = *reinterpret_cast<const UnalignedInts*>(rays.list);
   const unsigned lines = to_targets ? 0u : 0xffu;  // rays that count beyond their targets
   int* touched = to.second;
   for (const int *at = to.second, *end = at + near; at < end; ++at) {

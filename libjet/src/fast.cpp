@@ -2,6 +2,8 @@
 #include "fast.hpp"
 
 #include <algorithm>
+#include <bit>
+#include <cstring>
 
 #include "bits.hpp"
 #include "sides.hpp"
@@ -17,7 +19,7 @@ void FastRoute::prepare(std::span<const Triangle> triangles, std::size_t node_co
   const std::size_t patches = rays_.asked().size(), elements = 8 * patches;
   open_.reserve(elements);
   for (auto* places : {&again_, &again_by_})
-    places->reserve(2 * elements);  // by what hid them, what opened them
+    places->resize(2 * elements + 1);  // by what hid them, what opened them
   for (auto* met : {&hidden_, &last_hidden_, &met_, &last_met_}) met->reserve(elements);
   for (auto* bytes : {&alive_, &chosen_}) bytes->resize(patches);
   for (auto* bytes : {&blocked_, &apart_, &missed_}) bytes->resize(2 * patches);
@@ -68,22 +70,27 @@ std::span<const int> FastRoute::list(std::span<const std::uint8_t> bits) {
   return std::span(listed_).first(static_cast<std::size_t>(count));
 }
 
+// Bytes of states are told apart by their bits, eight at a time.
 VisibilityCounters FastRoute::count(std::span<std::uint8_t> lit) const {
   VisibilityCounters counters;
-  const std::span<const int> places = rays_.places();
-  counters.candidates = places.size();
   const State* states = states_.data();  // which the bytes written cannot change
   std::uint8_t* to = lit.data();
-  std::size_t lit_count = 0, hidden = 0;
-  for (const int place : places) {
-    const State state = states[place];
-    *to++ = state == kLit;
-    lit_count += state == kLit;
-    hidden += state == kHidden;
-  }
-  counters.lit = lit_count;
-  counters.hidden = hidden;
-  counters.facing_away = counters.candidates - counters.lit - counters.hidden;
+  for (const int place : rays_.places()) *to++ = states[place];
+  const auto take = [&](std::uint8_t* bytes, std::size_t count) {
+    constexpr std::uint64_t ones = 0x0101010101010101u;
+    std::uint64_t x = 0;
+    std::memcpy(&x, bytes, count);
+    counters.hidden += (x & ones) * ones >> 56;
+    counters.facing_away += (x >> 1 & ones) * ones >> 56;
+    x = ~(x | x >> 1) & ones;
+    std::memcpy(bytes, &x, count);
+  };
+  static_assert(kHidden == 1 && kFacingAway == 2 && std::endian::native == std::endian::little);
+  std::size_t i = 0;
+  for (; i + 8 <= lit.size(); i += 8) take(&lit[i], 8);
+  if (i < lit.size()) take(&lit[i], lit.size() - i);
+  counters.candidates = lit.size();
+  counters.lit = counters.candidates - counters.hidden - counters.facing_away;
   counters.exact_calls = kernel_.calls;
   return counters;
 }

@@ -37,7 +37,7 @@ class FastRoute {
                            std::span<std::uint8_t> lit);
 
  private:
-  enum State : std::uint8_t { kLit, kOpen, kHidden, kFacingAway };
+  enum State : std::uint8_t { kLit = 0, kHidden = 1, kFacingAway = 2, kOpen = 4 };  // see count()
   /// A ray and an element that is on it, or may be, by their places in the mesh's order.
   struct Met {
     int ray, by;

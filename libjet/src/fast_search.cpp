@@ -73,30 +73,29 @@ void FastRoute::meet_again() {
   std::swap(met_, last_met_);
   hidden_.clear();
   met_.clear();
-  again_.clear();
-  again_by_.clear();
-  const auto ask = [&](const Met& met) {
-    again_.push_back(met.ray);
-    again_by_.push_back(met.by);
+  std::size_t count = 0;
+  const auto ask_if = [&](int wanted, const Met& met) {  // no branch to predict
+    again_[count] = met.ray;
+    again_by_[count] = met.by;
+    count += static_cast<std::size_t>(wanted);
   };
-  for (const Met& met : last_hidden_)
-    if (alive(met.ray) && rays_.knows(met.by)) ask(met);
-  const std::size_t hidden = again_.size();
-  for (const Met& met : last_met_)
-    if (alive(met.ray) && near_.may_show_outer_side(met.by)) ask(met);
+  for (const Met& met : last_hidden_) ask_if(int{alive(met.ray)} & int{rays_.knows(met.by)}, met);
+  const std::size_t hidden = count;
+  for (const Met& met : last_met_) ask_if(int{alive(met.ray)} & int{near_.may_show_outer_side(met.by)}, met);
   kernel_table().meet_pairs({rays_.targets(), rays_.local(), rays_.half_long(), mesh_.corner_rows.data(),
                              again_.data(), again_by_.data(), blocked_.data(), apart_.data(), missed_.data()},
-                            static_cast<int>(again_.size()));
-  for (std::size_t i = 0; i < again_.size(); ++i) {
-    const auto bit = [&](const std::vector<std::uint8_t>& bits) { return (bits[i / 8] >> i % 8 & 1u) != 0; };
-    const bool blocked = bit(blocked_), apart = bit(apart_), missed = bit(missed_);
+                            static_cast<int>(count));
+  const auto bit = [](const std::vector<std::uint8_t>& bits, std::size_t i) {
+    return (bits[i / 8] >> i % 8 & 1u) != 0;
+  };
+  for (std::size_t i = 0; i < hidden; ++i) {
     const int ray = again_[i], by = again_by_[i];
-    if (i >= hidden) {
-      if (alive(ray) && !missed) open(ray, by);
-    } else if (blocked || (!apart && blocking::blocks(kernel_, rays_.ray(ray), surface_, element(by)))) {
+    if (bit(blocked_, i) ||
+        (!bit(apart_, i) && blocking::blocks(kernel_, rays_.ray(ray), surface_, element(by))))
       hide(ray, by);
-    }
   }
+  for (std::size_t i = hidden; i < count; ++i)
+    if (alive(again_[i]) && !bit(missed_, i)) open(again_[i], again_by_[i]);
 }
 
 // The few rays without bounds, against all elements.

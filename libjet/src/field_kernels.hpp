@@ -88,26 +88,39 @@ inline int list_inside(const std::uint8_t* inside, int begin, int count, int* li
   return found;
 }
 
-/// Elements inside the jet and not seen from behind.
-inline int select_elements(const JetShape& jet, const FieldArrays& arrays) {
+/// run<round, axial>(), of this jet.
+template <class Run>
+inline int by_kind(const JetShape& jet, Run run) {
+  if (jet.round)
+    return jet.axial ? run.template operator()<true, true>() : run.template operator()<true, false>();
+  return jet.axial ? run.template operator()<false, true>() : run.template operator()<false, false>();
+}
+
+template <bool round, bool axial>
+inline int select_as(const JetShape& jet, const FieldArrays& arrays) {
   constexpr int most = 256;
-  const FieldArrays a = arrays;
+  const FieldArrays a = arrays;  // copies, which what is stored cannot change
+  const double axis[] = {jet.axis[0], jet.axis[1], jet.axis[2]};
   const int groups = (a.count + 3) / 4;
   int list[most + 8];
   int count = 0;
   for (int begin = 0; begin < groups; begin += most) {
     const int batch = groups - begin < most ? groups - begin : most;
-    jet.round ? look_at_groups<true>(jet, a, begin, batch, list)
-              : look_at_groups<false>(jet, a, begin, batch, list);
+    look_at_groups<round>(jet, a, begin, batch, list);
     const int found = list_inside(a.inside, begin, batch, list);
     for (int i = 0; i < found; ++i) {
       const int e = 4 * list[i];
       unsigned chosen = a.inside[list[i]];
-      if (jet.axial) chosen &= ~bits(profile::dot(jet.axis, four_rows(a.area_vectors, e)) <= Lanes());
+      if (axial) chosen &= ~bits(profile::dot(axis, four_rows(a.area_vectors, e)) <= Lanes());
       count += append_bits(chosen, e, a.candidates + count);
     }
   }
   return count;
+}
+
+/// Elements inside the jet and not seen from behind.
+inline int select_elements(const JetShape& jet, const FieldArrays& a) {
+  return by_kind(jet, [&]<bool round, bool axial>() { return select_as<round, axial>(jet, a); });
 }
 
 /// Candidates, four a place. Each step is taken for all before the next one, so that the long chains of
@@ -192,10 +205,7 @@ inline void force(const Rows& area_vectors, const double* overpressure, const in
 }
 
 inline int evaluate(const JetShape& jet, const FieldArrays& a, int selected) {
-  if (jet.round) {
-    return jet.axial ? evaluate_as<true, true>(jet, a, selected) : evaluate_as<true, false>(jet, a, selected);
-  }
-  return jet.axial ? evaluate_as<false, true>(jet, a, selected) : evaluate_as<false, false>(jet, a, selected);
+  return by_kind(jet, [&]<bool round, bool axial>() { return evaluate_as<round, axial>(jet, a, selected); });
 }
 
 }  // namespace jet::JET_KERNELS

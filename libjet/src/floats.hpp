@@ -150,6 +150,7 @@ inline int list_bits(const std::uint8_t* bytes, int count, int* places) {
     int listed = 0;
     for (int i = begin; i < end; i += 32) {
       const unsigned has = not_zero(bytes + i);
+      if (has == 0) continue;
       for (int j = 0; j < 32; j += 8) listed += append_bits(has >> j & 0xffu, i + j, some + listed);
     }
     for (int i = 0; i < listed; ++i) found += append_bits(bytes[some[i]], 8 * some[i], places + found);

@@ -146,6 +146,12 @@ struct PairArrays {
 inline constexpr int kHitKinds = 4, kBlocked = 1, kMet = 2;
 inline constexpr int kBoxFloats = 40;  // of eight elements
 
+/// Rays are better parted if a place follows another in their list by more than `places`, or if some level of
+/// a pyramid shows more than `blocks` in their common box.
+struct Parting {
+  int places, blocks;
+};
+
 /// Where hits go, and two lists on the way to them with room for all elements and eight more.
 struct HitLists {
   int *hits, *first, *second;
@@ -190,10 +196,9 @@ struct KernelTable {
   /// Elements that these rays, eight at most, may touch: 8 times the element's place in the mesh plus the
   /// ray's in the list, times kHitKinds, plus what is certain, to `hits`: their number. A ray is left after a
   /// certain touch. Or `to_targets`: those that they may touch before their targets, without their own
-  /// elements; places behind the mesh's last stand for that one, and are not left out. Rays for which some
-  /// level of the pyramid shows more than `most_blocks` are better parted: then minus the number of the first
-  /// of them.
-  int (*meet)(const RayArrays&, int most_blocks, bool to_targets, const PyramidView&, const ElementArrays&,
+  /// elements; places behind the mesh's last stand for that one, and are not left out. Rays that are better
+  /// parted: minus the number of the first of them.
+  int (*meet)(const RayArrays&, const Parting&, bool to_targets, const PyramidView&, const ElementArrays&,
               const HitLists&);
 };
 

@@ -67,9 +67,11 @@ class NearElements {
   }
 
  private:
-  /// Eight rays that follow each other in a list may have different parts of the surface in their way: in
-  /// fine meshes they see many blocks then, most of them in vain. From there on (measured) they part.
-  static constexpr int kMostBlocks = 32, kNoLimit = std::numeric_limits<int>::max();
+  /// Eight rays that follow each other in a list may have different parts of the surface in their way: they
+  /// see many blocks then, most of them in vain. They part first where their elements do, then, in fine
+  /// meshes, where they see this many. Both are measured.
+  static constexpr int kNoLimit = std::numeric_limits<int>::max();
+  static constexpr Parting kPartings[] = {{64, 32}, {kNoLimit, 32}, {kNoLimit, kNoLimit}};
 
   static std::span<const int> first(const std::vector<int>& list, int count) {
     return std::span(list).first(static_cast<std::size_t>(count));
@@ -85,14 +87,11 @@ class NearElements {
     for (int begin = 0, count = 0; begin < rays.count; begin += count) {
       count = std::min(8, rays.count - begin);
       const int* const list = rays.list + begin;
-      const auto meet = [&](int most_blocks) {
-        return kernel_table().meet({rays.targets, rays.half_long, list, count}, most_blocks, to_targets,
-                                   boxes.view(), elements, lists);
-      };
-      int hits = meet(count > 1 ? kMostBlocks : kNoLimit);
-      if (hits < 0) {
+      int hits = -count;
+      for (int i = 0; hits < 0; ++i) {
         count = -hits;
-        hits = meet(kNoLimit);
+        hits = kernel_table().meet({rays.targets, rays.half_long, list, count}, kPartings[count > 1 ? i : 2],
+                                   to_targets, boxes.view(), elements, lists);
       }
       for (int i = 0; i < hits; ++i) {
         const int hit = hits_[static_cast<std::size_t>(i)], pair = hit / kHitKinds;

@@ -50,7 +50,8 @@ TEST(kernels, bounds_of_rays_from_a_line_follow_its_ends) {
 using Hit = std::tuple<int, int, int>;  // ray, element, what is certain
 
 /// Rays to two places before a plate of a thousand blocks: together they have too many of them in their way
-/// and part where the places do; then they meet what they meet together.
+/// and part where the places do; then they meet what they meet together. Where their elements are far from
+/// each other in the mesh they part at once.
 TEST(kernels, rays_with_many_blocks_in_their_way_part) {
   const int side = 64, blocks = side * side / 4;
   std::vector<float> local, targets;
@@ -72,7 +73,9 @@ TEST(kernels, rays_with_many_blocks_in_their_way_part) {
   std::iota(patches.begin(), patches.end(), 0);
   for (const float u : {-0.61f, -0.612f, -0.615f, 0.6f, 0.601f, 0.604f, 0.602f, 0.603f})
     targets.insert(targets.end(), {u, 0.7f * u, 0.8f, 0.0f});
-  const int rows[16] = {0, 1, 2, 3, 4, 5, 6, 7};  // eight can be read behind the first of any part
+  for (std::size_t i = targets.size(); i < 4 * 80; ++i) targets.push_back(targets[i % 4]);
+  const int rows[24] = {0, 1, 2, 3,  4,  5,  6,  7,
+                        0, 1, 2, 67, 68, 69, 70, 71};  // eight can be read behind the first of any part
   for (const jet::KernelTable* kernels : kBoth) {
     jet::Pyramid pyramid;
     pyramid.reserve(patches.size());
@@ -106,7 +109,7 @@ TEST(kernels, rays_with_many_blocks_in_their_way_part) {
     std::vector<int> hits(static_cast<std::size_t>(64 * blocks)), first(hits.size()), second(hits.size());
     const auto meet = [&](int begin, int count, int most_blocks) {
       const jet::RayArrays rays{targets.data(), 0.0f, rows + begin, count};
-      return kernels->meet(rays, most_blocks, true, pyramid.view(),
+      return kernels->meet(rays, {64, most_blocks}, true, pyramid.view(),
                            {local.data(), corner_rows.data(), patches.data()},
                            {hits.data(), first.data(), second.data()});
     };
@@ -125,6 +128,8 @@ TEST(kernels, rays_with_many_blocks_in_their_way_part) {
     for (auto* all : {&together, &apart}) std::sort(all->begin(), all->end());
     EXPECT_EQ(together, apart);
     EXPECT_GE(together.size(), 8u);
+    EXPECT_EQ(meet(8, 8, 8 * blocks), -3);
+    EXPECT_EQ(met(8, 3, 8 * blocks).size(), met(0, 3, 8 * blocks).size());
   }
 }
 
@@ -177,7 +182,7 @@ TEST(kernels, element_is_not_in_the_way_to_itself) {
     pyramid.build(1);
     int hits[64], first[16], second[16];
     const auto meet = [&](bool to_targets) {
-      return kernels->meet({targets.data(), 0.0f, rows, 1}, 8, to_targets, pyramid.view(),
+      return kernels->meet({targets.data(), 0.0f, rows, 1}, {64, 8}, to_targets, pyramid.view(),
                            {local.data(), corner_rows.data(), patches}, {hits, first, second});
     };
     ASSERT_EQ(meet(true), 1);

@@ -226,8 +226,8 @@ Looked look(const jet::KernelTable& kernels, const Mesh& mesh, float half_long) 
     const jet::PyramidView view{boxes.data(), 1, {}, {8}};  // the first 64 elements
     for (int ray = 0; ray + 8 <= n; ray += 8) {
       const jet::RayArrays rays{p.targets.data(), half_long, all.data() + ray, ray % 16 == 0 ? 8 : 3};
-      const int hit_count =
-          kernels.meet(rays, n, to_targets, view, {p.local.data(), corner_rows.data(), blocks.data()}, lists);
+      const int hit_count = kernels.meet(rays, {n, n}, to_targets, view,
+                                         {p.local.data(), corner_rows.data(), blocks.data()}, lists);
       p.hits.insert(p.hits.end(), hits.begin(), hits.begin() + hit_count);
     }
   };
