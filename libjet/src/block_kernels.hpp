@@ -50,18 +50,19 @@ inline int meet(const RayArrays& rays, const Parting& parting, bool to_targets, 
   const RayRanges own = ranges(g, rays.half_long);
   const Floats depth = to_targets ? g.z + kSlack : Floats(kFar);
   const Box box(own, depth);
-  const int blocks = blocks_near(pyramid, box, parting.blocks, to.first, to.second);
-  if (blocks < 0) return -rays_before_gap(own, box, rays.count);
+  const Blocks blocks = blocks_near(pyramid, box, parting.blocks, to);
+  if (!blocks.list) return -rays_before_gap(own, box, rays.count);
+  int* const boxes = blocks.next;
   int near = 0, count = 0;
-  for (int i = 0; i < blocks; ++i) {
-    const int block = to.first[i];
+  for (int i = 0; i < blocks.count; ++i) {
+    const int block = blocks.list[i];
     near += append_bits(box.overlaps(pyramid.boxes + kBoxFloats * std::ptrdiff_t{block}), kBoxFloats * block,
-                        to.second + near);
+                        boxes + near);
   }
   // Those beside all rays are left out, without a branch to predict.
   const unsigned lines = to_targets ? 0u : 0xffu;  // rays that count beyond their targets
-  int* touched = to.second;
-  for (const int *at = to.second, *end = at + near; at < end; ++at) {
+  int* touched = boxes;
+  for (const int *at = boxes, *end = at + near; at < end; ++at) {
     const float* b = pyramid.boxes + static_cast<unsigned>(*at);
     const auto overlaps = (repeat(b) <= own.p.high) & (own.p.low <= repeat(b + 8)) &
                           (repeat(b + 16) <= own.q.high) & (own.q.low <= repeat(b + 24)) &
@@ -69,9 +70,9 @@ inline int meet(const RayArrays& rays, const Parting& parting, bool to_targets, 
     *touched = *at;
     touched += (bits(overlaps) & alive) != 0;
   }
-  if (touched == to.second) return 0;
+  if (touched == boxes) return 0;
   const Line r = line_to(g, Floats(rays.half_long));
-  for (const int* at = to.second; at < touched && alive != 0; ++at) {
+  for (const int* at = boxes; at < touched && alive != 0; ++at) {
     const unsigned box_at = static_cast<unsigned>(*at), block = box_at / kBoxFloats,
                    lane = box_at % kBoxFloats;
     const int patch = elements.patches[block], e = 8 * patch + static_cast<int>(lane);

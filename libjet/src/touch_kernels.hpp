@@ -72,24 +72,32 @@ struct Box {
   }
 };
 
-/// Lowest blocks whose boxes overlap, in order, to `out`; level by level, with `scratch` between. A few
-/// blocks are all taken. Negative if some level has more than `most`.
-inline int blocks_near(const PyramidView& pyramid, const Box& box, int most, int* out, int* scratch) {
+/// A list of blocks, and workspace for one that is made from it.
+struct Blocks {
+  int *list, *next;
+  int count;
+};
+
+/// Lowest blocks whose boxes overlap, in order, found level by level. A few are all taken. Without count if
+/// some level has more than `most`.
+inline Blocks blocks_near(const PyramidView& pyramid, const Box& box, int most, const HitLists& to) {
+  Blocks b{to.first, to.second, 0};
   int level = 0;
   while (pyramid.last[level] - pyramid.first[level] > 8) ++level;
-  int count = pyramid.last[level] - pyramid.first[level];
-  for (int i = 0; i < count; ++i) out[i] = i;
+  b.count = pyramid.last[level] - pyramid.first[level];
+  *reinterpret_cast<UnalignedInts*>(b.list) = UnalignedInts{0, 1, 2, 3, 4, 5, 6, 7};
   for (; level > 0; --level) {
-    for (int i = 0; i < count; ++i) scratch[i] = out[i];
+    const float* boxes = pyramid.boxes + kBoxFloats * std::ptrdiff_t{pyramid.first[level]};
     int found = 0;
-    for (int i = 0; i < count; ++i) {
-      const float* boxes = pyramid.boxes + kBoxFloats * std::ptrdiff_t{pyramid.first[level] + scratch[i]};
-      found += append_bits(box.overlaps(boxes), 8 * scratch[i], out + found);
+    for (int i = 0; i < b.count; ++i) {
+      const int block = b.list[i];
+      found +=
+          append_bits(box.overlaps(boxes + kBoxFloats * std::ptrdiff_t{block}), 8 * block, b.next + found);
     }
-    count = found;
-    if (count > most) return -1;
+    b = {b.next, b.list, found};
+    if (found > most) return {nullptr, nullptr, 0};
   }
-  return count;
+  return b;
 }
 
 /// A ray from (0, y, 0) to g, on the line u = slope_u w, v = y + slope_v w.
