@@ -70,7 +70,7 @@ inline constexpr int kSides = 0x1f;
 struct ProjectFlags {
   bool outside;  // some coordinate is not within -1 and 1, or not a number
   bool small;    // none is above 1/64
-  bool tiny;     // some coordinate of a node is not 0, but below 1e-100
+  bool tiny;     // some coordinate of a node is not 0, but below 1e-100; not asked of nodes listed
 };
 
 /// Rays to their targets.

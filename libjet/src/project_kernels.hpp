@@ -74,11 +74,12 @@ template <class To>
 }
 
 /// Eight nodes in the rows that `at` gives: store(x, below), with bit 7 where w <= 0.
-template <class At, class Store>
+template <bool smallest, class At, class Store>
 [[gnu::always_inline]] inline void project_eight(const ProjectArrays& a, At at, NodeFlags& flags,
                                                  Store store) {
-  const Vec3<Lanes> low = to_local(a, gather(at(0), at(1), at(2), at(3)), flags),
-                    high = to_local(a, gather(at(4), at(5), at(6), at(7)), flags);
+  const auto local = [&](const Vec3<Lanes>& x) { return smallest ? to_local(a, x, flags) : to_local(a, x); };
+  const Vec3<Lanes> low = local(gather(at(0), at(1), at(2), at(3))),
+                    high = local(gather(at(4), at(5), at(6), at(7)));
   const Vec3<Floats> x = {joined(low.x, high.x), joined(low.y, high.y), joined(low.z, high.z)};
   const Floats all[] = {x.x, x.y, x.z};
   for (const Floats y : all) {
@@ -117,9 +118,9 @@ template <class Store>
     store(i, local, below);
   };
   for (; i + 8 < a.count; i += 8, x += 8 * stride)
-    project_eight(
+    project_eight<true>(
         a, [=](int j) __attribute__((always_inline)) { return x + j * stride; }, flags, eight);
-  project_eight(
+  project_eight<true>(
       a, [&](int j) { return row(a.nodes, i + j < a.count ? i + j : a.count - 1); }, flags, eight);
   return project_flags(flags);
 }
@@ -159,14 +160,14 @@ inline ProjectFlags project_listed_as(const ProjectArrays& arrays, int count) {
         a, x, below, [&](int j) __attribute__((always_inline)) { return a.local + row_of[j]; });
   };
   for (const std::uint32_t* stop = with_last ? end - 8 : end; row_of < stop; row_of += 8)
-    project_eight(
+    project_eight<false>(
         a,
         [=](int j) __attribute__((always_inline)) {
           return first + (padded ? std::ptrdiff_t{row_of[j]} : row_of[j] / 4 * stride);
         },
         flags, store);
   if (with_last)
-    project_eight(
+    project_eight<false>(
         a, [&](int j) { return row(a.nodes, static_cast<int>(row_of[j] / 4)); }, flags, store);
   return project_flags(flags);
 }

@@ -220,8 +220,7 @@ bool RayBundle::project_close(const RayBounds& bounds) {
   set_sides(bounds_, 0.0);
   set_way();
   arrays_.listed = close_.rows().data();
-  const ProjectFlags flags = kernel_table().project_listed(arrays_, static_cast<int>(close_.rows().size()));
-  return !flags.outside && !flags.tiny;
+  return !kernel_table().project_listed(arrays_, static_cast<int>(close_.rows().size())).outside;
 }
 
 }  // namespace jet

@@ -68,8 +68,8 @@ class JetField {
 /// Throws std::invalid_argument unless lit has one entry a candidate.
 void apply_mask(std::span<const std::uint8_t> lit, FieldState& state);
 
-/// Force of the jet on the surface [N]: sum over the candidates of dp_e S_e. Throws std::invalid_argument unless
-/// there is one area vector an element.
+/// Force of the jet on the surface [N]: sum over the candidates of dp_e S_e. Throws std::invalid_argument
+/// unless there is one area vector an element.
 Eigen::Vector3d jet_force(const FieldState& state, const Points& area_vectors);
 
 }  // namespace jet

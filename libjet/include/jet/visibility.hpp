@@ -77,8 +77,8 @@ class VisibilityQuery {
   /// must be 0 or 1e-100 to 1e100 in magnitude, axis not zero, else std::invalid_argument; so for wrong sizes
   /// and indices.
   /// `travelled` [m]: between two queries no node moves farther than it grows by. The fast route then looks
-  /// at nodes far from all rays from time to time only, at their coordinates' range, too; the mask is the
-  /// same. Without it, and whenever it decreases, it looks at all.
+  /// from time to time only at nodes far from all rays, at their coordinates' range, too, and whether others
+  /// are below 1e-100; the mask is the same. Without it, and whenever it decreases, it looks at all.
   VisibilityCounters query(VisibilityRoute route, const Points& nodes, const RaySource& source,
                            std::span<const int> candidates, std::span<std::uint8_t> lit,
                            double travelled = kMotionUnknown);
