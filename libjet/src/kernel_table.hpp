@@ -63,6 +63,8 @@ struct ProjectArrays {
   float slope[4], bound[5];
   const std::uint32_t* listed;  // where rows in `local` begin of the nodes to project if not all are:
                                 // ascending, the last repeated to a multiple of eight
+  bool aligned = false;         // u, v and w are coordinates but for factors: each is made of one column
+  int axis[3] = {};             // these columns, if so
 };
 
 inline constexpr int kSides = 0x1f;

@@ -15,9 +15,15 @@ struct NodeFlags {
   Floats::Mask largest{};                 // bits of the largest magnitude; those of NaN are above all
 };
 
-/// Four points to local coordinates in double.
+/// Four points to local coordinates in double: the same numbers if it is known that they are aligned.
+template <bool aligned = false>
 [[gnu::always_inline]] inline Vec3<Lanes> to_local(const ProjectArrays& a, const Vec3<Lanes>& x) {
   const Vec3<Lanes> d = {x.x - a.centre[0], x.y - a.centre[1], x.z - a.centre[2]};
+  if constexpr (aligned) {
+    const Lanes all[] = {d.x, d.y, d.z};
+    const auto one = [&](int j) { return a.column[a.axis[j]][j] * all[a.axis[j]]; };
+    return {one(0), one(1), one(2)};
+  }
   const auto along = [&](int j) {
     return a.column[0][j] * d.x + a.column[1][j] * d.y + a.column[2][j] * d.z;
   };
@@ -74,10 +80,12 @@ template <class To>
 }
 
 /// Eight nodes in the rows that `at` gives: store(x, below), with bit 7 where w <= 0.
-template <bool smallest, class At, class Store>
+template <bool smallest, bool aligned, class At, class Store>
 [[gnu::always_inline]] inline void project_eight(const ProjectArrays& a, At at, NodeFlags& flags,
                                                  Store store) {
-  const auto local = [&](const Vec3<Lanes>& x) { return smallest ? to_local(a, x, flags) : to_local(a, x); };
+  const auto local = [&](const Vec3<Lanes>& x) {
+    return smallest ? to_local(a, x, flags) : to_local<aligned>(a, x);
+  };
   const Vec3<Lanes> low = local(gather(at(0), at(1), at(2), at(3))),
                     high = local(gather(at(4), at(5), at(6), at(7)));
   const Vec3<Floats> x = {joined(low.x, high.x), joined(low.y, high.y), joined(low.z, high.z)};
@@ -118,9 +126,9 @@ template <class Store>
     store(i, local, below);
   };
   for (; i + 8 < a.count; i += 8, x += 8 * stride)
-    project_eight<true>(
+    project_eight<true, false>(
         a, [=](int j) __attribute__((always_inline)) { return x + j * stride; }, flags, eight);
-  project_eight<true>(
+  project_eight<true, false>(
       a, [&](int j) { return row(a.nodes, i + j < a.count ? i + j : a.count - 1); }, flags, eight);
   return project_flags(flags);
 }
@@ -147,7 +155,7 @@ inline ProjectFlags code_nodes(const ProjectArrays& arrays) {
 }
 
 /// `padded`: nodes' own rows are four numbers apart, too.
-template <bool padded>
+template <bool padded, bool aligned>
 inline ProjectFlags project_listed_as(const ProjectArrays& arrays, int count) {
   const ProjectArrays a = arrays;
   NodeFlags flags;
@@ -160,21 +168,25 @@ inline ProjectFlags project_listed_as(const ProjectArrays& arrays, int count) {
         a, x, below, [&](int j) __attribute__((always_inline)) { return a.local + row_of[j]; });
   };
   for (const std::uint32_t* stop = with_last ? end - 8 : end; row_of < stop; row_of += 8)
-    project_eight<false>(
+    project_eight<false, aligned>(
         a,
         [=](int j) __attribute__((always_inline)) {
           return first + (padded ? std::ptrdiff_t{row_of[j]} : row_of[j] / 4 * stride);
         },
         flags, store);
   if (with_last)
-    project_eight<false>(
+    project_eight<false, aligned>(
         a, [&](int j) { return row(a.nodes, static_cast<int>(row_of[j] / 4)); }, flags, store);
   return project_flags(flags);
 }
 
 inline ProjectFlags project_listed(const ProjectArrays& arrays, int count) {
-  return arrays.nodes.stride == 4 ? project_listed_as<true>(arrays, count)
-                                  : project_listed_as<false>(arrays, count);
+  const bool padded = arrays.nodes.stride == 4;
+  if (arrays.aligned)
+    return padded ? project_listed_as<true, true>(arrays, count)
+                  : project_listed_as<false, true>(arrays, count);
+  return padded ? project_listed_as<true, false>(arrays, count)
+                : project_listed_as<false, false>(arrays, count);
 }
 
 /// Local centroids of elements k to k + 7 of those listed; behind the last it is the last again.

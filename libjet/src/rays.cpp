@@ -179,11 +179,22 @@ void RayBundle::set_arrays() {
              candidates_.data(),
              {},
              {},
-             nullptr};
+             nullptr,
+             true,
+             {}};
   for (int i = 0; i < 3; ++i) {
     arrays_.centre[i] = source_->centre[i];
     const Eigen::Vector3d* const axes[] = {&frame_.across, &frame_.along, &frame_.forward};
     for (int j = 0; j < 3; ++j) arrays_.column[i][j] = scale_ * (*axes[j])[i];
+  }
+  for (int j = 0; j < 3; ++j) {
+    int columns = 0;
+    for (int i = 0; i < 3; ++i) {
+      if (arrays_.column[i][j] == 0.0) continue;
+      arrays_.axis[j] = i;
+      ++columns;
+    }
+    arrays_.aligned = arrays_.aligned && columns == 1;
   }
 }
 
