@@ -163,14 +163,14 @@ TEST(tiny_volume, rounding_of_time_is_named) {
 /// p passes a sensor's threshold in a volume where walls leave p uncertain by more than the sensor's
 /// rounding: the vent opens there all the same, and not when the call ends.
 TEST(tiny_volume, threshold_is_passed_by_whatever_rounding) {
-  constexpr double kVolume = 5.7e-14;
+  constexpr double kVolume = 2.2e-14;
   gas::ControlVolumeModel model = closed_tank(nasa7({"He", "N2"}));
   model.ambient.pressure = 5e4;
-  model.inflows.push_back({{0.0, 1.0}, gas::Curve::constant(3.35e-6), gas::Curve::constant(1200.0)});
-  model.heat_loss = {0.0956, 1500.0};
+  model.inflows.push_back({{0.0, 1.0}, gas::Curve::constant(9.6e-7), gas::Curve::constant(1200.0)});
+  model.heat_loss = {0.1, 1500.0};
   model.triggers.sensors.push_back({});
   model.triggers.sensors[0].kind = gas::SensorKind::kPressure;
-  model.vents.push_back({0.6, 2.6e-9});
+  model.vents.push_back({0.6, 3.4e-10});
   model.vents[0].trigger = 0;
   for (int i = 0; i < 200; ++i) {
     model.triggers.sensors[0].threshold = 1e4 + 37.0 * i;

@@ -56,14 +56,15 @@ TEST(motion, carried_answers_eq_fresh_ones_when_everything_changes) {
 TEST(motion, what_flies_into_the_rays_is_seen_though_far_nodes_are_not_looked_at) {
   // A closed blade crosses the beam as fast as is told; the bag breathes less.
   constexpr double stride = 0.05;
-  for (const bool line : {false, true}) {
+  const Eigen::Vector3d longs[] = {{0, 0, 0}, {0, 1, 0}, {0.6, 0.8, 0}};  // a point; lines
+  for (const Eigen::Vector3d& along : longs) {
     Mesh mesh = scenes::star(3, 0.1, 41);
     const std::size_t bag = mesh.nodes.size();
     Mesh blade = scenes::scaled(scenes::octahedron(), 0.12);
     for (auto& p : blade.nodes) p += Eigen::Vector3d(-0.75, 0.02, 0.4);
     scenes::append(mesh, blade);
-    const auto source =
-        line ? routes::line({0, 0, -0.2}, {0, 0, 1}, {0, 1, 0}, 0.1) : routes::point({0, 0, -0.2}, {0, 0, 1});
+    const auto source = along.isZero() ? routes::point({0, 0, -0.2}, {0, 0, 1})
+                                       : routes::line({0, 0, -0.2}, {0, 0, 1}, along, 0.1);
     Carried carried(mesh);
     scenes::Random random(42);
     std::size_t most = 0;
