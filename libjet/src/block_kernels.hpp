@@ -51,7 +51,7 @@ inline int meet(const RayArrays& rays, const Parting& parting, bool to_targets, 
   const Floats depth = to_targets ? g.z + kSlack : Floats(kFar);
   const Box box(own, depth);
   const Blocks blocks = blocks_near(pyramid, box, parting.blocks, to);
-  if (!blocks.list) return -rays_before_gap(own, box, rays.count);
+  if (!blocks.list) return -8 - rays_before_gap(own, box, rays.count);
   int* const boxes = blocks.next;
   int near = 0, count = 0;
   for (int i = 0; i < blocks.count; ++i) {

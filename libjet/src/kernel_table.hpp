@@ -199,7 +199,7 @@ struct KernelTable {
   /// ray's in the list, times kHitKinds, plus what is certain, to `hits`: their number. A ray is left after a
   /// certain touch. Or `to_targets`: those that they may touch before their targets, without their own
   /// elements; places behind the mesh's last stand for that one, and are not left out. Rays that are better
-  /// parted: minus the number of the first of them.
+  /// parted: minus the number of the first of them, and 8 less if it is for the blocks.
   int (*meet)(const RayArrays&, const Parting&, bool to_targets, const PyramidView&, const ElementArrays&,
               const HitLists&);
 };

@@ -68,10 +68,9 @@ class NearElements {
 
  private:
   /// Eight rays that follow each other in a list may have different parts of the surface in their way: they
-  /// see many blocks then, most of them in vain. They part first where their elements do, then, in fine
-  /// meshes, where they see this many. Both are measured.
-  static constexpr int kNoLimit = std::numeric_limits<int>::max();
-  static constexpr Parting kPartings[] = {{64, 32}, {kNoLimit, 32}, {kNoLimit, kNoLimit}};
+  /// see many blocks then, most of them in vain. They part where their elements do, and if, in fine meshes,
+  /// they still see too many. Both are measured.
+  static constexpr int kFarPlaces = 64, kMostBlocks = 32, kNoLimit = std::numeric_limits<int>::max();
 
   static std::span<const int> first(const std::vector<int>& list, int count) {
     return std::span(list).first(static_cast<std::size_t>(count));
@@ -87,11 +86,19 @@ class NearElements {
     for (int begin = 0, count = 0; begin < rays.count; begin += count) {
       count = std::min(8, rays.count - begin);
       const int* const list = rays.list + begin;
-      int hits = -count;
-      for (int i = 0; hits < 0; ++i) {
+      const auto meet = [&](int places, int blocks) {
+        return kernel_table().meet({rays.targets, rays.half_long, list, count},
+                                   {places, count > 1 ? blocks : kNoLimit}, to_targets, boxes.view(),
+                                   elements, lists);
+      };
+      int hits = meet(kFarPlaces, kMostBlocks);
+      if (-8 <= hits && hits < 0) {
         count = -hits;
-        hits = kernel_table().meet({rays.targets, rays.half_long, list, count}, kPartings[count > 1 ? i : 2],
-                                   to_targets, boxes.view(), elements, lists);
+        hits = meet(kNoLimit, kMostBlocks);
+      }
+      if (hits < 0) {
+        count = -hits - 8;
+        hits = meet(kNoLimit, kNoLimit);
       }
       for (int i = 0; i < hits; ++i) {
         const int hit = hits_[static_cast<std::size_t>(i)], pair = hit / kHitKinds;

@@ -121,7 +121,7 @@ TEST(kernels, rays_with_many_blocks_in_their_way_part) {
       }
       return out;
     };
-    EXPECT_EQ(meet(0, 8, 64), -3);
+    EXPECT_EQ(meet(0, 8, 64), -8 - 3);
     std::vector<Hit> together = met(0, 8, 8 * blocks), apart = met(0, 3, 64);
     const std::vector<Hit> others = met(3, 5, 64);
     apart.insert(apart.end(), others.begin(), others.end());
