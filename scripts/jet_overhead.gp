@@ -10,7 +10,7 @@ set logscale xy
 set format x '10^{%L}'
 set format y '10^{%L}'
 set xrange [500:1.5e6]
-set yrange [1:1e7]
+set yrange [1:3e8]
 set xlabel 'Elements'
 set ylabel 'Time per step [µs], one thread'
 set key top left Left reverse samplen 4 spacing 1.1
