@@ -22,7 +22,7 @@ void FastRoute::prepare(std::span<const Triangle> triangles, std::size_t node_co
     places->resize(2 * elements + 1);  // by what hid them, what opened them
   for (auto* met : {&hidden_, &last_hidden_, &met_, &last_met_}) met->reserve(elements);
   for (auto* bytes : {&alive_, &chosen_}) bytes->resize(patches);
-  for (auto* bytes : {&blocked_, &apart_, &missed_}) bytes->resize(2 * patches);
+  for (auto* bytes : {&blocked_, &pierced_, &apart_, &missed_}) bytes->resize(2 * patches);
   listed_.resize(elements + 8);
   states_.resize(elements);
 }

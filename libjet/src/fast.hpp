@@ -68,7 +68,7 @@ class FastRoute {
   bool winding_is_one();
   std::size_t open_uncertain(bool certain);
   std::size_t open_near_away();
-  void meet_away(int ray, int by, int kind);
+  void meet_away(int ray, int by, Touch touch);
   void hide(int ray, int by);
   void open(int ray, int by);
   void meet_again();
@@ -92,7 +92,7 @@ class FastRoute {
   std::vector<Met> hidden_, last_hidden_;  // rays and what blocks them; at the last query
   std::vector<Met> met_, last_met_;        // rays that an element opened that faces away
   std::vector<int> again_, again_by_;      // rays that may meet elements again, and which
-  std::vector<std::uint8_t> blocked_, apart_, missed_;
+  std::vector<std::uint8_t> blocked_, pierced_, apart_, missed_;
   std::vector<std::uint8_t> alive_;   // by patch: bits of the rays that are lit so far
   std::vector<std::uint8_t> chosen_;  // workspace: bits of rays
   std::vector<int> listed_;

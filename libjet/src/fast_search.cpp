@@ -13,8 +13,8 @@ std::size_t FastRoute::open_near_away() {
   if (!bounded_ && !any_away_) return 0;
   const std::span<const int> rays = list(alive_);
   if (bounded_) {
-    near_.for_each_touching(rays_, rays, [&](int ray, int by, int kind) {
-      if (state(ray) == kLit) meet_away(ray, by, kind);
+    near_.for_each_touching(rays_, rays, [&](int ray, int by, Touch touch) {
+      if (state(ray) == kLit) meet_away(ray, by, touch);
     });
     return 0;
   }
@@ -24,11 +24,11 @@ std::size_t FastRoute::open_near_away() {
 
 // One ray and one element that faces away and may be on it. If it is, and blocks, the ray need not be
 // searched.
-void FastRoute::meet_away(int ray, int by, int kind) {
+void FastRoute::meet_away(int ray, int by, Touch touch) {
   const int e = element(by);
   const bool can_block = e != element(ray) && !surface_.never_blocks(e);
-  bool hides = can_block && kind == kBlocked;
-  if (kind == 0) {
+  bool hides = can_block && touch == Touch::blocked;
+  if (touch == Touch::possible) {
     const blocking::Ray& segment = rays_.ray(ray);
     if (!blocking::passage(kernel_, segment, surface_, e).touches()) return;
     hides = can_block && blocking::blocks(kernel_, segment, surface_, e);
@@ -46,11 +46,11 @@ void FastRoute::search() {
   }
   const std::span<const int> rays = list(chosen_);  // eight by eight, neighbours together
   if (rays.empty()) return;
-  near_.for_each_before_target(rays_, rays, [&](int ray, int by, int kind) {
+  near_.for_each_before_target(rays_, rays, [&](int ray, int by, Touch touch) {
     const int e = element(by);
     // Its own element may be among them: the mesh's last one stands at several places.
     if (state(ray) != kOpen || e == element(ray) || surface_.never_blocks(e)) return;
-    if (kind == kBlocked || blocking::blocks(kernel_, rays_.ray(ray), surface_, e)) hide(ray, by);
+    if (touch == Touch::blocked || blocking::blocks(kernel_, rays_.ray(ray), surface_, e)) hide(ray, by);
   });
   for (const int ray : open_)
     if (state(ray) == kOpen) state(ray) = kLit;
@@ -82,9 +82,10 @@ void FastRoute::meet_again() {
   for (const Met& met : last_hidden_) ask_if(int{alive(met.ray)} & int{rays_.knows(met.by)}, met);
   const std::size_t hidden = count;
   for (const Met& met : last_met_) ask_if(int{alive(met.ray)} & int{near_.may_show_outer_side(met.by)}, met);
-  kernel_table().meet_pairs({rays_.targets(), rays_.local(), rays_.half_long(), mesh_.corner_rows.data(),
-                             again_.data(), again_by_.data(), blocked_.data(), apart_.data(), missed_.data()},
-                            static_cast<int>(count));
+  kernel_table().meet_pairs(
+      {rays_.targets(), rays_.local(), rays_.half_long(), mesh_.corner_rows.data(), again_.data(),
+       again_by_.data(), blocked_.data(), pierced_.data(), apart_.data(), missed_.data()},
+      static_cast<int>(count));
   const auto bit = [](const std::vector<std::uint8_t>& bits, std::size_t i) {
     return (bits[i / 8] >> i % 8 & 1u) != 0;
   };

@@ -140,6 +140,19 @@ inline constexpr BitPlaces kBitPlaces;
   return __builtin_popcount(bits);
 }
 
+/// Those of eight numbers whose bits are set, to `out`, which has room for eight; their number.
+[[gnu::always_inline]] inline int append_chosen(unsigned bits, UnalignedInts numbers, int* out) {
+  const std::uint8_t* places = kBitPlaces.at[bits];
+#if defined(__AVX2__)
+  const __m256i wide = _mm256_cvtepu8_epi32(_mm_loadl_epi64(reinterpret_cast<const __m128i*>(places)));
+  _mm256_storeu_si256(reinterpret_cast<__m256i*>(out),
+                      _mm256_permutevar8x32_epi32(reinterpret_cast<__m256i>(numbers), wide));
+#else
+  for (int i = 0; i < 8; ++i) out[i] = numbers[places[i]];
+#endif
+  return __builtin_popcount(bits);
+}
+
 /// Lists the bytes that are not zero, 512 at a time, then the places of their bits. No branch to predict.
 inline int list_bits(const std::uint8_t* bytes, int count, int* places) {
   constexpr int most = 512;

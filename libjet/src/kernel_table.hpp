@@ -118,13 +118,6 @@ struct PatchesFound {
   RayBounds bounds;                             // of the rays not aside
 };
 
-/// Elements that rays are tested against: those of patches that the lowest blocks of a pyramid stand for.
-struct ElementArrays {
-  const float* local;
-  const std::uint32_t* corner_rows;  // see OrderedMesh
-  const int* patches;
-};
-
 /// Boxes of patches, see PatchArrays.
 struct BoxArrays {
   const float* boxes;
@@ -138,14 +131,13 @@ struct PairArrays {
   float half_long;
   const std::uint32_t* corner_rows;  // see OrderedMesh
   const int *rays, *elements;
-  std::uint8_t* blocked;  // bits of eight: the segment crosses the interior for certain
-  std::uint8_t* apart;    // it does not touch the element for certain
-  std::uint8_t* missed;   // nor does its line, for certain
+  // Bits of eight, for certain:
+  std::uint8_t* blocked;  // the segment crosses the interior
+  std::uint8_t* pierced;  // the line does
+  std::uint8_t* apart;    // the segment does not touch the element
+  std::uint8_t* missed;   // nor does its line
 };
 
-/// What a kernel knows of a ray that may touch an element: nothing more, that its segment crosses the
-/// interior, or that the line does, before or behind the segment.
-inline constexpr int kHitKinds = 4, kBlocked = 1, kMet = 2;
 inline constexpr int kBoxFloats = 40;  // of eight elements
 
 /// Rays are better parted if a place follows another in their list by more than `places`, or if some level of
@@ -154,9 +146,10 @@ struct Parting {
   int places, blocks;
 };
 
-/// Where hits go, and two lists on the way to them with room for all elements and eight more.
-struct HitLists {
-  int *hits, *first, *second;
+/// Where pairs go, with room for all elements eight times and eight more, and two lists on the way to them
+/// with room for all elements and eight more.
+struct PairLists {
+  int *rays, *elements, *first, *second;
 };
 
 /// Boxes over boxes, eight below one; see pyramid.hpp.
@@ -194,14 +187,13 @@ struct KernelTable {
   int (*choose_boxes)(const BoxArrays&, const std::uint8_t* chosen, float* boxes, int* patches);
   /// The eight boxes of each block to one: the box around them. Lanes behind the last hold anything.
   void (*merge)(const float* blocks, int count, float* boxes);
+  /// Pairs of these rays, eight at most, and elements whose boxes they meet: their number. Or `to_targets`:
+  /// before their targets, without their own elements; places behind the mesh's last stand for that one, and
+  /// are not left out. Lowest blocks of the pyramid stand for `patches`. Rays that are better parted: minus
+  /// the number of the first of them, and 8 less if it is for the blocks.
+  int (*find_pairs)(const RayArrays&, const Parting&, bool to_targets, const PyramidView&, const int* patches,
+                    const PairLists&);
   void (*meet_pairs)(const PairArrays&, int count);
-  /// Elements that these rays, eight at most, may touch: 8 times the element's place in the mesh plus the
-  /// ray's in the list, times kHitKinds, plus what is certain, to `hits`: their number. A ray is left after a
-  /// certain touch. Or `to_targets`: those that they may touch before their targets, without their own
-  /// elements; places behind the mesh's last stand for that one, and are not left out. Rays that are better
-  /// parted: minus the number of the first of them, and 8 less if it is for the blocks.
-  int (*meet)(const RayArrays&, const Parting&, bool to_targets, const PyramidView&, const ElementArrays&,
-              const HitLists&);
 };
 
 namespace baseline {

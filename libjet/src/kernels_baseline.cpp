@@ -7,18 +7,8 @@
 
 namespace jet::baseline {
 
-const KernelTable kTable{select_elements,
-                         evaluate,
-                         force,
-                         project_nodes,
-                         code_nodes,
-                         project_listed,
-                         bound_rays,
-                         look_at_patches,
-                         list_bits,
-                         choose_boxes,
-                         merge,
-                         meet_pairs,
-                         meet};
+const KernelTable kTable{select_elements, evaluate,   force,           project_nodes, code_nodes,
+                         project_listed,  bound_rays, look_at_patches, list_bits,     choose_boxes,
+                         merge,           find_pairs, meet_pairs};
 
 }  // namespace jet::baseline

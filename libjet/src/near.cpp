@@ -2,6 +2,7 @@
 #include "near.hpp"
 
 #include <algorithm>
+#include <limits>
 
 #include "bits.hpp"
 
@@ -16,9 +17,11 @@ void NearElements::reserve(const OrderedMesh& mesh) {
   for (auto* list : {&uncertain_, &between_, &on_way_, &aside_}) list->resize(8 * patches + 8);
   boxes_.reserve(patches);
   outer_boxes_.reserve(patches);
-  hits_.resize(64 * patches);  // eight rays and all elements
   first_.resize(8 * patches + 8);
   second_.resize(8 * patches + 8);
+  const std::size_t pairs = kManyPairs + 64 * patches + 8;  // eight rays and all elements
+  for (auto* list : {&pair_rays_, &pair_elements_}) *list = std::make_unique_for_overwrite<int[]>(pairs);
+  for (auto* bytes : {&blocked_, &pierced_, &apart_, &missed_}) bytes->resize(pairs / 8);
 }
 
 void NearElements::find(RayBundle& rays) {
@@ -46,6 +49,38 @@ void NearElements::find(RayBundle& rays) {
                                            between_.data(),
                                            on_way_.data(),
                                            aside_.data()});
+}
+
+// Of the first rays of a list, eight at most: their number.
+std::size_t NearElements::add_pairs(const RayArrays& rays, bool to_targets, const PyramidView& boxes,
+                                    const int* patches) {
+  constexpr int no_limit = std::numeric_limits<int>::max();
+  int count = std::min(8, rays.count);
+  const PairLists lists{&pair_rays_[static_cast<std::size_t>(pairs_)],
+                        &pair_elements_[static_cast<std::size_t>(pairs_)], first_.data(), second_.data()};
+  const auto find = [&](int places, int blocks) {
+    return kernel_table().find_pairs({rays.targets, rays.half_long, rays.list, count},
+                                     {places, count > 1 ? blocks : no_limit}, to_targets, boxes, patches,
+                                     lists);
+  };
+  int found = find(kFarPlaces, kMostBlocks);
+  if (-8 <= found && found < 0) {
+    count = -found;
+    found = find(no_limit, kMostBlocks);
+  }
+  if (found < 0) {
+    count = -found - 8;
+    found = find(no_limit, no_limit);
+  }
+  pairs_ += found;
+  return static_cast<std::size_t>(count);
+}
+
+void NearElements::meet_pairs(const RayBundle& rays) {
+  kernel_table().meet_pairs(
+      {rays.targets(), rays.local(), rays.half_long(), mesh_->corner_rows.data(), pair_rays_.get(),
+       pair_elements_.get(), blocked_.data(), pierced_.data(), apart_.data(), missed_.data()},
+      pairs_);
 }
 
 }  // namespace jet

@@ -3,9 +3,9 @@
 // of them rays can meet. What is said here is certain, or else left open.
 #pragma once
 
-#include <algorithm>
+#include <bit>
 #include <cstdint>
-#include <limits>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -15,6 +15,10 @@
 #include "rays.hpp"
 
 namespace jet {
+
+/// What is certain of a ray and an element that it may touch: nothing, that the segment crosses the interior,
+/// or that only its line does, beyond one of its ends.
+enum class Touch { possible, blocked, beyond };
 
 class NearElements {
  public:
@@ -50,62 +54,59 @@ class NearElements {
     bits = static_cast<std::uint8_t>(bits & ~(1 << place % 8));
   }
 
-  /// visit(ray, place, kind) for the rays listed and the elements near them that may show the outer side and
-  /// that these may touch.
+  /// visit(ray, place, touch) for the rays listed and the elements near them that may show the outer side and
+  /// that their lines may touch.
   template <class Visit>
   void for_each_touching(const RayBundle& rays, std::span<const int> list, Visit visit) {
     const int count =
         kernel_table().choose_boxes({boxes_.boxes(), patches_.data(), found_.near}, not_inner_.data(),
                                     outer_boxes_.boxes(), outer_patches_.data());
-    for_each_hit(rays, list, false, outer_boxes_, first(outer_patches_, count), visit);
+    for_each_touch(rays, list, false, outer_boxes_, first(outer_patches_, count), visit);
   }
 
   /// The same for all elements near the rays that these may touch before their targets, without their own.
   template <class Visit>
   void for_each_before_target(const RayBundle& rays, std::span<const int> list, Visit visit) {
-    for_each_hit(rays, list, true, boxes_, patches(), visit);
+    for_each_touch(rays, list, true, boxes_, patches(), visit);
   }
 
  private:
   /// Eight rays that follow each other in a list may have different parts of the surface in their way: they
   /// see many blocks then, most of them in vain. They part where their elements do, and if, in fine meshes,
-  /// they still see too many. Both are measured.
-  static constexpr int kFarPlaces = 64, kMostBlocks = 32, kNoLimit = std::numeric_limits<int>::max();
+  /// they still see too many. Both are measured. Pairs are tested together, some at a time.
+  static constexpr int kFarPlaces = 64, kMostBlocks = 32, kManyPairs = 512;
 
   static std::span<const int> first(const std::vector<int>& list, int count) {
     return std::span(list).first(static_cast<std::size_t>(count));
   }
   template <class Visit>
-  void for_each_hit(const RayBundle& bundle, std::span<const int> all, bool to_targets, Pyramid& boxes,
-                    std::span<const int> patches, Visit visit) {
+  void for_each_touch(const RayBundle& rays, std::span<const int> list, bool to_targets, Pyramid& boxes,
+                      std::span<const int> patches, Visit visit) {
     if (patches.empty()) return;
     boxes.build(static_cast<int>(patches.size()));
-    const RayArrays rays = bundle.arrays(all);
-    const ElementArrays elements{bundle.local(), mesh_->corner_rows.data(), patches.data()};
-    const HitLists lists{hits_.data(), first_.data(), second_.data()};
-    for (int begin = 0, count = 0; begin < rays.count; begin += count) {
-      count = std::min(8, rays.count - begin);
-      const int* const list = rays.list + begin;
-      const auto meet = [&](int places, int blocks) {
-        return kernel_table().meet({rays.targets, rays.half_long, list, count},
-                                   {places, count > 1 ? blocks : kNoLimit}, to_targets, boxes.view(),
-                                   elements, lists);
-      };
-      int hits = meet(kFarPlaces, kMostBlocks);
-      if (-8 <= hits && hits < 0) {
-        count = -hits;
-        hits = meet(kNoLimit, kMostBlocks);
-      }
-      if (hits < 0) {
-        count = -hits - 8;
-        hits = meet(kNoLimit, kNoLimit);
-      }
-      for (int i = 0; i < hits; ++i) {
-        const int hit = hits_[static_cast<std::size_t>(i)], pair = hit / kHitKinds;
-        visit(list[pair % 8], pair / 8, hit % kHitKinds);
+    while (!list.empty()) {
+      pairs_ = 0;
+      while (!list.empty() && pairs_ < kManyPairs)
+        list = list.subspan(add_pairs(rays.arrays(list), to_targets, boxes.view(), patches.data()));
+      meet_pairs(rays);
+      for (std::size_t begin = 0; begin < static_cast<std::size_t>(pairs_); begin += 8) {
+        const std::size_t byte = begin / 8, count = static_cast<std::size_t>(pairs_) - begin;
+        const unsigned blocked = blocked_[byte], beyond = unsigned{pierced_[byte]} & apart_[byte];
+        unsigned left =
+            ~unsigned{(to_targets ? apart_ : missed_)[byte]} & (count < 8 ? (1u << count) - 1u : 0xffu);
+        for (; left != 0; left &= left - 1u) {
+          const int i = std::countr_zero(left);
+          const std::size_t pair = begin + static_cast<std::size_t>(i);
+          visit(pair_rays_[pair], pair_elements_[pair],
+                (blocked >> i & 1u) != 0  ? Touch::blocked
+                : (beyond >> i & 1u) != 0 ? Touch::beyond
+                                          : Touch::possible);
+        }
       }
     }
   }
+  std::size_t add_pairs(const RayArrays& rays, bool to_targets, const PyramidView& boxes, const int* patches);
+  void meet_pairs(const RayBundle& rays);
 
   const OrderedMesh* mesh_ = nullptr;
   std::vector<int> patches_, outer_patches_;             // near; of these, those with elements not inner
@@ -113,7 +114,11 @@ class NearElements {
   std::vector<int> uncertain_, between_, on_way_, aside_;
   PatchesFound found_{};
   Pyramid boxes_, outer_boxes_;  // of the patches' elements, of those not inner
-  std::vector<int> hits_, first_, second_;
+  std::vector<int> first_, second_;
+  // Rays whose boxes meet those of elements; bytes of PairArrays. Room for all, of which few are ever used.
+  std::unique_ptr<int[]> pair_rays_, pair_elements_;
+  int pairs_ = 0;
+  std::vector<std::uint8_t> blocked_, pierced_, apart_, missed_;
 };
 
 }  // namespace jet

@@ -31,6 +31,7 @@ template <bool aligned = false>
 }
 
 /// The same of nodes.
+template <bool aligned>
 [[gnu::always_inline]] inline Vec3<Lanes> to_local(const ProjectArrays& a, const Vec3<Lanes>& x,
                                                    NodeFlags& flags) {
   const Lanes all[] = {x.x, x.y, x.z};
@@ -38,7 +39,7 @@ template <bool aligned = false>
     const auto below = reinterpret_cast<Lanes::Values>(reinterpret_cast<Lanes::Mask>(abs(y).v) - 1);
     flags.smallest = below < flags.smallest ? below : flags.smallest;  // 0 became NaN and is left out
   }
-  return to_local(a, x);
+  return to_local<aligned>(a, x);
 }
 
 [[gnu::always_inline]] inline Floats joined(Lanes low, Lanes high) {
@@ -84,7 +85,7 @@ template <bool smallest, bool aligned, class At, class Store>
 [[gnu::always_inline]] inline void project_eight(const ProjectArrays& a, At at, NodeFlags& flags,
                                                  Store store) {
   const auto local = [&](const Vec3<Lanes>& x) {
-    return smallest ? to_local(a, x, flags) : to_local<aligned>(a, x);
+    return smallest ? to_local<aligned>(a, x, flags) : to_local<aligned>(a, x);
   };
   const Vec3<Lanes> low = local(gather(at(0), at(1), at(2), at(3))),
                     high = local(gather(at(4), at(5), at(6), at(7)));
@@ -116,7 +117,7 @@ inline ProjectFlags project_flags(const NodeFlags& flags) {
 }
 
 /// All nodes, and up to seven behind that repeat the last: store(i, x, below) of those from i on.
-template <class Store>
+template <bool aligned, class Store>
 [[gnu::always_inline]] inline ProjectFlags project_each(const ProjectArrays& a, Store store) {
   NodeFlags flags;
   const std::ptrdiff_t stride = a.nodes.stride;
@@ -126,9 +127,9 @@ template <class Store>
     store(i, local, below);
   };
   for (; i + 8 < a.count; i += 8, x += 8 * stride)
-    project_eight<true, false>(
+    project_eight<true, aligned>(
         a, [=](int j) __attribute__((always_inline)) { return x + j * stride; }, flags, eight);
-  project_eight<true, false>(
+  project_eight<true, aligned>(
       a, [&](int j) { return row(a.nodes, i + j < a.count ? i + j : a.count - 1); }, flags, eight);
   return project_flags(flags);
 }
@@ -136,7 +137,7 @@ template <class Store>
 /// Local coordinates and codes.
 inline ProjectFlags project_nodes(const ProjectArrays& arrays) {
   const ProjectArrays a = arrays;  // a copy, which what is stored cannot change
-  return project_each(
+  return project_each<false>(
       a, [&](int i, const Vec3<Floats>& x, Floats::Mask below) __attribute__((always_inline)) {
         float* local = a.local + 4 * std::ptrdiff_t{i};
         const auto code = store_local(
@@ -146,12 +147,17 @@ inline ProjectFlags project_nodes(const ProjectArrays& arrays) {
 }
 
 /// Codes only, and of these only the sides.
-inline ProjectFlags code_nodes(const ProjectArrays& arrays) {
+template <bool aligned>
+inline ProjectFlags code_nodes_as(const ProjectArrays& arrays) {
   const ProjectArrays a = arrays;
-  return project_each(
+  return project_each<aligned>(
       a, [&](int i, const Vec3<Floats>& x, Floats::Mask) __attribute__((always_inline)) {
         *reinterpret_cast<UnalignedInts*>(a.codes + i) = sides_code(a, x);
       });
+}
+
+inline ProjectFlags code_nodes(const ProjectArrays& arrays) {
+  return arrays.aligned ? code_nodes_as<true>(arrays) : code_nodes_as<false>(arrays);
 }
 
 /// `padded`: nodes' own rows are four numbers apart, too.

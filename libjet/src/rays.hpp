@@ -60,6 +60,7 @@ class RayBundle {
   }
   const float* local() const { return local_.data(); }
   float* targets() { return local_targets_.data(); }
+  const float* targets() const { return local_targets_.data(); }
   float half_long() const {  // above 0 for every line, as the frame has it
     return source_->half_long == 0.0 ? 0.0f
                                      : std::max(static_cast<float>(scale_ * source_->half_long), 1e-30f);

@@ -80,7 +80,7 @@ struct Blocks {
 
 /// Lowest blocks whose boxes overlap, in order, found level by level. A few are all taken. Without count if
 /// some level has more than `most`.
-inline Blocks blocks_near(const PyramidView& pyramid, const Box& box, int most, const HitLists& to) {
+inline Blocks blocks_near(const PyramidView& pyramid, const Box& box, int most, const PairLists& to) {
   Blocks b{to.first, to.second, 0};
   int level = 0;
   while (pyramid.last[level] - pyramid.first[level] > 8) ++level;
@@ -164,22 +164,31 @@ struct Ends {
 
 inline void meet_pairs(const PairArrays& p, int count) {
   for (int k = 0; k < count; k += 8) {
-    const auto last = [&](int i) { return k + i < count ? k + i : count - 1; };
-    const Line r =
-        line_to(gather_rows(p.targets, [&](int i) { return p.rays[last(i)]; }), Floats(p.half_long));
-    const std::uint32_t* rows[8];
-    for (int i = 0; i < 8; ++i) {
-      const auto element = static_cast<unsigned>(p.elements[last(i)]);
-      rows[i] = rows_of(p.corner_rows, static_cast<int>(element / 8), element % 8);
+    const int *rays = p.rays + k, *elements = p.elements + k;
+    int some[2][8];
+    if (k + 8 > count) {  // the last again
+      for (int i = 0; i < 8; ++i) {
+        const int last = k + i < count ? i : count - 1 - k;
+        some[0][i] = rays[last];
+        some[1][i] = elements[last];
+      }
+      rays = some[0];
+      elements = some[1];
     }
+    const auto places = *reinterpret_cast<const UnalignedInts*>(elements);
+    alignas(32) int rows[8];  // as rows_of
+    *reinterpret_cast<UnalignedInts*>(rows) = 24 * (places >> 3) + (places & 7);
     const auto corner = [&](int j) {
-      return gather_four(p.local, [&](int i) { return std::ptrdiff_t{rows[i][8 * j]}; }).point;
+      return gather_four(p.local, [&](int i) { return std::ptrdiff_t{p.corner_rows[rows[i] + 8 * j]}; })
+          .point;
     };
+    const Line r = line_to(gather_rows(p.targets, [&](int i) { return rays[i]; }), Floats(p.half_long));
     const Corners t = {corner(0), corner(1), corner(2)};
     const Passing passing = pass(r, t);
     const Ends end = ends(r, t);
-    const unsigned missed = bits(passing.missed());
-    p.blocked[k / 8] = static_cast<std::uint8_t>(bits(passing.pierced() & end.crossed));
+    const unsigned missed = bits(passing.missed()), pierced = bits(passing.pierced());
+    p.blocked[k / 8] = static_cast<std::uint8_t>(pierced & bits(end.crossed));
+    p.pierced[k / 8] = static_cast<std::uint8_t>(pierced);
     p.apart[k / 8] = static_cast<std::uint8_t>(missed | bits(end.beyond));
     p.missed[k / 8] = static_cast<std::uint8_t>(missed);
   }

@@ -8,7 +8,6 @@
 #include <cmath>
 #include <cstdint>
 #include <numeric>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -47,7 +46,7 @@ TEST(kernels, bounds_of_rays_from_a_line_follow_its_ends) {
   }
 }
 
-using Hit = std::tuple<int, int, int>;  // ray, element, what is certain
+using Pair = std::pair<int, int>;  // a ray and an element
 
 /// Rays to two places before a plate of a thousand blocks: together they have too many of them in their way
 /// and part where the places do; then they meet what they meet together. Where their elements are far from
@@ -106,30 +105,28 @@ TEST(kernels, rays_with_many_blocks_in_their_way_part) {
                   .near,
               blocks);
     pyramid.build(blocks);
-    std::vector<int> hits(static_cast<std::size_t>(64 * blocks)), first(hits.size()), second(hits.size());
-    const auto meet = [&](int begin, int count, int most_blocks) {
+    std::vector<int> pair_rays(static_cast<std::size_t>(64 * blocks + 8)), pair_elements(pair_rays),
+        first(pair_rays), second(pair_rays);
+    const auto find = [&](int begin, int count, int most_blocks) {
       const jet::RayArrays rays{targets.data(), 0.0f, rows + begin, count};
-      return kernels->meet(rays, {64, most_blocks}, true, pyramid.view(),
-                           {local.data(), corner_rows.data(), patches.data()},
-                           {hits.data(), first.data(), second.data()});
+      return kernels->find_pairs(rays, {64, most_blocks}, true, pyramid.view(), patches.data(),
+                                 {pair_rays.data(), pair_elements.data(), first.data(), second.data()});
     };
-    const auto met = [&](int begin, int count, int most_blocks) {
-      std::vector<Hit> out;
-      for (int i = 0, found = meet(begin, count, most_blocks); i < found; ++i) {
-        const int hit = hits[static_cast<std::size_t>(i)], pair = hit / jet::kHitKinds;
-        out.emplace_back(begin + pair % 8, pair / 8, hit % jet::kHitKinds);
-      }
+    const auto found = [&](int begin, int count, int most_blocks) {
+      std::vector<Pair> out;
+      const auto pairs = static_cast<std::size_t>(find(begin, count, most_blocks));
+      for (std::size_t i = 0; i < pairs; ++i) out.emplace_back(pair_rays[i], pair_elements[i]);
       return out;
     };
-    EXPECT_EQ(meet(0, 8, 64), -8 - 3);
-    std::vector<Hit> together = met(0, 8, 8 * blocks), apart = met(0, 3, 64);
-    const std::vector<Hit> others = met(3, 5, 64);
+    EXPECT_EQ(find(0, 8, 64), -8 - 3);
+    std::vector<Pair> together = found(0, 8, 8 * blocks), apart = found(0, 3, 64);
+    const std::vector<Pair> others = found(3, 5, 64);
     apart.insert(apart.end(), others.begin(), others.end());
     for (auto* all : {&together, &apart}) std::sort(all->begin(), all->end());
     EXPECT_EQ(together, apart);
     EXPECT_GE(together.size(), 8u);
-    EXPECT_EQ(meet(8, 8, 8 * blocks), -3);
-    EXPECT_EQ(met(8, 3, 8 * blocks).size(), met(0, 3, 8 * blocks).size());
+    EXPECT_EQ(find(8, 8, 8 * blocks), -3);
+    EXPECT_EQ(found(8, 3, 8 * blocks), found(0, 3, 8 * blocks));
   }
 }
 
@@ -180,18 +177,21 @@ TEST(kernels, element_is_not_in_the_way_to_itself) {
                   .near,
               1);
     pyramid.build(1);
-    int hits[64], first[16], second[16];
-    const auto meet = [&](bool to_targets) {
-      return kernels->meet({targets.data(), 0.0f, rows, 1}, {64, 8}, to_targets, pyramid.view(),
-                           {local.data(), corner_rows.data(), patches}, {hits, first, second});
+    using Pairs = std::vector<Pair>;
+    const auto find = [&](bool to_targets) {
+      int pair_rays[72], pair_elements[72], first[16], second[16];
+      Pairs out;
+      const int found =
+          kernels->find_pairs({targets.data(), 0.0f, rows, 1}, {64, 8}, to_targets, pyramid.view(), patches,
+                              {pair_rays, pair_elements, first, second});
+      for (int i = 0; i < found; ++i) out.emplace_back(pair_rays[i], pair_elements[i]);
+      return out;
     };
-    ASSERT_EQ(meet(true), 1);
-    EXPECT_EQ(hits[0], jet::kBlocked);
-    EXPECT_EQ(meet(false), 1);  // a certain touch is enough
-    targets[4 + 2] = 0.2f;      // now before both: its line goes on to them
-    EXPECT_EQ(meet(true), 0);
-    EXPECT_EQ(meet(false), 1);
-    EXPECT_EQ(hits[0], jet::kMet);
+    EXPECT_EQ(find(true), (Pairs{{1, 0}}));
+    EXPECT_EQ(find(false), (Pairs{{1, 0}, {1, 1}}));
+    targets[4 + 2] = 0.2f;  // now before both: its line goes on to them
+    EXPECT_EQ(find(true), Pairs{});
+    EXPECT_EQ(find(false), (Pairs{{1, 0}, {1, 1}}));
     targets[4 + 2] = depth(1);
   }
 }

@@ -124,8 +124,8 @@ TEST(kernels, profile_eq_exponential) {
 
 struct Looked {
   std::vector<float> local, targets, boxes, chosen_boxes, merged, bounds;
-  std::vector<std::uint8_t> inner, outer, not_inner, blocked, apart, missed;
-  std::vector<int> near, uncertain, between, on_way, aside, chosen, hits;
+  std::vector<std::uint8_t> inner, outer, not_inner, blocked, pierced, apart, missed;
+  std::vector<int> near, uncertain, between, on_way, aside, chosen, pairs;
   std::vector<std::int32_t> codes;
   bool operator==(const Looked&) const = default;
 };
@@ -175,7 +175,7 @@ Looked look(const jet::KernelTable& kernels, const Mesh& mesh, float half_long) 
   p.boxes.resize(jet::kBoxFloats * patches);
   p.chosen_boxes = p.boxes;
   p.merged.resize(jet::kBoxFloats * (patches / 8 + 1));
-  p.inner = p.outer = p.not_inner = p.blocked = p.apart = p.missed = bytes();
+  p.inner = p.outer = p.not_inner = p.blocked = p.pierced = p.apart = p.missed = bytes();
   p.near = p.uncertain = p.between = p.on_way = p.aside = p.chosen = places();
   project(kernels, mesh, triangles, all, half_long, p);
   const int n = static_cast<int>(count);
@@ -214,25 +214,25 @@ Looked look(const jet::KernelTable& kernels, const Mesh& mesh, float half_long) 
   p.aside.resize(static_cast<std::size_t>(found.aside));
   append(found.bounds, p.bounds);
   kernels.meet_pairs({p.targets.data(), p.local.data(), half_long, corner_rows.data(), all.data(),
-                      all.data() + 8, p.blocked.data(), p.apart.data(), p.missed.data()},
+                      all.data() + 8, p.blocked.data(), p.pierced.data(), p.apart.data(), p.missed.data()},
                      n - 8);
   const int chosen = kernels.choose_boxes({p.boxes.data(), p.near.data(), found.near}, p.not_inner.data(),
                                           p.chosen_boxes.data(), p.chosen.data());
   EXPECT_GE(chosen, 8);
   kernels.merge(p.boxes.data(), found.near, p.merged.data());
-  std::vector<int> hits(8 * count), first(count + 8), second(count + 8);
-  const jet::HitLists lists{hits.data(), first.data(), second.data()};
-  const auto meet = [&](bool to_targets, const std::vector<float>& boxes, const std::vector<int>& blocks) {
+  std::vector<int> pair_rays(8 * count + 8), pair_elements(pair_rays), first(count + 8), second(first);
+  const jet::PairLists lists{pair_rays.data(), pair_elements.data(), first.data(), second.data()};
+  const auto find = [&](bool to_targets, const std::vector<float>& boxes, const std::vector<int>& blocks) {
     const jet::PyramidView view{boxes.data(), 1, {}, {8}};  // the first 64 elements
     for (int ray = 0; ray + 8 <= n; ray += 8) {
       const jet::RayArrays rays{p.targets.data(), half_long, all.data() + ray, ray % 16 == 0 ? 8 : 3};
-      const int hit_count = kernels.meet(rays, {n, n}, to_targets, view,
-                                         {p.local.data(), corner_rows.data(), blocks.data()}, lists);
-      p.hits.insert(p.hits.end(), hits.begin(), hits.begin() + hit_count);
+      const int found_pairs = kernels.find_pairs(rays, {n, n}, to_targets, view, blocks.data(), lists);
+      for (const auto* list : {&pair_rays, &pair_elements})
+        p.pairs.insert(p.pairs.end(), list->begin(), list->begin() + found_pairs);
     }
   };
-  meet(false, p.chosen_boxes, p.chosen);
-  meet(true, p.boxes, p.near);
+  find(false, p.chosen_boxes, p.chosen);
+  find(true, p.boxes, p.near);
   return p;
 }
 
@@ -242,7 +242,7 @@ TEST(kernels, visibility_has_the_same_bits_on_every_instruction_set) {
     Looked reference = look(*kTables[0], mesh, half_long), fast = look(*kTables[1], mesh, half_long);
     EXPECT_TRUE(same_bits(std::exchange(reference.local, {}), std::exchange(fast.local, {})));
     EXPECT_EQ(fast, reference);
-    EXPECT_GT(reference.hits.size(), 0u);
+    EXPECT_GT(reference.pairs.size(), 0u);
   }
 }
 
