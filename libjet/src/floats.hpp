@@ -153,7 +153,8 @@ inline constexpr BitPlaces kBitPlaces;
   return __builtin_popcount(bits);
 }
 
-/// Lists the bytes that are not zero, 512 at a time, then the places of their bits. No branch to predict.
+/// Lists the bytes that are not zero, 512 at a time, then the places of their bits. No branch to
+/// predict but where 32 are zero.
 inline int list_bits(const std::uint8_t* bytes, int count, int* places) {
   constexpr int most = 512;
   int some[most + 8];

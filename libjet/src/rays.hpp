@@ -31,7 +31,8 @@ class RayBundle {
   /// those that nodes were chosen for, from their targets.
   enum class Bounds { last, close, fresh };
   /// Projects the nodes that rays in these bounds can come near to. False if the bounds are not known, or no
-  /// frame holds the nodes. Throws std::invalid_argument for coordinates out of range.
+  /// frame holds the nodes. Throws std::invalid_argument for coordinates out of range where they are looked
+  /// at, see VisibilityQuery.
   bool project(Bounds known);
   /// What was looked at holds all that the rays can meet, but those that are now aside and not too many.
   bool accept(const PatchesFound& found, std::span<const int> patches, std::span<const int> aside);

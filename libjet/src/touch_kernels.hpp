@@ -78,7 +78,7 @@ struct Blocks {
   int count;
 };
 
-/// Lowest blocks whose boxes overlap, in order, found level by level. A few are all taken. Without count if
+/// Lowest blocks whose boxes overlap, in order, found level by level. A few are all taken. Without a list if
 /// some level has more than `most`.
 inline Blocks blocks_near(const PyramidView& pyramid, const Box& box, int most, const PairLists& to) {
   Blocks b{to.first, to.second, 0};

@@ -182,6 +182,30 @@ TEST(motion, every_query_says_how_far_nodes_moved) {
   }
 }
 
+TEST(motion, nodes_near_the_rays_may_pass_below_the_range_between_two_looks) {
+  Mesh mesh = scenes::star(3, 0.1, 41), blade = scenes::scaled(scenes::octahedron(), 0.12);
+  const std::size_t bag = mesh.nodes.size();
+  for (auto& p : blade.nodes) p += Eigen::Vector3d(0.0, 0.02, 0.4);
+  scenes::append(mesh, blade);
+  const auto source = routes::point({0.011, 0.013, -0.2}, {0, 0, 1});
+  const std::vector<int> chosen = routes::in_cone(mesh, source, 0.97);
+  jet::VisibilityQuery query(mesh.triangles(), static_cast<int>(mesh.nodes.size()));
+  const auto ask = [&](const Mesh& now, double travelled) {
+    routes::Mask lit(chosen.size());
+    query.query(jet::VisibilityRoute::fast, now.points(), source, chosen, lit, travelled);
+    return lit;
+  };
+  const routes::Mask lit = ask(mesh, 0.0);
+  EXPECT_GT(std::count(lit.begin(), lit.end(), 0), 3) << "the blade must hide something";
+  EXPECT_EQ(ask(mesh, 1e-3), lit);
+  Mesh tiny = mesh;  // the source is not in the plane x = 0, so no sign depends on so little
+  for (std::size_t i = bag; i < mesh.nodes.size(); ++i)
+    if (mesh.nodes[i][0] == 0.0) tiny.nodes[i][0] = 1e-120;
+  EXPECT_NE(tiny.nodes, mesh.nodes);
+  EXPECT_EQ(ask(tiny, 2e-3), lit);
+  EXPECT_THROW(ask(tiny, jet::kMotionUnknown), std::invalid_argument);
+}
+
 TEST(motion, candidates_in_any_order_and_named_twice) {
   const Mesh mesh = scenes::crumpled(3, 0.05, 35);
   Carried carried(mesh);
