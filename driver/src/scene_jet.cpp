@@ -14,6 +14,10 @@
 namespace driver {
 namespace {
 
+const Bounds below_one{0.0, std::nextafter(1.0, 0.0), false, "a number from 0 to below 1"};
+const Bounds below_right_angle{0.0, std::nextafter(0.5 * std::numbers::pi, 0.0), false,
+                               "0 to below pi/2 rad"};
+
 // The coefficient of a kind of outlet, or a number.
 double read_decay_coefficient(TableReader& table, jet::OutletShape shape) {
   using Type = jet::OutletType;
@@ -49,12 +53,12 @@ jet::JetModel read_model(TableReader& table) {
       "spread", {{"momentum", jet::Spread::momentum}, {"cone", jet::Spread::cone}}, "momentum");
   if (model.spread == jet::Spread::cone) {
     model.cone_initial_width = table.number("cone_initial_width", positive);
-    model.cone_half_angle = table.number("cone_half_angle", non_negative);
+    model.cone_half_angle = table.number("cone_half_angle", below_right_angle);
   }
   model.direction = table.choice<jet::Direction>(
       "direction", {{"axial", jet::Direction::axial}, {"radial", jet::Direction::radial}}, "axial");
   model.restitution = table.number("restitution", fraction, 1.0);
-  model.cut_off = table.number("cut_off", fraction, model.cut_off);
+  model.cut_off = table.number("cut_off", below_one, model.cut_off);
   model.relative_to_skin = table.flag("relative_to_skin", false);
   return model;
 }
