@@ -13,6 +13,9 @@ runs=${1:-32} out=${2:-docs/charts/jet_map}
 # flow TIME PEAK: a triangle that reaches PEAK [kg/s] at 12 ms and ends at TIME [s].
 flow() { echo "inflator.0.mass_flow={time=[0.0,0.012,$1],value=[0.0,$2,0.0]}"; }
 
+# sides LONG SHORT: the outlet's, in the shipped proportion but for 0.005 and 0.0116 m2
+sides() { echo "inflator.0.jet.long_side=$1;inflator.0.jet.short_side=$2"; }
+
 # input | value | settings of both cases, by ; | settings of the jet alone, by ;
 inputs=(
   "as shipped|-||"
@@ -21,7 +24,9 @@ inputs=(
   "centre to plate [m]|0.25|pendulum.pivot=[0.25,0.0,1.31]|" "centre to plate [m]|0.5|pendulum.pivot=[0.5,0.0,1.31]|"
   "vent [m²]|0.0005|vent.0.area=0.0005|" "vent [m²]|0.006|vent.0.area=0.006|"
   "porosity|0|fabric.porosity=0.0|" "porosity|0.08|fabric.porosity=0.08|"
-  "outlet [m²]|0.0058||inflator.0.jet.short_side=0.04" "outlet [m²]|0.021||inflator.0.jet.short_side=0.145"
+  "outlet [m²]|0.0018||$(sides 0.05657 0.03182)" "outlet [m²]|0.005||$(sides 0.10 0.05)" "outlet [m²]|0.0116||$(sides 0.145 0.08)"
+  "outlet law|matched||inflator.0.jet.outlet=pressure_matched;inflator.0.jet.temperature=stagnation"
+  "406 K is|stagnation||inflator.0.jet.temperature=stagnation"
   "decay|0.09||inflator.0.jet.decay_coefficient=0.09" "decay|0.12||inflator.0.jet.decay_coefficient=0.12"
 )
 
@@ -47,7 +52,7 @@ mkdir -p "$(dirname "$out")" results/ensembles/passenger_pendulum results/ensemb
 quantities=("final_angle_rad|180/pi|Jet’s effect on the angle [°]|5|0.22|0.45" "path_impulse_Ns|1|on the path’s impulse [N s]|10|0.48|0.71"
   "peak_cg_acceleration_cfc180_m_s2|1|on the CFC 180 peak [m/s²]|50|0.74|0.97")
 {
-  echo "unset offsets; set grid x; set bmargin 4; set tmargin 1; set key off; set yrange [15.5:-0.5]; set yzeroaxis lt 1 lc 'black'"
+  echo "unset offsets; set grid x; set bmargin 4; set tmargin 1; set key off; set yrange [${#inputs[@]}-0.5:-0.5]; set yzeroaxis lt 1 lc 'black'"
   names=":ytic(strcol(1).' '.strcol(2))"
   for quantity in "${quantities[@]}"; do
     IFS='|' read -r name factor label tics left right <<<"$quantity"

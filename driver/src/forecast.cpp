@@ -17,29 +17,6 @@ namespace {
 
 using std::numbers::pi;
 
-// Share of the gas that leaves at sonic speed with at least ambient pressure in the outlet, by the midpoint
-// rule.
-double sonic_share(const Scene& scene, const JetPart& part) {
-  const auto& inflow = scene.gas->model.inflows[part.inflator];
-  constexpr int pieces = 4000;
-  const double end =
-      std::min(duration(scene, inflow),
-               inflow.mass_flow.is_constant() ? INFINITY : inflow.mass_flow.knots().back().time);
-  jet::OutletModel sonic = part.outlet;
-  sonic.law = jet::OutletLaw::sonic;
-  double all = 0.0, choked = 0.0;
-  for (int i = 0; i < pieces && end > 0.0; ++i) {
-    const auto point =
-        gas::inflator_point(scene.gas->model, part.inflator, inflow.start_time + end * (i + 0.5) / pieces);
-    if (!(point.mass_flow > 0.0)) continue;
-    const auto outlet = jet::outlet_state(
-        sonic, {point.mass_flow, point.temperature, point.cp, point.gas_constant, scene.ambient.pressure});
-    all += point.mass_flow;
-    if (outlet.pressure >= scene.ambient.pressure) choked += point.mass_flow;
-  }
-  return all > 0.0 ? choked / all : 0.0;
-}
-
 // Mean side of the surface's elements as sewn: that of equilateral triangles of the same area.
 double mean_side(const Scene& scene) {
   const auto& model = scene.bag->model;
@@ -141,7 +118,7 @@ void add_jet(const Scene& scene, const JetPart& part, const Forecast& f, Groups&
   if (!(peak.mass_flow > 0.0)) return;
   groups.add_size("below_sonic" + key_of(part), "K.34",
                   text_of(part) + "share of the gas that leaves with less than ambient outlet pressure",
-                  1.0 - sonic_share(scene, part));
+                  below_sonic_share(scene, part));
   if (f.full && f.full->fills) add_jet_forces(scene, part, peak.outlet, *f.full, groups);
   if (f.full) add_jet_mesh(scene, part, groups);
 }
@@ -210,7 +187,7 @@ std::string gas_advice(const Scene& scene, const Forecast& f) {
 
 const char* verdict(const Group& group) {
   if (!group.is_size) return "";
-  return group.value >= 0.1 ? "matters" : group.value >= 0.01 ? "shows" : "negligible";
+  return group.value >= kMatters ? "matters" : group.value >= 0.01 ? "shows" : "negligible";
 }
 
 }  // namespace driver

@@ -4,7 +4,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
+#include "driver/forecast.hpp"
 #include "supply.hpp"
 
 namespace driver {
@@ -20,12 +22,14 @@ void warn_of_outlet(const Scene& scene, const JetPart& part, std::vector<std::st
         "jet of inflator {}: the outlet pressure is below ambient even at the peak of the mass flow: a sonic "
         "outlet of that area cannot blow into the bag (outlet = \"pressure_matched\" can)",
         part.inflator));
-  else if (part.outlet.law == jet::OutletLaw::sonic &&
-           !scene.gas->model.inflows[part.inflator].mass_flow.is_constant())
-    warnings.push_back(
-        fmt::format("jet of inflator {}: outlet = \"sonic\" (the paper's form) lets the outlet pressure fall "
-                    "with the mass flow, below ambient under {:.3g} kg/s",
-                    part.inflator, peak.mass_flow * ambient / peak.outlet.pressure));
+  else if (const double share = below_sonic_share(scene, part);
+           part.outlet.law == jet::OutletLaw::sonic && share >= kMatters)
+    warnings.push_back(fmt::format(
+        "jet of inflator {}: outlet = \"sonic\" (the paper's form) lets the outlet pressure fall with the "
+        "mass "
+        "flow: below ambient under {:.3g} kg/s, with {:.2g} of the gas; a smaller outlet or outlet = "
+        "\"pressure_matched\" avoids it",
+        part.inflator, peak.mass_flow * ambient / peak.outlet.pressure, share));
 }
 
 void warn_of_rays(const Scene& scene, const JetPart& part, std::vector<std::string>& warnings) {
@@ -58,6 +62,27 @@ JetPeak jet_peak(const Scene& scene, const JetPart& part) {
   return {time, point.mass_flow,
           jet::outlet_state(part.outlet, {point.mass_flow, point.temperature, point.cp, point.gas_constant,
                                           scene.ambient.pressure})};
+}
+
+double below_sonic_share(const Scene& scene, const JetPart& part) {
+  const auto& inflow = scene.gas->model.inflows[part.inflator];
+  constexpr int pieces = 4000;
+  const double end =
+      std::min(duration(scene, inflow),
+               inflow.mass_flow.is_constant() ? INFINITY : inflow.mass_flow.knots().back().time);
+  jet::OutletModel sonic = part.outlet;
+  sonic.law = jet::OutletLaw::sonic;
+  double all = 0.0, below = 0.0;
+  for (int i = 0; i < pieces && end > 0.0; ++i) {
+    const auto point =
+        gas::inflator_point(scene.gas->model, part.inflator, inflow.start_time + end * (i + 0.5) / pieces);
+    if (!(point.mass_flow > 0.0)) continue;
+    const auto outlet = jet::outlet_state(
+        sonic, {point.mass_flow, point.temperature, point.cp, point.gas_constant, scene.ambient.pressure});
+    all += point.mass_flow;
+    if (outlet.pressure < scene.ambient.pressure) below += point.mass_flow;
+  }
+  return all > 0.0 ? below / all : 0.0;
 }
 
 std::vector<std::string> jet_warnings(const Scene& scene) {

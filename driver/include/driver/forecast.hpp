@@ -35,6 +35,9 @@ struct FullState {
   double gamma = 0.0;
 };
 
+/// A size from which an effect matters [-].
+inline constexpr double kMatters = 0.1;
+
 /// One group. A `size` is the share that an effect has in what drives the scene, and is judged; a number is
 /// told as it is.
 struct Group {
