@@ -160,6 +160,23 @@ void read_initial(TableReader& initial, const NamedComposition& composition, con
   initial.finish();
 }
 
+/// Where gas that expands from the start to ambient pressure would be colder than its data reach: by entropy,
+/// which stays in the gas that a vent leaves behind.
+void warn_of_expansion(Scene& scene) {
+  const GasPart& part = *scene.gas;
+  const gas::Thermo& thermo = part.model.thermo;
+  const double lowest = thermo.minimum_temperature(), p_a = scene.ambient.pressure;
+  const auto& y = part.initial_fractions;
+  const bool open = !part.model.vents.empty() || part.tank_leak_area > 0.0;
+  if (!open || !(lowest > 0.0) || !(p_a > 0.0) || !(part.initial_pressure > p_a)) return;
+  if (thermo.entropy(y, lowest, p_a) > thermo.entropy(y, part.initial_temperature, part.initial_pressure))
+    scene.warnings.push_back(
+        fmt::format("gas that expands from {:.4g} Pa and {:.4g} K to ambient pressure falls below {:.4g} K, "
+                    "where its data end: if nothing warms it the run stops there (thermodynamics = "
+                    "\"constant\" has no such end)",
+                    part.initial_pressure, part.initial_temperature, lowest));
+}
+
 /// What needs a gas and has none.
 void refuse_without_gas(TableReader& root) {
   for (const char* key : {"tank", "inflator", "vent", "sensor", "trigger"})
@@ -224,6 +241,7 @@ void read_gas(TableReader& root, std::optional<TableReader>& ambient, std::vecto
     gas::make_state(part.model.thermo, part.initial_fractions, part.initial_pressure,
                     part.initial_temperature, part.rigid_volume.value_or(1.0));
   });
+  warn_of_expansion(scene);
 }
 
 }  // namespace driver

@@ -97,9 +97,10 @@ bool hold(const ControlVolumeModel& model, const ControlVolumeState& state, doub
     return true;
   }
   const double all = backflow(model, state.triggers, time, there.pressure);
+  if (all == 0.0) return false;  // without backflow the model need not say what the ambient gas is
   const double raised =
       pressure_growth(model.thermo.mixture(model.ambient.mass_fractions), model.ambient.temperature, point);
-  if (all == 0.0 || !(raised > 0.0)) return false;
+  if (!(raised > 0.0)) return false;
   const double flow = -growth / raised;
   if (flow <= all) point.backflow = flow;
   return flow <= all;

@@ -14,6 +14,10 @@ namespace {
 // Of the tolerance: by so much may a species that leaves faster than a sub-step be missing.
 constexpr double kNegligible = 0.1;
 
+// Of t, what a sum of steps is off by: a knot so close to the end of a step is that end. In a segment between
+// the two an evacuated volume would fill within the rounding of t.
+constexpr double kOneTime = 1e-14;
+
 const ControlVolumeModel& validated(const ControlVolumeModel& model) {
   validate(model);
   return model;
@@ -102,7 +106,8 @@ class GasIntegrator::Implementation {
       for (std::size_t i = 0; i < triggers_.size(); ++i) switchings_[i] += triggers_[i].on != before_[i].on;
       before_ = triggers_;
     }
-    next = std::min(next, balance_.next_break(triggers_, a));
+    if (const double knot = balance_.next_break(triggers_, a); t1 - knot > kOneTime * std::abs(t1))
+      next = std::min(next, knot);
     balance_.begin_segment(triggers_, a, next);
     if (balance_.needs_stepper() || watched) next = substepper_.integrate(balance_, a, next);
     balance_.end_segment(next);

@@ -55,11 +55,20 @@ void Substepper::fail(const Rates& rates, double x, double h) const {
     throw DomainError("species " + thermo.species(*rates.depleted).name +
                       " runs out: more of it would leave than there is, " + where +
                       (fixed ? "; a shorter one (gas_step of a case), or none, is allowed" : ""));
-  if (!point.valid && !too_short)
+  const auto leaves_range = [&] {
     throw DomainError("the gas leaves its temperature range, " + to_text(thermo.minimum_temperature()) +
                       " to " + to_text(thermo.maximum_temperature()) + " K, " + where);
+  };
+  const bool trial_has_gas = point.valid;
+  if (!trial_has_gas && !too_short) leaves_range();
   Vector rate(zero_);
   balance.locate(zero_, rates.time(x));
+  // Trials that step over an end of the range are repeated until they are too short: the gas is on it then.
+  constexpr double kOnEnd = 1e-6;  // of T
+  const double t = point.temperature;
+  if (!trial_has_gas && (!point.valid || t <= (1.0 + kOnEnd) * thermo.minimum_temperature() ||
+                         t >= (1.0 - kOnEnd) * thermo.maximum_temperature()))
+    leaves_range();
   balance.fill_rates(rate, rates.time(x));
   const std::string gas =
       ", p = " + to_text(point.pressure) + " Pa and T = " + to_text(point.temperature) + " K";

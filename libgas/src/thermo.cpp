@@ -163,6 +163,7 @@ double Thermo::temperature_from_internal_energy(std::span<const double> masses, 
                                                 double guess) const {
   const Mixture sums = mixture(masses);
   require(sums.mass > 0.0, "mass of the mixture [kg]", sums.mass, "must be positive");
+  require(std::isfinite(guess), "guess [K]", guess, "must be finite");
   return sums.temperature(internal_energy, guess);
 }
 

@@ -2,6 +2,7 @@
 // Whole runs of the scenes without a mesh, against their closed forms.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "claim.hpp"
@@ -97,6 +98,22 @@ TEST(tank_scene, energy_of_a_tank_balances) {
     for (const auto& row : run.energy)
       EXPECT_LT(std::abs(row.residual_J), 1e-12 * scale) << name << row.time_s;
   }
+}
+
+// Of cp(T) behind an open vent: 60 bar of 300 K would be at 94 K when they come to ambient pressure, 3 bar at
+// 220 K.
+TEST(warnings, name_gas_that_expands_out_of_its_range) {
+  const auto count = [](const char* pressure, const char* thermodynamics) {
+    const auto warnings =
+        coupled::scene_of("tank_backflow",
+                          {std::string("gas.initial.pressure=") + pressure, "gas.initial.temperature=300.0",
+                           std::string("gas.thermodynamics=") + thermodynamics})
+            .warnings;
+    return std::ranges::count_if(warnings, [](auto& w) { return w.find("falls below 200 K") != w.npos; });
+  };
+  EXPECT_EQ(count("60e5", "nasa7"), 1);
+  EXPECT_EQ(count("3e5", "nasa7"), 0);
+  EXPECT_EQ(count("60e5", "constant"), 0);
 }
 
 }  // namespace
