@@ -103,11 +103,13 @@ EnsembleResult run_ensemble(const std::filesystem::path& file, const std::vector
   });
   EnsembleResult result;
   std::vector<const Member*> complete;
-  for (const Member& m : members)
+  for (const Member& m : members) {
     if (m.outcome.status == RunStatus::done && !m.rows.empty())
       complete.push_back(&m);
     else if (!m.outcome.message.empty())
       result.failures.push_back(m.outcome.message);
+    if (!m.outcome.warning.empty()) result.warnings.push_back(m.outcome.warning);
+  }
   if (complete.empty()) return result;
   collect_rows(scene, complete, result);
   collect_quantities(scene, complete, result);
@@ -139,6 +141,7 @@ void write_ensemble(const std::filesystem::path& folder, const EnsembleResult& r
                                 {"runs", s.count},      {"values", values}};
   }
   json["failures"] = result.failures;
+  if (!result.warnings.empty()) json["warnings"] = result.warnings;
   for (const auto& [key, value] : lines) json["build"][key] = value;
   std::ofstream summary(folder / "ensemble.json");
   summary << json.dump(2) << '\n';

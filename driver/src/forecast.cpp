@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "drift.hpp"
 #include "gas/orifice.hpp"
 #include "jet_peak.hpp"
 #include "membrane/time_step.hpp"
@@ -137,9 +138,9 @@ void add_bag(const Scene& scene, const FullState& full, Groups& groups) {
 double first_step(const Scene& scene, const State& state) {
   if (scene.time.step) return *scene.time.step;
   if (!scene.bag) return scene.moves() ? 0.0 : scene.output.history_every;
-  return scene.time.safety *
-         membrane::critical_time_step(membrane::stiffness_shares(
-             scene.bag->model, *state.bag, state.gas_point.gamma, state.gas_point.pressure));
+  const double critical = membrane::critical_time_step(membrane::stiffness_shares(
+      scene.bag->model, *state.bag, state.gas_point.gamma, state.gas_point.pressure));
+  return scene.time.safety * std::min(critical, drift_limit(scene, state));
 }
 
 }  // namespace

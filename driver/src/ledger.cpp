@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "drift.hpp"
 #include "stages.hpp"
 
 namespace driver {
@@ -156,6 +157,15 @@ void book_peaks(const Scene& scene, State& state) {
   peaks.penetration = std::max(peaks.penetration, state.contact.penetration);
 }
 
+void book_energy(const EnergyRecord& energy, Peaks& peaks) {
+  peaks.energy_scale = std::max(peaks.energy_scale, energy_scale(energy));
+  peaks.energy_residual = std::max(peaks.energy_residual, std::abs(energy.residual_J));
+  for (const auto term : {&EnergyRecord::gas_internal_J, &EnergyRecord::skin_strain_J,
+                          &EnergyRecord::skin_kinetic_J, &EnergyRecord::strap_J, &EnergyRecord::plate_J,
+                          &EnergyRecord::contact_J, &EnergyRecord::pendulum_kinetic_J})
+    peaks.energy.*term = std::max(peaks.energy.*term, std::abs(energy.*term));
+}
+
 }  // namespace
 
 void ledger(const Scene& scene, State& state, const StepRequest& request, StepRecords& records) {
@@ -175,11 +185,7 @@ void ledger(const Scene& scene, State& state, const StepRequest& request, StepRe
                       energy.heat_loss_J + energy.tank_work_J - state.initial_energy -
                       energy.inflow_enthalpy_J - energy.backflow_enthalpy_J - energy.jet_work_J;
   energy.kick_residual_J = kick_residual;
-  // Absolute enthalpies (NASA-7) pass through zero: no single term serves as the scale of all scenes.
-  state.peaks.energy_scale =
-      std::max({state.peaks.energy_scale, std::abs(energy.inflow_enthalpy_J), std::abs(energy.gas_internal_J),
-                energy.skin_kinetic_J + energy.pendulum_kinetic_J, std::abs(energy.pendulum_gravity_J)});
-  state.peaks.energy_residual = std::max(state.peaks.energy_residual, std::abs(energy.residual_J));
+  book_energy(energy, state.peaks);
   if (state.bag)
     state.peaks.momentum_residual = std::max(state.peaks.momentum_residual, momentum_residual(state));
   records.history = history_record(scene, state);

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <memory>
 
+#include "drift.hpp"
 #include "driver/fields.hpp"
 #include "driver/progress.hpp"
 #include "stages.hpp"
@@ -56,6 +57,17 @@ void run_steps(const Scene& scene, State& state, const RecordSink& sink,
   }
 }
 
+void judge_drift(const Scene& scene, const State& state, RunOutcome& outcome) {
+  const double drift = energy_drift(state);
+  if (!(drift > kDriftWarned)) return;
+  if (outcome.status != RunStatus::done || drift <= kDriftInaccurate) {
+    outcome.warning = drift_text(scene, state);
+    return;
+  }
+  outcome.status = RunStatus::inaccurate;
+  outcome.message = drift_text(scene, state);
+}
+
 }  // namespace
 
 void set_threads(int threads) {
@@ -81,6 +93,7 @@ RunOutcome run_scene(const Scene& scene, State& state, const RecordSink& sink,
     fail(error);
   }
   outcome.wall_seconds = seconds_since(start);
+  judge_drift(scene, state, outcome);
   return outcome;
 }
 

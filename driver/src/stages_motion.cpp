@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "drift.hpp"
 #include "stages.hpp"
 
 namespace driver {
@@ -76,11 +77,13 @@ void update_bound(const Scene& scene, State& state) {
   state.step.jet_damping = jet_damping(scene, state);
   state.step.critical =
       step_with_lagged_damping(membrane::critical_time_step(state.step.shares), state.step.jet_damping);
+  state.step.drift_limit = drift_limit(scene, state);
 }
 
 void book_step(StepSizes& step) {
   step.minimum = step.minimum == 0.0 ? step.after : std::min(step.minimum, step.after);
   step.maximum = std::max(step.maximum, step.after);
+  if (step.drift_limit < step.critical) ++step.drift_limited;
   const double all = step.shares.total();
   if (!(all > 0.0)) return;
   step.share_sums.element += step.shares.element / all;
@@ -112,7 +115,8 @@ void choose_step(const Scene& scene, State& state, bool last) {
     return;
   }
   double wanted = scene.output.history_every;
-  if (scene.moves()) wanted = scene.time.step.value_or(scene.time.safety * step.critical);
+  if (scene.moves())
+    wanted = scene.time.step.value_or(scene.time.safety * std::min(step.critical, step.drift_limit));
   if (scene.time.step && wanted > step.critical && !scene.time.unsafe_step) fail_step(scene, state, wanted);
   // The last two steps share what is left, so that the end is met without a tiny step.
   const double left = scene.time.end - state.time;
@@ -130,6 +134,11 @@ void advance(const Scene& scene, State& state) {
   StepSizes& step = state.step;
   if (state.bag) {
     membrane::advance(scene.bag->model, *state.bag, step.before, step.after, ParallelBlocks{});
+    const double tau = 0.5 * (step.before + step.after);
+    const membrane::AdvanceSums& sums = state.bag->advance;  // of squares: |v+ - v-|^2 = (tau f / m)^2
+    step.force_mobility =
+        2.0 / (tau * tau) *
+        std::max(0.0, sums.kinetic_before + sums.kinetic_after - 2.0 * sums.kinetic_product);
     const double motion = step.after * std::sqrt(state.bag->advance.max_speed_squared);
     step.travelled = std::nextafter(step.travelled + motion, std::numeric_limits<double>::infinity());
   }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "drift.hpp"
 #include "driver/run.hpp"
 
 namespace driver {
@@ -17,6 +18,8 @@ const char* status_name(RunStatus status) {
       return "done";
     case RunStatus::interrupted:
       return "interrupted";
+    case RunStatus::inaccurate:
+      return "inaccurate";
     case RunStatus::failed:
       break;
   }
@@ -27,6 +30,7 @@ Json step_sizes(const Scene& scene, const State& state) {
   const StepSizes& step = state.step;
   Json json{{"min", step.minimum}, {"max", step.maximum}};
   if (!scene.bag) return json;
+  if (!scene.time.step) json["limited_by_drift"] = step.drift_limited;
   const double steps = std::max(1.0, static_cast<double>(state.steps));
   json["shares"] = {{"element", step.share_sums.element / steps},
                     {"gas", step.share_sums.gas / steps},
@@ -42,7 +46,7 @@ Json residuals(const Scene& scene, const State& state) {
   const auto relative = [&](double joule) { return energy > 0.0 ? joule / energy : joule; };
   if (scene.has_volume()) json["mass_rel"] = state.peaks.mass_residual;
   if (scene.moves()) json["ledger_rel"] = relative(state.peaks.ledger_residual);
-  if (scene.has_volume() || scene.moves()) json["energy_rel"] = relative(state.peaks.energy_residual);
+  if (scene.has_volume() || scene.moves()) json["energy_rel"] = energy_drift(state);
   if (scene.bag) json["momentum_rel"] = state.peaks.momentum_residual;
   return json;
 }
@@ -199,6 +203,7 @@ void write_summary(const std::filesystem::path& file, const Scene& scene, const 
                    const RunOutcome& outcome, const Provenance& lines) {
   Json json{{"scene", scene.name}, {"status", status_name(outcome.status)}};
   if (!outcome.message.empty()) json["message"] = outcome.message;
+  if (!outcome.warning.empty()) json["warnings"] = {outcome.warning};
   json["steps"] = state.steps;
   json["time_end_s"] = state.time;
   json["wall_s"] = outcome.wall_seconds;

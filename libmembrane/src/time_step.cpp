@@ -68,6 +68,32 @@ double critical_time_step(const StiffnessShares& shares) {
   return 2.0 / std::sqrt(total);
 }
 
+double force_mobility(const BagModel& model, const BagState& state) {
+  double sum = 0.0;
+  for (int n = 0; n < model.node_count; ++n) {
+    Eigen::Vector3d force =
+        state.membrane_force.map().col(n) + state.gauge_pressure * state.volume_gradient.map().col(n);
+    for (const Vectors* extra : {&state.jet_force, &state.support_force, &state.contact_force})
+      if (!extra->empty()) force += extra->map().col(n);
+    sum += force.squaredNorm() * model.inverse_mass[static_cast<std::size_t>(n)];
+  }
+  return sum;
+}
+
+double strap_mobility(const BagModel& model, const BagState& state) {
+  const auto x = state.position.map(), v = state.velocity.map();
+  double sum = 0.0;
+  for (std::size_t i = 0; i < model.description.straps.size(); ++i) {
+    const Strap& s = model.description.straps[i];
+    const Eigen::Vector3d span = x.col(s.node_b) - x.col(s.node_a);
+    const double parting = span.normalized().dot(v.col(s.node_b) - v.col(s.node_a));
+    const double mobility = model.inverse_mass[static_cast<std::size_t>(s.node_a)] +
+                            model.inverse_mass[static_cast<std::size_t>(s.node_b)];
+    sum += s.stiffness * parting * parting + state.strap_tension[i] * state.strap_tension[i] * mobility;
+  }
+  return sum;
+}
+
 ElementResponse element_response(const BagModel& model, const BagState& state, int element) {
   if (element < 0 || element >= model.element_count)
     reject("element_response", "element", element, "0 to " + std::to_string(model.element_count - 1));

@@ -150,6 +150,24 @@ TEST(ContactFriction, none_by_default_and_bad_values_are_named) {
   }
 }
 
+TEST(ContactFriction, turn_that_is_not_finite_is_named_and_changes_nothing) {
+  for (const double bad : {std::nan(""), HUGE_VAL}) {
+    for (const double friction : {0.0, 0.3}) {
+      Slider s(friction), other(friction);
+      try {
+        s.move(Vector3d::Zero(), {0.0, bad, 0.0});
+        FAIL() << "no throw";
+      } catch (const std::invalid_argument& error) {
+        EXPECT_NE(std::string(error.what()).find("contact.turn"), std::string::npos) << error.what();
+      }
+      const Vector3d shift(1e-4 * kRadius, 0.0, 0.0), turn(0.0, 1e-3, 0.0);
+      s.move(shift, turn);
+      other.move(shift, turn);
+      EXPECT_EQ(s.touch.force, other.touch.force);
+    }
+  }
+}
+
 // The matrix of the forces' change with the nodes, from one state: sticking or sliding points.
 TEST(ContactFriction, bound_covers_the_skewed_stiffness) {
   for (const double mu : {0.2, 1.0})

@@ -43,7 +43,8 @@ struct EnsembleResult {
   std::vector<EnsembleRow> rows;     // at multiples of the history interval
   std::map<std::string, std::vector<double>>
       quantities;                     // one value a run: first contact, final angle, peaks
-  std::vector<std::string> failures;  // messages of runs that left their domain
+  std::vector<std::string> failures;  // of runs that left their domain or were inaccurate: in no mean
+  std::vector<std::string> warnings;  // of runs whose energy drifts by more than a thousandth: in the means
 };
 
 /// Throws CaseError for a bad case, a scene that has no membrane to perturb, and overrides of the

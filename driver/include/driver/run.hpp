@@ -14,7 +14,8 @@
 
 namespace driver {
 
-enum class RunStatus { done, interrupted, failed };
+/// inaccurate: it came to its end, but the energy drifted by more than a hundredth (K.21).
+enum class RunStatus { done, inaccurate, interrupted, failed };
 
 struct RunOptions {
   bool quiet = false;
@@ -23,7 +24,8 @@ struct RunOptions {
 
 struct RunOutcome {
   RunStatus status = RunStatus::done;
-  std::string message;  // of a failure: stage, time, limit
+  std::string message;  // of a failure: stage, time, limit; of an inaccurate run: drift, cause
+  std::string warning;  // of a drift of the energy that is less, but more than a thousandth
   double wall_seconds = 0.0;
 };
 

@@ -5,6 +5,7 @@
 #include <array>
 #include <chrono>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <span>
 #include <string_view>
@@ -109,14 +110,18 @@ struct Peaks {
   double mass_residual = 0.0;      // relative
   double ledger_residual = 0.0;    // [J] kick form, largest magnitude
   double energy_residual = 0.0;    // [J] physical drift, largest magnitude at the recorded levels
-  double energy_scale = 0.0;       // [J] largest of supplied enthalpy, internal and kinetic energy
+  double energy_scale = 0.0;       // [J] largest of supplied enthalpy, internal, kinetic and elastic energy
+  EnergyRecord energy;             // [J] largest magnitude of each term at the recorded levels
   double momentum_residual = 0.0;  // relative: inner forces and pressure on the closed skin sum to zero
 };
 
 struct StepSizes {
-  double before = 0.0;                   // [s] step that led to n; 0 at the start
-  double after = 0.0;                    // [s] step that leaves n
-  double critical = 0.0;                 // [s] bound at n
+  double before = 0.0;                                           // [s] step that led to n; 0 at the start
+  double after = 0.0;                                            // [s] step that leaves n
+  double critical = 0.0;                                         // [s] bound at n
+  double drift_limit = std::numeric_limits<double>::infinity();  // [s] of n (M.22)
+  double force_mobility = 0.0;                                   // [J/s2] of the last kick (M.22); S8
+  long drift_limited = 0;                                        // steps that (M.22) made shorter
   double travelled = 0.0;                // [m] no node of the skin has gone farther since the start; S8
   double jet_damping = 0.0;              // [1/s] rate of jets relative to the skin at n
   double minimum = 0.0;                  // [s] of the run

@@ -6,6 +6,7 @@
 
 #include <cmath>
 
+#include "../drift.hpp"
 #include "../jet_peak.hpp"
 #include "commands.hpp"
 #include "driver/run.hpp"
@@ -61,6 +62,8 @@ void print_bag(const Scene& scene, const State& state) {
       membrane::enclosed_volume(bag.mesh.nodes, bag.mesh.elements));
   fmt::print("critical step at the start: {:.4g} s (alone:{})\n", membrane::critical_time_step(shares),
              limits_alone(shares));
+  if (const double kept = drift_limit(scene, state); kept < membrane::critical_time_step(shares))
+    fmt::print("step at the start that keeps the energy (M.22): {:.4g} s\n", kept);
   print_panels(bag.mesh);
   print_straps(bag);
 }

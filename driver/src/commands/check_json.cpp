@@ -3,6 +3,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "../drift.hpp"
 #include "../jet_peak.hpp"
 #include "check.hpp"
 #include "membrane/time_step.hpp"
@@ -62,9 +63,11 @@ json straps_of(const BagPart& bag) {
   return straps;
 }
 
-json bag_of(const BagPart& bag, const State& state) {
+json bag_of(const Scene& scene, const State& state) {
+  const BagPart& bag = *scene.bag;
   const auto shares =
       membrane::stiffness_shares(bag.model, *state.bag, state.gas_point.gamma, state.gas_point.pressure);
+  const double drift = drift_limit(scene, state);
   json plates = json::array();
   for (const auto& plate : bag.model.description.plates) plates.push_back(plate.stiffness.value());
   return {{"elements", bag.model.element_count},
@@ -75,6 +78,7 @@ json bag_of(const BagPart& bag, const State& state) {
           {"straps", straps_of(bag)},
           {"plate_stiffness_N_m3", plates},
           {"critical_step_s", membrane::critical_time_step(shares)},
+          {"drift_step_s", std::isfinite(drift) ? json(drift) : json(nullptr)},
           {"omega_squared_1_s2",
            {{"elements", shares.element},
             {"gas", shares.gas},
@@ -116,7 +120,7 @@ json derived_of(const Scene& scene, const State& state, const Forecast& f) {
                                {"gamma", state.gas_point.gamma}};
   if (f.full) derived["full_volume"] = full_volume_of(*f.full);
   if (scene.gas) derived["supply"] = {{"mass_kg", f.supply.mass}, {"peak_flow_kg_s", f.supply.peak_flow}};
-  if (scene.bag) derived["bag"] = bag_of(*scene.bag, state);
+  if (scene.bag) derived["bag"] = bag_of(scene, state);
   if (!scene.jets.empty()) derived["jets"] = jets_of(scene);
   if (scene.pendulum)
     derived["pendulum"] = {{"axis_inertia_kg_m2", scene.pendulum->model.axis_inertia()},

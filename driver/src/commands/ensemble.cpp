@@ -31,7 +31,9 @@ void print_quantities(const std::string& title, const EnsembleResult& result) {
 void report(const std::string& title, const EnsembleResult& result, bool quiet) {
   if (!quiet) print_quantities(title, result);
   for (const auto& failure : result.failures)
-    fmt::print(stderr, "gasjet: {}: failed run: {}\n", title, failure);
+    fmt::print(stderr, "gasjet: {}: failed run, left out: {}\n", title, failure);
+  if (!quiet)
+    for (const auto& warning : result.warnings) fmt::print(stderr, "warning: {}: {}\n", title, warning);
 }
 
 void print_effects(const std::vector<Effect>& list) {

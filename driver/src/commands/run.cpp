@@ -22,6 +22,12 @@ int run(const RunArguments& arguments) {
   const auto outcome =
       run_to_folder(scene, folder, provenance(arguments.scene.file, arguments.scene.overrides),
                     {arguments.quiet, arguments.threads});
+  if (!outcome.warning.empty() && !arguments.quiet) fmt::print(stderr, "warning: {}\n", outcome.warning);
+  if (outcome.status == RunStatus::inaccurate) {
+    fmt::print(stderr, "gasjet: inaccurate: {}\nResults up to the end are in {}\n", outcome.message,
+               folder.string());
+    return exit_domain;
+  }
   if (outcome.status == RunStatus::failed) {
     fmt::print(stderr, "gasjet: {}\nResults up to there are in {}\n", outcome.message, folder.string());
     return exit_domain;

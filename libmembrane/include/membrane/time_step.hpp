@@ -27,6 +27,14 @@ StiffnessShares stiffness_shares(const BagModel& model, const BagState& state, d
 // Largest stable step of central difference, 2 / omega (M.12) [s]. Throws MembraneError if nothing is stiff.
 double critical_time_step(const StiffnessShares& shares);
 
+// What forces and straps can do to the energy of a step: its squared length over 8 times these (M.22),
+// [J/s2]. Sum of |f|^2 / m over the free nodes after S6 and S7 of the same positions, weight and damping left
+// out.
+double force_mobility(const BagModel& model, const BagState& state);
+// Sum of k v^2 + T^2 (1/m_a + 1/m_b) over the straps, taut or not: v the speed at which the ends part, T the
+// tension. A strap that swings alone keeps it.
+double strap_mobility(const BagModel& model, const BagState& state);
+
 // What one element does at the current positions, for output and messages (not on the path of a step).
 struct ElementResponse {
   PlaneStrain<double> strain;      // in the element's frame, first axis along its reference side a-b

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "drift.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "membrane/time_step.hpp"
+
+namespace driver {
+namespace {
+
+// Shares of the energy (M.22). One spring that opens and closes, and fabric that moves as a whole, drift by
+// all of it; the waves of fabric without compression are many, and what one gains another loses.
+constexpr double share_together = 1e-4, share_apart = 1e-3;
+constexpr double growth = 1.01;  // of the limit in a step: a spring that has just opened closes again
+
+// That the limit of level n may draw on [J].
+double energy_at_hand(const State& state) {
+  const membrane::ForceSums& forces = state.bag->forces;
+  return std::max({state.peaks.energy_scale, std::abs(state.level.internal_energy),
+                   std::abs(state.flows.enthalpy_in), state.bag->advance.kinetic_after,
+                   forces.strain_energy + forces.strap_energy + forces.plate_energy});
+}
+
+using Named = std::pair<const char*, double>;
+
+Named largest(std::initializer_list<Named> list) {
+  return *std::max_element(list.begin(), list.end(),
+                           [](const Named& a, const Named& b) { return a.second < b.second; });
+}
+
+// Of the terms that the step integrates.
+Named largest_term(const Scene& scene, const EnergyRecord& e) {
+  if (!scene.moves()) return {"gas_internal_J", e.gas_internal_J};
+  return largest({{"skin_strain_J", e.skin_strain_J},
+                  {"skin_kinetic_J", e.skin_kinetic_J},
+                  {"strap_J", e.strap_J},
+                  {"plate_J", e.plate_J},
+                  {"contact_J", e.contact_J},
+                  {"pendulum_kinetic_J", e.pendulum_kinetic_J}});
+}
+
+std::string governing_share(const State& state) {
+  const membrane::StiffnessShares& s = state.step.share_sums;
+  const Named share = largest({{"fabric", s.element},
+                               {"gas", s.gas},
+                               {"contact", s.contact},
+                               {"straps", s.strap},
+                               {"plate", s.plate}});
+  return fmt::format("; {:.0f} % of omega^2 on average: {}", 100.0 * share.second / s.total(), share.first);
+}
+
+}  // namespace
+
+double energy_scale(const EnergyRecord& e) {
+  // Absolute enthalpies (NASA-7) pass through zero: no single term serves as the scale of all scenes.
+  return std::max({std::abs(e.inflow_enthalpy_J), std::abs(e.gas_internal_J),
+                   e.skin_kinetic_J + e.pendulum_kinetic_J, std::abs(e.pendulum_gravity_J),
+                   e.skin_strain_J + e.strap_J + e.plate_J + e.contact_J});
+}
+
+double energy_drift(const State& state) {
+  const Peaks& peaks = state.peaks;
+  return peaks.energy_scale > 0.0 ? peaks.energy_residual / peaks.energy_scale : peaks.energy_residual;
+}
+
+double drift_limit(const Scene& scene, const State& state) {
+  constexpr double none = std::numeric_limits<double>::infinity();
+  if (!state.bag || !scene.gas) return none;
+  const membrane::BagModel& model = scene.bag->model;
+  const bool start = state.step.before == 0.0;
+  const bool together = start || model.description.compression == membrane::Compression::linear;
+  const double fabric = start ? membrane::force_mobility(model, *state.bag) : state.step.force_mobility;
+  const double rate = fabric / (together ? share_together : share_apart) +
+                      membrane::strap_mobility(model, *state.bag) / share_together;
+  const double limit = rate > 0.0 ? std::sqrt(8.0 * energy_at_hand(state) / rate) : none;
+  return std::min(limit, growth * state.step.drift_limit);
+}
+
+std::string drift_text(const Scene& scene, const State& state) {
+  const double drift = energy_drift(state);
+  const Named term = largest_term(scene, state.peaks.energy);
+  std::string text = fmt::format(
+      "the energy drifts by {:.2g} of its scale (residual.energy_rel), {:.0e} or less is "
+      "expected; largest term that the step integrates: {}, {:.3g} J",
+      drift, kDriftWarned, term.first, term.second);
+  if (state.step.share_sums.total() > 0.0) text += governing_share(state);
+  if (!scene.moves()) return text;
+  // Second order; a tenth to spare.
+  const double factor = 0.9 * std::sqrt(kDriftWarned / drift);
+  return text + (scene.time.step ? fmt::format("; try time.step = {:.2g}", factor * *scene.time.step)
+                                 : fmt::format("; try time.safety = {:.2g}", factor * scene.time.safety));
+}
+
+}  // namespace driver

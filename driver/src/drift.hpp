@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+// The physical drift of the energy (K.21): the step that bounds it, and what is said of what remains.
+#pragma once
+
+#include <string>
+
+#include "driver/state.hpp"
+
+namespace driver {
+
+inline constexpr double kDriftWarned = 1e-3;      // share of the energy, from which on a warning is given
+inline constexpr double kDriftInaccurate = 1e-2;  // from which on a run is no longer "done"
+
+/// Largest drift of the recorded levels over the largest energy; in J where nothing holds energy.
+double energy_drift(const State& state);
+
+/// Step that bounds the drift (M.22) [s], infinite for a bag without gas. Writes nothing.
+double drift_limit(const Scene& scene, const State& state);
+
+/// Energy that the drift is compared with [J], from the record of a level.
+double energy_scale(const EnergyRecord& energy);
+
+/// Says how large the drift is, of which term it can be, what sets the step, and which step would do.
+std::string drift_text(const Scene& scene, const State& state);
+
+}  // namespace driver
