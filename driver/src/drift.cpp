@@ -85,7 +85,7 @@ std::string drift_text(const Scene& scene, const State& state) {
   const double drift = energy_drift(state);
   const Named term = largest_term(scene, state.peaks.energy);
   std::string text = fmt::format(
-      "the energy drifts by {:.2g} of its scale (residual.energy_rel), {:.0e} or less is "
+      "the energy drifts by {:.2g} of itself (residual.energy_rel), {:.0e} or less is "
       "expected; largest term that the step integrates: {}, {:.3g} J",
       drift, kDriftWarned, term.first, term.second);
   if (state.step.share_sums.total() > 0.0) text += governing_share(state);

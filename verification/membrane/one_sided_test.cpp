@@ -58,7 +58,7 @@ TEST(OneSided, largest_gain_of_a_bounce_eq_formula) {
          "the phase that gains most is one of the 200 tried; rounding of some ten steps"},
         {"one-sided spring: largest energy after a bounce over that before", "E/E₀ = 1/(1 − ω²Δt²/4)",
          predicted, largest, "-",
-         "straps: Δt follows (M.22); plate and contact: nodes so light that the balance stays closed"},
+         "straps: Δt follows (M.22); plate and contact: of single nodes, whose energy is small"},
         1.0 - 1e-9, 1.0 + 1e-9);
     EXPECT_GE(least, (1.0 - 1e-9) / predicted);  // and no bounce loses more
   }
