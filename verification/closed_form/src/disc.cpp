@@ -18,61 +18,80 @@ namespace {
 
 using std::numbers::pi;
 
-// Lengths over a, tensions over E h, pressure q = p a/(E h).
+// Lengths over a, tensions over E h, pressure q = p a/(E h). Stretches are kept as what they exceed 1 by:
+// small strains keep their digits.
 struct Problem {
   double q, poisson_ratio;
   bool no_compression;
 };
-enum { kX, kPull, kZ, kDiscVolume, kSize };  // x, s T1 cos(phi), z, volume
+enum { kHoop, kPull, kZ, kDiscVolume, kSize };  // x/s - 1, T1 cos(phi), z, volume
 using State = std::array<double, kSize>;
 
-// The positive root of l^3 + c l = k > 0. The cubic is convex there and positive at the start, so Newton
-// falls to the root.
-double stretch_root(double c, double k) {
-  double l = std::cbrt(k) + std::sqrt(std::abs(c));
+double strain(double excess) {
+  return excess * (1.0 + 0.5 * excess);
+}
+
+// The root of (1 + u)(strain(u) + c) = k > 0. The cubic is convex there and above the root at the start, so
+// Newton falls to it.
+double excess_root(double c, double k) {
+  double u = std::cbrt(2.0 * k) + std::sqrt(std::abs(2.0 * c - 1.0)) - 1.0;
   for (int round = 0; round < 200; ++round) {
-    const double next = l - (l * l * l + c * l - k) / (3.0 * l * l + c);
-    if (!(next < l)) break;
-    l = next;
+    const double stress = strain(u) + c;
+    const double next = u - ((1.0 + u) * stress - k) / (stress + (1.0 + u) * (1.0 + u));
+    if (!(next < u)) break;
+    u = next;
   }
-  return l;
+  return u;
 }
 
 struct Hoop {
-  double meridian_stretch, tension;  // l1, T2
+  double meridian_excess, tension;  // l1 - 1, T2
 };
-Hoop hoop(const Problem& problem, double t1, double l2) {
+Hoop hoop(const Problem& problem, double t1, double hoop_excess) {
   const double nu = problem.poisson_ratio;
-  const double e2 = 0.5 * (l2 * l2 - 1.0);
+  const double e2 = strain(hoop_excess);
   const double reciprocal = 1.0 - nu * nu;
-  const double l1 = stretch_root(2.0 * nu * e2 - 1.0, 2.0 * reciprocal * t1);
-  const double s2 = (e2 + nu * 0.5 * (l1 * l1 - 1.0)) / reciprocal;
-  if (problem.no_compression && s2 < 0.0) return {stretch_root(-1.0, 2.0 * t1), 0.0};
-  return {l1, l2 * s2};
+  const double u1 = excess_root(nu * e2, reciprocal * t1);
+  const double s2 = (e2 + nu * strain(u1)) / reciprocal;
+  if (problem.no_compression && s2 < 0.0) return {excess_root(0.0, t1), 0.0};
+  return {u1, (1.0 + hoop_excess) * s2};
 }
 
 int rates(double s, const double y[], double rate[], void* data) {
   const auto& problem = *static_cast<const Problem*>(data);
-  const double push = 0.5 * problem.q * y[kX] * y[kX];  // -s T1 sin(phi)
-  const double pull = std::hypot(y[kPull], push);
-  const Hoop h = hoop(problem, pull / s, y[kX] / s);
-  rate[kX] = h.meridian_stretch * y[kPull] / pull;
-  rate[kZ] = -h.meridian_stretch * push / pull;
-  rate[kPull] = h.tension + problem.q * y[kX] * rate[kZ];
-  rate[kDiscVolume] = -pi * y[kX] * y[kX] * rate[kZ];
+  const double x = s * (1.0 + y[kHoop]), pull = y[kPull];
+  const double push = 0.5 * problem.q * x * x / s;  // -T1 sin(phi)
+  const double t1 = std::hypot(pull, push);
+  const Hoop h = hoop(problem, t1, y[kHoop]);
+  const double turn = pull > 0.0 ? -push * push / (t1 * (t1 + pull)) : pull / t1 - 1.0;  // cos(phi) - 1
+  rate[kZ] = -(1.0 + h.meridian_excess) * push / t1;
+  rate[kHoop] = (h.meridian_excess * pull / t1 + turn - y[kHoop]) / s;
+  rate[kPull] = (h.tension + problem.q * x * rate[kZ] - pull) / s;
+  rate[kDiscVolume] = -pi * x * x * rate[kZ];
   return GSL_SUCCESS;
 }
 
-// From the centre, where both stretches are 1 + excess, to the edge. The start at s = 1e-4 by the leading
-// terms leaves errors of its square in a solution that decays as 1/s^2.
+// Next to the centre, where both stretches are l = 1 + excess and both tensions t, in s^2: l1 = l + m s^2, l2
+// = l + n s^2, T1 = t + (c m + d n) s^2, T2 = t + (c n + d m) s^2, sin(phi) = -k s. The start takes these
+// terms where they are 1e-6 of the strain, so what it leaves out is some 1e-12 of it.
+double start(const Problem& problem, double excess, State& y) {
+  const double nu = problem.poisson_ratio, l = 1.0 + excess;
+  const double stress = strain(excess) / (1.0 - nu), t = l * stress;
+  const double k = 0.5 * problem.q * l * l / t, k2 = k * k;
+  const double c = stress + l * l / (1.0 - nu * nu), d = nu * l * l / (1.0 - nu * nu);
+  const double n = -k2 * (t + (3.0 * c - d) * l) / (16.0 * c), m = 3.0 * n + 0.5 * l * k2;
+  const double s = 1e-3 * std::min(1.0, std::sqrt(excess) / k), s2 = s * s;
+  y = {excess + n * s2, t + (c * m + d * n - 0.5 * t * k2) * s2, -0.5 * l * k * s2, 0.0};
+  return s;
+}
+
+// From the centre to the edge.
 State edge_state(Problem problem, double excess) {
-  double s = 1e-4;
-  const double l = 1.0 + excess;
-  const double tension = l * excess * (1.0 + 0.5 * excess) / (1.0 - problem.poisson_ratio);
-  State y{l * s, tension * s, -problem.q * l * l * l * s * s / (4.0 * tension), 0.0};
+  State y;
+  double s = start(problem, excess, y);
   gsl_odeiv2_system system{rates, nullptr, kSize, &problem};
   const std::unique_ptr<gsl_odeiv2_driver, decltype(&gsl_odeiv2_driver_free)> driver(
-      gsl_odeiv2_driver_alloc_y_new(&system, gsl_odeiv2_step_rk8pd, 1e-5, 1e-14, 1e-13),
+      gsl_odeiv2_driver_alloc_y_new(&system, gsl_odeiv2_step_rk8pd, 0.1 * s, 1e-14 * excess, 1e-13),
       &gsl_odeiv2_driver_free);
   gsl_odeiv2_driver_set_nmax(driver.get(), 100000);
   if (gsl_odeiv2_driver_apply(driver.get(), &s, 1.0, y.data()) != GSL_SUCCESS)
@@ -120,12 +139,12 @@ InflatedDisc inflated_disc(const CircularMembrane& membrane, bool sealed) {
   const Problem problem{q, membrane.sheet.poisson_ratio, sealed};
   const auto miss = [&](double excess) {
     const State edge = edge_state(problem, excess);
-    return sealed ? edge[kPull] : edge[kX] - 1.0;
+    return sealed ? edge[kPull] : edge[kHoop];
   };
   // Hencky's membrane has 0.30 q^(2/3) at the centre for nu = 0.3.
   const double excess = rising_root(miss, 0.2 * std::cbrt(q * q));
   const State edge = edge_state(problem, excess);
-  return {1.0 + excess, -a * edge[kZ], a * edge[kX], a * a * a * edge[kDiscVolume]};
+  return {1.0 + excess, -a * edge[kZ], a * (1.0 + edge[kHoop]), a * a * a * edge[kDiscVolume]};
 }
 
 }  // namespace
