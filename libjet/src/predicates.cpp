@@ -25,6 +25,18 @@ RationalVector difference(const double* q, const double* p) {
   return {Rational(q[0]) - Rational(p[0]), Rational(q[1]) - Rational(p[1]), Rational(q[2]) - Rational(p[2])};
 }
 
+RationalVector vector(const double* d) {
+  return {Rational(d[0]), Rational(d[1]), Rational(d[2])};
+}
+
+RationalVector cross(const RationalVector& u, const RationalVector& v) {
+  return {u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x};
+}
+
+Rational dot(const RationalVector& u, const RationalVector& v) {
+  return u.x * v.x + u.y * v.y + u.z * v.z;
+}
+
 }  // namespace
 
 int orientation(const double* p, const double* q, const double* r, const double* s) {
@@ -32,12 +44,7 @@ int orientation(const double* p, const double* q, const double* r, const double*
 }
 
 int slope(const double* d, const double* p, const double* q, const double* r) {
-  const RationalVector u = difference(q, p);
-  const RationalVector v = difference(r, p);
-  const Rational determinant = Rational(d[0]) * (u.y * v.z - u.z * v.y) +
-                               Rational(d[1]) * (u.z * v.x - u.x * v.z) +
-                               Rational(d[2]) * (u.x * v.y - u.y * v.x);
-  return static_cast<int>(CGAL::sign(determinant));
+  return static_cast<int>(CGAL::sign(dot(vector(d), cross(difference(q, p), difference(r, p)))));
 }
 
 bool collinear(const double* a, const double* b, const double* c) {
@@ -50,6 +57,15 @@ bool on_triangle(const double* s, const double* a, const double* b, const double
   return CGAL::coplanar_orientation(pa, pb, pc, ps) != CGAL::NEGATIVE &&
          CGAL::coplanar_orientation(pb, pc, pa, ps) != CGAL::NEGATIVE &&
          CGAL::coplanar_orientation(pc, pa, pb, ps) != CGAL::NEGATIVE;
+}
+
+bool stays_on_triangle(const double* s, const double* d, const double* a, const double* b, const double* c) {
+  if (!on_triangle(s, a, b, c)) return false;
+  const RationalVector normal = cross(difference(b, a), difference(c, a));
+  const auto leaves_over = [&](const double* p, const double* q) {
+    return collinear(p, q, s) && dot(normal, cross(difference(q, p), vector(d))) < 0;
+  };
+  return !leaves_over(a, b) && !leaves_over(b, c) && !leaves_over(c, a);
 }
 
 }  // namespace jet::exact

@@ -15,6 +15,9 @@ int slope(const double* d, const double* p, const double* q, const double* r);
 /// Point s on the closed triangle (a, b, c), which has an area.
 bool on_triangle(const double* s, const double* a, const double* b, const double* c);
 
+/// Point s on that triangle, and s + eps d, eps -> 0+, too. Precondition: d is parallel to its plane.
+bool stays_on_triangle(const double* s, const double* d, const double* a, const double* b, const double* c);
+
 /// The three points lie on one line.
 bool collinear(const double* a, const double* b, const double* c);
 

@@ -38,7 +38,7 @@ std::optional<int> crossing(Kernel& kernel, const blocking::Ray& way, const Surf
   const int far = kernel.orientation(way.target, a, b, c);
   if (near == 0) {
     // In the plane: crossed only if the source stays on the element or the whole way lies in the plane.
-    if (kernel.moved(way) && exact::on_triangle(way.source, a, b, c)) return std::nullopt;
+    if (kernel.moved(way) && exact::stays_on_triangle(way.source, way.axis, a, b, c)) return std::nullopt;
     if (far == 0 && !exact::collinear(a, b, c)) return std::nullopt;
     return 0;
   }

@@ -175,6 +175,26 @@ inline Mesh lattice_cube(int n) {
   return mesh;
 }
 
+/// Prism over an outline counter-clockwise in x and y, z from 0 to height, its ends cut into the triangles
+/// given, outward.
+inline Mesh prism(const std::vector<Eigen::Vector2d>& outline, const std::vector<Eigen::Vector3i>& ends,
+                  double height) {
+  Mesh mesh;
+  const int n = static_cast<int>(outline.size());
+  for (const double z : {0.0, height})
+    for (const auto& p : outline) mesh.nodes.emplace_back(p.x(), p.y(), z);
+  for (const auto& t : ends) {
+    mesh.elements.emplace_back(t[0], t[2], t[1]);
+    mesh.elements.emplace_back(t + Eigen::Vector3i::Constant(n));
+  }
+  for (int i = 0; i < n; ++i) {
+    const int j = (i + 1) % n;
+    mesh.elements.emplace_back(i, j, j + n);
+    mesh.elements.emplace_back(i, j + n, i + n);
+  }
+  return mesh;
+}
+
 /// Nodes at the same place become one, so that a mesh of patches closes.
 inline Mesh welded(const Mesh& mesh) {
   Mesh result;

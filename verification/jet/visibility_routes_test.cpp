@@ -203,4 +203,32 @@ TEST(winding, counts_the_shells_around_a_source) {
       << "open";
 }
 
+/// The source lies on the inner edge of an L, in the planes of the two faces that meet there. Along one of
+/// them it leaves the surface for the gas: the theorem holds, and no ray needs more than the short cut.
+/// (Cross-section in x and y, edge at (1, 1).)
+TEST(winding, source_that_leaves_an_element_within_its_plane) {
+  const Mesh l = scenes::prism({{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}},
+                               {{0, 1, 2}, {0, 2, 3}, {0, 3, 5}, {3, 4, 5}}, 2.0);
+  jet::VisibilityQuery query(l.triangles(), static_cast<int>(l.nodes.size()));
+  ASSERT_TRUE(query.closed());
+  const auto number = [&](const Eigen::Vector3d& place, const Eigen::Vector3d& axis) {
+    return query.winding_numbers(l.points(), routes::point(place, axis), std::vector<int>{0})[0];
+  };
+  for (const Eigen::Vector3d& axis : {Eigen::Vector3d(0, -1, 0), Eigen::Vector3d(-1, 0, 0),
+                                      Eigen::Vector3d(0, -1, 1), Eigen::Vector3d(-1, -1, 0)}) {
+    for (const double z : {0.5, 1.0, 1.5}) {
+      EXPECT_EQ(number({1, 1, z}, axis), 1) << axis.transpose();
+      const auto source = routes::point({1, 1, z}, axis);
+      agreed(l, source);
+      const auto downstream = routes::agreed_on(routes::in_cone(l, source, 0.0), l, source).counters;
+      EXPECT_GT(downstream.lit, 4u);
+      EXPECT_EQ(downstream.fallbacks, 0u) << axis.transpose() << " at " << z;
+    }
+  }
+  EXPECT_EQ(number({1, 1, 1}, {0, 1, 0}), std::nullopt) << "moved along the face";
+  EXPECT_EQ(number({1, 1, 1}, {0, 0, 1}), std::nullopt) << "moved along the edge";
+  EXPECT_EQ(number({1, 1, 1}, {1, 1, 0}), 0) << "moved out";
+  EXPECT_EQ(number({1, 1, 2}, {0, -1, 0}), std::nullopt) << "moved along the end";
+}
+
 }  // namespace

@@ -84,8 +84,9 @@ class VisibilityQuery {
                            double travelled = kMotionUnknown);
 
   /// Winding number of each candidate's ray source (moved as above where it lies on the surface): 1 inside a
-  /// closed outward surface. Exact; std::nullopt where the surface is open or no generic ray was found. Meant
-  /// for checks before a run: O(M) for each candidate, allocates.
+  /// closed outward surface. Exact; std::nullopt where the surface is open, the moved source stays on an
+  /// element (its plane holds the axis) or no generic ray was found. Meant for checks before a run: O(M) for
+  /// each candidate, allocates.
   std::vector<std::optional<int>> winding_numbers(const Points& nodes, const RaySource& source,
                                                   std::span<const int> candidates);
 
