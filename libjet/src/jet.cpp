@@ -130,7 +130,7 @@ Section section(const JetModel& model, double z) {
 Eigen::Vector3d relative_velocity(const JetModel& model, const Eigen::Vector3d& point) {
   const JetShape shape = outline(model);
   const auto at = profile::local(shape, Vec3<double>{point[0], point[1], point[2]});
-  if (at.z < 0.0 || std::abs(at.along) > shape.half_long) return Eigen::Vector3d::Zero();
+  if (at.z <= 0.0 || std::abs(at.along) > shape.half_long) return Eigen::Vector3d::Zero();
   Eigen::Vector3d velocity;
   for (int i = 0; i < 3; ++i) {
     const Vec3<double> unit{i == 0 ? 1.0 : 0.0, i == 1 ? 1.0 : 0.0, i == 2 ? 1.0 : 0.0};

@@ -52,7 +52,7 @@ template <class T>
 [[gnu::always_inline]] inline T cut(const JetShape& jet, T z) {
   return max(T(jet.cut_core), jet.cut_origin + jet.cut_slope * z);
 }
-/// Not downstream of the outlet, or beyond the cut-off.
+/// Not strictly downstream of the outlet's plane, or beyond the cut-off.
 template <class T>
 [[gnu::always_inline]] inline auto outside(const JetShape& jet, T z, T radius2) {
   const T cut = profile::cut(jet, z);

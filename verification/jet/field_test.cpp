@@ -111,6 +111,27 @@ TEST(field, null_elements_and_elements_that_face_the_outlet_take_no_load) {
   for (const double dp : state.overpressure) EXPECT_EQ(dp, 0.0);
 }
 
+TEST(field, load_begins_strictly_downstream_of_the_outlet_plane) {
+  for (jet::JetModel model : {models::round(0.02, 0.08), models::rectangular(0.02, 0.2, 0.11)}) {
+    model.centre = {0.1, -0.2, 0.0};
+    model.axis = {0.0, 0.0, 1.0};
+    model.long_direction = {1.0, 0.0, 0.0};
+    for (const auto direction : {jet::Direction::axial, jet::Direction::radial}) {
+      model.direction = direction;
+      for (const double z : {-1e-300, -0.0, 0.0, 1e-300}) {
+        const plates::Target target =
+            plates::plate(model.centre + z * model.axis, {1e-3, 0.0, 0.0}, {0.0, 1e-3, 0.0}, 2, 2);
+        const jet::JetField field(model, target.count());
+        jet::FieldState state = field.make_state();
+        field.evaluate(target.area_vectors, target.centroids, kOutlet, state);
+        EXPECT_EQ(state.candidates.size(), z > 0.0 ? 8u : 0u) << z;
+        EXPECT_EQ(jet::jet_force(state, target.area_vectors).z() > 0.0, z > 0.0) << z;
+        EXPECT_EQ(jet::relative_velocity(model, target.centroids.col(0)).norm() > 0.0, z > 0.0) << z;
+      }
+    }
+  }
+}
+
 TEST(field, mask_removes_the_hidden_share_of_the_force) {
   const jet::JetModel model = models::round(0.02, 0.08);
   const plates::Target target = normal_plate(0.3, 0.01, 8);

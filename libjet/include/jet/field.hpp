@@ -41,11 +41,10 @@ class JetField {
 
   /// Overpressure dp = (1 + e) rho0 max(V . n, 0)^2 (J.6), V at the centroid, n the unit vector of the area
   /// vector. `area_vectors` [m2] and `centroids` [m], 3 x M, outward. A candidate has V . n > 0 and an
-  /// area > 0, lies downstream of the outlet and within the cut-off. Without flow (density or velocity 0)
-  /// there is none.
-  /// `travelled` [m]: between two calls no centroid moves farther than it grows by. Elements that
-  /// cannot have crossed a bound of the jet are not looked at; the results are the same. Without it, and
-  /// whenever it decreases, all are looked at.
+  /// area > 0, and its centroid lies strictly downstream of the outlet's plane (z > 0) and within the
+  /// cut-off. Without flow (density or velocity 0) there is none. `travelled` [m]: between two calls no
+  /// centroid moves farther than it grows by. Elements that cannot have crossed a bound of the jet are not
+  /// looked at; the results are the same. Without it, and whenever it decreases, all are looked at.
   /// `velocities` [m/s] 3 x M of the elements' centroids is read if the model says relative_to_skin: then
   /// dp = (1 + e) rho0 max(V . n - v . n, 0)^2, and candidates have V . n > v . n as well. Throws
   /// std::invalid_argument on a wrong shape, where velocities are missing; DomainError where a candidate's

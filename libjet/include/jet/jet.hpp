@@ -68,8 +68,9 @@ struct Section {
 /// Section at the distance z >= 0 [m] from the outlet.
 Section section(const JetModel& model, double z);
 
-/// Velocity relative to the outlet's, V / V0 [-], at a point; zero upstream of the outlet and beyond the long
-/// side's ends (J.5). No cut-off. Precondition: the model comes from validated().
+/// Velocity relative to the outlet's, V / V0 [-], at a point strictly downstream of the outlet's plane (z >
+/// 0) and within the long side's ends (J.5); zero elsewhere. No cut-off. Precondition: the model comes from
+/// validated().
 Eigen::Vector3d relative_velocity(const JetModel& model, const Eigen::Vector3d& point);
 
 }  // namespace jet
