@@ -77,11 +77,19 @@ struct VisibilityQuery::Impl {
   bool closed;
   std::vector<std::array<int, 3>> triangles;
   std::vector<Role> roles;
+  std::vector<int> unused;  // nodes that no element uses
+  Eigen::Matrix3Xd copy;    // of the nodes, if there are such
   FastRoute fast;
 
   int count() const { return static_cast<int>(triangles.size()); }
 
-  Surface surface(const Points& nodes) const {
+  /// Nodes that no element uses stand where one of an element does: they bound nothing.
+  Surface surface(const Points& nodes) {
+    if (!unused.empty()) {
+      copy = nodes;
+      for (const int node : unused) copy.col(node) = nodes.col(triangles[0][0]);
+      return {copy.data(), 3, triangles.data(), roles.data(), count(), node_count};
+    }
     return {nodes.data(), nodes.outerStride(), triangles.data(), roles.data(), count(), node_count};
   }
 
@@ -117,6 +125,12 @@ VisibilityQuery::VisibilityQuery(const Triangles& triangles, int node_count, con
   impl_->roles.assign(impl_->triangles.size(), Role::fabric);
   impl_->assign(roles.attachment_elements, "attachment element", Role::attachment);
   impl_->assign(roles.null_elements, "null element", Role::null_panel);
+  std::vector<std::uint8_t> used(static_cast<std::size_t>(node_count), 0);
+  for (const Triangle& t : impl_->triangles)
+    for (const int node : t) used[static_cast<std::size_t>(node)] = 1;
+  for (int node = 0; node < node_count; ++node)
+    if (used[static_cast<std::size_t>(node)] == 0) impl_->unused.push_back(node);
+  if (!impl_->unused.empty()) impl_->copy.resize(3, node_count);
   impl_->closed = is_closed(impl_->triangles);
   impl_->fast.prepare(impl_->triangles, static_cast<std::size_t>(node_count), impl_->closed);
 }

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <limits>
 
 #include "routes.hpp"
 
@@ -90,6 +91,39 @@ TEST(fast_route, tree_is_built_for_rays_all_around_in_a_folded_bag_alone) {
   const std::vector<int> one = {0};
   EXPECT_EQ(routes::ask(jet::VisibilityRoute::cgal_tree, star, source, one).counters.tree_builds, 1u);
   EXPECT_EQ(routes::ask(jet::VisibilityRoute::brute_force, star, source, one).counters.tree_builds, 0u);
+}
+
+/// The same questions at the origin and away from it, up to 1e7 extents: never a tree. At 1e9 there is one,
+/// and the counter says so.
+TEST(fast_route, far_from_the_origin_it_stays_fast) {
+  const Mesh folded = scenes::crumpled(4, 0.01, 2);
+  const Eigen::Vector3d axis = Eigen::Vector3d(1, 1, 1).normalized(), along = axis.unitOrthogonal();
+  for (const double shift : {1e5, 1e6, 2e6, 1e9}) {
+    const Eigen::Vector3d place(-shift, 0.3 * shift, 0.1 * shift);
+    Mesh mesh = folded;
+    for (auto& p : mesh.nodes) p += place;
+    for (const auto& source : {routes::point(place, axis), routes::line(place, axis, along, 0.1)}) {
+      const auto counters = routes::agreed_on(routes::in_cone(mesh, source, 0.3), mesh, source).counters;
+      EXPECT_GT(counters.hidden, 50u);
+      EXPECT_EQ(counters.tree_builds, shift > 1e7 ? 1u : 0u) << shift;
+    }
+  }
+}
+
+TEST(fast_route, nodes_that_no_element_uses_count_in_nothing) {
+  const Mesh mesh = scenes::crumpled(4, 0.01, 2);
+  const auto source = routes::line({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, 0.1);
+  const auto candidates = routes::in_cone(mesh, source, 0.3);
+  const auto without = routes::agreed_on(candidates, mesh, source);
+  for (const double far : {1e6, 1e99, std::numeric_limits<double>::quiet_NaN()}) {
+    Mesh more = mesh;
+    more.nodes.emplace_back(far, -far, 0.0);
+    const auto with = routes::agreed_on(candidates, more, source);
+    EXPECT_EQ(with.lit, without.lit);
+    EXPECT_EQ(with.counters.exact_calls, without.counters.exact_calls) << far;
+    EXPECT_EQ(with.counters.fallbacks, without.counters.fallbacks) << far;
+    EXPECT_EQ(with.counters.tree_builds, 0u) << far;
+  }
 }
 
 }  // namespace

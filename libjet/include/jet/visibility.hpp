@@ -59,7 +59,9 @@ struct VisibilityCounters {
   // Of the fast route: rays that needed more than its short cut, that is tests of the whole rule where an
   // argument of the short cut was not certain.
   std::size_t fallbacks = 0;
-  std::size_t tree_builds = 0;  // 1 where CGAL's tree was built, which allocates
+  // 1 where CGAL's tree was built, which allocates: by the fast route for a folded surface with many rays
+  // upstream, and for coordinates above 1e7 extents.
+  std::size_t tree_builds = 0;
 };
 
 /// Visibility on a surface of fixed connectivity. Owns its workspace: one object a thread. What it keeps from
@@ -73,12 +75,12 @@ class VisibilityQuery {
   VisibilityQuery(VisibilityQuery&&) noexcept;
   VisibilityQuery& operator=(VisibilityQuery&&) noexcept;
 
-  /// lit[k] = 1 if candidates[k] is lit, else 0. `nodes` [m] 3 x node_count; coordinates of nodes and source
-  /// must be 0 or 1e-100 to 1e100 in magnitude, axis not zero, else std::invalid_argument; so for wrong sizes
-  /// and indices.
-  /// `travelled` [m]: between two queries no node moves farther than it grows by. The fast route then looks
-  /// from time to time only at nodes far from all rays, at their coordinates' range, too, and whether others
-  /// are below 1e-100; the mask is the same. Without it, and whenever it decreases, it looks at all.
+  /// lit[k] = 1 if candidates[k] is lit, else 0. `nodes` [m] 3 x node_count; coordinates of the source and of
+  /// nodes that elements use must be 0 or 1e-100 to 1e100 in magnitude, axis not zero, else
+  /// std::invalid_argument; so for wrong sizes and indices. `travelled` [m]: between two queries no node
+  /// moves farther than it grows by. The fast route then looks from time to time only at nodes far from all
+  /// rays, at their coordinates' range, too, and whether others are below 1e-100; the mask is the same.
+  /// Without it, and whenever it decreases, it looks at all.
   VisibilityCounters query(VisibilityRoute route, const Points& nodes, const RaySource& source,
                            std::span<const int> candidates, std::span<std::uint8_t> lit,
                            double travelled = kMotionUnknown);
