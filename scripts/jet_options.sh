@@ -36,15 +36,19 @@ variants=(
   "passenger_pendulum|first 30 ms, \`occlusion = false\`|s/^end_time = .*/end_time = 0.03/; s/^restitution/occlusion = false\n&/"
 )
 
-# column FILE NAME HOW: last value of a column, its largest (peak), or its integral over time (integral).
+# column FILE NAME HOW: last value of a column, or its integral over time (integral).
 column() {
   awk -F, -v name="$2" -v how="$3" '
     /^#/ { next }
     !at { for (i = 1; i <= NF; ++i) { if ($i == name) at = i; if ($i == "time_s") time = i } if (!at) { print "-"; exit } next }
-    { if ($at > peak) peak = $at
-      if (seen) integral += ($time - t) * ($at + last) / 2
+    { if (seen) integral += ($time - t) * ($at + last) / 2
       last = $at; t = $time; seen = 1 }
-    END { if (seen) printf "%.5g", how == "last" ? last : how == "peak" ? peak : integral }' "$1"
+    END { if (seen) printf "%.5g", how == "last" ? last : integral }' "$1"
+}
+
+# Peak of the force of all jets together over all steps; rows of the history may miss it.
+peak() {
+  sed -nE 's/.*"jet_force_N": ([^,]*),?$/\1/p' "$1" | awk '{ printf "%.5g", $1 }'
 }
 
 {
@@ -52,7 +56,9 @@ column() {
   echo "# What each option of a jet contributes"
   echo
   echo "Written by \`scripts/jet_options.sh\` from the cases of that name, one option changed at a time, by $(build/gasjet --version)."
-  echo "One run each: \`passenger_pendulum\` is [chaotic](../ensembles.md), so that its differences are trends."
+  echo "One coupled run each: what a change does to the bag's motion is in its row. \`passenger_pendulum\` is [chaotic](../ensembles.md), so that"
+  echo "its differences are trends. Peak: of the force of all jets together, over all steps (\`summary.json\`). Impulse: by trapezoids over the rows of the history."
+  echo "For the force of the same frozen states with and without hidden elements see [jet](../theory/jet.md#overpressure)."
   echo
   echo "| case | change | peak jet force [N] | jet impulse [N s] | external jet work [J] | end pressure [Pa] |"
   echo "|---|---|---|---|---|---|"
@@ -62,7 +68,7 @@ column() {
     build/gasjet run "$work/$name.toml" --out "$work/run" --quiet >/dev/null
     work_done=-
     [[ ! -f $work/run/energy.csv ]] || work_done=$(column "$work/run/energy.csv" jet_work_J last)
-    echo "| $name | $change | $(column "$work/run/history.csv" jet_force_N peak) | $(column "$work/run/history.csv" jet_force_N integral) | $work_done | $(column "$work/run/history.csv" pressure_Pa last) |"
+    echo "| $name | $change | $(peak "$work/run/summary.json") | $(column "$work/run/history.csv" jet_force_N integral) | $work_done | $(column "$work/run/history.csv" pressure_Pa last) |"
     rm -rf "$work/run"
   done
 } >"$work/table.md"

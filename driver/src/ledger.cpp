@@ -100,6 +100,13 @@ double joint_force(const Scene& scene, const State& state) {
       .norm();
 }
 
+// Of all jets together.
+Eigen::Vector3d jet_force(const State& state) {
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (const JetRun& run : state.jets) sum += run.force;
+  return sum;
+}
+
 Record history_record(const Scene& scene, const State& state) {
   Record r;
   r.time_s = state.time;
@@ -114,13 +121,11 @@ Record history_record(const Scene& scene, const State& state) {
   r.fabric_outflow_kg_s = gas.fabric_mass_flow;
   r.backflow_kg_s = gas.backflow;
   r.heat_loss_W = gas.heat_loss;
-  Eigen::Vector3d jet_force = Eigen::Vector3d::Zero();
   for (const JetRun& run : state.jets) {
-    jet_force += run.force;
     r.jet_lit_elements += static_cast<double>(run.counters.lit);
     r.jet_hidden_elements += static_cast<double>(run.counters.hidden);
   }
-  r.jet_force_N = jet_force.norm();
+  r.jet_force_N = jet_force(state).norm();
   r.contact_force_N = state.contact.force.norm();
   r.contact_penetration_m = state.contact.penetration;
   if (state.pendulum) {
@@ -141,7 +146,7 @@ void book_peaks(const Scene& scene, State& state) {
   Peaks& peaks = state.peaks;
   peaks.pressure = std::max(peaks.pressure, state.gas_point.pressure);
   peaks.volume = std::max(peaks.volume, state.level.volume);
-  for (const JetRun& run : state.jets) peaks.jet_force = std::max(peaks.jet_force, run.force.norm());
+  peaks.jet_force = std::max(peaks.jet_force, jet_force(state).norm());
   if (scene.has_volume()) {
     const double supplied = state.initial_gas_mass + state.flows.mass_in + state.flows.backflow_mass;
     const double expected = supplied - state.flows.vent_mass_out - state.flows.fabric_mass_out;

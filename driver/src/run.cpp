@@ -51,8 +51,8 @@ void run_steps(const Scene& scene, State& state, const RecordSink& sink,
     sink(request.record ? &records : nullptr, state);
     if (stop) outcome.status = RunStatus::interrupted;
     if (request.last) return;
-    const double left = scene.time.end - now;
-    state.time = state.step.after >= left ? scene.time.end : now + state.step.after;
+    const double stop_at = next_stop(scene, now);
+    state.time = state.step.after >= stop_at - now ? stop_at : now + state.step.after;
     ++state.steps;
   }
 }

@@ -89,6 +89,7 @@ void read_output(TableReader& root, Scene& scene) {
   if (auto table = root.optional_table("output")) {
     const Bounds rows{scene.time.end / 1e7, any_number.high, false, "an interval of end_time / 1e7 or more"};
     scene.output.history_every = table->number("history_every", rows, scene.output.history_every);
+    scene.output.history_exact = table->flag("history_exact", false);
     const Bounds frames{scene.time.end / 1e5, any_number.high, false,
                         "an interval of end_time / 1e5 or more"};
     scene.output.fields_every = table->optional_number("fields_every", frames).value_or(0.0);

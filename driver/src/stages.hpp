@@ -37,6 +37,8 @@ void forces(const Scene& scene, State& state);                     // S6
 void contact(const Scene& scene, State& state);                    // S7
 double contact_stiffness(const Scene& scene, const State& state);  // bound of its omega^2 at n [1/s2]
 void choose_step(const Scene& scene, State& state, bool last);
+/// Time that a step from `time` must not pass: the end, or the next row's if history_exact.
+double next_stop(const Scene& scene, double time);
 void advance(const Scene& scene, State& state);                                                   // S8
 void volume(const Scene& scene, State& state);                                                    // S9
 void gas_ode(const Scene& scene, State& state, const Enclosure& before);                          // S10

@@ -118,15 +118,26 @@ void choose_step(const Scene& scene, State& state, bool last) {
   if (scene.moves())
     wanted = scene.time.step.value_or(scene.time.safety * std::min(step.critical, step.drift_limit));
   if (scene.time.step && wanted > step.critical && !scene.time.unsafe_step) fail_step(scene, state, wanted);
-  // The last two steps share what is left, so that the end is met without a tiny step.
-  const double left = scene.time.end - state.time;
-  if (left < 2.0 * wanted) wanted = left > wanted * (1.0 + 1e-9) ? 0.5 * left : left;
+  // The last two steps share what is left, so that the end is met without a tiny step. Up to a row all of
+  // them do: steps that alternate at each row could resonate with a mode.
+  const double left = next_stop(scene, state.time) - state.time;
+  if (scene.output.history_exact)
+    wanted = left / std::max(1.0, std::ceil(left / wanted * (1.0 - 1e-9)));
+  else if (left < 2.0 * wanted)
+    wanted = left > wanted * (1.0 + 1e-9) ? 0.5 * left : left;
   step.after = std::min(wanted, left);
   if (step.after < left && step.after < 1e-9 * scene.time.end)
     throw StepError(fmt::format("step {} s{} would take more than 1e9 of them to end_time; {}", step.after,
                                 state.bag ? ", set by " + shares_text(step.shares) + "," : std::string(),
                                 "steps of end_time / 1e9 or more are allowed"));
   book_step(step);
+}
+
+double next_stop(const Scene& scene, double time) {
+  const double end = scene.time.end, every = scene.output.history_every;
+  if (!scene.output.history_exact) return end;
+  const double next = (std::floor(time / every * (1.0 + 1e-12)) + 1.0) * every;
+  return next < end * (1.0 - 1e-12) ? next : end;
 }
 
 void advance(const Scene& scene, State& state) {

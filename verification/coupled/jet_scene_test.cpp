@@ -119,4 +119,13 @@ TEST(jet_scene, fast_route_eq_cgal_tree_at_every_step_of_the_run) {
   EXPECT_EQ(state.jets.front().total.tree_builds, 0u);
 }
 
+/// Two jets against each other: the summary's peak is that of the column, over all steps.
+TEST(jet_scene, peak_force_is_the_greatest_of_all_steps) {
+  const auto run = coupled::run_case("jet_bag", {"output.history_every=2e-9"});
+  ASSERT_EQ(run.history.size(), static_cast<std::size_t>(run.state.steps) + 1);
+  double greatest = 0.0;
+  for (const auto& row : run.history) greatest = std::max(greatest, row.jet_force_N);
+  EXPECT_EQ(run.state.peaks.jet_force, greatest);
+}
+
 }  // namespace

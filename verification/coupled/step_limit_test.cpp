@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // What happens at and past the largest stable step.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <utility>
 
 #include "run_case.hpp"
 
@@ -78,6 +80,35 @@ TEST(step_limit, rounding_of_the_time_leaves_no_sliver) {
   EXPECT_EQ(run.outcome.status, driver::RunStatus::done) << run.outcome.message;
   EXPECT_EQ(run.state.time, 0.8);
   EXPECT_NEAR(run.state.step.minimum, 0.1, 1e-9 * 0.1);  // by which the last step may differ
+}
+
+/// Rows on the multiples, whatever the step; the last at the end.
+TEST(step_limit, exact_history_lands_on_its_multiples) {
+  for (const auto& [name, every] : {std::pair{"sphere_inflation", 1e-4},
+                                    {"jet_bag", 7e-4},
+                                    {"pendulum_swing", 0.003},
+                                    {"rigid_tank", 7e-4}}) {
+    const auto run =
+        run_case(name, {"output.history_exact=true", fmt::format("output.history_every={}", every)});
+    ASSERT_EQ(run.outcome.status, driver::RunStatus::done) << run.outcome.message;
+    const double end = coupled::scene_of(name).time.end;
+    const auto last = run.history.size() - 1;
+    ASSERT_EQ(last, static_cast<std::size_t>(std::ceil(end / every * (1.0 - 1e-12)))) << name;
+    for (std::size_t k = 0; k < last; ++k)
+      EXPECT_NEAR(run.history[k].time_s, static_cast<double>(k) * every, 1e-15 * end) << name;
+    EXPECT_EQ(run.history[last].time_s, end) << name;
+  }
+}
+
+/// Its steps are no longer than those of the default run, so it is as close to the run of half the step.
+TEST(step_limit, exact_history_keeps_the_results) {
+  for (const char* name : {"sphere_inflation", "jet_bag"}) {
+    const auto end_of = [&](const std::string& setting) { return run_case(name, {setting}).history.back(); };
+    const auto fine = end_of("time.safety=0.4"), usual = end_of("time.safety=0.8"),
+               exact = end_of("output.history_exact=true");
+    EXPECT_LT(std::abs(exact.pressure_Pa - fine.pressure_Pa), std::abs(usual.pressure_Pa - fine.pressure_Pa));
+    EXPECT_LT(std::abs(exact.volume_m3 - fine.volume_m3), std::abs(usual.volume_m3 - fine.volume_m3));
+  }
 }
 
 }  // namespace

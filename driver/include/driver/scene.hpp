@@ -96,7 +96,8 @@ struct TimePart {
 struct OutputPart {
   double history_every =
       0.0;  // [s] a row at the first step at or past each multiple; gas-only scenes step by it
-  double fields_every = 0.0;  // [s] 0: no field files
+  bool history_exact = false;  // steps are shortened to end on the multiples
+  double fields_every = 0.0;   // [s] 0: no field files
 };
 
 struct Scene {

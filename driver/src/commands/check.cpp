@@ -122,6 +122,10 @@ int check(const CaseArguments& arguments, const std::string& format) {
     fmt::print("pendulum: {:.6g} kg m2 about the axis, effective mass {:.5g} kg\n",
                scene.pendulum->model.axis_inertia(), scene.pendulum->model.effective_mass());
   if (scene.contact) fmt::print("contact stiffness: {:.4g} N/m3\n", scene.contact->parameters().stiffness);
+  if (scene.moves() && !scene.output.history_exact)
+    fmt::print(
+        "history: a row at the first step at or past each multiple of {} s; on it with history_exact\n",
+        scene.output.history_every);
   print_forecast(groups);
   if (const std::string advice = gas_advice(scene, groups); !advice.empty())
     fmt::print("advice: {}\n", advice);
