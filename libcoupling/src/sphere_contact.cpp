@@ -186,6 +186,7 @@ ContactResult ContactModel::evaluate(ContactState& state, const Nodes& nodes, co
                                      NodalForces forces, const Vector3d& turn) const {
   if (nodes.cols() != node_count() || forces.cols() != node_count())
     detail::reject("contact.nodes", std::to_string(nodes.cols()) + " columns", "as many as at build");
+  detail::require_finite("contact.turn", turn);
   follow(state, nodes, centre);
   ContactResult result;
   detail::Grip grip{{}, {}, {}, turn, parameters_.friction, -1, state.old_bristles, 0, state.bristles, 0.0};

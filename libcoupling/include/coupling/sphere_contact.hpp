@@ -104,7 +104,8 @@ class ContactModel {
   // (K.15). Set state.started = false to begin anew. No allocation. Throws ContactError, naming the element,
   // when the penetration exceeds r/2 (K.24), when the centre crosses the skin and when a coordinate is not
   // finite (all are looked at unless stays_clear was told the motion); `forces` are then not to be used.
-  // `turn` [rad] is the sphere's rotation since the last call; only friction feels it.
+  // `turn` [rad] is the sphere's rotation since the last call; only friction feels it. Not finite:
+  // std::invalid_argument, and the state stays as it is.
   ContactResult evaluate(ContactState& state, const Nodes& nodes, const Eigen::Vector3d& centre,
                          NodalForces forces, const Eigen::Vector3d& turn = Eigen::Vector3d::Zero()) const;
 
