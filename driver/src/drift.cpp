@@ -46,12 +46,13 @@ Named largest_term(const Scene& scene, const EnergyRecord& e) {
 
 std::string governing_share(const State& state) {
   const membrane::StiffnessShares& s = state.step.share_sums;
-  const Named share = largest({{"fabric", s.element},
+  const Named governing = largest({{"fabric", s.element},
                                {"gas", s.gas},
                                {"contact", s.contact},
                                {"straps", s.strap},
                                {"plate", s.plate}});
-  return fmt::format("; {:.0f} % of omega^2 on average: {}", 100.0 * share.second / s.total(), share.first);
+  return fmt::format("; {:.0f} % of omega^2 on average: {}", 100.0 * governing.second / s.total(),
+                     governing.first);
 }
 
 }  // namespace
