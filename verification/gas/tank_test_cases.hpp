@@ -135,7 +135,7 @@ inline Coverage coverage(const gas::TankTest& test, const Truth& truth, double m
     c.effective_area += inside(found.effective_area_band, 1e-4);
     EXPECT_LT(found.mean_temperature_band.high - found.mean_temperature_band.low, 0.05 * mean_temperature);
     for (const auto& point : found.points) {
-      if (point.masked) continue;
+      if (!point.band_claimed) continue;
       const auto exact = truth(point.time);
       c.mass_flow += inside(point.mass_flow_band, exact.mass_flow);
       c.temperature += inside(point.temperature_band, exact.temperature);

@@ -130,9 +130,10 @@ struct IdentifyArguments {
   std::string time_column = "time_s";
   std::string tank_column = "tank_pressure_Pa";
   std::string chamber_column = "chamber_pressure_Pa";
-  double threshold = 0.05;  // of the largest K
-  int points = 501;         // rows of the curve
-  int draws = 400;          // for the bands
+  std::string noise = "reading";  // what the gauges' noise is a share of: "reading" or "full-scale"
+  double threshold = 0.05;        // of the largest K
+  int points = 501;               // rows of the curve
+  int draws = 400;                // for the bands
 };
 int identify(const IdentifyArguments& arguments);
 

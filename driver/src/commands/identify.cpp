@@ -106,13 +106,22 @@ std::string as_typed(const std::string& message) {
 gas::Identified analyse(const IdentifyArguments& a, const gas::TankTest& test, const CsvTable& table) {
   gas::TankReadings readings{table.values[0], table.values[1], {}};
   if (table.values.size() > 2) readings.chamber = table.values[2];
+  const bool of_reading = a.noise == "reading";
   try {
-    return gas::identify(test, readings, {a.points, a.threshold, a.draws});
+    return gas::identify(test, readings,
+                         {.points = a.points,
+                          .threshold = a.threshold,
+                          .draws = a.draws,
+                          .noise = of_reading ? gas::Noise::kOfReading : gas::Noise::kOfFullScale});
   } catch (const gas::ReadingError& error) {
-    table.fail(error.series == "time"            ? 0
-               : error.series == "tank pressure" ? 1
-                                                 : 2,
-               error.index, error.what());
+    const std::string what = error.what();
+    const bool other_noise = of_reading && error.series == "chamber pressure";
+    table.fail(
+        error.series == "time"            ? 0
+        : error.series == "tank pressure" ? 1
+                                          : 2,
+        error.index,
+        what + (other_noise ? "; noise that is the same over the record fits --noise full-scale" : ""));
   } catch (const std::invalid_argument& error) {
     throw CaseError(as_typed(error.what()));
   }
@@ -122,9 +131,18 @@ std::string text(const gas::Band& band) {
   return fmt::format("{:.6g} to {:.6g}", band.low, band.high);
 }
 
-std::string text(const gas::Smoothing& s) {
-  return fmt::format("noise {:.4g} % of the reading, {:.4g} degrees of freedom, lambda {:.4g}",
-                     100.0 * s.noise, s.degrees_of_freedom, s.parameter);
+std::string text(const IdentifyArguments& a, const gas::Smoothing& s) {
+  return fmt::format("noise {:.4g} % of the {}, {:.4g} degrees of freedom, lambda {:.4g}", 100.0 * s.noise,
+                     a.noise == "reading" ? "reading" : "largest reading", s.degrees_of_freedom, s.parameter);
+}
+
+std::string bands(const IdentifyArguments& a, const gas::Identified& found) {
+  const std::string share = fmt::format("{} of {} draws do not fit", found.misfits, a.draws);
+  if (!found.bands) return "none: " + share + " the range of temperatures, more than a tenth";
+  const char* text = "pointwise 95 %, from the pressures' noise alone";
+  return found.misfits == 0
+             ? text
+             : fmt::format("{}; {}, the bands are those of the others and too narrow there", text, share);
 }
 
 /// What stands above the table and on the screen.
@@ -136,13 +154,13 @@ Provenance findings(const IdentifyArguments& a, const gas::Identified& found) {
       {"method", dual ? "dual pressure" : "average temperature"},
       {"gas", fmt::format("{} by {} into {}, {} cp, tank of {} m3, {} kg, {} K at first", a.gas, a.by,
                           a.tank_gas, a.thermodynamics, a.volume, a.mass, a.initial_temperature)},
-      {"tank_pressure", text(found.tank)}};
-  if (dual) lines.push_back({"chamber_pressure", text(found.chamber)});
-  lines.push_back({"mean_temperature_K", fmt::format("{:.6g}, 95 %: {}", found.mean_temperature,
-                                                     text(found.mean_temperature_band))});
-  if (dual)
-    lines.push_back({"outlet_CdA_m2",
-                     fmt::format("{:.6g}, 95 %: {}", found.effective_area, text(found.effective_area_band))});
+      {"tank_pressure", text(a, found.tank)}};
+  if (dual) lines.push_back({"chamber_pressure", text(a, found.chamber)});
+  const auto with_band = [&](double value, const gas::Band& band) {
+    return fmt::format("{:.6g}, {}", value, found.bands ? "95 %: " + text(band) : "no band");
+  };
+  lines.push_back({"mean_temperature_K", with_band(found.mean_temperature, found.mean_temperature_band)});
+  if (dual) lines.push_back({"outlet_CdA_m2", with_band(found.effective_area, found.effective_area_band)});
   double worst = 0.0;
   for (const auto& point : found.points)
     if (!point.masked) worst = std::max(worst, point.amplification);
@@ -151,13 +169,19 @@ Provenance findings(const IdentifyArguments& a, const gas::Identified& found) {
        fmt::format("deviation of K over that of one reading: {:.3g} at the largest K ({:.5g} kg K/s), "
                    "up to {:.3g} above the threshold ({:.5g})",
                    peak->amplification, peak->enthalpy_flow, worst, found.threshold)});
-  lines.push_back({"masked", fmt::format("{} of {} rows, |K| below {} of its largest", masked,
-                                         found.points.size(), a.threshold)});
+  lines.push_back(
+      {"masked", fmt::format("{} of {} rows, K below {} of its largest or 4 of its standard deviations",
+                             masked, found.points.size(), a.threshold)});
   lines.push_back(
       {"forward_model",
        fmt::format("a tank with these curves misses the smoothed tank pressure by {:.2g} % at most",
                    100.0 * found.forward_error)});
-  lines.push_back({"bands", "pointwise 95 %, from the pressures' noise alone"});
+  const auto claimed = std::ranges::count_if(found.points, [](const auto& p) { return p.band_claimed; });
+  lines.push_back({"bands", bands(a, found)});
+  lines.push_back(
+      {"band_claimed", fmt::format("{} of {} rows: not where masked, nor where the tank pressure bends more "
+                                   "sharply than smoothing follows",
+                                   claimed, found.points.size())});
   lines.push_back(
       {"bias", dual ? "temperature is held where masked"
                     : "mass_flow is off by T_s/mean_temperature at each moment, not in the bands"});
@@ -171,12 +195,13 @@ void write_curve(const std::filesystem::path& file, const Provenance& lines, con
   fmt::format_to(to,
                  "time_s,mass_flow_kg_s,mass_flow_low_kg_s,mass_flow_high_kg_s,temperature_K,"
                  "temperature_low_K,temperature_high_K,tank_pressure_Pa,chamber_pressure_Pa,"
-                 "enthalpy_flow_kg_K_s,amplification,masked\n");
+                 "enthalpy_flow_kg_K_s,amplification,masked,band_claimed\n");
   for (const auto& p : found.points)
-    fmt::format_to(to, "{:.8g},{:.8g},{:.8g},{:.8g},{:.8g},{:.8g},{:.8g},{:.8g},{:.8g},{:.6g},{:.4g},{:d}\n",
+    fmt::format_to(to,
+                   "{:.8g},{:.8g},{:.8g},{:.8g},{:.8g},{:.8g},{:.8g},{:.8g},{:.8g},{:.6g},{:.4g},{:d},{:d}\n",
                    p.time, p.mass_flow, p.mass_flow_band.low, p.mass_flow_band.high, p.temperature,
                    p.temperature_band.low, p.temperature_band.high, p.tank_pressure, p.chamber_pressure,
-                   p.enthalpy_flow, p.amplification, p.masked);
+                   p.enthalpy_flow, p.amplification, p.masked, p.band_claimed);
   std::ofstream stream(file, std::ios::binary);
   if (!stream) throw OutputError(fmt::format("--out {}: not writable", file.string()));
   stream.write(out.data(), static_cast<std::streamsize>(out.size()));

@@ -164,6 +164,8 @@ void add_identify(CLI::App& app, IdentifyArguments& a) {
   add("--time-column", a.time_column, "name in the header");
   add("--tank-column", a.tank_column, "name in the header");
   add("--chamber-column", a.chamber_column, "name in the header");
+  add("--noise", a.noise, "the gauges' noise is a fixed share of the reading, or of the full scale")
+      ->check(CLI::IsMember({"reading", "full-scale"}));
   add("--threshold", a.threshold, "rows with |K| below this fraction of the largest are masked");
   add("--points", a.points, "rows of the curves, equally spaced");
   add("--draws", a.draws, "random draws behind the 95 % bands");

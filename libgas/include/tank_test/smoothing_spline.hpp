@@ -24,47 +24,66 @@ struct SplinePoint {
   double value;  // in the unit of its coefficients
   double slope;  // [1/s]
 };
-/// The spline with these coefficients, at the time of the basis. Precondition: both of one SmoothingSpline.
+/// The spline with these coefficients, at the time of the basis. std::invalid_argument if they are too few.
 SplinePoint evaluate(const SplineBasis& basis, std::span<const double> coefficients);
 
-/// Smoothing spline through noisy readings y_i > 0 at times t_i whose noise is a fixed fraction of the
-/// reading: quintic B-splines s(t) that minimise
-///   sum w_i (y_i - s(t_i))^2 + lambda int s'''(x)^2 dx, w_i = 1/(mean of readings near i)^2,        (G.30)
-/// x the time scaled to [0, 1], y scaled to a largest reading of 1. lambda minimises the generalised
-/// cross-validation score                                                                            (G.31)
-/// (Craven and Wahba, Numer. Math. 31, 1979), on a grid of ten values a decade. Its posterior as a Gaussian
-/// process is the source of the bands, smoothing bias included on average over time (Wahba, J. R. Stat. Soc.
-/// B 45, 1983, 133-150; Nychka, J. Am. Stat. Assoc. 83, 1988, 1134-1143).                             (G.32)
+/// What the standard deviation of a reading is a fixed share of: the reading itself, or the gauge's full
+/// scale, so that it is the same over the record.
+enum class Noise { kOfReading, kOfFullScale };
+
+struct Modes;
+/// Values of lambda and how likely the readings make them.
+struct Lambdas {
+  double best = 0.0;
+  std::vector<double> values;
+  std::vector<double> cumulative;  // probability up to each value
+  double quantile(double probability) const;
+};
+
+/// Smoothing spline through noisy readings y_i at times t_i: quintic B-splines s(t) that minimise
+///   sum w_i (y_i - s(t_i))^2 + lambda int v s'''(x)^2 dx                                             (G.30)
+/// with x the time scaled to [0, 1] and y scaled to a largest reading of 1; w_i = 1/(mean of readings near
+/// i)^2 or, for noise of full scale, 1. A first fit with v = 1 finds where the curve bends; then
+/// v = (r/max r + 0.001)^(-1/2), r its mean s'''^2 around x. lambda is the likeliest of a Gaussian process
+/// with this penalty (Wahba, Ann. Stat. 13, 1985, 1378-1402), on a grid of ten values a decade.      (G.31)
+/// Its posterior is the source of the bands (Wahba, J. R. Stat. Soc. B 45, 1983, 133-150).           (G.32)
 class SmoothingSpline {
  public:
   /// The constructor refuses fewer.
   static constexpr std::size_t kFewestReadings = 20;
-  /// One interval holds four readings or more; at most this many intervals.
+  /// At most this many intervals. One holds four readings or, in short records, two.
   static constexpr std::size_t kMostIntervals = 320;
 
   /// `name` is for errors: ReadingError (series "time" or `name`) for times that do not rise strictly or a
-  /// reading that is not above 0, finite and at least a millionth of the largest, std::invalid_argument for
-  /// fewer than kFewestReadings.
+  /// reading that is not finite or, with noise of the reading, not above 0 and at least a millionth of the
+  /// largest; std::invalid_argument for fewer than kFewestReadings or no reading above 0.
   SmoothingSpline(std::span<const double> times, std::span<const double> readings,
-                  std::string_view name = "reading");
+                  std::string_view name = "reading", Noise noise = Noise::kOfReading);
   ~SmoothingSpline();
   SmoothingSpline(SmoothingSpline&&) noexcept;
 
   double smoothing() const { return smoothing_; }                    // lambda, dimensionless
   double degrees_of_freedom() const { return degrees_of_freedom_; }  // trace of the smoother
-  /// Standard deviation of a reading as a fraction of it, from the weighted residuals.
+  /// Standard deviation of a reading as a fraction of it (of the largest), from the weighted residuals.
   double noise() const { return noise_; }
 
   /// Coefficients in the readings' unit.
   std::span<const double> coefficients() const { return coefficients_; }
-  /// Basis at `time`, clamped to the record. Not from two threads at once.
+  /// Basis at `time`, clamped to the record; std::invalid_argument unless finite. Not from two threads at
+  /// once.
   SplineBasis basis(double time) const;
-  /// A draw from the posterior (G.32): coefficients for as many independent standard normal numbers.
-  void draw(std::span<const double> normals, std::span<double> coefficients) const;
+  /// Mean square of s''' around `time`, as wide as the spline resolves; std::invalid_argument unless finite.
+  double roughness(double time) const;
+  /// Standard deviations of value and slope in the posterior (G.32).
+  SplinePoint deviation(const SplineBasis& basis) const;
+  /// A draw of coefficients: lambda by its likelihood, over `undersmoothing`, then the spline from the
+  /// posterior of that lambda. `normals`: independent standard normal numbers, one more than coefficients().
+  /// std::invalid_argument for another number, or one that is not finite.
+  void draw(std::span<const double> normals, double undersmoothing, std::span<double> coefficients) const;
 
  private:
   struct Workspace;
-  void fit(std::span<const double> times, std::span<const double> readings);
+  void fit(std::span<const double> times, std::span<const double> readings, Noise noise);
   double residual(std::span<const double> times, std::span<const double> readings,
                   std::span<const double> weights, std::span<const double> coefficients) const;
 
@@ -74,7 +93,11 @@ class SmoothingSpline {
   double degrees_of_freedom_ = 0.0;
   double noise_ = 0.0;
   std::vector<double> coefficients_;
-  std::vector<double> spread_;  // square root of the posterior covariance, by rows
+  double scale_ = 0.0;  // largest reading
+  Lambdas lambdas_;
+  std::unique_ptr<Modes> modes_;
+  std::vector<double> amplitudes_;
+  std::vector<double> roughness_;  // by intervals
   std::unique_ptr<Workspace> workspace_;
 };
 

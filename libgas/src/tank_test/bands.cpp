@@ -19,14 +19,6 @@ Band band(std::span<const Sample> samples, const Quantity& quantity) {
           gsl_stats_quantile_from_sorted_data(values.data(), 1, values.size(), 0.975)};
 }
 
-/// Of a quantity that the inversion biases (the burn is cut where K <= 0, which noise moves): the draws are
-/// to the estimate as the estimate is to the truth.
-template <typename Quantity>
-Band reflected_band(double estimate, std::span<const Sample> samples, const Quantity& quantity) {
-  const Band draws = band(samples, quantity);
-  return {2.0 * estimate - draws.high, 2.0 * estimate - draws.low};
-}
-
 }  // namespace
 
 NormalNumbers::NormalNumbers() : generator_(gsl::allocated(gsl_rng_alloc(gsl_rng_mt19937))) {
@@ -40,15 +32,22 @@ std::span<const double> NormalNumbers::operator()(std::size_t count) {
 }
 
 void add_bands(std::span<const Sample> samples, Identified& result) {
-  result.mean_temperature_band = reflected_band(result.mean_temperature, samples,
-                                                [](const Sample& s) { return s.flow.mean_temperature; });
-  result.effective_area_band =
-      reflected_band(result.effective_area, samples, [](const Sample& s) { return s.flow.effective_area; });
+  result.mean_temperature_band = band(samples, [](const Sample& s) { return s.flow.mean_temperature; });
+  double shift = 1.0;
+  if (result.effective_area > 0.0) {
+    std::vector<double> areas;
+    for (const Sample& sample : samples) areas.push_back(sample.flow.effective_area);
+    std::ranges::sort(areas);
+    shift = result.effective_area / gsl_stats_median_from_sorted_data(areas.data(), 1, areas.size());
+    result.effective_area_band =
+        band(samples, [&](const Sample& s) { return shift * s.flow.effective_area; });
+  }
+  const double square = shift * shift;
   std::vector<double> k(samples.size());
   for (std::size_t i = 0; i < result.points.size(); ++i) {
     IdentifiedPoint& point = result.points[i];
-    point.mass_flow_band = band(samples, [&](const Sample& s) { return s.flow.mass_flow[i]; });
-    point.temperature_band = band(samples, [&](const Sample& s) { return s.flow.temperature[i]; });
+    point.mass_flow_band = band(samples, [&](const Sample& s) { return square * s.flow.mass_flow[i]; });
+    point.temperature_band = band(samples, [&](const Sample& s) { return s.flow.temperature[i] / square; });
     std::ranges::transform(samples, k.begin(), [&](const Sample& s) { return s.enthalpy_flow[i]; });
     const double deviation = gsl_stats_sd(k.data(), 1, k.size());
     if (result.tank.noise > 0.0)

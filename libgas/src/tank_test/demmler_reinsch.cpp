@@ -6,12 +6,14 @@
 #include <gsl/gsl_linalg.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace gas {
 namespace {
 
 constexpr double kGridRatio = 1.2589254117941673;  // ten values of lambda a decade
-constexpr double kFewestDegrees = 3.01;            // of freedom; a parabola, which no lambda smooths, has 3
+constexpr double kFewestDegrees = 3.01;            // of freedom
+constexpr double kParabola = 3.0;                  // coefficients of what no lambda smooths
 
 }  // namespace
 
@@ -52,30 +54,42 @@ double Scores::degrees_of_freedom(double lambda) const {
   return sum;
 }
 
-double Scores::residual_sum(double lambda) const {
-  double sum = residual;
+double Scores::minus_log_likelihood(double lambda) const {  // (G.31)
+  double sum = residual, logs = 0.0;
   for (std::size_t k = 0; k < roughness.size(); ++k) {
-    const double lost = amplitudes[k] * lambda * roughness[k] / (1.0 + lambda * roughness[k]);
-    sum += lost * lost;
+    if (roughness[k] <= smoothest) continue;
+    const double lost = lambda * roughness[k] / (1.0 + lambda * roughness[k]);
+    sum += amplitudes[k] * amplitudes[k] * lost;
+    logs += std::log(lost);
   }
-  return sum;
+  return 0.5 * ((count - kParabola) * std::log(sum) - logs);
 }
 
-double Scores::cross_validation(double lambda) const {  // (G.31)
-  const double free = count - degrees_of_freedom(lambda);
-  return count * residual_sum(lambda) / (free * free);
-}
-
-double Scores::best() const {
+Lambdas Scores::likely() const {
   const double roughest = *std::ranges::max_element(roughness);
   // From a fit that smooths no mode to one that leaves nothing but a parabola.
   const double highest = 1e3 * roughest;
-  double best = 1e-3 / roughest;
-  for (double lambda = best; lambda < highest; lambda *= kGridRatio) {
+  Lambdas result;
+  std::vector<double> logs;
+  double least = INFINITY;
+  for (double lambda = 1e-3 / roughest; lambda < highest; lambda *= kGridRatio) {
     if (degrees_of_freedom(lambda) < kFewestDegrees) break;
-    if (cross_validation(lambda) < cross_validation(best)) best = lambda;
+    result.values.push_back(lambda);
+    logs.push_back(minus_log_likelihood(lambda));
+    if (logs.back() < least) {
+      least = logs.back();
+      result.best = lambda;
+    }
   }
-  return best;
+  double sum = 0.0;
+  for (const double l : logs) result.cumulative.push_back(sum += std::exp(least - l));
+  for (double& c : result.cumulative) c /= sum;
+  return result;
+}
+
+double Lambdas::quantile(double probability) const {
+  const auto at = std::ranges::lower_bound(cumulative, probability);
+  return values[std::min(values.size() - 1, static_cast<std::size_t>(at - cumulative.begin()))];
 }
 
 }  // namespace gas

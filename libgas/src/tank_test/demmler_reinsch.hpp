@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "gsl_objects.hpp"
+#include "tank_test/smoothing_spline.hpp"
 
 namespace gas {
 
@@ -26,16 +27,14 @@ Modes make_modes(gsl::Matrix gram, gsl::Matrix penalty);
 struct Scores {
   std::span<const double> roughness;
   std::vector<double> amplitudes;
-  double residual;  // weighted sum of squares of the fit with lambda = 0
-  double count;     // of readings
+  double residual;   // weighted sum of squares of the fit with lambda = 0
+  double count;      // of readings
+  double smoothest;  // largest roughness of the three modes that make a parabola, zero but for rounding
 
   double degrees_of_freedom(double lambda) const;
-  double cross_validation(double lambda) const;
-  /// The lambda of the smallest score, on a grid of ten values a decade.
-  double best() const;
-
- private:
-  double residual_sum(double lambda) const;
+  double minus_log_likelihood(double lambda) const;
+  /// The likeliest of a grid of ten values a decade, and the likelihood of each.
+  Lambdas likely() const;
 };
 
 }  // namespace gas

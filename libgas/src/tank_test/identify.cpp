@@ -1,63 +1,36 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tank_test/identify.hpp"
 
-#include <gsl/gsl_statistics_double.h>
-
 #include <algorithm>
 #include <cmath>
 #include <optional>
 
 #include "bands.hpp"
+#include "checks.hpp"
 #include "forward.hpp"
 #include "inversion.hpp"
-#include "require.hpp"
 #include "tank_test/smoothing_spline.hpp"
 
 namespace gas {
 namespace {
 
-constexpr double kChamberSlack = 5.0;       // standard deviations: what noise alone does not reach
-constexpr double kMedianOfNormal = 0.6745;  // of the magnitude, for unit deviation
-constexpr double kLeastRise = 5.0;          // standard deviations of the largest slope
-
-void check_fractions(const TankTest& test, std::span<const double> fractions, const char* name) {
-  require(fractions.size() == test.thermo.size(), name, static_cast<double>(fractions.size()),
-          "number of mass fractions: must be one per species");
-  double sum = 0.0;
-  for (const double y : fractions) {
-    require(std::isfinite(y) && y >= 0.0, name, y, "mass fractions must be 0 to 1");
-    sum += y;
-  }
-  require(std::abs(sum - 1.0) <= 1e-9, name, sum, "mass fractions must sum to 1");
-}
-
-void check(const TankTest& test, const IdentifyOptions& options) {
-  const auto positive = [](double value, const char* name) {
-    require(std::isfinite(value) && value > 0.0, name, value, "must be above 0 and finite");
-  };
-  positive(test.volume, "volume [m3]");
-  positive(test.total_mass, "total_mass [kg]");
-  positive(test.initial_temperature, "initial_temperature [K]");
-  check_fractions(test, test.tank_fractions, "tank_fractions");
-  check_fractions(test, test.inflator_fractions, "inflator_fractions");
-  const auto within = [](double value, double low, double high, const char* name) {
-    require(value >= low && value <= high, name, value, "must be " + to_text(low) + " to " + to_text(high));
-  };
-  within(test.initial_temperature, test.thermo.minimum_temperature(), test.thermo.maximum_temperature(),
-         "initial_temperature [K]");
-  within(options.points, 20, 10000, "points");
-  within(options.threshold, 0.001, 0.9, "threshold");
-  within(options.draws, 40, 2000, "draws");
-}
+constexpr double kLeastRise = 5.0;  // standard deviations of the largest slope
+constexpr double kResolved = 4.0;   // standard deviations of K from which its inverse has a band
+constexpr double kFirm = 10.0;      // standard deviations of K: its temperature is known to a fifth
+constexpr double kFalls = 5.0;      // standard deviations of a pressure that the tank loses after the burn
+constexpr double kUndersmoothing =
+    3.0;                              // of lambda in the draws: what smoothing biases is then below the noise
+constexpr double kSharp = 4.0;        // times the burn's mean roughness: smoothing rounds such a bend
+constexpr double kMostMisfits = 0.1;  // of the draws
 
 /// One pressure: its spline, and the basis at the times of the result.
 struct Smoothed {
   SmoothingSpline spline;
   std::vector<SplineBasis> basis;
 
-  Smoothed(std::span<const double> readings_times, std::span<const double> readings,
+  Smoothed(std::span<const double> readings_times, std::span<const double> readings, Noise noise,
            std::span<const double> times, const char* name)
-      : spline(readings_times, readings, name) {
+      : spline(readings_times, readings, name, noise) {
     for (const double t : times) basis.push_back(spline.basis(t));
   }
   Smoothing report() const { return {spline.smoothing(), spline.degrees_of_freedom(), spline.noise()}; }
@@ -87,55 +60,48 @@ Pressures pressures(const Splines& splines) {
                    splines.chamber ? splines.chamber->spline.coefficients() : std::span<const double>());
 }
 
-/// Noise of one reading as a fraction of it, from the median of the second differences (6 is the sum of the
-/// squares of 1, -2, 1): an outlier does not count.
-double robust_noise(std::span<const double> readings) {
-  std::vector<double> differences;
-  for (std::size_t i = 1; i + 1 < readings.size(); ++i)
-    differences.push_back(std::abs(readings[i - 1] - 2.0 * readings[i] + readings[i + 1]) / readings[i]);
-  std::ranges::sort(differences);
-  return gsl_stats_median_from_sorted_data(differences.data(), 1, differences.size()) /
-         (kMedianOfNormal * std::sqrt(6.0));
-}
-
-void check_chamber(const TankReadings& readings) {
-  const double slack =
-      kChamberSlack * std::hypot(robust_noise(readings.tank), robust_noise(readings.chamber));
-  for (std::size_t i = 0; i < readings.times.size(); ++i)
-    if (readings.chamber[i] < readings.tank[i] * (1.0 - slack))
-      throw ReadingError("chamber pressure", i,
-                         to_text(readings.chamber[i]) + " Pa is below the tank's " +
-                             to_text(readings.tank[i]) +
-                             " Pa by more than noise explains: must not be below it");
-}
-
-/// Points where |K| is at `limit` or more and the chamber drives a flow; `k` in the scale of `limit`.
-std::vector<char> find_masked(const std::vector<double>& k, const Pressures& p, double limit) {
-  std::vector<char> masked;
-  for (std::size_t i = 0; i < k.size(); ++i)
-    masked.push_back(!(k[i] >= limit) || (!p.chamber.empty() && p.chamber[i] <= p.tank[i]));
-  return masked;
+/// Where the tank holds all of the mass: at the end of the record, or where its pressure is highest if it has
+/// fallen since by more than noise explains.
+std::size_t find_end(const Splines& splines, const Pressures& p) {
+  const auto deviation = [&](std::size_t i) {
+    return splines.tank.spline.deviation(splines.tank.basis[i]).value;
+  };
+  const std::size_t last = p.tank.size() - 1;
+  const auto peak = static_cast<std::size_t>(std::ranges::max_element(p.tank) - p.tank.begin());
+  const double fall = p.tank[peak] - p.tank[last];
+  return fall > kFalls * std::hypot(deviation(peak), deviation(last)) ? peak : last;
 }
 
 /// From the first point that is not masked to the last, and on either side as far as K > 0.
-Burn find_burn(const std::vector<double>& k, std::vector<char> masked) {
-  Burn burn{0, k.size() - 1, std::move(masked)};
+void set_burn(const std::vector<double>& k, Burn& burn) {
+  burn.first = 0;
+  burn.last = burn.end;
   while (burn.first < burn.last && burn.masked[burn.first]) ++burn.first;
   while (burn.first < burn.last && burn.masked[burn.last]) --burn.last;
   while (burn.first > 0 && k[burn.first - 1] > 0.0) --burn.first;
-  while (burn.last + 1 < k.size() && k[burn.last + 1] > 0.0) ++burn.last;
-  return burn;
+  while (burn.last < burn.end && k[burn.last + 1] > 0.0) ++burn.last;
 }
 
-/// The first guess of Cd A: the one that gives the total mass at the mean temperature.
-double guessed_area(const TankTest& test, const Pressures& p, std::span<const double> times,
-                    double temperature) {
-  const TankGas gas(test, p.tank.front());
-  double mass = 0.0;
-  for (std::size_t i = 1; i < times.size(); ++i)
-    mass += gas.outlet_flow(1.0, temperature, p.chamber[i], p.tank[i]) * (times[i] - times[i - 1]);
-  if (!(mass > 0.0)) throw DomainError("tank test: the chamber pressure is never above the tank's");
-  return test.total_mass / mass;
+/// Masked: K is below `threshold` of its largest, or its noise hides it, or the chamber drives no flow.
+Burn find_burn(const Splines& splines, const Pressures& p, double threshold) {
+  const std::size_t n = p.rate.size();
+  std::vector<double> signal;
+  for (std::size_t i = 0; i < n; ++i)
+    signal.push_back(p.rate[i] / splines.tank.spline.deviation(splines.tank.basis[i]).slope);
+  const auto peak = std::ranges::max_element(p.rate);
+  const double best = *std::ranges::max_element(signal);
+  if (!(*peak > 0.0 && best > kLeastRise))
+    throw DomainError("tank test: the tank pressure does not rise above its noise");
+  Burn burn;
+  burn.end = find_end(splines, p);
+  for (std::size_t i = 0; i < n; ++i) {
+    const bool masked = !(p.rate[i] >= threshold * *peak && signal[i] >= kResolved && i <= burn.end) ||
+                        (!p.chamber.empty() && p.chamber[i] <= p.tank[i]);
+    burn.masked.push_back(masked);
+    burn.firm.push_back(!masked && signal[i] >= std::min(kFirm, 0.9 * best));
+  }
+  set_burn(p.rate, burn);
+  return burn;
 }
 
 Flow invert(const TankTest& test, std::span<const double> times, const Pressures& p, const Burn& burn,
@@ -144,10 +110,7 @@ Flow invert(const TankTest& test, std::span<const double> times, const Pressures
   Flow flow = inversion.average_temperature(burn);
   if (p.chamber.empty()) return flow;
   const double mean = flow.mean_temperature;
-  if (guess)
-    flow = *guess;
-  else
-    flow.effective_area = guessed_area(test, p, times, mean);
+  if (guess) flow = *guess;
   flow = inversion.dual_pressure(burn, flow);
   flow.mean_temperature = mean;
   return flow;
@@ -160,34 +123,54 @@ std::vector<double> equally_spaced(double first, double last, int points) {
   return times;
 }
 
-std::vector<double> drawn_coefficients(const SmoothingSpline& spline, NormalNumbers& normals) {
+std::vector<double> drawn_coefficients(const SmoothingSpline& spline, double undersmoothing,
+                                       NormalNumbers& normals) {
   std::vector<double> drawn(spline.coefficients().size());
-  spline.draw(normals(drawn.size()), drawn);
+  spline.draw(normals(drawn.size() + 1), undersmoothing, drawn);
   return drawn;
 }
 
-/// The largest slope must stand clear of its own scatter.
-void check_rise(const Smoothed& tank, const std::vector<double>& slopes, int draws) {
-  const auto peak = std::ranges::max_element(slopes);
-  const SplineBasis& basis = tank.basis[static_cast<std::size_t>(peak - slopes.begin())];
-  NormalNumbers normals;
-  double variance = 0.0;
-  for (int i = 0; i < draws; ++i) {
-    const double miss = evaluate(basis, drawn_coefficients(tank.spline, normals)).slope - *peak;
-    variance += miss * miss / draws;
-  }
-  if (!(*peak > kLeastRise * std::sqrt(variance)))
-    throw DomainError("tank test: the tank pressure does not rise above its noise");
+/// How far, in ln T, the firm temperatures are from the first and from the last of them (r.m.s.): so far may
+/// those be that are held outside.
+struct HeldSpread {
+  double before = 0.0, after = 0.0;
+};
+HeldSpread held_spread(const Burn& burn, std::span<const double> temperature) {
+  std::vector<double> firm;
+  for (std::size_t i = 0; i < temperature.size(); ++i)
+    if (burn.firm[i]) firm.push_back(std::log(temperature[i]));
+  const auto from = [&](double end) {
+    double sum = 0.0;
+    for (const double t : firm) sum += (t - end) * (t - end);
+    return std::min(0.5, std::sqrt(sum / static_cast<double>(firm.size())));
+  };
+  if (firm.empty()) return {};
+  return {from(firm.front()), from(firm.back())};
 }
 
 Sample draw(const Splines& splines, const TankTest& test, std::span<const double> times, const Burn& burn,
-            const Flow& best, NormalNumbers& normals) {
-  const std::vector<double> tank = drawn_coefficients(splines.tank.spline, normals);
+            const Flow& best, const HeldSpread& spread, NormalNumbers& normals) {
+  const std::vector<double> tank = drawn_coefficients(splines.tank.spline, kUndersmoothing, normals);
   const std::vector<double> chamber =
-      splines.chamber ? drawn_coefficients(splines.chamber->spline, normals) : std::vector<double>();
+      splines.chamber ? drawn_coefficients(splines.chamber->spline, kUndersmoothing, normals)
+                      : std::vector<double>();
   const Pressures p = pressures(splines, tank, chamber);
-  return {invert(test, times, p, find_burn(p.rate, burn.masked), &best),
+  Burn moved = burn;
+  const std::span<const double> numbers = normals(2);
+  moved.before = std::exp(spread.before * numbers[0]);
+  moved.after = std::exp(spread.after * numbers[1]);
+  set_burn(p.rate, moved);
+  return {invert(test, times, p, moved, &best),
           Inversion(test, times, p).enthalpy_flow(best.mean_temperature)};
+}
+
+/// No band where the pressure bends more sharply than smoothing follows, or where the point is masked.
+void claim(const SmoothingSpline& tank, const Burn& burn, Identified& result) {
+  double sum = 0.0;
+  for (std::size_t i = burn.first; i <= burn.last; ++i) sum += tank.roughness(result.points[i].time);
+  const double limit = kSharp * sum / static_cast<double>(burn.last - burn.first + 1);
+  for (IdentifiedPoint& point : result.points)
+    point.band_claimed = result.bands && !point.masked && tank.roughness(point.time) <= limit;
 }
 
 }  // namespace
@@ -198,16 +181,15 @@ Identified identify(const TankTest& test, const TankReadings& readings, const Id
   const std::vector<double> times =
       readings.times.empty() ? std::vector<double>()
                              : equally_spaced(readings.times.front(), readings.times.back(), options.points);
-  Splines splines{Smoothed(readings.times, readings.tank, times, "tank pressure"), {}};
-  if (dual) splines.chamber.emplace(readings.times, readings.chamber, times, "chamber pressure");
+  Splines splines{Smoothed(readings.times, readings.tank, options.noise, times, "tank pressure"), {}};
+  if (dual)
+    splines.chamber.emplace(readings.times, readings.chamber, options.noise, times, "chamber pressure");
   Identified result{};
   result.tank = splines.tank.report();
   if (dual) result.chamber = splines.chamber->report();
-  if (dual) check_chamber(readings);
+  check_pressures(readings, options.noise);
   const Pressures p = pressures(splines);
-  check_rise(splines.tank, p.rate, options.draws);
-  const double limit = options.threshold * *std::ranges::max_element(p.rate);
-  const Burn burn = find_burn(p.rate, find_masked(p.rate, p, limit));
+  const Burn burn = find_burn(splines, p, options.threshold);
   const Flow flow = invert(test, times, p, burn, nullptr);
   const std::vector<double> k = Inversion(test, times, p).enthalpy_flow(flow.mean_temperature);
   result.threshold = options.threshold * *std::ranges::max_element(k);
@@ -227,10 +209,17 @@ Identified identify(const TankTest& test, const TankReadings& readings, const Id
 
   result.forward_error = forward_error(test, result.points);
 
+  const HeldSpread spread = held_spread(burn, flow.temperature);
   NormalNumbers normals;
   std::vector<Sample> samples;
-  for (int i = 0; i < options.draws; ++i) samples.push_back(draw(splines, test, times, burn, flow, normals));
-  add_bands(samples, result);
+  for (int i = 0; i < options.draws; ++i) try {
+      samples.push_back(draw(splines, test, times, burn, flow, spread, normals));
+    } catch (const DomainError&) {
+      ++result.misfits;
+    }
+  result.bands = result.misfits <= kMostMisfits * options.draws;
+  if (result.bands) add_bands(samples, result);
+  claim(splines.tank.spline, burn, result);
   return result;
 }
 

@@ -9,9 +9,10 @@
 namespace gas {
 namespace {
 
-// The share of the inflator's gas that (G.33) depends on converges by a factor of 5 or more an iteration.
+// The area goes with the square root of the mass but for the tank's gas: a factor of 5 or more an iteration.
 constexpr int kMostIterations = 100;
 constexpr double kSettled = 1e-11;
+constexpr double kChoked = 2.1;  // p_c/p from which every gas (gamma up to 5/3) is sonic in the outlet
 
 }  // namespace
 
@@ -36,89 +37,101 @@ TankGas::Rate Inversion::rate(std::size_t i, double mass) const {
   return gas_.rate(times_[i], pressures_.tank[i], pressures_.rate[i], mass);
 }
 
-/// Flow from (G.33) at the temperatures of `flow`, and the masses that follow. True once both repeat;
-/// `ratio` is the known total mass over this one.
-bool Inversion::settle(const Burn& burn, std::vector<double>& mass, Flow& flow, double& ratio) const {
-  for (std::size_t i = burn.first; i <= burn.last; ++i)
-    flow.mass_flow[i] = std::max(0.0, gas_.mass_flow(rate(i, mass[i]), flow.temperature[i]));
-  const std::vector<double> next = masses(flow.mass_flow);
-  double change = 0.0;
-  for (std::size_t i = 0; i < mass.size(); ++i) change = std::max(change, std::abs(next[i] - mass[i]));
-  mass = next;
-  ratio = test_.total_mass / mass.back();
+/// The curve: nothing outside the burn, nothing negative, and the known mass.
+void Inversion::scale_to_mass(const Burn& burn, std::vector<double>& mass_flow) const {
+  for (std::size_t i = 0; i < mass_flow.size(); ++i)
+    mass_flow[i] = i >= burn.first && i <= burn.last ? std::max(0.0, mass_flow[i]) : 0.0;
+  const double ratio = test_.total_mass / masses(mass_flow).back();
   if (!(ratio > 0.0 && std::isfinite(ratio)))
     throw DomainError("tank test: the tank pressure does not rise: no mass flow follows from it");
-  return std::max(std::abs(ratio - 1.0), change / test_.total_mass) < kSettled;
+  for (double& flow : mass_flow) flow *= ratio;
 }
 
 Flow Inversion::average_temperature(const Burn& burn) const {
-  Flow flow{std::vector<double>(times_.size(), 0.0), std::vector<double>(times_.size()),
-            test_.initial_temperature};
-  std::vector<double> mass(times_.size(), 0.0);
-  double ratio = 1.0;
-  for (int i = 0; i < kMostIterations; ++i) {
-    std::ranges::fill(flow.temperature, flow.mean_temperature);
-    if (settle(burn, mass, flow, ratio)) return flow;
-    flow.mean_temperature /= ratio;
-    const auto [low, high] = gas_.temperatures();
-    if (!(flow.mean_temperature >= low && flow.mean_temperature <= high))
-      throw DomainError("tank test: the mean temperature " + to_text(flow.mean_temperature) +
-                        " K is outside " + to_text(low) + " to " + to_text(high) +
-                        " K: pressures, volume and mass do not fit");
+  rate(burn.end, test_.total_mass);  // refuses what is out of range
+  const double enthalpy = gas_.mean_enthalpy(pressures_.tank[burn.end], test_.total_mass);
+  const double temperature = gas_.inflow_temperature(enthalpy);
+  Flow flow{std::vector<double>(times_.size(), 0.0), std::vector<double>(times_.size(), temperature),
+            temperature};
+  double mass = 0.0;
+  for (std::size_t i = burn.first; i <= burn.last; ++i) {
+    mass = gas_.delivered(pressures_.tank[i], enthalpy, test_.total_mass, mass);
+    flow.mass_flow[i] = gas_.mass_flow(rate(i, mass), temperature);
   }
-  throw DomainError("tank test: the iteration for the mean temperature does not settle");
+  scale_to_mass(burn, flow.mass_flow);
+  return flow;
 }
 
-/// (G.36) at every point that is not masked; low end of the range where K <= 0 (only in a draw).
-std::vector<double> Inversion::solved_temperatures(const Burn& burn, const std::vector<double>& mass,
-                                                   const Flow& flow) const {
-  std::vector<double> solved = flow.temperature;
-  for (std::size_t i = burn.first; i <= burn.last; ++i)
-    if (!burn.masked[i])
-      solved[i] = gas_.stagnation_temperature(rate(i, mass[i]), flow.effective_area, pressures_.chamber[i],
-                                              pressures_.tank[i], flow.temperature[i]);
-  return solved;
-}
-
-/// Where masked or without solution: the temperature of the nearest point that has one, if any.
+/// The temperature of the nearest firm point wherever there is none.
 std::vector<double> Inversion::held(const Burn& burn, std::vector<double> temperature) const {
   std::ptrdiff_t before = -1;
   for (std::ptrdiff_t i = 0; i < std::ssize(temperature); ++i) {
     const auto at = temperature.begin() + i;
-    if (unresolved(burn, *at, static_cast<std::size_t>(i))) {
+    if (!burn.firm[static_cast<std::size_t>(i)]) {
       if (before >= 0) *at = temperature[static_cast<std::size_t>(before)];
       continue;
     }
     std::fill(before < 0 ? temperature.begin() : temperature.begin() + (before + i) / 2 + 1, at, *at);
+    if (before < 0)
+      for (auto t = temperature.begin(); t < at; ++t) *t *= burn.before;
     before = i;
   }
+  for (auto t = temperature.begin() + before + 1; before >= 0 && t < temperature.end(); ++t) *t *= burn.after;
   return temperature;
 }
 
-bool Inversion::unresolved(const Burn& burn, double temperature, std::size_t i) const {
-  return burn.masked[i] || temperature == gas_.temperatures().low;
+/// Temperature and flow at every point for the area of `flow` and the mass that is in the tank by then. Where
+/// masked, a choked outlet says more of the flow than K does.
+void Inversion::solve(const Burn& burn, const std::vector<double>& mass, Flow& flow) const {
+  std::vector<double> solved = flow.temperature;
+  for (std::size_t i = 0; i <= burn.end; ++i)
+    if (!burn.masked[i])
+      solved[i] = gas_.stagnation_temperature(rate(i, mass[i]), flow.effective_area, pressures_.chamber[i],
+                                              pressures_.tank[i], solved[i]);
+  flow.temperature = held(burn, solved);
+  for (std::size_t i = 0; i <= burn.end; ++i) {
+    const double chamber = pressures_.chamber[i], tank = pressures_.tank[i];
+    if (!burn.masked[i] && solved[i] > gas_.temperatures().low) flow.temperature[i] = solved[i];
+    flow.mass_flow[i] = burn.masked[i] && chamber > kChoked * tank
+                            ? gas_.outlet_flow(flow.effective_area, flow.temperature[i], chamber, tank)
+                            : gas_.mass_flow(rate(i, mass[i]), flow.temperature[i]);
+  }
+}
+
+/// The area that gives the total mass at the mean temperature.
+double Inversion::guessed_area(double temperature) const {
+  double mass = 0.0;
+  for (std::size_t i = 1; i < times_.size(); ++i)
+    mass += gas_.outlet_flow(1.0, temperature, pressures_.chamber[i], pressures_.tank[i]) *
+            (times_[i] - times_[i - 1]);
+  if (!(mass > 0.0)) throw DomainError("tank test: the chamber pressure is never above the tank's");
+  return test_.total_mass / mass;
 }
 
 Flow Inversion::dual_pressure(const Burn& burn, const Flow& guess) const {
   Flow flow = guess;
-  std::vector<double> mass = masses(flow.mass_flow), solved;
-  double ratio = 1.0;
-  bool settled = false;
-  for (int i = 0; i < kMostIterations && !settled; ++i) {
-    flow.effective_area *= std::sqrt(ratio);  // T_s ~ A^-2, so mdot ~ A^2
-    solved = solved_temperatures(burn, mass, flow);
-    flow.temperature = held(burn, solved);
-    settled = settle(burn, mass, flow, ratio);
-  }
-  if (!settled) throw DomainError("tank test: the iteration for the outlet's area does not settle");
-  // The integral has taken a held temperature there; the point itself goes to T_s -> 0, mdot -> infinity.
-  for (std::size_t i = burn.first; i <= burn.last; ++i)
-    if (!burn.masked[i] && unresolved(burn, solved[i], i)) {
-      flow.temperature[i] = solved[i];
-      flow.mass_flow[i] =
-          gas_.outlet_flow(flow.effective_area, solved[i], pressures_.chamber[i], pressures_.tank[i]);
+  if (!(flow.effective_area > 0.0)) flow.effective_area = guessed_area(guess.mean_temperature);
+  std::vector<double> mass = masses(flow.mass_flow);
+  for (int i = 0; i < kMostIterations; ++i) {
+    solve(burn, mass, flow);
+    std::vector<double> next = masses(flow.mass_flow);
+    const double ratio = test_.total_mass / next[burn.end];
+    if (!(ratio > 0.0 && std::isfinite(ratio)))
+      throw DomainError("tank test: no outlet's area gives the mass: pressures, volume and mass do not fit");
+    double change = std::abs(ratio - 1.0);
+    for (std::size_t j = 0; j < mass.size(); ++j) {
+      // The mass by then as a share of all, so that no step leaves the range of temperatures.
+      next[j] = std::clamp(ratio * next[j], 0.0, test_.total_mass);
+      change = std::max(change, std::abs(next[j] - mass[j]) / test_.total_mass);
     }
-  return flow;
+    if (change < kSettled) {
+      scale_to_mass(burn, flow.mass_flow);
+      return flow;
+    }
+    mass = next;
+    flow.effective_area *= std::sqrt(ratio);  // T_s ~ A^-2, so mdot ~ A^2
+  }
+  throw DomainError("tank test: the iteration for the outlet's area does not settle");
 }
 
 }  // namespace gas

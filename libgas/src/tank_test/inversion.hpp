@@ -13,8 +13,12 @@ struct Pressures {
 
 /// Which points carry flow, and at which of them it is well determined.
 struct Burn {
-  std::size_t first = 0, last = 0;  // flow is zero outside
+  std::size_t first = 0, last = 0;  // the curve's flow is zero outside
+  std::size_t end = 0;              // all of the mass is in the tank
   std::vector<char> masked;
+  std::vector<char> firm;  // not masked, and well determined: its temperature is held where masked
+  double before = 1.0,
+         after = 1.0;  // factors of the temperatures held before the first and after the last firm
 };
 
 /// Flow and temperature at the times of the result.
@@ -32,20 +36,18 @@ class Inversion {
 
   /// K [kg K/s] at every point with gamma R of the inflator's gas at `temperature`, (G.34).
   std::vector<double> enthalpy_flow(double temperature) const;
-  /// (G.35) over the whole record, as if nothing were masked, or over the burn. Throws DomainError.
+  /// (G.35). Throws DomainError.
   Flow average_temperature(const Burn& burn) const;
-  /// (G.36), started from `guess`. Throws DomainError.
+  /// (G.36), started from `guess`, whose flow is that of the known mass. Throws DomainError.
   Flow dual_pressure(const Burn& burn, const Flow& guess) const;
-  TankGas::Range temperatures() const { return gas_.temperatures(); }
 
  private:
   std::vector<double> masses(const std::vector<double>& mass_flow) const;
   TankGas::Rate rate(std::size_t i, double mass) const;
-  std::vector<double> solved_temperatures(const Burn& burn, const std::vector<double>& mass,
-                                          const Flow& flow) const;
+  double guessed_area(double temperature) const;
   std::vector<double> held(const Burn& burn, std::vector<double> temperature) const;
-  bool unresolved(const Burn& burn, double temperature, std::size_t i) const;
-  bool settle(const Burn& burn, std::vector<double>& mass, Flow& flow, double& ratio) const;
+  void solve(const Burn& burn, const std::vector<double>& mass, Flow& flow) const;
+  void scale_to_mass(const Burn& burn, std::vector<double>& mass_flow) const;
 
   const TankTest& test_;
   std::span<const double> times_;

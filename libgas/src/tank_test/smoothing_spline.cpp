@@ -8,6 +8,7 @@
 #include <string>
 
 #include "demmler_reinsch.hpp"
+#include "readings.hpp"
 #include "require.hpp"
 
 namespace gas {
@@ -15,46 +16,17 @@ namespace {
 
 constexpr std::size_t kOrder = SplineBasis::kOrder;
 constexpr std::size_t kPenalisedDerivative = 3;
-constexpr double kSmallestShare = 1e-6;  // of the largest reading
 constexpr std::size_t kReadingsPerInterval = 4;
-constexpr std::size_t kWeightReach = 4;  // readings on each side in the mean that sets a weight
-
-void check_readings(std::span<const double> times, std::span<const double> readings, std::string_view name) {
-  require(times.size() >= SmoothingSpline::kFewestReadings, "number of readings",
-          static_cast<double>(times.size()), "20 or more are needed");
-  require(readings.size() == times.size(), "number of readings", static_cast<double>(readings.size()),
-          "must be one for each time");
-  for (std::size_t i = 0; i < times.size(); ++i) {
-    if (!std::isfinite(times[i]) || (i > 0 && times[i] <= times[i - 1]))
-      throw ReadingError("time", i, to_text(times[i]) + " s: must be finite and later than the time before");
-    if (!std::isfinite(readings[i]) || readings[i] <= 0.0)
-      throw ReadingError(name, i, to_text(readings[i]) + ": must be above 0 and finite");
-  }
-  // Weights go with the inverse square: beyond this the normal equations have no digits left.
-  const double least = kSmallestShare * *std::ranges::max_element(readings);
-  for (std::size_t i = 0; i < readings.size(); ++i)
-    if (!(readings[i] >= least && std::isfinite(least)))
-      throw ReadingError(name, i, to_text(readings[i]) + ": must not be below a millionth of the largest");
-  if (!std::isfinite(times.back() - times.front()))
-    throw ReadingError("time", times.size() - 1, "the record is too long");
-}
-
-/// 1/(mean of the readings near i): a weight from the reading itself would favour low ones.
-std::vector<double> root_weights(std::span<const double> readings) {
-  std::vector<double> weights(readings.size());
-  for (std::size_t i = 0; i < readings.size(); ++i) {
-    const std::size_t reach = std::min({kWeightReach, i, readings.size() - 1 - i});
-    double sum = 0.0;
-    for (std::size_t j = i - reach; j <= i + reach; ++j) sum += readings[j];
-    weights[i] = static_cast<double>(2 * reach + 1) / sum;
-  }
-  return weights;
-}
+constexpr std::size_t kFineIntervals = 160;  // up to so many hold two readings, for short records
+constexpr int kRounds = 2;                   // the first finds where the spline bends
+constexpr double kLeastRoughness = 1e-3;     // of the largest: no part of the record is held straight
 
 /// Breakpoints at every n-th time, so that each interval holds readings however they are spaced.
 gsl::Spline make_spline(std::span<const double> times, double length) {
   const std::size_t last = times.size() - 1;
-  const std::size_t intervals = std::min(SmoothingSpline::kMostIntervals, last / kReadingsPerInterval);
+  const std::size_t intervals =
+      std::max(std::min(SmoothingSpline::kMostIntervals, last / kReadingsPerInterval),
+               std::min(kFineIntervals, last / 2));
   gsl::Spline spline(gsl::allocated(gsl_bspline_alloc(kOrder, intervals + 1)));
   gsl::Vector breaks = gsl::vector(intervals + 1);
   for (std::size_t i = 0; i <= intervals; ++i)
@@ -89,11 +61,13 @@ struct SmoothingSpline::Workspace {
         *gsl_matrix_ptr(sum, first + i, first + j) += factor * value(i, derivative) * value(j, derivative);
     return first;
   }
-  gsl::Matrix penalty();
+  gsl::Matrix penalty(std::span<const double> stiffness);
+  std::size_t intervals() const { return gsl_bspline_nbreak(spline.get()) - 1; }
+  std::vector<double> roughness(std::span<const double> coefficients, std::size_t reach);
 };
 
-/// int B_i''' B_j''' dx; the product is of degree 4, for which three Gauss points are exact.
-gsl::Matrix SmoothingSpline::Workspace::penalty() {
+/// int w B_i''' B_j''' dx; the product is of degree 4, for which three Gauss points are exact.
+gsl::Matrix SmoothingSpline::Workspace::penalty(std::span<const double> stiffness) {
   gsl::Matrix sum = gsl::matrix(size(), size());
   gsl_integration_glfixed_table* table = gsl::allocated(gsl_integration_glfixed_table_alloc(3));
   for (std::size_t i = 0; i + 1 < gsl_bspline_nbreak(spline.get()); ++i)
@@ -101,13 +75,36 @@ gsl::Matrix SmoothingSpline::Workspace::penalty() {
       double x = 0.0, weight = 0.0;
       gsl_integration_glfixed_point(gsl_bspline_breakpoint(i, spline.get()),
                                     gsl_bspline_breakpoint(i + 1, spline.get()), k, &x, &weight, table);
-      add_square(x, kPenalisedDerivative, weight, sum.get());
+      add_square(x, kPenalisedDerivative, weight * stiffness[i], sum.get());
     }
   gsl_integration_glfixed_table_free(table);
   return sum;
 }
 
+/// s'''^2 of these coefficients by intervals, its mean over `reach` of them on each side.
+std::vector<double> SmoothingSpline::Workspace::roughness(std::span<const double> coefficients,
+                                                          std::size_t reach) {
+  std::vector<double> square, mean;
+  for (std::size_t i = 0; i < intervals(); ++i) {
+    const std::size_t first = evaluate(
+        0.5 * (gsl_bspline_breakpoint(i, spline.get()) + gsl_bspline_breakpoint(i + 1, spline.get())));
+    double third = 0.0;
+    for (std::size_t j = 0; j < kOrder; ++j)
+      third += value(j, kPenalisedDerivative) * coefficients[first + j];
+    square.push_back(third * third);
+  }
+  for (std::size_t i = 0; i < square.size(); ++i) {
+    const std::size_t low = i - std::min(i, reach), high = std::min(square.size() - 1, i + reach);
+    double sum = 0.0;
+    for (std::size_t j = low; j <= high; ++j) sum += square[j];
+    mean.push_back(sum / static_cast<double>(high - low + 1));
+  }
+  return mean;
+}
+
 SplinePoint evaluate(const SplineBasis& basis, std::span<const double> coefficients) {
+  require(basis.first + kOrder <= coefficients.size(), "number of coefficients",
+          static_cast<double>(coefficients.size()), "the basis needs more");
   SplinePoint point{0.0, 0.0};
   for (std::size_t j = 0; j < kOrder; ++j) {
     point.value += basis.value[j] * coefficients[basis.first + j];
@@ -117,22 +114,22 @@ SplinePoint evaluate(const SplineBasis& basis, std::span<const double> coefficie
 }
 
 SmoothingSpline::SmoothingSpline(std::span<const double> times, std::span<const double> readings,
-                                 std::string_view name) {
-  check_readings(times, readings, name);
+                                 std::string_view name, Noise noise) {
+  check_readings(times, readings, name, noise);
   const gsl::ReturnCodes guard;
   begin_ = times.front();
   length_ = times.back() - times.front();
   workspace_ = std::make_unique<Workspace>(Workspace{make_spline(times, length_)});
-  fit(times, readings);
+  fit(times, readings, noise);
 }
 
 SmoothingSpline::~SmoothingSpline() = default;
 SmoothingSpline::SmoothingSpline(SmoothingSpline&&) noexcept = default;
 
-void SmoothingSpline::fit(std::span<const double> times, std::span<const double> readings) {
+void SmoothingSpline::fit(std::span<const double> times, std::span<const double> readings, Noise noise) {
   const std::size_t n = workspace_->size();
   const double scale = *std::ranges::max_element(readings);
-  const std::vector<double> weights = root_weights(readings);
+  const std::vector<double> weights = root_weights(readings, noise);
   gsl::Matrix gram = gsl::matrix(n, n);
   std::vector<double> right(n, 0.0);
   for (std::size_t i = 0; i < times.size(); ++i) {
@@ -141,21 +138,34 @@ void SmoothingSpline::fit(std::span<const double> times, std::span<const double>
     for (std::size_t j = 0; j < kOrder; ++j)
       right[first + j] += weight * workspace_->value(j, 0) * readings[i] / scale;
   }
-  const Modes modes = make_modes(std::move(gram), workspace_->penalty());
-  std::vector<double> amplitudes = modes.amplitudes(right);
-  const double rest = residual(times, readings, weights, modes.sum(amplitudes, scale));
-  const auto count = static_cast<double>(times.size());
-  const Scores scores{modes.roughness, amplitudes, rest, count};
-  smoothing_ = scores.best();
-  degrees_of_freedom_ = scores.degrees_of_freedom(smoothing_);
-  for (std::size_t k = 0; k < n; ++k) amplitudes[k] /= 1.0 + smoothing_ * modes.roughness[k];
-  coefficients_ = modes.sum(amplitudes, scale);
-  noise_ = std::sqrt(residual(times, readings, weights, coefficients_) / (count - degrees_of_freedom_));
-  spread_.resize(n * n);
-  for (std::size_t i = 0; i < n; ++i)
-    for (std::size_t k = 0; k < n; ++k)
-      spread_[i * n + k] =
-          noise_ * scale * modes.column(i, k) / std::sqrt(1.0 + smoothing_ * modes.roughness[k]);
+  std::vector<double> stiffness(workspace_->intervals(), 1.0);
+  for (int round = 0; round < kRounds; ++round) {
+    if (round > 0) {
+      const double top = *std::ranges::max_element(roughness_);
+      if (!(top > 0.0)) break;  // a parabola
+      for (std::size_t i = 0; i < stiffness.size(); ++i)
+        stiffness[i] = 1.0 / std::sqrt(roughness_[i] / top + kLeastRoughness);
+    }
+    gsl::Matrix copy = gsl::matrix(n, n);
+    gsl_matrix_memcpy(copy.get(), gram.get());
+    modes_ = std::make_unique<Modes>(make_modes(std::move(copy), workspace_->penalty(stiffness)));
+    amplitudes_ = modes_->amplitudes(right);
+    const double rest = residual(times, readings, weights, modes_->sum(amplitudes_, scale));
+    const auto count = static_cast<double>(times.size());
+    std::vector<double> sorted = modes_->roughness;
+    std::ranges::nth_element(sorted, sorted.begin() + 2);
+    const Scores scores{modes_->roughness, amplitudes_, rest, count, sorted[2]};
+    lambdas_ = scores.likely();
+    smoothing_ = lambdas_.best;
+    degrees_of_freedom_ = scores.degrees_of_freedom(smoothing_);
+    std::vector<double> smoothed = amplitudes_;
+    for (std::size_t k = 0; k < n; ++k) smoothed[k] /= 1.0 + smoothing_ * modes_->roughness[k];
+    coefficients_ = modes_->sum(smoothed, scale);
+    noise_ = std::sqrt(residual(times, readings, weights, coefficients_) / (count - degrees_of_freedom_));
+    scale_ = scale;
+    const double cell = static_cast<double>(stiffness.size()) / degrees_of_freedom_;
+    roughness_ = workspace_->roughness(coefficients_, static_cast<std::size_t>(0.5 * cell));
+  }
 }
 
 /// Weighted sum of squares of what `coefficients` leave of the readings.
@@ -171,6 +181,8 @@ double SmoothingSpline::residual(std::span<const double> times, std::span<const 
 }
 
 SplineBasis SmoothingSpline::basis(double time) const {
+  require(std::isfinite(time), "time [s]", time, "must be finite");
+  const gsl::ReturnCodes guard;
   SplineBasis basis{};
   basis.first = workspace_->evaluate(std::clamp((time - begin_) / length_, 0.0, 1.0));
   for (std::size_t j = 0; j < kOrder; ++j) {
@@ -180,12 +192,49 @@ SplineBasis SmoothingSpline::basis(double time) const {
   return basis;
 }
 
-void SmoothingSpline::draw(std::span<const double> normals, std::span<double> coefficients) const {
+double SmoothingSpline::roughness(double time) const {
+  require(std::isfinite(time), "time [s]", time, "must be finite");
+  const double x = (time - begin_) / length_;
+  std::size_t i = 0;
+  while (i + 1 < roughness_.size() && gsl_bspline_breakpoint(i + 1, workspace_->spline.get()) < x) ++i;
+  return roughness_[i];
+}
+
+SplinePoint SmoothingSpline::deviation(const SplineBasis& basis) const {
   const std::size_t n = coefficients_.size();
-  for (std::size_t i = 0; i < n; ++i) {
-    coefficients[i] = coefficients_[i];
-    for (std::size_t k = 0; k < n; ++k) coefficients[i] += spread_[i * n + k] * normals[k];
+  require(basis.first + kOrder <= n, "basis", static_cast<double>(basis.first), "is not of this spline");
+  SplinePoint variance{0.0, 0.0};
+  for (std::size_t k = 0; k < n; ++k) {
+    SplinePoint part{0.0, 0.0};
+    for (std::size_t j = 0; j < kOrder; ++j) {
+      part.value += basis.value[j] * modes_->column(basis.first + j, k);
+      part.slope += basis.slope[j] * modes_->column(basis.first + j, k);
+    }
+    const double left = 1.0 / (1.0 + smoothing_ * modes_->roughness[k]);
+    variance.value += left * part.value * part.value;
+    variance.slope += left * part.slope * part.slope;
   }
+  return {noise_ * scale_ * std::sqrt(variance.value), noise_ * scale_ * std::sqrt(variance.slope)};
+}
+
+void SmoothingSpline::draw(std::span<const double> normals, double undersmoothing,
+                           std::span<double> coefficients) const {
+  const std::size_t n = coefficients_.size();
+  require(normals.size() == n + 1, "number of normal numbers", static_cast<double>(normals.size()),
+          "must be one more than the coefficients");
+  require(std::isfinite(undersmoothing) && undersmoothing > 0.0, "undersmoothing", undersmoothing,
+          "must be above 0 and finite");
+  require(coefficients.size() == n, "number of coefficients", static_cast<double>(coefficients.size()),
+          "must be the spline's");
+  for (const double number : normals)
+    require(std::isfinite(number), "normal number", number, "must be finite");
+  const double lambda = lambdas_.quantile(0.5 * std::erfc(-normals[n] / std::sqrt(2.0))) / undersmoothing;
+  std::vector<double> drawn(n);
+  for (std::size_t k = 0; k < n; ++k) {
+    const double left = 1.0 / (1.0 + lambda * modes_->roughness[k]);
+    drawn[k] = left * amplitudes_[k] + std::sqrt(left) * noise_ * normals[k];
+  }
+  std::ranges::copy(modes_->sum(drawn, scale_), coefficients.begin());
 }
 
 }  // namespace gas

@@ -16,11 +16,28 @@ constexpr double kLowest = 1.0, kHighest = 1e5;  // [K]
 constexpr int kMostSteps = 60;
 constexpr double kTemperatureSettled = 1e-13;
 constexpr double kLeastSlope = 0.05;
+constexpr double kGuess = 600.0;  // [K]
 
 Mixture amount(const Thermo& thermo, std::span<const double> fractions, double mass) {
   std::vector<double> masses(fractions.begin(), fractions.end());
   for (double& m : masses) m *= mass;
   return thermo.mixture(masses);
+}
+
+/// Root of a rising function within bounds; the bound next to it if there is none. `function` gives value and
+/// slope: Newton's method, and halving where that leaves what is left of the range.
+template <typename Function>
+double rising_root(double low, double high, double guess, const Function& function) {
+  double x = std::clamp(guess, low, high);
+  for (int i = 0; i < kMostSteps && low < high; ++i) {
+    const auto [value, slope] = function(x);
+    (value > 0.0 ? high : low) = x;
+    double next = x - value / slope;
+    if (!(next >= low && next <= high)) next = 0.5 * (low + high);
+    if (std::abs(next - x) <= kTemperatureSettled * std::abs(x)) return next;
+    x = next;
+  }
+  return x;
 }
 
 }  // namespace
@@ -32,18 +49,48 @@ TankGas::TankGas(const TankTest& test, double initial_pressure)
                       (test.thermo.gas_constant(test.tank_fractions) * test.initial_temperature))),
       inflator_(test.thermo.mixture(test.inflator_fractions)),
       range_{std::max(kLowest, test.thermo.minimum_temperature()),
-             std::min(kHighest, test.thermo.maximum_temperature())} {}
+             std::min(kHighest, test.thermo.maximum_temperature())},
+      initial_energy_(own_.internal_energy(test.initial_temperature)) {}
 
 TankGas::Rate TankGas::rate(double time, double p, double dp, double m) const {
   const double gas_constant = own_.gas_constant_sum + m * inflator_.gas_constant_sum;
-  const double temperature = p * volume_ / gas_constant;
-  if (!(temperature >= range_.low && temperature <= range_.high))
-    throw DomainError("tank test: at " + to_text(time) + " s the gas in the tank is at " +
-                      to_text(temperature) + " K, outside " + to_text(range_.low) + " to " +
-                      to_text(range_.high) + " K: pressures, volume and mass do not fit");
-  const double cv = own_.cv(temperature) + m * inflator_.cv(temperature);
-  return {cv * volume_ * dp / gas_constant, cv * temperature * inflator_.gas_constant_sum / gas_constant -
-                                                inflator_.internal_energy(temperature)};
+  const double t = temperature(p, m);
+  if (!(t >= range_.low && t <= range_.high))
+    throw DomainError("tank test: at " + to_text(time) + " s the gas in the tank is at " + to_text(t) +
+                      " K, outside " + to_text(range_.low) + " to " + to_text(range_.high) +
+                      " K: pressures, volume and mass do not fit");
+  const double cv = own_.cv(t) + m * inflator_.cv(t);
+  return {cv * volume_ * dp / gas_constant,
+          cv * t * inflator_.gas_constant_sum / gas_constant - inflator_.internal_energy(t)};
+}
+
+double TankGas::energy(double p, double m) const {
+  const double t = temperature(p, m);
+  return own_.internal_energy(t) + m * inflator_.internal_energy(t);
+}
+
+double TankGas::mean_enthalpy(double p, double m) const {
+  return (energy(p, m) - initial_energy_) / m;
+}
+
+double TankGas::delivered(double p, double enthalpy, double most, double guess) const {
+  const auto mass_at = [&](double t) {
+    return std::clamp((p * volume_ / t - own_.gas_constant_sum) / inflator_.gas_constant_sum, 0.0, most);
+  };
+  return rising_root(mass_at(range_.high), mass_at(range_.low), guess, [&](double m) {
+    const double t = temperature(p, m), sum = own_.gas_constant_sum + m * inflator_.gas_constant_sum;
+    const double cv = own_.cv(t) + m * inflator_.cv(t);
+    return std::pair(enthalpy * m + initial_energy_ - energy(p, m),
+                     enthalpy - inflator_.internal_energy(t) + cv * t * inflator_.gas_constant_sum / sum);
+  });
+}
+
+double TankGas::inflow_temperature(double enthalpy) const {
+  if (!(enthalpy >= inflator_.enthalpy(range_.low) && enthalpy <= inflator_.enthalpy(range_.high)))
+    throw DomainError("tank test: the mean temperature of what came in is outside " + to_text(range_.low) +
+                      " to " + to_text(range_.high) + " K: pressures, volume and mass do not fit");
+  return rising_root(range_.low, range_.high, kGuess,
+                     [&](double t) { return std::pair(inflator_.enthalpy(t) - enthalpy, inflator_.cp(t)); });
 }
 
 double TankGas::outlet_flow(double area, double temperature, double chamber, double tank) const {

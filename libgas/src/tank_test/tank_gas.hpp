@@ -18,6 +18,13 @@ class TankGas {
   /// Throws DomainError, naming `time`, if the gas temperature leaves its range.
   Rate rate(double time, double p, double dp, double m) const;
 
+  /// Specific enthalpy [J/kg] of the mass m [kg] that brought the tank from the start to p [Pa].
+  double mean_enthalpy(double p, double m) const;
+  /// Mass [kg], at most `most`, of that enthalpy which brought the tank to p; near `guess`.
+  double delivered(double p, double enthalpy, double most, double guess) const;
+  /// T [K] of the inflator's gas with that enthalpy [J/kg]. Throws DomainError outside its range.
+  double inflow_temperature(double enthalpy) const;
+
   /// Mass flow [kg/s] of gas at T_s [K] that makes this rate; (G.33).
   double mass_flow(const Rate& rate, double temperature) const {
     return rate.power / (inflator_.enthalpy(temperature) + rate.offset);
@@ -36,10 +43,16 @@ class TankGas {
   Range temperatures() const { return range_; }
 
  private:
+  double temperature(double p, double m) const {
+    return p * volume_ / (own_.gas_constant_sum + m * inflator_.gas_constant_sum);
+  }
+  double energy(double p, double m) const;
+
   double volume_;
   Mixture own_;       // all of it
   Mixture inflator_;  // 1 kg
   Range range_;
+  double initial_energy_;  // [J] of the own gas
 };
 
 }  // namespace gas

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include "tank_test/identify.hpp"
+
+namespace gas {
+
+/// Throws std::invalid_argument naming what is out of range.
+void check(const TankTest& test, const IdentifyOptions& options);
+
+/// Throws ReadingError for a tank pressure that is not above 0, or a chamber pressure below the tank's by
+/// more than noise explains. Precondition: finite readings, as many as times.
+void check_pressures(const TankReadings& readings, Noise noise);
+
+}  // namespace gas
