@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# Plots the curves of `gasjet identify` with their 95 % bands: mass flow and temperature against time; what is
-# masked is dashed.
+# Plots the curves of `gasjet identify` with their 95 % bands where they are claimed: mass flow and temperature against
+# time; what is masked is dashed.
 # usage: scripts/plot_identify.sh OUT CURVES.csv; writes OUT.svg and OUT.png
 set -euo pipefail
 # shellcheck source-path=SCRIPTDIR source=plot_common.sh
@@ -17,11 +17,12 @@ largest() {
 
 # panel QUANTITY UNIT LABEL: band, estimate, estimate where masked. The band is cut where nothing is known.
 panel() {
-  local low="column('$1_low_$2')" high="column('$1_high_$2')" value="column('$1_$2')"
+  local claimed="column('masked') == 0" low="column('$1_low_$2')" high="column('$1_high_$2')" value="column('$1_$2')"
+  has_column "$table" band_claimed && claimed="column('band_claimed') == 1"
   cat <<END
 set ylabel '$3'
 set yrange [0:1.5*$(largest "$1_$2")]
-plot '$table' using (1e3*column('time_s')):(column('masked') == 0 ? $low : NaN):(column('masked') == 0 ? $high : NaN) \
+plot '$table' using (1e3*column('time_s')):($claimed ? $low : NaN):($claimed ? $high : NaN) \
   with filledcurves fillcolor 'gray80' title '95 % band', \
   '' using (1e3*column('time_s')):(column('masked') == 0 ? $value : NaN) with lines linestyle 1 title 'estimate', \
   '' using (1e3*column('time_s')):(column('masked') == 1 ? $value : NaN) with lines linestyle 2 title 'masked'

@@ -45,6 +45,32 @@ part_identify() {
   "$gasjet" run "$source/cases/tank_identified.toml" --out "$work/shipped" --quiet || fail "shipped example"
   misses 0.01 pressure_Pa "$work/shipped/history.csv" tank_pressure_Pa "$data" >"$work/log" && fail "shipped: $(cat "$work/log")"
 
+  # A record of the program's own tank with cp(T): 0.07 kg of CO2 at 800 K into 28.3 litres of air.
+  cat >"$work/co2.toml" <<'END'
+[scene]
+name = "co2"
+end_time = 0.06
+[gas]
+thermodynamics = "nasa7"
+initial = { composition = { air = 1.0 }, pressure = 101325.0, temperature = 293.15 }
+[tank]
+volume = 0.0283
+[[inflator]]
+composition = { CO2 = 1.0 }
+temperature = 800.0
+mass_flow = { time = [0.0, 0.01, 0.04], value = [0.0, 3.5, 0.0] }
+[output]
+history_every = 1e-4
+END
+  "$gasjet" run "$work/co2.toml" --out "$work/co2" --quiet || fail "tank of CO2"
+  expect 0 "mean_temperature_K: (800|799.99|800.00)" "$gasjet" identify "$work/co2/history.csv" --method average --tank-column pressure_Pa \
+    --volume 0.0283 --mass 0.07 --gas CO2 --out "$work/co2.csv"
+  # Noise that is the same over the record, 0.2 % of the largest reading.
+  awk -F, -v OFS=, '/^#/ { print; next } $1 == "time_s" { for (i = 1; i <= NF; i++) if ($i == "chamber_pressure_Pa") c = i; print; next }
+    { seed = (16807 * (seed ? seed : 7)) % 2147483647; $c += 1e4 * (2 * seed / 2147483647 - 1) * 1.7; print }' "$data" >"$work/gauge.csv"
+  expect 2 "chamber pressure: .* fits --noise full-scale" "$gasjet" identify "$work/gauge.csv" $base --out "$work/none.csv"
+  expect 0 "of the largest reading" "$gasjet" identify "$work/gauge.csv" $base --noise full-scale --out "$work/gauge_curves.csv"
+
   # Bad input: place, name, nothing written.
   bad() { # bad PATTERN SED_EXPRESSION: the readings changed by sed
     sed -E "$2" "$data" >"$work/bad.csv"
@@ -76,6 +102,7 @@ part_identify() {
   bad_option "--gas N2=0.5: sum of fractions = 0.5: must be 1" --gas N2=0.5
   bad_option "--tank-gas N2=x: 'N2=x' is no NAME=FRACTION" --tank-gas N2=x
   bad_option "--method" --method triple
+  bad_option "--noise" --noise none
   expect 2 "--draws: is empty" "$gasjet" identify "$data" $base --draws= --out "$work/none.csv"
   expect 2 "--out .*would overwrite" "$gasjet" identify "$data" $base --out "$data"
   expect 2 "not writable" "$gasjet" identify "$data" $base --out "$work/nowhere/none.csv"
