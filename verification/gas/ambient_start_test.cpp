@@ -14,7 +14,7 @@ namespace {
 using namespace cases;
 
 constexpr double kVolume = 0.06, kEnd = 0.05;  // [m3], [s]
-constexpr int kSteps = 50;
+constexpr int kAmbientSteps = 50;
 
 struct Ended {
   gas::ControlVolumeState state;
@@ -22,7 +22,7 @@ struct Ended {
   double residual;  // of mass or energy, the larger, over the sum of the terms' magnitudes
 };
 
-/// kSteps steps from p_a and `temperature`, each end looked at by evaluate() too.
+/// kAmbientSteps steps from p_a and `temperature`, each end looked at by evaluate() too.
 Ended run(const gas::ControlVolumeModel& model, const std::vector<double>& fractions, double temperature,
         const std::function<double(double)>& volume, double leak_area) {
   gas::GasIntegrator integrator(model);
@@ -32,10 +32,10 @@ Ended run(const gas::ControlVolumeModel& model, const std::vector<double>& fract
   double mass_sum = mass(), mass_size = mass_sum, energy_sum = state.internal_energy,
          energy_size = std::abs(energy_sum);
   gas::GasPoint point{};
-  for (int i = 0; i <= kSteps; ++i) {
-    const double t0 = kEnd * i / kSteps, t1 = kEnd * (i + 1) / kSteps, h = t1 - t0;
+  for (int i = 0; i <= kAmbientSteps; ++i) {
+    const double t0 = kEnd * i / kAmbientSteps, t1 = kEnd * (i + 1) / kAmbientSteps, h = t1 - t0;
     point = gas::evaluate(model, state, volume(t0), leak_area, t0, (volume(t1) - volume(t0)) / h);
-    if (i == kSteps) break;
+    if (i == kAmbientSteps) break;
     const gas::StepFluxes f =
         integrator.advance(state, t0, t1, {volume(t0), volume(t1), leak_area, leak_area});
     for (const double m : {f.mass_in, f.backflow_mass, -f.vent_mass_out, -f.fabric_mass_out})
