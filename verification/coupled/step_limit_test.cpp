@@ -74,12 +74,12 @@ TEST(step_limit, run_ends_at_the_end) {
   }
 }
 
-// Eight steps of 0.1 s sum up to 2^-53 s or so less than 0.8 s: that is no ninth step.
+// Ten steps of 0.01 s sum up to 2^-56 s less than 0.1 s: that is no eleventh step.
 TEST(step_limit, rounding_of_the_time_leaves_no_sliver) {
-  const auto run = run_case("pendulum_swing", {"time.step=0.1", "scene.end_time=0.8"});
+  const auto run = run_case("pendulum_swing", {"time.step=0.01", "scene.end_time=0.1"});
   EXPECT_EQ(run.outcome.status, driver::RunStatus::done) << run.outcome.message;
-  EXPECT_EQ(run.state.time, 0.8);
-  EXPECT_NEAR(run.state.step.minimum, 0.1, 1e-9 * 0.1);  // by which the last step may differ
+  EXPECT_EQ(run.state.time, 0.1);
+  EXPECT_NEAR(run.state.step.minimum, 0.01, 1e-9 * 0.01);  // by which the last step may differ
 }
 
 /// Rows on the multiples, whatever the step; the last at the end.

@@ -34,9 +34,10 @@ enum class Noise { kOfReading, kOfFullScale };
 struct Modes;
 /// Values of lambda and how likely the readings make them.
 struct Lambdas {
-  double best = 0.0;
-  std::vector<double> values;
+  double best = 0.0;               // the likeliest value
+  std::vector<double> values;      // those tried, rising
   std::vector<double> cumulative;  // probability up to each value
+  /// The value below which lambda lies with this probability, 0 to 1.
   double quantile(double probability) const;
 };
 
