@@ -14,7 +14,7 @@ inline constexpr double kDriftInaccurate = 1e-2;  // from which on a run is no l
 /// Largest drift of the recorded levels over the largest energy; in J where nothing holds energy.
 double energy_drift(const State& state);
 
-/// Step that bounds the drift (M.22) [s], infinite for a bag without gas. Writes nothing.
+/// Step that bounds the drift (M.22), (M.24) [s]; without gas (M.24) alone. Writes nothing.
 double drift_limit(const Scene& scene, const State& state);
 
 /// Energy that the drift is compared with [J], from the record of a level.

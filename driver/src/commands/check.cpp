@@ -63,7 +63,7 @@ void print_bag(const Scene& scene, const State& state) {
   fmt::print("critical step at the start: {:.4g} s (alone:{})\n", membrane::critical_time_step(shares),
              limits_alone(shares));
   if (const double kept = drift_limit(scene, state); kept < membrane::critical_time_step(shares))
-    fmt::print("step at the start that keeps the energy (M.22): {:.4g} s\n", kept);
+    fmt::print("step at the start that keeps the energy (M.22), (M.24): {:.4g} s\n", kept);
   print_panels(bag.mesh);
   print_straps(bag);
 }
