@@ -41,6 +41,17 @@ TEST(identify_band, holds_the_truth_of_nasa7_gas) {
   EXPECT_GE(c.effective_area, 4.0 / 6.0);
 }
 
+/// Some 45 of the 60 ms are burn: 31 readings leave too few in it for a band, 101 enough.
+TEST(identify_band, is_not_claimed_from_fewer_than_thirty_readings_in_the_burn) {
+  for (const auto& [count, claims] : {std::pair{31, false}, {101, true}}) {
+    Record record(one_gas_truth(1e-4), 0.06, count);
+    record.add_noise(kNoise, 1);
+    const gas::Identified found = gas::identify(one_gas_test(), record.dual(), kBands);
+    EXPECT_TRUE(found.bands);
+    EXPECT_EQ(std::ranges::any_of(found.points, &gas::IdentifiedPoint::band_claimed), claims) << count;
+  }
+}
+
 /// The average-temperature method's band is that of mdot T_s/T_mean, its bias left out.
 TEST(identify_band, of_average_temperature_holds_the_product) {
   const Truth truth = one_gas_truth(1e-4);

@@ -178,10 +178,10 @@ Provenance findings(const IdentifyArguments& a, const gas::Identified& found) {
                    100.0 * found.forward_error)});
   const auto claimed = std::ranges::count_if(found.points, [](const auto& p) { return p.band_claimed; });
   lines.push_back({"bands", bands(a, found)});
-  lines.push_back(
-      {"band_claimed", fmt::format("{} of {} rows: not where masked, nor where the tank pressure bends more "
-                                   "sharply than smoothing follows",
-                                   claimed, found.points.size())});
+  lines.push_back({"band_claimed",
+                   fmt::format("{} of {} rows: not where masked, nor where the tank pressure bends more "
+                               "sharply than smoothing follows; none with fewer than 30 readings in the burn",
+                               claimed, found.points.size())});
   lines.push_back(
       {"bias", dual ? "temperature is held where masked"
                     : "mass_flow is off by T_s/mean_temperature at each moment, not in the bands"});

@@ -64,7 +64,8 @@ struct IdentifiedPoint {
   double amplification;  // relative standard deviation of K over the tank's noise; masked: at the threshold
   bool masked;  // K below its threshold or 4 of its standard deviations, or the chamber's pressure does not
                 // exceed the tank's
-  bool band_claimed = false;  // the bands hold: not masked, and no bend so sharp that smoothing rounds it
+  bool band_claimed = false;  // the bands hold: not masked, no bend so sharp that smoothing rounds it, and 30
+                              // readings or more in the burn
 };
 
 /// What SmoothingSpline made of one series.

@@ -22,6 +22,7 @@ constexpr double kUndersmoothing =
     3.0;                              // of lambda in the draws: what smoothing biases is then below the noise
 constexpr double kSharp = 4.0;        // times the burn's mean roughness: smoothing rounds such a bend
 constexpr double kMostMisfits = 0.1;  // of the draws
+constexpr long kLeastReadings = 30;   // within the burn: with fewer, smoothing rounds the pulse itself
 
 /// One pressure: its spline, and the basis at the times of the result.
 struct Smoothed {
@@ -164,13 +165,18 @@ Sample draw(const Splines& splines, const TankTest& test, std::span<const double
           Inversion(test, times, p).enthalpy_flow(best.mean_temperature)};
 }
 
-/// No band where the pressure bends more sharply than smoothing follows, or where the point is masked.
-void claim(const SmoothingSpline& tank, const Burn& burn, Identified& result) {
+/// No band from too few readings in the burn, where the pressure bends more sharply than smoothing follows,
+/// or where the point is masked.
+void claim(std::span<const double> readings, const SmoothingSpline& tank, const Burn& burn,
+           Identified& result) {
+  const double start = result.points[burn.first].time, end = result.points[burn.last].time;
+  const auto inside = std::ranges::count_if(readings, [&](double t) { return start <= t && t <= end; });
+  const bool claims = result.bands && inside >= kLeastReadings;
   double sum = 0.0;
   for (std::size_t i = burn.first; i <= burn.last; ++i) sum += tank.roughness(result.points[i].time);
   const double limit = kSharp * sum / static_cast<double>(burn.last - burn.first + 1);
   for (IdentifiedPoint& point : result.points)
-    point.band_claimed = result.bands && !point.masked && tank.roughness(point.time) <= limit;
+    point.band_claimed = claims && !point.masked && tank.roughness(point.time) <= limit;
 }
 
 }  // namespace
@@ -219,7 +225,7 @@ Identified identify(const TankTest& test, const TankReadings& readings, const Id
     }
   result.bands = result.misfits <= kMostMisfits * options.draws;
   if (result.bands) add_bands(samples, result);
-  claim(splines.tank.spline, burn, result);
+  claim(readings.times, splines.tank.spline, burn, result);
   return result;
 }
 
