@@ -116,4 +116,36 @@ TEST(warnings, name_gas_that_expands_out_of_its_range) {
   EXPECT_EQ(count("60e5", "constant"), 0);
 }
 
+int hot_warnings(const std::vector<std::string>& overrides) {
+  int count = 0;
+  for (const auto& w : coupled::scene_of("tank_backflow", overrides).warnings)
+    count += w.find("rises above 6000 K") != w.npos;
+  return count;
+}
+
+// N2 of 3000 K has gamma of 1.30 to 1.29 up there: 6000 K are reached between 9- and 12-fold compression.
+TEST(warnings, name_gas_that_a_shrinking_tank_heats_out_of_its_range) {
+  const auto count = [](const char* smallest, const char* thermodynamics) {
+    return hot_warnings({"gas.initial.temperature=3000.0",
+                         std::string("gas.thermodynamics=") + thermodynamics,
+                         std::string("tank.volume={time=[0.0,0.1,0.2],value=[0.06,") + smallest + ",0.06]}"});
+  };
+  EXPECT_EQ(count("0.005", "nasa7"), 1);
+  EXPECT_EQ(count("0.0067", "nasa7"), 0);
+  EXPECT_EQ(count("0.005", "constant"), 0);
+}
+
+// Its enthalpy becomes internal energy: 5500 K would be about 7000 K in a tank that was empty, in one that
+// was not it mixes.
+TEST(warnings, name_gas_that_fills_an_empty_tank_and_leaves_its_range) {
+  const auto count = [](const char* temperature, const char* pressure) {
+    return hot_warnings(
+        {std::string("gas.initial.pressure=") + pressure,
+         std::string("inflator=[{composition={N2=1.0},mass_flow=0.1,temperature=") + temperature + "}]"});
+  };
+  EXPECT_EQ(count("5500.0", "0.0"), 1);
+  EXPECT_EQ(count("4000.0", "0.0"), 0);
+  EXPECT_EQ(count("5500.0", "2e5"), 0);
+}
+
 }  // namespace
