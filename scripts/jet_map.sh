@@ -16,6 +16,8 @@ flow() { echo "inflator.0.mass_flow={time=[0.0,0.012,$1],value=[0.0,$2,0.0]}"; }
 # sides LONG SHORT: the outlet's, in the shipped proportion but for 0.005 and 0.0116 m2
 sides() { echo "inflator.0.jet.long_side=$1;inflator.0.jet.short_side=$2"; }
 
+matched="inflator.0.jet.outlet=pressure_matched;inflator.0.jet.temperature=stagnation"
+
 # input | value | settings of both cases, by ; | settings of the jet alone, by ;
 inputs=(
   "as shipped|-||"
@@ -25,7 +27,9 @@ inputs=(
   "vent [m²]|0.0005|vent.0.area=0.0005|" "vent [m²]|0.006|vent.0.area=0.006|"
   "porosity|0|fabric.porosity=0.0|" "porosity|0.08|fabric.porosity=0.08|"
   "outlet [m²]|0.0018||$(sides 0.05657 0.03182)" "outlet [m²]|0.005||$(sides 0.10 0.05)" "outlet [m²]|0.0116||$(sides 0.145 0.08)"
-  "outlet law|matched||inflator.0.jet.outlet=pressure_matched;inflator.0.jet.temperature=stagnation"
+  "outlet law|matched||$matched"
+  "matched [m²]|0.0018||$(sides 0.05657 0.03182);$matched" "matched [m²]|0.005||$(sides 0.10 0.05);$matched"
+  "matched [m²]|0.0116||$(sides 0.145 0.08);$matched"
   "406 K is|stagnation||inflator.0.jet.temperature=stagnation"
   "decay|0.09||inflator.0.jet.decay_coefficient=0.09" "decay|0.12||inflator.0.jet.decay_coefficient=0.12"
 )
