@@ -35,6 +35,8 @@ TriggerNames read_triggers(TableReader& root, gas::TriggerModel& model);
 void read_vents(TableReader& root, TriggerNames& names, gas::ControlVolumeModel& model);
 /// [tank]
 void read_tank(TableReader& root, Scene& scene);
+/// Of gas that the vents, a shrinking tank or an inflator would take out of its range of temperatures.
+void warn_of_range(Scene& scene);
 /// Of the leak law "screen" in the table `fabric`.
 void warn_of_screen(const std::string& fabric, LeakLaw law, Scene& scene);
 /// [gas.heat_loss]
