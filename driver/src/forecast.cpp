@@ -163,9 +163,9 @@ Forecast forecast(const Scene& scene, const State& state) {
 
 double gas_substeps(const Scene& scene, double relaxations) {
   const gas::IntegratorOptions& options = scene.gas->integrator;
-  if (options.fixed_step > 0.0) return 0.0;
-  const bool doubled = options.method == gas::Method::kEuler || options.method == gas::Method::kRungeKutta4;
-  return relaxations / ((doubled ? 2.0 : 1.0) * gas::stability_limit(options.method));
+  const bool only_explicit =
+      options.method == gas::Method::kEuler || options.method == gas::Method::kRungeKutta4;
+  return only_explicit && options.fixed_step == 0.0 ? relaxations / gas::stability_limit(options.method) : 0.0;
 }
 
 std::string gas_advice(const Scene& scene, const Forecast& f) {
@@ -178,7 +178,7 @@ std::string gas_advice(const Scene& scene, const Forecast& f) {
   const int most = scene.gas->integrator.maximum_steps;
   return fmt::format(
       "the gas method is explicit and takes some {:.1g} sub-steps, all relaxations (K.39) at its limit{}; "
-      "time.gas_method = \"rosenbrock\" has none",
+      "time.gas_method = \"dormand_prince\", the default, and \"rosenbrock\" have none",
       all,
       of_a_step > most
           ? fmt::format("; some {:.1g} of them are of one step, in which the run would end after {}",

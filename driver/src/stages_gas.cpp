@@ -44,27 +44,12 @@ Enclosure enclosure(const Scene& scene, const State& state) {
   return {surface.volume, 0.0};
 }
 
-namespace {
-
-/// dV/dt [m3/s]: of a tank's path from now on, of a bag over the last step.
-double volume_rate(const Scene& scene, const State& state, double volume) {
-  if (scene.bag) return state.step.before > 0.0 ? (volume - state.level.volume) / state.step.before : 0.0;
-  if (!scene.gas->tank_volume) return 0.0;
-  const double end = scene.gas->tank_volume->piece_end(state.time), length = end - state.time;
-  if (!(length < INFINITY)) return 0.0;
-  const gas::VolumePath path = scene.gas->tank_volume->piece(state.time, end, 0.0);
-  return (path.volume_end - path.volume_begin + 4.0 * path.volume_bulge) / length;
-}
-
-}  // namespace
-
 void gas_point(const Scene& scene, State& state) {
   StageTimer timer(state, Stage::gas_point);
   state.level.flows = state.flows;
   if (!scene.gas || !scene.has_volume()) return;
   const Enclosure now = enclosure(scene, state);
-  state.gas_point = gas::evaluate(scene.gas->model, state.gas, now.volume, now.leak_area, state.time,
-                                  volume_rate(scene, state, now.volume));
+  state.gas_point = gas::evaluate(scene.gas->model, state.gas, now.volume, now.leak_area, state.time);
   state.level.internal_energy = state.gas.internal_energy + state.jet_work_ahead;
   state.level.volume = state.gas_point.volume;
   if (state.bag) state.level.skin_area = state.bag->surface.area;

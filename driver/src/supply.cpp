@@ -92,14 +92,12 @@ class FullOpenings {
   double temperature_, volume_, leak_area_;
 };
 
-// The faster rate [1/s] at which gas relaxes while its openings let out what comes in, (G.14); where p is
-// held, that of what passes.
+// The faster rate [1/s] at which gas relaxes while its openings let out what comes in, (G.14).
 double relaxation_rate(const gas::GasPoint& point, double inflow, double ambient_pressure) {
-  constexpr double held = 1e-10;
   const double out = point.vent_mass_flow + point.fabric_mass_flow, flow = std::min(out, inflow);
   if (!(flow > 0.0)) return 0.0;
   const double share = 1.0 - ambient_pressure / point.pressure;
-  if (share <= held) return flow / point.mass;
+  if (!(share > 0.0)) return flow / point.mass;
   const double of_vents = gas::orifice_pressure_exponent(point.gamma, share),
                of_fabric = gas::fabric_pressure_exponent(share);
   const double exponent = (point.vent_mass_flow * of_vents + point.fabric_mass_flow * of_fabric) / out;

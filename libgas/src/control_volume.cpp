@@ -108,7 +108,13 @@ void validate(const ControlVolumeModel& model) {
           heat.conductance, "must be finite and not negative");
   require(std::isfinite(heat.outside_temperature) && heat.outside_temperature > 0.0,
           "heat_loss.outside_temperature [K]", heat.outside_temperature, "must be finite and positive");
-  if (model.fabric_velocity) require_area(*model.fabric_velocity, "fabric_velocity [m/s]");
+  require(model.laminar_share >= 0.0 && model.laminar_share <= 1e-3, "laminar_share", model.laminar_share,
+          "must be 0 to 1e-3");
+  if (model.fabric_velocity) {
+    require_area(*model.fabric_velocity, "fabric_velocity [m/s]");
+    require(model.fabric_velocity->value(0.0) == 0.0, "fabric_velocity [m/s] at p = p_a",
+            model.fabric_velocity->value(0.0), "must be 0");
+  }
   if (model.volume_of_overpressure) require_volume(*model.volume_of_overpressure, p_a);
   validate(model.triggers);
 }

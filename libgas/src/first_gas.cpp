@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The first gas of an evacuated volume, which has no heat capacity.
-#include <algorithm>
+#include "first_gas.hpp"
 
-#include "pressure_volume.hpp"
-#include "substepper.hpp"
+#include <algorithm>
+#include <limits>
 
 namespace gas {
 namespace {
@@ -20,26 +19,24 @@ void add(double factor, const Mixture& from, Mixture& to) {
   }
 }
 
-}  // namespace
-
-/// The temperature at which inflow and walls balance while an evacuated volume begins to fill, sum mdot_i
-/// (h_i - u_i(T)) = h A (T - T_ext), which is the equation of a mixture with h A added to its cp: work
-/// against its pressure is of second order in its mass. None without inflow.
-std::optional<double> FlowBalance::temperature_of_first_gas(double t) const {
-  const HeatLoss& loss = model_.heat_loss;
+/// Work against its pressure is of second order in its mass. The balance is the equation of a mixture with h A
+/// added to its cp. None without inflow, or if T is out of range.
+std::optional<double> balance_with_walls(const Boundary& boundary, double backflow, double t) {
+  const HeatLoss& loss = boundary.model().heat_loss;
   Mixture sum;
   double energy = loss.conductance * loss.outside_temperature, flow = 0.0;
-  for (const InflowSegment& segment : segments_) {
-    const auto [mass_flow, temperature] = segment.flow(t);
-    if (!(mass_flow > 0.0)) continue;
-    energy += mass_flow * segment.gas().enthalpy(temperature);
-    add(mass_flow, segment.gas(), sum);
+  const Inflows& inflows = boundary.inflows();
+  for (std::size_t i = 0; i < inflows.size(); ++i) {
+    if (inflows[i].is_idle()) continue;
+    const auto [mass_flow, temperature] = inflows[i].flow(t);
+    energy += mass_flow * inflows[i].gas().enthalpy(temperature);
+    add(mass_flow, inflows[i].gas(), sum);
     flow += mass_flow;
   }
-  if (point_.back > 0.0) {
-    energy += point_.back * air_enthalpy_;
-    add(point_.back, air_, sum);
-    flow += point_.back;
+  if (backflow > 0.0) {
+    energy += backflow * boundary.ambient().enthalpy;
+    add(backflow, boundary.ambient().mixture, sum);
+    flow += backflow;
   }
   if (flow == 0.0) return {};
   sum.low[0] += loss.conductance;
@@ -47,67 +44,41 @@ std::optional<double> FlowBalance::temperature_of_first_gas(double t) const {
   return sum.find_temperature(energy, loss.outside_temperature);
 }
 
-void FlowBalance::fill_backflow(Vector& dydt, double t) {
-  std::fill_n(dydt.begin() + static_cast<std::ptrdiff_t>(back_slot(0)), backflows(), 0.0);
-  point_.back = 0.0;
-  if (regime_ == Regime::kBack || regime_ == Regime::kBackSonic) backflow_rates(dydt, t, point_.overpressure);
-}
+}  // namespace
 
-double FlowBalance::first_backflow(std::size_t vent, const FirstFlow& flow) const {
-  return 0.5 * (flow.begin_rate[back_slot(vent)] + flow.end_rate[back_slot(vent)]) * (flow.end - flow.begin);
-}
-
-void FlowBalance::fill_until(Vector& y, const FirstFlow& flow) {
-  const double end = flow.end;
-  for (std::size_t j = 0; j < backflows(); ++j) y[back_slot(j)] += first_backflow(j, flow);
-  collect(y, end);
-  model_.thermo.mixture(masses_, mixture_);
-  const auto temperature = temperature_of_first_gas(end);
-  if (!temperature) return;
-  double heat = energy_ - mixture_.internal_energy(*temperature);
-  if (volume_by_pressure_)
-    heat -= volume_by_pressure_->place(mixture_.gas_constant_sum * *temperature).work - work_begin_;
-  y[heat_slot()] += heat;
-}
-
-double FlowBalance::mass_in(const FirstFlow& flow) const {
-  double mass = 0.0;
-  for (const InflowSegment& segment : segments_) mass += segment.delivered_until(flow.end).mass;
-  for (std::size_t j = 0; j < backflows(); ++j) mass += first_backflow(j, flow);
-  return mass;
-}
-
-/// Behind walls the first gas of an evacuated volume has no heat capacity to be stepped with: it is at its
-/// balance with them. So it is for one fixed step, or until a share of the segment's gas is there that will
-/// be forgotten at its end, or as long as it relaxes so often that it lags behind that balance by less than
-/// 1e-4 of its distance from the walls' temperature, which is forgotten as fast; and below all switches and
-/// levels. Returns the time reached.
-double Substepper::fill_first(Rates& rates, double a, double b) {
-  FlowBalance& balance = rates.balance;
-  const auto flow_until = [&](double end) {
-    balance.fill_backflow(trial_.end_rate, end);
-    return FlowBalance::FirstFlow{begin_rate_, trial_.end_rate, a, end};
+double fill_first(System& system, const IntegratorOptions& options, Vector& y, double t, double b) {
+  Balance& balance = system.balance;
+  const Boundary& boundary = balance.boundary();
+  const Slots& s = boundary.slots();
+  const UniformGas empty = balance.gas();
+  // Into no gas ambient gas flows sonic, linear in time as areas are.
+  const auto back = [&](std::size_t j, double end) {
+    return 0.5 * (boundary.back(j, empty, t) + boundary.back(j, empty, end)) * (end - t);
   };
-  constexpr double kRelaxations = 1e4;  // an explicit method takes a third as many sub-steps after them
-  const double all = balance.mass_in(flow_until(b)), fixed = options_.fixed_step;
-  if (!(all > 0.0)) return a;
-  double lowest = 0.4 * balance.ambient_pressure();  // below the sonic switch of every gas
-  for (const double level : levels_)
-    if (const double p = balance.ambient_pressure() + level; p > 0.0) lowest = std::min(lowest, 0.5 * p);
-  for (double step = fixed > 0.0 ? std::min(fixed, b - a) : b - a;; step *= 0.5) {
-    const double end = step == b - a ? b : a + step;
-    const FlowBalance::FirstFlow flow = flow_until(end);
-    trial_.end = zero_;
-    balance.fill_until(trial_.end, flow);
-    balance.locate(trial_.end, end);
-    if (fixed == 0.0 && balance.mass_in(flow) > options_.relative_tolerance * all &&
-        !(balance.heat_rate() * step > kRelaxations))
-      continue;
-    if (lowest > 0.0 && balance.point().pressure > lowest) continue;
-    balance.accept(trial_.end, end);
-    ++accepted_;
-    return end;
+  const auto mass_until = [&](double end) {
+    double mass = boundary.inflows().mass(t, end);
+    for (std::size_t j = 0; j < s.backflows; ++j) mass += back(j, end);
+    return mass;
+  };
+  const double all = mass_until(b), fixed = options.fixed_step;
+  if (!(all > 0.0)) return t;
+  double length = fixed > 0.0 ? std::min(fixed, b - t) : b - t;
+  const double least = 16.0 * std::numeric_limits<double>::epsilon() * std::abs(t);
+  while (fixed == 0.0 && length > least && mass_until(t + length) > options.relative_tolerance * all) length *= 0.5;
+  const double end = length == b - t ? b : t + length;
+  double backflow = 0.0;
+  std::ranges::fill(y, 0.0);
+  for (std::size_t j = 0; j < s.backflows; ++j) {
+    y[s.back(j)] = back(j, end);
+    backflow += boundary.back(j, empty, end);
   }
+  const auto temperature = balance_with_walls(boundary, backflow, end);
+  if (!temperature) return t;
+  system.ledger.gas_at(y, end, system.gas);
+  const Mixture mixture = boundary.model().thermo.mixture(std::span(system.gas).first(s.species));
+  y[s.heat()] = system.gas.back() - mixture.internal_energy(*temperature) - balance.work_at(mixture, *temperature);
+  system.ledger.accept(y, end);
+  return end;
 }
 
 }  // namespace gas

@@ -79,13 +79,13 @@ InflowSegment::Flow InflowSegment::flow(double t) const {
 }
 
 InflowSegment::Delivered InflowSegment::rate(double t) const {
-  if (mass_flow_ == 0.0 && mass_flow_slope_ == 0.0) return {0.0, 0.0};
+  if (is_idle()) return {0.0, 0.0};
   const auto [mass_flow, temperature] = flow(t);
   return {mass_flow, mass_flow * (temperature_slope_ == 0.0 ? enthalpy_ : gas_->enthalpy(temperature))};
 }
 
 InflowSegment::Delivered InflowSegment::rate_slope(double t) const {
-  if (mass_flow_ == 0.0 && mass_flow_slope_ == 0.0) return {0.0, 0.0};
+  if (is_idle()) return {0.0, 0.0};
   const auto [mass_flow, temperature] = flow(t);
   return {mass_flow_slope_, mass_flow_slope_ * gas_->enthalpy(temperature) +
                                 mass_flow * temperature_slope_ * gas_->cp(temperature)};
@@ -102,13 +102,8 @@ InflowSegment::Delivered InflowSegment::delivered_between(double from, double to
 }
 
 InflowSegment::Delivered InflowSegment::delivered(double t0, double t1) const {
-  if (mass_flow_ == 0.0 && mass_flow_slope_ == 0.0) return {0.0, 0.0};
+  if (is_idle()) return {0.0, 0.0};
   return delivered_between(elapsed(t0), elapsed(t1));
-}
-
-InflowSegment::Delivered InflowSegment::delivered_until(double t) const {
-  if (mass_flow_ == 0.0 && mass_flow_slope_ == 0.0) return {0.0, 0.0};
-  return delivered_between(0.0, elapsed(t));
 }
 
 double InflowSegment::enthalpy_by_quadrature(double from, double to) const {

@@ -27,6 +27,7 @@ class InflowSegment {
   /// `gas` is 1 kg of the inflow's mixture.
   InflowSegment(const Inflow& inflow, double start, const Mixture& gas, double a, double b);
 
+  bool is_idle() const { return mass_flow_ == 0.0 && mass_flow_slope_ == 0.0; }
   Flow flow(double t) const;
   /// Mass [kg/s] and enthalpy [W] at t, and their derivatives with t.
   Delivered rate(double t) const;
@@ -34,8 +35,6 @@ class InflowSegment {
   /// Mass and enthalpy from t0 to t1: closed form, or (cp(T) and a changing temperature) a Gauss rule that is
   /// exact for the integrand, a polynomial of degree 6 in time.
   Delivered delivered(double t0, double t1) const;
-  /// The same from a to t; the lengths of adjoining intervals add up to the distance of the knots themselves.
-  Delivered delivered_until(double t) const;
   const Mixture& gas() const { return *gas_; }
 
  private:

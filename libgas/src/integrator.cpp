@@ -51,23 +51,24 @@ class GasIntegrator::Implementation {
  public:
   Implementation(const ControlVolumeModel& model, const IntegratorOptions& options)
       : model_(validated(model)),
-        balance_(model_,
-                 validated(options).fixed_step > 0.0 ? 0.0 : kNegligible * options.relative_tolerance),
         network_(model_.triggers),
-        substepper_(balance_, levels(), options),
+        boundary_(model_),
+        ledger_(boundary_, validated(options).fixed_step > 0.0 ? 0.0 : kNegligible * options.relative_tolerance),
+        substepper_(boundary_, ledger_, network_, options),
         triggers_(model_.triggers.size()),
         before_(model_.triggers.size()),
         switchings_(model_.triggers.size()),
-        outflows_(balance_.streams()),
-        backflows_(balance_.backflows()) {}
+        outflows_(boundary_.slots().streams()),
+        backflows_(boundary_.slots().backflows) {}
 
   StepFluxes advance(ControlVolumeState& state, double t0, double t1, const VolumePath& path) {
     require_step(state, t0, t1);
     require_path(path);
     triggers_ = before_ = state.triggers;
     std::ranges::fill(switchings_, 0);
-    substepper_.begin_step();
-    balance_.begin_step(state, t0, t1, path);
+    boundary_.begin_step(t0, t1, path);
+    ledger_.begin_step(state);
+    substepper_.begin_step(state);
     double a = t0;
     try {
       while (a < t1) a = advance_segment(a, t1);
@@ -75,43 +76,54 @@ class GasIntegrator::Implementation {
       require_no_chatter(t0, a);
       throw;
     }
-    balance_.finish(state);
-    state.triggers = triggers_;
+    finish(state, t1);
     return fluxes();
   }
 
  private:
-  /// Overpressures [Pa] that a sub-step must not step over.
-  std::vector<double> levels() const {
-    std::vector<double> all = balance_.levels();
-    for (const Sensor& sensor : model_.triggers.sensors) {
-      if (sensor.kind != SensorKind::kPressure) continue;
-      all.push_back(sensor.threshold);
-      if (sensor.reset) all.push_back(*sensor.reset);
-    }
-    std::ranges::sort(all);
-    all.erase(std::unique(all.begin(), all.end()), all.end());
-    return all;
-  }
-
-  /// Integrates from a to the next break point or located event, t1 at the latest; returns the time reached.
+  /// Integrates from a to the next break point or the switch of a pressure sensor, t1 at the latest; returns
+  /// the time reached.
   double advance_segment(double a, double t1) {
     double next = t1;
     bool watched = false;
     if (!triggers_.empty()) {
       watched = network_.watches_pressure(triggers_);
-      const double overpressure = watched ? balance_.pressure(a) - model_.ambient.pressure : 0.0;
-      network_.update(triggers_, a, substepper_.take_level().value_or(overpressure), model_.ambient.pressure);
+      network_.update(triggers_, a, watched ? locate(a).overpressure : 0.0, model_.ambient.pressure);
       next = std::min(next, network_.next_break(triggers_, a));
       for (std::size_t i = 0; i < triggers_.size(); ++i) switchings_[i] += triggers_[i].on != before_[i].on;
       before_ = triggers_;
     }
-    if (const double knot = balance_.next_break(triggers_, a); t1 - knot > kOneTime * std::abs(t1))
+    if (const double knot = boundary_.next_break(triggers_, a); t1 - knot > kOneTime * std::abs(t1))
       next = std::min(next, knot);
-    balance_.begin_segment(triggers_, a, next);
-    if (balance_.needs_stepper() || watched) next = substepper_.integrate(balance_, a, next);
-    balance_.end_segment(next);
+    boundary_.begin_segment(triggers_, a, next);
+    ledger_.begin_segment(a);
+    if (boundary_.needs_stepper() || watched) next = substepper_.integrate(a, next, triggers_);
+    ledger_.end_segment(next);
     return next;
+  }
+
+  /// The gas at t, between two segments.
+  const UniformGas& locate(double t) {
+    if (!substepper_.balance().locate(ledger_.gas(), t))
+      throw DomainError("the gas leaves its temperature range, " + to_text(model_.thermo.minimum_temperature()) +
+                        " to " + to_text(model_.thermo.maximum_temperature()) + " K, at t = " + to_text(t) + " s");
+    return substepper_.balance().gas();
+  }
+
+  /// Turns `state` into the one at t1. The work of a volume that follows the pressure is known there alone.
+  void finish(ControlVolumeState& state, double t1) {
+    const UniformGas& gas = locate(t1);
+    if (gas.beyond) throw DomainError(beyond_text(*model_.volume_of_overpressure));
+    const Vector& amount = ledger_.gas();
+    state.internal_energy = amount.back();
+    if (model_.volume_of_overpressure) {
+      const double work = substepper_.balance().work();
+      ledger_.set_total(boundary_.slots().work(), work);
+      state.internal_energy -= work;
+    }
+    std::copy_n(amount.begin(), state.masses.size(), state.masses.begin());
+    if (gas.mass > 0.0) state.temperature = gas.temperature;
+    state.triggers = triggers_;
   }
 
   /// Throws if it was a pressure sensor that took the sub-steps, by what it opens and closes.
@@ -144,35 +156,38 @@ class GasIntegrator::Implementation {
   }
 
   StepFluxes fluxes() {
+    const Slots& slots = boundary_.slots();
     StepFluxes f{};
-    f.inflows = balance_.delivered();
+    f.inflows = ledger_.delivered();
     f.outflows = outflows_;
     f.backflows = backflows_;
     for (const StreamFlux& in : f.inflows) {
       f.mass_in += in.mass;
       f.enthalpy_in += in.enthalpy;
     }
-    for (std::size_t s = 0; s < outflows_.size(); ++s) {
-      outflows_[s] = {balance_.total(balance_.out_slot(s)), balance_.total(balance_.out_slot(s) + 1)};
-      (s + 1 < outflows_.size() ? f.vent_mass_out : f.fabric_mass_out) += outflows_[s].mass;
-      f.enthalpy_out += outflows_[s].enthalpy;
+    for (std::size_t j = 0; j < outflows_.size(); ++j) {
+      outflows_[j] = {ledger_.total(slots.mass(j)), ledger_.total(slots.enthalpy(j))};
+      (j == slots.fabric() ? f.fabric_mass_out : f.vent_mass_out) += outflows_[j].mass;
+      f.enthalpy_out += outflows_[j].enthalpy;
     }
     for (std::size_t j = 0; j < backflows_.size(); ++j) {
-      const double mass = balance_.total(balance_.back_slot(j));
-      backflows_[j] = {mass, balance_.back_enthalpy() * mass};
+      const double mass = ledger_.total(slots.back(j));
+      backflows_[j] = {mass, boundary_.ambient().enthalpy * mass};
       f.backflow_mass += mass;
       f.backflow_enthalpy += backflows_[j].enthalpy;
     }
-    f.work = balance_.total(balance_.work_slot());
-    f.heat = balance_.total(balance_.heat_slot());
+    f.work = ledger_.total(slots.work());
+    f.heat = ledger_.total(slots.heat());
     f.steps = substepper_.accepted();
     f.evaluations = substepper_.evaluations();
+    f.moments = substepper_.moments();
     return f;
   }
 
   const ControlVolumeModel model_;
-  FlowBalance balance_;
   TriggerNetwork network_;
+  Boundary boundary_;
+  Ledger ledger_;
   Substepper substepper_;
   TriggerState triggers_;
   TriggerState before_;          // at the last update

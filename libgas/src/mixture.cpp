@@ -82,6 +82,10 @@ double Mixture::cp(double temperature) const {
   return cp_of(temperature <= kJointTemperature ? low : high, temperature);
 }
 
+double Mixture::cp_slope(double temperature) const {
+  return cp_slope_of(temperature <= kJointTemperature ? low : high, temperature);
+}
+
 double Mixture::enthalpy(double temperature) const {
   return enthalpy_of(temperature <= kJointTemperature ? low : high, temperature);
 }

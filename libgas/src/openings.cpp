@@ -9,39 +9,22 @@
 namespace gas {
 namespace {
 
-void add_knots(const std::optional<Curve>& curve, std::vector<double>& knots) {
-  if (!curve || curve->is_constant()) return;
-  for (const Curve::Knot& knot : curve->knots()) knots.push_back(knot.time);
-}
-
-Curve::Piece scaled(double factor, Curve::Piece piece) {
-  return {piece.origin, factor * piece.value, factor * piece.slope};
-}
-
 double opened_at(const Vent& vent, const TriggerState& triggers) {
   return vent.trigger ? triggers[*vent.trigger].since : 0.0;
 }
 
 }  // namespace
 
-Openings::Openings(const ControlVolumeModel& model) : model_(model) {
-  for (const Vent& vent : model.vents) {
-    vents_.push_back({{0.0, vent.discharge_coefficient * vent.area, 0.0},
-                      vent.area_of_overpressure.has_value(),
-                      !vent.trigger});
-    any_backflow_ = any_backflow_ || vent.backflow;
-  }
-  enter_band(0.0);
+double effective_area(const Vent& vent, const TriggerState& triggers, double time, double overpressure) {
+  if (vent.trigger && !triggers.at(*vent.trigger).on) return 0.0;
+  const double area = vent.area_of_overpressure ? vent.area_of_overpressure->value(overpressure)
+                      : vent.area_of_time       ? vent.area_of_time->value(time - opened_at(vent, triggers))
+                                                : vent.area;
+  return vent.discharge_coefficient * area;
 }
 
-std::vector<double> Openings::knots() const {
-  std::vector<double> knots;
-  for (const Vent& vent : model_.vents) add_knots(vent.area_of_overpressure, knots);
-  add_knots(model_.fabric_velocity, knots);
-  std::ranges::sort(knots);
-  knots.erase(std::unique(knots.begin(), knots.end()), knots.end());
-  return knots;
-}
+Openings::Openings(const ControlVolumeModel& model)
+    : model_(model), pieces_(model.vents.size()), open_(model.vents.size()) {}
 
 double Openings::next_break(const TriggerState& triggers, double t) const {
   double next = kInfinity;
@@ -56,39 +39,52 @@ double Openings::next_break(const TriggerState& triggers, double t) const {
 }
 
 void Openings::begin_segment(const TriggerState& triggers, double a, double b) {
-  for (std::size_t j = 0; j < vents_.size(); ++j) {
+  is_open_ = has_backflow_ = false;
+  for (std::size_t j = 0; j < pieces_.size(); ++j) {
     const Vent& vent = model_.vents[j];
-    if (vent.trigger) vents_[j].open = triggers[*vent.trigger].on;
-    if (!vent.area_of_time || !vents_[j].open) continue;
+    open_[j] = !vent.trigger || triggers[*vent.trigger].on;
+    if (!open_[j]) continue;
     const double start = opened_at(vent, triggers);
-    vents_[j].piece = scaled(vent.discharge_coefficient, vent.area_of_time->piece(0.5 * (a + b) - start));
-    vents_[j].piece.origin += start;
+    Curve::Piece piece{0.0, vent.area_of_overpressure ? 1.0 : vent.area, 0.0};
+    if (vent.area_of_time) {
+      piece = vent.area_of_time->piece(0.5 * (a + b) - start);
+      piece.origin += start;
+    }
+    const double cd = vent.discharge_coefficient;
+    pieces_[j] = {piece.origin, cd * piece.value, cd * piece.slope};
+    open_[j] = pieces_[j].value > 0.0 || pieces_[j].slope != 0.0;
+    is_open_ = is_open_ || open_[j];
+    has_backflow_ = has_backflow_ || (open_[j] && vent.backflow);
   }
 }
 
-void Openings::enter_band(double overpressure) {
-  for (std::size_t j = 0; j < vents_.size(); ++j)
-    if (vents_[j].of_overpressure)
-      vents_[j].piece = scaled(model_.vents[j].discharge_coefficient,
-                               model_.vents[j].area_of_overpressure->piece(overpressure));
-  if (model_.fabric_velocity) fabric_ = model_.fabric_velocity->piece(overpressure);
-}
-
-bool Openings::is_open() const {
-  return std::ranges::any_of(vents_, [](const Opening& o) {
-    return o.open && (o.piece.value > 0.0 || o.piece.slope != 0.0 || o.of_overpressure);
-  });
-}
-
 double Openings::effective_area(std::size_t j, double t, double overpressure) const {
-  const Opening& o = vents_[j];
-  if (!o.open) return 0.0;
-  if (o.piece.slope == 0.0) return o.piece.value;
-  return std::max(0.0, o.piece.at(o.of_overpressure ? overpressure : t));
+  if (!open_[j]) return 0.0;
+  const auto& curve = model_.vents[j].area_of_overpressure;
+  if (curve) return pieces_[j].value * curve->value(overpressure);
+  return pieces_[j].slope == 0.0 ? pieces_[j].value : std::max(0.0, pieces_[j].at(t));
 }
 
-double Openings::fabric_velocity(double overpressure) const {
-  return std::max(0.0, fabric_.at(overpressure));
+Openings::Area Openings::area(std::size_t j, double t, double overpressure) const {
+  const double value = effective_area(j, t, overpressure);
+  if (!open_[j]) return {};
+  if (const auto& curve = model_.vents[j].area_of_overpressure)
+    return {value, pieces_[j].value * curve->piece(overpressure).slope, 0.0};
+  return {value, 0.0, pieces_[j].slope};
+}
+
+std::vector<double> overpressure_knots(const ControlVolumeModel& model) {
+  std::vector<double> knots;
+  const auto add = [&](const std::optional<Curve>& curve) {
+    if (!curve || curve->is_constant()) return;
+    for (const Curve::Knot& knot : curve->knots()) knots.push_back(knot.time);
+  };
+  for (const Vent& vent : model.vents) add(vent.area_of_overpressure);
+  add(model.fabric_velocity);
+  add(model.volume_of_overpressure);
+  std::ranges::sort(knots);
+  knots.erase(std::unique(knots.begin(), knots.end()), knots.end());
+  return knots;
 }
 
 }  // namespace gas

@@ -12,6 +12,14 @@ double log_sonic_temperature(double gamma) {
   return std::log1p(-(gamma - 1.0) / (gamma + 1.0));
 }
 
+// No gas chokes at a pressure ratio above this: (G.5) tends to 0.6065 as gamma tends to 1.
+constexpr double kNeverChoked = 0.62;
+
+/// (2/(gamma + 1))^((gamma + 1)/(2 (gamma - 1))), of the sonic flux.
+double throat_flux(double gamma) {
+  return std::exp(0.5 * (gamma + 1.0) / (gamma - 1.0) * log_sonic_temperature(gamma));
+}
+
 double log_critical_ratio(double gamma) {
   return gamma / (gamma - 1.0) * log_sonic_temperature(gamma);
 }
@@ -25,10 +33,7 @@ double critical_pressure_ratio(double gamma) {
 double choked_mass_flow(double effective_area, double pressure, double temperature, double gas_constant,
                         double gamma) {
   if (!(pressure > 0.0)) return 0.0;
-  const double half_exponent = 0.5 * (gamma + 1.0) / (gamma - 1.0);
-  const double flux = std::sqrt(gamma / (gas_constant * temperature)) *
-                      std::exp(half_exponent * log_sonic_temperature(gamma));
-  return effective_area * pressure * flux;
+  return effective_area * pressure * std::sqrt(gamma / (gas_constant * temperature)) * throat_flux(gamma);
 }
 
 double subsonic_mass_flow(double effective_area, double pressure, double temperature, double gas_constant,
@@ -40,14 +45,23 @@ double subsonic_mass_flow(double effective_area, double pressure, double tempera
          std::sqrt(2.0 * cp * temperature * powers);
 }
 
+double hole_mass_flow(double effective_area, double pressure, double temperature, double gas_constant,
+                      double cp, double gamma, double overpressure) {
+  if (!(overpressure > 0.0)) return 0.0;
+  const double outside = pressure - overpressure;
+  if (outside < kNeverChoked * pressure) {
+    const double throat = throat_flux(gamma);  // also of (G.5): its exponent is half less
+    if (outside <= throat * std::sqrt(2.0 / (gamma + 1.0)) * pressure)
+      return effective_area * pressure * std::sqrt(gamma / (gas_constant * temperature)) * throat;
+  }
+  return subsonic_mass_flow(effective_area, pressure, temperature, gas_constant, cp, gamma, overpressure);
+}
+
 double orifice_mass_flow(double effective_area, double pressure, double temperature, double gas_constant,
                          double cp, double gamma, double ambient_pressure) {
-  if (!(pressure > ambient_pressure)) return 0.0;
-  if (ambient_pressure <= critical_pressure_ratio(gamma) * pressure)
-    return choked_mass_flow(effective_area, pressure, temperature, gas_constant, gamma);
   // The difference is exact where it matters, within a factor of 2.
-  return subsonic_mass_flow(effective_area, pressure, temperature, gas_constant, cp, gamma,
-                            pressure - ambient_pressure);
+  return hole_mass_flow(effective_area, pressure, temperature, gas_constant, cp, gamma,
+                        pressure - ambient_pressure);
 }
 
 double fabric_mass_flow(double leak_area, double density, double overpressure) {

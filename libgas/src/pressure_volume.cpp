@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "near.hpp"
 #include "require.hpp"
 
 namespace gas {
@@ -15,19 +14,20 @@ namespace {
 constexpr double kSmallStep = 1e-8;
 constexpr int kSmallSteps = 3;
 constexpr int kMostNewtonSteps = 100;
+constexpr double kCurveEnd = 1e-12;  // products closer to the end of the curve, relative, are on it
 // Of an energy, relative: some hundred operations. What is so close to an end of the range is there.
 constexpr double kEnergyRoundOff = 2e-14;
 
-/// The piece left of the first knot that is_above(p [Pa], knot).
-template <class IsAbove>
-VolumePiece find_piece(const Curve& curve, double ambient_pressure, IsAbove is_above) {
+/// The line of the curve on which p V is `product` [J]; within rounding of the last knot that below it.
+VolumePiece find_piece(const Curve& curve, double ambient_pressure, double product) {
   const auto knots = curve.knots();
   const Curve::Knot& first = knots.front();
   VolumePiece piece{first.time, ambient_pressure + first.time, first.value, 0.0, 0.0, false};
   for (std::size_t i = 0; i < knots.size(); ++i) {
     const double p = ambient_pressure + knots[i].time, grown = knots[i].value - piece.volume;
     piece.slope = i == 0 ? 0.0 : grown / (knots[i].time - knots[i - 1].time);
-    if (is_above(p, knots[i])) return piece;
+    const double rounding = i + 1 == knots.size() ? 1.0 + kCurveEnd : 1.0;
+    if (product <= p * knots[i].value * rounding) return piece;
     piece = {knots[i].time, p, knots[i].value, 0.0, piece.work + 0.5 * grown * (piece.pressure + p), false};
   }
   piece.beyond = true;
@@ -49,19 +49,8 @@ PressurePlace VolumePiece::place(double product) const {
           beyond};
 }
 
-void PressureVolume::enter_piece(double overpressure) {
-  piece_ =
-      find_piece(curve_, ambient_, [&](double, const Curve::Knot& knot) { return overpressure < knot.time; });
-}
-
 PressurePlace PressureVolume::place(double product) const {
-  if (piece_) return piece_->place(product);
-  const Curve::Knot* last = &curve_.knots().back();
-  return find_piece(curve_, ambient_,
-                    [&](double p, const Curve::Knot& knot) {
-                      return product <= p * knot.value * (&knot == last ? 1.0 + kNear : 1.0);
-                    })
-      .place(product);
+  return find_piece(curve_, ambient_, product).place(product);
 }
 
 double work_share(const PressurePlace& place) {

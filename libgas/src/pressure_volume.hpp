@@ -36,10 +36,7 @@ class PressureVolume {
  public:
   /// `curve` must outlive this.
   PressureVolume(const Curve& curve, double ambient_pressure) : curve_(curve), ambient_(ambient_pressure) {}
-  /// Until leave_piece(), the line around `overpressure` [Pa], which is no knot, stands for the curve.
-  void enter_piece(double overpressure);
-  void leave_piece() { piece_.reset(); }
-  bool is_beyond() const { return piece_ && piece_->beyond; }  // that line is above the last knot
+  double smallest() const { return curve_.knots().front().value; }  // [m3]
   /// Where p V is `product` [J], sum(m_k R_k) T.
   PressurePlace place(double product) const;
   /// Temperature [K] at which U + int p dV of the gas is `energy` [J]. Newton's method: the heat capacity
@@ -50,7 +47,6 @@ class PressureVolume {
  private:
   const Curve& curve_;
   double ambient_;
-  std::optional<VolumePiece> piece_;
 };
 
 /// Share [-] of a change of p V that is work: p V'/(V + p V').

@@ -5,212 +5,208 @@
 #include <cmath>
 #include <limits>
 
-#include "near.hpp"
+#include "first_gas.hpp"
+#include "infinity.hpp"
+#include "require.hpp"
 
 namespace gas {
 namespace {
 
-// The flux has a continuous slope across the sonic switch: an error of its place enters squared.
-constexpr double kSonicNear = 1e-8;
+// An explicit sub-step is at most as long as the gas takes to relax: at 2.5 of it trials already fail.
+constexpr double kStiff = 1.0;
+// Of the time in which flow that ends at p_a does so: a sixteenth of p - p_a is left then.
+constexpr double kTowardsAmbient = 0.75;
+// Of the gas, what may flow the wrong way by rounding: a hundred times what a hundred operations make.
+constexpr double kReversed = 1e-12;
+// After a trial that took p through p_a against its flow.
 constexpr double kCrossingFactor = 0.25;
-// Where flow ends as the root of time errors fall as h^1.5: (2^4 - 1)/(2^1.5 - 1) times what doubling of
-// order 4 makes of them; more than of order 1, and than an embedded pair's.
-constexpr double kRootError = 8.2;
-// The first step's error constant is of the order kFirstStep^-error_power: a guess, only speed depends on it.
-constexpr double kFirstStep = 5.0;
+// Steps up to a sixteenth of the time since the onset: each further term of sqrt(t) is less than a sixteenth
+// of the last.
+constexpr double kRootShare = 1.0 / 16.0;
+// The root's clock starts so much, of the time ahead, before the onset: at its origin all rates are zero.
+constexpr double kRootBegin = 1e-12;
 
 }  // namespace
 
-Substepper::Substepper(const FlowBalance& balance, std::vector<double> levels,
+Substepper::Substepper(const Boundary& boundary, Ledger& ledger, const TriggerNetwork& network,
                        const IntegratorOptions& options)
     : options_(options),
-      levels_(std::move(levels)),
-      sonic_near_(kSonicNear * balance.ambient_pressure()),
-      stepper_(make_stepper(options.method, balance)),
-      first_step_share_(kFirstStep * std::pow(options.relative_tolerance, 1.0 / stepper_->error_power())),
-      zero_(balance.unknowns(), 0.0),
-      begin_rate_(zero_),
-      hold_rate_(zero_) {
-  trial_ = {zero_, zero_, zero_};
+      network_(network),
+      balance_(boundary),
+      system_{ledger, balance_, {}, Vector(boundary.slots().species + 1)},
+      watch_(boundary, options.relative_tolerance),
+      control_(options, options.method == Method::kRosenbrock4 ? 4.0 : 5.0),
+      explicit_(make_explicit(options.method, boundary.slots())),
+      implicit_(make_rodas(boundary.slots())),
+      begin_rate_(boundary.slots().size()) {
+  trial_ = {begin_rate_, begin_rate_, begin_rate_};
 }
 
-void Substepper::begin_step() {
-  attempts_ = accepted_ = evaluations_ = 0;
-  band_is_known_ = false;
-  level_.reset();
+void Substepper::begin_step(const ControlVolumeState& state) {
+  attempts_ = accepted_ = system_.evaluations = 0;
+  moments_ = {};
+  balance_.begin_step(state);
 }
 
-void Substepper::count_attempt(const Rates& rates, double x, double h) {
-  if (++attempts_ > options_.maximum_steps || !(x + h > x)) fail(rates, x, h);
+/// Whether flow that something feeds lets p grow at more than half of the rate that it would have without.
+bool Substepper::is_onset() const {
+  const bool out = begin_.growth > 0.0 && (begin_.outflow > 0.0 || watch_.is_on_ambient(begin_)) &&
+                   balance_.boundary().is_open();
+  const bool in = begin_.growth < 0.0 && (begin_.backflow > 0.0 || watch_.is_on_ambient(begin_)) &&
+                  balance_.boundary().has_backflow();
+  return (out || in) && balance_.pressure_rate() / begin_.growth >= 0.5;
 }
 
-/// One trial; `balance` is left at its end. False if any stage met no valid gas.
-bool Substepper::try_step(Rates& rates, double x, double h) {
-  count_attempt(rates, x, h);
-  rates.valid = true;
-  rates.depleted.reset();
-  h = (x + h) - x;  // what flows in until then, exactly
-  stepper_->step(rates, zero_, begin_rate_, x, h, options_.fixed_step == 0.0, trial_);
-  if (!rates.valid) rates.balance.invalidate();
-  return rates.valid;
+/// The clock of a sub-step from t: where flow sets in at p_a it grows as the root of the time.
+void Substepper::start_clock(double t, double b) {
+  const double since = is_onset() ? std::max(0.0, begin_.overpressure / begin_.growth) : kInfinity;
+  system_.clock = {};
+  // Where the flow balances its feed before the tolerance tells, what sets in is no matter.
+  const bool matters = since < b - t && control_.tells(balance_, balance_.balanced_overpressure());
+  if (matters) system_.clock = {true, t - std::max(since, kRootBegin * (b - t))};
+  x_ = system_.clock.position(t);
+  for (double& rate : begin_rate_) rate *= system_.clock.slope(x_);
+  begin_.rate *= system_.clock.slope(x_);
 }
 
-/// Error of mass and of thermal energy (what an error of a mass takes along at its own h is no error of
-/// temperature), over the tolerance.
-double Substepper::scaled_error(const FlowBalance& balance) const {
-  const auto& point = balance.point();
-  if (!point.valid) return std::numeric_limits<double>::infinity();
-  if (options_.fixed_step > 0.0) return 0.0;
-  const double work = trial_.error[balance.work_slot()];
-  double energy = balance.energy_change(trial_.error) + work, largest = 0.0;
-  for (std::size_t k = 0; k < balance.species(); ++k) {
-    const double change = balance.species_change(trial_.error, k);
-    if (change != 0.0) energy -= balance.species_enthalpy(k) * change;
-    largest = std::max(largest, std::abs(change));
+void Substepper::start(double t, double b) {
+  system_.clock = {};
+  system_.valid = true;
+  system_.rates_of(system_.gas = system_.ledger.gas(), begin_rate_, t);
+  if (!system_.valid) control_.fail(system_, t, b - t, attempts_, false);
+  begin_ = watch_.moment(balance_, 1.0);
+  set_relaxation(kInfinity);
+  start_clock(t, b);
+}
+
+/// Before a sub-step of at most `length` [s]: where that is far from stiff, a bound of it does.
+void Substepper::set_relaxation(double length) {
+  if (options_.method == Method::kDormandPrince5) {
+    relaxation_ = control_.relaxation_bound(balance_);
+    if (length * relaxation_ <= kStiff) return;
   }
-  const double energy_error = std::abs(energy) + std::abs(work);
-  if (largest == 0.0 && energy_error == 0.0) return 0.0;
-  return std::max(largest / point.mass, energy_error / point.thermal_energy) / options_.relative_tolerance;
+  relaxation_ = balance_.relaxation(balance_.where_linear());
 }
 
-void Substepper::enter_band(FlowBalance& balance) const {
-  const double front = levels_.front(), back = levels_.back();
-  balance.enter_band(band_ == 0                ? front - std::abs(front) - 1.0
-                     : band_ == levels_.size() ? back + std::abs(back) + 1.0
-                                               : 0.5 * (levels_[band_ - 1] + levels_[band_]));
+bool Substepper::is_stiff(double length) const {
+  if (options_.method == Method::kRosenbrock4) return true;
+  return options_.method == Method::kDormandPrince5 && !control_.is_fixed() && length * relaxation_ > kStiff;
 }
 
-/// Overpressures [Pa] closer to zero than this are there. Where the volume follows p, the gas changes by
-/// `compliance` times as much as p.
-double Substepper::ambient_near(const FlowBalance& balance) const {
-  return kNear * balance.ambient_pressure() / balance.point().compliance;
+/// One trial of `length` in x; the balance is left at its end. False if any stage met no gas.
+bool Substepper::try_step(double length, bool stiff) {
+  const double h = (x_ + length) - x_;  // what flows in until then, exactly
+  const double t = system_.clock.time(x_);
+  if (++attempts_ > options_.maximum_steps || !(h > 0.0) || !(system_.clock.time(x_ + h) > t))
+    control_.fail(system_, t, system_.clock.time(x_ + length) - t, attempts_, system_.valid);
+  system_.valid = true;
+  system_.depleted.reset();
+  trial_.reversed = 0.0;
+  if (stiff) balance_.locate(system_.ledger.gas(), t);  // a good guess of the temperature
+  (stiff ? implicit_ : explicit_)->step(system_, begin_rate_, x_, h, !control_.is_fixed(), trial_);
+  if (!stiff && !control_.is_fixed() && system_.valid &&
+      system_.ledger.stop_reversed(trial_.end, trial_.error) > 0.0)
+    system_.rates(trial_.end, trial_.end_rate, x_ + h);
+  return system_.valid;
 }
 
-/// The same of a level: not below the rounding of a few operations on it.
-double Substepper::level_near(const FlowBalance& balance, std::size_t i) const {
-  constexpr double kRoundOff = 8.0 * std::numeric_limits<double>::epsilon();
-  return std::max(ambient_near(balance) + kNear * std::max(0.0, levels_[i]) / balance.point().compliance,
-                  kRoundOff * std::abs(levels_[i]));
+double Substepper::fill_first(double t, double b) {
+  const double end = gas::fill_first(system_, options_, trial_.end, t, b);
+  if (end > t) ++accepted_;
+  return end;
 }
 
-/// The band of p, on a level that above or below it.
-std::size_t Substepper::band_above(const FlowBalance& balance) const {
-  std::size_t band = 0;
-  while (band < levels_.size() && balance.pressure_excess() >= levels_[band] - level_near(balance, band))
-    ++band;
-  return band;
+/// When the vents' flow switches and when p comes to p_a.
+void Substepper::note_moments(const Moment& end, double t, double duration, bool landed) {
+  if (landed && watch_.is_on_sonic(end)) moments_.sonic_switch = t + duration;
+  if (const auto share = watch_.equalises(begin_, end)) moments_.equalisation = t + *share * duration;
 }
 
-std::size_t Substepper::band_below(const FlowBalance& balance) const {
-  std::size_t band = levels_.size();
-  while (band > 0 && balance.pressure_excess() <= levels_[band - 1] + level_near(balance, band - 1)) --band;
-  return band;
+/// Books the trial, which ends at x = `end` and time t; the next sub-step begins there.
+void Substepper::accept(double end, double t, double b, bool landed, double after) {
+  const Clock clock = system_.clock;
+  const double duration = t - clock.time(x_), slope = clock.slope(end);
+  system_.ledger.accept(trial_.end, t);
+  begin_rate_.swap(trial_.end_rate);
+  ++accepted_;
+  set_relaxation(after);
+  x_ = end;
+  const bool leaves_root = clock.root && ((duration <= kRootShare * (t - clock.origin) && !control_.is_fixed()) || !is_onset());
+  const bool sets_in = landed && watch_.is_on_ambient(begin_);
+  if (!leaves_root && !sets_in) return;
+  for (double& rate : begin_rate_) rate /= slope;
+  begin_.rate /= slope;
+  system_.clock = {};
+  x_ = t;
+  if (sets_in) start_clock(t, b);
 }
 
-/// The band of levels that p is in, or, on a level, the one it is going to: the flows do not jump there.
-void Substepper::find_band(FlowBalance& balance, double t) {
-  if (levels_.empty()) return;
-  if (!band_is_known_) {
-    band_ = band_above(balance);
-    enter_band(balance);
-    balance.fill_rates(begin_rate_, t);
-    if (balance.pressure_rate(t) <= 0.0) band_ = band_below(balance);
-  }
-  band_is_known_ = false;
-  enter_band(balance);
-  require_volume(balance, t);
-  balance.locate(zero_, t);
-}
-
-/// Regime at time t, the begin of a sub-step. At p = p_a gas flows only if something would change p in [t,
-/// b].
-void Substepper::start_regime(FlowBalance& balance, double t, double b) {
-  balance.set_regime(Regime::kClosed);
-  balance.locate(zero_, t);
-  const double excess = balance.pressure_excess();
-  const bool on = std::abs(excess) <= ambient_near(balance) && balance.ambient_pressure() > 0.0;
-  const double begin = balance.closed_pressure_growth(t);
-  const double side = !on ? excess : begin != 0.0 ? begin : balance.closed_pressure_growth(b);
-  if (balance.is_open() && side > 0.0)
-    balance.set_regime(balance.sonic_excess() >= 0.0 ? Regime::kOutSonic : Regime::kOut);
-  else if (balance.has_backflow() && side < 0.0)
-    balance.set_regime(balance.back_sonic_excess() < 0.0 ? Regime::kBackSonic : Regime::kBack);
-  find_band(balance, t);
-  start_hold(balance, t, b, 1.0);
-}
-
-/// Enters what lies behind the event; true if the caller has to bring knots and triggers up to date.
-bool Substepper::pass_event(FlowBalance& balance) {
-  if (event_ != Event::kLevelAbove && event_ != Event::kLevelBelow) {
-    balance.set_regime(next_regime_);
-    return false;
-  }
-  level_ = levels_[event_ == Event::kLevelAbove ? band_ : band_ - 1];
-  event_ == Event::kLevelAbove ? ++band_ : --band_;
-  band_is_known_ = true;
-  return true;
-}
-
-double Substepper::integrate(FlowBalance& balance, double a, double b) {
-  Rates rates{balance};
-  event_ = Event::kNone;
-  start_regime(balance, a, b);
-  start_variable(rates, a, b);
+double Substepper::integrate(double a, double b, const TriggerState& triggers) {
   double t = a;
-  if (balance.point().mass == 0.0 && balance.has_walls() && (t = fill_first(rates, a, b)) > a) {
-    start_regime(balance, t, b);
-    start_variable(rates, t, b);
-  }
-  double x = rates.position(t);
-  const double first = first_step(balance, t);
-  double h = rates.position(first < b - t ? t + first : b) - x;
-  Start start = start_values(balance, t);
-  double longest = longest_step(rates, t);
+  start(a, b);
+  if (balance_.gas().mass == 0.0 && balance_.wall_conductance() > 0.0 && (t = fill_first(a, b)) > a) start(t, b);
+  const double p_a = balance_.boundary().model().ambient.pressure;
+  const double first = control_.first_step(balance_);
+  double h = first < b - t ? system_.clock.position(t + first) - x_ : kInfinity;
+  double landing = kInfinity;  // of a trial that has to end on what Watch found
+  bool stiff = false;          // the trial is implicit
   while (t < b) {
-    const double x_end = rates.position(b);
-    h = options_.fixed_step > 0.0 ? longest : std::min(h, longest);
-    const bool last = h >= x_end - x;
-    if (last) h = x_end - x;
-    require_stable(rates, x, h);
-    if (!try_step(rates, x, h) && options_.fixed_step > 0.0) fail(rates, x, h);
-    const double error = scaled_error(balance);
-    if (error <= 1.0 && !rates.root) settle_trial(balance, x + h, h);
-    const bool crosses = error <= 1.0 && crosses_against_flow(balance, rates.time(x + h), start);
-    if (options_.fixed_step > 0.0 && (crosses || flows_backwards(balance))) fail_crossing(t);
-    if (stands_still(rates, x, h, start)) fail_standing(t);
-    if (error > 1.0 || crosses || hold_turns_back(balance, h, start) ||
-        lags_behind_balance(balance, t, rates.time(x + h), start)) {
-      h *= error > 1.0 ? step_factor(error) : kCrossingFactor;
+    const Clock clock = system_.clock;
+    const double left = clock.position(b) - x_, cap = control_.longest(balance_, relaxation_);
+    const double longest = cap < b - t ? clock.position(t + cap) - x_ : kInfinity;
+    double length = std::min({h, landing, kTowardsAmbient * watch_.until_ambient(begin_)});
+    length = control_.is_fixed() ? std::min(longest, landing) : std::min(length, longest);
+    const bool last = length >= left;
+    if (last) length = left;
+    const double end_time = last ? b : clock.time(x_ + length), duration = end_time - t;
+    control_.require_stable(balance_, duration);
+    stiff = stiff || is_stiff(duration);
+    const bool found = try_step(length, stiff);
+    if (!found && control_.is_fixed()) control_.fail(system_, t, duration, attempts_, false);
+    const double error = found ? control_.scaled_error(system_, trial_.error, system_.gas) : kInfinity;
+    const double next = length * control_.factor(error, (stiff ? implicit_ : explicit_)->error_power());
+    if (error > 1.0) {
+      h = next;
+      landing = kInfinity;
       continue;
     }
-    const double length = end_at_events(rates, x, h, start);
-    if (const double shorter = ends_as_root() && length > 0.0 ? kRootError * scaled_error(balance) : 0.0;
-        shorter > 1.0) {
-      h = length * step_factor(shorter);
+    if (control_.is_fixed() && trial_.reversed > kReversed * balance_.gas().mass) control_.fail_crossing(t);
+    const Moment end = watch_.moment(balance_, clock.slope(x_ + length));
+    if (!options_.unsafe_step && watch_.crosses_against_flow(begin_, end, duration)) {
+      if (control_.is_fixed()) {  // what only runs out, or in, ends there
+        const bool fed = begin_.outflow > 0.0 ? begin_.growth > 0.0 : begin_.growth < 0.0;
+        if (fed || watch_.is_on_ambient(begin_)) control_.fail_crossing(t);
+        landing = length * begin_.overpressure / (begin_.overpressure - end.overpressure);
+        continue;
+      }
+      const bool repeats = !stiff && options_.method == Method::kDormandPrince5;
+      h = repeats ? length : kCrossingFactor * length;
+      stiff = stiff || repeats;
+      landing = kInfinity;
       continue;
     }
-    if (length > 0.0) {
-      t = last && length == h ? b : rates.time(x + length);
-      balance.accept(trial_.end, t);
-      begin_rate_.swap(trial_.end_rate);
-      ++accepted_;
+    if (!clock.root && !stiff) control_.require_motion(balance_, begin_, end, duration);
+    if (const auto share = watch_.landing(begin_, end, length)) {
+      const double shorter = std::max(*share * length, std::nextafter(x_, kInfinity) - x_);
+      if (shorter < length && clock.time(x_ + shorter) > t) {
+        landing = shorter;
+        continue;
+      }
     }
-    if (t == b && event_ == Event::kNone) break;
-    const double factor = step_factor(error), next = rates.time(x + factor * h) - rates.time(x);
-    x += length;
-    h *= factor;
-    if (event_ != Event::kNone) {
-      if (length == 0.0) balance.locate(zero_, t);
-      if (pass_event(balance)) break;
-      start_variable(rates, t, b);
-      x = rates.position(t);
-      h = rates.position(t + next) - x;
-    }
-    if (may_leave_root(rates, t) && rates.leave_root(t, x, h)) rates.fill(begin_rate_, x);
-    start = start_values(balance, t);
-    longest = longest_step(rates, t);
+    if (balance_.gas().beyond)  // it starts on the last knot, where trials end that pass it
+      throw DomainError(beyond_text(*balance_.boundary().model().volume_of_overpressure) +
+                        ", at t = " + to_text(t) + " s");
+    note_moments(end, t, duration, landing < kInfinity);
+    h = landing < kInfinity || last ? std::max(h, next) : next;
+    const double after = clock.time(x_ + length + h) - end_time;
+    begin_ = end;
+    accept(x_ + length, end_time, b, landing < kInfinity, after);
+    t = end_time;
+    if (network_.switches(triggers, begin_.overpressure, p_a)) break;
+    h = system_.clock.position(t + after) - x_;
+    landing = kInfinity;
+    stiff = false;
   }
-  evaluations_ += rates.evaluations;
   return t;
 }
 

@@ -8,7 +8,7 @@
 namespace gas {
 namespace {
 
-// Of the pressure, relative: a threshold is located to kNear of near.hpp, and as much again for the rounding
+// Of the pressure, relative: a threshold is located to 1e-12, and as much again for the rounding
 // there.
 constexpr double kThresholdNear = 2e-12;
 
@@ -103,6 +103,14 @@ bool TriggerNetwork::update(TriggerState& state, double t, double overpressure,
     changed = changed || (node.since == kInfinity) != (since == kInfinity);
   }
   return changed;
+}
+
+bool TriggerNetwork::switches(const TriggerState& state, double overpressure, double ambient_pressure) const {
+  for (std::size_t i = 0; i < model_.sensors.size(); ++i)
+    if (model_.sensors[i].kind == SensorKind::kPressure &&
+        sensor_on(i, state[i], 0.0, overpressure, ambient_pressure) != state[i].on)
+      return true;
+  return false;
 }
 
 bool TriggerNetwork::watches_pressure(const TriggerState& state) const {

@@ -19,6 +19,8 @@ class TriggerNetwork {
   /// where the integrator locates its threshold [Pa, over the ambient pressure]. Input sensors keep what the
   /// caller set.
   bool update(TriggerState& state, double t, double overpressure, double ambient_pressure) const;
+  /// Whether a pressure sensor is no longer what `state` says it is.
+  bool switches(const TriggerState& state, double overpressure, double ambient_pressure) const;
   /// True while a pressure sensor may still switch something.
   bool watches_pressure(const TriggerState& state) const;
 

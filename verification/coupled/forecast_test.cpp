@@ -68,7 +68,8 @@ TEST(forecast, balance_and_choking_by_hand) {
   // The fabric takes the whole flow: C sqrt(2 rho (p - p_a)) = mdot with C = 0.05^2 x 1.5 m2.
   const Forecasted stiff = forecasted("tank_stiff");
   const double c = 0.0025 * 1.5, rho_dp = std::pow(0.02 / c, 2) / 2.0;
-  const double excess = 0.5 * (std::sqrt(101325.0 * 101325.0 + 4.0 * rho_dp * kR * 406.0) - 101325.0);
+  const double inviscid = 0.5 * (std::sqrt(101325.0 * 101325.0 + 4.0 * rho_dp * kR * 406.0) - 101325.0);
+  const double excess = inviscid * (1.0 + 1.5 * std::pow(1e-8 * 101325.0 / inviscid, 2));  // (G.22)
   claim::expect_relative(
       {"K.31", "case tank_stiff: overpressure in balance [Pa]", "ten roundings of p, 6000 times p - p_a"},
       stiff.forecast.full->pressure - 101325.0, excess, 1e-11);
@@ -103,25 +104,19 @@ TEST(forecast, relaxations_of_the_scene_by_hand) {
   claim::expect_relative(
       {"K.39", "case tank_stiff: relaxations of the gas in the whole scene [-]", "400 roundings"},
       stiff.group.at("gas_relaxations_in_scene"), 20.0 * stiff.group.at("gas_relaxation"), 1e-13);
-  // Fabric so wide that the balance lies 1.7e-12 p_a above p_a: p is held, and only what passes is left.
-  const Forecasted held = forecasted("tank_stiff", {rigid[0], "tank.fabric.area=1.5e4"});
-  claim::expect_relative({"K.39", "case tank_stiff, p held: relaxations [-]", "eight digits of cp"},
-                         held.group.at("gas_relaxations_in_scene"),
-                         0.02 * 0.02 * kR * 406.0 / (101325.0 * 1e-4), kDigits);
 }
 
-// An explicit method takes as many sub-steps, at its limit, each of two halves where its error is by
-// doubling. Error control lets them grow past it, by up to its safety of 0.9, and the gas of the start is
-// lighter than that of the balance by as much again.
+// A method that is explicit throughout takes as many sub-steps, at its limit; the gas of the start is lighter
+// than that of the balance.
 TEST(forecast, explicit_methods_take_their_substeps) {
-  for (const char* method : {"euler", "runge_kutta", "dormand_prince"}) {
+  for (const char* method : {"euler", "runge_kutta"}) {
     const std::vector<std::string> set{"tank.volume=1e-4", "time.gas_method=\"" + std::string(method) + "\""};
     const auto scene = coupled::scene_of("tank_stiff", set);
     const double told = driver::gas_substeps(scene, forecasted("tank_stiff", set).forecast.full->relaxations);
     const double share =
         static_cast<double>(coupled::run_case("tank_stiff", set).state.flows.gas_substeps) / told;
-    EXPECT_GT(share, 0.81) << method;
-    EXPECT_LT(share, 1.0) << method;
+    EXPECT_GT(share, 0.9) << method;
+    EXPECT_LT(share, 1.1) << method;
   }
 }
 
@@ -132,16 +127,17 @@ TEST(forecast, advises_the_implicit_gas_method) {
     return driver::gas_advice(scene, driver::forecast(scene, driver::state_at_start(scene)));
   };
   const std::string wide = "tank.fabric.area=15.0", wider = "tank.fabric.area=50.0";
-  EXPECT_EQ(advice("dormand_prince", {}), "");
+  EXPECT_EQ(advice("runge_kutta", {}), "");
+  EXPECT_EQ(advice("dormand_prince", {wider}), "");
   EXPECT_EQ(advice("rosenbrock", {wider}), "");
   // Fixed sub-steps are taken, or an error.
-  EXPECT_EQ(advice("dormand_prince", {wider, "unset time.gas_tolerance", "time.gas_step=1e-9"}), "");
-  const std::string dear = advice("dormand_prince", {wide}), ends = advice("dormand_prince", {wider});
-  EXPECT_NE(dear.find("some 6e+05 sub-steps"), std::string::npos) << dear;
+  EXPECT_EQ(advice("runge_kutta", {wider, "unset time.gas_tolerance", "time.gas_step=1e-9"}), "");
+  const std::string dear = advice("runge_kutta", {wide}), ends = advice("runge_kutta", {wider});
+  EXPECT_NE(dear.find("some 7e+05 sub-steps"), std::string::npos) << dear;
   EXPECT_EQ(dear.find("the run would end"), std::string::npos) << dear;
-  // 3.4e5 in a step of 1 ms, where one call may take 1e5: so it does.
+  // 4e5 in a step of 1 ms, where one call may take 1e5: so it does.
   EXPECT_NE(ends.find("the run would end"), std::string::npos) << ends;
-  const auto run = coupled::run_case("tank_stiff", {"time.gas_method=\"dormand_prince\"", wider});
+  const auto run = coupled::run_case("tank_stiff", {"time.gas_method=\"runge_kutta\"", wider});
   EXPECT_NE(run.outcome.message.find("100001 sub-steps"), std::string::npos) << run.outcome.message;
 }
 

@@ -84,8 +84,8 @@ TEST(tank_scene, blowdown_eq_choked_subsonic_and_rest) {
     claim::expect_relative({"G.10", "case tank_blowdown, every row: temperature [K]", why}, row.temperature_K,
                            exact.temperature, tolerance);
   }
-  EXPECT_NEAR(run.history.back().pressure_Pa / 101325.0, 1.0, 1e-12);
-  EXPECT_EQ(run.history.back().vent_outflow_kg_s, 0.0);
+  EXPECT_NEAR(run.history.back().pressure_Pa / 101325.0, 1.0, 1e-8);  // the laminar range
+  EXPECT_LT(run.history.back().vent_outflow_kg_s, 1e-9);
   EXPECT_LT(run.state.peaks.mass_residual, 1e-12);
 }
 

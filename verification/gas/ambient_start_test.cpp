@@ -33,8 +33,8 @@ Ended run(const gas::ControlVolumeModel& model, const std::vector<double>& fract
          energy_size = std::abs(energy_sum);
   gas::GasPoint point{};
   for (int i = 0; i <= kAmbientSteps; ++i) {
-    const double t0 = kEnd * i / kAmbientSteps, t1 = kEnd * (i + 1) / kAmbientSteps, h = t1 - t0;
-    point = gas::evaluate(model, state, volume(t0), leak_area, t0, (volume(t1) - volume(t0)) / h);
+    const double t0 = kEnd * i / kAmbientSteps, t1 = kEnd * (i + 1) / kAmbientSteps;
+    point = gas::evaluate(model, state, volume(t0), leak_area, t0);
     if (i == kAmbientSteps) break;
     const gas::StepFluxes f =
         integrator.advance(state, t0, t1, {volume(t0), volume(t1), leak_area, leak_area});

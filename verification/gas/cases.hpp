@@ -38,6 +38,17 @@ inline gas::Inflow steady_inflow(const gas::Thermo& thermo, double mass_flow, do
   return {fractions, gas::Curve::constant(mass_flow), gas::Curve::constant(temperature)};
 }
 
+/// Overpressure [Pa] at which laminar flow, (G.22), is what the law of the root gives at `inviscid` [Pa].
+inline double laminar(double inviscid) {
+  const double d = 1e-8 * kAmbientPressure;
+  double low = inviscid, high = inviscid + 2.0 * d;
+  for (int i = 0; i < 200; ++i) {
+    const double dp = 0.5 * (low + high);
+    (dp * dp / std::pow(dp * dp + d * d, 0.75) < std::sqrt(inviscid) ? low : high) = dp;
+  }
+  return low;
+}
+
 inline gas::VolumePath rigid(double volume, double leak_area = 0.0) {
   return {volume, volume, leak_area, leak_area};
 }

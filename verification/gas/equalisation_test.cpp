@@ -52,9 +52,10 @@ TEST(equalisation, end_time_and_state_of_a_porous_tank) {
       EXPECT_GT(point.pressure - kAmbientPressure, 0.02);
       EXPECT_LT(point.pressure - kAmbientPressure, 0.03);
     } else {
-      claim::expect_relative({"G.7", "porous tank: pressure after its end [Pa]", "a hundred roundings of p"},
-                             point.pressure, kAmbientPressure, 1e-12);
-      EXPECT_EQ(point.fabric_mass_flow, 0.0);
+      claim::expect_relative({"G.7", "porous tank: pressure after its end [Pa]",
+                              "the laminar range, 1e-8 of p_a"},
+                             point.pressure, kAmbientPressure, 1e-8);
+      EXPECT_LT(point.fabric_mass_flow, 0.6 * tank.leak_area * std::sqrt(2e-8 * kAmbientPressure));
     }
   }
 }
@@ -72,8 +73,8 @@ TEST(equalisation, hole_ends_at_its_time_without_overshoot) {
       lowest = std::min(lowest, gas::evaluate(model, state, 0.06, 0.0, 0.005 * (i + 1)).pressure);
     }
     claim::expect_relative({"G.6", "blow-down to rest by tolerance: lowest pressure [Pa]",
-                            "never below ambient pressure but for a hundred roundings"},
-                           lowest, kAmbientPressure, 1e-12);
+                            "never below ambient pressure but by a tenth of the laminar range"},
+                           lowest, kAmbientPressure, 1e-9);
     claim::expect_relative(
         {"G.10", "blow-down to rest by tolerance: temperature, T0 (p_a/p0)^(2/7) [K]",
          "of each sub-step tolerance^(6/5): what is kept is one order above what is controlled"},
@@ -96,8 +97,8 @@ TEST(equalisation, end_time_of_a_hole) {
   EXPECT_GT(gas::evaluate(model, state, 0.06, 0.0, 0.0).pressure, kAmbientPressure * (1.0 + 1e-11));
   integrator.advance(state, end - 1e-5, end + 1e-5, rigid(0.06));
   claim::expect_relative({"G.6", "blow-down: pressure 10 microseconds after its end at 0.3188 s [Pa]",
-                          "a hundred roundings of p"},
-                         gas::evaluate(model, state, 0.06, 0.0, 0.0).pressure, kAmbientPressure, 1e-12);
+                          "the laminar range, 1e-8 of p_a"},
+                         gas::evaluate(model, state, 0.06, 0.0, 0.0).pressure, kAmbientPressure, 1e-8);
 }
 
 /// Gas that walls cool while it leaves: flow ends as the root of time, p falls through p_a at a rate of its
@@ -129,7 +130,8 @@ TEST(equalisation, nothing_leaves_below_ambient_pressure) {
   for (const double pressure : {5e4, 101325.0}) {
     gas::ControlVolumeState state = gas::make_state(model.thermo, kPure, pressure, 300.0, 0.06);
     const gas::StepFluxes fluxes = gas::GasIntegrator(model).advance(state, 0.0, 1.0, rigid(0.06, 1e-3));
-    EXPECT_EQ(fluxes.vent_mass_out + fluxes.fabric_mass_out, 0.0);
+    // At p_a the rounding of p, 1e-11 Pa, is an overpressure: laminar flow of 1e-16 of what a pascal drives.
+    EXPECT_LE(fluxes.vent_mass_out + fluxes.fabric_mass_out, pressure < kAmbientPressure ? 0.0 : 1e-18);
   }
 }
 
@@ -164,33 +166,39 @@ TEST(equalisation, weak_inflow_balances_outflow_just_above_ambient) {
     gas::ControlVolumeState state = gas::make_state(model.thermo, kPure, kAmbientPressure, 300.0, 0.06);
     gas::GasIntegrator(model, {1e-11}).advance(state, 0.0, 0.1, rigid(0.06, 5e-3));
     const gas::GasPoint point = gas::evaluate(model, state, 0.06, 5e-3, 0.1);
-    const double excess = std::pow(mass_flow / 5e-3, 2.0) / (2.0 * point.density);
+    const double excess = laminar(std::pow(mass_flow / 5e-3, 2.0) / (2.0 * point.density));
     // Balanced as the square of a flow at T within 1e-3; the state's error is a few times 1e-11 of p_a.
     EXPECT_NEAR(point.pressure - kAmbientPressure, excess, 1e-3 * excess + 1e-10 * kAmbientPressure)
         << mass_flow;
   }
 }
 
-/// What is off p_a by rounding has no flow; what is off by more has the flow of its law.
-TEST(equalisation, flow_reported_on_ambient_pressure_is_zero) {
+/// Out and in through holes, out through fabric: sqrt(2 rho dp) times (G.22), from far below its range to far
+/// above; nothing at p_a itself.
+TEST(equalisation, flow_next_to_ambient_pressure_is_laminar) {
   gas::ControlVolumeModel model = closed_tank(nitrogen());
+  model.ambient = {kAmbientPressure, 300.0, kPure};
   model.vents.push_back({1.0, 1e-3});
   model.vents.back().backflow = true;
-  model.ambient.mass_fractions = kPure;
   const auto at = [&](double share) {
-    const auto state = gas::make_state(model.thermo, kPure, kAmbientPressure * (1.0 + share), 300.0, 0.06);
+    const auto state = gas::make_state(model, kPure, kAmbientPressure * (1.0 + share), 300.0, 0.06);
     return gas::evaluate(model, state, 0.06, 1e-3, 0.0);
   };
-  for (const double share : {-9e-13, -1e-15, 0.0, 1e-15, 9e-13}) {
-    const gas::GasPoint point = at(share);
-    EXPECT_EQ(point.vent_mass_flow + point.fabric_mass_flow + point.backflow, 0.0) << share;
+  for (const double share : {1e-11, 1e-10, 1e-9, 1e-8, 1e-7, 1e-6}) {
+    const gas::GasPoint above = at(share), below = at(-share);
+    const double flow = 1e-3 * std::sqrt(2.0 * above.density * share * kAmbientPressure),
+                 expected = flow * std::pow(1.0 + std::pow(1e-8 / share, 2.0), -0.75);
+    // The rounding of p and p_a in p - p_a, which laminar flow doubles, and dp/p of the subsonic law.
+    const double bound = expected * (8.0 * kEpsilon / share + 2.0 * share);
+    EXPECT_NEAR(above.vent_mass_flow, expected, bound) << share;
+    EXPECT_NEAR(above.fabric_mass_flow, expected, bound) << share;
+    EXPECT_NEAR(below.backflow, expected, bound) << share;
+    EXPECT_EQ(above.backflow + below.vent_mass_flow + below.fabric_mass_flow, 0.0) << share;
   }
-  // sqrt(2 rho dp) of holes of 1e-3 m2; 1e-3 for the rounding of p in dp = 2e-7 Pa.
-  const gas::GasPoint above = at(2e-12), below = at(-2e-12);
-  const double flow = 1e-3 * std::sqrt(2.0 * above.density * 2e-12 * kAmbientPressure);
-  EXPECT_NEAR(above.vent_mass_flow / flow, 1.0, 1e-3);
-  EXPECT_NEAR(above.fabric_mass_flow / flow, 1.0, 1e-3);
-  EXPECT_GT(below.backflow, 0.0);
+  model.laminar_share = 0.0;  // the laws as they are
+  const gas::GasPoint literal = at(1e-9);
+  EXPECT_NEAR(literal.vent_mass_flow, 1e-3 * std::sqrt(2.0 * literal.density * 1e-9 * kAmbientPressure),
+              1e-6 * literal.vent_mass_flow);
 }
 
 TEST(equalisation, too_stiff_a_gas_is_reported) {
@@ -198,7 +206,7 @@ TEST(equalisation, too_stiff_a_gas_is_reported) {
   model.inflows.push_back(steady_inflow(model.thermo, 1e-3, 300.0));
   gas::ControlVolumeState state = gas::make_state(model.thermo, kPure, kAmbientPressure, 300.0, 1e-6);
   const gas::ControlVolumeState before = state;
-  gas::GasIntegrator integrator(model, {1e-10, 1000});
+  gas::GasIntegrator integrator(model, {1e-10, 1000, gas::Method::kRungeKutta4});
   try {
     integrator.advance(state, 0.0, 10.0, rigid(1e-6, 5e-3));
     FAIL() << "no error";

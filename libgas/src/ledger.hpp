@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <optional>
+#include <span>
+
+#include "compensated_sum.hpp"
+#include "boundary.hpp"
+
+namespace gas {
+
+/// What the volume holds and what has passed. The gas (m_k, U) is carried from sub-step to sub-step:
+///   m_k = m_k(t0) + delivered_k - out_k + Y_ak sum back,
+///   U = U(t0) + delivered enthalpy - sum enthalpy + h_a sum back - work - heat.
+/// Counted from the step's begin instead, that of a tiny volume would be a difference of far larger sums.
+class Ledger {
+ public:
+  /// `boundary` must outlive this. `negligible` is the share of the gas by which a species may be lacking: it is
+  /// then gone.
+  Ledger(const Boundary& boundary, double negligible);
+
+  void begin_step(const ControlVolumeState& state);
+  void begin_segment(double a);
+  void end_segment(double reached);
+
+  /// Gas at the begin of the sub-step.
+  const Vector& gas() const { return gas_; }
+  /// `gas` at time t of a sub-step with the unknowns y. False if more of a species has left than there was.
+  bool gas_at(const Vector& y, double t, Vector& gas);
+  /// Masses below zero by rounding of what is there and has `passed` [kg], or by less than is negligible, become
+  /// zero. False for more.
+  bool clear_lacking(Vector& gas, double passed);
+  /// The species of which too much had left when gas_at() or clear_lacking() was false.
+  std::optional<std::size_t> depleted() const { return depleted_; }
+  /// Fills `change` with that of the gas which the unknowns y make.
+  void change(const Vector& y, Vector& change) const;
+  /// Ends a sub-step with y at t: the next begins there. What more of a species has left than there was is
+  /// taken out of y.
+  void accept(Vector& y, double t);
+  /// Makes what leaves in all streams the mass of what leaves of all species.
+  void close_streams(Vector& y) const;
+  /// What an error of the method lets flow the wrong way does not flow: it is error. Returns its mass [kg].
+  double stop_reversed(Vector& y, Vector& error) const;
+
+  double total(std::size_t slot) const { return totals_[slot].value(); }  // over the step
+  void set_total(std::size_t slot, double value) { totals_[slot] = value; }
+  std::span<const StreamFlux> delivered() const { return delivered_; }    // by each inflow, over the step
+
+ private:
+  void deliver(double t);
+
+  const Boundary& boundary_;
+  const Slots& slots_;
+  const double negligible_;
+  double time_ = 0.0;  // [s] up to which gas_ and totals count
+  std::vector<CompensatedSum> sums_, totals_;
+  Vector gas_;  // values of sums_
+  struct Received {
+    CompensatedSum mass, enthalpy;
+  };
+  std::vector<Received> received_;
+  std::vector<StreamFlux> delivered_;
+  std::optional<std::size_t> depleted_;
+};
+
+}  // namespace gas

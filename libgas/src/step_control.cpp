@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "step_control.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "infinity.hpp"
+#include "require.hpp"
+
+namespace gas {
+namespace {
+
+constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
+constexpr double kSafety = 0.9, kSmallestFactor = 0.05, kLargestFactor = 5.0;
+// The first step's error constant is of the order kFirstStep^-error_power: a guess, only speed depends on it.
+constexpr double kFirstStep = 5.0;
+
+std::string range_of(const Thermo& thermo) {
+  return to_text(thermo.minimum_temperature()) + " to " + to_text(thermo.maximum_temperature()) + " K";
+}
+
+}  // namespace
+
+StepControl::StepControl(const IntegratorOptions& options, double error_power)
+    : options_(options), first_share_(kFirstStep * std::pow(options.relative_tolerance, 1.0 / error_power)) {}
+
+double StepControl::scaled_error(const System& system, const Vector& error, Vector& scratch) const {
+  if (is_fixed()) return 0.0;
+  const Balance& balance = system.balance;
+  const UniformGas& gas = balance.gas();
+  const Thermo& thermo = balance.boundary().model().thermo;
+  system.ledger.change(error, scratch);
+  const double work = error[balance.boundary().slots().work()];
+  double energy = scratch.back() + work, largest = 0.0;
+  for (std::size_t k = 0; k < thermo.size(); ++k) {
+    if (scratch[k] == 0.0) continue;
+    energy -= thermo.enthalpy(k, gas.temperature) * scratch[k];
+    largest = std::max(largest, std::abs(scratch[k]));
+  }
+  const double energy_error = std::abs(energy) + std::abs(work);
+  if (largest == 0.0 && energy_error == 0.0) return 0.0;
+  const double scaled = std::max(largest / gas.mass, energy_error / (gas.capacity * gas.temperature));
+  return std::isfinite(scaled) ? scaled / options_.relative_tolerance : kInfinity;
+}
+
+double StepControl::factor(double error, double error_power) const {
+  if (is_fixed()) return 1.0;
+  if (!(error < kInfinity)) return kSmallestFactor;
+  if (error <= 0.0) return kLargestFactor;
+  return std::clamp(kSafety * std::pow(error, -1.0 / error_power), kSmallestFactor, kLargestFactor);
+}
+
+double StepControl::first_step(const Balance& balance) const {
+  const UniformGas& gas = balance.gas();
+  if (gas.mass == 0.0) return kInfinity;
+  const double fed = std::abs(balance.closed_growth()) / (gas.pressure * gas.volume);
+  const double left = (balance.outflow() + balance.backflow()) / gas.mass;
+  return std::max(first_share_ / (fed + left), 8.0 * kEpsilon * std::abs(balance.time()));
+}
+
+double StepControl::limit() const { return stability_limit(options_.method); }
+
+/// What passes through in a sub-step of this length rounds to the tolerance of what is there.
+double StepControl::rounding_limit(const Balance& balance) const {
+  const double passing = std::max(balance.outflow(), balance.backflow());
+  return passing > 0.0 && balance.gas().mass > 0.0
+             ? options_.relative_tolerance * balance.gas().mass / (100.0 * kEpsilon * passing)
+             : kInfinity;
+}
+
+double StepControl::longest(const Balance& balance, double relaxation) const {
+  if (is_fixed()) return options_.fixed_step;
+  const bool only_explicit = options_.method == Method::kEuler || options_.method == Method::kRungeKutta4;
+  // Their halves are at half of the limit, where |R| is small: what is damped stays so.
+  const double stable = only_explicit && relaxation > 0.0 ? limit() / relaxation : kInfinity;
+  return std::min(stable, rounding_limit(balance));
+}
+
+double StepControl::relaxation_bound(const Balance& balance) const {
+  constexpr double kFar = 1e-3;  // of p: nearer to p_a the slope of flow is not bounded by the flow
+  const UniformGas& gas = balance.gas();
+  const ControlVolumeModel& model = balance.boundary().model();
+  const bool curves =
+      std::ranges::any_of(model.vents, [](const Vent& v) { return v.area_of_overpressure.has_value(); });
+  if (gas.mass == 0.0 || curves || balance.backflow() > 0.0 || std::abs(gas.overpressure) < kFar * gas.pressure)
+    return kInfinity;
+  const double walls = balance.wall_conductance() / gas.capacity;
+  if (balance.outflow() == 0.0) return walls;
+  // n of a hole is at most 1/2 p/(p - p_a) + 1, that of fabric 1/2 p/(p - p_a) + 1/2; a table's less than p/(p - p_a) + 1.
+  const double exponent = 1.0 + gas.pressure / gas.overpressure;
+  return walls + balance.outflow() / gas.mass * (1.0 + gas.gamma * (exponent + 0.5));
+}
+
+bool StepControl::tells(const Balance& balance, double overpressure) const {
+  return is_fixed() || std::abs(overpressure) > options_.relative_tolerance * balance.gas().pressure;
+}
+
+void StepControl::require_stable(const Balance& balance, double length) const {
+  if (!is_fixed() || options_.unsafe_step) return;
+  const double growth = balance.closed_growth();
+  const UniformGas gas = balance.where_linear();
+  const bool fed = gas.overpressure < 0.0 ? growth < 0.0 : growth > 0.0;
+  const double walls = gas.mass > 0.0 ? balance.wall_conductance() / gas.capacity : 0.0;
+  const double rate = fed ? balance.relaxation(gas) : walls;
+  if (!(length * rate > limit())) return;
+  throw DomainError("the step " + to_text(options_.fixed_step) + " s is above the method's stability limit " +
+                    to_text(limit() / rate) + " s at t = " + to_text(balance.time()) +
+                    " s, where the gas relaxes within " + to_text(1.0 / rate) +
+                    " s; Rosenbrock 4 (gas_method of a case) has no such limit, and error control (no "
+                    "gas_step) keeps to it");
+}
+
+void StepControl::require_motion(const Balance& balance, const Moment& begin, const Moment& end,
+                                 double length) const {
+  constexpr double kStill = 0.01;  // of the motion by the lesser rate; at the limit itself it is none
+  if (!is_fixed() || options_.unsafe_step || options_.method == Method::kRosenbrock4) return;
+  if (!(begin.rate * end.rate > 0.0)) return;
+  const double moved = std::min(std::abs(begin.rate), std::abs(end.rate)) * length;
+  if (moved <= options_.relative_tolerance * balance.gas().pressure ||
+      std::abs(end.overpressure - begin.overpressure) >= kStill * moved)
+    return;
+  throw DomainError("the step " + to_text(options_.fixed_step) +
+                    " s is too long for the balance of flows at t = " + to_text(balance.time()) +
+                    " s: p stays where its rate would move it; a shorter one (gas_step of a case), or none, is "
+                    "allowed");
+}
+
+void StepControl::fail_crossing(double t) const {
+  throw DomainError("the step " + to_text(options_.fixed_step) +
+                    " s is too long for the balance near ambient pressure at t = " + to_text(t) +
+                    " s: flow through the openings takes p past p_a, where it would turn, or the wrong way; "
+                    "a shorter one (gas_step of a case), or none, is allowed");
+}
+
+/// What could be done about sub-steps of `length`, too many or too short.
+std::string StepControl::advice(const Balance& balance, double length) const {
+  const double relaxation = balance.relaxation(balance.where_linear());
+  std::string text;
+  if (relaxation > 0.0) text = "; it relaxes within " + to_text(1.0 / relaxation) + " s";
+  if (length * relaxation > 0.1 * limit()) text += "; Rosenbrock 4 (gas_method of a case) has no such limit";
+  const double rounding = rounding_limit(balance);
+  if (length > 0.1 * rounding)
+    text += "; it passes through within " +
+            to_text(balance.gas().mass / std::max(balance.outflow(), balance.backflow())) +
+            " s, so that rounding takes sub-steps below " + to_text(rounding) +
+            " s; a looser tolerance (gas_tolerance of a case) is allowed";
+  return text;
+}
+
+void StepControl::fail(System& system, double t, double length, int attempts, bool found_gas) const {
+  Balance& balance = system.balance;
+  const Thermo& thermo = balance.boundary().model().thermo;
+  const std::string where = "at t = " + to_text(t) + " s with a sub-step of " + to_text(length) + " s";
+  // What a trial met there is no matter: events and rates need shorter sub-steps than there are.
+  const double rounding = 2.0 * kEpsilon * std::abs(t);
+  const bool too_short = !is_fixed() && length <= rounding;
+  if (system.depleted && !too_short)
+    throw DomainError("species " + thermo.species(*system.depleted).name +
+                      " runs out: more of it would leave than there is, " + where +
+                      (is_fixed() ? "; a shorter one (gas_step of a case), or none, is allowed" : ""));
+  const bool begin_has_gas = balance.locate(system.ledger.gas(), t);
+  // Trials that step over an end of the range are repeated until they are too short: the gas is on it then.
+  constexpr double kOnEnd = 1e-6;  // of T
+  const double temperature = balance.gas().temperature;
+  const bool on_end = !begin_has_gas || temperature <= (1.0 + kOnEnd) * thermo.minimum_temperature() ||
+                      temperature >= (1.0 - kOnEnd) * thermo.maximum_temperature();
+  if (!found_gas && (!too_short || on_end))
+    throw DomainError("the gas leaves its temperature range, " + range_of(thermo) + ", " + where);
+  Vector rates(balance.boundary().slots().size());
+  balance.fill_rates(rates);
+  const std::string gas = ", p = " + to_text(balance.gas().pressure) + " Pa and T = " + to_text(temperature) + " K";
+  if (is_fixed())
+    throw DomainError("a fixed sub-step of " + to_text(options_.fixed_step) + " s takes more than " +
+                      std::to_string(options_.maximum_steps) + " sub-steps, " + where + gas +
+                      "; a longer one (gas_step of a case), or none, is allowed");
+  throw TooStiff("the gas is too stiff for the integrator: " + std::to_string(attempts) +
+                 (attempts == 1 ? " sub-step, " : " sub-steps, ") + where + gas + advice(balance, length) +
+                 (too_short ? "; that is below the rounding of t, " + to_text(rounding) +
+                                  " s: a larger volume, smaller openings or a start nearer to t = 0 is allowed"
+                            : ""));
+}
+
+}  // namespace gas

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "watch.hpp"
+
+#include <algorithm>
+#include <boost/math/tools/toms748_solve.hpp>
+#include <cmath>
+
+#include "gas/orifice.hpp"
+#include "infinity.hpp"
+
+namespace gas {
+namespace {
+
+// Of p, relative. Across a corner of the rates a step that ends beside it by d has an error of d^2, across the
+// sonic switch, where their slopes are continuous, of d^3, which is a thousandth of the tolerance here. When a
+// sensor switched is an answer of its own.
+constexpr double kKnotNear = 1e-9, kSonicShare = 0.1, kSensorNear = 1e-12;
+// p_a is landed on within a tenth of the laminar range, or, without one, within some thousand roundings.
+constexpr double kLaminarNear = 0.1, kAmbientNear = 1e-12;
+constexpr double kEqual = 1e-7;  // of p_a: ten times the laminar range
+// An excursion may go so many times as far as its cubic does.
+constexpr double kExcursion = 1.5;
+
+}  // namespace
+
+Watch::Watch(const Boundary& boundary, double tolerance) : boundary_(boundary) {
+  const ControlVolumeModel& model = boundary.model();
+  const double p_a = model.ambient.pressure;
+  ambient_near_ = std::max(kLaminarNear * model.laminar_share, kAmbientNear) * p_a;
+  sonic_near_ = kSonicShare * std::cbrt(tolerance) * p_a;
+  const auto add = [&](double level, double near) {
+    levels_.push_back({level, near * (p_a + std::max(0.0, level))});
+  };
+  for (const double knot : overpressure_knots(model)) add(knot, kKnotNear);
+  for (const Sensor& sensor : model.triggers.sensors) {
+    if (sensor.kind != SensorKind::kPressure) continue;
+    add(sensor.threshold, kSensorNear);
+    if (sensor.reset) add(*sensor.reset, kSensorNear);
+  }
+}
+
+Moment Watch::moment(const Balance& balance, double slope) const {
+  const UniformGas& gas = balance.gas();
+  const double p_a = boundary_.model().ambient.pressure, rate = balance.pressure_rate() * slope;
+  Moment m{gas.overpressure, rate, gas.compliance(), -p_a, 0.0, balance.closed_growth() / gas.volume,
+           balance.outflow(), balance.backflow()};
+  if (gas.mass > 0.0 && gas.overpressure > 0.0 && boundary_.is_open()) {
+    const double ratio = critical_pressure_ratio(gas.gamma);
+    m.sonic = ratio * gas.pressure - p_a;
+    m.sonic_rate = ratio * rate;
+  } else if (gas.overpressure < 0.0 && boundary_.has_backflow()) {
+    m.sonic = critical_pressure_ratio(boundary_.ambient().gamma) * p_a - gas.pressure;
+    m.sonic_rate = -rate;
+  }
+  return m;
+}
+
+double Watch::Course::at(double s) const {
+  const double rise = end - begin, u = 1.0 - s;
+  return begin + s * (rise + u * (begin_slope * u - end_slope * s + rise * (2.0 * s - 1.0)));
+}
+
+/// Where it has an extremum inside.
+std::optional<double> Watch::Course::turn() const {
+  if (!(begin_slope * end_slope < 0.0)) return {};
+  // Its slope is a s^2 + b s + c; of the two zeros, one lies inside.
+  const double rise = end - begin, a = 3.0 * (begin_slope + end_slope - 2.0 * rise),
+               b = 2.0 * (3.0 * rise - 2.0 * begin_slope - end_slope), c = begin_slope;
+  const double q = -0.5 * (b + std::copysign(std::sqrt(std::max(0.0, b * b - 4.0 * a * c)), b));
+  for (const double s : {q / a, c / q})
+    if (s > 0.0 && s < 1.0) return s;
+  return {};
+}
+
+std::optional<double> Watch::Course::passing(double near) const {
+  if (std::abs(end) <= near) return {};
+  // From one that it starts on, it leaves as its slope says.
+  Course course = *this;
+  if (std::abs(begin) <= near) course.begin = begin_slope == 0.0 ? end : std::copysign(2.0 * near, begin_slope);
+  if (course.begin * end < 0.0) {
+    boost::uintmax_t iterations = 60;
+    const auto value = [&](double s) { return course.at(s); };
+    const boost::math::tools::eps_tolerance<double> close(40);
+    const auto [low, high] =
+        boost::math::tools::toms748_solve(value, 0.0, 1.0, course.begin, end, close, iterations);
+    return 0.5 * (low + high);
+  }
+  const auto turned = course.turn();
+  if (!turned) return {};
+  const double nearer = course.begin > 0.0 ? std::min(course.begin, end) : std::max(course.begin, end);
+  const double farthest = nearer + kExcursion * (course.at(*turned) - nearer);
+  return nearer * farthest < 0.0 ? turned : std::nullopt;
+}
+
+std::optional<double> Watch::landing(const Moment& begin, const Moment& end, double h) const {
+  std::optional<double> first;
+  const auto watch = [&](double from, double from_rate, double to, double to_rate, double near) {
+    const auto share = Course{from, h * from_rate, to, h * to_rate}.passing(near);
+    if (share && !(first && *first <= *share)) first = share;
+  };
+  const auto watch_level = [&](double level, double near) {
+    watch(begin.overpressure - level, begin.rate, end.overpressure - level, end.rate, near / end.compliance);
+  };
+  if (boundary_.is_open() && !is_on_ambient(begin)) watch_level(0.0, ambient_near_);
+  for (const Level& level : levels_) watch_level(level.overpressure, level.near);
+  if (begin.overpressure * end.overpressure > 0.0)
+    watch(begin.sonic, begin.sonic_rate, end.sonic, end.sonic_rate, sonic_near_);
+  return first;
+}
+
+bool Watch::is_on_ambient(const Moment& at) const {
+  return std::abs(at.overpressure) <= ambient_near_ / at.compliance;
+}
+
+bool Watch::is_on_sonic(const Moment& at) const { return std::abs(at.sonic) <= sonic_near_; }
+
+std::optional<double> Watch::equalises(const Moment& begin, const Moment& end) const {
+  const double size = kEqual * boundary_.model().ambient.pressure;
+  const double from = std::abs(begin.overpressure), to = std::abs(end.overpressure);
+  if (!(from > size && to <= size) || (begin.outflow == 0.0 && begin.backflow == 0.0)) return {};
+  return (from - size) / (from - to);
+}
+
+double Watch::until_ambient(const Moment& begin) const {
+  const bool flows = begin.outflow > 0.0 || begin.backflow > 0.0;
+  const double laminar = 3.0 * laminar_overpressure(boundary_.model());
+  if (!flows || begin.overpressure * begin.rate >= 0.0 || std::abs(begin.overpressure) <= laminar) return kInfinity;
+  return -2.0 * begin.overpressure / begin.rate;
+}
+
+bool Watch::crosses_against_flow(const Moment& begin, const Moment& end, double duration) const {
+  // What cooling or expansion, inflow or compression, could take p beyond p_a.
+  const double near = ambient_near_ / end.compliance;
+  const double up = std::max({0.0, begin.growth, end.growth}), down = std::max({0.0, -begin.growth, -end.growth});
+  const bool on = is_on_ambient(begin);
+  const bool from_above = begin.outflow > 0.0 || (on && boundary_.is_open() && begin.growth > 0.0);
+  const bool from_below = begin.backflow > 0.0 || (on && boundary_.has_backflow() && begin.growth < 0.0);
+  return (from_above && begin.overpressure > -near && -end.overpressure > near + down * duration) ||
+         (from_below && begin.overpressure < near && end.overpressure > near + up * duration);
+}
+
+}  // namespace gas
