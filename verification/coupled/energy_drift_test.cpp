@@ -59,9 +59,7 @@ TEST(energy_drift, bounces_off_stiff_straps_and_plate_hold_a_thousandth) {
     const auto run = run_case(e.name, e.overrides);
     EXPECT_EQ(run.outcome.status, driver::RunStatus::done) << e.what << run.outcome.message;
     EXPECT_EQ(run.outcome.warning, "") << e.what;
-    claim::expect_near({"M.24", std::string(e.what) + ": largest drift of energy over the largest energy [-]",
-                        "the default step; a chaotic scene, whose drift is not that of another machine"},
-                       drift(run.state), 0.0, 1e-3);
+    EXPECT_LT(drift(run.state), 1e-3) << e.what;  // no row: chaotic, another number in each build
   }
 }
 
