@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "gas/error.hpp"
 #include "gas/orifice.hpp"
 
 namespace gas {

@@ -11,42 +11,28 @@ namespace {
 // (1 + q^2)^(-3/4) is 1 - 3/4 q^2 to a rounding for q^2 below this.
 constexpr double kSmallSquare = 1e-8;
 
-double downstream(const Upstream& gas) {
-  return gas.pressure - gas.overpressure;
-}
-
-bool is_choked(const Upstream& gas) {
-  return downstream(gas) <= critical_pressure_ratio(gas.gamma) * gas.pressure;
-}
-
 /// d ln(G.22) / d overpressure [1/Pa].
 double laminar_log_slope(double overpressure, double d) {
   return 1.5 * d * d / (overpressure * (overpressure * overpressure + d * d));
 }
 
-/// A flux and its logarithmic derivatives as slopes; the laminar factor acts on the overpressure.
-FluxSlopes slopes_of(double flux, const Upstream& gas, double d, const FluxSlopes& logarithmic) {
-  const double laminar = laminar_log_slope(gas.overpressure, d);
-  return {flux * (logarithmic.upstream + laminar), flux * (logarithmic.downstream - laminar),
-          flux * logarithmic.temperature, flux * logarithmic.gas_constant, flux * logarithmic.gamma};
+/// Slopes of a flux ~ p^n T^(-1/2) R^(-1/2) that depends on both pressures by their ratio; the laminar factor acts
+/// on their difference.
+FluxSlopes slopes_of(double flux, const Upstream& gas, double d, double exponent, double by_gamma) {
+  const double laminar = laminar_log_slope(gas.overpressure, d), downstream = gas.pressure - gas.overpressure;
+  return {flux * (exponent / gas.pressure + laminar),
+          flux * ((exponent == 1.0 ? 0.0 : (1.0 - exponent) / downstream) - laminar),
+          -0.5 * flux / gas.temperature, -0.5 * flux / gas.gas_constant, flux * by_gamma};
 }
 
-/// d ln(flux) of a sonic hole.
-FluxSlopes choked_log_slopes(const Upstream& gas) {
-  const double g = gas.gamma, throat = std::log(2.0 / (g + 1.0));
-  return {1.0 / gas.pressure, 0.0, -0.5 / gas.temperature, -0.5 / gas.gas_constant,
-          0.5 / g - 0.5 / (g - 1.0) - throat / ((g - 1.0) * (g - 1.0))};
-}
-
-/// d ln(flux) of a subsonic hole, flux ~ p/sqrt(R T) sqrt(2 gamma/(gamma - 1) D), D = r^(2/gamma) - r^((gamma + 1)/gamma).
-FluxSlopes subsonic_log_slopes(const Upstream& gas) {
-  const double g = gas.gamma, l = std::log1p(-gas.overpressure / gas.pressure);
-  const double first = std::exp(2.0 / g * l), second = first * std::exp((g - 1.0) / g * l);
-  const double difference = -first * std::expm1((g - 1.0) / g * l);
-  const double by_ratio = 0.5 * (2.0 * first - (g + 1.0) * second) / (g * difference);  // d ln(flux)/d l
-  const double by_gamma = 0.5 * (l * (second - 2.0 * first) / (g * g * difference) - 1.0 / (g * (g - 1.0)));
-  return {(1.0 - by_ratio) / gas.pressure, by_ratio / downstream(gas), -0.5 / gas.temperature,
-          -0.5 / gas.gas_constant, by_gamma};
+/// d ln(G.6) / d gamma at the same p, T and R; `exponent` is (G.13), 1 of a choked hole.
+double hole_by_gamma(const Upstream& gas, double exponent) {
+  const double g = gas.gamma;
+  if (exponent == 1.0)
+    return 0.5 / g - 0.5 / (g - 1.0) - std::log(2.0 / (g + 1.0)) / ((g - 1.0) * (g - 1.0));
+  const double l = std::log1p(-gas.overpressure / gas.pressure), first = std::exp(2.0 / g * l);
+  const double difference = -first * std::expm1((g - 1.0) / g * l), second = first - difference;
+  return 0.5 * (l * (second - 2.0 * first) / (g * g * difference) - 1.0 / (g * (g - 1.0)));
 }
 
 }  // namespace
@@ -70,8 +56,8 @@ double hole_flux(const Upstream& gas, double laminar_overpressure) {
 FluxSlopes hole_flux_slopes(const Upstream& gas, double laminar_overpressure) {
   const double flux = hole_flux(gas, laminar_overpressure);
   if (flux == 0.0) return {};
-  return slopes_of(flux, gas, laminar_overpressure,
-                   is_choked(gas) ? choked_log_slopes(gas) : subsonic_log_slopes(gas));
+  const double exponent = orifice_pressure_exponent(gas.gamma, gas.overpressure / gas.pressure);
+  return slopes_of(flux, gas, laminar_overpressure, exponent, hole_by_gamma(gas, exponent));
 }
 
 double fabric_flux(const Upstream& gas, double laminar_overpressure) {
@@ -82,9 +68,7 @@ double fabric_flux(const Upstream& gas, double laminar_overpressure) {
 FluxSlopes fabric_flux_slopes(const Upstream& gas, double laminar_overpressure) {
   const double flux = fabric_flux(gas, laminar_overpressure);
   if (flux == 0.0) return {};
-  return slopes_of(flux, gas, laminar_overpressure,
-                   {0.5 / gas.pressure + 0.5 / gas.overpressure, -0.5 / gas.overpressure,
-                    -0.5 / gas.temperature, -0.5 / gas.gas_constant, 0.0});
+  return slopes_of(flux, gas, laminar_overpressure, fabric_pressure_exponent(gas.overpressure / gas.pressure), 0.0);
 }
 
 }  // namespace gas

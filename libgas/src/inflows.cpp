@@ -2,7 +2,6 @@
 #include "inflows.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "infinity.hpp"
 

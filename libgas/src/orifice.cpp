@@ -30,21 +30,6 @@ double critical_pressure_ratio(double gamma) {
   return std::exp(log_critical_ratio(gamma));
 }
 
-double choked_mass_flow(double effective_area, double pressure, double temperature, double gas_constant,
-                        double gamma) {
-  if (!(pressure > 0.0)) return 0.0;
-  return effective_area * pressure * std::sqrt(gamma / (gas_constant * temperature)) * throat_flux(gamma);
-}
-
-double subsonic_mass_flow(double effective_area, double pressure, double temperature, double gas_constant,
-                          double cp, double gamma, double overpressure) {
-  if (!(overpressure > 0.0)) return 0.0;
-  const double log_ratio = std::log1p(-overpressure / pressure);  // of p_a/p
-  const double powers = std::exp(2.0 / gamma * log_ratio) * -std::expm1((gamma - 1.0) / gamma * log_ratio);
-  return effective_area * pressure / (gas_constant * temperature) *
-         std::sqrt(2.0 * cp * temperature * powers);
-}
-
 double hole_mass_flow(double effective_area, double pressure, double temperature, double gas_constant,
                       double cp, double gamma, double overpressure) {
   if (!(overpressure > 0.0)) return 0.0;
@@ -54,7 +39,10 @@ double hole_mass_flow(double effective_area, double pressure, double temperature
     if (outside <= throat * std::sqrt(2.0 / (gamma + 1.0)) * pressure)
       return effective_area * pressure * std::sqrt(gamma / (gas_constant * temperature)) * throat;
   }
-  return subsonic_mass_flow(effective_area, pressure, temperature, gas_constant, cp, gamma, overpressure);
+  const double log_ratio = std::log1p(-overpressure / pressure);  // of p_a/p
+  const double powers = std::exp(2.0 / gamma * log_ratio) * -std::expm1((gamma - 1.0) / gamma * log_ratio);
+  return effective_area * pressure / (gas_constant * temperature) *
+         std::sqrt(2.0 * cp * temperature * powers);
 }
 
 double orifice_mass_flow(double effective_area, double pressure, double temperature, double gas_constant,

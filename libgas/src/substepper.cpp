@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "first_gas.hpp"
 #include "infinity.hpp"
@@ -19,7 +18,7 @@ constexpr double kTowardsAmbient = 0.75;
 // Of the gas, what may flow the wrong way by rounding: a hundred times what a hundred operations make.
 constexpr double kReversed = 1e-12;
 // After a trial that took p through p_a against its flow.
-constexpr double kCrossingFactor = 0.25;
+constexpr double kCrossingFactor = 0.5;
 // Steps up to a sixteenth of the time since the onset: each further term of sqrt(t) is less than a sixteenth
 // of the last.
 constexpr double kRootShare = 1.0 / 16.0;
@@ -104,9 +103,9 @@ bool Substepper::try_step(double length, bool stiff) {
   trial_.reversed = 0.0;
   if (stiff) balance_.locate(system_.ledger.gas(), t);  // a good guess of the temperature
   (stiff ? implicit_ : explicit_)->step(system_, begin_rate_, x_, h, !control_.is_fixed(), trial_);
-  if (!stiff && !control_.is_fixed() && system_.valid &&
-      system_.ledger.stop_reversed(trial_.end, trial_.error) > 0.0)
-    system_.rates(trial_.end, trial_.end_rate, x_ + h);
+  if (stiff || control_.is_fixed() || !system_.valid) return system_.valid;
+  trial_.reversed = system_.ledger.stop_reversed(trial_.end, trial_.error);
+  if (trial_.reversed > 0.0) system_.rates(trial_.end, trial_.end_rate, x_ + h);
   return system_.valid;
 }
 
@@ -172,7 +171,9 @@ double Substepper::integrate(double a, double b, const TriggerState& triggers) {
     }
     if (control_.is_fixed() && trial_.reversed > kReversed * balance_.gas().mass) control_.fail_crossing(t);
     const Moment end = watch_.moment(balance_, clock.slope(x_ + length));
-    if (!options_.unsafe_step && watch_.crosses_against_flow(begin_, end, duration)) {
+    // Stopped where it turned, flow would stay there; at p_a it is rounding that turns it.
+    const bool turns = trial_.reversed > 0.0 && !control_.is_fixed() && !watch_.is_on_ambient(begin_);
+    if (turns || (!options_.unsafe_step && watch_.crosses_against_flow(begin_, end, duration))) {
       if (control_.is_fixed()) {  // what only runs out, or in, ends there
         const bool fed = begin_.outflow > 0.0 ? begin_.growth > 0.0 : begin_.growth < 0.0;
         if (fed || watch_.is_on_ambient(begin_)) control_.fail_crossing(t);

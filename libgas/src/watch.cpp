@@ -17,6 +17,7 @@ namespace {
 constexpr double kKnotNear = 1e-9, kSonicShare = 0.1, kSensorNear = 1e-12;
 // p_a is landed on within a tenth of the laminar range, or, without one, within some thousand roundings.
 constexpr double kLaminarNear = 0.1, kAmbientNear = 1e-12;
+constexpr double kRounding = 1e-13;  // of p: some hundred roundings
 constexpr double kEqual = 1e-7;  // of p_a: ten times the laminar range
 // An excursion may go so many times as far as its cubic does.
 constexpr double kExcursion = 1.5;
@@ -129,14 +130,23 @@ double Watch::until_ambient(const Moment& begin) const {
 }
 
 bool Watch::crosses_against_flow(const Moment& begin, const Moment& end, double duration) const {
+  const double from = begin.overpressure, to = end.overpressure;
+  const double up = std::max({0.0, begin.growth, end.growth}), down = std::max({0.0, -begin.growth, -end.growth});
+  if (up + down == 0.0) {
+    // Gas that only runs out stays above p_a, and what only comes in leaves it below: beyond p_a rest may be
+    // unstable, if cold ambient gas lowers p. A stage beyond p_a that leads farther back is another such error.
+    if (begin.outflow == 0.0 && begin.backflow == 0.0) return false;
+    const double rounding = kRounding * boundary_.model().ambient.pressure;
+    return (from * to < 0.0 && std::abs(to) > rounding) ||
+           (from * begin.rate < 0.0 && from * to > 0.0 && std::abs(to) > std::abs(from) + rounding);
+  }
   // What cooling or expansion, inflow or compression, could take p beyond p_a.
   const double near = ambient_near_ / end.compliance;
-  const double up = std::max({0.0, begin.growth, end.growth}), down = std::max({0.0, -begin.growth, -end.growth});
   const bool on = is_on_ambient(begin);
   const bool from_above = begin.outflow > 0.0 || (on && boundary_.is_open() && begin.growth > 0.0);
   const bool from_below = begin.backflow > 0.0 || (on && boundary_.has_backflow() && begin.growth < 0.0);
-  return (from_above && begin.overpressure > -near && -end.overpressure > near + down * duration) ||
-         (from_below && begin.overpressure < near && end.overpressure > near + up * duration);
+  return (from_above && from > -near && -to > near + down * duration) ||
+         (from_below && from < near && to > near + up * duration);
 }
 
 }  // namespace gas

@@ -115,6 +115,21 @@ TEST(blowdown, sonic_switch_is_located) {
   }
 }
 
+/// When the vent unchokes, as close as that is located, and when p comes to p_a: within 1e-7 of it, which dp ~
+/// (t_end - t)^2 is 6e-5 s early.
+TEST(blowdown, moments_of_the_flow_eq_closed_form) {
+  const Tank t = tank();
+  const closed_form::BlowdownTimes exact = closed_form::blowdown_times({{}, 0.06, 1e-3, 1.0, 5e5, 600.0, kAmbientPressure});
+  gas::ControlVolumeState state = t.state();
+  gas::GasIntegrator integrator(t.model);
+  const gas::StepMoments choked = integrator.advance(state, 0.0, 0.1, rigid(0.06)).moments;
+  EXPECT_TRUE(std::isnan(choked.sonic_switch) && std::isnan(choked.equalisation));
+  const gas::StepMoments rest = integrator.advance(state, 0.1, 0.4, rigid(0.06)).moments;
+  EXPECT_NEAR(rest.sonic_switch, exact.unchoke_time, 1e-4 * exact.unchoke_time);
+  EXPECT_NEAR(rest.equalisation, exact.end_time, 1e-4);
+  EXPECT_LT(rest.equalisation, exact.end_time);
+}
+
 TEST(blowdown, into_vacuum_stays_choked) {
   Tank t = tank();
   t.model.ambient.pressure = 0.0;

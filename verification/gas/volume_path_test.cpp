@@ -205,4 +205,30 @@ TEST(volume_path, peak_inside_one_step_is_found) {
   }
 }
 
+/// Relative error of p where vent, leak area, volume, inflow and walls all move: the implicit method's matrix and its
+/// derivative with time meet every term.
+double moving_error(const gas::IntegratorOptions& options) {
+  gas::ControlVolumeModel model = closed_tank(nasa7({"N2", "CO2"}));
+  model.vents.push_back({0.8, 0.0, gas::Curve({{0.0, 2e-4}, {1.0, 1e-2}}, gas::Outside::kHeld)});
+  model.inflows.push_back({{0.3, 0.7},
+                           gas::Curve({{0.0, 0.2}, {1.0, 4.0}}, gas::Outside::kZero),
+                           gas::Curve({{0.0, 700.0}, {1.0, 900.0}}, gas::Outside::kHeld)});
+  model.heat_loss = {300.0, 400.0};
+  const auto pressure = [&](const gas::IntegratorOptions& chosen) {
+    gas::ControlVolumeState state = gas::make_state(model, std::vector{0.6, 0.4}, 5e5, 800.0, 0.06);
+    gas::GasIntegrator(model, chosen).advance(state, 0.0, 0.05, {0.06, 0.08, 1e-4, 2e-3, 0.002});
+    return gas::evaluate(model, state, 0.08, 2e-3, 0.05).pressure;
+  };
+  return relative(pressure(options), pressure({1e-13}));
+}
+
+TEST(volume_path, implicit_order_holds_where_everything_moves) {
+  std::vector<double> errors;
+  for (const int steps : {16, 32, 64})
+    errors.push_back(moving_error({1e-10, 100000, gas::Method::kRosenbrock4, 0.05 / steps}));
+  claim::expect_order({"G.23", "Rosenbrock 4, vent, leak, volume, inflow and walls that move: pressure",
+                       "the fifth order's term is a share of 1 / steps"},
+                      errors, 3.8, 4.3);
+}
+
 }  // namespace

@@ -21,13 +21,6 @@ double orifice_mass_flow(double effective_area /* Cd A [m2] */, double pressure 
 double hole_mass_flow(double effective_area, double pressure, double temperature, double gas_constant,
                       double cp, double gamma, double overpressure);
 
-/// The sonic branch of (G.6) [kg/s], continued smoothly past the switch.
-double choked_mass_flow(double effective_area, double pressure, double temperature, double gas_constant,
-                        double gamma);
-/// The subsonic branch of (G.6) [kg/s], continued smoothly past the switch; zero for p <= p_a.
-double subsonic_mass_flow(double effective_area, double pressure, double temperature, double gas_constant,
-                          double cp, double gamma, double overpressure);
-
 /// Mass flow [kg/s] through porous fabric, leak_area sqrt(2 rho (p - p_a)), never choked.             (G.7)
 /// leak_area [m2] is sum eta^2 A for the printed law, sum eta A for the screen law (eta: porosity, A: element
 /// area).
