@@ -178,8 +178,8 @@ class GasIntegrator::Implementation {
     }
     f.work = ledger_.total(slots.work());
     f.heat = ledger_.total(slots.heat());
-    f.steps = substepper_.accepted();
-    f.evaluations = substepper_.evaluations();
+    f.steps = substepper_.effort().accepted;
+    f.evaluations = substepper_.effort().evaluations;
     f.moments = substepper_.moments();
     return f;
   }

@@ -148,7 +148,7 @@ std::string StepControl::advice(const Balance& balance, double length) const {
   return text;
 }
 
-void StepControl::fail(System& system, double t, double length, int attempts, bool found_gas) const {
+void StepControl::fail(System& system, double t, double length, bool found_gas) const {
   Balance& balance = system.balance;
   const Thermo& thermo = balance.boundary().model().thermo;
   const std::string where = "at t = " + to_text(t) + " s with a sub-step of " + to_text(length) + " s";
@@ -174,8 +174,8 @@ void StepControl::fail(System& system, double t, double length, int attempts, bo
     throw DomainError("a fixed sub-step of " + to_text(options_.fixed_step) + " s takes more than " +
                       std::to_string(options_.maximum_steps) + " sub-steps, " + where + gas +
                       "; a longer one (gas_step of a case), or none, is allowed");
-  throw TooStiff("the gas is too stiff for the integrator: " + std::to_string(attempts) +
-                 (attempts == 1 ? " sub-step, " : " sub-steps, ") + where + gas + advice(balance, length) +
+  throw TooStiff("the gas is too stiff for the integrator: " + std::to_string(system.effort.attempts) +
+                 (system.effort.attempts == 1 ? " sub-step, " : " sub-steps, ") + where + gas + advice(balance, length) +
                  (too_short ? "; that is below the rounding of t, " + to_text(rounding) +
                                   " s: a larger volume, smaller openings or a start nearer to t = 0 is allowed"
                             : ""));

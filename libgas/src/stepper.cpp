@@ -67,7 +67,7 @@ void System::rates(const Vector& y, Vector& dydx, double x) {
 
 void System::rates_of(Vector& amount, Vector& dydx, double x) {
   valid = valid && balance.locate(amount, clock.time(x));
-  ++evaluations;
+  ++effort.evaluations;
   if (!valid) {
     std::ranges::fill(dydx, 0.0);
     return;

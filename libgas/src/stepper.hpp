@@ -19,15 +19,20 @@ struct Clock {
   double slope_of_slope() const { return root ? 2.0 : 0.0; }     // d2t/dx2
 };
 
+/// Sub-steps tried and accepted, evaluations of the right-hand side.
+struct Effort {
+  int attempts = 0, accepted = 0, evaluations = 0;
+};
+
 /// The right-hand side as a stepper sees it, dy/dx.
 struct System {
   Ledger& ledger;
-  Balance& balance;
+  Balance balance;
   Clock clock{};
   Vector gas;             // (m_k, U) of the last evaluation
   bool valid = true;      // every evaluation of the trial met a gas
   std::optional<std::size_t> depleted{};  // species that one of them lacked
-  int evaluations = 0;
+  Effort effort{};
 
   /// dy/dx at (y, x).
   void rates(const Vector& y, Vector& dydx, double x);

@@ -31,184 +31,175 @@ Substepper::Substepper(const Boundary& boundary, Ledger& ledger, const TriggerNe
                        const IntegratorOptions& options)
     : options_(options),
       network_(network),
-      balance_(boundary),
-      system_{ledger, balance_, {}, Vector(boundary.slots().species + 1)},
       watch_(boundary, options.relative_tolerance),
       control_(options, options.method == Method::kRosenbrock4 ? 4.0 : 5.0),
       explicit_(make_explicit(options.method, boundary.slots())),
       implicit_(make_rodas(boundary.slots())),
-      begin_rate_(boundary.slots().size()) {
-  trial_ = {begin_rate_, begin_rate_, begin_rate_};
-}
+      system_{ledger, Balance(boundary), {}, Vector(boundary.slots().species + 1)},
+      begin_{0.0, 0.0, Vector(boundary.slots().size()), {}, 0.0},
+      trial_{begin_.rate, begin_.rate, begin_.rate} {}
 
 void Substepper::begin_step(const ControlVolumeState& state) {
-  attempts_ = accepted_ = system_.evaluations = 0;
+  system_.effort = {};
   moments_ = {};
-  balance_.begin_step(state);
+  system_.balance.begin_step(state);
 }
 
-/// Whether flow that something feeds lets p grow at more than half of the rate that it would have without.
-bool Substepper::is_onset() const {
-  const bool out = begin_.growth > 0.0 && (begin_.outflow > 0.0 || watch_.is_on_ambient(begin_)) &&
-                   balance_.boundary().is_open();
-  const bool in = begin_.growth < 0.0 && (begin_.backflow > 0.0 || watch_.is_on_ambient(begin_)) &&
-                  balance_.boundary().has_backflow();
-  return (out || in) && balance_.pressure_rate() / begin_.growth >= 0.5;
-}
-
-/// The clock of a sub-step from t: where flow sets in at p_a it grows as the root of the time.
-void Substepper::start_clock(double t, double b) {
-  const double since = is_onset() ? std::max(0.0, begin_.overpressure / begin_.growth) : kInfinity;
+/// The clock of a sub-step: where flow sets in at p_a it grows as the root of the time.
+void Substepper::start_clock(double b) {
+  const Moment& now = begin_.moment;
+  const Balance& balance = system_.balance;
+  const double since =
+      watch_.is_onset(balance, now) ? std::max(0.0, now.overpressure / now.growth) : kInfinity;
   system_.clock = {};
   // Where the flow balances its feed before the tolerance tells, what sets in is no matter.
-  const bool matters = since < b - t && control_.tells(balance_, balance_.balanced_overpressure());
-  if (matters) system_.clock = {true, t - std::max(since, kRootBegin * (b - t))};
-  x_ = system_.clock.position(t);
-  for (double& rate : begin_rate_) rate *= system_.clock.slope(x_);
-  begin_.rate *= system_.clock.slope(x_);
+  const bool matters = since < b - begin_.t && control_.tells(balance, balance.balanced_overpressure());
+  if (matters) system_.clock = {true, begin_.t - std::max(since, kRootBegin * (b - begin_.t))};
+  begin_.x = system_.clock.position(begin_.t);
+  for (double& rate : begin_.rate) rate *= system_.clock.slope(begin_.x);
+  begin_.moment.rate *= system_.clock.slope(begin_.x);
 }
 
 void Substepper::start(double t, double b) {
+  begin_.t = t;
   system_.clock = {};
   system_.valid = true;
-  system_.rates_of(system_.gas = system_.ledger.gas(), begin_rate_, t);
-  if (!system_.valid) control_.fail(system_, t, b - t, attempts_, false);
-  begin_ = watch_.moment(balance_, 1.0);
+  system_.rates_of(system_.gas = system_.ledger.gas(), begin_.rate, t);
+  if (!system_.valid) control_.fail(system_, t, b - t, false);
+  begin_.moment = watch_.moment(system_.balance, 1.0);
   set_relaxation(kInfinity);
-  start_clock(t, b);
+  start_clock(b);
 }
 
 /// Before a sub-step of at most `length` [s]: where that is far from stiff, a bound of it does.
 void Substepper::set_relaxation(double length) {
   if (options_.method == Method::kDormandPrince5) {
-    relaxation_ = control_.relaxation_bound(balance_);
-    if (length * relaxation_ <= kStiff) return;
+    begin_.relaxation = control_.relaxation_bound(system_.balance);
+    if (length * begin_.relaxation <= kStiff) return;
   }
-  relaxation_ = balance_.relaxation(balance_.where_linear());
+  begin_.relaxation = system_.balance.relaxation(system_.balance.where_linear());
 }
 
 bool Substepper::is_stiff(double length) const {
   if (options_.method == Method::kRosenbrock4) return true;
-  return options_.method == Method::kDormandPrince5 && !control_.is_fixed() && length * relaxation_ > kStiff;
+  return options_.method == Method::kDormandPrince5 && !control_.is_fixed() && length * begin_.relaxation > kStiff;
 }
 
-/// One trial of `length` in x; the balance is left at its end. False if any stage met no gas.
-bool Substepper::try_step(double length, bool stiff) {
-  const double h = (x_ + length) - x_;  // what flows in until then, exactly
-  const double t = system_.clock.time(x_);
-  if (++attempts_ > options_.maximum_steps || !(h > 0.0) || !(system_.clock.time(x_ + h) > t))
-    control_.fail(system_, t, system_.clock.time(x_ + length) - t, attempts_, system_.valid);
+Substepper::Way Substepper::way(const Proposal& proposal, double b) const {
+  const Clock& clock = system_.clock;
+  const double left = clock.position(b) - begin_.x, cap = control_.longest(system_.balance, begin_.relaxation);
+  const double longest = cap < b - begin_.t ? clock.position(begin_.t + cap) - begin_.x : kInfinity;
+  const double free = std::min(proposal.length, kTowardsAmbient * watch_.until_ambient(begin_.moment));
+  const double length = std::min({longest, proposal.landing, control_.is_fixed() ? kInfinity : free});
+  return length >= left ? Way{left, b, true} : Way{length, clock.time(begin_.x + length), false};
+}
+
+/// One trial; the balance is left at its end. Its error over the tolerance, infinite if any stage met no gas.
+double Substepper::try_step(const Way& way, bool stiff) {
+  const double t = begin_.t, x = begin_.x, h = (x + way.length) - x;  // what flows in until then, exactly
+  control_.require_stable(system_.balance, way.end - t);
+  if (++system_.effort.attempts > options_.maximum_steps || !(h > 0.0) || !(system_.clock.time(x + h) > t))
+    control_.fail(system_, t, way.end - t, system_.valid);
   system_.valid = true;
   system_.depleted.reset();
   trial_.reversed = 0.0;
-  if (stiff) balance_.locate(system_.ledger.gas(), t);  // a good guess of the temperature
-  (stiff ? implicit_ : explicit_)->step(system_, begin_rate_, x_, h, !control_.is_fixed(), trial_);
-  if (stiff || control_.is_fixed() || !system_.valid) return system_.valid;
-  trial_.reversed = system_.ledger.stop_reversed(trial_.end, trial_.error);
-  if (trial_.reversed > 0.0) system_.rates(trial_.end, trial_.end_rate, x_ + h);
-  return system_.valid;
+  if (stiff) system_.balance.locate(system_.ledger.gas(), t);  // a good guess of the temperature
+  (stiff ? implicit_ : explicit_)->step(system_, begin_.rate, x, h, !control_.is_fixed(), trial_);
+  if (!stiff && !control_.is_fixed() && system_.valid) {
+    trial_.reversed = system_.ledger.stop_reversed(trial_.end, trial_.error);
+    if (trial_.reversed > 0.0) system_.rates(trial_.end, trial_.end_rate, x + h);
+  }
+  if (!system_.valid && control_.is_fixed()) control_.fail(system_, t, way.end - t, false);
+  return system_.valid ? control_.scaled_error(system_, trial_.error, system_.gas) : kInfinity;
 }
 
-double Substepper::fill_first(double t, double b) {
-  const double end = gas::fill_first(system_, options_, trial_.end, t, b);
-  if (end > t) ++accepted_;
-  return end;
+/// What to try in place of a trial whose error is small: the other method where it took flow the wrong way, a shorter
+/// one where it passes what it has to end on. None: the trial stands.
+std::optional<Substepper::Proposal> Substepper::again(const Proposal& tried, const Way& way, const Moment& end) const {
+  const Balance& balance = system_.balance;
+  const Moment& begin = begin_.moment;
+  const bool fixed = control_.is_fixed(), on_ambient = watch_.is_on_ambient(begin);
+  const double duration = way.end - begin_.t;
+  if (fixed && trial_.reversed > kReversed * balance.gas().mass) control_.fail_crossing(begin_.t);
+  // Stopped where it turned, flow would stay there; at p_a it is rounding that turns it.
+  const bool turns = trial_.reversed > 0.0 && !fixed && !on_ambient;
+  if (turns || (!options_.unsafe_step && watch_.crosses_against_flow(begin, end, duration))) {
+    if (fixed) {  // what only runs out, or in, ends there
+      const bool fed = begin.outflow > 0.0 ? begin.growth > 0.0 : begin.growth < 0.0;
+      if (fed || on_ambient) control_.fail_crossing(begin_.t);
+      return Proposal{tried.length, way.length * begin.overpressure / (begin.overpressure - end.overpressure), tried.stiff};
+    }
+    const bool other = !tried.stiff && options_.method == Method::kDormandPrince5;
+    return Proposal{other ? way.length : kCrossingFactor * way.length, kInfinity, tried.stiff || other};
+  }
+  if (!system_.clock.root && !tried.stiff) control_.require_motion(balance, begin, end, duration);
+  const auto share = watch_.landing(begin, end, way.length);
+  if (!share) return {};
+  const double shorter = std::max(*share * way.length, std::nextafter(begin_.x, kInfinity) - begin_.x);
+  if (!(shorter < way.length && system_.clock.time(begin_.x + shorter) > begin_.t)) return {};
+  return Proposal{tried.length, shorter, tried.stiff};
 }
 
-/// When the vents' flow switches and when p comes to p_a.
-void Substepper::note_moments(const Moment& end, double t, double duration, bool landed) {
-  if (landed && watch_.is_on_sonic(end)) moments_.sonic_switch = t + duration;
-  if (const auto share = watch_.equalises(begin_, end)) moments_.equalisation = t + *share * duration;
-}
-
-/// Books the trial, which ends at x = `end` and time t; the next sub-step begins there.
-void Substepper::accept(double end, double t, double b, bool landed, double after) {
+/// Books the trial; the next sub-step, of about `after` [s], begins at its end.
+void Substepper::accept(const Way& way, const Moment& end, bool landed, double after, double b) {
   const Clock clock = system_.clock;
-  const double duration = t - clock.time(x_), slope = clock.slope(end);
-  system_.ledger.accept(trial_.end, t);
-  begin_rate_.swap(trial_.end_rate);
-  ++accepted_;
+  const double duration = way.end - clock.time(begin_.x), slope = clock.slope(begin_.x + way.length);
+  const bool sets_in = landed && watch_.is_on_ambient(end);
+  watch_.note(begin_.moment, end, begin_.t, way.end, landed, moments_);
+  system_.ledger.accept(trial_.end, way.end);
+  ++system_.effort.accepted;
+  begin_.t = way.end;
+  begin_.x += way.length;
+  begin_.rate.swap(trial_.end_rate);
+  begin_.moment = end;
   set_relaxation(after);
-  x_ = end;
-  const bool leaves_root = clock.root && ((duration <= kRootShare * (t - clock.origin) && !control_.is_fixed()) || !is_onset());
-  const bool sets_in = landed && watch_.is_on_ambient(begin_);
+  const bool leaves_root =
+      clock.root && ((duration <= kRootShare * (way.end - clock.origin) && !control_.is_fixed()) ||
+                     !watch_.is_onset(system_.balance, end));
   if (!leaves_root && !sets_in) return;
-  for (double& rate : begin_rate_) rate /= slope;
-  begin_.rate /= slope;
+  for (double& rate : begin_.rate) rate /= slope;
+  begin_.moment.rate /= slope;
   system_.clock = {};
-  x_ = t;
-  if (sets_in) start_clock(t, b);
+  begin_.x = way.end;
+  if (sets_in) start_clock(b);
 }
 
 double Substepper::integrate(double a, double b, const TriggerState& triggers) {
-  double t = a;
+  const Balance& balance = system_.balance;
   start(a, b);
-  if (balance_.gas().mass == 0.0 && balance_.wall_conductance() > 0.0 && (t = fill_first(a, b)) > a) start(t, b);
-  const double p_a = balance_.boundary().model().ambient.pressure;
-  const double first = control_.first_step(balance_);
-  double h = first < b - t ? system_.clock.position(t + first) - x_ : kInfinity;
-  double landing = kInfinity;  // of a trial that has to end on what Watch found
-  bool stiff = false;          // the trial is implicit
-  while (t < b) {
-    const Clock clock = system_.clock;
-    const double left = clock.position(b) - x_, cap = control_.longest(balance_, relaxation_);
-    const double longest = cap < b - t ? clock.position(t + cap) - x_ : kInfinity;
-    double length = std::min({h, landing, kTowardsAmbient * watch_.until_ambient(begin_)});
-    length = control_.is_fixed() ? std::min(longest, landing) : std::min(length, longest);
-    const bool last = length >= left;
-    if (last) length = left;
-    const double end_time = last ? b : clock.time(x_ + length), duration = end_time - t;
-    control_.require_stable(balance_, duration);
-    stiff = stiff || is_stiff(duration);
-    const bool found = try_step(length, stiff);
-    if (!found && control_.is_fixed()) control_.fail(system_, t, duration, attempts_, false);
-    const double error = found ? control_.scaled_error(system_, trial_.error, system_.gas) : kInfinity;
-    const double next = length * control_.factor(error, (stiff ? implicit_ : explicit_)->error_power());
-    if (error > 1.0) {
-      h = next;
-      landing = kInfinity;
-      continue;
-    }
-    if (control_.is_fixed() && trial_.reversed > kReversed * balance_.gas().mass) control_.fail_crossing(t);
-    const Moment end = watch_.moment(balance_, clock.slope(x_ + length));
-    // Stopped where it turned, flow would stay there; at p_a it is rounding that turns it.
-    const bool turns = trial_.reversed > 0.0 && !control_.is_fixed() && !watch_.is_on_ambient(begin_);
-    if (turns || (!options_.unsafe_step && watch_.crosses_against_flow(begin_, end, duration))) {
-      if (control_.is_fixed()) {  // what only runs out, or in, ends there
-        const bool fed = begin_.outflow > 0.0 ? begin_.growth > 0.0 : begin_.growth < 0.0;
-        if (fed || watch_.is_on_ambient(begin_)) control_.fail_crossing(t);
-        landing = length * begin_.overpressure / (begin_.overpressure - end.overpressure);
-        continue;
-      }
-      const bool repeats = !stiff && options_.method == Method::kDormandPrince5;
-      h = repeats ? length : kCrossingFactor * length;
-      stiff = stiff || repeats;
-      landing = kInfinity;
-      continue;
-    }
-    if (!clock.root && !stiff) control_.require_motion(balance_, begin_, end, duration);
-    if (const auto share = watch_.landing(begin_, end, length)) {
-      const double shorter = std::max(*share * length, std::nextafter(x_, kInfinity) - x_);
-      if (shorter < length && clock.time(x_ + shorter) > t) {
-        landing = shorter;
-        continue;
-      }
-    }
-    if (balance_.gas().beyond)  // it starts on the last knot, where trials end that pass it
-      throw DomainError(beyond_text(*balance_.boundary().model().volume_of_overpressure) +
-                        ", at t = " + to_text(t) + " s");
-    note_moments(end, t, duration, landing < kInfinity);
-    h = landing < kInfinity || last ? std::max(h, next) : next;
-    const double after = clock.time(x_ + length + h) - end_time;
-    begin_ = end;
-    accept(x_ + length, end_time, b, landing < kInfinity, after);
-    t = end_time;
-    if (network_.switches(triggers, begin_.overpressure, p_a)) break;
-    h = system_.clock.position(t + after) - x_;
-    landing = kInfinity;
-    stiff = false;
+  if (balance.gas().mass == 0.0 && balance.wall_conductance() > 0.0) {
+    const double filled = fill_first(system_, options_, trial_.end, a, b);
+    if (filled > a) start(filled, b);
   }
-  return t;
+  const double first = control_.first_step(balance), p_a = balance.boundary().model().ambient.pressure;
+  Proposal next{first < b - begin_.t ? system_.clock.position(begin_.t + first) - begin_.x : kInfinity};
+  while (begin_.t < b) {
+    const Way trial = way(next, b);
+    next.stiff = next.stiff || is_stiff(trial.end - begin_.t);
+    const double error = try_step(trial, next.stiff);
+    const double fitting = trial.length * control_.factor(error, (next.stiff ? implicit_ : explicit_)->error_power());
+    if (error > 1.0) {
+      next = {fitting, kInfinity, next.stiff};
+      continue;
+    }
+    const Clock& clock = system_.clock;
+    const double end_x = begin_.x + trial.length;
+    const Moment end = watch_.moment(balance, clock.slope(end_x));
+    if (const auto repeated = again(next, trial, end)) {
+      next = *repeated;
+      continue;
+    }
+    if (balance.gas().beyond)  // it starts on the last knot, where trials end that pass it
+      throw DomainError(beyond_text(*balance.boundary().model().volume_of_overpressure) +
+                        ", at t = " + to_text(begin_.t) + " s");
+    const bool landed = next.landing < kInfinity;
+    const double ahead = landed || trial.last ? std::max(next.length, fitting) : fitting;
+    const double after = clock.time(end_x + ahead) - trial.end;
+    accept(trial, end, landed, after, b);
+    if (network_.switches(triggers, end.overpressure, p_a)) break;
+    next = {system_.clock.position(begin_.t + after) - begin_.x};
+  }
+  return begin_.t;
 }
 
 }  // namespace gas

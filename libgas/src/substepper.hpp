@@ -3,6 +3,7 @@
 #include <memory>
 #include <optional>
 
+#include "infinity.hpp"
 #include "step_control.hpp"
 #include "stepper.hpp"
 #include "trigger_network.hpp"
@@ -25,34 +26,47 @@ class Substepper {
   double integrate(double a, double b, const TriggerState& triggers);
 
   Balance& balance() { return system_.balance; }
-  int accepted() const { return accepted_; }
-  int evaluations() const { return system_.evaluations; }
+  const Effort& effort() const { return system_.effort; }
   const StepMoments& moments() const { return moments_; }
 
  private:
+  /// Where a sub-step begins.
+  struct Begin {
+    double t, x;        // [s], and by the clock
+    Vector rate;        // dy/dx
+    Moment moment;
+    double relaxation;  // [1/s] of the gas
+  };
+  /// What to try next. Lengths are in x.
+  struct Proposal {
+    double length;
+    double landing = kInfinity;  // if finite, it has to end on what Watch found
+    bool stiff = false;          // by the implicit method
+  };
+  /// A trial's way.
+  struct Way {
+    double length;  // in x
+    double end;     // [s]
+    bool last;      // to the end of the segment
+  };
+
   void start(double t, double b);
-  void start_clock(double t, double b);
-  bool is_onset() const;
-  bool is_stiff(double length) const;
-  bool try_step(double length, bool stiff);
-  double fill_first(double t, double b);
-  void note_moments(const Moment& end, double t, double duration, bool landed);
-  void accept(double end, double t, double b, bool landed, double after);
+  void start_clock(double b);
   void set_relaxation(double length);
+  Way way(const Proposal& proposal, double b) const;
+  bool is_stiff(double length) const;
+  double try_step(const Way& way, bool stiff);
+  std::optional<Proposal> again(const Proposal& tried, const Way& way, const Moment& end) const;
+  void accept(const Way& way, const Moment& end, bool landed, double after, double b);
 
   const IntegratorOptions options_;
   const TriggerNetwork& network_;
-  Balance balance_;
-  System system_;
   const Watch watch_;
   const StepControl control_;
-  std::unique_ptr<Stepper> explicit_, implicit_;
+  const std::unique_ptr<Stepper> explicit_, implicit_;
+  System system_;
+  Begin begin_;
   Trial trial_;
-  Vector begin_rate_;
-  Moment begin_{};
-  double x_ = 0.0;           // where the sub-step begins
-  double relaxation_ = 0.0;  // [1/s] there
-  int attempts_ = 0, accepted_ = 0;
   StepMoments moments_;
 };
 

@@ -113,13 +113,20 @@ bool Watch::is_on_ambient(const Moment& at) const {
   return std::abs(at.overpressure) <= ambient_near_ / at.compliance;
 }
 
-bool Watch::is_on_sonic(const Moment& at) const { return std::abs(at.sonic) <= sonic_near_; }
+bool Watch::is_onset(const Balance& balance, const Moment& at) const {
+  const bool on = is_on_ambient(at);
+  const bool out = at.growth > 0.0 && (at.outflow > 0.0 || on) && boundary_.is_open();
+  const bool in = at.growth < 0.0 && (at.backflow > 0.0 || on) && boundary_.has_backflow();
+  return (out || in) && balance.pressure_rate() / at.growth >= 0.5;
+}
 
-std::optional<double> Watch::equalises(const Moment& begin, const Moment& end) const {
+void Watch::note(const Moment& begin, const Moment& end, double t0, double t1, bool landed,
+                 StepMoments& moments) const {
+  if (landed && std::abs(end.sonic) <= sonic_near_) moments.sonic_switch = t1;
   const double size = kEqual * boundary_.model().ambient.pressure;
   const double from = std::abs(begin.overpressure), to = std::abs(end.overpressure);
-  if (!(from > size && to <= size) || (begin.outflow == 0.0 && begin.backflow == 0.0)) return {};
-  return (from - size) / (from - to);
+  if (from > size && to <= size && (begin.outflow > 0.0 || begin.backflow > 0.0))
+    moments.equalisation = t0 + (from - size) / (from - to) * (t1 - t0);
 }
 
 double Watch::until_ambient(const Moment& begin) const {

@@ -30,9 +30,10 @@ class Watch {
   /// also where it may turn beyond one. Ends that are close to one have not passed it.
   std::optional<double> landing(const Moment& begin, const Moment& end, double h) const;
   bool is_on_ambient(const Moment& at) const;  // p is p_a, as close as it is landed on
-  bool is_on_sonic(const Moment& at) const;
-  /// Share of the trial after which p is p_a, to 1e-7 of it, where it was not.
-  std::optional<double> equalises(const Moment& begin, const Moment& end) const;
+  /// Whether flow that something feeds lets p grow at more than half of the rate that it would have without.
+  bool is_onset(const Balance& balance, const Moment& at) const;
+  /// Notes when, from t0 to t1, the vents' flow switched, on which a trial has `landed`, and p came to p_a.
+  void note(const Moment& begin, const Moment& end, double t0, double t1, bool landed, StepMoments& moments) const;
   /// How long flow that only runs out or in leads p to p_a, as the square of the time that is left; in x.
   /// Infinite where p goes elsewhere, or is as close as laminar flow.
   double until_ambient(const Moment& begin) const;
