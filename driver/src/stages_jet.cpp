@@ -44,12 +44,12 @@ void evaluate_field(const Scene& scene, const State& state, const JetPart& part,
   const Skin seen = asked(skin, part, run);
   if (!part.field.model().relative_to_skin) {
     part.field.evaluate(seen.area_vectors, seen.centroids, run.outlet, run.field, nullptr,
-                        state.step.travelled);
+                        state.step.displacement_bound);
     return;
   }
   const jet::Points velocity(place_velocities(scene, state, part, run.skin));
   part.field.evaluate(seen.area_vectors, seen.centroids, run.outlet, run.field, &velocity,
-                      state.step.travelled);
+                      state.step.displacement_bound);
 }
 
 void add(const jet::VisibilityCounters& counters, jet::VisibilityCounters& total) {
@@ -62,7 +62,7 @@ void add(const jet::VisibilityCounters& counters, jet::VisibilityCounters& total
   total.tree_builds += counters.tree_builds;
 }
 
-void mask(const JetPart& part, const jet::Points& nodes, double travelled, JetRun& run) {
+void mask(const JetPart& part, const jet::Points& nodes, double displacement_bound, JetRun& run) {
   run.counters = {};
   if (!part.occlusion || run.field.candidates.empty()) {
     run.counters.candidates = run.counters.lit = run.field.candidates.size();
@@ -70,7 +70,7 @@ void mask(const JetPart& part, const jet::Points& nodes, double travelled, JetRu
   }
   const std::span<std::uint8_t> lit(run.lit.data(), run.field.candidates.size());
   run.counters = run.query.query(part.route, nodes, jet::ray_source(part.field.model()), run.field.candidates,
-                                 lit, travelled);
+                                 lit, displacement_bound);
   jet::apply_mask(lit, run.field);
 }
 
@@ -101,7 +101,7 @@ void visibility(const Scene& scene, State& state) {
   for (std::size_t j = 0; j < scene.jets.size(); ++j) {
     const JetPart& part = scene.jets[j];
     JetRun& run = state.jets[j];
-    mask(part, asked(skin, part, run).nodes, state.step.travelled, run);
+    mask(part, asked(skin, part, run).nodes, state.step.displacement_bound, run);
     add(run.counters, run.total);
     if (part.pieces) part.pieces->average(run.field, run.elements);
     run.force = jet::jet_force(run.load(), skin.area_vectors);

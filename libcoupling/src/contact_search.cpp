@@ -80,7 +80,7 @@ double least_of(const std::vector<double>& values) {
 void forget_gaps(ContactState& state) {
   std::fill(state.slack.begin(), state.slack.end(), kUnknown);
   std::fill(state.group_slack.begin(), state.group_slack.end(), kUnknown);
-  state.travelled = 0.0;
+  state.displacement_bound = 0.0;
   state.nearest = 0;
 }
 
@@ -107,16 +107,16 @@ void Search::look_at_group(std::size_t g, double wanted, Found&& found) {
   const Bound box = box_bound(nodes, groups.nodes.data() + groups.first_node[g],
                               groups.nodes.data() + groups.first_node[g + 1], state.centre, radius);
   if (!std::isfinite(box.gap)) throw ContactError("contact: a node or the sphere's centre is not finite");
-  state.group_slack[g] = state.travelled + box.gap;
+  state.group_slack[g] = state.displacement_bound + box.gap;
   if (box.gap > std::max(kWorthwhile * box.size, wanted)) return;
   const std::size_t first = g * ElementGroups::kSize,
                     last = std::min(first + ElementGroups::kSize, state.slack.size());
-  const double needed = state.travelled + wanted;
+  const double needed = state.displacement_bound + wanted;
   double least = kInfinity;
   for (std::size_t k = first; k < last; ++k) {
     if (!(needed < state.slack[k])) {
       const double gap = look(groups.elements[k], wanted);
-      state.slack[k] = state.travelled + gap;
+      state.slack[k] = state.displacement_bound + gap;
       found(groups.elements[k], gap);
     }
     least = std::min(least, state.slack[k]);
@@ -126,9 +126,9 @@ void Search::look_at_group(std::size_t g, double wanted, Found&& found) {
 
 void Search::find_near_elements() {
   state.near.clear();
-  const double travelled = state.travelled;
+  const double displacement_bound = state.displacement_bound;
   for (std::size_t g = 0; g < groups.count(); ++g)
-    if (!(travelled < state.group_slack[g]))
+    if (!(displacement_bound < state.group_slack[g]))
       look_at_group(g, 0.0, [&](int element, double gap) {
         if (!(gap > 0.0)) state.near.push_back(element);
       });
@@ -148,7 +148,7 @@ void Search::settle_gap() {
     least = std::min(least, exact);
   };
   const auto enough = [&](double slack) {
-    return !(least > state.ahead) || state.travelled + std::max(state.ahead, 0.5 * least) < slack;
+    return !(least > state.ahead) || state.displacement_bound + std::max(state.ahead, 0.5 * least) < slack;
   };
   if (enough(state.gap)) return;
   // The group that seems nearest says how far there is to look in the others.

@@ -17,7 +17,7 @@ struct Search {
   const ElementGroups& groups;
   const Nodes& nodes;
   double radius;
-  ContactState& state;  // with the level's `centre` and `travelled`
+  ContactState& state;  // with the level's `centre` and `displacement_bound`
 
   // Looks at what the motion may have brought to the sphere and lists the elements that overlap it in
   // state.near, ascending; state.gap follows. Throws ContactError where a coordinate is not finite.

@@ -94,8 +94,8 @@ bool ContactModel::stays_clear(ContactState& state, double motion, double ahead)
   state.ahead = ahead;
   state.told = motion >= 0.0 ? motion : std::numeric_limits<double>::infinity();
   // Not a number compares false.
-  if (!state.started || !(state.travelled + kRounding * motion + ahead < state.gap)) return false;
-  state.travelled += kRounding * motion;
+  if (!state.started || !(state.displacement_bound + kRounding * motion + ahead < state.gap)) return false;
+  state.displacement_bound += kRounding * motion;
   state.told = ContactState::kNotTold;
   ++state.skips;
   return true;
@@ -113,7 +113,7 @@ void ContactModel::follow(ContactState& state, const Nodes& nodes, const Vector3
   if (!std::isfinite(motion) || !centre.allFinite())
     throw ContactError("contact: a node or the sphere's centre is not finite");
   // No skin point was nearer to the centre than this: less motion cannot bring them together.
-  const double clearance = radius + state.gap - state.travelled;
+  const double clearance = radius + state.gap - state.displacement_bound;
   if (state.started && !(motion < clearance)) {
     if (!state.kept)
       throw ContactError("contact: skin and sphere moved " + detail::text(motion) +
@@ -121,7 +121,7 @@ void ContactModel::follow(ContactState& state, const Nodes& nodes, const Vector3
                          " m were expected: too far to tell whether the centre crossed the skin");
     detail::sweep_centre_path(triangles_, radius, nodes, centre, state);
   }
-  state.travelled += kRounding * motion;
+  state.displacement_bound += kRounding * motion;
   state.told = ContactState::kNotTold;
   state.shift = centre - state.centre;
   state.centre = centre;
@@ -137,7 +137,7 @@ void ContactModel::follow(ContactState& state, const Nodes& nodes, const Vector3
 // The positions that the next call may need: for its sweep if the motion ahead may be too long for the
 // certificate, and for the skin's motion under bristles.
 void ContactModel::keep(ContactState& state, const Nodes& nodes) const {
-  const double clearance = parameters_.sphere_radius + state.gap - state.travelled;
+  const double clearance = parameters_.sphere_radius + state.gap - state.displacement_bound;
   const bool certain = state.ahead > 0.0 && state.ahead < clearance;
   state.expected = state.ahead;
   state.kept = !certain || !state.bristles.empty();

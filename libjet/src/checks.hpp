@@ -5,7 +5,7 @@
 #include <string>
 
 #include "jet/visibility.hpp"
-#include "surface.hpp"
+#include "visibility/surface.hpp"
 
 namespace jet {
 

@@ -40,7 +40,7 @@ struct FieldArrays {
   bool relative_to_skin;
   const std::uint8_t* loaded;  // bits of groups of four: elements that take load
   int count;                   // elements
-  double travelled;            // [m]
+  double displacement_bound;            // [m]
   double* slack;               // [m] see FieldState
   std::uint8_t* inside;        // see FieldState
   double velocity, factor;     // [m/s] V0, [kg/m3] (1 + e) rho0
@@ -84,7 +84,7 @@ struct RayArrays {
 };
 
 /// Slopes u/w (v/w, or v of a line of sources) of the rays, with their errors.
-struct RayBounds {
+struct Frustum {
   float low_u, high_u, low_v, high_v;
 };
 
@@ -100,7 +100,7 @@ struct PatchArrays {
   int outside;                // bits of a code that keep an element out
   const std::uint8_t* asked;  // by patch of the mesh: elements that have rays
   float error;                // absolute part of the bound of the orientation
-  float way_u, way_v;         // of a line from a source: its slopes, or slope across and place along the line
+  float winding_u, winding_v;         // of a line from a source: its slopes, or slope across and place along the line
   int* near;                  // those of `patches` that rays can meet; may be the same array
   float* boxes;               // of their elements, kBoxFloats each; behind the mesh's last, of that one
   float* targets;             // rows of the patches near that have rays
@@ -109,13 +109,13 @@ struct PatchArrays {
   std::uint8_t *inner, *outer, *not_inner;
   int* uncertain;  // list of those near that may show either side
   int* between;    // near, may lie between two sources
-  int* on_way;     // near, may touch the way
-  int* aside;      // asked, but with rays that are not certainly downstream
+  int* on_winding_ray;     // near, may touch the winding ray
+  int* upstream;      // asked, but with rays that are not certainly downstream
 };
 struct PatchesFound {
-  int near, uncertain, between, on_way, aside;  // lengths of the lists
+  int near, uncertain, between, on_winding_ray, upstream;  // lengths of the lists
   int asked;                                    // patches near that have rays
-  RayBounds bounds;                             // of the rays not aside
+  Frustum bounds;                             // of the rays not aside
 };
 
 /// Boxes of patches, see PatchArrays.
@@ -178,8 +178,8 @@ struct KernelTable {
   /// Local coordinates, and codes in their rows, of `count` nodes listed, a multiple of eight.
   ProjectFlags (*project_listed)(const ProjectArrays&, int count);
   /// Bounds of the rays to the centroids of `count` elements, of those that are certainly downstream.
-  RayBounds (*bound_rays)(const ProjectArrays&, float half_long, int count);
-  PatchesFound (*look_at_patches)(const PatchArrays&);
+  Frustum (*frustum_of)(const ProjectArrays&, float half_long, int count);
+  PatchesFound (*classify_patches)(const PatchArrays&);
   /// Places of the bits of `count` bytes, a multiple of 32: their number. Room for eight more.
   int (*list_bits)(const std::uint8_t* bytes, int count, int* places);
   /// Of these patches those with elements `chosen`, bits by patch of the mesh, to `patches`: their number.

@@ -108,19 +108,19 @@ TEST(field, groups_keep_their_side_of_the_jet_only_while_none_can_cross) {
     const std::vector<int> null = {7, 800, 801};
     const jet::JetField field(model, count, null);
     jet::FieldState carried = field.make_state(), fresh = field.make_state();
-    double travelled = random(0.0, 3.0);
+    double displacement_bound = random(0.0, 3.0);
     std::size_t kept_inside = 0, crossings = 0;
     for (int step = 0; step < 80; ++step) {
       const std::vector<int> before = carried.candidates;
       const std::vector<double> slack = carried.slack;
-      field.evaluate(areas, centroids, kOutlet, carried, nullptr, travelled);
+      field.evaluate(areas, centroids, kOutlet, carried, nullptr, displacement_bound);
       field.evaluate(areas, centroids, kOutlet, fresh);
       ASSERT_EQ(carried.candidates, fresh.candidates);
       ASSERT_EQ(carried.overpressure, fresh.overpressure);
       crossings += carried.candidates != before;
-      for (std::size_t g = 0; g < groups; ++g) kept_inside += carried.inside[g] != 0 && travelled < slack[g];
+      for (std::size_t g = 0; g < groups; ++g) kept_inside += carried.inside[g] != 0 && displacement_bound < slack[g];
       const double stride = random(0.0, 0.006);
-      travelled += stride;
+      displacement_bound += stride;
       centroids += (1.0 - 1e-9) * stride * ways;
     }
     EXPECT_GT(kept_inside, 500u) << "nothing is shown where every group is looked at";
@@ -139,10 +139,10 @@ TEST(field, point_that_is_no_number_is_found_inside_and_forgotten_with_its_group
     ASSERT_GT(state.slack[0], 0.001);
     target.centroids(1, e) = std::numeric_limits<double>::quiet_NaN();
     // Its group need not be looked at, then it must be.
-    for (const double travelled : {0.0, 1.0}) {
-      EXPECT_THROW(field.evaluate(target.area_vectors, target.centroids, kOutlet, state, nullptr, travelled),
+    for (const double displacement_bound : {0.0, 1.0}) {
+      EXPECT_THROW(field.evaluate(target.area_vectors, target.centroids, kOutlet, state, nullptr, displacement_bound),
                    jet::DomainError);
-      EXPECT_EQ(state.slack[0] > travelled, travelled == 0.0);
+      EXPECT_EQ(state.slack[0] > displacement_bound, displacement_bound == 0.0);
     }
     target.centroids.col(e) = sound.centroids.col(e) - 9.0 * models::kAxis;
     field.evaluate(target.area_vectors, target.centroids, kOutlet, state, nullptr, 1.0);

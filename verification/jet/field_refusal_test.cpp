@@ -16,22 +16,22 @@ TEST(field, refused_evaluation_leaves_no_overpressure) {
   const jet::JetModel model = models::round(0.05, 0.08);
   const plates::Target near = models::normal_plate(0.2, 0.001, 4), far = models::normal_plate(-9.0, 0.001, 4);
   const jet::JetField field(model, near.count());
-  for (const double travelled : {jet::kMotionUnknown, 0.0}) {
+  for (const double displacement_bound : {jet::kMotionUnknown, 0.0}) {
     for (int e = 0; e < near.count(); ++e) {
       jet::FieldState state = field.make_state(), fresh = field.make_state();
       field.evaluate(near.area_vectors, near.centroids, models::kOutlet, fresh);
       ASSERT_FALSE(fresh.candidates.empty());
       Eigen::Matrix3Xd broken = near.area_vectors;
       broken(2, e) = std::numeric_limits<double>::quiet_NaN();
-      EXPECT_THROW(field.evaluate(broken, near.centroids, models::kOutlet, state, nullptr, travelled),
+      EXPECT_THROW(field.evaluate(broken, near.centroids, models::kOutlet, state, nullptr, displacement_bound),
                    jet::DomainError);
       EXPECT_TRUE(state.candidates.empty());
       EXPECT_EQ(std::count(state.overpressure.begin(), state.overpressure.end(), 0.0), near.count());
       jet::FieldState again = state;
-      field.evaluate(near.area_vectors, near.centroids, models::kOutlet, again, nullptr, travelled);
+      field.evaluate(near.area_vectors, near.centroids, models::kOutlet, again, nullptr, displacement_bound);
       EXPECT_EQ(again.candidates, fresh.candidates);
       EXPECT_EQ(again.overpressure, fresh.overpressure);
-      field.evaluate(far.area_vectors, far.centroids, models::kOutlet, state, nullptr, travelled + 20.0);
+      field.evaluate(far.area_vectors, far.centroids, models::kOutlet, state, nullptr, displacement_bound + 20.0);
       EXPECT_TRUE(state.candidates.empty());
       EXPECT_EQ(std::count(state.overpressure.begin(), state.overpressure.end(), 0.0), near.count());
     }

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "kernel_table.hpp"
-#include "pyramid.hpp"
+#include "visibility/pyramid.hpp"
 
 namespace {
 
@@ -34,7 +34,7 @@ TEST(kernels, bounds_of_rays_from_a_line_follow_its_ends) {
           for (int i = 0; i < 3; ++i) a.column[i][i] = 1.0;
           a.triangles = triangle;
           a.elements = element;
-          const jet::RayBounds found = kernels->bound_rays(a, static_cast<float>(half_long), 1);
+          const jet::Frustum found = kernels->frustum_of(a, static_cast<float>(half_long), 1);
           const double way = 2.0 * (v - from) / std::max(w, std::abs(u)), margin = 2e-5 / (w + std::abs(u));
           EXPECT_LE(found.low_v, from + std::min(way, 0.0));
           EXPECT_GE(found.high_v, from + std::max(way, 0.0));
@@ -79,9 +79,9 @@ TEST(kernels, rays_with_many_blocks_in_their_way_part) {
     jet::Pyramid pyramid;
     pyramid.reserve(patches.size());
     std::vector<std::uint8_t> asked(patches.size()), inner(asked), outer(asked), not_inner(asked);
-    std::vector<int> near(patches), uncertain(8 * patches.size() + 8), between(uncertain), on_way(uncertain);
+    std::vector<int> near(patches), uncertain(8 * patches.size() + 8), between(uncertain), on_winding_ray(uncertain);
     EXPECT_EQ(kernels
-                  ->look_at_patches({local.data(),
+                  ->classify_patches({local.data(),
                                      0.0f,
                                      corner_rows.data(),
                                      8 * blocks,
@@ -100,7 +100,7 @@ TEST(kernels, rays_with_many_blocks_in_their_way_part) {
                                      not_inner.data(),
                                      uncertain.data(),
                                      between.data(),
-                                     on_way.data(),
+                                     on_winding_ray.data(),
                                      nullptr})
                   .near,
               blocks);
@@ -151,9 +151,9 @@ TEST(kernels, element_is_not_in_the_way_to_itself) {
     pyramid.reserve(1);
     const std::uint8_t asked[1] = {0};
     std::uint8_t inner[1], outer[1], not_inner[1];
-    int near[1], uncertain[16], between[16], on_way[16];
+    int near[1], uncertain[16], between[16], on_winding_ray[16];
     ASSERT_EQ(kernels
-                  ->look_at_patches({local.data(),
+                  ->classify_patches({local.data(),
                                      0.0f,
                                      corner_rows.data(),
                                      8,
@@ -172,7 +172,7 @@ TEST(kernels, element_is_not_in_the_way_to_itself) {
                                      not_inner,
                                      uncertain,
                                      between,
-                                     on_way,
+                                     on_winding_ray,
                                      nullptr})
                   .near,
               1);

@@ -125,12 +125,12 @@ TEST(kernels, profile_eq_exponential) {
 struct Looked {
   std::vector<float> local, targets, boxes, chosen_boxes, merged, bounds;
   std::vector<std::uint8_t> inner, outer, not_inner, blocked, pierced, apart, missed;
-  std::vector<int> near, uncertain, between, on_way, aside, chosen, pairs;
+  std::vector<int> near, uncertain, between, on_winding_ray, upstream, chosen, pairs;
   std::vector<std::int32_t> codes;
   bool operator==(const Looked&) const = default;
 };
 
-void append(const jet::RayBounds& b, std::vector<float>& to) {
+void append(const jet::Frustum& b, std::vector<float>& to) {
   to.insert(to.end(), {b.low_u, b.high_u, b.low_v, b.high_v});
 }
 
@@ -151,7 +151,7 @@ void project(const jet::KernelTable& kernels, const Mesh& mesh, const Eigen::Mat
   for (int i = 0; i < 3; ++i) a.column[i][(i + 1) % 3] = 0.25;
   const jet::ProjectFlags flags = kernels.project_nodes(a);
   EXPECT_FALSE(flags.outside || flags.small || flags.tiny);
-  append(kernels.bound_rays(a, half_long, static_cast<int>(elements.size())), p.bounds);
+  append(kernels.frustum_of(a, half_long, static_cast<int>(elements.size())), p.bounds);
 }
 
 /// All that the fast route asks of its kernels, with all elements in all roles.
@@ -176,12 +176,12 @@ Looked look(const jet::KernelTable& kernels, const Mesh& mesh, float half_long) 
   p.chosen_boxes = p.boxes;
   p.merged.resize(jet::kBoxFloats * (patches / 8 + 1));
   p.inner = p.outer = p.not_inner = p.blocked = p.pierced = p.apart = p.missed = bytes();
-  p.near = p.uncertain = p.between = p.on_way = p.aside = p.chosen = places();
+  p.near = p.uncertain = p.between = p.on_winding_ray = p.upstream = p.chosen = places();
   project(kernels, mesh, triangles, all, half_long, p);
   const int n = static_cast<int>(count);
   const std::vector<std::uint8_t> asked(patches, 0xd7);
   const float wide = 1e-4f;  // bound of the orientation: some sides stay open
-  const jet::PatchesFound found = kernels.look_at_patches({p.local.data(),
+  const jet::PatchesFound found = kernels.classify_patches({p.local.data(),
                                                            half_long,
                                                            corner_rows.data(),
                                                            n,
@@ -200,18 +200,18 @@ Looked look(const jet::KernelTable& kernels, const Mesh& mesh, float half_long) 
                                                            p.not_inner.data(),
                                                            p.uncertain.data(),
                                                            p.between.data(),
-                                                           p.on_way.data(),
-                                                           p.aside.data()});
+                                                           p.on_winding_ray.data(),
+                                                           p.upstream.data()});
   EXPECT_EQ(found.asked, found.near);
   EXPECT_GE(found.near, 8);  // as many blocks as are met below
   EXPECT_LT(found.near, n / 8);
   EXPECT_GT(found.uncertain, 0);
-  EXPECT_GT(found.on_way, 0);
+  EXPECT_GT(found.on_winding_ray, 0);
   p.near.resize(static_cast<std::size_t>(found.near));
   p.uncertain.resize(static_cast<std::size_t>(found.uncertain));
   p.between.resize(static_cast<std::size_t>(found.between));
-  p.on_way.resize(static_cast<std::size_t>(found.on_way));
-  p.aside.resize(static_cast<std::size_t>(found.aside));
+  p.on_winding_ray.resize(static_cast<std::size_t>(found.on_winding_ray));
+  p.upstream.resize(static_cast<std::size_t>(found.upstream));
   append(found.bounds, p.bounds);
   kernels.meet_pairs({p.targets.data(), p.local.data(), half_long, corner_rows.data(), all.data(),
                       all.data() + 8, p.blocked.data(), p.pierced.data(), p.apart.data(), p.missed.data()},

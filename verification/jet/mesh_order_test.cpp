@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // The order of a mesh in which neighbours follow each other, the patches of eight in it, and their nodes.
-#include "mesh_order.hpp"
+#include "visibility/mesh_order.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "close_set.hpp"
+#include "visibility/close_set.hpp"
 #include "scenes.hpp"
 
 namespace {

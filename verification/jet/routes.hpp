@@ -90,10 +90,10 @@ struct Carried {
       : query(mesh.triangles(), static_cast<int>(mesh.nodes.size())), hidden(0), candidates(0) {}
 
   void step(const scenes::Mesh& mesh, const jet::RaySource& source, const std::vector<int>& chosen,
-            double travelled = jet::kMotionUnknown) {
+            double displacement_bound = jet::kMotionUnknown) {
     Mask lit(chosen.size());
     const auto counters =
-        query.query(jet::VisibilityRoute::fast, mesh.points(), source, chosen, lit, travelled);
+        query.query(jet::VisibilityRoute::fast, mesh.points(), source, chosen, lit, displacement_bound);
     const auto truth = ask(jet::VisibilityRoute::brute_force, mesh, source, chosen);
     EXPECT_EQ(lit, truth.lit);
     EXPECT_EQ(lit, ask(jet::VisibilityRoute::fast, mesh, source, chosen).lit);

@@ -37,18 +37,18 @@ TEST(motion, rays_that_leave_the_bounds_of_the_last_query_meet_what_is_beyond_th
     };
     Mesh mesh = scene(1.0, 0.7);
     Carried carried(mesh);
-    double travelled = 0.0, width = 1.0;
+    double displacement_bound = 0.0, width = 1.0;
     std::size_t hidden = 0;
     for (int step = 0; step < 12; ++step) {
       const std::size_t before = carried.hidden;
-      carried.step(mesh, source, chosen, travelled);
+      carried.step(mesh, source, chosen, displacement_bound);
       if (step % 4 == 3) hidden += carried.hidden - before;
       width *= step % 4 == 2 ? 1.2 : 1.001;
       const Mesh next = scene(width, step % 4 == 2 ? 1.0 : 0.7);
       double farthest = 0.0;
       for (std::size_t i = 0; i < mesh.nodes.size(); ++i)
         farthest = std::max(farthest, (next.nodes[i] - mesh.nodes[i]).norm());
-      travelled += 1.001 * farthest;
+      displacement_bound += 1.001 * farthest;
       mesh = next;
     }
     EXPECT_GT(hidden, 3 * chosen.size() / 2) << "most must be hidden as they leave";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The fast route with the candidates of a jet: all rays in a cone, so that its funnel and its boxes are at
+// The fast route with the candidates of a jet: all rays in a cone, so that its frustum and its boxes are at
 // work.
 #include <gtest/gtest.h>
 

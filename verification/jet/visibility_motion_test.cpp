@@ -80,7 +80,7 @@ TEST(motion, what_flies_into_the_rays_is_seen_though_far_nodes_are_not_looked_at
 }
 
 /// Nodes that a query refuses when they are no number any more, of every 37th.
-std::size_t refused(double travelled, double before = 1e-3) {
+std::size_t refused(double displacement_bound, double before = 1e-3) {
   const Mesh mesh = scenes::star(4, 0.1, 43);
   const auto source = routes::point({0, 0, 0}, {0, 0, 1});
   const std::vector<int> chosen = routes::in_cone(mesh, source, 0.9);
@@ -97,7 +97,7 @@ std::size_t refused(double travelled, double before = 1e-3) {
     ask(mesh, 1e-3);
     ask(mesh, before);
     try {
-      ask(poisoned, travelled);
+      ask(poisoned, displacement_bound);
     } catch (const std::invalid_argument&) {
       ++count;
     }
@@ -153,7 +153,7 @@ TEST(motion, every_query_says_how_far_nodes_moved) {
   // A blade that was far from the rays is put among them; the query after it may be any that can be asked.
   using Route = jet::VisibilityRoute;
   const auto source = routes::point({0, 0, -0.2}, {0, 0, 1});
-  for (const double travelled : {jet::kMotionUnknown, 0.0}) {
+  for (const double displacement_bound : {jet::kMotionUnknown, 0.0}) {
     for (const Route route : routes::kAll) {
       for (const int candidates : {-1, 0, 1}) {  // refused, none, some
         Mesh mesh = scenes::star(3, 0.1, 41), blade = scenes::scaled(scenes::octahedron(), 0.12);
@@ -169,7 +169,7 @@ TEST(motion, every_query_says_how_far_nodes_moved) {
         const std::vector<int> between(static_cast<std::size_t>(std::abs(candidates)),
                                        candidates < 0 ? -1 : chosen.front());
         routes::Mask lit(between.size());
-        const auto ask = [&] { carried.query.query(route, mesh.points(), source, between, lit, travelled); };
+        const auto ask = [&] { carried.query.query(route, mesh.points(), source, between, lit, displacement_bound); };
         if (candidates < 0) {
           EXPECT_THROW(ask(), std::invalid_argument);
         } else {
@@ -190,9 +190,9 @@ TEST(motion, nodes_near_the_rays_may_pass_below_the_range_between_two_looks) {
   const auto source = routes::point({0.011, 0.013, -0.2}, {0, 0, 1});
   const std::vector<int> chosen = routes::in_cone(mesh, source, 0.97);
   jet::VisibilityQuery query(mesh.triangles(), static_cast<int>(mesh.nodes.size()));
-  const auto ask = [&](const Mesh& now, double travelled) {
+  const auto ask = [&](const Mesh& now, double displacement_bound) {
     routes::Mask lit(chosen.size());
-    query.query(jet::VisibilityRoute::fast, now.points(), source, chosen, lit, travelled);
+    query.query(jet::VisibilityRoute::fast, now.points(), source, chosen, lit, displacement_bound);
     return lit;
   };
   const routes::Mask lit = ask(mesh, 0.0);

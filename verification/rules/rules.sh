@@ -79,8 +79,8 @@ rule_include_rule() {
     ((${#list[@]} == 0)) || code_matches "\\b($other)::" "${list[@]}" | sed 's/$/   (names another library)/'
     code_matches "\\b(gasjet::|gasjet_|lib)($other)\\b" "lib$name/CMakeLists.txt" | sed 's/$/   (links another library)/'
   done
-  mapfile -t list < <(cpp_files | grep -vE '^(libjet/src/[^/]*\.cpp|verification/|benchmarks/)')
-  includes "${list[@]}" | { grep '<CGAL/' || true; } | sed 's|$|> (CGAL belongs in libjet/src/*.cpp)|'
+  mapfile -t list < <(cpp_files | grep -vE '^(libjet/src/.*\.cpp|verification/|benchmarks/)')
+  includes "${list[@]}" | { grep '<CGAL/' || true; } | sed 's|$|> (CGAL belongs in .cpp files of libjet/src)|'
 }
 
 rule_spdx() {

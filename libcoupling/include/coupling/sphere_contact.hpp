@@ -64,12 +64,12 @@ struct ContactState {
   Eigen::Matrix3Xd nodes;                            // (3 x N) [m] at the last call, if kept
   bool kept = false;                                 // a step may come that needs them
   bool started = false;                              // false: no last call
-  double travelled = 0.0;                            // [m] bound of the relative motion since the first call
+  double displacement_bound = 0.0;                            // [m] bound of the relative motion since the first call
   double told = kNotTold;                            // [m] motion since the last level, by stays_clear
   double ahead = 0.0;                                // [m] motion that has to fit into the gap
   double expected = 0.0;                             // [m] that of the last level, without which nodes are kept
-  double gap = 0.0;                 // [m] nothing touches while travelled is below: least slack
-  std::vector<double> slack;        // (M) [m] by place in the groups: cannot touch while travelled is below
+  double gap = 0.0;                 // [m] nothing touches while displacement_bound is below: least slack
+  std::vector<double> slack;        // (M) [m] by place in the groups: cannot touch while displacement_bound is below
   std::vector<double> group_slack;  // (groups) [m] least of each, or less
   std::vector<int> near;            // elements that overlap the sphere, ascending
   int nearest = 0;                  // an element within `ahead` at the last level that had one
@@ -119,7 +119,7 @@ class ContactModel {
   bool stays_clear(ContactState& state, double motion, double ahead = 0.0) const;
 
   // Lower bound of the relative motion before anything touches [m]; 0 in touch.
-  static double free_gap(const ContactState& state) { return std::max(0.0, state.gap - state.travelled); }
+  static double free_gap(const ContactState& state) { return std::max(0.0, state.gap - state.displacement_bound); }
 
   // (K.12) with the whole skin in touch: the bound of every level's omega_squared_skin [1/s2]. A step that
   // the points now in touch allow is too long for those that it brings into touch.

@@ -19,9 +19,9 @@ struct JetShape;
 struct FieldState {
   std::vector<double> overpressure;    // [Pa] M, dp of each element; zero off the candidates
   std::vector<int> candidates;         // elements inside the jet, facing it, above the cut-off; ascending
-  double travelled = kMotionUnknown;   // [m] as of the last call
+  double displacement_bound = kMotionUnknown;   // [m] as of the last call
   std::vector<std::uint8_t> inside{};  // bits of groups of four elements: inside the jet, and take load
-  std::vector<double> slack{};         // [m] by group: they stay so while travelled is below
+  std::vector<double> slack{};         // [m] by group: they stay so while displacement_bound is below
   std::vector<int> selected{};         // workspace of the choice of candidates
 };
 
@@ -42,7 +42,7 @@ class JetField {
   /// Overpressure dp = (1 + e) rho0 max(V . n, 0)^2 (J.6), V at the centroid, n the unit vector of the area
   /// vector. `area_vectors` [m2] and `centroids` [m], 3 x M, outward. A candidate has V . n > 0 and an
   /// area > 0, and its centroid lies strictly downstream of the outlet's plane (z > 0) and within the
-  /// cut-off. Without flow (density or velocity 0) there is none. `travelled` [m]: between two calls no
+  /// cut-off. Without flow (density or velocity 0) there is none. `displacement_bound` [m]: between two calls no
   /// centroid moves farther than it grows by. Elements that cannot have crossed a bound of the jet are not
   /// looked at; the results are the same. Without it, and whenever it decreases, all are looked at.
   /// `velocities` [m/s] 3 x M of the elements' centroids is read if the model says relative_to_skin: then
@@ -51,7 +51,7 @@ class JetField {
   /// overpressure is not finite.
   void evaluate(const Points& area_vectors, const Points& centroids, const OutletState& outlet,
                 FieldState& state, const Points* velocities = nullptr,
-                double travelled = kMotionUnknown) const;
+                double displacement_bound = kMotionUnknown) const;
 
  private:
   void take_no_load(int element);

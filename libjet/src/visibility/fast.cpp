@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "fast.hpp"
+#include "visibility/fast.hpp"
 
 #include <algorithm>
 #include <bit>
 #include <cstring>
 
 #include "bits.hpp"
-#include "sides.hpp"
-#include "winding.hpp"
+#include "visibility/sides.hpp"
+#include "visibility/winding.hpp"
 
 namespace jet {
 
@@ -18,9 +18,9 @@ void FastRoute::prepare(std::span<const Triangle> triangles, std::size_t node_co
   rays_.reserve(mesh_, node_count);
   const std::size_t patches = rays_.asked().size(), elements = 8 * patches;
   open_.reserve(elements);
-  for (auto* places : {&again_, &again_by_})
+  for (auto* places : {&cached_rays_, &cached_elements_})
     places->resize(2 * elements + 1);  // by what hid them, what opened them
-  for (auto* met : {&hidden_, &last_hidden_, &met_, &last_met_}) met->reserve(elements);
+  for (auto* met : {&blockers_, &cached_blockers_, &openers_, &cached_openers_}) met->reserve(elements);
   for (auto* bytes : {&alive_, &chosen_}) bytes->resize(patches);
   for (auto* bytes : {&blocked_, &pierced_, &apart_, &missed_}) bytes->resize(2 * patches);
   listed_.resize(elements + 8);
@@ -38,13 +38,13 @@ VisibilityCounters FastRoute::query(const Surface& surface, const RaySource& sou
   std::fill(states_.begin(), states_.end(), kLit);
   std::copy(rays_.asked().begin(), rays_.asked().end(), alive_.begin());
   open_.clear();
-  using Known = RayBundle::Bounds;
-  bounded_ = find_near(Known::last) || find_near(Known::close) || find_near(Known::fresh);
+  bounded_ = (rays_.project_expected() && find_near()) || (rays_.project_chosen() && find_near()) ||
+             (rays_.project_fresh() && find_near());
   if (!bounded_) rays_.do_without();
-  bounded_ ? look() : look_at_all();
+  bounded_ ? classify_near() : classify_all();
   const bool certain = closed_ && shared_ && winding_is_one();
   std::size_t fallbacks = open_uncertain(certain), trees = 0;
-  if (bounded_) meet_again();
+  if (bounded_) test_cached_blockers();
   if (certain) fallbacks += open_near_away();
   if (bounded_) {
     search();
@@ -95,21 +95,20 @@ VisibilityCounters FastRoute::count(std::span<std::uint8_t> lit) const {
   return counters;
 }
 
-bool FastRoute::find_near(RayBundle::Bounds known) {
-  if (!rays_.project(known)) return false;
+bool FastRoute::find_near() {
   near_.find(rays_);
-  return rays_.accept(near_.found(), near_.patches(), near_.aside());
+  return rays_.accept(near_.found(), near_.patches(), near_.upstream());
 }
 
 // Of the elements near the rays that may show either side, those that face all sources are sorted out.
-void FastRoute::look() {
+void FastRoute::classify_near() {
   shared_ = true;
   for (const int place : near_.uncertain())
     if (!may_face_away(element(place))) near_.rule_out_outer_side(place);
   for (const int place : near_.between()) shared_ = shared_ && !between_sources(element(place));
 }
 
-void FastRoute::look_at_all() {
+void FastRoute::classify_all() {
   any_away_ = false;
   shared_ = true;
   for (int place = 0; place < surface_.count; ++place) {
@@ -165,8 +164,8 @@ bool FastRoute::winding_is_one() {
   if (bounded_) {
     int sum = 0;
     bool generic = true;
-    for (const int place : near_.on_way()) {
-      const auto part = winding::crossing(kernel_, rays_.way(), surface_, element(place));
+    for (const int place : near_.on_winding_ray()) {
+      const auto part = winding::crossing(kernel_, rays_.winding_ray(), surface_, element(place));
       generic = generic && part.has_value();
       sum += part.value_or(0);
     }
@@ -195,7 +194,7 @@ std::size_t FastRoute::open_uncertain(bool certain) {
       set(place, kOpen);
     }
   }
-  for (const int place : rays_.aside)  // elements beside the other rays were not looked at
+  for (const int place : rays_.upstream)  // elements beside the other rays were not looked at
     if (state(place) == kLit) set(place, kOpen);
   return open_.size();
 }

@@ -7,9 +7,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "blocking.hpp"
-#include "filter.hpp"
-#include "surface.hpp"
+#include "visibility/blocking.hpp"
+#include "visibility/filter.hpp"
+#include "visibility/surface.hpp"
 
 namespace jet {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "mesh_order.hpp"
+#include "visibility/mesh_order.hpp"
 
 #include <algorithm>
 #include <numeric>

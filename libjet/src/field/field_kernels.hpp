@@ -3,7 +3,7 @@
 #pragma once
 
 #include "floats.hpp"
-#include "profile.hpp"
+#include "field/profile.hpp"
 
 namespace jet::JET_KERNELS {
 
@@ -61,19 +61,19 @@ template <bool round>
 inline void look_at_groups(const JetShape& given, const FieldArrays& a, int begin, int count, int* list) {
   const JetShape jet = given;  // a copy, which what is stored cannot change
   const Rows centroids = a.centroids;
-  const Lanes travelled(a.travelled);
+  const Lanes displacement_bound(a.displacement_bound);
   double* slack = a.slack + begin;
   int open = 0;
   for (int g = 0; g < count; g += 8) {
     const unsigned clear =
-        bits(travelled < Lanes::load(slack + g)) | bits(travelled < Lanes::load(slack + g + 4)) << 4;
+        bits(displacement_bound < Lanes::load(slack + g)) | bits(displacement_bound < Lanes::load(slack + g + 4)) << 4;
     open += append_bits(~clear & 0xffu, begin + g, list + open);
   }
   while (open > 0 && list[open - 1] >= begin + count) --open;  // behind the last
   for (int i = 0; i < open; ++i) {
     const int group = list[i];
     const Inside now = inside<round>(jet, four_rows(centroids, 4 * group));
-    a.slack[group] = a.travelled + now.slack;
+    a.slack[group] = a.displacement_bound + now.slack;
     a.inside[group] = static_cast<std::uint8_t>(now.points & a.loaded[group]);
   }
 }

@@ -10,7 +10,7 @@
 
 #include "bits.hpp"
 #include "jet/centreline.hpp"
-#include "outline.hpp"
+#include "field/outline.hpp"
 
 namespace jet {
 namespace {
@@ -115,10 +115,10 @@ void JetField::reset(FieldState& state) const {
 }
 
 void JetField::evaluate(const Points& area_vectors, const Points& centroids, const OutletState& outlet,
-                        FieldState& state, const Points* velocities, double travelled) const {
+                        FieldState& state, const Points* velocities, double displacement_bound) const {
   // Refused or not, the elements may have moved.
-  if (!(travelled >= state.travelled)) std::fill(state.slack.begin(), state.slack.end(), -HUGE_VAL);
-  state.travelled = travelled;
+  if (!(displacement_bound >= state.displacement_bound)) std::fill(state.slack.begin(), state.slack.end(), -HUGE_VAL);
+  state.displacement_bound = displacement_bound;
   require_columns("area_vectors", area_vectors.cols(), element_count_);
   require_columns("centroids", centroids.cols(), element_count_);
   require_velocities(model_, velocities, element_count_);
@@ -131,7 +131,7 @@ void JetField::evaluate(const Points& area_vectors, const Points& centroids, con
   if (model_.relative_to_skin) arrays.velocities = rows(*velocities);
   arrays.loaded = loaded_.data();
   arrays.count = element_count_;
-  arrays.travelled = travelled;
+  arrays.displacement_bound = displacement_bound;
   arrays.slack = state.slack.data();
   arrays.inside = state.inside.data();
   arrays.velocity = outlet.velocity;

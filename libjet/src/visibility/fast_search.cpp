@@ -2,9 +2,9 @@
 // The fast route, second part: rays that meet elements facing away, and the whole rule for those left open.
 #include <algorithm>
 
-#include "fast.hpp"
-#include "sides.hpp"
-#include "tree.hpp"
+#include "visibility/fast.hpp"
+#include "visibility/sides.hpp"
+#include "visibility/tree.hpp"
 
 namespace jet {
 
@@ -38,7 +38,7 @@ void FastRoute::meet_away(int ray, int by, Touch touch) {
 
 // Open rays against the elements that can be on them.
 void FastRoute::search() {
-  if (!rays_.aside.empty()) search_aside();
+  if (!rays_.upstream.empty()) search_upstream();
   std::fill(chosen_.begin(), chosen_.end(), std::uint8_t{0});
   for (const int ray : open_) {
     std::uint8_t& bits = chosen_[static_cast<std::size_t>(ray / 8)];
@@ -58,50 +58,50 @@ void FastRoute::search() {
 
 void FastRoute::hide(int ray, int by) {
   set(ray, kHidden);
-  hidden_.push_back({ray, by});
+  blockers_.push_back({ray, by});
 }
 
 void FastRoute::open(int ray, int by) {
   set(ray, kOpen);
-  met_.push_back({ray, by});
+  openers_.push_back({ray, by});
 }
 
 // What blocked an element's ray at the last query often blocks it again, and what opened it opens it again. A
 // ray opened in vain costs a search, so that is not asked exactly.
-void FastRoute::meet_again() {
-  std::swap(hidden_, last_hidden_);
-  std::swap(met_, last_met_);
-  hidden_.clear();
-  met_.clear();
+void FastRoute::test_cached_blockers() {
+  std::swap(blockers_, cached_blockers_);
+  std::swap(openers_, cached_openers_);
+  blockers_.clear();
+  openers_.clear();
   std::size_t count = 0;
-  const auto ask_if = [&](int wanted, const Met& met) {  // no branch to predict
-    again_[count] = met.ray;
-    again_by_[count] = met.by;
+  const auto ask_if = [&](int wanted, const RayHit& hit) {  // no branch to predict
+    cached_rays_[count] = hit.ray;
+    cached_elements_[count] = hit.element;
     count += static_cast<std::size_t>(wanted);
   };
-  for (const Met& met : last_hidden_) ask_if(int{alive(met.ray)} & int{rays_.knows(met.by)}, met);
+  for (const RayHit& hit : cached_blockers_) ask_if(int{alive(hit.ray)} & int{rays_.knows(hit.element)}, hit);
   const std::size_t hidden = count;
-  for (const Met& met : last_met_) ask_if(int{alive(met.ray)} & int{near_.may_show_outer_side(met.by)}, met);
+  for (const RayHit& hit : cached_openers_) ask_if(int{alive(hit.ray)} & int{near_.may_show_outer_side(hit.element)}, hit);
   kernel_table().meet_pairs(
-      {rays_.targets(), rays_.local(), rays_.half_long(), mesh_.corner_rows.data(), again_.data(),
-       again_by_.data(), blocked_.data(), pierced_.data(), apart_.data(), missed_.data()},
+      {rays_.targets(), rays_.local(), rays_.half_long(), mesh_.corner_rows.data(), cached_rays_.data(),
+       cached_elements_.data(), blocked_.data(), pierced_.data(), apart_.data(), missed_.data()},
       static_cast<int>(count));
   const auto bit = [](const std::vector<std::uint8_t>& bits, std::size_t i) {
     return (bits[i / 8] >> i % 8 & 1u) != 0;
   };
   for (std::size_t i = 0; i < hidden; ++i) {
-    const int ray = again_[i], by = again_by_[i];
+    const int ray = cached_rays_[i], by = cached_elements_[i];
     if (bit(blocked_, i) ||
         (!bit(apart_, i) && blocking::blocks(kernel_, rays_.ray(ray), surface_, element(by))))
       hide(ray, by);
   }
   for (std::size_t i = hidden; i < count; ++i)
-    if (alive(again_[i]) && !bit(missed_, i)) open(again_[i], again_by_[i]);
+    if (alive(cached_rays_[i]) && !bit(missed_, i)) open(cached_rays_[i], cached_elements_[i]);
 }
 
 // The few rays without bounds, against all elements.
-void FastRoute::search_aside() {
-  for (const int place : rays_.aside) {
+void FastRoute::search_upstream() {
+  for (const int place : rays_.upstream) {
     if (state(place) != kOpen) continue;
     const blocking::Ray& ray = rays_.ray(place);
     state(place) = kLit;

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Exact winding number of a ray's source: outward minus inward crossings on the way to a point outside the
+// Exact winding number of a ray's source: outward minus inward crossings of the winding ray, to a point outside the
 // surface.
 #pragma once
 
 #include <optional>
 
-#include "blocking.hpp"
+#include "visibility/blocking.hpp"
 
 namespace jet::winding {
 
@@ -29,21 +29,21 @@ inline Box bounding_box(const Surface& surface) {
   return box;
 }
 
-/// Contribution of one element to the crossings; nullopt where the way to the far point is not generic.
+/// Contribution of one element to the crossings; nullopt where the winding ray is not generic.
 template <class Kernel>
-std::optional<int> crossing(Kernel& kernel, const blocking::Ray& way, const Surface& surface, int element) {
+std::optional<int> crossing(Kernel& kernel, const blocking::Ray& ray, const Surface& surface, int element) {
   const double *a = surface.corner(element, 0), *b = surface.corner(element, 1),
                *c = surface.corner(element, 2);
-  const int near = blocking::orientation_from_source(kernel, way, a, b, c);
-  const int far = kernel.orientation(way.target, a, b, c);
+  const int near = blocking::orientation_from_source(kernel, ray, a, b, c);
+  const int far = kernel.orientation(ray.target, a, b, c);
   if (near == 0) {
-    // In the plane: crossed only if the source stays on the element or the whole way lies in the plane.
-    if (kernel.moved(way) && exact::stays_on_triangle(way.source, way.axis, a, b, c)) return std::nullopt;
+    // In the plane: crossed only if the source stays on the element or the whole ray lies in the plane.
+    if (kernel.moved(ray) && exact::stays_on_triangle(ray.source, ray.axis, a, b, c)) return std::nullopt;
     if (far == 0 && !exact::collinear(a, b, c)) return std::nullopt;
     return 0;
   }
   if (near * far >= 0) return 0;
-  const blocking::Passage passage = blocking::passage(kernel, way, surface, element);
+  const blocking::Passage passage = blocking::passage(kernel, ray, surface, element);
   if (passage.pierces()) return near;
   if (passage.touches()) return std::nullopt;
   return 0;
@@ -70,13 +70,13 @@ inline bool far_point(const Box& box, int k, double* point) {
 /// holds it.
 template <class Kernel>
 std::optional<int> number(Kernel& kernel, const blocking::Ray& ray, const Surface& surface, const Box& box) {
-  blocking::Ray way = ray;
+  blocking::Ray winding_ray = ray;
   for (int k = 0; k < kDirections; ++k) {
-    if (!far_point(box, k, way.target)) continue;
+    if (!far_point(box, k, winding_ray.target)) continue;
     int sum = 0;
     bool generic = true;
     for (int e = 0; e < surface.count && generic; ++e) {
-      const std::optional<int> part = crossing(kernel, way, surface, e);
+      const std::optional<int> part = crossing(kernel, winding_ray, surface, e);
       generic = part.has_value();
       sum += part.value_or(0);
     }

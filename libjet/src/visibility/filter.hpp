@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "predicates.hpp"
+#include "visibility/predicates.hpp"
 
 namespace jet::filter {
 

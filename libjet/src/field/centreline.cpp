@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "jet/centreline.hpp"
 
-#include "centreline_formulas.hpp"
+#include "field/centreline_formulas.hpp"
 
 namespace jet {
 

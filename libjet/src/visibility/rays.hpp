@@ -10,11 +10,11 @@
 #include <span>
 #include <vector>
 
-#include "blocking.hpp"
-#include "close_set.hpp"
-#include "frame.hpp"
+#include "visibility/blocking.hpp"
+#include "visibility/close_set.hpp"
+#include "visibility/frame.hpp"
 #include "kernel_table.hpp"
-#include "mesh_order.hpp"
+#include "visibility/mesh_order.hpp"
 
 namespace jet {
 
@@ -22,18 +22,18 @@ class RayBundle {
  public:
   void reserve(const OrderedMesh& mesh, std::size_t node_count);
 
-  /// The nodes may have moved. `travelled`: see VisibilityQuery.
-  void move_to(double travelled);
+  /// The nodes may have moved. `displacement_bound`: see VisibilityQuery.
+  void move_to(double displacement_bound);
   /// One ray for each element that is asked about.
   void ask(const Surface& surface, const RaySource& source, std::span<const int> candidates);
 
-  /// How the rays' bounds are known before they are looked at: near to those of the last queries, within
-  /// those that nodes were chosen for, from their targets.
-  enum class Bounds { last, close, fresh };
-  /// Projects the nodes that rays in these bounds can come near to. False if the bounds are not known, or no
-  /// frame holds the nodes. Throws std::invalid_argument for coordinates out of range where they are looked
-  /// at, see VisibilityQuery.
-  bool project(Bounds known);
+  /// Project the nodes that rays in a frustum can come near to: that which the last two queries let expect, that
+  /// which the close set was chosen for, or that of the rays' targets. False if it is not known, or no frame holds
+  /// the nodes. Throw std::invalid_argument for coordinates out of range where they are looked at, see
+  /// VisibilityQuery.
+  bool project_expected();
+  bool project_chosen();
+  bool project_fresh();
   /// What was looked at holds all that the rays can meet, but those that are now aside and not too many.
   bool accept(const PatchesFound& found, std::span<const int> patches, std::span<const int> aside);
   /// The rays have no bounds: nothing but `size` is known. Throws as project().
@@ -43,15 +43,15 @@ class RayBundle {
   const blocking::Ray& ray(int place) const;
 
   /// From the source of a ray, moved, to a point outside the surface, within the rays' bounds.
-  const blocking::Ray& way() const { return way_; }
+  const blocking::Ray& winding_ray() const { return winding_ray_; }
   /// Its slopes, or slope across and place along the line.
-  float way_u() const { return static_cast<float>(way_u_); }
-  float way_v() const { return static_cast<float>(way_v_); }
+  float winding_u() const { return static_cast<float>(winding_u_); }
+  float winding_v() const { return static_cast<float>(winding_v_); }
 
   /// The element's nodes are projected; no ray can meet those of others.
   bool knows(int place) const { return !close_.any() || close_.has(static_cast<std::size_t>(place / 8)); }
 
-  /// Patches of the mesh, ascending: without them, rays and the way meet nothing. `out` has room for all.
+  /// Patches of the mesh, ascending: without them, rays and the winding ray meet nothing. `out` has room for all.
   std::span<const int> find_patches(std::span<int> out) const;
 
   std::span<const int> places() const { return given_; }          // in the order of those asked about
@@ -70,21 +70,22 @@ class RayBundle {
   int outside() const { return outside_; }  // bits of a code that keep an element out
 
   double size = 0.0;       // [m] bounds the magnitude of every coordinate of nodes and sources
-  std::vector<int> aside;  // places whose rays have no length or do not go downstream: not in the bounds
+  std::vector<int> upstream;  // places whose rays have no length or do not go downstream: not in the bounds
 
  private:
   static constexpr float kSteepest = 1e3f;  // steeper bounds keep out too little to be worth their margin
 
   std::size_t count_asked() const;
-  RayBounds with_new(const RayBounds& before);
-  bool project_fresh(bool rescaled);
+  Frustum with_new(const Frustum& before);
+  bool fits_range();
+  bool project_targets(bool rescaled);
   static bool fits(const ProjectFlags& flags, bool rescaled);
-  bool project_close(const RayBounds& bounds);
-  bool choose_close(const RayBounds& wide, bool rescaled);
+  bool project_close(const Frustum& bounds);
+  bool choose_close(const Frustum& wide, bool rescaled);
   void rescale();
   void set_arrays();
-  void set_way();
-  void set_sides(const RayBounds& bounds, double reach);
+  void set_winding_ray();
+  void set_sides(const Frustum& bounds, double reach);
   void set_side(int bit, double slope, double bound, double reach);
   int find_patches(int outside, int* patches) const;
 
@@ -99,12 +100,12 @@ class RayBundle {
   Frame frame_;
   bool has_frame_ = false;
   double scale_ = 0.0;  // [1/m] power of two that brings local coordinates below 1; kept for the next query
-  RayBounds bounds_{}, last_{}, before_{};
-  blocking::Ray way_{};
-  double way_u_ = 0.0, way_v_ = 0.0;
+  Frustum bounds_{}, last_{}, before_{};
+  blocking::Ray winding_ray_{};
+  double winding_u_ = 0.0, winding_v_ = 0.0;
   ProjectArrays arrays_{};
   int outside_ = 0;
-  double travelled_ = kMotionUnknown;  // [m] by the nodes
+  double displacement_bound_ = kMotionUnknown;  // [m] by the nodes
   double step_ = kMotionUnknown;       // [m] of it since the last query
   CloseSet close_;
   bool fresh_ = false;

@@ -2,7 +2,7 @@
 // Which rays and elements may touch: boxes first, then the signs with which a line passes the edges.
 #pragma once
 
-#include "box_kernels.hpp"
+#include "visibility/box_kernels.hpp"
 
 namespace jet::JET_KERNELS {
 

@@ -2,7 +2,7 @@
 // Eight rays at a time, and the elements that they may touch.
 #pragma once
 
-#include "touch_kernels.hpp"
+#include "visibility/touch_kernels.hpp"
 
 namespace jet::JET_KERNELS {
 

@@ -8,8 +8,8 @@
 #include <stdexcept>
 
 #include "jet/centreline.hpp"
-#include "outline.hpp"
-#include "profile.hpp"
+#include "field/outline.hpp"
+#include "field/profile.hpp"
 #include "refuse.hpp"
 
 namespace jet {

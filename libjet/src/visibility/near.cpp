@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "near.hpp"
+#include "visibility/near.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -14,7 +14,7 @@ void NearElements::reserve(const OrderedMesh& mesh) {
   patches_.resize(patches);
   outer_patches_.resize(patches);
   for (auto* bytes : {&inner_, &outer_, &not_inner_}) bytes->resize(set_bytes(patches));
-  for (auto* list : {&uncertain_, &between_, &on_way_, &aside_}) list->resize(8 * patches + 8);
+  for (auto* list : {&uncertain_, &between_, &on_winding_ray_, &upstream_}) list->resize(8 * patches + 8);
   boxes_.reserve(patches);
   outer_boxes_.reserve(patches);
   first_.resize(8 * patches + 8);
@@ -28,7 +28,7 @@ void NearElements::find(RayBundle& rays) {
   const std::span<const int> patches = rays.find_patches(patches_);
   for (auto* bytes : {&inner_, &outer_, &not_inner_})
     std::fill(bytes->begin(), bytes->end(), std::uint8_t{0});
-  found_ = kernel_table().look_at_patches({rays.local(),
+  found_ = kernel_table().classify_patches({rays.local(),
                                            rays.half_long(),
                                            mesh_->corner_rows.data(),
                                            static_cast<int>(mesh_->rank.size()),
@@ -37,8 +37,8 @@ void NearElements::find(RayBundle& rays) {
                                            rays.outside(),
                                            rays.asked().data(),
                                            rays.local_error(),
-                                           rays.way_u(),
-                                           rays.way_v(),
+                                           rays.winding_u(),
+                                           rays.winding_v(),
                                            patches_.data(),
                                            boxes_.boxes(),
                                            rays.targets(),
@@ -47,8 +47,8 @@ void NearElements::find(RayBundle& rays) {
                                            not_inner_.data(),
                                            uncertain_.data(),
                                            between_.data(),
-                                           on_way_.data(),
-                                           aside_.data()});
+                                           on_winding_ray_.data(),
+                                           upstream_.data()});
 }
 
 // Of the first rays of a list, eight at most: their number.

@@ -3,7 +3,7 @@
 // its margins cover. kUnit stands for twice the error of a local coordinate.
 #pragma once
 
-#include "project_kernels.hpp"
+#include "visibility/project_kernels.hpp"
 
 namespace jet::JET_KERNELS {
 
@@ -82,7 +82,7 @@ struct Bounds {
     v = grown(v, slope_v);
     return valid;
   }
-  RayBounds all() const {
+  Frustum all() const {
     return {least(u.low).v[0], greatest(u.high).v[0], least(v.low).v[0], greatest(v.high).v[0]};
   }
 };
@@ -91,10 +91,10 @@ struct Bounds {
   return ((Floats::Mask{} + static_cast<int>(bits)) & Floats::Mask{1, 2, 4, 8, 16, 32, 64, 128}) != 0;
 }
 
-inline RayBounds bound_rays(const ProjectArrays& arrays, float half_long, int count) {
+inline Frustum frustum_of(const ProjectArrays& arrays, float half_long, int count) {
   const ProjectArrays a = arrays;
   Bounds bounds;
-  constexpr float least_depth = 0.5f * kSlack;  // no ray is left out that look_at_patches takes in
+  constexpr float least_depth = 0.5f * kSlack;  // no ray is left out that classify_patches takes in
   for (int k = 0; k < count; k += 8)
     bounds.take(local_centroids(a, k, count), lanes_of(0xffu), half_long, least_depth);
   return bounds.all();

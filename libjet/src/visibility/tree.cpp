@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Compiled like predicates.cpp with -frounding-math -ftrapping-math.
-#include "tree.hpp"
+#include "visibility/tree.hpp"
 
 #include <CGAL/AABB_traits.h>
 #include <CGAL/AABB_tree.h>

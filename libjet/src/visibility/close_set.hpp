@@ -11,7 +11,7 @@
 #include "bits.hpp"
 #include "jet/visibility.hpp"
 #include "kernel_table.hpp"
-#include "mesh_order.hpp"
+#include "visibility/mesh_order.hpp"
 
 namespace jet {
 
@@ -31,7 +31,7 @@ class CloseSet {
   void forget() { until_ = from_ = kMotionUnknown; }
 
   /// Bounds, and a share of their range more.
-  static RayBounds widened(const RayBounds& rays, float share) {
+  static Frustum widened(const Frustum& rays, float share) {
     const float u = share * (rays.high_u - rays.low_u), v = share * (rays.high_v - rays.low_v);
     return {rays.low_u - u, rays.high_u + u, rays.low_v - v, rays.high_v + v};
   }
@@ -42,21 +42,21 @@ class CloseSet {
            source.long_direction == source_.long_direction && source.half_long == source_.half_long;
   }
   /// Still holds all that these rays can meet.
-  bool holds(const RayBounds& rays, double travelled) const {
-    return travelled >= from_ && travelled <= until_ && rays.low_u >= wide_.low_u &&
+  bool holds(const Frustum& rays, double displacement_bound) const {
+    return displacement_bound >= from_ && displacement_bound <= until_ && rays.low_u >= wide_.low_u &&
            rays.high_u <= wide_.high_u && rays.low_v >= wide_.low_v && rays.high_v <= wide_.high_v;
   }
-  const RayBounds& bounds() const { return wide_; }
+  const Frustum& bounds() const { return wide_; }
 
   /// Takes the patches that `find` writes for rays in the wider bounds and nodes within the reach.
   template <class Find>
-  void choose(const RaySource& source, double scale, const RayBounds& wide, double travelled, double reach,
+  void choose(const RaySource& source, double scale, const Frustum& wide, double displacement_bound, double reach,
               Find find) {
     source_ = source;
     scale_ = scale;
     wide_ = wide;
-    from_ = travelled;
-    until_ = travelled + reach;
+    from_ = displacement_bound;
+    until_ = displacement_bound + reach;
     std::fill(has_patch_.begin(), has_patch_.end(), std::uint8_t{0});
     patch_count_ = static_cast<std::size_t>(find(patches_.data()));
     list_nodes();
@@ -89,8 +89,8 @@ class CloseSet {
   const OrderedMesh* mesh_ = nullptr;
   RaySource source_;
   double scale_ = 0.0;
-  RayBounds wide_{};
-  double from_ = kMotionUnknown, until_ = kMotionUnknown;  // [m] travelled
+  Frustum wide_{};
+  double from_ = kMotionUnknown, until_ = kMotionUnknown;  // [m] displacement_bound
   std::size_t patch_count_ = 0, row_count_ = 0;
   std::vector<int> patches_, nodes_;  // nodes_: workspace
   std::vector<std::uint32_t> rows_;

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// The rays of one query, second part: half-spaces that hold them, the patches in these, and a way between
-// them.
+// The rays of one query, second part: half-spaces that hold them, the patches in these, and the winding ray
+// between them.
 #include <algorithm>
 #include <cmath>
 
-#include "rays.hpp"
+#include "visibility/rays.hpp"
 
 namespace jet {
 namespace {
@@ -23,7 +23,7 @@ void RayBundle::set_side(int bit, double slope, double bound, double reach) {
 }
 
 // Half-spaces that hold all rays not aside, beyond their targets, too, and what is within `reach` of them.
-void RayBundle::set_sides(const RayBounds& bounds, double reach) {
+void RayBundle::set_sides(const Frustum& bounds, double reach) {
   set_side(0, bounds.low_u, 0.0, reach);
   set_side(1, bounds.high_u, 0.0, reach);
   set_side(2, frame_.line ? 0.0 : bounds.low_v, frame_.line ? -bounds.low_v : 0.0, reach);
@@ -66,16 +66,16 @@ const blocking::Ray& RayBundle::ray(int place) const {
 
 // A general slope within the bounds: bags are symmetric about the axis. Local coordinates of the end are
 // above 1.
-void RayBundle::set_way() {
-  way_v_ = 0.0;
+void RayBundle::set_winding_ray() {
+  winding_v_ = 0.0;
   for (const int place : places()) {  // the first that is not aside is within the bounds
-    way_ = ray(place);
+    winding_ray_ = ray(place);
     if (!frame_.line) break;
-    const Eigen::Map<const Eigen::Vector3d> from(way_.source);
-    way_v_ = scale_ * (from - source_->centre).dot(frame_.along);
-    if (way_v_ >= bounds_.low_v && way_v_ <= bounds_.high_v) break;
+    const Eigen::Map<const Eigen::Vector3d> from(winding_ray_.source);
+    winding_v_ = scale_ * (from - source_->centre).dot(frame_.along);
+    if (winding_v_ >= bounds_.low_v && winding_v_ <= bounds_.high_v) break;
   }
-  way_.moved = blocking::Moved::yes;
+  winding_ray_.moved = blocking::Moved::yes;
   const auto within = [](float low, float high, double share) {
     const double a = std::clamp(low, -kSteepest, kSteepest), b = std::clamp(high, -kSteepest, kSteepest);
     return a + share * (b - a);
@@ -83,10 +83,10 @@ void RayBundle::set_way() {
   const double u = within(bounds_.low_u, bounds_.high_u, 0.382);
   const double v = frame_.line ? 0.0 : within(bounds_.low_v, bounds_.high_v, 0.618);
   for (int i = 0; i < 3; ++i)
-    way_.target[i] =
-        way_.source[i] + 2.0 / scale_ * (frame_.forward[i] + u * frame_.across[i] + v * frame_.along[i]);
-  way_u_ = u;
-  if (!frame_.line) way_v_ = v;
+    winding_ray_.target[i] =
+        winding_ray_.source[i] + 2.0 / scale_ * (frame_.forward[i] + u * frame_.across[i] + v * frame_.along[i]);
+  winding_u_ = u;
+  if (!frame_.line) winding_v_ = v;
 }
 
 }  // namespace jet

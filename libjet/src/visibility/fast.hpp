@@ -17,11 +17,11 @@
 #include <span>
 #include <vector>
 
-#include "filter.hpp"
+#include "visibility/filter.hpp"
 #include "jet/visibility.hpp"
-#include "near.hpp"
-#include "rays.hpp"
-#include "surface.hpp"
+#include "visibility/near.hpp"
+#include "visibility/rays.hpp"
+#include "visibility/surface.hpp"
 
 namespace jet {
 
@@ -30,8 +30,8 @@ class FastRoute {
   /// Allocates the workspace for a surface.
   void prepare(std::span<const Triangle> triangles, std::size_t node_count, bool closed);
 
-  /// The nodes may have moved: to be said before every query of any route. `travelled`: see VisibilityQuery.
-  void move_to(double travelled) { rays_.move_to(travelled); }
+  /// The nodes may have moved: to be said before every query of any route. `displacement_bound`: see VisibilityQuery.
+  void move_to(double displacement_bound) { rays_.move_to(displacement_bound); }
 
   VisibilityCounters query(const Surface& surface, const RaySource& source, std::span<const int> candidates,
                            std::span<std::uint8_t> lit);
@@ -39,8 +39,8 @@ class FastRoute {
  private:
   enum State : std::uint8_t { kLit = 0, kHidden = 1, kFacingAway = 2, kOpen = 4 };  // see count()
   /// A ray and an element that is on it, or may be, by their places in the mesh's order.
-  struct Met {
-    int ray, by;
+  struct RayHit {
+    int ray, element;
   };
 
   /// Finds out whether a ray's source is moved when the rule asks for it.
@@ -58,9 +58,9 @@ class FastRoute {
   void set(int place, State state);
   bool alive(int place) const { return (alive_[static_cast<std::size_t>(place / 8)] >> place % 8 & 1) != 0; }
   std::span<const int> list(std::span<const std::uint8_t> bits);
-  bool find_near(RayBundle::Bounds known);
-  void look();
-  void look_at_all();
+  bool find_near();
+  void classify_near();
+  void classify_all();
   bool may_face_away(int element);
   bool between_sources(int element);
   bool same_side(int element);
@@ -71,9 +71,9 @@ class FastRoute {
   void meet_away(int ray, int by, Touch touch);
   void hide(int ray, int by);
   void open(int ray, int by);
-  void meet_again();
+  void test_cached_blockers();
   void search();
-  void search_aside();
+  void search_upstream();
   void search_tree();
   VisibilityCounters count(std::span<std::uint8_t> lit) const;
 
@@ -89,9 +89,9 @@ class FastRoute {
   RayBundle rays_;
   NearElements near_;
   std::vector<int> open_;                  // places of rays that were opened
-  std::vector<Met> hidden_, last_hidden_;  // rays and what blocks them; at the last query
-  std::vector<Met> met_, last_met_;        // rays that an element opened that faces away
-  std::vector<int> again_, again_by_;      // rays that may meet elements again, and which
+  std::vector<RayHit> blockers_, cached_blockers_;  // rays and what blocks them; at the last query
+  std::vector<RayHit> openers_, cached_openers_;        // rays that an element opened that faces away
+  std::vector<int> cached_rays_, cached_elements_;      // rays that may meet elements again, and which
   std::vector<std::uint8_t> blocked_, pierced_, apart_, missed_;
   std::vector<std::uint8_t> alive_;   // by patch: bits of the rays that are lit so far
   std::vector<std::uint8_t> chosen_;  // workspace: bits of rays

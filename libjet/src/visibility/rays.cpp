@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "rays.hpp"
+#include "visibility/rays.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -11,7 +11,7 @@
 namespace jet {
 namespace {
 
-constexpr std::size_t kMostAside = 64;  // more of them are quicker in a tree
+constexpr std::size_t kMostUpstream = 64;  // more of them are quicker in a tree
 // Coordinates over extent. Sources and targets lie beside their exact places by 7e-16 of it at most: a
 // quarter of 2^-25, which the margins hold.
 constexpr double kLargestRatio = 1e7;
@@ -39,16 +39,16 @@ void RayBundle::reserve(const OrderedMesh& mesh, std::size_t node_count) {
   asked_.resize(patches);
   asked_before_.resize(patches);
   listed_.resize(elements + 8);
-  aside.reserve(elements + 8);
+  upstream.reserve(elements + 8);
   made_.resize(elements);
   is_made_.resize(elements);
   made_places_.reserve(elements);
   close_.reserve(mesh, node_count);
 }
 
-void RayBundle::move_to(double travelled) {
-  step_ = travelled - travelled_;
-  travelled_ = travelled;
+void RayBundle::move_to(double displacement_bound) {
+  step_ = displacement_bound - displacement_bound_;
+  displacement_bound_ = displacement_bound;
   if (!(step_ >= 0.0)) close_.forget();
 }
 
@@ -73,43 +73,47 @@ void RayBundle::ask(const Surface& surface, const RaySource& source, std::span<c
   has_frame_ = frame_.build(source);
 }
 
-bool RayBundle::project(Bounds known) {
-  fresh_ = known == Bounds::fresh;
+bool RayBundle::project_expected() {
+  fresh_ = false;
+  if (!has_frame_ || !(step_ >= 0.0) || !close_.fits(*source_, scale_)) return false;
+  set_arrays();
+  const auto on = [](float before, float last) { return last + (last - before); };
+  const Frustum &b = before_, &l = last_;
+  const Frustum next{std::min(l.low_u, on(b.low_u, l.low_u)), std::max(l.high_u, on(b.high_u, l.high_u)),
+                     std::min(l.low_v, on(b.low_v, l.low_v)), std::max(l.high_v, on(b.high_v, l.high_v))};
+  const Frustum expected = CloseSet::widened(with_new(next), kLastShare);
+  if (!close_.holds(expected, displacement_bound_) &&
+      !choose_close(CloseSet::widened(expected, kCloseShare), false))
+    return false;
+  return project_close(expected) && fits_range();
+}
+
+bool RayBundle::project_chosen() {
+  fresh_ = false;
+  if (!has_frame_ || !(step_ >= 0.0) || !close_.fits(*source_, scale_)) return false;
+  set_arrays();
+  return close_.holds(close_.bounds(), displacement_bound_) && project_close(close_.bounds()) && fits_range();
+}
+
+bool RayBundle::project_fresh() {
+  fresh_ = true;
   if (!has_frame_) return false;
-  if (fresh_) {
-    bool rescaled = scale_ == 0.0;
-    if (rescaled) rescale();
-    set_arrays();
-    if (!project_fresh(rescaled)) {
-      if (rescaled) return false;
-      rescale();
-      set_arrays();
-      if (!project_fresh(true)) return false;
-    }
-  } else {
-    if (!(step_ >= 0.0) || !close_.fits(*source_, scale_)) return false;
-    set_arrays();
-    if (known == Bounds::last) {
-      const auto on = [](float before, float last) { return last + (last - before); };
-      const RayBounds &b = before_, &l = last_;
-      const RayBounds next{
-          std::min(l.low_u, on(b.low_u, l.low_u)), std::max(l.high_u, on(b.high_u, l.high_u)),
-          std::min(l.low_v, on(b.low_v, l.low_v)), std::max(l.high_v, on(b.high_v, l.high_v))};
-      const RayBounds expected = CloseSet::widened(with_new(next), kLastShare);
-      if (!close_.holds(expected, travelled_) &&
-          !choose_close(CloseSet::widened(expected, kCloseShare), false))
-        return false;
-      if (!project_close(expected)) return false;
-    } else if (!close_.holds(close_.bounds(), travelled_) || !project_close(close_.bounds())) {
-      return false;
-    }
-  }
+  const bool kept = scale_ != 0.0;
+  if (kept) set_arrays();
+  if (kept && project_targets(false)) return fits_range();
+  rescale();
+  set_arrays();
+  return project_targets(true) && fits_range();
+}
+
+/// Sets `size`; whether coordinates are in the range that double arithmetic serves.
+bool RayBundle::fits_range() {
   size = source_->centre.cwiseAbs().maxCoeff() + 1.8 / scale_;  // root of 3, and the frame's roundings
   return size <= kLargest && size * scale_ <= kLargestRatio;
 }
 
 // The bounds of rays asked about before and of those that were not.
-RayBounds RayBundle::with_new(const RayBounds& before) {
+Frustum RayBundle::with_new(const Frustum& before) {
   and_not(asked_, asked_before_, asked_before_);
   const int count =
       kernel_table().list_bits(asked_before_.data(), static_cast<int>(asked_.size()), listed_.data());
@@ -117,17 +121,17 @@ RayBounds RayBundle::with_new(const RayBounds& before) {
   for (int& place : std::span(listed_).first(static_cast<std::size_t>(count)))
     place = mesh_->elements[static_cast<std::size_t>(place)];
   arrays_.elements = listed_.data();
-  const RayBounds now = kernel_table().bound_rays(arrays_, half_long(), count);
+  const Frustum now = kernel_table().frustum_of(arrays_, half_long(), count);
   return {std::min(before.low_u, now.low_u), std::max(before.high_u, now.high_u),
           std::min(before.low_v, now.low_v), std::max(before.high_v, now.high_v)};
 }
 
 bool RayBundle::accept(const PatchesFound& found, std::span<const int> patches,
                        std::span<const int> not_downstream) {
-  aside.assign(not_downstream.begin(), not_downstream.end());
+  upstream.assign(not_downstream.begin(), not_downstream.end());
   if (!fresh_) {  // the bounds are not made of these rays
     const auto above = [](float x, float low) { return x >= low || low < -kSteepest; };
-    const RayBounds &b = bounds_, &r = found.bounds;
+    const Frustum &b = bounds_, &r = found.bounds;
     if (found.asked < asked_patches_ || !above(r.low_u, b.low_u) || !above(-r.high_u, -b.high_u) ||
         !above(r.low_v, b.low_v) || !above(-r.high_v, -b.high_v))
       return false;
@@ -137,11 +141,11 @@ bool RayBundle::accept(const PatchesFound& found, std::span<const int> patches,
     for (const int patch : patches) missing[static_cast<std::size_t>(patch)] = 0;
     const int more =
         kernel_table().list_bits(missing.data(), static_cast<int>(missing.size()), listed_.data());
-    aside.insert(aside.end(), listed_.begin(), listed_.begin() + more);
+    upstream.insert(upstream.end(), listed_.begin(), listed_.begin() + more);
   }
   before_ = fresh_ ? found.bounds : last_;
   last_ = found.bounds;
-  return aside.empty() || (aside.size() <= kMostAside && aside.size() < count_asked());
+  return upstream.empty() || (upstream.size() <= kMostUpstream && upstream.size() < count_asked());
 }
 
 // Given twice, an element counts once.
@@ -152,7 +156,7 @@ std::size_t RayBundle::count_asked() const {
 }
 
 void RayBundle::do_without() {
-  aside.clear();
+  upstream.clear();
   const double reach =
       source_->half_long == 0.0 ? 0.0 : source_->half_long * source_->long_direction.cwiseAbs().maxCoeff();
   size = std::max(check_nodes(surface_), source_->centre.cwiseAbs().maxCoeff() + reach);
@@ -199,15 +203,15 @@ void RayBundle::set_arrays() {
   }
 }
 
-// Bounds from the rays' targets, and nodes: all, or where the motion is known those close to the rays. False
+// The frustum of the rays' targets, and nodes: all, or where the motion is known those close to the rays. False
 // where the scale does not fit them any more, or one of them is to be refused.
-bool RayBundle::project_fresh(bool rescaled) {
+bool RayBundle::project_targets(bool rescaled) {
   close_.forget();
-  bounds_ = kernel_table().bound_rays(arrays_, half_long(), static_cast<int>(candidates_.size()));
+  bounds_ = kernel_table().frustum_of(arrays_, half_long(), static_cast<int>(candidates_.size()));
   if (step_ >= 0.0)
     return choose_close(CloseSet::widened(bounds_, kCloseShare), rescaled) && project_close(bounds_);
   set_sides(bounds_, 0.0);
-  set_way();
+  set_winding_ray();
   return fits(kernel_table().project_nodes(arrays_), rescaled);
 }
 
@@ -217,20 +221,20 @@ bool RayBundle::fits(const ProjectFlags& flags, bool rescaled) {
 }
 
 // Patches that can come between rays in these bounds while nodes move by a reach.
-bool RayBundle::choose_close(const RayBounds& wide, bool rescaled) {
+bool RayBundle::choose_close(const Frustum& wide, bool rescaled) {
   const double reach =
       std::min(kStepsAhead * step_, 1.0 / scale_);  // no coordinate gets above 2, see places()
   set_sides(wide, 1.001 * scale_ * reach);
   if (!fits(kernel_table().code_nodes(arrays_), rescaled)) return false;
-  close_.choose(*source_, scale_, wide, travelled_, reach,
+  close_.choose(*source_, scale_, wide, displacement_bound_, reach,
                 [&](int* patches) { return find_patches(kSides, patches); });  // no floor: they may rise
   return true;
 }
 
-bool RayBundle::project_close(const RayBounds& bounds) {
+bool RayBundle::project_close(const Frustum& bounds) {
   bounds_ = bounds;
   set_sides(bounds_, 0.0);
-  set_way();
+  set_winding_ray();
   arrays_.listed = close_.rows().data();
   return !kernel_table().project_listed(arrays_, static_cast<int>(close_.rows().size())).outside;
 }

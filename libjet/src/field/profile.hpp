@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "centreline_formulas.hpp"
+#include "field/centreline_formulas.hpp"
 #include "kernel_table.hpp"
 
 namespace jet::profile {

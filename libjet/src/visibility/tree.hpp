@@ -4,8 +4,8 @@
 
 #include <memory>
 
-#include "blocking.hpp"
-#include "predicates.hpp"
+#include "visibility/blocking.hpp"
+#include "visibility/predicates.hpp"
 
 namespace jet {
 

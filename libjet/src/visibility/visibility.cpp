@@ -4,14 +4,14 @@
 #include <algorithm>
 #include <numeric>
 
-#include "blocking.hpp"
+#include "visibility/blocking.hpp"
 #include "checks.hpp"
-#include "closedness.hpp"
-#include "fast.hpp"
-#include "filter.hpp"
-#include "predicates.hpp"
-#include "tree.hpp"
-#include "winding.hpp"
+#include "visibility/closedness.hpp"
+#include "visibility/fast.hpp"
+#include "visibility/filter.hpp"
+#include "visibility/predicates.hpp"
+#include "visibility/tree.hpp"
+#include "visibility/winding.hpp"
 
 namespace jet {
 namespace {
@@ -148,8 +148,8 @@ bool VisibilityQuery::closed() const {
 
 VisibilityCounters VisibilityQuery::query(VisibilityRoute route, const Points& nodes, const RaySource& source,
                                           std::span<const int> candidates, std::span<std::uint8_t> lit,
-                                          double travelled) {
-  impl_->fast.move_to(travelled);  // refused or not, and whatever the route
+                                          double displacement_bound) {
+  impl_->fast.move_to(displacement_bound);  // refused or not, and whatever the route
   impl_->check(nodes, source, candidates);
   if (lit.size() != candidates.size()) refuse("lit has another size than candidates");
   const Surface surface = impl_->surface(nodes);

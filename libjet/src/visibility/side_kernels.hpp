@@ -2,7 +2,7 @@
 // Elements near the rays: their boxes, and the sides that they show. Certain, like box_kernels.hpp.
 #pragma once
 
-#include "box_kernels.hpp"
+#include "visibility/box_kernels.hpp"
 
 namespace jet::JET_KERNELS {
 
@@ -65,11 +65,11 @@ template <bool upstream>
   return {p, spanned<upstream>(a.y, b.y, c.y, w, depth), depth};
 }
 
-/// Bounds of the two coordinates that do not change along the way.
-struct Way {
+/// Bounds of the two coordinates that do not change along the winding ray.
+struct WindingRay {
   Range p, q;
-  explicit Way(const PatchArrays& s) : p(around(turned(s.way_u))) {
-    q = around(s.half_long > 0.0f ? s.way_v : turned(s.way_v));
+  explicit WindingRay(const PatchArrays& s) : p(around(turned(s.winding_u))) {
+    q = around(s.half_long > 0.0f ? s.winding_v : turned(s.winding_v));
   }
   [[gnu::always_inline]] unsigned overlaps(const Boxes& b) const {
     return bits((b.p.low <= p.high) & (p.low <= b.p.high) & (b.q.low <= q.high) & (q.low <= b.q.high));
@@ -80,9 +80,9 @@ struct Way {
   static Range around(float place) { return {Floats(place - kTurn), Floats(place + kTurn)}; }
 };
 
-inline PatchesFound look_at_patches(const PatchArrays& given) {
+inline PatchesFound classify_patches(const PatchArrays& given) {
   const PatchArrays s = given;  // a copy, which what is stored cannot change
-  const Way way(s);
+  const WindingRay winding_ray(s);
   PatchesFound found{};
   Bounds bounds;
   const int short_patch = s.elements / 8;  // the mesh's last, if it has less than eight elements
@@ -105,10 +105,10 @@ inline PatchesFound look_at_patches(const PatchArrays& given) {
     if (near == 0) continue;
     const Corners t = {a.point, b.point, c.point};
     const Floats depth = min(min(t.a.z, t.b.z), t.c.z);
-    unsigned on_way = near, between = 0;
+    unsigned on_winding_ray = near, between = 0;
     const auto take_boxes = [&](const Boxes& boxes) __attribute__((always_inline)) {
       boxes.store(s.boxes + kBoxFloats * std::ptrdiff_t{found.near});
-      on_way &= way.overlaps(boxes);
+      on_winding_ray &= winding_ray.overlaps(boxes);
     };
     if (bits(depth <= Floats(kUpstream)) == 0) {  // nearly all patches
       take_boxes(boxes_of<false>(t, depth, s.half_long));
@@ -125,15 +125,15 @@ inline PatchesFound look_at_patches(const PatchArrays& given) {
     const unsigned uncertain = near & ~(inner | outer);
     if (uncertain != 0) found.uncertain += append_bits(uncertain, 8 * patch, s.uncertain + found.uncertain);
     if (between != 0) found.between += append_bits(between, 8 * patch, s.between + found.between);
-    if (on_way != 0) found.on_way += append_bits(on_way, 8 * patch, s.on_way + found.on_way);
+    if (on_winding_ray != 0) found.on_winding_ray += append_bits(on_winding_ray, 8 * patch, s.on_winding_ray + found.on_winding_ray);
     const unsigned asked = s.asked[patch];
     if (asked == 0) continue;
     // The mean of three coordinates that err by kUnit / 2 errs by 2.5 kUnit.
     const auto mean = [](Floats x, Floats y, Floats z) { return (1.0f / 3.0f) * (x + y + z); };
     const Vec3<Floats> g = {mean(t.a.x, t.b.x, t.c.x), mean(t.a.y, t.b.y, t.c.y), mean(t.a.z, t.b.z, t.c.z)};
     store_rows([&](int i) { return s.targets + 4 * (8 * std::ptrdiff_t{patch} + i); }, g, Floats());
-    const unsigned aside = asked & ~bits(bounds.take(g, lanes_of(asked), s.half_long, kSlack));
-    if (aside != 0) found.aside += append_bits(aside, 8 * patch, s.aside + found.aside);
+    const unsigned behind = asked & ~bits(bounds.take(g, lanes_of(asked), s.half_long, kSlack));
+    if (behind != 0) found.upstream += append_bits(behind, 8 * patch, s.upstream + found.upstream);
     ++found.asked;
   }
   found.bounds = bounds.all();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // This file is compiled with -frounding-math -ftrapping-math (see CMakeLists.txt): CGAL's interval filter
 // switches the rounding direction, which the compiler must not assume away.
-#include "predicates.hpp"
+#include "visibility/predicates.hpp"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Exact_rational.h>

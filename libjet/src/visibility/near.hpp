@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "kernel_table.hpp"
-#include "mesh_order.hpp"
-#include "pyramid.hpp"
-#include "rays.hpp"
+#include "visibility/mesh_order.hpp"
+#include "visibility/pyramid.hpp"
+#include "visibility/rays.hpp"
 
 namespace jet {
 
@@ -24,7 +24,7 @@ class NearElements {
  public:
   void reserve(const OrderedMesh& mesh);
 
-  /// Patches that the rays or the way can meet, the sides of their elements, and the rays' targets. Places
+  /// Patches that the rays or the winding ray can meet, the sides of their elements, and the rays' targets. Places
   /// are those in the mesh's order.
   void find(RayBundle& rays);
 
@@ -37,12 +37,12 @@ class NearElements {
     return (not_inner_[static_cast<std::size_t>(place / 8)] >> place % 8 & 1) != 0;
   }
 
-  /// Elements near the rays that may show either side, may lie between two sources, may touch the way; and
+  /// Elements near the rays that may show either side, may lie between two sources, may touch the winding ray; and
   /// those asked about whose rays are not certainly downstream.
   std::span<const int> uncertain() const { return first(uncertain_, found_.uncertain); }
   std::span<const int> between() const { return first(between_, found_.between); }
-  std::span<const int> on_way() const { return first(on_way_, found_.on_way); }
-  std::span<const int> aside() const { return first(aside_, found_.aside); }
+  std::span<const int> on_winding_ray() const { return first(on_winding_ray_, found_.on_winding_ray); }
+  std::span<const int> upstream() const { return first(upstream_, found_.upstream); }
 
   const PatchesFound& found() const { return found_; }
   std::span<const int> patches() const { return first(patches_, found_.near); }
@@ -111,7 +111,7 @@ class NearElements {
   const OrderedMesh* mesh_ = nullptr;
   std::vector<int> patches_, outer_patches_;             // near; of these, those with elements not inner
   std::vector<std::uint8_t> inner_, outer_, not_inner_;  // of all patches of the mesh
-  std::vector<int> uncertain_, between_, on_way_, aside_;
+  std::vector<int> uncertain_, between_, on_winding_ray_, upstream_;
   PatchesFound found_{};
   Pyramid boxes_, outer_boxes_;  // of the patches' elements, of those not inner
   std::vector<int> first_, second_;

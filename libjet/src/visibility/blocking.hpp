@@ -7,7 +7,7 @@
 #include <algorithm>
 
 #include "jet/visibility.hpp"
-#include "surface.hpp"
+#include "visibility/surface.hpp"
 
 namespace jet::blocking {
 
