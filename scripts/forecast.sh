@@ -96,6 +96,7 @@ table() {
     { sub(/_(rad|Pa|N|Ns|K)$/, "", $2)
       print "| " ($1 == last ? "" : "`" $1 "`, " $2) " | " $3 " | " $4 " | " $5 ", " $6 " | " $7 ($8 > 0 ? " ± " $8 : "") \
         " | " ($10 == "" ? "undecided" : $10 ? "yes" : "**no**") " |"; last = $1 }' "$1"
+  sed -nE 's/^# (commit: |gasjet [^ ]+ \()([0-9a-f]+).*/\nMade at commit `\2` ([forecast.csv](..\/charts\/forecast.csv))./p' "$1"
 }
 
 # page_with CSV: the page with the counts of CSV and its table between the two marks.
@@ -107,6 +108,19 @@ page_with() {
     /^<!-- table by scripts\/forecast.sh -->/ { inside = 1; print "\n" table "\n" }' "$page"
 }
 
+# paper_rows CSV: those of the paper's scene whose change is not that of its ladder.
+paper_rows() {
+  awk -F, '
+    FNR == 1 { ++file }
+    /^# reference: / { reference = substr($0, 14) }
+    /^#/ { next }
+    file == 1 && !head { head = 1; for (i = 1; i <= NF; ++i) at[$i] = i; next }
+    file == 1 { rung = $1; sub(/^finest: /, "", rung)
+                change[rung] = sprintf("%.3g %.2g", 100 * $(at["change"]) / reference, 100 * $(at["change_se"]) / reference); next }
+    $1 == "passenger_pendulum" && $7 " " $8 != change[$3] { print "passenger_pendulum, " $3 ": " $7 " " $8 ", in its ladder: " change[$3] }' \
+    docs/charts/ladder_passenger.csv "$1"
+}
+
 # check CSV
 check() {
   if [[ ! -f $1 || ! -r $1 ]] || ! rows "$1" >/dev/null; then
@@ -114,6 +128,7 @@ check() {
     exit 2
   fi
   diff <(totals "$1") <(grep '^all' "$1") || { echo "the totals of $1 are not those of its rows"; exit 1; }
+  [[ -z $(paper_rows "$1") ]] || { echo "$1: $(paper_rows "$1")"; exit 1; }
   { diff <(page_with "$1") "$page" && grep -qF "$(counts "$1")" "$page"; } ||
     { echo "$page is not what $1 says: scripts/forecast.sh writes it anew"; exit 1; }
   echo "$page holds: $(rows "$1" | wc -l) rows"

@@ -8,10 +8,12 @@ shopt -s extglob
 rule=${1:?usage: rules.sh RULE [ROOT [BUILD]]}
 root=${2:-$(dirname "${BASH_SOURCE[0]}")/../..}
 build=${3:-build}
+scripts=$(cd "$(dirname "${BASH_SOURCE[0]}")/../../scripts" && pwd)
 # shellcheck source=../../scripts/source_number.sh
-source "$(dirname "${BASH_SOURCE[0]}")/../../scripts/source_number.sh"
+source "$scripts/source_number.sh"
 cd "$root"
 max_file_lines=250
+max_numbers=100  # in sentences: what a table says is not said again
 
 # files NAME_PATTERN...: every file of the tree with such a name; build folders, results and these rules left out.
 files() {
@@ -209,6 +211,13 @@ rule_numbers() {
     [[ $says == "$(source_number "$source" "$row" "$column" "$scale" "$format")" ]] ||
       echo "$page: '$pattern' says '$says', $source ($row, $column): $(source_number "$source" "$row" "$column" "$scale" "$format")"
   done <docs/numbers.tsv
+  number=$(grep -c '^[^#]' docs/numbers.tsv)
+  ((number <= max_numbers)) || echo "docs/numbers.tsv: $number numbers in sentences, allowed are $max_numbers: let a table say them (docs/tables.tsv)"
+}
+
+# Each table that docs/tables.tsv lists is in a page and says what its CSV files say.
+rule_tables() {
+  "$scripts/write_tables.sh" --check "$PWD" 2>&1 || echo "docs/tables.tsv: scripts/write_tables.sh writes the tables anew"
 }
 
 if [[ $(type -t "rule_$rule") != function ]]; then

@@ -56,6 +56,14 @@ good_tree() {
     $'docs/page.md\tsettles at ([0-9.]+) by\tdocs/levels.csv\tlevel=1 > level=2 > level=3\tx\t1\t%.1f' \
     $'docs/page.md\tby order ([0-9.]+)\.\tdocs/levels.csv\tlevel=1 ~ level=2 ~ level=3\tx\t1\t%.1f' \
     $'docs/page.md\tIt is off by ([0-9.]+) %\tdocs/report.md\tcheck=one\toff\t100\t%.0f'
+  put docs/tables.tsv '# comment' $'table\tforces\tdocs/table.csv' $'columns\tcase\tforce [N]\tover one' \
+    $'cells\t{case=@1|force_kN} at {case=@2|force_kN|1}\t{case=@1 / case=one|force_kN|1}' $'row\tfirst\tone; two\t1000\t%.1f %.0f' \
+    $'cells\t{case=@|case}\tnone' $'row\tsecond\ttwo\t1\t%s' $'table\trungs\tdocs/charts/ladder.csv' $'columns\trung\terror [%]\tlevel' \
+    $'cells\t{rung=@|error|100/reference}\t{level=1|x||docs/levels.csv}' $'row\tall\tfull\t1\t%.1f %.0f'
+  put results.md 'All:' '' '<!-- table forces -->' '' '| case | force [N] | over one |' '|---|---|---|' '| first | 12.3 at 5 | 1 |' '| second | two | none |' '' \
+    'Taken from [table.csv](docs/table.csv).' '' '<!-- end of table forces -->' '' 'End.'
+  put docs/rungs.md '<!-- table rungs -->' '' '| rung | error [%] | level |' '|---|---|---|' '| all | 2.5 | 17 |' '' \
+    'Made at commit `0123abc` ([ladder.csv](charts/ladder.csv)). Taken from [levels.csv](levels.csv).' '' '<!-- end of table rungs -->'
   put docs/theory/gas.md '$$ p V = m R T \tag{G.1} $$'
 }
 
@@ -162,6 +170,30 @@ case $rule in
     breaks docs/table.csv 'case,force_kN' 'two,0.01234'
     breaks docs/table.csv 'case,load' 'one,0.01234' 'two,5'
     breaks docs/numbers.tsv $'docs/page.md\tforce is ([0-9.]+) N\tdocs/gone.csv\tcase=one\tforce_kN\t1000\t%.1f'
+    breaks docs/levels.csv 'level,x' '1,17' '2,' '3,2'
+    mapfile -t many < <(yes $'docs/page.md\tforce is ([0-9.]+) N\tdocs/table.csv\tcase=one\tforce_kN\t1000\t%.1f' | head -101 || true)
+    breaks docs/numbers.tsv "${many[@]}"
+    ;;
+  tables)
+    mapfile -t results <"$tree/results.md"
+    mapfile -t rungs <"$tree/docs/rungs.md"
+    mapfile -t tables <"$tree/docs/tables.tsv"
+    breaks results.md "${results[@]/12.3/12.4}"
+    breaks results.md "${results[@]/two | none/one | none}"
+    breaks results.md "${results[@]/'<!-- end of table forces -->'/End}"
+    breaks results.md "${results[@]/'<!-- table forces -->'/<!-- table force -->}"
+    breaks results.md "${results[@]/'<!-- end of table forces -->'/End}" "${results[@]}"
+    breaks results.md "${results[@]:0:8}" "${results[@]:9}"
+    breaks docs/rungs.md "${rungs[@]/0123abc/0123abd}"
+    breaks docs/rungs.md "${rungs[@]/| 2.5/| 2.4}"
+    breaks docs/table.csv 'case,force_kN' 'two,5'
+    breaks docs/table.csv 'case,force_kN' 'one,' 'two,5'
+    breaks docs/table.csv 'case,load' 'one,0.01234' 'two,5'
+    breaks docs/levels.csv 'level,x' '1,17' '1,5'
+    breaks docs/tables.tsv "${tables[@]/1f %.0f/1f %.0f %.0f %.0f}"
+    breaks docs/tables.tsv "${tables[@]/docs\/levels.csv/docs/gone.csv}"
+    breaks docs/tables.tsv "${tables[@]/100\/reference/100/references}"
+    breaks docs/tables.tsv "${tables[@]}" $'table\tspare\tdocs/table.csv'
     ;;
   table_heads)
     version='# gasjet 0.1.0 (0123abc, GNU 12, Release -O3)'
