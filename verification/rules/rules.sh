@@ -184,9 +184,10 @@ rule_mutation_lines() {
   done
 }
 
-# Every table of the pages says first what it was made on and by: machine, commit, compiler and flags.
+# Every table of the pages says first what it was made on and by: machine, commit, compiler and flags; docs/provenance.tsv has a line for
+# it and for every figure, and names files that there are.
 rule_table_heads() {
-  local file head part
+  local list=docs/provenance.tsv file script paths path head part
   for file in docs/charts/*.csv docs/figures/*.csv; do
     [[ -f $file ]] || continue
     head=$(sed '/^#/!q' "$file" | sed -E 's/^# gasjet [^ ]+ \(([0-9a-f]+[^,]*), ([^,]+), ([^)]+)\)$/# commit: \1\n# compiler: \2\n# flags: \3/')
@@ -195,6 +196,19 @@ rule_table_heads() {
     done
     ! grep -q -- '-dirty' <<<"$head" || echo "$file:1: made by a build of changed sources, of which no commit tells"
   done
+  for file in docs/charts/* docs/figures/*; do
+    [[ ! -f $file || $file == */README.md ]] || cut -f1 "$list" | grep -qxF -- "$file" ||
+      echo "$list: no line for $file: add the file, the script that makes it and the code that it depends on (tabs between)"
+  done
+  while IFS=$'\t' read -r file script paths; do
+    [[ -n $file && $file != \#* ]] || continue
+    [[ $file == @* || -f $file && -f $script ]] || echo "$list: $file by '$script': no such files"
+    [[ -n $paths ]] || echo "$list: $file depends on nothing"
+    for path in $paths; do
+      if [[ $path == @* ]]; then cut -f1 "$list" | grep -qxF -- "$path"; else [[ $path == ':('* || -e $path ]]; fi ||
+        echo "$list: $file depends on $path: no such file or line"
+    done
+  done <"$list"
 }
 
 # Each number that docs/numbers.tsv lists says what its source file says.

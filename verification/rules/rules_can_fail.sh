@@ -46,6 +46,9 @@ good_tree() {
   put docs/charts/ladder.csv '# machine: M, 2 cores' '# commit: 0123abc' '# compiler: GNU 12' '# flags: -O3' '# counted from: 3' \
     '# reference: 1' 'rung,runs,error' 'full,16,0.05'
   put docs/charts/bag.csv '# machine: M, 2 cores' '# gasjet 0.1.0 (0123abc, GNU 12, Release -O3)' 'x' '1'
+  put docs/charts/bag.svg '<svg/>'
+  put docs/provenance.tsv '# comment' $'@bag\t-\tlibgas libmembrane :(exclude)*.md' $'docs/charts/ladder.csv\tscripts/run.sh\t@bag cases/tank.toml' \
+    $'docs/charts/bag.csv\tscripts/run.sh\t@bag' $'docs/charts/bag.svg\tscripts/run.sh\tdocs/charts/bag.csv'
   put docs/report.md '| check | off |' '|---|---|' '| one | 0.03 |' '| two | 0 |'
   put docs/numbers.tsv '# comment' $'docs/page.md\tforce is ([0-9.]+) N\tdocs/table.csv\tcase=one\tforce_kN\t1000\t%.1f' \
     $'docs/page.md\tlarger by ([0-9.]+) kN\tdocs/table.csv\tcase=two - case=one\tforce_kN\t1\t%.3f' \
@@ -204,6 +207,14 @@ case $rule in
     breaks docs/charts/ladder.csv '# machine: M' '# commit: 0123abc' '# compiler: GNU 12' 'rung,error' 'full,0.05'
     breaks docs/charts/bag.csv '# machine: M, 2 cores' '# gasjet 0.1.0 (0123abc-dirty, GNU 12, Release -O3)' 'x' '1'
     breaks docs/charts/ladder.csv '# machine: ' '# commit: 0123abc' '# compiler: GNU 12' '# flags: -O3' 'rung,error' 'full,0.05'
+    mapfile -t lines <"$tree/docs/provenance.tsv"
+    breaks docs/figures/bag.jpg 'JFIF'
+    breaks docs/provenance.tsv "${lines[@]:0:4}"
+    breaks docs/provenance.tsv "${lines[@]}" $'docs/charts/gone.csv\tscripts/run.sh\t@bag'
+    breaks docs/provenance.tsv "${lines[@]//scripts\/run.sh/scripts/gone.sh}"
+    breaks docs/provenance.tsv "${lines[@]/libgas/libgone}"
+    breaks docs/provenance.tsv "${lines[@]/@bag cases/@jet cases}"
+    breaks docs/provenance.tsv "${lines[@]/@bag cases\/tank.toml/}"
     ;;
   mutation_lines)
     breaks verification/mutations.tsv $'gas.tank\tREADME.md\ts/gas/b/'
