@@ -109,6 +109,7 @@ function text_of(file, row, column,   head, cell) {
 function formatted(file, row, column, factor, format,   i, n, part, value, how, result) {
   load(file)
   failed = ""
+  if (format !~ /^%([+]?([.][0-9]+)?[defg]|s)$/) return failed = "no format " format
   if (format == "%s") {
     result = text_of(file, row, column)
     return failed ? failed : result

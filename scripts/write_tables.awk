@@ -19,13 +19,18 @@ function relative(file,   here) {
   return file
 }
 
-function read_tables(   line, n, field, of) {
+function read_tables(   line, field, of) {
   while ((getline line < "docs/tables.tsv") > 0) {
-    n = split(line, field, "\t")
-    if (field[1] == "table") { of = field[2]; csv[of] = field[3]; known[of] = 1 }
-    if (field[1] == "columns") columns[of] = substr(line, 9)
-    if (field[1] == "cells") cells = substr(line, 7)
-    if (field[1] == "row") { row[of, ++rows[of]] = substr(line, 5); cells_of[of, rows[of]] = cells }
+    split(line, field, "\t")
+    if (field[1] == "table") {
+      name = of = field[2]
+      if (of in csv) fault("named twice in docs/tables.tsv")
+      csv[of] = field[3]
+      cells = ""
+    } else if (field[1] == "columns") columns[of] = substr(line, 9)
+    else if (field[1] == "cells") cells = substr(line, 7)
+    else if (field[1] == "row") { row[of, ++rows[of]] = substr(line, 5); cells_of[of, rows[of]] = cells }
+    else if (line !~ /^(#.*)?$/) fault("docs/tables.tsv has a line of no kind: " line)
   }
 }
 
@@ -50,6 +55,7 @@ function number_of(inside,   n, part, file, text) {
 function filled(text,   start, stop, result) {
   while ((start = index(text, "{"))) {
     stop = index(text, "}")
+    if (!stop) { fault("no } in " text); break }
     result = result substr(text, 1, start - 1) number_of(substr(text, start + 1, stop - start - 1))
     text = substr(text, stop + 1)
   }
@@ -64,13 +70,15 @@ function with_key(text, key,   n, part, i) {
   return text
 }
 
-function print_row(text, cells,   n, field, i, cell, line) {
+function print_row(text, cells,   n, field, heading, i, cell, line) {
   if (split(text, field, "\t") != 4) { fault("row " field[1] ": label, key, factor and formats are needed"); return }
   factor = field[3]
   formats = split(field[4], given_format, " ")
   numbers = 0
   line = "| " field[1] " |"
+  format = ""
   n = split(cells, cell, "\t")
+  if (n + 1 != split(columns[name], heading, "\t")) fault("row " field[1] ": " n " cells behind its label, columns: " columns[name])
   for (i = 1; i <= n; ++i) line = line " " filled(with_key(cell[i], field[2])) " |"
   if (numbers < formats) fault("row " field[1] ": " formats " formats for " numbers " numbers")
   print line
@@ -110,7 +118,7 @@ BEGIN { read_tables() }
 /^<!-- table [a-z0-9_]+ -->$/ {
   if (inside) fault("no line <!-- end of table " name " -->")
   name = $3
-  if (name in known) print_table(); else fault("docs/tables.tsv has none of that name")
+  if (name in csv) print_table(); else fault("docs/tables.tsv has none of that name")
   inside = 1
 }
 END {

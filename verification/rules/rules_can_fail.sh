@@ -196,6 +196,12 @@ case $rule in
     breaks docs/tables.tsv "${tables[@]/1f %.0f/1f %.0f %.0f %.0f}"
     breaks docs/tables.tsv "${tables[@]/docs\/levels.csv/docs/gone.csv}"
     breaks docs/tables.tsv "${tables[@]/100\/reference/100/references}"
+    breaks docs/tables.tsv "${tables[@]/none/none$'\t'more}"
+    breaks docs/tables.tsv "${tables[@]/x||docs\/levels.csv\}/x}"
+    breaks docs/tables.tsv "${tables[@]}" $'rows\tall\tfull\t1\t%.1f'
+    breaks docs/tables.tsv "${tables[@]}" "${tables[@]}"
+    breaks docs/tables.tsv "${tables[@]/1000$'\t'%.1f %.0f/1000$'\t'}"
+    breaks docs/tables.tsv "${tables[@]/1000$'\t'%.1f %.0f/1000$'\t'%.1x}"
     breaks docs/tables.tsv "${tables[@]}" $'table\tspare\tdocs/table.csv'
     ;;
   table_heads)
