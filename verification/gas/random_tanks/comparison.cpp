@@ -125,6 +125,8 @@ Tally compare_seeds(std::uint64_t first, std::uint64_t last, const std::string& 
     ++tally.counts[static_cast<std::size_t>(c.verdict)];
     tally.worst_balance = std::max(tally.worst_balance, c.balance);
     if (c.verdict == Verdict::kAgrees) tally.worst_error = std::max(tally.worst_error, c.error);
+    if (c.verdict == Verdict::kDisagrees || c.verdict == Verdict::kWrongRefusal)
+      tally.disagreeing.push_back(seed);
     if (c.verdict == Verdict::kAgrees || c.verdict == Verdict::kRefusedRightly) continue;
     std::cout << name_of(c.verdict) << ": " << c.why << "\nerror " << c.error << ", second route " << c.own
               << " of the allowance\n"

@@ -116,12 +116,14 @@ class Run {
     return true;
   }
 
-  /// Steps to `end`, or to where a pressure sensor switches.
+  /// Steps to `end`, or to where a pressure sensor switches. A step across a corner is repeated up to just
+  /// beyond it.
   bool stretch_to(double end) {
     const double length = end - t_;
     radau_.begin_anew();
     const bool empty = std::ranges::all_of(y_, [](double v) { return v == 0.0; });
     double h = std::min(h_ > 0.0 && !empty ? h_ : (empty ? 1e-6 : 1e-3) * length, length);
+    bool landing = false;
     for (double tau = 0.0; tau < length;) {
       const bool last = tau + h * (1.0 + 1e-9) >= length;
       if (last) h = length - tau;
@@ -129,30 +131,33 @@ class Run {
       levels_ = rates_.levels(tau, y_);
       const double error = radau_.pair(tau, h, y_, middle_, next_);
       const double factor = error < kInfinity ? 0.9 * std::pow(std::max(error, 1e-6), -1.0 / 6.0) : 0.2;
-      h_ = h * std::clamp(factor, 0.1, 5.0);
+      if (!landing || error > 1.0) h_ = h * std::clamp(factor, 0.1, 5.0);
       if (!(error <= 1.0)) {
         if (h <= 1e-15 * tau) return fail("no step", tau);
         h = h_;
+        landing = false;
         continue;
       }
-      const bool early = passes(middle_, tau + 0.5 * h);
-      if (early || passes(next_, tau + h)) {
-        if (!land(tau, early ? 0.5 * h : h)) {
-          h *= 0.25;
-          continue;
-        }
-        if (network_.switches(overpressure(y_, tau))) {
-          t_ += tau;
-          return true;
-        }
-        h = h_ = 0.25 * h;
-      } else {
-        y_.swap(next_);
-        radau_.go_on();
-        tau = last ? length : tau + h;
-        h = h_;
+      // The step that `corner` found, not the pair, which may end short of it by a rounding.
+      if (landing) std::ranges::copy(radau_.single(), next_.begin());
+      const bool early = passes(middle_, tau + 0.5 * h), late = passes(next_, tau + h);
+      const bool shortest = landing && h <= 1e-15 * (t_ + tau);
+      if ((early && !shortest) || (late && !landing)) {
+        h_ = 0.25 * h;
+        h = corner(tau, early ? 0.5 * h : h);
+        landing = true;
+        continue;
       }
+      y_.swap(next_);
+      tau = last ? length : tau + h;
+      late ? radau_.begin_anew() : radau_.go_on();
+      h = h_;
+      landing = false;
       look(tau);
+      if (late && network_.switches(overpressure(y_, tau))) {
+        t_ += tau;
+        return true;
+      }
     }
     t_ = end;
     return true;
@@ -168,20 +173,15 @@ class Run {
     return false;
   }
 
-  /// Steps from `tau` to where something has just passed, within h; false, and no step, if a shorter h must
-  /// be tried.
-  bool land(double& tau, double h) {
+  /// Length of the step from `tau` that ends just beyond the first corner within h.
+  double corner(double tau, double h) {
     double low = 0.0, high = h;
     for (double half = 0.5 * h; half > low && half < high; half = 0.5 * (low + high)) {
-      if (!radau_.step(tau, half, y_, next_)) return false;
+      if (!radau_.step(tau, half, y_, next_)) return 0.5 * half;
       (passes(next_, tau + half) ? high : low) = half;
       if (high - low <= 1e-16 * (t_ + tau)) break;
     }
-    if (!radau_.step(tau, high, y_, next_)) return false;
-    y_.swap(next_);
-    radau_.begin_anew();
-    tau += high;
-    return true;
+    return high;
   }
 
   /// At `tau` since the begin of the stretch.

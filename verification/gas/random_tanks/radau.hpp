@@ -32,6 +32,9 @@ class Radau {
   /// tolerances, infinite if a step fails.
   double pair(double t, double h, std::span<const double> y, std::span<double> middle, std::span<double> end);
 
+  /// End of the one step of the last pair, as step() gives it.
+  std::span<const double> single() const { return whole_; }
+
   /// The next step begins where the last pair ended, and guesses its stages from there; or does not.
   void go_on();
   void begin_anew() { before_.length = 0.0; }

@@ -22,8 +22,7 @@ TEST(two_routes, agree_on_random_tanks) {
   claim::expect_near(
       {"G.9", "300 random tanks: largest residual of mass or energy [-]", "some thousand roundings"},
       tally.worst_balance, 0.0, 1e-12);
-  EXPECT_EQ(tally.count(Verdict::kDisagrees), 0);
-  EXPECT_EQ(tally.count(Verdict::kWrongRefusal), 0);
+  EXPECT_TRUE(tally.disagreeing.empty());
   EXPECT_EQ(tally.count(Verdict::kTooStiff), 0);
   EXPECT_LE(tally.count(Verdict::kUndecided) + tally.count(Verdict::kSensitive), 0.02 * kTanks);
   EXPECT_GE(tally.count(Verdict::kRefusedRightly), 1);
