@@ -193,10 +193,12 @@ double Substepper::integrate(double a, double b, const TriggerState& triggers) {
       throw DomainError(beyond_text(*balance.boundary().model().volume_of_overpressure) +
                         ", at t = " + to_text(begin_.t) + " s");
     const bool landed = next.landing < kInfinity;
-    const double ahead = landed || trial.last ? std::max(next.length, fitting) : fitting;
-    const double after = clock.time(end_x + ahead) - trial.end;
-    accept(trial, end, landed, after, b);
+    const double fits = clock.time(end_x + fitting) - trial.end;
+    const double kept = landed ? std::max(fits, clock.time(end_x + next.length) - trial.end) : fits;
+    accept(trial, end, landed, kept, b);
     if (network_.switches(triggers, end.overpressure, p_a)) break;
+    // Where flow has just set in, its slope holds for no longer than that was ago.
+    const double after = kept * begin_.relaxation > kStiff ? fits : kept;
     next = {system_.clock.position(begin_.t + after) - begin_.x};
   }
   return begin_.t;

@@ -39,6 +39,25 @@ struct OnsetOrder {
   std::vector<int> steps;
 };
 
+/// 12 l at p_a that are filled within 40 us, behind a hole and a vent whose area has its first knot at p_a. A sub-step that
+/// lands there is a nanosecond long: the next may not be as long as the one before it was to be.
+TEST(onset, steep_pulse_at_a_knot_is_right_at_any_tolerance) {
+  gas::ControlVolumeModel model = closed_tank(nitrogen());
+  model.inflows.push_back(steady_inflow(model.thermo, 0.0, 600.0));
+  model.inflows[0].mass_flow = gas::Curve({{0.0, 0.0}, {4e-5, 100.0}, {1e-4, 0.0}}, gas::Outside::kZero);
+  model.vents.push_back({0.5, 0.06});
+  model.vents[0].area_of_overpressure = gas::Curve({{0.0, 0.0}, {8e4, 0.06}, {2e5, 0.12}}, gas::Outside::kHeld);
+  model.vents.push_back({0.5, 0.45});
+  const auto mass = [&](double tolerance) {
+    gas::ControlVolumeState state = gas::make_state(model, kPure, kAmbientPressure, 420.0, 0.012);
+    gas::GasIntegrator(model, {tolerance}).advance(state, 0.0, 4e-5, rigid(0.012));
+    return state.masses[0];
+  };
+  const double exact = mass(1e-12);
+  for (const double tolerance : {1e-3, 1e-4, 1e-5, 1e-6, 1e-8})
+    EXPECT_LT(relative(mass(tolerance), exact), 10.0 * tolerance) << tolerance;
+}
+
 /// The first sub-step is one from 0 in x = sqrt(t), where what leaves is a series from x^3 on. A Runge-Kutta
 /// method of order q misses its term q + 1, h^((q+1)/2); the matrix of the implicit one, zero there, all of
 /// it, h^1.5.
