@@ -12,7 +12,6 @@ driver::Scene passenger_scene(const std::vector<std::string>& overrides) {
 
 std::vector<JetState> jet_states(const driver::Scene& scene, const std::vector<double>& times) {
   driver::State state = driver::make_state(scene);
-  driver::StepRecords records;
   std::vector<JetState> states;
   const std::function<void(const driver::State&)> keep = [&](const driver::State& now) {
     if (states.size() < times.size() && now.time >= times[states.size()])
@@ -21,7 +20,7 @@ std::vector<JetState> jet_states(const driver::Scene& scene, const std::vector<d
   driver::StepRequest request;
   request.before_advance = &keep;
   while (states.size() < times.size()) {
-    driver::step(scene, state, request, records);
+    driver::step(scene, state, request);
     state.time += state.step.after;
   }
   return states;

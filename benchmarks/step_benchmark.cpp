@@ -59,7 +59,7 @@ void run_case(benchmark::State& bench, const std::string& name, const std::vecto
     driver::State state = driver::make_state(scene);
     Untouched untouched;
     const auto outcome =
-        driver::run_scene(scene, state, [&](const driver::StepRecords*, const driver::State& now) {
+        driver::run_scene(scene, state, [&](bool, const driver::State& now) {
           untouched.update(now);
           blowing += !now.jets.empty() && now.jets.front().outlet.density > 0.0;
         });

@@ -40,17 +40,6 @@ Named largest(std::initializer_list<Named> list) {
                            [](const Named& a, const Named& b) { return a.second < b.second; });
 }
 
-// Of the terms that the step integrates.
-Named largest_term(const Scene& scene, const EnergyRecord& e) {
-  if (!scene.moves()) return {"gas_internal_J", e.gas_internal_J};
-  return largest({{"skin_strain_J", e.skin_strain_J},
-                  {"skin_kinetic_J", e.skin_kinetic_J},
-                  {"strap_J", e.strap_J},
-                  {"plate_J", e.plate_J},
-                  {"contact_J", e.contact_J},
-                  {"pendulum_kinetic_J", e.pendulum_kinetic_J}});
-}
-
 std::string governing_share(const State& state) {
   const membrane::StiffnessShares& s = state.step.share_sums;
   const Named governing = largest({{"fabric", s.element},
@@ -64,11 +53,17 @@ std::string governing_share(const State& state) {
 
 }  // namespace
 
-double energy_scale(const EnergyRecord& e) {
+double energy_scale(const Scene& scene, const State& state) {
+  double kinetic = state.level.skin_kinetic, elastic = state.level.skin_strain, weight = 0.0;
+  if (state.bag) elastic = elastic + state.bag->forces.strap_energy + state.bag->forces.plate_energy;
+  elastic += state.contact.energy;
+  if (state.pendulum) {
+    kinetic += state.pendulum->kinetic;
+    weight = scene.pendulum->model.potential_energy(state.level.pendulum_angle);
+  }
   // Absolute enthalpies (NASA-7) pass through zero: no single term serves as the scale of all scenes.
-  return std::max({std::abs(e.inflow_enthalpy_J), std::abs(e.gas_internal_J),
-                   e.skin_kinetic_J + e.pendulum_kinetic_J, std::abs(e.pendulum_gravity_J),
-                   e.skin_strain_J + e.strap_J + e.plate_J + e.contact_J});
+  return std::max({std::abs(state.level.flows.enthalpy_in), std::abs(state.level.internal_energy), kinetic,
+                   std::abs(weight), elastic});
 }
 
 double energy_drift(const State& state) {
@@ -92,11 +87,11 @@ double drift_limit(const Scene& scene, const State& state) {
 
 std::string drift_text(const Scene& scene, const State& state) {
   const double drift = energy_drift(state);
-  const Named term = largest_term(scene, state.peaks.energy);
+  const LargestTerm& term = state.peaks.largest_term;
   std::string text = fmt::format(
       "the energy drifts by {:.2g} of itself (residual.energy_rel), {:.0e} or less is "
       "expected; largest term that the step integrates: {}, {:.3g} J",
-      drift, kDriftWarned, term.first, term.second);
+      drift, kDriftWarned, term.name, term.magnitude);
   if (state.step.share_sums.total() > 0.0) text += governing_share(state);
   if (!scene.moves()) return text;
   // Second order; a tenth to spare.

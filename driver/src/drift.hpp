@@ -17,8 +17,8 @@ double energy_drift(const State& state);
 /// Step that bounds the drift (M.22), (M.24) [s]; without gas (M.24) alone. Writes nothing.
 double drift_limit(const Scene& scene, const State& state);
 
-/// Energy that the drift is compared with [J], from the record of a level.
-double energy_scale(const EnergyRecord& energy);
+/// Energy that the drift is compared with [J], of a level.
+double energy_scale(const Scene& scene, const State& state);
 
 /// Says how large the drift is, of which term it can be, what sets the step, and which step would do.
 std::string drift_text(const Scene& scene, const State& state);

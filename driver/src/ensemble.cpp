@@ -18,16 +18,15 @@
 namespace driver {
 namespace {
 
-// The history at `time`, linear between the recorded levels.
-double interpolate(const std::vector<Record>& rows, double time, double Record::*value) {
-  const auto after = std::lower_bound(rows.begin(), rows.end(), time,
-                                      [](const Record& r, double t) { return r.time_s < t; });
-  if (after == rows.end()) return rows.back().*value;
-  if (after == rows.begin()) return rows.front().*value;
-  const Record& a = *(after - 1);
-  const Record& b = *after;
-  const double part = (time - a.time_s) / (b.time_s - a.time_s);
-  return a.*value + part * (b.*value - a.*value);
+// Column `c` of the history at `time`, linear between the recorded levels.
+double interpolate(const std::vector<std::vector<double>>& rows, double time, std::size_t c) {
+  const auto after =
+      std::ranges::lower_bound(rows, time, {}, [](const std::vector<double>& row) { return row.front(); });
+  if (after == rows.end()) return rows.back()[c];
+  if (after == rows.begin()) return rows.front()[c];
+  const auto &a = *(after - 1), &b = *after;
+  const double part = (time - a.front()) / (b.front() - a.front());
+  return a[c] + part * (b[c] - a[c]);
 }
 
 void collect_rows(const Scene& scene, const std::vector<const Member*>& members, EnsembleResult& result) {
@@ -39,7 +38,7 @@ void collect_rows(const Scene& scene, const std::vector<const Member*>& members,
     EnsembleRow row{std::min(scene.time.end, static_cast<double>(i) * scene.output.history_every), {}};
     for (std::size_t c = 1; c < columns.size(); ++c) {
       for (std::size_t m = 0; m < members.size(); ++m)
-        values[m] = interpolate(members[m]->rows, row.time_s, columns[c].value);
+        values[m] = interpolate(members[m]->rows, row.time_s, c);
       row.values.push_back(statistics(values));
     }
     result.rows.push_back(std::move(row));
@@ -48,10 +47,10 @@ void collect_rows(const Scene& scene, const std::vector<const Member*>& members,
 
 void collect_quantities(const Scene& scene, const std::vector<const Member*>& members,
                         EnsembleResult& result) {
-  for (const auto& [name, value] : quantity_columns(scene))
+  const auto names = quantity_names(scene);
+  for (std::size_t i = 0; i < names.size(); ++i)
     for (const Member* m : members)
-      if (value != &RunQuantities::first_contact_s || m->quantities.first_contact_s >= 0.0)
-        result.quantities[name].push_back(m->quantities.*value);
+      if (const auto& value = m->quantities[i]) result.quantities[names[i]].push_back(*value);
 }
 
 }  // namespace

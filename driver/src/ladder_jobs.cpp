@@ -18,23 +18,20 @@ constexpr double short_run = 0.02;  // [s] of a run below it the cost is the lea
 constexpr int short_repeats = 5;    // at least
 
 std::vector<std::string> all_names(const Scene& scene) {
-  std::vector<std::string> names;
-  for (const auto& column : quantity_columns(scene)) names.push_back(column.name);
+  std::vector<std::string> names = quantity_names(scene);
   const auto history = history_columns(scene);
   for (std::size_t c = 1; c < history.size(); ++c) names.push_back(history[c].name);
   return names;
 }
 
 std::optional<double> quantity_of(const Scene& scene, const Member& member, const std::string& name) {
-  for (const auto& column : quantity_columns(scene))
-    if (column.name == name) {
-      const double value = member.quantities.*column.value;
-      if (column.value == &RunQuantities::first_contact_s && value < 0.0) return std::nullopt;
-      return value;
-    }
-  for (const auto& column : history_columns(scene))
-    if (column.name == name) return member.rows.back().*column.value;
-  return std::nullopt;
+  const auto names = quantity_names(scene);
+  const auto found = std::ranges::find(names, name);
+  if (found != names.end()) return member.quantities[static_cast<std::size_t>(found - names.begin())];
+  const auto columns = history_columns(scene);
+  const auto column = std::ranges::find(columns, name, &Column::name);
+  if (column == columns.end()) return std::nullopt;
+  return member.rows.back()[static_cast<std::size_t>(column - columns.begin())];
 }
 
 LadderSample run_job(const std::filesystem::path& file, const LadderJob& job, const std::string& quantity) {

@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "drift.hpp"
+#include "energy_terms.hpp"
 #include "stages.hpp"
 
 namespace driver {
@@ -36,43 +37,6 @@ void book_kick(const Scene& scene, State& state, bool last) {
   }
 }
 
-double held(const EnergyRecord& e) {
-  return e.gas_internal_J + e.skin_kinetic_J + e.skin_strain_J + e.skin_gravity_J + e.strap_J + e.plate_J +
-         e.contact_J + e.pendulum_kinetic_J + e.pendulum_gravity_J + e.ambient_work_J;
-}
-
-EnergyRecord energy_record(const Scene& scene, const State& state) {
-  EnergyRecord e;
-  e.time_s = state.time;
-  if (scene.has_volume()) {
-    e.gas_internal_J = state.level.internal_energy;
-    if (state.bag) e.ambient_work_J = scene.ambient.pressure * (state.level.volume - state.initial_volume);
-  }
-  if (state.bag) {
-    e.skin_kinetic_J = level_kinetic(state.step, state.bag->advance.kinetic_before,
-                                     state.bag->advance.kinetic_after, state.bag->advance.kinetic_product);
-    e.skin_strain_J = state.level.skin_strain;
-    e.strap_J = state.bag->forces.strap_energy;
-    e.plate_J = state.bag->forces.plate_energy;
-    e.skin_gravity_J = state.level.skin_gravity;
-    e.contact_J = state.contact.energy;
-  }
-  if (state.pendulum) {
-    e.pendulum_kinetic_J = state.pendulum->kinetic;
-    e.pendulum_gravity_J = scene.pendulum->model.potential_energy(state.level.pendulum_angle);
-  }
-  const Flows& flows = state.level.flows;
-  e.outflow_enthalpy_J = flows.enthalpy_out;
-  e.damping_J = flows.damping_loss;
-  e.friction_J = state.flows.friction_loss;
-  e.inflow_enthalpy_J = flows.enthalpy_in;
-  e.jet_work_J = flows.jet_work;
-  e.backflow_enthalpy_J = flows.backflow_enthalpy;
-  e.heat_loss_J = flows.heat_loss;
-  if (!state.bag) e.tank_work_J = flows.gas_work;
-  return e;
-}
-
 double kinetic_after(const State& state) {
   return (state.bag ? state.bag->advance.kinetic_after : 0.0) +
          (state.pendulum ? state.pendulum->kinetic_after : 0.0);
@@ -93,60 +57,19 @@ double momentum_residual(const State& state) {
   return scale > 0.0 ? resultant.norm() / scale : 0.0;
 }
 
-double joint_force(const Scene& scene, const State& state) {
-  const PendulumRun& p = *state.pendulum;
-  return scene.pendulum->model
-      .joint_reaction(state.level.pendulum_angle, p.angular_velocity, p.moment, state.contact.force)
-      .norm();
-}
-
-// Of all jets together.
-Eigen::Vector3d jet_force(const State& state) {
+// Magnitude of that of all jets together.
+double jet_force(const State& state) {
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   for (const JetRun& run : state.jets) sum += run.force;
-  return sum;
-}
-
-Record history_record(const Scene& scene, const State& state) {
-  Record r;
-  r.time_s = state.time;
-  const auto& gas = state.gas_point;
-  r.pressure_Pa = gas.pressure;
-  r.temperature_K = gas.temperature;
-  r.volume_m3 = state.level.volume;
-  r.skin_area_m2 = state.level.skin_area;
-  r.gas_mass_kg = gas.mass;
-  r.inflow_kg_s = gas.inflow;
-  r.vent_outflow_kg_s = gas.vent_mass_flow;
-  r.fabric_outflow_kg_s = gas.fabric_mass_flow;
-  r.backflow_kg_s = gas.backflow;
-  r.heat_loss_W = gas.heat_loss;
-  for (const JetRun& run : state.jets) {
-    r.jet_lit_elements += static_cast<double>(run.counters.lit);
-    r.jet_hidden_elements += static_cast<double>(run.counters.hidden);
-  }
-  r.jet_force_N = jet_force(state).norm();
-  r.contact_force_N = state.contact.force.norm();
-  r.contact_penetration_m = state.contact.penetration;
-  if (state.pendulum) {
-    r.pendulum_angle_rad = state.level.pendulum_angle;
-    r.pendulum_angular_velocity_rad_s = state.pendulum->angular_velocity;
-    r.pendulum_cg_tangential_m_s2 = state.pendulum->acceleration.tangential;
-    r.pendulum_cg_radial_m_s2 = state.pendulum->acceleration.radial;
-    r.pendulum_cg_acceleration_m_s2 = state.pendulum->acceleration.resultant;
-    r.pendulum_joint_force_N = joint_force(scene, state);
-  }
-  if (state.bag) r.plate_force_N = state.bag->forces.plate_force.norm();
-  if (state.bag && !state.bag->strap_tension.empty())
-    r.strap_force_N = *std::max_element(state.bag->strap_tension.begin(), state.bag->strap_tension.end());
-  return r;
+  return sum.norm();
 }
 
 void book_peaks(const Scene& scene, State& state) {
   Peaks& peaks = state.peaks;
   peaks.pressure = std::max(peaks.pressure, state.gas_point.pressure);
   peaks.volume = std::max(peaks.volume, state.level.volume);
-  peaks.jet_force = std::max(peaks.jet_force, jet_force(state).norm());
+  state.level.jet_force = jet_force(state);
+  peaks.jet_force = std::max(peaks.jet_force, state.level.jet_force);
   if (scene.has_volume()) {
     const double supplied = state.initial_gas_mass + state.flows.mass_in + state.flows.backflow_mass;
     const double expected = supplied - state.flows.vent_mass_out - state.flows.fabric_mass_out;
@@ -162,38 +85,41 @@ void book_peaks(const Scene& scene, State& state) {
   peaks.penetration = std::max(peaks.penetration, state.contact.penetration);
 }
 
-void book_energy(const EnergyRecord& energy, Peaks& peaks) {
-  peaks.energy_scale = std::max(peaks.energy_scale, energy_scale(energy));
-  peaks.energy_residual = std::max(peaks.energy_residual, std::abs(energy.residual_J));
-  for (const auto term : {&EnergyRecord::gas_internal_J, &EnergyRecord::skin_strain_J,
-                          &EnergyRecord::skin_kinetic_J, &EnergyRecord::strap_J, &EnergyRecord::plate_J,
-                          &EnergyRecord::contact_J, &EnergyRecord::pendulum_kinetic_J})
-    peaks.energy.*term = std::max(peaks.energy.*term, std::abs(energy.*term));
+void book_energy(const Scene& scene, State& state) {
+  Peaks& peaks = state.peaks;
+  peaks.energy_scale = std::max(peaks.energy_scale, energy_scale(scene, state));
+  peaks.energy_residual = std::max(peaks.energy_residual, std::abs(state.level.energy_residual));
+  const Role integrated = scene.moves() ? Role::moved : Role::held;
+  for (const EnergyTerm& term : energy_terms())
+    if (term.role == integrated && term.when(scene))
+      if (const double size = std::abs(term.value(scene, state)); size > peaks.largest_term.magnitude)
+        peaks.largest_term = {term.name, size};
+}
+
+double skin_kinetic(const State& state) {
+  const auto& sums = state.bag->advance;
+  return level_kinetic(state.step, sums.kinetic_before, sums.kinetic_after, sums.kinetic_product);
 }
 
 }  // namespace
 
-void ledger(const Scene& scene, State& state, const StepRequest& request, StepRecords& records) {
+void ledger(const Scene& scene, State& state, const StepRequest& request) {
   StageTimer timer(state, Stage::ledger);
   const bool start = state.steps == 0 && state.step.before == 0.0;
   if (start) state.initial_kinetic = kinetic_before(state);
   book_kick(scene, state, request.last);
   book_peaks(scene, state);
-  const double kick_residual = kinetic_after(state) - state.initial_kinetic - state.flows.kick_work;
-  state.peaks.ledger_residual = std::max(state.peaks.ledger_residual, std::abs(kick_residual));
+  Level& level = state.level;
+  level.kick_residual = kinetic_after(state) - state.initial_kinetic - state.flows.kick_work;
+  state.peaks.ledger_residual = std::max(state.peaks.ledger_residual, std::abs(level.kick_residual));
   if (!request.record) return;
 
-  EnergyRecord& energy = records.energy;
-  energy = energy_record(scene, state);
-  if (start) state.initial_energy = held(energy);
-  energy.residual_J = held(energy) + energy.outflow_enthalpy_J + energy.damping_J + energy.friction_J +
-                      energy.heat_loss_J + energy.tank_work_J - state.initial_energy -
-                      energy.inflow_enthalpy_J - energy.backflow_enthalpy_J - energy.jet_work_J;
-  energy.kick_residual_J = kick_residual;
-  book_energy(energy, state.peaks);
+  if (state.bag) level.skin_kinetic = skin_kinetic(state);
+  if (start) state.initial_energy = held_energy(scene, state);
+  level.energy_residual = energy_residual(scene, state);
+  book_energy(scene, state);
   if (state.bag)
     state.peaks.momentum_residual = std::max(state.peaks.momentum_residual, momentum_residual(state));
-  records.history = history_record(scene, state);
 }
 
 }  // namespace driver

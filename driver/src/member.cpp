@@ -6,6 +6,7 @@
 #include <ctime>
 
 #include "driver/channel_filter.hpp"
+#include "scene_has.hpp"
 
 namespace driver {
 namespace {
@@ -16,25 +17,44 @@ double thread_cpu_seconds() {
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
+struct Quantity {
+  const char* name;
+  bool (*when)(const Scene&);
+  std::optional<double> (*value)(const State&, const PlanarSignal& acceleration);
+};
+
+using At = const State&;
+using Signal = const PlanarSignal&;
+
+std::optional<double> first_contact(At now, Signal) {
+  if (now.peaks.first_contact < 0.0) return std::nullopt;
+  return now.peaks.first_contact;
+}
+
+std::optional<double> filtered(At, Signal signal) {
+  return filtered_peak(signal, impactor_channel_class);
+}
+
+// clang-format off
+constexpr Quantity kQuantities[] = {
+  {"peak_pressure_Pa", has::volume, [](At now, Signal) { return std::optional(now.peaks.pressure); }},
+  {"peak_volume_m3", has::volume, [](At now, Signal) { return std::optional(now.peaks.volume); }},
+  {"final_angle_rad", has::pendulum, [](At now, Signal) { return std::optional(now.level.pendulum_angle); }},
+  {"peak_cg_acceleration_m_s2", has::pendulum, [](At now, Signal) { return std::optional(now.peaks.cg_acceleration); }},
+  {"peak_cg_acceleration_cfc180_m_s2", has::pendulum, filtered},
+  {"contact_impulse_Ns", has::pendulum, [](At now, Signal) { return std::optional(now.flows.contact_impulse); }},
+  {"path_impulse_Ns", has::pendulum, [](At now, Signal) { return std::optional(now.flows.path_impulse); }},
+  {"first_contact_s", has::pendulum, first_contact},
+};
+// clang-format on
+
 }  // namespace
 
-std::vector<Column<RunQuantities>> quantity_columns(const Scene& scene) {
-  std::vector<Column<RunQuantities>> columns;
-#define GASJET_COLUMN(name) columns.emplace_back(#name, &RunQuantities::name)
-  if (scene.has_volume()) {
-    GASJET_COLUMN(peak_pressure_Pa);
-    GASJET_COLUMN(peak_volume_m3);
-  }
-  if (scene.pendulum) {
-    GASJET_COLUMN(final_angle_rad);
-    GASJET_COLUMN(peak_cg_acceleration_m_s2);
-    GASJET_COLUMN(peak_cg_acceleration_cfc180_m_s2);
-    GASJET_COLUMN(contact_impulse_Ns);
-    GASJET_COLUMN(path_impulse_Ns);
-    GASJET_COLUMN(first_contact_s);
-  }
-#undef GASJET_COLUMN
-  return columns;
+std::vector<std::string> quantity_names(const Scene& scene) {
+  std::vector<std::string> names;
+  for (const Quantity& quantity : kQuantities)
+    if (quantity.when(scene)) names.emplace_back(quantity.name);
+  return names;
 }
 
 Member run_member(const Scene& scene) {
@@ -43,8 +63,9 @@ Member run_member(const Scene& scene) {
   Member member;
   PlanarSignal acceleration;
   double level = 0.0;  // [s] time of the level that the sink sees
-  member.outcome = run_scene(scene, state, [&](const StepRecords* records, const State& now) {
-    if (records) member.rows.push_back(records->history);
+  const auto columns = history_columns(scene);
+  member.outcome = run_scene(scene, state, [&](bool recorded, const State& now) {
+    if (recorded) member.rows.push_back(row(columns, scene, now));
     if (!now.pendulum) return;
     acceleration.time.push_back(level);
     acceleration.first.push_back(now.pendulum->acceleration.tangential);
@@ -52,14 +73,8 @@ Member run_member(const Scene& scene) {
     level += now.step.after;
   });
   member.cpu_seconds = thread_cpu_seconds() - start;
-  member.quantities = {state.peaks.pressure,
-                       state.peaks.volume,
-                       state.level.pendulum_angle,
-                       state.peaks.cg_acceleration,
-                       filtered_peak(acceleration, impactor_channel_class),
-                       state.flows.contact_impulse,
-                       state.flows.path_impulse,
-                       state.peaks.first_contact};
+  for (const Quantity& quantity : kQuantities)
+    if (quantity.when(scene)) member.quantities.push_back(quantity.value(state, acceleration));
   return member;
 }
 

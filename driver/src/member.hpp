@@ -2,29 +2,21 @@
 // One run of a case in memory, for commands that make many: ensembles and ladders.
 #pragma once
 
+#include <optional>
+#include <string>
+#include <vector>
+
 #include "driver/run.hpp"
 
 namespace driver {
 
-/// What a run says in one number each; columns like those of the history.
-struct RunQuantities {
-  double peak_pressure_Pa = 0.0;
-  double peak_volume_m3 = 0.0;
-  double final_angle_rad = 0.0;
-  double peak_cg_acceleration_m_s2 = 0.0;
-  double peak_cg_acceleration_cfc180_m_s2 = 0.0;
-  double contact_impulse_Ns = 0.0;
-  double path_impulse_Ns = 0.0;
-  double first_contact_s = -1.0;  // negative: none
-};
-
-/// Those that the scene has.
-std::vector<Column<RunQuantities>> quantity_columns(const Scene& scene);
+/// Names of what a run of the scene says in one number each, with units.
+std::vector<std::string> quantity_names(const Scene& scene);
 
 struct Member {
-  std::vector<Record> rows;
+  std::vector<std::vector<double>> rows;  // of history_columns
   RunOutcome outcome;
-  RunQuantities quantities;
+  std::vector<std::optional<double>> quantities;  // of quantity_names; none: of an event that did not occur
   double cpu_seconds = 0.0;  // of the thread that ran it, from the scene's state to the last step
 };
 

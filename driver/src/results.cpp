@@ -59,9 +59,7 @@ void prepare_output(const std::filesystem::path& folder, std::initializer_list<c
   remove_fields(folder);
 }
 
-template <typename Row>
-CsvWriter<Row>::CsvWriter(const std::filesystem::path& file, const Provenance& lines,
-                          std::vector<Column<Row>> columns)
+CsvWriter::CsvWriter(const std::filesystem::path& file, const Provenance& lines, std::vector<Column> columns)
     : file_(file), stream_(file), columns_(std::move(columns)) {
   if (!stream_) throw OutputError(fmt::format("{}: not writable", file.string()));
   for (const auto& [key, value] : lines) stream_ << "# " << key << ": " << value << '\n';
@@ -69,27 +67,22 @@ CsvWriter<Row>::CsvWriter(const std::filesystem::path& file, const Provenance& l
   stream_ << '\n';
 }
 
-template <typename Row>
-void CsvWriter<Row>::write(const Row& row) {
+void CsvWriter::write(const Scene& scene, const State& state) {
   fmt::memory_buffer line;
-  for (std::size_t i = 0; i < columns_.size(); ++i) {
-    if (!std::isfinite(row.*columns_[i].value))
-      throw WriteError(fmt::format("{} is no finite number", columns_[i].name));
-    if (i > 0) line.push_back(',');
-    fmt::format_to(std::back_inserter(line), "{}", row.*columns_[i].value);
+  for (const Column& column : columns_) {
+    const double value = column.value(scene, state);
+    if (!std::isfinite(value)) throw WriteError(fmt::format("{} is no finite number", column.name));
+    if (line.size() > 0) line.push_back(',');
+    fmt::format_to(std::back_inserter(line), "{}", value);
   }
   line.push_back('\n');
   stream_.write(line.data(), static_cast<std::streamsize>(line.size()));
   if (!stream_) throw WriteError(fmt::format("{}: write failed (disk full?)", file_.string()));
 }
 
-template <typename Row>
-void CsvWriter<Row>::flush() {
+void CsvWriter::flush() {
   stream_.flush();
   if (!stream_) throw WriteError(fmt::format("{}: write failed (disk full?)", file_.string()));
 }
-
-template class CsvWriter<Record>;
-template class CsvWriter<EnergyRecord>;
 
 }  // namespace driver

@@ -36,10 +36,9 @@ class Schedule {
   double next_ = 0.0;  // multiple that is due next
 };
 
-void run_steps(const Scene& scene, State& state, const RecordSink& sink,
+void run_steps(const Scene& scene, State& state, const LevelSink& sink,
                const std::function<void(const State&)>& fields, RunOutcome& outcome) {
   Schedule history(scene.output.history_every), pictures(scene.output.fields_every);
-  StepRecords records;
   for (;;) {
     StepRequest request;
     const bool stop = interrupted();
@@ -47,8 +46,8 @@ void run_steps(const Scene& scene, State& state, const RecordSink& sink,
     request.record = history.due(state.time) || request.last;
     if (fields && pictures.due(state.time)) request.before_advance = &fields;
     const double now = state.time;
-    step(scene, state, request, records);
-    sink(request.record ? &records : nullptr, state);
+    step(scene, state, request);
+    sink(request.record, state);
     if (stop) outcome.status = RunStatus::interrupted;
     if (request.last) return;
     const double stop_at = next_stop(scene, now);
@@ -77,7 +76,7 @@ void set_threads(int threads) {
   ParallelBlocks::threads = threads;
 }
 
-RunOutcome run_scene(const Scene& scene, State& state, const RecordSink& sink,
+RunOutcome run_scene(const Scene& scene, State& state, const LevelSink& sink,
                      const std::function<void(const State&)>& fields) {
   RunOutcome outcome;
   const auto start = std::chrono::steady_clock::now();
@@ -102,16 +101,16 @@ RunOutcome run_to_folder(const Scene& scene, const std::filesystem::path& folder
   set_threads(options.threads);
   State state = make_state(scene);
   prepare_output(folder, {"summary.json"});
-  CsvWriter<Record> history(folder / "history.csv", lines, history_columns(scene));
-  CsvWriter<EnergyRecord> energy(folder / "energy.csv", lines, energy_columns(scene));
+  CsvWriter history(folder / "history.csv", lines, history_columns(scene));
+  CsvWriter energy(folder / "energy.csv", lines, energy_columns(scene));
   Progress progress(scene.name, scene.time.end, options.quiet);
   std::optional<FieldWriter> pictures;
   if (scene.output.fields_every > 0.0) pictures.emplace(folder, scene);
-  const auto record = [&](const StepRecords* records, const State& now) {
+  const auto record = [&](bool recorded, const State& now) {
     progress.update(now.time);
-    if (!records) return;
-    history.write(records->history);
-    energy.write(records->energy);
+    if (!recorded) return;
+    history.write(scene, now);
+    energy.write(scene, now);
   };
   const auto fields = [&](const State& now) {
     if (pictures) pictures->write(now);

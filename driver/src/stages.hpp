@@ -39,10 +39,10 @@ double contact_stiffness(const Scene& scene, const State& state);  // bound of i
 void choose_step(const Scene& scene, State& state, bool last);
 /// Time that a step from `time` must not pass: the end, or the next row's if history_exact.
 double next_stop(const Scene& scene, double time);
-void advance(const Scene& scene, State& state);                                                   // S8
-void volume(const Scene& scene, State& state);                                                    // S9
-void gas_ode(const Scene& scene, State& state, const Enclosure& before);                          // S10
-void ledger(const Scene& scene, State& state, const StepRequest& request, StepRecords& records);  // S11
+void advance(const Scene& scene, State& state);                             // S8
+void volume(const Scene& scene, State& state);                              // S9
+void gas_ode(const Scene& scene, State& state, const Enclosure& before);    // S10
+void ledger(const Scene& scene, State& state, const StepRequest& request);  // S11
 
 /// Part of the kick at level n that lies before n: dt_before / (dt_before + dt_after).
 double kick_share(const StepSizes& step);

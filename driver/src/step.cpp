@@ -12,7 +12,7 @@ std::string_view stage_name(Stage stage) {
   return names[static_cast<std::size_t>(stage)];
 }
 
-void step(const Scene& scene, State& state, const StepRequest& request, StepRecords& records) {
+void step(const Scene& scene, State& state, const StepRequest& request) {
   // S1: the surface of level n was written by S9 of the step before (make_state, at the start).
   gas_point(scene, state);
   outlets(scene, state);
@@ -29,7 +29,7 @@ void step(const Scene& scene, State& state, const StepRequest& request, StepReco
     volume(scene, state);
     gas_ode(scene, state, before);
   }
-  ledger(scene, state, request, records);
+  ledger(scene, state, request);
   state.step.before = state.step.after;
 }
 

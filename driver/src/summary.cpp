@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Columns of the result files and summary.json.
+// summary.json.
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -71,11 +71,6 @@ Json peaks(const Scene& scene, const State& state) {
   return json;
 }
 
-bool has_backflow(const GasPart& gas) {
-  return std::any_of(gas.model.vents.begin(), gas.model.vents.end(),
-                     [](const auto& v) { return v.backflow; });
-}
-
 /// Mass and enthalpy that each stream carried, from the start.
 Json streams(const Scene& scene, const State& state) {
   Json json = Json::object();
@@ -122,82 +117,6 @@ Json counters(const Scene& scene, const State& state) {
 }
 
 }  // namespace
-
-std::vector<Column<Record>> history_columns(const Scene& scene) {
-  std::vector<Column<Record>> columns;
-#define GASJET_COLUMN(name) columns.push_back({#name, &Record::name})
-  GASJET_COLUMN(time_s);
-  if (scene.has_volume()) {
-    GASJET_COLUMN(pressure_Pa);
-    GASJET_COLUMN(temperature_K);
-    GASJET_COLUMN(volume_m3);
-    GASJET_COLUMN(gas_mass_kg);
-    if (!scene.gas->model.inflows.empty()) GASJET_COLUMN(inflow_kg_s);
-    if (!scene.gas->model.vents.empty()) GASJET_COLUMN(vent_outflow_kg_s);
-    if (has_backflow(*scene.gas)) GASJET_COLUMN(backflow_kg_s);
-    if (scene.gas->model.heat_loss.conductance > 0.0) GASJET_COLUMN(heat_loss_W);
-    if (scene.gas->tank_leak_area > 0.0) GASJET_COLUMN(fabric_outflow_kg_s);
-  }
-  if (scene.bag) {
-    if (scene.bag->leak_law != LeakLaw::none) GASJET_COLUMN(fabric_outflow_kg_s);
-    GASJET_COLUMN(skin_area_m2);
-  }
-  if (!scene.jets.empty()) {
-    GASJET_COLUMN(jet_force_N);
-    GASJET_COLUMN(jet_lit_elements);
-    GASJET_COLUMN(jet_hidden_elements);
-  }
-  if (scene.contact) {
-    GASJET_COLUMN(contact_force_N);
-    GASJET_COLUMN(contact_penetration_m);
-  }
-  if (scene.pendulum) {
-    GASJET_COLUMN(pendulum_angle_rad);
-    GASJET_COLUMN(pendulum_angular_velocity_rad_s);
-    GASJET_COLUMN(pendulum_cg_tangential_m_s2);
-    GASJET_COLUMN(pendulum_cg_radial_m_s2);
-    GASJET_COLUMN(pendulum_cg_acceleration_m_s2);
-    GASJET_COLUMN(pendulum_joint_force_N);
-  }
-  if (scene.bag && !scene.bag->model.description.straps.empty()) GASJET_COLUMN(strap_force_N);
-  if (scene.bag && !scene.bag->model.description.plates.empty()) GASJET_COLUMN(plate_force_N);
-#undef GASJET_COLUMN
-  return columns;
-}
-
-std::vector<Column<EnergyRecord>> energy_columns(const Scene& scene) {
-  std::vector<Column<EnergyRecord>> columns;
-#define GASJET_COLUMN(name) columns.push_back({#name, &EnergyRecord::name})
-  GASJET_COLUMN(time_s);
-  if (scene.has_volume()) GASJET_COLUMN(gas_internal_J);
-  if (scene.bag) {
-    GASJET_COLUMN(skin_kinetic_J);
-    GASJET_COLUMN(skin_strain_J);
-    if (!scene.gravity.isZero(0.0)) GASJET_COLUMN(skin_gravity_J);
-    if (!scene.bag->model.description.straps.empty()) GASJET_COLUMN(strap_J);
-    if (!scene.bag->model.description.plates.empty()) GASJET_COLUMN(plate_J);
-    GASJET_COLUMN(ambient_work_J);
-  }
-  if (scene.contact) GASJET_COLUMN(contact_J);
-  if (scene.pendulum) {
-    GASJET_COLUMN(pendulum_kinetic_J);
-    GASJET_COLUMN(pendulum_gravity_J);
-  }
-  if (scene.has_volume()) {
-    GASJET_COLUMN(outflow_enthalpy_J);
-    GASJET_COLUMN(inflow_enthalpy_J);
-    if (has_backflow(*scene.gas)) GASJET_COLUMN(backflow_enthalpy_J);
-    if (scene.gas->model.heat_loss.conductance > 0.0) GASJET_COLUMN(heat_loss_J);
-    if (scene.gas->tank_volume || scene.gas->model.volume_of_overpressure) GASJET_COLUMN(tank_work_J);
-  }
-  if (scene.bag && scene.bag->model.description.mass_damping > 0.0) GASJET_COLUMN(damping_J);
-  if (scene.contact && scene.contact->parameters().friction > 0.0) GASJET_COLUMN(friction_J);
-  if (scene.bag && !scene.jets.empty()) GASJET_COLUMN(jet_work_J);
-  GASJET_COLUMN(residual_J);
-  if (scene.moves()) GASJET_COLUMN(kick_residual_J);
-#undef GASJET_COLUMN
-  return columns;
-}
 
 void write_summary(const std::filesystem::path& file, const Scene& scene, const State& state,
                    const RunOutcome& outcome, const Provenance& lines) {

@@ -8,10 +8,9 @@
 namespace {
 
 long allocations_of_steps(const driver::Scene& scene, driver::State& state, int warm_up, int steps) {
-  driver::StepRecords records;
   const auto advance = [&](int count) {
     for (int i = 0; i < count && state.time < scene.time.end; ++i) {
-      driver::step(scene, state, {}, records);
+      driver::step(scene, state, {});
       state.time += state.step.after;
       ++state.steps;
     }

@@ -94,11 +94,12 @@ TEST(contact_closed_form, columns_of_a_swing_eq_closed_form) {
   driver::State state = driver::make_state(scene);
   const auto pendulum = closed_form::paper_pendulum();
   const double w = closed_form::pendulum_constants(pendulum).angular_frequency, arm = 1.065, g = 9.80665;
+  const auto columns = driver::history_columns(scene);
   int rows = 0;
-  driver::run_scene(scene, state, [&](const driver::StepRecords* records, const driver::State&) {
-    if (!records || ++rows % 100 != 1) return;
-    const auto& row = records->history;
-    const auto exact = closed_form::pendulum_swing(pendulum, 1.0471975511965976, row.time_s);
+  driver::run_scene(scene, state, [&](bool recorded, const driver::State& now) {
+    if (!recorded || ++rows % 100 != 1) return;
+    const auto row = coupled::row_of(columns, scene, now);
+    const auto exact = closed_form::pendulum_swing(pendulum, 1.0471975511965976, row.at("time_s"));
     const double tangential = -w * w * std::sin(exact.angle) * arm;
     const double radial = exact.angular_velocity * exact.angular_velocity * arm;
     // Newton along and across the arm: the joint carries m (a - g).
@@ -106,16 +107,16 @@ TEST(contact_closed_form, columns_of_a_swing_eq_closed_form) {
         10.9 * std::hypot(tangential + g * std::sin(exact.angle), radial + g * std::cos(exact.angle));
     claim::expect_near({"K.4", "swing from 60 degrees, columns of the history: angle [rad]",
                         "order 2: (omega0 dt)^2 omega0 t / 24 = 1e-8 of the phase"},
-                       row.pendulum_angle_rad, exact.angle, 1e-7);
-    EXPECT_NEAR(row.pendulum_cg_tangential_m_s2, tangential, 1e-6) << row.time_s;
-    EXPECT_NEAR(row.pendulum_cg_radial_m_s2, radial, 2e-6) << row.time_s;
+                       row.at("pendulum_angle_rad"), exact.angle, 1e-7);
+    EXPECT_NEAR(row.at("pendulum_cg_tangential_m_s2"), tangential, 1e-6) << row.at("time_s");
+    EXPECT_NEAR(row.at("pendulum_cg_radial_m_s2"), radial, 2e-6) << row.at("time_s");
     claim::expect_near(
         {"K.5", "swing from 60 degrees, columns of the history: acceleration of the c.g. [m/s2]",
          "of the angle's error, times 10 m/s2 and twice the rate"},
-        row.pendulum_cg_acceleration_m_s2, std::hypot(tangential, radial), 2e-6);
+        row.at("pendulum_cg_acceleration_m_s2"), std::hypot(tangential, radial), 2e-6);
     claim::expect_near({"K.6", "swing from 60 degrees, columns of the history: joint force [N]",
                         "of the acceleration's error, times 10.9 kg"},
-                       row.pendulum_joint_force_N, joint, 3e-5);
+                       row.at("pendulum_joint_force_N"), joint, 3e-5);
   });
   EXPECT_GT(rows, 900);
 }

@@ -28,7 +28,8 @@ TEST(contact_scene, books_close_with_contact_and_friction) {
   // (K.17) is a trapezium: a point whose slip turns within a step may give a little back, a few 1e-6 of the
   // whole at this step and less at smaller ones.
   for (std::size_t i = 1; i < run.energy.size(); ++i)
-    EXPECT_GE(run.energy[i].friction_J, run.energy[i - 1].friction_J - 1e-5 * run.state.flows.friction_loss)
+    EXPECT_GE(run.energy[i].at("friction_J"),
+              run.energy[i - 1].at("friction_J") - 1e-5 * run.state.flows.friction_loss)
         << i;
 }
 
@@ -61,7 +62,7 @@ double drift(const std::string& step, const std::string& friction, const std::st
   const auto run = run_case("ball_impact", overrides);
   EXPECT_EQ(run.outcome.status, driver::RunStatus::done) << run.outcome.message;
   double squares = 0.0;
-  for (const auto& row : run.energy) squares += row.residual_J * row.residual_J;
+  for (const auto& row : run.energy) squares += row.at("residual_J") * row.at("residual_J");
   return std::sqrt(squares / static_cast<double>(run.energy.size()));
 }
 
@@ -115,12 +116,11 @@ TEST(contact_scene, momenta_are_conserved_without_supports) {
     overrides.push_back(friction);
     const auto scene = coupled::scene_of("ball_impact", overrides);
     driver::State state = driver::make_state(scene);
-    driver::StepRecords records;
     const Momenta start = momenta(scene, state);
     Vector3d impulse = Vector3d::Zero();  // on the bag
     double before = 0.0;
     while (state.time < 0.015) {  // the impact lasts from 3 to 17 ms
-      driver::step(scene, state, {}, records);
+      driver::step(scene, state, {});
       impulse -= 0.5 * (before + state.step.after) * state.contact.force;
       before = state.step.after;
       state.time += state.step.after;
@@ -143,15 +143,15 @@ TEST(contact_scene, plate_force_is_the_sum_over_the_nodes_behind_it) {
       "membrane.plate={point=[0.1, 0.0, 0.0], normal=[-1.0, 0.0, 0.0]}");  // 10 mm into the ball
   const auto scene = coupled::scene_of("ball_impact", overrides);
   driver::State state = driver::make_state(scene);
-  driver::StepRecords records;
-  driver::step(scene, state, {.record = true}, records);
+  driver::step(scene, state, {.record = true});
   const auto& model = scene.bag->model;
   double expected = 0.0;
   for (Eigen::Index a = 0; a < scene.bag->initial_position.cols(); ++a)
     expected += *model.description.plates[0].stiffness * model.node_area[static_cast<std::size_t>(a)] *
                 std::max(0.0, scene.bag->initial_position(0, a) - 0.1);
   ASSERT_GT(expected, 0.0);
-  EXPECT_NEAR(records.history.plate_force_N / expected, 1.0, 1e-13);  // a few dozen additions of one sign
+  EXPECT_NEAR(coupled::row_of(driver::history_columns(scene), scene, state).at("plate_force_N") / expected,
+              1.0, 1e-13);  // a few dozen additions of one sign
 }
 
 // The default stiffness never lets contact govern the step by more than its share of the fabric's omega^2.
@@ -159,10 +159,9 @@ TEST(contact_scene, default_stiffness_keeps_contact_within_its_share_of_the_step
   for (const char* name : {"ball_impact", "contact_vent", "passenger_pendulum_no_jet"}) {
     const auto scene = coupled::scene_of(name, {"scene.end_time=0.03"});
     driver::State state = driver::make_state(scene);
-    driver::StepRecords records;
     double largest = 0.0;
     while (state.time < scene.time.end) {
-      driver::step(scene, state, {}, records);
+      driver::step(scene, state, {});
       largest = std::max(largest, state.step.shares.contact / state.step.shares.total());
       state.time += state.step.after;
       ++state.steps;
@@ -178,10 +177,9 @@ TEST(contact_scene, broad_phase_looks_at_few_elements_until_something_touches) {
   for (const char* name : {"passenger_pendulum", "passenger_pendulum_no_jet"}) {
     const auto scene = coupled::scene_of(name);
     driver::State state = driver::make_state(scene);
-    driver::StepRecords records;
     int looks = 0, levels = 0;
     for (;; ++levels) {
-      driver::step(scene, state, {}, records);
+      driver::step(scene, state, {});
       if (state.contact.area > 0.0) break;
       looks = state.contact_cache->looks;
       state.time += state.step.after;

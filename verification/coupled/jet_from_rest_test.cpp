@@ -26,7 +26,6 @@ Start start(double dt) {
                   "inflator.0.jet.radius=0.08", "inflator.0.start_time=" + fires, "inflator.1.start_time=1.0",
                   "time.step=" + step, "time.unsafe_dt=true"});
   driver::State state = driver::make_state(scene);
-  driver::StepRecords records;
   Start result;
   std::size_t element = 0;
   const std::function<void(const driver::State&)> look = [&](const driver::State& now) {
@@ -40,7 +39,7 @@ Start start(double dt) {
   driver::StepRequest request;
   request.before_advance = &look;
   for (; state.steps < 5; ++state.steps) {
-    driver::step(scene, state, request, records);
+    driver::step(scene, state, request);
     if (state.steps == 3) result.bound = state.step.critical;
     state.time += state.step.after;
   }

@@ -70,7 +70,7 @@ TEST(jet_options, slot_on_inclined_plate_eq_formulas_written_out) {
     const double exact = slot_force(coupled::scene_of("jet_slot_plate"), v.n, v.restitution, true, v.radial);
     claim::expect_relative({"J.6", "case jet_slot_plate, four variants, formulas written out: force [N]",
                             "500 terms, each with exp"},
-                           run.history.back().jet_force_N, exact, 1e-12);
+                           run.history.back().at("jet_force_N"), exact, 1e-12);
   }
 }
 
@@ -85,9 +85,8 @@ void for_each_level(const std::vector<std::string>& overrides, int steps, const 
   const std::function<void(const driver::State&)> hook = [&](const driver::State& s) { check(scene, s); };
   driver::StepRequest request;
   request.before_advance = &hook;
-  driver::StepRecords records;
   for (int i = 0; i < steps; ++i) {
-    driver::step(scene, state, request, records);
+    driver::step(scene, state, request);
     if (after) after(scene, state);
     state.time += state.step.after;
   }

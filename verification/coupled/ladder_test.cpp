@@ -77,7 +77,7 @@ TEST(ladder, fixed_steps_show_their_order_and_the_reference_is_closer_than_the_f
   exactly.front() = "time.gas_method=dormand_prince";
   exactly.emplace_back("unset time.gas_step");
   exactly.emplace_back("time.gas_tolerance=1e-13");
-  const double exact = coupled::run_case("tank_fixed_steps", exactly).history.back().pressure_Pa;
+  const double exact = coupled::run_case("tank_fixed_steps", exactly).history.back().at("pressure_Pa");
   const auto& rest = result.reference.remainders.front().second;
   ASSERT_TRUE(rest.order.has_value());
   EXPECT_GT(*rest.order, 3.7);  // of fourth order; h times the rate is 0.3 and less
@@ -151,8 +151,8 @@ TEST(ladder, free_bag_needs_no_jet_for_its_pressure) {
   EXPECT_TRUE(scene.jets.empty());
   driver::State state = driver::make_state(scene);
   double pressure = 0.0;
-  driver::run_scene(scene, state, [&](const driver::StepRecords* records, const driver::State&) {
-    if (records) pressure = records->history.pressure_Pa;
+  driver::run_scene(scene, state, [&](bool recorded, const driver::State& now) {
+    if (recorded) pressure = now.gas_point.pressure;
   });
   EXPECT_EQ(pressure, best.value.mean) << "the written case is the rung, to the last bit";
 }

@@ -2,17 +2,27 @@
 // Runs a shipped case in memory.
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
+#include "driver/columns.hpp"
 #include "driver/run.hpp"
 
 namespace coupled {
 
+using Row = std::map<std::string, double>;  // by the column's name
+
+inline Row row_of(const std::vector<driver::Column>& columns, const driver::Scene& scene,
+                  const driver::State& state) {
+  Row row;
+  for (const auto& column : columns) row[column.name] = column.value(scene, state);
+  return row;
+}
+
 struct CaseRun {
   driver::RunOutcome outcome;
-  std::vector<driver::Record> history;
-  std::vector<driver::EnergyRecord> energy;
+  std::vector<Row> history, energy;
   driver::State state;
 };
 
@@ -29,12 +39,12 @@ inline CaseRun run_case(const std::string& name, const std::vector<std::string>&
   const driver::Scene scene = scene_of(name, overrides);
   CaseRun run;
   run.state = driver::make_state(scene);
-  run.outcome =
-      driver::run_scene(scene, run.state, [&](const driver::StepRecords* records, const driver::State&) {
-        if (!records) return;
-        run.history.push_back(records->history);
-        run.energy.push_back(records->energy);
-      });
+  const auto history = driver::history_columns(scene), energy = driver::energy_columns(scene);
+  run.outcome = driver::run_scene(scene, run.state, [&](bool recorded, const driver::State& now) {
+    if (!recorded) return;
+    run.history.push_back(row_of(history, scene, now));
+    run.energy.push_back(row_of(energy, scene, now));
+  });
   return run;
 }
 

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "driver/record.hpp"
+#include "driver/columns.hpp"
 
 namespace driver {
 
@@ -34,22 +34,18 @@ class WriteError : public std::runtime_error {
 
 /// A CSV file of chosen columns, readable at any moment of the run: numbers in the shortest form that reads
 /// back to the same double. Throws OutputError when the file cannot be opened.
-template <typename Row>
 class CsvWriter {
  public:
-  CsvWriter(const std::filesystem::path& file, const Provenance& provenance,
-            std::vector<Column<Row>> columns);
+  CsvWriter(const std::filesystem::path& file, const Provenance& provenance, std::vector<Column> columns);
   /// Throws WriteError, and leaves the row out, when a value is not finite or the file takes no more.
-  void write(const Row& row);
+  void write(const Scene& scene, const State& state);
   void flush();
 
  private:
   std::filesystem::path file_;
   std::ofstream stream_;
-  std::vector<Column<Row>> columns_;
+  std::vector<Column> columns_;
 };
-extern template class CsvWriter<Record>;
-extern template class CsvWriter<EnergyRecord>;
 
 /// Makes `folder` (and its parents) and proves that files can be written there, those of `names` that are
 /// there already too. Throws OutputError.

@@ -29,24 +29,20 @@ struct RunOutcome {
   double wall_seconds = 0.0;
 };
 
-/// Called after every step, with the level's records if it was recorded, else with nullptr.
-using RecordSink = std::function<void(const StepRecords*, const State&)>;
+/// Called after every step; `recorded`: the columns (columns.hpp) may be read.
+using LevelSink = std::function<void(bool recorded, const State&)>;
 
 /// Number of threads of the parallel stages, for the whole process; results do not depend on it.
 void set_threads(int threads);
 
 /// Steps the scene to its end or to an interrupt, calling `sink` after each step and `fields` (may be empty)
 /// at each field output. Failures of the computation (exit code 3) are reported in the outcome, not thrown.
-RunOutcome run_scene(const Scene& scene, State& state, const RecordSink& sink,
+RunOutcome run_scene(const Scene& scene, State& state, const LevelSink& sink,
                      const std::function<void(const State&)>& fields = {});
 
 /// Runs and writes history.csv, energy.csv, summary.json (and fields) to `folder`.
 RunOutcome run_to_folder(const Scene& scene, const std::filesystem::path& folder,
                          const Provenance& provenance, const RunOptions& options);
-
-/// Columns of the scene: only what it has.
-std::vector<Column<Record>> history_columns(const Scene& scene);
-std::vector<Column<EnergyRecord>> energy_columns(const Scene& scene);
 
 /// summary.json of a run, whatever its outcome. Throws WriteError.
 void write_summary(const std::filesystem::path& file, const Scene& scene, const State& state,

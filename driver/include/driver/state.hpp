@@ -12,7 +12,6 @@
 #include <vector>
 
 #include "coupling/sphere_contact.hpp"
-#include "driver/record.hpp"
 #include "driver/scene.hpp"
 #include "membrane/stages.hpp"
 #include "membrane/time_step.hpp"
@@ -94,7 +93,17 @@ struct Level {
   double skin_strain = 0.0;      // S6 [J]
   double pendulum_angle = 0.0;   // S7 [rad]
   Flows flows;                   // S2, sums up to n
-  double skin_gravity = 0.0;     // S7 [J], where the books of n are wanted
+  double jet_force = 0.0;        // S11 [N] magnitude of the resultant of all jets
+  double skin_gravity = 0.0;     // S7 [J], where the books of n are wanted, as are the rest:
+  double skin_kinetic = 0.0;     // S11 [J]
+  double energy_residual = 0.0;  // S11 [J] physical drift (K.21)
+  double kick_residual = 0.0;    // S11 [J] (K.20): change of kinetic energy less the work of every force
+};
+
+/// A column of energy.csv.
+struct LargestTerm {
+  const char* name = "";
+  double magnitude = 0.0;  // [J]
 };
 
 /// Extremes and events of the run so far; S11.
@@ -111,7 +120,7 @@ struct Peaks {
   double ledger_residual = 0.0;    // [J] kick form, largest magnitude
   double energy_residual = 0.0;    // [J] physical drift, largest magnitude at the recorded levels
   double energy_scale = 0.0;       // [J] largest of supplied enthalpy, internal, kinetic and elastic energy
-  EnergyRecord energy;             // [J] largest magnitude of each term at the recorded levels
+  LargestTerm largest_term;        // of those that the step integrates, at the recorded levels
   double momentum_residual = 0.0;  // relative: inner forces and pressure on the closed skin sum to zero
 };
 

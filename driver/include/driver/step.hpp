@@ -19,19 +19,14 @@ class StepError : public std::runtime_error {
 
 /// What the caller wants of this step beside the motion.
 struct StepRequest {
-  bool record = false;  // fill `history` and `energy` for level n
+  bool record = false;  // work out what the columns (columns.hpp) read of level n
   bool last = false;    // level n is the end: books only, the state does not go on
   const std::function<void(const State&)>* before_advance = nullptr;  // called when all forces of n stand
 };
 
-struct StepRecords {
-  Record history;
-  EnergyRecord energy;
-};
-
 /// Computes level n and advances the state to n+1. Does not allocate (a visibility search aside). Throws
 /// StepError, gas::DomainError, membrane::MembraneError, jet::DomainError or coupling::ContactError.
-void step(const Scene& scene, State& state, const StepRequest& request, StepRecords& records);
+void step(const Scene& scene, State& state, const StepRequest& request);
 
 /// Largest stable step [s] of central difference with omega = 2 / `undamped` and a damping force taken from
 /// the velocity of the half step before, rate c [1/s]: omega^2 dt^2 + 2 c dt = 4 (J.9).
