@@ -65,12 +65,35 @@ constexpr Line kLines[] = {
 };
 // clang-format on
 
+// Those of each species and stream: what is in the gas, and what came and went since the start.
+void add_streams(Of scene, std::vector<Column>& columns) {
+  const auto& model = scene.gas->model;
+  const auto add = [&](const std::string& name, auto value) {
+    columns.push_back({name, [value](Of, At now) { return value(now.level); }});
+  };
+  for (std::size_t k = 0; k < model.thermo.size(); ++k)
+    add("mass_" + model.thermo.species(k).name + "_kg", [k](const Level& n) { return n.masses[k]; });
+  for (std::size_t i = 0; i < model.inflows.size(); ++i)
+    add("inflator_" + std::to_string(i) + "_in_kg",
+        [i](const Level& n) { return n.streams.inflows[i].mass; });
+  const std::size_t vents = model.vents.size();
+  for (std::size_t j = 0; j < vents; ++j) {
+    const std::string vent = "vent_" + std::to_string(j);
+    add(vent + "_out_kg", [j](const Level& n) { return n.streams.outflows[j].mass; });
+    if (model.vents[j].backflow)
+      add(vent + "_backflow_kg", [j](const Level& n) { return n.streams.backflows[j].mass; });
+  }
+  if (has::fabric_leak(scene))
+    add("fabric_out_kg", [vents](const Level& n) { return n.streams.outflows[vents].mass; });
+}
+
 }  // namespace
 
 std::vector<Column> history_columns(const Scene& scene) {
   std::vector<Column> columns;
   for (const Line& line : kLines)
     if (line.when(scene)) columns.push_back({line.name, line.value});
+  if (scene.output.streams) add_streams(scene, columns);
   return columns;
 }
 

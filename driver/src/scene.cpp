@@ -3,6 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <string_view>
+
 #include "jet_peak.hpp"
 #include "scene_parts.hpp"
 
@@ -13,7 +16,8 @@ bool will_move(const TableReader& root) {
   return root.has("membrane") || root.has("pendulum");
 }
 
-// What a molecule of air flies between two collisions, 68 nm at 464 m/s, takes a seventh of it: no gas flows in less.
+// What a molecule of air flies between two collisions, 68 nm at 464 m/s, takes a seventh of it: no gas flows
+// in less.
 constexpr Bounds shortest_run{1e-9, any_number.high, false, "1e-9 s or more"};
 
 void read_general(TableReader& root, Scene& scene) {
@@ -83,6 +87,26 @@ void read_time(TableReader& root, Scene& scene) {
   table->finish();
 }
 
+bool can_name_a_column(const std::string& species) {
+  return std::ranges::all_of(species, [](char c) {
+    return (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') ||
+           std::string_view("_+-.()").find(c) != std::string_view::npos;
+  });
+}
+
+void read_streams(TableReader& table, Scene& scene) {
+  if (table.has("streams") && !scene.has_volume())
+    table.fail("streams", "has no effect: the scene has no volume of gas");
+  scene.output.streams = table.flag("streams", false);
+  if (!scene.output.streams) return;
+  const gas::Thermo& thermo = scene.gas->model.thermo;
+  for (std::size_t k = 0; k < thermo.size(); ++k)
+    if (const std::string& name = thermo.species(k).name; !can_name_a_column(name))
+      table.fail("streams", fmt::format("the species \"{}\" cannot name a column, letters, digits and any of "
+                                        "_+-.() are allowed in its name",
+                                        name));
+}
+
 void read_output(TableReader& root, Scene& scene) {
   constexpr int default_rows = 1000;
   scene.output.history_every = scene.time.end / default_rows;
@@ -95,6 +119,7 @@ void read_output(TableReader& root, Scene& scene) {
     scene.output.fields_every = table->optional_number("fields_every", frames).value_or(0.0);
     if (scene.output.fields_every > 0.0 && !scene.bag)
       table->fail("fields_every", "the scene has no membrane");
+    read_streams(*table, scene);
     table->finish();
   }
 }

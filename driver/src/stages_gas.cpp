@@ -53,6 +53,9 @@ void gas_point(const Scene& scene, State& state) {
   state.level.internal_energy = state.gas.internal_energy + state.jet_work_ahead;
   state.level.volume = state.gas_point.volume;
   if (state.bag) state.level.skin_area = state.bag->surface.area;
+  if (!scene.output.streams) return;
+  state.level.masses = state.gas.masses;  // of the sizes that they had in make_state
+  state.level.streams = state.streams;
 }
 
 namespace {

@@ -20,6 +20,9 @@ void start_gas(const Scene& scene, State& state) {
   state.streams.inflows.resize(part.model.inflows.size());
   state.streams.outflows.resize(part.model.vents.size() + 1);
   state.streams.backflows.resize(part.model.vents.size());
+  if (!scene.output.streams) return;
+  state.level.masses = state.gas.masses;
+  state.level.streams = state.streams;
 }
 
 void start_target(const Scene& scene, State& state) {

@@ -105,6 +105,12 @@ const Fault kFaults[] = {
      "nearest node", "to = [9.0"},
     {"knot_before_firing", "sphere_inflation", "time = [0.0, 0.02, 0.04]", "time = [-0.01, 0.02, 0.04]",
      "inflator.0.mass_flow", "first knot", "mass_flow = {"},
+    {"streams_of_no_gas", "pendulum_swing", "[output]", "[output]\nstreams = true", "output.streams",
+     "no volume of gas", "streams = true"},
+    {"species_that_names_no_column", "rigid_tank", "[output]",
+     "[[gas.species]]\nname = \"a,b\"\ngas_constant = 300.0\ncp = 1000.0\n[[inflator]]\ncomposition = { "
+     "\"a,b\" = 1.0 }\nmass_flow = 1.0\ntemperature = 300.0\n[output]\nstreams = true",
+     "output.streams", "letters, digits", "streams = true"},
     {"endless_history", "rigid_tank", "history_every = 0.001", "history_every = 1e-12",
      "output.history_every", "end_time / 1e7", "history_every"},
     {"inflow_out_of_range", "reference/two_gas_fill", "temperature = 1100.0", "temperature = 6100.0",

@@ -98,6 +98,7 @@ struct OutputPart {
       0.0;  // [s] a row at the first step at or past each multiple; gas-only scenes step by it
   bool history_exact = false;  // steps are shortened to end on the multiples
   double fields_every = 0.0;   // [s] 0: no field files
+  bool streams = false;        // columns of the history for each species and stream
 };
 
 struct Scene {

@@ -93,6 +93,8 @@ struct Level {
   double skin_strain = 0.0;      // S6 [J]
   double pendulum_angle = 0.0;   // S7 [rad]
   Flows flows;                   // S2, sums up to n
+  std::vector<double> masses;    // S2 [kg] of each species, if the history has them; so are the streams
+  Streams streams;               // S2
   double jet_force = 0.0;        // S11 [N] magnitude of the resultant of all jets
   double skin_gravity = 0.0;     // S7 [J], where the books of n are wanted, as are the rest:
   double skin_kinetic = 0.0;     // S11 [J]
