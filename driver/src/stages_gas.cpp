@@ -2,6 +2,8 @@
 // S2 gas point, S10 gas.
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <limits>
 #include <numbers>
 
 #include "stages.hpp"
@@ -44,6 +46,36 @@ Enclosure enclosure(const Scene& scene, const State& state) {
   return {surface.volume, 0.0};
 }
 
+namespace {
+
+// From when on, since its opening, a vent has an area [s].
+double dead_time(const gas::Vent& vent) {
+  if (!vent.area_of_time) return 0.0;
+  const auto knots = vent.area_of_time->knots();
+  const auto first = std::ranges::find_if(knots, [](const auto& knot) { return knot.value > 0.0; });
+  if (first == knots.begin()) return 0.0;
+  return first == knots.end() ? std::numeric_limits<double>::infinity()
+                              : std::max(0.0, std::prev(first)->time);
+}
+
+// Opening of vent `j` that is known at level n; NaN: none. Its trigger may have gone off again: then what has
+// passed through it tells.
+double opening(const Scene& scene, const State& state, std::size_t j) {
+  const gas::Vent& vent = scene.gas->model.vents[j];
+  const gas::NodeState open{true, 0.0, 0.0, 0.0};
+  const gas::NodeState& node = vent.trigger ? state.gas.triggers[*vent.trigger] : open;
+  const double dead = dead_time(vent), excess = state.gas_point.pressure - scene.ambient.pressure;
+  if (vent.area_of_overpressure) {
+    if (node.on && vent.area_of_overpressure->value(excess) > 0.0) return state.time;
+  } else if (const double start = (dead == 0.0 ? node.first_on : node.since) + dead; start <= state.time) {
+    return start;
+  }
+  const bool passed = state.streams.outflows[j].mass > 0.0 || state.streams.backflows[j].mass > 0.0;
+  return passed ? state.time : std::numeric_limits<double>::quiet_NaN();
+}
+
+}  // namespace
+
 void gas_point(const Scene& scene, State& state) {
   StageTimer timer(state, Stage::gas_point);
   state.level.flows = state.flows;
@@ -53,6 +85,9 @@ void gas_point(const Scene& scene, State& state) {
   state.level.internal_energy = state.gas.internal_energy + state.jet_work_ahead;
   state.level.volume = state.gas_point.volume;
   if (state.bag) state.level.skin_area = state.bag->surface.area;
+  auto& opened = state.gas_events.opened;
+  for (std::size_t j = 0; j < opened.size(); ++j)
+    if (std::isnan(opened[j])) opened[j] = opening(scene, state, j);
   if (!scene.output.streams) return;
   state.level.masses = state.gas.masses;  // of the sizes that they had in make_state
   state.level.streams = state.streams;
@@ -80,6 +115,9 @@ void book(const gas::StepFluxes& fluxes, State& state) {
   flows.gas_work += fluxes.work;
   flows.gas_substeps += fluxes.steps;
   flows.gas_evaluations += fluxes.evaluations;
+  gas::StepMoments& last = state.gas_events.last;
+  if (!std::isnan(fluxes.moments.sonic_switch)) last.sonic_switch = fluxes.moments.sonic_switch;
+  if (!std::isnan(fluxes.moments.equalisation)) last.equalisation = fluxes.moments.equalisation;
   add(fluxes.inflows, state.streams.inflows);
   add(fluxes.outflows, state.streams.outflows);
   add(fluxes.backflows, state.streams.backflows);

@@ -2,6 +2,7 @@
 #include "driver/state.hpp"
 
 #include <Eigen/Geometry>
+#include <limits>
 #include <numeric>
 
 #include "stages.hpp"
@@ -20,6 +21,7 @@ void start_gas(const Scene& scene, State& state) {
   state.streams.inflows.resize(part.model.inflows.size());
   state.streams.outflows.resize(part.model.vents.size() + 1);
   state.streams.backflows.resize(part.model.vents.size());
+  state.gas_events.opened.assign(part.model.vents.size(), std::numeric_limits<double>::quiet_NaN());
   if (!scene.output.streams) return;
   state.level.masses = state.gas.masses;
   state.level.streams = state.streams;

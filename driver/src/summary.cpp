@@ -71,6 +71,18 @@ Json peaks(const Scene& scene, const State& state) {
   return json;
 }
 
+/// Null for what never happened.
+Json time_or_null(double time) {
+  return std::isfinite(time) ? Json(time) : Json(nullptr);
+}
+
+/// When the flow through vents and fabric changed its nature, the last time.
+Json moments(const State& state) {
+  const gas::StepMoments& last = state.gas_events.last;
+  return {{"sonic_switch_s", time_or_null(last.sonic_switch)},
+          {"equalisation_s", time_or_null(last.equalisation)}};
+}
+
 /// Mass and enthalpy that each stream carried, from the start.
 Json streams(const Scene& scene, const State& state) {
   Json json = Json::object();
@@ -81,10 +93,11 @@ Json streams(const Scene& scene, const State& state) {
   for (std::size_t i = 0; i < state.streams.inflows.size(); ++i) {
     Json& inflator = json["inflator." + std::to_string(i)] = entry(state.streams.inflows[i]);
     const double fired = gas::firing_time(scene.gas->model.inflows[i], state.gas.triggers);
-    inflator["fired_s"] = std::isfinite(fired) ? Json(fired) : Json(nullptr);
+    inflator["fired_s"] = time_or_null(fired <= state.time ? fired : HUGE_VAL);
   }
   for (std::size_t j = 0; j < vents; ++j) {
-    json["vent." + std::to_string(j)] = entry(state.streams.outflows[j]);
+    Json& vent = json["vent." + std::to_string(j)] = entry(state.streams.outflows[j]);
+    vent["opened_s"] = time_or_null(state.gas_events.opened[j]);
     if (scene.gas->model.vents[j].backflow)
       json["vent." + std::to_string(j) + ".backflow"] = entry(state.streams.backflows[j]);
   }
@@ -133,6 +146,7 @@ void write_summary(const std::filesystem::path& file, const Scene& scene, const 
   json["dt"] = step_sizes(scene, state);
   json["residual"] = residuals(scene, state);
   json["peak"] = peaks(scene, state);
+  if (scene.has_volume()) json["moments"] = moments(state);
   if (scene.has_volume()) json["streams"] = streams(scene, state);
   json["counters"] = counters(scene, state);
   for (const auto& [key, value] : lines) json["build"][key] = value;

@@ -70,6 +70,12 @@ struct Streams {
   std::vector<gas::StreamFlux> inflows, outflows, backflows;  // outflows: vents, then the fabric
 };
 
+/// When the flow of the gas changed its nature; NaN: not yet.
+struct GasEvents {
+  gas::StepMoments last;       // S10, the last time of each
+  std::vector<double> opened;  // S2 [s] of each vent, the first time
+};
+
 struct JetRun {
   /// Overpressure on the elements, masked.
   const jet::FieldState& load() const { return elements.overpressure.empty() ? field : elements; }
@@ -165,6 +171,7 @@ struct State {
   gas::ControlVolumeState gas;                       // S10
   std::optional<gas::GasIntegrator> gas_integrator;  // S10 workspace
   Streams streams;                                   // S10
+  GasEvents gas_events;                              // S2, S10
   gas::GasPoint gas_point{};                         // S2
   double initial_gas_mass = 0.0;                     // [kg]
   double jet_work_ahead = 0.0;                       // S10 [J] of the next kick, out of the gas already
