@@ -145,7 +145,7 @@ void Substepper::accept(const Way& way, const Moment& end, bool landed, double a
   const Clock clock = system_.clock;
   const double duration = way.end - clock.time(begin_.x), slope = clock.slope(begin_.x + way.length);
   const bool sets_in = landed && watch_.is_on_ambient(end);
-  watch_.note(begin_.moment, end, begin_.t, way.end, landed, moments_);
+  watch_.note(begin_.moment, end, begin_.t, way.end, moments_);
   system_.ledger.accept(trial_.end, way.end);
   ++system_.effort.accepted;
   begin_.t = way.end;

@@ -120,9 +120,11 @@ bool Watch::is_onset(const Balance& balance, const Moment& at) const {
   return (out || in) && balance.pressure_rate() / at.growth >= 0.5;
 }
 
-void Watch::note(const Moment& begin, const Moment& end, double t0, double t1, bool landed,
-                 StepMoments& moments) const {
-  if (landed && std::abs(end.sonic) <= sonic_near_) moments.sonic_switch = t1;
+void Watch::note(const Moment& begin, const Moment& end, double t0, double t1, StepMoments& moments) const {
+  // A trial may end just short of the switch, which the next one passes.
+  const bool switches = (begin.sonic > 0.0) != (end.sonic > 0.0);
+  if (switches && std::abs(begin.sonic) <= sonic_near_) moments.sonic_switch = t0;
+  if (switches && std::abs(end.sonic) <= sonic_near_) moments.sonic_switch = t1;
   const double size = kEqual * boundary_.model().ambient.pressure;
   const double from = std::abs(begin.overpressure), to = std::abs(end.overpressure);
   if (from > size && to <= size && (begin.outflow > 0.0 || begin.backflow > 0.0))

@@ -32,8 +32,8 @@ class Watch {
   bool is_on_ambient(const Moment& at) const;  // p is p_a, as close as it is landed on
   /// Whether flow that something feeds lets p grow at more than half of the rate that it would have without.
   bool is_onset(const Balance& balance, const Moment& at) const;
-  /// Notes when, from t0 to t1, the vents' flow switched, on which a trial has `landed`, and p came to p_a.
-  void note(const Moment& begin, const Moment& end, double t0, double t1, bool landed, StepMoments& moments) const;
+  /// Notes when, from t0 to t1, the vents' flow switched and p came to p_a.
+  void note(const Moment& begin, const Moment& end, double t0, double t1, StepMoments& moments) const;
   /// How long flow that only runs out or in leads p to p_a, as the square of the time that is left; in x.
   /// Infinite where p goes elsewhere, or is as close as laminar flow.
   double until_ambient(const Moment& begin) const;

@@ -130,6 +130,21 @@ TEST(blowdown, moments_of_the_flow_eq_closed_form) {
   EXPECT_LT(rest.equalisation, exact.end_time);
 }
 
+/// A step that ends as close to the switch as it is located, on either side, does not hide it.
+TEST(blowdown, switch_beside_the_end_of_a_step_is_found) {
+  const Tank t = tank();
+  const double exact = closed_form::blowdown_times(t.exact).unchoke_time;
+  for (const double beside : {-3e-5, -1e-6, 0.0, 1e-6, 3e-5}) {
+    const double end = exact * (1.0 + beside);
+    gas::ControlVolumeState state = t.state();
+    gas::GasIntegrator integrator(t.model);
+    const double first = integrator.advance(state, 0.0, end, rigid(0.06)).moments.sonic_switch;
+    const double second = integrator.advance(state, end, 0.2, rigid(0.06)).moments.sonic_switch;
+    EXPECT_NE(std::isnan(first), std::isnan(second)) << beside;
+    EXPECT_NEAR(std::isnan(first) ? second : first, exact, 1e-4 * exact) << beside;
+  }
+}
+
 TEST(blowdown, into_vacuum_stays_choked) {
   Tank t = tank();
   t.model.ambient.pressure = 0.0;
