@@ -66,7 +66,7 @@ TEST(gas_events, pressure_opens_at_its_time) {
   const double rate = 0.4 * 1.0 * 1038.8 * 700.0 / 0.06, exact = 20e3 / rate;
   const Texts relief{
       "sensor=[{name=\"high\",overpressure=20e3,reset=19e3},{name=\"never\",overpressure=9e9}]",
-      "vent=[{area=1e-2,trigger=\"high\"},{area=1e-5,trigger=\"never\"},"
+      "vent=[{area=3e-2,trigger=\"high\"},{area=1e-5,trigger=\"never\"},"
       "{area={overpressure=[21e3,30e3],value=[0.0,1e-5]}}]",
       "scene.end_time=0.02"};
   const CaseRun run = run_case("rigid_tank", relief);

@@ -167,6 +167,17 @@ rule_case_keys() {
   for key in $(comm -13 <(echo "$read_keys") <(echo "$rows")); do echo "$page: no code reads the key $key"; done
 }
 
+# Every column of the history and of the energy file has a row in docs/results.md, and every row's column is one.
+rule_columns() {
+  local page=docs/results.md columns rows name
+  columns=$(cat driver/src/history_columns.cpp driver/src/energy_columns.cpp | tr -d '\n' |
+    grep -oE '\{"[A-Za-z0-9_]+", |add\([^,]*, ' |
+    sed -E 's/^\{//; s/^add\(//; s/, $//; s/vent \+/"vent_*" +/; s/" \+ [^"]* \+ "/*/g; s/" \+ "//g; s/"//g' | sort -u)
+  rows=$(sed -nE '/^## .(history|energy)/,/^## .summary/ s/^\| `([^`]+)`.*/\1/p' "$page" | sort -u)
+  for name in $(comm -23 <(echo "$columns") <(echo "$rows") | tr '*' '?'); do echo "$page: no row for the column $name"; done
+  for name in $(comm -13 <(echo "$columns") <(echo "$rows") | tr '*' '?'); do echo "$page: no such column as $name"; done
+}
+
 # Every test of the build is matched by a line of mutations.tsv; every line matches a test and changes its file. Left out are the rules
 # that have a `_can_fail` partner, and these partners: each of them applies violations of its own.
 rule_mutation_lines() {

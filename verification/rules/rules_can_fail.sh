@@ -31,6 +31,10 @@ good_tree() {
   put driver/src/step.cpp "$spdx" '#include "gas/model.hpp"' '#include "jet/model.hpp"'
   put driver/src/scene.cpp "$spdx" 'double v = table.number("volume", positive) + t->choice<Law>(' '    "law", laws);'
   put docs/case_files.md '| key | meaning |' '|---|---|' '| `volume` | of the tank |' '| `law` | of `spread` |'
+  put driver/src/history_columns.cpp "$spdx" '{"pressure_Pa", has::volume, f},' 'add("inflator_" + std::to_string(i) + "_in_kg", g);'
+  put driver/src/energy_columns.cpp "$spdx" '{"strap_J", Role::held,' ' has::straps, f},'
+  put docs/results.md '## `history.csv`' '| `pressure_Pa` | of the gas |' '| `inflator_*_in_kg` | mass |' '## `energy.csv`' '| `strap_J` | strain |' \
+    '## `summary.json`' '| `status` | of the run |'
   put scripts/run.sh '#!/usr/bin/env bash' '# SPDX-License-Identifier: Apache-2.0' '# built without -ffast-math'
   put README.md '![figure](docs/figure.svg) [gas](docs/theory/gas.md#tag) [web](https://example.org)' '```cpp' 'run([&](int i) {});' '```'
   put docs/figure.svg '<svg/>'
@@ -151,6 +155,10 @@ case $rule in
   case_keys)
     breaks docs/case_files.md '| `volume` | of the tank |'
     breaks docs/case_files.md '| `volume`, `law` | of the tank |' '| `colour` | of the bag |'
+    ;;
+  columns)
+    breaks docs/results.md '## `history.csv`' '| `pressure_Pa` | of the gas |' '## `energy.csv`' '| `strap_J` | strain |' '## `summary.json`'
+    breaks docs/results.md '## `history.csv`' '| `pressure_Pa` | of the gas |' '| `inflator_*_in_kg` | mass |' '| `strap_J` | strain |' '| `colour_J` | of it |'
     ;;
   numbers)
     rung='The rung is off by 2.5 %, 11.46 degrees.'
