@@ -12,42 +12,48 @@
 namespace driver {
 namespace {
 
-void check_knots(const CurveData& curve, const std::function<void(const std::string&)>& fail) {
+/// Calls fail(knot, message) for the first fault; `jumps`: two knots at one time are allowed.
+void check_knots(const CurveData& curve, bool jumps,
+                 const std::function<void(std::size_t, const std::string&)>& fail) {
+  const auto& time = curve.time;
   if (curve.time.size() != curve.value.size())
-    fail(
-        fmt::format("has {} knots and {} values, as many are needed", curve.time.size(), curve.value.size()));
-  if (curve.time.size() < 2)
-    fail(fmt::format("has {} knot{}, 2 or more are needed", curve.time.size(),
-                     curve.time.size() == 1 ? "" : "s"));
-  for (std::size_t i = 1; i < curve.time.size(); ++i)
-    if (!(curve.time[i] > curve.time[i - 1]))
-      fail(fmt::format("knot {} at {} follows {}: knots in strictly rising order are allowed", i + 1,
-                       curve.time[i], curve.time[i - 1]));
+    fail(0, fmt::format("has {} knots and {} values, as many are needed", time.size(), curve.value.size()));
+  if (time.size() < 2)
+    fail(0, fmt::format("has {} knot{}, 2 or more are needed", time.size(), time.size() == 1 ? "" : "s"));
+  for (std::size_t i = 1; i < time.size(); ++i) {
+    if (!(time[i] > time[i - 1]) && !(jumps && time[i] == time[i - 1]))
+      fail(i, fmt::format("knot {} at {} follows {}: knots in {}rising order are allowed", i + 1, time[i],
+                          time[i - 1], jumps ? "" : "strictly "));
+    if (i > 1 && time[i] == time[i - 2])
+      fail(i, fmt::format("knot {} at {} is the third there: a jump, two knots at one time, is allowed",
+                          i + 1, time[i]));
+  }
 }
 
-}  // namespace
-
-CurveData read_curve_csv(const std::filesystem::path& file, const std::string& time_column,
-                         const std::string& value_column) {
-  CsvTable table = read_csv(file, {time_column, value_column});
-  const std::size_t last_line = table.rows() > 0 ? table.lines.back() : 1;
+CurveData read_csv_curve(const std::filesystem::path& file, const std::string& knots,
+                         const std::string& column, bool jumps) {
+  CsvTable table = read_csv(file, {knots, column});
   CurveData curve{std::move(table.values[0]), std::move(table.values[1])};
-  check_knots(curve, [&](const std::string& message) {
-    throw CaseError(fmt::format("{}:{}:1: {}: {}", file.string(), last_line, value_column, message));
+  check_knots(curve, jumps, [&](std::size_t knot, const std::string& message) {
+    const std::size_t line = knot < table.rows() ? table.lines[knot] : 1;
+    throw CaseError(fmt::format("{}:{}:1: {}: {}", file.string(), line, column, message));
   });
   return curve;
 }
 
+}  // namespace
+
 CurveData TableReader::curve_of_table(const std::string& key, TableReader&& reader, Bounds bounds,
                                       const std::string& abscissa) const {
   CurveData curve;
+  const bool jumps = abscissa == "time";
   if (reader.has("file")) {
     const auto file = beside_case(reader.text("file"));
-    const auto knots = abscissa == "time" ? reader.text("time_column", "time_s")
-                                          : reader.text("overpressure_column", "overpressure_Pa");
+    const auto knots =
+        jumps ? reader.text("time_column", "time_s") : reader.text("overpressure_column", "overpressure_Pa");
     const auto column = reader.text("column");
     try {
-      curve = read_curve_csv(file, knots, column);
+      curve = read_csv_curve(file, knots, column, jumps);
     } catch (const FileError& error) {
       reader.fail("file", error.what());
     }
@@ -57,7 +63,7 @@ CurveData TableReader::curve_of_table(const std::string& key, TableReader&& read
   } else {
     curve.time = reader.numbers(abscissa, any_number);
     curve.value = reader.numbers("value", bounds);
-    check_knots(curve, [&](const std::string& message) { fail(key, message); });
+    check_knots(curve, jumps, [&](std::size_t, const std::string& message) { fail(key, message); });
   }
   reader.finish();
   return curve;

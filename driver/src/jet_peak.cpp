@@ -55,8 +55,8 @@ JetPeak jet_peak(const Scene& scene, const JetPart& part) {
   double time = inflow.start_time;
   auto point = gas::inflator_point(scene.gas->model, part.inflator, time);
   if (duration(scene, inflow) <= 0.0) point.mass_flow = 0.0;
-  for (const double t : corner_times(scene, inflow)) {
-    const auto other = gas::inflator_point(scene.gas->model, part.inflator, t);
+  for (const auto& [t, side] : corners(scene, inflow)) {
+    const auto other = gas::inflator_point(scene.gas->model, part.inflator, t, side);
     if (other.mass_flow > point.mass_flow) time = t, point = other;
   }
   return {time, point.mass_flow,

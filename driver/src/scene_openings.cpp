@@ -63,8 +63,12 @@ void read_volume_of_time(TableReader& tank, GasPart& part) {
   if (tank.has_in_table("volume", "mean"))
     volume = read_wave(tank.table("volume"));
   else
-    tank.located("volume",
-                 [&] { volume.table = to_gas_curve(tank.curve("volume", positive), gas::Outside::kHeld); });
+    tank.located("volume", [&] {
+      volume.table = to_gas_curve(tank.curve("volume", positive), gas::Outside::kHeld);
+      if (const auto jump = volume.table->first_jump())
+        throw std::invalid_argument(fmt::format(
+            "jumps at {} s: its work would have no bound; one value at each time is allowed", *jump));
+    });
   part.rigid_volume = volume.at(0.0);
   part.tank_volume = volume;
 }

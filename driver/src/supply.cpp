@@ -10,18 +10,19 @@
 namespace driver {
 namespace {
 
-double total_flow(const Scene& scene, double time) {
+double total_flow(const Scene& scene, double time, gas::Side side = gas::Side::kAfter) {
   double sum = 0.0;
   for (std::size_t i = 0; i < scene.gas->model.inflows.size(); ++i)
-    sum += gas::inflator_point(scene.gas->model, i, time).mass_flow;
+    sum += gas::inflator_point(scene.gas->model, i, time, side).mass_flow;
   return sum;
 }
 
-// Piecewise linear flows: the largest sum stands at a corner of one of them.
+// Piecewise linear flows: the largest sum stands at a corner of one of them, on either side of a jump.
 double peak_flow(const Scene& scene) {
   double peak = 0.0;
   for (const auto& inflow : scene.gas->model.inflows)
-    for (const double time : corner_times(scene, inflow)) peak = std::max(peak, total_flow(scene, time));
+    for (const auto& [time, side] : corners(scene, inflow))
+      peak = std::max(peak, total_flow(scene, time, side));
   return peak;
 }
 
@@ -125,14 +126,18 @@ double duration(const Scene& scene, const gas::Inflow& inflow) {
   return std::max(0.0, scene.time.end - inflow.start_time);
 }
 
-std::vector<double> corner_times(const Scene& scene, const gas::Inflow& inflow) {
+std::vector<Corner> corners(const Scene& scene, const gas::Inflow& inflow) {
   const double length = duration(scene, inflow);
   if (!(length > 0.0)) return {};
-  std::vector<double> times;
-  for (const auto& knot : inflow.mass_flow.knots())
-    if (knot.time >= 0.0 && knot.time < length) times.push_back(inflow.start_time + knot.time);
-  times.push_back(scene.time.end);
-  return times;
+  std::vector<Corner> corners;
+  for (const auto& knot : inflow.mass_flow.knots()) {
+    if (!(knot.time >= 0.0 && knot.time < length)) continue;
+    const double time = inflow.start_time + knot.time;
+    if (knot.time > 0.0) corners.push_back({time, gas::Side::kBefore});
+    corners.push_back({time, gas::Side::kAfter});
+  }
+  corners.push_back({scene.time.end, gas::Side::kBefore});
+  return corners;
 }
 
 Supply supply_of(const Scene& scene) {

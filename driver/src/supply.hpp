@@ -10,8 +10,13 @@ namespace driver {
 /// Seconds of an inflow's own time that the scene sees.
 double duration(const Scene& scene, const gas::Inflow& inflow);
 
-/// Times up to the scene's end between which its flow is linear; empty if it begins later.
-std::vector<double> corner_times(const Scene& scene, const gas::Inflow& inflow);
+struct Corner {
+  double time;     // [s]
+  gas::Side side;  // on which its flow is a limit
+};
+
+/// The ends of the pieces, up to the scene's end, on which its flow is linear; empty if it begins later.
+std::vector<Corner> corners(const Scene& scene, const gas::Inflow& inflow);
 
 Supply supply_of(const Scene& scene);
 

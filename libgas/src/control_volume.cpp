@@ -57,6 +57,11 @@ void require_area(const Curve& curve, const char* name) {
   require(curve.outside() == Outside::kHeld, name, 0.0, "must be held outside its knots");
 }
 
+void require_no_jump(const Curve& curve, const char* name) {
+  if (const auto jump = curve.first_jump())
+    require(false, name, *jump, "is the overpressure of a jump; one value at each overpressure is allowed");
+}
+
 void validate(const Vent& vent) {
   require(vent.discharge_coefficient >= 0.0 && vent.discharge_coefficient <= 1.0,
           "vent.discharge_coefficient", vent.discharge_coefficient, "must be 0 to 1");
@@ -64,7 +69,9 @@ void validate(const Vent& vent) {
           "must be finite and not negative");
   require(!(vent.area_of_time && vent.area_of_overpressure), "number of area curves", 2.0, "must be 0 or 1");
   if (vent.area_of_time) require_area(*vent.area_of_time, "vent.area_of_time [m2]");
-  if (vent.area_of_overpressure) require_area(*vent.area_of_overpressure, "vent.area_of_overpressure [m2]");
+  if (!vent.area_of_overpressure) return;
+  require_area(*vent.area_of_overpressure, "vent.area_of_overpressure [m2]");
+  require_no_jump(*vent.area_of_overpressure, "knot of vent.area_of_overpressure [Pa]");
 }
 
 void require_volume(const Curve& curve, double ambient_pressure) {
@@ -76,6 +83,7 @@ void require_volume(const Curve& curve, double ambient_pressure) {
   require(knots.front().time >= -ambient_pressure, "first overpressure of volume_of_overpressure [Pa]",
           knots.front().time, "must not be below -ambient.pressure");
   require(knots.front().value > 0.0, name, knots.front().value, "must be positive");
+  require_no_jump(curve, "knot of volume_of_overpressure [Pa]");
   constexpr double steepest = 1e100;  // [m3/Pa] squares are finite
   for (std::size_t i = 1; i < knots.size(); ++i) {
     const double rise = knots[i].value - knots[i - 1].value;
@@ -112,6 +120,7 @@ void validate(const ControlVolumeModel& model) {
           "must be 0 to 1e-3");
   if (model.fabric_velocity) {
     require_area(*model.fabric_velocity, "fabric_velocity [m/s]");
+    require_no_jump(*model.fabric_velocity, "knot of fabric_velocity [Pa]");
     require(model.fabric_velocity->value(0.0) == 0.0, "fabric_velocity [m/s] at p = p_a",
             model.fabric_velocity->value(0.0), "must be 0");
   }

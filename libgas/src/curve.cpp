@@ -33,8 +33,10 @@ Curve::Curve(std::vector<Knot> knots, Outside outside) : knots_(std::move(knots)
   for (std::size_t i = 0; i < knots_.size(); ++i) {
     require(std::isfinite(knots_[i].time), "time of a knot [s]", knots_[i].time, "must be finite");
     require(std::isfinite(knots_[i].value), "value of a knot", knots_[i].value, "must be finite");
-    require(i == 0 || knots_[i].time > knots_[i - 1].time, "time of a knot [s]", knots_[i].time,
-            "must be later than that of the knot before");
+    require(i == 0 || knots_[i].time >= knots_[i - 1].time, "time of a knot [s]", knots_[i].time,
+            "must not be earlier than that of the knot before");
+    require(i < 2 || knots_[i].time > knots_[i - 2].time, "time of three knots [s]", knots_[i].time,
+            "must be that of two knots at most, the values before and after a jump");
   }
 }
 
@@ -52,9 +54,17 @@ Curve::Piece Curve::piece(double time) const {
   return {l.time, l.value, (r.value - l.value) / (r.time - l.time)};
 }
 
-double Curve::value(double time) const {
+double Curve::value(double time, Side side) const {
+  if (side == Side::kBefore)
+    if (const auto first = std::ranges::find(knots_, time, &Knot::time); first != knots_.end())
+      return first->value;
   if (time == knots_.back().time) return knots_.back().value;
   return piece(time).at(time);
+}
+
+std::optional<double> Curve::first_jump() const {
+  const auto jump = std::ranges::adjacent_find(knots_, {}, &Knot::time);
+  return jump == knots_.end() ? std::nullopt : std::optional(jump->time);
 }
 
 double Curve::next_knot(double time) const {

@@ -8,17 +8,18 @@
 namespace gas {
 namespace {
 
-double mass_flow(const Inflow& inflow, double start, double time) {
+double mass_flow(const Inflow& inflow, double start, double time, Side side = Side::kAfter) {
   const double tau = local_time(inflow, start, time);
-  return tau >= 0.0 ? inflow.mass_flow.value(tau) : 0.0;
+  const bool fired = side == Side::kAfter ? tau >= 0.0 : tau > 0.0;
+  return fired ? inflow.mass_flow.value(tau, side) : 0.0;
 }
 
 InflatorPoint inflator_point(const ControlVolumeModel& model, const Inflow& inflow, double start,
-                             double time) {
-  const double temperature = inflow.temperature.value(local_time(inflow, start, time));
+                             double time, Side side) {
+  const double temperature = inflow.temperature.value(local_time(inflow, start, time), side);
   const Mixture gas = model.thermo.mixture(inflow.mass_fractions);
   const double cp = gas.cp(temperature);
-  return {mass_flow(inflow, start, time), temperature, cp / gas.mass, cp / gas.cv(temperature),
+  return {mass_flow(inflow, start, time, side), temperature, cp / gas.mass, cp / gas.cv(temperature),
           gas.gas_constant_sum / gas.mass};
 }
 
@@ -71,12 +72,12 @@ GasPoint evaluate(const ControlVolumeModel& model, const ControlVolumeState& sta
 InflatorPoint inflator_point(const ControlVolumeModel& model, const ControlVolumeState& state, std::size_t i,
                              double time) {
   const Inflow& inflow = model.inflows.at(i);
-  return inflator_point(model, inflow, firing_time(inflow, state.triggers), time);
+  return inflator_point(model, inflow, firing_time(inflow, state.triggers), time, Side::kAfter);
 }
 
-InflatorPoint inflator_point(const ControlVolumeModel& model, std::size_t i, double time) {
+InflatorPoint inflator_point(const ControlVolumeModel& model, std::size_t i, double time, Side side) {
   const Inflow& inflow = model.inflows.at(i);
-  return inflator_point(model, inflow, inflow.start_time, time);
+  return inflator_point(model, inflow, inflow.start_time, time, side);
 }
 
 }  // namespace gas

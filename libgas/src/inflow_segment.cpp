@@ -29,12 +29,17 @@ double round_off(double start, double t) {
 
 }  // namespace
 
-double local_time(const Inflow& inflow, double start, double t) {
-  const double tau = t - start;
+double local_time(std::initializer_list<const Curve*> curves, double start, double t) {
+  const double tau = t - start, rounding = round_off(start, t);
   if (!std::isfinite(tau)) return tau;
-  for (const double knot : {0.0, inflow.mass_flow.nearest_knot(tau), inflow.temperature.nearest_knot(tau)})
-    if (std::abs(tau - knot) <= round_off(start, t)) return knot;
+  if (std::abs(tau) <= rounding) return 0.0;
+  for (const Curve* curve : curves)
+    if (const double knot = curve->nearest_knot(tau); std::abs(tau - knot) <= rounding) return knot;
   return tau;
+}
+
+double local_time(const Inflow& inflow, double start, double t) {
+  return local_time({&inflow.mass_flow, &inflow.temperature}, start, t);
 }
 
 double next_break(const Inflow& inflow, double start, bool constant_cp, double t) {

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
+#include <initializer_list>
+
 #include "gas/control_volume.hpp"
 
 namespace gas {
 
-/// Time since firing at `start` [s] at time t, -infinity if it never fires. The subtraction rounds, so a
-/// result within round-off of a knot is that knot: a pulse keeps its exact length however late it fires.
+/// Time since `start` [s] at time t, -infinity if that never comes. The subtraction rounds, so a result within
+/// round-off of zero or a knot of `curves` is that: a pulse keeps its exact length however late it fires.
+double local_time(std::initializer_list<const Curve*> curves, double start, double t);
+/// The same since firing, with the curves of the inflow.
 double local_time(const Inflow& inflow, double start, double t);
 
 /// First time after t at which the inflow is not smooth: firing, a knot, an inflow temperature of 1000 K.

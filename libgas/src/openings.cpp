@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "infinity.hpp"
+#include "inflow_segment.hpp"
 
 namespace gas {
 namespace {
@@ -13,12 +14,17 @@ double opened_at(const Vent& vent, const TriggerState& triggers) {
   return vent.trigger ? triggers[*vent.trigger].since : 0.0;
 }
 
+/// On the clock of the vent's area of time.
+double time_open(const Vent& vent, const TriggerState& triggers, double t) {
+  return local_time({&*vent.area_of_time}, opened_at(vent, triggers), t);
+}
+
 }  // namespace
 
 double effective_area(const Vent& vent, const TriggerState& triggers, double time, double overpressure) {
   if (vent.trigger && !triggers.at(*vent.trigger).on) return 0.0;
   const double area = vent.area_of_overpressure ? vent.area_of_overpressure->value(overpressure)
-                      : vent.area_of_time       ? vent.area_of_time->value(time - opened_at(vent, triggers))
+                      : vent.area_of_time       ? vent.area_of_time->value(time_open(vent, triggers, time))
                                                 : vent.area;
   return vent.discharge_coefficient * area;
 }
@@ -32,7 +38,7 @@ double Openings::next_break(const TriggerState& triggers, double t) const {
     if (!vent.area_of_time) continue;
     const double start = opened_at(vent, triggers);
     if (start == kInfinity) continue;
-    const double knot = start + vent.area_of_time->next_knot(t - start);
+    const double knot = start + vent.area_of_time->next_knot(time_open(vent, triggers, t));
     next = std::min(next, std::max(knot, std::nextafter(t, kInfinity)));
   }
   return next;

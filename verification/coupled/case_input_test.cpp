@@ -48,8 +48,8 @@ const Fault kFaults[] = {
      "inflator.0.temperature", "1 to 1e5 K", "temperature = -700.0"},
     {"unsorted_knots", "sphere_inflation", "time = [0.0, 0.02, 0.04]", "time = [0.0, 0.04, 0.02]",
      "inflator.0.mass_flow", "rising order", "mass_flow = {"},
-    {"repeated_knots", "sphere_inflation", "time = [0.0, 0.02, 0.04]", "time = [0.0, 0.02, 0.02]",
-     "inflator.0.mass_flow", "rising order", "mass_flow = {"},
+    {"repeated_knots", "sphere_inflation", "time = [0.0, 0.02, 0.04]", "time = [0.02, 0.02, 0.02]",
+     "inflator.0.mass_flow", "third there", "mass_flow = {"},
     {"knots_without_values", "sphere_inflation", "value = [0.0, 1.0, 0.0]", "value = [0.0, 1.0]",
      "inflator.0.mass_flow", "as many", "mass_flow = {"},
     {"negative_mass_flow", "sphere_inflation", "value = [0.0, 1.0, 0.0]", "value = [0.0, -1.0, 0.0]",
@@ -231,7 +231,12 @@ TEST(curve_file, is_read_and_refused_by_line) {
   EXPECT_NE(with("time_s,flow_kg_s\n0,1\n0.1,abc\n").find("flow.csv:3:5: 'abc'"), std::string::npos);
   EXPECT_NE(with("time_s,flow_kg_s\n0,1\n0.1\n").find("flow.csv:3:1"), std::string::npos);
   EXPECT_NE(with("time_s,flow\n0,1\n0.1,2\n").find("no such column"), std::string::npos);
-  EXPECT_NE(with("time_s,flow_kg_s\n0,1\n0,2\n").find("rising order"), std::string::npos);
+  EXPECT_EQ(with("time_s,flow_kg_s\n0,1\n0.1,2\n0.1,1\n0.2,0\n"), "accepted");
+  EXPECT_NE(with("time_s,flow_kg_s\n0,1\n0,2\n-1,2\n").find("flow.csv:4:1: flow_kg_s: knot 3"),
+            std::string::npos);
+  EXPECT_NE(with("time_s,flow_kg_s\n0,1\n0,2\n0,3\n1,0\n")
+                .find("flow.csv:4:1: flow_kg_s: knot 3 at 0 is the third"),
+            std::string::npos);
   EXPECT_NE(with("time_s,flow_kg_s\n0,1\n1,-2\n").find("0 or more"), std::string::npos);
   EXPECT_NE(with("").find("flow.csv"), std::string::npos);
   fs::remove(folder.path / "flow.csv");  // then the place is that of the key

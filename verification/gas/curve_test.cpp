@@ -45,6 +45,32 @@ TEST(curve, product_integral_eq_closed_form) {
   EXPECT_LT(cases::relative(gas::product_integral(g, f, -1.0, 9.0), 2.0 + 16.0 / 3.0 + 12.5), 1e-15);
 }
 
+/// Two knots at one time: the first holds until then, the second from then on.
+TEST(curve, jump_has_a_value_on_each_side) {
+  const Curve step({{1.0, 2.0}, {2.0, 4.0}, {2.0, 1.0}, {4.0, 3.0}, {4.0, 0.5}}, Outside::kHeld);
+  const Curve last({{0.0, 0.0}, {0.0, 8.0}, {2.0, 4.0}, {2.0, 0.0}}, Outside::kZero);
+  EXPECT_EQ(step.value(2.0), 1.0);
+  EXPECT_EQ(step.value(2.0, gas::Side::kBefore), 4.0);
+  EXPECT_EQ(step.value(1.5, gas::Side::kBefore), step.value(1.5));
+  EXPECT_EQ(step.value(4.0), 0.5);
+  EXPECT_EQ(step.value(4.0, gas::Side::kBefore), 3.0);
+  EXPECT_EQ(step.value(3.0), 2.0);
+  EXPECT_EQ(step.value(5.0), 0.5);
+  EXPECT_EQ(last.value(0.0), 8.0);
+  EXPECT_EQ(last.value(2.0), 0.0);
+  EXPECT_EQ(last.value(-1.0), 0.0);
+  EXPECT_EQ(step.piece(2.0).slope, 1.0);
+  EXPECT_EQ(step.next_knot(1.0), 2.0);
+  EXPECT_EQ(step.next_knot(2.0), 4.0);
+  EXPECT_EQ(step.nearest_knot(2.1), 2.0);
+  EXPECT_EQ(step.integral(1.0, 5.0), 3.0 + 4.0 + 0.5);
+  EXPECT_EQ(step.integral(1.0, 2.0) + step.integral(2.0, 4.0), 7.0);
+  // int 2 (8 - 2 t) on [0, 1] and (2 + 2 s)(6 - 2 s) on the next second.
+  EXPECT_LT(cases::relative(gas::product_integral(step, last, 0.0, 9.0), 14.0 + 16.0 - 4.0 / 3.0), 1e-15);
+  EXPECT_EQ(step.first_jump(), 2.0);
+  EXPECT_FALSE(Curve(kKnots, Outside::kHeld).first_jump());
+}
+
 TEST(curve, constant_has_no_knots_to_break_at) {
   const Curve constant = Curve::constant(7.0);
   EXPECT_EQ(constant.value(-1e9), 7.0);
@@ -55,7 +81,7 @@ TEST(curve, constant_has_no_knots_to_break_at) {
 TEST(curve, bad_knots_are_refused) {
   const double infinity = std::numeric_limits<double>::infinity();
   const std::vector<std::vector<Curve::Knot>> bad{{},
-                                                  {{0.0, 1.0}, {0.0, 2.0}},
+                                                  {{0.0, 1.0}, {0.0, 2.0}, {0.0, 3.0}},
                                                   {{1.0, 1.0}, {0.0, 2.0}},
                                                   {{0.0, std::nan("")}, {1.0, 2.0}},
                                                   {{0.0, 1.0}, {infinity, 2.0}}};

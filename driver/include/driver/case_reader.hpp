@@ -68,7 +68,8 @@ std::vector<PathPart> split_path(const std::string& path);
 /// `text` in quotes, as TOML and JSON both read it.
 std::string quoted(const std::string& text);
 
-/// A piecewise linear curve as given: knots in s, values in the unit of its key.
+/// A piecewise linear curve as given: knots in s, values in the unit of its key. Two knots at one time are a
+/// jump.
 struct CurveData {
   std::vector<double> time;
   std::vector<double> value;
@@ -97,7 +98,7 @@ class TableReader {
   /// A number (constant curve: empty `time`), { time = [..], value = [..] } or { file = "curve.csv", column =
   /// "name" }.
   /// A curve against something else names it: { overpressure = [..], value = [..] }; its knots are `time` all
-  /// the same.
+  /// the same. One of time may jump, any other not.
   CurveData curve(const std::string& key, Bounds value_bounds, const std::string& abscissa = "time");
   /// The key is there and a table; it has the key `inner`.
   bool is_table(const std::string& key) const;
@@ -175,10 +176,5 @@ class CaseDocument {
   std::unique_ptr<toml::table> table_;
   std::unique_ptr<CaseLog> log_;
 };
-
-/// Two named columns of a CSV file with a header row and `#` comment lines. Throws CaseError with
-/// file:line:column.
-CurveData read_curve_csv(const std::filesystem::path& file, const std::string& time_column,
-                         const std::string& value_column);
 
 }  // namespace driver

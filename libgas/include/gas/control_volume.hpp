@@ -26,8 +26,8 @@ struct Ambient {
 /// Gas that flows in, as an inflator's curves. Flow is zero before firing and outside the curve's knots.
 struct Inflow {
   std::vector<double> mass_fractions;    // [-] one per species of the Thermo, sum 1
-  Curve mass_flow;                       // [kg/s] >= 0, against time since firing [s]
-  Curve temperature;                     // [K], against time since firing [s]
+  Curve mass_flow;                       // [kg/s] >= 0, against time since firing [s]; may jump
+  Curve temperature;                     // [K], against time since firing [s]; may jump
   double start_time = 0.0;               // [s] firing time, or delay after the trigger; infinity: never
   std::optional<std::size_t> trigger{};  // node whose first coming on fires; none: fires at start_time
 };
@@ -36,8 +36,8 @@ struct Inflow {
 struct Vent {
   double discharge_coefficient;                 // [-] 0 to 1
   double area;                                  // [m2] >= 0; not read where a curve is given
-  std::optional<Curve> area_of_time{};          // [m2] against time since opening [s]
-  std::optional<Curve> area_of_overpressure{};  // [m2] against p - p_a [Pa]
+  std::optional<Curve> area_of_time{};          // [m2] against time since opening [s]; may jump
+  std::optional<Curve> area_of_overpressure{};  // [m2] against p - p_a [Pa], without a jump
   bool backflow = false;                 // ambient gas flows in at p < p_a, (G.6) with the roles changed
   std::optional<std::size_t> trigger{};  // node while which it is open; none: always open
 };
@@ -56,9 +56,9 @@ struct ControlVolumeModel {
   std::vector<Vent> vents;      // of any number; fabric leaks besides
   HeatLoss heat_loss{};         // adiabatic by default
   /// [m/s] >= 0, 0 at 0, against p - p_a [Pa]: where given, fabric leaks leak_area rho v(p - p_a)  (G.12) instead of
-  /// (G.7).
+  /// (G.7). Without a jump.
   std::optional<Curve> fabric_velocity{};
-  /// [m3] > 0, not falling, against p - p_a [Pa]: where given, the volume follows the pressure, (G.18), and
+  /// [m3] > 0, not falling, without a jump, against p - p_a [Pa]: where given, the volume follows the pressure, (G.18), and
   /// those of calls are not read. Held below the first knot (at -p_a or above); above the last: DomainError.
   std::optional<Curve> volume_of_overpressure{};
   TriggerModel triggers{};  // whose nodes inflows and vents name
@@ -127,7 +127,8 @@ GasPoint evaluate(const ControlVolumeModel& model, const ControlVolumeState& sta
 /// Stage S3: inflow `i` at time `time` [s].
 InflatorPoint inflator_point(const ControlVolumeModel& model, const ControlVolumeState& state, std::size_t i,
                              double time);
-/// The same without a state: of an inflator whose trigger comes on at 0.
-InflatorPoint inflator_point(const ControlVolumeModel& model, std::size_t i, double time);
+/// The same without a state: of an inflator whose trigger comes on at 0. Where its curves jump, on that side.
+InflatorPoint inflator_point(const ControlVolumeModel& model, std::size_t i, double time,
+                             Side side = Side::kAfter);
 
 }  // namespace gas

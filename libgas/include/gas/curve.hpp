@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -11,7 +12,14 @@ enum class Outside {
   kHeld,  // that of the nearest knot (a temperature)
 };
 
-/// Piecewise linear function of time through knots (t, value).
+/// Which value of a curve where it jumps.
+enum class Side {
+  kBefore,  // that which it comes to
+  kAfter,   // that from which it goes on
+};
+
+/// Piecewise linear function of time through knots (t, value). Two knots at one time are a jump: the first is
+/// the value that the curve comes to, the second the value from that time on.
 class Curve {
  public:
   /// A point of the curve.
@@ -28,14 +36,14 @@ class Curve {
     double at(double time) const { return value + slope * (time - origin); }
   };
 
-  /// Throws std::invalid_argument if there is no knot (kZero: fewer than two), a number is not finite, or the
-  /// times do not increase strictly.
+  /// Throws std::invalid_argument if there is no knot (kZero: fewer than two), a number is not finite, a time
+  /// is earlier than the one before, or three knots stand at one time.
   Curve(std::vector<Knot> knots, Outside outside);
   /// The same value at all times.
   static Curve constant(double value);
 
-  /// Value at time t; at a knot where the curve jumps (first and last, kZero) the value inside.
-  double value(double time) const;
+  /// Value at time t; where it jumps, on that side. At the first and the last knot of kZero the value inside.
+  double value(double time, Side side = Side::kAfter) const;
   /// The linear piece that holds in the neighbourhood of `time`, which is not a knot.
   Piece piece(double time) const;
   /// First knot later than `time`, or infinity.
@@ -44,8 +52,10 @@ class Curve {
   double nearest_knot(double time) const;
   /// Integral over [a, b], a <= b, exact to round-off.
   double integral(double a, double b) const;
+  /// Where it jumps for the first time, if it does.
+  std::optional<double> first_jump() const;
 
-  /// As given, in rising time.
+  /// As given; no time is earlier than the one before.
   std::span<const Knot> knots() const { return knots_; }
   Outside outside() const { return outside_; }             // as given
   bool is_constant() const { return knots_.size() == 1; }  // one knot: the same everywhere
