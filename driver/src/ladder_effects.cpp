@@ -49,10 +49,11 @@ class Effects {
 
   void heat_capacity() {
     if (!scene_.gas) return;
-    if (case_.has("gas.species")) {
-      plan_.left_out.emplace_back("cp: the case has species of its own, whose cp is constant");
-      return;
-    }
+    for (std::size_t i = 0; case_.has(fmt::format("gas.species.{}", i)); ++i)
+      if (case_.has(fmt::format("gas.species.{}.cp", i))) {
+        plan_.left_out.emplace_back("cp: the case has a species of its own, whose cp is constant");
+        return;
+      }
     LadderChoice constant{"cp constant", {}}, nasa{"cp nasa7", {}};
     case_.set(constant.overrides, "gas.thermodynamics", "\"constant\"");
     case_.set(nasa.overrides, "gas.thermodynamics", "\"nasa7\"");

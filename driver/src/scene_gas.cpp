@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "case_species.hpp"
 #include "scene_parts.hpp"
 
 namespace driver {
@@ -11,7 +12,6 @@ namespace {
 
 using Composition = std::map<std::string, double>;
 enum class By { mass, mole };
-enum class Thermodynamics { constant_cp, nasa7 };
 
 struct NamedComposition {
   Composition fractions;
@@ -28,37 +28,19 @@ NamedComposition read_composition(TableReader& table) {
 // The species of the scene, in the order in which the case names them; "air" stands for its four.
 class SpeciesList {
  public:
-  SpeciesList(Thermodynamics law, double reference_temperature)
-      : law_(law), reference_(reference_temperature) {}
-
-  void add_own(gas::Species species) {
-    if (is_own(species.name)) throw std::invalid_argument("names \"" + species.name + "\" a second time");
-    own_.push_back(std::move(species));
-  }
+  explicit SpeciesList(SpeciesCatalogue catalogue) : catalogue_(std::move(catalogue)) {}
 
   void add(const std::string& name) {
-    if (name == "air" && !is_own(name)) {
+    if (name == "air") {
       for (const auto& part : gas::air_by_mole()) add(part.species);
-      return;
+    } else if (std::ranges::find(species_, name, &gas::Species::name) == species_.end()) {
+      species_.push_back(catalogue_.named(name));
     }
-    const auto same = [&](const gas::Species& s) { return s.name == name; };
-    if (std::any_of(species_.begin(), species_.end(), same)) return;
-    if (const auto own = std::find_if(own_.begin(), own_.end(), same); own != own_.end())
-      species_.push_back(*own);
-    else
-      species_.push_back(law_ == Thermodynamics::nasa7 ? gas::nasa7_species(name)
-                                                       : gas::constant_cp_species(name, reference_));
-  }
-
-  bool is_own(const std::string& name) const {
-    return std::any_of(own_.begin(), own_.end(), [&](const gas::Species& s) { return s.name == name; });
   }
   const std::vector<gas::Species>& species() const { return species_; }
 
  private:
-  Thermodynamics law_;
-  double reference_;
-  std::vector<gas::Species> own_;
+  SpeciesCatalogue catalogue_;
   std::vector<gas::Species> species_;
 };
 
@@ -70,22 +52,12 @@ SpeciesList read_species(TableReader& table) {
   if (law == Thermodynamics::constant_cp)
     reference =
         table.number("reference_temperature", Bounds{200.0, 6000.0, false, "200 to 6000 K"}, reference);
-  SpeciesList list(law, reference);
-  for (auto& own : table.tables("species")) {
-    own.located("", [&] {
-      const std::string name = own.text("name");
-      if (name.empty()) own.fail("name", "is empty, a name is needed");
-      list.add_own(
-          gas::constant_cp_species(name, own.number("gas_constant", positive), own.number("cp", positive)));
-    });
-    own.finish();
-  }
-  return list;
+  SpeciesCatalogue catalogue(law, reference);
+  catalogue.read(table);
+  return SpeciesList(std::move(catalogue));
 }
 
-std::vector<double> mass_fractions(const gas::Thermo& thermo, const SpeciesList& list,
-                                   const NamedComposition& composition) {
-  const bool air_is_mixture = !list.is_own("air");
+std::vector<double> mass_fractions(const gas::Thermo& thermo, const NamedComposition& composition) {
   std::vector<gas::Component> parts;
   const auto add = [&](const std::string& species, double fraction) {
     const auto found =
@@ -96,7 +68,7 @@ std::vector<double> mass_fractions(const gas::Thermo& thermo, const SpeciesList&
       found->fraction += fraction;
   };
   for (const auto& [name, fraction] : composition.fractions) {
-    if (name != "air" || !air_is_mixture) {
+    if (name != "air") {
       add(name, fraction);
     } else if (composition.by == By::mole) {
       for (const auto& part : gas::air_by_mole()) add(part.species, fraction * part.fraction);
@@ -150,11 +122,10 @@ void warn_of_idle_inflators(Scene& scene) {
   }
 }
 
-void read_initial(TableReader& initial, const NamedComposition& composition, const SpeciesList& list,
-                  Scene& scene) {
+void read_initial(TableReader& initial, const NamedComposition& composition, Scene& scene) {
   GasPart& part = *scene.gas;
   initial.located("composition",
-                  [&] { part.initial_fractions = mass_fractions(part.model.thermo, list, composition); });
+                  [&] { part.initial_fractions = mass_fractions(part.model.thermo, composition); });
   part.initial_pressure = initial.number("pressure", non_negative, scene.ambient.pressure);
   part.initial_temperature = initial.number("temperature", gas_temperature, scene.ambient.temperature);
   initial.finish();
@@ -201,17 +172,17 @@ void read_gas(TableReader& root, std::optional<TableReader>& ambient, std::vecto
   if (outside) add_species(ambient ? *ambient : root, *outside, list);
 
   gas::ControlVolumeModel model{gas::Thermo(list.species()), scene.ambient, {}, {}};
-  if (outside) model.ambient.mass_fractions = mass_fractions(model.thermo, list, *outside);
+  if (outside) model.ambient.mass_fractions = mass_fractions(model.thermo, *outside);
   scene.gas.emplace(GasPart{std::move(model), {}, {}, 0.0, 0.0, {}, {}});
   GasPart& part = *scene.gas;
-  if (initial) read_initial(*initial, initial_composition, list, scene);
+  if (initial) read_initial(*initial, initial_composition, scene);
   read_heat_loss(*table, scene);
   table->finish();
 
   TriggerNames names = read_triggers(root, part.model.triggers);
   for (std::size_t i = 0; i < inflators.size(); ++i) {
     part.model.inflows.push_back(
-        read_inflow(inflators[i], mass_fractions(part.model.thermo, list, compositions[i]), names));
+        read_inflow(inflators[i], mass_fractions(part.model.thermo, compositions[i]), names));
     inflators[i].located("temperature", [&] { gas::validate(part.model); });
   }
   warn_of_idle_inflators(scene);

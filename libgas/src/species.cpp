@@ -66,9 +66,62 @@ const std::vector<Species>& table() {
   return species;
 }
 
+/// Coefficients of a polynomial, the constant one first.
+using Polynomial = std::vector<double>;
+
+double value(const Polynomial& p, double t) {
+  double sum = 0.0;
+  for (std::size_t i = p.size(); i-- > 0;) sum = p[i] + t * sum;
+  return sum;
+}
+
+Polynomial cp_over_gas_constant(const Nasa7& a) {
+  return {a.begin(), a.begin() + 5};
+}
+
 double cp_over_gas_constant(const Species& species, double t) {
-  const Nasa7& a = t <= kJointTemperature ? species.low : species.high;
-  return a[0] + t * (a[1] + t * (a[2] + t * (a[3] + t * a[4])));
+  return value(cp_over_gas_constant(t <= kJointTemperature ? species.low : species.high), t);
+}
+
+/// The ends of [a, b] and where p has an extremum between them, rising: p is monotonic from each to the next.
+std::vector<double> extrema(const Polynomial& p, double a, double b) {
+  if (p.size() < 2) return {a, b};
+  Polynomial slope;
+  for (std::size_t i = 1; i < p.size(); ++i) slope.push_back(static_cast<double>(i) * p[i]);
+  std::vector<double> found{a};
+  const std::vector<double> turns = extrema(slope, a, b);
+  for (std::size_t i = 1; i < turns.size(); ++i) {
+    double left = turns[i - 1], right = turns[i];
+    const bool rises = value(slope, left) > 0.0;
+    if (rises == (value(slope, right) > 0.0)) continue;
+    for (double t; (t = 0.5 * (left + right)) > left && t < right;)
+      ((value(slope, t) > 0.0) == rises ? left : right) = t;
+    found.push_back(right);
+  }
+  found.push_back(b);
+  return found;
+}
+
+/// cp > R between a and b [K], so that u rises with T.
+void require_heat_capacity(const std::string& range, const Nasa7& coefficients, double a, double b) {
+  const Polynomial cp = cp_over_gas_constant(coefficients);
+  for (const double t : extrema(cp, a, b))
+    require(value(cp, t) > 1.0 && std::isfinite(value(cp, t)),
+            "cp/R of " + range + " at " + to_text(t) + " K", value(cp, t),
+            "must be finite and above 1 in its whole range");
+}
+
+void require_joint(const Nasa7& low, const Nasa7& high) {
+  constexpr double kAllowed = 1e-5;
+  const double t = kJointTemperature;
+  const auto h = [&](const Nasa7& a) {
+    return a[0] + t * (a[1] / 2.0 + t * (a[2] / 3.0 + t * (a[3] / 4.0 + t * a[4] / 5.0))) + a[5] / t;
+  };
+  const double cp = value(cp_over_gas_constant(low), t), above = value(cp_over_gas_constant(high), t);
+  require(std::abs(above - cp) <= kAllowed * cp, "jump of cp/R at 1000 K", above - cp,
+          "must not exceed 1e-5 of cp/R");
+  require(std::abs(h(high) - h(low)) <= kAllowed * cp, "jump of h/(R T) at 1000 K", h(high) - h(low),
+          "must not exceed 1e-5 of cp/R");
 }
 
 Species with_constant_cp(std::string_view name, double molar_mass, double cp_over_r) {
@@ -92,11 +145,33 @@ Species nasa7_species(std::string_view name) {
   throw std::invalid_argument("species = \"" + std::string(name) + "\": must be one of" + known);
 }
 
+Species nasa7_species(std::string_view name, double molar_mass, double minimum_temperature,
+                      double maximum_temperature, const Nasa7& low, const Nasa7& high) {
+  require(std::isfinite(molar_mass) && molar_mass > 0.0, "molar_mass [kg/mol]", molar_mass,
+          "must be positive and finite");
+  require(minimum_temperature > 0.0 && minimum_temperature < kJointTemperature, "minimum temperature [K]",
+          minimum_temperature, "must be positive and below 1000");
+  require(std::isfinite(maximum_temperature) && maximum_temperature > kJointTemperature,
+          "maximum temperature [K]", maximum_temperature, "must be finite and above 1000");
+  for (const Nasa7& a : {low, high})
+    for (const double coefficient : a)
+      require(std::isfinite(coefficient), "NASA-7 coefficient", coefficient, "must be finite");
+  require_heat_capacity("low", low, minimum_temperature, kJointTemperature);
+  require_heat_capacity("high", high, kJointTemperature, maximum_temperature);
+  require_joint(low, high);
+  return {std::string(name), molar_mass, minimum_temperature, maximum_temperature, low, high, false};
+}
+
+Species constant_cp_species(const Species& species, double temperature) {
+  if (species.constant_cp) return species;
+  const double low = species.minimum_temperature, high = species.maximum_temperature;
+  require(temperature >= low && temperature <= high, "temperature of constant cp [K]", temperature,
+          "must be " + to_text(low) + " to " + to_text(high));
+  return with_constant_cp(species.name, species.molar_mass, cp_over_gas_constant(species, temperature));
+}
+
 Species constant_cp_species(std::string_view name, double temperature) {
-  const Species s = nasa7_species(name);
-  require(temperature >= s.minimum_temperature && temperature <= s.maximum_temperature,
-          "temperature of constant cp [K]", temperature, "must be 200 to 6000");
-  return with_constant_cp(name, s.molar_mass, cp_over_gas_constant(s, temperature));
+  return constant_cp_species(nasa7_species(name), temperature);
 }
 
 Species constant_cp_species(std::string_view name, double gas_constant, double cp) {

@@ -65,6 +65,19 @@ END
   "$gasjet" run "$work/co2.toml" --out "$work/co2" --quiet || fail "tank of CO2"
   expect 0 "mean_temperature_K: (800|799.99|800.00)" "$gasjet" identify "$work/co2/history.csv" --method average --tank-column pressure_Pa \
     --volume 0.0283 --mass 0.07 --gas CO2 --out "$work/co2.csv"
+  # The same with a CO2 of one's own: another case gives its constant cp, of 800 K, and the record is one of that gas.
+  printf '[gas]\n[[gas.species]]\nname = "own"\nmolar_mass = 0.044009\ncp = 1168.6\n' >"$work/own.toml"
+  sed 's/CO2/own/; s/"co2"/"own"/; s/^initial.*/&\nspecies = [{ name = "own", molar_mass = 0.044009, cp = 1168.6 }]/' "$work/co2.toml" >"$work/own_tank.toml"
+  "$gasjet" run "$work/own_tank.toml" --out "$work/own" --quiet || fail "tank of a gas of one's own"
+  expect 0 "mean_temperature_K: (800|799.99|800.00)" "$gasjet" identify "$work/own/history.csv" --method average --tank-column pressure_Pa \
+    --volume 0.0283 --mass 0.07 --gas own --species "$work/own.toml" --out "$work/own.csv"
+  grep -q '^# species: and those of .*own.toml' "$work/own.csv" || fail "no word of the species' file"
+  own='--method average --tank-column pressure_Pa --volume 0.0283 --mass 0.07 --gas own'
+  expect 2 "--gas: species = .own.: must be one of N2" "$gasjet" identify "$work/own/history.csv" $own --out "$work/none.csv"
+  expect 2 "own.csv: would overwrite|would overwrite .*own.toml" "$gasjet" identify "$work/own/history.csv" $own --species "$work/own.toml" --out "$work/own.toml"
+  expect 2 "co2.toml:4:1: gas.species: is missing" "$gasjet" identify "$work/own/history.csv" $own --species "$work/co2.toml" --out "$work/none.csv"
+  sed 's/0.044009/-1/' "$work/own.toml" >"$work/bad.toml"
+  expect 2 "bad.toml:4:1: gas.species.0.molar_mass: is -1" "$gasjet" identify "$work/own/history.csv" $own --species "$work/bad.toml" --out "$work/none.csv"
   # Noise that is the same over the record, 0.2 % of the largest reading.
   awk -F, -v OFS=, '/^#/ { print; next } $1 == "time_s" { for (i = 1; i <= NF; i++) if ($i == "chamber_pressure_Pa") c = i; print; next }
     { seed = (16807 * (seed ? seed : 7)) % 2147483647; $c += 1e4 * (2 * seed / 2147483647 - 1) * 1.7; print }' "$data" >"$work/gauge.csv"

@@ -160,9 +160,9 @@ rule_case_keys() {
   local page=docs/case_files.md list read_keys rows key
   mapfile -t list < <(cpp_files | grep '^driver/src/')
   read_keys=$(cat "${list[@]}" | tr -d '\n' |
-    grep -oE '[^a-z_](number|optional_number|integer|flag|texts?|numbers|vector|curve|composition|choice(<[A-Za-z_:]+>)?|table|optional_table|tables)\([[:space:]]*"[a-z_]+"|\(\*?(table|reader), "[a-z_]+"|\{"[a-z_]+", &Options::' |
-    grep -oE '"[a-z_]+"' | tr -d '"' | sort -u)
-  rows=$(grep -E '^\| `' "$page" | cut -d'|' -f2 | grep -oE '[a-z_]+' | sort -u)
+    grep -oE '[^a-z_](number|optional_number|integer|flag|texts?|numbers|vector|curve|composition|choice(<[A-Za-z_:]+>)?|table|optional_table|tables)\([[:space:]]*"[a-z_0-9]+"|\(\*?(table|reader), "[a-z_0-9]+"|\{"[a-z_0-9]+", &Options::' |
+    grep -oE '"[a-z_0-9]+"' | tr -d '"' | sort -u)
+  rows=$(grep -E '^\| `' "$page" | cut -d'|' -f2 | grep -oE '[a-z_0-9]+' | sort -u)
   for key in $(comm -23 <(echo "$read_keys") <(echo "$rows")); do echo "$page: no row for the key $key"; done
   for key in $(comm -13 <(echo "$read_keys") <(echo "$rows")); do echo "$page: no code reads the key $key"; done
 }

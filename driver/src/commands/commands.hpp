@@ -126,6 +126,7 @@ struct IdentifyArguments {
   std::string tank_gas = "air";  // of the tank before firing
   std::string by = "mass";       // what the fractions are of: "mass" or "mole"
   std::string thermodynamics = "nasa7";
+  std::filesystem::path species;        // a case whose [[gas.species]] may be named; none if empty
   double initial_temperature = 293.15;  // [K] of the tank's gas
   std::string time_column = "time_s";
   std::string tank_column = "tank_pressure_Pa";

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <charconv>
 
+#include "../case_species.hpp"
 #include "../csv_table.hpp"
 #include "commands.hpp"
 #include "driver/case_reader.hpp"
@@ -44,16 +45,26 @@ auto of_option(const std::string& option, const Action& action) {
   }
 }
 
+/// The species by name, those of the file --species among them; of it all else is skipped.
+SpeciesCatalogue catalogue(const IdentifyArguments& a) {
+  SpeciesCatalogue species(a.thermodynamics == "nasa7" ? Thermodynamics::nasa7 : Thermodynamics::constant_cp,
+                           gas::kReferenceTemperature);
+  if (a.species.empty()) return species;
+  CaseDocument document(a.species, {});
+  TableReader root = document.root(), table = root.table("gas");
+  if (!table.has("species")) table.fail("species", "is missing, [[gas.species]] is needed");
+  species.read(table);
+  return species;
+}
+
 gas::TankTest tank_test(const IdentifyArguments& a) {
+  const SpeciesCatalogue known = catalogue(a);
   const auto own = read_composition("--tank-gas", a.tank_gas), in = read_composition("--gas", a.gas);
   std::vector<gas::Species> species;
   const auto add = [&](const std::string& option, const std::vector<gas::Component>& parts) {
     for (const auto& part : parts) {
       if (std::ranges::find(species, part.species, &gas::Species::name) != species.end()) continue;
-      species.push_back(of_option(option, [&] {
-        return a.thermodynamics == "nasa7" ? gas::nasa7_species(part.species)
-                                           : gas::constant_cp_species(part.species);
-      }));
+      species.push_back(of_option(option, [&] { return known.named(part.species); }));
     }
   };
   add("--tank-gas", own);
@@ -155,6 +166,7 @@ Provenance findings(const IdentifyArguments& a, const gas::Identified& found) {
       {"gas", fmt::format("{} by {} into {}, {} cp, tank of {} m3, {} kg, {} K at first", a.gas, a.by,
                           a.tank_gas, a.thermodynamics, a.volume, a.mass, a.initial_temperature)},
       {"tank_pressure", text(a, found.tank)}};
+  if (!a.species.empty()) lines.push_back({"species", "and those of " + a.species.string()});
   if (dual) lines.push_back({"chamber_pressure", text(a, found.chamber)});
   const auto with_band = [&](double value, const gas::Band& band) {
     return fmt::format("{:.6g}, {}", value, found.bands ? "95 %: " + text(band) : "no band");
@@ -212,7 +224,7 @@ void write_curve(const std::filesystem::path& file, const Provenance& lines, con
 }  // namespace
 
 int identify(const IdentifyArguments& arguments) {
-  refuse_same_file("--out", arguments.out, {arguments.file});
+  refuse_same_file("--out", arguments.out, {arguments.file, arguments.species});
   const gas::TankTest test = tank_test(arguments);
   const CsvTable table = read_readings(arguments);
   const gas::Identified found = analyse(arguments, test, table);

@@ -160,6 +160,8 @@ void add_identify(CLI::App& app, IdentifyArguments& a) {
   add("--tank-gas", a.tank_gas, "what the tank holds before firing");
   add("--by", a.by, "fractions by")->check(CLI::IsMember({"mass", "mole"}));
   add("--thermodynamics", a.thermodynamics, "cp")->check(CLI::IsMember({"nasa7", "constant"}));
+  c->add_option("--species", a.species, "TOML with [[gas.species]] as in a case, whose names the gases may use")
+      ->check(named);
   add("--initial-temperature", a.initial_temperature, "of the tank's gas [K]");
   add("--time-column", a.time_column, "name in the header");
   add("--tank-column", a.tank_column, "name in the header");
