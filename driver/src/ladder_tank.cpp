@@ -33,7 +33,7 @@ std::string tank_fabric(const Scene& scene) {
   if (area == 0.0) return {};
   return fmt::format("tank.fabric={{area={}, {}}}", area,
                      law == LeakLaw::table ? fmt::format("leak_law=\"table\", velocity={}",
-                                                         text_of(*scene.gas->model.fabric_velocity))
+                                                         text_of(*scene.gas->model.fabrics.front().velocity))
                                            : "porosity=1");
 }
 

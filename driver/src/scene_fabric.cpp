@@ -77,7 +77,7 @@ LeakLaw read_fabric(TableReader& root, const membrane::Mesh& mesh,
                                          "printed");
   // A table is measured on the fabric as it is: all of it leaks, unless the case says otherwise.
   fabric.porosity = table.number("porosity", fraction, law == LeakLaw::table ? 1.0 : 0.0);
-  if (law == LeakLaw::table) read_leak_velocity(table, model);
+  if (law == LeakLaw::table) model.fabrics = {gas::Fabric{1.0, read_leak_velocity(table)}};
   using membrane::Compression;
   bag.compression = table.choice<Compression>(
       "compression", {{"none", Compression::none}, {"linear", Compression::linear}}, "none");

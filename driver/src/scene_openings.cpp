@@ -26,23 +26,42 @@ gas::Vent read_vent(TableReader& table, TriggerNames& names) {
   return vent;
 }
 
-void read_tank_fabric(TableReader& tank, Scene& scene) {
-  auto table = tank.optional_table("fabric");
-  if (!table) return;
-  GasPart& part = *scene.gas;
-  const double area = table->number("area", positive);
-  const auto law = table->choice<LeakLaw>(
+/// A fabric whose share is, for now, its leak area [m2].
+gas::Fabric read_tank_fabric(TableReader& table, Scene& scene) {
+  const double area = table.number("area", positive);
+  const auto law = table.choice<LeakLaw>(
       "leak_law", {{"printed", LeakLaw::printed}, {"screen", LeakLaw::screen}, {"table", LeakLaw::table}},
       "printed");
-  warn_of_screen("tank.fabric", law, scene);
+  warn_of_screen(table.path(), law, scene);
+  gas::Fabric fabric{area};
   if (law == LeakLaw::table) {
-    read_leak_velocity(*table, part.model);
-    part.tank_leak_area = area;
+    fabric.velocity = read_leak_velocity(table);
   } else {
-    const double porosity = table->number("porosity", positive_fraction);
-    part.tank_leak_area = area * porosity * (law == LeakLaw::printed ? porosity : 1.0);
+    const double porosity = table.number("porosity", positive_fraction);
+    fabric.share = area * porosity * (law == LeakLaw::printed ? porosity : 1.0);
   }
-  table->finish();
+  table.finish();
+  return fabric;
+}
+
+/// [tank.fabric], or several as [[tank.fabric]]
+void read_tank_fabrics(TableReader& tank, Scene& scene) {
+  std::vector<TableReader> tables;
+  if (tank.is_table("fabric"))
+    tables.push_back(tank.table("fabric"));
+  else
+    tables = tank.tables("fabric");
+  if (tables.empty()) return;
+  std::vector<gas::Fabric> fabrics;
+  double leak_area = 0.0;
+  for (auto& table : tables) {
+    fabrics.push_back(read_tank_fabric(table, scene));
+    leak_area += fabrics.back().share;
+  }
+  if (!(leak_area > 0.0)) return;  // porosities whose squares are below the smallest number
+  for (auto& fabric : fabrics) fabric.share /= leak_area;
+  scene.gas->tank_leak_area = leak_area;
+  scene.gas->model.fabrics = std::move(fabrics);
 }
 
 TankVolume read_wave(TableReader&& wave) {
@@ -95,16 +114,15 @@ void warn_of_screen(const std::string& fabric, LeakLaw law, Scene& scene) {
         fabric + ".leak_law = \"screen\" leaks 1/porosity times as much as the paper's printed law");
 }
 
-void read_leak_velocity(TableReader& table, gas::ControlVolumeModel& model) {
-  table.located("velocity", [&] {
-    model.fabric_velocity =
-        to_gas_curve(table.curve("velocity", non_negative, "overpressure"), gas::Outside::kHeld);
-  });
+gas::Curve read_leak_velocity(TableReader& table) {
+  const auto velocity =
+      to_gas_curve(table.curve("velocity", non_negative, "overpressure"), gas::Outside::kHeld);
   // The flow would jump where the overpressure changes its sign.
-  if (const double at_rest = model.fabric_velocity->value(0.0); at_rest > 0.0)
+  if (const double at_rest = velocity.value(0.0); at_rest > 0.0)
     table.fail("velocity", fmt::format("is {} m/s without overpressure, 0 is allowed there: begin with the "
                                        "knot (0, 0)",
                                        at_rest));
+  return velocity;
 }
 
 void read_vents(TableReader& root, TriggerNames& names, gas::ControlVolumeModel& model) {
@@ -128,7 +146,7 @@ void read_tank(TableReader& root, Scene& scene) {
     tank->fail("volume",
                "has neither time, nor overpressure, nor mean: a number, a curve {time, value}, a curve "
                "{overpressure, value} or a wave {mean, ...} is allowed");
-  read_tank_fabric(*tank, scene);
+  read_tank_fabrics(*tank, scene);
   tank->finish();
 }
 

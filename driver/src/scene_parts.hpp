@@ -42,7 +42,7 @@ void warn_of_screen(const std::string& fabric, LeakLaw law, Scene& scene);
 /// [gas.heat_loss]
 void read_heat_loss(TableReader& gas_table, Scene& scene);
 /// `velocity` of a fabric with leak_law = "table"
-void read_leak_velocity(TableReader& table, gas::ControlVolumeModel& model);
+gas::Curve read_leak_velocity(TableReader& table);
 /// [membrane], [fabric]
 void read_bag(TableReader& root, Scene& scene);
 /// [fabric]: properties of each element, compression and leak law (returned; its table goes to `model`);

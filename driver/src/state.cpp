@@ -19,7 +19,7 @@ void start_gas(const Scene& scene, State& state) {
   state.initial_gas_mass = std::accumulate(state.gas.masses.begin(), state.gas.masses.end(), 0.0);
   state.initial_volume = volume;
   state.streams.inflows.resize(part.model.inflows.size());
-  state.streams.outflows.resize(part.model.vents.size() + 1);
+  state.streams.outflows.resize(part.model.vents.size() + part.model.fabric_count());
   state.streams.backflows.resize(part.model.vents.size());
   state.gas_events.opened.assign(part.model.vents.size(), std::numeric_limits<double>::quiet_NaN());
   if (!scene.output.streams) return;

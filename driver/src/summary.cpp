@@ -101,7 +101,10 @@ Json streams(const Scene& scene, const State& state) {
     if (scene.gas->model.vents[j].backflow)
       json["vent." + std::to_string(j) + ".backflow"] = entry(state.streams.backflows[j]);
   }
-  if (state.streams.outflows[vents].mass > 0.0) json["fabric"] = entry(state.streams.outflows[vents]);
+  const std::size_t fabrics = scene.gas->model.fabric_count();
+  for (std::size_t i = 0; i < fabrics; ++i)
+    if (const auto& out = state.streams.outflows[vents + i]; fabrics > 1 || out.mass > 0.0)
+      json[fabrics > 1 ? "fabric." + std::to_string(i) : "fabric"] = entry(out);
   return json;
 }
 

@@ -36,7 +36,8 @@ void Balance::fill_rates(Vector& dydt) {
   if (gas_.mass == 0.0) return;
   if (gas_.overpressure > 0.0) {
     for (std::size_t j = 0; j < s.vents; ++j) dydt[s.mass(j)] = boundary_.vent(j, gas_, time_);  // mdot_vent, (G.6)
-    dydt[s.mass(s.fabric())] = boundary_.fabric(gas_, time_);  // mdot_fabric, (G.7) or (G.12)
+    for (std::size_t i = 0; i < s.fabrics; ++i)
+      dydt[s.mass(s.fabric(i))] = boundary_.fabric(i, gas_, time_);  // mdot_fabric, (G.7) or (G.12)
     for (std::size_t j = 0; j < s.streams(); ++j) {
       outflow_ += dydt[s.mass(j)];
       dydt[s.enthalpy(j)] = dydt[s.mass(j)] * gas_.enthalpy;  // mdot h(T)
@@ -71,9 +72,9 @@ double Balance::balanced_overpressure() const {
   // What the openings do to V dp/dt where the law is that of the root, and from it where they balance the feed.
   const double sign = growth > 0.0 ? 1.0 : -1.0, far = std::max(std::abs(gas_.overpressure), 100.0 * laminar);
   const UniformGas there = moved(sign * far);
-  double flow = growth > 0.0 ? boundary_.fabric(there, time_) : 0.0;
-  for (std::size_t j = 0; j < (growth > 0.0 ? s.vents : s.backflows); ++j)
-    flow += growth > 0.0 ? boundary_.vent(j, there, time_) : boundary_.back(j, there, time_);
+  double flow = 0.0;
+  for (std::size_t j = 0; j < (growth > 0.0 ? s.streams() : s.backflows); ++j)
+    flow += growth > 0.0 ? boundary_.out(j, there, time_) : boundary_.back(j, there, time_);
   const AmbientGas& air = boundary_.ambient();
   const double effect = flow * (growth > 0.0 ? gas_.gamma * gas_.gas_constant * gas_.temperature
                                              : growth_per_flow(air.mixture, air.temperature, gas_));
@@ -100,11 +101,11 @@ double Balance::relaxation(const UniformGas& gas) const {
   if (gas.mass == 0.0) return 0.0;
   const double walls = wall_conductance() / gas.capacity;
   if (gas.overpressure > 0.0) {
-    Flow all = boundary_.fabric_slopes(gas, time_);
-    for (std::size_t j = 0; j < s.vents; ++j) {
-      const Flow vent = boundary_.vent_slopes(j, gas, time_);
-      all.value += vent.value;
-      all.pressure += vent.pressure;
+    Flow all{};
+    for (std::size_t j = 0; j < s.streams(); ++j) {
+      const Flow one = boundary_.out_slopes(j, gas, time_);
+      all.value += one.value;
+      all.pressure += one.pressure;
     }
     if (!(all.value > 0.0)) return walls;
     return walls + outflow_relaxation_rate(gas.gamma, all.value / gas.mass, all.pressure * gas.pressure / all.value,
@@ -145,8 +146,7 @@ void RateSlopes::add_outflow(const Balance& balance, const UniformGas& g, double
   const Boundary& boundary = balance.boundary();
   const Slots& s = boundary.slots();
   for (std::size_t j = 0; j < s.streams(); ++j) {
-    const Flow flow = j == s.fabric() ? boundary.fabric_slopes(g, balance.time())
-                                      : boundary.vent_slopes(j, g, balance.time());
+    const Flow flow = boundary.out_slopes(j, g, balance.time());
     const double time = flow.time + flow.pressure * pressure_by_time;
     by_time[s.mass(j)] = time;
     by_time[s.enthalpy(j)] = time * g.enthalpy;

@@ -15,9 +15,16 @@ bool lets_air_in(const ControlVolumeModel& model) {
 
 double laminar_overpressure(const ControlVolumeModel& model) { return model.laminar_share * model.ambient.pressure; }
 
-double fabric_flow(const ControlVolumeModel& model, double leak_area, const UniformGas& gas) {
-  if (!model.fabric_velocity) return leak_area * fabric_flux(gas.upstream(), laminar_overpressure(model));
-  return leak_area * gas.mass / gas.volume * model.fabric_velocity->value(gas.overpressure);
+const Fabric& fabric_of(const ControlVolumeModel& model, std::size_t i) {
+  static const Fabric whole{1.0};
+  return model.fabrics.empty() ? whole : model.fabrics[i];
+}
+
+double fabric_flow(const ControlVolumeModel& model, std::size_t i, double leak_area, const UniformGas& gas) {
+  const auto& [share, velocity] = fabric_of(model, i);
+  const double area = share * leak_area;
+  if (!velocity) return area * fabric_flux(gas.upstream(), laminar_overpressure(model));
+  return area * gas.mass / gas.volume * velocity->value(gas.overpressure);
 }
 
 double heat_flow(const ControlVolumeModel& model, const UniformGas& gas) {
@@ -36,7 +43,8 @@ AmbientGas::AmbientGas(const ControlVolumeModel& model)
 Boundary::Boundary(const ControlVolumeModel& model)
     : model_(model),
       ambient_(model),
-      slots_{model.thermo.size(), model.vents.size(), lets_air_in(model) ? model.vents.size() : 0},
+      slots_{model.thermo.size(), model.vents.size(), model.fabric_count(),
+             lets_air_in(model) ? model.vents.size() : 0},
       laminar_(laminar_overpressure(model)),
       inflows_(model),
       openings_(model) {}
@@ -71,9 +79,13 @@ double Boundary::vent(std::size_t j, const UniformGas& gas, double t) const {
   return area == 0.0 ? 0.0 : area * hole_flux(gas.upstream(), laminar_);
 }
 
-double Boundary::fabric(const UniformGas& gas, double t) const {
+double Boundary::fabric(std::size_t i, const UniformGas& gas, double t) const {
   const double area = path_.leak_area(t);
-  return area == 0.0 ? 0.0 : fabric_flow(model_, area, gas);
+  return area == 0.0 ? 0.0 : fabric_flow(model_, i, area, gas);
+}
+
+double Boundary::out(std::size_t j, const UniformGas& gas, double t) const {
+  return j < slots_.vents ? vent(j, gas, t) : fabric(j - slots_.vents, gas, t);
 }
 
 double Boundary::back(std::size_t j, const UniformGas& gas, double t) const {
@@ -90,17 +102,22 @@ Flow Boundary::vent_slopes(std::size_t j, const UniformGas& gas, double t) const
           a * by.gas_constant, a * by.gamma,                                 area.by_time * flux};
 }
 
-Flow Boundary::fabric_slopes(const UniformGas& gas, double t) const {
+Flow Boundary::fabric_slopes(std::size_t i, const UniformGas& gas, double t) const {
   if (!path_.leaks()) return {};
-  const double area = path_.leak_area(t), flow = fabric(gas, t), dp = gas.overpressure;
-  const double by_time = area > 0.0 ? flow / area * path_.leak_rate : 0.0;
-  if (!model_.fabric_velocity) {
+  const auto& [share, velocity] = fabric_of(model_, i);
+  const double area = share * path_.leak_area(t), flow = fabric(i, gas, t), dp = gas.overpressure;
+  const double by_time = area > 0.0 ? flow / area * share * path_.leak_rate : 0.0;
+  if (!velocity) {
     const FluxSlopes by = fabric_flux_slopes(gas.upstream(), laminar_);
     return {flow, area * by.upstream, area * by.temperature, area * by.gas_constant, 0.0, by_time};
   }
   return {flow,
-          flow / gas.pressure + area * gas.mass / gas.volume * model_.fabric_velocity->piece(dp).slope,
+          flow / gas.pressure + area * gas.mass / gas.volume * velocity->piece(dp).slope,
           -flow / gas.temperature, -flow / gas.gas_constant, 0.0, by_time};
+}
+
+Flow Boundary::out_slopes(std::size_t j, const UniformGas& gas, double t) const {
+  return j < slots_.vents ? vent_slopes(j, gas, t) : fabric_slopes(j - slots_.vents, gas, t);
 }
 
 Flow Boundary::back_slopes(std::size_t j, const UniformGas& gas, double t) const {

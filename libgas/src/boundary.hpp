@@ -43,8 +43,10 @@ struct Flow {
 };
 
 double laminar_overpressure(const ControlVolumeModel& model);  // [Pa] d of (G.22)
-/// Out through fabric of `leak_area` [m2], (G.7) or (G.12); the heat flow [W] through the walls, (G.11).
-double fabric_flow(const ControlVolumeModel& model, double leak_area, const UniformGas& gas);
+/// Fabric i of those counted.
+const Fabric& fabric_of(const ControlVolumeModel& model, std::size_t i);
+/// Out through fabric i of all `leak_area` [m2], (G.7) or (G.12); the heat flow [W] through the walls, (G.11).
+double fabric_flow(const ControlVolumeModel& model, std::size_t i, double leak_area, const UniformGas& gas);
 double heat_flow(const ControlVolumeModel& model, const UniformGas& gas);
 
 /// All that crosses the boundary of a volume, on a segment of time in which nothing switches.
@@ -66,13 +68,16 @@ class Boundary {
   bool has_backflow() const { return openings_.has_backflow(); }         // gas can come in
   bool needs_stepper() const;                                            // more than inflow changes the gas
 
-  /// [kg/s] at time t: out through vent j, (G.6), and the fabric, (G.7) or (G.12); in through vent j.
+  /// [kg/s] at time t: out through vent j, (G.6), and fabric i, (G.7) or (G.12), or in stream j of Slots; in
+  /// through vent j.
   double vent(std::size_t j, const UniformGas& gas, double t) const;
-  double fabric(const UniformGas& gas, double t) const;
+  double fabric(std::size_t i, const UniformGas& gas, double t) const;
+  double out(std::size_t j, const UniformGas& gas, double t) const;
   double back(std::size_t j, const UniformGas& gas, double t) const;
   /// The same with their derivatives.
   Flow vent_slopes(std::size_t j, const UniformGas& gas, double t) const;
-  Flow fabric_slopes(const UniformGas& gas, double t) const;
+  Flow fabric_slopes(std::size_t i, const UniformGas& gas, double t) const;
+  Flow out_slopes(std::size_t j, const UniformGas& gas, double t) const;
   Flow back_slopes(std::size_t j, const UniformGas& gas, double t) const;
   /// V dp/dt [W] if nothing flowed through the openings; of what flows in, of volume and walls.
   double closed_growth(const UniformGas& gas, double t) const;

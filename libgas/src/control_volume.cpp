@@ -74,6 +74,20 @@ void validate(const Vent& vent) {
   require_no_jump(*vent.area_of_overpressure, "knot of vent.area_of_overpressure [Pa]");
 }
 
+void validate(const std::vector<Fabric>& fabrics) {
+  double sum = 0.0;
+  for (const auto& [share, velocity] : fabrics) {
+    require(share >= 0.0 && share <= 1.0, "fabric.share", share, "must be 0 to 1");
+    sum += share;
+    if (!velocity) continue;
+    require_area(*velocity, "fabric.velocity [m/s]");
+    require_no_jump(*velocity, "knot of fabric.velocity [Pa]");
+    require(velocity->value(0.0) == 0.0, "fabric.velocity [m/s] at p = p_a", velocity->value(0.0), "must be 0");
+  }
+  if (!fabrics.empty())
+    require(std::abs(sum - 1.0) <= kFractionTolerance, "sum of fabric.share", sum, "must be 1");
+}
+
 void require_volume(const Curve& curve, double ambient_pressure) {
   const char* name = "volume_of_overpressure [m3]";
   const auto knots = curve.knots();
@@ -118,12 +132,7 @@ void validate(const ControlVolumeModel& model) {
           "heat_loss.outside_temperature [K]", heat.outside_temperature, "must be finite and positive");
   require(model.laminar_share >= 0.0 && model.laminar_share <= 1e-3, "laminar_share", model.laminar_share,
           "must be 0 to 1e-3");
-  if (model.fabric_velocity) {
-    require_area(*model.fabric_velocity, "fabric_velocity [m/s]");
-    require_no_jump(*model.fabric_velocity, "knot of fabric_velocity [Pa]");
-    require(model.fabric_velocity->value(0.0) == 0.0, "fabric_velocity [m/s] at p = p_a",
-            model.fabric_velocity->value(0.0), "must be 0");
-  }
+  validate(model.fabrics);
   if (model.volume_of_overpressure) require_volume(*model.volume_of_overpressure, p_a);
   validate(model.triggers);
 }

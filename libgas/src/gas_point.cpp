@@ -61,7 +61,8 @@ GasPoint evaluate(const ControlVolumeModel& model, const ControlVolumeState& sta
   const double laminar = laminar_overpressure(model);
   if (gas.overpressure > 0.0) {
     point.vent_mass_flow = area * hole_flux(gas.upstream(), laminar);
-    point.fabric_mass_flow = fabric_flow(model, leak_area, gas);
+    for (std::size_t i = 0; i < model.fabric_count(); ++i)
+      point.fabric_mass_flow += fabric_flow(model, i, leak_area, gas);
   } else if (back_area > 0.0) {
     point.backflow = back_area * hole_flux(AmbientGas(model).upstream(gas.overpressure), laminar);
   }

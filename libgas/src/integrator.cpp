@@ -167,7 +167,7 @@ class GasIntegrator::Implementation {
     }
     for (std::size_t j = 0; j < outflows_.size(); ++j) {
       outflows_[j] = {ledger_.total(slots.mass(j)), ledger_.total(slots.enthalpy(j))};
-      (j == slots.fabric() ? f.fabric_mass_out : f.vent_mass_out) += outflows_[j].mass;
+      (j < slots.vents ? f.vent_mass_out : f.fabric_mass_out) += outflows_[j].mass;
       f.enthalpy_out += outflows_[j].enthalpy;
     }
     for (std::size_t j = 0; j < backflows_.size(); ++j) {

@@ -86,7 +86,7 @@ std::vector<double> overpressure_knots(const ControlVolumeModel& model) {
     for (const Curve::Knot& knot : curve->knots()) knots.push_back(knot.time);
   };
   for (const Vent& vent : model.vents) add(vent.area_of_overpressure);
-  add(model.fabric_velocity);
+  for (const Fabric& fabric : model.fabrics) add(fabric.velocity);
   add(model.volume_of_overpressure);
   std::ranges::sort(knots);
   knots.erase(std::unique(knots.begin(), knots.end()), knots.end());

@@ -41,7 +41,7 @@ class Openings {
   bool is_open_ = false, has_backflow_ = false;
 };
 
-/// Overpressures [Pa] at which an area, the fabric's velocity or the volume has a knot, rising.
+/// Overpressures [Pa] at which an area, a fabric's velocity or the volume has a knot, rising.
 std::vector<double> overpressure_knots(const ControlVolumeModel& model);
 
 }  // namespace gas

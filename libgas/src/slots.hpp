@@ -11,18 +11,18 @@ using Vector = std::vector<double>;
 ///   out(k)              [kg] species k that left through all openings
 ///   work()              [J]  int p dV (0 where the volume follows the pressure: its work is no unknown)
 ///   heat()              [J]  lost through the walls
-///   mass(j), enthalpy(j) [kg], [J] that left through vent j, the last of them the fabric
+///   mass(j), enthalpy(j) [kg], [J] that left in stream j: through the vents, then through the fabrics
 ///   back(j)             [kg] ambient gas that came in through vent j; only if a vent has backflow
 struct Slots {
-  std::size_t species, vents, backflows;
+  std::size_t species, vents, fabrics, backflows;
 
   std::size_t out(std::size_t k) const { return k; }
   std::size_t work() const { return species; }
   std::size_t heat() const { return species + 1; }
   std::size_t mass(std::size_t j) const { return species + 2 + 2 * j; }
   std::size_t enthalpy(std::size_t j) const { return mass(j) + 1; }
-  std::size_t streams() const { return vents + 1; }
-  std::size_t fabric() const { return vents; }
+  std::size_t streams() const { return vents + fabrics; }
+  std::size_t fabric(std::size_t i) const { return vents + i; }  // its stream
   std::size_t back(std::size_t j) const { return mass(streams()) + j; }
   std::size_t size() const { return back(backflows); }
 };

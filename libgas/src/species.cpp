@@ -163,7 +163,6 @@ Species nasa7_species(std::string_view name, double molar_mass, double minimum_t
 }
 
 Species constant_cp_species(const Species& species, double temperature) {
-  if (species.constant_cp) return species;
   const double low = species.minimum_temperature, high = species.maximum_temperature;
   require(temperature >= low && temperature <= high, "temperature of constant cp [K]", temperature,
           "must be " + to_text(low) + " to " + to_text(high));

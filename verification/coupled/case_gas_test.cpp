@@ -106,8 +106,11 @@ TEST(case_gas, argon_of_constant_cp_eq_closed_form) {
   const double r = 8.31446261815324 / 0.03995;
   const std::vector<std::string> argon{
       "gas.species=[{name=\"argon\", molar_mass=0.03995, cp=" + fmt::format("{}", 2.5 * r) + "}]",
-      "gas.initial.composition={argon=1.0}", "inflator.0.composition={argon=1.0}",
-      "inflator.0.temperature=400.0", "unset vent"};
+      "gas.initial.composition={argon=1.0}",
+      "inflator.0.composition={argon=1.0}",
+      "inflator.0.temperature=400.0",
+      "unset vent",
+      "unset tank.fabric"};
   const auto run = run_case("tank_steps", argon);
   ASSERT_EQ(run.outcome.status, driver::RunStatus::done) << run.outcome.message;
   claim::expect_relative(
@@ -120,6 +123,28 @@ TEST(case_gas, argon_of_constant_cp_eq_closed_form) {
   claim::expect_relative({"G.10", "argon by molar mass and cp into an evacuated tank: temperature [K]",
                           "some ten operations in each of 50 steps"},
                          filled.history.back().temperature_K, 5.0 / 3.0 * 400.0, 1e-13);
+}
+
+/// Of two fabrics each has its mass; two of half the area are one of the whole.
+TEST(case_gas, fabrics_leak_side_by_side) {
+  const auto run = run_case("tank_steps");
+  const auto& out = run.state.streams.outflows;
+  ASSERT_EQ(out.size(), 3u);
+  EXPECT_GT(out[1].mass, 1e-4);
+  EXPECT_GT(out[2].mass, 1e-4);
+  EXPECT_NEAR(out[1].mass + out[2].mass, run.state.flows.fabric_mass_out, 1e-15);
+  const std::string velocity =
+      "leak_law=\"table\", velocity={overpressure=[0.0,1e3,1e5], value=[0.0,0.1,1.0]}";
+  for (const std::string& law :
+       {std::string("porosity=0.05"), std::string("porosity=0.05, leak_law=\"screen\""), velocity}) {
+    const auto one = run_case("tank_steps", {"tank.fabric={area=0.5, " + law + "}"});
+    const auto two =
+        run_case("tank_steps", {"tank.fabric=[{area=0.25, " + law + "}, {area=0.25, " + law + "}]"});
+    ASSERT_EQ(two.outcome.status, driver::RunStatus::done) << two.outcome.message;
+    EXPECT_GT(one.state.flows.fabric_mass_out, 1e-4);
+    EXPECT_LT(difference(one, two), kRounding);
+    EXPECT_EQ(two.state.streams.outflows[1].mass, two.state.streams.outflows[2].mass);
+  }
 }
 
 }  // namespace

@@ -131,7 +131,7 @@ TEST(exchange, evacuated_fill_with_heat_loss_is_at_its_balance_with_the_walls) {
 TEST(exchange, fabric_table_eq_closed_form) {
   gas::ControlVolumeModel model = closed_tank(nitrogen());
   // Two pieces on one line, and a knot between that changes nothing; held beyond 1 MPa.
-  model.fabric_velocity = held({{0.0, 0.0}, {1e4, 0.1}, {1e6, 10.0}});
+  model.fabrics = {{1.0, held({{0.0, 0.0}, {1e4, 0.1}, {1e6, 10.0}})}};
   const closed_form::LinearFabricTank exact{{}, 0.06, 1.5, 1e-5, 130000.0, 400.0, kAmbientPressure};
   gas::ControlVolumeState state = gas::make_state(model, kPure, 130000.0, 400.0, 0.06);
   gas::GasIntegrator integrator(model);

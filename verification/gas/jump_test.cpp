@@ -218,10 +218,10 @@ TEST(jump, is_refused_against_overpressure) {
   };
   gas::ControlVolumeModel area = closed_tank(nitrogen()), velocity = area, volume = area;
   area.vents.push_back({1.0, 0.0, {}, curve});
-  velocity.fabric_velocity = curve;
+  velocity.fabrics = {{1.0, curve}};
   volume.volume_of_overpressure = level_curve({{0.0, 1.0}, {1e4, 1.5}, {1e4, 2.0}});
   EXPECT_EQ(message(area).find("knot of vent.area_of_overpressure [Pa] = 10000"), 0u) << message(area);
-  EXPECT_EQ(message(velocity).find("knot of fabric_velocity [Pa] = 10000"), 0u) << message(velocity);
+  EXPECT_EQ(message(velocity).find("knot of fabric.velocity [Pa] = 10000"), 0u) << message(velocity);
   EXPECT_EQ(message(volume).find("knot of volume_of_overpressure [Pa] = 10000"), 0u) << message(volume);
 }
 

@@ -127,7 +127,7 @@ TEST(missed_event, balance_that_fixed_steps_cannot_reach) {
 /// Fabric that leaks by a table, far less than an inflow that grows from nothing: no pressure is held.
 TEST(missed_event, leak_of_less_than_a_rounding_of_the_inflow) {
   gas::ControlVolumeModel model = closed_tank(nitrogen());
-  model.fabric_velocity = gas::Curve({{0.0, 0.0}, {1e4, 2.0}, {3e5, 20.0}}, gas::Outside::kHeld);
+  model.fabrics = {{1.0, gas::Curve({{0.0, 0.0}, {1e4, 2.0}, {3e5, 20.0}}, gas::Outside::kHeld)}};
   model.inflows.push_back(steady_inflow(model.thermo, 0.0, 900.0));
   model.inflows[0].mass_flow = gas::Curve({{0.0, 0.0}, {6e-4, 7e-3}, {1.7e-3, 4e-3}}, gas::Outside::kZero);
   constexpr double kVolume = 4e-5, kLeak = 1.9e-10;

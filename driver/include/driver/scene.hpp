@@ -53,7 +53,7 @@ struct GasPart {
   double initial_temperature = 0.0;       // [K]
   std::optional<double> rigid_volume;     // [m3], set for a tank; at the start if it varies
   std::optional<TankVolume> tank_volume;  // of a tank that moves
-  double tank_leak_area = 0.0;            // [m2] of a tank with fabric
+  double tank_leak_area = 0.0;            // [m2] of a tank with fabrics, all together
 };
 
 struct BagPart {

@@ -67,7 +67,7 @@ struct JetSkin {
 
 /// Mass and enthalpy of each stream from the start; S10.
 struct Streams {
-  std::vector<gas::StreamFlux> inflows, outflows, backflows;  // outflows: vents, then the fabric
+  std::vector<gas::StreamFlux> inflows, outflows, backflows;  // outflows: vents, then fabrics
 };
 
 /// When the flow of the gas changed its nature; NaN: not yet.

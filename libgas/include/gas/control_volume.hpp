@@ -42,6 +42,14 @@ struct Vent {
   std::optional<std::size_t> trigger{};  // node while which it is open; none: always open
 };
 
+/// Porous fabric, which leaks besides the vents. Its area is a share of the leak area that calls give.
+struct Fabric {
+  double share;  // [-] 0 to 1
+  /// [m/s] >= 0, 0 at 0, against p - p_a [Pa], without a jump: where given, it leaks area rho v(p - p_a)  (G.12)
+  /// instead of (G.7).
+  std::optional<Curve> velocity{};
+};
+
 /// Heat through the walls, (G.11); none by default.
 struct HeatLoss {
   double conductance = 0.0;            // [W/K] >= 0, h A
@@ -53,11 +61,10 @@ struct ControlVolumeModel {
   Thermo thermo;                // species of the gas; all mass fractions are in their order
   Ambient ambient;              // constant over a run
   std::vector<Inflow> inflows;  // of any number
-  std::vector<Vent> vents;      // of any number; fabric leaks besides
+  std::vector<Vent> vents;      // of any number; fabrics leak besides
   HeatLoss heat_loss{};         // adiabatic by default
-  /// [m/s] >= 0, 0 at 0, against p - p_a [Pa]: where given, fabric leaks leak_area rho v(p - p_a)  (G.12) instead of
-  /// (G.7). Without a jump.
-  std::optional<Curve> fabric_velocity{};
+  /// Shares of sum 1; they leak where the leak area of calls is above 0. None given: one, by (G.7).
+  std::vector<Fabric> fabrics{};
   /// [m3] > 0, not falling, without a jump, against p - p_a [Pa]: where given, the volume follows the pressure, (G.18), and
   /// those of calls are not read. Held below the first knot (at -p_a or above); above the last: DomainError.
   std::optional<Curve> volume_of_overpressure{};
@@ -65,6 +72,8 @@ struct ControlVolumeModel {
   /// [-] 0 to 1e-3, share of p_a: at overpressures below it holes and fabric leak less than by (G.6), (G.7), by
   /// the factor (G.22), as real ones are laminar there. 0: the laws as they are, whose slope has no bound at p_a.
   double laminar_share = 1e-8;
+  /// Fabrics, that of none given included.
+  std::size_t fabric_count() const { return fabrics.empty() ? 1 : fabrics.size(); }
 };
 
 /// What the integrator advances; make one by make_state.
@@ -87,7 +96,7 @@ struct GasPoint {
   double gas_constant;      // [J/(kg K)]
   double mass;              // [kg]
   double vent_mass_flow;    // [kg/s] out through all vents, (G.6)
-  double fabric_mass_flow;  // [kg/s] out through the fabric, (G.7)
+  double fabric_mass_flow;  // [kg/s] out through all fabrics, (G.7) or (G.12)
   double inflow;            // [kg/s] in through all inflows
   double backflow;          // [kg/s] in through all vents
   double heat_loss;         // [W] (G.11)
@@ -103,8 +112,8 @@ struct InflatorPoint {
 };
 
 /// Throws std::invalid_argument, naming field, value and what is allowed, unless every field is in its range,
-/// every inflow (and the ambient, if a vent lets it in) has one mass fraction per species with sum 1 (to
-/// 1e-9), temperatures are in the range of the Thermo, and triggers are nodes that exist.
+/// every inflow (and the ambient, if a vent lets it in) has one mass fraction per species with sum 1, the
+/// fabrics' shares have that sum (both to 1e-9), temperatures are in the range of the Thermo, and triggers are nodes that exist.
 void validate(const ControlVolumeModel& model);
 
 /// State of gas at p [Pa] >= 0, T [K], V [m3] > 0; p = 0 is evacuated. Throws std::invalid_argument.
@@ -118,7 +127,7 @@ ControlVolumeState make_state(const ControlVolumeModel& model, std::span<const d
 /// Firing time [s] of inflow `i`; infinity if it has not been triggered.
 double firing_time(const Inflow& inflow, const TriggerState& triggers);
 
-/// Stage S2: the gas of `state` in `volume` [m3] at time `time` [s], with the fabric's leak area [m2] (see
+/// Stage S2: the gas of `state` in `volume` [m3] at time `time` [s], with the fabrics' leak area [m2] (see
 /// fabric_mass_flow). Flows are those of the integrator's equations, (G.22) included. Does not allocate. Throws
 /// DomainError if the volume is not positive or p and temperature leave their ranges.
 GasPoint evaluate(const ControlVolumeModel& model, const ControlVolumeState& state, double volume,

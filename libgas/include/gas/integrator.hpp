@@ -45,7 +45,7 @@ struct StepFluxes {
   int steps;                              // accepted sub-steps of the integrator (0: no stepper was needed)
   int evaluations;                        // evaluations of the right-hand side
   std::span<const StreamFlux> inflows;    // in, one each
-  std::span<const StreamFlux> outflows;   // out, one per vent, and last the fabric
+  std::span<const StreamFlux> outflows;   // out, one per vent, and then one per fabric
   std::span<const StreamFlux> backflows;  // in, one per vent; empty without backflow
   StepMoments moments;                     // see there
 };

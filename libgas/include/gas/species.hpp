@@ -47,7 +47,7 @@ Species nasa7_species(std::string_view name, double molar_mass, double minimum_t
 /// std::invalid_argument).
 Species constant_cp_species(std::string_view name, double temperature = kReferenceTemperature);
 
-/// The same of any species, at a `temperature` in its range; one of constant cp is returned as it is.
+/// The same of any species, at a `temperature` in its range.
 Species constant_cp_species(const Species& species, double temperature);
 
 /// User-defined gas of constant cp. `gas_constant` [J/(kg K)] > 0, `cp` [J/(kg K)] > gas_constant, both
