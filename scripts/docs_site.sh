@@ -1,0 +1,32 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
+# Builds the documentation site in build/site, with search, rendered equations and the reference of the public headers. Fails on any
+# warning, dead link, equation that cannot be rendered, or file that a page loads from elsewhere. Installs what is missing.
+# usage: scripts/docs_site.sh [--serve]      --serve: then show it on http://localhost:8000
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+if (($# > 1)) || [[ ${1:---serve} != --serve ]]; then
+  echo "docs_site.sh: unknown argument '$*'; allowed: --serve" >&2
+  exit 2
+fi
+
+scripts/setup_debian12.sh mkdocs mkdocs-material python3-pymdownx katex doxygen >/dev/null
+source=build/site_source site=build/site
+rm -rf "$source" "$site"
+mkdir -p "$source/assets" "$source/api"
+
+# The site has the repository's layout: links between its files hold in both.
+for path in ./*.md CITATION.cff LICENSE docs cases lib* verification benchmarks scripts; do
+  ln -s "$PWD/$path" "$source"
+done
+cp -rL /usr/share/javascript/katex/katex.min.css /usr/share/javascript/katex/fonts scripts/site/site.css "$source/assets"
+scripts/api_docs.sh "$source/api" >/dev/null
+
+mkdocs build --strict
+NODE_PATH=/usr/share/nodejs node scripts/site/render_equations.js "$site"
+/usr/bin/python3 -B scripts/site/check_links.py "$site"
+echo "$site/index.html"
+
+if (($#)); then
+  /usr/bin/python3 -m http.server --bind localhost --directory "$site" 8000
+fi

@@ -1,0 +1,33 @@
+# SPDX-License-Identifier: Apache-2.0
+# Hook of mkdocs.yml: the site reads lists as GitHub does, where Python-Markdown differs.
+import re
+
+from markdown.blockprocessors import build_block_parser
+from markdown.extensions import Extension
+from markdown.preprocessors import Preprocessor
+
+
+class GithubLists(Extension):
+    """Two spaces nest a list, not four; no blank line is needed before one."""
+
+    def extendMarkdown(self, md):
+        md.tab_length = 2
+        md.parser = build_block_parser(md)
+        md.preprocessors.register(BlankLineBeforeList(md), "blank_line_before_list", 10)
+
+
+class BlankLineBeforeList(Preprocessor):
+    """Runs after fenced code is taken out of the text."""
+
+    def run(self, lines):
+        result = []
+        for line in lines:
+            if re.match(r"[-*] |1\. ", line) and result and re.match(r"[^\s\-*\d]", result[-1]):
+                result.append("")
+            result.append(line)
+        return result
+
+
+def on_config(config):
+    config["markdown_extensions"].insert(0, GithubLists())
+    return config
