@@ -34,7 +34,7 @@ std::vector<double> first_only(const gas::Thermo& t) {
 gas::ControlVolumeModel bag(int kind) {
   gas::ControlVolumeModel model{thermo(kind), {101325.0, 293.15}, {}, {{0.6, 2e-3}}};
   model.inflows.push_back({first_only(model.thermo),
-                           gas::Curve({{0.0, 0.0}, {0.012, 4.0}, {0.08, 0.0}}, gas::Outside::kZero),
+                           gas::Curve({{0.0, 0.0}, {0.012, 4.0}, {0.08, 0.0}}, gas::Outside::zero),
                            gas::Curve::constant(406.0)});
   return model;
 }

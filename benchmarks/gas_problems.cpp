@@ -65,7 +65,7 @@ GasProblem pulses() {
   for (const auto& [begin, length, flow, temperature] :
        {Pulse{0.0, 3e-3, 5.0, 1200.0}, Pulse{0.02, 2e-3, 8.0, 1000.0}, Pulse{0.045, 4e-3, 3.0, 800.0}}) {
     problem.tank.model.inflows.push_back({long_one.mass_fractions,
-                                          gas::Curve({{0.0, flow}, {length, flow}}, gas::Outside::kZero),
+                                          gas::Curve({{0.0, flow}, {length, flow}}, gas::Outside::zero),
                                           gas::Curve::constant(temperature), begin});
     if (begin > 0.0) problem.tank.stops.push_back(begin);
     problem.tank.stops.push_back(begin + length);

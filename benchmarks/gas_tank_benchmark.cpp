@@ -44,7 +44,7 @@ Work integrate(const GasProblem& problem, gas::GasIntegrator& integrator, States
 Reference compute_reference(const GasProblem& problem, Method method) {
   States states(problem.observed.size(), problem.tank.start);
   if (!problem.exact) {
-    const double tolerance = method == Method::kRosenbrock4 ? 1e-12 : 1e-13;
+    const double tolerance = method == Method::rosenbrock_4 ? 1e-12 : 1e-13;
     gas::GasIntegrator integrator(problem.tank.model, {tolerance, kMostSteps, method});
     integrate(problem, integrator, states);
   }
@@ -92,7 +92,7 @@ void run_method(benchmark::State& run, const GasProblem& problem, Method method,
     benchmark::DoNotOptimize(states.data());
     benchmark::ClobberMemory();
   }
-  const Method other = method == Method::kDormandPrince5 ? Method::kRosenbrock4 : Method::kDormandPrince5;
+  const Method other = method == Method::dormand_prince_5 ? Method::rosenbrock_4 : Method::dormand_prince_5;
   run.counters["error"] = achieved_error(problem, reference(problem, other), states);
   run.counters["substeps"] = work.steps;
   run.counters["evaluations"] = work.evaluations;
@@ -113,17 +113,17 @@ void run_peer(benchmark::State& run, const GasProblem& problem, Peer peer, doubl
   for (const double time : problem.observed)
     states.push_back(
         all[static_cast<std::size_t>(std::find(stops.begin(), stops.end(), time) - stops.begin())]);
-  run.counters["error"] = achieved_error(problem, reference(problem, Method::kDormandPrince5), states);
+  run.counters["error"] = achieved_error(problem, reference(problem, Method::dormand_prince_5), states);
   run.counters["substeps"] = 0;  // of our own alone
   run.counters["evaluations"] = 0;
 }
 
 bool register_all() {
   static const std::vector<GasProblem> problems = benchmarks::gas_problems();
-  const std::pair<const char*, Method> methods[] = {{"dormand_prince", Method::kDormandPrince5},
-                                                    {"runge_kutta", Method::kRungeKutta4},
-                                                    {"euler", Method::kEuler},
-                                                    {"rosenbrock", Method::kRosenbrock4}};
+  const std::pair<const char*, Method> methods[] = {{"dormand_prince", Method::dormand_prince_5},
+                                                    {"runge_kutta", Method::runge_kutta_4},
+                                                    {"euler", Method::euler},
+                                                    {"rosenbrock", Method::rosenbrock_4}};
   const std::pair<const char*, Peer> peers[] = {
       {"msbdf",
        [](const second_route::Tank& tank, double tolerance) { return second_route::msbdf(tank, tolerance); }},

@@ -33,7 +33,7 @@ rate seen.
 
 Limits of the explicit gas steppers hold for fixed sub-steps; with error control the sub-step follows, at a
 cost that [work against precision](charts/gas_work_precision.svg) shows. Limits of the bag hold for a fixed
-step (`time.step`), which is refused above its bound unless `time.unsafe_dt` says otherwise; without one the
+step (`time.step`), which is refused above its bound unless `time.unsafe_step` says otherwise; without one the
 step follows the bound.
 
 CI compares this page with what its own tests wrote (`scripts/stability_atlas.sh --check`): a row that

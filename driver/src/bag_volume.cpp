@@ -88,7 +88,7 @@ std::optional<gas::Curve> bag_volume(const Scene& scene, bool quiet) {
     progress.update(i + 1.0);
   }
   if (interrupted()) return {};
-  return gas::Curve(std::move(knots), gas::Outside::kHeld);
+  return gas::Curve(std::move(knots), gas::Outside::held);
 }
 
 }  // namespace driver

@@ -32,8 +32,8 @@ double fabric_stiffness(const membrane::BagModel& model) {
   for (std::size_t e = 0; e < model.reference_area.size(); ++e) {
     const auto& p = model.description.properties[e];
     if (p.null_panel) continue;
-    const double young = p.weave ? std::sqrt(p.young * p.weave->young_weft) : p.young;
-    sum += model.reference_area[e] * young * p.thickness / (1.0 - p.poisson);
+    const double young_modulus = p.weave ? std::sqrt(p.young_modulus * p.weave->young_modulus_weft) : p.young_modulus;
+    sum += model.reference_area[e] * young_modulus * p.thickness / (1.0 - p.poisson);
     area += model.reference_area[e];
   }
   return sum / area;
@@ -164,7 +164,7 @@ Forecast forecast(const Scene& scene, const State& state) {
 double gas_substeps(const Scene& scene, double relaxations) {
   const gas::IntegratorOptions& options = scene.gas->integrator;
   const bool only_explicit =
-      options.method == gas::Method::kEuler || options.method == gas::Method::kRungeKutta4;
+      options.method == gas::Method::euler || options.method == gas::Method::runge_kutta_4;
   return only_explicit && options.fixed_step == 0.0 ? relaxations / gas::stability_limit(options.method) : 0.0;
 }
 

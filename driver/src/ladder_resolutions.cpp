@@ -136,7 +136,7 @@ class Resolutions {
     const auto text = [](double tolerance) { return fmt::format("time.gas_tolerance={:g}", tolerance); };
     for (const double coarse : {1e-3, implicit})
       if (own < coarse) add(fmt::format("tolerance {:g}", coarse), {text(coarse)});
-    if (!scene_.bag && options.method != gas::Method::kRosenbrock4 && own < implicit)
+    if (!scene_.bag && options.method != gas::Method::rosenbrock_4 && own < implicit)
       add("rosenbrock", {"time.gas_method=\"rosenbrock\"", text(implicit)});
     axis.base = axis.first = axis.choices.size();
     add(fmt::format("tolerance {:g}", own), {});

@@ -50,10 +50,10 @@ void read_gas_time(TableReader& table, bool has_volume, Scene& scene) {
   if (!has_volume) return;
   gas::IntegratorOptions& options = scene.gas->integrator;
   options.method = table.choice<gas::Method>("gas_method",
-                                             {{"dormand_prince", gas::Method::kDormandPrince5},
-                                              {"runge_kutta", gas::Method::kRungeKutta4},
-                                              {"euler", gas::Method::kEuler},
-                                              {"rosenbrock", gas::Method::kRosenbrock4}},
+                                             {{"dormand_prince", gas::Method::dormand_prince_5},
+                                              {"runge_kutta", gas::Method::runge_kutta_4},
+                                              {"euler", gas::Method::euler},
+                                              {"rosenbrock", gas::Method::rosenbrock_4}},
                                              "dormand_prince");
   if (const auto step = table.optional_number("gas_step", positive)) {
     if (table.has("gas_tolerance"))
@@ -67,7 +67,7 @@ void read_gas_time(TableReader& table, bool has_volume, Scene& scene) {
 
 /// Steps of what moves.
 void read_motion_time(TableReader& table, bool moves, Scene& scene) {
-  for (const char* key : {"step", "safety", "unsafe_dt"})
+  for (const char* key : {"step", "safety", "unsafe_step"})
     if (table.has(key) && !moves)
       table.fail(key, "has no effect: nothing moves; here output.history_every is the step");
   if (!moves) return;
@@ -75,8 +75,8 @@ void read_motion_time(TableReader& table, bool moves, Scene& scene) {
       "step", Bounds{scene.time.end / 1e9, any_number.high, false, "a step of end_time / 1e9 or more"});
   if (!scene.time.step)
     scene.time.safety = table.number("safety", Bounds{1e-3, 1.0, false, "1e-3 to 1"}, scene.time.safety);
-  scene.time.unsafe_step = table.flag("unsafe_dt", false);
-  if (scene.time.unsafe_step && !scene.time.step) table.fail("unsafe_dt", "is allowed with `step` only");
+  scene.time.unsafe_step = table.flag("unsafe_step", false);
+  if (scene.time.unsafe_step && !scene.time.step) table.fail("unsafe_step", "is allowed with `step` only");
 }
 
 void read_time(TableReader& root, Scene& scene) {
@@ -140,7 +140,7 @@ void check_composition(const TableReader& root, const Scene& scene) {
   if (scene.gas && !scene.has_volume() && scene.gas->model.triggers.size() > 0)
     root.fail(root.has("sensor") ? "sensor" : "trigger", "needs a volume, [tank] or [membrane]");
   for (const auto& sensor : scene.gas ? scene.gas->model.triggers.sensors : std::vector<gas::Sensor>{})
-    if (sensor.kind == gas::SensorKind::kInput && !scene.contact)
+    if (sensor.kind == gas::SensorKind::input && !scene.contact)
       root.fail("sensor", "of contact: the scene has no [contact]");
   if (scene.pendulum && !scene.bag && !scene.time.step)
     root.fail("time", "step is needed for a pendulum alone");

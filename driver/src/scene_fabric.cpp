@@ -12,7 +12,7 @@ std::optional<membrane::WeaveProperties> read_weave(TableReader& table) {
   auto reader = table.optional_table("weave");
   if (!reader) return std::nullopt;
   membrane::WeaveProperties weave;
-  weave.young_weft = reader->number("young_modulus_weft", positive);
+  weave.young_modulus_weft = reader->number("young_modulus_weft", positive);
   weave.shear = reader->number("shear_modulus", positive);
   weave.warp = reader->vector("warp");
   reader->finish();
@@ -22,7 +22,7 @@ std::optional<membrane::WeaveProperties> read_weave(TableReader& table) {
 // Replaces the properties that the table names; `number(key, bounds, before)` reads one.
 template <class Number>
 void read_properties(TableReader& table, membrane::ElementProperties& fabric, Number&& number) {
-  fabric.young = number("young_modulus", positive, fabric.young);
+  fabric.young_modulus = number("young_modulus", positive, fabric.young_modulus);
   // The limit of a woven fabric depends on both moduli; the library asks for it.
   const Bounds isotropic{-0.999, 0.999, false, "a number from -0.999 to 0.999"};
   fabric.poisson = number("poisson_ratio", table.has("weave") ? any_number : isotropic, fabric.poisson);

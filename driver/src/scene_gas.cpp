@@ -104,10 +104,10 @@ std::optional<NamedComposition> read_ambient_composition(TableReader& root,
 gas::Inflow read_inflow(TableReader& reader, std::vector<double> fractions, TriggerNames& names) {
   std::optional<gas::Curve> mass_flow, temperature;
   reader.located("mass_flow", [&] {
-    mass_flow = to_gas_curve(reader.curve("mass_flow", non_negative), gas::Outside::kZero);
+    mass_flow = to_gas_curve(reader.curve("mass_flow", non_negative), gas::Outside::zero);
   });
   reader.located("temperature", [&] {
-    temperature = to_gas_curve(reader.curve("temperature", gas_temperature), gas::Outside::kHeld);
+    temperature = to_gas_curve(reader.curve("temperature", gas_temperature), gas::Outside::held);
   });
   const double start = reader.number("start_time", non_negative, 0.0);
   return {std::move(fractions), *mass_flow, *temperature, start, names.optional_node(reader)};
@@ -140,7 +140,7 @@ void refuse_without_gas(TableReader& root) {
 }  // namespace
 
 gas::Curve to_gas_curve(const CurveData& data, gas::Outside outside) {
-  if (outside == gas::Outside::kZero && !data.time.empty() && data.time.front() < 0.0)
+  if (outside == gas::Outside::zero && !data.time.empty() && data.time.front() < 0.0)
     throw std::invalid_argument(fmt::format(
         "its first knot is at {} s: time counts from firing, 0 or more is allowed", data.time.front()));
   if (data.time.empty()) return gas::Curve::constant(data.value.front());

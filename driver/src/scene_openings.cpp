@@ -14,11 +14,11 @@ gas::Vent read_vent(TableReader& table, TriggerNames& names) {
   } else if (table.has_in_table("area", "overpressure")) {
     table.located("area", [&] {
       vent.area_of_overpressure =
-          to_gas_curve(table.curve("area", non_negative, "overpressure"), gas::Outside::kHeld);
+          to_gas_curve(table.curve("area", non_negative, "overpressure"), gas::Outside::held);
     });
   } else {
     table.located("area", [&] {
-      vent.area_of_time = to_gas_curve(table.curve("area", non_negative), gas::Outside::kHeld);
+      vent.area_of_time = to_gas_curve(table.curve("area", non_negative), gas::Outside::held);
     });
   }
   vent.backflow = table.flag("backflow", false);
@@ -83,7 +83,7 @@ void read_volume_of_time(TableReader& tank, GasPart& part) {
     volume = read_wave(tank.table("volume"));
   else
     tank.located("volume", [&] {
-      volume.table = to_gas_curve(tank.curve("volume", positive), gas::Outside::kHeld);
+      volume.table = to_gas_curve(tank.curve("volume", positive), gas::Outside::held);
       if (const auto jump = volume.table->first_jump())
         throw std::invalid_argument(fmt::format(
             "jumps at {} s: its work would have no bound; one value at each time is allowed", *jump));
@@ -94,7 +94,7 @@ void read_volume_of_time(TableReader& tank, GasPart& part) {
 
 void read_volume_of_overpressure(TableReader& tank, GasPart& part) {
   tank.located("volume", [&] {
-    const auto curve = to_gas_curve(tank.curve("volume", positive, "overpressure"), gas::Outside::kHeld);
+    const auto curve = to_gas_curve(tank.curve("volume", positive, "overpressure"), gas::Outside::held);
     const double overpressure = part.initial_pressure - part.model.ambient.pressure;
     part.model.volume_of_overpressure = curve;
     gas::validate(part.model);
@@ -116,7 +116,7 @@ void warn_of_screen(const std::string& fabric, LeakLaw law, Scene& scene) {
 
 gas::Curve read_leak_velocity(TableReader& table) {
   const auto velocity =
-      to_gas_curve(table.curve("velocity", non_negative, "overpressure"), gas::Outside::kHeld);
+      to_gas_curve(table.curve("velocity", non_negative, "overpressure"), gas::Outside::held);
   // The flow would jump where the overpressure changes its sign.
   if (const double at_rest = velocity.value(0.0); at_rest > 0.0)
     table.fail("velocity", fmt::format("is {} m/s without overpressure, 0 is allowed there: begin with the "

@@ -14,8 +14,8 @@ gas::Sensor read_signal(TableReader& table) {
   std::optional<gas::Curve> signal;
   const double above = table.number("above", any_number);
   table.located("signal",
-                [&] { signal = to_gas_curve(table.curve("signal", any_number), gas::Outside::kHeld); });
-  return {gas::SensorKind::kSignal, above, {}, signal};
+                [&] { signal = to_gas_curve(table.curve("signal", any_number), gas::Outside::held); });
+  return {gas::SensorKind::signal, above, {}, signal};
 }
 
 gas::Sensor read_pressure(TableReader& table) {
@@ -23,7 +23,7 @@ gas::Sensor read_pressure(TableReader& table) {
   const auto reset = table.optional_number("reset", any_number);
   if (reset && !(*reset < threshold))
     table.fail("reset", fmt::format("is {}, less than overpressure, {}, is allowed", *reset, threshold));
-  return {gas::SensorKind::kPressure, threshold, reset, {}};
+  return {gas::SensorKind::pressure, threshold, reset, {}};
 }
 
 gas::Sensor read_sensor(TableReader& table) {
@@ -32,27 +32,27 @@ gas::Sensor read_sensor(TableReader& table) {
   if (given != 1) table.fail("", fmt::format("names {} of {}, one is needed", given, fmt::join(kinds, ", ")));
   if (table.has("signal")) return read_signal(table);
   if (table.has("overpressure")) return read_pressure(table);
-  if (table.has("time")) return {gas::SensorKind::kTime, table.number("time", non_negative), {}, {}};
+  if (table.has("time")) return {gas::SensorKind::time, table.number("time", non_negative), {}, {}};
   if (!table.flag("contact", true)) table.fail("contact", "is false, true is allowed");
-  return {gas::SensorKind::kInput, 0.0, {}, {}};
+  return {gas::SensorKind::input, 0.0, {}, {}};
 }
 
 gas::Gate read_gate(TableReader& table, const TriggerNames& names) {
   const std::vector<std::string> kinds{"all", "any", "not"};
   const auto given = std::count_if(kinds.begin(), kinds.end(), [&](const auto& k) { return table.has(k); });
   if (given != 1) table.fail("", fmt::format("names {} of {}, one is needed", given, fmt::join(kinds, ", ")));
-  gas::Gate gate{gas::Logic::kNot, {}};
+  gas::Gate gate{gas::Logic::negated, {}};
   const auto add = [&](const std::string& key, gas::Logic logic, const std::vector<std::string>& inputs) {
     gate.logic = logic;
     for (const auto& name : inputs) gate.inputs.push_back(names.node(table, key, name));
     if (inputs.empty()) table.fail(key, "is empty, names of sensors and triggers are needed");
   };
   if (table.has("not"))
-    add("not", gas::Logic::kNot, {table.text("not")});
+    add("not", gas::Logic::negated, {table.text("not")});
   else if (table.has("all"))
-    add("all", gas::Logic::kAll, table.texts("all"));
+    add("all", gas::Logic::all, table.texts("all"));
   else
-    add("any", gas::Logic::kAny, table.texts("any"));
+    add("any", gas::Logic::any, table.texts("any"));
   gate.delay = table.number("delay", non_negative, 0.0);
   gate.latch = table.flag("latch", false);
   return gate;

@@ -149,7 +149,7 @@ void gas_ode(const Scene& scene, State& state, const Enclosure& before) {
   const double next = state.time + state.step.after;
   const auto& sensors = scene.gas->model.triggers.sensors;
   for (std::size_t i = 0; i < sensors.size(); ++i)
-    if (sensors[i].kind == gas::SensorKind::kInput)
+    if (sensors[i].kind == gas::SensorKind::input)
       gas::set_input(scene.gas->model.triggers, i, state.contact.area > 0.0, state.gas.triggers);
   if (scene.gas->tank_volume) return advance_tank(*scene.gas->tank_volume, before.leak_area, next, state);
   const Enclosure after = enclosure(scene, state);

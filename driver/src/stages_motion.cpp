@@ -31,7 +31,7 @@ std::string shares_text(const membrane::StiffnessShares& s) {
 }
 
 [[noreturn]] void fail_step(const Scene& scene, const State& state, double given) {
-  constexpr const char* allowed = "a step up to the bound, or unsafe_dt = true, is allowed";
+  constexpr const char* allowed = "a step up to the bound, or unsafe_step = true, is allowed";
   if (!state.bag)
     throw StepError(fmt::format("step {} s is above its bound {} s, set by the pendulum's swing; {}", given,
                                 state.step.critical, allowed));

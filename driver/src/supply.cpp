@@ -10,7 +10,7 @@
 namespace driver {
 namespace {
 
-double total_flow(const Scene& scene, double time, gas::Side side = gas::Side::kAfter) {
+double total_flow(const Scene& scene, double time, gas::Side side = gas::Side::after) {
   double sum = 0.0;
   for (std::size_t i = 0; i < scene.gas->model.inflows.size(); ++i)
     sum += gas::inflator_point(scene.gas->model, i, time, side).mass_flow;
@@ -133,10 +133,10 @@ std::vector<Corner> corners(const Scene& scene, const gas::Inflow& inflow) {
   for (const auto& knot : inflow.mass_flow.knots()) {
     if (!(knot.time >= 0.0 && knot.time < length)) continue;
     const double time = inflow.start_time + knot.time;
-    if (knot.time > 0.0) corners.push_back({time, gas::Side::kBefore});
-    corners.push_back({time, gas::Side::kAfter});
+    if (knot.time > 0.0) corners.push_back({time, gas::Side::before});
+    corners.push_back({time, gas::Side::after});
   }
-  corners.push_back({scene.time.end, gas::Side::kBefore});
+  corners.push_back({scene.time.end, gas::Side::before});
   return corners;
 }
 

@@ -40,7 +40,7 @@ void validate(const Thermo& thermo, const Inflow& inflow) {
           "must not be negative");
   for (const double t : {inflow.temperature.minimum(), inflow.temperature.maximum()})
     require(is_in_range(thermo, t), "inflow.temperature [K]", t, range_text(thermo));
-  require(inflow.temperature.outside() == Outside::kHeld, "inflow.temperature [K]", 0.0,
+  require(inflow.temperature.outside() == Outside::held, "inflow.temperature [K]", 0.0,
           "must be held outside its knots");
   require(inflow.start_time > -std::numeric_limits<double>::infinity(), "inflow.start_time [s]",
           inflow.start_time, "must be finite, or infinity for never");
@@ -54,7 +54,7 @@ void require_trigger(const std::optional<std::size_t>& trigger, const TriggerMod
 
 void require_area(const Curve& curve, const char* name) {
   require(curve.minimum() >= 0.0, name, curve.minimum(), "must not be negative");
-  require(curve.outside() == Outside::kHeld, name, 0.0, "must be held outside its knots");
+  require(curve.outside() == Outside::held, name, 0.0, "must be held outside its knots");
 }
 
 void require_no_jump(const Curve& curve, const char* name) {
@@ -93,7 +93,7 @@ void require_volume(const Curve& curve, double ambient_pressure) {
   const auto knots = curve.knots();
   require(knots.size() >= 2, "number of knots of volume_of_overpressure", static_cast<double>(knots.size()),
           "must be at least 2");
-  require(curve.outside() == Outside::kHeld, name, 0.0, "must be held outside its knots");
+  require(curve.outside() == Outside::held, name, 0.0, "must be held outside its knots");
   require(knots.front().time >= -ambient_pressure, "first overpressure of volume_of_overpressure [Pa]",
           knots.front().time, "must not be below -ambient.pressure");
   require(knots.front().value > 0.0, name, knots.front().value, "must be positive");

@@ -27,7 +27,7 @@ double midpoint(double a, double b) {
 }  // namespace
 
 Curve::Curve(std::vector<Knot> knots, Outside outside) : knots_(std::move(knots)), outside_(outside) {
-  const std::size_t least = outside == Outside::kZero ? 2 : 1;
+  const std::size_t least = outside == Outside::zero ? 2 : 1;
   require(knots_.size() >= least, "number of knots of a curve", static_cast<double>(knots_.size()),
           "must be at least 1, and 2 for a curve that is zero outside its knots");
   for (std::size_t i = 0; i < knots_.size(); ++i) {
@@ -41,21 +41,21 @@ Curve::Curve(std::vector<Knot> knots, Outside outside) : knots_(std::move(knots)
 }
 
 Curve Curve::constant(double value) {
-  return Curve({{0.0, value}}, Outside::kHeld);
+  return Curve({{0.0, value}}, Outside::held);
 }
 
 Curve::Piece Curve::piece(double time) const {
   const auto right = std::ranges::upper_bound(knots_, time, {}, &Knot::time);
   if (right == knots_.begin() || right == knots_.end()) {
     const Knot& knot = right == knots_.begin() ? knots_.front() : knots_.back();
-    return {knot.time, outside_ == Outside::kZero ? 0.0 : knot.value, 0.0};
+    return {knot.time, outside_ == Outside::zero ? 0.0 : knot.value, 0.0};
   }
   const Knot &l = *(right - 1), &r = *right;
   return {l.time, l.value, (r.value - l.value) / (r.time - l.time)};
 }
 
 double Curve::value(double time, Side side) const {
-  if (side == Side::kBefore)
+  if (side == Side::before)
     if (const auto first = std::ranges::find(knots_, time, &Knot::time); first != knots_.end())
       return first->value;
   if (time == knots_.back().time) return knots_.back().value;

@@ -8,9 +8,9 @@
 namespace gas {
 namespace {
 
-double mass_flow(const Inflow& inflow, double start, double time, Side side = Side::kAfter) {
+double mass_flow(const Inflow& inflow, double start, double time, Side side = Side::after) {
   const double tau = local_time(inflow, start, time);
-  const bool fired = side == Side::kAfter ? tau >= 0.0 : tau > 0.0;
+  const bool fired = side == Side::after ? tau >= 0.0 : tau > 0.0;
   return fired ? inflow.mass_flow.value(tau, side) : 0.0;
 }
 
@@ -73,7 +73,7 @@ GasPoint evaluate(const ControlVolumeModel& model, const ControlVolumeState& sta
 InflatorPoint inflator_point(const ControlVolumeModel& model, const ControlVolumeState& state, std::size_t i,
                              double time) {
   const Inflow& inflow = model.inflows.at(i);
-  return inflator_point(model, inflow, firing_time(inflow, state.triggers), time, Side::kAfter);
+  return inflator_point(model, inflow, firing_time(inflow, state.triggers), time, Side::after);
 }
 
 InflatorPoint inflator_point(const ControlVolumeModel& model, std::size_t i, double time, Side side) {

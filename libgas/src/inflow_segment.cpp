@@ -46,7 +46,7 @@ double next_break(const Inflow& inflow, double start, bool constant_cp, double t
   const double tau = local_time(inflow, start, t);
   if (!(tau > -kInfinity)) return kInfinity;
   if (tau < 0.0) return std::max(start, std::nextafter(t, kInfinity));
-  if (inflow.mass_flow.outside() == Outside::kZero && tau >= inflow.mass_flow.knots().back().time)
+  if (inflow.mass_flow.outside() == Outside::zero && tau >= inflow.mass_flow.knots().back().time)
     return kInfinity;
   const double knot = std::min(inflow.mass_flow.next_knot(tau), inflow.temperature.next_knot(tau));
   const double joint = constant_cp ? kInfinity : joint_crossing(inflow.temperature, tau, knot);

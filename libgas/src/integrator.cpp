@@ -131,7 +131,7 @@ class GasIntegrator::Implementation {
     constexpr int kOften = 100;
     for (std::size_t i = 0; i < model_.triggers.sensors.size(); ++i) {
       const Sensor& sensor = model_.triggers.sensors[i];
-      if (sensor.kind != SensorKind::kPressure || switchings_[i] < kOften) continue;
+      if (sensor.kind != SensorKind::pressure || switchings_[i] < kOften) continue;
       const double reset = sensor.reset.value_or(sensor.threshold);
       throw DomainError("pressure sensor " + std::to_string(i + 1) + ", on at " + to_text(sensor.threshold) +
                         " Pa and off at " + to_text(reset) + " Pa, keeps switching: " +

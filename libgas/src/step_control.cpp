@@ -71,7 +71,7 @@ double StepControl::rounding_limit(const Balance& balance) const {
 
 double StepControl::longest(const Balance& balance, double relaxation) const {
   if (is_fixed()) return options_.fixed_step;
-  const bool only_explicit = options_.method == Method::kEuler || options_.method == Method::kRungeKutta4;
+  const bool only_explicit = options_.method == Method::euler || options_.method == Method::runge_kutta_4;
   // Their halves are at half of the limit, where |R| is small: what is damped stays so.
   const double stable = only_explicit && relaxation > 0.0 ? limit() / relaxation : kInfinity;
   return std::min(stable, rounding_limit(balance));
@@ -114,7 +114,7 @@ void StepControl::require_stable(const Balance& balance, double length) const {
 void StepControl::require_motion(const Balance& balance, const Moment& begin, const Moment& end,
                                  double length) const {
   constexpr double kStill = 0.01;  // of the motion by the lesser rate; at the limit itself it is none
-  if (!is_fixed() || options_.unsafe_step || options_.method == Method::kRosenbrock4) return;
+  if (!is_fixed() || options_.unsafe_step || options_.method == Method::rosenbrock_4) return;
   if (!(begin.rate * end.rate > 0.0)) return;
   const double moved = std::min(std::abs(begin.rate), std::abs(end.rate)) * length;
   if (moved <= options_.relative_tolerance * balance.gas().pressure ||

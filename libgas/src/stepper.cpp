@@ -79,21 +79,21 @@ void System::rates_of(Vector& amount, Vector& dydx, double x) {
 
 double stability_limit(Method method) {
   switch (method) {
-    case Method::kEuler:
+    case Method::euler:
       return 2.0;
-    case Method::kRungeKutta4:
+    case Method::runge_kutta_4:
       return 2.7852935634;
-    case Method::kDormandPrince5:
+    case Method::dormand_prince_5:
       return 3.3065678926;
-    case Method::kRosenbrock4:
+    case Method::rosenbrock_4:
       break;
   }
   return kInfinity;
 }
 
 std::unique_ptr<Stepper> make_explicit(Method method, const Slots& slots) {
-  if (method == Method::kEuler) return std::make_unique<Doubling<odeint::euler<Vector>, 1>>(slots.size());
-  if (method == Method::kRungeKutta4)
+  if (method == Method::euler) return std::make_unique<Doubling<odeint::euler<Vector>, 1>>(slots.size());
+  if (method == Method::runge_kutta_4)
     return std::make_unique<Doubling<odeint::runge_kutta4_classic<Vector>, 4>>(slots.size());
   return std::make_unique<DormandPrince>(slots.size());
 }

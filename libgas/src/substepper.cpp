@@ -32,7 +32,7 @@ Substepper::Substepper(const Boundary& boundary, Ledger& ledger, const TriggerNe
     : options_(options),
       network_(network),
       watch_(boundary, options.relative_tolerance),
-      control_(options, options.method == Method::kRosenbrock4 ? 4.0 : 5.0),
+      control_(options, options.method == Method::rosenbrock_4 ? 4.0 : 5.0),
       explicit_(make_explicit(options.method, boundary.slots())),
       implicit_(make_rodas(boundary.slots())),
       system_{ledger, Balance(boundary), {}, Vector(boundary.slots().species + 1)},
@@ -73,7 +73,7 @@ void Substepper::start(double t, double b) {
 
 /// Before a sub-step of at most `length` [s]: where that is far from stiff, a bound of it does.
 void Substepper::set_relaxation(double length) {
-  if (options_.method == Method::kDormandPrince5) {
+  if (options_.method == Method::dormand_prince_5) {
     begin_.relaxation = control_.relaxation_bound(system_.balance);
     if (length * begin_.relaxation <= kStiff) return;
   }
@@ -81,8 +81,8 @@ void Substepper::set_relaxation(double length) {
 }
 
 bool Substepper::is_stiff(double length) const {
-  if (options_.method == Method::kRosenbrock4) return true;
-  return options_.method == Method::kDormandPrince5 && !control_.is_fixed() && length * begin_.relaxation > kStiff;
+  if (options_.method == Method::rosenbrock_4) return true;
+  return options_.method == Method::dormand_prince_5 && !control_.is_fixed() && length * begin_.relaxation > kStiff;
 }
 
 Substepper::Way Substepper::way(const Proposal& proposal, double b) const {
@@ -129,7 +129,7 @@ std::optional<Substepper::Proposal> Substepper::again(const Proposal& tried, con
       if (fed || on_ambient) control_.fail_crossing(begin_.t);
       return Proposal{tried.length, way.length * begin.overpressure / (begin.overpressure - end.overpressure), tried.stiff};
     }
-    const bool other = !tried.stiff && options_.method == Method::kDormandPrince5;
+    const bool other = !tried.stiff && options_.method == Method::dormand_prince_5;
     return Proposal{other ? way.length : kCrossingFactor * way.length, kInfinity, tried.stiff || other};
   }
   if (!system_.clock.root && !tried.stiff) control_.require_motion(balance, begin, end, duration);

@@ -10,21 +10,21 @@ namespace gas {
 namespace {
 
 void validate(const Sensor& sensor) {
-  if (sensor.kind != SensorKind::kInput)
+  if (sensor.kind != SensorKind::input)
     require(std::isfinite(sensor.threshold), "sensor.threshold", sensor.threshold, "must be finite");
   if (sensor.reset)
-    require(sensor.kind == SensorKind::kPressure && *sensor.reset < sensor.threshold, "sensor.reset [Pa]",
+    require(sensor.kind == SensorKind::pressure && *sensor.reset < sensor.threshold, "sensor.reset [Pa]",
             *sensor.reset, "must be below the threshold of a pressure sensor");
   const bool has_signal = sensor.signal.has_value();
-  require(has_signal == (sensor.kind == SensorKind::kSignal), "number of sensor.signal", has_signal,
+  require(has_signal == (sensor.kind == SensorKind::signal), "number of sensor.signal", has_signal,
           "must be 1 for a signal sensor, else 0");
   if (has_signal)
-    require(sensor.signal->outside() == Outside::kHeld, "sensor.signal", 0.0,
+    require(sensor.signal->outside() == Outside::held, "sensor.signal", 0.0,
             "must be held outside its knots");
 }
 
 void validate(const Gate& gate, std::size_t node) {
-  const std::size_t most = gate.logic == Logic::kNot ? 1 : node;
+  const std::size_t most = gate.logic == Logic::negated ? 1 : node;
   require(!gate.inputs.empty() && gate.inputs.size() <= most, "number of gate.inputs",
           static_cast<double>(gate.inputs.size()), "must be 1 for not, else 1 or more");
   for (const std::size_t input : gate.inputs)
@@ -41,7 +41,7 @@ void validate(const TriggerModel& model) {
 }
 
 void set_input(const TriggerModel& model, std::size_t node, bool on, TriggerState& state) {
-  require(node < model.sensors.size() && model.sensors[node].kind == SensorKind::kInput, "node",
+  require(node < model.sensors.size() && model.sensors[node].kind == SensorKind::input, "node",
           static_cast<double>(node), "must be an input sensor");
   state.at(node).on = on;
 }

@@ -37,11 +37,11 @@ void set(NodeState& node, bool on, double t) {
 
 TriggerNetwork::TriggerNetwork(const TriggerModel& model) : model_(model) {
   for (const Sensor& sensor : model.sensors) {
-    const bool of_signal = sensor.kind == SensorKind::kSignal;
+    const bool of_signal = sensor.kind == SensorKind::signal;
     starts_on_.push_back(of_signal && sensor.signal->knots().front().value >= sensor.threshold);
     switching_.emplace_back();
     if (of_signal) switching_.back() = crossings(*sensor.signal, sensor.threshold);
-    if (sensor.kind == SensorKind::kTime) switching_.back() = {sensor.threshold};
+    if (sensor.kind == SensorKind::time) switching_.back() = {sensor.threshold};
   }
 }
 
@@ -62,8 +62,8 @@ double TriggerNetwork::next_break(const TriggerState& state, double t) const {
 bool TriggerNetwork::sensor_on(std::size_t i, const NodeState& node, double t, double overpressure,
                                double ambient_pressure) const {
   const Sensor& sensor = model_.sensors[i];
-  if (sensor.kind == SensorKind::kInput) return node.on;
-  if (sensor.kind == SensorKind::kPressure) {
+  if (sensor.kind == SensorKind::input) return node.on;
+  if (sensor.kind == SensorKind::pressure) {
     const auto near = [&](double level) {
       return kThresholdNear * (ambient_pressure + std::max(0.0, level));
     };
@@ -76,8 +76,8 @@ bool TriggerNetwork::sensor_on(std::size_t i, const NodeState& node, double t, d
 
 bool TriggerNetwork::gate_condition(const Gate& gate, const TriggerState& state) const {
   const auto is_on = [&](std::size_t input) { return state[input].on; };
-  if (gate.logic == Logic::kNot) return !is_on(gate.inputs.front());
-  return gate.logic == Logic::kAll ? std::ranges::all_of(gate.inputs, is_on)
+  if (gate.logic == Logic::negated) return !is_on(gate.inputs.front());
+  return gate.logic == Logic::all ? std::ranges::all_of(gate.inputs, is_on)
                                    : std::ranges::any_of(gate.inputs, is_on);
 }
 
@@ -107,7 +107,7 @@ bool TriggerNetwork::update(TriggerState& state, double t, double overpressure,
 
 bool TriggerNetwork::switches(const TriggerState& state, double overpressure, double ambient_pressure) const {
   for (std::size_t i = 0; i < model_.sensors.size(); ++i)
-    if (model_.sensors[i].kind == SensorKind::kPressure &&
+    if (model_.sensors[i].kind == SensorKind::pressure &&
         sensor_on(i, state[i], 0.0, overpressure, ambient_pressure) != state[i].on)
       return true;
   return false;
@@ -115,7 +115,7 @@ bool TriggerNetwork::switches(const TriggerState& state, double overpressure, do
 
 bool TriggerNetwork::watches_pressure(const TriggerState& state) const {
   for (std::size_t i = 0; i < model_.sensors.size(); ++i)
-    if (model_.sensors[i].kind == SensorKind::kPressure && (!state[i].on || model_.sensors[i].reset))
+    if (model_.sensors[i].kind == SensorKind::pressure && (!state[i].on || model_.sensors[i].reset))
       return true;
   return false;
 }

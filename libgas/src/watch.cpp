@@ -34,7 +34,7 @@ Watch::Watch(const Boundary& boundary, double tolerance) : boundary_(boundary) {
   };
   for (const double knot : overpressure_knots(model)) add(knot, kKnotNear);
   for (const Sensor& sensor : model.triggers.sensors) {
-    if (sensor.kind != SensorKind::kPressure) continue;
+    if (sensor.kind != SensorKind::pressure) continue;
     add(sensor.threshold, kSensorNear);
     if (sensor.reset) add(*sensor.reset, kSensorNear);
   }

@@ -58,16 +58,16 @@ Eigen::Vector2d warp_direction(const ReferenceTriangle& t, const ElementProperti
 }
 
 Weave weave_of(const ElementProperties& p) {
-  if (p.weave) return {p.young, p.weave->young_weft, p.poisson, p.weave->shear};
-  return {p.young, p.young, p.poisson, 0.5 * p.young / (1.0 + p.poisson)};
+  if (p.weave) return {p.young_modulus, p.weave->young_modulus_weft, p.poisson, p.weave->shear};
+  return {p.young_modulus, p.young_modulus, p.poisson, 0.5 * p.young_modulus / (1.0 + p.poisson)};
 }
 
 // Plane-stress stiffness in the frame turned back from the warp by `angle` (cos, sin), for engineering shear.
 Eigen::Matrix3d elasticity(const Weave& w, const Eigen::Vector2d& angle) {
-  const double reciprocal = 1.0 - w.poisson * w.poisson * (w.young_weft / w.young_warp);
+  const double reciprocal = 1.0 - w.poisson * w.poisson * (w.young_modulus_weft / w.young_modulus_warp);
   Eigen::Matrix3d d, turn;
-  const double c12 = w.poisson * w.young_weft;
-  d << w.young_warp, c12, 0.0, c12, w.young_weft, 0.0, 0.0, 0.0, w.shear * reciprocal;
+  const double c12 = w.poisson * w.young_modulus_weft;
+  d << w.young_modulus_warp, c12, 0.0, c12, w.young_modulus_weft, 0.0, 0.0, 0.0, w.shear * reciprocal;
   const double c = angle[0], s = angle[1];
   turn << c * c, s * s, c * s, s * s, c * c, -c * s, -2.0 * c * s, 2.0 * c * s, c * c - s * s;
   return turn.transpose() * d * turn / reciprocal;
@@ -90,9 +90,9 @@ void set_fabric(BagModel& m, std::size_t e, const ReferenceTriangle& t, const El
   const auto [group, lane] = place_of(m.elements, e);
   FabricGroup& f = m.elements.fabric[group];
   const Eigen::Vector2d warp = warp_direction(t, p, static_cast<Eigen::Index>(e));
-  const auto fabric = isotropic_constants(p.young, p.poisson);
+  const auto fabric = isotropic_constants(p.young_modulus, p.poisson);
   m.elements.group[group].volume[lane] = p.thickness * t.area;
-  f.young[lane] = fabric.young;
+  f.young_modulus[lane] = fabric.young_modulus;
   f.spherical[lane] = fabric.spherical;
   f.deviator[lane] = fabric.deviator;
   if (m.woven)

@@ -63,14 +63,14 @@ void check_corners(const Eigen::Matrix3Xi& elements, Eigen::Index e, Eigen::Inde
 }
 
 void check_weave(std::string_view where, const ElementProperties& p) {
-  require_positive(where, "young_weft", p.weave->young_weft);
+  require_positive(where, "young_modulus_weft", p.weave->young_modulus_weft);
   require_positive(where, "shear", p.weave->shear);
-  const double ratio = p.weave->shear / (std::sqrt(p.young) * std::sqrt(p.weave->young_weft));
+  const double ratio = p.weave->shear / (std::sqrt(p.young_modulus) * std::sqrt(p.weave->young_modulus_weft));
   if (!(ratio >= 1e-4 && ratio <= 100.0))
-    reject(where, "shear / sqrt(young young_weft)", ratio, "1e-4 to 100");
+    reject(where, "shear / sqrt(young_modulus young_modulus_weft)", ratio, "1e-4 to 100");
   // A little inside the limit, where the stiffness loses its inverse.
-  if (!(p.poisson * p.poisson * (p.weave->young_weft / p.young) < 0.998))
-    reject(where, "poisson", p.poisson, "poisson^2 < 0.998 young / young_weft");
+  if (!(p.poisson * p.poisson * (p.weave->young_modulus_weft / p.young_modulus) < 0.998))
+    reject(where, "poisson", p.poisson, "poisson^2 < 0.998 young_modulus / young_modulus_weft");
   for (int c = 0; c < 3; ++c) require_finite(where, "warp", p.weave->warp[c]);
   require_positive(where, "length of the warp", p.weave->warp.norm());
 }
@@ -83,7 +83,7 @@ void check_properties(std::string_view where, const ElementProperties& p) {
   }
   require_positive(where, "thickness", p.thickness);
   require_positive(where, "density", p.density);
-  require_positive(where, "young", p.young);
+  require_positive(where, "young_modulus", p.young_modulus);
   if (p.weave) return check_weave(where, p);
   if (!(p.poisson > -1.0 && p.poisson < 1.0)) reject(where, "poisson", p.poisson, "-1 < nu < 1");
 }

@@ -122,7 +122,7 @@ template <class T>
 // The fabric of one group's elements by each law.
 template <class T>
 void load_fabric(const FabricGroup& f, const WeaveGroup*, int lane, IsotropicConstants<T>& out) {
-  out = {load<T>(f.young + lane), load<T>(f.spherical + lane), load<T>(f.deviator + lane)};
+  out = {load<T>(f.young_modulus + lane), load<T>(f.spherical + lane), load<T>(f.deviator + lane)};
 }
 template <class T>
 void load_fabric(const FabricGroup& f, const WeaveGroup* w, int lane, OrthotropicConstants<T>& out) {

@@ -43,7 +43,7 @@ PlaneResponse<double> response_of(const BagModel& model, const PlaneStrain<doubl
   const FabricGroup& f = model.elements.fabric_of(place.group);
   const std::size_t k = place.lane;
   if (!model.woven)
-    return isotropic_response(compression, strain, {f.young[k], f.spherical[k], f.deviator[k]});
+    return isotropic_response(compression, strain, {f.young_modulus[k], f.spherical[k], f.deviator[k]});
   const WeaveGroup& w = model.elements.weave[place.group];
   return orthotropic_response(compression, strain,
                               {w.cosine[k], w.sine[k], w.warp_scale[k], f.spherical[k], f.deviator[k],

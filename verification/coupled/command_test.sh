@@ -44,7 +44,7 @@ part_exit_codes() {
   expect 3 "above its bound" "$gasjet" run "$source/cases/sphere_inflation.toml" --out "$work/bound" --set time.step=1e-3
   grep -q '"status": "failed"' "$work/bound/summary.json" || fail "no failed status"
   expect 3 "stage S" "$gasjet" run "$source/cases/sphere_inflation.toml" --out "$work/unsafe" \
-    --set time.step=4e-4 --set time.unsafe_dt=true --set gas.initial.pressure=121325.0
+    --set time.step=4e-4 --set time.unsafe_step=true --set gas.initial.pressure=121325.0
   [ "$(grep -vc '^#' "$work/unsafe/history.csv")" -gt 2 ] || fail "history of the blow-up is not kept"
   grep -Eiq 'nan|inf' <(grep -v '^#' "$work/unsafe/history.csv" | tail -n +2) && fail "nan or inf in the history"
   expect 0 "critical step .*fabric [0-9.e-]+, gas [0-9.e-]+, straps [0-9.e-]+, plate [0-9.e-]+\)" "$gasjet" check "$source/cases/passenger_pendulum.toml"
@@ -238,7 +238,7 @@ part_exact() {
   expect 2 "--times.*is empty" "$gasjet" exact --list --times=
   expect 2 "prints --list only" "$gasjet" exact tank_fill --format markdown
   expect 2 "patch_angle" "$gasjet" exact pressed_balloon --times 1e-300
-  expect 2 "overpressure" "$gasjet" exact pressed_balloon --set youngs_modulus=3
+  expect 2 "overpressure" "$gasjet" exact pressed_balloon --set young_modulus=3
   expect 2 "no_such_parameter" "$gasjet" exact "$name" --set no_such_parameter=1
 }
 

@@ -49,7 +49,7 @@ TEST(contact_cap, largest_share_at_a_fixed_step_eq_what_other_terms_leave) {
 
 coupled::CaseRun run_unchecked(double share) {
   return coupled::run_case("ball_impact",
-                           {"time.step=" + kStep, "time.unsafe_dt=true", "scene.end_time=0.015",
+                           {"time.step=" + kStep, "time.unsafe_step=true", "scene.end_time=0.015",
                             "contact.friction=0.0", "contact.stiffness_share=" + std::to_string(share)});
 }
 

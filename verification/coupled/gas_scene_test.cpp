@@ -217,7 +217,7 @@ TEST(gas_scene, table_of_the_bags_fabric_is_its_outflow) {
                 tight = run_case("bag_leak_table", {"fabric.porosity=0"});
   ASSERT_EQ(run.outcome.status, driver::RunStatus::done) << run.outcome.message;
   const gas::Curve velocity({{0.0, 0.0}, {500.0, 0.017}, {5000.0, 0.12}, {20000.0, 0.4}, {50000.0, 0.8}},
-                            gas::Outside::kHeld);
+                            gas::Outside::held);
   for (const auto& [one, share] : {std::pair{&run, 1.0}, {&half, 0.5}, {&tight, 0.0}}) {
     for (const auto& row : one->history) {
       const double excess = row.at("pressure_Pa") - 101325.0;

@@ -24,7 +24,7 @@ Start start(double dt) {
   const auto scene = coupled::scene_of(
       "jet_bag", {"fabric.young_modulus=6e4", "fabric.thickness=5e-5", "inflator.0.mass_flow=8.0",
                   "inflator.0.jet.radius=0.08", "inflator.0.start_time=" + fires, "inflator.1.start_time=1.0",
-                  "time.step=" + step, "time.unsafe_dt=true"});
+                  "time.step=" + step, "time.unsafe_step=true"});
   driver::State state = driver::make_state(scene);
   Start result;
   std::size_t element = 0;

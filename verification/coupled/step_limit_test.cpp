@@ -22,7 +22,7 @@ TEST(step_limit, step_above_bound_fails_before_the_first_step) {
 }
 
 std::vector<std::string> fixed_step(double step) {
-  return {"time.step=" + std::to_string(step * 1e6) + "e-6", "time.unsafe_dt=true",
+  return {"time.step=" + std::to_string(step * 1e6) + "e-6", "time.unsafe_step=true",
           "gas.initial.pressure=121325.0"};
 }
 

@@ -13,8 +13,8 @@ void expect_no_allocation(gas::Method method) {
   gas::ControlVolumeModel model = closed_tank(nasa7({"N2", "CO2"}));
   model.vents.push_back({1.0, 1e-3});
   model.inflows.push_back({{0.5, 0.5},
-                           gas::Curve({{0.0, 0.0}, {0.01, 20.0}, {0.05, 0.0}}, gas::Outside::kZero),
-                           gas::Curve({{0.0, 600.0}, {0.02, 1200.0}}, gas::Outside::kHeld)});
+                           gas::Curve({{0.0, 0.0}, {0.01, 20.0}, {0.05, 0.0}}, gas::Outside::zero),
+                           gas::Curve({{0.0, 600.0}, {0.02, 1200.0}}, gas::Outside::held)});
   gas::GasIntegrator integrator(model, {.relative_tolerance = 1e-6, .method = method});
   gas::ControlVolumeState state =
       gas::make_state(model.thermo, std::vector{1.0, 0.0}, 101325.0, 293.15, 0.06);

@@ -107,7 +107,7 @@ TEST_P(start_at_ambient, wave_comes_back_to_ambient_pressure) {
 TEST_P(start_at_ambient, soft_volume_cools_as_a_rigid_one) {
   gas::ControlVolumeModel model = tank();
   model.heat_loss = {50.0, 300.0};
-  model.volume_of_overpressure = gas::Curve({{0.0, kVolume}, {5e4, 2.0 * kVolume}}, gas::Outside::kHeld);
+  model.volume_of_overpressure = gas::Curve({{0.0, kVolume}, {5e4, 2.0 * kVolume}}, gas::Outside::held);
   const double mass = kAmbientPressure * kVolume / (296.8 * 600.0);
   const double exact = 300.0 + 300.0 * std::exp(-50.0 * kEnd / (mass * 742.0));
   const Ended cooled = run(
@@ -230,7 +230,7 @@ TEST(range, guess_that_is_no_number_is_refused) {
 TEST(evacuated, volume_with_walls_fills_alike_for_any_steps) {
   gas::ControlVolumeModel model = closed_tank(nasa7({"N2"}));
   model.heat_loss = {50.0, 293.15};
-  model.inflows.push_back({kPure, gas::Curve({{0.0, 0.0}, {0.01, 2.0}}, gas::Outside::kZero),
+  model.inflows.push_back({kPure, gas::Curve({{0.0, 0.0}, {0.01, 2.0}}, gas::Outside::zero),
                            gas::Curve::constant(700.0), 0.002});
   double before = 0.0;
   for (const int steps : {10, 100, 1000, 3000}) {

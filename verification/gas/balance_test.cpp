@@ -46,11 +46,11 @@ Bag bag(bool constant_cp) {
   const std::vector<gas::Component> hot{{"N2", 0.5}, {"CO2", 0.2}, {"H2O", 0.3}};
   gas::ControlVolumeModel model = closed_tank(thermo);
   model.inflows.push_back({thermo.mass_fractions_by_mole(hot),
-                           gas::Curve({{0.0, 0.0}, {0.012, 4.0}, {0.08, 0.0}}, gas::Outside::kZero),
-                           gas::Curve({{0.0, 500.0}, {0.03, 1400.0}, {0.09, 700.0}}, gas::Outside::kHeld),
+                           gas::Curve({{0.0, 0.0}, {0.012, 4.0}, {0.08, 0.0}}, gas::Outside::zero),
+                           gas::Curve({{0.0, 500.0}, {0.03, 1400.0}, {0.09, 700.0}}, gas::Outside::held),
                            0.00123});
   model.inflows.push_back({thermo.mass_fractions_by_mole(gas::air_by_mole()),
-                           gas::Curve({{0.0, 1.0}, {1e-5, 0.5}}, gas::Outside::kZero),
+                           gas::Curve({{0.0, 1.0}, {1e-5, 0.5}}, gas::Outside::zero),
                            gas::Curve::constant(300.0), 0.033333});
   model.vents.push_back({0.6, 2e-3});
   gas::ControlVolumeState state = gas::make_state(thermo, thermo.mass_fractions_by_mole(gas::air_by_mole()),
@@ -119,7 +119,7 @@ TEST(balance, species_running_out_stays_non_negative) {
   gas::ControlVolumeModel model = closed_tank(nasa7({"N2", "He"}));
   model.inflows.push_back(steady_inflow(model.thermo, 1.0, 500.0));
   model.vents.push_back({1.0, 3e-3});
-  for (const gas::Method method : {gas::Method::kDormandPrince5, gas::Method::kRosenbrock4}) {
+  for (const gas::Method method : {gas::Method::dormand_prince_5, gas::Method::rosenbrock_4}) {
     gas::ControlVolumeState state = gas::make_state(model.thermo, std::vector{0.0, 1.0}, 2e5, 400.0, 1e-3);
     gas::GasIntegrator integrator(model, {1e-6, 100000, method});
     for (int i = 0; i < 200; ++i) {
@@ -161,11 +161,11 @@ TEST(threshold, species_running_out_eq_first_zero_of_a_stage) {
   };
   // Rosenbrock's stages are rational functions; the fifth by 16 digits of its coefficients.
   const std::vector<std::tuple<gas::Method, const char*, double>> limits{
-      {gas::Method::kEuler, "explicit Euler", 1.0},
-      {gas::Method::kRungeKutta4, "Runge-Kutta 4", first_zero({1.0, -1.0, 1.0 / 2, -1.0 / 4})},
-      {gas::Method::kDormandPrince5, "Dormand-Prince 5",
+      {gas::Method::euler, "explicit Euler", 1.0},
+      {gas::Method::runge_kutta_4, "Runge-Kutta 4", first_zero({1.0, -1.0, 1.0 / 2, -1.0 / 4})},
+      {gas::Method::dormand_prince_5, "Dormand-Prince 5",
        first_zero({1.0, -1.0, 1.0 / 2, -21.0 / 55, -14.0 / 275, -7.0 / 550})},
-      {gas::Method::kRosenbrock4, "Rosenbrock 4", 2.453336605823764}};
+      {gas::Method::rosenbrock_4, "Rosenbrock 4", 2.453336605823764}};
   for (const auto& [method, name, limit] : limits) {
     const auto stays = [&, m = method](double ratio) {
       try {
@@ -191,7 +191,7 @@ TEST(balance, species_that_would_turn_negative_is_named) {
   gas::ControlVolumeState state = gas::make_state(model, std::vector{0.999, 0.001}, 3.3e5, 700.0, 1e-3);
   const double h = 1.5 * (state.masses[0] + state.masses[1]) / 0.5;  // half as much again leaves in a step
   try {
-    gas::GasIntegrator(model, {1e-10, 100000, gas::Method::kRungeKutta4, h, true})
+    gas::GasIntegrator(model, {1e-10, 100000, gas::Method::runge_kutta_4, h, true})
         .advance(state, 0.0, 2.0 * h, rigid(1e-3));
     FAIL() << "no error";
   } catch (const gas::DomainError& error) {

@@ -204,7 +204,7 @@ TEST(blowdown, strong_walls_make_it_isothermal) {
     model.heat_loss = {conductance, t0};
     gas::ControlVolumeState state = gas::make_state(model, kPure, p0, t0, volume);
     const double time = leak_area == 0.0 ? 0.05 : 0.01;
-    gas::GasIntegrator(model, {1e-10, 100000, gas::Method::kRosenbrock4})
+    gas::GasIntegrator(model, {1e-10, 100000, gas::Method::rosenbrock_4})
         .advance(state, 0.0, time, rigid(volume, leak_area));
     return std::abs(gas::evaluate(model, state, volume, leak_area, time).pressure / exact - 1.0);
   };

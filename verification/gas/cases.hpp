@@ -12,8 +12,8 @@ namespace cases {
 
 inline constexpr double kAmbientPressure = 101325.0;  // [Pa]
 inline constexpr double kEpsilon = 2.220446049250313e-16;
-inline constexpr gas::Method kMethods[] = {gas::Method::kDormandPrince5, gas::Method::kRungeKutta4,
-                                           gas::Method::kEuler, gas::Method::kRosenbrock4};
+inline constexpr gas::Method kMethods[] = {gas::Method::dormand_prince_5, gas::Method::runge_kutta_4,
+                                           gas::Method::euler, gas::Method::rosenbrock_4};
 inline const std::vector<double> kPure{1.0};  // mass fractions of a mixture of one species
 
 /// The verification gas: gamma = 7/5 exactly.

@@ -83,7 +83,7 @@ TEST_P(effort, of_equalisation_and_backflow_follows_the_order) {
     const auto evaluations = [&](double tolerance) { return problem({tolerance, 100000, m}).evaluations; };
     EXPECT_LE(evaluations(1e-2), allowed);
     for (const double tolerance : {1e-2, 1e-4, 1e-6}) {
-      if (m == gas::Method::kEuler && tolerance < 1e-4) continue;  // 1e5 sub-steps
+      if (m == gas::Method::euler && tolerance < 1e-4) continue;  // 1e5 sub-steps
       EXPECT_LE(evaluations(1e-4 * tolerance), std::pow(1e4, 1.0 / p) * evaluations(tolerance)) << tolerance;
     }
   };
@@ -97,10 +97,10 @@ TEST_P(effort, of_equalisation_and_backflow_follows_the_order) {
 }
 
 INSTANTIATE_TEST_SUITE_P(methods, effort,
-                         testing::Values(Effort{gas::Method::kDormandPrince5, "dormand_prince", 5.0, 7, 7},
-                                         Effort{gas::Method::kRungeKutta4, "runge_kutta", 5.0, 12, 12},
-                                         Effort{gas::Method::kEuler, "euler", 2.0, 4, 4},
-                                         Effort{gas::Method::kRosenbrock4, "rosenbrock", 4.0, 13, 19}),
+                         testing::Values(Effort{gas::Method::dormand_prince_5, "dormand_prince", 5.0, 7, 7},
+                                         Effort{gas::Method::runge_kutta_4, "runge_kutta", 5.0, 12, 12},
+                                         Effort{gas::Method::euler, "euler", 2.0, 4, 4},
+                                         Effort{gas::Method::rosenbrock_4, "rosenbrock", 4.0, 13, 19}),
                          [](const auto& one) { return std::string(one.param.name); });
 
 /// A species that is not there stays away to the bit: what a solver's rounding made of it could not leave,
@@ -129,7 +129,7 @@ TEST(effort, implicit_method_follows_a_fading_balance) {
   const double halvings = 0.5 * std::log2(0.13 / 1e-10),
                fading = 4.0 * halvings * (1.0 + std::log(5.0) / std::log(4.0));
   for (const double tolerance : {1e-2, 1e-4, 1e-6, 1e-8}) {  // below, rounding of p - p_a sets the steps
-    const Work work = cooling({tolerance, 100000, gas::Method::kRosenbrock4}, 1, 5.0);
+    const Work work = cooling({tolerance, 100000, gas::Method::rosenbrock_4}, 1, 5.0);
     // Two events as above, 19 evaluations a trial.
     EXPECT_LT(work.evaluations, 19 * (2 * 12 + steps_to_rest(tolerance) + fading)) << tolerance;
     // The last sub-steps are quarters of a halving or longer, over each of which the walls damp an error as
@@ -148,7 +148,7 @@ TEST(effort, implicit_method_settles_above_ambient_at_a_loose_tolerance) {
   model.inflows.push_back(steady_inflow(model.thermo, 0.02, 406.0));
   for (const double tolerance : {1e-2, 1e-3}) {
     gas::ControlVolumeState state = gas::make_state(model, kPure, kAmbientPressure, 293.15, 1e-4);
-    gas::GasIntegrator integrator(model, {tolerance, 100000, gas::Method::kRosenbrock4});
+    gas::GasIntegrator integrator(model, {tolerance, 100000, gas::Method::rosenbrock_4});
     const int evaluations = integrator.advance(state, 0.0, 0.02, rigid(1e-4, 3.75e-3)).evaluations;
     const gas::GasPoint point = gas::evaluate(model, state, 1e-4, 3.75e-3, 0.02);
     const double excess = std::pow(0.02 / 3.75e-3, 2.0) / (2.0 * point.density);

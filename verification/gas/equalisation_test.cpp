@@ -21,7 +21,7 @@ Leaking porous() {
 }
 
 closed_form::PorousTank porous_exact() {
-  return {{}, 0.12, 0.05, 1.5, closed_form::PorosityLaw::kPrinted, 130000.0, 400.0, kAmbientPressure};
+  return {{}, 0.12, 0.05, 1.5, closed_form::PorosityLaw::printed, 130000.0, 400.0, kAmbientPressure};
 }
 
 TEST(equalisation, porous_tank_eq_closed_form) {
@@ -106,7 +106,7 @@ TEST(equalisation, end_time_of_a_hole) {
 TEST(equalisation, outflow_that_cooling_ends_follows_the_tolerance) {
   gas::ControlVolumeModel model = closed_tank(nitrogen());
   model.volume_of_overpressure =
-      gas::Curve({{0.0, 1.73e-5}, {1.62, 1.78e-5}, {195.0, 1.81e-5}, {1e8, 2.1e-5}}, gas::Outside::kHeld);
+      gas::Curve({{0.0, 1.73e-5}, {1.62, 1.78e-5}, {195.0, 1.81e-5}, {1e8, 2.1e-5}}, gas::Outside::held);
   model.heat_loss = {0.182, 400.0};
   model.vents.push_back({1.0, 1.9e-6});
   const auto left = [&](gas::Method method, double tolerance) {
@@ -115,9 +115,9 @@ TEST(equalisation, outflow_that_cooling_ends_follows_the_tolerance) {
         gas::GasIntegrator(model, {tolerance, 100000, method}).advance(state, 0.0, 0.01, rigid(1.0));
     return std::pair{state.masses[0], fluxes.steps};
   };
-  const double exact = left(gas::Method::kRosenbrock4, 1e-13).first;
+  const double exact = left(gas::Method::rosenbrock_4, 1e-13).first;
   // No sub-step is off by more than the tolerance.
-  for (const gas::Method method : {gas::Method::kDormandPrince5, gas::Method::kRungeKutta4})
+  for (const gas::Method method : {gas::Method::dormand_prince_5, gas::Method::runge_kutta_4})
     for (double tolerance = 1e-6; tolerance > 0.9e-11; tolerance *= 0.31622776601683794) {
       const auto [mass, steps] = left(method, tolerance);
       EXPECT_LT(relative(mass, exact), steps * tolerance) << static_cast<int>(method) << ' ' << tolerance;
@@ -206,7 +206,7 @@ TEST(equalisation, too_stiff_a_gas_is_reported) {
   model.inflows.push_back(steady_inflow(model.thermo, 1e-3, 300.0));
   gas::ControlVolumeState state = gas::make_state(model.thermo, kPure, kAmbientPressure, 300.0, 1e-6);
   const gas::ControlVolumeState before = state;
-  gas::GasIntegrator integrator(model, {1e-10, 1000, gas::Method::kRungeKutta4});
+  gas::GasIntegrator integrator(model, {1e-10, 1000, gas::Method::runge_kutta_4});
   try {
     integrator.advance(state, 0.0, 10.0, rigid(1e-6, 5e-3));
     FAIL() << "no error";

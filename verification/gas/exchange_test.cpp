@@ -19,7 +19,7 @@ double pressure(const gas::ControlVolumeModel& model, const gas::ControlVolumeSt
 }
 
 gas::Curve held(std::vector<gas::Curve::Knot> knots) {
-  return gas::Curve(std::move(knots), gas::Outside::kHeld);
+  return gas::Curve(std::move(knots), gas::Outside::held);
 }
 
 /// Tanks below ambient pressure, evacuated or not, that fill through a vent: sonic, subsonic, at rest.
@@ -151,7 +151,7 @@ TEST(exchange, area_of_time_eq_closed_form) {
   for (const bool triggered : {false, true}) {
     gas::ControlVolumeModel model = closed_tank(nitrogen());
     const double opening = triggered ? 0.0123 : 0.0;
-    model.triggers = {{{gas::SensorKind::kTime, opening}}, {}};
+    model.triggers = {{{gas::SensorKind::time, opening}}, {}};
     gas::Vent vent{1.0, 0.0, held({{0.0, 0.0}, {0.04, 1e-3}})};
     if (triggered) vent.trigger = 0;
     model.vents.push_back(vent);
@@ -189,7 +189,7 @@ TEST(exchange, streams_add_up_to_the_books) {
   model.ambient.mass_fractions = {1.0, 0.0};
   for (const double t_in : {500.0, 1200.0})
     model.inflows.push_back(
-        {{0.4, 0.6}, gas::Curve({{0.0, 2.0}, {0.02, 0.0}}, gas::Outside::kZero), gas::Curve::constant(t_in)});
+        {{0.4, 0.6}, gas::Curve({{0.0, 2.0}, {0.02, 0.0}}, gas::Outside::zero), gas::Curve::constant(t_in)});
   for (const double area : {1e-3, 2e-3}) model.vents.push_back({0.6, area, {}, {}, true});
   model.heat_loss = {50.0, 290.0};
   gas::ControlVolumeState state = gas::make_state(model, std::vector{1.0, 0.0}, 1.5e5, 300.0, 0.06);

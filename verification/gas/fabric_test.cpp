@@ -12,7 +12,7 @@ namespace {
 using namespace cases;
 
 gas::Curve velocity_curve(std::vector<gas::Curve::Knot> knots) {
-  return gas::Curve(std::move(knots), gas::Outside::kHeld);
+  return gas::Curve(std::move(knots), gas::Outside::held);
 }
 
 gas::ControlVolumeModel with_fabrics(std::vector<gas::Fabric> fabrics) {
@@ -38,7 +38,7 @@ TEST(fabrics, two_of_half_the_area_eq_one) {
   const std::optional<gas::Curve> laws[] = {std::nullopt,
                                             velocity_curve({{0.0, 0.0}, {1e3, 0.1}, {1e5, 1.0}})};
   for (const auto& law : laws)
-    for (const gas::Method method : {gas::Method::kDormandPrince5, gas::Method::kRosenbrock4}) {
+    for (const gas::Method method : {gas::Method::dormand_prince_5, gas::Method::rosenbrock_4}) {
       const gas::IntegratorOptions options{1e-8, 100000, method};
       const double area = law ? 0.2 : 1e-3;
       const Leaked one = leak(with_fabrics({{1.0, law}}), area, options);

@@ -40,8 +40,8 @@ struct Limit {
   const char* name;
 };
 
-constexpr Limit kExplicit[] = {{gas::Method::kEuler, "explicit Euler"},
-                               {gas::Method::kRungeKutta4, "Runge-Kutta 4"}};
+constexpr Limit kExplicit[] = {{gas::Method::euler, "explicit Euler"},
+                               {gas::Method::runge_kutta_4, "Runge-Kutta 4"}};
 constexpr int kSteps = 2000;
 
 /// [m3] where a call takes all its sub-steps, at the method's limit.
@@ -98,7 +98,7 @@ TEST(femtolitre, smallest_volume_eq_formula) {
       {"G.9", "Rosenbrock 4",
        "bisection to 0.1 %; a first sub-step, that grows fivefold up to the limit, and a last"},
       {"tiny volume: rounding of what passes", "t = maximum_steps τ m/(100 ε ṁ)", predicted,
-       measured(gas::Method::kRosenbrock4, predicted), "m³",
+       measured(gas::Method::rosenbrock_4, predicted), "m³",
        "error that names m/ṁ, the limit, and a looser tolerance"},
       1.0 - 1e-3, 1.02);
 }

@@ -130,7 +130,7 @@ TEST(identify_band, curve_has_the_known_mass_and_no_flow_outside_the_burn) {
     EXPECT_EQ(starts, 1);
     EXPECT_EQ(found.points.back().mass_flow, 0.0);
     // The iteration ends at 1e-11 of the mass.
-    EXPECT_LT(relative(gas::Curve(knots, gas::Outside::kZero).integral(0.0, 0.06), 0.08), 1e-10);
+    EXPECT_LT(relative(gas::Curve(knots, gas::Outside::zero).integral(0.0, 0.06), 0.08), 1e-10);
   }
 }
 

@@ -32,10 +32,10 @@ gas::TankTest test_of(const Gas& sent) {
 
 /// 3.5 kg/s at 10 ms, none at 0 and from 40 ms on; readings of 60 ms at 10 kHz.
 Record forward_record(const gas::TankTest& test, double temperature) {
-  const gas::Curve flow({{0.0, 0.0}, {0.01, 3.5}, {0.04, 0.0}}, gas::Outside::kZero);
+  const gas::Curve flow({{0.0, 0.0}, {0.01, 3.5}, {0.04, 0.0}}, gas::Outside::zero);
   gas::ControlVolumeModel model{test.thermo, {0.0, test.initial_temperature}, {}, {}};
   model.inflows.push_back({test.inflator_fractions, flow,
-                           gas::Curve({{0.0, temperature}, {1.0, temperature}}, gas::Outside::kHeld)});
+                           gas::Curve({{0.0, temperature}, {1.0, temperature}}, gas::Outside::held)});
   gas::ControlVolumeState state =
       gas::make_state(model.thermo, test.tank_fractions, 101325.0, test.initial_temperature, kVolume);
   gas::GasIntegrator integrator(model);
@@ -108,13 +108,13 @@ TEST(identify_noise, of_full_scale_is_taken) {
     const auto found = [&](gas::Noise noise) {
       return gas::identify(one_gas_test(), record.dual(), {.points = 101, .draws = 100, .noise = noise});
     };
-    const gas::Identified good = found(gas::Noise::kOfFullScale);
+    const gas::Identified good = found(gas::Noise::of_full_scale);
     EXPECT_LT(relative(good.tank.noise, share), 0.12 + 5.0 * share);  // and the largest reading's own
     EXPECT_LT(relative(good.mean_temperature, 600.0), 5.0 * share + 1e-4);
     EXPECT_LT(relative(good.effective_area, 1e-4), 5.0 * share + 1e-3);
     if (share < 1e-5) continue;  // there the bends of the chamber's pressure are larger than its noise
     EXPECT_LT(relative(good.chamber.noise, share), 0.12 + 5.0 * share);
-    EXPECT_THROW(found(gas::Noise::kOfReading), gas::ReadingError) << share;
+    EXPECT_THROW(found(gas::Noise::of_reading), gas::ReadingError) << share;
   }
 }
 

@@ -144,7 +144,7 @@ TEST(identify, forward_model_and_analysis_are_inverse) {
     temperature.push_back({t, truth(t).temperature});
   }
   model.inflows.push_back(
-      {kPure, gas::Curve(flow, gas::Outside::kZero), gas::Curve(temperature, gas::Outside::kHeld)});
+      {kPure, gas::Curve(flow, gas::Outside::zero), gas::Curve(temperature, gas::Outside::held)});
   gas::GasIntegrator integrator(model);
   gas::ControlVolumeState state = gas::make_state(model.thermo, kPure, 101325.0, 293.15, 0.06);
   Record record(truth, 0.05, 1001);

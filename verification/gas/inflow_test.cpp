@@ -15,7 +15,7 @@ using namespace cases;
 const std::vector<double> kStarts{0.0, 1e-7, 0.1, 1.0 / 3.0, 0.5, 0.7123456789, 0.99999};
 
 gas::Inflow pulse(double start_time) {
-  return {kPure, gas::Curve({{0.0, 3.0}, {1e-5, 5.0}}, gas::Outside::kZero), gas::Curve::constant(900.0),
+  return {kPure, gas::Curve({{0.0, 3.0}, {1e-5, 5.0}}, gas::Outside::zero), gas::Curve::constant(900.0),
           start_time};
 }
 
@@ -53,7 +53,7 @@ TEST(inflow, short_pulse_adds_its_mass_by_every_method_and_step) {
                                                   {1e-10, 10000000, method},
                                                   {1e-6, 100000, method, 0.07},
                                                   {1e-6, 100000, method, 1e-3}}) {
-      if (method == gas::Method::kEuler && options.relative_tolerance < 1e-6) continue;  // 1e5 sub-steps
+      if (method == gas::Method::euler && options.relative_tolerance < 1e-6) continue;  // 1e5 sub-steps
       for (const double start : kStarts)
         for (const double area : {0.0, 1e-4}) {
           SCOPED_TRACE(testing::Message() << static_cast<int>(method) << " at " << options.relative_tolerance
@@ -91,16 +91,16 @@ TEST(inflow, short_pulse_adds_its_mass_by_the_second_route) {
         return second_route::msbdf(tank, tolerance, inflow).back().masses[0] - tank.start.masses[0];
       };
       // A few roundings of the whole, 170 times the pulse.
-      EXPECT_LT(relative(gained(Inflow::kClosedForm), 4e-5), 1e-12);
+      EXPECT_LT(relative(gained(Inflow::closed_form), 4e-5), 1e-12);
       if (start > 1e-3) {
-        EXPECT_EQ(gained(Inflow::kStepped), 0.0);
+        EXPECT_EQ(gained(Inflow::stepped), 0.0);
       }
       // Open, what left besides is what a run of the library lets out, to the tolerance of either.
       tank.model.vents.push_back({0.6, 1e-4});
       gas::ControlVolumeState state = tank.start;
       const double out =
           gas::GasIntegrator(tank.model, {1e-12}).advance(state, 0.0, 1.1, rigid(tank.volume)).vent_mass_out;
-      EXPECT_NEAR(gained(Inflow::kClosedForm), 4e-5 - out, 100.0 * tolerance * tank.start.masses[0]);
+      EXPECT_NEAR(gained(Inflow::closed_form), 4e-5 - out, 100.0 * tolerance * tank.start.masses[0]);
     }
 }
 
@@ -135,8 +135,8 @@ TEST(inflow, before_firing_and_never_fired_add_nothing) {
 TEST(inflow, firing_a_rounding_before_the_end_of_a_call) {
   gas::ControlVolumeModel model = closed_tank(nasa7({"N2", "He"}));
   model.inflows.push_back({{0.0, 1.0},
-                           gas::Curve({{0.0, 0.0}, {2e-4, 0.03}, {5e-4, 0.0}}, gas::Outside::kZero),
-                           gas::Curve({{0.0, 406.0}}, gas::Outside::kHeld),
+                           gas::Curve({{0.0, 0.0}, {2e-4, 0.03}, {5e-4, 0.0}}, gas::Outside::zero),
+                           gas::Curve({{0.0, 406.0}}, gas::Outside::held),
                            1e-4});
   model.vents.push_back({1.0, 5e-5});
   for (const gas::Method method : kMethods) {
@@ -157,8 +157,8 @@ TEST(inflow, nasa7_enthalpy_of_linear_curves_is_exact) {
   const gas::Thermo thermo = nasa7({"N2", "H2O", "CO2"});
   const std::vector<double> fractions{0.6, 0.15, 0.25};
   gas::ControlVolumeModel model = closed_tank(thermo);
-  const gas::Curve flow({{0.0, 2.0}, {0.04, 0.5}}, gas::Outside::kZero);
-  const gas::Curve temperature({{0.0, 600.0}, {0.03, 1500.0}, {0.05, 1300.0}}, gas::Outside::kHeld);
+  const gas::Curve flow({{0.0, 2.0}, {0.04, 0.5}}, gas::Outside::zero);
+  const gas::Curve temperature({{0.0, 600.0}, {0.03, 1500.0}, {0.05, 1300.0}}, gas::Outside::held);
   model.inflows.push_back({fractions, flow, temperature});
   gas::ControlVolumeState state = gas::make_state(thermo, fractions, 1e5, 300.0, 0.06);
   const double enthalpy = gas::GasIntegrator(model).advance(state, 0.0, 0.1, rigid(0.06)).enthalpy_in;

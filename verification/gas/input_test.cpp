@@ -45,11 +45,11 @@ TEST(input, volume_of_overpressure) {
     expect_model_refused([&](auto& model) { model.volume_of_overpressure = gas::Curve(knots, outside); },
                          field);
   };
-  refused({{0.0, 0.1}, {1e4, 0.09}}, gas::Outside::kHeld, "must not fall");
-  refused({{0.0, 0.0}, {1e4, 0.1}}, gas::Outside::kHeld, "must be positive");
-  refused({{-2e5, 0.1}, {1e4, 0.1}}, gas::Outside::kHeld, "first overpressure");
-  refused({{0.0, 0.1}}, gas::Outside::kHeld, "at least 2");
-  refused({{0.0, 0.1}, {1e4, 0.1}}, gas::Outside::kZero, "held outside");
+  refused({{0.0, 0.1}, {1e4, 0.09}}, gas::Outside::held, "must not fall");
+  refused({{0.0, 0.0}, {1e4, 0.1}}, gas::Outside::held, "must be positive");
+  refused({{-2e5, 0.1}, {1e4, 0.1}}, gas::Outside::held, "first overpressure");
+  refused({{0.0, 0.1}}, gas::Outside::held, "at least 2");
+  refused({{0.0, 0.1}, {1e4, 0.1}}, gas::Outside::zero, "held outside");
 }
 
 TEST(input, species) {

@@ -16,10 +16,10 @@ constexpr double kStepOn = 0.01, kStepOff = 0.03;                       // [s] o
 const std::vector<double> kFirings{0.0, 1e-7, 0.1, 1.0 / 3.0, 0.7123456789};
 
 Curve flow_curve(std::vector<Curve::Knot> knots) {
-  return Curve(std::move(knots), Outside::kZero);
+  return Curve(std::move(knots), Outside::zero);
 }
 Curve level_curve(std::vector<Curve::Knot> knots) {
-  return Curve(std::move(knots), Outside::kHeld);
+  return Curve(std::move(knots), Outside::held);
 }
 
 /// On and off by jumps.
@@ -63,7 +63,7 @@ TEST(jump, pulse_eq_inflator_of_its_own) {
   for (const double start : kFirings)
     for (const double area : {0.0, 5e-4})
       for (const gas::IntegratorOptions& options :
-           {gas::IntegratorOptions{}, {1e-4}, {1e-10, 100000, gas::Method::kRosenbrock4}}) {
+           {gas::IntegratorOptions{}, {1e-4}, {1e-10, 100000, gas::Method::rosenbrock_4}}) {
         SCOPED_TRACE(testing::Message() << start << " s, " << area << " m2");
         const Filled jump =
             fill(tank_with({{kPure, step_pulse(), Curve::constant(kStepHeat), start}}, area), options, 1.0);
@@ -169,7 +169,7 @@ TEST(jump, points_show_the_value_after_by_any_clock) {
     const double start = 0.37 * i / 991.0, time = start + kStepOn;
     gas::ControlVolumeModel model =
         tank_with({{kPure, step_pulse(), level_curve({{kStepOn, 300.0}, {kStepOn, kStepHeat}}), start}}, 0.0);
-    model.triggers.sensors = {{gas::SensorKind::kTime, start}};
+    model.triggers.sensors = {{gas::SensorKind::time, start}};
     model.vents.push_back({.discharge_coefficient = 0.6,
                            .area = 0.0,
                            .area_of_time = level_curve({{kStepOn, 1e-3}, {kStepOn, 2e-3}}),
@@ -182,8 +182,8 @@ TEST(jump, points_show_the_value_after_by_any_clock) {
         << start;
     ASSERT_EQ(point.inflow, kStepFlow) << start;
     ASSERT_EQ(gas::inflator_point(model, 0, time).temperature, kStepHeat) << start;
-    ASSERT_EQ(gas::inflator_point(model, 0, time, gas::Side::kBefore).mass_flow, 0.0) << start;
-    ASSERT_EQ(gas::inflator_point(model, 0, time, gas::Side::kBefore).temperature, 300.0) << start;
+    ASSERT_EQ(gas::inflator_point(model, 0, time, gas::Side::before).mass_flow, 0.0) << start;
+    ASSERT_EQ(gas::inflator_point(model, 0, time, gas::Side::before).temperature, 300.0) << start;
   }
 }
 
@@ -191,7 +191,7 @@ TEST(jump, points_show_the_value_after_by_any_clock) {
 TEST(jump, signal_switches_a_sensor) {
   const auto first_on = [](const Curve& signal) {
     gas::ControlVolumeModel model = closed_tank(nitrogen());
-    model.triggers.sensors = {{gas::SensorKind::kSignal, 5.0, {}, signal}};
+    model.triggers.sensors = {{gas::SensorKind::signal, 5.0, {}, signal}};
     gas::ControlVolumeState state = gas::make_state(model, kPure, kAmbientPressure, 293.15, kTankSize);
     gas::GasIntegrator(model).advance(state, 0.0, 1.0, rigid(kTankSize));
     return state.triggers[0];

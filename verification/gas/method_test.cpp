@@ -23,7 +23,7 @@ gas::ControlVolumeModel holed_tank() {
 double filling_error(const gas::IntegratorOptions& options) {
   gas::ControlVolumeModel model = holed_tank();
   model.inflows.push_back(
-      {kPure, gas::Curve({{0.0, 0.0}, {1.0, 50.0}}, gas::Outside::kZero), gas::Curve::constant(1100.0)});
+      {kPure, gas::Curve({{0.0, 0.0}, {1.0, 50.0}}, gas::Outside::zero), gas::Curve::constant(1100.0)});
   const auto temperature = [&](const gas::IntegratorOptions& chosen) {
     gas::ControlVolumeState state = gas::make_state(model, kPure, 4e5, 700.0, 0.06);
     gas::GasIntegrator(model, chosen).advance(state, 0.0, 0.04, rigid(0.06));
@@ -69,13 +69,13 @@ TEST_P(method_order, of_fixed_steps) {
 
 std::string name_of(gas::Method method) {
   switch (method) {
-    case gas::Method::kEuler:
+    case gas::Method::euler:
       return "euler";
-    case gas::Method::kRungeKutta4:
+    case gas::Method::runge_kutta_4:
       return "runge_kutta";
-    case gas::Method::kRosenbrock4:
+    case gas::Method::rosenbrock_4:
       return "rosenbrock";
-    case gas::Method::kDormandPrince5:
+    case gas::Method::dormand_prince_5:
       break;
   }
   return "dormand_prince";
@@ -86,10 +86,10 @@ void PrintTo(const Order& one, std::ostream* out) {
 }
 
 INSTANTIATE_TEST_SUITE_P(methods, method_order,
-                         testing::Values(Order{gas::Method::kEuler, 1.0, 0.2},
-                                         Order{gas::Method::kRungeKutta4, 4.0, 0.5},
-                                         Order{gas::Method::kDormandPrince5, 5.0, 0.5},
-                                         Order{gas::Method::kRosenbrock4, 4.0, 0.5}),
+                         testing::Values(Order{gas::Method::euler, 1.0, 0.2},
+                                         Order{gas::Method::runge_kutta_4, 4.0, 0.5},
+                                         Order{gas::Method::dormand_prince_5, 5.0, 0.5},
+                                         Order{gas::Method::rosenbrock_4, 4.0, 0.5}),
                          [](const auto& one) { return name_of(one.param.method); });
 
 struct Levels {
@@ -97,10 +97,10 @@ struct Levels {
   double order;
   int halvings;  // until the error is near rounding, or that of the Jacobian's differences, some 1e-12
 };
-constexpr Levels kLevels[] = {{gas::Method::kEuler, 1.0, 3},
-                              {gas::Method::kRungeKutta4, 4.0, 3},
-                              {gas::Method::kDormandPrince5, 5.0, 2},
-                              {gas::Method::kRosenbrock4, 4.0, 2}};
+constexpr Levels kLevels[] = {{gas::Method::euler, 1.0, 3},
+                              {gas::Method::runge_kutta_4, 4.0, 3},
+                              {gas::Method::dormand_prince_5, 5.0, 2},
+                              {gas::Method::rosenbrock_4, 4.0, 2}};
 
 /// The order of each method on its levels from `steps` steps to `end`; wavering by share/steps of it.
 void expect_orders(double end, int steps, double share) {
@@ -131,7 +131,7 @@ TEST(method, error_follows_the_tolerance) {
   for (const gas::Method method : kMethods) {
     for (const double tolerance : {1e-4, 1e-6, 1e-8}) {
       // A first-order method takes 1/sqrt(tolerance) sub-steps, each with an error of one tolerance.
-      const bool euler = method == gas::Method::kEuler;
+      const bool euler = method == gas::Method::euler;
       if (euler && tolerance < 1e-7) continue;
       const double sum = euler ? 1.0 / std::sqrt(tolerance) : 10.0;
       EXPECT_LT(blowdown_error({tolerance, 1000000, method}), sum * tolerance) << static_cast<int>(method);
@@ -145,12 +145,12 @@ TEST(method, all_methods_eq_the_second_route) {
   const second_route::Tank tank = second_route::benchmark_tank();
   const gas::ControlVolumeState reference = second_route::msbdf(tank, 1e-11).back();
   for (const gas::Method method : kMethods) {
-    const double tolerance = method == gas::Method::kEuler ? 1e-6 : 1e-10;
+    const double tolerance = method == gas::Method::euler ? 1e-6 : 1e-10;
     gas::ControlVolumeState state = tank.start;
     gas::GasIntegrator(tank.model, {tolerance, 10000000, method})
         .advance(state, 0.0, second_route::kEnd, rigid(second_route::kVolume));
     // msbdf's global error is some hundred tolerances of its own; Euler's a thousand, see above.
-    const double allowed = method == gas::Method::kEuler ? 1e-3 : 5e-9;
+    const double allowed = method == gas::Method::euler ? 1e-3 : 5e-9;
     EXPECT_LT(relative(state.temperature, reference.temperature), allowed) << static_cast<int>(method);
     for (std::size_t k = 0; k < state.masses.size(); ++k)
       EXPECT_LT(relative(state.masses[k], reference.masses[k]), allowed) << static_cast<int>(method);
@@ -183,7 +183,7 @@ TEST(method, implicit_steps_follow_the_slow_balance) {
   };
   const double overpressure = run({1e-13}).first;
   for (const double tolerance : {1e-4, 1e-6, 1e-8, 1e-10}) {
-    const auto [found, steps] = run({tolerance, 100000, gas::Method::kRosenbrock4});
+    const auto [found, steps] = run({tolerance, 100000, gas::Method::rosenbrock_4});
     // The last step's tolerance of p is p/(p - p_a) = 6000 times as much of p - p_a; earlier errors are
     // damped.
     EXPECT_NEAR(found, overpressure, 6000.0 * tolerance * overpressure) << tolerance;
@@ -208,10 +208,10 @@ TEST(method, joint_of_cp_is_passed_within_the_tolerance) {
     return state.temperature;
   };
   int evaluations = 0;
-  const double exact = run(gas::Method::kDormandPrince5, 1e-13, evaluations);
+  const double exact = run(gas::Method::dormand_prince_5, 1e-13, evaluations);
   for (const gas::Method method : kMethods) {
     for (const double tolerance : {1e-5, 1e-7, 1e-9, 1e-10}) {
-      const bool euler = method == gas::Method::kEuler;
+      const bool euler = method == gas::Method::euler;
       if (euler && tolerance < 1e-8) continue;
       claim::expect_relative(
           {"G.4", name_of(method) + ", vented nitrogen heated through 1000 K, by tolerance: temperature [K]",

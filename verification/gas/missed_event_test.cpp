@@ -25,22 +25,22 @@ gas::ControlVolumeState run(const gas::ControlVolumeModel& model, gas::ControlVo
 /// p dips from above both levels of a sensor to below them and comes back: a vent that its going off opens.
 TEST(missed_event, dip_below_both_levels_of_a_sensor) {
   gas::ControlVolumeModel model = closed_tank(nitrogen());
-  model.triggers.sensors.push_back({gas::SensorKind::kPressure, 52500.0});
+  model.triggers.sensors.push_back({gas::SensorKind::pressure, 52500.0});
   model.triggers.sensors[0].reset = 52400.0;
-  gas::Gate dipped{gas::Logic::kNot, {0}};
+  gas::Gate dipped{gas::Logic::negated, {0}};
   dipped.latch = true;
   dipped.delay = 1e-4;
   model.triggers.gates.push_back(dipped);
   model.vents.push_back({1.0, 1e-4});
   model.vents[0].trigger = 1;
   model.inflows.push_back(steady_inflow(model.thermo, 0.0, 300.0));
-  model.inflows[0].mass_flow = gas::Curve({{0.0, 0.0}, {0.02, 0.1}}, gas::Outside::kZero);
+  model.inflows[0].mass_flow = gas::Curve({{0.0, 0.0}, {0.02, 0.1}}, gas::Outside::zero);
   const auto begin = gas::make_state(model, kPure, 1.54e5, 300.0, 1e-3);
   const auto mass = [&](int calls, const gas::IntegratorOptions& options) {
     return run(model, begin, {1e-3, 1.2e-3}, 0.02, calls, options).masses[0];
   };
   const double exact = mass(200, {1e-12});
-  for (const gas::Method method : {gas::Method::kDormandPrince5, gas::Method::kRosenbrock4})
+  for (const gas::Method method : {gas::Method::dormand_prince_5, gas::Method::rosenbrock_4})
     for (const double tolerance : {1e-4, 1e-6, 1e-8})  // a dozen sub-steps
       EXPECT_LT(relative(mass(1, {tolerance, 100000, method}), exact), 10.0 * tolerance) << tolerance;
 }
@@ -51,7 +51,7 @@ TEST(missed_event, first_gas_a_rounding_before_a_call) {
     gas::ControlVolumeModel model = closed_tank(nitrogen());
     model.vents.push_back({1.0, 1e-4});
     model.inflows.push_back(steady_inflow(model.thermo, 0.0, 600.0));
-    model.inflows[0].mass_flow = gas::Curve({{0.0, 0.0}, {0.01, 0.1}}, gas::Outside::kZero);
+    model.inflows[0].mass_flow = gas::Curve({{0.0, 0.0}, {0.01, 0.1}}, gas::Outside::zero);
     model.inflows[0].start_time = start;
     const auto begin = gas::make_state(model, kPure, 0.0, 300.0, 1e-3);
     gas::ControlVolumeState state = begin;
@@ -70,13 +70,13 @@ TEST(missed_event, ambient_gas_that_lowers_the_pressure) {
   gas::ControlVolumeModel model = closed_tank(nasa7({"He", "N2"}));
   model.ambient = {kAmbientPressure, 293.15, {0.0, 1.0}};
   model.inflows.push_back({{1.0, 0.0},
-                           gas::Curve({{0.0, 1e-3}, {0.01, 0.0}}, gas::Outside::kZero),
+                           gas::Curve({{0.0, 1e-3}, {0.01, 0.0}}, gas::Outside::zero),
                            gas::Curve::constant(1500.0)});
   model.vents.push_back({0.6, 1e-2});
   model.vents[0].backflow = true;
   const auto begin = gas::make_state(model, std::vector{1.0, 0.0}, kAmbientPressure, 1500.0, 1e-3);
   const auto temperature = [&](int calls, double tolerance) {
-    return run(model, begin, {1e-3, 1.1e-3}, 0.01, calls, {tolerance, 100000, gas::Method::kRosenbrock4})
+    return run(model, begin, {1e-3, 1.1e-3}, 0.01, calls, {tolerance, 100000, gas::Method::rosenbrock_4})
         .temperature;
   };
   const double exact = temperature(16, 1e-11);
@@ -94,13 +94,13 @@ TEST(missed_event, backflow_before_outflow) {
   model.vents.push_back({0.6, 1e-3});
   model.vents[0].backflow = true;
   model.inflows.push_back(steady_inflow(model.thermo, 0.0, 300.0));
-  model.inflows[0].mass_flow = gas::Curve({{0.0, 0.0}, {0.002, 0.1}}, gas::Outside::kZero);
+  model.inflows[0].mass_flow = gas::Curve({{0.0, 0.0}, {0.002, 0.1}}, gas::Outside::zero);
   const auto begin = gas::make_state(model, kPure, kAmbientPressure, 300.0, 1e-3);
   const auto mass = [&](const gas::IntegratorOptions& options) {
     return run(model, begin, {1e-3, 1.05e-3}, 0.002, 1, options).masses[0];
   };
   const double exact = mass({1e-12});
-  for (const gas::Method method : {gas::Method::kDormandPrince5, gas::Method::kRosenbrock4})
+  for (const gas::Method method : {gas::Method::dormand_prince_5, gas::Method::rosenbrock_4})
     for (const double tolerance : {1e-4, 1e-6, 1e-8})  // some ten sub-steps
       EXPECT_LT(relative(mass({tolerance, 100000, method}), exact), 10.0 * tolerance) << tolerance;
 }
@@ -112,11 +112,11 @@ TEST(missed_event, balance_that_fixed_steps_cannot_reach) {
   model.vents.push_back({1.0, 1e-4});
   model.inflows.push_back(steady_inflow(model.thermo, 0.0, 600.0));
   model.inflows[0].mass_flow =
-      gas::Curve({{0.0, 8e-3}, {1e-3, 8e-3}, {1.001e-3, 6e-4}, {4e-3, 6e-4}}, gas::Outside::kZero);
+      gas::Curve({{0.0, 8e-3}, {1e-3, 8e-3}, {1.001e-3, 6e-4}, {4e-3, 6e-4}}, gas::Outside::zero);
   const auto begin = gas::make_state(model, kPure, kAmbientPressure, 300.0, 1e-5);
   const auto pressure = [&](double step) {
     const auto state =
-        run(model, begin, {1e-5, 1e-5}, 4e-3, 1, {1e-10, 100000, gas::Method::kDormandPrince5, step});
+        run(model, begin, {1e-5, 1e-5}, 4e-3, 1, {1e-10, 100000, gas::Method::dormand_prince_5, step});
     return gas::evaluate(model, state, 1e-5, 0.0, 4e-3).pressure - kAmbientPressure;
   };
   const double exact = pressure(0.0);
@@ -127,11 +127,11 @@ TEST(missed_event, balance_that_fixed_steps_cannot_reach) {
 /// Fabric that leaks by a table, far less than an inflow that grows from nothing: no pressure is held.
 TEST(missed_event, leak_of_less_than_a_rounding_of_the_inflow) {
   gas::ControlVolumeModel model = closed_tank(nitrogen());
-  model.fabrics = {{1.0, gas::Curve({{0.0, 0.0}, {1e4, 2.0}, {3e5, 20.0}}, gas::Outside::kHeld)}};
+  model.fabrics = {{1.0, gas::Curve({{0.0, 0.0}, {1e4, 2.0}, {3e5, 20.0}}, gas::Outside::held)}};
   model.inflows.push_back(steady_inflow(model.thermo, 0.0, 900.0));
-  model.inflows[0].mass_flow = gas::Curve({{0.0, 0.0}, {6e-4, 7e-3}, {1.7e-3, 4e-3}}, gas::Outside::kZero);
+  model.inflows[0].mass_flow = gas::Curve({{0.0, 0.0}, {6e-4, 7e-3}, {1.7e-3, 4e-3}}, gas::Outside::zero);
   constexpr double kVolume = 4e-5, kLeak = 1.9e-10;
-  for (const gas::Method method : {gas::Method::kDormandPrince5, gas::Method::kRosenbrock4}) {
+  for (const gas::Method method : {gas::Method::dormand_prince_5, gas::Method::rosenbrock_4}) {
     gas::ControlVolumeState state = gas::make_state(model, kPure, kAmbientPressure, 480.0, kVolume);
     const double in = 0.5 * 7e-3 * 6e-4 + 0.5 * 11e-3 * 1.1e-3;
     const double closed = kAmbientPressure + 0.4 * 1038.8 * 900.0 * in / kVolume;

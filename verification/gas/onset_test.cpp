@@ -21,7 +21,7 @@ struct Onset {
     gas::ControlVolumeModel model = closed_tank(nitrogen());
     model.vents.push_back({1.0, area});
     model.inflows.push_back(steady_inflow(model.thermo, 0.5, 406.0));
-    if (grows) model.inflows[0].mass_flow = gas::Curve({{0.0, 0.0}, {kRunEnd, 1.0}}, gas::Outside::kHeld);
+    if (grows) model.inflows[0].mass_flow = gas::Curve({{0.0, 0.0}, {kRunEnd, 1.0}}, gas::Outside::held);
     return model;
   }
   /// Mass [kg] that leaves.
@@ -44,9 +44,9 @@ struct OnsetOrder {
 TEST(onset, steep_pulse_at_a_knot_is_right_at_any_tolerance) {
   gas::ControlVolumeModel model = closed_tank(nitrogen());
   model.inflows.push_back(steady_inflow(model.thermo, 0.0, 600.0));
-  model.inflows[0].mass_flow = gas::Curve({{0.0, 0.0}, {4e-5, 100.0}, {1e-4, 0.0}}, gas::Outside::kZero);
+  model.inflows[0].mass_flow = gas::Curve({{0.0, 0.0}, {4e-5, 100.0}, {1e-4, 0.0}}, gas::Outside::zero);
   model.vents.push_back({0.5, 0.06});
-  model.vents[0].area_of_overpressure = gas::Curve({{0.0, 0.0}, {8e4, 0.06}, {2e5, 0.12}}, gas::Outside::kHeld);
+  model.vents[0].area_of_overpressure = gas::Curve({{0.0, 0.0}, {8e4, 0.06}, {2e5, 0.12}}, gas::Outside::held);
   model.vents.push_back({0.5, 0.45});
   const auto mass = [&](double tolerance) {
     gas::ControlVolumeState state = gas::make_state(model, kPure, kAmbientPressure, 420.0, 0.012);
@@ -63,10 +63,10 @@ TEST(onset, steep_pulse_at_a_knot_is_right_at_any_tolerance) {
 /// it, h^1.5.
 TEST(onset, fixed_steps_have_the_order_of_the_root) {
   for (const auto& [method, name, order, band, steps] :
-       {OnsetOrder{gas::Method::kEuler, "Euler", 1.0, 0.05, {64, 128, 256, 512}},
-        OnsetOrder{gas::Method::kRungeKutta4, "Runge-Kutta 4", 2.5, 0.05, {32, 64, 128, 256}},
-        OnsetOrder{gas::Method::kDormandPrince5, "Dormand-Prince 5", 3.0, 0.15, {8, 16, 32, 64}},
-        OnsetOrder{gas::Method::kRosenbrock4, "Rosenbrock 4", 1.5, 0.1, {512, 1024, 2048}}}) {
+       {OnsetOrder{gas::Method::euler, "Euler", 1.0, 0.05, {64, 128, 256, 512}},
+        OnsetOrder{gas::Method::runge_kutta_4, "Runge-Kutta 4", 2.5, 0.05, {32, 64, 128, 256}},
+        OnsetOrder{gas::Method::dormand_prince_5, "Dormand-Prince 5", 3.0, 0.15, {8, 16, 32, 64}},
+        OnsetOrder{gas::Method::rosenbrock_4, "Rosenbrock 4", 1.5, 0.1, {512, 1024, 2048}}}) {
     const Onset onset{6e-4, false};
     const double exact = onset.outflow({1e-13});
     std::vector<double> errors;
@@ -81,8 +81,8 @@ TEST(onset, fixed_steps_have_the_order_of_the_root) {
 /// An opening whose area grows from nothing with the overpressure, and a feed that grows from nothing later.
 TEST(onset, area_that_grows_from_nothing_is_stepped_by_every_method) {
   gas::ControlVolumeModel model = closed_tank(nitrogen());
-  model.vents.push_back({0.6, 0.0, {}, gas::Curve({{0.0, 0.0}, {14000.0, 1e-3}}, gas::Outside::kHeld)});
-  model.inflows.push_back({kPure, gas::Curve({{0.0, 0.0}, {kRunEnd, 1.0}}, gas::Outside::kZero),
+  model.vents.push_back({0.6, 0.0, {}, gas::Curve({{0.0, 0.0}, {14000.0, 1e-3}}, gas::Outside::held)});
+  model.inflows.push_back({kPure, gas::Curve({{0.0, 0.0}, {kRunEnd, 1.0}}, gas::Outside::zero),
                            gas::Curve::constant(406.0), 0.00615});
   const auto outflow = [&](const gas::IntegratorOptions& options) {
     gas::ControlVolumeState state = gas::make_state(model, kPure, kAmbientPressure, 293.15, 0.06);
@@ -92,7 +92,7 @@ TEST(onset, area_that_grows_from_nothing_is_stepped_by_every_method) {
   for (const gas::Method method : kMethods) {
     // 139 sub-steps and those of the onset. What leaves is a series in t from its fourth power on: order 4,
     // and of Euler, which is late by half a sub-step, 2/139.
-    const double bound = method == gas::Method::kEuler ? 2.0 / 139.0 : std::pow(139.0, -4.0);
+    const double bound = method == gas::Method::euler ? 2.0 / 139.0 : std::pow(139.0, -4.0);
     EXPECT_LT(relative(outflow({1e-10, 100000, method, 1e-4}), exact), bound) << static_cast<int>(method);
   }
 }
@@ -110,7 +110,7 @@ TEST(onset, books_close_at_tolerances_that_miss_it) {
   model.inflows.push_back(
       {{0.0, 0.0, 1.0},
        gas::Curve({{0.0, 0.0}, {0.010000000000000002, 2.121841451939262e-09}, {0.025, 0.0}},
-                  gas::Outside::kZero),
+                  gas::Outside::zero),
        gas::Curve::constant(1200.0)});
   for (const gas::Method method : kMethods)
     for (const double tolerance : {1e-2, 1e-3, 1e-4}) {
@@ -136,8 +136,8 @@ TEST(onset, area_that_ended_a_blow_down_opens_again) {
   constexpr double kVolume = 5e-6, kTemperature = 514.0, kPressure = 2.5e5;
   gas::ControlVolumeModel model = closed_tank(nitrogen());
   model.ambient = {kAmbientPressure, 293.15, kPure};
-  model.vents.push_back({0.15, 0.0, {}, gas::Curve({{0.0, 0.0}, {5700.0, 7e-5}}, gas::Outside::kHeld), true});
-  model.inflows.push_back({kPure, gas::Curve({{0.0, 0.0}, {0.011, 2.8e-4}}, gas::Outside::kZero),
+  model.vents.push_back({0.15, 0.0, {}, gas::Curve({{0.0, 0.0}, {5700.0, 7e-5}}, gas::Outside::held), true});
+  model.inflows.push_back({kPure, gas::Curve({{0.0, 0.0}, {0.011, 2.8e-4}}, gas::Outside::zero),
                            gas::Curve::constant(900.0), 0.75});
   const auto fill = [&](double pressure, double temperature, double begin,
                         const gas::IntegratorOptions& options) {
@@ -148,7 +148,7 @@ TEST(onset, area_that_ended_a_blow_down_opens_again) {
   // Isentropic from the begin to p_a; from there 1e-8 of p_a, the rest of the blow-down, aside.
   const double exact =
       fill(kAmbientPressure, kTemperature * std::pow(kAmbientPressure / kPressure, 0.4 / 1.4), 0.75, {1e-12});
-  for (const gas::Method method : {gas::Method::kDormandPrince5, gas::Method::kRosenbrock4})
+  for (const gas::Method method : {gas::Method::dormand_prince_5, gas::Method::rosenbrock_4})
     for (const double tolerance : {1e-3, 1e-4, 1e-6, 1e-8})
       EXPECT_LT(relative(fill(kPressure, kTemperature, 0.0, {tolerance, 100000, method}), exact),
                 10.0 * tolerance + 1e-8)  // some ten sub-steps, and the rest

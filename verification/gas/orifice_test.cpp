@@ -113,7 +113,7 @@ TEST(orifice, both_laws_eq_closed_form) {
                               "exponents up to 1/(gamma - 1) = 10 amplify rounding"},
                              flow(gamma, pressure, 450.0, 101325.0), expected, 1e-13);
       const double porous = closed_form::porous_mass_flow(
-          {perfect, 0.05, 1.5, closed_form::PorosityLaw::kScreen, pressure, 450.0, 101325.0});
+          {perfect, 0.05, 1.5, closed_form::PorosityLaw::screen, pressure, 450.0, 101325.0});
       claim::expect_relative({"G.7", "porous fabric, screen law, by pressure: mass flow [kg/s]",
                               "some ten roundings in each route"},
                              gas::fabric_mass_flow(0.075, pressure / (kR * 450.0), pressure - 101325.0),

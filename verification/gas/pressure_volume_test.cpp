@@ -14,7 +14,7 @@ using namespace cases;
 constexpr double kNotRead = 1.0;  // [m3] volumes of calls
 
 gas::Curve curve(std::vector<gas::Curve::Knot> knots) {
-  return {std::move(knots), gas::Outside::kHeld};
+  return {std::move(knots), gas::Outside::held};
 }
 
 /// V = V0 + k (p - p_a) up to 20 bar.
@@ -130,10 +130,10 @@ struct OrderInP {
 
 TEST(pressure_volume, blowdown_of_a_proportional_bag_has_each_methods_order) {
   for (const auto& [method, name, order, band] :
-       {OrderInP{gas::Method::kEuler, "Euler", 1.0, 0.1},
-        OrderInP{gas::Method::kRungeKutta4, "Runge-Kutta 4", 4.0, 0.3},
-        OrderInP{gas::Method::kDormandPrince5, "Dormand-Prince 5", 5.0, 0.3},
-        OrderInP{gas::Method::kRosenbrock4, "Rosenbrock 4(3)", 4.0, 0.3}}) {
+       {OrderInP{gas::Method::euler, "Euler", 1.0, 0.1},
+        OrderInP{gas::Method::runge_kutta_4, "Runge-Kutta 4", 4.0, 0.3},
+        OrderInP{gas::Method::dormand_prince_5, "Dormand-Prince 5", 5.0, 0.3},
+        OrderInP{gas::Method::rosenbrock_4, "Rosenbrock 4(3)", 4.0, 0.3}}) {
     std::vector<double> errors;
     for (const int steps : {8, 16, 32})
       errors.push_back(empty_the_bag({1e-10, 100000, method, 0.1 / steps}).error);
@@ -141,7 +141,7 @@ TEST(pressure_volume, blowdown_of_a_proportional_bag_has_each_methods_order) {
                          "the next order's term, halved with each halving"},
                         errors, order - band, order + band);
     // One tolerance a sub-step; Euler's are too many at 1e-10.
-    const double tolerance = method == gas::Method::kEuler ? 1e-6 : 1e-10;
+    const double tolerance = method == gas::Method::euler ? 1e-6 : 1e-10;
     const Emptied run = empty_the_bag({tolerance, 100000, method});
     EXPECT_LT(run.error, run.steps * tolerance) << name;
   }
@@ -175,7 +175,7 @@ TEST(pressure_volume, walls_cool_gas_with_half_its_work) {
   for (const gas::Method method : kMethods) {
     gas::ControlVolumeState state = gas::make_state(model, kPure, 3e5, 600.0, 0.06);
     const double rate = 20.0 / (state.masses[0] * (742.0 + 0.5 * 296.8)), end = 1.0 / rate;
-    const double tolerance = method == gas::Method::kEuler ? 1e-6 : 1e-10;
+    const double tolerance = method == gas::Method::euler ? 1e-6 : 1e-10;
     const int steps = advance(model, state, end, {tolerance, 100000, method}).steps;
     claim::expect_relative(
         {"G.11", "sealed bag behind walls, V ~ p: temperature [K]", "one tolerance a sub-step"},
@@ -212,7 +212,7 @@ TEST(pressure_volume, past_the_last_knot_is_an_error) {
       gas::ControlVolumeState state = gas::make_state(model, kPure, kAmbientPressure, 293.15, 0.06);
       const gas::ControlVolumeState before = state;
       try {
-        advance(model, state, 0.1, {1e-10, 100000, gas::Method::kDormandPrince5, fixed});
+        advance(model, state, 0.1, {1e-10, 100000, gas::Method::dormand_prince_5, fixed});
         FAIL() << "no error";
       } catch (const gas::DomainError& error) {
         EXPECT_NE(std::string(error.what()).find("passes 50000 Pa"), std::string::npos) << error.what();

@@ -91,7 +91,7 @@ double isothermal(ReferenceTank tank, double time) {
   double conductance = 4e6;
   for (double& one : p) {
     tank.model.heat_loss = {conductance, tank.temperature};
-    one = run(tank, time, {1e-12, 100000, gas::Method::kRosenbrock4}).pressure;
+    one = run(tank, time, {1e-12, 100000, gas::Method::rosenbrock_4}).pressure;
     conductance *= 2.0;
   }
   const double coarse = 2.0 * p[1] - p[0], fine = 2.0 * p[2] - p[1];
@@ -174,7 +174,7 @@ const Reference kReferences[] = {
     {"choked_blowdown_rk4_25_steps", "G.6", "choked blow-down in 25 steps of RK4: p, T, m", 1e-9,
      "fourth order: 2 ms against a time constant of 208 ms",
      [] {
-       return choked_blowdown({1e-10, 100, gas::Method::kRungeKutta4, 0.05 / 25});
+       return choked_blowdown({1e-10, 100, gas::Method::runge_kutta_4, 0.05 / 25});
      }},
     {"through_the_sonic_switch_to_rest", "G.6", "blow-down through the switch to rest: p, T", 1e-11,
      kTolerance, subsonic_blowdown},

@@ -54,7 +54,7 @@ Tank benchmark_tank(double vent_area) {
   gas::ControlVolumeModel model{thermo, {101325.0, 293.15}, {}, {}};
   const std::vector<gas::Component> hot{{"N2", 0.5}, {"CO2", 0.2}, {"H2O", 0.3}};
   model.inflows.push_back({thermo.mass_fractions_by_mole(hot),
-                           gas::Curve({{0.0, 1.0}, {kFilled, 1.0}}, gas::Outside::kZero),
+                           gas::Curve({{0.0, 1.0}, {kFilled, 1.0}}, gas::Outside::zero),
                            gas::Curve::constant(1200.0)});
   if (vent_area > 0.0) model.vents.push_back({1.0, vent_area});
   return {model, gas::make_state(model, thermo.mass_fractions_by_mole(gas::air_by_mole()), 101325.0, 293.15,
@@ -77,14 +77,14 @@ void rates(const Stretch& stretch, double t, std::span<const double> y, std::spa
   const std::size_t n = y.size() - 1;
   t = std::clamp(t, std::nextafter(begin, end), std::nextafter(end, begin));
   std::vector<double> held(y.begin(), y.end());
-  if (inflow == Inflow::kClosedForm) add_inflow(stretch, t, held);
+  if (inflow == Inflow::closed_form) add_inflow(stretch, t, held);
   gas::ControlVolumeState state{{held.begin(), held.end() - 1}, held[n], tank.start.temperature, {}};
   for (double& m : state.masses) m = std::max(m, 0.0);
   const gas::GasPoint point = gas::evaluate(tank.model, state, tank.volume, tank.leak_area, t);
   const double out = point.vent_mass_flow + point.fabric_mass_flow;
   for (std::size_t k = 0; k < n; ++k) dydt[k] = -out * state.masses[k] / point.mass;
   dydt[n] = -out * (state.internal_energy + point.pressure * tank.volume) / point.mass;
-  for (std::size_t i = 0; inflow == Inflow::kStepped && i < tank.model.inflows.size(); ++i) {
+  for (std::size_t i = 0; inflow == Inflow::stepped && i < tank.model.inflows.size(); ++i) {
     const gas::InflatorPoint in = gas::inflator_point(tank.model, i, t);
     const auto& fractions = tank.model.inflows[i].mass_fractions;
     for (std::size_t k = 0; k < n; ++k) dydt[k] += fractions[k] * in.mass_flow;
@@ -128,7 +128,7 @@ std::vector<gas::ControlVolumeState> msbdf(const Tank& tank, double tolerance, I
     const int status = gsl_odeiv2_driver_apply(driver, &t, end, y.data());
     gsl_odeiv2_driver_free(driver);
     if (status != GSL_SUCCESS) throw std::runtime_error(gsl_strerror(status));
-    if (inflow == Inflow::kClosedForm) add_inflow(stretch, end, y);
+    if (inflow == Inflow::closed_form) add_inflow(stretch, end, y);
     states.push_back(state_of(tank, y));
   }
   return states;

@@ -23,15 +23,15 @@ Tank benchmark_tank(double vent_area = 1e-3);
 
 /// How what flows in is added.
 enum class Inflow {
-  kStepped,     // as a rate like all others
-  kClosedForm,  // y is what the tank holds less what has come in: only outflow is stepped
+  stepped,     // as a rate like all others
+  closed_form,  // y is what the tank holds less what has come in: only outflow is stepped
 };
 
 /// What passes between two stops: at its ends the inflows are those inside.
 struct Stretch {
   const Tank& tank;
   double begin, end;  // [s]
-  Inflow inflow = Inflow::kStepped;
+  Inflow inflow = Inflow::stepped;
 };
 
 /// Adds to y = (m_k, U) what has flowed in from the begin of the stretch to t. Precondition: inflow
@@ -50,6 +50,6 @@ gas::ControlVolumeState state_of(const Tank& tank, std::span<const double> y);
 
 /// States at all stops, stepped with the relative tolerance given. Throws std::runtime_error if GSL gives up.
 std::vector<gas::ControlVolumeState> msbdf(const Tank& tank, double tolerance,
-                                           Inflow inflow = Inflow::kStepped);
+                                           Inflow inflow = Inflow::stepped);
 
 }  // namespace second_route

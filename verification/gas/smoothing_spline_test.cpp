@@ -203,7 +203,7 @@ TEST(smoothing_spline, noise_of_full_scale_is_estimated) {
     times.push_back(i / 500.0);
     values.push_back(100.0 * std::pow(std::sin(std::numbers::pi * times.back()), 4) + normal(generator));
   }
-  const SmoothingSpline spline(times, values, "reading", gas::Noise::kOfFullScale);
+  const SmoothingSpline spline(times, values, "reading", gas::Noise::of_full_scale);
   // Four standard errors 1/sqrt(2 (N - tr H)) and the largest reading's own noise.
   EXPECT_LT(relative(spline.noise(), 0.01), 4.0 * 0.033 + 0.03);
   for (const double t : {0.05, 0.3, 0.5, 0.8})

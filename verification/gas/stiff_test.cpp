@@ -38,7 +38,7 @@ TEST(stiff, implicit_method_has_the_balance_in_any_volume_at_any_tolerance) {
       const Leaky tank{volume, 3.75e-3, 0.02};
       double out = 0.0;
       // Following the relaxation takes 1e9 sub-steps in the smallest.
-      const gas::GasPoint end = tank.run({tolerance, 2000, gas::Method::kRosenbrock4}, 20, 1e-3, out);
+      const gas::GasPoint end = tank.run({tolerance, 2000, gas::Method::rosenbrock_4}, 20, 1e-3, out);
       // Of the whole: the tolerance of a sub-step, of which the gas keeps only the last few, or the rounding
       // of what passes in a call, 2e-5 kg, some ten times.
       const double passes = 2e-5 * Leaky::kInflowTemperature * 296.8 / (kAmbientPressure * volume);
@@ -54,7 +54,7 @@ TEST(stiff, overpressure_of_a_tiny_volume_has_its_digits) {
   for (const double volume : {1e-6, 1e-8, 1e-10}) {
     const Leaky tank{volume, 3.75e-3, 0.02};
     double out = 0.0;
-    const gas::GasPoint end = tank.run({1e-8, 2000, gas::Method::kRosenbrock4}, 20, 1e-3, out);
+    const gas::GasPoint end = tank.run({1e-8, 2000, gas::Method::rosenbrock_4}, 20, 1e-3, out);
     EXPECT_LT(relative(end.pressure - kAmbientPressure, tank.excess()),
               1e-8 * kAmbientPressure / tank.excess());
     EXPECT_LT(relative(end.fabric_mass_flow, 0.02), 1e-8 * kAmbientPressure / tank.excess());
@@ -83,7 +83,7 @@ struct WideOpen {
 
 TEST(rest_at_ambient, wide_openings_keep_ambient_pressure) {
   for (const auto& [vent, leak] : {std::pair{200.0, 0.0}, {0.0, 200.0}, {100.0, 100.0}})
-    for (const gas::Method method : {gas::Method::kDormandPrince5, gas::Method::kRosenbrock4}) {
+    for (const gas::Method method : {gas::Method::dormand_prince_5, gas::Method::rosenbrock_4}) {
       SCOPED_TRACE(testing::Message()
                    << vent << " m2, " << leak << " m2, method " << static_cast<int>(method));
       const WideOpen tank{vent, leak};
@@ -117,11 +117,11 @@ TEST(rest_at_ambient, outflow_of_the_instant_is_what_comes_in) {
 /// An inflow that grows from nothing and fades again, through openings that carry it at the end of the laminar
 /// range: p follows the balance, up and down.
 TEST(rest_at_ambient, balance_follows_a_pulse) {
-  for (const gas::Method method : {gas::Method::kDormandPrince5, gas::Method::kRosenbrock4}) {
+  for (const gas::Method method : {gas::Method::dormand_prince_5, gas::Method::rosenbrock_4}) {
     gas::ControlVolumeModel model = closed_tank(nitrogen());
     model.vents.push_back({1.0, 0.02});
     gas::Inflow inflow = steady_inflow(model.thermo, 0.0, 300.0);
-    inflow.mass_flow = gas::Curve({{0.0, 0.0}, {0.01, 1e-3}, {0.02, 0.0}}, gas::Outside::kZero);
+    inflow.mass_flow = gas::Curve({{0.0, 0.0}, {0.01, 1e-3}, {0.02, 0.0}}, gas::Outside::zero);
     model.inflows.push_back(inflow);
     gas::ControlVolumeState state = gas::make_state(model, kPure, kAmbientPressure, 300.0, 0.06);
     gas::GasIntegrator integrator(model, {1e-12, 100000, method});
@@ -155,7 +155,7 @@ TEST(rest_at_ambient, backflow_fades_to_rest_in_any_volume) {
       model.vents.back().backflow = true;
       model.heat_loss = {180.0, 293.15};
       gas::ControlVolumeState state = gas::make_state(model, kPure, 2e5, 900.0, volume);
-      gas::GasIntegrator integrator(model, {tolerance, 2000, gas::Method::kRosenbrock4});
+      gas::GasIntegrator integrator(model, {tolerance, 2000, gas::Method::rosenbrock_4});
       for (int i = 0; i < 50; ++i) integrator.advance(state, 1e-2 * i, 1e-2 * (i + 1), rigid(volume));
       EXPECT_LT(relative(state.temperature, 293.15), 1e-9);
       EXPECT_LT(relative(gas::evaluate(model, state, volume, 0.0, 0.5).pressure, kAmbientPressure), 1e-9);
@@ -174,7 +174,7 @@ TEST(stiff, fixed_steps_past_the_limit_of_backflow_are_refused) {
   const double limit = 2.0 / (1.4 * kAmbientPressure * 1e-3 / (2.0 * drop * 0.06));  // V dp/dt = gamma p Q
   for (const double share : {0.8, 1.2}) {
     gas::ControlVolumeState state = gas::make_state(model, kPure, kAmbientPressure - drop, 293.15, 0.06);
-    gas::GasIntegrator integrator(model, {1e-10, 100000, gas::Method::kEuler, share * limit});
+    gas::GasIntegrator integrator(model, {1e-10, 100000, gas::Method::euler, share * limit});
     const auto run = [&] {
       integrator.advance(state, 0.0, 20.0 * limit, {0.06, 0.06 + 0.02 * limit, 0.0, 0.0});
     };
@@ -220,7 +220,7 @@ TEST(stiff, streams_add_up) {
   gas::ControlVolumeState state =
       gas::make_state(model, std::vector{1.0, 0.0}, kAmbientPressure, 300.0, 0.06);
   double mass = state.masses[0] + state.masses[1], energy = state.internal_energy, scale = 0.0;
-  gas::GasIntegrator integrator(model, {1e-4, 100000, gas::Method::kRosenbrock4});
+  gas::GasIntegrator integrator(model, {1e-4, 100000, gas::Method::rosenbrock_4});
   for (int i = 0; i < 50; ++i) {
     const gas::StepFluxes f = integrator.advance(state, 2e-3 * i, 2e-3 * (i + 1), rigid(0.06, 0.5));
     mass += f.mass_in - f.vent_mass_out - f.fabric_mass_out;

@@ -90,9 +90,9 @@ gas::GasPoint pulse_fill(const closed_form::PulseFill& pulse, int n, double end)
   }
   gas::ControlVolumeModel model = closed_tank(nitrogen());
   model.inflows.push_back(
-      {kPure, gas::Curve(flow, gas::Outside::kZero),
+      {kPure, gas::Curve(flow, gas::Outside::zero),
        gas::Curve({{0.0, pulse.start_temperature}, {pulse.duration, pulse.end_temperature}},
-                  gas::Outside::kHeld)});
+                  gas::Outside::held)});
   gas::ControlVolumeState state = gas::make_state(model.thermo, kPure, 101325.0, 293.15, 0.06);
   gas::GasIntegrator(model).advance(state, 0.0, end, rigid(0.06));
   return gas::evaluate(model, state, 0.06, 0.0, end);
@@ -162,8 +162,8 @@ TEST(tank, several_inflows_superpose) {
 TEST(tank, stage_quantities_of_an_inflator) {
   gas::ControlVolumeModel model = closed_tank(nasa7({"N2", "He"}));
   model.inflows.push_back({{0.0, 1.0},
-                           gas::Curve({{0.0, 1.0}, {0.01, 3.0}}, gas::Outside::kZero),
-                           gas::Curve({{0.0, 400.0}, {0.01, 600.0}}, gas::Outside::kHeld),
+                           gas::Curve({{0.0, 1.0}, {0.01, 3.0}}, gas::Outside::zero),
+                           gas::Curve({{0.0, 400.0}, {0.01, 600.0}}, gas::Outside::held),
                            0.5});
   const gas::InflatorPoint point = gas::inflator_point(model, 0, 0.505);
   EXPECT_LT(relative(point.mass_flow, 2.0), kRoundOff);

@@ -23,9 +23,9 @@ struct Explicit {
 
 std::vector<Explicit> explicit_methods() {
   using support::real_axis_limit;
-  return {{gas::Method::kEuler, "explicit Euler", real_axis_limit(support::kEulerPolynomial)},
-          {gas::Method::kRungeKutta4, "Runge-Kutta 4", real_axis_limit(support::kRungeKutta4Polynomial)},
-          {gas::Method::kDormandPrince5, "Dormand-Prince 5",
+  return {{gas::Method::euler, "explicit Euler", real_axis_limit(support::kEulerPolynomial)},
+          {gas::Method::runge_kutta_4, "Runge-Kutta 4", real_axis_limit(support::kRungeKutta4Polynomial)},
+          {gas::Method::dormand_prince_5, "Dormand-Prince 5",
            real_axis_limit(support::kDormandPrince5Polynomial)}};
 }
 
@@ -51,7 +51,7 @@ Balance soft_balance() {
   const double low = 0.5 * kAmbientPressure, high = 3.0 * b.pressure, per_pressure = b.volume / b.pressure;
   b.model.volume_of_overpressure = gas::Curve(
       {{low - kAmbientPressure, low * per_pressure}, {high - kAmbientPressure, high * per_pressure}},
-      gas::Outside::kHeld);
+      gas::Outside::held);
   const double mass = b.pressure * b.volume / (296.8 * b.temperature);
   b.rate = gas::outflow_relaxation_rate(1.4, 0.5 / mass, 1.0, 1.0 + 1.4);
   return b;
@@ -140,7 +140,7 @@ TEST(threshold, implicit_method_has_none) {
   for (const Balance& b : {choked_balance(), equalising_balance()}) {
     gas::ControlVolumeState state = gas::make_state(b.model, kPure, b.pressure, b.temperature, b.volume);
     const double h = 100.0 / b.rate;
-    gas::GasIntegrator(b.model, {1e-10, 100000, gas::Method::kRosenbrock4, h})
+    gas::GasIntegrator(b.model, {1e-10, 100000, gas::Method::rosenbrock_4, h})
         .advance(state, 0.0, 50.0 * h, rigid(b.volume));
     // The Jacobian's differences carry 1e-7 of themselves, and h lambda = 100 of that comes through.
     EXPECT_LT(relative(gas::evaluate(b.model, state, b.volume, 0.0, 0.0).pressure, b.pressure), 1e-4);
@@ -164,8 +164,8 @@ TEST(threshold, implicit_method_follows_a_stiff_balance) {
     return gas::evaluate(model, state, 2e-4, 4e-3, 0.0);
   };
   int implicit = 0, explicit_steps = 0;
-  const gas::GasPoint point = run(gas::Method::kRosenbrock4, implicit);
-  const gas::GasPoint reference = run(gas::Method::kRungeKutta4, explicit_steps);
+  const gas::GasPoint point = run(gas::Method::rosenbrock_4, implicit);
+  const gas::GasPoint reference = run(gas::Method::runge_kutta_4, explicit_steps);
   EXPECT_LT(4 * implicit, explicit_steps);
   // Twenty calls of a dozen sub-steps of 1e-6 each.
   EXPECT_LT(relative(point.temperature, reference.temperature), 2e-4);
@@ -224,7 +224,7 @@ TEST(threshold, chatter_of_plain_euler_is_as_its_formula_and_ours_is_none) {
        "Pa", "p = p_a is located: no cycle, every method ends on p_a"},
       0.98, 1.04);
   gas::ControlVolumeState state = gas::make_state(model, kPure, 1.02 * kAmbientPressure, 400.0, 0.06);
-  gas::GasIntegrator(model, {1e-10, 100000, gas::Method::kEuler, h}).advance(state, 0.0, 2.0, rigid(0.06));
+  gas::GasIntegrator(model, {1e-10, 100000, gas::Method::euler, h}).advance(state, 0.0, 2.0, rigid(0.06));
   EXPECT_NEAR(gas::evaluate(model, state, 0.06, 0.0, 0.0).pressure, kAmbientPressure,
               1e-8 * kAmbientPressure);
 }

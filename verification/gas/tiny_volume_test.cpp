@@ -20,7 +20,7 @@ Passage pass(double volume, const std::vector<double>& first, double tolerance) 
   gas::ControlVolumeModel model = closed_tank(nasa7({"N2", "CO2", "H2O"}));
   model.inflows.push_back(steady_inflow(model.thermo, 0.02, 406.0));
   gas::ControlVolumeState state = gas::make_state(model, first, kAmbientPressure, 500.0, volume);
-  gas::GasIntegrator integrator(model, {tolerance, 20000, gas::Method::kRosenbrock4});
+  gas::GasIntegrator integrator(model, {tolerance, 20000, gas::Method::rosenbrock_4});
   Passage passage;
   for (int i = 0; i < 20; ++i) {
     const auto fluxes = integrator.advance(state, 1e-3 * i, 1e-3 * (i + 1), rigid(volume, 3.75e-3));
@@ -88,7 +88,7 @@ TEST(tiny_volume, formation_enthalpies_cost_no_sub_steps) {
     model.vents.back().backflow = true;
     gas::ControlVolumeState state =
         gas::make_state(model, std::vector{0.6, 0.4, 0.0, 0.0}, kAmbientPressure, 250.0, 4.8e-5);
-    gas::GasIntegrator integrator(model, {1e-10, 200000, gas::Method::kRosenbrock4});
+    gas::GasIntegrator integrator(model, {1e-10, 200000, gas::Method::rosenbrock_4});
     const int squeezed = integrator.advance(state, 0.0, 2e-5, {4.8e-5, 4.6e-5, 0.0, 0.0}).steps;
     return squeezed + integrator.advance(state, 2e-5, 4e-5, {4.6e-5, 4.8e-5, 0.0, 0.0}).steps;
   };
@@ -102,12 +102,12 @@ TEST(tiny_volume, soft_volume_knows_its_overpressure) {
     SCOPED_TRACE(tolerance);
     gas::ControlVolumeModel model = closed_tank(nitrogen());
     model.volume_of_overpressure =
-        gas::Curve({{-1e3, 4e-9}, {0.0, 4e-8}, {1e-4, 1.2e-7}, {1e3, 1.6e-7}}, gas::Outside::kHeld);
+        gas::Curve({{-1e3, 4e-9}, {0.0, 4e-8}, {1e-4, 1.2e-7}, {1e3, 1.6e-7}}, gas::Outside::held);
     model.inflows.push_back(steady_inflow(model.thermo, 1e-5, 406.0));
     model.vents.push_back({0.6, 1.0});
     model.laminar_share = 0.0;  // far above what holds the balance here
     gas::ControlVolumeState state = gas::make_state(model, kPure, kAmbientPressure + 1e-5, 2000.0, 4.8e-8);
-    gas::GasIntegrator integrator(model, {tolerance, 2000, gas::Method::kRosenbrock4});
+    gas::GasIntegrator integrator(model, {tolerance, 2000, gas::Method::rosenbrock_4});
     gas::StepFluxes fluxes{};
     for (int i = 0; i < 20; ++i) fluxes = integrator.advance(state, 5e-3 * i, 5e-3 * (i + 1), rigid(1.0));
     const gas::GasPoint end = gas::evaluate(model, state, 1.0, 0.0, 0.1);
@@ -124,7 +124,7 @@ TEST(tiny_volume, soft_volume_knows_its_overpressure) {
 TEST(tiny_volume, rounding_of_time_is_named) {
   constexpr double kVolume = 1e-16, kBegin = 1000.0;
   const gas::ControlVolumeModel model = closed_tank(nitrogen());
-  for (const gas::Method method : {gas::Method::kDormandPrince5, gas::Method::kRosenbrock4}) {
+  for (const gas::Method method : {gas::Method::dormand_prince_5, gas::Method::rosenbrock_4}) {
     gas::ControlVolumeState state = gas::make_state(model, kPure, 2e5, 293.15, kVolume);
     try {
       gas::GasIntegrator(model, {1e-6, 100000, method})
@@ -148,13 +148,13 @@ TEST(tiny_volume, threshold_is_passed_by_whatever_rounding) {
   model.inflows.push_back({{0.0, 1.0}, gas::Curve::constant(9.6e-7), gas::Curve::constant(1200.0)});
   model.heat_loss = {0.1, 1500.0};
   model.triggers.sensors.push_back({});
-  model.triggers.sensors[0].kind = gas::SensorKind::kPressure;
+  model.triggers.sensors[0].kind = gas::SensorKind::pressure;
   model.vents.push_back({0.6, 3.4e-10});
   model.vents[0].trigger = 0;
   for (int i = 0; i < 200; ++i) {
     model.triggers.sensors[0].threshold = 1e4 + 37.0 * i;
     gas::ControlVolumeState state = gas::make_state(model, std::vector{1.0, 0.0}, 5e4, 5999.0, kVolume);
-    gas::GasIntegrator integrator(model, {1e-6, 10000, gas::Method::kRosenbrock4});
+    gas::GasIntegrator integrator(model, {1e-6, 10000, gas::Method::rosenbrock_4});
     EXPECT_GT(integrator.advance(state, 0.0, 2e-8, rigid(kVolume)).vent_mass_out, 0.0) << i;
   }
 }
@@ -165,14 +165,14 @@ TEST(rest_at_ambient, vent_shut_where_p_would_fall) {
   for (const double tolerance : {1e-6, 1e-8, 1e-10}) {
     gas::ControlVolumeModel model = closed_tank(nasa7({"N2", "CO2"}));
     gas::Vent shut{0.6, 0.0};
-    shut.area_of_overpressure = gas::Curve({{0.0, 0.0}, {20.0, 1.3e-10}}, gas::Outside::kHeld);
+    shut.area_of_overpressure = gas::Curve({{0.0, 0.0}, {20.0, 1.3e-10}}, gas::Outside::held);
     shut.backflow = true;
     model.vents = {{0.6, 1.3e-10}, shut};
     model.ambient.mass_fractions = {1.0, 0.0};
     model.heat_loss = {0.0328, 293.15};
     gas::ControlVolumeState state =
         gas::make_state(model, std::vector{0.5, 0.5}, kAmbientPressure + 1e-4, 200.5, 2e-11);
-    gas::GasIntegrator integrator(model, {tolerance, 100000, gas::Method::kRosenbrock4});
+    gas::GasIntegrator integrator(model, {tolerance, 100000, gas::Method::rosenbrock_4});
     for (int i = 0; i < 50; ++i) integrator.advance(state, 1e-3 * i, 1e-3 * (i + 1), rigid(2e-11));
     // At rest, m cv/(hA) = 5e-7 s, but for the last sub-steps' errors; p to a few errors of T before, which
     // let out gas that does not come back.
@@ -189,16 +189,16 @@ TEST(rest_at_ambient, hot_light_gas_draws_no_cold_gas_in) {
   model.ambient = {kAmbientPressure, 293.15, {0.0, 1.0}};
   model.volume_of_overpressure =
       gas::Curve({{0.0, 2.2e-14}, {2.7e-3, 2.6e-14}, {10.0, 4.5e-14}, {400.0, 1.6e-13}, {1e9, 1.6e-9}},
-                 gas::Outside::kHeld);
+                 gas::Outside::held);
   model.inflows.push_back({{1.0, 0.0},
-                           gas::Curve({{0.0, 5.55e-5}, {0.01, 5.55e-5}, {0.025, 0.0}}, gas::Outside::kZero),
+                           gas::Curve({{0.0, 5.55e-5}, {0.01, 5.55e-5}, {0.025, 0.0}}, gas::Outside::zero),
                            gas::Curve::constant(1200.0)});
   model.vents.push_back({0.6, 1.14e-8});
   model.vents[0].backflow = true;
   for (const double tolerance : {1e-6, 1e-7, 1e-8, 1e-9, 1e-10}) {
     gas::ControlVolumeState state =
         gas::make_state(model, std::vector{0.0, 1.0}, kAmbientPressure + 2.7e-3, 1500.0, 2.6e-14);
-    gas::GasIntegrator integrator(model, {tolerance, 100000, gas::Method::kRosenbrock4});
+    gas::GasIntegrator integrator(model, {tolerance, 100000, gas::Method::rosenbrock_4});
     double drawn_in = 0.0;
     for (int i = 0; i < 50; ++i)
       drawn_in += integrator.advance(state, 1e-3 * i, 1e-3 * (i + 1), rigid(1.0)).backflow_mass;
@@ -210,12 +210,12 @@ TEST(rest_at_ambient, hot_light_gas_draws_no_cold_gas_in) {
 
 /// A wide vent that closes just as the inflow fades: at the end there is neither flow nor opening.
 TEST(rest_at_ambient, vent_that_closes_as_the_inflow_fades) {
-  for (const gas::Method method : {gas::Method::kDormandPrince5, gas::Method::kRosenbrock4}) {
+  for (const gas::Method method : {gas::Method::dormand_prince_5, gas::Method::rosenbrock_4}) {
     gas::ControlVolumeModel model = closed_tank(nitrogen());
     model.inflows.push_back(steady_inflow(model.thermo, 0.0, 300.0));
-    model.inflows[0].mass_flow = gas::Curve({{0.0, 0.01}, {0.01, 0.0}}, gas::Outside::kZero);
+    model.inflows[0].mass_flow = gas::Curve({{0.0, 0.01}, {0.01, 0.0}}, gas::Outside::zero);
     model.vents.push_back({1.0, 0.0});
-    model.vents[0].area_of_time = gas::Curve({{0.0, 20.0}, {0.01, 0.0}}, gas::Outside::kHeld);
+    model.vents[0].area_of_time = gas::Curve({{0.0, 20.0}, {0.01, 0.0}}, gas::Outside::held);
     gas::ControlVolumeState state = gas::make_state(model, kPure, kAmbientPressure, 300.0, 0.06);
     const gas::StepFluxes fluxes =
         gas::GasIntegrator(model, {1e-8, 1000, method}).advance(state, 0.0, 0.02, rigid(0.06));

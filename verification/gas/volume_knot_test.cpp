@@ -11,7 +11,7 @@ using namespace cases;
 constexpr double kVolumeNotRead = 1.0;  // [m3] volumes of calls
 
 gas::Curve knots(std::vector<gas::Curve::Knot> list) {
-  return {std::move(list), gas::Outside::kHeld};
+  return {std::move(list), gas::Outside::held};
 }
 
 gas::GasPoint point_of(const gas::ControlVolumeModel& model, const gas::ControlVolumeState& state) {
@@ -27,7 +27,7 @@ TEST(volume_knot, air_comes_back_to_rest_on_a_knot) {
   model.vents.push_back({0.6, 3e-5});
   model.vents.back().backflow = true;
   model.heat_loss = {180.0, 293.15};
-  for (const gas::Method method : {gas::Method::kDormandPrince5, gas::Method::kRosenbrock4})
+  for (const gas::Method method : {gas::Method::dormand_prince_5, gas::Method::rosenbrock_4})
     for (const double tolerance : {1e-4, 1e-7, 1e-9}) {
       SCOPED_TRACE(testing::Message() << static_cast<int>(method) << " at " << tolerance);
       gas::ControlVolumeState state =
@@ -60,7 +60,7 @@ TEST(volume_knot, soft_volume_below_ambient_pressure_fills_no_faster_than_its_ve
   const double filled = kArea * std::sqrt(2.0 * density * kKnot) * kLast;
   for (const double tolerance : {1e-5, 1e-6, 1e-7, 1e-8, 1e-9}) {
     gas::ControlVolumeState state = gas::make_state(model, kPure, 0.0, 200.0, kRigid);
-    gas::GasIntegrator(model, {tolerance, 100000, gas::Method::kRosenbrock4})
+    gas::GasIntegrator(model, {tolerance, 100000, gas::Method::rosenbrock_4})
         .advance(state, 0.0, kLast, rigid(kVolumeNotRead));
     // 1e-5 s of the time are needed to get there, flow falls by as little as p rises.
     EXPECT_NEAR(state.masses[0], rigid_mass + filled, 0.02 * filled + 20.0 * tolerance * rigid_mass)
@@ -78,7 +78,7 @@ TEST(volume_knot, wide_vent_on_a_knot) {
     const double volume = soft == 0.0 ? 0.02 : 0.12;
     gas::ControlVolumeState state = gas::make_state(model, kPure, kAmbientPressure, 300.0, volume);
     const double before = state.masses[0], last = 0.75 * before;  // of the gas at 400 K
-    const gas::StepFluxes fluxes = gas::GasIntegrator(model, {1e-6, 1000, gas::Method::kRosenbrock4})
+    const gas::StepFluxes fluxes = gas::GasIntegrator(model, {1e-6, 1000, gas::Method::rosenbrock_4})
                                        .advance(state, 0.0, 0.1, rigid(kVolumeNotRead));
     const gas::GasPoint end = point_of(model, state);
     const double excess = end.pressure - kAmbientPressure;
@@ -120,7 +120,7 @@ TEST(volume_knot, soft_bag_follows_the_pressure_next_to_ambient) {
     model.volume_of_overpressure = knots({{0.0, 0.009}, {0.1, 0.12}, {1e5, 0.3}});
     model.heat_loss = {260.0, 293.15};
     model.inflows.push_back(steady_inflow(model.thermo, 1.0, 406.0));
-    model.inflows.back().mass_flow = gas::Curve({{0.0, 0.0}, {0.012, 4.0}, {0.02, 0.0}}, gas::Outside::kZero);
+    model.inflows.back().mass_flow = gas::Curve({{0.0, 0.0}, {0.012, 4.0}, {0.02, 0.0}}, gas::Outside::zero);
     model.vents.push_back({0.6, 2e-3});
     gas::ControlVolumeState state = gas::make_state(model, kPure, kAmbientPressure, 293.15, 0.009);
     gas::GasIntegrator integrator(model, {tolerance, 100000, method});
@@ -129,9 +129,9 @@ TEST(volume_knot, soft_bag_follows_the_pressure_next_to_ambient) {
       steps += integrator.advance(state, 1e-3 * i, 1e-3 * (i + 1), rigid(kVolumeNotRead)).steps;
     return point_of(model, state);
   };
-  const gas::GasPoint exact = filled(gas::Method::kDormandPrince5, 1e-11);
+  const gas::GasPoint exact = filled(gas::Method::dormand_prince_5, 1e-11);
   for (const double tolerance : {1e-6, 1e-8}) {
-    const gas::GasPoint end = filled(gas::Method::kRosenbrock4, tolerance);
+    const gas::GasPoint end = filled(gas::Method::rosenbrock_4, tolerance);
     // Nothing is forgotten (m cv/(hA) = 30 ms and more): each sub-step adds at most a tolerance.
     EXPECT_LT(relative(end.temperature, exact.temperature), steps * tolerance);
     EXPECT_LT(relative(end.volume, exact.volume), steps * tolerance);
@@ -151,10 +151,10 @@ TEST(volume_knot, methods_agree_past_equalisation) {
     for (int i = 0; i < 4; ++i) integrator.advance(state, 0.05 * i, 0.05 * (i + 1), rigid(kVolumeNotRead));
     return point_of(model, state);
   };
-  const gas::GasPoint exact = end(gas::Method::kDormandPrince5, 1e-12);
+  const gas::GasPoint exact = end(gas::Method::dormand_prince_5, 1e-12);
   for (const gas::Method method : kMethods) {
     // Some ten sub-steps of 1e-8 each; Euler's thousands at 1e-7 add up to the root of it.
-    const bool first_order = method == gas::Method::kEuler;
+    const bool first_order = method == gas::Method::euler;
     const gas::GasPoint point = end(method, first_order ? 1e-7 : 1e-8);
     const double bound = first_order ? std::sqrt(1e-7) : 1e-7;
     EXPECT_LT(relative(point.temperature, exact.temperature), bound) << static_cast<int>(method);
@@ -165,7 +165,7 @@ TEST(volume_knot, methods_agree_past_equalisation) {
 /// A vent that is shut at p_a and below: the gas comes to rest at p_a with the walls, nothing leaves or
 /// comes.
 TEST(rest_at_ambient, vent_shut_at_ambient_pressure) {
-  for (const gas::Method method : {gas::Method::kDormandPrince5, gas::Method::kRosenbrock4})
+  for (const gas::Method method : {gas::Method::dormand_prince_5, gas::Method::rosenbrock_4})
     for (const double tolerance : {1e-6, 1e-8, 1e-10}) {
       gas::ControlVolumeModel model = closed_tank(nitrogen());
       gas::Vent vent{1.0, 0.0};

@@ -175,7 +175,7 @@ TEST(volume_path, expansion_below_ambient_closes_the_vent) {
 TEST(volume_path, peak_inside_one_step_is_found) {
   gas::ControlVolumeModel model = closed_tank(nitrogen());
   model.inflows.push_back(
-      {kPure, gas::Curve({{0.0, 0.1}, {0.01, 0.0}}, gas::Outside::kZero), gas::Curve::constant(400.0)});
+      {kPure, gas::Curve({{0.0, 0.1}, {0.01, 0.0}}, gas::Outside::zero), gas::Curve::constant(400.0)});
   model.vents.push_back({1.0, 1e-3});
   const double growth = 0.1 * 296.8 * 400.0 / (2.0 * kAmbientPressure);  // [m3/s] turns p after 5 ms
   int steps = 0;
@@ -209,10 +209,10 @@ TEST(volume_path, peak_inside_one_step_is_found) {
 /// derivative with time meet every term.
 double moving_error(const gas::IntegratorOptions& options) {
   gas::ControlVolumeModel model = closed_tank(nasa7({"N2", "CO2"}));
-  model.vents.push_back({0.8, 0.0, gas::Curve({{0.0, 2e-4}, {1.0, 1e-2}}, gas::Outside::kHeld)});
+  model.vents.push_back({0.8, 0.0, gas::Curve({{0.0, 2e-4}, {1.0, 1e-2}}, gas::Outside::held)});
   model.inflows.push_back({{0.3, 0.7},
-                           gas::Curve({{0.0, 0.2}, {1.0, 4.0}}, gas::Outside::kZero),
-                           gas::Curve({{0.0, 700.0}, {1.0, 900.0}}, gas::Outside::kHeld)});
+                           gas::Curve({{0.0, 0.2}, {1.0, 4.0}}, gas::Outside::zero),
+                           gas::Curve({{0.0, 700.0}, {1.0, 900.0}}, gas::Outside::held)});
   model.heat_loss = {300.0, 400.0};
   const auto pressure = [&](const gas::IntegratorOptions& chosen) {
     gas::ControlVolumeState state = gas::make_state(model, std::vector{0.6, 0.4}, 5e5, 800.0, 0.06);
@@ -225,7 +225,7 @@ double moving_error(const gas::IntegratorOptions& options) {
 TEST(volume_path, implicit_order_holds_where_everything_moves) {
   std::vector<double> errors;
   for (const int steps : {16, 32, 64})
-    errors.push_back(moving_error({1e-10, 100000, gas::Method::kRosenbrock4, 0.05 / steps}));
+    errors.push_back(moving_error({1e-10, 100000, gas::Method::rosenbrock_4, 0.05 / steps}));
   claim::expect_order({"G.23", "Rosenbrock 4, vent, leak, volume, inflow and walls that move: pressure",
                        "the fifth order's term is a share of 1 / steps"},
                       errors, 3.8, 4.3);

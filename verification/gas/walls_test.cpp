@@ -19,9 +19,9 @@ struct Limit {
   double value;  // of h lambda
 };
 const Limit kLimits[] = {
-    {gas::Method::kEuler, "explicit Euler", support::real_axis_limit(support::kEulerPolynomial)},
-    {gas::Method::kRungeKutta4, "Runge-Kutta 4", support::real_axis_limit(support::kRungeKutta4Polynomial)},
-    {gas::Method::kDormandPrince5, "Dormand-Prince 5",
+    {gas::Method::euler, "explicit Euler", support::real_axis_limit(support::kEulerPolynomial)},
+    {gas::Method::runge_kutta_4, "Runge-Kutta 4", support::real_axis_limit(support::kRungeKutta4Polynomial)},
+    {gas::Method::dormand_prince_5, "Dormand-Prince 5",
      support::real_axis_limit(support::kDormandPrince5Polynomial)}};
 
 /// Gas at rest: dT/dt = -(hA/(m cv)) (T - T_ext), whose growth is the method's stability function.
@@ -68,7 +68,7 @@ TEST(walls, implicit_method_damps_at_any_step) {
     const double h = z / rate, predicted = rosenbrock_growth(z);
     EXPECT_LT(std::abs(predicted), 1.0);
     gas::ControlVolumeState state = start;
-    gas::GasIntegrator(model, {1e-10, 100000, gas::Method::kRosenbrock4, h})
+    gas::GasIntegrator(model, {1e-10, 100000, gas::Method::rosenbrock_4, h})
         .advance(state, 0.0, h, rigid(0.06));
     std::ostringstream name;
     name << "Rosenbrock 4, h λ_w = " << z;
@@ -96,13 +96,13 @@ double sonic_area() {
 double temperature(const Fill& fill, gas::Method method, double tolerance, double h) {
   gas::ControlVolumeModel model = closed_tank(nitrogen());
   model.inflows.push_back(steady_inflow(model.thermo, 1.0, 700.0));
-  if (fill.ramp) model.inflows[0].mass_flow = gas::Curve({{0.0, 0.0}, {1e-3, 2.0}}, gas::Outside::kZero);
+  if (fill.ramp) model.inflows[0].mass_flow = gas::Curve({{0.0, 0.0}, {1e-3, 2.0}}, gas::Outside::zero);
   if (fill.vent) {
     model.inflows.clear();
     model.ambient = {kAmbientPressure, 700.0, kPure};
     model.vents = {{.discharge_coefficient = 1.0,
                     .area = 0.0,
-                    .area_of_time = gas::Curve({{0.0, 0.0}, {1e-3, sonic_area()}}, gas::Outside::kHeld),
+                    .area_of_time = gas::Curve({{0.0, 0.0}, {1e-3, sonic_area()}}, gas::Outside::held),
                     .backflow = true}};
   }
   model.heat_loss = {fill.ratio * 742.0, 300.0};
@@ -142,7 +142,7 @@ TEST(walls, evacuated_fill_has_a_threshold_without_scale) {
   }
   // Error control takes as many sub-steps as it needs; Rosenbrock has no limit.
   for (const gas::Method method : kMethods) EXPECT_LT(error(method, 100.0, 0.0), 1e-8);
-  for (const double h : {1e-9, 1e-6, 1e-3}) EXPECT_LT(error(gas::Method::kRosenbrock4, 100.0, h), 1e-6);
+  for (const double h : {1e-9, 1e-6, 1e-3}) EXPECT_LT(error(gas::Method::rosenbrock_4, 100.0, h), 1e-6);
 }
 
 /// A flow that grows from zero, mdot = s t: dT/dt = (2/t) (gamma T_in - T) - (a/t^2) (T - T_ext), a = 2 hA/(s
@@ -162,10 +162,10 @@ double ramp_fill(double ratio, double t) {
 TEST(walls, evacuated_fill_from_zero_flow_eq_quadrature) {
   for (const double ratio : {0.1, 1.0, 10.0})
     for (const auto& [method, tolerance] :
-         std::vector<std::pair<gas::Method, double>>{{gas::Method::kDormandPrince5, 1e-8},
-                                                     {gas::Method::kRungeKutta4, 1e-8},
-                                                     {gas::Method::kRosenbrock4, 1e-8},
-                                                     {gas::Method::kEuler, 1e-5}})
+         std::vector<std::pair<gas::Method, double>>{{gas::Method::dormand_prince_5, 1e-8},
+                                                     {gas::Method::runge_kutta_4, 1e-8},
+                                                     {gas::Method::rosenbrock_4, 1e-8},
+                                                     {gas::Method::euler, 1e-5}})
       for (const bool vent : {false, true})
         claim::expect_relative(
             {"G.11",

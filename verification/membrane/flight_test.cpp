@@ -18,10 +18,10 @@ struct Flight {
   double off_plane;               // largest distance of a node from the disc's plane [m]
 };
 
-Flight fly(double young) {
+Flight fly(double young_modulus) {
   const auto mesh = scenes::disc(kRadius, 6);
   auto d = scenes::describe(mesh, Compression::linear);
-  for (auto& p : d.properties) p.young = young;
+  for (auto& p : d.properties) p.young_modulus = young_modulus;
   d.gravity = kGravity;
   const auto model = make_model(d);
   const Eigen::Matrix3d frame = scenes::rotation();
@@ -52,9 +52,9 @@ Flight fly(double young) {
 // Of a spinning disc at small strain the moment of inertia grows by twice this, u = rho w^2 r / (8 E) ((1 -
 // nu) (3 + nu) a^2 - (1 - nu^2) r^2) averaged with r^3 (S. P. Timoshenko, J. N. Goodier, Theory of
 // Elasticity).
-double spin_strain(double young) {
+double spin_strain(double young_modulus) {
   const double nu = 0.3;
-  return 620.0 * kSpin * kSpin * kRadius * kRadius / (8.0 * young) * (1.0 - nu) *
+  return 620.0 * kSpin * kSpin * kRadius * kRadius / (8.0 * young_modulus) * (1.0 - nu) *
          ((3.0 + nu) - (1.0 + nu) * 2.0 / 3.0);
 }
 
@@ -64,8 +64,8 @@ double spin_strain(double young) {
 // spin.
 TEST(Flight, thrown_disc_tends_to_rigid_body_with_order_1_in_compliance) {
   std::vector<double> lag;
-  for (const double young : {60e6, 120e6, 240e6, 480e6}) {
-    const Flight flight = fly(young);
+  for (const double young_modulus : {60e6, 120e6, 240e6, 480e6}) {
+    const Flight flight = fly(young_modulus);
     // Sums of up to 2000 steps of 1 m: a parabola is exact for equal steps, and these differ by the strain.
     claim::expect_near({"M.9", "thrown disc: distance of its centre from the parabola [m]",
                         "sums of up to 2000 steps of 1 m"},
@@ -73,7 +73,7 @@ TEST(Flight, thrown_disc_tends_to_rigid_body_with_order_1_in_compliance) {
     EXPECT_LE(flight.off_plane, 2000 * scenes::kEps);
     claim::expect_near({"M.9", "spinning disc by stiffness: lag behind the rigid body [rad]",
                         "mesh of 6 rings, 1 / 36, and steps, (omega dt)^2"},
-                       flight.lag, 2.0 * spin_strain(young) * kTurned, flight.lag / 36.0);
+                       flight.lag, 2.0 * spin_strain(young_modulus) * kTurned, flight.lag / 36.0);
     lag.push_back(flight.lag);
   }
   claim::expect_order(

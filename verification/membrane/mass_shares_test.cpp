@@ -53,7 +53,7 @@ TEST(MassShares, dense_eigenvalue_of_uneven_fabric_below_bound) {
       scenes::Random random(11);
       for (auto& p : d.properties) {
         p.thickness *= std::pow(2.0, random());
-        p.young *= std::pow(10.0, random());
+        p.young_modulus *= std::pow(10.0, random());
       }
       const auto model = make_model(d);
       const Eigen::Matrix3Xd x = scenes::shaken(1.05 * mesh.nodes, amplitude, 9);

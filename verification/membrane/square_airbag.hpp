@@ -26,7 +26,7 @@ inline SquareAirbag square_airbag(int divisions, membrane::Diagonals diagonals,
   const double side = 0.6 / std::numbers::sqrt2, pressure = 5e3;
   const auto mesh = membrane::rectangle(divisions, divisions, side, side, diagonals);
   auto d = describe(mesh, compression);
-  for (auto& p : d.properties) p.thickness = 0.6e-3, p.young = 588e6, p.poisson = 0.4;
+  for (auto& p : d.properties) p.thickness = 0.6e-3, p.young_modulus = 588e6, p.poisson = 0.4;
   const auto model = make_model(d);
   HeldComponent x_plane{0, {}}, y_plane{1, {}}, seam{2, {}};
   Eigen::Matrix3Xd x = mesh.nodes;

@@ -155,9 +155,9 @@ TEST(WovenBag, bad_weaves_are_refused_by_name) {
     double poisson;
     const char* says;
   };
-  const Bad bad[] = {{{nan, 3e6, kWarp}, 0.3, "young_weft"},
+  const Bad bad[] = {{{nan, 3e6, kWarp}, 0.3, "young_modulus_weft"},
                      {{20e6, -3e6, kWarp}, 0.3, "shear"},
-                     {{20e6, 1e3, kWarp}, 0.3, "shear / sqrt(young young_weft)"},
+                     {{20e6, 1e3, kWarp}, 0.3, "shear / sqrt(young_modulus young_modulus_weft)"},
                      {{20e6, 3e6, {0.0, 0.0, 0.0}}, 0.3, "length of the warp"},
                      {{20e6, 3e6, {nan, 1.0, 0.0}}, 0.3, "warp"},
                      {{20e6, 3e6, {0.0, 0.0, 1.0}}, 0.3, "element's plane"},

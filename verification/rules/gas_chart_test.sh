@@ -15,7 +15,7 @@ section=$(sed -n '/^## Gas: /,/^## Tank test/p' "$page")
 (($(grep -o '\*\*[^*]*\*\*' <<<"$(tr '\n' ' ' <<<"$section")" | wc -l) == 2)) || fail "$page: two sentences in bold are needed"
 below=$(sed -nE 's/.*\*\*Use Dormand-Prince 5, the default, for every error below ([0-9e.-]+):.*/\1/p' <<<"$section")
 [[ $below ]] || fail "$page: does not say from which error on the default costs least"
-grep -q '  Method method = Method::kDormandPrince5;' "$header" || fail "$header: the default is not the method of $page"
+grep -q '  Method method = Method::dormand_prince_5;' "$header" || fail "$header: the default is not the method of $page"
 tolerance=$(sed -nE 's/.*\*\*The default tolerance of ([0-9e.-]+) takes.*/\1/p' <<<"$section")
 [[ $tolerance ]] || fail "$page: does not say what the default tolerance costs"
 grep -A1 'double relative_tolerance =' "$header" | grep -q "^ *$tolerance;" || fail "$header: the default tolerance is not '$tolerance', that of $page"

@@ -123,7 +123,7 @@ gas::Identified analyse(const IdentifyArguments& a, const gas::TankTest& test, c
                          {.points = a.points,
                           .threshold = a.threshold,
                           .draws = a.draws,
-                          .noise = of_reading ? gas::Noise::kOfReading : gas::Noise::kOfFullScale});
+                          .noise = of_reading ? gas::Noise::of_reading : gas::Noise::of_full_scale});
   } catch (const gas::ReadingError& error) {
     const std::string what = error.what();
     const bool other_noise = of_reading && error.series == "chamber pressure";

@@ -138,6 +138,6 @@ InflatorPoint inflator_point(const ControlVolumeModel& model, const ControlVolum
                              double time);
 /// The same without a state: of an inflator whose trigger comes on at 0. Where its curves jump, on that side.
 InflatorPoint inflator_point(const ControlVolumeModel& model, std::size_t i, double time,
-                             Side side = Side::kAfter);
+                             Side side = Side::after);
 
 }  // namespace gas

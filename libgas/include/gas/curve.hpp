@@ -8,14 +8,14 @@ namespace gas {
 
 /// Value of a Curve outside its knots.
 enum class Outside {
-  kZero,  // zero (a mass flow)
-  kHeld,  // that of the nearest knot (a temperature)
+  zero,  // zero (a mass flow)
+  held,  // that of the nearest knot (a temperature)
 };
 
 /// Which value of a curve where it jumps.
 enum class Side {
-  kBefore,  // that which it comes to
-  kAfter,   // that from which it goes on
+  before,  // that which it comes to
+  after,   // that from which it goes on
 };
 
 /// Piecewise linear function of time through knots (t, value). Two knots at one time are a jump: the first is
@@ -36,14 +36,14 @@ class Curve {
     double at(double time) const { return value + slope * (time - origin); }
   };
 
-  /// Throws std::invalid_argument if there is no knot (kZero: fewer than two), a number is not finite, a time
+  /// Throws std::invalid_argument if there is no knot (zero outside: fewer than two), a number is not finite, a time
   /// is earlier than the one before, or three knots stand at one time.
   Curve(std::vector<Knot> knots, Outside outside);
   /// The same value at all times.
   static Curve constant(double value);
 
-  /// Value at time t; where it jumps, on that side. At the first and the last knot of kZero the value inside.
-  double value(double time, Side side = Side::kAfter) const;
+  /// Value at time t; where it jumps, on that side. At the first and the last knot of a curve that is zero outside the value inside.
+  double value(double time, Side side = Side::after) const;
   /// The linear piece that holds in the neighbourhood of `time`, which is not a knot.
   Piece piece(double time) const;
   /// First knot later than `time`, or infinity.

@@ -52,10 +52,10 @@ struct StepFluxes {
 
 /// How the gas is stepped between break points.
 enum class Method {
-  kDormandPrince5,  // explicit, order 5(4), and Rosenbrock 4 where the gas is stiff; the default
-  kRungeKutta4,     // explicit, order 4, error by step doubling
-  kEuler,           // explicit, order 1, error by step doubling
-  kRosenbrock4,     // implicit, L-stable, order 4(3)
+  dormand_prince_5,  // explicit, order 5(4), and Rosenbrock 4 where the gas is stiff; the default
+  runge_kutta_4,     // explicit, order 4, error by step doubling
+  euler,           // explicit, order 1, error by step doubling
+  rosenbrock_4,     // implicit, L-stable, order 4(3)
 };
 
 /// Largest stable h times a real, negative eigenvalue's magnitude, where the stability function |R(z)| passes
@@ -68,7 +68,7 @@ struct IntegratorOptions {
   double relative_tolerance =
       1e-10;  // local error of mass and thermal energy, of the gas in the volume; 1e-13 to 1e-2
   int maximum_steps = 100000;               // sub-steps (rejected ones included) in one advance()
-  Method method = Method::kDormandPrince5;  // see there
+  Method method = Method::dormand_prince_5;  // see there
   // [s] > 0: sub-steps of this length between break points, all by the method itself; no error control
   double fixed_step = 0.0;
   bool unsafe_step = false;  // take a fixed_step past the method's limit: for measuring that limit

@@ -13,27 +13,27 @@ namespace gas {
 
 /// What a sensor watches.
 enum class SensorKind {
-  kTime,      // on from `threshold` [s]
-  kSignal,    // on while the supplied signal is `threshold` or more
-  kPressure,  // on from the moment when p - p_a reaches `threshold` [Pa]; off again below `reset`, if given
-  kInput,     // set by the caller between steps (contact): acts from the next step
+  time,      // on from `threshold` [s]
+  signal,    // on while the supplied signal is `threshold` or more
+  pressure,  // on from the moment when p - p_a reaches `threshold` [Pa]; off again below `reset`, if given
+  input,     // set by the caller between steps (contact): acts from the next step
 };
 
 /// A node that watches one thing.
 struct Sensor {
   SensorKind kind;                // decides which of the others are read
-  double threshold = 0.0;         // [s], the signal's unit, [Pa]; not used by kInput
-  std::optional<double> reset{};  // [Pa] < threshold, kPressure only: without it the sensor stays on
-  std::optional<Curve> signal{};  // kSignal only
+  double threshold = 0.0;         // [s], the signal's unit, [Pa]; not used by input
+  std::optional<double> reset{};  // [Pa] < threshold, pressure only: without it the sensor stays on
+  std::optional<Curve> signal{};  // signal only
 };
 
 /// When a gate's condition holds: all inputs on, any on, or its one input off.
-enum class Logic { kAll, kAny, kNot };
+enum class Logic { all, any, negated };
 
 /// A node that joins earlier ones.
 struct Gate {
   Logic logic;                      // of its condition
-  std::vector<std::size_t> inputs;  // nodes before this one; kNot: exactly one
+  std::vector<std::size_t> inputs;  // nodes before this one; negated: exactly one
   double delay = 0.0;               // [s] on only after its condition has held so long ...
   bool latch = false;               // ... or, latched, so long after it first held; then it stays on
 };
@@ -61,7 +61,7 @@ using TriggerState = std::vector<NodeState>;  // one per node
 /// held outside its knots, and gates read earlier nodes only.
 void validate(const TriggerModel& model);
 
-/// Sets a kInput sensor; the integrator takes it into account at the start of its next step. Throws
+/// Sets an input sensor; the integrator takes it into account at the start of its next step. Throws
 /// std::invalid_argument if `node` is no such sensor.
 void set_input(const TriggerModel& model, std::size_t node, bool on, TriggerState& state);
 

@@ -40,7 +40,7 @@ struct IdentifyOptions {
   int points = 501;                 // times of the result, equally spaced over the record; 20 to 10000
   double threshold = 0.05;          // of the largest K: below it a point is masked; 0.001 to 0.9
   int draws = 400;                  // from the splines' posterior, for the bands; 40 to 2000
-  Noise noise = Noise::kOfReading;  // of both gauges
+  Noise noise = Noise::of_reading;  // of both gauges
 };
 
 /// 95 % band: the 2.5 and 97.5 percentiles over draws of the pressures, which are smoothed less than the

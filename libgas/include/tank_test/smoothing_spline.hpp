@@ -29,7 +29,7 @@ SplinePoint evaluate(const SplineBasis& basis, std::span<const double> coefficie
 
 /// What the standard deviation of a reading is a fixed share of: the reading itself, or the gauge's full
 /// scale, so that it is the same over the record.
-enum class Noise { kOfReading, kOfFullScale };
+enum class Noise { of_reading, of_full_scale };
 
 struct Modes;
 /// Values of lambda and how likely the readings make them.
@@ -59,7 +59,7 @@ class SmoothingSpline {
   /// reading that is not finite or, with noise of the reading, not above 0 and at least a millionth of the
   /// largest; std::invalid_argument for fewer than kFewestReadings or no reading above 0.
   SmoothingSpline(std::span<const double> times, std::span<const double> readings,
-                  std::string_view name = "reading", Noise noise = Noise::kOfReading);
+                  std::string_view name = "reading", Noise noise = Noise::of_reading);
   ~SmoothingSpline();
   SmoothingSpline(SmoothingSpline&&) noexcept;
 

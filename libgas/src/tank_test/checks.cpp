@@ -32,7 +32,7 @@ double robust_noise(std::span<const double> readings, Noise noise) {
   std::vector<double> differences;
   for (std::size_t i = 1; i + 1 < readings.size(); ++i)
     differences.push_back(std::abs(readings[i - 1] - 2.0 * readings[i] + readings[i + 1]) /
-                          (noise == Noise::kOfReading ? readings[i] : 1.0));
+                          (noise == Noise::of_reading ? readings[i] : 1.0));
   std::ranges::sort(differences);
   return gsl_stats_median_from_sorted_data(differences.data(), 1, differences.size()) /
          (kMedianOfNormal * std::sqrt(6.0));
@@ -68,11 +68,11 @@ void check_pressures(const TankReadings& readings, Noise noise) {
       kChamberSlack * std::hypot(robust_noise(readings.tank, noise), robust_noise(readings.chamber, noise));
   for (std::size_t i = 0; i < readings.times.size(); ++i) {
     const double tank = readings.tank[i];
-    if (readings.chamber[i] < tank - slack * (noise == Noise::kOfReading ? tank : 1.0))
+    if (readings.chamber[i] < tank - slack * (noise == Noise::of_reading ? tank : 1.0))
       throw ReadingError("chamber pressure", i,
                          to_text(readings.chamber[i]) + " Pa is below the tank's " + to_text(tank) +
                              " Pa by more than noise that is a share of the " +
-                             (noise == Noise::kOfReading ? "reading" : "full scale") +
+                             (noise == Noise::of_reading ? "reading" : "full scale") +
                              " explains: must not be below it");
   }
 }

@@ -16,7 +16,7 @@ double forward_error(const TankTest& test, std::span<const IdentifiedPoint> poin
   }
   ControlVolumeModel model{test.thermo, {0.0, test.initial_temperature}, {}, {}};
   model.inflows.push_back(
-      {test.inflator_fractions, Curve(flow, Outside::kZero), Curve(temperature, Outside::kHeld)});
+      {test.inflator_fractions, Curve(flow, Outside::zero), Curve(temperature, Outside::held)});
   ControlVolumeState state = make_state(test.thermo, test.tank_fractions, points.front().tank_pressure,
                                         test.initial_temperature, test.volume);
   GasIntegrator integrator(model);

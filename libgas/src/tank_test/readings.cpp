@@ -25,14 +25,14 @@ void check_readings(std::span<const double> times, std::span<const double> readi
     if (!std::isfinite(times[i]) || (i > 0 && times[i] <= times[i - 1]))
       throw ReadingError("time", i, to_text(times[i]) + " s: must be finite and later than the time before");
     if (!std::isfinite(readings[i])) throw ReadingError(name, i, to_text(readings[i]) + ": must be finite");
-    if (noise == Noise::kOfReading && readings[i] <= 0.0)
+    if (noise == Noise::of_reading && readings[i] <= 0.0)
       throw ReadingError(name, i, to_text(readings[i]) + ": must be above 0");
   }
   const double largest = *std::ranges::max_element(readings);
   require(largest > 0.0, name, largest, "the largest reading must be above 0");
   // Weights go with the inverse square: beyond this the normal equations have no digits left.
   for (std::size_t i = 0; i < readings.size(); ++i)
-    if (noise == Noise::kOfReading && !(readings[i] >= kSmallestShare * largest))
+    if (noise == Noise::of_reading && !(readings[i] >= kSmallestShare * largest))
       throw ReadingError(name, i, to_text(readings[i]) + ": must not be below a millionth of the largest");
   if (!std::isfinite(times.back() - times.front()))
     throw ReadingError("time", times.size() - 1, "the record is too long");
@@ -40,7 +40,7 @@ void check_readings(std::span<const double> times, std::span<const double> readi
 
 std::vector<double> root_weights(std::span<const double> readings, Noise noise) {
   std::vector<double> weights(readings.size(), 1.0 / *std::ranges::max_element(readings));
-  if (noise == Noise::kOfFullScale) return weights;
+  if (noise == Noise::of_full_scale) return weights;
   for (std::size_t i = 0; i < readings.size(); ++i) {
     const std::size_t reach = std::min({kWeightReach, i, readings.size() - 1 - i});
     double sum = 0.0;

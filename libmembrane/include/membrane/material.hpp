@@ -21,7 +21,7 @@ struct PlaneStrain {
 // Elastic constants of isotropic St. Venant-Kirchhoff plane stress (M.2) as the kernels use them.
 template <class T>
 struct IsotropicConstants {
-  T young;      // E [Pa]
+  T young_modulus;      // E [Pa]
   T spherical;  // E / (1 - nu) [Pa]: mean stress over mean strain
   T deviator;   // E / (1 + nu) [Pa]: deviatoric stress over deviatoric strain
 };
@@ -39,8 +39,8 @@ struct PlaneResponse {
 
 // E [Pa], nu [-] with E > 0 and -1 < nu < 1 (the caller checks).
 template <class T>
-IsotropicConstants<T> isotropic_constants(T young, T poisson) {
-  return {young, young / (T(1.0) - poisson), young / (T(1.0) + poisson)};
+IsotropicConstants<T> isotropic_constants(T young_modulus, T poisson) {
+  return {young_modulus, young_modulus / (T(1.0) - poisson), young_modulus / (T(1.0) + poisson)};
 }
 
 // Lane-wise choice; SIMD lane types bring their own overload, found by argument-dependent lookup.
@@ -78,7 +78,7 @@ PlaneResponse<T> isotropic_response(const PlaneStrain<T>& e, const IsotropicCons
   T b = c.deviator;
   if constexpr (kCompression == Compression::none) {
     const auto not_taut = a - b * radius < T(0.0);
-    const T half_tension = T(0.5) * (c.young * select(strain_1 > T(0.0), strain_1, T(0.0)));
+    const T half_tension = T(0.5) * (c.young_modulus * select(strain_1 > T(0.0), strain_1, T(0.0)));
     // The smallest normal number keeps 0/0 (no strain at all) out and changes no other quotient.
     const T ratio = half_tension / (radius + T(std::numeric_limits<double>::min()));
     a = select(not_taut, half_tension, a);

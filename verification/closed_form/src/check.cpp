@@ -84,7 +84,7 @@ const PerfectGas& gas(const PerfectGas& gas) {
 }
 
 const Sheet& sheet(const Sheet& sheet, bool with_density) {
-  positive("youngs_modulus", sheet.youngs_modulus);
+  positive("young_modulus", sheet.young_modulus);
   above_upto("poisson_ratio", sheet.poisson_ratio, -1.0, 0.5);
   positive("thickness", sheet.thickness);
   if (with_density) positive("density", sheet.density);

@@ -133,7 +133,7 @@ InflatedDisc inflated_disc(const CircularMembrane& membrane, bool sealed) {
   check::within("poisson_ratio", membrane.sheet.poisson_ratio, 0.0, 0.5);
   const double a = check::positive("radius", membrane.radius);
   check::positive("overpressure", membrane.overpressure);
-  const double q = membrane.overpressure * a / (membrane.sheet.youngs_modulus * membrane.sheet.thickness);
+  const double q = membrane.overpressure * a / (membrane.sheet.young_modulus * membrane.sheet.thickness);
   if (!(q >= 1e-6 && q <= 0.2))
     check::refuse("overpressure", membrane.overpressure, "p a/(E h) must lie in [1e-6, 0.2]");
   const Problem problem{q, membrane.sheet.poisson_ratio, sealed};

@@ -8,16 +8,16 @@ namespace closed_form {
 namespace {
 
 double plane_stress_modulus(const Sheet& sheet) {
-  return sheet.youngs_modulus / (1.0 - sheet.poisson_ratio * sheet.poisson_ratio);
+  return sheet.young_modulus / (1.0 - sheet.poisson_ratio * sheet.poisson_ratio);
 }
 
 }  // namespace
 
 WaveSpeeds wave_speeds(const Sheet& sheet) {
   check::sheet(sheet, true);
-  const double shear = sheet.youngs_modulus / (2.0 * (1.0 + sheet.poisson_ratio));
+  const double shear = sheet.young_modulus / (2.0 * (1.0 + sheet.poisson_ratio));
   return {std::sqrt(plane_stress_modulus(sheet) / sheet.density),
-          std::sqrt(sheet.youngs_modulus / sheet.density), std::sqrt(shear / sheet.density)};
+          std::sqrt(sheet.young_modulus / sheet.density), std::sqrt(shear / sheet.density)};
 }
 
 StretchedWaveSpeeds stretched_wave_speeds(const Sheet& sheet, double stretch) {
@@ -32,7 +32,7 @@ StretchedWaveSpeeds stretched_wave_speeds(const Sheet& sheet, double stretch) {
 PlaneStress hooke_plane_stress(const Sheet& sheet, double e11, double e22, double e12) {
   check::sheet(sheet, false);
   const double modulus = plane_stress_modulus(sheet), nu = sheet.poisson_ratio;
-  return {modulus * (e11 + nu * e22), modulus * (e22 + nu * e11), sheet.youngs_modulus / (1.0 + nu) * e12};
+  return {modulus * (e11 + nu * e22), modulus * (e22 + nu * e11), sheet.young_modulus / (1.0 + nu) * e12};
 }
 
 UniaxialState uniaxial_tension(const Sheet& sheet, double stretch) {
@@ -41,7 +41,7 @@ UniaxialState uniaxial_tension(const Sheet& sheet, double stretch) {
   const double twice_strain = (stretch - 1.0) * (stretch + 1.0);
   const double across = 1.0 - sheet.poisson_ratio * twice_strain;
   if (across <= 0.0) check::refuse("stretch", stretch, "nu (stretch^2 - 1) must be < 1");
-  const double stress = 0.5 * sheet.youngs_modulus * twice_strain;
+  const double stress = 0.5 * sheet.young_modulus * twice_strain;
   return {stress, std::sqrt(across), stretch * stress};
 }
 

@@ -71,7 +71,7 @@ Parameters tank_parameters(double volume, double pressure, double temperature) {
 }
 
 Parameters sheet_parameters(bool with_density) {
-  Parameters list{{"youngs_modulus", "E", "Pa", 60e6, "Young's modulus"},
+  Parameters list{{"young_modulus", "E", "Pa", 60e6, "Young's modulus"},
                   {"poisson_ratio", "nu", "1", 0.3, "Poisson's ratio"},
                   {"thickness", "h", "m", 0.5e-3, "thickness"}};
   if (with_density) list.push_back({"density", "rho", "kg/m3", 620.0, "density"});
@@ -79,7 +79,7 @@ Parameters sheet_parameters(bool with_density) {
 }
 
 Sheet sheet_of(const ParameterMap& values, bool with_density) {
-  return {get(values, "youngs_modulus"), get(values, "poisson_ratio"), get(values, "thickness"),
+  return {get(values, "young_modulus"), get(values, "poisson_ratio"), get(values, "thickness"),
           with_density ? get(values, "density") : kRequired};
 }
 

@@ -38,7 +38,7 @@ Parameters fabric_parameters() {
 
 PorosityLaw law_of(const ParameterMap& v) {
   const int law = check::integer_within("screen_law", whole(v, "screen_law"), 0, 1);
-  return law == 0 ? PorosityLaw::kPrinted : PorosityLaw::kScreen;
+  return law == 0 ? PorosityLaw::printed : PorosityLaw::screen;
 }
 
 Parameters porous_tank_parameters() {

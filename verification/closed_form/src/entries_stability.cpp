@@ -23,13 +23,13 @@ Entry central_difference_entry() {
 }
 
 Parameters elastic_parameters() {
-  return {{"youngs_modulus", "E", "Pa", 60e6, "Young's modulus"},
+  return {{"young_modulus", "E", "Pa", 60e6, "Young's modulus"},
           {"poisson_ratio", "nu", "1", 0.3, "Poisson's ratio"},
           {"density", "rho", "kg/m3", 620.0, "density"}};
 }
 
 Sheet elastic_of(const ParameterMap& v) {
-  return {get(v, "youngs_modulus"), get(v, "poisson_ratio"), 1.0, get(v, "density")};
+  return {get(v, "young_modulus"), get(v, "poisson_ratio"), 1.0, get(v, "density")};
 }
 
 Entry triangle_entry() {

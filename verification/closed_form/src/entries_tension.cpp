@@ -115,14 +115,14 @@ Entry wave_speeds_entry() {
           "textbook result",
           "small strain",
           15,
-          {{"youngs_modulus", "E", "Pa", 60e6, "Young's modulus"},
+          {{"young_modulus", "E", "Pa", 60e6, "Young's modulus"},
            {"poisson_ratio", "nu", "1", 0.3, "Poisson's ratio"},
            {"density", "rho", "kg/m3", 620.0, "density"}},
           {"plane_m_s", "bar_m_s", "shear_m_s"},
           {},
           [](const ParameterMap& v, double) {
             const WaveSpeeds w =
-                wave_speeds({get(v, "youngs_modulus"), get(v, "poisson_ratio"), 1.0, get(v, "density")});
+                wave_speeds({get(v, "young_modulus"), get(v, "poisson_ratio"), 1.0, get(v, "density")});
             return Row{w.plane, w.bar, w.shear};
           }};
 }
@@ -134,14 +134,14 @@ Entry stretched_waves_entry() {
           "derived here (St. Venant-Kirchhoff)",
           "referential speeds; stretch >= 1, 1 across",
           15,
-          {{"youngs_modulus", "E", "Pa", 60e6, "Young's modulus"},
+          {{"young_modulus", "E", "Pa", 60e6, "Young's modulus"},
            {"poisson_ratio", "nu", "1", 0.3, "Poisson's ratio"},
            {"density", "rho", "kg/m3", 620.0, "density"}},
           {"stretch", "longitudinal_m_s", "transverse_m_s"},
           range(1.0, 1.3, 30),
           [](const ParameterMap& v, double s) {
             const StretchedWaveSpeeds w = stretched_wave_speeds(
-                {get(v, "youngs_modulus"), get(v, "poisson_ratio"), 1.0, get(v, "density")}, s);
+                {get(v, "young_modulus"), get(v, "poisson_ratio"), 1.0, get(v, "density")}, s);
             return Row{w.longitudinal, w.transverse};
           }};
 }
@@ -154,12 +154,12 @@ Entry uniaxial_entry() {
       "derived here (St. Venant-Kirchhoff)",
       "nu (lambda^2 - 1) < 1",
       15,
-      {{"youngs_modulus", "E", "Pa", 60e6, "Young's modulus"},
+      {{"young_modulus", "E", "Pa", 60e6, "Young's modulus"},
        {"poisson_ratio", "nu", "1", 0.3, "Poisson's ratio"}},
       {"stretch", "stress_Pa", "transverse_stretch", "nominal_stress_Pa"},
       range(1.0, 1.5, 50),
       [](const ParameterMap& v, double s) {
-        const UniaxialState u = uniaxial_tension({get(v, "youngs_modulus"), get(v, "poisson_ratio"), 1.0}, s);
+        const UniaxialState u = uniaxial_tension({get(v, "young_modulus"), get(v, "poisson_ratio"), 1.0}, s);
         return Row{u.stress, u.transverse_stretch, u.nominal_stress};
       }};
 }
@@ -171,12 +171,12 @@ Entry simple_shear_entry() {
           "derived here (St. Venant-Kirchhoff)",
           "any shear",
           15,
-          {{"youngs_modulus", "E", "Pa", 60e6, "Young's modulus"},
+          {{"young_modulus", "E", "Pa", 60e6, "Young's modulus"},
            {"poisson_ratio", "nu", "1", 0.3, "Poisson's ratio"}},
           {"shear", "s11_Pa", "s22_Pa", "s12_Pa"},
           range(0.0, 0.5, 50),
           [](const ParameterMap& v, double g) {
-            const PlaneStress s = simple_shear({get(v, "youngs_modulus"), get(v, "poisson_ratio"), 1.0}, g);
+            const PlaneStress s = simple_shear({get(v, "young_modulus"), get(v, "poisson_ratio"), 1.0}, g);
             return Row{s.s11, s.s22, s.s12};
           }};
 }

@@ -55,7 +55,7 @@ double load(const CircularMembrane& membrane) {
   check::positive("radius", membrane.radius);
   check::positive("overpressure", membrane.overpressure);
   const double q =
-      membrane.overpressure * membrane.radius / (membrane.sheet.youngs_modulus * membrane.sheet.thickness);
+      membrane.overpressure * membrane.radius / (membrane.sheet.young_modulus * membrane.sheet.thickness);
   if (q > 0.1) check::refuse("overpressure", membrane.overpressure, "p a/(E h) must be <= 0.1 (small slope)");
   return q;
 }
@@ -91,7 +91,7 @@ HenckyMembrane hencky_membrane(const CircularMembrane& membrane) {
   const auto moment = [&b](double x) { return x / series(b, x); };
   result.centre_deflection = a * root * quadrature::integrate(slope, 0.0, 1.0, 4);
   result.volume = std::numbers::pi * a * a * a * root * quadrature::integrate(moment, 0.0, 1.0, 4);
-  const double scale = 0.25 * membrane.sheet.youngs_modulus * membrane.sheet.thickness * root * root;
+  const double scale = 0.25 * membrane.sheet.young_modulus * membrane.sheet.thickness * root * root;
   result.centre_resultant = scale * b.front();
   result.edge_resultant = scale * series(b, 1.0);
   return result;

@@ -20,7 +20,7 @@ const Sheet& check_balloon(const Sheet& sheet, double radius, double overpressur
 
 // Biaxial modulus E/(1 - nu).
 double biaxial_modulus(const Sheet& sheet) {
-  return sheet.youngs_modulus / (1.0 - sheet.poisson_ratio);
+  return sheet.young_modulus / (1.0 - sheet.poisson_ratio);
 }
 
 }  // namespace
@@ -66,14 +66,14 @@ CylinderStretch fixed_length_cylinder(const StretchedCylinder& cylinder, double 
   const Sheet& sheet = check_balloon(cylinder.sheet, cylinder.radius, overpressure);
   const double stress = overpressure * cylinder.radius / sheet.thickness;
   const double nu = sheet.poisson_ratio;
-  const double strain = (1.0 - nu * nu) * stress / sheet.youngs_modulus;
+  const double strain = (1.0 - nu * nu) * stress / sheet.young_modulus;
   return {std::sqrt(1.0 + 2.0 * strain), 1.0, stress, nu * stress};
 }
 
 CylinderStretch closed_cylinder(const StretchedCylinder& cylinder, double overpressure) {
   const Sheet& sheet = check_balloon(cylinder.sheet, cylinder.radius, overpressure);
   const double nu = sheet.poisson_ratio;
-  const double modulus = sheet.youngs_modulus / (1.0 - nu * nu);
+  const double modulus = sheet.young_modulus / (1.0 - nu * nu);
   const double load = overpressure * cylinder.radius / (sheet.thickness * modulus);
   double h = 1.0;
   double z = 1.0;

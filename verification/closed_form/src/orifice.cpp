@@ -62,7 +62,7 @@ double bernoulli_ratio_series(double heat_capacity_ratio, double epsilon) {
 double leak_area(double porosity, double fabric_area, PorosityLaw law) {
   check::within("porosity", porosity, 0.0, 1.0);
   check::non_negative("fabric_area", fabric_area);
-  return (law == PorosityLaw::kPrinted ? porosity * porosity : porosity) * fabric_area;
+  return (law == PorosityLaw::printed ? porosity * porosity : porosity) * fabric_area;
 }
 
 double porous_mass_flow(const PorousFabric& fabric) {

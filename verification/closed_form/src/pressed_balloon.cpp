@@ -132,7 +132,7 @@ BalloonPress pressed_balloon(const PressedBalloon& scene, double patch_angle) {
   check::within("patch_angle", patch_angle, kSmallestPatch, 0.6);
   const Sheet& sheet = scene.sphere.sheet;
   const double nu = sheet.poisson_ratio;
-  const Skin skin{sheet.youngs_modulus * sheet.thickness / (1.0 - nu * nu), nu, scene.sphere.radius,
+  const Skin skin{sheet.young_modulus * sheet.thickness / (1.0 - nu * nu), nu, scene.sphere.radius,
                   scene.overpressure, scene.indenter_radius};
   // The patch grows from nothing, so that each root is near the one before.
   const int stages = 1 + static_cast<int>(patch_angle / 0.05);

@@ -35,7 +35,7 @@ RingTwist twisted_ring(const TwistedRing& ring, double angle) {
   const double margin = x / (ratio - x) - ring.sheet.poisson_ratio;
   if (margin < 0.0)
     check::refuse("outer_radius", b, "so wide that the ring is not wrinkled at its outer edge");
-  const double stiffness = 4.0 * std::numbers::pi * a * a * x * ring.sheet.youngs_modulus *
+  const double stiffness = 4.0 * std::numbers::pi * a * a * x * ring.sheet.young_modulus *
                            ring.sheet.thickness / twice_l(ratio, x);
   return {a * std::sqrt(x), stiffness * angle, 0.5 * stiffness * angle * angle, margin};
 }

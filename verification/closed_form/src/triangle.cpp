@@ -28,7 +28,7 @@ double largest_eigenvalue(std::array<double, 36> matrix) {
 double checked_modulus(const Sheet& sheet, const char* name, double length) {
   check::sheet(sheet, true);
   check::positive(name, length);
-  return sheet.youngs_modulus / sheet.density;
+  return sheet.young_modulus / sheet.density;
 }
 
 }  // namespace
@@ -41,7 +41,7 @@ double triangle_frequency(const Sheet& sheet, double base, double apex, double h
   const std::array<double, 3> dx{-height / twice_area, height / twice_area, 0.0};  // dN/dx
   const std::array<double, 3> dy{(apex - base) / twice_area, -apex / twice_area, base / twice_area};
   const double nu = sheet.poisson_ratio;
-  const double d11 = sheet.youngs_modulus / (1.0 - nu * nu);
+  const double d11 = sheet.young_modulus / (1.0 - nu * nu);
   const double d12 = nu * d11;
   const double d33 = 0.5 * (1.0 - nu) * d11;
   std::array<double, 36> stiffness{};  // B^T D B, unknowns u0 u1 u2 v0 v1 v2

@@ -66,7 +66,7 @@ TEST(ClosedFormCoupled, sphere_fill_balances_energy) {
 
 TEST(ClosedFormCoupled, sphere_fill_is_a_rigid_tank_when_stiff) {
   Sheet stiff = paper_fabric();
-  stiff.youngs_modulus = 1e15;
+  stiff.young_modulus = 1e15;
   const SphereFill scene{{}, {stiff, 0.3}, 101325.0, 700.0};
   const double volume = 4.0 / 3.0 * pi * 0.027;
   const GasState tank = tank_fill({{}, volume, 101325.0, 293.15, 1.0, 700.0}, 0.05);

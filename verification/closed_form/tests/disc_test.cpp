@@ -83,7 +83,7 @@ TEST(ClosedFormDisc, twisted_ring_is_compatible) {
     const double stress = twist.torque / (2.0 * M_PI * c * sheet.thickness);  // times sqrt(r^2 - c^2)
     const auto rates = [&](double r, const std::vector<double>& y) {          // y: u_r, u_theta / r
       const double sine = c / r, cosine = std::sqrt(1.0 - sine * sine);
-      const double along = stress / (sheet.youngs_modulus * r * cosine);
+      const double along = stress / (sheet.young_modulus * r * cosine);
       const double across = (y[0] / r - along * sine * sine) / (cosine * cosine);
       EXPECT_LE(across, -sheet.poisson_ratio * along);
       return std::vector<double>{along * cosine * cosine + across * sine * sine,

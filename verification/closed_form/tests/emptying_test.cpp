@@ -21,7 +21,7 @@ Blowdown reference_tank() {
 }
 
 PorousTank reference_porous() {
-  return {{}, 0.12, 0.05, 1.5, PorosityLaw::kPrinted, 130000.0, 400.0, 101325.0};
+  return {{}, 0.12, 0.05, 1.5, PorosityLaw::printed, 130000.0, 400.0, 101325.0};
 }
 
 std::vector<Blowdown> tanks() {
@@ -160,7 +160,7 @@ TEST(ClosedFormEmptying, porous_tank_eq_reference) {
 TEST(ClosedFormEmptying, porous_tank_eq_integrated_rates) {
   PorousTank tank = reference_porous();
   tank.gas = {208.13, 5.0 / 3.0};
-  tank.law = PorosityLaw::kScreen;
+  tank.law = PorosityLaw::screen;
   tank.initial_pressure = 4e5;  // v0 = 1.7: beyond the circle of convergence of the 2F1 series
   const double cv = specific_heat_cv(tank.gas);
   const double cp = specific_heat_cp(tank.gas);

@@ -105,7 +105,7 @@ TEST(ClosedFormMembrane, cylinders_eq_reference_and_equilibrium) {
                     kAlgebra * 10);
     // Hooke back: E E_h = S_h - nu S_z.
     const double eh = 0.5 * (s.hoop_stretch * s.hoop_stretch - 1.0);
-    expect_relative(c.sheet.youngs_modulus * eh, s.hoop_stress - c.sheet.poisson_ratio * s.axial_stress,
+    expect_relative(c.sheet.young_modulus * eh, s.hoop_stress - c.sheet.poisson_ratio * s.axial_stress,
                     1e-13);
   }
 }
@@ -187,7 +187,7 @@ TEST(ClosedFormMembrane, element_states_eq_reference) {
   // Odd in the shear, and linear in E.
   EXPECT_EQ(simple_shear(paper_fabric(), -0.1).s12, -s.s12);
   Sheet stiff = paper_fabric();
-  stiff.youngs_modulus *= 4.0;
+  stiff.young_modulus *= 4.0;
   expect_relative(simple_shear(stiff, 0.1).s22, 4.0 * s.s22, kAlgebra);
 }
 

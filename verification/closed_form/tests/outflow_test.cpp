@@ -18,7 +18,7 @@ Orifice figure_hole(double overpressure) {
 }
 
 PorousFabric figure_fabric(double overpressure, double porosity) {
-  return {{}, porosity, 0.085, PorosityLaw::kPrinted, kAmbient + overpressure, 673.0, kAmbient};
+  return {{}, porosity, 0.085, PorosityLaw::printed, kAmbient + overpressure, 673.0, kAmbient};
 }
 
 TEST(ClosedFormOutflow, critical_ratio_and_flux_eq_reference) {
@@ -114,10 +114,10 @@ TEST(ClosedFormOutflow, bernoulli_series_remainder_is_third_order) {
 
 TEST(ClosedFormOutflow, porosity_laws_differ_by_eta) {
   expect_relative(leak_area(0.05, 1.5), 0.00375, kAlgebra);
-  expect_relative(leak_area(0.05, 1.5, PorosityLaw::kScreen), 0.075, kAlgebra);
+  expect_relative(leak_area(0.05, 1.5, PorosityLaw::screen), 0.075, kAlgebra);
   PorousFabric fabric = figure_fabric(3000.0, 0.1);
   const double printed = porous_mass_flow(fabric);
-  fabric.law = PorosityLaw::kScreen;
+  fabric.law = PorosityLaw::screen;
   expect_relative(porous_mass_flow(fabric), 10.0 * printed, kAlgebra);
   EXPECT_EQ(porous_mass_flow(figure_fabric(0.0, 0.05)), 0.0);
 }

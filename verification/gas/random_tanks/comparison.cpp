@@ -47,7 +47,7 @@ void judge_refusal(const Tank& tank, const std::string& csv, const Computed& com
                    Comparison& result) {
   result.why = computed.refusal;
   if (says(computed, "too stiff")) {
-    result.verdict = Verdict::kTooStiff;
+    result.verdict = Verdict::too_stiff;
     return;
   }
   constexpr int kOften = 100;  // sensors that switch so often in a call are refused
@@ -59,7 +59,7 @@ void judge_refusal(const Tank& tank, const std::string& csv, const Computed& com
     result.why +=
         "; the second route is inside by " + std::to_string(distance / tank.tolerance) + " tolerances";
   }
-  result.verdict = right ? Verdict::kRefusedRightly : Verdict::kWrongRefusal;
+  result.verdict = right ? Verdict::refused_rightly : Verdict::wrong_refusal;
 }
 
 /// Whether a start that is off by one tolerance changes the answer by more than the allowance.
@@ -102,15 +102,15 @@ Comparison compare(const Tank& tank, const Tank& other, const std::string& csv) 
   const auto [low, high] = range_of(other, csv);
   const bool leaves = own.coldest < low * (1.0 - allowance) || own.hottest > high * (1.0 + allowance);
   if (!own.failure.empty() || !less.failure.empty() || !(result.own <= 1.0)) {
-    result.verdict = Verdict::kUndecided;
+    result.verdict = Verdict::undecided;
     result.why = own.failure + " " + less.failure;
   } else if (!(result.error <= 1.0)) {
-    result.verdict = is_sensitive(other, csv, own) ? Verdict::kSensitive : Verdict::kDisagrees;
+    result.verdict = is_sensitive(other, csv, own) ? Verdict::sensitive : Verdict::disagrees;
     result.why = "the answers differ";
   } else if (!computed.refusal.empty()) {
     judge_refusal(other, csv, computed, own, result);
   } else if (leaves) {
-    result.verdict = Verdict::kWrongRefusal;
+    result.verdict = Verdict::wrong_refusal;
     result.why = "the second route leaves the range of temperatures: " + std::to_string(own.coldest) +
                  " to " + std::to_string(own.hottest) + " K";
   }
@@ -124,10 +124,10 @@ Tally compare_seeds(std::uint64_t first, std::uint64_t last, const std::string& 
     const Comparison c = compare(tank, tank, csv);
     ++tally.counts[static_cast<std::size_t>(c.verdict)];
     tally.worst_balance = std::max(tally.worst_balance, c.balance);
-    if (c.verdict == Verdict::kAgrees) tally.worst_error = std::max(tally.worst_error, c.error);
-    if (c.verdict == Verdict::kDisagrees || c.verdict == Verdict::kWrongRefusal)
+    if (c.verdict == Verdict::agrees) tally.worst_error = std::max(tally.worst_error, c.error);
+    if (c.verdict == Verdict::disagrees || c.verdict == Verdict::wrong_refusal)
       tally.disagreeing.push_back(seed);
-    if (c.verdict == Verdict::kAgrees || c.verdict == Verdict::kRefusedRightly) continue;
+    if (c.verdict == Verdict::agrees || c.verdict == Verdict::refused_rightly) continue;
     std::cout << name_of(c.verdict) << ": " << c.why << "\nerror " << c.error << ", second route " << c.own
               << " of the allowance\n"
               << tank << '\n';

@@ -13,24 +13,24 @@ namespace random_tanks {
 inline constexpr double kAllowedTolerances = 100.0;
 
 enum class Verdict {
-  kAgrees,
-  kRefusedRightly,  // libgas refuses, and names a limit that the second route meets at that time
-  kUndecided,       // the second route does not know its answer well enough
-  kSensitive,       // a start one tolerance away changes the answer by more than the allowance
-  kTooStiff,        // libgas finds the gas too stiff
-  kDisagrees,       // the answers differ by more than the allowance
-  kWrongRefusal,    // libgas refuses, and the second route meets no such limit; or does not refuse where it
+  agrees,
+  refused_rightly,  // libgas refuses, and names a limit that the second route meets at that time
+  undecided,       // the second route does not know its answer well enough
+  sensitive,       // a start one tolerance away changes the answer by more than the allowance
+  too_stiff,        // libgas finds the gas too stiff
+  disagrees,       // the answers differ by more than the allowance
+  wrong_refusal,    // libgas refuses, and the second route meets no such limit; or does not refuse where it
                     // must
 };
 inline constexpr std::size_t kVerdicts = 7;
 const char* name_of(Verdict verdict);
 
 struct Comparison {
-  Verdict verdict = Verdict::kAgrees;
+  Verdict verdict = Verdict::agrees;
   double error = 0.0;    // of p, T, m, largest at the ends of the calls, in allowances
   double own = 0.0;      // of the second route by its two tolerances, in allowances
   double balance = 0.0;  // see Computed
-  std::string why;       // of what is not kAgrees
+  std::string why;       // of what is not `agrees`
 };
 
 /// The largest relative difference of p, T and m, of species to the whole mass.
@@ -41,7 +41,7 @@ Comparison compare(const Tank& tank, const Tank& other, const std::string& csv);
 
 struct Tally {
   std::array<int, kVerdicts> counts{};
-  std::vector<std::uint64_t> disagreeing;         // seeds of kDisagrees and kWrongRefusal
+  std::vector<std::uint64_t> disagreeing;         // seeds of disagrees and wrong_refusal
   double worst_error = 0.0, worst_balance = 0.0;  // of tanks that agree, in allowances; of all tanks
   int count(Verdict verdict) const { return counts[static_cast<std::size_t>(verdict)]; }
 };

@@ -18,7 +18,7 @@ gas::Curve curve_of(const Table& table, gas::Outside outside) {
 
 std::optional<gas::Curve> optional_curve(const Table& table) {
   if (table.empty()) return {};
-  return curve_of(table, gas::Outside::kHeld);
+  return curve_of(table, gas::Outside::held);
 }
 
 gas::Thermo thermo_of(const Tank& tank) {
@@ -32,15 +32,15 @@ gas::Thermo thermo_of(const Tank& tank) {
 gas::TriggerModel triggers_of(const Tank& tank) {
   gas::TriggerModel model;
   for (const SensorPlan& s : tank.sensors) {
-    const gas::SensorKind kind = s.kind == Watch::kTime     ? gas::SensorKind::kTime
-                                 : s.kind == Watch::kSignal ? gas::SensorKind::kSignal
-                                                            : gas::SensorKind::kPressure;
+    const gas::SensorKind kind = s.kind == Watch::time     ? gas::SensorKind::time
+                                 : s.kind == Watch::signal ? gas::SensorKind::signal
+                                                            : gas::SensorKind::pressure;
     model.sensors.push_back({kind, s.threshold, s.reset, optional_curve(s.signal)});
   }
   for (const GatePlan& g : tank.gates) {
-    const gas::Logic logic = g.logic == Join::kAll   ? gas::Logic::kAll
-                             : g.logic == Join::kAny ? gas::Logic::kAny
-                                                     : gas::Logic::kNot;
+    const gas::Logic logic = g.logic == Join::all   ? gas::Logic::all
+                             : g.logic == Join::any ? gas::Logic::any
+                                                     : gas::Logic::negated;
     model.gates.push_back({logic, g.inputs, g.delay, g.latch});
   }
   return model;
@@ -98,8 +98,8 @@ gas::ControlVolumeModel model_of(const Tank& tank) {
   gas::ControlVolumeModel model{
       thermo_of(tank), {tank.ambient_pressure, tank.ambient_temperature, tank.ambient}, {}, {}};
   for (const Pulse& p : tank.pulses)
-    model.inflows.push_back({p.fractions, curve_of(p.mass_flow, gas::Outside::kZero),
-                             curve_of(p.temperature, gas::Outside::kHeld), p.start, p.node});
+    model.inflows.push_back({p.fractions, curve_of(p.mass_flow, gas::Outside::zero),
+                             curve_of(p.temperature, gas::Outside::held), p.start, p.node});
   for (const Hole& h : tank.holes)
     model.vents.push_back({h.discharge_coefficient, h.area, optional_curve(h.area_of_time),
                            optional_curve(h.area_of_overpressure), h.backflow, h.node});

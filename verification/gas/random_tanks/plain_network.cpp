@@ -28,8 +28,8 @@ PlainNetwork::PlainNetwork(const Tank& tank)
 bool PlainNetwork::sensor(std::size_t i, double t, double overpressure, double slack) const {
   const SensorPlan& plan = tank_.sensors[i];
   const auto near = [&](double level) { return slack * (tank_.ambient_pressure + std::abs(level)); };
-  if (plan.kind == Watch::kTime) return t + slack_ >= plan.threshold;
-  if (plan.kind == Watch::kPressure)
+  if (plan.kind == Watch::time) return t + slack_ >= plan.threshold;
+  if (plan.kind == Watch::pressure)
     return nodes_[i].on ? !plan.reset || overpressure > *plan.reset + near(*plan.reset)
                         : overpressure >= plan.threshold - near(plan.threshold);
   // Its signal crosses at times that are known better than its value there.
@@ -41,8 +41,8 @@ bool PlainNetwork::gate(std::size_t i, double t) {
   const GatePlan& plan = tank_.gates[i];
   Memory& node = nodes_[tank_.sensors.size() + i];
   const auto on = [&](std::size_t k) { return nodes_[k].on; };
-  const bool holds = plan.logic == Join::kAll   ? std::ranges::all_of(plan.inputs, on)
-                     : plan.logic == Join::kAny ? std::ranges::any_of(plan.inputs, on)
+  const bool holds = plan.logic == Join::all   ? std::ranges::all_of(plan.inputs, on)
+                     : plan.logic == Join::any ? std::ranges::any_of(plan.inputs, on)
                                                 : !on(plan.inputs.front());
   if (holds) node.held = std::min(node.held, t);
   if (!holds && !plan.latch) node.held = kInfinity;
@@ -57,20 +57,20 @@ void PlainNetwork::update(double t, double overpressure) {
     if (node.on && !was) node.since = t;
     if (!node.on) node.since = kInfinity;
     if (node.on) node.first_on = std::min(node.first_on, t);
-    if (is_sensor && node.on != was && tank_.sensors[i].kind == Watch::kPressure) ++switchings_;
+    if (is_sensor && node.on != was && tank_.sensors[i].kind == Watch::pressure) ++switchings_;
   }
 }
 
 bool PlainNetwork::switches(double overpressure) const {
   for (std::size_t i = 0; i < tank_.sensors.size(); ++i)
-    if (tank_.sensors[i].kind == Watch::kPressure && sensor(i, 0.0, overpressure, 0.0) != nodes_[i].on)
+    if (tank_.sensors[i].kind == Watch::pressure && sensor(i, 0.0, overpressure, 0.0) != nodes_[i].on)
       return true;
   return false;
 }
 
 bool PlainNetwork::watches() const {
   for (std::size_t i = 0; i < tank_.sensors.size(); ++i)
-    if (tank_.sensors[i].kind == Watch::kPressure && (!nodes_[i].on || tank_.sensors[i].reset)) return true;
+    if (tank_.sensors[i].kind == Watch::pressure && (!nodes_[i].on || tank_.sensors[i].reset)) return true;
   return false;
 }
 
@@ -80,7 +80,7 @@ double PlainNetwork::next_break(double t) const {
     if (time > t + slack_) next = std::min(next, time);
   };
   for (std::size_t i = 0; i < tank_.sensors.size(); ++i) {
-    if (tank_.sensors[i].kind == Watch::kTime) add(tank_.sensors[i].threshold);
+    if (tank_.sensors[i].kind == Watch::time) add(tank_.sensors[i].threshold);
     for (const double c : crossings_[i]) add(c);
   }
   for (std::size_t i = 0; i < tank_.gates.size(); ++i)

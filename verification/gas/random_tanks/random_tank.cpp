@@ -101,16 +101,16 @@ class Draw {
 
   SensorPlan sensor() {
     const int kind = dice_.below(4);
-    if (kind == 0) return {Watch::kTime, dice_.between(-0.1, 1.0) * end_};
+    if (kind == 0) return {Watch::time, dice_.between(-0.1, 1.0) * end_};
     if (kind == 1) {
       Table signal;
       for (int i = 0; i < 5; ++i) {
         signal.x.push_back(end_ * (0.2 * i + dice_.between(0.0, 0.15)));
         signal.y.push_back(dice_.between(-1.0, 1.0));
       }
-      return {Watch::kSignal, dice_.between(-0.5, 0.5), {}, signal};
+      return {Watch::signal, dice_.between(-0.5, 0.5), {}, signal};
     }
-    SensorPlan plan{Watch::kPressure, dice_.log_between(1e3, 1e6)};
+    SensorPlan plan{Watch::pressure, dice_.log_between(1e3, 1e6)};
     if (dice_.chance(0.5)) plan.reset = plan.threshold * dice_.between(-0.2, 0.9);
     return plan;
   }
@@ -123,7 +123,7 @@ class Draw {
                     {},
                     dice_.chance(0.5) ? dice_.between(0.0, 0.2) * end_ : 0.0,
                     dice_.chance(0.3)};
-      const int inputs = gate.logic == Join::kNot ? 1 : 1 + dice_.below(std::min(2, sensors + i));
+      const int inputs = gate.logic == Join::negated ? 1 : 1 + dice_.below(std::min(2, sensors + i));
       for (int k = 0; k < inputs; ++k)
         gate.inputs.push_back(static_cast<std::size_t>(dice_.below(sensors + i)));
       tank_.gates.push_back(gate);

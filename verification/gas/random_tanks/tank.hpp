@@ -48,19 +48,19 @@ struct Hole {
   Node node{};  // open while it is on
 };
 
-enum class Watch { kTime, kSignal, kPressure };
+enum class Watch { time, signal, pressure };
 
 struct SensorPlan {
-  Watch kind = Watch::kTime;
+  Watch kind = Watch::time;
   double threshold = 0.0;
-  std::optional<double> reset{};  // [Pa] of kPressure
-  Table signal{};                 // of kSignal, against time
+  std::optional<double> reset{};  // [Pa] of pressure
+  Table signal{};                 // of signal, against time
 };
 
-enum class Join { kAll, kAny, kNot };
+enum class Join { all, any, negated };
 
 struct GatePlan {
-  Join logic = Join::kAll;
+  Join logic = Join::all;
   std::vector<std::size_t> inputs;
   double delay = 0.0;  // [s]
   bool latch = false;

@@ -31,9 +31,9 @@ TEST(two_routes, agree_on_ten_thousand_random_tanks) {
       {"G.9", "10,000 random tanks: largest residual of mass or energy [-]", "some thousand roundings"},
       tally.worst_balance, 0.0, 1e-12);
   for (const std::uint64_t seed : tally.disagreeing) EXPECT_TRUE(kKnown.contains(seed)) << "seed " << seed;
-  EXPECT_LE(tally.count(Verdict::kUndecided) + tally.count(Verdict::kSensitive), 0.02 * kTanks);
-  EXPECT_LE(tally.count(Verdict::kTooStiff), 0.001 * kTanks);
-  EXPECT_GE(tally.count(Verdict::kRefusedRightly), 0.005 * kTanks);
+  EXPECT_LE(tally.count(Verdict::undecided) + tally.count(Verdict::sensitive), 0.02 * kTanks);
+  EXPECT_LE(tally.count(Verdict::too_stiff), 0.001 * kTanks);
+  EXPECT_GE(tally.count(Verdict::refused_rightly), 0.005 * kTanks);
 }
 
 }  // namespace

@@ -23,9 +23,9 @@ TEST(two_routes, agree_on_random_tanks) {
       {"G.9", "300 random tanks: largest residual of mass or energy [-]", "some thousand roundings"},
       tally.worst_balance, 0.0, 1e-12);
   EXPECT_TRUE(tally.disagreeing.empty());
-  EXPECT_EQ(tally.count(Verdict::kTooStiff), 0);
-  EXPECT_LE(tally.count(Verdict::kUndecided) + tally.count(Verdict::kSensitive), 0.02 * kTanks);
-  EXPECT_GE(tally.count(Verdict::kRefusedRightly), 1);
+  EXPECT_EQ(tally.count(Verdict::too_stiff), 0);
+  EXPECT_LE(tally.count(Verdict::undecided) + tally.count(Verdict::sensitive), 0.02 * kTanks);
+  EXPECT_GE(tally.count(Verdict::refused_rightly), 1);
 }
 
 /// A plain tank with every kind of flow.
@@ -50,12 +50,12 @@ Tank vented_tank() {
 TEST(two_routes, notice_any_other_number) {
   const Tank tank = vented_tank();
   const Comparison same = compare(tank, tank, kSpecies);
-  EXPECT_EQ(same.verdict, Verdict::kAgrees) << same.error;
+  EXPECT_EQ(same.verdict, Verdict::agrees) << same.error;
   const auto expect_noticed = [&](auto change) {
     Tank other = tank;
     change(other);
     const Comparison c = compare(tank, other, kSpecies);
-    EXPECT_EQ(c.verdict, Verdict::kDisagrees) << c.error;
+    EXPECT_EQ(c.verdict, Verdict::disagrees) << c.error;
   };
   constexpr double kLarger = 1.0001;
   expect_noticed([](Tank& t) { t.holes[0].area *= kLarger; });

@@ -20,7 +20,7 @@ membrane::BagModel model_of(const membrane::PassengerBag& bag, bool plate) {
   description.elements = mesh.elements;
   for (const int panel : mesh.panel) {
     membrane::ElementProperties properties{
-        .thickness = 0.5e-3, .density = 620.0, .young = 60e6, .poisson = 0.3};
+        .thickness = 0.5e-3, .density = 620.0, .young_modulus = 60e6, .poisson = 0.3};
     properties.null_panel = panel == membrane::panel_index(mesh, "vent");
     description.properties.push_back(properties);
   }

@@ -13,7 +13,7 @@ namespace closed_form {
 
 /// Isotropic sheet.
 struct Sheet {
-  double youngs_modulus = kRequired;  // [Pa] > 0
+  double young_modulus = kRequired;  // [Pa] > 0
   double poisson_ratio = kRequired;   // [-] -1 < nu <= 0.5
   double thickness = kRequired;       // [m] > 0
   double density = kRequired;         // [kg/m3] > 0; needed only where mass matters

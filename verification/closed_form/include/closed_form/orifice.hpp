@@ -39,19 +39,19 @@ double bernoulli_ratio_series(double heat_capacity_ratio, double epsilon);
 
 /// How the porosity eta enters the leak area.
 enum class PorosityLaw {
-  kPrinted,  // eta^2 A, the formula as printed in "Gas Jet Model for Airbag Inflators"
-  kScreen,   // eta A, a resistance coefficient 1/eta^2 as that text says
+  printed,  // eta^2 A, the formula as printed in "Gas Jet Model for Airbag Inflators"
+  screen,   // eta A, a resistance coefficient 1/eta^2 as that text says
 };
 
 /// Leak area C = eta^2 A (printed) or eta A (screen) [m2]; 0 <= eta <= 1, A >= 0.
-double leak_area(double porosity, double fabric_area, PorosityLaw law = PorosityLaw::kPrinted);
+double leak_area(double porosity, double fabric_area, PorosityLaw law = PorosityLaw::printed);
 
 /// Fabric with gas under pressure behind it.
 struct PorousFabric {
   PerfectGas gas;                           // behind the fabric
   double porosity = kRequired;              // [-] 0 <= eta <= 1
   double fabric_area = kRequired;           // [m2] >= 0
-  PorosityLaw law = PorosityLaw::kPrinted;  // of the leak area
+  PorosityLaw law = PorosityLaw::printed;  // of the leak area
   double pressure = kRequired;              // [Pa] inside, > 0
   double temperature = kRequired;           // [K] inside, > 0
   double ambient_pressure = kRequired;      // [Pa] >= 0
@@ -108,7 +108,7 @@ struct PorousTank {
   double volume = kRequired;                // [m3] > 0
   double porosity = kRequired;              // [-] 0 < eta <= 1
   double fabric_area = kRequired;           // [m2] > 0
-  PorosityLaw law = PorosityLaw::kPrinted;  // of the leak area
+  PorosityLaw law = PorosityLaw::printed;  // of the leak area
   double initial_pressure = kRequired;      // [Pa] > ambient_pressure
   double initial_temperature = kRequired;   // [K] > 0
   double ambient_pressure = kRequired;      // [Pa] > 0
