@@ -104,7 +104,7 @@ gas::ControlVolumeModel model_of(const Tank& tank) {
     model.vents.push_back({h.discharge_coefficient, h.area, optional_curve(h.area_of_time),
                            optional_curve(h.area_of_overpressure), h.backflow, h.node});
   model.heat_loss = {tank.conductance, tank.outside_temperature};
-  model.fabric_velocity = optional_curve(tank.fabric_velocity);
+  model.fabrics = {{1.0, optional_curve(tank.fabric_velocity)}};
   model.volume_of_overpressure = optional_curve(tank.volume_of_overpressure);
   model.triggers = triggers_of(tank);
   return model;
