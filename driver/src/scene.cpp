@@ -95,8 +95,10 @@ bool can_name_a_column(const std::string& species) {
 }
 
 void read_streams(TableReader& table, Scene& scene) {
-  if (table.has("streams") && !scene.has_volume())
-    table.fail("streams", "has no effect: the scene has no volume of gas");
+  if (!scene.has_volume()) {
+    if (table.has("streams")) table.fail("streams", "has no effect: the scene has no volume of gas");
+    return;
+  }
   scene.output.streams = table.flag("streams", false);
   if (!scene.output.streams) return;
   const gas::Thermo& thermo = scene.gas->model.thermo;
