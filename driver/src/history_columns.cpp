@@ -83,8 +83,13 @@ void add_streams(Of scene, std::vector<Column>& columns) {
     if (model.vents[j].backflow)
       add(vent + "_backflow_kg", [j](const Level& n) { return n.streams.backflows[j].mass; });
   }
-  if (has::fabric_leak(scene))
+  if (!has::fabric_leak(scene)) return;
+  if (model.fabric_count() == 1)
     add("fabric_out_kg", [vents](const Level& n) { return n.streams.outflows[vents].mass; });
+  else
+    for (std::size_t i = 0; i < model.fabric_count(); ++i)
+      add("fabric_" + std::to_string(i) + "_out_kg",
+          [stream = vents + i](const Level& n) { return n.streams.outflows[stream].mass; });
 }
 
 }  // namespace

@@ -133,6 +133,9 @@ TEST(case_gas, fabrics_leak_side_by_side) {
   EXPECT_GT(out[1].mass, 1e-4);
   EXPECT_GT(out[2].mass, 1e-4);
   EXPECT_NEAR(out[1].mass + out[2].mass, run.state.flows.fabric_mass_out, 1e-15);
+  const auto shown = run_case("tank_steps", {"output.streams=true"});
+  EXPECT_EQ(shown.history.back().at("fabric_0_out_kg"), out[1].mass);
+  EXPECT_EQ(shown.history.back().at("fabric_1_out_kg"), out[2].mass);
   const std::string velocity =
       "leak_law=\"table\", velocity={overpressure=[0.0,1e3,1e5], value=[0.0,0.1,1.0]}";
   for (const std::string& law :
