@@ -170,7 +170,7 @@ rule_case_keys() {
 # Every column of the history and of the energy file has a row in docs/results.md, and every row's column is one.
 rule_columns() {
   local page=docs/results.md columns rows name
-  columns=$(cat driver/src/history_columns.cpp driver/src/energy_columns.cpp | tr -d '\n' |
+  columns=$(cat driver/src/results/history_columns.cpp driver/src/results/energy_columns.cpp | tr -d '\n' |
     grep -oE '\{"[A-Za-z0-9_]+", |add\([^,]*, ' |
     sed -E 's/^\{//; s/^add\(//; s/, $//; s/vent \+/"vent_*" +/; s/" \+ [^"]* \+ "/*/g; s/" \+ "//g; s/"//g' | sort -u)
   rows=$(sed -nE '/^## .(history|energy)/,/^## .summary/ s/^\| `([^`]+)`.*/\1/p' "$page" | sort -u)

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // Validates a case and prints what follows from it before any step is made.
-#include "check.hpp"
+#include "commands/check.hpp"
 
 #include <fmt/format.h>
 
 #include <cmath>
 
-#include "../drift.hpp"
-#include "../jet_peak.hpp"
-#include "commands.hpp"
+#include "step/drift.hpp"
+#include "scene/jet_peak.hpp"
+#include "commands/commands.hpp"
 #include "driver/run.hpp"
 #include "gas/orifice.hpp"
 

@@ -3,9 +3,9 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "../drift.hpp"
-#include "../jet_peak.hpp"
-#include "check.hpp"
+#include "step/drift.hpp"
+#include "scene/jet_peak.hpp"
+#include "commands/check.hpp"
 #include "membrane/time_step.hpp"
 
 namespace driver::commands {

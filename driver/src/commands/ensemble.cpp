@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "commands.hpp"
+#include "commands/commands.hpp"
 #include "driver/progress.hpp"
 
 namespace driver::commands {

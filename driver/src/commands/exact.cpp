@@ -8,9 +8,9 @@
 #include <nlohmann/json.hpp>
 
 #include "closed_form/catalogue.hpp"
-#include "commands.hpp"
+#include "commands/commands.hpp"
 #include "driver/case_reader.hpp"
-#include "number_text.hpp"
+#include "case/number_text.hpp"
 
 namespace driver::commands {
 namespace {

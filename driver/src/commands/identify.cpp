@@ -7,9 +7,9 @@
 #include <algorithm>
 #include <charconv>
 
-#include "../case_species.hpp"
-#include "../csv_table.hpp"
-#include "commands.hpp"
+#include "case/species.hpp"
+#include "results/csv_table.hpp"
+#include "commands/commands.hpp"
 #include "driver/case_reader.hpp"
 #include "driver/results.hpp"
 #include "tank_test/smoothing_spline.hpp"

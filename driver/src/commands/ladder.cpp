@@ -7,7 +7,7 @@
 #include <charconv>
 #include <cmath>
 
-#include "commands.hpp"
+#include "commands/commands.hpp"
 #include "driver/progress.hpp"
 #include "driver/results.hpp"
 

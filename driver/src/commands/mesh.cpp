@@ -4,8 +4,8 @@
 #include <charconv>
 #include <numbers>
 
-#include "bag_mesh.hpp"
-#include "commands.hpp"
+#include "scene/bag_mesh.hpp"
+#include "commands/commands.hpp"
 #include "driver/case_reader.hpp"
 #include "driver/results.hpp"
 #include "driver/scene.hpp"

@@ -4,9 +4,9 @@
 #include <span>
 
 #include "build_info.hpp"
-#include "commands.hpp"
+#include "commands/commands.hpp"
 #include "driver/case_reader.hpp"
-#include "validators.hpp"
+#include "commands/validators.hpp"
 
 namespace driver::commands {
 namespace {

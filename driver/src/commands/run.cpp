@@ -5,7 +5,7 @@
 
 #include <cstdio>
 
-#include "commands.hpp"
+#include "commands/commands.hpp"
 #include "driver/progress.hpp"
 
 namespace driver::commands {

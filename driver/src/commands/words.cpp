@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 
-#include "commands.hpp"
+#include "commands/commands.hpp"
 
 namespace driver::commands {
 

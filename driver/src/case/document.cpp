@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: Apache-2.0
+// Loading a case file and applying `key.path=value` overrides.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+
+#include "case/log.hpp"
+#include "driver/case_reader.hpp"
+#include "case/text_file.hpp"
+#include "case/toml_library.hpp"
+
+namespace driver {
+namespace {
+
+toml::table parse(const std::string& text, const std::string& name) {
+  try {
+    return toml::parse(text, name);
+  } catch (const toml::parse_error& error) {
+    const auto at = error.source().begin;
+    throw CaseError(fmt::format("{}:{}:{}: TOML syntax: {}", name, at.line, at.column, error.description()));
+  }
+}
+
+// The value of an override: TOML if it parses as TOML, else a string.
+toml::table parse_override_value(const std::string& override_text, const std::string& value) {
+  const std::string name = "--set " + override_text;
+  try {
+    toml::table parsed = toml::parse("value = " + value, name);
+    if (parsed.size() != 1) throw CaseError(fmt::format("{}: one value is allowed", name));
+    return parsed;
+  } catch (const toml::parse_error& error) {
+    // Only a bare word is meant as a string.
+    if (value.empty() || !(std::isalpha(static_cast<unsigned char>(value[0])) || value[0] == '_'))
+      throw CaseError(fmt::format("{}: {}", name, error.description()));
+    std::string quoted = "value = \"";
+    for (const char c : value) quoted += (c == '"' || c == '\\') ? std::string{'\\', c} : std::string{c};
+    try {
+      return toml::parse(quoted + '"', name);
+    } catch (const toml::parse_error& again) {
+      throw CaseError(fmt::format("{}: {}", name, again.description()));
+    }
+  }
+}
+
+// Where the path of an override ends: its first = outside quotes.
+std::size_t end_of_path(const std::string& text) {
+  bool inside = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] == '\\' && inside)
+      ++i;
+    else if (text[i] == '"')
+      inside = !inside;
+    else if (text[i] == '=' && !inside)
+      return i;
+  }
+  return std::string::npos;
+}
+
+// The node that `key` names inside `parent`; a missing table is made, for the strict reader to judge.
+toml::node& descend(toml::node& parent, const PathPart& part, const std::string& override_text) {
+  const auto& [key, index] = part;
+  if (auto* table = parent.as_table()) {
+    if (!table->contains(key))
+      table->insert(key, std::move(*toml::parse("value = {}", "--set " + override_text).get("value")));
+    return *table->get(key);
+  }
+  if (auto* array = parent.as_array()) {
+    if (index && *index < array->size()) return *array->get(*index);
+    throw CaseError(fmt::format("--set {}: '{}' is no index of that array, 0 to {} are allowed",
+                                override_text, key, static_cast<long>(array->size()) - 1));
+  }
+  throw CaseError(fmt::format("--set {}: nothing stands below the key before '{}'", override_text, key));
+}
+
+void unset(toml::table& root, const std::string& path) {
+  toml::node* node = &root;
+  const auto parts = split_path(path);
+  for (std::size_t i = 0; node && i + 1 < parts.size(); ++i) {
+    auto* array = node->as_array();
+    const auto& [key, index] = parts[i];
+    node = array && index ? array->get(*index) : node->is_table() ? node->as_table()->get(key) : nullptr;
+  }
+  if (auto* array = node ? node->as_array() : nullptr;
+      array && parts.back().index && *parts.back().index < array->size())
+    throw CaseError(
+        fmt::format("--unset {}: one entry of a list; a key, a table or a whole list is allowed", path));
+  if (!node || !node->is_table() || node->as_table()->erase(parts.back().key) == 0)
+    throw CaseError(fmt::format("--unset {}: the case has no such key", path));
+}
+
+void apply_override(toml::table& root, const std::string& text) {
+  if (text.starts_with(unset_prefix)) return unset(root, text.substr(unset_prefix.size()));
+  const auto equals = end_of_path(text);
+  if (equals == std::string::npos || equals == 0)
+    throw CaseError(fmt::format("--set {}: key.path=value is expected", text));
+  const auto parts = split_path(text.substr(0, equals));
+  if (text[equals - 1] == '.' ||
+      std::any_of(parts.begin(), parts.end(), [](const auto& p) { return p.key.empty(); }))
+    throw CaseError(fmt::format("--set {}: a part of the path is empty", text));
+  toml::table value = parse_override_value(text, text.substr(equals + 1));
+  toml::node* node = &root;
+  for (std::size_t i = 0; i + 1 < parts.size(); ++i) node = &descend(*node, parts[i], text);
+  if (auto* table = node->as_table()) {
+    table->insert_or_assign(parts.back().key, std::move(*value.get("value")));
+  } else if (auto* array = node->as_array()) {
+    const auto& [key, index] = parts.back();
+    if (!index || *index >= array->size())
+      throw CaseError(fmt::format("--set {}: '{}' is no index of that array", text, key));
+    array->replace(array->cbegin() + static_cast<std::ptrdiff_t>(*index), std::move(*value.get("value")));
+  } else {
+    throw CaseError(fmt::format("--set {}: the key before '{}' is no table", text, parts.back().key));
+  }
+}
+
+}  // namespace
+
+CaseDocument::CaseDocument(const std::filesystem::path& file, const std::vector<std::string>& overrides)
+    : file_(file),
+      table_(std::make_unique<toml::table>(parse(read_text(file), file.string()))),
+      log_(std::make_unique<CaseLog>()) {
+  log_->folder = file.parent_path();
+  for (const auto& text : overrides) apply_override(*table_, text);
+}
+
+CaseDocument::~CaseDocument() = default;
+CaseDocument::CaseDocument(CaseDocument&&) noexcept = default;
+
+TableReader CaseDocument::root() {
+  return {*table_, "", file_.string() + ":1:1", *log_};
+}
+
+std::vector<std::filesystem::path> CaseDocument::files() const {
+  auto all = log_->files;
+  all.push_back(file_);
+  return all;
+}
+
+const std::vector<Setting>& CaseDocument::settings() const {
+  return log_->settings;
+}
+
+}  // namespace driver

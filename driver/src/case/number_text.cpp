@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "case/number_text.hpp"
+
+#include <charconv>
+#include <cmath>
+
+namespace driver {
+namespace {
+
+template <class Number>
+std::errc parse(std::string_view text, Number& value) {
+  const char* end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, value);
+  return error == std::errc{} && stop != end ? std::errc::invalid_argument : error;
+}
+
+}  // namespace
+
+std::optional<double> number_of(std::string_view text) {
+  if (text.size() > 1 && text[0] == '+' && text[1] != '-') text.remove_prefix(1);
+  double value = 0.0;
+  const std::errc error = parse(text, value);
+  if (error == std::errc{} && std::isfinite(value)) return value;
+  // Beyond the range of double: too large, or as good as 0?
+  long double wide = 1.0L;
+  if (error == std::errc::result_out_of_range && parse(text, wide) == std::errc{} && std::abs(wide) < 1.0L)
+    return 0.0;
+  return std::nullopt;
+}
+
+}  // namespace driver

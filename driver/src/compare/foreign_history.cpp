@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: Apache-2.0
+// Histories of this program and, by a map, of others.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <unordered_map>
+
+#include "compare/abstat.hpp"
+#include "results/csv_table.hpp"
+#include "driver/case_reader.hpp"
+#include "driver/compare.hpp"
+
+namespace driver {
+namespace {
+
+// value [SI] = scale * (value of the file) + offset
+struct MappedColumn {
+  std::string name;    // ours
+  std::string column;  // the file's; one * stands for any characters
+  double scale = 1.0;
+  double offset = 0.0;
+};
+
+struct Map {
+  bool abstat = false;
+  int volume_number = 1;
+  std::vector<MappedColumn> columns;  // the time first
+};
+
+MappedColumn read_column(TableReader&& table, const std::string& name) {
+  MappedColumn column;
+  column.name = name.empty() ? table.text("name") : name;
+  if (column.name.empty()) table.fail("name", "is empty, the name of a quantity is allowed");
+  column.column = table.text("column");
+  if (column.column.empty() || std::count(column.column.begin(), column.column.end(), '*') > 1)
+    table.fail("column", fmt::format("is '{}', a name with at most one * is allowed", column.column));
+  column.scale = table.number("scale", any_number, 1.0);
+  if (column.scale == 0.0) table.fail("scale", "0 forgets the column, another number is allowed");
+  column.offset = table.number("offset", any_number, 0.0);
+  table.finish();
+  return column;
+}
+
+Map read_map(const std::filesystem::path& file) {
+  CaseDocument document(file, {});
+  TableReader root = document.root();
+  Map map;
+  map.abstat = root.choice<bool>("format", {{"csv", false}, {"abstat", true}});
+  if (map.abstat) map.volume_number = root.integer("volume_number", 1, 1000000000, 1);
+  map.columns.push_back(read_column(root.table("time"), "time_s"));
+  for (auto& table : root.tables("quantity")) {
+    map.columns.push_back(read_column(std::move(table), ""));
+    const auto same = [&](const MappedColumn& c) { return c.name == map.columns.back().name; };
+    if (std::count_if(map.columns.begin(), map.columns.end(), same) > 1)
+      root.fail("quantity", fmt::format("{} is given twice", map.columns.back().name));
+  }
+  root.finish();
+  return map;
+}
+
+// The pattern has a star.
+bool matches(const std::string& pattern, const std::string& name) {
+  const auto star = pattern.find('*');
+  const std::string_view tail = std::string_view(pattern).substr(star + 1);
+  return name.size() + 1 >= pattern.size() && name.starts_with(pattern.substr(0, star)) &&
+         name.ends_with(tail);
+}
+
+using NameCounts = std::unordered_map<std::string, std::size_t>;
+
+// Names of the header that a pattern means.
+std::vector<std::string> matching(const CsvHeader& header, const NameCounts& counts,
+                                  const std::string& pattern) {
+  if (pattern.find('*') == std::string::npos) {
+    const auto found = counts.find(pattern);
+    return std::vector<std::string>(found == counts.end() ? 0 : found->second, pattern);
+  }
+  std::vector<std::string> found;
+  for (const auto& name : header.names)
+    if (matches(pattern, name)) found.push_back(name);
+  return found;
+}
+
+// The column's name in the header; empty when it is not there, since a map may name more than a run wrote.
+std::string find_column(const std::filesystem::path& file, const CsvHeader& header, const NameCounts& counts,
+                        const std::string& pattern) {
+  const auto found = matching(header, counts, pattern);
+  if (found.size() > 1)
+    throw CaseError(fmt::format("{}:{}:1: '{}' is more than one column: {}", file.string(), header.line,
+                                pattern, fmt::join(found, "; ")));
+  return found.empty() ? "" : found.front();
+}
+
+std::vector<MappedColumn> own_columns(const CsvHeader& header) {
+  std::vector<MappedColumn> columns{{"time_s", "time_s"}};
+  for (const auto& name : header.names)
+    if (name != "time_s") columns.push_back({name, name});
+  return columns;
+}
+
+// Read as CSV: the columns that are there take the file's full names.
+CsvTable read_mapped_csv(const std::filesystem::path& file, std::vector<MappedColumn>& columns,
+                         const CsvHeader& header) {
+  NameCounts counts;
+  for (const auto& name : header.names) ++counts[name];
+  for (auto& column : columns)
+    if (const auto name = find_column(file, header, counts, column.column);
+        &column == &columns.front() || !name.empty())
+      column.column = name.empty() ? column.column : name;
+    else
+      column.name.clear();
+  std::erase_if(columns, [](const MappedColumn& c) { return c.name.empty(); });
+  std::vector<std::string> names;
+  for (const auto& column : columns) names.push_back(column.column);
+  return read_csv(file, names);
+}
+
+// The squares of larger values and times have no place in a double.
+constexpr double largest_magnitude = 1e100;
+
+History in_si_units(const CsvTable& table, const std::vector<MappedColumn>& columns) {
+  History history;
+  for (std::size_t c = 0; c < columns.size(); ++c) {
+    auto values = table.values[c];
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      values[i] = columns[c].scale * values[i] + columns[c].offset;
+      if (!(std::abs(values[i]) <= largest_magnitude))
+        table.fail(c, i, fmt::format("{} in SI units: a magnitude of at most 1e100 is allowed", values[i]));
+      if (values[i] < 0.0 && columns[c].name.ends_with(band_suffix))
+        table.fail(c, i, fmt::format("{}: a half width of 0 or more is allowed", values[i]));
+    }
+    if (c == 0) {
+      history.time = std::move(values);
+    } else {
+      history.columns.emplace_back(columns[c].name, std::move(values));
+    }
+  }
+  return history;
+}
+
+void check_times(const CsvTable& table, const History& history) {
+  constexpr std::size_t fewest = 3;  // interpolation judges itself by a parabola
+  if (table.rows() < fewest)
+    throw CaseError(fmt::format("{}:{}:1: has {} rows, {} or more are needed", table.file.string(),
+                                table.rows() > 0 ? table.lines.back() : 1, table.rows(), fewest));
+  for (std::size_t i = 1; i < history.time.size(); ++i)
+    if (!(history.time[i] > history.time[i - 1]))
+      table.fail(0, i,
+                 fmt::format("{} s follows {} s: strictly rising times are allowed", history.time[i],
+                             history.time[i - 1]));
+}
+
+// The columns of `table` that the map names, in the map's order.
+CsvTable select(CsvTable&& table, const std::vector<MappedColumn>& columns,
+                const std::filesystem::path& map) {
+  CsvTable chosen{table.file, {}, {}, table.lines, {}};
+  for (const auto& column : columns) {
+    const auto found = std::find(table.names.begin(), table.names.end(), column.column);
+    if (found == table.names.end())
+      throw CaseError(fmt::format("{}:1:1: column: an abstat file has no '{}', allowed are {}", map.string(),
+                                  column.column, fmt::join(table.names, ", ")));
+    const auto c = static_cast<std::size_t>(found - table.names.begin());
+    chosen.names.push_back(table.names[c]);
+    chosen.values.push_back(table.values[c]);
+    chosen.positions.push_back(table.positions[c]);
+  }
+  return chosen;
+}
+
+}  // namespace
+
+History read_history(const std::filesystem::path& file, const std::filesystem::path& map_file) {
+  Map map;
+  if (!map_file.empty()) map = read_map(map_file);
+  CsvTable table;
+  if (map.abstat) {
+    table = select(read_abstat(file, map.volume_number), map.columns, map_file);
+  } else {
+    const CsvHeader header = read_csv_header(file);
+    if (map_file.empty()) map.columns = own_columns(header);
+    table = read_mapped_csv(file, map.columns, header);
+  }
+  History history = in_si_units(table, map.columns);
+  check_times(table, history);
+  return history;
+}
+
+}  // namespace driver

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ensemble/member.hpp"
+
+#include <fmt/format.h>
+
+#include <ctime>
+
+#include "driver/channel_filter.hpp"
+#include "scene/has.hpp"
+
+namespace driver {
+namespace {
+
+double thread_cpu_seconds() {
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+struct Quantity {
+  const char* name;
+  bool (*when)(const Scene&);
+  std::optional<double> (*value)(const State&, const PlanarSignal& acceleration);
+};
+
+using At = const State&;
+using Signal = const PlanarSignal&;
+
+std::optional<double> first_contact(At now, Signal) {
+  if (now.peaks.first_contact < 0.0) return std::nullopt;
+  return now.peaks.first_contact;
+}
+
+std::optional<double> filtered(At, Signal signal) {
+  return filtered_peak(signal, impactor_channel_class);
+}
+
+// clang-format off
+constexpr Quantity kQuantities[] = {
+  {"peak_pressure_Pa", has::volume, [](At now, Signal) { return std::optional(now.peaks.pressure); }},
+  {"peak_volume_m3", has::volume, [](At now, Signal) { return std::optional(now.peaks.volume); }},
+  {"final_angle_rad", has::pendulum, [](At now, Signal) { return std::optional(now.level.pendulum_angle); }},
+  {"peak_cg_acceleration_m_s2", has::pendulum, [](At now, Signal) { return std::optional(now.peaks.cg_acceleration); }},
+  {"peak_cg_acceleration_cfc180_m_s2", has::pendulum, filtered},
+  {"contact_impulse_Ns", has::pendulum, [](At now, Signal) { return std::optional(now.flows.contact_impulse); }},
+  {"path_impulse_Ns", has::pendulum, [](At now, Signal) { return std::optional(now.flows.path_impulse); }},
+  {"first_contact_s", has::pendulum, first_contact},
+};
+// clang-format on
+
+}  // namespace
+
+std::vector<std::string> quantity_names(const Scene& scene) {
+  std::vector<std::string> names;
+  for (const Quantity& quantity : kQuantities)
+    if (quantity.when(scene)) names.emplace_back(quantity.name);
+  return names;
+}
+
+Member run_member(const Scene& scene) {
+  const double start = thread_cpu_seconds();
+  State state = make_state(scene);
+  Member member;
+  PlanarSignal acceleration;
+  double level = 0.0;  // [s] time of the level that the sink sees
+  const auto columns = history_columns(scene);
+  member.outcome = run_scene(scene, state, [&](bool recorded, const State& now) {
+    if (recorded) member.rows.push_back(row(columns, scene, now));
+    if (!now.pendulum) return;
+    acceleration.time.push_back(level);
+    acceleration.first.push_back(now.pendulum->acceleration.tangential);
+    acceleration.second.push_back(now.pendulum->acceleration.radial);
+    level += now.step.after;
+  });
+  member.cpu_seconds = thread_cpu_seconds() - start;
+  for (const Quantity& quantity : kQuantities)
+    if (quantity.when(scene)) member.quantities.push_back(quantity.value(state, acceleration));
+  return member;
+}
+
+std::vector<std::string> perturbed(std::vector<std::string> overrides, double amplitude, int seed) {
+  overrides.push_back(fmt::format("membrane.perturbation={:e}", amplitude));
+  overrides.push_back(fmt::format("membrane.perturbation_seed={}", seed));
+  return overrides;
+}
+
+}  // namespace driver

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: Apache-2.0
+// The runs of a ladder, side by side.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <mutex>
+
+#include "driver/progress.hpp"
+#include "ladder/parts.hpp"
+
+namespace driver {
+namespace {
+
+constexpr double short_run = 0.02;  // [s] of a run below it the cost is the least of those that take as long
+constexpr int short_repeats = 5;    // at least
+
+std::vector<std::string> all_names(const Scene& scene) {
+  std::vector<std::string> names = quantity_names(scene);
+  const auto history = history_columns(scene);
+  for (std::size_t c = 1; c < history.size(); ++c) names.push_back(history[c].name);
+  return names;
+}
+
+std::optional<double> quantity_of(const Scene& scene, const Member& member, const std::string& name) {
+  const auto names = quantity_names(scene);
+  const auto found = std::ranges::find(names, name);
+  if (found != names.end()) return member.quantities[static_cast<std::size_t>(found - names.begin())];
+  const auto columns = history_columns(scene);
+  const auto column = std::ranges::find(columns, name, &Column::name);
+  if (column == columns.end()) return std::nullopt;
+  return member.rows.back()[static_cast<std::size_t>(column - columns.begin())];
+}
+
+LadderSample run_job(const std::filesystem::path& file, const LadderJob& job, const std::string& quantity) {
+  LadderSample sample;
+  try {
+    CaseDocument document(file, job.overrides);
+    const Scene scene = read_scene(document);
+    double total = 0.0;
+    for (int i = 0; i < short_repeats || total < short_run; ++i) {
+      const Member member = run_member(scene);
+      sample.failure = member.outcome.message;
+      if (member.outcome.status != RunStatus::done) return {{}, 0.0, sample.failure};
+      sample.value = quantity_of(scene, member, quantity);
+      sample.cpu_seconds = i == 0 ? member.cpu_seconds : std::min(sample.cpu_seconds, member.cpu_seconds);
+      total += member.cpu_seconds;
+      if (job.is_one_of_many || sample.cpu_seconds > short_run) break;
+    }
+    sample.no_event = !sample.value;
+    if (sample.no_event) sample.failure = "the run has no such event";
+  } catch (const std::exception& error) {
+    sample.failure = error.what();
+  }
+  return sample;
+}
+
+}  // namespace
+
+std::string quantity_name(const Scene& scene, const std::string& quantity) {
+  const auto names = all_names(scene);
+  std::vector<std::string> found;
+  for (const auto& name : names) {
+    if (name == quantity) return name;
+    if (name.starts_with(quantity + '_')) found.push_back(name);
+  }
+  if (found.size() != 1)
+    throw CaseError(fmt::format("--quantity {}: {}, allowed are {}", quantity,
+                                found.empty() ? "the scene has none of that name" : "is more than one",
+                                fmt::join(found.empty() ? names : found, ", ")));
+  return found.front();
+}
+
+std::vector<LadderSample> run_jobs(const std::filesystem::path& file, const std::vector<LadderJob>& jobs,
+                                   const std::string& quantity, const std::string& title, int threads,
+                                   bool quiet) {
+  std::vector<LadderSample> samples(jobs.size());
+  std::mutex lock;
+  std::size_t finished = 0;
+  Progress progress(title, static_cast<double>(jobs.size()), quiet);
+  tbb::task_arena arena(threads);
+  arena.execute([&] {
+    tbb::parallel_for(std::size_t{0}, jobs.size(), [&](std::size_t j) {
+      if (interrupted()) return;
+      samples[j] = run_job(file, jobs[j], quantity);
+      const std::lock_guard<std::mutex> guard(lock);
+      ++finished;
+      progress.update(static_cast<double>(finished), fmt::format("run {} of {}", finished, jobs.size()));
+    });
+  });
+  return samples;
+}
+
+}  // namespace driver

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: Apache-2.0
+// summary.json.
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "step/drift.hpp"
+#include "driver/run.hpp"
+
+namespace driver {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+const char* status_name(RunStatus status) {
+  switch (status) {
+    case RunStatus::done:
+      return "done";
+    case RunStatus::interrupted:
+      return "interrupted";
+    case RunStatus::inaccurate:
+      return "inaccurate";
+    case RunStatus::failed:
+      break;
+  }
+  return "failed";
+}
+
+Json step_sizes(const Scene& scene, const State& state) {
+  const StepSizes& step = state.step;
+  Json json{{"min", step.minimum}, {"max", step.maximum}};
+  if (!scene.bag) return json;
+  if (!scene.time.step) json["limited_by_drift"] = step.drift_limited;
+  const double steps = std::max(1.0, static_cast<double>(state.steps));
+  json["shares"] = {{"element", step.share_sums.element / steps},
+                    {"gas", step.share_sums.gas / steps},
+                    {"contact", step.share_sums.contact / steps},
+                    {"strap", step.share_sums.strap / steps},
+                    {"plate", step.share_sums.plate / steps}};
+  return json;
+}
+
+Json residuals(const Scene& scene, const State& state) {
+  Json json = Json::object();
+  const double energy = state.peaks.energy_scale;
+  const auto relative = [&](double joule) { return energy > 0.0 ? joule / energy : joule; };
+  if (scene.has_volume()) json["mass_rel"] = state.peaks.mass_residual;
+  if (scene.moves()) json["ledger_rel"] = relative(state.peaks.ledger_residual);
+  if (scene.has_volume() || scene.moves()) json["energy_rel"] = energy_drift(state);
+  if (scene.bag) json["momentum_rel"] = state.peaks.momentum_residual;
+  return json;
+}
+
+Json peaks(const Scene& scene, const State& state) {
+  Json json = Json::object();
+  const Peaks& p = state.peaks;
+  if (scene.has_volume()) json["pressure_Pa"] = p.pressure;
+  if (scene.bag) json["volume_m3"] = p.volume;
+  if (!scene.jets.empty()) json["jet_force_N"] = p.jet_force;
+  if (scene.pendulum) {
+    json["pendulum_angle_rad"] = p.pendulum_angle;
+    json["pendulum_cg_acceleration_m_s2"] = p.cg_acceleration;
+  }
+  if (scene.contact) {
+    json["contact_force_N"] = p.contact_force;
+    json["contact_penetration_m"] = p.penetration;
+    json["contact_impulse_Ns"] = state.flows.contact_impulse;
+    json["path_impulse_Ns"] = state.flows.path_impulse;
+    json["first_contact_s"] = p.first_contact >= 0.0 ? Json(p.first_contact) : Json(nullptr);
+  }
+  return json;
+}
+
+/// Null for what never happened.
+Json time_or_null(double time) {
+  return std::isfinite(time) ? Json(time) : Json(nullptr);
+}
+
+/// When the flow through vents and fabric changed its nature, the last time.
+Json moments(const State& state) {
+  const gas::StepMoments& last = state.gas_events.last;
+  return {{"sonic_switch_s", time_or_null(last.sonic_switch)},
+          {"equalisation_s", time_or_null(last.equalisation)}};
+}
+
+/// Mass and enthalpy that each stream carried, from the start.
+Json streams(const Scene& scene, const State& state) {
+  Json json = Json::object();
+  const auto entry = [](const gas::StreamFlux& flux) {
+    return Json{{"mass_kg", flux.mass}, {"enthalpy_J", flux.enthalpy}};
+  };
+  const std::size_t vents = scene.gas->model.vents.size();
+  for (std::size_t i = 0; i < state.streams.inflows.size(); ++i) {
+    Json& inflator = json["inflator." + std::to_string(i)] = entry(state.streams.inflows[i]);
+    const double fired = gas::firing_time(scene.gas->model.inflows[i], state.gas.triggers);
+    inflator["fired_s"] = time_or_null(fired <= state.time ? fired : HUGE_VAL);
+  }
+  for (std::size_t j = 0; j < vents; ++j) {
+    Json& vent = json["vent." + std::to_string(j)] = entry(state.streams.outflows[j]);
+    vent["opened_s"] = time_or_null(state.gas_events.opened[j]);
+    if (scene.gas->model.vents[j].backflow)
+      json["vent." + std::to_string(j) + ".backflow"] = entry(state.streams.backflows[j]);
+  }
+  const std::size_t fabrics = scene.gas->model.fabric_count();
+  for (std::size_t i = 0; i < fabrics; ++i)
+    if (const auto& out = state.streams.outflows[vents + i]; fabrics > 1 || out.mass > 0.0)
+      json[fabrics > 1 ? "fabric." + std::to_string(i) : "fabric"] = entry(out);
+  return json;
+}
+
+Json counters(const Scene& scene, const State& state) {
+  Json json = Json::object();
+  if (scene.has_volume()) json["gas_substeps"] = state.flows.gas_substeps;
+  if (scene.has_volume()) json["gas_evaluations"] = state.flows.gas_evaluations;
+  if (scene.bag) json["elements"] = scene.bag->model.element_count;
+  if (scene.bag) json["nodes"] = scene.bag->model.node_count;
+  for (std::size_t j = 0; j < state.jets.size(); ++j) {
+    const auto& total = state.jets[j].total;
+    json["jets"].push_back({{"candidates", total.candidates},
+                            {"lit", total.lit},
+                            {"hidden", total.hidden},
+                            {"facing_away", total.facing_away},
+                            {"exact_calls", total.exact_calls},
+                            {"fallbacks", total.fallbacks},
+                            {"tree_builds", total.tree_builds}});
+  }
+  if (state.contact_cache) {
+    json["contact_looks"] = state.contact_cache->looks;
+    json["contact_sweeps"] = state.contact_cache->sweeps;
+    json["contact_skips"] = state.contact_cache->skips;
+  }
+  return json;
+}
+
+}  // namespace
+
+void write_summary(const std::filesystem::path& file, const Scene& scene, const State& state,
+                   const RunOutcome& outcome, const Provenance& lines) {
+  Json json{{"scene", scene.name}, {"status", status_name(outcome.status)}};
+  if (!outcome.message.empty()) json["message"] = outcome.message;
+  if (!outcome.warning.empty()) json["warnings"] = {outcome.warning};
+  json["steps"] = state.steps;
+  json["time_end_s"] = state.time;
+  json["wall_s"] = outcome.wall_seconds;
+  json["real_time_factor"] = state.time > 0.0 ? outcome.wall_seconds / state.time : 0.0;
+  for (std::size_t i = 0; i < kStages; ++i)
+    if (state.stage_seconds[i] > 0.0)
+      json["stage_seconds"][std::string(stage_name(static_cast<Stage>(i)))] = state.stage_seconds[i];
+  json["dt"] = step_sizes(scene, state);
+  json["residual"] = residuals(scene, state);
+  json["peak"] = peaks(scene, state);
+  if (scene.has_volume()) json["moments"] = moments(state);
+  if (scene.has_volume()) json["streams"] = streams(scene, state);
+  json["counters"] = counters(scene, state);
+  for (const auto& [key, value] : lines) json["build"][key] = value;
+  std::ofstream stream(file);
+  // Paths and overrides may hold bytes that are no UTF-8.
+  stream << json.dump(2, ' ', false, Json::error_handler_t::replace) << std::endl;
+  if (!stream) throw WriteError(file.string() + ": write failed");
+}
+
+}  // namespace driver

@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: Apache-2.0
+// [inflator.jet] -> JetPart.
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "coupling/side.hpp"
+#include "jet/centreline.hpp"
+#include "scene/parts.hpp"
+
+namespace driver {
+namespace {
+
+const Bounds below_one{0.0, std::nextafter(1.0, 0.0), false, "a number from 0 to below 1"};
+const Bounds below_right_angle{0.0, std::nextafter(0.5 * std::numbers::pi, 0.0), false,
+                               "0 to below pi/2 rad"};
+
+// The coefficient of a kind of outlet, or a number.
+double read_decay_coefficient(TableReader& table, jet::OutletShape shape) {
+  using Type = jet::OutletType;
+  if (!table.has("outlet_type")) return table.number("decay_coefficient", positive);
+  if (table.has("decay_coefficient"))
+    table.fail("outlet_type", "stands beside decay_coefficient, one of the two is allowed");
+  return jet::decay_coefficient(
+      shape == jet::OutletShape::round
+          ? table.choice<Type>("outlet_type", {{"contracting_nozzle", Type::contracting_nozzle},
+                                               {"cylindrical_tube", Type::cylindrical_tube},
+                                               {"guide_vane_fan", Type::guide_vane_fan}})
+          : table.choice<Type>("outlet_type", {{"plane_nozzle", Type::plane_nozzle},
+                                               {"sharp_slot", Type::sharp_slot},
+                                               {"rounded_slot", Type::rounded_slot}}));
+}
+
+jet::JetModel read_model(TableReader& table) {
+  jet::JetModel model;
+  model.shape = table.choice<jet::OutletShape>(
+      "shape", {{"round", jet::OutletShape::round}, {"rectangular", jet::OutletShape::rectangular}});
+  model.centre = table.vector("centre");
+  model.axis = table.vector("axis");
+  if (model.shape == jet::OutletShape::round) {
+    model.radius = table.number("radius", positive);
+  } else {
+    model.long_direction = table.vector("long_direction");
+    model.long_side = table.number("long_side", positive);
+    model.short_side = table.number("short_side", positive);
+    if (model.short_side > model.long_side) table.fail("short_side", "is longer than long_side");
+  }
+  model.decay_coefficient = read_decay_coefficient(table, model.shape);
+  model.spread = table.choice<jet::Spread>(
+      "spread", {{"momentum", jet::Spread::momentum}, {"cone", jet::Spread::cone}}, "momentum");
+  if (model.spread == jet::Spread::cone) {
+    model.cone_initial_width = table.number("cone_initial_width", positive);
+    model.cone_half_angle = table.number("cone_half_angle", below_right_angle);
+  }
+  model.direction = table.choice<jet::Direction>(
+      "direction", {{"axial", jet::Direction::axial}, {"radial", jet::Direction::radial}}, "axial");
+  model.restitution = table.number("restitution", fraction, 1.0);
+  model.cut_off = table.number("cut_off", below_one, model.cut_off);
+  model.relative_to_skin = table.flag("relative_to_skin", false);
+  return model;
+}
+
+jet::OutletModel read_outlet(TableReader& table, const jet::JetModel& model) {
+  jet::OutletModel outlet;
+  outlet.law = table.choice<jet::OutletLaw>(
+      "outlet", {{"sonic", jet::OutletLaw::sonic}, {"pressure_matched", jet::OutletLaw::pressure_matched}},
+      "sonic");
+  outlet.temperature = table.choice<jet::OutletTemperature>(
+      "temperature",
+      {{"static", jet::OutletTemperature::static_value}, {"stagnation", jet::OutletTemperature::stagnation}},
+      "static");
+  outlet.area = jet::outlet_area(model);
+  if (!(outlet.area > 0.0 && std::isfinite(outlet.area)))
+    table.fail(model.shape == jet::OutletShape::round ? "radius" : "short_side",
+               fmt::format("makes an outlet of {} m2, a finite area above 0 is allowed", outlet.area));
+  table.located("temperature", [&] { jet::validate(outlet); });
+  return outlet;
+}
+
+// The outlet's centre and its corners (rectangular) or eight points of its rim (round).
+std::vector<Eigen::Vector3d> outlet_points(const jet::JetModel& model) {
+  std::vector<Eigen::Vector3d> points{model.centre};
+  if (model.shape == jet::OutletShape::rectangular) {
+    const Eigen::Vector3d across = model.axis.cross(model.long_direction);
+    for (const double l : {-0.5, 0.5})
+      for (const double s : {-0.5, 0.5})
+        points.push_back(model.centre + l * model.long_side * model.long_direction +
+                         s * model.short_side * across);
+    return points;
+  }
+  const Eigen::Vector3d first = model.axis.unitOrthogonal(), second = model.axis.cross(first);
+  for (int i = 0; i < 8; ++i) {
+    const double angle = i * std::numbers::pi / 4.0;
+    points.push_back(model.centre + model.radius * (std::cos(angle) * first + std::sin(angle) * second));
+  }
+  return points;
+}
+
+// Every point of the outlet, moved into the bag by a millionth of the bag's size.
+void require_outlet_inside(const jet::JetModel& model, const BagPart& bag) {
+  const double size =
+      (bag.initial_position.rowwise().maxCoeff() - bag.initial_position.rowwise().minCoeff()).norm();
+  for (const Eigen::Vector3d& point : outlet_points(model)) {
+    const double winding =
+        coupling::winding_number(bag.mesh.elements, bag.initial_position, point + 1e-6 * size * model.axis);
+    if (!(winding > 0.5))
+      throw std::invalid_argument(
+          fmt::format("the outlet's point [{}, {}, {}] m is outside the bag; an outlet inside "
+                      "it, or on its skin with the axis inwards, is allowed",
+                      point.x(), point.y(), point.z()));
+  }
+}
+
+// Elements wider than the jet at its outlet sample it by chance.
+void warn_if_coarse(const jet::JetModel& model, const Eigen::Matrix3Xd& nodes,
+                    const Eigen::Matrix3Xi& elements, int subdivisions, std::vector<std::string>& warnings) {
+  double longest = 0.0;
+  for (Eigen::Index e = 0; e < elements.cols(); ++e)
+    for (int i = 0; i < 3; ++i)
+      longest = std::max(longest, (nodes.col(elements(i, e)) - nodes.col(elements((i + 1) % 3, e))).norm());
+  longest /= subdivisions;
+  const double width = jet::section(model, 0.0).width;
+  if (longest > 1.5 * width)
+    warnings.push_back(
+        fmt::format("element sides of up to {:.3g} m are too coarse for a jet {:.3g} m wide at its outlet: "
+                    "its force is a matter of chance",
+                    longest, width));
+}
+
+// A target behind the outlet, or facing the wrong way, would feel nothing: a slip.
+void require_target_ahead(const TableReader& table, const jet::JetModel& model, const TargetPart& target) {
+  const Eigen::Vector3d a = target.nodes.col(target.triangles(0, 0)),
+                        b = target.nodes.col(target.triangles(1, 0)),
+                        c = target.nodes.col(target.triangles(2, 0));
+  if (!((b - a).cross(c - a).dot(model.axis) > 0.0))
+    table.fail("axis",
+               "does not meet the target's face: a target whose normal points away from the jet is allowed");
+  if (!((model.axis.transpose() * (target.nodes.colwise() - model.centre)).maxCoeff() > 0.0))
+    table.fail("centre", "lies behind the whole target, which would feel nothing");
+}
+
+std::vector<int> attachment_elements(TableReader& table, const Scene& scene) {
+  std::vector<int> elements;
+  const auto panels = table.texts("attachment_panels");
+  if (!panels.empty() && !scene.bag) table.fail("attachment_panels", "the scene has no membrane");
+  table.located("attachment_panels", [&] {
+    for (const auto& name : panels)
+      for (const int element : membrane::panel_elements(scene.bag->mesh, name)) elements.push_back(element);
+  });
+  return elements;
+}
+
+}  // namespace
+
+void read_jet(TableReader& inflator, std::size_t index, Scene& scene) {
+  auto table = inflator.optional_table("jet");
+  if (!table) return;
+  if (!scene.bag && !scene.target) table->fail("", "needs something to blow at: [membrane] or [target]");
+  jet::JetModel model = read_model(*table);
+  table->located("", [&] { model = jet::validated(model); });
+  const std::vector<int> attachment = attachment_elements(*table, scene);
+  const std::vector<int> null_elements = scene.bag ? scene.bag->null_elements : std::vector<int>{};
+  const auto& elements = scene.bag ? scene.bag->mesh.elements : scene.target->triangles;
+  const auto& nodes = scene.bag ? scene.bag->mesh.nodes : scene.target->nodes;
+  const int subdivisions = table->integer("subdivisions", 1, 64, 1);
+  std::optional<jet::Subdivision> pieces;
+  if (subdivisions > 1)
+    table->located("subdivisions",
+                   [&] { pieces.emplace(elements, static_cast<int>(nodes.cols()), subdivisions); });
+  jet::SurfaceRoles roles{null_elements, attachment};
+  if (pieces) roles = {pieces->pieces_of(null_elements), pieces->pieces_of(attachment)};
+  const auto count = static_cast<int>(pieces ? pieces->triangles().cols() : elements.cols());
+  table->located("", [&] {
+    const jet::OutletModel outlet = read_outlet(*table, model);
+    jet::JetField field(model, count, roles.null_elements);
+    scene.jets.push_back(JetPart{index, std::move(pieces), std::move(field), outlet, std::move(roles)});
+  });
+  JetPart& part = scene.jets.back();
+  part.occlusion = table->flag("occlusion", true);
+  part.route = table->choice<jet::VisibilityRoute>("visibility",
+                                                   {{"fast", jet::VisibilityRoute::fast},
+                                                    {"cgal_tree", jet::VisibilityRoute::cgal_tree},
+                                                    {"brute_force", jet::VisibilityRoute::brute_force}},
+                                                   "fast");
+  part.work = table->choice<JetWork>(
+      "jet_work", {{"external", JetWork::external}, {"from_gas", JetWork::from_gas}}, "external");
+  if (part.work == JetWork::from_gas && part.outlet.temperature != jet::OutletTemperature::stagnation)
+    table->fail("jet_work",
+                "\"from_gas\" needs temperature = \"stagnation\": with a static temperature the jet's "
+                "kinetic energy is no part of the inflator's enthalpy");
+  warn_if_coarse(model, nodes, elements, subdivisions, scene.warnings);
+  if (scene.target) require_target_ahead(*table, model, *scene.target);
+  if (scene.bag) table->located("centre", [&] { require_outlet_inside(model, *scene.bag); });
+  table->finish();
+}
+
+}  // namespace driver

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/jet_peak.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "driver/forecast.hpp"
+#include "scene/supply.hpp"
+
+namespace driver {
+namespace {
+
+void warn_of_outlet(const Scene& scene, const JetPart& part, std::vector<std::string>& warnings) {
+  const JetPeak peak = jet_peak(scene, part);
+  const double ambient = scene.ambient.pressure;
+  if (!(peak.mass_flow > 0.0))
+    warnings.push_back(fmt::format("jet of inflator {}: nothing flows up to the end", part.inflator));
+  else if (peak.outlet.pressure < ambient)
+    warnings.push_back(fmt::format(
+        "jet of inflator {}: the outlet pressure is below ambient even at the peak of the mass flow: a sonic "
+        "outlet of that area cannot blow into the bag (outlet = \"pressure_matched\" can)",
+        part.inflator));
+  else if (const double share = below_sonic_share(scene, part);
+           part.outlet.law == jet::OutletLaw::sonic && share >= kMatters)
+    warnings.push_back(fmt::format(
+        "jet of inflator {}: outlet = \"sonic\" (the paper's form) lets the outlet pressure fall with the "
+        "mass "
+        "flow: below ambient under {:.3g} kg/s, with {:.2g} of the gas; a smaller outlet or outlet = "
+        "\"pressure_matched\" avoids it",
+        part.inflator, peak.mass_flow * ambient / peak.outlet.pressure, share));
+}
+
+void warn_of_rays(const Scene& scene, const JetPart& part, std::vector<std::string>& warnings) {
+  jet::VisibilityQuery query(scene.bag->mesh.elements, scene.bag->model.node_count);
+  // Each source of a slot asks all elements; they lie on one segment, so a few hundred of them tell.
+  constexpr int most = 256;
+  const int count = scene.bag->model.element_count, stride = 1 + (count - 1) / most;
+  std::vector<int> some;
+  for (int e = 0; e < count; e += stride) some.push_back(e);
+  const auto windings =
+      query.winding_numbers(scene.bag->initial_position, jet::ray_source(part.field.model()), some);
+  const auto other = std::count_if(windings.begin(), windings.end(), [](const auto& w) { return w != 1; });
+  if (other > 0)
+    warnings.push_back(
+        fmt::format("jet of inflator {}: {} of {} rays looked at start where the winding number is not 1",
+                    part.inflator, other, windings.size()));
+}
+
+}  // namespace
+
+JetPeak jet_peak(const Scene& scene, const JetPart& part) {
+  const auto& inflow = scene.gas->model.inflows[part.inflator];
+  double time = inflow.start_time;
+  auto point = gas::inflator_point(scene.gas->model, part.inflator, time);
+  if (duration(scene, inflow) <= 0.0) point.mass_flow = 0.0;
+  for (const auto& [t, side] : corners(scene, inflow)) {
+    const auto other = gas::inflator_point(scene.gas->model, part.inflator, t, side);
+    if (other.mass_flow > point.mass_flow) time = t, point = other;
+  }
+  return {time, point.mass_flow,
+          jet::outlet_state(part.outlet, {point.mass_flow, point.temperature, point.cp, point.gas_constant,
+                                          scene.ambient.pressure})};
+}
+
+double below_sonic_share(const Scene& scene, const JetPart& part) {
+  const auto& inflow = scene.gas->model.inflows[part.inflator];
+  constexpr int pieces = 4000;
+  const double end =
+      std::min(duration(scene, inflow),
+               inflow.mass_flow.is_constant() ? INFINITY : inflow.mass_flow.knots().back().time);
+  jet::OutletModel sonic = part.outlet;
+  sonic.law = jet::OutletLaw::sonic;
+  double all = 0.0, below = 0.0;
+  for (int i = 0; i < pieces && end > 0.0; ++i) {
+    const auto point =
+        gas::inflator_point(scene.gas->model, part.inflator, inflow.start_time + end * (i + 0.5) / pieces);
+    if (!(point.mass_flow > 0.0)) continue;
+    const auto outlet = jet::outlet_state(
+        sonic, {point.mass_flow, point.temperature, point.cp, point.gas_constant, scene.ambient.pressure});
+    all += point.mass_flow;
+    if (outlet.pressure < scene.ambient.pressure) below += point.mass_flow;
+  }
+  return all > 0.0 ? below / all : 0.0;
+}
+
+std::vector<std::string> jet_warnings(const Scene& scene) {
+  std::vector<std::string> warnings;
+  for (const JetPart& part : scene.jets) {
+    warn_of_outlet(scene, part, warnings);
+    if (scene.bag) warn_of_rays(scene, part, warnings);
+  }
+  return warnings;
+}
+
+}  // namespace driver

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: Apache-2.0
+// [[vent]], [tank] with its fabric, [gas.heat_loss] -> GasPart.
+#include <fmt/format.h>
+
+#include "scene/parts.hpp"
+
+namespace driver {
+namespace {
+
+gas::Vent read_vent(TableReader& table, TriggerNames& names) {
+  gas::Vent vent{table.number("discharge_coefficient", positive_fraction, 1.0), 0.0};
+  if (!table.is_table("area")) {
+    vent.area = table.number("area", positive);
+  } else if (table.has_in_table("area", "overpressure")) {
+    table.located("area", [&] {
+      vent.area_of_overpressure =
+          to_gas_curve(table.curve("area", non_negative, "overpressure"), gas::Outside::held);
+    });
+  } else {
+    table.located("area", [&] {
+      vent.area_of_time = to_gas_curve(table.curve("area", non_negative), gas::Outside::held);
+    });
+  }
+  vent.backflow = table.flag("backflow", false);
+  vent.trigger = names.optional_node(table);
+  return vent;
+}
+
+/// A fabric whose share is, for now, its leak area [m2].
+gas::Fabric read_tank_fabric(TableReader& table, Scene& scene) {
+  const double area = table.number("area", positive);
+  const auto law = table.choice<LeakLaw>(
+      "leak_law", {{"printed", LeakLaw::printed}, {"screen", LeakLaw::screen}, {"table", LeakLaw::table}},
+      "printed");
+  warn_of_screen(table.path(), law, scene);
+  gas::Fabric fabric{area};
+  if (law == LeakLaw::table) {
+    fabric.velocity = read_leak_velocity(table);
+  } else {
+    const double porosity = table.number("porosity", positive_fraction);
+    fabric.share = area * porosity * (law == LeakLaw::printed ? porosity : 1.0);
+  }
+  table.finish();
+  return fabric;
+}
+
+/// [tank.fabric], or several as [[tank.fabric]]
+void read_tank_fabrics(TableReader& tank, Scene& scene) {
+  std::vector<TableReader> tables;
+  if (tank.is_table("fabric"))
+    tables.push_back(tank.table("fabric"));
+  else
+    tables = tank.tables("fabric");
+  if (tables.empty()) return;
+  std::vector<gas::Fabric> fabrics;
+  double leak_area = 0.0;
+  for (auto& table : tables) {
+    fabrics.push_back(read_tank_fabric(table, scene));
+    leak_area += fabrics.back().share;
+  }
+  if (!(leak_area > 0.0)) return;  // porosities whose squares are below the smallest number
+  for (auto& fabric : fabrics) fabric.share /= leak_area;
+  scene.gas->tank_leak_area = leak_area;
+  scene.gas->model.fabrics = std::move(fabrics);
+}
+
+TankVolume read_wave(TableReader&& wave) {
+  TankVolume volume;
+  volume.mean = wave.number("mean", positive);
+  volume.amplitude = wave.number("amplitude", positive);
+  volume.frequency = wave.number("frequency", positive);
+  volume.phase = wave.number("phase", any_number, 0.0);
+  if (!(volume.amplitude < volume.mean))
+    wave.fail("amplitude",
+              fmt::format("is {}, less than mean, {}, is allowed", volume.amplitude, volume.mean));
+  wave.finish();
+  return volume;
+}
+
+void read_volume_of_time(TableReader& tank, GasPart& part) {
+  TankVolume volume;
+  if (tank.has_in_table("volume", "mean"))
+    volume = read_wave(tank.table("volume"));
+  else
+    tank.located("volume", [&] {
+      volume.table = to_gas_curve(tank.curve("volume", positive), gas::Outside::held);
+      if (const auto jump = volume.table->first_jump())
+        throw std::invalid_argument(fmt::format(
+            "jumps at {} s: its work would have no bound; one value at each time is allowed", *jump));
+    });
+  part.rigid_volume = volume.at(0.0);
+  part.tank_volume = volume;
+}
+
+void read_volume_of_overpressure(TableReader& tank, GasPart& part) {
+  tank.located("volume", [&] {
+    const auto curve = to_gas_curve(tank.curve("volume", positive, "overpressure"), gas::Outside::held);
+    const double overpressure = part.initial_pressure - part.model.ambient.pressure;
+    part.model.volume_of_overpressure = curve;
+    gas::validate(part.model);
+    if (overpressure > curve.knots().back().time)
+      throw std::invalid_argument(fmt::format(
+          "ends at an overpressure of {} Pa, that of the gas at the start, {} Pa, or more is allowed",
+          curve.knots().back().time, overpressure));
+    part.rigid_volume = curve.value(overpressure);
+  });
+}
+
+}  // namespace
+
+void warn_of_screen(const std::string& fabric, LeakLaw law, Scene& scene) {
+  if (law == LeakLaw::screen)
+    scene.warnings.push_back(
+        fabric + ".leak_law = \"screen\" leaks 1/porosity times as much as the paper's printed law");
+}
+
+gas::Curve read_leak_velocity(TableReader& table) {
+  const auto velocity =
+      to_gas_curve(table.curve("velocity", non_negative, "overpressure"), gas::Outside::held);
+  // The flow would jump where the overpressure changes its sign.
+  if (const double at_rest = velocity.value(0.0); at_rest > 0.0)
+    table.fail("velocity", fmt::format("is {} m/s without overpressure, 0 is allowed there: begin with the "
+                                       "knot (0, 0)",
+                                       at_rest));
+  return velocity;
+}
+
+void read_vents(TableReader& root, TriggerNames& names, gas::ControlVolumeModel& model) {
+  for (auto& table : root.tables("vent")) {
+    model.vents.push_back(read_vent(table, names));
+    table.finish();
+  }
+}
+
+void read_tank(TableReader& root, Scene& scene) {
+  auto tank = root.optional_table("tank");
+  if (!tank) return;
+  GasPart& part = *scene.gas;
+  if (!tank->is_table("volume"))
+    part.rigid_volume = tank->number("volume", positive);
+  else if (tank->has_in_table("volume", "overpressure"))
+    read_volume_of_overpressure(*tank, part);
+  else if (tank->has_in_table("volume", "time") || tank->has_in_table("volume", "mean"))
+    read_volume_of_time(*tank, part);
+  else
+    tank->fail("volume",
+               "has neither time, nor overpressure, nor mean: a number, a curve {time, value}, a curve "
+               "{overpressure, value} or a wave {mean, ...} is allowed");
+  read_tank_fabrics(*tank, scene);
+  tank->finish();
+}
+
+void read_heat_loss(TableReader& gas_table, Scene& scene) {
+  auto table = gas_table.optional_table("heat_loss");
+  if (!table) return;
+  const double coefficient = table->number("coefficient", positive), area = table->number("area", positive);
+  scene.gas->model.heat_loss = {
+      coefficient * area, table->number("outside_temperature", gas_temperature, scene.ambient.temperature)};
+  table->finish();
+}
+
+}  // namespace driver

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: Apache-2.0
+// [pendulum] and [contact] -> PendulumPart, ContactModel.
+#include <algorithm>
+#include <optional>
+
+#include "coupling/side.hpp"
+#include "scene/parts.hpp"
+
+namespace driver {
+namespace {
+
+// Share of the fabric's own omega^2 that contact adds by default: as stiff as the fabric itself, so that it
+// governs at most half of omega^2. A quarter of it lets the paper's impactor sink in beyond half its radius.
+constexpr double default_contact_share = 1.0;
+
+// An angle keeps its digits, a coefficient is one of sliding: past these a step would add nothing to the
+// angle, and the default stiffness, which friction divides, would hold nothing.
+constexpr Bounds turns{-1000.0, 1000.0, false, "a number from -1000 to 1000"};
+constexpr Bounds shares{0.0, 1e20, true, "a number above 0, at most 1e20"};
+constexpr Bounds sliding{0.0, 10.0, false, "a number from 0 to 10"};
+
+PendulumPart read_model(TableReader& table, const Eigen::Vector3d& gravity) {
+  coupling::PendulumParameters p;
+  p.pivot = table.vector("pivot");
+  p.axis = table.vector("axis");
+  p.rest_direction = table.vector("rest_direction");
+  p.mass = table.number("mass", positive);
+  p.inertia_cg = table.number("inertia_cg", non_negative);
+  p.cg_distance = table.number("cg_distance", non_negative);
+  p.impactor_distance = table.number("impactor_distance", positive);
+  p.impactor_radius = table.number("impactor_radius", positive);
+  p.gravity = gravity;
+  coupling::PendulumState initial;
+  initial.angle = table.number("initial_angle", turns, 0.0);
+  initial.angular_velocity = table.number("initial_angular_velocity", any_number, 0.0);
+  return {coupling::PendulumModel(p), initial};
+}
+
+double contact_stiffness(TableReader& table, const coupling::PendulumModel& pendulum, double friction,
+                         const BagPart& bag) {
+  if (const auto stiffness = table.optional_number("stiffness", positive)) return *stiffness;
+  const double share = table.number("stiffness_share", shares, default_contact_share);
+  // Of the other terms the fabric's alone never falls: stretch adds to it, gas and straps come and go.
+  return coupling::default_contact_stiffness(
+      {share, bag.model.fabric_frequency, lightest_fabric(bag.model.description),
+       pendulum.parameters().impactor_radius, pendulum.effective_mass(), friction});
+}
+
+coupling::ContactParameters read_contact(TableReader& table, const coupling::PendulumModel& pendulum,
+                                         const BagPart& bag) {
+  const double friction = table.number("friction", sliding, 0.0);
+  return {pendulum.parameters().impactor_radius, contact_stiffness(table, pendulum, friction, bag), friction};
+}
+
+}  // namespace
+
+void read_pendulum(TableReader& root, Scene& scene) {
+  auto table = root.optional_table("pendulum");
+  auto contact = root.optional_table("contact");
+  if (contact && !(table && scene.bag)) root.fail("contact", "needs [pendulum] and [membrane]");
+  if (!table) return;
+  table->located("", [&] { scene.pendulum.emplace(read_model(*table, scene.gravity)); });
+  table->finish();
+  if (!scene.bag) return;
+  const auto& model = scene.pendulum->model;
+  table->located("", [&] {
+    coupling::require_outside(scene.bag->mesh.elements, scene.bag->initial_position,
+                              model.impactor_centre(scene.pendulum->initial.angle),
+                              model.parameters().impactor_radius);
+  });
+  if (!contact) root.fail("contact", "is missing: a pendulum in front of a bag needs it (it may be empty)");
+  std::optional<coupling::ContactParameters> parameters;
+  contact->located("", [&] { parameters = read_contact(*contact, model, *scene.bag); });
+  // What a case can still get wrong is a sphere too small for the elements.
+  table->located("impactor_radius", [&] {
+    scene.contact.emplace(scene.bag->mesh.elements, scene.bag->model.description.reference,
+                          scene.bag->model.node_mass, model.effective_mass(), *parameters,
+                          scene.bag->null_elements);
+  });
+  contact->finish();
+}
+
+}  // namespace driver

@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "driver/scene.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string_view>
+
+#include "scene/jet_peak.hpp"
+#include "scene/parts.hpp"
+
+namespace driver {
+namespace {
+
+bool will_move(const TableReader& root) {
+  return root.has("membrane") || root.has("pendulum");
+}
+
+// What a molecule of air flies between two collisions, 68 nm at 464 m/s, takes a seventh of it: no gas flows
+// in less.
+constexpr Bounds shortest_run{1e-9, any_number.high, false, "1e-9 s or more"};
+
+void read_general(TableReader& root, Scene& scene) {
+  TableReader table = root.table("scene");
+  scene.name = table.text("name");
+  scene.time.end = table.number("end_time", shortest_run);
+  if (table.has("gravity") && !will_move(root))
+    table.fail("gravity", "has no effect: nothing moves; it needs [membrane] or [pendulum]");
+  if (will_move(root)) scene.gravity = table.vector("gravity", Eigen::Vector3d::Zero());
+  table.finish();
+}
+
+/// The table is finished by the gas, which reads the composition.
+std::optional<TableReader> read_ambient(TableReader& root, Scene& scene) {
+  // The standard atmosphere at 20 degrees C where the case does not say.
+  scene.ambient = {101325.0, 293.15};
+  auto table = root.optional_table("ambient");
+  if (table) {
+    if (!root.has("gas")) table->fail("", "has no effect: it needs [gas]");
+    scene.ambient.pressure = table->number("pressure", positive, scene.ambient.pressure);
+    scene.ambient.temperature = table->number("temperature", gas_temperature, scene.ambient.temperature);
+  }
+  return table;
+}
+
+/// Method and steps of the gas.
+void read_gas_time(TableReader& table, bool has_volume, Scene& scene) {
+  for (const char* key : {"gas_tolerance", "gas_method", "gas_step"})
+    if (table.has(key) && !has_volume) table.fail(key, "has no effect: the scene has no volume of gas");
+  if (!has_volume) return;
+  gas::IntegratorOptions& options = scene.gas->integrator;
+  options.method = table.choice<gas::Method>("gas_method",
+                                             {{"dormand_prince", gas::Method::dormand_prince_5},
+                                              {"runge_kutta", gas::Method::runge_kutta_4},
+                                              {"euler", gas::Method::euler},
+                                              {"rosenbrock", gas::Method::rosenbrock_4}},
+                                             "dormand_prince");
+  if (const auto step = table.optional_number("gas_step", positive)) {
+    if (table.has("gas_tolerance"))
+      table.fail("gas_tolerance", "has no effect with gas_step: its sub-steps are fixed");
+    options.fixed_step = *step;
+    return;
+  }
+  options.relative_tolerance =
+      table.number("gas_tolerance", Bounds{1e-13, 1e-2, false, "1e-13 to 1e-2"}, options.relative_tolerance);
+}
+
+/// Steps of what moves.
+void read_motion_time(TableReader& table, bool moves, Scene& scene) {
+  for (const char* key : {"step", "safety", "unsafe_step"})
+    if (table.has(key) && !moves)
+      table.fail(key, "has no effect: nothing moves; here output.history_every is the step");
+  if (!moves) return;
+  scene.time.step = table.optional_number(
+      "step", Bounds{scene.time.end / 1e9, any_number.high, false, "a step of end_time / 1e9 or more"});
+  if (!scene.time.step)
+    scene.time.safety = table.number("safety", Bounds{1e-3, 1.0, false, "1e-3 to 1"}, scene.time.safety);
+  scene.time.unsafe_step = table.flag("unsafe_step", false);
+  if (scene.time.unsafe_step && !scene.time.step) table.fail("unsafe_step", "is allowed with `step` only");
+}
+
+void read_time(TableReader& root, Scene& scene) {
+  auto table = root.optional_table("time");
+  if (!table) return;
+  read_motion_time(*table, will_move(root), scene);
+  read_gas_time(*table, scene.gas && !root.has("target"), scene);
+  table->finish();
+}
+
+bool can_name_a_column(const std::string& species) {
+  return std::ranges::all_of(species, [](char c) {
+    return (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') ||
+           std::string_view("_+-.()").find(c) != std::string_view::npos;
+  });
+}
+
+void read_streams(TableReader& table, Scene& scene) {
+  if (!scene.has_volume()) {
+    if (table.has("streams")) table.fail("streams", "has no effect: the scene has no volume of gas");
+    return;
+  }
+  scene.output.streams = table.flag("streams", false);
+  if (!scene.output.streams) return;
+  const gas::Thermo& thermo = scene.gas->model.thermo;
+  for (std::size_t k = 0; k < thermo.size(); ++k)
+    if (const std::string& name = thermo.species(k).name; !can_name_a_column(name))
+      table.fail("streams", fmt::format("the species \"{}\" cannot name a column, letters, digits and any of "
+                                        "_+-.() are allowed in its name",
+                                        name));
+}
+
+void read_output(TableReader& root, Scene& scene) {
+  constexpr int default_rows = 1000;
+  scene.output.history_every = scene.time.end / default_rows;
+  if (auto table = root.optional_table("output")) {
+    const Bounds rows{scene.time.end / 1e7, any_number.high, false, "an interval of end_time / 1e7 or more"};
+    scene.output.history_every = table->number("history_every", rows, scene.output.history_every);
+    scene.output.history_exact = table->flag("history_exact", false);
+    const Bounds frames{scene.time.end / 1e5, any_number.high, false,
+                        "an interval of end_time / 1e5 or more"};
+    scene.output.fields_every = table->optional_number("fields_every", frames).value_or(0.0);
+    if (scene.output.fields_every > 0.0 && !scene.bag)
+      table->fail("fields_every", "the scene has no membrane");
+    read_streams(*table, scene);
+    table->finish();
+  }
+}
+
+void check_composition(const TableReader& root, const Scene& scene) {
+  if (scene.bag && scene.gas && scene.gas->rigid_volume)
+    root.fail("tank", "a scene has a [tank] or a [membrane], not both");
+  if (scene.gas && !scene.has_volume() && !scene.target)
+    root.fail("gas", "needs a volume, [tank] or [membrane], or a [target] for its jet");
+  if (scene.target && scene.jets.empty())
+    root.fail("target", "needs an inflator with a jet ([inflator.jet])");
+  for (const auto& part : scene.jets)
+    if (part.work != scene.jets.front().work) root.fail("inflator", "all jets need the same jet_work");
+  if (!scene.gas && !scene.moves() && !scene.target)
+    root.fail("", "names nothing to simulate: [gas], [membrane] or [pendulum]");
+  if (scene.gas && !scene.has_volume() && !scene.gas->model.vents.empty())
+    root.fail("vent", "needs a volume, [tank] or [membrane]");
+  if (scene.gas && !scene.has_volume() && scene.gas->model.triggers.size() > 0)
+    root.fail(root.has("sensor") ? "sensor" : "trigger", "needs a volume, [tank] or [membrane]");
+  for (const auto& sensor : scene.gas ? scene.gas->model.triggers.sensors : std::vector<gas::Sensor>{})
+    if (sensor.kind == gas::SensorKind::input && !scene.contact)
+      root.fail("sensor", "of contact: the scene has no [contact]");
+  if (scene.pendulum && !scene.bag && !scene.time.step)
+    root.fail("time", "step is needed for a pendulum alone");
+}
+
+}  // namespace
+
+Scene read_scene(CaseDocument& document) {
+  Scene scene;
+  scene.case_file = document.file();
+  TableReader root = document.root();
+  read_general(root, scene);
+  auto ambient = read_ambient(root, scene);
+  auto inflators = root.tables("inflator");
+  read_gas(root, ambient, inflators, scene);
+  if (ambient) ambient->finish();
+  read_time(root, scene);
+  read_bag(root, scene);
+  read_target(root, scene);
+  for (std::size_t i = 0; i < inflators.size(); ++i) {
+    read_jet(inflators[i], i, scene);
+    inflators[i].finish();
+  }
+  read_pendulum(root, scene);
+  read_output(root, scene);
+  root.finish();
+  check_composition(root, scene);
+  for (auto& warning : jet_warnings(scene)) scene.warnings.push_back(std::move(warning));
+  return scene;
+}
+
+}  // namespace driver

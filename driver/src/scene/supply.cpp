@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/supply.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "gas/orifice.hpp"
+#include "step/stages.hpp"
+
+namespace driver {
+namespace {
+
+double total_flow(const Scene& scene, double time, gas::Side side = gas::Side::after) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < scene.gas->model.inflows.size(); ++i)
+    sum += gas::inflator_point(scene.gas->model, i, time, side).mass_flow;
+  return sum;
+}
+
+// Piecewise linear flows: the largest sum stands at a corner of one of them, on either side of a jump.
+double peak_flow(const Scene& scene) {
+  double peak = 0.0;
+  for (const auto& inflow : scene.gas->model.inflows)
+    for (const auto& [time, side] : corners(scene, inflow))
+      peak = std::max(peak, total_flow(scene, time, side));
+  return peak;
+}
+
+// Vents as they are once open, as wide as they get with time; nothing comes in.
+gas::ControlVolumeModel opened(gas::ControlVolumeModel model) {
+  model.inflows.clear();
+  for (auto& vent : model.vents) {
+    vent.trigger.reset();
+    if (!vent.area_of_time) continue;
+    vent.area = vent.area_of_time->maximum();
+    vent.area_of_time.reset();
+  }
+  return model;
+}
+
+// The pressure [Pa] in a volume that follows it, after `work` [J] of inflows and none out, by (K.30) with p
+// dV instead of p_a dV: int p dV = p V - p0 V0 - int V dp.
+double closed_pressure(const gas::Curve& volume, double ambient, double start, double gamma, double work) {
+  const auto product = [&](double p) { return p * volume.value(p - ambient); };
+  const auto missing = [&](double p) {
+    return gamma * (product(start) - product(p)) + work +
+           (gamma - 1.0) * volume.integral(start - ambient, p - ambient);
+  };
+  double low = start, high = start + work / volume.value(start - ambient);
+  for (int i = 0; i < 60; ++i) {
+    const double middle = 0.5 * (low + high);
+    (missing(middle) > 0.0 ? low : high) = middle;
+  }
+  return high;
+}
+
+// The openings of the full volume, holding gas at the mean temperature of what comes in.
+class FullOpenings {
+ public:
+  FullOpenings(const Scene& scene, const Supply& supply, double volume, double leak_area)
+      : model_(opened(scene.gas->model)),
+        fractions_(supply.mass > 0.0 ? supply.mass_fractions : scene.gas->initial_fractions),
+        temperature_(supply.mass > 0.0 ? supply.temperature : scene.gas->initial_temperature),
+        volume_(volume),
+        leak_area_(leak_area) {
+    model_.volume_of_overpressure.reset();
+  }
+
+  gas::GasPoint at(double pressure) const {
+    return gas::evaluate(model_, gas::make_state(model_, fractions_, pressure, temperature_, volume_),
+                         volume_, leak_area_, 0.0);
+  }
+
+  double outflow(double pressure) const {
+    const gas::GasPoint point = at(pressure);
+    return point.vent_mass_flow + point.fabric_mass_flow;
+  }
+
+  // Pressure [Pa] up to `high` at which they let out `flow` [kg/s]; `high` if they do not.
+  double balance(double flow, double high) const {
+    double low = model_.ambient.pressure;
+    if (!(outflow(high) > flow)) return high;
+    for (int i = 0; i < 60; ++i) {
+      const double middle = 0.5 * (low + high);
+      (outflow(middle) > flow ? high : low) = middle;
+    }
+    return high;
+  }
+
+ private:
+  gas::ControlVolumeModel model_;
+  const std::vector<double>& fractions_;
+  double temperature_, volume_, leak_area_;
+};
+
+// The faster rate [1/s] at which gas relaxes while its openings let out what comes in, (G.14).
+double relaxation_rate(const gas::GasPoint& point, double inflow, double ambient_pressure) {
+  const double out = point.vent_mass_flow + point.fabric_mass_flow, flow = std::min(out, inflow);
+  if (!(flow > 0.0)) return 0.0;
+  const double share = 1.0 - ambient_pressure / point.pressure;
+  if (!(share > 0.0)) return flow / point.mass;
+  const double of_vents = gas::orifice_pressure_exponent(point.gamma, share),
+               of_fabric = gas::fabric_pressure_exponent(share);
+  const double exponent = (point.vent_mass_flow * of_vents + point.fabric_mass_flow * of_fabric) / out;
+  return gas::outflow_relaxation_rate(point.gamma, flow / point.mass, exponent);
+}
+
+// (K.39), by the midpoint rule.
+double relaxations(const Scene& scene, const FullOpenings& openings, const FullState& full) {
+  constexpr int pieces = 400;
+  const gas::GasPoint point = openings.at(full.pressure);
+  double sum = 0.0;
+  if (const double conductance = scene.gas->model.heat_loss.conductance;
+      conductance > 0.0 && point.mass > 0.0)
+    sum = pieces * conductance / (point.mass * (point.cp - point.gas_constant));
+  for (int i = 0; i < pieces; ++i)
+    if (const double flow = total_flow(scene, scene.time.end * (i + 0.5) / pieces); flow > 0.0)
+      sum += relaxation_rate(openings.at(openings.balance(flow, full.closed_pressure)), flow,
+                             scene.ambient.pressure);
+  return sum * scene.time.end / pieces;
+}
+
+}  // namespace
+
+double duration(const Scene& scene, const gas::Inflow& inflow) {
+  return std::max(0.0, scene.time.end - inflow.start_time);
+}
+
+std::vector<Corner> corners(const Scene& scene, const gas::Inflow& inflow) {
+  const double length = duration(scene, inflow);
+  if (!(length > 0.0)) return {};
+  std::vector<Corner> corners;
+  for (const auto& knot : inflow.mass_flow.knots()) {
+    if (!(knot.time >= 0.0 && knot.time < length)) continue;
+    const double time = inflow.start_time + knot.time;
+    if (knot.time > 0.0) corners.push_back({time, gas::Side::before});
+    corners.push_back({time, gas::Side::after});
+  }
+  corners.push_back({scene.time.end, gas::Side::before});
+  return corners;
+}
+
+Supply supply_of(const Scene& scene) {
+  const auto& model = scene.gas->model;
+  Supply s{0.0, peak_flow(scene), 0.0, std::vector<double>(model.thermo.size(), 0.0), 0.0};
+  double mass_by_temperature = 0.0;
+  for (const auto& inflow : model.inflows) {
+    const double end = duration(scene, inflow), mass = inflow.mass_flow.integral(0.0, end);
+    if (!(mass > 0.0)) continue;
+    const double heat = gas::product_integral(inflow.mass_flow, inflow.temperature, 0.0, end);
+    s.mass += mass;
+    mass_by_temperature += heat;
+    s.work += model.thermo.gamma(inflow.mass_fractions, heat / mass) *
+              model.thermo.gas_constant(inflow.mass_fractions) * heat;
+    for (std::size_t k = 0; k < s.mass_fractions.size(); ++k)
+      s.mass_fractions[k] += mass * inflow.mass_fractions[k];
+  }
+  for (double& y : s.mass_fractions) y = s.mass > 0.0 ? y / s.mass : 0.0;
+  if (s.mass > 0.0) s.temperature = mass_by_temperature / s.mass;
+  return s;
+}
+
+FullState full_state(const Scene& scene, const State& state, const Supply& supply) {
+  const auto& model = scene.gas->model;
+  const double ambient = scene.ambient.pressure;
+  const auto [start, leak_area] = enclosure(scene, state);
+  FullState full;
+  const bool filled = supply.mass > 0.0;
+  full.volume = start;  // a flat design shape has none
+  if (scene.bag && filled)
+    full.volume = std::max(start, membrane::enclosed_volume(scene.bag->mesh.nodes, scene.bag->mesh.elements));
+  full.gamma = filled ? model.thermo.gamma(supply.mass_fractions, supply.temperature)
+                      : model.thermo.gamma(scene.gas->initial_fractions, scene.gas->initial_temperature);
+  full.closed_pressure = (scene.gas->initial_pressure * start + supply.work -
+                          (full.gamma - 1.0) * ambient * (full.volume - start)) /
+                         full.volume;  // (K.30)
+  if (const auto& curve = model.volume_of_overpressure) {
+    full.closed_pressure =
+        closed_pressure(*curve, ambient, scene.gas->initial_pressure, full.gamma, supply.work);
+    full.volume = curve->value(full.closed_pressure - ambient);
+  }
+  full.fills = !filled || full.closed_pressure >= ambient;
+  if (!full.fills) return full;
+  const FullOpenings openings(scene, supply, full.volume, leak_area);
+  full.pressure =
+      filled ? openings.balance(supply.peak_flow, full.closed_pressure) : full.closed_pressure;  // (K.31)
+  const gas::GasPoint point = openings.at(full.pressure);
+  const double out = point.vent_mass_flow + point.fabric_mass_flow;
+  const double known = filled ? std::min(1.0, supply.peak_flow / out) : 1.0;  // p rounds close to p_a
+  full.vent_flow = known * point.vent_mass_flow;
+  full.fabric_flow = known * point.fabric_mass_flow;
+  full.relaxation = relaxation_rate(point, filled ? supply.peak_flow : out, ambient);
+  full.relaxations = relaxations(scene, openings, full);
+  return full;
+}
+
+}  // namespace driver

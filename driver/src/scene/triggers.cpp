@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: Apache-2.0
+// [[sensor]] and [[trigger]] -> the nodes of gas::TriggerModel, by name.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "scene/parts.hpp"
+
+namespace driver {
+namespace {
+
+gas::Sensor read_signal(TableReader& table) {
+  std::optional<gas::Curve> signal;
+  const double above = table.number("above", any_number);
+  table.located("signal",
+                [&] { signal = to_gas_curve(table.curve("signal", any_number), gas::Outside::held); });
+  return {gas::SensorKind::signal, above, {}, signal};
+}
+
+gas::Sensor read_pressure(TableReader& table) {
+  const double threshold = table.number("overpressure", any_number);
+  const auto reset = table.optional_number("reset", any_number);
+  if (reset && !(*reset < threshold))
+    table.fail("reset", fmt::format("is {}, less than overpressure, {}, is allowed", *reset, threshold));
+  return {gas::SensorKind::pressure, threshold, reset, {}};
+}
+
+gas::Sensor read_sensor(TableReader& table) {
+  const std::vector<std::string> kinds{"time", "signal", "overpressure", "contact"};
+  const auto given = std::count_if(kinds.begin(), kinds.end(), [&](const auto& k) { return table.has(k); });
+  if (given != 1) table.fail("", fmt::format("names {} of {}, one is needed", given, fmt::join(kinds, ", ")));
+  if (table.has("signal")) return read_signal(table);
+  if (table.has("overpressure")) return read_pressure(table);
+  if (table.has("time")) return {gas::SensorKind::time, table.number("time", non_negative), {}, {}};
+  if (!table.flag("contact", true)) table.fail("contact", "is false, true is allowed");
+  return {gas::SensorKind::input, 0.0, {}, {}};
+}
+
+gas::Gate read_gate(TableReader& table, const TriggerNames& names) {
+  const std::vector<std::string> kinds{"all", "any", "not"};
+  const auto given = std::count_if(kinds.begin(), kinds.end(), [&](const auto& k) { return table.has(k); });
+  if (given != 1) table.fail("", fmt::format("names {} of {}, one is needed", given, fmt::join(kinds, ", ")));
+  gas::Gate gate{gas::Logic::negated, {}};
+  const auto add = [&](const std::string& key, gas::Logic logic, const std::vector<std::string>& inputs) {
+    gate.logic = logic;
+    for (const auto& name : inputs) gate.inputs.push_back(names.node(table, key, name));
+    if (inputs.empty()) table.fail(key, "is empty, names of sensors and triggers are needed");
+  };
+  if (table.has("not"))
+    add("not", gas::Logic::negated, {table.text("not")});
+  else if (table.has("all"))
+    add("all", gas::Logic::all, table.texts("all"));
+  else
+    add("any", gas::Logic::any, table.texts("any"));
+  gate.delay = table.number("delay", non_negative, 0.0);
+  gate.latch = table.flag("latch", false);
+  return gate;
+}
+
+}  // namespace
+
+std::size_t TriggerNames::node(const TableReader& table, const std::string& key,
+                               const std::string& name) const {
+  const auto found = std::find(names_.begin(), names_.end(), name);
+  if (found == names_.end())
+    table.fail(key, fmt::format("is \"{}\", a [[sensor]] or an earlier [[trigger]] is allowed: \"{}\"", name,
+                                fmt::join(names_, "\", \"")));
+  return static_cast<std::size_t>(found - names_.begin());
+}
+
+void TriggerNames::add(TableReader& table) {
+  const std::string name = table.text("name");
+  if (name.empty()) table.fail("name", "is empty, a name is needed");
+  if (std::find(names_.begin(), names_.end(), name) != names_.end())
+    table.fail("name", fmt::format("names \"{}\" a second time", name));
+  names_.push_back(name);
+}
+
+std::optional<std::size_t> TriggerNames::optional_node(TableReader& table) {
+  if (!table.has("trigger")) return {};
+  const std::size_t found = node(table, "trigger", table.text("trigger"));
+  used_.insert(found);
+  return found;
+}
+
+TriggerNames read_triggers(TableReader& root, gas::TriggerModel& model) {
+  TriggerNames names;
+  for (auto& table : root.tables("sensor")) {
+    names.add(table);
+    model.sensors.push_back(read_sensor(table));
+    table.finish();
+  }
+  for (auto& table : root.tables("trigger")) {
+    gas::Gate gate = read_gate(table, names);
+    names.add(table);
+    names.use(gate.inputs);
+    model.gates.push_back(std::move(gate));
+    table.finish();
+  }
+  return names;
+}
+
+void TriggerNames::warn_of_idle(Scene& scene) const {
+  for (std::size_t i = 0; i < names_.size(); ++i)
+    if (!used_.contains(i))
+      scene.warnings.push_back(fmt::format("sensor or trigger \"{}\" acts on nothing", names_[i]));
+}
+
+}  // namespace driver

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "step/drift.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "membrane/time_step.hpp"
+
+namespace driver {
+namespace {
+
+// Shares of the energy (M.22). One spring that opens and closes, and fabric that moves as a whole, drift by
+// all of it; the waves of fabric without compression are many, and what one gains another loses.
+constexpr double share_together = 1e-4, share_apart = 1e-3;
+constexpr double growth = 1.01;  // of the limit in a step: a spring that has just opened closes again
+constexpr double bounce = 2.0;   // (omega dt)^2 of straps and plate, which open and close many times (M.24)
+
+// That the limit of level n may draw on [J].
+double energy_at_hand(const State& state) {
+  const membrane::ForceSums& forces = state.bag->forces;
+  return std::max({state.peaks.energy_scale, std::abs(state.level.internal_energy),
+                   std::abs(state.flows.enthalpy_in), state.bag->advance.kinetic_after,
+                   forces.strain_energy + forces.strap_energy + forces.plate_energy});
+}
+
+using Named = std::pair<const char*, double>;
+
+// Where a bounce off straps or plate at most doubles its energy: they are one-sided and never at rest.
+double bounce_limit(const membrane::BagModel& model) {
+  const double frequency = model.strap_frequency + model.plate_frequency;
+  return frequency > 0.0 ? std::sqrt(bounce / frequency) : std::numeric_limits<double>::infinity();
+}
+
+Named largest(std::initializer_list<Named> list) {
+  return *std::max_element(list.begin(), list.end(),
+                           [](const Named& a, const Named& b) { return a.second < b.second; });
+}
+
+std::string governing_share(const State& state) {
+  const membrane::StiffnessShares& s = state.step.share_sums;
+  const Named governing = largest({{"fabric", s.element},
+                                   {"gas", s.gas},
+                                   {"contact", s.contact},
+                                   {"straps", s.strap},
+                                   {"plate", s.plate}});
+  return fmt::format("; {:.0f} % of omega^2 on average: {}", 100.0 * governing.second / s.total(),
+                     governing.first);
+}
+
+}  // namespace
+
+double energy_scale(const Scene& scene, const State& state) {
+  double kinetic = state.level.skin_kinetic, elastic = state.level.skin_strain, weight = 0.0;
+  if (state.bag) elastic = elastic + state.bag->forces.strap_energy + state.bag->forces.plate_energy;
+  elastic += state.contact.energy;
+  if (state.pendulum) {
+    kinetic += state.pendulum->kinetic;
+    weight = scene.pendulum->model.potential_energy(state.level.pendulum_angle);
+  }
+  // Absolute enthalpies (NASA-7) pass through zero: no single term serves as the scale of all scenes.
+  return std::max({std::abs(state.level.flows.enthalpy_in), std::abs(state.level.internal_energy), kinetic,
+                   std::abs(weight), elastic});
+}
+
+double energy_drift(const State& state) {
+  const Peaks& peaks = state.peaks;
+  return peaks.energy_scale > 0.0 ? peaks.energy_residual / peaks.energy_scale : peaks.energy_residual;
+}
+
+double drift_limit(const Scene& scene, const State& state) {
+  constexpr double none = std::numeric_limits<double>::infinity();
+  if (!state.bag) return none;
+  if (!scene.gas) return bounce_limit(scene.bag->model);
+  const membrane::BagModel& model = scene.bag->model;
+  const bool start = state.step.before == 0.0;
+  const bool together = start || model.description.compression == membrane::Compression::linear;
+  const double fabric = start ? membrane::force_mobility(model, *state.bag) : state.step.force_mobility;
+  const double rate = fabric / (together ? share_together : share_apart) +
+                      membrane::strap_mobility(model, *state.bag) / share_together;
+  const double limit = rate > 0.0 ? std::sqrt(8.0 * energy_at_hand(state) / rate) : none;
+  return std::min({limit, growth * state.step.drift_limit, bounce_limit(model)});
+}
+
+std::string drift_text(const Scene& scene, const State& state) {
+  const double drift = energy_drift(state);
+  const LargestTerm& term = state.peaks.largest_term;
+  std::string text = fmt::format(
+      "the energy drifts by {:.2g} of itself (residual.energy_rel), {:.0e} or less is "
+      "expected; largest term that the step integrates: {}, {:.3g} J",
+      drift, kDriftWarned, term.name, term.magnitude);
+  if (state.step.share_sums.total() > 0.0) text += governing_share(state);
+  if (!scene.moves()) return text;
+  // Second order; a tenth to spare.
+  const double factor = 0.9 * std::sqrt(kDriftWarned / drift);
+  return text + (scene.time.step ? fmt::format("; try time.step = {:.2g}", factor * *scene.time.step)
+                                 : fmt::format("; try time.safety = {:.2g}", factor * scene.time.safety));
+}
+
+}  // namespace driver

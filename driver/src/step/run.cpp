@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "driver/run.hpp"
+
+#include <fmt/format.h>
+#include <tbb/global_control.h>
+
+#include <chrono>
+#include <cmath>
+#include <memory>
+
+#include "step/drift.hpp"
+#include "driver/fields.hpp"
+#include "driver/progress.hpp"
+#include "step/stages.hpp"
+
+namespace driver {
+namespace {
+
+double seconds_since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+// Levels to record: the first at or past each multiple of the interval.
+class Schedule {
+ public:
+  explicit Schedule(double interval) : interval_(interval) {}
+  bool due(double time) {
+    // Multiples meet the step's times to round-off only.
+    if (interval_ <= 0.0 || time < next_ * interval_ * (1.0 - 1e-12)) return false;
+    next_ = std::floor(time / interval_ * (1.0 + 1e-12)) + 1.0;
+    return true;
+  }
+
+ private:
+  double interval_;
+  double next_ = 0.0;  // multiple that is due next
+};
+
+void run_steps(const Scene& scene, State& state, const LevelSink& sink,
+               const std::function<void(const State&)>& fields, RunOutcome& outcome) {
+  Schedule history(scene.output.history_every), pictures(scene.output.fields_every);
+  for (;;) {
+    StepRequest request;
+    const bool stop = interrupted();
+    request.last = stop || state.time >= scene.time.end;
+    request.record = history.due(state.time) || request.last;
+    if (fields && pictures.due(state.time)) request.before_advance = &fields;
+    const double now = state.time;
+    step(scene, state, request);
+    sink(request.record, state);
+    if (stop) outcome.status = RunStatus::interrupted;
+    if (request.last) return;
+    const double stop_at = next_stop(scene, now);
+    state.time = state.step.after >= stop_at - now ? stop_at : now + state.step.after;
+    ++state.steps;
+  }
+}
+
+void judge_drift(const Scene& scene, const State& state, RunOutcome& outcome) {
+  const double drift = energy_drift(state);
+  if (!(drift > kDriftWarned)) return;
+  if (outcome.status != RunStatus::done || drift <= kDriftInaccurate) {
+    outcome.warning = drift_text(scene, state);
+    return;
+  }
+  outcome.status = RunStatus::inaccurate;
+  outcome.message = drift_text(scene, state);
+}
+
+}  // namespace
+
+void set_threads(int threads) {
+  static std::unique_ptr<tbb::global_control> limit;
+  limit = std::make_unique<tbb::global_control>(tbb::global_control::max_allowed_parallelism,
+                                                static_cast<std::size_t>(threads));
+  ParallelBlocks::threads = threads;
+}
+
+RunOutcome run_scene(const Scene& scene, State& state, const LevelSink& sink,
+                     const std::function<void(const State&)>& fields) {
+  RunOutcome outcome;
+  const auto start = std::chrono::steady_clock::now();
+  const auto fail = [&](const std::exception& error) {
+    outcome.status = RunStatus::failed;
+    outcome.message = fmt::format("stage {} at {} s, step {}: {}", stage_name(state.stage), state.time,
+                                  state.steps, error.what());
+  };
+  try {
+    run_steps(scene, state, sink, fields, outcome);
+  } catch (const std::exception& error) {
+    // A stage refused what an earlier one computed (a coordinate out of range, say), or memory ran out.
+    fail(error);
+  }
+  outcome.wall_seconds = seconds_since(start);
+  judge_drift(scene, state, outcome);
+  return outcome;
+}
+
+RunOutcome run_to_folder(const Scene& scene, const std::filesystem::path& folder, const Provenance& lines,
+                         const RunOptions& options) {
+  set_threads(options.threads);
+  State state = make_state(scene);
+  prepare_output(folder, {"summary.json"});
+  CsvWriter history(folder / "history.csv", lines, history_columns(scene));
+  CsvWriter energy(folder / "energy.csv", lines, energy_columns(scene));
+  Progress progress(scene.name, scene.time.end, options.quiet);
+  std::optional<FieldWriter> pictures;
+  if (scene.output.fields_every > 0.0) pictures.emplace(folder, scene);
+  const auto record = [&](bool recorded, const State& now) {
+    progress.update(now.time);
+    if (!recorded) return;
+    history.write(scene, now);
+    energy.write(scene, now);
+  };
+  const auto fields = [&](const State& now) {
+    if (pictures) pictures->write(now);
+  };
+  const RunOutcome outcome = run_scene(scene, state, record, fields);
+  history.flush();
+  energy.flush();
+  write_summary(folder / "summary.json", scene, state, outcome, lines);
+  return outcome;
+}
+
+}  // namespace driver

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: Apache-2.0
+// S2 gas point, S10 gas.
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <limits>
+#include <numbers>
+
+#include "step/stages.hpp"
+
+namespace driver {
+
+double TankVolume::at(double time) const {
+  return table ? table->value(time)
+               : mean + amplitude * std::sin(2.0 * std::numbers::pi * frequency * time + phase);
+}
+
+double TankVolume::piece_end(double time) const {
+  constexpr double pieces = 512.0;
+  return table ? table->next_knot(time) : time + 1.0 / (pieces * frequency);
+}
+
+gas::VolumePath TankVolume::piece(double begin, double end, double leak_area) const {
+  const double first = at(begin), last = at(end);
+  const double bulge = table ? 0.0 : at(0.5 * (begin + end)) - 0.5 * (first + last);
+  return {first, last, leak_area, leak_area, bulge};
+}
+
+Enclosure enclosure(const Scene& scene, const State& state) {
+  if (!scene.bag) {
+    if (!scene.gas) return {};
+    const GasPart& gas = *scene.gas;
+    return {gas.tank_volume ? gas.tank_volume->at(state.time) : gas.rigid_volume.value_or(0.0),
+            gas.tank_leak_area};
+  }
+  const auto& surface = state.bag->surface;
+  switch (scene.bag->leak_law) {
+    case LeakLaw::printed:
+      return {surface.volume, surface.porosity_squared_area};
+    case LeakLaw::screen:
+    case LeakLaw::table:
+      return {surface.volume, surface.porosity_area};
+    case LeakLaw::none:
+      break;
+  }
+  return {surface.volume, 0.0};
+}
+
+namespace {
+
+// From when on, since its opening, a vent has an area [s].
+double dead_time(const gas::Vent& vent) {
+  if (!vent.area_of_time) return 0.0;
+  const auto knots = vent.area_of_time->knots();
+  const auto first = std::ranges::find_if(knots, [](const auto& knot) { return knot.value > 0.0; });
+  if (first == knots.begin()) return 0.0;
+  return first == knots.end() ? std::numeric_limits<double>::infinity()
+                              : std::max(0.0, std::prev(first)->time);
+}
+
+// Opening of vent `j` that is known at level n; NaN: none. Its trigger may have gone off again: then what has
+// passed through it tells.
+double opening(const Scene& scene, const State& state, std::size_t j) {
+  const gas::Vent& vent = scene.gas->model.vents[j];
+  const gas::NodeState open{true, 0.0, 0.0, 0.0};
+  const gas::NodeState& node = vent.trigger ? state.gas.triggers[*vent.trigger] : open;
+  const double dead = dead_time(vent), excess = state.gas_point.pressure - scene.ambient.pressure;
+  if (vent.area_of_overpressure) {
+    if (node.on && vent.area_of_overpressure->value(excess) > 0.0) return state.time;
+  } else if (const double start = (dead == 0.0 ? node.first_on : node.since) + dead; start <= state.time) {
+    return start;
+  }
+  const bool passed = state.streams.outflows[j].mass > 0.0 || state.streams.backflows[j].mass > 0.0;
+  return passed ? state.time : std::numeric_limits<double>::quiet_NaN();
+}
+
+}  // namespace
+
+void gas_point(const Scene& scene, State& state) {
+  StageTimer timer(state, Stage::gas_point);
+  state.level.flows = state.flows;
+  if (!scene.gas || !scene.has_volume()) return;
+  const Enclosure now = enclosure(scene, state);
+  state.gas_point = gas::evaluate(scene.gas->model, state.gas, now.volume, now.leak_area, state.time);
+  state.level.internal_energy = state.gas.internal_energy + state.jet_work_ahead;
+  state.level.volume = state.gas_point.volume;
+  if (state.bag) state.level.skin_area = state.bag->surface.area;
+  auto& opened = state.gas_events.opened;
+  for (std::size_t j = 0; j < opened.size(); ++j)
+    if (std::isnan(opened[j])) opened[j] = opening(scene, state, j);
+  if (!scene.output.streams) return;
+  state.level.masses = state.gas.masses;  // of the sizes that they had in make_state
+  state.level.streams = state.streams;
+}
+
+namespace {
+
+void add(std::span<const gas::StreamFlux> fluxes, std::vector<gas::StreamFlux>& sums) {
+  for (std::size_t i = 0; i < fluxes.size(); ++i) {
+    sums[i].mass += fluxes[i].mass;
+    sums[i].enthalpy += fluxes[i].enthalpy;
+  }
+}
+
+void book(const gas::StepFluxes& fluxes, State& state) {
+  Flows& flows = state.flows;
+  flows.mass_in += fluxes.mass_in;
+  flows.enthalpy_in += fluxes.enthalpy_in;
+  flows.vent_mass_out += fluxes.vent_mass_out;
+  flows.fabric_mass_out += fluxes.fabric_mass_out;
+  flows.enthalpy_out += fluxes.enthalpy_out;
+  flows.backflow_mass += fluxes.backflow_mass;
+  flows.backflow_enthalpy += fluxes.backflow_enthalpy;
+  flows.heat_loss += fluxes.heat;
+  flows.gas_work += fluxes.work;
+  flows.gas_substeps += fluxes.steps;
+  flows.gas_evaluations += fluxes.evaluations;
+  gas::StepMoments& last = state.gas_events.last;
+  if (!std::isnan(fluxes.moments.sonic_switch)) last.sonic_switch = fluxes.moments.sonic_switch;
+  if (!std::isnan(fluxes.moments.equalisation)) last.equalisation = fluxes.moments.equalisation;
+  add(fluxes.inflows, state.streams.inflows);
+  add(fluxes.outflows, state.streams.outflows);
+  add(fluxes.backflows, state.streams.backflows);
+}
+
+/// A tank that moves along its path: steps end at the ends of the path's pieces.
+void advance_tank(const TankVolume& volume, double leak_area, double next, State& state) {
+  for (double t = state.time; t < next;) {
+    const double end = std::min(volume.piece_end(t), next);
+    book(state.gas_integrator->advance(state.gas, t, end, volume.piece(t, end, leak_area)), state);
+    t = end;
+  }
+}
+
+// The kick at n works from n-1/2 to n+1/2; the next one's part before n+1 is taken at this one's rate and
+// settled a step later, so that the pressure at n+1 is second order.
+void take_jet_work(State& state) {
+  const double work = state.bag->advance.work.jet, after = state.step.after;
+  const double ahead = work * after / (state.step.before + after);
+  state.gas.internal_energy -= work - state.jet_work_ahead + ahead;
+  state.jet_work_ahead = ahead;
+}
+
+}  // namespace
+
+void gas_ode(const Scene& scene, State& state, const Enclosure& before) {
+  StageTimer timer(state, Stage::gas);
+  if (!scene.gas || !scene.has_volume()) return;
+  const double next = state.time + state.step.after;
+  const auto& sensors = scene.gas->model.triggers.sensors;
+  for (std::size_t i = 0; i < sensors.size(); ++i)
+    if (sensors[i].kind == gas::SensorKind::input)
+      gas::set_input(scene.gas->model.triggers, i, state.contact.area > 0.0, state.gas.triggers);
+  if (scene.gas->tank_volume) return advance_tank(*scene.gas->tank_volume, before.leak_area, next, state);
+  const Enclosure after = enclosure(scene, state);
+  book(state.gas_integrator->advance(state.gas, state.time, next,
+                                     {before.volume, after.volume, before.leak_area, after.leak_area}),
+       state);
+  if (state.bag && !scene.jets.empty() && scene.jets.front().work == JetWork::from_gas) take_jet_work(state);
+}
+
+}  // namespace driver

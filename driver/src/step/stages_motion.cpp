@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: Apache-2.0
+// S6 forces, the size of the step, S8 advance, S9 volume.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "step/drift.hpp"
+#include "step/stages.hpp"
+
+namespace driver {
+namespace {
+
+std::span<const double> total_overpressure(State& state) {
+  if (state.jets.size() == 1) return state.jets.front().load().overpressure;
+  std::fill(state.overpressure.begin(), state.overpressure.end(), 0.0);
+  for (const JetRun& run : state.jets)
+    for (const int e : run.load().candidates) {
+      const auto element = static_cast<std::size_t>(e);
+      state.overpressure[element] += run.load().overpressure[element];
+    }
+  return state.overpressure;
+}
+
+std::string shares_text(const membrane::StiffnessShares& s) {
+  const double all = s.total() / 100.0;
+  return fmt::format(
+      "omega^2 of the fabric {:.1f} %, gas {:.1f} %, contact {:.1f} %, straps {:.1f} %, plate {:.1f} %",
+      s.element / all, s.gas / all, s.contact / all, s.strap / all, s.plate / all);
+}
+
+[[noreturn]] void fail_step(const Scene& scene, const State& state, double given) {
+  constexpr const char* allowed = "a step up to the bound, or unsafe_step = true, is allowed";
+  if (!state.bag)
+    throw StepError(fmt::format("step {} s is above its bound {} s, set by the pendulum's swing; {}", given,
+                                state.step.critical, allowed));
+  throw StepError(
+      fmt::format("step {} s is above its bound {} s, set by {}, and by {:.3g} 1/s of jets relative to the "
+                  "skin; stiffest "
+                  "element {}; {}",
+                  given, state.step.critical, shares_text(state.step.shares), state.step.jet_damping,
+                  membrane::governing_element(scene.bag->model, *state.bag), allowed));
+}
+
+// Bound of the rate at which jets relative to the skin damp it (J.9) [1/s]: the largest of any element's.
+double jet_damping(const Scene& scene, const State& state) {
+  double sum = 0.0;
+  for (std::size_t j = 0; j < scene.jets.size(); ++j) {
+    const auto& jet_model = scene.jets[j].field.model();
+    if (!jet_model.relative_to_skin) continue;
+    const jet::FieldState& load = state.jets[j].load();
+    const double factor = (1.0 + jet_model.restitution) * state.jets[j].outlet.density;
+    double largest = 0.0;
+    for (const int element : load.candidates) {
+      const auto e = static_cast<std::size_t>(element);
+      const auto& fabric = scene.bag->model.description.properties[e];
+      const double mass = fabric.density * fabric.thickness * scene.bag->model.reference_area[e];
+      const double slope = 2.0 * std::sqrt(factor * load.overpressure[e]);  // d dp / d (v . n)
+      largest = std::max(largest, slope * state.bag->area_vector.map().col(element).norm() / mass);
+    }
+    sum += largest;
+  }
+  return sum;
+}
+
+void update_bound(const Scene& scene, State& state) {
+  if (!state.bag) {
+    const double swing = state.pendulum ? scene.pendulum->model.omega_squared(Eigen::Vector3d::Zero()) : 0.0;
+    state.step.critical = swing > 0.0 ? 2.0 / std::sqrt(swing) : std::numeric_limits<double>::infinity();
+    return;
+  }
+  const bool gas = scene.gas.has_value();
+  state.step.shares =
+      membrane::stiffness_shares(scene.bag->model, *state.bag, gas ? state.gas_point.gamma : 0.0,
+                                 gas ? state.gas_point.pressure : 0.0, contact_stiffness(scene, state));
+  state.step.jet_damping = jet_damping(scene, state);
+  state.step.critical =
+      step_with_lagged_damping(membrane::critical_time_step(state.step.shares), state.step.jet_damping);
+  state.step.drift_limit = drift_limit(scene, state);
+}
+
+void book_step(StepSizes& step) {
+  step.minimum = step.minimum == 0.0 ? step.after : std::min(step.minimum, step.after);
+  step.maximum = std::max(step.maximum, step.after);
+  if (step.drift_limit < step.critical) ++step.drift_limited;
+  const double all = step.shares.total();
+  if (!(all > 0.0)) return;
+  step.share_sums.element += step.shares.element / all;
+  step.share_sums.gas += step.shares.gas / all;
+  step.share_sums.contact += step.shares.contact / all;
+  step.share_sums.strap += step.shares.strap / all;
+  step.share_sums.plate += step.shares.plate / all;
+}
+
+}  // namespace
+
+void forces(const Scene& scene, State& state) {
+  if (!state.bag) return;
+  StageTimer timer(state, Stage::forces);
+  // The fabric's forces at these positions came with the surface: S9 of the step before.
+  const auto& model = scene.bag->model;
+  state.level.skin_strain = state.bag->forces.strain_energy;
+  membrane::support_forces(model, *state.bag, ParallelBlocks{});
+  membrane::pressure_forces(*state.bag, state.gas_point.pressure - scene.ambient.pressure);
+  if (!state.jets.empty()) membrane::jet_forces(model, *state.bag, total_overpressure(state));
+}
+
+void choose_step(const Scene& scene, State& state, bool last) {
+  StageTimer timer(state, Stage::advance);
+  StepSizes& step = state.step;
+  update_bound(scene, state);
+  if (last && step.before > 0.0) {
+    step.after = step.before;
+    return;
+  }
+  double wanted = scene.output.history_every;
+  if (scene.moves())
+    wanted = scene.time.step.value_or(scene.time.safety * std::min(step.critical, step.drift_limit));
+  if (scene.time.step && wanted > step.critical && !scene.time.unsafe_step) fail_step(scene, state, wanted);
+  // The last two steps share what is left, so that the end is met without a tiny step. Up to a row all of
+  // them do: steps that alternate at each row could resonate with a mode.
+  const double left = next_stop(scene, state.time) - state.time;
+  if (scene.output.history_exact)
+    wanted = left / std::max(1.0, std::ceil(left / wanted * (1.0 - 1e-9)));
+  else if (left < 2.0 * wanted)
+    wanted = left > wanted * (1.0 + 1e-9) ? 0.5 * left : left;
+  step.after = std::min(wanted, left);
+  if (step.after < left && step.after < 1e-9 * scene.time.end)
+    throw StepError(fmt::format("step {} s{} would take more than 1e9 of them to end_time; {}", step.after,
+                                state.bag ? ", set by " + shares_text(step.shares) + "," : std::string(),
+                                "steps of end_time / 1e9 or more are allowed"));
+  book_step(step);
+}
+
+double next_stop(const Scene& scene, double time) {
+  const double end = scene.time.end, every = scene.output.history_every;
+  if (!scene.output.history_exact) return end;
+  const double next = (std::floor(time / every * (1.0 + 1e-12)) + 1.0) * every;
+  return next < end * (1.0 - 1e-12) ? next : end;
+}
+
+void advance(const Scene& scene, State& state) {
+  StageTimer timer(state, Stage::advance);
+  StepSizes& step = state.step;
+  if (state.bag) {
+    membrane::advance(scene.bag->model, *state.bag, step.before, step.after, ParallelBlocks{});
+    const double tau = 0.5 * (step.before + step.after);
+    const membrane::AdvanceSums& sums = state.bag->advance;  // of squares: |v+ - v-|^2 = (tau f / m)^2
+    step.force_mobility =
+        2.0 / (tau * tau) *
+        std::max(0.0, sums.kinetic_before + sums.kinetic_after - 2.0 * sums.kinetic_product);
+    const double motion = step.after * std::sqrt(state.bag->advance.max_speed_squared);
+    step.displacement_bound = std::nextafter(step.displacement_bound + motion, std::numeric_limits<double>::infinity());
+  }
+  if (!state.pendulum) return;
+  PendulumRun& run = *state.pendulum;
+  const auto& model = scene.pendulum->model;
+  const double tau = 0.5 * (step.before + step.after);
+  run.angular_velocity = model.angular_velocity_at_level(run.motion, run.moment, step.before);
+  run.acceleration = model.cg_acceleration(run.moment, run.angular_velocity);
+  const double before = run.motion.angular_velocity;
+  run.motion = model.advance(run.motion, run.moment, tau, step.after);
+  const double after = run.motion.angular_velocity;
+  run.kinetic_before = model.kinetic_energy(before);
+  run.kinetic_after = model.kinetic_energy(after);
+  run.kinetic =
+      level_kinetic(step, run.kinetic_before, run.kinetic_after, 0.5 * model.axis_inertia() * before * after);
+  state.flows.kick_work += tau * run.moment * 0.5 * (before + after);
+}
+
+void volume(const Scene& scene, State& state) {
+  if (!state.bag) return;
+  StageTimer timer(state, Stage::volume);
+  membrane::update_skin(scene.bag->model, *state.bag, ParallelBlocks{});
+  constexpr int shares_every = 256;  // steps: a round may cost as much as ten of them
+  if ((state.steps + 1) % shares_every == 0)
+    membrane::update_mass_shares(scene.bag->model, *state.bag, ParallelBlocks{});
+}
+
+double step_with_lagged_damping(double undamped, double rate) {
+  return 4.0 / (rate + std::sqrt(rate * rate + 16.0 / (undamped * undamped)));
+}
+
+double level_kinetic(const StepSizes& step, double before, double after, double product) {
+  const double late = kick_share(step), early = 1.0 - late;
+  return early * (early - late) * before + late * (late - early) * after + 4.0 * early * late * product;
+}
+
+double kick_share(const StepSizes& step) {
+  return step.before > 0.0 ? step.before / (step.before + step.after) : 0.0;
+}
+
+double skin_gravity(const Scene& scene, const State& state) {
+  if (!state.bag || scene.gravity.isZero(0.0)) return 0.0;
+  const auto position = state.bag->position.map();
+  double energy = 0.0;
+  for (Eigen::Index node = 0; node < position.cols(); ++node)
+    energy -=
+        scene.bag->model.node_mass[static_cast<std::size_t>(node)] * scene.gravity.dot(position.col(node));
+  return energy;
+}
+
+}  // namespace driver

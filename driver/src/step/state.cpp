@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "driver/state.hpp"
+
+#include <Eigen/Geometry>
+#include <limits>
+#include <numeric>
+
+#include "step/stages.hpp"
+
+namespace driver {
+namespace {
+
+void start_gas(const Scene& scene, State& state) {
+  const GasPart& part = *scene.gas;
+  const double volume = enclosure(scene, state).volume;
+  state.gas = gas::make_state(part.model, part.initial_fractions, part.initial_pressure,
+                              part.initial_temperature, volume);
+  state.gas_integrator.emplace(part.model, part.integrator);
+  state.initial_gas_mass = std::accumulate(state.gas.masses.begin(), state.gas.masses.end(), 0.0);
+  state.initial_volume = volume;
+  state.streams.inflows.resize(part.model.inflows.size());
+  state.streams.outflows.resize(part.model.vents.size() + part.model.fabric_count());
+  state.streams.backflows.resize(part.model.vents.size());
+  state.gas_events.opened.assign(part.model.vents.size(), std::numeric_limits<double>::quiet_NaN());
+  if (!scene.output.streams) return;
+  state.level.masses = state.gas.masses;
+  state.level.streams = state.streams;
+}
+
+void start_target(const Scene& scene, State& state) {
+  const auto& target = *scene.target;
+  const int count = static_cast<int>(target.triangles.cols());
+  state.target_area_vectors = membrane::Vectors(count);
+  state.target_centroids = membrane::Vectors(count);
+  for (int e = 0; e < count; ++e) {
+    const Eigen::Vector3d a = target.nodes.col(target.triangles(0, e));
+    const Eigen::Vector3d b = target.nodes.col(target.triangles(1, e));
+    const Eigen::Vector3d c = target.nodes.col(target.triangles(2, e));
+    state.target_area_vectors.map().col(e) = 0.5 * (b - a).cross(c - a);
+    state.target_centroids.map().col(e) = ((a + b) + c) / 3.0;
+  }
+}
+
+JetSkin jet_skin(const JetPart& part, Eigen::Index elements) {
+  JetSkin skin;
+  const bool moving = part.field.model().relative_to_skin;
+  if (moving) skin.velocity.setZero(3, elements);
+  if (!part.pieces) return skin;
+  const auto pieces = part.pieces->triangles().cols();
+  skin.nodes.resize(3, part.pieces->node_count());
+  skin.area_vectors.resize(3, pieces);
+  skin.centroids.resize(3, pieces);
+  if (moving) skin.piece_velocity.setZero(3, pieces);
+  return skin;
+}
+
+JetRun start_jet(const JetPart& part, const Eigen::Matrix3Xi& triangles, Eigen::Index nodes) {
+  jet::FieldState elements;
+  if (part.pieces) {
+    elements.overpressure.assign(static_cast<std::size_t>(triangles.cols()), 0.0);
+    elements.candidates.reserve(elements.overpressure.size());
+  }
+  const Eigen::Matrix3Xi& asked = part.pieces ? part.pieces->triangles() : triangles;
+  const auto asked_nodes = part.pieces ? part.pieces->node_count() : static_cast<int>(nodes);
+  return {{},
+          jet_skin(part, triangles.cols()),
+          part.field.make_state(),
+          std::move(elements),
+          std::vector<std::uint8_t>(static_cast<std::size_t>(asked.cols())),
+          jet::VisibilityQuery(asked, asked_nodes, part.roles),
+          {},
+          {},
+          Eigen::Vector3d::Zero()};
+}
+
+void start_jets(const Scene& scene, State& state) {
+  const auto& triangles = scene.bag ? scene.bag->mesh.elements : scene.target->triangles;
+  const auto nodes = scene.bag ? scene.bag->mesh.nodes.cols() : scene.target->nodes.cols();
+  for (const JetPart& part : scene.jets) state.jets.push_back(start_jet(part, triangles, nodes));
+  if (scene.jets.size() > 1) state.overpressure.assign(static_cast<std::size_t>(triangles.cols()), 0.0);
+}
+
+}  // namespace
+
+State make_state(const Scene& scene) {
+  State state;
+  if (scene.bag) {
+    const membrane::LoadKinds loads{!scene.jets.empty(), scene.contact.has_value()};
+    state.bag = membrane::make_state(scene.bag->model, scene.bag->initial_position, loads);
+    membrane::update_skin(scene.bag->model, *state.bag, ParallelBlocks{});
+  }
+  if (scene.gas && scene.has_volume()) start_gas(scene, state);
+  if (scene.target) start_target(scene, state);
+  if (!scene.jets.empty()) start_jets(scene, state);
+  if (scene.pendulum) {
+    state.pendulum.emplace();
+    state.pendulum->motion = scene.pendulum->initial;
+  }
+  if (scene.contact) state.contact_cache = scene.contact->make_state();
+  return state;
+}
+
+}  // namespace driver
