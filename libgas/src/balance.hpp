@@ -11,7 +11,7 @@ class Balance {
   /// `boundary` must outlive this.
   explicit Balance(const Boundary& boundary);
 
-  /// `state` is that of the begin. Throws DomainError if its temperature is out of range.
+  /// `state` is that at the start. Throws DomainError if its temperature is out of range.
   void begin_step(const ControlVolumeState& state);
   /// The gas (m_k, U) at time t, or, if its temperature is out of range, none: false.
   bool locate(std::span<const double> gas, double t);

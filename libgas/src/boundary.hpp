@@ -65,6 +65,7 @@ class Boundary {
   const Inflows& inflows() const { return inflows_; }
   const StepPath& path() const { return path_; }
   bool is_open() const { return openings_.is_open() || path_.leaks(); }  // gas can leave
+  bool has_open_vent() const { return openings_.is_open(); }
   bool has_backflow() const { return openings_.has_backflow(); }         // gas can come in
   bool needs_stepper() const;                                            // more than inflow changes the gas
 

@@ -22,7 +22,7 @@ class Ledger {
   void begin_segment(double a);
   void end_segment(double reached);
 
-  /// Gas at the begin of the sub-step.
+  /// Gas at the start of the sub-step.
   const Vector& gas() const { return gas_; }
   /// `gas` at time t of a sub-step with the unknowns y. False if more of a species has left than there was.
   bool gas_at(const Vector& y, double t, Vector& gas);

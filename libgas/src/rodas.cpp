@@ -91,7 +91,7 @@ class Rodas : public Stepper {
     return result;
   }
 
-  /// rate_ at the gas of the begin + sum shifts g.
+  /// rate_ at the gas of the start + sum shifts g.
   void evaluate(System& system, std::initializer_list<double> shifts, double x) {
     const Vector& begin = system.ledger.gas();
     for (std::size_t i = 0; i < begin.size(); ++i) stage_gas_[i] = begin[i] + sum(&Pair::gas, i, shifts);

@@ -39,7 +39,8 @@ class StepControl {
   /// have moved it far: between it has turned, past the method's limit on a balance that it misses.
   void require_motion(const Balance& balance, const Moment& begin, const Moment& end, double length) const;
 
-  /// Throws the DomainError that says why a sub-step of `length` cannot be taken from the begin at time t. `found_gas`: the last trial had a temperature.
+  /// Throws the DomainError that says why a sub-step of `length` cannot be taken from its start at time t.
+  /// `found_gas`: the last trial had a temperature.
   [[noreturn]] void fail(System& system, double t, double length, bool found_gas) const;
   /// The same for a fixed one that takes p through p_a against what feeds the flow.
   [[noreturn]] void fail_crossing(double t) const;

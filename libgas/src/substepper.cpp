@@ -85,21 +85,21 @@ bool Substepper::is_stiff(double length) const {
   return options_.method == Method::dormand_prince_5 && !control_.is_fixed() && length * begin_.relaxation > kStiff;
 }
 
-Substepper::Way Substepper::way(const Proposal& proposal, double b) const {
+Substepper::Reach Substepper::reach(const Proposal& proposal, double b) const {
   const Clock& clock = system_.clock;
   const double left = clock.position(b) - begin_.x, cap = control_.longest(system_.balance, begin_.relaxation);
   const double longest = cap < b - begin_.t ? clock.position(begin_.t + cap) - begin_.x : kInfinity;
   const double free = std::min(proposal.length, kTowardsAmbient * watch_.until_ambient(begin_.moment));
   const double length = std::min({longest, proposal.landing, control_.is_fixed() ? kInfinity : free});
-  return length >= left ? Way{left, b, true} : Way{length, clock.time(begin_.x + length), false};
+  return length >= left ? Reach{left, b} : Reach{length, clock.time(begin_.x + length)};
 }
 
 /// One trial; the balance is left at its end. Its error over the tolerance, infinite if any stage met no gas.
-double Substepper::try_step(const Way& way, bool stiff) {
-  const double t = begin_.t, x = begin_.x, h = (x + way.length) - x;  // what flows in until then, exactly
-  control_.require_stable(system_.balance, way.end - t);
+double Substepper::try_step(const Reach& reach, bool stiff) {
+  const double t = begin_.t, x = begin_.x, h = (x + reach.length) - x;  // what flows in until then, exactly
+  control_.require_stable(system_.balance, reach.end - t);
   if (++system_.effort.attempts > options_.maximum_steps || !(h > 0.0) || !(system_.clock.time(x + h) > t))
-    control_.fail(system_, t, way.end - t, system_.valid);
+    control_.fail(system_, t, reach.end - t, system_.valid);
   system_.valid = true;
   system_.depleted.reset();
   trial_.reversed = 0.0;
@@ -109,17 +109,17 @@ double Substepper::try_step(const Way& way, bool stiff) {
     trial_.reversed = system_.ledger.stop_reversed(trial_.end, trial_.error);
     if (trial_.reversed > 0.0) system_.rates(trial_.end, trial_.end_rate, x + h);
   }
-  if (!system_.valid && control_.is_fixed()) control_.fail(system_, t, way.end - t, false);
+  if (!system_.valid && control_.is_fixed()) control_.fail(system_, t, reach.end - t, false);
   return system_.valid ? control_.scaled_error(system_, trial_.error, system_.gas) : kInfinity;
 }
 
 /// What to try in place of a trial whose error is small: the other method where it took flow the wrong way, a shorter
 /// one where it passes what it has to end on. None: the trial stands.
-std::optional<Substepper::Proposal> Substepper::again(const Proposal& tried, const Way& way, const Moment& end) const {
+std::optional<Substepper::Proposal> Substepper::again(const Proposal& tried, const Reach& reach, const Moment& end) const {
   const Balance& balance = system_.balance;
   const Moment& begin = begin_.moment;
   const bool fixed = control_.is_fixed(), on_ambient = watch_.is_on_ambient(begin);
-  const double duration = way.end - begin_.t;
+  const double duration = reach.end - begin_.t;
   if (fixed && trial_.reversed > kReversed * balance.gas().mass) control_.fail_crossing(begin_.t);
   // Stopped where it turned, flow would stay there; at p_a it is rounding that turns it.
   const bool turns = trial_.reversed > 0.0 && !fixed && !on_ambient;
@@ -127,40 +127,42 @@ std::optional<Substepper::Proposal> Substepper::again(const Proposal& tried, con
     if (fixed) {  // what only runs out, or in, ends there
       const bool fed = begin.outflow > 0.0 ? begin.growth > 0.0 : begin.growth < 0.0;
       if (fed || on_ambient) control_.fail_crossing(begin_.t);
-      return Proposal{tried.length, way.length * begin.overpressure / (begin.overpressure - end.overpressure), tried.stiff};
+      return Proposal{tried.length, reach.length * begin.overpressure / (begin.overpressure - end.overpressure), tried.stiff};
     }
     const bool other = !tried.stiff && options_.method == Method::dormand_prince_5;
-    return Proposal{other ? way.length : kCrossingFactor * way.length, kInfinity, tried.stiff || other};
+    return Proposal{other ? reach.length : kCrossingFactor * reach.length, kInfinity, tried.stiff || other};
   }
   if (!system_.clock.root && !tried.stiff) control_.require_motion(balance, begin, end, duration);
-  const auto share = watch_.landing(begin, end, way.length);
+  const auto share = watch_.landing(begin, end, reach.length);
   if (!share) return {};
-  const double shorter = std::max(*share * way.length, std::nextafter(begin_.x, kInfinity) - begin_.x);
-  if (!(shorter < way.length && system_.clock.time(begin_.x + shorter) > begin_.t)) return {};
+  const double shorter = std::max(*share * reach.length, std::nextafter(begin_.x, kInfinity) - begin_.x);
+  if (!(shorter < reach.length && system_.clock.time(begin_.x + shorter) > begin_.t)) return {};
   return Proposal{tried.length, shorter, tried.stiff};
 }
 
 /// Books the trial; the next sub-step, of about `after` [s], begins at its end.
-void Substepper::accept(const Way& way, const Moment& end, bool landed, double after, double b) {
+void Substepper::accept(const Reach& reach, const Moment& end, bool landed, double after, double b) {
   const Clock clock = system_.clock;
-  const double duration = way.end - clock.time(begin_.x), slope = clock.slope(begin_.x + way.length);
+  const double duration = reach.end - clock.time(begin_.x), slope = clock.slope(begin_.x + reach.length);
   const bool sets_in = landed && watch_.is_on_ambient(end);
-  watch_.note(begin_.moment, end, begin_.t, way.end, moments_);
-  system_.ledger.accept(trial_.end, way.end);
+  const auto time = [&](double share) { return clock.time(begin_.x + share * reach.length); };
+  if (const auto share = watch_.switches(begin_.moment, end, reach.length)) moments_.sonic_switch = time(*share);
+  if (const auto share = watch_.equalises(begin_.moment, end)) moments_.equalisation = time(*share);
+  system_.ledger.accept(trial_.end, reach.end);
   ++system_.effort.accepted;
-  begin_.t = way.end;
-  begin_.x += way.length;
+  begin_.t = reach.end;
+  begin_.x += reach.length;
   begin_.rate.swap(trial_.end_rate);
   begin_.moment = end;
   set_relaxation(after);
   const bool leaves_root =
-      clock.root && ((duration <= kRootShare * (way.end - clock.origin) && !control_.is_fixed()) ||
+      clock.root && ((duration <= kRootShare * (reach.end - clock.origin) && !control_.is_fixed()) ||
                      !watch_.is_onset(system_.balance, end));
   if (!leaves_root && !sets_in) return;
   for (double& rate : begin_.rate) rate /= slope;
   begin_.moment.rate /= slope;
   system_.clock = {};
-  begin_.x = way.end;
+  begin_.x = reach.end;
   if (sets_in) start_clock(b);
 }
 
@@ -174,7 +176,7 @@ double Substepper::integrate(double a, double b, const TriggerState& triggers) {
   const double first = control_.first_step(balance), p_a = balance.boundary().model().ambient.pressure;
   Proposal next{first < b - begin_.t ? system_.clock.position(begin_.t + first) - begin_.x : kInfinity};
   while (begin_.t < b) {
-    const Way trial = way(next, b);
+    const Reach trial = reach(next, b);
     next.stiff = next.stiff || is_stiff(trial.end - begin_.t);
     const double error = try_step(trial, next.stiff);
     const double fitting = trial.length * control_.factor(error, (next.stiff ? implicit_ : explicit_)->error_power());
@@ -197,7 +199,7 @@ double Substepper::integrate(double a, double b, const TriggerState& triggers) {
     const double kept = landed ? std::max(fits, clock.time(end_x + next.length) - trial.end) : fits;
     accept(trial, end, landed, kept, b);
     if (network_.switches(triggers, end.overpressure, p_a)) break;
-    // Where flow has just set in, its slope holds for no longer than that was ago.
+    // Just after an onset the slope changes within the time since it: a stiff sub-step may not keep its length.
     const double after = kept * begin_.relaxation > kStiff ? fits : kept;
     next = {system_.clock.position(begin_.t + after) - begin_.x};
   }

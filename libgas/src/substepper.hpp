@@ -43,21 +43,20 @@ class Substepper {
     double landing = kInfinity;  // if finite, it has to end on what Watch found
     bool stiff = false;          // by the implicit method
   };
-  /// A trial's way.
-  struct Way {
+  /// How far a trial goes.
+  struct Reach {
     double length;  // in x
     double end;     // [s]
-    bool last;      // to the end of the segment
   };
 
   void start(double t, double b);
   void start_clock(double b);
   void set_relaxation(double length);
-  Way way(const Proposal& proposal, double b) const;
+  Reach reach(const Proposal& proposal, double b) const;
   bool is_stiff(double length) const;
-  double try_step(const Way& way, bool stiff);
-  std::optional<Proposal> again(const Proposal& tried, const Way& way, const Moment& end) const;
-  void accept(const Way& way, const Moment& end, bool landed, double after, double b);
+  double try_step(const Reach& reach, bool stiff);
+  std::optional<Proposal> again(const Proposal& tried, const Reach& reach, const Moment& end) const;
+  void accept(const Reach& reach, const Moment& end, bool landed, double after, double b);
 
   const IntegratorOptions options_;
   const TriggerNetwork& network_;

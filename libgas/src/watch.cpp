@@ -45,7 +45,7 @@ Moment Watch::moment(const Balance& balance, double slope) const {
   const double p_a = boundary_.model().ambient.pressure, rate = balance.pressure_rate() * slope;
   Moment m{gas.overpressure, rate, gas.compliance(), -p_a, 0.0, balance.closed_growth() / gas.volume,
            balance.outflow(), balance.backflow()};
-  if (gas.mass > 0.0 && gas.overpressure > 0.0 && boundary_.is_open()) {
+  if (gas.mass > 0.0 && gas.overpressure > 0.0 && boundary_.has_open_vent()) {
     const double ratio = critical_pressure_ratio(gas.gamma);
     m.sonic = ratio * gas.pressure - p_a;
     m.sonic_rate = ratio * rate;
@@ -120,15 +120,21 @@ bool Watch::is_onset(const Balance& balance, const Moment& at) const {
   return (out || in) && balance.pressure_rate() / at.growth >= 0.5;
 }
 
-void Watch::note(const Moment& begin, const Moment& end, double t0, double t1, StepMoments& moments) const {
+std::optional<double> Watch::switches(const Moment& begin, const Moment& end, double h) const {
   // A trial may end just short of the switch, which the next one passes.
-  const bool switches = (begin.sonic > 0.0) != (end.sonic > 0.0);
-  if (switches && std::abs(begin.sonic) <= sonic_near_) moments.sonic_switch = t0;
-  if (switches && std::abs(end.sonic) <= sonic_near_) moments.sonic_switch = t1;
+  const bool starts_on = std::abs(begin.sonic) <= sonic_near_, ends_on = std::abs(end.sonic) <= sonic_near_;
+  if ((begin.sonic > 0.0) == (end.sonic > 0.0) || !(starts_on || ends_on)) return {};
+  const Course course{begin.sonic, h * begin.sonic_rate, end.sonic, h * end.sonic_rate};
+  return course.passing(0.0).value_or(starts_on ? 0.0 : 1.0);
+}
+
+std::optional<double> Watch::equalises(const Moment& begin, const Moment& end) const {
   const double size = kEqual * boundary_.model().ambient.pressure;
   const double from = std::abs(begin.overpressure), to = std::abs(end.overpressure);
-  if (from > size && to <= size && (begin.outflow > 0.0 || begin.backflow > 0.0))
-    moments.equalisation = t0 + (from - size) / (from - to) * (t1 - t0);
+  const bool flows = begin.outflow > 0.0 || begin.backflow > 0.0;
+  const bool led_by_flow = std::abs(begin.growth) < 0.5 * std::abs(begin.rate);
+  if (!(from > size && to <= size) || !flows || !led_by_flow) return {};
+  return (std::sqrt(from) - std::sqrt(size)) / (std::sqrt(from) - std::sqrt(to));  // p - p_a is as its square
 }
 
 double Watch::until_ambient(const Moment& begin) const {

@@ -32,8 +32,10 @@ class Watch {
   bool is_on_ambient(const Moment& at) const;  // p is p_a, as close as it is landed on
   /// Whether flow that something feeds lets p grow at more than half of the rate that it would have without.
   bool is_onset(const Balance& balance, const Moment& at) const;
-  /// Notes when, from t0 to t1, the vents' flow switched and p came to p_a.
-  void note(const Moment& begin, const Moment& end, double t0, double t1, StepMoments& moments) const;
+  /// Share of a trial of length h after which the flow of the vents switched, if it did.
+  std::optional<double> switches(const Moment& begin, const Moment& end, double h) const;
+  /// Share of it after which flow, rather than what else moves p, brought p to p_a, to 1e-7 of it.
+  std::optional<double> equalises(const Moment& begin, const Moment& end) const;
   /// How long flow that only runs out or in leads p to p_a, as the square of the time that is left; in x.
   /// Infinite where p goes elsewhere, or is as close as laminar flow.
   double until_ambient(const Moment& begin) const;

@@ -115,7 +115,7 @@ struct PatchArrays {
 struct PatchesFound {
   int near, uncertain, between, on_winding_ray, upstream;  // lengths of the lists
   int asked;                                    // patches near that have rays
-  Frustum bounds;                             // of the rays not aside
+  Frustum bounds;                             // of the rays that go downstream
 };
 
 /// Boxes of patches, see PatchArrays.

@@ -71,7 +71,7 @@ END
   "$gasjet" run "$work/own_tank.toml" --out "$work/own" --quiet || fail "tank of a gas of one's own"
   expect 0 "mean_temperature_K: (800|799.99|800.00)" "$gasjet" identify "$work/own/history.csv" --method average --tank-column pressure_Pa \
     --volume 0.0283 --mass 0.07 --gas own --species "$work/own.toml" --out "$work/own.csv"
-  grep -q '^# species: and those of .*own.toml' "$work/own.csv" || fail "no word of the species' file"
+  grep -q '^# species: built-in and .*own.toml' "$work/own.csv" || fail "no word of the species' file"
   own='--method average --tank-column pressure_Pa --volume 0.0283 --mass 0.07 --gas own'
   expect 2 "--gas: species = .own.: must be one of N2" "$gasjet" identify "$work/own/history.csv" $own --out "$work/none.csv"
   expect 2 "own.csv: would overwrite|would overwrite .*own.toml" "$gasjet" identify "$work/own/history.csv" $own --species "$work/own.toml" --out "$work/own.toml"

@@ -12,7 +12,7 @@ scripts=$(cd "$(dirname "${BASH_SOURCE[0]}")/../../scripts" && pwd)
 # shellcheck source=../../scripts/source_number.sh
 source "$scripts/source_number.sh"
 cd "$root"
-max_file_lines=250
+max_file_lines=300
 max_numbers=100  # in sentences: what a table says is not said again
 
 # files NAME_PATTERN...: every file of the tree with such a name; build folders, results and these rules left out.

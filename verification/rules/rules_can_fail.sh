@@ -124,7 +124,7 @@ case $rule in
     breaks libgas/src/model.cpp '// SPDX-License-Identifier: MIT'
     ;;
   file_size)
-    mapfile -t long_text < <(yes '//' | head -251 || true)
+    mapfile -t long_text < <(yes '//' | head -301 || true)
     breaks libgas/src/model.cpp "${long_text[@]}"
     breaks scripts/run.sh "${long_text[@]}"
     ;;

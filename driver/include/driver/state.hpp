@@ -29,7 +29,7 @@ enum class Stage {
   advance,     // S8 central difference
   volume,      // S9 surface at n+1
   gas,         // S10 gas ODE over the step
-  ledger,      // S11 books
+  ledger,      // S11 balances
   count
 };
 inline constexpr std::size_t kStages = static_cast<std::size_t>(Stage::count);
@@ -91,7 +91,7 @@ struct JetRun {
   Eigen::Vector3d force = Eigen::Vector3d::Zero();  // S5 [N]
 };
 
-/// Values of the current level n that later stages overwrite, kept for the books of n.
+/// Values of the current level n that later stages overwrite, kept for the balance of n.
 struct Level {
   double internal_energy = 0.0;  // S2 [J]
   double volume = 0.0;           // S2 [m3]
@@ -102,7 +102,7 @@ struct Level {
   std::vector<double> masses;    // S2 [kg] of each species, if the history has them; so are the streams
   Streams streams;               // S2
   double jet_force = 0.0;        // S11 [N] magnitude of the resultant of all jets
-  double skin_gravity = 0.0;     // S7 [J], where the books of n are wanted, as are the rest:
+  double skin_gravity = 0.0;     // S7 [J], where the balance of n is wanted, as are the rest:
   double skin_kinetic = 0.0;     // S11 [J]
   double energy_residual = 0.0;  // S11 [J] physical drift (K.21)
   double kick_residual = 0.0;    // S11 [J] (K.20): change of kinetic energy less the work of every force

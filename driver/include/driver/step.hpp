@@ -20,7 +20,7 @@ class StepError : public std::runtime_error {
 /// What the caller wants of this step beside the motion.
 struct StepRequest {
   bool record = false;  // work out what the columns (columns.hpp) read of level n
-  bool last = false;    // level n is the end: books only, the state does not go on
+  bool last = false;    // level n is the end: the balance only, the state does not go on
   const std::function<void(const State&)>* before_advance = nullptr;  // called when all forces of n stand
 };
 

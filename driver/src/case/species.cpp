@@ -14,7 +14,8 @@ double read_molar_mass(TableReader& table) {
   if (table.has("gas_constant") && table.has("molar_mass"))
     table.fail("gas_constant", "is there besides molar_mass, one of the two is needed");
   if (table.has("gas_constant")) return gas::kMolarGasConstant / table.number("gas_constant", positive);
-  return table.number("molar_mass", positive);
+  constexpr Bounds molar{1e-3, 1.0, false, "1e-3 to 1 kg/mol (not g/mol)"};
+  return table.number("molar_mass", molar);
 }
 
 gas::Nasa7 read_coefficients(TableReader& table, const std::string& key) {

@@ -166,7 +166,7 @@ Provenance findings(const IdentifyArguments& a, const gas::Identified& found) {
       {"gas", fmt::format("{} by {} into {}, {} cp, tank of {} m3, {} kg, {} K at first", a.gas, a.by,
                           a.tank_gas, a.thermodynamics, a.volume, a.mass, a.initial_temperature)},
       {"tank_pressure", text(a, found.tank)}};
-  if (!a.species.empty()) lines.push_back({"species", "and those of " + a.species.string()});
+  if (!a.species.empty()) lines.push_back({"species", "built-in and " + a.species.string()});
   if (dual) lines.push_back({"chamber_pressure", text(a, found.chamber)});
   const auto with_band = [&](double value, const gas::Band& band) {
     return fmt::format("{:.6g}, {}", value, found.bands ? "95 %: " + text(band) : "no band");

@@ -76,7 +76,7 @@ Json time_or_null(double time) {
   return std::isfinite(time) ? Json(time) : Json(nullptr);
 }
 
-/// When the flow through vents and fabric changed its nature, the last time.
+/// When the vents last choked or unchoked, and when p last came to p_a.
 Json moments(const State& state) {
   const gas::StepMoments& last = state.gas_events.last;
   return {{"sonic_switch_s", time_or_null(last.sonic_switch)},

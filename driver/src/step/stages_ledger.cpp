@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// S11: mass, energy and momentum books of level n, extremes of the run.
+// S11: mass, energy and momentum balance of level n, extremes of the run.
 #include <algorithm>
 #include <cmath>
 #include <numeric>

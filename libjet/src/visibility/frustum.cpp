@@ -22,7 +22,7 @@ void RayBundle::set_side(int bit, double slope, double bound, double reach) {
                                                   (reach > 0.0 ? reach * std::hypot(1.0, slope) : 0.0));
 }
 
-// Half-spaces that hold all rays not aside, beyond their targets, too, and what is within `reach` of them.
+// Half-spaces that hold all rays downstream, beyond their targets, too, and what is within `reach` of them.
 void RayBundle::set_sides(const Frustum& bounds, double reach) {
   set_side(0, bounds.low_u, 0.0, reach);
   set_side(1, bounds.high_u, 0.0, reach);
@@ -68,7 +68,7 @@ const blocking::Ray& RayBundle::ray(int place) const {
 // above 1.
 void RayBundle::set_winding_ray() {
   winding_v_ = 0.0;
-  for (const int place : places()) {  // the first that is not aside is within the bounds
+  for (const int place : places()) {  // the first that goes downstream is within the bounds
     winding_ray_ = ray(place);
     if (!frame_.line) break;
     const Eigen::Map<const Eigen::Vector3d> from(winding_ray_.source);

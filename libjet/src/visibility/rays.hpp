@@ -34,8 +34,8 @@ class RayBundle {
   bool project_expected();
   bool project_chosen();
   bool project_fresh();
-  /// What was looked at holds all that the rays can meet, but those that are now aside and not too many.
-  bool accept(const PatchesFound& found, std::span<const int> patches, std::span<const int> aside);
+  /// What was looked at holds all that the rays can meet, but those that are now in `upstream` and not too many.
+  bool accept(const PatchesFound& found, std::span<const int> patches, std::span<const int> not_downstream);
   /// The rays have no bounds: nothing but `size` is known. Throws as project().
   void do_without();
 

@@ -124,7 +124,8 @@ Tally compare_seeds(std::uint64_t first, std::uint64_t last, const std::string& 
     const Comparison c = compare(tank, tank, csv);
     ++tally.counts[static_cast<std::size_t>(c.verdict)];
     tally.worst_balance = std::max(tally.worst_balance, c.balance);
-    if (c.verdict == Verdict::agrees) tally.worst_error = std::max(tally.worst_error, c.error);
+    if (c.verdict == Verdict::agrees || c.verdict == Verdict::disagrees)
+      tally.worst_error = std::max(tally.worst_error, c.error);
     if (c.verdict == Verdict::disagrees || c.verdict == Verdict::wrong_refusal)
       tally.disagreeing.push_back(seed);
     if (c.verdict == Verdict::agrees || c.verdict == Verdict::refused_rightly) continue;

@@ -42,7 +42,7 @@ Comparison compare(const Tank& tank, const Tank& other, const std::string& csv);
 struct Tally {
   std::array<int, kVerdicts> counts{};
   std::vector<std::uint64_t> disagreeing;         // seeds of disagrees and wrong_refusal
-  double worst_error = 0.0, worst_balance = 0.0;  // of tanks that agree, in allowances; of all tanks
+  double worst_error = 0.0, worst_balance = 0.0;  // of tanks with two answers, in allowances; of all tanks
   int count(Verdict verdict) const { return counts[static_cast<std::size_t>(verdict)]; }
 };
 
