@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# Proves that scripts/docs_site.sh fails, and names the place, where a page leads to no page, no anchor or no file, where an equation
-# cannot be rendered or is left as source, and where a page loads something from elsewhere. usage: docs_site_can_fail.sh
+# Proves that scripts/docs_site.sh fails, and names the place, where a page leads to no page, no anchor or no file or is not in the
+# menu, where an equation cannot be rendered or is left as source, and where a page loads something from elsewhere. usage: docs_site_can_fail.sh
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 scratch=$(mktemp -d)
@@ -46,4 +46,6 @@ page '<script src="https://example.org/a.js"></script>'
 refuses 'index.html:2: https://example.org/a.js: loaded from elsewhere' check
 
 echo '[gone](gone.md)' >>"$scratch/docs/limits.md"
+echo '# New' >"$scratch/docs/new.md"
 refuses "docs/limits.md' contains a link to 'docs/gone.md'" "$scratch/scripts/docs_site.sh"
+grep -qF 'docs/new.md is not in the nav of mkdocs.yml' "$scratch/log" || { echo 'let pass: a page outside the menu'; exit 1; }

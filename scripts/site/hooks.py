@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-# Hook of mkdocs.yml: the site reads lists as GitHub does, where Python-Markdown differs.
+# Hook of mkdocs.yml: the site reads lists as GitHub does, where Python-Markdown differs, and its menu leads to every page.
+import logging
 import re
 
 from markdown.blockprocessors import build_block_parser
@@ -31,3 +32,11 @@ class BlankLineBeforeList(Preprocessor):
 def on_config(config):
     config["markdown_extensions"].insert(0, GithubLists())
     return config
+
+
+def on_nav(nav, config, files):
+    known = {page.file.src_path for page in nav.pages}
+    for file in files.documentation_pages():
+        if file.src_path not in known:
+            logging.getLogger("mkdocs.menu").warning("%s is not in the nav of mkdocs.yml", file.src_path)
+    return nav
