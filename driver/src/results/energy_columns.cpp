@@ -20,14 +20,14 @@ double pendulum_gravity(Of scene, At now) {
 // clang-format off
 constexpr EnergyTerm kTerms[] = {
   {"gas_internal_J", Role::held, has::volume, [](Of, At now) { return now.level.internal_energy; }},
-  {"skin_kinetic_J", Role::moved, has::bag, [](Of, At now) { return now.level.skin_kinetic; }},
-  {"skin_strain_J", Role::moved, has::bag, [](Of, At now) { return now.level.skin_strain; }},
+  {"skin_kinetic_J", Role::kinetic, has::bag, [](Of, At now) { return now.level.skin_kinetic; }},
+  {"skin_strain_J", Role::elastic, has::bag, [](Of, At now) { return now.level.skin_strain; }},
   {"skin_gravity_J", Role::held, has::weight, [](Of, At now) { return now.level.skin_gravity; }},
-  {"strap_J", Role::moved, has::straps, [](Of, At now) { return now.bag->forces.strap_energy; }},
-  {"plate_J", Role::moved, has::plates, [](Of, At now) { return now.bag->forces.plate_energy; }},
+  {"strap_J", Role::elastic, has::straps, [](Of, At now) { return now.bag->forces.strap_energy; }},
+  {"plate_J", Role::elastic, has::plates, [](Of, At now) { return now.bag->forces.plate_energy; }},
   {"ambient_work_J", Role::spent, has::bag, ambient_work},
-  {"contact_J", Role::moved, has::contact, [](Of, At now) { return now.contact.energy; }},
-  {"pendulum_kinetic_J", Role::moved, has::pendulum, [](Of, At now) { return now.pendulum->kinetic; }},
+  {"contact_J", Role::elastic, has::contact, [](Of, At now) { return now.contact.energy; }},
+  {"pendulum_kinetic_J", Role::kinetic, has::pendulum, [](Of, At now) { return now.pendulum->kinetic; }},
   {"pendulum_gravity_J", Role::held, has::pendulum, pendulum_gravity},
   {"outflow_enthalpy_J", Role::spent, has::volume, [](Of, At now) { return now.level.flows.enthalpy_out; }},
   {"inflow_enthalpy_J", Role::supplied, has::volume, [](Of, At now) { return now.level.flows.enthalpy_in; }},
@@ -48,10 +48,17 @@ std::span<const EnergyTerm> energy_terms() {
   return kTerms;
 }
 
+double sum_of(Role role, const Scene& scene, const State& state) {
+  double sum = 0.0;
+  for (const EnergyTerm& term : kTerms)
+    if (term.role == role && term.when(scene)) sum += term.value(scene, state);
+  return sum;
+}
+
 double held_energy(const Scene& scene, const State& state) {
   double sum = 0.0;
   for (const EnergyTerm& term : kTerms)
-    if ((term.role == Role::held || term.role == Role::moved) && term.when(scene))
+    if (is_held(term.role) && term.when(scene))
       sum += term.value(scene, state);
   return sum;
 }

@@ -8,11 +8,12 @@
 
 namespace driver {
 
-/// Place of a term in the balance, where held + moved + spent - supplied stays as it was at the start.
+/// Place of a term in the balance, where held + kinetic + elastic + spent - supplied stays as it was at the start.
 enum class Role {
   none,      // no term of it
   held,      // by gas and weights
-  moved,     // held too, by what the step integrates: kinetic and elastic energy
+  kinetic,   // held too, by what moves
+  elastic,   // held too, by what is stretched or pressed
   spent,     // since the start, on what is outside
   supplied,  // since the start, from outside
 };
@@ -26,6 +27,10 @@ struct EnergyTerm {
 };
 
 std::span<const EnergyTerm> energy_terms();
+/// Held by gas, weights, motion or stretch.
+constexpr bool is_held(Role role) { return role == Role::held || role == Role::kinetic || role == Role::elastic; }
+/// Sum of the terms of one place [J].
+double sum_of(Role role, const Scene& scene, const State& state);
 
 /// Energy that is held at level n [J].
 double held_energy(const Scene& scene, const State& state);

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "membrane/time_step.hpp"
+#include "results/energy_terms.hpp"
 
 namespace driver {
 namespace {
@@ -54,13 +55,8 @@ std::string governing_share(const State& state) {
 }  // namespace
 
 double energy_scale(const Scene& scene, const State& state) {
-  double kinetic = state.level.skin_kinetic, elastic = state.level.skin_strain, weight = 0.0;
-  if (state.bag) elastic = elastic + state.bag->forces.strap_energy + state.bag->forces.plate_energy;
-  elastic += state.contact.energy;
-  if (state.pendulum) {
-    kinetic += state.pendulum->kinetic;
-    weight = scene.pendulum->model.potential_energy(state.level.pendulum_angle);
-  }
+  const double kinetic = sum_of(Role::kinetic, scene, state), elastic = sum_of(Role::elastic, scene, state);
+  const double weight = state.pendulum ? scene.pendulum->model.potential_energy(state.level.pendulum_angle) : 0.0;
   // Absolute enthalpies (NASA-7) pass through zero: no single term serves as the scale of all scenes.
   return std::max({std::abs(state.level.flows.enthalpy_in), std::abs(state.level.internal_energy), kinetic,
                    std::abs(weight), elastic});

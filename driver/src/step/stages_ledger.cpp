@@ -89,9 +89,11 @@ void book_energy(const Scene& scene, State& state) {
   Peaks& peaks = state.peaks;
   peaks.energy_scale = std::max(peaks.energy_scale, energy_scale(scene, state));
   peaks.energy_residual = std::max(peaks.energy_residual, std::abs(state.level.energy_residual));
-  const Role integrated = scene.moves() ? Role::moved : Role::held;
+  const auto integrated = [&](Role role) {
+    return scene.moves() ? role == Role::kinetic || role == Role::elastic : role == Role::held;
+  };
   for (const EnergyTerm& term : energy_terms())
-    if (term.role == integrated && term.when(scene))
+    if (integrated(term.role) && term.when(scene))
       if (const double size = std::abs(term.value(scene, state)); size > peaks.largest_term.magnitude)
         peaks.largest_term = {term.name, size};
 }
