@@ -58,11 +58,10 @@ void run_case(benchmark::State& bench, const std::string& name, const std::vecto
   for (auto iteration : bench) {
     driver::State state = driver::make_state(scene);
     Untouched untouched;
-    const auto outcome =
-        driver::run_scene(scene, state, [&](bool, const driver::State& now) {
-          untouched.update(now);
-          blowing += !now.jets.empty() && now.jets.front().outlet.density > 0.0;
-        });
+    const auto outcome = driver::run_scene(scene, state, [&](bool, const driver::State& now) {
+      untouched.update(now);
+      blowing += !now.jets.empty() && now.jets.front().outlet.density > 0.0;
+    });
     if (outcome.status != driver::RunStatus::done) {
       bench.SkipWithError(outcome.message.c_str());
       return;

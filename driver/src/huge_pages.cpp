@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The program's aligned operator new: arrays of some megabytes, which the steps of a fine membrane run through, lie
-// on huge pages where the system gives them on advice. From 100 000 elements on the arrays outgrow the processor's
-// table of 4-kB pages. The libraries leave the choice to the program.
+// The program's aligned operator new: arrays of some megabytes, which the steps of a fine membrane run
+// through, lie on huge pages where the system gives them on advice. From 100 000 elements on the arrays
+// outgrow the processor's table of 4-kB pages. The libraries leave the choice to the program.
 #include <sys/mman.h>
 
 #include <algorithm>

@@ -35,7 +35,8 @@ void Balance::fill_rates(Vector& dydt) {
       backflow_ += dydt[s.back(j)] = boundary_.back(j, gas_, time_);  // mdot_back, (G.6) the other way
   if (gas_.mass == 0.0) return;
   if (gas_.overpressure > 0.0) {
-    for (std::size_t j = 0; j < s.vents; ++j) dydt[s.mass(j)] = boundary_.vent(j, gas_, time_);  // mdot_vent, (G.6)
+    for (std::size_t j = 0; j < s.vents; ++j)
+      dydt[s.mass(j)] = boundary_.vent(j, gas_, time_);  // mdot_vent, (G.6)
     for (std::size_t i = 0; i < s.fabrics; ++i)
       dydt[s.mass(s.fabric(i))] = boundary_.fabric(i, gas_, time_);  // mdot_fabric, (G.7) or (G.12)
     for (std::size_t j = 0; j < s.streams(); ++j) {
@@ -67,9 +68,11 @@ UniformGas Balance::moved(double overpressure) const {
 
 double Balance::balanced_overpressure() const {
   const Slots& s = boundary_.slots();
-  const double growth = closed_growth() * gas_.compliance(), laminar = laminar_overpressure(boundary_.model());
+  const double growth = closed_growth() * gas_.compliance(),
+               laminar = laminar_overpressure(boundary_.model());
   if (gas_.mass == 0.0 || growth == 0.0) return 0.0;
-  // What the openings do to V dp/dt where the law is that of the root, and from it where they balance the feed.
+  // What the openings do to V dp/dt where the law is that of the root, and from it where they balance the
+  // feed.
   const double sign = growth > 0.0 ? 1.0 : -1.0, far = std::max(std::abs(gas_.overpressure), 100.0 * laminar);
   const UniformGas there = moved(sign * far);
   double flow = 0.0;
@@ -93,7 +96,8 @@ UniformGas Balance::where_linear() const {
   const double close = kClose * boundary_.model().ambient.pressure;
   if (std::abs(gas_.overpressure) > close) return gas_;
   const double balanced = balanced_overpressure();
-  return std::abs(balanced) > std::abs(gas_.overpressure) && std::abs(balanced) < close ? moved(balanced) : gas_;
+  return std::abs(balanced) > std::abs(gas_.overpressure) && std::abs(balanced) < close ? moved(balanced)
+                                                                                        : gas_;
 }
 
 double Balance::relaxation(const UniformGas& gas) const {
@@ -108,8 +112,8 @@ double Balance::relaxation(const UniformGas& gas) const {
       all.pressure += one.pressure;
     }
     if (!(all.value > 0.0)) return walls;
-    return walls + outflow_relaxation_rate(gas.gamma, all.value / gas.mass, all.pressure * gas.pressure / all.value,
-                                           gas.compliance());
+    return walls + outflow_relaxation_rate(gas.gamma, all.value / gas.mass,
+                                           all.pressure * gas.pressure / all.value, gas.compliance());
   }
   double slope = 0.0;
   for (std::size_t j = 0; j < s.backflows; ++j) slope += boundary_.back_slopes(j, gas, time_).pressure;
@@ -131,8 +135,10 @@ void RateSlopes::fill_changes(const Balance& balance, const UniformGas& g) {
   const std::size_t species = thermo.size();
   for (std::size_t k = 0; k < species; ++k) {
     const double rt = thermo.gas_constant(k) * g.temperature, h = thermo.enthalpy(k, g.temperature);
-    const double r = (thermo.gas_constant(k) - g.gas_constant) / g.mass, cp = (thermo.cp(k, g.temperature) - g.cp) / g.mass;
-    changes_[k] = {rt * per_energy, 0.0, r, (g.cp * r - g.gas_constant * cp) / (cv * cv), (h - g.enthalpy) / g.mass};
+    const double r = (thermo.gas_constant(k) - g.gas_constant) / g.mass,
+                 cp = (thermo.cp(k, g.temperature) - g.cp) / g.mass;
+    changes_[k] = {rt * per_energy, 0.0, r, (g.cp * r - g.gas_constant * cp) / (cv * cv),
+                   (h - g.enthalpy) / g.mass};
     part_energy[k] = h - rt + GasLocator::work_share(g) * rt;
   }
   const double per_capacity = 1.0 / g.capacity;
@@ -180,7 +186,8 @@ void RateSlopes::fill(const Balance& balance) {
   for (std::size_t j = 0; g.overpressure < 0.0 && j < s.backflows; ++j) {
     const Flow flow = boundary.back_slopes(j, g, t);
     by_time[s.back(j)] = flow.time + flow.pressure * pressure_by_time;
-    for (std::size_t part = 0; part < by_part.size(); ++part) by_part[part][s.back(j)] = changes_[part].of(flow);
+    for (std::size_t part = 0; part < by_part.size(); ++part)
+      by_part[part][s.back(j)] = changes_[part].of(flow);
   }
   by_time[s.work()] = rate * pressure_by_time + g.pressure * boundary.path().acceleration();
   for (std::size_t part = 0; part < by_part.size(); ++part) {

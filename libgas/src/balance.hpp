@@ -22,8 +22,10 @@ class Balance {
   const UniformGas& gas() const { return gas_; }
   const Mixture& mixture() const { return mixture_; }
   double wall_conductance() const { return boundary_.model().heat_loss.conductance; }  // [W/K]
-  double time() const { return time_; }                    // [s]
-  double work() const { return gas_.work - work_begin_; }  // [J] since the step's begin, of a volume that follows p
+  double time() const { return time_; }                                                // [s]
+  double work() const {
+    return gas_.work - work_begin_;
+  }  // [J] since the step's begin, of a volume that follows p
   /// The same of a mixture at that temperature.
   double work_at(const Mixture& mixture, double temperature) const {
     return locator_.work_at(mixture, temperature) - work_begin_;
@@ -34,11 +36,11 @@ class Balance {
   double outflow() const { return outflow_; }    // [kg/s] through all openings
   double backflow() const { return backflow_; }  // [kg/s]
   double closed_growth() const { return boundary_.closed_growth(gas_, time_); }
-  double pressure_rate() const;    // [Pa/s]
+  double pressure_rate() const;  // [Pa/s]
   /// The faster rate [1/s] of outflow at `gas`, (G.14), or that of p by backflow, and of the walls, (G.16).
   double relaxation(const UniformGas& gas) const;
-  /// The gas, or as if it were at the overpressure where what flows would balance its feed, if that is farther from
-  /// p_a: in between the law has another slope at each place, and p leaves there at once.
+  /// The gas, or as if it were at the overpressure where what flows would balance its feed, if that is
+  /// farther from p_a: in between the law has another slope at each place, and p leaves there at once.
   UniformGas where_linear() const;
   /// That overpressure [Pa], of holes and fabric; 0 if nothing feeds them.
   double balanced_overpressure() const;
@@ -55,8 +57,8 @@ class Balance {
   UniformGas moved(double overpressure) const;
 };
 
-/// Derivatives of the rates of a Balance. A part z of the gas is the mass of a species that comes at the gas's
-/// own temperature or, the last one, its energy.                                                      (G.23)
+/// Derivatives of the rates of a Balance. A part z of the gas is the mass of a species that comes at the
+/// gas's own temperature or, the last one, its energy. (G.23)
 class RateSlopes {
  public:
   explicit RateSlopes(const Slots& slots);

@@ -13,7 +13,9 @@ bool lets_air_in(const ControlVolumeModel& model) {
 
 }  // namespace
 
-double laminar_overpressure(const ControlVolumeModel& model) { return model.laminar_share * model.ambient.pressure; }
+double laminar_overpressure(const ControlVolumeModel& model) {
+  return model.laminar_share * model.ambient.pressure;
+}
 
 const Fabric& fabric_of(const ControlVolumeModel& model, std::size_t i) {
   static const Fabric whole{1.0};
@@ -98,8 +100,9 @@ Flow Boundary::vent_slopes(std::size_t j, const UniformGas& gas, double t) const
   const Openings::Area area = openings_.area(j, t, gas.overpressure);
   const double flux = hole_flux(gas.upstream(), laminar_), a = area.value;
   const FluxSlopes by = hole_flux_slopes(gas.upstream(), laminar_);
-  return {a * flux,           a * by.upstream + area.by_overpressure * flux, a * by.temperature,
-          a * by.gas_constant, a * by.gamma,                                 area.by_time * flux};
+  return {a * flux,           a * by.upstream + area.by_overpressure * flux,
+          a * by.temperature, a * by.gas_constant,
+          a * by.gamma,       area.by_time * flux};
 }
 
 Flow Boundary::fabric_slopes(std::size_t i, const UniformGas& gas, double t) const {
@@ -113,7 +116,10 @@ Flow Boundary::fabric_slopes(std::size_t i, const UniformGas& gas, double t) con
   }
   return {flow,
           flow / gas.pressure + area * gas.mass / gas.volume * velocity->piece(dp).slope,
-          -flow / gas.temperature, -flow / gas.gas_constant, 0.0, by_time};
+          -flow / gas.temperature,
+          -flow / gas.gas_constant,
+          0.0,
+          by_time};
 }
 
 Flow Boundary::out_slopes(std::size_t j, const UniformGas& gas, double t) const {
@@ -127,7 +133,10 @@ Flow Boundary::back_slopes(std::size_t j, const UniformGas& gas, double t) const
   const double flux = hole_flux(from, laminar_);
   return {area.value * flux,
           area.value * hole_flux_slopes(from, laminar_).downstream + area.by_overpressure * flux,
-          0.0, 0.0, 0.0, area.by_time * flux};
+          0.0,
+          0.0,
+          0.0,
+          area.by_time * flux};
 }
 
 double growth_per_flow(const Mixture& mixture, double temperature, const UniformGas& gas) {

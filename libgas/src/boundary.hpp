@@ -25,7 +25,9 @@ struct StepPath {
 struct AmbientGas {
   explicit AmbientGas(const ControlVolumeModel& model);
   /// Upstream of a vent while the gas inside is at `overpressure` [Pa] < 0.
-  Upstream upstream(double overpressure) const { return {pressure, -overpressure, temperature, gas_constant, gamma}; }
+  Upstream upstream(double overpressure) const {
+    return {pressure, -overpressure, temperature, gas_constant, gamma};
+  }
 
   Mixture mixture{};  // 1 kg; empty if no vent has backflow
   double pressure, temperature;
@@ -45,7 +47,8 @@ struct Flow {
 double laminar_overpressure(const ControlVolumeModel& model);  // [Pa] d of (G.22)
 /// Fabric i of those counted.
 const Fabric& fabric_of(const ControlVolumeModel& model, std::size_t i);
-/// Out through fabric i of all `leak_area` [m2], (G.7) or (G.12); the heat flow [W] through the walls, (G.11).
+/// Out through fabric i of all `leak_area` [m2], (G.7) or (G.12); the heat flow [W] through the walls,
+/// (G.11).
 double fabric_flow(const ControlVolumeModel& model, std::size_t i, double leak_area, const UniformGas& gas);
 double heat_flow(const ControlVolumeModel& model, const UniformGas& gas);
 
@@ -66,8 +69,8 @@ class Boundary {
   const StepPath& path() const { return path_; }
   bool is_open() const { return openings_.is_open() || path_.leaks(); }  // gas can leave
   bool has_open_vent() const { return openings_.is_open(); }
-  bool has_backflow() const { return openings_.has_backflow(); }         // gas can come in
-  bool needs_stepper() const;                                            // more than inflow changes the gas
+  bool has_backflow() const { return openings_.has_backflow(); }  // gas can come in
+  bool needs_stepper() const;                                     // more than inflow changes the gas
 
   /// [kg/s] at time t: out through vent j, (G.6), and fabric i, (G.7) or (G.12), or in stream j of Slots; in
   /// through vent j.

@@ -82,7 +82,8 @@ void validate(const std::vector<Fabric>& fabrics) {
     if (!velocity) continue;
     require_area(*velocity, "fabric.velocity [m/s]");
     require_no_jump(*velocity, "knot of fabric.velocity [Pa]");
-    require(velocity->value(0.0) == 0.0, "fabric.velocity [m/s] at p = p_a", velocity->value(0.0), "must be 0");
+    require(velocity->value(0.0) == 0.0, "fabric.velocity [m/s] at p = p_a", velocity->value(0.0),
+            "must be 0");
   }
   if (!fabrics.empty())
     require(std::abs(sum - 1.0) <= kFractionTolerance, "sum of fabric.share", sum, "must be 1");

@@ -8,15 +8,17 @@
 namespace gas {
 namespace {
 
-/// Temperature of the gas that flows in at the rates (m_k [kg/s], H [W]), in balance with the walls: h A is added to
-/// its heat capacity. Work against its pressure is of second order in its mass. None without inflow, or out of range.
+/// Temperature of the gas that flows in at the rates (m_k [kg/s], H [W]), in balance with the walls: h A is
+/// added to its heat capacity. Work against its pressure is of second order in its mass. None without inflow,
+/// or out of range.
 std::optional<double> balance_with_walls(const ControlVolumeModel& model, const Vector& rates) {
   const HeatLoss& walls = model.heat_loss;
   Mixture sum = model.thermo.mixture(std::span(rates).first(model.thermo.size()));
   if (sum.mass == 0.0) return {};
   sum.low[0] += walls.conductance;
   sum.high[0] += walls.conductance;
-  return sum.find_temperature(rates.back() + walls.conductance * walls.outside_temperature, walls.outside_temperature);
+  return sum.find_temperature(rates.back() + walls.conductance * walls.outside_temperature,
+                              walls.outside_temperature);
 }
 
 }  // namespace
@@ -39,7 +41,8 @@ double fill_first(System& system, const IntegratorOptions& options, Vector& y, d
   if (!(all > 0.0)) return t;
   double length = fixed > 0.0 ? std::min(fixed, b - t) : b - t;
   const double least = 16.0 * std::numeric_limits<double>::epsilon() * std::abs(t);
-  while (fixed == 0.0 && length > least && mass_until(t + length) > options.relative_tolerance * all) length *= 0.5;
+  while (fixed == 0.0 && length > least && mass_until(t + length) > options.relative_tolerance * all)
+    length *= 0.5;
   const double end = length == b - t ? b : t + length;
   set_backflow(1.0, end);
   system.ledger.change(y, system.gas);
@@ -49,7 +52,8 @@ double fill_first(System& system, const IntegratorOptions& options, Vector& y, d
   set_backflow(end - t, 0.5 * (t + end));
   system.ledger.gas_at(y, end, system.gas);
   const Mixture mixture = boundary.model().thermo.mixture(std::span(system.gas).first(s.species));
-  y[s.heat()] = system.gas.back() - mixture.internal_energy(*temperature) - balance.work_at(mixture, *temperature);
+  y[s.heat()] =
+      system.gas.back() - mixture.internal_energy(*temperature) - balance.work_at(mixture, *temperature);
   system.ledger.accept(y, end);
   ++system.effort.accepted;
   return end;

@@ -16,8 +16,8 @@ double laminar_log_slope(double overpressure, double d) {
   return 1.5 * d * d / (overpressure * (overpressure * overpressure + d * d));
 }
 
-/// Slopes of a flux ~ p^n T^(-1/2) R^(-1/2) that depends on both pressures by their ratio; the laminar factor acts
-/// on their difference.
+/// Slopes of a flux ~ p^n T^(-1/2) R^(-1/2) that depends on both pressures by their ratio; the laminar factor
+/// acts on their difference.
 FluxSlopes slopes_of(double flux, const Upstream& gas, double d, double exponent, double by_gamma) {
   const double laminar = laminar_log_slope(gas.overpressure, d), downstream = gas.pressure - gas.overpressure;
   return {flux * (exponent / gas.pressure + laminar),
@@ -28,8 +28,7 @@ FluxSlopes slopes_of(double flux, const Upstream& gas, double d, double exponent
 /// d ln(G.6) / d gamma at the same p, T and R; `exponent` is (G.13), 1 of a choked hole.
 double hole_by_gamma(const Upstream& gas, double exponent) {
   const double g = gas.gamma;
-  if (exponent == 1.0)
-    return 0.5 / g - 0.5 / (g - 1.0) - std::log(2.0 / (g + 1.0)) / ((g - 1.0) * (g - 1.0));
+  if (exponent == 1.0) return 0.5 / g - 0.5 / (g - 1.0) - std::log(2.0 / (g + 1.0)) / ((g - 1.0) * (g - 1.0));
   const double l = std::log1p(-gas.overpressure / gas.pressure), first = std::exp(2.0 / g * l);
   const double difference = -first * std::expm1((g - 1.0) / g * l), second = first - difference;
   return 0.5 * (l * (second - 2.0 * first) / (g * g * difference) - 1.0 / (g * (g - 1.0)));
@@ -68,7 +67,8 @@ double fabric_flux(const Upstream& gas, double laminar_overpressure) {
 FluxSlopes fabric_flux_slopes(const Upstream& gas, double laminar_overpressure) {
   const double flux = fabric_flux(gas, laminar_overpressure);
   if (flux == 0.0) return {};
-  return slopes_of(flux, gas, laminar_overpressure, fabric_pressure_exponent(gas.overpressure / gas.pressure), 0.0);
+  return slopes_of(flux, gas, laminar_overpressure, fabric_pressure_exponent(gas.overpressure / gas.pressure),
+                   0.0);
 }
 
 }  // namespace gas

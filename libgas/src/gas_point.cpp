@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The gas and its flows at one moment.
-#include "gas/control_volume.hpp"
-
 #include "boundary.hpp"
+#include "gas/control_volume.hpp"
 #include "require.hpp"
 
 namespace gas {
@@ -14,8 +13,8 @@ double mass_flow(const Inflow& inflow, double start, double time, Side side = Si
   return fired ? inflow.mass_flow.value(tau, side) : 0.0;
 }
 
-InflatorPoint inflator_point(const ControlVolumeModel& model, const Inflow& inflow, double start,
-                             double time, Side side) {
+InflatorPoint inflator_point(const ControlVolumeModel& model, const Inflow& inflow, double start, double time,
+                             Side side) {
   const double temperature = inflow.temperature.value(local_time(inflow, start, time), side);
   const Mixture gas = model.thermo.mixture(inflow.mass_fractions);
   const double cp = gas.cp(temperature);

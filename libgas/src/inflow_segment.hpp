@@ -6,8 +6,9 @@
 
 namespace gas {
 
-/// Time since `start` [s] at time t, -infinity if that never comes. The subtraction rounds, so a result within
-/// round-off of zero or a knot of `curves` is that: a pulse keeps its exact length however late it fires.
+/// Time since `start` [s] at time t, -infinity if that never comes. The subtraction rounds, so a result
+/// within round-off of zero or a knot of `curves` is that: a pulse keeps its exact length however late it
+/// fires.
 double local_time(std::initializer_list<const Curve*> curves, double start, double t);
 /// The same since firing, with the curves of the inflow.
 double local_time(const Inflow& inflow, double start, double t);

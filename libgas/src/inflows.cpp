@@ -21,10 +21,13 @@ double Inflows::next_break(const TriggerState& triggers, double t) const {
 
 void Inflows::begin_segment(const TriggerState& triggers, double a, double b) {
   for (std::size_t i = 0; i < segments_.size(); ++i)
-    segments_[i] = InflowSegment(model_.inflows[i], firing_time(model_.inflows[i], triggers), mixtures_[i], a, b);
+    segments_[i] =
+        InflowSegment(model_.inflows[i], firing_time(model_.inflows[i], triggers), mixtures_[i], a, b);
 }
 
-void Inflows::end_segment() { std::ranges::fill(segments_, InflowSegment()); }
+void Inflows::end_segment() {
+  std::ranges::fill(segments_, InflowSegment());
+}
 
 void Inflows::add(std::size_t i, const InflowSegment::Delivered& stream, std::span<double> gas) const {
   const auto& fractions = model_.inflows[i].mass_fractions;

@@ -53,7 +53,8 @@ class GasIntegrator::Implementation {
       : model_(validated(model)),
         network_(model_.triggers),
         boundary_(model_),
-        ledger_(boundary_, validated(options).fixed_step > 0.0 ? 0.0 : kNegligible * options.relative_tolerance),
+        ledger_(boundary_,
+                validated(options).fixed_step > 0.0 ? 0.0 : kNegligible * options.relative_tolerance),
         substepper_(boundary_, ledger_, network_, options),
         triggers_(model_.triggers.size()),
         before_(model_.triggers.size()),
@@ -105,8 +106,9 @@ class GasIntegrator::Implementation {
   /// The gas at t, between two segments.
   const UniformGas& locate(double t) {
     if (!substepper_.balance().locate(ledger_.gas(), t))
-      throw DomainError("the gas leaves its temperature range, " + to_text(model_.thermo.minimum_temperature()) +
-                        " to " + to_text(model_.thermo.maximum_temperature()) + " K, at t = " + to_text(t) + " s");
+      throw DomainError("the gas leaves its temperature range, " +
+                        to_text(model_.thermo.minimum_temperature()) + " to " +
+                        to_text(model_.thermo.maximum_temperature()) + " K, at t = " + to_text(t) + " s");
     return substepper_.balance().gas();
   }
 

@@ -31,7 +31,9 @@ void Ledger::begin_step(const ControlVolumeState& state) {
   std::ranges::fill(delivered_, StreamFlux{});
 }
 
-void Ledger::begin_segment(double a) { time_ = a; }
+void Ledger::begin_segment(double a) {
+  time_ = a;
+}
 
 /// Adds what flows in until t.
 void Ledger::deliver(double t) {

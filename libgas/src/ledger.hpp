@@ -3,8 +3,8 @@
 #include <optional>
 #include <span>
 
-#include "compensated_sum.hpp"
 #include "boundary.hpp"
+#include "compensated_sum.hpp"
 
 namespace gas {
 
@@ -14,8 +14,8 @@ namespace gas {
 /// Counted from the step's begin instead, that of a tiny volume would be a difference of far larger sums.
 class Ledger {
  public:
-  /// `boundary` must outlive this. `negligible` is the share of the gas by which a species may be lacking: it is
-  /// then gone.
+  /// `boundary` must outlive this. `negligible` is the share of the gas by which a species may be lacking: it
+  /// is then gone.
   Ledger(const Boundary& boundary, double negligible);
 
   void begin_step(const ControlVolumeState& state);
@@ -26,8 +26,8 @@ class Ledger {
   const Vector& gas() const { return gas_; }
   /// `gas` at time t of a sub-step with the unknowns y. False if more of a species has left than there was.
   bool gas_at(const Vector& y, double t, Vector& gas);
-  /// Masses below zero by rounding of what is there and has `passed` [kg], or by less than is negligible, become
-  /// zero. False for more.
+  /// Masses below zero by rounding of what is there and has `passed` [kg], or by less than is negligible,
+  /// become zero. False for more.
   bool clear_lacking(Vector& gas, double passed);
   /// The species of which too much had left when gas_at() or clear_lacking() was false.
   std::optional<std::size_t> depleted() const { return depleted_; }
@@ -43,7 +43,7 @@ class Ledger {
 
   double total(std::size_t slot) const { return totals_[slot].value(); }  // over the step
   void set_total(std::size_t slot, double value) { totals_[slot] = value; }
-  std::span<const StreamFlux> delivered() const { return delivered_; }    // by each inflow, over the step
+  std::span<const StreamFlux> delivered() const { return delivered_; }  // by each inflow, over the step
 
  private:
   void deliver(double t);

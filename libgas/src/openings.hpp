@@ -27,7 +27,7 @@ class Openings {
   /// Fixes which vents are open and their pieces on [a, b].
   void begin_segment(const TriggerState& triggers, double a, double b);
 
-  bool is_open() const { return is_open_; }  // any vent
+  bool is_open() const { return is_open_; }            // any vent
   bool has_backflow() const { return has_backflow_; }  // any open vent with backflow
   /// Of vent j.
   Area area(std::size_t j, double t, double overpressure) const;

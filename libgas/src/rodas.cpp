@@ -3,8 +3,8 @@
 // rates of the unknowns y depend on the gas w = (m_k, U) alone, so w is stepped beside them:
 //   y' = r(w, t),  w' = in(t) + S r(w, t).
 // Inflow is a rate of the gas here: where it leaves as it comes, through a volume that holds far less than
-// passes in a step, the gas hardly changes, and each stage sees just that. The matrix is solved in the parts z
-// of RateSlopes: there each part hastens its own way out, and pivots are positive as they come.
+// passes in a step, the gas hardly changes, and each stage sees just that. The matrix is solved in the parts
+// z of RateSlopes: there each part hastens its own way out, and pivots are positive as they come.
 #include <algorithm>
 #include <array>
 #include <boost/numeric/odeint/stepper/rosenbrock4.hpp>
@@ -46,7 +46,10 @@ class Factors {
 class Rodas : public Stepper {
  public:
   explicit Rodas(const Slots& slots)
-      : slopes_(slots), factors_(slots.species + 1), stage_gas_(slots.species + 1), column_(slots.species + 1) {
+      : slopes_(slots),
+        factors_(slots.species + 1),
+        stage_gas_(slots.species + 1),
+        column_(slots.species + 1) {
     for (Pair* pair : {&rate_, &slope_, &right_}) *pair = {Vector(slots.size()), Vector(slots.species + 1)};
     g_.fill(rate_);
   }
@@ -156,6 +159,8 @@ class Rodas : public Stepper {
 
 }  // namespace
 
-std::unique_ptr<Stepper> make_rodas(const Slots& slots) { return std::make_unique<Rodas>(slots); }
+std::unique_ptr<Stepper> make_rodas(const Slots& slots) {
+  return std::make_unique<Rodas>(slots);
+}
 
 }  // namespace gas

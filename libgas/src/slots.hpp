@@ -7,7 +7,8 @@ namespace gas {
 
 using Vector = std::vector<double>;
 
-/// Where each unknown of a sub-step stands in the ODE vector y. All count from its begin, where they are zero:
+/// Where each unknown of a sub-step stands in the ODE vector y. All count from its begin, where they are
+/// zero:
 ///   out(k)              [kg] species k that left through all openings
 ///   work()              [J]  int p dV (0 where the volume follows the pressure: its work is no unknown)
 ///   heat()              [J]  lost through the walls

@@ -59,7 +59,9 @@ double StepControl::first_step(const Balance& balance) const {
   return std::max(first_share_ / (fed + left), 8.0 * kEpsilon * std::abs(balance.time()));
 }
 
-double StepControl::limit() const { return stability_limit(options_.method); }
+double StepControl::limit() const {
+  return stability_limit(options_.method);
+}
 
 /// What passes through in a sub-step of this length rounds to the tolerance of what is there.
 double StepControl::rounding_limit(const Balance& balance) const {
@@ -83,11 +85,13 @@ double StepControl::relaxation_bound(const Balance& balance) const {
   const ControlVolumeModel& model = balance.boundary().model();
   const bool curves =
       std::ranges::any_of(model.vents, [](const Vent& v) { return v.area_of_overpressure.has_value(); });
-  if (gas.mass == 0.0 || curves || balance.backflow() > 0.0 || std::abs(gas.overpressure) < kFar * gas.pressure)
+  if (gas.mass == 0.0 || curves || balance.backflow() > 0.0 ||
+      std::abs(gas.overpressure) < kFar * gas.pressure)
     return kInfinity;
   const double walls = balance.wall_conductance() / gas.capacity;
   if (balance.outflow() == 0.0) return walls;
-  // n of a hole is at most 1/2 p/(p - p_a) + 1, that of fabric 1/2 p/(p - p_a) + 1/2; a table's less than p/(p - p_a) + 1.
+  // n of a hole is at most 1/2 p/(p - p_a) + 1, that of fabric 1/2 p/(p - p_a) + 1/2; a table's less than
+  // p/(p - p_a) + 1.
   const double exponent = 1.0 + gas.pressure / gas.overpressure;
   return walls + balance.outflow() / gas.mass * (1.0 + gas.gamma * (exponent + 0.5));
 }
@@ -120,10 +124,11 @@ void StepControl::require_motion(const Balance& balance, const Moment& begin, co
   if (moved <= options_.relative_tolerance * balance.gas().pressure ||
       std::abs(end.overpressure - begin.overpressure) >= kStill * moved)
     return;
-  throw DomainError("the step " + to_text(options_.fixed_step) +
-                    " s is too long for the balance of flows at t = " + to_text(balance.time()) +
-                    " s: p stays where its rate would move it; a shorter one (gas_step of a case), or none, is "
-                    "allowed");
+  throw DomainError(
+      "the step " + to_text(options_.fixed_step) +
+      " s is too long for the balance of flows at t = " + to_text(balance.time()) +
+      " s: p stays where its rate would move it; a shorter one (gas_step of a case), or none, is "
+      "allowed");
 }
 
 void StepControl::fail_crossing(double t) const {
@@ -169,16 +174,18 @@ void StepControl::fail(System& system, double t, double length, bool found_gas) 
     throw DomainError("the gas leaves its temperature range, " + range_of(thermo) + ", " + where);
   Vector rates(balance.boundary().slots().size());
   balance.fill_rates(rates);
-  const std::string gas = ", p = " + to_text(balance.gas().pressure) + " Pa and T = " + to_text(temperature) + " K";
+  const std::string gas =
+      ", p = " + to_text(balance.gas().pressure) + " Pa and T = " + to_text(temperature) + " K";
   if (is_fixed())
     throw DomainError("a fixed sub-step of " + to_text(options_.fixed_step) + " s takes more than " +
                       std::to_string(options_.maximum_steps) + " sub-steps, " + where + gas +
                       "; a longer one (gas_step of a case), or none, is allowed");
-  throw TooStiff("the gas is too stiff for the integrator: " + std::to_string(system.effort.attempts) +
-                 (system.effort.attempts == 1 ? " sub-step, " : " sub-steps, ") + where + gas + advice(balance, length) +
-                 (too_short ? "; that is below the rounding of t, " + to_text(rounding) +
-                                  " s: a larger volume, smaller openings or a start nearer to t = 0 is allowed"
-                            : ""));
+  throw TooStiff(
+      "the gas is too stiff for the integrator: " + std::to_string(system.effort.attempts) +
+      (system.effort.attempts == 1 ? " sub-step, " : " sub-steps, ") + where + gas + advice(balance, length) +
+      (too_short ? "; that is below the rounding of t, " + to_text(rounding) +
+                       " s: a larger volume, smaller openings or a start nearer to t = 0 is allowed"
+                 : ""));
 }
 
 }  // namespace gas

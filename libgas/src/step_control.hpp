@@ -25,18 +25,20 @@ class StepControl {
   double factor(double error, double error_power) const;
   /// A first length from how fast the gas changes; infinite for none.
   double first_step(const Balance& balance) const;
-  /// The longest; `relaxation` [1/s] is that of flow and walls together. For an explicit method alone, its limit.
+  /// The longest; `relaxation` [1/s] is that of flow and walls together. For an explicit method alone, its
+  /// limit.
   double longest(const Balance& balance, double relaxation) const;
   /// Above the rate [1/s] at which the gas relaxes, without the cost of it; infinite where that is not known.
   double relaxation_bound(const Balance& balance) const;
   /// Whether the tolerance tells p_a + overpressure from p_a.
   bool tells(const Balance& balance, double overpressure) const;
-  /// Throws DomainError where a fixed length is past the limit of its method: where inflow feeds what leaves, or
-  /// walls or expansion draw in what comes back, an error grows. Where gas only runs out or in, p = p_a ends it.
+  /// Throws DomainError where a fixed length is past the limit of its method: where inflow feeds what leaves,
+  /// or walls or expansion draw in what comes back, an error grows. Where gas only runs out or in, p = p_a
+  /// ends it.
   void require_stable(const Balance& balance, double length) const;
 
-  /// Throws where p, after a fixed explicit sub-step, is about where it was though its rates at both ends would
-  /// have moved it far: between it has turned, past the method's limit on a balance that it misses.
+  /// Throws where p, after a fixed explicit sub-step, is about where it was though its rates at both ends
+  /// would have moved it far: between it has turned, past the method's limit on a balance that it misses.
   void require_motion(const Balance& balance, const Moment& begin, const Moment& end, double length) const;
 
   /// Throws the DomainError that says why a sub-step of `length` cannot be taken from its start at time t.

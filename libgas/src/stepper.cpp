@@ -16,8 +16,8 @@ class DormandPrince : public Stepper {
  public:
   explicit DormandPrince(std::size_t size) : zero_(size, 0.0) { method_.adjust_size(zero_); }
   void step(System& system, const Vector& dydx, double x, double h, bool, Trial& out) override {
-    method_.do_step([&](const Vector& y, Vector& rate, double s) { system.rates(y, rate, s); }, zero_, dydx, x,
-                    out.end, out.end_rate, h, out.error);
+    method_.do_step([&](const Vector& y, Vector& rate, double s) { system.rates(y, rate, s); }, zero_, dydx,
+                    x, out.end, out.end_rate, h, out.error);
   }
   double error_power() const override { return 5.0; }
 

@@ -29,8 +29,8 @@ struct System {
   Ledger& ledger;
   Balance balance;
   Clock clock{};
-  Vector gas;             // (m_k, U) of the last evaluation
-  bool valid = true;      // every evaluation of the trial met a gas
+  Vector gas;                             // (m_k, U) of the last evaluation
+  bool valid = true;                      // every evaluation of the trial met a gas
   std::optional<std::size_t> depleted{};  // species that one of them lacked
   Effort effort{};
 
@@ -50,7 +50,8 @@ struct Trial {
 class Stepper {
  public:
   virtual ~Stepper() = default;
-  /// From y = 0 with the rates dydx at x to x + h; the balance is left at the end. Fills `error` if `estimate`.
+  /// From y = 0 with the rates dydx at x to x + h; the balance is left at the end. Fills `error` if
+  /// `estimate`.
   virtual void step(System& system, const Vector& dydx, double x, double h, bool estimate, Trial& out) = 0;
   /// The error of a step grows as h to this power.
   virtual double error_power() const = 0;

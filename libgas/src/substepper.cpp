@@ -82,12 +82,14 @@ void Substepper::set_relaxation(double length) {
 
 bool Substepper::is_stiff(double length) const {
   if (options_.method == Method::rosenbrock_4) return true;
-  return options_.method == Method::dormand_prince_5 && !control_.is_fixed() && length * begin_.relaxation > kStiff;
+  return options_.method == Method::dormand_prince_5 && !control_.is_fixed() &&
+         length * begin_.relaxation > kStiff;
 }
 
 Substepper::Reach Substepper::reach(const Proposal& proposal, double b) const {
   const Clock& clock = system_.clock;
-  const double left = clock.position(b) - begin_.x, cap = control_.longest(system_.balance, begin_.relaxation);
+  const double left = clock.position(b) - begin_.x,
+               cap = control_.longest(system_.balance, begin_.relaxation);
   const double longest = cap < b - begin_.t ? clock.position(begin_.t + cap) - begin_.x : kInfinity;
   const double free = std::min(proposal.length, kTowardsAmbient * watch_.until_ambient(begin_.moment));
   const double length = std::min({longest, proposal.landing, control_.is_fixed() ? kInfinity : free});
@@ -113,9 +115,10 @@ double Substepper::try_step(const Reach& reach, bool stiff) {
   return system_.valid ? control_.scaled_error(system_, trial_.error, system_.gas) : kInfinity;
 }
 
-/// What to try in place of a trial whose error is small: the other method where it took flow the wrong way, a shorter
-/// one where it passes what it has to end on. None: the trial stands.
-std::optional<Substepper::Proposal> Substepper::again(const Proposal& tried, const Reach& reach, const Moment& end) const {
+/// What to try in place of a trial whose error is small: the other method where it took flow the wrong way, a
+/// shorter one where it passes what it has to end on. None: the trial stands.
+std::optional<Substepper::Proposal> Substepper::again(const Proposal& tried, const Reach& reach,
+                                                      const Moment& end) const {
   const Balance& balance = system_.balance;
   const Moment& begin = begin_.moment;
   const bool fixed = control_.is_fixed(), on_ambient = watch_.is_on_ambient(begin);
@@ -127,7 +130,9 @@ std::optional<Substepper::Proposal> Substepper::again(const Proposal& tried, con
     if (fixed) {  // what only runs out, or in, ends there
       const bool fed = begin.outflow > 0.0 ? begin.growth > 0.0 : begin.growth < 0.0;
       if (fed || on_ambient) control_.fail_crossing(begin_.t);
-      return Proposal{tried.length, reach.length * begin.overpressure / (begin.overpressure - end.overpressure), tried.stiff};
+      return Proposal{tried.length,
+                      reach.length * begin.overpressure / (begin.overpressure - end.overpressure),
+                      tried.stiff};
     }
     const bool other = !tried.stiff && options_.method == Method::dormand_prince_5;
     return Proposal{other ? reach.length : kCrossingFactor * reach.length, kInfinity, tried.stiff || other};
@@ -146,7 +151,8 @@ void Substepper::accept(const Reach& reach, const Moment& end, bool landed, doub
   const double duration = reach.end - clock.time(begin_.x), slope = clock.slope(begin_.x + reach.length);
   const bool sets_in = landed && watch_.is_on_ambient(end);
   const auto time = [&](double share) { return clock.time(begin_.x + share * reach.length); };
-  if (const auto share = watch_.switches(begin_.moment, end, reach.length)) moments_.sonic_switch = time(*share);
+  if (const auto share = watch_.switches(begin_.moment, end, reach.length))
+    moments_.sonic_switch = time(*share);
   if (const auto share = watch_.equalises(begin_.moment, end)) moments_.equalisation = time(*share);
   system_.ledger.accept(trial_.end, reach.end);
   ++system_.effort.accepted;
@@ -179,7 +185,8 @@ double Substepper::integrate(double a, double b, const TriggerState& triggers) {
     const Reach trial = reach(next, b);
     next.stiff = next.stiff || is_stiff(trial.end - begin_.t);
     const double error = try_step(trial, next.stiff);
-    const double fitting = trial.length * control_.factor(error, (next.stiff ? implicit_ : explicit_)->error_power());
+    const double fitting =
+        trial.length * control_.factor(error, (next.stiff ? implicit_ : explicit_)->error_power());
     if (error > 1.0) {
       next = {fitting, kInfinity, next.stiff};
       continue;
@@ -199,7 +206,8 @@ double Substepper::integrate(double a, double b, const TriggerState& triggers) {
     const double kept = landed ? std::max(fits, clock.time(end_x + next.length) - trial.end) : fits;
     accept(trial, end, landed, kept, b);
     if (network_.switches(triggers, end.overpressure, p_a)) break;
-    // Just after an onset the slope changes within the time since it: a stiff sub-step may not keep its length.
+    // Just after an onset the slope changes within the time since it: a stiff sub-step may not keep its
+    // length.
     const double after = kept * begin_.relaxation > kStiff ? fits : kept;
     next = {system_.clock.position(begin_.t + after) - begin_.x};
   }

@@ -11,8 +11,8 @@
 
 namespace gas {
 
-/// Takes the sub-steps of one segment: proposes a length, tries it by the method that suits, repeats it if its
-/// error is too large, lands it on what Watch finds, and books it.
+/// Takes the sub-steps of one segment: proposes a length, tries it by the method that suits, repeats it if
+/// its error is too large, lands it on what Watch finds, and books it.
 class Substepper {
  public:
   /// All must outlive this.
@@ -32,8 +32,8 @@ class Substepper {
  private:
   /// Where a sub-step begins.
   struct Begin {
-    double t, x;        // [s], and by the clock
-    Vector rate;        // dy/dx
+    double t, x;  // [s], and by the clock
+    Vector rate;  // dy/dx
     Moment moment;
     double relaxation;  // [1/s] of the gas
   };

@@ -78,7 +78,7 @@ bool TriggerNetwork::gate_condition(const Gate& gate, const TriggerState& state)
   const auto is_on = [&](std::size_t input) { return state[input].on; };
   if (gate.logic == Logic::negated) return !is_on(gate.inputs.front());
   return gate.logic == Logic::all ? std::ranges::all_of(gate.inputs, is_on)
-                                   : std::ranges::any_of(gate.inputs, is_on);
+                                  : std::ranges::any_of(gate.inputs, is_on);
 }
 
 bool TriggerNetwork::update_gate(const Gate& gate, NodeState& node, const TriggerState& state,

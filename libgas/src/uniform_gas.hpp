@@ -27,7 +27,9 @@ struct UniformGas {
   bool beyond;          // p is above the curve of such a volume
 
   /// 1 + gamma (p/V) dV/dp: so many times more gas than in a rigid volume raises p as much.
-  double compliance() const { return 1.0 + (pressure > 0.0 ? gamma * pressure / volume * volume_slope : 0.0); }
+  double compliance() const {
+    return 1.0 + (pressure > 0.0 ? gamma * pressure / volume * volume_slope : 0.0);
+  }
   /// dp [Pa] of 1 J more of p V.
   double pressure_per_energy() const { return 1.0 / (volume + pressure * volume_slope); }
   /// As what flows out of it.
@@ -40,9 +42,9 @@ class GasLocator {
   /// `model` must outlive this.
   explicit GasLocator(const ControlVolumeModel& model);
 
-  /// The gas of `mixture` with internal energy `energy` [J] in `volume` [m3]; where the volume follows p, which
-  /// is then not read, `energy` is U and the work done so far, (G.19). `guess` [K] sets the speed alone. Empty
-  /// if the temperature is out of its range.
+  /// The gas of `mixture` with internal energy `energy` [J] in `volume` [m3]; where the volume follows p,
+  /// which is then not read, `energy` is U and the work done so far, (G.19). `guess` [K] sets the speed
+  /// alone. Empty if the temperature is out of its range.
   std::optional<UniformGas> locate(const Mixture& mixture, double energy, double volume, double guess) const;
   /// (G.19) [J] of the gas of `state`; 0 unless the volume follows p. Throws DomainError outside the range.
   double stored_work(const ControlVolumeState& state) const;

@@ -11,14 +11,14 @@
 namespace gas {
 namespace {
 
-// Of p, relative. Across a corner of the rates a step that ends beside it by d has an error of d^2, across the
-// sonic switch, where their slopes are continuous, of d^3, which is a thousandth of the tolerance here. When a
-// sensor switched is an answer of its own.
+// Of p, relative. Across a corner of the rates a step that ends beside it by d has an error of d^2, across
+// the sonic switch, where their slopes are continuous, of d^3, which is a thousandth of the tolerance here.
+// When a sensor switched is an answer of its own.
 constexpr double kKnotNear = 1e-9, kSonicShare = 0.1, kSensorNear = 1e-12;
 // p_a is landed on within a tenth of the laminar range, or, without one, within some thousand roundings.
 constexpr double kLaminarNear = 0.1, kAmbientNear = 1e-12;
 constexpr double kRounding = 1e-13;  // of p: some hundred roundings
-constexpr double kEqual = 1e-7;  // of p_a: ten times the laminar range
+constexpr double kEqual = 1e-7;      // of p_a: ten times the laminar range
 // An excursion may go so many times as far as its cubic does.
 constexpr double kExcursion = 1.5;
 
@@ -43,8 +43,14 @@ Watch::Watch(const Boundary& boundary, double tolerance) : boundary_(boundary) {
 Moment Watch::moment(const Balance& balance, double slope) const {
   const UniformGas& gas = balance.gas();
   const double p_a = boundary_.model().ambient.pressure, rate = balance.pressure_rate() * slope;
-  Moment m{gas.overpressure, rate, gas.compliance(), -p_a, 0.0, balance.closed_growth() / gas.volume,
-           balance.outflow(), balance.backflow()};
+  Moment m{gas.overpressure,
+           rate,
+           gas.compliance(),
+           -p_a,
+           0.0,
+           balance.closed_growth() / gas.volume,
+           balance.outflow(),
+           balance.backflow()};
   if (gas.mass > 0.0 && gas.overpressure > 0.0 && boundary_.has_open_vent()) {
     const double ratio = critical_pressure_ratio(gas.gamma);
     m.sonic = ratio * gas.pressure - p_a;
@@ -77,7 +83,8 @@ std::optional<double> Watch::Course::passing(double near) const {
   if (std::abs(end) <= near) return {};
   // From one that it starts on, it leaves as its slope says.
   Course course = *this;
-  if (std::abs(begin) <= near) course.begin = begin_slope == 0.0 ? end : std::copysign(2.0 * near, begin_slope);
+  if (std::abs(begin) <= near)
+    course.begin = begin_slope == 0.0 ? end : std::copysign(2.0 * near, begin_slope);
   if (course.begin * end < 0.0) {
     boost::uintmax_t iterations = 60;
     const auto value = [&](double s) { return course.at(s); };
@@ -140,16 +147,19 @@ std::optional<double> Watch::equalises(const Moment& begin, const Moment& end) c
 double Watch::until_ambient(const Moment& begin) const {
   const bool flows = begin.outflow > 0.0 || begin.backflow > 0.0;
   const double laminar = 3.0 * laminar_overpressure(boundary_.model());
-  if (!flows || begin.overpressure * begin.rate >= 0.0 || std::abs(begin.overpressure) <= laminar) return kInfinity;
+  if (!flows || begin.overpressure * begin.rate >= 0.0 || std::abs(begin.overpressure) <= laminar)
+    return kInfinity;
   return -2.0 * begin.overpressure / begin.rate;
 }
 
 bool Watch::crosses_against_flow(const Moment& begin, const Moment& end, double duration) const {
   const double from = begin.overpressure, to = end.overpressure;
-  const double up = std::max({0.0, begin.growth, end.growth}), down = std::max({0.0, -begin.growth, -end.growth});
+  const double up = std::max({0.0, begin.growth, end.growth}),
+               down = std::max({0.0, -begin.growth, -end.growth});
   if (up + down == 0.0) {
     // Gas that only runs out stays above p_a, and what only comes in leaves it below: beyond p_a rest may be
-    // unstable, if cold ambient gas lowers p. A stage beyond p_a that leads farther back is another such error.
+    // unstable, if cold ambient gas lowers p. A stage beyond p_a that leads farther back is another such
+    // error.
     if (begin.outflow == 0.0 && begin.backflow == 0.0) return false;
     const double rounding = kRounding * boundary_.model().ambient.pressure;
     return (from * to < 0.0 && std::abs(to) > rounding) ||

@@ -40,7 +40,7 @@ struct FieldArrays {
   bool relative_to_skin;
   const std::uint8_t* loaded;  // bits of groups of four: elements that take load
   int count;                   // elements
-  double displacement_bound;            // [m]
+  double displacement_bound;   // [m]
   double* slack;               // [m] see FieldState
   std::uint8_t* inside;        // see FieldState
   double velocity, factor;     // [m/s] V0, [kg/m3] (1 + e) rho0
@@ -100,22 +100,23 @@ struct PatchArrays {
   int outside;                // bits of a code that keep an element out
   const std::uint8_t* asked;  // by patch of the mesh: elements that have rays
   float error;                // absolute part of the bound of the orientation
-  float winding_u, winding_v;         // of a line from a source: its slopes, or slope across and place along the line
-  int* near;                  // those of `patches` that rays can meet; may be the same array
-  float* boxes;               // of their elements, kBoxFloats each; behind the mesh's last, of that one
-  float* targets;             // rows of the patches near that have rays
+  float winding_u,
+      winding_v;   // of a line from a source: its slopes, or slope across and place along the line
+  int* near;       // those of `patches` that rays can meet; may be the same array
+  float* boxes;    // of their elements, kBoxFloats each; behind the mesh's last, of that one
+  float* targets;  // rows of the patches near that have rays
   // By patch of the mesh, written for those near: the sources of rays that can touch an element see its inner
   // side for certain, or its outer side for certain; or it is near and not certain to show its inner side.
   std::uint8_t *inner, *outer, *not_inner;
-  int* uncertain;  // list of those near that may show either side
-  int* between;    // near, may lie between two sources
-  int* on_winding_ray;     // near, may touch the winding ray
-  int* upstream;      // asked, but with rays that are not certainly downstream
+  int* uncertain;       // list of those near that may show either side
+  int* between;         // near, may lie between two sources
+  int* on_winding_ray;  // near, may touch the winding ray
+  int* upstream;        // asked, but with rays that are not certainly downstream
 };
 struct PatchesFound {
   int near, uncertain, between, on_winding_ray, upstream;  // lengths of the lists
-  int asked;                                    // patches near that have rays
-  Frustum bounds;                             // of the rays that go downstream
+  int asked;                                               // patches near that have rays
+  Frustum bounds;                                          // of the rays that go downstream
 };
 
 /// Boxes of patches, see PatchArrays.

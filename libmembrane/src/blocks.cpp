@@ -101,9 +101,9 @@ std::vector<std::int32_t> nodes_of(const BagModel& m, const std::vector<std::int
   return nodes;
 }
 
-// Groups of one block; `place_in_block` of its nodes is set. Each lane runs through a quarter of the elements, so
-// that those of a group share no nodes, or few: additions to one node's sum wait for each other, which from
-// neighbour to neighbour took a seventh of a step in cache.
+// Groups of one block; `place_in_block` of its nodes is set. Each lane runs through a quarter of the
+// elements, so that those of a group share no nodes, or few: additions to one node's sum wait for each other,
+// which from neighbour to neighbour took a seventh of a step in cache.
 void append_groups(BagModel& m, const std::vector<std::int32_t>& elements,
                    const std::vector<std::uint16_t>& place_in_block) {
   BlockTable& table = m.elements;

@@ -5,9 +5,8 @@
 #include <stdexcept>
 #include <string>
 
-#include "membrane/refine.hpp"
-
 #include "checks.hpp"
+#include "membrane/refine.hpp"
 
 namespace membrane {
 namespace {

@@ -22,12 +22,12 @@ struct SkinArrays {
   const std::int32_t* node;     // of the block: own_count of its own, the shared ones up to node_count
   int own_count, node_count;
   int next_groups, next_nodes;  // of the block that follows; 0 for none, and in bags that stay in cache
-  const double* position;      // nodes x 4
-  const double* inverse_mass;  // nodes
-  double* area_vector;         // elements x 4, null without jet
-  double* centroid;            // elements x 4, null without jet
-  double *force, *gradient;    // nodes x 4
-  NodeSums* shared_sums;       // of this block's shared nodes
+  const double* position;       // nodes x 4
+  const double* inverse_mass;   // nodes
+  double* area_vector;          // elements x 4, null without jet
+  double* centroid;             // elements x 4, null without jet
+  double *force, *gradient;     // nodes x 4
+  NodeSums* shared_sums;        // of this block's shared nodes
 };
 
 struct SkinTotals {

@@ -71,8 +71,8 @@ template <class T, class F>
 }
 
 // The next block comes from memory while this one is computed: the part of it that goes with the groups
-// [first, last). Left to itself, the processor waits for each block's nodes. Always inline: gcc drops calls of
-// a function that does nothing but fetch.
+// [first, last). Left to itself, the processor waits for each block's nodes. Always inline: gcc drops calls
+// of a function that does nothing but fetch.
 [[gnu::always_inline]] inline void fetch_next(const SkinArrays& s, int first, int last) {
   constexpr int kLine = 64, kForWriting = 1, kSecondLevel = 2;
   const auto part = [&](int count, int group) {

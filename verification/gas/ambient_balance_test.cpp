@@ -174,8 +174,8 @@ TEST(onset_at_ambient, fixed_step_that_turns_the_flow_round_is_refused) {
   }
 }
 
-/// Hot helium runs out to p_a through a vent that would let cold nitrogen in, which would lower p further: beyond
-/// p_a rest is unstable. What only runs out stays above, to the tolerance.
+/// Hot helium runs out to p_a through a vent that would let cold nitrogen in, which would lower p further:
+/// beyond p_a rest is unstable. What only runs out stays above, to the tolerance.
 TEST(rest_at_ambient, hot_light_gas_that_runs_out_draws_nothing_in) {
   gas::ControlVolumeModel model = closed_tank(nasa7({"He", "N2"}));
   model.ambient = {kAmbientPressure, 293.15, {0.0, 1.0}};
@@ -186,15 +186,16 @@ TEST(rest_at_ambient, hot_light_gas_that_runs_out_draws_nothing_in) {
       gas::ControlVolumeState state = gas::make_state(model, std::vector{1.0, 0.0}, 1.3e5, 1500.0, 1e-3);
       const gas::StepFluxes f =
           gas::GasIntegrator(model, {tolerance, 100000, method}).advance(state, 0.0, 0.05, rigid(1e-3));
-      EXPECT_LT(f.backflow_mass, tolerance * state.masses[0]) << static_cast<int>(method) << " at " << tolerance;
+      EXPECT_LT(f.backflow_mass, tolerance * state.masses[0])
+          << static_cast<int>(method) << " at " << tolerance;
       // Isentropic to p_a; some ten sub-steps of a tolerance.
       const double exact = 1500.0 * std::pow(kAmbientPressure / 1.3e5, 0.4);
       EXPECT_LT(relative(state.temperature, exact), 10.0 * tolerance + 1e-8) << tolerance;
     }
 }
 
-/// Ambient gas fills a tank through a vent, past fabric that would let it out again: it comes to p_a from below,
-/// and no more than the tolerance leaves.
+/// Ambient gas fills a tank through a vent, past fabric that would let it out again: it comes to p_a from
+/// below, and no more than the tolerance leaves.
 TEST(rest_at_ambient, inrush_lets_nothing_out) {
   gas::ControlVolumeModel model = closed_tank(nitrogen());
   model.ambient.mass_fractions = kPure;
@@ -202,7 +203,8 @@ TEST(rest_at_ambient, inrush_lets_nothing_out) {
   model.vents[0].backflow = true;
   for (const double tolerance : {1e-3, 1e-4, 1e-6, 1e-8}) {
     gas::ControlVolumeState state = gas::make_state(model, kPure, 5e3, 400.0, 0.05);
-    const gas::StepFluxes f = gas::GasIntegrator(model, {tolerance}).advance(state, 0.0, 0.5, rigid(0.05, 0.5));
+    const gas::StepFluxes f =
+        gas::GasIntegrator(model, {tolerance}).advance(state, 0.0, 0.5, rigid(0.05, 0.5));
     EXPECT_LT(f.vent_mass_out + f.fabric_mass_out, tolerance * state.masses[0]) << tolerance;
     EXPECT_LT(f.steps, 40 + 4.0 * std::pow(tolerance, -0.2)) << tolerance;
   }

@@ -24,7 +24,7 @@ struct Ended {
 
 /// kAmbientSteps steps from p_a and `temperature`, each end looked at by evaluate() too.
 Ended run(const gas::ControlVolumeModel& model, const std::vector<double>& fractions, double temperature,
-        const std::function<double(double)>& volume, double leak_area) {
+          const std::function<double(double)>& volume, double leak_area) {
   gas::GasIntegrator integrator(model);
   gas::ControlVolumeState state =
       gas::make_state(model, fractions, model.ambient.pressure, temperature, volume(0.0));
@@ -230,8 +230,8 @@ TEST(range, guess_that_is_no_number_is_refused) {
 TEST(evacuated, volume_with_walls_fills_alike_for_any_steps) {
   gas::ControlVolumeModel model = closed_tank(nasa7({"N2"}));
   model.heat_loss = {50.0, 293.15};
-  model.inflows.push_back({kPure, gas::Curve({{0.0, 0.0}, {0.01, 2.0}}, gas::Outside::zero),
-                           gas::Curve::constant(700.0), 0.002});
+  model.inflows.push_back(
+      {kPure, gas::Curve({{0.0, 0.0}, {0.01, 2.0}}, gas::Outside::zero), gas::Curve::constant(700.0), 0.002});
   double before = 0.0;
   for (const int steps : {10, 100, 1000, 3000}) {
     gas::GasIntegrator integrator(model);

@@ -115,11 +115,12 @@ TEST(blowdown, sonic_switch_is_located) {
   }
 }
 
-/// When the vent unchokes, as close as that is located, and when p comes to p_a: within 1e-7 of it, which dp ~
-/// (t_end - t)^2 is 6e-5 s early.
+/// When the vent unchokes, as close as that is located, and when p comes to p_a: within 1e-7 of it, which dp
+/// ~ (t_end - t)^2 is 6e-5 s early.
 TEST(blowdown, moments_of_the_flow_eq_closed_form) {
   const Tank t = tank();
-  const closed_form::BlowdownTimes exact = closed_form::blowdown_times({{}, 0.06, 1e-3, 1.0, 5e5, 600.0, kAmbientPressure});
+  const closed_form::BlowdownTimes exact =
+      closed_form::blowdown_times({{}, 0.06, 1e-3, 1.0, 5e5, 600.0, kAmbientPressure});
   gas::ControlVolumeState state = t.state();
   gas::GasIntegrator integrator(t.model);
   const gas::StepMoments choked = integrator.advance(state, 0.0, 0.1, rigid(0.06)).moments;
@@ -130,14 +131,15 @@ TEST(blowdown, moments_of_the_flow_eq_closed_form) {
   EXPECT_LT(rest.equalisation, exact.end_time);
 }
 
-/// In one step, at any tolerance. At its end p - p_a is as the square of the time left, so that time is uncertain by the root
-/// of the tolerance.
+/// In one step, at any tolerance. At its end p - p_a is as the square of the time left, so that time is
+/// uncertain by the root of the tolerance.
 TEST(blowdown, moments_follow_the_tolerance) {
   const Tank t = tank();
   const closed_form::BlowdownTimes exact = closed_form::blowdown_times(t.exact);
   for (const double tolerance : {1e-3, 1e-4, 1e-6, 1e-8}) {
     gas::ControlVolumeState state = t.state();
-    const auto moments = gas::GasIntegrator(t.model, {tolerance}).advance(state, 0.0, 0.5, rigid(0.06)).moments;
+    const auto moments =
+        gas::GasIntegrator(t.model, {tolerance}).advance(state, 0.0, 0.5, rigid(0.06)).moments;
     EXPECT_LT(relative(moments.sonic_switch, exact.unchoke_time), std::max(tolerance, 1e-7)) << tolerance;
     EXPECT_LT(relative(moments.equalisation, exact.end_time), 2e-4 + std::sqrt(tolerance)) << tolerance;
   }

@@ -52,9 +52,9 @@ TEST(equalisation, end_time_and_state_of_a_porous_tank) {
       EXPECT_GT(point.pressure - kAmbientPressure, 0.02);
       EXPECT_LT(point.pressure - kAmbientPressure, 0.03);
     } else {
-      claim::expect_relative({"G.7", "porous tank: pressure after its end [Pa]",
-                              "the laminar range, 1e-8 of p_a"},
-                             point.pressure, kAmbientPressure, 1e-8);
+      claim::expect_relative(
+          {"G.7", "porous tank: pressure after its end [Pa]", "the laminar range, 1e-8 of p_a"},
+          point.pressure, kAmbientPressure, 1e-8);
       EXPECT_LT(point.fabric_mass_flow, 0.6 * tank.leak_area * std::sqrt(2e-8 * kAmbientPressure));
     }
   }

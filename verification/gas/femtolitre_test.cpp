@@ -86,11 +86,10 @@ TEST(femtolitre, smallest_volume_eq_formula) {
   for (const Limit& limit : kExplicit) {
     const double predicted = smallest_at_limit(limit);
     claim::expect_threshold(
-        {"G.14", limit.name,
-         "error control keeps to the limit; a first sub-step and a last"},
-        {"tiny volume: sub-steps of a call",
-         "t |λ| / z = maximum_steps; z = 2, 2.785 by order 1, 4", predicted,
-         measured(limit.method, predicted), "m³", "error that names 1/|λ| and the method without that limit"},
+        {"G.14", limit.name, "error control keeps to the limit; a first sub-step and a last"},
+        {"tiny volume: sub-steps of a call", "t |λ| / z = maximum_steps; z = 2, 2.785 by order 1, 4",
+         predicted, measured(limit.method, predicted), "m³",
+         "error that names 1/|λ| and the method without that limit"},
         0.98, 1.02);
   }
   const double predicted = smallest_by_rounding(kTolerance);

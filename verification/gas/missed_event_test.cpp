@@ -69,9 +69,8 @@ TEST(missed_event, first_gas_a_rounding_before_a_call) {
 TEST(missed_event, ambient_gas_that_lowers_the_pressure) {
   gas::ControlVolumeModel model = closed_tank(nasa7({"He", "N2"}));
   model.ambient = {kAmbientPressure, 293.15, {0.0, 1.0}};
-  model.inflows.push_back({{1.0, 0.0},
-                           gas::Curve({{0.0, 1e-3}, {0.01, 0.0}}, gas::Outside::zero),
-                           gas::Curve::constant(1500.0)});
+  model.inflows.push_back(
+      {{1.0, 0.0}, gas::Curve({{0.0, 1e-3}, {0.01, 0.0}}, gas::Outside::zero), gas::Curve::constant(1500.0)});
   model.vents.push_back({0.6, 1e-2});
   model.vents[0].backflow = true;
   const auto begin = gas::make_state(model, std::vector{1.0, 0.0}, kAmbientPressure, 1500.0, 1e-3);

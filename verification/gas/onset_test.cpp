@@ -39,14 +39,16 @@ struct OnsetOrder {
   std::vector<int> steps;
 };
 
-/// 12 l at p_a that are filled within 40 us, behind a hole and a vent whose area has its first knot at p_a. A sub-step that
-/// lands there is a nanosecond long: the next may not be as long as the one before it was to be.
+/// 12 l at p_a that are filled within 40 us, behind a hole and a vent whose area has its first knot at p_a. A
+/// sub-step that lands there is a nanosecond long: the next may not be as long as the one before it was to
+/// be.
 TEST(onset, steep_pulse_at_a_knot_is_right_at_any_tolerance) {
   gas::ControlVolumeModel model = closed_tank(nitrogen());
   model.inflows.push_back(steady_inflow(model.thermo, 0.0, 600.0));
   model.inflows[0].mass_flow = gas::Curve({{0.0, 0.0}, {4e-5, 100.0}, {1e-4, 0.0}}, gas::Outside::zero);
   model.vents.push_back({0.5, 0.06});
-  model.vents[0].area_of_overpressure = gas::Curve({{0.0, 0.0}, {8e4, 0.06}, {2e5, 0.12}}, gas::Outside::held);
+  model.vents[0].area_of_overpressure =
+      gas::Curve({{0.0, 0.0}, {8e4, 0.06}, {2e5, 0.12}}, gas::Outside::held);
   model.vents.push_back({0.5, 0.45});
   const auto mass = [&](double tolerance) {
     gas::ControlVolumeState state = gas::make_state(model, kPure, kAmbientPressure, 420.0, 0.012);

@@ -197,7 +197,7 @@ TEST(pressure_volume, opening_bag_empties_to_ambient_pressure) {
     const double begin = (kAmbientPressure + 50.0) * 0.07 / (296.8 * 300.0);
     const double cooled = 300.0 * std::pow(kAmbientPressure / (kAmbientPressure + 50.0), 2.0 / 7.0);
     EXPECT_NEAR(fluxes.vent_mass_out, begin - kAmbientPressure * 0.02 / (296.8 * cooled), 1e-7 * begin);
-    EXPECT_NEAR(end.volume, 0.02, 1e-8);  // 1e-3 m3/Pa times 1e-12 p_a, tenfold
+    EXPECT_NEAR(end.volume, 0.02, 1e-8);                 // 1e-3 m3/Pa times 1e-12 p_a, tenfold
     EXPECT_LT(relative(end.temperature, cooled), 1e-7);  // as the mass
   }
 }

@@ -23,7 +23,7 @@ Tank benchmark_tank(double vent_area = 1e-3);
 
 /// How what flows in is added.
 enum class Inflow {
-  stepped,     // as a rate like all others
+  stepped,      // as a rate like all others
   closed_form,  // y is what the tank holds less what has come in: only outflow is stepped
 };
 

@@ -114,8 +114,8 @@ TEST(rest_at_ambient, outflow_of_the_instant_is_what_comes_in) {
   EXPECT_LT(relative(end.vent_mass_flow, flow), 2.0 * 10.0 * kEpsilon * kAmbientPressure / excess);
 }
 
-/// An inflow that grows from nothing and fades again, through openings that carry it at the end of the laminar
-/// range: p follows the balance, up and down.
+/// An inflow that grows from nothing and fades again, through openings that carry it at the end of the
+/// laminar range: p follows the balance, up and down.
 TEST(rest_at_ambient, balance_follows_a_pulse) {
   for (const gas::Method method : {gas::Method::dormand_prince_5, gas::Method::rosenbrock_4}) {
     gas::ControlVolumeModel model = closed_tank(nitrogen());
@@ -143,8 +143,8 @@ TEST(rest_at_ambient, balance_follows_a_pulse) {
 }
 
 /// Walls cool the gas behind a vent with backflow to their temperature, cases/tank_backflow.toml in small:
-/// air comes in until both are alike. Once m cv/(hA) has passed many times over p = p_a and T = T_w, to a tenth
-/// of the laminar range.
+/// air comes in until both are alike. Once m cv/(hA) has passed many times over p = p_a and T = T_w, to a
+/// tenth of the laminar range.
 TEST(rest_at_ambient, backflow_fades_to_rest_in_any_volume) {
   for (const double volume : {1e-3, 1e-6, 1e-9})
     for (const double tolerance : {1e-4, 1e-6, 1e-9}) {

@@ -119,8 +119,8 @@ TEST(tiny_volume, soft_volume_knows_its_overpressure) {
   }
 }
 
-/// What leaves a tiny volume may do so within the rounding of time: no sub-step is as short, and the error says
-/// so.
+/// What leaves a tiny volume may do so within the rounding of time: no sub-step is as short, and the error
+/// says so.
 TEST(tiny_volume, rounding_of_time_is_named) {
   constexpr double kVolume = 1e-16, kBegin = 1000.0;
   const gas::ControlVolumeModel model = closed_tank(nitrogen());

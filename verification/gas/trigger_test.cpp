@@ -67,9 +67,10 @@ TEST(trigger, logic_combines_sensors) {
   EXPECT_NEAR(fires_at({{kClock, kShock}, {{Logic::any, {0, 1}}}}), 0.01, 4.0 * kEpsilon);
   EXPECT_EQ(fires_at({{kClock, kShock}, {{Logic::negated, {1}}}}), 0.0);
   // (not clock) and (not signal), then not that: first false at 0.01.
-  EXPECT_NEAR(fires_at({{kClock, kShock},
-                        {{Logic::negated, {0}}, {Logic::negated, {1}}, {Logic::all, {2, 3}}, {Logic::negated, {4}}}}),
-              0.01, 4.0 * kEpsilon);
+  EXPECT_NEAR(
+      fires_at({{kClock, kShock},
+                {{Logic::negated, {0}}, {Logic::negated, {1}}, {Logic::all, {2, 3}}, {Logic::negated, {4}}}}),
+      0.01, 4.0 * kEpsilon);
 }
 
 TEST(trigger, delay_needs_the_condition_to_hold_unless_latched) {

@@ -205,8 +205,8 @@ TEST(volume_path, peak_inside_one_step_is_found) {
   }
 }
 
-/// Relative error of p where vent, leak area, volume, inflow and walls all move: the implicit method's matrix and its
-/// derivative with time meet every term.
+/// Relative error of p where vent, leak area, volume, inflow and walls all move: the implicit method's matrix
+/// and its derivative with time meet every term.
 double moving_error(const gas::IntegratorOptions& options) {
   gas::ControlVolumeModel model = closed_tank(nasa7({"N2", "CO2"}));
   model.vents.push_back({0.8, 0.0, gas::Curve({{0.0, 2e-4}, {1.0, 1e-2}}, gas::Outside::held)});

@@ -118,7 +118,8 @@ TEST(field, groups_keep_their_side_of_the_jet_only_while_none_can_cross) {
       ASSERT_EQ(carried.candidates, fresh.candidates);
       ASSERT_EQ(carried.overpressure, fresh.overpressure);
       crossings += carried.candidates != before;
-      for (std::size_t g = 0; g < groups; ++g) kept_inside += carried.inside[g] != 0 && displacement_bound < slack[g];
+      for (std::size_t g = 0; g < groups; ++g)
+        kept_inside += carried.inside[g] != 0 && displacement_bound < slack[g];
       const double stride = random(0.0, 0.006);
       displacement_bound += stride;
       centroids += (1.0 - 1e-9) * stride * ways;
@@ -140,8 +141,9 @@ TEST(field, point_that_is_no_number_is_found_inside_and_forgotten_with_its_group
     target.centroids(1, e) = std::numeric_limits<double>::quiet_NaN();
     // Its group need not be looked at, then it must be.
     for (const double displacement_bound : {0.0, 1.0}) {
-      EXPECT_THROW(field.evaluate(target.area_vectors, target.centroids, kOutlet, state, nullptr, displacement_bound),
-                   jet::DomainError);
+      EXPECT_THROW(
+          field.evaluate(target.area_vectors, target.centroids, kOutlet, state, nullptr, displacement_bound),
+          jet::DomainError);
       EXPECT_EQ(state.slack[0] > displacement_bound, displacement_bound == 0.0);
     }
     target.centroids.col(e) = sound.centroids.col(e) - 9.0 * models::kAxis;

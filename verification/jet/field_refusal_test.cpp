@@ -23,15 +23,17 @@ TEST(field, refused_evaluation_leaves_no_overpressure) {
       ASSERT_FALSE(fresh.candidates.empty());
       Eigen::Matrix3Xd broken = near.area_vectors;
       broken(2, e) = std::numeric_limits<double>::quiet_NaN();
-      EXPECT_THROW(field.evaluate(broken, near.centroids, models::kOutlet, state, nullptr, displacement_bound),
-                   jet::DomainError);
+      EXPECT_THROW(
+          field.evaluate(broken, near.centroids, models::kOutlet, state, nullptr, displacement_bound),
+          jet::DomainError);
       EXPECT_TRUE(state.candidates.empty());
       EXPECT_EQ(std::count(state.overpressure.begin(), state.overpressure.end(), 0.0), near.count());
       jet::FieldState again = state;
       field.evaluate(near.area_vectors, near.centroids, models::kOutlet, again, nullptr, displacement_bound);
       EXPECT_EQ(again.candidates, fresh.candidates);
       EXPECT_EQ(again.overpressure, fresh.overpressure);
-      field.evaluate(far.area_vectors, far.centroids, models::kOutlet, state, nullptr, displacement_bound + 20.0);
+      field.evaluate(far.area_vectors, far.centroids, models::kOutlet, state, nullptr,
+                     displacement_bound + 20.0);
       EXPECT_TRUE(state.candidates.empty());
       EXPECT_EQ(std::count(state.overpressure.begin(), state.overpressure.end(), 0.0), near.count());
     }

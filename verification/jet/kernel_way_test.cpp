@@ -20,7 +20,8 @@ TEST(kernels, elements_on_the_way_are_listed) {
   const float u = 0.1f, v = 0.2f;  // v: slope, or place along the line
   std::vector<float> local(4 * 24 * patches), boxes(jet::kBoxFloats * patches);
   std::vector<std::uint32_t> corner_rows;
-  std::vector<int> all(patches), near(all), uncertain(8 * patches + 8), between(uncertain), on_winding_ray(uncertain);
+  std::vector<int> all(patches), near(all), uncertain(8 * patches + 8), between(uncertain),
+      on_winding_ray(uncertain);
   std::iota(all.begin(), all.end(), 0);
   for (int i = 0; i < 24 * patches; ++i) {
     const auto row = static_cast<std::size_t>(4 * i);
@@ -46,26 +47,26 @@ TEST(kernels, elements_on_the_way_are_listed) {
       std::vector<std::uint8_t> inner(asked), outer(asked), not_inner(asked);
       const int found = kernels
                             ->classify_patches({local.data(),
-                                               half_long,
-                                               corner_rows.data(),
-                                               8 * patches,
-                                               all.data(),
-                                               patches,
-                                               0,
-                                               asked.data(),
-                                               0.0f,
-                                               u,
-                                               v,
-                                               near.data(),
-                                               boxes.data(),
-                                               nullptr,
-                                               inner.data(),
-                                               outer.data(),
-                                               not_inner.data(),
-                                               uncertain.data(),
-                                               between.data(),
-                                               on_winding_ray.data(),
-                                               nullptr})
+                                                half_long,
+                                                corner_rows.data(),
+                                                8 * patches,
+                                                all.data(),
+                                                patches,
+                                                0,
+                                                asked.data(),
+                                                0.0f,
+                                                u,
+                                                v,
+                                                near.data(),
+                                                boxes.data(),
+                                                nullptr,
+                                                inner.data(),
+                                                outer.data(),
+                                                not_inner.data(),
+                                                uncertain.data(),
+                                                between.data(),
+                                                on_winding_ray.data(),
+                                                nullptr})
                             .on_winding_ray;
       const std::vector<int> listed(on_winding_ray.begin(), on_winding_ray.begin() + found);
       int hits = 0;

@@ -6,8 +6,8 @@
 
 #include <algorithm>
 
-#include "visibility/close_set.hpp"
 #include "scenes.hpp"
+#include "visibility/close_set.hpp"
 
 namespace {
 

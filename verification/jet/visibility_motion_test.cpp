@@ -169,7 +169,9 @@ TEST(motion, every_query_says_how_far_nodes_moved) {
         const std::vector<int> between(static_cast<std::size_t>(std::abs(candidates)),
                                        candidates < 0 ? -1 : chosen.front());
         routes::Mask lit(between.size());
-        const auto ask = [&] { carried.query.query(route, mesh.points(), source, between, lit, displacement_bound); };
+        const auto ask = [&] {
+          carried.query.query(route, mesh.points(), source, between, lit, displacement_bound);
+        };
         if (candidates < 0) {
           EXPECT_THROW(ask(), std::invalid_argument);
         } else {

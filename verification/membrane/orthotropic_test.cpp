@@ -53,7 +53,8 @@ std::vector<PlaneStrain<double>> cone_strains() {
 // The greatest stiffness of the weave in any direction is below this [Pa].
 double stiffness(const Weave& w) {
   const double reciprocal = 1.0 - w.poisson * w.poisson * w.young_modulus_weft / w.young_modulus_warp;
-  return 2.0 * std::max({w.young_modulus_warp / reciprocal, w.young_modulus_weft / reciprocal, 2.0 * w.shear});
+  return 2.0 *
+         std::max({w.young_modulus_warp / reciprocal, w.young_modulus_weft / reciprocal, 2.0 * w.shear});
 }
 
 double largest_difference(const PlaneResponse<double>& a, const PlaneResponse<double>& b) {
@@ -66,8 +67,8 @@ double largest_difference(const PlaneResponse<double>& a, const PlaneResponse<do
 TEST(Orthotropic, relaxed_state_eq_maximum_over_tension_direction) {
   for (const auto& w : kWeaves)
     for (const auto& e : cone_strains()) {
-      const auto exact = closed_form::woven_tension_field({w.young_modulus_warp, w.young_modulus_weft, w.poisson, w.shear},
-                                                          e.e11, e.e22, e.e12);
+      const auto exact = closed_form::woven_tension_field(
+          {w.young_modulus_warp, w.young_modulus_weft, w.poisson, w.shear}, e.e11, e.e22, e.e12);
       const auto r = response(Compression::none, e, w);
       const double allowed = 50 * 100 * scenes::kEps * 0.5 * stiffness(w);
       const char* why = "50 operations on strains below 0.5, times the ratio of stiffnesses, 100";
@@ -134,7 +135,8 @@ TEST(Orthotropic, isotropic_constants_give_the_isotropic_law) {
   for (const auto compression : {Compression::linear, Compression::none})
     for (const double warp : {0.0, 0.6, 2.0})
       for (const auto& e : cone_strains()) {
-        const auto woven = response(compression, e, {young_modulus, young_modulus, nu, 0.5 * young_modulus / (1.0 + nu)}, warp);
+        const auto woven = response(
+            compression, e, {young_modulus, young_modulus, nu, 0.5 * young_modulus / (1.0 + nu)}, warp);
         const auto plain =
             membrane::isotropic_response(compression, e, membrane::isotropic_constants(young_modulus, nu));
         // Rounding of some 30 operations on stresses below 0.5 E / (1 - nu).
@@ -178,14 +180,15 @@ TEST(Orthotropic, borders_and_tiny_strains_are_finite) {
 TEST(Orthotropic, uniaxial_tension_eq_off_axis_modulus) {
   for (const auto& w : kWeaves)
     for (const double angle : {0.0, 0.3, 0.7, 1.2}) {
-      const double modulus =
-          closed_form::off_axis_modulus({w.young_modulus_warp, w.young_modulus_weft, w.poisson, w.shear}, angle);
+      const double modulus = closed_form::off_axis_modulus(
+          {w.young_modulus_warp, w.young_modulus_weft, w.poisson, w.shear}, angle);
       // Pulled along the first axis and free to contract and wrinkle across: strongly contracted.
       const double c = std::cos(angle), s = std::sin(angle);
       const double s11 = c * c, s22 = s * s,
                    s12 = -c * s;  // unit tension seen from the warp, which lies at -angle
       const double a = 1.0 / w.young_modulus_warp, nu = w.poisson * a;
-      const double e11 = a * s11 - nu * s22, e22 = s22 / w.young_modulus_weft - nu * s11, e12 = 0.5 * s12 / w.shear;
+      const double e11 = a * s11 - nu * s22, e22 = s22 / w.young_modulus_weft - nu * s11,
+                   e12 = 0.5 * s12 / w.shear;
       // Turned into the frame whose first axis is the tension, scaled to a stress of 1 MPa, and wrinkled
       // further across.
       const PlaneStrain<double> e{1e6 * (e11 * c * c + e22 * s * s - 2.0 * e12 * c * s),

@@ -40,8 +40,8 @@ struct Stretching {
 closed_form::WovenState exact_state(Compression compression, double e11, double e22, double e12) {
   constexpr double young_modulus = 60e6, poisson = 0.3;
   if (compression == Compression::none)
-    return closed_form::woven_tension_field({young_modulus, young_modulus, poisson, 0.5 * young_modulus / (1.0 + poisson)}, e11, e22,
-                                            e12);
+    return closed_form::woven_tension_field(
+        {young_modulus, young_modulus, poisson, 0.5 * young_modulus / (1.0 + poisson)}, e11, e22, e12);
   const auto s = closed_form::hooke_plane_stress({young_modulus, poisson, 0.5e-3}, e11, e22, e12);
   return {s.s11, s.s22, s.s12, 0.5 * (s.s11 * e11 + s.s22 * e22) + s.s12 * e12, 0.0};
 }

@@ -139,7 +139,7 @@ struct StepSizes {
   double drift_limit = std::numeric_limits<double>::infinity();  // [s] of n (M.22)
   double force_mobility = 0.0;                                   // [J/s2] of the last kick (M.22); S8
   long drift_limited = 0;                                        // steps that (M.22) or (M.24) made shorter
-  double displacement_bound = 0.0;                // [m] no node of the skin has gone farther since the start; S8
+  double displacement_bound = 0.0;       // [m] no node of the skin has gone farther since the start; S8
   double jet_damping = 0.0;              // [1/s] rate of jets relative to the skin at n
   double minimum = 0.0;                  // [s] of the run
   double maximum = 0.0;                  // [s]

@@ -4,10 +4,10 @@
 
 #include <cmath>
 
-#include "results/csv_table.hpp"
-#include "driver/case_reader.hpp"
 #include "case/text_file.hpp"
 #include "case/toml_library.hpp"
+#include "driver/case_reader.hpp"
+#include "results/csv_table.hpp"
 
 namespace driver {
 namespace {

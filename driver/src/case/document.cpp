@@ -6,9 +6,9 @@
 #include <cctype>
 
 #include "case/log.hpp"
-#include "driver/case_reader.hpp"
 #include "case/text_file.hpp"
 #include "case/toml_library.hpp"
+#include "driver/case_reader.hpp"
 
 namespace driver {
 namespace {

@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "case/log.hpp"
-#include "driver/case_reader.hpp"
 #include "case/toml_library.hpp"
+#include "driver/case_reader.hpp"
 
 namespace driver {
 namespace {

@@ -5,8 +5,8 @@
 #include <sstream>
 #include <string_view>
 
-#include "driver/case_reader.hpp"
 #include "case/toml_library.hpp"
+#include "driver/case_reader.hpp"
 
 namespace driver {
 namespace {

@@ -6,11 +6,11 @@
 
 #include <cmath>
 
-#include "step/drift.hpp"
-#include "scene/jet_peak.hpp"
 #include "commands/commands.hpp"
 #include "driver/run.hpp"
 #include "gas/orifice.hpp"
+#include "scene/jet_peak.hpp"
+#include "step/drift.hpp"
 
 namespace driver::commands {
 namespace {

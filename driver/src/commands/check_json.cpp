@@ -3,10 +3,10 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "step/drift.hpp"
-#include "scene/jet_peak.hpp"
 #include "commands/check.hpp"
 #include "membrane/time_step.hpp"
+#include "scene/jet_peak.hpp"
+#include "step/drift.hpp"
 
 namespace driver::commands {
 namespace {

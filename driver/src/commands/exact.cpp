@@ -7,10 +7,10 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "case/number_text.hpp"
 #include "closed_form/catalogue.hpp"
 #include "commands/commands.hpp"
 #include "driver/case_reader.hpp"
-#include "case/number_text.hpp"
 
 namespace driver::commands {
 namespace {

@@ -8,10 +8,10 @@
 #include <charconv>
 
 #include "case/species.hpp"
-#include "results/csv_table.hpp"
 #include "commands/commands.hpp"
 #include "driver/case_reader.hpp"
 #include "driver/results.hpp"
+#include "results/csv_table.hpp"
 #include "tank_test/smoothing_spline.hpp"
 
 namespace driver::commands {

@@ -4,13 +4,13 @@
 #include <charconv>
 #include <numbers>
 
-#include "scene/bag_mesh.hpp"
 #include "commands/commands.hpp"
 #include "driver/case_reader.hpp"
 #include "driver/results.hpp"
 #include "driver/scene.hpp"
 #include "membrane/mesh_file.hpp"
 #include "membrane/surface_check.hpp"
+#include "scene/bag_mesh.hpp"
 
 namespace driver::commands {
 namespace {

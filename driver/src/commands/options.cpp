@@ -5,8 +5,8 @@
 
 #include "build_info.hpp"
 #include "commands/commands.hpp"
-#include "driver/case_reader.hpp"
 #include "commands/validators.hpp"
+#include "driver/case_reader.hpp"
 
 namespace driver::commands {
 namespace {
@@ -160,7 +160,8 @@ void add_identify(CLI::App& app, IdentifyArguments& a) {
   add("--tank-gas", a.tank_gas, "what the tank holds before firing");
   add("--by", a.by, "fractions by")->check(CLI::IsMember({"mass", "mole"}));
   add("--thermodynamics", a.thermodynamics, "cp")->check(CLI::IsMember({"nasa7", "constant"}));
-  c->add_option("--species", a.species, "TOML with [[gas.species]] as in a case, whose names the gases may use")
+  c->add_option("--species", a.species,
+                "TOML with [[gas.species]] as in a case, whose names the gases may use")
       ->check(named);
   add("--initial-temperature", a.initial_temperature, "of the tank's gas [K]");
   add("--time-column", a.time_column, "name in the header");

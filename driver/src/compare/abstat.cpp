@@ -9,9 +9,9 @@
 #include <set>
 #include <sstream>
 
-#include "driver/case_reader.hpp"
 #include "case/number_text.hpp"
 #include "case/text_file.hpp"
+#include "driver/case_reader.hpp"
 
 namespace driver {
 namespace {

@@ -9,9 +9,9 @@
 #include <string_view>
 #include <unordered_map>
 
-#include "driver/case_reader.hpp"
 #include "compare/phase_lag.hpp"
 #include "compare/sampled.hpp"
+#include "driver/case_reader.hpp"
 
 namespace driver {
 namespace {

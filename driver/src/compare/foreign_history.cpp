@@ -8,9 +8,9 @@
 #include <unordered_map>
 
 #include "compare/abstat.hpp"
-#include "results/csv_table.hpp"
 #include "driver/case_reader.hpp"
 #include "driver/compare.hpp"
+#include "results/csv_table.hpp"
 
 namespace driver {
 namespace {

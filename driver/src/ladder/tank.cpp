@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "scene/bag_volume.hpp"
 #include "ladder/parts.hpp"
+#include "scene/bag_volume.hpp"
 
 namespace driver {
 namespace {

@@ -7,9 +7,9 @@
 #include <sstream>
 #include <unordered_map>
 
-#include "driver/case_reader.hpp"
 #include "case/number_text.hpp"
 #include "case/text_file.hpp"
+#include "driver/case_reader.hpp"
 
 namespace driver {
 namespace {

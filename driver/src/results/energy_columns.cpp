@@ -58,8 +58,7 @@ double sum_of(Role role, const Scene& scene, const State& state) {
 double held_energy(const Scene& scene, const State& state) {
   double sum = 0.0;
   for (const EnergyTerm& term : kTerms)
-    if (is_held(term.role) && term.when(scene))
-      sum += term.value(scene, state);
+    if (is_held(term.role) && term.when(scene)) sum += term.value(scene, state);
   return sum;
 }
 

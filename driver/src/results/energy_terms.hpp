@@ -8,7 +8,8 @@
 
 namespace driver {
 
-/// Place of a term in the balance, where held + kinetic + elastic + spent - supplied stays as it was at the start.
+/// Place of a term in the balance, where held + kinetic + elastic + spent - supplied stays as it was at the
+/// start.
 enum class Role {
   none,      // no term of it
   held,      // by gas and weights
@@ -28,7 +29,9 @@ struct EnergyTerm {
 
 std::span<const EnergyTerm> energy_terms();
 /// Held by gas, weights, motion or stretch.
-constexpr bool is_held(Role role) { return role == Role::held || role == Role::kinetic || role == Role::elastic; }
+constexpr bool is_held(Role role) {
+  return role == Role::held || role == Role::kinetic || role == Role::elastic;
+}
 /// Sum of the terms of one place [J].
 double sum_of(Role role, const Scene& scene, const State& state);
 

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "step/drift.hpp"
 #include "driver/run.hpp"
+#include "step/drift.hpp"
 
 namespace driver {
 namespace {

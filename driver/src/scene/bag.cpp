@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <random>
 
-#include "scene/bag_mesh.hpp"
 #include "membrane/icosphere.hpp"
 #include "membrane/mesh_file.hpp"
 #include "membrane/surface_check.hpp"
+#include "scene/bag_mesh.hpp"
 #include "scene/parts.hpp"
 
 namespace driver {

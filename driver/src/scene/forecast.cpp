@@ -7,11 +7,11 @@
 #include <cmath>
 #include <numbers>
 
-#include "step/drift.hpp"
 #include "gas/orifice.hpp"
-#include "scene/jet_peak.hpp"
 #include "membrane/time_step.hpp"
+#include "scene/jet_peak.hpp"
 #include "scene/supply.hpp"
+#include "step/drift.hpp"
 
 namespace driver {
 namespace {
@@ -32,7 +32,8 @@ double fabric_stiffness(const membrane::BagModel& model) {
   for (std::size_t e = 0; e < model.reference_area.size(); ++e) {
     const auto& p = model.description.properties[e];
     if (p.null_panel) continue;
-    const double young_modulus = p.weave ? std::sqrt(p.young_modulus * p.weave->young_modulus_weft) : p.young_modulus;
+    const double young_modulus =
+        p.weave ? std::sqrt(p.young_modulus * p.weave->young_modulus_weft) : p.young_modulus;
     sum += model.reference_area[e] * young_modulus * p.thickness / (1.0 - p.poisson);
     area += model.reference_area[e];
   }
@@ -165,7 +166,8 @@ double gas_substeps(const Scene& scene, double relaxations) {
   const gas::IntegratorOptions& options = scene.gas->integrator;
   const bool only_explicit =
       options.method == gas::Method::euler || options.method == gas::Method::runge_kutta_4;
-  return only_explicit && options.fixed_step == 0.0 ? relaxations / gas::stability_limit(options.method) : 0.0;
+  return only_explicit && options.fixed_step == 0.0 ? relaxations / gas::stability_limit(options.method)
+                                                    : 0.0;
 }
 
 std::string gas_advice(const Scene& scene, const Forecast& f) {

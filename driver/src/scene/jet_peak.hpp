@@ -16,8 +16,8 @@ struct JetPeak {
 /// pressure in the bag.
 JetPeak jet_peak(const Scene& scene, const JetPart& part);
 
-/// Share of the gas that a sonic outlet of that area lets out below ambient pressure (K.34) [-], by the midpoint
-/// rule.
+/// Share of the gas that a sonic outlet of that area lets out below ambient pressure (K.34) [-], by the
+/// midpoint rule.
 double below_sonic_share(const Scene& scene, const JetPart& part);
 
 /// Outlets that cannot blow into the bag, rays that start outside it.

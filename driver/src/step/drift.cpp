@@ -56,7 +56,8 @@ std::string governing_share(const State& state) {
 
 double energy_scale(const Scene& scene, const State& state) {
   const double kinetic = sum_of(Role::kinetic, scene, state), elastic = sum_of(Role::elastic, scene, state);
-  const double weight = state.pendulum ? scene.pendulum->model.potential_energy(state.level.pendulum_angle) : 0.0;
+  const double weight =
+      state.pendulum ? scene.pendulum->model.potential_energy(state.level.pendulum_angle) : 0.0;
   // Absolute enthalpies (NASA-7) pass through zero: no single term serves as the scale of all scenes.
   return std::max({std::abs(state.level.flows.enthalpy_in), std::abs(state.level.internal_energy), kinetic,
                    std::abs(weight), elastic});

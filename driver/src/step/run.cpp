@@ -8,9 +8,9 @@
 #include <cmath>
 #include <memory>
 
-#include "step/drift.hpp"
 #include "driver/fields.hpp"
 #include "driver/progress.hpp"
+#include "step/drift.hpp"
 #include "step/stages.hpp"
 
 namespace driver {

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numeric>
 
-#include "step/drift.hpp"
 #include "results/energy_terms.hpp"
+#include "step/drift.hpp"
 #include "step/stages.hpp"
 
 namespace driver {

@@ -151,7 +151,8 @@ void advance(const Scene& scene, State& state) {
         2.0 / (tau * tau) *
         std::max(0.0, sums.kinetic_before + sums.kinetic_after - 2.0 * sums.kinetic_product);
     const double motion = step.after * std::sqrt(state.bag->advance.max_speed_squared);
-    step.displacement_bound = std::nextafter(step.displacement_bound + motion, std::numeric_limits<double>::infinity());
+    step.displacement_bound =
+        std::nextafter(step.displacement_bound + motion, std::numeric_limits<double>::infinity());
   }
   if (!state.pendulum) return;
   PendulumRun& run = *state.pendulum;

@@ -64,15 +64,16 @@ struct ContactState {
   Eigen::Matrix3Xd nodes;                            // (3 x N) [m] at the last call, if kept
   bool kept = false;                                 // a step may come that needs them
   bool started = false;                              // false: no last call
-  double displacement_bound = 0.0;                            // [m] bound of the relative motion since the first call
+  double displacement_bound = 0.0;                   // [m] bound of the relative motion since the first call
   double told = kNotTold;                            // [m] motion since the last level, by stays_clear
   double ahead = 0.0;                                // [m] motion that has to fit into the gap
-  double expected = 0.0;                             // [m] that of the last level, without which nodes are kept
-  double gap = 0.0;                 // [m] nothing touches while displacement_bound is below: least slack
-  std::vector<double> slack;        // (M) [m] by place in the groups: cannot touch while displacement_bound is below
-  std::vector<double> group_slack;  // (groups) [m] least of each, or less
-  std::vector<int> near;            // elements that overlap the sphere, ascending
-  int nearest = 0;                  // an element within `ahead` at the last level that had one
+  double expected = 0.0;  // [m] that of the last level, without which nodes are kept
+  double gap = 0.0;       // [m] nothing touches while displacement_bound is below: least slack
+  std::vector<double>
+      slack;  // (M) [m] by place in the groups: cannot touch while displacement_bound is below
+  std::vector<double> group_slack;      // (groups) [m] least of each, or less
+  std::vector<int> near;                // elements that overlap the sphere, ascending
+  int nearest = 0;                      // an element within `ahead` at the last level that had one
   std::vector<double> nodal_stiffness;  // (N) [N/m] zero between calls
   std::vector<Bristle> bristles;        // by element and point; of the last call
   std::vector<Bristle> old_bristles;    // and of the one before it
@@ -113,13 +114,16 @@ class ContactModel {
   // bounds how far skin points and centre have moved relative to each other since the last level; if the
   // answer is `false`, the call of `evaluate` takes it from here, else it measures the motion of every node.
   // The answer costs a comparison; it is `false` at the first level and whenever the gap last seen may be
-  // used up. `ahead` [m] > 0 bounds the next level's motion, 0 says nothing of it: positions are kept from level
-  // to level only where a path may need testing over such a motion. Without them `evaluate` refuses a level that
-  // was not asked about here (std::invalid_argument), and a longer motion that may have crossed the skin.
+  // used up. `ahead` [m] > 0 bounds the next level's motion, 0 says nothing of it: positions are kept from
+  // level to level only where a path may need testing over such a motion. Without them `evaluate` refuses a
+  // level that was not asked about here (std::invalid_argument), and a longer motion that may have crossed
+  // the skin.
   bool stays_clear(ContactState& state, double motion, double ahead = 0.0) const;
 
   // Lower bound of the relative motion before anything touches [m]; 0 in touch.
-  static double free_gap(const ContactState& state) { return std::max(0.0, state.gap - state.displacement_bound); }
+  static double free_gap(const ContactState& state) {
+    return std::max(0.0, state.gap - state.displacement_bound);
+  }
 
   // (K.12) with the whole skin in touch: the bound of every level's omega_squared_skin [1/s2]. A step that
   // the points now in touch allow is too long for those that it brings into touch.

@@ -45,8 +45,8 @@ struct Vent {
 /// Porous fabric, which leaks besides the vents. Its area is a share of the leak area that calls give.
 struct Fabric {
   double share;  // [-] 0 to 1
-  /// [m/s] >= 0, 0 at 0, against p - p_a [Pa], without a jump: where given, it leaks area rho v(p - p_a)  (G.12)
-  /// instead of (G.7).
+  /// [m/s] >= 0, 0 at 0, against p - p_a [Pa], without a jump: where given, it leaks area rho v(p - p_a)
+  /// (G.12) instead of (G.7).
   std::optional<Curve> velocity{};
 };
 
@@ -65,12 +65,14 @@ struct ControlVolumeModel {
   HeatLoss heat_loss{};         // adiabatic by default
   /// Shares of sum 1; they leak where the leak area of calls is above 0. None given: one, by (G.7).
   std::vector<Fabric> fabrics{};
-  /// [m3] > 0, not falling, without a jump, against p - p_a [Pa]: where given, the volume follows the pressure, (G.18), and
-  /// those of calls are not read. Held below the first knot (at -p_a or above); above the last: DomainError.
+  /// [m3] > 0, not falling, without a jump, against p - p_a [Pa]: where given, the volume follows the
+  /// pressure, (G.18), and those of calls are not read. Held below the first knot (at -p_a or above); above
+  /// the last: DomainError.
   std::optional<Curve> volume_of_overpressure{};
   TriggerModel triggers{};  // whose nodes inflows and vents name
-  /// [-] 0 to 1e-3, share of p_a: at overpressures below it holes and fabric leak less than by (G.6), (G.7), by
-  /// the factor (G.22), as real ones are laminar there. 0: the laws as they are, whose slope has no bound at p_a.
+  /// [-] 0 to 1e-3, share of p_a: at overpressures below it holes and fabric leak less than by (G.6), (G.7),
+  /// by the factor (G.22), as real ones are laminar there. 0: the laws as they are, whose slope has no bound
+  /// at p_a.
   double laminar_share = 1e-8;
   /// Fabrics, that of none given included.
   std::size_t fabric_count() const { return fabrics.empty() ? 1 : fabrics.size(); }
@@ -113,7 +115,8 @@ struct InflatorPoint {
 
 /// Throws std::invalid_argument, naming field, value and what is allowed, unless every field is in its range,
 /// every inflow (and the ambient, if a vent lets it in) has one mass fraction per species with sum 1, the
-/// fabrics' shares have that sum (both to 1e-9), temperatures are in the range of the Thermo, and triggers are nodes that exist.
+/// fabrics' shares have that sum (both to 1e-9), temperatures are in the range of the Thermo, and triggers
+/// are nodes that exist.
 void validate(const ControlVolumeModel& model);
 
 /// State of gas at p [Pa] >= 0, T [K], V [m3] > 0; p = 0 is evacuated. Throws std::invalid_argument.
@@ -128,8 +131,8 @@ ControlVolumeState make_state(const ControlVolumeModel& model, std::span<const d
 double firing_time(const Inflow& inflow, const TriggerState& triggers);
 
 /// Stage S2: the gas of `state` in `volume` [m3] at time `time` [s], with the fabrics' leak area [m2] (see
-/// fabric_mass_flow). Flows are those of the integrator's equations, (G.22) included. Does not allocate. Throws
-/// DomainError if the volume is not positive or p and temperature leave their ranges.
+/// fabric_mass_flow). Flows are those of the integrator's equations, (G.22) included. Does not allocate.
+/// Throws DomainError if the volume is not positive or p and temperature leave their ranges.
 GasPoint evaluate(const ControlVolumeModel& model, const ControlVolumeState& state, double volume,
                   double leak_area, double time);
 

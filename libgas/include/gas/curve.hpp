@@ -36,13 +36,14 @@ class Curve {
     double at(double time) const { return value + slope * (time - origin); }
   };
 
-  /// Throws std::invalid_argument if there is no knot (zero outside: fewer than two), a number is not finite, a time
-  /// is earlier than the one before, or three knots stand at one time.
+  /// Throws std::invalid_argument if there is no knot (zero outside: fewer than two), a number is not finite,
+  /// a time is earlier than the one before, or three knots stand at one time.
   Curve(std::vector<Knot> knots, Outside outside);
   /// The same value at all times.
   static Curve constant(double value);
 
-  /// Value at time t; where it jumps, on that side. At the first and the last knot of a curve that is zero outside the value inside.
+  /// Value at time t; where it jumps, on that side. At the first and the last knot of a curve that is zero
+  /// outside the value inside.
   double value(double time, Side side = Side::after) const;
   /// The linear piece that holds in the neighbourhood of `time`, which is not a knot.
   Piece piece(double time) const;

@@ -26,8 +26,10 @@ struct StreamFlux {
 
 /// When the flow changed its nature in a step; NaN: not in this one.
 struct StepMoments {
-  double sonic_switch = std::numeric_limits<double>::quiet_NaN();  // [s] vents choked or unchoked, the last time
-  double equalisation = std::numeric_limits<double>::quiet_NaN();  // [s] p came to p_a, to 1e-7 of it, the last time
+  double sonic_switch =
+      std::numeric_limits<double>::quiet_NaN();  // [s] vents choked or unchoked, the last time
+  double equalisation =
+      std::numeric_limits<double>::quiet_NaN();  // [s] p came to p_a, to 1e-7 of it, the last time
 };
 
 /// What crossed the boundary during one step; integrals over [t0, t1]. The spans belong to the integrator and
@@ -47,15 +49,15 @@ struct StepFluxes {
   std::span<const StreamFlux> inflows;    // in, one each
   std::span<const StreamFlux> outflows;   // out, one per vent, and then one per fabric
   std::span<const StreamFlux> backflows;  // in, one per vent; empty without backflow
-  StepMoments moments;                     // see there
+  StepMoments moments;                    // see there
 };
 
 /// How the gas is stepped between break points.
 enum class Method {
   dormand_prince_5,  // explicit, order 5(4), and Rosenbrock 4 where the gas is stiff; the default
   runge_kutta_4,     // explicit, order 4, error by step doubling
-  euler,           // explicit, order 1, error by step doubling
-  rosenbrock_4,     // implicit, L-stable, order 4(3)
+  euler,             // explicit, order 1, error by step doubling
+  rosenbrock_4,      // implicit, L-stable, order 4(3)
 };
 
 /// Largest stable h times a real, negative eigenvalue's magnitude, where the stability function |R(z)| passes
@@ -67,7 +69,7 @@ double stability_limit(Method method);
 struct IntegratorOptions {
   double relative_tolerance =
       1e-10;  // local error of mass and thermal energy, of the gas in the volume; 1e-13 to 1e-2
-  int maximum_steps = 100000;               // sub-steps (rejected ones included) in one advance()
+  int maximum_steps = 100000;                // sub-steps (rejected ones included) in one advance()
   Method method = Method::dormand_prince_5;  // see there
   // [s] > 0: sub-steps of this length between break points, all by the method itself; no error control
   double fixed_step = 0.0;
@@ -80,8 +82,8 @@ struct IntegratorOptions {
 /// inflows, inflow temperatures of 1000 K, knots of the vents' curves, switching times of the triggers;
 /// located: pressure triggers, knots of the overpressure, the sonic/subsonic switch of the vents and p = p_a.
 /// A sealed adiabatic volume of constant size, or that follows the pressure, is pure quadrature. The default
-/// method takes sub-steps longer than the gas relaxes, 1/(G.14), by Rosenbrock 4; with fixed_step a sub-step past
-/// the method's limit, or past p_a against what feeds the flow, is an error.
+/// method takes sub-steps longer than the gas relaxes, 1/(G.14), by Rosenbrock 4; with fixed_step a sub-step
+/// past the method's limit, or past p_a against what feeds the flow, is an error.
 class GasIntegrator {
  public:
   /// Copies the model. Throws std::invalid_argument for a bad model or option. Allocates all that advance()

@@ -36,10 +36,10 @@ std::vector<std::string> species_names();
 /// Built-in species with cp(T), 200 to 6000 K. Throws std::invalid_argument for an unknown name.
 Species nasa7_species(std::string_view name);
 
-/// User-defined gas with cp(T). Throws std::invalid_argument, naming the value and what is allowed, unless all
-/// numbers are finite, molar_mass [kg/mol] > 0, 0 < minimum_temperature < 1000 K < maximum_temperature, cp > R in
-/// the whole range, and cp and h of both ranges agree at 1000 K within 1e-5 of cp and cp T, the rounding of
-/// coefficients of seven digits.
+/// User-defined gas with cp(T). Throws std::invalid_argument, naming the value and what is allowed, unless
+/// all numbers are finite, molar_mass [kg/mol] > 0, 0 < minimum_temperature < 1000 K < maximum_temperature,
+/// cp > R in the whole range, and cp and h of both ranges agree at 1000 K within 1e-5 of cp and cp T, the
+/// rounding of coefficients of seven digits.
 Species nasa7_species(std::string_view name, double molar_mass, double minimum_temperature,
                       double maximum_temperature, const Nasa7& low, const Nasa7& high);
 

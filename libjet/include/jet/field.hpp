@@ -17,9 +17,9 @@ struct JetShape;
 
 /// What S4 writes. Made once by JetField::make_state, for this field, then reused: no allocation in a step.
 struct FieldState {
-  std::vector<double> overpressure;    // [Pa] M, dp of each element; zero off the candidates
-  std::vector<int> candidates;         // elements inside the jet, facing it, above the cut-off; ascending
-  double displacement_bound = kMotionUnknown;   // [m] as of the last call
+  std::vector<double> overpressure;  // [Pa] M, dp of each element; zero off the candidates
+  std::vector<int> candidates;       // elements inside the jet, facing it, above the cut-off; ascending
+  double displacement_bound = kMotionUnknown;  // [m] as of the last call
   std::vector<std::uint8_t> inside{};  // bits of groups of four elements: inside the jet, and take load
   std::vector<double> slack{};         // [m] by group: they stay so while displacement_bound is below
   std::vector<int> selected{};         // workspace of the choice of candidates
@@ -42,8 +42,8 @@ class JetField {
   /// Overpressure dp = (1 + e) rho0 max(V . n, 0)^2 (J.6), V at the centroid, n the unit vector of the area
   /// vector. `area_vectors` [m2] and `centroids` [m], 3 x M, outward. A candidate has V . n > 0 and an
   /// area > 0, and its centroid lies strictly downstream of the outlet's plane (z > 0) and within the
-  /// cut-off. Without flow (density or velocity 0) there is none. `displacement_bound` [m]: between two calls no
-  /// centroid moves farther than it grows by. Elements that cannot have crossed a bound of the jet are not
+  /// cut-off. Without flow (density or velocity 0) there is none. `displacement_bound` [m]: between two calls
+  /// no centroid moves farther than it grows by. Elements that cannot have crossed a bound of the jet are not
   /// looked at; the results are the same. Without it, and whenever it decreases, all are looked at.
   /// `velocities` [m/s] 3 x M of the elements' centroids is read if the model says relative_to_skin: then
   /// dp = (1 + e) rho0 max(V . n - v . n, 0)^2, and candidates have V . n > v . n as well. Throws

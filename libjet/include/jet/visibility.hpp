@@ -77,9 +77,9 @@ class VisibilityQuery {
 
   /// lit[k] = 1 if candidates[k] is lit, else 0. `nodes` [m] 3 x node_count; coordinates of the source and of
   /// nodes that elements use must be 0 or 1e-100 to 1e100 in magnitude, axis not zero, else
-  /// std::invalid_argument; so for wrong sizes and indices. `displacement_bound` [m]: between two queries no node
-  /// moves farther than it grows by. The fast route then looks from time to time only at nodes far from all
-  /// rays, at their coordinates' range, too, and whether others are below 1e-100; the mask is the same.
+  /// std::invalid_argument; so for wrong sizes and indices. `displacement_bound` [m]: between two queries no
+  /// node moves farther than it grows by. The fast route then looks from time to time only at nodes far from
+  /// all rays, at their coordinates' range, too, and whether others are below 1e-100; the mask is the same.
   /// Without it, and whenever it decreases, it looks at all.
   VisibilityCounters query(VisibilityRoute route, const Points& nodes, const RaySource& source,
                            std::span<const int> candidates, std::span<std::uint8_t> lit,

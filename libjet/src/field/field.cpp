@@ -9,8 +9,8 @@
 #include <stdexcept>
 
 #include "bits.hpp"
-#include "jet/centreline.hpp"
 #include "field/outline.hpp"
+#include "jet/centreline.hpp"
 
 namespace jet {
 namespace {
@@ -117,7 +117,8 @@ void JetField::reset(FieldState& state) const {
 void JetField::evaluate(const Points& area_vectors, const Points& centroids, const OutletState& outlet,
                         FieldState& state, const Points* velocities, double displacement_bound) const {
   // Refused or not, the elements may have moved.
-  if (!(displacement_bound >= state.displacement_bound)) std::fill(state.slack.begin(), state.slack.end(), -HUGE_VAL);
+  if (!(displacement_bound >= state.displacement_bound))
+    std::fill(state.slack.begin(), state.slack.end(), -HUGE_VAL);
   state.displacement_bound = displacement_bound;
   require_columns("area_vectors", area_vectors.cols(), element_count_);
   require_columns("centroids", centroids.cols(), element_count_);

@@ -2,8 +2,8 @@
 // Kernels of S4, four elements at a time.
 #pragma once
 
-#include "floats.hpp"
 #include "field/profile.hpp"
+#include "floats.hpp"
 
 namespace jet::JET_KERNELS {
 
@@ -65,8 +65,8 @@ inline void look_at_groups(const JetShape& given, const FieldArrays& a, int begi
   double* slack = a.slack + begin;
   int open = 0;
   for (int g = 0; g < count; g += 8) {
-    const unsigned clear =
-        bits(displacement_bound < Lanes::load(slack + g)) | bits(displacement_bound < Lanes::load(slack + g + 4)) << 4;
+    const unsigned clear = bits(displacement_bound < Lanes::load(slack + g)) |
+                           bits(displacement_bound < Lanes::load(slack + g + 4)) << 4;
     open += append_bits(~clear & 0xffu, begin + g, list + open);
   }
   while (open > 0 && list[open - 1] >= begin + count) --open;  // behind the last

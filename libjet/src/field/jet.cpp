@@ -7,9 +7,9 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "jet/centreline.hpp"
 #include "field/outline.hpp"
 #include "field/profile.hpp"
+#include "jet/centreline.hpp"
 #include "refuse.hpp"
 
 namespace jet {

@@ -50,8 +50,8 @@ class CloseSet {
 
   /// Takes the patches that `find` writes for rays in the wider bounds and nodes within the reach.
   template <class Find>
-  void choose(const RaySource& source, double scale, const Frustum& wide, double displacement_bound, double reach,
-              Find find) {
+  void choose(const RaySource& source, double scale, const Frustum& wide, double displacement_bound,
+              double reach, Find find) {
     source_ = source;
     scale_ = scale;
     wide_ = wide;

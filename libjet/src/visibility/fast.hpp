@@ -17,8 +17,8 @@
 #include <span>
 #include <vector>
 
-#include "visibility/filter.hpp"
 #include "jet/visibility.hpp"
+#include "visibility/filter.hpp"
 #include "visibility/near.hpp"
 #include "visibility/rays.hpp"
 #include "visibility/surface.hpp"
@@ -30,7 +30,8 @@ class FastRoute {
   /// Allocates the workspace for a surface.
   void prepare(std::span<const Triangle> triangles, std::size_t node_count, bool closed);
 
-  /// The nodes may have moved: to be said before every query of any route. `displacement_bound`: see VisibilityQuery.
+  /// The nodes may have moved: to be said before every query of any route. `displacement_bound`: see
+  /// VisibilityQuery.
   void move_to(double displacement_bound) { rays_.move_to(displacement_bound); }
 
   VisibilityCounters query(const Surface& surface, const RaySource& source, std::span<const int> candidates,
@@ -88,10 +89,10 @@ class FastRoute {
   Kernel kernel_;
   RayBundle rays_;
   NearElements near_;
-  std::vector<int> open_;                  // places of rays that were opened
+  std::vector<int> open_;                           // places of rays that were opened
   std::vector<RayHit> blockers_, cached_blockers_;  // rays and what blocks them; at the last query
-  std::vector<RayHit> openers_, cached_openers_;        // rays that an element opened that faces away
-  std::vector<int> cached_rays_, cached_elements_;      // rays that may meet elements again, and which
+  std::vector<RayHit> openers_, cached_openers_;    // rays that an element opened that faces away
+  std::vector<int> cached_rays_, cached_elements_;  // rays that may meet elements again, and which
   std::vector<std::uint8_t> blocked_, pierced_, apart_, missed_;
   std::vector<std::uint8_t> alive_;   // by patch: bits of the rays that are lit so far
   std::vector<std::uint8_t> chosen_;  // workspace: bits of rays

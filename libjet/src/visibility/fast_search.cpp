@@ -81,7 +81,8 @@ void FastRoute::test_cached_blockers() {
   };
   for (const RayHit& hit : cached_blockers_) ask_if(int{alive(hit.ray)} & int{rays_.knows(hit.element)}, hit);
   const std::size_t hidden = count;
-  for (const RayHit& hit : cached_openers_) ask_if(int{alive(hit.ray)} & int{near_.may_show_outer_side(hit.element)}, hit);
+  for (const RayHit& hit : cached_openers_)
+    ask_if(int{alive(hit.ray)} & int{near_.may_show_outer_side(hit.element)}, hit);
   kernel_table().meet_pairs(
       {rays_.targets(), rays_.local(), rays_.half_long(), mesh_.corner_rows.data(), cached_rays_.data(),
        cached_elements_.data(), blocked_.data(), pierced_.data(), apart_.data(), missed_.data()},

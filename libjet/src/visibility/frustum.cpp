@@ -83,8 +83,8 @@ void RayBundle::set_winding_ray() {
   const double u = within(bounds_.low_u, bounds_.high_u, 0.382);
   const double v = frame_.line ? 0.0 : within(bounds_.low_v, bounds_.high_v, 0.618);
   for (int i = 0; i < 3; ++i)
-    winding_ray_.target[i] =
-        winding_ray_.source[i] + 2.0 / scale_ * (frame_.forward[i] + u * frame_.across[i] + v * frame_.along[i]);
+    winding_ray_.target[i] = winding_ray_.source[i] +
+                             2.0 / scale_ * (frame_.forward[i] + u * frame_.across[i] + v * frame_.along[i]);
   winding_u_ = u;
   if (!frame_.line) winding_v_ = v;
 }

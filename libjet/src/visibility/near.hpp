@@ -24,8 +24,8 @@ class NearElements {
  public:
   void reserve(const OrderedMesh& mesh);
 
-  /// Patches that the rays or the winding ray can meet, the sides of their elements, and the rays' targets. Places
-  /// are those in the mesh's order.
+  /// Patches that the rays or the winding ray can meet, the sides of their elements, and the rays' targets.
+  /// Places are those in the mesh's order.
   void find(RayBundle& rays);
 
   /// All sources whose rays can touch the element see its outer side.
@@ -37,8 +37,8 @@ class NearElements {
     return (not_inner_[static_cast<std::size_t>(place / 8)] >> place % 8 & 1) != 0;
   }
 
-  /// Elements near the rays that may show either side, may lie between two sources, may touch the winding ray; and
-  /// those asked about whose rays are not certainly downstream.
+  /// Elements near the rays that may show either side, may lie between two sources, may touch the winding
+  /// ray; and those asked about whose rays are not certainly downstream.
   std::span<const int> uncertain() const { return first(uncertain_, found_.uncertain); }
   std::span<const int> between() const { return first(between_, found_.between); }
   std::span<const int> on_winding_ray() const { return first(on_winding_ray_, found_.on_winding_ray); }

@@ -203,8 +203,8 @@ void RayBundle::set_arrays() {
   }
 }
 
-// The frustum of the rays' targets, and nodes: all, or where the motion is known those close to the rays. False
-// where the scale does not fit them any more, or one of them is to be refused.
+// The frustum of the rays' targets, and nodes: all, or where the motion is known those close to the rays.
+// False where the scale does not fit them any more, or one of them is to be refused.
 bool RayBundle::project_targets(bool rescaled) {
   close_.forget();
   bounds_ = kernel_table().frustum_of(arrays_, half_long(), static_cast<int>(candidates_.size()));

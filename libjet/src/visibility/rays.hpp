@@ -10,10 +10,10 @@
 #include <span>
 #include <vector>
 
+#include "kernel_table.hpp"
 #include "visibility/blocking.hpp"
 #include "visibility/close_set.hpp"
 #include "visibility/frame.hpp"
-#include "kernel_table.hpp"
 #include "visibility/mesh_order.hpp"
 
 namespace jet {
@@ -27,14 +27,15 @@ class RayBundle {
   /// One ray for each element that is asked about.
   void ask(const Surface& surface, const RaySource& source, std::span<const int> candidates);
 
-  /// Project the nodes that rays in a frustum can come near to: that which the last two queries let expect, that
-  /// which the close set was chosen for, or that of the rays' targets. False if it is not known, or no frame holds
-  /// the nodes. Throw std::invalid_argument for coordinates out of range where they are looked at, see
-  /// VisibilityQuery.
+  /// Project the nodes that rays in a frustum can come near to: that which the last two queries let expect,
+  /// that which the close set was chosen for, or that of the rays' targets. False if it is not known, or no
+  /// frame holds the nodes. Throw std::invalid_argument for coordinates out of range where they are looked
+  /// at, see VisibilityQuery.
   bool project_expected();
   bool project_chosen();
   bool project_fresh();
-  /// What was looked at holds all that the rays can meet, but those that are now in `upstream` and not too many.
+  /// What was looked at holds all that the rays can meet, but those that are now in `upstream` and not too
+  /// many.
   bool accept(const PatchesFound& found, std::span<const int> patches, std::span<const int> not_downstream);
   /// The rays have no bounds: nothing but `size` is known. Throws as project().
   void do_without();
@@ -51,7 +52,8 @@ class RayBundle {
   /// The element's nodes are projected; no ray can meet those of others.
   bool knows(int place) const { return !close_.any() || close_.has(static_cast<std::size_t>(place / 8)); }
 
-  /// Patches of the mesh, ascending: without them, rays and the winding ray meet nothing. `out` has room for all.
+  /// Patches of the mesh, ascending: without them, rays and the winding ray meet nothing. `out` has room for
+  /// all.
   std::span<const int> find_patches(std::span<int> out) const;
 
   std::span<const int> places() const { return given_; }          // in the order of those asked about
@@ -69,7 +71,7 @@ class RayBundle {
   float local_error() const { return static_cast<float>(2.5e-13 * (1.0 + scale_ * size)); }
   int outside() const { return outside_; }  // bits of a code that keep an element out
 
-  double size = 0.0;       // [m] bounds the magnitude of every coordinate of nodes and sources
+  double size = 0.0;          // [m] bounds the magnitude of every coordinate of nodes and sources
   std::vector<int> upstream;  // places whose rays have no length or do not go downstream: not in the bounds
 
  private:
@@ -106,7 +108,7 @@ class RayBundle {
   ProjectArrays arrays_{};
   int outside_ = 0;
   double displacement_bound_ = kMotionUnknown;  // [m] by the nodes
-  double step_ = kMotionUnknown;       // [m] of it since the last query
+  double step_ = kMotionUnknown;                // [m] of it since the last query
   CloseSet close_;
   bool fresh_ = false;
   std::vector<float> local_;          // rows of nodes

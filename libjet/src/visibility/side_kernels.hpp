@@ -125,7 +125,8 @@ inline PatchesFound classify_patches(const PatchArrays& given) {
     const unsigned uncertain = near & ~(inner | outer);
     if (uncertain != 0) found.uncertain += append_bits(uncertain, 8 * patch, s.uncertain + found.uncertain);
     if (between != 0) found.between += append_bits(between, 8 * patch, s.between + found.between);
-    if (on_winding_ray != 0) found.on_winding_ray += append_bits(on_winding_ray, 8 * patch, s.on_winding_ray + found.on_winding_ray);
+    if (on_winding_ray != 0)
+      found.on_winding_ray += append_bits(on_winding_ray, 8 * patch, s.on_winding_ray + found.on_winding_ray);
     const unsigned asked = s.asked[patch];
     if (asked == 0) continue;
     // The mean of three coordinates that err by kUnit / 2 errs by 2.5 kUnit.

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <numeric>
 
-#include "visibility/blocking.hpp"
 #include "checks.hpp"
+#include "visibility/blocking.hpp"
 #include "visibility/closedness.hpp"
 #include "visibility/fast.hpp"
 #include "visibility/filter.hpp"

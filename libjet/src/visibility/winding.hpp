@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Exact winding number of a ray's source: outward minus inward crossings of the winding ray, to a point outside the
-// surface.
+// Exact winding number of a ray's source: outward minus inward crossings of the winding ray, to a point
+// outside the surface.
 #pragma once
 
 #include <optional>

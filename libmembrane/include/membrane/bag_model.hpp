@@ -18,21 +18,23 @@ namespace membrane {
 // Default of what has none: make_model refuses it by name.
 inline constexpr double kMustBeGiven = std::numeric_limits<double>::quiet_NaN();
 
-// Makes the fabric of an element orthotropic: `young_modulus` and `poisson` are then those of the warp (pulled along
-// the warp the fabric contracts by poisson across), with poisson^2 < young_modulus / young_modulus_weft.
+// Makes the fabric of an element orthotropic: `young_modulus` and `poisson` are then those of the warp
+// (pulled along the warp the fabric contracts by poisson across), with poisson^2 < young_modulus /
+// young_modulus_weft.
 struct WeaveProperties {
   double young_modulus_weft = kMustBeGiven;  // > 0 [Pa]
-  double shear = kMustBeGiven;       // G > 0, 1e-4 to 100 of sqrt(young_modulus young_modulus_weft) [Pa]
+  double shear = kMustBeGiven;  // G > 0, 1e-4 to 100 of sqrt(young_modulus young_modulus_weft) [Pa]
   // Along the warp, any length > 0; its part in the plane of the reference element counts.
   Eigen::Vector3d warp = Eigen::Vector3d::Constant(kMustBeGiven);
 };
 
 // Fabric of one element. A null element closes a hole: it bounds the volume and carries the gas pressure, but
-// has no mass and no stress; its thickness, density, young_modulus and poisson are not read and its porosity is zero.
+// has no mass and no stress; its thickness, density, young_modulus and poisson are not read and its porosity
+// is zero.
 struct ElementProperties {
   double thickness = kMustBeGiven;            // h > 0 [m]
   double density = kMustBeGiven;              // rho > 0 [kg/m3]
-  double young_modulus = kMustBeGiven;                // E > 0 [Pa]
+  double young_modulus = kMustBeGiven;        // E > 0 [Pa]
   double poisson = kMustBeGiven;              // -1 < nu < 1 [-]
   double porosity = 0.0;                      // eta, 0 to 1 [-]
   bool null_panel = false;                    // closes a hole

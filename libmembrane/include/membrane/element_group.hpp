@@ -17,7 +17,7 @@ inline constexpr int kBlockNodes = 384;  // see kBlockElements
 // What four elements have in common with many others: a table of the few that differ stays in the first-level
 // cache.
 struct alignas(32) FabricGroup {
-  double young_modulus[kLanes];             // see IsotropicConstants [Pa], 0 for null
+  double young_modulus[kLanes];     // see IsotropicConstants [Pa], 0 for null
   double spherical[kLanes];         // as above; of a woven bag see OrthotropicConstants
   double deviator[kLanes];          // as above
   double porosity[kLanes];          // eta [-]

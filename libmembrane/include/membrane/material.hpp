@@ -21,9 +21,9 @@ struct PlaneStrain {
 // Elastic constants of isotropic St. Venant-Kirchhoff plane stress (M.2) as the kernels use them.
 template <class T>
 struct IsotropicConstants {
-  T young_modulus;      // E [Pa]
-  T spherical;  // E / (1 - nu) [Pa]: mean stress over mean strain
-  T deviator;   // E / (1 + nu) [Pa]: deviatoric stress over deviatoric strain
+  T young_modulus;  // E [Pa]
+  T spherical;      // E / (1 - nu) [Pa]: mean stress over mean strain
+  T deviator;       // E / (1 + nu) [Pa]: deviatoric stress over deviatoric strain
 };
 
 // What the pointwise law returns: second Piola-Kirchhoff stress and its energy.

@@ -14,8 +14,8 @@ namespace membrane {
 struct Weave {
   double young_modulus_warp;  // [Pa] > 0
   double young_modulus_weft;  // [Pa] > 0
-  double poisson;     // nu_12 [-]
-  double shear;       // G [Pa] > 0
+  double poisson;             // nu_12 [-]
+  double shear;               // G [Pa] > 0
 };
 
 // The elastic constants as the kernels use them (M.13). In the frame of warp and weft the strains along and
@@ -39,7 +39,8 @@ struct OrthotropicConstants {
 // `cosine`, `sine` as above. Precondition: a positive definite stiffness (the caller checks).
 inline OrthotropicConstants<double> orthotropic_constants(const Weave& w, double cosine, double sine) {
   const double reciprocal = 1.0 - w.poisson * w.poisson * (w.young_modulus_weft / w.young_modulus_warp);
-  const double c11 = w.young_modulus_warp / reciprocal, c22 = w.young_modulus_weft / reciprocal, c12 = w.poisson * c22;
+  const double c11 = w.young_modulus_warp / reciprocal, c22 = w.young_modulus_weft / reciprocal,
+               c12 = w.poisson * c22;
   const double middle = std::sqrt(c11) * std::sqrt(c22);
   const double spherical = middle + c12, deviator = middle - c12, shear = 2.0 * w.shear;
   const double series = spherical * deviator / (spherical + deviator);

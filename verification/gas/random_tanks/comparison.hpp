@@ -15,10 +15,10 @@ inline constexpr double kAllowedTolerances = 100.0;
 enum class Verdict {
   agrees,
   refused_rightly,  // libgas refuses, and names a limit that the second route meets at that time
-  undecided,       // the second route does not know its answer well enough
-  sensitive,       // a start one tolerance away changes the answer by more than the allowance
+  undecided,        // the second route does not know its answer well enough
+  sensitive,        // a start one tolerance away changes the answer by more than the allowance
   too_stiff,        // libgas finds the gas too stiff
-  disagrees,       // the answers differ by more than the allowance
+  disagrees,        // the answers differ by more than the allowance
   wrong_refusal,    // libgas refuses, and the second route meets no such limit; or does not refuse where it
                     // must
 };

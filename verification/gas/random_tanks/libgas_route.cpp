@@ -34,13 +34,13 @@ gas::TriggerModel triggers_of(const Tank& tank) {
   for (const SensorPlan& s : tank.sensors) {
     const gas::SensorKind kind = s.kind == Watch::time     ? gas::SensorKind::time
                                  : s.kind == Watch::signal ? gas::SensorKind::signal
-                                                            : gas::SensorKind::pressure;
+                                                           : gas::SensorKind::pressure;
     model.sensors.push_back({kind, s.threshold, s.reset, optional_curve(s.signal)});
   }
   for (const GatePlan& g : tank.gates) {
     const gas::Logic logic = g.logic == Join::all   ? gas::Logic::all
                              : g.logic == Join::any ? gas::Logic::any
-                                                     : gas::Logic::negated;
+                                                    : gas::Logic::negated;
     model.gates.push_back({logic, g.inputs, g.delay, g.latch});
   }
   return model;

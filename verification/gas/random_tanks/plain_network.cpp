@@ -43,7 +43,7 @@ bool PlainNetwork::gate(std::size_t i, double t) {
   const auto on = [&](std::size_t k) { return nodes_[k].on; };
   const bool holds = plan.logic == Join::all   ? std::ranges::all_of(plan.inputs, on)
                      : plan.logic == Join::any ? std::ranges::any_of(plan.inputs, on)
-                                                : !on(plan.inputs.front());
+                                               : !on(plan.inputs.front());
   if (holds) node.held = std::min(node.held, t);
   if (!holds && !plan.latch) node.held = kInfinity;
   return t + slack_ >= node.held + plan.delay;

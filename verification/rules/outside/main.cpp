@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// One scene out of all installed libraries: a sphere of fabric is filled while its shape is held, lit from its centre,
-// beside a pendulum. Returns 0 if the libraries agree with the closed forms and with each other.
+// One scene out of all installed libraries: a sphere of fabric is filled while its shape is held, lit from
+// its centre, beside a pendulum. Returns 0 if the libraries agree with the closed forms and with each other.
 #include <closed_form/gas.hpp>
 #include <cmath>
 #include <coupling/pendulum.hpp>
@@ -46,7 +46,8 @@ int main() {
   const double pressure = closed_form::tank_fill({{}, volume, 101325.0, 293.15, 1.0, 700.0}, 0.01).pressure;
   const auto lit = jet::visible(mesh.nodes, mesh.elements, jet::RaySource{});
   const coupling::PendulumModel rod({{0, 0, 0}, {0, -1, 0}, {0, 0, -1}, 3.0, 0.25, 0.5, 1.0, 0.05});
-  bool all = holds("pressure", filled_pressure(volume), pressure, 1e-9 * pressure);  // the gas integration's tolerance
+  bool all = holds("pressure", filled_pressure(volume), pressure,
+                   1e-9 * pressure);  // the gas integration's tolerance
   all &= holds("lit", std::accumulate(lit.begin(), lit.end(), 0.0), mesh.element_count(), 0.0);
   all &= holds("inertia of a rod", rod.axis_inertia(), 3.0 / 3.0, 1e-15);  // m L^2 / 3, in three operations
   // A straight line has no third derivative to smooth; what is left is the linear solver's.

@@ -14,9 +14,9 @@ namespace closed_form {
 /// Isotropic sheet.
 struct Sheet {
   double young_modulus = kRequired;  // [Pa] > 0
-  double poisson_ratio = kRequired;   // [-] -1 < nu <= 0.5
-  double thickness = kRequired;       // [m] > 0
-  double density = kRequired;         // [kg/m3] > 0; needed only where mass matters
+  double poisson_ratio = kRequired;  // [-] -1 < nu <= 0.5
+  double thickness = kRequired;      // [m] > 0
+  double density = kRequired;        // [kg/m3] > 0; needed only where mass matters
 };
 
 /// Fabric of "Gas Jet Model for Airbag Inflators": 60 MPa, 0.3, 0.5 mm, 620 kg/m3.

@@ -48,13 +48,13 @@ double leak_area(double porosity, double fabric_area, PorosityLaw law = Porosity
 
 /// Fabric with gas under pressure behind it.
 struct PorousFabric {
-  PerfectGas gas;                           // behind the fabric
-  double porosity = kRequired;              // [-] 0 <= eta <= 1
-  double fabric_area = kRequired;           // [m2] >= 0
+  PerfectGas gas;                          // behind the fabric
+  double porosity = kRequired;             // [-] 0 <= eta <= 1
+  double fabric_area = kRequired;          // [m2] >= 0
   PorosityLaw law = PorosityLaw::printed;  // of the leak area
-  double pressure = kRequired;              // [Pa] inside, > 0
-  double temperature = kRequired;           // [K] inside, > 0
-  double ambient_pressure = kRequired;      // [Pa] >= 0
+  double pressure = kRequired;             // [Pa] inside, > 0
+  double temperature = kRequired;          // [K] inside, > 0
+  double ambient_pressure = kRequired;     // [Pa] >= 0
 };
 
 /// mdot = C sqrt(2 rho (p - p_a)) [kg/s], rho = p/(R T); 0 when p_a >= p.
@@ -104,14 +104,14 @@ GasState proportional_blowdown(const Blowdown& bag, double time);
 
 /// Rigid tank that empties through porous fabric, mdot = C sqrt(2 rho (p - p_a)).
 struct PorousTank {
-  PerfectGas gas;                           // in the tank
-  double volume = kRequired;                // [m3] > 0
-  double porosity = kRequired;              // [-] 0 < eta <= 1
-  double fabric_area = kRequired;           // [m2] > 0
+  PerfectGas gas;                          // in the tank
+  double volume = kRequired;               // [m3] > 0
+  double porosity = kRequired;             // [-] 0 < eta <= 1
+  double fabric_area = kRequired;          // [m2] > 0
   PorosityLaw law = PorosityLaw::printed;  // of the leak area
-  double initial_pressure = kRequired;      // [Pa] > ambient_pressure
-  double initial_temperature = kRequired;   // [K] > 0
-  double ambient_pressure = kRequired;      // [Pa] > 0
+  double initial_pressure = kRequired;     // [Pa] > ambient_pressure
+  double initial_temperature = kRequired;  // [K] > 0
+  double ambient_pressure = kRequired;     // [Pa] > 0
 };
 
 /// Isothermal, any overpressure: p = p_a cosh^2(u0 - k t), k = C sqrt(R T/2)/V, u0 = arcosh sqrt(p0/p_a);
