@@ -1,9 +1,11 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# Shows that the tests can fail: applies each mutation of verification/mutations.tsv to a scratch copy of the
-# work tree, one at a time, and expects the named test to turn red there.
-# usage: scripts/mutate.sh [--only REGEX] [--scratch FOLDER]
-#   --only REGEX      only the lines of mutations.tsv that match
+# Shows that the tests can fail: applies each mutation of a list to a scratch copy of the work tree, one at a time, and
+# expects the named test to turn red there. `@gas coupled` in place of a test: any fast test of verification/gas or
+# verification/coupled.
+# usage: scripts/mutate.sh [--list FILE] [--only REGEX] [--scratch FOLDER]
+#   --list FILE       in place of verification/mutations.tsv: what scripts/random_mutations.py wrote
+#   --only REGEX      only the lines of the list that match
 #   --scratch FOLDER  keep copy and build there; a later call builds incrementally
 # Exit code: 0 all mutations killed; 1 some survived or could not be tried; 2 bad arguments.
 set -euo pipefail
@@ -16,16 +18,16 @@ only=.
 scratch=
 while (($#)); do
   case $1 in
-    --only | --scratch)
+    --list | --only | --scratch)
       if (($# < 2)); then
         echo "mutate.sh: $1 needs a value" >&2
         exit 2
       fi
-      if [[ $1 == --only ]]; then only=$2; else scratch=$2; fi
+      declare "${1#--}=$2"
       shift 2
       ;;
     *)
-      echo "mutate.sh: unknown argument '$1'; allowed: --only REGEX, --scratch FOLDER" >&2
+      echo "mutate.sh: unknown argument '$1'; allowed: --list FILE, --only REGEX, --scratch FOLDER" >&2
       exit 2
       ;;
   esac
@@ -33,6 +35,10 @@ done
 if [[ -z $scratch ]]; then
   scratch=$(mktemp -d)
   trap 'rm -rf "$scratch"' EXIT
+fi
+if [[ ! -r $list ]]; then
+  echo "mutate.sh: --list '$list' is no file that can be read" >&2
+  exit 2
 fi
 matches=0
 grep -qE -e "$only" /dev/null 2>/dev/null || matches=$?
@@ -77,7 +83,11 @@ configure() {
 # build_for [TEST]: the programs that this test's commands name in the build folder; everything if none.
 build_for() {
   local word targets=()
-  if (($#)); then
+  if [[ ${1:-} == @* ]]; then
+    read -ra targets <<<"${1#@}"
+    targets=("${targets[@]/#/verification/}")
+    targets=(gasjet "${targets[@]/%//all}")
+  elif (($#)); then
     while IFS= read -r word; do
       [[ ! -f $word || ! -x $word ]] || targets+=("${word#"$build/"}")
     done < <(ctest --test-dir "$build" -N -V -R "$1" | grep 'Test command:' | grep -oE "$build/[^ \"]+" | sort -u)
@@ -85,19 +95,37 @@ build_for() {
   cmake --build "$build" -j "$jobs" ${targets[0]+--target "${targets[@]}"} >"$log" 2>&1
 }
 
+# run_test TEST: 0 if it passes; of a suite the first failure ends it.
 run_test() {
+  local folder
+  if [[ $1 == @* ]]; then
+    for folder in ${1#@}; do
+      timeout $((6 * test_time_limit)) ctest --test-dir "$build/verification/$folder" -L fast --no-tests=error --stop-on-failure \
+        --timeout "$test_time_limit" -j "$jobs" >"$log" 2>&1 </dev/null || return 1
+    done
+    return 0
+  fi
   timeout "$test_time_limit" ctest --test-dir "$build" -R "$1" --no-tests=error -j "$jobs" >"$log" 2>&1 </dev/null
 }
 
 # find_red_tests: the tests that fail, or do not exist, before any mutation; nothing can be shown with them.
 declare -A red=()
 find_red_tests() {
-  local test matching
+  local test matching single=()
+  for test in "${tests[@]}"; do
+    if [[ $test != @* ]]; then
+      single+=("$test")
+    elif [[ -z ${red[$test]:-} ]]; then
+      red[$test]=0
+      run_test "$test" || red[$test]=1
+    fi
+  done
+  ((${#single[@]})) || return 0
   ctest --test-dir "$build" -N | sed -n 's/^ *Test *#[0-9]*: //p' >"$scratch/names"
-  ctest --test-dir "$build" -R "$(printf '%s\n' "${tests[@]}" | LC_ALL=C sort -u | paste -sd '|')" --timeout "$test_time_limit" \
+  ctest --test-dir "$build" -R "$(printf '%s\n' "${single[@]}" | LC_ALL=C sort -u | paste -sd '|')" --timeout "$test_time_limit" \
     -j "$jobs" >"$log" 2>&1 </dev/null || true
   sed -n '/^The following tests FAILED/,$s/^[[:space:]]*[0-9]* - \(.*\) (.*/\1/p' "$log" >"$scratch/failed"
-  for test in "${tests[@]}"; do
+  for test in "${single[@]}"; do
     matching=$(grep -E -e "$test" "$scratch/names" || true)
     red[$test]=0
     if [[ -z $matching ]] || grep -qxF -e "$matching" "$scratch/failed"; then red[$test]=1; fi

@@ -13,7 +13,8 @@ scripts=$(cd "$(dirname "${BASH_SOURCE[0]}")/../../scripts" && pwd)
 source "$scripts/source_number.sh"
 cd "$root"
 max_file_lines=300
-max_numbers=100  # in sentences: what a table says is not said again
+max_numbers=100    # in sentences: what a table says is not said again
+max_mutations=200  # by hand
 
 # files NAME_PATTERN...: every file of the tree with such a name; build folders, results and these rules left out.
 files() {
@@ -101,6 +102,13 @@ rule_file_size() {
   done
 }
 
+# Every C++ file is as clang-format writes it.
+rule_format() {
+  local list
+  mapfile -t list < <(cpp_files | grep -v '\.in$')
+  clang-format --dry-run "${list[@]}" 2>&1 | grep 'warning:' || true
+}
+
 # Compiler options that change values, paths of one machine, unfinished work.
 rule_forbidden_words() {
   local list
@@ -178,21 +186,17 @@ rule_columns() {
   for name in $(comm -13 <(echo "$columns") <(echo "$rows") | tr '*' '?'); do echo "$page: no such column as $name"; done
 }
 
-# Every test of the build is matched by a line of mutations.tsv; every line matches a test and changes its file. Left out are the rules
-# that have a `_can_fail` partner, and these partners: each of them applies violations of its own.
+# Every line of mutations.tsv matches a test of the build and changes its file.
 rule_mutation_lines() {
-  local list=verification/mutations.tsv names patterns
+  local list=verification/mutations.tsv names
   names=$(ctest --test-dir "$build" -N </dev/null | sed -nE 's/^ *Test +#[0-9]+: //p' | grep -v '_NOT_BUILT$')
-  patterns=$(grep -v -e '^#' -e '^[[:space:]]*$' "$list" | cut -f1)
-  grep -vE -e "$patterns" <<<"$names" | grep -vxE -e "$(sed -nE 's/(.*)_can_fail$/\1(_can_fail)?/p' <<<"$names"; echo no_rule)" |
-    while IFS= read -r name; do
-      echo "$list: no line for the test $name; add: expression that matches it, file, sed command that turns it red (tabs between)"
-    done
   grep -nv -e '^#' -e '^[[:space:]]*$' "$list" | while IFS=$'\t' read -r name file expression; do
     grep -qE -e "${name#*:}" <<<"$names" || echo "$list:${name%%:*}: '${name#*:}' matches no test"
     sed -e "$expression" "$file" 2>/dev/null | cmp -s "$file" - && echo "$list:${name%%:*}: '$expression' changes nothing in $file"
     [[ -f $file ]] || echo "$list:${name%%:*}: no file $file"
   done
+  grep -cv -e '^#' -e '^[[:space:]]*$' "$list" | awk -v most="$max_mutations" -v list="$list" \
+    '$1 > most { print list ": " $1 " lines, " most " at most: what is no error of physics is left to scripts/random_mutations.py" }'
 }
 
 # Every table of the pages says first what it was made on and by: machine, commit, compiler and flags; docs/provenance.tsv has a line for

@@ -74,6 +74,13 @@ good_tree() {
   put docs/theory/gas.md '$$ p V = m R T \tag{G.1} $$'
 }
 
+if [[ $rule == format ]]; then
+  good_tree() {
+    put .clang-format 'BasedOnStyle: Google'
+    put libgas/src/model.cpp "$spdx" 'int two() { return 2; }'
+  }
+fi
+
 check() { "$here/rules.sh" "$rule" "$tree" 2>&1; }
 
 # breaks FILE LINE...: this file with these lines breaks the rule, and the report names it.
@@ -230,9 +237,13 @@ case $rule in
     breaks docs/provenance.tsv "${lines[@]/@bag cases/@jet cases}"
     breaks docs/provenance.tsv "${lines[@]/@bag cases\/tank.toml/}"
     ;;
+  format)
+    breaks libgas/src/model.cpp "$spdx" '#include "gas/model.hpp"' 'int  two(){ return 2; }'
+    ;;
   mutation_lines)
-    breaks verification/mutations.tsv $'gas.tank\tREADME.md\ts/gas/b/'
-    breaks verification/mutations.tsv $'gas.tank\tREADME.md\ts/gas/b/' $'bad_input.*/inf( |$)\tREADME.md\ts/gas/b/'
+    mapfile -t many < <(printf 'gas.tank\tREADME.md\ts/gas/%s/\n' {1..201})
+    breaks verification/mutations.tsv "${many[@]}"
+    breaks verification/mutations.tsv $'bad_input.*/inf( |$)\tREADME.md\ts/gas/b/'
     breaks verification/mutations.tsv $'.*\tREADME.md\ts/gas/b/' $'jet.plume\tREADME.md\ts/gas/b/'
     breaks verification/mutations.tsv $'.*\tREADME.md\ts/absent/b/'
     breaks verification/mutations.tsv $'.*\tgone.cpp\ts/gas/b/'
