@@ -53,7 +53,6 @@ struct Untouched {
 void run_case(benchmark::State& bench, const std::string& name, const std::vector<std::string>& overrides) {
   driver::CaseDocument document(std::string(GASJET_SOURCE_DIR "/cases/") + name + ".toml", overrides);
   const driver::Scene scene = driver::read_scene(document);
-  driver::set_threads(1);
   double seconds = 0.0, jet_seconds = 0.0, steps = 0.0, blowing = 0.0;
   for (auto iteration : bench) {
     driver::State state = driver::make_state(scene);

@@ -35,16 +35,18 @@ inline driver::Scene scene_of(const std::string& name, const std::vector<std::st
   return driver::read_scene(document);
 }
 
-inline CaseRun run_case(const std::string& name, const std::vector<std::string>& overrides = {}) {
+inline CaseRun run_case(const std::string& name, const std::vector<std::string>& overrides = {},
+                        const driver::Executor& executor = driver::Executor::serial()) {
   const driver::Scene scene = scene_of(name, overrides);
   CaseRun run;
   run.state = driver::make_state(scene);
   const auto history = driver::history_columns(scene), energy = driver::energy_columns(scene);
-  run.outcome = driver::run_scene(scene, run.state, [&](bool recorded, const driver::State& now) {
+  const auto record = [&](bool recorded, const driver::State& now) {
     if (!recorded) return;
     run.history.push_back(row_of(history, scene, now));
     run.energy.push_back(row_of(energy, scene, now));
-  });
+  };
+  run.outcome = driver::run_scene(scene, run.state, record, {}, executor);
   return run;
 }
 

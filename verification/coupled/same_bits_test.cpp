@@ -2,8 +2,12 @@
 // Same case, same build: same bits, for any number of threads.
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <bit>
+#include <chrono>
 #include <cstdint>
+#include <stdexcept>
+#include <thread>
 
 #include "run_case.hpp"
 
@@ -26,9 +30,7 @@ void expect_same_bits(const coupled::CaseRun& a, const coupled::CaseRun& b) {
 }
 
 coupled::CaseRun run_on(int threads, const char* name, const std::vector<std::string>& overrides) {
-  driver::set_threads(threads);
-  auto run = run_case(name, overrides);
-  driver::set_threads(1);
+  auto run = run_case(name, overrides, driver::Executor(threads));
   EXPECT_EQ(run.outcome.status, driver::RunStatus::done) << run.outcome.message;
   return run;
 }
@@ -46,6 +48,35 @@ TEST(same_bits, for_one_two_and_three_threads) {
   EXPECT_GE(one.history.size(), 10u);
   EXPECT_GT(one.state.flows.contact_impulse, 0.0);
   EXPECT_GT(one.state.flows.jet_work, 0.0);
+}
+
+TEST(executor, calls_each_number_once_on_the_threads_it_has) {
+  for (const int threads : {1, 3}) {
+    const driver::Executor executor(threads);
+    std::vector<int> calls(1000, 0);
+    std::atomic<int> now = 0, most = 0;
+    executor.for_each(1000, [&](int i) {
+      const int inside = ++now;
+      for (int seen = most; inside > seen && !most.compare_exchange_weak(seen, inside);) {
+      }
+      std::this_thread::sleep_for(std::chrono::microseconds(100));
+      ++calls[static_cast<std::size_t>(i)];
+      --now;
+    });
+    EXPECT_EQ(calls, std::vector<int>(1000, 1));
+    EXPECT_LE(most, threads);
+    EXPECT_GE(most, threads > 1 ? 2 : 1);  // a third thread may come late
+  }
+}
+
+TEST(executor, throws_what_a_call_throws) {
+  for (const int threads : {1, 2})
+    EXPECT_THROW(driver::Executor(threads).for_each(10,
+                                                    [](int i) {
+                                                      if (i == 7) throw std::domain_error("7");
+                                                    }),
+                 std::domain_error);
+  EXPECT_THROW(driver::Executor(0), std::invalid_argument);
 }
 
 TEST(same_bits, of_the_scene_with_jet_and_contact) {

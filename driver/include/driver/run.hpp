@@ -32,13 +32,11 @@ struct RunOutcome {
 /// Called after every step; `recorded`: the columns (columns.hpp) may be read.
 using LevelSink = std::function<void(bool recorded, const State&)>;
 
-/// Number of threads of the parallel stages, for the whole process; results do not depend on it.
-void set_threads(int threads);
-
 /// Steps the scene to its end or to an interrupt, calling `sink` after each step and `fields` (may be empty)
 /// at each field output. Failures of the computation (exit code 3) are reported in the outcome, not thrown.
 RunOutcome run_scene(const Scene& scene, State& state, const LevelSink& sink,
-                     const std::function<void(const State&)>& fields = {});
+                     const std::function<void(const State&)>& fields = {},
+                     const Executor& executor = Executor::serial());
 
 /// Runs and writes history.csv, energy.csv, summary.json (and fields) to `folder`.
 RunOutcome run_to_folder(const Scene& scene, const std::filesystem::path& folder,

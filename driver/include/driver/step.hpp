@@ -5,6 +5,7 @@
 #include <functional>
 #include <stdexcept>
 
+#include "driver/executor.hpp"
 #include "driver/scene.hpp"
 #include "driver/state.hpp"
 
@@ -26,7 +27,8 @@ struct StepRequest {
 
 /// Computes level n and advances the state to n+1. Does not allocate (a visibility search aside). Throws
 /// StepError, gas::DomainError, membrane::MembraneError, jet::DomainError or coupling::ContactError.
-void step(const Scene& scene, State& state, const StepRequest& request);
+void step(const Scene& scene, State& state, const StepRequest& request,
+          const Executor& executor = Executor::serial());
 
 /// Largest stable step [s] of central difference with omega = 2 / `undamped` and a damping force taken from
 /// the velocity of the half step before, rate c [1/s]: omega^2 dt^2 + 2 c dt = 4 (J.9).

@@ -2,8 +2,6 @@
 #include "driver/ensemble.hpp"
 
 #include <fmt/format.h>
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <atomic>
@@ -84,21 +82,17 @@ Scene read_ensemble_scene(const std::filesystem::path& file, const std::vector<s
 EnsembleResult run_ensemble(const std::filesystem::path& file, const std::vector<std::string>& overrides,
                             const EnsembleOptions& options) {
   const Scene scene = read_ensemble_scene(file, overrides);
-  set_threads(options.threads);
-  ParallelBlocks::threads = 1;  // runs side by side, each serial inside
   std::vector<Member> members(static_cast<std::size_t>(options.runs));
   std::atomic<int> finished = 0;
   std::mutex progress_lock;
   Progress progress(scene.name, options.runs, options.quiet);
-  tbb::task_arena arena(options.threads);
-  arena.execute([&] {
-    tbb::parallel_for(0, options.runs, [&](int i) {
-      if (interrupted()) return;
-      CaseDocument document(file, perturbed(overrides, options.amplitude, i + 1));
-      members[static_cast<std::size_t>(i)] = run_member(read_scene(document));
-      const std::lock_guard<std::mutex> guard(progress_lock);
-      progress.update(++finished, fmt::format("run {} of {}", finished.load(), options.runs));
-    });
+  // Runs side by side, each serial inside.
+  Executor(options.threads).for_each(options.runs, [&](int i) {
+    if (interrupted()) return;
+    CaseDocument document(file, perturbed(overrides, options.amplitude, i + 1));
+    members[static_cast<std::size_t>(i)] = run_member(read_scene(document));
+    const std::lock_guard<std::mutex> guard(progress_lock);
+    progress.update(++finished, fmt::format("run {} of {}", finished.load(), options.runs));
   });
   EnsembleResult result;
   std::vector<const Member*> complete;

@@ -2,8 +2,6 @@
 // The runs of a ladder, side by side.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <mutex>
@@ -80,15 +78,14 @@ std::vector<LadderSample> run_jobs(const std::filesystem::path& file, const std:
   std::mutex lock;
   std::size_t finished = 0;
   Progress progress(title, static_cast<double>(jobs.size()), quiet);
-  tbb::task_arena arena(threads);
-  arena.execute([&] {
-    tbb::parallel_for(std::size_t{0}, jobs.size(), [&](std::size_t j) {
-      if (interrupted()) return;
-      samples[j] = run_job(file, jobs[j], quantity);
-      const std::lock_guard<std::mutex> guard(lock);
-      ++finished;
-      progress.update(static_cast<double>(finished), fmt::format("run {} of {}", finished, jobs.size()));
-    });
+  // Runs side by side, each serial inside.
+  Executor(threads).for_each(static_cast<int>(jobs.size()), [&](int i) {
+    if (interrupted()) return;
+    const auto j = static_cast<std::size_t>(i);
+    samples[j] = run_job(file, jobs[j], quantity);
+    const std::lock_guard<std::mutex> guard(lock);
+    ++finished;
+    progress.update(static_cast<double>(finished), fmt::format("run {} of {}", finished, jobs.size()));
   });
   return samples;
 }

@@ -238,8 +238,6 @@ LadderResult run_ladder(const std::filesystem::path& file, const std::vector<std
   const Scene scene = read_scene(document);
   result.quantity = quantity_name(scene, options.quantity);
   if (result.quantity.ends_with("pressure_Pa")) result.zero = scene.ambient.pressure;
-  set_threads(options.threads);
-  ParallelBlocks::threads = 1;  // runs side by side, each serial inside
   LadderRun(file, overrides, options, result).run();
   if (interrupted() || !result.reason.empty()) return result;
   judge(result, options.tolerance);

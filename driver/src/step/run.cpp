@@ -2,11 +2,9 @@
 #include "driver/run.hpp"
 
 #include <fmt/format.h>
-#include <tbb/global_control.h>
 
 #include <chrono>
 #include <cmath>
-#include <memory>
 
 #include "driver/fields.hpp"
 #include "driver/progress.hpp"
@@ -37,7 +35,8 @@ class Schedule {
 };
 
 void run_steps(const Scene& scene, State& state, const LevelSink& sink,
-               const std::function<void(const State&)>& fields, RunOutcome& outcome) {
+               const std::function<void(const State&)>& fields, const Executor& executor,
+               RunOutcome& outcome) {
   Schedule history(scene.output.history_every), pictures(scene.output.fields_every);
   for (;;) {
     StepRequest request;
@@ -46,7 +45,7 @@ void run_steps(const Scene& scene, State& state, const LevelSink& sink,
     request.record = history.due(state.time) || request.last;
     if (fields && pictures.due(state.time)) request.before_advance = &fields;
     const double now = state.time;
-    step(scene, state, request);
+    step(scene, state, request, executor);
     sink(request.record, state);
     if (stop) outcome.status = RunStatus::interrupted;
     if (request.last) return;
@@ -69,15 +68,8 @@ void judge_drift(const Scene& scene, const State& state, RunOutcome& outcome) {
 
 }  // namespace
 
-void set_threads(int threads) {
-  static std::unique_ptr<tbb::global_control> limit;
-  limit = std::make_unique<tbb::global_control>(tbb::global_control::max_allowed_parallelism,
-                                                static_cast<std::size_t>(threads));
-  ParallelBlocks::threads = threads;
-}
-
 RunOutcome run_scene(const Scene& scene, State& state, const LevelSink& sink,
-                     const std::function<void(const State&)>& fields) {
+                     const std::function<void(const State&)>& fields, const Executor& executor) {
   RunOutcome outcome;
   const auto start = std::chrono::steady_clock::now();
   const auto fail = [&](const std::exception& error) {
@@ -86,7 +78,7 @@ RunOutcome run_scene(const Scene& scene, State& state, const LevelSink& sink,
                                   state.steps, error.what());
   };
   try {
-    run_steps(scene, state, sink, fields, outcome);
+    run_steps(scene, state, sink, fields, executor, outcome);
   } catch (const std::exception& error) {
     // A stage refused what an earlier one computed (a coordinate out of range, say), or memory ran out.
     fail(error);
@@ -98,7 +90,6 @@ RunOutcome run_scene(const Scene& scene, State& state, const LevelSink& sink,
 
 RunOutcome run_to_folder(const Scene& scene, const std::filesystem::path& folder, const Provenance& lines,
                          const RunOptions& options) {
-  set_threads(options.threads);
   State state = make_state(scene);
   prepare_output(folder, {"summary.json"});
   CsvWriter history(folder / "history.csv", lines, history_columns(scene));
@@ -115,7 +106,7 @@ RunOutcome run_to_folder(const Scene& scene, const std::filesystem::path& folder
   const auto fields = [&](const State& now) {
     if (pictures) pictures->write(now);
   };
-  const RunOutcome outcome = run_scene(scene, state, record, fields);
+  const RunOutcome outcome = run_scene(scene, state, record, fields, Executor(options.threads));
   history.flush();
   energy.flush();
   write_summary(folder / "summary.json", scene, state, outcome, lines);

@@ -2,24 +2,19 @@
 // The stages of a step, one function each, in the order of step().
 #pragma once
 
-#include <tbb/parallel_for.h>
-
 #include "driver/step.hpp"
 
 namespace driver {
 
-/// Runs blocks in parallel on the threads that the run was given; the blocks fix the order of every sum.
-/// Fewer than 16 blocks of 512, some 100 us of work, are not worth handing out: a bag of 2744 elements has 6.
+/// Runs blocks on the threads of the run; the blocks fix the order of every sum. Fewer than 16 blocks of 512,
+/// some 100 us of work, are not worth handing out: a bag of 2744 elements has 6.
 struct ParallelBlocks {
   static constexpr int fewest = 16;
+  const Executor& executor;
   template <class F>
   void operator()(int count, F&& f) const {
-    if (threads > 1 && count >= fewest)
-      tbb::parallel_for(0, count, f);
-    else
-      for (int block = 0; block < count; ++block) f(block);
+    (count >= fewest ? executor : Executor::serial()).for_each(count, f);
   }
-  static inline int threads = 1;  // set once, before the run
 };
 
 /// Volume [m3] and leak area [m2] that the gas sees.
@@ -29,18 +24,18 @@ struct Enclosure {
 };
 Enclosure enclosure(const Scene& scene, const State& state);
 
-void gas_point(const Scene& scene, State& state);                  // S2
-void outlets(const Scene& scene, State& state);                    // S3
-void jet_fields(const Scene& scene, State& state);                 // S4
-void visibility(const Scene& scene, State& state);                 // S5
-void forces(const Scene& scene, State& state);                     // S6
-void contact(const Scene& scene, State& state);                    // S7
-double contact_stiffness(const Scene& scene, const State& state);  // bound of its omega^2 at n [1/s2]
+void gas_point(const Scene& scene, State& state);                         // S2
+void outlets(const Scene& scene, State& state);                           // S3
+void jet_fields(const Scene& scene, State& state);                        // S4
+void visibility(const Scene& scene, State& state);                        // S5
+void forces(const Scene& scene, State& state, const Executor& executor);  // S6
+void contact(const Scene& scene, State& state);                           // S7
+double contact_stiffness(const Scene& scene, const State& state);         // bound of its omega^2 at n [1/s2]
 void choose_step(const Scene& scene, State& state, bool last);
 /// Time that a step from `time` must not pass: the end, or the next row's if history_exact.
 double next_stop(const Scene& scene, double time);
-void advance(const Scene& scene, State& state);                             // S8
-void volume(const Scene& scene, State& state);                              // S9
+void advance(const Scene& scene, State& state, const Executor& executor);   // S8
+void volume(const Scene& scene, State& state, const Executor& executor);    // S9
 void gas_ode(const Scene& scene, State& state, const Enclosure& before);    // S10
 void ledger(const Scene& scene, State& state, const StepRequest& request);  // S11
 

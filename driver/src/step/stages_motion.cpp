@@ -95,13 +95,13 @@ void book_step(StepSizes& step) {
 
 }  // namespace
 
-void forces(const Scene& scene, State& state) {
+void forces(const Scene& scene, State& state, const Executor& executor) {
   if (!state.bag) return;
   StageTimer timer(state, Stage::forces);
   // The fabric's forces at these positions came with the surface: S9 of the step before.
   const auto& model = scene.bag->model;
   state.level.skin_strain = state.bag->forces.strain_energy;
-  membrane::support_forces(model, *state.bag, ParallelBlocks{});
+  membrane::support_forces(model, *state.bag, ParallelBlocks{executor});
   membrane::pressure_forces(*state.bag, state.gas_point.pressure - scene.ambient.pressure);
   if (!state.jets.empty()) membrane::jet_forces(model, *state.bag, total_overpressure(state));
 }
@@ -140,11 +140,11 @@ double next_stop(const Scene& scene, double time) {
   return next < end * (1.0 - 1e-12) ? next : end;
 }
 
-void advance(const Scene& scene, State& state) {
+void advance(const Scene& scene, State& state, const Executor& executor) {
   StageTimer timer(state, Stage::advance);
   StepSizes& step = state.step;
   if (state.bag) {
-    membrane::advance(scene.bag->model, *state.bag, step.before, step.after, ParallelBlocks{});
+    membrane::advance(scene.bag->model, *state.bag, step.before, step.after, ParallelBlocks{executor});
     const double tau = 0.5 * (step.before + step.after);
     const membrane::AdvanceSums& sums = state.bag->advance;  // of squares: |v+ - v-|^2 = (tau f / m)^2
     step.force_mobility =
@@ -170,13 +170,13 @@ void advance(const Scene& scene, State& state) {
   state.flows.kick_work += tau * run.moment * 0.5 * (before + after);
 }
 
-void volume(const Scene& scene, State& state) {
+void volume(const Scene& scene, State& state, const Executor& executor) {
   if (!state.bag) return;
   StageTimer timer(state, Stage::volume);
-  membrane::update_skin(scene.bag->model, *state.bag, ParallelBlocks{});
+  membrane::update_skin(scene.bag->model, *state.bag, ParallelBlocks{executor});
   constexpr int shares_every = 256;  // steps: a round may cost as much as ten of them
   if ((state.steps + 1) % shares_every == 0)
-    membrane::update_mass_shares(scene.bag->model, *state.bag, ParallelBlocks{});
+    membrane::update_mass_shares(scene.bag->model, *state.bag, ParallelBlocks{executor});
 }
 
 double step_with_lagged_damping(double undamped, double rate) {

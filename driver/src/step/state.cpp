@@ -87,7 +87,7 @@ State make_state(const Scene& scene) {
   if (scene.bag) {
     const membrane::LoadKinds loads{!scene.jets.empty(), scene.contact.has_value()};
     state.bag = membrane::make_state(scene.bag->model, scene.bag->initial_position, loads);
-    membrane::update_skin(scene.bag->model, *state.bag, ParallelBlocks{});
+    membrane::update_skin(scene.bag->model, *state.bag, ParallelBlocks{Executor::serial()});
   }
   if (scene.gas && scene.has_volume()) start_gas(scene, state);
   if (scene.target) start_target(scene, state);

@@ -12,21 +12,21 @@ std::string_view stage_name(Stage stage) {
   return names[static_cast<std::size_t>(stage)];
 }
 
-void step(const Scene& scene, State& state, const StepRequest& request) {
+void step(const Scene& scene, State& state, const StepRequest& request, const Executor& executor) {
   // S1: the surface of level n was written by S9 of the step before (make_state, at the start).
   gas_point(scene, state);
   outlets(scene, state);
   jet_fields(scene, state);
   visibility(scene, state);
-  forces(scene, state);
+  forces(scene, state, executor);
   contact(scene, state);
   if (request.before_advance) (*request.before_advance)(state);
   if (request.record) state.level.skin_gravity = skin_gravity(scene, state);
   choose_step(scene, state, request.last);
-  advance(scene, state);
+  advance(scene, state, executor);
   const Enclosure before = enclosure(scene, state);
   if (!request.last) {
-    volume(scene, state);
+    volume(scene, state, executor);
     gas_ode(scene, state, before);
   }
   ledger(scene, state, request);
@@ -36,7 +36,7 @@ void step(const Scene& scene, State& state, const StepRequest& request) {
 State state_at_start(const Scene& scene) {
   State state = make_state(scene);
   gas_point(scene, state);
-  forces(scene, state);
+  forces(scene, state, Executor::serial());
   return state;
 }
 

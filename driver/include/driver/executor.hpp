@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+// The threads that a run, or a set of runs side by side, may use.
+#pragma once
+
+#include <memory>
+#include <type_traits>
+
+namespace driver {
+
+/// Calls a function for each number below a count, on up to `threads` threads. Who calls it makes the results
+/// independent of their number: each call writes its own place, and sums are taken in a fixed order.
+class Executor {
+ public:
+  /// Throws std::invalid_argument below one thread.
+  explicit Executor(int threads);
+  ~Executor();
+
+  /// The calling thread alone.
+  static const Executor& serial();
+  int threads() const { return threads_; }
+
+  /// f(0), ..., f(count - 1), in any order and at once. The first exception out of a call is thrown here.
+  template <class F>
+  void for_each(int count, F&& f) const {
+    if (!arena_) {
+      for (int i = 0; i < count; ++i) f(i);
+      return;
+    }
+    using Function = std::remove_reference_t<F>;
+    run(
+        count, [](void* g, int i) { (*static_cast<Function*>(g))(i); },
+        const_cast<void*>(static_cast<const void*>(&f)));
+  }
+
+ private:
+  struct Arena;
+  void run(int count, void (*call)(void*, int), void* function) const;  // does not allocate for the function
+
+  int threads_;
+  std::unique_ptr<Arena> arena_;  // none for one thread
+};
+
+}  // namespace driver
