@@ -11,11 +11,33 @@ namespace membrane {
 
 namespace {
 
-void check_overpressure(const BagModel& model, const BagState& state, std::span<const double> overpressure) {
-  if (state.jet_force.empty()) reject("jet_forces", "the state was made without LoadKinds::jet");
+using Row = Eigen::Map<Eigen::Vector4d, Eigen::Aligned32>;
+
+void check_overpressure(const BagModel& model, std::span<const double> overpressure) {
   if (overpressure.size() != static_cast<std::size_t>(model.element_count))
     reject("jet_forces", "overpressure values", static_cast<double>(overpressure.size()),
            "one per element, " + std::to_string(model.element_count));
+}
+
+// Adds three times the force; says whether there is any.
+bool spread(const BagModel& model, BagState& state, int element, double overpressure) {
+  if (overpressure == 0.0) return false;
+  using ConstRow = Eigen::Map<const Eigen::Vector4d, Eigen::Aligned32>;
+  const Eigen::Vector4d load =
+      overpressure * ConstRow(state.area_vector.data() + 4 * std::ptrdiff_t{element});
+  for (const int node : model.description.elements.col(element))
+    Row(state.jet_force.data() + 4 * std::ptrdiff_t{node}) += load;
+  return true;
+}
+
+void clear(const BagModel& model, BagState& state) {
+  if (state.jet_force.empty()) reject("jet_forces", "the state was made without LoadKinds::jet");
+  std::fill_n(state.jet_force.data(), 4 * model.node_count, 0.0);
+}
+
+void take_third(const BagModel& model, BagState& state) {
+  Eigen::Map<Eigen::VectorXd, Eigen::Aligned32>(state.jet_force.data(),
+                                                4 * std::ptrdiff_t{model.node_count}) *= 1.0 / 3.0;
 }
 
 }  // namespace
@@ -27,22 +49,27 @@ void pressure_forces(BagState& state, double gauge_pressure) {
 
 // A jet loads a small part of the skin: the loaded elements spread their force, instead of every node asking
 // all its elements.
-void jet_forces(const BagModel& model, BagState& state, std::span<const double> overpressure) {
-  check_overpressure(model, state, overpressure);
-  using Row = Eigen::Map<Eigen::Vector4d, Eigen::Aligned32>;
-  using ConstRow = Eigen::Map<const Eigen::Vector4d, Eigen::Aligned32>;
-  double* const force = state.jet_force.data();
-  std::fill_n(force, 4 * model.node_count, 0.0);
+void jet_forces(const BagModel& model, BagState& state, std::span<const JetLoad> loads) {
+  clear(model, state);
   bool loaded = false;
-  for (int e = 0; e < model.element_count; ++e) {
-    const double dp = overpressure[static_cast<std::size_t>(e)];
-    if (dp == 0.0) continue;
-    loaded = true;
-    const Eigen::Vector4d load = dp * ConstRow(state.area_vector.data() + 4 * std::ptrdiff_t{e});
-    for (const int node : model.description.elements.col(e)) Row(force + 4 * std::ptrdiff_t{node}) += load;
+  for (const JetLoad& load : loads) {
+    check_overpressure(model, load.overpressure);
+    for (const int e : load.elements) {
+      if (e < 0 || e >= model.element_count)
+        reject("jet_forces", "element", e, "0 to " + std::to_string(model.element_count - 1));
+      loaded |= spread(model, state, e, load.overpressure[static_cast<std::size_t>(e)]);
+    }
   }
-  if (loaded)
-    Eigen::Map<Eigen::VectorXd, Eigen::Aligned32>(force, 4 * std::ptrdiff_t{model.node_count}) *= 1.0 / 3.0;
+  if (loaded) take_third(model, state);
+}
+
+void jet_forces(const BagModel& model, BagState& state, std::span<const double> overpressure) {
+  clear(model, state);
+  check_overpressure(model, overpressure);
+  bool loaded = false;
+  for (int e = 0; e < model.element_count; ++e)
+    loaded |= spread(model, state, e, overpressure[static_cast<std::size_t>(e)]);
+  if (loaded) take_third(model, state);
 }
 
 }  // namespace membrane

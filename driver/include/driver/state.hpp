@@ -184,7 +184,7 @@ struct State {
   std::optional<coupling::ContactState> contact_cache;  // S7 workspace
   coupling::ContactResult contact;                      // S7
   std::vector<JetRun> jets;
-  std::vector<double> overpressure;                         // S6 [Pa], sum of all jets per element
+  std::vector<membrane::JetLoad> jet_loads;                 // S6: what S4 and S5 wrote for each jet
   membrane::Vectors target_area_vectors, target_centroids;  // S1, of the rigid target
 
   std::array<double, kStages> stage_seconds{};

@@ -12,15 +12,11 @@
 namespace driver {
 namespace {
 
-std::span<const double> total_overpressure(State& state) {
-  if (state.jets.size() == 1) return state.jets.front().load().overpressure;
-  std::fill(state.overpressure.begin(), state.overpressure.end(), 0.0);
+void jet_forces(const Scene& scene, State& state) {
+  state.jet_loads.clear();
   for (const JetRun& run : state.jets)
-    for (const int e : run.load().candidates) {
-      const auto element = static_cast<std::size_t>(e);
-      state.overpressure[element] += run.load().overpressure[element];
-    }
-  return state.overpressure;
+    state.jet_loads.push_back({run.load().overpressure, run.load().candidates});
+  membrane::jet_forces(scene.bag->model, *state.bag, std::span<const membrane::JetLoad>(state.jet_loads));
 }
 
 std::string shares_text(const membrane::StiffnessShares& s) {
@@ -103,7 +99,7 @@ void forces(const Scene& scene, State& state, const Executor& executor) {
   state.level.skin_strain = state.bag->forces.strain_energy;
   membrane::support_forces(model, *state.bag, ParallelBlocks{executor});
   membrane::pressure_forces(*state.bag, state.gas_point.pressure - scene.ambient.pressure);
-  if (!state.jets.empty()) membrane::jet_forces(model, *state.bag, total_overpressure(state));
+  if (!state.jets.empty()) jet_forces(scene, state);
 }
 
 void choose_step(const Scene& scene, State& state, bool last) {

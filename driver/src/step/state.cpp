@@ -77,7 +77,7 @@ void start_jets(const Scene& scene, State& state) {
   const auto& triangles = scene.bag ? scene.bag->mesh.elements : scene.target->triangles;
   const auto nodes = scene.bag ? scene.bag->mesh.nodes.cols() : scene.target->nodes.cols();
   for (const JetPart& part : scene.jets) state.jets.push_back(start_jet(part, triangles, nodes));
-  if (scene.jets.size() > 1) state.overpressure.assign(static_cast<std::size_t>(triangles.cols()), 0.0);
+  state.jet_loads.reserve(scene.jets.size());
 }
 
 }  // namespace

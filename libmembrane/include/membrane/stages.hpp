@@ -84,8 +84,18 @@ void membrane_forces(const BagModel& model, BagState& state, ForEachBlock&& for_
 // force is gauge_pressure * dV/dx; it must belong to the surface of the same positions.
 void pressure_forces(BagState& state, double gauge_pressure);
 
-// S6: jet overpressure of each element [Pa] on its inside, S_e / 3 to each corner. Needs LoadKinds::jet;
-// throws std::invalid_argument without it or if there is not one value per element.
+/// Load of a jet: overpressure [Pa] of every element on its inside, and the elements that it may load, each
+/// once; what the others have is not read.
+struct JetLoad {
+  std::span<const double> overpressure;
+  std::span<const int> elements;
+};
+
+// S6: jet overpressure, S_e / 3 to each corner. Needs LoadKinds::jet; throws std::invalid_argument without
+// it, if there is not one value per element, or for an element that there is not.
+void jet_forces(const BagModel& model, BagState& state, std::span<const JetLoad> loads);
+
+// The same for one jet that may load every element.
 void jet_forces(const BagModel& model, BagState& state, std::span<const double> overpressure);
 
 // S6: straps and plates with their energies (M.7, M.8). Nothing happens in a bag without them.
