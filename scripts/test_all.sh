@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # Sets up the machine, builds with warnings as errors and runs the tests, then runs them once more with libraries and
-# driver under AddressSanitizer (without its watch for use after scope) and UndefinedBehaviorSanitizer. The last line counts the
-# tests of both suites together.
+# driver under AddressSanitizer (without its watch for use after scope) and UndefinedBehaviorSanitizer; left out there (CMakePresets.json)
+# are long tests of values, whose code shorter ones run too. The last line counts the tests of both suites together.
 # usage: scripts/test_all.sh [--no-sanitize] [--long]
 #   --no-sanitize  leave out the sanitizer build
 #   --long         also run the tests labelled `long` (release build only)

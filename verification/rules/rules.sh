@@ -60,13 +60,11 @@ check_includes() {
 
 # code_matches PATTERN FILES...: lines `file:line:code` that match once comments are taken off.
 code_matches() {
-  local pattern=$1 file comment
-  shift
-  for file in "$@"; do
-    comment='(^|[[:space:]])#.*'
-    [[ $file == *.@(cpp|hpp|h|cpp.in|hpp.in) ]] && comment='//.*'
-    sed -E "s@$comment@@" "$file" | { grep -nE -e "$pattern" || true; } | sed "s|^|$file:|"
-  done
+  (($# < 2)) || perl -ne '
+    BEGIN { $pattern = shift }
+    $ARGV =~ /[.](cpp|hpp|h)([.]in)?$/ ? s{//.*}{} : s{(^|\s)#.*}{};
+    print "$ARGV:$.:$_" if /$pattern/;
+    close ARGV if eof' -- "$@"
 }
 
 rule_include_rule() {
@@ -87,19 +85,18 @@ rule_include_rule() {
 }
 
 rule_spdx() {
-  local file
-  { cpp_files; cmake_files | grep -v '\.json$'; script_files; } | while IFS= read -r file; do
-    sed -n '1{/^#!/{n}; p; q}' "$file" | grep -qE '^(//|#) SPDX-License-Identifier: Apache-2\.0$' ||
-      echo "$file:1: does not begin with the line SPDX-License-Identifier: Apache-2.0"
-  done
+  local list
+  mapfile -t list < <(cpp_files; cmake_files | grep -v '\.json$'; script_files)
+  perl -ne '
+    next if $. == 1 && /^#!/;
+    print "$ARGV:1: does not begin with the line SPDX-License-Identifier: Apache-2.0\n" unless m{^(//|#) SPDX-License-Identifier: Apache-2\.0$};
+    close ARGV;' -- "${list[@]}"
 }
 
 rule_file_size() {
-  local file lines
-  { cpp_files; cmake_files; script_files; } | while IFS= read -r file; do
-    lines=$(wc -l <"$file")
-    ((lines <= max_file_lines)) || echo "$file:$lines: more than $max_file_lines lines"
-  done
+  local list
+  mapfile -t list < <(cpp_files; cmake_files; script_files)
+  wc -l -- "${list[@]}" | awk -v most="$max_file_lines" '$2 != "total" && $1 > most { print $2 ":" $1 ": more than " most " lines" }'
 }
 
 # Every C++ file is as clang-format writes it.

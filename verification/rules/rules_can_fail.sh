@@ -7,7 +7,8 @@ set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 rule=${1:?usage: rules_can_fail.sh RULE}
 tree=$(mktemp -d)
-trap 'rm -rf "$tree"' EXIT
+good=$(mktemp -d)
+trap 'rm -rf "$tree" "$good"' EXIT
 spdx='// SPDX-License-Identifier: Apache-2.0'
 
 # put FILE LINE...: writes the lines to that file of the tree.
@@ -87,7 +88,8 @@ check() { "$here/rules.sh" "$rule" "$tree" 2>&1; }
 tried=0
 breaks() {
   local report
-  good_tree
+  rm -rf "$tree"
+  cp -a "$good" "$tree"
   put "$@"
   tried=$((tried + 1))
   if report=$(check); then
@@ -100,6 +102,8 @@ breaks() {
 }
 
 good_tree
+rm -rf "$good"
+cp -a "$tree" "$good"
 if ! check; then
   echo "rule $rule refuses the good tree"
   exit 1
