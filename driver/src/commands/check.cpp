@@ -10,6 +10,7 @@
 #include "driver/run.hpp"
 #include "gas/orifice.hpp"
 #include "scene/jet_peak.hpp"
+#include "scene/supply.hpp"
 #include "step/drift.hpp"
 
 namespace driver::commands {
@@ -76,6 +77,16 @@ void print_vents(const Scene& scene, const State& state) {
              state.gas_point.pressure >= critical ? "choked" : "not choked", critical);
 }
 
+void print_inflators(const Scene& scene) {
+  if (!scene.gas) return;
+  for (std::size_t i = 0; i < scene.gas->model.inflows.size(); ++i) {
+    const auto [time, point] = inflator_peak(scene, i);
+    fmt::print(
+        "inflator {}: at its peak (t = {:.4g} s) {:.5g} kg/s at {:.5g} K, R {:.5g} J/(kg K), gamma {:.5g}\n",
+        i, time, point.mass_flow, point.temperature, point.gas_constant, point.gamma);
+  }
+}
+
 void print_jet(const Scene& scene, const JetPart& part) {
   const JetPeak peak = jet_peak(scene, part);
   const jet::JetModel& model = part.field.model();
@@ -117,6 +128,7 @@ int check(const CaseArguments& arguments, const std::string& format) {
                state.gas_point.pressure, state.gas_point.temperature, state.gas_point.gamma);
   if (scene.bag) print_bag(scene, state);
   print_vents(scene, state);
+  print_inflators(scene);
   for (const auto& part : scene.jets) print_jet(scene, part);
   if (scene.pendulum)
     fmt::print("pendulum: {:.6g} kg m2 about the axis, effective mass {:.5g} kg\n",

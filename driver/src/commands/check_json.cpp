@@ -6,6 +6,7 @@
 #include "commands/check.hpp"
 #include "membrane/time_step.hpp"
 #include "scene/jet_peak.hpp"
+#include "scene/supply.hpp"
 #include "step/drift.hpp"
 
 namespace driver::commands {
@@ -86,6 +87,19 @@ json bag_of(const Scene& scene, const State& state) {
             {"plates", shares.plate}}}};
 }
 
+json inflators_of(const Scene& scene) {
+  json inflators = json::array();
+  for (std::size_t i = 0; i < scene.gas->model.inflows.size(); ++i) {
+    const auto [time, point] = inflator_peak(scene, i);
+    inflators.push_back({{"peak_time_s", time},
+                         {"peak_flow_kg_s", point.mass_flow},
+                         {"temperature_K", point.temperature},
+                         {"gas_constant_J_kg_K", point.gas_constant},
+                         {"gamma", point.gamma}});
+  }
+  return inflators;
+}
+
 json jets_of(const Scene& scene) {
   json jets = json::array();
   for (const auto& part : scene.jets) {
@@ -119,6 +133,7 @@ json derived_of(const Scene& scene, const State& state, const Forecast& f) {
                                {"temperature_K", state.gas_point.temperature},
                                {"gamma", state.gas_point.gamma}};
   if (f.full) derived["full_volume"] = full_volume_of(*f.full);
+  if (scene.gas) derived["inflators"] = inflators_of(scene);
   if (scene.gas) derived["supply"] = {{"mass_kg", f.supply.mass}, {"peak_flow_kg_s", f.supply.peak_flow}};
   if (scene.bag) derived["bag"] = bag_of(scene, state);
   if (!scene.jets.empty()) derived["jets"] = jets_of(scene);

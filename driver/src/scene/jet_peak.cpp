@@ -51,14 +51,7 @@ void warn_of_rays(const Scene& scene, const JetPart& part, std::vector<std::stri
 }  // namespace
 
 JetPeak jet_peak(const Scene& scene, const JetPart& part) {
-  const auto& inflow = scene.gas->model.inflows[part.inflator];
-  double time = inflow.start_time;
-  auto point = gas::inflator_point(scene.gas->model, part.inflator, time);
-  if (duration(scene, inflow) <= 0.0) point.mass_flow = 0.0;
-  for (const auto& [t, side] : corners(scene, inflow)) {
-    const auto other = gas::inflator_point(scene.gas->model, part.inflator, t, side);
-    if (other.mass_flow > point.mass_flow) time = t, point = other;
-  }
+  const auto [time, point] = inflator_peak(scene, part.inflator);
   return {time, point.mass_flow,
           jet::outlet_state(part.outlet, {point.mass_flow, point.temperature, point.cp, point.gas_constant,
                                           scene.ambient.pressure})};

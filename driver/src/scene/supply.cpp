@@ -140,6 +140,18 @@ std::vector<Corner> corners(const Scene& scene, const gas::Inflow& inflow) {
   return corners;
 }
 
+InflatorPeak inflator_peak(const Scene& scene, std::size_t inflator) {
+  const gas::ControlVolumeModel& model = scene.gas->model;
+  const gas::Inflow& inflow = model.inflows[inflator];
+  InflatorPeak peak{inflow.start_time, gas::inflator_point(model, inflator, inflow.start_time)};
+  if (duration(scene, inflow) <= 0.0) peak.point.mass_flow = 0.0;
+  for (const auto& [time, side] : corners(scene, inflow)) {
+    const auto other = gas::inflator_point(model, inflator, time, side);
+    if (other.mass_flow > peak.point.mass_flow) peak = {time, other};
+  }
+  return peak;
+}
+
 Supply supply_of(const Scene& scene) {
   const auto& model = scene.gas->model;
   Supply s{0.0, peak_flow(scene), 0.0, std::vector<double>(model.thermo.size(), 0.0), 0.0};

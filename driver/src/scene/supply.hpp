@@ -18,6 +18,13 @@ struct Corner {
 /// The ends of the pieces, up to the scene's end, on which its flow is linear; empty if it begins later.
 std::vector<Corner> corners(const Scene& scene, const gas::Inflow& inflow);
 
+/// An inflator at its greatest mass flow up to the scene's end; that is 0 if it begins later.
+struct InflatorPeak {
+  double time = 0.0;  // [s]
+  gas::InflatorPoint point{};
+};
+InflatorPeak inflator_peak(const Scene& scene, std::size_t inflator);
+
 Supply supply_of(const Scene& scene);
 
 FullState full_state(const Scene& scene, const State& state, const Supply& supply);

@@ -58,20 +58,26 @@ double dead_time(const gas::Vent& vent) {
                               : std::max(0.0, std::prev(first)->time);
 }
 
-// Opening of vent `j` that is known at level n; NaN: none. Its trigger may have gone off again: then what has
-// passed through it tells.
-double opening(const Scene& scene, const State& state, std::size_t j) {
-  const gas::Vent& vent = scene.gas->model.vents[j];
-  const gas::NodeState open{true, 0.0, 0.0, 0.0};
-  const gas::NodeState& node = vent.trigger ? state.gas.triggers[*vent.trigger] : open;
-  const double dead = dead_time(vent), excess = state.gas_point.pressure - scene.ambient.pressure;
+// When a vent whose trigger is `node` first has an area, as far as level n tells [s]; NaN: not yet.
+double opening(const Scene& scene, const State& state, const gas::Vent& vent, const gas::NodeState& node) {
+  constexpr double not_yet = std::numeric_limits<double>::quiet_NaN();
   if (vent.area_of_overpressure) {
-    if (node.on && vent.area_of_overpressure->value(excess) > 0.0) return state.time;
-  } else if (const double start = (dead == 0.0 ? node.first_on : node.since) + dead; start <= state.time) {
-    return start;
+    const double excess = state.gas_point.pressure - scene.ambient.pressure;
+    return node.on && vent.area_of_overpressure->value(excess) > 0.0 ? state.time : not_yet;
   }
+  const double dead = dead_time(vent), start = (dead == 0.0 ? node.first_on : node.since) + dead;
+  return start <= state.time ? start : not_yet;
+}
+
+// The trigger may have gone off again within the step: then what has passed through the vent tells.
+void note_opening(const Scene& scene, State& state, std::size_t j) {
+  double& opened = state.gas_events.opened[j];
+  if (!std::isnan(opened)) return;
+  const gas::Vent& vent = scene.gas->model.vents[j];
+  const gas::NodeState always{.on = true, .since = 0.0, .first_on = 0.0, .held_since = 0.0};
+  opened = opening(scene, state, vent, vent.trigger ? state.gas.triggers[*vent.trigger] : always);
   const bool passed = state.streams.outflows[j].mass > 0.0 || state.streams.backflows[j].mass > 0.0;
-  return passed ? state.time : std::numeric_limits<double>::quiet_NaN();
+  if (std::isnan(opened) && passed) opened = state.time;
 }
 
 }  // namespace
@@ -85,9 +91,7 @@ void gas_point(const Scene& scene, State& state) {
   state.level.internal_energy = state.gas.internal_energy + state.jet_work_ahead;
   state.level.volume = state.gas_point.volume;
   if (state.bag) state.level.skin_area = state.bag->surface.area;
-  auto& opened = state.gas_events.opened;
-  for (std::size_t j = 0; j < opened.size(); ++j)
-    if (std::isnan(opened[j])) opened[j] = opening(scene, state, j);
+  for (std::size_t j = 0; j < state.gas_events.opened.size(); ++j) note_opening(scene, state, j);
   if (!scene.output.streams) return;
   state.level.masses = state.gas.masses;  // of the sizes that they had in make_state
   state.level.streams = state.streams;
