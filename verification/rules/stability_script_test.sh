@@ -24,7 +24,7 @@ good=("$vent" "$sliver" "$near")
 
 rows "${good[@]}"
 awk -f "$root/scripts/theory_links.awk" -f "$root/scripts/stability_atlas.awk" "$root"/docs/theory/*.md "$work/rows/some.tsv" >"$work/atlas.md"
-grep -qF '| vent time: Euler | [G.14](theory/gas.md#outflow) h \|λ\| = 2 | 0.001 s | 0.001001 s | 1.0010 | 0.99 to 1.01: bisection | error | [' "$work/atlas.md" ||
+grep -qF '| vent time: Euler | [G.14](theory/gas.md#how-fast-the-gas-relaxes) h \|λ\| = 2 | 0.001 s | 0.001001 s | 1.0010 | 0.99 to 1.01: bisection | error | [' "$work/atlas.md" ||
   fail "writes another row: $(cat "$work/atlas.md")"
 check | grep -q '2 rows' || fail "refuses its own rows: $(check)"
 rows "${vent/1.001e-3/1.0049e-3}" "$sliver"
