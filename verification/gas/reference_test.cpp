@@ -7,8 +7,8 @@
 #include "claim.hpp"
 #include "gas/orifice.hpp"
 
-// Reference numbers, computed with 20 to 40 digits from the formulas of docs/theory/gas.md (its table
-// "Reference cases"), against what the library integrates.
+// Reference numbers, computed with 20 to 40 digits from the formulas of docs/theory/gas.md (the table is in
+// gas_verification.md), against what the library integrates.
 namespace {
 
 using namespace cases;
