@@ -16,78 +16,83 @@
 ///   Q = h A (T - T_ext)                                                                             (G.11)
 namespace gas {
 
-/// Air around: what vents and fabric blow into.
+/// The gas outside the volume. Vents and fabric discharge into it.
 struct Ambient {
   double pressure;                       // [Pa] >= 0
   double temperature;                    // [K] > 0
-  std::vector<double> mass_fractions{};  // [-] of the gas outside; needed by vents with backflow only
+  std::vector<double> mass_fractions{};  // [-] of the gas outside; only vents with backflow read them
 };
 
-/// Gas that flows in, as an inflator's curves. Flow is zero before firing and outside the curve's knots.
+/// Inflow of one inflator, given as curves. The mass flow is zero before firing and outside the curve's
+/// knots.
 struct Inflow {
-  std::vector<double> mass_fractions;    // [-] one per species of the Thermo, sum 1
-  Curve mass_flow;                       // [kg/s] >= 0, against time since firing [s]; may jump
-  Curve temperature;                     // [K], against time since firing [s]; may jump
-  double start_time = 0.0;               // [s] firing time, or delay after the trigger; infinity: never
-  std::optional<std::size_t> trigger{};  // node whose first coming on fires; none: fires at start_time
+  std::vector<double> mass_fractions;  // [-] one per species of the Thermo, sum 1
+  Curve mass_flow;                     // [kg/s] >= 0, against the time since firing [s]; may jump
+  Curve temperature;        // [K], against the time since firing [s]; may jump; held outside its knots
+  double start_time = 0.0;  // [s] firing time, or delay after the trigger; infinity: never
+  /// Trigger node. The inflow fires start_time after this node first comes on. None: it fires at start_time.
+  std::optional<std::size_t> trigger{};
 };
 
-/// A hole. Its area is a number or, where given, a curve (held outside its knots).
+/// A hole. Its area is a number or one of two curves. A curve is held outside its knots.
 struct Vent {
   double discharge_coefficient;                 // [-] 0 to 1
-  double area;                                  // [m2] >= 0; not read where a curve is given
+  double area;                                  // [m2] >= 0; not read if a curve is given
   std::optional<Curve> area_of_time{};          // [m2] against time since opening [s]; may jump
   std::optional<Curve> area_of_overpressure{};  // [m2] against p - p_a [Pa], without a jump
-  bool backflow = false;                 // ambient gas flows in at p < p_a, (G.6) with the roles changed
-  std::optional<std::size_t> trigger{};  // node while which it is open; none: always open
+  /// True: ambient gas flows in at p < p_a, by (G.6) with inside and outside exchanged.
+  bool backflow = false;
+  /// Trigger node. The vent is open while this node is on. None: it is always open.
+  std::optional<std::size_t> trigger{};
 };
 
-/// Porous fabric, which leaks besides the vents. Its area is a share of the leak area that calls give.
+/// Porous fabric. It leaks in parallel to the vents. Its area is a share of the leak area passed to a call.
 struct Fabric {
   double share;  // [-] 0 to 1
-  /// [m/s] >= 0, 0 at 0, against p - p_a [Pa], without a jump: where given, it leaks area rho v(p - p_a)
+  /// [m/s] >= 0, against p - p_a [Pa]; 0 at 0, without a jump. If given, the fabric leaks area rho v(p - p_a)
   /// (G.12) instead of (G.7).
   std::optional<Curve> velocity{};
 };
 
-/// Heat through the walls, (G.11); none by default.
+/// Heat flow through the walls (G.11). The default is none.
 struct HeatLoss {
   double conductance = 0.0;            // [W/K] >= 0, h A
   double outside_temperature = 300.0;  // [K] > 0
 };
 
-/// Everything constant about a control volume. validate() checks it; GasIntegrator's constructor does so too.
+/// Constant data of a control volume. validate() checks it; so does the constructor of GasIntegrator.
 struct ControlVolumeModel {
   Thermo thermo;                // species of the gas; all mass fractions are in their order
   Ambient ambient;              // constant over a run
-  std::vector<Inflow> inflows;  // of any number
-  std::vector<Vent> vents;      // of any number; fabrics leak besides
+  std::vector<Inflow> inflows;  // any number
+  std::vector<Vent> vents;      // any number
   HeatLoss heat_loss{};         // adiabatic by default
-  /// Shares of sum 1; they leak where the leak area of calls is above 0. None given: one, by (G.7).
+  /// Fabrics, whose shares sum to 1. They leak if the leak area passed to a call is above 0. None given: one
+  /// fabric that leaks by (G.7).
   std::vector<Fabric> fabrics{};
-  /// [m3] > 0, not falling, without a jump, against p - p_a [Pa]: where given, the volume follows the
-  /// pressure, (G.18), and those of calls are not read. Held below the first knot (at -p_a or above); above
-  /// the last: DomainError.
+  /// [m3] > 0 against p - p_a [Pa], not falling, without a jump. If given, the volume follows the pressure
+  /// (G.18) and the volumes passed to calls are not read. It needs two knots; the first is at -p_a or above.
+  /// Below the first knot the volume is held; above the last one it ends the computation with DomainError.
   std::optional<Curve> volume_of_overpressure{};
-  TriggerModel triggers{};  // whose nodes inflows and vents name
-  /// [-] 0 to 1e-3, share of p_a: at overpressures below it holes and fabric leak less than by (G.6), (G.7),
-  /// by the factor (G.22), as real ones are laminar there. 0: the laws as they are, whose slope has no bound
-  /// at p_a.
+  TriggerModel triggers{};  // inflows and vents name its nodes
+  /// [-] 0 to 1e-3, share of p_a. At overpressures below this share, holes and fabric leak less than by (G.6)
+  /// and (G.7), by the factor (G.22), because real openings are laminar there. 0 switches the factor off; the
+  /// slope of the laws is then unbounded at p_a.
   double laminar_share = 1e-8;
-  /// Fabrics, that of none given included.
+  /// Number of fabrics; 1 if none is given.
   std::size_t fabric_count() const { return fabrics.empty() ? 1 : fabrics.size(); }
 };
 
-/// What the integrator advances; make one by make_state.
+/// State that the integrator advances. Make one by make_state.
 struct ControlVolumeState {
   std::vector<double> masses;  // [kg] one per species
   double internal_energy;      // [J]
-  double temperature;          // [K] of (masses, internal_energy); only a first guess for the root find
+  double temperature;          // [K] of (masses, internal_energy); only the first guess of the root find
   TriggerState triggers{};     // one per node of the model's triggers
 };
 
-/// The gas at one moment. Without gas (evacuated) all is zero but `temperature`, which is the state's, and
-/// `inflow`.
+/// The gas at one moment. Without gas (an evacuated volume) density, mass and gas properties are zero, and so
+/// are pressure and outflow. `temperature` is then that of the state.
 struct GasPoint {
   double pressure;          // [Pa]
   double temperature;       // [K]
@@ -104,7 +109,7 @@ struct GasPoint {
   double heat_loss;         // [W] (G.11)
 };
 
-/// The gas that an inflator delivers at one moment; what a jet needs to know.
+/// The gas that an inflator delivers at one moment. A jet is computed from it.
 struct InflatorPoint {
   double mass_flow;     // [kg/s]
   double temperature;   // [K]
@@ -113,33 +118,38 @@ struct InflatorPoint {
   double gas_constant;  // [J/(kg K)]
 };
 
-/// Throws std::invalid_argument, naming field, value and what is allowed, unless every field is in its range,
-/// every inflow (and the ambient, if a vent lets it in) has one mass fraction per species with sum 1, the
-/// fabrics' shares have that sum (both to 1e-9), temperatures are in the range of the Thermo, and triggers
-/// are nodes that exist.
+/// Checks a model. Throws std::invalid_argument, naming field, value and what is allowed, unless
+/// - every field is in its range,
+/// - every inflow has one mass fraction per species, with sum 1; so has the ambient, if a vent has backflow,
+/// - the shares of the fabrics sum to 1 (both sums to 1e-9),
+/// - inflows, and ambient gas that can flow in, have temperatures in the range of the Thermo,
+/// - every trigger named is a node.
 void validate(const ControlVolumeModel& model);
 
-/// State of gas at p [Pa] >= 0, T [K], V [m3] > 0; p = 0 is evacuated. Throws std::invalid_argument.
+/// State of gas at p [Pa] >= 0, T [K] and V [m3] > 0, with one mass fraction [-] per species. p = 0 means
+/// evacuated. Throws std::invalid_argument for a value out of range.
 ControlVolumeState make_state(const Thermo& thermo, std::span<const double> mass_fractions, double pressure,
                               double temperature, double volume);
 
-/// The same, with the triggers of `model` at rest. Throws std::invalid_argument.
+/// The same, with all triggers of `model` off. Throws std::invalid_argument for a value out of range.
 ControlVolumeState make_state(const ControlVolumeModel& model, std::span<const double> mass_fractions,
                               double pressure, double temperature, double volume);
 
-/// Firing time [s] of inflow `i`; infinity if it has not been triggered.
+/// Firing time [s] of an inflow; infinity while its trigger has not come on.
 double firing_time(const Inflow& inflow, const TriggerState& triggers);
 
-/// Stage S2: the gas of `state` in `volume` [m3] at time `time` [s], with the fabrics' leak area [m2] (see
-/// fabric_mass_flow). Flows are those of the integrator's equations, (G.22) included. Does not allocate.
-/// Throws DomainError if the volume is not positive or p and temperature leave their ranges.
+/// Stage S2: the gas of `state` in `volume` [m3] at time `time` [s]. `leak_area` [m2] is that of all fabrics
+/// (see fabric_mass_flow). The flows are those that the integrator uses, (G.22) included. Does not allocate.
+/// Throws DomainError if the volume is not positive, if the temperature leaves its range, or if p exceeds the
+/// last knot of volume_of_overpressure.
 GasPoint evaluate(const ControlVolumeModel& model, const ControlVolumeState& state, double volume,
                   double leak_area, double time);
 
-/// Stage S3: inflow `i` at time `time` [s].
+/// Stage S3: the gas of inflow `i` at time `time` [s]. Throws std::out_of_range if there is no inflow `i`.
 InflatorPoint inflator_point(const ControlVolumeModel& model, const ControlVolumeState& state, std::size_t i,
                              double time);
-/// The same without a state: of an inflator whose trigger comes on at 0. Where its curves jump, on that side.
+/// The same without a state: the trigger, if any, is taken to come on at time 0. Where a curve jumps, `side`
+/// selects the value.
 InflatorPoint inflator_point(const ControlVolumeModel& model, std::size_t i, double time,
                              Side side = Side::after);
 

@@ -6,20 +6,20 @@
 
 namespace gas {
 
-/// Value of a Curve outside its knots.
+/// How a Curve goes on outside its knots.
 enum class Outside {
   zero,  // zero (a mass flow)
   held,  // that of the nearest knot (a temperature)
 };
 
-/// Which value of a curve where it jumps.
+/// Side of a jump.
 enum class Side {
-  before,  // that which it comes to
-  after,   // that from which it goes on
+  before,  // value that the curve reaches
+  after,   // value from which it goes on
 };
 
-/// Piecewise linear function of time through knots (t, value). Two knots at one time are a jump: the first is
-/// the value that the curve comes to, the second the value from that time on.
+/// Piecewise linear function of time through knots (t, value). Two knots at one time make a jump: the first
+/// one is the value before it, the second the value from that time on.
 class Curve {
  public:
   /// A point of the curve.
@@ -27,39 +27,41 @@ class Curve {
     double time;   // [s]
     double value;  // in the unit of the quantity
   };
-  /// value(t) = value + slope (t - origin) on one piece.
+  /// One linear piece: value(t) = value + slope (t - origin).
   struct Piece {
     double origin;  // [s]
     double value;   // at the origin, in the unit of the quantity
     double slope;   // [unit/s]
-    /// Value at `time` [s], on the piece's line even outside the piece.
+    /// Value at `time` [s]. Outside the piece its line is continued.
     double at(double time) const { return value + slope * (time - origin); }
   };
 
-  /// Throws std::invalid_argument if there is no knot (zero outside: fewer than two), a number is not finite,
-  /// a time is earlier than the one before, or three knots stand at one time.
+  /// Throws std::invalid_argument for
+  /// - no knot (fewer than two if zero outside),
+  /// - a number that is not finite,
+  /// - a time earlier than the one before, or three knots at one time.
   Curve(std::vector<Knot> knots, Outside outside);
-  /// The same value at all times.
+  /// A constant curve: one knot, held.
   static Curve constant(double value);
 
-  /// Value at time t; where it jumps, on that side. At the first and the last knot of a curve that is zero
-  /// outside the value inside.
+  /// Value at `time` [s]. Where the curve jumps, `side` selects the value. At the first and last knot a curve
+  /// that is zero outside has its value inside.
   double value(double time, Side side = Side::after) const;
-  /// The linear piece that holds in the neighbourhood of `time`, which is not a knot.
+  /// The linear piece around `time` [s]. Precondition: `time` is not a knot.
   Piece piece(double time) const;
-  /// First knot later than `time`, or infinity.
+  /// Time [s] of the first knot later than `time`; infinity if there is none or the curve is constant.
   double next_knot(double time) const;
-  /// The knot nearest to `time`, infinitely far if there is none (a constant).
+  /// Time [s] of the knot nearest to `time`; infinity if the curve is constant.
   double nearest_knot(double time) const;
-  /// Integral over [a, b], a <= b, exact to round-off.
+  /// Integral over [a, b], a <= b [s], exact to round-off.
   double integral(double a, double b) const;
-  /// Where it jumps for the first time, if it does.
+  /// Time [s] of the first jump, if there is one.
   std::optional<double> first_jump() const;
 
-  /// As given; no time is earlier than the one before.
+  /// The knots as given; their times do not fall.
   std::span<const Knot> knots() const { return knots_; }
   Outside outside() const { return outside_; }             // as given
-  bool is_constant() const { return knots_.size() == 1; }  // one knot: the same everywhere
+  bool is_constant() const { return knots_.size() == 1; }  // one knot: the same value everywhere
   double minimum() const;                                  // smallest value at a knot
   double maximum() const;                                  // largest value at a knot
 
@@ -68,7 +70,7 @@ class Curve {
   Outside outside_;
 };
 
-/// Integral of the product of two curves over [a, b], a <= b, exact to round-off.
+/// Integral of the product of two curves over [a, b], a <= b [s], exact to round-off.
 double product_integral(const Curve& f, const Curve& g, double a, double b);
 
 }  // namespace gas

@@ -8,95 +8,108 @@
 
 namespace gas {
 
-/// Volume and leak area over one step: linear in time between the two ends, the volume plus a parabola that
-/// is zero there. (G.17) Its volumes are not read where the model's follows the pressure.
+/// Volume and leak area over one step (G.17). Both are linear in time between the two ends; the volume has in
+/// addition a parabola that is zero at both ends. The volumes are not read if the model's volume follows the
+/// pressure.
 struct VolumePath {
   double volume_begin;        // [m3] > 0
   double volume_end;          // [m3] > 0
   double leak_area_begin;     // [m2] >= 0, see fabric_mass_flow
   double leak_area_end;       // [m2] >= 0
-  double volume_bulge = 0.0;  // [m3] of V at the middle above the mean of its ends; > -min of them
+  double volume_bulge = 0.0;  // [m3] of V at mid-step above the mean of its ends; > -(smaller end)
 };
 
-/// What one stream carried.
+/// Mass and enthalpy that one stream carried.
 struct StreamFlux {
   double mass;      // [kg]
   double enthalpy;  // [J]
 };
 
-/// When the flow changed its nature in a step; NaN: not in this one.
+/// When the flow changed its regime during a step; NaN if it did not.
 struct StepMoments {
-  double sonic_switch =
-      std::numeric_limits<double>::quiet_NaN();  // [s] vents choked or unchoked, the last time
-  double equalisation =
-      std::numeric_limits<double>::quiet_NaN();  // [s] p came to p_a, to 1e-7 of it, the last time
+  /// [s] last time at which the vents became choked or unchoked.
+  double sonic_switch = std::numeric_limits<double>::quiet_NaN();
+  /// [s] last time at which p reached p_a, to 1e-7 of it.
+  double equalisation = std::numeric_limits<double>::quiet_NaN();
 };
 
-/// What crossed the boundary during one step; integrals over [t0, t1]. The spans belong to the integrator and
-/// hold until its next step.
+/// Amounts that crossed the boundary during one step: integrals over [t0, t1]. The spans point into the
+/// integrator and are valid until its next step.
 struct StepFluxes {
   double mass_in;                         // [kg] of all inflows
   double enthalpy_in;                     // [J]
   double vent_mass_out;                   // [kg] of all vents
   double fabric_mass_out;                 // [kg]
   double enthalpy_out;                    // [J] of vents and fabric
-  double work;                            // [J] int p dV
+  double work;                            // [J] int p dV, done by the gas
   double heat;                            // [J] lost through the walls
-  double backflow_mass;                   // [kg] of ambient gas, in through all vents
+  double backflow_mass;                   // [kg] of ambient gas that came in through all vents
   double backflow_enthalpy;               // [J]
-  int steps;                              // accepted sub-steps of the integrator (0: no stepper was needed)
-  int evaluations;                        // evaluations of the right-hand side
-  std::span<const StreamFlux> inflows;    // in, one each
-  std::span<const StreamFlux> outflows;   // out, one per vent, and then one per fabric
-  std::span<const StreamFlux> backflows;  // in, one per vent; empty without backflow
-  StepMoments moments;                    // see there
+  int steps;                              // accepted sub-steps; 0 if quadrature was enough
+  int evaluations;                        // of the right-hand side
+  std::span<const StreamFlux> inflows;    // [inflow] in
+  std::span<const StreamFlux> outflows;   // [vents, then fabrics] out
+  std::span<const StreamFlux> backflows;  // [vent] in; empty if no vent has backflow
+  StepMoments moments;                    // times at which the flow changed its regime
 };
 
-/// How the gas is stepped between break points.
+/// Method of integration between break points.
 enum class Method {
-  dormand_prince_5,  // explicit, order 5(4), and Rosenbrock 4 where the gas is stiff; the default
-  runge_kutta_4,     // explicit, order 4, error by step doubling
-  euler,             // explicit, order 1, error by step doubling
-  rosenbrock_4,      // implicit, L-stable, order 4(3)
+  /// Explicit, order 5(4); where the gas is stiff, Rosenbrock 4. The default.
+  dormand_prince_5,
+  runge_kutta_4,  // explicit, order 4, error by step doubling
+  euler,          // explicit, order 1, error by step doubling
+  rosenbrock_4,   // implicit, L-stable, order 4(3)
 };
 
-/// Largest stable h times a real, negative eigenvalue's magnitude, where the stability function |R(z)| passes
-/// 1; infinity for the implicit method. Source: E. Hairer, G. Wanner, Solving Ordinary Differential Equations
-/// II, sec. IV.2.
+/// Stability limit on the negative real axis: largest h |lambda| [-] with |R(-h |lambda|)| <= 1, R the
+/// stability function. Infinity for the implicit method. Source: E. Hairer, G. Wanner, Solving Ordinary
+/// Differential Equations II, sec. IV.2.
 double stability_limit(Method method);
 
-/// Accuracy and method of the integration; the defaults suit an airbag.
+/// Accuracy and method of the integration. The defaults suit an airbag.
 struct IntegratorOptions {
-  double relative_tolerance =
-      1e-10;  // local error of mass and thermal energy, of the gas in the volume; 1e-13 to 1e-2
-  int maximum_steps = 100000;                // sub-steps (rejected ones included) in one advance()
-  Method method = Method::dormand_prince_5;  // see there
-  // [s] > 0: sub-steps of this length between break points, all by the method itself; no error control
+  /// [-] 1e-13 to 1e-2: local error of mass and of thermal energy, relative to the gas in the volume.
+  double relative_tolerance = 1e-10;
+  int maximum_steps = 100000;                // > 0: sub-steps, rejected ones included, in one advance()
+  Method method = Method::dormand_prince_5;  // see Method
+  /// [s] > 0: length of all sub-steps between break points, by `method` alone and without error control. 0:
+  /// error control.
   double fixed_step = 0.0;
-  bool unsafe_step = false;  // take a fixed_step past the method's limit: for measuring that limit
+  /// True: take a fixed_step above the method's stability limit, to measure that limit.
+  bool unsafe_step = false;
 };
 
-/// Stage S10: integrates (G.9), (G.10) over a step. Only outflows, backflow, heat and work are stepped;
-/// inflow is added in closed form at every stage, so that mass and energy balance to round-off and no inflow
-/// is ever stepped over, at any tolerance, by any method. Break points: knots and firing times of the
-/// inflows, inflow temperatures of 1000 K, knots of the vents' curves, switching times of the triggers;
-/// located: pressure triggers, knots of the overpressure, the sonic/subsonic switch of the vents and p = p_a.
-/// A sealed adiabatic volume of constant size, or that follows the pressure, is pure quadrature. The default
-/// method takes sub-steps longer than the gas relaxes, 1/(G.14), by Rosenbrock 4; with fixed_step a sub-step
-/// past the method's limit, or past p_a against what feeds the flow, is an error.
+/// Stage S10: integrates (G.9) and (G.10) over a step.
+///
+/// Sub-steps integrate outflows, backflow, heat and work only. The inflow is added in closed form at every
+/// stage. So mass and energy balance to round-off, and no inflow is stepped over, at any tolerance and by any
+/// method.
+///
+/// Sub-steps end at break points. Some are known in advance: knots and firing times of the inflows, inflow
+/// temperatures of 1000 K, knots of the vents' curves over time, switching times of the triggers. Others are
+/// located on the way: pressure triggers, knots over the overpressure, the sonic/subsonic switch of the
+/// vents, and p = p_a.
+///
+/// A sealed adiabatic volume that is constant or follows the pressure needs quadrature only. The default
+/// method takes sub-steps longer than the relaxation time 1/(G.14) by Rosenbrock 4.
 class GasIntegrator {
  public:
-  /// Copies the model. Throws std::invalid_argument for a bad model or option. Allocates all that advance()
-  /// needs.
+  /// Copies the model and allocates all that advance() needs. Throws std::invalid_argument for a bad model or
+  /// option.
   explicit GasIntegrator(const ControlVolumeModel& model, const IntegratorOptions& options = {});
   ~GasIntegrator();
   GasIntegrator(GasIntegrator&&) noexcept;
   GasIntegrator& operator=(GasIntegrator&&) noexcept;
 
-  /// Advances `state` from t0 to t1 > t0 [s]. Does not allocate. Throws std::invalid_argument
-  /// for t1 <= t0 or a state of another size, DomainError if a volume is not positive, the temperature leaves
-  /// its range, maximum_steps is exceeded (the gas is too stiff) or fixed_step is past the stability limit;
-  /// `state` is then unchanged.
+  /// Advances `state` from t0 to t1 > t0 [s]. Does not allocate. On an exception `state` is unchanged.
+  /// - Throws std::invalid_argument for times that are not finite or t1 <= t0, and for a state with other
+  ///   sizes, a negative mass or a number that is not finite.
+  /// - Throws DomainError if a volume is not positive, a leak area is negative, or the temperature leaves its
+  ///   range.
+  /// - Throws DomainError if maximum_steps is exceeded (the gas is too stiff).
+  /// - Throws DomainError if fixed_step, without unsafe_step, is above the stability limit or takes p through
+  ///   p_a against the feed.
   StepFluxes advance(ControlVolumeState& state, double t0, double t1, const VolumePath& path);
 
  private:

@@ -6,9 +6,9 @@
 namespace gas {
 
 /// Coefficient sums of a given amount of mixture. The polynomials (G.1) and (G.2) are linear in the species
-/// masses, so sum_k m_k R_k a_jk is all that any extensive property needs: its cost does not grow with the
-/// number of species. Built by Thermo::mixture. Properties are of the whole amount; divide by `mass` for
-/// specific ones (of 1 kg if `mass` is 1). At T <= 1000 K the lower range is used.
+/// masses, so every extensive property follows from sum_k m_k R_k a_jk. Its cost does not grow with the
+/// number of species. Thermo::mixture builds it. Properties are those of the whole amount; divide by `mass`
+/// for specific ones. The lower range holds at T <= 1000 K.
 class Mixture {
  public:
   using Sums = std::array<double, 6>;  // [J/K^j], j = 1..5, and [J]
@@ -19,11 +19,11 @@ class Mixture {
   Sums high{};                       // the same, T > 1000 K
   double minimum_temperature = 0.0;  // [K]
   double maximum_temperature = 0.0;  // [K]
-  bool constant_cp = true;           // no part's cp depends on T
+  bool constant_cp = true;           // true if no species' cp depends on T
 
   /// Heat capacity at constant pressure [J/K], (G.1).
   double cp(double temperature) const;
-  /// d(cp)/dT [J/K2].
+  /// Derivative d(cp)/dT [J/K2].
   double cp_slope(double temperature) const;
   /// Heat capacity at constant volume [J/K], cp - R.
   double cv(double temperature) const { return cp(temperature) - gas_constant_sum; }
@@ -34,12 +34,12 @@ class Mixture {
     return enthalpy(temperature) - gas_constant_sum * temperature;
   }
 
-  /// Temperature [K] from the internal energy [J] by a bracketed Newton iteration; `guess` [K] only sets the
-  /// speed. Where U(T) jumps up at 1000 K, energies inside the jump give T = 1000 K; where it jumps down, the
-  /// lower of the two roots is taken. Throws DomainError outside the temperature range (constant cp: for T <=
-  /// 0).
+  /// Temperature [K] from the internal energy [J], by a bracketed Newton iteration. `guess` [K] affects the
+  /// speed only. Where U(T) jumps up at 1000 K, energies inside the jump give T = 1000 K. Where it jumps
+  /// down, the lower of the two roots is taken. Throws DomainError outside the temperature range (constant
+  /// cp: for T <= 0).
   double temperature(double internal_energy, double guess) const;
-  /// The same without exception: empty where temperature() throws.
+  /// The same without an exception: empty where temperature() throws.
   std::optional<double> find_temperature(double internal_energy, double guess) const noexcept;
 };
 

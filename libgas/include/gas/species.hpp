@@ -9,7 +9,7 @@ namespace gas {
 
 inline constexpr double kMolarGasConstant = 8.31446261815324;  // [J/(mol K)] CODATA 2018, exact
 inline constexpr double kStandardPressure = 1e5;               // [Pa] of the entropies (G.3)
-inline constexpr double kReferenceTemperature = 298.15;        // [K] of constant cp, unless stated
+inline constexpr double kReferenceTemperature = 298.15;        // [K] of a constant cp, if no other is given
 inline constexpr double kJointTemperature = 1000.0;            // [K] where the two NASA-7 ranges meet
 
 /// NASA-7 coefficients a1..a7 of one temperature range:
@@ -18,10 +18,10 @@ inline constexpr double kJointTemperature = 1000.0;            // [K] where the 
 ///   s/R = a1 ln T + a2 T + a3 T^2/2 + a4 T^3/3 + a5 T^4/4 + a7   (298.15 K, 1 bar)   (G.3)
 using Nasa7 = std::array<double, 7>;
 
-/// An ideal gas. A gas of constant cp has a1 = cp/R, all other coefficients zero (so h = cp T, u = cv T,
-/// without offset) and every positive temperature as its range.
+/// An ideal gas. A gas of constant cp has a1 = cp/R and all other coefficients zero, so h = cp T and u = cv T
+/// without offset. Its range is every positive temperature.
 struct Species {
-  std::string name;            // by which compositions refer to it
+  std::string name;            // compositions refer to it
   double molar_mass;           // [kg/mol]
   double minimum_temperature;  // [K]
   double maximum_temperature;  // [K]
@@ -37,30 +37,31 @@ std::vector<std::string> species_names();
 Species nasa7_species(std::string_view name);
 
 /// User-defined gas with cp(T). Throws std::invalid_argument, naming the value and what is allowed, unless
-/// all numbers are finite, molar_mass [kg/mol] > 0, 0 < minimum_temperature < 1000 K < maximum_temperature,
-/// cp > R in the whole range, and cp and h of both ranges agree at 1000 K within 1e-5 of cp and cp T, the
-/// rounding of coefficients of seven digits.
+/// - all numbers are finite and molar_mass [kg/mol] > 0,
+/// - 0 < minimum_temperature < 1000 K < maximum_temperature,
+/// - cp > R in the whole range,
+/// - cp and h of both ranges agree at 1000 K within 1e-5 of cp and cp T, the rounding of seven digits.
 Species nasa7_species(std::string_view name, double molar_mass, double minimum_temperature,
                       double maximum_temperature, const Nasa7& low, const Nasa7& high);
 
-/// Built-in species with the constant cp that NASA-7 gives at `temperature` [K] (200 to 6000, else
-/// std::invalid_argument).
+/// Built-in species with constant cp: the value of NASA-7 at `temperature` [K], 200 to 6000. Throws
+/// std::invalid_argument for another temperature or an unknown name.
 Species constant_cp_species(std::string_view name, double temperature = kReferenceTemperature);
 
-/// The same of any species, at a `temperature` in its range.
+/// The same for any species, at a `temperature` [K] in its range.
 Species constant_cp_species(const Species& species, double temperature);
 
-/// User-defined gas of constant cp. `gas_constant` [J/(kg K)] > 0, `cp` [J/(kg K)] > gas_constant, both
-/// finite, else std::invalid_argument.
+/// User-defined gas of constant cp. `gas_constant` [J/(kg K)] > 0 and `cp` [J/(kg K)] > gas_constant, both
+/// finite; else throws std::invalid_argument.
 Species constant_cp_species(std::string_view name, double gas_constant, double cp);
 
-/// One part of a composition; by mole or by mass, as the function that takes it says.
+/// One part of a composition, by mole or by mass; the function that takes it says which.
 struct Component {
   std::string species;  // its name
   double fraction;      // [-]
 };
 
-/// Dry air by mole: 0.7808 N2, 0.2095 O2, 0.0093 Ar, the rest CO2.
+/// Dry air, fractions by mole: 0.7808 N2, 0.2095 O2, 0.0093 Ar, the rest CO2.
 std::vector<Component> air_by_mole();
 
 }  // namespace gas

@@ -11,8 +11,9 @@
 
 namespace gas {
 
-/// Thermodynamics of an ideal-gas mixture; immutable. Species are numbered in the order given. Mixture
-/// functions take `masses` [kg], one per species, none negative; mass fractions give the properties of 1 kg.
+/// Thermodynamics of an ideal-gas mixture; immutable. Species are numbered from 0 in the order given.
+/// Functions of the mixture take `masses` [kg]: one per species, none negative. Mass fractions give the
+/// properties of 1 kg.
 class Thermo {
  public:
   /// Throws std::invalid_argument if `species` is empty or names one twice.
@@ -21,7 +22,7 @@ class Thermo {
   std::size_t size() const { return species_.size(); }  // number of species
   /// Species number k; throws std::out_of_range.
   const Species& species(std::size_t k) const { return species_.at(k); }
-  /// Number of the species called `name`; throws std::invalid_argument if the mixture does not have it.
+  /// Number of the species `name`. Throws std::invalid_argument if the mixture does not have it.
   std::size_t index(std::string_view name) const;
   double minimum_temperature() const { return minimum_temperature_; }  // [K]
   double maximum_temperature() const { return maximum_temperature_; }  // [K]
@@ -34,16 +35,16 @@ class Thermo {
   double enthalpy(std::size_t k, double temperature) const;
   /// Internal energy [J/kg] of species k at T [K], h - R T; DomainError outside its range. (G.4)
   double internal_energy(std::size_t k, double temperature) const;
-  /// Entropy at 1 bar [J/(kg K)], (G.3).
+  /// Entropy at 1 bar [J/(kg K)] of species k at T [K]; DomainError outside its range. (G.3)
   double standard_entropy(std::size_t k, double temperature) const;
 
-  /// Coefficient sums of the amount `masses`.
+  /// Coefficient sums of the amount `masses`. Throws std::invalid_argument for a bad number of masses.
   Mixture mixture(std::span<const double> masses) const;
-  /// The same into an existing object (no checks of `masses`: for loops that own them).
+  /// The same into an existing object, without checks: for loops that own `masses`.
   void mixture(std::span<const double> masses, Mixture& out) const;
 
-  /// Properties per kg of the mixture at T [K]; throws DomainError outside the range, std::invalid_argument
-  /// for a bad number of masses, a negative one, or a zero sum.
+  /// Properties per kg of the mixture at T [K]. Throw DomainError outside the temperature range, and
+  /// std::invalid_argument for a bad number of masses, a negative mass or a zero sum.
   double gas_constant(std::span<const double> masses) const;                  // [J/(kg K)]
   double cp(std::span<const double> masses, double temperature) const;        // [J/(kg K)]
   double cv(std::span<const double> masses, double temperature) const;        // [J/(kg K)]
@@ -52,18 +53,20 @@ class Thermo {
   double internal_energy(std::span<const double> masses, double temperature) const;  // [J/kg]
   double speed_of_sound(std::span<const double> masses, double temperature) const;   // [m/s]
 
-  /// Entropy at T [K] and p [Pa] > 0, each species at its share X_k p of the pressure:               (G.15)
-  ///   s = sum_k Y_k (s_k(T) - R_k ln(X_k p / 1 bar)), s_k of (G.3) [J/(kg K)]
-  /// For a gas of constant cp s_k = cp ln(T / 1 K): only differences have a meaning.
+  /// Entropy [J/(kg K)] at T [K] and p [Pa] > 0, each species at its partial pressure X_k p:           (G.15)
+  ///   s = sum_k Y_k (s_k(T) - R_k ln(X_k p / 1 bar)), s_k of (G.3)
+  /// For a gas of constant cp, s_k = cp ln(T / 1 K): only differences have a meaning.
   double entropy(std::span<const double> masses, double temperature, double pressure) const;
 
-  /// T [K] of the amount `masses` [kg] that holds the internal energy U [J]; see Mixture::temperature.
+  /// Temperature [K] of the amount `masses` [kg] with internal energy U [J]; see Mixture::temperature.
   double temperature_from_internal_energy(std::span<const double> masses, double internal_energy,
                                           double guess) const;
 
-  /// Mass fractions [-] per species of this mixture from a composition by mole, scaled to sum 1.
-  /// Throws std::invalid_argument for a species that the mixture does not have, one named twice, a fraction
-  /// that is negative or not finite, or a sum that differs from 1 by more than 1e-6.
+  /// Mass fractions [-] of this mixture, one per species, from a composition by mole, scaled to sum 1. Throws
+  /// std::invalid_argument for
+  /// - a species that the mixture does not have, or one named twice,
+  /// - a fraction that is negative or not finite,
+  /// - a sum that differs from 1 by more than 1e-6.
   std::vector<double> mass_fractions_by_mole(std::span<const Component> composition) const;
   /// The same from a composition by mass.
   std::vector<double> mass_fractions_by_mass(std::span<const Component> composition) const;

@@ -7,38 +7,40 @@
 
 #include "gas/curve.hpp"
 
-/// What fires an inflator or opens a vent: sensors, combined by logic. The nodes of a TriggerModel are its
-/// sensors, then its gates; a gate reads nodes before itself, so there are no loops.
+/// Triggers: sensors and logic that fire inflators and open vents. The nodes of a TriggerModel are its
+/// sensors, then its gates. A gate reads only nodes before itself, so there are no loops.
 namespace gas {
 
-/// What a sensor watches.
+/// Quantity that a sensor watches.
 enum class SensorKind {
   time,      // on from `threshold` [s]
-  signal,    // on while the supplied signal is `threshold` or more
-  pressure,  // on from the moment when p - p_a reaches `threshold` [Pa]; off again below `reset`, if given
-  input,     // set by the caller between steps (contact): acts from the next step
+  signal,    // on while the supplied signal is at `threshold` or above
+  pressure,  // on from when p - p_a reaches `threshold` [Pa]; off below `reset`, if given
+  input,     // set by the caller between steps (contact); takes effect at the next step
 };
 
-/// A node that watches one thing.
+/// A node that watches one quantity.
 struct Sensor {
-  SensorKind kind;                // decides which of the others are read
-  double threshold = 0.0;         // [s], the signal's unit, [Pa]; not used by input
-  std::optional<double> reset{};  // [Pa] < threshold, pressure only: without it the sensor stays on
-  std::optional<Curve> signal{};  // signal only
+  SensorKind kind;                // decides which of the other members are read
+  double threshold = 0.0;         // [s], unit of the signal, or [Pa]; not read by `input`
+  std::optional<double> reset{};  // [Pa] < threshold, `pressure` only; none: the sensor stays on
+  std::optional<Curve> signal{};  // `signal` only; held outside its knots
 };
 
-/// When a gate's condition holds: all inputs on, any on, or its one input off.
+/// Condition of a gate: all inputs on, any input on, or its single input off.
 enum class Logic { all, any, negated };
 
-/// A node that joins earlier ones.
+/// A node that combines earlier nodes.
 struct Gate {
-  Logic logic;                      // of its condition
-  std::vector<std::size_t> inputs;  // nodes before this one; negated: exactly one
-  double delay = 0.0;               // [s] on only after its condition has held so long ...
-  bool latch = false;               // ... or, latched, so long after it first held; then it stays on
+  Logic logic;                      // its condition
+  std::vector<std::size_t> inputs;  // nodes before this one; `negated`: exactly one
+  /// [s] >= 0. The gate is on once its condition has held for this long.
+  double delay = 0.0;
+  /// True: the delay counts from when the condition first held, and the gate then stays on.
+  bool latch = false;
 };
 
-/// The nodes and how they hang together; validate() checks it.
+/// All nodes and their connections; validate() checks them.
 struct TriggerModel {
   std::vector<Sensor> sensors;  // nodes 0, 1, ...
   std::vector<Gate> gates;      // the nodes that follow
@@ -46,23 +48,28 @@ struct TriggerModel {
   std::size_t size() const { return sensors.size() + gates.size(); }
 };
 
-/// One node's memory. A node that has never been on has first_on = infinity.
+/// State of one node. Until it first comes on, its first_on is infinity.
 struct NodeState {
-  bool on = false;                                              // now
-  double since = std::numeric_limits<double>::infinity();       // [s] when it last came on
-  double first_on = std::numeric_limits<double>::infinity();    // [s] when it first came on
-  double held_since = std::numeric_limits<double>::infinity();  // [s] since when a gate's condition holds
+  bool on = false;  // now
+  /// [s] when it last came on; infinity while it is off.
+  double since = std::numeric_limits<double>::infinity();
+  /// [s] when it first came on.
+  double first_on = std::numeric_limits<double>::infinity();
+  /// [s] gates only: since when the condition holds; infinity if it does not.
+  double held_since = std::numeric_limits<double>::infinity();
 };
 
 using TriggerState = std::vector<NodeState>;  // one per node
 
-/// Throws std::invalid_argument, naming the node's field and what is allowed, unless thresholds and delays
-/// are finite, delays not negative, a reset lies below its threshold, a signal sensor has a signal that is
-/// held outside its knots, and gates read earlier nodes only.
+/// Checks a model. Throws std::invalid_argument, naming the field and what is allowed, unless
+/// - thresholds and delays are finite, and delays not negative,
+/// - a reset belongs to a pressure sensor and lies below its threshold,
+/// - a signal sensor, and no other, has a signal, held outside its knots,
+/// - gates read earlier nodes only: `negated` one, the others one or more.
 void validate(const TriggerModel& model);
 
-/// Sets an input sensor; the integrator takes it into account at the start of its next step. Throws
-/// std::invalid_argument if `node` is no such sensor.
+/// Sets an input sensor. The integrator reads it at the start of its next step. Throws std::invalid_argument
+/// if `node` is not an input sensor.
 void set_input(const TriggerModel& model, std::size_t node, bool on, TriggerState& state);
 
 }  // namespace gas

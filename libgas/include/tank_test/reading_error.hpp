@@ -7,12 +7,12 @@
 
 namespace gas {
 
-/// One reading is wrong; what() names series, value and what is allowed.
+/// One reading is wrong. what() names the series, the value and what is allowed.
 struct ReadingError : std::invalid_argument {
-  /// Reading number `at` of the series `name`; message: its value and what is allowed.
+  /// Reading `at` (from 0) of the series `name`. `message` gives its value and what is allowed.
   ReadingError(std::string_view name, std::size_t at, const std::string& message)
       : std::invalid_argument(std::string(name) + ": " + message), series(name), index(at) {}
-  std::string series;  // "time", or the name that the series was given
+  std::string series;  // "time", or the name given for the readings
   std::size_t index;   // of the reading, from 0
 };
 
