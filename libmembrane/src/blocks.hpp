@@ -5,17 +5,17 @@
 
 #include "membrane/bag_model.hpp"
 
-// How the elements are divided into blocks, when a model is built.
+// Division of the elements into blocks, when a model is built.
 namespace membrane {
 
 // Fills model.corners from the elements of the description.
 void set_corner_table(BagModel& model);
 
-// Fills model.elements and model.shared from the elements and the corner table: blocks grown over neighbours,
-// so that they are compact and share few nodes. The groups get their nodes; the other numbers stay 0.
+// Fills model.elements and model.shared from the elements and the corner table. Blocks grow over neighbours,
+// so they are compact and share few nodes. Of the groups only the nodes are set; all other numbers stay 0.
 void set_blocks(BagModel& model);
 
-// Group of an element and its lane there.
+// Group of an element and its lane in the group.
 struct ElementPlace {
   std::size_t group, lane;
 };

@@ -19,7 +19,7 @@ void require_finite(std::string_view where, const char* field, double value);
 
 struct BagDescription;
 
-// Everything make_model refuses that can be seen without computing anything.
+// Refuses everything that make_model refuses and that needs no computation. Throws std::invalid_argument.
 void check_description(const BagDescription& description);
 
 }  // namespace membrane

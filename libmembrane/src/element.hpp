@@ -3,11 +3,11 @@
 
 #include "membrane/material.hpp"
 
-// The pointwise formulas of one triangle, shared by the SIMD kernels and by element_response.
+// Pointwise formulas of one triangle, shared by the SIMD kernels and element_response.
 namespace membrane {
 
 // Columns of the deformation gradient in the element's frame (M.1): F e_k = sum_a x_a dN_a/dX_k, for one
-// coordinate; ab and ac are the current sides from corner a.
+// coordinate. ab and ac are the current sides from corner a.
 template <class T>
 T stretch_1(T ab, T gradient_b1) {
   return ab * gradient_b1;
@@ -18,9 +18,9 @@ T stretch_2(T ab, T ac, T gradient_b2, T gradient_c2) {
 }
 
 // Bound of omega^2 of the element at its current strain and stress (M.10):
-// omega^2 <= omega_0^2 max(1, lambda_max(C)) + h A max(0, S_1) lambda_max(G).
-// The strain operator is B(F) dx = B_0 (U dx), with U the right stretch of C = F^T F, which gives the first
-// term; the tangent of the relaxed energy is below D, so it holds for both compression laws.
+//   omega^2 <= omega_0^2 max(1, lambda_max(C)) + h A max(0, S_1) lambda_max(G).
+// The strain operator is B(F) dx = B_0 (U dx), with U the right stretch of C = F^T F; this gives the first
+// term. The tangent of the relaxed energy is never above D, so the bound holds for both compression laws.
 template <class T>
 T frequency_bound(T material_frequency, T geometric_frequency, T strain_1, T stress_1) {
   const T zero(0.0);

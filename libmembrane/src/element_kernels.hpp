@@ -6,9 +6,9 @@
 #include "lanes.hpp"
 #include "membrane/orthotropic.hpp"
 
-// What the pass over a block does with each element. T is Lanes, or double for the oracle; both visit groups
-// of four elements, keep four partial sums, and add at the nodes in the order of the elements, so that they
-// agree bit for bit.
+// Steps of the pass over a block for each element. T is Lanes, or double for the oracle. Both visit groups of
+// four elements, keep four partial sums, and add at the nodes in the order of the elements. So they agree bit
+// for bit.
 namespace membrane::MEMBRANE_KERNELS {
 
 template <class T>
@@ -72,7 +72,7 @@ template <class T>
   }
 }
 
-// S1/S9 (M.5): area vectors to the corners, areas and volume to the sums.
+// S1/S9 (M.5): adds area vectors at the corners, and areas and volume to the sums.
 template <class T>
 [[gnu::always_inline]] inline void surface_of(const SkinArrays& s, const Vec3<T>& origin, int group, int lane,
                                               const Corners<T>& x, BlockNodes& nodes, SkinParts<T>& sums) {
@@ -93,7 +93,7 @@ template <class T>
   if (s.area_vector) write_geometry(s, std::int64_t{kLanes} * group + lane, x, rows);
 }
 
-// Deformation gradient's columns and strain (M.1) of the elements of a group, then their nominal stress.
+// Columns of the deformation gradient and strain (M.1) of the elements of a group; then their nominal stress.
 struct alignas(64) GroupWork {
   double f1[3][kLanes], f2[3][kLanes];           // [-]
   double e11[kLanes], e22[kLanes], e12[kLanes];  // [-]
@@ -119,7 +119,7 @@ template <class T>
   store(work.e12 + lane, e.e12);
 }
 
-// The fabric of one group's elements by each law.
+// Constants of one group's fabric for each law.
 template <class T>
 void load_fabric(const FabricGroup& f, const WeaveGroup*, int lane, IsotropicConstants<T>& out) {
   out = {load<T>(f.young_modulus + lane), load<T>(f.spherical + lane), load<T>(f.deviator + lane)};
@@ -161,7 +161,7 @@ template <template <class> class Fabric, Compression kCompression, class T>
   sums.frequency.value[k] = select(bound > sums.frequency.value[k], bound, sums.frequency.value[k]);
 }
 
-// Forces -dW/dx to the corners (M.4).
+// Adds the forces -dW/dx at the corners (M.4).
 template <class T>
 [[gnu::always_inline]] inline void forces_of(const ElementGroup& g, int lane, const GroupWork& work,
                                              BlockNodes& nodes) {

@@ -6,9 +6,9 @@
 #include "membrane/element_group.hpp"
 #include "membrane/isa.hpp"
 
-// Border between the library and its kernels, which are compiled once for each instruction set: plain
-// pointers only, so that no inline code of the standard library or Eigen is compiled twice with different
-// flags (hence no default member initialisers either: the structs are made with {}).
+// Interface between the library and its kernels, which are compiled once for each instruction set. Only plain
+// pointers cross it. So no inline code of the standard library or Eigen is compiled twice with different
+// flags. For the same reason no member has a default initialiser; the structs are made with {}.
 namespace membrane {
 
 // One block of elements: fabric forces, surface, or both in one pass.
@@ -18,16 +18,17 @@ struct SkinArrays {
   const WeaveGroup* weave;  // null unless woven
   const FrequencyGroup* frequency;
   int group_count;
-  const std::int32_t* element;  // of each lane; used with area_vector only
-  const std::int32_t* node;     // of the block: own_count of its own, the shared ones up to node_count
+  const std::int32_t* element;  // of each lane; read only if there is area_vector
+  const std::int32_t* node;     // of the block: own_count own nodes, then shared ones, node_count in all
   int own_count, node_count;
-  int next_groups, next_nodes;  // of the block that follows; 0 for none, and in bags that stay in cache
-  const double* position;       // nodes x 4
-  const double* inverse_mass;   // nodes
-  double* area_vector;          // elements x 4, null without jet
-  double* centroid;             // elements x 4, null without jet
-  double *force, *gradient;     // nodes x 4
-  NodeSums* shared_sums;        // of this block's shared nodes
+  /// Of the next block; 0 if there is none, and in bags that stay in the cache.
+  int next_groups, next_nodes;
+  const double* position;      // nodes x 4
+  const double* inverse_mass;  // nodes
+  double* area_vector;         // elements x 4, null without jet
+  double* centroid;            // elements x 4, null without jet
+  double *force, *gradient;    // nodes x 4
+  NodeSums* shared_sums;       // of this block's shared nodes
 };
 
 struct SkinTotals {
@@ -37,7 +38,7 @@ struct SkinTotals {
   double energy, frequency;
 };
 
-// The nodes that blocks share: sums over the slots of each.
+// Nodes that blocks share: their slots are summed.
 struct SharedArrays {
   const std::int32_t *node, *row_begin, *slot;
   const NodeSums* sums;
@@ -67,10 +68,10 @@ struct AdvanceTotals {
   double max_speed_squared;
 };
 
-// What a pass over the elements computes.
+// Quantities that a pass over the elements computes.
 enum SkinPass { kSurfacePass, kForcesPass, kSkinPass };
 
-// One entry per kernel; those over nodes handle [first, last).
+// One entry per kernel. Kernels over nodes handle [first, last).
 struct KernelTable {
   using Skin = void (*)(const SkinArrays&, SkinTotals&);
   Skin surface;
@@ -79,7 +80,7 @@ struct KernelTable {
   void (*advance)(const AdvanceArrays&, int first, int last, AdvanceTotals&);
 };
 
-const KernelTable& kernel_table(Isa isa);  // the processor must have it
+const KernelTable& kernel_table(Isa isa);  // precondition: the processor has it
 
 namespace baseline {
 extern const KernelTable kTable;

@@ -10,13 +10,13 @@
 namespace membrane {
 
 struct CardField {
-  std::string_view text;  // without the blanks around it, possibly empty
+  std::string_view text;  // without surrounding blanks, possibly empty
   std::size_t column;     // of its first character, from 1
 };
 
-/// Cuts a card at its commas if it has one, else into columns of the given widths; what lies beyond the last
-/// width is not read. The result has at least as many fields as there are widths, the missing ones empty at
-/// the card's end.
+/// Splits a card at its commas or, if it has none, into columns of the given widths. Text beyond the last
+/// width is not read. The result has at least as many fields as there are widths; missing fields are empty
+/// and stand at the card's end.
 std::vector<CardField> card_fields(std::string_view card, std::span<const std::size_t> widths);
 
 }  // namespace membrane

@@ -3,11 +3,11 @@
 
 #include "membrane/element_group.hpp"
 
-// Four double lanes on the compiler's vector extension. Always four, so that the order of every sum is the
-// same on every instruction set. (std::experimental's fixed_size_simd<double, 4> would do, but its masks are
-// bit sets, which makes each blend a round trip through integer registers.) The type lives in the namespace
-// of the instruction set: templates over it are then different functions in each translation unit, and the
-// linker cannot mix them up.
+// Four double lanes on the compiler's vector extension. They are always four, so that the order of every sum
+// is the same on every instruction set. (The masks of std::experimental's fixed_size_simd<double, 4> are bit
+// sets; each blend is then a round trip through integer registers.) The type lives in the namespace of the
+// instruction set. So templates over it are different functions in each translation unit, and the linker
+// cannot exchange them.
 #if defined(__AVX__)
 #include "lanes_whole.hpp"
 #else
@@ -23,7 +23,7 @@ inline double sum_lanes(Lanes a) {
   return (a[0] + a[1]) + (a[2] + a[3]);
 }
 
-// Vectors of elements e ... e + 3 (T = Lanes) or of one element (T = double).
+// Vectors of the elements e ... e + 3 (T = Lanes) or of one element (T = double).
 template <class T>
 struct Vec3 {
   T x, y, z;
@@ -54,7 +54,7 @@ inline void store(double* p, Lanes v) {
   v.store(p);
 }
 
-// Positions of the nodes of one corner; x is padded to 4 doubles a node.
+// Positions of the nodes of one corner; x has 4 doubles a node.
 template <class T>
 Vec3<T> load_nodes(const double (*x)[4], const std::uint16_t* node);
 template <>
@@ -71,7 +71,7 @@ inline Vec3<Lanes> load_nodes<Lanes>(const double (*x)[4], const std::uint16_t* 
   return v;
 }
 
-// Vectors of four elements, or of one, as rows (x, y, z, 0), one an element.
+// Vectors of four elements (or of one) as rows (x, y, z, 0), one for each element.
 template <class T>
 struct Rows {
   Lanes row[kLanes];

@@ -6,8 +6,8 @@
 #include <emmintrin.h>
 #endif
 
-// Lanes in two 16-byte registers, for processors whose registers are that long (gcc passes longer vectors
-// through memory there). Included by lanes.hpp.
+// Lanes in two 16-byte registers, for processors without longer ones; gcc would pass longer vectors through
+// memory there. Included by lanes.hpp.
 namespace membrane::MEMBRANE_KERNELS {
 
 using Pair = double __attribute__((vector_size(16)));

@@ -14,13 +14,13 @@
 
 namespace membrane {
 
-/// The text in quotes, cut and printable, for messages.
+/// The text in quotes, shortened and printable, for messages.
 std::string shown(std::string_view text);
 
-/// Reads a finite number (a leading + is allowed). Returns what is wrong with it, empty if nothing.
+/// Reads a finite number; a leading + is allowed. Returns what is wrong with it; empty if nothing is.
 std::string number_fault(std::string_view text, double& value);
 
-/// Appends the shortest form that reads back to the same bits.
+/// Appends the shortest text that reads back to the same bits.
 void append_number(double value, std::string& text);
 
 std::string read_text(const std::filesystem::path& path);                     // throws MeshFileError
@@ -29,14 +29,14 @@ void write_text(const std::filesystem::path& path, const std::string& text);  //
 /// Throws std::invalid_argument unless all nodes are finite.
 void require_finite_nodes(const Mesh& mesh);
 
-/// Nodes, polygons and panels in the order of a file.
+/// Collects nodes, polygons and panels in the order of a file.
 class MeshBuilder {
  public:
   int node_count() const { return static_cast<int>(nodes_.size()); }
   bool empty() const { return elements_.empty(); }
   void add_node(const Eigen::Vector3d& position) { nodes_.push_back(position); }
-  /// 3 or 4 corners, node numbers from 0; a quad becomes two elements along its shorter diagonal (the first
-  /// of equals).
+  /// Adds a polygon of 3 or 4 corners, node numbers from 0. A quad becomes two elements along its shorter
+  /// diagonal (the first one if they are equal).
   void add_polygon(std::span<const int> corners, const std::string& panel, std::size_t line);
   Mesh finish() &&;
 

@@ -17,7 +17,7 @@ struct KickFactors {
   Lanes tau, dt_after, old_share, new_factor, gravity, gauge_pressure;
 };
 
-// One node of (M.9). The damping force is -alpha m (v- + v+) / 2, which leaves a scalar equation for v+.
+// Advances one node (M.9). The damping force -alpha m (v- + v+) / 2 leaves a scalar equation for v+.
 [[gnu::always_inline]] inline void advance_node(const AdvanceArrays& s, const KickFactors& k, std::int64_t n,
                                                 AdvanceParts& sums) {
   const Lanes mass = Lanes(s.mass[n]), inverse_mass = Lanes(s.inverse_mass[n]), half = Lanes(0.5);

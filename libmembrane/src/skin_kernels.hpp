@@ -4,8 +4,8 @@
 #include "element_kernels.hpp"
 #include "node_kernels.hpp"
 
-// The pass over the elements of a block: the block's positions are copied in, and the sums at its nodes out,
-// once.
+// The pass over the elements of a block. It copies the block's positions in once, and the sums at its nodes
+// out once.
 namespace membrane::MEMBRANE_KERNELS {
 
 inline constexpr bool has_forces(SkinPass pass) {
@@ -25,7 +25,7 @@ void copy_in(const SkinArrays& s, BlockNodes& nodes) {
   }
 }
 
-// Force and gradient at one node, or the share of them that the pass computes.
+// Force and gradient at one node, as far as the pass computes them.
 template <SkinPass kPass>
 struct NodeRows {
   Lanes force{}, gradient{};
@@ -35,7 +35,7 @@ struct NodeRows {
   }
 };
 
-// To the nodal arrays; the volume's gradient counts towards the mobility g^T M^-1 g.
+// Writes to the nodal arrays and adds to the mobility g^T M^-1 g of the volume gradient.
 template <SkinPass kPass, class Arrays>
 [[gnu::always_inline]] inline void write_node(const Arrays& s, std::int64_t node, const NodeRows<kPass>& rows,
                                               Lanes& mobility) {
@@ -70,9 +70,9 @@ template <class T, class F>
     for (int lane = 0; lane < kLanes; lane += kWidth<T>) f(group, lane);
 }
 
-// The next block comes from memory while this one is computed: the part of it that goes with the groups
-// [first, last). Left to itself, the processor waits for each block's nodes. Always inline: gcc drops calls
-// of a function that does nothing but fetch.
+// Prefetches the part of the next block that goes with the groups [first, last), so that it arrives while
+// this block is computed. Without it, the processor waits for the nodes of each block. Always inline: gcc
+// drops calls of a function that only prefetches.
 [[gnu::always_inline]] inline void fetch_next(const SkinArrays& s, int first, int last) {
   constexpr int kLine = 64, kForWriting = 1, kSecondLevel = 2;
   const auto part = [&](int count, int group) {
@@ -92,8 +92,8 @@ template <class T, class F>
   }
 }
 
-// Some groups at a time, step by step: the root and the quotient of the stress take longer than a processor
-// looks ahead over a whole element, but several groups of one step fit.
+// Handles several groups at a time, step by step. The root and the quotient of the stress take long; a
+// processor cannot look ahead over a whole element, but over one step of several groups.
 template <SkinPass kPass, template <class> class Fabric, Compression kCompression, class T>
 void skin(const SkinArrays& s, SkinTotals& totals) {
   constexpr int kChunk = 8;
@@ -131,7 +131,7 @@ void skin(const SkinArrays& s, SkinTotals& totals) {
             max_parts(sums.frequency.value)};
 }
 
-// Sums of the shared nodes [first, last) over the blocks that hold them.
+// Sums the shared nodes [first, last) over the blocks that hold them.
 template <SkinPass kPass>
 void shared(const SharedArrays& s, int first, int last, double& mobility) {
   Lanes sum{};

@@ -5,8 +5,8 @@
 
 namespace membrane {
 
-// Shares of model.shares tuned to the reference shape, from own masses (set before, like node_mass), and
-// fabric_frequency.
+// Tunes model.shares to the reference shape and sets fabric_frequency. Preconditions: each element's shares
+// are its own mass, and node_mass is set.
 void tune_shares_as_sewn(BagModel& model);
 
 }  // namespace membrane

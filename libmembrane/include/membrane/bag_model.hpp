@@ -15,121 +15,134 @@
 
 namespace membrane {
 
-// Default of what has none: make_model refuses it by name.
+/// Default of members that must be given: make_model refuses it by name.
 inline constexpr double kMustBeGiven = std::numeric_limits<double>::quiet_NaN();
 
-// Makes the fabric of an element orthotropic: `young_modulus` and `poisson` are then those of the warp
-// (pulled along the warp the fabric contracts by poisson across), with poisson^2 < young_modulus /
-// young_modulus_weft.
+/// Makes the fabric of an element orthotropic. `young_modulus` and `poisson` of the element are then those
+/// along the warp: in tension along the warp the fabric contracts across by poisson. Needs poisson^2 < 0.998
+/// young_modulus / young_modulus_weft.
 struct WeaveProperties {
   double young_modulus_weft = kMustBeGiven;  // > 0 [Pa]
-  double shear = kMustBeGiven;  // G > 0, 1e-4 to 100 of sqrt(young_modulus young_modulus_weft) [Pa]
-  // Along the warp, any length > 0; its part in the plane of the reference element counts.
+  /// G > 0 [Pa], 1e-4 to 100 times sqrt(young_modulus young_modulus_weft).
+  double shear = kMustBeGiven;
+  /// Direction of the warp, of any length > 0. The part in the plane of the reference element is used; it
+  /// must be more than 1e-6 of the length.
   Eigen::Vector3d warp = Eigen::Vector3d::Constant(kMustBeGiven);
 };
 
-// Fabric of one element. A null element closes a hole: it bounds the volume and carries the gas pressure, but
-// has no mass and no stress; its thickness, density, young_modulus and poisson are not read and its porosity
-// is zero.
+/// Fabric of one element. A null element closes a hole: it bounds the volume and carries the gas pressure,
+/// but has no mass and no stress. Its thickness, density, young_modulus and poisson are not read, and its
+/// porosity must be 0.
 struct ElementProperties {
   double thickness = kMustBeGiven;            // h > 0 [m]
   double density = kMustBeGiven;              // rho > 0 [kg/m3]
   double young_modulus = kMustBeGiven;        // E > 0 [Pa]
   double poisson = kMustBeGiven;              // -1 < nu < 1 [-]
   double porosity = 0.0;                      // eta, 0 to 1 [-]
-  bool null_panel = false;                    // closes a hole
-  std::optional<WeaveProperties> weave = {};  // absent: isotropic
+  bool null_panel = false;                    // true: null element
+  std::optional<WeaveProperties> weave = {};  // none: isotropic
 };
 
-// Massless spring that pulls when longer than its free length and never pushes (M.7).
+/// Massless spring with tension only: it pulls when it is longer than its free length (M.7).
 struct Strap {
   int node_a = -1;                    // one end
-  int node_b = -1;                    // the other, not node_a
+  int node_b = -1;                    // the other end, not node_a
   double stiffness = kMustBeGiven;    // k > 0 [N/m]
   double free_length = kMustBeGiven;  // > 0 [m]
 };
 
-// Rigid one-sided support (M.8): a node at depth d behind the plane has the energy
-// stiffness * (its reference area) * d^2 / 2.
+/// Rigid one-sided plate (M.8). A node at depth d behind the plane has the energy
+///   stiffness * (its reference area) * d^2 / 2.
 struct Plate {
   Eigen::Vector3d point = Eigen::Vector3d::Constant(kMustBeGiven);   // on the plane [m]
-  Eigen::Vector3d normal = Eigen::Vector3d::Constant(kMustBeGiven);  // towards the bag, any length > 0
-  std::optional<double> stiffness = {};  // kappa > 0, per area [N/m3]; absent: kDefaultPlateShare decides
+  Eigen::Vector3d normal = Eigen::Vector3d::Constant(kMustBeGiven);  // [-] towards the bag, any length > 0
+  /// kappa > 0, per area [N/m3]. None: the stiffness whose omega^2 is kDefaultPlateShare of the fabric's.
+  std::optional<double> stiffness = {};
 };
 
-// Share of the fabric's own omega^2 that a plate adds by default: stiff, yet a tenth off the step.
+/// Default share [-] of the fabric's omega^2 that a plate adds. It is stiff, and shortens the step by a
+/// tenth.
 inline constexpr double kDefaultPlateShare = 0.25;
 
-// Everything that defines a bag, as a case gives it.
+/// Input of make_model: everything that defines a bag.
 struct BagDescription {
   Eigen::Matrix3Xd reference;                         // stress-free positions, 3 x nodes [m]
   Eigen::Matrix3Xi elements;                          // corner nodes, 3 x elements, oriented outward
   std::vector<ElementProperties> properties;          // one per element
   Compression compression = Compression::none;        // of all fabric
-  std::vector<int> fixed_nodes;                       // they never move; in any order, repeats allowed
+  std::vector<int> fixed_nodes;                       // nodes that never move; any order, repeats allowed
   std::vector<Strap> straps;                          // may be empty
   std::vector<Plate> plates;                          // may be empty
   double mass_damping = 0.0;                          // alpha >= 0: force -alpha m v [1/s]
   Eigen::Vector3d gravity = Eigen::Vector3d::Zero();  // [m/s2]
-  Isa isa = best_isa();                               // kernels to use; every choice gives the same bits
+  Isa isa = best_isa();                               // kernels to use; all give the same bits
 };
 
-// The elements in the order of the kernels: compact patches of neighbours, whatever the numbering of the
-// mesh, each padded to whole groups by elements without effect. The mesh's numbers stay in all other arrays.
+/// The elements in the order of the kernels: compact patches of neighbours, whatever the mesh's numbering.
+/// Each patch is padded to whole groups by elements without effect. All other arrays keep the mesh's numbers.
 struct BlockTable {
   AlignedVector<ElementGroup> group;  // kLanes elements each
-  AlignedVector<FabricGroup> fabric;  // each once, see ElementGroup::fabric
-  AlignedVector<WeaveGroup> weave;    // of each group; empty unless woven
-  std::vector<std::int32_t> element;  // of each lane of each group, -1 where it is padding
+  AlignedVector<FabricGroup> fabric;  // each fabric once; ElementGroup::fabric points here
+  AlignedVector<WeaveGroup> weave;    // of each group; empty unless the bag is woven
+  std::vector<std::int32_t> element;  // of each lane of each group; -1 for padding
   std::vector<std::int32_t> place;    // of each element: kLanes * group + lane
-  std::vector<ElementBlock> block;    // in the order of their sums
-  std::vector<std::int32_t> node;     // of each block: its own, then the shared ones, both ascending
+  std::vector<ElementBlock> block;    // in the order in which their sums are added
+  std::vector<std::int32_t> node;     // of each block: own nodes, then shared ones, both ascending
 
-  // The fabric of group g.
+  /// Fabric of group g.
   const FabricGroup& fabric_of(std::size_t g) const {
     return fabric[static_cast<std::size_t>(group[g].fabric)];
   }
 };
 
-// Nodes that several blocks share, ascending, and the slots of their sums in block order (compressed rows).
+/// Nodes that several blocks share, ascending, with the slots of their partial sums in block order
+/// (compressed rows).
 struct SharedNodes {
   std::vector<std::int32_t> node;       // their numbers in the mesh
-  std::vector<std::int32_t> row_begin;  // shared nodes + 1
-  std::vector<std::int32_t> slot;       // in BagState::shared_sums, by rows
+  std::vector<std::int32_t> row_begin;  // [shared nodes + 1]
+  std::vector<std::int32_t> slot;       // places in BagState::shared_sums, by rows
 };
 
-// For each node the elements around it, ascending (compressed rows).
+/// Elements around each node, ascending (compressed rows).
 struct CornerTable {
-  std::vector<std::int32_t> row_begin;  // nodes + 1
-  std::vector<std::int32_t> element;    // by rows
+  std::vector<std::int32_t> row_begin;  // [nodes + 1]
+  std::vector<std::int32_t> element;    // element numbers, by rows
 };
 
-// Constant during a run. Made by make_model only.
+/// Model of a bag, constant during a run. Only make_model makes one.
 struct BagModel {
-  int node_count = 0;                       // N
-  int element_count = 0;                    // M, null ones too
-  bool woven = false;                       // some element has a weave: all take the orthotropic law
-  BagDescription description;               // as given and checked
-  BlockTable elements;                      // for the kernels
-  SharedNodes shared;                       // of the blocks
-  CornerTable corners;                      // elements around each node
-  std::vector<double> node_mass;            // sum of rho h A / 3 [kg]
-  std::vector<double> inverse_mass;         // 1 / mass, 0 at fixed nodes [1/kg]
-  std::vector<double> node_area;            // reference area of the fabric around the node, sum of A / 3 [m2]
-  std::vector<double> reference_area;       // of each element [m2]
+  int node_count = 0;     // N
+  int element_count = 0;  // M, null elements included
+  /// True if any element has a weave; all elements then use the orthotropic law.
+  bool woven = false;
+  BagDescription description;        // as given and checked; plates with unit normal and stiffness
+  BlockTable elements;               // in the order of the kernels
+  SharedNodes shared;                // nodes that blocks share
+  CornerTable corners;               // elements around each node
+  std::vector<double> node_mass;     // [kg] sum of rho h A / 3
+  std::vector<double> inverse_mass;  // [1/kg] 1 / mass, 0 at fixed nodes
+  /// [m2] Reference area of the fabric around each node, sum of A / 3.
+  std::vector<double> node_area;
+  std::vector<double> reference_area;       // [m2] of each element
   std::vector<ElementStiffness> stiffness;  // of each element
-  MassShares shares;                        // as sewn
-  double fabric_frequency = 0.0;            // largest bound of omega^2 of an element, as sewn [1/s2]
-  double strap_frequency = 0.0;             // bound of omega^2 added by the straps, taut or not [1/s2]
-  double plate_frequency = 0.0;             // bound of omega^2 added by the plates, touched or not [1/s2]
-  double fabric_mass = 0.0;                 // [kg]
+  MassShares shares;                        // tuned to the reference shape
+  /// [1/s2] Largest bound of omega^2 of an element in the reference shape.
+  double fabric_frequency = 0.0;
+  /// [1/s2] Bound of omega^2 that the straps add, taut or not.
+  double strap_frequency = 0.0;
+  /// [1/s2] Bound of omega^2 that the plates add, touched or not.
+  double plate_frequency = 0.0;
+  double fabric_mass = 0.0;  // [kg]
 };
 
-// Builds the model. Throws std::invalid_argument, naming the element, node, strap or plate, the field, its
-// value and what is allowed: sizes that differ, non-finite numbers, values outside the ranges above, node
-// numbers out of range or repeated in an element or strap, an element without area, a node without element,
-// and a null panel with a node that no fabric holds. Whether the surface is closed is not asked here (open
-// strips are legal membranes): see membrane/surface_check.hpp.
+/// Builds the model. Throws std::invalid_argument, naming the element, node, strap or plate, the field, its
+/// value and what is allowed, for
+/// - sizes that differ, numbers that are not finite, and values outside the ranges above,
+/// - node numbers that are out of range, or repeated in an element or strap,
+/// - an element without area and a node without element,
+/// - a null panel with a node that no fabric holds.
+///
+/// Open surfaces are legal membranes; membrane/surface_check.hpp checks whether a surface is closed.
 BagModel make_model(const BagDescription& description);
 
 }  // namespace membrane

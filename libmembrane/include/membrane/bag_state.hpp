@@ -9,96 +9,100 @@
 
 namespace membrane {
 
-// Nodes handled at a time by S8 and the loads. Sums are made per block and then over the blocks in order, so
-// their bits do not depend on which thread did which block.
+/// Nodes of one block in S8 and the loads. Sums are made per block and then over the blocks in order. So
+/// their bits do not depend on the thread that handles a block.
 inline constexpr int kNodeBlock = 512;
 
-// S1/S9: sums over the surface.
+/// S1/S9: sums over the surface.
 struct SurfaceSums {
   double volume = 0.0;                 // V enclosed (M.5) [m3]
-  double area = 0.0;                   // of all elements, null ones too [m2]
+  double area = 0.0;                   // of all elements, null ones included [m2]
   double porosity_area = 0.0;          // sum of eta A [m2]
   double porosity_squared_area = 0.0;  // sum of eta^2 A [m2]
-  double gradient_mobility = 0.0;      // g^T M^-1 g, g = dV/dx, fixed nodes left out [m4/kg]
+  double gradient_mobility = 0.0;      // g^T M^-1 g, g = dV/dx at the free nodes [m4/kg]
 };
 
-// S6: sums over the elements and supports.
+/// S6: sums over the elements and supports.
 struct ForceSums {
   double strain_energy = 0.0;                             // [J]
   double strap_energy = 0.0;                              // [J]
   double plate_energy = 0.0;                              // [J]
-  Eigen::Vector3d plate_force = Eigen::Vector3d::Zero();  // resultant of the plates on the nodes [N]
+  Eigen::Vector3d plate_force = Eigen::Vector3d::Zero();  // force of the plates on the nodes, summed [N]
   double element_frequency = 0.0;                         // largest element bound of omega^2 (M.10) [1/s2]
 };
 
-// S8: work of each force over one kick, tau f . (v- + v+) / 2 [J] (K.20). Their sum is kinetic_after -
-// kinetic_before to round-off, whatever the forces and steps.
+/// S8: work of each force over one kick, tau f . (v- + v+) / 2 [J] (K.20). The sum of all is
+/// kinetic_after - kinetic_before to round-off, whatever the forces and steps.
 struct KickWork {
   double membrane = 0.0;  // of the fabric's stress
-  double pressure = 0.0;  // of the gas
-  double jet = 0.0;       // of its overpressure
+  double pressure = 0.0;  // of the gas pressure
+  double jet = 0.0;       // of the jets' overpressure
   double support = 0.0;   // of straps and plates
-  double contact = 0.0;   // of what the caller wrote to contact_force
+  double contact = 0.0;   // of contact_force
   double gravity = 0.0;   // of the weight
   double damping = 0.0;   // <= 0
-  // Sum of all.
+  /// Sum of all [J].
   double total() const { return membrane + pressure + jet + support + contact + gravity + damping; }
 };
 
-// S8: results of one step.
+/// S8: results of one step.
 struct AdvanceSums {
-  KickWork work;                // by cause
+  KickWork work;                // of each force
   double kinetic_before = 0.0;  // of v at n-1/2 [J]
   double kinetic_after = 0.0;   // of v at n+1/2 [J]
-  double kinetic_product =
-      0.0;  // sum of m v- . v+ / 2 [J], conserved with the strain energy by linear systems
+  /// Sum of m v- . v+ / 2 [J]. A linear system conserves its sum with the strain energy.
+  double kinetic_product = 0.0;
   Eigen::Vector3d momentum_before = Eigen::Vector3d::Zero();  // [kg m/s]
   Eigen::Vector3d momentum_after = Eigen::Vector3d::Zero();   // [kg m/s]
-  // tau * force on the free nodes, damping aside [N s]
+  /// tau * force on the free nodes, damping left out [N s].
   Eigen::Vector3d impulse = Eigen::Vector3d::Zero();
   double max_speed_squared = 0.0;  // largest |v|^2 at n+1/2 [m2/s2]
 };
 
-// Partial sums of one block; scratch of the stages.
+/// Partial sums of one block; workspace of the stages.
 struct BlockSums {
-  SurfaceSums surface;           // of a block of elements; its volume is still three times the volume
-  ForceSums forces;              // fabric of a block of elements, plates of a block of nodes
-  double shared_mobility = 0.0;  // part of gradient_mobility, of a block of shared nodes [m4/kg]
-  AdvanceSums advance;           // of a block of nodes
+  /// Of a block of elements. `volume` is still three times the volume.
+  SurfaceSums surface;
+  ForceSums forces;  // fabric: of a block of elements; plates: of nodes
+  /// Part of gradient_mobility from a block of shared nodes [m4/kg].
+  double shared_mobility = 0.0;
+  AdvanceSums advance;  // of a block of nodes
 };
 
-// All that changes during a run. Each array has one writer, named on its line; everything is allocated by
-// make_state. Arrays of Vectors are padded to 4 doubles a column.
+/// State of a bag: all that changes during a run. Each array has one writer, named on its line. make_state
+/// allocates everything. Arrays of Vectors are padded to 4 doubles a column.
 struct BagState {
   Vectors position;         // x at n [m], nodes; S8
-  Vectors velocity;         // v at n-1/2 [m/s], nodes, zero at fixed ones; S8
-  Vectors area_vector;      // S_e, outward, length = area [m2], elements, empty without jet; S1/S9
-  Vectors centroid;         // ((a + b) + c) / 3 [m], elements, empty without jet; S1/S9
+  Vectors velocity;         // v at n-1/2 [m/s], nodes, 0 at fixed ones; S8
+  Vectors area_vector;      // S_e, outward, length = area [m2], elements; empty without jet; S1/S9
+  Vectors centroid;         // ((a + b) + c) / 3 [m], elements; empty without jet; S1/S9
   Vectors volume_gradient;  // dV/dx = sum of S_e / 3 [m2], nodes; S1/S9
-  double gauge_pressure =
-      0.0;                 // p - p_a [Pa], its force is gauge_pressure * volume_gradient; S6 pressure_forces
+  /// p - p_a [Pa]; the nodal force is gauge_pressure * volume_gradient; S6 pressure_forces.
+  double gauge_pressure = 0.0;
   Vectors membrane_force;  // [N], nodes; S6 membrane_forces
-  Vectors jet_force;       // [N], nodes, empty without jet; S6 jet_forces
-  Vectors support_force;   // straps and plates [N], nodes, empty without them; S6 support_forces
-  std::vector<double> strap_tension;    // [N], straps; S6 support_forces
-  Vectors contact_force;                // [N], nodes, empty without contact; S7, by the caller
-  AlignedVector<NodeSums> shared_sums;  // scratch of S6 and S9: each block's share of its shared nodes
-  MassShares shares;                    // of the nodes' mass; starts as sewn, update_mass_shares
-  std::vector<double> share_demand;     // elements, scratch of update_mass_shares
-  std::vector<BlockSums> block;         // scratch of the block sums
-  SurfaceSums surface;                  // S1/S9
-  ForceSums forces;                     // S6
-  AdvanceSums advance;                  // S8
+  Vectors jet_force;       // [N], nodes; empty without jet; S6 jet_forces
+  Vectors support_force;   // of straps and plates [N], nodes; empty without them; S6 support_forces
+  std::vector<double> strap_tension;  // [N], straps; S6 support_forces
+  Vectors contact_force;              // [N], nodes; empty without contact; S7, the caller
+  /// Workspace of S6 and S9: partial sums of each block at its shared nodes.
+  AlignedVector<NodeSums> shared_sums;
+  /// Shares of the nodes' mass; they start as in the model; update_mass_shares.
+  MassShares shares;
+  std::vector<double> share_demand;  // elements; workspace of update_mass_shares
+  std::vector<BlockSums> block;      // workspace of the block sums
+  SurfaceSums surface;               // S1/S9
+  ForceSums forces;                  // S6
+  AdvanceSums advance;               // S8
 };
 
-// Loads that the scene has beside pressure and supports; what is absent costs nothing.
+/// Loads besides pressure and supports. A load that is absent costs nothing.
 struct LoadKinds {
-  bool jet = false;      // area vectors, centroids and jet forces are kept
-  bool contact = false;  // contact_force is there to be written
+  bool jet = false;      // keep area vectors, centroids and jet forces
+  bool contact = false;  // keep contact_force, for the caller to write
 };
 
-// State at rest at the given positions (3 x nodes [m]), surface and membrane forces not yet computed.
-// Throws std::invalid_argument on a wrong size or a non-finite coordinate, naming the node.
+/// State at rest at the given positions, 3 x nodes [m]. Surface and membrane forces are not yet computed.
+/// Throws std::invalid_argument, naming the node, for a wrong size or a coordinate that is not finite.
 BagState make_state(const BagModel& model, ConstVectorsRef position, LoadKinds loads = {});
 
 }  // namespace membrane

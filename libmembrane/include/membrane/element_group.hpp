@@ -3,70 +3,71 @@
 
 #include <cstdint>
 
-// Plain data only: the kernels include this, once for each instruction set.
+/// Plain data only: the kernels include this, once for each instruction set.
 namespace membrane {
 
-// The kernels handle elements in groups of this many lanes, whatever the instruction set.
+/// Elements of a group: the kernels handle so many at a time, with every instruction set.
 inline constexpr int kLanes = 4;
 
-// A block has at most this many elements and nodes, so that its positions and sums stay in the first-level
-// cache. Blocks are what threads share out, and the bits of a sum depend on them alone.
+/// Most elements and nodes of a block. Its positions and sums then stay in the first-level cache. Threads
+/// share out whole blocks, and the bits of a sum depend on the blocks alone.
 inline constexpr int kBlockElements = 512;
 inline constexpr int kBlockNodes = 384;  // see kBlockElements
 
-// What four elements have in common with many others: a table of the few that differ stays in the first-level
-// cache.
+/// Constants of four elements that many groups have in common. The table holds each distinct one once and
+/// stays in the first-level cache.
 struct alignas(32) FabricGroup {
-  double young_modulus[kLanes];     // see IsotropicConstants [Pa], 0 for null
-  double spherical[kLanes];         // as above; of a woven bag see OrthotropicConstants
-  double deviator[kLanes];          // as above
+  double young_modulus[kLanes];     // [Pa] see IsotropicConstants; 0 for null elements
+  double spherical[kLanes];         // [Pa] as above; in a woven bag see OrthotropicConstants
+  double deviator[kLanes];          // [Pa] as above
   double porosity[kLanes];          // eta [-]
   double porosity_squared[kLanes];  // eta^2 [-]
 };
 
-// All else that the kernels read of four elements and never changes, in one stream.
+/// All other constants of four elements that the kernels read, in one stream.
 struct alignas(32) ElementGroup {
   std::uint16_t node[3][kLanes];  // corners a, b, c: places in the block's list of nodes
   std::int32_t fabric;            // place in the table of fabrics
-  // Gradients of the corner functions in the element's frame (first axis along a-b):
-  // grad N_b = (gradient_b1, gradient_b2), grad N_c = (0, gradient_c2), grad N_a = -(grad N_b + grad N_c).
+  /// [1/m] Gradients of the corner functions in the element's frame (first axis along a-b):
+  ///   grad N_b = (gradient_b1, gradient_b2), grad N_c = (0, gradient_c2), grad N_a = -(grad N_b + grad N_c).
   alignas(32) double gradient_b1[kLanes];
   double gradient_b2[kLanes];  // [1/m]
   double gradient_c2[kLanes];  // [1/m]
-  double volume[kLanes];       // h * reference area [m3], 0 for null
+  double volume[kLanes];       // h * reference area [m3], 0 for null elements
 };
 
-// The bound of omega^2 (M.10) of four elements with their shares of the mass, 0 for null.
+/// Bound of omega^2 (M.10) of four elements with their shares of the mass; 0 for null elements.
 struct alignas(64) FrequencyGroup {
   double material[kLanes];   // [1/s2]
   double geometric[kLanes];  // per principal stress [1/(s2 Pa)]
 };
 
-// Beside `spherical` and `deviator` of its fabric, for a woven bag only: see OrthotropicConstants.
+/// Further constants of a woven bag, besides `spherical` and `deviator` of the fabric: see
+/// OrthotropicConstants.
 struct alignas(32) WeaveGroup {
   double cosine[kLanes];      // of twice the angle to the warp
   double sine[kLanes];        // of the same
   double warp_scale[kLanes];  // [-]
   double shear[kLanes];       // 2 G [Pa]
-  double series[kLanes];      // [Pa], 0 for null
+  double series[kLanes];      // [Pa], 0 for null elements
   double skew[kLanes];        // [-]
   double taut[kLanes];        // [-]
 };
 
-// Elements and nodes of one block. Its nodes are those of its own first, then those it shares with others.
+/// Elements and nodes of one block. Its own nodes come first, then those it shares with other blocks.
 struct ElementBlock {
   std::int32_t first_group;   // in BlockTable::group
-  std::int32_t last_group;    // one past it
-  std::int32_t first_node;    // in BlockTable::node: of its own
-  std::int32_t first_shared;  // the shared ones follow
-  std::int32_t last_node;     // one past them
-  std::int32_t first_slot;    // of its shared nodes, in BagState::shared_sums
+  std::int32_t last_group;    // one past the last
+  std::int32_t first_node;    // in BlockTable::node: first own node
+  std::int32_t first_shared;  // first shared node, one past the own ones
+  std::int32_t last_node;     // one past the shared nodes
+  std::int32_t first_slot;    // of its shared nodes in BagState::shared_sums
 };
 
-// Force of the fabric and gradient of the volume at one node, or one block's share of them.
+/// Force of the fabric and gradient of the volume at one node: the total, or the part of one block.
 struct alignas(64) NodeSums {
-  double force[4];     // [N], fourth 0
-  double gradient[4];  // three times dV/dx [m2], fourth 0
+  double force[4];     // [N], the fourth is 0
+  double gradient[4];  // three times dV/dx [m2], the fourth is 0
 };
 
 }  // namespace membrane

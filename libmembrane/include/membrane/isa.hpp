@@ -3,14 +3,15 @@
 
 namespace membrane {
 
-// Instruction sets the kernels are compiled for. All three give the same bits: same lanes, same order of
-// operations, no contraction. `scalar` is the same source with one lane and serves as oracle.
+/// Instruction sets that the kernels are compiled for. All three give the same bits: they use the same lanes
+/// and the same order of operations, without contraction. `scalar` is the same source with one lane; it is
+/// the oracle.
 enum class Isa { scalar, baseline, avx2 };
 
-// The fastest of them that this processor runs.
+/// The fastest instruction set that this processor has.
 Isa best_isa();
 
-// `scalar`, `baseline` or `avx2`.
+/// Name of an instruction set: "scalar", "baseline" or "avx2".
 const char* name_of(Isa isa);
 
 }  // namespace membrane

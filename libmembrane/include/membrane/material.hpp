@@ -6,11 +6,11 @@
 
 namespace membrane {
 
-// What the fabric does when pushed together: `linear` carries compression like any solid, `none` wrinkles
-// or goes slack instead (relaxed energy, M.3).
+/// Compression law of the fabric. `linear` carries compression like any solid. `none` wrinkles or goes slack
+/// instead (relaxed energy, M.3).
 enum class Compression { linear, none };
 
-// Green-Lagrange strain in an orthonormal frame of the reference plane (M.1); e12 is the tensor component.
+/// Green-Lagrange strain in an orthonormal frame of the reference plane (M.1); e12 is the tensor component.
 template <class T>
 struct PlaneStrain {
   T e11;  // [-] along the first axis
@@ -18,7 +18,7 @@ struct PlaneStrain {
   T e12;  // [-] half the shear angle
 };
 
-// Elastic constants of isotropic St. Venant-Kirchhoff plane stress (M.2) as the kernels use them.
+/// Elastic constants of isotropic St. Venant-Kirchhoff plane stress (M.2), in the form that the kernels use.
 template <class T>
 struct IsotropicConstants {
   T young_modulus;  // E [Pa]
@@ -26,29 +26,29 @@ struct IsotropicConstants {
   T deviator;       // E / (1 + nu) [Pa]: deviatoric stress over deviatoric strain
 };
 
-// What the pointwise law returns: second Piola-Kirchhoff stress and its energy.
+/// Result of the pointwise law: second Piola-Kirchhoff stress and energy.
 template <class T>
 struct PlaneResponse {
   T s11;             // [Pa] along the first axis
   T s22;             // [Pa] along the second
   T s12;             // [Pa] shear
   T energy_density;  // [J/m3 of the reference volume]
-  T stress_1;        // largest principal second Piola-Kirchhoff stress [Pa]
-  T strain_1;        // largest principal Green-Lagrange strain [-]
+  T stress_1;        // [Pa] largest principal second Piola-Kirchhoff stress
+  T strain_1;        // [-] largest principal Green-Lagrange strain
 };
 
-// E [Pa], nu [-] with E > 0 and -1 < nu < 1 (the caller checks).
+/// Constants from E [Pa] and nu [-]. Preconditions: E > 0 and -1 < nu < 1.
 template <class T>
 IsotropicConstants<T> isotropic_constants(T young_modulus, T poisson) {
   return {young_modulus, young_modulus / (T(1.0) - poisson), young_modulus / (T(1.0) + poisson)};
 }
 
-// Lane-wise choice; SIMD lane types bring their own overload, found by argument-dependent lookup.
+/// Lane-wise choice. SIMD lane types have their own overload, found by argument-dependent lookup.
 inline double select(bool condition, double if_true, double if_false) {
   return condition ? if_true : if_false;
 }
 
-// F^T F of the two columns f1, f2 of the deformation gradient (M.1): E = (F^T F - 1) / 2.
+/// Green-Lagrange strain E = (F^T F - 1) / 2 (M.1); f1, f2 are the columns of the deformation gradient F.
 template <class T>
 PlaneStrain<T> green_lagrange_strain(const T (&f1)[3], const T (&f2)[3]) {
   const T half(0.5);
@@ -57,16 +57,17 @@ PlaneStrain<T> green_lagrange_strain(const T (&f1)[3], const T (&f2)[3]) {
           half * (f1[0] * f2[0] + f1[1] * f2[1] + f1[2] * f2[2])};
 }
 
-// Stress, energy and principal values at a point (M.2, M.3), for T = double or a SIMD lane type.
-//
-// With the mean strain m, the deviatoric strain D and its radius r (principal strains m +- r), every state
-// has S = a 1 + b D, W = a m + b r^2 and S_1 = a + b r:
-//   taut                       a = E m / (1 - nu),  b = E / (1 + nu)
-//   wrinkled (S_2 would be < 0) a = E E_1 / 2,       b = E E_1 / (2 r)
-//   slack (E_1 <= 0)           a = b = 0
-// Wrinkled and slack are one branch, since E_1 is cut at zero; the energy is C1 over all borders and the
-// stress continuous. The relaxed energy is the minimum of the taut one over all added wrinkle strains
-// (Pipkin 1986, IMA J. Appl. Math. 36, 85-99), so its tangent is never above the taut one.
+/// Stress, energy and principal values at a point (M.2, M.3), for T = double or a SIMD lane type.
+///
+/// Let m be the mean strain, D the deviatoric strain and r its radius; the principal strains are m +- r.
+/// Every state has S = a 1 + b D, W = a m + b r^2 and S_1 = a + b r:
+///   taut                       a = E m / (1 - nu),  b = E / (1 + nu)
+///   wrinkled (S_2 would be < 0) a = E E_1 / 2,       b = E E_1 / (2 r)
+///   slack (E_1 <= 0)           a = b = 0
+///
+/// Wrinkled and slack are one branch, because E_1 is cut at zero. The energy is C1 over all borders and the
+/// stress is continuous. The relaxed energy is the minimum of the taut one over all added wrinkle strains
+/// (Pipkin 1986, IMA J. Appl. Math. 36, 85-99). So its tangent is never above the taut one.
 template <Compression kCompression, class T>
 PlaneResponse<T> isotropic_response(const PlaneStrain<T>& e, const IsotropicConstants<T>& c) {
   using std::sqrt;
@@ -79,7 +80,7 @@ PlaneResponse<T> isotropic_response(const PlaneStrain<T>& e, const IsotropicCons
   if constexpr (kCompression == Compression::none) {
     const auto not_taut = a - b * radius < T(0.0);
     const T half_tension = T(0.5) * (c.young_modulus * select(strain_1 > T(0.0), strain_1, T(0.0)));
-    // The smallest normal number keeps 0/0 (no strain at all) out and changes no other quotient.
+    // The smallest normal number avoids 0/0 (no strain at all) and changes no other quotient.
     const T ratio = half_tension / (radius + T(std::numeric_limits<double>::min()));
     a = select(not_taut, half_tension, a);
     b = select(not_taut, ratio, b);
@@ -89,7 +90,7 @@ PlaneResponse<T> isotropic_response(const PlaneStrain<T>& e, const IsotropicCons
           a + b * radius,     strain_1};
 }
 
-// The same with the compression law chosen at run time.
+/// The same with the compression law chosen at run time.
 inline PlaneResponse<double> isotropic_response(Compression compression, const PlaneStrain<double>& e,
                                                 const IsotropicConstants<double>& c) {
   return compression == Compression::none ? isotropic_response<Compression::none>(e, c)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Triangle mesh of an airbag skin with named panels, and the plain geometry that is asked of it.
+// Triangle mesh of an airbag skin with named panels, and its plain geometry.
 #pragma once
 
 #include <Eigen/Core>
@@ -15,7 +15,8 @@ struct Mesh {
   Eigen::Matrix3Xi elements;             // 3 x M, node indices from 0
   std::vector<int> panel;                // M, index into panel_names
   std::vector<std::string> panel_names;  // one name per panel, unique
-  std::vector<int> line;                 // M, line of its file from 1, by which faults are named; else empty
+  /// [M] line of each element in its file, from 1, for messages; empty if the mesh was not read.
+  std::vector<int> line;
 
   /// N
   int node_count() const { return static_cast<int>(nodes.cols()); }
@@ -23,8 +24,7 @@ struct Mesh {
   int element_count() const { return static_cast<int>(elements.cols()); }
 };
 
-/// Index of the panel called `name`. Throws std::invalid_argument that lists the existing panels if there is
-/// none.
+/// Index of the panel `name`. Throws std::invalid_argument, listing the panels, if there is none.
 int panel_index(const Mesh& mesh, std::string_view name);
 
 /// Elements of a panel, ascending. Throws std::invalid_argument for an unknown panel.
@@ -34,8 +34,8 @@ std::vector<int> panel_elements(const Mesh& mesh, std::string_view name);
 /// panel.
 std::vector<int> panel_nodes(const Mesh& mesh, std::string_view name);
 
-/// Node nearest to `point` [m]; of equally near ones the lowest index. Throws std::invalid_argument on an
-/// empty mesh.
+/// Node nearest to `point` [m]; the lowest index if several are equally near. Throws std::invalid_argument
+/// for an empty mesh or a point that is not finite.
 int nearest_node(const Mesh& mesh, const Eigen::Vector3d& point);
 
 /// Areas of the elements [m2], shape M.
@@ -45,34 +45,34 @@ Eigen::VectorXd element_areas(const Eigen::Ref<const Eigen::Matrix3Xd>& nodes,
 /// Areas of the panels [m2], in the order of panel_names.
 Eigen::VectorXd panel_areas(const Mesh& mesh);
 
-/// Enclosed volume [m3], V = (1/6) sum x_a . (x_b x x_c) (M.5), summed about the first node's position so
-/// that it does not depend on the origin to round-off. Positive for outward orientation; meaningful on closed
+/// Enclosed volume [m3], V = (1/6) sum x_a . (x_b x x_c) (M.5). It is summed about the first node, so that it
+/// does not depend on the origin to round-off. Positive for outward orientation; meaningful for closed
 /// surfaces only.
 double enclosed_volume(const Eigen::Ref<const Eigen::Matrix3Xd>& nodes,
                        const Eigen::Ref<const Eigen::Matrix3Xi>& elements);
 
-/// False if the area of a triangle of sides `ab` and `ac` [m] is rounding noise of its corners, at most 1e-14
-/// of the longer one's square, or beyond what a double's square holds.
+/// False if the area of the triangle with sides `ab` and `ac` [m] is only round-off of its corners: at most
+/// 1e-14 of the longer side squared. Also false if the area overflows a double.
 bool has_area(const Eigen::Vector3d& ab, const Eigen::Vector3d& ac);
 
-/// Smallest and mean shape figures of a set of elements.
+/// Shape figures of a set of elements.
 struct ElementQuality {
   double min_angle;      // [rad] smallest interior angle
-  double min_altitude;   // [m] smallest altitude: governs the critical time step
-  double mean_altitude;  // [m] mean over the elements of each one's smallest altitude
+  double min_altitude;   // [m] smallest altitude, which governs the critical time step
+  double mean_altitude;  // [m] smallest altitude of each element, mean over the elements
   double max_aspect;     // [-] longest edge over smallest altitude (equilateral: 2/sqrt(3))
   double min_area;       // [m2] of the smallest element
   double max_area;       // [m2] of the largest
 };
 
-/// Element-quality report. Precondition: at least one element, none of zero area or beyond double range (else
-/// std::invalid_argument).
+/// Shape figures of a mesh. Throws std::invalid_argument for no element, or one whose area is zero or not
+/// finite.
 ElementQuality element_quality(const Eigen::Ref<const Eigen::Matrix3Xd>& nodes,
                                const Eigen::Ref<const Eigen::Matrix3Xi>& elements);
 
-/// Nodes flattened along x: x -> factor * x, so that whatever lies in x = 0 (the attachment) stays. The
-/// design shape stays the stress-free reference; the result is an initial shape. Throws std::invalid_argument
-/// unless 0 < factor <= 1.
+/// Nodes flattened along x: x -> factor * x, so that nodes in x = 0 (the attachment) stay. The result is an
+/// initial shape; the design shape stays the stress-free reference. Throws std::invalid_argument unless
+/// 0 < factor <= 1.
 Eigen::Matrix3Xd flatten(const Mesh& mesh, double factor);
 
 }  // namespace membrane

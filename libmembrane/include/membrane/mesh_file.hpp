@@ -14,25 +14,26 @@ namespace membrane {
 /// A mesh file that cannot be read; what() reads `file:line:column: what is wrong`.
 class MeshFileError : public std::runtime_error {
  public:
-  /// Line and column from 1, or both 0 where the file as a whole is meant and what() names neither.
+  /// Line and column count from 1. Both are 0 if the message concerns the whole file; what() then names
+  /// neither.
   MeshFileError(const std::string& file, std::size_t line, std::size_t column, const std::string& message);
-  std::size_t line() const { return line_; }      // from 1; 0 if the file as a whole is meant
-  std::size_t column() const { return column_; }  // from 1; 0 if the file as a whole is meant
+  std::size_t line() const { return line_; }      // from 1; 0: the whole file
+  std::size_t column() const { return column_; }  // from 1; 0: the whole file
 
  private:
   std::size_t line_;
   std::size_t column_;
 };
 
-/// Reads a mesh, lengths in metres: parse_obj or parse_keyword (obj.hpp, keyword.hpp) of the file's text.
-/// Throws MeshFileError for another ending, a file that cannot be read, and whatever the parsers refuse.
+/// Reads a mesh, lengths in metres, by parse_obj or parse_keyword (obj.hpp, keyword.hpp). Throws
+/// MeshFileError for another ending, a file that cannot be read, and whatever the parsers refuse.
 Mesh read_mesh(const std::filesystem::path& path);
 
-/// Throws MeshFileError (line 0) for another ending than those above.
+/// Throws MeshFileError (line 0) if the name has another ending than those above.
 void check_mesh_ending(const std::filesystem::path& path);
 
-/// Writes a mesh, format by the ending as above. Throws MeshFileError (line 0) for another ending or if the
-/// file cannot be written, std::invalid_argument for what the format cannot hold.
+/// Writes a mesh in the format that the ending names. Throws MeshFileError (line 0) for another ending or a
+/// file that cannot be written, and std::invalid_argument for a mesh that the format cannot hold.
 void write_mesh(const Mesh& mesh, const std::filesystem::path& path);
 
 }  // namespace membrane

@@ -9,16 +9,20 @@
 
 namespace membrane {
 
-/// Reads OBJ text, lengths in metres; `name` stands for the file in messages. Statements: `v x y z [w]` (w
-/// ignored); `f` with 3 or 4 corners written i, i/j, i//k or i/j/k, the index counted from 1 or, negative,
-/// back from the last node (quads are split along the shorter diagonal); `g`/`o` name (elements that follow
-/// belong to that panel; "default" before the first); `#` comments; vt, vn, vp, s, usemtl, mtllib are
-/// skipped. Anything else, a number that is not finite, an index without a node above it or a repeated corner
-/// throws MeshFileError with line and column. Closedness is not asked here: surface_check.hpp.
+/// Reads OBJ text, lengths in metres. `name` is the file's name in messages. Statements:
+/// - `v x y z [w]`: a node; w is ignored.
+/// - `f` with 3 or 4 corners, each written i, i/j, i//k or i/j/k. The index counts from 1 or, if negative,
+///   back from the last node. A quad is split along its shorter diagonal.
+/// - `g name`, `o name`: the elements that follow belong to this panel; before the first one, to "default".
+/// - `#`: a comment. vt, vn, vp, s, usemtl and mtllib are skipped.
+///
+/// Throws MeshFileError, with line and column, for anything else, a number that is not finite, an index
+/// without a node above it, or a repeated corner. surface_check.hpp checks whether the surface is closed.
 Mesh parse_obj(std::string_view text, const std::string& name);
 
-/// OBJ text of a mesh, elements grouped by panel as they come; nodes round-trip bit for bit. Throws
-/// std::invalid_argument if a panel name is empty or has white space, or a node is not finite.
+/// OBJ text of a mesh. Elements keep their order, with a panel line at each change of panel; nodes round-trip
+/// bit for bit. Throws std::invalid_argument if a panel name is empty or has white space, or a node is not
+/// finite.
 std::string format_obj(const Mesh& mesh);
 
 }  // namespace membrane

@@ -9,8 +9,9 @@
 
 namespace membrane {
 
-// What a fabric's data sheet gives; the Poisson ratio is the weft's contraction in tension along the warp.
-// The stiffness is positive definite for moduli > 0 and poisson^2 < young_modulus_warp / young_modulus_weft.
+/// Elastic data of a woven fabric, as on a data sheet. The Poisson ratio is the contraction along the weft in
+/// tension along the warp. The stiffness is positive definite for moduli > 0 and
+/// poisson^2 < young_modulus_warp / young_modulus_weft.
 struct Weave {
   double young_modulus_warp;  // [Pa] > 0
   double young_modulus_weft;  // [Pa] > 0
@@ -18,25 +19,32 @@ struct Weave {
   double shear;               // G [Pa] > 0
 };
 
-// The elastic constants as the kernels use them (M.13). In the frame of warp and weft the strains along and
-// across are multiplied by `warp_scale` and its inverse, the stresses by the inverses. That keeps S : E and
-// the sign of both tensors, and makes warp and weft equally stiff: the stiffness is then diagonal in the
-// mean, the difference and the shear.
+/// Elastic constants in the form that the kernels use (M.13). In the frame of warp and weft, the strain along
+/// the warp is multiplied by `warp_scale` and that along the weft by its inverse; the stresses by the
+/// inverses of these. This keeps S : E and the sign of both tensors, and makes warp and weft equally stiff.
+/// The stiffness is then diagonal in the mean, the difference and the shear.
 template <class T>
 struct OrthotropicConstants {
-  T cosine;      // of twice the angle from the frame's first axis to the warp
-  T sine;        // of the same
-  T warp_scale;  // (C_11 / C_22)^(1/4) [-]
-  T spherical;   // sqrt(C_11 C_22) + C_12 [Pa]: mean stress over mean strain
-  T deviator;    // sqrt(C_11 C_22) - C_12 [Pa]: stress over strain, each half the difference of warp and weft
-  T shear;       // 2 G [Pa]: shear stress over tensor shear strain
-  // Of the wrinkled branch (M.14); all 0 for an element without stress.
-  T series;  // 1 / (1 / spherical + 1 / deviator) [Pa]
-  T skew;    // series * (1 / deviator - 1 / shear) [-], 0 if isotropic in the scaled frame
-  T taut;    // 1 + deviator / spherical [-], value of the root at the taut border
+  /// [-] of twice the angle from the frame's first axis to the warp.
+  T cosine;
+  T sine;        // [-] of the same angle
+  T warp_scale;  // [-] (C_11 / C_22)^(1/4)
+  /// [Pa] sqrt(C_11 C_22) + C_12: mean stress over mean strain.
+  T spherical;
+  /// [Pa] sqrt(C_11 C_22) - C_12: stress over strain, each half the difference between warp and weft.
+  T deviator;
+  /// [Pa] 2 G: shear stress over tensor shear strain.
+  T shear;
+  /// [Pa] 1 / (1 / spherical + 1 / deviator). This and the next two belong to the wrinkled branch (M.14); all
+  /// are 0 for an element without stress.
+  T series;
+  /// [-] series * (1 / deviator - 1 / shear), 0 if isotropic in the scaled frame.
+  T skew;
+  /// [-] 1 + deviator / spherical, value of the root at the taut border.
+  T taut;
 };
 
-// `cosine`, `sine` as above. Precondition: a positive definite stiffness (the caller checks).
+/// Constants of a fabric; `cosine` and `sine` as above. Precondition: the stiffness is positive definite.
 inline OrthotropicConstants<double> orthotropic_constants(const Weave& w, double cosine, double sine) {
   const double reciprocal = 1.0 - w.poisson * w.poisson * (w.young_modulus_weft / w.young_modulus_warp);
   const double c11 = w.young_modulus_warp / reciprocal, c22 = w.young_modulus_weft / reciprocal,
@@ -55,15 +63,17 @@ inline OrthotropicConstants<double> orthotropic_constants(const Weave& w, double
           1.0 + deviator / spherical};
 }
 
-// SIMD lane types bring their own overload, found by argument-dependent lookup.
+/// True if the value, or that of any lane, is positive. SIMD lane types have their own overload, found by
+/// argument-dependent lookup.
 inline bool any_positive(double value) {
   return value > 0.0;
 }
 
-// Root u of (M.14), 0 at the slack border and `taut` at the other; mean, difference and shear are the scaled
-// strains. Newton from the border on the side of the mean's sign runs to the root without ever passing it,
-// since the function is concave (mean > 0) or convex: so a lane that no longer advances is done, and more
-// rounds for its neighbours do not change it. 12 rounds suffice for shear / deviator from 1e-4 to 100.
+/// Root u [-] of (M.14), 0 at the slack border and `taut` at the taut one. `mean`, `difference` and `shear`
+/// are the scaled strains. The function is concave (mean > 0) or convex. So Newton's method, from the border
+/// on the side of the mean's sign, approaches the root without passing it. A lane that no longer advances is
+/// therefore done, and further rounds for its neighbours do not change it. 12 rounds suffice for shear /
+/// deviator from 1e-4 to 100.
 template <class T>
 T wrinkle_root(T mean, T difference, T shear, const OrthotropicConstants<T>& c) {
   using std::sqrt;
@@ -74,7 +84,7 @@ T wrinkle_root(T mean, T difference, T shear, const OrthotropicConstants<T>& c) 
   for (int round = 0; round < most_rounds; ++round) {
     const T b = one - c.skew * u;
     const T db = difference * b;
-    // The smallest normal number keeps 0/0 out; what it lets through is not an advance.
+    // The smallest normal number avoids 0/0; the quotient is then no advance.
     const T inverse = one / (sqrt(db * db + shear * shear) + T(std::numeric_limits<double>::min()));
     const T t = shear * inverse;
     const T value = mean * b * inverse + (one - u);
@@ -88,9 +98,9 @@ T wrinkle_root(T mean, T difference, T shear, const OrthotropicConstants<T>& c) 
   return u;
 }
 
-// Stress, energy and principal values at a point (M.13, M.14), for T = double or a SIMD lane type. Without
-// compression the energy is the least over all added wrinkle strains, the stress its derivative: positive
-// semi-definite, continuous, S : E / 2 = W everywhere.
+/// Stress, energy and principal values at a point (M.13, M.14), for T = double or a SIMD lane type. Without
+/// compression, the energy is the minimum over all added wrinkle strains and the stress is its derivative.
+/// The stress is positive semi-definite and continuous, and S : E / 2 = W everywhere.
 template <Compression kCompression, class T>
 PlaneResponse<T> orthotropic_response(const PlaneStrain<T>& e, const OrthotropicConstants<T>& c) {
   using std::sqrt;
@@ -121,7 +131,7 @@ PlaneResponse<T> orthotropic_response(const PlaneStrain<T>& e, const Orthotropic
           strain_1};
 }
 
-// The same with the compression law chosen at run time.
+/// The same with the compression law chosen at run time.
 inline PlaneResponse<double> orthotropic_response(Compression compression, const PlaneStrain<double>& e,
                                                   const OrthotropicConstants<double>& c) {
   return compression == Compression::none ? orthotropic_response<Compression::none>(e, c)

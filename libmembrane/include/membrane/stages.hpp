@@ -7,59 +7,60 @@
 #include "membrane/bag_model.hpp"
 #include "membrane/bag_state.hpp"
 
-// The stages of one step that belong to the bag. None of them allocates. Each takes `for_each_block`, called
-// as for_each_block(count, f) to run f(0) ... f(count - 1) in any order or in parallel; the results have the
-// same bits whatever it does.
+/// The bag's stages of one step. None of them allocates. Each takes `for_each_block`: for_each_block(count,
+/// f) must run f(0) ... f(count - 1), in any order or in parallel. The results have the same bits in every
+/// case. The functions with `block` are parts of stages; precondition: `block` is a number of its kind of
+/// block.
 namespace membrane {
 
-// One block after the other in the calling thread.
+/// Runs one block after the other in the calling thread.
 struct Serial {
-  // Calls f(0) ... f(count - 1).
+  /// Calls f(0) ... f(count - 1).
   template <class F>
   void operator()(int count, F&& f) const {
     for (int block = 0; block < count; ++block) f(block);
   }
 };
 
-// What a pass over the elements computes.
+/// Quantities that a pass over the elements computes.
 enum class SkinParts { surface, forces, both };
 
-// How many blocks there are, of elements (at most kBlockElements each) ...
+/// Number of blocks of elements, at most kBlockElements each.
 int element_blocks(const BagModel& model);
-// ... of nodes that several of them share (kNodeBlock each) ...
+/// Number of blocks of nodes that several element blocks share, kNodeBlock each.
 int shared_blocks(const BagModel& model);
-// ... and of all nodes (kNodeBlock each).
+/// Number of blocks of all nodes, kNodeBlock each.
 int node_blocks(const BagModel& model);
 
-// Parts of the stages below that handle one block, and the closing sums. Precondition: `block` is one of the
-// kind's. update_skin, a block of elements: their sums, and forces and gradients at their nodes.
+/// Part of update_skin for one block of elements: its sums, and forces and gradients at its nodes.
 void skin_block(const BagModel& model, BagState& state, SkinParts parts, int block);
-// update_skin, a block of shared nodes, after all blocks of elements: adds up what those left there.
+/// Part of update_skin for one block of shared nodes, after all blocks of elements: adds up their partial
+/// sums.
 void shared_block(const BagModel& model, BagState& state, SkinParts parts, int block);
-// update_skin: sums over the blocks, in order. Throws MembraneError if volume or area is not finite.
+/// Part of update_skin: sums over the blocks, in order. Throws MembraneError if volume or area is not finite.
 void sum_skin(const BagModel& model, BagState& state, SkinParts parts);
-// support_forces, a block of nodes: the plates' part.
+/// Part of support_forces for one block of nodes: the plates.
 void plate_force_block(const BagModel& model, BagState& state, int block);
-// support_forces: the straps, and sums over the blocks.
+/// Part of support_forces: the straps, and the sums over the blocks.
 void sum_support_forces(const BagModel& model, BagState& state);
-// advance, a block of nodes.
+/// Part of advance for one block of nodes.
 void advance_block(const BagModel& model, BagState& state, double dt_before, double dt_after, int block);
-// advance: sums over the blocks. Throws MembraneError naming the node whose velocity is not finite.
+/// Part of advance: sums over the blocks. Throws MembraneError, naming the node whose velocity is not finite.
 void sum_advance(const BagModel& model, BagState& state, double dt_before, double dt_after);
-// update_mass_shares, a block of elements: how much more mass each asks for (M.17).
+/// Part of update_mass_shares for one block of elements: by which factor each asks for more mass (M.17).
 void demand_block(const BagModel& model, BagState& state, int block);
-// update_mass_shares, a block of nodes: the shares by what their elements ask for.
+/// Part of update_mass_shares for one block of nodes: new shares from what the elements ask for.
 void share_block(const BagModel& model, BagState& state, int block);
-// update_mass_shares, a block of elements: the bounds of omega^2 that follow.
+/// Part of update_mass_shares for one block of elements: new bounds of omega^2.
 void frequency_block(const BagModel& model, BagState& state, int block);
-// advance: std::invalid_argument unless dt_before >= 0, dt_after > 0, both finite.
+/// Part of advance: throws std::invalid_argument unless dt_before >= 0 and dt_after > 0, both finite [s].
 void check_steps(double dt_before, double dt_after);
 
-// S1/S9 and the fabric's part of S6 at state.position in one pass over the elements, which is what a step
-// wants: both need the same corners. Bits as from the two functions below.
-//   surface: volume, its gradient and the areas; with a jet also area vectors and centroids (M.5)
-//   forces:  forces of the fabric, their strain energy and the element bound of omega^2 (M.4, M.10)
-// Throws MembraneError if the volume is not finite.
+/// S1/S9 and the fabric's part of S6 at state.position, in one pass over the elements because both need the
+/// same corners. The bits are those of the two functions below.
+///   surface: volume, its gradient and the areas; with a jet also area vectors and centroids (M.5)
+///   forces:  forces of the fabric, their strain energy and the element bound of omega^2 (M.4, M.10)
+/// Throws MembraneError if volume or area is not finite.
 template <class ForEachBlock = Serial>
 void update_skin(const BagModel& model, BagState& state, ForEachBlock&& for_each_block = {},
                  SkinParts parts = SkinParts::both) {
@@ -68,37 +69,37 @@ void update_skin(const BagModel& model, BagState& state, ForEachBlock&& for_each
   sum_skin(model, state, parts);
 }
 
-// The surface alone.
+/// Surface only.
 template <class ForEachBlock = Serial>
 void update_surface(const BagModel& model, BagState& state, ForEachBlock&& for_each_block = {}) {
   update_skin(model, state, for_each_block, SkinParts::surface);
 }
 
-// The fabric's forces alone: open sheets without gas.
+/// Forces of the fabric only, as for open sheets without gas.
 template <class ForEachBlock = Serial>
 void membrane_forces(const BagModel& model, BagState& state, ForEachBlock&& for_each_block = {}) {
   update_skin(model, state, for_each_block, SkinParts::forces);
 }
 
-// S6: gas pressure less ambient pressure [Pa] on the inside of every element, null ones too (M.6). The nodal
-// force is gauge_pressure * dV/dx; it must belong to the surface of the same positions.
+/// S6: overpressure `gauge_pressure` = p - p_a [Pa] on the inside of every element, null ones included (M.6).
+/// The nodal force is gauge_pressure * dV/dx. Precondition: the gradient belongs to the current positions.
+/// Throws MembraneError if the pressure is not finite.
 void pressure_forces(BagState& state, double gauge_pressure);
 
-/// Load of a jet: overpressure [Pa] of every element on its inside, and the elements that it may load, each
-/// once; what the others have is not read.
+/// Load of one jet.
 struct JetLoad {
-  std::span<const double> overpressure;
-  std::span<const int> elements;
+  std::span<const double> overpressure;  // [Pa] M, on the inside of each element; read for `elements` only
+  std::span<const int> elements;         // elements that the jet may load, each once
 };
 
-// S6: jet overpressure, S_e / 3 to each corner. Needs LoadKinds::jet; throws std::invalid_argument without
-// it, if there is not one value per element, or for an element that there is not.
+/// S6: forces of the jets, overpressure times S_e / 3 at each corner. Throws std::invalid_argument without
+/// LoadKinds::jet, unless there is one value per element, and for an element number out of range.
 void jet_forces(const BagModel& model, BagState& state, std::span<const JetLoad> loads);
 
-// The same for one jet that may load every element.
+/// The same for one jet that may load every element.
 void jet_forces(const BagModel& model, BagState& state, std::span<const double> overpressure);
 
-// S6: straps and plates with their energies (M.7, M.8). Nothing happens in a bag without them.
+/// S6: forces and energies of straps and plates (M.7, M.8). Does nothing for a bag without them.
 template <class ForEachBlock = Serial>
 void support_forces(const BagModel& model, BagState& state, ForEachBlock&& for_each_block = {}) {
   if (state.support_force.empty()) return;
@@ -106,9 +107,9 @@ void support_forces(const BagModel& model, BagState& state, ForEachBlock&& for_e
   sum_support_forces(model, state);
 }
 
-// Now and then, after update_skin: moves mass to the elements whose bound of omega^2 is near the largest at
-// these positions (M.15), one round. Later bounds use the new shares; each is a bound wherever the nodes go.
-// At most some thirty times the cost of update_skin, less when few elements are near.
+/// Moves mass to the elements whose bound of omega^2 is near the largest one at these positions (M.15), one
+/// round. Call it now and then, after update_skin. Later bounds use the new shares; each is a safe bound
+/// wherever the nodes move. It costs at most about thirty times update_skin, less if few elements are near.
 template <class ForEachBlock = Serial>
 void update_mass_shares(const BagModel& model, BagState& state, ForEachBlock&& for_each_block = {}) {
   for_each_block(element_blocks(model), [&](int block) { demand_block(model, state, block); });
@@ -116,13 +117,13 @@ void update_mass_shares(const BagModel& model, BagState& state, ForEachBlock&& f
   for_each_block(element_blocks(model), [&](int block) { frequency_block(model, state, block); });
 }
 
-// S8: central difference with variable step (M.9):
-//   v+ = v- + tau (f / m - alpha (v- + v+) / 2 + gravity),  tau = (dt_before + dt_after) / 2,  x += dt_after
-//   v+.
-// dt_before [s] is the step that led to n (0 at the start: v is then the velocity at n itself), dt_after > 0
-// [s] the one that leaves it. Order 2 for smoothly varying steps. Stable for dt <= critical_time_step
-// (time_step.hpp). Throws MembraneError naming the node at the first non-finite velocity,
-// std::invalid_argument on bad steps.
+/// S8: central difference with variable step (M.9):
+///   v+ = v- + tau (f / m - alpha (v- + v+) / 2 + gravity),  tau = (dt_before + dt_after) / 2,
+///   x += dt_after v+.
+/// dt_before [s] >= 0 is the step that led to n; 0 at the start, where v is the velocity at n itself.
+/// dt_after [s] > 0 is the step that leaves n. The order is 2 for smoothly varying steps. Stable for
+/// dt <= critical_time_step (time_step.hpp). Throws std::invalid_argument for bad steps, and MembraneError,
+/// naming the node, for a velocity that is not finite.
 template <class ForEachBlock = Serial>
 const AdvanceSums& advance(const BagModel& model, BagState& state, double dt_before, double dt_after,
                            ForEachBlock&& for_each_block = {}) {
