@@ -4,25 +4,25 @@
 
 namespace coupling::detail {
 
-// An upper bound (at most sqrt(3) times) of the largest distance [m] between columns of the two; NaN when a
-// coordinate is not finite.
+// Upper bound of the largest distance [m] between the columns of the two, at most sqrt(3) times that
+// distance. NaN if a coordinate is not finite.
 double largest_motion(const Nodes& nodes, const Eigen::Matrix3Xd& old);
 
-// Forgets what is known of the gaps: the next search looks at every group.
+// Forgets all gaps: the next search looks at every group.
 void forget_gaps(ContactState& state);
 
-// One level of a skin, and the sphere that searches it.
+// One level of a skin, with the sphere that searches it.
 struct Search {
   const Eigen::Matrix3Xi& triangles;
   const ElementGroups& groups;
   const Nodes& nodes;
   double radius;
-  ContactState& state;  // with the level's `centre` and `displacement_bound`
+  ContactState& state;  // centre and displacement_bound are those of the level
 
-  // Looks at what the motion may have brought to the sphere and lists the elements that overlap it in
-  // state.near, ascending; state.gap follows. Throws ContactError where a coordinate is not finite.
+  // Looks at the elements that the motion may have brought to the sphere. Lists those that overlap it in
+  // state.near, ascending, and sets state.gap. Throws ContactError if a coordinate is not finite.
   void find_near_elements();
-  // Makes state.gap, if it is less, more than state.ahead where so much is free, and at least half of what is
+  // Raises state.gap where possible: above state.ahead if that much is free, and to at least half of what is
   // free.
   void settle_gap();
 
@@ -33,7 +33,7 @@ struct Search {
   void look_at_group(std::size_t g, double wanted, Found&& found);
 };
 
-// (K.15) for the whole skin, from state.nodes to `nodes`. Throws ContactError.
+// Tests the centre's path against the whole skin (K.15), from state.nodes to `nodes`. Throws ContactError.
 void sweep_centre_path(const Eigen::Matrix3Xi& triangles, double radius, const Nodes& nodes,
                        const Eigen::Vector3d& next_centre, ContactState& state);
 

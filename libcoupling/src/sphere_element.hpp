@@ -14,8 +14,8 @@ struct Element {
   int subdivision;
 };
 
-// Friction of one evaluation: walks through the bristles of the last level, in ascending order of element and
-// point, while it writes those of this one.
+// Friction of one evaluation. It walks through the bristles of the last level, in ascending order of element
+// and point, while it writes those of this level.
 struct Grip {
   Eigen::Vector3d origin, first, second;  // [m] displacement of the element since then, less the centre's
   Eigen::Vector3d turn;                   // [rad] rotation of the sphere since then
@@ -27,7 +27,7 @@ struct Grip {
   double loss;  // [J] over kappa
 };
 
-// What the touched points of one element add up to, over kappa.
+// Sums over the touched points of one element, over kappa.
 struct ElementSums {
   Eigen::Vector3d force[3] = {Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero(),
                               Eigen::Vector3d::Zero()};  // on the corners
@@ -37,10 +37,10 @@ struct ElementSums {
   double least_distance2;  // [m2] of touched points and r^2
 };
 
-// Sums over the element's quadrature points that lie in the sphere; `grip` may be null: no friction.
+// Sums over the element's quadrature points inside the sphere. Null `grip`: no friction.
 ElementSums integrate(const Element& element, double radius, Grip* grip);
 
-// What the friction lost, with the points that have left the sphere after the last element [J] over kappa.
+// Friction loss [J] over kappa, including that of the points that have left the sphere since the last level.
 double release_rest(Grip& grip);
 
 }  // namespace coupling::detail

@@ -4,9 +4,9 @@
 
 namespace coupling {
 
-// The computation left the domain of the contact model at run time: penetration beyond half the sphere's
-// radius, a centre that crosses the skin, an impactor that swings too far in a step, a coordinate that is not
-// finite. The message names the element, if there is one, and the limit.
+/// The computation left the domain of the contact model at run time: penetration beyond half the sphere's
+/// radius, a centre that crosses the skin, an impactor that swings too far in a step, or a coordinate that is
+/// not finite. The message names the element, if there is one, and the limit.
 class ContactError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
