@@ -15,21 +15,25 @@ namespace jet {
 
 struct JetShape;
 
-/// What S4 writes. Made once by JetField::make_state, for this field, then reused: no allocation in a step.
+/// Result and workspace of S4. JetField::make_state makes it once for this field. It is then reused, and no
+/// step allocates.
 struct FieldState {
-  std::vector<double> overpressure;  // [Pa] M, dp of each element; zero off the candidates
-  std::vector<int> candidates;       // elements inside the jet, facing it, above the cut-off; ascending
+  std::vector<double> overpressure;  // [Pa] M, dp of each element; 0 off the candidates
+  /// Elements inside the jet that face it, within the cut-off; ascending.
+  std::vector<int> candidates;
   double displacement_bound = kMotionUnknown;  // [m] as of the last call
-  std::vector<std::uint8_t> inside{};  // bits of groups of four elements: inside the jet, and take load
-  std::vector<double> slack{};         // [m] by group: they stay so while displacement_bound is below
-  std::vector<int> selected{};         // workspace of the choice of candidates
+  /// A byte for each group of four elements. Bits: inside the jet and able to take load.
+  std::vector<std::uint8_t> inside{};
+  /// [m] For each group: `inside` holds while displacement_bound is below.
+  std::vector<double> slack{};
+  std::vector<int> selected{};  // workspace: choice of candidates
 };
 
 /// Field of one jet over a surface of M elements. Const after construction.
 class JetField {
  public:
-  /// `null_elements` take no load. Throws std::invalid_argument as validated(JetModel), for an empty surface
-  /// and for an element index out of range.
+  /// `null_elements` take no load. Throws std::invalid_argument for a model that validated() refuses, an
+  /// empty surface, and an element index out of range.
   JetField(const JetModel& model, int element_count, std::span<const int> null_elements = {});
 
   ~JetField();
@@ -39,16 +43,21 @@ class JetField {
   const JetModel& model() const { return model_; }  // with axis and long direction normalised
   FieldState make_state() const;                    // sized for the surface, all zero
 
-  /// Overpressure dp = (1 + e) rho0 max(V . n, 0)^2 (J.6), V at the centroid, n the unit vector of the area
-  /// vector. `area_vectors` [m2] and `centroids` [m], 3 x M, outward. A candidate has V . n > 0 and an
-  /// area > 0, and its centroid lies strictly downstream of the outlet's plane (z > 0) and within the
-  /// cut-off. Without flow (density or velocity 0) there is none. `displacement_bound` [m]: between two calls
-  /// no centroid moves farther than it grows by. Elements that cannot have crossed a bound of the jet are not
-  /// looked at; the results are the same. Without it, and whenever it decreases, all are looked at.
-  /// `velocities` [m/s] 3 x M of the elements' centroids is read if the model says relative_to_skin: then
-  /// dp = (1 + e) rho0 max(V . n - v . n, 0)^2, and candidates have V . n > v . n as well. Throws
-  /// std::invalid_argument on a wrong shape, where velocities are missing; DomainError where a candidate's
-  /// overpressure is not finite.
+  /// Computes the overpressure dp = (1 + e) rho0 max(V . n, 0)^2 (J.6), with V at the centroid and n the unit
+  /// vector of the area vector. `area_vectors` [m2] and `centroids` [m] are 3 x M and outward.
+  ///
+  /// A candidate has V . n > 0 and an area > 0. Its centroid lies strictly downstream of the outlet's plane
+  /// (z > 0) and within the cut-off. Without flow (density or velocity 0) there is no candidate.
+  ///
+  /// `velocities` [m/s], 3 x M, are those of the centroids; they are read if the model has relative_to_skin.
+  /// Then dp = (1 + e) rho0 max(V . n - v . n, 0)^2, and candidates have V . n > v . n as well.
+  ///
+  /// `displacement_bound` [m]: between two calls no centroid moves farther than the bound grows. Elements
+  /// that cannot have crossed a bound of the jet are then skipped; the results are the same. Without it, and
+  /// whenever it decreases, all elements are examined.
+  ///
+  /// Throws std::invalid_argument for a wrong shape or missing velocities, and DomainError if the
+  /// overpressure of a candidate is not finite.
   void evaluate(const Points& area_vectors, const Points& centroids, const OutletState& outlet,
                 FieldState& state, const Points* velocities = nullptr,
                 double displacement_bound = kMotionUnknown) const;
@@ -63,12 +72,12 @@ class JetField {
   std::vector<std::uint8_t> loaded_;  // bits of groups of four elements: take load
 };
 
-/// Stage S5's last line: dp of candidates[k] is set to zero where lit[k] is 0.
-/// Throws std::invalid_argument unless lit has one entry a candidate.
+/// Last part of S5: sets dp of candidates[k] to zero where lit[k] is 0. Throws std::invalid_argument unless
+/// lit has one entry per candidate.
 void apply_mask(std::span<const std::uint8_t> lit, FieldState& state);
 
-/// Force of the jet on the surface [N]: sum over the candidates of dp_e S_e. Throws std::invalid_argument
-/// unless there is one area vector an element.
+/// Force of the jet on the surface [N]: the sum of dp_e S_e over the candidates. Throws std::invalid_argument
+/// unless there is one area vector per element.
 Eigen::Vector3d jet_force(const FieldState& state, const Points& area_vectors);
 
 }  // namespace jet

@@ -2,18 +2,20 @@
 // Stage S5: which elements of a triangulated surface are lit from a source. Exact on the coordinates as
 // given.
 //
-// Definition (J.7). For a candidate element (a, b, c) in double arithmetic, in this order, without
+// Definition (J.7). For a candidate element (a, b, c), in double arithmetic, in this order and without
 // contraction:
 //   target  g = ((a + b) + c) / 3
 //   source  s = centre                                          if half_long = 0 (round outlet), else
 //           s = centre + t l, d = g - centre, t = (dx lx + dy ly) + dz lz clamped to +-half_long
-// From there on all predicates are those of exact arithmetic:
-// - facing: orientation(s, a, b, c) > 0, the side of the inward normal is seen;
-// - an element other than the candidate (by index) blocks if the open segment s g meets its closed triangle
-//   and does not lie in its plane; so degenerate triangles never block, a duplicate of the candidate can;
-// - if s lies on a closed element of non-zero area, whichever role it has, s + eps axis with eps -> 0+
-//   stands for s in every predicate of that ray, and an element whose plane holds that ray never blocks;
-// - null and attachment elements never block.
+// All predicates from there on are those of exact arithmetic:
+// - The candidate faces the source if orientation(s, a, b, c) > 0, that is if its inner side is seen.
+// - An element other than the candidate (by index) blocks if the open segment s g meets its closed triangle
+//   and does not lie in its plane. So a degenerate triangle never blocks, and a duplicate of the candidate
+//   can.
+// - If s lies on a closed element of non-zero area, whatever its role, s + eps axis with eps -> 0+ replaces s
+//   in every predicate of that ray. An element whose plane contains that ray never blocks.
+// - Null and attachment elements never block.
+//
 // A candidate is lit if it faces the source and nothing blocks.
 #pragma once
 
@@ -28,79 +30,83 @@
 
 namespace jet {
 
-/// Where rays start.
+/// Source of the rays.
 struct RaySource {
-  Eigen::Vector3d centre = Eigen::Vector3d::Zero();          // [m]
-  Eigen::Vector3d axis = Eigen::Vector3d::UnitX();           // [-] a source on the surface is moved so; not 0
-  Eigen::Vector3d long_direction = Eigen::Vector3d::Zero();  // [-] unit, read if half_long > 0; as given
-  double half_long = 0.0;                                    // [m] half the outlet's long side; 0: a point
+  Eigen::Vector3d centre = Eigen::Vector3d::Zero();  // [m]
+  /// [-] Not 0. A source on the surface is moved along it.
+  Eigen::Vector3d axis = Eigen::Vector3d::UnitX();
+  /// [-] Unit vector along the line of sources; used as given, and read if half_long > 0.
+  Eigen::Vector3d long_direction = Eigen::Vector3d::Zero();
+  double half_long = 0.0;  // [m] half the outlet's long side; 0: a point source
 };
 
-/// Ways to the same answer, bit for bit.
+/// Algorithms. All give the same mask, bit for bit.
 enum class VisibilityRoute {
-  fast,        // float and double arithmetic with error bounds, away-facing elements first (default)
-  cgal_tree,   // CGAL's AABB tree, built anew at every call
-  brute_force  // every pair, CGAL's predicates: the oracle
+  /// Default: float and double arithmetic with error bounds; elements that face away come first.
+  fast,
+  cgal_tree,   // CGAL's AABB tree, built at every call
+  brute_force  // every pair, by CGAL's predicates: the oracle
 };
 
-/// Elements with a special part.
+/// Elements with a special role. They never block, but count in winding numbers.
 struct SurfaceRoles {
-  std::vector<int> null_elements;        // close a hole: never block, count in winding numbers
-  std::vector<int> attachment_elements;  // around the outlet: never block, count in winding numbers
+  std::vector<int> null_elements;        // close a hole
+  std::vector<int> attachment_elements;  // around the outlet
 };
 
-/// What a query did. candidates = lit + hidden + facing_away.
+/// Counters of one query. candidates = lit + hidden + facing_away.
 struct VisibilityCounters {
   std::size_t candidates = 0;   // elements asked about
-  std::size_t lit = 0;          // facing the source, nothing between
-  std::size_t hidden = 0;       // facing the source, but blocked
+  std::size_t lit = 0;          // face the source, and nothing blocks
+  std::size_t hidden = 0;       // face the source, but are blocked
   std::size_t facing_away = 0;  // orientation <= 0
-  std::size_t exact_calls = 0;  // predicates left to CGAL's kernel; may depend on earlier queries
-  // Of the fast route: rays that needed more than its short cut, that is tests of the whole rule where an
-  // argument of the short cut was not certain.
+  std::size_t exact_calls = 0;  // predicates by CGAL's kernel; may depend on earlier queries
+  /// Fast route: rays that its short cut did not decide, so that the whole rule was tested.
   std::size_t fallbacks = 0;
-  // 1 where CGAL's tree was built, which allocates: by the fast route for a folded surface with many rays
-  // upstream, and for coordinates above 1e7 extents.
+  /// 1 if the fast route built CGAL's tree, which allocates. This happens for a folded surface with many rays
+  /// upstream, and for coordinates above 1e7 extents.
   std::size_t tree_builds = 0;
 };
 
-/// Visibility on a surface of fixed connectivity. Owns its workspace: one object a thread. What it keeps from
-/// earlier queries makes the next one faster and shows in no mask.
+/// Visibility on a surface of fixed connectivity. It owns its workspace: use one object per thread. Data kept
+/// from earlier queries makes the next query faster and changes no mask.
 class VisibilityQuery {
  public:
-  /// Throws std::invalid_argument for an empty mesh, a node index outside [0, node_count), a role's element
-  /// index out of range.
+  /// Throws std::invalid_argument for an empty mesh, a node index outside [0, node_count), and a role's
+  /// element index out of range.
   VisibilityQuery(const Triangles& triangles, int node_count, const SurfaceRoles& roles = {});
   ~VisibilityQuery();
   VisibilityQuery(VisibilityQuery&&) noexcept;
   VisibilityQuery& operator=(VisibilityQuery&&) noexcept;
 
-  /// lit[k] = 1 if candidates[k] is lit, else 0. `nodes` [m] 3 x node_count; coordinates of the source and of
-  /// nodes that elements use must be 0 or 1e-100 to 1e100 in magnitude, axis not zero, else
-  /// std::invalid_argument; so for wrong sizes and indices. `displacement_bound` [m]: between two queries no
-  /// node moves farther than it grows by. The fast route then looks from time to time only at nodes far from
-  /// all rays, at their coordinates' range, too, and whether others are below 1e-100; the mask is the same.
-  /// Without it, and whenever it decreases, it looks at all.
+  /// Sets lit[k] to 1 if candidates[k] is lit, else to 0. `nodes` [m] is 3 x node_count.
+  ///
+  /// `displacement_bound` [m]: between two queries no node moves farther than the bound grows. The fast route
+  /// then reads nodes far from all rays only from time to time; the mask is the same. It may notice a
+  /// coordinate out of range later. Without the bound, and whenever it decreases, it reads all nodes.
+  ///
+  /// Throws std::invalid_argument for wrong sizes and indices, and an axis of zero. Also for coordinates, of
+  /// the source or of a node that an element uses, that are neither 0 nor 1e-100 to 1e100 in magnitude.
   VisibilityCounters query(VisibilityRoute route, const Points& nodes, const RaySource& source,
                            std::span<const int> candidates, std::span<std::uint8_t> lit,
                            double displacement_bound = kMotionUnknown);
 
-  /// Winding number of each candidate's ray source (moved as above where it lies on the surface): 1 inside a
-  /// closed outward surface. Exact; std::nullopt where the surface is open, the moved source stays on an
-  /// element (its plane holds the axis) or no generic ray was found. Meant for checks before a run: O(M) for
-  /// each candidate, allocates.
+  /// Winding number of the ray source of each candidate; 1 inside a closed outward surface. Sources on the
+  /// surface are moved as above. Exact. std::nullopt if the surface is open, the moved source stays on an
+  /// element (its plane contains the axis) or no generic ray was found. Meant for checks before a run: O(M)
+  /// per candidate, and it allocates.
   std::vector<std::optional<int>> winding_numbers(const Points& nodes, const RaySource& source,
                                                   std::span<const int> candidates);
 
   int element_count() const;  // M of the surface
-  bool closed() const;        // every directed edge has its opposite equally often
+  bool closed() const;        // each directed edge occurs as often as its opposite
 
  private:
   struct Impl;
   std::unique_ptr<Impl> impl_;
 };
 
-/// Mask of all M elements of a mesh seen from `source`, in one call. Throws as VisibilityQuery.
+/// Mask of all M elements of a mesh seen from `source`, in one call. Throws as VisibilityQuery does.
 std::vector<std::uint8_t> visible(const Points& nodes, const Triangles& triangles, const RaySource& source,
                                   VisibilityRoute route = VisibilityRoute::fast);
 
