@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Strict reading of a case file (TOML): every value is checked where it stands, every unknown or missing key
-// is an error `file:line:column: key: what is wrong, what is allowed`, every default taken is remembered for
+// Strict reading of a case file (TOML). Every value is checked where it is read. Every unknown or missing key
+// is an error `file:line:column: key: what is wrong, what is allowed`. Every default used is recorded for
 // `gasjet check`.
 #pragma once
 
@@ -27,13 +27,13 @@ class node;
 
 namespace driver {
 
-/// The case file, a file it names or an override is wrong (exit code 2); what() is the whole message.
+/// The case file, a file that it names, or an override is wrong (exit code 2). what() is the whole message.
 class CaseError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// Allowed range of a number; `text` says it to the user. All numbers must be finite.
+/// Allowed range of a number; `text` describes it in messages. All numbers must be finite.
 struct Bounds {
   double low = -std::numeric_limits<double>::max();
   double high = std::numeric_limits<double>::max();
@@ -61,15 +61,15 @@ struct PathPart {
   std::optional<std::size_t> index;
 };
 
-/// Parts of `key.0."any key"`. Keys other than [A-Za-z_-][A-Za-z0-9_-]* are quoted as in JSON. A quote that
-/// is not closed, or text beside quotes, gives an empty part.
+/// Parts of a path such as `key.0."any key"`. Keys other than [A-Za-z_-][A-Za-z0-9_-]* are quoted as in JSON.
+/// A quote that is not closed, or text beside quotes, gives an empty part.
 std::vector<PathPart> split_path(const std::string& path);
 
-/// `text` in quotes, as TOML and JSON both read it.
+/// `text` in quotes that TOML and JSON both read.
 std::string quoted(const std::string& text);
 
-/// A piecewise linear curve as given: knots in s, values in the unit of its key. Two knots at one time are a
-/// jump.
+/// A piecewise linear curve as given: knots [s], and values in the unit of the key. Two knots at one time
+/// make a jump.
 struct CurveData {
   std::vector<double> time;
   std::vector<double> value;
@@ -77,13 +77,16 @@ struct CurveData {
 
 struct CaseLog;  // settings read so far and the folder of the case file
 
-/// One table of the case file. Read every key once, then call finish(), which refuses keys that nobody asked
-/// for.
+/// One table of the case file. Read every key once, then call finish(), which refuses keys that were not
+/// read. The readers throw CaseError for a value of the wrong type or out of range, and for a missing key
+/// that has no fallback.
 class TableReader {
  public:
   TableReader(const toml::table& table, std::string path, std::string where, CaseLog& log);
 
+  /// True if the key exists.
   bool has(const std::string& key) const;
+  /// Reads a number; without a fallback the key is required. So it is for the readers below.
   double number(const std::string& key, Bounds bounds);
   double number(const std::string& key, Bounds bounds, double fallback);
   std::optional<double> optional_number(const std::string& key, Bounds bounds);
@@ -95,18 +98,22 @@ class TableReader {
   std::vector<std::string> texts(const std::string& key);
   Eigen::Vector3d vector(const std::string& key);
   Eigen::Vector3d vector(const std::string& key, const Eigen::Vector3d& fallback);
-  /// A number (constant curve: empty `time`), { time = [..], value = [..] } or { file = "curve.csv", column =
-  /// "name" }.
-  /// A curve against something else names it: { overpressure = [..], value = [..] }; its knots are `time` all
-  /// the same. One of time may jump, any other not.
+  /// Reads a curve, in one of three forms:
+  /// - a number: a constant; `time` is then empty;
+  /// - { time = [..], value = [..] };
+  /// - { file = "curve.csv", column = "name" }.
+  ///
+  /// A curve against another quantity names it as `abscissa`, as in { overpressure = [..], value = [..] }.
+  /// Its knots are in `time` all the same. Only a curve of time may jump.
   CurveData curve(const std::string& key, Bounds value_bounds, const std::string& abscissa = "time");
-  /// The key is there and a table; it has the key `inner`.
+  /// True if the key exists and is a table.
   bool is_table(const std::string& key) const;
+  /// True if the key exists, is a table and has the key `inner`.
   bool has_in_table(const std::string& key, const std::string& inner) const;
-  /// { name = fraction, ... }: each in (0, 1], summing to 1 within 1e-9; returned as given.
+  /// Reads { name = fraction, ... }: each in (0, 1], with sum 1 within 1e-9; returned as given.
   std::map<std::string, double> composition(const std::string& key);
 
-  /// One of the names in `choices`; the empty fallback makes the key required.
+  /// Reads one of the names in `choices`. An empty fallback makes the key required.
   template <typename Value>
   Value choice(const std::string& key, const std::vector<std::pair<std::string, Value>>& choices,
                const std::string& fallback = {}) {
@@ -117,16 +124,18 @@ class TableReader {
 
   TableReader table(const std::string& key);
   std::optional<TableReader> optional_table(const std::string& key);
-  std::vector<TableReader> tables(const std::string& key);  // [[key]], possibly none
+  /// The tables of [[key]]; may be none.
+  std::vector<TableReader> tables(const std::string& key);
 
-  /// Refuses every key of this table that no call above has asked for.
+  /// Throws CaseError for a key of this table that no call above has read.
   void finish() const;
 
-  /// `file:line:column: path.key: message`, at the key when it is there, else at the table.
+  /// Throws CaseError `file:line:column: path.key: message`, at the key if it exists, else at the table.
   [[noreturn]] void fail(const std::string& key, const std::string& message) const;
-  /// Runs `action`; a std::invalid_argument out of it becomes a CaseError at `key` (or at the table, key
-  /// empty).
+  /// Runs `action`. A std::invalid_argument from it becomes a CaseError at `key`, or at the table if `key` is
+  /// empty.
   void located(const std::string& key, const std::function<void()>& action) const;
+  /// Path of `file` as named in the case, relative to the folder of the case file.
   std::filesystem::path beside_case(const std::string& file) const;
   const std::string& path() const { return path_; }
 
@@ -148,27 +157,28 @@ class TableReader {
   std::set<std::string> asked_;
 };
 
-/// Begins an override that takes a key or a table out of the case: "unset key.path".
+/// Prefix of an override that removes a key or a table from the case: "unset key.path".
 inline constexpr std::string_view unset_prefix = "unset ";
 
-/// An override as a shell's command line has it: `--set key.path=value` or `--unset key.path`, between
-/// apostrophes what the shell would change.
+/// An override as it stands on a command line: `--set key.path=value` or `--unset key.path`, in apostrophes
+/// if the shell would change it.
 std::string as_option(const std::string& override_text);
 
-/// A parsed case file with its overrides applied; owns what the readers point to.
+/// A parsed case file with its overrides applied. It owns the data that its readers refer to.
 class CaseDocument {
  public:
-  /// `overrides` are `key.path=value`, the value in TOML syntax (a bare word is a string), or `unset
-  /// key.path`; applied in order. Throws CaseError.
+  /// `overrides`, applied in order, are `key.path=value`, with the value in TOML syntax (a bare word is a
+  /// string), or `unset key.path`. Throws CaseError.
   CaseDocument(const std::filesystem::path& file, const std::vector<std::string>& overrides);
   ~CaseDocument();
   CaseDocument(CaseDocument&&) noexcept;
   TableReader root();
   const std::vector<Setting>& settings() const;
   const std::filesystem::path& file() const { return file_; }
-  /// The case file and those that it names, as far as it was read.
+  /// The case file and the files that it names, as far as they have been read.
   std::vector<std::filesystem::path> files() const;
-  /// The case as TOML, its overrides applied, to stand in `folder`: files that it names are found from there.
+  /// The case as TOML with its overrides applied, to be stored in `folder`: paths of files that it names are
+  /// relative to there.
   std::string text(const std::filesystem::path& folder) const;
 
  private:

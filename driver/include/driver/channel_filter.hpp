@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// SAE J211-1 / ISO 6487 channel frequency classes: what a crash laboratory does to a measured signal.
+// Channel frequency classes of SAE J211-1 / ISO 6487, by which crash laboratories filter measured signals.
 #pragma once
 
 #include <span>
@@ -7,21 +7,22 @@
 
 namespace driver {
 
-/// Class of an impactor's acceleration: 49 CFR 572.200 (g)(5).
+/// Channel class of an impactor's acceleration [Hz]: 49 CFR 572.200 (g)(5).
 inline constexpr double impactor_channel_class = 180.0;
 
-/// (K.22) Four-pole phaseless Butterworth low-pass of SAE J211-1, appendix C: a two-pole filter run forward
-/// and backward. `channel_class` [Hz] is the CFC, the gain is 0.707 near 1.65 CFC and |H| = 1/(1 + (f/f_c)^4)
-/// with f_c = 2.0775 CFC. Samples every `interval` [s], at least 10 CFC a second; the ends are held. Throws
-/// std::invalid_argument.
+/// Filtered samples (K.22): four-pole phaseless Butterworth low-pass of SAE J211-1, appendix C, a two-pole
+/// filter run forward and backward. `channel_class` [Hz] is the CFC. The gain is 0.707 near 1.65 CFC, and
+/// |H| = 1/(1 + (f/f_c)^4) with f_c = 2.0775 CFC. `interval` [s] lies between samples; at least 10 CFC
+/// samples a second are needed. Beyond its ends the signal is held. Throws std::invalid_argument.
 std::vector<double> channel_filter(std::span<const double> samples, double interval, double channel_class);
 
-/// A signal of two components at uneven, increasing times [s].
+/// A signal with two components, at increasing times [s] of any spacing.
 struct PlanarSignal {
   std::vector<double> time, first, second;
 };
 
-/// Largest resultant of the filtered components, resampled linearly to 100 kHz; 0 for fewer than two samples.
+/// Largest resultant of the filtered components, after linear resampling to 100 kHz; 0 for fewer than two
+/// samples.
 double filtered_peak(const PlanarSignal& signal, double channel_class);
 
 }  // namespace driver

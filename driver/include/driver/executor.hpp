@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The threads that a run, or a set of runs side by side, may use.
+// Threads that a run, or a set of runs side by side, may use.
 #pragma once
 
 #include <memory>
@@ -7,19 +7,21 @@
 
 namespace driver {
 
-/// Calls a function for each number below a count, on up to `threads` threads. Who calls it makes the results
-/// independent of their number: each call writes its own place, and sums are taken in a fixed order.
+/// Calls a function for each number below a count, on up to `threads` threads. The caller must make the
+/// results independent of the number of threads: each call writes to its own place, and sums are taken in a
+/// fixed order.
 class Executor {
  public:
-  /// Throws std::invalid_argument below one thread.
+  /// Throws std::invalid_argument if threads < 1.
   explicit Executor(int threads);
   ~Executor();
 
-  /// The calling thread alone.
+  /// Executor that uses the calling thread alone.
   static const Executor& serial();
   int threads() const { return threads_; }
 
-  /// f(0), ..., f(count - 1), in any order and at once. The first exception out of a call is thrown here.
+  /// Calls f(0), ..., f(count - 1), in any order and at the same time. Rethrows the first exception of a
+  /// call.
   template <class F>
   void for_each(int count, F&& f) const {
     if (!arena_) {

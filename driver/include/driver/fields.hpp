@@ -12,14 +12,17 @@
 
 namespace driver {
 
-/// bag_*.vtp: nodes with velocity; elements with panel, larger principal stress [Pa] and strain, overpressure
-/// of gas and jets together and of the jets alone [Pa], and jet mask (0 outside, 1 in a jet but hidden or
-/// facing away, 2 lit). pendulum_*.vtp: a line from the pivot to the impactor's centre, with its radius [m].
-/// Throws WriteError.
+/// Writes the field files.
+/// - bag_*.vtp: nodes with velocity; elements with panel, larger principal stress [Pa] and strain,
+///   overpressure of gas and jets together and of the jets alone [Pa], and jet mask (0 outside, 1 in a jet
+///   but hidden or facing away, 2 lit).
+/// - pendulum_*.vtp: a line from the pivot to the impactor's centre, with the impactor's radius [m].
+///
+/// All members throw WriteError.
 class FieldWriter {
  public:
   FieldWriter(const std::filesystem::path& folder, const Scene& scene);
-  /// Writes level n; call it when the forces of n stand (StepRequest::before_advance).
+  /// Writes level n. Call it when the forces of n are complete (StepRequest::before_advance).
   void write(const State& state);
 
  private:

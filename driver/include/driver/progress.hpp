@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Progress of long work on standard error: a bar on a terminal, else a line a second at most. And Ctrl-C.
+// Progress of long work on standard error: a bar on a terminal, else at most one line a second. Also Ctrl-C.
 #pragma once
 
 #include <chrono>
@@ -7,15 +7,16 @@
 
 namespace driver {
 
+/// Shows the progress of one piece of work.
 class Progress {
  public:
-  /// `total` in the unit of update(); nothing is shown when quiet.
+  /// `total` has the unit of update(). Shows nothing if `quiet`.
   Progress(std::string what, double total, bool quiet);
   ~Progress();
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  /// Cheap enough to be called every step: shows at most ten bars, or one line, a second.
+  /// Shows at most ten bars, or one line, a second; cheap enough to call every step.
   void update(double done, const std::string& note = {});
 
  private:
@@ -30,9 +31,10 @@ class Progress {
   std::chrono::steady_clock::time_point last_;
 };
 
-/// From now on the first Ctrl-C (or SIGTERM) sets a flag that the time loop reads; a second one kills as
-/// usual.
+/// After this call the first Ctrl-C (or SIGTERM) sets a flag that the time loop reads. A second one ends the
+/// program as usual.
 void catch_interrupt();
+/// True after the first Ctrl-C.
 bool interrupted();
 
 }  // namespace driver

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A scene: the constant models of a case file, composed. What the case does not name does not exist here.
+// A scene: the constant models of a case file, put together. Parts that the case does not name do not exist.
 #pragma once
 
 #include <Eigen/Core>
@@ -23,39 +23,42 @@
 
 namespace driver {
 
-/// Which sum over the skin the fabric's leak takes: eta^2 A as printed in the paper, or eta A (screen
-/// resistance, or a table of the velocity through the share eta of the area).
+/// Leak area of the fabric, as a sum over the skin: none; eta^2 A, as printed in the paper; eta A, by screen
+/// resistance; or eta A with a table of the velocity.
 enum class LeakLaw { none, printed, screen, table };
 
-/// Does the work of the jet on the skin come from outside (the paper), or out of the bag's gas?
-/// `from_gas` takes the work of a kick out after the kick, and what the next one will have done by then at
-/// the same rate: energy balances, and the pressure is second order.
+/// Source of the jet's work on the skin: external (the paper), or the bag's gas. `from_gas` takes the work of
+/// a kick out of the gas after the kick. It also takes out the work that the next kick will have done by then
+/// at the same rate. So energy balances, and the pressure is second order.
 enum class JetWork { external, from_gas };
 
-/// Volume of a tank along a prescribed path: a table, or mean + amplitude sin(2 pi frequency t + phase).
+/// Volume of a tank that moves as prescribed: a table, or mean + amplitude sin(2 pi frequency t + phase).
 struct TankVolume {
   std::optional<gas::Curve> table;                                   // [m3]
   double mean = 0.0, amplitude = 0.0, frequency = 0.0, phase = 0.0;  // [m3], [m3], [1/s], [rad]
+  /// Volume [m3] at `time` [s].
   double at(double time) const;
-  /// End of a piece that begins at `time`: the next knot of the table, or 1/512 of a period.
+  /// End [s] of the piece that begins at `time` [s]: the next knot of the table, or 1/512 of a period later.
   double piece_end(double time) const;
-  /// The volume over the piece [begin, end]: linear for a table, else the parabola through its middle, off
-  /// the sine by at most amplitude * 1.5e-8 and on it at both ends.
+  /// Volume over the piece [begin, end] [s], with `leak_area` [m2]. A table gives a line. A sine gives the
+  /// parabola through its middle, which is off the sine by at most amplitude * 1.5e-8 and exact at both ends.
   gas::VolumePath piece(double begin, double end, double leak_area) const;
 };
 
-/// Gas: species, inflators, vents. A scene with a jet on a rigid target has inflators, but no volume of gas.
+/// Gas: species, inflators, vents. In a scene with a jet on a rigid target there are inflators but no volume
+/// of gas.
 struct GasPart {
   gas::ControlVolumeModel model;
   gas::IntegratorOptions integrator;
   std::vector<double> initial_fractions;  // mass fractions per species
   double initial_pressure = 0.0;          // [Pa]
   double initial_temperature = 0.0;       // [K]
-  std::optional<double> rigid_volume;     // [m3], set for a tank; at the start if it varies
+  std::optional<double> rigid_volume;     // [m3] of a tank, at the start if it varies
   std::optional<TankVolume> tank_volume;  // of a tank that moves
-  double tank_leak_area = 0.0;            // [m2] of a tank with fabrics, all together
+  double tank_leak_area = 0.0;            // [m2] of all fabrics of a tank
 };
 
+/// The bag.
 struct BagPart {
   membrane::Mesh mesh;  // stress-free design shape
   membrane::BagModel model;
@@ -64,15 +67,17 @@ struct BagPart {
   std::vector<int> null_elements;
 };
 
-/// Rigid surface that a jet blows at; its force is reported, nothing moves.
+/// Rigid surface that a jet acts on. Its force is reported; nothing moves.
 struct TargetPart {
   Eigen::Matrix3Xd nodes;      // 3 x N [m]
   Eigen::Matrix3Xi triangles;  // 3 x M
 };
 
+/// One jet.
 struct JetPart {
-  std::size_t inflator = 0;
-  std::optional<jet::Subdivision> pieces;  // of the elements; the field and the roles are theirs then
+  std::size_t inflator = 0;  // number of its inflator
+  /// Pieces of the elements; if given, field and roles are those of the pieces.
+  std::optional<jet::Subdivision> pieces;
   jet::JetField field;
   jet::OutletModel outlet;
   jet::SurfaceRoles roles;
@@ -81,26 +86,30 @@ struct JetPart {
   JetWork work = JetWork::external;
 };
 
+/// The pendulum.
 struct PendulumPart {
   coupling::PendulumModel model;
   coupling::PendulumState initial;
 };
 
+/// Time and step.
 struct TimePart {
   double end = 0.0;            // [s]
-  double safety = 0.8;         // share of the critical step
-  std::optional<double> step;  // [s] fixed step, instead of safety * critical
-  bool unsafe_step = false;    // run a fixed step above its bound
+  double safety = 0.8;         // [-] step over the critical step
+  std::optional<double> step;  // [s] fixed step, in place of safety * critical
+  bool unsafe_step = false;    // true: allow a fixed step above its bound
 };
 
+/// Output.
 struct OutputPart {
-  double history_every =
-      0.0;  // [s] a row at the first step at or past each multiple; gas-only scenes step by it
-  bool history_exact = false;  // steps are shortened to end on the multiples
+  /// [s] A row at the first step at or after each multiple; scenes of gas alone step by it.
+  double history_every = 0.0;
+  bool history_exact = false;  // true: steps are shortened to end on the multiples
   double fields_every = 0.0;   // [s] 0: no field files
-  bool streams = false;        // columns of the history for each species and stream
+  bool streams = false;        // history columns for each species and stream
 };
 
+/// A whole scene.
 struct Scene {
   std::string name;
   std::filesystem::path case_file;
@@ -114,13 +123,16 @@ struct Scene {
   std::vector<JetPart> jets;
   std::optional<PendulumPart> pendulum;
   std::optional<coupling::ContactModel> contact;
-  std::vector<std::string> warnings;  // plausible slips that are no errors; `check` and `run` print them
+  /// Likely mistakes that are no errors; `check` and `run` print them.
+  std::vector<std::string> warnings;
 
+  /// True if there is a volume of gas.
   bool has_volume() const { return bag.has_value() || (gas && gas->rigid_volume); }
+  /// True if anything moves.
   bool moves() const { return bag.has_value() || pendulum.has_value(); }
 };
 
-/// Reads and checks a whole case. Throws CaseError (message with file, line, column, key).
+/// Reads and checks a whole case. Throws CaseError; the message has file, line, column and key.
 Scene read_scene(CaseDocument& document);
 
 }  // namespace driver

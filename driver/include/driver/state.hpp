@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Everything that changes during a run. Each member has one writer: the stage named on its line.
+// Everything that changes during a run. Each member has one writer: the stage on its line.
 #pragma once
 
 #include <array>
@@ -18,8 +18,9 @@
 
 namespace driver {
 
+/// Stages of a step: what each reads -> writes. docs/stages.md has the whole table.
 enum class Stage {
-  surface,     // S1 x^n -> area vectors, centroids, V^n (carried over from S9)
+  surface,     // S1 x^n -> area vectors, centroids, V^n (from S9 of the last step)
   gas_point,   // S2 m_k, U, V -> p, T, rho, gamma
   outlet,      // S3 inflators -> V0, rho0
   jet_field,   // S4 centroids -> overpressure, candidates
@@ -35,7 +36,7 @@ enum class Stage {
 inline constexpr std::size_t kStages = static_cast<std::size_t>(Stage::count);
 std::string_view stage_name(Stage stage);
 
-/// Sums from the start to a time level; S10 writes the gas, S8 and S11 the rest.
+/// Sums from the start to a time level. S10 writes those of the gas, S8 and S11 the rest.
 struct Flows {
   double mass_in = 0.0;            // [kg]
   double vent_mass_out = 0.0;      // [kg]
@@ -51,39 +52,43 @@ struct Flows {
   double damping_loss = 0.0;     // [J]
   double friction_loss = 0.0;    // [J]
   double jet_work = 0.0;         // [J] by external jets
-  double kick_work = 0.0;        // [J] of every force, kick form
-  double contact_impulse = 0.0;  // [N s] resultant's magnitude, integrated
-  double path_impulse = 0.0;     // [N s] (K.26), of its part along the impactor's path
+  double kick_work = 0.0;        // [J] of all forces, kick form
+  double contact_impulse = 0.0;  // [N s] integral of the magnitude of the contact force
+  /// [N s] Integral of the contact force's part along the impactor's path (K.26).
+  double path_impulse = 0.0;
 };
 
-/// What a jet is asked on: the skin's elements, or their pieces.
+/// Skin on which a jet acts: its elements, or their pieces.
 struct JetSkin {
-  Eigen::Matrix3Xd nodes;           // [m] pieces only; S4
-  Eigen::Matrix3Xd area_vectors;    // [m2] pieces only; S4
-  Eigen::Matrix3Xd centroids;       // [m] pieces only; S4
-  Eigen::Matrix3Xd velocity;        // [m/s] of the elements, relative jets only; S4
-  Eigen::Matrix3Xd piece_velocity;  // [m/s] that of its element, where both are; S4
+  Eigen::Matrix3Xd nodes;         // [m] pieces only; S4
+  Eigen::Matrix3Xd area_vectors;  // [m2] pieces only; S4
+  Eigen::Matrix3Xd centroids;     // [m] pieces only; S4
+  Eigen::Matrix3Xd velocity;      // [m/s] of the elements, relative jets only; S4
+  /// [m/s] Velocity of each piece, that of its element; relative jets with pieces only; S4.
+  Eigen::Matrix3Xd piece_velocity;
 };
 
-/// Mass and enthalpy of each stream from the start; S10.
+/// Mass and enthalpy of each stream since the start; S10.
 struct Streams {
   std::vector<gas::StreamFlux> inflows, outflows, backflows;  // outflows: vents, then fabrics
 };
 
-/// When the flow of the gas changed its nature; NaN: not yet.
+/// When the flow of the gas changed its regime; NaN: not yet.
 struct GasEvents {
-  gas::StepMoments last;       // S10, the last time of each
-  std::vector<double> opened;  // S2 [s] of each vent, the first time
+  gas::StepMoments last;       // S10, last time of each
+  std::vector<double> opened;  // S2 [s] first time, of each vent
 };
 
+/// State of one jet.
 struct JetRun {
-  /// Overpressure on the elements, masked.
+  /// Overpressure on the elements, after the mask.
   const jet::FieldState& load() const { return elements.overpressure.empty() ? field : elements; }
 
-  jet::OutletState outlet;                          // S3
-  JetSkin skin;                                     // S4
-  jet::FieldState field;                            // S4, masked by S5; of the pieces if there are any
-  jet::FieldState elements;                         // S5, average over the pieces, else empty
+  jet::OutletState outlet;  // S3
+  JetSkin skin;             // S4
+  /// S4; S5 applies the mask. Of the pieces if there are any, else of the elements.
+  jet::FieldState field;
+  jet::FieldState elements;                         // S5, averages over the pieces; empty without pieces
   std::vector<std::uint8_t> lit;                    // S5, one per candidate
   jet::VisibilityQuery query;                       // S5 workspace
   jet::VisibilityCounters counters;                 // S5, of this step
@@ -91,7 +96,7 @@ struct JetRun {
   Eigen::Vector3d force = Eigen::Vector3d::Zero();  // S5 [N]
 };
 
-/// Values of the current level n that later stages overwrite, kept for the balance of n.
+/// Values of the current level n that later stages overwrite, kept for the balances of n.
 struct Level {
   double internal_energy = 0.0;  // S2 [J]
   double volume = 0.0;           // S2 [m3]
@@ -99,16 +104,18 @@ struct Level {
   double skin_strain = 0.0;      // S6 [J]
   double pendulum_angle = 0.0;   // S7 [rad]
   Flows flows;                   // S2, sums up to n
-  std::vector<double> masses;    // S2 [kg] of each species, if the history has them; so are the streams
-  Streams streams;               // S2
-  double jet_force = 0.0;        // S11 [N] magnitude of the resultant of all jets
-  double skin_gravity = 0.0;     // S7 [J], where the balance of n is wanted, as are the rest:
+  /// S2 [kg] of each species; like `streams`, only if the history has them.
+  std::vector<double> masses;
+  Streams streams;         // S2
+  double jet_force = 0.0;  // S11 [N] magnitude of the resultant of all jets
+  /// S7 [J]; this and the next members only if the balance of n is wanted.
+  double skin_gravity = 0.0;
   double skin_kinetic = 0.0;     // S11 [J]
   double energy_residual = 0.0;  // S11 [J] physical drift (K.21)
   double kick_residual = 0.0;    // S11 [J] (K.20): change of kinetic energy less the work of every force
 };
 
-/// A column of energy.csv.
+/// A term of the energy balance: a column of energy.csv.
 struct LargestTerm {
   const char* name = "";
   double magnitude = 0.0;  // [J]
@@ -116,41 +123,50 @@ struct LargestTerm {
 
 /// Extremes and events of the run so far; S11.
 struct Peaks {
-  double pressure = 0.0;           // [Pa]
-  double volume = 0.0;             // [m3]
-  double pendulum_angle = 0.0;     // [rad] largest magnitude
-  double cg_acceleration = 0.0;    // [m/s2]
-  double contact_force = 0.0;      // [N]
-  double penetration = 0.0;        // [m]
-  double jet_force = 0.0;          // [N]
-  double first_contact = -1.0;     // [s] first level with contact, -1: none
-  double mass_residual = 0.0;      // relative
-  double ledger_residual = 0.0;    // [J] kick form, largest magnitude
-  double energy_residual = 0.0;    // [J] physical drift, largest magnitude at the recorded levels
-  double energy_scale = 0.0;       // [J] largest of supplied enthalpy, internal, kinetic and elastic energy
-  LargestTerm largest_term;        // of those that the step integrates, at the recorded levels
-  double momentum_residual = 0.0;  // relative: inner forces and pressure on the closed skin sum to zero
+  double pressure = 0.0;         // [Pa]
+  double volume = 0.0;           // [m3]
+  double pendulum_angle = 0.0;   // [rad] largest magnitude
+  double cg_acceleration = 0.0;  // [m/s2]
+  double contact_force = 0.0;    // [N]
+  double penetration = 0.0;      // [m] of the contact
+  double jet_force = 0.0;        // [N]
+  double first_contact = -1.0;   // [s] first level with contact, -1: none
+  double mass_residual = 0.0;    // [-] of the mass balance
+  double ledger_residual = 0.0;  // [J] kick form, largest magnitude
+  /// [J] Physical drift, largest magnitude at the recorded levels.
+  double energy_residual = 0.0;
+  /// [J] Largest of supplied enthalpy and internal, kinetic and elastic energy.
+  double energy_scale = 0.0;
+  /// Largest of the terms that the step integrates, at the recorded levels.
+  LargestTerm largest_term;
+  /// [-] Of the momentum balance: inner forces and pressure on the closed skin sum to zero.
+  double momentum_residual = 0.0;
 };
 
+/// Step sizes and what limits them.
 struct StepSizes {
   double before = 0.0;                                           // [s] step that led to n; 0 at the start
   double after = 0.0;                                            // [s] step that leaves n
   double critical = 0.0;                                         // [s] bound at n
-  double drift_limit = std::numeric_limits<double>::infinity();  // [s] of n (M.22)
+  double drift_limit = std::numeric_limits<double>::infinity();  // [s] limit of (M.22) at n
   double force_mobility = 0.0;                                   // [J/s2] of the last kick (M.22); S8
-  long drift_limited = 0;                                        // steps that (M.22) or (M.24) made shorter
-  double displacement_bound = 0.0;       // [m] no node of the skin has gone farther since the start; S8
-  double jet_damping = 0.0;              // [1/s] rate of jets relative to the skin at n
+  /// Number of steps that (M.22) or (M.24) made shorter.
+  long drift_limited = 0;
+  /// [m] No node of the skin has moved farther since the start; S8.
+  double displacement_bound = 0.0;
+  /// [1/s] Damping rate at n of jets relative to the skin.
+  double jet_damping = 0.0;
   double minimum = 0.0;                  // [s] of the run
   double maximum = 0.0;                  // [s]
-  membrane::StiffnessShares shares;      // at n, omega^2
-  membrane::StiffnessShares share_sums;  // of every step, each normalised by its total
+  membrane::StiffnessShares shares;      // [1/s2] of omega^2 at n
+  membrane::StiffnessShares share_sums;  // [-] sums over the steps, each over its total
 };
 
+/// State of the pendulum.
 struct PendulumRun {
   coupling::PendulumState motion;                    // S8
   double moment = 0.0;                               // S7 [N m] at n
-  double contact_moment = 0.0;                       // S7 [N m] at n, contact's share of it
+  double contact_moment = 0.0;                       // S7 [N m] at n, of the contact force
   Eigen::Vector3d centre = Eigen::Vector3d::Zero();  // S7 [m] of the impactor at n
   double angular_velocity = 0.0;                     // S8 [rad/s] at n
   coupling::CgAcceleration acceleration;             // S8 at n
@@ -159,10 +175,11 @@ struct PendulumRun {
   double kinetic = 0.0;                              // S8 [J] at n
 };
 
+/// State of a run.
 struct State {
   double time = 0.0;  // [s] of level n
   long steps = 0;
-  Stage stage = Stage::surface;  // under way, for messages
+  Stage stage = Stage::surface;  // that is running, for messages
   StepSizes step;
   Flows flows;
   Level level;
@@ -174,26 +191,31 @@ struct State {
   GasEvents gas_events;                              // S2, S10
   gas::GasPoint gas_point{};                         // S2
   double initial_gas_mass = 0.0;                     // [kg]
-  double jet_work_ahead = 0.0;                       // S10 [J] of the next kick, out of the gas already
-  double initial_volume = 0.0;                       // [m3]
-  double initial_energy = 0.0;                       // [J] everything that holds energy, at the start
-  double initial_kinetic = 0.0;                      // [J] of skin and pendulum
+  /// S10 [J] Work of the next kick that has already been taken out of the gas.
+  double jet_work_ahead = 0.0;
+  double initial_volume = 0.0;  // [m3]
+  /// [J] Sum of all energies at the start.
+  double initial_energy = 0.0;
+  double initial_kinetic = 0.0;  // [J] of skin and pendulum
 
   std::optional<membrane::BagState> bag;  // S1, S6, S8, S9
   std::optional<PendulumRun> pendulum;
   std::optional<coupling::ContactState> contact_cache;  // S7 workspace
   coupling::ContactResult contact;                      // S7
   std::vector<JetRun> jets;
-  std::vector<membrane::JetLoad> jet_loads;                 // S6: what S4 and S5 wrote for each jet
-  membrane::Vectors target_area_vectors, target_centroids;  // S1, of the rigid target
+  /// S6: views of what S4 and S5 wrote for each jet.
+  std::vector<membrane::JetLoad> jet_loads;
+  /// S1, of the rigid target.
+  membrane::Vectors target_area_vectors, target_centroids;
 
+  /// [s] Wall time of each stage.
   std::array<double, kStages> stage_seconds{};
 };
 
-/// State at t = 0. Throws CaseError for a scene whose start is out of the models' domain.
+/// State at t = 0. Throws CaseError for a scene that starts outside the models' domain.
 State make_state(const Scene& scene);
 
-/// Times a stage and names it for messages while it runs.
+/// Measures the time of a stage, and names the stage for messages while it runs.
 class StageTimer {
  public:
   StageTimer(State& state, Stage stage)
