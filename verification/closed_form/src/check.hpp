@@ -6,7 +6,7 @@
 #include "closed_form/common.hpp"
 #include "closed_form/membrane.hpp"
 
-// Validity checks. Each returns the value, or throws std::invalid_argument naming it and what is allowed.
+// Validity checks. Each returns the value, or throws std::invalid_argument, naming it and what is allowed.
 namespace closed_form::check {
 
 [[noreturn]] void refuse(std::string_view name, double value, std::string_view allowed);
@@ -24,7 +24,7 @@ int integer_within(std::string_view name, int value, int low, int high);
 
 double heat_capacity_ratio(double value);
 const PerfectGas& gas(const PerfectGas& gas);
-/// Elastic constants and thickness; density too when with_density.
+/// Elastic constants and thickness; also the density if with_density.
 const Sheet& sheet(const Sheet& sheet, bool with_density);
 
 }  // namespace closed_form::check

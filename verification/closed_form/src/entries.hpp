@@ -9,14 +9,14 @@
 #include "closed_form/membrane.hpp"
 #include "closed_form/pendulum.hpp"
 
-// Building blocks of the catalogue's entries; defaults are the reference cases of the suite.
+// Building blocks of the catalogue's entries. Defaults are the reference cases of the suite.
 namespace closed_form::entries {
 
 using Parameters = std::vector<Parameter>;
 using Row = std::vector<double>;
 
 double get(const ParameterMap& values, const char* name);
-/// A parameter that must be a whole number; std::invalid_argument otherwise.
+/// A parameter that must be a whole number, else std::invalid_argument.
 int whole(const ParameterMap& values, const char* name);
 /// An abscissa that must be a whole number.
 int whole_abscissa(const char* name, double value);
@@ -26,7 +26,7 @@ Parameters joined(std::initializer_list<Parameters> lists);
 
 Parameters gas_parameters();
 PerfectGas gas_of(const ParameterMap& values);
-/// For formulas without gamma: R alone, and the gas of it.
+/// For formulas without gamma: R only, and the gas with it.
 Parameters gas_constant_parameter();
 PerfectGas gas_of_constant(const ParameterMap& values);
 /// volume, initial pressure and temperature.

@@ -5,11 +5,12 @@
 #include "closed_form/membrane.hpp"
 #include "closed_form/pendulum.hpp"
 
-// Closed forms of coupled scenes: gas on a piston, on a pendulum, in an elastic sphere; step-by-step books.
-// All functions throw std::invalid_argument naming the field when a parameter is missing or out of validity.
+/// Closed forms of coupled scenes: gas on a piston, on a pendulum, in an elastic sphere; a pressed balloon.
+/// All functions throw std::invalid_argument, naming the field, for a parameter that is missing or out of
+/// validity.
 namespace closed_form {
 
-/// Mass on a spring and on the gas of a closed cylinder, small oscillation about equilibrium.
+/// Mass on a spring and on the gas of a closed cylinder: small oscillation about equilibrium.
 struct GasPiston {
   PerfectGas gas;               // in the cylinder
   double mass = kRequired;      // [kg] > 0
@@ -19,12 +20,12 @@ struct GasPiston {
   double stiffness = 0.0;       // [N/m] >= 0
 };
 
-/// omega = sqrt((k + gamma p S^2/V)/M) [rad/s], adiabatic. Source: derived here by linearisation.
+/// Angular frequency sqrt((k + gamma p S^2/V)/M) [rad/s], adiabatic. Source: derived here by linearisation.
 double gas_piston_frequency(const GasPiston& piston);
-/// The control with isothermal gas, gamma replaced by 1 [rad/s].
+/// The same for isothermal gas, gamma replaced by 1 [rad/s]: the control.
 double gas_piston_isothermal_frequency(const GasPiston& piston);
 
-/// Pendulum whose impactor closes a gas cylinder (area, volume and pressure as for the piston).
+/// Pendulum whose impactor closes a gas cylinder; area, volume and pressure as for the piston.
 struct PendulumGasSpring {
   PerfectGas gas;               // in the cylinder
   Pendulum pendulum;            // hanging, its impactor on the piston
@@ -32,17 +33,19 @@ struct PendulumGasSpring {
   double volume = kRequired;    // [m3] > 0
   double pressure = kRequired;  // [Pa] absolute, > 0
 };
-/// omega = sqrt((gamma p S^2 L_i^2/V + m g L_cg)/I_O) [rad/s]. Source: derived here by linearisation.
+/// Angular frequency sqrt((gamma p S^2 L_i^2/V + m g L_cg)/I_O) [rad/s]. Source: derived here by
+/// linearisation.
 double pendulum_gas_spring_frequency(const PendulumGasSpring& scene);
 
-/// Elastic sphere filled quasi-statically by gas, adiabatic; starts unstretched at ambient pressure.
+/// Elastic sphere that gas fills quasi-statically and adiabatically. It starts unstretched at ambient
+/// pressure.
 struct SphereFill {
-  PerfectGas gas;                         // that flows in, and that is inside at the start
-  StretchedSphere sphere;                 // what it fills
+  PerfectGas gas;                         // of the inflow, and inside at the start
+  StretchedSphere sphere;                 // the skin
   double ambient_pressure = 101325.0;     // [Pa] > 0
   double inflow_temperature = kRequired;  // [K] > 0
 };
-/// Filled sphere.
+/// State of the filled sphere.
 struct SphereFillState {
   double inflow_mass = 0.0;    // [kg]
   double pressure = 0.0;       // [Pa] absolute
@@ -50,31 +53,33 @@ struct SphereFillState {
   double strain_energy = 0.0;  // [J]
   double ambient_work = 0.0;   // [J] p_a (V - V0)
 };
-/// State at stretch >= 1: m_in = (p V/(gamma-1) + U_el + p_a (V - V0) - p_a V0/(gamma-1)) / (cp T_in).
+/// State at stretch >= 1 [-]: m_in = (p V/(gamma-1) + U_el + p_a (V - V0) - p_a V0/(gamma-1)) / (cp T_in).
 /// Source: derived here from the energy balance.
 SphereFillState sphere_fill(const SphereFill& scene, double stretch);
-/// The stretch at which inflow_mass [kg] >= 0 has entered.
+/// Stretch [-] at which inflow_mass [kg] >= 0 has entered.
 double sphere_fill_stretch(const SphereFill& scene, double inflow_mass);
 
-/// Elastic sphere at constant overpressure, pressed between two equal rigid frictionless spheres on its axis.
+/// Elastic sphere at constant overpressure, pressed between two equal, rigid, frictionless spheres on its
+/// axis.
 struct PressedBalloon {
   StretchedSphere sphere;              // unstretched
   double overpressure = kRequired;     // [Pa] > 0
-  double indenter_radius = kRequired;  // [m] >= sphere.radius; very large: a flat plate
+  double indenter_radius = kRequired;  // [m] >= sphere.radius; a very large one is a flat plate
 };
-/// Pressed balloon at one size of the patch in touch.
+/// State of the pressed balloon at one size of the patch in touch.
 struct BalloonPress {
-  double force = 0.0;  // [N] of each indenter, (p + 2 T/r) pi a^2 with T the tension at the patch's edge
-  double centre_height = 0.0;  // [m] of its centre over the balloon's equator
-  double patch_area = 0.0;     // [m2] pi a^2, of the circle that the patch's edge bounds
+  /// [N] Of each indenter, (p + 2 T/r) pi a^2, T the tension at the patch's edge.
+  double force = 0.0;
+  double centre_height = 0.0;  // [m] of the indenter's centre over the balloon's equator
+  double patch_area = 0.0;     // [m2] pi a^2 of the circle that bounds the patch
   double pole_stretch = 0.0;   // [-]
   double strain_energy = 0.0;  // [J] of the whole balloon
   double volume = 0.0;         // [m3] of the whole balloon
 };
-/// Patch of skin within patch_angle [rad] of the pole, measured on the unstretched sphere, 0 < angle <= 0.6.
-/// Axisymmetric StVK equilibrium by shooting from the pole to the equator; refused where the skin would go
-/// slack. Its force is (K.18). Source: derived here (the free skin and the patch as in W. W. Feng, W.-H.
-/// Yang, J. Appl. Mech. 40, 1973).
+/// Balloon whose skin is in touch within patch_angle [rad] of the pole, measured on the unstretched sphere,
+/// 0 < patch_angle <= 0.6. Axisymmetric StVK equilibrium, by shooting from the pole to the equator; refused
+/// where the skin would go slack. Its force is (K.18). Source: derived here (the free skin and the patch as
+/// in W. W. Feng, W.-H. Yang, J. Appl. Mech. 40, 1973).
 BalloonPress pressed_balloon(const PressedBalloon& scene, double patch_angle);
 
 }  // namespace closed_form

@@ -3,27 +3,27 @@
 
 #include "closed_form/common.hpp"
 
-// Closed forms of one uniform gas volume: filling, mixing, compression, tank-test inverses.
-// All functions throw std::invalid_argument naming the field when a parameter is missing or out of validity.
+/// Closed forms of one uniform gas volume: filling, mixing, compression, inverse tank tests. All functions
+/// throw std::invalid_argument, naming the field, for a parameter that is missing or out of validity.
 namespace closed_form {
 
 /// Rigid adiabatic tank filled at constant mass flow and inflow temperature.
 struct TankFill {
   PerfectGas gas;                          // of tank and inflow
   double volume = kRequired;               // [m3] > 0
-  double initial_pressure = kRequired;     // [Pa] >= 0; 0 is an evacuated tank
+  double initial_pressure = kRequired;     // [Pa] >= 0; 0: evacuated
   double initial_temperature = kRequired;  // [K] > 0
   double mass_flow = kRequired;            // [kg/s] >= 0
   double inflow_temperature = kRequired;   // [K] > 0
 };
 
-/// p = p0 + gamma R T_in mdot t / V, m = m0 + mdot t, T = p V / (m R). From an evacuated tank T = gamma T_in
-/// for every t > 0; at t = 0 the temperature returned is that limit. Needs t >= 0 [s]. Source: energy balance
-/// of an open system, textbook result (tank filling).
+/// State at `time` [s] >= 0: p = p0 + gamma R T_in mdot t / V, m = m0 + mdot t, T = p V / (m R). From an
+/// evacuated tank T = gamma T_in for every t > 0; at t = 0 that limit is returned. Source: energy balance of
+/// an open system, textbook result (tank filling).
 GasState tank_fill(const TankFill& tank, double time);
 
-/// Rigid adiabatic tank filled by mdot = (2 M / t_e) sin^2(pi t / t_e), T_in = T1 + (T2 - T1) t / t_e, 0 <= t
-/// <= t_e.
+/// Rigid adiabatic tank filled by a pulse, 0 <= t <= t_e:
+///   mdot = (2 M / t_e) sin^2(pi t / t_e), T_in = T1 + (T2 - T1) t / t_e.
 struct PulseFill {
   PerfectGas gas;                          // of tank and inflow
   double volume = kRequired;               // [m3] > 0
@@ -35,19 +35,21 @@ struct PulseFill {
   double end_temperature = kRequired;      // [K] T2 > 0
 };
 
-/// Inflow and tank pressure rate of the pulse at one time.
+/// Inflow and rate of the tank pressure at one time of the pulse.
 struct PulseFlow {
   double mass_flow = 0.0;      // [kg/s]
   double temperature = 0.0;    // [K] of the inflow
   double pressure_rate = 0.0;  // [Pa/s] gamma R mdot T_in / V
 };
 
-/// State at time [s]; constant after t_e. With x = t/t_e: int mdot = 2 M (x/2 - sin(2 pi x)/(4 pi)),
-/// int mdot T_in = T1 int mdot + (T2 - T1) 2 M (x^2/4 - x sin(2 pi x)/(4 pi) - (cos(2 pi x) - 1)/(8 pi^2)),
-/// p = p0 + gamma R int mdot T_in / V. Source: derived here from the tank's energy balance.
+/// State at `time` [s]; constant after t_e. With x = t/t_e:
+///   int mdot = 2 M (x/2 - sin(2 pi x)/(4 pi)),
+///   int mdot T_in = T1 int mdot + (T2 - T1) 2 M (x^2/4 - x sin(2 pi x)/(4 pi) - (cos(2 pi x) - 1)/(8 pi^2)),
+///   p = p0 + gamma R int mdot T_in / V.
+/// Source: derived here from the tank's energy balance.
 GasState pulse_fill(const PulseFill& pulse, double time);
 
-/// mdot, T_in and dp/dt of the pulse at time [s]; zero flow outside (0, t_e).
+/// Flow of the pulse at `time` [s]; zero outside (0, t_e).
 PulseFlow pulse_flow(const PulseFill& pulse, double time);
 
 /// A mass of gas B at T_B enters a rigid adiabatic tank that holds gas A.
@@ -61,15 +63,15 @@ struct TwoGasFill {
   double inflow_temperature = kRequired;     // [K] > 0
 };
 
-/// Mixture after the fill.
+/// State of the mixture after the fill.
 struct TwoGasState {
   GasState state;                    // of the mixture
-  double heat_capacity_ratio = 0.0;  // [-] sum(m cp) / sum(m cv), not the mass-weighted mean of gamma
+  double heat_capacity_ratio = 0.0;  // [-] sum(m cp) / sum(m cv); not the mean of gamma by mass
   double gas_constant = 0.0;         // [J/(kg K)] of the mixture
 };
 
-/// (m_A cv_A + m_B cv_B) T = m_A cv_A T0 + m_B cp_B T_B, p = (m_A R_A + m_B R_B) T / V.
-/// Source: derived here from the energy balance of an ideal mixture.
+/// Mixture: (m_A cv_A + m_B cv_B) T = m_A cv_A T0 + m_B cp_B T_B, p = (m_A R_A + m_B R_B) T / V. Source:
+/// derived here from the energy balance of an ideal mixture.
 TwoGasState two_gas_fill(const TwoGasFill& tank);
 
 /// Steady state of a rigid tank with constant inflow and a choked vent.
@@ -80,21 +82,21 @@ struct VentedFill {
   double inflow_temperature = kRequired;  // [K] > 0
   double vent_area = kRequired;           // [m2] > 0
   double discharge_coefficient = 1.0;     // [-] 0 < Cd <= 1
-  double ambient_pressure = 101325.0;     // [Pa] >= 0; the steady vent must be choked against it
+  double ambient_pressure = 101325.0;     // [Pa] >= 0, low enough that the vent is choked
 };
 
-/// The steady state and how fast it is approached.
+/// The steady state, and the rates at which it is approached.
 struct VentedFillSteady {
   GasState state;                // T = T_in, p = mdot sqrt(R T_in) / (Cd A phi)
   double slow_eigenvalue = 0.0;  // [1/s] < 0, of the linearised (m, U) system
   double fast_eigenvalue = 0.0;  // [1/s] < slow_eigenvalue
 };
 
-/// Eigenvalues (mdot/m_ss) (-(1 + 3 gamma)/2 +- sqrt((1 + 3 gamma)^2/4 - 4 gamma))/2. Refused when the steady
-/// vent would not be choked. Source: derived here by linearisation.
+/// Steady state and eigenvalues (mdot/m_ss) (-(1 + 3 gamma)/2 +- sqrt((1 + 3 gamma)^2/4 - 4 gamma))/2.
+/// Refused if the steady vent is not choked. Source: derived here by linearisation.
 VentedFillSteady vented_fill_steady(const VentedFill& tank);
 
-/// Gas in a cylinder compressed or expanded without heat: p V^gamma constant.
+/// Gas in a cylinder that is compressed or expanded without heat flow: p V^gamma is constant.
 struct AdiabaticPiston {
   PerfectGas gas;                          // in the cylinder
   double initial_pressure = kRequired;     // [Pa] > 0
@@ -102,13 +104,13 @@ struct AdiabaticPiston {
   double initial_volume = kRequired;       // [m3] > 0
 };
 
-/// Compressed or expanded gas.
+/// State of the gas at one volume.
 struct PistonState {
-  GasState state;            // after the change of volume
+  GasState state;            // at that volume
   double work_on_gas = 0.0;  // [J] (p V - p0 V0) / (gamma - 1)
 };
 
-/// State at volume [m3] > 0. Source: reversible adiabatic process, textbook result.
+/// State at `volume` [m3] > 0. Source: reversible adiabatic process, textbook result.
 PistonState adiabatic_piston(const AdiabaticPiston& piston, double volume);
 
 /// Filling of a volume that grows at constant pressure.
@@ -121,7 +123,8 @@ struct ConstantPressureFill {
   double inflow_temperature = kRequired;   // [K] > 0
 };
 
-/// V = V0 + mdot R T_in t / p; T mixes by enthalpy. Source: derived here; textbook result.
+/// State at `time` [s]: V = V0 + mdot R T_in t / p; T mixes by enthalpy. Source: derived here; textbook
+/// result.
 GasState constant_pressure_fill(const ConstantPressureFill& bag, double time);
 
 /// Bag behind a linear spring: V = V0 + k (p - p0).
@@ -133,11 +136,12 @@ struct SpringBag {
   double compliance = kRequired;           // [m3/Pa] k >= 0
 };
 
-/// After `mass` [kg] at `temperature` [K] has come in without heat or loss, however fast:
-/// (p V - p0 V0)/(gamma - 1) + k (p^2 - p0^2)/2 = m cp T. Source: derived here from the energy balance.
+/// State after `mass` [kg] at `temperature` [K] has flowed in without heat flow or loss, at any speed:
+///   (p V - p0 V0)/(gamma - 1) + k (p^2 - p0^2)/2 = m cp T.
+/// Source: derived here from the energy balance.
 GasState spring_bag_fill(const SpringBag& bag, double mass, double temperature);
 
-/// Tank test with the measured end pressure and the known total mass.
+/// Tank test with measured end pressure and known total mass.
 struct AverageTemperature {
   PerfectGas gas;                       // of tank and inflow
   double volume = kRequired;            // [m3] > 0
@@ -145,13 +149,15 @@ struct AverageTemperature {
   double final_pressure = kRequired;    // [Pa] > initial_pressure
   double total_mass = kRequired;        // [kg] > 0
 };
-/// T_bar = (p_end - p0) V / (gamma R M) [K]. Source: tank_fill, solved for T_in.
+/// Mean inflow temperature T_bar = (p_end - p0) V / (gamma R M) [K]. Source: tank_fill, solved for T_in.
 double average_inflow_temperature(const AverageTemperature& tank);
 
-/// mdot = V (dp/dt) / (gamma R T_bar) [kg/s]: exact for the product mdot T_in, biased by T_in/T_bar in mdot.
+/// Mass flow V (dp/dt) / (gamma R T_bar) [kg/s], for `pressure_rate` dp/dt [Pa/s]. Exact for the product mdot
+/// T_in; mdot itself is off by the factor T_in/T_bar.
 double average_temperature_mass_flow(const AverageTemperature& tank, double pressure_rate);
 
-/// Dual-pressure tank test: choked inflator outlet, chamber pressure and tank pressure rate measured.
+/// Dual-pressure tank test: choked inflator outlet; chamber pressure and rate of the tank pressure are
+/// measured.
 struct DualPressure {
   PerfectGas gas;                       // of inflator and tank
   double volume = kRequired;            // [m3] of the tank, > 0
@@ -160,12 +166,12 @@ struct DualPressure {
   double pressure_rate = kRequired;     // [Pa/s] of the tank, > 0
 };
 
-/// What the two readings give at one time.
+/// Flow that follows from the two readings at one time.
 struct DualPressureResult {
   double mass_flow = 0.0;    // [kg/s] (A phi p_c)^2 / (R Q), Q = V p' / (gamma R)
-  double temperature = 0.0;  // [K] R Q^2 / (A phi p_c)^2, stagnation temperature of the chamber
+  double temperature = 0.0;  // [K] R Q^2 / (A phi p_c)^2, stagnation
 };
-/// Source: derived here from the choked-flux formula and the tank's energy balance.
+/// Flow at one time. Source: derived here from the choked-flux formula and the tank's energy balance.
 DualPressureResult dual_pressure(const DualPressure& test);
 
 }  // namespace closed_form

@@ -3,37 +3,38 @@
 
 #include "closed_form/common.hpp"
 
-// Woven (orthotropic) sheet in plane stress, with and without compression. Axes: 1 along the warp, 2 along
-// the weft. All functions throw std::invalid_argument naming the field when a parameter is missing or out of
-// validity.
+/// Woven (orthotropic) sheet in plane stress, with and without compression. Axes: 1 along the warp, 2 along
+/// the weft. All functions throw std::invalid_argument, naming the field, for a parameter that is missing or
+/// out of validity.
 namespace closed_form {
 
 /// Fabric of warp and weft.
 struct WovenSheet {
   double warp_modulus = kRequired;  // E1 [Pa] > 0
   double weft_modulus = kRequired;  // E2 [Pa] > 0
-  double poisson_ratio =
-      kRequired;  // nu_12 [-], nu_12^2 < E1/E2: contraction of the weft in tension along the warp
+  /// nu_12 [-], nu_12^2 < E1/E2: contraction of the weft in tension along the warp.
+  double poisson_ratio = kRequired;
   double shear_modulus = kRequired;  // G [Pa] > 0
 };
 
-/// Strain per stress^-1 [Pa]: 1/E(a) = c^4/E1 + s^4/E2 + (1/G - 2 nu/E1) c^2 s^2 of a strip cut at `angle`
-/// [rad] to the warp. Source: textbooks of composite laminates (Jones, Mechanics of Composite Materials,
-/// section 2.6).
+/// Modulus [Pa], stress over strain, of a strip cut at `angle` [rad] to the warp:
+///   1/E(a) = c^4/E1 + s^4/E2 + (1/G - 2 nu/E1) c^2 s^2.
+/// Source: textbooks of composite laminates (Jones, Mechanics of Composite Materials, section 2.6).
 double off_axis_modulus(const WovenSheet& sheet, double angle);
 
-/// Stress and energy of a sheet that carries no compression.
+/// Stress and energy of a sheet without compression.
 struct WovenState {
   double s11 = 0.0;             // [Pa] along the warp
   double s22 = 0.0;             // [Pa] along the weft
   double s12 = 0.0;             // [Pa] shear
   double energy_density = 0.0;  // [J/m3]
-  double tension_angle = 0.0;   // [rad] of the line of tension to the warp, 0 to pi; NaN unless wrinkled
+  /// [rad] Of the line of tension to the warp, 0 to pi; NaN unless wrinkled.
+  double tension_angle = 0.0;
 };
-/// Taut if the stress of the strain (e12: tensor component) has no compression. Else one-dimensional tension:
-/// by duality W = max over angles of E(a) max(t.Et, 0)^2 / 2, found here by a scan of 2000 directions and
-/// bisection of the derivative; 0 if no direction is stretched. Source: relaxed energy of Pipkin 1986; the
-/// dual form derived here.
+/// State of the sheet at a strain (e12: tensor component). It is taut if the stress of the strain has no
+/// compression. Else the tension is one-dimensional. By duality W = max over angles of E(a) max(t.Et, 0)^2 /
+/// 2, found here by a scan of 2000 directions and bisection of the derivative; 0 if no direction is
+/// stretched. Source: relaxed energy of Pipkin 1986; the dual form derived here.
 WovenState woven_tension_field(const WovenSheet& sheet, double e11, double e22, double e12);
 
 }  // namespace closed_form
