@@ -4,18 +4,18 @@
 
 namespace gas {
 
-/// The right-hand side of (G.9), (G.10) for the unknowns of Slots, at one gas and time: locate() tells which,
-/// fill_rates() has one line for each term, all else is about them.
+/// Right-hand side of (G.9), (G.10) for the unknowns of Slots, at one gas and time. locate() sets gas and
+/// time; fill_rates() has one line for each term.
 class Balance {
  public:
-  /// `boundary` must outlive this.
+  /// `boundary` must outlive this object.
   explicit Balance(const Boundary& boundary);
 
   /// `state` is that at the start. Throws DomainError if its temperature is out of range.
   void begin_step(const ControlVolumeState& state);
-  /// The gas (m_k, U) at time t, or, if its temperature is out of range, none: false.
+  /// Locates the gas (m_k, U) at time t. False if its temperature is out of range.
   bool locate(std::span<const double> gas, double t);
-  /// dy/dt of the gas located.
+  /// Rates dy/dt of the gas located.
   void fill_rates(Vector& dydt);
 
   const Boundary& boundary() const { return boundary_; }
@@ -23,10 +23,11 @@ class Balance {
   const Mixture& mixture() const { return mixture_; }
   double wall_conductance() const { return boundary_.model().heat_loss.conductance; }  // [W/K]
   double time() const { return time_; }                                                // [s]
+  /// [J] done since the begin of the step by a volume that follows p.
   double work() const {
     return gas_.work - work_begin_;
   }  // [J] since the step's begin, of a volume that follows p
-  /// The same of a mixture at that temperature.
+  /// The same for a mixture at a temperature [K].
   double work_at(const Mixture& mixture, double temperature) const {
     return locator_.work_at(mixture, temperature) - work_begin_;
   }
@@ -37,12 +38,14 @@ class Balance {
   double backflow() const { return backflow_; }  // [kg/s]
   double closed_growth() const { return boundary_.closed_growth(gas_, time_); }
   double pressure_rate() const;  // [Pa/s]
-  /// The faster rate [1/s] of outflow at `gas`, (G.14), or that of p by backflow, and of the walls, (G.16).
+  /// Relaxation rate [1/s] at `gas`: that of the walls (G.16) plus that of outflow, the faster of (G.14), or
+  /// of p by backflow.
   double relaxation(const UniformGas& gas) const;
-  /// The gas, or as if it were at the overpressure where what flows would balance its feed, if that is
-  /// farther from p_a: in between the law has another slope at each place, and p leaves there at once.
+  /// The gas at which to linearise. If the overpressure at which flow balances its feed is farther from p_a,
+  /// the gas is taken there: in between the law has another slope at each place, and p leaves that range at
+  /// once.
   UniformGas where_linear() const;
-  /// That overpressure [Pa], of holes and fabric; 0 if nothing feeds them.
+  /// Overpressure [Pa] at which the flow of holes and fabric balances its feed; 0 if nothing feeds them.
   double balanced_overpressure() const;
 
  private:
@@ -57,20 +60,21 @@ class Balance {
   UniformGas moved(double overpressure) const;
 };
 
-/// Derivatives of the rates of a Balance. A part z of the gas is the mass of a species that comes at the
-/// gas's own temperature or, the last one, its energy. (G.23)
+/// Derivatives of the rates of a Balance. The gas has parts z: the mass of each species, taken to come at the
+/// gas's own temperature, and last its energy (G.23).
 class RateSlopes {
  public:
   explicit RateSlopes(const Slots& slots);
-  /// Of the gas that `balance` has located.
+  /// For the gas that `balance` has located.
   void fill(const Balance& balance);
 
-  std::vector<Vector> by_part;  // d(dy/dt)/dz, one vector for each part
-  Vector by_time;               // the same by the time, the gas held
-  Vector part_energy;           // [J/kg] that 1 kg of each species takes along; of the last part 1
+  std::vector<Vector> by_part;  // [part] d(dy/dt)/dz
+  Vector by_time;               // d(dy/dt)/dt with the gas held
+  /// [J/kg] Energy that comes with 1 kg of each species; 1 for the last part.
+  Vector part_energy;
 
  private:
-  /// How p, T, R, gamma and h follow a part.
+  /// Derivatives of p, T, R, gamma and h by a part.
   struct Change {
     double pressure, temperature, gas_constant, gamma, enthalpy;
     double of(const Flow& flow) const {

@@ -8,7 +8,7 @@
 
 namespace gas {
 
-/// A VolumePath on its step. (G.17)
+/// A VolumePath over its step (G.17).
 struct StepPath {
   double begin = 0.0, end = 0.0;                         // [s]
   double first = 0.0, mean_rate = 0.0, curvature = 0.0;  // [m3], [m3/s], [m3/s2]
@@ -21,10 +21,10 @@ struct StepPath {
   bool leaks() const { return leak_first > 0.0 || leak_rate != 0.0; }
 };
 
-/// The gas outside, as what flows in through vents with backflow.
+/// The gas outside, which flows in through vents with backflow.
 struct AmbientGas {
   explicit AmbientGas(const ControlVolumeModel& model);
-  /// Upstream of a vent while the gas inside is at `overpressure` [Pa] < 0.
+  /// The gas upstream of a vent while the gas inside is at `overpressure` [Pa] < 0.
   Upstream upstream(double overpressure) const {
     return {pressure, -overpressure, temperature, gas_constant, gamma};
   }
@@ -34,28 +34,28 @@ struct AmbientGas {
   double gas_constant = 287.0, gamma = 1.4, enthalpy = 0.0;  // [J/(kg K)], [-], [J/kg]
 };
 
-/// A mass flow and its derivatives, each with the others held.
+/// A mass flow and its partial derivatives.
 struct Flow {
   double value;         // [kg/s]
-  double pressure;      // by the p of the gas inside
+  double pressure;      // by p of the gas inside
   double temperature;   // by its T
   double gas_constant;  // by its R
   double gamma;         // by its gamma
-  double time;          // by the time, through an area
+  double time;          // by time, through an area
 };
 
 double laminar_overpressure(const ControlVolumeModel& model);  // [Pa] d of (G.22)
-/// Fabric i of those counted.
+/// Fabric i of the model, the default one included.
 const Fabric& fabric_of(const ControlVolumeModel& model, std::size_t i);
-/// Out through fabric i of all `leak_area` [m2], (G.7) or (G.12); the heat flow [W] through the walls,
-/// (G.11).
+/// Mass flow [kg/s] out through fabric i, (G.7) or (G.12); `leak_area` [m2] is that of all fabrics.
 double fabric_flow(const ControlVolumeModel& model, std::size_t i, double leak_area, const UniformGas& gas);
+/// Heat flow [W] through the walls (G.11).
 double heat_flow(const ControlVolumeModel& model, const UniformGas& gas);
 
-/// All that crosses the boundary of a volume, on a segment of time in which nothing switches.
+/// All flows through the boundary of a volume, over a segment of time in which nothing switches.
 class Boundary {
  public:
-  /// `model` must outlive this.
+  /// `model` must outlive this object.
   explicit Boundary(const ControlVolumeModel& model);
 
   void begin_step(double t0, double t1, const VolumePath& path);
@@ -70,10 +70,11 @@ class Boundary {
   bool is_open() const { return openings_.is_open() || path_.leaks(); }  // gas can leave
   bool has_open_vent() const { return openings_.is_open(); }
   bool has_backflow() const { return openings_.has_backflow(); }  // gas can come in
-  bool needs_stepper() const;                                     // more than inflow changes the gas
+  /// More than inflow changes the gas.
+  bool needs_stepper() const;
 
-  /// [kg/s] at time t: out through vent j, (G.6), and fabric i, (G.7) or (G.12), or in stream j of Slots; in
-  /// through vent j.
+  /// Mass flows [kg/s] at time t. Out: through vent j (G.6), through fabric i, (G.7) or (G.12), and in stream
+  /// j of Slots. In: through vent j.
   double vent(std::size_t j, const UniformGas& gas, double t) const;
   double fabric(std::size_t i, const UniformGas& gas, double t) const;
   double out(std::size_t j, const UniformGas& gas, double t) const;
@@ -83,7 +84,7 @@ class Boundary {
   Flow fabric_slopes(std::size_t i, const UniformGas& gas, double t) const;
   Flow out_slopes(std::size_t j, const UniformGas& gas, double t) const;
   Flow back_slopes(std::size_t j, const UniformGas& gas, double t) const;
-  /// V dp/dt [W] if nothing flowed through the openings; of what flows in, of volume and walls.
+  /// V dp/dt [W] with the openings shut, from inflow, volume and walls.
   double closed_growth(const UniformGas& gas, double t) const;
 
  private:
@@ -96,7 +97,7 @@ class Boundary {
   StepPath path_;
 };
 
-/// V dp/dt [W] of 1 kg/s of `mixture` that enters `gas` at `temperature`.
+/// V dp/dt [W] for 1 kg/s of `mixture` that enters `gas` at `temperature` [K].
 double growth_per_flow(const Mixture& mixture, double temperature, const UniformGas& gas);
 
 }  // namespace gas

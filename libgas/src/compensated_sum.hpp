@@ -4,8 +4,8 @@
 
 namespace gas {
 
-/// A sum of any number of terms to one rounding of its value. Source: A. Neumaier, Z. angew. Math. Mech. 54
-/// (1974) 39.
+/// A sum of any number of terms, accurate to one rounding of its value. Source: A. Neumaier, Z. angew. Math.
+/// Mech. 54 (1974) 39.
 class CompensatedSum {
  public:
   CompensatedSum& operator=(double value) {

@@ -5,10 +5,11 @@
 
 namespace gas {
 
-/// The first gas of an evacuated volume with walls, from time t at most to b. It has no heat capacity to be
-/// stepped with: it is at its balance with them, sum mdot_i (h_i - u_i(T)) = h A (T - T_ext), until a share
-/// of the tolerance of the segment's gas is there (or for one fixed sub-step). Books it, `y` being its
-/// unknowns; returns the time reached, t if nothing flows in.
+/// Adds the first gas of an evacuated volume with walls, from time t to b at most [s]. That gas has no heat
+/// capacity, so it cannot be stepped. It is at its balance with the walls,
+///   sum mdot_i (h_i - u_i(T)) = h A (T - T_ext),
+/// until a share of the tolerance of the segment's gas has come in (or for one fixed sub-step). The gas is
+/// added to the ledger, with `y` as its unknowns. Returns the time reached; t if nothing flows in.
 double fill_first(System& system, const IntegratorOptions& options, Vector& y, double t, double b);
 
 }  // namespace gas

@@ -12,7 +12,7 @@ struct Upstream {
   double gamma;         // [-]
 };
 
-/// Derivatives of a flux by what it depends on; `upstream` and `downstream` are the two pressures.
+/// Derivatives of a flux. `upstream` and `downstream` are those by the two pressures.
 struct FluxSlopes {
   double upstream, downstream;  // [kg/(s m2 Pa)]
   double temperature;           // [kg/(s m2 K)]
@@ -21,11 +21,12 @@ struct FluxSlopes {
 };
 
 /// Share of the inviscid flow that an opening passes at `overpressure` [Pa],                          (G.22)
-///   (1 + (d/dp)^2)^(-3/4), d = `laminar_overpressure` [Pa]: below d flow falls as dp^2 in place of sqrt(dp).
-/// Zero for an overpressure that is not positive; 1 for d = 0.
+///   (1 + (d/dp)^2)^(-3/4), d = `laminar_overpressure` [Pa].
+/// Below d the flow falls as dp^2 in place of sqrt(dp). 0 for an overpressure that is not positive; 1 for
+/// d = 0.
 double laminar_factor(double overpressure, double laminar_overpressure);
 
-/// Mass flux [kg/(s m2)] through a hole, (G.6) times (G.22); zero if the overpressure is not positive.
+/// Mass flux [kg/(s m2)] through a hole, (G.6) times (G.22); 0 if the overpressure is not positive.
 double hole_flux(const Upstream& gas, double laminar_overpressure);
 /// Its derivatives.
 FluxSlopes hole_flux_slopes(const Upstream& gas, double laminar_overpressure);

@@ -6,9 +6,9 @@
 
 namespace gas {
 
-/// Time since `start` [s] at time t, -infinity if that never comes. The subtraction rounds, so a result
-/// within round-off of zero or a knot of `curves` is that: a pulse keeps its exact length however late it
-/// fires.
+/// Time since `start` [s] at time t; -infinity if the start never comes. The subtraction rounds. So a result
+/// within round-off of zero, or of a knot of `curves`, is set to it. A pulse then keeps its exact length
+/// however late it fires.
 double local_time(std::initializer_list<const Curve*> curves, double start, double t);
 /// The same since firing, with the curves of the inflow.
 double local_time(const Inflow& inflow, double start, double t);
@@ -29,22 +29,22 @@ class InflowSegment {
   };
 
   InflowSegment() = default;
-  /// `gas` is 1 kg of the inflow's mixture.
+  /// `gas` is 1 kg of the inflow's mixture; it must outlive this object.
   InflowSegment(const Inflow& inflow, double start, const Mixture& gas, double a, double b);
 
   bool is_idle() const { return mass_flow_ == 0.0 && mass_flow_slope_ == 0.0; }
   Flow flow(double t) const;
-  /// Mass [kg/s] and enthalpy [W] at t, and their derivatives with t.
+  /// Mass flow [kg/s] and enthalpy flow [W] at t; then their derivatives by t.
   Delivered rate(double t) const;
   Delivered rate_slope(double t) const;
-  /// Mass and enthalpy from t0 to t1: closed form, or (cp(T) and a changing temperature) a Gauss rule that is
-  /// exact for the integrand, a polynomial of degree 6 in time.
+  /// Mass and enthalpy delivered from t0 to t1, in closed form. For cp(T) and a changing temperature a Gauss
+  /// rule is used, which is exact: the integrand is a polynomial of degree 6 in time.
   Delivered delivered(double t0, double t1) const;
   const Mixture& gas() const { return *gas_; }
 
  private:
-  // Of a to t by the clock of the firing: the one for rates, books and pieces alike, else a level that was
-  // located by one is not reached by another.
+  // Time [s] from a to t by the clock of the firing. Rates, totals and pieces all use this clock; otherwise
+  // one of them might not reach a level that another has located.
   double elapsed(double t) const;
   Flow flow_after(double elapsed) const;
   Delivered delivered_between(double from, double to) const;

@@ -8,14 +8,15 @@
 
 namespace gas {
 
-/// What the volume holds and what has passed. The gas (m_k, U) is carried from sub-step to sub-step:
+/// Content of the volume, and what has crossed its boundary. The gas (m_k, U) is carried from sub-step to
+/// sub-step:
 ///   m_k = m_k(t0) + delivered_k - out_k + Y_ak sum back,
 ///   U = U(t0) + delivered enthalpy - sum enthalpy + h_a sum back - work - heat.
-/// Counted from the step's begin instead, that of a tiny volume would be a difference of far larger sums.
+/// If it were counted from the step's begin, that of a tiny volume would be a difference of far larger sums.
 class Ledger {
  public:
-  /// `boundary` must outlive this. `negligible` is the share of the gas by which a species may be lacking: it
-  /// is then gone.
+  /// `boundary` must outlive this object. A species that is lacking by less than the share `negligible` of
+  /// the gas is used up, which is no error.
   Ledger(const Boundary& boundary, double negligible);
 
   void begin_step(const ControlVolumeState& state);
@@ -26,19 +27,20 @@ class Ledger {
   const Vector& gas() const { return gas_; }
   /// `gas` at time t of a sub-step with the unknowns y. False if more of a species has left than there was.
   bool gas_at(const Vector& y, double t, Vector& gas);
-  /// Masses below zero by rounding of what is there and has `passed` [kg], or by less than is negligible,
-  /// become zero. False for more.
+  /// Sets masses below zero to zero if they are round-off of the content and of `passed` [kg], or negligible.
+  /// False if a mass is further below zero.
   bool clear_lacking(Vector& gas, double passed);
-  /// The species of which too much had left when gas_at() or clear_lacking() was false.
+  /// The species that was used up when gas_at() or clear_lacking() returned false.
   std::optional<std::size_t> depleted() const { return depleted_; }
-  /// Fills `change` with that of the gas which the unknowns y make.
+  /// Fills `change` with the change of the gas that the unknowns y make.
   void change(const Vector& y, Vector& change) const;
-  /// Ends a sub-step with y at t: the next begins there. What more of a species has left than there was is
-  /// taken out of y.
+  /// Ends a sub-step with y at t; the next one begins there. If more of a species has left than there was,
+  /// the excess is taken out of y.
   void accept(Vector& y, double t);
-  /// Makes what leaves in all streams the mass of what leaves of all species.
+  /// Scales the masses of the outgoing streams so that their sum is that of the outgoing species.
   void close_streams(Vector& y) const;
-  /// What an error of the method lets flow the wrong way does not flow: it is error. Returns its mass [kg].
+  /// Stops flow that an error of the method let go the wrong way, and adds it to `error`. Returns its mass
+  /// [kg].
   double stop_reversed(Vector& y, Vector& error) const;
 
   double total(std::size_t slot) const { return totals_[slot].value(); }  // over the step

@@ -9,22 +9,22 @@ namespace gas {
 /// Cd A of a vent [m2] at `time` [s] and `overpressure` [Pa]; zero while it is shut.
 double effective_area(const Vent& vent, const TriggerState& triggers, double time, double overpressure);
 
-/// Areas of the vents on a segment of time in which none opens, shuts or passes a knot.
+/// Areas of the vents over a segment of time in which none opens, shuts or passes a knot.
 class Openings {
  public:
-  /// What an area is and how it changes.
+  /// An area and its derivatives.
   struct Area {
     double value;            // [m2] Cd A, not negative
     double by_overpressure;  // [m2/Pa]
     double by_time;          // [m2/s]
   };
 
-  /// `model` must outlive this.
+  /// `model` must outlive this object.
   explicit Openings(const ControlVolumeModel& model);
 
   /// First time after t at which an area is not smooth.
   double next_break(const TriggerState& triggers, double t) const;
-  /// Fixes which vents are open and their pieces on [a, b].
+  /// Sets which vents are open, and their pieces on [a, b].
   void begin_segment(const TriggerState& triggers, double a, double b);
 
   bool is_open() const { return is_open_; }            // any vent
@@ -36,7 +36,8 @@ class Openings {
 
  private:
   const ControlVolumeModel& model_;
-  std::vector<Curve::Piece> pieces_;  // of Cd A against time; of vents against overpressure Cd alone
+  /// Of Cd A over time; for a vent with a curve over the overpressure, Cd only.
+  std::vector<Curve::Piece> pieces_;
   std::vector<bool> open_;
   bool is_open_ = false, has_backflow_ = false;
 };

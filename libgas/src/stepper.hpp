@@ -8,8 +8,8 @@
 
 namespace gas {
 
-/// The variable x in which sub-steps are taken: the time t itself or, from the moment `origin` at which flow
-/// sets in at p = p_a as sqrt(t - origin), that root, in which everything is smooth.
+/// Variable x of the sub-steps. x is the time t or, from the moment `origin` at which flow sets in at p = p_a
+/// as sqrt(t - origin), that root. In the root everything is smooth.
 struct Clock {
   bool root = false;
   double origin = 0.0;  // [s]
@@ -19,7 +19,7 @@ struct Clock {
   double slope_of_slope() const { return root ? 2.0 : 0.0; }     // d2t/dx2
 };
 
-/// Sub-steps tried and accepted, evaluations of the right-hand side.
+/// Counters: sub-steps tried and accepted, evaluations of the right-hand side.
 struct Effort {
   int attempts = 0, accepted = 0, evaluations = 0;
 };
@@ -30,27 +30,28 @@ struct System {
   Balance balance;
   Clock clock{};
   Vector gas;                             // (m_k, U) of the last evaluation
-  bool valid = true;                      // every evaluation of the trial met a gas
-  std::optional<std::size_t> depleted{};  // species that one of them lacked
+  bool valid = true;                      // every evaluation of the trial had a valid gas
+  std::optional<std::size_t> depleted{};  // species that a trial used up
   Effort effort{};
 
   /// dy/dx at (y, x).
   void rates(const Vector& y, Vector& dydx, double x);
-  /// The same at the gas given, which may be changed to one without negative masses.
+  /// The same at `gas`; masses below zero in it are set to zero.
   void rates_of(Vector& gas, Vector& dydx, double x);
 };
 
-/// What a step leads to.
+/// Result of a step.
 struct Trial {
   Vector end, end_rate, error;
-  double reversed = 0.0;  // [kg] that an error of the method let flow the wrong way
+  /// [kg] that flowed the wrong way by an error of the method.
+  double reversed = 0.0;
 };
 
-/// One method.
+/// An integration method.
 class Stepper {
  public:
   virtual ~Stepper() = default;
-  /// From y = 0 with the rates dydx at x to x + h; the balance is left at the end. Fills `error` if
+  /// Steps from y = 0, with the rates dydx at x, to x + h. Leaves the balance at the end. Fills `error` if
   /// `estimate`.
   virtual void step(System& system, const Vector& dydx, double x, double h, bool estimate, Trial& out) = 0;
   /// The error of a step grows as h to this power.

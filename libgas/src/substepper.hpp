@@ -11,18 +11,18 @@
 
 namespace gas {
 
-/// Takes the sub-steps of one segment: proposes a length, tries it by the method that suits, repeats it if
-/// its error is too large, lands it on what Watch finds, and books it.
+/// Takes the sub-steps of one segment. It proposes a length and tries it by a suitable method. It repeats the
+/// sub-step if its error is too large, makes it end where Watch finds an event, and adds it to the ledger.
 class Substepper {
  public:
-  /// All must outlive this.
+  /// All arguments must outlive this object.
   Substepper(const Boundary& boundary, Ledger& ledger, const TriggerNetwork& network,
              const IntegratorOptions& options);
 
   /// Resets the counters. Throws DomainError if the temperature of `state` is out of range.
   void begin_step(const ControlVolumeState& state);
-  /// Advances from a towards b; returns the time reached: b, or earlier if a pressure sensor switches there.
-  /// Throws DomainError.
+  /// Advances from time a towards b [s]. Returns the time reached: b, or earlier if a pressure sensor
+  /// switches there. Throws DomainError.
   double integrate(double a, double b, const TriggerState& triggers);
 
   Balance& balance() { return system_.balance; }
@@ -30,20 +30,20 @@ class Substepper {
   const StepMoments& moments() const { return moments_; }
 
  private:
-  /// Where a sub-step begins.
+  /// Start of a sub-step.
   struct Begin {
-    double t, x;  // [s], and by the clock
+    double t, x;  // [s], and on the clock
     Vector rate;  // dy/dx
     Moment moment;
     double relaxation;  // [1/s] of the gas
   };
-  /// What to try next. Lengths are in x.
+  /// The next trial. Lengths are in x.
   struct Proposal {
     double length;
-    double landing = kInfinity;  // if finite, it has to end on what Watch found
-    bool stiff = false;          // by the implicit method
+    double landing = kInfinity;  // if finite, the trial has to end on an event that Watch found
+    bool stiff = false;          // take the implicit method
   };
-  /// How far a trial goes.
+  /// Extent of a trial.
   struct Reach {
     double length;  // in x
     double end;     // [s]

@@ -6,20 +6,20 @@
 
 namespace gas {
 
-/// Evaluates a TriggerModel along a step. Everything that depends on time alone switches at known moments, so
-/// those are break points; pressure thresholds are levels for the integrator to locate.
+/// Evaluates a TriggerModel along a step. Nodes that depend on time alone switch at known moments, which are
+/// break points. Pressure thresholds are levels that the integrator locates.
 class TriggerNetwork {
  public:
-  /// `model` must outlive this.
+  /// `model` must outlive this object.
   explicit TriggerNetwork(const TriggerModel& model);
 
   /// First time after t at which a sensor of time or signal, or a running delay, may switch a node.
   double next_break(const TriggerState& state, double t) const;
-  /// Brings every node to time t; true if a gate or sensor came on or went off. A pressure sensor switches
-  /// where the integrator locates its threshold [Pa, over the ambient pressure]. Input sensors keep what the
-  /// caller set.
+  /// Updates every node to time t. True if a gate or sensor came on or went off. A pressure sensor switches
+  /// where the integrator locates its threshold [Pa, above the ambient pressure]. Input sensors keep the
+  /// caller's value.
   bool update(TriggerState& state, double t, double overpressure, double ambient_pressure) const;
-  /// Whether a pressure sensor is no longer what `state` says it is.
+  /// True if a pressure sensor differs from its value in `state`.
   bool switches(const TriggerState& state, double overpressure, double ambient_pressure) const;
   /// True while a pressure sensor may still switch something.
   bool watches_pressure(const TriggerState& state) const;
@@ -31,8 +31,9 @@ class TriggerNetwork {
   bool update_gate(const Gate& gate, NodeState& node, const TriggerState& state, double t) const;
 
   const TriggerModel& model_;
-  std::vector<std::vector<double>> switching_;  // [s] of each sensor, rising; on and off take turns
-  std::vector<bool> starts_on_;                 // of each sensor, before the first of them
+  /// [s] Of each sensor, rising; the sensor goes on and off in turn.
+  std::vector<std::vector<double>> switching_;
+  std::vector<bool> starts_on_;  // of each sensor, before its first switching time
 };
 
 }  // namespace gas

@@ -7,47 +7,50 @@
 
 namespace gas {
 
-/// What decides, at one end of a trial, whether it has to end elsewhere.
+/// State at one end of a trial, by which Watch decides whether the trial has to end elsewhere.
 struct Moment {
-  double overpressure;       // [Pa]
-  double rate;               // [Pa] per unit of the clock's x
-  double compliance;         // [-]
-  double sonic, sonic_rate;  // [Pa] > 0 where vents are choked; [Pa] per unit of x
+  double overpressure;  // [Pa]
+  double rate;          // [Pa] per unit of x
+  double compliance;    // [-]
+  /// [Pa] > 0 where vents are choked; [Pa] per unit of x.
+  double sonic, sonic_rate;
   double growth;             // [Pa/s] dp/dt with the openings shut
   double outflow, backflow;  // [kg/s]
 };
 
-/// Finds where p passes what a sub-step must end on, as the rates are not smooth there: p_a, from where flow
-/// sets in or turns; the sonic switch; knots of the curves against overpressure; thresholds of the sensors.
+/// Finds where p passes a level on which a sub-step must end, because the rates are not smooth there. Levels:
+/// p_a, where flow sets in or turns; the sonic switch; knots of curves over the overpressure; thresholds of
+/// sensors.
 class Watch {
  public:
-  /// `boundary` must outlive this.
+  /// `boundary` must outlive this object.
   Watch(const Boundary& boundary, double tolerance);
 
-  /// The gas that `balance` has located; `slope` is dt/dx of the clock.
+  /// State of the gas that `balance` has located; `slope` is dt/dx of the clock.
   Moment moment(const Balance& balance, double slope) const;
-  /// Share of the trial of length h after which it first passes one of them, by the cubic through both ends;
-  /// also where it may turn beyond one. Ends that are close to one have not passed it.
+  /// Share of a trial of length h after which it first passes a level, by the cubic through both ends. The
+  /// cubic also shows an excursion beyond a level and back. An end that is close to a level has not passed
+  /// it.
   std::optional<double> landing(const Moment& begin, const Moment& end, double h) const;
-  bool is_on_ambient(const Moment& at) const;  // p is p_a, as close as it is landed on
-  /// Whether flow that something feeds lets p grow at more than half of the rate that it would have without.
+  bool is_on_ambient(const Moment& at) const;  // p is p_a to the accuracy of landing
+  /// True if fed flow sets in: p rises at more than half of its rate with the openings shut.
   bool is_onset(const Balance& balance, const Moment& at) const;
-  /// Share of a trial of length h after which the flow of the vents switched, if it did.
+  /// Share of a trial of length h after which the vents became choked or unchoked; empty if they did not.
   std::optional<double> switches(const Moment& begin, const Moment& end, double h) const;
-  /// Share of it after which flow, rather than what else moves p, brought p to p_a, to 1e-7 of it.
+  /// Share of a trial after which flow, rather than another cause, brought p to p_a, to 1e-7 of it.
   std::optional<double> equalises(const Moment& begin, const Moment& end) const;
-  /// How long flow that only runs out or in leads p to p_a, as the square of the time that is left; in x.
-  /// Infinite where p goes elsewhere, or is as close as laminar flow.
+  /// Time, in x, after which flow that only runs out (or in) brings p to p_a, if p - p_a falls as the square
+  /// of the time left. Infinite if p goes elsewhere, or is already in the laminar range.
   double until_ambient(const Moment& begin) const;
-  /// Whether the trial takes p through p_a against what feeds the flow, by an error of the method.
+  /// True if the trial takes p through p_a against the feed of the flow, which is an error of the method.
   bool crosses_against_flow(const Moment& begin, const Moment& end, double duration) const;
 
  private:
   struct Level {
     double overpressure;  // [Pa]
-    double near;          // [Pa] p closer to it than this is on it
+    double near;          // [Pa] p closer than this is on the level
   };
-  /// One watched value at both ends of a trial, with slopes for the whole of it.
+  /// A watched value at both ends of a trial, with its slopes per trial.
   struct Course {
     double begin, begin_slope, end, end_slope;
     double at(double share) const;

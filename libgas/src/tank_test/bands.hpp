@@ -5,7 +5,7 @@
 
 namespace gas {
 
-/// The inversion of one draw of the pressures.
+/// Inversion of one draw of the pressures.
 struct Sample {
   Flow flow;
   std::vector<double> enthalpy_flow;  // K [kg K/s]
@@ -22,7 +22,7 @@ class NormalNumbers {
   std::vector<double> numbers_;
 };
 
-/// Bands and amplifications of `result` from the samples.
+/// Sets bands and amplifications of `result` from the samples.
 void add_bands(std::span<const Sample> samples, Identified& result);
 
 }  // namespace gas

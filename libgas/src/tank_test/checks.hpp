@@ -4,7 +4,7 @@
 
 namespace gas {
 
-/// Throws std::invalid_argument naming what is out of range.
+/// Throws std::invalid_argument, naming what is out of range.
 void check(const TankTest& test, const IdentifyOptions& options);
 
 /// Throws ReadingError for a tank pressure that is not above 0, or a chamber pressure below the tank's by

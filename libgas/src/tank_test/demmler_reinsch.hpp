@@ -8,32 +8,33 @@
 
 namespace gas {
 
-/// Columns z_k with Z^T G Z = 1 and Z^T Omega Z = diag(s): in them every lambda is a scalar problem
+/// Columns z_k with Z^T G Z = 1 and Z^T Omega Z = diag(s). In this basis each lambda is a scalar problem
 /// (Demmler and Reinsch, Numer. Math. 24, 1975).
 struct Modes {
   gsl::Matrix columns;
   std::vector<double> roughness;  // s_k >= 0
 
   double column(std::size_t i, std::size_t k) const { return gsl_matrix_get(columns.get(), i, k); }
-  /// Z^T right: the modes in a right side of the normal equations.
+  /// Amplitudes Z^T right of the modes in a right side of the normal equations.
   std::vector<double> amplitudes(std::span<const double> right) const;
-  /// scale Z amplitudes: coefficients of the spline.
+  /// Coefficients of the spline, scale Z amplitudes.
   std::vector<double> sum(std::span<const double> amplitudes, double scale) const;
 };
 /// Throws DomainError if G, the readings' Gram matrix, is not positive definite.
 Modes make_modes(gsl::Matrix gram, gsl::Matrix penalty);
 
-/// What (G.31) needs: amplitudes of the modes in the data, and the residual that no lambda removes.
+/// Data for (G.31): amplitudes of the modes in the readings, and the residual that no lambda removes.
 struct Scores {
   std::span<const double> roughness;
   std::vector<double> amplitudes;
-  double residual;   // weighted sum of squares of the fit with lambda = 0
-  double count;      // of readings
-  double smoothest;  // largest roughness of the three modes that make a parabola, zero but for rounding
+  double residual;  // weighted sum of squares of the fit with lambda = 0
+  double count;     // of readings
+  /// Largest roughness of the three modes that make a parabola; zero but for round-off.
+  double smoothest;
 
   double degrees_of_freedom(double lambda) const;
   double minus_log_likelihood(double lambda) const;
-  /// The likeliest of a grid of ten values a decade, and the likelihood of each.
+  /// The most likely lambda of a grid of ten values a decade, and the posterior over the grid.
   Lambdas likely() const;
 };
 

@@ -4,8 +4,8 @@
 
 namespace gas {
 
-/// Largest relative difference between the tank pressure that the control-volume model gives with the curves
-/// of `points` and the smoothed one.
+/// Largest relative difference [-] between the smoothed tank pressure and that of the control-volume model
+/// with the curves of `points`.
 double forward_error(const TankTest& test, std::span<const IdentifiedPoint> points);
 
 }  // namespace gas

@@ -38,7 +38,7 @@ inline Vector vector(std::size_t size) {
   return Vector(allocated(gsl_vector_calloc(size)));
 }
 
-/// GSL's own handler ends the process: while this lives, functions return their code instead.
+/// While this lives, GSL functions return error codes. GSL's own handler would end the process.
 class ReturnCodes {
  public:
   ReturnCodes() : previous_(gsl_set_error_handler_off()) {}

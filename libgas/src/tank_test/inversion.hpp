@@ -11,12 +11,14 @@ struct Pressures {
   std::vector<double> chamber;  // [Pa], empty for average temperature
 };
 
-/// Which points carry flow, and at which of them it is well determined.
+/// Points that carry flow, and those at which it is well determined.
 struct Burn {
-  std::size_t first = 0, last = 0;  // the curve's flow is zero outside
-  std::size_t end = 0;              // all of the mass is in the tank
+  std::size_t first = 0, last = 0;  // the flow is zero outside
+  std::size_t end = 0;              // from here on the tank holds all of the mass
   std::vector<char> masked;
-  std::vector<char> firm;  // not masked, and well determined: its temperature is held where masked
+  /// Not masked, and well determined: masked points take their temperature from these.
+  std::vector<char> firm;
+  /// Factors of the temperatures that are held before the first and after the last firm point.
   double before = 1.0,
          after = 1.0;  // factors of the temperatures held before the first and after the last firm
 };
@@ -29,16 +31,16 @@ struct Flow {
   double effective_area = 0.0;      // [m2]
 };
 
-/// One inversion of given pressures; no statistics.
+/// One inversion of given pressures, without statistics.
 class Inversion {
  public:
   Inversion(const TankTest& test, std::span<const double> times, const Pressures& pressures);
 
-  /// K [kg K/s] at every point with gamma R of the inflator's gas at `temperature`, (G.34).
+  /// K [kg K/s] at every point (G.34), with gamma R of the inflator's gas at `temperature` [K].
   std::vector<double> enthalpy_flow(double temperature) const;
-  /// (G.35). Throws DomainError.
+  /// Average-temperature method (G.35). Throws DomainError.
   Flow average_temperature(const Burn& burn) const;
-  /// (G.36), started from `guess`, whose flow is that of the known mass. Throws DomainError.
+  /// Dual-pressure method (G.36), started from `guess`, whose flow has the known mass. Throws DomainError.
   Flow dual_pressure(const Burn& burn, const Flow& guess) const;
 
  private:

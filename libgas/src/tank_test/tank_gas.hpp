@@ -4,13 +4,13 @@
 
 namespace gas {
 
-/// The tank's own gas and the inflator's, of which a mass m [kg] is in the tank; what (G.33) needs of them.
+/// The tank's own gas with a mass m [kg] of the inflator's gas; the terms of (G.33).
 class TankGas {
  public:
   /// Tank filled with its own gas at `initial_pressure` [Pa].
   TankGas(const TankTest& test, double initial_pressure);
 
-  /// The gas at pressure p [Pa] rising at dp [Pa/s], with m of the inflator's gas in it.
+  /// The gas at pressure p [Pa] that rises at dp [Pa/s], with m [kg] of the inflator's gas in it.
   struct Rate {
     double power;   // [W] V p' cv/R: left side of (G.33)
     double offset;  // [J/kg] cv T R_i/R - u_i(T)
@@ -18,20 +18,21 @@ class TankGas {
   /// Throws DomainError, naming `time`, if the gas temperature leaves its range.
   Rate rate(double time, double p, double dp, double m) const;
 
-  /// Specific enthalpy [J/kg] of the mass m [kg] that brought the tank from the start to p [Pa].
+  /// Specific enthalpy [J/kg] at which the mass m [kg] raised the tank from its start to p [Pa].
   double mean_enthalpy(double p, double m) const;
-  /// Mass [kg], at most `most`, of that enthalpy which brought the tank to p; near `guess`.
+  /// Mass [kg], at most `most`, that raised the tank to p at that enthalpy [J/kg]; near `guess`.
   double delivered(double p, double enthalpy, double most, double guess) const;
-  /// T [K] of the inflator's gas with that enthalpy [J/kg]. Throws DomainError outside its range.
+  /// Temperature [K] of the inflator's gas with that enthalpy [J/kg]. Throws DomainError outside its range.
   double inflow_temperature(double enthalpy) const;
 
-  /// Mass flow [kg/s] of gas at T_s [K] that makes this rate; (G.33).
+  /// Mass flow [kg/s] of gas at T_s [K] that gives this rate (G.33).
   double mass_flow(const Rate& rate, double temperature) const {
     return rate.power / (inflator_.enthalpy(temperature) + rate.offset);
   }
   /// Mass flow [kg/s] through an outlet of effective area [m2] from a chamber at p_c, T_s into a tank at p_t.
   double outlet_flow(double area, double temperature, double chamber, double tank) const;
-  /// T_s at which outlet_flow makes this rate, (G.36); a bound of temperatures() if there is none inside.
+  /// T_s [K] at which outlet_flow gives this rate (G.36); a bound of temperatures() if there is none in
+  /// between.
   double stagnation_temperature(const Rate& rate, double area, double chamber, double tank,
                                 double guess) const;
 
