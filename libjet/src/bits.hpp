@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Sets as bytes of eight bits, to a multiple of 32 bytes. Kernels share no inline code with others:
-// floats.hpp has the same tricks.
+// Sets as bits in bytes, padded to a multiple of 32 bytes. Kernels share no inline code with other files, so
+// floats.hpp has some of these functions too.
 #pragma once
 
 #include <bit>
@@ -24,7 +24,7 @@ inline void and_not(std::span<const std::uint8_t> a, std::span<const std::uint8_
   for (std::size_t i = 0; i < count; ++i) to[i] = static_cast<std::uint8_t>(a[i] & ~b[i]);
 }
 
-/// Bytes that have a bit.
+/// Number of bytes that are not 0.
 inline int count_used(std::span<const std::uint8_t> bytes) {
   std::uint64_t count = 0;
   for (std::size_t i = 0; i < bytes.size(); i += 8) {
@@ -36,7 +36,7 @@ inline int count_used(std::span<const std::uint8_t> bytes) {
   return static_cast<int>(count);
 }
 
-/// Bytes of 0 or 1 to bits, eight to a byte. Precondition: eight times as many bytes.
+/// Packs bytes of 0 or 1 as bits, eight to a byte. Precondition: eight times as many bytes.
 inline void pack(std::span<const std::uint8_t> bytes, std::span<std::uint8_t> bits) {
   for (std::size_t i = 0; i < bits.size(); ++i) {
     static_assert(std::endian::native == std::endian::little);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a visibility query refuses, with std::invalid_argument.
+// Checks of the input of a visibility query, which throw std::invalid_argument.
 #pragma once
 
 #include <string>
@@ -17,7 +17,7 @@ void require_index(const char* name, int index, int count);
 
 void check_source(const RaySource& source);
 
-/// Largest magnitude of a coordinate of the nodes.
+/// Largest magnitude of a coordinate of the nodes; throws std::invalid_argument if one is out of range.
 double check_nodes(const Surface& surface);
 
 }  // namespace jet

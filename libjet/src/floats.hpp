@@ -38,7 +38,7 @@ struct Floats {
   friend Mask operator<=(Floats a, Floats b) { return a.v <= b.v; }
   friend Mask operator>=(Floats a, Floats b) { return a.v >= b.v; }
   friend Floats select(Mask m, Floats a, Floats b) { return Floats(m ? a.v : b.v); }
-  // b < a ? b : a and a < b ? b : a, which gcc does not always make one instruction of.
+  // b < a ? b : a and a < b ? b : a; gcc does not always find the single instruction.
   friend Floats min(Floats a, Floats b) {
 #if defined(__AVX__)
     return Floats(reinterpret_cast<Values>(
@@ -60,7 +60,7 @@ struct Floats {
   }
 };
 
-/// One number in all lanes, by one instruction: GCC 12 makes two of Floats(*p).
+/// One number in all lanes, by one instruction; GCC 12 makes two of Floats(*p).
 inline Floats repeat(const float* p) {
 #if defined(__AVX__)
   return Floats(reinterpret_cast<Floats::Values>(_mm256_broadcast_ss(p)));
@@ -79,7 +79,7 @@ inline unsigned bits(Floats::Mask m) {
 #endif
 }
 
-/// To all lanes.
+/// Reduces all lanes; the result is in each lane.
 template <class Reduce>
 [[gnu::always_inline]] inline Floats reduce(Floats a, Reduce better) {
   a = better(a, Floats(__builtin_shufflevector(a.v, a.v, 4, 5, 6, 7, 0, 1, 2, 3)));
@@ -104,12 +104,12 @@ struct BitPlaces {
 };
 inline constexpr BitPlaces kBitPlaces;
 
-/// The lowest bits of eight bytes of 0 or 1, side by side: byte i is moved to bit 56 + i.
+/// The lowest bits of eight bytes of 0 or 1 as one byte: byte i moves to bit 56 + i.
 [[gnu::always_inline]] inline unsigned first_bits(std::uint64_t bytes) {
   return static_cast<unsigned>(bytes * 0x0102040810204080u >> 56);
 }
 
-/// A bit for each of 32 bytes.
+/// One bit for each of 32 bytes: set if the byte is not 0.
 [[gnu::always_inline]] inline unsigned not_zero(const std::uint8_t* bytes) {
 #if defined(__AVX2__)
   const __m256i x = _mm256_loadu_si256(reinterpret_cast<const __m256i*>(bytes));
@@ -126,7 +126,7 @@ inline constexpr BitPlaces kBitPlaces;
 #endif
 }
 
-/// first + i for the bits i, to `out`, which has room for eight; their number. Nothing to predict.
+/// Appends first + i for each set bit i to `out`, which has room for eight; returns their number. Branchless.
 [[gnu::always_inline]] inline int append_bits(unsigned bits, int first, int* out) {
   const std::uint8_t* places = kBitPlaces.at[bits];
 #if defined(__AVX2__)  // which gcc does not find by itself
@@ -140,7 +140,8 @@ inline constexpr BitPlaces kBitPlaces;
   return __builtin_popcount(bits);
 }
 
-/// Those of eight numbers whose bits are set, to `out`, which has room for eight; their number.
+/// Appends those of eight numbers whose bits are set to `out`, which has room for eight; returns their
+/// number.
 [[gnu::always_inline]] inline int append_chosen(unsigned bits, UnalignedInts numbers, int* out) {
   const std::uint8_t* places = kBitPlaces.at[bits];
 #if defined(__AVX2__)
@@ -153,8 +154,8 @@ inline constexpr BitPlaces kBitPlaces;
   return __builtin_popcount(bits);
 }
 
-/// Lists the bytes that are not zero, 512 at a time, then the places of their bits. No branch to
-/// predict but where 32 are zero.
+/// Lists the bytes that are not zero, 512 at a time, and then the places of their bits. The only branch is on
+/// 32 bytes that are all zero.
 inline int list_bits(const std::uint8_t* bytes, int count, int* places) {
   constexpr int most = 512;
   int some[most + 8];
@@ -172,7 +173,7 @@ inline int list_bits(const std::uint8_t* bytes, int count, int* places) {
   return found;
 }
 
-/// Rows of four floats that begin at at(0) to at(7), to lanes.
+/// Gathers rows of four floats, which begin at at(0) to at(7), into lanes.
 struct FourFloats {
   Vec3<Floats> point;
   Floats fourth;
@@ -194,7 +195,7 @@ template <class At>
            Floats(__builtin_shufflevector(z01, z23, 0, 1, 8, 9, 4, 5, 12, 13))},
           Floats(__builtin_shufflevector(z01, z23, 2, 3, 10, 11, 6, 7, 14, 15))};
 }
-/// The first three of rows index(0) to index(7).
+/// Gathers the first three floats of the rows index(0) to index(7).
 template <class Index>
 [[gnu::always_inline]] inline Vec3<Floats> gather_rows(const float* rows, Index index) {
   return gather_four(rows, [&](int i) { return 4 * std::ptrdiff_t{index(i)}; }).point;

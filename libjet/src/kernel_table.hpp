@@ -13,7 +13,7 @@ struct Vec3 {
   T x, y, z;
 };
 
-/// 3 x n columns. Kernels load four doubles a row: the last one has its copy in `tail`.
+/// 3 x n columns. Kernels load four doubles per column; the last column has its copy in `tail`.
 struct Rows {
   const double* first;
   std::ptrdiff_t stride;
@@ -21,7 +21,7 @@ struct Rows {
   double tail[4];
 };
 
-/// A jet as the formulas of profile.hpp read it.
+/// A jet in the form that profile.hpp reads.
 struct JetShape {
   bool round, momentum, axial;
   double centre[3], axis[3], across[3], along[3];  // across and along: zero for a round outlet
@@ -32,64 +32,69 @@ struct JetShape {
   double origin;                           // [m] of the virtual origin upstream
   double cut_core, cut_origin, cut_slope;  // [m], [m], [-]: outside where |r| > max(core, origin + slope z)
   double cut_cosine;                       // [-] of the cut-off's angle to the axis beyond the core
-  double centre_size;                      // [m] largest coordinate of the centre
+  double centre_size;                      // [m] largest magnitude of the centre's coordinates
 };
 
 struct FieldArrays {
   Rows area_vectors, centroids, velocities;
   bool relative_to_skin;
-  const std::uint8_t* loaded;  // bits of groups of four: elements that take load
-  int count;                   // elements
-  double displacement_bound;   // [m]
-  double* slack;               // [m] see FieldState
-  std::uint8_t* inside;        // see FieldState
-  double velocity, factor;     // [m/s] V0, [kg/m3] (1 + e) rho0
-  double* overpressure;        // [Pa] written at the candidates
-  int* candidates;             // and room for eight more
+  /// Bits of groups of four: elements that take load.
+  const std::uint8_t* loaded;
+  int count;                  // elements
+  double displacement_bound;  // [m]
+  double* slack;              // [m] see FieldState
+  std::uint8_t* inside;       // see FieldState
+  double velocity, factor;    // [m/s] V0, [kg/m3] (1 + e) rho0
+  double* overpressure;       // [Pa] written at the candidates
+  int* candidates;            // with room for eight more
 };
 
 /// Coordinates along a jet as floats between -1 and 1, four a row: u across, v along the outlet's long side,
-/// w downstream, and a node's code. Bits 0 to 4 of that: u - slope w below -bound, above bound, the same of
-/// v, w below -bound; bit 7: w <= 0 in double.
+/// w downstream, and the node's code. Bits 0 to 4 of the code: u - slope w below -bound, above bound, the
+/// same for v, w below -bound. Bit 7: w <= 0 in double.
 struct ProjectArrays {
   Rows nodes;            // [m]
   int count;             // of nodes
   double centre[3];      // [m]
-  double column[3][4];   // [1/m] (u, v, w, 0) of x, y and z
-  float* local;          // a row a node, and room for 7 more
-  std::int32_t* codes;   // of the nodes, and room for 7 more
-  const int* triangles;  // 3 an element
-  const int* elements;   // to bound the rays of
+  double column[3][4];   // [1/m] (u, v, w, 0) for x, y and z
+  float* local;          // a row per node, with room for 7 more
+  std::int32_t* codes;   // of the nodes, with room for 7 more
+  const int* triangles;  // 3 per element
+  const int* elements;   // whose rays are bounded
   float slope[4], bound[5];
-  const std::uint32_t* listed;  // where rows in `local` begin of the nodes to project if not all are:
-                                // ascending, the last repeated to a multiple of eight
-  bool aligned = false;         // u, v and w are coordinates but for factors: each is made of one column
-  int axis[3] = {};             // these columns, if so
+  /// If not all nodes are projected: where their rows in `local` begin, ascending, the last one repeated to a
+  /// multiple of eight.
+  const std::uint32_t* listed;
+  /// True if u, v and w are each a coordinate times a factor: each needs one column.
+  bool aligned = false;
+  int axis[3] = {};  // those columns, if aligned
 };
 
 inline constexpr int kSides = 0x1f;
 
 struct ProjectFlags {
-  bool outside;  // some coordinate is not within -1 and 1, or not a number
-  bool small;    // none is above 1/64
-  bool tiny;     // some coordinate of a node is not 0, but below 1e-100; not asked of nodes listed
+  bool outside;  // a coordinate is beyond -1 or 1, or is NaN
+  bool small;    // no coordinate is above 1/64
+  /// A coordinate of a node is below 1e-100 and not 0; not tested for listed nodes.
+  bool tiny;
 };
 
 /// Rays to their targets.
 struct RayArrays {
   const float* targets;  // rows of local coordinates
   float half_long;       // 0: a point source
-  const int* list;       // rows, the places of the rays' own elements; eight can be read
+  /// Rows: the places of the rays' own elements. Eight can be read.
+  const int* list;
   int count;
 };
 
-/// Slopes u/w (v/w, or v of a line of sources) of the rays, with their errors.
+/// Bounds of the rays' slopes u/w and v/w (v for a line of sources), with their errors.
 struct Frustum {
   float low_u, high_u, low_v, high_v;
 };
 
-/// Patches of eight elements near the rays. Bits of a byte stand for its elements; elements have the numbers
-/// of the mesh's order, eight a patch. Lists have room for all of them and eight more.
+/// Patches of eight elements near the rays. Bits of a byte stand for its elements. Elements have the numbers
+/// of the mesh's order, eight to a patch. Lists have room for all elements and eight more.
 struct PatchArrays {
   const float* local;
   float half_long;
@@ -97,26 +102,29 @@ struct PatchArrays {
   int elements;                      // of the mesh
   const int* patches;
   int count;
-  int outside;                // bits of a code that keep an element out
-  const std::uint8_t* asked;  // by patch of the mesh: elements that have rays
-  float error;                // absolute part of the bound of the orientation
-  float winding_u,
-      winding_v;   // of a line from a source: its slopes, or slope across and place along the line
-  int* near;       // those of `patches` that rays can meet; may be the same array
-  float* boxes;    // of their elements, kBoxFloats each; behind the mesh's last, of that one
-  float* targets;  // rows of the patches near that have rays
-  // By patch of the mesh, written for those near: the sources of rays that can touch an element see its inner
-  // side for certain, or its outer side for certain; or it is near and not certain to show its inner side.
+  int outside;                // bits of a code that exclude an element
+  const std::uint8_t* asked;  // by patch of the mesh: elements with rays
+  float error;                // absolute part of the error bound of the orientation
+  /// Of a line from a source: its slopes, or slope across and place along the line.
+  float winding_u, winding_v;
+  /// Those of `patches` that rays can meet; may be the same array.
+  int* near;
+  /// Boxes of their elements, kBoxFloats each. Lanes behind the mesh's last element hold that element's box.
+  float* boxes;
+  float* targets;  // rows of the near patches that have rays
+  // By patch of the mesh, written for near patches. Sources whose rays can touch an element certainly see its
+  // inner side; certainly see its outer side; or it is near and does not certainly show its inner side.
   std::uint8_t *inner, *outer, *not_inner;
-  int* uncertain;       // list of those near that may show either side
-  int* between;         // near, may lie between two sources
-  int* on_winding_ray;  // near, may touch the winding ray
-  int* upstream;        // asked, but with rays that are not certainly downstream
+  int* uncertain;       // near elements that may show either side
+  int* between;         // near elements that may lie between two sources
+  int* on_winding_ray;  // near elements that may touch the winding ray
+  int* upstream;        // elements with rays that are not certainly downstream
 };
 struct PatchesFound {
   int near, uncertain, between, on_winding_ray, upstream;  // lengths of the lists
-  int asked;                                               // patches near that have rays
-  Frustum bounds;                                          // of the rays that go downstream
+  int asked;                                               // near patches that have rays
+  /// Bounds of the rays that go downstream.
+  Frustum bounds;
 };
 
 /// Boxes of patches, see PatchArrays.
@@ -126,72 +134,76 @@ struct BoxArrays {
   int count;
 };
 
-/// Rays and one element for each.
+/// Pairs of a ray and an element.
 struct PairArrays {
   const float *targets, *local;
   float half_long;
   const std::uint32_t* corner_rows;  // see OrderedMesh
   const int *rays, *elements;
-  // Bits of eight, for certain:
+  // Results, bits of eight; each is certain where set:
   std::uint8_t* blocked;  // the segment crosses the interior
-  std::uint8_t* pierced;  // the line does
+  std::uint8_t* pierced;  // the line crosses the interior
   std::uint8_t* apart;    // the segment does not touch the element
-  std::uint8_t* missed;   // nor does its line
+  std::uint8_t* missed;   // the line does not touch the element
 };
 
 inline constexpr int kBoxFloats = 40;  // of eight elements
 
-/// Rays are better parted if a place follows another in their list by more than `places`, or if some level of
-/// a pyramid shows more than `blocks` in their common box.
+/// Limits on rays that are handled together. They are better separated if one follows another by more than
+/// `places` in their list. So they are if a level of a pyramid shows more than `blocks` in their common box.
 struct Parting {
   int places, blocks;
 };
 
-/// Where pairs go, with room for all elements eight times and eight more, and two lists on the way to them
-/// with room for all elements and eight more.
+/// Lists of pairs, with room for all elements eight times and eight more; and two workspace lists with room
+/// for all elements and eight more.
 struct PairLists {
   int *rays, *elements, *first, *second;
 };
 
-/// Boxes over boxes, eight below one; see pyramid.hpp.
+/// Pyramid of boxes, eight below one; see pyramid.hpp.
 struct PyramidView {
   const float* boxes;
   int levels;
-  int first[12];  // block of each level
-  int last[12];   // and behind its last
+  int first[12];  // first block of each level
+  int last[12];   // one past the last block
 };
 
 struct KernelTable {
-  /// Elements that an axial jet does not see from behind, inside the cut-off, to `candidates`: their number.
+  /// Writes the elements inside the cut-off, of an axial jet only those not seen from behind, to
+  /// `candidates`. Returns their number.
   int (*select)(const JetShape&, const FieldArrays&);
-  /// Overpressure of the first `count` candidates; those without are dropped. Returns their number, or
-  /// -1 - element where the overpressure is not finite.
+  /// Computes the overpressure of the first `count` candidates and drops those without. Returns their number,
+  /// or -1 - element if the overpressure of that element is not finite.
   int (*evaluate)(const JetShape&, const FieldArrays&, int count);
-  /// Sum of overpressure times area vector over `count` elements, to `sum` of four, three of which
+  /// Sum of overpressure times area vector over `count` elements. `sum` has four numbers, of which three
   /// count.
   void (*force)(const Rows& area_vectors, const double* overpressure, const int* elements, int count,
                 double* sum);
 
-  /// Nodes to local coordinates and codes.
+  /// Computes local coordinates and codes of all nodes.
   ProjectFlags (*project_nodes)(const ProjectArrays&);
-  /// Bits 0 to 4 of their codes, and nothing else.
+  /// Computes only bits 0 to 4 of the codes.
   ProjectFlags (*code_nodes)(const ProjectArrays&);
-  /// Local coordinates, and codes in their rows, of `count` nodes listed, a multiple of eight.
+  /// Computes local coordinates, with codes in their rows, of `count` listed nodes; a multiple of eight.
   ProjectFlags (*project_listed)(const ProjectArrays&, int count);
-  /// Bounds of the rays to the centroids of `count` elements, of those that are certainly downstream.
+  /// Bounds of the rays to the centroids of `count` elements, over the rays that are certainly downstream.
   Frustum (*frustum_of)(const ProjectArrays&, float half_long, int count);
   PatchesFound (*classify_patches)(const PatchArrays&);
-  /// Places of the bits of `count` bytes, a multiple of 32: their number. Room for eight more.
+  /// Lists the places of the bits of `count` bytes, a multiple of 32. Returns their number. `places` has room
+  /// for eight more.
   int (*list_bits)(const std::uint8_t* bytes, int count, int* places);
-  /// Of these patches those with elements `chosen`, bits by patch of the mesh, to `patches`: their number.
-  /// And their boxes to `boxes`, those of other elements empty.
+  /// Selects the patches that have elements `chosen` (bits by patch of the mesh). Writes them to `patches`,
+  /// and their boxes to `boxes`; boxes of other elements are empty there. Returns their number.
   int (*choose_boxes)(const BoxArrays&, const std::uint8_t* chosen, float* boxes, int* patches);
-  /// The eight boxes of each block to one: the box around them. Lanes behind the last hold anything.
+  /// Merges the eight boxes of each block to the box around them. Lanes behind the last hold anything.
   void (*merge)(const float* blocks, int count, float* boxes);
-  /// Pairs of these rays, eight at most, and elements whose boxes they meet: their number. Or `to_targets`:
-  /// before their targets, without their own elements; places behind the mesh's last stand for that one, and
-  /// are not left out. Lowest blocks of the pyramid stand for `patches`. Rays that are better parted: minus
-  /// the number of the first of them, and 8 less if it is for the blocks.
+  /// Finds the pairs of these rays, at most eight, and elements whose boxes they meet. Returns their number.
+  /// If `to_targets`, only elements before the ray's target and other than its own; places behind the mesh's
+  /// last stand for that element and are not excluded. The lowest blocks of the pyramid are `patches`.
+  ///
+  /// If the rays are better separated, returns minus the number of rays of the first part. It returns 8 less
+  /// if the reason is the number of blocks.
   int (*find_pairs)(const RayArrays&, const Parting&, bool to_targets, const PyramidView&, const int* patches,
                     const PairLists&);
   void (*meet_pairs)(const PairArrays&, int count);
@@ -204,7 +216,7 @@ namespace avx2 {
 extern const KernelTable kTable;
 }
 
-/// The fastest that this processor has.
+/// The kernels of the best instruction set of this processor.
 const KernelTable& kernel_table();
 
 }  // namespace jet

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Four double lanes on the compiler's vector extension: always four, so that the bits are the same on every
-// instruction set. The type lives in the namespace of the instruction set: templates over it are then
-// different functions in each translation unit, and the linker cannot mix them up. For the same reason
+// Four double lanes on the compiler's vector extension. They are always four, so that the bits are the same
+// on every instruction set. The type lives in the namespace of the instruction set. So templates over it are
+// different functions in each translation unit, and the linker cannot exchange them. For the same reason
 // nothing inline of the standard library is used here.
 #pragma once
 
@@ -57,7 +57,7 @@ struct Lanes {
   }
 };
 
-/// One bit a lane.
+/// One bit for each lane.
 inline unsigned bits(Lanes::Mask m) {
 #if defined(__AVX__)
   return static_cast<unsigned>(_mm256_movemask_pd(reinterpret_cast<__m256d>(m)));
@@ -71,7 +71,7 @@ inline unsigned bits(Lanes::Mask m) {
   return min(a, Lanes(__builtin_shufflevector(a.v, a.v, 1, 0, 3, 2))).v[0];
 }
 
-/// e^x for x <= 0, 0 below -708, within 2 roundings. Cody and Waite's reduction to |r| <= ln(2)/2, where
+/// e^x for x <= 0, within 2 roundings; 0 below -708. Cody and Waite's reduction to |r| <= ln(2)/2, where
 /// Taylor's polynomial of degree 13 has a remainder of 5e-18.
 inline Lanes exp(Lanes x) {
   constexpr double log2_e = 1.4426950408889634, shift = 0x1.8p52;
@@ -81,7 +81,7 @@ inline Lanes exp(Lanes x) {
   const Lanes shifted = Lanes(shift) + log2_e * inside;  // n in the low bits
   const Lanes n = shifted - shift;
   const Lanes r = (inside - ln2_high * n) - ln2_low * n;
-  // The sum of x^k / k!, in pairs and pairs of pairs: short chains of operations.
+  // The sum of x^k / k!, by pairs and pairs of pairs, which keeps the chains of operations short.
   const auto pair = [&](double even, double odd) { return odd * r + Lanes(even); };
   const Lanes r2 = r * r, r4 = r2 * r2;
   const Lanes low = pair(1.0 / 24.0, 1.0 / 120.0) + r2 * pair(1.0 / 720.0, 1.0 / 5040.0);
@@ -94,12 +94,12 @@ inline Lanes exp(Lanes x) {
   return select(x < Lanes(-708.0), Lanes(), sum * Lanes(reinterpret_cast<Lanes::Values>(exponent)));
 }
 
-/// Row i, four doubles of which three count.
+/// Row i: four doubles, of which three count.
 [[gnu::always_inline]] inline const double* row(const Rows& rows, int i) {
   return i == rows.last ? rows.tail : rows.first + i * rows.stride;
 }
 
-/// Four rows to lanes of x, y and z.
+/// Gathers four rows into lanes of x, y and z.
 [[gnu::always_inline]] inline Vec3<Lanes> gather(const double* a, const double* b, const double* c,
                                                  const double* d) {
   const auto p = Lanes::load(a).v, q = Lanes::load(b).v, r = Lanes::load(c).v, s = Lanes::load(d).v;

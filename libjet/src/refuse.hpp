@@ -6,7 +6,7 @@
 
 namespace jet {
 
-/// Throws Error "name is value, allowed: allowed", all digits of the value.
+/// Throws Error "name is value, allowed: allowed", with all digits of the value.
 template <class Error = std::invalid_argument>
 [[noreturn]] void refuse_value(const std::string& name, double value, const std::string& allowed) {
   std::ostringstream message;

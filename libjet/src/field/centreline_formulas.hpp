@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Decay and width of centreline.hpp, for one point (T = double) or for lanes of points.
+// Formulas of centreline.hpp for decay and width, for one point (T = double) or for lanes of points.
 #pragma once
 
 #include <cmath>

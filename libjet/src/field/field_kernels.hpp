@@ -7,13 +7,12 @@
 
 namespace jet::JET_KERNELS {
 
-/// Bound of what rounding adds to a point's motion and to its distances, over its coordinates: some 10
-/// roundings.
+/// Bound of the rounding in a point's motion and distances, relative to its coordinates: some 10 roundings.
 inline constexpr double kPlaceError = 1e-14;
 
-/// Which of a group's four points are not outside the jet; NaN is not, and found in what follows. And how far
-/// all may move and stay where they are: every bound of the jet is a distance, or one over the cosine, seen
-/// from both sides.
+/// Points of a group of four that are not outside the jet. NaN counts as not outside; later steps find it.
+/// `slack` is how far all four may move with the same result: every bound of the jet is a distance, or a
+/// distance over the cosine, on both sides.
 struct Inside {
   unsigned points;
   double slack;  // [m]
@@ -41,7 +40,7 @@ template <bool round>
   return {~bits(outside) & 0xfu, least(max(Lanes(), 0.999 * abs(beyond) - kPlaceError * size))};
 }
 
-/// Rows e to e + 3; behind the last it is the last again.
+/// Rows e to e + 3. Rows behind the last one repeat it.
 [[gnu::always_inline]] inline Vec3<Lanes> four_rows(const Rows& r, int e) {
   const double* x = r.first + e * r.stride;
   if (e + 4 <= r.last) return gather(x, x + r.stride, x + 2 * r.stride, x + 3 * r.stride);
@@ -49,17 +48,17 @@ template <bool round>
   return gather(at(0), at(1), at(2), at(3));
 }
 
-/// Rows of four elements in ascending order: only the last can be behind all others.
+/// Rows of four elements in ascending order, so only the last element can be the last row.
 [[gnu::always_inline]] inline Vec3<Lanes> four_rows(const Rows& r, const int* e) {
   const auto at = [&](int i) { return r.first + e[i] * r.stride; };
   if (e[3] < r.last) return gather(at(0), at(1), at(2), at(3));
   return gather(row(r, e[0]), row(r, e[1]), row(r, e[2]), row(r, e[3]));
 }
 
-/// Looks at the groups whose points may have crossed a bound of the jet since they were looked at.
+/// Examines the groups with points that may have crossed a bound of the jet since they were last examined.
 template <bool round>
 inline void look_at_groups(const JetShape& given, const FieldArrays& a, int begin, int count, int* list) {
-  const JetShape jet = given;  // a copy, which what is stored cannot change
+  const JetShape jet = given;  // a copy, so that stores cannot change it
   const Rows centroids = a.centroids;
   const Lanes displacement_bound(a.displacement_bound);
   double* slack = a.slack + begin;
@@ -78,7 +77,7 @@ inline void look_at_groups(const JetShape& given, const FieldArrays& a, int begi
   }
 }
 
-/// Groups with a point inside. Nothing to predict.
+/// Lists the groups with a point inside. Branchless.
 inline int list_inside(const std::uint8_t* inside, int begin, int count, int* list) {
   int found = 0;
   for (int g = begin; g < begin + count; g += 32) {
@@ -88,7 +87,7 @@ inline int list_inside(const std::uint8_t* inside, int begin, int count, int* li
   return found;
 }
 
-/// run<round, axial>(), of this jet.
+/// Calls run<round, axial>() for this jet.
 template <class Run>
 inline int by_kind(const JetShape& jet, Run run) {
   if (jet.round)
@@ -99,7 +98,7 @@ inline int by_kind(const JetShape& jet, Run run) {
 template <bool round, bool axial>
 inline int select_as(const JetShape& jet, const FieldArrays& arrays) {
   constexpr int most = 256;
-  const FieldArrays a = arrays;  // copies, which what is stored cannot change
+  const FieldArrays a = arrays;  // copies, so that stores cannot change them
   const double axis[] = {jet.axis[0], jet.axis[1], jet.axis[2]};
   const int groups = (a.count + 3) / 4;
   int list[most + 8];
@@ -118,16 +117,16 @@ inline int select_as(const JetShape& jet, const FieldArrays& arrays) {
   return count;
 }
 
-/// Elements inside the jet and not seen from behind.
+/// Lists the elements that are inside the jet and not seen from behind.
 inline int select_elements(const JetShape& jet, const FieldArrays& a) {
   return by_kind(jet, [&]<bool round, bool axial>() { return select_as<round, axial>(jet, a); });
 }
 
-/// Candidates, four a place. Each step is taken for all before the next one, so that the long chains of
+/// Candidates, four to a place. Each step is done for all before the next one, so that the long chains of
 /// divisions and roots overlap.
 struct Batch {
   static constexpr int kMost = 16;
-  using Values = Lanes::Values;  // which nothing sets to zero first
+  using Values = Lanes::Values;  // not initialised to zero
   Values z[kMost], radius2[kMost], decay[kMost], exponent[kMost], along[kMost], distance2[kMost], skin[kMost],
       area2[kMost];
 };
@@ -188,7 +187,7 @@ inline int evaluate_as(const JetShape& given, const FieldArrays& arrays, int sel
   return count;
 }
 
-/// Four sums, so that additions overlap.
+/// Sums the force in four partial sums, so that additions overlap.
 inline void force(const Rows& area_vectors, const double* overpressure, const int* elements, int count,
                   double* sum) {
   Lanes sums[4];

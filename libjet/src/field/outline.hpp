@@ -6,7 +6,7 @@
 
 namespace jet {
 
-/// A validated model as the formulas read it, without the cut-off.
+/// A validated model in the form that the formulas read, without the cut-off.
 JetShape outline(const JetModel& model);
 
 }  // namespace jet

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The velocity profile behind an outlet in the outlet's own frame, for one point (T = double) or for lanes of
-// points: written once, for the pointwise functions and S4.
+// The velocity profile in the outlet's frame, for one point (T = double) or for lanes of points. The
+// pointwise functions and S4 share it.
 #pragma once
 
 #include <cmath>
@@ -17,8 +17,9 @@ template <class T>
 struct Local {
   Vec3<T> d;        // [m] from the outlet's centre
   T z;              // [m] along the axis
-  T along, across;  // [m] along the long side and the short one; 0 for a round outlet
-  T radius2;        // [m2] squared distance from the axis (round) or from the long mid-plane (rectangular)
+  T along, across;  // [m] along the long and the short side; 0 for a round outlet
+  /// [m2] Squared distance from the axis (round) or the long mid-plane (rectangular).
+  T radius2;
 };
 
 template <class T>
@@ -52,7 +53,7 @@ template <class T>
 [[gnu::always_inline]] inline T cut(const JetShape& jet, T z) {
   return max(T(jet.cut_core), jet.cut_origin + jet.cut_slope * z);
 }
-/// Not strictly downstream of the outlet's plane, or beyond the cut-off.
+/// True where a point is not strictly downstream of the outlet's plane, or is beyond the cut-off.
 template <class T>
 [[gnu::always_inline]] inline auto outside(const JetShape& jet, T z, T radius2) {
   const T cut = profile::cut(jet, z);
@@ -74,7 +75,7 @@ template <class T>
                                        : formulas::plane_momentum_width(decay))};
 }
 
-/// V / V0 = decay e^exponent, V_max / V0 exp(-(r/R)^2)
+/// V / V0 = decay e^exponent, that is V_max / V0 exp(-(r/R)^2).
 template <class T>
 struct Speed {
   T decay, exponent;
@@ -85,7 +86,8 @@ template <class T>
   return {section.decay, -radius2 / (section.width * section.width)};
 }
 
-/// A vector's part along the flow: `along`, over the distance from the virtual origin if the flow is radial.
+/// Component of a vector along the flow. For a radial flow `along` has to be divided by the distance from the
+/// virtual origin.
 template <class T>
 struct Part {
   T along, distance2;

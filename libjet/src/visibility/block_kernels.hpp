@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// Eight rays at a time, and the elements that they may touch.
+// Eight rays at a time, with the elements that they may touch.
 #pragma once
 
 #include "visibility/touch_kernels.hpp"
 
 namespace jet::JET_KERNELS {
 
-/// Rays before the widest gap between two that follow each other, each way against the box's width.
+/// Number of rays before the widest gap between two successive rays. Gaps in each direction count relative to
+/// the box's width.
 inline int rays_before_gap(const RayRanges& r, const Box& box, int count) {
   const float width_p = box.high_p.v[0] - box.low_p.v[0], width_q = box.high_q.v[0] - box.low_q.v[0];
   const auto distance = [](Floats x, int i) { return __builtin_fabsf(x.v[i] - x.v[i - 1]); };
@@ -19,7 +20,7 @@ inline int rays_before_gap(const RayRanges& r, const Box& box, int count) {
   return before;
 }
 
-/// Up to eight rays.
+/// Handles up to eight rays.
 inline int find_pairs(const RayArrays& rays, const Parting& parting, bool to_targets,
                       const PyramidView& pyramid, const int* patches, const PairLists& to) {
   const auto places = *reinterpret_cast<const UnalignedInts*>(rays.list);
@@ -39,7 +40,7 @@ inline int find_pairs(const RayArrays& rays, const Parting& parting, bool to_tar
     near += append_bits(box.overlaps(pyramid.boxes + kBoxFloats * std::ptrdiff_t{block}), kBoxFloats * block,
                         boxes + near);
   }
-  // Those beside all rays are left out, without a branch to predict.
+  // Boxes beside all rays are dropped, without a branch.
   int *const meeting = blocks.list, met = 0;
   for (int i = 0; i < near; ++i) {
     const float* b = pyramid.boxes + static_cast<unsigned>(boxes[i]);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The blocking rule (J.7), written once. Every route decides with these functions; `Kernel` supplies exact
-// predicates (orientation, slope, on_triangle), by CGAL alone or behind a filter, and knows if a source is
-// moved.
+// The blocking rule (J.7), written once; every route decides with these functions. `Kernel` supplies exact
+// predicates (orientation, slope, on_triangle), by CGAL alone or behind a filter, and knows whether a source
+// is moved.
 #pragma once
 
 #include <algorithm>
@@ -11,14 +11,14 @@
 
 namespace jet::blocking {
 
-/// The source lies on an element: source + eps axis stands for it. A ray of the fast route does not know it
-/// until a predicate asks.
+/// True source position: if the source lies on an element, source + eps axis replaces it. A ray of the fast
+/// route learns this only when a predicate asks.
 enum class Moved : std::uint8_t { no, yes, unknown };
 inline Moved moved_if(bool on_surface) {
   return on_surface ? Moved::yes : Moved::no;
 }
 
-/// One candidate's open segment from source to target.
+/// The open segment of one candidate, from source to target.
 struct Ray {
   double source[3];
   double target[3];
@@ -26,7 +26,7 @@ struct Ray {
   mutable Moved moved;
 };
 
-/// End points in double arithmetic, in the order that the definition fixes. The source is left where it is.
+/// End points in double arithmetic, in the order that the definition fixes. The source is not moved.
 inline Ray make_ray(const Surface& surface, int element, const RaySource& from) {
   Ray ray{{from.centre[0], from.centre[1], from.centre[2]}, {}, from.axis.data(), Moved::no};
   const double *a = surface.corner(element, 0), *b = surface.corner(element, 1),
@@ -42,7 +42,7 @@ inline Ray make_ray(const Surface& surface, int element, const RaySource& from) 
   return ray;
 }
 
-/// Sign of orientation(source, p, q, r), for eps -> 0+ where the source is moved.
+/// Sign of orientation(source, p, q, r); for eps -> 0+ if the source is moved.
 template <class Kernel>
 int orientation_from_source(Kernel& kernel, const Ray& ray, const double* p, const double* q,
                             const double* r) {
@@ -51,14 +51,14 @@ int orientation_from_source(Kernel& kernel, const Ray& ray, const double* p, con
   return -kernel.slope(ray.axis, p, q, r);
 }
 
-/// Side of an element that the source is on: 1 inner (facing), -1 outer, 0 in its plane.
+/// Side of an element on which the source is: 1 inner (facing), -1 outer, 0 in its plane.
 template <class Kernel>
 int facing(Kernel& kernel, const Ray& ray, const Surface& surface, int element) {
   return orientation_from_source(kernel, ray, surface.corner(element, 0), surface.corner(element, 1),
                                  surface.corner(element, 2));
 }
 
-/// Signs with which the line through the segment passes the element's three edges.
+/// Signs with which the line of the segment passes the three edges of an element.
 struct Passage {
   int ab, bc, ca;
   bool touches() const { return std::min({ab, bc, ca}) >= 0 || std::max({ab, bc, ca}) <= 0; }
@@ -76,8 +76,9 @@ Passage passage(Kernel& kernel, const Ray& ray, const Surface& surface, int elem
   return {ab, bc, orientation_from_source(kernel, ray, g, c, a)};
 }
 
-/// The open segment meets the closed element and does not lie in its plane. Strictly opposite sides of the
-/// plane make the meeting point one; a degenerate element has no side, so it never blocks.
+/// True if the open segment meets the closed element and does not lie in its plane. The ends are strictly on
+/// opposite sides of the plane, so there is one meeting point. A degenerate element has no sides and never
+/// blocks.
 template <class Kernel>
 bool blocks(Kernel& kernel, const Ray& ray, const Surface& surface, int element) {
   const int near = facing(kernel, ray, surface, element);
@@ -87,7 +88,7 @@ bool blocks(Kernel& kernel, const Ray& ray, const Surface& surface, int element)
   return near * far < 0 && passage(kernel, ray, surface, element).touches();
 }
 
-/// The source, not moved, lies on a closed element of non-zero area.
+/// True if the source, not moved, lies on a closed element of non-zero area.
 template <class Kernel>
 bool source_on(Kernel& kernel, const Ray& ray, const Surface& surface, int element) {
   return kernel.on_triangle(ray.source, surface.corner(element, 0), surface.corner(element, 1),

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Ranges of rays, and of elements between them. What these kernels say is certain: each states the error that
-// its margins cover. kUnit stands for twice the error of a local coordinate.
+// Ranges of rays, and of elements between them. The answers of these kernels are certain: each kernel states
+// the error that its margins cover. kUnit is twice the error of a local coordinate.
 #pragma once
 
 #include "visibility/project_kernels.hpp"
@@ -9,7 +9,7 @@ namespace jet::JET_KERNELS {
 
 inline constexpr float kUnit = 6.1e-8f;
 inline constexpr float kFar = 1e30f;       // beyond every coordinate
-inline constexpr float kUpstream = 1e-4f;  // what is not farther downstream may be upstream
+inline constexpr float kUpstream = 1e-4f;  // points less far downstream may be upstream
 inline constexpr float kSlack = 1e-6f;     // 16 kUnit, for places
 inline constexpr float kTurn = 4e-6f;      // the same for slopes, over the distance from the sources
 
@@ -17,9 +17,9 @@ struct Range {
   Floats low, high;
 };
 
-/// u / (w + |u|), which orders like the slope u / w but stays bounded; what is upstream counts as at its
-/// side, +-1. Coordinates err by 2.5 kUnit at most, those of targets, so this by 5 kUnit / (w + |u|) and its
-/// roundings: kTurn covers 10 times that.
+/// u / (w + |u|), which orders as the slope u / w does but stays bounded. A point upstream counts as at its
+/// side, +-1. Coordinates, those of targets, err by at most 2.5 kUnit. So this errs by 5 kUnit / (w + |u|)
+/// and its roundings; kTurn covers 10 times that.
 struct Turned {
   Floats place, inverse;
 };
@@ -29,21 +29,22 @@ template <bool upstream = true>
   return {u * inverse, inverse};
 }
 
-/// Slopes u / w, which err by less than 6 kUnit (1 + |slope|) / w.
+/// Range of slopes u / w, which err by less than 6 kUnit (1 + |slope|) / w.
 [[gnu::always_inline]] inline Range slopes(Floats u, Floats w) {
   const Floats inverse = 1.0f / w;
   const Floats slope = u * inverse, margin = kSlack * ((abs(slope) + 1.0f) * inverse);
   return {slope - margin, slope + margin};
 }
 
-/// Where rays from a line run along it: at the place of the target or, from the line's end, farther by
-/// 2 (v - end) / max(w, |u|) at most, as no coordinate is above 2: nodes looked at are within 1, and none
-/// moves by more than 1 until it is again. The larger of two is at least half their sum; above kUpstream this
-/// errs by 5 kUnit, 0.3 %, which 4.02 covers; v, by 2.5 kUnit, which kSlack covers.
+/// Range of the places of rays from a line, along that line. A ray is at the place of its target or, from the
+/// line's end, farther by at most 2 (v - end) / max(w, |u|), because no coordinate is above 2: nodes examined
+/// are within 1, and none moves by more than 1 until it is examined again. The larger of two numbers is at
+/// least half their sum. Above kUpstream this errs by 5 kUnit, 0.3 %, which 4.02 covers; v errs by 2.5 kUnit,
+/// which kSlack covers.
 [[gnu::always_inline]] inline Range places(Vec3<Floats> g, Floats half_long) {
   const Floats distance = max(g.z, Floats(1e-30f)) + abs(g.x), inverse = 1.0f / distance;
   const Floats margin = kTurn * inverse + kSlack, end = half_long - Floats(kSlack);
-  if (bits(abs(g.y) > end) == 0) return {g.y - margin, g.y + margin};  // as what follows, where it is rare
+  if (bits(abs(g.y) > end) == 0) return {g.y - margin, g.y + margin};  // as below; beyond the ends is rare
   const auto way = [&](Floats beyond) {
     return select(distance > Floats(kUpstream), 4.02f * (beyond * inverse), Floats(kFar));
   };
@@ -52,7 +53,7 @@ template <bool upstream = true>
           from + select(g.y > end, way(g.y - end), Floats()) + margin};
 }
 
-/// Ranges of rays: of the two coordinates that do not change along them.
+/// Ranges of rays, in the two coordinates that are constant along a ray.
 struct RayRanges {
   Range p, q;
 };
@@ -64,11 +65,11 @@ struct RayRanges {
   return {turn(target.x), half_long > 0.0f ? places(target, Floats(half_long)) : turn(target.y)};
 }
 
-/// Bounds of the rays seen so far.
+/// Bounds of the rays added so far.
 struct Bounds {
   Range u{Floats(kFar), Floats(-kFar)}, v = u;
 
-  /// Takes in those rays whose targets lie deeper: they are returned.
+  /// Adds those rays whose targets lie deeper than `least_depth`; returns them.
   [[gnu::always_inline]] Floats::Mask take(const Vec3<Floats>& g, Floats::Mask rays, float half_long,
                                            float least_depth) {
     const Floats far(kFar);
@@ -94,14 +95,14 @@ struct Bounds {
 inline Frustum frustum_of(const ProjectArrays& arrays, float half_long, int count) {
   const ProjectArrays a = arrays;
   Bounds bounds;
-  constexpr float least_depth = 0.5f * kSlack;  // no ray is left out that classify_patches takes in
+  constexpr float least_depth = 0.5f * kSlack;  // includes all rays that classify_patches adds
   for (int k = 0; k < count; k += 8)
     bounds.take(local_centroids(a, k, count), lanes_of(0xffu), half_long, least_depth);
   return bounds.all();
 }
 
-/// Range of a triangle's part downstream. If it reaches upstream, it must stay on one side; if not, it is
-/// anywhere. Or none of them reaches upstream.
+/// Range of the downstream part of a triangle. If `upstream`, it may reach upstream: it then must stay on one
+/// side, or else its range is everything. If not `upstream`, no triangle reaches upstream.
 template <bool upstream>
 [[gnu::always_inline]] inline Range spanned(Floats a, Floats b, Floats c, const Vec3<Floats>& w,
                                             Floats depth) {
@@ -125,7 +126,7 @@ struct Normal {
   return {e.y * f.z - e.z * f.y, e.z * f.x - e.x * f.z, e.x * f.y - e.y * f.x, max(largest(e), largest(f))};
 }
 
-/// Where the row of an element's first corner begins; those of the others stand 8 and 16 on.
+/// Place of the row of an element's first corner. Those of the other corners are 8 and 16 on.
 [[gnu::always_inline]] inline const std::uint32_t* rows_of(const std::uint32_t* corner_rows, int patch,
                                                            unsigned lane = 0) {
   return corner_rows + 24 * std::ptrdiff_t{patch} + lane;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Patches of a mesh that rays can come to meet while its nodes move by no more than a reach, and the rays
-// stay within wider bounds than they had. The others need not be looked at so long.
+// Patches of a mesh that rays can come to meet while its nodes move by at most a reach and the rays stay
+// within widened bounds. The other patches need not be examined for that long.
 #pragma once
 
 #include <algorithm>
@@ -27,28 +27,28 @@ class CloseSet {
     has_node_.resize(8 * node_bits_.size());
   }
 
-  /// Everything is close, from now on.
+  /// From now on everything is close.
   void forget() { until_ = from_ = kMotionUnknown; }
 
-  /// Bounds, and a share of their range more.
+  /// The bounds, widened by a share of their range.
   static Frustum widened(const Frustum& rays, float share) {
     const float u = share * (rays.high_u - rays.low_u), v = share * (rays.high_v - rays.low_v);
     return {rays.low_u - u, rays.high_u + u, rays.low_v - v, rays.high_v + v};
   }
 
-  /// Chosen for these rays' coordinates.
+  /// True if it was chosen for the coordinates of these rays.
   bool fits(const RaySource& source, double scale) const {
     return any() && scale == scale_ && source.centre == source_.centre && source.axis == source_.axis &&
            source.long_direction == source_.long_direction && source.half_long == source_.half_long;
   }
-  /// Still holds all that these rays can meet.
+  /// True if it still contains all that these rays can meet.
   bool holds(const Frustum& rays, double displacement_bound) const {
     return displacement_bound >= from_ && displacement_bound <= until_ && rays.low_u >= wide_.low_u &&
            rays.high_u <= wide_.high_u && rays.low_v >= wide_.low_v && rays.high_v <= wide_.high_v;
   }
   const Frustum& bounds() const { return wide_; }
 
-  /// Takes the patches that `find` writes for rays in the wider bounds and nodes within the reach.
+  /// Takes the patches that `find` writes, for rays in the wider bounds and nodes within the reach.
   template <class Find>
   void choose(const RaySource& source, double scale, const Frustum& wide, double displacement_bound,
               double reach, Find find) {
@@ -65,12 +65,12 @@ class CloseSet {
   bool any() const { return until_ >= from_; }
   bool has(std::size_t patch) const { return has_patch_[patch] != 0; }
   std::span<const int> patches() const { return std::span(patches_).first(patch_count_); }
-  /// Where the nodes' rows of four numbers begin, ascending, the last repeated to a multiple of eight.
+  /// Where the nodes' rows of four numbers begin, ascending; the last one repeated to a multiple of eight.
   std::span<const std::uint32_t> rows() const { return std::span(rows_).first(row_count_); }
 
  private:
   void list_nodes() {
-    // Copies, which the bytes written cannot change.
+    // Copies, so that the stores of bytes cannot change them.
     const int *nodes = mesh_->patch_nodes.data(), *begin = mesh_->patch_begin.data();
     std::uint8_t* has = has_node_.data();
     std::fill(has_node_.begin(), has_node_.end(), std::uint8_t{0});

@@ -9,8 +9,8 @@
 
 namespace jet {
 
-/// Every directed edge occurs as often as its opposite, so the surface bounds and winding numbers are
-/// integers.
+/// True if every directed edge occurs as often as its opposite. The surface then has an inside, and winding
+/// numbers are integers.
 inline bool is_closed(std::span<const std::array<int, 3>> triangles) {
   std::vector<std::pair<int, int>> edges, opposite;
   edges.reserve(3 * triangles.size());

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// The fast route. It rests on crossings of a closed surface counted along a ray, outward minus inward: from a
-// source with winding number 1 the sum is 1. If the ray crosses its target outward through the interior,
-// anything else on it comes with an inward crossing, so with an element that faces away from the source (a
-// closed one: the ray may meet its rim), before or behind the target. Rays that meet no such element are lit.
-// The others, and all rays where a condition of this argument is not certain, are tested against every
-// element that can be on their segment.
+// The fast route. It counts the crossings of a closed surface along a ray, outward minus inward. From a
+// source with winding number 1 the sum is 1. Let the ray cross its target outward, through the interior. Then
+// anything else on it comes with an inward crossing, before or behind the target: an element that faces away
+// from the source. (Its rim is part of it, so the ray may meet only the rim.) Rays that meet no such element
+// are lit. The other rays are tested against every element that can be on their segment. So are all rays for
+// which a condition of this argument is not certain.
 //
-// The winding number of a source that lies on the surface is that of source + eps axis, and so is the side of
-// an element that holds it; for a source that does not, eps changes neither. So both are taken with eps from
-// the start, and whether a source lies on the surface is only asked where an orientation from it is zero.
+// A source on the surface has the winding number of source + eps axis. An element that contains the source
+// shows the side that it shows to that point. For other sources eps changes neither. So both are taken with
+// eps from the start. Whether a source lies on the surface is tested only where an orientation from it is
+// zero.
 #pragma once
 
 #include <cstddef>
@@ -30,7 +31,7 @@ class FastRoute {
   /// Allocates the workspace for a surface.
   void prepare(std::span<const Triangle> triangles, std::size_t node_count, bool closed);
 
-  /// The nodes may have moved: to be said before every query of any route. `displacement_bound`: see
+  /// Tells that the nodes may have moved; call it before every query of any route. `displacement_bound`: see
   /// VisibilityQuery.
   void move_to(double displacement_bound) { rays_.move_to(displacement_bound); }
 
@@ -39,12 +40,12 @@ class FastRoute {
 
  private:
   enum State : std::uint8_t { kLit = 0, kHidden = 1, kFacingAway = 2, kOpen = 4 };  // see count()
-  /// A ray and an element that is on it, or may be, by their places in the mesh's order.
+  /// A ray and an element that is, or may be, on it, by their places in the mesh's order.
   struct RayHit {
     int ray, element;
   };
 
-  /// Finds out whether a ray's source is moved when the rule asks for it.
+  /// Determines whether a ray's source is moved when the rule asks for it.
   struct Kernel : filter::Kernel {
     FastRoute* route = nullptr;
     bool moved(const blocking::Ray& ray) {
@@ -82,22 +83,25 @@ class FastRoute {
   const RaySource* source_ = nullptr;
   OrderedMesh mesh_;
   bool closed_ = false;
-  bool bounded_ = false;   // the rays have boxes, and elements near them are known
-  bool any_away_ = false;  // without boxes: some element is not certain to face all sources
+  bool bounded_ = false;   // the rays have boxes, and the elements near them are known
+  bool any_away_ = false;  // without boxes: an element may face away from a source
   bool shared_ = true;     // all sources have the same winding number
   std::optional<bool> point_moved_;
   Kernel kernel_;
   RayBundle rays_;
   NearElements near_;
-  std::vector<int> open_;                           // places of rays that were opened
-  std::vector<RayHit> blockers_, cached_blockers_;  // rays and what blocks them; at the last query
-  std::vector<RayHit> openers_, cached_openers_;    // rays that an element opened that faces away
-  std::vector<int> cached_rays_, cached_elements_;  // rays that may meet elements again, and which
+  std::vector<int> open_;  // places of rays that were opened
+  /// Rays with the element that blocks them; cached from the last query.
+  std::vector<RayHit> blockers_, cached_blockers_;
+  /// Rays with the element, facing away, that opened them.
+  std::vector<RayHit> openers_, cached_openers_;
+  /// Rays that may meet an element again, and those elements.
+  std::vector<int> cached_rays_, cached_elements_;
   std::vector<std::uint8_t> blocked_, pierced_, apart_, missed_;
   std::vector<std::uint8_t> alive_;   // by patch: bits of the rays that are lit so far
   std::vector<std::uint8_t> chosen_;  // workspace: bits of rays
   std::vector<int> listed_;
-  std::vector<State> states_;  // of the places asked about
+  std::vector<State> states_;  // of the elements asked about, by place
 };
 
 }  // namespace jet

@@ -13,8 +13,8 @@ struct Frame {
   Eigen::Vector3d across, along, forward;  // right-handed in this order: orientations keep their signs
   bool line = false;                       // sources lie on a line, not in one point
 
-  /// False if the source has no usable frame: a long direction of another length than 1, or along the axis.
-  /// Sources of a line lie beside `along` by 1e-14 of its length at most.
+  /// False if the source has no usable frame: the long direction has another length than 1, or is along the
+  /// axis. Sources of a line lie off `along` by at most 1e-14 of its length.
   bool build(const RaySource& source) {
     line = source.half_long > 0.0;
     forward = (source.axis / source.axis.cwiseAbs().maxCoeff()).normalized();
@@ -27,7 +27,7 @@ struct Frame {
     return true;
   }
 
-  /// w is one coordinate of the points, and all sources have the same: the sign of w is exact.
+  /// True if w is a coordinate of the points, the same for all sources. The sign of w is then exact.
   bool aligned() const {
     if ((forward.array() == 0.0).count() != 2) return false;
     for (int i = 0; i < 3; ++i)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Order of a mesh's elements in which those that follow each other lie together, at every scale: blocks of
-// eight, and blocks of these, are compact patches, so boxes around them are small.
+// Order of a mesh's elements in which successive elements are close together at every scale. Blocks of eight,
+// and blocks of these, are compact patches, so the boxes around them are small.
 #pragma once
 
 #include <array>
@@ -15,15 +15,15 @@ using Triangle = std::array<int, 3>;
 /// Elements in such an order, by repeated pairing of neighbours across edges.
 std::vector<int> mesh_order(std::span<const Triangle> triangles);
 
-/// Fixed connectivity in that order, for the search of elements by their nodes.
+/// Connectivity in that order, for the search of elements by their nodes.
 struct OrderedMesh {
-  std::vector<int> elements;     // order; the last is repeated to a multiple of eight
-  std::vector<int> rank;         // place of each element in it
+  std::vector<int> elements;     // in order; the last one repeated to a multiple of eight
+  std::vector<int> rank;         // place of each element in the order
   int patches = 0;               // of eight elements
-  std::vector<int> patch_nodes;  // of each patch, the last repeated to a multiple of four
-  std::vector<int> patch_begin;  // in patch_nodes, and the end
-  // Eight first, eight second, eight third corners of each patch: where the nodes' rows of four numbers
-  // begin, 4 times the node.
+  std::vector<int> patch_nodes;  // nodes of each patch, the last one repeated to a multiple of four
+  std::vector<int> patch_begin;  // start of each patch in patch_nodes, and the end
+  // Corners of each patch: eight first, eight second, eight third ones. The number is where the row of the
+  // node begins, 4 times the node.
   std::vector<std::uint32_t> corner_rows;
 
   explicit OrderedMesh(std::span<const Triangle> triangles);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Elements near the rays of a query, in patches of eight: the sides that they show to the sources, and which
-// of them rays can meet. What is said here is certain, or else left open.
+// of them rays can meet. Each answer is certain, or says that it is not.
 #pragma once
 
 #include <bit>
@@ -16,29 +16,29 @@
 
 namespace jet {
 
-/// What is certain of a ray and an element that it may touch: nothing, that the segment crosses the interior,
-/// or that only its line does, beyond one of its ends.
+/// What is certain of a ray and an element that it may touch: nothing; that the segment crosses the interior;
+/// or that only its line touches, beyond one end of the segment.
 enum class Touch { possible, blocked, beyond };
 
 class NearElements {
  public:
   void reserve(const OrderedMesh& mesh);
 
-  /// Patches that the rays or the winding ray can meet, the sides of their elements, and the rays' targets.
-  /// Places are those in the mesh's order.
+  /// Finds the patches that the rays or the winding ray can meet, the sides of their elements, and the rays'
+  /// targets. Places are those in the mesh's order.
   void find(RayBundle& rays);
 
-  /// All sources whose rays can touch the element see its outer side.
+  /// True if all sources whose rays can touch the element see its outer side.
   bool shows_outer_side(int place) const {
     return (outer_[static_cast<std::size_t>(place / 8)] >> place % 8 & 1) != 0;
   }
-  /// The element is near, and may show its outer side to sources whose rays can touch it.
+  /// True if the element is near and may show its outer side to sources whose rays can touch it.
   bool may_show_outer_side(int place) const {
     return (not_inner_[static_cast<std::size_t>(place / 8)] >> place % 8 & 1) != 0;
   }
 
-  /// Elements near the rays that may show either side, may lie between two sources, may touch the winding
-  /// ray; and those asked about whose rays are not certainly downstream.
+  /// Elements near the rays that may show either side; that may lie between two sources; that may touch the
+  /// winding ray. Last, the elements asked about whose rays are not certainly downstream.
   std::span<const int> uncertain() const { return first(uncertain_, found_.uncertain); }
   std::span<const int> between() const { return first(between_, found_.between); }
   std::span<const int> on_winding_ray() const { return first(on_winding_ray_, found_.on_winding_ray); }
@@ -46,7 +46,7 @@ class NearElements {
 
   const PatchesFound& found() const { return found_; }
   std::span<const int> patches() const { return first(patches_, found_.near); }
-  /// By patch: bits of the elements whose inner side all these sources see, and whose own rays pierce them.
+  /// By patch: bits of the elements whose inner side all these sources see and which their own rays pierce.
   std::span<const std::uint8_t> inner() const { return inner_; }
 
   void rule_out_outer_side(int place) {
@@ -54,8 +54,8 @@ class NearElements {
     bits = static_cast<std::uint8_t>(bits & ~(1 << place % 8));
   }
 
-  /// visit(ray, place, touch) for the rays listed and the elements near them that may show the outer side and
-  /// that their lines may touch.
+  /// Calls visit(ray, place, touch) for the listed rays and the near elements that may show their outer side
+  /// and that the rays' lines may touch.
   template <class Visit>
   void for_each_touching(const RayBundle& rays, std::span<const int> list, Visit visit) {
     const int count =
@@ -64,16 +64,17 @@ class NearElements {
     for_each_touch(rays, list, false, outer_boxes_, first(outer_patches_, count), visit);
   }
 
-  /// The same for all elements near the rays that these may touch before their targets, without their own.
+  /// The same for all near elements, other than its own, that a ray may touch before its target.
   template <class Visit>
   void for_each_before_target(const RayBundle& rays, std::span<const int> list, Visit visit) {
     for_each_touch(rays, list, true, boxes_, patches(), visit);
   }
 
  private:
-  /// Eight rays that follow each other in a list may have different parts of the surface in their way: they
-  /// see many blocks then, most of them in vain. They part where their elements do, and if, in fine meshes,
-  /// they still see too many. Both are measured. Pairs are tested together, some at a time.
+  /// Eight successive rays of a list may have different parts of the surface in their way. They then see many
+  /// blocks, most of them in vain. So they are separated where their elements are far apart and, in fine
+  /// meshes, if they still see too many blocks. Both limits are measured. Pairs are tested together, some at
+  /// a time.
   static constexpr int kFarPlaces = 64, kMostBlocks = 32, kManyPairs = 512;
 
   static std::span<const int> first(const std::vector<int>& list, int count) {
@@ -109,13 +110,15 @@ class NearElements {
   void meet_pairs(const RayBundle& rays);
 
   const OrderedMesh* mesh_ = nullptr;
-  std::vector<int> patches_, outer_patches_;             // near; of these, those with elements not inner
+  /// Near patches; and those of them that have elements not certain to show their inner side.
+  std::vector<int> patches_, outer_patches_;
   std::vector<std::uint8_t> inner_, outer_, not_inner_;  // of all patches of the mesh
   std::vector<int> uncertain_, between_, on_winding_ray_, upstream_;
   PatchesFound found_{};
-  Pyramid boxes_, outer_boxes_;  // of the patches' elements, of those not inner
+  Pyramid boxes_, outer_boxes_;  // of the elements of patches_ and of outer_patches_
   std::vector<int> first_, second_;
-  // Rays whose boxes meet those of elements; bytes of PairArrays. Room for all, of which few are ever used.
+  // Rays whose boxes meet those of elements, and bytes of PairArrays. Room for all pairs, few of which are
+  // ever used.
   std::unique_ptr<int[]> pair_rays_, pair_elements_;
   int pairs_ = 0;
   std::vector<std::uint8_t> blocked_, pierced_, apart_, missed_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Exact predicates on points given as three doubles. CGAL stays behind this border.
+// Exact predicates on points given as three doubles. CGAL is included in source files only.
 #pragma once
 
 #include <cstddef>
@@ -12,16 +12,16 @@ int orientation(const double* p, const double* q, const double* r, const double*
 /// Sign of d . ((q - p) x (r - p)) for a vector d given as three doubles.
 int slope(const double* d, const double* p, const double* q, const double* r);
 
-/// Point s on the closed triangle (a, b, c), which has an area.
+/// True if point s is on the closed triangle (a, b, c), which has an area.
 bool on_triangle(const double* s, const double* a, const double* b, const double* c);
 
-/// Point s on that triangle, and s + eps d, eps -> 0+, too. Precondition: d is parallel to its plane.
+/// True if s and s + eps d, eps -> 0+, are both on that triangle. Precondition: d is parallel to its plane.
 bool stays_on_triangle(const double* s, const double* d, const double* a, const double* b, const double* c);
 
-/// The three points lie on one line.
+/// True if the three points lie on one line.
 bool collinear(const double* a, const double* b, const double* c);
 
-/// Predicates by CGAL alone, and how often they were asked: the kernel of the reference routes.
+/// Kernel of the reference routes: predicates by CGAL alone, and their count.
 struct Kernel {
   std::size_t calls = 0;
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Nodes and rays to local coordinates along the jet. These are at most 1; in float they err by 2^-25.
+// Projects nodes and rays to local coordinates along the jet. These are at most 1; as floats they err by
+// 2^-25.
 #pragma once
 
 #include "floats.hpp"
@@ -11,11 +12,11 @@ namespace jet::JET_KERNELS {
 }
 
 struct NodeFlags {
-  Lanes::Values smallest = Lanes(1.0).v;  // coordinate but 0, one unit of rounding below
-  Floats::Mask largest{};                 // bits of the largest magnitude; those of NaN are above all
+  Lanes::Values smallest = Lanes(1.0).v;  // smallest coordinate that is not 0, less one unit of rounding
+  Floats::Mask largest{};                 // bits of the largest magnitude; those of NaN are larger
 };
 
-/// Four points to local coordinates in double: the same numbers if it is known that they are aligned.
+/// Four points to local coordinates in double. `aligned` gives the same numbers with less work.
 template <bool aligned = false>
 [[gnu::always_inline]] inline Vec3<Lanes> to_local(const ProjectArrays& a, const Vec3<Lanes>& x) {
   const Vec3<Lanes> d = {x.x - a.centre[0], x.y - a.centre[1], x.z - a.centre[2]};
@@ -30,7 +31,7 @@ template <bool aligned = false>
   return {along(0), along(1), along(2)};
 }
 
-/// The same of nodes.
+/// The same for nodes.
 template <bool aligned>
 [[gnu::always_inline]] inline Vec3<Lanes> to_local(const ProjectArrays& a, const Vec3<Lanes>& x,
                                                    NodeFlags& flags) {
@@ -52,14 +53,14 @@ template <bool aligned>
 #endif
 }
 
-/// Sides on which the nodes lie outside, see ProjectArrays.
+/// Sides on which the nodes are outside, see ProjectArrays.
 [[gnu::always_inline]] inline Floats::Mask sides_code(const ProjectArrays& a, const Vec3<Floats>& x) {
   const auto low = [&](int i, Floats y) { return (y - a.slope[i] * x.z < Floats(-a.bound[i])) & (1 << i); };
   const auto high = [&](int i, Floats y) { return (y - a.slope[i] * x.z > Floats(a.bound[i])) & (1 << i); };
   return low(0, x.x) | high(1, x.x) | low(2, x.y) | high(3, x.y) | ((x.z < Floats(-a.bound[4])) & (1 << 4));
 }
 
-/// Eight rows of four, row i to to(i).
+/// Stores eight rows of four, row i to to(i).
 template <class To>
 [[gnu::always_inline]] inline void store_rows(To to, const Vec3<Floats>& x, Floats fourth) {
   const auto xy_0145 = __builtin_shufflevector(x.x.v, x.y.v, 0, 8, 1, 9, 4, 12, 5, 13);
@@ -80,7 +81,7 @@ template <class To>
   }
 }
 
-/// Eight nodes in the rows that `at` gives: store(x, below), with bit 7 where w <= 0.
+/// Projects eight nodes, in the rows that `at` gives, and calls store(x, below) with bit 7 set where w <= 0.
 template <bool smallest, bool aligned, class At, class Store>
 [[gnu::always_inline]] inline void project_eight(const ProjectArrays& a, At at, NodeFlags& flags,
                                                  Store store) {
@@ -101,7 +102,7 @@ template <bool smallest, bool aligned, class At, class Store>
             0x80);
 }
 
-/// Rows with codes to to(0) to to(7).
+/// Stores rows with codes to to(0) ... to(7).
 template <class To>
 [[gnu::always_inline]] inline Floats::Mask store_local(const ProjectArrays& a, const Vec3<Floats>& x,
                                                        Floats::Mask below, To to) {
@@ -116,7 +117,8 @@ inline ProjectFlags project_flags(const NodeFlags& flags) {
   return {bits(flags.largest > one) != 0, bits(flags.largest > little) == 0, bits(small) != 0};
 }
 
-/// All nodes, and up to seven behind that repeat the last: store(i, x, below) of those from i on.
+/// Projects all nodes, and up to seven more that repeat the last. Calls store(i, x, below) for those from i
+/// on.
 template <bool aligned, class Store>
 [[gnu::always_inline]] inline ProjectFlags project_each(const ProjectArrays& a, Store store) {
   NodeFlags flags;
@@ -134,9 +136,9 @@ template <bool aligned, class Store>
   return project_flags(flags);
 }
 
-/// Local coordinates and codes.
+/// Computes local coordinates and codes.
 inline ProjectFlags project_nodes(const ProjectArrays& arrays) {
-  const ProjectArrays a = arrays;  // a copy, which what is stored cannot change
+  const ProjectArrays a = arrays;  // a copy, so that stores cannot change it
   return project_each<false>(
       a, [&](int i, const Vec3<Floats>& x, Floats::Mask below) __attribute__((always_inline)) {
         float* local = a.local + 4 * std::ptrdiff_t{i};
@@ -146,7 +148,7 @@ inline ProjectFlags project_nodes(const ProjectArrays& arrays) {
       });
 }
 
-/// Codes only, and of these only the sides.
+/// Computes codes only, and of these only the sides.
 template <bool aligned>
 inline ProjectFlags code_nodes_as(const ProjectArrays& arrays) {
   const ProjectArrays a = arrays;
@@ -160,7 +162,7 @@ inline ProjectFlags code_nodes(const ProjectArrays& arrays) {
   return arrays.aligned ? code_nodes_as<true>(arrays) : code_nodes_as<false>(arrays);
 }
 
-/// `padded`: nodes' own rows are four numbers apart, too.
+/// `padded`: the nodes' own rows are four numbers apart as well.
 template <bool padded, bool aligned>
 inline ProjectFlags project_listed_as(const ProjectArrays& arrays, int count) {
   const ProjectArrays a = arrays;
@@ -195,7 +197,7 @@ inline ProjectFlags project_listed(const ProjectArrays& arrays, int count) {
                 : project_listed_as<false, false>(arrays, count);
 }
 
-/// Local centroids of elements k to k + 7 of those listed; behind the last it is the last again.
+/// Local centroids of the listed elements k to k + 7. Places behind the last one repeat it.
 [[gnu::always_inline]] inline Vec3<Floats> local_centroids(const ProjectArrays& a, int k, int count) {
   const auto corner = [&](int first, int i) __attribute__((always_inline)) {
     const auto node = [ =, &a ](int j) __attribute__((always_inline)) {

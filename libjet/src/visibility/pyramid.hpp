@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Boxes in a plane under boxes of eight under boxes of eight, in the order given: neighbours in a mesh stand
-// beside each other in its numbering, so the upper boxes are small.
+// Pyramid of boxes in a plane: one box above eight, in the order given. Neighbours in the mesh stand beside
+// each other in its order, so the upper boxes are small.
 #pragma once
 
 #include <cmath>
@@ -12,18 +12,18 @@ namespace jet {
 
 class Pyramid {
  public:
-  /// Room for so many blocks of eight boxes, and the levels above.
+  /// Reserves room for so many blocks of eight boxes and for the levels above.
   void reserve(std::size_t blocks) {
     std::size_t all = blocks;
     for (std::size_t n = blocks; n > 1; n = (n + 7) / 8) all += (n + 7) / 8;
     boxes_.resize(kBoxFloats * all);
   }
 
-  /// Where the boxes of the lowest level are to be written, kBoxFloats for eight: low p, high p, low q, high
+  /// Boxes of the lowest level, to be written by the caller, kBoxFloats for eight: low p, high p, low q, high
   /// q, and where they begin downstream.
   float* boxes() { return boxes_.data(); }
 
-  /// The levels above so many blocks, all of whose boxes are written.
+  /// Builds the levels above so many blocks. Precondition: all their boxes are written.
   void build(int blocks) {
     const auto merge = kernel_table().merge;
     view_ = {boxes_.data(), 1, {}, {blocks}};

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The rays of one query in the jet's frame, by the places of their elements in the mesh's order, and the
-// nodes that they can come near to. Bounds of the rays are slopes against the axis (point source), or slope
-// across and place along the line (line source). They carry margins far above rounding, so they cost work at
-// worst, never an answer.
+// The rays of one query in the jet's frame, by the places of their elements in the mesh's order. Also the
+// nodes that the rays can come near to. The bounds of the rays are slopes against the axis (point source), or
+// slope across and place along the line (line source). Their margins are far above rounding. A margin costs
+// work at worst; it never changes an answer.
 #pragma once
 
 #include <algorithm>
@@ -22,37 +22,37 @@ class RayBundle {
  public:
   void reserve(const OrderedMesh& mesh, std::size_t node_count);
 
-  /// The nodes may have moved. `displacement_bound`: see VisibilityQuery.
+  /// Tells that the nodes may have moved. `displacement_bound`: see VisibilityQuery.
   void move_to(double displacement_bound);
-  /// One ray for each element that is asked about.
+  /// Makes one ray for each element that is asked about.
   void ask(const Surface& surface, const RaySource& source, std::span<const int> candidates);
 
-  /// Project the nodes that rays in a frustum can come near to: that which the last two queries let expect,
-  /// that which the close set was chosen for, or that of the rays' targets. False if it is not known, or no
-  /// frame holds the nodes. Throw std::invalid_argument for coordinates out of range where they are looked
-  /// at, see VisibilityQuery.
+  /// Project the nodes that rays in a frustum can come near to. The frustum is that expected from the last
+  /// two queries; that for which the close set was chosen; or that of the rays' targets. False if it is not
+  /// known, or if no frame contains the nodes. Throw std::invalid_argument for coordinates out of range where
+  /// they are read, see VisibilityQuery.
   bool project_expected();
   bool project_chosen();
   bool project_fresh();
-  /// What was looked at holds all that the rays can meet, but those that are now in `upstream` and not too
-  /// many.
+  /// True if the elements examined include all that the rays can meet. Rays that are now in `upstream` are
+  /// exempt, if they are not too many.
   bool accept(const PatchesFound& found, std::span<const int> patches, std::span<const int> not_downstream);
-  /// The rays have no bounds: nothing but `size` is known. Throws as project().
+  /// Gives up bounds of the rays: only `size` is known. Throws as project().
   void do_without();
 
-  /// Ray to an element in the definition's arithmetic, made when first asked for.
+  /// Ray to an element in the definition's arithmetic, made at its first use.
   const blocking::Ray& ray(int place) const;
 
-  /// From the source of a ray, moved, to a point outside the surface, within the rays' bounds.
+  /// Ray from the source of a ray, moved, to a point outside the surface, within the rays' bounds.
   const blocking::Ray& winding_ray() const { return winding_ray_; }
   /// Its slopes, or slope across and place along the line.
   float winding_u() const { return static_cast<float>(winding_u_); }
   float winding_v() const { return static_cast<float>(winding_v_); }
 
-  /// The element's nodes are projected; no ray can meet those of others.
+  /// True if the element's nodes are projected. No ray can meet other elements.
   bool knows(int place) const { return !close_.any() || close_.has(static_cast<std::size_t>(place / 8)); }
 
-  /// Patches of the mesh, ascending: without them, rays and the winding ray meet nothing. `out` has room for
+  /// Patches of the mesh, ascending, outside which rays and the winding ray meet nothing. `out` has room for
   /// all.
   std::span<const int> find_patches(std::span<int> out) const;
 
@@ -69,13 +69,15 @@ class RayBundle {
                                      : std::max(static_cast<float>(scale_ * source_->half_long), 1e-30f);
   }
   float local_error() const { return static_cast<float>(2.5e-13 * (1.0 + scale_ * size)); }
-  int outside() const { return outside_; }  // bits of a code that keep an element out
+  int outside() const { return outside_; }  // bits of a code that exclude an element
 
-  double size = 0.0;          // [m] bounds the magnitude of every coordinate of nodes and sources
-  std::vector<int> upstream;  // places whose rays have no length or do not go downstream: not in the bounds
+  double size = 0.0;  // [m] bound of the coordinates of nodes and sources
+  /// Places whose rays have no length or do not go downstream; they are not in the bounds.
+  std::vector<int> upstream;
 
  private:
-  static constexpr float kSteepest = 1e3f;  // steeper bounds keep out too little to be worth their margin
+  /// Steeper bounds exclude too little to be worth their margin.
+  static constexpr float kSteepest = 1e3f;
 
   std::size_t count_asked() const;
   Frustum with_new(const Frustum& before);
@@ -101,18 +103,19 @@ class RayBundle {
   int asked_patches_ = 0;
   Frame frame_;
   bool has_frame_ = false;
-  double scale_ = 0.0;  // [1/m] power of two that brings local coordinates below 1; kept for the next query
+  /// [1/m] Power of two that brings local coordinates below 1; kept for the next query.
+  double scale_ = 0.0;
   Frustum bounds_{}, last_{}, before_{};
   blocking::Ray winding_ray_{};
   double winding_u_ = 0.0, winding_v_ = 0.0;
   ProjectArrays arrays_{};
   int outside_ = 0;
-  double displacement_bound_ = kMotionUnknown;  // [m] by the nodes
-  double step_ = kMotionUnknown;                // [m] of it since the last query
+  double displacement_bound_ = kMotionUnknown;  // [m] of the nodes
+  double step_ = kMotionUnknown;                // [m] its growth since the last query
   CloseSet close_;
   bool fresh_ = false;
   std::vector<float> local_;          // rows of nodes
-  std::vector<std::int32_t> codes_;   // of nodes, where all were looked at
+  std::vector<std::int32_t> codes_;   // of nodes, if all were projected
   std::vector<float> local_targets_;  // rows of elements
   mutable std::vector<blocking::Ray> made_;
   mutable std::vector<std::uint8_t> is_made_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Elements near the rays: their boxes, and the sides that they show. Certain, like box_kernels.hpp.
+// Elements near the rays: their boxes and the sides that they show. Certain, as in box_kernels.hpp.
 #pragma once
 
 #include "visibility/box_kernels.hpp"
@@ -10,10 +10,10 @@ struct Sides {
   Floats::Mask inner, outer;
 };
 
-/// Sides of the planes that the sources are on. A ray from (0, y, 0) keeps its v, unless y is the line's end
-/// and v is beyond: so the sources from which an element can be touched lie within its own range of v,
-/// clamped to the line. The orientation's height over them errs by kUnit d (24 + 96 d) at most; s.error
-/// covers second orders, and what makes the ray pierce its own target.
+/// Sides of the elements' planes on which the sources are. A ray from (0, y, 0) keeps its v, unless y is the
+/// line's end and v is beyond. So the sources from which an element can be touched lie within the element's
+/// own range of v, clamped to the line. The height that the orientation takes there errs by at most kUnit d
+/// (24 + 96 d). s.error covers second orders, and makes sure that the ray pierces its own target.
 [[gnu::always_inline]] inline Sides sides(const PatchArrays& s, const Corners& t) {
   const auto& [a, b, c] = t;
   const Normal n = normal_of(a, b, c);
@@ -27,7 +27,8 @@ struct Sides {
   return {middle - change > error, middle + change < -error};
 }
 
-/// Certainly not between two sources: beside their line, or all of them are on one side of the plane.
+/// True if the element is certainly not between two sources: it is beside their line, or all of them are on
+/// one side of its plane.
 [[gnu::always_inline]] inline Floats::Mask beside_sources(const PatchArrays& s, const Corners& t) {
   const auto& [a, b, c] = t;
   const Normal n = normal_of(a, b, c);
@@ -40,7 +41,7 @@ struct Sides {
          (height + whole < -error);
 }
 
-/// Eight boxes of elements.
+/// Boxes of eight elements.
 struct Boxes {
   Range p, q;
   Floats depth;
@@ -65,7 +66,7 @@ template <bool upstream>
   return {p, spanned<upstream>(a.y, b.y, c.y, w, depth), depth};
 }
 
-/// Bounds of the two coordinates that do not change along the winding ray.
+/// Bounds of the two coordinates that are constant along the winding ray.
 struct WindingRay {
   Range p, q;
   explicit WindingRay(const PatchArrays& s) : p(around(turned(s.winding_u))) {
@@ -81,7 +82,7 @@ struct WindingRay {
 };
 
 inline PatchesFound classify_patches(const PatchArrays& given) {
-  const PatchArrays s = given;  // a copy, which what is stored cannot change
+  const PatchArrays s = given;  // a copy, so that stores cannot change it
   const WindingRay winding_ray(s);
   PatchesFound found{};
   Bounds bounds;
@@ -89,7 +90,7 @@ inline PatchesFound classify_patches(const PatchArrays& given) {
   const unsigned there_last = (1u << s.elements % 8) - 1u;
   for (int k = 0; k < s.count; ++k) {
     const int patch = s.patches[k];
-    // The two cache lines of a later patch: with cold caches the query takes 1.5 % less.
+    // Fetches the two cache lines of a later patch: with cold caches the query takes 1.5 % less.
     const std::uint32_t* ahead = rows_of(s.corner_rows, s.patches[k + 6 < s.count ? k + 6 : k]);
     __builtin_prefetch(ahead);
     __builtin_prefetch(ahead + 16);

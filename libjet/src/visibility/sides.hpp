@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Geometry of the fast route that is certain in double arithmetic: each function either proves what it says,
-// with a stated bound of its roundings, or compares coordinates, where nothing is rounded.
+// Geometry of the fast route that is certain in double arithmetic. Each function either proves its answer
+// with a stated bound of its roundings, or compares coordinates, which rounds nothing.
 #pragma once
 
 #include <Eigen/Core>
@@ -13,9 +13,9 @@
 
 namespace jet {
 
-/// Side of an element that every source is on: 1 inner, -1 outer, 0 left open. The plane's height over the
-/// line of sources is linear, so its ends decide. Roundings: 186 u size |ab| |ac| with maximum norms, u =
-/// 2^-53; doubled.
+/// Side of an element on which all sources are: 1 inner, -1 outer, 0 not certain. The plane's height over the
+/// line of sources is linear, so its ends decide. Roundings: 186 u size |ab| |ac| with maximum norms,
+/// u = 2^-53; doubled.
 inline int common_side(const Surface& surface, int element, const RaySource& source, double size) {
   using Map = Eigen::Map<const Eigen::Vector3d>;
   const Map a(surface.corner(element, 0)), b(surface.corner(element, 1)), c(surface.corner(element, 2));
@@ -31,10 +31,10 @@ inline int common_side(const Surface& surface, int element, const RaySource& sou
   return height - change > error ? 1 : height + change < -error ? -1 : 0;
 }
 
-/// The ray crosses its own target strictly inside and outward. For an exact centroid each of the four
-/// predicates that say so is o = orientation(s, a, b, c), or a third of it; the centroid's rounding moves
-/// them by 16.2 u size D^2, D the largest coordinate difference, and the determinant errs by 4.7e-15 D^3, D
-/// <= 2 size: 1.5e-14 size D^2 in all.
+/// True if the ray certainly crosses its own target strictly inside and outward. Four predicates say so. For
+/// an exact centroid each is o = orientation(s, a, b, c) or a third of it. The centroid's rounding moves them
+/// by 16.2 u size D^2, D the largest coordinate difference. The determinant errs by 4.7e-15 D^3, D <= 2 size.
+/// This is 1.5e-14 size D^2 in all.
 inline bool surely_pierces(const Surface& surface, int element, const double* s, double size) {
   const double *a = surface.corner(element, 0), *b = surface.corner(element, 1),
                *c = surface.corner(element, 2);
@@ -48,7 +48,8 @@ inline bool surely_pierces(const Surface& surface, int element, const double* s,
   return value > 2e-14 * size * largest * largest + filter::kUnderflow;
 }
 
-/// All sources and the element lie in one coordinate plane: every orientation is 0, without any arithmetic.
+/// True if all sources and the element lie in one coordinate plane. Every orientation is then 0, without any
+/// arithmetic.
 inline bool in_one_coordinate_plane(const Surface& surface, int element, const RaySource& source) {
   for (int i = 0; i < 3; ++i) {
     const double x = source.centre[i];
@@ -76,7 +77,7 @@ struct Box {
     return s[0] >= low[0] && s[0] <= high[0] && s[1] >= low[1] && s[1] <= high[1] && s[2] >= low[2] &&
            s[2] <= high[2];
   }
-  /// The closed segment is on one side of the box: no rounding is involved.
+  /// True if the closed segment is on one side of the box; nothing is rounded.
   bool apart_from_segment(const blocking::Ray& ray) const {
     bool apart = false;
     for (int i = 0; i < 3; ++i) {

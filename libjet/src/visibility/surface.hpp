@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The triangles of one query as the routes read them: raw nodes with a stride, no copies.
+// The triangles of one query in the form that the routes read: the nodes as given, with a stride, no copies.
 #pragma once
 
 #include <array>

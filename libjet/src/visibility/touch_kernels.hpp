@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which rays and elements may touch: boxes first, then the signs with which a line passes the edges.
+// Rays and elements that may touch: first by boxes, then by the signs with which a line passes the edges.
 #pragma once
 
 #include "visibility/box_kernels.hpp"
 
 namespace jet::JET_KERNELS {
 
-/// The best lane of each of eight rows, in their order.
+/// Best lane of each of eight rows, in their order.
 template <class Rows, class Better>
 [[gnu::always_inline]] inline Floats best_lanes(Rows rows, Better better) {
   const auto halves = [&](int i) {
@@ -56,7 +56,7 @@ inline int choose_boxes(const BoxArrays& from, const std::uint8_t* chosen, float
   return found;
 }
 
-/// A box around rays, in front of everything that begins deeper than `depth`.
+/// A box around rays. It does not overlap boxes that begin deeper than `depth`.
 struct Box {
   Floats low_p, high_p, low_q, high_q, depth;
   [[gnu::always_inline]] Box(const RayRanges& r, Floats deepest)
@@ -72,14 +72,14 @@ struct Box {
   }
 };
 
-/// A list of blocks, and workspace for one that is made from it.
+/// A list of blocks, and workspace for the list that is made from it.
 struct Blocks {
   int *list, *next;
   int count;
 };
 
-/// Lowest blocks whose boxes overlap, in order, found level by level. A few are all taken. Without a list if
-/// some level has more than `most`.
+/// Lowest blocks whose boxes overlap, in order, found level by level. If there are few, all are taken. `list`
+/// is null if a level has more than `most`.
 inline Blocks blocks_near(const PyramidView& pyramid, const Box& box, int most, const PairLists& to) {
   Blocks b{to.first, to.second, 0};
   int level = 0;
@@ -107,9 +107,9 @@ struct Line {
   Floats error, error_w;  // of a place beside the line at w: error + error_w |w|
 };
 
-/// With u = 2^-25 and s the larger slope, targets err by 5 u, slopes by 11 u (1 + s) / g.w and what `beside`
-/// computes from corners, which err by u, by 14 u (1 + s) (1 + |w| / g.w) at most. Nothing is certain where g
-/// is not downstream.
+/// With u = 2^-25 and s the larger slope, targets err by 5 u and slopes by 11 u (1 + s) / g.w. Corners err by
+/// u, so the results of `beside` err by at most 14 u (1 + s) (1 + |w| / g.w). Nothing is certain if g is not
+/// downstream.
 [[gnu::always_inline]] inline Line line_to(const Vec3<Floats>& g, Floats half_long) {
   const Floats y = max(min(g.y, half_long), -half_long);
   const Floats inverse = select(g.z > Floats(kSlack), 1.0f / g.z, Floats(kFar));
@@ -118,8 +118,8 @@ struct Line {
   return {g, y, u, v, error, error * inverse};
 }
 
-/// Signs with which a line passes the edges of triangles: those of the corners' places beside it, taken two
-/// by two. With E the error of a place and m the largest, a product errs by 3.4 m E + 0.8 E^2 at most.
+/// Signs with which a line passes the edges of triangles, from the corners' places beside the line, two by
+/// two. With E the error of a place and m the largest place, a product errs by at most 3.4 m E + 0.8 E^2.
 struct Passing {
   Floats low, high, error;
   Floats::Mask missed() const { return (high > error) & (low < -error); }
@@ -140,15 +140,15 @@ struct Passing {
   return {min(min(ab, bc), ca), max(max(ab, bc), ca), 6.0f * (error * (m + error))};
 }
 
-/// Where on its line a segment ends.
+/// Position of the segment's ends on its line.
 struct Ends {
-  Floats::Mask crossed;  // if the line pierces the triangle, the segment does for certain
-  Floats::Mask beyond;   // the segment does not touch it for certain
+  Floats::Mask crossed;  // if the line pierces the triangle, the segment certainly does
+  Floats::Mask beyond;   // the segment certainly does not touch it
 };
 
-/// All corners are between the ends, or beyond one of them; or the ends are on either side, or one side, of
-/// the plane. With M and n the largest coordinates of the points and of the edges, heights over the plane err
-/// by 5e-6 n (M + n) at most.
+/// Compares depths: all corners are between the ends, or beyond one of them. Also compares sides: the ends
+/// are on opposite sides, or on one side, of the plane. With M and n the largest coordinates of the points
+/// and of the edges, heights over the plane err by at most 5e-6 n (M + n).
 [[gnu::always_inline]] inline Ends ends(const Line& r, const Corners& t) {
   const auto& [a, b, c] = t;
   const Floats low = min(min(a.z, b.z), c.z), high = max(max(a.z, b.z), c.z), slack(kSlack);
@@ -166,7 +166,7 @@ inline void meet_pairs(const PairArrays& p, int count) {
   for (int k = 0; k < count; k += 8) {
     const int *rays = p.rays + k, *elements = p.elements + k;
     int some[2][8];
-    if (k + 8 > count) {  // the last again
+    if (k + 8 > count) {  // repeats the last
       for (int i = 0; i < 8; ++i) {
         const int last = k + i < count ? i : count - 1 - k;
         some[0][i] = rays[last];
