@@ -72,22 +72,13 @@ double Boundary::next_break(const TriggerState& triggers, double t) const {
   return std::min(openings_.next_break(triggers, t), inflows_.next_break(triggers, t));
 }
 
-bool Boundary::needs_stepper() const {
-  return is_open() || path_.moves() || model_.heat_loss.conductance > 0.0;
-}
-
-double Boundary::vent(std::size_t j, const UniformGas& gas, double t) const {
-  const double area = openings_.effective_area(j, t, gas.overpressure);
-  return area == 0.0 ? 0.0 : area * hole_flux(gas.upstream(), laminar_);
-}
-
-double Boundary::fabric(std::size_t i, const UniformGas& gas, double t) const {
-  const double area = path_.leak_area(t);
-  return area == 0.0 ? 0.0 : fabric_flow(model_, i, area, gas);
-}
-
 double Boundary::out(std::size_t j, const UniformGas& gas, double t) const {
-  return j < slots_.vents ? vent(j, gas, t) : fabric(j - slots_.vents, gas, t);
+  if (j < slots_.vents) {
+    const double area = openings_.effective_area(j, t, gas.overpressure);
+    return area == 0.0 ? 0.0 : area * hole_flux(gas.upstream(), laminar_);
+  }
+  const double area = path_.leak_area(t);
+  return area == 0.0 ? 0.0 : fabric_flow(model_, j - slots_.vents, area, gas);
 }
 
 double Boundary::back(std::size_t j, const UniformGas& gas, double t) const {
@@ -108,7 +99,7 @@ Flow Boundary::vent_slopes(std::size_t j, const UniformGas& gas, double t) const
 Flow Boundary::fabric_slopes(std::size_t i, const UniformGas& gas, double t) const {
   if (!path_.leaks()) return {};
   const auto& [share, velocity] = fabric_of(model_, i);
-  const double area = share * path_.leak_area(t), flow = fabric(i, gas, t), dp = gas.overpressure;
+  const double area = share * path_.leak_area(t), flow = out(slots_.fabric(i), gas, t), dp = gas.overpressure;
   const double by_time = area > 0.0 ? flow / area * share * path_.leak_rate : 0.0;
   if (!velocity) {
     const FluxSlopes by = fabric_flux_slopes(gas.upstream(), laminar_);
@@ -145,12 +136,14 @@ double growth_per_flow(const Mixture& mixture, double temperature, const Uniform
          mixture.mass;
 }
 
-double Boundary::closed_growth(const UniformGas& gas, double t) const {
-  double growth = -gas.gamma * gas.pressure * path_.rate(t) - (gas.gamma - 1.0) * heat_flow(model_, gas);
-  for (std::size_t i = 0; i < inflows_.size(); ++i) {
-    if (inflows_[i].is_idle()) continue;
-    const auto [mass_flow, temperature] = inflows_[i].flow(t);
-    growth += mass_flow * growth_per_flow(inflows_[i].gas(), temperature, gas);
+double closed_growth(const Boundary& boundary, const UniformGas& gas, double t) {
+  const Inflows& inflows = boundary.inflows();
+  double growth = -gas.gamma * gas.pressure * boundary.path().rate(t) -
+                  (gas.gamma - 1.0) * heat_flow(boundary.model(), gas);
+  for (std::size_t i = 0; i < inflows.size(); ++i) {
+    if (inflows[i].is_idle()) continue;
+    const auto [mass_flow, temperature] = inflows[i].flow(t);
+    growth += mass_flow * growth_per_flow(inflows[i].gas(), temperature, gas);
   }
   return growth / gas.compliance();
 }

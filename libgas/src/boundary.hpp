@@ -70,13 +70,9 @@ class Boundary {
   bool is_open() const { return openings_.is_open() || path_.leaks(); }  // gas can leave
   bool has_open_vent() const { return openings_.is_open(); }
   bool has_backflow() const { return openings_.has_backflow(); }  // gas can come in
-  /// More than inflow changes the gas.
-  bool needs_stepper() const;
 
-  /// Mass flows [kg/s] at time t. Out: through vent j (G.6), through fabric i, (G.7) or (G.12), and in stream
-  /// j of Slots. In: through vent j.
-  double vent(std::size_t j, const UniformGas& gas, double t) const;
-  double fabric(std::size_t i, const UniformGas& gas, double t) const;
+  /// Mass flows [kg/s] at time t. Out in stream j of Slots: through a vent (G.6), or through a fabric, (G.7)
+  /// or (G.12). In through vent j.
   double out(std::size_t j, const UniformGas& gas, double t) const;
   double back(std::size_t j, const UniformGas& gas, double t) const;
   /// The same with their derivatives.
@@ -84,8 +80,6 @@ class Boundary {
   Flow fabric_slopes(std::size_t i, const UniformGas& gas, double t) const;
   Flow out_slopes(std::size_t j, const UniformGas& gas, double t) const;
   Flow back_slopes(std::size_t j, const UniformGas& gas, double t) const;
-  /// V dp/dt [W] with the openings shut, from inflow, volume and walls.
-  double closed_growth(const UniformGas& gas, double t) const;
 
  private:
   const ControlVolumeModel& model_;
@@ -97,6 +91,8 @@ class Boundary {
   StepPath path_;
 };
 
+/// V dp/dt [W] with the openings shut, from inflow, volume and walls.
+double closed_growth(const Boundary& boundary, const UniformGas& gas, double t);
 /// V dp/dt [W] for 1 kg/s of `mixture` that enters `gas` at `temperature` [K].
 double growth_per_flow(const Mixture& mixture, double temperature, const UniformGas& gas);
 

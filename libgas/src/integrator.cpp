@@ -98,9 +98,14 @@ class GasIntegrator::Implementation {
       next = std::min(next, knot);
     boundary_.begin_segment(triggers_, a, next);
     ledger_.begin_segment(a);
-    if (boundary_.needs_stepper() || watched) next = substepper_.integrate(a, next, triggers_);
+    if (needs_stepper() || watched) next = substepper_.integrate(a, next, triggers_);
     ledger_.end_segment(next);
     return next;
+  }
+
+  /// More than inflow changes the gas.
+  bool needs_stepper() const {
+    return boundary_.is_open() || boundary_.path().moves() || model_.heat_loss.conductance > 0.0;
   }
 
   /// The gas at t, between two segments.

@@ -14,11 +14,10 @@ constexpr double kSpeciesRoundOff = 1e-13;
 
 Ledger::Ledger(const Boundary& boundary, double negligible)
     : boundary_(boundary),
-      slots_(boundary.slots()),
       negligible_(negligible),
-      sums_(slots_.species + 1),
-      totals_(slots_.size()),
-      gas_(slots_.species + 1),
+      sums_(boundary.slots().species + 1),
+      totals_(boundary.slots().size()),
+      gas_(boundary.slots().species + 1),
       received_(boundary.inflows().size()),
       delivered_(boundary.inflows().size()) {}
 
@@ -38,7 +37,7 @@ void Ledger::begin_segment(double a) {
 /// Adds what flows in until t.
 void Ledger::deliver(double t) {
   if (t == time_) return;
-  const std::size_t species = slots_.species;
+  const std::size_t species = boundary_.slots().species;
   const Inflows& inflows = boundary_.inflows();
   for (std::size_t i = 0; i < inflows.size(); ++i) {
     if (inflows[i].is_idle()) continue;
@@ -60,15 +59,16 @@ void Ledger::end_segment(double reached) {
 }
 
 bool Ledger::clear_lacking(Vector& gas, double passed) {
+  const Slots& s = boundary_.slots();
   depleted_.reset();
   double mass = 0.0, least = 0.0;
-  for (std::size_t k = 0; k < slots_.species; ++k) {
+  for (std::size_t k = 0; k < s.species; ++k) {
     mass += std::max(0.0, gas[k]);
     least = std::min(least, gas[k]);
   }
   if (least == 0.0) return true;
   const double allowed = std::max(negligible_ * mass, kSpeciesRoundOff * (mass + passed));
-  for (std::size_t k = 0; k < slots_.species; ++k) {
+  for (std::size_t k = 0; k < s.species; ++k) {
     if (!(gas[k] >= -allowed)) depleted_ = k;
     gas[k] = std::max(0.0, gas[k]);
   }
@@ -76,16 +76,17 @@ bool Ledger::clear_lacking(Vector& gas, double passed) {
 }
 
 bool Ledger::gas_at(const Vector& y, double t, Vector& gas) {
+  const Slots& s = boundary_.slots();
   change(y, gas);
   for (std::size_t i = 0; i < gas.size(); ++i) gas[i] += gas_[i];
   boundary_.inflows().add_delivered(time_, t, gas);
   double passed = 0.0;
-  for (std::size_t k = 0; k < slots_.species; ++k) passed += std::abs(y[slots_.out(k)]);
+  for (std::size_t k = 0; k < s.species; ++k) passed += std::abs(y[s.out(k)]);
   return clear_lacking(gas, passed);
 }
 
 void Ledger::change(const Vector& y, Vector& change) const {
-  const Slots& s = slots_;
+  const Slots& s = boundary_.slots();
   double back = 0.0, energy = -y[s.work()] - y[s.heat()];
   for (std::size_t j = 0; j < s.backflows; ++j) back += y[s.back(j)];
   for (std::size_t j = 0; j < s.streams(); ++j) energy -= y[s.enthalpy(j)];
@@ -95,14 +96,15 @@ void Ledger::change(const Vector& y, Vector& change) const {
 }
 
 void Ledger::accept(Vector& y, double t) {
+  const Slots& s = boundary_.slots();
   deliver(t);
   Vector& moved = gas_;
   change(y, moved);
   bool lacks = false;
-  for (std::size_t k = 0; k < slots_.species; ++k) {
+  for (std::size_t k = 0; k < s.species; ++k) {
     sums_[k].add(moved[k]);
     if (const double left = sums_[k].value(); left < 0.0) {
-      y[slots_.out(k)] += left;
+      y[s.out(k)] += left;
       sums_[k] = 0.0;
       lacks = true;
     }
@@ -117,29 +119,31 @@ void Ledger::accept(Vector& y, double t) {
 }
 
 void Ledger::close_streams(Vector& y) const {
+  const Slots& s = boundary_.slots();
   double species = 0.0, out = 0.0;
-  for (std::size_t k = 0; k < slots_.species; ++k) species += y[slots_.out(k)];
-  for (std::size_t j = 0; j < slots_.streams(); ++j) out += y[slots_.mass(j)];
+  for (std::size_t k = 0; k < s.species; ++k) species += y[s.out(k)];
+  for (std::size_t j = 0; j < s.streams(); ++j) out += y[s.mass(j)];
   if (!(out > 0.0)) return;
-  for (std::size_t j = 0; j < slots_.streams(); ++j) y[slots_.mass(j)] *= species / out;
+  for (std::size_t j = 0; j < s.streams(); ++j) y[s.mass(j)] *= species / out;
 }
 
 double Ledger::stop_reversed(Vector& y, Vector& error) const {
+  const Slots& s = boundary_.slots();
   double out = 0.0, reversed = 0.0;
-  for (std::size_t j = 0; j < slots_.streams(); ++j) out += y[slots_.mass(j)];
+  for (std::size_t j = 0; j < s.streams(); ++j) out += y[s.mass(j)];
   const auto stop = [&](std::size_t i) {
     error[i] += y[i];
     y[i] = 0.0;
   };
   if (out < 0.0) {
     reversed = -out;
-    for (std::size_t k = 0; k < slots_.species; ++k) stop(slots_.out(k));
-    for (std::size_t j = 0; j < slots_.streams(); ++j) stop(slots_.mass(j)), stop(slots_.enthalpy(j));
+    for (std::size_t k = 0; k < s.species; ++k) stop(s.out(k));
+    for (std::size_t j = 0; j < s.streams(); ++j) stop(s.mass(j)), stop(s.enthalpy(j));
   }
-  for (std::size_t j = 0; j < slots_.backflows; ++j)
-    if (y[slots_.back(j)] < 0.0) {
-      reversed -= y[slots_.back(j)];
-      stop(slots_.back(j));
+  for (std::size_t j = 0; j < s.backflows; ++j)
+    if (y[s.back(j)] < 0.0) {
+      reversed -= y[s.back(j)];
+      stop(s.back(j));
     }
   return reversed;
 }

@@ -51,7 +51,6 @@ class Ledger {
   void deliver(double t);
 
   const Boundary& boundary_;
-  const Slots& slots_;
   const double negligible_;
   double time_ = 0.0;  // [s] up to which gas_ and totals count
   std::vector<CompensatedSum> sums_, totals_;

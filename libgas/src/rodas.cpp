@@ -9,6 +9,7 @@
 #include <array>
 #include <boost/numeric/odeint/stepper/rosenbrock4.hpp>
 
+#include "rate_slopes.hpp"
 #include "stepper.hpp"
 
 namespace gas {

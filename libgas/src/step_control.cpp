@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "infinity.hpp"
+#include "rate_slopes.hpp"
 #include "require.hpp"
 
 namespace gas {
@@ -88,7 +89,7 @@ double StepControl::relaxation_bound(const Balance& balance) const {
   if (gas.mass == 0.0 || curves || balance.backflow() > 0.0 ||
       std::abs(gas.overpressure) < kFar * gas.pressure)
     return kInfinity;
-  const double walls = balance.wall_conductance() / gas.capacity;
+  const double walls = balance.boundary().model().heat_loss.conductance / gas.capacity;
   if (balance.outflow() == 0.0) return walls;
   // n of a hole is at most 1/2 p/(p - p_a) + 1, that of fabric 1/2 p/(p - p_a) + 1/2; a table's less than
   // p/(p - p_a) + 1.
@@ -103,10 +104,10 @@ bool StepControl::tells(const Balance& balance, double overpressure) const {
 void StepControl::require_stable(const Balance& balance, double length) const {
   if (!is_fixed() || options_.unsafe_step) return;
   const double growth = balance.closed_growth();
-  const UniformGas gas = balance.where_linear();
+  const UniformGas gas = where_linear(balance);
   const bool fed = gas.overpressure < 0.0 ? growth < 0.0 : growth > 0.0;
-  const double walls = gas.mass > 0.0 ? balance.wall_conductance() / gas.capacity : 0.0;
-  const double rate = fed ? balance.relaxation(gas) : walls;
+  const double walls = gas.mass > 0.0 ? balance.boundary().model().heat_loss.conductance / gas.capacity : 0.0;
+  const double rate = fed ? relaxation(balance, gas) : walls;
   if (!(length * rate > limit())) return;
   throw DomainError("the step " + to_text(options_.fixed_step) + " s is above the method's stability limit " +
                     to_text(limit() / rate) + " s at t = " + to_text(balance.time()) +
@@ -140,7 +141,7 @@ void StepControl::fail_crossing(double t) const {
 
 /// What could be done about sub-steps of `length`, too many or too short.
 std::string StepControl::advice(const Balance& balance, double length) const {
-  const double relaxation = balance.relaxation(balance.where_linear());
+  const double relaxation = gas::relaxation(balance, where_linear(balance));
   std::string text;
   if (relaxation > 0.0) text = "; it relaxes within " + to_text(1.0 / relaxation) + " s";
   if (length * relaxation > 0.1 * limit()) text += "; Rosenbrock 4 (gas_method of a case) has no such limit";

@@ -6,6 +6,7 @@
 
 #include "first_gas.hpp"
 #include "infinity.hpp"
+#include "rate_slopes.hpp"
 #include "require.hpp"
 
 namespace gas {
@@ -53,7 +54,7 @@ void Substepper::start_clock(double b) {
       watch_.is_onset(balance, now) ? std::max(0.0, now.overpressure / now.growth) : kInfinity;
   system_.clock = {};
   // Where the flow balances its feed before the tolerance tells, what sets in is no matter.
-  const bool matters = since < b - begin_.t && control_.tells(balance, balance.balanced_overpressure());
+  const bool matters = since < b - begin_.t && control_.tells(balance, balanced_overpressure(balance));
   if (matters) system_.clock = {true, begin_.t - std::max(since, kRootBegin * (b - begin_.t))};
   begin_.x = system_.clock.position(begin_.t);
   for (double& rate : begin_.rate) rate *= system_.clock.slope(begin_.x);
@@ -77,7 +78,7 @@ void Substepper::set_relaxation(double length) {
     begin_.relaxation = control_.relaxation_bound(system_.balance);
     if (length * begin_.relaxation <= kStiff) return;
   }
-  begin_.relaxation = system_.balance.relaxation(system_.balance.where_linear());
+  begin_.relaxation = relaxation(system_.balance, where_linear(system_.balance));
 }
 
 bool Substepper::is_stiff(double length) const {
@@ -175,7 +176,7 @@ void Substepper::accept(const Reach& reach, const Moment& end, bool landed, doub
 double Substepper::integrate(double a, double b, const TriggerState& triggers) {
   const Balance& balance = system_.balance;
   start(a, b);
-  if (balance.gas().mass == 0.0 && balance.wall_conductance() > 0.0) {
+  if (balance.gas().mass == 0.0 && balance.boundary().model().heat_loss.conductance > 0.0) {
     const double filled = fill_first(system_, options_, trial_.end, a, b);
     if (filled > a) start(filled, b);
   }

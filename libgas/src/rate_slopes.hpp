@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+// The balance near one gas: how its rates follow it, and how fast it relaxes.
+#pragma once
+#include "balance.hpp"
+
+namespace gas {
+
+/// Overpressure [Pa] at which the flow of holes and fabric balances its feed; 0 if nothing feeds them.
+double balanced_overpressure(const Balance& balance);
+
+/// The gas at which to linearise. If the overpressure at which flow balances its feed is farther from p_a,
+/// the gas is taken there: in between the law has another slope at each place, and p leaves that range at
+/// once.
+UniformGas where_linear(const Balance& balance);
+
+/// Relaxation rate [1/s] at `gas`: that of the walls (G.16) plus that of outflow, the faster of (G.14), or
+/// of p by backflow.
+double relaxation(const Balance& balance, const UniformGas& gas);
+
+/// Derivatives of the rates of a Balance. The gas has parts z: the mass of each species, taken to come at the
+/// gas's own temperature, and last its energy (G.23).
+class RateSlopes {
+ public:
+  explicit RateSlopes(const Slots& slots);
+  /// For the gas that `balance` has located.
+  void fill(const Balance& balance);
+
+  std::vector<Vector> by_part;  // [part] d(dy/dt)/dz
+  Vector by_time;               // d(dy/dt)/dt with the gas held
+  /// [J/kg] Energy that comes with 1 kg of each species; 1 for the last part.
+  Vector part_energy;
+
+ private:
+  /// Derivatives of p, T, R, gamma and h by a part.
+  struct Change {
+    double pressure, temperature, gas_constant, gamma, enthalpy;
+    double of(const Flow& flow) const {
+      return flow.pressure * pressure + flow.temperature * temperature + flow.gas_constant * gas_constant +
+             flow.gamma * gamma;
+    }
+  };
+  void fill_changes(const Balance& balance, const UniformGas& gas);
+  void add_outflow(const Balance& balance, const UniformGas& gas, double pressure_by_time);
+
+  std::vector<Change> changes_;
+};
+
+}  // namespace gas
