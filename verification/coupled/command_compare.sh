@@ -3,7 +3,7 @@
 # Parts of command_test.sh (sourced): histories against references.
 
 part_compare() {
-  local mine=$work/tank/history.csv reference=$work/reference.csv rows=$work/rows.csv
+  local mine=$work/tank/history.csv reference=$work/reference.csv rows=$work/rows.csv share
   "$gasjet" run "$source/cases/rigid_tank.toml" --out "$work/tank" --quiet || fail "run"
   # Bands of the closed form: eps x 100 steps of a number of order 1e5 and 1e3.
   with_bands() { awk -F, -v p="$1" -v T="$2" '/^#/ { print; next } !n++ { print $0 ",pressure_Pa_band,temperature_K_band"; next } { print $0 "," p "," T }'; }
@@ -43,7 +43,16 @@ part_compare() {
   expect 2 "--rows .*would overwrite" "$gasjet" compare "$mine" "$reference" --rows "$work/./reference.csv"
   cmp "$reference" "$work/kept.csv" || fail "the reference is overwritten"
   expect 2 "--rows.*is empty" "$gasjet" compare "$mine" "$reference" --rows ""
-  expect 2 "--tolerance.*finite" "$gasjet" compare "$mine" "$reference" --tolerance nan
+  # 1e-4 too much inflow is 9e-5 of the pressure, less of the temperature.
+  expect 0 "^inside" "$gasjet" compare "$mine" "$work/other.csv" --tolerance 1e-4
+  expect 0 "^inside" "$gasjet" compare "$mine" "$work/other.csv" --tolerance pressure_Pa=1e-4 --tolerance 1e-4
+  expect 1 "^outside: pressure_Pa" "$gasjet" compare "$mine" "$work/other.csv" --tolerance pressure_Pa=1e-6 --tolerance 1e-4
+  expect 1 "^outside: temperature_K" "$gasjet" compare "$mine" "$work/other.csv" --tolerance pressure_Pa=1e-4
+  for share in nan -1 1.5 x "" pressure_Pa= pressure_Pa=nan; do
+    expect 2 "--tolerance $share: .* a finite number from 0 to 1, or COLUMN=SHARE" "$gasjet" compare "$mine" "$reference" --tolerance "$share"
+  done
+  expect 2 "--tolerance volume: the reference has no such quantity, allowed are pressure_Pa" "$gasjet" compare "$mine" "$reference" --tolerance volume=0
+  expect 2 "--tolerance 2e-3: is given twice" "$gasjet" compare "$mine" "$reference" --tolerance 1e-3 --tolerance 2e-3
 }
 
 # The reference set is what its checksums say; every scene, run anew, lies within the bands. The paper's two, as they are and with a seed
@@ -152,7 +161,31 @@ PROGRAM
   expect 2 "needs the command" "$source/verification/run_external.sh" --tolerance 0.1
   expect 2 "^run_external.sh: unknown option --band; allowed before" "$source/verification/run_external.sh" --band
   expect 2 "^run_external.sh: no program '/no/such'" "$source/verification/run_external.sh" /no/such
-  local share
+  # A tolerance of one column of one scene; the last row that fits counts.
+  local share wrong
+  tolerances() { printf '%s\n' 'scene,column,tolerance' "$@" >"$work/tolerances.csv"; }
+  judge_by() { # judge_by CODE PATTERN [DEFECT]
+    expect "$1" "$2" env DEFECT="${3:-}" "$source/verification/run_external.sh" --tolerance 1e-5 --tolerances "$work/tolerances.csv" \
+      --scenes tank_fill,tank_blowdown --out "$work/judged" "$source/verification/coupled/foreign_tank.sh"
+  }
+  tolerances 'tank_fill,*,0.002' '# of the vent' 'tank_fill , temperature_K , 1e-3'
+  judge_by 0 "tank_fill: inside" inflow
+  for file in tank_fill.{json,csv,log,txt,rows.csv} report.json junit.xml; do [ -e "$work/judged/$file" ] || fail "--out does not keep $file"; done
+  tolerances 'tank_fill,*,0.002' 'tank_fill,inflow_kg_s,0'
+  judge_by 1 "tank_fill: outside: inflow_kg_s" inflow
+  grep -q '<failure type="outside"' "$work/judged/junit.xml" && grep -q '"verdict": "outside",' "$work/judged/report.json" || fail "reports of a wrong inflow"
+  tolerances '*,inflow_kg_s,0.01' 'tank_blowdown,*,1e-5'
+  judge_by 1 "  outside: gas_mass_kg: " inflow
+  for wrong in 'tank_fil,*,0:3:1: scene: no scene' 'tank_fill,vent_outflow_kg_s,0:3:11: column: no column .* of tank_fill' '*,pressure,0:3:3: column: no column .* of any' \
+    '*,*,nan:3:5: tolerance: .*a share from 0 to 1' '*,*,2:3:5: tolerance' '*,*:3:1: has 2 fields'; do
+    tolerances '*,*,0' "${wrong%%:*}"
+    judge_by 2 "tolerances.csv:${wrong#*:}"
+  done
+  : >"$work/tolerances.csv" && judge_by 2 "tolerances.csv:1:1: is empty"
+  echo 'scene,tolerance' >"$work/tolerances.csv" && judge_by 2 "tolerances.csv:1:1: the header scene,column,tolerance is needed"
+  rm "$work/tolerances.csv" && judge_by 2 "no such file"
+  expect 2 "--out /proc/none: the folder is not writable" "$source/verification/run_external.sh" --out /proc/none false
+  GASJET=$work/none expect 2 "no program .*/none: build it first, or name it by the variable GASJET" "$source/verification/run_external.sh" false
   for share in nan inf -1 1.5 x ""; do
     expect 2 "^run_external.sh: --tolerance $share: a share from 0 to 1" "$source/verification/run_external.sh" --tolerance "$share" false
   done

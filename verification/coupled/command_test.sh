@@ -233,7 +233,13 @@ part_exact() {
   expect 0 "^# volume: 1$" "$gasjet" exact tank_fill --set volume=+1
   expect 2 "'nan' is no finite number" "$gasjet" exact tank_fill --set volume=nan
   expect 2 "given twice" "$gasjet" exact tank_fill --set volume=1 --set volume=2
-  expect 2 "--format json: prints one NAME" "$gasjet" exact --list --format json
+  expect 2 "--format csv: prints one NAME; of --list markdown or json" "$gasjet" exact --list --format csv
+  "$gasjet" exact --list --format json >"$work/list.json"
+  diff <("$gasjet" exact --list | sed -nE 's/^([a-z0-9_]+): .*/\1/p') <(sed -nE 's/^      "name": "(.*)",$/\1/p' "$work/list.json") ||
+    fail "the list in JSON names other closed forms"
+  diff <("$gasjet" exact --list --format markdown | grep -oE '^- `[a-z0-9_]+`.*, required: ' | wc -l) <(grep -c '"default": null' "$work/list.json") ||
+    fail "the list in JSON has other required parameters"
+  grep -q '^  "format": 1,$' "$work/list.json" || fail "the list in JSON does not say its format"
   expect 2 "--list: prints the whole catalogue" "$gasjet" exact tank_fill --list
   expect 2 "--times.*is empty, first:last:step is needed" "$gasjet" exact tank_fill --times=
   expect 2 "--times.*is empty" "$gasjet" exact --list --times=

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <utility>
@@ -66,6 +67,14 @@ struct Difference {
   std::vector<QuantityDifference> quantities;
 };
 
+/// The error that mine may have by itself, as shares [-] of the reference's largest magnitude.
+struct Tolerance {
+  double share = 0.0;                // of each quantity
+  std::map<std::string, double> of;  // of the quantities that it names, in place of `share`
+
+  Tolerance(double of_each = 0.0) : share(of_each) {}
+};
+
 /// Compares two histories at the reference's times. Mine is interpolated linearly. The possible error of the
 /// interpolation (twice its difference from the cubic through the neighbours) never decides: a row is outside
 /// only beyond band plus this error.
@@ -74,10 +83,9 @@ struct Difference {
 /// sampled too coarsely. It is also undecided if the band is as wide as the signal itself. The whole is
 /// outside if a quantity is; else undecided if a quantity is, or if none was judged.
 ///
-/// `tolerance` [-] widens every band by this share of the reference's largest magnitude: the error that mine
-/// may have by itself. `only`: names to compare, all if empty. Throws CaseError for a name that the reference
-/// does not have or that is given twice.
+/// `tolerance` widens every band. `only`: names to compare, all if empty. Throws CaseError for a name of
+/// `only` or `tolerance` that the reference does not have, and for one of `only` that is given twice.
 Difference compare(const History& mine, const History& reference, const std::vector<std::string>& only = {},
-                   double tolerance = 0.0);
+                   const Tolerance& tolerance = {});
 
 }  // namespace driver

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "commands/check.hpp"
+#include "commands/json_head.hpp"
 #include "membrane/time_step.hpp"
 #include "scene/jet_peak.hpp"
 #include "scene/supply.hpp"
@@ -157,11 +158,12 @@ std::string check_json(const CaseDocument& document, const Scene& scene, const S
                       {"verdict", verdict(g)}});
   auto warnings = scene.warnings;
   if (std::string advice = gas_advice(scene, f); !advice.empty()) warnings.push_back(std::move(advice));
-  json all = {{"settings", settings_of(document)},
+  auto all = json_head<json>();
+  all.update({{"settings", settings_of(document)},
               {"defaults", defaults_of(document)},
               {"warnings", warnings},
               {"derived", derived_of(scene, state, f)},
-              {"forecast", groups}};
+              {"forecast", groups}});
   if (scene.gas) all["species"] = species_of(scene.gas->model.thermo);
   return all.dump(2);
 }

@@ -102,7 +102,7 @@ struct ExactArguments {
   bool list = false;
   std::vector<std::string> parameters;  // name=value
   std::string times;                    // first:last:step
-  std::string format;                   // csv (the default) or json; of the list markdown
+  std::string format;                   // csv (the default) or json; of the list markdown or json
 };
 int exact(const ExactArguments& arguments);
 
@@ -110,7 +110,7 @@ struct CompareArguments {
   std::filesystem::path mine, reference;
   std::filesystem::path map;         // of mine's columns, or empty
   std::vector<std::string> columns;  // to compare, lists with commas; empty: all of the reference
-  double tolerance = 0.0;            // of mine, share of the reference's largest magnitude
+  std::vector<std::string> tolerance;  // of mine: SHARE of the reference's largest magnitude, or COLUMN=SHARE
   std::filesystem::path rows;        // CSV of what was compared, or empty
   std::string format = "text";       // or "json"
 };

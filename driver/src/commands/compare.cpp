@@ -8,7 +8,10 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "case/number_text.hpp"
 #include "commands/commands.hpp"
+#include "commands/json_head.hpp"
+#include "driver/case_reader.hpp"
 #include "driver/results.hpp"
 
 namespace driver::commands {
@@ -40,6 +43,29 @@ void print_text(const CompareArguments& a, const Difference& difference) {
              difference.reason.empty() ? "" : ": " + difference.reason);
 }
 
+double share_of(const std::string& option, std::string_view text) {
+  const auto share = number_of(text);
+  if (!share || *share < 0.0 || *share > 1.0)
+    throw CaseError(fmt::format(
+        "--tolerance {}: '{}' is no share, a finite number from 0 to 1, or COLUMN=SHARE, is allowed", option,
+        text));
+  return *share;
+}
+
+Tolerance tolerance_of(const std::vector<std::string>& options) {
+  Tolerance tolerance;
+  bool given = false;
+  for (const auto& text : options) {
+    const auto equals = text.find('=');
+    const bool of_one = equals != std::string::npos;
+    const double share = share_of(text, std::string_view(text).substr(of_one ? equals + 1 : 0));
+    if (of_one ? !tolerance.of.emplace(text.substr(0, equals), share).second : given)
+      throw CaseError(fmt::format("--tolerance {}: is given twice, once is allowed", text));
+    if (!of_one) given = true, tolerance.share = share;
+  }
+  return tolerance;
+}
+
 Json to_json(const Peak& peak) {
   return {{"value", peak.value}, {"time_s", peak.time}};
 }
@@ -59,12 +85,13 @@ Json to_json(const QuantityDifference& q) {
 }
 
 void print_json(const CompareArguments& a, const Difference& difference) {
-  Json object{{"mine", a.mine.string()},
-              {"reference", a.reference.string()},
-              {"verdict", verdict_name(difference.verdict)},
-              {"reason", difference.reason},
-              {"rows", difference.time.size()},
-              {"quantities", Json::object()}};
+  auto object = json_head<Json>();
+  object.update({{"mine", a.mine.string()},
+                 {"reference", a.reference.string()},
+                 {"verdict", verdict_name(difference.verdict)},
+                 {"reason", difference.reason},
+                 {"rows", difference.time.size()},
+                 {"quantities", Json::object()}});
   for (const auto& q : difference.quantities) object["quantities"][q.name] = to_json(q);
   fmt::print("{}\n", object.dump(2));
 }
@@ -100,7 +127,7 @@ int exit_code(Verdict verdict) {
 int compare(const CompareArguments& a) {
   refuse_same_file("--rows", a.rows, {a.mine, a.reference, a.map});
   const Difference difference = driver::compare(read_history(a.mine, a.map), read_history(a.reference),
-                                                names_of(a.columns), a.tolerance);
+                                                names_of(a.columns), tolerance_of(a.tolerance));
   if (!a.rows.empty()) write_rows(a.rows, difference);
   a.format == "json" ? print_json(a, difference) : print_text(a, difference);
   return exit_code(difference.verdict);

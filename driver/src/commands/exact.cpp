@@ -10,10 +10,13 @@
 #include "case/number_text.hpp"
 #include "closed_form/catalogue.hpp"
 #include "commands/commands.hpp"
+#include "commands/json_head.hpp"
 #include "driver/case_reader.hpp"
 
 namespace driver::commands {
 namespace {
+
+using Json = nlohmann::ordered_json;
 
 double parse_number(std::string_view text, const std::string& whole) {
   const auto value = number_of(text);
@@ -86,6 +89,31 @@ void print_page() {
   }
 }
 
+Json to_json(const closed_form::Parameter& p) {
+  return {{"name", p.name},
+          {"symbol", p.symbol},
+          {"unit", p.unit},
+          {"default", p.default_value ? Json(*p.default_value) : Json()},
+          {"meaning", p.meaning}};
+}
+
+Json to_json(const closed_form::Entry& entry) {
+  Json parameters = Json::array();
+  for (const auto& p : entry.parameters) parameters.push_back(to_json(p));
+  return {{"name", entry.name},       {"family", entry.family},
+          {"title", entry.title},     {"equation", entry.equation},
+          {"source", entry.source},   {"validity", entry.validity},
+          {"digits", entry.digits},   {"parameters", parameters},
+          {"columns", entry.columns}, {"abscissae", entry.default_abscissae}};
+}
+
+// For programs: default null where a parameter must be given; abscissae empty where there is one row.
+void print_list_json() {
+  auto object = json_head<Json>();
+  for (const auto& entry : closed_form::catalogue()) object["closed_forms"].push_back(to_json(entry));
+  fmt::print("{}\n", object.dump(2));
+}
+
 void print_csv(const closed_form::Entry& entry, const closed_form::ParameterMap& parameters,
                const closed_form::Table& table) {
   fmt::print("# name: {}\n# equation: {}\n# source: {}\n# validity: {}\n# digits: {}\n", entry.name,
@@ -97,19 +125,24 @@ void print_csv(const closed_form::Entry& entry, const closed_form::ParameterMap&
 
 void print_json(const closed_form::Entry& entry, const closed_form::ParameterMap& parameters,
                 const closed_form::Table& table) {
-  nlohmann::ordered_json object{{"name", entry.name},       {"equation", entry.equation},
-                                {"source", entry.source},   {"validity", entry.validity},
-                                {"digits", entry.digits},   {"parameters", parameters},
-                                {"columns", table.columns}, {"rows", table.rows}};
+  auto object = json_head<Json>();
+  object.update({{"name", entry.name},
+                 {"equation", entry.equation},
+                 {"source", entry.source},
+                 {"validity", entry.validity},
+                 {"digits", entry.digits},
+                 {"parameters", parameters},
+                 {"columns", table.columns},
+                 {"rows", table.rows}});
   fmt::print("{}\n", object.dump(2));
 }
 
 int list(const ExactArguments& a) {
   if (!a.name.empty() || !a.parameters.empty() || !a.times.empty())
     throw CaseError("--list: prints the whole catalogue; no NAME, --set or --times is allowed beside it");
-  if (!a.format.empty() && a.format != "markdown")
-    throw CaseError(fmt::format("--format {}: prints one NAME; of --list markdown is allowed", a.format));
-  a.format.empty() ? print_list() : print_page();
+  if (a.format == "csv")
+    throw CaseError("--format csv: prints one NAME; of --list markdown or json is allowed");
+  a.format.empty() ? print_list() : a.format == "json" ? print_list_json() : print_page();
   return exit_done;
 }
 

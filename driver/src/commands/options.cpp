@@ -137,7 +137,7 @@ void add_others(CLI::App& app, Arguments& all) {
   exact->add_option("--set", all.exact.parameters, "name=value")->allow_extra_args(false);
   exact->add_option("--times", all.exact.times, "abscissae, first:last:step")
       ->check(not_empty("first:last:step"));
-  exact->add_option("--format", all.exact.format, "csv or json; of --list also markdown")
+  exact->add_option("--format", all.exact.format, "csv or json; of --list markdown or json")
       ->check(CLI::IsMember({"csv", "json", "markdown"}));
 }
 
@@ -183,8 +183,9 @@ void add_compare(CLI::App& app, CompareArguments& a) {
   c->add_option("--columns", a.columns, "quantities to compare, separated by commas; all by default")
       ->allow_extra_args(false);
   c->add_option("--tolerance", a.tolerance,
-                "that mine may be off by itself, share of the reference's largest magnitude")
-      ->check(finite & CLI::Range(0.0, 1.0));
+                "that mine may be off by itself, share of the reference's largest magnitude; with COLUMN=SHARE "
+                "of one column; may be repeated")
+      ->allow_extra_args(false);
   c->add_option("--rows", a.rows, "CSV to write: both histories and band at common times")->check(named);
   c->add_option("--format", a.format, "text or json")->check(CLI::IsMember({"text", "json"}));
 }

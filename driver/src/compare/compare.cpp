@@ -37,18 +37,24 @@ class Columns {
   std::unordered_map<std::string_view, const std::vector<double>*> values_;
 };
 
-std::vector<std::string> names_to_compare(const History& reference, const std::vector<std::string>& only) {
+void check_name(const char* option, const std::string& name, const std::vector<std::string>& names) {
+  if (std::find(names.begin(), names.end(), name) == names.end())
+    throw CaseError(fmt::format("{} {}: {}, allowed are {}", option, name.empty() ? "''" : name,
+                                name.empty() ? "a name is empty" : "the reference has no such quantity",
+                                fmt::join(names, ", ")));
+}
+
+std::vector<std::string> names_to_compare(const History& reference, const std::vector<std::string>& only,
+                                          const Tolerance& tolerance) {
   std::vector<std::string> names;
   for (const auto& [name, values] : reference.columns)
     if (!is_band(name)) names.push_back(name);
   for (const auto& name : only) {
     if (std::count(only.begin(), only.end(), name) > 1)
       throw CaseError(fmt::format("--columns {}: is given twice, once is allowed", name));
-    if (std::find(names.begin(), names.end(), name) == names.end())
-      throw CaseError(fmt::format("--columns {}: {}, allowed are {}", name.empty() ? "''" : name,
-                                  name.empty() ? "a name is empty" : "the reference has no such quantity",
-                                  fmt::join(names, ", ")));
+    check_name("--columns", name, names);
   }
+  for (const auto& [name, share] : tolerance.of) check_name("--tolerance", name, names);
   return only.empty() ? names : only;
 }
 
@@ -146,7 +152,8 @@ struct Side {
 };
 
 QuantityDifference compare_quantity(const std::string& name, const Side& mine, const Columns& reference,
-                                    const std::vector<double>& time, const Window& window, double tolerance) {
+                                    const std::vector<double>& time, const Window& window,
+                                    const Tolerance& tolerance) {
   QuantityDifference q;
   q.name = name;
   const auto* band = reference.find(name + band_suffix);
@@ -169,7 +176,9 @@ QuantityDifference compare_quantity(const std::string& name, const Side& mine, c
     return q;
   }
   q.band = rows(*band, window);
-  for (double& width : q.band) width += tolerance * std::abs(q.reference.value);
+  const auto own = tolerance.of.find(name);
+  const double share = own == tolerance.of.end() ? tolerance.share : own->second;
+  for (double& width : q.band) width += share * std::abs(q.reference.value);
   judge(time, doubt, q);
   if (!window.whole && q.verdict == Verdict::inside) {
     q.verdict = Verdict::undecided;
@@ -232,14 +241,14 @@ const std::vector<double>* History::find(const std::string& name) const {
 }
 
 Difference compare(const History& mine, const History& reference, const std::vector<std::string>& only,
-                   double tolerance) {
+                   const Tolerance& tolerance) {
   const Side my_side{mine.time, Columns(mine)};
   const Columns expected(reference);
   check_bands(reference, expected);
   const Window window = common_rows(mine, reference);
   Difference difference;
   difference.time = rows(reference.time, window);
-  for (const auto& name : names_to_compare(reference, only))
+  for (const auto& name : names_to_compare(reference, only, tolerance))
     difference.quantities.push_back(
         compare_quantity(name, my_side, expected, difference.time, window, tolerance));
   conclude(difference);

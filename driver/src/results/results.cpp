@@ -10,6 +10,7 @@
 
 #include "build_info.hpp"
 #include "driver/case_reader.hpp"
+#include "driver/formats.hpp"
 
 namespace driver {
 
@@ -20,7 +21,8 @@ Provenance provenance(const std::filesystem::path& case_file, const std::vector<
     options += as_option(text);
   }
   const auto now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
-  return {{"case", case_file.string()},
+  return {{"format", std::to_string(formats::results)},
+          {"case", case_file.string()},
           {"version", build_info::version},
           {"commit", build_info::commit},
           {"compiler", build_info::compiler},

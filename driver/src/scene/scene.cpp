@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <string_view>
 
+#include "driver/formats.hpp"
 #include "scene/jet_peak.hpp"
 #include "scene/parts.hpp"
 
@@ -22,6 +23,7 @@ constexpr Bounds shortest_run{1e-9, any_number.high, false, "1e-9 s or more"};
 
 void read_general(TableReader& root, Scene& scene) {
   TableReader table = root.table("scene");
+  table.integer("format", 1, formats::case_file, 1);  // a file that does not say it is of the first
   scene.name = table.text("name");
   scene.time.end = table.number("end_time", shortest_run);
   if (table.has("gravity") && !will_move(root))

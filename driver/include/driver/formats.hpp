@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: Apache-2.0
+// Versions of what Gasjet reads and writes. A number rises by one when something that was right before is not
+// any more (docs/versions.md).
+#pragma once
+
+namespace driver::formats {
+
+inline constexpr int case_file = 1;  // `scene.format` of a case
+inline constexpr int results =
+    1;  // `# format:` of history.csv, energy.csv and other tables; `build` of summary.json
+inline constexpr int json = 1;  // `format` of what a command prints with --format json
+
+}  // namespace driver::formats

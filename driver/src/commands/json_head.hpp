@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+// How each JSON begins that a command prints.
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "build_info.hpp"
+#include "driver/formats.hpp"
+
+namespace driver::commands {
+
+/// Version of the format, version and commit of the program.
+template <class Json>
+Json json_head() {
+  return {{"format", formats::json}, {"version", build_info::version}, {"commit", build_info::commit}};
+}
+
+}  // namespace driver::commands
