@@ -246,6 +246,27 @@ rule_tables() {
   "$scripts/write_tables.sh" --check "$PWD" 2>&1 || echo "docs/tables.tsv: scripts/write_tables.sh writes the tables anew"
 }
 
+# CITATION, changelog, docs/versions.md and schemas say the versions that cmake/GasjetVersion.cmake, formats.hpp and the reference data have.
+rule_versions() {
+  local version date name now page=docs/versions.md formats=driver/include/driver/formats.hpp list
+  version=$(sed -nE 's/^set\(GASJET_VERSION ([0-9.]+)\)$/\1/p' cmake/GasjetVersion.cmake)
+  date=$(sed -nE "s/^## ${version//./[.]} \(([0-9-]+)\)$/\1/p" CHANGELOG.md)
+  [[ $(sed -nE 's/^## ([0-9].*) \(.*/\1/p' CHANGELOG.md | head -1) == "$version" ]] || echo "CHANGELOG.md: the newest release is not $version"
+  [[ $(sed -n 's/^version: //p' CITATION.cff) == "$version" ]] || echo "CITATION.cff: the version is not $version"
+  [[ -n $date && $(sed -n 's/^date-released: //p' CITATION.cff) == "$date" ]] || echo "CITATION.cff: the date is not '$date', that of CHANGELOG.md"
+  while IFS='|' read -r name now; do
+    [[ $(sed -nE "s/^\| $name \| ([^ ]+) \|.*/\1/p" $page) == "$now" ]] || echo "$page: '$name' is not '$now'"
+  done < <(echo "program and libraries|$version"; echo "reference data|$(cat cases/reference/VERSION)"
+    sed -nE 's/^inline constexpr int (case_file|results|json) = ([0-9]+);.*/\1|\2/p' $formats |
+      sed 's/^case_file/case files/; s/^results/result files/; s/^json/JSON of commands/')
+  for name in verification/schemas/*.json; do
+    now=$(sed -nE 's/^inline constexpr int json = ([0-9]+);.*/\1/p' $formats)
+    grep -qE "^    \"format\": \{ \"const\": $now," "$name" || echo "$name: its format is not $now"
+  done
+  mapfile -t list < <(cmake_files)
+  code_matches 'VERSION [0-9]+\.[0-9]+\.[0-9]' "${list[@]}" | grep project | sed 's/$/   (the version stands in cmake\/GasjetVersion.cmake alone)/' || true
+}
+
 if [[ $(type -t "rule_$rule") != function ]]; then
   echo "rules.sh: no rule '$rule'" >&2
   exit 2

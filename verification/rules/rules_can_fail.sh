@@ -72,6 +72,13 @@ good_tree() {
     'Taken from [table.csv](docs/table.csv).' '' '<!-- end of table forces -->' '' 'End.'
   put docs/rungs.md '<!-- table rungs -->' '' '| rung | error [%] | level |' '|---|---|---|' '| all | 2.5 | 17 |' '' \
     'Made at commit `0123abc` ([ladder.csv](charts/ladder.csv)). Taken from [levels.csv](levels.csv).' '' '<!-- end of table rungs -->'
+  put cmake/GasjetVersion.cmake '# SPDX-License-Identifier: Apache-2.0' 'set(GASJET_VERSION 1.2.3)'
+  put CITATION.cff 'version: 1.2.3' 'date-released: 2026-01-02'
+  put CHANGELOG.md '## Unreleased' '## 1.2.3 (2026-01-02)' '## 1.2.2 (2026-01-01)'
+  put cases/reference/VERSION 4
+  put driver/include/driver/formats.hpp "$spdx" 'inline constexpr int case_file = 2;' 'inline constexpr int results = 3;  // of' 'inline constexpr int json = 5;'
+  put docs/versions.md '| program and libraries | 1.2.3 | x |' '| case files | 2 |' '| result files | 3 |' '| JSON of commands | 5 |' '| reference data | 4 |'
+  put verification/schemas/scene.schema.json '    "format": { "const": 5, "description": "x" },'
   put docs/theory/gas.md '$$ p V = m R T \tag{G.1} $$'
 }
 
@@ -243,6 +250,18 @@ case $rule in
     ;;
   format)
     breaks libgas/src/model.cpp "$spdx" '#include "gas/model.hpp"' 'int  two(){ return 2; }'
+    ;;
+  versions)
+    breaks CITATION.cff 'version: 1.2.4' 'date-released: 2026-01-02'
+    breaks CITATION.cff 'version: 1.2.3' 'date-released: 2026-01-01'
+    breaks CITATION.cff 'version: 1.2.3'
+    breaks CHANGELOG.md '## Unreleased' '## 1.2.4 (2026-01-03)' '## 1.2.3 (2026-01-02)'
+    breaks docs/versions.md '| program and libraries | 1.2.3 | x |' '| case files | 2 |' '| result files | 3 |' '| JSON of commands | 6 |' '| reference data | 4 |'
+    breaks docs/versions.md '| program and libraries | 1.2.3 | x |' '| case files | 2 |' '| JSON of commands | 5 |' '| reference data | 4 |'
+    breaks docs/versions.md '| program and libraries | 1.2.2 | x |' '| case files | 2 |' '| result files | 3 |' '| JSON of commands | 5 |' '| reference data | 4 |'
+    breaks docs/versions.md '| program and libraries | 1.2.3 | x |' '| case files | 2 |' '| result files | 3 |' '| JSON of commands | 5 |' '| reference data | 5 |'
+    breaks verification/schemas/scene.schema.json '    "format": { "const": 4, "description": "x" },'
+    breaks libgas/CMakeLists.txt '# SPDX-License-Identifier: Apache-2.0' 'project(gasjet_gas VERSION 1.2.3 LANGUAGES CXX)'
     ;;
   mutation_lines)
     mapfile -t many < <(printf 'gas.tank\tREADME.md\ts/gas/%s/\n' {1..201})

@@ -6,8 +6,7 @@
 namespace driver::formats {
 
 inline constexpr int case_file = 1;  // `scene.format` of a case
-inline constexpr int results =
-    1;  // `# format:` of history.csv, energy.csv and other tables; `build` of summary.json
-inline constexpr int json = 1;  // `format` of what a command prints with --format json
+inline constexpr int results = 1;    // `# format:` of a table, such as history.csv; `build` of summary.json
+inline constexpr int json = 1;       // `format` of what a command prints with --format json
 
 }  // namespace driver::formats

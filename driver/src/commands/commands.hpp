@@ -108,11 +108,11 @@ int exact(const ExactArguments& arguments);
 
 struct CompareArguments {
   std::filesystem::path mine, reference;
-  std::filesystem::path map;         // of mine's columns, or empty
-  std::vector<std::string> columns;  // to compare, lists with commas; empty: all of the reference
+  std::filesystem::path map;           // of mine's columns, or empty
+  std::vector<std::string> columns;    // to compare, lists with commas; empty: all of the reference
   std::vector<std::string> tolerance;  // of mine: SHARE of the reference's largest magnitude, or COLUMN=SHARE
-  std::filesystem::path rows;        // CSV of what was compared, or empty
-  std::string format = "text";       // or "json"
+  std::filesystem::path rows;          // CSV of what was compared, or empty
+  std::string format = "text";         // or "json"
 };
 int compare(const CompareArguments& arguments);
 

@@ -61,7 +61,9 @@ Tolerance tolerance_of(const std::vector<std::string>& options) {
     const double share = share_of(text, std::string_view(text).substr(of_one ? equals + 1 : 0));
     if (of_one ? !tolerance.of.emplace(text.substr(0, equals), share).second : given)
       throw CaseError(fmt::format("--tolerance {}: is given twice, once is allowed", text));
-    if (!of_one) given = true, tolerance.share = share;
+    if (of_one) continue;
+    given = true;
+    tolerance.share = share;
   }
   return tolerance;
 }

@@ -182,9 +182,10 @@ void add_compare(CLI::App& app, CompareArguments& a) {
   c->add_option("--map", a.map, "names, units and offsets of MINE's columns (TOML)")->check(named);
   c->add_option("--columns", a.columns, "quantities to compare, separated by commas; all by default")
       ->allow_extra_args(false);
-  c->add_option("--tolerance", a.tolerance,
-                "that mine may be off by itself, share of the reference's largest magnitude; with COLUMN=SHARE "
-                "of one column; may be repeated")
+  c->add_option(
+       "--tolerance", a.tolerance,
+       "that mine may be off by itself, share of the reference's largest magnitude; with COLUMN=SHARE "
+       "of one column; may be repeated")
       ->allow_extra_args(false);
   c->add_option("--rows", a.rows, "CSV to write: both histories and band at common times")->check(named);
   c->add_option("--format", a.format, "text or json")->check(CLI::IsMember({"text", "json"}));
