@@ -5,6 +5,12 @@ include_guard(GLOBAL)
 if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
   set(CMAKE_BUILD_TYPE Release CACHE STRING "Build type" FORCE)
 endif()
+# In a project that takes Gasjet by FetchContent, its libraries are not among what that project installs.
+set(is_own OFF)
+if(CMAKE_PROJECT_NAME MATCHES "^gasjet")
+  set(is_own ON)
+endif()
+option(GASJET_INSTALL "Install Gasjet's libraries with the project" ${is_own})
 option(GASJET_WERROR "Treat compiler warnings as errors" OFF)
 option(GASJET_SANITIZE "Build with AddressSanitizer and UndefinedBehaviorSanitizer" OFF)
 

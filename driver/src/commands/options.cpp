@@ -5,6 +5,7 @@
 
 #include "build_info.hpp"
 #include "commands/commands.hpp"
+#include "commands/manual.hpp"
 #include "commands/validators.hpp"
 #include "driver/case_reader.hpp"
 
@@ -46,6 +47,7 @@ struct Arguments {
   ExactArguments exact;
   IdentifyArguments identify;
   CompareArguments compare;
+  std::filesystem::path manual;  // folder
 };
 
 void add_run(CLI::App& app, Arguments& all) {
@@ -204,6 +206,11 @@ void refuse_unknown_command(const CLI::App& app, std::span<char*> words) {
                   allowed + " (see --help)");
 }
 
+void add_manual(CLI::App& app, Arguments& all) {
+  auto* manual = app.add_subcommand("manual", "write man pages and bash completion");
+  manual->add_option("--out", all.manual, "folder, such as /usr/share")->required()->check(named);
+}
+
 int dispatch(const CLI::App& app, const Arguments& all) {
   if (app.got_subcommand("run")) return run(all.run);
   if (app.got_subcommand("check")) return check(all.check, all.check_format);
@@ -212,7 +219,9 @@ int dispatch(const CLI::App& app, const Arguments& all) {
   if (app.got_subcommand("mesh")) return dispatch_mesh(*app.get_subcommand("mesh"), all.mesh);
   if (app.got_subcommand("identify")) return identify(all.identify);
   if (app.got_subcommand("compare")) return compare(all.compare);
-  return exact(all.exact);
+  if (app.got_subcommand("exact")) return exact(all.exact);
+  write_manual(app, all.manual);
+  return exit_done;
 }
 
 }  // namespace
@@ -222,6 +231,12 @@ int run_command_line(int argc, char** argv) {
   app.set_version_flag("--version", std::string("gasjet ") + build_info::version + " (" + build_info::commit +
                                         ", " + build_info::compiler + ", " + build_info::flags + ")");
   app.require_subcommand(1);
+  app.footer(
+      "Exit codes: 0 done; 1 of compare: outside the band; 2 the command line or an input is wrong, nothing "
+      "is "
+      "written; 3 the computation left its domain or ended inaccurate, what was computed is kept; 4 of "
+      "compare "
+      "and ladder: undecided; 130 ended by Ctrl-C, what was computed is kept.");
   Arguments all;
   add_run(app, all);
   add_ensemble(app, all);
@@ -230,6 +245,7 @@ int run_command_line(int argc, char** argv) {
   add_others(app, all);
   add_identify(app, all.identify);
   add_compare(app, all.compare);
+  add_manual(app, all);
   refuse_unknown_command(app, std::span(argv, argc).subspan(argc > 0));
   try {
     app.parse(words(argc, argv));
