@@ -9,6 +9,8 @@
 # environment: DEBIAN_MIRROR, where debootstrap takes packages from (its own default)
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
+# shellcheck source=debian_root.sh
+source scripts/debian_root.sh
 
 keep=0
 if [[ ${1:-} == --keep ]]; then
@@ -17,29 +19,15 @@ if [[ ${1:-} == --keep ]]; then
 fi
 command="scripts/run_main_case.sh && scripts/test_all.sh"
 if (($#)); then command=$(printf '%q ' "$@"); fi
-if ((EUID != 0)); then
-  echo "test_bare_machine.sh: debootstrap and chroot need root; run it as root or with sudo" >&2
-  exit 2
-fi
-command -v debootstrap >/dev/null || scripts/setup_debian12.sh debootstrap
-
 root=$(mktemp -d)
 cleanup() {
   if ((keep)); then echo "kept: $root"; else rm -rf "$root"; fi
 }
 trap cleanup EXIT
-chmod 755 "$root"
 start=$SECONDS
-debootstrap --variant=minbase bookworm "$root" ${DEBIAN_MIRROR:+"$DEBIAN_MIRROR"} >"$root.log" 2>&1 ||
-  { tail -n 20 "$root.log" >&2; exit 1; }
-rm -f "$root.log"
+make_root "$root"
 git clone -q . "$root/gasjet"
 chown -R root: "$root/gasjet"
 echo "=== empty Debian 12 root with a clone of $(git rev-parse --short HEAD): $((SECONDS - start)) s"
 
-# The mounts live in a namespace of their own and end with it, so that removing the root cannot reach the machine's devices.
-unshare --mount --pid --fork --kill-child bash -euo pipefail -c '
-  mount -t proc proc "$1/proc"
-  mount --rbind /dev "$1/dev"
-  exec env -i HOME=/root PATH=/usr/sbin:/usr/bin:/sbin:/bin LC_ALL=C.UTF-8 CI="${CI:-}" \
-    chroot "$1" bash -euo pipefail -c "cd /gasjet && $2"' bash "$root" "$command" </dev/null
+in_root "$root" "cd /gasjet && $command"

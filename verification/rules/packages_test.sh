@@ -76,14 +76,6 @@ check_manual() {
   grep -q 'Exit.codes: 0 done' "$prefix/share/man/man1/gasjet-run.1" || fail "no exit codes in a man page"
 }
 
-use_with() { # COMPILER
-  echo "--- $1"
-  cmake -S "$project" -B "$scratch/$1" -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_FLAGS_RELEASE=-O0 \
-    -DCMAKE_CXX_COMPILER="$1" -DCMAKE_PREFIX_PATH="$prefix"
-  cmake --build "$scratch/$1"
-  "$scratch/$1/outside"
-}
-
 # README's first command is all that the container's image runs.
 check_container() {
   local tree=$project/../../.. command
@@ -98,10 +90,10 @@ PATH=$prefix/bin:$PATH
 run_cases
 judge_a_program
 check_manual
-use_with c++
+"$project/use.sh" "$prefix"
 for clang in clang++ clang++-14; do
   if command -v "$clang" >/dev/null; then
-    use_with "$clang"
+    "$project/use.sh" "$prefix" "$clang"
     break
   fi
 done
