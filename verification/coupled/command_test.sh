@@ -32,7 +32,7 @@ part_exit_codes() {
   for file in history.csv energy.csv summary.json; do [ -s "$work/tank/$file" ] || fail "no $file"; done
   expect 2 "^gasjet: .*not expected.*no-such-option" "$gasjet" run "$source/cases/rigid_tank.toml" --no-such-option
   expect 2 "^gasjet: .*subcommand is required" "$gasjet"
-  expect 2 "^gasjet: 'no_such_command' is no command of gasjet, allowed are run, .*compare \(see --help" "$gasjet" no_such_command
+  expect 2 "^gasjet: 'no_such_command' is no command of gasjet, allowed are run, .*compare, .*\(see --help" "$gasjet" no_such_command
   expect 2 "^gasjet: 'nope' is no command of mesh, allowed are driver, passenger, convert, case" "$gasjet" mesh nope
   lost "$gasjet" check "$source/cases/rigid_tank.toml"
   lost "$gasjet" check "$source/cases/rigid_tank.toml" --format json
