@@ -82,6 +82,7 @@ try_packages() {
     outside/use.sh /usr'
 }
 
+(($#)) || ((EUID == 0)) || refuse "the empty Debian needs root; run it as root or with sudo"
 check_tree
 check_tests
 if (($#)); then
