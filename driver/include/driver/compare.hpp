@@ -72,7 +72,7 @@ struct Tolerance {
   double share = 0.0;                // of each quantity
   std::map<std::string, double> of;  // of the quantities that it names, in place of `share`
 
-  Tolerance(double of_each = 0.0) : share(of_each) {}
+  Tolerance(double of_each = 0.0) : share(of_each) {}  // a number is one for all
 };
 
 /// Compares two histories at the reference's times. Mine is interpolated linearly. The possible error of the
