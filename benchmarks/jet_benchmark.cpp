@@ -8,6 +8,7 @@
 
 #include "jet/field.hpp"
 #include "jet/visibility.hpp"
+#include "jet_tree/tree_route.hpp"
 #include "passenger_states.hpp"
 
 namespace {
@@ -73,6 +74,8 @@ void BM_field(benchmark::State& run) {
   run.counters["force_over_2J"] = jet::jet_force(f.state, f.p.state.area_vector.map()).x() /
                                   (2.0 * jet::momentum_flux(f.out, jet::outlet_area(f.model)));
 }
+
+const bool kTreeAdded = jet::add_tree_route();
 
 void BM_visibility(benchmark::State& run) {
   const auto route = static_cast<jet::VisibilityRoute>(run.range(1));

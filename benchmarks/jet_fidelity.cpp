@@ -12,6 +12,7 @@
 #include "driver/results.hpp"
 #include "jet/field.hpp"
 #include "jet_surface.hpp"
+#include "jet_tree/tree_route.hpp"
 
 namespace {
 
@@ -78,6 +79,7 @@ void print(const char* name, int n, const Rung& rung, const Forces& exact) {
 }  // namespace
 
 int main() {
+  jet::add_tree_route();
   for (const auto& [key, value] : driver::provenance("cases/passenger_pendulum.toml", {}))
     if (key != "options") fmt::print("# {}: {}\n", key, value);
   const driver::Scene scene = benchmarks::passenger_scene({});

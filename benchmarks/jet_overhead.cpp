@@ -14,6 +14,7 @@
 #include "driver/results.hpp"
 #include "jet/field.hpp"
 #include "jet_surface.hpp"
+#include "jet_tree/tree_route.hpp"
 #ifdef GASJET_EMBREE
 #include "embree_visibility.hpp"
 #endif
@@ -206,6 +207,7 @@ bool measure(const Mesh& mesh, int largest) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  jet::add_tree_route();
   const int largest = argc > 1 ? std::atoi(argv[1]) : 1'000'000;
   for (const auto& [key, value] : driver::provenance("cases/passenger_pendulum.toml", {}))
     if (key != "options") fmt::print("# {}: {}\n", key, value);

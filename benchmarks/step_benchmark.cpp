@@ -9,6 +9,7 @@
 
 #include "driver/results.hpp"
 #include "driver/run.hpp"
+#include "jet_tree/tree_route.hpp"
 
 namespace {
 
@@ -78,6 +79,7 @@ void run_case(benchmark::State& bench, const std::string& name, const std::vecto
 }  // namespace
 
 int main(int argc, char** argv) {
+  jet::add_tree_route();
   for (const auto& [key, value] : driver::provenance("cases/passenger_pendulum.toml", {}))
     if (key != "case" && key != "options") benchmark::AddCustomContext(key, value);
   const auto add = [](const char* label, const std::string& name, std::vector<std::string> overrides) {

@@ -7,6 +7,7 @@
 #include "commands/commands.hpp"
 #include "driver/case_reader.hpp"
 #include "driver/results.hpp"
+#include "jet_tree/tree_route.hpp"
 
 namespace {
 
@@ -28,6 +29,7 @@ int finish(int code) {
 
 int main(int argc, char** argv) {
   using namespace driver::commands;
+  jet::add_tree_route();
   try {
     return finish(run_command_line(argc, argv));
   } catch (const driver::CaseError& error) {

@@ -9,9 +9,12 @@
 #include "claim.hpp"
 #include "closed_form/jet.hpp"
 #include "jet/jet.hpp"
+#include "jet_tree/tree_route.hpp"
 #include "run_case.hpp"
 
 namespace {
+
+const bool kTreeAdded = jet::add_tree_route();
 
 // The case's outlet: 2 kg/s of the model nitrogen at 406 K through 5e-3 m2.
 const auto kOutlet = closed_form::sonic_outlet({{}, 406.0, false, 2.0, 5e-3});

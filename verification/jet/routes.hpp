@@ -7,12 +7,14 @@
 #include <numeric>
 
 #include "jet/visibility.hpp"
+#include "jet_tree/tree_route.hpp"
 #include "scenes.hpp"
 
 namespace routes {
 
 using Mask = std::vector<std::uint8_t>;
 
+inline const bool kTreeAdded = jet::add_tree_route();
 inline constexpr jet::VisibilityRoute kAll[] = {jet::VisibilityRoute::brute_force,
                                                 jet::VisibilityRoute::cgal_tree, jet::VisibilityRoute::fast};
 

@@ -185,6 +185,11 @@ void read_jet(TableReader& inflator, std::size_t index, Scene& scene) {
                                                     {"cgal_tree", jet::VisibilityRoute::cgal_tree},
                                                     {"brute_force", jet::VisibilityRoute::brute_force}},
                                                    "fast");
+  if (!jet::has_route(part.route))
+    table->fail(
+        "visibility",
+        "\"cgal_tree\" is not part of this program (the command gasjet has it), allowed are \"fast\" and "
+        "\"brute_force\"");
   part.work = table->choice<JetWork>(
       "jet_work", {{"external", JetWork::external}, {"from_gas", JetWork::from_gas}}, "external");
   if (part.work == JetWork::from_gas && part.outlet.temperature != jet::OutletTemperature::stagnation)

@@ -44,9 +44,13 @@ struct RaySource {
 enum class VisibilityRoute {
   /// Default: float and double arithmetic with error bounds; elements that face away come first.
   fast,
-  cgal_tree,   // CGAL's AABB tree, built at every call
+  /// CGAL's AABB tree, built at every call. Of the library jet_tree: see jet_tree/tree_route.hpp.
+  cgal_tree,
   brute_force  // every pair, by CGAL's predicates: the oracle
 };
+
+/// False for cgal_tree unless this program has added it.
+bool has_route(VisibilityRoute route);
 
 /// Elements with a special role. They never block, but count in winding numbers.
 struct SurfaceRoles {
@@ -63,8 +67,8 @@ struct VisibilityCounters {
   std::size_t exact_calls = 0;  // predicates by CGAL's kernel; may depend on earlier queries
   /// Fast route: rays that its short cut did not decide, so that the whole rule was tested.
   std::size_t fallbacks = 0;
-  /// 1 if the fast route built CGAL's tree, which allocates. This happens for a folded surface with many rays
-  /// upstream, and for coordinates above 1e7 extents.
+  /// 1 if the fast route built a tree of boxes, which allocates. This happens for a folded surface with many
+  /// rays upstream, and for coordinates above 1e7 extents.
   std::size_t tree_builds = 0;
 };
 
@@ -85,8 +89,9 @@ class VisibilityQuery {
   /// then reads nodes far from all rays only from time to time; the mask is the same. It may notice a
   /// coordinate out of range later. Without the bound, and whenever it decreases, it reads all nodes.
   ///
-  /// Throws std::invalid_argument for wrong sizes and indices, and an axis of zero. Also for coordinates, of
-  /// the source or of a node that an element uses, that are neither 0 nor 1e-100 to 1e100 in magnitude.
+  /// Throws std::invalid_argument for wrong sizes and indices, a route that is not there, and an axis of
+  /// zero. Also for coordinates, of the source or of a node that an element uses, that are neither 0 nor
+  /// 1e-100 to 1e100 in magnitude.
   VisibilityCounters query(VisibilityRoute route, const Points& nodes, const RaySource& source,
                            std::span<const int> candidates, std::span<std::uint8_t> lit,
                            double displacement_bound = kMotionUnknown);

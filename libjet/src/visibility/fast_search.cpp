@@ -2,9 +2,9 @@
 // The fast route, second part: rays that meet elements facing away, and the whole rule for those left open.
 #include <algorithm>
 
+#include "visibility/box_tree.hpp"
 #include "visibility/fast.hpp"
 #include "visibility/sides.hpp"
-#include "visibility/tree.hpp"
 
 namespace jet {
 
@@ -115,15 +115,15 @@ void FastRoute::search_upstream() {
 }
 
 void FastRoute::search_tree() {
-  const ElementTree tree(surface_);
-  exact::Kernel kernel;
+  const BoxTree tree(surface_);
   for (const int place : open_) {
     if (state(place) != kOpen) continue;
     const blocking::Ray& ray = rays_.ray(place);
-    kernel_.moved(ray);
-    state(place) = tree.blocked(kernel, ray, element(place)) ? kHidden : kLit;
+    const bool hidden = tree.any(ray, [&](int e) {
+      return e != element(place) && !surface_.never_blocks(e) && blocking::blocks(kernel_, ray, surface_, e);
+    });
+    state(place) = hidden ? kHidden : kLit;
   }
-  kernel_.calls += kernel.calls;
 }
 
 }  // namespace jet

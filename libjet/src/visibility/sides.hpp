@@ -86,6 +86,35 @@ struct Box {
     }
     return apart;
   }
+  /// The same, or the segment's line passes beside the box by more than rounding can be. With m from the
+  /// box's middle to the segment's, d half the segment and e half the box: |(m x d)_i| > e_j |d_k| + e_k
+  /// |d_j|. `size` bounds the box's coordinates. Roundings: m and e err by 4 u size' each, size' >= size and
+  /// the segment's ends, u = 2^-53, and every product by u: 16 u size' (|d_j| + |d_k|) in all; doubled.
+  bool apart_from_line(const blocking::Ray& ray, double size) const {
+    if (apart_from_segment(ray)) return true;
+    double m[3], d[3], e[3], largest = size;
+    for (int i = 0; i < 3; ++i) {
+      m[i] = (ray.source[i] / 2 + ray.target[i] / 2) - (low[i] / 2 + high[i] / 2);
+      d[i] = std::abs(ray.target[i] - ray.source[i]) / 2;
+      e[i] = (high[i] - low[i]) / 2;
+      largest = filter::max3(largest, std::abs(ray.source[i]), std::abs(ray.target[i]));
+    }
+    const double noise = 4e-15 * largest;
+    for (int i = 0; i < 3; ++i) {
+      const int j = (i + 1) % 3, k = (i + 2) % 3;
+      const double side =
+          m[j] * (ray.target[k] - ray.source[k]) / 2 - m[k] * (ray.target[j] - ray.source[j]) / 2;
+      if (std::abs(side) > (e[j] + noise) * d[k] + (e[k] + noise) * d[j] + filter::kUnderflow) return true;
+    }
+    return false;
+  }
+  /// Grows to hold another.
+  void take(const Box& other) {
+    for (int i = 0; i < 3; ++i) {
+      low[i] = std::min(low[i], other.low[i]);
+      high[i] = std::max(high[i], other.high[i]);
+    }
+  }
 };
 
 }  // namespace jet

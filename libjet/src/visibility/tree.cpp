@@ -9,6 +9,9 @@
 
 #include <vector>
 
+#include "jet_tree/tree_route.hpp"
+#include "visibility/one_by_one.hpp"
+
 namespace jet {
 namespace {
 
@@ -93,6 +96,32 @@ bool ElementTree::blocked(exact::Kernel& kernel, const blocking::Ray& ray, int t
     return e != target_element && !impl_->surface.never_blocks(e) &&
            blocking::blocks(kernel, ray, impl_->surface, e);
   });
+}
+
+namespace {
+
+struct TreeSearch {
+  const ElementTree& tree;
+  exact::Kernel& kernel;
+
+  bool source_on_surface(const blocking::Ray& ray) const { return tree.source_on_surface(kernel, ray); }
+  bool blocked(const blocking::Ray& ray, int target) const { return tree.blocked(kernel, ray, target); }
+};
+
+VisibilityCounters query_by_tree(const Surface& surface, const RaySource& source,
+                                 std::span<const int> candidates, std::span<std::uint8_t> lit) {
+  exact::Kernel kernel;
+  const ElementTree tree(surface);
+  VisibilityCounters counters = query_by(TreeSearch{tree, kernel}, surface, source, candidates, lit);
+  counters.tree_builds = 1;
+  return counters;
+}
+
+}  // namespace
+
+bool add_tree_route() {
+  set_tree_route(query_by_tree);
+  return true;
 }
 
 }  // namespace jet

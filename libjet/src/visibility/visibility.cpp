@@ -2,6 +2,7 @@
 #include "jet/visibility.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <numeric>
 
 #include "checks.hpp"
@@ -9,8 +10,8 @@
 #include "visibility/closedness.hpp"
 #include "visibility/fast.hpp"
 #include "visibility/filter.hpp"
+#include "visibility/one_by_one.hpp"
 #include "visibility/predicates.hpp"
-#include "visibility/tree.hpp"
 #include "visibility/winding.hpp"
 
 namespace jet {
@@ -41,36 +42,17 @@ struct FilteredKernel : filter::Kernel {
   bool moved(const blocking::Ray& ray) const { return ray.moved == blocking::Moved::yes; }
 };
 
-struct TreeSearch {
-  const ElementTree& tree;
-  exact::Kernel& kernel;
-
-  bool source_on_surface(const blocking::Ray& ray) const { return tree.source_on_surface(kernel, ray); }
-  bool blocked(const blocking::Ray& ray, int target) const { return tree.blocked(kernel, ray, target); }
-};
-
-/// Candidates one by one; `search` answers for the whole surface.
-template <class Search>
-VisibilityCounters query_by(const Search& search, const Surface& surface, const RaySource& source,
-                            std::span<const int> candidates, std::span<std::uint8_t> lit) {
-  VisibilityCounters counters;
-  auto point_moved = blocking::Moved::no;
-  for (std::size_t k = 0; k < candidates.size(); ++k) {
-    blocking::Ray ray = blocking::make_ray(surface, candidates[k], source);
-    const bool shared = source.half_long == 0.0 && k > 0;  // a point source is looked for once
-    point_moved = ray.moved = shared ? point_moved : blocking::moved_if(search.source_on_surface(ray));
-    const bool faces = blocking::facing(search.kernel, ray, surface, candidates[k]) > 0;
-    lit[k] = faces && !search.blocked(ray, candidates[k]);
-    counters.facing_away += !faces;
-    counters.lit += lit[k];
-  }
-  counters.candidates = candidates.size();
-  counters.hidden = counters.candidates - counters.lit - counters.facing_away;
-  counters.exact_calls = search.kernel.calls;
-  return counters;
-}
+// Written before the first query, if at all.
+std::atomic<OtherRoute> tree_route{nullptr};
 
 }  // namespace
+
+void set_tree_route(OtherRoute route) {
+  tree_route = route;
+}
+bool has_route(VisibilityRoute route) {
+  return route != VisibilityRoute::cgal_tree || tree_route.load() != nullptr;
+}
 
 struct VisibilityQuery::Impl {
   int node_count;
@@ -152,18 +134,16 @@ VisibilityCounters VisibilityQuery::query(VisibilityRoute route, const Points& n
   impl_->fast.move_to(displacement_bound);  // refused or not, and whatever the route
   impl_->check(nodes, source, candidates);
   if (lit.size() != candidates.size()) refuse("lit has another size than candidates");
+  if (!has_route(route)) refuse("route cgal_tree is not part of this program, allowed: fast, brute_force");
   const Surface surface = impl_->surface(nodes);
   if (candidates.empty() || route != VisibilityRoute::fast) check_nodes(surface);
   if (candidates.empty()) return {};
   exact::Kernel kernel;
-  VisibilityCounters counters;
   switch (route) {
     case VisibilityRoute::brute_force:
       return query_by(BruteForce<exact::Kernel>{surface, kernel}, surface, source, candidates, lit);
     case VisibilityRoute::cgal_tree:
-      counters = query_by(TreeSearch{ElementTree(surface), kernel}, surface, source, candidates, lit);
-      counters.tree_builds = 1;
-      return counters;
+      return tree_route.load()(surface, source, candidates, lit);
     case VisibilityRoute::fast:
       break;
   }
