@@ -170,6 +170,9 @@ class CaseDocument {
   /// `overrides`, applied in order, are `key.path=value`, with the value in TOML syntax (a bare word is a
   /// string), or `unset key.path`. Throws CaseError.
   CaseDocument(const std::filesystem::path& file, const std::vector<std::string>& overrides);
+  /// The same of a text; `file` names it in messages, and files that it names are found from there.
+  static CaseDocument of_text(const std::string& toml_text, const std::filesystem::path& file,
+                              const std::vector<std::string>& overrides);
   ~CaseDocument();
   CaseDocument(CaseDocument&&) noexcept;
   TableReader root();
@@ -182,6 +185,9 @@ class CaseDocument {
   std::string text(const std::filesystem::path& folder) const;
 
  private:
+  CaseDocument(const std::string& toml_text, const std::filesystem::path& file,
+               const std::vector<std::string>& overrides);
+
   std::filesystem::path file_;
   std::unique_ptr<toml::table> table_;
   std::unique_ptr<CaseLog> log_;

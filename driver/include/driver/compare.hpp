@@ -88,4 +88,7 @@ struct Tolerance {
 Difference compare(const History& mine, const History& reference, const std::vector<std::string>& only = {},
                    const Tolerance& tolerance = {});
 
+/// The difference as JSON; `mine` and `reference` name the files.
+std::string json_of(const Difference& difference, const std::string& mine, const std::string& reference);
+
 }  // namespace driver

@@ -17,9 +17,14 @@ namespace driver {
 /// inaccurate: it came to its end, but the energy drifted by more than a hundredth (K.21).
 enum class RunStatus { done, inaccurate, interrupted, failed };
 
+/// Called after every step; `recorded`: the columns (columns.hpp) may be read.
+using LevelSink = std::function<void(bool recorded, const State&)>;
+
 struct RunOptions {
   bool quiet = false;
   int threads = 1;
+  LevelSink watch = {};             // after the files have got the level; may be empty
+  std::function<bool()> stop = {};  // asked before every step, instead of Ctrl-C
 };
 
 struct RunOutcome {
@@ -29,20 +34,21 @@ struct RunOutcome {
   double wall_seconds = 0.0;
 };
 
-/// Called after every step; `recorded`: the columns (columns.hpp) may be read.
-using LevelSink = std::function<void(bool recorded, const State&)>;
-
 /// Steps the scene to its end or to an interrupt, calling `sink` after each step and `fields` (may be empty)
 /// at each field output. Failures of the computation (exit code 3) are reported in the outcome, not thrown.
+/// `stop` (empty: Ctrl-C) is asked before every step.
 RunOutcome run_scene(const Scene& scene, State& state, const LevelSink& sink,
                      const std::function<void(const State&)>& fields = {},
-                     const Executor& executor = Executor::serial());
+                     const Executor& executor = Executor::serial(), const std::function<bool()>& stop = {});
 
 /// Runs and writes history.csv, energy.csv, summary.json (and fields) to `folder`.
 RunOutcome run_to_folder(const Scene& scene, const std::filesystem::path& folder,
                          const Provenance& provenance, const RunOptions& options);
 
-/// summary.json of a run, whatever its outcome. Throws WriteError.
+/// Text of summary.json of a run, whatever its outcome.
+std::string summary_text(const Scene& scene, const State& state, const RunOutcome& outcome,
+                         const Provenance& provenance);
+/// Writes it. Throws WriteError.
 void write_summary(const std::filesystem::path& file, const Scene& scene, const State& state,
                    const RunOutcome& outcome, const Provenance& provenance);
 

@@ -116,8 +116,17 @@ void apply_override(toml::table& root, const std::string& text) {
 }  // namespace
 
 CaseDocument::CaseDocument(const std::filesystem::path& file, const std::vector<std::string>& overrides)
+    : CaseDocument(read_text(file), file, overrides) {}
+
+CaseDocument CaseDocument::of_text(const std::string& toml_text, const std::filesystem::path& file,
+                                   const std::vector<std::string>& overrides) {
+  return {toml_text, file, overrides};
+}
+
+CaseDocument::CaseDocument(const std::string& toml_text, const std::filesystem::path& file,
+                           const std::vector<std::string>& overrides)
     : file_(file),
-      table_(std::make_unique<toml::table>(parse(read_text(file), file.string()))),
+      table_(std::make_unique<toml::table>(parse(toml_text, file.string()))),
       log_(std::make_unique<CaseLog>()) {
   log_->folder = file.parent_path();
   for (const auto& text : overrides) apply_override(*table_, text);

@@ -4,20 +4,15 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
 #include <fstream>
-#include <nlohmann/json.hpp>
 
 #include "case/number_text.hpp"
 #include "commands/commands.hpp"
-#include "commands/json_head.hpp"
 #include "driver/case_reader.hpp"
 #include "driver/results.hpp"
 
 namespace driver::commands {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 void print_text(const CompareArguments& a, const Difference& difference) {
   fmt::print("{} against {}", a.mine.string(), a.reference.string());
@@ -68,36 +63,6 @@ Tolerance tolerance_of(const std::vector<std::string>& options) {
   return tolerance;
 }
 
-Json to_json(const Peak& peak) {
-  return {{"value", peak.value}, {"time_s", peak.time}};
-}
-
-Json to_json(const QuantityDifference& q) {
-  Json object{{"verdict", verdict_name(q.verdict)}, {"reason", q.reason}};
-  if (q.values.empty()) return object;
-  object["max_error"] = to_json(q.largest);
-  object["l2_error"] = q.l2;
-  object["relative_error"] = q.relative ? Json(*q.relative) : Json();
-  if (!q.band.empty())
-    object["share_of_band"] = std::isfinite(q.share_of_band) ? Json(q.share_of_band) : Json();
-  object["phase_lag_s"] = q.phase_lag ? Json(*q.phase_lag) : Json();
-  object["peak"] = to_json(q.mine);
-  object["reference_peak"] = to_json(q.reference);
-  return object;
-}
-
-void print_json(const CompareArguments& a, const Difference& difference) {
-  auto object = json_head<Json>();
-  object.update({{"mine", a.mine.string()},
-                 {"reference", a.reference.string()},
-                 {"verdict", verdict_name(difference.verdict)},
-                 {"reason", difference.reason},
-                 {"rows", difference.time.size()},
-                 {"quantities", Json::object()}});
-  for (const auto& q : difference.quantities) object["quantities"][q.name] = to_json(q);
-  fmt::print("{}\n", object.dump(2));
-}
-
 void write_rows(const std::filesystem::path& file, const Difference& difference) {
   std::ofstream stream(file);
   if (!stream) throw OutputError(fmt::format("--rows {}: not writable", file.string()));
@@ -131,7 +96,10 @@ int compare(const CompareArguments& a) {
   const Difference difference = driver::compare(read_history(a.mine, a.map), read_history(a.reference),
                                                 names_of(a.columns), tolerance_of(a.tolerance));
   if (!a.rows.empty()) write_rows(a.rows, difference);
-  a.format == "json" ? print_json(a, difference) : print_text(a, difference);
+  if (a.format == "json")
+    fmt::print("{}\n", json_of(difference, a.mine.string(), a.reference.string()));
+  else
+    print_text(a, difference);
   return exit_code(difference.verdict);
 }
 

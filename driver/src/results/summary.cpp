@@ -134,8 +134,8 @@ Json counters(const Scene& scene, const State& state) {
 
 }  // namespace
 
-void write_summary(const std::filesystem::path& file, const Scene& scene, const State& state,
-                   const RunOutcome& outcome, const Provenance& lines) {
+std::string summary_text(const Scene& scene, const State& state, const RunOutcome& outcome,
+                         const Provenance& lines) {
   Json json{{"scene", scene.name}, {"status", status_name(outcome.status)}};
   if (!outcome.message.empty()) json["message"] = outcome.message;
   if (!outcome.warning.empty()) json["warnings"] = {outcome.warning};
@@ -153,9 +153,14 @@ void write_summary(const std::filesystem::path& file, const Scene& scene, const 
   if (scene.has_volume()) json["streams"] = streams(scene, state);
   json["counters"] = counters(scene, state);
   for (const auto& [key, value] : lines) json["build"][key] = value;
-  std::ofstream stream(file);
   // Paths and overrides may hold bytes that are no UTF-8.
-  stream << json.dump(2, ' ', false, Json::error_handler_t::replace) << std::endl;
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+}
+
+void write_summary(const std::filesystem::path& file, const Scene& scene, const State& state,
+                   const RunOutcome& outcome, const Provenance& lines) {
+  std::ofstream stream(file);
+  stream << summary_text(scene, state, outcome, lines) << std::flush;
   if (!stream) throw WriteError(file.string() + ": write failed");
 }
 

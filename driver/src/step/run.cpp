@@ -36,11 +36,11 @@ class Schedule {
 
 void run_steps(const Scene& scene, State& state, const LevelSink& sink,
                const std::function<void(const State&)>& fields, const Executor& executor,
-               RunOutcome& outcome) {
+               const std::function<bool()>& stop_wanted, RunOutcome& outcome) {
   Schedule history(scene.output.history_every), pictures(scene.output.fields_every);
   for (;;) {
     StepRequest request;
-    const bool stop = interrupted();
+    const bool stop = stop_wanted ? stop_wanted() : interrupted();
     request.last = stop || state.time >= scene.time.end;
     request.record = history.due(state.time) || request.last;
     if (fields && pictures.due(state.time)) request.before_advance = &fields;
@@ -69,7 +69,8 @@ void judge_drift(const Scene& scene, const State& state, RunOutcome& outcome) {
 }  // namespace
 
 RunOutcome run_scene(const Scene& scene, State& state, const LevelSink& sink,
-                     const std::function<void(const State&)>& fields, const Executor& executor) {
+                     const std::function<void(const State&)>& fields, const Executor& executor,
+                     const std::function<bool()>& stop) {
   RunOutcome outcome;
   const auto start = std::chrono::steady_clock::now();
   const auto fail = [&](const std::exception& error) {
@@ -78,7 +79,7 @@ RunOutcome run_scene(const Scene& scene, State& state, const LevelSink& sink,
                                   state.steps, error.what());
   };
   try {
-    run_steps(scene, state, sink, fields, executor, outcome);
+    run_steps(scene, state, sink, fields, executor, stop, outcome);
   } catch (const std::exception& error) {
     // A stage refused what an earlier one computed (a coordinate out of range, say), or memory ran out.
     fail(error);
@@ -99,14 +100,16 @@ RunOutcome run_to_folder(const Scene& scene, const std::filesystem::path& folder
   if (scene.output.fields_every > 0.0) pictures.emplace(folder, scene);
   const auto record = [&](bool recorded, const State& now) {
     progress.update(now.time);
-    if (!recorded) return;
-    history.write(scene, now);
-    energy.write(scene, now);
+    if (recorded) {
+      history.write(scene, now);
+      energy.write(scene, now);
+    }
+    if (options.watch) options.watch(recorded, now);
   };
   const auto fields = [&](const State& now) {
     if (pictures) pictures->write(now);
   };
-  const RunOutcome outcome = run_scene(scene, state, record, fields, Executor(options.threads));
+  const RunOutcome outcome = run_scene(scene, state, record, fields, Executor(options.threads), options.stop);
   history.flush();
   energy.flush();
   write_summary(folder / "summary.json", scene, state, outcome, lines);

@@ -1,0 +1,82 @@
+/* SPDX-License-Identifier: Apache-2.0
+ * Pendulum and contact of a sphere: libcoupling. Tags (K.n): docs/theory/coupling.md. */
+#ifndef GASJET_COUPLING_H
+#define GASJET_COUPLING_H
+
+#include <gasjet/base.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* Rigid pendulum with a sphere as impactor; both lie on one line through the pivot. */
+typedef struct gasjet_pendulum_model {
+  double pivot[3];          /* [m] */
+  double axis[3];           /* [-] the angle grows right-handed about it */
+  double rest_direction[3]; /* [-] pivot to centre of gravity at angle 0, normal to the axis */
+  double mass;              /* [kg] > 0 */
+  double inertia_cg;        /* [kg m2] >= 0 about the axis through the centre of gravity */
+  double cg_distance;       /* [m] >= 0 */
+  double impactor_distance; /* [m] > 0 */
+  double impactor_radius;   /* [m] > 0, at most impactor_distance */
+  double gravity[3];        /* [m/s2] */
+} gasjet_pendulum_model;
+
+/* The pendulum at an angle and an angular velocity. */
+typedef struct gasjet_pendulum_point {
+  double impactor_centre[3];   /* [m] */
+  double impactor_velocity[3]; /* [m/s] */
+  double cg_position[3];       /* [m] */
+  double gravity_moment;       /* [N m] about the axis */
+  double potential_energy;     /* [J] (K.7) */
+  double kinetic_energy;       /* [J] (K.7) */
+  double axis_inertia;         /* [kg m2] (K.2) */
+  double effective_mass;       /* [kg] (K.3) that a force along the impactor's path sees */
+} gasjet_pendulum_point;
+
+GASJET_API int gasjet_pendulum_evaluate(const gasjet_pendulum_model* model, double angle, double angular_velocity,
+                                        gasjet_pendulum_point* point);
+
+/* Moment about the axis [N m] of a force [N] that acts at a point [m]. */
+GASJET_API int gasjet_pendulum_moment(const gasjet_pendulum_model* model, const double force[3],
+                                      const double point[3], double* moment);
+
+/* Central difference (K.4): `angle` [rad] of time n, `angular_velocity` [rad/s] of n - 1/2 (at the start of time 0) go
+ * on to n + 1 and n + 1/2. moment [N m]: all moments at n, gravity_moment among them. dt_before [s] >= 0 led to n (0 at
+ * the start), dt_after [s] > 0 leaves it. */
+GASJET_API int gasjet_pendulum_advance(const gasjet_pendulum_model* model, double moment, double dt_before,
+                                       double dt_after, double* angle, double* angular_velocity);
+
+/* Contact of a rigid sphere with a skin by an energy over the skin (K.10). `mass` [kg] of each node,
+ * effective_mass [kg] > 0 of the sphere, radius [m] > 0, stiffness [N/m3] > 0, friction [-] >= 0. */
+GASJET_API int gasjet_contact_create(const double reference[], int64_t node_count,
+                                     const int64_t GASJET_OR_NULL reference_stride[], const int32_t triangles[],
+                                     int64_t triangle_count, const int64_t GASJET_OR_NULL triangle_stride[],
+                                     const double mass[], double effective_mass, double radius, double stiffness,
+                                     double friction, gasjet_handle* contact);
+
+/* One evaluation; `force` and `couple` act on the sphere. */
+typedef struct gasjet_contact_sums {
+  double force[3];         /* [N] */
+  double couple[3];        /* [N m] about the sphere's centre, of the friction */
+  double energy;           /* [J] */
+  double friction_loss;    /* [J] since the last call */
+  double area;             /* [m2] that touches */
+  double penetration;      /* [m] the deepest, 0 when nothing touches */
+  double frequency;        /* [1/s2] bound of the contact's omega^2 (K.12) */
+  int64_t deepest_element; /* -1 when nothing touches */
+} gasjet_contact_sums;
+
+/* Adds the contact's forces [N] to `force`, rows of three a node, 3 node_count numbers. Calls belong to the successive
+ * times of a run: the sphere's centre must not cross the skin between two. turn [rad]: of the sphere since the last call;
+ * only friction feels it. GASJET_DOMAIN if the sphere goes deeper than half its radius or crosses the skin; `force` is
+ * then not to be used. */
+GASJET_API int gasjet_contact_evaluate(gasjet_handle contact, const double nodes[], int64_t node_count,
+                                       const int64_t GASJET_OR_NULL node_stride[], const double centre[3],
+                                       const double GASJET_OR_NULL turn[3], double force[], int64_t force_count,
+                                       gasjet_contact_sums* sums);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,105 @@
+/* SPDX-License-Identifier: Apache-2.0
+ * Outlet, field and exact hidden elements of a gas jet: libjet. Tags (J.n): docs/theory/jet.md. */
+#ifndef GASJET_JET_H
+#define GASJET_JET_H
+
+#include <gasjet/base.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+enum gasjet_outlet_law {
+  GASJET_SONIC_STATIC = 0,     /* sonic, temperature of the moving gas (the paper's form) */
+  GASJET_SONIC_STAGNATION = 1, /* sonic, temperature of the chamber */
+  GASJET_PRESSURE_MATCHED = 2  /* of the chamber; subsonic at bag pressure where the sonic outlet's would be below it */
+};
+
+/* Uniform gas in an outlet. */
+typedef struct gasjet_outlet_state {
+  double velocity;    /* [m/s] V0 */
+  double density;     /* [kg/m3] rho0 */
+  double pressure;    /* [Pa] */
+  double temperature; /* [K] static */
+} gasjet_outlet_state;
+
+/* (J.1), (J.2): area [m2] > 0, mass_flow [kg/s] >= 0, temperature [K] > 0, cp > gas_constant > 0 [J/(kg K)],
+ * bag_pressure [Pa] > 0 (read by GASJET_PRESSURE_MATCHED alone). */
+GASJET_API int gasjet_outlet(int law, double area, double mass_flow, double temperature, double cp,
+                             double gas_constant, double bag_pressure, gasjet_outlet_state* state);
+
+/* Outlet and field. gasjet_jet_defaults sets what has a default; the rest is NaN and must be given where the shape
+ * or the spread reads it. */
+typedef struct gasjet_jet_model {
+  double centre[3];          /* [m] of the outlet */
+  double axis[3];            /* [-] into the bag, any length but 0 */
+  double radius;             /* [m] of a round outlet; NaN: rectangular */
+  double short_side;         /* [m] rectangular */
+  double long_side;          /* [m] rectangular */
+  double long_direction[3];  /* [-] rectangular: along the long side, normal to the axis */
+  double decay_coefficient;  /* [-] a of (J.3), (J.4) */
+  double cone_initial_width; /* [m] given: the width grows along a cone; NaN: by conservation of momentum */
+  double cone_half_angle;    /* [rad] of that cone, 0 to pi/2 */
+  double restitution;        /* [-] 0 to 1, default 1: complete reflection */
+  double cut_off;            /* [-] no load where (V/V_max)^2 is below, default 1e-3 */
+  int64_t radial;            /* not 0: velocity points away from the virtual origin; default 0: along the axis */
+} gasjet_jet_model;
+
+GASJET_API int gasjet_jet_defaults(gasjet_jet_model* model);
+
+/* A jet at a surface of triangles. null_elements close a hole: no load, and they never hide; attachment_elements
+ * around the outlet never hide. Element numbers from 0; NULL with count 0. */
+GASJET_API int gasjet_jet_create(const gasjet_jet_model* model, const int32_t triangles[], int64_t triangle_count,
+                                 const int64_t GASJET_OR_NULL triangle_stride[], int64_t node_count,
+                                 const int32_t GASJET_OR_NULL null_elements[], int64_t null_count,
+                                 const int32_t GASJET_OR_NULL attachment_elements[], int64_t attachment_count,
+                                 gasjet_handle* jet);
+
+/* What a query did: candidates = lit + hidden + facing_away. */
+typedef struct gasjet_visibility {
+  int64_t candidates;  /* elements asked about */
+  int64_t lit;         /* facing the source, nothing between */
+  int64_t hidden;      /* facing the source, but blocked */
+  int64_t facing_away; /* the source is on their outer side */
+} gasjet_visibility;
+
+/* Overpressure [Pa] of each element, dp = (1 + e) rho0 (V.n)^2 (J.6), 0 where hidden if `occlusion` is not 0; for the
+ * caller to put on the corners, dp S_e / 3 each. force [N]: sum of dp S_e. displacement_bound [m]: since the first call no
+ * node has moved farther (a sum that only grows); NaN: unknown. The result does not depend on it. */
+GASJET_API int gasjet_jet_pressure(gasjet_handle jet, const double nodes[], int64_t node_count,
+                                   const int64_t GASJET_OR_NULL node_stride[], double velocity, double density,
+                                   int occlusion, double displacement_bound, double overpressure[],
+                                   int64_t overpressure_count, double force[3],
+                                   gasjet_visibility* GASJET_OR_NULL counters);
+
+/* Velocity over that of the outlet, V/V0 [-], at points: rows of three in velocity, 3 point_count numbers. */
+GASJET_API int gasjet_jet_velocity(const gasjet_jet_model* model, const double points[], int64_t point_count,
+                                   const int64_t GASJET_OR_NULL point_stride[], double velocity[],
+                                   int64_t velocity_count);
+
+/* Where rays start. */
+typedef struct gasjet_source {
+  double centre[3];         /* [m] */
+  double axis[3];           /* [-] not 0: a source on the surface is moved so by a vanishing length */
+  double long_direction[3]; /* [-] unit; read if half_long > 0 */
+  double half_long;         /* [m] half the long side of a rectangular outlet; 0: a point */
+} gasjet_source;
+
+/* A surface that is asked again and again which of its elements a source sees; arguments as gasjet_jet_create. */
+GASJET_API int gasjet_surface_create(const int32_t triangles[], int64_t triangle_count,
+                                     const int64_t GASJET_OR_NULL triangle_stride[], int64_t node_count,
+                                     const int32_t GASJET_OR_NULL null_elements[], int64_t null_count,
+                                     const int32_t GASJET_OR_NULL attachment_elements[], int64_t attachment_count,
+                                     gasjet_handle* surface);
+
+/* lit[k] = 1 if candidates[k] (NULL: every element) is seen, exactly (J.7), else 0. displacement_bound as above. */
+GASJET_API int gasjet_surface_visible(gasjet_handle surface, const double nodes[], int64_t node_count,
+                                      const int64_t GASJET_OR_NULL node_stride[], const gasjet_source* source,
+                                      const int32_t GASJET_OR_NULL candidates[], int64_t candidate_count,
+                                      double displacement_bound, uint8_t lit[], int64_t lit_count,
+                                      gasjet_visibility* GASJET_OR_NULL counters);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,55 @@
+/* SPDX-License-Identifier: Apache-2.0
+ * Fabric of triangles around a volume: libmembrane. Tags (M.n): docs/theory/membrane.md. */
+#ifndef GASJET_MEMBRANE_H
+#define GASJET_MEMBRANE_H
+
+#include <gasjet/base.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* Isotropic fabric (M.2). */
+typedef struct gasjet_fabric_model {
+  double thickness;     /* [m] > 0 */
+  double density;       /* [kg/m3] > 0 */
+  double young_modulus; /* [Pa] > 0 */
+  double poisson;       /* [-] -1 to 1, ends left out */
+  int64_t wrinkles;     /* 0: carries compression; else: goes slack (tension field, M.3) */
+} gasjet_fabric_model;
+
+/* The membrane at given positions. */
+typedef struct gasjet_membrane_sums {
+  double volume;            /* [m3] enclosed (M.5) */
+  double area;              /* [m2] */
+  double mass;              /* [kg] of the fabric */
+  double strain_energy;     /* [J] */
+  double element_frequency; /* [1/s2] bound of the fabric's omega^2 (M.10) */
+  double gas_frequency;     /* [1/s2] that of the gas (M.11) */
+  double critical_step;     /* [s] largest stable step of the central difference (M.12) */
+} gasjet_membrane_sums;
+
+/* A membrane with its stress-free shape. null_elements close holes: they have no mass and no stress.
+ * fixed_nodes do not move: they count in no frequency. */
+GASJET_API int gasjet_membrane_create(const double reference[], int64_t node_count,
+                                      const int64_t GASJET_OR_NULL reference_stride[], const int32_t triangles[],
+                                      int64_t triangle_count, const int64_t GASJET_OR_NULL triangle_stride[],
+                                      const gasjet_fabric_model* fabric, const int32_t GASJET_OR_NULL null_elements[],
+                                      int64_t null_count, const int32_t GASJET_OR_NULL fixed_nodes[],
+                                      int64_t fixed_count, gasjet_handle* membrane);
+
+/* Mass of each node [kg]. */
+GASJET_API int gasjet_membrane_masses(gasjet_handle membrane, double mass[], int64_t mass_count);
+
+/* At positions `nodes` [m]: the fabric's forces [N] and the volume's gradient dV/dx [m2], rows of three a node (3
+ * node_count numbers, either may be NULL); the gas pushes with (p - p_a) dV/dx. gamma [-] >= 0 and the absolute pressure
+ * [Pa] >= 0 of the gas go into the critical step; 0: the pressure is prescribed. */
+GASJET_API int gasjet_membrane_evaluate(gasjet_handle membrane, const double nodes[], int64_t node_count,
+                                        const int64_t GASJET_OR_NULL node_stride[], double gamma, double pressure,
+                                        double GASJET_OR_NULL force[], double GASJET_OR_NULL gradient[],
+                                        int64_t vector_count, gasjet_membrane_sums* sums);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

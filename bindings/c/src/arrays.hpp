@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+// Arrays of a caller as the libraries take them: without a copy where the layout allows it.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "border.hpp"
+
+namespace border {
+
+/// Refuses a count that is negative or does not fit into an int; 0 too unless allowed.
+int count_of(int64_t count, std::string_view argument, int64_t least = 0);
+/// Refuses another count than `wanted`.
+void require_count(int64_t count, int64_t wanted, std::string_view argument);
+
+/// Rows of three doubles: a view where the components lie side by side, else a copy.
+class Points {
+ public:
+  using View = Eigen::Ref<const Eigen::Matrix3Xd, 0, Eigen::OuterStride<>>;
+  /// Refuses NULL and strides that no memory has; with `finite` a coordinate that is not, by its row.
+  Points(const double* data, int64_t count, const int64_t* stride, std::string_view argument,
+         bool finite = true);
+  Points(const Points&) = delete;
+  Points& operator=(const Points&) = delete;
+  const View& view() const { return view_; }
+
+ private:
+  Eigen::Matrix3Xd copy_;
+  View view_;
+};
+
+/// Rows of three node numbers from 0, copied. Refuses a number that is no node's, by its row.
+Eigen::Matrix3Xi triangles_of(const int32_t* data, int64_t count, const int64_t* stride, int64_t node_count);
+
+/// Element or node numbers; NULL with count 0.
+std::vector<int> numbers_of(const int32_t* data, int64_t count, int64_t below, std::string_view argument);
+
+/// Three finite numbers.
+Eigen::Vector3d vector_of(const double* data, std::string_view argument);
+void write_vector(const Eigen::Vector3d& from, double* to);
+
+/// An output array of `wanted` numbers.
+template <class T>
+std::span<T> output(T* data, int64_t count, int64_t wanted, std::string_view argument) {
+  needed(data, argument);
+  require_count(count, wanted, argument);
+  return {data, static_cast<std::size_t>(count)};
+}
+
+}  // namespace border

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gasjet/base.h>
+
+#include "border.hpp"
+
+const char* gasjet_version() {
+  return GASJET_VERSION;
+}
+
+const char* gasjet_last_error() {
+  return border::last_error();
+}
+
+int gasjet_free(gasjet_handle handle) {
+  return border::call([&] { border::release(handle); });
+}

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: Apache-2.0
+// What every function of the border does: exceptions become a status and a text, handles become objects.
+#pragma once
+
+#include <gasjet/base.h>
+
+#include <atomic>
+#include <concepts>
+#include <limits>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+namespace border {
+
+/// Bad input; what() is `argument: what, allowed`.
+struct Refusal : std::invalid_argument {
+  using std::invalid_argument::invalid_argument;
+};
+/// Any other status, with its text.
+struct Failure : std::runtime_error {
+  Failure(int which, const std::string& what) : std::runtime_error(what), status(which) {}
+  int status;
+};
+
+[[noreturn]] void refuse(std::string_view argument, const std::string& what);
+
+/// The text of this thread's last failure.
+const char* last_error() noexcept;
+/// Sets it and returns the status; cuts what is longer than the room for it.
+int fail(int status, const char* what) noexcept;
+/// The exception that is being handled, as a status.
+int fail_by_exception() noexcept;
+
+/// Runs a function of the interface: nothing is thrown out of it.
+template <std::invocable F>
+int call(F&& f) noexcept {
+  try {
+    f();
+    return fail(GASJET_OK, "");
+  } catch (...) {
+    return fail_by_exception();
+  }
+}
+
+/// What a handle stands for. Those that calls change are used by one thread at a time.
+struct Object {
+  virtual ~Object() = default;
+  std::atomic_flag busy = ATOMIC_FLAG_INIT;
+};
+
+gasjet_handle keep(std::shared_ptr<Object> object);
+/// Refuses what is no handle. `argument` names it.
+std::shared_ptr<Object> find(gasjet_handle handle, std::string_view argument);
+/// Refuses what is no handle, or in use.
+void release(gasjet_handle handle);
+
+/// The object of a handle during a call; alone, unless Type::shared.
+template <class Type>
+class Use {
+ public:
+  Use(gasjet_handle handle, std::string_view argument)
+      : object_(std::dynamic_pointer_cast<Type>(find(handle, argument))) {
+    if (!object_) refuse(argument, "is a handle of another kind, allowed: " + std::string(Type::name));
+    if (Type::shared) return;
+    if (object_->busy.test_and_set(std::memory_order_acquire))
+      throw Failure(GASJET_BUSY,
+                    std::string(argument) + ": is used by another thread, allowed: one at a time");
+    locked_ = true;
+  }
+  ~Use() {
+    if (locked_) object_->busy.clear(std::memory_order_release);
+  }
+  Use(const Use&) = delete;
+  Use& operator=(const Use&) = delete;
+  Type* operator->() const { return object_.get(); }
+  Type& operator*() const { return *object_; }
+
+ private:
+  std::shared_ptr<Type> object_;
+  bool locked_ = false;
+};
+
+/// Pointer arguments.
+template <class T>
+T& needed(T* pointer, std::string_view argument) {
+  if (pointer == nullptr) refuse(argument, "is NULL, allowed: an address");
+  return *pointer;
+}
+std::string text(const char* pointer, std::string_view argument);
+std::string text_or(const char* pointer, const char* otherwise);
+
+/// Refuses a number that is not finite, or out of [low, high].
+double number(double value, std::string_view argument, double low = -std::numeric_limits<double>::max(),
+              double high = std::numeric_limits<double>::max());
+/// Refuses a number that is not finite and above 0.
+double positive(double value, std::string_view argument);
+
+/// Writes `value` with a closing 0 into a caller's text; refuses a size that does not hold it.
+void write_text(const std::string& value, char* to, int64_t size, std::string_view argument);
+/// The same for a text whose size the caller may ask for.
+void write_sized(const std::string& value, char* to, int64_t size, int64_t* needed_size);
+
+/// A number as a message shows it.
+std::string shown(double value);
+
+}  // namespace border

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gasjet/coupling.h>
+
+#include "arrays.hpp"
+#include "coupling/pendulum.hpp"
+#include "coupling/sphere_contact.hpp"
+
+using namespace border;
+
+namespace {
+
+coupling::PendulumModel pendulum_of(const gasjet_pendulum_model* pointer) {
+  const gasjet_pendulum_model& given = needed(pointer, "model");
+  coupling::PendulumParameters parameters;
+  parameters.pivot = Eigen::Map<const Eigen::Vector3d>(given.pivot);
+  parameters.axis = Eigen::Map<const Eigen::Vector3d>(given.axis);
+  parameters.rest_direction = Eigen::Map<const Eigen::Vector3d>(given.rest_direction);
+  parameters.mass = given.mass;
+  parameters.inertia_cg = given.inertia_cg;
+  parameters.cg_distance = given.cg_distance;
+  parameters.impactor_distance = given.impactor_distance;
+  parameters.impactor_radius = given.impactor_radius;
+  parameters.gravity = Eigen::Map<const Eigen::Vector3d>(given.gravity);
+  return coupling::PendulumModel(parameters);
+}
+
+struct Contact : Object {
+  Contact(const Eigen::Matrix3Xi& triangles, const Points& reference, std::span<const double> masses,
+          double effective_mass, const coupling::ContactParameters& parameters)
+      : model(triangles, reference.view(), masses, effective_mass, parameters), state(model.make_state()) {}
+  static constexpr const char* name = "a contact";
+  static constexpr bool shared = false;
+
+  coupling::ContactModel model;
+  coupling::ContactState state;
+};
+
+}  // namespace
+
+int gasjet_pendulum_evaluate(const gasjet_pendulum_model* model, double angle, double angular_velocity,
+                             gasjet_pendulum_point* point) {
+  return call([&] {
+    const auto pendulum = pendulum_of(model);
+    number(angle, "angle");
+    number(angular_velocity, "angular_velocity");
+    gasjet_pendulum_point& out = needed(point, "point");
+    write_vector(pendulum.impactor_centre(angle), out.impactor_centre);
+    write_vector(pendulum.impactor_velocity(angle, angular_velocity), out.impactor_velocity);
+    write_vector(pendulum.cg_position(angle), out.cg_position);
+    out.gravity_moment = pendulum.gravity_moment(angle);
+    out.potential_energy = pendulum.potential_energy(angle);
+    out.kinetic_energy = pendulum.kinetic_energy(angular_velocity);
+    out.axis_inertia = pendulum.axis_inertia();
+    out.effective_mass = pendulum.effective_mass();
+  });
+}
+
+int gasjet_pendulum_moment(const gasjet_pendulum_model* model, const double force[3], const double point[3],
+                           double* moment) {
+  return call([&] {
+    const auto pendulum = pendulum_of(model);
+    needed(moment, "moment") = pendulum.moment(vector_of(force, "force"), vector_of(point, "point"));
+  });
+}
+
+int gasjet_pendulum_advance(const gasjet_pendulum_model* model, double moment, double dt_before,
+                            double dt_after, double* angle, double* angular_velocity) {
+  return call([&] {
+    const auto pendulum = pendulum_of(model);
+    number(moment, "moment");
+    number(dt_before, "dt_before", 0.0);
+    positive(dt_after, "dt_after");
+    const coupling::PendulumState now{
+        number(needed(angle, "angle"), "angle"),
+        number(needed(angular_velocity, "angular_velocity"), "angular_velocity")};
+    const auto next = pendulum.advance(now, moment, (dt_before + dt_after) / 2, dt_after);
+    *angle = next.angle;
+    *angular_velocity = next.angular_velocity;
+  });
+}
+
+int gasjet_contact_create(const double reference[], int64_t node_count, const int64_t reference_stride[],
+                          const int32_t triangles[], int64_t triangle_count, const int64_t triangle_stride[],
+                          const double mass[], double effective_mass, double radius, double stiffness,
+                          double friction, gasjet_handle* contact) {
+  return call([&] {
+    needed(contact, "contact");
+    const Points points(reference, node_count, reference_stride, "reference");
+    const auto elements = triangles_of(triangles, triangle_count, triangle_stride, node_count);
+    needed(mass, "mass");
+    *contact = keep(
+        std::make_shared<Contact>(elements, points, std::span(mass, static_cast<std::size_t>(node_count)),
+                                  effective_mass, coupling::ContactParameters{radius, stiffness, friction}));
+  });
+}
+
+int gasjet_contact_evaluate(gasjet_handle contact, const double nodes[], int64_t node_count,
+                            const int64_t node_stride[], const double centre[3], const double turn[3],
+                            double force[], int64_t force_count, gasjet_contact_sums* sums) {
+  return call([&] {
+    const Use<Contact> use(contact, "contact");
+    require_count(node_count, use->model.node_count(), "nodes");
+    const Points points(nodes, node_count, node_stride, "nodes");
+    const Eigen::Vector3d at = vector_of(centre, "centre");
+    const Eigen::Vector3d turned = turn == nullptr ? Eigen::Vector3d::Zero().eval() : vector_of(turn, "turn");
+    const auto out = output(force, force_count, 3 * node_count, "force");
+    needed(sums, "sums");
+    const auto result = use->model.evaluate(use->state, points.view(), at,
+                                            Eigen::Map<Eigen::Matrix3Xd>(out.data(), 3, node_count), turned);
+    write_vector(result.force, sums->force);
+    write_vector(result.couple, sums->couple);
+    sums->energy = result.energy;
+    sums->friction_loss = result.friction_loss;
+    sums->area = result.area;
+    sums->penetration = result.penetration;
+    sums->frequency = result.omega_squared();
+    sums->deepest_element = result.deepest_element;
+  });
+}

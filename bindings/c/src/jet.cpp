@@ -1,0 +1,255 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "jet/jet.hpp"
+
+#include <gasjet/jet.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <optional>
+
+#include "arrays.hpp"
+#include "jet/field.hpp"
+#include "jet/outlet.hpp"
+#include "jet/subdivision.hpp"
+#include "jet/visibility.hpp"
+
+using namespace border;
+
+namespace {
+
+jet::JetModel model_of(const gasjet_jet_model* pointer) {
+  const gasjet_jet_model& given = needed(pointer, "model");
+  jet::JetModel model;
+  model.shape = std::isnan(given.radius) ? jet::OutletShape::rectangular : jet::OutletShape::round;
+  model.centre = Eigen::Map<const Eigen::Vector3d>(given.centre);
+  model.axis = Eigen::Map<const Eigen::Vector3d>(given.axis);
+  model.long_direction = Eigen::Map<const Eigen::Vector3d>(given.long_direction);
+  model.radius = given.radius;
+  model.short_side = given.short_side;
+  model.long_side = given.long_side;
+  model.decay_coefficient = given.decay_coefficient;
+  model.spread = std::isnan(given.cone_initial_width) ? jet::Spread::momentum : jet::Spread::cone;
+  model.cone_initial_width = given.cone_initial_width;
+  model.cone_half_angle = given.cone_half_angle;
+  model.direction = given.radial != 0 ? jet::Direction::radial : jet::Direction::axial;
+  model.restitution = given.restitution;
+  model.cut_off = given.cut_off;
+  return jet::validated(model);
+}
+
+jet::RaySource source_of(const gasjet_source* pointer) {
+  const gasjet_source& given = needed(pointer, "source");
+  jet::RaySource source;
+  source.centre = vector_of(given.centre, "source.centre");
+  source.axis = vector_of(given.axis, "source.axis");
+  source.half_long = number(given.half_long, "source.half_long", 0.0);
+  if (source.half_long > 0.0)
+    source.long_direction = vector_of(given.long_direction, "source.long_direction");
+  return source;
+}
+
+void write_counters(const jet::VisibilityCounters& from, gasjet_visibility* to) {
+  if (to == nullptr) return;
+  *to = {static_cast<int64_t>(from.candidates), static_cast<int64_t>(from.lit),
+         static_cast<int64_t>(from.hidden), static_cast<int64_t>(from.facing_away)};
+}
+
+/// What jet and surface are made from.
+struct Skin {
+  Skin(const int32_t* data, int64_t count, const int64_t* stride, int64_t nodes, const int32_t* null_elements,
+       int64_t null_count, const int32_t* attachment_elements, int64_t attachment_count)
+      : triangles(triangles_of(data, count, stride, nodes)),
+        roles{numbers_of(null_elements, null_count, count, "null_elements"),
+              numbers_of(attachment_elements, attachment_count, count, "attachment_elements")},
+        node_count(nodes) {}
+
+  Eigen::Matrix3Xi triangles;
+  jet::SurfaceRoles roles;
+  int64_t node_count;
+};
+
+struct Surface : Object {
+  explicit Surface(const Skin& skin)
+      : query(skin.triangles, static_cast<int>(skin.node_count), skin.roles),
+        node_count(skin.node_count),
+        all(static_cast<std::size_t>(skin.triangles.cols())) {
+    std::iota(all.begin(), all.end(), 0);
+  }
+  static constexpr const char* name = "a surface";
+  static constexpr bool shared = false;
+
+  jet::VisibilityQuery query;
+  int64_t node_count;
+  std::vector<int> all;  // elements
+};
+
+struct Jet : Object {
+  Jet(const jet::JetModel& model, Skin given)
+      : skin(std::move(given)),
+        field(model, static_cast<int>(skin.triangles.cols()), skin.roles.null_elements),
+        source(jet::ray_source(field.model())),
+        query(skin.triangles, static_cast<int>(skin.node_count), skin.roles),
+        state(field.make_state()),
+        area_vectors(3, skin.triangles.cols()),
+        centroids(3, skin.triangles.cols()),
+        lit(static_cast<std::size_t>(skin.triangles.cols())) {}
+  static constexpr const char* name = "a jet";
+  static constexpr bool shared = false;
+
+  /// Area vectors and centroids of the elements.
+  void measure(const Points::View& nodes) {
+    for (Eigen::Index e = 0; e < skin.triangles.cols(); ++e) {
+      const Eigen::Vector3d a = nodes.col(skin.triangles(0, e));
+      const Eigen::Vector3d ab = nodes.col(skin.triangles(1, e)) - a,
+                            ac = nodes.col(skin.triangles(2, e)) - a;
+      area_vectors.col(e) = 0.5 * ab.cross(ac);
+    }
+    jet::corner_means(nodes, skin.triangles, centroids);
+  }
+  jet::VisibilityCounters hide(const Points::View& nodes, double displacement_bound) {
+    const std::span seen(lit.data(), state.candidates.size());
+    const auto counters =
+        query.query(jet::VisibilityRoute::fast, nodes, source, state.candidates, seen, displacement_bound);
+    jet::apply_mask(seen, state);
+    return counters;
+  }
+
+  Skin skin;
+  jet::JetField field;
+  jet::RaySource source;
+  jet::VisibilityQuery query;
+  jet::FieldState state;
+  Eigen::Matrix3Xd area_vectors, centroids;
+  std::vector<std::uint8_t> lit;
+};
+
+double bound_of(double displacement_bound) {
+  if (displacement_bound < 0.0 || std::isinf(displacement_bound))
+    refuse("displacement_bound", "is " + shown(displacement_bound) + ", allowed: 0 or more, NaN for unknown");
+  return displacement_bound;
+}
+
+/// Numbers of candidates of a call, or all elements.
+std::span<const int> candidates_of(const Surface& surface, const int32_t* candidates, int64_t count) {
+  static_assert(std::is_same_v<int32_t, int>);
+  if (candidates == nullptr) return surface.all;
+  const std::span<const int> asked(candidates, static_cast<std::size_t>(count_of(count, "candidate_count")));
+  const auto last = static_cast<int>(surface.all.size()) - 1;
+  for (const int element : asked)
+    if (element < 0 || element > last)
+      refuse("candidates",
+             "has the number " + std::to_string(element) + ", allowed: 0 to " + std::to_string(last));
+  return asked;
+}
+
+}  // namespace
+
+int gasjet_outlet(int law, double area, double mass_flow, double temperature, double cp, double gas_constant,
+                  double bag_pressure, gasjet_outlet_state* state) {
+  return call([&] {
+    if (law < GASJET_SONIC_STATIC || law > GASJET_PRESSURE_MATCHED)
+      refuse("law", "is " + std::to_string(law) + ", allowed: a gasjet_outlet_law, 0 to 2");
+    jet::OutletModel model;
+    model.law = law == GASJET_PRESSURE_MATCHED ? jet::OutletLaw::pressure_matched : jet::OutletLaw::sonic;
+    model.temperature = law == GASJET_SONIC_STATIC ? jet::OutletTemperature::static_value
+                                                   : jet::OutletTemperature::stagnation;
+    model.area = positive(area, "area");
+    number(mass_flow, "mass_flow", 0.0);
+    positive(temperature, "temperature");
+    positive(gas_constant, "gas_constant");
+    if (!(number(cp, "cp") > gas_constant))
+      refuse("cp", "is " + shown(cp) + ", allowed: above gas_constant, " + shown(gas_constant));
+    if (law == GASJET_PRESSURE_MATCHED) positive(bag_pressure, "bag_pressure");
+    jet::validate(model);
+    const auto out = jet::outlet_state(model, {mass_flow, temperature, cp, gas_constant, bag_pressure});
+    needed(state, "state") = {out.velocity, out.density, out.pressure, out.temperature};
+  });
+}
+
+int gasjet_jet_defaults(gasjet_jet_model* model) {
+  return call([&] {
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+    const jet::JetModel defaults;
+    needed(model, "model") = {
+        {nan, nan, nan},      {nan, nan, nan},  nan, nan, nan, {nan, nan, nan}, nan, nan, nan,
+        defaults.restitution, defaults.cut_off, 0};
+  });
+}
+
+int gasjet_jet_create(const gasjet_jet_model* model, const int32_t triangles[], int64_t triangle_count,
+                      const int64_t triangle_stride[], int64_t node_count, const int32_t null_elements[],
+                      int64_t null_count, const int32_t attachment_elements[], int64_t attachment_count,
+                      gasjet_handle* jet) {
+  return call([&] {
+    needed(jet, "jet");
+    const auto checked = model_of(model);
+    *jet = keep(std::make_shared<Jet>(
+        checked, Skin(triangles, triangle_count, triangle_stride, node_count, null_elements, null_count,
+                      attachment_elements, attachment_count)));
+  });
+}
+
+int gasjet_jet_pressure(gasjet_handle jet, const double nodes[], int64_t node_count,
+                        const int64_t node_stride[], double velocity, double density, int occlusion,
+                        double displacement_bound, double overpressure[], int64_t overpressure_count,
+                        double force[3], gasjet_visibility* counters) {
+  return call([&] {
+    const Use<Jet> use(jet, "jet");
+    require_count(node_count, use->skin.node_count, "nodes");
+    const Points points(nodes, node_count, node_stride, "nodes");
+    const auto out = output(overpressure, overpressure_count, use->skin.triangles.cols(), "overpressure");
+    needed(force, "force");
+    bound_of(displacement_bound);
+    const jet::OutletState outlet{number(velocity, "velocity", 0.0), number(density, "density", 0.0)};
+    use->measure(points.view());
+    use->field.evaluate(use->area_vectors, use->centroids, outlet, use->state, nullptr, displacement_bound);
+    jet::VisibilityCounters seen;
+    seen.candidates = seen.lit = use->state.candidates.size();
+    if (occlusion != 0) seen = use->hide(points.view(), displacement_bound);
+    std::copy(use->state.overpressure.begin(), use->state.overpressure.end(), out.begin());
+    write_vector(jet::jet_force(use->state, use->area_vectors), force);
+    write_counters(seen, counters);
+  });
+}
+
+int gasjet_jet_velocity(const gasjet_jet_model* model, const double points[], int64_t point_count,
+                        const int64_t point_stride[], double velocity[], int64_t velocity_count) {
+  return call([&] {
+    const auto checked = model_of(model);
+    const Points at(points, point_count, point_stride, "points");
+    const auto out = output(velocity, velocity_count, 3 * point_count, "velocity");
+    for (Eigen::Index i = 0; i < at.view().cols(); ++i)
+      write_vector(jet::relative_velocity(checked, at.view().col(i)), &out[static_cast<std::size_t>(3 * i)]);
+  });
+}
+
+int gasjet_surface_create(const int32_t triangles[], int64_t triangle_count, const int64_t triangle_stride[],
+                          int64_t node_count, const int32_t null_elements[], int64_t null_count,
+                          const int32_t attachment_elements[], int64_t attachment_count,
+                          gasjet_handle* surface) {
+  return call([&] {
+    needed(surface, "surface");
+    *surface = keep(
+        std::make_shared<Surface>(Skin(triangles, triangle_count, triangle_stride, node_count, null_elements,
+                                       null_count, attachment_elements, attachment_count)));
+  });
+}
+
+int gasjet_surface_visible(gasjet_handle surface, const double nodes[], int64_t node_count,
+                           const int64_t node_stride[], const gasjet_source* source,
+                           const int32_t candidates[], int64_t candidate_count, double displacement_bound,
+                           uint8_t lit[], int64_t lit_count, gasjet_visibility* counters) {
+  return call([&] {
+    const Use<Surface> use(surface, "surface");
+    require_count(node_count, use->node_count, "nodes");
+    const Points points(nodes, node_count, node_stride, "nodes", false);  // the query looks at those it needs
+    const auto from = source_of(source);
+    const auto asked = candidates_of(*use, candidates, candidate_count);
+    const auto out = output(lit, lit_count, static_cast<int64_t>(asked.size()), "lit");
+    write_counters(use->query.query(jet::VisibilityRoute::fast, points.view(), from, asked, out,
+                                    bound_of(displacement_bound)),
+                   counters);
+  });
+}

@@ -1,0 +1,200 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Gas, tank, jet, surface and membrane. SI units; names of results end with their unit."""
+from __future__ import annotations
+
+from typing import Any, Dict, Optional, Tuple
+
+import numpy as np
+
+from . import _gasjet
+from .arrays import NAN, NO_VECTOR, Vector, as_indices, mesh_arrays, row_count
+
+
+class Gas:
+    """A mixture by mole, "N2=0.78, O2=0.22", with NASA-7 heat capacities.
+
+    Species: N2 O2 Ar He H2 CO CO2 H2O NO N2O NH3 CH4. constant_cp_at [K]: cp is constant, its value at this temperature.
+    """
+
+    def __init__(self, composition: str, constant_cp_at: float = 0.0) -> None:
+        self._handle = _gasjet.gas(composition, constant_cp_at)
+
+    @classmethod
+    def ideal(cls, gas_constant: float, cp: float) -> Gas:
+        """A gas of constant cp [J/(kg K)] > gas_constant [J/(kg K)] > 0."""
+        made = cls.__new__(cls)
+        made._handle = _gasjet.ideal_gas(gas_constant, cp)
+        return made
+
+    def properties(self, temperature: float) -> Dict[str, float]:
+        """Of 1 kg at temperature [K]: gas constant, cp, cv, gamma, enthalpy, internal energy, speed of sound."""
+        return _gasjet.gas_values(self._handle, temperature)
+
+    def temperature(self, internal_energy: float) -> float:
+        """Temperature [K] from the internal energy [J/kg]."""
+        return _gasjet.gas_temperature(self._handle, internal_energy)
+
+    def entropy(self, temperature: float, pressure: float) -> float:
+        """[J/(kg K)] at temperature [K] and pressure [Pa]."""
+        return _gasjet.gas_entropy(self._handle, temperature, pressure)
+
+
+def orifice(effective_area: float, pressure: float, temperature: float, gas_constant: float, cp: float,
+            ambient_pressure: float) -> float:
+    """Mass flow [kg/s] of a hole of effective_area = Cd A [m2], sonic or subsonic."""
+    return _gasjet.orifice(effective_area, pressure, temperature, gas_constant, cp, ambient_pressure)
+
+
+def fabric_leak(leak_area: float, density: float, overpressure: float) -> float:
+    """Mass flow [kg/s] of porous fabric of leak_area = sum eta^2 A [m2] at overpressure [Pa]."""
+    return _gasjet.fabric(leak_area, density, overpressure)
+
+
+class Tank:
+    """A volume [m3] of gas at uniform pressure [Pa] and temperature [K], from time 0. Parts are added before the first advance."""
+
+    def __init__(self, gas: Gas, pressure: float, temperature: float, volume: float,
+                 ambient_pressure: float = 101325.0, tolerance: float = 1e-10) -> None:
+        self._handle = _gasjet.tank(gas._handle, pressure, temperature, volume, ambient_pressure, tolerance)
+        self._volume = volume
+
+    def add_inflow(self, gas: Gas, time: Any, mass_flow: Any, temperature: Any, start_time: float = 0.0) -> None:
+        """mass_flow [kg/s] and temperature [K] at knots time [s] since start_time; linear between, no flow outside."""
+        _gasjet.tank_add_inflow(self._handle, gas._handle, time, mass_flow, temperature, start_time)
+
+    def add_vent(self, area: float, discharge_coefficient: float = 1.0, opens_at: float = 0.0) -> None:
+        """A hole of area [m2]; it opens for good at the overpressure opens_at [Pa]; 0: always open."""
+        _gasjet.tank_add_vent(self._handle, discharge_coefficient, area, opens_at)
+
+    def add_fabric(self, leak_area: float) -> None:
+        """Porous fabric of leak_area = sum eta^2 A [m2]."""
+        _gasjet.tank_add_fabric(self._handle, leak_area)
+
+    def advance(self, time: float, volume: Optional[float] = None) -> Dict[str, float]:
+        """Goes on to time [s]; the volume changes linearly to `volume` [m3] (None: stays). Returns the state."""
+        new = self._volume if volume is None else volume
+        _gasjet.tank_advance(self._handle, time, new)
+        self._volume = new
+        return self.state
+
+    @property
+    def state(self) -> Dict[str, float]:
+        """Pressure, temperature, masses and flows now."""
+        return _gasjet.tank_state(self._handle)
+
+    @property
+    def balance(self) -> Dict[str, float]:
+        """What crossed the border since the start, and what does not balance."""
+        return _gasjet.tank_balance(self._handle)
+
+
+OUTLET_LAWS = ("sonic_static", "sonic_stagnation", "pressure_matched")
+
+
+def outlet(area: float, mass_flow: float, temperature: float, cp: float, gas_constant: float,
+           law: str = "sonic_static", bag_pressure: float = 101325.0) -> Dict[str, float]:
+    """Velocity, density, pressure and temperature in an outlet of area [m2]; law: one of OUTLET_LAWS."""
+    if law not in OUTLET_LAWS:
+        raise ValueError(f"law: is {law!r}, allowed: {', '.join(OUTLET_LAWS)}")
+    return _gasjet.outlet(OUTLET_LAWS.index(law), area, mass_flow, temperature, cp, gas_constant, bag_pressure)
+
+
+class Surface:
+    """Triangles that are asked again and again what a source sees of them; it keeps what makes the next answer fast."""
+
+    def __init__(self, triangles: Any, node_count: int, null_elements: Any = None, attachment_elements: Any = None) -> None:
+        _, elements = mesh_arrays(None, triangles)
+        self._elements = len(elements)
+        self._handle = _gasjet.surface(elements, node_count, as_indices(null_elements, "null_elements"),
+                                       as_indices(attachment_elements, "attachment_elements"))
+
+    def visible(self, nodes: Any, centre: Vector, axis: Vector, long_direction: Vector = NO_VECTOR, half_long: float = 0.0,
+                candidates: Any = None, displacement_bound: float = NAN) -> np.ndarray:
+        """Mask (bool) of the candidates (None: every element) that are seen from `centre` [m], exactly.
+
+        half_long [m] > 0: the source is a line along long_direction. displacement_bound [m]: no node has moved farther since
+        the first call; the answer does not depend on it.
+        """
+        some = None if candidates is None else as_indices(candidates, "candidates")
+        return _gasjet.surface_visible(self._handle, self._elements, nodes, centre, axis, long_direction, half_long, some,
+                                       displacement_bound)
+
+
+def visible(nodes: Any, triangles: Any = None, centre: Vector = (0.0, 0.0, 0.0), axis: Vector = (1.0, 0.0, 0.0),
+            long_direction: Vector = NO_VECTOR, half_long: float = 0.0, null_elements: Any = None,
+            attachment_elements: Any = None) -> np.ndarray:
+    """Mask (bool) of the triangles that are seen from `centre` [m], exactly.
+
+    nodes: (n, 3) doubles in any layout, [m]; triangles: (m, 3) integers, counter-clockwise seen from outside; or a meshio mesh
+    instead of both. An element is seen if its inner side faces the source and nothing stands between.
+    """
+    nodes, triangles = mesh_arrays(nodes, triangles)
+    return Surface(triangles, row_count(nodes), null_elements, attachment_elements).visible(
+        nodes, centre, axis, long_direction, half_long)
+
+
+class Jet:
+    """A gas jet out of a round outlet (radius [m]) or a rectangular one (short_side, long_side [m], long_direction).
+
+    decay_coefficient [-]: of the centreline. cone_initial_width [m], cone_half_angle [rad]: the width grows along a cone
+    instead of by conservation of momentum.
+    """
+
+    def __init__(self, centre: Vector, axis: Vector, *, decay_coefficient: float, radius: float = NAN, short_side: float = NAN,
+                 long_side: float = NAN, long_direction: Vector = NO_VECTOR, cone_initial_width: float = NAN,
+                 cone_half_angle: float = NAN, restitution: float = 1.0, cut_off: float = 1e-3, radial: bool = False) -> None:
+        self._model = _gasjet.jet_model(centre, axis, radius, short_side, long_side, long_direction, decay_coefficient,
+                                        cone_initial_width, cone_half_angle, restitution, cut_off, radial)
+        self._skin: Tuple[Any, Any, int] = (None, None, 0)
+        self.counters: Dict[str, int] = {}
+        self.velocity(np.zeros((1, 3)))  # judges the model
+
+    def velocity(self, points: Any) -> np.ndarray:
+        """Velocity over the outlet's at points (n, 3) [m]."""
+        return _gasjet.jet_velocity(self._model, points)
+
+    def pressure(self, nodes: Any, triangles: Any = None, *, velocity: float, density: float, occlusion: bool = True,
+                 null_elements: Any = None, attachment_elements: Any = None,
+                 displacement_bound: float = NAN) -> Tuple[np.ndarray, np.ndarray]:
+        """Overpressure [Pa] of each triangle and the force [N] of all; `counters` says what was lit and hidden.
+
+        velocity [m/s] and density [kg/m3] are those of the outlet. What is known of a surface is kept for the next call
+        with equal triangles; see Surface for displacement_bound.
+        """
+        nodes, triangles = mesh_arrays(nodes, triangles)
+        roles = (as_indices(null_elements, "null_elements"), as_indices(attachment_elements, "attachment_elements"))
+        key = (triangles, *roles)
+        handle, known, count = self._skin
+        if handle is None or count != row_count(nodes) or not all(map(np.array_equal, known, key)):
+            count = row_count(nodes)
+            handle = _gasjet.jet(self._model, triangles, count, *roles)
+            self._skin = (handle, tuple(part.copy() for part in key), count)
+        pressure, force, self.counters = _gasjet.jet_pressure(handle, len(triangles), nodes, velocity, density, occlusion,
+                                                              displacement_bound)
+        return pressure, force
+
+
+class Membrane:
+    """Isotropic fabric of triangles: thickness [m], density [kg/m3], young_modulus [Pa], poisson [-].
+
+    reference: the stress-free shape. wrinkles: goes slack instead of carrying compression.
+    """
+
+    def __init__(self, reference: Any, triangles: Any = None, *, thickness: float, density: float, young_modulus: float,
+                 poisson: float, wrinkles: bool = True, null_elements: Any = None, fixed_nodes: Any = None) -> None:
+        reference, triangles = mesh_arrays(reference, triangles)
+        self._handle = _gasjet.membrane(reference, triangles, thickness, density, young_modulus, poisson, wrinkles,
+                                        as_indices(null_elements, "null_elements"), as_indices(fixed_nodes, "fixed_nodes"))
+        self._nodes = row_count(reference)
+
+    @property
+    def masses(self) -> np.ndarray:
+        """Mass of each node [kg]."""
+        return _gasjet.membrane_masses(self._handle, self._nodes)
+
+    def evaluate(self, nodes: Any, gamma: float = 0.0, pressure: float = 0.0) -> Dict[str, Any]:
+        """Forces, volume, its gradient, energy and critical step at positions nodes (n, 3) [m].
+
+        gamma [-] and absolute pressure [Pa] of the gas go into the critical step; 0: the pressure is prescribed.
+        """
+        return _gasjet.membrane_evaluate(self._handle, nodes, gamma, pressure)

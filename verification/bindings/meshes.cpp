@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "meshes.hpp"
+
+#include <map>
+
+namespace border_test {
+namespace {
+
+/// Adds one side: corner + i u + j v, seen from outside u, v run counter-clockwise.
+class BoxBuilder {
+ public:
+  BoxBuilder(int n, double size, double low) : n_(n), size_(size), low_(low) {}
+  void side(const std::array<int, 3>& corner, const std::array<int, 3>& u, const std::array<int, 3>& v) {
+    for (int i = 0; i < n_; ++i)
+      for (int j = 0; j < n_; ++j) {
+        const auto at = [&](int a, int b) {
+          std::array<int, 3> place{};
+          for (std::size_t k = 0; k < 3; ++k) place[k] = n_ * corner[k] + (i + a) * u[k] + (j + b) * v[k];
+          return node(place);
+        };
+        const int32_t a = at(0, 0), b = at(1, 0), c = at(1, 1), d = at(0, 1);
+        mesh_.triangles.insert(mesh_.triangles.end(), {a, b, c, a, c, d});
+      }
+  }
+  Mesh mesh() { return std::move(mesh_); }
+
+ private:
+  int32_t node(const std::array<int, 3>& place) {
+    const auto [found, is_new] = numbers_.emplace(place, static_cast<int32_t>(numbers_.size()));
+    if (is_new)
+      for (const int k : place) mesh_.nodes.push_back(low_ + size_ * k / n_);
+    return found->second;
+  }
+  int n_;
+  double size_, low_;
+  Mesh mesh_;
+  std::map<std::array<int, 3>, int32_t> numbers_;
+};
+
+}  // namespace
+
+Mesh box(int n, double size, double low) {
+  BoxBuilder builder(n, size, low);
+  const std::array<int, 3> x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1}, o{0, 0, 0};
+  builder.side(o, y, x);  // below
+  builder.side(z, x, y);  // above
+  builder.side(o, x, z);  // front
+  builder.side(y, z, x);  // back
+  builder.side(o, z, y);  // left
+  builder.side(x, y, z);  // right
+  return builder.mesh();
+}
+
+std::vector<Layout> layouts_of(const std::vector<double>& rows) {
+  const auto count = static_cast<std::ptrdiff_t>(rows.size() / 3);
+  const auto make = [&](std::ptrdiff_t size, std::ptrdiff_t first, int64_t row, int64_t component) {
+    Layout layout{std::vector<double>(static_cast<std::size_t>(size), kNan), first, {row, component}};
+    for (std::ptrdiff_t i = 0; i < count; ++i)
+      for (std::ptrdiff_t k = 0; k < 3; ++k)
+        layout.data[static_cast<std::size_t>(first + i * row + k * component)] =
+            rows[static_cast<std::size_t>(3 * i + k)];
+    return layout;
+  };
+  return {make(3 * count, 0, 3, 1), make(4 * count, 0, 4, 1),
+          make(3 * count, 0, 1, count),  // Fortran order of (n, 3)
+          make(12 * count, 1, 12, 2), make(3 * count, 3 * (count - 1), -3, 1)};
+}
+
+gasjet_jet_model round_jet() {
+  gasjet_jet_model model;
+  EXPECT_EQ(gasjet_jet_defaults(&model), GASJET_OK);
+  for (int i = 0; i < 3; ++i) model.centre[i] = 0.0, model.axis[i] = i == 0 ? 1.0 : 0.0;
+  model.radius = 0.02;
+  model.decay_coefficient = 0.08;
+  return model;
+}
+
+gasjet_pendulum_model pendulum() {
+  return {{0.0, 0.0, 1.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, -1.0}, 5.0, 0.3, 0.7, 0.9, 0.08, {0.0, 0.0, -9.81}};
+}
+
+}  // namespace border_test
