@@ -21,7 +21,6 @@ program airbag
   do e = 1, int(m)
     rest(:, e) = [(norm2(x(:, t(mod(i, 3) + 1, e)) - x(:, t(i, e))), i = 1, 3)]
   end do
-  where (x(1, :) > 0.2d0) x(1, :) = 0.4d0 - x(1, :)             ! a dent, whose rim hides what is behind it
   call check(gasjet_jet_defaults(model))
   model%centre = 0d0
   model%axis = [1d0, 0d0, 0d0]

@@ -9,6 +9,7 @@ import numpy as np
 Vector = Sequence[float]
 NAN = float("nan")
 NO_VECTOR = (NAN, NAN, NAN)
+NO_INDICES = np.zeros(0, np.int32)
 
 
 def mesh_arrays(nodes: Any, triangles: Any) -> Tuple[Any, Any]:
@@ -20,7 +21,17 @@ def mesh_arrays(nodes: Any, triangles: Any) -> Tuple[Any, Any]:
         if "triangle" not in cells:
             raise TypeError(f"nodes: the mesh has {sorted(cells)}, allowed: a mesh with triangles")
         nodes, triangles = nodes.points, cells["triangle"]
-    return nodes, as_triangles(triangles)
+    return as_points(nodes, "nodes"), as_triangles(triangles)
+
+
+def as_points(given: Any, name: str) -> Any:
+    """An array as it is; lists and the like as one."""
+    if isinstance(given, np.ndarray):
+        return given
+    try:
+        return np.asarray(given, float)
+    except (TypeError, ValueError):
+        raise TypeError(f"{name}: are no numbers, allowed: an array (n, 3) of float64") from None
 
 
 def as_triangles(triangles: Any) -> np.ndarray:
@@ -38,15 +49,12 @@ def as_triangles(triangles: Any) -> np.ndarray:
 def as_indices(numbers: Any, name: str) -> np.ndarray:
     """Element or node numbers; None is none."""
     if numbers is None:
-        return np.zeros(0, np.int32)
+        return NO_INDICES
     array = np.asarray(numbers)
+    if array.dtype == np.int32 and array.ndim == 1:
+        return array
     if array.size == 0:
-        return np.zeros(0, np.int32)
+        return NO_INDICES
     if array.dtype.kind not in "iu" or array.ndim != 1:
         raise TypeError(f"{name}: are {array.dtype} in {array.ndim} dimensions, allowed: a list of integers")
     return np.ascontiguousarray(np.clip(array, -1, 2**31 - 1), np.int32)
-
-
-def row_count(nodes: Any) -> int:
-    """Number of rows of what is an array, or becomes one."""
-    return len(nodes) if hasattr(nodes, "__len__") else 0

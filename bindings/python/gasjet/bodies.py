@@ -7,7 +7,7 @@ from typing import Any, Dict, Optional, Tuple
 import numpy as np
 
 from . import _gasjet
-from .arrays import NAN, NO_VECTOR, Vector, as_indices, mesh_arrays, row_count
+from .arrays import NAN, NO_VECTOR, Vector, as_indices, as_points, as_triangles, mesh_arrays
 
 
 class Gas:
@@ -103,7 +103,7 @@ class Surface:
     """Triangles that are asked again and again what a source sees of them; it keeps what makes the next answer fast."""
 
     def __init__(self, triangles: Any, node_count: int, null_elements: Any = None, attachment_elements: Any = None) -> None:
-        _, elements = mesh_arrays(None, triangles)
+        elements = as_triangles(triangles)
         self._elements = len(elements)
         self._handle = _gasjet.surface(elements, node_count, as_indices(null_elements, "null_elements"),
                                        as_indices(attachment_elements, "attachment_elements"))
@@ -116,7 +116,7 @@ class Surface:
         the first call; the answer does not depend on it.
         """
         some = None if candidates is None else as_indices(candidates, "candidates")
-        return _gasjet.surface_visible(self._handle, self._elements, nodes, centre, axis, long_direction, half_long, some,
+        return _gasjet.surface_visible(self._handle, self._elements, as_points(nodes, "nodes"), centre, axis, long_direction, half_long, some,
                                        displacement_bound)
 
 
@@ -129,7 +129,7 @@ def visible(nodes: Any, triangles: Any = None, centre: Vector = (0.0, 0.0, 0.0),
     instead of both. An element is seen if its inner side faces the source and nothing stands between.
     """
     nodes, triangles = mesh_arrays(nodes, triangles)
-    return Surface(triangles, row_count(nodes), null_elements, attachment_elements).visible(
+    return Surface(triangles, len(nodes), null_elements, attachment_elements).visible(
         nodes, centre, axis, long_direction, half_long)
 
 
@@ -151,7 +151,7 @@ class Jet:
 
     def velocity(self, points: Any) -> np.ndarray:
         """Velocity over the outlet's at points (n, 3) [m]."""
-        return _gasjet.jet_velocity(self._model, points)
+        return _gasjet.jet_velocity(self._model, as_points(points, "points"))
 
     def pressure(self, nodes: Any, triangles: Any = None, *, velocity: float, density: float, occlusion: bool = True,
                  null_elements: Any = None, attachment_elements: Any = None,
@@ -165,8 +165,8 @@ class Jet:
         roles = (as_indices(null_elements, "null_elements"), as_indices(attachment_elements, "attachment_elements"))
         key = (triangles, *roles)
         handle, known, count = self._skin
-        if handle is None or count != row_count(nodes) or not all(map(np.array_equal, known, key)):
-            count = row_count(nodes)
+        if handle is None or count != len(nodes) or not all(map(np.array_equal, known, key)):
+            count = len(nodes)
             handle = _gasjet.jet(self._model, triangles, count, *roles)
             self._skin = (handle, tuple(part.copy() for part in key), count)
         pressure, force, self.counters = _gasjet.jet_pressure(handle, len(triangles), nodes, velocity, density, occlusion,
@@ -185,7 +185,7 @@ class Membrane:
         reference, triangles = mesh_arrays(reference, triangles)
         self._handle = _gasjet.membrane(reference, triangles, thickness, density, young_modulus, poisson, wrinkles,
                                         as_indices(null_elements, "null_elements"), as_indices(fixed_nodes, "fixed_nodes"))
-        self._nodes = row_count(reference)
+        self._nodes = len(reference)
 
     @property
     def masses(self) -> np.ndarray:
@@ -197,4 +197,4 @@ class Membrane:
 
         gamma [-] and absolute pressure [Pa] of the gas go into the critical step; 0: the pressure is prescribed.
         """
-        return _gasjet.membrane_evaluate(self._handle, nodes, gamma, pressure)
+        return _gasjet.membrane_evaluate(self._handle, as_points(nodes, "nodes"), gamma, pressure)
