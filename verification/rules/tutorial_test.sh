@@ -6,6 +6,8 @@ set -euo pipefail
 tutorial=$1
 program=$2
 export GASJET=$3
+BUILD=$(dirname "$program")
+export BUILD
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 mkdir "$scratch/blocks" "$scratch/bin" "$scratch/work"

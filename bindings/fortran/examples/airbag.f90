@@ -30,9 +30,9 @@ program airbag
                                attachment_count=0_c_int64_t, jet=jet))
   call check(gasjet_outlet(GASJET_SONIC_STAGNATION, outlet, flow, hot, cp, r, p_air, state))
   call surface()
-  energy = p_air * volume / (cp / r - 1d0)                     ! U = p V / (gamma - 1)
+  energy = p_air * volume * (cp / r - 1d0)                     ! U = p V / (gamma - 1)
   do i = 1, 1000
-    p = energy * (cp / r - 1d0) / volume
+    p = energy / (cp / r - 1d0) / volume
     call check(gasjet_jet_pressure(jet, x, n, velocity=state%velocity, density=state%density, occlusion=1, &
       displacement_bound=ieee_nan(), overpressure=dp, overpressure_count=m, force=jet_force, counters=seen))
     f = 0d0
