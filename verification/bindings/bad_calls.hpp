@@ -4,6 +4,8 @@
 
 #include <gasjet_exact.h>
 
+#include <cstdio>
+
 #include "meshes.hpp"
 
 namespace border_test {
@@ -42,6 +44,10 @@ struct BadCalls : testing::Test {
       refused(call(handle), argument);
   }
 
+  void TearDown() override {
+    RecordProperty("bad_calls", calls);
+    std::printf("%d bad calls\n", calls);
+  }
   void SetUp() override {
     ASSERT_OK(gasjet_gas_create("N2=1", 0.0, &gas.value));
     ASSERT_OK(gasjet_tank_create(gas.value, 2e5, 300.0, 0.1, 1e5, 1e-8, &tank.value));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Calls with something wrong: a status that is not GASJET_OK, a text that begins with the argument's name,
-// outputs as they were. Each test says how many of them it makes; all together make 300 or more.
+// outputs as they were. Each test prints how many it makes: more than 300 all together.
 #include <atomic>
 #include <functional>
 #include <thread>

@@ -57,7 +57,7 @@ case $part in
     true
     ;;
   pkg_config)
-    cmake --install "$build" --prefix "$folder/prefix" --component gasjet_c >/dev/null
+    cmake --install "$build" --prefix "$folder/prefix" --component c >/dev/null
     PKG_CONFIG_PATH=$(dirname "$(find "$folder/prefix" -name gasjet.pc)")
     export PKG_CONFIG_PATH
     cp "$source"/bindings/c/examples/* "$folder"

@@ -1,5 +1,5 @@
-/* SPDX-License-Identifier: Apache-2.0
- *
+// SPDX-License-Identifier: Apache-2.0
+/*
  * Gasjet for C, C++ and Fortran: plain arrays with sizes and strides, SI units.
  *
  * Every function returns a gasjet_status. If that is not GASJET_OK, gasjet_last_error() says what is wrong and what

@@ -1,5 +1,5 @@
-/* SPDX-License-Identifier: Apache-2.0
- *
+// SPDX-License-Identifier: Apache-2.0
+/*
  * Closed forms by name: what the command `gasjet exact` does. A shared library of its own, because it links GSL: a
  * program that links it falls under the GPL, version 3 or later. Conventions as in gasjet.h; the library has its own
  * handles and its own last error. */

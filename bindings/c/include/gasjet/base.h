@@ -1,5 +1,5 @@
-/* SPDX-License-Identifier: Apache-2.0
- * What all parts share: status, error text, handles. */
+// SPDX-License-Identifier: Apache-2.0
+/* What all parts share: status, error text, handles. */
 #ifndef GASJET_BASE_H
 #define GASJET_BASE_H
 

@@ -1,5 +1,5 @@
-/* SPDX-License-Identifier: Apache-2.0
- * Pendulum and contact of a sphere: libcoupling. Tags (K.n): docs/theory/coupling.md. */
+// SPDX-License-Identifier: Apache-2.0
+/* Pendulum and contact of a sphere: libcoupling. Tags (K.n): docs/theory/coupling.md. */
 #ifndef GASJET_COUPLING_H
 #define GASJET_COUPLING_H
 

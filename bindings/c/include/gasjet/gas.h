@@ -1,5 +1,5 @@
-/* SPDX-License-Identifier: Apache-2.0
- * Thermodynamics, outflow laws, and a tank: libgas. Equation tags (G.n) are those of docs/theory/gas.md. */
+// SPDX-License-Identifier: Apache-2.0
+/* Thermodynamics, outflow laws, and a tank: libgas. Equation tags (G.n) are those of docs/theory/gas.md. */
 #ifndef GASJET_GAS_H
 #define GASJET_GAS_H
 

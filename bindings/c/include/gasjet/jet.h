@@ -1,5 +1,5 @@
-/* SPDX-License-Identifier: Apache-2.0
- * Outlet, field and exact hidden elements of a gas jet: libjet. Tags (J.n): docs/theory/jet.md. */
+// SPDX-License-Identifier: Apache-2.0
+/* Outlet, field and exact hidden elements of a gas jet: libjet. Tags (J.n): docs/theory/jet.md. */
 #ifndef GASJET_JET_H
 #define GASJET_JET_H
 

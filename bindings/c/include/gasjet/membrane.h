@@ -1,5 +1,5 @@
-/* SPDX-License-Identifier: Apache-2.0
- * Fabric of triangles around a volume: libmembrane. Tags (M.n): docs/theory/membrane.md. */
+// SPDX-License-Identifier: Apache-2.0
+/* Fabric of triangles around a volume: libmembrane. Tags (M.n): docs/theory/membrane.md. */
 #ifndef GASJET_MEMBRANE_H
 #define GASJET_MEMBRANE_H
 

@@ -1,5 +1,5 @@
-/* SPDX-License-Identifier: Apache-2.0
- * Whole runs and the comparison of histories: what the commands `gasjet run` and `gasjet compare` do. */
+// SPDX-License-Identifier: Apache-2.0
+/* Whole runs and the comparison of histories: what the commands `gasjet run` and `gasjet compare` do. */
 #ifndef GASJET_RUN_H
 #define GASJET_RUN_H
 

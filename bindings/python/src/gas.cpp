@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: Apache-2.0
+// Gas, outflow and tank.
+#include "module.hpp"
+
+namespace {
+
+Owner gas(const std::string& composition, double constant_cp_at) {
+  gasjet_handle handle = 0;
+  check(gasjet_gas_create(composition.c_str(), constant_cp_at, &handle));
+  return std::make_unique<Handle>(handle);
+}
+
+Owner ideal_gas(double gas_constant, double cp) {
+  gasjet_handle handle = 0;
+  check(gasjet_gas_create_ideal(gas_constant, cp, &handle));
+  return std::make_unique<Handle>(handle);
+}
+
+py::dict gas_values(const Handle& gas, double temperature) {
+  gasjet_gas_values v;
+  check(gasjet_gas_evaluate(gas.value, temperature, &v));
+  py::dict all;
+  all["gas_constant_J_kgK"] = v.gas_constant;
+  all["cp_J_kgK"] = v.cp;
+  all["cv_J_kgK"] = v.cv;
+  all["gamma"] = v.gamma;
+  all["enthalpy_J_kg"] = v.enthalpy;
+  all["internal_energy_J_kg"] = v.internal_energy;
+  all["speed_of_sound_m_s"] = v.speed_of_sound;
+  return all;
+}
+
+double gas_temperature(const Handle& gas, double internal_energy) {
+  double temperature = 0.0;
+  check(gasjet_gas_temperature(gas.value, internal_energy, &temperature));
+  return temperature;
+}
+
+double gas_entropy(const Handle& gas, double temperature, double pressure) {
+  double entropy = 0.0;
+  check(gasjet_gas_entropy(gas.value, temperature, pressure, &entropy));
+  return entropy;
+}
+
+double orifice(double area, double pressure, double temperature, double gas_constant, double cp,
+               double ambient) {
+  double flow = 0.0;
+  check(gasjet_orifice(area, pressure, temperature, gas_constant, cp, ambient, &flow));
+  return flow;
+}
+
+double fabric(double leak_area, double density, double overpressure) {
+  double flow = 0.0;
+  check(gasjet_fabric(leak_area, density, overpressure, &flow));
+  return flow;
+}
+
+Owner tank(const Handle& gas, double pressure, double temperature, double volume, double ambient,
+           double tolerance) {
+  gasjet_handle handle = 0;
+  check(gasjet_tank_create(gas.value, pressure, temperature, volume, ambient, tolerance, &handle));
+  return std::make_unique<Handle>(handle);
+}
+
+void add_inflow(const Handle& tank, const Handle& gas, const Numbers& time, const Numbers& mass_flow,
+                const Numbers& temperature, double start_time) {
+  if (mass_flow.size() != time.size() || temperature.size() != time.size())
+    wrong_type("mass_flow, temperature",
+               "have " + std::to_string(mass_flow.size()) + " and " + std::to_string(temperature.size()) +
+                   " numbers, allowed: as many as time, " + std::to_string(time.size()));
+  check(gasjet_tank_add_inflow(tank.value, gas.value, time.size(), time.data(), mass_flow.data(),
+                               temperature.data(), start_time));
+}
+
+py::dict tank_state(const Handle& tank) {
+  gasjet_tank_state s;
+  check(gasjet_tank_read(tank.value, &s));
+  py::dict all;
+  all["time_s"] = s.time;
+  all["pressure_Pa"] = s.pressure;
+  all["temperature_K"] = s.temperature;
+  all["volume_m3"] = s.volume;
+  all["gas_mass_kg"] = s.mass;
+  all["internal_energy_J"] = s.internal_energy;
+  all["density_kg_m3"] = s.density;
+  all["gamma"] = s.gamma;
+  all["cp_J_kgK"] = s.cp;
+  all["gas_constant_J_kgK"] = s.gas_constant;
+  all["inflow_kg_s"] = s.inflow;
+  all["vent_outflow_kg_s"] = s.vent_outflow;
+  all["fabric_outflow_kg_s"] = s.fabric_outflow;
+  return all;
+}
+
+py::dict tank_balance(const Handle& tank) {
+  gasjet_tank_balance b;
+  check(gasjet_tank_read_balance(tank.value, &b));
+  py::dict all;
+  all["mass_in_kg"] = b.mass_in;
+  all["enthalpy_in_J"] = b.enthalpy_in;
+  all["vent_mass_out_kg"] = b.vent_mass_out;
+  all["fabric_mass_out_kg"] = b.fabric_mass_out;
+  all["enthalpy_out_J"] = b.enthalpy_out;
+  all["work_J"] = b.work;
+  all["mass_residual_kg"] = b.mass_residual;
+  all["energy_residual_J"] = b.energy_residual;
+  all["substeps"] = b.substeps;
+  return all;
+}
+
+}  // namespace
+
+void add_gas(py::module_& m) {
+  m.def("gas", &gas);
+  m.def("ideal_gas", &ideal_gas);
+  m.def("gas_values", &gas_values);
+  m.def("gas_temperature", &gas_temperature);
+  m.def("gas_entropy", &gas_entropy);
+  m.def("orifice", &orifice);
+  m.def("fabric", &fabric);
+  m.def("tank", &tank);
+  m.def("tank_add_inflow", &add_inflow);
+  m.def("tank_add_vent", [](const Handle& tank, double cd, double area, double at) {
+    check(gasjet_tank_add_vent(tank.value, cd, area, at));
+  });
+  m.def("tank_add_fabric",
+        [](const Handle& tank, double area) { check(gasjet_tank_add_fabric(tank.value, area)); });
+  m.def("tank_advance", [](const Handle& tank, double time, double volume) {
+    unlocked([&] { return gasjet_tank_advance(tank.value, time, volume); });
+  });
+  m.def("tank_state", &tank_state);
+  m.def("tank_balance", &tank_balance);
+}

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: Apache-2.0
+// Whole runs and the comparison.
+#include <optional>
+
+#include "module.hpp"
+
+namespace {
+
+/// What a run calls: Python's signals first, then the user's function. Its exception stops the run.
+struct Watcher {
+  py::object function;
+  std::optional<py::error_already_set> raised;
+
+  static int call(double time, double end, void* user) {
+    auto* watcher = static_cast<Watcher*>(user);
+    const py::gil_scoped_acquire acquire;
+    try {
+      if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+      if (watcher->function.is_none()) return 0;
+      return py::bool_(watcher->function(time, end)) ? 1 : 0;
+    } catch (py::error_already_set& error) {
+      watcher->raised.emplace(std::move(error));
+      return 1;
+    }
+  }
+};
+
+/// Every column of a table by name; views into the run.
+py::dict table(const py::object& run, gasjet_handle handle, int number) {
+  int64_t columns = 0, rows = 0;
+  check(gasjet_run_size(handle, number, &columns, &rows));
+  py::dict all;
+  for (int64_t c = 0; c < columns; ++c) {
+    std::array<char, 256> name{};
+    const double* values = nullptr;
+    check(gasjet_run_name(handle, number, c, name.data(), name.size()));
+    check(gasjet_run_column(handle, number, c, &values));
+    all[name.data()] = view(values, rows, run);
+  }
+  return all;
+}
+
+std::string summary(gasjet_handle run) {
+  int64_t needed = 0;
+  gasjet_run_summary(run, nullptr, 0, &needed);
+  std::string text(static_cast<std::size_t>(needed), '\0');
+  check(gasjet_run_summary(run, text.data(), needed, &needed));
+  text.pop_back();
+  return text;
+}
+
+/// status, message, history, energy, summary; with a run that left its domain or was stopped what it has.
+py::tuple run(const std::string& file, const std::optional<std::string>& text, const std::string& overrides,
+              const std::optional<std::string>& out, int threads, const py::object& progress) {
+  Watcher watcher{progress, {}};
+  gasjet_handle handle = 0;
+  int status = GASJET_OK;
+  std::string message;
+  {
+    const py::gil_scoped_release release;
+    status = gasjet_run(file.c_str(), text ? text->c_str() : nullptr, overrides.c_str(),
+                        out ? out->c_str() : nullptr, threads, Watcher::call, &watcher, &handle);
+    message = gasjet_last_error();
+  }
+  if (handle == 0) raise(status, message.c_str());
+  const py::object owner = py::cast(std::make_unique<Handle>(handle));
+  if (watcher.raised) {
+    watcher.raised->restore();
+    throw py::error_already_set();
+  }
+  return py::make_tuple(status, message, table(owner, handle, GASJET_HISTORY),
+                        table(owner, handle, GASJET_ENERGY), summary(handle));
+}
+
+std::string compare(const std::string& mine, const std::string& reference,
+                    const std::optional<std::string>& map, double tolerance) {
+  const char* names = map ? map->c_str() : nullptr;
+  int verdict = 0;
+  std::string text(1 << 16, '\0');
+  int64_t needed = 0;
+  int status = GASJET_OK;
+  for (int i = 0; i < 2; ++i) {
+    status = gasjet_compare(mine.c_str(), reference.c_str(), names, tolerance, &verdict, text.data(),
+                            static_cast<int64_t>(text.size()), &needed);
+    if (status == GASJET_OK || needed <= static_cast<int64_t>(text.size())) break;
+    text.resize(static_cast<std::size_t>(needed));
+  }
+  check(status);
+  text.resize(static_cast<std::size_t>(needed) - 1);
+  return text;
+}
+
+}  // namespace
+
+void add_runs(py::module_& m) {
+  m.def("run", &run);
+  m.def("compare", &compare);
+}
