@@ -46,6 +46,8 @@ TEST_F(bad_calls, surface) {
   refused(ask(nullptr, n(), &source, nullptr, 0, lit.data(), m()), "nodes");
   each(std::vector<int64_t>{0, -1, 1, n() + 1, INT64_MAX}, "nodes",
        [&](int64_t c) { return ask(x(), c, &source, nullptr, 0, lit.data(), m()); });
+  const auto* between = reinterpret_cast<const double*>(reinterpret_cast<const char*>(x()) + 4);
+  refused(ask(between, n(), &source, nullptr, 0, lit.data(), m()), "nodes");
   refused(ask(x(), n(), nullptr, nullptr, 0, lit.data(), m()), "source");
   refused(ask(x(), n(), &source, nullptr, 0, nullptr, m()), "lit");
   each(std::vector<int64_t>{0, -1, m() - 1, INT64_MAX}, "lit",
