@@ -48,7 +48,7 @@ gasjet_package(development libgasjet-dev "Libraries and headers for C++, with pa
   DEPENDS "libeigen3-dev, libcgal-dev, libgsl-dev")
 gasjet_package(c libgasjet "Shared library and header for C" SECTION libs)
 gasjet_package(fortran libgasjet-fortran "Module and library for Fortran" SECTION libdevel DEPENDS "libgasjet ${same}")
-gasjet_package(python python3-gasjet "Module gasjet for Python" SECTION python DEPENDS "python3, python3-numpy")
+gasjet_package(python python3-gasjet "Module gasjet for Python" SECTION python DEPENDS "libgasjet ${same}, python3, python3-numpy")
 gasjet_package(docs gasjet-doc "Documentation" SECTION doc ANY_MACHINE)
 
 set(CPACK_GENERATOR DEB)
@@ -60,6 +60,7 @@ set(CPACK_RESOURCE_FILE_LICENSE ${PROJECT_SOURCE_DIR}/LICENSE)
 set(CPACK_PACKAGE_DIRECTORY ${PROJECT_BINARY_DIR}/packages)
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS ${PROJECT_BINARY_DIR}/bindings/c) # libraries of our own, by DEPENDS
 set(CPACK_COMPONENTS_GROUPING IGNORE)
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)

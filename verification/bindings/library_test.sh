@@ -39,7 +39,7 @@ case $part in
   exports)
     same_symbols "$build/bindings/c/libgasjet.so" "$source"/bindings/c/include/gasjet/*.h
     same_symbols "$build/bindings/c/libgasjet_exact.so" "$source/bindings/c/include/gasjet_exact.h"
-    version=$(sed -nE 's/^project\(gasjet VERSION ([0-9]+\.[0-9]+)\..*/\1/p' "$source/CMakeLists.txt")
+    version=$(sed -nE 's/^set.GASJET_VERSION ([0-9]+[.][0-9]+)[.].*/\1/p' "$source/cmake/GasjetVersion.cmake")
     readelf -d "$build/bindings/c/libgasjet.so" | grep -q "SONAME.*libgasjet.so.$version\]" || fail "the soname is not that of version $version"
     ;;
   permissive)
