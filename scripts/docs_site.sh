@@ -16,7 +16,7 @@ rm -rf "$source" "$site"
 mkdir -p "$source/assets" "$source/api"
 
 # The site has the repository's layout: links between its files hold in both.
-for path in ./*.md CITATION.cff Dockerfile LICENSE docs cases cmake lib* verification benchmarks scripts; do
+for path in ./*.md CITATION.cff Dockerfile LICENSE docs bindings cases cmake lib* verification benchmarks scripts; do
   ln -s "$PWD/$path" "$source"
 done
 cp -rL /usr/share/javascript/katex/katex.min.css /usr/share/javascript/katex/fonts scripts/site/site.css "$source/assets"
