@@ -13,6 +13,7 @@ endif()
 option(GASJET_INSTALL "Install Gasjet's libraries with the project" ${is_own})
 option(GASJET_WERROR "Treat compiler warnings as errors" OFF)
 option(GASJET_SANITIZE "Build with AddressSanitizer and UndefinedBehaviorSanitizer" OFF)
+option(GASJET_FUZZ "Build the harnesses of libFuzzer (clang), see scripts/fuzz.sh" OFF)
 
 add_library(gasjet_options INTERFACE)
 target_compile_features(gasjet_options INTERFACE cxx_std_20)
@@ -22,6 +23,7 @@ target_compile_options(gasjet_options INTERFACE
   -ffp-contract=off -fno-math-errno -fno-trapping-math
   $<$<BOOL:${GASJET_WERROR}>:-Werror>
   $<$<BOOL:${GASJET_SANITIZE}>:-fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer>
+  $<$<BOOL:${GASJET_FUZZ}>:-fsanitize=fuzzer-no-link>
   # Eigen's temporaries go out of scope so often that to watch for it takes up to four fifths of a test's time.
   $<$<BOOL:${GASJET_SANITIZE}>:-fno-sanitize-address-use-after-scope>)
 # Eigen aligns by hand where it sees AddressSanitizer; the tests' objects, compiled without, must free the same way.

@@ -1,0 +1,8 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "membrane/keyword.hpp"
+
+#include "mesh_file.hpp"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  return fuzz::read_and_write(data, size, membrane::parse_keyword, membrane::format_keyword);
+}
