@@ -27,6 +27,8 @@ double midpoint(double a, double b) {
 }  // namespace
 
 Curve::Curve(std::vector<Knot> knots, Outside outside) : knots_(std::move(knots)), outside_(outside) {
+  require(outside == Outside::zero || outside == Outside::held, "outside", static_cast<double>(outside),
+          "must be an enumerator");
   const std::size_t least = outside == Outside::zero ? 2 : 1;
   require(knots_.size() >= least, "number of knots of a curve", static_cast<double>(knots_.size()),
           "must be at least 1, and 2 for a curve that is zero outside its knots");

@@ -24,6 +24,8 @@ const ControlVolumeModel& validated(const ControlVolumeModel& model) {
 }
 
 const IntegratorOptions& validated(const IntegratorOptions& options) {
+  require(options.method >= Method::dormand_prince_5 && options.method <= Method::rosenbrock_4, "method",
+          static_cast<double>(options.method), "must be an enumerator");
   require(options.relative_tolerance >= 1e-13 && options.relative_tolerance <= 1e-2, "relative_tolerance",
           options.relative_tolerance, "must be 1e-13 to 1e-2");
   require(options.fixed_step >= 0.0 && std::isfinite(options.fixed_step), "fixed_step [s]",

@@ -129,6 +129,8 @@ void check_description(const BagDescription& d) {
   check_elements(d);
   check_straps(d);
   check_plates(d);
+  if (d.compression != Compression::linear && d.compression != Compression::none)
+    reject("bag", "compression", static_cast<double>(d.compression), "an enumerator");
   require_not_negative("bag", "mass_damping", d.mass_damping);
   for (int c = 0; c < 3; ++c) require_finite("bag", "gravity", d.gravity[c]);
 }

@@ -18,6 +18,9 @@ void require_not_negative(std::string_view where, const char* field, double valu
 void require_finite(std::string_view where, const char* field, double value);
 
 struct BagDescription;
+struct Mesh;
+
+void require_panels(std::string_view where, const Mesh& mesh);  // one index of a panel for each element
 
 // Refuses everything that make_model refuses and that needs no computation. Throws std::invalid_argument.
 void check_description(const BagDescription& description);

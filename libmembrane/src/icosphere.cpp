@@ -54,6 +54,11 @@ Mesh rectangle(int nx, int ny, double width, double height, Diagonals diagonals)
   require_positive("mesh", "ny", ny);
   require_positive("mesh", "width", width);
   require_positive("mesh", "height", height);
+  if (2.0 * nx * ny > kMostElements || (nx + 1.0) * (ny + 1.0) > kMostElements)
+    reject("mesh", "nx ny", static_cast<double>(nx) * ny,
+           "at most " + std::to_string(kMostElements / 2) + " cells");
+  if (diagonals != Diagonals::uniform && diagonals != Diagonals::union_jack)
+    reject("mesh", "diagonals: no such enumerator");
   Mesh mesh;
   mesh.nodes.resize(3, (nx + 1) * (ny + 1));
   for (int j = 0; j <= ny; ++j)

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <string>
 
 #include "checks.hpp"
 
@@ -18,6 +19,13 @@ using Elements = Eigen::Ref<const Eigen::Matrix3Xi>;
 
 std::array<Eigen::Vector3d, 3> corners(const Nodes& nodes, const Elements& elements, Eigen::Index e) {
   return {nodes.col(elements(0, e)), nodes.col(elements(1, e)), nodes.col(elements(2, e))};
+}
+
+void require_nodes(const char* where, const Nodes& nodes, const Elements& elements) {
+  if (elements.cols() == 0) return;
+  const int low = elements.minCoeff(), high = elements.maxCoeff();
+  if (low < 0 || high >= nodes.cols())
+    reject(where, "node number", low < 0 ? low : high, "0 to " + std::to_string(nodes.cols() - 1));
 }
 
 struct ElementShape {
@@ -41,6 +49,16 @@ ElementShape element_shape(const std::array<Eigen::Vector3d, 3>& x) {
 }
 
 }  // namespace
+
+void require_panels(std::string_view where, const Mesh& mesh) {
+  if (mesh.panel.size() != static_cast<std::size_t>(mesh.element_count()))
+    reject(where, "number of panel indices", static_cast<double>(mesh.panel.size()),
+           "one for each of the " + std::to_string(mesh.element_count()) + " elements");
+  for (const int index : mesh.panel)
+    if (index < 0 || static_cast<std::size_t>(index) >= mesh.panel_names.size())
+      reject(where, "panel index", index,
+             "one of the " + std::to_string(mesh.panel_names.size()) + " panels");
+}
 
 int panel_index(const Mesh& mesh, std::string_view name) {
   const auto found = std::find(mesh.panel_names.begin(), mesh.panel_names.end(), name);
@@ -76,6 +94,7 @@ int nearest_node(const Mesh& mesh, const Eigen::Vector3d& point) {
 }
 
 Eigen::VectorXd element_areas(const Nodes& nodes, const Elements& elements) {
+  require_nodes("element_areas", nodes, elements);
   Eigen::VectorXd areas(elements.cols());
   for (Eigen::Index e = 0; e < elements.cols(); ++e) {
     const auto x = corners(nodes, elements, e);
@@ -86,6 +105,7 @@ Eigen::VectorXd element_areas(const Nodes& nodes, const Elements& elements) {
 
 Eigen::VectorXd panel_areas(const Mesh& mesh) {
   const Eigen::VectorXd areas = element_areas(mesh.nodes, mesh.elements);
+  require_panels("panel_areas", mesh);
   Eigen::VectorXd sums = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(mesh.panel_names.size()));
   for (Eigen::Index e = 0; e < areas.size(); ++e) sums(mesh.panel[static_cast<std::size_t>(e)]) += areas(e);
   return sums;
@@ -93,6 +113,7 @@ Eigen::VectorXd panel_areas(const Mesh& mesh) {
 
 double enclosed_volume(const Nodes& nodes, const Elements& elements) {
   if (elements.cols() == 0) return 0.0;
+  require_nodes("enclosed_volume", nodes, elements);
   const Eigen::Vector3d origin = nodes.col(0);
   double six_volumes = 0.0;
   for (Eigen::Index e = 0; e < elements.cols(); ++e) {
@@ -109,6 +130,7 @@ bool has_area(const Eigen::Vector3d& ab, const Eigen::Vector3d& ac) {
 
 ElementQuality element_quality(const Nodes& nodes, const Elements& elements) {
   if (elements.cols() == 0) throw std::invalid_argument("elements: none; element quality needs at least one");
+  require_nodes("element_quality", nodes, elements);
   const double infinity = std::numeric_limits<double>::infinity();
   ElementQuality quality{infinity, infinity, 0.0, 0.0, infinity, 0.0};
   for (Eigen::Index e = 0; e < elements.cols(); ++e) {

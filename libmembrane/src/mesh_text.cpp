@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "mesh_text.hpp"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
 #include <fstream>
-#include <iterator>
 #include <stdexcept>
+#include <system_error>
 #include <utility>
 
 #include "membrane/mesh_file.hpp"
@@ -39,16 +40,55 @@ std::string read_text(const std::filesystem::path& path) {
   std::ifstream file(path, std::ios::binary);
   if (!file || std::filesystem::is_directory(path, ignored))
     throw MeshFileError(path.string(), 0, 0, "cannot be opened for reading");
-  std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+  constexpr std::size_t most = largest_mesh_file;  // a device may never end
+  std::string text;
+  std::array<char, 1u << 16> chunk;
+  do {
+    file.read(chunk.data(), chunk.size());
+    text.append(chunk.data(), static_cast<std::size_t>(file.gcount()));
+  } while (file && text.size() <= most);
+  if (text.size() > most)
+    throw MeshFileError(path.string(), 0, 0, "is longer than " + std::to_string(most >> 20) + " MiB");
   if (file.bad()) throw MeshFileError(path.string(), 0, 0, "cannot be read");
+  if (text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);  // byte order mark of UTF-8
+  if (text.find('\n') == std::string::npos)
+    std::replace(text.begin(), text.end(), '\r', '\n');  // as old Macs end lines
   return text;
 }
 
-void write_text(const std::filesystem::path& path, const std::string& text) {
+namespace {
+
+bool write_straight(const std::filesystem::path& path, const std::string& text) {
   std::ofstream file(path, std::ios::binary);
   file << text;
   file.close();
-  if (!file) throw MeshFileError(path.string(), 0, 0, "cannot be written");
+  return static_cast<bool>(file);
+}
+
+// A full disk leaves what was there.
+bool replace(const std::filesystem::path& path, const std::string& text) {
+  const std::filesystem::path beside = path.string() + ".part";
+  std::error_code failed;
+  if (write_straight(beside, text))
+    std::filesystem::rename(beside, path, failed);
+  else
+    failed = std::make_error_code(std::errc::io_error);
+  std::error_code ignored;
+  if (failed) std::filesystem::remove(beside, ignored);
+  return !failed;
+}
+
+}  // namespace
+
+void write_text(const std::filesystem::path& path, const std::string& text) {
+  std::error_code ignored;
+  const bool is_there = std::filesystem::exists(path, ignored);
+  const bool is_device = is_there && !std::filesystem::is_regular_file(path, ignored);
+  const bool may_be_replaced = !is_there || std::ofstream(path, std::ios::app).good();
+  const bool written =
+      is_device ? write_straight(path, text)
+                : may_be_replaced && replace(is_there ? std::filesystem::canonical(path) : path, text);
+  if (!written) throw MeshFileError(path.string(), 0, 0, "cannot be written");
 }
 
 void require_finite_nodes(const Mesh& mesh) {

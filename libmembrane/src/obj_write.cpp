@@ -21,7 +21,7 @@ void require_panel_name(const std::string& name) {
   const auto bad = [](char c) { return static_cast<unsigned char>(c) <= ' ' || c == '#'; };
   if (name.empty() || std::any_of(name.begin(), name.end(), bad))
     throw std::invalid_argument("panel_names: \"" + name + "\"" +
-                                "; must be non-empty, without blanks and #");
+                                "; in OBJ a name must be non-empty, without blanks and #");
 }
 
 }  // namespace

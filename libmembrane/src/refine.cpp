@@ -9,6 +9,8 @@
 #include <unordered_map>
 #include <vector>
 
+#include "checks.hpp"
+
 namespace membrane {
 namespace {
 
@@ -81,6 +83,7 @@ void check(const Mesh& mesh) {
   if (mesh.element_count() > 0 &&
       (mesh.elements.minCoeff() < 0 || mesh.elements.maxCoeff() >= mesh.node_count()))
     throw std::invalid_argument("refine: a node number is out of range");
+  require_panels("refine", mesh);
 }
 
 }  // namespace

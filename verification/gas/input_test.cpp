@@ -52,6 +52,20 @@ TEST(input, volume_of_overpressure) {
   refused({{0.0, 0.1}, {1e4, 0.1}}, gas::Outside::zero, "held outside");
 }
 
+TEST(input, enumerators) {
+  gas::IntegratorOptions options;
+  options.method = static_cast<gas::Method>(4);
+  expect_refused([&] { gas::GasIntegrator(valid_model(), options); }, "method");
+  expect_refused([] { gas::Curve({{0.0, 1.0}}, static_cast<gas::Outside>(-1)); }, "outside");
+  expect_model_refused(
+      [](auto& model) {
+        gas::Sensor sensor;
+        sensor.kind = static_cast<gas::SensorKind>(9);
+        model.triggers.sensors.push_back(sensor);
+      },
+      "sensor.kind");
+}
+
 TEST(input, species) {
   expect_refused([] { gas::nasa7_species("Xe"); }, "Xe");
   expect_refused([] { gas::constant_cp_species("N2", 100.0); }, "temperature");

@@ -151,6 +151,15 @@ void expect_refused(const std::function<void()>& action, const char* name) {
   }
 }
 
+TEST(enumerators, outside_of_their_range_are_refused_by_name) {
+  jet::JetModel model = models::round(0.05, 0.08);
+  model.spread = static_cast<jet::Spread>(2);
+  expect_refused([&] { jet::JetField(model, 1); }, "spread");
+  expect_refused([] { jet::decay_coefficient(static_cast<jet::OutletType>(6)); }, "outlet type");
+  expect_refused([] { jet::validate(jet::OutletModel{.law = static_cast<jet::OutletLaw>(-1), .area = 1.0}); },
+                 "outlet law");
+}
+
 TEST(subdivision, wrong_meshes_and_sizes_are_refused_by_name) {
   const scenes::Mesh mesh = scenes::octahedron();
   const Eigen::Matrix3Xi triangles = mesh.triangles();
@@ -158,7 +167,10 @@ TEST(subdivision, wrong_meshes_and_sizes_are_refused_by_name) {
   expect_refused([&] { jet::Subdivision(triangles, 6, 65); }, "subdivision n is 65");
   expect_refused([&] { jet::Subdivision(triangles, 5, 2); }, "node index is 5");
   expect_refused([&] { jet::Subdivision(triangles.leftCols(0), 6, 2); }, "element count");
+  expect_refused([&] { jet::Subdivision(triangles, 6, 100000); }, "subdivision n is 100000");
   const jet::Subdivision good(triangles, 6, 2);
+  for (const int element : {-1, 8, 2147483647})
+    expect_refused([&] { good.pieces_of(std::vector{0, element}); }, "subdivision element");
   Eigen::Matrix3Xd few(3, 5), nodes(3, good.node_count());
   expect_refused([&] { good.interpolate(few, nodes); }, "values");
   expect_refused([&] { good.interpolate(mesh.points(), few); }, "result");

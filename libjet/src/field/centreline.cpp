@@ -2,6 +2,7 @@
 #include "jet/centreline.hpp"
 
 #include "field/centreline_formulas.hpp"
+#include "refuse.hpp"
 
 namespace jet {
 
@@ -9,6 +10,8 @@ using namespace formulas;
 
 double decay_coefficient(OutletType type) {
   constexpr double table[] = {0.066, 0.08, 0.12, 0.108, 0.118, 0.155};
+  if (static_cast<int>(type) < 0 || type > OutletType::rounded_slot)
+    refuse_value("outlet type", static_cast<double>(type), "an enumerator");
   return table[static_cast<int>(type)];
 }
 

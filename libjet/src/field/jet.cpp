@@ -37,6 +37,13 @@ Eigen::Vector3d unit(const char* name, const Eigen::Vector3d& vector) {
 }
 
 void check_sizes(const JetModel& model) {
+  const auto enumerator = [](const char* name, auto value, auto last) {
+    require_range(name, static_cast<double>(value), static_cast<int>(value) >= 0 && value <= last,
+                  "an enumerator");
+  };
+  enumerator("shape", model.shape, OutletShape::rectangular);
+  enumerator("spread", model.spread, Spread::cone);
+  enumerator("direction", model.direction, Direction::radial);
   if (model.shape == OutletShape::round) {
     require_positive("radius", model.radius);
   } else {

@@ -53,6 +53,11 @@ void validate(const OutletModel& model) {
   if (!(model.area > 0.0) || !std::isfinite(model.area)) {
     refuse_value("outlet area", model.area, "finite and > 0 [m2]");
   }
+  if (model.law != OutletLaw::sonic && model.law != OutletLaw::pressure_matched)
+    refuse_value("outlet law", static_cast<double>(model.law), "an enumerator");
+  if (model.temperature != OutletTemperature::static_value &&
+      model.temperature != OutletTemperature::stagnation)
+    refuse_value("outlet temperature", static_cast<double>(model.temperature), "an enumerator");
   if (model.law == OutletLaw::pressure_matched && model.temperature != OutletTemperature::stagnation) {
     throw std::invalid_argument(
         "outlet temperature is static, allowed with the pressure-matched outlet: stagnation");

@@ -86,8 +86,9 @@ class Cutter {
 
 }  // namespace
 
-Subdivision::Subdivision(const Triangles& triangles, int node_count, int n) : pieces_(n * n) {
+Subdivision::Subdivision(const Triangles& triangles, int node_count, int n) : pieces_(0) {
   check(triangles, node_count, n);
+  pieces_ = n * n;
   triangles_.resize(3, triangles.cols() * pieces_);
   Cutter cutter(n, node_count, nodes_);
   for (Eigen::Index e = 0; e < triangles.cols(); ++e) {
@@ -98,6 +99,9 @@ Subdivision::Subdivision(const Triangles& triangles, int node_count, int n) : pi
 
 std::vector<int> Subdivision::pieces_of(std::span<const int> elements) const {
   std::vector<int> result;
+  const auto count = triangles_.cols() / pieces_;
+  for (const int element : elements)
+    if (element < 0 || element >= count) refuse_mesh("element", element, "0 to " + std::to_string(count - 1));
   for (const int element : elements)
     for (int k = 0; k < pieces_; ++k) result.push_back(element * pieces_ + k);
   return result;

@@ -38,7 +38,8 @@ std::vector<int> panel_nodes(const Mesh& mesh, std::string_view name);
 /// for an empty mesh or a point that is not finite.
 int nearest_node(const Mesh& mesh, const Eigen::Vector3d& point);
 
-/// Areas of the elements [m2], shape M.
+/// Areas of the elements [m2], shape M. This and the figures below throw std::invalid_argument for a node
+/// number or a panel index out of range.
 Eigen::VectorXd element_areas(const Eigen::Ref<const Eigen::Matrix3Xd>& nodes,
                               const Eigen::Ref<const Eigen::Matrix3Xi>& elements);
 

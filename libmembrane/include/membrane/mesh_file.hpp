@@ -25,15 +25,20 @@ class MeshFileError : public std::runtime_error {
   std::size_t column_;
 };
 
+/// [bytes] Some four million elements; no longer file is read.
+inline constexpr std::size_t largest_mesh_file = std::size_t{256} << 20;
+
 /// Reads a mesh, lengths in metres, by parse_obj or parse_keyword (obj.hpp, keyword.hpp). Throws
-/// MeshFileError for another ending, a file that cannot be read, and whatever the parsers refuse.
+/// MeshFileError for another ending, a file that cannot be read or is too long, and whatever the parsers
+/// refuse.
 Mesh read_mesh(const std::filesystem::path& path);
 
 /// Throws MeshFileError (line 0) if the name has another ending than those above.
 void check_mesh_ending(const std::filesystem::path& path);
 
-/// Writes a mesh in the format that the ending names. Throws MeshFileError (line 0) for another ending or a
-/// file that cannot be written, and std::invalid_argument for a mesh that the format cannot hold.
+/// Writes a mesh, format by the ending as above: the whole file, or what was there stays. Throws
+/// MeshFileError (line 0) for another ending or if the file cannot be written, std::invalid_argument for what
+/// the format cannot hold.
 void write_mesh(const Mesh& mesh, const std::filesystem::path& path);
 
 }  // namespace membrane

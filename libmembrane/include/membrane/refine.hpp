@@ -17,8 +17,8 @@ inline constexpr int kMostElements = 10'000'000;
 /// the same elements with other nodes (an initial shape) are refined alike.
 ///
 /// In `rim_only_panels` (null panels) only the sides on the rim are split, so they get no node inside. Throws
-/// std::invalid_argument for an unknown panel, a node number out of range, or a result of more than
-/// kMostElements elements.
+/// std::invalid_argument for an unknown panel, a node number or a panel index out of range, or a result of
+/// more than kMostElements elements.
 Mesh refine(const Mesh& mesh, std::span<const std::string> rim_only_panels = {});
 
 }  // namespace membrane
