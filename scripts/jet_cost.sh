@@ -9,6 +9,8 @@ set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 # shellcheck source-path=SCRIPTDIR source=provenance.sh
 source scripts/provenance.sh
+# shellcheck source-path=SCRIPTDIR source=gnuplot_text.sh
+source scripts/gnuplot_text.sh
 folder=${1:-docs/charts}
 csv=$folder/jet_cost.csv
 log=$(mktemp)
@@ -50,4 +52,4 @@ cat "$csv"
 } >"$log.csv"
 cp "$log.csv" "$folder/jet_overhead.csv"
 cat "$folder/jet_overhead.csv"
-gnuplot -e "data='$folder/jet_overhead.csv'; out='$folder/jet_overhead.svg'" scripts/jet_overhead.gp
+gnuplot -e "data=$(gnuplot_file "$folder/jet_overhead.csv"); out=$(gnuplot_file "$folder/jet_overhead.svg")" scripts/jet_overhead.gp

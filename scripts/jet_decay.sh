@@ -5,6 +5,8 @@
 # usage: scripts/jet_decay.sh [OUT]      (docs/charts/jet_decay by default: OUT.svg)
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
+# shellcheck source-path=SCRIPTDIR source=gnuplot_text.sh
+source scripts/gnuplot_text.sh
 out=${1:-docs/charts/jet_decay}
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
@@ -17,5 +19,5 @@ for a in 0.066 0.08; do # R0 = 1/2: distances are in diameters
 done
 build/gasjet exact jet_far_field --times 0.06:0.125:0.001 >"$work/constants.csv"
 mkdir -p "$(dirname "$out")"
-gnuplot -e "data='$work'; out='$out.svg'" scripts/jet_decay.gp
+gnuplot -e "data=$(gnuplot_file "$work"); out=$(gnuplot_file "$out.svg")" scripts/jet_decay.gp
 echo "$out.svg"

@@ -7,6 +7,8 @@ set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 # shellcheck source-path=SCRIPTDIR source=provenance.sh
 source scripts/provenance.sh
+# shellcheck source-path=SCRIPTDIR source=gnuplot_text.sh
+source scripts/gnuplot_text.sh
 out=${1:-docs/charts/jet_fidelity}
 
 scripts/setup_debian12.sh
@@ -19,4 +21,4 @@ mkdir -p "$(dirname "$out")"
 } >"$out.csv.new"
 mv "$out.csv.new" "$out.csv"
 cat "$out.csv"
-gnuplot -e "data='$out.csv'; out='$out.svg'" scripts/jet_fidelity.gp
+gnuplot -e "data=$(gnuplot_file "$out.csv"); out=$(gnuplot_file "$out.svg")" scripts/jet_fidelity.gp

@@ -4,6 +4,9 @@
 # pressure against time (those that the scene has), for one or two result folders. Readable in black and white:
 # first folder solid black, second dashed grey.
 
+# shellcheck source-path=SCRIPTDIR source=gnuplot_text.sh
+source "$(dirname "${BASH_SOURCE[0]}")/gnuplot_text.sh"
+
 fail() {
   echo "$(basename "$0"): $*" >&2
   exit 2
@@ -19,12 +22,31 @@ panels=(
 # has_column FILE NAME: looks in the header row, the first line that is no comment.
 has_column() { awk -F, -v name="$2" '/^#/ { next } { for (i = 1; i <= NF; i++) found += $i == name; exit } END { exit !found }' "$1"; }
 
+# require_whole FILE: its folder does not say that the run has not ended, was interrupted before all was done, or is another.
+require_whole() {
+  local name status folder
+  name=$(basename -- "$1") folder=$(dirname -- "$1")
+  status=$folder/gasjet.status
+  [[ -f $status ]] && grep -qxF -- "file: $name" "$status" || return 0
+  local says run own
+  says=$(sed -n 's/^status: //p' "$status" | tail -n 1)
+  run=$(sed -n 's/^run: //p' "$status" | tail -n 1)
+  own=$(sed -n '/^#/!q; s/^# run: //p' "$1" | head -n 1)
+  [[ ${says:-running} != running ]] ||
+    fail "$1: its run has not ended ($status says so): wait for its end; if it was killed, run it again"
+  if [[ $says == interrupted ]] && grep -qx 'file: journal.jsonl' "$status"; then
+    fail "$1: was interrupted before all runs were done ($status says so): the same command goes on from there"
+  fi
+  [[ $own == "$run" ]] || fail "$1: is of the run '$own', its folder is of '$run' ($status says so): run the case again"
+}
+
 # shown_panels TABLE COLUMN_SUFFIX FOLDER...: the panels whose column every folder's table has.
 shown_panels() {
   local table=$1 suffix=$2 panel folder
   shift 2
   for folder in "$@"; do
     [[ -f $folder/$table ]] || fail "no file $folder/$table"
+    require_whole "$folder/$table"
     has_column "$folder/$table" time_s || fail "$folder/$table: no column time_s"
   done
   for panel in "${panels[@]}"; do
@@ -37,14 +59,15 @@ shown_panels() {
 
 # render OUT COUNT: draws the COUNT panels, gnuplot commands on standard input, as OUT.svg and OUT.png.
 render() {
-  local out=$1 count=$2 height=$((60 + 280 * $2)) commands terminal
+  local out=$1 count=$2 height=$((60 + 280 * $2)) commands terminal name
   commands=$(cat)
-  mkdir -p "$(dirname "$out")"
+  mkdir -p -- "$(dirname -- "$out")"
   for terminal in "svg size 800,$height font 'sans,14' background 'white'" \
     "pngcairo size 1600,$((2 * height)) font 'sans,14' fontscale 2 linewidth 2"; do
+    name=$(gnuplot_file "$out.${terminal:0:3}") || exit 2
     gnuplot <<END
-set terminal $terminal
-set output '$out.${terminal:0:3}'
+set terminal $terminal noenhanced
+set output $name
 set datafile separator ','
 set border 3
 set tics nomirror
@@ -63,16 +86,18 @@ END
 }
 
 # plot_folders TABLE COLUMN_SUFFIX OUT FOLDER...: one panel a quantity; the caller's curve FILE COLUMN FACTOR
-# NUMBER TITLE prints the gnuplot plot elements of one folder.
+# NUMBER TITLE, FILE in gnuplot's quotes, prints the gnuplot plot elements of one folder.
 plot_folders() {
-  local table=$1 suffix=$2 out=$3 column factor label elements i shown
+  local table=$1 suffix=$2 out=$3 column factor label elements i shown file title
   local folders=("${@:4}")
   shown=$(shown_panels "$table" "$suffix" "${folders[@]}")
   [[ -n $shown ]] || fail "no quantity to plot is in every $table"
   while IFS='|' read -r column factor label; do
     elements=
     for i in "${!folders[@]}"; do
-      elements+="${elements:+, }$(curve "${folders[i]}/$table" "$column" "$factor" $((i + 1)) "$(basename "${folders[i]}" | tr _ ' ')")"
+      file=$(gnuplot_file "${folders[i]}/$table") || exit 2
+      title=$(basename -- "${folders[i]}" | tr _ ' ')
+      elements+="${elements:+, }$(curve "$file" "$column" "$factor" $((i + 1)) "$title")"
     done
     printf "set ylabel '%s'\nplot %s\n" "$label" "$elements"
   done <<<"$shown" | render "$out" "$(wc -l <<<"$shown")"

@@ -16,20 +16,24 @@ quantities() {
 label() { sed -E 's/_(rad_s|kg_s|m_s2|m_s|Pa|K|m3|m2|kg|N|rad|m|J|s)$/ [\1]/; s/\[(rad|kg|m)_s/[\1\/s/; s/2]$/²]/; s/3]$/³]/; s/_/ /g' <<<"$1"; }
 
 panel() {
-  local name=$1 band=
-  if has_column "$table" "${name}_band"; then
-    band="'$table' using (1e3*column('time_s')):(column('${name}_reference')-column('${name}_band')):(column('${name}_reference')+column('${name}_band')) with filledcurves fillcolor 'gray80' title 'band', "
+  local band='' value reference width
+  value="column($(gnuplot_text "$1"))"
+  reference="column($(gnuplot_text "${1}_reference"))" width="column($(gnuplot_text "${1}_band"))"
+  if has_column "$table" "${1}_band"; then
+    band="$file using (1e3*column('time_s')):($reference-$width):($reference+$width) with filledcurves fillcolor 'gray80' title 'band', "
   fi
   cat <<END
-set ylabel '$(label "$name")'
-plot $band'$table' using (1e3*column('time_s')):(column('$name')) with lines linestyle 1 title 'mine', \
-  '' using (1e3*column('time_s')):(column('${name}_reference')) with lines linestyle 2 title 'reference'
+set ylabel $(gnuplot_text "$(label "$1")")
+plot $band$file using (1e3*column('time_s')):($value) with lines linestyle 1 title 'mine', \
+  '' using (1e3*column('time_s')):($reference) with lines linestyle 2 title 'reference'
 END
 }
 
 (($# == 2)) || fail "usage: plot_compare.sh OUT ROWS.csv"
 table=$2
 [[ -f $table ]] || fail "no file $table"
+require_whole "$table"
+file=$(gnuplot_file "$table") || exit 2
 has_column "$table" time_s || fail "$table: no column time_s"
 mapfile -t names < <(quantities)
 ((${#names[@]})) || fail "$table: no column with a column <name>_reference beside it"

@@ -11,9 +11,9 @@ fills=(gray60 gray85)
 
 curve() {
   local time="1e3*column('time_s')" mean="column('$2_mean')" error="$band*column('$2_standard_error')"
-  echo "'$1' using ($time):($3*($mean-$error)):($3*($mean+$error)) with filledcurves" \
+  echo "$1 using ($time):($3*($mean-$error)):($3*($mean+$error)) with filledcurves" \
     "fillcolor '${fills[$4 - 1]}' fillstyle solid 1 noborder notitle," \
-    "'$1' using ($time):($3*$mean) with lines linestyle $4 title '$5, mean ± $band s.e.'"
+    "$1 using ($time):($3*$mean) with lines linestyle $4 title $(gnuplot_text "$5, mean ± $band s.e.")"
 }
 
 (($# == 2 || $# == 3)) || fail "usage: plot_ensemble.sh OUT FOLDER [FOLDER]"

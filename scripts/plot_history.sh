@@ -7,7 +7,7 @@ set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/plot_common.sh"
 
 curve() {
-  echo "'$1' using (1e3*column('time_s')):($3*column('$2')) with lines linestyle $4 title '$5'"
+  echo "$1 using (1e3*column('time_s')):($3*column('$2')) with lines linestyle $4 title $(gnuplot_text "$5")"
 }
 
 (($# == 2 || $# == 3)) || fail "usage: plot_history.sh OUT FOLDER [FOLDER]"

@@ -22,7 +22,7 @@ panel() {
   cat <<END
 set ylabel '$3'
 set yrange [0:1.5*$(largest "$1_$2")]
-plot '$table' using (1e3*column('time_s')):($claimed ? $low : NaN):($claimed ? $high : NaN) \
+plot $file using (1e3*column('time_s')):($claimed ? $low : NaN):($claimed ? $high : NaN) \
   with filledcurves fillcolor 'gray80' title '95 % band', \
   '' using (1e3*column('time_s')):(column('masked') == 0 ? $value : NaN) with lines linestyle 1 title 'estimate', \
   '' using (1e3*column('time_s')):(column('masked') == 1 ? $value : NaN) with lines linestyle 2 title 'masked'
@@ -32,6 +32,8 @@ END
 (($# == 2)) || fail "usage: plot_identify.sh OUT CURVES.csv"
 table=$2
 [[ -f $table ]] || fail "no file $table"
+require_whole "$table"
+file=$(gnuplot_file "$table") || exit 2
 for column in time_s masked {mass_flow,mass_flow_low,mass_flow_high}_kg_s {temperature,temperature_low,temperature_high}_K; do
   has_column "$table" "$column" || fail "$table: no column $column"
 done

@@ -7,6 +7,8 @@ set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 # shellcheck source-path=SCRIPTDIR source=provenance.sh
 source scripts/provenance.sh
+# shellcheck source-path=SCRIPTDIR source=gnuplot_text.sh
+source scripts/gnuplot_text.sh
 out=${1:-docs/charts/stability}
 
 cmake --preset release >/dev/null
@@ -20,7 +22,7 @@ map() {
     echo "# points: $1, stable over time (1) or grown 1e5-fold from a disturbance of 1e-10 (0); formula: $3"
     build/benchmarks/stability_maps "$1"
   } >"$out"_"$1.csv"
-  gnuplot -e "data='${out}_$1.csv'; out='${out}_$1.svg'; label='$2'; formula='$3'" scripts/stability_maps.gp
+  gnuplot -e "data=$(gnuplot_file "${out}_$1.csv"); out=$(gnuplot_file "${out}_$1.svg"); label='$2'; formula='$3'" scripts/stability_maps.gp
 }
 map sliver 'Shortest side over what it was' 'bound of the step (M.12)'
 map gas 'Volume over that of the sphere' 'bound of the step (M.12)'
