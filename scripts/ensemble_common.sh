@@ -2,6 +2,8 @@
 # shellcheck shell=bash
 # Shared by the scripts that compare ensembles with and without jet (sourced, from the repository's top).
 
+# shellcheck source-path=SCRIPTDIR source=gnuplot_text.sh
+source scripts/gnuplot_text.sh
 # shellcheck source-path=SCRIPTDIR source=provenance.sh
 source scripts/provenance.sh
 
@@ -21,11 +23,10 @@ ensemble_quantities() {
   local case=$1 runs=$2 folder code=0
   shift 2
   folder=results/ensembles/$case/$runs$(printf '_%s' "$@" | tr -c 'A-Za-z0-9.\n' '_')
-  [[ -f $folder/$case/quantities.csv ]] ||
+  grep -qx 'status: done' "$folder/$case/gasjet.status" 2>/dev/null ||
     build/gasjet ensemble "cases/$case.toml" --runs "$runs" --threads "$(nproc)" --quiet --out "$folder" "$@" >"$folder.log" 2>&1 || code=$?
-  ((code != 130)) || rm -rf "$folder" # interrupted: some of the runs
-  [[ -f $folder/$case/quantities.csv ]] || { cat "$folder.log" >&2; return 1; }
-  tail -n +2 "$folder/$case/quantities.csv"
+  ((code == 0 || code == 3)) || { cat "$folder.log" >&2; return 1; } # 3: some runs have failed, and are in no mean
+  grep -v '^#' "$folder/$case/quantities.csv" | tail -n +2
 }
 
 # compare WITH WITHOUT: rows quantity, mean and standard error with jet, without, runs, difference, in standard errors,
@@ -51,13 +52,14 @@ effects() {
 
 # draw OUT ROWS COLUMNS [HEIGHT]: gnuplot commands of the panels, HEIGHT high, on standard input, as OUT.svg and OUT.png.
 draw() {
-  local out=$1 rows=$2 columns=$3 height=${4:-260} commands terminal
+  local out=$1 rows=$2 columns=$3 height=${4:-260} commands terminal name
   commands=$(cat)
   for terminal in "svg size $((330 * columns)),$((height * rows)) font 'sans,11' background 'white'" \
     "pngcairo size $((660 * columns)),$((2 * height * rows)) font 'sans,11' fontscale 2 linewidth 2"; do
+    name=$(gnuplot_file "$out.${terminal:0:3}")
     gnuplot <<END
 set terminal $terminal
-set output '$out.${terminal:0:3}'
+set output $name
 set datafile separator ','
 set border 3
 set tics nomirror

@@ -9,7 +9,7 @@ FNR == NR {
   for (i = 2; i <= NF; i++) plain[plain_rows, head[i]] = $i
   next
 }
-/^#/ { if ($0 !~ /^# (date|options|case):/) print; next }
+/^#/ { if ($0 !~ /^# (run|status|date|options|case):/) print; next }
 !columns {
   columns = (NF - 1) / 2
   for (i = 1; i <= columns; i++) { name[i] = $(2 * i); sub(/_mean$/, "", name[i]) }

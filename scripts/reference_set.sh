@@ -62,7 +62,7 @@ with_bands() {
       if (part[2] ~ /^\+/) { width[name] += part[2]; reason[name] = reason[name] " + " why } else { width[name] = part[2]; reason[name] = why } }
     END {
       while ((getline line < source) > 0) {
-        if (line ~ /^#/) { if (line !~ /^# (date|options|case):/) print line; continue }
+        if (line ~ /^#/) { if (line !~ /^# (run|date|options|case):/) print line; continue }
         n = split(line, part, ",")
         if (!columns) { columns = n; for (i = 1; i <= n; i++) header[i] = part[i]; continue }
         rows++

@@ -1,18 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
 // The `gasjet` command: maps errors to exit codes.
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <cstdio>
 #include <exception>
 #include <iostream>
+#include <string>
 
 #include "commands/commands.hpp"
 #include "driver/case_reader.hpp"
+#include "driver/progress.hpp"
 #include "driver/results.hpp"
 #include "jet_tree/tree_route.hpp"
 
 namespace {
 
-int report(const char* message, int code) {
-  std::fprintf(stderr, "gasjet: %s\n", message);
+int report(const std::string& message, int code) {
+  driver::tell("gasjet: " + message);
   return code;
 }
 
@@ -25,10 +30,18 @@ int finish(int code) {
   return report(lost_output, driver::commands::exit_domain);
 }
 
+// A result file would take the number of a closed descriptor, and what is meant for it. Opened the wrong way
+// round it refuses what is read or written, as a closed one does.
+void guard_standard_descriptors() {
+  for (const int number : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+    if (fcntl(number, F_GETFD) < 0) open("/dev/null", number == STDIN_FILENO ? O_WRONLY : O_RDONLY);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   using namespace driver::commands;
+  guard_standard_descriptors();
   jet::add_tree_route();
   try {
     return finish(run_command_line(argc, argv));
@@ -37,6 +50,6 @@ int main(int argc, char** argv) {
   } catch (const driver::OutputError& error) {
     return report(error.what(), exit_input);
   } catch (const std::exception& error) {
-    return report(std::ferror(stdout) ? lost_output : error.what(), exit_domain);
+    return report(std::ferror(stdout) ? lost_output : driver::text_of(error), exit_domain);
   }
 }

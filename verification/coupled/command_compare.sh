@@ -39,6 +39,11 @@ part_compare() {
   # Thousands of columns take no longer than their bytes: a second, or a minute if each were looked for among all.
   awk 'BEGIN { for (r = 0; r < 5; ++r) { printf r ? r : "time_s"; for (c = 0; c < 20000; ++c) printf ",%s%d", r ? "" : "q", c; print "" } }' >"$work/wide.csv"
   expect 4 "states no band" timeout 30 "$gasjet" compare "$work/wide.csv" "$work/wide.csv"
+  # What a run can write is read, however long; a device that never ends is not.
+  awk 'BEGIN { print "time_s,pressure_Pa"; for (i = 0; i < 2600000; i++) printf "%d.0000000000,101325.0000\n", i }' >"$work/long.csv"
+  [ "$(stat -c %s "$work/long.csv")" -gt $((64 << 20)) ] || fail "a short file"
+  expect 4 "states no band" "$gasjet" compare "$work/long.csv" "$mine"
+  expect 2 "/dev/zero:1:1: the line is longer than 1 MiB" "$gasjet" compare /dev/zero "$reference"
   cp "$reference" "$work/kept.csv"
   expect 2 "--rows .*would overwrite" "$gasjet" compare "$mine" "$reference" --rows "$work/./reference.csv"
   cmp "$reference" "$work/kept.csv" || fail "the reference is overwritten"

@@ -29,7 +29,7 @@ std::vector<Element> read_xml(const std::string& xml) {
     if (end == std::string::npos) throw std::runtime_error("tag without end");
     const std::string tag = xml.substr(at + 1, end - at - 1);
     at = end;
-    if (tag.starts_with("?")) continue;
+    if (tag.starts_with("?") || tag.starts_with("!--")) continue;
     if (tag.starts_with("/")) {
       if (open.empty() || elements[open.back()].name != tag.substr(1))
         throw std::runtime_error("</" + tag.substr(1) + "> without start");
@@ -111,7 +111,9 @@ TEST(fields, files_say_what_the_history_says) {
                                 {"scene.end_time=0.011", "output.fields_every=0.005"});
   const driver::Scene scene = driver::read_scene(document);
   driver::State state = driver::make_state(scene);
-  driver::FieldWriter writer(folder.path, scene);
+  driver::ResultFolder results(folder.path, "run", driver::FieldWriter::is_own);
+  results.begin({});
+  driver::FieldWriter writer(results, scene);
   const auto columns = driver::history_columns(scene);
   std::vector<double> times, facing_away;
   std::map<double, coupled::Row> rows;

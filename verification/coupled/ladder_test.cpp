@@ -145,7 +145,11 @@ TEST(ladder, free_bag_needs_no_jet_for_its_pressure) {
   result.cheapest = static_cast<std::size_t>(&best - result.rungs.data());  // costs are not repeatable
 
   Folder folder;
-  driver::write_ladder(folder.path, result, case_file("jet_bag"), small, options, false);
+  {
+    driver::ResultFolder results(folder.path, "ladder", {"ladder.csv", "ladder.json", "cheapest.toml"});
+    results.begin({});
+    driver::write_ladder(results, result, case_file("jet_bag"), small, options, false);
+  }
   driver::CaseDocument written(folder.path / "cheapest.toml", {});
   const driver::Scene scene = driver::read_scene(written);
   EXPECT_TRUE(scene.jets.empty());

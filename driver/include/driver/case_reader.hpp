@@ -141,6 +141,7 @@ class TableReader {
 
  private:
   const toml::node* find(const std::string& key);
+  std::string misspelt(const std::string& key) const;
   const toml::node& require(const std::string& key, const char* allowed);
   double checked(const std::string& key, const toml::node& node, Bounds bounds) const;
   std::size_t choice_index(const std::string& key, const std::vector<std::string>& names,

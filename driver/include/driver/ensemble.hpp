@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "driver/case_reader.hpp"
+#include "driver/result_folder.hpp"
 #include "driver/run.hpp"
 
 namespace driver {
@@ -45,22 +46,26 @@ struct EnsembleResult {
       quantities;                     // one value a run: first contact, final angle, peaks
   std::vector<std::string> failures;  // of runs that left their domain or were inaccurate: in no mean
   std::vector<std::string> warnings;  // of runs whose energy drifts by more than a thousandth: in the means
+  int asked = 0, ended = 0;           // runs; those that an interrupt stopped have not ended
 };
 
 /// Throws CaseError for a bad case, a scene that has no membrane to perturb, and overrides of the
 /// perturbation.
 Scene read_ensemble_scene(const std::filesystem::path& file, const std::vector<std::string>& overrides);
 
-/// Runs the case with seeds 1 to `runs`; the result does not depend on `threads`. Throws CaseError as
+/// Runs the case with seeds 1 to `runs`; the result does not depend on `threads`. With a folder each run that
+/// ends is noted in its journal, and what stands there is not run again. Throws CaseError as
 /// read_ensemble_scene does.
 EnsembleResult run_ensemble(const std::filesystem::path& file, const std::vector<std::string>& overrides,
-                            const EnsembleOptions& options);
+                            const EnsembleOptions& options, ResultFolder* folder = nullptr);
 
 /// ensemble.csv (time, mean and standard error of each column), quantities.csv (one row a quantity) and
-/// ensemble.json (the same with the value of each run, and failures). Throws
-/// OutputError.
-void write_ensemble(const std::filesystem::path& folder, const EnsembleResult& result,
-                    const Provenance& provenance);
+/// ensemble.json (the same with the value of each run, and failures). Each says how many of the runs had
+/// ended. Throws WriteError.
+void write_ensemble(ResultFolder& folder, const EnsembleResult& result);
+
+/// "done", or "interrupted" before all runs had ended.
+const char* status_of(const EnsembleResult& result);
 
 /// Difference of two means in units of its standard error.
 struct Effect {

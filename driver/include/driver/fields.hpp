@@ -2,11 +2,11 @@
 // Field output for ParaView: fields.pvd and one .vtp (XML PolyData) per output time.
 #pragma once
 
-#include <filesystem>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "driver/result_folder.hpp"
 #include "driver/scene.hpp"
 #include "driver/state.hpp"
 
@@ -21,14 +21,16 @@ namespace driver {
 /// All members throw WriteError.
 class FieldWriter {
  public:
-  FieldWriter(const std::filesystem::path& folder, const Scene& scene);
+  FieldWriter(ResultFolder& folder, const Scene& scene);
+  /// Names of the files.
+  static bool is_own(const std::string& name);
   /// Writes level n. Call it when the forces of n are complete (StepRequest::before_advance).
   void write(const State& state);
 
  private:
   void write_collection() const;
 
-  std::filesystem::path folder_;
+  ResultFolder& folder_;
   const Scene& scene_;
   std::vector<std::pair<double, std::string>> files_;  // time [s], file
 };

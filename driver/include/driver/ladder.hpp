@@ -137,24 +137,19 @@ std::string quantity_name(const Scene& scene, const std::string& quantity);
 /// Runs the ladder; results but the costs do not depend on `threads`. Where the quantity is 0 in the full
 /// case or has no event there, only that is run, and `reason` says so. Throws CaseError as plan_ladder does,
 /// and std::runtime_error when the full case, one of its seeds or the finest rung leaves its domain: errors
-/// have no reference then.
+/// have no reference then. With a folder each run that is done is noted in its journal, and what stands there
+/// is not run again.
 LadderResult run_ladder(const std::filesystem::path& file, const std::vector<std::string>& overrides,
-                        const LadderOptions& options);
+                        const LadderOptions& options, ResultFolder* folder = nullptr);
 
-/// Throws CaseError if `folder` has a cheapest.toml that no ladder wrote.
-void refuse_own_cheapest(const std::filesystem::path& folder);
-
-/// ladder.csv, ladder.json, and, if there is a cheapest rung, cheapest.toml, which runs as it is; those of an
-/// earlier ladder go, and its chart. `partial`, of one that was interrupted: ladder_partial.csv and
-/// ladder_partial.json, and those of an earlier one stay. Throws WriteError.
-void write_ladder(const std::filesystem::path& folder, const LadderResult& result,
-                  const std::filesystem::path& file, const std::vector<std::string>& overrides,
-                  const LadderOptions& options, bool partial);
+/// ladder.csv, ladder.json, and, if there is a cheapest rung, cheapest.toml, which runs as it is. `partial`,
+/// of one that was interrupted: what had run by then. Throws WriteError.
+void write_ladder(ResultFolder& folder, const LadderResult& result, const std::filesystem::path& file,
+                  const std::vector<std::string>& overrides, const LadderOptions& options, bool partial);
 
 /// The chart of a ladder that has been judged, error against cost of its rungs: ladder.gp, gnuplot's commands
 /// with the numbers, and ladder.svg, which gnuplot draws of them. Returns why there is no picture; empty:
 /// there is. Throws WriteError.
-std::string draw_ladder(const std::filesystem::path& folder, const LadderResult& result,
-                        const LadderOptions& options);
+std::string draw_ladder(ResultFolder& folder, const LadderResult& result, const LadderOptions& options);
 
 }  // namespace driver

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <chrono>
+#include <exception>
 #include <string>
 
 namespace driver {
@@ -31,8 +32,14 @@ class Progress {
   std::chrono::steady_clock::time_point last_;
 };
 
-/// After this call the first Ctrl-C (or SIGTERM) sets a flag that the time loop reads. A second one ends the
-/// program as usual.
+/// what() of an error; of one of memory, how much was in use.
+std::string text_of(const std::exception& error);
+
+/// A line on standard error; one that cannot be written stops nothing.
+void tell(const std::string& line);
+
+/// After this call the first Ctrl-C (or SIGTERM, or SIGHUP unless it is ignored) sets a flag that the time
+/// loop reads. A second one ends the program as usual.
 void catch_interrupt();
 /// True after the first Ctrl-C.
 bool interrupted();

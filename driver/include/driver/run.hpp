@@ -41,15 +41,18 @@ RunOutcome run_scene(const Scene& scene, State& state, const LevelSink& sink,
                      const std::function<void(const State&)>& fields = {},
                      const Executor& executor = Executor::serial(), const std::function<bool()>& stop = {});
 
-/// Runs and writes history.csv, energy.csv, summary.json (and fields) to `folder`.
+/// Runs and writes history.csv, energy.csv, summary.json (and fields) to `folder`. `provenance` opens the
+/// files; its "run" is the id, by default that of the other lines but the date. Throws OutputError before
+/// anything of an earlier run is touched, and as ResultFolder does.
 RunOutcome run_to_folder(const Scene& scene, const std::filesystem::path& folder,
                          const Provenance& provenance, const RunOptions& options);
 
+/// "done", "inaccurate", "interrupted" or "failed".
+const char* status_name(RunStatus status);
 /// Text of summary.json of a run, whatever its outcome.
 std::string summary_text(const Scene& scene, const State& state, const RunOutcome& outcome,
                          const Provenance& provenance);
-/// Writes it. Throws WriteError.
-void write_summary(const std::filesystem::path& file, const Scene& scene, const State& state,
-                   const RunOutcome& outcome, const Provenance& provenance);
+/// The same until the run ends.
+std::string summary_of_running(const Scene& scene, const Provenance& provenance);
 
 }  // namespace driver

@@ -13,7 +13,41 @@
 namespace driver {
 namespace {
 
+constexpr std::size_t most_parts = 100;  // of a dotted key: tables within tables are read by recursion
+
+// The longest dotted key, or 0: dots between words outside of quotes and comments.
+std::size_t longest_key(std::string_view line) {
+  std::size_t dots = 0, most = 0;
+  char quote = 0;
+  for (const char c : line) {
+    if (quote != 0) {
+      if (c == quote) quote = 0;
+    } else if (c == '"' || c == '\'') {
+      quote = c;
+    } else if (c == '#') {
+      break;
+    } else if (c == '.') {
+      most = std::max(most, ++dots);
+    } else if (c == ',' || c == '=' || c == '[' || c == '{') {
+      dots = 0;
+    }
+  }
+  return most;
+}
+
+void check_keys(const std::string& text, const std::string& name) {
+  std::size_t number = 0, begin = 0;
+  while (begin < text.size()) {
+    const std::size_t end = std::min(text.find('\n', begin), text.size());
+    ++number;
+    if (longest_key(std::string_view(text).substr(begin, end - begin)) >= most_parts)
+      throw CaseError(fmt::format("{}:{}:1: a key has more than {} parts", name, number, most_parts));
+    begin = end + 1;
+  }
+}
+
 toml::table parse(const std::string& text, const std::string& name) {
+  check_keys(text, name);
   try {
     return toml::parse(text, name);
   } catch (const toml::parse_error& error) {
@@ -95,6 +129,9 @@ void apply_override(toml::table& root, const std::string& text) {
   if (equals == std::string::npos || equals == 0)
     throw CaseError(fmt::format("--set {}: key.path=value is expected", text));
   const auto parts = split_path(text.substr(0, equals));
+  check_keys(text.substr(equals + 1), "--set");
+  if (parts.size() > most_parts)
+    throw CaseError(fmt::format("--set {}...: a key has more than {} parts", text.substr(0, 80), most_parts));
   if (text[equals - 1] == '.' ||
       std::any_of(parts.begin(), parts.end(), [](const auto& p) { return p.key.empty(); }))
     throw CaseError(fmt::format("--set {}: a part of the path is empty", text));

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "case/log.hpp"
 #include "case/toml_library.hpp"
@@ -16,6 +17,24 @@ std::string location(const toml::source_region& source, const std::string& other
   if (!source.path || source.begin.line == 0) return otherwise;
   if (source.path->starts_with("--set ")) return *source.path;
   return fmt::format("{}:{}:{}", *source.path, source.begin.line, source.begin.column);
+}
+
+constexpr std::size_t most_tables = 1000;  // of one list: some work is for each pair of them
+
+// Insertions, deletions and changes of one letter that make `a` of `b`.
+std::size_t edits(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    std::size_t diagonal = row[0];
+    row[0] = i;
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const std::size_t changed = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
+      diagonal = row[j];
+      row[j] = std::min({row[j] + 1, row[j - 1] + 1, changed});
+    }
+  }
+  return row.back();
 }
 
 const char* type_name(const toml::node& node) {
@@ -71,9 +90,20 @@ const toml::node* TableReader::find(const std::string& key) {
   return table_->get(key);
 }
 
+std::string TableReader::misspelt(const std::string& key) const {
+  for (const auto& [other, node] : *table_) {
+    const std::string_view name = other.str();
+    const std::size_t letters = std::max(name.size(), key.size());
+    if (!asked_.contains(std::string(name)) && letters < 64 &&
+        edits(name, key) <= std::max<std::size_t>(1, letters / 4))
+      return fmt::format("; is '{}' meant?", name);
+  }
+  return {};
+}
+
 const toml::node& TableReader::require(const std::string& key, const char* allowed) {
   const toml::node* node = find(key);
-  if (!node) fail(key, fmt::format("is missing, {} is needed", allowed));
+  if (!node) fail(key, fmt::format("is missing, {} is needed{}", allowed, misspelt(key)));
   return *node;
 }
 
@@ -205,6 +235,8 @@ std::vector<TableReader> TableReader::tables(const std::string& key) {
   if (!node) return readers;
   if (!node->is_array())
     fail(key, fmt::format("is {}, an array of tables ([[{}]]) is allowed", type_name(*node), key));
+  if (node->as_array()->size() > most_tables)
+    fail(key, fmt::format("has {} tables, at most {} are allowed", node->as_array()->size(), most_tables));
   for (const toml::node& element : *node->as_array()) {
     if (!element.is_table()) fail(key, fmt::format("holds {}, tables are allowed", type_name(element)));
     readers.emplace_back(*element.as_table(), fmt::format("{}.{}", join(key), readers.size()), where_, *log_);

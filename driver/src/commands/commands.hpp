@@ -4,7 +4,6 @@
 #pragma once
 
 #include <filesystem>
-#include <initializer_list>
 #include <string>
 #include <vector>
 
@@ -14,10 +13,10 @@
 namespace driver::commands {
 
 inline constexpr int exit_done = 0;
-inline constexpr int exit_outside = 1;        // compare: outside the reference's band
-inline constexpr int exit_input = 2;          // the command line or an input is wrong; nothing written
-inline constexpr int exit_domain = 3;         // the computation left its domain; what was computed is kept
-inline constexpr int exit_undecided = 4;      // compare, ladder: neither inside nor outside can be said
+inline constexpr int exit_outside = 1;    // compare: outside the band; mesh convert: no closed control volume
+inline constexpr int exit_input = 2;      // the command line or an input is wrong; nothing written
+inline constexpr int exit_domain = 3;     // the computation left its domain; what was computed is kept
+inline constexpr int exit_undecided = 4;  // compare, ladder: neither inside nor outside can be said
 inline constexpr int exit_interrupted = 130;  // Ctrl-C, as shells report it; what was computed is kept
 
 int exit_code(Verdict verdict);
@@ -39,11 +38,15 @@ std::vector<std::string> names_of(const std::vector<std::string>& lists);
 void refuse_same_file(const char* option, const std::filesystem::path& out,
                       const std::vector<std::filesystem::path>& inputs);
 /// The same for the files `outputs` that a command writes to the folder of --out.
-void refuse_inputs(const std::filesystem::path& folder, std::initializer_list<const char*> outputs,
+void refuse_inputs(const std::filesystem::path& folder, const std::vector<std::string>& outputs,
                    const std::vector<std::filesystem::path>& inputs);
 /// A case and the files that it names. Throws CaseError.
 std::vector<std::filesystem::path> input_files(const std::filesystem::path& file,
                                                const std::vector<std::string>& overrides);
+
+/// Id of what `command` with `options` makes of cases that have been read.
+std::string id_of(const std::string& command, const std::vector<std::string>& options,
+                  const std::vector<const CaseDocument*>& cases);
 
 struct CaseArguments {
   std::filesystem::path file;

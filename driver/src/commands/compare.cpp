@@ -64,25 +64,21 @@ Tolerance tolerance_of(const std::vector<std::string>& options) {
 }
 
 void write_rows(const std::filesystem::path& file, const Difference& difference) {
-  std::ofstream stream(file);
-  if (!stream) throw OutputError(fmt::format("--rows {}: not writable", file.string()));
-  stream << "time_s";
+  std::string rows = "time_s";
   for (const auto& q : difference.quantities) {
     if (q.values.empty()) continue;
-    stream << ',' << q.name << ',' << q.name << "_reference";
-    if (!q.band.empty()) stream << ',' << q.name << band_suffix;
+    rows += fmt::format(",{0},{0}_reference", q.name);
+    if (!q.band.empty()) rows += ',' + q.name + band_suffix;
   }
   for (std::size_t i = 0; i < difference.time.size(); ++i) {
-    stream << fmt::format("\n{}", difference.time[i]);
+    rows += fmt::format("\n{}", difference.time[i]);
     for (const auto& q : difference.quantities) {
       if (q.values.empty()) continue;
-      stream << fmt::format(",{},{}", q.values[i], q.expected[i]);
-      if (!q.band.empty()) stream << fmt::format(",{}", q.band[i]);
+      rows += fmt::format(",{},{}", q.values[i], q.expected[i]);
+      if (!q.band.empty()) rows += fmt::format(",{}", q.band[i]);
     }
   }
-  stream << '\n';
-  stream.flush();
-  if (!stream) throw WriteError(fmt::format("{}: write failed (disk full?)", file.string()));
+  replace_file(file, rows + '\n');
 }
 
 }  // namespace

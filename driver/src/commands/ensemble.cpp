@@ -3,19 +3,23 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <deque>
+
 #include "commands/commands.hpp"
 #include "driver/progress.hpp"
+#include "driver/results.hpp"
 
 namespace driver::commands {
 namespace {
 
-constexpr std::initializer_list<const char*> files_of_case{"ensemble.csv", "quantities.csv", "ensemble.json"};
+const std::vector<std::string> files_of_case{"ensemble.csv", "quantities.csv", "ensemble.json", journal_file};
 
 void refuse_inputs_of(const std::filesystem::path& folder, const std::filesystem::path& file,
                       const std::vector<std::string>& overrides) {
   const auto inputs = input_files(file, overrides);
   refuse_inputs(folder / file.stem(), files_of_case, inputs);
-  refuse_inputs(folder, {"effects.csv"}, inputs);
+  refuse_inputs(folder, {"effects.csv", status_file}, inputs);
 }
 
 void print_quantities(const std::string& title, const EnsembleResult& result) {
@@ -31,9 +35,8 @@ void print_quantities(const std::string& title, const EnsembleResult& result) {
 void report(const std::string& title, const EnsembleResult& result, bool quiet) {
   if (!quiet) print_quantities(title, result);
   for (const auto& failure : result.failures)
-    fmt::print(stderr, "gasjet: {}: failed run, left out: {}\n", title, failure);
-  if (!quiet)
-    for (const auto& warning : result.warnings) fmt::print(stderr, "warning: {}: {}\n", title, warning);
+    tell(fmt::format("gasjet: {}: failed run, left out: {}", title, failure));
+  for (const auto& warning : result.warnings) tell(fmt::format("warning: {}: {}", title, warning));
 }
 
 void print_effects(const std::vector<Effect>& list) {
@@ -43,54 +46,81 @@ void print_effects(const std::vector<Effect>& list) {
                e.decided() ? "decided" : "undecided");
 }
 
-void write_effects(const std::filesystem::path& file, const std::vector<Effect>& list) {
-  std::ofstream csv(file);
-  csv << "quantity,mean,standard_error,mean_against,standard_error_against,difference,standard_errors,"
-         "decided\n";
+std::string effects_text(const std::vector<Effect>& list) {
+  std::string csv =
+      "quantity,mean,standard_error,mean_against,standard_error_against,difference,standard_errors,decided\n";
   for (const Effect& e : list)
-    csv << fmt::format("{},{},{},{},{},{},{},{}\n", e.quantity, e.with.mean, e.with.standard_error,
+    csv += fmt::format("{},{},{},{},{},{},{},{}\n", e.quantity, e.with.mean, e.with.standard_error,
                        e.without.mean, e.without.standard_error, e.difference, e.standard_errors,
                        e.decided() ? "yes" : "no");
-  csv.flush();
-  if (!csv) throw WriteError(fmt::format("{}: write failed", file.string()));
+  return csv;
+}
+
+// One case of the command: its folder and what came of its runs.
+struct Part {
+  Part(const std::filesystem::path& case_file, const std::filesystem::path& out)
+      : file(case_file), folder(out / case_file.stem(), "ensemble", files_of_case) {}
+  std::filesystem::path file;
+  ResultFolder folder;
+  EnsembleResult result;
+};
+
+std::string id_of_cases(const std::vector<std::filesystem::path>& files, const EnsembleArguments& arguments) {
+  std::deque<CaseDocument> documents;
+  std::vector<const CaseDocument*> cases;
+  for (const auto& file : files) {
+    documents.emplace_back(file, arguments.scene.overrides);
+    read_scene(documents.back());
+    cases.push_back(&documents.back());
+  }
+  return id_of("ensemble", {fmt::format("{}", arguments.runs), fmt::format("{}", arguments.amplitude)},
+               cases);
 }
 
 }  // namespace
 
 int ensemble(const EnsembleArguments& arguments) {
   const EnsembleOptions options{arguments.runs, arguments.amplitude, arguments.threads, arguments.quiet};
-  const auto folder = arguments.out.empty() ? std::filesystem::path("results") /
-                                                  ("ensemble_" + arguments.scene.file.stem().string())
-                                            : arguments.out;
-  if (!arguments.against.empty()) {
-    if (arguments.against.stem() == arguments.scene.file.stem())
-      throw CaseError(fmt::format("--against {}: needs another file name than the first case",
-                                  arguments.against.string()));
-    read_ensemble_scene(arguments.against, arguments.scene.overrides);
-    refuse_inputs_of(folder, arguments.against, arguments.scene.overrides);
+  const auto& overrides = arguments.scene.overrides;
+  const auto path = arguments.out.empty() ? std::filesystem::path("results") /
+                                                ("ensemble_" + arguments.scene.file.stem().string())
+                                          : arguments.out;
+  std::vector<std::filesystem::path> files{arguments.scene.file};
+  if (!arguments.against.empty()) files.push_back(arguments.against);
+  if (files.size() > 1 && files[0].stem() == files[1].stem())
+    throw CaseError(
+        fmt::format("--against {}: needs another file name than the first case", arguments.against.string()));
+  for (const auto& file : files) {
+    read_ensemble_scene(file, overrides);
+    refuse_inputs_of(path, file, overrides);
   }
-  read_ensemble_scene(arguments.scene.file, arguments.scene.overrides);
-  refuse_inputs_of(folder, arguments.scene.file, arguments.scene.overrides);
-  prepare_output(folder, {"effects.csv"});
-  prepare_output(folder / arguments.scene.file.stem(), files_of_case);
-  if (!arguments.against.empty()) prepare_output(folder / arguments.against.stem(), files_of_case);
+  const std::string id = id_of_cases(files, arguments);
+  ResultFolder all(path, "ensemble", {"effects.csv"});
+  std::deque<Part> parts;
+  for (const auto& file : files) parts.emplace_back(file, path);
+  all.begin(provenance(arguments.scene.file, overrides, id));
+  for (Part& part : parts) part.folder.begin(provenance(part.file, overrides, id));
   catch_interrupt();
-  const auto result = run_ensemble(arguments.scene.file, arguments.scene.overrides, options);
-  write_ensemble(folder / arguments.scene.file.stem(), result,
-                 provenance(arguments.scene.file, arguments.scene.overrides));
-  report(arguments.scene.file.stem().string(), result, options.quiet);
-  bool failed = !result.failures.empty();
-  if (!arguments.against.empty() && !interrupted()) {
-    const auto other = run_ensemble(arguments.against, arguments.scene.overrides, options);
-    write_ensemble(folder / arguments.against.stem(), other,
-                   provenance(arguments.against, arguments.scene.overrides));
-    report(arguments.against.stem().string(), other, options.quiet);
-    const auto list = effects(result, other);
-    write_effects(folder / "effects.csv", list);
-    if (!options.quiet) print_effects(list);
-    failed = failed || !other.failures.empty();
+  bool failed = false;
+  for (Part& part : parts) {
+    part.result.asked = options.runs;
+    if (!interrupted()) part.result = run_ensemble(part.file, overrides, options, &part.folder);
+    write_ensemble(part.folder, part.result);
+    report(part.file.stem().string(), part.result, options.quiet);
+    failed = failed || !part.result.failures.empty();
   }
-  if (interrupted()) return exit_interrupted;
+  const bool done =
+      std::ranges::all_of(parts, [](const Part& part) { return part.result.ended == part.result.asked; });
+  if (parts.size() > 1 && done) {
+    const auto list = effects(parts[0].result, parts[1].result);
+    all.write("effects.csv", comment_lines(all.lines()) + effects_text(list));
+    if (!options.quiet) print_effects(list);
+  }
+  // All at once: what one says of the other is of one run.
+  const char* status = done ? "done" : "interrupted";
+  for (Part& part : parts) part.folder.end(status);
+  all.end(status);
+  if (!done) return exit_interrupted;
   return failed ? exit_domain : exit_done;
 }
 

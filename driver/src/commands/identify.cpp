@@ -203,7 +203,7 @@ Provenance findings(const IdentifyArguments& a, const gas::Identified& found) {
 void write_curve(const std::filesystem::path& file, const Provenance& lines, const gas::Identified& found) {
   fmt::memory_buffer out;
   const auto to = std::back_inserter(out);
-  for (const auto& [key, value] : lines) fmt::format_to(to, "# {}: {}\n", key, value);
+  fmt::format_to(to, "{}", comment_lines(lines));
   fmt::format_to(to,
                  "time_s,mass_flow_kg_s,mass_flow_low_kg_s,mass_flow_high_kg_s,temperature_K,"
                  "temperature_low_K,temperature_high_K,tank_pressure_Pa,chamber_pressure_Pa,"
@@ -214,11 +214,7 @@ void write_curve(const std::filesystem::path& file, const Provenance& lines, con
                    p.time, p.mass_flow, p.mass_flow_band.low, p.mass_flow_band.high, p.temperature,
                    p.temperature_band.low, p.temperature_band.high, p.tank_pressure, p.chamber_pressure,
                    p.enthalpy_flow, p.amplification, p.masked, p.band_claimed);
-  std::ofstream stream(file, std::ios::binary);
-  if (!stream) throw OutputError(fmt::format("--out {}: not writable", file.string()));
-  stream.write(out.data(), static_cast<std::streamsize>(out.size()));
-  stream.flush();
-  if (!stream) throw WriteError(fmt::format("{}: write failed (disk full?)", file.string()));
+  replace_file(file, fmt::to_string(out));
 }
 
 }  // namespace

@@ -109,40 +109,56 @@ void print(const LadderResult& result, const LadderOptions& options, const std::
   print_verdict(result, options, folder);
 }
 
+// What the results follow from, besides the case.
+std::vector<std::string> options_of(const LadderOptions& options) {
+  return {options.quantity, fmt::format("{}", options.tolerance),
+          fmt::format("{}", fmt::join(options.hold, ",")), fmt::format("{}", options.runs)};
+}
+
+void draw(ResultFolder& folder, const LadderResult& result, const LadderOptions& options) {
+  if (const auto problem = draw_ladder(folder, result, options); !problem.empty())
+    tell("gasjet: no chart: " + problem);
+  else if (!options.quiet)
+    fmt::print("chart: {}\n", (folder.path() / "ladder.svg").string());
+}
+
 }  // namespace
 
 int ladder(const LadderArguments& arguments) {
   const LadderOptions options{arguments.quantity,       read_tolerance(arguments.tolerance),
                               names_of(arguments.hold), arguments.runs,
                               arguments.threads,        arguments.quiet};
-  const auto folder = arguments.out.empty() ? std::filesystem::path("results") /
-                                                  ("ladder_" + arguments.scene.file.stem().string())
-                                            : arguments.out;
-  plan_ladder(arguments.scene.file, arguments.scene.overrides, options.quantity, options.hold);
-  const auto files = {"ladder.csv",    "ladder.json",        "ladder.gp",          "ladder.svg",
-                      "cheapest.toml", "ladder_partial.csv", "ladder_partial.json"};
-  refuse_inputs(folder, files, input_files(arguments.scene.file, arguments.scene.overrides));
-  refuse_own_cheapest(folder);
-  prepare_output(folder, files);
+  const auto& file = arguments.scene.file;
+  const auto& overrides = arguments.scene.overrides;
+  const auto path = arguments.out.empty() ? std::filesystem::path("results") /
+                                                ("ladder_" + arguments.scene.file.stem().string())
+                                          : arguments.out;
+  plan_ladder(file, overrides, options.quantity, options.hold);
+  CaseDocument document(file, overrides);
+  read_scene(document);
+  const std::vector<std::string> files{"ladder.csv", "ladder.json",   "ladder.gp",
+                                       "ladder.svg", "cheapest.toml", journal_file};
+  refuse_inputs(path, files, document.files());
+  ResultFolder folder(path, "ladder", files);
+  folder.begin(provenance(file, overrides, id_of("ladder", options_of(options), {&document})));
   catch_interrupt();
-  const LadderResult result = run_ladder(arguments.scene.file, arguments.scene.overrides, options);
+  const LadderResult result = run_ladder(file, overrides, options, &folder);
   const bool partial = interrupted();
-  write_ladder(folder, result, arguments.scene.file, arguments.scene.overrides, options, partial);
+  write_ladder(folder, result, file, overrides, options, partial);
   if (partial) {
-    fmt::print(stderr, "gasjet: interrupted: what had run by then is in {}\n",
-               (folder / "ladder_partial.csv").string());
+    folder.end("interrupted");
+    tell(
+        fmt::format("gasjet: interrupted: what had run by then is in {}, the same command goes on from there",
+                    (path / "ladder.csv").string()));
     return exit_interrupted;
   }
-  if (!result.reason.empty()) {
-    fmt::print(stderr, "gasjet: undecided: {}\n", result.reason);
-    return exit_undecided;
-  }
-  if (!options.quiet) print(result, options, folder);
-  if (const auto problem = draw_ladder(folder, result, options); !problem.empty())
-    fmt::print(stderr, "gasjet: no chart: {}\n", problem);
-  else if (!options.quiet)
-    fmt::print("chart: {}\n", (folder / "ladder.svg").string());
-  return exit_code(result.verdict);
+  if (result.reason.empty() && !options.quiet) print(result, options, path);
+  if (result.reason.empty())
+    draw(folder, result, options);
+  else
+    tell(fmt::format("gasjet: undecided: {}", result.reason));
+  folder.end("done");
+  return result.reason.empty() ? exit_code(result.verdict) : exit_undecided;
 }
 
 }  // namespace driver::commands

@@ -69,7 +69,8 @@ void check_quality(const BagMesh& bag, const std::filesystem::path& file) {
   }
 }
 
-void print_report(const BagMesh& bag) {
+// True if the surface is a closed control volume.
+bool print_report(const BagMesh& bag) {
   const membrane::Mesh& mesh = bag.mesh;
   fmt::print("{} elements, {} nodes, volume {:.5g} m3\n", mesh.element_count(), mesh.node_count(),
              membrane::enclosed_volume(bag.shape(), mesh.elements));
@@ -84,14 +85,24 @@ void print_report(const BagMesh& bag) {
     fmt::print("strap anchors: nodes {} and {}\n", back, front);
   const auto faults = membrane::check_closed_surface(bag.shape(), mesh.elements).describe(mesh.line);
   fmt::print("{}", faults.empty() ? "closed control volume: yes\n" : "closed control volume: no\n" + faults);
+  return faults.empty();
+}
+
+// What the format cannot hold is a fault of the option that names the file.
+void write_as(const char* option, const membrane::Mesh& mesh, const std::filesystem::path& file) {
+  try {
+    membrane::write_mesh(mesh, file);
+  } catch (const std::invalid_argument& error) {
+    throw CaseError(fmt::format("{} {}: {}", option, file.string(), error.what()));
+  }
 }
 
 void write(const BagMesh& bag, const MeshArguments& arguments) {
-  if (!arguments.out.empty()) membrane::write_mesh(bag.mesh, arguments.out);
+  if (!arguments.out.empty()) write_as("--out", bag.mesh, arguments.out);
   if (arguments.initial.empty()) return;
   membrane::Mesh shape = bag.mesh;
   shape.nodes = bag.shape();
-  membrane::write_mesh(shape, arguments.initial);
+  write_as("--initial", shape, arguments.initial);
 }
 
 void check_outputs(const MeshArguments& arguments) {
@@ -101,7 +112,8 @@ void check_outputs(const MeshArguments& arguments) {
     if (!file.empty()) membrane::check_mesh_ending(file);
 }
 
-int finish(BagMesh bag, const MeshArguments& arguments, const std::vector<std::string>& null_panels) {
+// True if the surface is a closed control volume.
+bool finish(BagMesh bag, const MeshArguments& arguments, const std::vector<std::string>& null_panels) {
   try {
     check_outputs(arguments);
     for (const auto& name : null_panels) membrane::panel_elements(bag.mesh, name);  // refuses an unknown name
@@ -111,8 +123,7 @@ int finish(BagMesh bag, const MeshArguments& arguments, const std::vector<std::s
   } catch (const membrane::MeshFileError& error) {
     throw OutputError(error.what());
   }
-  print_report(bag);
-  return exit_done;
+  return print_report(bag);
 }
 
 // Errors of the library in what was asked for are errors of the command line.
@@ -133,7 +144,8 @@ int mesh_driver(const MeshArguments& arguments) {
   return reported([&] {
     BagMesh bag = generate_with<membrane::DriverBagOptions>(arguments.overrides);
     const auto vents = vent_panels(bag.mesh);
-    return finish(std::move(bag), arguments, vents);
+    finish(std::move(bag), arguments, vents);
+    return exit_done;
   });
 }
 
@@ -141,7 +153,8 @@ int mesh_passenger(const MeshArguments& arguments) {
   return reported([&] {
     BagMesh bag = generate_with<membrane::PassengerBagOptions>(arguments.overrides);
     const auto vents = vent_panels(bag.mesh);
-    return finish(std::move(bag), arguments, vents);
+    finish(std::move(bag), arguments, vents);
+    return exit_done;
   });
 }
 
@@ -150,7 +163,7 @@ int mesh_convert(const MeshArguments& arguments) {
     BagMesh bag{membrane::read_mesh(arguments.file), std::nullopt, {}};
     bag.mesh.nodes *= arguments.length_unit;
     require_areas(bag.mesh, arguments.file);
-    return finish(std::move(bag), arguments, arguments.null_panels);
+    return finish(std::move(bag), arguments, arguments.null_panels) ? exit_done : exit_outside;
   });
 }
 
@@ -160,7 +173,8 @@ int mesh_of_case(const MeshArguments& arguments) {
   refuse_same_file("--out", arguments.out, document.files());
   refuse_same_file("--initial", arguments.initial, document.files());
   if (!scene.bag) throw CaseError(fmt::format("{}: the scene has no membrane", arguments.file.string()));
-  return finish({scene.bag->mesh, scene.bag->initial_position, {}}, arguments, {});
+  finish({scene.bag->mesh, scene.bag->initial_position, {}}, arguments, {});
+  return exit_done;
 }
 
 }  // namespace driver::commands

@@ -34,7 +34,7 @@ void add_case(CLI::App& command, CaseArguments& arguments) {
 void add_threads(CLI::App& command, int& threads, bool& quiet) {
   command.add_option("--threads", threads, "threads; the results do not depend on it")
       ->check(CLI::Range(1, 1024));
-  command.add_flag("--quiet", quiet, "nothing but errors is printed");
+  command.add_flag("--quiet", quiet, "nothing but warnings and errors is printed");
 }
 
 struct Arguments {
@@ -68,7 +68,7 @@ void add_ensemble(CLI::App& app, Arguments& all) {
       ->check(named);
   ensemble->add_option("--runs", all.ensemble.runs, "number of runs")->check(CLI::Range(2, 100000));
   ensemble->add_option("--amplitude", all.ensemble.amplitude, "largest displacement of the initial nodes [m]")
-      ->check(finite & CLI::Range(1e-18, 1e-3));
+      ->check(within(1e-18, 1e-3, "1e-18 to 1e-3 m"));
   ensemble->add_option("--against", all.ensemble.against, "a second case: report the difference of the means")
       ->check(named);
 }

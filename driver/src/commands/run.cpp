@@ -13,23 +13,23 @@ namespace driver::commands {
 int run(const RunArguments& arguments) {
   CaseDocument document(arguments.scene.file, arguments.scene.overrides);
   const Scene scene = read_scene(document);
-  if (!arguments.quiet)
-    for (const auto& warning : scene.warnings) fmt::print(stderr, "warning: {}\n", warning);
+  for (const auto& warning : scene.warnings) tell("warning: " + warning);
   const auto folder =
       arguments.out.empty() ? std::filesystem::path("results") / arguments.scene.file.stem() : arguments.out;
-  refuse_inputs(folder, {"history.csv", "energy.csv", "summary.json"}, document.files());
+  refuse_inputs(folder, {"history.csv", "energy.csv", "summary.json", status_file}, document.files());
   catch_interrupt();
-  const auto outcome =
-      run_to_folder(scene, folder, provenance(arguments.scene.file, arguments.scene.overrides),
-                    {arguments.quiet, arguments.threads});
-  if (!outcome.warning.empty() && !arguments.quiet) fmt::print(stderr, "warning: {}\n", outcome.warning);
+  const auto outcome = run_to_folder(
+      scene, folder,
+      provenance(arguments.scene.file, arguments.scene.overrides, id_of("run", {}, {&document})),
+      {arguments.quiet, arguments.threads});
+  if (!outcome.warning.empty()) tell("warning: " + outcome.warning);
   if (outcome.status == RunStatus::inaccurate) {
-    fmt::print(stderr, "gasjet: inaccurate: {}\nResults up to the end are in {}\n", outcome.message,
-               folder.string());
+    tell(fmt::format("gasjet: inaccurate: {}\nResults up to the end are in {}", outcome.message,
+                     folder.string()));
     return exit_domain;
   }
   if (outcome.status == RunStatus::failed) {
-    fmt::print(stderr, "gasjet: {}\nResults up to there are in {}\n", outcome.message, folder.string());
+    tell(fmt::format("gasjet: {}\nResults up to there are in {}", outcome.message, folder.string()));
     return exit_domain;
   }
   if (!arguments.quiet)

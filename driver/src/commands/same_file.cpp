@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "commands/commands.hpp"
+#include "driver/result_folder.hpp"
 #include "driver/scene.hpp"
 
 namespace driver::commands {
@@ -23,9 +24,9 @@ void refuse_same_file(const char* option, const std::filesystem::path& out,
                                   input.string()));
 }
 
-void refuse_inputs(const std::filesystem::path& folder, std::initializer_list<const char*> outputs,
+void refuse_inputs(const std::filesystem::path& folder, const std::vector<std::string>& outputs,
                    const std::vector<std::filesystem::path>& inputs) {
-  for (const char* name : outputs) refuse_same_file("--out", folder / name, inputs);
+  for (const auto& name : outputs) refuse_same_file("--out", folder / name, inputs);
 }
 
 std::vector<std::filesystem::path> input_files(const std::filesystem::path& file,
@@ -33,6 +34,19 @@ std::vector<std::filesystem::path> input_files(const std::filesystem::path& file
   CaseDocument document(file, overrides);
   read_scene(document);
   return document.files();
+}
+
+std::string id_of(const std::string& command, const std::vector<std::string>& options,
+                  const std::vector<const CaseDocument*>& cases) {
+  std::vector<std::string> facts{command};
+  facts.insert(facts.end(), options.begin(), options.end());
+  std::vector<std::filesystem::path> files;
+  for (const CaseDocument* one : cases) {
+    const auto folder = one->file().parent_path();
+    facts.push_back(one->text(folder.empty() ? "." : folder));  // as it is, with its overrides
+    for (auto& file : one->files()) files.push_back(std::move(file));
+  }
+  return run_id(facts, files);
 }
 
 }  // namespace driver::commands

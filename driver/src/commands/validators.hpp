@@ -4,7 +4,6 @@
 
 #include <CLI/CLI.hpp>
 #include <cmath>
-#include <limits>
 #include <string>
 
 namespace driver::commands {
@@ -17,8 +16,16 @@ inline CLI::Validator finite_above(double least, const std::string& allowed) {
   };
   return {fault, ""};
 }
-inline const CLI::Validator finite = finite_above(std::numeric_limits<double>::lowest(), "a finite number");
 inline const CLI::Validator positive = finite_above(0.0, "a finite number above 0");
+
+inline CLI::Validator within(double low, double high, const std::string& allowed) {
+  const auto fault = [low, high, allowed](std::string& text) {
+    double value = 0.0;
+    const bool good = CLI::detail::lexical_cast(text, value) && value >= low && value <= high;  // no NaN is
+    return good ? std::string() : text + ": " + allowed + " is allowed";
+  };
+  return {fault, ""};
+}
 
 inline CLI::Validator not_empty(const std::string& needed) {
   const std::string fault = "is empty, " + needed + " is needed";

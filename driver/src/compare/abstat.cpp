@@ -59,7 +59,7 @@ CsvTable read_abstat(const std::filesystem::path& file, int volume_number) {
                   "total_mass", "gas_temp", "surface_area", "reaction"},
                  std::vector<std::vector<double>>(kFields - 1),
                  {},
-                 std::vector<std::vector<std::size_t>>(kFields - 1)};
+                 std::vector<std::vector<std::uint32_t>>(kFields - 1)};
   std::istringstream stream(read_text(file));
   std::set<int> present;
   std::size_t line_number = 0;
@@ -74,11 +74,11 @@ CsvTable read_abstat(const std::filesystem::path& file, int volume_number) {
     const Row row = read_row(file, line_number, line);
     present.insert(static_cast<int>(row.values[kNumberField]));
     if (row.values[kNumberField] != volume_number) continue;
-    table.lines.push_back(line_number);
+    table.lines.push_back(static_cast<std::uint32_t>(line_number));
     for (std::size_t i = 0, c = 0; i < kFields; ++i) {
       if (i == kNumberField) continue;
       table.values[c].push_back(row.values[i]);
-      table.positions[c++].push_back(row.positions[i]);
+      table.positions[c++].push_back(static_cast<std::uint32_t>(row.positions[i]));
     }
   }
   if (table.rows() > 0) return table;

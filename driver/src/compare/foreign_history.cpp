@@ -120,10 +120,10 @@ CsvTable read_mapped_csv(const std::filesystem::path& file, std::vector<MappedCo
 // The squares of larger values and times have no place in a double.
 constexpr double largest_magnitude = 1e100;
 
-History in_si_units(const CsvTable& table, const std::vector<MappedColumn>& columns) {
+History in_si_units(CsvTable& table, const std::vector<MappedColumn>& columns) {
   History history;
   for (std::size_t c = 0; c < columns.size(); ++c) {
-    auto values = table.values[c];
+    auto values = std::move(table.values[c]);
     for (std::size_t i = 0; i < values.size(); ++i) {
       values[i] = columns[c].scale * values[i] + columns[c].offset;
       if (!(std::abs(values[i]) <= largest_magnitude))

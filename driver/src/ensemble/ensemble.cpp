@@ -7,10 +7,10 @@
 #include <atomic>
 #include <cmath>
 #include <mutex>
-#include <nlohmann/json.hpp>
 
 #include "driver/progress.hpp"
 #include "ensemble/member.hpp"
+#include "results/journal.hpp"
 #include "step/stages.hpp"
 
 namespace driver {
@@ -51,6 +51,34 @@ void collect_quantities(const Scene& scene, const std::vector<const Member*>& me
       if (const auto& value = m->quantities[i]) result.quantities[names[i]].push_back(*value);
 }
 
+std::vector<Member> run_members(const std::string& name, const std::filesystem::path& file,
+                                const std::vector<std::string>& overrides, const EnsembleOptions& options,
+                                ResultFolder* folder) {
+  std::vector<Member> members(static_cast<std::size_t>(options.runs));
+  Journal journal(folder);
+  if (journal.size() > 0 && !options.quiet)
+    tell(fmt::format("{}: goes on after {} runs that are done", name, journal.size()));
+  std::atomic<int> finished = 0;
+  std::mutex progress_lock;
+  Progress progress(name, options.runs, options.quiet);
+  // Runs side by side, each serial inside.
+  Executor(options.threads).for_each(options.runs, [&](int i) {
+    if (interrupted()) return;
+    Member& member = members[static_cast<std::size_t>(i)];
+    const std::string key = fmt::format("seed {}", i + 1);
+    if (const auto* before = journal.find(key)) {
+      member = member_of(*before);
+    } else {
+      CaseDocument document(file, perturbed(overrides, options.amplitude, i + 1));
+      member = run_member(read_scene(document));
+      if (has_ended(member)) journal.add(key, json_of(member));
+    }
+    const std::lock_guard<std::mutex> guard(progress_lock);
+    progress.update(++finished, fmt::format("run {} of {}", finished.load(), options.runs));
+  });
+  return members;
+}
+
 }  // namespace
 
 Statistics statistics(const std::vector<double>& values) {
@@ -80,23 +108,14 @@ Scene read_ensemble_scene(const std::filesystem::path& file, const std::vector<s
 }
 
 EnsembleResult run_ensemble(const std::filesystem::path& file, const std::vector<std::string>& overrides,
-                            const EnsembleOptions& options) {
+                            const EnsembleOptions& options, ResultFolder* folder) {
   const Scene scene = read_ensemble_scene(file, overrides);
-  std::vector<Member> members(static_cast<std::size_t>(options.runs));
-  std::atomic<int> finished = 0;
-  std::mutex progress_lock;
-  Progress progress(scene.name, options.runs, options.quiet);
-  // Runs side by side, each serial inside.
-  Executor(options.threads).for_each(options.runs, [&](int i) {
-    if (interrupted()) return;
-    CaseDocument document(file, perturbed(overrides, options.amplitude, i + 1));
-    members[static_cast<std::size_t>(i)] = run_member(read_scene(document));
-    const std::lock_guard<std::mutex> guard(progress_lock);
-    progress.update(++finished, fmt::format("run {} of {}", finished.load(), options.runs));
-  });
+  const auto members = run_members(scene.name, file, overrides, options, folder);
   EnsembleResult result;
+  result.asked = options.runs;
   std::vector<const Member*> complete;
   for (const Member& m : members) {
+    if (has_ended(m)) ++result.ended;
     if (m.outcome.status == RunStatus::done && !m.rows.empty())
       complete.push_back(&m);
     else if (!m.outcome.message.empty())
@@ -107,41 +126,6 @@ EnsembleResult run_ensemble(const std::filesystem::path& file, const std::vector
   collect_rows(scene, complete, result);
   collect_quantities(scene, complete, result);
   return result;
-}
-
-void write_ensemble(const std::filesystem::path& folder, const EnsembleResult& result,
-                    const Provenance& lines) {
-  prepare_output(folder);
-  std::ofstream csv(folder / "ensemble.csv");
-  for (const auto& [key, value] : lines) csv << "# " << key << ": " << value << '\n';
-  csv << "time_s";
-  for (const auto& name : result.columns) csv << ',' << name << "_mean," << name << "_standard_error";
-  csv << '\n';
-  for (const EnsembleRow& row : result.rows) {
-    csv << fmt::format("{}", row.time_s);
-    for (const auto& s : row.values) csv << fmt::format(",{},{}", s.mean, s.standard_error);
-    csv << '\n';
-  }
-  std::ofstream table(folder / "quantities.csv");
-  table << "quantity,mean,standard_error,minimum,maximum,runs\n";
-  nlohmann::ordered_json json;
-  for (const auto& [name, values] : result.quantities) {
-    const Statistics s = statistics(values);
-    table << fmt::format("{},{},{},{},{},{}\n", name, s.mean, s.standard_error, s.minimum, s.maximum,
-                         s.count);
-    json["quantities"][name] = {{"mean", s.mean},       {"standard_error", s.standard_error},
-                                {"minimum", s.minimum}, {"maximum", s.maximum},
-                                {"runs", s.count},      {"values", values}};
-  }
-  json["failures"] = result.failures;
-  if (!result.warnings.empty()) json["warnings"] = result.warnings;
-  for (const auto& [key, value] : lines) json["build"][key] = value;
-  std::ofstream summary(folder / "ensemble.json");
-  summary << json.dump(2) << '\n';
-  csv.flush();
-  table.flush();
-  summary.flush();
-  if (!csv || !table || !summary) throw WriteError(fmt::format("{}: write failed", folder.string()));
 }
 
 std::vector<Effect> effects(const EnsembleResult& with, const EnsembleResult& without) {

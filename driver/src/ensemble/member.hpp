@@ -2,6 +2,7 @@
 // One run of a case in memory, for commands that make many: ensembles and ladders.
 #pragma once
 
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -22,6 +23,13 @@ struct Member {
 
 /// Failures of the computation stand in the outcome; a start out of the models' domain is a CaseError.
 Member run_member(const Scene& scene);
+
+/// Came to an end of its own, in its domain or not; one that never began has not.
+bool has_ended(const Member& member);
+
+/// For a journal; finite numbers come back as the same doubles, others as NaN.
+nlohmann::json json_of(const Member& member);
+Member member_of(const nlohmann::json& json);
 
 /// The overrides of a run with the initial nodes displaced.
 std::vector<std::string> perturbed(std::vector<std::string> overrides, double amplitude, int seed);

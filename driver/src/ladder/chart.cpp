@@ -12,7 +12,6 @@
 #include <cmath>
 #include <csignal>
 #include <cstring>
-#include <fstream>
 #include <optional>
 #include <thread>
 
@@ -52,6 +51,17 @@ std::string block(const char* name, const std::string& rows) {
   return fmt::format("${} << EOD\n{}EOD\n", name, rows.empty() ? "NaN NaN NaN\n" : rows);
 }
 
+// A string of gnuplot's that stands for itself: within single quotes nothing is a command, an escape or a
+// variable.
+std::string gnuplot_text(const std::string& text) {
+  std::string quoted = "'";
+  for (const char c : text) {
+    if (c == '\'') quoted += c;
+    quoted += static_cast<unsigned char>(c) < ' ' ? ' ' : c;
+  }
+  return quoted + "'";
+}
+
 std::string chart(const LadderResult& result, const LadderOptions& options) {
   const double percent = 100.0 / std::abs(result.reference.value - result.zero),
                floor = 100.0 * least_share * options.tolerance;
@@ -66,20 +76,22 @@ std::string chart(const LadderResult& result, const LadderOptions& options) {
     if (result.cheapest && &rung == &result.rungs[*result.cheapest]) named = point + '\n';
     if (rung.front == 0) continue;
     front += fmt::format("{} {}\n", point, rung.front);
-    names[static_cast<std::size_t>(rung.front) - 1] = fmt::format("{}  {}\\n", rung.front, rung.name);
+    names[static_cast<std::size_t>(rung.front) - 1] = fmt::format("{}  {}", rung.front, rung.name);
   }
-  std::string list;
-  for (const std::string& name : names) list += name;
+  std::string list = "''";
+  for (const std::string& name : names)
+    if (!name.empty()) list += " . " + gnuplot_text(name) + " . \"\\n\"";
   // Where it is not known it fills nothing: all would be grey.
   const double uncertainty =
       std::isfinite(result.reference.uncertainty) ? percent * result.reference.uncertainty : 0.0;
   return fmt::format(
-             "# Error of {0} against CPU time of the rungs of a ladder; filled: the front, than which "
-             "nothing cheaper is as "
+             "# Error against CPU time of the rungs of a ladder; filled: the front, than which nothing "
+             "cheaper is as "
              "exact.\n# Errors below {1:g} of the tolerance are drawn there. `gnuplot ladder.gp` draws "
              "ladder.svg.\n"
-             "tolerance = {2}\nuncertainty = {3}\nlist = \"{4}\"\nset ylabel 'Error of {0} [%]'\n",
-             result.quantity, least_share, 100.0 * options.tolerance, uncertainty, list) +
+             "tolerance = {2}\nuncertainty = {3}\nlist = {4}\nset ylabel {0}\n",
+             gnuplot_text(fmt::format("Error of {} [%]", result.quantity)), least_share,
+             100.0 * options.tolerance, uncertainty, list) +
          block("rungs", rungs) + block("front", front) + block("named", named) + std::string(commands);
 }
 
@@ -122,19 +134,13 @@ std::string run_gnuplot(const std::filesystem::path& folder) {
 
 }  // namespace
 
-std::string draw_ladder(const std::filesystem::path& folder, const LadderResult& result,
-                        const LadderOptions& options) {
-  const auto script = folder / "ladder.gp";
-  std::ofstream stream(script);
-  stream << chart(result, options);
-  stream.close();
-  if (!stream) throw WriteError(fmt::format("{}: write failed", script.string()));
-  const auto picture = folder / "ladder.svg";
-  std::filesystem::remove(picture);
-  const std::string problem = run_gnuplot(folder);
+std::string draw_ladder(ResultFolder& folder, const LadderResult& result, const LadderOptions& options) {
+  folder.write("ladder.gp", fmt::format("# run: {}\n", folder.run()) + chart(result, options));
+  folder.add("ladder.svg");
+  const std::string problem = run_gnuplot(folder.path());
   if (problem.empty()) return {};
-  std::filesystem::remove(picture);  // half of one
-  return fmt::format("{}; its commands are in {}", problem, script.string());
+  folder.remove("ladder.svg");  // half of one
+  return fmt::format("{}; its commands are in {}", problem, (folder.path() / "ladder.gp").string());
 }
 
 }  // namespace driver

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <mutex>
 
 #include "driver/progress.hpp"
@@ -55,6 +56,26 @@ LadderSample run_job(const std::filesystem::path& file, const LadderJob& job, co
   return sample;
 }
 
+// Of what the sample follows from, besides the case: the journal's key.
+std::string key_of(const LadderJob& job) {
+  return fmt::format("{}{}", job.is_one_of_many ? "one of many" : "alone", fmt::join(job.overrides, "\n"));
+}
+
+// A failure is found again, not kept.
+void keep(Journal& journal, const LadderJob& job, const LadderSample& sample) {
+  if (sample.value && std::isfinite(*sample.value))
+    journal.add(key_of(job), {{"value", *sample.value}, {"cpu_s", sample.cpu_seconds}});
+}
+
+std::optional<LadderSample> kept(const Journal& journal, const LadderJob& job) {
+  const auto* before = journal.find(key_of(job));
+  if (!before) return {};
+  LadderSample sample;
+  sample.value = before->at("value").get<double>();
+  sample.cpu_seconds = before->at("cpu_s");
+  return sample;
+}
+
 }  // namespace
 
 std::string quantity_name(const Scene& scene, const std::string& quantity) {
@@ -73,7 +94,7 @@ std::string quantity_name(const Scene& scene, const std::string& quantity) {
 
 std::vector<LadderSample> run_jobs(const std::filesystem::path& file, const std::vector<LadderJob>& jobs,
                                    const std::string& quantity, const std::string& title, int threads,
-                                   bool quiet) {
+                                   bool quiet, Journal& journal) {
   std::vector<LadderSample> samples(jobs.size());
   std::mutex lock;
   std::size_t finished = 0;
@@ -82,7 +103,12 @@ std::vector<LadderSample> run_jobs(const std::filesystem::path& file, const std:
   Executor(threads).for_each(static_cast<int>(jobs.size()), [&](int i) {
     if (interrupted()) return;
     const auto j = static_cast<std::size_t>(i);
-    samples[j] = run_job(file, jobs[j], quantity);
+    if (const auto before = kept(journal, jobs[j])) {
+      samples[j] = *before;
+    } else {
+      samples[j] = run_job(file, jobs[j], quantity);
+      keep(journal, jobs[j], samples[j]);
+    }
     const std::lock_guard<std::mutex> guard(lock);
     ++finished;
     progress.update(static_cast<double>(finished), fmt::format("run {} of {}", finished, jobs.size()));

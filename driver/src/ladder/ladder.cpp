@@ -31,8 +31,8 @@ void need_size(LadderResult& result, double value, const char* where) {
 class LadderRun {
  public:
   LadderRun(const std::filesystem::path& file, const std::vector<std::string>& user,
-            const LadderOptions& options, LadderResult& result)
-      : file_(file), user_(user), options_(options), result_(result) {
+            const LadderOptions& options, LadderResult& result, Journal& journal)
+      : file_(file), user_(user), options_(options), result_(result), journal_(journal) {
     CaseDocument document(file, user);
     const Scene scene = read_scene(document);
     has_bag_ = scene.bag.has_value();
@@ -116,7 +116,7 @@ class LadderRun {
 
   void add_rungs_without_membrane() {
     if (!result_.plan.no_membrane) return;
-    add_without_membrane(bag_by_volume(file_, job(0, 0).overrides, options_.quiet, result_.plan));
+    add_without_membrane(bag_by_volume(file_, job(0, 0).overrides, options_.quiet, result_.plan, journal_));
     add_without_membrane(rigid_tank(result_.plan));
   }
 
@@ -207,7 +207,8 @@ class LadderRun {
   }
 
   std::vector<LadderSample> run(const std::vector<LadderJob>& jobs, const std::string& what) const {
-    return run_jobs(file_, jobs, result_.quantity, name_ + ", " + what, options_.threads, options_.quiet);
+    return run_jobs(file_, jobs, result_.quantity, name_ + ", " + what, options_.threads, options_.quiet,
+                    journal_);
   }
 
   // All are compared to this one.
@@ -222,6 +223,7 @@ class LadderRun {
   const std::vector<std::string>& user_;
   const LadderOptions& options_;
   LadderResult& result_;
+  Journal& journal_;
   Picks full_;
   double deviation_ = 0.0;  // of one seed from another, in the full case
   bool has_bag_ = false;
@@ -231,14 +233,17 @@ class LadderRun {
 }  // namespace
 
 LadderResult run_ladder(const std::filesystem::path& file, const std::vector<std::string>& overrides,
-                        const LadderOptions& options) {
+                        const LadderOptions& options, ResultFolder* folder) {
   LadderResult result;
   result.plan = plan_ladder(file, overrides, options.quantity, options.hold);
   CaseDocument document(file, overrides);
   const Scene scene = read_scene(document);
   result.quantity = quantity_name(scene, options.quantity);
   if (result.quantity.ends_with("pressure_Pa")) result.zero = scene.ambient.pressure;
-  LadderRun(file, overrides, options, result).run();
+  Journal journal(folder);
+  if (journal.size() > 0 && !options.quiet)
+    tell(fmt::format("{}: goes on after {} runs that are done", scene.name, journal.size()));
+  LadderRun(file, overrides, options, result, journal).run();
   if (interrupted() || !result.reason.empty()) return result;
   judge(result, options.tolerance);
   need_size(result, result.reference.value, "the reference");

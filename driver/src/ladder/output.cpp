@@ -5,6 +5,7 @@
 
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <thread>
 
 #include "driver/ladder.hpp"
@@ -14,9 +15,6 @@ namespace driver {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-// Its first line tells it from a file of the user's.
-constexpr std::string_view cheapest_mark = "# Written by gasjet ladder, which writes it anew each time.";
 
 std::string options_of(const LadderRung& rung) {
   std::string text;
@@ -42,9 +40,9 @@ bool has_value(const LadderRung& rung) {
   return rung.failure.empty() && rung.value.count > 0;
 }
 
-void write_rows(const std::filesystem::path& file, const LadderResult& result, const Provenance& lines) {
-  std::ofstream csv(file);
-  for (const auto& [key, value] : lines) csv << "# " << key << ": " << value << '\n';
+std::string rows_text(const LadderResult& result, const Provenance& lines) {
+  std::ostringstream csv;
+  csv << comment_lines(lines);
   csv << "rung,runs,value,value_se,error,error_se,cpu_s,cost_ratio,verdict,front,change,change_se,options,"
          "failure\n";
   const bool judged = result.verdict != Verdict::not_judged;
@@ -62,8 +60,7 @@ void write_rows(const std::filesystem::path& file, const LadderResult& result, c
     }
     csv << cell(options_of(rung)) << ',' << cell(rung.failure) << '\n';
   }
-  csv.flush();
-  if (!csv) throw WriteError(fmt::format("{}: write failed", file.string()));
+  return csv.str();
 }
 
 Json reference_json(const LadderReference& reference) {
@@ -95,9 +92,21 @@ Json rung_json(const LadderResult& result, const LadderRung& rung) {
   return json;
 }
 
-void write_json(const std::filesystem::path& file, const LadderResult& result, const LadderOptions& options,
-                const Provenance& lines) {
-  Json json{{"quantity", result.quantity},
+// Costs are of a machine; empty where the system does not name it.
+std::string machine() {
+  std::ifstream cpuinfo("/proc/cpuinfo");
+  constexpr std::string_view key = "model name";
+  for (std::string line; std::getline(cpuinfo, line);)
+    if (const auto colon = line.find(": "); line.starts_with(key) && colon != std::string::npos)
+      return fmt::format("{}, {} cores", line.substr(colon + 2), std::thread::hardware_concurrency());
+  return {};
+}
+
+std::string json_text(const LadderResult& result, const LadderOptions& options, const ResultFolder& folder,
+                      const char* status) {
+  Json json{{"status", status},
+            {"run", folder.run()},
+            {"quantity", result.quantity},
             {"tolerance", options.tolerance},
             {"verdict", verdict_name(result.verdict)},
             {"reason", result.reason.empty() ? Json(nullptr) : Json(result.reason)},
@@ -109,59 +118,37 @@ void write_json(const std::filesystem::path& file, const LadderResult& result, c
   for (const LadderRung& rung : result.rungs) json["rungs"].push_back(rung_json(result, rung));
   json["held"] = options.hold;
   json["left_out"] = result.plan.left_out;
-  for (const auto& [key, value] : lines) json["build"][key] = value;
-  std::ofstream stream(file);
-  stream << json.dump(2) << '\n';
-  stream.flush();
-  if (!stream) throw WriteError(fmt::format("{}: write failed", file.string()));
+  for (const auto& [key, value] : folder.lines())
+    if (key != "run") json["build"][key] = value;
+  if (auto name = machine(); !name.empty()) json["build"]["machine"] = std::move(name);
+  // Paths and overrides may hold bytes that are no UTF-8.
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
 }
 
-void write_cheapest(const std::filesystem::path& folder, const LadderResult& result,
-                    const std::filesystem::path& file, const std::vector<std::string>& overrides,
-                    const LadderOptions& options) {
+std::string cheapest_text(const ResultFolder& folder, const LadderResult& result,
+                          const std::filesystem::path& file, const std::vector<std::string>& overrides,
+                          const LadderOptions& options) {
   const LadderRung& rung = result.rungs[*result.cheapest];
   auto all = overrides;
   all.insert(all.end(), rung.overrides.begin(), rung.overrides.end());
   const CaseDocument document(file, all);
-  std::ofstream stream(folder / "cheapest.toml");
-  stream << fmt::format(
-      "{}\n# {}: the cheapest rung of its ladder with {} within {:g} % of the reference.\n"
-      "# Rung \"{}\": {}\n# Off by {:.3g} +- {:.2g} (2 standard errors and the reference's "
-      "uncertainty) of "
-      "{:.6g}.\n\n",
-      cheapest_mark, file.filename().string(), result.quantity, 100.0 * options.tolerance, rung.differs,
-      rung.overrides.empty() ? "the case as it is" : options_of(rung), rung.error,
-      2.0 * rung.standard_error + result.reference.uncertainty, result.reference.value);
-  stream << document.text(folder);
-  stream.flush();
-  if (!stream) throw WriteError(fmt::format("{}: write failed", (folder / "cheapest.toml").string()));
-}
-
-// Costs are of a machine; empty where the system does not name it.
-std::string machine() {
-  std::ifstream cpuinfo("/proc/cpuinfo");
-  constexpr std::string_view key = "model name";
-  for (std::string line; std::getline(cpuinfo, line);)
-    if (const auto colon = line.find(": "); line.starts_with(key) && colon != std::string::npos)
-      return fmt::format("{}, {} cores", line.substr(colon + 2), std::thread::hardware_concurrency());
-  return {};
+  const Provenance head{
+      {"run", folder.run()},
+      {"of", fmt::format("{}: the cheapest rung of its ladder with {} within {:g} % of the reference",
+                         file.filename().string(), result.quantity, 100.0 * options.tolerance)},
+      {"rung", fmt::format("\"{}\": {}", rung.differs,
+                           rung.overrides.empty() ? "the case as it is" : options_of(rung))},
+      {"off by", fmt::format("{:.3g} +- {:.2g} (2 standard errors and the reference's uncertainty) of {:.6g}",
+                             rung.error, 2.0 * rung.standard_error + result.reference.uncertainty,
+                             result.reference.value)}};
+  return comment_lines(head) + '\n' + document.text(folder.path());
 }
 
 }  // namespace
 
-void refuse_own_cheapest(const std::filesystem::path& folder) {
-  std::ifstream file(folder / "cheapest.toml");
-  std::string first;
-  if (file && !(std::getline(file, first) && first == cheapest_mark))
-    throw CaseError(fmt::format(
-        "--out {}: would overwrite cheapest.toml, which no ladder wrote; another folder is allowed",
-        folder.string()));
-}
-
-void write_ladder(const std::filesystem::path& folder, const LadderResult& result,
-                  const std::filesystem::path& file, const std::vector<std::string>& overrides,
-                  const LadderOptions& options, bool partial) {
-  Provenance lines = provenance(file, overrides);
+void write_ladder(ResultFolder& folder, const LadderResult& result, const std::filesystem::path& file,
+                  const std::vector<std::string>& overrides, const LadderOptions& options, bool partial) {
+  Provenance lines = folder.lines();
   if (auto name = machine(); !name.empty()) lines.emplace_back("machine", std::move(name));
   if (partial) lines.emplace_back("status", "interrupted: what had run by then");
   lines.emplace_back("quantity", result.quantity);
@@ -172,14 +159,9 @@ void write_ladder(const std::filesystem::path& folder, const LadderResult& resul
     lines.emplace_back("reference", fmt::format("{}", result.reference.value));
     lines.emplace_back("uncertainty", fmt::format("{}", result.reference.uncertainty));
   }
-  const char* name = partial ? "ladder_partial" : "ladder";
-  write_rows(folder / fmt::format("{}.csv", name), result, lines);
-  write_json(folder / fmt::format("{}.json", name), result, options, lines);
-  if (partial) return;
-  for (const char* earlier :
-       {"cheapest.toml", "ladder.gp", "ladder.svg", "ladder_partial.csv", "ladder_partial.json"})
-    std::filesystem::remove(folder / earlier);
-  if (result.cheapest) write_cheapest(folder, result, file, overrides, options);
+  folder.write("ladder.csv", rows_text(result, lines));
+  folder.write("ladder.json", json_text(result, options, folder, partial ? "interrupted" : "done"));
+  if (result.cheapest) folder.write("cheapest.toml", cheapest_text(folder, result, file, overrides, options));
 }
 
 }  // namespace driver

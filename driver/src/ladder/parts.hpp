@@ -4,6 +4,7 @@
 
 #include "driver/ladder.hpp"
 #include "ensemble/member.hpp"
+#include "results/journal.hpp"
 
 namespace driver {
 
@@ -44,7 +45,7 @@ std::optional<LadderChoice> rigid_tank(LadderPlan& plan);
 /// rest; or nothing, and the plan says why unless it was an interrupt.
 std::optional<LadderChoice> bag_by_volume(const std::filesystem::path& file,
                                           const std::vector<std::string>& overrides, bool quiet,
-                                          LadderPlan& plan);
+                                          LadderPlan& plan, Journal& journal);
 
 struct LadderJob {
   std::size_t rung = 0;
@@ -60,8 +61,9 @@ struct LadderSample {
 };
 
 /// One sample a job, `threads` at a time; those that an interrupt forestalled have neither value nor failure.
+/// What stands in the journal is not run again.
 std::vector<LadderSample> run_jobs(const std::filesystem::path& file, const std::vector<LadderJob>& jobs,
                                    const std::string& quantity, const std::string& title, int threads,
-                                   bool quiet);
+                                   bool quiet, Journal& journal);
 
 }  // namespace driver

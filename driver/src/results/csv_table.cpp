@@ -4,18 +4,20 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <sstream>
+#include <cstdint>
+#include <string_view>
 #include <unordered_map>
 
 #include "case/number_text.hpp"
 #include "case/text_file.hpp"
 #include "driver/case_reader.hpp"
+#include "driver/result_folder.hpp"
 
 namespace driver {
 namespace {
 
 struct CsvCell {
-  std::string text;
+  std::string_view text;
   std::size_t column;  // 1-based character position
 };
 
@@ -27,9 +29,10 @@ std::size_t cell_end(const std::string& line, std::size_t begin) {
   return begin;
 }
 
-std::vector<CsvCell> split_row(const std::string& line) {
+// Into `cells`, which stand in the line.
+void split_row(const std::string& line, std::vector<CsvCell>& cells) {
   const auto is_blank = [&](std::size_t i) { return line[i] == ' ' || line[i] == '\t' || line[i] == '\r'; };
-  std::vector<CsvCell> cells;
+  cells.clear();
   std::size_t begin = 0;
   while (begin <= line.size()) {
     const std::size_t end = cell_end(line, begin);
@@ -43,11 +46,12 @@ std::vector<CsvCell> split_row(const std::string& line) {
       ++first, --last;
       trim();
     }
-    cells.push_back({line.substr(first, last - first), first + 1});
+    cells.push_back({std::string_view(line).substr(first, last - first), first + 1});
     begin = end + 1;
   }
-  return cells;
 }
+
+constexpr std::size_t most_rows = 20'000'000;  // twice what a run writes
 
 bool holds_nothing(const std::string& line) {
   return line.empty() || line[0] == '#' || line == "\r";
@@ -64,7 +68,7 @@ std::vector<std::size_t> find_columns(const std::vector<CsvCell>& header, const 
   std::unordered_multimap<std::string, std::size_t> places;
   for (const auto& cell : header) {
     places.emplace(cell.text, present.size());
-    present.push_back(cell.text);
+    present.emplace_back(cell.text);
   }
   std::vector<std::size_t> indices;
   for (const auto& name : table.names) {
@@ -102,38 +106,44 @@ void CsvTable::fail(std::size_t column, std::size_t row, const std::string& mess
 }
 
 CsvHeader read_csv_header(const std::filesystem::path& file) {
-  std::istringstream stream(read_text(file));
+  require_whole(file);
+  LineReader lines(file);
   CsvHeader header;
-  for (std::string line; std::getline(stream, line);) {
-    ++header.line;
+  std::vector<CsvCell> cells;
+  for (std::string line; lines.next(line);) {
     if (holds_nothing(line)) continue;
-    for (const auto& cell : split_row(line)) header.names.push_back(cell.text);
+    header.line = lines.number();
+    split_row(line, cells);
+    for (const auto& cell : cells) header.names.emplace_back(cell.text);
     return header;
   }
   throw CaseError(fmt::format("{}:1:1: has no header row", file.string()));
 }
 
 CsvTable read_csv(const std::filesystem::path& file, const std::vector<std::string>& names) {
-  std::istringstream stream(read_text(file));
+  require_whole(file);
+  LineReader lines(file);
   const std::size_t count = names.size();
   CsvTable table{file, names, std::vector<std::vector<double>>(count), {}, {}};
   table.positions.resize(count);
   std::vector<std::size_t> indices;
-  std::size_t line_number = 0, width = 0;
-  for (std::string line; std::getline(stream, line);) {
-    ++line_number;
+  std::vector<CsvCell> row;
+  std::size_t width = 0;
+  for (std::string line; lines.next(line);) {
     if (holds_nothing(line)) continue;
-    const auto row = split_row(line);
+    split_row(line, row);
     if (indices.empty()) {
-      indices = find_columns(row, table, line_number);
+      indices = find_columns(row, table, lines.number());
       width = row.size();
       continue;
     }
-    check_width(row, width, file, line_number);
-    table.lines.push_back(line_number);
+    check_width(row, width, file, lines.number());
+    if (table.rows() == most_rows)
+      fail_at(file, lines.number(), 1, fmt::format("is more than {} rows", most_rows));
+    table.lines.push_back(static_cast<std::uint32_t>(lines.number()));
     for (std::size_t c = 0; c < count; ++c) {
-      table.values[c].push_back(cell_number(row, indices[c], file, line_number));
-      table.positions[c].push_back(row[indices[c]].column);
+      table.values[c].push_back(cell_number(row, indices[c], file, lines.number()));
+      table.positions[c].push_back(static_cast<std::uint32_t>(row[indices[c]].column));
     }
   }
   return table;

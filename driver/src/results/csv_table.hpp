@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -13,9 +14,9 @@ namespace driver {
 struct CsvTable {
   std::filesystem::path file;
   std::vector<std::string> names;
-  std::vector<std::vector<double>> values;          // [column][row]
-  std::vector<std::size_t> lines;                   // [row] 1-based line of the file
-  std::vector<std::vector<std::size_t>> positions;  // [column][row] 1-based character in that line
+  std::vector<std::vector<double>> values;            // [column][row]
+  std::vector<std::uint32_t> lines;                   // [row] 1-based line of the file
+  std::vector<std::vector<std::uint32_t>> positions;  // [column][row] 1-based character in that line
 
   std::size_t rows() const { return lines.size(); }
   /// Throws CaseError `file:line:column: name: message` at a cell.
@@ -32,7 +33,7 @@ CsvHeader read_csv_header(const std::filesystem::path& file);
 
 /// Reads a CSV file with a header row; `#` lines and empty lines are skipped, quotes around a cell taken off.
 /// Throws CaseError at the place of the fault for a file that cannot be read, a column or cell that is
-/// missing or one too many, and a cell that is no finite number.
+/// missing or one too many, a cell that is no finite number, and more than 20 million rows.
 CsvTable read_csv(const std::filesystem::path& file, const std::vector<std::string>& names);
 
 }  // namespace driver

@@ -4,7 +4,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <functional>
+#include <string_view>
 
 #include "driver/results.hpp"
 
@@ -74,19 +76,19 @@ void element_data(std::string& out, const Scene& scene, const State& state) {
   out += "</CellData>\n";
 }
 
-void save(const std::filesystem::path& file, const std::string& text) {
-  std::ofstream stream(file, std::ios::binary);
-  stream << text << std::flush;
-  if (!stream) throw WriteError(fmt::format("{}: write failed", file.string()));
+// The first lines of a VTK file of a type.
+std::string head(const ResultFolder& folder, const char* type) {
+  return fmt::format(
+      "<?xml version=\"1.0\"?>\n<!-- run: {} -->\n<VTKFile type=\"{}\" version=\"1.0\" "
+      "byte_order=\"LittleEndian\">\n",
+      folder.run(), type);
 }
 
-std::string bag_polydata(const Scene& scene, const State& state) {
+std::string bag_polydata(const std::string& first, const Scene& scene, const State& state) {
   const auto& mesh = scene.bag->mesh;
   const auto position = state.bag->position.map();
   const auto velocity = state.bag->velocity.map();
-  std::string out =
-      "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" version=\"1.0\" "
-      "byte_order=\"LittleEndian\">\n<PolyData>\n";
+  std::string out = first + "<PolyData>\n";
   fmt::format_to(std::back_inserter(out), "<Piece NumberOfPoints=\"{}\" NumberOfPolys=\"{}\">\n<Points>\n",
                  mesh.node_count(), mesh.element_count());
   data_array(out, "Points", 3, mesh.node_count(), [&](int n, int c) { return position(c, n); });
@@ -101,14 +103,13 @@ std::string bag_polydata(const Scene& scene, const State& state) {
 }
 
 // A line from the pivot to the impactor's centre; `radius_m` on its end point scales a sphere glyph.
-std::string pendulum_polydata(const Scene& scene, const State& state) {
+std::string pendulum_polydata(const std::string& first, const Scene& scene, const State& state) {
   const auto& model = scene.pendulum->model;
   const Eigen::Vector3d pivot = model.parameters().pivot;
   const Eigen::Vector3d centre = model.impactor_centre(state.pendulum->motion.angle);
-  std::string out =
-      "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" version=\"1.0\" "
-      "byte_order=\"LittleEndian\">\n<PolyData>\n"
-      "<Piece NumberOfPoints=\"2\" NumberOfLines=\"1\">\n<Points>\n";
+  std::string out = first +
+                    "<PolyData>\n"
+                    "<Piece NumberOfPoints=\"2\" NumberOfLines=\"1\">\n<Points>\n";
   data_array(out, "Points", 3, 2, [&](int n, int c) { return n == 0 ? pivot(c) : centre(c); });
   out +=
       "</Points>\n<Lines>\n<DataArray type=\"Int32\" Name=\"connectivity\" format=\"ascii\">\n0 "
@@ -123,22 +124,28 @@ std::string pendulum_polydata(const Scene& scene, const State& state) {
 
 }  // namespace
 
-FieldWriter::FieldWriter(const std::filesystem::path& folder, const Scene& scene)
-    : folder_(folder), scene_(scene) {}
+FieldWriter::FieldWriter(ResultFolder& folder, const Scene& scene) : folder_(folder), scene_(scene) {}
+
+bool FieldWriter::is_own(const std::string& name) {
+  constexpr std::string_view ending = ".vtp";
+  const std::size_t begin = name.starts_with("bag_") ? 4 : name.starts_with("pendulum_") ? 9 : 0;
+  const bool frame = begin > 0 && name.size() > begin + ending.size() && name.ends_with(ending) &&
+                     std::all_of(name.begin() + begin, name.end() - ending.size(),
+                                 [](unsigned char c) { return std::isdigit(c) != 0; });
+  return frame || name == "fields.pvd";
+}
 
 void FieldWriter::write(const State& state) {
   const auto frame = fmt::format("{:05d}.vtp", files_.size());
-  const std::string bag_file = "bag_" + frame;
-  save(folder_ / bag_file, bag_polydata(scene_, state));
+  const std::string bag_file = "bag_" + frame, first = head(folder_, "PolyData");
+  folder_.write(bag_file, bag_polydata(first, scene_, state));
+  if (scene_.pendulum) folder_.write("pendulum_" + frame, pendulum_polydata(first, scene_, state));
   files_.emplace_back(state.time, bag_file);
-  if (scene_.pendulum) save(folder_ / ("pendulum_" + frame), pendulum_polydata(scene_, state));
   write_collection();
 }
 
 void FieldWriter::write_collection() const {
-  std::string out =
-      "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"1.0\" "
-      "byte_order=\"LittleEndian\">\n<Collection>\n";
+  std::string out = head(folder_, "Collection") + "<Collection>\n";
   for (const auto& [time, file] : files_) {
     fmt::format_to(std::back_inserter(out), "<DataSet timestep=\"{}\" part=\"0\" file=\"{}\"/>\n", time,
                    file);
@@ -147,7 +154,7 @@ void FieldWriter::write_collection() const {
                      time, file.substr(4));
   }
   out += "</Collection>\n</VTKFile>\n";
-  save(folder_ / "fields.pvd", out);
+  folder_.write("fields.pvd", out);
 }
 
 }  // namespace driver

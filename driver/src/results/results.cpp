@@ -6,9 +6,9 @@
 
 #include <chrono>
 #include <cmath>
-#include <stdexcept>
+#include <iterator>
+#include <utility>
 
-#include "build_info.hpp"
 #include "driver/case_reader.hpp"
 #include "driver/formats.hpp"
 
@@ -21,70 +21,52 @@ Provenance provenance(const std::filesystem::path& case_file, const std::vector<
     options += as_option(text);
   }
   const auto now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
-  return {{"format", std::to_string(formats::results)},
-          {"case", case_file.string()},
-          {"version", build_info::version},
-          {"commit", build_info::commit},
-          {"compiler", build_info::compiler},
-          {"flags", build_info::flags},
-          {"options", options.empty() ? "none" : options},
-          {"date", fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(now))}};
+  Provenance lines{{"format", std::to_string(formats::results)}, {"case", case_file.string()}};
+  for (auto& line : build_lines()) lines.push_back(std::move(line));
+  lines.emplace_back("options", options.empty() ? "none" : options);
+  lines.emplace_back("date", fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(now)));
+  return lines;
 }
 
-namespace {
-
-// Fields of an earlier run are not overwritten by a run with fewer frames; the tables are.
-void remove_fields(const std::filesystem::path& folder) {
-  std::error_code ignored;
-  for (const auto& entry : std::filesystem::directory_iterator(folder, ignored)) {
-    const std::string name = entry.path().filename().string();
-    const bool frame =
-        (name.starts_with("bag_") || name.starts_with("pendulum_")) && entry.path().extension() == ".vtp";
-    if (frame || name == "fields.pvd") std::filesystem::remove(entry.path(), ignored);
-  }
+Provenance provenance(const std::filesystem::path& case_file, const std::vector<std::string>& overrides,
+                      const std::string& run) {
+  Provenance lines = provenance(case_file, overrides);
+  lines.insert(lines.begin() + 1, {"run", run});
+  return lines;
 }
 
-}  // namespace
-
-void prepare_output(const std::filesystem::path& folder, std::initializer_list<const char*> names) {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error) throw OutputError(fmt::format("--out {}: {}", folder.string(), error.message()));
-  const auto probe = folder / ".gasjet_write_probe";
-  if (!std::ofstream(probe))
-    throw OutputError(fmt::format("--out {}: the folder is not writable", folder.string()));
-  std::filesystem::remove(probe, error);
-  for (const char* name : names)
-    if (const auto file = folder / name;
-        std::filesystem::exists(file, error) && !std::ofstream(file, std::ios::app))
-      throw OutputError(fmt::format("--out {}: {} is there and not writable", folder.string(), name));
-  remove_fields(folder);
-}
-
-CsvWriter::CsvWriter(const std::filesystem::path& file, const Provenance& lines, std::vector<Column> columns)
-    : file_(file), stream_(file), columns_(std::move(columns)) {
-  if (!stream_) throw OutputError(fmt::format("{}: not writable", file.string()));
-  for (const auto& [key, value] : lines) stream_ << "# " << key << ": " << value << '\n';
-  for (std::size_t i = 0; i < columns_.size(); ++i) stream_ << (i ? "," : "") << columns_[i].name;
-  stream_ << '\n';
+CsvWriter::CsvWriter(ResultFolder& folder, const std::string& name, std::vector<Column> columns)
+    : file_(folder.add(name)),
+      columns_(std::move(columns)),
+      pending_(comment_lines(folder.lines())),
+      flushed_(std::chrono::steady_clock::now()) {
+  for (std::size_t i = 0; i < columns_.size(); ++i) pending_ += (i ? "," : "") + columns_[i].name;
+  pending_ += '\n';
+  flush();
 }
 
 void CsvWriter::write(const Scene& scene, const State& state) {
-  fmt::memory_buffer line;
+  constexpr std::size_t much = 1u << 16;
+  std::string line;
   for (const Column& column : columns_) {
     const double value = column.value(scene, state);
     if (!std::isfinite(value)) throw WriteError(fmt::format("{} is no finite number", column.name));
-    if (line.size() > 0) line.push_back(',');
+    if (!line.empty()) line += ',';
     fmt::format_to(std::back_inserter(line), "{}", value);
   }
-  line.push_back('\n');
-  stream_.write(line.data(), static_cast<std::streamsize>(line.size()));
-  if (!stream_) throw WriteError(fmt::format("{}: write failed (disk full?)", file_.string()));
+  pending_ += line + '\n';
+  if (pending_.size() > much) flush();
+}
+
+void CsvWriter::keep_up() {
+  if (pending_.empty()) return;
+  if (std::chrono::steady_clock::now() - flushed_ > std::chrono::seconds(1)) flush();
 }
 
 void CsvWriter::flush() {
-  stream_.flush();
-  if (!stream_) throw WriteError(fmt::format("{}: write failed (disk full?)", file_.string()));
+  flushed_ = std::chrono::steady_clock::now();
+  const std::string rows = std::exchange(pending_, {});
+  file_.append(rows);
 }
 
 }  // namespace driver

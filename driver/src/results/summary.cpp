@@ -12,18 +12,19 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-const char* status_name(RunStatus status) {
-  switch (status) {
-    case RunStatus::done:
-      return "done";
-    case RunStatus::interrupted:
-      return "interrupted";
-    case RunStatus::inaccurate:
-      return "inaccurate";
-    case RunStatus::failed:
-      break;
-  }
-  return "failed";
+// What every summary says, of a run that goes on or has ended.
+Json summary_head(const Scene& scene, const char* status, const Provenance& lines) {
+  Json json{{"scene", scene.name}, {"status", status}};
+  const auto run = std::ranges::find(lines, "run", &Provenance::value_type::first);
+  if (run != lines.end()) json["run"] = run->second;
+  return json;
+}
+
+// Paths and overrides may hold bytes that are no UTF-8.
+std::string text_of(Json json, const Provenance& lines) {
+  for (const auto& [key, value] : lines)
+    if (key != "run") json["build"][key] = value;
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
 }
 
 Json step_sizes(const Scene& scene, const State& state) {
@@ -134,9 +135,27 @@ Json counters(const Scene& scene, const State& state) {
 
 }  // namespace
 
+const char* status_name(RunStatus status) {
+  switch (status) {
+    case RunStatus::done:
+      return "done";
+    case RunStatus::interrupted:
+      return "interrupted";
+    case RunStatus::inaccurate:
+      return "inaccurate";
+    case RunStatus::failed:
+      break;
+  }
+  return "failed";
+}
+
+std::string summary_of_running(const Scene& scene, const Provenance& lines) {
+  return text_of(summary_head(scene, "running", lines), lines);
+}
+
 std::string summary_text(const Scene& scene, const State& state, const RunOutcome& outcome,
                          const Provenance& lines) {
-  Json json{{"scene", scene.name}, {"status", status_name(outcome.status)}};
+  Json json = summary_head(scene, status_name(outcome.status), lines);
   if (!outcome.message.empty()) json["message"] = outcome.message;
   if (!outcome.warning.empty()) json["warnings"] = {outcome.warning};
   json["steps"] = state.steps;
@@ -152,16 +171,7 @@ std::string summary_text(const Scene& scene, const State& state, const RunOutcom
   if (scene.has_volume()) json["moments"] = moments(state);
   if (scene.has_volume()) json["streams"] = streams(scene, state);
   json["counters"] = counters(scene, state);
-  for (const auto& [key, value] : lines) json["build"][key] = value;
-  // Paths and overrides may hold bytes that are no UTF-8.
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
-}
-
-void write_summary(const std::filesystem::path& file, const Scene& scene, const State& state,
-                   const RunOutcome& outcome, const Provenance& lines) {
-  std::ofstream stream(file);
-  stream << summary_text(scene, state, outcome, lines) << std::flush;
-  if (!stream) throw WriteError(file.string() + ": write failed");
+  return text_of(std::move(json), lines);
 }
 
 }  // namespace driver

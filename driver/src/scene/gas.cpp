@@ -168,6 +168,8 @@ void read_gas(TableReader& root, std::optional<TableReader>& ambient, std::vecto
     compositions.push_back(read_composition(inflator));
     add_species(inflator, compositions.back(), list);
   }
+  if (!initial && compositions.empty())
+    table->fail("", "names no gas: needs an [[inflator]], or a volume, [tank] or [membrane]");
   const auto outside = read_ambient_composition(root, ambient);
   if (outside) add_species(ambient ? *ambient : root, *outside, list);
 
@@ -180,11 +182,13 @@ void read_gas(TableReader& root, std::optional<TableReader>& ambient, std::vecto
   table->finish();
 
   TriggerNames names = read_triggers(root, part.model.triggers);
+  std::vector<gas::Inflow> inflows;
   for (std::size_t i = 0; i < inflators.size(); ++i) {
-    part.model.inflows.push_back(
-        read_inflow(inflators[i], mass_fractions(part.model.thermo, compositions[i]), names));
+    inflows.push_back(read_inflow(inflators[i], mass_fractions(part.model.thermo, compositions[i]), names));
+    part.model.inflows.assign(1, inflows.back());  // alone: what is wrong is of this one
     inflators[i].located("temperature", [&] { gas::validate(part.model); });
   }
+  part.model.inflows = std::move(inflows);
   warn_of_idle_inflators(scene);
   read_vents(root, names, part.model);
   names.warn_of_idle(scene);

@@ -2,11 +2,14 @@
 #include "driver/progress.hpp"
 
 #include <fmt/format.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <csignal>
 #include <cstdio>
+#include <fstream>
+#include <new>
 
 namespace driver {
 namespace {
@@ -17,6 +20,7 @@ extern "C" void on_interrupt(int) {
   interrupt_flag = 1;
   std::signal(SIGINT, SIG_DFL);
   std::signal(SIGTERM, SIG_DFL);
+  std::signal(SIGHUP, SIG_DFL);
 }
 
 }  // namespace
@@ -24,6 +28,28 @@ extern "C" void on_interrupt(int) {
 void catch_interrupt() {
   std::signal(SIGINT, on_interrupt);
   std::signal(SIGTERM, on_interrupt);
+  if (std::signal(SIGHUP, on_interrupt) == SIG_IGN) std::signal(SIGHUP, SIG_IGN);  // as `nohup` has it
+}
+
+std::string text_of(const std::exception& error) {
+  if (dynamic_cast<const std::bad_alloc*>(&error) == nullptr) return error.what();
+  std::ifstream statm("/proc/self/statm");  // [pages] of address space, of memory
+  double space = 0.0;
+  statm >> space;
+  rlimit most{};
+  getrlimit(RLIMIT_AS, &most);
+  const double mebibyte = 1024.0 * 1024.0,
+               used = space * static_cast<double>(sysconf(_SC_PAGESIZE)) / mebibyte;
+  const std::string limit =
+      most.rlim_cur == RLIM_INFINITY
+          ? "the system's limit"
+          : fmt::format("the limit of {:.0f} MiB", static_cast<double>(most.rlim_cur) / mebibyte);
+  return fmt::format(
+      "out of memory: {:.0f} MiB of addresses are in use, and what is needed next is beyond {}", used, limit);
+}
+
+void tell(const std::string& line) {
+  std::fputs((line + '\n').c_str(), stderr);
 }
 
 bool interrupted() {
@@ -57,14 +83,16 @@ void Progress::show(double done, const std::string& note) {
   const double part = std::clamp(done / total_, 0.0, 1.0);
   const double elapsed = std::chrono::duration<double>(last_ - started_).count();
   const double left = part > 0.0 ? elapsed * (1.0 - part) / part : 0.0;
+  std::string text;
   if (terminal_) {
     constexpr int width = 40;
     const int filled = static_cast<int>(part * width);
-    fmt::print(stderr, "\r{} [{:#<{}}{:.<{}}] {:3.0f} %  {:.1f} s left  {}\033[K", what_, "", filled, "",
-               width - filled, 100.0 * part, left, note);
+    text = fmt::format("\r{} [{:#<{}}{:.<{}}] {:3.0f} %  {:.1f} s left  {}\033[K", what_, "", filled, "",
+                       width - filled, 100.0 * part, left, note);
   } else {
-    fmt::print(stderr, "{}: {:.0f} %, {:.1f} s left {}\n", what_, 100.0 * part, left, note);
+    text = fmt::format("{}: {:.0f} %, {:.1f} s left {}\n", what_, 100.0 * part, left, note);
   }
+  std::fputs(text.c_str(), stderr);  // where nobody can read it the work goes on
   std::fflush(stderr);
 }
 

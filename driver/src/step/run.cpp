@@ -76,7 +76,7 @@ RunOutcome run_scene(const Scene& scene, State& state, const LevelSink& sink,
   const auto fail = [&](const std::exception& error) {
     outcome.status = RunStatus::failed;
     outcome.message = fmt::format("stage {} at {} s, step {}: {}", stage_name(state.stage), state.time,
-                                  state.steps, error.what());
+                                  state.steps, text_of(error));
   };
   try {
     run_steps(scene, state, sink, fields, executor, stop, outcome);
@@ -89,15 +89,21 @@ RunOutcome run_scene(const Scene& scene, State& state, const LevelSink& sink,
   return outcome;
 }
 
-RunOutcome run_to_folder(const Scene& scene, const std::filesystem::path& folder, const Provenance& lines,
+RunOutcome run_to_folder(const Scene& scene, const std::filesystem::path& path, const Provenance& lines,
                          const RunOptions& options) {
   State state = make_state(scene);
-  prepare_output(folder, {"summary.json"});
-  CsvWriter history(folder / "history.csv", lines, history_columns(scene));
-  CsvWriter energy(folder / "energy.csv", lines, energy_columns(scene));
+  const bool with_fields = scene.output.fields_every > 0.0;
+  ResultFolder folder(path, "run", [&](const std::string& name) {
+    return name == "history.csv" || name == "energy.csv" || name == "summary.json" ||
+           (with_fields && FieldWriter::is_own(name));
+  });
+  folder.begin(lines);
+  folder.write("summary.json", summary_of_running(scene, folder.lines()));
+  CsvWriter history(folder, "history.csv", history_columns(scene));
+  CsvWriter energy(folder, "energy.csv", energy_columns(scene));
   Progress progress(scene.name, scene.time.end, options.quiet);
   std::optional<FieldWriter> pictures;
-  if (scene.output.fields_every > 0.0) pictures.emplace(folder, scene);
+  if (with_fields) pictures.emplace(folder, scene);
   const auto record = [&](bool recorded, const State& now) {
     progress.update(now.time);
     if (recorded) {
@@ -105,6 +111,8 @@ RunOutcome run_to_folder(const Scene& scene, const std::filesystem::path& folder
       energy.write(scene, now);
     }
     if (options.watch) options.watch(recorded, now);
+    history.keep_up();
+    energy.keep_up();
   };
   const auto fields = [&](const State& now) {
     if (pictures) pictures->write(now);
@@ -112,7 +120,8 @@ RunOutcome run_to_folder(const Scene& scene, const std::filesystem::path& folder
   const RunOutcome outcome = run_scene(scene, state, record, fields, Executor(options.threads), options.stop);
   history.flush();
   energy.flush();
-  write_summary(folder / "summary.json", scene, state, outcome, lines);
+  folder.write("summary.json", summary_text(scene, state, outcome, folder.lines()));
+  folder.end(status_name(outcome.status));
   return outcome;
 }
 

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+// A run of many in a journal.
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "ensemble/member.hpp"
+
+namespace driver {
+namespace {
+
+double number_of(const nlohmann::json& json) {
+  return json.is_null() ? std::nan("") : json.get<double>();
+}
+
+}  // namespace
+
+bool has_ended(const Member& member) {
+  const RunStatus status = member.outcome.status;
+  return status != RunStatus::interrupted && (status != RunStatus::done || !member.rows.empty());
+}
+
+nlohmann::json json_of(const Member& member) {
+  nlohmann::json json{{"status", static_cast<int>(member.outcome.status)},
+                      {"message", member.outcome.message},
+                      {"warning", member.outcome.warning},
+                      {"cpu_s", member.cpu_seconds},
+                      {"rows", member.rows},
+                      {"quantities", nlohmann::json::array()}};
+  for (const auto& value : member.quantities)
+    json["quantities"].push_back(value ? nlohmann::json::array({*value}) : nlohmann::json::array());
+  return json;
+}
+
+Member member_of(const nlohmann::json& json) {
+  Member member;
+  member.outcome.status = static_cast<RunStatus>(json.at("status").get<int>());
+  member.outcome.message = json.at("message");
+  member.outcome.warning = json.at("warning");
+  member.cpu_seconds = json.at("cpu_s");
+  for (const nlohmann::json& row : json.at("rows")) {
+    auto& values = member.rows.emplace_back();
+    for (const nlohmann::json& value : row) values.push_back(number_of(value));
+  }
+  for (const nlohmann::json& value : json.at("quantities"))
+    member.quantities.push_back(value.empty() ? std::nullopt : std::optional(number_of(value.front())));
+  return member;
+}
+
+}  // namespace driver

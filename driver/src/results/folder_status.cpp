@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+// What readers ask a folder of results.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+
+#include "driver/case_reader.hpp"
+#include "driver/result_folder.hpp"
+
+namespace driver {
+namespace {
+
+// A status file names files of its own folder only.
+bool is_plain(const std::string& name) {
+  return !name.empty() && name != "." && name != ".." && name != status_file &&
+         name.find('/') == std::string::npos;
+}
+
+// The value of `# run: ` above the columns; empty if there is none.
+std::string run_of(const std::filesystem::path& file) {
+  constexpr std::string_view key = "# run: ";
+  std::ifstream stream(file);
+  for (std::string line; std::getline(stream, line) && line.starts_with('#');)
+    if (line.starts_with(key)) return line.substr(key.size());
+  return {};
+}
+
+}  // namespace
+
+std::optional<FolderStatus> read_status(const std::filesystem::path& folder) {
+  const auto file = folder / status_file;
+  std::error_code ignored;
+  if (!std::filesystem::exists(file, ignored)) return {};
+  std::ifstream stream(file);
+  if (!std::filesystem::is_regular_file(file, ignored) || !stream)
+    throw OutputError(fmt::format("{}: not readable", file.string()));
+  FolderStatus status{"", "", "running", {}};
+  std::string line;
+  if (std::getline(stream, line) && line != status_head)
+    throw OutputError(fmt::format("{}: is no status file of gasjet, move it away", file.string()));
+  while (std::getline(stream, line) && !stream.eof()) {  // a line without its end is torn
+    const auto value = [&](std::string_view key) { return line.substr(std::min(key.size(), line.size())); };
+    if (line.starts_with("command: ")) status.command = value("command: ");
+    if (line.starts_with("run: ")) status.run = value("run: ");
+    if (line.starts_with("status: ")) status.status = value("status: ");
+    if (line.starts_with("file: ") && is_plain(value("file: "))) status.files.insert(value("file: "));
+  }
+  return status;
+}
+
+void require_whole(const std::filesystem::path& file) {
+  std::optional<FolderStatus> status;
+  try {
+    status = read_status(file.parent_path().empty() ? "." : file.parent_path());
+  } catch (const OutputError&) {
+    return;  // a file of the user's
+  }
+  if (!status || !status->files.contains(file.filename().string())) return;
+  if (status->status == "running")
+    throw CaseError(fmt::format(
+        "{}: its run has not ended ({} says so): wait for its end; if it was killed, run it again",
+        file.string(), status_file));
+  if (status->status == "interrupted" && status->files.contains(journal_file))
+    throw CaseError(
+        fmt::format("{}: was interrupted before all runs were done ({} says so): the same command goes on "
+                    "from there",
+                    file.string(), status_file));
+  if (const std::string own = run_of(file); own != status->run)
+    throw CaseError(
+        fmt::format("{}: is of the run '{}', its folder is of '{}' ({} says so): run the case again",
+                    file.string(), own, status->run, status_file));
+}
+
+}  // namespace driver

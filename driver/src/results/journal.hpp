@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+// The finished parts of long work: what is there is not computed again.
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <mutex>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+
+#include "driver/result_folder.hpp"
+
+namespace driver {
+
+/// Lines of JSON with a key and a value, in a folder of results; a line that a kill tore is not there.
+/// Without a folder nothing is kept. Any thread may call it.
+class Journal {
+ public:
+  /// Reads what an unfinished run of the same id has left.
+  explicit Journal(ResultFolder* folder);
+  std::size_t size() const { return before_.size(); }
+  const nlohmann::json* find(const std::string& key) const;
+  /// Throws WriteError.
+  void add(const std::string& key, const nlohmann::json& value);
+
+ private:
+  std::map<std::string, nlohmann::json> before_;
+  std::optional<GrowingFile> file_;
+  std::mutex lock_;
+};
+
+}  // namespace driver

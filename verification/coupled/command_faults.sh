@@ -1,0 +1,223 @@
+# SPDX-License-Identifier: Apache-2.0
+# shellcheck shell=bash disable=SC2154
+# Parts of command_test.sh (sourced): nothing is lost and nothing is wrong in silence when descriptors are closed, disks are full,
+# runs are killed, folders are shared and names are strange.
+
+# until_there CONDITION...: waits for a command to succeed, at most 30 s.
+until_there() {
+  local tries=0
+  until "$@" 2>/dev/null || [ $tries -ge 1500 ]; do
+    sleep 0.02
+    tries=$((tries + 1))
+  done
+  "$@" || fail "waited 30 s for: $*"
+}
+
+ended_as() { # ended_as FOLDER STATUS
+  [ "$(sed -n 's/^status: //p' "$1/gasjet.status" | tail -n 1)" = "$2" ] || fail "$1: status $(cat "$1/gasjet.status"), $2 expected"
+}
+
+same_tables() { # same_tables FOLDER FOLDER FILE...: but for dates and costs
+  local file
+  for file in "${@:3}"; do
+    cmp <(without_dates "$1/$file") <(without_dates "$2/$file") || fail "$file of $1 and $2"
+  done
+}
+
+# limited KIBIBYTES COMMAND...: no file may grow beyond; a write that would fails, as on a full disk.
+limited() { (trap '' XFSZ; ulimit -f "$1"; exec "${@:2}"); }
+
+part_descriptors() {
+  local n=0 name closed run=(run "$source/cases/passenger_pendulum.toml" --set scene.end_time=2e-4) # warns
+  "$gasjet" "${run[@]}" --out "$work/plain" >/dev/null 2>&1 </dev/null || fail "run"
+  for closed in '2>&-' '2>/dev/full' '<&- 2>&-' '2>&- >/dev/null'; do
+    name=$work/closed$((++n))
+    eval "\"\$gasjet\" \"\${run[@]}\" --out \"\$name\" $closed" >/dev/null || fail "exit $? with $closed"
+    same_tables "$work/plain" "$name" history.csv energy.csv
+  done
+  for closed in '>&-' '<&- >&- 2>&-'; do # what was to be printed is lost, the results are not
+    name=$work/closed$((++n))
+    eval "\"\$gasjet\" \"\${run[@]}\" --out \"\$name\" $closed"
+    [ $? = 3 ] || fail "the lost line is not told with $closed"
+    same_tables "$work/plain" "$name" history.csv energy.csv
+    ended_as "$name" done
+  done
+}
+
+part_killed() {
+  local file whole endless=(run "$source/cases/passenger_pendulum_no_jet.toml" --set scene.end_time=100 --set output.fields_every=1e-3)
+  "$gasjet" run "$source/cases/rigid_tank.toml" --out "$work/run" --quiet || fail "a run before"
+  "$gasjet" "${endless[@]}" --out "$work/run" >/dev/null 2>&1 </dev/null &
+  local pid=$!
+  until_there test -s "$work/run/bag_00003.vtp"
+  expect 2 "--out .*/run: another command is writing this folder" "$gasjet" run "$source/cases/rigid_tank.toml" --out "$work/run"
+  expect 2 "has not ended" "$gasjet" compare "$work/run/history.csv" "$work/run/history.csv"
+  sleep 1.2 # rows are in the file after a second
+  kill -KILL $pid
+  wait $pid 2>/dev/null
+  [ "$(grep -vc '^#' "$work/run/history.csv")" -gt 2 ] || fail "all rows are lost"
+  [ -z "$(tail -c 1 "$work/run/history.csv")" ] || fail "a torn row"
+  whole=$(tail -n 1 "$work/run/fields.pvd")
+  [ "$whole" = "</VTKFile>" ] || fail "fields.pvd ends with $whole"
+  for file in $(sed -nE 's/.*file="([^"]*)".*/\1/p' "$work/run/fields.pvd"); do
+    grep -q '</VTKFile>' "$work/run/$file" || fail "$file is named and not whole"
+  done
+  grep -q '"status": "running"' "$work/run/summary.json" || fail "the summary does not say that the run had not ended"
+  ended_as "$work/run" running
+  expect 2 "history.csv: its run has not ended \(gasjet.status says so\)" "$gasjet" compare "$work/run/history.csv" "$work/run/history.csv"
+  expect 2 "history.csv: its run has not ended" "$source/scripts/plot_history.sh" "$work/plot" "$work/run"
+  "$gasjet" run "$source/cases/rigid_tank.toml" --out "$work/run" --quiet || fail "no run after one that was killed"
+  [ "$(ls "$work/run")" = "$(printf '%s\n' energy.csv gasjet.status history.csv summary.json)" ] || fail "left: $(ls "$work/run")"
+  # SIGHUP ends a run as SIGTERM does, but where nohup ignores it.
+  "$gasjet" "${endless[@]}" --out "$work/hup" >/dev/null 2>&1 </dev/null &
+  pid=$!
+  until_there test -s "$work/hup/bag_00001.vtp"
+  kill -HUP $pid
+  wait $pid
+  [ $? = 130 ] || fail "SIGHUP"
+  ended_as "$work/hup" interrupted
+  nohup "$gasjet" "${endless[@]}" --out "$work/nohup" >/dev/null 2>&1 </dev/null &
+  pid=$!
+  until_there test -s "$work/nohup/bag_00001.vtp"
+  kill -HUP $pid
+  until_there test -s "$work/nohup/bag_00003.vtp"
+  kill -TERM $pid
+  wait $pid
+  [ $? = 130 ] || fail "SIGTERM after a SIGHUP that nohup ignores"
+}
+
+part_mixed() {
+  local tank=$source/cases/rigid_tank.toml
+  "$gasjet" run "$tank" --out "$work/a" --quiet || fail "run a"
+  "$gasjet" run "$tank" --out "$work/b" --quiet --set scene.end_time=0.05 || fail "run b"
+  [ "$(grep '^run: ' "$work/a/gasjet.status")" != "$(grep '^run: ' "$work/b/gasjet.status")" ] || fail "two runs have one id"
+  for file in history.csv energy.csv; do
+    grep -qxF "# $(grep '^run: ' "$work/a/gasjet.status")" "$work/a/$file" || fail "$file is of no run"
+  done
+  # The id follows from the contents, wherever they stand, and from files that the case names.
+  cp -r "$source/cases/bag_from_files.toml" "$source/cases/bag_from_files" "$work"
+  (cd "$work" && "$gasjet" run bag_from_files.toml --quiet --out here --set scene.end_time=1e-5) || fail "a case without a folder"
+  "$gasjet" run "$source/cases/bag_from_files.toml" --quiet --out "$work/there" --set scene.end_time=1e-5 || fail "the same case elsewhere"
+  [ "$(grep '^run: ' "$work/here/gasjet.status")" = "$(grep '^run: ' "$work/there/gasjet.status")" ] || fail "one run has two ids"
+  echo "# another mesh" >>"$work/bag_from_files/design.obj"
+  "$gasjet" run "$work/bag_from_files.toml" --quiet --out "$work/changed" --set scene.end_time=1e-5 || fail "a changed mesh"
+  [ "$(grep '^run: ' "$work/here/gasjet.status")" != "$(grep '^run: ' "$work/changed/gasjet.status")" ] || fail "a changed file does not change the id"
+  cp "$work/b/history.csv" "$work/a/history.csv"
+  expect 2 "history.csv: is of the run '[0-9a-f]{16}', its folder is of" "$gasjet" compare "$work/a/history.csv" "$work/b/history.csv"
+  expect 2 "history.csv: is of the run '[0-9a-f]{16}', its folder is of" "$source/scripts/plot_history.sh" "$work/plot" "$work/a"
+  expect 2 "--out .*: holds the results of gasjet run, another folder is allowed" "$gasjet" ladder "$tank" --quantity pressure --out "$work/a"
+  # A status file that names what is outside of its folder, or none of ours.
+  echo precious >"$work/precious"
+  printf '%s\n' "$(head -n 1 "$work/a/gasjet.status")" "command: run" "run: 0" "file: ../precious" "status: done" >"$work/b/gasjet.status"
+  expect 2 "history.csv is there, and no run is known to have written it" "$gasjet" run "$tank" --out "$work/b"
+  rm "$work/b"/*.{csv,json}
+  expect 0 "done" "$gasjet" run "$tank" --out "$work/b"
+  [ "$(cat "$work/precious")" = precious ] || fail "a file outside of the folder was removed"
+  echo "mine" >"$work/b/gasjet.status"
+  expect 2 "gasjet.status: is no status file of gasjet" "$gasjet" run "$tank" --out "$work/b"
+  # Refused: all of the run before is there.
+  "$gasjet" run "$tank" --out "$work/kept" --quiet && cp -r "$work/kept" "$work/before"
+  rm "$work/kept/energy.csv" && mkdir "$work/kept/energy.csv"
+  expect 2 "energy.csv is there and not writable" "$gasjet" run "$tank" --out "$work/kept" --set scene.end_time=0.05
+  for file in history.csv summary.json gasjet.status; do cmp "$work/kept/$file" "$work/before/$file" || fail "$file is not what it was"; done
+  # Two files are of one computation if, and only if, they are of one id.
+  "$gasjet" run "$tank" --out "$work/same" --quiet --threads 2 --set scene.end_time=0.1 || fail "run"
+  same_tables "$work/before" "$work/same" history.csv energy.csv
+}
+
+part_full_disk() {
+  local mesh=("$gasjet" mesh passenger --out "$work/bag.obj") code
+  "${mesh[@]}" >/dev/null && cp "$work/bag.obj" "$work/before.obj" || fail "mesh"
+  expect 2 "bag.obj: cannot be written" limited 8 "${mesh[@]}" --refine 1
+  cmp "$work/bag.obj" "$work/before.obj" || fail "the mesh before is lost"
+  local run=(run "$source/cases/rigid_tank.toml" --out "$work/run" --set output.history_every=1e-5)
+  expect 3 "(history|energy).csv: write failed" limited 64 "$gasjet" "${run[@]}"
+  awk -F, '/^#/ { next } !n++ { width = NF } NF != width { bad = 1 } END { exit bad || n < 3 }' "$work/run/history.csv" ||
+    fail "torn or lost rows on a full disk"
+  [ -z "$(tail -c 1 "$work/run/history.csv")" ] || fail "a torn row on a full disk"
+  ended_as "$work/run" failed
+  expect 0 "done" "$gasjet" "${run[@]}"
+  expect 3 "write failed" limited 8 "$gasjet" run "$source/cases/sphere_inflation.toml" --out "$work/fields" --set scene.end_time=2e-4 \
+    --set output.fields_every=1e-4
+  ls "$work"/fields/*.part 2>/dev/null && fail "half a file is left"
+}
+
+part_names() {
+  local wild folder picture
+  # The name of a scene, of its file and of its folder.
+  printf -v wild 'it'"'"'s "$(touch %s)" `touch %s`; system("touch %s"); <é&>' "OWNED" "OWNED" "OWNED"
+  cd "$work" || exit 1
+  sed '0,/^name = .*/s||name = "q'"'"'\\"\\n$(touch OWNED)`touch OWNED`<\&>\\u00e9"|' "$source/cases/rigid_tank.toml" >"$wild.toml"
+  expect 0 "done" "$gasjet" run "./$wild.toml" --out "$wild"
+  /usr/bin/env python3 - "$wild/summary.json" <<'PYTHON' || fail "the summary does not name the scene"
+import json, sys
+scene = json.load(open(sys.argv[1]))["scene"]
+sys.exit(scene != "q'\"\n$(touch OWNED)`touch OWNED`<&>é")
+PYTHON
+  local column="it's \$(touch OWNED)\`touch OWNED\`"
+  printf '%s\n' "time_s,$column,${column}_reference" 0,1,2 1,2,3 2,1,4 >"$wild.csv"
+  "$source/scripts/plot_compare.sh" "$wild rows" "$wild.csv" >/dev/null && [ -s "$wild rows.svg" ] || fail "no picture of strange columns"
+  for folder in "$wild" "x'; system(\"touch OWNED\"); #" "<touch OWNED; cat " "|touch OWNED"; do # as a file's name, and in a title
+    [ "$folder" = "$wild" ] || "$gasjet" run "$source/cases/rigid_tank.toml" --out "$folder" --quiet || fail "run into $folder"
+    "$source/scripts/plot_history.sh" "$folder/plot" "$folder" >/dev/null || fail "plot of $folder"
+    for picture in svg png; do [ -s "$folder/plot.$picture" ] || fail "no picture of $folder"; done
+    python3 -c 'import sys, xml.etree.ElementTree as x; x.parse(sys.argv[1])' "$folder/plot.svg" || fail "the picture of $folder is no XML"
+  done
+  # A line break and bytes that are no UTF-8, in names of files and in options.
+  folder=$'two\nlines \xff'
+  cp "$source/cases/rigid_tank.toml" "$folder.toml"
+  expect 0 "done" "$gasjet" run "$folder.toml" --out "$folder"
+  awk '/^#/ { next } /^time_s,/ { found = 1 } { exit !found }' "$folder/history.csv" || fail "the head of a CSV file is torn: $(head "$folder/history.csv")"
+  python3 -c 'import json, sys; json.load(open(sys.argv[1], encoding="utf-8"))' "$folder/summary.json" || fail "summary.json is no UTF-8"
+  expect 2 "line break" "$source/scripts/plot_history.sh" plot "$folder"
+  expect 0 "cheapest" "$gasjet" ladder "$folder.toml" --quantity pressure --out "$folder ladder"
+  python3 -c 'import json, sys; json.load(open(sys.argv[1], encoding="utf-8"))' "$folder ladder/ladder.json" || fail "ladder.json is no UTF-8"
+  expect 0 "done" "$gasjet" run "$folder ladder/cheapest.toml" --out cheapest
+  cp "$source/cases/sphere_inflation.toml" "$wild ensemble.toml"
+  expect 0 "" "$gasjet" ensemble "./$wild ensemble.toml" --runs 2 --quiet --out "$folder ensemble" --set scene.end_time=2e-4
+  python3 -c 'import json, sys; json.load(open(sys.argv[1], encoding="utf-8"))' "$folder ensemble/$wild ensemble/ensemble.json" || fail "ensemble.json"
+  find . -name OWNED | grep -q . && fail "a name was run as a command"
+  cd - >/dev/null || exit 1
+}
+
+part_resume() {
+  local ensemble=(ensemble "$source/cases/sphere_inflation.toml" --runs 10 --set scene.end_time=1e-2 --set membrane.mesh.levels=3)
+  local ladder=(ladder "$source/cases/jet_bag.toml" --set membrane.mesh.levels=2 --quantity pressure --tolerance 10%) signal pid code
+  "$gasjet" "${ensemble[@]}" --quiet --out "$work/whole" || fail "ensemble"
+  for signal in INT KILL; do
+    "$gasjet" "${ensemble[@]}" --out "$work/$signal" >/dev/null 2>&1 </dev/null &
+    pid=$!
+    until_there test -s "$work/$signal/sphere_inflation/journal.jsonl"
+    kill -$signal $pid
+    wait $pid 2>/dev/null
+    code=$?
+    [ $signal = KILL ] || [ $code = 130 ] || fail "exit $code of an interrupted ensemble"
+    [ $signal = KILL ] || ended_as "$work/$signal" interrupted
+    [ $signal = KILL ] || grep -q '^# status: interrupted, [1-9] of 10 runs' "$work/$signal/sphere_inflation/ensemble.csv" ||
+      fail "an interrupted ensemble does not say how many runs it has"
+    [ $signal = KILL ] || expect 2 "was interrupted before all runs were done" "$source/scripts/plot_ensemble.sh" "$work/plot" "$work/INT/sphere_inflation"
+    expect 0 "goes on after [1-9] runs that are done" "$gasjet" "${ensemble[@]}" --out "$work/$signal"
+    same_tables "$work/whole/sphere_inflation" "$work/$signal/sphere_inflation" ensemble.csv quantities.csv
+    cmp <(sed '/"date"/d' "$work/whole/sphere_inflation/ensemble.json") <(sed '/"date"/d' "$work/$signal/sphere_inflation/ensemble.json") || fail "ensemble.json"
+    ended_as "$work/$signal" done
+    [ -e "$work/$signal/sphere_inflation/journal.jsonl" ] && fail "the journal stays"
+  done
+  # Another ensemble takes nothing over.
+  "$gasjet" "${ensemble[@]}" --out "$work/other" >/dev/null 2>&1 </dev/null &
+  pid=$!
+  until_there test -s "$work/other/sphere_inflation/journal.jsonl"
+  kill -INT $pid
+  wait $pid
+  expect 0 "quantity" "$gasjet" "${ensemble[@]}" --out "$work/other" --amplitude 2e-5
+  "$gasjet" "${ensemble[@]}" --out "$work/fresh" --amplitude 2e-5 --quiet || fail "ensemble"
+  same_tables "$work/fresh/sphere_inflation" "$work/other/sphere_inflation" ensemble.csv quantities.csv
+  "$gasjet" "${ladder[@]}" --out "$work/ladder" >/dev/null 2>&1 </dev/null &
+  pid=$!
+  until_there test -s "$work/ladder/journal.jsonl"
+  kill -KILL $pid
+  wait $pid 2>/dev/null
+  expect 0 "goes on after [0-9]+ runs that are done" "$gasjet" "${ladder[@]}" --out "$work/ladder"
+  "$gasjet" "${ladder[@]}" --out "$work/whole_ladder" --quiet || fail "ladder"
+  values() { grep -v '^#\|^and ' "$1/ladder.csv" | cut -d, -f1-4; } # combinations depend on costs
+  cmp <(values "$work/whole_ladder") <(values "$work/ladder") || fail "a ladder that went on has other values"
+}
