@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 /*
- * Closed forms by name: what the command `gasjet exact` does. A shared library of its own, because it links GSL: a
- * program that links it falls under the GPL, version 3 or later. Conventions as in gasjet.h; the library has its own
- * handles and its own last error. */
+ * Closed forms by name: what the command `gasjet exact` does. A shared library of its own, because it links
+ * GSL: a program that links it falls under the GPL, version 3 or later. Conventions as in gasjet.h; the
+ * library has its own handles and its own last error. */
 #ifndef GASJET_EXACT_H
 #define GASJET_EXACT_H
 
@@ -15,11 +15,12 @@ extern "C" {
 /* Why the last function of gasjet_exact of this thread did not return GASJET_OK. */
 GASJET_API const char* gasjet_exact_last_error(void);
 
-/* All closed forms as JSON: an array of objects with name, title, equation, source, validity, digits, family, columns and
- * parameters (name, symbol, unit, meaning, default). Sizes as gasjet_run_summary. */
+/* All closed forms as JSON: an array of objects with name, title, equation, source, validity, digits, family,
+ * columns and parameters (name, symbol, unit, meaning, default). Sizes as gasjet_run_summary. */
 GASJET_API int gasjet_exact_catalogue(char GASJET_OR_NULL text[], int64_t size, int64_t* needed);
 
-/* Evaluates the form `name`. parameters: lines `name=value`. times: abscissae, NULL with count 0: the form's own. */
+/* Evaluates the form `name`. parameters: lines `name=value`. times: abscissae, NULL with count 0: the form's
+ * own. */
 GASJET_API int gasjet_exact_create(const char* name, const char* GASJET_OR_NULL parameters,
                                    const double GASJET_OR_NULL times[], int64_t count, gasjet_handle* table);
 

@@ -29,7 +29,8 @@ typedef int64_t gasjet_handle;
 /* Version as "0.1.0"; belongs to the library. */
 GASJET_API const char* gasjet_version(void);
 
-/* Why the last function of this thread did not return GASJET_OK; "" if it did. Holds until the thread's next call. */
+/* Why the last function of this thread did not return GASJET_OK; "" if it did. Holds until the thread's next
+ * call. */
 GASJET_API const char* gasjet_last_error(void);
 
 /* Frees any handle. A handle that is not (or no longer) one is GASJET_BAD_INPUT. */

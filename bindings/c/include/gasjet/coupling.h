@@ -34,26 +34,27 @@ typedef struct gasjet_pendulum_point {
   double effective_mass;       /* [kg] (K.3) that a force along the impactor's path sees */
 } gasjet_pendulum_point;
 
-GASJET_API int gasjet_pendulum_evaluate(const gasjet_pendulum_model* model, double angle, double angular_velocity,
-                                        gasjet_pendulum_point* point);
+GASJET_API int gasjet_pendulum_evaluate(const gasjet_pendulum_model* model, double angle,
+                                        double angular_velocity, gasjet_pendulum_point* point);
 
 /* Moment about the axis [N m] of a force [N] that acts at a point [m]. */
 GASJET_API int gasjet_pendulum_moment(const gasjet_pendulum_model* model, const double force[3],
                                       const double point[3], double* moment);
 
-/* Central difference (K.4): `angle` [rad] of time n, `angular_velocity` [rad/s] of n - 1/2 (at the start of time 0) go
- * on to n + 1 and n + 1/2. moment [N m]: all moments at n, gravity_moment among them. dt_before [s] >= 0 led to n (0 at
- * the start), dt_after [s] > 0 leaves it. */
+/* Central difference (K.4): `angle` [rad] of time n, `angular_velocity` [rad/s] of n - 1/2 (at the start of
+ * time 0) go on to n + 1 and n + 1/2. moment [N m]: all moments at n, gravity_moment among them. dt_before
+ * [s] >= 0 led to n (0 at the start), dt_after [s] > 0 leaves it. */
 GASJET_API int gasjet_pendulum_advance(const gasjet_pendulum_model* model, double moment, double dt_before,
                                        double dt_after, double* angle, double* angular_velocity);
 
 /* Contact of a rigid sphere with a skin by an energy over the skin (K.10). `mass` [kg] of each node,
  * effective_mass [kg] > 0 of the sphere, radius [m] > 0, stiffness [N/m3] > 0, friction [-] >= 0. */
 GASJET_API int gasjet_contact_create(const double reference[], int64_t node_count,
-                                     const int64_t GASJET_OR_NULL reference_stride[], const int32_t triangles[],
-                                     int64_t triangle_count, const int64_t GASJET_OR_NULL triangle_stride[],
-                                     const double mass[], double effective_mass, double radius, double stiffness,
-                                     double friction, gasjet_handle* contact);
+                                     const int64_t GASJET_OR_NULL reference_stride[],
+                                     const int32_t triangles[], int64_t triangle_count,
+                                     const int64_t GASJET_OR_NULL triangle_stride[], const double mass[],
+                                     double effective_mass, double radius, double stiffness, double friction,
+                                     gasjet_handle* contact);
 
 /* One evaluation; `force` and `couple` act on the sphere. */
 typedef struct gasjet_contact_sums {
@@ -67,14 +68,14 @@ typedef struct gasjet_contact_sums {
   int64_t deepest_element; /* -1 when nothing touches */
 } gasjet_contact_sums;
 
-/* Adds the contact's forces [N] to `force`, rows of three a node, 3 node_count numbers. Calls belong to the successive
- * times of a run: the sphere's centre must not cross the skin between two. turn [rad]: of the sphere since the last call;
- * only friction feels it. GASJET_DOMAIN if the sphere goes deeper than half its radius or crosses the skin; `force` is
- * then not to be used. */
+/* Adds the contact's forces [N] to `force`, rows of three a node, 3 node_count numbers. Calls belong to the
+ * successive times of a run: the sphere's centre must not cross the skin between two. turn [rad]: of the
+ * sphere since the last call; only friction feels it. GASJET_DOMAIN if the sphere goes deeper than half its
+ * radius or crosses the skin; `force` is then not to be used. */
 GASJET_API int gasjet_contact_evaluate(gasjet_handle contact, const double nodes[], int64_t node_count,
                                        const int64_t GASJET_OR_NULL node_stride[], const double centre[3],
-                                       const double GASJET_OR_NULL turn[3], double force[], int64_t force_count,
-                                       gasjet_contact_sums* sums);
+                                       const double GASJET_OR_NULL turn[3], double force[],
+                                       int64_t force_count, gasjet_contact_sums* sums);
 
 #ifdef __cplusplus
 }

@@ -12,7 +12,8 @@ extern "C" {
 enum gasjet_outlet_law {
   GASJET_SONIC_STATIC = 0,     /* sonic, temperature of the moving gas (the paper's form) */
   GASJET_SONIC_STAGNATION = 1, /* sonic, temperature of the chamber */
-  GASJET_PRESSURE_MATCHED = 2  /* of the chamber; subsonic at bag pressure where the sonic outlet's would be below it */
+  GASJET_PRESSURE_MATCHED =
+      2 /* of the chamber; subsonic at bag pressure where the sonic outlet's would be below it */
 };
 
 /* Uniform gas in an outlet. */
@@ -28,8 +29,8 @@ typedef struct gasjet_outlet_state {
 GASJET_API int gasjet_outlet(int law, double area, double mass_flow, double temperature, double cp,
                              double gas_constant, double bag_pressure, gasjet_outlet_state* state);
 
-/* Outlet and field. gasjet_jet_defaults sets what has a default; the rest is NaN and must be given where the shape
- * or the spread reads it. */
+/* Outlet and field. gasjet_jet_defaults sets what has a default; the rest is NaN and must be given where the
+ * shape or the spread reads it. */
 typedef struct gasjet_jet_model {
   double centre[3];          /* [m] of the outlet */
   double axis[3];            /* [-] into the bag, any length but 0 */
@@ -42,18 +43,18 @@ typedef struct gasjet_jet_model {
   double cone_half_angle;    /* [rad] of that cone, 0 to pi/2 */
   double restitution;        /* [-] 0 to 1, default 1: complete reflection */
   double cut_off;            /* [-] no load where (V/V_max)^2 is below, default 1e-3 */
-  int64_t radial;            /* not 0: velocity points away from the virtual origin; default 0: along the axis */
+  int64_t radial; /* not 0: velocity points away from the virtual origin; default 0: along the axis */
 } gasjet_jet_model;
 
 GASJET_API int gasjet_jet_defaults(gasjet_jet_model* model);
 
-/* A jet at a surface of triangles. null_elements close a hole: no load, and they never hide; attachment_elements
- * around the outlet never hide. Element numbers from 0; NULL with count 0. */
-GASJET_API int gasjet_jet_create(const gasjet_jet_model* model, const int32_t triangles[], int64_t triangle_count,
-                                 const int64_t GASJET_OR_NULL triangle_stride[], int64_t node_count,
-                                 const int32_t GASJET_OR_NULL null_elements[], int64_t null_count,
-                                 const int32_t GASJET_OR_NULL attachment_elements[], int64_t attachment_count,
-                                 gasjet_handle* jet);
+/* A jet at a surface of triangles. null_elements close a hole: no load, and they never hide;
+ * attachment_elements around the outlet never hide. Element numbers from 0; NULL with count 0. */
+GASJET_API int gasjet_jet_create(const gasjet_jet_model* model, const int32_t triangles[],
+                                 int64_t triangle_count, const int64_t GASJET_OR_NULL triangle_stride[],
+                                 int64_t node_count, const int32_t GASJET_OR_NULL null_elements[],
+                                 int64_t null_count, const int32_t GASJET_OR_NULL attachment_elements[],
+                                 int64_t attachment_count, gasjet_handle* jet);
 
 /* What a query did: candidates = lit + hidden + facing_away. */
 typedef struct gasjet_visibility {
@@ -63,13 +64,14 @@ typedef struct gasjet_visibility {
   int64_t facing_away; /* the source is on their outer side */
 } gasjet_visibility;
 
-/* Overpressure [Pa] of each element, dp = (1 + e) rho0 (V.n)^2 (J.6), 0 where hidden if `occlusion` is not 0; for the
- * caller to put on the corners, dp S_e / 3 each. force [N]: sum of dp S_e. displacement_bound [m]: since the first call no
- * node has moved farther (a sum that only grows); NaN: unknown. The result does not depend on it. */
+/* Overpressure [Pa] of each element, dp = (1 + e) rho0 (V.n)^2 (J.6), 0 where hidden if `occlusion` is not 0;
+ * for the caller to put on the corners, dp S_e / 3 each. force [N]: sum of dp S_e. displacement_bound [m]:
+ * since the first call no node has moved farther (a sum that only grows); NaN: unknown. The result does not
+ * depend on it. */
 GASJET_API int gasjet_jet_pressure(gasjet_handle jet, const double nodes[], int64_t node_count,
-                                   const int64_t GASJET_OR_NULL node_stride[], double velocity, double density,
-                                   int occlusion, double displacement_bound, double overpressure[],
-                                   int64_t overpressure_count, double force[3],
+                                   const int64_t GASJET_OR_NULL node_stride[], double velocity,
+                                   double density, int occlusion, double displacement_bound,
+                                   double overpressure[], int64_t overpressure_count, double force[3],
                                    gasjet_visibility* GASJET_OR_NULL counters);
 
 /* Velocity over that of the outlet, V/V0 [-], at points: rows of three in velocity, 3 point_count numbers. */
@@ -85,14 +87,16 @@ typedef struct gasjet_source {
   double half_long;         /* [m] half the long side of a rectangular outlet; 0: a point */
 } gasjet_source;
 
-/* A surface that is asked again and again which of its elements a source sees; arguments as gasjet_jet_create. */
+/* A surface that is asked again and again which of its elements a source sees; arguments as
+ * gasjet_jet_create. */
 GASJET_API int gasjet_surface_create(const int32_t triangles[], int64_t triangle_count,
                                      const int64_t GASJET_OR_NULL triangle_stride[], int64_t node_count,
                                      const int32_t GASJET_OR_NULL null_elements[], int64_t null_count,
-                                     const int32_t GASJET_OR_NULL attachment_elements[], int64_t attachment_count,
-                                     gasjet_handle* surface);
+                                     const int32_t GASJET_OR_NULL attachment_elements[],
+                                     int64_t attachment_count, gasjet_handle* surface);
 
-/* lit[k] = 1 if candidates[k] (NULL: every element) is seen, exactly (J.7), else 0. displacement_bound as above. */
+/* lit[k] = 1 if candidates[k] (NULL: every element) is seen, exactly (J.7), else 0. displacement_bound as
+ * above. */
 GASJET_API int gasjet_surface_visible(gasjet_handle surface, const double nodes[], int64_t node_count,
                                       const int64_t GASJET_OR_NULL node_stride[], const gasjet_source* source,
                                       const int32_t GASJET_OR_NULL candidates[], int64_t candidate_count,

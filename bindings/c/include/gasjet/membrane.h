@@ -31,23 +31,23 @@ typedef struct gasjet_membrane_sums {
 
 /* A membrane with its stress-free shape. null_elements close holes: they have no mass and no stress.
  * fixed_nodes do not move: they count in no frequency. */
-GASJET_API int gasjet_membrane_create(const double reference[], int64_t node_count,
-                                      const int64_t GASJET_OR_NULL reference_stride[], const int32_t triangles[],
-                                      int64_t triangle_count, const int64_t GASJET_OR_NULL triangle_stride[],
-                                      const gasjet_fabric_model* fabric, const int32_t GASJET_OR_NULL null_elements[],
-                                      int64_t null_count, const int32_t GASJET_OR_NULL fixed_nodes[],
-                                      int64_t fixed_count, gasjet_handle* membrane);
+GASJET_API int gasjet_membrane_create(
+    const double reference[], int64_t node_count, const int64_t GASJET_OR_NULL reference_stride[],
+    const int32_t triangles[], int64_t triangle_count, const int64_t GASJET_OR_NULL triangle_stride[],
+    const gasjet_fabric_model* fabric, const int32_t GASJET_OR_NULL null_elements[], int64_t null_count,
+    const int32_t GASJET_OR_NULL fixed_nodes[], int64_t fixed_count, gasjet_handle* membrane);
 
 /* Mass of each node [kg]. */
 GASJET_API int gasjet_membrane_masses(gasjet_handle membrane, double mass[], int64_t mass_count);
 
-/* At positions `nodes` [m]: the fabric's forces [N] and the volume's gradient dV/dx [m2], rows of three a node (3
- * node_count numbers, either may be NULL); the gas pushes with (p - p_a) dV/dx. gamma [-] >= 0 and the absolute pressure
- * [Pa] >= 0 of the gas go into the critical step; 0: the pressure is prescribed. */
+/* At positions `nodes` [m]: the fabric's forces [N] and the volume's gradient dV/dx [m2], rows of three a
+ * node (3 node_count numbers, either may be NULL); the gas pushes with (p - p_a) dV/dx. gamma [-] >= 0 and
+ * the absolute pressure [Pa] >= 0 of the gas go into the critical step; 0: the pressure is prescribed. */
 GASJET_API int gasjet_membrane_evaluate(gasjet_handle membrane, const double nodes[], int64_t node_count,
-                                        const int64_t GASJET_OR_NULL node_stride[], double gamma, double pressure,
-                                        double GASJET_OR_NULL force[], double GASJET_OR_NULL gradient[],
-                                        int64_t vector_count, gasjet_membrane_sums* sums);
+                                        const int64_t GASJET_OR_NULL node_stride[], double gamma,
+                                        double pressure, double GASJET_OR_NULL force[],
+                                        double GASJET_OR_NULL gradient[], int64_t vector_count,
+                                        gasjet_membrane_sums* sums);
 
 #ifdef __cplusplus
 }

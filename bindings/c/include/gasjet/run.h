@@ -9,19 +9,20 @@
 extern "C" {
 #endif
 
-/* Called at the start, at the end, and some ten times a second between, with the run's time and its end [s]; not 0 stops
- * the run. */
+/* Called at the start, at the end, and some ten times a second between, with the run's time and its end [s];
+ * not 0 stops the run. */
 typedef int (*gasjet_progress)(double time, double end, void* user);
 
 enum gasjet_table { GASJET_HISTORY = 0, GASJET_ENERGY = 1 };
 
-/* Runs a case. case_file: its path; with case_text, the case itself in TOML, the path only names it in messages and
- * says where files are that it names. overrides: lines `key.path=value` or `unset key.path`. out: folder for the
- * command's result files; NULL: none. threads: 1 to 1024; bits do not depend on it.
- * With GASJET_DOMAIN and GASJET_STOPPED `run` holds what was computed so far. */
+/* Runs a case. case_file: its path; with case_text, the case itself in TOML, the path only names it in
+ * messages and says where files are that it names. overrides: lines `key.path=value` or `unset key.path`.
+ * out: folder for the command's result files; NULL: none. threads: 1 to 1024; bits do not depend on it. With
+ * GASJET_DOMAIN and GASJET_STOPPED `run` holds what was computed so far. */
 GASJET_API int gasjet_run(const char* case_file, const char* GASJET_OR_NULL case_text,
                           const char* GASJET_OR_NULL overrides, const char* GASJET_OR_NULL out, int threads,
-                          gasjet_progress GASJET_OR_NULL progress, void* GASJET_OR_NULL user, gasjet_handle* run);
+                          gasjet_progress GASJET_OR_NULL progress, void* GASJET_OR_NULL user,
+                          gasjet_handle* run);
 
 /* Columns and rows of a table (gasjet_table). */
 GASJET_API int gasjet_run_size(gasjet_handle run, int table, int64_t* columns, int64_t* rows);
@@ -35,15 +36,16 @@ GASJET_API int gasjet_run_column(gasjet_handle run, int table, int64_t column, c
 /* The same by name. */
 GASJET_API int gasjet_run_find(gasjet_handle run, int table, const char* name, const double** values);
 
-/* summary.json of the run, into text of `size` bytes; `needed` is the size that holds it. If that is more than `size`,
- * GASJET_BAD_INPUT, and only `needed` is set. */
-GASJET_API int gasjet_run_summary(gasjet_handle run, char GASJET_OR_NULL text[], int64_t size, int64_t* needed);
+/* summary.json of the run, into text of `size` bytes; `needed` is the size that holds it. If that is more
+ * than `size`, GASJET_BAD_INPUT, and only `needed` is set. */
+GASJET_API int gasjet_run_summary(gasjet_handle run, char GASJET_OR_NULL text[], int64_t size,
+                                  int64_t* needed);
 
 enum gasjet_verdict { GASJET_INSIDE = 0, GASJET_OUTSIDE = 1, GASJET_UNDECIDED = 4 };
 
-/* Judges the history file `mine` by the band of `reference`. map: file that names a foreign program's columns.
- * tolerance [-] >= 0: share of each quantity's peak, added to the bands. verdict: gasjet_verdict. text: what
- * `gasjet compare --format json` prints; sizes as gasjet_run_summary. */
+/* Judges the history file `mine` by the band of `reference`. map: file that names a foreign program's
+ * columns. tolerance [-] >= 0: share of each quantity's peak, added to the bands. verdict: gasjet_verdict.
+ * text: what `gasjet compare --format json` prints; sizes as gasjet_run_summary. */
 GASJET_API int gasjet_compare(const char* mine, const char* reference, const char* GASJET_OR_NULL map,
                               double tolerance, int* verdict, char GASJET_OR_NULL text[], int64_t size,
                               int64_t* needed);
