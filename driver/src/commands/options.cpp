@@ -246,7 +246,7 @@ int run_command_line(int argc, char** argv) {
   add_identify(app, all.identify);
   add_compare(app, all.compare);
   add_manual(app, all);
-  refuse_unknown_command(app, std::span(argv, argc).subspan(argc > 0));
+  refuse_unknown_command(app, std::span(argv, static_cast<std::size_t>(argc)).subspan(argc > 0));
   try {
     app.parse(words(argc, argv));
   } catch (const CLI::ParseError& error) {

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <functional>
 #include <string_view>
 
@@ -129,10 +128,9 @@ FieldWriter::FieldWriter(ResultFolder& folder, const Scene& scene) : folder_(fol
 bool FieldWriter::is_own(const std::string& name) {
   constexpr std::string_view ending = ".vtp";
   const std::size_t begin = name.starts_with("bag_") ? 4 : name.starts_with("pendulum_") ? 9 : 0;
-  const bool frame = begin > 0 && name.size() > begin + ending.size() && name.ends_with(ending) &&
-                     std::all_of(name.begin() + begin, name.end() - ending.size(),
-                                 [](unsigned char c) { return std::isdigit(c) != 0; });
-  return frame || name == "fields.pvd";
+  if (begin == 0 || !name.ends_with(ending) || name.size() <= begin + ending.size())
+    return name == "fields.pvd";
+  return name.find_first_not_of("0123456789", begin) == name.size() - ending.size();
 }
 
 void FieldWriter::write(const State& state) {
