@@ -28,6 +28,7 @@ write_page() {
   echo "Each case of the repository, with the first sentence of its file, histories of its run and, where it has one, its bag at the end."
   echo 'The bag is drawn to no common scale; a history shows at most 120 of its rows. `scripts/gallery.sh` writes this page and its pictures.'
   echo "The paper's scene at six times, with and without jet, is [above the table of the README](../README.md#what-the-jet-does-and-what-it-costs)."
+  echo '[`gasjet report`](report.md) shows any run in motion, in a browser.'
   local file name bag
   for file in "${cases[@]}"; do
     name=$(basename "$file" .toml)

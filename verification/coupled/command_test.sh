@@ -71,7 +71,7 @@ part_fields() {
   grep -q 'Name="principal_stress_Pa"' "$work/fields/bag_00002.vtp" || fail "no stress in the last frame"
   touch "$work/fields/bag_notes.vtp" "$work/fields/bag_00009.vtp" # the user's
   expect 0 "" "$gasjet" run "$source/cases/sphere_inflation.toml" "${short[@]}"
-  [ "$(ls "$work/fields")" = "$(printf '%s\n' bag_00009.vtp bag_notes.vtp energy.csv gasjet.status history.csv summary.json)" ] ||
+  [ "$(ls "$work/fields")" = "$(printf '%s\n' bag_00009.vtp bag_notes.vtp check.json energy.csv frames.bin gasjet.status history.csv summary.json)" ] ||
     fail "stale fields: $(ls "$work/fields")"
   expect 2 "bag_00009.vtp is there, and no run is known to have written it" "$gasjet" run \
     "$source/cases/sphere_inflation.toml" "${short[@]}" --set output.fields_every=1e-4
@@ -271,7 +271,7 @@ part_exact() {
   expect 2 "no_such_parameter" "$gasjet" exact "$name" --set no_such_parameter=1
 }
 
-for family in compare faults identify ladder; do
+for family in compare faults identify ladder report; do
   # shellcheck source=/dev/null
   source "$(dirname "${BASH_SOURCE[0]}")/command_$family.sh"
 done

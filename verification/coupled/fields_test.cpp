@@ -117,16 +117,15 @@ TEST(fields, files_say_what_the_history_says) {
   const auto columns = driver::history_columns(scene);
   std::vector<double> times, facing_away;
   std::map<double, coupled::Row> rows;
-  driver::run_scene(
-      scene, state,
-      [&](bool recorded, const driver::State& now) {
-        if (recorded) rows[now.time] = coupled::row_of(columns, scene, now);
-      },
-      [&](const driver::State& now) {
-        writer.write(now);
-        times.push_back(now.time);
-        facing_away.push_back(static_cast<double>(now.jets.front().counters.facing_away));
-      });
+  driver::run_scene(scene, state,
+                    [&](bool recorded, const driver::State& now) {
+                      if (recorded) rows[now.time] = coupled::row_of(columns, scene, now);
+                    },
+                    {.fields = [&](const driver::State& now) {
+                      writer.write(now);
+                      times.push_back(now.time);
+                      facing_away.push_back(static_cast<double>(now.jets.front().counters.facing_away));
+                    }});
   std::vector<Element> parts;
   for (const Element& e : read_xml(coupled::read(folder.path / "fields.pvd")))
     if (e.name == "DataSet") parts.push_back(e);

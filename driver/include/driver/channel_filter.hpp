@@ -21,6 +21,10 @@ struct PlanarSignal {
   std::vector<double> time, first, second;
 };
 
+/// Resultant of the filtered components at the times of the signal, of at least two samples. In between it is
+/// resampled linearly to 100 kHz. Throws std::invalid_argument.
+std::vector<double> filtered_resultant(const PlanarSignal& signal, double channel_class);
+
 /// Largest resultant of the filtered components, after linear resampling to 100 kHz; 0 for fewer than two
 /// samples.
 double filtered_peak(const PlanarSignal& signal, double channel_class);

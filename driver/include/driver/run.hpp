@@ -25,6 +25,7 @@ struct RunOptions {
   int threads = 1;
   LevelSink watch = {};             // after the files have got the level; may be empty
   std::function<bool()> stop = {};  // asked before every step, instead of Ctrl-C
+  std::string check = {};  // text of check.json: the case with its defaults, and what follows from them
 };
 
 struct RunOutcome {
@@ -34,16 +35,19 @@ struct RunOutcome {
   double wall_seconds = 0.0;
 };
 
-/// Steps the scene to its end or to an interrupt, calling `sink` after each step and `fields` (may be empty)
-/// at each field output. Failures of the computation (exit code 3) are reported in the outcome, not thrown.
-/// `stop` (empty: Ctrl-C) is asked before every step.
-RunOutcome run_scene(const Scene& scene, State& state, const LevelSink& sink,
-                     const std::function<void(const State&)>& fields = {},
+/// Called at each field output and at each frame, when the forces of the level stand. May be empty.
+struct LevelViews {
+  std::function<void(const State&)> fields = {}, frames = {};
+};
+
+/// Steps the scene to its end or to an interrupt, calling `sink` after each step. Failures of the computation
+/// (exit code 3) are reported in the outcome, not thrown. `stop` (empty: Ctrl-C) is asked before every step.
+RunOutcome run_scene(const Scene& scene, State& state, const LevelSink& sink, const LevelViews& views = {},
                      const Executor& executor = Executor::serial(), const std::function<bool()>& stop = {});
 
-/// Runs and writes history.csv, energy.csv, summary.json (and fields) to `folder`. `provenance` opens the
-/// files; its "run" is the id, by default that of the other lines but the date. Throws OutputError before
-/// anything of an earlier run is touched, and as ResultFolder does.
+/// Runs and writes history.csv, energy.csv, summary.json, check.json (and frames and fields) to `folder`.
+/// `provenance` opens the files; its "run" is the id, by default that of the other lines but the date. Throws
+/// OutputError before anything of an earlier run is touched, and as ResultFolder does.
 RunOutcome run_to_folder(const Scene& scene, const std::filesystem::path& folder,
                          const Provenance& provenance, const RunOptions& options);
 

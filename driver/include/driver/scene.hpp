@@ -106,6 +106,7 @@ struct OutputPart {
   double history_every = 0.0;
   bool history_exact = false;  // true: steps are shortened to end on the multiples
   double fields_every = 0.0;   // [s] 0: no field files
+  int frames = 100;            // intervals of frames.bin, scenes with a bag; 0: no such file
   bool streams = false;        // history columns for each species and stream
 };
 

@@ -119,6 +119,13 @@ struct CompareArguments {
 };
 int compare(const CompareArguments& arguments);
 
+struct ReportArguments {
+  std::vector<std::filesystem::path> results;  // folders of run, ensemble, ladder; CSV files over time
+  std::filesystem::path out;
+  std::filesystem::path reference;  // history to judge runs by, or empty
+};
+int report(const ReportArguments& arguments);
+
 struct IdentifyArguments {
   std::filesystem::path file;
   std::filesystem::path out;

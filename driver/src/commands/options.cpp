@@ -47,6 +47,7 @@ struct Arguments {
   ExactArguments exact;
   IdentifyArguments identify;
   CompareArguments compare;
+  ReportArguments report;
   std::filesystem::path manual;  // folder
 };
 
@@ -193,6 +194,16 @@ void add_compare(CLI::App& app, CompareArguments& a) {
   c->add_option("--format", a.format, "text or json")->check(CLI::IsMember({"text", "json"}));
 }
 
+void add_report(CLI::App& app, ReportArguments& a) {
+  auto* c =
+      app.add_subcommand("report", "one HTML page of results: the bag in motion, charts, balances, settings");
+  c->add_option("RESULTS", a.results, "folders of run, ensemble or ladder, or CSV files with a column time_s")
+      ->required();
+  c->add_option("--out", a.out, "HTML file to write")->required()->check(named);
+  c->add_option("--against", a.reference, "reference (CSV) to judge the runs by, as compare does")
+      ->check(named);
+}
+
 // CLI11 would only say that a command is missing.
 void refuse_unknown_command(const CLI::App& app, std::span<char*> words) {
   if (words.empty() || words[0][0] == '-') return;
@@ -219,6 +230,7 @@ int dispatch(const CLI::App& app, const Arguments& all) {
   if (app.got_subcommand("mesh")) return dispatch_mesh(*app.get_subcommand("mesh"), all.mesh);
   if (app.got_subcommand("identify")) return identify(all.identify);
   if (app.got_subcommand("compare")) return compare(all.compare);
+  if (app.got_subcommand("report")) return report(all.report);
   if (app.got_subcommand("exact")) return exact(all.exact);
   write_manual(app, all.manual);
   return exit_done;
@@ -244,6 +256,7 @@ int run_command_line(int argc, char** argv) {
   add_mesh(app, all.mesh);
   add_others(app, all);
   add_identify(app, all.identify);
+  add_report(app, all.report);
   add_compare(app, all.compare);
   add_manual(app, all);
   refuse_unknown_command(app, std::span(argv, static_cast<std::size_t>(argc)).subspan(argc > 0));

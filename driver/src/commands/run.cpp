@@ -5,10 +5,24 @@
 
 #include <cstdio>
 
+#include "commands/check.hpp"
 #include "commands/commands.hpp"
 #include "driver/progress.hpp"
 
 namespace driver::commands {
+namespace {
+
+// Of a start that is out of the models' domain the run itself tells.
+std::string check_text(const CaseDocument& document, const Scene& scene) {
+  try {
+    const State state = state_at_start(scene);
+    return check_json(document, scene, state, forecast(scene, state)) + '\n';
+  } catch (const std::exception&) {
+    return {};
+  }
+}
+
+}  // namespace
 
 int run(const RunArguments& arguments) {
   CaseDocument document(arguments.scene.file, arguments.scene.overrides);
@@ -16,12 +30,13 @@ int run(const RunArguments& arguments) {
   for (const auto& warning : scene.warnings) tell("warning: " + warning);
   const auto folder =
       arguments.out.empty() ? std::filesystem::path("results") / arguments.scene.file.stem() : arguments.out;
-  refuse_inputs(folder, {"history.csv", "energy.csv", "summary.json", status_file}, document.files());
+  refuse_inputs(folder, {"history.csv", "energy.csv", "summary.json", "check.json", "frames.bin", status_file},
+                document.files());
   catch_interrupt();
   const auto outcome = run_to_folder(
       scene, folder,
       provenance(arguments.scene.file, arguments.scene.overrides, id_of("run", {}, {&document})),
-      {arguments.quiet, arguments.threads});
+      {arguments.quiet, arguments.threads, check_text(document, scene)});
   if (!outcome.warning.empty()) tell("warning: " + outcome.warning);
   if (outcome.status == RunStatus::inaccurate) {
     tell(fmt::format("gasjet: inaccurate: {}\nResults up to the end are in {}", outcome.message,

@@ -65,16 +65,35 @@ std::vector<double> channel_filter(std::span<const double> samples, double inter
   return filtered;
 }
 
-double filtered_peak(const PlanarSignal& signal, double channel_class) {
-  constexpr double interval = 1e-5;  // [s] twice as fine as the finest steps of a bag
-  if (signal.time.size() < 2) return 0.0;
+namespace {
+
+constexpr double fine_interval = 1e-5;  // [s] twice as fine as the finest steps of a bag
+
+std::vector<double> filtered_at_100_khz(const PlanarSignal& signal, double channel_class) {
   const auto filtered = [&](const std::vector<double>& component) {
-    return channel_filter(resample(signal.time, component, interval), interval, channel_class);
+    return channel_filter(resample(signal.time, component, fine_interval), fine_interval, channel_class);
   };
-  const auto first = filtered(signal.first), second = filtered(signal.second);
-  double peak = 0.0;
-  for (std::size_t i = 0; i < first.size(); ++i) peak = std::max(peak, std::hypot(first[i], second[i]));
-  return peak;
+  std::vector<double> first = filtered(signal.first);
+  const std::vector<double> second = filtered(signal.second);
+  for (std::size_t i = 0; i < first.size(); ++i) first[i] = std::hypot(first[i], second[i]);
+  return first;
+}
+
+}  // namespace
+
+double filtered_peak(const PlanarSignal& signal, double channel_class) {
+  if (signal.time.size() < 2) return 0.0;
+  return std::ranges::max(filtered_at_100_khz(signal, channel_class));
+}
+
+std::vector<double> filtered_resultant(const PlanarSignal& signal, double channel_class) {
+  const std::vector<double> fine = filtered_at_100_khz(signal, channel_class);
+  std::vector<double> values;
+  for (const double t : signal.time) {
+    const double place = (t - signal.time.front()) / fine_interval;
+    values.push_back(fine[std::min(fine.size() - 1, static_cast<std::size_t>(std::lround(place)))]);
+  }
+  return values;
 }
 
 }  // namespace driver

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "driver/results.hpp"
+#include "results/jet_loads.hpp"
 
 namespace driver {
 namespace {
@@ -35,25 +36,6 @@ void connectivity(std::string& out, const membrane::Mesh& mesh) {
   out += "</DataArray>\n</Polys>\n";
 }
 
-// What all jets do to each element: overpressure [Pa]; 0 no load, 1 in a jet but hidden or facing
-// away, 2 lit, if only in part and by one of them.
-struct JetLoads {
-  std::vector<double> overpressure;
-  std::vector<int> mask;
-};
-
-JetLoads jet_loads(const State& state, std::size_t count) {
-  JetLoads loads{std::vector<double>(count, 0.0), std::vector<int>(count, 0)};
-  for (const JetRun& run : state.jets)
-    for (const int element : run.load().candidates) {
-      const auto e = static_cast<std::size_t>(element);
-      const double pressure = run.load().overpressure[e];
-      loads.overpressure[e] += pressure;
-      loads.mask[e] = std::max(loads.mask[e], pressure > 0.0 ? 2 : 1);
-    }
-  return loads;
-}
-
 void element_data(std::string& out, const Scene& scene, const State& state) {
   const auto count = static_cast<std::size_t>(scene.bag->model.element_count);
   std::vector<membrane::PlaneResponse<double>> fabric;
@@ -71,7 +53,7 @@ void element_data(std::string& out, const Scene& scene, const State& state) {
   add("principal_strain", [&](std::size_t e) { return fabric[e].strain_1; });
   add("overpressure_Pa", [&](std::size_t e) { return gauge + jets.overpressure[e]; });
   add("jet_overpressure_Pa", [&](std::size_t e) { return jets.overpressure[e]; });
-  add("jet_mask", [&](std::size_t e) { return jets.mask[e]; });
+  add("jet_mask", [&](std::size_t e) { return int{jets.mask[e]}; });
   out += "</CellData>\n";
 }
 

@@ -123,6 +123,8 @@ void read_output(TableReader& root, Scene& scene) {
     scene.output.fields_every = table->optional_number("fields_every", frames).value_or(0.0);
     if (scene.output.fields_every > 0.0 && !scene.bag)
       table->fail("fields_every", "the scene has no membrane");
+    if (table->has("frames") && !scene.bag) table->fail("frames", "the scene has no membrane");
+    if (scene.bag) scene.output.frames = table->integer("frames", 0, 10000, scene.output.frames);
     read_streams(*table, scene);
     table->finish();
   }

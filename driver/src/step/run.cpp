@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "driver/fields.hpp"
+#include "driver/frames.hpp"
 #include "driver/progress.hpp"
 #include "step/drift.hpp"
 #include "step/stages.hpp"
@@ -34,16 +35,23 @@ class Schedule {
   double next_ = 0.0;  // multiple that is due next
 };
 
-void run_steps(const Scene& scene, State& state, const LevelSink& sink,
-               const std::function<void(const State&)>& fields, const Executor& executor,
-               const std::function<bool()>& stop_wanted, RunOutcome& outcome) {
-  Schedule history(scene.output.history_every), pictures(scene.output.fields_every);
+void run_steps(const Scene& scene, State& state, const LevelSink& sink, const LevelViews& views,
+               const Executor& executor, const std::function<bool()>& stop_wanted, RunOutcome& outcome) {
+  Schedule history(scene.output.history_every), fields(scene.output.fields_every);
+  Schedule frames(scene.output.frames > 0 ? scene.time.end / scene.output.frames : 0.0);
+  bool field_due = false, frame_due = false;
+  const std::function<void(const State&)> view = [&](const State& now) {
+    if (field_due) views.fields(now);
+    if (frame_due) views.frames(now);
+  };
   for (;;) {
     StepRequest request;
     const bool stop = stop_wanted ? stop_wanted() : interrupted();
     request.last = stop || state.time >= scene.time.end;
     request.record = history.due(state.time) || request.last;
-    if (fields && pictures.due(state.time)) request.before_advance = &fields;
+    field_due = views.fields && fields.due(state.time);
+    frame_due = views.frames && frames.due(state.time);
+    if (field_due || frame_due) request.before_advance = &view;
     const double now = state.time;
     step(scene, state, request, executor);
     sink(request.record, state);
@@ -68,9 +76,8 @@ void judge_drift(const Scene& scene, const State& state, RunOutcome& outcome) {
 
 }  // namespace
 
-RunOutcome run_scene(const Scene& scene, State& state, const LevelSink& sink,
-                     const std::function<void(const State&)>& fields, const Executor& executor,
-                     const std::function<bool()>& stop) {
+RunOutcome run_scene(const Scene& scene, State& state, const LevelSink& sink, const LevelViews& views,
+                     const Executor& executor, const std::function<bool()>& stop) {
   RunOutcome outcome;
   const auto start = std::chrono::steady_clock::now();
   const auto fail = [&](const std::exception& error) {
@@ -79,7 +86,7 @@ RunOutcome run_scene(const Scene& scene, State& state, const LevelSink& sink,
                                   state.steps, text_of(error));
   };
   try {
-    run_steps(scene, state, sink, fields, executor, stop, outcome);
+    run_steps(scene, state, sink, views, executor, stop, outcome);
   } catch (const std::exception& error) {
     // A stage refused what an earlier one computed (a coordinate out of range, say), or memory ran out.
     fail(error);
@@ -92,18 +99,21 @@ RunOutcome run_scene(const Scene& scene, State& state, const LevelSink& sink,
 RunOutcome run_to_folder(const Scene& scene, const std::filesystem::path& path, const Provenance& lines,
                          const RunOptions& options) {
   State state = make_state(scene);
-  const bool with_fields = scene.output.fields_every > 0.0;
+  const bool with_fields = scene.output.fields_every > 0.0, with_frames = scene.bag && scene.output.frames > 0;
   ResultFolder folder(path, "run", [&](const std::string& name) {
-    return name == "history.csv" || name == "energy.csv" || name == "summary.json" ||
-           (with_fields && FieldWriter::is_own(name));
+    return name == "history.csv" || name == "energy.csv" || name == "summary.json" || name == "check.json" ||
+           name == "frames.bin" || (with_fields && FieldWriter::is_own(name));
   });
   folder.begin(lines);
   folder.write("summary.json", summary_of_running(scene, folder.lines()));
+  if (!options.check.empty()) folder.write("check.json", options.check);
   CsvWriter history(folder, "history.csv", history_columns(scene));
   CsvWriter energy(folder, "energy.csv", energy_columns(scene));
   Progress progress(scene.name, scene.time.end, options.quiet);
-  std::optional<FieldWriter> pictures;
-  if (with_fields) pictures.emplace(folder, scene);
+  std::optional<FieldWriter> fields;
+  if (with_fields) fields.emplace(folder, scene);
+  std::optional<FrameWriter> frames;
+  if (with_frames) frames.emplace(folder.add("frames.bin"), scene);
   const auto record = [&](bool recorded, const State& now) {
     progress.update(now.time);
     if (recorded) {
@@ -114,10 +124,10 @@ RunOutcome run_to_folder(const Scene& scene, const std::filesystem::path& path, 
     history.keep_up();
     energy.keep_up();
   };
-  const auto fields = [&](const State& now) {
-    if (pictures) pictures->write(now);
-  };
-  const RunOutcome outcome = run_scene(scene, state, record, fields, Executor(options.threads), options.stop);
+  LevelViews views;
+  if (fields) views.fields = [&](const State& now) { fields->write(now); };
+  if (frames) views.frames = [&](const State& now) { frames->write(now); };
+  const RunOutcome outcome = run_scene(scene, state, record, views, Executor(options.threads), options.stop);
   history.flush();
   energy.flush();
   folder.write("summary.json", summary_text(scene, state, outcome, folder.lines()));

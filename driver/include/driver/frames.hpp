@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+// frames.bin: the moving bag in one compact file, for `gasjet report` (docs/results.md has the format).
+#pragma once
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include "driver/scene.hpp"
+#include "driver/state.hpp"
+
+namespace driver {
+
+/// First value of the header's key "format".
+inline constexpr const char* frames_format = "gasjet frames 1";
+
+/// Bytes of a frame: doubles, then 16-bit numbers for nodes (three coordinates, speed) and elements
+/// (overpressure of the jets, strain), then a byte for each element (jet mask), filled up to a multiple of 8.
+constexpr std::size_t frame_bytes(std::size_t scalars, std::size_t nodes, std::size_t elements) {
+  return (8 * scalars + 8 * nodes + 5 * elements + 7) / 8 * 8;
+}
+
+/// A line of JSON that says what never changes and how a frame is laid out, then one frame after another, all
+/// of one size. Positions, speeds, strains and overpressures are 16-bit multiples of a step that each frame
+/// states: they are off by half of it at most. Whatever a frame holds is little-endian.
+class FrameWriter {
+ public:
+  /// Precondition: the scene has a bag. Throws OutputError when the file cannot be opened.
+  FrameWriter(const std::filesystem::path& file, const Scene& scene);
+  /// Writes level n; call it when the forces of n stand (StepRequest::before_advance). Throws WriteError.
+  void write(const State& state);
+
+ private:
+  std::filesystem::path file_;
+  std::ofstream stream_;
+  const Scene& scene_;
+};
+
+}  // namespace driver

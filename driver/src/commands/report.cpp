@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "driver/report.hpp"
+
+#include <fmt/format.h>
+
+#include <fstream>
+
+#include "commands/commands.hpp"
+#include "driver/results.hpp"
+
+namespace driver::commands {
+
+int report(const ReportArguments& arguments) {
+  if (std::filesystem::is_directory(arguments.out))
+    throw OutputError(fmt::format("--out {}: is a folder, a file is allowed", arguments.out.string()));
+  std::vector<std::filesystem::path> inputs = arguments.results;
+  for (const auto& folder : arguments.results)
+    for (const char* name : {"history.csv", "energy.csv", "summary.json", "check.json", "frames.bin",
+                             "ensemble.csv", "ensemble.json", "ladder.json"})
+      inputs.push_back(folder / name);
+  if (!arguments.reference.empty()) inputs.push_back(arguments.reference);
+  refuse_same_file("--out", arguments.out, inputs);
+  const std::string page = report_page(arguments.results, {.reference = arguments.reference});
+  std::ofstream stream(arguments.out, std::ios::binary);
+  if (!stream) throw OutputError(fmt::format("--out {}: not writable", arguments.out.string()));
+  stream << page << std::flush;
+  if (!stream) throw WriteError(fmt::format("{}: write failed (disk full?)", arguments.out.string()));
+  fmt::print("{}: {:.1f} MB\n", arguments.out.string(), static_cast<double>(page.size()) * 1e-6);
+  return exit_done;
+}
+
+}  // namespace driver::commands

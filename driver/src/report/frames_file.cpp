@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstring>
+#include <fstream>
+#include <iterator>
+
+#include "driver/case_reader.hpp"
+#include "driver/frames.hpp"
+#include "report/parts.hpp"
+
+namespace driver {
+namespace {
+
+std::string base64(std::string_view bytes) {
+  static constexpr char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string text;
+  text.reserve((bytes.size() + 2) / 3 * 4);
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    unsigned group = 0;
+    for (std::size_t k = 0; k < 3; ++k)
+      group = group << 8 | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0U);
+    for (std::size_t k = 0; k < 4; ++k)
+      text += k <= bytes.size() - i ? digits[group >> (18 - 6 * k) & 63U] : '=';
+  }
+  return text;
+}
+
+double number_at(std::string_view frame, std::size_t place) {
+  double number;
+  std::memcpy(&number, frame.data() + 8 * place, sizeof number);
+  return number;
+}
+
+// Whether every corner of every triangle and strap is a node.
+bool within(const Json& lists, std::size_t nodes) {
+  for (const Json& list : lists)
+    for (const Json& node : list)
+      if (node.get<std::size_t>() >= nodes) return false;
+  return true;
+}
+
+std::string fault(const Json& header, std::string_view frames) {
+  const auto nodes = header.at("nodes").get<std::size_t>(),
+             elements = header.at("elements").get<std::size_t>();
+  const auto scalars = header.at("scalars").size(), size = header.at("frame_bytes").get<std::size_t>();
+  if (size != frame_bytes(scalars, nodes, elements) || header.at("triangles").size() != elements ||
+      !within(header.at("triangles"), nodes) || !within(header.at("straps"), nodes) ||
+      !header.at("jets").is_array() || !header.at("plates").is_array())
+    return "its header contradicts itself";
+  if (frames.empty() || frames.size() % size != 0)
+    return fmt::format("holds {} bytes of frames, whole frames of {} bytes are needed", frames.size(), size);
+  for (std::size_t begin = 0; begin < frames.size(); begin += size)
+    for (std::size_t k = 0; k < scalars; ++k) {
+      const double number = number_at(frames.substr(begin), k);
+      if (!std::isfinite(number))
+        return fmt::format("frame {} holds a number that is not finite", begin / size);
+      if (k == 0 && begin > 0 && !(number > number_at(frames.substr(begin - size), 0)))
+        return fmt::format("the time of frame {} does not rise", begin / size);
+    }
+  return {};
+}
+
+// Every k-th frame, so that they are no more than `most` bytes.
+std::string thinned(const std::string& frames, std::size_t size, std::size_t most) {
+  const std::size_t every = (frames.size() + most - 1) / most;
+  if (every <= 1) return frames;
+  std::string kept;
+  for (std::size_t begin = 0; begin < frames.size(); begin += every * size) kept.append(frames, begin, size);
+  return kept;
+}
+
+}  // namespace
+
+Json read_frames(const std::filesystem::path& file, std::size_t most_bytes) {
+  if (std::error_code ignored; !std::filesystem::exists(file, ignored)) return {};
+  std::ifstream stream(file, std::ios::binary);
+  std::string line;
+  std::getline(stream, line);
+  const std::string frames{std::istreambuf_iterator<char>(stream), {}};
+  const auto fail = [&](const std::string& message) { throw CaseError(file.string() + ": " + message); };
+  Json header = Json::parse(line, nullptr, false);
+  if (!header.is_object() || header.value("format", "") != frames_format)
+    fail(fmt::format("does not begin as \"{}\"", frames_format));
+  try {
+    if (const std::string message = fault(header, frames); !message.empty()) fail(message);
+  } catch (const Json::exception&) {
+    fail("its header lacks what this gasjet needs");
+  }
+  const auto size = header["frame_bytes"].get<std::size_t>();
+  const std::string kept = thinned(frames, size, most_bytes);
+  return {{"header", std::move(header)},
+          {"data", base64(kept)},
+          {"count", kept.size() / size},
+          {"total", frames.size() / size}};
+}
+
+}  // namespace driver

@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: Apache-2.0
+// From the files of a result to the data of the page.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "case/text_file.hpp"
+#include "driver/channel_filter.hpp"
+#include "driver/compare.hpp"
+#include "report/parts.hpp"
+#include "report/table.hpp"
+#include "results/csv_table.hpp"
+#include "results/energy_terms.hpp"
+
+namespace driver {
+namespace {
+
+bool has(const std::filesystem::path& folder, const char* name) {
+  std::error_code ignored;
+  return std::filesystem::exists(folder / name, ignored);
+}
+
+Json read_json(const std::filesystem::path& file) {
+  Json json = Json::parse(read_text(file), nullptr, false);
+  if (!json.is_object()) throw CaseError(file.string() + ": is no JSON object, or cut short");
+  return json;
+}
+
+// Adds a table to `result`, and a note if it was thinned.
+PageTable add_table(Json& result, const char* key, const std::filesystem::path& file,
+                    const ReportOptions& options) {
+  PageTable table = read_page_table(file, options.most_rows);
+  result[key] = {{"columns", table.columns}, {"rows", std::move(table.rows)}};
+  if (table.kept < table.total)
+    result["notes"].push_back(fmt::format("{} is thinned to {} of {} rows; each column's extremes are kept",
+                                          file.filename().string(), table.kept, table.total));
+  return table;
+}
+
+Json start(const std::filesystem::path& result, const char* kind) {
+  auto name = result.lexically_normal();
+  if (!name.has_filename()) name = name.parent_path();
+  return {{"label", name.filename() == "." ? "result" : name.filename().string()},
+          {"kind", kind},
+          {"notes", Json::array()}};
+}
+
+const char* role_name(Role role) {
+  return is_held(role)            ? "held"
+         : role == Role::spent    ? "spent"
+         : role == Role::supplied ? "supplied"
+                                  : "none";
+}
+
+Json roles() {
+  Json names = Json::object();
+  for (const EnergyTerm& term : energy_terms()) names[term.name] = role_name(term.role);
+  return names;
+}
+
+void add_comparison(Json& run, const std::filesystem::path& history, const ReportOptions& options) {
+  const Difference difference = compare(read_history(history), read_history(options.reference));
+  Json& comparison = run["compare"] = {{"reference", options.reference.filename().string()},
+                                       {"verdict", verdict_name(difference.verdict)},
+                                       {"reason", difference.reason},
+                                       {"quantities", Json::object()}};
+  for (const QuantityDifference& q : difference.quantities) {
+    Json& one =
+        comparison["quantities"][q.name] = {{"verdict", verdict_name(q.verdict)}, {"reason", q.reason}};
+    if (q.values.empty()) continue;
+    one["max_error"] = q.largest.value;
+    if (!q.band.empty()) one["share_of_band"] = q.share_of_band;
+  }
+  add_table(run, "reference", options.reference, options);
+}
+
+// What a laboratory's filter makes of the rows, where they are close enough: their highest frequency is ten
+// times the class, as SAE J211 asks.
+void add_filtered(Json& run, const std::filesystem::path& file, const PageTable& table) {
+  const std::vector<std::string> names{"time_s", "pendulum_cg_tangential_m_s2", "pendulum_cg_radial_m_s2"};
+  for (const auto& name : names)
+    if (std::ranges::find(table.columns, name) == table.columns.end()) return;
+  if (table.kept < table.total) return;
+  CsvTable rows = read_csv(file, names);
+  PlanarSignal signal{std::move(rows.values[0]), std::move(rows.values[1]), std::move(rows.values[2])};
+  double widest = 0.0;
+  for (std::size_t i = 1; i < signal.time.size(); ++i)
+    widest = std::max(widest, signal.time[i] - signal.time[i - 1]);
+  if (signal.time.size() < 2 || widest * 10.0 * impactor_channel_class > 1.0) return;
+  const std::vector<double> resultant = filtered_resultant(signal, impactor_channel_class);
+  std::string text;
+  for (std::size_t i = 0; i < resultant.size(); ++i)
+    text += fmt::format("{}{},{:.6g}", i > 0 ? "\n" : "", signal.time[i], resultant[i]);
+  run["filtered"] = {{"columns", {"time_s", "pendulum_cg_acceleration,_CFC_180_m_s2"}}, {"rows", text}};
+}
+
+// The page shows what is there; only the history has to be.
+Json gather_run(const std::filesystem::path& folder, const ReportOptions& options) {
+  Json run = start(folder, "run");
+  add_filtered(run, folder / "history.csv", add_table(run, "history", folder / "history.csv", options));
+  const auto missing = [&](const char* name, const char* what) {
+    run["notes"].push_back(fmt::format("{} is missing: {}", name, what));
+  };
+  if (has(folder, "energy.csv")) {
+    add_table(run, "energy", folder / "energy.csv", options);
+    run["roles"] = roles();
+  } else {
+    missing("energy.csv", "no balance of energy");
+  }
+  if (has(folder, "summary.json")) {
+    run["summary"] = read_json(folder / "summary.json");
+    for (const char* key : {"scene", "status"}) run["summary"].at(key).get<std::string>();
+    run["build"] = run["summary"].value("build", Json());
+  } else {
+    missing("summary.json", "no summary");
+  }
+  if (has(folder, "check.json")) {
+    run["check"] = read_json(folder / "check.json");
+    for (const char* key : {"forecast", "defaults", "warnings"})
+      run["check"].at(key).get<std::vector<Json>>();
+  } else {
+    missing("check.json", "no settings and no forecast");
+  }
+  run["frames"] = read_frames(folder / "frames.bin", options.most_frame_bytes);
+  if (const Json& frames = run["frames"]; !frames.is_null() && frames["count"] < frames["total"])
+    run["notes"].push_back(fmt::format("{} of {} frames are shown", frames["count"].get<std::size_t>(),
+                                       frames["total"].get<std::size_t>()));
+  if (run["frames"].is_null() && run.contains("check") && run["check"]["settings"].contains("membrane"))
+    missing("frames.bin", "no pictures of the bag (output.frames)");
+  if (!options.reference.empty()) add_comparison(run, folder / "history.csv", options);
+  return run;
+}
+
+Json gather_ensemble(const std::filesystem::path& folder, const ReportOptions& options) {
+  Json ensemble = start(folder, "ensemble");
+  const PageTable table = add_table(ensemble, "history", folder / "ensemble.csv", options);
+  for (const auto& [key, value] : table.lines) ensemble["build"][key] = value;
+  const Json all = read_json(folder / "ensemble.json");
+  ensemble["quantities"] = all.value("quantities", Json::object());
+  int runs = 0;
+  for (const Json& quantity : ensemble["quantities"]) runs = std::max(runs, quantity.value("runs", 0));
+  ensemble["runs"] = runs;
+  for (const Json& failure : all.value("failures", Json::array())) ensemble["notes"].push_back(failure);
+  return ensemble;
+}
+
+Json gather_ladder(const std::filesystem::path& folder) {
+  Json ladder = start(folder, "ladder");
+  ladder["ladder"] = read_json(folder / "ladder.json");
+  if (const Json& own = ladder["ladder"];
+      !own.value("rungs", Json()).is_array() || !own.value("quantity", Json()).is_string())
+    throw CaseError((folder / "ladder.json").string() + ": is no result of gasjet ladder");
+  ladder["build"] = ladder["ladder"].value("build", Json());
+  return ladder;
+}
+
+Json gather_curves(const std::filesystem::path& file, const ReportOptions& options) {
+  Json curves = start(file, "curves");
+  const PageTable table = add_table(curves, "history", file, options);
+  for (const auto& [key, value] : table.lines) curves["build"][key] = value;
+  if (!curves["build"].contains("version") || !curves["build"].contains("commit")) curves.erase("build");
+  return curves;
+}
+
+std::vector<std::filesystem::path> ensembles_in(const std::filesystem::path& folder) {
+  std::vector<std::filesystem::path> list;
+  for (const auto& entry : std::filesystem::directory_iterator(folder))
+    if (entry.is_directory() && has(entry.path(), "ensemble.csv")) list.push_back(entry.path());
+  std::ranges::sort(list);
+  return list;
+}
+
+}  // namespace
+
+std::vector<Json> gather(const std::filesystem::path& result, const ReportOptions& options) {
+  std::error_code ignored;
+  if (std::filesystem::is_regular_file(result, ignored)) return {gather_curves(result, options)};
+  if (!std::filesystem::is_directory(result, ignored))
+    throw CaseError(fmt::format("{}: no such folder or file", result.string()));
+  if (has(result, "history.csv")) return {gather_run(result, options)};
+  if (has(result, "ensemble.csv")) return {gather_ensemble(result, options)};
+  if (has(result, "ladder.json")) return {gather_ladder(result)};
+  std::vector<Json> list;
+  for (const auto& folder : ensembles_in(result)) list.push_back(gather_ensemble(folder, options));
+  if (list.empty())
+    throw CaseError(
+        fmt::format("{}: is no result: it has no history.csv, ensemble.csv or ladder.json", result.string()));
+  return list;
+}
+
+}  // namespace driver

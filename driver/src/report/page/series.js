@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: Apache-2.0
+// From tables of results to series of charts.
+"use strict";
+
+const units = [
+  ["_m_s2", "m/s²"], ["_rad_s", "rad/s"], ["_kg_K_s", "kg K/s"], ["_kg_s", "kg/s"], ["_m_s", "m/s"], ["_m3", "m³"], ["_m2", "m²"],
+  ["_Pa", "Pa"], ["_kg", "kg"], ["_Ns", "N s"], ["_rad", "rad"], ["_K", "K"], ["_W", "W"], ["_N", "N"], ["_J", "J"], ["_m", "m"], ["_s", "s"],
+];
+const names = {
+  Pa: "Pressure", K: "Temperature", "m³": "Volume", "m²": "Area", kg: "Mass", "kg/s": "Mass flow", W: "Heat flow", N: "Force", m: "Length",
+  rad: "Angle", "rad/s": "Angular velocity", "m/s²": "Acceleration", "m/s": "Speed", J: "Energy", "": "Numbers",
+};
+
+// { quantity, unit, name } of a column, or of a quantity of the summary.
+const split = column => {
+  const [ending, unit] = units.find(([ending]) => column.endsWith(ending)) ?? ["", ""];
+  const quantity = column.slice(0, column.length - ending.length);
+  return { quantity, unit, name: quantity.replaceAll("_", " ") };
+};
+
+// Columns of a table: texts as in the file, and their values.
+const read = table => {
+  const columns = Object.fromEntries(table.columns.map(name => [name, []]));
+  const lists = table.columns.map(name => columns[name]);
+  for (const line of table.rows.split("\n")) line.split(",").forEach((cell, i) => lists[i].push(cell));
+  return Object.fromEntries(Object.entries(columns).map(([name, text]) => [name, { text, value: text.map(Number) }]));
+};
+
+// What belongs to a column: a band around it. Each is { own, low, high, error } of names, or null if it is such a companion itself.
+const companions = (column, all) => {
+  const has = name => all.includes(name);
+  const { quantity, unit } = split(column), ending = column.slice(quantity.length);
+  if (column === "time_s") return null;
+  for (const [suffix, owner] of [["_standard_error", "_mean"], ["_band", ""]])
+    if (column.endsWith(suffix) && (has(column.slice(0, -suffix.length) + owner) || has(column.slice(0, -suffix.length) + "_reference"))) return null;
+  if (/_(low|high)$/.test(quantity) && has(quantity.replace(/_(low|high)$/, "") + ending)) return null;
+  const base = column.replace(/_(mean|reference)$/, "");
+  const error = [base + "_standard_error", base + "_band"].find(name => name !== column && has(name) && !(name.endsWith("_band") && column === base && has(base + "_reference")));
+  return { base, low: has(`${quantity}_low${ending}`) && `${quantity}_low${ending}`, high: has(`${quantity}_high${ending}`) && `${quantity}_high${ending}`, error };
+};
+
+// Series of all columns of a table. `dash` tells results apart.
+const seriesOf = (table, result, dash) => {
+  const columns = read(table), time = columns.time_s, list = [];
+  for (const column of table.columns) {
+    const own = companions(column, table.columns);
+    if (!own) continue;
+    const { unit, name } = split(own.base), error = own.error && columns[own.error];
+    const of = sign => columns[column].value.map((v, i) => v + sign * error.value[i]);
+    list.push({
+      column, unit, result, dash, name: column.endsWith("_reference") ? `${name}, reference` : name,
+      time: time.value, timeText: time.text, value: columns[column].value, text: columns[column].text,
+      low: error ? of(-1) : own.low ? columns[own.low].value : null, high: error ? of(1) : own.high ? columns[own.high].value : null,
+      error: error ? error.text : null,
+    });
+  }
+  return list;
+};
+
+// One chart for each unit; series of one name have one colour. Those without a unit have a chart each.
+const groups = series => {
+  const charts = new Map();
+  for (const s of series) {
+    const key = s.unit || `number ${s.name}`;
+    if (!charts.has(key)) charts.set(key, { title: s.unit ? names[s.unit] ?? s.unit : s.name, unit: s.unit, series: [] });
+    charts.get(key).series.push(s);
+  }
+  for (const chart of charts.values()) {
+    const order = [...new Set(chart.series.map(s => s.name.replace(/, reference$/, "")))];
+    for (const s of chart.series) {
+      const place = order.indexOf(s.name.replace(/, reference$/, ""));
+      s.colour = place % 8;
+      if (s.dash === undefined) s.dash = 0;
+      if (order.length > 8 && place >= 8) s.dash = (s.dash + 1) % 4;
+    }
+    if (order.length === 1) chart.title = order[0][0].toUpperCase() + order[0].slice(1);
+  }
+  return [...charts.values()];
+};
+
+// Energy since the start: what is held and was spent, one upon another; what was supplied, a line. The residual is what lies between.
+// The seven terms that change most have a layer each, the others share one.
+const energyCharts = (table, roles, result) => {
+  const columns = read(table), time = columns.time_s, count = time.value.length;
+  const common = { result, time: time.value, timeText: time.text, dash: 0 };
+  const sum = lists => time.value.map((_, i) => lists.reduce((total, list) => total + list[i], 0));
+  const changeOf = column => columns[column].value.map(v => (roles[column] === "held" ? v - columns[column].value[0] : v));
+  const size = term => Math.max(...term.change.map(Math.abs));
+  const terms = table.columns.filter(c => ["held", "spent"].includes(roles[c])).map(column => ({ name: split(column).name + (roles[column] === "spent" ? " (spent)" : ""), change: changeOf(column), text: columns[column].text }));
+  const ranked = [...terms].sort((a, b) => size(b) - size(a)), small = ranked.slice(7);
+  const layers = terms.filter(term => !small.includes(term));
+  if (small.length) {
+    const change = sum(small.map(term => term.change));
+    layers.push({ name: "others", change, text: change.map(v => String(Number(v.toPrecision(12)))) });
+  }
+  const up = new Float64Array(count), down = new Float64Array(count);
+  const series = layers.map(({ name, change, text }, k) => {
+    const low = [], high = [];
+    change.forEach((v, i) => {
+      const stack = v < 0 ? down : up, before = stack[i];
+      stack[i] += v;
+      low.push(Math.min(before, stack[i]));
+      high.push(Math.max(before, stack[i]));
+    });
+    return { ...common, name, low, high, text, value: null, filled: true, colour: k };
+  });
+  const supplied = sum(table.columns.filter(c => roles[c] === "supplied").map(c => columns[c].value));
+  series.push({ ...common, name: "supplied", value: supplied, text: supplied.map(v => String(Number(v.toPrecision(12)))), colour: 6, dash: 1 });
+  const of = result ? `, ${result}` : "";
+  const list = [{ title: `Where the energy went since the start${of}`, unit: "J", series, height: 260 }];
+  for (const [column, title] of [["residual_J", "Residual of the energy"], ["kick_residual_J", "Residual of the kicks' work"]])
+    if (columns[column]) list.push({ title: title + of, unit: "J", series: [{ ...common, name: title, value: columns[column].value, text: columns[column].text, colour: 1 }] });
+  for (const s of series) s.result = "";
+  return list;
+};

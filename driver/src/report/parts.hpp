@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the page is put together from.
+#pragma once
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <string_view>
+
+#include "driver/report.hpp"
+
+namespace driver {
+
+using Json = nlohmann::ordered_json;
+
+/// Files of driver/src/report/page and three.js, as they were when this was built; three.js and its controls
+/// are empty if the package was not there.
+struct PageParts {
+  std::string_view html, style, charts, series, scene, main, three, orbit;
+};
+PageParts page_parts();
+
+/// One result, as page/main.js reads it. Throws as report_page.
+std::vector<Json> gather(const std::filesystem::path& result, const ReportOptions& options);
+
+/// Header and base64 of the frames in frames.bin, and how many are kept of how many: every k-th, of
+/// `most_bytes` at most; null if there is no such file. Throws CaseError for a file that is none of its kind
+/// or does not hold whole frames of the size that its header asks for.
+Json read_frames(const std::filesystem::path& file, std::size_t most_bytes);
+
+}  // namespace driver

@@ -1,0 +1,62 @@
+# SPDX-License-Identifier: Apache-2.0
+# shellcheck shell=bash disable=SC2154
+# Parts of command_test.sh (sourced): the page of `gasjet report`, without a browser (report_page.py has one).
+
+# a_copy: a fresh copy of the results in $work/bag, to be damaged.
+a_copy() { rm -rf "$work/bad" && cp -r "$work/bag" "$work/bad"; }
+
+part_report() {
+  local page=$work/page.html
+  "$gasjet" run "$source/cases/passenger_pendulum.toml" --out "$work/bag" --quiet --set scene.end_time=1e-3 --set output.frames=4 || fail "run"
+  expect 0 "page.html: [0-9.]+ MB" "$gasjet" report "$work/bag" --out "$page"
+  ! grep -qE '(src|href)="?(http|//)' "$page" || fail "the page asks the network"
+  [ "$(grep -c '@@' "$page")" = 0 ] || fail "a part of the page is missing"
+  # Results that are none.
+  expect 2 "nowhere: no such folder or file" "$gasjet" report "$work/nowhere" --out "$page"
+  mkdir "$work/empty"
+  expect 2 "empty: is no result: it has no history.csv, ensemble.csv or ladder.json" "$gasjet" report "$work/empty" --out "$page"
+  expect 2 "RESULTS.*required" "$gasjet" report --out "$page"
+  expect 2 "out.*required" "$gasjet" report "$work/bag"
+  expect 2 "rigid_tank.toml:[0-9]+:1: time_s: is to be one of the columns" "$gasjet" report "$source/cases/rigid_tank.toml" --out "$page"
+  # The page never takes the place of a result.
+  expect 2 "--out .*is a folder" "$gasjet" report "$work/bag" --out "$work/bag"
+  expect 2 "--out .*would overwrite" "$gasjet" report "$work/bag" --out "$work/./bag/frames.bin"
+  expect 2 "--out .*not writable" "$gasjet" report "$work/bag" --out "$work/nowhere/page.html"
+  # Damaged tables.
+  a_copy && sed -i '$s/,[^,]*$/,nan/' "$work/bad/history.csv"
+  expect 2 "history.csv:[0-9]+:[0-9]+: plate_force_N: 'nan': a finite number is allowed" "$gasjet" report "$work/bad" --out "$page"
+  a_copy && sed -i '$s/,[^,]*$//' "$work/bad/energy.csv"
+  expect 2 "energy.csv:[0-9]+:1: has [0-9]+ columns, the header [0-9]+" "$gasjet" report "$work/bad" --out "$page"
+  a_copy && tail -1 "$work/bag/history.csv" >>"$work/bad/history.csv"
+  expect 2 "history.csv:[0-9]+:1: time_s: .* does not rise" "$gasjet" report "$work/bad" --out "$page"
+  a_copy && sed -i '/^[0-9]/d' "$work/bad/history.csv"
+  expect 2 "history.csv:[0-9]+:1: has no rows" "$gasjet" report "$work/bad" --out "$page"
+  # Damaged frames and JSON.
+  a_copy && truncate -s -1 "$work/bad/frames.bin"
+  expect 2 "frames.bin: holds [0-9]+ bytes of frames, whole frames of [0-9]+ bytes are needed" "$gasjet" report "$work/bad" --out "$page"
+  a_copy && sed -i '1s/"nodes":1374/"nodes":1373/' "$work/bad/frames.bin"
+  expect 2 "frames.bin: its header contradicts itself" "$gasjet" report "$work/bad" --out "$page"
+  a_copy && sed -i '1s/"triangles":\[\[[0-9]*/"triangles":[[1374/' "$work/bad/frames.bin"
+  expect 2 "frames.bin: its header contradicts itself" "$gasjet" report "$work/bad" --out "$page"
+  a_copy && sed -i '1s/"straps"/"Straps"/' "$work/bad/frames.bin"
+  expect 2 "frames.bin: its header lacks what" "$gasjet" report "$work/bad" --out "$page"
+  a_copy && echo "something else" >"$work/bad/frames.bin"
+  expect 2 'frames.bin: does not begin as "gasjet frames 1"' "$gasjet" report "$work/bad" --out "$page"
+  a_copy && truncate -s 100 "$work/bad/summary.json"
+  expect 2 "summary.json: is no JSON object, or cut short" "$gasjet" report "$work/bad" --out "$page"
+  a_copy && echo '{"status": 1}' >"$work/bad/summary.json"
+  expect 2 "bad: its JSON is none that gasjet writes" "$gasjet" report "$work/bad" --out "$page"
+  # What is missing makes the page smaller, and it says so.
+  a_copy && rm "$work/bad/frames.bin" "$work/bad/energy.csv"
+  expect 0 "MB" "$gasjet" report "$work/bad" --out "$page"
+  grep -q "frames.bin is missing: no pictures of the bag" "$page" && grep -q "energy.csv is missing" "$page" || fail "what is missing is not said"
+  # A long history is thinned, and no peak is lost.
+  awk 'BEGIN { print "time_s,pressure_Pa"; for (i = 0; i < 100000; ++i) print i * 1e-6 "," (i == 77777 ? "123456.789" : 1e5) }' >"$work/long.csv"
+  expect 0 "MB" "$gasjet" report "$work/long.csv" --out "$page"
+  grep -q "thinned to 400[0-9] of 100000 rows" "$page" && grep -q "123456.789" "$page" || fail "long histories are not thinned as said"
+  # output.frames = 0 leaves the frames out; those of the run before go.
+  expect 0 "" "$gasjet" run "$source/cases/passenger_pendulum.toml" --out "$work/bag" --quiet --set scene.end_time=1e-4 --set output.frames=0
+  [ ! -e "$work/bag/frames.bin" ] || fail "frames of the run before"
+  expect 2 "output.frames: is -1, a whole number from 0 to 10000" "$gasjet" run "$source/cases/passenger_pendulum.toml" --out "$work/none" --set output.frames=-1
+  expect 2 "output.frames: the scene has no membrane" "$gasjet" run "$source/cases/rigid_tank.toml" --out "$work/none" --set output.frames=10
+}

@@ -1,0 +1,69 @@
+# SPDX-License-Identifier: Apache-2.0
+# A second reader of frames.bin: its frames say what the field files say, to half a step. usage: frames_read.py GASJET SOURCE_DIR
+import json
+import os
+import struct
+import subprocess
+import sys
+import tempfile
+import xml.etree.ElementTree as xml
+
+gasjet, source = sys.argv[1:]
+
+
+def numbers(file):
+    """Arrays of a field file by name."""
+    return {a.get("Name"): [float(v) for v in a.text.split()] for a in xml.parse(file).iter("DataArray")}
+
+
+def frames_of(file):
+    """Header, then the frames: dictionaries of scalars and arrays, with the largest error that rounding may leave."""
+    header, data = open(file, "rb").read().split(b"\n", 1)
+    header = json.loads(header)
+    size, nodes, elements, names = (header[k] for k in ("frame_bytes", "nodes", "elements", "scalars"))
+    assert header["format"] == "gasjet frames 1" and len(data) % size == 0
+    list_ = []
+    for begin in range(0, len(data), size):
+        frame = dict(zip(names, struct.unpack_from(f"<{len(names)}d", data, begin)))
+        at = begin + 8 * len(names)
+        for name, count in (("position", 3 * nodes), ("speed", nodes), ("jet", elements), ("strain", elements)):
+            frame[name] = struct.unpack_from(f"<{count}H", data, at)
+            at += 2 * count
+        frame["mask"] = data[at:at + elements]
+        list_.append(frame)
+    return header, list_
+
+
+def check(name, whole, step, low, exact):
+    assert len(whole) == len(exact), name
+    for k, (w, e) in enumerate(zip(whole, exact)):
+        start = low[k % len(low)]
+        allowed = 0.5 * step * (1 + 1e-9) + 4e-16 * (abs(start) + 65535 * step)  # half a step, and rounding
+        assert abs(start + step * w - e) <= allowed, f"{name} {k}: {start + step * w}, {e}, step {step}"
+
+
+with tempfile.TemporaryDirectory() as folder:
+    case = os.path.join(source, "cases/passenger_pendulum.toml")
+    options = ["scene.end_time=0.012", "output.frames=3", "output.fields_every=0.004"]
+    subprocess.run([gasjet, "run", case, "--quiet", "--out", folder, *(w for o in options for w in ("--set", o))], check=True)
+    header, frames = frames_of(os.path.join(folder, "frames.bin"))
+    assert header["elements"] == 2744 and len(header["straps"]) == 2 and len(header["plates"]) == 1 and len(header["jets"]) == 1
+    parts = [p for p in xml.parse(os.path.join(folder, "fields.pvd")).iter("DataSet") if p.get("part") == "0"]
+    assert len(frames) == len(parts) == 4, (len(frames), len(parts))
+    for frame, part in zip(frames, parts):
+        assert frame["time_s"] == float(part.get("timestep"))
+        exact = numbers(os.path.join(folder, part.get("file")))
+        assert [n for t in header["triangles"] for n in t] == exact["connectivity"]
+        check("position", frame["position"], frame["position_step_m"], [frame["x_m"], frame["y_m"], frame["z_m"]], exact["Points"])
+        v = exact["velocity_m_s"]
+        speed = [(v[k] ** 2 + v[k + 1] ** 2 + v[k + 2] ** 2) ** 0.5 for k in range(0, len(v), 3)]
+        check("speed", frame["speed"], frame["speed_step_m_s"], [0.0], speed)
+        check("jet", frame["jet"], frame["jet_step_Pa"], [0.0], exact["jet_overpressure_Pa"])
+        check("strain", frame["strain"], frame["strain_step"], [frame["strain_low"]], exact["principal_strain"])
+        assert list(frame["mask"]) == exact["jet_mask"]
+        gauge = [p - j for p, j in zip(exact["overpressure_Pa"], exact["jet_overpressure_Pa"])]
+        assert max(abs(g - frame["overpressure_Pa"]) for g in gauge) <= 1e-9 * max(exact["overpressure_Pa"] + [101325.0])
+        centre = numbers(os.path.join(folder, part.get("file").replace("bag_", "pendulum_")))["Points"][3:]
+        assert [frame["impactor_x_m"], frame["impactor_y_m"], frame["impactor_z_m"]] == centre, centre
+    assert frames[-1]["jet_0_m_s"] > 0 and any(frames[-1]["mask"])
+print("frames: %d, as the field files have them" % len(frames))

@@ -1,0 +1,168 @@
+# SPDX-License-Identifier: Apache-2.0
+# The page of `gasjet report` in a real browser. usage: report_page.py GASJET SOURCE_DIR [FOLDER_FOR_PICTURES]
+import json
+import os
+import subprocess
+import sys
+import tempfile
+
+sys.dont_write_bytecode = True
+import browser
+
+if not browser.program():
+    print("SKIPPED, Chromium is missing (package chromium)")
+    sys.exit(0)
+
+gasjet, source, *pictures = sys.argv[1:]
+work = tempfile.TemporaryDirectory()  # goes at the end
+path = lambda name: os.path.join(work.name, name)
+evil = "</script><script>throw 1</script><img src=x onerror=alert(1)>&amp;\"'"
+
+
+def call(*words):
+    subprocess.run([gasjet, *words], check=True, stdout=subprocess.DEVNULL)
+
+
+def run(case, name, *options):
+    call("run", os.path.join(source, "cases", case), "--quiet", "--out", path(name), *(w for o in options for w in ("--set", o)))
+
+
+def rows(file):
+    lines = [line.strip().split(",") for line in open(file) if not line.startswith("#")]
+    return [dict(zip(lines[0], line)) for line in lines[1:]]
+
+
+def check(what, holds):
+    assert holds, what
+
+
+def look(page, name, **how):
+    """Opens a page; whatever else happens it logs no error and asks for nothing but itself."""
+    page.open(path(name), **how)
+    check(f"{name} logs {page.errors}", not page.errors)
+    check(f"{name} asks for {page.requests}", page.requests == ["file://" + path(name)])
+    if pictures:
+        page.picture(os.path.join(pictures[0], name.replace(".html", f"_{how.get('width', 1400)}{'_dark' if how.get('dark') else ''}.png")), whole=True)
+
+
+def slide(page, value):
+    page.run(f"{{ const s = document.getElementById('slider'); s.value = {value}; s.dispatchEvent(new Event('input')); }}")
+    page.settle()
+
+
+def canvas(page, k=0):
+    return page.run(f"document.querySelectorAll('.view canvas')[{k}].toDataURL()")
+
+
+def test_run(page):
+    look(page, "run.html")
+    history = rows(path("run/history.csv"))
+    first = canvas(page)
+    slide(page, 8)
+    later = canvas(page)
+    check("the slider moves the bag", first != later)
+    check("the clock says 8 ms", page.run("document.getElementById('clock').textContent") == "8.0 ms")
+    page.run("{ const q = document.getElementById('quantity'); q.value = 'strain'; q.dispatchEvent(new Event('change')); }")
+    strain = canvas(page)
+    check("colours follow the quantity", strain != later)
+    page.run("document.getElementById('edges').click()")
+    check("edges can be left out", canvas(page) != strain)
+    bare = canvas(page)
+    page.run("document.getElementById('jet').click()")
+    check("the jet can be left out", canvas(page) != bare)
+    # The cursor of the charts is where the slider is.
+    cursor = page.run("(() => { const c = Chart.all[0]; return [Number(c.cursor.getAttribute('x1')), c.x(0.008)]; })()")
+    check(f"cursor at {cursor}", abs(cursor[0] - cursor[1]) < 1.0)
+    # Values under the mouse are the cells of the file.
+    box = page.run("(() => { const c = Chart.all[0], b = c.svg.getBoundingClientRect(); return [b.left + c.x(0.006), b.top + 40]; })()")
+    page.mouse("mouseMoved", *box)
+    tip = page.run("document.getElementById('tip').innerText").split()
+    row = min(history, key=lambda r: abs(float(r["time_s"]) - float(tip[1])))
+    check(f"the mouse reads {tip}", tip[1] == row["time_s"] and row["pressure_Pa"] in tip and abs(float(tip[1]) - 0.006) < 5e-5)
+    # Keys: the next row of a chart, the slider, play.
+    page.run("Chart.all[0].svg.focus(); 0")
+    page.key("ArrowRight", 39)
+    tip = page.run("document.getElementById('tip').innerText").split()
+    following = history[history.index(row) + 1]
+    check(f"the arrow reads {tip}", tip[1] == following["time_s"] and following["pressure_Pa"] in tip)
+    page.run("document.getElementById('slider').focus()")
+    page.key("ArrowRight", 39)
+    check("the arrow moves the slider", page.run("document.getElementById('slider').value") == "9")
+    page.run("document.activeElement.blur(); document.body.focus(); 0")
+    page.key(" ", 32, " ")
+    page.run("new Promise(done => setTimeout(done, 300))")
+    check("space plays", page.run("document.getElementById('slider').value") == "10")
+    # A drag turns the camera.
+    before = page.run("player.views[0].camera.position.x")
+    x, y = page.run("(() => { const b = document.querySelector('.view canvas').getBoundingClientRect(); return [b.left + b.width / 2, b.top + b.height / 2]; })()")
+    page.mouse("mousePressed", x, y)
+    page.call("Input.dispatchMouseEvent", type="mouseMoved", x=x + 60, y=y, button="left", buttons=1)
+    page.mouse("mouseReleased", x + 60, y)
+    check("a drag turns the bag", page.run("player.views[0].camera.position.x") != before)
+    # Every column of the history is in a chart, and the residual of the energy.
+    drawn = page.run("Chart.all.flatMap(c => c.series.map(s => s.column))")
+    check("all columns are drawn", set(history[0]) - {"time_s"} <= set(drawn))
+    check("the residual is drawn", page.run("Chart.all.some(c => c.title.startsWith('Residual of the energy'))"))
+    marked = page.run("[...document.querySelectorAll('td')].filter(cell => cell.textContent === 'default').map(cell => cell.parentNode.firstChild.textContent)")
+    check(f"defaults are marked: {marked}", sorted(marked) == sorted(json.load(open(path("run/check.json")))["defaults"]))
+
+
+def test_pair(page):
+    look(page, "pair.html", dark=True)
+    slide(page, 2)
+    left, right = canvas(page, 0), canvas(page, 1)
+    slide(page, 10)
+    check("one slider moves both bags", canvas(page, 0) != left and canvas(page, 1) != right)
+    check("the ground is dark", page.run("getComputedStyle(document.body).backgroundColor") == "rgb(20, 23, 27)")
+
+
+def test_narrow(page):
+    for name in ("run.html", "tank.html"):
+        look(page, name, width=390, height=800)
+        wide = page.run("document.documentElement.scrollWidth")
+        check(f"{name} is {wide} px wide on a screen of 390", wide <= 390)
+
+
+def test_tank(page):
+    look(page, "tank.html")
+    check("a tank has no view", page.run("document.getElementById('player').hidden") and page.run("Chart.all.length") >= 5)
+    shown = page.run("document.getElementById('heads').textContent")
+    check(f"names are text: {shown}", evil in shown and page.run("document.querySelectorAll('img').length") == 0)
+
+
+def test_compared(page):
+    look(page, "compared.html")
+    check("the verdict is shown", "Compared with reference.csv: inside" in page.run("document.getElementById('details').textContent"))
+    check("the band is drawn", page.run("Chart.all.some(c => c.series.some(s => s.low && s.result === 'reference'))"))
+
+
+def test_others(page):
+    look(page, "ensemble.html")
+    check("bands of the mean", page.run("Chart.all[0].series[0].error.length") > 10)
+    look(page, "ladder.html")
+    check("rungs are drawn", page.run("document.querySelectorAll('#charts circle').length") >= 2)
+    look(page, "curves.html")
+    check("bands of curves", page.run("Chart.all[0].series[0].low.length") > 10)
+
+
+short = ["scene.end_time=0.01", "output.frames=10"]
+run("passenger_pendulum.toml", "run", *short)
+run("passenger_pendulum_no_jet.toml", "no_jet", *short)
+run("rigid_tank.toml", "tank", "scene.name=" + json.dumps(evil))
+call("report", path("run"), "--out", path("run.html"))
+call("report", path("run"), path("no_jet"), "--out", path("pair.html"))
+call("report", path("tank"), "--out", path("tank.html"))
+exact = subprocess.run([gasjet, "exact", "tank_fill", "--times", "0:0.1:0.01"], check=True, capture_output=True, text=True).stdout
+with open(path("reference.csv"), "w") as reference:
+    for number, line in enumerate(l for l in exact.splitlines() if not l.startswith("#")):
+        reference.write(line + (",pressure_Pa_band,temperature_K_band" if number == 0 else ",2e-8,2e-10") + "\n")
+call("report", path("tank"), "--against", path("reference.csv"), "--out", path("compared.html"))
+call("ensemble", os.path.join(source, "cases/jet_bag.toml"), "--runs", "2", "--quiet", "--out", path("ensemble"), "--set", "scene.end_time=0.003")
+call("ladder", os.path.join(source, "cases/rigid_tank.toml"), "--quantity", "pressure", "--quiet", "--out", path("ladder"))
+call("report", path("ensemble"), "--out", path("ensemble.html"))
+call("report", path("ladder"), "--out", path("ladder.html"))
+call("report", os.path.join(source, "cases/tank_test_curves.csv"), "--out", path("curves.html"))
+with browser.Browser() as page:
+    for test in (test_run, test_pair, test_narrow, test_tank, test_compared, test_others):
+        test(page)
+print("report: seven pages, no error, no request")
