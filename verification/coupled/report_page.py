@@ -70,6 +70,9 @@ def test_run(page):
     bare = canvas(page)
     page.run("document.getElementById('jet').click()")
     check("the jet can be left out", canvas(page) != bare)
+    bare = canvas(page)
+    page.run("document.getElementById('through').click()")
+    check("the skin can be seen through", canvas(page) != bare)
     # The cursor of the charts is where the slider is.
     cursor = page.run("(() => { const c = Chart.all[0]; return [Number(c.cursor.getAttribute('x1')), c.x(0.008)]; })()")
     check(f"cursor at {cursor}", abs(cursor[0] - cursor[1]) < 1.0)

@@ -46,11 +46,11 @@ const makeHead = () => {
 class Player {
   constructor(list) {
     this.views = list.map(([label, frames, up]) => new View(at("views"), label, frames, up));
-    this.times = this.views.map(view => view.frames.time).reduce((a, b) => (b.length > a.length ? b : a));
+    this.times = this.views.map(view => view.frames.time).reduce((a, b) => (b[b.length - 1] > a[a.length - 1] ? b : a));
     for (const [key, { title, unit }] of Object.entries(quantities)) at("quantity").append(new Option(title + (unit ? ` [${unit}]` : ""), key));
     at("slider").max = this.times.length - 1;
     at("slider").addEventListener("input", () => this.show());
-    for (const id of ["edges", "jet"]) at(id).addEventListener("change", () => this.show());
+    for (const id of ["edges", "jet", "through"]) at(id).addEventListener("change", () => this.show());
     at("quantity").addEventListener("change", () => this.recolour());
     at("view").addEventListener("change", () => this.look());
     at("play").addEventListener("click", () => this.toggle());
@@ -101,7 +101,7 @@ class Player {
   }
 
   show() {
-    const time = this.times[at("slider").value], options = { edges: at("edges").checked, jet: at("jet").checked };
+    const time = this.times[at("slider").value], options = { edges: at("edges").checked, jet: at("jet").checked, through: at("through").checked };
     for (const view of this.views) view.show(nearest(view.frames.time, time), at("quantity").value, this.range, options);
     at("clock").textContent = `${(1e3 * time).toFixed(this.times[this.times.length - 1] < 0.01 ? 3 : 1)} ms`;
     at("slider").setAttribute("aria-valuetext", at("clock").textContent);

@@ -85,8 +85,8 @@ class View {
     this.skin = new THREE.BufferGeometry();
     this.skin.setAttribute("position", new THREE.BufferAttribute(new Float32Array(9 * triangles.length), 3));
     this.skin.setAttribute("color", new THREE.BufferAttribute(new Float32Array(9 * triangles.length), 3));
-    const material = new THREE.MeshPhongMaterial({ vertexColors: THREE.VertexColors, side: THREE.DoubleSide, flatShading: true, shininess: 5, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 });
-    const mesh = new THREE.Mesh(this.skin, material);
+    this.material = new THREE.MeshPhongMaterial({ vertexColors: THREE.VertexColors, side: THREE.DoubleSide, flatShading: true, shininess: 5, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 });
+    const mesh = new THREE.Mesh(this.skin, this.material);
     const pairs = new Set();
     for (const t of triangles) for (let k = 0; k < 3; ++k) {
       const a = t[k], b = t[(k + 1) % 3];
@@ -153,7 +153,7 @@ class View {
   }
 
   // Shows frame i in the colours of a quantity between the ends of a scale.
-  show(i, name, [low, high], { edges, jet }) {
+  show(i, name, [low, high], { edges, jet, through }) {
     const { header } = this.frames, f = this.frames.frame(i), position = this.skin.attributes.position.array, colour = this.skin.attributes.color.array;
     const quantity = quantities[name];
     header.triangles.forEach((t, e) => {
@@ -169,6 +169,7 @@ class View {
     for (const geometry of [this.skin, this.net, this.straps.geometry]) geometry.attributes.position.needsUpdate = true;
     this.skin.attributes.color.needsUpdate = true;
     this.edges.visible = edges;
+    Object.assign(this.material, { transparent: through, depthWrite: !through, opacity: through ? 0.45 : 1 });
     this.jets.forEach((part, k) => {
       part.outlet.visible = jet;
       part.edge.visible = jet && f.s[`jet_${k}_m_s`] > 0;
