@@ -41,7 +41,7 @@ part_report() {
   a_copy && sed -i '1s/"straps"/"Straps"/' "$work/bad/frames.bin"
   expect 2 "frames.bin: its header lacks what" "$gasjet" report "$work/bad" --out "$page"
   a_copy && echo "something else" >"$work/bad/frames.bin"
-  expect 2 'frames.bin: does not begin as "gasjet frames 1"' "$gasjet" report "$work/bad" --out "$page"
+  expect 2 'frames.bin: does not begin as "gasjet frames" of format 1' "$gasjet" report "$work/bad" --out "$page"
   a_copy && truncate -s 100 "$work/bad/summary.json"
   expect 2 "summary.json: is no JSON object, or cut short" "$gasjet" report "$work/bad" --out "$page"
   a_copy && echo '{"status": 1}' >"$work/bad/summary.json"

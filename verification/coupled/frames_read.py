@@ -21,7 +21,7 @@ def frames_of(file):
     header, data = open(file, "rb").read().split(b"\n", 1)
     header = json.loads(header)
     size, nodes, elements, names = (header[k] for k in ("frame_bytes", "nodes", "elements", "scalars"))
-    assert header["format"] == "gasjet frames 1" and len(data) % size == 0
+    assert header["file"] == "gasjet frames" and header["format"] == 1 and len(data) % size == 0
     list_ = []
     for begin in range(0, len(data), size):
         frame = dict(zip(names, struct.unpack_from(f"<{len(names)}d", data, begin)))

@@ -11,8 +11,8 @@
 
 namespace driver {
 
-/// First value of the header's key "format".
-inline constexpr const char* frames_format = "gasjet frames 1";
+/// Value of the header's key "file"; its "format" is that of the results (formats.hpp).
+inline constexpr const char* frames_file = "gasjet frames";
 
 /// Bytes of a frame: doubles, then 16-bit numbers for nodes (three coordinates, speed) and elements
 /// (overpressure of the jets, strain), then a byte for each element (jet mask), filled up to a multiple of 8.

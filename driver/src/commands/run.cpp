@@ -36,7 +36,7 @@ int run(const RunArguments& arguments) {
   const auto outcome = run_to_folder(
       scene, folder,
       provenance(arguments.scene.file, arguments.scene.overrides, id_of("run", {}, {&document})),
-      {arguments.quiet, arguments.threads, check_text(document, scene)});
+      {.quiet = arguments.quiet, .threads = arguments.threads, .check = check_text(document, scene)});
   if (!outcome.warning.empty()) tell("warning: " + outcome.warning);
   if (outcome.status == RunStatus::inaccurate) {
     tell(fmt::format("gasjet: inaccurate: {}\nResults up to the end are in {}", outcome.message,

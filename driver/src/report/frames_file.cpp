@@ -7,6 +7,7 @@
 #include <iterator>
 
 #include "driver/case_reader.hpp"
+#include "driver/formats.hpp"
 #include "driver/frames.hpp"
 #include "report/parts.hpp"
 
@@ -81,8 +82,9 @@ Json read_frames(const std::filesystem::path& file, std::size_t most_bytes) {
   const std::string frames{std::istreambuf_iterator<char>(stream), {}};
   const auto fail = [&](const std::string& message) { throw CaseError(file.string() + ": " + message); };
   Json header = Json::parse(line, nullptr, false);
-  if (!header.is_object() || header.value("format", "") != frames_format)
-    fail(fmt::format("does not begin as \"{}\"", frames_format));
+  if (!header.is_object() || header.value("file", Json()) != frames_file ||
+      header.value("format", Json()) != formats::results)
+    fail(fmt::format("does not begin as \"{}\" of format {}", frames_file, formats::results));
   try {
     if (const std::string message = fault(header, frames); !message.empty()) fail(message);
   } catch (const Json::exception&) {

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <span>
 
+#include "driver/formats.hpp"
 #include "driver/results.hpp"
 #include "jet/jet.hpp"
 #include "results/jet_loads.hpp"
@@ -53,7 +54,11 @@ Json header(const Scene& scene) {
   const BagPart& bag = *scene.bag;
   const int nodes = bag.model.node_count, elements = bag.model.element_count;
   const Eigen::Vector3d size = bag.mesh.nodes.rowwise().maxCoeff() - bag.mesh.nodes.rowwise().minCoeff();
-  Json json{{"format", frames_format}, {"scene", scene.name}, {"nodes", nodes}, {"elements", elements}};
+  Json json{{"file", frames_file},
+            {"format", formats::results},
+            {"scene", scene.name},
+            {"nodes", nodes},
+            {"elements", elements}};
   json["scalars"] = kScalars;
   for (std::size_t j = 0; j < scene.jets.size(); ++j) json["scalars"].push_back(fmt::format("jet_{}_m_s", j));
   json["jets"] = json["straps"] = json["plates"] = Json::array();
