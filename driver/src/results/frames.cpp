@@ -85,7 +85,6 @@ void append(std::string& out, Number number) {
   out.append(bytes, sizeof number);
 }
 
-// Appends (value - low) / step, rounded.
 // Appends (value - low) / step of each, rounded.
 template <typename Value>
 void append_steps(std::string& out, std::size_t count, double low, double step, const Value& value) {
