@@ -67,7 +67,7 @@ part_killed() {
   expect 2 "history.csv: its run has not ended \(gasjet.status says so\)" "$gasjet" compare "$work/run/history.csv" "$work/run/history.csv"
   expect 2 "history.csv: its run has not ended" "$source/scripts/plot_history.sh" "$work/plot" "$work/run"
   "$gasjet" run "$source/cases/rigid_tank.toml" --out "$work/run" --quiet || fail "no run after one that was killed"
-  [ "$(ls "$work/run")" = "$(printf '%s\n' energy.csv gasjet.status history.csv summary.json)" ] || fail "left: $(ls "$work/run")"
+  [ "$(ls "$work/run")" = "$(printf '%s\n' check.json energy.csv gasjet.status history.csv summary.json)" ] || fail "left: $(ls "$work/run")"
   # SIGHUP ends a run as SIGTERM does, but where nohup ignores it.
   "$gasjet" "${endless[@]}" --out "$work/hup" >/dev/null 2>&1 </dev/null &
   pid=$!
@@ -109,7 +109,7 @@ part_mixed() {
   # A status file that names what is outside of its folder, or none of ours.
   echo precious >"$work/precious"
   printf '%s\n' "$(head -n 1 "$work/a/gasjet.status")" "command: run" "run: 0" "file: ../precious" "status: done" >"$work/b/gasjet.status"
-  expect 2 "history.csv is there, and no run is known to have written it" "$gasjet" run "$tank" --out "$work/b"
+  expect 2 "(check.json|energy.csv|history.csv|summary.json) is there, and no run is known to have written it" "$gasjet" run "$tank" --out "$work/b"
   rm "$work/b"/*.{csv,json}
   expect 0 "done" "$gasjet" run "$tank" --out "$work/b"
   [ "$(cat "$work/precious")" = precious ] || fail "a file outside of the folder was removed"

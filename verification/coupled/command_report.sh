@@ -46,6 +46,11 @@ part_report() {
   expect 2 "summary.json: is no JSON object, or cut short" "$gasjet" report "$work/bad" --out "$page"
   a_copy && echo '{"status": 1}' >"$work/bad/summary.json"
   expect 2 "bad: its JSON is none that gasjet writes" "$gasjet" report "$work/bad" --out "$page"
+  # A folder of two runs, and one whose run has not ended.
+  a_copy && sed -i 's/"run": "[0-9a-f]*"/"run": "0123456789abcdef"/' "$work/bad/summary.json"
+  expect 2 "summary.json: is of the run '0123456789abcdef', its folder is of" "$gasjet" report "$work/bad" --out "$page"
+  a_copy && sed -i 's/^status: done/status: running/' "$work/bad/gasjet.status"
+  expect 2 "history.csv: its run has not ended" "$gasjet" report "$work/bad" --out "$page"
   # What is missing makes the page smaller, and it says so.
   a_copy && rm "$work/bad/frames.bin" "$work/bad/energy.csv"
   expect 0 "MB" "$gasjet" report "$work/bad" --out "$page"

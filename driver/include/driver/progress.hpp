@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <exception>
+#include <functional>
 #include <string>
 
 namespace driver {
@@ -17,8 +18,9 @@ class Progress {
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  /// Shows at most ten bars, or one line, a second; cheap enough to call every step.
-  void update(double done, const std::string& note = {});
+  /// Shows at most ten bars, or one line, a second; cheap enough to call every step. `note` is asked for
+  /// only where it is shown.
+  void update(double done, const std::function<std::string()>& note = {});
 
  private:
   void show(double done, const std::string& note);

@@ -30,7 +30,8 @@ int run(const RunArguments& arguments) {
   for (const auto& warning : scene.warnings) tell("warning: " + warning);
   const auto folder =
       arguments.out.empty() ? std::filesystem::path("results") / arguments.scene.file.stem() : arguments.out;
-  refuse_inputs(folder, {"history.csv", "energy.csv", "summary.json", "check.json", "frames.bin", status_file},
+  refuse_inputs(folder,
+                {"history.csv", "energy.csv", "summary.json", "check.json", "frames.bin", status_file},
                 document.files());
   catch_interrupt();
   const auto outcome = run_to_folder(

@@ -74,7 +74,8 @@ std::vector<Member> run_members(const std::string& name, const std::filesystem::
       if (has_ended(member)) journal.add(key, json_of(member));
     }
     const std::lock_guard<std::mutex> guard(progress_lock);
-    progress.update(++finished, fmt::format("run {} of {}", finished.load(), options.runs));
+    const int done = ++finished;
+    progress.update(done, [&] { return fmt::format("run {} of {}", done, options.runs); });
   });
   return members;
 }

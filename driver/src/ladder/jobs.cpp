@@ -111,7 +111,8 @@ std::vector<LadderSample> run_jobs(const std::filesystem::path& file, const std:
     }
     const std::lock_guard<std::mutex> guard(lock);
     ++finished;
-    progress.update(static_cast<double>(finished), fmt::format("run {} of {}", finished, jobs.size()));
+    progress.update(static_cast<double>(finished),
+                    [&] { return fmt::format("run {} of {}", finished, jobs.size()); });
   });
   return samples;
 }

@@ -7,6 +7,7 @@
 #include "case/text_file.hpp"
 #include "driver/channel_filter.hpp"
 #include "driver/compare.hpp"
+#include "driver/result_folder.hpp"
 #include "report/parts.hpp"
 #include "report/table.hpp"
 #include "results/csv_table.hpp"
@@ -23,12 +24,14 @@ bool has(const std::filesystem::path& folder, const char* name) {
 Json read_json(const std::filesystem::path& file) {
   Json json = Json::parse(read_text(file), nullptr, false);
   if (!json.is_object()) throw CaseError(file.string() + ": is no JSON object, or cut short");
+  if (json.contains("run")) require_whole(file, json["run"].get<std::string>());
   return json;
 }
 
 // Adds a table to `result`, and a note if it was thinned.
 PageTable add_table(Json& result, const char* key, const std::filesystem::path& file,
                     const ReportOptions& options) {
+  require_whole(file);
   PageTable table = read_page_table(file, options.most_rows);
   result[key] = {{"columns", table.columns}, {"rows", std::move(table.rows)}};
   if (table.kept < table.total)

@@ -50,6 +50,10 @@ std::optional<FolderStatus> read_status(const std::filesystem::path& folder) {
 }
 
 void require_whole(const std::filesystem::path& file) {
+  require_whole(file, run_of(file));
+}
+
+void require_whole(const std::filesystem::path& file, const std::string& own) {
   std::optional<FolderStatus> status;
   try {
     status = read_status(file.parent_path().empty() ? "." : file.parent_path());
@@ -66,7 +70,7 @@ void require_whole(const std::filesystem::path& file) {
         fmt::format("{}: was interrupted before all runs were done ({} says so): the same command goes on "
                     "from there",
                     file.string(), status_file));
-  if (const std::string own = run_of(file); own != status->run)
+  if (own != status->run)
     throw CaseError(
         fmt::format("{}: is of the run '{}', its folder is of '{}' ({} says so): run the case again",
                     file.string(), own, status->run, status_file));

@@ -2,6 +2,7 @@
 #include "driver/progress.hpp"
 
 #include <fmt/format.h>
+#include <sys/ioctl.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
@@ -13,6 +14,24 @@
 
 namespace driver {
 namespace {
+
+// Columns of the terminal behind standard error; 80 if it does not tell.
+std::size_t columns() {
+  winsize size{};
+  return ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : 80;
+}
+
+// One line that fits the terminal: first the bar goes, then the name, then the end of the text.
+std::string bar(const std::string& what, double part, const std::string& text) {
+  const std::size_t room = columns() - 1, used = what.size() + text.size() + 4;
+  const std::size_t width = room > used ? std::min<std::size_t>(40, room - used) : 0;
+  const auto filled = static_cast<std::size_t>(part * static_cast<double>(width));
+  if (width >= 10)
+    return fmt::format("{} [{}{}] {}", what, std::string(filled, '#'), std::string(width - filled, '.'),
+                       text);
+  if (what.size() + 1 + text.size() <= room) return what + ' ' + text;
+  return text.substr(0, room);
+}
 
 volatile std::sig_atomic_t interrupt_flag = 0;
 
@@ -68,14 +87,14 @@ Progress::~Progress() {
   if (shown_ && terminal_) std::fputc('\n', stderr);
 }
 
-void Progress::update(double done, const std::string& note) {
+void Progress::update(double done, const std::function<std::string()>& note) {
   if (quiet_) return;
   const auto now = std::chrono::steady_clock::now();
   const auto pause = terminal_ ? std::chrono::milliseconds(100) : std::chrono::milliseconds(1000);
   const bool finished = done >= total_ && shown_ && terminal_;
   if (now - last_ < pause && !finished) return;
   last_ = now;
-  show(done, note);
+  show(done, note ? note() : std::string());
 }
 
 void Progress::show(double done, const std::string& note) {
@@ -83,14 +102,12 @@ void Progress::show(double done, const std::string& note) {
   const double part = std::clamp(done / total_, 0.0, 1.0);
   const double elapsed = std::chrono::duration<double>(last_ - started_).count();
   const double left = part > 0.0 ? elapsed * (1.0 - part) / part : 0.0;
-  std::string text;
+  std::string text =
+      fmt::format("{:3.0f} %, {:.1f} s left{}{}", 100.0 * part, left, note.empty() ? "" : ", ", note);
   if (terminal_) {
-    constexpr int width = 40;
-    const int filled = static_cast<int>(part * width);
-    text = fmt::format("\r{} [{:#<{}}{:.<{}}] {:3.0f} %  {:.1f} s left  {}\033[K", what_, "", filled, "",
-                       width - filled, 100.0 * part, left, note);
+    text = fmt::format("\r{}\033[K", bar(what_, part, text));
   } else {
-    text = fmt::format("{}: {:.0f} %, {:.1f} s left {}\n", what_, 100.0 * part, left, note);
+    text = fmt::format("{}: {}\n", what_, text.substr(text.find_first_not_of(' ')));
   }
   std::fputs(text.c_str(), stderr);  // where nobody can read it the work goes on
   std::fflush(stderr);

@@ -5,6 +5,7 @@
 
 #include <chrono>
 #include <cmath>
+#include <numbers>
 
 #include "driver/fields.hpp"
 #include "driver/frames.hpp"
@@ -34,6 +35,13 @@ class Schedule {
   double interval_;
   double next_ = 0.0;  // multiple that is due next
 };
+
+// What the line of progress tells of a run.
+std::string reached(const State& now) {
+  std::string text = fmt::format("{:.4g} ms, {:.4g} kPa", 1e3 * now.time, 1e-3 * now.gas_point.pressure);
+  if (now.pendulum) text += fmt::format(", {:.3g} deg", now.level.pendulum_angle * 180.0 / std::numbers::pi);
+  return text;
+}
 
 void run_steps(const Scene& scene, State& state, const LevelSink& sink, const LevelViews& views,
                const Executor& executor, const std::function<bool()>& stop_wanted, RunOutcome& outcome) {
@@ -99,7 +107,8 @@ RunOutcome run_scene(const Scene& scene, State& state, const LevelSink& sink, co
 RunOutcome run_to_folder(const Scene& scene, const std::filesystem::path& path, const Provenance& lines,
                          const RunOptions& options) {
   State state = make_state(scene);
-  const bool with_fields = scene.output.fields_every > 0.0, with_frames = scene.bag && scene.output.frames > 0;
+  const bool with_fields = scene.output.fields_every > 0.0,
+             with_frames = scene.bag && scene.output.frames > 0;
   ResultFolder folder(path, "run", [&](const std::string& name) {
     return name == "history.csv" || name == "energy.csv" || name == "summary.json" || name == "check.json" ||
            name == "frames.bin" || (with_fields && FieldWriter::is_own(name));
@@ -115,7 +124,7 @@ RunOutcome run_to_folder(const Scene& scene, const std::filesystem::path& path, 
   std::optional<FrameWriter> frames;
   if (with_frames) frames.emplace(folder.add("frames.bin"), scene);
   const auto record = [&](bool recorded, const State& now) {
-    progress.update(now.time);
+    progress.update(now.time, [&] { return reached(now); });
     if (recorded) {
       history.write(scene, now);
       energy.write(scene, now);

@@ -68,14 +68,24 @@ class Chart {
       const stroke = s.filled ? { stroke: "none", fill: `var(--c${s.colour})` } : { stroke: `var(--c${s.colour})`, "stroke-width": 2, "stroke-dasharray": dashes[s.dash] };
       const sample = drawn("svg");
       sample.append(s.filled ? drawn("rect", { width: 22, height: 8, "fill-opacity": .55, ...stroke }) : drawn("line", { x1: 0, x2: 24, y1: 4, y2: 4, ...stroke }));
-      list.append(element("span", {}, sample, s.result ? `${s.name}, ${s.result}` : s.name));
+      const entry = element("button", { type: "button", title: "show or hide" }, sample, s.result ? `${s.name}, ${s.result}` : s.name);
+      entry.setAttribute("aria-pressed", "true");
+      entry.addEventListener("click", () => {
+        s.hidden = !s.hidden;
+        entry.setAttribute("aria-pressed", String(!s.hidden));
+        this.width = null;
+        this.draw();
+      });
+      list.append(s.filled ? element("span", {}, ...entry.childNodes) : entry);
     }
     return list;
   }
 
+  get shown() { return this.series.filter(s => !s.hidden); }
+
   range() {
     let low = this.zero ? 0 : Infinity, high = this.zero ? 0 : -Infinity, end = -Infinity, start = Infinity;
-    for (const s of this.series) {
+    for (const s of this.shown.length ? this.shown : this.series) {
       for (const list of [s.value, s.low, s.high])
         if (list) for (const v of list) { if (v < low) low = v; if (v > high) high = v; }
       start = Math.min(start, s.time[0]);
@@ -104,7 +114,7 @@ class Chart {
       this.svg.append(drawn("text", { x: margin.left - 5, y: y(v.value) + 4, "text-anchor": "end" }, v.text));
     }
     const path = (times, values) => times.map((t, i) => `${this.x(t).toFixed(1)},${y(values[i]).toFixed(1)}`);
-    for (const s of this.series) {
+    for (const s of this.shown) {
       const colour = `var(--c${s.colour})`;
       if (s.low) {
         const points = [...path(s.time, s.high), ...path(s.time, s.low).reverse()].join(" ");
@@ -140,7 +150,7 @@ class Chart {
     for (const end of ["x1", "x2"]) this.mark.setAttribute(end, this.x(time));
     this.mark.setAttribute("visibility", "visible");
     hideTip.mark = this.mark;
-    const rows = this.series.map(s => {
+    const rows = this.shown.map(s => {
       const i = nearest(s.time, time);
       return [s.result ? `${s.name}, ${s.result}` : s.name, s.text[i] + (s.error ? ` ± ${s.error[i]}` : "") + (this.unit ? " " + this.unit : "")];
     });

@@ -63,6 +63,7 @@ class Player {
     const steps = this.views.map(v => Math.max(...v.frames.time.map((_, i) => v.frames.scalars(i).position_step_m)));
     at("loss").textContent = `Stored in 16 bits: positions are off by at most ${(0.5e6 * Math.max(...steps)).toPrecision(2)} µm, strain, speed and jet overpressure by 1/131070 of their range in the frame. Colours are of elements.`;
     at("player").hidden = false;
+    at("slider").value = this.times.length >> 1;  // a bag half way says more than a folded one
     this.look();
     this.recolour();
   }
@@ -154,8 +155,10 @@ const makeCharts = player => {
     ++dash;
   }
   const charts = groups(series).map(spec => new Chart(at("charts"), spec));
-  for (const r of runs) if (r.energy)
-    for (const spec of energyCharts(r.energy, r.roles, many ? r.label : "")) charts.push(new Chart(at("charts"), spec));
+  for (const r of runs) {
+    const label = many ? r.label : "", balances = [...massChart(r.history, label), ...(r.energy ? energyCharts(r.energy, r.roles, label) : [])];
+    for (const spec of balances) charts.push(new Chart(at("charts"), spec));
+  }
   if (player) {
     for (const chart of charts) chart.onpick = time => player.goTo(time);
     player.show();

@@ -78,22 +78,19 @@ const groups = series => {
   return [...charts.values()];
 };
 
-// Energy since the start: what is held and was spent, one upon another; what was supplied, a line. The residual is what lies between.
-// The seven terms that change most have a layer each, the others share one.
-const energyCharts = (table, roles, result) => {
-  const columns = read(table), time = columns.time_s, count = time.value.length;
-  const common = { result, time: time.value, timeText: time.text, dash: 0 };
-  const sum = lists => time.value.map((_, i) => lists.reduce((total, list) => total + list[i], 0));
-  const changeOf = column => columns[column].value.map(v => (roles[column] === "held" ? v - columns[column].value[0] : v));
-  const size = term => Math.max(...term.change.map(Math.abs));
-  const terms = table.columns.filter(c => ["held", "spent"].includes(roles[c])).map(column => ({ name: split(column).name + (roles[column] === "spent" ? " (spent)" : ""), change: changeOf(column), text: columns[column].text }));
-  const ranked = [...terms].sort((a, b) => size(b) - size(a)), small = ranked.slice(7);
+// What is held and was spent, one upon another; what was supplied, a line. The residual is what lies between.
+// terms: { name, change, text }. The seven that change most have a layer each, the others share one.
+const stackChart = (title, unit, common, terms, supplied) => {
+  const sum = lists => common.time.map((_, i) => lists.reduce((total, list) => total + list[i], 0));
+  const digits = values => values.map(v => String(Number(v.toPrecision(12))));
+  const size = term => term.change.reduce((most, v) => Math.max(most, Math.abs(v)), 0);
+  const small = [...terms].sort((a, b) => size(b) - size(a)).slice(7);
   const layers = terms.filter(term => !small.includes(term));
   if (small.length) {
     const change = sum(small.map(term => term.change));
-    layers.push({ name: "others", change, text: change.map(v => String(Number(v.toPrecision(12)))) });
+    layers.push({ name: "others", change, text: digits(change) });
   }
-  const up = new Float64Array(count), down = new Float64Array(count);
+  const up = new Float64Array(common.time.length), down = new Float64Array(common.time.length);
   const series = layers.map(({ name, change, text }, k) => {
     const low = [], high = [];
     change.forEach((v, i) => {
@@ -102,14 +99,35 @@ const energyCharts = (table, roles, result) => {
       low.push(Math.min(before, stack[i]));
       high.push(Math.max(before, stack[i]));
     });
-    return { ...common, name, low, high, text, value: null, filled: true, colour: k };
+    return { ...common, name, low, high, text: text ?? digits(change), value: null, filled: true, colour: k };
   });
-  const supplied = sum(table.columns.filter(c => roles[c] === "supplied").map(c => columns[c].value));
-  series.push({ ...common, name: "supplied", value: supplied, text: supplied.map(v => String(Number(v.toPrecision(12)))), colour: 6, dash: 1 });
-  const of = result ? `, ${result}` : "";
-  const list = [{ title: `Where the energy went since the start${of}`, unit: "J", series, height: 260 }];
+  const total = sum(supplied);
+  series.push({ ...common, name: "supplied", value: total, text: digits(total), colour: 6, dash: 1 });
+  return { title, unit, series, height: 260 };
+};
+
+const energyCharts = (table, roles, result) => {
+  const columns = read(table), time = columns.time_s, of = result ? `, ${result}` : "";
+  const common = { result: "", time: time.value, timeText: time.text, dash: 0 };
+  const changeOf = column => columns[column].value.map(v => (roles[column] === "held" ? v - columns[column].value[0] : v));
+  const terms = table.columns.filter(c => ["held", "spent"].includes(roles[c])).map(column => ({ name: split(column).name + (roles[column] === "spent" ? " (spent)" : ""), change: changeOf(column), text: columns[column].text }));
+  const list = [stackChart(`Where the energy went since the start${of}`, "J", common, terms, table.columns.filter(c => roles[c] === "supplied").map(c => columns[c].value))];
   for (const [column, title] of [["residual_J", "Residual of the energy"], ["kick_residual_J", "Residual of the kicks' work"]])
     if (columns[column]) list.push({ title: title + of, unit: "J", series: [{ ...common, name: title, value: columns[column].value, text: columns[column].text, colour: 1 }] });
-  for (const s of series) s.result = "";
   return list;
+};
+
+// The same for the gas: what is in the tank or bag, and the flows of the rows integrated by the trapezoid rule.
+const massChart = (table, result) => {
+  const columns = read(table), time = columns.time_s.value, of = result ? `, ${result}` : "";
+  if (!columns.gas_mass_kg || !columns.inflow_kg_s) return [];
+  const total = ({ value }) => {
+    let sum = 0;
+    return value.map((v, i) => (sum += i > 0 ? 0.5 * (v + value[i - 1]) * (time[i] - time[i - 1]) : 0));
+  };
+  const held = columns.gas_mass_kg.value;
+  const terms = [{ name: "gas", change: held.map(v => v - held[0]) }];
+  for (const column of table.columns) if (column.endsWith("_outflow_kg_s")) terms.push({ name: split(column).name, change: total(columns[column]) });
+  const common = { result: "", time, timeText: columns.time_s.text, dash: 0 };
+  return [stackChart(`Where the gas went since the start, from the rows${of}`, "kg", common, terms, [total(columns.inflow_kg_s)])];
 };
