@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # Builds the documentation site in build/site, with search, rendered equations and the reference of the public headers. Fails on any
-# warning, dead link, equation that cannot be rendered, or file that a page loads from elsewhere. Installs what is missing.
+# warning, dead link, equation that cannot be rendered, or file that a page loads from elsewhere. Installs what is missing. Needs
+# build/gasjet, or the program that GASJET names: the site shows the paper's scene in motion.
 # usage: scripts/docs_site.sh [--serve]      --serve: then show it on http://localhost:8000
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -10,10 +11,17 @@ if (($# > 1)) || [[ ${1:---serve} != --serve ]]; then
   exit 2
 fi
 
+gasjet=${GASJET:-build/gasjet}
+if [ ! -x "$gasjet" ]; then
+  echo "docs_site.sh: $gasjet is missing: scripts/run_main_case.sh builds it" >&2
+  exit 2
+fi
+
 scripts/setup_debian12.sh mkdocs mkdocs-material python3-pymdownx katex doxygen >/dev/null
 source=build/site_source site=build/site
-rm -rf "$source" "$site"
-mkdir -p "$source/assets" "$source/api"
+runs=build/site_runs
+rm -rf "$source" "$site" "$runs"
+mkdir -p "$source/assets" "$source/api" "$source/reports"
 
 # The site has the repository's layout: links between its files hold in both.
 for path in ./*.md CITATION.cff Dockerfile LICENSE docs bindings cases cmake lib* verification benchmarks scripts; do
@@ -21,6 +29,10 @@ for path in ./*.md CITATION.cff Dockerfile LICENSE docs bindings cases cmake lib
 done
 cp -rL /usr/share/javascript/katex/katex.min.css /usr/share/javascript/katex/fonts scripts/site/site.css "$source/assets"
 scripts/api_docs.sh "$source/api" >/dev/null
+for name in passenger_pendulum passenger_pendulum_no_jet; do
+  "$gasjet" run "cases/$name.toml" --out "$runs/$name" --quiet
+done
+"$gasjet" report "$runs"/passenger_pendulum{,_no_jet} --out "$source/reports/passenger_pendulum.html" >/dev/null
 
 mkdocs build --strict
 NODE_PATH=/usr/share/nodejs node scripts/site/render_equations.js "$site"

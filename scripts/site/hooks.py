@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-# Hook of mkdocs.yml: the site reads lists as GitHub does, where Python-Markdown differs, and its menu leads to every page.
+# Hook of mkdocs.yml: the site reads lists as GitHub does, where Python-Markdown differs, its menu leads to every page, and README's
+# picture to the report that only the site has.
 import logging
 import re
 
@@ -32,6 +33,14 @@ class BlankLineBeforeList(Preprocessor):
 def on_config(config):
     config["markdown_extensions"].insert(0, GithubLists())
     return config
+
+
+def on_page_markdown(markdown, page, config, files):
+    picture = "docs/figures/passenger_pendulum.svg)\n"
+    if page.file.src_path != "README.md":
+        return markdown
+    assert picture in markdown, "README.md has lost its picture"
+    return markdown.replace(picture, picture + "\n[Both runs in motion](reports/passenger_pendulum.html)\n", 1)
 
 
 def on_nav(nav, config, files):

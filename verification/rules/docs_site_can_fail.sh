@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # Proves that scripts/docs_site.sh fails, and names the place, where a page leads to no page, no anchor or no file or is not in the
-# menu, where an equation cannot be rendered or is left as source, and where a page loads something from elsewhere. usage: docs_site_can_fail.sh
+# menu, where an equation cannot be rendered or is left as source, and where a page loads something from elsewhere. usage: GASJET=PROGRAM docs_site_can_fail.sh
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 scratch=$(mktemp -d)
