@@ -92,6 +92,12 @@ def test_run(page):
     tip = page.run("document.getElementById('tip').innerText").split()
     row = min(history, key=lambda r: abs(float(r["time_s"]) - float(tip[1])))
     check(f"the mouse reads {tip}", tip[1] == row["time_s"] and row["pressure_Pa"] in tip and abs(float(tip[1]) - 0.006) < 5e-5)
+    # A click on the legend hides a line, and the chart is scaled to the others.
+    lines = "(() => { const c = Chart.all.find(c => c.unit === 'N'); return [c.shown.length, c.svg.querySelectorAll('polyline').length, c.bounds.high]; })()"
+    before = page.run(lines)
+    page.run("Chart.all.find(c => c.unit === 'N').root.querySelectorAll('.legend button').forEach((b, i) => i !== 3 && b.click())")
+    after = page.run(lines)
+    check(f"the legend hides lines: {before}, {after}", before[:2] == [5, 5] and after[:2] == [1, 1] and after[2] < before[2])
     # Keys: the next row of a chart, the slider, play.
     page.run("Chart.all[0].svg.focus(); 0")
     page.key("ArrowRight", 39)
@@ -115,6 +121,7 @@ def test_run(page):
     # Every column of the history is in a chart, and the residual of the energy.
     drawn = page.run("Chart.all.flatMap(c => c.series.map(s => s.column))")
     check("all columns are drawn", set(history[0]) - {"time_s"} <= set(drawn))
+    check("the balance of the gas is drawn", page.run("Chart.all.some(c => c.title.startsWith('Where the gas went'))"))
     check("the residual is drawn", page.run("Chart.all.some(c => c.title.startsWith('Residual of the energy'))"))
     marked = page.run("[...document.querySelectorAll('td')].filter(cell => cell.textContent === 'default').map(cell => cell.parentNode.firstChild.textContent)")
     check(f"defaults are marked: {marked}", sorted(marked) == sorted(json.load(open(path("run/check.json")))["defaults"]))
@@ -153,6 +160,7 @@ def test_compared(page):
 def test_others(page):
     look(page, "ensemble.html")
     check("bands of the mean", page.run("Chart.all[0].series[0].low.filter((v, i) => v < Chart.all[0].series[0].value[i]).length") > 10)
+    check("single runs are dots", page.run("document.querySelectorAll('svg.strip')[0].querySelectorAll('circle').length") == 2)
     look(page, "ladder.html")
     check("rungs are drawn", page.run("document.querySelectorAll('#charts circle').length") >= 2)
     look(page, "curves.html")

@@ -11,7 +11,7 @@ const numberText = (v, exact) => typeof v === "number" ? (exact ? String(v) : sh
 
 const tableOf = (head, rows, exact = false) => element("div", { class: "wide" }, element("table", { class: "data" },
   element("tr", {}, ...head.map(text => element("th", { textContent: text }))),
-  ...rows.map(cells => element("tr", {}, ...cells.map(cell => element("td", { class: typeof cell === "number" ? "number" : "", textContent: numberText(cell, exact) }))))));
+  ...rows.map(cells => element("tr", {}, ...cells.map(cell => cell instanceof Element ? element("td", {}, cell) : element("td", { class: typeof cell === "number" ? "number" : "", textContent: numberText(cell, exact) }))))));
 
 // Leaves of nested objects: [path, value].
 const leaves = (value, path = "") => {
@@ -203,9 +203,20 @@ const makeRunDetails = run => {
   if (s) fold(`Everything in summary.json${of}`, false, tableOf(["key", "value"], leaves(s), true));
 };
 
+// Single runs as dots between the least and the largest; the mean as a line, its standard error as a box.
+const strip = q => {
+  const svg = drawn("svg", { width: 220, height: 18, class: "strip", role: "img", "aria-label": `${q.values.length} runs` });
+  const x = v => 8 + (q.maximum > q.minimum ? (v - q.minimum) / (q.maximum - q.minimum) : 0.5) * 204;
+  const from = Math.max(0, x(q.mean - q.standard_error)), to = Math.min(220, x(q.mean + q.standard_error));
+  svg.append(drawn("rect", { x: from, y: 1, width: Math.max(1, to - from), height: 16, fill: "var(--c1)", "fill-opacity": .35 }));
+  svg.append(drawn("line", { x1: x(q.mean), x2: x(q.mean), y1: 1, y2: 17, stroke: "var(--c1)", "stroke-width": 2 }));
+  for (const v of q.values) svg.append(drawn("circle", { cx: x(v), cy: 9, r: 3, fill: "var(--c0)", "fill-opacity": .5 }));
+  return svg;
+};
+
 const makeEnsembleDetails = r => {
-  const rows = Object.entries(r.quantities).map(([name, q]) => [split(name).name, q.mean, q.standard_error, q.minimum, q.maximum, q.runs, split(name).unit]);
-  fold(`Quantities of ${r.label}`, true, tableOf(["quantity", "mean", "standard error", "least", "largest", "runs", "unit"], rows));
+  const rows = Object.entries(r.quantities).map(([name, q]) => [split(name).name, q.mean, q.standard_error, q.minimum, q.values?.length ? strip(q) : "", q.maximum, q.runs, split(name).unit]);
+  fold(`Quantities of ${r.label}`, true, tableOf(["quantity", "mean", "standard error", "least", "single runs, mean and its standard error", "largest", "runs", "unit"], rows));
 };
 
 // Error against cost, both on logarithmic scales; rungs on the front are named.
