@@ -49,31 +49,43 @@ std::optional<FolderStatus> read_status(const std::filesystem::path& folder) {
   return status;
 }
 
-void require_whole(const std::filesystem::path& file) {
-  require_whole(file, run_of(file));
+namespace {
+
+// Of a folder that lists the file; none if the file is the user's own.
+std::optional<FolderStatus> status_listing(const std::filesystem::path& file) {
+  try {
+    auto status = read_status(file.parent_path().empty() ? "." : file.parent_path());
+    if (status && status->files.contains(file.filename().string())) return status;
+  } catch (const OutputError&) {  // a status file that is not ours
+  }
+  return {};
 }
 
-void require_whole(const std::filesystem::path& file, const std::string& own) {
-  std::optional<FolderStatus> status;
-  try {
-    status = read_status(file.parent_path().empty() ? "." : file.parent_path());
-  } catch (const OutputError&) {
-    return;  // a file of the user's
-  }
-  if (!status || !status->files.contains(file.filename().string())) return;
-  if (status->status == "running")
+void require_whole(const std::filesystem::path& file, const FolderStatus& status, const std::string& own) {
+  if (status.status == "running")
     throw CaseError(fmt::format(
         "{}: its run has not ended ({} says so): wait for its end; if it was killed, run it again",
         file.string(), status_file));
-  if (status->status == "interrupted" && status->files.contains(journal_file))
+  if (status.status == "interrupted" && status.files.contains(journal_file))
     throw CaseError(
         fmt::format("{}: was interrupted before all runs were done ({} says so): the same command goes on "
                     "from there",
                     file.string(), status_file));
-  if (own != status->run)
+  if (own != status.run)
     throw CaseError(
         fmt::format("{}: is of the run '{}', its folder is of '{}' ({} says so): run the case again",
-                    file.string(), own, status->run, status_file));
+                    file.string(), own, status.run, status_file));
+}
+
+}  // namespace
+
+void require_whole(const std::filesystem::path& file) {
+  // Only a file that a run has written is read here: others may be pipes, or never end.
+  if (const auto status = status_listing(file)) require_whole(file, *status, run_of(file));
+}
+
+void require_whole(const std::filesystem::path& file, const std::string& own) {
+  if (const auto status = status_listing(file)) require_whole(file, *status, own);
 }
 
 }  // namespace driver
