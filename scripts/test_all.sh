@@ -48,9 +48,9 @@ run_ctest() {
   ctest --preset "$@" --no-tests=error -j $((jobs + 1)) </dev/null | tee "$logs/$1"
 }
 
-# build PRESET
+# build PRESET [CMAKE_OPTION...]
 build() {
-  phase "configure $1" cmake --preset "$1" -DCMAKE_UNITY_BUILD=ON
+  phase "configure $1" cmake --preset "$1" -DCMAKE_UNITY_BUILD=ON "${@:2}"
   phase "build $1" cmake --build --preset "$1" -j "$jobs"
 }
 
@@ -67,10 +67,10 @@ if command -v ccache >/dev/null; then
   export CMAKE_CXX_COMPILER_LAUNCHER=ccache
 fi
 
-only_tests=(doxygen clang clang-format mkdocs mkdocs-material python3-pymdownx katex chromium python3-jsonschema dpkg-dev file)
+only_tests=(doxygen clang clang-format mkdocs mkdocs-material python3-pymdownx katex chromium python3-jsonschema dpkg-dev file libopenmpi-dev)
 ((!long)) || only_tests+=(python3-vtk9) # 80 MB; without it one test says that it is skipped
 phase "set-up" scripts/setup_debian12.sh "${only_tests[@]}"
-build release
+build release -DGASJET_MPI=ON
 rm -f build/claims/*.tsv build/green
 suite fast
 grep '^SKIPPED' build/Testing/Temporary/LastTest.log || true # why a test did not run

@@ -190,7 +190,9 @@ TEST(warnings, name_a_bag_of_no_airbags_size) {
 TEST(warnings, name_a_sonic_outlet_below_ambient_pressure) {
   const auto warnings = [](std::vector<std::string> overrides) {
     std::string all;
-    for (const auto& text : coupled::scene_of("passenger_pendulum", overrides).warnings) all += text;
+    driver::Scene scene = coupled::scene_of("passenger_pendulum", overrides);
+    driver::add_jet_warnings(scene);
+    for (const auto& text : scene.warnings) all += text;
     return all;
   };
   EXPECT_EQ(warnings({}), "");

@@ -96,6 +96,13 @@ class TableReader {
   std::string text(const std::string& key, const std::string& fallback);
   std::vector<double> numbers(const std::string& key, Bounds bounds);
   std::vector<std::string> texts(const std::string& key);
+  /// One value of an array as it is written in TOML, and as a number if it is one.
+  struct Element {
+    std::string text;
+    std::optional<double> number;
+  };
+  /// Reads an array of values of any type; at least one.
+  std::vector<Element> elements(const std::string& key);
   Eigen::Vector3d vector(const std::string& key);
   Eigen::Vector3d vector(const std::string& key, const Eigen::Vector3d& fallback);
   /// Reads a curve, in one of three forms:

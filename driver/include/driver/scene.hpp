@@ -136,4 +136,12 @@ struct Scene {
 /// Reads and checks a whole case. Throws CaseError; the message has file, line, column and key.
 Scene read_scene(CaseDocument& document);
 
+/// Adds the warnings of jets: outlets that cannot blow into the bag, rays that start outside it. It looks
+/// along many rays, which takes longer than reading the scene.
+void add_jet_warnings(Scene& scene);
+
+/// Displaces each free node of the bag's initial shape by up to `amplitude` [m] along each axis, as
+/// `membrane.perturbation` and `perturbation_seed` do. Throws std::invalid_argument without a bag.
+void displace_nodes(Scene& scene, double amplitude, int seed);
+
 }  // namespace driver

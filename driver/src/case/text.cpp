@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // A case back to text.
 #define TOML_ENABLE_FORMATTERS 1
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <sstream>
 #include <string_view>
@@ -13,7 +15,7 @@ namespace {
 
 // The keys of a case that name files beside it.
 bool names_file(const std::string& key) {
-  return key == "file" || key == "initial_file";
+  return key == "file" || key == "initial_file" || key == "case";
 }
 
 void move_files(toml::node& node, const std::filesystem::path& from, const std::filesystem::path& to) {
@@ -49,6 +51,24 @@ std::string as_option(const std::string& override_text) {
   if (override_text.starts_with(unset_prefix))
     return "--unset " + shell_word(override_text.substr(unset_prefix.size()));
   return "--set " + shell_word(override_text);
+}
+
+std::vector<TableReader::Element> TableReader::elements(const std::string& key) {
+  const toml::node& node = require(key, "an array");
+  if (!node.is_array() || node.as_array()->empty()) fail(key, "is no array of one value or more");
+  std::vector<Element> elements;
+  for (const toml::node& element : *node.as_array()) {
+    if (element.is_number()) {
+      const double number = checked(key, element, any_number);
+      elements.push_back({fmt::format("{}", number), number});
+    } else {
+      std::ostringstream text;
+      element.visit([&](const auto& value) { text << value; });
+      elements.push_back({text.str(), std::nullopt});
+    }
+  }
+  remember(key, fmt::format("[{} values]", elements.size()), false);
+  return elements;
 }
 
 std::string CaseDocument::text(const std::filesystem::path& folder) const {

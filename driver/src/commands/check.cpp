@@ -114,7 +114,8 @@ void print_forecast(const Forecast& f) {
 
 int check(const CaseArguments& arguments, const std::string& format) {
   CaseDocument document(arguments.file, arguments.overrides);
-  const Scene scene = read_scene(document);
+  Scene scene = read_scene(document);
+  add_jet_warnings(scene);
   const State state = state_at_start(scene);
   const Forecast groups = forecast(scene, state);
   if (format == "json") {

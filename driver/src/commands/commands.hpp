@@ -126,6 +126,18 @@ struct ReportArguments {
 };
 int report(const ReportArguments& arguments);
 
+struct StudyArguments {
+  std::filesystem::path plan;
+  std::filesystem::path out;     // empty: results/<name of the plan>
+  std::string share;             // NUMBER/COUNT; empty: all
+  std::filesystem::path folder;  // to merge
+  bool only_check = false;
+  int threads = 1;
+  bool quiet = false;
+};
+int study_run(const StudyArguments& arguments);
+int study_merge(const std::filesystem::path& folder);
+
 struct IdentifyArguments {
   std::filesystem::path file;
   std::filesystem::path out;

@@ -48,6 +48,7 @@ struct Arguments {
   IdentifyArguments identify;
   CompareArguments compare;
   ReportArguments report;
+  StudyArguments study;
   std::filesystem::path manual;  // folder
 };
 
@@ -204,6 +205,24 @@ void add_report(CLI::App& app, ReportArguments& a) {
       ->check(named);
 }
 
+void add_study(CLI::App& app, StudyArguments& a) {
+  auto* study = app.add_subcommand("study", "many runs of one case: factors, points, seeds, shares");
+  study->require_subcommand(1);
+  auto* run = study->add_subcommand("run", "compute the runs of a plan that are not there yet");
+  run->add_option("PLAN", a.plan, "plan of the study (TOML)")->required();
+  run->add_option("--out", a.out, "folder of the study (results/<name> by default)")->check(named);
+  run->add_option("--share", a.share, "NUMBER/COUNT: one of as many shares, on any machine; then `merge`")
+      ->check(named);
+  run->add_flag("--check", a.only_check, "read the plan and say how many runs it has");
+  add_threads(*run, a.threads, a.quiet);
+  auto* merge = study->add_subcommand("merge", "tables of all shares in a folder");
+  merge->add_option("DIR", a.folder, "folder of the study")->required()->check(named);
+}
+
+int dispatch_study(const CLI::App& study, const StudyArguments& a) {
+  return study.got_subcommand("run") ? study_run(a) : study_merge(a.folder);
+}
+
 // CLI11 would only say that a command is missing.
 void refuse_unknown_command(const CLI::App& app, std::span<char*> words) {
   if (words.empty() || words[0][0] == '-') return;
@@ -231,6 +250,7 @@ int dispatch(const CLI::App& app, const Arguments& all) {
   if (app.got_subcommand("identify")) return identify(all.identify);
   if (app.got_subcommand("compare")) return compare(all.compare);
   if (app.got_subcommand("report")) return report(all.report);
+  if (app.got_subcommand("study")) return dispatch_study(*app.get_subcommand("study"), all.study);
   if (app.got_subcommand("exact")) return exact(all.exact);
   write_manual(app, all.manual);
   return exit_done;
@@ -248,7 +268,7 @@ int run_command_line(int argc, char** argv) {
       "is "
       "written; 3 the computation left its domain or ended inaccurate, what was computed is kept; 4 of "
       "compare "
-      "and ladder: undecided; 130 ended by Ctrl-C, what was computed is kept.");
+      "and ladder: undecided, of study merge: incomplete; 130 ended by Ctrl-C, what was computed is kept.");
   Arguments all;
   add_run(app, all);
   add_ensemble(app, all);
@@ -257,6 +277,7 @@ int run_command_line(int argc, char** argv) {
   add_others(app, all);
   add_identify(app, all.identify);
   add_report(app, all.report);
+  add_study(app, all.study);
   add_compare(app, all.compare);
   add_manual(app, all);
   refuse_unknown_command(app, std::span(argv, static_cast<std::size_t>(argc)).subspan(argc > 0));

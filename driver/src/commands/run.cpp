@@ -26,7 +26,8 @@ std::string check_text(const CaseDocument& document, const Scene& scene) {
 
 int run(const RunArguments& arguments) {
   CaseDocument document(arguments.scene.file, arguments.scene.overrides);
-  const Scene scene = read_scene(document);
+  Scene scene = read_scene(document);
+  add_jet_warnings(scene);
   for (const auto& warning : scene.warnings) tell("warning: " + warning);
   const auto folder =
       arguments.out.empty() ? std::filesystem::path("results") / arguments.scene.file.stem() : arguments.out;

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <ctime>
 
 #include "driver/channel_filter.hpp"
@@ -73,9 +74,20 @@ Member run_member(const Scene& scene) {
     level += now.step.after;
   });
   member.cpu_seconds = thread_cpu_seconds() - start;
+  member.steps = state.steps;
   for (const Quantity& quantity : kQuantities)
     if (quantity.when(scene)) member.quantities.push_back(quantity.value(state, acceleration));
   return member;
+}
+
+std::optional<double> quantity_of(const Scene& scene, const Member& member, const std::string& name) {
+  const auto names = quantity_names(scene);
+  const auto found = std::ranges::find(names, name);
+  if (found != names.end()) return member.quantities[static_cast<std::size_t>(found - names.begin())];
+  const auto columns = history_columns(scene);
+  const auto column = std::ranges::find(columns, name, &Column::name);
+  if (column == columns.end()) return std::nullopt;
+  return member.rows.back()[static_cast<std::size_t>(column - columns.begin())];
 }
 
 std::vector<std::string> perturbed(std::vector<std::string> overrides, double amplitude, int seed) {

@@ -18,6 +18,7 @@ struct Member {
   std::vector<std::vector<double>> rows;  // of history_columns
   RunOutcome outcome;
   std::vector<std::optional<double>> quantities;  // of quantity_names; none: of an event that did not occur
+  long steps = 0;
   double cpu_seconds = 0.0;  // of the thread that ran it, from the scene's state to the last step
 };
 
@@ -26,6 +27,9 @@ Member run_member(const Scene& scene);
 
 /// Came to an end of its own, in its domain or not; one that never began has not.
 bool has_ended(const Member& member);
+
+/// A quantity of quantity_names, or a column of the history at its end; none: of an event that did not occur.
+std::optional<double> quantity_of(const Scene& scene, const Member& member, const std::string& name);
 
 /// For a journal; finite numbers come back as the same doubles, others as NaN.
 nlohmann::json json_of(const Member& member);

@@ -23,16 +23,6 @@ std::vector<std::string> all_names(const Scene& scene) {
   return names;
 }
 
-std::optional<double> quantity_of(const Scene& scene, const Member& member, const std::string& name) {
-  const auto names = quantity_names(scene);
-  const auto found = std::ranges::find(names, name);
-  if (found != names.end()) return member.quantities[static_cast<std::size_t>(found - names.begin())];
-  const auto columns = history_columns(scene);
-  const auto column = std::ranges::find(columns, name, &Column::name);
-  if (column == columns.end()) return std::nullopt;
-  return member.rows.back()[static_cast<std::size_t>(column - columns.begin())];
-}
-
 LadderSample run_job(const std::filesystem::path& file, const LadderJob& job, const std::string& quantity) {
   LadderSample sample;
   try {

@@ -196,6 +196,15 @@ void warn_of_size(const membrane::Mesh& mesh, Scene& scene) {
 
 }  // namespace
 
+void displace_nodes(Scene& scene, double amplitude, int seed) {
+  if (!scene.bag) throw std::invalid_argument("the scene has no membrane whose nodes could be displaced");
+  std::vector<int> fixed;
+  const auto& inverse_mass = scene.bag->model.inverse_mass;
+  for (std::size_t node = 0; node < inverse_mass.size(); ++node)
+    if (inverse_mass[node] == 0.0) fixed.push_back(static_cast<int>(node));
+  perturb(scene.bag->initial_position, fixed, amplitude, seed);
+}
+
 void read_bag(TableReader& root, Scene& scene) {
   auto table = root.optional_table("membrane");
   if (!table) {

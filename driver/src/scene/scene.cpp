@@ -174,8 +174,11 @@ Scene read_scene(CaseDocument& document) {
   read_output(root, scene);
   root.finish();
   check_composition(root, scene);
-  for (auto& warning : jet_warnings(scene)) scene.warnings.push_back(std::move(warning));
   return scene;
+}
+
+void add_jet_warnings(Scene& scene) {
+  for (auto& warning : jet_warnings(scene)) scene.warnings.push_back(std::move(warning));
 }
 
 }  // namespace driver

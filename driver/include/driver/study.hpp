@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: Apache-2.0
+// Many independent runs of one case: factors, points, seeds; in shares, on as many machines as there are.
+#pragma once
+
+#include <algorithm>
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "driver/result_folder.hpp"
+
+namespace driver {
+
+/// One value of a factor: its name in the tables, and what it changes in the case.
+struct StudyLevel {
+  std::string name;
+  std::vector<std::string> overrides;
+  std::optional<double> number;  // of a level that is a number
+};
+
+/// What a study varies: listed levels, or a range that a sampled design takes values from.
+struct StudyFactor {
+  std::string name;                // column of the tables
+  std::string key;                 // path in the case; empty if the levels say what they change
+  std::vector<StudyLevel> levels;  // none: a range, or the columns of a file
+  double low = 0.0, high = 0.0;
+  bool logarithmic = false;
+  std::string path;  // of its table in the plan
+};
+
+/// How the points follow from the factors.
+enum class StudyDesign { grid, list, latin_hypercube, sobol, sobol_indices, file };
+
+/// One point: a level of each factor.
+struct StudyPoint {
+  std::vector<StudyLevel> levels;
+  /// All that the point changes in the case.
+  std::vector<std::string> overrides() const;
+};
+
+/// Differences are taken against the point where `factor` has its level `level` and all others are the same.
+struct StudyBase {
+  std::size_t factor = 0;
+  std::string level;
+};
+
+/// Seeds are added, twice as many at each look, until each point has what is asked for.
+struct StudyStop {
+  std::string quantity;
+  std::optional<double> standard_error;  // wanted, of the mean
+  std::optional<double> error_rate;      // of the sign of the difference against the base
+  int most_seeds = 0;
+};
+
+/// A plan that has been read.
+struct StudyPlan {
+  std::filesystem::path file, case_file;
+  std::string name;
+  std::vector<std::string> overrides;  // of every run
+  std::vector<StudyFactor> factors;
+  StudyDesign design = StudyDesign::grid;
+  std::vector<StudyPoint> points;
+  int seeds = 0;  // for each point, at first; 0: one run without a perturbation
+  double amplitude = 0.0;
+  std::vector<std::string> quantities;
+  std::optional<StudyBase> base;
+  std::vector<std::optional<std::size_t>> bases;  // of each point: the point that it is compared with
+  std::optional<StudyStop> stop;
+  bool response_surface = false;
+  std::optional<std::size_t> convergence;  // factor whose numbers are sizes
+  std::string id;                          // of the plan, the case, their files and this build
+  std::vector<std::filesystem::path> files;
+
+  int most_seeds() const { return stop ? stop->most_seeds : std::max(seeds, 1); }
+  long most_runs() const { return static_cast<long>(points.size()) * most_seeds(); }
+};
+
+/// One run: its number is point * most_seeds + seed - 1 (seed 0 and 1 alike).
+struct StudyRun {
+  long number = 0;
+  std::string status;                         // "done", "inaccurate", "failed" or "refused"
+  std::string message;                        // why it is not done
+  std::vector<std::optional<double>> values;  // of the quantities; none: of an event that did not occur
+  long steps = 0;
+  double cpu_seconds = 0.0;
+};
+
+/// Reads a plan and builds the scenes at the ends of each factor's range. Throws CaseError
+/// `file:line:column: key: message` for a plan, a factor, a range or a quantity that the case does not have.
+StudyPlan read_study(const std::filesystem::path& file);
+
+/// Runs of the share `number` of `count`: those whose number leaves the rest number - 1 when divided by
+/// count.
+struct StudyShare {
+  int number = 1, count = 1;
+  std::string name() const;
+};
+
+/// Runs of one point, with one seed after the other.
+using StudyChunk = std::vector<long>;
+
+/// Computes chunks, in any order and side by side; calls `keep` for each run that ends, one call at a time.
+using StudyCrew = std::function<void(const StudyPlan&, const std::vector<StudyChunk>&,
+                                     const std::function<void(const StudyRun&)>& keep)>;
+/// The runs of a chunk. A run that an interrupt stops is not among them.
+std::vector<StudyRun> run_chunk(const StudyPlan& plan, const StudyChunk& chunk);
+/// Threads of this process.
+StudyCrew threads_of_study(int threads);
+
+/// Computes what no share in `folder` has computed yet of `share`. Each run that ends is kept at once, in
+/// folder/shares/NAME. False if an interrupt stopped it. Throws OutputError and WriteError.
+bool run_study(const StudyPlan& plan, const std::filesystem::path& folder, const StudyShare& share,
+               const StudyCrew& crew, bool quiet);
+
+/// What a merge found.
+struct StudySummary {
+  long runs = 0, asked = 0;                                // ended; asked for by the plan so far
+  long done = 0, inaccurate = 0, failed = 0, refused = 0;  // of the ended
+  double cpu_seconds = 0.0;
+  bool complete() const { return runs == asked; }
+};
+
+/// Writes results.csv, timing.csv, means.csv, study.json and what the plan's analysis asks for from all
+/// shares of a folder. The bytes of all but timing.csv do not depend on how the runs were shared out. Throws
+/// CaseError for a folder without a plan or with shares of different plans or builds.
+StudySummary merge_study(const std::filesystem::path& folder);
+
+}  // namespace driver

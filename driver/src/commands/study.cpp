@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "driver/study.hpp"
+
+#include <fmt/format.h>
+
+#include "commands/commands.hpp"
+#include "driver/progress.hpp"
+
+namespace driver::commands {
+namespace {
+
+StudyShare share_of(const std::string& text) {
+  StudyShare share;
+  if (text.empty()) return share;
+  const auto parts = split(text, '/');
+  const auto number = [](const std::string& part) {
+    return !part.empty() && part.size() < 7 && part.find_first_not_of("0123456789") == std::string::npos
+               ? std::stoi(part)
+               : 0;
+  };
+  if (parts.size() == 2) share = {number(parts[0]), number(parts[1])};
+  if (parts.size() != 2 || share.count < 1 || share.number < 1 || share.number > share.count)
+    throw CaseError(fmt::format("--share {}: NUMBER/COUNT with 1 <= NUMBER <= COUNT is allowed", text));
+  return share;
+}
+
+void print_plan(const StudyPlan& plan) {
+  fmt::print("{}: {} points, {} factors, {} runs{}, {} quantities\n", plan.name, plan.points.size(),
+             plan.factors.size(), plan.most_runs(), plan.stop ? " at most" : "", plan.quantities.size());
+}
+
+void print(const StudySummary& summary, const std::filesystem::path& folder) {
+  fmt::print("{} of {} runs: {} done, {} inaccurate, {} failed, {} refused; {:.4g} CPU s; results in {}\n",
+             summary.runs, summary.asked, summary.done, summary.inaccurate, summary.failed, summary.refused,
+             summary.cpu_seconds, folder.string());
+}
+
+}  // namespace
+
+int study_run(const StudyArguments& arguments) {
+  const StudyShare share = share_of(arguments.share);
+  const StudyPlan plan = read_study(arguments.plan);
+  if (plan.stop && share.count > 1)
+    throw CaseError(fmt::format(
+        "--share {}: a stop rule looks at all runs; without [stop], or as one process, the plan is allowed",
+        arguments.share));
+  if (!arguments.quiet || arguments.only_check) print_plan(plan);
+  if (arguments.only_check) return exit_done;
+  const auto folder = arguments.out.empty() ? std::filesystem::path("results") / plan.name : arguments.out;
+  catch_interrupt();
+  if (!run_study(plan, folder, share, threads_of_study(arguments.threads), arguments.quiet))
+    return exit_interrupted;
+  if (share.count > 1) return exit_done;
+  const StudySummary summary = merge_study(folder);
+  if (!arguments.quiet) print(summary, folder);
+  return summary.failed + summary.refused + summary.inaccurate > 0 ? exit_domain : exit_done;
+}
+
+int study_merge(const std::filesystem::path& folder) {
+  const StudySummary summary = merge_study(folder);
+  print(summary, folder);
+  if (!summary.complete()) return exit_undecided;
+  return summary.failed + summary.refused + summary.inaccurate > 0 ? exit_domain : exit_done;
+}
+
+}  // namespace driver::commands

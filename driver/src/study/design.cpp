@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: Apache-2.0
+// Factors -> points.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "driver/study_analysis.hpp"
+#include "results/csv_table.hpp"
+#include "study/parts.hpp"
+
+namespace driver {
+namespace {
+
+constexpr std::size_t most_points = 10'000'000;
+
+StudyLevel level_of(const StudyFactor& factor, double number) {
+  const std::string text = fmt::format("{}", number);
+  return {text, {factor.key + '=' + text}, number};
+}
+
+void require_levels(TableReader& table, const StudyPlan& plan, bool listed) {
+  for (const auto& factor : plan.factors)
+    if (factor.levels.empty() == listed || (!listed && factor.high <= factor.low))
+      table.fail("design", fmt::format("needs {} of each factor, {} has none", listed ? "values" : "a range",
+                                       factor.name));
+}
+
+std::vector<StudyPoint> grid(TableReader& table, const StudyPlan& plan) {
+  require_levels(table, plan, true);
+  std::vector<StudyPoint> points(1);
+  for (const auto& factor : plan.factors) {
+    if (points.size() > most_points / factor.levels.size())
+      table.fail("design", fmt::format("has more than {} points", most_points));
+    std::vector<StudyPoint> longer;
+    for (const auto& point : points)
+      for (const auto& level : factor.levels) {
+        longer.push_back(point);
+        longer.back().levels.push_back(level);
+      }
+    points = std::move(longer);
+  }
+  return points;
+}
+
+// The first values of all factors, then the second ones, and so on.
+std::vector<StudyPoint> list(TableReader& table, const StudyPlan& plan) {
+  require_levels(table, plan, true);
+  std::vector<StudyPoint> points(plan.factors.empty() ? 1 : plan.factors.front().levels.size());
+  for (const auto& factor : plan.factors) {
+    if (factor.levels.size() != points.size())
+      table.fail("design", fmt::format("\"list\" needs as many values of each factor: {} has {}, not {}",
+                                       factor.name, factor.levels.size(), points.size()));
+    for (std::size_t i = 0; i < points.size(); ++i) points[i].levels.push_back(factor.levels[i]);
+  }
+  return points;
+}
+
+double in_range(const StudyFactor& factor, double unit) {
+  if (!factor.logarithmic) return factor.low + unit * (factor.high - factor.low);
+  return factor.low * std::pow(factor.high / factor.low, unit);
+}
+
+std::vector<StudyPoint> sampled(TableReader& table, const StudyPlan& plan) {
+  require_levels(table, plan, false);
+  if (plan.factors.empty()) table.fail("design", "needs factors");
+  const int factors = static_cast<int>(plan.factors.size());
+  const int count = table.integer("points", 1, 1'000'000, 64);
+  std::vector<UnitPoint> units;
+  table.located("design", [&] {
+    if (plan.design == StudyDesign::latin_hypercube)
+      units = latin_hypercube(
+          count, factors, static_cast<std::uint64_t>(table.integer("sampling_seed", 0, 1'000'000'000, 1)));
+    else if (plan.design == StudyDesign::sobol)
+      units = sobol_sequence(count, factors);
+    else
+      units = sobol_index_points(count, factors);
+  });
+  std::vector<StudyPoint> points(units.size());
+  for (std::size_t i = 0; i < units.size(); ++i)
+    for (std::size_t f = 0; f < plan.factors.size(); ++f)
+      points[i].levels.push_back(level_of(plan.factors[f], in_range(plan.factors[f], units[i][f])));
+  return points;
+}
+
+std::vector<StudyPoint> of_file(TableReader& table, const StudyPlan& plan) {
+  const auto file = table.beside_case(table.text("file"));
+  std::vector<std::string> names;
+  for (const auto& factor : plan.factors) {
+    if (!factor.levels.empty() || factor.high > factor.low)
+      table.fail("design",
+                 fmt::format("\"file\" takes the values from there: {} needs its key alone", factor.name));
+    names.push_back(factor.name);
+  }
+  if (names.empty()) table.fail("design", "needs factors: columns of the file");
+  const CsvTable csv = read_csv(file, names);
+  if (csv.rows() == 0) table.fail("file", "has no rows");
+  std::vector<StudyPoint> points(csv.rows());
+  for (std::size_t f = 0; f < names.size(); ++f)
+    for (std::size_t i = 0; i < points.size(); ++i)
+      points[i].levels.push_back(level_of(plan.factors[f], csv.values[f][i]));
+  return points;
+}
+
+}  // namespace
+
+std::vector<StudyPoint> points_of(TableReader& table, StudyPlan& plan) {
+  plan.design = table.choice<StudyDesign>("design",
+                                          {{"grid", StudyDesign::grid},
+                                           {"list", StudyDesign::list},
+                                           {"latin_hypercube", StudyDesign::latin_hypercube},
+                                           {"sobol", StudyDesign::sobol},
+                                           {"sobol_indices", StudyDesign::sobol_indices},
+                                           {"file", StudyDesign::file}},
+                                          "grid");
+  switch (plan.design) {
+    case StudyDesign::grid:
+      return grid(table, plan);
+    case StudyDesign::list:
+      return list(table, plan);
+    case StudyDesign::file:
+      return of_file(table, plan);
+    default:
+      return sampled(table, plan);
+  }
+}
+
+std::optional<std::vector<std::vector<double>>> scaled_points(const StudyPlan& plan) {
+  std::vector<std::vector<double>> scaled(plan.points.size());
+  for (std::size_t f = 0; f < plan.factors.size(); ++f) {
+    std::vector<double> numbers;
+    for (const auto& point : plan.points) {
+      if (!point.levels[f].number) return std::nullopt;
+      numbers.push_back(*point.levels[f].number);
+      if (plan.factors[f].logarithmic) numbers.back() = std::log(numbers.back());
+    }
+    const auto [low, high] = std::ranges::minmax(numbers);
+    if (!(high > low)) return std::nullopt;
+    for (std::size_t i = 0; i < numbers.size(); ++i)
+      scaled[i].push_back(2.0 * (numbers[i] - low) / (high - low) - 1.0);
+  }
+  return scaled;
+}
+
+}  // namespace driver

@@ -1,0 +1,267 @@
+// SPDX-License-Identifier: Apache-2.0
+// Plan file -> StudyPlan.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <set>
+
+#include "driver/scene.hpp"
+#include "ensemble/member.hpp"
+#include "study/parts.hpp"
+
+namespace driver {
+namespace {
+
+constexpr Bounds rate{0.0, 0.5, true, "a number above 0, at most 0.5"};
+
+std::vector<std::string> overrides_of(TableReader& table) {
+  std::vector<std::string> overrides = table.texts("set");
+  for (const auto& path : table.texts("unset")) overrides.push_back(std::string(unset_prefix) + path);
+  return overrides;
+}
+
+void read_levels(TableReader& table, StudyFactor& factor) {
+  for (auto& reader : table.tables("level")) {
+    StudyLevel level{reader.text("name"), overrides_of(reader), std::nullopt};
+    reader.finish();
+    factor.levels.push_back(std::move(level));
+  }
+  if (factor.levels.empty()) table.fail("key", "is missing, a key or [[factor.level]] is needed");
+}
+
+void read_range(TableReader& table, StudyFactor& factor) {
+  const auto range = table.numbers("range", any_number);
+  factor.logarithmic = table.choice<bool>("scale", {{"linear", false}, {"logarithmic", true}}, "linear");
+  if (range.size() != 2 || !(range[0] < range[1]))
+    table.fail("range", "is no range, [low, high] with low < high is allowed");
+  if (factor.logarithmic && !(range[0] > 0.0))
+    table.fail("range", "reaches 0 or below, which a logarithmic scale does not");
+  factor.low = range[0], factor.high = range[1];
+}
+
+StudyFactor read_factor(TableReader& table) {
+  StudyFactor factor;
+  factor.path = table.path();
+  if (table.has("key")) factor.key = table.text("key");
+  factor.name = factor.key.empty() ? table.text("name") : table.text("name", factor.key);
+  if (factor.key.empty())
+    read_levels(table, factor);
+  else if (table.has("values"))
+    for (const auto& [text, number] : table.elements("values"))
+      factor.levels.push_back({text, {factor.key + '=' + text}, number});
+  else if (table.has("range"))
+    read_range(table, factor);
+  table.finish();
+  return factor;
+}
+
+void read_factors(TableReader& root, StudyPlan& plan) {
+  std::set<std::string> names{"point", "seed", "status", "steps", "message"};
+  for (auto& table : root.tables("factor")) {
+    plan.factors.push_back(read_factor(table));
+    if (!names.insert(plan.factors.back().name).second)
+      table.fail("name", fmt::format("is \"{}\", which is another column already", plan.factors.back().name));
+    std::set<std::string> levels;
+    for (const auto& level : plan.factors.back().levels)
+      if (!levels.insert(level.name).second)
+        table.fail("", fmt::format("has the level \"{}\" twice", level.name));
+  }
+}
+
+std::size_t factor_named(TableReader& table, const char* key, const StudyPlan& plan) {
+  const auto name = table.text(key);
+  const auto found = std::ranges::find(plan.factors, name, &StudyFactor::name);
+  if (found != plan.factors.end()) return static_cast<std::size_t>(found - plan.factors.begin());
+  std::vector<std::string> names;
+  for (const auto& factor : plan.factors) names.push_back(factor.name);
+  table.fail(key, fmt::format("is \"{}\", a factor is needed: {}", name, fmt::join(names, ", ")));
+}
+
+// Base of each point: all its levels but one are the same.
+void set_bases(StudyPlan& plan) {
+  plan.bases.assign(plan.points.size(), std::nullopt);
+  if (!plan.base) return;
+  const auto others = [&](const StudyPoint& point) {
+    std::vector<std::string> names;
+    for (std::size_t f = 0; f < point.levels.size(); ++f)
+      if (f != plan.base->factor) names.push_back(point.levels[f].name);
+    return names;
+  };
+  const auto is_base = [&](const StudyPoint& point) {
+    return point.levels[plan.base->factor].name == plan.base->level;
+  };
+  std::map<std::vector<std::string>, std::size_t> at;
+  for (std::size_t p = 0; p < plan.points.size(); ++p)
+    if (is_base(plan.points[p])) at.emplace(others(plan.points[p]), p);
+  for (std::size_t p = 0; p < plan.points.size(); ++p)
+    if (const auto found = at.find(others(plan.points[p])); found != at.end() && found->second != p)
+      plan.bases[p] = found->second;
+}
+
+void read_analysis(TableReader& root, StudyPlan& plan) {
+  auto table = root.optional_table("analysis");
+  if (!table) return;
+  if (auto base = table->optional_table("base")) {
+    plan.base = StudyBase{factor_named(*base, "factor", plan), base->text("level")};
+    const auto& levels = plan.factors[plan.base->factor].levels;
+    if (std::ranges::find(levels, plan.base->level, &StudyLevel::name) == levels.end())
+      base->fail("level", fmt::format("is \"{}\", which the factor does not have", plan.base->level));
+    base->finish();
+  }
+  plan.response_surface = table->flag("response_surface", false);
+  if (table->has("convergence")) {
+    plan.convergence = factor_named(*table, "convergence", plan);
+    const auto& levels = plan.factors[*plan.convergence].levels;
+    if (levels.size() < 3 ||
+        !std::ranges::all_of(levels, [](const auto& level) { return level.number.value_or(0.0) > 0.0; }))
+      table->fail("convergence", "needs a factor with 3 or more values above 0: sizes");
+  }
+  table->finish();
+}
+
+void read_stop(TableReader& root, StudyPlan& plan) {
+  auto table = root.optional_table("stop");
+  if (!table) return;
+  StudyStop stop;
+  stop.quantity = table->text("quantity");
+  if (std::ranges::find(plan.quantities, stop.quantity) == plan.quantities.end())
+    table->fail("quantity", fmt::format("is \"{}\", one of the study's is needed: {}", stop.quantity,
+                                        fmt::join(plan.quantities, ", ")));
+  stop.standard_error = table->optional_number("standard_error", positive);
+  stop.error_rate = table->optional_number("sign_error_rate", rate);
+  if (stop.standard_error.has_value() == stop.error_rate.has_value())
+    table->fail("standard_error", "or sign_error_rate is needed, one of the two");
+  if (stop.error_rate && !plan.base) table->fail("sign_error_rate", "needs [analysis.base]");
+  if (plan.seeds < 4) table->fail("", "needs study.seeds of 4 or more: runs of the first look");
+  stop.most_seeds = table->integer("most_seeds", plan.seeds, 1'000'000, 1024);
+  plan.stop = stop;
+  table->finish();
+}
+
+Scene scene_at(const StudyPlan& plan, const StudyPoint& point) {
+  auto overrides = plan.overrides;
+  for (auto& text : point.overrides()) overrides.push_back(std::move(text));
+  CaseDocument document(plan.case_file, overrides);
+  return read_scene(document);
+}
+
+// Why the case is refused at a point; empty if it is not.
+std::string refusal(const StudyPlan& plan, const StudyPoint& point) {
+  try {
+    scene_at(plan, point);
+  } catch (const CaseError& error) {
+    return error.what();
+  }
+  return {};
+}
+
+// A fault of the first point is that of the first factor with which the case is refused.
+void check_first_point(std::vector<TableReader>& tables, const StudyPlan& plan) {
+  if (refusal(plan, plan.points.front()).empty()) return;
+  StudyPoint point;
+  for (std::size_t f = 0; f < tables.size(); ++f) {
+    point.levels.push_back(plan.points.front().levels[f]);
+    if (const auto why = refusal(plan, point); !why.empty())
+      tables[f].fail("", fmt::format("with \"{}\" the case is refused: {}", point.levels[f].name, why));
+  }
+}
+
+// The points that take one factor to its ends, the others as at the first point.
+void check_points(TableReader& root, const StudyPlan& plan) {
+  auto tables = root.tables("factor");
+  check_first_point(tables, plan);
+  for (std::size_t f = 0; f < plan.factors.size(); ++f) {
+    const auto number_of_level = [&](const StudyPoint& point) {
+      return point.levels[f].number.value_or(0.0);
+    };
+    std::vector<StudyLevel> levels = plan.factors[f].levels;
+    if (levels.empty()) {
+      const auto [low, high] = std::ranges::minmax_element(plan.points, {}, number_of_level);
+      levels = {low->levels[f], high->levels[f]};
+    }
+    StudyPoint point = plan.points.front();
+    for (const auto& level : levels) {
+      point.levels[f] = level;
+      if (const auto why = refusal(plan, point); !why.empty())
+        tables[f].fail("", fmt::format("with \"{}\" the case is refused: {}", level.name, why));
+    }
+  }
+}
+
+std::vector<std::string> quantities_of(TableReader& table, const Scene& scene) {
+  auto names = quantity_names(scene);
+  const auto given = table.texts("quantities");
+  if (given.empty()) return names;
+  for (const auto& column : history_columns(scene)) names.push_back(column.name);
+  for (const auto& name : given)
+    if (std::ranges::find(names, name) == names.end())
+      table.fail("quantities", fmt::format("holds \"{}\", which the scene lacks; allowed are {}", name,
+                                           fmt::join(names, ", ")));
+  for (auto name = given.begin(); name != given.end(); ++name)
+    if (std::find(given.begin(), name, *name) != name)
+      table.fail("quantities", fmt::format("holds \"{}\" twice", *name));
+  return given;
+}
+
+void read_perturbation(TableReader& table, StudyPlan& plan, const Scene& scene) {
+  plan.seeds = table.integer("seeds", 0, 1'000'000, 0);
+  plan.amplitude =
+      table.number("amplitude", Bounds{1e-18, 1e-3, false, "1e-18 to 1e-3 m"}, default_amplitude);
+  if (plan.seeds == 0) return;
+  if (!scene.bag) table.fail("seeds", "perturb the nodes of a membrane, the scene has none");
+  for (const auto& text : plan.overrides)
+    if (text.starts_with("membrane.perturbation"))
+      table.fail("set", fmt::format("holds \"{}\", but seeds set the perturbation (amplitude)", text));
+}
+
+// Of the plan as it is, the case with its overrides and what both name.
+void set_id(const CaseDocument& document, StudyPlan& plan) {
+  const auto text = [](const CaseDocument& one) {
+    const auto folder = one.file().parent_path();
+    return one.text(folder.empty() ? "." : folder);
+  };
+  CaseDocument scene(plan.case_file, plan.overrides);
+  read_scene(scene);
+  plan.files = scene.files();
+  for (auto& file : document.files()) plan.files.push_back(std::move(file));
+  plan.id = run_id({"study", text(document), text(scene)}, plan.files);
+}
+
+}  // namespace
+
+std::vector<std::string> StudyPoint::overrides() const {
+  std::vector<std::string> all;
+  for (const auto& level : levels) all.insert(all.end(), level.overrides.begin(), level.overrides.end());
+  return all;
+}
+
+StudyPlan read_study(const std::filesystem::path& file) {
+  CaseDocument document(file, {});
+  TableReader root = document.root();
+  StudyPlan plan;
+  plan.file = file;
+  TableReader table = root.table("study");
+  plan.name = table.text("name", file.stem().string());
+  plan.case_file = table.beside_case(table.text("case"));
+  plan.overrides = overrides_of(table);
+  read_factors(root, plan);
+  Scene scene;
+  {
+    CaseDocument scene_document(plan.case_file, plan.overrides);
+    scene = read_scene(scene_document);
+  }
+  read_perturbation(table, plan, scene);
+  table.located("", [&] { plan.points = points_of(table, plan); });
+  check_points(root, plan);
+  plan.quantities = quantities_of(table, scene_at(plan, plan.points.front()));
+  table.finish();
+  read_analysis(root, plan);
+  set_bases(plan);
+  read_stop(root, plan);
+  root.finish();
+  set_id(document, plan);
+  return plan;
+}
+
+}  // namespace driver

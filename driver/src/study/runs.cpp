@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: Apache-2.0
+// The runs of a study: which, on which threads, into which share.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <mutex>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "driver/executor.hpp"
+#include "driver/progress.hpp"
+#include "driver/results.hpp"
+#include "driver/scene.hpp"
+#include "driver/study_analysis.hpp"
+#include "ensemble/member.hpp"
+#include "study/parts.hpp"
+
+namespace driver {
+namespace {
+
+constexpr std::size_t longest_chunk = 16;  // runs: a scene is read once for each chunk
+
+Scene scene_of(const StudyPlan& plan, std::size_t point) {
+  auto overrides = plan.overrides;
+  for (auto& text : plan.points[point].overrides()) overrides.push_back(std::move(text));
+  CaseDocument document(plan.case_file, overrides);
+  return read_scene(document);
+}
+
+StudyRun run_of(const StudyPlan& plan, long number, const Member& member, const Scene& scene) {
+  StudyRun run{number,
+               status_name(member.outcome.status),
+               member.outcome.message,
+               {},
+               member.steps,
+               member.cpu_seconds};
+  for (const auto& name : plan.quantities)
+    run.values.push_back(member.rows.empty() ? std::nullopt : quantity_of(scene, member, name));
+  return run;
+}
+
+StudyRun refused(const StudyPlan& plan, long number, const std::exception& error) {
+  return {number, "refused", text_of(error), std::vector<std::optional<double>>(plan.quantities.size()),
+          0,      0.0};
+}
+
+std::vector<StudyChunk> chunks_of(const StudyPlan& plan, const std::vector<long>& runs) {
+  std::vector<StudyChunk> chunks;
+  for (const long run : runs) {
+    const bool joins = !chunks.empty() && chunks.back().size() < longest_chunk &&
+                       point_of(plan, chunks.back().front()) == point_of(plan, run);
+    if (!joins) chunks.emplace_back();
+    chunks.back().push_back(run);
+  }
+  return chunks;
+}
+
+// A share's own file, in which a run stands as soon as it has ended.
+class ShareFile {
+ public:
+  ShareFile(const StudyPlan& plan, const std::filesystem::path& folder)
+      : folder_(folder, "study", std::vector<std::string>{journal_file}) {
+    folder_.begin(provenance(plan.case_file, plan.overrides, plan.id));
+    file_.emplace(folder_.add(journal_file), true);
+    // On a line of its own, whatever a kill has torn before.
+    nlohmann::json build = folder_.lines();
+    file_->append(
+        '\n' +
+        nlohmann::json{{"build", build}}.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) +
+        '\n');
+  }
+  void keep(const StudyRun& run) { file_->append(line_of(run)); }
+  // Never "done", which would remove the journal.
+  void end(bool whole) { folder_.end(whole ? "whole" : "interrupted"); }
+
+ private:
+  ResultFolder folder_;
+  std::optional<GrowingFile> file_;
+};
+
+// What says how long the rest takes, and which point it is at.
+std::string note_of(const StudyRuns& runs, long asked, int failed) {
+  double seconds = 0.0;
+  for (const auto& [number, run] : runs) seconds += run.cpu_seconds;
+  const double each = runs.empty() ? 0.0 : seconds / static_cast<double>(runs.size());
+  return fmt::format("run {} of {}, {:.3g} CPU s a run{}", runs.size(), asked, each,
+                     failed ? fmt::format(", {} not done", failed) : "");
+}
+
+// The plan stands in the folder, so that a merge needs the folder alone.
+void keep_plan(const StudyPlan& plan, const std::filesystem::path& folder) {
+  const auto copy = folder / plan_copy;
+  CaseDocument document(plan.file, {});
+  const std::string text = document.text(folder);
+  std::error_code ignored;
+  if (std::filesystem::exists(copy, ignored)) {
+    CaseDocument other(copy, {});
+    if (other.text(folder) != text)
+      throw OutputError(fmt::format("{}: is another plan than {}: another folder is allowed", copy.string(),
+                                    plan.file.string()));
+    return;
+  }
+  std::filesystem::create_directories(folder, ignored);
+  replace_file(copy, text);
+}
+
+}  // namespace
+
+std::string StudyShare::name() const {
+  return fmt::format("{}_of_{}", number, count);
+}
+
+int seed_of(const StudyPlan& plan, long run) {
+  return plan.seeds == 0 ? 0 : static_cast<int>(run % plan.most_seeds()) + 1;
+}
+
+std::size_t point_of(const StudyPlan& plan, long run) {
+  return static_cast<std::size_t>(run / plan.most_seeds());
+}
+
+std::vector<StudyRun> run_chunk(const StudyPlan& plan, const StudyChunk& chunk) {
+  std::vector<StudyRun> runs;
+  std::optional<Scene> scene;
+  for (const long number : chunk) {
+    if (interrupted()) break;
+    try {
+      if (!scene) scene = scene_of(plan, point_of(plan, number));
+      const Eigen::Matrix3Xd shape = scene->bag ? scene->bag->initial_position : Eigen::Matrix3Xd();
+      if (plan.seeds > 0) displace_nodes(*scene, plan.amplitude, seed_of(plan, number));
+      const Member member = run_member(*scene);
+      if (scene->bag) scene->bag->initial_position = shape;
+      if (member.outcome.status == RunStatus::interrupted) break;
+      runs.push_back(run_of(plan, number, member, *scene));
+    } catch (const std::exception& error) {
+      runs.push_back(refused(plan, number, error));
+      scene.reset();
+    }
+  }
+  return runs;
+}
+
+StudyCrew threads_of_study(int threads) {
+  return [threads](const StudyPlan& plan, const std::vector<StudyChunk>& chunks,
+                   const std::function<void(const StudyRun&)>& keep) {
+    std::mutex lock;
+    Executor(threads).for_each(static_cast<int>(chunks.size()), [&](int i) {
+      const auto runs = run_chunk(plan, chunks[static_cast<std::size_t>(i)]);
+      const std::lock_guard<std::mutex> guard(lock);
+      for (const StudyRun& run : runs) keep(run);
+    });
+  };
+}
+
+bool run_study(const StudyPlan& plan, const std::filesystem::path& folder, const StudyShare& share,
+               const StudyCrew& crew, bool quiet) {
+  keep_plan(plan, folder);
+  StudyRuns ended = read_shares(folder, plan.id).runs;
+  ShareFile file(plan, folder / shares_folder / share.name());
+  const auto is_mine = [&](long run) { return run % share.count == share.number - 1; };
+  if (!quiet && !ended.empty())
+    tell(fmt::format("{}: goes on after {} runs that are done", plan.name, ended.size()));
+  while (!interrupted()) {
+    const auto asked = asked_runs(plan, ended);
+    std::vector<long> mine;
+    for (const long run : asked)
+      if (is_mine(run) && !ended.contains(run)) mine.push_back(run);
+    if (mine.empty()) break;
+    Progress progress(plan.name, static_cast<double>(mine.size()), quiet);
+    long done = 0;
+    int failed = 0;
+    crew(plan, chunks_of(plan, mine), [&](const StudyRun& run) {
+      file.keep(run);
+      ended.emplace(run.number, run);
+      failed += run.status != "done";
+      progress.update(static_cast<double>(++done),
+                      [&] { return note_of(ended, static_cast<long>(asked.size()), failed); });
+    });
+  }
+  file.end(!interrupted());
+  return !interrupted();
+}
+
+}  // namespace driver

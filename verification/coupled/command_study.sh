@@ -1,0 +1,173 @@
+# SPDX-License-Identifier: Apache-2.0
+# shellcheck shell=bash disable=SC2154
+# Parts of command_test.sh (sourced): studies.
+
+# bag_plan FILE SEEDS: the paper's scene for 4 ms, with and without its jet
+bag_plan() {
+  cat >"$1" <<END
+[study]
+name = "jet"
+case = "$source/cases/passenger_pendulum.toml"
+set = ["scene.end_time=0.004"]
+quantities = ["peak_pressure_Pa", "jet_force_N", "first_contact_s"]
+seeds = $2
+
+[[factor]]
+name = "jet"
+[[factor.level]]
+name = "yes"
+[[factor.level]]
+name = "no"
+unset = ["inflator.0.jet"]
+
+[analysis.base]
+factor = "jet"
+level = "no"
+END
+  sed -i 's/"jet_force_N", //' "$1" # a column of one level only
+}
+
+# tank_plan FILE LINES...: a tank, whose closed form is known, with lines for [study] and tables
+tank_plan() {
+  printf '[study]\ncase = "%s/cases/rigid_tank.toml"\nquantities = ["pressure_Pa"]\n' "$source" >"$1"
+  printf '%s\n' "${@:2}" >>"$1"
+}
+
+same_study() { # same_study FOLDER FOLDER [FILE...]: but for what a build that is not committed says of itself
+  local file
+  for file in results.csv means.csv "${@:3}"; do
+    cmp <(grep -v '^# run' "$1/$file") <(grep -v '^# run' "$2/$file") || fail "$file of $1 and $2"
+  done
+}
+
+part_study() {
+  local plan=$work/plan.toml share pid
+  bag_plan "$plan" 6
+  expect 0 "12 of 12 runs: 12 done" "$gasjet" study run "$plan" --out "$work/alone"
+  expect 0 "12 of 12 runs: 12 done" "$gasjet" study run "$plan" --out "$work/threads" --threads 2
+  same_study "$work/alone" "$work/threads" study.json
+  [ "$(grep -c '^0,[1-6],yes,.*,done,[0-9]*,$' "$work/alone/results.csv")" = 6 ] || fail "rows of point 0"
+  grep -Eq '^0,yes,peak_pressure_Pa(,[-0-9.e]+){2},6(,[-0-9.e]+){2},6$' "$work/alone/means.csv" || fail "a mean with its difference"
+  # A run of the study is a run of the command.
+  "$gasjet" run "$source/cases/passenger_pendulum.toml" --quiet --out "$work/run" --set scene.end_time=0.004 \
+    --set membrane.perturbation=1e-4 --set membrane.perturbation_seed=3
+  local peak
+  peak=$(sed -n 's/^0,3,yes,\([0-9.]*\),.*/\1/p' "$work/alone/results.csv")
+  grep -q "\"pressure_Pa\": $peak" "$work/run/summary.json" || fail "seed 3: $peak is not the peak of the run"
+  # Shares in any order, one of them twice and with another count in between.
+  for share in 3/3 1/2 1/3 1/3 2/3; do
+    expect 0 "" "$gasjet" study run "$plan" --out "$work/shares" --share $share --quiet
+  done
+  expect 0 "12 of 12 runs" "$gasjet" study merge "$work/shares"
+  same_study "$work/alone" "$work/shares" study.json
+  expect 0 "goes on after 12 runs" "$gasjet" study run "$plan" --out "$work/alone"
+  # Killed: what had ended is there, what had not is computed, and an incomplete folder says so.
+  bag_plan "$work/long.toml" 40
+  "$gasjet" study run "$work/long.toml" --out "$work/killed" --quiet &
+  pid=$!
+  until_there grep -q '"run":2,' "$work/killed/shares/1_of_1/journal.jsonl"
+  expect 2 "another command is writing" "$gasjet" study run "$work/long.toml" --out "$work/killed"
+  kill -KILL $pid
+  wait $pid 2>/dev/null
+  printf '{"run":7,"status":"do' >>"$work/killed/shares/1_of_1/journal.jsonl" # torn
+  expect 4 "of 80 runs" "$gasjet" study merge "$work/killed"
+  grep -q '"status": "incomplete"' "$work/killed/study.json" || fail "not incomplete"
+  expect 0 "goes on after .* 80 of 80 runs: 80 done" bash -c "'$gasjet' study run '$work/long.toml' --out '$work/killed' --threads 2 2>&1 | tr '\n' ' '"
+  expect 0 "" "$gasjet" study run "$work/long.toml" --out "$work/whole" --quiet --threads 2
+  same_study "$work/whole" "$work/killed"
+  # A full disk costs the runs that do not fit.
+  expect 3 "write failed" limited 1 "$gasjet" study run "$plan" --out "$work/full" --quiet
+  expect 0 "12 of 12 runs" "$gasjet" study run "$plan" --out "$work/full"
+  same_study "$work/alone" "$work/full"
+}
+
+part_study_designs() {
+  local plan=$work/plan.toml
+  # p - p0 of a filled tank grows as the mass flow: exact at any point.
+  tank_plan "$plan" 'design = "sobol_indices"' 'points = 32' '[[factor]]' 'key = "inflator.0.mass_flow"' 'range = [0.05, 0.15]' \
+    '[[factor]]' 'key = "ambient.temperature"' 'range = [290, 300]'
+  expect 0 "128 of 128 runs" "$gasjet" study run "$plan" --out "$work/indices"
+  awk -F, '$2 == "inflator.0.mass_flow" { if ($6 < 0.999 || $7 > 1.001 + ($8 - $7)) exit 1; n++ } $2 == "ambient.temperature" { if ($8 > 1e-6) exit 1; n++ }
+    END { exit n != 2 }' "$work/indices/sobol.csv" || fail "indices: $(cat "$work/indices/sobol.csv")"
+  tank_plan "$plan" 'design = "latin_hypercube"' 'points = 20' '[[factor]]' 'key = "inflator.0.mass_flow"' 'name = "flow"' 'range = [0.05, 0.15]' \
+    '[analysis]' 'response_surface = true'
+  expect 0 "20 of 20 runs" "$gasjet" study run "$plan" --out "$work/surface"
+  awk -F, '$2 == "flow * flow" { square = $3 } $2 == "flow" { slope = $3 } END { exit !(slope > 1e4 && square ^ 2 < 1e-18 * slope ^ 2) }' \
+    "$work/surface/surface.csv" || fail "surface: $(cat "$work/surface/surface.csv")"
+  # Points of a file, written by another program.
+  printf 'flow,other\n0.05,1\n0.1,2\n' >"$work/points.csv"
+  tank_plan "$plan" 'design = "file"' 'file = "points.csv"' '[[factor]]' 'key = "inflator.0.mass_flow"' 'name = "flow"'
+  expect 0 "2 of 2 runs" "$gasjet" study run "$plan" --out "$work/file"
+  "$gasjet" run "$source/cases/rigid_tank.toml" --quiet --out "$work/run" --set inflator.0.mass_flow=0.1
+  grep -q "^1,0,0.1,$(tail -n 1 "$work/run/history.csv" | cut -d, -f2),done" "$work/file/results.csv" || fail "the file's second point"
+  # A point that leaves its domain is a row with its reason, and no mean has it.
+  printf '[study]\ncase = "%s/cases/sphere_inflation.toml"\nset = ["scene.end_time=1e-3"]\n[[factor]]\nkey = "time.step"\nvalues = [1e-5, 1e-3]\n' \
+    "$source" >"$plan"
+  expect 3 "1 done, 0 inaccurate, 1 failed" "$gasjet" study run "$plan" --out "$work/failed"
+  grep -q '^1,0,0.001,.*,failed,[0-9]*,.*above its bound' "$work/failed/results.csv" || fail "no reason: $(tail -n 1 "$work/failed/results.csv")"
+  grep -q '"in_no_mean": 1' "$work/failed/study.json" || fail "how many are left out is not told"
+  # Sizes to a limit: fixed steps of the classical method.
+  tank_plan "$plan" '[[factor]]' 'key = "output.history_every"' 'values = [0.02, 0.01, 0.005]' '[analysis]' 'convergence = "output.history_every"'
+  expect 0 "" "$gasjet" study run "$plan" --out "$work/limit"
+  [ "$(grep -vc '^#' "$work/limit/convergence.csv")" = 2 ] || fail "no row of convergence"
+  # A stop rule spends seeds where they are needed.
+  bag_plan "$plan" 4
+  printf '[stop]\nquantity = "peak_pressure_Pa"\nsign_error_rate = 0.01\nmost_seeds = 32\n' >>"$plan"
+  expect 0 "8 of 8 runs" "$gasjet" study run "$plan" --out "$work/sign"
+  sed -i 's/^sign_error.*/standard_error = 1e-9/; s/^most.*/most_seeds = 8/' "$plan"
+  expect 0 "16 of 16 runs" "$gasjet" study run "$plan" --out "$work/error"
+  expect 2 "--share 1/2: a stop rule looks at all runs" "$gasjet" study run "$plan" --out "$work/error" --share 1/2
+}
+
+part_study_bad() {
+  local plan=$work/plan.toml at=$work/plan.toml
+  refused() { expect 2 "$1" "$gasjet" study run "$plan" --out "$work/none"; [ ! -e "$work/none" ] || fail "something is written: $1"; }
+  tank_plan "$plan" '[[factor]]' 'key = "inflator.0.mas_flow"' 'values = [1, 2]'
+  refused "$at:4:1: factor.0: with \"1\" the case is refused: .*mas_flow"
+  tank_plan "$plan" '[[factor]]' 'key = "inflator.0.mass_flow"' 'values = [1, -2]'
+  refused "$at:4:1: factor.0: with \"-2\" the case is refused: .*mass_flow: is -2"
+  tank_plan "$plan" 'design = "sobol"' '[[factor]]' 'key = "inflator.0.mass_flow"' 'range = [-1, 2]'
+  refused "$at:5:1: factor.0: with \"-0.9.*\" the case is refused"
+  tank_plan "$plan" 'design = "sobol"' '[[factor]]' 'key = "inflator.0.mass_flow"' 'range = [2, 1]'
+  refused "$at:7:1: factor.0.range: is no range"
+  tank_plan "$plan" 'design = "sobol"' '[[factor]]' 'key = "inflator.0.mass_flow"' 'values = [1, 2]'
+  refused "$at:4:1: study.design: needs a range"
+  tank_plan "$plan" 'design = "random"'
+  refused "$at:4:1: study.design: is \"random\", one of"
+  tank_plan "$plan" 'seeds = 4'
+  refused "$at:4:1: study.seeds: perturb the nodes of a membrane"
+  tank_plan "$plan" '[[factor]]' 'key = "inflator.0.mass_flow"' 'values = []'
+  refused "$at:6:1: factor.0.values: is no array of one value"
+  tank_plan "$plan" '[[factor]]' 'key = "inflator.0.mass_flow"' 'values = [1, 1.0]'
+  refused "$at:4:1: factor.0: has the level \"1\" twice"
+  tank_plan "$plan" '[stop]' 'quantity = "mass"'
+  refused "stop.quantity: is \"mass\", one of the study's is needed: pressure_Pa"
+  tank_plan "$plan" '[analysis]' 'base = { factor = "x", level = "y" }'
+  refused "analysis.base.factor: is \"x\", a factor is needed"
+  tank_plan "$plan" 'unknown = 1'
+  refused "$at:4:1: study.unknown: unknown key"
+  printf '[study]\ncase = "%s/cases/rigid_tank.toml"\nquantities = ["final_angle_rad"]\n' "$source" >"$plan"
+  refused "$at:3:1: study.quantities: holds \"final_angle_rad\", which the scene lacks"
+  printf '[study]\ncase = "none.toml"\n' >"$plan"
+  refused "none.toml: no such file"
+  tank_plan "$plan"
+  for share in 0/3 4/3 1 1/0 a/b 1/2/3; do expect 2 "--share $share: NUMBER/COUNT" "$gasjet" study run "$plan" --share $share; done
+  expect 2 "holds no plan.toml" "$gasjet" study merge "$source/cases"
+  expect 0 "1 points, 0 factors, 1 runs" "$gasjet" study run "$plan" --check
+  # One folder, one plan.
+  expect 0 "" "$gasjet" study run "$plan" --out "$work/one"
+  tank_plan "$work/other.toml" '[[factor]]' 'key = "inflator.0.mass_flow"' 'values = [0.1, 0.2]'
+  expect 2 "is another plan than" "$gasjet" study run "$work/other.toml" --out "$work/one"
+}
+
+part_study_mpi() {
+  local plan=$work/plan.toml program=${gasjet%/*}/gasjet_study_mpi
+  bag_plan "$plan" 6
+  "$gasjet" study run "$plan" --out "$work/alone" --quiet || fail "alone"
+  ranks() { mpirun --allow-run-as-root --oversubscribe -n "$1" "$program" "${@:2}"; }
+  expect 0 "12 of 12 runs, 12 done" ranks 3 "$plan" "$work/ranks"
+  same_study "$work/alone" "$work/ranks"
+  expect 2 "with 2 ranks or more" ranks 1 "$plan" "$work/ranks"
+  tank_plan "$plan" 'seeds = 4'
+  expect 2 "study.seeds: perturb the nodes" ranks 2 "$plan" "$work/ranks"
+}
