@@ -162,12 +162,20 @@ rule_exact_names() {
 
 # Every key that the driver reads from a case has a row in docs/case_files.md, and every row's key is read there.
 rule_case_keys() {
-  local page=docs/case_files.md list read_keys rows key
-  mapfile -t list < <(cpp_files | grep '^driver/src/')
-  read_keys=$(cat "${list[@]}" | tr -d '\n' |
-    grep -oE '[^a-z_](number|optional_number|integer|flag|texts?|numbers|vector|curve|composition|choice(<[A-Za-z_:]+>)?|table|optional_table|tables)\([[:space:]]*"[a-z_0-9]+"|\(\*?(table|reader), "[a-z_0-9]+"|\{"[a-z_0-9]+", &Options::' |
+  local list
+  mapfile -t list < <(cpp_files | grep '^driver/src/' | grep -v '^driver/src/study/')
+  keys_have_rows docs/case_files.md <(cat docs/case_files.md) "${list[@]}"
+  mapfile -t list < <(cpp_files | grep '^driver/src/study/')
+  keys_have_rows docs/study.md <(sed -n '/^## The plan/,/^## Designs/p' docs/study.md) "${list[@]}"
+}
+
+# keys_have_rows PAGE TEXT FILE...: the keys that the files read are those of the rows in the text of the page
+keys_have_rows() {
+  local page=$1 read_keys rows key
+  rows=$(grep -E '^\| `' "$2" | cut -d'|' -f2 | grep -oE '[a-z_0-9]+' | sort -u)
+  read_keys=$(cat "${@:3}" | tr -d '\n' |
+    grep -oE '[^a-z_](number|optional_number|integer|flag|texts?|numbers|elements|vector|curve|composition|choice(<[A-Za-z_:]+>)?|table|optional_table|tables)\([[:space:]]*"[a-z_0-9]+"|\(\*?(table|reader|base), "[a-z_0-9]+"|\{"[a-z_0-9]+", &Options::' |
     grep -oE '"[a-z_0-9]+"' | tr -d '"' | sort -u)
-  rows=$(grep -E '^\| `' "$page" | cut -d'|' -f2 | grep -oE '[a-z_0-9]+' | sort -u)
   for key in $(comm -23 <(echo "$read_keys") <(echo "$rows")); do echo "$page: no row for the key $key"; done
   for key in $(comm -13 <(echo "$read_keys") <(echo "$rows")); do echo "$page: no code reads the key $key"; done
 }
