@@ -12,6 +12,7 @@
 #include "blocks.hpp"
 #include "checks.hpp"
 #include "kernel_table.hpp"
+#include "membrane/hencky.hpp"
 #include "membrane/mesh.hpp"
 #include "membrane/orthotropic.hpp"
 #include "tune_shares.hpp"
@@ -95,6 +96,10 @@ void set_fabric(BagModel& m, std::size_t e, const ReferenceTriangle& t, const El
   f.young_modulus[lane] = fabric.young_modulus;
   f.spherical[lane] = fabric.spherical;
   f.deviator[lane] = fabric.deviator;
+  const auto hencky = hencky_constants(p.young_modulus, p.poisson);
+  f.curvature[lane] = hencky.curvature;
+  f.share[lane] = hencky.share;
+  f.compliance[lane] = hencky.compliance;
   if (m.woven)
     set_weave(
         m.elements.weave[group], f, lane,

@@ -122,6 +122,17 @@ void check_plates(const BagDescription& d) {
   }
 }
 
+void check_law(const BagDescription& d) {
+  if (d.law != FabricLaw::saint_venant_kirchhoff && d.law != FabricLaw::hencky)
+    reject("bag", "law", static_cast<double>(d.law), "an enumerator");
+  if (d.law != FabricLaw::hencky) return;
+  if (d.compression != Compression::none)
+    reject("bag", "the Hencky law carries no compression; allowed with it: Compression::none");
+  for (std::size_t e = 0; e < d.properties.size(); ++e)
+    if (!d.properties[e].null_panel && d.properties[e].weave)
+      reject("element " + std::to_string(e), "the Hencky law is for isotropic fabric, without weave");
+}
+
 }  // namespace
 
 void check_description(const BagDescription& d) {
@@ -131,6 +142,7 @@ void check_description(const BagDescription& d) {
   check_plates(d);
   if (d.compression != Compression::linear && d.compression != Compression::none)
     reject("bag", "compression", static_cast<double>(d.compression), "an enumerator");
+  check_law(d);
   require_not_negative("bag", "mass_damping", d.mass_damping);
   for (int c = 0; c < 3; ++c) require_finite("bag", "gravity", d.gravity[c]);
 }

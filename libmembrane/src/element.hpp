@@ -18,14 +18,13 @@ T stretch_2(T ab, T ac, T gradient_b2, T gradient_c2) {
 }
 
 // Bound of omega^2 of the element at its current strain and stress (M.10):
-//   omega^2 <= omega_0^2 max(1, lambda_max(C)) + h A max(0, S_1) lambda_max(G).
-// The strain operator is B(F) dx = B_0 (U dx), with U the right stretch of C = F^T F; this gives the first
-// term. The tangent of the relaxed energy is never above D, so the bound holds for both compression laws.
+//   omega^2 <= omega_0^2 (tangent factor) + h A max(0, S_1) lambda_max(G).
+// The tangent of the relaxed energy is never above that of the taut one, so the bound holds for both
+// compression laws.
 template <class T>
-T frequency_bound(T material_frequency, T geometric_frequency, T strain_1, T stress_1) {
+T frequency_bound(T material_frequency, T geometric_frequency, T tangent_factor, T stress_1) {
   const T zero(0.0);
-  const T stretch = T(1.0) + T(2.0) * select(strain_1 > zero, strain_1, zero);
-  return material_frequency * stretch + geometric_frequency * select(stress_1 > zero, stress_1, zero);
+  return material_frequency * tangent_factor + geometric_frequency * select(stress_1 > zero, stress_1, zero);
 }
 
 }  // namespace membrane

@@ -4,6 +4,7 @@
 #include "element.hpp"
 #include "kernel_table.hpp"
 #include "lanes.hpp"
+#include "membrane/hencky.hpp"
 #include "membrane/orthotropic.hpp"
 
 // Steps of the pass over a block for each element. T is Lanes, or double for the oracle. Both visit groups of
@@ -95,9 +96,11 @@ template <class T>
 
 // Columns of the deformation gradient and strain (M.1) of the elements of a group; then their nominal stress.
 struct alignas(64) GroupWork {
-  double f1[3][kLanes], f2[3][kLanes];           // [-]
-  double e11[kLanes], e22[kLanes], e12[kLanes];  // [-]
-  double n11[kLanes], n22[kLanes], n12[kLanes];  // -(volume S) [J]
+  double f1[3][kLanes], f2[3][kLanes];                                          // [-]
+  double e11[kLanes], e22[kLanes], e12[kLanes];                                 // [-]
+  double n11[kLanes], n22[kLanes], n12[kLanes];                                 // -(volume S) [J]
+  double mean[kLanes], radius[kLanes];                                          // of the strain [-]
+  double strain_1[kLanes], log_radius[kLanes], square_1[kLanes], taut[kLanes];  // HenckyStrain
 };
 
 template <class T>
@@ -130,26 +133,77 @@ void load_fabric(const FabricGroup& f, const WeaveGroup* w, int lane, Orthotropi
          load<T>(f.spherical + lane), load<T>(f.deviator + lane), load<T>(w->shear + lane),
          load<T>(w->series + lane),   load<T>(w->skew + lane),    load<T>(w->taut + lane)};
 }
-template <Compression kCompression, class T>
-[[gnu::always_inline]] inline PlaneResponse<T> response(const PlaneStrain<T>& e,
-                                                        const IsotropicConstants<T>& c) {
-  return isotropic_response<kCompression>(e, c);
-}
-template <Compression kCompression, class T>
-[[gnu::always_inline]] inline PlaneResponse<T> response(const PlaneStrain<T>& e,
-                                                        const OrthotropicConstants<T>& c) {
-  return orthotropic_response<kCompression>(e, c);
+template <class T>
+void load_fabric(const FabricGroup& f, const WeaveGroup*, int lane, HenckyConstants<T>& out) {
+  out = {load<T>(f.spherical + lane), load<T>(f.deviator + lane), load<T>(f.curvature + lane),
+         load<T>(f.share + lane), load<T>(f.compliance + lane)};
 }
 
-// Stress (M.2, M.3, M.13, M.14), energy and the bound of omega^2 (M.10).
+template <class T>
+[[gnu::always_inline]] inline PlaneStrain<T> load_strain(const GroupWork& work, int lane) {
+  return {load<T>(work.e11 + lane), load<T>(work.e22 + lane), load<T>(work.e12 + lane)};
+}
+
+// Steps before the stress of laws that have some.
+template <template <class> class Fabric>
+inline constexpr bool kHasLogarithms = false;
+template <>
+inline constexpr bool kHasLogarithms<HenckyConstants> = true;
+
+// Logarithmic strain (M.25).
+template <class T>
+[[gnu::always_inline]] inline void logarithms_of(int lane, GroupWork& work) {
+  const PlaneStrain<T> e = load_strain<T>(work, lane);
+  const T mean = T(0.5) * (e.e11 + e.e22), difference = T(0.5) * (e.e11 - e.e22);
+  const T radius = sqrt(difference * difference + e.e12 * e.e12);
+  const HenckyStrain<T> h = hencky_strain(mean, radius);
+  store(work.mean + lane, mean);
+  store(work.radius + lane, radius);
+  store(work.strain_1 + lane, h.strain_1);
+  store(work.log_radius + lane, h.radius);
+  store(work.square_1 + lane, h.square_1);
+}
+
+// State (M.26) in place of the strain.
+template <class T>
+[[gnu::always_inline]] inline void state_of(const FabricGroup& constants, int lane, GroupWork& work) {
+  HenckyConstants<T> c;
+  load_fabric(constants, nullptr, lane, c);
+  const HenckyStrain<T> e{load<T>(work.strain_1 + lane), load<T>(work.log_radius + lane), T(1.0)};
+  const HenckyState<T> h = hencky_state(e, c);
+  store(work.strain_1 + lane, h.mean);
+  store(work.log_radius + lane, h.radius);
+  store(work.taut + lane, h.taut);
+}
+
+template <Compression kCompression, class T>
+[[gnu::always_inline]] inline PlaneResponse<T> response(const GroupWork& work, int lane,
+                                                        const IsotropicConstants<T>& c) {
+  return isotropic_response<kCompression>(load_strain<T>(work, lane), c);
+}
+template <Compression kCompression, class T>
+[[gnu::always_inline]] inline PlaneResponse<T> response(const GroupWork& work, int lane,
+                                                        const OrthotropicConstants<T>& c) {
+  return orthotropic_response<kCompression>(load_strain<T>(work, lane), c);
+}
+template <Compression kCompression, class T>
+[[gnu::always_inline]] inline PlaneResponse<T> response(const GroupWork& work, int lane,
+                                                        const HenckyConstants<T>& c) {
+  static_assert(kCompression == Compression::none);
+  const HenckyState<T> h{load<T>(work.strain_1 + lane), load<T>(work.log_radius + lane),
+                         load<T>(work.taut + lane)};
+  return hencky_stress(load_strain<T>(work, lane), load<T>(work.mean + lane), load<T>(work.radius + lane),
+                       load<T>(work.square_1 + lane), h, c);
+}
+
+// Stress (M.2, M.3, M.13, M.14, M.25, M.26), energy and the bound of omega^2 (M.10).
 template <template <class> class Fabric, Compression kCompression, class T>
 [[gnu::always_inline]] inline void stress_of(const ElementGroup& g, const FabricGroup& constants,
                                              const WeaveGroup* weave, const FrequencyGroup& frequency,
                                              int lane, GroupWork& work, SkinParts<T>& sums) {
-  const PlaneStrain<T> e{load<T>(work.e11 + lane), load<T>(work.e22 + lane), load<T>(work.e12 + lane)};
   Fabric<T> fabric;
   load_fabric(constants, weave, lane, fabric);
-  const auto r = response<kCompression>(e, fabric);
+  const auto r = response<kCompression>(work, lane, fabric);
   const T volume = load<T>(g.volume + lane);
   store(work.n11 + lane, -(volume * r.s11));
   store(work.n22 + lane, -(volume * r.s22));
@@ -157,7 +211,7 @@ template <template <class> class Fabric, Compression kCompression, class T>
   const int k = lane / kWidth<T>;
   sums.energy.value[k] = sums.energy.value[k] + volume * r.energy_density;
   const T bound = frequency_bound(load<T>(frequency.material + lane), load<T>(frequency.geometric + lane),
-                                  r.strain_1, r.stress_1);
+                                  r.tangent_factor, r.stress_1);
   sums.frequency.value[k] = select(bound > sums.frequency.value[k], bound, sums.frequency.value[k]);
 }
 

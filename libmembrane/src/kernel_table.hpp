@@ -75,7 +75,8 @@ enum SkinPass { kSurfacePass, kForcesPass, kSkinPass };
 struct KernelTable {
   using Skin = void (*)(const SkinArrays&, SkinTotals&);
   Skin surface;
-  Skin forces[2][2], skin[2][2];  // isotropic, woven; linear, relaxed
+  /// Isotropic, woven, isotropic with the Hencky law; linear, relaxed. Null where there is no such law.
+  Skin forces[3][2], skin[3][2];
   void (*shared[3])(const SharedArrays&, int first, int last, double& mobility);
   void (*advance)(const AdvanceArrays&, int first, int last, AdvanceTotals&);
 };

@@ -2,11 +2,13 @@
 // S1/S9 surface and the fabric's part of S6: passes over the blocks of elements.
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 #include "kernel_table.hpp"
 #include "membrane/error.hpp"
 #include "membrane/node_order.hpp"
 #include "membrane/stages.hpp"
+#include "membrane/time_step.hpp"
 
 namespace membrane {
 
@@ -48,7 +50,8 @@ KernelTable::Skin skin_kernel(const BagModel& model, SkinParts parts) {
   const KernelTable& table = kernel_table(model.description.isa);
   if (parts == SkinParts::surface) return table.surface;
   const auto& kernels = parts == SkinParts::forces ? table.forces : table.skin;
-  return kernels[model.woven ? 1 : 0][model.description.compression == Compression::none ? 1 : 0];
+  const int law = model.description.law == FabricLaw::hencky ? 2 : model.woven ? 1 : 0;
+  return kernels[law][model.description.compression == Compression::none ? 1 : 0];
 }
 
 int shared_count(const BagModel& model) {
@@ -83,6 +86,9 @@ void sum_forces(const BagModel& model, BagState& state) {
     energy += block.strain_energy;
     frequency = std::max(frequency, block.element_frequency);
   }
+  if (model.description.law == FabricLaw::hencky && std::isinf(frequency))
+    throw MembraneError("stage forces: element " + std::to_string(governing_element(model, state)) +
+                        " is stretched by more than exp(1/2) = 1.65, where the Hencky law ends");
   state.forces.strain_energy = energy;
   state.forces.element_frequency = frequency;
 }

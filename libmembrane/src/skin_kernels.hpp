@@ -115,6 +115,16 @@ void skin(const SkinArrays& s, SkinTotals& totals) {
           if constexpr (has_surface(kPass)) surface_of<T>(s, origin, group, lane, x, nodes, sums);
         });
     if constexpr (!has_forces(kPass)) continue;
+    if constexpr (kHasLogarithms<Fabric>)
+      for_lanes<T>(
+          first, last, [&](int group, int lane) __attribute__((always_inline)) {
+            logarithms_of<T>(lane, work[group - first]);
+          });
+    if constexpr (kHasLogarithms<Fabric>)
+      for_lanes<T>(
+          first, last, [&](int group, int lane) __attribute__((always_inline)) {
+            state_of<T>(s.fabric[s.group[group].fabric], lane, work[group - first]);
+          });
     for_lanes<T>(
         first, last, [&](int group, int lane) __attribute__((always_inline)) {
           stress_of<Fabric, kCompression, T>(s.group[group], s.fabric[s.group[group].fabric], s.weave + group,
@@ -152,9 +162,11 @@ template <class T>
 inline constexpr KernelTable kTableOf{
     kLinear<kSurfacePass, IsotropicConstants, T>,
     {{kLinear<kForcesPass, IsotropicConstants, T>, kRelaxed<kForcesPass, IsotropicConstants, T>},
-     {kLinear<kForcesPass, OrthotropicConstants, T>, kRelaxed<kForcesPass, OrthotropicConstants, T>}},
+     {kLinear<kForcesPass, OrthotropicConstants, T>, kRelaxed<kForcesPass, OrthotropicConstants, T>},
+     {nullptr, kRelaxed<kForcesPass, HenckyConstants, T>}},
     {{kLinear<kSkinPass, IsotropicConstants, T>, kRelaxed<kSkinPass, IsotropicConstants, T>},
-     {kLinear<kSkinPass, OrthotropicConstants, T>, kRelaxed<kSkinPass, OrthotropicConstants, T>}},
+     {kLinear<kSkinPass, OrthotropicConstants, T>, kRelaxed<kSkinPass, OrthotropicConstants, T>},
+     {nullptr, kRelaxed<kSkinPass, HenckyConstants, T>}},
     {shared<kSurfacePass>, shared<kForcesPass>, shared<kSkinPass>},
     advance};
 

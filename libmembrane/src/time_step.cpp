@@ -8,6 +8,7 @@
 #include "checks.hpp"
 #include "element.hpp"
 #include "membrane/error.hpp"
+#include "membrane/hencky.hpp"
 #include "membrane/orthotropic.hpp"
 
 namespace membrane {
@@ -42,6 +43,9 @@ PlaneResponse<double> response_of(const BagModel& model, const PlaneStrain<doubl
   const Compression compression = model.description.compression;
   const FabricGroup& f = model.elements.fabric_of(place.group);
   const std::size_t k = place.lane;
+  if (model.description.law == FabricLaw::hencky)
+    return hencky_response(strain,
+                           {f.spherical[k], f.deviator[k], f.curvature[k], f.share[k], f.compliance[k]});
   if (!model.woven)
     return isotropic_response(compression, strain, {f.young_modulus[k], f.spherical[k], f.deviator[k]});
   const WeaveGroup& w = model.elements.weave[place.group];
@@ -102,8 +106,8 @@ ElementResponse element_response(const BagModel& model, const BagState& state, i
   ElementResponse r;
   r.strain = strain_of(model, state, element);
   r.response = response_of(model, r.strain, place);
-  r.frequency = frequency_bound(bound.material[place.lane], bound.geometric[place.lane], r.response.strain_1,
-                                r.response.stress_1);
+  r.frequency = frequency_bound(bound.material[place.lane], bound.geometric[place.lane],
+                                r.response.tangent_factor, r.response.stress_1);
   return r;
 }
 

@@ -63,6 +63,13 @@ const Fault kFaults[] = {
      "thermodynamics = \"constant\"\ninitial = { composition = { N2 = 1.0 } }",
      "thermodynamics = \"nasa7\"\ninitial = { composition = { N2 = 1.0 }, temperature = 100.0 }",
      "gas.initial", "200", "initial = {"},
+    {"hencky_with_compression", "sphere_inflation", "leak_law = \"none\"",
+     "leak_law = \"none\"\nlaw = \"hencky\"\ncompression = \"linear\"", "fabric.compression",
+     "carries no compression", "compression = \"linear\""},
+    {"hencky_with_weave", "sphere_inflation", "leak_law = \"none\"",
+     "leak_law = \"none\"\nlaw = \"hencky\"\n"
+     "weave = { young_modulus_weft = 5e7, shear_modulus = 2e6, warp = [1, 2, 3] }",
+     "fabric.law", "isotropic fabric, without weave", "law = \"hencky\""},
     {"wrong_choice", "sphere_inflation", "leak_law = \"none\"", "leak_law = \"leaky\"", "fabric.leak_law",
      "printed", "leak_law = \"leaky\""},
     {"poisson", "sphere_inflation", "poisson_ratio = 0.3", "poisson_ratio = 1.5", "fabric.poisson_ratio",

@@ -80,8 +80,19 @@ rule_include_rule() {
     ((${#list[@]} == 0)) || code_matches "\\b($other)::" "${list[@]}" | sed 's/$/   (names another library)/'
     code_matches "\\b(gasjet::|gasjet_|lib)($other)\\b" "lib$name/CMakeLists.txt" | sed 's/$/   (links another library)/'
   done
-  mapfile -t list < <(cpp_files | grep -vE '^(libjet/src/.*\.cpp|verification/|benchmarks/)')
-  includes "${list[@]}" | { grep '<CGAL/' || true; } | sed 's|$|> (CGAL belongs in .cpp files of libjet/src)|'
+  mapfile -t list < <(cpp_files | grep -vE '^(libjet/src/.*\.cpp|driver/src/mesh_files/soup\.cpp|verification/|benchmarks/)')
+  includes "${list[@]}" | { grep '<CGAL/' || true; } | sed 's|$|> (CGAL belongs in .cpp files of libjet/src and in driver/src/mesh_files/soup.cpp)|'
+}
+
+# Whoever calls Eigen's geometry includes it. Without that, a file builds only behind another one that does, as in a
+# unity build.
+rule_geometry_include() {
+  local list
+  mapfile -t list < <(cpp_files | grep -v '^verification/')  # tests have it from the headers that they share
+  code_matches '([.]|->)(cross|unitOrthogonal)\(|\b(AngleAxisd|Quaterniond)\b' "${list[@]}" | sed -E 's/^([^:]*):([0-9]+):.*/\1 \2/' |
+    awk '!seen[$1]++' | while read -r file line; do
+      grep -qE '<Eigen/(Geometry|Dense)>' "$file" || echo "$file:$line: calls Eigen's geometry: include <Eigen/Geometry>"
+    done
 }
 
 rule_spdx() {

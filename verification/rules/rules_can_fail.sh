@@ -129,8 +129,14 @@ case $rule in
     breaks libjet/CMakeLists.txt 'target_include_directories(x PRIVATE ../libgas/include)'
     breaks libjet/include/jet/model.hpp "$spdx" '#include <CGAL/Epick.h>'
     breaks driver/src/step/step.cpp "$spdx" '#include <CGAL/Epick.h>'
+    breaks driver/src/mesh_files/reader.cpp "$spdx" '#include <CGAL/Epick.h>'
     breaks verification/closed_form/src/gas.cpp "$spdx" '#include "gas/model.hpp"'
     breaks verification/closed_form/src/gas.cpp "$spdx" '#include <boost/math/quadrature/gauss.hpp>'
+    ;;
+  geometry_include)
+    breaks libgas/src/model.cpp "$spdx" '#include <Eigen/Core>' 'const auto n = a.cross(b);'
+    breaks libgas/src/model.cpp "$spdx" 'const auto n = a->unitOrthogonal();'
+    breaks libgas/include/gas/model.hpp "$spdx" 'const Eigen::AngleAxisd turn(1.0, axis);'
     ;;
   spdx)
     breaks libgas/src/model.cpp '#include <cmath>'

@@ -76,6 +76,7 @@ class Effects {
 
   void compression() {
     if (!scene_.bag) return;
+    if (scene_.bag->model.description.law == membrane::FabricLaw::hencky) return;  // never carries it
     LadderChoice linear{"compression linear", {}}, none{"compression none", {}};
     case_.set(linear.overrides, "fabric.compression", "\"linear\"");
     case_.set(none.overrides, "fabric.compression", "\"none\"");

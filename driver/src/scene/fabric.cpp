@@ -81,8 +81,18 @@ LeakLaw read_fabric(TableReader& root, const membrane::Mesh& mesh,
   using membrane::Compression;
   bag.compression = table.choice<Compression>(
       "compression", {{"none", Compression::none}, {"linear", Compression::linear}}, "none");
+  using membrane::FabricLaw;
+  bag.law = table.choice<FabricLaw>(
+      "law", {{"saint_venant_kirchhoff", FabricLaw::saint_venant_kirchhoff}, {"hencky", FabricLaw::hencky}},
+      "saint_venant_kirchhoff");
+  if (bag.law == FabricLaw::hencky && bag.compression != Compression::none)
+    table.fail("compression",
+               "is \"linear\", but law = \"hencky\" carries no compression; allowed: \"none\"");
   bag.properties.assign(static_cast<std::size_t>(bag.elements.cols()), fabric);
   read_panels(table, mesh, null_panels, bag.properties);
+  if (bag.law == FabricLaw::hencky &&
+      std::any_of(bag.properties.begin(), bag.properties.end(), [](const auto& p) { return bool(p.weave); }))
+    table.fail("law", "is \"hencky\", which is for isotropic fabric, without weave");
   table.finish();
   return law;
 }

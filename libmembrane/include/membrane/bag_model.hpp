@@ -66,10 +66,12 @@ inline constexpr double kDefaultPlateShare = 0.25;
 
 /// Input of make_model: everything that defines a bag.
 struct BagDescription {
-  Eigen::Matrix3Xd reference;                         // stress-free positions, 3 x nodes [m]
-  Eigen::Matrix3Xi elements;                          // corner nodes, 3 x elements, oriented outward
-  std::vector<ElementProperties> properties;          // one per element
-  Compression compression = Compression::none;        // of all fabric
+  Eigen::Matrix3Xd reference;                   // stress-free positions, 3 x nodes [m]
+  Eigen::Matrix3Xi elements;                    // corner nodes, 3 x elements, oriented outward
+  std::vector<ElementProperties> properties;    // one per element
+  Compression compression = Compression::none;  // of all fabric
+  /// Of all fabric. FabricLaw::hencky needs Compression::none and has no weave.
+  FabricLaw law = FabricLaw::saint_venant_kirchhoff;
   std::vector<int> fixed_nodes;                       // nodes that never move; any order, repeats allowed
   std::vector<Strap> straps;                          // may be empty
   std::vector<Plate> plates;                          // may be empty

@@ -20,6 +20,9 @@ struct alignas(32) FabricGroup {
   double young_modulus[kLanes];     // [Pa] see IsotropicConstants; 0 for null elements
   double spherical[kLanes];         // [Pa] as above; in a woven bag see OrthotropicConstants
   double deviator[kLanes];          // [Pa] as above
+  double curvature[kLanes];         // [-] see HenckyConstants
+  double share[kLanes];             // [-] as above
+  double compliance[kLanes];        // [1/Pa] as above
   double porosity[kLanes];          // eta [-]
   double porosity_squared[kLanes];  // eta^2 [-]
 };

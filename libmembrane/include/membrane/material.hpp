@@ -10,6 +10,10 @@ namespace membrane {
 /// instead (relaxed energy, M.3).
 enum class Compression { linear, none };
 
+/// Elastic law of the fabric: stress linear in Green-Lagrange strain (M.2, M.13), or Cauchy stress linear in
+/// logarithmic strain (M.25, hencky.hpp).
+enum class FabricLaw { saint_venant_kirchhoff, hencky };
+
 /// Green-Lagrange strain in an orthonormal frame of the reference plane (M.1); e12 is the tensor component.
 template <class T>
 struct PlaneStrain {
@@ -35,6 +39,9 @@ struct PlaneResponse {
   T energy_density;  // [J/m3 of the reference volume]
   T stress_1;        // [Pa] largest principal second Piola-Kirchhoff stress
   T strain_1;        // [-] largest principal Green-Lagrange strain
+  /// [-] The tangent is at most this many times the stiffness at rest, plus the geometric stiffness of
+  /// stress_1 (M.10).
+  T tangent_factor;
 };
 
 /// Constants from E [Pa] and nu [-]. Preconditions: E > 0 and -1 < nu < 1.
@@ -46,6 +53,14 @@ IsotropicConstants<T> isotropic_constants(T young_modulus, T poisson) {
 /// Lane-wise choice. SIMD lane types have their own overload, found by argument-dependent lookup.
 inline double select(bool condition, double if_true, double if_false) {
   return condition ? if_true : if_false;
+}
+
+/// Factor of the tangent for stress linear in Green-Lagrange strain: max(1, lambda_max(C)) (M.10). The strain
+/// operator is B(F) dx = B_0 (U dx), with U the right stretch of C = F^T F.
+template <class T>
+T stretch_factor(T strain_1) {
+  const T zero(0.0);
+  return T(1.0) + T(2.0) * select(strain_1 > zero, strain_1, zero);
 }
 
 /// Green-Lagrange strain E = (F^T F - 1) / 2 (M.1); f1, f2 are the columns of the deformation gradient F.
@@ -85,9 +100,13 @@ PlaneResponse<T> isotropic_response(const PlaneStrain<T>& e, const IsotropicCons
     a = select(not_taut, half_tension, a);
     b = select(not_taut, ratio, b);
   }
-  return {a + b * difference, a - b * difference,
-          b * e.e12,          a * mean + b * (radius * radius),
-          a + b * radius,     strain_1};
+  return {a + b * difference,
+          a - b * difference,
+          b * e.e12,
+          a * mean + b * (radius * radius),
+          a + b * radius,
+          strain_1,
+          stretch_factor(strain_1)};
 }
 
 /// The same with the compression law chosen at run time.

@@ -128,7 +128,8 @@ PlaneResponse<T> orthotropic_response(const PlaneStrain<T>& e, const Orthotropic
           s_difference * c.sine + d * c.cosine,
           a * mean + b * difference + d * shear,
           s_mean + sqrt(s_difference * s_difference + d * d),
-          strain_1};
+          strain_1,
+          stretch_factor(strain_1)};
 }
 
 /// The same with the compression law chosen at run time.

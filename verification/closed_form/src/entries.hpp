@@ -48,6 +48,7 @@ void add_emptying_tanks(std::vector<Entry>& list);
 void add_exchanging_tanks(std::vector<Entry>& list);
 void add_bags(std::vector<Entry>& list);
 void add_inflated_shapes(std::vector<Entry>& list);
+void add_logarithmic_bags(std::vector<Entry>& list);
 void add_discs(std::vector<Entry>& list);
 void add_tension_and_waves(std::vector<Entry>& list);
 void add_weave(std::vector<Entry>& list);

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: Apache-2.0
+// Plane stress linear in logarithmic (Hencky) strain, at constant thickness, without compression.
+#pragma once
+
+#include <cmath>
+#include <limits>
+
+#include "membrane/material.hpp"
+
+namespace membrane {
+
+/// Elastic constants of isotropic fabric under the Hencky law (M.25), in the form that the kernels use.
+template <class T>
+struct HenckyConstants {
+  T spherical;   // K = E / (1 - nu) [Pa]
+  T deviator;    // G = E / (1 + nu) [Pa]
+  T curvature;   // 1 - nu^2 [-]
+  T share;       // 1 / (1 - nu) [-]
+  T compliance;  // 1 / E [1/Pa], 0 for an element without stress
+};
+
+/// Constants from E [Pa] and nu [-]. Preconditions: E > 0 and -1 < nu < 1.
+inline HenckyConstants<double> hencky_constants(double young_modulus, double poisson) {
+  return {young_modulus / (1.0 - poisson), young_modulus / (1.0 + poisson), (1.0 - poisson) * (1.0 + poisson),
+          1.0 / (1.0 - poisson), 1.0 / young_modulus};
+}
+
+/// Euler's number [-].
+inline constexpr double kEuler = 2.71828182845904523536;
+/// Largest principal Green-Lagrange strain [-] of the law, at a stretch of exp(1/2) = 1.65. The factor of the
+/// tangent is infinite beyond it.
+inline constexpr double kHenckyStrainLimit = 0.5 * (kEuler - 1.0);
+
+/// Logarithmic strain of a fabric, and the square of its largest stretch.
+template <class T>
+struct HenckyStrain {
+  T strain_1;  // [-] ln(lambda_1), 0 if that is negative
+  T radius;    // [-] ln(lambda_1 / lambda_2) / 2, less where the fabric is far from taut
+  T square_1;  // [-] lambda_1^2, 1 if that is less
+};
+
+/// State of the law: that of the fabric itself where it is taut, else of the narrowest shape that carries no
+/// compression (M.26). Its two stretches are e^(m + r) and e^(m - r).
+template <class T>
+struct HenckyState {
+  T mean;    // m [-]
+  T radius;  // r [-]
+  T taut;    // 1, or 0 if wrinkled or slack
+};
+
+/// atanh(y) for |y| <= (e - 1) / (e + 1), to 4e-17 of it before rounding: y + y z P(z) with z = y^2 and P the
+/// Chebyshev interpolation with 12 terms.
+template <class T>
+[[gnu::always_inline]] inline T atanh_of(T y) {
+  const T z = y * y, z2 = z * z, z4 = z2 * z2;
+  const T p0 = (T(0.3333333333333331879) + T(0.2000000000001960641) * z) +
+               (T(0.1428571428135329412) + T(0.111111114898268898) * z) * z2;
+  const T p1 = (T(0.09090892160460047752) + T(0.07692752299796506842) * z) +
+               (T(0.06659307637825859966) + T(0.05961884751391089818) * z) * z2;
+  const T p2 = (T(0.04696865889943796822) + T(0.07369488683896611706) * z) +
+               (T(-0.02955289392868221069) + T(0.1454860760821660402) * z) * z2;
+  return y + y * (z * (p0 + (p1 + p2 * z4) * z4));
+}
+
+/// Logarithmic strain from the mean and the radius of the Green-Lagrange strain: ln(lambda) is
+/// atanh((lambda^2 - 1) / (lambda^2 + 1)). Squares of stretches are cut at 1/e, where the fabric has long
+/// been wrinkled or slack, and at e.
+template <class T>
+[[gnu::always_inline]] inline HenckyStrain<T> hencky_strain(T mean, T radius) {
+  const T lowest(1.0 / kEuler - 1.0), highest(kEuler - 1.0), zero(0.0), two(2.0);
+  const T sum = two * (mean + radius), difference = two * (mean - radius);
+  const T cut_1 = select(sum < highest, sum, highest),
+          cut_2 = select(difference < highest, difference, highest);
+  const T growth_1 = select(cut_1 > zero, cut_1, zero), growth_2 = select(cut_2 > lowest, cut_2, lowest);
+  const T below_1 = two + growth_1, below_2 = two + growth_2;
+  const T inverse = T(1.0) / (below_1 * below_2);
+  const T strain_1 = atanh_of(growth_1 * below_2 * inverse);
+  const T strain_2 = atanh_of(growth_2 * below_1 * inverse);
+  return {strain_1, T(0.5) * (strain_1 - strain_2), T(1.0) + growth_1};
+}
+
+/// State of the law (M.26): taut if the radius is below that of tension along one axis,
+/// r = (1 - sqrt(1 - (1 - nu^2) ln(lambda_1))) / (1 - nu).
+template <class T>
+[[gnu::always_inline]] inline HenckyState<T> hencky_state(const HenckyStrain<T>& e,
+                                                          const HenckyConstants<T>& c) {
+  using std::sqrt;
+  const T one(1.0);
+  const T natural = (one - sqrt(one - c.curvature * e.strain_1)) * c.share;
+  const auto is_taut = e.radius < natural;
+  const T r = select(is_taut, e.radius, natural);
+  return {e.strain_1 - r, r, select(is_taut, one, T(0.0))};
+}
+
+/// Stress, energy and principal values (M.25) at the Green-Lagrange strain `e`, whose mean and radius are
+/// `mean` and `radius`, with the state from the functions above.
+template <class T>
+[[gnu::always_inline]] inline PlaneResponse<T> hencky_stress(const PlaneStrain<T>& e, T mean, T radius,
+                                                             T square_1, const HenckyState<T>& h,
+                                                             const HenckyConstants<T>& c) {
+  const T half(0.5), zero(0.0), one(1.0);
+  const T m = h.mean, r = h.radius;
+  // tanh(m) = m P(w) / Q(w), w = m^2, to 1e-19 for m <= 1/2; then J = exp(2 m) = (Q + m P) / (Q - m P).
+  const T w = m * m, w2 = w * w;
+  const T p = m * ((one + T(0.1281782168142291856) * w) +
+                   (T(0.002794213858382641246) + T(7.371610486117116315e-6) * w) * w2);
+  const T q = (one + T(0.4615115501475625185) * w) +
+              (T(0.02329806390757027209) + T(0.0002067735282493054803) * w) * w2;
+  const T above = q + p, below = q - p;
+  // The smallest normal number avoids 0/0 (no direction is principal) and changes no other quotient.
+  const T safe_radius = radius + T(std::numeric_limits<double>::min());
+  const T product = square_1 * safe_radius;
+  const T inverse = one / ((above * below) * product);
+  const T ratio = (above * above) * (product * inverse);      // J
+  const T growth = ((p + p) * above) * (product * inverse);   // J - 1, without cancellation
+  const T along = (above * above) * (safe_radius * inverse);  // J / lambda_1^2 = lambda_2 / lambda_1
+  const T across = (below * below) * ((square_1 * product) * inverse);  // lambda_1 / lambda_2
+
+  const T square = c.deviator * (r * r), shift = c.deviator * r;
+  const T middle = c.spherical * m + square;
+  const T stress_1 = along * (middle + shift), stress_2 = across * (middle - shift);
+  const T a = half * (stress_1 + stress_2);
+  const T b = half * ((stress_1 - stress_2) * ((above * below) * (square_1 * inverse)));
+
+  // (M.27): how much of the stiffness at rest the tangent has, beyond the largest stress.
+  const T largest = select(stress_1 > stress_2, stress_1, stress_2);
+  const T plane = half * (c.spherical + c.deviator);
+  const T excess = (h.taut * c.compliance) * ((middle - plane) + across * (plane - shift) - largest);
+  const T factor = one + select(excess > zero, excess, zero);
+  const T strain_1 = mean + radius;
+  const T difference = half * (e.e11 - e.e22);
+  return {a + b * difference,
+          a - b * difference,
+          b * e.e12,
+          half * c.spherical * ((m + m) * ratio - growth) + square * ratio,
+          largest,
+          strain_1,
+          select(strain_1 > T(kHenckyStrainLimit), T(std::numeric_limits<double>::max()), factor)};
+}
+
+/// Stress, energy and principal values at a point (M.25, M.26), for T = double or a SIMD lane type. The
+/// Cauchy stress has the mean K m + G r^2 and the deviator G r, and the thickness stays. The stress is the
+/// derivative of the energy, continuous and positive semi-definite. `stress_1` is the largest principal
+/// second Piola-Kirchhoff stress, `strain_1` the largest principal Green-Lagrange strain.
+template <class T>
+PlaneResponse<T> hencky_response(const PlaneStrain<T>& e, const HenckyConstants<T>& c) {
+  using std::sqrt;
+  const T mean = T(0.5) * (e.e11 + e.e22), difference = T(0.5) * (e.e11 - e.e22);
+  const T radius = sqrt(difference * difference + e.e12 * e.e12);
+  const HenckyStrain<T> logarithmic = hencky_strain(mean, radius);
+  return hencky_stress(e, mean, radius, logarithmic.square_1, hencky_state(logarithmic, c), c);
+}
+
+}  // namespace membrane
