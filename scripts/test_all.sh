@@ -67,7 +67,7 @@ if command -v ccache >/dev/null; then
   export CMAKE_CXX_COMPILER_LAUNCHER=ccache
 fi
 
-only_tests=(doxygen clang clang-format mkdocs mkdocs-material python3-pymdownx katex chromium python3-jsonschema dpkg-dev file libopenmpi-dev)
+only_tests=(doxygen clang clang-format mkdocs mkdocs-material python3-pymdownx katex chromium python3-jsonschema dpkg-dev file libopenmpi-dev python3-scipy)
 ((!long)) || only_tests+=(python3-vtk9) # 80 MB; without it one test says that it is skipped
 phase "set-up" scripts/setup_debian12.sh "${only_tests[@]}"
 build release -DGASJET_MPI=ON
