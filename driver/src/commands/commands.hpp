@@ -86,6 +86,16 @@ struct LadderArguments {
 };
 int ladder(const LadderArguments& arguments);
 
+struct CostArguments {
+  CaseArguments scene;
+  std::filesystem::path out;  // empty: nothing is written
+  std::string format = "text";
+  int runs = 9;
+  int threads = 1;
+  bool quiet = false;
+};
+int cost(const CostArguments& arguments);
+
 struct MeshArguments {
   std::filesystem::path file;            // to convert, or a case
   double length_unit = 1.0;              // of that file [m]

@@ -6,6 +6,7 @@
 #include "build_info.hpp"
 #include "commands/commands.hpp"
 #include "commands/manual.hpp"
+#include "commands/options_mesh.hpp"
 #include "commands/validators.hpp"
 #include "driver/case_reader.hpp"
 
@@ -43,6 +44,7 @@ struct Arguments {
   std::string check_format = "text";
   EnsembleArguments ensemble;
   LadderArguments ladder;
+  CostArguments cost;
   MeshArguments mesh;
   ExactArguments exact;
   IdentifyArguments identify;
@@ -92,42 +94,15 @@ void add_ladder(CLI::App& app, LadderArguments& a) {
   ladder->add_option("--out", a.out, "result folder (results/ladder_<case> by default)")->check(named);
 }
 
-void add_mesh(CLI::App& app, MeshArguments& arguments) {
-  auto* mesh = app.add_subcommand("mesh", "generate or convert an airbag mesh and report on it");
-  mesh->require_subcommand(1);
-  auto* bag =
-      mesh->add_subcommand("driver", "driver bag: two discs sewn at the rim, attachment, vents, tethers");
-  auto* passenger = mesh->add_subcommand("passenger", "passenger bag: main and side panels, one vent");
-  auto* convert = mesh->add_subcommand("convert", "read a mesh file; write it in the format of --out");
-  auto* of_case = mesh->add_subcommand("case", "write the mesh that a case runs with");
-  const char* formats = ".obj, or LS-DYNA keyword .k, .key, .dyn";
-  bag->add_option("--out", arguments.out, std::string("design shape, ") + formats)->required()->check(named);
-  bag->add_option("--initial", arguments.initial, "initial shape, of the same formats")->check(named);
-  of_case->add_option("CASE", arguments.file, "case file (TOML)")->required();
-  of_case->add_option("--initial", arguments.initial, "initial shape, of the same formats")->check(named);
-  for (auto* command : {of_case, passenger})
-    command->add_option("--out", arguments.out, std::string("design shape, ") + formats)
-        ->required()
-        ->check(named);
-  convert->add_option("FILE", arguments.file, formats)->required();
-  convert->add_option("--out", arguments.out, "file to write; without it the report only")->check(named);
-  convert->add_option("--length-unit", arguments.length_unit, "length unit of FILE [m]")->check(positive);
-  convert->add_option("--null-panel", arguments.null_panels, "panel that closes a hole; may be repeated")
-      ->allow_extra_args(false);
-  for (auto* command : {bag, passenger, of_case})
-    command
-        ->add_option("--set", arguments.overrides,
-                     "option=value of the generator or the case; may be repeated")
-        ->allow_extra_args(false);
-  for (auto* command : {bag, passenger, convert})
-    command->add_option("--refine", arguments.refine, "split each element in four, so many times")
-        ->check(CLI::Range(0, 6));
-}
-
-int dispatch_mesh(const CLI::App& mesh, const MeshArguments& arguments) {
-  if (mesh.got_subcommand("driver")) return mesh_driver(arguments);
-  if (mesh.got_subcommand("case")) return mesh_of_case(arguments);
-  return mesh.got_subcommand("passenger") ? mesh_passenger(arguments) : mesh_convert(arguments);
+void add_cost(CLI::App& app, CostArguments& a) {
+  auto* cost = app.add_subcommand("cost", "what jet, hidden-element test, contact, gas and files cost");
+  add_case(*cost, a.scene);
+  add_threads(*cost, a.threads, a.quiet);
+  cost->add_option("--runs", a.runs, "of each variant; the least CPU time counts")
+      ->check(CLI::Range(3, 1000));
+  cost->add_option("--format", a.format, "text, or json for other programs")
+      ->check(CLI::IsMember({"text", "json"}));
+  cost->add_option("--out", a.out, "folder for cost.csv, cost.json and cost.txt")->check(named);
 }
 
 void add_others(CLI::App& app, Arguments& all) {
@@ -246,6 +221,7 @@ int dispatch(const CLI::App& app, const Arguments& all) {
   if (app.got_subcommand("check")) return check(all.check, all.check_format);
   if (app.got_subcommand("ensemble")) return ensemble(all.ensemble);
   if (app.got_subcommand("ladder")) return ladder(all.ladder);
+  if (app.got_subcommand("cost")) return cost(all.cost);
   if (app.got_subcommand("mesh")) return dispatch_mesh(*app.get_subcommand("mesh"), all.mesh);
   if (app.got_subcommand("identify")) return identify(all.identify);
   if (app.got_subcommand("compare")) return compare(all.compare);
@@ -273,6 +249,7 @@ int run_command_line(int argc, char** argv) {
   add_run(app, all);
   add_ensemble(app, all);
   add_ladder(app, all.ladder);
+  add_cost(app, all.cost);
   add_mesh(app, all.mesh);
   add_others(app, all);
   add_identify(app, all.identify);

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "driver/cost.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "commands/commands.hpp"
+#include "commands/json_head.hpp"
+#include "driver/progress.hpp"
+#include "driver/results.hpp"
+
+namespace driver::commands {
+namespace {
+
+const std::vector<std::string> files_of_cost{"cost.csv", "cost.json", "cost.txt"};
+
+void print(const CostArguments& arguments, const CostResult& result, const Provenance& lines) {
+  if (arguments.format == "json")
+    fmt::print("{}", cost_json(result, lines));
+  else if (!arguments.quiet)
+    fmt::print("{}", cost_text(result));
+}
+
+void write(ResultFolder& folder, const CostResult& result) {
+  const std::string head = comment_lines(folder.lines());
+  folder.write("cost.csv", head + cost_csv(result));
+  folder.write("cost.json", cost_json(result, folder.lines()));
+  folder.write("cost.txt", head + cost_text(result));
+}
+
+}  // namespace
+
+int cost(const CostArguments& arguments) {
+  const auto& [file, overrides] = arguments.scene;
+  const CostOptions options{arguments.runs, arguments.threads, arguments.quiet};
+  CaseDocument document(file, overrides);
+  read_scene(document);
+  std::optional<ResultFolder> folder;
+  Provenance lines = provenance(
+      file, overrides, id_of("cost", {fmt::format("{} {}", options.runs, options.threads)}, {&document}));
+  if (!arguments.out.empty()) {
+    refuse_inputs(arguments.out, files_of_cost, document.files());
+    folder.emplace(arguments.out, "cost", files_of_cost);
+    folder->begin(lines);
+    lines = folder->lines();
+  }
+  catch_interrupt();
+  const CostResult result = measure_cost(file, overrides, options);
+  if (folder) write(*folder, result);
+  if (folder) folder->end(interrupted() ? "interrupted" : "done");
+  print(arguments, result, lines);
+  if (interrupted()) return exit_interrupted;
+  bool failed = false;
+  for (const CostVariant& variant : result.variants)
+    if (!variant.failure.empty()) {
+      tell(fmt::format("gasjet: {}: {}", variant.name, variant.failure));
+      failed = true;
+    }
+  return failed ? exit_domain : exit_done;
+}
+
+}  // namespace driver::commands
