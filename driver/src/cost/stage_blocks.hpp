@@ -11,7 +11,7 @@
 namespace driver {
 
 inline constexpr long longest_block = 16;  // steps
-// Of its wall time that is not CPU time: another program ran in it.
+/// A block is dropped if this share of its wall time is not CPU time: another program ran in it.
 inline constexpr double interrupted_block = 0.05;
 
 /// CPU time of the process [s].
