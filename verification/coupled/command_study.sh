@@ -6,7 +6,6 @@
 bag_plan() {
   cat >"$1" <<END
 [study]
-name = "jet"
 case = "$source/cases/passenger_pendulum.toml"
 set = ["scene.end_time=0.004"]
 quantities = ["peak_pressure_Pa", "jet_force_N", "first_contact_s"]
@@ -41,7 +40,7 @@ same_study() { # same_study FOLDER FOLDER [FILE...]: but for what a build that i
 }
 
 part_study() {
-  local plan=$work/plan.toml share pid
+  local plan=$work/thrice.toml share pid
   bag_plan "$plan" 6
   expect 0 "12 of 12 runs: 12 done" "$gasjet" study run "$plan" --out "$work/alone"
   expect 0 "12 of 12 runs: 12 done" "$gasjet" study run "$plan" --out "$work/threads" --threads 2
@@ -60,6 +59,7 @@ part_study() {
   done
   expect 0 "12 of 12 runs" "$gasjet" study merge "$work/shares"
   same_study "$work/alone" "$work/shares" study.json
+  grep -q '"study": "thrice"' "$work/shares/study.json" || fail "the name is lost"
   expect 0 "goes on after 12 runs" "$gasjet" study run "$plan" --out "$work/alone"
   # Killed: what had ended is there, what had not is computed, and an incomplete folder says so.
   bag_plan "$work/long.toml" 40

@@ -90,7 +90,8 @@ std::string note_of(const StudyRuns& runs, long asked, int failed) {
 // The plan stands in the folder, so that a merge needs the folder alone.
 void keep_plan(const StudyPlan& plan, const std::filesystem::path& folder) {
   const auto copy = folder / plan_copy;
-  CaseDocument document(plan.file, {});
+  // With its name, which may be that of the file.
+  CaseDocument document(plan.file, {fmt::format("study.name={}", quoted(plan.name))});
   const std::string text = document.text(folder);
   std::error_code ignored;
   if (std::filesystem::exists(copy, ignored)) {
