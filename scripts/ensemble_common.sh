@@ -49,26 +49,3 @@ effects() {
   without=$(ensemble_quantities passenger_pendulum_no_jet "$@")
   compare <(echo "$with") <(echo "$without")
 }
-
-# draw OUT ROWS COLUMNS [HEIGHT]: gnuplot commands of the panels, HEIGHT high, on standard input, as OUT.svg and OUT.png.
-draw() {
-  local out=$1 rows=$2 columns=$3 height=${4:-260} commands terminal name
-  commands=$(cat)
-  for terminal in "svg size $((330 * columns)),$((height * rows)) font 'sans,11' background 'white'" \
-    "pngcairo size $((660 * columns)),$((2 * height * rows)) font 'sans,11' fontscale 2 linewidth 2"; do
-    name=$(gnuplot_file "$out.${terminal:0:3}")
-    gnuplot <<END
-set terminal $terminal
-set output $name
-set datafile separator ','
-set border 3
-set tics nomirror
-set offsets graph 0.08, graph 0.08, graph 0.1, graph 0.1
-set key above samplen 1 font ',9'
-set multiplot layout $rows,$columns
-$commands
-unset multiplot
-END
-    echo "$out.${terminal:0:3}" >&2
-  done
-}

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # Means of the paper's scene, with and without jet, against seed, step, contact stiffness, mesh and friction: ensembles,
-# one row a quantity and value. Writes OUT.csv, OUT.svg and OUT.png. Ensembles that are already in results/ are not run
+# one row a quantity and value. Writes OUT.csv and OUT.svg. Ensembles that are already in results/ are not run
 # again: delete the folder to start anew. The finest mesh takes a quarter of the runs.
 # usage: scripts/ensemble_convergence.sh [RUNS] [OUT]      (32 runs, docs/charts/ensemble_convergence by default)
 set -euo pipefail
@@ -41,20 +41,5 @@ mkdir -p "$(dirname "$out")"
 
 [[ $out != docs/charts/ensemble_convergence ]] || scripts/mesh_limits.sh
 
-# quantity | factor | label
-quantities=("final_angle_rad|180/pi|Final angle [°]" "contact_impulse_Ns|1|Contact impulse [N s]"
-  "peak_cg_acceleration_cfc180_m_s2|1|Peak acceleration, CFC 180 [m/s²]" "peak_cg_acceleration_m_s2|1|Peak acceleration, raw [m/s²]")
-axes=("seed|Seed [m]|set logscale x; set xtics 1e3; set format x '%.0e'" "step|Share of the critical step|set xtics 0.1"
-  "contact|Contact stiffness share|set logscale x 2; set xtics auto" "mesh|Elements|set logscale x; set xtics (2744, 10970, 43862)"
-  "friction|Friction coefficient|set xtics 0.1")
-{
-  for quantity in "${quantities[@]}"; do
-    IFS='|' read -r name factor label <<<"$quantity"
-    for axis in "${axes[@]}"; do
-      IFS='|' read -r varied title scale <<<"$axis"
-      printf "unset logscale x\nset format x '%%g'\n%s\nset xlabel '%s'\nset ylabel '%s'\n" "$scale" "$title" "$label"
-      printf "plot \"< grep '^%s,[^,]*,%s,' %s\" using 2:(column(4)*%s):(column(5)*2*%s) with yerrorbars pt 7 ps 0.6 lc 'black' title 'jet, ± 2 s.e.', '' using 2:(column(6)*%s):(column(7)*2*%s) with yerrorbars pt 6 ps 0.6 lc 'gray40' title 'no jet'\n" \
-        "$varied" "$name" "$out.csv" "$factor" "$factor" "$factor" "$factor"
-    done
-  done
-} | draw "$out" 4 5
+gnuplot -e "data=$(gnuplot_file "$out.csv"); out=$(gnuplot_file "$out.svg")" scripts/charts/ensemble_convergence.gp
+echo "$out.svg"

@@ -60,16 +60,14 @@ draw_history() {
     commands+="stats '$1' using $value nooutput
 set ytics tick(STATS_min, STATS_max)
 set title '$label'
-plot '$1' every $((rows / 120 + 1)) using (1e3*column('time_s')):$value with lines linecolor 'black' notitle
+plot '$1' every $((rows / 120 + 1)) using (1e3*column('time_s')):$value with lines linestyle 1 linewidth 1.4 notitle
 "
     shown=$((shown + 1))
   done
   gnuplot 2>&1 >"$2.long" <<END | grep -v 'empty . range' >&2 || true
-set terminal svg size 600,180 font 'sans,11' background 'white'
-set datafile separator ','
+load 'scripts/charts/style.gp'
+set terminal svg size 600,180 font small_face background paper
 set datafile columnheaders
-set border 3
-set tics nomirror
 set xlabel 'Time [ms]'
 decade(range) = 10**floor(log10(range))
 round_part(range) = decade(range) * (range / decade(range) > 4 ? 2 : range / decade(range) > 2 ? 1 : 0.5)
@@ -91,7 +89,8 @@ draw_bag() {
        part == "Points" { point[n++] = $1 " " $2 " " $3 }
        part == "connectivity" { for (i = 1; i <= NF; i++) { print point[$i]; if (++corner % 3 == 0) printf "\n\n" } }' "$1" >"$1.polygons"
   gnuplot <<END
-set terminal pngcairo size 220,180 background 'white'
+load 'scripts/charts/style.gp'
+set terminal pngcairo size 220,180 background paper
 set output '$2'
 unset border
 unset tics

@@ -40,18 +40,5 @@ mkdir -p "$(dirname "$out")" results/ensembles/passenger_pendulum results/ensemb
 } >"$out.csv"
 awk -F, -f scripts/impulse_limits.awk "$out.csv" >"${out}_fits.csv"
 
-panels=("no_jet|path_impulse_Ns|along the path, no jet" "no_jet|contact_impulse_Ns|of the size, no jet"
-  "jet|path_impulse_Ns|along the path, jet" "jet|contact_impulse_Ns|of the size, jet")
-{
-  echo "set logscale x 2; set xlabel 'Contact stiffness share'; set xtics (0.5, 1, 2, 4, 8, 16); set ylabel 'Impulse [N s]'"
-  for panel in "${panels[@]}"; do
-    IFS='|' read -r scene quantity label <<<"$panel"
-    printf "set title '%s'\nplot " "$label"
-    for row in "contact|1|7 lc 'black'|the step follows, ± 2 s.e." "one_step|1.1|6 lc 'gray40'|one step for all"; do
-      IFS='|' read -r varied shift mark title <<<"$row"
-      printf "\"< grep '^%s,[^,]*,%s,%s,' %s.csv\" using (%s*column(2)):5:(2*column(6)) with yerrorbars ps 0.7 pt %s title '%s', " \
-        "$varied" "$scene" "$quantity" "$out" "$shift" "$mark" "$title"
-    done
-    echo "NaN notitle"
-  done
-} | draw "$out" 2 2
+gnuplot -e "data=$(gnuplot_file "$out.csv"); out=$(gnuplot_file "$out.svg")" scripts/charts/impulse_limits.gp
+echo "$out.svg"

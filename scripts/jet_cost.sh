@@ -52,4 +52,4 @@ cat "$csv"
 } >"$log.csv"
 cp "$log.csv" "$folder/jet_overhead.csv"
 cat "$folder/jet_overhead.csv"
-gnuplot -e "data=$(gnuplot_file "$folder/jet_overhead.csv"); out=$(gnuplot_file "$folder/jet_overhead.svg")" scripts/jet_overhead.gp
+gnuplot -e "data=$(gnuplot_file "$folder/jet_overhead.csv"); out=$(gnuplot_file "$folder/jet_overhead.svg")" scripts/charts/jet_overhead.gp

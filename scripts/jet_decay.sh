@@ -19,5 +19,5 @@ for a in 0.066 0.08; do # R0 = 1/2: distances are in diameters
 done
 build/gasjet exact jet_far_field --times 0.06:0.125:0.001 >"$work/constants.csv"
 mkdir -p "$(dirname "$out")"
-gnuplot -e "data=$(gnuplot_file "$work"); out=$(gnuplot_file "$out.svg")" scripts/jet_decay.gp
+gnuplot -e "data=$(gnuplot_file "$work"); out=$(gnuplot_file "$out.svg")" scripts/charts/jet_decay.gp
 echo "$out.svg"

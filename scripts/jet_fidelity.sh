@@ -21,4 +21,4 @@ mkdir -p "$(dirname "$out")"
 } >"$out.csv.new"
 mv "$out.csv.new" "$out.csv"
 cat "$out.csv"
-gnuplot -e "data=$(gnuplot_file "$out.csv"); out=$(gnuplot_file "$out.svg")" scripts/jet_fidelity.gp
+gnuplot -e "data=$(gnuplot_file "$out.csv"); out=$(gnuplot_file "$out.svg")" scripts/charts/jet_fidelity.gp

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # Where the jet matters: the paper's scene with each invented input at the ends of a plausible range, with and without jet.
-# Writes OUT.csv, OUT.svg and OUT.png: the jet's effect on angle, impulse along the path and peak acceleration. Ensembles that are already
+# Writes OUT.csv and OUT.svg: the jet's effect on angle, impulse along the path and peak acceleration. Ensembles that are already
 # in results/ are not run again.
 # usage: scripts/jet_map.sh [RUNS] [OUT]      (32 runs, docs/charts/jet_map by default)
 set -euo pipefail
@@ -52,18 +52,5 @@ mkdir -p "$(dirname "$out")" results/ensembles/passenger_pendulum results/ensemb
   done
 } >"$out.csv"
 
-# quantity | factor | label | tics | left and right edge of the panel; the first one names the rows
-quantities=("final_angle_rad|180/pi|Jet’s effect on the angle [°]|5|0.22|0.45" "path_impulse_Ns|1|on the path’s impulse [N s]|10|0.48|0.71"
-  "peak_cg_acceleration_cfc180_m_s2|1|on the CFC 180 peak [m/s²]|50|0.74|0.97")
-{
-  echo "unset offsets; set grid x; set bmargin 4; set tmargin 1; set key off; set yrange [${#inputs[@]}-0.5:-0.5]; set yzeroaxis lt 1 lc 'black'"
-  names=":ytic(strcol(1).' '.strcol(2))"
-  for quantity in "${quantities[@]}"; do
-    IFS='|' read -r name factor label tics left right <<<"$quantity"
-    printf "set lmargin at screen %s\nset rmargin at screen %s\nset xlabel '%s, ± 2 s.e.'\nset xtics %s\n" "$left" "$right" "$label" "$tics"
-    printf "plot \"< grep ',%s,' %s\" using ((column(4)-column(6))*%s):0:(2*sqrt(column(5)**2+column(7)**2)*%s)%s with xerrorbars pt 7 ps 0.7 lc 'black'\n" \
-      "$name" "$out.csv" "$factor" "$factor" "$names"
-    names=""
-    echo "unset ytics"
-  done
-} | draw "$out" 1 3 400
+gnuplot -e "data=$(gnuplot_file "$out.csv"); out=$(gnuplot_file "$out.svg")" scripts/charts/jet_map.gp
+echo "$out.svg"

@@ -17,6 +17,6 @@ ladder() {
 
 ladder
 cp "$work/ladder.csv" docs/charts/ladder_passenger.csv
-cp "$work/ladder.svg" docs/charts/ladder_passenger.svg
+gnuplot -e "data='docs/charts/ladder_passenger.csv'; out='docs/charts/ladder_passenger.svg'" scripts/charts/ladder_passenger.gp
 ladder --hold mesh,pieces,step,gas
 cp "$work/ladder.csv" docs/charts/ladder_passenger_effects.csv

@@ -1,8 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # shellcheck shell=bash
 # Shared by the plot scripts (sourced): panels of pendulum angle, acceleration of its centre of gravity and bag
-# pressure against time (those that the scene has), for one or two result folders. Readable in black and white:
-# first folder solid black, second dashed grey.
+# pressure against time (those that the scene has), for one or two result folders, by the style sheet charts/style.gp.
 
 # shellcheck source-path=SCRIPTDIR source=gnuplot_text.sh
 source "$(dirname "${BASH_SOURCE[0]}")/gnuplot_text.sh"
@@ -57,27 +56,52 @@ shown_panels() {
   done
 }
 
-# render OUT COUNT: draws the COUNT panels, gnuplot commands on standard input, as OUT.svg and OUT.png.
+# options ARGUMENT...: takes --title TEXT and --name TEXT (one a folder, for the legend) off the front, the rest is in `arguments`.
+title='' names=()
+options() {
+  while [[ ${1:-} == --* ]]; do
+    (($# >= 2)) || fail "$1 needs a text"
+    case $1 in
+      --title) title=$2 ;;
+      --name) names+=("$2") ;;
+      *) fail "unknown option '$1'; allowed: --title TEXT, --name TEXT" ;;
+    esac
+    shift 2
+  done
+  # shellcheck disable=SC2034  # of the callers
+  arguments=("$@")
+}
+
+# bounds COLUMN FILE...: the axis starts at 0 for what is never negative but for noise and comes near 0.
+bounds() {
+  awk -F, -v name="$1" '/^#/ { next }
+    FNR == 1 || !(FILENAME in at) { for (i = 1; i <= NF; i++) if ($i == name) at[FILENAME] = i; next }
+    $at[FILENAME] != "" { v = $at[FILENAME] + 0; if (!n++ || v < low) low = v; if (n == 1 || v > high) high = v }
+    END { print (n && high > 0 && low >= -0.02 * high && low < 0.3 * high ? "set yrange [0:*]" : "set yrange [*:*]") }' "${@:2}"
+}
+
+# render OUT COUNT: draws the COUNT panels, gnuplot commands on standard input, as OUT.svg and OUT.png; the legend stands above
+# the first panel alone.
 render() {
-  local out=$1 count=$2 height=$((60 + 280 * $2)) commands terminal name
+  local out=$1 count=$2 height commands terminal name style
+  height=$((90 + 230 * $2))
   commands=$(cat)
+  style=$(gnuplot_file "$(dirname "${BASH_SOURCE[0]}")/charts/style.gp") || exit 2
   mkdir -p -- "$(dirname -- "$out")"
-  for terminal in "svg size 800,$height font 'sans,14' background 'white'" \
-    "pngcairo size 1600,$((2 * height)) font 'sans,14' fontscale 2 linewidth 2"; do
+  for terminal in "svg size 820,$height font face background paper" \
+    "pngcairo size 1640,$((2 * height)) font face fontscale 2 linewidth 2"; do
     name=$(gnuplot_file "$out.${terminal:0:3}") || exit 2
     gnuplot <<END
+load $style
 set terminal $terminal noenhanced
 set output $name
-set datafile separator ','
-set border 3
-set tics nomirror
-set grid linecolor 'gray70' linewidth 0.5 dashtype 3
-set key above left Left reverse samplen 3
-set lmargin 12
-set xlabel 'Time [ms]'
-set style line 1 linecolor 'black' linewidth 2 dashtype 1
-set style line 2 linecolor 'gray40' linewidth 2 dashtype 2
-set multiplot layout $count,1
+set multiplot layout $count,1 margins screen 0.11, screen 0.97, screen $(awk "BEGIN { print 55 / $height }"), \
+  screen $(awk "BEGIN { print 1 - 66 / $height }") spacing screen 0, screen $(awk "BEGIN { print 62 / $height }")
+set key at screen 0.97, screen $(awk "BEGIN { print 1 - 58 / $height }") right bottom vertical maxrows 1 Left reverse samplen 3 width -1 font small_face
+set label 1 $(gnuplot_text "$title") at screen 0.02, screen $(awk "BEGIN { print 1 - 18 / $height }") font 'sans-serif,15' noenhanced
+set xlabel 'Time [ms]' offset 0, 0.4
+set autoscale xfix
+set ylabel offset 0.5
 $commands
 unset multiplot
 END
@@ -88,7 +112,7 @@ END
 # plot_folders TABLE COLUMN_SUFFIX OUT FOLDER...: one panel a quantity; the caller's curve FILE COLUMN FACTOR
 # NUMBER TITLE, FILE in gnuplot's quotes, prints the gnuplot plot elements of one folder.
 plot_folders() {
-  local table=$1 suffix=$2 out=$3 column factor label elements i shown file title
+  local table=$1 suffix=$2 out=$3 column factor label elements i shown file legend
   local folders=("${@:4}")
   shown=$(shown_panels "$table" "$suffix" "${folders[@]}")
   [[ -n $shown ]] || fail "no quantity to plot is in every $table"
@@ -96,9 +120,9 @@ plot_folders() {
     elements=
     for i in "${!folders[@]}"; do
       file=$(gnuplot_file "${folders[i]}/$table") || exit 2
-      title=$(basename -- "${folders[i]}" | tr _ ' ')
-      elements+="${elements:+, }$(curve "$file" "$column" "$factor" $((i + 1)) "$title")"
+      legend=${names[i]:-$(basename -- "${folders[i]}" | tr _ ' ')}
+      elements+="${elements:+, }$(curve "$file" "$column" "$factor" $((i + 1)) "$legend")"
     done
-    printf "set ylabel '%s'\nplot %s\n" "$label" "$elements"
+    printf "%s\nset ylabel '%s'\nplot %s\nunset key\nunset label 1\n" "$(bounds "$column$suffix" "${folders[@]/%//$table}")" "$label" "$elements"
   done <<<"$shown" | render "$out" "$(wc -l <<<"$shown")"
 }

@@ -20,12 +20,18 @@ panel() {
   value="column($(gnuplot_text "$1"))"
   reference="column($(gnuplot_text "${1}_reference"))" width="column($(gnuplot_text "${1}_band"))"
   if has_column "$table" "${1}_band"; then
-    band="$file using (1e3*column('time_s')):($reference-$width):($reference+$width) with filledcurves fillcolor 'gray80' title 'band', "
+    band="$file using (1e3*column('time_s')):($reference-$width):($reference+$width) with filledcurves fillcolor rgb measured $banded, "
+    banded=notitle
+  elif [[ $banded != notitle ]] && grep -q _band <<<"$header"; then
+    band="keyentry with filledcurves fillcolor rgb measured $banded, " banded=notitle
   fi
   cat <<END
+$(bounds "$1" "$table")
 set ylabel $(gnuplot_text "$(label "$1")")
 plot $band$file using (1e3*column('time_s')):($value) with lines linestyle 1 title 'mine', \
   '' using (1e3*column('time_s')):($reference) with lines linestyle 2 title 'reference'
+unset key
+unset label 1
 END
 }
 
@@ -35,6 +41,7 @@ table=$2
 require_whole "$table"
 file=$(gnuplot_file "$table") || exit 2
 has_column "$table" time_s || fail "$table: no column time_s"
-mapfile -t names < <(quantities)
-((${#names[@]})) || fail "$table: no column with a column <name>_reference beside it"
-for name in "${names[@]}"; do panel "$name"; done | render "$1" "${#names[@]}"
+header=$(sed "/^#/d; q" "$table") banded="title 'band'"
+mapfile -t shown < <(quantities)
+((${#shown[@]})) || fail "$table: no column with a column <name>_reference beside it"
+for name in "${shown[@]}"; do panel "$name"; done | render "$1" "${#shown[@]}"

@@ -1,11 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 # Error of a bag's frequency against CPU time, over mesh and step. usage: gnuplot -e "data='X.csv'; out='X.svg'"
-set terminal svg size 1000,440 font 'sans,12' background 'white'
+load 'scripts/charts/style.gp'
+set terminal svg size 1000,440 font small_face background paper
 set output out
-set datafile separator ','
-set border 3
-set tics nomirror
-set grid linecolor 'gray70' linewidth 0.5 dashtype 3
 set logscale xy
 set format x '10^{%L}'
 set format y '10^{%L}'
@@ -14,10 +11,6 @@ set ylabel 'Relative error of the frequency'
 set key top right samplen 4
 rows(scene, share) = "< awk -F, '$1 == \"".scene."\" && $3 == \"".share."\"' ".data
 shares = '0.9 0.45 0.225 0.1125'
-set style line 1 linecolor 'black' linewidth 2.2 dashtype 1 pointtype 7 pointsize 0.7
-set style line 2 linecolor 'black' linewidth 1.4 dashtype 2 pointtype 5 pointsize 0.7
-set style line 3 linecolor 'gray30' linewidth 1.2 dashtype 1 pointtype 6 pointsize 0.8
-set style line 4 linecolor 'gray50' linewidth 1.4 dashtype 4 pointtype 8 pointsize 0.8
 set multiplot layout 1,2
 scenes = 'sphere drum'
 titles = "'breathing sphere with gas' 'circular membrane, lowest mode'"

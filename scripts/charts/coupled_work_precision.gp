@@ -1,48 +1,47 @@
 # SPDX-License-Identifier: Apache-2.0
-# Error of ensemble means of the coupled scene against CPU time, with two standard errors.
+# Deviation of the coupled scene's ensemble means from those of the reference, and CPU time, a row for each variation.
 # usage: gnuplot -e "data='X.csv'; out='X.svg'"
-set terminal svg size 1050,670 font 'sans,12' background 'white'
+load 'scripts/charts/style.gp'
+load 'scripts/charts/rows.gp'
+set terminal svg size 1100,480 font small_face background paper
 set output out
-set datafile separator ','
-set border 3
-set tics nomirror
-set grid linecolor 'gray70' linewidth 0.5 dashtype 3
-set logscale xy
-set format x '10^{%L}'
-set format y '10^{%L}'
-unset key
-# A bar that reaches below the axis is drawn down to it.
-low(error, bar) = error - 2 * bar > 1e-4 ? error - 2 * bar : 1e-4
-rows(varied, quantity) = "< awk -F, '$1 == \"".varied."\" && $3 == \"".quantity."\" && $8 > 0' ".data
-# "1: first value, 2: second ..." of the points drawn
-values(varied, quantity) = system("awk -F, '$1 == \"".varied."\" && $3 == \"".quantity."\" && $8 > 0 ". \
-  "{ gsub(\"_\", \" \", $2); printf \"%s%d: %s\", n == 3 ? \"\\n\" : n ? \", \" : \"\", ++n, $2 }' ".data)
-extreme(order, varied) = real(system("awk -F, '$1 == \"".varied."\" && $8 > 0 { print $4 }' ". \
-  data." | sort ".order." | head -n 1"))
-set yrange [1e-4:0.5]
-set format x '%g'
-set multiplot layout 2,3 margins 0.075,0.985,0.155,0.95 spacing 0.065,0.2
-quantities = 'path_impulse_Ns final_angle_rad'
-labels = "'Relative error of the mean impulse' 'Relative error of the mean angle'"
-groups = 'step gas mesh'
-titles = "'share of the critical step' 'gas: method and tolerance' 'elements'"
-do for [i = 1:2] {
-  do for [g = 1:3] {
-    set ylabel word(labels, i) offset 1
-    set title word(titles, g) offset 0, -0.6
-    set xlabel "CPU time of a run [s]\n".values(word(groups, g), word(quantities, i)) noenhanced
-    least = extreme('-g', word(groups, g))
-    most = extreme('-gr', word(groups, g))
-    set xrange [least / 1.03 : most * 1.05]
-    if (most > 1.5 * least) {
-      set xtics (0.1, 0.2, 0.3, 0.35, 0.4, 0.45, 0.5, 0.6, 0.8, 1, 1.5, 2, 3, 4, 6, 10)
-    } else {
-      set xtics (sprintf('%.3f', least) least, sprintf('%.3f', most) most)
-    }
-    plot rows(word(groups, g), word(quantities, i)) using 4:8:(low($8, $9)):($8 + 2 * $9) with yerrorbars \
-      linecolor 'black' pointtype 7 pointsize 0.7, \
-      '' using 4:8:(int($0) % 2 == 0 ? sprintf('%d', $0 + 1) : '') with labels left offset 0.6, 0.3 font ',11', \
-      '' using 4:8:(int($0) % 2 == 1 ? sprintf('%d', $0 + 1) : '') with labels right offset -0.6, 0.3 font ',11'
+# y, label, deviation from the last of the group (gas: of step) [%], two standard errors, CPU time [s]; a gap parts the groups
+rows(quantity) = "< awk -F, -v OFS=, -v quantity=".quantity." '$3 != quantity { next } NR == FNR { mean[$1] = $5; next } ". \
+  "{ group = $1 == \"gas\" ? \"step\" : $1; y += before && $1 != before ? 1.6 : 1; before = $1; gsub(\"_\", \"-\", $2); ". \
+  "label = $1 == \"step\" ? \"step \" $2 \" of critical\" : $1 == \"mesh\" ? $2 \" elements\" : \"gas \" $2; ". \
+  "print y, label, 100 * ($5 / mean[group] - 1), ($8 > 0 ? 200 * $9 : 0), $4 }' ".data." ".data
+set yrange [13.8:0.4]
+set multiplot
+quantities = 'final_angle_rad path_impulse_Ns peak_cg_acceleration_cfc180_m_s2'
+titles = "'Final angle' 'Impulse along the path' 'Peak acceleration, CFC 180'"
+left = 0.2
+panels = 4
+set bmargin at screen 0.12
+set tmargin at screen 0.85
+set label 1 'Finer steps, gas tolerances and meshes: the means against those of the finest step and mesh' at screen 0.015, screen 0.955 font 'sans-serif,15'
+set xlabel 'Deviation [%], ± 2 s.e.'
+set arrow 1 from first 0, graph 0 to first 0, graph 1 nohead linestyle 9
+set xrange [-6:10]
+set xtics 2
+do for [i = 1:3] {
+  set lmargin at screen panel_left(i)
+  set rmargin at screen panel_right(i)
+  set title word(titles, i) offset 0, -0.5
+  if (i == 1) {
+    plot rows(word(quantities, i)) using 3:1:4:yticlabels(2) with xerrorbars linestyle 1
+  } else {
+    unset label 1
+    set format y ''
+    plot rows(word(quantities, i)) using 3:1:4 with xerrorbars linestyle 1
   }
 }
+unset arrow 1
+set lmargin at screen panel_left(4)
+set rmargin at screen panel_right(4)
+set title 'Cost' offset 0, -0.5
+set xlabel 'CPU time of a run [s]'
+set xrange [0:*]
+set xtics 0.5
+plot rows(word(quantities, 1)) using (0):1:5:(0) with vectors nohead linecolor rgb sky linewidth 6, \
+  '' using 5:1 with points linestyle 1
 unset multiplot

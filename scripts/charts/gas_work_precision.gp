@@ -1,11 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 # Achieved error against CPU time of each method on each tank. usage: gnuplot -e "data='X.csv'; out='X.svg'"
-set terminal svg size 1050,700 font 'sans,12' background 'white'
+load 'scripts/charts/style.gp'
+set terminal svg size 1050,700 font small_face background paper
 set output out
-set datafile separator ','
-set border 3
-set tics nomirror
-set grid linecolor 'gray70' linewidth 0.5 dashtype 3
 set logscale xy
 set format x '10^{%L}'
 set format y '10^{%L}'
@@ -19,12 +16,6 @@ rows(problem, solver) = "< awk -F, '$1 == \"".problem."\" && $2 == \"".solver."\
 shown(error) = error < 1e-16 ? 1e-16 : error
 solvers = 'dormand_prince rosenbrock runge_kutta euler msbdf cvode'
 names = "'Dormand-Prince 5' 'Rosenbrock 4' 'Runge-Kutta 4' 'Euler' 'GSL msbdf' 'CVODE'"
-set style line 1 linecolor 'black' linewidth 2.2 dashtype 1 pointtype 7 pointsize 0.55
-set style line 2 linecolor 'black' linewidth 1.4 dashtype 2 pointtype 5 pointsize 0.55
-set style line 3 linecolor 'gray30' linewidth 1 dashtype 1 pointtype 6 pointsize 0.6
-set style line 4 linecolor 'gray30' linewidth 1 dashtype 3 pointtype 1 pointsize 0.5
-set style line 5 linecolor 'gray50' linewidth 1.4 dashtype 4 pointtype 8 pointsize 0.6
-set style line 6 linecolor 'gray50' linewidth 1.4 dashtype 1 pointtype 4 pointsize 0.55
 set multiplot layout 2,3 margins 0.07,0.985,0.08,0.95 spacing 0.065,0.15
 problems = 'filled_sealed filled_vented choked_blowdown equalisation tiny_volume three_pulses'
 titles = "'filled, sealed' 'filled, vented' 'choked blow-down' 'equalisation' 'tiny volume' 'three pulses, vented'"

@@ -1,11 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 # Error of the inverse tank test against noise, and against CPU time over the number of readings. usage: gnuplot -e "data='X.csv'; out='X.svg'"
-set terminal svg size 1000,440 font 'sans,12' background 'white'
+load 'scripts/charts/style.gp'
+set terminal svg size 1000,440 font small_face background paper
 set output out
-set datafile separator ','
-set border 3
-set tics nomirror
-set grid linecolor 'gray70' linewidth 0.5 dashtype 3
 set logscale xy
 set format x '10^{%L}'
 set format y '10^{%L}'
@@ -13,10 +10,6 @@ set ylabel 'r.m.s. error'
 set key bottom right samplen 4
 by_noise(method) = "< awk -F, '$1 == \"".method."\" && $3 == 601' ".data
 by_readings(method, noise) = "< awk -F, '$1 == \"".method."\" && $2 == \"".noise."\"' ".data." | sort -t, -k3n"
-set style line 1 linecolor 'black' linewidth 2.2 dashtype 1 pointtype 7 pointsize 0.7
-set style line 2 linecolor 'black' linewidth 1.4 dashtype 2 pointtype 5 pointsize 0.7
-set style line 3 linecolor 'gray40' linewidth 1.4 dashtype 1 pointtype 6 pointsize 0.8
-set style line 4 linecolor 'gray40' linewidth 1.4 dashtype 4 pointtype 8 pointsize 0.8
 set multiplot layout 1,2
 set xlabel 'Noise of a reading, relative (601 readings, 10 kHz)'
 plot by_noise('dual') using 2:6 with linespoints linestyle 2 title 'dual: T_s', \

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # Test of the plot scripts: columns are found by name (any order gives the same picture), a quantity that a scene
-# does not have is left out, and a table without any is refused.
+# does not have is left out, a table without any is refused, and all charts share one style sheet.
 set -euo pipefail
 scripts=$(cd "$(dirname "${BASH_SOURCE[0]}")/../../scripts" && pwd)
 tree=$(mktemp -d)
@@ -65,4 +65,20 @@ for run in a b; do "$scripts/plot_compare.sh" $run/rows $run/rows.csv >/dev/null
 grep -q "pressure \[Pa\]" a/rows.svg && grep -q "volume \[m³\]" a/rows.svg || fail "units of the comparison"
 cmp a/rows.svg b/rows.svg || fail "the order of the columns changed the picture of the comparison"
 if "$scripts/plot_compare.sh" c/rows tank/history.csv 2>/dev/null; then fail "a history without reference was accepted"; fi
+# Each script that draws loads the one style sheet, and brings no fonts or frames of its own.
+for script in "$scripts"/*.gp "$scripts"/charts/*.gp $(grep -lE 'gnuplot( 2>&1.*)? <<' "$scripts"/*.sh); do
+  [[ -f $script ]] || continue
+  case ${script##*/} in style.gp | rows.gp) continue ;; esac
+  grep -qE "^load (\\\$style|'scripts/charts/style.gp')" "$script" || fail "$script does not load scripts/charts/style.gp"
+  if grep -nE "font 'sans[,']|set border 3|background 'white'" "$script"; then fail "$script has a style of its own"; fi
+done
+# The legend stands once, above the first panel.
+"$scripts/plot_history.sh" --name 'the run' a/named a/jet >/dev/null
+[[ $(grep -c '>the run<' a/named.svg) == 1 ]] || fail "three panels need one legend"
+if "$scripts/plot_history.sh" --colour red a/named a/jet 2>/dev/null; then fail "an unknown option was accepted"; fi
+# The known curve of a tank test is drawn beside the found one.
+table a/known.csv time_s inflow_kg_s inflow_temperature_K
+"$scripts/plot_identify.sh" a/known a/curves.csv a/known.csv >/dev/null
+grep -q 'known, to be found' a/known.svg || fail "the known curve is missing"
+if "$scripts/plot_identify.sh" c/known a/curves.csv tank/history.csv 2>/dev/null; then fail "known curves without flow were accepted"; fi
 echo "plot scripts: columns by name, absent quantities left out, empty tables refused"

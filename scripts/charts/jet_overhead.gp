@@ -1,0 +1,26 @@
+# SPDX-License-Identifier: Apache-2.0
+# Cost of the jet's stages against the number of elements, folded and inflated. usage: gnuplot -e "data='X.csv'; out='X.svg'"
+load 'scripts/charts/style.gp'
+set terminal svg size 1000,520 font face background paper
+set output out
+set logscale xy
+set format x '10^{%L}'
+set format y '10^{%L}'
+set xrange [500:1.5e6]
+set yrange [1:3e8]
+set xlabel 'Elements'
+set ylabel 'Time per step [µs], one thread'
+set key top left Left reverse samplen 4 spacing 1.1
+rows(shape, route) = "< awk -F, '$1 == \"".shape."\" && $3 == \"".route."\"' ".data
+set multiplot layout 1,2
+do for [shape in "folded inflated"] {
+  set title "Hidden-element test by route, ".shape." bag"
+  plot rows(shape, 'fast') using 2:($4+$5+$6) with lines linecolor rgb '#bbbbbb' linewidth 5 title 'bag without jet', \
+       rows(shape, 'brute_force') using 2:9 with linespoints linestyle 4 pointtype 2 title 'hidden elements, brute force', \
+       rows(shape, 'cgal_tree') using 2:9 with linespoints linestyle 2 title 'hidden elements, CGAL tree', \
+       rows(shape, 'embree') using 2:9 with linespoints linestyle 3 title 'hidden elements, Embree, single precision', \
+       rows(shape, 'fast') using 2:9 with linespoints linestyle 1 title 'hidden elements, fast (exact)', \
+       rows(shape, 'fast') using 2:8 with linespoints linestyle 5 title 'velocity field'
+  unset key
+}
+unset multiplot
