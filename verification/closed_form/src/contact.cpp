@@ -39,6 +39,29 @@ double sphere_plane_sliding(double radius, double depth, double stiffness, doubl
   return 4.0 * friction * stiffness * quadrature::integrate(ring, height, radius, 8);
 }
 
+SphereSlip sphere_plane_slip(double radius, double depth, double stiffness, double friction,
+                             double displacement) {
+  check::positive("radius", radius);
+  check::positive("depth", depth);
+  check::positive("stiffness", stiffness);
+  check::positive("friction", friction);
+  check::non_negative("displacement", displacement);
+  const double factor = 2.0 * pi * radius * stiffness;
+  const double u = std::fmin(displacement, friction * depth), rest = displacement - u;  // rest: all slides
+  SphereSlip s;
+  s.force = factor * (u * depth - u * u / (2.0 * friction));
+  s.energy = factor * (u * u * depth / 2.0 - u * u * u / (3.0 * friction));
+  s.loss = factor * u * u * u / (6.0 * friction) + s.force * rest;
+  return s;
+}
+
+double sphere_plane_slip_cycle(double radius, double depth, double stiffness, double friction,
+                               double amplitude) {
+  const SphereSlip whole = sphere_plane_slip(radius, depth, stiffness, friction, amplitude);
+  const double u = std::fmin(amplitude, friction * depth);
+  return 4.0 * pi * radius * stiffness * u * u * u / (3.0 * friction) + 4.0 * whole.force * (amplitude - u);
+}
+
 PenaltyBounce penalty_bounce(double mass, double stiffness, double speed) {
   check::positive("mass", mass);
   check::positive("stiffness", stiffness);

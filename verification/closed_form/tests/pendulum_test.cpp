@@ -173,6 +173,29 @@ TEST(ClosedFormPendulum, sliding_sphere_eq_surface_quadrature_and_mu_times_force
                   mu * sphere_plane_contact(radius, shallow, kappa).force, 1e-5);
 }
 
+// Rings of the paraboloid: each is a spring that yields at mu times its pressure.
+TEST(ClosedFormPendulum, sphere_that_sticks_and_slides_eq_rings_of_yielding_springs) {
+  const double radius = 0.3, depth = 2e-4, kappa = 3e6, mu = 0.4, edge = std::sqrt(2 * radius * depth);
+  for (const double part : {0.1, 0.6, 1.0, 1.7}) {
+    const double u = part * mu * depth;
+    const auto limit = [&](double s) { return mu * (depth - s * s / (2 * radius)); };
+    const auto sum = [&](const auto& of_ring) {  // in two parts: the rings that stick, those that slide
+      const auto ring = [&](double s) { return kappa * 2 * pi * s * of_ring(limit(s)); };
+      const double border = part < 1.0 ? std::sqrt(2 * radius * (depth - u / mu)) : 0.0;
+      return test::integrate(ring, 0.0, border) + test::integrate(ring, border, edge);
+    };
+    const SphereSlip s = sphere_plane_slip(radius, depth, kappa, mu, u);
+    expect_relative(s.force, sum([&](double most) { return std::min(u, most); }), 1e-10);
+    expect_relative(s.energy, sum([&](double most) { return std::pow(std::min(u, most), 2) / 2; }), 1e-10);
+    expect_relative(s.loss, sum([&](double most) { return most * std::max(0.0, u - most); }), 1e-10);
+    expect_relative(sphere_plane_slip_cycle(radius, depth, kappa, mu, u),
+                    sum([&](double most) { return 4 * most * std::max(0.0, u - most); }), 1e-10);
+  }
+  expect_relative(sphere_plane_slip(radius, 1e-7 * radius, kappa, mu, 1.0).force,
+                  sphere_plane_sliding(radius, 1e-7 * radius, kappa, mu), 1e-6);
+  expect_refused([] { sphere_plane_slip(0.041, 0.01, 1e6, 0.0, 1e-3); }, "friction");
+}
+
 TEST(ClosedFormPendulum, penalty_bounce_eq_reference_and_energy) {
   const PenaltyBounce b = penalty_bounce(8.4103796398811258, 1e5, 5.0);
   expect_relative(b.maximum_penetration, 0.045854060997585388, kAlgebra);

@@ -94,6 +94,24 @@ SphereForce sphere_plane_contact(double radius, double depth, double stiffness);
 /// friction [-] >= 0, depth < radius. Source: derived here.
 double sphere_plane_sliding(double radius, double depth, double stiffness, double friction);
 
+/// Friction of a sphere that sticks in the middle of its patch and slides around it.
+struct SphereSlip {
+  double force = 0.0;   // [N] against the displacement
+  double energy = 0.0;  // [J] of the stretched points
+  double loss = 0.0;    // [J] of the points that slide, since the start
+};
+/// The plane is displaced by `displacement` u >= 0 [m] from where friction was none. Points stretch
+/// elastically, kappa u per area, up to friction times the pressure, kappa (R - d). For depth/R -> 0, where
+/// the depth falls by equal steps over rings of equal area:
+///   force = 2 pi R kappa (u depth - u^2/(2 mu)) up to u = mu depth, from there on pi R kappa mu depth^2.
+/// friction mu > 0. Source: derived here.
+SphereSlip sphere_plane_slip(double radius, double depth, double stiffness, double friction,
+                             double displacement);
+/// Loss [J] of a whole cycle of displacement between -amplitude and amplitude [m]:
+/// 4 pi R kappa u^3/(3 mu) up to u = mu depth. Source: derived here.
+double sphere_plane_slip_cycle(double radius, double depth, double stiffness, double friction,
+                               double amplitude);
+
 /// Bounce off a one-sided spring.
 struct PenaltyBounce {
   double maximum_penetration = 0.0;  // [m] v sqrt(m/k)
