@@ -123,8 +123,8 @@ def plate():
 def aim(renderer):
     camera = renderer.GetActiveCamera()
     camera.ParallelProjectionOn()
-    camera.SetFocalPoint(0.40, 0.0, 0.04)
-    camera.SetPosition(0.40 + 1.4, -3.0, 0.04 + 0.9)
+    camera.SetFocalPoint(0.42, 0.0, 0.06)
+    camera.SetPosition(0.42 + 1.4, -3.0, 0.06 + 0.9)
     camera.SetViewUp(0, 0, 1)
-    camera.SetParallelScale(0.52)
+    camera.SetParallelScale(0.60)
     renderer.ResetCameraClippingRange()
