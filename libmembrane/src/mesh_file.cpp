@@ -3,9 +3,13 @@
 
 #include <algorithm>
 #include <cctype>
+#include <map>
 
+#include "membrane/gmsh.hpp"
 #include "membrane/keyword.hpp"
 #include "membrane/obj.hpp"
+#include "membrane/stl.hpp"
+#include "membrane/vtk.hpp"
 #include "mesh_text.hpp"
 
 namespace membrane {
@@ -15,16 +19,26 @@ std::string location(const std::string& file, std::size_t line, std::size_t colu
   return line == 0 ? file : file + ":" + std::to_string(line) + ":" + std::to_string(column);
 }
 
-enum class Format { obj, keyword };
+enum class Format { obj, keyword, stl, vtk, gmsh };
 
-Format format_of(const std::filesystem::path& path) {
+const std::map<std::string, Format>& formats() {
+  static const std::map<std::string, Format> list = {
+      {".obj", Format::obj}, {".k", Format::keyword}, {".key", Format::keyword}, {".dyn", Format::keyword},
+      {".stl", Format::stl}, {".vtk", Format::vtk},   {".msh", Format::gmsh}};
+  return list;
+}
+
+Format format_of(const std::filesystem::path& path, const char* fault) {
   std::string ending = path.extension().string();
   std::transform(ending.begin(), ending.end(), ending.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  if (ending == ".obj") return Format::obj;
-  if (ending == ".k" || ending == ".key" || ending == ".dyn") return Format::keyword;
-  throw MeshFileError(path.string(), 0, 0, "a mesh file ends with .obj, .k, .key or .dyn");
+  const auto found = formats().find(ending);
+  if (found == formats().end()) throw MeshFileError(path.string(), 0, 0, fault);
+  return found->second;
 }
+
+constexpr const char* kRead = "a mesh file ends with .obj, .k, .key, .dyn, .stl, .vtk or .msh";
+constexpr const char* kWritten = "the name of a mesh that is written ends with .obj, .k, .key, .dyn or .stl";
 
 }  // namespace
 
@@ -33,17 +47,26 @@ MeshFileError::MeshFileError(const std::string& file, std::size_t line, std::siz
     : std::runtime_error(location(file, line, column) + ": " + message), line_(line), column_(column) {}
 
 Mesh read_mesh(const std::filesystem::path& path) {
-  const auto parse = format_of(path) == Format::obj ? parse_obj : parse_keyword;
+  static const std::map<Format, Mesh (*)(std::string_view, const std::string&)> parsers = {
+      {Format::obj, parse_obj},
+      {Format::keyword, parse_keyword},
+      {Format::stl, parse_stl},
+      {Format::vtk, parse_vtk},
+      {Format::gmsh, parse_gmsh}};
+  const auto parse = parsers.at(format_of(path, kRead));
   return parse(read_text(path), path.string());
 }
 
 void check_mesh_ending(const std::filesystem::path& path) {
-  format_of(path);
+  const Format format = format_of(path, kWritten);
+  if (format == Format::vtk || format == Format::gmsh) throw MeshFileError(path.string(), 0, 0, kWritten);
 }
 
 void write_mesh(const Mesh& mesh, const std::filesystem::path& path) {
-  const auto format = format_of(path) == Format::obj ? format_obj : format_keyword;
-  write_text(path, format(mesh));
+  check_mesh_ending(path);
+  static const std::map<Format, std::string (*)(const Mesh&)> writers = {
+      {Format::obj, format_obj}, {Format::keyword, format_keyword}, {Format::stl, format_stl}};
+  write_text(path, writers.at(format_of(path, kWritten))(mesh));
 }
 
 }  // namespace membrane

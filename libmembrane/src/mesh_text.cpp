@@ -91,6 +91,21 @@ void write_text(const std::filesystem::path& path, const std::string& text) {
   if (!written) throw MeshFileError(path.string(), 0, 0, "cannot be written");
 }
 
+std::string panel_name(std::string_view text) {
+  std::string name(text);
+  for (char& c : name)
+    if (static_cast<unsigned char>(c) <= ' ' || c == '#') c = '_';
+  return name.empty() ? "default" : name;
+}
+
+bool has_repeated(std::span<const int> corners) {
+  for (std::size_t i = 1; i < corners.size(); ++i)
+    if (std::find(corners.begin(), corners.begin() + static_cast<std::ptrdiff_t>(i), corners[i]) !=
+        corners.begin() + static_cast<std::ptrdiff_t>(i))
+      return true;
+  return false;
+}
+
 void require_finite_nodes(const Mesh& mesh) {
   if (!mesh.nodes.allFinite())
     throw std::invalid_argument("nodes: a coordinate is not finite; mesh files hold finite ones");
@@ -99,6 +114,7 @@ void require_finite_nodes(const Mesh& mesh) {
 void MeshBuilder::add_polygon(std::span<const int> corners, const std::string& panel, std::size_t line) {
   std::vector<int> c(corners.begin(), corners.end());
   if (c.size() == 4 && second_diagonal_shorter(corners)) c = {c[1], c[2], c[3], c[0]};
+  if (c.size() == 4) ++split_quads_;
   const int index = panel_index(panel);
   for (std::size_t i = 2; i < c.size(); ++i) {
     elements_.emplace_back(c[0], c[i - 1], c[i]);
@@ -130,6 +146,7 @@ Mesh MeshBuilder::finish() && {
   mesh.panel = std::move(element_panels_);
   mesh.panel_names = std::move(panel_names_);
   mesh.line = std::move(element_lines_);
+  mesh.split_quads = split_quads_;
   return mesh;
 }
 

@@ -26,6 +26,12 @@ void append_number(double value, std::string& text);
 std::string read_text(const std::filesystem::path& path);                     // throws MeshFileError
 void write_text(const std::filesystem::path& path, const std::string& text);  // throws MeshFileError
 
+/// A panel's name from a file: blanks and # become _; "default" if there is none.
+std::string panel_name(std::string_view text);
+
+/// True if a node is there twice.
+bool has_repeated(std::span<const int> corners);
+
 /// Throws std::invalid_argument unless all nodes are finite.
 void require_finite_nodes(const Mesh& mesh);
 
@@ -47,6 +53,7 @@ class MeshBuilder {
   std::vector<Eigen::Vector3d> nodes_;
   std::vector<Eigen::Vector3i> elements_;
   std::vector<int> element_panels_, element_lines_;
+  int split_quads_ = 0;
   std::vector<std::string> panel_names_;
   std::unordered_map<std::string, int> panel_of_name_;
 };

@@ -146,56 +146,6 @@ part_bad_input() {
   [ -e "$work/out" ] && fail "bad input wrote $work/out"
 }
 
-part_mesh() {
-  expect 0 "2352 elements" "$gasjet" mesh driver --out "$work/design.k" --initial "$work/open.obj"
-  expect 0 "panel vent_left: 4 elements" "$gasjet" mesh driver --out "$work/again.k" --set rings=14 --set radius=0.35
-  cmp "$work/design.k" "$work/again.k" || fail "the default options by --set give another mesh"
-  expect 1 "closed control volume: no" "$gasjet" mesh convert "$work/design.k"
-  printf '\xef\xbb\xbf' | cat - "$work/open.obj" >"$work/marked.obj"
-  tr '\n' '\r' <"$work/open.obj" >"$work/returns.obj"
-  for file in marked returns; do expect 0 "closed control volume: yes" "$gasjet" mesh convert "$work/$file.obj"; done
-  sed 's/^\(f [0-9]*\) \([0-9]*\) \([0-9]*\)/\1 \3 \2/' "$work/open.obj" >"$work/inverted.obj"
-  expect 1 "closed control volume: no" "$gasjet" mesh convert "$work/inverted.obj"
-  ln -s /dev/zero "$work/endless.obj"
-  expect 2 "endless.obj: is longer than 256 MiB" "$gasjet" mesh convert "$work/endless.obj"
-  sed 's/^g vent_left/g $vent/' "$work/open.obj" >"$work/dollar.obj"
-  expect 2 "--out .*/dollar.k: panel_names: .*; must be non-empty" "$gasjet" mesh convert "$work/dollar.obj" --out "$work/dollar.k"
-  expect 0 "closed control volume: yes" "$gasjet" mesh convert "$work/open.obj" --out "$work/open.k"
-  expect 0 "closed control volume: yes" "$gasjet" mesh convert "$work/open.k" --out "$work/back.obj"
-  cmp "$work/open.obj" "$work/back.obj" || fail "OBJ to keyword and back changed the file"
-  expect 0 "9396 elements.*volume 0.0059362" "$gasjet" mesh convert "$work/open.k" --refine 1 --null-panel vent_left --null-panel vent_right
-  expect 0 "volume 5.9362e-12" "$gasjet" mesh convert "$work/open.k" --length-unit 1e-3
-  expect 0 "10970 elements" "$gasjet" mesh passenger --out "$work/fine.obj" --refine 1 --set vent_depth_cell=5
-  expect 0 "panel attachment: 0.0075 m2" "$gasjet" check "$source/cases/driver_bag.toml"
-  expect 2 "rings = 3, allowed: 4 to 100" "$gasjet" mesh driver --out "$work/bad.k" --set rings=3
-  expect 2 "unknown option, allowed are radius" "$gasjet" mesh driver --out "$work/bad.k" --set depth=0.1
-  expect 2 "whole number" "$gasjet" mesh driver --out "$work/bad.k" --set rings=5.5
-  expect 2 "ends with .obj, .k, .key or .dyn" "$gasjet" mesh driver --out "$work/bad.stl"
-  printf '*KEYWORD\n*NODE\n1,0,0,zero\n*END\n' >"$work/number.k"
-  expect 2 "number.k:3:7: \"zero\" is not a number" "$gasjet" mesh convert "$work/number.k"
-  expect 2 "lid" "$gasjet" mesh convert "$work/open.k" --refine 1 --null-panel lid
-  expect 2 "" "$gasjet" mesh driver --out "$work/bad.k" --refine 7
-  expect 2 "lid" "$gasjet" mesh convert "$work/open.k" --null-panel lid
-  expect 2 "--initial .*would overwrite" "$gasjet" mesh driver --out "$work/bad.k" --initial "$work/./bad.k"
-  expect 2 "--out .*would overwrite" "$gasjet" mesh convert "$work/open.k" --out "$work/open.k"
-  cp -r "$source/cases/bag_from_files" "$source/cases/bag_from_files.toml" "$work"
-  expect 2 "--out .*would overwrite .*design.obj" "$gasjet" mesh case "$work/bag_from_files.toml" --out "$work/bag_from_files/design.obj"
-  expect 2 "--initial .*would overwrite .*start.obj" "$gasjet" mesh case "$work/bag_from_files.toml" --out "$work/bad.k" \
-    --initial "$work/bag_from_files/start.obj"
-  [ "$("$gasjet" check "$work/bag_from_files.toml" | grep -c 'membrane.mesh.\(initial_\)*file = ')" = 2 ] || fail "check prints a file twice"
-  for file in design start; do cmp "$work/bag_from_files/$file.obj" "$source/cases/bag_from_files/$file.obj" || fail "$file.obj changed"; done
-  expect 2 "ends with .obj" "$gasjet" mesh driver --out "$work/bad.k" --initial "$work/bad.xyz"
-  expect 2 "open.k:[0-9]+:1: mesh: the element has no area" "$gasjet" mesh convert "$work/open.k" --out "$work/bad.k" --length-unit 1e-300
-  printf 'v 0 0 0\nv 1e-80 0 0\nv 0 1e-80 0\nf 1 2 3\n' >"$work/small.obj" # squares of a fine mesh's areas underflow
-  expect 2 "small.obj: element [0-9]+: its area is zero" "$gasjet" mesh convert "$work/small.obj" --out "$work/bad.k" --refine 5
-  expect 2 "open.k:[0-9]+:1: mesh: the element has no area" "$gasjet" mesh convert "$work/open.k" --length-unit 1e120
-  for unit in inf 0 mm; do expect 2 "$unit: a finite number above 0 is allowed" "$gasjet" mesh convert "$work/open.k" --length-unit $unit; done
-  sed '$d' "$work/open.obj" >"$work/hole.obj" # the last element, f 791 792 838, has the side 791-838 with that of the line above
-  expect 1 "3 boundary edges.* nodes 791-838 of elements in lines 3535;" "$gasjet" mesh convert "$work/hole.obj"
-  expect 2 "--out.*is empty" "$gasjet" mesh driver --out ""
-  for file in bad.k bad.stl; do [ -e "$work/$file" ] && fail "bad input wrote $file"; done
-}
-
 part_interrupt() {
   "$gasjet" run "$source/cases/passenger_pendulum_no_jet.toml" --out "$work/stopped" --set scene.end_time=100 \
     >"$work/log" 2>&1 </dev/null &
@@ -275,7 +225,7 @@ part_exact() {
   expect 2 "no_such_parameter" "$gasjet" exact "$name" --set no_such_parameter=1
 }
 
-for family in compare cost faults identify ladder report study; do
+for family in compare cost faults identify ladder mesh report study; do
   # shellcheck source=/dev/null
   source "$(dirname "${BASH_SOURCE[0]}")/command_$family.sh"
 done

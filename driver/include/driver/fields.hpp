@@ -12,6 +12,9 @@
 
 namespace driver {
 
+/// A mesh as VTK XML text, with the number of each element's panel.
+std::string polydata_of(const membrane::Mesh& mesh);
+
 /// Writes the field files.
 /// - bag_*.vtp: nodes with velocity; elements with panel, larger principal stress [Pa] and strain,
 ///   overpressure of gas and jets together and of the jets alone [Pa], and jet mask (0 outside, 1 in a jet

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,10 +14,10 @@
 namespace driver::commands {
 
 inline constexpr int exit_done = 0;
-inline constexpr int exit_outside = 1;    // compare: outside the band; mesh convert: no closed control volume
-inline constexpr int exit_input = 2;      // the command line or an input is wrong; nothing written
-inline constexpr int exit_domain = 3;     // the computation left its domain; what was computed is kept
-inline constexpr int exit_undecided = 4;  // compare, ladder: neither inside nor outside can be said
+inline constexpr int exit_outside = 1;        // compare: outside the band
+inline constexpr int exit_input = 2;          // the command line or an input is wrong; nothing written
+inline constexpr int exit_domain = 3;         // the computation left its domain; what was computed is kept
+inline constexpr int exit_undecided = 4;      // compare, ladder: neither inside nor outside can be said
 inline constexpr int exit_interrupted = 130;  // Ctrl-C, as shells report it; what was computed is kept
 
 int exit_code(Verdict verdict);
@@ -97,8 +98,11 @@ struct CostArguments {
 int cost(const CostArguments& arguments);
 
 struct MeshArguments {
-  std::filesystem::path file;            // to convert, or a case
+  std::filesystem::path file;            // to convert, or a case, or the results of a run
+  double time = 0.0;                     // of those results [s]
   double length_unit = 1.0;              // of that file [m]
+  std::optional<double> merge;           // join nodes at most so far apart [m]
+  bool report = false;                   // an open or inside-out surface is no error
   std::vector<std::string> null_panels;  // of that file
   std::filesystem::path out;             // design shape, format by the ending; or empty
   std::filesystem::path initial;         // initial shape, or empty
@@ -109,6 +113,7 @@ int mesh_driver(const MeshArguments& arguments);
 int mesh_passenger(const MeshArguments& arguments);
 int mesh_convert(const MeshArguments& arguments);
 int mesh_of_case(const MeshArguments& arguments);
+int mesh_of_state(const MeshArguments& arguments);
 
 struct ExactArguments {
   std::string name;

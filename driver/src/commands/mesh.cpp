@@ -6,10 +6,14 @@
 
 #include "commands/commands.hpp"
 #include "driver/case_reader.hpp"
+#include "driver/fields.hpp"
+#include "driver/result_folder.hpp"
 #include "driver/results.hpp"
 #include "driver/scene.hpp"
-#include "membrane/mesh_file.hpp"
+#include "membrane/merge.hpp"
 #include "membrane/surface_check.hpp"
+#include "mesh_files/mesh_reader.hpp"
+#include "results/bag_shape.hpp"
 #include "scene/bag_mesh.hpp"
 
 namespace driver::commands {
@@ -69,8 +73,7 @@ void check_quality(const BagMesh& bag, const std::filesystem::path& file) {
   }
 }
 
-// True if the surface is a closed control volume.
-bool print_report(const BagMesh& bag) {
+void print_report(const BagMesh& bag) {
   const membrane::Mesh& mesh = bag.mesh;
   fmt::print("{} elements, {} nodes, volume {:.5g} m3\n", mesh.element_count(), mesh.node_count(),
              membrane::enclosed_volume(bag.shape(), mesh.elements));
@@ -85,7 +88,6 @@ bool print_report(const BagMesh& bag) {
     fmt::print("strap anchors: nodes {} and {}\n", back, front);
   const auto faults = membrane::check_closed_surface(bag.shape(), mesh.elements).describe(mesh.line);
   fmt::print("{}", faults.empty() ? "closed control volume: yes\n" : "closed control volume: no\n" + faults);
-  return faults.empty();
 }
 
 // What the format cannot hold is a fault of the option that names the file.
@@ -112,8 +114,7 @@ void check_outputs(const MeshArguments& arguments) {
     if (!file.empty()) membrane::check_mesh_ending(file);
 }
 
-// True if the surface is a closed control volume.
-bool finish(BagMesh bag, const MeshArguments& arguments, const std::vector<std::string>& null_panels) {
+void finish(BagMesh bag, const MeshArguments& arguments, const std::vector<std::string>& null_panels) {
   try {
     check_outputs(arguments);
     for (const auto& name : null_panels) membrane::panel_elements(bag.mesh, name);  // refuses an unknown name
@@ -123,7 +124,30 @@ bool finish(BagMesh bag, const MeshArguments& arguments, const std::vector<std::
   } catch (const membrane::MeshFileError& error) {
     throw OutputError(error.what());
   }
-  return print_report(bag);
+  print_report(bag);
+}
+
+// What the file had, and what merging makes of it.
+void print_reading(membrane::Mesh& mesh, const MeshArguments& arguments) {
+  if (mesh.split_quads > 0)
+    fmt::print("quads split in two along their shorter diagonal: {}\n", mesh.split_quads);
+  if (!arguments.merge) return;
+  const auto merged = membrane::merge_nodes(mesh, *arguments.merge);
+  fmt::print("nodes merged within {:g} m: {}\n", *arguments.merge, merged.nodes);
+  if (merged.elements > 0)
+    fmt::print("elements left out, two of whose corners became one: {}\n", merged.elements);
+  if (mesh.element_count() == 0)
+    throw CaseError(fmt::format("--merge {:g} leaves no element", *arguments.merge));
+}
+
+// Before anything is written.
+void require_control_volume(const BagMesh& bag, const MeshArguments& arguments) {
+  const auto report = membrane::check_closed_surface(bag.shape(), bag.mesh.elements);
+  if (report.ok()) return;
+  throw CaseError(
+      fmt::format("{}: is no closed control volume, and nothing is written; allowed: a closed "
+                  "surface that is wound outward, or --report\n{}",
+                  arguments.file.string(), report.describe(bag.mesh.line)));
 }
 
 // Errors of the library in what was asked for are errors of the command line.
@@ -160,10 +184,13 @@ int mesh_passenger(const MeshArguments& arguments) {
 
 int mesh_convert(const MeshArguments& arguments) {
   return reported([&] {
-    BagMesh bag{membrane::read_mesh(arguments.file), std::nullopt, {}};
+    BagMesh bag{read_any_mesh(arguments.file), std::nullopt, {}};
     bag.mesh.nodes *= arguments.length_unit;
+    print_reading(bag.mesh, arguments);
     require_areas(bag.mesh, arguments.file);
-    return finish(std::move(bag), arguments, arguments.null_panels) ? exit_done : exit_outside;
+    if (!arguments.report) require_control_volume(bag, arguments);
+    finish(std::move(bag), arguments, arguments.null_panels);
+    return exit_done;
   });
 }
 
@@ -175,6 +202,27 @@ int mesh_of_case(const MeshArguments& arguments) {
   if (!scene.bag) throw CaseError(fmt::format("{}: the scene has no membrane", arguments.file.string()));
   finish({scene.bag->mesh, scene.bag->initial_position, {}}, arguments, {});
   return exit_done;
+}
+
+int mesh_of_state(const MeshArguments& arguments) {
+  return reported([&] {
+    const bool is_vtp = arguments.out.extension() == ".vtp";
+    if (!is_vtp) membrane::check_mesh_ending(arguments.out);
+    const BagShape shape = read_bag_shape(arguments.file, arguments.time);
+    refuse_same_file("--out", arguments.out, {arguments.file / shape.file});
+    fmt::print("time {} s, of {}\n", shape.time, shape.file);
+    if (shape.error > 0.0) fmt::print("coordinates are off by {:.2g} m at most\n", shape.error);
+    try {
+      if (is_vtp)
+        replace_file(arguments.out, polydata_of(shape.mesh));
+      else
+        write_as("--out", shape.mesh, arguments.out);
+    } catch (const membrane::MeshFileError& error) {
+      throw OutputError(error.what());
+    }
+    print_report({shape.mesh, std::nullopt, {}});
+    return exit_done;
+  });
 }
 
 }  // namespace driver::commands

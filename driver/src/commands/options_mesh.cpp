@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "commands/options_mesh.hpp"
 
+#include <string>
+
 #include "commands/validators.hpp"
+#include "mesh_files/mesh_reader.hpp"
 
 namespace driver::commands {
 
@@ -11,9 +14,20 @@ void add_mesh(CLI::App& app, MeshArguments& arguments) {
   auto* bag =
       mesh->add_subcommand("driver", "driver bag: two discs sewn at the rim, attachment, vents, tethers");
   auto* passenger = mesh->add_subcommand("passenger", "passenger bag: main and side panels, one vent");
-  auto* convert = mesh->add_subcommand("convert", "read a mesh file; write it in the format of --out");
+  auto* convert =
+      mesh->add_subcommand("convert", "read a mesh file, say what it holds; write it in the format of --out");
   auto* of_case = mesh->add_subcommand("case", "write the mesh that a case runs with");
-  const char* formats = ".obj, or LS-DYNA keyword .k, .key, .dyn";
+  auto* state = mesh->add_subcommand("state", "write the shape of a run's bag at one time");
+  state->add_option("RESULTS", arguments.file, "folder of `gasjet run`")->required();
+  state->add_option("--time", arguments.time, "of the kept shapes, the nearest is taken [s]")
+      ->required()
+      ->check(not_negative);
+  state
+      ->add_option("--out", arguments.out,
+                   "file to write: .obj, .stl, .vtp, or LS-DYNA keyword .k, .key, .dyn")
+      ->required()
+      ->check(named);
+  const char* formats = ".obj, .stl, or LS-DYNA keyword .k, .key, .dyn";
   bag->add_option("--out", arguments.out, std::string("design shape, ") + formats)->required()->check(named);
   bag->add_option("--initial", arguments.initial, "initial shape, of the same formats")->check(named);
   of_case->add_option("CASE", arguments.file, "case file (TOML)")->required();
@@ -22,7 +36,9 @@ void add_mesh(CLI::App& app, MeshArguments& arguments) {
     command->add_option("--out", arguments.out, std::string("design shape, ") + formats)
         ->required()
         ->check(named);
-  convert->add_option("FILE", arguments.file, formats)->required();
+  convert->add_option("FILE", arguments.file, mesh_endings)->required();
+  convert->add_option("--merge", arguments.merge, "join nodes at most so far apart [m]")->check(not_negative);
+  convert->add_flag("--report", arguments.report, "report only: an open or inside-out surface is no error");
   convert->add_option("--out", arguments.out, "file to write; without it the report only")->check(named);
   convert->add_option("--length-unit", arguments.length_unit, "length unit of FILE [m]")->check(positive);
   convert->add_option("--null-panel", arguments.null_panels, "panel that closes a hole; may be repeated")
@@ -40,6 +56,7 @@ void add_mesh(CLI::App& app, MeshArguments& arguments) {
 int dispatch_mesh(const CLI::App& mesh, const MeshArguments& arguments) {
   if (mesh.got_subcommand("driver")) return mesh_driver(arguments);
   if (mesh.got_subcommand("case")) return mesh_of_case(arguments);
+  if (mesh.got_subcommand("state")) return mesh_of_state(arguments);
   return mesh.got_subcommand("passenger") ? mesh_passenger(arguments) : mesh_convert(arguments);
 }
 

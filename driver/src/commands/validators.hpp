@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <cmath>
+#include <limits>
 #include <string>
 
 namespace driver::commands {
@@ -26,6 +27,9 @@ inline CLI::Validator within(double low, double high, const std::string& allowed
   };
   return {fault, ""};
 }
+
+inline const CLI::Validator not_negative =
+    within(0.0, std::numeric_limits<double>::max(), "a finite number from 0");
 
 inline CLI::Validator not_empty(const std::string& needed) {
   const std::string fault = "is empty, " + needed + " is needed";

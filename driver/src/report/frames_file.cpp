@@ -74,12 +74,11 @@ std::string thinned(const std::string& frames, std::size_t size, std::size_t mos
 
 }  // namespace
 
-Json read_frames(const std::filesystem::path& file, std::size_t most_bytes) {
-  if (std::error_code ignored; !std::filesystem::exists(file, ignored)) return {};
+Frames load_frames(const std::filesystem::path& file) {
   std::ifstream stream(file, std::ios::binary);
   std::string line;
   std::getline(stream, line);
-  const std::string frames{std::istreambuf_iterator<char>(stream), {}};
+  std::string frames{std::istreambuf_iterator<char>(stream), {}};
   const auto fail = [&](const std::string& message) { throw CaseError(file.string() + ": " + message); };
   Json header = Json::parse(line, nullptr, false);
   if (!header.is_object() || header.value("file", Json()) != frames_file ||
@@ -90,12 +89,18 @@ Json read_frames(const std::filesystem::path& file, std::size_t most_bytes) {
   } catch (const Json::exception&) {
     fail("its header lacks what this gasjet needs");
   }
-  const auto size = header["frame_bytes"].get<std::size_t>();
-  const std::string kept = thinned(frames, size, most_bytes);
-  return {{"header", std::move(header)},
+  return {std::move(header), std::move(frames)};
+}
+
+Json read_frames(const std::filesystem::path& file, std::size_t most_bytes) {
+  if (std::error_code ignored; !std::filesystem::exists(file, ignored)) return {};
+  Frames frames = load_frames(file);
+  const auto size = frames.header["frame_bytes"].get<std::size_t>();
+  const std::string kept = thinned(frames.data, size, most_bytes);
+  return {{"header", std::move(frames.header)},
           {"data", base64(kept)},
           {"count", kept.size() / size},
-          {"total", frames.size() / size}};
+          {"total", frames.data.size() / size}};
 }
 
 }  // namespace driver

@@ -105,6 +105,21 @@ std::string pendulum_polydata(const std::string& first, const Scene& scene, cons
 
 }  // namespace
 
+std::string polydata_of(const membrane::Mesh& mesh) {
+  std::string out =
+      "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"LittleEndian\">\n";
+  fmt::format_to(std::back_inserter(out),
+                 "<PolyData>\n<Piece NumberOfPoints=\"{}\" NumberOfPolys=\"{}\">\n<Points>\n",
+                 mesh.node_count(), mesh.element_count());
+  data_array(out, "Points", 3, mesh.node_count(), [&](int n, int c) { return mesh.nodes(c, n); });
+  out += "</Points>\n";
+  connectivity(out, mesh);
+  out += "<CellData>\n";
+  data_array(out, "panel", 1, mesh.element_count(),
+             [&](int e, int) { return mesh.panel[static_cast<std::size_t>(e)]; });
+  return out + "</CellData>\n</Piece>\n</PolyData>\n</VTKFile>\n";
+}
+
 FieldWriter::FieldWriter(ResultFolder& folder, const Scene& scene) : folder_(folder), scene_(scene) {}
 
 bool FieldWriter::is_own(const std::string& name) {

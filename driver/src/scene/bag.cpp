@@ -6,8 +6,8 @@
 #include <random>
 
 #include "membrane/icosphere.hpp"
-#include "membrane/mesh_file.hpp"
 #include "membrane/surface_check.hpp"
+#include "mesh_files/mesh_reader.hpp"
 #include "scene/bag_mesh.hpp"
 #include "scene/parts.hpp"
 
@@ -27,7 +27,7 @@ BagMesh generate_with(TableReader& table) {
 membrane::Mesh read_mesh_file(const TableReader& table, const char* key, const std::filesystem::path& file,
                               double unit) {
   try {
-    membrane::Mesh mesh = membrane::read_mesh(file);
+    membrane::Mesh mesh = read_any_mesh(file);
     mesh.nodes *= unit;
     return mesh;
   } catch (const membrane::MeshFileError& error) {
@@ -48,8 +48,8 @@ BagMesh mesh_of_files(TableReader& table) {
   require_areas(source.mesh, file);
   const auto report = membrane::check_closed_surface(source.shape(), source.mesh.elements);
   if (!report.ok())
-    throw CaseError(fmt::format("{}:{}:1: mesh: is not a closed control volume: {}", file.string(),
-                                source.mesh.line[static_cast<std::size_t>(report.first_element())],
+    throw CaseError(fmt::format("{}: mesh: is not a closed control volume: {}",
+                                place_of_element(source.mesh, file, report.first_element()),
                                 report.describe(source.mesh.line)));
   return source;
 }

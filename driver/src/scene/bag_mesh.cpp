@@ -59,14 +59,20 @@ std::vector<std::string> vent_panels(const membrane::Mesh& mesh) {
   return names;
 }
 
+std::string place_of_element(const membrane::Mesh& mesh, const std::filesystem::path& file, int element) {
+  if (mesh.line.empty()) return file.string();
+  return fmt::format("{}:{}:1", file.string(), mesh.line[static_cast<std::size_t>(element)]);
+}
+
 void require_areas(const membrane::Mesh& mesh, const std::filesystem::path& file) {
   for (Eigen::Index e = 0; e < mesh.elements.cols(); ++e) {
     const Eigen::Vector3d a = mesh.nodes.col(mesh.elements(0, e));
     if (membrane::has_area(mesh.nodes.col(mesh.elements(1, e)) - a, mesh.nodes.col(mesh.elements(2, e)) - a))
       continue;
-    throw CaseError(fmt::format(
-        "{}:{}:1: mesh: the element has no area that a number holds, corners off one line are allowed",
-        file.string(), mesh.line[static_cast<std::size_t>(e)]));
+    throw CaseError(
+        fmt::format("{}: mesh: {} has no area that a number holds, corners off one line are allowed",
+                    place_of_element(mesh, file, static_cast<int>(e)),
+                    mesh.line.empty() ? fmt::format("element {}", e) : "the element"));
   }
 }
 

@@ -38,6 +38,8 @@ BagMesh generate(const membrane::DriverBagOptions& options);
 /// Names of the panels that begin with "vent": the generators' null panels.
 std::vector<std::string> vent_panels(const membrane::Mesh& mesh);
 
+/// `file:line:1` of an element, or `file` if the mesh has no lines.
+std::string place_of_element(const membrane::Mesh& mesh, const std::filesystem::path& file, int element);
 /// Throws CaseError at the line of the first element without area of a mesh read from `file`.
 void require_areas(const membrane::Mesh& mesh, const std::filesystem::path& file);
 /// Throws std::invalid_argument if `times` refinements of so many elements may make more than

@@ -17,6 +17,7 @@ struct Mesh {
   std::vector<std::string> panel_names;  // one name per panel, unique
   /// [M] line of each element in its file, from 1, for messages; empty if the mesh was not read.
   std::vector<int> line;
+  int split_quads = 0;  // quads of the file, each two elements here
 
   /// N
   int node_count() const { return static_cast<int>(nodes.cols()); }

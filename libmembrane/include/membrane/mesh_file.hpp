@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Mesh files by the end of their name: Wavefront OBJ (.obj) and LS-DYNA keyword (.k, .key, .dyn).
+// Mesh files by the end of their name: Wavefront OBJ (.obj), LS-DYNA keyword (.k, .key, .dyn), STL text
+// (.stl), legacy VTK (.vtk) and Gmsh (.msh). The last two are read, not written.
 #pragma once
 
 #include <cstddef>
@@ -28,12 +29,13 @@ class MeshFileError : public std::runtime_error {
 /// [bytes] Some four million elements; no longer file is read.
 inline constexpr std::size_t largest_mesh_file = std::size_t{256} << 20;
 
-/// Reads a mesh, lengths in metres, by parse_obj or parse_keyword (obj.hpp, keyword.hpp). Throws
+/// Reads a mesh, lengths in metres, by the parsers of obj.hpp, keyword.hpp, stl.hpp, vtk.hpp and
+/// gmsh.hpp. Throws
 /// MeshFileError for another ending, a file that cannot be read or is too long, and whatever the parsers
 /// refuse.
 Mesh read_mesh(const std::filesystem::path& path);
 
-/// Throws MeshFileError (line 0) if the name has another ending than those above.
+/// Throws MeshFileError (line 0) if the name has no ending of a format that is written.
 void check_mesh_ending(const std::filesystem::path& path);
 
 /// Writes a mesh, format by the ending as above: the whole file, or what was there stays. Throws

@@ -122,7 +122,7 @@ TEST(Keyword, files_go_by_their_ending) {
     meshes::expect_same_bits(membrane::read_mesh(folder / name), mesh);
     std::filesystem::remove(folder / name);
   }
-  EXPECT_THROW(membrane::write_mesh(mesh, folder / "gasjet_test.stl"), MeshFileError);
+  EXPECT_THROW(membrane::write_mesh(mesh, folder / "gasjet_test.vtk"), MeshFileError);
   EXPECT_THROW(membrane::read_mesh("no/such/file.k"), MeshFileError);
   EXPECT_THROW(membrane::read_mesh(folder), MeshFileError);
   EXPECT_THROW(membrane::write_mesh(mesh, "no/such/folder/bag.k"), MeshFileError);

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+// The bag of a run at one time, from the files of its results.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "membrane/mesh.hpp"
+
+namespace driver {
+
+/// A shape that a run kept.
+struct BagShape {
+  membrane::Mesh mesh;  // elements as in the run; panels are called panel_0, panel_1, ...
+  double time = 0.0;    // [s]
+  std::string file;     // of the results that it is from
+  /// [m] Coordinates are off by this at most; 0 for the doubles of fields.pvd.
+  double error = 0.0;
+};
+
+/// Shape of the kept time that is nearest to `time` [s]: of fields.pvd if the run wrote it, else of
+/// frames.bin. Throws CaseError for a folder without either, a file that is damaged, a run that has not
+/// ended, and a time before the first or after the last one.
+BagShape read_bag_shape(const std::filesystem::path& results, double time);
+
+}  // namespace driver

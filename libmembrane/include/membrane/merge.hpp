@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+// Nodes that lie on each other become one.
+#pragma once
+
+#include "membrane/mesh.hpp"
+
+namespace membrane {
+
+/// What merging did.
+struct MergeReport {
+  int nodes = 0;     // nodes that are gone
+  int elements = 0;  // elements that are gone, because two of their corners became one
+};
+
+/// Joins each node to the first node before it that is at most `tolerance` [m] away and stays; 0 joins nodes
+/// of equal coordinates. Elements with two corners in one are left out, and panels keep their numbers. The
+/// order of nodes and elements stays. Throws std::invalid_argument for a tolerance that is negative or not
+/// finite, and for a node that is not finite or too far away for the tolerance: 2^52 times of it.
+MergeReport merge_nodes(Mesh& mesh, double tolerance);
+
+/// The mesh without the nodes that no element uses.
+Mesh used_nodes(Mesh mesh);
+
+}  // namespace membrane

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+// Legacy VTK text: polydata and unstructured grids.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "membrane/mesh_file.hpp"
+
+namespace membrane {
+
+/// Reads legacy VTK text (versions 1 to 5.1, ASCII) with a DATASET of POLYDATA or UNSTRUCTURED_GRID; lengths
+/// are taken as they stand. `name` is the file's name in messages.
+/// - Cells are triangles, quads (also pixels) and polygons of 3 or 4 corners. Vertices and lines are skipped.
+/// - Panels are the values of the first whole-number array with one component in CELL_DATA, named
+///   <array>_<value>; without one there is the panel "default".
+/// - Nodes that no cell uses are left out.
+///
+/// Throws MeshFileError, with line and column, for binary files, other datasets and cells, node numbers out
+/// of range, counts that disagree and numbers that are not finite.
+Mesh parse_vtk(std::string_view text, const std::string& name);
+
+}  // namespace membrane

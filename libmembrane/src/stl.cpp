@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "membrane/stl.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <map>
+#include <stdexcept>
+
+#include "mesh_text.hpp"
+#include "mesh_tokens.hpp"
+
+namespace membrane {
+namespace {
+
+class StlParser {
+ public:
+  StlParser(std::string_view text, const std::string& name) : words_(text, name) {}
+
+  Mesh parse() {
+    while (!words_.at_end()) solid();
+    if (mesh_.empty()) throw MeshFileError(words_.name(), 0, 0, "the file has no facets");
+    return std::move(mesh_).finish();
+  }
+
+ private:
+  void solid() {
+    words_.expect("solid");
+    panel_ = panel_name(words_.rest_of_line());
+    while (true) {
+      const MeshWord word = words_.word("facet or endsolid");
+      if (word.text == "endsolid") break;
+      if (word.text != "facet")
+        words_.fail(word, shown(word.text) + " stands where facet or endsolid is needed");
+      facet(word);
+    }
+    words_.rest_of_line();
+  }
+
+  void facet(const MeshWord& begin) {
+    words_.expect("normal");
+    // Some programs write nan for a normal that they cannot compute.
+    for (int i = 0; i < 3; ++i) words_.word("a component of the normal");
+    words_.expect("outer");
+    words_.expect("loop");
+    std::array<int, 3> corners{};
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      const MeshWord vertex = words_.expect("vertex");
+      corners[i] = node();
+      if (std::find(corners.begin(), corners.begin() + static_cast<std::ptrdiff_t>(i), corners[i]) !=
+          corners.begin() + static_cast<std::ptrdiff_t>(i))
+        words_.fail(vertex, "the facet has this corner twice");
+    }
+    const MeshWord end = words_.word("endloop");
+    if (end.text == "vertex") words_.fail(end, "a facet has three corners; this is the fourth");
+    if (end.text != "endloop") words_.fail(end, shown(end.text) + " stands where endloop is needed");
+    words_.expect("endfacet");
+    mesh_.add_polygon(corners, panel_, begin.line);
+  }
+
+  int node() {
+    std::array<double, 3> x{};
+    for (double& coordinate : x) coordinate = words_.number("a coordinate") + 0.0;  // -0 and 0 are one number
+    const auto [place, is_new] = nodes_.try_emplace(x, mesh_.node_count());
+    if (is_new) mesh_.add_node({x[0], x[1], x[2]});
+    return place->second;
+  }
+
+  TokenReader words_;
+  MeshBuilder mesh_;
+  std::map<std::array<double, 3>, int> nodes_;
+  std::string panel_;
+};
+
+}  // namespace
+
+bool is_stl_text(std::string_view bytes) {
+  return bytes.starts_with("solid") && bytes.find('\0') == std::string_view::npos;
+}
+
+Mesh parse_stl(std::string_view text, const std::string& name) {
+  return StlParser(text, name).parse();
+}
+
+std::string format_stl(const Mesh& mesh) {
+  require_finite_nodes(mesh);
+  std::string text;
+  const auto row = [&](const char* word, const Eigen::Vector3d& x) {
+    text += word;
+    for (const double value : x) {
+      text += ' ';
+      append_number(value, text);
+    }
+    text += '\n';
+  };
+  for (std::size_t panel = 0; panel < mesh.panel_names.size(); ++panel) {
+    const std::string& name = mesh.panel_names[panel];
+    if (panel_name(name) != name)
+      throw std::invalid_argument("panel_names: \"" + name +
+                                  "\"; in STL a name must be non-empty, without blanks and #");
+    text += "solid " + name + "\n";
+    for (int e = 0; e < mesh.element_count(); ++e) {
+      if (mesh.panel.at(static_cast<std::size_t>(e)) != static_cast<int>(panel)) continue;
+      const Eigen::Vector3d a = mesh.nodes.col(mesh.elements(0, e)), b = mesh.nodes.col(mesh.elements(1, e)),
+                            c = mesh.nodes.col(mesh.elements(2, e));
+      row("facet normal", Eigen::Vector3d((b - a).cross(c - a).normalized()));
+      text += "outer loop\n";
+      for (const auto& x : {a, b, c}) row("vertex", x);
+      text += "endloop\nendfacet\n";
+    }
+    text += "endsolid " + name + "\n";
+  }
+  return text;
+}
+
+}  // namespace membrane

@@ -1,0 +1,282 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "membrane/vtk.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <vector>
+
+#include "membrane/merge.hpp"
+#include "mesh_text.hpp"
+#include "mesh_tokens.hpp"
+
+namespace membrane {
+namespace {
+
+std::string upper_case(std::string_view text) {
+  std::string result(text);
+  std::transform(result.begin(), result.end(), result.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+  return result;
+}
+
+bool is_whole_number_type(const std::string& type) {
+  static constexpr std::array<std::string_view, 12> types = {
+      "BIT", "UNSIGNED_CHAR", "CHAR", "UNSIGNED_SHORT", "SHORT",        "UNSIGNED_INT",
+      "INT", "UNSIGNED_LONG", "LONG", "VTKIDTYPE",      "VTKTYPEINT64", "VTKTYPEUINT64"};
+  return std::find(types.begin(), types.end(), type) != types.end();
+}
+
+struct Cell {
+  std::vector<long long> nodes;
+  std::size_t line, column;
+  int type;  // of VTK; 0: a polygon
+};
+
+class VtkParser {
+ public:
+  VtkParser(std::string_view text, const std::string& name) : words_(text, name) {}
+
+  Mesh parse() {
+    header();
+    while (!words_.at_end()) section();
+    return build();
+  }
+
+ private:
+  enum class Attributes { none, cells, points };
+
+  void header() {
+    const MeshWord begin = words_.peek("# vtk DataFile Version");
+    if (!words_.rest_of_line().starts_with("# vtk DataFile Version"))
+      words_.fail(begin, "a legacy VTK file begins with # vtk DataFile Version");
+    words_.next_line();
+    words_.rest_of_line();  // the title
+    const MeshWord format = words_.word("ASCII");
+    if (upper_case(format.text) != "ASCII")
+      words_.fail(format, shown(format.text) + " is not read here; write the file as ASCII");
+    const MeshWord dataset = words_.word("DATASET");
+    const MeshWord kind = words_.word("POLYDATA or UNSTRUCTURED_GRID");
+    const std::string type = upper_case(kind.text);
+    if (upper_case(dataset.text) != "DATASET" || (type != "POLYDATA" && type != "UNSTRUCTURED_GRID"))
+      words_.fail(kind,
+                  shown(kind.text) + " is not read here; allowed: DATASET POLYDATA or UNSTRUCTURED_GRID");
+  }
+
+  void section() {
+    const MeshWord word = words_.word("a section");
+    const std::string key = upper_case(word.text);
+    if (key == "POINTS") return points(word);
+    if (key == "POLYGONS" || key == "CELLS") return cells(word, key);
+    if (key == "CELL_TYPES") return types(word);
+    if (key == "VERTICES" || key == "LINES") return skip_cells();
+    if (key == "CELL_DATA") return begin_attributes(word, Attributes::cells, polygons_.size() + skipped_);
+    if (key == "POINT_DATA") return begin_attributes(word, Attributes::points, points_.size());
+    if (key == "SCALARS") return scalars(word);
+    if (key == "FIELD") return field();
+    if (key == "METADATA") return metadata();
+    if (key == "VECTORS" || key == "NORMALS") return skip_named(3);
+    if (key == "TENSORS") return skip_named(9);
+    if (key == "TEXTURE_COORDINATES") return skip_dimensioned(true);
+    if (key == "COLOR_SCALARS") return skip_dimensioned(false);
+    if (key == "LOOKUP_TABLE") return skip_table();
+    words_.fail(word, shown(word.text) + " is not a section read here");
+  }
+
+  void points(const MeshWord& at) {
+    if (!points_.empty()) words_.fail(at, "the points are there already");
+    const std::size_t count = words_.count("the number of points");
+    words_.word("the type of the points");
+    for (std::size_t i = 0; i < count; ++i) {
+      const double x = words_.number("x"), y = words_.number("y"), z = words_.number("z");
+      points_.push_back({x, y, z});
+    }
+  }
+
+  long long node() { return words_.integer("a node", 0, static_cast<long long>(points_.size()) - 1); }
+
+  void cells(const MeshWord& at, const std::string& key) {
+    if (points_.empty()) words_.fail(at, shown(at.text) + " stands before the points");
+    if (!polygons_.empty()) words_.fail(at, "the cells are there already");
+    are_typed_ = key == "CELLS";
+    const std::size_t count = words_.count("the number of cells"),
+                      size = words_.count("the size of the list");
+    if (upper_case(words_.peek("the cells").text) == "OFFSETS") return offsets(count, size);
+    std::size_t read = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+      const MeshWord place = words_.peek("a cell");
+      const auto corners =
+          static_cast<std::size_t>(words_.integer("the number of corners", 0, static_cast<long long>(size)));
+      Cell cell{{}, place.line, place.column, 0};
+      for (std::size_t k = 0; k < corners; ++k) cell.nodes.push_back(node());
+      read += corners + 1;
+      polygons_.push_back(std::move(cell));
+    }
+    if (read != size)
+      words_.fail(at, "the cells have " + std::to_string(read) + " numbers, not the " + std::to_string(size) +
+                          " announced");
+  }
+
+  // Version 5: where each cell begins, then the nodes of all.
+  void offsets(std::size_t count, std::size_t size) {
+    words_.word("OFFSETS");
+    words_.word("the type of the offsets");
+    std::vector<long long> begin;
+    for (std::size_t i = 0; i < count; ++i)
+      begin.push_back(
+          words_.integer("an offset", begin.empty() ? 0 : begin.back(), static_cast<long long>(size)));
+    const MeshWord at = words_.word("CONNECTIVITY");
+    if (upper_case(at.text) != "CONNECTIVITY")
+      words_.fail(at, shown(at.text) + " stands where CONNECTIVITY is needed");
+    words_.word("the type of the connectivity");
+    if (count == 0 || begin.front() != 0 || begin.back() != static_cast<long long>(size))
+      words_.fail(at, "the offsets do not go from 0 to the number of nodes, " + std::to_string(size));
+    for (std::size_t i = 0; i + 1 < count; ++i) {
+      const MeshWord place = words_.peek("a cell");
+      Cell cell{{}, place.line, place.column, 0};
+      for (auto k = begin[i]; k < begin[i + 1]; ++k) cell.nodes.push_back(node());
+      polygons_.push_back(std::move(cell));
+    }
+  }
+
+  void types(const MeshWord& at) {
+    const std::size_t count = words_.count("the number of cells");
+    if (!are_typed_ || count != polygons_.size())
+      words_.fail(at, std::to_string(count) + " types for " + std::to_string(polygons_.size()) + " cells");
+    for (Cell& cell : polygons_) cell.type = static_cast<int>(words_.integer("the type of a cell", 0, 100));
+    has_types_ = true;
+  }
+
+  void skip_cells() {
+    const std::size_t count = words_.count("the number of cells"),
+                      size = words_.count("the size of the list");
+    const bool has_offsets = size > 0 && upper_case(words_.peek("the cells").text) == "OFFSETS";
+    skip(size + (has_offsets ? count + 4 : 0));
+    skipped_ += has_offsets ? count - (count > 0 ? 1 : 0) : count;
+  }
+
+  void skip(std::size_t words) {
+    for (std::size_t i = 0; i < words; ++i) words_.word("a value");
+  }
+
+  void begin_attributes(const MeshWord& at, Attributes attributes, std::size_t expected) {
+    attributes_ = attributes;
+    count_ = words_.count("the number of values");
+    if (count_ != expected)
+      words_.fail(at, std::to_string(count_) + " values for " + std::to_string(expected) +
+                          (attributes == Attributes::cells ? " cells" : " points"));
+  }
+
+  void scalars(const MeshWord& at) {
+    if (attributes_ == Attributes::none) words_.fail(at, "SCALARS stands before CELL_DATA and POINT_DATA");
+    const std::string name = panel_name(words_.word("a name").text);
+    const std::string type = upper_case(words_.word("a type").text);
+    const std::string_view rest = words_.rest_of_line();
+    const std::size_t components = rest.empty() ? 1 : rest == "1" ? 1 : rest == "2" ? 2 : rest == "3" ? 3 : 4;
+    if (upper_case(words_.peek("the values").text) == "LOOKUP_TABLE") skip(2);
+    values(name, type, components, count_);
+  }
+
+  // A field may belong to the file, the cells or the points.
+  void field() {
+    words_.word("a name");
+    const std::size_t arrays = words_.count("the number of arrays");
+    for (std::size_t i = 0; i < arrays; ++i) {
+      const std::string name = panel_name(words_.word("a name").text);
+      const std::size_t components = words_.count("the number of components");
+      const std::size_t count = words_.count("the number of values");
+      const std::string type = upper_case(words_.word("a type").text);
+      values(name, type, components, count);
+      if (!words_.at_end() && upper_case(words_.peek("").text) == "METADATA") {
+        words_.word("");
+        metadata();
+      }
+    }
+  }
+
+  void values(const std::string& name, const std::string& type, std::size_t components, std::size_t count) {
+    const bool are_panels = attributes_ == Attributes::cells && panel_of_.empty() && components == 1 &&
+                            is_whole_number_type(type) && count == polygons_.size() + skipped_;
+    if (!are_panels) return skip(components * count);
+    for (std::size_t i = 0; i < count; ++i)
+      panel_of_.push_back(name + "_" + std::string(words_.word("a value").text));
+  }
+
+  // Up to the next empty line.
+  void metadata() {
+    words_.rest_of_line();
+    do words_.next_line();
+    while (!words_.rest_of_line().empty());
+  }
+
+  void skip_named(std::size_t components) {
+    skip(2);
+    skip(components * count_);
+  }
+  void skip_dimensioned(bool has_type) {
+    words_.word("a name");
+    const auto components = static_cast<std::size_t>(words_.integer("the number of components", 1, 4));
+    if (has_type) words_.word("a type");
+    skip(components * count_);
+  }
+  void skip_table() {
+    words_.word("a name");
+    skip(4 * words_.count("the size of the table"));
+  }
+
+  // Cells without area are skipped; true for those.
+  bool is_skipped(const Cell& cell) const { return cell.type >= 1 && cell.type <= 4; }
+
+  void check(const Cell& cell) const {
+    const MeshWord at{{}, cell.line, cell.column};
+    const std::size_t corners = cell.nodes.size();
+    const bool is_known = cell.type == 0 || cell.type == 5 || (cell.type >= 7 && cell.type <= 9);
+    if (!is_known)
+      words_.fail(
+          at, "cell type " + std::to_string(cell.type) +
+                  " is not read here; allowed: 5 triangle, 7 polygon, 8 pixel, 9 quad (1 to 4 are skipped)");
+    if (corners != 3 && corners != 4)
+      words_.fail(at, "a cell of " + std::to_string(corners) + " corners; 3 or 4 are allowed");
+    if ((cell.type == 5 && corners != 3) || (cell.type >= 8 && corners != 4))
+      words_.fail(at,
+                  "cell type " + std::to_string(cell.type) + " with " + std::to_string(corners) + " corners");
+  }
+
+  Mesh build() {
+    const MeshWord end{{}, words_.line(), 1};
+    if (polygons_.empty()) throw MeshFileError(words_.name(), 0, 0, "the file has no cells");
+    if (are_typed_ && !has_types_) words_.fail(end, "the file ends here: CELL_TYPES is missing");
+    // Values of vertices and lines come first, whatever the order of the sections.
+    const std::size_t first = skipped_;
+    MeshBuilder mesh;
+    for (const Eigen::Vector3d& x : points_) mesh.add_node(x);
+    for (std::size_t i = 0; i < polygons_.size(); ++i) {
+      const Cell& cell = polygons_[i];
+      if (is_skipped(cell)) continue;
+      check(cell);
+      std::vector<int> corners(cell.nodes.begin(), cell.nodes.end());
+      if (cell.type == 8) std::swap(corners[2], corners[3]);
+      if (has_repeated(corners)) words_.fail({{}, cell.line, cell.column}, "a node is repeated in this cell");
+      mesh.add_polygon(corners, panel_of_.empty() ? "default" : panel_of_[first + i], cell.line);
+    }
+    if (mesh.empty()) throw MeshFileError(words_.name(), 0, 0, "the file has no cells with an area");
+    return used_nodes(std::move(mesh).finish());
+  }
+
+  TokenReader words_;
+  std::vector<Eigen::Vector3d> points_;
+  std::vector<Cell> polygons_;
+  std::vector<std::string> panel_of_;  // of each cell, skipped ones first
+  bool are_typed_ = false, has_types_ = false;
+  std::size_t skipped_ = 0;  // vertices and lines of polydata
+  Attributes attributes_ = Attributes::none;
+  std::size_t count_ = 0;  // of the attributes
+};
+
+}  // namespace
+
+Mesh parse_vtk(std::string_view text, const std::string& name) {
+  return VtkParser(text, name).parse();
+}
+
+}  // namespace membrane

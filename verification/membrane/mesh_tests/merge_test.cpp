@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: Apache-2.0
+// Nodes that lie on each other become one; polygons become a mesh.
+#include "membrane/merge.hpp"
+
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+
+#include "membrane/icosphere.hpp"
+#include "membrane/polygons.hpp"
+#include "membrane/surface_check.hpp"
+#include "same_mesh.hpp"
+
+namespace merging {
+namespace {
+
+using membrane::Mesh;
+
+// Each triangle with corners of its own, each of them off by at most `off` in every direction.
+Mesh torn(const Mesh& mesh, double off) {
+  Mesh result = mesh;
+  result.nodes.resize(3, 3 * mesh.elements.cols());
+  for (Eigen::Index i = 0; i < result.nodes.cols(); ++i) {
+    result.nodes.col(i) = mesh.nodes.col(mesh.elements(i % 3, i / 3));
+    for (int c = 0; c < 3; ++c)
+      result.nodes(c, i) += off * (static_cast<double>(i * (31 + 7 * c) % 997) / 498.5 - 1.0);
+    result.elements(i % 3, i / 3) = static_cast<int>(i);
+  }
+  return result;
+}
+
+TEST(Merge, torn_sphere_is_whole_again) {
+  const Mesh sphere = membrane::icosphere(0.3, 3);
+  for (const double off : {0.0, 1e-7}) {
+    Mesh mesh = torn(sphere, off);
+    EXPECT_FALSE(membrane::check_closed_surface(mesh.nodes, mesh.elements).ok());
+    const auto report =
+        membrane::merge_nodes(mesh, off * 4.0);  // two corners are at most 2 sqrt(3) off apart
+    EXPECT_EQ(report.nodes, 3 * 1280 - sphere.node_count());
+    EXPECT_EQ(report.elements, 0);
+    EXPECT_EQ(mesh.node_count(), sphere.node_count());
+    EXPECT_TRUE(membrane::check_closed_surface(mesh.nodes, mesh.elements).ok());
+  }
+}
+
+TEST(Merge, nodes_farther_apart_stay) {
+  Mesh mesh = torn(membrane::icosphere(0.3, 1), 1e-5);
+  const Mesh before = mesh;
+  EXPECT_EQ(membrane::merge_nodes(mesh, 1e-9).nodes, 0);
+  meshes::expect_same_bits(mesh, before);
+}
+
+// Whichever cubes of the search they lie in, and on both sides of the coordinate planes.
+TEST(Merge, distance_alone_decides) {
+  for (const double at : {0.0, 1.0, -1.0, 0.999999, -0.5})
+    for (const double apart : {0.9999e-3, 1.0001e-3}) {
+      Mesh mesh;
+      mesh.nodes.resize(3, 4);
+      mesh.nodes << at, 5.0, 0.0, at + apart, at, 0.0, 5.0, at, at, 0.0, 0.0, at;
+      mesh.elements.resize(3, 2);
+      mesh.elements << 0, 3, 1, 1, 2, 2;
+      mesh.panel = {0, 0};
+      mesh.panel_names = {"default"};
+      EXPECT_EQ(membrane::merge_nodes(mesh, 1e-3).nodes, apart < 1e-3 ? 1 : 0) << at << " " << apart;
+    }
+}
+
+TEST(Merge, elements_that_lose_a_corner_are_left_out) {
+  Mesh mesh = membrane::icosphere(1.0, 0);
+  mesh.line.resize(20);
+  mesh.nodes.col(mesh.elements(1, 0)) = mesh.nodes.col(mesh.elements(0, 0));
+  const auto report = membrane::merge_nodes(mesh, 0.0);
+  EXPECT_EQ(report.nodes, 1);
+  EXPECT_EQ(report.elements, 2);  // both sides of the edge
+  EXPECT_EQ(mesh.element_count(), 18);
+  EXPECT_EQ(mesh.panel.size(), 18u);
+  EXPECT_EQ(mesh.line.size(), 18u);
+  EXPECT_TRUE(membrane::check_closed_surface(mesh.nodes, mesh.elements).ok());
+}
+
+TEST(Merge, bad_tolerances_and_nodes_are_refused) {
+  Mesh mesh = membrane::icosphere(1.0, 0);
+  for (const double bad : {-1.0, std::numeric_limits<double>::infinity(), std::nan("")})
+    EXPECT_THROW(membrane::merge_nodes(mesh, bad), std::invalid_argument);
+  EXPECT_THROW(membrane::merge_nodes(mesh, 1e-300), std::invalid_argument);
+  mesh.nodes(0, 3) = std::nan("");
+  EXPECT_THROW(membrane::merge_nodes(mesh, 0.0), std::invalid_argument);
+  EXPECT_THROW(membrane::merge_nodes(mesh, 0.1), std::invalid_argument);
+}
+
+TEST(Polygons, quads_are_split_and_unused_nodes_left_out) {
+  Eigen::Matrix3Xd nodes(3, 6);
+  nodes << 9, 0, 1, 2, 1, 0, 9, 0, 0, 1, 1, 5, 9, 0, 0, 0, 0, 5;
+  const Mesh mesh = membrane::mesh_of_polygons(nodes, {{1, 2, 3, 4}, {1, 4, 5}});
+  EXPECT_EQ(mesh.node_count(), 5);
+  EXPECT_EQ(mesh.split_quads, 1);
+  EXPECT_TRUE(mesh.elements == (Eigen::Matrix3Xi(3, 3) << 1, 1, 0, 2, 3, 3, 3, 0, 4).finished());
+  EXPECT_TRUE(mesh.line.empty());
+}
+
+TEST(Polygons, bad_ones_are_named) {
+  const Eigen::Matrix3Xd nodes = membrane::icosphere(1.0, 0).nodes;
+  const auto message = [&](std::vector<std::vector<int>> polygons, const Eigen::Matrix3Xd& x) -> std::string {
+    try {
+      membrane::mesh_of_polygons(x, polygons);
+    } catch (const std::invalid_argument& error) {
+      return error.what();
+    }
+    return "accepted";
+  };
+  EXPECT_EQ(message({{0, 1, 2}}, nodes), "accepted");
+  EXPECT_NE(message({}, nodes).find("no elements"), std::string::npos);
+  EXPECT_NE(message({{0, 1, 2}, {0, 1}}, nodes).find("element 1: 2 corners"), std::string::npos);
+  EXPECT_NE(message({{0, 1, 12}}, nodes).find("node 12 is out of range, 0 to 11"), std::string::npos);
+  EXPECT_NE(message({{0, 1, -1}}, nodes).find("node -1 is out of range"), std::string::npos);
+  EXPECT_NE(message({{0, 1, 0}}, nodes).find("a node is repeated"), std::string::npos);
+  Eigen::Matrix3Xd bad = nodes;
+  bad(2, 4) = std::nan("");
+  EXPECT_NE(message({{0, 1, 2}}, bad).find("node 4: a coordinate is not finite"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace merging
