@@ -47,6 +47,10 @@ part_study() {
   same_study "$work/alone" "$work/threads" study.json
   [ "$(grep -c '^0,[1-6],yes,.*,done,[0-9]*,$' "$work/alone/results.csv")" = 6 ] || fail "rows of point 0"
   grep -Eq '^0,yes,peak_pressure_Pa(,[-0-9.e]+){2},6(,[-0-9.e]+){2},6$' "$work/alone/means.csv" || fail "a mean with its difference"
+  # All seeds are common: the mean of the differences is the difference of the means.
+  awk -F, '$3 == "peak_pressure_Pa" { mean[$2] = $4; if ($2 == "yes") difference = $7 }
+    END { d = mean["yes"] - mean["no"]; exit !(d != 0 && (difference - d) ^ 2 < 1e-18 * mean["no"] ^ 2) }' "$work/alone/means.csv" ||
+    fail "differences: $(grep -v '^#' "$work/alone/means.csv")"
   # A run of the study is a run of the command.
   "$gasjet" run "$source/cases/passenger_pendulum.toml" --quiet --out "$work/run" --set scene.end_time=0.004 \
     --set membrane.perturbation=1e-4 --set membrane.perturbation_seed=3

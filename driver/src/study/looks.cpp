@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Which runs a plan asks for: all at once, or look by look until a point has what it needs.
 #include <algorithm>
-#include <cmath>
 
 #include "driver/study_analysis.hpp"
 #include "study/parts.hpp"

@@ -67,7 +67,7 @@ void compute(const StudyPlan& plan) {
     MPI_Recv(chunk.data(), count, MPI_LONG, 0, tag_chunk, MPI_COMM_WORLD, MPI_STATUS_IGNORE);
     if (chunk.empty()) return;
     std::string text;
-    for (const StudyRun& run : run_chunk(plan, chunk)) text += line_of(run);
+    run_chunk(plan, chunk, [&](const StudyRun& run) { text += line_of(run); });
     MPI_Send(text.data(), static_cast<int>(text.size()), MPI_CHAR, 0, tag_result, MPI_COMM_WORLD);
   }
 }

@@ -18,7 +18,8 @@
 namespace driver {
 namespace {
 
-constexpr std::size_t longest_chunk = 16;  // runs: a scene is read once for each chunk
+// Runs of a chunk: its scene is read once, and one thread computes it. Few runs are not shared out unevenly.
+constexpr std::size_t longest_chunk = 16, fewest_chunks = 64;
 
 Scene scene_of(const StudyPlan& plan, std::size_t point) {
   auto overrides = plan.overrides;
@@ -46,8 +47,9 @@ StudyRun refused(const StudyPlan& plan, long number, const std::exception& error
 
 std::vector<StudyChunk> chunks_of(const StudyPlan& plan, const std::vector<long>& runs) {
   std::vector<StudyChunk> chunks;
+  const std::size_t longest = std::clamp<std::size_t>(runs.size() / fewest_chunks, 1, longest_chunk);
   for (const long run : runs) {
-    const bool joins = !chunks.empty() && chunks.back().size() < longest_chunk &&
+    const bool joins = !chunks.empty() && chunks.back().size() < longest &&
                        point_of(plan, chunks.back().front()) == point_of(plan, run);
     if (!joins) chunks.emplace_back();
     chunks.back().push_back(run);
@@ -119,11 +121,12 @@ std::size_t point_of(const StudyPlan& plan, long run) {
   return static_cast<std::size_t>(run / plan.most_seeds());
 }
 
-std::vector<StudyRun> run_chunk(const StudyPlan& plan, const StudyChunk& chunk) {
-  std::vector<StudyRun> runs;
+void run_chunk(const StudyPlan& plan, const StudyChunk& chunk,
+               const std::function<void(const StudyRun&)>& keep) {
   std::optional<Scene> scene;
   for (const long number : chunk) {
     if (interrupted()) break;
+    StudyRun run;
     try {
       if (!scene) scene = scene_of(plan, point_of(plan, number));
       const Eigen::Matrix3Xd shape = scene->bag ? scene->bag->initial_position : Eigen::Matrix3Xd();
@@ -131,13 +134,13 @@ std::vector<StudyRun> run_chunk(const StudyPlan& plan, const StudyChunk& chunk) 
       const Member member = run_member(*scene);
       if (scene->bag) scene->bag->initial_position = shape;
       if (member.outcome.status == RunStatus::interrupted) break;
-      runs.push_back(run_of(plan, number, member, *scene));
+      run = run_of(plan, number, member, *scene);
     } catch (const std::exception& error) {
-      runs.push_back(refused(plan, number, error));
+      run = refused(plan, number, error);
       scene.reset();
     }
+    keep(run);
   }
-  return runs;
 }
 
 StudyCrew threads_of_study(int threads) {
@@ -145,9 +148,10 @@ StudyCrew threads_of_study(int threads) {
                    const std::function<void(const StudyRun&)>& keep) {
     std::mutex lock;
     Executor(threads).for_each(static_cast<int>(chunks.size()), [&](int i) {
-      const auto runs = run_chunk(plan, chunks[static_cast<std::size_t>(i)]);
-      const std::lock_guard<std::mutex> guard(lock);
-      for (const StudyRun& run : runs) keep(run);
+      run_chunk(plan, chunks[static_cast<std::size_t>(i)], [&](const StudyRun& run) {
+        const std::lock_guard<std::mutex> guard(lock);
+        keep(run);
+      });
     });
   };
 }
