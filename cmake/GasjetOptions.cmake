@@ -13,7 +13,7 @@ endif()
 option(GASJET_INSTALL "Install Gasjet's libraries with the project" ${is_own})
 option(GASJET_WERROR "Treat compiler warnings as errors" OFF)
 option(GASJET_SANITIZE "Build with AddressSanitizer and UndefinedBehaviorSanitizer" OFF)
-option(GASJET_FUZZ "Build the harnesses of libFuzzer (clang), see scripts/fuzz.sh" OFF)
+option(GASJET_FUZZ "Build the harnesses of libFuzzer (clang), see scripts/tests/fuzz.sh" OFF)
 
 add_library(gasjet_options INTERFACE)
 target_compile_features(gasjet_options INTERFACE cxx_std_20)

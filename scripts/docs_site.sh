@@ -28,7 +28,7 @@ for path in ./*.md CITATION.cff Dockerfile LICENSE docs bindings cases cmake lib
   ln -s "$PWD/$path" "$source"
 done
 cp -rL /usr/share/javascript/katex/katex.min.css /usr/share/javascript/katex/fonts scripts/site/site.css "$source/assets"
-scripts/api_docs.sh "$source/api" >/dev/null
+scripts/site/api_docs.sh "$source/api" >/dev/null
 for name in passenger_pendulum passenger_pendulum_no_jet; do
   "$gasjet" run "cases/$name.toml" --out "$runs/$name" --quiet
 done

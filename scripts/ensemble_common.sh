@@ -2,10 +2,10 @@
 # shellcheck shell=bash
 # Shared by the scripts that compare ensembles with and without jet (sourced, from the repository's top).
 
-# shellcheck source-path=SCRIPTDIR source=gnuplot_text.sh
-source scripts/gnuplot_text.sh
-# shellcheck source-path=SCRIPTDIR source=provenance.sh
-source scripts/provenance.sh
+# shellcheck source-path=SCRIPTDIR source=charts/gnuplot_text.sh
+source scripts/charts/gnuplot_text.sh
+# shellcheck source-path=SCRIPTDIR source=charts/provenance.sh
+source scripts/charts/provenance.sh
 
 build_gasjet() {
   scripts/setup_debian12.sh

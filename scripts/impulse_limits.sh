@@ -3,7 +3,7 @@
 # What the impulse along the impactor's path (K.26), that of the force's size, the angle and the filtered peak of the paper's
 # scene lead to as contact is made stiffer, the step shorter and the mesh finer: ensembles with and without jet. OUT.csv: means
 # and standard errors; one_step: contact of that share, all at the step of sixteen times the default stiffness. OUT_fits.csv, by
-# scripts/impulse_limits.awk: limits, orders and chi-squared. OUT.svg: the stiffness. The finer mesh takes a quarter of the runs.
+# scripts/charts/impulse_limits.awk: limits, orders and chi-squared. OUT.svg: the stiffness. The finer mesh takes a quarter of the runs.
 # Ensembles that are already in results/ are not run again.
 # usage: scripts/impulse_limits.sh [RUNS] [OUT]      (32 runs, docs/charts/impulse_limits by default)
 set -euo pipefail
@@ -38,7 +38,7 @@ mkdir -p "$(dirname "$out")" results/ensembles/passenger_pendulum results/ensemb
     done
   done
 } >"$out.csv"
-awk -F, -f scripts/impulse_limits.awk "$out.csv" >"${out}_fits.csv"
+awk -F, -f scripts/charts/impulse_limits.awk "$out.csv" >"${out}_fits.csv"
 
 gnuplot -e "data=$(gnuplot_file "$out.csv"); out=$(gnuplot_file "$out.svg")" scripts/charts/impulse_limits.gp
 echo "$out.svg"

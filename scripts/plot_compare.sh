@@ -4,8 +4,8 @@
 # reference's band in grey where it states one.
 # usage: scripts/plot_compare.sh OUT ROWS.csv; writes OUT.svg and OUT.png
 set -euo pipefail
-# shellcheck source-path=SCRIPTDIR source=plot_common.sh
-source "$(dirname "${BASH_SOURCE[0]}")/plot_common.sh"
+# shellcheck source-path=SCRIPTDIR source=charts/plot_common.sh
+source "$(dirname "${BASH_SOURCE[0]}")/charts/plot_common.sh"
 
 # quantities: names of the columns that have a column <name>_reference
 quantities() {

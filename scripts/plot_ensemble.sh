@@ -4,8 +4,8 @@
 # jet): means, each in a band of two standard errors either side.
 # usage: scripts/plot_ensemble.sh [--title TEXT] [--name TEXT]... OUT FOLDER [FOLDER]; writes OUT.svg and OUT.png
 set -euo pipefail
-# shellcheck source-path=SCRIPTDIR source=plot_common.sh
-source "$(dirname "${BASH_SOURCE[0]}")/plot_common.sh"
+# shellcheck source-path=SCRIPTDIR source=charts/plot_common.sh
+source "$(dirname "${BASH_SOURCE[0]}")/charts/plot_common.sh"
 band=2 # [standard errors]
 fills=(blue_band vermilion_band)
 

@@ -5,8 +5,8 @@
 # usage: scripts/plot_identify.sh [--title TEXT] OUT CURVES.csv [TRUE.csv]; TRUE.csv has the curves that are known, columns as
 # `gasjet exact tank_test_pulse` writes them; writes OUT.svg and OUT.png
 set -euo pipefail
-# shellcheck source-path=SCRIPTDIR source=plot_common.sh
-source "$(dirname "${BASH_SOURCE[0]}")/plot_common.sh"
+# shellcheck source-path=SCRIPTDIR source=charts/plot_common.sh
+source "$(dirname "${BASH_SOURCE[0]}")/charts/plot_common.sh"
 
 # largest COLUMN: its largest value where nothing is masked.
 largest() {

@@ -8,8 +8,8 @@
 # scripts/test_all.sh --long has just passed at it, it is run first.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
-# shellcheck source=debian_root.sh
-source scripts/debian_root.sh
+# shellcheck source=tests/debian_root.sh
+source scripts/tests/debian_root.sh
 
 refuse() {
   echo "release.sh: $*" >&2

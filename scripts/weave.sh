@@ -3,8 +3,8 @@
 # What the weave does: the driver bag of woven and of isotropic fabric on two meshes, docs/charts/weave.csv.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
-# shellcheck source-path=SCRIPTDIR source=provenance.sh
-source scripts/provenance.sh
+# shellcheck source-path=SCRIPTDIR source=charts/provenance.sh
+source scripts/charts/provenance.sh
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# Test of scripts/mutate.sh on a project of one function: a mutation that its test sees is killed, one that it
+# Test of scripts/tests/mutate.sh on a project of one function: a mutation that its test sees is killed, one that it
 # does not see survives, and mutations that cannot be tried are reported, none of them as killed.
 set -euo pipefail
 scripts=$(cd "$(dirname "${BASH_SOURCE[0]}")/../../scripts" && pwd)
@@ -8,8 +8,8 @@ tree=$(mktemp -d)
 scratch=$(mktemp -d)
 trap 'rm -rf "$tree" "$scratch"' EXIT
 
-mkdir -p "$tree/scripts" "$tree/verification"
-cp "$scripts/mutate.sh" "$tree/scripts"
+mkdir -p "$tree/scripts/tests" "$tree/verification"
+cp "$scripts/tests/mutate.sh" "$tree/scripts/tests"
 cat >"$tree/CMakeLists.txt" <<'END'
 cmake_minimum_required(VERSION 3.25)
 project(toy LANGUAGES CXX)
@@ -28,7 +28,7 @@ git -C "$tree" init -q
 outcome() {
   local report status=0
   printf '# comment\n%s\t%s\t%s\n' "$3" "$4" "$5" >"$tree/verification/mutations.tsv"
-  report=$("$tree/scripts/mutate.sh" --scratch "$scratch" 2>&1) || status=$?
+  report=$("$tree/scripts/tests/mutate.sh" --scratch "$scratch" 2>&1) || status=$?
   if [[ $status != "$1" || $report != "$2"* ]]; then
     printf 'mutation %s: expected exit %s and "%s", got exit %s and:\n%s\n' "$5" "$1" "$2" "$status" "$report"
     exit 1
@@ -44,7 +44,7 @@ outcome 1 'no such file' toy gone.cpp 's/2/3/'
 outcome 0 'killed' '^t[o]y$' toy.cpp 's/2 \* x/4 * x/'
 
 # One change of a function that a test calls, one of a function that none calls: both written by the program, tried by its suite.
-cp "$scripts/random_mutations.py" "$tree/scripts"
+cp "$scripts/tests/random_mutations.py" "$tree/scripts/tests"
 mkdir -p "$tree/libgas" "$tree/verification/gas"
 cat >"$tree/libgas/toy.cpp" <<'END'
 #include "toy.hpp"
@@ -78,17 +78,17 @@ add_test(NAME toy COMMAND toy)
 set_tests_properties(toy PROPERTIES LABELS fast)
 END
 list=$scratch/random.tsv
-"$tree/scripts/random_mutations.py" --number 5 >"$list"
+"$tree/scripts/tests/random_mutations.py" --number 5 >"$list"
 sed -i 's/^@gas coupled/@gas/' "$list"
 printf '@gas\tlibgas/toy.cpp\t%s\n' '3s/ \* / \/ /1' '4s/ \* / \/ /2' | cmp - "$list"
-report=$("$tree/scripts/mutate.sh" --scratch "$scratch" --list "$list" 2>&1) && exit 1
+report=$("$tree/scripts/tests/mutate.sh" --scratch "$scratch" --list "$list" 2>&1) && exit 1
 [[ $report == "killed "*$'\nSURVIVED '*'1 of 2 mutations killed' ]] || { echo "suite: $report"; exit 1; }
-[[ $("$tree/scripts/random_mutations.py" --functions unseen) == *'4s/'* ]]
+[[ $("$tree/scripts/tests/random_mutations.py" --functions unseen) == *'4s/'* ]]
 
 # refuses PATTERN ARGUMENT...: exit code 2 and one line
 refuses() {
   local said status=0
-  said=$("$tree/scripts/mutate.sh" "${@:2}" 2>&1) || status=$?
+  said=$("$tree/scripts/tests/mutate.sh" "${@:2}" 2>&1) || status=$?
   [[ $status == 2 && $said == *"$1"* && $said != *$'\n'* ]] || { echo "exit $status, 2 and '$1' expected: $said"; exit 1; }
 }
 refuses "no file that can be read" --list "$tree/absent"

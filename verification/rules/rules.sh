@@ -9,8 +9,8 @@ rule=${1:?usage: rules.sh RULE [ROOT [BUILD]]}
 root=${2:-$(dirname "${BASH_SOURCE[0]}")/../..}
 build=${3:-build}
 scripts=$(cd "$(dirname "${BASH_SOURCE[0]}")/../../scripts" && pwd)
-# shellcheck source=../../scripts/source_number.sh
-source "$scripts/source_number.sh"
+# shellcheck source=../../scripts/pages/source_number.sh
+source "$scripts/pages/source_number.sh"
 cd "$root"
 max_file_lines=300
 max_numbers=100    # in sentences: what a table says is not said again
@@ -212,7 +212,7 @@ rule_mutation_lines() {
     [[ -f $file ]] || echo "$list:${name%%:*}: no file $file"
   done
   grep -cv -e '^#' -e '^[[:space:]]*$' "$list" | awk -v most="$max_mutations" -v list="$list" \
-    '$1 > most { print list ": " $1 " lines, " most " at most: what is no error of physics is left to scripts/random_mutations.py" }'
+    '$1 > most { print list ": " $1 " lines, " most " at most: what is no error of physics is left to scripts/tests/random_mutations.py" }'
 }
 
 # Every table of the pages says first what it was made on and by: machine, commit, compiler and flags; docs/provenance.tsv has a line for
@@ -223,7 +223,7 @@ rule_table_heads() {
     [[ -f $file ]] || continue
     head=$(sed '/^#/!q' "$file" | sed -E 's/^# gasjet [^ ]+ \(([0-9a-f]+[^,]*), ([^,]+), ([^)]+)\)$/# commit: \1\n# compiler: \2\n# flags: \3/')
     for part in machine commit compiler flags; do
-      grep -qE "^# $part: ." <<<"$head" || echo "$file:1: the lines above the columns do not name its $part (scripts/provenance.sh)"
+      grep -qE "^# $part: ." <<<"$head" || echo "$file:1: the lines above the columns do not name its $part (scripts/charts/provenance.sh)"
     done
     ! grep -q -- '-dirty' <<<"$head" || echo "$file:1: made by a build of changed sources, of which no commit tells"
   done
@@ -262,7 +262,7 @@ rule_numbers() {
 
 # Each table that docs/tables.tsv lists is in a page and says what its CSV files say.
 rule_tables() {
-  "$scripts/write_tables.sh" --check "$PWD" 2>&1 || echo "docs/tables.tsv: scripts/write_tables.sh writes the tables anew"
+  "$scripts/pages/write_tables.sh" --check "$PWD" 2>&1 || echo "docs/tables.tsv: scripts/pages/write_tables.sh writes the tables anew"
 }
 
 # CITATION, changelog, docs/versions.md and schemas say the versions that cmake/GasjetVersion.cmake, formats.hpp and the reference data have.

@@ -1,0 +1,201 @@
+# SPDX-License-Identifier: Apache-2.0
+# Draws what words say poorly, as SVG in docs/figures: the two jets with their profiles and the hidden elements (by (J.3) to
+# (J.5)), and the pendulum test with dimensions from its case file. usage: python3 scripts/figures/draw_concepts.py
+import math
+import os
+import tomllib
+
+ROOT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..")
+BLUE, VERMILION, INK, QUIET, PALE, SKIN = "#0072b2", "#d55e00", "#222222", "#767676", "#d8eaf5", "#e8c890"
+
+
+class Drawing:
+    def __init__(self, width, height):
+        self.size = (width, height)
+        self.parts = []
+
+    def path(self, points, stroke=INK, fill="none", width=1.6, dash="", closed=False):
+        steps = " L".join(f"{x:.1f} {y:.1f}" for x, y in points)
+        dashes = f' stroke-dasharray="{dash}"' if dash else ""
+        self.parts.append(
+            f'<path d="M{steps}{" Z" if closed else ""}" stroke="{stroke}" fill="{fill}" stroke-width="{width}"{dashes}/>'
+        )
+
+    def circle(self, x, y, radius, fill, stroke=INK):
+        self.parts.append(f'<circle cx="{x:.1f}" cy="{y:.1f}" r="{radius:.1f}" fill="{fill}" stroke="{stroke}"/>')
+
+    def text(self, x, y, words, anchor="start", colour=INK, size=13, weight="normal"):
+        self.parts.append(
+            f'<text x="{x:.1f}" y="{y:.1f}" text-anchor="{anchor}" fill="{colour}" font-size="{size}" font-weight="{weight}">{words}</text>'
+        )
+
+    def arrow(self, x0, y0, x1, y1, colour=INK, both=False, width=1.2):
+        self.path([(x0, y0), (x1, y1)], colour, width=width)
+        angle = math.atan2(y1 - y0, x1 - x0)
+        for x, y, way in [(x1, y1, angle)] + ([(x0, y0, angle + math.pi)] if both else []):
+            corners = [(x - 8 * math.cos(way + turn), y - 8 * math.sin(way + turn)) for turn in (0.35, -0.35)]
+            self.path([(x, y), *corners], colour, colour, 0.5, closed=True)
+
+    def write(self, name):
+        width, height = self.size
+        with open(os.path.join(ROOT, "docs/figures", name + ".svg"), "w", encoding="utf-8") as file:
+            file.write(
+                f'<svg xmlns="http://www.w3.org/2000/svg" width="{width}" height="{height}" viewBox="0 0 {width} {height}" '
+                'font-family="sans-serif">\n<rect width="100%" height="100%" fill="#ffffff"/>\n' + "\n".join(self.parts) + "\n</svg>\n"
+            )
+        print(f"docs/figures/{name}.svg")
+
+
+def decay(shape, distance, coefficient):
+    """V_max/V_0 at a distance in units of R_0 (round, J.3) or b_0 (rectangular, J.4)."""
+    if shape == "round":
+        return min(1.0, 0.96 / (coefficient * distance + 0.29))
+    return min(1.0, 1.2 / math.sqrt(coefficient * distance + 0.41))
+
+
+def width_of(shape, peak):
+    """Width R/R_0 or b/b_0 of the Gaussian (J.5)."""
+    return math.sqrt(2) / peak if shape == "round" else 2 * math.sqrt(2 / math.pi) / peak**2
+
+
+def jet(drawing, left, axis, shape, coefficient, unit, title, half):
+    """One jet from the side: edge where V is 1/e of that on the axis, and profiles of V/V_0 at three distances."""
+    steps = [i * 0.25 for i in range(0, 101)]
+    edge = [(left + unit * z, unit * width_of(shape, decay(shape, z, coefficient))) for z in steps]
+    drawing.path([(x, axis - r) for x, r in edge] + [(x, axis + r) for x, r in reversed(edge)], BLUE, PALE, 1.2, "6 4", True)
+    drawing.path([(left - 14, axis), (left + unit * 25 + 60, axis)], QUIET, width=1, dash="10 4 2 4")
+    drawing.path([(left, axis - 118), (left, axis - unit)], INK, width=4)
+    drawing.path([(left, axis + unit), (left, axis + 118)], INK, width=4)
+    drawing.text(left - 14, axis - 118 - 22, title, weight="bold", size=15)
+    for z in (0.6, 10.5, 20):
+        peak = decay(shape, z, coefficient)
+        across = unit * width_of(shape, peak)
+        x = left + unit * z
+        curve = [(x + 62 * peak * math.exp(-((t / 20) ** 2)), axis + across * t / 20) for t in range(-36, 37)]
+        drawing.path([(x, curve[0][1]), (x, curve[-1][1])], VERMILION, width=0.8)
+        drawing.path(curve, VERMILION, width=2)
+        drawing.arrow(x, axis, x + 62 * peak, axis, VERMILION)
+    drawing.text(left - 8, axis + 5, half, "end", size=14)
+    drawing.text(left + unit * 25 + 66, axis + 5, "z", size=14)
+
+
+def jets():
+    drawing = Drawing(960, 640)
+    drawing.text(24, 32, "The two jets from the side: edge and velocity profiles", size=18)
+    jet(drawing, 70, 210, "round", 0.08, 11, "Round outlet: cone (a = 0.08)", "2R₀")
+    jet(drawing, 540, 210, "rectangular", 0.108, 11, "Rectangular outlet: wedge (a = 0.108)", "2b₀")
+    drawing.text(70, 366, "The outlets from the front, and where V is 1/e of that on the axis 20 R₀ or 20 b₀ away", size=14)
+    for x, shape, coefficient in ((190, "round", 0.08), (680, "rectangular", 0.108)):
+        far = 11 * width_of(shape, decay(shape, 20, coefficient))
+        if shape == "round":
+            drawing.circle(x, 480, far, PALE, BLUE)
+            drawing.circle(x, 480, 11, "#ffffff")
+            drawing.text(x + far + 14, 484, "Gaussian along every radius")
+        else:
+            corners = [(x - 70, 480 - far), (x + 70, 480 - far), (x + 70, 480 + far), (x - 70, 480 + far)]
+            drawing.path(corners, BLUE, PALE, 1.2, "6 4", True)
+            drawing.path([(x - 70, 469), (x + 70, 469), (x + 70, 491), (x - 70, 491)], INK, "#ffffff", closed=True)
+            drawing.text(x + 84, 470, "Gaussian across")
+            drawing.text(x + 84, 490, "uniform along the")
+            drawing.text(x + 84, 510, "long side, sharp ends")
+    drawing.path([(70, 610), (110, 610)], BLUE, width=1.2, dash="6 4")
+    drawing.text(118, 615, "V = V_max/e")
+    drawing.path([(260, 610), (300, 610)], VERMILION, width=2)
+    drawing.text(308, 615, "V across the jet; its arrow is V_max, of one scale in both")
+    drawing.write("jets")
+
+
+def hidden_elements():
+    drawing = Drawing(900, 400)
+    drawing.text(24, 32, "Hidden elements: a straight line from the outlet must reach the element", size=18)
+    outlet, axis = 90, 205
+    cone = [(outlet, axis - 20), (690, 75), (690, 335), (outlet, axis + 20)]
+    drawing.path(cone, BLUE, PALE, 1, "6 4", True)
+    drawing.path([(outlet, 70), (outlet, axis - 20)], INK, width=4)
+    drawing.path([(outlet, axis + 20), (outlet, 340)], INK, width=4)
+    drawing.text(outlet - 8, axis + 5, "outlet", "end")
+    origin = (outlet, axis)
+    # The fold stands before part of the front: rays through its two ends cut the shadow out.
+    fold = [(400, 150), (415, 175), (400, 203)]
+
+    def at(point, x):
+        return (x, origin[1] + (point[1] - origin[1]) * (x - origin[0]) / (point[0] - origin[0]))
+
+    front = 690
+    high, low = at(fold[0], front), at(fold[-1], front)
+    drawing.path([fold[0], high, low, fold[-1], fold[1]], "none", "#cfcfcf", closed=True)
+    for end in (high, low, (front, 250)):
+        drawing.arrow(*origin, *end, QUIET)
+    drawing.path(fold, VERMILION, width=6)
+    drawing.text(390, 96, "fold: lit, takes the jet’s pressure", "middle", VERMILION)
+    drawing.path([(front, 76), high], VERMILION, width=6)
+    drawing.path([high, low], QUIET, width=6)
+    drawing.path([low, (front, 335)], VERMILION, width=6)
+    drawing.text(front + 14, 160, "in the fold’s shadow:", colour=INK)
+    drawing.text(front + 14, 178, "gas pressure alone")
+    drawing.text(front + 14, 272, "lit", colour=VERMILION)
+    drawing.path([(490, 266), (560, 290)], "#333333", width=5, dash="3 3")
+    drawing.text(430, 340, "faces the outlet with its outer side: no load", "middle")
+    drawing.path([(24, 380), (54, 380)], VERMILION, width=6)
+    drawing.text(62, 385, "lit")
+    drawing.path([(110, 380), (140, 380)], QUIET, width=6)
+    drawing.text(148, 385, "hidden")
+    drawing.path([(220, 380), (250, 380)], "#333333", width=5, dash="3 3")
+    drawing.text(258, 385, "facing away")
+    drawing.write("hidden_elements")
+
+
+def test_setup():
+    with open(os.path.join(ROOT, "cases/passenger_pendulum.toml"), "rb") as file:
+        case = tomllib.load(file)
+    pendulum, jet_case = case["pendulum"], case["inflator"][0]["jet"]
+    scale = 330  # [pixels/m]
+    left, base = 250, 560
+
+    def place(x, z):
+        return (left + scale * x, base - scale * z)
+
+    pivot = place(pendulum["pivot"][0], pendulum["pivot"][2])
+    gravity_centre = (pivot[0], pivot[1] + scale * pendulum["cg_distance"])
+    impactor = (pivot[0], pivot[1] + scale * pendulum["impactor_distance"])
+    drawing = Drawing(860, 760)
+    drawing.text(24, 32, "The pendulum test of the paper’s scene, from the side", size=18)
+    wall = [place(0, 0.42), place(0, -0.42)]
+    drawing.path([(wall[0][0] - 24, wall[0][1]), wall[0], wall[1], (wall[1][0] - 24, wall[1][1])], QUIET, "#dddddd", closed=True)
+    drawing.text(left - 34, base - 100, "rigid plate", "end")
+    drawing.path([place(0, 0.3), place(0.06, 0.26), place(0.06, -0.26), place(0, -0.3)], INK, SKIN, 1.6)
+    drawing.text(left - 34, base + 66, "bag, laid flat,", "end")
+    drawing.text(left - 34, base + 84, "120 l when full", "end")
+    half = jet_case["short_side"] / 2
+    drawing.path([place(0, half), place(0, -half)], VERMILION, width=5)
+    drawing.arrow(left - 2, base, left + 62, base, VERMILION)
+    drawing.text(left - 34, base - 8, "outlet of the jet", "end", VERMILION)
+    long_side, short_side = 1e3 * jet_case["long_side"], 1e3 * jet_case["short_side"]
+    drawing.text(left - 34, base + 10, f"{long_side:.0f} × {short_side:.0f} mm", "end", VERMILION)
+    drawing.path([pivot, impactor], INK, width=4)
+    drawing.circle(*pivot, 6, "#ffffff")
+    drawing.text(pivot[0] - 14, pivot[1] + 5, "pivot", "end")
+    drawing.circle(*gravity_centre, 6, BLUE)
+    drawing.text(gravity_centre[0] + 162, gravity_centre[1] + 5, "centre of gravity")
+    drawing.circle(*impactor, scale * pendulum["impactor_radius"], BLUE)
+    drawing.text(impactor[0] + 22, impactor[1] + 34, f"impactor, radius {1e3 * pendulum['impactor_radius']:.0f} mm")
+    for distance, across in ((pendulum["cg_distance"], 60), (pendulum["impactor_distance"], 150)):
+        x, y = pivot[0] + across, pivot[1] + scale * distance
+        drawing.path([(pivot[0] + 12, pivot[1]), (x + 8, pivot[1])], QUIET, width=0.8)
+        drawing.path([(pivot[0] + 18, y), (x + 8, y)], QUIET, width=0.8)
+        drawing.arrow(x, pivot[1], x, y, both=True)
+        drawing.text(x + 8, (pivot[1] + y) / 2, f"{1e3 * distance:.0f} mm")
+    below = base + 175
+    drawing.path([(left, base + 142), (left, below + 8)], QUIET, width=0.8)
+    drawing.path([(pivot[0], impactor[1] + 18), (pivot[0], below + 8)], QUIET, width=0.8)
+    drawing.arrow(left, below, pivot[0], below, both=True)
+    drawing.text((left + pivot[0]) / 2, below - 6, f"{1e3 * pendulum['pivot'][0]:.0f} mm", "middle")
+    words = [f"mass {pendulum['mass']:g} kg", f"inertia about its centre {pendulum['inertia_cg']:g} kg m²", "at rest at first"]
+    for i, line in enumerate(words):
+        drawing.text(pivot[0] + 200, pivot[1] + 60 + 20 * i, line)
+    drawing.write("test_setup")
+
+
+jets()
+hidden_elements()
+test_setup()

@@ -1,0 +1,71 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
+# Proves that one library stands alone: configures, builds and installs a copy of it that has no other library
+# beside it, then compiles and runs the first ```cpp block of its README against the installed package.
+# usage: scripts/tests/test_library_alone.sh NAME [SCRATCH_FOLDER]   (NAME: gas, membrane, jet, coupling, closed_form)
+# A given scratch folder is kept, so that a second call builds incrementally.
+set -euo pipefail
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
+max_example_lines=20
+
+name=${1:?usage: test_library_alone.sh NAME [SCRATCH_FOLDER]}
+library=$([[ $name == closed_form ]] && echo verification/closed_form || echo "lib$name") # its folder in the tree
+if [[ ! -f $root/$library/CMakeLists.txt ]]; then
+  echo "test_library_alone.sh: no library $library" >&2
+  exit 2
+fi
+if [[ $# -ge 2 ]]; then
+  scratch=$2
+  mkdir -p "$scratch"
+else
+  scratch=$(mktemp -d)
+  trap 'rm -rf "$scratch"' EXIT
+fi
+scratch=$(cd "$scratch" && pwd)
+
+# The copy keeps file times, so that an unchanged library is not compiled again.
+copy_sources() {
+  rm -rf "$scratch/source" "$scratch/prefix" "$scratch/consumer"
+  mkdir -p "$scratch/source/$(dirname "$library")" "$scratch/consumer"
+  cp -a "$root/$library" "$scratch/source/$library"
+  cp -a "$root/cmake" "$scratch/source"
+}
+
+# Without optimisation: whether it stands alone does not depend on it.
+build_and_install() {
+  cmake -S "$scratch/source/$library" -B "$scratch/build" -G Ninja -DCMAKE_BUILD_TYPE=Debug \
+    -DCMAKE_CXX_FLAGS_DEBUG=-O0 -DCMAKE_INSTALL_PREFIX="$scratch/prefix" -DGASJET_WERROR=ON -DCMAKE_UNITY_BUILD=ON
+  cmake --build "$scratch/build" -j 2
+  cmake --install "$scratch/build"
+}
+
+extract_example() {
+  awk '/^```/ { if (inside) exit; if ($0 == "```cpp") { inside = 1; next } } inside' \
+    "$root/$library/README.md" >"$scratch/consumer/example.cpp"
+  local lines
+  lines=$(wc -l <"$scratch/consumer/example.cpp")
+  if ((lines == 0 || lines > max_example_lines)); then
+    echo "$library/README.md: the first \`\`\`cpp block has $lines lines; allowed: 1 to $max_example_lines" >&2
+    exit 1
+  fi
+}
+
+build_and_run_example() {
+  cat >"$scratch/consumer/CMakeLists.txt" <<END
+cmake_minimum_required(VERSION 3.25)
+project(example LANGUAGES CXX)
+find_package(gasjet_$name REQUIRED)
+add_executable(example example.cpp)
+target_link_libraries(example PRIVATE gasjet::$name)
+END
+  cmake -S "$scratch/consumer" -B "$scratch/consumer/build" -G Ninja -DCMAKE_BUILD_TYPE=Release \
+    -DCMAKE_PREFIX_PATH="$scratch/prefix"
+  cmake --build "$scratch/consumer/build"
+  echo "--- output of the example of $library/README.md"
+  (cd "$scratch/consumer" && build/example)
+}
+
+copy_sources
+extract_example
+build_and_install
+build_and_run_example
