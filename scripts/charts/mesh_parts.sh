@@ -5,13 +5,14 @@
 # usage: scripts/charts/mesh_parts.sh [RUNS] [OUT]      (8 runs, docs/charts/mesh_parts by default)
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
-# shellcheck source-path=SCRIPTDIR source=../ensemble_common.sh
-source scripts/ensemble_common.sh
+# shellcheck source-path=SCRIPTDIR source=provenance.sh
+source scripts/charts/provenance.sh
 runs=${1:-8} out=${2:-docs/charts/mesh_parts}
-build_gasjet
-command -v python3 >/dev/null || scripts/setup_debian12.sh python3
+scripts/setup_debian12.sh python3
+cmake --preset release >/dev/null
+cmake --build --preset release --target gasjet -j "$(nproc)" >/dev/null
 name=passenger_pendulum_no_jet work=results/mesh_parts
-stiffness=$(contact_stiffness "$name")
+stiffness=$(build/gasjet check "cases/$name.toml" | sed -n 's/^contact stiffness: \([^ ]*\).*/\1/p') # [N/m3]
 mkdir -p "$work"
 build/gasjet mesh case "cases/$name.toml" --initial "$work/initial.obj" --out "$work/design.obj" >/dev/null
 

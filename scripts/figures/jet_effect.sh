@@ -4,9 +4,11 @@
 # usage: scripts/figures/jet_effect.sh [RUNS]      (32 by default)
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
-# shellcheck source-path=SCRIPTDIR source=../ensemble_common.sh
-source scripts/ensemble_common.sh
-build_gasjet
+# shellcheck source-path=SCRIPTDIR source=../charts/provenance.sh
+source scripts/charts/provenance.sh
+scripts/setup_debian12.sh
+cmake --preset release >/dev/null
+cmake --build --preset release --target gasjet -j "$(nproc)" >/dev/null
 build/gasjet ensemble cases/passenger_pendulum.toml --against cases/passenger_pendulum_no_jet.toml \
   --runs "${1:-32}" --threads "$(nproc)" --out results/figures
 mkdir -p docs/figures

@@ -123,6 +123,39 @@ part_study_designs() {
   expect 2 "--share 1/2: a stop rule looks at all runs" "$gasjet" study run "$plan" --out "$work/error" --share 1/2
 }
 
+part_study_levels() {
+  local plan=$work/plan.toml value
+  # A level with fewer seeds and its own amplitude: its runs are those of the command.
+  printf '[study]\ncase = "%s/cases/passenger_pendulum.toml"\nset = ["scene.end_time=0.004"]\nquantities = ["peak_pressure_Pa"]\nseeds = 3\n' \
+    "$source" >"$plan"
+  printf '[[factor]]\nname = "nodes"\n[[factor.level]]\nname = "usual"\n[[factor.level]]\nname = "few"\nseeds = 2\namplitude = 1e-6\n' >>"$plan"
+  expect 0 "5 of 5 runs: 5 done" "$gasjet" study run "$plan" --out "$work/levels"
+  for share in 2/2 1/2; do "$gasjet" study run "$plan" --out "$work/shares" --share $share --quiet || fail "share $share"; done
+  expect 0 "5 of 5 runs" "$gasjet" study merge "$work/shares"
+  same_study "$work/levels" "$work/shares" study.json
+  grep -Eq '^1,few,peak_pressure_Pa,[-0-9.e]+,[-0-9.e]+,2$' "$work/levels/means.csv" || fail "runs of the level: $(cat "$work/levels/means.csv")"
+  for value in 0,3,usual,1e-4 1,2,few,1e-6; do
+    "$gasjet" run "$source/cases/passenger_pendulum.toml" --quiet --out "$work/run" --set scene.end_time=0.004 \
+      --set membrane.perturbation="${value##*,}" --set membrane.perturbation_seed="$(cut -d, -f2 <<<"$value")"
+    grep -q "\"pressure_Pa\": $(sed -n "s/^${value%,*},\([0-9.]*\),.*/\1/p" "$work/levels/results.csv")" "$work/run/summary.json" ||
+      fail "$value is not the peak of the run"
+  done
+  # Numbers over the rows of the history.
+  tank_plan "$plan" '[[factor]]' 'key = "inflator.0.mass_flow"' 'values = [0.1]'
+  sed -i 's/"pressure_Pa"/"max(pressure_Pa)", "min(pressure_Pa)", "integral(pressure_Pa)"/' "$plan"
+  expect 0 "1 of 1 runs" "$gasjet" study run "$plan" --out "$work/rows"
+  "$gasjet" run "$source/cases/rigid_tank.toml" --quiet --out "$work/run" --set inflator.0.mass_flow=0.1
+  awk -F, '
+    /^#/ || $1 ~ /^(time_s|point)$/ { next }
+    FILENAME ~ /history/ {
+      if (rows++) { sum += ($1 - time) * ($2 + last) / 2; if ($2 > most) most = $2; if ($2 < least) least = $2 } else most = least = $2
+      time = $1; last = $2; next }
+    { exit !(rows > 2 && most > least && $4 == most && $5 == least && ($6 / sum - 1) ^ 2 < 1e-24) }' "$work/run/history.csv" "$work/rows/results.csv" ||
+    fail "over the rows: $(tail -n 1 "$work/rows/results.csv")"
+  sed -i 's/max(/mean(/' "$plan"
+  expect 2 "holds \"mean(pressure_Pa)\", which the scene lacks; allowed are .*integral() of a column" "$gasjet" study run "$plan" --out "$work/none"
+}
+
 part_study_bad() {
   local plan=$work/plan.toml at=$work/plan.toml
   refused() { expect 2 "$1" "$gasjet" study run "$plan" --out "$work/none"; [ ! -e "$work/none" ] || fail "something is written: $1"; }
@@ -150,6 +183,16 @@ part_study_bad() {
   refused "analysis.base.factor: is \"x\", a factor is needed"
   tank_plan "$plan" 'unknown = 1'
   refused "$at:4:1: study.unknown: unknown key"
+  tank_plan "$plan" '[[factor]]' 'name = "a"' '[[factor.level]]' 'name = "b"' 'seeds = 2'
+  refused "$at:6:1: factor.0.level.0: has seeds or an amplitude, which need study.seeds"
+  bag_plan "$plan" 4
+  sed -i 's/^name = "yes"/&\nseeds = 5/' "$plan"
+  refused "factor.0.level.0.seeds: is 5, an integer of 1 to 4"
+  sed -i 's/^seeds = 5/set = ["membrane.perturbation=1e-3"]/' "$plan"
+  refused "factor.0.level.0.set: holds \"membrane.perturbation=1e-3\", but seeds set the perturbation"
+  sed -i 's/^set = \["membrane.*/seeds = 2/' "$plan"
+  printf '[stop]\nquantity = "peak_pressure_Pa"\nstandard_error = 1\n' >>"$plan"
+  refused "stop: decides on seeds, but the level \"yes\" has some of its own"
   printf '[study]\ncase = "%s/cases/rigid_tank.toml"\nquantities = ["final_angle_rad"]\n' "$source" >"$plan"
   refused "$at:3:1: study.quantities: holds \"final_angle_rad\", which the scene lacks"
   printf '[study]\ncase = "none.toml"\n' >"$plan"

@@ -17,7 +17,9 @@ namespace driver {
 struct StudyLevel {
   std::string name;
   std::vector<std::string> overrides;
-  std::optional<double> number;  // of a level that is a number
+  std::optional<double> number;                    // of a level that is a number
+  std::optional<int> seeds = std::nullopt;         // at most those of the study
+  std::optional<double> amplitude = std::nullopt;  // instead of the study's
 };
 
 /// What a study varies: listed levels, or a range that a sampled design takes values from.
@@ -74,6 +76,10 @@ struct StudyPlan {
   std::vector<std::filesystem::path> files;
 
   int most_seeds() const { return stop ? stop->most_seeds : std::max(seeds, 1); }
+  /// Of a point: the fewest that it or one of its levels asks for.
+  int seeds_at(std::size_t point) const;
+  /// Of a point: that of its last level that has one.
+  double amplitude_at(std::size_t point) const;
   long most_runs() const { return static_cast<long>(points.size()) * most_seeds(); }
 };
 

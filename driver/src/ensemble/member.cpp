@@ -49,12 +49,29 @@ constexpr Quantity kQuantities[] = {
 };
 // clang-format on
 
+// Over the time, the first column.
+double integral(const std::vector<std::vector<double>>& rows, std::size_t at) {
+  double sum = 0.0;
+  for (std::size_t i = 1; i < rows.size(); ++i)
+    sum += (rows[i][0] - rows[i - 1][0]) * (rows[i][at] + rows[i - 1][at]) / 2.0;
+  return sum;
+}
+
 }  // namespace
 
 std::vector<std::string> quantity_names(const Scene& scene) {
   std::vector<std::string> names;
   for (const Quantity& quantity : kQuantities)
     if (quantity.when(scene)) names.emplace_back(quantity.name);
+  return names;
+}
+
+std::vector<std::string> history_quantities(const Scene& scene) {
+  std::vector<std::string> names;
+  for (const auto& column : history_columns(scene)) names.push_back(column.name);
+  const std::size_t columns = names.size();
+  for (const char* over_rows : {"max", "min", "integral"})
+    for (std::size_t i = 0; i < columns; ++i) names.push_back(fmt::format("{}({})", over_rows, names[i]));
   return names;
 }
 
@@ -85,9 +102,17 @@ std::optional<double> quantity_of(const Scene& scene, const Member& member, cons
   const auto found = std::ranges::find(names, name);
   if (found != names.end()) return member.quantities[static_cast<std::size_t>(found - names.begin())];
   const auto columns = history_columns(scene);
-  const auto column = std::ranges::find(columns, name, &Column::name);
-  if (column == columns.end()) return std::nullopt;
-  return member.rows.back()[static_cast<std::size_t>(column - columns.begin())];
+  const auto open = name.find('(');
+  const std::string over_rows = open == std::string::npos ? "" : name.substr(0, open);
+  const std::string wanted = open == std::string::npos ? name : name.substr(open + 1, name.size() - open - 2);
+  const auto column = std::ranges::find(columns, wanted, &Column::name);
+  if (column == columns.end() || member.rows.empty()) return std::nullopt;
+  const auto at = static_cast<std::size_t>(column - columns.begin());
+  const auto value = [&](const std::vector<double>& of_row) { return of_row[at]; };
+  if (over_rows.empty()) return value(member.rows.back());
+  if (over_rows == "max") return value(*std::ranges::max_element(member.rows, {}, value));
+  if (over_rows == "min") return value(*std::ranges::min_element(member.rows, {}, value));
+  return integral(member.rows, at);
 }
 
 std::vector<std::string> perturbed(std::vector<std::string> overrides, double amplitude, int seed) {

@@ -28,7 +28,11 @@ Member run_member(const Scene& scene);
 /// Came to an end of its own, in its domain or not; one that never began has not.
 bool has_ended(const Member& member);
 
-/// A quantity of quantity_names, or a column of the history at its end; none: of an event that did not occur.
+/// Columns of the history, whose last value counts, then max(COLUMN), min(COLUMN) and integral(COLUMN) over
+/// its rows, the last by trapezoids over the time.
+std::vector<std::string> history_quantities(const Scene& scene);
+
+/// A quantity of quantity_names or history_quantities; none: of an event that did not occur.
 std::optional<double> quantity_of(const Scene& scene, const Member& member, const std::string& name);
 
 /// For a journal; finite numbers come back as the same doubles, others as NaN.

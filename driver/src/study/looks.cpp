@@ -64,8 +64,11 @@ std::vector<int> needed_seeds(const StudyPlan& plan, const StudyRuns& ended) {
 }  // namespace
 
 std::vector<long> asked_runs(const StudyPlan& plan, const StudyRuns& ended) {
-  const auto seeds =
-      plan.stop ? needed_seeds(plan, ended) : std::vector<int>(plan.points.size(), plan.most_seeds());
+  std::vector<int> seeds;
+  if (plan.stop)
+    seeds = needed_seeds(plan, ended);
+  else
+    for (std::size_t p = 0; p < plan.points.size(); ++p) seeds.push_back(plan.seeds_at(p));
   std::vector<long> runs;
   for (std::size_t p = 0; p < plan.points.size(); ++p)
     for (int seed = 0; seed < seeds[p]; ++seed)

@@ -14,6 +14,7 @@ namespace driver {
 namespace {
 
 constexpr Bounds rate{0.0, 0.5, true, "a number above 0, at most 0.5"};
+constexpr Bounds small_length{1e-18, 1e-3, false, "1e-18 to 1e-3 m"};
 
 std::vector<std::string> overrides_of(TableReader& table) {
   std::vector<std::string> overrides = table.texts("set");
@@ -21,9 +22,21 @@ std::vector<std::string> overrides_of(TableReader& table) {
   return overrides;
 }
 
-void read_levels(TableReader& table, StudyFactor& factor) {
+// Seeds set the perturbation themselves; another one would add to it.
+void refuse_perturbation(TableReader& table, const char* key, const std::vector<std::string>& overrides) {
+  for (const auto& text : overrides)
+    if (text.starts_with("membrane.perturbation"))
+      table.fail(key, fmt::format("holds \"{}\", but seeds set the perturbation (amplitude)", text));
+}
+
+void read_levels(TableReader& table, StudyFactor& factor, int seeds) {
   for (auto& reader : table.tables("level")) {
     StudyLevel level{reader.text("name"), overrides_of(reader), std::nullopt};
+    if (seeds == 0 && (reader.has("seeds") || reader.has("amplitude")))
+      reader.fail("", "has seeds or an amplitude, which need study.seeds of 1 or more");
+    if (reader.has("seeds")) level.seeds = reader.integer("seeds", 1, seeds, seeds);
+    if (seeds > 0) refuse_perturbation(reader, "set", level.overrides);
+    level.amplitude = reader.optional_number("amplitude", small_length);
     reader.finish();
     factor.levels.push_back(std::move(level));
   }
@@ -40,13 +53,14 @@ void read_range(TableReader& table, StudyFactor& factor) {
   factor.low = range[0], factor.high = range[1];
 }
 
-StudyFactor read_factor(TableReader& table) {
+StudyFactor read_factor(TableReader& table, int seeds) {
   StudyFactor factor;
   factor.path = table.path();
   if (table.has("key")) factor.key = table.text("key");
+  if (seeds > 0) refuse_perturbation(table, "key", {factor.key});
   factor.name = factor.key.empty() ? table.text("name") : table.text("name", factor.key);
   if (factor.key.empty())
-    read_levels(table, factor);
+    read_levels(table, factor, seeds);
   else if (table.has("values"))
     for (const auto& [text, number] : table.elements("values"))
       factor.levels.push_back({text, {factor.key + '=' + text}, number});
@@ -59,7 +73,7 @@ StudyFactor read_factor(TableReader& table) {
 void read_factors(TableReader& root, StudyPlan& plan) {
   std::set<std::string> names{"point", "seed", "status", "steps", "message"};
   for (auto& table : root.tables("factor")) {
-    plan.factors.push_back(read_factor(table));
+    plan.factors.push_back(read_factor(table, plan.seeds));
     if (!names.insert(plan.factors.back().name).second)
       table.fail("name", fmt::format("is \"{}\", which is another column already", plan.factors.back().name));
     std::set<std::string> levels;
@@ -134,6 +148,11 @@ void read_stop(TableReader& root, StudyPlan& plan) {
     table->fail("standard_error", "or sign_error_rate is needed, one of the two");
   if (stop.error_rate && !plan.base) table->fail("sign_error_rate", "needs [analysis.base]");
   if (plan.seeds < 4) table->fail("", "needs study.seeds of 4 or more: runs of the first look");
+  for (const auto& factor : plan.factors)
+    for (const auto& level : factor.levels)
+      if (level.seeds)
+        table->fail("",
+                    fmt::format("decides on seeds, but the level \"{}\" has some of its own", level.name));
   stop.most_seeds = table->integer("most_seeds", plan.seeds, 1'000'000, 1024);
   plan.stop = stop;
   table->finish();
@@ -194,25 +213,24 @@ std::vector<std::string> quantities_of(TableReader& table, const Scene& scene) {
   const auto given = table.texts("quantities");
   if (given.empty()) return names;
   for (const auto& column : history_columns(scene)) names.push_back(column.name);
+  const std::string shown = fmt::format("{}", fmt::join(names, ", "));
+  for (auto& name : history_quantities(scene)) names.push_back(std::move(name));
   for (const auto& name : given)
     if (std::ranges::find(names, name) == names.end())
-      table.fail("quantities", fmt::format("holds \"{}\", which the scene lacks; allowed are {}", name,
-                                           fmt::join(names, ", ")));
+      table.fail("quantities",
+                 fmt::format("holds \"{}\", which the scene lacks; allowed are {}, and max(), min() "
+                             "and integral() of a column of the history",
+                             name, shown));
   for (auto name = given.begin(); name != given.end(); ++name)
     if (std::find(given.begin(), name, *name) != name)
       table.fail("quantities", fmt::format("holds \"{}\" twice", *name));
   return given;
 }
 
-void read_perturbation(TableReader& table, StudyPlan& plan, const Scene& scene) {
-  plan.seeds = table.integer("seeds", 0, 1'000'000, 0);
-  plan.amplitude =
-      table.number("amplitude", Bounds{1e-18, 1e-3, false, "1e-18 to 1e-3 m"}, default_amplitude);
+void check_perturbation(TableReader& table, const StudyPlan& plan, const Scene& scene) {
   if (plan.seeds == 0) return;
   if (!scene.bag) table.fail("seeds", "perturb the nodes of a membrane, the scene has none");
-  for (const auto& text : plan.overrides)
-    if (text.starts_with("membrane.perturbation"))
-      table.fail("set", fmt::format("holds \"{}\", but seeds set the perturbation (amplitude)", text));
+  refuse_perturbation(table, "set", plan.overrides);
 }
 
 // Of the plan as it is, the case with its overrides and what both name.
@@ -236,6 +254,18 @@ std::vector<std::string> StudyPoint::overrides() const {
   return all;
 }
 
+int StudyPlan::seeds_at(std::size_t point) const {
+  int fewest = most_seeds();
+  for (const auto& level : points[point].levels) fewest = std::min(fewest, level.seeds.value_or(fewest));
+  return fewest;
+}
+
+double StudyPlan::amplitude_at(std::size_t point) const {
+  double last = amplitude;
+  for (const auto& level : points[point].levels) last = level.amplitude.value_or(last);
+  return last;
+}
+
 StudyPlan read_study(const std::filesystem::path& file) {
   CaseDocument document(file, {});
   TableReader root = document.root();
@@ -245,13 +275,15 @@ StudyPlan read_study(const std::filesystem::path& file) {
   plan.name = table.text("name", file.stem().string());
   plan.case_file = table.beside_case(table.text("case"));
   plan.overrides = overrides_of(table);
+  plan.seeds = table.integer("seeds", 0, 1'000'000, 0);
+  plan.amplitude = table.number("amplitude", small_length, default_amplitude);
   read_factors(root, plan);
   Scene scene;
   {
     CaseDocument scene_document(plan.case_file, plan.overrides);
     scene = read_scene(scene_document);
   }
-  read_perturbation(table, plan, scene);
+  check_perturbation(table, plan, scene);
   table.located("", [&] { plan.points = points_of(table, plan); });
   check_points(root, plan);
   plan.quantities = quantities_of(table, scene_at(plan, plan.points.front()));

@@ -130,7 +130,8 @@ void run_chunk(const StudyPlan& plan, const StudyChunk& chunk,
     try {
       if (!scene) scene = scene_of(plan, point_of(plan, number));
       const Eigen::Matrix3Xd shape = scene->bag ? scene->bag->initial_position : Eigen::Matrix3Xd();
-      if (plan.seeds > 0) displace_nodes(*scene, plan.amplitude, seed_of(plan, number));
+      if (plan.seeds > 0)
+        displace_nodes(*scene, plan.amplitude_at(point_of(plan, number)), seed_of(plan, number));
       const Member member = run_member(*scene);
       if (scene->bag) scene->bag->initial_position = shape;
       if (member.outcome.status == RunStatus::interrupted) break;
