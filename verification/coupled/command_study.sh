@@ -153,7 +153,7 @@ part_study_levels() {
     { exit !(rows > 2 && most > least && $4 == most && $5 == least && ($6 / sum - 1) ^ 2 < 1e-24) }' "$work/run/history.csv" "$work/rows/results.csv" ||
     fail "over the rows: $(tail -n 1 "$work/rows/results.csv")"
   sed -i 's/max(/mean(/' "$plan"
-  expect 2 "holds \"mean(pressure_Pa)\", which the scene lacks; allowed are .*integral() of a column" "$gasjet" study run "$plan" --out "$work/none"
+  expect 2 "holds \"mean.pressure_Pa.\", which the scene lacks; allowed are .*integral.. of a column" "$gasjet" study run "$plan" --out "$work/none"
 }
 
 part_study_bad() {
@@ -187,7 +187,7 @@ part_study_bad() {
   refused "$at:6:1: factor.0.level.0: has seeds or an amplitude, which need study.seeds"
   bag_plan "$plan" 4
   sed -i 's/^name = "yes"/&\nseeds = 5/' "$plan"
-  refused "factor.0.level.0.seeds: is 5, an integer of 1 to 4"
+  refused "factor.0.level.0.seeds: is 5, a whole number from 1 to 4"
   sed -i 's/^seeds = 5/set = ["membrane.perturbation=1e-3"]/' "$plan"
   refused "factor.0.level.0.set: holds \"membrane.perturbation=1e-3\", but seeds set the perturbation"
   sed -i 's/^set = \["membrane.*/seeds = 2/' "$plan"
