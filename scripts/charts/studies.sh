@@ -29,6 +29,7 @@ rows() {
     ensemble_convergence) awk -F, -v first=varied -f scripts/charts/jet_effects.awk "$2/means.csv" ;;
     jet_map) awk -F, -v first=input -f scripts/charts/jet_effects.awk "$2/means.csv" ;;
     impulse_limits | first_contact_seed | weave | runs_needed) awk -F, -f "scripts/charts/$1_rows.awk" "$2/means.csv" ;;
+    coupled_work_precision) awk -F, -f "scripts/charts/$1_rows.awk" "$2"/{timing,means}.csv ;;
     what_to_measure) grep -v '^#' "$2/sobol.csv" ;;
     *) grep -v '^#' "$2/means.csv" ;;
   esac

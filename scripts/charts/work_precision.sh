@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# Work against precision, all charts of docs/charts/README.md: CSV with machine, compiler, flags and commit, and SVG, in
-# docs/charts. Times are CPU time on one core; some ten minutes in all, on an idle machine.
-# usage: scripts/charts/work_precision.sh [CHART...]      gas, tank_test, bag, jet, coupled; all of them by default
+# Work against precision, the charts of docs/charts/README.md that benchmarks measure: CSV with machine, compiler, flags and
+# commit, and SVG, in docs/charts. Times are CPU time on one core; some ten minutes in all, on an idle machine.
+# usage: scripts/charts/work_precision.sh [CHART...]      gas, tank_test, bag, jet; all of them by default
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 # shellcheck source-path=SCRIPTDIR source=provenance.sh
@@ -78,73 +78,15 @@ chart_bag() {
   draw bag_work_precision
 }
 
-cells="--set membrane.mesh.depth_cells=14 --set membrane.mesh.width_cells=6 --set membrane.mesh.height_cells=11"
-panels="--set membrane.mesh.attachment_width_cells=4 --set membrane.mesh.attachment_height_cells=3"
-panels+=" --set membrane.mesh.vent_depth_cell=4 --set membrane.mesh.vent_height_cell=5"
-
-# Ensembles of the paper's scene, 16 runs each: varied | value | options. The last of each group is what the others are held
-# against, for `gas` that of `step`. On meshes other than the scene's own contact is as stiff per area as on that.
-ensembles() {
-  local stiffness # [N/m3]
-  stiffness="--set contact={stiffness=$(build/gasjet check cases/passenger_pendulum.toml |
-    sed -n 's/^contact stiffness: \([^ ]*\).*/\1/p')}"
-  cat <<TABLE
-step|0.9|--set time.safety=0.9
-step|0.8|
-step|0.4|--set time.safety=0.4
-step|0.2|--set time.safety=0.2
-gas|dormand_prince 1e-2|--set time.gas_tolerance=1e-2
-gas|dormand_prince 1e-6|--set time.gas_tolerance=1e-6
-gas|dormand_prince 1e-10|
-gas|rosenbrock 1e-6|--set time.gas_method=rosenbrock --set time.gas_tolerance=1e-6
-gas|euler 1e-4|--set time.gas_method=euler --set time.gas_tolerance=1e-4
-mesh|1216|$cells $panels $stiffness
-mesh|2744|
-mesh|10970|--set membrane.mesh.refine=1 $stiffness
-TABLE
-}
-
-# ensemble_rows FOLDER VARIED VALUE OPTION...: rows varied, value, quantity, CPU time [s] a run, mean, standard error, runs.
-ensemble_rows() {
-  local folder=$1 varied=$2 value=$3 runs=16 seconds TIMEFORMAT=%U
-  shift 3
-  seconds=$({ time build/gasjet ensemble cases/passenger_pendulum.toml --runs "$runs" --threads "$(nproc)" --quiet --out "$folder" \
-    "$@" >"$folder.log" 2>&1; } 2>&1) || { cat "$folder.log" >&2; return 1; }
-  awk -F, -v head="$varied,$value" -v cpu="$seconds" -v runs="$runs" \
-    '$1 == "final_angle_rad" || $1 == "path_impulse_Ns" || $1 == "peak_cg_acceleration_cfc180_m_s2" {
-      printf "%s,%s,%.4g,%s,%s,%s\n", head, $1, cpu / runs, $2, $3, $6 }' "$folder"/passenger_pendulum/quantities.csv
-}
-
-chart_coupled() {
-  build gasjet
-  local scratch varied value options i=0
-  scratch=$(mktemp -d)
-  ensembles >"$scratch/ensembles"
-  while IFS='|' read -r varied value options; do
-    say "coupled: $varied $value"
-    # shellcheck disable=SC2086  # options are words
-    ensemble_rows "$scratch/$((++i))" "$varied" "$value" $options >>"$scratch/rows" </dev/null
-  done <"$scratch/ensembles"
-  {
-    header "cases/passenger_pendulum.toml; error: of the mean, against the last of the group (gas: of step), with its standard error"
-    echo "varied,value,quantity,cpu_s,mean,standard_error,runs,error,error_standard_error"
-    awk -F, -v OFS=, 'NR == FNR { mean[$1, $3] = $5; error[$1, $3] = $6; next }
-      { group = $1 == "gas" ? "step" : $1; m = mean[group, $3]; e = error[group, $3]; d = $5 / m - 1
-        print $0, sprintf("%.3g", d < 0 ? -d : d), sprintf("%.3g", sqrt($6 ^ 2 + e ^ 2) / m) }' "$scratch/rows" "$scratch/rows"
-  } >"$folder/coupled_work_precision.csv"
-  rm -r "$scratch"
-  draw coupled_work_precision
-}
-
 chart_jet() {
   scripts/charts/jet_fidelity.sh >&2
   scripts/charts/jet_cost.sh >&2
 }
 
 charts=("$@")
-((${#charts[@]})) || charts=(gas tank_test bag jet coupled)
+((${#charts[@]})) || charts=(gas tank_test bag jet)
 for chart in "${charts[@]}"; do
-  [[ $(type -t "chart_$chart") == function ]] || { say "no chart '$chart'; there are gas, tank_test, bag, jet, coupled"; exit 2; }
+  [[ $(type -t "chart_$chart") == function ]] || { say "no chart '$chart'; there are gas, tank_test, bag, jet"; exit 2; }
 done
 scripts/setup_debian12.sh libsundials-dev libembree-dev >&2 # the peers
 for chart in "${charts[@]}"; do

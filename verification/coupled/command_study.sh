@@ -156,6 +156,18 @@ part_study_levels() {
   expect 2 "holds \"mean.pressure_Pa.\", which the scene lacks; allowed are .*integral.. of a column" "$gasjet" study run "$plan" --out "$work/none"
 }
 
+# The plans that ship: each is taken, and the stiffness that they give to finer meshes is that of the case.
+part_study_plans() {
+  local plan stiffness
+  for plan in "$source"/cases/studies/*.toml; do
+    expect 0 "points, .* factors, .* runs" "$gasjet" study run "$plan" --check
+  done
+  stiffness=$("$gasjet" check "$source/cases/passenger_pendulum.toml" | sed -n 's/^contact stiffness: \([^ ]*\).*/\1/p')
+  grep -hoE 'contact=\{stiffness=[^}]*' "$source"/cases/studies/*.toml | cut -d= -f3 | sort -u |
+    awk -v one="$stiffness" '{ ++n; share = $1 / one; if (share != 0.5 && share != 1 && share != 4) { print $1 " for " one; bad = 1 } } END { exit bad || !n }' ||
+    fail "the stiffness of a plan is no share of the case's"
+}
+
 part_study_bad() {
   local plan=$work/plan.toml at=$work/plan.toml
   refused() { expect 2 "$1" "$gasjet" study run "$plan" --out "$work/none"; [ ! -e "$work/none" ] || fail "something is written: $1"; }
