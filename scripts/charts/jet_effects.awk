@@ -10,14 +10,15 @@
   next
 }
 $(at["mean"]) == "" { next }  # of an event that did not occur
-$(at["jet"]) == "with" { key = $2 "," $(at["quantity"]); mean[key] = $(at["mean"]); error[key] = $(at["standard_error"]); runs[key] = $(at["runs"]); next }
-($2 "," $(at["quantity"])) in mean {
-  key = $2 "," $(at["quantity"])
+{ key = $2 "," $(at["quantity"]) }
+$(at["jet"]) == "with" { mean[key] = $(at["mean"]); error[key] = $(at["standard_error"]); runs[key] = $(at["runs"]); next }
+key in mean {
   cut = index($2, " = ")
   s = sqrt(error[key] ^ 2 + $(at["standard_error"]) ^ 2)
   d = mean[key] - $(at["mean"])
   n = s > 0 ? (d < 0 ? -d : d) / s : 0
   fewest = runs[key] < $(at["runs"]) ? runs[key] : $(at["runs"])
+  decided = n > 5 && fewest >= 16 ? "yes" : "no"
   printf "%s,%s,%.6g,%.3g,%.6g,%.3g,%d,%.6g,%.3g,%s\n", cut ? substr($2, 1, cut - 1) "," substr($2, cut + 3) : $2 ",-", $(at["quantity"]),
-    mean[key], error[key], $(at["mean"]), $(at["standard_error"]), fewest, d, n, n > 5 && fewest >= 16 ? "yes" : "no"
+    mean[key], error[key], $(at["mean"]), $(at["standard_error"]), fewest, d, n, decided
 }

@@ -16,12 +16,12 @@ while [[ ${1:-} == --* ]]; do
   esac
   shift 2
 done
-[[ -x $gasjet ]] || { echo "studies.sh: $gasjet is missing: scripts/run_main_case.sh builds it" >&2; exit 2; }
 names=("$@")
 ((${#names[@]})) || mapfile -t names < <(basename -s .toml cases/studies/*.toml)
 for name in "${names[@]}"; do
   [[ -f cases/studies/$name.toml ]] || { echo "studies.sh: no plan cases/studies/$name.toml" >&2; exit 2; }
 done
+[[ -x $gasjet ]] || { echo "studies.sh: $gasjet is missing: scripts/run_main_case.sh builds it" >&2; exit 2; }
 
 # rows NAME FOLDER: the table of the study in FOLDER: its means, or what is made of them
 rows() {
