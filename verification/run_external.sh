@@ -106,14 +106,15 @@ tolerance_options() {
 
 # scene_as_json SCENE: the case's settings, and what the reference asks for, in one object.
 scene_as_json() {
-  local table=$reference/$1.csv case
+  local table=$reference/$1.csv case word displaced=()
   case=$(sed -n 's/^# case: //p' "$table")
   awk -F, -v scene="$1" '/^#/ { next }
     !n++ { for (i = 2; i <= NF; i++) if (sub(/_band$/, "", $i)) columns = columns (columns ? ", " : "") "\"" $i "\""; next }
     { times = times (times ? ", " : "") $1 }
     END { printf "{\n  \"scene\": \"%s\",\n  \"columns\": [%s],\n  \"times\": [%s],\n", scene, columns, times }' "$table"
   cd "$root" || return
-  if "$gasjet" mesh case "$case" --out "$work/$1.obj" --initial "$work/$1.initial.obj" >/dev/null 2>&1; then
+  for word in $(sed -n 's/^# initial shape: //p' "$table"); do displaced+=(--set "$word"); done
+  if "$gasjet" mesh case "$case" --out "$work/$1.obj" --initial "$work/$1.initial.obj" "${displaced[@]}" >/dev/null 2>&1; then
     "$gasjet" mesh case "$case" --out "$work/$1.k" >/dev/null
     printf '  "mesh": "%s",\n  "mesh_keyword": "%s",\n  "mesh_initial": "%s",\n' "$work/$1."{obj,k,initial.obj}
   fi

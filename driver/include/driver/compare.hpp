@@ -15,6 +15,7 @@ namespace driver {
 struct History {
   std::vector<double> time;                                          // [s]
   std::vector<std::pair<std::string, std::vector<double>>> columns;  // name and values, one for each time
+  int runs = 1;                                                      // that the columns are means of
 
   /// Values of a column; nullptr if there is none of that name.
   const std::vector<double>* find(const std::string& name) const;
@@ -24,11 +25,15 @@ struct History {
 /// quantity. With a map (TOML, docs/case_files.md), `file` has another format, and the map names its columns,
 /// units and offsets. Throws CaseError, at the place of the fault, for
 /// - a file that cannot be read, or a text that is no number,
-/// - a band below 0, times that do not rise, or fewer than 3 rows.
+/// - a band or standard error below 0, times that do not rise, or fewer than 3 rows,
+/// - an ensemble that does not say of how many runs.
 History read_history(const std::filesystem::path& file, const std::filesystem::path& map = {});
 
 /// Suffix of a column that holds the half width of the error band of the column before it.
 inline constexpr const char* band_suffix = "_band";
+/// Suffix of the standard error of a mean, and of the scatter (standard deviation) of a run about it.
+inline constexpr const char* standard_error_suffix = "_standard_error";
+inline constexpr const char* scatter_suffix = "_scatter";
 
 /// Verdict on a quantity or on a whole comparison.
 enum class Verdict { inside, outside, undecided, not_judged };
@@ -52,6 +57,9 @@ struct QuantityDifference {
   /// [-] l2 over sqrt(mean of reference^2); none if that is 0.
   std::optional<double> relative;
   double share_of_band = 0.0;  // [-] largest |mine - reference| / band over the rows
+  /// [-] of the reference's peak: the change there that would be outside in nine of ten cases; ensembles
+  /// only.
+  std::optional<double> seen;
   /// [s] by which mine is late; none for a signal that does not change.
   std::optional<double> phase_lag;
   Peak mine, reference;  // largest in magnitude
@@ -61,6 +69,7 @@ struct QuantityDifference {
 
 /// Difference of two histories.
 struct Difference {
+  int runs = 1, reference_runs = 1;  // that they are means of
   Verdict verdict = Verdict::undecided;
   std::string reason;        // why, unless inside
   std::vector<double> time;  // [s] times of the reference that mine covers
@@ -82,6 +91,10 @@ struct Tolerance {
 /// A quantity with a band is undecided if mine lacks it, does not cover all of the reference's times or is
 /// sampled too coarsely. It is also undecided if the band is as wide as the signal itself. The whole is
 /// outside if a quantity is; else undecided if a quantity is, or if none was judged.
+///
+/// If the reference is an ensemble, what chance does to the difference of both means (Student's test) is
+/// added to the band of each quantity that has a standard error. One that the scatter hides is not judged
+/// then.
 ///
 /// `tolerance` widens every band. `only`: names to compare, all if empty. Throws CaseError for a name of
 /// `only` or `tolerance` that the reference does not have, and for one of `only` that is given twice.

@@ -19,6 +19,7 @@ inline constexpr double default_amplitude = 1e-4;  // [m]
 struct EnsembleOptions {
   int runs = 16;
   double amplitude = default_amplitude;  // [m] largest random displacement of the initial nodes
+  int first_seed = 1;                    // of the displacements; the runs have this and the following ones
   int threads = 1;                       // runs at a time
   bool quiet = false;
 };
@@ -53,9 +54,9 @@ struct EnsembleResult {
 /// perturbation.
 Scene read_ensemble_scene(const std::filesystem::path& file, const std::vector<std::string>& overrides);
 
-/// Runs the case with seeds 1 to `runs`; the result does not depend on `threads`. With a folder each run that
-/// ends is noted in its journal, and what stands there is not run again. Throws CaseError as
-/// read_ensemble_scene does.
+/// Runs the case with `runs` seeds from `first_seed` on; the result does not depend on `threads`. With a
+/// folder each run that ends is noted in its journal, and what stands there is not run again. Throws
+/// CaseError as read_ensemble_scene does.
 EnsembleResult run_ensemble(const std::filesystem::path& file, const std::vector<std::string>& overrides,
                             const EnsembleOptions& options, ResultFolder* folder = nullptr);
 

@@ -70,6 +70,7 @@ struct EnsembleArguments {
   std::filesystem::path out;
   int runs = 16;
   double amplitude = default_amplitude;  // [m] of the initial nodes' random displacement
+  int first_seed = 1;                    // of the runs' displacements
   int threads = 1;
   bool quiet = false;
 };

@@ -14,26 +14,40 @@
 namespace driver::commands {
 namespace {
 
+std::string runs_text(int runs) {
+  return runs == 1 ? "one run" : fmt::format("the mean of {} runs", runs);
+}
+
+std::string seen_text(const QuantityDifference& q) {
+  return fmt::format("{:>9}", q.seen ? fmt::format("{:.3g} %", 100.0 * *q.seen) : "-");
+}
+
 void print_text(const CompareArguments& a, const Difference& difference) {
   fmt::print("{} against {}", a.mine.string(), a.reference.string());
   if (!difference.time.empty())
     fmt::print(": {} times from {:.6g} to {:.6g} s", difference.time.size(), difference.time.front(),
                difference.time.back());
-  fmt::print("\n{:34} {:>10} {:>10} {:>10} {:>9} {:>8} {:>10} {:>12} {:>9} {:>12} {:>9}  {}\n", "quantity",
+  if (difference.reference_runs > 1)
+    fmt::print("; {} against the mean of {}", runs_text(difference.runs), difference.reference_runs);
+  const bool means = difference.reference_runs > 1;
+  fmt::print("\n{:34} {:>10} {:>10} {:>10} {:>9} {:>8} {:>10} {:>12} {:>9} {:>12} {:>9} {} {}\n", "quantity",
              "max error", "at [s]", "L2 error", "relative", "of band", "lag [s]", "peak", "at [s]",
-             "reference", "at [s]", "verdict");
+             "reference", "at [s]", means ? "     sees" : "", "verdict");
   for (const auto& q : difference.quantities) {
     if (q.values.empty()) {
       fmt::print("{:34} {}: {}\n", q.name, verdict_name(q.verdict), q.reason);
       continue;
     }
     fmt::print(
-        "{:34} {:10.4g} {:10.4g} {:10.4g} {:>9} {:>8} {:>10} {:12.6g} {:9.4g} {:12.6g} {:9.4g}  {}{}\n",
+        "{:34} {:10.4g} {:10.4g} {:10.4g} {:>9} {:>8} {:>10} {:12.6g} {:9.4g} {:12.6g} {:9.4g} {} {}{}\n",
         q.name, q.largest.value, q.largest.time, q.l2, q.relative ? fmt::format("{:.2e}", *q.relative) : "-",
         q.band.empty() ? "-" : fmt::format("{:.3g}", q.share_of_band),
         q.phase_lag ? fmt::format("{:.3g}", *q.phase_lag) : "-", q.mine.value, q.mine.time, q.reference.value,
-        q.reference.time, verdict_name(q.verdict), q.reason.empty() ? "" : ": " + q.reason);
+        q.reference.time, means ? seen_text(q) : "", verdict_name(q.verdict),
+        q.reason.empty() ? "" : ": " + q.reason);
   }
+  if (means)
+    fmt::print("sees: the change of the reference's peak that would be outside in nine of ten cases\n");
   fmt::print("{}{}\n", verdict_name(difference.verdict),
              difference.reason.empty() ? "" : ": " + difference.reason);
 }

@@ -73,14 +73,17 @@ std::string id_of_cases(const std::vector<std::filesystem::path>& files, const E
     read_scene(documents.back());
     cases.push_back(&documents.back());
   }
-  return id_of("ensemble", {fmt::format("{}", arguments.runs), fmt::format("{}", arguments.amplitude)},
+  return id_of("ensemble",
+               {fmt::format("{}", arguments.runs), fmt::format("{}", arguments.amplitude),
+                fmt::format("{}", arguments.first_seed)},
                cases);
 }
 
 }  // namespace
 
 int ensemble(const EnsembleArguments& arguments) {
-  const EnsembleOptions options{arguments.runs, arguments.amplitude, arguments.threads, arguments.quiet};
+  const EnsembleOptions options{arguments.runs, arguments.amplitude, arguments.first_seed, arguments.threads,
+                                arguments.quiet};
   const auto& overrides = arguments.scene.overrides;
   const auto path = arguments.out.empty() ? std::filesystem::path("results") /
                                                 ("ensemble_" + arguments.scene.file.stem().string())

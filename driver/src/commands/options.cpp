@@ -73,6 +73,9 @@ void add_ensemble(CLI::App& app, Arguments& all) {
   ensemble->add_option("--runs", all.ensemble.runs, "number of runs")->check(CLI::Range(2, 100000));
   ensemble->add_option("--amplitude", all.ensemble.amplitude, "largest displacement of the initial nodes [m]")
       ->check(within(1e-18, 1e-3, "1e-18 to 1e-3 m"));
+  ensemble
+      ->add_option("--first-seed", all.ensemble.first_seed, "of the displacements: another one, other runs")
+      ->check(CLI::Range(1, 999000000));
   ensemble->add_option("--against", all.ensemble.against, "a second case: report the difference of the means")
       ->check(named);
 }
@@ -154,9 +157,11 @@ void add_identify(CLI::App& app, IdentifyArguments& a) {
 }
 
 void add_compare(CLI::App& app, CompareArguments& a) {
-  auto* c = app.add_subcommand("compare", "difference of two histories against the reference's error band");
+  auto* c = app.add_subcommand(
+      "compare", "difference of two histories, or means of many runs, against the reference's error band");
   c->add_option("MINE", a.mine, "history to judge")->required();
-  c->add_option("REFERENCE", a.reference, "history (CSV) with a column <name>_band for each band")
+  c->add_option("REFERENCE", a.reference,
+                "history (CSV) with a column <name>_band for each band, or ensemble.csv")
       ->required();
   c->add_option("--map", a.map, "names, units and offsets of MINE's columns (TOML)")->check(named);
   c->add_option("--columns", a.columns, "quantities to compare, separated by commas; all by default")

@@ -2,13 +2,14 @@
 #include "driver/compare.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
 #include <string_view>
 #include <unordered_map>
 
+#include "compare/column_names.hpp"
+#include "compare/mean_test.hpp"
 #include "compare/phase_lag.hpp"
 #include "compare/sampled.hpp"
 #include "driver/case_reader.hpp"
@@ -17,10 +18,6 @@ namespace driver {
 namespace {
 
 constexpr double round_off_of_times = 1e-9;  // of the reference's span: times pass through decimal files
-
-bool is_band(const std::string& name) {
-  return name.size() > std::string(band_suffix).size() && name.ends_with(band_suffix);
-}
 
 // A history may have thousands of columns.
 class Columns {
@@ -36,27 +33,6 @@ class Columns {
  private:
   std::unordered_map<std::string_view, const std::vector<double>*> values_;
 };
-
-void check_name(const char* option, const std::string& name, const std::vector<std::string>& names) {
-  if (std::find(names.begin(), names.end(), name) == names.end())
-    throw CaseError(fmt::format("{} {}: {}, allowed are {}", option, name.empty() ? "''" : name,
-                                name.empty() ? "a name is empty" : "the reference has no such quantity",
-                                fmt::join(names, ", ")));
-}
-
-std::vector<std::string> names_to_compare(const History& reference, const std::vector<std::string>& only,
-                                          const Tolerance& tolerance) {
-  std::vector<std::string> names;
-  for (const auto& [name, values] : reference.columns)
-    if (!is_band(name)) names.push_back(name);
-  for (const auto& name : only) {
-    if (std::count(only.begin(), only.end(), name) > 1)
-      throw CaseError(fmt::format("--columns {}: is given twice, once is allowed", name));
-    check_name("--columns", name, names);
-  }
-  for (const auto& [name, share] : tolerance.of) check_name("--tolerance", name, names);
-  return only.empty() ? names : only;
-}
 
 struct Window {
   std::size_t first = 0, count = 0;  // rows of the reference that mine covers
@@ -117,7 +93,8 @@ void measure(const std::vector<double>& time, QuantityDifference& q) {
   q.phase_lag = phase_lag(time, q.values, q.expected);
 }
 
-void judge(const std::vector<double>& time, const std::vector<double>& doubt, QuantityDifference& q) {
+void judge(const std::vector<double>& time, const std::vector<double>& doubt, bool of_means,
+           QuantityDifference& q) {
   std::size_t outside = 0, unclear = 0, first = 0;
   for (std::size_t i = 0; i < time.size(); ++i) {
     const double off = std::abs(q.values[i] - q.expected[i]);
@@ -134,8 +111,8 @@ void judge(const std::vector<double>& time, const std::vector<double>& doubt, Qu
     q.reason =
         fmt::format("{} of {} rows outside the band, first at {:.6g} s", outside, time.size(), time[first]);
   } else if (is_wider_than_signal(q)) {
-    q.verdict = Verdict::undecided;
-    q.reason = "the band is as wide as the signal";
+    q.verdict = of_means ? Verdict::not_judged : Verdict::undecided;
+    q.reason = of_means ? "so few runs say nothing of it" : "the band is as wide as the signal";
   } else if (unclear > 0) {
     q.verdict = Verdict::undecided;
     q.reason =
@@ -151,35 +128,67 @@ struct Side {
   Columns columns;
 };
 
+constexpr double round_off_of_means = 1e-6;  // of the largest magnitude: means are written with fewer digits
+
+// What all quantities are judged by.
+struct Judgement {
+  const Tolerance& tolerance;
+  std::optional<MeanTest> test;  // if the reference is an ensemble
+  bool mine_is_run = true;
+};
+
+double share_of(const std::string& name, const Tolerance& tolerance) {
+  const auto own = tolerance.of.find(name);
+  return own == tolerance.of.end() ? tolerance.share : own->second;
+}
+
+// Adds what chance does to the difference of both means.
+void add_chance(const MeanTest& test, const std::vector<double>& time, const std::vector<double>& mine,
+                const std::vector<double>& reference, QuantityDifference& q) {
+  const auto errors = test.standard_errors(time, mine, reference);
+  for (std::size_t i = 0; i < time.size(); ++i) q.band[i] += test.chance() * errors[i];
+  const auto top = static_cast<std::size_t>(std::ranges::find(time, q.reference.time) - time.begin());
+  const double change = q.band[top] + (test.seen() - test.chance()) * errors[top];
+  if (q.reference.value != 0.0) q.seen = change / std::abs(q.reference.value);
+}
+
 QuantityDifference compare_quantity(const std::string& name, const Side& mine, const Columns& reference,
                                     const std::vector<double>& time, const Window& window,
-                                    const Tolerance& tolerance) {
+                                    const Judgement& judgement) {
   QuantityDifference q;
   q.name = name;
   const auto* band = reference.find(name + band_suffix);
+  const auto* error = judgement.test ? reference.find(name + standard_error_suffix) : nullptr;
+  const auto* own_error = judgement.mine_is_run ? nullptr : mine.columns.find(name + standard_error_suffix);
   const auto* values = mine.columns.find(name);
   if (!values || window.count == 0) {
-    if (band) q.verdict = Verdict::undecided;
+    if (band || error) q.verdict = Verdict::undecided;
     q.reason = values ? "no common times: mine " + window.text : "mine does not have it";
     return q;
   }
-  std::vector<double> doubt;
+  std::vector<double> doubt, own_errors;
   for (const double t : time) {
     const Sample sample = interpolate(mine.time, *values, t);
     q.values.push_back(sample.value);
     doubt.push_back(sample.doubt);
+    if (own_error) own_errors.push_back(interpolate(mine.time, *own_error, t).value);
   }
   q.expected = rows(*reference.find(name), window);
   measure(time, q);
-  if (!band) {
+  if (!band && !error) {
     q.reason = "the reference states no band";
     return q;
   }
-  q.band = rows(*band, window);
-  const auto own = tolerance.of.find(name);
-  const double share = own == tolerance.of.end() ? tolerance.share : own->second;
+  q.band = band ? rows(*band, window) : std::vector<double>(window.count, 0.0);
+  const double share = share_of(name, judgement.tolerance) + (error ? round_off_of_means : 0.0);
   for (double& width : q.band) width += share * std::abs(q.reference.value);
-  judge(time, doubt, q);
+  if (error && !judgement.mine_is_run && !own_error) {
+    q.verdict = Verdict::undecided;
+    q.reason = "mine is a mean without its standard error";
+    return q;
+  }
+  if (error) add_chance(*judgement.test, time, own_errors, rows(*error, window), q);
+  judge(time, doubt, error != nullptr, q);
   if (!window.whole && q.verdict == Verdict::inside) {
     q.verdict = Verdict::undecided;
     q.reason = "mine " + window.text;
@@ -202,20 +211,9 @@ void conclude(Difference& difference) {
   }
   const bool judged = with(Verdict::inside) != end;
   difference.verdict = judged ? Verdict::inside : Verdict::undecided;
-  if (!judged) difference.reason = "the reference states no band";
-}
-
-void check_bands(const History& reference, const Columns& columns) {
-  for (const auto& [name, values] : reference.columns) {
-    if (!is_band(name)) continue;
-    const std::string quantity = name.substr(0, name.size() - std::string(band_suffix).size());
-    if (!columns.find(quantity))
-      throw CaseError(fmt::format("{}: the reference has a band but no column {}", name, quantity));
-    for (std::size_t i = 0; i < values.size(); ++i)
-      if (values[i] < 0.0)
-        throw CaseError(fmt::format("{}: {} at {:.6g} s: a half width of 0 or more is allowed", name,
-                                    values[i], reference.time[i]));
-  }
+  if (judged) return;
+  difference.reason =
+      difference.reference_runs > 1 ? "so few runs say nothing" : "the reference states no band";
 }
 
 }  // namespace
@@ -244,13 +242,19 @@ Difference compare(const History& mine, const History& reference, const std::vec
                    const Tolerance& tolerance) {
   const Side my_side{mine.time, Columns(mine)};
   const Columns expected(reference);
-  check_bands(reference, expected);
+  check_bands(reference);
   const Window window = common_rows(mine, reference);
   Difference difference;
+  difference.runs = mine.runs;
+  difference.reference_runs = reference.runs;
   difference.time = rows(reference.time, window);
-  for (const auto& name : names_to_compare(reference, only, tolerance))
+  const auto names = names_to_compare(reference, only, tolerance);
+  Judgement judgement{tolerance, {}, mine.runs == 1};
+  if (reference.runs > 1)
+    judgement.test.emplace(mine.runs, reference.runs, names.size() * difference.time.size());
+  for (const auto& name : names)
     difference.quantities.push_back(
-        compare_quantity(name, my_side, expected, difference.time, window, tolerance));
+        compare_quantity(name, my_side, expected, difference.time, window, judgement));
   conclude(difference);
   return difference;
 }

@@ -8,6 +8,7 @@
 #include <unordered_map>
 
 #include "compare/abstat.hpp"
+#include "compare/ensemble_history.hpp"
 #include "driver/case_reader.hpp"
 #include "driver/compare.hpp"
 #include "results/csv_table.hpp"
@@ -130,6 +131,8 @@ History in_si_units(CsvTable& table, const std::vector<MappedColumn>& columns) {
         table.fail(c, i, fmt::format("{} in SI units: a magnitude of at most 1e100 is allowed", values[i]));
       if (values[i] < 0.0 && columns[c].name.ends_with(band_suffix))
         table.fail(c, i, fmt::format("{}: a half width of 0 or more is allowed", values[i]));
+      if (values[i] < 0.0 && columns[c].name.ends_with(standard_error_suffix))
+        table.fail(c, i, fmt::format("{}: a standard error of 0 or more is allowed", values[i]));
     }
     if (c == 0) {
       history.time = std::move(values);
@@ -184,6 +187,7 @@ History read_history(const std::filesystem::path& file, const std::filesystem::p
   }
   History history = in_si_units(table, map.columns);
   check_times(table, history);
+  read_ensemble_lines(history, file);
   return history;
 }
 

@@ -22,6 +22,7 @@ Json to_json(const QuantityDifference& q) {
   object["relative_error"] = q.relative ? Json(*q.relative) : Json();
   if (!q.band.empty())
     object["share_of_band"] = std::isfinite(q.share_of_band) ? Json(q.share_of_band) : Json();
+  if (q.seen) object["seen_share"] = std::isfinite(*q.seen) ? Json(*q.seen) : Json();
   object["phase_lag_s"] = q.phase_lag ? Json(*q.phase_lag) : Json();
   object["peak"] = to_json(q.mine);
   object["reference_peak"] = to_json(q.reference);
@@ -38,6 +39,8 @@ std::string json_of(const Difference& difference, const std::string& mine, const
                  {"reason", difference.reason},
                  {"rows", difference.time.size()},
                  {"quantities", Json::object()}});
+  if (difference.reference_runs > 1)
+    object.update({{"runs", difference.runs}, {"reference_runs", difference.reference_runs}});
   for (const auto& q : difference.quantities) object["quantities"][q.name] = to_json(q);
   return object.dump(2);
 }

@@ -65,11 +65,12 @@ std::vector<Member> run_members(const std::string& name, const std::filesystem::
   Executor(options.threads).for_each(options.runs, [&](int i) {
     if (interrupted()) return;
     Member& member = members[static_cast<std::size_t>(i)];
-    const std::string key = fmt::format("seed {}", i + 1);
+    const int seed = options.first_seed + i;
+    const std::string key = fmt::format("seed {}", seed);
     if (const auto* before = journal.find(key)) {
       member = member_of(*before);
     } else {
-      CaseDocument document(file, perturbed(overrides, options.amplitude, i + 1));
+      CaseDocument document(file, perturbed(overrides, options.amplitude, seed));
       member = run_member(read_scene(document));
       if (has_ended(member)) journal.add(key, json_of(member));
     }

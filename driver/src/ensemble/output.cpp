@@ -60,6 +60,9 @@ void write_ensemble(ResultFolder& folder, const EnsembleResult& result) {
   Provenance lines = folder.lines();
   lines.emplace_back("status",
                      fmt::format("{}, {} of {} runs", status_of(result), result.ended, result.asked));
+  // What `compare` needs: runs that are in the means of the history.
+  const int in_means = result.rows.empty() ? 0 : result.rows.front().values.front().count;
+  lines.emplace_back("runs", fmt::format("{}", in_means));
   const std::string head = comment_lines(lines);
   folder.write("ensemble.csv", head + rows_text(result));
   folder.write("quantities.csv", head + quantities_text(result));
