@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # From means.csv of a study with the levels `INPUT: END` and `as shipped`: rows label, lower and upper difference in degrees, their
 # standard errors, the texts of both ends; the first for the scene as shipped, then the widest first. An input with one END goes
-# from as shipped to it.
+# from as shipped to it, and has no text there.
 BEGIN { degrees = 180 / atan2(0, -1) }
 /^#/ { next }
 !heads { for (i = 1; i <= NF; i++) at[$i] = i; heads = 1; next }
@@ -19,8 +19,8 @@ END {
   print "as shipped", shipped, shipped, shipped_error, shipped_error, "", ""
   for (k = 1; k <= inputs; k++) {
     name = order[k]
-    if (shipped > high[name]) { high[name] = shipped; high_error[name] = shipped_error; high_text[name] = "as shipped" }
-    if (shipped < low[name]) { low[name] = shipped; low_error[name] = shipped_error; low_text[name] = "as shipped" }
+    if (shipped > high[name]) { high[name] = shipped; high_error[name] = shipped_error; high_text[name] = "" }
+    if (shipped < low[name]) { low[name] = shipped; low_error[name] = shipped_error; low_text[name] = "" }
     width[name] = high[name] - low[name]
   }
   for (k = 1; k <= inputs; k++) {

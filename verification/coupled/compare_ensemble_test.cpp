@@ -121,7 +121,7 @@ TEST(compare_ensemble, what_scatter_hides_is_not_judged) {
 TEST(compare_ensemble, one_of_a_hundred_samples_of_one_scene_is_outside) {
   std::mt19937_64 random(1);
   std::normal_distribution<double> normal;
-  constexpr int pairs = 20000, rows = 20;
+  constexpr int pairs = 3000, rows = 20;
   const auto mean_of = [&](int runs) {
     History history;
     history.runs = runs;
@@ -155,7 +155,7 @@ TEST(compare_ensemble, one_of_a_hundred_samples_of_one_scene_is_outside) {
 TEST(compare_ensemble, power_is_as_stated) {
   std::mt19937_64 random(2);
   std::normal_distribution<double> normal;
-  constexpr int pairs = 4000, runs = 1000000;
+  constexpr int pairs = 800, runs = 1000000;
   int seen = 0;
   for (int k = 0; k < pairs; ++k) {
     const History reference = ramp(normal(random), runs, std::sqrt(double(runs)));  // standard error 1

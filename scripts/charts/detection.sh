@@ -1,16 +1,16 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# Which errors the passenger references catch, and from how many runs on: puts each error of scripts/detection_changes.tsv into the
+# Which errors the passenger references catch, and from how many runs on: puts each error of scripts/charts/detection_changes.tsv into the
 # program's case (or source), makes 1, 2, 4, 8 and 16 runs with seeds of their own, and judges them by `gasjet compare`. Four such
 # tries of 1 to 4 runs, three of 8 and two of 16; caught are errors that all tries find outside.
 # Writes docs/charts/detection.csv: error, reference, number of runs from which on it is caught (none: not by 16), and of those runs
 # the column that is farthest outside, in units of what band and chance allow.
-# usage: scripts/detection.sh [THREADS] [OUT]      (1, docs/charts by default; GASJET names the program)
+# usage: scripts/charts/detection.sh [THREADS] [OUT]      (1, docs/charts by default; GASJET names the program)
 #   Runs are kept in results/detection, and not made again.
 set -euo pipefail
-cd "$(dirname "${BASH_SOURCE[0]}")/.."
+cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 # shellcheck source-path=SCRIPTDIR source=provenance.sh
-source scripts/provenance.sh
+source scripts/charts/provenance.sh
 threads=${1:-1} out=${2:-docs/charts}
 gasjet=${GASJET:-build/gasjet}
 work=results/detection
@@ -39,14 +39,14 @@ history() {
   echo "$file"
 }
 
-# judge HISTORY REFERENCE: prints the column that is farthest outside and its share; exit code 0 if there is one. The joint's force is
-# left out: it would tell the mass by which the contact force is scaled.
+# judge HISTORY REFERENCE: prints the column that is farthest outside and its share; exit code 0 if there is one. Left out are
+# the joint's force, which would tell the mass by which the contact force is scaled, and numbers of elements, which are not of physics.
 judge() {
   local code=0
   "$gasjet" compare "$1" "$2" --format json >"$work/verdict.json" || code=$?
   ((code == 0 || code == 1 || code == 4)) || exit "$code"
   awk '/^    "[a-z0-9_A-Z]+": \{$/ { name = $1; gsub(/[":]/, "", name) }
-    $1 == "\"verdict\":" && name { outside = $2 ~ /outside/ && name != "pendulum_joint_force_N" }
+    $1 == "\"verdict\":" && name { outside = $2 ~ /outside/ && name !~ /_elements$|joint_force/ }
     $1 == "\"share_of_band\":" && outside { share = $2 == "null," ? 1e9 : $2 + 0; if (share > most) { most = share; column = name } }
     END { if (column) printf "%s,%.2g\n", column, most; exit !column }' "$work/verdict.json"
 }
@@ -115,7 +115,7 @@ while IFS=$'\t' read -r error kind first second; do
     row[$error,$reference]=$this
     echo "$error, $reference: $this"
   done
-done <scripts/detection_changes.tsv
+done <scripts/charts/detection_changes.tsv
 
 {
   provenance
