@@ -2,10 +2,11 @@
 // The bound of the contact's omega^2 against the true one and against the step at which motion blows up.
 #include <gtest/gtest.h>
 
-#include <Eigen/Eigenvalues>
+#include <Eigen/Core>
 
 #include "bisection.hpp"
 #include "claim.hpp"
+#include "eigenvalues.hpp"
 #include "scenes.hpp"
 
 namespace {
@@ -47,10 +48,6 @@ MatrixXd scaled_hessian(const scenes::Skin& skin, const Vector3d& centre, const 
   return scale.asDiagonal() * (0.5 * (hessian + hessian.transpose())) * scale.asDiagonal();
 }
 
-double largest_eigenvalue(const MatrixXd& matrix) {
-  return Eigen::SelfAdjointEigenSolver<MatrixXd>(matrix, Eigen::EigenvaluesOnly).eigenvalues().maxCoeff();
-}
-
 // Elements from a fifth of the sphere to three times it, sphere heavy and light, pressed anywhere.
 TEST(ContactBound, bound_covers_the_hessian) {
   double loosest = 0.0;
@@ -67,7 +64,7 @@ TEST(ContactBound, bound_covers_the_hessian) {
             scenes::touch(scenes::contact(skin, kRadius, kStiffness, mass), skin.nodes, centre)
                 .result.omega_squared();
         const Vector3d direction = Vector3d(0.2, -0.1, 1.0).normalized();
-        const double exact = largest_eigenvalue(scaled_hessian(skin, centre, direction, mass));
+        const double exact = dense::largest_eigenvalue(scaled_hessian(skin, centre, direction, mass));
         ASSERT_GT(exact, 0.0);
         EXPECT_LE(exact, bound * (1.0 + 1e-6)) << size << ' ' << mass << ' ' << seed;  // differences: 1e-7
         loosest = std::max(loosest, bound / exact);
@@ -192,7 +189,7 @@ struct NormalMotion {
     std::vector<Eigen::Index> kept;
     for (Eigen::Index k = 2; k < all.cols() - 1; k += 3) kept.push_back(k);
     kept.push_back(all.cols() - 1);
-    return largest_eigenvalue(all(kept, kept));
+    return dense::largest_eigenvalue(all(kept, kept));
   }
   // Largest motion of a node from the equilibrium [m], or infinity when the contact's domain is left.
   double amplitude(double dt, int steps) const {

@@ -15,7 +15,7 @@
 
 namespace {
 
-const jet::KernelTable* const kBoth[] = {&jet::baseline::kTable, &jet::kernel_table()};
+const jet::KernelTable* const kBothTables[] = {&jet::baseline::kTable, &jet::kernel_table()};
 
 bool same(const jet::ProjectFlags& a, const jet::ProjectFlags& b) {
   return a.outside == b.outside && a.small == b.small && a.tiny == b.tiny;
@@ -26,7 +26,7 @@ TEST(kernels, nodes_out_of_range_are_noticed) {
   const auto count = 21;
   const std::uint32_t rows[] = {0,  4,  8,  12, 16, 20, 24, 28, 32, 36, 40, 44,
                                 48, 52, 56, 60, 64, 68, 72, 76, 80, 80, 80, 80};
-  for (const jet::KernelTable* kernels : kBoth) {
+  for (const jet::KernelTable* kernels : kBothTables) {
     for (int node = 0; node < count; ++node) {
       for (const double value : {1.5, static_cast<double>(NAN), 1e-120, -1e-120}) {
         Eigen::Matrix3Xd nodes = Eigen::Matrix3Xd::Constant(3, count, 0.5);
@@ -88,7 +88,7 @@ TEST(kernels, listed_nodes_and_codes_eq_those_of_all) {
                        false,
                        {2, 0, 1}};
   for (int i = 0; i < 3; ++i) a.column[i][(i + 1) % 3] = 0.25;
-  for (const jet::KernelTable* kernels : kBoth) {
+  for (const jet::KernelTable* kernels : kBothTables) {
     a.local = whole.data();
     a.codes = codes.data();
     const jet::ProjectFlags flags = kernels->project_nodes(a);
@@ -130,7 +130,7 @@ TEST(kernels, bits_are_listed_in_order) {
         byte = static_cast<std::uint8_t>(byte | 1 << i % 8);
         expected.push_back(i);
       }
-      for (const jet::KernelTable* kernels : kBoth) {
+      for (const jet::KernelTable* kernels : kBothTables) {
         std::vector<int> places(expected.size() + 8);
         const int count = kernels->list_bits(bytes.data(), static_cast<int>(size), places.data());
         ASSERT_EQ(count, static_cast<int>(expected.size()));
@@ -147,7 +147,7 @@ TEST(kernels, merged_boxes_hold_eight_and_no_more) {
     const auto blocks = static_cast<std::size_t>(count);
     std::vector<float> boxes(jet::kBoxFloats * blocks);
     for (float& x : boxes) x = static_cast<float>(random.vector(1.0).x());
-    for (const jet::KernelTable* kernels : kBoth) {
+    for (const jet::KernelTable* kernels : kBothTables) {
       std::vector<float> merged(jet::kBoxFloats * ((blocks + 7) / 8));
       kernels->merge(boxes.data(), count, merged.data());
       for (std::size_t i = 0; i < blocks; ++i) {
@@ -188,8 +188,8 @@ TEST(kernels, force_eq_sum_of_its_terms) {
                                {four.data(), 4, count - 1, {last.x(), last.y(), last.z(), 0.0}}};
     double bits[2][4];
     for (int i = 0; i < 2; ++i)
-      kBoth[i]->force(rows[i], overpressure.data(), elements.data(), static_cast<int>(elements.size()),
-                      bits[i]);
+      kBothTables[i]->force(rows[i], overpressure.data(), elements.data(), static_cast<int>(elements.size()),
+                            bits[i]);
     for (int j = 0; j < 3; ++j) {
       EXPECT_EQ(bits[0][j], bits[1][j]);
       // Each addition, here and there, errs by half a rounding of a partial sum.
@@ -205,7 +205,7 @@ TEST(kernels, chosen_boxes_keep_their_lanes) {
   const std::uint8_t chosen[10] = {0x80, 0xff, 0x05, 0xff, 0xff, 0, 0xff, 0xff, 0xff, 0x7e};
   std::vector<float> boxes(5 * jet::kBoxFloats), out(boxes.size());
   for (std::size_t i = 0; i < boxes.size(); ++i) boxes[i] = static_cast<float>(i);
-  for (const jet::KernelTable* kernels : kBoth) {
+  for (const jet::KernelTable* kernels : kBothTables) {
     int left[5] = {};
     ASSERT_EQ(kernels->choose_boxes({boxes.data(), patches, 5}, chosen, out.data(), left), 4);
     for (int k = 0, from = 0; k < 4; ++k, ++from) {

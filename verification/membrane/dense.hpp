@@ -5,14 +5,12 @@
 #include <string>
 #include <vector>
 
+#include "eigenvalues.hpp"
 #include "scenes.hpp"
 
 // The true greatest omega^2 of a small bag: dense eigenvalue of M^-1/2 K M^-1/2 with K the numerical
 // derivative of a force.
 namespace scenes {
-
-// Largest eigenvalue of a symmetric matrix; in a file of its own, since Eigen's solver is slow to compile.
-double largest_eigenvalue(const Eigen::MatrixXd& symmetric);
 
 // `force` maps positions to nodal forces (3 x nodes). Central differences with step h.
 template <class Force>
@@ -30,7 +28,7 @@ double greatest_frequency(const membrane::BagModel& model, const Eigen::Matrix3X
     mobility[i] = std::sqrt(model.inverse_mass[static_cast<std::size_t>(i / 3)]);
   }
   const Eigen::MatrixXd scaled = mobility.asDiagonal() * (0.5 * (k + k.transpose())) * mobility.asDiagonal();
-  return largest_eigenvalue(scaled);
+  return dense::largest_eigenvalue(scaled);
 }
 
 inline Eigen::Matrix3Xd membrane_force(const membrane::BagModel& model, const Eigen::Matrix3Xd& x) {

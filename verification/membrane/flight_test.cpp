@@ -10,7 +10,7 @@ using membrane::Compression;
 namespace {
 
 constexpr double kRadius = 0.3, kSpin = 40.0, kTurned = 6.0;  // [m], [rad/s], [rad]
-const Eigen::Vector3d kStart(0.2, -0.1, 0.4), kSpeed(3.0, 1.0, 5.0), kGravity(0.5, -1.0, -9.81);
+const Eigen::Vector3d kStart(0.2, -0.1, 0.4), kVelocity(3.0, 1.0, 5.0), kGravity(0.5, -1.0, -9.81);
 
 struct Flight {
   double lag;                     // behind the rigid body's rotation [rad]
@@ -28,7 +28,7 @@ Flight fly(double young_modulus) {
   auto state = membrane::make_state(model, (frame * mesh.nodes).colwise() + kStart);
   for (int n = 0; n < mesh.node_count(); ++n)
     state.velocity.map().col(n) =
-        kSpeed + frame * (kSpin * Eigen::Vector3d::UnitZ()).cross(Eigen::Vector3d(mesh.nodes.col(n)));
+        kVelocity + frame * (kSpin * Eigen::Vector3d::UnitZ()).cross(Eigen::Vector3d(mesh.nodes.col(n)));
   double time = 0.0;
   for (double dt = 0.0, before = 0.0; time < kTurned / kSpin; time += dt, before = dt) {
     membrane::membrane_forces(model, state);
@@ -45,7 +45,7 @@ Flight fly(double young_modulus) {
     cosine += mass[n] * (rigid(0, n) * x(0, n) + rigid(1, n) * x(1, n));
     sine += mass[n] * (rigid(1, n) * x(0, n) - rigid(0, n) * x(1, n));
   }
-  return {std::atan2(sine, cosine), centre, kStart + time * kSpeed + 0.5 * time * time * kGravity,
+  return {std::atan2(sine, cosine), centre, kStart + time * kVelocity + 0.5 * time * time * kGravity,
           x.row(2).cwiseAbs().maxCoeff()};
 }
 
