@@ -39,6 +39,10 @@ Curve::Curve(std::vector<Knot> knots, Outside outside) : knots_(std::move(knots)
             "must not be earlier than that of the knot before");
     require(i < 2 || knots_[i].time > knots_[i - 2].time, "time of three knots [s]", knots_[i].time,
             "must be that of two knots at most, the values before and after a jump");
+    if (i == 0 || knots_[i].time == knots_[i - 1].time) continue;
+    const double slope = (knots_[i].value - knots_[i - 1].value) / (knots_[i].time - knots_[i - 1].time);
+    require(std::isfinite(slope), "slope of a curve", slope,
+            "must be finite; a jump has two knots at one time");
   }
 }
 

@@ -27,6 +27,11 @@ void check_knots(const CurveData& curve, bool jumps,
     if (i > 1 && time[i] == time[i - 2])
       fail(i, fmt::format("knot {} at {} is the third there: a jump, two knots at one time, is allowed",
                           i + 1, time[i]));
+    const double slope = (curve.value[i] - curve.value[i - 1]) / (time[i] - time[i - 1]);
+    if (time[i] > time[i - 1] && !std::isfinite(slope))
+      fail(i, fmt::format("knots {} and {} are so close that their slope overflows: a jump has two knots at "
+                          "one time",
+                          i, i + 1));
   }
 }
 

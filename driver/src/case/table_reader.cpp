@@ -207,6 +207,9 @@ std::vector<std::string> TableReader::texts(const std::string& key) {
 Eigen::Vector3d TableReader::vector(const std::string& key) {
   const auto values = numbers(key, any_number);
   if (values.size() != 3) fail(key, fmt::format("has {} numbers, 3 are needed", values.size()));
+  for (const double x : values)
+    if (x != 0.0 && !(std::abs(x) >= 1e-100 && std::abs(x) <= 1e100))  // products stay normal numbers
+      fail(key, fmt::format("has {}, allowed: 0, or a magnitude of 1e-100 to 1e100", x));
   return {values[0], values[1], values[2]};
 }
 

@@ -39,7 +39,8 @@ class Curve {
   /// Throws std::invalid_argument for
   /// - no knot (fewer than two if zero outside),
   /// - a number that is not finite,
-  /// - a time earlier than the one before, or three knots at one time.
+  /// - a time earlier than the one before, or three knots at one time,
+  /// - two knots so close that the slope between them overflows.
   Curve(std::vector<Knot> knots, Outside outside);
   /// A constant curve: one knot, held.
   static Curve constant(double value);
