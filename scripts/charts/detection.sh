@@ -72,21 +72,21 @@ detect() {
       return
     fi
   done
-  echo "none,,"
+  echo "none,—,"
 }
 
-# changed_program FOLDER FILE SED: a program with this change of the source, built in $work/build.FOLDER
+# changed_program FOLDER FILE SED: a program with this change of the source, built in $work/source.FOLDER
 changed_program() {
-  local tree=$work/source.$1 build=$work/build.$1
-  if [[ ! -x $build/gasjet ]]; then
+  local tree=$PWD/$work/source.$1
+  if [[ ! -x $tree/build/gasjet ]]; then
     mkdir -p "$tree"
     git ls-files -z | xargs -0 cp --parents -t "$tree"
     sed -i "$3" "$tree/$2"
     ! cmp -s "$2" "$tree/$2" || { echo "detection.sh: the change of $2 does nothing" >&2; return 1; }
-    { cmake -S "$tree" -B "$build" -DCMAKE_BUILD_TYPE=Release -DCMAKE_UNITY_BUILD=ON -DGASJET_BENCHMARKS=OFF -DGASJET_TESTS=OFF &&
-      cmake --build "$build" --target gasjet -j "$threads"; } >"$build.log" 2>&1 || { tail "$build.log" >&2; return 1; }
+    (cd "$tree" && export CCACHE_BASEDIR=$tree CCACHE_NOHASHDIR=1 && cmake --preset release -DCMAKE_UNITY_BUILD=ON &&
+      cmake --build build --target gasjet -j "$threads") >"$tree.log" 2>&1 || { tail "$tree.log" >&2; return 1; }
   fi
-  echo "$build/gasjet"
+  echo "$tree/build/gasjet"
 }
 
 # worse ROW ROW: the one with more runs, of two signs of one error
@@ -110,7 +110,7 @@ while IFS=$'\t' read -r error kind first second; do
     *) echo "detection.sh: unknown kind '$kind' of '$error'" >&2; exit 2 ;;
   esac
   for reference in "${references[@]}"; do
-    if [[ $kind == none ]]; then this=not\ made,,; else this=$(detect "$program" "$folder" "$reference" "${options[@]}"); fi
+    if [[ $kind == none ]]; then this=not\ made,—,; else this=$(detect "$program" "$folder" "$reference" "${options[@]}"); fi
     [[ -z ${row[$error,$reference]:-} ]] || this=$(worse "${row[$error,$reference]}" "$this")
     row[$error,$reference]=$this
     echo "$error, $reference: $this"
