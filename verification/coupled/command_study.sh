@@ -129,6 +129,7 @@ part_study_levels() {
   printf '[study]\ncase = "%s/cases/passenger_pendulum.toml"\nset = ["scene.end_time=0.004"]\nquantities = ["peak_pressure_Pa"]\nseeds = 3\n' \
     "$source" >"$plan"
   printf '[[factor]]\nname = "nodes"\n[[factor.level]]\nname = "usual"\n[[factor.level]]\nname = "few"\nseeds = 2\namplitude = 1e-6\n' >>"$plan"
+  expect 0 "2 points, 1 factors, 5 runs" "$gasjet" study run "$plan" --check
   expect 0 "5 of 5 runs: 5 done" "$gasjet" study run "$plan" --out "$work/levels"
   for share in 2/2 1/2; do "$gasjet" study run "$plan" --out "$work/shares" --share $share --quiet || fail "share $share"; done
   expect 0 "5 of 5 runs" "$gasjet" study merge "$work/shares"

@@ -80,7 +80,10 @@ struct StudyPlan {
   int seeds_at(std::size_t point) const;
   /// Of a point: that of its last level that has one.
   double amplitude_at(std::size_t point) const;
-  long most_runs() const { return static_cast<long>(points.size()) * most_seeds(); }
+  /// Runs that it can ask for.
+  long most_runs() const;
+  /// Numbers of runs lie below it.
+  long end_of_numbers() const { return static_cast<long>(points.size()) * most_seeds(); }
 };
 
 /// One run: its number is point * most_seeds + seed - 1 (seed 0 and 1 alike).

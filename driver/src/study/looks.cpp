@@ -63,6 +63,12 @@ std::vector<int> needed_seeds(const StudyPlan& plan, const StudyRuns& ended) {
 
 }  // namespace
 
+long StudyPlan::most_runs() const {
+  long runs = 0;
+  for (std::size_t p = 0; p < points.size(); ++p) runs += seeds_at(p);
+  return runs;
+}
+
 std::vector<long> asked_runs(const StudyPlan& plan, const StudyRuns& ended) {
   std::vector<int> seeds;
   if (plan.stop)

@@ -200,7 +200,7 @@ StudySummary merge_study(const std::filesystem::path& folder) {
   std::erase_if(
       lines, [](const auto& line) { return line.first == "date"; });  // of one share: no fact of the results
   std::erase_if(runs, [&](const auto& run) {
-    return run.first >= plan.most_runs() || run.second.values.size() != plan.quantities.size();
+    return run.first >= plan.end_of_numbers() || run.second.values.size() != plan.quantities.size();
   });
   const StudySummary summary = summary_of(plan, runs);
   ResultFolder results(folder, "study",
