@@ -154,6 +154,15 @@ struct StudyArguments {
 int study_run(const StudyArguments& arguments);
 int study_merge(const std::filesystem::path& folder);
 
+struct ExportArguments {
+  CaseArguments scene;
+  std::string format;     // radioss or lsdyna
+  std::string units;      // of the deck
+  bool any_size = false;  // true: a bag of any size is meant
+  std::filesystem::path out;
+};
+int export_deck(const ExportArguments& arguments);
+
 struct IdentifyArguments {
   std::filesystem::path file;
   std::filesystem::path out;

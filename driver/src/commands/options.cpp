@@ -51,6 +51,7 @@ struct Arguments {
   CompareArguments compare;
   ReportArguments report;
   StudyArguments study;
+  ExportArguments export_deck;
   std::filesystem::path manual;  // folder
 };
 
@@ -203,6 +204,19 @@ int dispatch_study(const CLI::App& study, const StudyArguments& a) {
   return study.got_subcommand("run") ? study_run(a) : study_merge(a.folder);
 }
 
+void add_export(CLI::App& app, ExportArguments& a) {
+  auto* c = app.add_subcommand("export", "write a scene with a bag as a deck of another program");
+  add_case(*c, a.scene);
+  c->add_option("--format", a.format, "radioss")->required()->check(CLI::IsMember({"radioss"}));
+  c->add_option("--units", a.units, "of mass, length and time in the deck")
+      ->required()
+      ->check(CLI::IsMember({"kg-m-s", "t-mm-s", "kg-mm-ms"}));
+  c->add_option("--out", a.out, "folder of the deck, with export.md and export.json")
+      ->required()
+      ->check(named);
+  c->add_flag("--any-size", a.any_size, "take a bag below 0.02 m or above 10 m as it is");
+}
+
 // CLI11 would only say that a command is missing.
 void refuse_unknown_command(const CLI::App& app, std::span<char*> words) {
   if (words.empty() || words[0][0] == '-') return;
@@ -233,6 +247,7 @@ int dispatch(const CLI::App& app, const Arguments& all) {
   if (app.got_subcommand("report")) return report(all.report);
   if (app.got_subcommand("study")) return dispatch_study(*app.get_subcommand("study"), all.study);
   if (app.got_subcommand("exact")) return exact(all.exact);
+  if (app.got_subcommand("export")) return export_deck(all.export_deck);
   write_manual(app, all.manual);
   return exit_done;
 }
@@ -261,6 +276,7 @@ int run_command_line(int argc, char** argv) {
   add_report(app, all.report);
   add_study(app, all.study);
   add_compare(app, all.compare);
+  add_export(app, all.export_deck);
   add_manual(app, all);
   refuse_unknown_command(app, std::span(argv, static_cast<std::size_t>(argc)).subspan(argc > 0));
   try {

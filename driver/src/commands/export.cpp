@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "commands/commands.hpp"
+#include "commands/json_head.hpp"
+#include "driver/result_folder.hpp"
+#include "export/feature.hpp"
+#include "export/writers.hpp"
+
+namespace driver::commands {
+namespace {
+
+// A bag of 600 m is one of millimetres taken for metres, and its deck would run.
+void require_size(const Scene& scene, bool any_size) {
+  constexpr double smallest = 0.02, largest = 10.0;  // [m] no airbag is
+  const auto& nodes = scene.bag->mesh.nodes;
+  const double extent = (nodes.rowwise().maxCoeff() - nodes.rowwise().minCoeff()).maxCoeff();
+  if (any_size || (extent >= smallest && extent <= largest)) return;
+  throw CaseError(
+      fmt::format("{}: membrane.mesh: the bag's longest extent is {:.6g} m, {} to {} m are allowed: "
+                  "length_unit says what a file's coordinates mean; --any-size takes it as it is",
+                  scene.case_file.string(), extent, smallest, largest));
+}
+
+std::string json_of(const Deck& deck, const std::vector<UsedFeature>& used,
+                    const ExportArguments& arguments) {
+  auto object = json_head<nlohmann::ordered_json>();
+  object["scene"] = deck.scene->name;
+  object["deck"] = arguments.format;
+  object["units"] = arguments.units;
+  for (const UsedFeature& feature : used)
+    object["keys"].push_back({{"key", feature.path},
+                              {"value", feature.value},
+                              {"mapping", name_of(feature.outcome.mapping)},
+                              {"how", feature.outcome.how}});
+  object["notes"] = nlohmann::ordered_json::array();
+  for (const DeckNote& note : deck.notes) object["notes"].push_back({{"key", note.key}, {"text", note.text}});
+  return object.dump(2) + '\n';
+}
+
+void make_folder(const std::filesystem::path& folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (!std::filesystem::is_directory(folder))
+    throw OutputError(fmt::format("--out {}: is no folder that can be made", folder.string()));
+}
+
+}  // namespace
+
+int export_deck(const ExportArguments& arguments) {
+  const Units units = units_named(arguments.units);
+  CaseDocument document(arguments.scene.file, arguments.scene.overrides);
+  const Scene scene = read_scene(document);
+  const Deck deck = make_deck(scene);
+  require_size(scene, arguments.any_size);
+  const DeckFormat format = arguments.format == "radioss" ? DeckFormat::radioss : DeckFormat::lsdyna;
+  const auto used = used_features(document, format);
+  DeckFiles files = format == DeckFormat::radioss ? write_radioss(deck, units) : write_lsdyna(deck, units);
+  files.emplace_back("export.md", export_markdown(deck, used,
+                                                  fmt::format("{} as a deck of {}, {}", scene.name,
+                                                              arguments.format, units.name)));
+  files.emplace_back("export.json", json_of(deck, used, arguments));
+  std::vector<std::string> names;
+  for (const auto& file : files) names.push_back(file.first);
+  make_folder(arguments.out);
+  refuse_inputs(arguments.out, names, document.files());
+  for (const auto& [name, text] : files) replace_file(arguments.out / name, text);
+  for (const DeckNote& note : deck.notes) fmt::print("{}: {}\n", note.key, note.text);
+  fmt::print("{}: {} and {} are in {}\n", scene.name, names.front(), "export.md", arguments.out.string());
+  return exit_done;
+}
+
+}  // namespace driver::commands

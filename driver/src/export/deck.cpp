@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "export/deck.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "export/deck_gas.hpp"
+#include "jet/centreline.hpp"
+#include "membrane/icosphere.hpp"
+
+namespace driver {
+namespace {
+
+constexpr int sphere_levels = 3;    // 1280 elements
+constexpr double gap_share = 0.02;  // of the radius
+constexpr double degrees = std::numbers::pi / 180.0;
+
+void add_parts(const BagPart& bag, Deck& deck) {
+  const auto areas = membrane::element_areas(bag.mesh.nodes, bag.mesh.elements);
+  for (std::size_t p = 0; p < bag.mesh.panel_names.size(); ++p) {
+    DeckPart part{static_cast<int>(p) + 1, bag.mesh.panel_names[p], false, {}, {}, 0.0};
+    part.elements = membrane::panel_elements(bag.mesh, part.name);
+    if (part.elements.empty()) continue;
+    part.fabric = bag.model.description.properties[static_cast<std::size_t>(part.elements.front())];
+    part.null_panel = part.fabric.null_panel;
+    for (const int e : part.elements) part.area += areas(e);
+    deck.parts.push_back(std::move(part));
+  }
+}
+
+void add_sphere(double radius, Deck& deck) {
+  deck.contact_gap = gap_share * radius;
+  deck.sphere = membrane::icosphere(radius - deck.contact_gap, sphere_levels);
+  double nearest = radius;
+  for (Eigen::Index e = 0; e < deck.sphere.elements.cols(); ++e) {
+    const Eigen::Vector3d middle = (deck.sphere.nodes.col(deck.sphere.elements(0, e)) +
+                                    deck.sphere.nodes.col(deck.sphere.elements(1, e)) +
+                                    deck.sphere.nodes.col(deck.sphere.elements(2, e))) /
+                                   3.0;
+    nearest = std::min(nearest, middle.norm());
+  }
+  deck.notes.push_back(
+      {"pendulum.impactor_radius",
+       fmt::format("the sphere is {} flat triangles, up to {:.2g} of the radius inside it",
+                   deck.sphere.elements.cols(), 1.0 - (nearest + deck.contact_gap) / radius)});
+}
+
+void note_jets(const Scene& scene, Deck& deck) {
+  for (const JetPart& part : scene.jets) {
+    const CosineMisfit misfit = cosine_misfit();
+    const jet::JetModel& model = part.field.model();
+    std::string text = fmt::format("jet of inflator {}: not written. ", part.inflator);
+    if (model.shape == jet::OutletShape::round)
+      text += fmt::format(
+          "Its far field is a product of an angle's and a distance's function about a virtual "
+          "origin {:.4g} m behind the outlet. ",
+          jet::round_virtual_origin(model.decay_coefficient) * model.radius);
+    deck.notes.push_back(
+        {"inflator.jet",
+         text + fmt::format("The program's own jetting has one cosine of the incidence, the jet "
+                            "cos^2: {:.3g} of the load in the root mean square over all directions; "
+                            "{:.3g}, {:.3g} and {:.3g} times at 30, 45 and 60 degrees",
+                            misfit.rms, misfit.ratio[0], misfit.ratio[1], misfit.ratio[2])});
+  }
+}
+
+}  // namespace
+
+CosineMisfit cosine_misfit() {
+  // int (c - c^2)^2 dc / int c^4 dc over c from 0 to 1: (1/3 - 2/4 + 1/5) / (1/5)
+  return {std::sqrt((1.0 / 3.0 - 0.5 + 0.2) / 0.2),
+          {1.0 / std::cos(30.0 * degrees), 1.0 / std::cos(45.0 * degrees), 1.0 / std::cos(60.0 * degrees)}};
+}
+
+Deck make_deck(const Scene& scene) {
+  if (!scene.bag)
+    throw CaseError(fmt::format("{}: the scene has no [membrane], a scene with a bag is allowed",
+                                scene.case_file.string()));
+  Deck deck;
+  deck.scene = &scene;
+  add_parts(*scene.bag, deck);
+  add_gas(scene, deck);
+  if (scene.pendulum) add_sphere(scene.pendulum->model.parameters().impactor_radius, deck);
+  note_jets(scene, deck);
+  return deck;
+}
+
+}  // namespace driver

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+// A scene with a bag as plain data that the decks of other programs hold. All values are in SI units; the
+// writers convert them.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "driver/scene.hpp"
+#include "membrane/mesh.hpp"
+
+namespace driver {
+
+enum class DeckFormat { radioss, lsdyna };
+
+/// Elements of one panel, which have one fabric.
+struct DeckPart {
+  int id;            // from 1
+  std::string name;  // of the panel
+  bool null_panel;
+  membrane::ElementProperties fabric;
+  std::vector<int> elements;  // numbers in the mesh, from 0
+  double area;                // [m2] in the design shape
+};
+
+/// A mixture as one gas: its heat capacity is that of the mixture, exact below 1000 K.
+struct DeckGas {
+  std::string name;
+  double molar_mass;           // [kg/mol]
+  std::array<double, 5> cp{};  // [J/(kg K^(j+1))] factors of T^j
+  double misfit = 0.0;         // [-] largest of cp up to the highest temperature that the case names
+};
+
+/// Knots of a curve; times rise, and what the case means outside its knots is said by knots.
+using DeckCurve = std::vector<std::array<double, 2>>;
+
+struct DeckInflator {
+  DeckGas gas;
+  DeckCurve mass_flow;    // [kg/s] of time [s]
+  DeckCurve temperature;  // [K] of time [s]
+};
+
+struct DeckVent {
+  double area;                                  // [m2] with the discharge coefficient; factor of the curves
+  std::optional<DeckCurve> of_time;             // [-] of time [s]
+  std::optional<DeckCurve> of_overpressure;     // [-] of overpressure [Pa]
+  double opens_at = 0.0;                        // [s]
+  std::optional<double> opens_at_overpressure;  // [Pa]
+};
+
+/// Fabric of a part that leaks.
+struct DeckLeak {
+  int part;                           // id
+  double share;                       // [-] of the part's area that is open
+  std::optional<DeckCurve> velocity;  // [m/s] of overpressure [Pa]
+};
+
+/// Something of this scene that a deck holds otherwise, or not at all, and how much that is.
+struct DeckNote {
+  std::string key;  // of the case
+  std::string text;
+};
+
+struct Deck {
+  const Scene* scene = nullptr;
+  std::vector<DeckPart> parts;
+  DeckGas initial_gas;
+  std::vector<DeckInflator> inflators;
+  std::vector<DeckVent> vents;
+  std::vector<DeckLeak> leaks;
+  membrane::Mesh sphere;     // of the impactor, about its centre; no node without one
+  double contact_gap = 0.0;  // [m] within which contact acts, outside the sphere's mesh
+  std::vector<DeckNote> notes;
+};
+
+/// Throws CaseError for a scene without a bag.
+Deck make_deck(const Scene& scene);
+
+/// Misfit of the load of one cosine to that of a reflected jet, cos^2 of the incidence: root mean square over
+/// the half space [-], and ratio at 30, 45 and 60 degrees.
+struct CosineMisfit {
+  double rms;
+  std::array<double, 3> ratio;
+};
+CosineMisfit cosine_misfit();
+
+}  // namespace driver

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+// What becomes of each key of a case in the deck of another program.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "driver/case_reader.hpp"
+#include "export/deck.hpp"
+#include "export/units.hpp"
+
+namespace driver {
+
+enum class Mapping { exact, approximated, none };
+const char* name_of(Mapping mapping);
+
+struct Outcome {
+  Mapping mapping;
+  const char* how;
+};
+
+/// One key of cases, without the numbers of tables: "inflator.jet.radius". It stands for the keys below it
+/// too.
+struct Feature {
+  const char* key;
+  Outcome radioss, lsdyna;
+  const Outcome& in(DeckFormat format) const { return format == DeckFormat::radioss ? radioss : lsdyna; }
+};
+
+/// The whole table.
+const std::vector<Feature>& features();
+
+/// The row of a setting's path, or nullptr.
+const Feature* feature_of(const std::string& path);
+
+/// One key that the case uses, by itself or by default.
+struct UsedFeature {
+  std::string path;
+  std::string value;
+  Outcome outcome;
+};
+
+/// All settings of the case. Throws std::logic_error for a key that the table does not name.
+std::vector<UsedFeature> used_features(const CaseDocument& document, DeckFormat format);
+
+/// export.md and export.json.
+std::string export_markdown(const Deck& deck, const std::vector<UsedFeature>& used, const std::string& title);
+
+}  // namespace driver

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <numeric>
+
+#include "export/writers.hpp"
+
+namespace driver {
+
+DeckIds::DeckIds(const Deck& deck) {
+  const membrane::Mesh& mesh = deck.scene->bag->mesh;
+  const int straps = static_cast<int>(deck.scene->bag->model.description.straps.size());
+  const int panels = static_cast<int>(mesh.panel_names.size());
+  sphere_node = mesh.node_count() + 1;
+  cg = sphere_node + deck.sphere.node_count();
+  pivot = cg + 1;
+  along = cg + 2;
+  across = cg + 3;
+  support = cg + 4;  // and three more
+  strap_element = mesh.element_count() + 1;
+  sphere_element = strap_element + straps;
+  joint_element = sphere_element + deck.sphere.element_count();
+  strap_part = panels + 1;
+  sphere_part = strap_part + straps;
+  joint_part = sphere_part + 1;
+}
+
+std::vector<int> fixed_nodes(const Deck& deck) {
+  std::vector<int> nodes = deck.scene->bag->model.description.fixed_nodes;
+  for (int& node : nodes) ++node;
+  return nodes;
+}
+
+std::vector<int> bag_nodes(const Deck& deck, bool free_only) {
+  std::vector<int> nodes(static_cast<std::size_t>(deck.scene->bag->mesh.node_count()));
+  std::iota(nodes.begin(), nodes.end(), 1);
+  if (!free_only) return nodes;
+  std::vector<int> fixed = fixed_nodes(deck), free;
+  std::ranges::sort(fixed);
+  std::ranges::set_difference(nodes, fixed, std::back_inserter(free));
+  return free;
+}
+
+std::vector<int> sphere_nodes(const Deck& deck, const DeckIds& ids) {
+  std::vector<int> nodes(static_cast<std::size_t>(deck.sphere.node_count()));
+  std::iota(nodes.begin(), nodes.end(), ids.sphere_node);
+  return nodes;
+}
+
+}  // namespace driver

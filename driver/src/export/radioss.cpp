@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: Apache-2.0
+// A Radioss deck: starter file bag_0000.rad and engine file bag_0001.rad.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "export/radioss_starter.hpp"
+
+namespace driver {
+
+std::string RadiossStarter::text() {
+  head();
+  nodes();
+  fabric();
+  straps();
+  supports();
+  if (deck_.scene->pendulum) pendulum();
+  surfaces();
+  write_radioss_airbag(deck_, u_, function_, out_);
+  loads();
+  requests();
+  out_.line("/END");
+  return out_.text();
+}
+
+void RadiossStarter::title(const std::string& header, std::string_view text) {
+  out_.line(header);
+  out_.line(text);
+}
+
+void RadiossStarter::head() {
+  out_.line("#RADIOSS STARTER");
+  title("/BEGIN", deck_.scene->name.substr(0, 80));
+  constexpr int format = 2022;
+  out_.card({whole(format, 10), whole(0, 10)});
+  for (int i = 0; i < 2; ++i)
+    out_.card({word(u_.mass_code, 20), word(u_.length_code, 20), word(u_.time_code, 20)});
+  write_radioss_function(constant_one, "one", {{0.0, 1.0}, {2.0 * deck_.scene->time.end, 1.0}}, u_.time, 1.0,
+                         out_);
+}
+
+void RadiossStarter::node(int id, const Eigen::Vector3d& x) {
+  out_.card(
+      {whole(id, 10), real(x.x() / u_.length, 20), real(x.y() / u_.length, 20), real(x.z() / u_.length, 20)});
+}
+
+void RadiossStarter::nodes() {
+  out_.line("/NODE");
+  out_.line("#  node_ID                  Xc                  Yc                  Zc");
+  for (int i = 0; i < bag().mesh.node_count(); ++i) node(i + 1, bag().initial_position.col(i));
+}
+
+void RadiossStarter::part(int id, std::string_view name, int property, int law) {
+  title(fmt::format("/PART/{}", id), name);
+  out_.line("#  prop_ID    mat_ID subset_ID");
+  out_.card({whole(property, 10), whole(law, 10), whole(0, 10)});
+}
+
+void RadiossStarter::group(Group id, std::string_view name, const std::vector<int>& nodes) {
+  title(fmt::format("/GRNOD/NODE/{}", static_cast<int>(id)), name);
+  out_.list(nodes, 10);
+}
+
+void RadiossStarter::hold(int id, std::string_view code, Group nodes) {
+  title(fmt::format("/BCS/{}", id), "held");
+  out_.line("#  Tra rot   skew_ID  grnod_ID");
+  out_.card({word(code, 10), whole(0, 10), whole(nodes, 10)});
+}
+
+void RadiossStarter::supports() {
+  group(all_nodes, "bag", bag_nodes(deck_, false));
+  group(free_nodes, "free nodes of the bag", bag_nodes(deck_, true));
+  if (const auto held = fixed_nodes(deck_); !held.empty()) {
+    group(held_nodes, "fixed nodes", held);
+    hold(1, "111 000", held_nodes);
+  }
+  for (const membrane::Plate& plate : bag().model.description.plates) {
+    title("/RWALL/PLANE/1", "plate");
+    out_.line("#  node_ID     Slide  grnd_ID1  grnd_ID2");
+    out_.card({whole(0, 10), whole(0, 10), whole(free_nodes, 10), whole(0, 10)});
+    out_.line("#                  d                fric            Diameter");
+    out_.card({real(0.0, 20), real(0.0, 20), real(0.0, 20)});
+    out_.line("#                 XM                  YM                  ZM");
+    point(plate.point);
+    out_.line("#                XM1                 YM1                 ZM1");
+    point(plate.point + plate.normal.normalized());
+  }
+  if (const double damping = bag().model.description.mass_damping; damping > 0.0) {
+    title("/DAMP/1", "mass damping");
+    out_.line(
+        "#              Alpha                Beta  grnod_ID   skew_ID              Tstart               "
+        "Tstop");
+    out_.card({real(damping * u_.time, 20), real(0.0, 20), whole(all_nodes, 10), whole(0, 10), real(0.0, 20),
+               real(1e20, 20)});
+  }
+}
+
+void RadiossStarter::point(const Eigen::Vector3d& x) {
+  out_.card({real(x.x() / u_.length, 20), real(x.y() / u_.length, 20), real(x.z() / u_.length, 20)});
+}
+
+void RadiossStarter::surfaces() {
+  std::vector<int> parts;
+  for (const DeckPart& p : deck_.parts) parts.push_back(p.id);
+  title("/SURF/PART/1", "bag");
+  out_.list(parts, 10);
+}
+
+void RadiossStarter::loads() {
+  const Eigen::Vector3d g = deck_.scene->gravity / u_.acceleration();
+  if (g.isZero(0.0)) return;
+  std::vector<int> heavy = bag_nodes(deck_, false);
+  if (deck_.scene->pendulum) heavy.push_back(ids_.cg);
+  group(heavy_nodes, "nodes with weight", heavy);
+  for (int axis = 0; axis < 3; ++axis) {
+    if (g(axis) == 0.0) continue;
+    title(fmt::format("/GRAV/{}", axis + 1), "gravity");
+    out_.line(
+        "#funct_IDT       DIR   skew_ID sensor_ID  grnod_ID                      Ascale_x            "
+        "Fscale_Y");
+    out_.card({whole(constant_one, 10), word(std::string(1, "XYZ"[axis]), 10), whole(0, 10), whole(0, 10),
+               whole(heavy_nodes, 10), blank(10), real(1.0, 20), real(g(axis), 20)});
+  }
+}
+
+void RadiossStarter::request(std::string_view header, std::string_view variables, int object) {
+  title(std::string(header), "history");
+  out_.line(variables);
+  out_.card({whole(object, 10)});
+}
+
+void RadiossStarter::requests() {
+  request("/TH/MONV/1", "MASS      VOL       P         A         T         ", 1);
+  if (deck_.scene->pendulum) request("/TH/RBODY/2", "DEF       ", 1);
+  if (deck_.scene->contact) request("/TH/INTER/3", "DEF       ", 1);
+  if (!bag().model.description.plates.empty()) request("/TH/RWALL/4", "DEF       ", 1);
+}
+
+namespace {
+
+std::string engine(const Deck& deck, const Units& u, const std::string& name) {
+  Cards out;
+  const Scene& scene = *deck.scene;
+  out.line(fmt::format("/RUN/{}/1", name));
+  out.card({real(scene.time.end / u.time, 20)});
+  out.line("/TFILE/4");
+  out.card({real(scene.output.history_every / u.time, 20)});
+  out.line("/TH/TITLE");
+  out.line("/PRINT/-1000");
+  out.line("/DT");
+  out.card({real(0.8, 20), real(0.0, 20)});
+  out.line("/ANIM/DT");
+  out.card({real(0.0, 20), real(scene.time.end / std::max(1, scene.output.frames) / u.time, 20)});
+  return out.text();
+}
+
+}  // namespace
+
+DeckFiles write_radioss(const Deck& deck, const Units& units) {
+  const std::string name = "bag";
+  return {{name + "_0000.rad", RadiossStarter(deck, units).text()},
+          {name + "_0001.rad", engine(deck, units, name)}};
+}
+
+}  // namespace driver

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+// The writers of decks: a file's name and text each.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "export/cards.hpp"
+#include "export/deck.hpp"
+#include "export/units.hpp"
+
+namespace driver {
+
+using DeckFiles = std::vector<std::pair<std::string, std::string>>;
+
+DeckFiles write_radioss(const Deck& deck, const Units& units);
+DeckFiles write_lsdyna(const Deck& deck, const Units& units);
+
+/// Numbers of what both decks have besides the bag, whose nodes and elements begin at 1.
+struct DeckIds {
+  explicit DeckIds(const Deck& deck);
+  int sphere_node = 0, cg = 0, pivot = 0, along = 0, across = 0, support = 0;  // nodes; sphere: the first
+  int sphere_element = 0, strap_element = 0, joint_element = 0;                // the first of each
+  int sphere_part = 0, strap_part = 0, joint_part = 0;                         // straps: the first
+};
+
+/// Numbers of the bag's nodes, from 1; without the fixed ones if asked for.
+std::vector<int> bag_nodes(const Deck& deck, bool free_only);
+/// The fixed ones.
+std::vector<int> fixed_nodes(const Deck& deck);
+std::vector<int> sphere_nodes(const Deck& deck, const DeckIds& ids);
+
+/// /MONVOL, its gases, inflators and functions. `function` is the number of the next function.
+void write_radioss_airbag(const Deck& deck, const Units& units, int& function, Cards& out);
+/// A function of a Radioss deck.
+void write_radioss_function(int id, const std::string& title, const DeckCurve& curve, double x_unit,
+                            double y_unit, Cards& out);
+
+}  // namespace driver

@@ -1,0 +1,59 @@
+# SPDX-License-Identifier: Apache-2.0
+# shellcheck shell=bash disable=SC2154
+# Parts of command_test.sh (sourced): scenes as decks of other programs, read by a parser of their own.
+
+deck_formats=(radioss)
+
+# Every key of a case has a row of its own, or stands below one, in the table of what becomes of it.
+deck_keys() {
+  local key
+  while read -r key; do
+    grep -qE "\"([a-z_0-9.]+\.)?$key\"" "$source/driver/src/export/feature.cpp" || fail "no row of the export's table names the key $key"
+  done < <(sed '/^## Map of a foreign/,$d' "$source/docs/case_files.md" | grep -E '^\| `' | cut -d'|' -f2 | grep -oE '[a-z_0-9]+' | sort -u |
+    grep -vxE 'file|time|value|overpressure_column|time_column|column|species|initial|radius|levels|generator|refine|heat_loss|nasa7|rings|vents|time_|fabric|ambient|gas|inflator|jet|vent|sensor|trigger|membrane|strap|plate|pendulum|contact|scene|output|weave|panel|depth|width|height|back_radius|front_radius|depth_cells|width_cells|height_cells|attachment_width_cells|attachment_height_cells|vent_depth_cell|vent_height_cell|inflator_radius|opening|inflator_rings|vent_ring|centre|normal|side|columns|rows|area|step|safety|unsafe_step|gas_tolerance|gas_step|gas_method')
+}
+
+part_decks() {
+  local case name format units reader=$source/verification/coupled/deck_structure.py count=0 out files settings
+  deck_keys
+  for case in "$source"/cases/*.toml "$source"/cases/reference/*.toml; do
+    grep -q '^\[membrane\]' "$case" || continue
+    name=$(basename "$case" .toml)
+    settings=$("$gasjet" check "$case" | grep -cE '^  [a-z_]+\.[^ ]+( \*)? = ')
+    for format in "${deck_formats[@]}"; do
+      for units in kg-m-s t-mm-s kg-mm-ms; do
+        out=$work/$name.$format.$units
+        expect 0 "export.md are in" "$gasjet" export "$case" --format "$format" --units "$units" --out "$out"
+        mapfile -t files < <(find "$out" -mindepth 1 -name 'bag_*' | sort)
+        expect 0 "nodes=" python3 -B "$reader" "$format" "${files[@]}"
+        grep -q '^## no counterpart' "$out/export.md" || fail "$name: export.md"
+        [ "$(grep -c '"mapping": "\(exact\|approximated\|no counterpart\)"' "$out/export.json")" = "$settings" ] ||
+          fail "$name: export.json does not name all $settings settings"
+        count=$((count + 1))
+      done
+    done
+  done
+  [ $count -ge 36 ] || fail "only $count decks"
+  # The parser sees what is wrong: a field moved by one column, a number that nothing defines, a lost line.
+  local deck=$work/passenger_pendulum.radioss.kg-m-s/bag_0000.rad wrong
+  for wrong in 's/^\(  *5 .*\)$/ \1/' '/^\/PART\/1$/,+3s/         1/      4711/' '/^\/RBODY\/1$/,+5{/Jxx/,+1d}' 's/^\/GRAV/\/GRAF/'; do
+    sed "$wrong" "$deck" >"$work/wrong_0000.rad"
+    cmp -s "$deck" "$work/wrong_0000.rad" && fail "'$wrong' changes nothing"
+    expect 1 "wrong_0000.rad:[0-9]+" python3 -B "$reader" radioss "$work/wrong_0000.rad"
+  done
+  # The same bag in other units.
+  local first='/^\/NODE/{n;n;n;p;q}' metres millimetres
+  metres=$(sed -n "$first" "$deck") millimetres=$(sed -n "$first" "$work/passenger_pendulum.radioss.t-mm-s/bag_0000.rad")
+  awk -v a="$metres" -v b="$millimetres" 'BEGIN { split(a, x, " "); split(b, y, " "); for (i = 2; i <= 4; ++i) { d = y[i] - 1000 * x[i]; s += y[i] * y[i]; if (d * d > 1e-18 * y[i] * y[i]) exit 1 } exit !(s > 0) }' ||
+    fail "units: $metres and $millimetres"
+  # Bad input.
+  local passenger=$source/cases/passenger_pendulum.toml
+  expect 2 "has no \[membrane\]" "$gasjet" export "$source/cases/rigid_tank.toml" --format radioss --units kg-m-s --out "$work/none"
+  expect 2 "longest extent is 680 m" "$gasjet" export "$source/cases/sphere_inflation.toml" --set membrane.mesh.radius=340.0 --format radioss --units kg-m-s --out "$work/none"
+  expect 0 "export.md" "$gasjet" export "$source/cases/sphere_inflation.toml" --set membrane.mesh.radius=340.0 --any-size --format radioss --units kg-m-s --out "$work/large"
+  expect 2 "--format" "$gasjet" export "$passenger" --format abaqus --units kg-m-s --out "$work/none"
+  expect 2 "--units" "$gasjet" export "$passenger" --format radioss --units inches --out "$work/none"
+  expect 2 "required" "$gasjet" export "$passenger" --format radioss --units kg-m-s
+  expect 2 "no folder that can be made" "$gasjet" export "$passenger" --format radioss --units kg-m-s --out /proc/none
+  [ ! -e "$work/none" ] || fail "a folder of a deck that was refused"
+}

@@ -1,0 +1,263 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Reads the decks of `gasjet export` by the cards' own columns, as the programs do, and resolves every
+reference between numbers. It shares nothing with the writers.
+
+Usage: deck_structure.py radioss|lsdyna FILE...   prints counts; exit code 1 and the fault if there is one.
+"""
+import re
+import sys
+
+FAULTS = []
+
+
+def fault(where, text):
+    FAULTS.append(f"{where}: {text}")
+
+
+def fields(where, line, form):
+    """Splits a line by a form such as 'i10 r20 -10 s20'; a field that does not parse is a fault."""
+    values, at = [], 0
+    for item in form.split():
+        kind, width = (item[0], int(item[1:]))
+        text = line[at:at + width]
+        at += width
+        if kind == "-":
+            if text.strip():
+                fault(where, f"'{text}' stands where nothing may")
+            continue
+        if kind == "s":
+            values.append(text.strip())
+            continue
+        try:
+            values.append(int(text) if kind == "i" else float(text))
+        except ValueError:
+            fault(where, f"'{text}' is no {'whole number' if kind == 'i' else 'number'} in columns {at - width + 1} to {at}")
+            values.append(0)
+    if len(line) > at:
+        fault(where, f"{len(line)} columns, {at} at most")
+    return values
+
+
+class Deck:
+    """Numbers that are defined and numbers that are named, by kind."""
+
+    def __init__(self):
+        self.defined, self.named, self.counts = {}, [], {}
+
+    def define(self, where, kind, number):
+        numbers = self.defined.setdefault(kind, set())
+        if number in numbers:
+            fault(where, f"{kind} {number} is there twice")
+        numbers.add(number)
+
+    def name(self, where, kind, number):
+        if number != 0:
+            self.named.append((where, kind, number))
+
+    def resolve(self):
+        for where, kind, number in self.named:
+            if number not in self.defined.get(kind, set()):
+                fault(where, f"{kind} {number} is named and nowhere defined")
+
+
+I10, R20 = "i10", "r20"
+VECTOR = "r20 r20 r20"
+
+
+def rows(block):
+    """Lines of data with their numbers."""
+    return [(where, line) for where, line in block if not line.startswith("#")]
+
+
+def radioss_numbers(deck, kind, lines):
+    for where, line in lines:
+        if len(line) > 100 or len(line) % 10:
+            fault(where, "fields of 10 columns, at most 10 of them, are needed")
+        for at in range(0, len(line), 10):
+            deck.name(where, kind, fields(where, line[at:at + 10], I10)[0])
+
+
+def radioss_airbag(deck, lines):
+    it = iter(lines)
+
+    def card(form):
+        where, line = next(it)
+        return where, fields(where, line, form)
+
+    where, v = card("i10 -10 r20")
+    deck.name(where, "surface", v[0])
+    card("r20 r20 r20 r20 r20")
+    where, v = card("i10 -10 r20 r20 r20 i10 i10")
+    deck.name(where, "gas", v[0])
+    if v[2] <= 0 or v[3] <= 0:
+        fault(where, "pressure and temperature above 0 are needed")
+    where, (jets,) = card("i10")
+    for _ in range(jets):
+        where, v = card("i10 i10 i10 i10 i10 i10")
+        deck.name(where, "injector", v[0])
+    where, (vents, leaks) = card("i10 i10")
+    for _ in range(vents):
+        where, v = card("i10 i10 r20 r20 -20 s20")
+        if v[2] <= 0:
+            fault(where, "a vent without area")
+        card("r20 r20 r20 r20 -10 i10")
+        for _ in range(2):
+            where, v = card("i10 i10 i10 -10 r20 r20 r20")
+            for function in v[:3]:
+                deck.name(where, "function", function)
+    for _ in range(leaks):
+        where, v = card("i10 i10 i10 -50 s20")
+        deck.name(where, "surface", v[0])
+        form = v[1]
+        card("r20 r20 r20 r20 -10 i10")
+        if form == 2:
+            where, v = card("i10 -10 r20")
+            deck.name(where, "function", v[0])
+        else:
+            where, v = card("r20 r20 i10 i10 r20 r20")
+            if not 0 < v[0] <= 1:
+                fault(where, f"{v[0]} of the fabric is open")
+    for where, _ in it:
+        fault(where, "a line that belongs to nothing")
+    deck.counts["vents"], deck.counts["leaks"], deck.counts["inflators"] = vents, leaks, jets
+
+
+RADIOSS_CARDS = {  # title line, then forms; a reference is written kind=field
+    "MAT/VOID": (["r20 r20"], "law"),
+    "MAT/FABRI": (["r20", VECTOR, VECTOR, "r20"], "law"),
+    "MAT/GAS/MASS": (["r20", "r20 r20 r20 r20 r20", "r20"], "gas"),
+    "PROP/VOID": (["r20"], "property"),
+    "PROP/SH_ORTH": (["i10 i10 i10 i10 -20 r20", "r20 r20 r20 r20 r20", "i10 i10 r20 r20 i10 i10 i10",
+                      "r20 r20 r20 r20 -10 i10"], "property"),
+    "PROP/KJOINT2": (["i10 r20 r20 r20 i10 skew i10 skew i10", "r20 i10 r20 r20", "r20 i10", "r20 r20 i10"], "property"),
+    "SKEW/MOV": (["node i10 node i10 node i10 s10"], "skew"),
+    "PROP/SPRING": (["r20 -30 i10 i10 i10", "r20 r20 r20 r20 r20", "function i10 i10 i10 i10 i10 -10 r20 r20",
+                     "r20 r20 r20 r20"], "property"),
+    "PROP/INJECT1": (["i10 i10 r20", "gas i10 function i10 function i10 -10 r20 r20"], "injector"),
+    "BCS": (["s10 skew i10 group i10"], "condition"),
+    "RWALL/PLANE": (["node i10 i10 group i10 group i10", VECTOR, VECTOR, VECTOR], "wall"),
+    "DAMP": (["r20 r20 group i10 skew i10 r20 r20"], "damping"),
+    "GRAV": (["function i10 s10 skew i10 i10 group i10 -10 r20 r20"], "gravity"),
+    "RBODY": (["node i10 i10 skew i10 i10 r20 group i10 i10 i10 surface i10", VECTOR, VECTOR, "i10 i10 i10"], "body"),
+    "INIVEL/TRA": (["r20 r20 r20 group i10 skew i10"], "velocity"),
+    "INIVEL/ROT": (["r20 r20 r20 group i10 skew i10"], "velocity"),
+    "PART": (["property i10 law i10 i10"], "part"),
+    "INTER/TYPE7": (["group i10 surface i10 i10 i10 i10 -10 i10 i10 i10 i10", "r20 r20 r20 -20 i10",
+                     "r20 r20 r20 r20 i10 i10", "r20 r20 r20 r20 r20", "s10 -20 i10 r20 r20 r20",
+                     "i10 i10 r20 i10 i10 function i10 r20 i10"], "contact"),
+}
+REQUESTS = {"TH/MONV": "volume", "TH/RBODY": "body", "TH/INTER": "contact", "TH/RWALL": "wall"}
+
+
+def card_with_names(deck, where, line, form):
+    """A form in which a kind stands before the field that names a number of it."""
+    plain, kinds, kind = [], {}, None
+    values = 0
+    for item in form.split():
+        if not re.fullmatch(r"[irs-]\d+", item):
+            kind = item
+            continue
+        plain.append(item)
+        if item[0] != "-":
+            if kind:
+                kinds[values] = kind
+            values += 1
+        kind = None
+    found = fields(where, line, " ".join(plain))
+    for index, name in kinds.items():
+        deck.name(where, name, found[index])
+
+
+def radioss_block(deck, header, block):
+    where, key = header[0], header[1][1:].split("/")
+    number = int(key[-1]) if key[-1].isdigit() else None
+    keyword = "/".join(key[:-1] if number is not None else key)
+    lines = rows(block)
+    if keyword in ("BEGIN", "END"):
+        return
+    if keyword == "NODE":
+        for place, line in lines:
+            deck.define(place, "node", fields(place, line, "i10 r20 r20 r20")[0])
+        deck.counts["nodes"] = len(deck.defined["node"])
+    elif keyword in ("SH3N", "SPRING"):
+        deck.name(where, "part", number)
+        for place, line in lines:
+            v = fields(place, line, "i10 i10 i10 i10" if keyword == "SH3N" else "i10 i10 i10")
+            deck.define(place, "element", v[0])
+            if len(set(v[1:])) != len(v) - 1:
+                fault(place, "an element names a node twice")
+            for node in v[1:]:
+                deck.name(place, "node", node)
+        deck.counts[keyword] = deck.counts.get(keyword, 0) + len(lines)
+    elif keyword in ("GRNOD/NODE", "SURF/PART"):
+        deck.define(where, "group" if keyword[0] == "G" else "surface", number)
+        radioss_numbers(deck, "node" if keyword[0] == "G" else "part", lines[1:])
+    elif keyword == "FUNCT":
+        deck.define(where, "function", number)
+        points = [fields(place, line, "r20 r20") for place, line in lines[1:]]
+        if len(points) < 2 or any(b[0] <= a[0] for a, b in zip(points, points[1:])):
+            fault(where, "a function needs two points or more at rising abscissae")
+    elif keyword == "XREF":
+        deck.name(where, "part", number)
+        fields(*lines[1], "i10")
+        for place, line in lines[2:]:
+            deck.name(place, "node", fields(place, line, "i10 r20 r20 r20")[0])
+    elif keyword == "MONVOL/AIRBAG1":
+        deck.define(where, "volume", number)
+        radioss_airbag(deck, lines[1:])
+    elif keyword in REQUESTS:
+        radioss_numbers(deck, REQUESTS[keyword], lines[2:])
+    elif keyword in RADIOSS_CARDS:
+        forms, kind = RADIOSS_CARDS[keyword]
+        deck.define(where, kind, number)
+        if len(lines) != 1 + len(forms):
+            fault(where, f"{keyword} has {len(lines)} lines, {1 + len(forms)} are needed")
+        for (place, line), form in zip(lines[1:], forms):
+            card_with_names(deck, place, line, form)
+    else:
+        fault(where, f"{keyword}: an unknown keyword")
+
+
+def read_radioss(path, deck):
+    header, block = None, []
+    with open(path, encoding="ascii") as file:
+        for number, line in enumerate(file, 1):
+            where, line = f"{path}:{number}", line.rstrip("\n")
+            if line.startswith("/"):
+                if header:
+                    radioss_block(deck, header, block)
+                header, block = (where, line), []
+            elif header:
+                block.append((where, line))
+    if not header or header[1] != "/END":
+        fault(path, "no /END")
+
+
+def read_engine(path):
+    with open(path, encoding="ascii") as file:
+        text = file.read()
+    for keyword in ("/RUN/", "/TFILE", "/DT", "/ANIM/DT"):
+        if not re.search(rf"^{keyword}", text, re.M):
+            fault(path, f"no {keyword}")
+
+
+def main():
+    kind, paths = sys.argv[1], sys.argv[2:]
+    deck = Deck()
+    for path in paths:
+        if kind == "lsdyna":
+            from deck_structure_lsdyna import read_lsdyna
+            read_lsdyna(path, deck)
+        elif path.endswith("_0001.rad"):
+            read_engine(path)
+        else:
+            read_radioss(path, deck)
+    deck.resolve()
+    for text in FAULTS[:10]:
+        print(text)
+    print(" ".join(f"{key}={value}" for key, value in sorted(deck.counts.items())))
+    return 1 if FAULTS else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
