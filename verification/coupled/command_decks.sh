@@ -2,7 +2,7 @@
 # shellcheck shell=bash disable=SC2154
 # Parts of command_test.sh (sourced): scenes as decks of other programs, read by a parser of their own.
 
-deck_formats=(radioss)
+deck_formats=(radioss lsdyna)
 
 # Every key of a case has a row of its own, or stands below one, in the table of what becomes of it.
 deck_keys() {
@@ -14,7 +14,7 @@ deck_keys() {
 }
 
 part_decks() {
-  local case name format units reader=$source/verification/coupled/deck_structure.py count=0 out files settings
+  local case name format units reader=$source/verification/coupled/deck_structure.py count=0 out settings
   deck_keys
   for case in "$source"/cases/*.toml "$source"/cases/reference/*.toml; do
     grep -q '^\[membrane\]' "$case" || continue
@@ -22,10 +22,8 @@ part_decks() {
     settings=$("$gasjet" check "$case" | grep -cE '^  [a-z_]+\.[^ ]+( \*)? = ')
     for format in "${deck_formats[@]}"; do
       for units in kg-m-s t-mm-s kg-mm-ms; do
-        out=$work/$name.$format.$units
+        out=$work/$format/$name.$units
         expect 0 "export.md are in" "$gasjet" export "$case" --format "$format" --units "$units" --out "$out"
-        mapfile -t files < <(find "$out" -mindepth 1 -name 'bag_*' | sort)
-        expect 0 "nodes=" python3 -B "$reader" "$format" "${files[@]}"
         grep -q '^## no counterpart' "$out/export.md" || fail "$name: export.md"
         [ "$(grep -c '"mapping": "\(exact\|approximated\|no counterpart\)"' "$out/export.json")" = "$settings" ] ||
           fail "$name: export.json does not name all $settings settings"
@@ -33,17 +31,28 @@ part_decks() {
       done
     done
   done
-  [ $count -ge 36 ] || fail "only $count decks"
+  [ $count -ge 72 ] || fail "only $count decks"
+  for format in "${deck_formats[@]}"; do
+    expect 0 "nodes=" python3 -B "$reader" "$format" "$work/$format"/*
+  done
   # The parser sees what is wrong: a field moved by one column, a number that nothing defines, a lost line.
-  local deck=$work/passenger_pendulum.radioss.kg-m-s/bag_0000.rad wrong
+  local deck=$work/radioss/passenger_pendulum.kg-m-s/bag_0000.rad wrong
   for wrong in 's/^\(  *5 .*\)$/ \1/' '/^\/PART\/1$/,+3s/         1/      4711/' '/^\/RBODY\/1$/,+5{/Jxx/,+1d}' 's/^\/GRAV/\/GRAF/'; do
     sed "$wrong" "$deck" >"$work/wrong_0000.rad"
     cmp -s "$deck" "$work/wrong_0000.rad" && fail "'$wrong' changes nothing"
     expect 1 "wrong_0000.rad:[0-9]+" python3 -B "$reader" radioss "$work/wrong_0000.rad"
   done
+  deck=$work/lsdyna/passenger_pendulum.kg-m-s/bag.k
+  for wrong in 's/^\(  *5  *[0-9].*\)$/ \1/' '/^\*PART$/,+3s/         1/      4711/' '/^\*PART_INERTIA$/,+5{/TM/,+1d}' 's/^\*LOAD_BODY_Z/*LOAD_BODY_W/' \
+    '/^\*CONSTRAINED_JOINT/,+3s/^\( *[0-9]*\) \( *[0-9]*\)/\2\1 /' '/^\*SECTION_SHELL$/,+2{/SECID/,+1d}'; do
+    sed "$wrong" "$deck" >"$work/wrong.k"
+    cmp -s "$deck" "$work/wrong.k" && fail "'$wrong' changes nothing"
+    expect 1 "wrong.k:[0-9]+" python3 -B "$reader" lsdyna "$work/wrong.k"
+  done
+  deck=$work/radioss/passenger_pendulum.kg-m-s/bag_0000.rad
   # The same bag in other units.
   local first='/^\/NODE/{n;n;n;p;q}' metres millimetres
-  metres=$(sed -n "$first" "$deck") millimetres=$(sed -n "$first" "$work/passenger_pendulum.radioss.t-mm-s/bag_0000.rad")
+  metres=$(sed -n "$first" "$deck") millimetres=$(sed -n "$first" "$work/radioss/passenger_pendulum.t-mm-s/bag_0000.rad")
   awk -v a="$metres" -v b="$millimetres" 'BEGIN { split(a, x, " "); split(b, y, " "); for (i = 2; i <= 4; ++i) { d = y[i] - 1000 * x[i]; s += y[i] * y[i]; if (d * d > 1e-18 * y[i] * y[i]) exit 1 } exit !(s > 0) }' ||
     fail "units: $metres and $millimetres"
   # Bad input.

@@ -2,16 +2,16 @@
 """Reads the decks of `gasjet export` by the cards' own columns, as the programs do, and resolves every
 reference between numbers. It shares nothing with the writers.
 
-Usage: deck_structure.py radioss|lsdyna FILE...   prints counts; exit code 1 and the fault if there is one.
+Usage: deck_structure.py radioss|lsdyna DECK...   a deck is a file, or a folder of one. Prints counts; exit code 1
+and the faults if there are any.
 """
+import glob
+import os
 import re
 import sys
 
-FAULTS = []
-
-
-def fault(where, text):
-    FAULTS.append(f"{where}: {text}")
+from deck_numbers import FAULTS, Deck, fault
+from deck_structure_lsdyna import read_lsdyna
 
 
 def fields(where, line, form):
@@ -36,28 +36,6 @@ def fields(where, line, form):
     if len(line) > at:
         fault(where, f"{len(line)} columns, {at} at most")
     return values
-
-
-class Deck:
-    """Numbers that are defined and numbers that are named, by kind."""
-
-    def __init__(self):
-        self.defined, self.named, self.counts = {}, [], {}
-
-    def define(self, where, kind, number):
-        numbers = self.defined.setdefault(kind, set())
-        if number in numbers:
-            fault(where, f"{kind} {number} is there twice")
-        numbers.add(number)
-
-    def name(self, where, kind, number):
-        if number != 0:
-            self.named.append((where, kind, number))
-
-    def resolve(self):
-        for where, kind, number in self.named:
-            if number not in self.defined.get(kind, set()):
-                fault(where, f"{kind} {number} is named and nowhere defined")
 
 
 I10, R20 = "i10", "r20"
@@ -241,21 +219,29 @@ def read_engine(path):
             fault(path, f"no {keyword}")
 
 
-def main():
-    kind, paths = sys.argv[1], sys.argv[2:]
+def read_deck(kind, paths):
     deck = Deck()
     for path in paths:
         if kind == "lsdyna":
-            from deck_structure_lsdyna import read_lsdyna
             read_lsdyna(path, deck)
         elif path.endswith("_0001.rad"):
             read_engine(path)
         else:
             read_radioss(path, deck)
     deck.resolve()
+    print(paths[0], " ".join(f"{key}={value}" for key, value in sorted(deck.counts.items())))
+
+
+def main():
+    kind = sys.argv[1]
+    for path in sys.argv[2:]:
+        files = sorted(glob.glob(os.path.join(path, "bag*"))) if os.path.isdir(path) else [path]
+        if not files:
+            fault(path, "no deck")
+            continue
+        read_deck(kind, files)
     for text in FAULTS[:10]:
         print(text)
-    print(" ".join(f"{key}={value}" for key, value in sorted(deck.counts.items())))
     return 1 if FAULTS else 0
 
 

@@ -53,10 +53,11 @@ int export_deck(const ExportArguments& arguments) {
   const Units units = units_named(arguments.units);
   CaseDocument document(arguments.scene.file, arguments.scene.overrides);
   const Scene scene = read_scene(document);
-  const Deck deck = make_deck(scene);
-  require_size(scene, arguments.any_size);
   const DeckFormat format = arguments.format == "radioss" ? DeckFormat::radioss : DeckFormat::lsdyna;
+  Deck deck = make_deck(scene, format);
+  require_size(scene, arguments.any_size);
   const auto used = used_features(document, format);
+  if (format == DeckFormat::lsdyna) note_lsdyna_vents(deck);
   DeckFiles files = format == DeckFormat::radioss ? write_radioss(deck, units) : write_lsdyna(deck, units);
   files.emplace_back("export.md", export_markdown(deck, used,
                                                   fmt::format("{} as a deck of {}, {}", scene.name,

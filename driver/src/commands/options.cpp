@@ -207,7 +207,7 @@ int dispatch_study(const CLI::App& study, const StudyArguments& a) {
 void add_export(CLI::App& app, ExportArguments& a) {
   auto* c = app.add_subcommand("export", "write a scene with a bag as a deck of another program");
   add_case(*c, a.scene);
-  c->add_option("--format", a.format, "radioss")->required()->check(CLI::IsMember({"radioss"}));
+  c->add_option("--format", a.format, "program")->required()->check(CLI::IsMember({"radioss", "lsdyna"}));
   c->add_option("--units", a.units, "of mass, length and time in the deck")
       ->required()
       ->check(CLI::IsMember({"kg-m-s", "t-mm-s", "kg-mm-ms"}));

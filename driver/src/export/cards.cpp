@@ -3,9 +3,27 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+#include <cstdlib>
 #include <stdexcept>
 
 namespace driver {
+namespace {
+
+// "0.5e-05" is ".5e-5".
+std::string without_idle_zeros(std::string text) {
+  if (const auto e = text.find('e'); e != std::string::npos) {
+    std::size_t from = e + 1;
+    if (text[from] == '+') text.erase(from, 1);
+    if (text[from] == '-') ++from;
+    while (from + 1 < text.size() && text[from] == '0') text.erase(from, 1);
+  }
+  const std::size_t first = text.starts_with('-') ? 1 : 0;
+  if (text.size() > first + 1 && text[first] == '0' && text[first + 1] == '.') text.erase(first, 1);
+  return text;
+}
+
+}  // namespace
 
 Field whole(long value, std::size_t width) {
   return {fmt::format("{}", value), width};
@@ -20,6 +38,23 @@ Field real(double value, std::size_t width) {
     if (text.size() < width) return {std::move(text), width};
   }
   throw std::logic_error(fmt::format("{} does not fit {} columns", value, width));
+}
+
+Field narrow(double value) {
+  constexpr std::size_t width = 10;
+  constexpr int digits = 15;
+  std::string best;
+  for (int precision = digits; precision > 0; --precision) {
+    std::string text = without_idle_zeros(fmt::format("{:.{}g}", value, precision));
+    if (text.find_first_of(".e") == std::string::npos) text += '.';
+    if (text.size() > width) continue;
+    const auto error = [value](const std::string& of) {
+      return std::abs(std::strtod(of.c_str(), nullptr) - value);
+    };
+    if (best.empty() || (text.size() < best.size() && error(text) <= error(best))) best = std::move(text);
+  }
+  if (best.empty()) throw std::logic_error(fmt::format("{} does not fit {} columns", value, width));
+  return {std::move(best), width};
 }
 
 Field blank(std::size_t width) {

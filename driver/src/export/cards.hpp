@@ -18,6 +18,9 @@ struct Field {
 Field whole(long value, std::size_t width);
 /// A number with as many digits as fit, up to those that a double has; one column is left blank.
 Field real(double value, std::size_t width);
+/// A number in ten columns, all of which it may fill: five digits or more, four if it is negative. Zeros that
+/// say nothing are left out of it.
+Field narrow(double value);
 Field blank(std::size_t width);
 Field word(std::string_view text, std::size_t width);
 

@@ -48,9 +48,20 @@ void add_sphere(double radius, Deck& deck) {
                    deck.sphere.elements.cols(), 1.0 - (nearest + deck.contact_gap) / radius)});
 }
 
+std::string jetting_of(DeckFormat format) {
+  if (format == DeckFormat::lsdyna)
+    return "The program's own jetting is a cone with an efficiency. How it loads an element is not published "
+           "closely enough to state a misfit";
+  const CosineMisfit misfit = cosine_misfit();
+  return fmt::format(
+      "The program's own jetting has one cosine of the incidence, the jet cos^2: {:.3g} of the "
+      "load in the root mean square over all directions; {:.3g}, {:.3g} and {:.3g} times at 30, "
+      "45 and 60 degrees",
+      misfit.rms, misfit.ratio[0], misfit.ratio[1], misfit.ratio[2]);
+}
+
 void note_jets(const Scene& scene, Deck& deck) {
   for (const JetPart& part : scene.jets) {
-    const CosineMisfit misfit = cosine_misfit();
     const jet::JetModel& model = part.field.model();
     std::string text = fmt::format("jet of inflator {}: not written. ", part.inflator);
     if (model.shape == jet::OutletShape::round)
@@ -58,12 +69,7 @@ void note_jets(const Scene& scene, Deck& deck) {
           "Its far field is a product of an angle's and a distance's function about a virtual "
           "origin {:.4g} m behind the outlet. ",
           jet::round_virtual_origin(model.decay_coefficient) * model.radius);
-    deck.notes.push_back(
-        {"inflator.jet",
-         text + fmt::format("The program's own jetting has one cosine of the incidence, the jet "
-                            "cos^2: {:.3g} of the load in the root mean square over all directions; "
-                            "{:.3g}, {:.3g} and {:.3g} times at 30, 45 and 60 degrees",
-                            misfit.rms, misfit.ratio[0], misfit.ratio[1], misfit.ratio[2])});
+    deck.notes.push_back({"inflator.jet", text + jetting_of(deck.format)});
   }
 }
 
@@ -75,12 +81,13 @@ CosineMisfit cosine_misfit() {
           {1.0 / std::cos(30.0 * degrees), 1.0 / std::cos(45.0 * degrees), 1.0 / std::cos(60.0 * degrees)}};
 }
 
-Deck make_deck(const Scene& scene) {
+Deck make_deck(const Scene& scene, DeckFormat format) {
   if (!scene.bag)
     throw CaseError(fmt::format("{}: the scene has no [membrane], a scene with a bag is allowed",
                                 scene.case_file.string()));
   Deck deck;
   deck.scene = &scene;
+  deck.format = format;
   add_parts(*scene.bag, deck);
   add_gas(scene, deck);
   if (scene.pendulum) add_sphere(scene.pendulum->model.parameters().impactor_radius, deck);

@@ -31,6 +31,9 @@ struct DeckGas {
   double molar_mass;           // [kg/mol]
   std::array<double, 5> cp{};  // [J/(kg K^(j+1))] factors of T^j
   double misfit = 0.0;         // [-] largest of cp up to the highest temperature that the case names
+  std::array<double, 3>
+      parabola{};                // [J/(kg K^(j+1))] least squares of the mixture's cp over these temperatures
+  double parabola_misfit = 0.0;  // [-] largest of cp over them
 };
 
 /// Knots of a curve; times rise, and what the case means outside its knots is said by knots.
@@ -65,6 +68,7 @@ struct DeckNote {
 
 struct Deck {
   const Scene* scene = nullptr;
+  DeckFormat format = DeckFormat::radioss;
   std::vector<DeckPart> parts;
   DeckGas initial_gas;
   std::vector<DeckInflator> inflators;
@@ -76,7 +80,7 @@ struct Deck {
 };
 
 /// Throws CaseError for a scene without a bag.
-Deck make_deck(const Scene& scene);
+Deck make_deck(const Scene& scene, DeckFormat format);
 
 /// Misfit of the load of one cosine to that of a reflected jet, cos^2 of the incidence: root mean square over
 /// the half space [-], and ratio at 30, 45 and 60 degrees.

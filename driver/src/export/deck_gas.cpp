@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 
@@ -10,6 +11,28 @@ namespace driver {
 namespace {
 
 using Fractions = std::vector<double>;
+
+// The molar heat capacity of some programs is a parabola.
+void fit_parabola(const gas::Thermo& thermo, const Fractions& fractions, double highest, DeckGas& mixture) {
+  constexpr double lowest = 250.0, span = 50.0;  // [K]; span: at least, so that three numbers are determined
+  constexpr int points = 200;
+  highest = std::max(highest, lowest + span);
+  Eigen::Matrix<double, points, 3> powers;
+  Eigen::Matrix<double, points, 1> cp;
+  for (int i = 0; i < points; ++i) {
+    const double T = lowest + (highest - lowest) * i / (points - 1), scaled = T / highest;
+    powers.row(i) << 1.0, scaled, scaled * scaled;
+    cp(i) = thermo.cp(fractions, T);
+  }
+  const Eigen::Vector3d factors = powers.householderQr().solve(cp);
+  mixture.parabola = {factors(0), factors(1) / highest, factors(2) / (highest * highest)};
+  mixture.parabola_misfit = ((powers * factors).array() / cp.array() - 1.0).abs().maxCoeff();
+  constexpr double round_off = 1e-12;  // of a constant heat capacity
+  if (mixture.parabola_misfit > round_off) return;
+  const bool constant = cp.maxCoeff() - cp.minCoeff() <= round_off * cp.maxCoeff();
+  if (constant) mixture.parabola = {cp(0), 0.0, 0.0};
+  mixture.parabola_misfit = 0.0;
+}
 
 DeckGas mixture_of(const gas::Thermo& thermo, const Fractions& fractions, double highest) {
   DeckGas mixture;
@@ -28,6 +51,7 @@ DeckGas mixture_of(const gas::Thermo& thermo, const Fractions& fractions, double
     for (std::size_t j = mixture.cp.size(); j-- > 0;) cp = cp * T + mixture.cp[j];
     mixture.misfit = std::max(mixture.misfit, std::abs(cp / thermo.cp(fractions, T) - 1.0));
   }
+  fit_parabola(thermo, fractions, highest, mixture);
   return mixture;
 }
 
@@ -159,6 +183,15 @@ void add_leaks(const Scene& scene, Deck& deck) {
   }
 }
 
+void note_misfit(const DeckGas& gas, double highest, Deck& deck) {
+  const bool parabola = deck.format == DeckFormat::lsdyna;
+  const double misfit = parabola ? gas.parabola_misfit : gas.misfit;
+  if (misfit == 0.0) return;
+  deck.notes.push_back(
+      {"gas.thermodynamics", fmt::format("cp of {}{} is off by up to {:.2g} up to {:.0f} K", gas.name,
+                                         parabola ? "" : " above 1000 K", misfit, highest)});
+}
+
 }  // namespace
 
 void add_gas(const Scene& scene, Deck& deck) {
@@ -170,11 +203,8 @@ void add_gas(const Scene& scene, Deck& deck) {
   add_initial_overpressure(scene, highest, deck);
   add_vents(scene, deck);
   add_leaks(scene, deck);
-  for (const auto& inflator : deck.inflators)
-    if (inflator.gas.misfit > 0.0)
-      deck.notes.push_back(
-          {"gas.thermodynamics", fmt::format("cp of {} above 1000 K is off by up to {:.2g} up to {:.0f} K",
-                                             inflator.gas.name, inflator.gas.misfit, highest)});
+  note_misfit(deck.initial_gas, highest, deck);
+  for (const auto& inflator : deck.inflators) note_misfit(inflator.gas, highest, deck);
 }
 
 }  // namespace driver

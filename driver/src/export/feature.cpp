@@ -15,11 +15,13 @@ constexpr Outcome solver{Mapping::none,
                          "of this program's own solution; the other program has its own settings"};
 constexpr Outcome output{Mapping::none, "of this program's own results; the other program has its own"};
 constexpr Outcome tank{Mapping::none, "of scenes without a bag, which are not exported"};
-constexpr Outcome jet{Mapping::none, "no jet is written: see the misfit of one cosine below"};
+constexpr Outcome jet{Mapping::none, "no jet is written: see below"};
 constexpr Outcome polynomial{Mapping::approximated,
                              "one polynomial: exact to 1000 K, above by the size below"};
-constexpr Outcome molar{Mapping::approximated,
-                        "a parabola of molar cp: cubic and quartic terms are left out"};
+constexpr Outcome molar{
+    Mapping::approximated,
+    "a parabola of molar cp, by least squares from 250 K up: exact if cp is constant, else "
+    "by the size below"};
 constexpr Outcome trigger{Mapping::approximated,
                           "sensors of time become times; what else fires is left out, see below"};
 constexpr Outcome law{
@@ -28,7 +30,14 @@ constexpr Outcome law{
 constexpr Outcome shape{Mapping::exact, "start shape as nodes, design shape as reference geometry"};
 constexpr Outcome sphere{Mapping::approximated, "a sphere of flat triangles, by the size below"};
 constexpr Outcome contact{Mapping::approximated, "contact by node with the program's own penalty"};
-constexpr Outcome one_area{Mapping::approximated, "leaks by the design area, not the stretched one"};
+constexpr Outcome fabric_law{Mapping::approximated,
+                             "the program's fabric in Green-Lagrange strain (FORM 12) for St. "
+                             "Venant-Kirchhoff, in its invariant frame "
+                             "(FORM 1) for Hencky: all agree to first order of strain"};
+constexpr Outcome one_area{Mapping::approximated, "leaks by the area that the program takes for its fabric"};
+constexpr Outcome one_opening{
+    Mapping::approximated,
+    "one opening with a coefficient of time and an area of pressure: exact unless a vent is named below"};
 
 }  // namespace
 
@@ -45,7 +54,7 @@ const std::vector<Feature>& features() {
       {"scene.gravity", same, same},
       {"scene.format", solver, solver},
       {"ambient.pressure", same, same},
-      {"ambient.temperature", in_deck, same},
+      {"ambient.temperature", in_deck, in_deck},
       {"ambient.composition",
        {Mapping::none, "no gas flows in from outside"},
        {Mapping::none, "no gas flows in from outside"}},
@@ -59,7 +68,7 @@ const std::vector<Feature>& features() {
       {"gas.initial.pressure",
        {Mapping::approximated, "exact at ambient pressure; else an inflator of its own, see below"},
        {Mapping::approximated, "exact at ambient pressure; else an inflator of its own, see below"}},
-      {"gas.initial.temperature", same, {Mapping::approximated, "the ambient temperature stands for it"}},
+      {"gas.initial.temperature", same, same},
       {"gas.species.name", in_deck, in_deck},
       {"gas.species.molar_mass", same, same},
       {"gas.species.gas_constant", in_deck, in_deck},
@@ -122,10 +131,8 @@ const std::vector<Feature>& features() {
       {"inflator.jet.jet_work", jet, jet},
       {"vent.area",
        {Mapping::exact, "isentropic flow, choked above the critical ratio, by area and coefficient"},
-       {Mapping::approximated, "one opening: exact for one vent, or vents of constant area; else see below"}},
-      {"vent.discharge_coefficient",
-       {Mapping::exact, "factor of the area"},
-       {Mapping::exact, "factor of the area"}},
+       one_opening},
+      {"vent.discharge_coefficient", {Mapping::exact, "factor of the area"}, one_opening},
       {"vent.backflow", {Mapping::none, "no gas flows in"}, {Mapping::none, "no gas flows in"}},
       {"vent.trigger", trigger, trigger},
       {"sensor.name", in_deck, in_deck},
@@ -136,7 +143,8 @@ const std::vector<Feature>& features() {
       {"sensor.above", trigger, trigger},
       {"sensor.overpressure",
        {Mapping::approximated, "pressure at which a vent opens, and stays open"},
-       trigger},
+       {Mapping::approximated,
+        "pressure at which a single vent opens; of several it is left out, see below"}},
       {"sensor.reset", trigger, trigger},
       {"sensor.contact", trigger, trigger},
       {"trigger.name", in_deck, in_deck},
@@ -145,31 +153,34 @@ const std::vector<Feature>& features() {
       {"trigger.not", trigger, trigger},
       {"trigger.delay", trigger, trigger},
       {"trigger.latch", trigger, trigger},
-      {"fabric.law", law, law},
-      {"fabric.young_modulus", law, law},
-      {"fabric.poisson_ratio", law, law},
+      {"fabric.law", law, fabric_law},
+      {"fabric.young_modulus", law, fabric_law},
+      {"fabric.poisson_ratio", law, fabric_law},
       {"fabric.density", same, same},
       {"fabric.thickness", same, same},
       {"fabric.porosity", {Mapping::exact, "share of the area of the panel that leaks"}, one_area},
       {"fabric.leak_law", {Mapping::exact, "share or velocity by panel"}, one_area},
       {"fabric.velocity",
        {Mapping::exact, "velocity against overpressure"},
-       {Mapping::none, "no leakage is written for a table of velocities"}},
+       {Mapping::approximated,
+        "velocity against absolute pressure (FVOPT 7), over the area that the program takes"}},
       {"fabric.compression",
-       {Mapping::approximated, "none: 1e-6 of the modulus in compression"},
-       {Mapping::approximated, "none: compressive stress is left out of each principal direction"}},
-      {"fabric.weave.young_modulus_weft", law, law},
-      {"fabric.weave.shear_modulus", law, law},
+       {Mapping::approximated,
+        "none: compressive principal stress is cut to 1e-3, and the tensile one keeps the Poisson effect of "
+        "the wrinkled direction"},
+       {Mapping::approximated, "none: the program leaves compressive stress out"}},
+      {"fabric.weave.young_modulus_weft", law, fabric_law},
+      {"fabric.weave.shear_modulus", law, fabric_law},
       {"fabric.weave.warp",
        {Mapping::exact, "vector of the property"},
        {Mapping::exact, "vector of the material"}},
       {"fabric.panel.panels", {Mapping::exact, "a part a panel"}, {Mapping::exact, "a part a panel"}},
-      {"fabric.panel.young_modulus", law, law},
-      {"fabric.panel.poisson_ratio", law, law},
+      {"fabric.panel.young_modulus", law, fabric_law},
+      {"fabric.panel.poisson_ratio", law, fabric_law},
       {"fabric.panel.density", same, same},
       {"fabric.panel.thickness", same, same},
       {"fabric.panel.porosity", same, one_area},
-      {"fabric.panel.weave", law, law},
+      {"fabric.panel.weave", law, fabric_law},
       {"membrane.mesh.file", shape, shape},
       {"membrane.mesh.initial_file", shape, shape},
       {"membrane.mesh.length_unit", in_deck, in_deck},
@@ -197,7 +208,9 @@ const std::vector<Feature>& features() {
        {Mapping::exact, "spring by a curve: no force below its free length"}},
       {"membrane.strap.free_length", same, same},
       {"target", tank, tank},
-      {"pendulum.pivot", {Mapping::approximated, "joint by a penalty"}, same},
+      {"pendulum.pivot",
+       {Mapping::approximated, "joint by a penalty"},
+       {Mapping::approximated, "joint by a penalty"}},
       {"pendulum.axis", same, same},
       {"pendulum.rest_direction", same, same},
       {"pendulum.mass", same, same},

@@ -69,12 +69,14 @@ void RadiossStarter::hold(int id, std::string_view code, Group nodes) {
 
 void RadiossStarter::supports() {
   group(all_nodes, "bag", bag_nodes(deck_, false));
-  group(free_nodes, "free nodes of the bag", bag_nodes(deck_, true));
+  const auto free = bag_nodes(deck_, true);
+  if (!free.empty()) group(free_nodes, "free nodes of the bag", free);
   if (const auto held = fixed_nodes(deck_); !held.empty()) {
     group(held_nodes, "fixed nodes", held);
     hold(1, "111 000", held_nodes);
   }
   for (const membrane::Plate& plate : bag().model.description.plates) {
+    if (free.empty()) break;
     title("/RWALL/PLANE/1", "plate");
     out_.line("#  node_ID     Slide  grnd_ID1  grnd_ID2");
     out_.card({whole(0, 10), whole(0, 10), whole(free_nodes, 10), whole(0, 10)});
@@ -133,7 +135,8 @@ void RadiossStarter::requests() {
   request("/TH/MONV/1", "MASS      VOL       P         A         T         ", 1);
   if (deck_.scene->pendulum) request("/TH/RBODY/2", "DEF       ", 1);
   if (deck_.scene->contact) request("/TH/INTER/3", "DEF       ", 1);
-  if (!bag().model.description.plates.empty()) request("/TH/RWALL/4", "DEF       ", 1);
+  if (!bag().model.description.plates.empty() && !bag_nodes(deck_, true).empty())
+    request("/TH/RWALL/4", "DEF       ", 1);
 }
 
 namespace {

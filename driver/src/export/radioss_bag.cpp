@@ -58,7 +58,7 @@ void RadiossStarter::fabric_material(const DeckPart& p) {
   const Field G = real(shear / u_.pressure(), 20);
   out_.card({G, G, G});
   out_.line("#                R_E");
-  constexpr double slack = 1e-6;  // of the modulus in compression
+  constexpr double slack = 1e-3;  // of the stress in compression, the least that the program takes
   out_.card({real(bag().model.description.compression == membrane::Compression::none ? slack : 1.0, 20)});
 }
 
