@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "compare/mean_test.hpp"
 
-#include <gsl/gsl_cdf.h>
-
 #include <algorithm>
+#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <deque>
 
@@ -37,8 +36,9 @@ MeanTest::MeanTest(int runs, int reference_runs, std::size_t comparisons)
     : runs_(runs), reference_runs_(reference_runs) {
   const double freedom = static_cast<double>(runs) + reference_runs - 2.0;
   const double tests = static_cast<double>(std::max<std::size_t>(comparisons, 1));
-  chance_ = gsl_cdf_tdist_Qinv(false_alarms / (2.0 * tests), freedom);
-  seen_ = chance_ + gsl_cdf_tdist_Qinv(missed, freedom);
+  const boost::math::students_t student(freedom);
+  chance_ = quantile(complement(student, false_alarms / (2.0 * tests)));
+  seen_ = chance_ + quantile(complement(student, missed));
 }
 
 std::vector<double> MeanTest::standard_errors(std::span<const double> time, std::span<const double> mine,
