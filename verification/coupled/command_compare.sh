@@ -83,6 +83,8 @@ part_compare_means() {
   expect 2 "wrong.csv:[0-9]+:1: runs: '' is no number" "$gasjet" compare "$work/wrong.csv" "$other"
   awk -F, -v OFS=, '/^#/ || !n++ { print; next } { $3 = -1; print }' "$mine" >"$work/wrong.csv"
   expect 2 "wrong.csv:[0-9]+:[0-9]+: .*-1: a standard error of 0 or more" "$gasjet" compare "$work/wrong.csv" "$other"
+  printf '%s\n' '# runs: 4' time_s,alone_standard_error 0,1 1,1 2,1 >"$work/wrong.csv"
+  expect 2 "wrong.csv:1:1: alone_standard_error: has no column alone beside it" "$gasjet" compare "$work/wrong.csv" "$other"
 }
 
 # The reference set is what its checksums say; every scene, run anew, lies within the bands. The passenger scenes with a seed that is none

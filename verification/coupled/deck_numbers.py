@@ -8,6 +8,26 @@ def fault(where, text):
     FAULTS.append(f"{where}: {text}")
 
 
+def blocks(path, mark, comment, last):
+    """Each keyword of a file, which begins with `mark`, and the lines below it, with their places; `last` ends it."""
+    header, block = None, []
+    with open(path, encoding="ascii") as file:
+        for number, line in enumerate(file, 1):
+            where, line = f"{path}:{number}", line.rstrip("\n")
+            if line.startswith(comment):
+                continue
+            if line.startswith(mark):
+                if header:
+                    yield header, block
+                header, block = (where, line), []
+            elif header:
+                block.append((where, line))
+            else:
+                fault(where, "a line before the first keyword")
+    if not header or header[1] != last:
+        fault(path, f"no {last}")
+
+
 class Deck:
     """Numbers that are defined and numbers that are named, by kind."""
 

@@ -10,7 +10,7 @@ import os
 import re
 import sys
 
-from deck_numbers import FAULTS, Deck, fault
+from deck_numbers import FAULTS, Deck, blocks, fault
 from deck_structure_lsdyna import read_lsdyna
 
 
@@ -40,11 +40,6 @@ def fields(where, line, form):
 
 I10, R20 = "i10", "r20"
 VECTOR = "r20 r20 r20"
-
-
-def rows(block):
-    """Lines of data with their numbers."""
-    return [(where, line) for where, line in block if not line.startswith("#")]
 
 
 def radioss_numbers(deck, kind, lines):
@@ -146,11 +141,10 @@ def card_with_names(deck, where, line, form):
         deck.name(where, name, found[index])
 
 
-def radioss_block(deck, header, block):
+def radioss_block(deck, header, lines):
     where, key = header[0], header[1][1:].split("/")
     number = int(key[-1]) if key[-1].isdigit() else None
     keyword = "/".join(key[:-1] if number is not None else key)
-    lines = rows(block)
     if keyword in ("BEGIN", "END"):
         return
     if keyword == "NODE":
@@ -197,18 +191,8 @@ def radioss_block(deck, header, block):
 
 
 def read_radioss(path, deck):
-    header, block = None, []
-    with open(path, encoding="ascii") as file:
-        for number, line in enumerate(file, 1):
-            where, line = f"{path}:{number}", line.rstrip("\n")
-            if line.startswith("/"):
-                if header:
-                    radioss_block(deck, header, block)
-                header, block = (where, line), []
-            elif header:
-                block.append((where, line))
-    if not header or header[1] != "/END":
-        fault(path, "no /END")
+    for header, block in blocks(path, "/", "#", "/END"):
+        radioss_block(deck, header, block)
 
 
 def read_engine(path):

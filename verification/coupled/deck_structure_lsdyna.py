@@ -4,7 +4,7 @@ is zero, which mostly stands for a default."""
 import math
 import re
 
-from deck_numbers import fault
+from deck_numbers import blocks, fault
 
 # The cards of a keyword after its header, in the manual's order. An item is a kind of value (i whole number,
 # r number, s text, - nothing) with its width; a word before it says what it names, "=" before that what it defines.
@@ -192,21 +192,7 @@ def check_whole(deck):
 
 def read_lsdyna(path, deck):
     deck.places, deck.bodies, deck.sections, deck.shells, deck.shell_parts, deck.joints = {}, {}, {}, set(), set(), []
-    header, block = None, []
-    with open(path, encoding="ascii") as file:
-        for number, line in enumerate(file, 1):
-            where, line = f"{path}:{number}", line.rstrip("\n")
-            if line.startswith("*"):
-                if header:
-                    read_block(deck, header, block)
-                header, block = (where, line), []
-            elif line.startswith("$"):
-                continue
-            elif header:
-                block.append((where, line))
-            else:
-                fault(where, "a line before the first keyword")
-    if not header or header[1] != "*END":
-        fault(path, "no *END")
+    for header, block in blocks(path, "*", "$", "*END"):
+        read_block(deck, header, block)
     check_whole(deck)
     deck.counts["nodes"] = len(deck.places)

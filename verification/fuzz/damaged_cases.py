@@ -133,14 +133,14 @@ def changed_bytes(rng, text):
 
 
 CLASSES = {
-    "number scaled": [scaled_number],
-    "number replaced": [bad_number],
-    "text replaced": [bad_string],
-    "list changed": [bad_list],
-    "key changed": [changed_key],
-    "table changed": [changed_table],
+    "number scaled": scaled_number,
+    "number replaced": bad_number,
+    "text replaced": bad_string,
+    "list changed": bad_list,
+    "key changed": changed_key,
+    "table changed": changed_table,
     "two faults": None,  # of the six above
-    "bytes changed": [changed_bytes],
+    "bytes changed": changed_bytes,
 }
 
 
@@ -154,9 +154,9 @@ def make_input(cases, seed, index):
     rng = random.Random(f"{seed} {index}")
     name = list(CLASSES)[index % len(CLASSES)]
     text = short_case(rng.choice(cases))
-    steps = CLASSES[name] or [rng.choice(single)[0] for single in [list(filter(None, CLASSES.values()))[:6]] * 2]
-    for step in steps:
-        text = step(rng, text)
+    faults = [CLASSES[name]] if CLASSES[name] else rng.choices(list(CLASSES.values())[:6], k=2)
+    for fault in faults:
+        text = fault(rng, text)
     return name, text if isinstance(text, bytes) else text.encode()
 
 

@@ -57,6 +57,13 @@ void read_ensemble_lines(History& history, const std::filesystem::path& file) {
     if (name.ends_with(standard_error_suffix)) error = &name;
   }
   if (!error) return;
+  for (const auto& [name, values] : history.columns) {
+    if (!name.ends_with(standard_error_suffix)) continue;
+    const std::string quantity = name.substr(0, name.size() - std::string_view(standard_error_suffix).size());
+    if (names.contains(quantity) || names.contains(fmt::format("{}{}", quantity, mean_suffix))) continue;
+    throw CaseError(fmt::format("{}:1:1: {}: has no column {} beside it, nor {}{}", file.string(), name,
+                                quantity, quantity, mean_suffix));
+  }
   history.runs = runs_of(file, *error);
   for (auto& [name, values] : history.columns) {
     if (!name.ends_with(mean_suffix)) continue;

@@ -23,6 +23,10 @@ std::string without_idle_zeros(std::string text) {
   return text;
 }
 
+void require_finite(double value) {
+  if (!std::isfinite(value)) throw std::logic_error(fmt::format("a deck has no place for {}", value));
+}
+
 }  // namespace
 
 Field whole(long value, std::size_t width) {
@@ -30,6 +34,7 @@ Field whole(long value, std::size_t width) {
 }
 
 Field real(double value, std::size_t width) {
+  require_finite(value);
   constexpr int digits = 15;
   for (int precision = digits; precision > 0; --precision) {
     std::string text = fmt::format("{:.{}g}", value, precision);
@@ -41,6 +46,7 @@ Field real(double value, std::size_t width) {
 }
 
 Field narrow(double value) {
+  require_finite(value);
   constexpr std::size_t width = 10;
   constexpr int digits = 15;
   std::string best;
@@ -63,6 +69,15 @@ Field blank(std::size_t width) {
 
 Field word(std::string_view text, std::size_t width) {
   return {std::string(text), width};
+}
+
+void Cards::label(std::string_view text, std::size_t columns) {
+  std::string line;
+  if (text.find_first_of("*/$#") == 0) line = "_";
+  line.append(text);
+  for (char& c : line)
+    if (c < ' ' || c > '~') c = '_';
+  this->line(std::string_view(line).substr(0, columns));
 }
 
 void Cards::card(const std::vector<Field>& fields) {

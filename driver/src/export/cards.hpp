@@ -28,6 +28,9 @@ Field word(std::string_view text, std::size_t width);
 class Cards {
  public:
   void line(std::string_view text) { text_.append(text).push_back('\n'); }
+  /// A name of the user's in one line of `columns`: "_" stands for what is not printable ASCII, and before
+  /// what would begin a keyword or a comment.
+  void label(std::string_view text, std::size_t columns);
   /// Throws std::logic_error for a field that is longer than its width.
   void card(const std::vector<Field>& fields);
   /// Whole numbers of one width, `per_line` in a line.

@@ -31,7 +31,10 @@ void add_parts(const BagPart& bag, Deck& deck) {
   }
 }
 
-void add_sphere(double radius, Deck& deck) {
+void add_pendulum(const coupling::PendulumParameters& p, Deck& deck) {
+  constexpr double least = 1e-9;  // of a point mass at the centre of gravity, about the pivot
+  const double radius = p.impactor_radius;
+  deck.inertia = std::max(p.inertia_cg, least * p.mass * p.cg_distance * p.cg_distance);
   deck.contact_gap = gap_share * radius;
   deck.sphere = membrane::icosphere(radius - deck.contact_gap, sphere_levels);
   double nearest = radius;
@@ -90,7 +93,7 @@ Deck make_deck(const Scene& scene, DeckFormat format) {
   deck.format = format;
   add_parts(*scene.bag, deck);
   add_gas(scene, deck);
-  if (scene.pendulum) add_sphere(scene.pendulum->model.parameters().impactor_radius, deck);
+  if (scene.pendulum) add_pendulum(scene.pendulum->model.parameters(), deck);
   note_jets(scene, deck);
   return deck;
 }

@@ -118,9 +118,10 @@ void add_initial_overpressure(const Scene& scene, double highest, Deck& deck) {
   const double excess = gas.initial_pressure - scene.ambient.pressure;
   if (excess == 0.0) return;
   if (excess < 0.0) {
-    deck.notes.push_back({"gas.pressure", fmt::format("the gas starts at ambient pressure, {:.6g} Pa higher "
-                                                      "than in the case",
-                                                      -excess)});
+    deck.notes.push_back(
+        {"gas.initial.pressure", fmt::format("the gas starts at ambient pressure, {:.6g} Pa higher "
+                                             "than in the case",
+                                             -excess)});
     return;
   }
   const BagPart& bag = *scene.bag;
@@ -136,9 +137,10 @@ void add_initial_overpressure(const Scene& scene, double highest, Deck& deck) {
        {{0.0, flow}, {pulse, flow}, {(1.0 + ramp) * pulse, 0.0}, {2.0 * scene.time.end, 0.0}},
        {{0.0, temperature}, {2.0 * scene.time.end, temperature}}});
   deck.notes.push_back(
-      {"gas.pressure", fmt::format("the initial overpressure of {:.6g} Pa comes from an inflator of its own, "
-                                   "{:.6g} kg within the first {:.3g} s",
-                                   excess, mass, pulse)});
+      {"gas.initial.pressure",
+       fmt::format("the initial overpressure of {:.6g} Pa comes from an inflator of its own, "
+                   "{:.6g} kg within the first {:.3g} s",
+                   excess, mass, pulse)});
 }
 
 void add_vents(const Scene& scene, Deck& deck) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <iterator>
 #include <numeric>
+#include <set>
 
 #include "export/writers.hpp"
 
@@ -44,6 +46,23 @@ std::vector<int> sphere_nodes(const Deck& deck, const DeckIds& ids) {
   std::vector<int> nodes(static_cast<std::size_t>(deck.sphere.node_count()));
   std::iota(nodes.begin(), nodes.end(), ids.sphere_node);
   return nodes;
+}
+
+std::vector<int> corners_of(const Deck& deck, const std::vector<int>& elements) {
+  std::set<int> corners;
+  for (const int e : elements)
+    for (int i = 0; i < 3; ++i) corners.insert(deck.scene->bag->mesh.elements(i, e) + 1);
+  return {corners.begin(), corners.end()};
+}
+
+const membrane::ElementProperties& a_fabric(const Deck& deck) {
+  return std::ranges::find(deck.parts, false, &DeckPart::null_panel)->fabric;
+}
+
+DeckCurve force_of(const Deck& deck, const membrane::Strap& strap) {
+  const auto& start = deck.scene->bag->initial_position;
+  const double slack = strap.free_length - (start.col(strap.node_a) - start.col(strap.node_b)).norm();
+  return {{slack - 1.0, 0.0}, {slack, 0.0}, {slack + 1.0, strap.stiffness}};
 }
 
 }  // namespace driver

@@ -52,7 +52,7 @@ void LsDynaDeck::row(std::initializer_list<Entry> entries) {
 void LsDynaDeck::head() {
   keyword("KEYWORD");
   keyword("TITLE");
-  out_.line(deck_.scene->name.substr(0, 80));
+  out_.label(deck_.scene->name, 80);
   keyword("CONTROL_UNITS");
   out_.line(fmt::format("{:<10}{:<10}{:<10}{:<10}", u_.length_code, time_name(u_), mass_name(u_), "k"));
   keyword("CONTROL_TERMINATION");

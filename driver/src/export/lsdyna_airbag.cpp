@@ -68,8 +68,8 @@ LsDynaVents single(const DeckVent& vent, double end) {
     const DeckCurve factor = vent.of_time ? *vent.of_time : open_from(vent.opens_at, end);
     double peak = 0.0;
     for (const auto& point : factor) peak = std::max(peak, point[1]);
-    vents.of_time = sum_of({{1.0 / peak, factor}});
     vents.area *= peak;
+    if (peak > 0.0) vents.of_time = sum_of({{1.0 / peak, factor}});
   }
   return vents;
 }

@@ -2,16 +2,13 @@
 // Fabric and straps of an LS-DYNA deck.
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
-
 #include "export/lsdyna_deck.hpp"
 
 namespace driver {
 
 void LsDynaDeck::part(int id, std::string_view name) {
   keyword("PART");
-  out_.line(std::string(name.substr(0, 70)));
+  out_.label(name, 70);
   row({{"PID", whole(id, 10)}, {"SECID", whole(id, 10)}, {"MID", whole(id, 10)}});
 }
 
@@ -55,9 +52,7 @@ void LsDynaDeck::fabric() {
 }
 
 void LsDynaDeck::null_material(const DeckPart& p) {
-  const auto found =
-      std::ranges::find_if(deck_.parts, [](const DeckPart& other) { return !other.null_panel; });
-  const membrane::ElementProperties& f = found->fabric;
+  const membrane::ElementProperties& f = a_fabric(deck_);
   constexpr double weightless = 1e-6;  // share of the fabric's density
   keyword("MAT_NULL");
   row({{"MID", whole(p.id, 10)},
@@ -134,17 +129,12 @@ void LsDynaDeck::fabric_material(const DeckPart& p) {
 }
 
 void LsDynaDeck::reference() {
-  std::vector<int> nodes;
-  for (const DeckPart& p : deck_.parts) {
-    if (p.null_panel) continue;
-    for (const int e : p.elements)
-      for (int i = 0; i < 3; ++i) nodes.push_back(bag().mesh.elements(i, e));
-  }
-  std::ranges::sort(nodes);
-  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+  std::vector<int> elements;
+  for (const DeckPart& p : deck_.parts)
+    if (!p.null_panel) elements.insert(elements.end(), p.elements.begin(), p.elements.end());
   keyword("AIRBAG_REFERENCE_GEOMETRY");
   out_.line("$    NID               X               Y               Z");
-  for (const int n : nodes) node(n + 1, bag().mesh.nodes.col(n));
+  for (const int n : corners_of(deck_, elements)) node(n, bag().mesh.nodes.col(n - 1));
 }
 
 void LsDynaDeck::straps() {
@@ -152,11 +142,7 @@ void LsDynaDeck::straps() {
   for (std::size_t i = 0; i < straps.size(); ++i) {
     const membrane::Strap& strap = straps[i];
     const int number = static_cast<int>(i), id = ids_.strap_part + number, force = next_curve_++;
-    const double start =
-        (bag().initial_position.col(strap.node_a) - bag().initial_position.col(strap.node_b)).norm();
-    const double slack = strap.free_length - start;  // elongation at which it pulls
-    // Even about the kink, so that a hundred even steps have a knot there.
-    curve(force, {{slack - 1.0, 0.0}, {slack, 0.0}, {slack + 1.0, strap.stiffness}}, u_.length, u_.force());
+    curve(force, force_of(deck_, strap), u_.length, u_.force());
     keyword("MAT_SPRING_NONLINEAR_ELASTIC");
     row({{"MID", whole(id, 10)}, {"LCD", whole(force, 10)}});
     keyword("SECTION_DISCRETE");

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <Eigen/Geometry>
-#include <algorithm>
 #include <numeric>
 
 #include "export/lsdyna_deck.hpp"
@@ -34,8 +33,7 @@ void LsDynaDeck::pendulum_part(const Eigen::Vector3d& cg, double rate) {
   const coupling::PendulumParameters& p = deck_.scene->pendulum->model.parameters();
   const Eigen::Vector3d x = cg / u_.length, v = rate * p.axis.cross(cg - p.pivot) / u_.velocity(),
                         w = rate * p.axis * u_.time;
-  const double least = 1e-9 * p.mass * p.cg_distance * p.cg_distance;  // a body needs one
-  const Field J = narrow(std::max(p.inertia_cg, least) / u_.inertia()), none = narrow(0.0);
+  const Field J = narrow(deck_.inertia / u_.inertia()), none = narrow(0.0);
   keyword("PART_INERTIA");
   out_.line("pendulum");
   row({{"PID", whole(ids_.sphere_part, 10)},

@@ -24,13 +24,14 @@ std::string RadiossStarter::text() {
 }
 
 void RadiossStarter::title(const std::string& header, std::string_view text) {
+  constexpr std::size_t columns = 80;
   out_.line(header);
-  out_.line(text);
+  out_.label(text, columns);
 }
 
 void RadiossStarter::head() {
   out_.line("#RADIOSS STARTER");
-  title("/BEGIN", deck_.scene->name.substr(0, 80));
+  title("/BEGIN", deck_.scene->name);
   constexpr int format = 2022;
   out_.card({whole(format, 10), whole(0, 10)});
   for (int i = 0; i < 2; ++i)

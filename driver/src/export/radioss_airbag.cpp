@@ -13,7 +13,7 @@ constexpr double never = 1e20;      // [s], [Pa] in the deck's units
 
 void gas_card(int id, const DeckGas& gas, const Units& u, Cards& out) {
   out.line(fmt::format("/MAT/GAS/MASS/{}", id));
-  out.line(gas.name.substr(0, 100));
+  out.label(gas.name, 80);
   out.line("#                 MW");
   out.card({real(gas.molar_mass / u.mass, 20)});
   out.line(

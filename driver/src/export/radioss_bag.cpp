@@ -2,9 +2,6 @@
 // Fabric and straps of a Radioss deck.
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
-
 #include "export/radioss_starter.hpp"
 
 namespace driver {
@@ -20,15 +17,14 @@ void RadiossStarter::triangles(int part_id, int first_element, int first_node,
 
 void RadiossStarter::void_material() {
   title(fmt::format("/MAT/VOID/{}", void_law), "no stress");
-  const membrane::ElementProperties& fabric = deck_.parts.front().fabric;
-  const double density = std::isnan(fabric.density) ? 1.0 : fabric.density;
-  const double modulus = std::isnan(fabric.young_modulus) ? 1.0 : fabric.young_modulus;
+  const membrane::ElementProperties& fabric = a_fabric(deck_);
   out_.line("#        Init. dens.                   E");
   constexpr double weightless = 1e-6;  // share of the fabric's density
-  out_.card({real(weightless * density / u_.density(), 20), real(modulus / u_.pressure(), 20)});
+  out_.card(
+      {real(weightless * fabric.density / u_.density(), 20), real(fabric.young_modulus / u_.pressure(), 20)});
   title(fmt::format("/PROP/VOID/{}", void_property), "no stress");
   out_.line("#              THICK");
-  out_.card({real((std::isnan(fabric.thickness) ? 1e-4 : fabric.thickness) / u_.length, 20)});
+  out_.card({real(fabric.thickness / u_.length, 20)});
 }
 
 void RadiossStarter::fabric() {
@@ -84,16 +80,11 @@ void RadiossStarter::fabric_property(const DeckPart& p) {
 }
 
 void RadiossStarter::reference(const DeckPart& p) {
-  std::vector<int> nodes;
-  for (const int e : p.elements)
-    for (int i = 0; i < 3; ++i) nodes.push_back(bag().mesh.elements(i, e));
-  std::ranges::sort(nodes);
-  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
   title(fmt::format("/XREF/{}", p.id), p.name);
   out_.line("#    Nitrs");
   out_.card({whole(0, 10)});
   out_.line("#  node_ID                   X                   Y                   Z");
-  for (const int n : nodes) node(n + 1, bag().mesh.nodes.col(n));
+  for (const int n : corners_of(deck_, p.elements)) node(n, bag().mesh.nodes.col(n - 1));
 }
 
 void RadiossStarter::straps() {
@@ -101,13 +92,8 @@ void RadiossStarter::straps() {
   for (std::size_t i = 0; i < straps.size(); ++i) {
     const membrane::Strap& strap = straps[i];
     const int number = static_cast<int>(i), property = strap_property + number;
-    const double start =
-        (bag().initial_position.col(strap.node_a) - bag().initial_position.col(strap.node_b)).norm();
-    const double slack = strap.free_length - start;  // elongation at which it pulls
     const int curve = function_++;
-    write_radioss_function(curve, "force of a strap",
-                           {{slack - 1.0, 0.0}, {slack, 0.0}, {slack + 1.0, strap.stiffness}}, u_.length,
-                           u_.force(), out_);
+    write_radioss_function(curve, "force of a strap", force_of(deck_, strap), u_.length, u_.force(), out_);
     title(fmt::format("/PROP/SPRING/{}", property), "strap");
     constexpr double light = 1e-6;  // of the fabric's mass
     out_.line("#               MASS                                 sens_ID    Isflag     Ileng");

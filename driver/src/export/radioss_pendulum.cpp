@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <Eigen/Geometry>
-#include <algorithm>
 #include <numbers>
 
 #include "export/radioss_starter.hpp"
@@ -51,8 +50,7 @@ void RadiossStarter::pendulum() {
   group(pendulum_main, "centre of gravity", {ids_.cg});
   group(support_nodes, "support", {ids_.support + 1});
   group(support_main, "support", {ids_.support});
-  body(1, "pendulum", ids_.cg, pendulum_nodes, p.mass,
-       std::max(p.inertia_cg, 1e-9 * p.mass * p.cg_distance * p.cg_distance));
+  body(1, "pendulum", ids_.cg, pendulum_nodes, p.mass, deck_.inertia);
   body(2, "support", ids_.support, support_nodes, p.mass, p.mass * p.impactor_distance * p.impactor_distance);
   hold(2, "111 111", support_main);
   joint(p);

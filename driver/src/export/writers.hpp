@@ -33,6 +33,14 @@ std::vector<int> bag_nodes(const Deck& deck, bool free_only);
 /// The fixed ones.
 std::vector<int> fixed_nodes(const Deck& deck);
 std::vector<int> sphere_nodes(const Deck& deck, const DeckIds& ids);
+/// Numbers of the corners of elements of the bag, rising.
+std::vector<int> corners_of(const Deck& deck, const std::vector<int>& elements);
+
+/// The fabric of the first part that has one; null panels borrow its thickness and modulus.
+const membrane::ElementProperties& a_fabric(const Deck& deck);
+/// Force of a strap [N] against its elongation from the start [m]. The knots are even about the kink, so that
+/// programs that read curves again on a hundred even steps have a knot there.
+DeckCurve force_of(const Deck& deck, const membrane::Strap& strap);
 
 /// /MONVOL, its gases, inflators and functions. `function` is the number of the next function.
 void write_radioss_airbag(const Deck& deck, const Units& units, int& function, Cards& out);
