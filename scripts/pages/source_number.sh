@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 # shellcheck shell=bash
-# Sourced by write_numbers.sh and by the rule that compares (verification/rules/rules.sh numbers): what a row of docs/numbers.tsv
-# says that its document has to say.
+# Sourced by write_numbers.sh: what a row of docs/numbers.tsv says that its document has to say.
 csv_number=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)/csv_number.awk
 
 # source_number FILE ROW COLUMN FACTOR FORMAT: that number, formatted (scripts/pages/csv_number.awk says how rows and columns are named).

@@ -5,7 +5,7 @@
 # usage: scripts/pages/write_tables.sh [--check [TREE]]
 #   --check  change nothing: exit code 1 if a page, of this tree or of TREE, is not what it would write
 set -euo pipefail
-scripts=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+scripts=$(cd "${BASH_SOURCE[0]%/*}" && pwd)
 if (($# > 2)) || [[ ${1:---check} != --check ]]; then
   echo "write_tables.sh: cannot take '$*'; allowed: nothing, --check [TREE]" >&2
   exit 2
@@ -27,7 +27,7 @@ for page in "${pages[@]}"; do
     echo "$page: written"
   fi
 done
-while IFS= read -r name; do
-  grep -qxF -e "<!-- table $name -->" "${pages[@]}" /dev/null || { echo "docs/tables.tsv: no page has the table $name"; broken=1; }
-done < <(awk -F'\t' '$1 == "table" { print $2 }' docs/tables.tsv)
+missing=$({ grep -hE '^<!-- table [a-z0-9_]+ -->$' "${pages[@]}" /dev/null || true; } |
+  awk 'NR == FNR { has[$3]; next } $1 == "table" && !($2 in has) { print "docs/tables.tsv: no page has the table " $2 }' - FS='\t' docs/tables.tsv)
+[[ -z $missing ]] || { echo "$missing"; broken=1; }
 exit $broken

@@ -6,11 +6,10 @@ set -euo pipefail
 shopt -s extglob
 
 rule=${1:?usage: rules.sh RULE [ROOT [BUILD]]}
-root=${2:-$(dirname "${BASH_SOURCE[0]}")/../..}
+rules=$(cd "${BASH_SOURCE[0]%/*}" && pwd)
+root=${2:-$rules/../..}
 build=${3:-build}
-scripts=$(cd "$(dirname "${BASH_SOURCE[0]}")/../../scripts" && pwd)
-# shellcheck source=../../scripts/pages/source_number.sh
-source "$scripts/pages/source_number.sh"
+scripts=$rules/../../scripts
 cd "$root"
 max_file_lines=300
 max_numbers=100    # in sentences: what a table says is not said again
@@ -21,7 +20,7 @@ files() {
   local names=() pattern
   for pattern in "$@"; do names+=(-o -name "$pattern"); done
   find . \( -path './build*' -o -path ./results -o -path ./.git -o -path ./verification/rules \) -prune \
-    -o -type f \( "${names[@]:1}" \) -print | sed 's|^\./||' | LC_ALL=C sort
+    -o -type f \( "${names[@]:1}" \) -printf '%P\n' | LC_ALL=C sort
 }
 
 cpp_files() { files '*.cpp' '*.hpp' '*.h' '*.cpp.in' '*.hpp.in'; }
@@ -40,22 +39,25 @@ quoted_is_own() {
   [[ $2 != *..* ]] && { [[ -e $3/include/$2 ]] || [[ -e $3/src/$2 ]] || [[ -e ${1%/*}/$2 ]]; }
 }
 
-# check_includes FOLDER ALLOWED_PREFIX...: the files under FOLDER include their own headers, the standard library
+# check_include PLACE FILE HEADER FOLDER PREFIX...: a file of the library in FOLDER includes its own headers, the standard library
 # (a name without a folder), the compiler's intrinsics and the packages named, nothing else.
-check_includes() {
-  local folder=$1 place header prefix allowed file
-  shift
-  while IFS= read -r line; do
-    file=${line%%:*} header=${line#*:*:} place=${line%:"$header"} allowed=no
-    if [[ $header == \"* ]]; then
-      quoted_is_own "$file" "${header:1}" "$folder" && allowed=yes
-    elif [[ $header == '<'@(+([a-z0-9_])|[a-z]mmintrin.h) ]]; then
-      allowed=yes
-    else
-      for prefix in "$@"; do [[ $header == "<$prefix"/* ]] && allowed=yes; done
-    fi
-    [[ $allowed == yes ]] || echo "$place: includes ${header:1}: allowed are $folder, the standard library${*:+, $*}"
-  done < <(mapfile -t list < <(cpp_files | grep -E "^$folder/(include|src)/"); includes "${list[@]}")
+check_include() {
+  local place=$1 file=$2 header=$3 folder=$4 prefix
+  shift 4
+  if [[ $header == \"* ]]; then
+    quoted_is_own "$file" "${header:1}" "$folder" && return
+  else
+    [[ $header != '<'@(+([a-z0-9_])|[a-z]mmintrin.h) ]] || return 0
+    for prefix in "$@"; do [[ $header != "<$prefix"/* ]] || return 0; done
+  fi
+  echo "$place: includes ${header:1}: allowed are $folder, the standard library${*:+, $*}"
+}
+
+# chosen PATTERN FILE...: sets `list` to the files that match, without a process, which costs more than a rule's whole work.
+chosen() {
+  local file
+  list=()
+  for file in "${@:2}"; do [[ ! $file =~ $1 ]] || list+=("$file"); done
 }
 
 # code_matches PATTERN FILES...: lines `file:line:code` that match once comments are taken off.
@@ -68,20 +70,25 @@ code_matches() {
 }
 
 rule_include_rule() {
-  local libraries=(gas membrane jet coupling) name other list
-  check_includes libgas boost gsl
-  check_includes libmembrane Eigen experimental
-  check_includes libjet Eigen CGAL experimental
-  check_includes libcoupling Eigen experimental
-  check_includes verification/closed_form gsl
-  for name in "${libraries[@]}"; do
-    other=$(printf '%s\n' "${libraries[@]}" closed_form driver | grep -vx "$name" | paste -sd '|')
-    mapfile -t list < <(cpp_files | grep -E "^lib$name/")
-    ((${#list[@]} == 0)) || code_matches "\\b($other)::" "${list[@]}" | sed 's/$/   (names another library)/'
-    code_matches "\\b(gasjet::|gasjet_|lib)($other)\\b" "lib$name/CMakeLists.txt" | sed 's/$/   (links another library)/'
-  done
-  mapfile -t list < <(cpp_files | grep -vE '^(libjet/src/.*\.cpp|driver/src/mesh_files/soup\.cpp|verification/|benchmarks/)')
-  includes "${list[@]}" | { grep '<CGAL/' || true; } | sed 's|$|> (CGAL belongs in .cpp files of libjet/src and in driver/src/mesh_files/soup.cpp)|'
+  local cpp list line place file header folder others='(gas|membrane|jet|coupling|closed_form|driver)'
+  mapfile -t cpp < <(cpp_files)
+  while IFS= read -r line; do
+    file=${line%%:*} header=${line#*:*:} place=${line%:"${line#*:*:}"}
+    folder=${file%/@(include|src)/*}
+    case $folder in
+      libgas) check_include "$place" "$file" "$header" "$folder" boost gsl ;;
+      libjet) check_include "$place" "$file" "$header" "$folder" Eigen CGAL experimental ;;
+      libmembrane | libcoupling) check_include "$place" "$file" "$header" "$folder" Eigen experimental ;;
+      verification/closed_form) check_include "$place" "$file" "$header" "$folder" gsl ;;
+    esac
+    [[ $header != '<CGAL/'* || $file == @(libjet/src/*.cpp|driver/src/mesh_files/soup.cpp|verification/*|benchmarks/*) ]] ||
+      echo "$place: includes ${header:1} (CGAL belongs in .cpp files of libjet/src and in driver/src/mesh_files/soup.cpp)"
+  done < <(includes "${cpp[@]}")
+  chosen '^lib(gas|membrane|jet|coupling)/' "${cpp[@]}"
+  { code_matches "\\b${others}::" "${list[@]}" | grep -P "^lib(\w+)/[^:]*:\d+:.*\b(?!\1::)${others}::" || true; } |
+    sed 's/$/   (names another library)/'
+  { code_matches "\\b(gasjet::|gasjet_|lib)${others}\\b" lib{gas,membrane,jet,coupling}/CMakeLists.txt |
+    grep -P "^lib(\w+)/[^:]*:\d+:.*\b(gasjet::|gasjet_|lib)(?!\1\b)${others}\b" || true; } | sed 's/$/   (links another library)/'
 }
 
 # Whoever calls Eigen's geometry includes it. Without that, a file builds only behind another one that does, as in a
@@ -130,7 +137,7 @@ rule_forbidden_words() {
 # Every tag such as (G.3) in code, pages and cases is an equation of docs/theory, each of those is named in the code, and none is
 # defined twice.
 rule_equation_tags() {
-  local definitions defined list place line tag
+  local definitions defined list
   definitions=$(grep -HnoE '\\tag\{[GMJK]\.[0-9]+\}' docs/theory/*.md)
   awk -F: 'seen[$3]++ { print $0 ": equation defined twice" }' <<<"$definitions"
   defined=$(sed -E 's/.*\{(.*)\}/\1/' <<<"$definitions")
@@ -140,10 +147,10 @@ rule_equation_tags() {
          { match($0, /[GMJK]\.[0-9]+$/) }
          !(substr($0, RSTART) in is_defined) { print $0 ": no such equation in docs/theory" }' <(echo "$defined") -
   mapfile -t list < <(cpp_files)
-  while IFS=: read -r place line tag; do
-    tag=${tag//[^GMJK.0-9]/}
-    [[ -z $tag ]] || grep -qE "[(, ]${tag/./[.]}[),]" "${list[@]}" /dev/null || echo "$place:$line: no code names equation $tag"
-  done <<<"$definitions"
+  { grep -hoP '(?<=[(, ])[GMJK]\.[0-9]+(?=[),])' "${list[@]}" /dev/null || true; } |
+    awk -F: 'NR == FNR { is_named[$0]; next }
+             { tag = $3; gsub(/[^GMJK.0-9]/, "", tag) }
+             tag != "" && !(tag in is_named) { print $1 ":" $2 ": no code names equation " tag }' - <(echo "$definitions")
 }
 
 # Every relative link of a Markdown file, code blocks aside, leads to a file of the tree.
@@ -167,9 +174,8 @@ rule_exact_names() {
   local list known
   known=$(sed -nE 's/^\*\*`([a-z0-9_]+)`\*\*:.*/\1/p' docs/exact.md)
   mapfile -t list < <(files '*.md' '*.toml' '*.sh' '*.csv' | grep -v '^verification/')  # tests name absent ones
-  { grep -HnoE 'gasjet"? exact [a-z0-9_]+' "${list[@]}" || true; } | while IFS= read -r line; do
-    grep -qxF "${line##* }" <<<"$known" || echo "$line: no such closed form in docs/exact.md"
-  done
+  { grep -HnoE 'gasjet"? exact [a-z0-9_]+' "${list[@]}" || true; } |
+    awk 'NR == FNR { is_known[$0]; next } !($NF in is_known) { print $0 ": no such closed form in docs/exact.md" }' <(echo "$known") -
 }
 
 # Every key that the driver reads from a case has a row in docs/case_files.md, and every row's key is read there.
@@ -205,60 +211,20 @@ rule_columns() {
 
 # Every line of mutations.tsv matches a test of the build and changes its file.
 rule_mutation_lines() {
-  local list=verification/mutations.tsv names
-  names=$(ctest --test-dir "$build" -N </dev/null | sed -nE 's/^ *Test +#[0-9]+: //p' | grep -v '_NOT_BUILT$')
-  grep -nv -e '^#' -e '^[[:space:]]*$' "$list" | while IFS=$'\t' read -r name file expression; do
-    grep -qE -e "${name#*:}" <<<"$names" || echo "$list:${name%%:*}: '${name#*:}' matches no test"
-    sed -e "$expression" "$file" 2>/dev/null | cmp -s "$file" - && echo "$list:${name%%:*}: '$expression' changes nothing in $file"
-    [[ -f $file ]] || echo "$list:${name%%:*}: no file $file"
-  done
-  grep -cv -e '^#' -e '^[[:space:]]*$' "$list" | awk -v most="$max_mutations" -v list="$list" \
-    '$1 > most { print list ": " $1 " lines, " most " at most: what is no error of physics is left to scripts/tests/random_mutations.py" }'
+  ctest --test-dir "$build" -N </dev/null | sed -nE 's/^ *Test +#[0-9]+: //p' | grep -v '_NOT_BUILT$' |
+    perl "$rules/mutation_lines.pl" verification/mutations.tsv "$max_mutations"
 }
 
 # Every table of the pages says first what it was made on and by: machine, commit, compiler and flags; docs/provenance.tsv has a line for
 # it and for every figure, and names files that there are.
 rule_table_heads() {
-  local list=docs/provenance.tsv file script paths path head part
-  for file in docs/charts/*.csv docs/figures/*.csv; do
-    [[ -f $file ]] || continue
-    head=$(sed '/^#/!q' "$file" | sed -E 's/^# gasjet [^ ]+ \(([0-9a-f]+[^,]*), ([^,]+), ([^)]+)\)$/# commit: \1\n# compiler: \2\n# flags: \3/')
-    for part in machine commit compiler flags; do
-      grep -qE "^# $part: ." <<<"$head" || echo "$file:1: the lines above the columns do not name its $part (scripts/charts/provenance.sh)"
-    done
-    ! grep -q -- '-dirty' <<<"$head" || echo "$file:1: made by a build of changed sources, of which no commit tells"
-  done
-  for file in docs/charts/* docs/figures/*; do
-    [[ ! -f $file || $file == */README.md ]] || cut -f1 "$list" | grep -qxF -- "$file" ||
-      echo "$list: no line for $file: add the file, the script that makes it and the code that it depends on (tabs between)"
-  done
-  while IFS=$'\t' read -r file script paths; do
-    [[ -n $file && $file != \#* ]] || continue
-    [[ $file == @* || -f $file && -f $script ]] || echo "$list: $file by '$script': no such files"
-    [[ -n $paths ]] || echo "$list: $file depends on nothing"
-    for path in $paths; do
-      if [[ $path == @* ]]; then cut -f1 "$list" | grep -qxF -- "$path"; else [[ $path == ':('* || -e $path ]]; fi ||
-        echo "$list: $file depends on $path: no such file or line"
-    done
-  done <"$list"
+  perl "$rules/table_heads.pl" docs/provenance.tsv
 }
 
 # Each number that docs/numbers.tsv lists says what its source file says.
 rule_numbers() {
-  local page pattern source row column scale format number=0 says
-  while IFS=$'\t' read -r page pattern source row column scale format; do
-    number=$((number + 1))
-    [[ -n $page && $page != \#* ]] || continue
-    if [[ ! -f $page || ! -f $source || -z $format ]]; then
-      echo "docs/numbers.tsv:$number: $page, $source: seven columns and two files of the tree are needed"
-      continue
-    fi
-    says=$(sed -nE "s@.*$pattern.*@\\1@p" "$page")
-    [[ $says == "$(source_number "$source" "$row" "$column" "$scale" "$format")" ]] ||
-      echo "$page: '$pattern' says '$says', $source ($row, $column): $(source_number "$source" "$row" "$column" "$scale" "$format")"
-  done <docs/numbers.tsv
-  number=$(grep -c '^[^#]' docs/numbers.tsv)
-  ((number <= max_numbers)) || echo "docs/numbers.tsv: $number numbers in sentences, allowed are $max_numbers: let a table say them (docs/tables.tsv)"
+  awk -F'\t' -f "$scripts/pages/csv_number.awk" -f <(echo '{ print /^#/ || NF < 7 ? "" : formatted($3, $4, $5, $6, $7) }') docs/numbers.tsv |
+    perl "$rules/numbers.pl" docs/numbers.tsv "$max_numbers"
 }
 
 # Each table that docs/tables.tsv lists is in a page and says what its CSV files say.

@@ -13,7 +13,7 @@ spdx='// SPDX-License-Identifier: Apache-2.0'
 
 # put FILE LINE...: writes the lines to that file of the tree.
 put() {
-  mkdir -p "$tree/$(dirname "$1")"
+  [[ $1 != */* || -d $tree/${1%/*} ]] || mkdir -p "$tree/${1%/*}"
   printf '%s\n' "${@:2}" >"$tree/$1"
 }
 
@@ -91,26 +91,24 @@ fi
 
 check() { "$here/rules.sh" "$rule" "$tree" 2>&1; }
 
-# breaks FILE LINE...: this file with these lines breaks the rule, and the report names it.
+# breaks FILE LINE...: this file with these lines breaks the rule, and the report names it. Then the tree is good again.
 tried=0
 breaks() {
-  local report
-  rm -rf "$tree"
-  cp -a "$good" "$tree"
+  local report was=
+  [[ ! -e $tree/$1 ]] || { was=$good/${1//\//,} && cp -a "$tree/$1" "$was"; }
   put "$@"
   tried=$((tried + 1))
   if report=$(check); then
     echo "rule $rule did not notice $1: ${*:2}"
     exit 1
-  elif ! grep -qF "$1" <<<"$report"; then
+  elif [[ $report != *"$1"* ]]; then
     printf 'rule %s broke for another reason than %s:\n%s\n' "$rule" "$1" "$report"
     exit 1
   fi
+  if [[ -n $was ]]; then mv "$was" "$tree/$1"; else rm "$tree/$1"; fi
 }
 
 good_tree
-rm -rf "$good"
-cp -a "$tree" "$good"
 if ! check; then
   echo "rule $rule refuses the good tree"
   exit 1
