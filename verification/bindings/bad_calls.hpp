@@ -65,7 +65,7 @@ struct BadCalls : testing::Test {
 
   Mesh mesh = box(2, 1.0, -0.5);
   gasjet_jet_model model = round_jet();
-  gasjet_fabric_model fabric{4e-4, 800.0, 3e8, 0.3, 0};
+  gasjet_fabric_model fabric{4e-4, 800.0, 3e8, 0.3, 0, GASJET_SAINT_VENANT_KIRCHHOFF};
   gasjet_source source{{0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, 0.1};
   std::vector<double> mass = std::vector<double>(static_cast<std::size_t>(mesh.node_count()), 1e-3);
   std::vector<double> values = std::vector<double>(200, 7.0);

@@ -150,6 +150,14 @@ TEST_F(bad_calls, membrane_and_contact) {
       EXPECT_STRNE(gasjet_last_error(), "");
       ++calls;
     }
+  for (const int64_t law : {int64_t{-1}, int64_t{2}, INT64_MAX}) {
+    gasjet_fabric_model changed = fabric;
+    changed.law = law;
+    refused(create(&changed, x()), "fabric.law");
+  }
+  gasjet_fabric_model stiff_in_compression = fabric;
+  stiff_in_compression.law = GASJET_HENCKY;
+  refused(create(&stiff_in_compression, x()), "fabric.wrinkles");
   EXPECT_EQ(out, 0);
   gasjet_membrane_sums sums;
   double* f = values.data();

@@ -34,6 +34,12 @@ membrane::BagDescription description_of(const Points& reference, Eigen::Matrix3X
   properties.poisson = fabric.poisson;
   bag.properties.assign(static_cast<std::size_t>(bag.elements.cols()), properties);
   for (const int e : null_elements) bag.properties[static_cast<std::size_t>(e)].null_panel = true;
+  if (fabric.law != GASJET_SAINT_VENANT_KIRCHHOFF && fabric.law != GASJET_HENCKY)
+    refuse("fabric.law", "is " + std::to_string(fabric.law) + ", allowed: a gasjet_fabric_law, 0 or 1");
+  if (fabric.law == GASJET_HENCKY && fabric.wrinkles == 0)
+    refuse("fabric.wrinkles", "is 0 with the law of Hencky, which carries no compression, allowed: not 0");
+  bag.law =
+      fabric.law == GASJET_HENCKY ? membrane::FabricLaw::hencky : membrane::FabricLaw::saint_venant_kirchhoff;
   bag.compression = fabric.wrinkles != 0 ? membrane::Compression::none : membrane::Compression::linear;
   return bag;
 }

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Which triangles of an STL file does a point see?
+"""Which triangles of an STL file does a point see? A picture where matplotlib is installed.
 usage: hidden_stl.py FILE.stl X Y Z AX AY AZ       centre and axis of the source, in the file's unit"""
 import struct
 import sys
@@ -24,6 +24,22 @@ def read_stl(path):
 
 
 nodes, triangles = read_stl(sys.argv[1])
-source = [float(x) for x in sys.argv[2:8]]
+source = np.array(sys.argv[2:8], float)
 lit = gasjet.visible(nodes, triangles, source[:3], source[3:])
-print(f"{len(triangles)} triangles, {lit.sum()} seen from {source[:3]}")
+print(f"{len(triangles)} triangles, {lit.sum()} seen from {source[:3].tolist()}")
+
+try:
+    import matplotlib.pyplot as plot
+    from mpl_toolkits.mplot3d.art3d import Poly3DCollection
+except ImportError:
+    print("no picture: matplotlib is not installed")
+else:
+    corners = nodes[triangles]
+    inner = np.einsum("ij,ij->i", np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), corners[:, 0] - source[:3]) > 0
+    colours = np.where(lit, "#f0c420", np.where(inner, "#0072b2", "#bbbbbb"))  # seen, hidden, seen from outside
+    axes = plot.figure(layout="constrained").add_subplot(projection="3d", box_aspect=np.ptp(nodes, axis=0), elev=20, azim=-60)
+    axes.add_collection3d(Poly3DCollection(corners, facecolors=colours, edgecolors="#555555", linewidths=0.15))
+    axes.scatter(*source[:3], color="#d55e00", s=40, depthshade=False, zorder=1e6)
+    axes.set(**{f"{name}lim": (low, high) for name, low, high in zip("xyz", nodes.min(0), nodes.max(0))})
+    axes.set_axis_off()
+    plot.savefig("hidden_stl.png")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""A heated tank by scipy and by libgas: the same equations, two integrators."""
+"""A heated tank by scipy and by libgas: the same equations, two integrators; a picture where matplotlib is installed."""
 import sys
 
 import numpy as np
@@ -23,14 +23,33 @@ def rates(_, state):
 
 
 start = [101325.0 * VOLUME / (R * 293.15), 101325.0 * VOLUME * (CP / R - 1.0)]
-times = np.linspace(0.0, 0.1, 11)
-by_scipy = solve_ivp(rates, (0.0, 0.1), start, method="DOP853", t_eval=times, rtol=1e-11, atol=1e-14)
+times = np.linspace(0.0, 0.1, 51)
 gas = gasjet.Gas.ideal(R, CP)
 tank = gasjet.Tank(gas, 101325.0, 293.15, VOLUME)
 tank.add_vent(1e-3)
 tank.add_inflow(gas, [0.0, 1.0], [1.0, 1.0], [700.0, 700.0])
-mass = [start[0]] + [tank.advance(time)["gas_mass_kg"] for time in times[1:]]
-off = np.abs(by_scipy.y[0] / mass - 1.0).max()
-print(f"mass at 0.1 s: {mass[-1]:.6f} kg; scipy and libgas differ by {off:.1e}")
+mass = np.array([start[0]] + [tank.advance(time)["gas_mass_kg"] for time in times[1:]])
+by_scipy = {}
+for tolerance in (1e-3, 1e-6, 1e-11):
+    by_scipy[tolerance] = solve_ivp(rates, (0.0, 0.1), start, method="DOP853", t_eval=times, rtol=tolerance, atol=1e-14).y[0]
+    off = np.abs(by_scipy[tolerance] / mass - 1.0).max()
+    print(f"scipy at rtol {tolerance:g} and libgas differ by {off:.1e}")
+print(f"mass at 0.1 s: {mass[-1]:.6f} kg")
 if off > 1e-7:
     sys.exit("they differ")
+
+try:
+    import matplotlib.pyplot as plot
+except ImportError:
+    print("no picture: matplotlib is not installed")
+else:
+    figure, (left, right) = plot.subplots(1, 2, layout="constrained")
+    left.plot(1e3 * times, 1e3 * mass, label="libgas")
+    left.plot(1e3 * times[::5], 1e3 * by_scipy[1e-11][::5], "o", mfc="none", label="scipy")
+    left.set(xlabel="Time [ms]", ylabel="Mass of gas [g]")
+    for (tolerance, values), style in zip(by_scipy.items(), ("-", "--", ":")):
+        right.semilogy(1e3 * times[1:], np.abs(values / mass - 1.0)[1:], style, label=f"rtol {tolerance:g}")
+    right.set(xlabel="Time [ms]", ylabel="Difference of the masses")
+    left.legend()
+    right.legend()
+    figure.savefig("scipy_tank.svg")

@@ -2,15 +2,16 @@
 """Gasjet: airbags inflated with an analytical gas jet. SI units throughout.
 
 run() runs a case, exact() and catalogue() are the closed forms, compare() judges histories, visible() finds hidden elements;
-Gas, Tank, Jet, Surface and Membrane are the parts for a program of one's own.
+Gas, Tank, Jet, Surface, Membrane, Contact and Pendulum are the parts for a program of one's own.
 """
 from . import _gasjet
 from .bodies import Gas, Jet, Membrane, Surface, Tank, fabric_leak, orifice, outlet, visible
+from .coupling import Contact, Pendulum
 from .errors import BusyError, DomainError, Error, InputError, StoppedError
 from .runs import Run, catalogue, compare, exact, run
 
 __version__ = _gasjet.version()
 __all__ = [
-    "BusyError", "DomainError", "Error", "Gas", "InputError", "Jet", "Membrane", "Run", "StoppedError", "Surface", "Tank",
-    "catalogue", "compare", "exact", "fabric_leak", "orifice", "outlet", "run", "visible",
+    "BusyError", "Contact", "DomainError", "Error", "Gas", "InputError", "Jet", "Membrane", "Pendulum", "Run", "StoppedError",
+    "Surface", "Tank", "catalogue", "compare", "exact", "fabric_leak", "orifice", "outlet", "run", "visible",
 ]

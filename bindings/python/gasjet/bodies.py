@@ -174,17 +174,25 @@ class Jet:
         return pressure, force
 
 
+FABRIC_LAWS = ("saint_venant_kirchhoff", "hencky")
+
+
 class Membrane:
     """Isotropic fabric of triangles: thickness [m], density [kg/m3], young_modulus [Pa], poisson [-].
 
-    reference: the stress-free shape. wrinkles: goes slack instead of carrying compression.
+    reference: the stress-free shape. wrinkles: goes slack instead of carrying compression. law: one of FABRIC_LAWS; stress is
+    linear in Green-Lagrange strain, or Cauchy's in logarithmic strain (with wrinkles, to stretches of 1.65).
     """
 
     def __init__(self, reference: Any, triangles: Any = None, *, thickness: float, density: float, young_modulus: float,
-                 poisson: float, wrinkles: bool = True, null_elements: Any = None, fixed_nodes: Any = None) -> None:
+                 poisson: float, wrinkles: bool = True, law: str = "saint_venant_kirchhoff", null_elements: Any = None,
+                 fixed_nodes: Any = None) -> None:
+        if law not in FABRIC_LAWS:
+            raise ValueError(f"law: is {law!r}, allowed: {', '.join(FABRIC_LAWS)}")
         reference, triangles = mesh_arrays(reference, triangles)
         self._handle = _gasjet.membrane(reference, triangles, thickness, density, young_modulus, poisson, wrinkles,
-                                        as_indices(null_elements, "null_elements"), as_indices(fixed_nodes, "fixed_nodes"))
+                                        FABRIC_LAWS.index(law), as_indices(null_elements, "null_elements"),
+                                        as_indices(fixed_nodes, "fixed_nodes"))
         self._nodes = len(reference)
 
     @property

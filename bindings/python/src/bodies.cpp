@@ -113,11 +113,11 @@ py::array_t<bool> surface_visible(const Handle& surface, int64_t elements, const
 }
 
 Owner membrane(const py::object& reference, const py::object& elements, double thickness, double density,
-               double young_modulus, double poisson, bool wrinkles, const Indices& null_elements,
+               double young_modulus, double poisson, bool wrinkles, int law, const Indices& null_elements,
                const Indices& fixed_nodes) {
   const Points x = points(reference, "reference");
   const Triangles t = triangles(elements);
-  const gasjet_fabric_model fabric{thickness, density, young_modulus, poisson, wrinkles ? 1 : 0};
+  const gasjet_fabric_model fabric{thickness, density, young_modulus, poisson, wrinkles ? 1 : 0, law};
   gasjet_handle handle = 0;
   check(gasjet_membrane_create(x.data(), x.count(), x.stride.data(), t.data(), t.count(), t.stride.data(),
                                &fabric, null_elements.data(), null_elements.size(), fixed_nodes.data(),

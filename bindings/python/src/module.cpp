@@ -8,5 +8,6 @@ PYBIND11_MODULE(_gasjet, m) {
   m.def("version", &gasjet_version);
   add_gas(m);
   add_bodies(m);
+  add_coupling(m);
   add_runs(m);
 }

@@ -59,4 +59,5 @@ py::array_t<T> vectors(int64_t count) {
 
 void add_gas(py::module_& m);
 void add_bodies(py::module_& m);
+void add_coupling(py::module_& m);
 void add_runs(py::module_& m);

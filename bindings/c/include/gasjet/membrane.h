@@ -9,13 +9,19 @@
 extern "C" {
 #endif
 
-/* Isotropic fabric (M.2). */
+enum gasjet_fabric_law {
+  GASJET_SAINT_VENANT_KIRCHHOFF = 0, /* stress linear in Green-Lagrange strain (M.2) */
+  GASJET_HENCKY = 1 /* Cauchy stress linear in logarithmic strain (M.25); goes slack, to stretches of 1.65 */
+};
+
+/* Isotropic fabric. */
 typedef struct gasjet_fabric_model {
   double thickness;     /* [m] > 0 */
   double density;       /* [kg/m3] > 0 */
   double young_modulus; /* [Pa] > 0 */
   double poisson;       /* [-] -1 to 1, ends left out */
   int64_t wrinkles;     /* 0: carries compression; else: goes slack (tension field, M.3) */
+  int64_t law;          /* a gasjet_fabric_law; 0: stress linear in Green-Lagrange strain */
 } gasjet_fabric_model;
 
 /* The membrane at given positions. */

@@ -1,0 +1,71 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Pendulum and contact of a sphere. SI units; names of results end with their unit."""
+from __future__ import annotations
+
+from typing import Any, Dict
+
+from . import _gasjet
+from .arrays import Vector, as_points, mesh_arrays
+
+AT_REST = (0.0, 0.0, 0.0)
+
+
+class Pendulum:
+    """A rigid pendulum with a sphere as impactor; centre of gravity and sphere lie on one line through the pivot.
+
+    pivot [m]; axis: `angle` [rad] grows right-handed about it; rest_direction: from the pivot to the centre of gravity at angle 0,
+    normal to the axis; mass [kg]; inertia_cg [kg m2]: about the centre of gravity; cg_distance, impactor_distance and
+    impactor_radius [m]; gravity [m/s2]. It starts with `angle` and `angular_velocity` [rad/s], which are those of now.
+    """
+
+    def __init__(self, pivot: Vector, axis: Vector, rest_direction: Vector, *, mass: float, inertia_cg: float, cg_distance: float,
+                 impactor_distance: float, impactor_radius: float, gravity: Vector = AT_REST, angle: float = 0.0,
+                 angular_velocity: float = 0.0) -> None:
+        self._model = _gasjet.pendulum_model(pivot, axis, rest_direction, mass, inertia_cg, cg_distance, impactor_distance,
+                                             impactor_radius, gravity)
+        self._step_before = 0.0
+        self.angle = angle
+        self.angular_velocity = angular_velocity
+        self.state  # judges the model
+
+    @property
+    def state(self) -> Dict[str, Any]:
+        """Where impactor and centre of gravity are, energies, moment of gravity, inertia about the axis, and the mass that a force
+        along the impactor's path sees. Velocity and kinetic energy are those of `angular_velocity`."""
+        return _gasjet.pendulum_evaluate(self._model, self.angle, self.angular_velocity)
+
+    def moment(self, force: Vector, point: Vector) -> float:
+        """Moment about the axis [N m] of a force [N] that acts at a point [m]."""
+        return _gasjet.pendulum_moment(self._model, force, point)
+
+    def advance(self, step: float, moment: float = 0.0) -> float:
+        """Goes on by a step [s] of the central difference and returns the angle. moment [N m]: of all but gravity, now.
+
+        From the first step on `angular_velocity` is that of half a step before `angle`.
+        """
+        all_moments = moment + self.state["gravity_moment_Nm"]
+        self.angle, self.angular_velocity = _gasjet.pendulum_advance(self._model, all_moments, self._step_before, step, self.angle,
+                                                                     self.angular_velocity)
+        self._step_before = step
+        return self.angle
+
+
+class Contact:
+    """Contact of a rigid sphere, radius [m], with a skin: pressure = stiffness [N/m3] times penetration.
+
+    reference: the skin's stress-free shape; masses [kg] of its nodes and effective_mass [kg] of the sphere go into the frequency;
+    friction [-] of Coulomb.
+    """
+
+    def __init__(self, reference: Any, triangles: Any = None, *, masses: Any, effective_mass: float, radius: float, stiffness: float,
+                 friction: float = 0.0) -> None:
+        reference, triangles = mesh_arrays(reference, triangles)
+        self._handle = _gasjet.contact(reference, triangles, masses, effective_mass, radius, stiffness, friction)
+
+    def evaluate(self, nodes: Any, centre: Vector, turn: Vector = AT_REST) -> Dict[str, Any]:
+        """Forces on the nodes (n, 3) and on the sphere, energy, friction, area and penetration at positions nodes (n, 3) [m].
+
+        Calls belong to successive times: the centre [m] must not cross the skin between two. turn [rad]: of the sphere since the last
+        call, which friction alone feels. DomainError if the sphere goes deeper than half its radius.
+        """
+        return _gasjet.contact_evaluate(self._handle, as_points(nodes, "nodes"), centre, turn)

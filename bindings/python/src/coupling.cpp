@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: Apache-2.0
+// Contact and pendulum.
+#include "module.hpp"
+
+namespace {
+
+gasjet_pendulum_model pendulum_model(const Vector& pivot, const Vector& axis, const Vector& rest_direction,
+                                     double mass, double inertia_cg, double cg_distance,
+                                     double impactor_distance, double impactor_radius,
+                                     const Vector& gravity) {
+  gasjet_pendulum_model model;
+  copy(pivot, model.pivot);
+  copy(axis, model.axis);
+  copy(rest_direction, model.rest_direction);
+  copy(gravity, model.gravity);
+  model.mass = mass;
+  model.inertia_cg = inertia_cg;
+  model.cg_distance = cg_distance;
+  model.impactor_distance = impactor_distance;
+  model.impactor_radius = impactor_radius;
+  return model;
+}
+
+py::array_t<double> array_of(const double* from) {
+  return py::array_t<double>(3, from);
+}
+
+py::dict pendulum_evaluate(const gasjet_pendulum_model& model, double angle, double angular_velocity) {
+  gasjet_pendulum_point p;
+  check(gasjet_pendulum_evaluate(&model, angle, angular_velocity, &p));
+  py::dict all;
+  all["impactor_centre_m"] = array_of(p.impactor_centre);
+  all["impactor_velocity_m_s"] = array_of(p.impactor_velocity);
+  all["cg_position_m"] = array_of(p.cg_position);
+  all["gravity_moment_Nm"] = p.gravity_moment;
+  all["potential_energy_J"] = p.potential_energy;
+  all["kinetic_energy_J"] = p.kinetic_energy;
+  all["axis_inertia_kg_m2"] = p.axis_inertia;
+  all["effective_mass_kg"] = p.effective_mass;
+  return all;
+}
+
+double pendulum_moment(const gasjet_pendulum_model& model, const Vector& force, const Vector& point) {
+  double moment = 0.0;
+  check(gasjet_pendulum_moment(&model, force.data(), point.data(), &moment));
+  return moment;
+}
+
+py::tuple pendulum_advance(const gasjet_pendulum_model& model, double moment, double dt_before,
+                           double dt_after, double angle, double angular_velocity) {
+  check(gasjet_pendulum_advance(&model, moment, dt_before, dt_after, &angle, &angular_velocity));
+  return py::make_tuple(angle, angular_velocity);
+}
+
+Owner contact(const py::object& reference, const py::object& elements, const Numbers& masses,
+              double effective_mass, double radius, double stiffness, double friction) {
+  const Points x = points(reference, "reference");
+  const Triangles t = triangles(elements);
+  if (masses.size() != x.count())
+    wrong_type("masses", "are " + std::to_string(masses.size()) + " numbers, allowed: one a node, " +
+                             std::to_string(x.count()));
+  gasjet_handle handle = 0;
+  unlocked([&] {
+    return gasjet_contact_create(x.data(), x.count(), x.stride.data(), t.data(), t.count(), t.stride.data(),
+                                 masses.data(), effective_mass, radius, stiffness, friction, &handle);
+  });
+  return std::make_unique<Handle>(handle);
+}
+
+py::dict contact_evaluate(const Handle& contact, const py::object& nodes, const Vector& centre,
+                          const Vector& turn) {
+  const Points x = points(nodes, "nodes");
+  auto force = vectors<double>(x.count());
+  double* f = force.mutable_data();
+  std::fill_n(f, 3 * x.count(), 0.0);  // the library adds to it
+  gasjet_contact_sums s;
+  unlocked([&] {
+    return gasjet_contact_evaluate(contact.value, x.data(), x.count(), x.stride.data(), centre.data(),
+                                   turn.data(), f, 3 * x.count(), &s);
+  });
+  py::dict all;
+  all["node_force_N"] = force;
+  all["force_N"] = array_of(s.force);
+  all["couple_Nm"] = array_of(s.couple);
+  all["energy_J"] = s.energy;
+  all["friction_loss_J"] = s.friction_loss;
+  all["area_m2"] = s.area;
+  all["penetration_m"] = s.penetration;
+  all["frequency_1_s2"] = s.frequency;
+  all["deepest_element"] = s.deepest_element;
+  return all;
+}
+
+}  // namespace
+
+void add_coupling(py::module_& m) {
+  py::class_<gasjet_pendulum_model>(m, "PendulumModel");
+  m.def("pendulum_model", &pendulum_model);
+  m.def("pendulum_evaluate", &pendulum_evaluate);
+  m.def("pendulum_moment", &pendulum_moment);
+  m.def("pendulum_advance", &pendulum_advance);
+  m.def("contact", &contact);
+  m.def("contact_evaluate", &contact_evaluate);
+}

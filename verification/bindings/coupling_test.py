@@ -1,0 +1,123 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Pendulum, contact and fabric law of the Python package against closed forms, and a mesh of meshio."""
+import os
+import unittest
+
+import numpy as np
+
+import gasjet
+
+try:
+    import meshio
+except ImportError:
+    meshio = None
+
+PAPER = dict(mass=10.9, inertia_cg=2.07, cg_distance=1.065, impactor_distance=1.31, impactor_radius=0.041)
+
+
+def pendulum(**change):
+    return gasjet.Pendulum((0, 0, 0), (0, -1, 0), (0, 0, -1), gravity=(0, 0, -9.80665), **{**PAPER, **change})
+
+
+def square(side, cells):
+    """A flat skin at z = 0, its outer side up."""
+    at = np.linspace(-side / 2, side / 2, cells + 1)
+    x, y = np.meshgrid(at, at, indexing="ij")
+    number = np.arange((cells + 1) ** 2).reshape(cells + 1, cells + 1)
+    a, b, c, d = number[:-1, :-1], number[1:, :-1], number[1:, 1:], number[:-1, 1:]
+    triangles = np.concatenate([np.stack([a, b, c], -1).reshape(-1, 3), np.stack([a, c, d], -1).reshape(-1, 3)])
+    return np.column_stack([x.ravel(), y.ravel(), 0 * x.ravel()]), triangles
+
+
+class Pendulums(unittest.TestCase):
+    def test_swing_converges_to_the_elliptic_function(self):
+        errors = []
+        for steps in (250, 500, 1000):
+            swing = pendulum(angle=np.pi / 3)
+            for _ in range(steps):
+                swing.advance(1.0 / steps)
+            errors.append(abs(swing.angle - gasjet.exact("pendulum_swing", times=[1.0])["pendulum_angle_rad"][0]))
+        for coarse, fine in zip(errors, errors[1:]):  # second order
+            self.assertTrue(3.8 < coarse / fine < 4.2, errors)
+
+    def test_moment_of_a_force_adds_to_gravity(self):
+        # F L_i = m g L sin(angle): at rest under a horizontal force at the impactor of a pendulum that hangs at an angle.
+        still = pendulum(angle=0.3)
+        moment = still.moment((20.0, 0.0, 0.0), still.state["impactor_centre_m"])
+        self.assertAlmostEqual(moment, 20.0 * 1.31 * np.cos(0.3), 12)
+        still.advance(1e-3, moment=-still.state["gravity_moment_Nm"])
+        self.assertEqual(still.angle, 0.3)
+        self.assertAlmostEqual(still.state["effective_mass_kg"], (2.07 + 10.9 * 1.065**2) / 1.31**2, 12)
+
+    def test_refusals_name_the_argument(self):
+        for name, change in (("mass", dict(mass=0.0)), ("impactor_radius", dict(impactor_radius=2.0)), ("angle", dict(angle=np.nan))):
+            with self.assertRaisesRegex(gasjet.InputError, name):
+                pendulum(**change)
+        with self.assertRaisesRegex(gasjet.InputError, "dt_after"):
+            pendulum().advance(0.0)
+        with self.assertRaisesRegex(gasjet.InputError, "moment"):
+            pendulum().advance(1e-3, moment=np.nan)
+        with self.assertRaises(TypeError):
+            gasjet.Pendulum((0, 0), (0, -1, 0), (0, 0, -1), **PAPER)
+
+
+class Contacts(unittest.TestCase):
+    def setUp(self):
+        self.nodes, self.triangles = square(0.4, 40)
+        self.masses = np.full(len(self.nodes), 1e-4)
+        self.pad = gasjet.Contact(self.nodes, self.triangles, masses=self.masses, effective_mass=3.0, radius=0.1, stiffness=1e6)
+
+    def test_force_on_a_flat_skin(self):
+        # kappa times the integral of (r - d) cos over the disc where d < r, at height h: pi kappa h (r - h)^2.
+        touch = self.pad.evaluate(self.nodes, (0.003, 0.004, 0.08))
+        exact = np.pi * 1e6 * 0.08 * 0.02**2
+        # The rim's elements are h = 10 mm long, and there the integrand has a kink of slope 0.48 kappa: the midpoints are off by at
+        # most 0.48 kappa h/8 on the rim's area 2 pi 60 mm h, which is 2.3 % of the force.
+        self.assertAlmostEqual(touch["force_N"][2] / exact, 1.0, delta=0.023)
+        np.testing.assert_allclose(touch["node_force_N"].sum(0), -touch["force_N"], rtol=1e-12, atol=1e-9)
+        self.assertTrue(0.019 < touch["penetration_m"] <= 0.02)
+        free = self.pad.evaluate(self.nodes, (0.0, 0.0, 0.2))
+        self.assertEqual((free["deepest_element"], free["energy_J"], abs(free["node_force_N"]).max()), (-1, 0.0, 0.0))
+
+    def test_refusals_name_the_argument(self):
+        with self.assertRaises(gasjet.DomainError):
+            self.pad.evaluate(self.nodes, (0.0, 0.0, 0.04))
+        with self.assertRaisesRegex(gasjet.InputError, "centre"):
+            self.pad.evaluate(self.nodes, (0.0, np.nan, 0.2))
+        with self.assertRaisesRegex(ValueError, "nodes"):
+            self.pad.evaluate(self.nodes[1:], (0.0, 0.0, 0.2))
+        with self.assertRaisesRegex(TypeError, "masses"):
+            gasjet.Contact(self.nodes, self.triangles, masses=self.masses[1:], effective_mass=3.0, radius=0.1, stiffness=1e6)
+        with self.assertRaisesRegex(gasjet.InputError, "stiffness"):
+            gasjet.Contact(self.nodes, self.triangles, masses=self.masses, effective_mass=3.0, radius=0.1, stiffness=-1.0)
+
+
+class Fabrics(unittest.TestCase):
+    def test_energy_of_an_even_stretch_is_that_of_the_law(self):
+        # Of an area: h E/(1 - nu) ((s^2 - 1)/2)^2, and h E/(1 - nu) (s^2 ln s - (s^2 - 1)/2) for logarithmic strain.
+        nodes, triangles = square(1.0, 2)
+        s, modulus = 1.2, 4e-4 * 3e8 / 0.7
+        half = (s * s - 1.0) / 2.0
+        for law, exact in (("saint_venant_kirchhoff", half * half), ("hencky", s * s * np.log(s) - half)):
+            fabric = gasjet.Membrane(nodes, triangles, thickness=4e-4, density=800.0, young_modulus=3e8, poisson=0.3, law=law)
+            self.assertAlmostEqual(fabric.evaluate(s * nodes)["strain_energy_J"] / (modulus * exact), 1.0, 12)
+        for change, message in ((dict(law="steel"), "law"), (dict(law="hencky", wrinkles=False), "wrinkles")):
+            with self.assertRaisesRegex(ValueError, message):
+                gasjet.Membrane(nodes, triangles, thickness=4e-4, density=800.0, young_modulus=3e8, poisson=0.3, **change)
+
+
+@unittest.skipUnless(meshio, "meshio is not installed (package python3-meshio)")
+class Meshes(unittest.TestCase):
+    def test_a_mesh_of_meshio_stands_for_nodes_and_triangles(self):
+        mesh = meshio.read(os.path.join(os.environ["GASJET_SOURCE_DIR"], "cases", "reference", "sphere_vent.obj"))
+        lit = gasjet.visible(mesh, centre=(0.0, 0.0, 0.0), axis=(1.0, 0.0, 0.0))
+        self.assertEqual(len(lit), len(mesh.cells_dict["triangle"]))
+        self.assertTrue(lit.all())  # a sphere seen from its centre
+        bag = gasjet.Membrane(mesh, thickness=4e-4, density=800.0, young_modulus=3e8, poisson=0.3)
+        self.assertGreater(bag.evaluate(mesh.points)["volume_m3"], 0.0)
+        with self.assertRaisesRegex(TypeError, "mesh with triangles"):
+            gasjet.visible(meshio.Mesh([[0.0, 0, 0], [1, 0, 0]], [("line", [[0, 1]])]))
+
+
+if __name__ == "__main__":
+    unittest.main()
