@@ -13,6 +13,7 @@ endif()
 option(GASJET_INSTALL "Install Gasjet's libraries with the project" ${is_own})
 option(GASJET_WERROR "Treat compiler warnings as errors" OFF)
 option(GASJET_SANITIZE "Build with AddressSanitizer and UndefinedBehaviorSanitizer" OFF)
+option(GASJET_SANITIZE_THREADS "Build with ThreadSanitizer, see scripts/tests/threads.sh" OFF)
 option(GASJET_FUZZ "Build the harnesses of libFuzzer (clang), see scripts/tests/fuzz.sh" OFF)
 
 add_library(gasjet_options INTERFACE)
@@ -23,13 +24,15 @@ target_compile_options(gasjet_options INTERFACE
   -ffp-contract=off -fno-math-errno -fno-trapping-math
   $<$<BOOL:${GASJET_WERROR}>:-Werror>
   $<$<BOOL:${GASJET_SANITIZE}>:-fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer>
+  $<$<BOOL:${GASJET_SANITIZE_THREADS}>:-fsanitize=thread>
   $<$<BOOL:${GASJET_FUZZ}>:-fsanitize=fuzzer-no-link>
   # Eigen's temporaries go out of scope so often that to watch for it takes up to four fifths of a test's time.
   $<$<BOOL:${GASJET_SANITIZE}>:-fno-sanitize-address-use-after-scope>)
 # Eigen aligns by hand where it sees AddressSanitizer; the tests' objects, compiled without, must free the same way.
 target_compile_definitions(gasjet_options INTERFACE $<$<BOOL:${GASJET_SANITIZE}>:EIGEN_MALLOC_ALREADY_ALIGNED=1>)
 target_link_options(gasjet_options INTERFACE
-  $<$<BOOL:${GASJET_SANITIZE}>:-fsanitize=address,undefined>)
+  $<$<BOOL:${GASJET_SANITIZE}>:-fsanitize=address,undefined>
+  $<$<BOOL:${GASJET_SANITIZE_THREADS}>:-fsanitize=thread>)
 
 # Headers are two thirds of the work for most files: ten sources are compiled as one. With ccache each by itself, so
 # that an edit costs one. -DCMAKE_UNITY_BUILD=ON or OFF decides otherwise.

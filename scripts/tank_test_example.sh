@@ -4,6 +4,7 @@
 # picture of it. Rewrites cases/tank_test_readings.csv, cases/tank_test_curves.csv and docs/figures/tank_test.svg
 # usage: scripts/tank_test_example.sh [FOLDER]   writes to FOLDER/ instead; GASJET names another binary
 set -euo pipefail
+export LC_ALL=C.UTF-8 # numbers with a decimal point, wherever the user is
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 gasjet=${GASJET:-$root/build/gasjet}
 tables=${1:-$root/cases}

@@ -7,6 +7,7 @@
 #   --no-sanitize  leave out the sanitizer build
 #   --long         also run the tests labelled `long` (release build only)
 set -euo pipefail
+export LC_ALL=C.UTF-8 # numbers with a decimal point, wherever the user is
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
 sanitize=1

@@ -16,6 +16,7 @@
 #   else the one in PATH)
 # Exit code: 0 inside the bands in all scenes that it does; 1 outside in one; 2 bad arguments, or the program or its file failed; 4 undecided.
 set -uo pipefail
+export LC_ALL=C.UTF-8 # numbers with a decimal point, wherever the user is
 here=$(cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")" && pwd)
 root=$here # installed, beside the cases; in the source tree one folder below
 [[ -d $root/cases/reference ]] || root=$(dirname "$here")

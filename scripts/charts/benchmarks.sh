@@ -13,6 +13,7 @@
 #   stability             maps of the stability atlas: stable or not over two parameters, each point a run, beside the formula
 # usage: scripts/charts/benchmarks.sh [CHART...]      all of them by default
 set -euo pipefail
+export LC_ALL=C.UTF-8 # numbers with a decimal point, wherever the user is
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 # shellcheck source-path=SCRIPTDIR source=provenance.sh
 source scripts/charts/provenance.sh

@@ -8,6 +8,7 @@
 # usage: scripts/charts/detection.sh [THREADS] [OUT]      (1, docs/charts by default; GASJET names the program)
 #   Runs are kept in results/detection, and not made again.
 set -euo pipefail
+export LC_ALL=C.UTF-8 # numbers with a decimal point, wherever the user is
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 # shellcheck source-path=SCRIPTDIR source=provenance.sh
 source scripts/charts/provenance.sh

@@ -7,6 +7,7 @@
 #   --check  compare the table and the counts of the page, and the totals, with the rows of docs/charts/forecast.csv
 #            (or CSV); exit code 1 if they differ, 2 without rows
 set -euo pipefail
+export LC_ALL=C.UTF-8 # numbers with a decimal point, wherever the user is
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 # shellcheck source-path=SCRIPTDIR source=provenance.sh
 source scripts/charts/provenance.sh

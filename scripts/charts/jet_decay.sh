@@ -4,6 +4,7 @@
 # (their sources: docs/theory/jet.md).
 # usage: scripts/charts/jet_decay.sh [OUT]      (docs/charts/jet_decay by default: OUT.svg)
 set -euo pipefail
+export LC_ALL=C.UTF-8 # numbers with a decimal point, wherever the user is
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 # shellcheck source-path=SCRIPTDIR source=gnuplot_text.sh
 source scripts/charts/gnuplot_text.sh

@@ -4,6 +4,7 @@
 # (a sed expression on the case file), and writes the table as Markdown.
 # usage: scripts/charts/jet_options.sh [FILE]      (docs/charts/jet_options.md by default)
 set -euo pipefail
+export LC_ALL=C.UTF-8 # numbers with a decimal point, wherever the user is
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 out=${1:-docs/charts/jet_options.md}
 work=$(mktemp -d)

@@ -4,6 +4,7 @@
 # of the bag refined at a time, contact as stiff as before. Writes OUT.csv.
 # usage: scripts/charts/mesh_parts.sh [RUNS] [OUT]      (8 runs, docs/charts/mesh_parts by default)
 set -euo pipefail
+export LC_ALL=C.UTF-8 # numbers with a decimal point, wherever the user is
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 # shellcheck source-path=SCRIPTDIR source=provenance.sh
 source scripts/charts/provenance.sh

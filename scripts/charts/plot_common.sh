@@ -3,6 +3,8 @@
 # Shared by the plot scripts (sourced): panels of pendulum angle, acceleration of its centre of gravity and bag
 # pressure against time (those that the scene has), for one or two result folders, by the style sheet charts/style.gp.
 
+export LC_ALL=C.UTF-8 # numbers with a decimal point, wherever the user is
+
 # shellcheck source-path=SCRIPTDIR source=gnuplot_text.sh
 source "$(dirname "${BASH_SOURCE[0]}")/gnuplot_text.sh"
 

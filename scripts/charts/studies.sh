@@ -3,6 +3,7 @@
 # Runs plans of cases/studies and writes their tables and charts. Runs that results/studies has are not computed again.
 # usage: scripts/charts/studies.sh [--threads N] [--out FOLDER] [NAME...]      (1, docs/charts, all plans; GASJET names the program)
 set -euo pipefail
+export LC_ALL=C.UTF-8 # numbers with a decimal point, wherever the user is
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 # shellcheck source-path=SCRIPTDIR source=gnuplot_text.sh
 source scripts/charts/gnuplot_text.sh

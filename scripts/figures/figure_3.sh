@@ -5,6 +5,7 @@
 # the fabric's porosity there: the fabric is drawn for the porosity 0.05 of its scene, and over eta^2.
 # usage: scripts/figures/figure_3.sh [GASJET]   (build/gasjet by default; writes docs/figures/figure_3.csv and .svg)
 set -euo pipefail
+export LC_ALL=C.UTF-8 # numbers with a decimal point, wherever the user is
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 # shellcheck source-path=SCRIPTDIR source=../charts/provenance.sh
 source scripts/charts/provenance.sh

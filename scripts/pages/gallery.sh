@@ -3,6 +3,7 @@
 # Writes docs/gallery.md: each case with the first sentence of its file and pictures of its run, in docs/gallery. Needs build/gasjet.
 # usage: scripts/pages/gallery.sh [--check]    --check: only compare the page with the cases, run nothing
 set -euo pipefail
+export LC_ALL=C.UTF-8 # numbers with a decimal point, wherever the user is
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 
 page=docs/gallery.md pictures=docs/gallery

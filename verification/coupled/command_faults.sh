@@ -221,3 +221,80 @@ part_resume() {
   values() { grep -v '^#\|^and ' "$1/ladder.csv" | cut -d, -f1-4; } # combinations depend on costs
   cmp <(values "$work/whole_ladder") <(values "$work/ladder") || fail "a ladder that went on has other values"
 }
+
+# A real full disk, where the kernel lets a test mount one; else part_full_disk is all there is.
+part_small_disk() {
+  local disk=$work/disk inside='mount -t tmpfs -o size=96k none "$1" || exit 77
+    "$2" run "$3/cases/rigid_tank.toml" --out "$1/run" --quiet || exit 1
+    cp -r "$1/run/." "$4/before"
+    "$2" run "$3/cases/rigid_tank.toml" --out "$1/run" --set output.history_every=1e-5 >"$4/output" 2>&1
+    [ $? = 3 ] || exit 2
+    cp -r "$1/run/." "$4/full"
+    rm -r "$1/run"
+    "$2" run "$3/cases/rigid_tank.toml" --out "$1/run" --quiet || exit 3
+    "$2" mesh passenger --out "$1/bag.obj" >>"$4/output" 2>&1
+    [ $? = 2 ] && [ ! -e "$1/bag.obj" ] || exit 4'
+  mkdir "$disk" "$work/before" "$work/full"
+  unshare -rm bash -c "$inside" - "$disk" "$gasjet" "$source" "$work"
+  case $? in
+    0)
+      grep -Eq 'history.csv: write failed|energy.csv: write failed|No space' "$work/output" || fail "a full disk is told as $(cat "$work/output")"
+      [ "$(sed -n 's/^status: //p' "$work/full/gasjet.status" | tail -n 1)" != "done" ] || fail "a run on a full disk says that it is done"
+      awk -F, '/^#/ { next } !n++ { width = NF } NF != width { bad = 1 } END { exit bad || n < 3 }' "$work/full/history.csv" ||
+        fail "torn or lost rows on a full disk" ;;
+    1 | 77) echo "no disk of its own: unshare or mount is not allowed here" ;;
+    *) fail "on a full disk: step $?, $(cat "$work/output")" ;;
+  esac
+}
+
+# Killed at any moment: the status is true, rows are whole, and the next run has the bytes of one that was left alone.
+part_killed_anywhere() {
+  local scene=("$source/cases/sphere_inflation.toml" --set membrane.mesh.levels=3 --set scene.end_time=5e-3 --set output.fields_every=1e-3)
+  local seed=$((RANDOM = 7)) n pid begin whole ended=0 cut_off=0
+  begin=$(date +%s%N)
+  "$gasjet" run "${scene[@]}" --out "$work/alone" --quiet || fail "run"
+  whole=$((($(date +%s%N) - begin) / 1000000)) # [ms]
+  for n in 1 2 3 4 5 6 7 8 9 10 11 12; do
+    "$gasjet" run "${scene[@]}" --out "$work/run" --quiet >/dev/null 2>&1 </dev/null &
+    pid=$!
+    sleep "$(printf '0.%03d' $((RANDOM % (whole < 900 ? whole + 50 : 950))))"
+    kill -KILL $pid 2>/dev/null
+    wait $pid 2>/dev/null
+    [ -e "$work/run/gasjet.status" ] || continue
+    if [ "$(sed -n 's/^status: //p' "$work/run/gasjet.status" | tail -n 1)" = "done" ]; then
+      same_tables "$work/alone" "$work/run" history.csv energy.csv
+      ended=$((ended + 1))
+      continue
+    fi
+    cut_off=$((cut_off + 1))
+    [ ! -s "$work/run/history.csv" ] || awk -F, '/^#/ { next } !n++ { width = NF } NF != width { bad = 1 } END { exit bad }' "$work/run/history.csv" ||
+      fail "kill $n: torn rows"
+    expect 2 "" "$gasjet" compare "$work/run/history.csv" "$work/alone/history.csv"
+  done
+  [ $cut_off -gt 2 ] || fail "of $n kills $cut_off met a run, $ended one that had ended (seed $seed)"
+  "$gasjet" run "${scene[@]}" --out "$work/run" --quiet || fail "no run after $n kills (seed $seed)"
+  same_tables "$work/alone" "$work/run" history.csv energy.csv
+  [ "$(ls "$work/run")" = "$(ls "$work/alone")" ] || fail "left: $(ls "$work/run")"
+}
+
+# Where a comma separates decimals.
+part_locale() {
+  localedef -i de_DE -f UTF-8 "$work/de_DE.UTF-8" 2>/dev/null || { fail "no German locale (package locales)"; return; }
+  local comma=(env LOCPATH="$work" LC_ALL=de_DE.UTF-8)
+  [ "$("${comma[@]}" printf '%.1f' 0,5)" = "0,5" ] || fail "the locale has no decimal comma"
+  for case in rigid_tank passenger_pendulum; do
+    local scene=("$source/cases/$case.toml" --quiet --set scene.end_time=2e-3)
+    "$gasjet" run "${scene[@]}" --out "$work/plain_$case" 2>/dev/null || fail "run"
+    "${comma[@]}" "$gasjet" run "${scene[@]}" --out "$work/comma_$case" 2>/dev/null || fail "run with a decimal comma"
+    same_tables "$work/plain_$case" "$work/comma_$case" history.csv energy.csv
+    "${comma[@]}" python3 -c 'import json, sys; json.load(open(sys.argv[1]))' "$work/comma_$case/summary.json" || fail "summary.json"
+  done
+  "${comma[@]}" "$gasjet" run "$source/cases/rigid_tank.toml" --out "$work/fill" --quiet || fail "run"
+  expect 0 "inside" "${comma[@]}" "$gasjet" compare "$work/fill/history.csv" "$source/cases/reference/tank_fill.csv"
+  cmp <("${comma[@]}" "$gasjet" exact tank_fill) <("$gasjet" exact tank_fill) || fail "exact with a decimal comma"
+  cmp <("${comma[@]}" "$gasjet" mesh passenger --out "$work/comma.obj" && cat "$work/comma.obj") \
+    <("$gasjet" mesh passenger --out "$work/plain.obj" && cat "$work/plain.obj") >/dev/null || cmp "$work/comma.obj" "$work/plain.obj" || fail "mesh"
+  "${comma[@]}" "$source/scripts/plot_history.sh" "$work/comma" "$work/comma_rigid_tank" >/dev/null || fail "plot"
+  "$source/scripts/plot_history.sh" "$work/plain" "$work/plain_rigid_tank" >/dev/null || fail "plot"
+  cmp <(sed 's/comma/plain/g' "$work/comma.svg") "$work/plain.svg" || fail "the picture differs where a comma separates decimals"
+}
