@@ -30,6 +30,7 @@ write_page() {
   echo 'The bag is drawn to no common scale; a history shows at most 120 of its rows. `scripts/pages/gallery.sh` writes this page and its pictures.'
   echo "The paper's scene at six times, with and without jet, is [above the table of the README](../README.md#what-the-jet-does-and-what-it-costs)."
   echo '[`gasjet report`](report.md) shows any run in motion, in a browser.'
+  echo '[Programs](examples/README.md) in Python, Fortran and C that use Gasjet have pages of their own.'
   local file name bag
   for file in "${cases[@]}"; do
     name=$(basename "$file" .toml)

@@ -1,11 +1,13 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # Runs the sh blocks of a tutorial in order, in one scratch folder; each line of a text block has to be in what the block
-# before it printed. usage: tutorial_test.sh TUTORIAL GASJET SOURCE_DIR
+# before it printed. usage: tutorial_test.sh TUTORIAL GASJET SOURCE_DIR [FOLDER]
+# FOLDER: where the pictures go that the blocks draw.
 set -euo pipefail
 tutorial=$1
 program=$2
 export GASJET=$3
+pictures=${4:+$(realpath "$4")}
 BUILD=$(dirname "$program")
 export BUILD
 scratch=$(mktemp -d)
@@ -33,4 +35,5 @@ for block in "$scratch"/blocks/*; do
   fi
 done
 ((ran && shown)) || { echo "$tutorial: no commands, or nothing shown of what they print"; exit 1; }
+[[ -z $pictures ]] || find . -maxdepth 1 -regex '.*\.\(svg\|png\|gif\)' -exec cp {} "$pictures" \;
 echo "$tutorial: $ran blocks run, $shown lines as shown"

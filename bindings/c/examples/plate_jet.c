@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0
- * Force of a jet on a square plate, which a closed form judges: 2 mdot V0. */
+ * Force of a jet on a square plate, which a closed form judges: 2 mdot V0.
+ * usage: plate_jet [MAP.csv]      MAP.csv: centroid and overpressure of each triangle */
 #include <gasjet.h>
 #include <math.h>
 #include <stdio.h>
@@ -13,7 +14,22 @@ static void check(int status) {
   exit(1);
 }
 
-int main(void) {
+static void write_map(const char* path, double (*nodes)[3], int32_t (*triangles)[3], const double* pressure) {
+  FILE* file = fopen(path, "w");
+  int e;
+  if (file == NULL) {
+    perror(path);
+    exit(1);
+  }
+  fprintf(file, "y_m,z_m,overpressure_Pa\n");
+  for (e = 0; e < 2 * N * N; ++e) {
+    const double *a = nodes[triangles[e][0]], *b = nodes[triangles[e][1]], *c = nodes[triangles[e][2]];
+    fprintf(file, "%.6g,%.6g,%.6g\n", (a[1] + b[1] + c[1]) / 3.0, (a[2] + b[2] + c[2]) / 3.0, pressure[e]);
+  }
+  fclose(file);
+}
+
+int main(int argc, char** argv) {
   static double nodes[(N + 1) * (N + 1)][3], pressure[2 * N * N], force[3];
   static int32_t triangles[2 * N * N][3];
   const double radius = 0.03, flow = 2.0, pi = acos(-1.0);
@@ -44,6 +60,7 @@ int main(void) {
   check(gasjet_jet_pressure(jet, nodes[0], (N + 1) * (N + 1), NULL, outlet.velocity, outlet.density, 1, NAN, pressure,
                             2 * N * N, force, NULL));
   check(gasjet_free(jet));
+  if (argc > 1) write_map(argv[1], nodes, triangles, pressure);
   printf("force %.4f N, closed form %.4f N\n", force[0], 2.0 * flow * outlet.velocity);
   return fabs(force[0] / (2.0 * flow * outlet.velocity) - 1.0) < 1e-4 ? 0 : 1;
 }

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """Runs a case and makes a film of its bag, coloured by what the jet sees, with matplotlib.
-usage: bag_film.py CASE.toml FILM.gif [FRAMES]"""
+usage: bag_film.py CASE.toml FILM.gif [FRAMES [END_TIME in s]]"""
 import json
 import sys
 import tempfile
@@ -27,8 +27,9 @@ def read_frames(path):
 
 
 case, film, count = sys.argv[1], sys.argv[2], int((sys.argv[3:] or [40])[0])
+end = {"scene.end_time": float(sys.argv[4])} if sys.argv[4:] else {}
 with tempfile.TemporaryDirectory() as folder:
-    gasjet.run(case, {"output.frames": count - 1}, out=folder)
+    gasjet.run(case, {"output.frames": count - 1, **end}, out=folder)
     head, frames = read_frames(folder + "/frames.bin")
 number = {name: frames["scalars"][:, i] for i, name in enumerate(head["scalars"])}
 origin = np.column_stack([number["x_m"], number["y_m"], number["z_m"]])
@@ -37,7 +38,8 @@ triangles = np.array(head["triangles"])
 
 low, high = nodes.min((0, 1)), nodes.max((0, 1))
 figure = plot.figure(figsize=(4, 3.2), layout="constrained")
-axes = figure.add_subplot(projection="3d", box_aspect=high - low, elev=20, azim=-60)
+axes = figure.add_subplot(projection="3d", elev=20, azim=-60)
+axes.set_box_aspect(high - low, zoom=1.35)
 axes.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]), zlim=(low[2], high[2]))
 axes.set_axis_off()
 bag = axes.add_collection3d(Poly3DCollection(nodes[0][triangles], edgecolors="#555555", linewidths=0.15))
@@ -46,7 +48,7 @@ bag = axes.add_collection3d(Poly3DCollection(nodes[0][triangles], edgecolors="#5
 def draw(frame):
     bag.set_verts(nodes[frame][triangles])
     bag.set_facecolors(COLOURS[frames["mask"][frame]])
-    axes.set_title(f"{1e3 * number['time_s'][frame]:.1f} ms, {number['overpressure_Pa'][frame] / 1e3:.1f} kPa", y=0.97)
+    axes.set_title(f"{1e3 * number['time_s'][frame]:.1f} ms, {number['overpressure_Pa'][frame] / 1e3:.1f} kPa", y=1.0)
 
 
 matplotlib.animation.FuncAnimation(figure, draw, len(frames)).save(film, matplotlib.animation.PillowWriter(fps=10))

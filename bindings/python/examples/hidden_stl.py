@@ -37,9 +37,9 @@ else:
     corners = nodes[triangles]
     inner = np.einsum("ij,ij->i", np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), corners[:, 0] - source[:3]) > 0
     colours = np.where(lit, "#f0c420", np.where(inner, "#0072b2", "#bbbbbb"))  # seen, hidden, seen from outside
-    axes = plot.figure(layout="constrained").add_subplot(projection="3d", box_aspect=np.ptp(nodes, axis=0), elev=20, azim=-60)
-    axes.add_collection3d(Poly3DCollection(corners, facecolors=colours, edgecolors="#555555", linewidths=0.15))
+    axes = plot.figure(figsize=(8, 8)).add_subplot(projection="3d", box_aspect=np.ptp(nodes, axis=0), elev=25, azim=-50)
+    axes.add_collection3d(Poly3DCollection(corners, facecolors=colours, edgecolors="#555555", linewidths=0.2))
     axes.scatter(*source[:3], color="#d55e00", s=40, depthshade=False, zorder=1e6)
     axes.set(**{f"{name}lim": (low, high) for name, low, high in zip("xyz", nodes.min(0), nodes.max(0))})
     axes.set_axis_off()
-    plot.savefig("hidden_stl.png")
+    plot.savefig("hidden_stl.png", bbox_inches="tight", dpi=100)

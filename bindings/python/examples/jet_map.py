@@ -17,4 +17,4 @@ except ImportError:
     print("no picture: matplotlib is not installed")
 else:
     plot.contourf(x, z, speed, 20)
-    plot.colorbar(label="V / V0"), plot.xlabel("x [m]"), plot.ylabel("z [m]"), plot.savefig("jet_map.png")
+    plot.colorbar(label="V / V0"), plot.xlabel("x [m]"), plot.ylabel("z [m]"), plot.savefig("jet_map.png", bbox_inches="tight")
