@@ -39,14 +39,15 @@ part_decks() {
   done
   # The parser sees what is wrong: a field moved by one column, a number that nothing defines, a lost line.
   local deck=$work/radioss/passenger_pendulum.kg-m-s/bag_0000.rad wrong
-  for wrong in 's/^\(  *5 .*\)$/ \1/' '/^\/PART\/1$/,+3s/         1/      4711/' '/^\/RBODY\/1$/,+5{/Jxx/,+1d}' 's/^\/GRAV/\/GRAF/'; do
+  for wrong in 's/^\(  *5 .*\)$/ \1/' '/^\/PART\/1$/,+3s/         1/      4711/' '/^\/RBODY\/1$/,+5{/Jxx/,+1d}' 's/^\/GRAV/\/GRAF/' \
+    '/^\/LEAK/,+7d' '/Iformps/,+1s/^\( *[0-9]*\)         3/\1         0/'; do
     sed "$wrong" "$deck" >"$work/wrong_0000.rad"
     cmp -s "$deck" "$work/wrong_0000.rad" && fail "'$wrong' changes nothing"
     expect 1 "wrong_0000.rad:[0-9]+" python3 -B "$reader" radioss "$work/wrong_0000.rad"
   done
   deck=$work/lsdyna/passenger_pendulum.kg-m-s/bag.k
   for wrong in 's/^\(  *5  *[0-9].*\)$/ \1/' '/^\*PART$/,+3s/         1/      4711/' '/^\*PART_INERTIA$/,+5{/TM/,+1d}' 's/^\*LOAD_BODY_Z/*LOAD_BODY_W/' \
-    '/^\*CONSTRAINED_JOINT/,+3s/^\( *[0-9]*\) \( *[0-9]*\)/\2\1 /' '/^\*SECTION_SHELL$/,+2{/SECID/,+1d}'; do
+    '/LCIDM/,+1s/^         0/         1/' '/^\*CONSTRAINED_JOINT/,+3s/^\( *[0-9]*\) \( *[0-9]*\)/\2\1 /' '/^\*SECTION_SHELL$/,+2{/SECID/,+1d}'; do
     sed "$wrong" "$deck" >"$work/wrong.k"
     cmp -s "$deck" "$work/wrong.k" && fail "'$wrong' changes nothing"
     expect 1 "wrong.k:[0-9]+" python3 -B "$reader" lsdyna "$work/wrong.k"
@@ -58,6 +59,11 @@ part_decks() {
     cp -rT "$work/$format/passenger_pendulum.t-mm-s" "$work/wrong/$format.kg-mm-ms"
     expect 1 "in the first deck" python3 -B "${reader%/*}/deck_units.py" "$format" "$passenger" "$work/$format/passenger_pendulum.kg-m-s" "$work/wrong/$format.kg-mm-ms"
   done
+  # Strain is logarithmic for Hencky's law alone.
+  grep -qE '^         0        11         2' "$work/radioss/sphere_inflation.kg-m-s/bag_0000.rad" || fail "strain of St. Venant-Kirchhoff fabric"
+  expect 0 "export.md are in" "$gasjet" export "$source/cases/sphere_inflation.toml" --set 'fabric.law="hencky"' --set 'fabric.compression="none"' \
+    --format radioss --units kg-m-s --out "$work/hencky"
+  grep -qE '^         0         4         2' "$work/hencky/bag_0000.rad" || fail "strain of Hencky fabric"
   # A vent that stays closed, and a name that would begin keywords of its own.
   for format in "${deck_formats[@]}"; do
     out=$work/$format/closed

@@ -33,6 +33,7 @@ class Deck:
 
     def __init__(self):
         self.defined, self.named, self.counts = {}, [], {}
+        self.porous, self.members, self.law_of = [], {}, {}  # surfaces that leak; numbers of a list; law of a part
 
     def define(self, where, kind, number):
         numbers = self.defined.setdefault(kind, set())

@@ -81,15 +81,14 @@ def radioss_airbag(deck, lines):
     for _ in range(leaks):
         where, v = card("i10 i10 i10 -50 s20")
         deck.name(where, "surface", v[0])
+        deck.porous.append((where, v[0]))
         form = v[1]
+        if form not in (2, 3):
+            fault(where, f"form {form} of a porous surface, which is not that of fabric")
         card("r20 r20 r20 r20 -10 i10")
         if form == 2:
             where, v = card("i10 -10 r20")
             deck.name(where, "function", v[0])
-        else:
-            where, v = card("r20 r20 i10 i10 r20 r20")
-            if not 0 < v[0] <= 1:
-                fault(where, f"{v[0]} of the fabric is open")
     for where, _ in it:
         fault(where, "a line that belongs to nothing")
     deck.counts["vents"], deck.counts["leaks"], deck.counts["inflators"] = vents, leaks, jets
@@ -98,6 +97,7 @@ def radioss_airbag(deck, lines):
 RADIOSS_CARDS = {  # title line, then forms; a reference is written kind=field
     "MAT/VOID": (["r20 r20"], "law"),
     "MAT/FABRI": (["r20", VECTOR, VECTOR, "r20"], "law"),
+    "LEAK/MAT": (["i10 -10 r20 r20", "r20 i10 -10 r20", "r20 r20"], "leak"),
     "MAT/GAS/MASS": (["r20", "r20 r20 r20 r20 r20", "r20"], "gas"),
     "PROP/VOID": (["r20"], "property"),
     "PROP/SH_ORTH": (["i10 i10 i10 i10 -20 r20", "r20 r20 r20 r20 r20", "i10 i10 r20 r20 i10 i10 i10",
@@ -164,6 +164,7 @@ def radioss_block(deck, header, lines):
     elif keyword in ("GRNOD/NODE", "SURF/PART"):
         deck.define(where, "group" if keyword[0] == "G" else "surface", number)
         radioss_numbers(deck, "node" if keyword[0] == "G" else "part", lines[1:])
+        deck.members[keyword, number] = [int(part) for _, line in lines[1:] for part in line.split()]
     elif keyword == "FUNCT":
         deck.define(where, "function", number)
         points = [fields(place, line, "r20 r20") for place, line in lines[1:]]
@@ -186,6 +187,13 @@ def radioss_block(deck, header, lines):
             fault(where, f"{keyword} has {len(lines)} lines, {1 + len(forms)} are needed")
         for (place, line), form in zip(lines[1:], forms):
             card_with_names(deck, place, line, form)
+        if keyword == "PART":
+            deck.law_of[number] = int(lines[1][1][10:20])
+        elif keyword == "LEAK/MAT":
+            deck.name(where, "law", number)
+            factors = fields(*lines[-1], "r20 r20")
+            if not 0 < factors[0] * factors[1] <= 1:
+                fault(where, f"{factors[0] * factors[1]} of the fabric is open")
     else:
         fault(where, f"{keyword}: an unknown keyword")
 
@@ -193,6 +201,10 @@ def radioss_block(deck, header, lines):
 def read_radioss(path, deck):
     for header, block in blocks(path, "/", "#", "/END"):
         radioss_block(deck, header, block)
+    # A porous surface leaks by what the material of its parts says, and not at all without it.
+    for where, surface in deck.porous:
+        for part in deck.members.get(("SURF/PART", surface), []):
+            deck.name(where, "leak", deck.law_of.get(part, 0))
 
 
 def read_engine(path):

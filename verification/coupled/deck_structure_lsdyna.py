@@ -100,8 +100,10 @@ def airbag(deck, lines):
     for i in range(0, len(gases), 2):
         values = read_card(deck, *gases[i], GAS[0])
         read_card(deck, *gases[i + 1], GAS[1])
-        if 0 in values[:2] or values[2] <= 0 or values[4] <= 0:
-            fault(gases[i][0], "a gas needs two curves, a molar mass and a heat capacity")
+        if [curve == 0 for curve in values[:2]] != [values[3] > 0] * 2:
+            fault(gases[i][0], "a gas needs two curves, and the gas of the start none")
+        if values[2] <= 0 or values[4] <= 0:
+            fault(gases[i][0], "a gas needs a molar mass and a heat capacity")
         initial += values[3]
     if initial != 1.0:
         fault(where, f"{initial} of the initial gas")

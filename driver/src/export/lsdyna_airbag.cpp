@@ -125,12 +125,9 @@ void LsDynaDeck::gas(const DeckGas& mixture, double initial, int mass_flow, int 
 
 void LsDynaDeck::airbag() {
   const Scene& scene = *deck_.scene;
-  const double end = 2.0 * scene.time.end, start_temperature = scene.gas->initial_temperature;
+  const double start_temperature = scene.gas->initial_temperature;
   const LsDynaVents vents = lsdyna_vents(deck_);
-  std::vector<std::array<int, 2>> flows{{next_curve_, next_curve_ + 1}};
-  next_curve_ += 2;
-  curve(flows.front()[0], {{0.0, 0.0}, {end, 0.0}}, u_.time, 1.0);
-  curve(flows.front()[1], {{0.0, start_temperature}, {end, start_temperature}}, u_.time, 1.0);
+  std::vector<std::array<int, 2>> flows{{0, 0}};  // none: the gas that is in the bag at the start
   for (const DeckInflator& inflator : deck_.inflators) {
     flows.push_back({next_curve_, next_curve_ + 1});
     next_curve_ += 2;
@@ -168,8 +165,8 @@ void LsDynaDeck::airbag() {
        {"LCCP23", whole(0, 10)},
        {"AP23", narrow(0.0)},
        {"LCAP23", whole(second, 10)}});
-  constexpr int by_area = 1, by_velocity = 7;  // of MAT_FABRIC
-  const int leakage = deck_.leaks.empty() ? 0 : deck_.leaks.front().velocity ? by_velocity : by_area;
+  constexpr int by_share = 3, by_velocity = 7;  // of MAT_FABRIC
+  const int leakage = deck_.leaks.empty() ? 0 : deck_.leaks.front().velocity ? by_velocity : by_share;
   row({{"OPT", whole(leakage, 10)},
        {"PVENT", narrow(vents.opens_at_overpressure / u_.pressure())},
        {"NGAS", whole(static_cast<long>(flows.size()), 10)},

@@ -73,14 +73,14 @@ void LsDynaDeck::fabric_material(const DeckPart& p) {
   const auto& description = bag().model.description;
   const bool green = description.law == membrane::FabricLaw::saint_venant_kirchhoff;
   constexpr double green_lagrange = 12.0, invariant = 1.0;
-  constexpr double by_area = 1.0, by_velocity = 7.0;
+  constexpr double by_share = 3.0, by_velocity = 7.0;  // by share: Graefe's formula, which never chokes
   double coefficient = 0.0, factor = 0.0, option = 0.0;
   for (std::size_t i = 0; i < deck_.leaks.size(); ++i) {
     const DeckLeak& leak = deck_.leaks[i];
     if (leak.part != p.id) continue;
     coefficient = leak.velocity ? 1.0 : leak.share;
     factor = leak.velocity ? -leak_curves_[i] : 1.0;  // negative: the curve of that number
-    option = leak.velocity ? by_velocity : by_area;
+    option = leak.velocity ? by_velocity : by_share;
   }
   keyword("MAT_FABRIC");
   row({{"MID", whole(p.id, 10)},

@@ -134,7 +134,9 @@ void RadiossStarter::request(std::string_view header, std::string_view variables
 
 void RadiossStarter::requests() {
   request("/TH/MONV/1", "MASS      VOL       P         A         T         ", 1);
-  if (deck_.scene->pendulum) request("/TH/RBODY/2", "DEF       ", 1);
+  if (deck_.scene->pendulum)
+    request("/TH/RBODY/2",
+            "RX        RY        RZ        VRX       VRY       VRZ       AX        AY        AZ        ", 1);
   if (deck_.scene->contact) request("/TH/INTER/3", "DEF       ", 1);
   if (!bag().model.description.plates.empty() && !bag_nodes(deck_, true).empty())
     request("/TH/RWALL/4", "DEF       ", 1);

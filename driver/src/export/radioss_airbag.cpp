@@ -72,22 +72,20 @@ void vent_cards(const DeckVent& vent, const VentFunctions& functions, const Unit
       {whole(0, 10), whole(0, 10), whole(0, 10), blank(10), real(1.0, 20), real(1.0, 20), real(1.0, 20)});
 }
 
+// How much of the surface is open is said by the material of its part. Its flow never chokes (Graefe's
+// formula).
 void leak_cards(const DeckLeak& leak, int surface, int velocity, Cards& out) {
+  constexpr int by_velocity = 2, by_share = 3;
   out.line(
       "#surf_IDps   Iformps Iblockage                                                         surface_title");
-  out.card(
-      {whole(surface, 10), whole(leak.velocity ? 2 : 0, 10), whole(0, 10), blank(50), word("fabric", 20)});
+  out.card({whole(surface, 10), whole(leak.velocity ? by_velocity : by_share, 10), whole(0, 10), blank(50),
+            word("fabric", 20)});
   out.line(
       "#             Tstart               Tstop               dPdef              dtPdef             IdtPdef");
   out.card({real(0.0, 20), real(never, 20), real(0.0, 20), real(0.0, 20), blank(10), whole(0, 10)});
-  if (leak.velocity) {
-    out.line("#fct_IDvps                     Fscalevps");
-    out.card({whole(velocity, 10), blank(10), real(1.0, 20)});
-    return;
-  }
-  out.line(
-      "#                Cps              Areaps fct_IDcps fct_IDaps           Fscalecps           Fscaleaps");
-  out.card({real(leak.share, 20), real(1.0, 20), whole(0, 10), whole(0, 10), real(1.0, 20), real(1.0, 20)});
+  if (!leak.velocity) return;
+  out.line("#fct_IDvps                     Fscalevps");
+  out.card({whole(velocity, 10), blank(10), real(1.0, 20)});
 }
 
 std::vector<VentFunctions> vent_functions(const Deck& deck, const Units& u, int& function, Cards& out) {

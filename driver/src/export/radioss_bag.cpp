@@ -56,6 +56,21 @@ void RadiossStarter::fabric_material(const DeckPart& p) {
   out_.line("#                R_E");
   constexpr double slack = 1e-3;  // of the stress in compression, the least that the program takes
   out_.card({real(bag().model.description.compression == membrane::Compression::none ? slack : 1.0, 20)});
+  for (const DeckLeak& leak : deck_.leaks)
+    if (leak.part == p.id) porous(leak);
+}
+
+// The airbag takes of a porous surface what the material says is open of it, and nothing of a material that
+// is silent.
+void RadiossStarter::porous(const DeckLeak& leak) {
+  constexpr int by_factors = 1;
+  title(fmt::format("/LEAK/MAT/{}", leak.part), "share of the area that is open");
+  out_.line("# Ileakage                      Ascale_T            Ascale_P");
+  out_.card({whole(by_factors, 10), blank(10), real(1.0, 20), real(1.0, 20)});
+  out_.line("#                Ac'Fct_ID_AC'                    Fscale_AC'");
+  out_.card({real(1.0, 20), whole(0, 10), blank(10), real(1.0, 20)});
+  out_.line("#                 LC                  AC");
+  out_.card({real(leak.velocity ? 1.0 : leak.share, 20), real(1.0, 20)});
 }
 
 void RadiossStarter::fabric_property(const DeckPart& p) {
@@ -64,9 +79,12 @@ void RadiossStarter::fabric_property(const DeckPart& p) {
       p.fabric.weave ? p.fabric.weave->warp.normalized() : Eigen::Vector3d(0.5374, 0.6412, 0.5478);
   title(fmt::format("/PROP/SH_ORTH/{}", p.id), p.name);
   out_.line("#   Ishell    Ismstr     Ish3n    Idrill                            P_Thick_Fail");
-  constexpr int total_strain = 11, plain_triangle = 2;
-  out_.card({whole(0, 10), whole(total_strain, 10), whole(plain_triangle, 10), whole(0, 10), blank(20),
-             real(0.0, 20)});
+  // Strain by increments is logarithmic. The other one is linear about the design shape, so that it does not
+  // drift.
+  constexpr int by_increments = 4, total_strain = 11, plain_triangle = 2;
+  const bool logarithmic = bag().model.description.law == membrane::FabricLaw::hencky;
+  out_.card({whole(0, 10), whole(logarithmic ? by_increments : total_strain, 10), whole(plain_triangle, 10),
+             whole(0, 10), blank(20), real(0.0, 20)});
   out_.line(
       "#                 Hm                  Hf                  Hr                  Dm                  Dn");
   out_.card({real(0.0, 20), real(0.0, 20), real(0.0, 20), real(0.0, 20), real(0.0, 20)});

@@ -44,6 +44,7 @@ class RadiossStarter : private RadiossIds {
   void void_material();
   void fabric();
   void fabric_material(const DeckPart& p);
+  void porous(const DeckLeak& leak);
   void fabric_property(const DeckPart& p);
   void reference(const DeckPart& p);
   void straps();
