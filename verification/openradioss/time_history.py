@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Time history of OpenRadioss (T01, as /TFILE/4 writes it) as CSV: time_history.py T01 [MARK...]
 
-A column is called by block, object and variable: `MONV 1 P`, `RBODY 1 VRY`. Magnitudes are added: `RBODY 1 A`, the acceleration,
+Forces of contacts, walls and bodies stand in the file as impulses since the start; here they are forces, mean ones since the
+row before. A column is called by block, object and variable: `MONV 1 P`, `RBODY 1 VRY`. Magnitudes are added: `RBODY 1 A`, the acceleration,
 and `INTER 1 F`, the force, normal and tangential part together. MARK keeps the columns that begin with it.
 Numbers in the file have four bytes, so they are good to 6e-8. Units are those of the deck.
 """
@@ -106,6 +107,19 @@ def read(path):
     return ["time"] + [name for names in blocks for name in names], rows
 
 
+def forces_of_impulses(names, rows):
+    """Divides the growth of each impulse by that of the time."""
+    for i, name in enumerate(names):
+        kind, variable = name.split(" ")[0], name.rsplit(" ", 1)[-1]
+        if not (kind in ("INTER", "RWALL") and variable[:2] in ("FN", "FT") or kind == "RBODY" and variable[0] in "FM" and variable != "MASS"):
+            continue
+        before, last = 0.0, rows[0][0]
+        for row in rows:
+            impulse, step = row[i], row[0] - last
+            row[i] = (impulse - before) / step if step > 0.0 else 0.0
+            before, last = impulse, row[0]
+
+
 def add_magnitudes(names, rows):
     """Columns of the lengths of vectors, whose components are sums of columns."""
     at = {name: i for i, name in enumerate(names)}
@@ -121,16 +135,15 @@ def add_magnitudes(names, rows):
 def main():
     path, marks = sys.argv[1], tuple(sys.argv[2:])
     names, rows = read(path)
+    rows = [row for i, row in enumerate(rows) if i == 0 or row[0] > rows[i - 1][0]]  # the last state may be there twice
+    forces_of_impulses(names, rows)
     add_magnitudes(names, rows)
     kept = [i for i, name in enumerate(names) if i == 0 or not marks or name.startswith(marks)]
     if len(kept) < 2 or len(rows) < 2:
         sys.exit(f"{path}: has {len(rows)} states and the columns {', '.join(names)}")
     print(",".join(names[i] for i in kept))
-    last = None
     for row in rows:
-        if row[0] != last:  # the last state may be there twice
-            print(",".join(f"{row[i]:.9g}" for i in kept))
-        last = row[0]
+        print(",".join(f"{row[i]:.9g}" for i in kept))
 
 
 if __name__ == "__main__":
