@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # shellcheck shell=bash
-# Shared by the plot scripts (sourced): panels of pendulum angle, acceleration of its centre of gravity and bag
-# pressure against time (those that the scene has), for one or two result folders, by the style sheet charts/style.gp.
+# Shared by the plot scripts (sourced): panels of pendulum angle, acceleration of its centre of gravity (filtered, where the table
+# has it) and bag pressure against time (those that the scene has), for one or two result folders, by the style sheet charts/style.gp.
 
 export LC_ALL=C.UTF-8 # numbers with a decimal point, wherever the user is
 
@@ -16,6 +16,7 @@ fail() {
 # column of the result table | factor to the plot's unit | axis label
 panels=(
   "pendulum_angle_rad|180/pi|Pendulum angle [°]"
+  "pendulum_cg_acceleration_cfc180_m_s2|1|Acceleration of c.g., CFC 180 [m/s²]"
   "pendulum_cg_acceleration_m_s2|1|Acceleration of c.g. [m/s²]"
   "pressure_Pa|1e-3|Pressure [kPa]"
 )
@@ -50,10 +51,13 @@ shown_panels() {
     require_whole "$folder/$table"
     has_column "$folder/$table" time_s || fail "$folder/$table: no column time_s"
   done
+  local filtered=''
   for panel in "${panels[@]}"; do
+    [[ $filtered && $panel == pendulum_cg_acceleration_m_s2* ]] && continue
     for folder in "$@"; do
       has_column "$folder/$table" "${panel%%|*}$suffix" || continue 2
     done
+    [[ $panel == *_cfc180_* ]] && filtered=1
     echo "$panel"
   done
 }

@@ -1,8 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
 # Draws what words say poorly, as SVG in docs/figures: the two jets with their profiles and the hidden elements (by (J.3) to
-# (J.5)), and the pendulum test with dimensions from its case file. usage: python3 scripts/figures/draw_concepts.py
+# (J.5)), the pendulum test with dimensions from its case file, the balance of the gas, and the passenger bag. GASJET names another
+# binary than build/gasjet. usage: python3 scripts/figures/draw_concepts.py
+import json
 import math
 import os
+import subprocess
+import tempfile
 import tomllib
 
 ROOT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..")
@@ -20,6 +24,11 @@ class Drawing:
         self.parts.append(
             f'<path d="M{steps}{" Z" if closed else ""}" stroke="{stroke}" fill="{fill}" stroke-width="{width}"{dashes}/>'
         )
+
+    def polygons(self, outlines, stroke, fill, width):
+        """Many as one path."""
+        steps = "".join("M" + "L".join(f"{x:.1f} {y:.1f}" for x, y in points) + "Z" for points in outlines)
+        self.parts.append(f'<path d="{steps}" stroke="{stroke}" fill="{fill}" stroke-width="{width}"/>')
 
     def circle(self, x, y, radius, fill, stroke=INK):
         self.parts.append(f'<circle cx="{x:.1f}" cy="{y:.1f}" r="{radius:.1f}" fill="{fill}" stroke="{stroke}"/>')
@@ -196,6 +205,114 @@ def test_setup():
     drawing.write("test_setup")
 
 
+def control_volume():
+    """What crosses the boundary of the gas, with the equations' tags (G.6) to (G.11)."""
+    drawing = Drawing(1120, 360)
+    drawing.text(24, 32, "The gas of a bag: what comes in and what leaves", size=18)
+    cx, cy, rx, ry = 530, 200, 180, 118
+    ring = [(cx + rx * math.cos(t * math.pi / 60), cy + ry * math.sin(t * math.pi / 60)) for t in range(120)]
+    drawing.path(ring, INK, PALE, 2.5, closed=True)
+    drawing.text(cx, cy - 34, "uniform gas", "middle", size=15, weight="bold")
+    drawing.text(cx, cy - 10, "p, T, V; masses of the species; energy", "middle")
+    drawing.text(cx, cy + 24, "work p dV/dt as the skin moves (G.9)", "middle", QUIET)
+    drawing.text(cx, cy + ry + 28, "outside: ambient gas, p_a and T_a, with a composition of its own", "middle", QUIET, 12)
+
+    def on_ring(degrees, reach=1.0):
+        turn = math.radians(degrees)
+        return (cx + reach * rx * math.cos(turn), cy - reach * ry * math.sin(turn))
+
+    # name, place on the ring, whether it comes in, colour, where the words stand
+    flows = [
+        ("inflators: mass flow and temperature by time,", "fired by sensors; the jet leaves one of them", 180, True, BLUE, "end"),
+        ("vents: isentropic hole, sonic or subsonic (G.6),", "fixed, by time, by pressure, or opened by sensors", 32, False, VERMILION, "start"),
+        ("fabric: porous skin (G.7), or a measured table (G.12)", "", 0, False, VERMILION, "start"),
+        ("backflow of ambient gas through vents", "while p is below p_a", 328, True, BLUE, "start"),
+        ("heat through the skin (G.11)", "", 212, False, QUIET, "end"),
+    ]
+    for first, second, degrees, comes_in, colour, anchor in flows:
+        near, far = on_ring(degrees, 0.93), on_ring(degrees, 1.22)
+        start, end = (far, near) if comes_in else (near, far)
+        drawing.arrow(*start, *end, colour, width=2.4)
+        x = far[0] + (8 if anchor == "start" else -8)
+        drawing.text(x, far[1] + (0 if second else 5), first, anchor, size=12)
+        if second:
+            drawing.text(x, far[1] + 16, second, anchor, size=12)
+    drawing.write("control_volume")
+
+
+def read_obj(path):
+    """Nodes, and triangles with the name of their group."""
+    nodes, triangles, group = [], [], ""
+    with open(path, encoding="utf-8") as file:
+        for line in file:
+            words = line.split()
+            if not words:
+                continue
+            if words[0] == "v":
+                nodes.append([float(word) for word in words[1:4]])
+            elif words[0] == "g":
+                group = words[1]
+            elif words[0] == "f":
+                triangles.append(([int(word.split("/")[0]) - 1 for word in words[1:4]], group))
+    return nodes, triangles
+
+
+def straps_of(case):
+    """Pairs of node numbers, from the head of the frames of a short run."""
+    gasjet = os.environ.get("GASJET", os.path.join(ROOT, "build/gasjet"))
+    with tempfile.TemporaryDirectory() as folder:
+        options = ["--set", "scene.end_time=1e-5", "--quiet", "--out", folder]
+        subprocess.run([gasjet, "run", os.path.join(ROOT, case), *options], check=True, stderr=subprocess.DEVNULL)
+        with open(os.path.join(folder, "frames.bin"), "rb") as file:
+            return json.loads(file.readline())["straps"]
+
+
+def passenger_bag():
+    nodes, triangles = read_obj(os.path.join(ROOT, "cases/reference/passenger_jet.obj"))
+    drawing = Drawing(900, 560)
+    drawing.text(24, 32, "The passenger bag as cut: panels, straps and vent", size=18)
+    turn, tilt, scale = math.radians(128), math.radians(22), 540
+    across = (math.cos(turn), math.sin(turn))  # of the page's right in x, y
+
+    def place(point):
+        x, y, z = point
+        depth = x * across[1] - y * across[0]
+        return (340 + scale * (x * across[0] + y * across[1]), 268 - scale * (z * math.cos(tilt) - depth * math.sin(tilt)))
+
+    def faces_us(corners):
+        (ax, ay), (bx, by), (cx, cy) = (place(nodes[n]) for n in corners)
+        return (bx - ax) * (cy - ay) - (cx - ax) * (by - ay) < 0  # the page's y goes down
+
+    # The bag is convex as cut: of what faces us nothing hides anything.
+    colours = {"main": PALE, "side_left": "#cfe6d8", "side_right": "#cfe6d8", "attachment": "#bdbdbd", "vent": VERMILION}
+    for panel, colour in colours.items():
+        seen = [[place(nodes[n]) for n in corners] for corners, group in triangles if group == panel and faces_us(corners)]
+        drawing.polygons(seen, "#5f7f94", colour, 0.35)
+
+    for ends in straps_of("cases/passenger_pendulum.toml"):
+        ends = [place(nodes[n]) for n in ends]
+        drawing.path(ends, VERMILION, width=2.2, dash="7 4")
+        for end in ends:
+            drawing.circle(*end, 3.5, VERMILION, VERMILION)
+    words = [
+        ("main panel, once round", PALE),
+        ("two side panels", "#cfe6d8"),
+        ("attachment, fixed to the plate (behind)", "#bdbdbd"),
+        ("vent, in the right-hand side", VERMILION),
+    ]
+    for i, (line, colour) in enumerate(words):
+        drawing.path([(560, 120 + 26 * i), (584, 120 + 26 * i), (584, 134 + 26 * i), (560, 134 + 26 * i)], INK, colour, 0.8, closed=True)
+        drawing.text(594, 132 + 26 * i, line)
+    drawing.path([(560, 232), (584, 232)], VERMILION, width=2.2, dash="7 4")
+    drawing.text(594, 237, "straps, inside")
+    size = [max(node[c] for node in nodes) - min(node[c] for node in nodes) for c in range(3)]
+    drawing.text(560, 274, f"{len(triangles)} elements, {len(nodes)} nodes")
+    drawing.text(560, 294, f"{1e3 * size[0]:.0f} × {1e3 * size[1]:.0f} × {1e3 * size[2]:.0f} mm as cut, 120 l")
+    drawing.write("passenger_bag")
+
+
 jets()
 hidden_elements()
 test_setup()
+control_volume()
+passenger_bag()

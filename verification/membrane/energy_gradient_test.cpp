@@ -53,6 +53,24 @@ TEST(EnergyGradient, scenes_hold_taut_wrinkled_and_slack_elements) {
   EXPECT_GT(all.slack, 0);
 }
 
+TEST(EnergyGradient, largest_strains_are_those_of_the_responses) {
+  const auto mesh = membrane::icosphere(0.3, 1);
+  auto description = scenes::describe(mesh, Compression::none);
+  description.properties[5] = {};
+  description.properties[5].null_panel = true;
+  const auto model = make_model(description);
+  const auto state = scenes::evaluated(model, scenes::shaken(1.1 * mesh.nodes, 0.03, 8));
+  std::vector<double> strains(static_cast<std::size_t>(model.element_count), -1.0);
+  largest_strains(model, state, strains);
+  EXPECT_EQ(strains[5], 0.0);
+  for (int e = 0; e < model.element_count; ++e)
+    EXPECT_NEAR(strains[static_cast<std::size_t>(e)], element_response(model, state, e).response.strain_1,
+                1e-15);
+  EXPECT_GT(*std::ranges::max_element(strains), 0.1);
+  strains.pop_back();
+  EXPECT_THROW(largest_strains(model, state, strains), std::invalid_argument);
+}
+
 TEST(EnergyGradient, null_elements_bear_pressure_only) {
   const auto mesh = membrane::icosphere(0.3, 1);
   auto description = scenes::describe(mesh, Compression::linear);

@@ -3,12 +3,18 @@
 #pragma once
 
 #include <span>
+#include <string>
 #include <vector>
 
 namespace driver {
 
 /// Channel class of an impactor's acceleration [Hz]: 49 CFR 572.200 (g)(5).
 inline constexpr double impactor_channel_class = 180.0;
+
+/// Classes [Hz] of the columns that ensembles have beside the acceleration of the centre of gravity.
+inline constexpr int column_channel_classes[] = {60, 180};
+/// Name of such a column [m/s2].
+std::string filtered_column(int channel_class);
 
 /// Filtered samples (K.22): four-pole phaseless Butterworth low-pass of SAE J211-1, appendix C, a two-pole
 /// filter run forward and backward. `channel_class` [Hz] is the CFC. The gain is 0.707 near 1.65 CFC, and

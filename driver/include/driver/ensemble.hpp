@@ -34,7 +34,8 @@ struct Statistics {
 };
 Statistics statistics(const std::vector<double>& values);
 
-/// One row of the mean history: time, then statistics of each column of the scene's history.
+/// One row of the mean history: time, then statistics of each column of the scene's history and of the
+/// filtered accelerations of a pendulum.
 struct EnsembleRow {
   double time_s = 0.0;
   std::vector<Statistics> values;

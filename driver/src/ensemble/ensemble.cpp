@@ -28,13 +28,13 @@ double interpolate(const std::vector<std::vector<double>>& rows, double time, st
 }
 
 void collect_rows(const Scene& scene, const std::vector<const Member*>& members, EnsembleResult& result) {
-  const auto columns = history_columns(scene);
-  for (std::size_t c = 1; c < columns.size(); ++c) result.columns.push_back(columns[c].name);
+  const auto names = row_names(scene);
+  result.columns.assign(names.begin() + 1, names.end());
   const auto count = static_cast<long>(std::llround(scene.time.end / scene.output.history_every));
   std::vector<double> values(members.size());
   for (long i = 0; i <= count; ++i) {
     EnsembleRow row{std::min(scene.time.end, static_cast<double>(i) * scene.output.history_every), {}};
-    for (std::size_t c = 1; c < columns.size(); ++c) {
+    for (std::size_t c = 1; c < names.size(); ++c) {
       for (std::size_t m = 0; m < members.size(); ++m)
         values[m] = interpolate(members[m]->rows, row.time_s, c);
       row.values.push_back(statistics(values));

@@ -49,6 +49,16 @@ constexpr Quantity kQuantities[] = {
 };
 // clang-format on
 
+// Puts the filtered accelerations behind each row; `places` are those of the rows in the signal.
+void append_filtered(std::vector<std::vector<double>>& rows, Signal signal,
+                     const std::vector<std::size_t>& places) {
+  for (const int channel_class : column_channel_classes) {
+    const std::vector<double> values = signal.time.size() < 2 ? std::vector<double>(signal.time.size())
+                                                              : filtered_resultant(signal, channel_class);
+    for (std::size_t i = 0; i < rows.size(); ++i) rows[i].push_back(values[places[i]]);
+  }
+}
+
 // Over the time, the first column.
 double integral(const std::vector<std::vector<double>>& rows, std::size_t at) {
   double sum = 0.0;
@@ -63,6 +73,14 @@ std::vector<std::string> quantity_names(const Scene& scene) {
   std::vector<std::string> names;
   for (const Quantity& quantity : kQuantities)
     if (quantity.when(scene)) names.emplace_back(quantity.name);
+  return names;
+}
+
+std::vector<std::string> row_names(const Scene& scene) {
+  std::vector<std::string> names;
+  for (const auto& column : history_columns(scene)) names.push_back(column.name);
+  if (scene.pendulum)
+    for (const int channel_class : column_channel_classes) names.push_back(filtered_column(channel_class));
   return names;
 }
 
@@ -82,15 +100,18 @@ Member run_member(const Scene& scene) {
   PlanarSignal acceleration;
   double level = 0.0;  // [s] time of the level that the sink sees
   const auto columns = history_columns(scene);
+  std::vector<std::size_t> places;
   member.outcome = run_scene(scene, state, [&](bool recorded, const State& now) {
     if (recorded) member.rows.push_back(row(columns, scene, now));
     if (!now.pendulum) return;
+    if (recorded) places.push_back(acceleration.time.size());
     acceleration.time.push_back(level);
     acceleration.first.push_back(now.pendulum->acceleration.tangential);
     acceleration.second.push_back(now.pendulum->acceleration.radial);
     level += now.step.after;
   });
   member.cpu_seconds = thread_cpu_seconds() - start;
+  if (state.pendulum) append_filtered(member.rows, acceleration, places);
   member.steps = state.steps;
   for (const Quantity& quantity : kQuantities)
     if (quantity.when(scene)) member.quantities.push_back(quantity.value(state, acceleration));

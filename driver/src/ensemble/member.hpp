@@ -14,8 +14,11 @@ namespace driver {
 /// Names of what a run of the scene says in one number each, with units.
 std::vector<std::string> quantity_names(const Scene& scene);
 
+/// Columns of a run's rows: those of the history and, behind them, the filtered ones of a pendulum.
+std::vector<std::string> row_names(const Scene& scene);
+
 struct Member {
-  std::vector<std::vector<double>> rows;  // of history_columns
+  std::vector<std::vector<double>> rows;  // of row_names
   RunOutcome outcome;
   std::vector<std::optional<double>> quantities;  // of quantity_names; none: of an event that did not occur
   long steps = 0;

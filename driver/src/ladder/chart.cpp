@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The chart of a ladder, by gnuplot.
+// The chart of a ladder, by gnuplot; colours and lines are those of scripts/charts/style.gp.
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <spawn.h>
@@ -25,26 +25,29 @@ namespace {
 // Data blocks $rungs (cost, error, low, high), $front (cost, error, place), $named (cost, error) and the
 // numbers `tolerance` and `uncertainty` stand before it; errors in per cent of the reference.
 constexpr std::string_view commands = R"(
-set terminal svg size 900,560 font 'sans,12' background 'white' noenhanced
+set terminal svg size 900,560 font 'sans-serif,13' background '#ffffff' noenhanced
 set output 'ladder.svg'
-set border 3
+set encoding utf8
+set border 3 linecolor rgb '#222222'
 set tics nomirror
+set grid linecolor rgb '#c8c8c8' linewidth 0.5 dashtype 3
 set logscale xy
 set format xy '%g'
-set rmargin 32
+set rmargin 36
 set offsets graph 0.05, graph 0.05, 0, 0
 set xlabel 'CPU time of a run [s]'
-set label 1 'on the front, the cheapest first' at graph 1.03, graph 0.98
-set label 2 list at graph 1.03, graph 0.92 font ',10'
-set key bottom left at graph 1.03, graph 0.02 Left reverse samplen 2 font ',10'
+set label 1 'none is cheaper and as good:' at graph 1.03, graph 0.98
+set label 2 list at graph 1.03, graph 0.92 font ',11'
+set key bottom left at graph 1.03, graph 0.02 Left reverse samplen 2 font ',11'
 set style fill solid 1 noborder
-plot (uncertainty > 0 ? uncertainty : NaN) with filledcurves y1=1e-30 fillcolor 'gray90' \
+plot (uncertainty > 0 ? uncertainty : NaN) with filledcurves y1=1e-30 fillcolor rgb '#dddddd' \
     title 'uncertainty of the reference', \
-  tolerance with lines linecolor 'black' dashtype 2 title 'tolerance', \
-  $rungs using 1:2:3:4 with yerrorbars linecolor 'gray50' pointtype 6 title 'rung, ± 2 s.e.', \
-  $front using 1:2 with points linecolor 'black' pointtype 7 title 'on the front', \
-  $named using 1:2 with points linecolor 'black' pointtype 6 pointsize 2 title 'the cheapest within', \
-  $front using 1:2:3 with labels offset 1.2,0.8 font ',10' notitle
+  tolerance with lines linecolor rgb '#222222' linewidth 1.6 dashtype 2 title 'tolerance', \
+  $rungs using 1:2:3:4 with yerrorbars linecolor rgb '#767676' pointtype 6 title 'rung, ± 2 s.e.', \
+  $front using 1:2 with points linecolor rgb '#0072b2' pointtype 7 title 'none is cheaper and as good', \
+  $named using 1:2 with points linecolor rgb '#d55e00' linewidth 2 pointtype 6 pointsize 2 \
+    title 'the cheapest within the tolerance', \
+  $front using 1:2:3 with labels textcolor rgb '#0072b2' offset 1.2,0.8 font ',11' notitle
 )";
 
 std::string block(const char* name, const std::string& rows) {

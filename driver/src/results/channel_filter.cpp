@@ -51,6 +51,10 @@ std::vector<double> resample(const std::vector<double>& time, const std::vector<
 
 }  // namespace
 
+std::string filtered_column(int channel_class) {
+  return fmt::format("pendulum_cg_acceleration_cfc{}_m_s2", channel_class);
+}
+
 std::vector<double> channel_filter(std::span<const double> samples, double interval, double channel_class) {
   if (!(std::isfinite(channel_class) && channel_class > 0.0))
     throw std::invalid_argument(fmt::format("channel_class = {}: must be a number above 0", channel_class));

@@ -79,31 +79,30 @@ Json header(const Scene& scene) {
   return json;
 }
 
-template <typename Number>
-void append(std::string& out, Number number) {
-  char bytes[sizeof number];
-  std::memcpy(bytes, &number, sizeof number);
-  out.append(bytes, sizeof number);
-}
+/// The bytes of a frame, filled from the front.
+class Bytes {
+ public:
+  explicit Bytes(std::size_t size) : bytes_(size, '\0') {}
+  template <typename Number>
+  void put(Number number) {
+    std::memcpy(bytes_.data() + at_, &number, sizeof number);
+    at_ += sizeof number;
+  }
+  /// (value - low) / step of each, rounded.
+  template <typename Value>
+  void put_steps(std::size_t count, double low, double step, const Value& value) {
+    const double scale = step > 0.0 ? 1.0 / step : 0.0;
+    for (std::size_t i = 0; i < count; ++i) put(static_cast<std::uint16_t>((value(i) - low) * scale + 0.5));
+  }
+  const std::string& all() const { return bytes_; }
 
-// Appends (value - low) / step of each, rounded.
-template <typename Value>
-void append_steps(std::string& out, std::size_t count, double low, double step, const Value& value) {
-  const double scale = step > 0.0 ? 1.0 / step : 0.0;
-  for (std::size_t i = 0; i < count; ++i)
-    append(out, static_cast<std::uint16_t>((value(i) - low) * scale + 0.5));
-}
+ private:
+  std::string bytes_;
+  std::size_t at_ = 0;
+};
 
 double step_of(std::span<const double> values) {
   return values.empty() ? 0.0 : *std::ranges::max_element(values) / kTop;
-}
-
-std::vector<double> larger_strains(const membrane::BagModel& model, const membrane::BagState& bag) {
-  std::vector<double> strains;
-  strains.reserve(static_cast<std::size_t>(model.element_count));
-  for (int e = 0; e < model.element_count; ++e)
-    strains.push_back(membrane::element_response(model, bag, e).response.strain_1);
-  return strains;
 }
 
 }  // namespace
@@ -121,7 +120,8 @@ void FrameWriter::write(const State& state) {
   const auto elements = static_cast<std::size_t>(scene_.bag->model.element_count);
   const Eigen::Vector3d low = position.rowwise().minCoeff(), high = position.rowwise().maxCoeff();
   const double step = (high - low).maxCoeff() / kTop;
-  const std::vector<double> strain = larger_strains(scene_.bag->model, *state.bag);
+  std::vector<double> strain(elements);
+  membrane::largest_strains(scene_.bag->model, *state.bag, strain);
   const auto [least, largest] = std::ranges::minmax(strain);
   const double strain_step = (largest - least) / kTop;
   const JetLoads jets = jet_loads(state, elements);
@@ -129,23 +129,22 @@ void FrameWriter::write(const State& state) {
   for (std::size_t n = 0; n < nodes; ++n) speed[n] = velocity.col(static_cast<Eigen::Index>(n)).norm();
   const Eigen::Vector3d impactor = state.pendulum ? state.pendulum->centre : Eigen::Vector3d::Zero();
   const double gauge = state.gas_point.pressure - scene_.ambient.pressure;
-  std::string out;
+  const double speed_step = step_of(speed), jet_step = step_of(jets.overpressure);
+  Bytes out(frame_bytes(std::size(kScalars) + state.jets.size(), nodes, elements));
   for (const double number : {state.time, gauge, low.x(), low.y(), low.z(), step, impactor.x(), impactor.y(),
-                              impactor.z(), step_of(speed), step_of(jets.overpressure), least, strain_step})
-    append(out, number);
-  for (const JetRun& run : state.jets) append(out, run.outlet.velocity);
-  for (std::size_t n = 0; n < nodes; ++n)
-    append_steps(out, 3, 0.0, step, [&](std::size_t c) {
+                              impactor.z(), speed_step, jet_step, least, strain_step})
+    out.put(number);
+  for (const JetRun& run : state.jets) out.put(run.outlet.velocity);
+  for (Eigen::Index n = 0; n < position.cols(); ++n)
+    out.put_steps(3, 0.0, step, [&](std::size_t c) {
       const auto axis = static_cast<Eigen::Index>(c);
-      return position(axis, static_cast<Eigen::Index>(n)) - low(axis);
+      return position(axis, n) - low(axis);
     });
-  append_steps(out, nodes, 0.0, step_of(speed), [&](std::size_t n) { return speed[n]; });
-  append_steps(out, elements, 0.0, step_of(jets.overpressure),
-               [&](std::size_t e) { return jets.overpressure[e]; });
-  append_steps(out, elements, least, strain_step, [&](std::size_t e) { return strain[e]; });
-  out.append(reinterpret_cast<const char*>(jets.mask.data()), elements);
-  out.resize(frame_bytes(std::size(kScalars) + state.jets.size(), nodes, elements));
-  stream_.write(out.data(), static_cast<std::streamsize>(out.size())).flush();
+  out.put_steps(nodes, 0.0, speed_step, [&](std::size_t n) { return speed[n]; });
+  out.put_steps(elements, 0.0, jet_step, [&](std::size_t e) { return jets.overpressure[e]; });
+  out.put_steps(elements, least, strain_step, [&](std::size_t e) { return strain[e]; });
+  for (const auto lit : jets.mask) out.put(lit);
+  stream_.write(out.all().data(), static_cast<std::streamsize>(out.all().size())).flush();
   if (!stream_) throw WriteError(fmt::format("{}: write failed (disk full?)", file_.string()));
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <span>
+
 #include "membrane/bag_model.hpp"
 #include "membrane/bag_state.hpp"
 
@@ -46,6 +48,10 @@ struct ElementResponse {
 /// Response of an element, without pressure and supports. Throws std::invalid_argument for an element number
 /// out of range.
 ElementResponse element_response(const BagModel& model, const BagState& state, int element);
+
+/// Largest principal Green-Lagrange strain [-] of each element; 0 for null elements. `strains` has a place for
+/// each. Throws std::invalid_argument for another size.
+void largest_strains(const BagModel& model, const BagState& state, std::span<double> strains);
 
 /// Element with the largest bound of omega^2, which governs the step.
 int governing_element(const BagModel& model, const BagState& state);
