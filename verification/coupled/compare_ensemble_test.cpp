@@ -6,7 +6,10 @@
 #include <cmath>
 #include <random>
 
+#include "driver/channel_filter.hpp"
 #include "driver/compare.hpp"
+#include "driver/ensemble.hpp"
+#include "run_case.hpp"
 
 namespace {
 
@@ -54,6 +57,53 @@ void expect_limit(int runs, int reference_runs, double student, double student_o
   EXPECT_EQ(driver::compare(ramp(limit * (1.0 + 1e-6), runs), reference).verdict, Verdict::outside);
   ASSERT_TRUE(below.quantities[0].seen);
   EXPECT_NEAR(*below.quantities[0].seen * 1000.0, limit + student_of_power * error, 1e-6 * limit);
+}
+
+// A blow of 20 ms beside a swing: what a filter takes off and what it lets through.
+History blow(double interval) {
+  History history;
+  history.columns = {{"pendulum_cg_tangential_m_s2", {}}, {"pendulum_cg_radial_m_s2", {}}};
+  for (int i = 0; i * interval <= 0.1; ++i) {
+    const double t = i * interval;
+    history.time.push_back(t);
+    history.columns[0].second.push_back(t > 0.03 && t < 0.05 ? 200.0 + 90.0 * std::sin(6000.0 * t) : 0.0);
+    history.columns[1].second.push_back(10.0 + 50.0 * t);
+  }
+  return history;
+}
+
+TEST(compare_ensemble, run_is_filtered_as_the_reference_is) {
+  const History mine = blow(1e-4);
+  History reference{mine.time, {}};
+  for (const int channel_class : {60, 180}) {
+    auto values = driver::filtered_resultant({mine.time, mine.columns[0].second, mine.columns[1].second},
+                                             channel_class);
+    const auto name = driver::filtered_column(channel_class);
+    reference.columns.emplace_back(name, values);
+    reference.columns.emplace_back(name + "_band", std::vector<double>(values.size(), 1e-9));
+  }
+  EXPECT_EQ(driver::compare(mine, reference).verdict, Verdict::inside);
+  reference.columns[2].second[400] *= 1.0 + 1e-6;
+  EXPECT_EQ(driver::compare(mine, reference).verdict, Verdict::outside);
+  // Rows that are too few for the class do not stand for the filtered signal.
+  const Difference coarse = driver::compare(blow(1e-3), reference, {"pendulum_cg_acceleration_cfc180_m_s2"});
+  EXPECT_NE(coarse.verdict, Verdict::inside);
+  EXPECT_NE(coarse.verdict, Verdict::outside);
+}
+
+TEST(compare_ensemble, rows_of_an_ensemble_end_with_the_filtered_acceleration) {
+  driver::EnsembleOptions one;
+  one.runs = 1;
+  one.quiet = true;
+  const auto result =
+      driver::run_ensemble(coupled::case_file("passenger_sharp"), {"scene.end_time=0.03"}, one);
+  ASSERT_EQ(result.columns.back(), driver::filtered_column(180));
+  ASSERT_FALSE(result.rows.empty());
+  double largest = 0.0;
+  for (const auto& row : result.rows) largest = std::max(largest, row.values.back().mean);
+  const double peak = result.quantities.at("peak_cg_acceleration_cfc180_m_s2").front();
+  EXPECT_LE(largest, peak * (1.0 + 1e-12));
+  EXPECT_GT(largest, 0.99 * peak);  // rows are every 0.1 ms
 }
 
 TEST(compare_ensemble, limit_of_a_run_eq_quantile_of_2_degrees) {
