@@ -160,6 +160,8 @@ def test_compared(page):
 def test_others(page):
     look(page, "ensemble.html")
     check("bands of the mean", page.run("Chart.all[0].series[0].low.filter((v, i) => v < Chart.all[0].series[0].value[i]).length") > 10)
+    check("single runs are thin lines", page.run("Chart.all[0].svg.querySelectorAll('polyline.single').length") == 2 * page.run("Chart.all[0].series.length"))
+    check("single runs lie about the mean", page.run("(s => { const [a, b] = s.singles.map(v => v[v.length - 1]), m = s.value[s.value.length - 1]; return Math.abs((a + b) / 2 - m) <= 1e-5 * Math.abs(m); })(Chart.all[0].series[0])"))
     check("single runs are dots", page.run("document.querySelectorAll('svg.strip')[0].querySelectorAll('circle').length") == 2)
     look(page, "ladder.html")
     check("rungs are drawn", page.run("document.querySelectorAll('#charts circle').length") >= 2)

@@ -41,9 +41,17 @@ struct EnsembleRow {
   std::vector<Statistics> values;
 };
 
+/// Columns of one run at some of the rows, for pictures.
+struct SingleRun {
+  int seed = 0;
+  std::vector<std::vector<double>> rows;  // of the columns, without time
+};
+
 struct EnsembleResult {
   std::vector<std::string> columns;  // of the history, without time
   std::vector<EnsembleRow> rows;     // at multiples of the history interval
+  std::vector<SingleRun> singles;    // the first of them, 16 at most
+  std::size_t singles_every = 1;     // row of the means, 201 at most
   std::map<std::string, std::vector<double>>
       quantities;                     // one value a run: first contact, final angle, peaks
   std::vector<std::string> failures;  // of runs that left their domain or were inaccurate: in no mean
@@ -62,7 +70,7 @@ EnsembleResult run_ensemble(const std::filesystem::path& file, const std::vector
                             const EnsembleOptions& options, ResultFolder* folder = nullptr);
 
 /// ensemble.csv (time, mean and standard error of each column), quantities.csv (one row a quantity) and
-/// ensemble.json (the same with the value of each run, and failures). Each says how many of the runs had
+/// ensemble.json (the same with the value of each run, and failures), runs.csv (single runs). Each says how many of the runs had
 /// ended. Throws WriteError.
 void write_ensemble(ResultFolder& folder, const EnsembleResult& result);
 

@@ -43,6 +43,23 @@ void collect_rows(const Scene& scene, const std::vector<const Member*>& members,
   }
 }
 
+constexpr std::size_t most_singles = 16, most_single_rows = 201;
+
+void collect_singles(const std::vector<std::pair<int, const Member*>>& runs, EnsembleResult& result) {
+  const std::size_t count = result.rows.size();
+  result.singles_every = std::max<std::size_t>(1, (count + most_single_rows - 3) / (most_single_rows - 1));
+  for (const auto& [seed, member] : runs) {
+    if (result.singles.size() == most_singles) return;
+    SingleRun& single = result.singles.emplace_back();
+    single.seed = seed;
+    for (std::size_t i = 0; i < count; i += result.singles_every) {
+      auto& row = single.rows.emplace_back();
+      for (std::size_t c = 1; c <= result.columns.size(); ++c)
+        row.push_back(interpolate(member->rows, result.rows[i].time_s, c));
+    }
+  }
+}
+
 void collect_quantities(const Scene& scene, const std::vector<const Member*>& members,
                         EnsembleResult& result) {
   const auto names = quantity_names(scene);
@@ -116,16 +133,21 @@ EnsembleResult run_ensemble(const std::filesystem::path& file, const std::vector
   EnsembleResult result;
   result.asked = options.runs;
   std::vector<const Member*> complete;
-  for (const Member& m : members) {
+  std::vector<std::pair<int, const Member*>> seeds;
+  for (std::size_t i = 0; i < members.size(); ++i) {
+    const Member& m = members[i];
     if (has_ended(m)) ++result.ended;
-    if (m.outcome.status == RunStatus::done && !m.rows.empty())
+    if (m.outcome.status == RunStatus::done && !m.rows.empty()) {
       complete.push_back(&m);
-    else if (!m.outcome.message.empty())
+      seeds.emplace_back(options.first_seed + static_cast<int>(i), &m);
+    } else if (!m.outcome.message.empty()) {
       result.failures.push_back(m.outcome.message);
+    }
     if (!m.outcome.warning.empty()) result.warnings.push_back(m.outcome.warning);
   }
   if (complete.empty()) return result;
   collect_rows(scene, complete, result);
+  collect_singles(seeds, result);
   collect_quantities(scene, complete, result);
   return result;
 }

@@ -21,6 +21,20 @@ std::string rows_text(const EnsembleResult& result) {
   return csv;
 }
 
+std::string singles_text(const EnsembleResult& result) {
+  std::string csv = "time_s";
+  for (const auto& single : result.singles)
+    for (const auto& name : result.columns) csv += fmt::format(",{}_run_{}", name, single.seed);
+  csv += '\n';
+  for (std::size_t i = 0; !result.singles.empty() && i < result.singles.front().rows.size(); ++i) {
+    csv += fmt::format("{}", result.rows[i * result.singles_every].time_s);
+    for (const auto& single : result.singles)
+      for (const double value : single.rows[i]) csv += fmt::format(",{:.6g}", value);
+    csv += '\n';
+  }
+  return csv;
+}
+
 std::string quantities_text(const EnsembleResult& result) {
   std::string table = "quantity,mean,standard_error,minimum,maximum,runs\n";
   for (const auto& [name, values] : result.quantities) {
@@ -66,6 +80,7 @@ void write_ensemble(ResultFolder& folder, const EnsembleResult& result) {
   const std::string head = comment_lines(lines);
   folder.write("ensemble.csv", head + rows_text(result));
   folder.write("quantities.csv", head + quantities_text(result));
+  folder.write("runs.csv", head + singles_text(result));
   folder.write("ensemble.json", json_text(folder, result));
 }
 

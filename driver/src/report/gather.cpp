@@ -138,6 +138,7 @@ Json gather_ensemble(const std::filesystem::path& folder, const ReportOptions& o
   Json ensemble = start(folder, "ensemble");
   const PageTable table = add_table(ensemble, "history", folder / "ensemble.csv", options);
   for (const auto& [key, value] : table.lines) ensemble["build"][key] = value;
+  if (has(folder, "runs.csv")) add_table(ensemble, "singles", folder / "runs.csv", options);
   const Json all = read_json(folder / "ensemble.json");
   ensemble["quantities"] = all.value("quantities", Json::object());
   int runs = 0;

@@ -45,7 +45,7 @@ const nearest = (times, t) => {
 const dashes = ["", "7 4", "2 3", "9 3 2 3"];
 const margin = { left: 58, right: 10, top: 6, bottom: 30 };
 
-// series: { name, result, time, value, text, low, high, colour, dash, filled }; values may be null (band only).
+// series: { name, result, time, value, text, low, high, singles, singlesTime, colour, dash, filled }; values may be null (band only).
 class Chart {
   constructor(place, { title, unit, series, zero = false, height = 190 }) {
     Object.assign(this, { title, unit, series, zero, height, time: null });
@@ -86,7 +86,7 @@ class Chart {
   range() {
     let low = this.zero ? 0 : Infinity, high = this.zero ? 0 : -Infinity, end = -Infinity, start = Infinity;
     for (const s of this.shown.length ? this.shown : this.series) {
-      for (const list of [s.value, s.low, s.high])
+      for (const list of [s.value, s.low, s.high, ...(s.singles ?? [])])
         if (list) for (const v of list) { if (v < low) low = v; if (v > high) high = v; }
       start = Math.min(start, s.time[0]);
       end = Math.max(end, s.time[s.time.length - 1]);
@@ -120,6 +120,8 @@ class Chart {
         const points = [...path(s.time, s.high), ...path(s.time, s.low).reverse()].join(" ");
         this.svg.append(drawn("polygon", { points, fill: colour, "fill-opacity": s.filled ? .55 : .25, stroke: "none" }));
       }
+      for (const values of s.singles ?? [])
+        this.svg.append(drawn("polyline", { class: "single", points: path(s.singlesTime, values).join(" "), fill: "none", stroke: colour, "stroke-width": 0.8, "stroke-opacity": 0.35 }));
       if (s.value) this.svg.append(drawn("polyline", { points: path(s.time, s.value).join(" "), fill: "none", stroke: colour, "stroke-width": s.bold ? 2.6 : 1.3, "stroke-dasharray": dashes[s.dash], "stroke-linejoin": "round" }));
     }
     this.mark = drawn("line", { class: "mark", y1: margin.top, y2: bottom, visibility: "hidden" });

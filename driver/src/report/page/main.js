@@ -33,7 +33,7 @@ const makeHead = () => {
   for (const r of data.results) {
     const s = r.summary, parts = [];
     if (r.kind === "run" && s) parts.push(`${s.scene}: ${s.status}${s.steps === undefined ? "" : `, ${s.steps} steps to ${s.time_end_s} s in ${short(s.wall_s)} s`}`);
-    if (r.kind === "ensemble") parts.push(`ensemble of ${r.runs} runs: mean, band of one standard error`);
+    if (r.kind === "ensemble") parts.push(`ensemble of ${r.runs} runs: mean, band of one standard error${r.singles ? ", single runs thin" : ""}`);
     if (r.kind === "ladder") parts.push(`ladder of ${split(r.ladder.quantity).name}: ${r.ladder.verdict}, cheapest within ${100 * r.ladder.tolerance} %: ${r.ladder.cheapest ?? "none"}`);
     if (r.build) parts.push(`case ${r.build.case ?? r.build.data ?? "unknown"}, gasjet ${r.build.version} (${r.build.commit})`);
     at("heads").append(element("div", { class: "small", textContent: `${r.label}: ${parts.join("; ")}` }));
@@ -149,7 +149,7 @@ const makeCharts = player => {
   const many = data.results.filter(r => r.history).length > 1, series = [];
   let dash = 0;
   for (const r of data.results) if (r.history) {
-    series.push(...seriesOf(r.history, many ? r.label : "", dash));
+    series.push(...seriesOf(r.history, many ? r.label : "", dash, r.singles));
     if (r.filtered) series.push(...seriesOf(r.filtered, many ? r.label : "", dash).map(s => ({ ...s, bold: true })));
     if (r.reference) series.push(...seriesOf(r.reference, "reference", 2));
     ++dash;

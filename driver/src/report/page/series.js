@@ -39,9 +39,11 @@ const companions = (column, all) => {
   return { base, low: has(`${quantity}_low${ending}`) && `${quantity}_low${ending}`, high: has(`${quantity}_high${ending}`) && `${quantity}_high${ending}`, error };
 };
 
-// Series of all columns of a table. `dash` tells results apart.
-const seriesOf = (table, result, dash) => {
+// Series of all columns of a table. `dash` tells results apart; `singles` is a table of single runs, COLUMN_run_SEED.
+const seriesOf = (table, result, dash, singles) => {
   const columns = read(table), time = columns.time_s, list = [];
+  const runs = singles ? read(singles) : {};
+  const singlesOf = base => Object.entries(runs).filter(([name]) => name.replace(/_run_\d+$/, "") === base && name !== base).map(([, { value }]) => value);
   for (const column of table.columns) {
     const own = companions(column, table.columns);
     if (!own) continue;
@@ -51,7 +53,7 @@ const seriesOf = (table, result, dash) => {
       column, unit, result, dash, name: column.endsWith("_reference") ? `${name}, reference` : name,
       time: time.value, timeText: time.text, value: columns[column].value, text: columns[column].text,
       low: error ? of(-1) : own.low ? columns[own.low].value : null, high: error ? of(1) : own.high ? columns[own.high].value : null,
-      error: error ? error.text : null,
+      error: error ? error.text : null, singles: singlesOf(own.base), singlesTime: runs.time_s?.value,
     });
   }
   return list;
