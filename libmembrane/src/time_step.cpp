@@ -115,12 +115,10 @@ void largest_strains(const BagModel& model, const BagState& state, std::span<dou
   if (std::ssize(strains) != model.element_count)
     reject("largest_strains", "strains", static_cast<double>(strains.size()), "one per element");
   for (int e = 0; e < model.element_count; ++e) {
-    const auto i = static_cast<std::size_t>(e);
-    strains[i] = 0.0;
-    if (model.description.properties[i].null_panel) continue;
     const PlaneStrain<double> strain = strain_of(model, state, e);
     const double mean = 0.5 * (strain.e11 + strain.e22), difference = 0.5 * (strain.e11 - strain.e22);
-    strains[i] = mean + std::sqrt(difference * difference + strain.e12 * strain.e12);
+    strains[static_cast<std::size_t>(e)] =
+        mean + std::sqrt(difference * difference + strain.e12 * strain.e12);
   }
 }
 

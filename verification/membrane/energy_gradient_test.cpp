@@ -62,7 +62,6 @@ TEST(EnergyGradient, largest_strains_are_those_of_the_responses) {
   const auto state = scenes::evaluated(model, scenes::shaken(1.1 * mesh.nodes, 0.03, 8));
   std::vector<double> strains(static_cast<std::size_t>(model.element_count), -1.0);
   largest_strains(model, state, strains);
-  EXPECT_EQ(strains[5], 0.0);
   for (int e = 0; e < model.element_count; ++e)
     EXPECT_NEAR(strains[static_cast<std::size_t>(e)], element_response(model, state, e).response.strain_1,
                 1e-15);

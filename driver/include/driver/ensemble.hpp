@@ -70,8 +70,8 @@ EnsembleResult run_ensemble(const std::filesystem::path& file, const std::vector
                             const EnsembleOptions& options, ResultFolder* folder = nullptr);
 
 /// ensemble.csv (time, mean and standard error of each column), quantities.csv (one row a quantity) and
-/// ensemble.json (the same with the value of each run, and failures), runs.csv (single runs). Each says how many of the runs had
-/// ended. Throws WriteError.
+/// ensemble.json (the same with the value of each run, and failures), runs.csv (single runs). Each says how
+/// many of the runs had ended. Throws WriteError.
 void write_ensemble(ResultFolder& folder, const EnsembleResult& result);
 
 /// "done", or "interrupted" before all runs had ended.

@@ -13,7 +13,8 @@
 namespace driver::commands {
 namespace {
 
-const std::vector<std::string> files_of_case{"ensemble.csv", "quantities.csv", "runs.csv", "ensemble.json", journal_file};
+const std::vector<std::string> files_of_case{"ensemble.csv", "quantities.csv", "runs.csv", "ensemble.json",
+                                             journal_file};
 
 void refuse_inputs_of(const std::filesystem::path& folder, const std::filesystem::path& file,
                       const std::vector<std::string>& overrides) {

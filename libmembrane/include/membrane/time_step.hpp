@@ -49,8 +49,8 @@ struct ElementResponse {
 /// out of range.
 ElementResponse element_response(const BagModel& model, const BagState& state, int element);
 
-/// Largest principal Green-Lagrange strain [-] of each element; 0 for null elements. `strains` has a place
-/// for each. Throws std::invalid_argument for another size.
+/// Largest principal Green-Lagrange strain [-] of each element. `strains` has a place for each. Throws
+/// std::invalid_argument for another size.
 void largest_strains(const BagModel& model, const BagState& state, std::span<double> strains);
 
 /// Element with the largest bound of omega^2, which governs the step.
