@@ -69,14 +69,19 @@ else
   trap 'rm -rf "$work"' EXIT
 fi
 
-# columns_of SCENE: names of the columns that have a band
-columns_of() { grep -v '^#' "$reference/$1.csv" | head -1 | tr -d '\r' | tr , '\n' | sed -n 's/_band$//p'; }
+# columns_of FILE...: a line `scene column` for each column that has a band
+columns_of() {
+  awk -F, '/^#/ { next }
+    { sub(/\r$/, ""); scene = FILENAME; gsub(/^.*\/|[.]csv$/, "", scene)
+      for (i = 1; i <= NF; i++) if (sub(/_band$/, "", $i)) print scene, $i
+      nextfile }' "$@"
+}
 
 # read_tolerances: the rows of --tolerances as lines `scene column share`, or what is wrong with the file
 read_tolerances() {
   [[ -f $tolerances && -r $tolerances ]] || fail "--tolerances $tolerances: no such file"
-  local name known
-  known=$(for name in "$reference"/*.csv; do name=$(basename "$name" .csv); columns_of "$name" | sed "s/^/$name /"; done)
+  local known
+  known=$(columns_of "$reference"/*.csv)
   awk -F, -v file="$tolerances" '
     function refuse(place, what) { rows = sprintf("%s:%d:%d: %s\n", file, line, place, what); bad = 1; exit }
     NR == FNR { split($0, part, " "); scene[part[1]]; column[part[2]]; pair[part[1], part[2]]; next }
@@ -98,11 +103,12 @@ if [[ -n $tolerances ]]; then rows=$(read_tolerances) || fail "$rows"; fi
 # tolerance_options SCENE: those of `gasjet compare`, one a line
 tolerance_options() {
   printf '%s\n' --tolerance "$tolerance"
-  columns_of "$1" | awk -v scene="$1" -v rows="$rows" '
+  [[ -n $rows ]] || return 0
+  columns_of "$reference/$1.csv" | awk -v rows="$rows" '
     BEGIN { n = split(rows, row, "\n") }
     { share = ""; for (i = 1; i <= n; i++) { split(row[i], part, " ")
-        if ((part[1] == scene || part[1] == "*") && (part[2] == $0 || part[2] == "*")) share = part[3] }
-      if (share != "") printf "--tolerance\n%s=%s\n", $0, share }'
+        if ((part[1] == $1 || part[1] == "*") && (part[2] == $2 || part[2] == "*")) share = part[3] }
+      if (share != "") printf "--tolerance\n%s=%s\n", $2, share }'
 }
 
 # scene_as_json SCENE: the case's settings, and what the reference asks for, in one object.

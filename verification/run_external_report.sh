@@ -16,36 +16,53 @@ columns_not_inside() {
   verdicts "$1" | awk -F'\t' '$2 != "inside" { line[++n] = "  " $2 ": " $1 ": " $3 } END { for (i = 1; n > 1 && i <= n; i++) print line[i] }'
 }
 
-json_text() { sed 's/\\/\\\\/g; s/"/\\"/g; s/\t/ /g' <<<"$1" | tr -d '\000-\011\013-\037' | awk '{ printf "%s%s", (NR > 1 ? "\\n" : "\""), $0 } END { printf "\"" }'; }
-xml_text() { sed 's/&/\&amp;/g; s/</\&lt;/g; s/>/\&gt;/g; s/"/\&quot;/g' <<<"$1" | tr -d '\000-\010\013-\037' | tr '\n' ' ' | sed 's/ $//'; }
+# escaped TEXT FROM TO...: sets `text` to TEXT with each FROM replaced. No process: texts are many.
+escaped() {
+  text=$1
+  shift
+  while (($#)); do
+    text=${text//"$1"/"$2"}
+    shift 2
+  done
+  text=${text//[[:cntrl:]]/}
+}
+json_text() { escaped "$1" '\' '\\' '"' '\"' $'\t' ' ' $'\n' '\n' && text="\"$text\""; }
+xml_text() { escaped "$1" '&' '&amp;' '<' '&lt;' '>' '&gt;' '"' '&quot;' $'\t' ' ' $'\n' ' '; }
 
 report_parts='' suites='' # JSON objects and <testsuite> elements, one for each scene
 
 # report_scene SCENE SECONDS STATUS REASON: status is judged, failed or `not done`
 report_scene() {
-  local comparison=null state=$3
+  local comparison=null state=$3 text
+  [[ -n $out ]] || return 0
   if [[ $state == judged ]]; then
     if [[ -s $work/$1.verdict.json ]]; then comparison=$(sed '2,$s/^/    /' "$work/$1.verdict.json"); else state=failed; fi
   fi
   [[ -z $report_parts ]] || report_parts+=$',\n'
-  report_parts+="    { \"scene\": \"$1\", \"status\": \"$state\", \"seconds\": $2, \"message\": $(json_text "$4"), \"comparison\": $comparison }"
+  json_text "$4"
+  report_parts+="    { \"scene\": \"$1\", \"status\": \"$state\", \"seconds\": $2, \"message\": $text, \"comparison\": $comparison }"
   suites+=$(junit_suite "$1" "$2" "$state" "$4")$'\n'
 }
 
 # junit_suite SCENE SECONDS STATUS REASON: a test for each judged column; one named `run` where nothing was judged
 junit_suite() {
-  local column verdict reason cases='' tests=0 failures=0 errors=0 skipped=0
+  local column verdict reason text cases='' tests=0 failures=0 errors=0 skipped=0
   case $3 in
     judged)
       while IFS=$'\t' read -r column verdict reason; do
         tests=$((tests + 1))
-        cases+="    <testcase classname=\"$1\" name=\"$(xml_text "$column")\""
+        xml_text "$column"
+        cases+="    <testcase classname=\"$1\" name=\"$text\""
         if [[ $verdict == inside ]]; then cases+=$'/>\n'; continue; fi
         failures=$((failures + 1))
-        cases+="><failure type=\"$verdict\" message=\"$(xml_text "$reason")\"/></testcase>"$'\n'
+        xml_text "$reason"
+        cases+="><failure type=\"$verdict\" message=\"$text\"/></testcase>"$'\n'
       done < <(verdicts "$1")
       ;;
-    failed) tests=1 errors=1 cases="    <testcase classname=\"$1\" name=\"run\"><error message=\"$(xml_text "$4")\"/></testcase>"$'\n' ;;
+    failed)
+      xml_text "$4"
+      tests=1 errors=1 cases="    <testcase classname=\"$1\" name=\"run\"><error message=\"$text\"/></testcase>"$'\n'
+      ;;
     *) tests=1 skipped=1 cases="    <testcase classname=\"$1\" name=\"run\"><skipped message=\"not done by the program\"/></testcase>"$'\n' ;;
   esac
   printf '  <testsuite name="%s" tests="%d" failures="%d" errors="%d" skipped="%d" time="%s">\n%s  </testsuite>' \
@@ -54,11 +71,12 @@ junit_suite() {
 
 # write_reports COMMAND: of all scenes
 write_reports() {
-  local names=(inside outside failed '' undecided) version commit
+  local names=(inside outside failed '' undecided) version commit text
   read -r version commit < <("$gasjet" --version | sed -E 's/^gasjet ([^ ]+) \(([^,]+),.*/\1 \2/')
   ((judged > 0)) || names[0]='not judged'
+  json_text "$1"
   printf '{\n  "format": 1,\n  "version": "%s",\n  "commit": "%s",\n  "reference_data": %s,\n  "command": %s,\n  "verdict": "%s",\n  "scenes": [\n%s\n  ]\n}\n' \
-    "$version" "$commit" "$(cat "$reference/VERSION")" "$(json_text "$1")" "${names[worst]}" "$report_parts" >"$work/report.json"
+    "$version" "$commit" "$(cat "$reference/VERSION")" "$text" "${names[worst]}" "$report_parts" >"$work/report.json"
   printf '<?xml version="1.0" encoding="UTF-8"?>\n<testsuites name="gasjet reference set %s">\n%s</testsuites>\n' \
     "$(cat "$reference/VERSION")" "$suites" >"$work/junit.xml"
 }

@@ -161,9 +161,9 @@ part_external() {
   export GASJET=$gasjet
   judge() { # judge CODE PATTERN [DEFECT [SCENES]]
     expect "$1" "$2" env DEFECT="${3:-}" "$source/verification/run_external.sh" --tolerance 1e-5 \
-      --scenes "${4:-tank_fill,tank_blowdown,pendulum_swing}" "$source/verification/coupled/foreign_tank.sh"
+      --scenes "${4:-tank_fill,tank_blowdown}" "$source/verification/coupled/foreign_tank.sh"
   }
-  judge 0 "pendulum_swing: not done"
+  judge 0 "pendulum_swing: not done" "" pendulum_swing,tank_fill
   judge 0 "tank_blowdown: inside"
   for defect in gauge kilopascal celsius late gamma discharge inflow ambient euler energy_in energy_out never_chokes; do judge 1 ": outside: " $defect; done
   for defect in no_volume stops; do judge 4 ": undecided: " $defect; done

@@ -7,19 +7,8 @@ set -euo pipefail
 grep -q '"tank"' "$1" && ! grep -qE '"(fabric|file|amplitude|nasa7)"' "$1" && ! grep -q '"nasa7"' "$1" || exit 77
 [[ ${DEFECT:-} != crash ]] || exit 3
 
-# number KEY [WHICH]: the value after the WHICH-th "KEY": (keys are sorted within each table)
-number() { { grep -oE "\"$1\": *[-+0-9.eE]+" "$json" || true; } | sed -n "${2:-1}s/.*: *//p"; }
-json=$1
-times=$(sed -nE 's/^ *"times": \[(.*)\],$/\1/p' "$json")
-inflow=$(number mass_flow) vent=$(number area)
-inflow_temperature=0
-[[ -z $inflow ]] || inflow_temperature=$(awk '/"inflator"/ { on = 1 } on && /"temperature"/ { gsub(/[^0-9.eE+-]/, "", $2); print $2; exit }' "$json")
-ambient=$(awk '/"ambient"/ { on = 1 } on && /"pressure"/ { gsub(/[^0-9.eE+-]/, "", $2); print $2; exit }' "$json")
-initial() { awk -v key="\"$1\"" '/"initial"/ { on = 1 } on && index($0, key) { gsub(/[^0-9.eE+-]/, "", $2); print $2; exit }' "$json"; }
-
-awk -v times="$times" -v V="$(number volume)" -v R="$(number gas_constant)" -v cp="$(number cp)" -v p0="$(initial pressure)" \
-  -v T0="$(initial temperature)" -v pa="${ambient:-101325}" -v mdot="${inflow:-0}" -v Tin="$inflow_temperature" -v A="${vent:-0}" \
-  -v Cd="$(number discharge_coefficient)" -v defect="${DEFECT:-}" '
+awk -v defect="${DEFECT:-}" '
+function number() { gsub(/[^0-9.eE+-]/, "", $2); return $2 + 0 }
 function vent(m, U,   T, p, r, critical) {
   T = U / (m * cv); p = m * R * T / V
   if (A == 0 || p <= pa) return 0
@@ -47,7 +36,18 @@ function row(t,   T, p) {
   if (defect == "nan" && t > 0.05) p = "nan"
   printf "%.12g,%.12g,%.12g%s,%.12g,%.12g,%.12g\n", t, p, T, (defect == "no_volume" ? "" : "," V), m, mdot, vent(m, U)
 }
-BEGIN {
+BEGIN { pa = 101325 }
+/^ *"times": / { times = $0; gsub(/^[^[]*\[|\].*$/, "", times) }
+/^ *"(ambient|initial|inflator)": / { table = $1 }
+/"volume": / { V = number() }
+/"gas_constant": / && !R { R = number() }
+/"cp": / && !cp { cp = number() }
+/"area": / { A = number() }
+/"discharge_coefficient": / { Cd = number() }
+/"mass_flow": / { mdot = number() }
+/"pressure": / { if (table ~ /ambient/) pa = number(); if (table ~ /initial/) p0 = number() }
+/"temperature": / { if (table ~ /initial/ && !T0) T0 = number(); if (table ~ /inflator/ && !Tin) Tin = number() }
+END {
   cv = cp - R
   g = defect == "gamma" ? 1.39 : cp / cv
   if (defect == "discharge") Cd *= 0.99
@@ -64,4 +64,4 @@ BEGIN {
     for (k = 0; k < steps; k++) step((time[i] - time[i - 1]) / steps)
     if (defect != "sparse" || i % 20 == 1 || i == n) row(time[i])
   }
-}' >"$2"
+}' "$1" >"$2"
