@@ -73,18 +73,26 @@ void RadiossStarter::porous(const DeckLeak& leak) {
   out_.card({real(leak.velocity ? 1.0 : leak.share, 20), real(1.0, 20)});
 }
 
+namespace {
+
+// Strain by increments is logarithmic and close to the case's law. But its shear drifts in fabric that shears
+// easily, which has a weave: there strain is a linear one about the design shape.
+int strain_of(const DeckPart& p) {
+  constexpr int by_increments = 4, total = 11;
+  return p.fabric.weave ? total : by_increments;
+}
+
+}  // namespace
+
 void RadiossStarter::fabric_property(const DeckPart& p) {
   // Of an isotropic fabric any direction that no element is normal to.
   const Eigen::Vector3d warp =
       p.fabric.weave ? p.fabric.weave->warp.normalized() : Eigen::Vector3d(0.5374, 0.6412, 0.5478);
   title(fmt::format("/PROP/SH_ORTH/{}", p.id), p.name);
+  constexpr int plain_triangle = 2;
   out_.line("#   Ishell    Ismstr     Ish3n    Idrill                            P_Thick_Fail");
-  // Strain by increments is logarithmic. The other one is linear about the design shape, so that it does not
-  // drift.
-  constexpr int by_increments = 4, total_strain = 11, plain_triangle = 2;
-  const bool logarithmic = bag().model.description.law == membrane::FabricLaw::hencky;
-  out_.card({whole(0, 10), whole(logarithmic ? by_increments : total_strain, 10), whole(plain_triangle, 10),
-             whole(0, 10), blank(20), real(0.0, 20)});
+  out_.card({whole(0, 10), whole(strain_of(p), 10), whole(plain_triangle, 10), whole(0, 10), blank(20),
+             real(0.0, 20)});
   out_.line(
       "#                 Hm                  Hf                  Hr                  Dm                  Dn");
   out_.card({real(0.0, 20), real(0.0, 20), real(0.0, 20), real(0.0, 20), real(0.0, 20)});
@@ -100,7 +108,8 @@ void RadiossStarter::fabric_property(const DeckPart& p) {
 void RadiossStarter::reference(const DeckPart& p) {
   title(fmt::format("/XREF/{}", p.id), p.name);
   out_.line("#    Nitrs");
-  out_.card({whole(0, 10)});
+  constexpr int increments = 10000;  // from design to start shape; of a bag that is folded flat 100 leave 4 %
+  out_.card({whole(increments, 10)});
   out_.line("#  node_ID                   X                   Y                   Z");
   for (const int n : corners_of(deck_, p.elements)) node(n, bag().mesh.nodes.col(n - 1));
 }
