@@ -46,9 +46,12 @@ set(same "(= ${PROJECT_VERSION})")
 gasjet_package(command gasjet "Command, cases, reference histories" SECTION science LICENCE "GPL-3.0 or later")
 gasjet_package(development libgasjet-dev "Libraries and headers for C++, with packages for CMake" SECTION libdevel
   DEPENDS "libeigen3-dev, libcgal-dev, libgsl-dev")
-gasjet_package(c libgasjet "Shared library and header for C" SECTION libs)
+gasjet_package(c libgasjet "Shared library and header for C" SECTION libs LICENCE "LGPL-3.0 or later")
+gasjet_package(exact libgasjet-exact "Closed forms for C and Fortran" SECTION libs LICENCE "GPL-3.0 or later" DEPENDS "libgasjet ${same}")
 gasjet_package(fortran libgasjet-fortran "Module and library for Fortran" SECTION libdevel DEPENDS "libgasjet ${same}")
-gasjet_package(python python3-gasjet "Module gasjet for Python" SECTION python DEPENDS "libgasjet ${same}, python3, python3-numpy")
+gasjet_package(python python3-gasjet "Module gasjet for Python" SECTION python LICENCE "LGPL-3.0 or later" DEPENDS "libgasjet ${same}, ${GASJET_PYTHON_DEPENDS}, python3-numpy")
+gasjet_package(python_exact python3-gasjet-exact "Closed forms for Python" SECTION python LICENCE "GPL-3.0 or later"
+  DEPENDS "python3-gasjet ${same}, libgasjet-exact ${same}")
 gasjet_package(docs gasjet-doc "Documentation" SECTION doc ANY_MACHINE)
 
 set(CPACK_GENERATOR DEB)

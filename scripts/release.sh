@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # Makes all that a release consists of, from the commit that is checked out, in build/release: source archive, Debian packages,
 # reference data, documentation site, SHA256SUMS. Then installs the packages in an empty Debian 12 and uses them there: the main case,
-# a judgement by the reference set, a C++ project. Needs root and network for that.
+# a judgement by the reference set, programs in C++, C, Fortran and Python. Needs root and network for that.
 # usage: scripts/release.sh [--check]     --check: only says whether this commit is fit for a release
 # Refuses (exit code 2) a tree with changes that are not committed, versions that differ, and a commit whose tests are red: unless
 # scripts/test_all.sh --long has just passed at it, it is run first.
@@ -52,7 +52,7 @@ make_files() {
   scripts/setup_debian12.sh dpkg-dev file
   git archive --format=tar --prefix="gasjet-$version/" HEAD | gzip -n >"$out/gasjet-$version.tar.gz"
   tar -xzf "$out/gasjet-$version.tar.gz" -C "$scratch"
-  (cd "$source" && cmake --preset release && cmake --build --preset release --target gasjet && scripts/docs_site.sh && cd build && cpack -G DEB)
+  (cd "$source" && cmake --preset release -DGASJET_TESTS=OFF -DGASJET_BENCHMARKS=OFF && cmake --build --preset release && scripts/docs_site.sh && cd build && cpack -G DEB)
   mv "$source"/build/packages/*.deb "$out"
   cmake --install "$source/build" --component command --prefix "$scratch/prefix" >/dev/null
   pack "gasjet-reference-data-$(<cases/reference/VERSION).tar.gz" "$scratch/prefix/share" gasjet
@@ -78,7 +78,9 @@ try_packages() {
     gasjet --version
     gasjet run /usr/share/gasjet/cases/passenger_pendulum.toml
     /usr/share/gasjet/run_external.sh ./program
-    apt-get install -q -y --no-install-recommends ./*.deb g++ cmake make >/dev/null
+    apt-get install -q -y --no-install-recommends ./libgasjet_*.deb ./python3-gasjet_*.deb >/dev/null
+    /usr/bin/python3 outside/consumer.py --without-exact
+    apt-get install -q -y --no-install-recommends ./*.deb g++ gfortran cmake make pkg-config >/dev/null
     outside/use.sh /usr'
 }
 

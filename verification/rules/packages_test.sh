@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # Makes the Debian packages of a build, but for the documentation's, extracts them and uses them from outside: the main case and every
-# other, the reference set, man pages, completion, and all C++ packages from one project, with the default compiler and with
-# clang++ where there is one. usage: packages_test.sh BUILD_DIR
+# other, the reference set, man pages, completion, and from outside all C++ packages in one project, with the default compiler and with
+# clang++ where there is one, and programs in C, Fortran and Python. usage: packages_test.sh BUILD_DIR
 set -euo pipefail
 build=$1
 project=$(cd "$(dirname "${BASH_SOURCE[0]}")/outside" && pwd)
@@ -76,6 +76,17 @@ check_manual() {
   grep -q 'Exit.codes: 0 done' "$prefix/share/man/man1/gasjet-run.1" || fail "no exit codes in a man page"
 }
 
+# What is not under the GPL works without what is.
+without_closed_forms() {
+  local module
+  module=$(find "$prefix/lib" -name '_exact.*.so')
+  [[ -n $module ]] || return 0
+  ldd "$module" | grep -q libgasjet_exact || fail "_exact does not link libgasjet_exact"
+  rm "$module"
+  ! ldd "$(find "$prefix/lib" -name '_gasjet.*.so')" | grep -qE 'gsl|gasjet_exact|not found' || fail "python3-gasjet links closed forms, or lacks a library"
+  PYTHONPATH=$(dirname "$(dirname "$module")") /usr/bin/python3 -B "$project/consumer.py" --without-exact || fail "python3-gasjet alone"
+}
+
 # README's first command is all that the container's image runs.
 check_container() {
   local tree=$project/../../.. command
@@ -90,7 +101,12 @@ PATH=$prefix/bin:$PATH
 run_cases
 judge_a_program
 check_manual
-"$project/use.sh" "$prefix"
+"$project/use.sh" "$prefix" | tee "$scratch/used"
+declare -A used_by=([libgasjet-exact]=C [libgasjet-fortran]=Fortran [python3-gasjet-exact]=Python)
+for package in "${!used_by[@]}"; do
+  [[ ! -d $prefix/share/doc/$package ]] || grep -q "^${used_by[$package]}: .*holds" "$scratch/used" || fail "$package is not used"
+done
+without_closed_forms
 for clang in clang++ clang++-14; do
   if command -v "$clang" >/dev/null; then
     "$project/use.sh" "$prefix" "$clang"

@@ -64,19 +64,25 @@ def run(case: Path, set: Optional[Mapping[str, Any]] = None, out: Optional[Path]
     return made
 
 
+def _closed_forms() -> Any:
+    """The module that links GSL; it may be left out of an installation."""
+    try:
+        from . import _exact
+    except ImportError as error:
+        raise ImportError(f"the closed forms are not installed, allowed with Debian's python3-gasjet-exact ({error})") from None
+    return _exact
+
+
 def exact(name: str, times: Any = None, **parameters: float) -> Table:
     """A closed form by name (see catalogue()), as arrays by column; times: its abscissae. Loads GSL, which is GPL."""
-    from . import _exact
-
+    _exact = _closed_forms()
     lines = "\n".join(f"{key}={float(value)!r}" for key, value in parameters.items())
     return _exact.evaluate(name, lines, np.zeros(0) if times is None else np.atleast_1d(np.asarray(times, float)))
 
 
 def catalogue() -> Dict[str, Dict[str, Any]]:
     """All closed forms: equation, parameters with units and defaults, columns, validity, source."""
-    from . import _exact
-
-    return {entry["name"]: entry for entry in json.loads(_exact.catalogue())}
+    return {entry["name"]: entry for entry in json.loads(_closed_forms().catalogue())}
 
 
 def compare(mine: Union[Path, Mapping[str, Any], Run], reference: Union[Path, Mapping[str, Any], Run],
