@@ -78,12 +78,13 @@ check_manual() {
 
 # What is not under the GPL works without what is.
 without_closed_forms() {
-  local module
+  local module linked
   module=$(find "$prefix/lib" -name '_exact.*.so')
   [[ -n $module ]] || return 0
-  ldd "$module" | grep -q libgasjet_exact || fail "_exact does not link libgasjet_exact"
+  [[ $(ldd "$module") == *libgasjet_exact* ]] || fail "_exact does not link libgasjet_exact"
   rm "$module"
-  ! ldd "$(find "$prefix/lib" -name '_gasjet.*.so')" | grep -qE 'gsl|gasjet_exact|not found' || fail "python3-gasjet links closed forms, or lacks a library"
+  linked=$(ldd "$(find "$prefix/lib" -name '_gasjet.*.so')")
+  [[ ! $linked =~ gsl|gasjet_exact|not\ found ]] || fail "python3-gasjet links closed forms, or lacks a library"
   PYTHONPATH=$(dirname "$(dirname "$module")") /usr/bin/python3 -B "$project/consumer.py" --without-exact || fail "python3-gasjet alone"
 }
 
