@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # The shared libraries: what they export, and what they are made of.
-# usage: library_test.sh PART SOURCE BUILD         PART: exports, permissive, can_fail
+# usage: library_test.sh PART SOURCE BUILD         PART: exports, permissive, abi, can_fail; write_abi rewrites what abi compares with
 set -euo pipefail
 
 part=$1 source=$2 build=$3
@@ -35,6 +35,15 @@ gpl_of() {
   dependencies "$2" | grep -E '/CGAL/license/|/gsl/' | grep -v '/lgpl.h$' || true
 }
 
+# interface SOURCE: what a compiled program relies on: enumerations, structures, functions, without comments, in fixed lines.
+interface() {
+  mkdir -p "$folder/empty"
+  touch "$folder/empty/stddef.h" "$folder/empty/stdint.h"
+  for header in gasjet.h gasjet_exact.h; do
+    cc -E -P -nostdinc -isystem "$folder/empty" -I "$1/bindings/c/include" "$1/bindings/c/include/$header"
+  done | tr -s ' \n' ' ' | sed -E 's/ ?__attribute__\(\(visibility\("default"\)\)\) ?/\n/g; s/; (typedef|enum) /;\n\1 /g; s/ $//' | awk '!seen[$0]++'
+}
+
 case $part in
   exports)
     same_symbols "$build/bindings/c/libgasjet.so" "$source"/bindings/c/include/gasjet/*.h
@@ -47,7 +56,18 @@ case $part in
     found=$(gpl_of "$library" '^(bindings/c/CMakeFiles/gasjet_(c|border)|driver/CMakeFiles/gasjet_driver|libgas/CMakeFiles/gasjet_gas|libjet/CMakeFiles/gasjet_jet[.]|libmembrane/|libcoupling/)')
     [[ -z $found ]] || fail "$library has parts under the GPL: $found"
     ;;
+  abi)
+    list=$source/bindings/c/interface.txt
+    interface "$source" | diff "$list" - >"$folder/difference" ||
+      fail "the interface differs from $list. If version $(sed -nE 's/^set.GASJET_VERSION ([0-9.]+).*/\1/p' "$source/cmake/GasjetVersion.cmake") is released, \
+raise it (docs/versions.md); write the new interface: library_test.sh write_abi. $(cat "$folder/difference")"
+    ;;
+  write_abi) interface "$source" >"$source/bindings/c/interface.txt" ;;
   can_fail)
+    cp -r "$source/bindings" "$folder/bindings"
+    interface "$folder" >"$folder/before"
+    sed -i 's/double poisson;/float poisson;/' "$folder/bindings/c/include/gasjet/membrane.h"
+    interface "$folder" | cmp -s - "$folder/before" && fail "a member of another type is not seen"
     # The same questions to what is under the GPL, and to a header that lacks a function.
     library=$(basename "$(readlink -f "$build/bindings/c/libgasjet_exact.so")")
     [[ -n $(gpl_of "$library" '^nothing') ]] || fail "GSL is not seen in $library"
