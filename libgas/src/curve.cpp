@@ -62,7 +62,8 @@ Curve::Piece Curve::piece(double time) const {
 
 double Curve::value(double time, Side side) const {
   if (side == Side::before)
-    if (const auto first = std::ranges::find(knots_, time, &Knot::time); first != knots_.end())
+    if (const auto first = std::ranges::lower_bound(knots_, time, {}, &Knot::time);
+        first != knots_.end() && first->time == time)
       return first->value;
   if (time == knots_.back().time) return knots_.back().value;
   return piece(time).at(time);

@@ -67,7 +67,7 @@ bool write_straight(const std::filesystem::path& path, const std::string& text) 
 
 // A full disk leaves what was there.
 bool replace(const std::filesystem::path& path, const std::string& text) {
-  const std::filesystem::path beside = path.string() + ".part";
+  const std::filesystem::path beside = path.string() + ".gasjet-part";
   std::error_code failed;
   if (write_straight(beside, text))
     std::filesystem::rename(beside, path, failed);

@@ -139,7 +139,7 @@ part_full_disk() {
   expect 0 "done" "$gasjet" "${run[@]}"
   expect 3 "write failed" limited 8 "$gasjet" run "$source/cases/sphere_inflation.toml" --out "$work/fields" --set scene.end_time=2e-4 \
     --set output.fields_every=1e-4
-  ls "$work"/fields/*.part 2>/dev/null && fail "half a file is left"
+  ls "$work"/fields/*-part 2>/dev/null && fail "half a file is left"
 }
 
 part_names() {

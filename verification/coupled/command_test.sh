@@ -225,7 +225,7 @@ part_exact() {
   expect 2 "no_such_parameter" "$gasjet" exact "$name" --set no_such_parameter=1
 }
 
-for family in compare cost decks faults identify ladder mesh report study; do
+for family in compare cost decks faults identify ladder mesh own_files report study; do
   # shellcheck source=/dev/null
   source "$(dirname "${BASH_SOURCE[0]}")/command_$family.sh"
 done

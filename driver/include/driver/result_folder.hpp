@@ -69,6 +69,8 @@ struct FolderStatus {
   std::set<std::string, std::less<>> files;
 };
 inline constexpr const char* status_file = "gasjet.status";
+/// A file is written beside its place, under its name and this, and then renamed.
+inline constexpr const char* part_suffix = ".gasjet-part";
 inline constexpr const char* status_head =
     "# Written by gasjet: the run that wrote this folder, how it ended, its files.";
 /// The finished parts of work that is not finished: the same command goes on from there.
@@ -93,6 +95,9 @@ class ResultFolder {
   /// changes. Throws OutputError when that cannot be done, while another has the lock, when the folder is of
   /// another command, and when a file has such a name that no earlier run wrote.
   ResultFolder(std::filesystem::path folder, std::string command, const IsOwn& is_own);
+  /// Throws OutputError, as the constructor does, where a command could not write its results later.
+  static void require_free(const std::filesystem::path& folder, const std::string& command,
+                           const IsOwn& is_own);
   ResultFolder(std::filesystem::path folder, std::string command, const std::vector<std::string>& names);
   ~ResultFolder();
   ResultFolder(const ResultFolder&) = delete;
@@ -117,7 +122,8 @@ class ResultFolder {
   void remove(const std::string& name);
 
  private:
-  void check(const std::optional<FolderStatus>& status, const IsOwn& is_own) const;
+  static void check(const std::filesystem::path& path, const std::string& command,
+                    const std::optional<FolderStatus>& status, const IsOwn& is_own);
   void lock();
   void leave();
   void mark(std::string_view text, bool anew);

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "commands/commands.hpp"
 #include "commands/json_head.hpp"
 #include "driver/result_folder.hpp"
+#include "driver/results.hpp"
 #include "export/feature.hpp"
 #include "export/writers.hpp"
 
@@ -37,14 +39,7 @@ std::string json_of(const Deck& deck, const std::vector<UsedFeature>& used,
                               {"how", feature.outcome.how}});
   object["notes"] = nlohmann::ordered_json::array();
   for (const DeckNote& note : deck.notes) object["notes"].push_back({{"key", note.key}, {"text", note.text}});
-  return object.dump(2) + '\n';
-}
-
-void make_folder(const std::filesystem::path& folder) {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (!std::filesystem::is_directory(folder))
-    throw OutputError(fmt::format("--out {}: is no folder that can be made", folder.string()));
+  return object.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + '\n';
 }
 
 }  // namespace
@@ -65,9 +60,15 @@ int export_deck(const ExportArguments& arguments) {
   files.emplace_back("export.json", json_of(deck, used, arguments));
   std::vector<std::string> names;
   for (const auto& file : files) names.push_back(file.first);
-  make_folder(arguments.out);
-  refuse_inputs(arguments.out, names, document.files());
-  for (const auto& [name, text] : files) replace_file(arguments.out / name, text);
+  std::vector<std::string> own{"bag.k", "bag_0000.rad", "bag_0001.rad", status_file};
+  own.insert(own.end(), names.begin(), names.end());
+  refuse_inputs(arguments.out, own, document.files());
+  own.erase(std::ranges::find(own, status_file));
+  ResultFolder folder(arguments.out, "export", own);
+  folder.begin(provenance(arguments.scene.file, arguments.scene.overrides,
+                          id_of("export", {arguments.format, arguments.units}, {&document})));
+  for (const auto& [name, text] : files) folder.write(name, text);
+  folder.end("done");
   for (const DeckNote& note : deck.notes) fmt::print("{}: {}\n", note.key, note.text);
   fmt::print("{}: {} and {} are in {}\n", scene.name, names.front(), "export.md", arguments.out.string());
   return exit_done;

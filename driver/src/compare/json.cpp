@@ -42,7 +42,7 @@ std::string json_of(const Difference& difference, const std::string& mine, const
   if (difference.reference_runs > 1)
     object.update({{"runs", difference.runs}, {"reference_runs", difference.reference_runs}});
   for (const auto& q : difference.quantities) object["quantities"][q.name] = to_json(q);
-  return object.dump(2);
+  return object.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
 }
 
 }  // namespace driver

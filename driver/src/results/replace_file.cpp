@@ -61,7 +61,7 @@ void replace_file(const std::filesystem::path& file, const std::string& text) {
   }
   const auto target = std::filesystem::exists(status) ? std::filesystem::canonical(file) : file;
   if (std::filesystem::exists(status) && ::access(target.c_str(), W_OK) != 0) refuse(file);
-  const std::filesystem::path beside = target.string() + ".part";
+  const std::filesystem::path beside = target.string() + part_suffix;
   int code = write_and_close(open_new(beside), text);
   if (code == 0 && ::rename(beside.c_str(), target.c_str()) != 0) code = errno;
   if (code == 0) return;

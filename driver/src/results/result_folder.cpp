@@ -25,11 +25,11 @@ ResultFolder::ResultFolder(std::filesystem::path folder, std::string command, co
   std::error_code error;
   std::filesystem::create_directories(path_, error);
   if (error) refuse(path_, error.message());
-  check(read_status(path_), is_own);
+  check(path_, command_, read_status(path_), is_own);
   lock();
   try {
     const auto status = read_status(path_);
-    check(status, is_own);  // what may have come before the lock
+    check(path_, command_, status, is_own);  // what may have come before the lock
     if (status) earlier_ = *status;
   } catch (...) {
     leave();
@@ -53,19 +53,26 @@ void ResultFolder::leave() {
   ::close(descriptor_);
 }
 
-void ResultFolder::check(const std::optional<FolderStatus>& status, const IsOwn& is_own) const {
-  if (::access(path_.c_str(), W_OK | X_OK) != 0) refuse(path_, "the folder is not writable");
-  if (status && !status->files.empty() && status->command != command_)
-    refuse(path_, fmt::format("holds the results of gasjet {}, another folder is allowed", status->command));
-  for (const auto& entry : std::filesystem::directory_iterator(path_)) {
+void ResultFolder::require_free(const std::filesystem::path& folder, const std::string& command,
+                                const IsOwn& is_own) {
+  std::error_code ignored;
+  if (std::filesystem::exists(folder, ignored)) check(folder, command, read_status(folder), is_own);
+}
+
+void ResultFolder::check(const std::filesystem::path& path, const std::string& command,
+                         const std::optional<FolderStatus>& status, const IsOwn& is_own) {
+  if (::access(path.c_str(), W_OK | X_OK) != 0) refuse(path, "the folder is not writable");
+  if (status && !status->files.empty() && status->command != command)
+    refuse(path, fmt::format("holds the results of gasjet {}, another folder is allowed", status->command));
+  for (const auto& entry : std::filesystem::directory_iterator(path)) {
     const std::string name = entry.path().filename().string();
     if (!is_own(name)) continue;
     if (!status || !status->files.contains(name))
-      refuse(path_, fmt::format("{} is there, and no run is known to have written it: move it away, or "
-                                "another folder is allowed",
-                                name));
+      refuse(path, fmt::format("{} is there, and no run is known to have written it: move it away, or "
+                               "another folder is allowed",
+                               name));
     if (!entry.is_regular_file() || ::access(entry.path().c_str(), W_OK) != 0)
-      refuse(path_, fmt::format("{} is there and not writable", name));
+      refuse(path, fmt::format("{} is there and not writable", name));
   }
 }
 
@@ -115,7 +122,7 @@ void ResultFolder::begin(const Provenance& lines) {
     if (goes_on && name == journal_file) continue;
     std::error_code ignored;
     std::filesystem::remove(path_ / name, ignored);
-    std::filesystem::remove(path_ / (name + ".part"), ignored);
+    std::filesystem::remove(path_ / (name + part_suffix), ignored);
   }
   mark(fmt::format("{}\ncommand: {}\nrun: {}\nstatus: running\n{}", status_head, command_, run_,
                    goes_on ? fmt::format("file: {}\n", journal_file) : ""),

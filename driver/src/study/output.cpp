@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "driver/study_analysis.hpp"
@@ -191,6 +192,12 @@ std::string summary_text(const StudyPlan& plan, const ResultFolder& folder, cons
 
 }  // namespace
 
+bool is_study_file(const std::string& name) {
+  constexpr const char* names[] = {"results.csv", "timing.csv",  "means.csv",      "study.json",
+                                   "sobol.csv",   "surface.csv", "convergence.csv"};
+  return std::ranges::find(names, name) != std::end(names);
+}
+
 StudySummary merge_study(const std::filesystem::path& folder) {
   if (!std::filesystem::exists(folder / plan_copy))
     throw CaseError(
@@ -203,9 +210,7 @@ StudySummary merge_study(const std::filesystem::path& folder) {
     return run.first >= plan.end_of_numbers() || run.second.values.size() != plan.quantities.size();
   });
   const StudySummary summary = summary_of(plan, runs);
-  ResultFolder results(folder, "study",
-                       std::vector<std::string>{"results.csv", "timing.csv", "means.csv", "study.json",
-                                                "sobol.csv", "surface.csv", "convergence.csv"});
+  ResultFolder results(folder, "study", is_study_file);
   results.begin(lines);
   Provenance head = results.lines();
   head.emplace_back(

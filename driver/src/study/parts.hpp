@@ -12,6 +12,8 @@ namespace driver {
 
 inline constexpr const char* plan_copy = "plan.toml";  // in the study's folder
 inline constexpr const char* shares_folder = "shares";
+/// Files of the tables, beside the plan's copy and the shares.
+bool is_study_file(const std::string& name);
 
 /// Points of the design; `table` is [study].
 std::vector<StudyPoint> points_of(TableReader& table, StudyPlan& plan);

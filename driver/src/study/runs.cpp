@@ -159,6 +159,7 @@ StudyCrew threads_of_study(int threads) {
 
 bool run_study(const StudyPlan& plan, const std::filesystem::path& folder, const StudyShare& share,
                const StudyCrew& crew, bool quiet) {
+  ResultFolder::require_free(folder, "study", is_study_file);
   keep_plan(plan, folder);
   StudyRuns ended = read_shares(folder, plan.id).runs;
   ShareFile file(plan, folder / shares_folder / share.name());

@@ -1,0 +1,41 @@
+# SPDX-License-Identifier: Apache-2.0
+# shellcheck shell=bash disable=SC2154
+# Parts of command_test.sh (sourced): files of the user's, in folders of results and in names.
+
+part_own_files() {
+  local tank=$source/cases/rigid_tank.toml bag=$source/cases/jet_bag.toml name plan=$work/plan.toml
+  mkdir "$work/parts"
+  for name in summary.json.part history.csv.part bag.obj.part; do echo mine >"$work/parts/$name"; done
+  expect 0 "done" "$gasjet" run "$tank" --out "$work/parts"
+  expect 0 "done" "$gasjet" run "$tank" --out "$work/parts"
+  expect 0 "elements" "$gasjet" mesh passenger --out "$work/parts/bag.obj"
+  for name in summary.json.part history.csv.part bag.obj.part; do
+    [ "$(cat "$work/parts/$name")" = mine ] || fail "$name of the user's is lost"
+  done
+  # A deck's folder is a folder of results.
+  local deck=(export "$bag" --units kg-m-s)
+  mkdir "$work/deck" && echo mine >"$work/deck/export.md"
+  expect 2 "export.md is there, and no run is known to have written it" "$gasjet" "${deck[@]}" --format radioss --out "$work/deck"
+  [ "$(cat "$work/deck/export.md")" = mine ] && rm "$work/deck/export.md" || fail "export.md of the user's is lost"
+  expect 0 "are in" "$gasjet" "${deck[@]}" --format radioss --out "$work/deck"
+  expect 0 "are in" "$gasjet" "${deck[@]}" --format lsdyna --out "$work/deck"
+  [ "$(ls "$work/deck")" = "$(printf '%s\n' bag.k export.json export.md gasjet.status)" ] || fail "two decks in one folder: $(ls "$work/deck")"
+  expect 2 "holds the results of gasjet run" "$gasjet" "${deck[@]}" --format radioss --out "$work/parts"
+  # A study that is refused leaves nothing.
+  printf '[study]\ncase = "%s"\nquantities = ["peak_pressure_Pa"]\n' "$tank" >"$plan"
+  ls "$work/parts" >"$work/before"
+  expect 2 "holds the results of gasjet run, another folder is allowed" "$gasjet" study run "$plan" --out "$work/parts"
+  ls "$work/parts" | cmp - "$work/before" || fail "a study that is refused leaves files"
+  mkdir "$work/study" && echo mine >"$work/study/results.csv"
+  expect 2 "results.csv is there" "$gasjet" study run "$plan" --out "$work/study"
+  [ "$(ls "$work/study")" = results.csv ] || fail "a study that is refused leaves files"
+  # Names of files that are no UTF-8.
+  name=$work/$'a\xff.csv'
+  cp "$source/cases/reference/tank_fill.csv" "$name"
+  "$gasjet" compare "$name" "$name" --format json >"$work/compare.json" || fail "compare of a file whose name is no UTF-8"
+  python3 -c 'import json, sys; json.load(open(sys.argv[1], encoding="utf-8"))' "$work/compare.json" || fail "compare.json"
+  # Half a million knots: whatever looks at them all looks at each once.
+  sed '/^mass_flow/d' "$tank" >"$work/knots.toml"
+  awk 'BEGIN { print "time_s,flow"; for (i = 0; i < 500000; i++) printf "%.7f,1\n", i * 2e-7 }' >"$work/knots.csv"
+  expect 0 "done" timeout 100 "$gasjet" run "$work/knots.toml" --set 'inflator.0.mass_flow={file="knots.csv",time_column="time_s",column="flow"}' --out "$work/knots"
+}
