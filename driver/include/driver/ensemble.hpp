@@ -50,8 +50,8 @@ struct SingleRun {
 struct EnsembleResult {
   std::vector<std::string> columns;  // of the history, without time
   std::vector<EnsembleRow> rows;     // at multiples of the history interval
-  std::vector<SingleRun> singles;    // the first of them, 16 at most
-  std::size_t singles_every = 1;     // row of the means, 201 at most
+  std::vector<SingleRun> singles;    // of the first runs, 16 at most
+  std::size_t singles_every = 1;     // their rows are every such row of the means: 201 at most
   std::map<std::string, std::vector<double>>
       quantities;                     // one value a run: first contact, final angle, peaks
   std::vector<std::string> failures;  // of runs that left their domain or were inaccurate: in no mean
