@@ -227,13 +227,12 @@ TEST_F(bad_calls, run_compare_and_exact) {
   exact(nullptr, nullptr, nullptr, 0, "name");
   exact("blowdown", "volume", nullptr, 0, "parameters");
   exact("blowdown", "volume=x", nullptr, 0, "parameters");
-  exact("blowdown", "volume=nan", nullptr, 0, "volume=nan");
+  exact("blowdown", "volume=nan", nullptr, 0, "parameters");
   exact("blowdown", "volume=1\nvolume=1", nullptr, 0, "parameters");
   exact("blowdown", nullptr, nullptr, 1, "times");
   exact("blowdown", nullptr, nan, 1, "times");
   exact("blowdown", nullptr, nan, -1, "count");
-  ++calls;
-  EXPECT_EQ(gasjet_exact_create("no_such_form", nullptr, nullptr, 0, &table), GASJET_BAD_INPUT);
+  exact("no_such_form", nullptr, nullptr, 0, "name");
   ++calls;
   EXPECT_EQ(gasjet_exact_create("blowdown", "volume=-1", nullptr, 0, &table), GASJET_BAD_INPUT);
   EXPECT_EQ(table, 0);

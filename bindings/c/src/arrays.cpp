@@ -27,14 +27,6 @@ Stride stride_of(const int64_t* stride, int64_t count, std::string_view argument
   return given;
 }
 
-/// Refuses NULL, and an address where no such number can begin.
-template <class T>
-void require_array(const T* data, std::string_view argument) {
-  if (data == nullptr) refuse(argument, "is NULL, allowed: an address");
-  if (reinterpret_cast<std::uintptr_t>(data) % alignof(T) != 0)
-    refuse(argument, "begins between two numbers, allowed: an address that its numbers' size divides");
-}
-
 Eigen::Matrix3Xd copy_of(const double* data, int count, Stride stride) {
   Eigen::Matrix3Xd copy(3, count);
   for (int i = 0; i < count; ++i)
@@ -69,7 +61,7 @@ void require_count(int64_t count, int64_t wanted, std::string_view argument) {
 Points::Points(const double* data, int64_t count, const int64_t* stride, std::string_view argument,
                bool finite)
     : copy_([&] {
-        require_array(data, argument);
+        needed(data, argument);
         const Stride given = stride_of(stride, count, argument);
         const int rows = count_of(count, std::string(argument) + "_count");
         return fits(given) ? Eigen::Matrix3Xd() : copy_of(data, rows, given);
@@ -83,7 +75,7 @@ Points::Points(const double* data, int64_t count, const int64_t* stride, std::st
 }
 
 Eigen::Matrix3Xi triangles_of(const int32_t* data, int64_t count, const int64_t* stride, int64_t node_count) {
-  require_array(data, "triangles");
+  needed(data, "triangles");
   const Stride given = stride_of(stride, count, "triangles");
   const int rows = count_of(count, "triangle_count", 1);
   count_of(node_count, "node_count", 1);

@@ -2,6 +2,7 @@
 #include "border.hpp"
 
 #include <array>
+#include <charconv>
 #include <cmath>
 #include <cstdio>
 #include <cstring>
@@ -95,13 +96,14 @@ std::string text_or(const char* pointer, const char* otherwise) {
 
 std::string shown(double value) {
   std::array<char, 40> digits{};
-  std::snprintf(digits.data(), digits.size(), "%.17g", value);
-  for (int precision = 1; precision < 17; ++precision) {  // the shortest that reads back
-    std::array<char, 40> fewer{};
-    std::snprintf(fewer.data(), fewer.size(), "%.*g", precision, value);
-    if (std::strtod(fewer.data(), nullptr) == value) return fewer.data();
-  }
-  return digits.data();
+  return {digits.data(), std::to_chars(digits.begin(), digits.end(), value).ptr};
+}
+
+double number_in(std::string_view text) {
+  double value = 0.0;
+  const char* end = text.data() + text.size();
+  const auto read = std::from_chars(text.data(), end, value);
+  return read.ec == std::errc() && read.ptr == end ? value : std::numeric_limits<double>::quiet_NaN();
 }
 
 double number(double value, std::string_view argument, double low, double high) {

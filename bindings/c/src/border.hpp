@@ -6,6 +6,7 @@
 
 #include <atomic>
 #include <concepts>
+#include <cstdint>
 #include <limits>
 #include <memory>
 #include <stdexcept>
@@ -82,10 +83,12 @@ class Use {
   bool locked_ = false;
 };
 
-/// Pointer arguments.
+/// Pointer arguments: not NULL, and an address where such a value can begin.
 template <class T>
 T& needed(T* pointer, std::string_view argument) {
   if (pointer == nullptr) refuse(argument, "is NULL, allowed: an address");
+  if (reinterpret_cast<std::uintptr_t>(pointer) % alignof(T) != 0)
+    refuse(argument, "begins between two numbers, allowed: an address that its numbers' size divides");
   return *pointer;
 }
 std::string text(const char* pointer, std::string_view argument);
@@ -104,5 +107,7 @@ void write_sized(const std::string& value, char* to, int64_t size, int64_t* need
 
 /// A number as a message shows it.
 std::string shown(double value);
+/// The number that a text is, with a decimal point in every locale; NaN if it is none.
+double number_in(std::string_view text);
 
 }  // namespace border

@@ -3,6 +3,7 @@
 #include <gasjet_exact.h>
 #include <gsl/gsl_errno.h>
 
+#include <cmath>
 #include <mutex>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -44,14 +45,20 @@ closed_form::ParameterMap parameters_of(const std::string& text) {
     if (line.empty()) continue;
     const auto equals = line.find('=');
     if (equals == std::string::npos) refuse("parameters", "'" + line + "', allowed: lines name=value");
-    const std::string digits = line.substr(equals + 1);
-    char* end = nullptr;
-    const double value = std::strtod(digits.c_str(), &end);
-    if (digits.empty() || *end != '\0') refuse("parameters", "'" + line + "', allowed: name=number");
-    if (!parameters.emplace(line.substr(0, equals), number(value, line)).second)
+    const double value = number_in(std::string_view(line).substr(equals + 1));
+    if (!std::isfinite(value)) refuse("parameters", "'" + line + "', allowed: name=finite number");
+    if (!parameters.emplace(line.substr(0, equals), value).second)
       refuse("parameters", line.substr(0, equals) + " is given twice, allowed: once");
   }
   return parameters;
+}
+
+const closed_form::Entry& entry_of(const std::string& name) {
+  try {
+    return closed_form::find_entry(name);
+  } catch (const std::invalid_argument& error) {
+    refuse("name", error.what());
+  }
 }
 
 nlohmann::ordered_json json_of(const closed_form::Entry& entry) {
@@ -91,7 +98,7 @@ int gasjet_exact_create(const char* name, const char* parameters, const double t
       refuse("count", "is " + std::to_string(count) + ", allowed: 0 to 10000000");
     if (count > 0) needed(times, "times");
     for (int64_t i = 0; i < count; ++i) number(times[i], "times");
-    const auto& entry = closed_form::find_entry(text(name, "name"));
+    const auto& entry = entry_of(text(name, "name"));
     const std::span abscissae(times, static_cast<std::size_t>(count));
     *table = keep(std::make_shared<Table>(
         closed_form::evaluate(entry, parameters_of(text_or(parameters, "")), abscissae)));

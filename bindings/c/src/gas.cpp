@@ -15,12 +15,10 @@ std::string_view trimmed(std::string_view text) {
 }
 
 double fraction_of(std::string_view part, const std::string& composition) {
-  const std::string digits(part);
-  char* end = nullptr;
-  const double value = std::strtod(digits.c_str(), &end);
-  if (digits.empty() || *end != '\0' || !(value > 0.0 && value <= 1.0))
-    refuse("composition",
-           "'" + composition + "' has the fraction '" + digits + "', allowed: a number above 0, at most 1");
+  const double value = number_in(part);
+  if (!(value > 0.0 && value <= 1.0))
+    refuse("composition", "'" + composition + "' has the fraction '" + std::string(part) +
+                              "', allowed: a number above 0, at most 1");
   return value;
 }
 

@@ -12,33 +12,66 @@ NO_VECTOR = (NAN, NAN, NAN)
 NO_INDICES = np.zeros(0, np.int32)
 
 
-def mesh_arrays(nodes: Any, triangles: Any) -> Tuple[Any, Any]:
+def mesh_arrays(nodes: Any, triangles: Any, name: str = "nodes") -> Tuple[Any, Any]:
     """Nodes and triangles; a meshio mesh stands for both."""
     if triangles is None:
         if not hasattr(nodes, "points"):
             raise TypeError("triangles: are missing, allowed: an array (m, 3), or a meshio mesh instead of nodes")
         cells = nodes.cells_dict
         if "triangle" not in cells:
-            raise TypeError(f"nodes: the mesh has {sorted(cells)}, allowed: a mesh with triangles")
+            raise TypeError(f"{name}: the mesh has {sorted(cells)}, allowed: a mesh with triangles")
         nodes, triangles = nodes.points, cells["triangle"]
-    return as_points(nodes, "nodes"), as_triangles(triangles)
+    return as_points(nodes, name), as_triangles(triangles)
 
 
-def as_points(given: Any, name: str) -> Any:
+def as_points(given: Any, name: str) -> np.ndarray:
     """An array as it is; lists and the like as one."""
     if isinstance(given, np.ndarray):
-        return given
+        _refuse_masks(given, name)
+        array = given
+    else:
+        array = as_numbers(given, name)
+    return _rows_of_three(array, name)
+
+
+def _rows_of_three(array: np.ndarray, name: str) -> np.ndarray:
+    if array.ndim != 2 or array.shape[1] != 3:
+        raise TypeError(f"{name}: have the shape {array.shape}, allowed: (n, 3)")
+    return array
+
+
+def as_numbers(given: Any, name: str) -> np.ndarray:
+    """Anything of real numbers as float64."""
     try:
-        return np.asarray(given, float)
-    except (TypeError, ValueError):
-        raise TypeError(f"{name}: are no numbers, allowed: an array (n, 3) of float64") from None
+        array = np.asarray(given)
+        if array.dtype.kind not in "biufO":
+            raise TypeError
+        _refuse_masks(given, name)
+        return array.astype(float, copy=False)
+    except (TypeError, ValueError, OverflowError):
+        raise TypeError(f"{name}: are no real numbers, allowed: an array of float64") from None
+
+
+def _refuse_masks(given: Any, name: str) -> None:
+    """What a mask hides would count as a number."""
+    if isinstance(given, np.ma.MaskedArray) and np.ma.is_masked(given):
+        raise TypeError(f"{name}: has masked values, allowed: an array without a mask")
+
+
+def handle_of(given: Any, kind: type, name: str) -> Any:
+    """What the library knows an object of the package by."""
+    if not isinstance(given, kind):
+        raise TypeError(f"{name}: is a {type(given).__name__}, allowed: a gasjet.{kind.__name__}")
+    return given._handle
 
 
 def as_triangles(triangles: Any) -> np.ndarray:
     """Node numbers (m, 3) of any integer type as int32; a view if they are int32."""
     array = np.asarray(triangles)
+    _refuse_masks(triangles, "triangles")
     if array.dtype.kind not in "iu":
         raise TypeError(f"triangles: have the dtype {array.dtype}, allowed: integers")
+    _rows_of_three(array, "triangles")
     if array.dtype != np.int32:
         if array.size and not (0 <= array.min() and array.max() < 2**31):
             raise ValueError("triangles: have a number that is no node's, allowed: from 0")

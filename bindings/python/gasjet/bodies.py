@@ -7,7 +7,7 @@ from typing import Any, Dict, Optional, Tuple
 import numpy as np
 
 from . import _gasjet
-from .arrays import NAN, NO_VECTOR, Vector, as_indices, as_points, as_triangles, mesh_arrays
+from .arrays import NAN, NO_VECTOR, Vector, as_indices, as_numbers, as_points, as_triangles, handle_of, mesh_arrays
 
 
 class Gas:
@@ -55,12 +55,13 @@ class Tank:
 
     def __init__(self, gas: Gas, pressure: float, temperature: float, volume: float,
                  ambient_pressure: float = 101325.0, tolerance: float = 1e-10) -> None:
-        self._handle = _gasjet.tank(gas._handle, pressure, temperature, volume, ambient_pressure, tolerance)
+        self._handle = _gasjet.tank(handle_of(gas, Gas, "gas"), pressure, temperature, volume, ambient_pressure, tolerance)
         self._volume = volume
 
     def add_inflow(self, gas: Gas, time: Any, mass_flow: Any, temperature: Any, start_time: float = 0.0) -> None:
         """mass_flow [kg/s] and temperature [K] at knots time [s] since start_time; linear between, no flow outside."""
-        _gasjet.tank_add_inflow(self._handle, gas._handle, time, mass_flow, temperature, start_time)
+        knots = as_numbers(time, "time"), as_numbers(mass_flow, "mass_flow"), as_numbers(temperature, "temperature")
+        _gasjet.tank_add_inflow(self._handle, handle_of(gas, Gas, "gas"), *knots, start_time)
 
     def add_vent(self, area: float, discharge_coefficient: float = 1.0, opens_at: float = 0.0) -> None:
         """A hole of area [m2]; it opens for good at the overpressure opens_at [Pa]; 0: always open."""
@@ -189,7 +190,7 @@ class Membrane:
                  fixed_nodes: Any = None) -> None:
         if law not in FABRIC_LAWS:
             raise ValueError(f"law: is {law!r}, allowed: {', '.join(FABRIC_LAWS)}")
-        reference, triangles = mesh_arrays(reference, triangles)
+        reference, triangles = mesh_arrays(reference, triangles, "reference")
         self._handle = _gasjet.membrane(reference, triangles, thickness, density, young_modulus, poisson, wrinkles,
                                         FABRIC_LAWS.index(law), as_indices(null_elements, "null_elements"),
                                         as_indices(fixed_nodes, "fixed_nodes"))

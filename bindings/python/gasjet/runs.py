@@ -10,7 +10,8 @@ from typing import Any, Callable, Dict, Mapping, Optional, Union
 import numpy as np
 
 from . import _gasjet
-from .errors import DomainError, StoppedError
+from .arrays import as_numbers
+from .errors import DomainError, InputError, StoppedError
 
 Path = Union[str, "os.PathLike[str]"]
 Table = Dict[str, np.ndarray]
@@ -37,12 +38,29 @@ def _toml(value: Any) -> str:
     if isinstance(value, (float, np.floating)):
         return repr(float(value))
     if isinstance(value, str):
-        return json.dumps(value)
+        return json.dumps(value, ensure_ascii=False)
     if isinstance(value, Mapping):
-        return "{" + ", ".join(f"{json.dumps(str(k))} = {_toml(v)}" for k, v in value.items()) + "}"
-    if isinstance(value, (list, tuple, np.ndarray)):
+        return "{" + ", ".join(f"{_toml(str(k))} = {_toml(v)}" for k, v in value.items()) + "}"
+    if isinstance(value, np.ndarray):
+        return _toml(value.tolist())
+    if isinstance(value, (list, tuple)):
         return "[" + ", ".join(_toml(v) for v in value) + "]"
-    raise TypeError(f"set: a {type(value).__name__}, allowed: numbers, texts, lists and dicts; None takes the key out")
+    raise TypeError(f"set: has a {type(value).__name__}, allowed: numbers, texts, lists and dicts; None takes the key out")
+
+
+def _override(key: Any, value: Any) -> str:
+    """A line of the library's overrides."""
+    if not isinstance(key, str) or not key or any(c in key for c in "=\r\n\0"):
+        raise TypeError(f"set: has the key {key!r}, allowed: texts such as \"scene.end_time\"")
+    return f"unset {key}" if value is None else f"{key}={_toml(value)}"
+
+
+def _path(given: Any, name: str) -> bytes:
+    """A file or folder as the system has it."""
+    try:
+        return os.fsencode(given)
+    except (TypeError, UnicodeError):
+        raise TypeError(f"{name}: is a {type(given).__name__}, allowed: a path") from None
 
 
 def run(case: Path, set: Optional[Mapping[str, Any]] = None, out: Optional[Path] = None, threads: int = 1,
@@ -53,9 +71,13 @@ def run(case: Path, set: Optional[Mapping[str, Any]] = None, out: Optional[Path]
     folder for the command's files. progress(time, end) is called some ten times a second; if it returns True, the run stops.
     Raises InputError, DomainError or StoppedError; of the last two `.run` is what was computed.
     """
-    overrides = [f"unset {key}" if value is None else f"{key}={_toml(value)}" for key, value in (set or {}).items()]
+    if set is not None and not isinstance(set, Mapping):
+        raise TypeError(f"set: is a {type(set).__name__}, allowed: a dict")
+    if progress is not None and not callable(progress):
+        raise TypeError(f"progress: is a {type(progress).__name__}, allowed: a function of time and end")
+    overrides = "\n".join(_override(key, value) for key, value in (set or {}).items())
     status, message, history, energy, summary = _gasjet.run(
-        os.fspath(case), text, "\n".join(overrides), None if out is None else os.fspath(out), threads, progress)
+        _path(case, "case"), text, overrides, None if out is None else _path(out, "out"), threads, progress)
     made = Run(history, energy, json.loads(summary))
     if status != 0:
         error = (DomainError if status == 3 else StoppedError)(message)
@@ -73,11 +95,18 @@ def _closed_forms() -> Any:
     return _exact
 
 
+def _number(given: Any, name: str) -> float:
+    array = as_numbers(given, name)
+    if array.ndim != 0:
+        raise TypeError(f"{name}: is an array, allowed: a number")
+    return float(array)
+
+
 def exact(name: str, times: Any = None, **parameters: float) -> Table:
     """A closed form by name (see catalogue()), as arrays by column; times: its abscissae. Loads GSL, which is GPL."""
     _exact = _closed_forms()
-    lines = "\n".join(f"{key}={float(value)!r}" for key, value in parameters.items())
-    return _exact.evaluate(name, lines, np.zeros(0) if times is None else np.atleast_1d(np.asarray(times, float)))
+    lines = "\n".join(f"{key}={_number(value, key)!r}" for key, value in parameters.items())
+    return _exact.evaluate(name, lines, np.zeros(0) if times is None else np.atleast_1d(as_numbers(times, "times")))
 
 
 def catalogue() -> Dict[str, Dict[str, Any]]:
@@ -92,21 +121,30 @@ def compare(mine: Union[Path, Mapping[str, Any], Run], reference: Union[Path, Ma
     Either is a CSV file, a Run, or a dict of columns with "time_s". map: file that names a foreign program's columns.
     """
     with tempfile.TemporaryDirectory() as folder:
-        files = [_file_of(given, os.path.join(folder, name)) for given, name in ((mine, "mine.csv"), (reference, "reference.csv"))]
-        return json.loads(_gasjet.compare(*files, None if map is None else os.fspath(map), tolerance))
+        files = [_file_of(given, name, folder) for given, name in ((mine, "mine"), (reference, "reference"))]
+        try:
+            return json.loads(_gasjet.compare(*files, None if map is None else _path(map, "map"), tolerance))
+        except InputError as error:
+            raise InputError(str(error).replace(os.path.join(folder, ""), "")) from None  # it names mine.csv or reference.csv
 
 
-def _file_of(history: Any, path: str) -> str:
-    """The file of a history; one of a dict is written to `path`, its numbers as they are."""
+def _file_of(history: Any, argument: str, folder: str) -> bytes:
+    """The file of a history; one of a dict is written into the folder, its numbers as they are."""
     if isinstance(history, Run):
         history = history.history
     if not isinstance(history, Mapping):
-        return os.fspath(history)
-    columns = {name: np.asarray(values, float) for name, values in history.items()}
+        return _path(history, argument)
+    if not history:
+        raise ValueError(f"{argument}: has no columns, allowed: time_s and others")
+    for name in history:
+        if not isinstance(name, str) or not name or any(c in name for c in ',"#\r\n\0'):
+            raise TypeError(f"{argument}: has the column {name!r}, allowed: names without commas, quotes, # and new lines")
+    columns = {name: as_numbers(values, f"{argument}: {name}") for name, values in history.items()}
     if len({values.shape for values in columns.values()}) > 1 or any(values.ndim != 1 for values in columns.values()):
-        raise ValueError("history: columns differ in length, allowed: one dimension and the same length")
+        raise ValueError(f"{argument}: has columns that differ in length, allowed: one dimension and the same length")
+    path = os.path.join(folder, argument + ".csv")
     with open(path, "w", encoding="utf-8") as file:
         file.write(",".join(columns) + "\n")
         for row in zip(*columns.values()):
             file.write(",".join(repr(float(value)) for value in row) + "\n")
-    return path
+    return os.fsencode(path)

@@ -154,14 +154,22 @@ py::dict membrane_evaluate(const Handle& membrane, const py::object& nodes, doub
 }  // namespace
 
 void add_bodies(py::module_& m) {
-  m.def("outlet", &outlet);
-  m.def("jet_model", &jet_model);
-  m.def("jet_velocity", &jet_velocity);
-  m.def("jet", &jet);
-  m.def("jet_pressure", &jet_pressure);
-  m.def("surface", &surface);
-  m.def("surface_visible", &surface_visible);
-  m.def("membrane", &membrane);
-  m.def("membrane_masses", &membrane_masses);
-  m.def("membrane_evaluate", &membrane_evaluate);
+  def(m, "outlet", &outlet,
+      {"law", "area", "mass_flow", "temperature", "cp", "gas_constant", "bag_pressure"});
+  def(m, "jet_model", &jet_model,
+      {"centre", "axis", "radius", "short_side", "long_side", "long_direction", "decay_coefficient",
+       "cone_initial_width", "cone_half_angle", "restitution", "cut_off", "radial"});
+  def(m, "jet_velocity", &jet_velocity, {"model", "points"});
+  def(m, "jet", &jet, {"model", "triangles", "node_count", "null_elements", "attachment_elements"});
+  def(m, "jet_pressure", &jet_pressure,
+      {"jet", "elements", "nodes", "velocity", "density", "occlusion", "displacement_bound"});
+  def(m, "surface", &surface, {"triangles", "node_count", "null_elements", "attachment_elements"});
+  def(m, "surface_visible", &surface_visible,
+      {"surface", "elements", "nodes", "centre", "axis", "long_direction", "half_long", "candidates",
+       "displacement_bound"});
+  def(m, "membrane", &membrane,
+      {"reference", "triangles", "thickness", "density", "young_modulus", "poisson", "wrinkles", "law",
+       "null_elements", "fixed_nodes"});
+  def(m, "membrane_masses", &membrane_masses, {"membrane", "node_count"});
+  def(m, "membrane_evaluate", &membrane_evaluate, {"membrane", "nodes", "gamma", "pressure"});
 }

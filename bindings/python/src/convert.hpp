@@ -8,6 +8,7 @@
 #include <pybind11/stl.h>
 
 #include <array>
+#include <cstring>
 #include <string>
 
 namespace py = pybind11;
@@ -17,7 +18,10 @@ inline void raise(int status, const char* message) {
   if (status == GASJET_OK) return;
   const char* names[] = {"", "", "InputError", "DomainError", "BusyError", "StoppedError", "Error"};
   const py::object type = py::module_::import("gasjet.errors").attr(names[status]);
-  PyErr_SetString(type.ptr(), message);
+  // What the user gave may be no UTF-8.
+  const auto text = py::reinterpret_steal<py::object>(
+      PyUnicode_DecodeUTF8(message, static_cast<py::ssize_t>(std::strlen(message)), "backslashreplace"));
+  PyErr_SetObject(type.ptr(), text.ptr());
   throw py::error_already_set();
 }
 

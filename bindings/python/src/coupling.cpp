@@ -95,10 +95,14 @@ py::dict contact_evaluate(const Handle& contact, const py::object& nodes, const 
 
 void add_coupling(py::module_& m) {
   py::class_<gasjet_pendulum_model>(m, "PendulumModel");
-  m.def("pendulum_model", &pendulum_model);
-  m.def("pendulum_evaluate", &pendulum_evaluate);
-  m.def("pendulum_moment", &pendulum_moment);
-  m.def("pendulum_advance", &pendulum_advance);
-  m.def("contact", &contact);
-  m.def("contact_evaluate", &contact_evaluate);
+  def(m, "pendulum_model", &pendulum_model,
+      {"pivot", "axis", "rest_direction", "mass", "inertia_cg", "cg_distance", "impactor_distance",
+       "impactor_radius", "gravity"});
+  def(m, "pendulum_evaluate", &pendulum_evaluate, {"model", "angle", "angular_velocity"});
+  def(m, "pendulum_moment", &pendulum_moment, {"model", "force", "point"});
+  def(m, "pendulum_advance", &pendulum_advance,
+      {"model", "moment", "dt_before", "dt_after", "angle", "angular_velocity"});
+  def(m, "contact", &contact,
+      {"reference", "triangles", "masses", "effective_mass", "radius", "stiffness", "friction"});
+  def(m, "contact_evaluate", &contact_evaluate, {"contact", "nodes", "centre", "turn"});
 }

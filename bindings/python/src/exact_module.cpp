@@ -5,7 +5,7 @@
 
 #include <memory>
 
-#include "convert.hpp"
+#include "arguments.hpp"
 
 namespace {
 
@@ -52,6 +52,6 @@ std::string catalogue() {
 
 PYBIND11_MODULE(_exact, m) {
   py::class_<Table>(m, "Table");
-  m.def("evaluate", &evaluate);
+  def(m, "evaluate", &evaluate, {"name", "parameters", "times"});
   m.def("catalogue", &catalogue);
 }

@@ -65,11 +65,23 @@ Owner tank(const Handle& gas, double pressure, double temperature, double volume
 void add_inflow(const Handle& tank, const Handle& gas, const Numbers& time, const Numbers& mass_flow,
                 const Numbers& temperature, double start_time) {
   if (mass_flow.size() != time.size() || temperature.size() != time.size())
-    wrong_type("mass_flow, temperature",
-               "have " + std::to_string(mass_flow.size()) + " and " + std::to_string(temperature.size()) +
-                   " numbers, allowed: as many as time, " + std::to_string(time.size()));
+    wrong_type("time, mass_flow, temperature",
+               "have " + std::to_string(time.size()) + ", " + std::to_string(mass_flow.size()) + " and " +
+                   std::to_string(temperature.size()) + " numbers, allowed: as many of each");
   check(gasjet_tank_add_inflow(tank.value, gas.value, time.size(), time.data(), mass_flow.data(),
                                temperature.data(), start_time));
+}
+
+void add_vent(const Handle& tank, double discharge_coefficient, double area, double opens_at) {
+  check(gasjet_tank_add_vent(tank.value, discharge_coefficient, area, opens_at));
+}
+
+void add_fabric(const Handle& tank, double leak_area) {
+  check(gasjet_tank_add_fabric(tank.value, leak_area));
+}
+
+void advance(const Handle& tank, double time, double volume) {
+  unlocked([&] { return gasjet_tank_advance(tank.value, time, volume); });
 }
 
 py::dict tank_state(const Handle& tank) {
@@ -111,23 +123,19 @@ py::dict tank_balance(const Handle& tank) {
 }  // namespace
 
 void add_gas(py::module_& m) {
-  m.def("gas", &gas);
-  m.def("ideal_gas", &ideal_gas);
-  m.def("gas_values", &gas_values);
-  m.def("gas_temperature", &gas_temperature);
-  m.def("gas_entropy", &gas_entropy);
-  m.def("orifice", &orifice);
-  m.def("fabric", &fabric);
-  m.def("tank", &tank);
-  m.def("tank_add_inflow", &add_inflow);
-  m.def("tank_add_vent", [](const Handle& tank, double cd, double area, double at) {
-    check(gasjet_tank_add_vent(tank.value, cd, area, at));
-  });
-  m.def("tank_add_fabric",
-        [](const Handle& tank, double area) { check(gasjet_tank_add_fabric(tank.value, area)); });
-  m.def("tank_advance", [](const Handle& tank, double time, double volume) {
-    unlocked([&] { return gasjet_tank_advance(tank.value, time, volume); });
-  });
-  m.def("tank_state", &tank_state);
-  m.def("tank_balance", &tank_balance);
+  def(m, "gas", &gas, {"composition", "constant_cp_at"});
+  def(m, "ideal_gas", &ideal_gas, {"gas_constant", "cp"});
+  def(m, "gas_values", &gas_values, {"gas", "temperature"});
+  def(m, "gas_temperature", &gas_temperature, {"gas", "internal_energy"});
+  def(m, "gas_entropy", &gas_entropy, {"gas", "temperature", "pressure"});
+  def(m, "orifice", &orifice,
+      {"effective_area", "pressure", "temperature", "gas_constant", "cp", "ambient_pressure"});
+  def(m, "fabric", &fabric, {"leak_area", "density", "overpressure"});
+  def(m, "tank", &tank, {"gas", "pressure", "temperature", "volume", "ambient_pressure", "tolerance"});
+  def(m, "tank_add_inflow", &add_inflow, {"tank", "gas", "time", "mass_flow", "temperature", "start_time"});
+  def(m, "tank_add_vent", &add_vent, {"tank", "discharge_coefficient", "area", "opens_at"});
+  def(m, "tank_add_fabric", &add_fabric, {"tank", "leak_area"});
+  def(m, "tank_advance", &advance, {"tank", "time", "volume"});
+  def(m, "tank_state", &tank_state, {"tank"});
+  def(m, "tank_balance", &tank_balance, {"tank"});
 }

@@ -7,11 +7,10 @@
 #include <algorithm>
 #include <memory>
 
-#include "convert.hpp"
+#include "arguments.hpp"
 
 using Points = Rows<double>;
 using Triangles = Rows<int32_t>;
-using Indices = py::array_t<int32_t, py::array::c_style | py::array::forcecast>;
 using Numbers = py::array_t<double, py::array::c_style | py::array::forcecast>;
 using Vector = std::array<double, 3>;
 

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // Whole runs and the comparison.
-#include <optional>
-
 #include "module.hpp"
 
 namespace {
@@ -93,6 +91,6 @@ std::string compare(const std::string& mine, const std::string& reference,
 }  // namespace
 
 void add_runs(py::module_& m) {
-  m.def("run", &run);
-  m.def("compare", &compare);
+  def(m, "run", &run, {"case", "text", "set", "out", "threads", "progress"});
+  def(m, "compare", &compare, {"mine", "reference", "map", "tolerance"});
 }

@@ -73,7 +73,8 @@ void copy(const Eigen::Vector3d& from, double* to) {
 JetModel validated(const JetModel& model) {
   check_sizes(model);
   check_options(model);
-  if (!model.centre.allFinite()) throw std::invalid_argument("jet centre is not finite");
+  if (!model.centre.allFinite())
+    throw std::invalid_argument("jet centre is not finite, allowed: finite coordinates");
   JetModel result = model;
   result.axis = unit("axis", model.axis);
   if (model.shape == OutletShape::rectangular) {

@@ -91,7 +91,7 @@ const Entry& find_entry(std::string_view name) {
     if (entry.name == name) return entry;
     names += (names.empty() ? "" : ", ") + entry.name;
   }
-  throw std::invalid_argument("unknown closed form " + std::string(name) + "; there are: " + names);
+  throw std::invalid_argument("unknown closed form " + std::string(name) + ", allowed: " + names);
 }
 
 ParameterMap complete_parameters(const Entry& entry, const ParameterMap& given) {
