@@ -6,6 +6,7 @@
 #include <limits>
 #include <string>
 
+#include "check.hpp"
 #include "coupling/side.hpp"
 
 namespace coupling::detail {
@@ -159,6 +160,10 @@ void Search::settle_gap() {
   state.gap = least_of(state.group_slack);
 }
 
+// Of the sphere, that the skin may move past it within a step: ten times as many would still be searched
+// exactly.
+constexpr double most_radii = 1000.0;
+
 void sweep_centre_path(const Eigen::Matrix3Xi& triangles, double radius, const Nodes& nodes,
                        const Eigen::Vector3d& next_centre, ContactState& state) {
   ++state.sweeps;
@@ -168,6 +173,10 @@ void sweep_centre_path(const Eigen::Matrix3Xi& triangles, double radius, const N
       start.col(i) = state.nodes.col(triangles(i, e)) - state.centre;
       end.col(i) = nodes.col(triangles(i, e)) - next_centre;
     }
+    if (const double motion = (end - start).colwise().norm().maxCoeff(); !(motion <= most_radii * radius))
+      throw ContactError("contact: element " + std::to_string(e) + " moves by " + text(motion) +
+                         " m past the sphere's centre within one step, its limit is " +
+                         text(most_radii * radius) + " m");
     // A centre this close to the skin is far beyond the penetration allowed, whichever side it ends on.
     if (path_meets_triangle(start, end, 0.01 * radius))
       throw ContactError("contact: the sphere's centre crossed the skin at element " + std::to_string(e) +

@@ -97,10 +97,11 @@ void require_outside(const Triangles& triangles, const Nodes& nodes, const Vecto
 bool path_meets_triangle(const Eigen::Matrix3d& start, const Eigen::Matrix3d& end, double tolerance) {
   const Eigen::Matrix3d motion = end - start;
   const double largest = motion.colwise().norm().maxCoeff();
+  constexpr double least = 1e-6;  // of the step: below rounding the time would stand still
   for (double t = 0.0;;) {
     const double distance = distance_from_origin(start + t * motion);
     if (!(distance > tolerance)) return true;
-    t += distance / largest;
+    t += std::max(least, distance / largest);
     if (!(t < 1.0)) return false;
   }
 }

@@ -102,6 +102,15 @@ TEST(contact_limits, impactor_that_swings_farther_than_half_its_radius_in_a_step
     EXPECT_EQ(at(speed).outcome.status, driver::RunStatus::failed) << speed;
 }
 
+// Skin that is flung away at once: the search of its path ends.
+TEST(contact_limits, skin_that_moves_a_thousand_radii_in_a_step_is_refused) {
+  const auto run =
+      run_case("passenger_sharp_no_jet", {"scene.gravity=[0.0, 0.0, -1e31]", "scene.end_time=2e-3"});
+  ASSERT_EQ(run.outcome.status, driver::RunStatus::failed);
+  for (const char* word : {"stage S7_contact", "past the sphere's centre within one step, its limit is 41 m"})
+    EXPECT_NE(run.outcome.message.find(word), std::string::npos) << run.outcome.message;
+}
+
 TEST(contact_limits, sphere_that_starts_inside_or_in_the_skin_is_refused) {
   const auto at = [](const char* pivot) { return std::string("pendulum.pivot=[") + pivot + ", 0.0, 1.31]"; };
   EXPECT_NO_THROW(coupled::scene_of("ball_impact", {at("-0.1511")}));  // 0.1 mm off

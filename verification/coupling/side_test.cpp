@@ -169,6 +169,10 @@ TEST(Side, swept_test_of_a_triangle_at_rest) {
   Matrix3d u;
   u << 1, 0, 0, 0, 1, 0, 0, 0, 1;
   EXPECT_FALSE(coupling::path_meets_triangle(u, u, 1e-3));
+  for (const double far : {1e20, 1e100, 1e300}) {
+    const Eigen::Matrix3d away = u.array() + far;
+    EXPECT_FALSE(coupling::path_meets_triangle(u, away, 1e-3)) << "it ends, however far";
+  }
   EXPECT_TRUE(coupling::path_meets_triangle(u, u, 0.6));  // 1/sqrt(3) away
 }
 

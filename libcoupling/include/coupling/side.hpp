@@ -37,7 +37,8 @@ void require_outside(const Triangles& triangles, const Nodes& nodes, const Eigen
 /// `end` are the corners minus the point [m].
 ///
 /// Conservative advancement: at distance d at time t, nothing can meet before t + d / (largest corner
-/// motion). So the answer `false` is certain. It takes at most motion/tolerance rounds.
+/// motion). So the answer `false` is certain for motions up to 1e6 tolerances. It takes at most as many
+/// rounds.
 bool path_meets_triangle(const Eigen::Matrix3d& start, const Eigen::Matrix3d& end, double tolerance);
 
 }  // namespace coupling
