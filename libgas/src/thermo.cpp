@@ -94,7 +94,8 @@ void Thermo::mixture(std::span<const double> masses, Mixture& out) const {
 Mixture Thermo::mixture(std::span<const double> masses) const {
   require(masses.size() == size(), "number of masses", static_cast<double>(masses.size()),
           "must be one per species");
-  for (const double m : masses) require(std::isfinite(m) && m >= 0.0, "mass [kg]", m, "must not be negative");
+  for (const double m : masses)
+    require(std::isfinite(m) && m >= 0.0, "mass [kg]", m, "must be finite and not negative");
   Mixture sums;
   mixture(masses, sums);
   return sums;

@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <charconv>
 #include <cmath>
+#include <cstdio>
 #include <fstream>
 #include <stdexcept>
 #include <system_error>
@@ -65,16 +67,31 @@ bool write_straight(const std::filesystem::path& path, const std::string& text) 
   return static_cast<bool>(file);
 }
 
+struct Part {
+  std::filesystem::path path;
+  std::FILE* file;
+};
+
+// Of this writer alone: of two that write one file at once, each renames a whole one.
+Part open_part(const std::filesystem::path& target) {
+  for (int n = 0;; ++n) {
+    std::filesystem::path path = target.string() + ".gasjet-part" + (n == 0 ? "" : std::to_string(n));
+    std::FILE* file = std::fopen(path.c_str(), "wbx");
+    if (file || errno != EEXIST) return {std::move(path), file};
+  }
+}
+
 // A full disk leaves what was there.
 bool replace(const std::filesystem::path& path, const std::string& text) {
-  const std::filesystem::path beside = path.string() + ".gasjet-part";
-  std::error_code failed;
-  if (write_straight(beside, text))
-    std::filesystem::rename(beside, path, failed);
+  const Part part = open_part(path);
+  if (!part.file) return false;
+  const bool taken = std::fwrite(text.data(), 1, text.size(), part.file) == text.size();
+  std::error_code failed, ignored;
+  if (std::fclose(part.file) == 0 && taken)
+    std::filesystem::rename(part.path, path, failed);
   else
     failed = std::make_error_code(std::errc::io_error);
-  std::error_code ignored;
-  if (failed) std::filesystem::remove(beside, ignored);
+  if (failed) std::filesystem::remove(part.path, ignored);
   return !failed;
 }
 

@@ -180,48 +180,6 @@ PYTHON
   cd - >/dev/null || exit 1
 }
 
-part_resume() {
-  local ensemble=(ensemble "$source/cases/sphere_inflation.toml" --runs 10 --set scene.end_time=1e-2 --set membrane.mesh.levels=3)
-  local ladder=(ladder "$source/cases/jet_bag.toml" --set membrane.mesh.levels=2 --quantity pressure --tolerance 10%) signal pid code
-  "$gasjet" "${ensemble[@]}" --quiet --out "$work/whole" || fail "ensemble"
-  for signal in INT KILL; do
-    "$gasjet" "${ensemble[@]}" --out "$work/$signal" >/dev/null 2>&1 </dev/null &
-    pid=$!
-    until_there test -s "$work/$signal/sphere_inflation/journal.jsonl"
-    kill -$signal $pid
-    wait $pid 2>/dev/null
-    code=$?
-    [ $signal = KILL ] || [ $code = 130 ] || fail "exit $code of an interrupted ensemble"
-    [ $signal = KILL ] || ended_as "$work/$signal" interrupted
-    [ $signal = KILL ] || grep -q '^# status: interrupted, [1-9] of 10 runs' "$work/$signal/sphere_inflation/ensemble.csv" ||
-      fail "an interrupted ensemble does not say how many runs it has"
-    [ $signal = KILL ] || expect 2 "was interrupted before all runs were done" "$source/scripts/plot_ensemble.sh" "$work/plot" "$work/INT/sphere_inflation"
-    expect 0 "goes on after [1-9] runs that are done" "$gasjet" "${ensemble[@]}" --out "$work/$signal"
-    same_tables "$work/whole/sphere_inflation" "$work/$signal/sphere_inflation" ensemble.csv quantities.csv
-    cmp <(sed '/"date"/d' "$work/whole/sphere_inflation/ensemble.json") <(sed '/"date"/d' "$work/$signal/sphere_inflation/ensemble.json") || fail "ensemble.json"
-    ended_as "$work/$signal" done
-    [ -e "$work/$signal/sphere_inflation/journal.jsonl" ] && fail "the journal stays"
-  done
-  # Another ensemble takes nothing over.
-  "$gasjet" "${ensemble[@]}" --out "$work/other" >/dev/null 2>&1 </dev/null &
-  pid=$!
-  until_there test -s "$work/other/sphere_inflation/journal.jsonl"
-  kill -INT $pid
-  wait $pid
-  expect 0 "quantity" "$gasjet" "${ensemble[@]}" --out "$work/other" --amplitude 2e-5
-  "$gasjet" "${ensemble[@]}" --out "$work/fresh" --amplitude 2e-5 --quiet || fail "ensemble"
-  same_tables "$work/fresh/sphere_inflation" "$work/other/sphere_inflation" ensemble.csv quantities.csv
-  "$gasjet" "${ladder[@]}" --out "$work/ladder" >/dev/null 2>&1 </dev/null &
-  pid=$!
-  until_there test -s "$work/ladder/journal.jsonl"
-  kill -KILL $pid
-  wait $pid 2>/dev/null
-  expect 0 "goes on after [0-9]+ runs that are done" "$gasjet" "${ladder[@]}" --out "$work/ladder"
-  "$gasjet" "${ladder[@]}" --out "$work/whole_ladder" --quiet || fail "ladder"
-  values() { grep -v '^#\|^and ' "$1/ladder.csv" | cut -d, -f1-4; } # combinations depend on costs
-  cmp <(values "$work/whole_ladder") <(values "$work/ladder") || fail "a ladder that went on has other values"
-}
-
 # A real full disk, where the kernel lets a test mount one; else part_full_disk is all there is.
 part_small_disk() {
   local disk=$work/disk inside='mount -t tmpfs -o size=96k none "$1" || exit 77

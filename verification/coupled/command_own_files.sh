@@ -12,6 +12,17 @@ part_own_files() {
   for name in summary.json.part history.csv.part bag.obj.part; do
     [ "$(cat "$work/parts/$name")" = mine ] || fail "$name of the user's is lost"
   done
+  # What another command is writing into the same file, or the user's, keeps its own name beside it.
+  cp "$work/parts/bag.obj" "$work/before.obj"
+  for name in bag.obj page.html; do echo mine >"$work/parts/$name.gasjet-part"; done
+  expect 0 "elements" "$gasjet" mesh passenger --out "$work/parts/bag.obj"
+  expect 0 "MB" "$gasjet" report "$work/parts" --out "$work/parts/page.html"
+  cmp "$work/parts/bag.obj" "$work/before.obj" && tail -n 1 "$work/parts/page.html" | grep -q '</html>' || fail "half a file"
+  for name in bag.obj page.html; do
+    [ "$(cat "$work/parts/$name.gasjet-part")" = mine ] || fail "$name.gasjet-part of another's is lost"
+    [ "$(ls -d "$work/parts/$name".gasjet-part*)" = "$work/parts/$name.gasjet-part" ] || fail "left: $(ls "$work/parts")"
+  done
+  rm "$work/parts"/*.gasjet-part
   # A deck's folder is a folder of results.
   local deck=(export "$bag" --units kg-m-s)
   mkdir "$work/deck" && echo mine >"$work/deck/export.md"
@@ -21,6 +32,8 @@ part_own_files() {
   expect 0 "are in" "$gasjet" "${deck[@]}" --format lsdyna --out "$work/deck"
   [ "$(ls "$work/deck")" = "$(printf '%s\n' bag.k export.json export.md gasjet.status)" ] || fail "two decks in one folder: $(ls "$work/deck")"
   expect 2 "holds the results of gasjet run" "$gasjet" "${deck[@]}" --format radioss --out "$work/parts"
+  expect 0 "a.x0ab: bag.k and export.md are in" "$gasjet" "${deck[@]}" --format lsdyna --out "$work/deck" --set 'scene.name="a\nb"'
+  grep -q '^# a.x0ab as a deck of lsdyna' "$work/deck/export.md" || fail "a name of two lines: $(head -n 2 "$work/deck/export.md")"
   # A study that is refused leaves nothing.
   printf '[study]\ncase = "%s"\nquantities = ["peak_pressure_Pa"]\n' "$tank" >"$plan"
   ls "$work/parts" >"$work/before"
@@ -34,6 +47,9 @@ part_own_files() {
   cp "$source/cases/reference/tank_fill.csv" "$name"
   "$gasjet" compare "$name" "$name" --format json >"$work/compare.json" || fail "compare of a file whose name is no UTF-8"
   python3 -c 'import json, sys; json.load(open(sys.argv[1], encoding="utf-8"))' "$work/compare.json" || fail "compare.json"
+  # Lines that end with a carriage return alone.
+  tr '\n' '\r' <"$source/cases/reference/tank_fill.csv" >"$work/mac.csv"
+  expect 2 "mac.csv:1:[0-9]+: a carriage return within a line" "$gasjet" compare "$work/mac.csv" "$work/mac.csv"
   # Half a million knots: whatever looks at them all looks at each once.
   sed '/^mass_flow/d' "$tank" >"$work/knots.toml"
   awk 'BEGIN { print "time_s,flow"; for (i = 0; i < 500000; i++) printf "%.7f,1\n", i * 2e-7 }' >"$work/knots.csv"

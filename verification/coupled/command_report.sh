@@ -21,7 +21,7 @@ part_report() {
   # The page never takes the place of a result.
   expect 2 "--out .*is a folder" "$gasjet" report "$work/bag" --out "$work/bag"
   expect 2 "--out .*would overwrite" "$gasjet" report "$work/bag" --out "$work/./bag/frames.bin"
-  expect 2 "--out .*not writable" "$gasjet" report "$work/bag" --out "$work/nowhere/page.html"
+  expect 2 "page.html: not writable .No such file" "$gasjet" report "$work/bag" --out "$work/nowhere/page.html"
   # Damaged tables.
   a_copy && sed -i '$s/,[^,]*$/,nan/' "$work/bad/history.csv"
   expect 2 "history.csv:[0-9]+:[0-9]+: plate_force_N: 'nan': a finite number is allowed" "$gasjet" report "$work/bad" --out "$page"

@@ -194,6 +194,10 @@ part_study_bad() {
   refused "stop.quantity: is \"mass\", one of the study's is needed: pressure_Pa"
   tank_plan "$plan" '[analysis]' 'base = { factor = "x", level = "y" }'
   refused "analysis.base.factor: is \"x\", a factor is needed"
+  for name in ../x /x a/b . .. '' 'a\nb' "$(printf 'x%.0s' {1..256})"; do
+    tank_plan "$plan" "name = \"$name\""
+    refused "$at:4:1: study.name: is \".*\", a file name is allowed"
+  done
   tank_plan "$plan" 'unknown = 1'
   refused "$at:4:1: study.unknown: unknown key"
   tank_plan "$plan" '[[factor]]' 'name = "a"' '[[factor.level]]' 'name = "b"' 'seeds = 2'

@@ -134,6 +134,12 @@ part_bad_input() {
   ! bash -c 'ulimit -v 60000 && exec "$@"' - "$gasjet" --version >/dev/null 2>&1 ||
     expect 3 "out of memory: [0-9]+ MiB of addresses are in use, .* the limit of 59 MiB" bash -c 'ulimit -v 60000 && exec "$@"' - \
       "$gasjet" mesh passenger --refine 5 --out "$work/large.obj"
+  # Long values are not told whole.
+  [ "$("$gasjet" check "$tank" --set "a=$(printf '[%.0s' {1..50000})" 2>&1 | wc -c)" -lt 600 ] || fail "a long value is told whole"
+  expect 2 "--set scene.xx+\.\.\.: scene.xx+\.\.\.: unknown key" "$gasjet" check "$tank" --set "scene.$(printf 'x%.0s' {1..50000})=1"
+  for volume in 1e308 1e-320; do
+    expect 2 "tank.volume: is .*, 1e-100 to 1e100 m3 is allowed" "$gasjet" check "$tank" --set tank.volume=$volume
+  done
   expect 2 "part of the path" "$gasjet" run "$tank" --out "$work/out" --set scene.end_time.=1
   expect 2 "longer than 64 MiB" "$gasjet" run /dev/zero --out "$work/out"
   expect 2 "another file name" "$gasjet" ensemble "$source/cases/sphere_inflation.toml" --runs 2 \
@@ -156,6 +162,18 @@ part_interrupt() {
   local status=$?
   [ $status = 130 ] || fail "exit $status after Ctrl-C, 130 expected: $(cat "$work/log")"
   grep -q '"status": "interrupted"' "$work/stopped/summary.json" || fail "no interrupted status"
+  # While a file is read, here of a pipe into which nobody writes, nothing is there to keep.
+  mkfifo "$work/nothing.csv"
+  for signal in TERM INT HUP; do
+    (trap - INT; exec "$gasjet" run "$source/cases/rigid_tank.toml" --out "$work/waiting" \
+      --set "inflator.0.mass_flow={file='$work/nothing.csv',column='flow'}" >/dev/null 2>&1) &
+    pid=$!
+    sleep 0.5
+    kill -$signal $pid
+    wait $pid
+    [ $? -gt 128 ] || fail "$signal while a file is read: exit $?"
+    [ -e "$work/waiting" ] && fail "$signal while a file is read leaves results"
+  done
   rows=$(grep -v '^#' "$work/stopped/history.csv" | awk -F, 'NR == 1 {n = NF} NF != n {bad = 1} END {print bad ? -1 : NR}')
   [ "$rows" -gt 1 ] || fail "history of $rows rows, or a torn row"
 }
@@ -225,7 +243,7 @@ part_exact() {
   expect 2 "no_such_parameter" "$gasjet" exact "$name" --set no_such_parameter=1
 }
 
-for family in compare cost decks faults identify ladder mesh own_files report study; do
+for family in compare cost decks faults identify ladder mesh own_files report resume study; do
   # shellcheck source=/dev/null
   source "$(dirname "${BASH_SOURCE[0]}")/command_$family.sh"
 done

@@ -28,6 +28,7 @@ const std::map<std::string, Harness*> kHarnesses{
     {"history", fuzz_history}, {"visibility", fuzz_visibility}};
 
 constexpr std::size_t kLongest = 4096, kMostFaults = 6;
+constexpr std::size_t kOneWhole = 20;  // of so many inputs of a longer seed file one is a copy of all of it
 
 const std::vector<std::string> kTokens{
     "nan", "inf",  "-1",   "0", "1e999", "1e-320", "4294967296", "\r",
@@ -39,7 +40,7 @@ class Faults {
 
   std::string next() {
     std::string text = seeds_.empty() ? noise() : one_of(seeds_);
-    if (text.size() > kLongest)
+    if (text.size() > kLongest && below(kOneWhole) != 0)
       text = text.substr(below(2) == 0 ? 0 : below(text.size() - kLongest), kLongest);
     for (std::size_t n = 1 + below(kMostFaults); n > 0; --n) damage(text);
     return text;

@@ -45,6 +45,8 @@ inline constexpr Bounds positive{0.0, std::numeric_limits<double>::max(), true, 
 inline constexpr Bounds non_negative{0.0, std::numeric_limits<double>::max(), false, "a number of 0 or more"};
 // Constant cp has no range of its own; beyond this one no gas is one of molecules, and powers overflow.
 inline constexpr Bounds gas_temperature{1.0, 1e5, false, "1 to 1e5 K"};
+// So that densities and masses stay normal numbers.
+inline constexpr Bounds gas_volume{1e-100, 1e100, false, "1e-100 to 1e100 m3"};
 inline constexpr Bounds fraction{0.0, 1.0, false, "a number from 0 to 1"};
 inline constexpr Bounds positive_fraction{0.0, 1.0, true, "a number above 0, at most 1"};
 
@@ -64,6 +66,9 @@ struct PathPart {
 /// Parts of a path such as `key.0."any key"`. Keys other than [A-Za-z_-][A-Za-z0-9_-]* are quoted as in JSON.
 /// A quote that is not closed, or text beside quotes, gives an empty part.
 std::vector<PathPart> split_path(const std::string& path);
+
+/// `text`, or the beginning of a long one, for messages.
+std::string shortened(const std::string& text);
 
 /// `text` in quotes that TOML and JSON both read.
 std::string quoted(const std::string& text);
@@ -94,6 +99,8 @@ class TableReader {
   bool flag(const std::string& key, bool fallback);
   std::string text(const std::string& key);
   std::string text(const std::string& key, const std::string& fallback);
+  /// Reads a text that names a file or folder and is no path.
+  std::string file_name(const std::string& key, const std::string& fallback);
   std::vector<double> numbers(const std::string& key, Bounds bounds);
   std::vector<std::string> texts(const std::string& key);
   /// One value of an array as it is written in TOML, and as a number if it is one.

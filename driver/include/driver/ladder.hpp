@@ -61,6 +61,7 @@ struct LadderRung {
   std::string differs;                 // what is not the full case's, joined; else the name
   Statistics value;             // of a single run of a membrane: with the deviation of seeds as its error
   double cpu_seconds = 0.0;     // of one run
+  double steps = 0.0;           // of one run
   std::string failure;          // why it has no value
   double error = 0.0;           // value - the reference's
   double standard_error = 0.0;  // of that

@@ -13,7 +13,7 @@ namespace driver {
 class Progress {
  public:
   /// `total` has the unit of update(). Shows nothing if `quiet`.
-  Progress(std::string what, double total, bool quiet);
+  Progress(const std::string& what, double total, bool quiet);
   ~Progress();
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;

@@ -37,6 +37,8 @@ Provenance build_lines();
 /// follow from, which are `facts`, the contents of `files`, and the build. Equal computations have equal ids.
 std::string run_id(const std::vector<std::string>& facts, const std::vector<std::filesystem::path>& files);
 
+/// `text` in UTF-8 on one line, whatever bytes it holds: control characters stand as \xNN.
+std::string one_line(const std::string& text);
 /// `lines` as `# key: value` in UTF-8, each on one line whatever bytes the value holds.
 std::string comment_lines(const Provenance& lines);
 
@@ -69,7 +71,8 @@ struct FolderStatus {
   std::set<std::string, std::less<>> files;
 };
 inline constexpr const char* status_file = "gasjet.status";
-/// A file is written beside its place, under its name and this, and then renamed.
+/// A file is written beside its place, under its name and this, and then renamed. A number follows if a file
+/// of that name is there.
 inline constexpr const char* part_suffix = ".gasjet-part";
 inline constexpr const char* status_head =
     "# Written by gasjet: the run that wrote this folder, how it ended, its files.";

@@ -23,8 +23,9 @@ using LevelSink = std::function<void(bool recorded, const State&)>;
 struct RunOptions {
   bool quiet = false;
   int threads = 1;
-  LevelSink watch = {};             // after the files have got the level; may be empty
-  std::function<bool()> stop = {};  // asked before every step, instead of Ctrl-C
+  LevelSink watch = {};              // after the files have got the level; may be empty
+  std::function<bool()> stop = {};   // asked before every step, instead of Ctrl-C
+  std::function<void()> ready = {};  // called once all is set up, before anything is written
   std::string check = {};  // text of check.json: the case with its defaults, and what follows from them
 };
 

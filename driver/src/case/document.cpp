@@ -56,9 +56,13 @@ toml::table parse(const std::string& text, const std::string& name) {
   }
 }
 
+std::string option_of(const std::string& override_text) {
+  return "--set " + shortened(override_text);
+}
+
 // The value of an override: TOML if it parses as TOML, else a string.
 toml::table parse_override_value(const std::string& override_text, const std::string& value) {
-  const std::string name = "--set " + override_text;
+  const std::string name = option_of(override_text);
   try {
     toml::table parsed = toml::parse("value = " + value, name);
     if (parsed.size() != 1) throw CaseError(fmt::format("{}: one value is allowed", name));
@@ -96,15 +100,17 @@ toml::node& descend(toml::node& parent, const PathPart& part, const std::string&
   const auto& [key, index] = part;
   if (auto* table = parent.as_table()) {
     if (!table->contains(key))
-      table->insert(key, std::move(*toml::parse("value = {}", "--set " + override_text).get("value")));
+      table->insert(key, std::move(*toml::parse("value = {}", option_of(override_text)).get("value")));
     return *table->get(key);
   }
   if (auto* array = parent.as_array()) {
     if (index && *index < array->size()) return *array->get(*index);
-    throw CaseError(fmt::format("--set {}: '{}' is no index of that array, 0 to {} are allowed",
-                                override_text, key, static_cast<long>(array->size()) - 1));
+    throw CaseError(fmt::format("{}: '{}' is no index of that array, 0 to {} are allowed",
+                                option_of(override_text), shortened(key),
+                                static_cast<long>(array->size()) - 1));
   }
-  throw CaseError(fmt::format("--set {}: nothing stands below the key before '{}'", override_text, key));
+  throw CaseError(
+      fmt::format("{}: nothing stands below the key before '{}'", option_of(override_text), shortened(key)));
 }
 
 void unset(toml::table& root, const std::string& path) {
@@ -117,24 +123,24 @@ void unset(toml::table& root, const std::string& path) {
   }
   if (auto* array = node ? node->as_array() : nullptr;
       array && parts.back().index && *parts.back().index < array->size())
-    throw CaseError(
-        fmt::format("--unset {}: one entry of a list; a key, a table or a whole list is allowed", path));
+    throw CaseError(fmt::format("--unset {}: one entry of a list; a key, a table or a whole list is allowed",
+                                shortened(path)));
   if (!node || !node->is_table() || node->as_table()->erase(parts.back().key) == 0)
-    throw CaseError(fmt::format("--unset {}: the case has no such key", path));
+    throw CaseError(fmt::format("--unset {}: the case has no such key", shortened(path)));
 }
 
 void apply_override(toml::table& root, const std::string& text) {
   if (text.starts_with(unset_prefix)) return unset(root, text.substr(unset_prefix.size()));
   const auto equals = end_of_path(text);
   if (equals == std::string::npos || equals == 0)
-    throw CaseError(fmt::format("--set {}: key.path=value is expected", text));
+    throw CaseError(fmt::format("{}: key.path=value is expected", option_of(text)));
   const auto parts = split_path(text.substr(0, equals));
   check_keys(text.substr(equals + 1), "--set");
   if (parts.size() > most_parts)
-    throw CaseError(fmt::format("--set {}...: a key has more than {} parts", text.substr(0, 80), most_parts));
+    throw CaseError(fmt::format("{}: a key has more than {} parts", option_of(text), most_parts));
   if (text[equals - 1] == '.' ||
       std::any_of(parts.begin(), parts.end(), [](const auto& p) { return p.key.empty(); }))
-    throw CaseError(fmt::format("--set {}: a part of the path is empty", text));
+    throw CaseError(fmt::format("{}: a part of the path is empty", option_of(text)));
   toml::table value = parse_override_value(text, text.substr(equals + 1));
   toml::node* node = &root;
   for (std::size_t i = 0; i + 1 < parts.size(); ++i) node = &descend(*node, parts[i], text);
@@ -143,10 +149,11 @@ void apply_override(toml::table& root, const std::string& text) {
   } else if (auto* array = node->as_array()) {
     const auto& [key, index] = parts.back();
     if (!index || *index >= array->size())
-      throw CaseError(fmt::format("--set {}: '{}' is no index of that array", text, key));
+      throw CaseError(fmt::format("{}: '{}' is no index of that array", option_of(text), shortened(key)));
     array->replace(array->cbegin() + static_cast<std::ptrdiff_t>(*index), std::move(*value.get("value")));
   } else {
-    throw CaseError(fmt::format("--set {}: the key before '{}' is no table", text, parts.back().key));
+    throw CaseError(
+        fmt::format("{}: the key before '{}' is no table", option_of(text), shortened(parts.back().key)));
   }
 }
 

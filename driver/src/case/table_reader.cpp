@@ -61,7 +61,7 @@ void TableReader::fail(const std::string& key, const std::string& message) const
     where = location(found->second.source(), where_);
     if (!where.starts_with("--set ")) where = location(found->first.source(), where);
   }
-  throw CaseError(fmt::format("{}: {}: {}", where, join(key), message));
+  throw CaseError(fmt::format("{}: {}: {}", where, shortened(join(key)), message));
 }
 
 void TableReader::located(const std::string& key, const std::function<void()>& action) const {
@@ -175,7 +175,8 @@ std::size_t TableReader::choice_index(const std::string& key, const std::vector<
   const std::string value = fallback.empty() ? text(key) : text(key, fallback);
   const auto found = std::find(names.begin(), names.end(), value);
   if (found == names.end())
-    fail(key, fmt::format("is \"{}\", one of \"{}\" is allowed", value, fmt::join(names, "\", \"")));
+    fail(key,
+         fmt::format("is \"{}\", one of \"{}\" is allowed", shortened(value), fmt::join(names, "\", \"")));
   return static_cast<std::size_t>(found - names.begin());
 }
 

@@ -53,6 +53,17 @@ std::string as_option(const std::string& override_text) {
   return "--set " + shell_word(override_text);
 }
 
+std::string TableReader::file_name(const std::string& key, const std::string& fallback) {
+  constexpr std::size_t longest = 255;  // of Linux' file systems
+  std::string name = text(key, fallback);
+  const auto is_barred = [](char c) { return c == '/' || static_cast<unsigned char>(c) < ' ' || c == 0x7f; };
+  if (name.empty() || name == "." || name == ".." || name.size() > longest ||
+      std::ranges::any_of(name, is_barred))
+    fail(key, fmt::format("is {}, a file name is allowed: {} bytes at most, no / and no control characters",
+                          quoted(shortened(name)), longest));
+  return name;
+}
+
 std::vector<TableReader::Element> TableReader::elements(const std::string& key) {
   const toml::node& node = require(key, "an array");
   if (!node.is_array() || node.as_array()->empty()) fail(key, "is no array of one value or more");

@@ -46,6 +46,13 @@ bool LineReader::next(std::string& line) {
   line.assign(chunk_, at_, end - at_);
   at_ = std::min(end + 1, chunk_.size());
   if (number_++ == 0 && line.starts_with(byte_order_mark)) line.erase(0, byte_order_mark.size());
+  // Ends of lines as old Macs write them: a comment at the top would be all there is.
+  if (const auto at = line.find('\r');
+      at != std::string::npos && line.find_first_not_of('\r', at) != std::string::npos)
+    throw FileError(
+        fmt::format("{}:{}:{}: a carriage return within a line: lines that end with a line feed, or "
+                    "with both, are allowed",
+                    file_.string(), number_, at + 1));
   return true;
 }
 

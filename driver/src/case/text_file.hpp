@@ -21,7 +21,8 @@ class LineReader {
  public:
   /// Throws FileError for a folder and a file that cannot be read.
   explicit LineReader(const std::filesystem::path& file);
-  /// The next line; false at the end. Throws FileError for a line of more than 1 MiB: a device may never end.
+  /// The next line; false at the end. Throws FileError for a line of more than 1 MiB, since a device may
+  /// never end, and for a carriage return within a line.
   bool next(std::string& line);
   std::size_t number() const { return number_; }  // of the last line, from 1
 

@@ -39,13 +39,13 @@ int cost(const CostArguments& arguments) {
   std::optional<ResultFolder> folder;
   Provenance lines = provenance(
       file, overrides, id_of("cost", {fmt::format("{} {}", options.runs, options.threads)}, {&document}));
+  catch_interrupt();
   if (!arguments.out.empty()) {
     refuse_inputs(arguments.out, files_of_cost, document.files());
     folder.emplace(arguments.out, "cost", files_of_cost);
     folder->begin(lines);
     lines = folder->lines();
   }
-  catch_interrupt();
   const CostResult result = measure_cost(file, overrides, options);
   if (folder) write(*folder, result);
   if (folder) folder->end(interrupted() ? "interrupted" : "done");

@@ -102,9 +102,9 @@ int ensemble(const EnsembleArguments& arguments) {
   ResultFolder all(path, "ensemble", {"effects.csv"});
   std::deque<Part> parts;
   for (const auto& file : files) parts.emplace_back(file, path);
+  catch_interrupt();
   all.begin(provenance(arguments.scene.file, overrides, id));
   for (Part& part : parts) part.folder.begin(provenance(part.file, overrides, id));
-  catch_interrupt();
   bool failed = false;
   for (Part& part : parts) {
     part.result.asked = options.runs;

@@ -70,7 +70,8 @@ int export_deck(const ExportArguments& arguments) {
   for (const auto& [name, text] : files) folder.write(name, text);
   folder.end("done");
   for (const DeckNote& note : deck.notes) fmt::print("{}: {}\n", note.key, note.text);
-  fmt::print("{}: {} and {} are in {}\n", scene.name, names.front(), "export.md", arguments.out.string());
+  fmt::print("{}: {} and {} are in {}\n", one_line(scene.name), names.front(), "export.md",
+             arguments.out.string());
   return exit_done;
 }
 

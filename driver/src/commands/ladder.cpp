@@ -140,8 +140,8 @@ int ladder(const LadderArguments& arguments) {
                                        "ladder.svg", "cheapest.toml", journal_file};
   refuse_inputs(path, files, document.files());
   ResultFolder folder(path, "ladder", files);
-  folder.begin(provenance(file, overrides, id_of("ladder", options_of(options), {&document})));
   catch_interrupt();
+  folder.begin(provenance(file, overrides, id_of("ladder", options_of(options), {&document})));
   const LadderResult result = run_ladder(file, overrides, options, &folder);
   const bool partial = interrupted();
   write_ladder(folder, result, file, overrides, options, partial);

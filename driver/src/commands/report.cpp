@@ -3,8 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <fstream>
-
 #include "commands/commands.hpp"
 #include "driver/results.hpp"
 
@@ -21,10 +19,7 @@ int report(const ReportArguments& arguments) {
   if (!arguments.reference.empty()) inputs.push_back(arguments.reference);
   refuse_same_file("--out", arguments.out, inputs);
   const std::string page = report_page(arguments.results, {.reference = arguments.reference});
-  std::ofstream stream(arguments.out, std::ios::binary);
-  if (!stream) throw OutputError(fmt::format("--out {}: not writable", arguments.out.string()));
-  stream << page << std::flush;
-  if (!stream) throw WriteError(fmt::format("{}: write failed (disk full?)", arguments.out.string()));
+  replace_file(arguments.out, page);
   fmt::print("{}: {:.1f} MB\n", arguments.out.string(), static_cast<double>(page.size()) * 1e-6);
   return exit_done;
 }

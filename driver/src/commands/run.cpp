@@ -34,11 +34,14 @@ int run(const RunArguments& arguments) {
   refuse_inputs(folder,
                 {"history.csv", "energy.csv", "summary.json", "check.json", "frames.bin", status_file},
                 document.files());
-  catch_interrupt();
+  // Until the steps begin there is nothing to keep, and a signal ends the program at once.
   const auto outcome = run_to_folder(
       scene, folder,
       provenance(arguments.scene.file, arguments.scene.overrides, id_of("run", {}, {&document})),
-      {.quiet = arguments.quiet, .threads = arguments.threads, .check = check_text(document, scene)});
+      {.quiet = arguments.quiet,
+       .threads = arguments.threads,
+       .ready = catch_interrupt,
+       .check = check_text(document, scene)});
   if (!outcome.warning.empty()) tell("warning: " + outcome.warning);
   if (outcome.status == RunStatus::inaccurate) {
     tell(fmt::format("gasjet: inaccurate: {}\nResults up to the end are in {}", outcome.message,
@@ -50,7 +53,7 @@ int run(const RunArguments& arguments) {
     return exit_domain;
   }
   if (!arguments.quiet)
-    fmt::print("{}: {} in {:.2f} s, results in {}\n", scene.name,
+    fmt::print("{}: {} in {:.2f} s, results in {}\n", one_line(scene.name),
                outcome.status == RunStatus::done ? "done" : "interrupted", outcome.wall_seconds,
                folder.string());
   return outcome.status == RunStatus::done ? exit_done : exit_interrupted;

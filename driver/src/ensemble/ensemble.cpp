@@ -129,7 +129,7 @@ Scene read_ensemble_scene(const std::filesystem::path& file, const std::vector<s
 EnsembleResult run_ensemble(const std::filesystem::path& file, const std::vector<std::string>& overrides,
                             const EnsembleOptions& options, ResultFolder* folder) {
   const Scene scene = read_ensemble_scene(file, overrides);
-  const auto members = run_members(scene.name, file, overrides, options, folder);
+  const auto members = run_members(one_line(scene.name), file, overrides, options, folder);
   EnsembleResult result;
   result.asked = options.runs;
   std::vector<const Member*> complete;

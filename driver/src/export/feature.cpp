@@ -259,14 +259,22 @@ std::vector<UsedFeature> used_features(const CaseDocument& document, DeckFormat 
   return used;
 }
 
+// A cell of a table.
+std::string cell(const std::string& text) {
+  std::string escaped;
+  for (const char c : text) escaped += c == '|' ? "\\|" : std::string(1, c);
+  return escaped;
+}
+
 std::string export_markdown(const Deck& deck, const std::vector<UsedFeature>& used,
                             const std::string& title) {
-  std::string text = fmt::format("# {}\n\n", title);
+  std::string text = fmt::format("# {}\n\n", one_line(title));
   for (const Mapping mapping : {Mapping::none, Mapping::approximated, Mapping::exact}) {
     text += fmt::format("## {}\n\n| key | value | how |\n|---|---|---|\n", name_of(mapping));
     for (const UsedFeature& feature : used)
       if (feature.outcome.mapping == mapping)
-        text += fmt::format("| `{}` | `{}` | {} |\n", feature.path, feature.value, feature.outcome.how);
+        text += fmt::format("| `{}` | `{}` | {} |\n", cell(feature.path), cell(feature.value),
+                            feature.outcome.how);
     text += '\n';
   }
   text += "## In this scene\n\n";

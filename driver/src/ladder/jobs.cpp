@@ -32,8 +32,9 @@ LadderSample run_job(const std::filesystem::path& file, const LadderJob& job, co
     for (int i = 0; i < short_repeats || total < short_run; ++i) {
       const Member member = run_member(scene);
       sample.failure = member.outcome.message;
-      if (member.outcome.status != RunStatus::done) return {{}, 0.0, sample.failure};
+      if (member.outcome.status != RunStatus::done) return {{}, 0.0, 0, sample.failure};
       sample.value = quantity_of(scene, member, quantity);
+      sample.steps = member.steps;
       sample.cpu_seconds = i == 0 ? member.cpu_seconds : std::min(sample.cpu_seconds, member.cpu_seconds);
       total += member.cpu_seconds;
       if (job.is_one_of_many || sample.cpu_seconds > short_run) break;
@@ -54,7 +55,8 @@ std::string key_of(const LadderJob& job) {
 // A failure is found again, not kept.
 void keep(Journal& journal, const LadderJob& job, const LadderSample& sample) {
   if (sample.value && std::isfinite(*sample.value))
-    journal.add(key_of(job), {{"value", *sample.value}, {"cpu_s", sample.cpu_seconds}});
+    journal.add(key_of(job),
+                {{"value", *sample.value}, {"cpu_s", sample.cpu_seconds}, {"steps", sample.steps}});
 }
 
 std::optional<LadderSample> kept(const Journal& journal, const LadderJob& job) {
@@ -63,6 +65,7 @@ std::optional<LadderSample> kept(const Journal& journal, const LadderJob& job) {
   LadderSample sample;
   sample.value = before->at("value").get<double>();
   sample.cpu_seconds = before->at("cpu_s");
+  sample.steps = before->at("steps");
   return sample;
 }
 

@@ -30,11 +30,9 @@ void need_size(LadderResult& result, double value, const char* where) {
 
 class LadderRun {
  public:
-  LadderRun(const std::filesystem::path& file, const std::vector<std::string>& user,
+  LadderRun(const std::filesystem::path& file, const Scene& scene, const std::vector<std::string>& user,
             const LadderOptions& options, LadderResult& result, Journal& journal)
       : file_(file), user_(user), options_(options), result_(result), journal_(journal) {
-    CaseDocument document(file, user);
-    const Scene scene = read_scene(document);
     has_bag_ = scene.bag.has_value();
     name_ = scene.name;
     for (const auto& axis : result.plan.axes) full_.push_back(axis.base);
@@ -127,23 +125,22 @@ class LadderRun {
     rung.overrides = combine(result_.plan, full_, choice->overrides);
   }
 
-  // The full case less one thing more each time, the least important first.
+  // The full case less one thing more each time, the least important first. None of it depends on the clock:
+  // the rungs are the same whenever and in how many parts a ladder runs.
   void add_combinations() {
     const auto& rungs = result_.rungs;
     const LadderRung& full = rungs.front();
-    std::vector<LadderRung> cheaper;
+    std::vector<LadderRung> coarser;
     for (const LadderRung& r : rungs)
       if (r.axis && r.choice < full_[*r.axis] && r.failure.empty() && r.value.count > 0 &&
-          r.cpu_seconds < worth_it * full.cpu_seconds)
-        cheaper.push_back(r);
-    std::stable_sort(cheaper.begin(), cheaper.end(), [&](const LadderRung& a, const LadderRung& b) {
+          r.steps <= most_steps * full.steps)
+        coarser.push_back(r);
+    std::stable_sort(coarser.begin(), coarser.end(), [&](const LadderRung& a, const LadderRung& b) {
       return std::abs(a.value.mean - full.value.mean) < std::abs(b.value.mean - full.value.mean);
     });
     Picks picks = full_;
-    std::vector<double> cost(full_.size(), full.cpu_seconds);
-    for (const LadderRung& r : cheaper) {
-      if (r.cpu_seconds >= cost[*r.axis]) continue;
-      cost[*r.axis] = r.cpu_seconds;
+    for (const LadderRung& r : coarser) {
+      if (r.choice >= picks[*r.axis]) continue;
       picks[*r.axis] = r.choice;
       if (is_new(combine(result_.plan, picks)))
         add("and " + result_.plan.axes[*r.axis].choices[r.choice].name, picks);
@@ -184,7 +181,7 @@ class LadderRun {
                std::size_t index) {
     std::vector<double> values;
     LadderRung& rung = result_.rungs[index];
-    double cpu = 0.0;
+    double cpu = 0.0, steps = 0.0;
     for (std::size_t j = 0; j < jobs.size(); ++j) {
       if (jobs[j].rung != index) continue;
       if (index == 0 || index == result_.finest) need(fmt::format("rung \"{}\"", rung.name), samples[j]);
@@ -192,10 +189,13 @@ class LadderRun {
       if (!samples[j].value) continue;
       values.push_back(*samples[j].value);
       cpu += samples[j].cpu_seconds;
+      steps += static_cast<double>(samples[j].steps);
     }
     rung.value = statistics(values);
     if (!result_.chaotic && rung.can_be_perturbed) rung.value.standard_error = deviation_;
-    if (!values.empty()) rung.cpu_seconds = cpu / static_cast<double>(values.size());
+    if (values.empty()) return;
+    rung.cpu_seconds = cpu / static_cast<double>(values.size());
+    rung.steps = steps / static_cast<double>(values.size());
   }
 
   LadderJob job(std::size_t rung, int seed) const {
@@ -242,8 +242,8 @@ LadderResult run_ladder(const std::filesystem::path& file, const std::vector<std
   if (result.quantity.ends_with("pressure_Pa")) result.zero = scene.ambient.pressure;
   Journal journal(folder);
   if (journal.size() > 0 && !options.quiet)
-    tell(fmt::format("{}: goes on after {} runs that are done", scene.name, journal.size()));
-  LadderRun(file, overrides, options, result, journal).run();
+    tell(fmt::format("{}: goes on after {} runs that are done", one_line(scene.name), journal.size()));
+  LadderRun(file, scene, overrides, options, result, journal).run();
   if (interrupted() || !result.reason.empty()) return result;
   judge(result, options.tolerance);
   need_size(result, result.reference.value, "the reference");

@@ -10,6 +10,9 @@ namespace driver {
 
 /// Share of a cost from which on another is cheaper: CPU times repeat to some percent.
 inline constexpr double worth_it = 0.97;
+/// Steps of a coarser choice, as a share of the full case's, up to which it may save something. They are the
+/// same in each run, which times are not.
+inline constexpr double most_steps = 1.03;
 
 /// Settings of a case that has been read.
 class CaseSettings {
@@ -56,6 +59,7 @@ struct LadderJob {
 struct LadderSample {
   std::optional<double> value;
   double cpu_seconds = 0.0;
+  long steps = 0;
   std::string failure;    // why it has no value
   bool no_event = false;  // that is all: the run is whole
 };

@@ -43,6 +43,22 @@ int open_new(const std::filesystem::path& file) {
   return descriptor;
 }
 
+struct Part {
+  std::filesystem::path path;
+  int descriptor;
+};
+
+// Of this writer alone: of two that write one file at once, each renames a whole one.
+Part open_part(const std::filesystem::path& target) {
+  for (int n = 0;; ++n) {
+    const std::filesystem::path path = target.string() + part_suffix + (n == 0 ? "" : std::to_string(n));
+    const int descriptor = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    if (descriptor < 0 && errno == EEXIST) continue;
+    if (descriptor < 0) refuse(target);
+    return {path, descriptor};
+  }
+}
+
 // The error of writing or closing, 0 if there was none.
 int write_and_close(int descriptor, std::string_view text) {
   const int code = write_all(descriptor, text).error;
@@ -61,11 +77,11 @@ void replace_file(const std::filesystem::path& file, const std::string& text) {
   }
   const auto target = std::filesystem::exists(status) ? std::filesystem::canonical(file) : file;
   if (std::filesystem::exists(status) && ::access(target.c_str(), W_OK) != 0) refuse(file);
-  const std::filesystem::path beside = target.string() + part_suffix;
-  int code = write_and_close(open_new(beside), text);
-  if (code == 0 && ::rename(beside.c_str(), target.c_str()) != 0) code = errno;
+  const Part part = open_part(target);
+  int code = write_and_close(part.descriptor, text);
+  if (code == 0 && ::rename(part.path.c_str(), target.c_str()) != 0) code = errno;
   if (code == 0) return;
-  ::unlink(beside.c_str());
+  ::unlink(part.path.c_str());
   fail(file, "write failed", code);
 }
 

@@ -73,20 +73,22 @@ std::string run_id(const std::vector<std::string>& facts, const std::vector<std:
   return hash.digits();
 }
 
-std::string comment_lines(const Provenance& lines) {
+std::string one_line(const std::string& text) {
   using Json = nlohmann::json;
+  // Bytes that are no UTF-8 leave as U+FFFD.
+  const auto clean = Json::parse(Json(text).dump(-1, ' ', false, Json::error_handler_t::replace));
+  std::string line;
+  for (const char c : clean.get<std::string>())
+    if (static_cast<unsigned char>(c) < ' ' || c == 0x7f)
+      line += fmt::format("\\x{:02x}", static_cast<unsigned char>(c));
+    else
+      line += c;
+  return line;
+}
+
+std::string comment_lines(const Provenance& lines) {
   std::string text;
-  for (const auto& [key, value] : lines) {
-    text += fmt::format("# {}: ", key);
-    // Bytes that are no UTF-8 leave as U+FFFD.
-    const auto clean = Json::parse(Json(value).dump(-1, ' ', false, Json::error_handler_t::replace));
-    for (const char c : clean.get<std::string>())
-      if (static_cast<unsigned char>(c) < ' ' || c == 0x7f)
-        text += fmt::format("\\x{:02x}", static_cast<unsigned char>(c));
-      else
-        text += c;
-    text += '\n';
-  }
+  for (const auto& [key, value] : lines) text += fmt::format("# {}: {}\n", key, one_line(value));
   return text;
 }
 

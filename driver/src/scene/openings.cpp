@@ -64,12 +64,16 @@ void read_tank_fabrics(TableReader& tank, Scene& scene) {
   scene.gas->model.fabrics = std::move(fabrics);
 }
 
-TankVolume read_wave(TableReader&& wave) {
+TankVolume read_wave(TableReader&& wave, double end_time) {
   TankVolume volume;
-  volume.mean = wave.number("mean", positive);
+  volume.mean = wave.number("mean", gas_volume);
   volume.amplitude = wave.number("amplitude", positive);
   volume.frequency = wave.number("frequency", positive);
   volume.phase = wave.number("phase", any_number, 0.0);
+  constexpr double most_periods = 1e4;  // each is 512 pieces of the gas's equations
+  if (volume.frequency * end_time > most_periods)
+    wave.fail("frequency", fmt::format("is {}, at most {:g} is allowed: {:g} periods in end_time",
+                                       volume.frequency, most_periods / end_time, most_periods));
   if (!(volume.amplitude < volume.mean))
     wave.fail("amplitude",
               fmt::format("is {}, less than mean, {}, is allowed", volume.amplitude, volume.mean));
@@ -77,13 +81,13 @@ TankVolume read_wave(TableReader&& wave) {
   return volume;
 }
 
-void read_volume_of_time(TableReader& tank, GasPart& part) {
+void read_volume_of_time(TableReader& tank, double end_time, GasPart& part) {
   TankVolume volume;
   if (tank.has_in_table("volume", "mean"))
-    volume = read_wave(tank.table("volume"));
+    volume = read_wave(tank.table("volume"), end_time);
   else
     tank.located("volume", [&] {
-      volume.table = to_gas_curve(tank.curve("volume", positive), gas::Outside::held);
+      volume.table = to_gas_curve(tank.curve("volume", gas_volume), gas::Outside::held);
       if (const auto jump = volume.table->first_jump())
         throw std::invalid_argument(fmt::format(
             "jumps at {} s: its work would have no bound; one value at each time is allowed", *jump));
@@ -94,7 +98,7 @@ void read_volume_of_time(TableReader& tank, GasPart& part) {
 
 void read_volume_of_overpressure(TableReader& tank, GasPart& part) {
   tank.located("volume", [&] {
-    const auto curve = to_gas_curve(tank.curve("volume", positive, "overpressure"), gas::Outside::held);
+    const auto curve = to_gas_curve(tank.curve("volume", gas_volume, "overpressure"), gas::Outside::held);
     const double overpressure = part.initial_pressure - part.model.ambient.pressure;
     part.model.volume_of_overpressure = curve;
     gas::validate(part.model);
@@ -137,11 +141,11 @@ void read_tank(TableReader& root, Scene& scene) {
   if (!tank) return;
   GasPart& part = *scene.gas;
   if (!tank->is_table("volume"))
-    part.rigid_volume = tank->number("volume", positive);
+    part.rigid_volume = tank->number("volume", gas_volume);
   else if (tank->has_in_table("volume", "overpressure"))
     read_volume_of_overpressure(*tank, part);
   else if (tank->has_in_table("volume", "time") || tank->has_in_table("volume", "mean"))
-    read_volume_of_time(*tank, part);
+    read_volume_of_time(*tank, scene.time.end, part);
   else
     tank->fail("volume",
                "has neither time, nor overpressure, nor mean: a number, a curve {time, value}, a curve "

@@ -12,6 +12,8 @@
 #include <fstream>
 #include <new>
 
+#include "driver/result_folder.hpp"
+
 namespace driver {
 namespace {
 
@@ -75,8 +77,8 @@ bool interrupted() {
   return interrupt_flag != 0;
 }
 
-Progress::Progress(std::string what, double total, bool quiet)
-    : what_(std::move(what)),
+Progress::Progress(const std::string& what, double total, bool quiet)
+    : what_(one_line(what)),
       total_(total),
       quiet_(quiet),
       terminal_(isatty(STDERR_FILENO) != 0),

@@ -113,6 +113,7 @@ RunOutcome run_to_folder(const Scene& scene, const std::filesystem::path& path, 
     return name == "history.csv" || name == "energy.csv" || name == "summary.json" || name == "check.json" ||
            name == "frames.bin" || (with_fields && FieldWriter::is_own(name));
   });
+  if (options.ready) options.ready();
   folder.begin(lines);
   folder.write("summary.json", summary_of_running(scene, folder.lines()));
   if (!options.check.empty()) folder.write("check.json", options.check);

@@ -272,7 +272,7 @@ StudyPlan read_study(const std::filesystem::path& file) {
   StudyPlan plan;
   plan.file = file;
   TableReader table = root.table("study");
-  plan.name = table.text("name", file.stem().string());
+  plan.name = table.file_name("name", file.stem().string());
   plan.case_file = table.beside_case(table.text("case"));
   plan.overrides = overrides_of(table);
   plan.seeds = table.integer("seeds", 0, 1'000'000, 0);

@@ -1,0 +1,62 @@
+# SPDX-License-Identifier: Apache-2.0
+# shellcheck shell=bash disable=SC2154
+# Part of command_test.sh (sourced): what was done before Ctrl-C or a kill is not done again, and the results are those of one go.
+
+part_resume() {
+  local ensemble=(ensemble "$source/cases/sphere_inflation.toml" --runs 10 --set scene.end_time=1e-2 --set membrane.mesh.levels=3)
+  local ladder=(ladder "$source/cases/jet_bag.toml" --set membrane.mesh.levels=2 --quantity pressure --tolerance 10%) signal pid code
+  "$gasjet" "${ensemble[@]}" --quiet --out "$work/whole" || fail "ensemble"
+  for signal in INT KILL; do
+    "$gasjet" "${ensemble[@]}" --out "$work/$signal" >/dev/null 2>&1 </dev/null &
+    pid=$!
+    until_there test -s "$work/$signal/sphere_inflation/journal.jsonl"
+    kill -$signal $pid
+    wait $pid 2>/dev/null
+    code=$?
+    [ $signal = KILL ] || [ $code = 130 ] || fail "exit $code of an interrupted ensemble"
+    [ $signal = KILL ] || ended_as "$work/$signal" interrupted
+    [ $signal = KILL ] || grep -q '^# status: interrupted, [1-9] of 10 runs' "$work/$signal/sphere_inflation/ensemble.csv" ||
+      fail "an interrupted ensemble does not say how many runs it has"
+    [ $signal = KILL ] || expect 2 "was interrupted before all runs were done" "$source/scripts/plot_ensemble.sh" "$work/plot" "$work/INT/sphere_inflation"
+    expect 0 "goes on after [1-9] runs that are done" "$gasjet" "${ensemble[@]}" --out "$work/$signal"
+    same_tables "$work/whole/sphere_inflation" "$work/$signal/sphere_inflation" ensemble.csv quantities.csv
+    cmp <(sed '/"date"/d' "$work/whole/sphere_inflation/ensemble.json") <(sed '/"date"/d' "$work/$signal/sphere_inflation/ensemble.json") || fail "ensemble.json"
+    ended_as "$work/$signal" done
+    [ -e "$work/$signal/sphere_inflation/journal.jsonl" ] && fail "the journal stays"
+  done
+  # Another ensemble takes nothing over.
+  "$gasjet" "${ensemble[@]}" --out "$work/other" >/dev/null 2>&1 </dev/null &
+  pid=$!
+  until_there test -s "$work/other/sphere_inflation/journal.jsonl"
+  kill -INT $pid
+  wait $pid
+  expect 0 "quantity" "$gasjet" "${ensemble[@]}" --out "$work/other" --amplitude 2e-5
+  "$gasjet" "${ensemble[@]}" --out "$work/fresh" --amplitude 2e-5 --quiet || fail "ensemble"
+  same_tables "$work/fresh/sphere_inflation" "$work/other/sphere_inflation" ensemble.csv quantities.csv
+  "$gasjet" "${ladder[@]}" --out "$work/ladder" >/dev/null 2>&1 </dev/null &
+  pid=$!
+  until_there test -s "$work/ladder/journal.jsonl"
+  kill -KILL $pid
+  wait $pid 2>/dev/null
+  expect 0 "goes on after [0-9]+ runs that are done" "$gasjet" "${ladder[@]}" --out "$work/ladder"
+  "$gasjet" "${ladder[@]}" --out "$work/whole_ladder" --quiet || fail "ladder"
+  # All but costs, and what costs decide: the front.
+  values() { without_dates "$1/ladder.csv" | cut -d, -f1-6,9,11-; }
+  cmp <(values "$work/whole_ladder") <(values "$work/ladder") || fail "a ladder that went on has other rows"
+  [ "$(grep -c '^and ' "$work/ladder/ladder.csv")" -gt 2 ] || fail "nothing is left out together"
+  # Two cases: the first is done when the second is killed, and effects are of runs of both.
+  local against=(ensemble "$source/cases/sphere_inflation.toml" --against "$work/slow.toml" --runs 4 --set scene.end_time=1e-2 --set membrane.mesh.levels=3)
+  sed 's/^name = .*/name = "slow"/; s/^mass_flow = .*/mass_flow = 0.1/' "$source/cases/sphere_inflation.toml" >"$work/slow.toml"
+  "$gasjet" "${against[@]}" --quiet --out "$work/both" || fail "ensemble --against"
+  for signal in INT KILL; do
+    "$gasjet" "${against[@]}" --out "$work/both$signal" >/dev/null 2>&1 </dev/null &
+    pid=$!
+    until_there test -s "$work/both$signal/slow/journal.jsonl"
+    kill -$signal $pid
+    wait $pid 2>/dev/null
+    [ -e "$work/both$signal/effects.csv" ] && fail "effects of an ensemble that was not done"
+    expect 0 "sphere_inflation: goes on after 4 runs .*slow: goes on after [1-3] runs" \
+      bash -c '"$@" 2>&1 | tr "\n" " "' - "$gasjet" "${against[@]}" --out "$work/both$signal"
+    same_tables "$work/both" "$work/both$signal" effects.csv {sphere_inflation,slow}/{ensemble,quantities,runs}.csv
+  done
+}
