@@ -48,6 +48,11 @@ def argument(text, structs, callbacks):
     return f"{kind_of(base, structs)}, intent({intent}){', optional' if optional else ''} :: {name}{shape}", name
 
 
+def all_of(found, wanted, where):
+    if len(found) != wanted:
+        sys.exit(f"make_module.py: reads {len(found)} of {wanted}: {where}")
+
+
 def comment(text, indent):
     lines = [line.strip().lstrip("*").strip() for line in text.replace("\x02", ";").splitlines()]
     return "".join(f"{indent}! {line}\n" for line in lines if line)
@@ -62,7 +67,10 @@ def read(headers):
 def parameters_of(source):
     body = ""
     for found in re.finditer(r"enum \w+ \{(.*?)\};", source, re.S):
-        for name, value, text in re.findall(r"(GASJET_\w+) = (\d+),?[ ]*(?:\x01([^\x03]*)\x03)?", found.group(1)):
+        pattern = r"(GASJET_\w+)\s*=\s*(\d+)\s*,?\s*(?:\x01([^\x03]*)\x03)?"
+        listed = re.findall(pattern, found.group(1))
+        all_of(listed, found.group(1).count("="), found.group(0))
+        for name, value, text in listed:
             body += comment(text, "  ") + f"  integer(c_int), parameter :: {name} = {value}\n"
     return body
 
@@ -72,12 +80,15 @@ def types_of(source):
     pattern = r"(?:\x01([^\x01\x03]*)\x03\s*)?typedef struct (\w+) \{(.*?)\} \2;"
     for text, name, fields in re.findall(pattern, source, re.S):
         body += "\n" + comment(text, "  ") + f"  type, bind(c) :: {name}\n"
-        for kind, field, size, note in re.findall(r"(\w+) (\w+)(\[\d+\])?;\s*(?:\x01([^\x03]*)\x03)?", fields):
+        listed = re.findall(r"(\w+) (\w+)(\[\d+\])?;\s*(?:\x01([^\x03]*)\x03)?", fields)
+        all_of(listed, fields.count(";"), name)
+        for kind, field, size, note in listed:
             shape = f"({size[1:-1]})" if size else ""
             note = " ".join(note.replace("\x02", ";").split())
             body += f"    {kind_of(kind, structs)} :: {field}{shape}  ! {note}\n"
         body += f"  end type {name}\n"
         structs.append(name)
+    all_of(structs, source.count("typedef struct"), "structures")
     return body, structs
 
 
@@ -85,7 +96,9 @@ def functions_of(source, structs):
     callbacks = re.findall(r"typedef int \(\*(\w+)\)", source)
     body = ""
     pattern = r"(?:\x01([^\x01\x03]*)\x03\s*)?GASJET_API ([\w ]+?\*?) ?(\w+)\(([^;]*)\);"
-    for text, result, name, parameters in re.findall(pattern, source, re.S):
+    functions = re.findall(pattern, source, re.S)
+    all_of(functions, source.count("GASJET_API ") - source.count("#define GASJET_API "), "functions")
+    for text, result, name, parameters in functions:
         listed = [] if parameters.strip() == "void" else [argument(p, structs, callbacks) for p in parameters.split(",")]
         names = ", &\n        ".join(n for _, n in listed)
         body += "\n" + comment(text, "    ")

@@ -68,6 +68,11 @@ class BadCalls(unittest.TestCase):
             for value in values:
                 self.refused(argument, lambda: function(**{**good, argument: value}), value)
 
+    def test_the_library_is_that_of_the_build(self):
+        gasjet.Gas("N2=1")
+        with open("/proc/self/maps", encoding="utf-8") as file:
+            self.assertIn(os.path.realpath(os.environ["GASJET_LIBRARY"]), file.read())
+
     def test_gas(self):
         air = gasjet.Gas("N2=0.78, O2=0.22")
         self.each(gasjet.Gas, dict(composition="N2=1", constant_cp_at=0.0), composition=TEXTS, constant_cp_at=NUMBERS)

@@ -93,6 +93,8 @@ TEST_F(bad_calls, tank) {
   refused(add(2, nullptr, flow, hot), "time");
   refused(add(2, time, nullptr, hot), "mass_flow");
   refused(add(2, time, flow, nullptr), "temperature");
+  refused(add(2, reinterpret_cast<const double*>(reinterpret_cast<const char*>(time) + 4), flow, hot),
+          "time: begins between two numbers");
   refused(add(2, nan, flow, hot), "time");
   refused(add(2, time, nan, hot), "mass_flow");
   refused(add(2, time, below, hot), "mass_flow");
@@ -146,6 +148,36 @@ TEST_F(bad_calls, pendulum) {
   }
   EXPECT_EQ(moment, 7.0);
   EXPECT_EQ(angle, 0.1);
+}
+
+TEST_F(bad_calls, results_that_no_double_holds_are_no_results) {
+  double y = 7.0;
+  Handle ideal, dense;
+  gasjet_gas_values of_gas;
+  gasjet_outlet_state outlet;
+  gasjet_pendulum_point point;
+  gasjet_tank_state state;
+  const gasjet_pendulum_model swing = pendulum();
+  const auto left = [&](int status, const std::string& result) {
+    ++calls;
+    EXPECT_EQ(status, GASJET_DOMAIN) << result;
+    EXPECT_EQ(std::string(gasjet_last_error()).rfind(result, 0), 0u) << gasjet_last_error();
+  };
+  left(gasjet_orifice(1e308, 1e308, 300, 297, 1039, 1e5, &y), "mass_flow");
+  left(gasjet_fabric(1e200, 1.0, 1e300, &y), "mass_flow");
+  left(gasjet_outlet(0, 1e-300, 1e300, 300, 1039, 297, 1e5, &outlet), "state");
+  ASSERT_OK(gasjet_gas_create_ideal(297, 1039, &ideal.value));
+  left(gasjet_gas_evaluate(ideal.value, 1e307, &of_gas), "values");
+  left(gasjet_gas_entropy(ideal.value, 300, 5e-324, &y), "entropy");
+  left(gasjet_pendulum_evaluate(&swing, 0.0, 1e200, &point), "point");
+  const double far[] = {1e308, 1e308, 1e308};
+  double along[] = {7.0, 7.0, 7.0};
+  left(gasjet_pendulum_moment(&swing, far, far, &y), "moment");
+  ASSERT_OK(gasjet_tank_create(ideal.value, 1e300, 1e-3, 1e-200, 1e300, 1e-8, &dense.value));
+  left(gasjet_tank_read(dense.value, &state), "state");
+  left(gasjet_jet_velocity(&model, far, 1, nullptr, along, 3), "velocity");
+  EXPECT_EQ(y, 7.0);
+  EXPECT_EQ(along[0], 7.0);
 }
 
 }  // namespace

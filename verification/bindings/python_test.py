@@ -69,6 +69,21 @@ class Runs(unittest.TestCase):
         self.assertEqual(run.history["pressure_Pa"][0], 4e5)
         self.assertEqual(run.history["volume_m3"][0], 0.03)
 
+    def test_a_decimal_comma_of_the_callers_locale_changes_nothing(self):
+        script = ("import locale, sys, gasjet\n"
+                  "locale.setlocale(locale.LC_ALL, 'de_DE.UTF-8')\n"
+                  f"run = gasjet.run({os.path.join(CASES, 'tank_blowdown.toml')!r}, {{'tank.volume': 0.03}}, out=sys.argv[1])\n"
+                  "print(gasjet.Gas('N2=0.25, O2=0.75').properties(300.0)['cp_J_kgK'], locale.format_string('%.1f', 0.5))\n"
+                  "print(gasjet.exact('blowdown', times=[0.1], volume=0.03)['pressure_Pa'][0], run.history['volume_m3'][0])\n")
+        with tempfile.TemporaryDirectory() as folder:
+            subprocess.run(["localedef", "-i", "de_DE", "-f", "UTF-8", os.path.join(folder, "de_DE.UTF-8")], check=True)
+            out = subprocess.run([sys.executable, "-c", script, os.path.join(folder, "out")], env={**os.environ, "LOCPATH": folder},
+                                 check=True, capture_output=True, text=True).stdout.split()
+            with open(os.path.join(folder, "out", "history.csv"), encoding="utf-8") as file:
+                self.assertEqual([line for line in file if line[0] == "0"][0].split(",")[:4], ["0", "500000", "600", "0.03"])
+        exact = gasjet.exact("blowdown", times=[0.1], volume=0.03)["pressure_Pa"][0]
+        self.assertEqual(out, [str(gasjet.Gas("N2=0.25, O2=0.75").properties(300.0)["cp_J_kgK"]), "0,5", str(exact), "0.03"])
+
     def test_progress_stops_and_its_exception_arrives(self):
         case = os.path.join(CASES, "jet_bag.toml")
         times = []

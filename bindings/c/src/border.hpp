@@ -4,14 +4,18 @@
 
 #include <gasjet/base.h>
 
+#include <array>
 #include <atomic>
+#include <cmath>
 #include <concepts>
 #include <cstdint>
+#include <cstring>
 #include <limits>
 #include <memory>
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <type_traits>
 
 namespace border {
 
@@ -99,6 +103,20 @@ double number(double value, std::string_view argument, double low = -std::numeri
               double high = std::numeric_limits<double>::max());
 /// Refuses a number that is not finite and above 0.
 double positive(double value, std::string_view argument);
+
+inline std::string not_finite(std::string_view name) {
+  return std::string(name) + ": is not finite, allowed: inputs that keep it below 1e308";
+}
+/// Gives back a result, a number or a structure of numbers; GASJET_DOMAIN if one of them is not finite.
+template <class Result>
+const Result& finite(const Result& result, std::string_view name) {
+  static_assert(std::is_trivially_copyable_v<Result> && sizeof(Result) % sizeof(double) == 0);
+  std::array<double, sizeof(Result) / sizeof(double)> numbers;
+  std::memcpy(numbers.data(), &result, sizeof(Result));
+  for (const double one : numbers)
+    if (!std::isfinite(one)) throw Failure(GASJET_DOMAIN, not_finite(name));
+  return result;
+}
 
 /// Writes `value` with a closing 0 into a caller's text; refuses a size that does not hold it.
 void write_text(const std::string& value, char* to, int64_t size, std::string_view argument);

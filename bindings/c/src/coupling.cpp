@@ -43,7 +43,7 @@ int gasjet_pendulum_evaluate(const gasjet_pendulum_model* model, double angle, d
     const auto pendulum = pendulum_of(model);
     number(angle, "angle");
     number(angular_velocity, "angular_velocity");
-    gasjet_pendulum_point& out = needed(point, "point");
+    gasjet_pendulum_point out;
     write_vector(pendulum.impactor_centre(angle), out.impactor_centre);
     write_vector(pendulum.impactor_velocity(angle, angular_velocity), out.impactor_velocity);
     write_vector(pendulum.cg_position(angle), out.cg_position);
@@ -52,6 +52,7 @@ int gasjet_pendulum_evaluate(const gasjet_pendulum_model* model, double angle, d
     out.kinetic_energy = pendulum.kinetic_energy(angular_velocity);
     out.axis_inertia = pendulum.axis_inertia();
     out.effective_mass = pendulum.effective_mass();
+    needed(point, "point") = finite(out, "point");
   });
 }
 
@@ -59,7 +60,8 @@ int gasjet_pendulum_moment(const gasjet_pendulum_model* model, const double forc
                            double* moment) {
   return call([&] {
     const auto pendulum = pendulum_of(model);
-    needed(moment, "moment") = pendulum.moment(vector_of(force, "force"), vector_of(point, "point"));
+    const double found = pendulum.moment(vector_of(force, "force"), vector_of(point, "point"));
+    needed(moment, "moment") = finite(found, "moment");
   });
 }
 
@@ -74,8 +76,9 @@ int gasjet_pendulum_advance(const gasjet_pendulum_model* model, double moment, d
         number(needed(angle, "angle"), "angle"),
         number(needed(angular_velocity, "angular_velocity"), "angular_velocity")};
     const auto next = pendulum.advance(now, moment, (dt_before + dt_after) / 2, dt_after);
+    finite(next.angle, "angle");
+    *angular_velocity = finite(next.angular_velocity, "angular_velocity");
     *angle = next.angle;
-    *angular_velocity = next.angular_velocity;
   });
 }
 

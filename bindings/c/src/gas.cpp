@@ -80,13 +80,14 @@ int gasjet_gas_evaluate(gasjet_handle gas, double temperature, gasjet_gas_values
     number(temperature, "temperature");
     const gas::Thermo& thermo = use->thermo;
     const auto& y = use->mass_fractions;
-    needed(values, "values") = {thermo.gas_constant(y),
+    const gasjet_gas_values all{thermo.gas_constant(y),
                                 thermo.cp(y, temperature),
                                 thermo.cv(y, temperature),
                                 thermo.gamma(y, temperature),
                                 thermo.enthalpy(y, temperature),
                                 thermo.internal_energy(y, temperature),
                                 thermo.speed_of_sound(y, temperature)};
+    needed(values, "values") = finite(all, "values");
   });
 }
 
@@ -94,8 +95,9 @@ int gasjet_gas_temperature(gasjet_handle gas, double internal_energy, double* te
   return call([&] {
     const Use<Gas> use(gas, "gas");
     number(internal_energy, "internal_energy");
-    needed(temperature, "temperature") =
+    const double found =
         use->thermo.temperature_from_internal_energy(use->mass_fractions, internal_energy, 300.0);
+    needed(temperature, "temperature") = finite(found, "temperature");
   });
 }
 
@@ -103,8 +105,9 @@ int gasjet_gas_entropy(gasjet_handle gas, double temperature, double pressure, d
   return call([&] {
     const Use<Gas> use(gas, "gas");
     number(temperature, "temperature");
-    needed(entropy, "entropy") =
+    const double found =
         use->thermo.entropy(use->mass_fractions, temperature, positive(pressure, "pressure"));
+    needed(entropy, "entropy") = finite(found, "entropy");
   });
 }
 
@@ -112,7 +115,7 @@ int gasjet_critical_pressure_ratio(double gamma, double* ratio) {
   return call([&] {
     if (!(number(gamma, "gamma") > 1.0))
       refuse("gamma", "is " + shown(gamma) + ", allowed: a number above 1");
-    needed(ratio, "ratio") = gas::critical_pressure_ratio(gamma);
+    needed(ratio, "ratio") = finite(gas::critical_pressure_ratio(gamma), "ratio");
   });
 }
 
@@ -126,8 +129,9 @@ int gasjet_orifice(double effective_area, double pressure, double temperature, d
     if (!(number(cp, "cp") > gas_constant))
       refuse("cp", "is " + shown(cp) + ", allowed: above gas_constant, " + shown(gas_constant));
     number(ambient_pressure, "ambient_pressure", 0.0);
-    needed(mass_flow, "mass_flow") = gas::orifice_mass_flow(
-        effective_area, pressure, temperature, gas_constant, cp, cp / (cp - gas_constant), ambient_pressure);
+    const double flow = gas::orifice_mass_flow(effective_area, pressure, temperature, gas_constant, cp,
+                                               cp / (cp - gas_constant), ambient_pressure);
+    needed(mass_flow, "mass_flow") = finite(flow, "mass_flow");
   });
 }
 
@@ -136,6 +140,7 @@ int gasjet_fabric(double leak_area, double density, double overpressure, double*
     number(leak_area, "leak_area", 0.0);
     number(density, "density", 0.0);
     number(overpressure, "overpressure");
-    needed(mass_flow, "mass_flow") = gas::fabric_mass_flow(leak_area, density, overpressure);
+    const double flow = gas::fabric_mass_flow(leak_area, density, overpressure);
+    needed(mass_flow, "mass_flow") = finite(flow, "mass_flow");
   });
 }

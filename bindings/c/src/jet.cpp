@@ -164,7 +164,8 @@ int gasjet_outlet(int law, double area, double mass_flow, double temperature, do
     if (law == GASJET_PRESSURE_MATCHED) positive(bag_pressure, "bag_pressure");
     jet::validate(model);
     const auto out = jet::outlet_state(model, {mass_flow, temperature, cp, gas_constant, bag_pressure});
-    needed(state, "state") = {out.velocity, out.density, out.pressure, out.temperature};
+    const gasjet_outlet_state all{out.velocity, out.density, out.pressure, out.temperature};
+    needed(state, "state") = finite(all, "state");
   });
 }
 
@@ -220,8 +221,11 @@ int gasjet_jet_velocity(const gasjet_jet_model* model, const double points[], in
     const auto checked = model_of(model);
     const Points at(points, point_count, point_stride, "points");
     const auto out = output(velocity, velocity_count, 3 * point_count, "velocity");
+    Eigen::Matrix3Xd found(3, at.view().cols());
     for (Eigen::Index i = 0; i < at.view().cols(); ++i)
-      write_vector(jet::relative_velocity(checked, at.view().col(i)), &out[static_cast<std::size_t>(3 * i)]);
+      found.col(i) = jet::relative_velocity(checked, at.view().col(i));
+    if (!found.allFinite()) throw Failure(GASJET_DOMAIN, not_finite("velocity"));
+    std::copy(found.data(), found.data() + found.size(), out.begin());
   });
 }
 

@@ -100,7 +100,12 @@ int gasjet_membrane_evaluate(gasjet_handle membrane, const double nodes[], int64
       require_count(vector_count, 3 * node_count, "force, gradient");
     use->state.position.map() = points.view();
     membrane::update_skin(use->model, use->state);
-    *sums = sums_of(*use, gamma, pressure);
+    const auto found = sums_of(*use, gamma, pressure);
+    if (force != nullptr && !use->state.membrane_force.map().allFinite())
+      throw Failure(GASJET_DOMAIN, not_finite("force"));
+    finite(found.volume, "volume");
+    finite(found.strain_energy, "strain_energy");
+    *sums = found;
     write_vectors(use->state.membrane_force, force);
     write_vectors(use->state.volume_gradient, gradient);
   });

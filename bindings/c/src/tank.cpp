@@ -208,20 +208,20 @@ int gasjet_tank_read(gasjet_handle tank, gasjet_tank_state* state) {
   return call([&] {
     const Use<Tank> use(tank, "tank");
     const auto point = gas::evaluate(use->model, use->state, use->volume, use->parts.leak_area, use->time);
-    needed(state, "state") = {use->time,
-                              point.pressure,
-                              point.temperature,
-                              point.volume,
-                              point.mass,
-                              use->state.internal_energy,
-                              point.density,
-                              point.gamma,
-                              point.cp,
-                              point.gas_constant,
-                              point.inflow,
-                              point.vent_mass_flow,
-                              point.fabric_mass_flow};
-    state->volume = use->volume;
+    const gasjet_tank_state all{use->time,
+                                point.pressure,
+                                point.temperature,
+                                use->volume,
+                                point.mass,
+                                use->state.internal_energy,
+                                point.density,
+                                point.gamma,
+                                point.cp,
+                                point.gas_constant,
+                                point.inflow,
+                                point.vent_mass_flow,
+                                point.fabric_mass_flow};
+    needed(state, "state") = finite(all, "state");
   });
 }
 

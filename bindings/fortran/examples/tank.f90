@@ -34,7 +34,7 @@ contains
   subroutine check(status)
     integer(c_int), intent(in) :: status
     if (status /= gasjet_ok) then
-      print '(a)', gasjet_message()
+      print '(a)', gasjet_message() // gasjet_message(gasjet_exact_last_error())
       error stop
     end if
   end subroutine check
