@@ -21,9 +21,9 @@ COMPONENTS = ("c", "exact", "python", "python_exact")
 
 def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
     version, tag = version_and_tag()
-    given = (config_settings or {}).get("build-dir")
+    built = folder_of(config_settings or {})
     with tempfile.TemporaryDirectory() as prefix:
-        install(pathlib.Path(given) if given else build(ROOT / "build" / "wheel"), prefix)
+        install(built, prefix)
         files = {f"gasjet/{file.name}": file.read_bytes() for file in package_files(pathlib.Path(prefix))}
     files.update(description())
     sums = f"gasjet-{version}.dist-info/RECORD"
@@ -48,6 +48,19 @@ def version_and_tag():
     version = re.search(r"set\(GASJET_VERSION ([0-9.]+)\)", (ROOT / "cmake/GasjetVersion.cmake").read_text())[1]
     python = "cp{}{}".format(*sys.version_info)
     return version, f"{python}-{python}-{re.sub('[-.]', '_', sysconfig.get_platform())}"
+
+
+def folder_of(settings):
+    """Where the package is built; builds it unless the user has."""
+    unknown = sorted(set(settings) - {"build-dir"})
+    if unknown:
+        raise RuntimeError(f"config-settings: {unknown[0]} is unknown, allowed: build-dir")
+    if "build-dir" not in settings:
+        return build(ROOT / "build" / "wheel")
+    folder = ROOT / settings["build-dir"]
+    if not (folder / "cmake_install.cmake").is_file():
+        raise RuntimeError(f"build-dir: {folder} is no folder of a build, allowed: one that CMake has configured")
+    return folder
 
 
 def build(folder):

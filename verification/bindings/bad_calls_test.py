@@ -142,7 +142,7 @@ class BadCalls(unittest.TestCase):
         self.each(swing.moment, dict(force=AXIS, point=CENTRE), force=VECTORS, point=VECTORS)
 
     def test_run_compare_and_exact(self):
-        self.each(gasjet.run, dict(case=CASE, set={"scene.end_time": 0.01}, threads=1), case=[None, 1, "a\0b"],
+        self.each(gasjet.run, dict(case=CASE, set={"scene.end_time": 0.01}, threads=1), case=[None, 1, "", "a\0b"], out=[1, "", "a\0b"],
                   set=[1, [1], "x", {1: 2}, {"": 1}, {"a\nb": 1}, {"scene.end_time": {1}}, {"scene.end_time": 1j}, {"scene.end_time": NAN}],
                   threads=[None, 0, 1.5, 2**40, "1"], progress=[1, "x"], text=[1, "\0"])
         for case in ("absent.toml", b"absent\xff.toml", os.fsdecode(b"absent\xff.toml")):

@@ -21,7 +21,8 @@ TEST_F(bad_calls, surface) {
   refused(create(nullptr, m(), n()), "triangles");
   each(std::vector<int64_t>{0, -1, INT64_MAX, INT64_MIN}, "triangle_count",
        [&](int64_t c) { return create(t(), c, n()); });
-  each(std::vector<int64_t>{0, -1, INT64_MAX}, "node_count", [&](int64_t c) { return create(t(), m(), c); });
+  each(std::vector<int64_t>{0, -1, INT64_MAX, 3 * m() + 20000001, INT32_MAX - 4}, "node_count",
+       [&](int64_t c) { return create(t(), m(), c); });
   refused(create(t(), m(), n() - 1), "triangles");
   const int32_t wrong[] = {0, 1, -1}, element[] = {99}, before[] = {-1};
   refused(create(wrong, 1, n()), "triangles");
@@ -201,6 +202,8 @@ TEST_F(bad_calls, run_compare_and_exact) {
     return gasjet_run(file, text, overrides, nullptr, threads, nullptr, nullptr, out);
   };
   refused(go(nullptr, nullptr, nullptr, 1, &run), "case_file");
+  refused(go("", nullptr, nullptr, 1, &run), "case_file");
+  refused(gasjet_run("mine.toml", "[scene]", nullptr, "", 1, nullptr, nullptr, &run), "out");
   refused(go("absent.toml", nullptr, nullptr, 1, &run), "absent.toml");
   refused(go("mine.toml", "not toml", nullptr, 1, &run), "mine.toml:1:");
   refused(go("mine.toml", "", nullptr, 1, &run), "mine.toml:");
@@ -214,6 +217,8 @@ TEST_F(bad_calls, run_compare_and_exact) {
   int verdict = 7;
   refused(gasjet_compare(nullptr, "b.csv", nullptr, 0.0, &verdict, nullptr, 0, &rows), "mine");
   refused(gasjet_compare("a.csv", nullptr, nullptr, 0.0, &verdict, nullptr, 0, &rows), "reference");
+  refused(gasjet_compare("", "b.csv", nullptr, 0.0, &verdict, nullptr, 0, &rows), "mine");
+  refused(gasjet_compare("a.csv", "b.csv", "", 0.0, &verdict, nullptr, 0, &rows), "map");
   refused(gasjet_compare("a.csv", "b.csv", nullptr, 0.0, &verdict, nullptr, 0, &rows), "a.csv");
   each(kNotCounted, "tolerance",
        [&](double e) { return gasjet_compare("a.csv", "b.csv", nullptr, e, &verdict, nullptr, 0, &rows); });

@@ -94,6 +94,15 @@ std::string text_or(const char* pointer, const char* otherwise) {
   return pointer == nullptr ? otherwise : pointer;
 }
 
+std::string path(const char* pointer, std::string_view argument) {
+  if (needed(pointer, argument) == '\0') refuse(argument, "is empty, allowed: a path");
+  return pointer;
+}
+
+std::string path_or_none(const char* pointer, std::string_view argument) {
+  return pointer == nullptr ? "" : path(pointer, argument);
+}
+
 std::string shown(double value) {
   std::array<char, 40> digits{};
   return {digits.data(), std::to_chars(digits.begin(), digits.end(), value).ptr};

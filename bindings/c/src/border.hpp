@@ -97,6 +97,10 @@ T& needed(T* pointer, std::string_view argument) {
 }
 std::string text(const char* pointer, std::string_view argument);
 std::string text_or(const char* pointer, const char* otherwise);
+/// A file or folder: a text that is not empty.
+std::string path(const char* pointer, std::string_view argument);
+/// "" for NULL.
+std::string path_or_none(const char* pointer, std::string_view argument);
 
 /// Refuses a number that is not finite, or out of [low, high].
 double number(double value, std::string_view argument, double low = -std::numeric_limits<double>::max(),

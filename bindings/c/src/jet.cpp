@@ -58,9 +58,20 @@ void write_counters(const jet::VisibilityCounters& from, gasjet_visibility* to) 
 
 /// What jet and surface are made from.
 struct Skin {
+  /// The query keeps some 100 bytes for each node: a count that is wrong is not to take the machine's memory.
+  static int64_t checked(int64_t nodes, int64_t triangle_count) {
+    const int64_t most =
+        3 * std::clamp<int64_t>(triangle_count, 0, std::numeric_limits<int>::max()) + kOtherNodes;
+    if (nodes > most)
+      refuse("node_count", "is " + std::to_string(nodes) + ", allowed: at most " + std::to_string(most) +
+                               " with so many triangles");
+    return nodes;
+  }
+  static constexpr int64_t kOtherNodes = 20'000'000;  // of other parts of the user's model
+
   Skin(const int32_t* data, int64_t count, const int64_t* stride, int64_t nodes, const int32_t* null_elements,
        int64_t null_count, const int32_t* attachment_elements, int64_t attachment_count)
-      : triangles(triangles_of(data, count, stride, nodes)),
+      : triangles(triangles_of(data, count, stride, checked(nodes, count))),
         roles{numbers_of(null_elements, null_count, count, "null_elements"),
               numbers_of(attachment_elements, attachment_count, count, "attachment_elements")},
         node_count(nodes) {}

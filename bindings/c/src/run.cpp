@@ -154,8 +154,8 @@ int gasjet_run(const char* case_file, const char* case_text, const char* overrid
     needed(run, "run");
     if (threads < 1 || threads > 1024)
       refuse("threads", "is " + std::to_string(threads) + ", allowed: 1 to 1024");
-    const Order order{text(case_file, "case_file"), text_or(out, ""), lines_of(text_or(overrides, "")),
-                      threads};
+    const Order order{path(case_file, "case_file"), path_or_none(out, "out"),
+                      lines_of(text_or(overrides, "")), threads};
     driver::CaseDocument document = document_of(order, case_text);
     const driver::Scene scene = driver::read_scene(document);
     const auto made = std::make_shared<Run>(scene);
@@ -217,10 +217,9 @@ int gasjet_run_summary(gasjet_handle run, char text[], int64_t size, int64_t* ne
 int gasjet_compare(const char* mine, const char* reference, const char* map, double tolerance, int* verdict,
                    char text[], int64_t size, int64_t* needed_size) {
   return call_driver([&] {
-    const std::string my_file = border::text(mine, "mine"),
-                      reference_file = border::text(reference, "reference");
+    const std::string my_file = path(mine, "mine"), reference_file = path(reference, "reference");
     number(tolerance, "tolerance", 0.0);
-    const auto my_history = driver::read_history(my_file, text_or(map, ""));
+    const auto my_history = driver::read_history(my_file, path_or_none(map, "map"));
     const auto difference = driver::compare(my_history, driver::read_history(reference_file), {}, tolerance);
     const bool inside = difference.verdict == driver::Verdict::inside;
     const bool outside = difference.verdict == driver::Verdict::outside;

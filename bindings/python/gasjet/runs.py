@@ -58,7 +58,10 @@ def _override(key: Any, value: Any) -> str:
 def _path(given: Any, name: str) -> bytes:
     """A file or folder as the system has it."""
     try:
-        return os.fsencode(given)
+        path = os.fsencode(given)
+        if not path:
+            raise ValueError(f"{name}: is empty, allowed: a path")
+        return path
     except (TypeError, UnicodeError):
         raise TypeError(f"{name}: is a {type(given).__name__}, allowed: a path") from None
 
