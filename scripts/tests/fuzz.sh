@@ -40,7 +40,7 @@ for name in "$@"; do
   mkdir -p "$corpus"
   while IFS= read -r file; do cp "$file" "$corpus/$(basename "$file")"; done < <(seeds "$name")
   log=build-fuzz/$name.log
-  if build-fuzz/verification/fuzz/fuzz_"$name" -max_total_time="$seconds" -timeout=10 -rss_limit_mb=2048 -max_len=65536 \
+  if build-fuzz/verification/fuzz/fuzz_"$name" -max_total_time="$seconds" -timeout=60 -rss_limit_mb=2048 -max_len=65536 \
     -artifact_prefix="build-fuzz/$name-" "$corpus" >"$log" 2>&1 </dev/null; then
     echo "$name: $(sed -n 's/^Done \([0-9]*\) runs in .*/\1 inputs/p' "$log"), nothing found"
   else

@@ -137,6 +137,9 @@ part_full_disk() {
   [ -z "$(tail -c 1 "$work/run/history.csv")" ] || fail "a torn row on a full disk"
   ended_as "$work/run" failed
   expect 0 "done" "$gasjet" "${run[@]}"
+  expect 3 "energy.csv: write failed" limited 6 "$gasjet" run "$source/cases/rigid_tank.toml" --out "$work/end" # as the last rows come
+  ended_as "$work/end" failed
+  grep -q '"status": "failed"' "$work/end/summary.json" || fail "the summary of a run on a full disk"
   expect 3 "write failed" limited 8 "$gasjet" run "$source/cases/sphere_inflation.toml" --out "$work/fields" --set scene.end_time=2e-4 \
     --set output.fields_every=1e-4
   ls "$work"/fields/*-part 2>/dev/null && fail "half a file is left"

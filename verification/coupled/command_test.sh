@@ -136,6 +136,11 @@ part_bad_input() {
       "$gasjet" mesh passenger --refine 5 --out "$work/large.obj"
   # Long values are not told whole.
   [ "$("$gasjet" check "$tank" --set "a=$(printf '[%.0s' {1..50000})" 2>&1 | wc -c)" -lt 600 ] || fail "a long value is told whole"
+  for command in "exact tank_fill --set volume=" "ladder $tank --quantity " "mesh passenger --out $work/o.obj --set " ""; do
+    # shellcheck disable=SC2086
+    [ "$("$gasjet" $command"$(printf '9%.0s' {1..50000})" 2>&1 | wc -c)" -lt 3000 ] || fail "$command tells a long value whole"
+  done
+  expect 2 "no.x1bsuch. is no command of gasjet" "$gasjet" $'no\x1bsuch'
   expect 2 "--set scene.xx+\.\.\.: scene.xx+\.\.\.: unknown key" "$gasjet" check "$tank" --set "scene.$(printf 'x%.0s' {1..50000})=1"
   for volume in 1e308 1e-320; do
     expect 2 "tank.volume: is .*, 1e-100 to 1e100 m3 is allowed" "$gasjet" check "$tank" --set tank.volume=$volume

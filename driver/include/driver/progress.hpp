@@ -37,7 +37,8 @@ class Progress {
 /// what() of an error; of one of memory, how much was in use.
 std::string text_of(const std::exception& error);
 
-/// A line on standard error; one that cannot be written stops nothing.
+/// A line on standard error, without control characters and with long words cut; one that cannot be written
+/// stops nothing.
 void tell(const std::string& line);
 
 /// After this call the first Ctrl-C (or SIGTERM, or SIGHUP unless it is ignored) sets a flag that the time

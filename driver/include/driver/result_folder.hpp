@@ -89,7 +89,8 @@ void require_whole(const std::filesystem::path& file);
 void require_whole(const std::filesystem::path& file, const std::string& run);
 
 /// A folder of results. Its status file is locked as long as this lives, says "running" from begin() to
-/// end(), and lists the files of the run before they are written: only those are ever removed or replaced.
+/// end(), "failed" if this goes before, and lists the files of the run before they are written: only those
+/// are ever removed or replaced.
 class ResultFolder {
  public:
   using IsOwn = std::function<bool(const std::string& name)>;
@@ -137,6 +138,7 @@ class ResultFolder {
   Provenance lines_;
   std::string run_;
   std::set<std::string, std::less<>> listed_;
+  bool ended_ = false;
   int descriptor_ = -1;
 };
 

@@ -69,7 +69,7 @@ void check_quality(const BagMesh& bag, const std::filesystem::path& file) {
     membrane::element_quality(bag.mesh.nodes, bag.mesh.elements);
     if (bag.initial) membrane::element_quality(*bag.initial, bag.mesh.elements);
   } catch (const std::invalid_argument& error) {
-    throw CaseError(fmt::format("{}{}{}", file.string(), file.empty() ? "" : ": ", error.what()));
+    throw CaseError(fmt::format("{}: {}", file.empty() ? "--set" : file.string(), error.what()));
   }
 }
 

@@ -44,6 +44,10 @@ ResultFolder::ResultFolder(std::filesystem::path folder, std::string command,
       }) {}
 
 ResultFolder::~ResultFolder() {
+  try {
+    if (!run_.empty() && !ended_) mark("status: failed\n", false);
+  } catch (const WriteError&) {  // a full disk: it stays as not ended
+  }
   leave();
 }
 
@@ -132,6 +136,7 @@ void ResultFolder::begin(const Provenance& lines) {
 }
 
 void ResultFolder::end(const std::string& status) {
+  ended_ = true;
   mark(fmt::format("status: {}\n", status), false);
   if (status == "done") remove(journal_file);
 }

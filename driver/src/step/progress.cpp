@@ -70,7 +70,21 @@ std::string text_of(const std::exception& error) {
 }
 
 void tell(const std::string& line) {
-  std::fputs((line + '\n').c_str(), stderr);
+  constexpr std::size_t longest = 1000;  // of a word that comes from an input
+  std::string shown;
+  std::size_t word = 0;
+  for (const char c : line) {
+    word = c == ' ' || c == '\n' ? 0 : word + 1;
+    if (word > longest) continue;
+    if (c == '\n')
+      shown += c;
+    else if (static_cast<unsigned char>(c) < ' ' || c == 0x7f)
+      shown += fmt::format("\\x{:02x}", static_cast<unsigned char>(c));
+    else
+      shown += c;
+    if (word == longest) shown += "...";
+  }
+  std::fputs((shown + '\n').c_str(), stderr);
 }
 
 bool interrupted() {

@@ -104,6 +104,20 @@ RunOutcome run_scene(const Scene& scene, State& state, const LevelSink& sink, co
   return outcome;
 }
 
+namespace {
+
+// Rows that do not fit on the disk: the run is told as failed, and the other files are written.
+void flush(CsvWriter& table, RunOutcome& outcome) {
+  try {
+    table.flush();
+  } catch (const WriteError& error) {
+    outcome.status = RunStatus::failed;
+    outcome.message = error.what();
+  }
+}
+
+}  // namespace
+
 RunOutcome run_to_folder(const Scene& scene, const std::filesystem::path& path, const Provenance& lines,
                          const RunOptions& options) {
   State state = make_state(scene);
@@ -137,9 +151,8 @@ RunOutcome run_to_folder(const Scene& scene, const std::filesystem::path& path, 
   LevelViews views;
   if (fields) views.fields = [&](const State& now) { fields->write(now); };
   if (frames) views.frames = [&](const State& now) { frames->write(now); };
-  const RunOutcome outcome = run_scene(scene, state, record, views, Executor(options.threads), options.stop);
-  history.flush();
-  energy.flush();
+  RunOutcome outcome = run_scene(scene, state, record, views, Executor(options.threads), options.stop);
+  for (CsvWriter* table : {&history, &energy}) flush(*table, outcome);
   folder.write("summary.json", summary_text(scene, state, outcome, folder.lines()));
   folder.end(status_name(outcome.status));
   return outcome;
