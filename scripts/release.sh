@@ -37,7 +37,8 @@ check_tests() {
   is_green || refuse "the tests ran at another commit or left changes behind"
 }
 
-out=$PWD/build/release
+release=$PWD/build/release
+out=$release.untried # until the packages have worked
 scratch=
 cleanup() { rm -rf "$scratch"; }
 
@@ -55,6 +56,7 @@ make_files() {
   (cd "$source" && cmake --preset release -DGASJET_TESTS=OFF -DGASJET_BENCHMARKS=OFF && cmake --build --preset release && scripts/docs_site.sh && cd build && cpack -G DEB)
   mv "$source"/build/packages/*.deb "$out"
   cmake --install "$source/build" --component command --prefix "$scratch/prefix" >/dev/null
+  cp LICENSE "$scratch/prefix/share/gasjet"
   pack "gasjet-reference-data-$(<cases/reference/VERSION).tar.gz" "$scratch/prefix/share" gasjet
   pack "gasjet-$version-site.tar.gz" "$source/build" site
   (cd "$out" && sha256sum ./* >"$scratch/sums" && mv "$scratch/sums" SHA256SUMS)
@@ -93,10 +95,11 @@ if (($#)); then
 fi
 scratch=$(mktemp -d)
 trap cleanup EXIT
-rm -rf "$out"
+rm -rf "$out" "$release"
 mkdir -p "$out"
 make_files
 try_packages
-echo "=== release $version of $commit, in $out:"
-(cd "$out" && ls -l)
+mv "$out" "$release"
+echo "=== release $version of $commit, in $release:"
+(cd "$release" && ls -l)
 echo "next: git tag --annotate v$version --message 'Gasjet $version'"

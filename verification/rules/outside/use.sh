@@ -10,9 +10,11 @@ compiler=${2:-c++}
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 
-echo "--- $compiler"
+version=$("$prefix/bin/gasjet" --version | sed -nE '1s/^gasjet ([0-9]+[.][0-9]+)[.].*/\1/p') # as a user asks for it
+[[ -n $version ]] || { echo "$prefix/bin/gasjet names no version"; exit 1; }
+echo "--- $compiler, version $version"
 cmake -S "$here" -B "$scratch" -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_FLAGS_RELEASE=-O0 -DCMAKE_CXX_COMPILER="$compiler" \
-  -DCMAKE_PREFIX_PATH="$prefix" >"$scratch/log" || { cat "$scratch/log"; exit 1; }
+  -DCMAKE_PREFIX_PATH="$prefix" -DGASJET_VERSION="$version" >"$scratch/log" || { cat "$scratch/log"; exit 1; }
 cmake --build "$scratch"
 "$scratch/outside"
 (($# == 1)) || exit 0
