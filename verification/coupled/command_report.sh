@@ -49,6 +49,11 @@ part_report() {
   # A folder of two runs, and one whose run has not ended.
   a_copy && sed -i 's/"run": "[0-9a-f]*"/"run": "0123456789abcdef"/' "$work/bad/summary.json"
   expect 2 "summary.json: is of the run '0123456789abcdef', its folder is of" "$gasjet" report "$work/bad" --out "$page"
+  a_copy && sed -i '1s/"run":"[0-9a-f]*"/"run":"0123456789abcdef"/' "$work/bad/frames.bin"
+  expect 2 "frames.bin: is of the run '0123456789abcdef', its folder is of" "$gasjet" report "$work/bad" --out "$page"
+  expect 2 "frames.bin: is of the run '0123456789abcdef', its folder is of" "$gasjet" mesh state "$work/bad" --time 0 --out "$work/bag.obj"
+  a_copy && sed -i 's/"run": "[0-9a-f]*"/"run": "0123456789abcdef"/' "$work/bad/check.json"
+  expect 2 "check.json: is of the run '0123456789abcdef', its folder is of" "$gasjet" report "$work/bad" --out "$page"
   a_copy && sed -i 's/^status: done/status: running/' "$work/bad/gasjet.status"
   expect 2 "history.csv: its run has not ended" "$gasjet" report "$work/bad" --out "$page"
   # What is missing makes the page smaller, and it says so.

@@ -6,6 +6,7 @@
 #include <fstream>
 #include <string>
 
+#include "driver/result_folder.hpp"
 #include "driver/scene.hpp"
 #include "driver/state.hpp"
 
@@ -25,8 +26,9 @@ constexpr std::size_t frame_bytes(std::size_t scalars, std::size_t nodes, std::s
 /// states: they are off by half of it at most. Whatever a frame holds is little-endian.
 class FrameWriter {
  public:
-  /// Precondition: the scene has a bag. Throws OutputError when the file cannot be opened.
-  FrameWriter(const std::filesystem::path& file, const Scene& scene);
+  /// Writes frames.bin of the folder's run. Precondition: the scene has a bag. Throws OutputError when the
+  /// file cannot be opened.
+  FrameWriter(ResultFolder& folder, const Scene& scene);
   /// Writes level n; call it when the forces of n stand (StepRequest::before_advance). Throws WriteError.
   void write(const State& state);
 

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <cstdio>
+#include <nlohmann/json.hpp>
 
 #include "commands/check.hpp"
 #include "commands/commands.hpp"
@@ -13,10 +14,12 @@ namespace driver::commands {
 namespace {
 
 // Of a start that is out of the models' domain the run itself tells.
-std::string check_text(const CaseDocument& document, const Scene& scene) {
+std::string check_text(const CaseDocument& document, const Scene& scene, const std::string& id) {
   try {
     const State state = state_at_start(scene);
-    return check_json(document, scene, state, forecast(scene, state)) + '\n';
+    auto json = nlohmann::ordered_json::parse(check_json(document, scene, state, forecast(scene, state)));
+    json["run"] = id;
+    return json.dump(2) + '\n';
   } catch (const std::exception&) {
     return {};
   }
@@ -34,14 +37,14 @@ int run(const RunArguments& arguments) {
   refuse_inputs(folder,
                 {"history.csv", "energy.csv", "summary.json", "check.json", "frames.bin", status_file},
                 document.files());
+  const std::string id = id_of("run", {}, {&document});
   // Until the steps begin there is nothing to keep, and a signal ends the program at once.
-  const auto outcome = run_to_folder(
-      scene, folder,
-      provenance(arguments.scene.file, arguments.scene.overrides, id_of("run", {}, {&document})),
-      {.quiet = arguments.quiet,
-       .threads = arguments.threads,
-       .ready = catch_interrupt,
-       .check = check_text(document, scene)});
+  const auto outcome =
+      run_to_folder(scene, folder, provenance(arguments.scene.file, arguments.scene.overrides, id),
+                    {.quiet = arguments.quiet,
+                     .threads = arguments.threads,
+                     .ready = catch_interrupt,
+                     .check = check_text(document, scene, id)});
   if (!outcome.warning.empty()) tell("warning: " + outcome.warning);
   if (outcome.status == RunStatus::inaccurate) {
     tell(fmt::format("gasjet: inaccurate: {}\nResults up to the end are in {}", outcome.message,

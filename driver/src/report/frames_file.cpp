@@ -9,6 +9,7 @@
 #include "driver/case_reader.hpp"
 #include "driver/formats.hpp"
 #include "driver/frames.hpp"
+#include "driver/result_folder.hpp"
 #include "report/parts.hpp"
 
 namespace driver {
@@ -85,6 +86,7 @@ Frames load_frames(const std::filesystem::path& file) {
       header.value("format", Json()) != formats::results)
     fail(fmt::format("does not begin as \"{}\" of format {}", frames_file, formats::results));
   try {
+    require_whole(file, header.value("run", std::string()));
     if (const std::string message = fault(header, frames); !message.empty()) fail(message);
   } catch (const Json::exception&) {
     fail("its header lacks what this gasjet needs");

@@ -51,15 +51,12 @@ Json jet_json(const jet::JetModel& model, double reach) {
   return json;
 }
 
-Json header(const Scene& scene) {
+Json header(const Scene& scene, const std::string& run) {
   const BagPart& bag = *scene.bag;
   const int nodes = bag.model.node_count, elements = bag.model.element_count;
   const Eigen::Vector3d size = bag.mesh.nodes.rowwise().maxCoeff() - bag.mesh.nodes.rowwise().minCoeff();
-  Json json{{"file", frames_file},
-            {"format", formats::results},
-            {"scene", scene.name},
-            {"nodes", nodes},
-            {"elements", elements}};
+  Json json{{"file", frames_file}, {"format", formats::results}, {"run", run}, {"scene", scene.name},
+            {"nodes", nodes},      {"elements", elements}};
   json["scalars"] = kScalars;
   for (std::size_t j = 0; j < scene.jets.size(); ++j) json["scalars"].push_back(fmt::format("jet_{}_m_s", j));
   json["jets"] = json["straps"] = json["plates"] = Json::array();
@@ -107,10 +104,10 @@ double step_of(std::span<const double> values) {
 
 }  // namespace
 
-FrameWriter::FrameWriter(const std::filesystem::path& file, const Scene& scene)
-    : file_(file), stream_(file, std::ios::binary), scene_(scene) {
-  if (!stream_) throw OutputError(fmt::format("{}: not writable", file.string()));
-  stream_ << header(scene).dump(-1, ' ', false, Json::error_handler_t::replace) << '\n';
+FrameWriter::FrameWriter(ResultFolder& folder, const Scene& scene)
+    : file_(folder.add("frames.bin")), stream_(file_, std::ios::binary), scene_(scene) {
+  if (!stream_) throw OutputError(fmt::format("{}: not writable", file_.string()));
+  stream_ << header(scene, folder.run()).dump(-1, ' ', false, Json::error_handler_t::replace) << '\n';
 }
 
 void FrameWriter::write(const State& state) {

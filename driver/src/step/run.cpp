@@ -137,7 +137,7 @@ RunOutcome run_to_folder(const Scene& scene, const std::filesystem::path& path, 
   std::optional<FieldWriter> fields;
   if (with_fields) fields.emplace(folder, scene);
   std::optional<FrameWriter> frames;
-  if (with_frames) frames.emplace(folder.add("frames.bin"), scene);
+  if (with_frames) frames.emplace(folder, scene);
   const auto record = [&](bool recorded, const State& now) {
     progress.update(now.time, [&] { return reached(now); });
     if (recorded) {
