@@ -28,7 +28,7 @@ const std::map<std::string, Harness*> kHarnesses{
     {"history", fuzz_history}, {"visibility", fuzz_visibility}};
 
 constexpr std::size_t kLongest = 4096, kMostFaults = 6;
-constexpr std::size_t kOneWhole = 20;  // of so many inputs of a longer seed file one is a copy of all of it
+constexpr std::size_t kOneWhole = 10;  // of so many inputs of a longer seed file one is a copy of all of it
 
 const std::vector<std::string> kTokens{
     "nan", "inf",  "-1",   "0", "1e999", "1e-320", "4294967296", "\r",
