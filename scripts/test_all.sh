@@ -51,7 +51,7 @@ run_ctest() {
 
 # build PRESET [CMAKE_OPTION...]
 build() {
-  phase "configure $1" cmake --preset "$1" -DCMAKE_UNITY_BUILD=ON "${@:2}"
+  phase "configure $1" cmake --preset "$1" -DCMAKE_UNITY_BUILD=ON -DCMAKE_UNITY_BUILD_BATCH_SIZE=30 "${@:2}"
   phase "build $1" cmake --build --preset "$1" -j "$jobs"
 }
 

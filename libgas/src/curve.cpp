@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "infinity.hpp"
+#include "limits.hpp"
 #include "require.hpp"
 
 namespace gas {

@@ -6,12 +6,10 @@
 #include <cmath>
 #include <limits>
 
-#include "infinity.hpp"
+#include "limits.hpp"
 
 namespace gas {
 namespace {
-
-constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 
 /// When the temperature, on its piece around tau, passes 1000 K after tau; infinity if it does not.
 double joint_crossing(const Curve& temperature, double tau, double piece_end) {

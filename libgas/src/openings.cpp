@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "infinity.hpp"
 #include "inflow_segment.hpp"
+#include "limits.hpp"
 
 namespace gas {
 namespace {

@@ -5,14 +5,13 @@
 #include <cmath>
 #include <limits>
 
-#include "infinity.hpp"
+#include "limits.hpp"
 #include "rate_slopes.hpp"
 #include "require.hpp"
 
 namespace gas {
 namespace {
 
-constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 constexpr double kSafety = 0.9, kSmallestFactor = 0.05, kLargestFactor = 5.0;
 // The first step's error constant is of the order kFirstStep^-error_power: a guess, only speed depends on it.
 constexpr double kFirstStep = 5.0;

@@ -5,7 +5,7 @@
 #include <boost/numeric/odeint/stepper/runge_kutta4_classic.hpp>
 #include <boost/numeric/odeint/stepper/runge_kutta_dopri5.hpp>
 
-#include "infinity.hpp"
+#include "limits.hpp"
 
 namespace gas {
 namespace {

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "first_gas.hpp"
-#include "infinity.hpp"
+#include "limits.hpp"
 #include "rate_slopes.hpp"
 #include "require.hpp"
 

@@ -3,7 +3,7 @@
 #include <memory>
 #include <optional>
 
-#include "infinity.hpp"
+#include "limits.hpp"
 #include "step_control.hpp"
 #include "stepper.hpp"
 #include "trigger_network.hpp"

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "infinity.hpp"
+#include "limits.hpp"
 
 namespace gas {
 namespace {

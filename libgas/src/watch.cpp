@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "gas/orifice.hpp"
-#include "infinity.hpp"
+#include "limits.hpp"
 
 namespace gas {
 namespace {

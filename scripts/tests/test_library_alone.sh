@@ -2,13 +2,19 @@
 # SPDX-License-Identifier: Apache-2.0
 # Proves that one library stands alone: configures, builds and installs a copy of it that has no other library
 # beside it, then compiles and runs the first ```cpp block of its README against the installed package.
-# usage: scripts/tests/test_library_alone.sh NAME [SCRATCH_FOLDER]   (NAME: gas, membrane, jet, coupling, closed_form)
+# usage: scripts/tests/test_library_alone.sh [--of BUILD] NAME [SCRATCH_FOLDER]   (NAME: gas, membrane, jet, coupling, closed_form)
+#   --of BUILD  installs the library of that build of the whole tree instead: does its package need another?
 # A given scratch folder is kept, so that a second call builds incrementally.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 max_example_lines=20
 
-name=${1:?usage: test_library_alone.sh NAME [SCRATCH_FOLDER]}
+whole=
+if [[ ${1:-} == --of ]]; then
+  whole=$(cd "$2" && pwd)
+  shift 2
+fi
+name=${1:?usage: test_library_alone.sh [--of BUILD] NAME [SCRATCH_FOLDER]}
 library=$([[ $name == closed_form ]] && echo verification/closed_form || echo "lib$name") # its folder in the tree
 if [[ ! -f $root/$library/CMakeLists.txt ]]; then
   echo "test_library_alone.sh: no library $library" >&2
@@ -33,6 +39,10 @@ copy_sources() {
 
 # Without optimisation: whether it stands alone does not depend on it.
 build_and_install() {
+  if [[ -n $whole ]]; then
+    cmake --install "$whole/$library" --prefix "$scratch/prefix"
+    return
+  fi
   cmake -S "$scratch/source/$library" -B "$scratch/build" -G Ninja -DCMAKE_BUILD_TYPE=Debug \
     -DCMAKE_CXX_FLAGS_DEBUG=-O0 -DCMAKE_INSTALL_PREFIX="$scratch/prefix" -DGASJET_WERROR=ON -DCMAKE_UNITY_BUILD=ON
   cmake --build "$scratch/build" -j 2
@@ -58,7 +68,7 @@ find_package(gasjet_$name REQUIRED)
 add_executable(example example.cpp)
 target_link_libraries(example PRIVATE gasjet::$name)
 END
-  cmake -S "$scratch/consumer" -B "$scratch/consumer/build" -G Ninja -DCMAKE_BUILD_TYPE=Release \
+  cmake -S "$scratch/consumer" -B "$scratch/consumer/build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_FLAGS_RELEASE=-O0 \
     -DCMAKE_PREFIX_PATH="$scratch/prefix"
   cmake --build "$scratch/consumer/build"
   echo "--- output of the example of $library/README.md"

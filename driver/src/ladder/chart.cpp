@@ -13,6 +13,7 @@
 #include <csignal>
 #include <cstring>
 #include <optional>
+#include <regex>
 #include <thread>
 
 #include "driver/ladder.hpp"
@@ -65,6 +66,12 @@ std::string gnuplot_text(const std::string& text) {
   return quoted + "'";
 }
 
+// "peak_pressure_Pa" as "peak pressure": errors are shares of it, without a unit.
+std::string in_words(const std::string& quantity) {
+  static const std::regex unit("_(rad_s|kg_s|m_s2|m_s|Ns|Pa|K|m3|m2|kg|N|rad|m|J|s|W)$"), gap("_");
+  return std::regex_replace(std::regex_replace(quantity, unit, ""), gap, " ");
+}
+
 std::string chart(const LadderResult& result, const LadderOptions& options) {
   const double percent = 100.0 / std::abs(result.reference.value - result.zero),
                floor = 100.0 * least_share * options.tolerance;
@@ -93,7 +100,7 @@ std::string chart(const LadderResult& result, const LadderOptions& options) {
              "exact.\n# Errors below {1:g} of the tolerance are drawn there. `gnuplot ladder.gp` draws "
              "ladder.svg.\n"
              "tolerance = {2}\nuncertainty = {3}\nlist = {4}\nset ylabel {0}\n",
-             gnuplot_text(fmt::format("Error of {} [%]", result.quantity)), least_share,
+             gnuplot_text(fmt::format("Error of {} [%]", in_words(result.quantity))), least_share,
              100.0 * options.tolerance, uncertainty, list) +
          block("rungs", rungs) + block("front", front) + block("named", named) + std::string(commands);
 }

@@ -16,7 +16,7 @@
 namespace driver {
 namespace {
 
-bool has(const std::filesystem::path& folder, const char* name) {
+bool has_file(const std::filesystem::path& folder, const char* name) {
   std::error_code ignored;
   return std::filesystem::exists(folder / name, ignored);
 }
@@ -104,20 +104,20 @@ Json gather_run(const std::filesystem::path& folder, const ReportOptions& option
   const auto missing = [&](const char* name, const char* what) {
     run["notes"].push_back(fmt::format("{} is missing: {}", name, what));
   };
-  if (has(folder, "energy.csv")) {
+  if (has_file(folder, "energy.csv")) {
     add_table(run, "energy", folder / "energy.csv", options);
     run["roles"] = roles();
   } else {
     missing("energy.csv", "no balance of energy");
   }
-  if (has(folder, "summary.json")) {
+  if (has_file(folder, "summary.json")) {
     run["summary"] = read_json(folder / "summary.json");
     for (const char* key : {"scene", "status"}) run["summary"].at(key).get<std::string>();
     run["build"] = run["summary"].value("build", Json());
   } else {
     missing("summary.json", "no summary");
   }
-  if (has(folder, "check.json")) {
+  if (has_file(folder, "check.json")) {
     run["check"] = read_json(folder / "check.json");
     for (const char* key : {"forecast", "defaults", "warnings"})
       run["check"].at(key).get<std::vector<Json>>();
@@ -138,7 +138,7 @@ Json gather_ensemble(const std::filesystem::path& folder, const ReportOptions& o
   Json ensemble = start(folder, "ensemble");
   const PageTable table = add_table(ensemble, "history", folder / "ensemble.csv", options);
   for (const auto& [key, value] : table.lines) ensemble["build"][key] = value;
-  if (has(folder, "runs.csv")) add_table(ensemble, "singles", folder / "runs.csv", options);
+  if (has_file(folder, "runs.csv")) add_table(ensemble, "singles", folder / "runs.csv", options);
   const Json all = read_json(folder / "ensemble.json");
   ensemble["quantities"] = all.value("quantities", Json::object());
   int runs = 0;
@@ -169,7 +169,7 @@ Json gather_curves(const std::filesystem::path& file, const ReportOptions& optio
 std::vector<std::filesystem::path> ensembles_in(const std::filesystem::path& folder) {
   std::vector<std::filesystem::path> list;
   for (const auto& entry : std::filesystem::directory_iterator(folder))
-    if (entry.is_directory() && has(entry.path(), "ensemble.csv")) list.push_back(entry.path());
+    if (entry.is_directory() && has_file(entry.path(), "ensemble.csv")) list.push_back(entry.path());
   std::ranges::sort(list);
   return list;
 }
@@ -181,9 +181,9 @@ std::vector<Json> gather(const std::filesystem::path& result, const ReportOption
   if (std::filesystem::is_regular_file(result, ignored)) return {gather_curves(result, options)};
   if (!std::filesystem::is_directory(result, ignored))
     throw CaseError(fmt::format("{}: no such folder or file", result.string()));
-  if (has(result, "history.csv")) return {gather_run(result, options)};
-  if (has(result, "ensemble.csv")) return {gather_ensemble(result, options)};
-  if (has(result, "ladder.json")) return {gather_ladder(result)};
+  if (has_file(result, "history.csv")) return {gather_run(result, options)};
+  if (has_file(result, "ensemble.csv")) return {gather_ensemble(result, options)};
+  if (has_file(result, "ladder.json")) return {gather_ladder(result)};
   std::vector<Json> list;
   for (const auto& folder : ensembles_in(result)) list.push_back(gather_ensemble(folder, options));
   if (list.empty())

@@ -61,7 +61,7 @@ std::optional<FolderStatus> status_listing(const std::filesystem::path& file) {
   return {};
 }
 
-void require_whole(const std::filesystem::path& file, const FolderStatus& status, const std::string& own) {
+void require_finished(const std::filesystem::path& file, const FolderStatus& status, const std::string& own) {
   if (status.status == "running")
     throw CaseError(fmt::format(
         "{}: its run has not ended ({} says so): wait for its end; if it was killed, run it again",
@@ -81,11 +81,11 @@ void require_whole(const std::filesystem::path& file, const FolderStatus& status
 
 void require_whole(const std::filesystem::path& file) {
   // Only a file that a run has written is read here: others may be pipes, or never end.
-  if (const auto status = status_listing(file)) require_whole(file, *status, run_of(file));
+  if (const auto status = status_listing(file)) require_finished(file, *status, run_of(file));
 }
 
 void require_whole(const std::filesystem::path& file, const std::string& own) {
-  if (const auto status = status_listing(file)) require_whole(file, *status, own);
+  if (const auto status = status_listing(file)) require_finished(file, *status, own);
 }
 
 }  // namespace driver

@@ -81,7 +81,7 @@ class Bytes {
  public:
   explicit Bytes(std::size_t size) : bytes_(size, '\0') {}
   template <typename Number>
-  void put(Number number) {
+  void put_number(Number number) {
     std::memcpy(bytes_.data() + at_, &number, sizeof number);
     at_ += sizeof number;
   }
@@ -89,7 +89,16 @@ class Bytes {
   template <typename Value>
   void put_steps(std::size_t count, double low, double step, const Value& value) {
     const double scale = step > 0.0 ? 1.0 / step : 0.0;
-    for (std::size_t i = 0; i < count; ++i) put(static_cast<std::uint16_t>((value(i) - low) * scale + 0.5));
+    char* const to = bytes_.data() + at_;
+    for (std::size_t i = 0; i < count; ++i) {
+      const auto steps = static_cast<std::uint16_t>(static_cast<int>((value(i) - low) * scale + 0.5));
+      std::memcpy(to + sizeof steps * i, &steps, sizeof steps);
+    }
+    at_ += sizeof(std::uint16_t) * count;
+  }
+  void put_bytes(std::span<const std::uint8_t> bytes) {
+    std::memcpy(bytes_.data() + at_, bytes.data(), bytes.size());
+    at_ += bytes.size();
   }
   const std::string& all() const { return bytes_; }
 
@@ -130,8 +139,8 @@ void FrameWriter::write(const State& state) {
   Bytes out(frame_bytes(std::size(kScalars) + state.jets.size(), nodes, elements));
   for (const double number : {state.time, gauge, low.x(), low.y(), low.z(), step, impactor.x(), impactor.y(),
                               impactor.z(), speed_step, jet_step, least, strain_step})
-    out.put(number);
-  for (const JetRun& run : state.jets) out.put(run.outlet.velocity);
+    out.put_number(number);
+  for (const JetRun& run : state.jets) out.put_number(run.outlet.velocity);
   for (Eigen::Index n = 0; n < position.cols(); ++n)
     out.put_steps(3, 0.0, step, [&](std::size_t c) {
       const auto axis = static_cast<Eigen::Index>(c);
@@ -140,7 +149,7 @@ void FrameWriter::write(const State& state) {
   out.put_steps(nodes, 0.0, speed_step, [&](std::size_t n) { return speed[n]; });
   out.put_steps(elements, 0.0, jet_step, [&](std::size_t e) { return jets.overpressure[e]; });
   out.put_steps(elements, least, strain_step, [&](std::size_t e) { return strain[e]; });
-  for (const auto lit : jets.mask) out.put(lit);
+  out.put_bytes(jets.mask);
   stream_.write(out.all().data(), static_cast<std::streamsize>(out.all().size())).flush();
   if (!stream_) throw WriteError(fmt::format("{}: write failed (disk full?)", file_.string()));
 }

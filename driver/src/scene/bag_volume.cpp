@@ -19,9 +19,9 @@ namespace {
 constexpr double first_overpressure =
     100.0;  // [Pa] a thousandth of the ambient one: a limp bag is open by then
 constexpr double factor = 2.0;
-constexpr double at_rest = 1e-5;  // kinetic energy over p V
-constexpr double settled = 1e-4;  // change of the volume within a span, its share
-constexpr double share = 0.9;     // of the critical step
+constexpr double at_rest = 1e-5;    // kinetic energy over p V
+constexpr double settled = 1e-4;    // change of the volume within a span, its share
+constexpr double step_share = 0.9;  // of the critical step
 constexpr int most_spans = 200;
 
 /// The bag under a prescribed overpressure, damped as fast as the pressure moves it: a span is
@@ -58,7 +58,7 @@ class BagAtRest {
       membrane::pressure_forces(state_, overpressure);
       membrane::support_forces(model_, state_);
       const double next =
-          share * membrane::critical_time_step(membrane::stiffness_shares(model_, state_, 0.0, 0.0));
+          step_share * membrane::critical_time_step(membrane::stiffness_shares(model_, state_, 0.0, 0.0));
       kinetic = membrane::advance(model_, state_, step_, next).kinetic_after;
       membrane::update_skin(model_, state_);
       time += step_ = next;

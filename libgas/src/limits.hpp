@@ -5,5 +5,6 @@
 namespace gas {
 
 inline constexpr double kInfinity = std::numeric_limits<double>::infinity();  // a time that never comes
+inline constexpr double kEpsilon = std::numeric_limits<double>::epsilon();    // of rounding, relative
 
 }  // namespace gas
