@@ -8,6 +8,7 @@
 #include "membrane/gmsh.hpp"
 #include "membrane/keyword.hpp"
 #include "membrane/obj.hpp"
+#include "membrane/radioss.hpp"
 #include "membrane/stl.hpp"
 #include "membrane/vtk.hpp"
 #include "mesh_text.hpp"
@@ -19,12 +20,12 @@ std::string location(const std::string& file, std::size_t line, std::size_t colu
   return line == 0 ? file : file + ":" + std::to_string(line) + ":" + std::to_string(column);
 }
 
-enum class Format { obj, keyword, stl, vtk, gmsh };
+enum class Format { obj, keyword, radioss, stl, vtk, gmsh };
 
 const std::map<std::string, Format>& formats() {
   static const std::map<std::string, Format> list = {
       {".obj", Format::obj}, {".k", Format::keyword}, {".key", Format::keyword}, {".dyn", Format::keyword},
-      {".stl", Format::stl}, {".vtk", Format::vtk},   {".msh", Format::gmsh}};
+      {".stl", Format::stl}, {".vtk", Format::vtk},   {".msh", Format::gmsh},    {".rad", Format::radioss}};
   return list;
 }
 
@@ -37,7 +38,7 @@ Format format_of(const std::filesystem::path& path, const char* fault) {
   return found->second;
 }
 
-constexpr const char* kRead = "a mesh file ends with .obj, .k, .key, .dyn, .stl, .vtk or .msh";
+constexpr const char* kRead = "a mesh file ends with .obj, .k, .key, .dyn, .rad, .stl, .vtk or .msh";
 constexpr const char* kWritten = "the name of a mesh that is written ends with .obj, .k, .key, .dyn or .stl";
 
 }  // namespace
@@ -47,19 +48,30 @@ MeshFileError::MeshFileError(const std::string& file, std::size_t line, std::siz
     : std::runtime_error(location(file, line, column) + ": " + message), line_(line), column_(column) {}
 
 Mesh read_mesh(const std::filesystem::path& path) {
-  static const std::map<Format, Mesh (*)(std::string_view, const std::string&)> parsers = {
-      {Format::obj, parse_obj},
-      {Format::keyword, parse_keyword},
-      {Format::stl, parse_stl},
-      {Format::vtk, parse_vtk},
-      {Format::gmsh, parse_gmsh}};
-  const auto parse = parsers.at(format_of(path, kRead));
-  return parse(read_text(path), path.string());
+  const Format format = format_of(path, kRead);
+  const std::string text = read_text(path), name = path.string();
+  const IncludedFile beside = [&](const std::string& file) { return read_text(path.parent_path() / file); };
+  switch (format) {
+    case Format::obj:
+      return parse_obj(text, name);
+    case Format::keyword:
+      return parse_keyword(text, name, beside);
+    case Format::radioss:
+      return parse_radioss(text, name, beside);
+    case Format::stl:
+      return parse_stl(text, name);
+    case Format::vtk:
+      return parse_vtk(text, name);
+    case Format::gmsh:
+      break;
+  }
+  return parse_gmsh(text, name);
 }
 
 void check_mesh_ending(const std::filesystem::path& path) {
   const Format format = format_of(path, kWritten);
-  if (format == Format::vtk || format == Format::gmsh) throw MeshFileError(path.string(), 0, 0, kWritten);
+  if (format == Format::vtk || format == Format::gmsh || format == Format::radioss)
+    throw MeshFileError(path.string(), 0, 0, kWritten);
 }
 
 void write_mesh(const Mesh& mesh, const std::filesystem::path& path) {

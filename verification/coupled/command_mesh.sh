@@ -75,6 +75,30 @@ part_mesh_formats() {
   done
 }
 
+# The bag of a whole deck comes back as its case has it.
+part_mesh_deck() {
+  local case=$source/cases/passenger_sharp.toml panels="--panel main --panel side_left --panel side_right --panel attachment --panel vent"
+  "$gasjet" mesh case "$case" --out "$work/design.stl" --initial "$work/start.k" >/dev/null
+  "$gasjet" mesh convert "$work/start.k" --report >"$work/wanted"
+  for format in lsdyna radioss; do
+    expect 0 "" "$gasjet" export "$case" --format $format --units kg-m-s --out "$work/$format"
+    file=$(ls "$work/$format"/bag.k "$work/$format"/bag_0000.rad 2>/dev/null)
+    expect 2 "disconnected components" "$gasjet" mesh convert "$file"
+    # shellcheck disable=SC2086
+    expect 0 "^elements that are no shells: .*(DISCRETE|SPRING) \([23]\)$" "$gasjet" mesh convert "$file" $panels --out "$work/back.k"
+    "$gasjet" mesh convert "$work/back.k" | diff - "$work/wanted" || fail "$format: another bag came back"
+    expect 2 "\"none\" does not exist.* \"main\"" "$gasjet" mesh convert "$file" --panel none
+    sed "s|^mesh = .*|mesh = { file = \"$file\" }|" "$source/cases/sphere_inflation.toml" >"$work/whole.toml"
+    expect 2 "elements that are no shells: .*--panel NAME" "$gasjet" check "$work/whole.toml"
+  done
+  mkdir -p "$work/parts"
+  printf '*KEYWORD\n*INCLUDE\nparts/bag.k\n*END\n' >"$work/top.k"
+  cp "$work/back.k" "$work/parts/bag.k"
+  expect 0 "closed control volume: yes" "$gasjet" mesh convert "$work/top.k"
+  rm "$work/parts/bag.k"
+  expect 2 "top.k:3:1: include: .*parts/bag.k: cannot be opened" "$gasjet" mesh convert "$work/top.k"
+}
+
 # points FILE: the nodes of a .vtp or .obj, a line each
 points() { sed -n '/Name="Points"/,/DataArray>/{/Array/!p};s/^v //p' "$1"; }
 # values FILE NAME: an array of a .vtp

@@ -4,5 +4,8 @@
 #include "mesh_file.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  return fuzz::read_and_write(data, size, membrane::parse_keyword, membrane::format_keyword);
+  const auto parse = [](std::string_view text, const char* name) {
+    return membrane::parse_keyword(text, name);
+  };
+  return fuzz::read_and_write(data, size, parse, membrane::format_keyword);
 }

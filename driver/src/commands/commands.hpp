@@ -99,16 +99,16 @@ struct CostArguments {
 int cost(const CostArguments& arguments);
 
 struct MeshArguments {
-  std::filesystem::path file;            // to convert, or a case, or the results of a run
-  double time = 0.0;                     // of those results [s]
-  double length_unit = 1.0;              // of that file [m]
-  std::optional<double> merge;           // join nodes at most so far apart [m]
-  bool report = false;                   // an open or inside-out surface is no error
-  std::vector<std::string> null_panels;  // of that file
-  std::filesystem::path out;             // design shape, format by the ending; or empty
-  std::filesystem::path initial;         // initial shape, or empty
-  std::vector<std::string> overrides;    // generator option, or key of the case = value
-  int refine = 0;                        // times
+  std::filesystem::path file;                    // to convert, or a case, or the results of a run
+  double time = 0.0;                             // of those results [s]
+  double length_unit = 1.0;                      // of that file [m]
+  std::optional<double> merge;                   // join nodes at most so far apart [m]
+  bool report = false;                           // an open or inside-out surface is no error
+  std::vector<std::string> panels, null_panels;  // of that file
+  std::filesystem::path out;                     // design shape, format by the ending; or empty
+  std::filesystem::path initial;                 // initial shape, or empty
+  std::vector<std::string> overrides;            // generator option, or key of the case = value
+  int refine = 0;                                // times
 };
 int mesh_driver(const MeshArguments& arguments);
 int mesh_passenger(const MeshArguments& arguments);

@@ -129,6 +129,9 @@ void finish(BagMesh bag, const MeshArguments& arguments, const std::vector<std::
 
 // What the file had, and what merging makes of it.
 void print_reading(membrane::Mesh& mesh, const MeshArguments& arguments) {
+  for (const auto& [what, list] :
+       {std::pair("elements that are no shells", &mesh.other_elements), std::pair("not read", &mesh.skipped)})
+    if (!list->empty()) fmt::print("{}: {}\n", what, fmt::join(*list, ", "));
   if (mesh.split_quads > 0)
     fmt::print("quads split in two along their shorter diagonal: {}\n", mesh.split_quads);
   if (!arguments.merge) return;
@@ -185,6 +188,7 @@ int mesh_passenger(const MeshArguments& arguments) {
 int mesh_convert(const MeshArguments& arguments) {
   return reported([&] {
     BagMesh bag{read_any_mesh(arguments.file), std::nullopt, {}};
+    if (!arguments.panels.empty()) bag.mesh = membrane::only_panels(bag.mesh, arguments.panels);
     bag.mesh.nodes *= arguments.length_unit;
     print_reading(bag.mesh, arguments);
     require_areas(bag.mesh, arguments.file);

@@ -37,6 +37,10 @@ void add_mesh(CLI::App& app, MeshArguments& arguments) {
         ->required()
         ->check(named);
   convert->add_option("FILE", arguments.file, mesh_endings)->required();
+  convert
+      ->add_option("--panel", arguments.panels,
+                   "panel, or part of a deck, to keep; may be repeated; all without it")
+      ->allow_extra_args(false);
   convert->add_option("--merge", arguments.merge, "join nodes at most so far apart [m]")->check(not_negative);
   convert->add_flag("--report", arguments.report, "report only: an open or inside-out surface is no error");
   convert->add_option("--out", arguments.out, "file to write; without it the report only")->check(named);

@@ -67,7 +67,7 @@ membrane::Mesh mesh_of(const std::filesystem::path& path, SoupFormat format, con
 membrane::Mesh read_any_mesh(const std::filesystem::path& path) {
   const std::string ending = ending_of(path);
   if (ending != ".stl" && ending != ".ply" && ending != ".off") {
-    static const std::string others[] = {".obj", ".k", ".key", ".dyn", ".vtk", ".msh"};
+    static const std::string others[] = {".obj", ".k", ".key", ".dyn", ".rad", ".vtk", ".msh"};
     if (std::find(std::begin(others), std::end(others), ending) == std::end(others))
       fail(path, 0, std::string("a mesh file ends with one of ") + mesh_endings);
     return membrane::read_mesh(path);

@@ -10,7 +10,7 @@
 namespace driver {
 
 /// The endings of the formats that are read, for help and messages.
-inline constexpr const char* mesh_endings = ".obj, .k, .key, .dyn, .stl, .ply, .off, .vtk, .msh";
+inline constexpr const char* mesh_endings = ".obj, .k, .key, .dyn, .rad, .stl, .ply, .off, .vtk, .msh";
 
 /// Reads a mesh, format by the ending, lengths as they stand. Throws membrane::MeshFileError for another
 /// ending, a file that cannot be read, and whatever is wrong with its text. Files that CGAL reads have no

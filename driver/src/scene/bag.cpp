@@ -28,6 +28,11 @@ membrane::Mesh read_mesh_file(const TableReader& table, const char* key, const s
                               double unit) {
   try {
     membrane::Mesh mesh = read_any_mesh(file);
+    if (!mesh.other_elements.empty())
+      table.fail(key,
+                 fmt::format("{} has elements that are no shells: {}; `gasjet mesh convert {} --panel NAME "
+                             "--out BAG.k` takes the bag alone",
+                             file.string(), fmt::join(mesh.other_elements, ", "), file.string()));
     mesh.nodes *= unit;
     return mesh;
   } catch (const membrane::MeshFileError& error) {

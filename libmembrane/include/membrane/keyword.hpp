@@ -15,19 +15,23 @@ namespace membrane {
 ///
 /// Cards are comma separated or in columns:
 /// - *NODE: id (8), x, y, z (16 each);
-/// - *ELEMENT_SHELL: id, part, n1 to n4 (8 each);
+/// - *ELEMENT_SHELL: id, part, n1 to n4 (8 each); a card that _THICKNESS, _BETA, _MCID or _OFFSET adds is
+///   skipped;
+/// - *INCLUDE: the name of a file, which `included` reads; its *END ends that file alone;
 /// - *PART: a title line, then the id (10).
 ///
 /// All fields have 20 columns in the long format or after *NODE+. A shell whose n4 is blank, 0 or n3 is a
 /// triangle; a quad is split along its shorter diagonal. Panels are the parts in the order of their first
 /// element. A panel has the part's title as its name (blanks and # become _, a repeated title gets _id), or
-/// "part_id". Nodes that no shell uses are left out. Other keywords are skipped.
+/// "part_id". Nodes that no shell uses are left out; other keywords are skipped
+/// and listed (Mesh::other_elements, Mesh::skipped).
 ///
 /// Throws MeshFileError, with line and column, for
-/// - *INCLUDE, other elements, other columns and forms of *NODE, text after a keyword, and 8-node shells,
+/// - files that cannot be included, *INCLUDE_TRANSFORM, other columns and forms of *NODE, text after a
+/// keyword, and 8-node shells,
 /// - ids that are not above 0 or are repeated, and nodes that do not exist,
 /// - numbers that are blank or not finite.
-Mesh parse_keyword(std::string_view text, const std::string& name);
+Mesh parse_keyword(std::string_view text, const std::string& name, const IncludedFile& included = {});
 
 /// Keyword text of a mesh: long format, comma separated, so that nodes round-trip bit for bit. Some numbers
 /// have more than 20 characters. A program that cuts fields at 20 columns loses their last digits, at most

@@ -18,6 +18,8 @@ struct Mesh {
   /// [M] line of each element in its file, from 1, for messages; empty if the mesh was not read.
   std::vector<int> line;
   int split_quads = 0;  // quads of the file, each two elements here
+  /// Of a deck: keywords of elements that are no shells, and of all else that is not read, with their number.
+  std::vector<std::string> other_elements, skipped;
 
   /// N
   int node_count() const { return static_cast<int>(nodes.cols()); }
@@ -30,6 +32,10 @@ int panel_index(const Mesh& mesh, std::string_view name);
 
 /// Elements of a panel, ascending. Throws std::invalid_argument for an unknown panel.
 std::vector<int> panel_elements(const Mesh& mesh, std::string_view name);
+
+/// The elements of these panels and their nodes, in the order of `mesh`; panels that stay keep theirs. Throws
+/// std::invalid_argument for an unknown panel.
+Mesh only_panels(const Mesh& mesh, const std::vector<std::string>& names);
 
 /// Nodes used by the elements of a panel, ascending, each once. Throws std::invalid_argument for an unknown
 /// panel.
