@@ -18,8 +18,9 @@ struct Mesh {
   /// [M] line of each element in its file, from 1, for messages; empty if the mesh was not read.
   std::vector<int> line;
   int split_quads = 0;  // quads of the file, each two elements here
-  /// Of a deck: keywords of elements that are no shells, and of all else that is not read, with their number.
-  std::vector<std::string> other_elements, skipped;
+  /// Of a deck: keywords of elements that are no shells, with their number.
+  std::vector<std::string> other_elements;
+  std::vector<std::string> skipped;  // of a deck: keywords of all else that is not read, with their number
 
   /// N
   int node_count() const { return static_cast<int>(nodes.cols()); }
