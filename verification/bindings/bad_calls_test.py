@@ -42,7 +42,7 @@ INDICES = ["x", 0.5, [0.5], [4], [-1], [10**20], [[0, 1]], [True], [None]]
 TEXTS = [None, 1, ["N2=1"], "N2\0=1", object()]
 NAMED_AS = {"nodes": "nodes?|node_count", "points": "points", "reference": "reference|node_count", "triangles": "triangles|triangle_count"}
 FLAGS = [None, "yes", [1]]
-COLUMNS = ["x", [1.0, None], [0.0, NAN], [0.0, 1j], [0.0], np.ma.masked_equal([0.0, 1.0], 1.0), {"a": 1}]
+COLUMNS = ["x", [1.0, None], [0.0, NAN], [0.0, 1j], [0.0], np.ma.masked_equal([0.0, 1.0], 1.0), {"a": 1}, [[0.0, 1.0]]]
 
 
 class BadCalls(unittest.TestCase):
@@ -131,7 +131,7 @@ class BadCalls(unittest.TestCase):
         bag = gasjet.Membrane(**fabric)
         self.each(bag.evaluate, dict(nodes=NODES, gamma=1.4, pressure=1e5), nodes=POINTS, gamma=NUMBERS, pressure=NUMBERS)
         skin = dict(reference=NODES, triangles=TRIANGLES, masses=np.ones(4), effective_mass=1.0, radius=0.1, stiffness=1e5, friction=0.1)
-        self.each(gasjet.Contact, skin, triangles=TRIANGLE_LISTS, masses=[None, "x", [1.0], [1.0, 1.0, 1.0, NAN], [1.0, 1.0, 1.0, -1.0]],
+        self.each(gasjet.Contact, skin, triangles=TRIANGLE_LISTS, masses=[None, "x", [1.0], np.ones((4, 1)), [1.0, 1.0, 1.0, NAN], [1.0, 1.0, 1.0, -1.0]],
                   effective_mass=NUMBERS, radius=NUMBERS, stiffness=NUMBERS, friction=NUMBERS)
         pad = gasjet.Contact(**skin)
         self.each(pad.evaluate, dict(nodes=NODES, centre=(0.0, 0.0, -5.0), turn=(0.0, 0.0, 0.0)), nodes=POINTS, centre=VECTORS, turn=VECTORS)
@@ -156,7 +156,7 @@ class BadCalls(unittest.TestCase):
             self.refused("reference", lambda: gasjet.compare(history, value), value)
         for value in NUMBERS:
             self.refused("tolerance", lambda: gasjet.compare(history, history, tolerance=value), value)
-        self.each(gasjet.exact, dict(name="blowdown", times=[0.1], volume=0.06), times=COLUMNS[:4], volume=NUMBERS, name=[None, 1, "none", "a\0"])
+        self.each(gasjet.exact, dict(name="blowdown", times=[0.1], volume=0.06), times=COLUMNS[:4] + COLUMNS[5:], volume=NUMBERS, name=[None, 1, "none", "a\0"])
 
     def test_a_callback_that_fails_stops_the_run(self):
         class Odd:

@@ -173,6 +173,9 @@ class Visible(unittest.TestCase):
                 np.testing.assert_array_equal(gasjet.visible(nodes, self.triangles.astype(kind), **self.source), lit)
         np.testing.assert_array_equal(gasjet.visible(self.nodes, np.asfortranarray(self.triangles, np.int32), **self.source), lit)
 
+        flat = np.broadcast_to(np.array([[0.1], [0.5], [0.2]]), (3, 3))
+        np.testing.assert_array_equal(gasjet.visible(flat, [[0, 1, 2]], **self.source), gasjet.visible(flat.copy(), [[0, 1, 2]], **self.source))
+
         class Mesh:  # as of meshio
             points, cells_dict = self.nodes, {"triangle": self.triangles}
 

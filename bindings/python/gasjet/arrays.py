@@ -52,6 +52,14 @@ def as_numbers(given: Any, name: str) -> np.ndarray:
         raise TypeError(f"{name}: are no real numbers, allowed: an array of float64") from None
 
 
+def as_column(given: Any, name: str) -> np.ndarray:
+    """Real numbers in a row; one alone too."""
+    array = np.atleast_1d(as_numbers(given, name))
+    if array.ndim != 1:
+        raise TypeError(f"{name}: have the shape {array.shape}, allowed: one dimension")
+    return array
+
+
 def _refuse_masks(given: Any, name: str) -> None:
     """What a mask hides would count as a number."""
     if isinstance(given, np.ma.MaskedArray) and np.ma.is_masked(given):

@@ -7,7 +7,7 @@ from typing import Any, Dict, Optional, Tuple
 import numpy as np
 
 from . import _gasjet
-from .arrays import NAN, NO_VECTOR, Vector, as_indices, as_numbers, as_points, as_triangles, handle_of, mesh_arrays
+from .arrays import NAN, NO_VECTOR, Vector, as_column, as_indices, as_points, as_triangles, handle_of, mesh_arrays
 
 
 class Gas:
@@ -60,7 +60,7 @@ class Tank:
 
     def add_inflow(self, gas: Gas, time: Any, mass_flow: Any, temperature: Any, start_time: float = 0.0) -> None:
         """mass_flow [kg/s] and temperature [K] at knots time [s] since start_time; linear between, no flow outside."""
-        knots = as_numbers(time, "time"), as_numbers(mass_flow, "mass_flow"), as_numbers(temperature, "temperature")
+        knots = as_column(time, "time"), as_column(mass_flow, "mass_flow"), as_column(temperature, "temperature")
         _gasjet.tank_add_inflow(self._handle, handle_of(gas, Gas, "gas"), *knots, start_time)
 
     def add_vent(self, area: float, discharge_coefficient: float = 1.0, opens_at: float = 0.0) -> None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any, Dict
 
 from . import _gasjet
-from .arrays import Vector, as_numbers, as_points, mesh_arrays
+from .arrays import Vector, as_column, as_points, mesh_arrays
 
 AT_REST = (0.0, 0.0, 0.0)
 
@@ -60,7 +60,7 @@ class Contact:
     def __init__(self, reference: Any, triangles: Any = None, *, masses: Any, effective_mass: float, radius: float, stiffness: float,
                  friction: float = 0.0) -> None:
         reference, triangles = mesh_arrays(reference, triangles, "reference")
-        self._handle = _gasjet.contact(reference, triangles, as_numbers(masses, "masses"), effective_mass, radius, stiffness, friction)
+        self._handle = _gasjet.contact(reference, triangles, as_column(masses, "masses"), effective_mass, radius, stiffness, friction)
 
     def evaluate(self, nodes: Any, centre: Vector, turn: Vector = AT_REST) -> Dict[str, Any]:
         """Forces on the nodes (n, 3) and on the sphere, energy, friction, area and penetration at positions nodes (n, 3) [m].

@@ -10,7 +10,7 @@ from typing import Any, Callable, Dict, Mapping, Optional, Union
 import numpy as np
 
 from . import _gasjet
-from .arrays import as_numbers
+from .arrays import as_column, as_numbers
 from .errors import DomainError, InputError, StoppedError
 
 Path = Union[str, "os.PathLike[str]"]
@@ -109,7 +109,7 @@ def exact(name: str, times: Any = None, **parameters: float) -> Table:
     """A closed form by name (see catalogue()), as arrays by column; times: its abscissae. Loads GSL, which is GPL."""
     _exact = _closed_forms()
     lines = "\n".join(f"{key}={_number(value, key)!r}" for key, value in parameters.items())
-    return _exact.evaluate(name, lines, np.zeros(0) if times is None else np.atleast_1d(as_numbers(times, "times")))
+    return _exact.evaluate(name, lines, np.zeros(0) if times is None else as_column(times, "times"))
 
 
 def catalogue() -> Dict[str, Dict[str, Any]]:

@@ -58,7 +58,7 @@ struct Rows {
       stride[static_cast<std::size_t>(i)] = bytes / static_cast<py::ssize_t>(sizeof(Number));
     }
     // A row or a column of a broadcast array leads nowhere else.
-    if (count() <= 1 || stride[0] == 0)
+    if (count() <= 1 || stride[0] == 0 || stride[1] == 0)
       array = py::array_t<Number, py::array::c_style | py::array::forcecast>(array), stride = {3, 1};
   }
   const Number* data() const { return static_cast<const Number*>(array.data()); }
