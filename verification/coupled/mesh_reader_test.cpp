@@ -120,9 +120,9 @@ TEST(mesh_reader, every_ending_has_its_format) {
     EXPECT_EQ(read_any_mesh(folder.path / name).node_count(), mesh.node_count()) << name;
   }
   EXPECT_EQ(read_text_as(folder, "b.stl", "\xEF\xBB\xBF" + format_stl(mesh)).node_count(), mesh.node_count());
-  EXPECT_NE(
-      refusal("a.step", "x").find("a mesh file ends with one of .obj, .k, .key, .dyn, .rad, .stl, .ply, .off"),
-      std::string::npos);
+  EXPECT_NE(refusal("a.step", "x")
+                .find("a mesh file ends with one of .obj, .k, .key, .dyn, .rad, .stl, .ply, .off"),
+            std::string::npos);
   EXPECT_THROW(read_any_mesh(folder.path / "none.ply"), membrane::MeshFileError);
   EXPECT_THROW(read_any_mesh(folder.path), membrane::MeshFileError);
 }

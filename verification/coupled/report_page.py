@@ -138,7 +138,7 @@ def test_pair(page):
 
 
 def test_narrow(page):
-    for name in ("run.html", "tank.html"):
+    for name in ("run.html", "tank.html", "pair.html"):
         look(page, name, width=390, height=800)
         wide = page.run("document.documentElement.scrollWidth")
         check(f"{name} is {wide} px wide on a screen of 390", wide <= 390)
@@ -157,6 +157,16 @@ def test_compared(page):
     check("the band is drawn", page.run("Chart.all.some(c => c.series.some(s => s.low && s.result === 'reference'))"))
 
 
+def test_paper(page):
+    look(page, "tank.html")
+    closed = "document.querySelectorAll('details:not([open])').length"
+    before = page.run(closed)
+    page.run("dispatchEvent(new Event('beforeprint'))")
+    check("all is open on paper", before > 0 and page.run(closed) == 0)
+    page.run("dispatchEvent(new Event('afterprint'))")
+    check("and closed again", page.run(closed) == before)
+
+
 def test_others(page):
     look(page, "ensemble.html")
     check("bands of the mean", page.run("Chart.all[0].series[0].low.filter((v, i) => v < Chart.all[0].series[0].value[i]).length") > 10)
@@ -165,6 +175,11 @@ def test_others(page):
     check("single runs are dots", page.run("document.querySelectorAll('svg.strip')[0].querySelectorAll('circle').length") == 2)
     look(page, "ladder.html")
     check("rungs are drawn", page.run("document.querySelectorAll('#charts circle').length") >= 2)
+    boxes = page.run("[...document.querySelectorAll('#charts svg text')].filter(t => /[a-z]{4}/.test(t.textContent)).map(t => { const b = t.getBBox(); return [b.x, b.y, b.width, b.height]; })")
+    overlap = [1 for i, a in enumerate(boxes) for b in boxes[:i] if min(a[0] + a[2], b[0] + b[2]) - max(a[0], b[0]) > 1 and min(a[1] + a[3], b[1] + b[3]) - max(a[1], b[1]) > 3]
+    check(f"names of rungs lie on one another: {overlap}", not overlap)
+    look(page, "judged.html")
+    check("an ensemble is judged", "Compared with ensemble.csv" in page.run("document.getElementById('details').textContent"))
     look(page, "curves.html")
     check("bands of curves", page.run("Chart.all[0].series[0].low.length") > 10)
 
@@ -184,9 +199,10 @@ call("report", path("tank"), "--against", path("reference.csv"), "--out", path("
 call("ensemble", os.path.join(source, "cases/jet_bag.toml"), "--runs", "2", "--quiet", "--out", path("ensemble"), "--set", "scene.end_time=0.003")
 call("ladder", os.path.join(source, "cases/rigid_tank.toml"), "--quantity", "pressure", "--quiet", "--out", path("ladder"))
 call("report", path("ensemble"), "--out", path("ensemble.html"))
+call("report", path("ensemble"), "--against", path("ensemble/jet_bag/ensemble.csv"), "--out", path("judged.html"))
 call("report", path("ladder"), "--out", path("ladder.html"))
 call("report", os.path.join(source, "cases/tank_test_curves.csv"), "--out", path("curves.html"))
 with browser.Browser() as page:
-    for test in (test_run, test_pair, test_narrow, test_tank, test_compared, test_others):
+    for test in (test_run, test_pair, test_narrow, test_tank, test_compared, test_paper, test_others):
         test(page)
-print("report: seven pages, no error, no request")
+print("report: eight pages, no error, no request")

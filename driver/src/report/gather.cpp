@@ -97,15 +97,40 @@ void add_filtered(Json& run, const std::filesystem::path& file, const PageTable&
   run["filtered"] = {{"columns", {"time_s", "pendulum_cg_acceleration,_CFC_180_m_s2"}}, {"rows", text}};
 }
 
+std::string line_of(const PageTable& table, const char* key) {
+  for (const auto& [name, text] : table.lines)
+    if (name == key) return text;
+  return {};
+}
+
+// Where no status says so: do the lines `# run:` of two files?
+void require_same_run(const std::filesystem::path& file, const PageTable& table, const PageTable& history) {
+  const std::string own = line_of(table, "run"), other = line_of(history, "run");
+  if (!own.empty() && !other.empty() && own != other)
+    throw CaseError(fmt::format("{}: is of the run '{}', history.csv beside it of '{}': run the case again",
+                                file.string(), own, other));
+}
+
+// A run that is done has a row at its end.
+void require_end(const Json& summary, const std::filesystem::path& file, const PageTable& history) {
+  if (summary.at("status") != "done" || !summary.contains("time_end_s")) return;
+  const double last = history.end, end = summary["time_end_s"];
+  if (last < end * (1.0 - 1e-6))
+    throw CaseError(fmt::format("{}: ends at {} s, the run at {} s (summary.json says so): the file is cut",
+                                file.string(), last, end));
+}
+
 // The page shows what is there; only the history has to be.
 Json gather_run(const std::filesystem::path& folder, const ReportOptions& options) {
   Json run = start(folder, "run");
-  add_filtered(run, folder / "history.csv", add_table(run, "history", folder / "history.csv", options));
+  const PageTable history = add_table(run, "history", folder / "history.csv", options);
+  add_filtered(run, folder / "history.csv", history);
   const auto missing = [&](const char* name, const char* what) {
     run["notes"].push_back(fmt::format("{} is missing: {}", name, what));
   };
   if (has_file(folder, "energy.csv")) {
-    add_table(run, "energy", folder / "energy.csv", options);
+    require_same_run(folder / "energy.csv", add_table(run, "energy", folder / "energy.csv", options),
+                     history);
     run["roles"] = roles();
   } else {
     missing("energy.csv", "no balance of energy");
@@ -114,6 +139,7 @@ Json gather_run(const std::filesystem::path& folder, const ReportOptions& option
     run["summary"] = read_json(folder / "summary.json");
     for (const char* key : {"scene", "status"}) run["summary"].at(key).get<std::string>();
     run["build"] = run["summary"].value("build", Json());
+    require_end(run["summary"], folder / "history.csv", history);
   } else {
     missing("summary.json", "no summary");
   }
@@ -145,6 +171,7 @@ Json gather_ensemble(const std::filesystem::path& folder, const ReportOptions& o
   for (const Json& quantity : ensemble["quantities"]) runs = std::max(runs, quantity.value("runs", 0));
   ensemble["runs"] = runs;
   for (const Json& failure : all.value("failures", Json::array())) ensemble["notes"].push_back(failure);
+  if (!options.reference.empty()) add_comparison(ensemble, folder / "ensemble.csv", options);
   return ensemble;
 }
 
@@ -178,10 +205,14 @@ std::vector<std::filesystem::path> ensembles_in(const std::filesystem::path& fol
 
 std::vector<Json> gather(const std::filesystem::path& result, const ReportOptions& options) {
   std::error_code ignored;
+  const bool is_run = has_file(result, "history.csv");
+  if (!options.reference.empty() && !is_run &&
+      (has_file(result, "ladder.json") || std::filesystem::is_regular_file(result, ignored)))
+    throw CaseError(fmt::format("--against: {} is neither a run nor an ensemble", result.string()));
   if (std::filesystem::is_regular_file(result, ignored)) return {gather_curves(result, options)};
   if (!std::filesystem::is_directory(result, ignored))
     throw CaseError(fmt::format("{}: no such folder or file", result.string()));
-  if (has_file(result, "history.csv")) return {gather_run(result, options)};
+  if (is_run) return {gather_run(result, options)};
   if (has_file(result, "ensemble.csv")) return {gather_ensemble(result, options)};
   if (has_file(result, "ladder.json")) return {gather_ladder(result)};
   std::vector<Json> list;

@@ -138,7 +138,7 @@ PageTable read_page_table(const std::filesystem::path& file, std::size_t most) {
     parse(reader, line, table.columns, values);
     if (before && !(values[time] > *before))
       reader.fail(1, fmt::format("time_s: {} does not rise", values[time]));
-    before = values[time];
+    before = table.end = values[time];
     kept.offer(row, line, values);
   }
   for (const auto& [row, text] : kept.rows()) table.rows += (table.rows.empty() ? "" : "\n") + text;

@@ -16,6 +16,7 @@ struct PageTable {
   std::string rows;       // as in the file, cells apart by commas
   std::size_t kept = 0;   // rows
   std::size_t total = 0;  // rows of the file
+  double end = 0.0;       // time of the last row [s]
 };
 
 /// Reads a CSV file of numbers with a column time_s. Of more than `most` rows it keeps the first, the last,

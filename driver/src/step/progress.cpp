@@ -23,7 +23,7 @@ std::size_t columns() {
   return ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : 80;
 }
 
-// One line that fits the terminal: first the bar goes, then the name, then the end of the text.
+// One line that fits the terminal: first the bar goes, then the name, then the last parts of the text.
 std::string bar(const std::string& what, double part, const std::string& text) {
   const std::size_t room = columns() - 1, used = what.size() + text.size() + 4;
   const std::size_t width = room > used ? std::min<std::size_t>(40, room - used) : 0;
@@ -32,7 +32,9 @@ std::string bar(const std::string& what, double part, const std::string& text) {
     return fmt::format("{} [{}{}] {}", what, std::string(filled, '#'), std::string(width - filled, '.'),
                        text);
   if (what.size() + 1 + text.size() <= room) return what + ' ' + text;
-  return text.substr(0, room);
+  if (text.size() <= room) return text;
+  const std::size_t comma = text.rfind(',', room);  // no part of it is cut
+  return text.substr(0, comma == std::string::npos ? room : comma);
 }
 
 volatile std::sig_atomic_t interrupt_flag = 0;

@@ -29,7 +29,7 @@ const label = (value, step) => {
   const size = Math.max(Math.abs(value), step);
   if (value === 0) return "0";
   if (size >= 1e6 || size < 1e-3) return String(Number(value.toPrecision(6)).toExponential()).replace("e+", "e");
-  return String(Number(value.toPrecision(8)));
+  return Number(value.toPrecision(12)).toFixed(Math.max(0, -Math.floor(Math.log10(step) + 1e-9)));
 };
 
 // Index of the time nearest to t in an increasing list.
@@ -156,8 +156,11 @@ class Chart {
       const i = nearest(s.time, time);
       return [s.result ? `${s.name}, ${s.result}` : s.name, s.text[i] + (s.error ? ` ± ${s.error[i]}` : "") + (this.unit ? " " + this.unit : "")];
     });
-    const first = this.series[0];
-    showTip([["time", first.timeText[nearest(first.time, time)] + " s"], ...rows], x, y);
+    // Results whose rows stand at other times have a time each.
+    const at = new Map();
+    for (const s of this.shown) at.set(s.timeText[nearest(s.time, time)], s.result);
+    const times = [...at].map(([text, result]) => [at.size > 1 && result ? `time, ${result}` : "time", text + " s"]);
+    showTip([...times, ...rows], x, y);
   }
 
   key(event) {

@@ -32,10 +32,11 @@ const makeHead = () => {
   at("title").textContent = titles.join(" and ");
   for (const r of data.results) {
     const s = r.summary, parts = [];
-    if (r.kind === "run" && s) parts.push(`${s.scene}: ${s.status}${s.steps === undefined ? "" : `, ${s.steps} steps to ${s.time_end_s} s in ${short(s.wall_s)} s`}`);
+    if (r.kind === "run" && s) parts.push(`${s.scene === r.label ? "" : s.scene + ": "}${s.status}${s.steps === undefined ? "" : `, ${s.steps} steps to ${s.time_end_s} s in ${short(s.wall_s)} s`}`);
     if (r.kind === "ensemble") parts.push(`ensemble of ${r.runs} runs: mean, band of one standard error${r.singles ? ", single runs thin" : ""}`);
     if (r.kind === "ladder") parts.push(`ladder of ${split(r.ladder.quantity).name}: ${r.ladder.verdict}, cheapest within ${100 * r.ladder.tolerance} %: ${r.ladder.cheapest ?? "none"}`);
     if (r.build) parts.push(`case ${r.build.case ?? r.build.data ?? "unknown"}, gasjet ${r.build.version} (${r.build.commit})`);
+    if (!parts.length) parts.push(`a table of ${r.history.columns.length} columns`);
     at("heads").append(element("div", { class: "small", textContent: `${r.label}: ${parts.join("; ")}` }));
     if (s?.message) notice(`${r.label}: ${s.message}`);
     for (const text of [...(s?.warnings ?? []), ...(r.check?.warnings ?? []), ...r.notes]) notice(`${r.label}: ${text}`);
@@ -176,13 +177,16 @@ const bars = shares => {
   })));
 };
 
+const makeComparison = ({ compare }, of) => {
+  if (!compare) return;
+  const rows = Object.entries(compare.quantities).map(([name, q]) => [split(name).name, q.verdict, q.share_of_band ?? "", q.max_error ?? "", split(name).unit, q.reason]);
+  fold(`Compared with ${compare.reference}${of}: ${compare.verdict}${compare.reason ? ", " + compare.reason : ""}`, true, tableOf(["quantity", "verdict", "share of band", "largest error", "unit", "why"], rows));
+};
+
 const makeRunDetails = run => {
   const of = runs.length > 1 ? ` of ${run.label}` : "", s = run.summary;
   const block = (title, node) => element("div", {}, element("h3", { textContent: title }), node);
-  if (run.compare) {
-    const rows = Object.entries(run.compare.quantities).map(([name, q]) => [split(name).name, q.verdict, q.share_of_band ?? "", q.max_error ?? "", split(name).unit, q.reason]);
-    fold(`Compared with ${run.compare.reference}${of}: ${run.compare.verdict}${run.compare.reason ? ", " + run.compare.reason : ""}`, true, tableOf(["quantity", "verdict", "share of band", "largest error", "unit", "why"], rows));
-  }
+  makeComparison(run, of);
   const blocks = [];
   if (s?.peak) blocks.push(block("Peaks and impulses", tableOf(["quantity", "value", "unit"], Object.entries(s.peak).map(([k, v]) => [split(k).name, v, split(k).unit]))));
   if (s?.residual) blocks.push(block("Greatest residuals, relative", tableOf(["balance", "residual"], Object.entries(s.residual).map(([k, v]) => [k.replace("_rel", ""), v]))));
@@ -215,6 +219,7 @@ const strip = q => {
 };
 
 const makeEnsembleDetails = r => {
+  makeComparison(r, data.results.length > 1 ? ` of ${r.label}` : "");
   const rows = Object.entries(r.quantities).map(([name, q]) => [split(name).name, q.mean, q.standard_error, q.minimum, q.values?.length ? strip(q) : "", q.maximum, q.runs, split(name).unit]);
   fold(`Quantities of ${r.label}`, true, tableOf(["quantity", "mean", "standard error", "least", "single runs, mean and its standard error", "largest", "runs", "unit"], rows));
 };
@@ -234,16 +239,22 @@ const ladderChart = ladder => {
   const x = axis(rungs.map(r => r.cpu_s), left, right), y = axis([...rungs.map(size), ...(allowed > 0 ? [allowed] : [])], bottom, top);
   for (const d of x.decades) svg.append(drawn("line", { class: "frame", x1: x.place(10 ** d), x2: x.place(10 ** d), y1: top, y2: bottom }), drawn("text", { x: x.place(10 ** d), y: bottom + 16, "text-anchor": "middle" }, label(10 ** d, 10 ** d)));
   for (const d of y.decades) svg.append(drawn("line", { class: "frame", x1: left, x2: right, y1: y.place(10 ** d), y2: y.place(10 ** d) }), drawn("text", { x: left - 6, y: y.place(10 ** d) + 4, "text-anchor": "end" }, label(10 ** d, 10 ** d)));
-  svg.append(drawn("text", { x: right, y: bottom + 36, "text-anchor": "end" }, "time of computation [s]"), drawn("text", { x: left, y: bottom + 36 }, `down: error of ${split(ladder.quantity).name} [${unit}]`));
+  svg.append(drawn("text", { x: right, y: bottom + 36, "text-anchor": "end" }, "time of computation [s]"), drawn("text", { x: left, y: bottom + 36 }, `vertical: error of ${split(ladder.quantity).name} [${unit}]` + (rungs.some(r => Math.abs(r.error) < least) ? `; errors below ${label(least, least)} are drawn there` : "")));
   if (allowed > 0) svg.append(drawn("line", { class: "mark", x1: left, x2: right, y1: y.place(allowed), y2: y.place(allowed) }), drawn("text", { x: right - 4, y: y.place(allowed) - 4, "text-anchor": "end" }, `tolerance ${label(allowed, allowed)} ${unit}`));
   const front = rungs.filter(r => r.front > 0).sort((a, b) => a.front - b.front);
   svg.append(drawn("polyline", { points: front.map(r => `${x.place(r.cpu_s)},${y.place(size(r))}`).join(" "), fill: "none", stroke: "var(--c0)" }));
+  const taken = [];  // heights of names, so that none lies on another
   for (const r of rungs) {
     const dot = drawn("circle", { cx: x.place(r.cpu_s), cy: y.place(size(r)), r: r.front ? 5 : 3.5, fill: r.front ? "var(--c0)" : "var(--c6)" });
     dot.addEventListener("mousemove", event => showTip([["rung", r.rung], ["error", `${r.error} ± ${r.error_se} ${unit}`], ["time", `${r.cpu_s} s`], ["verdict", r.verdict]], event.clientX, event.clientY));
     dot.addEventListener("mouseleave", hideTip);
     svg.append(dot);
-    if (r.front) svg.append(drawn("text", { x: x.place(r.cpu_s) + 8, y: y.place(size(r)) - 6, "text-anchor": x.place(r.cpu_s) > 0.75 * right ? "end" : "start" }, r.rung));
+    if (!r.front) continue;
+    const middle = x.place(r.cpu_s), ends = middle > 0.75 * right, width = 6.2 * r.rung.length;
+    const box = { from: ends ? middle - width : middle, to: ends ? middle + 16 : middle + width + 16, y: y.place(size(r)) - 6 };
+    while (taken.some(other => Math.abs(other.y - box.y) < 12 && other.from < box.to && box.from < other.to)) box.y -= 12;
+    taken.push(box);
+    svg.append(drawn("text", { x: middle + 8, y: box.y, "text-anchor": ends ? "end" : "start" }, r.rung));
   }
   return svg;
 };
@@ -265,4 +276,11 @@ for (const r of data.results) {
   if (r.kind === "run") makeRunDetails(r);
   if (r.kind === "ensemble") makeEnsembleDetails(r);
 }
+// On paper nothing can be opened.
+let opened = [];
+addEventListener("beforeprint", () => {
+  opened = [...document.querySelectorAll("details:not([open])")];
+  for (const node of opened) node.open = true;
+});
+addEventListener("afterprint", () => opened.forEach(node => (node.open = false)));
 at("foot").textContent = `Written by gasjet ${data.gasjet}. Everything shown is in this file; it asks for nothing else.`;

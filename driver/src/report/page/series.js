@@ -15,7 +15,7 @@ const names = {
 const split = column => {
   const [ending, unit] = units.find(([ending]) => column.endsWith(ending)) ?? ["", ""];
   const quantity = column.slice(0, column.length - ending.length);
-  return { quantity, unit, name: quantity.replaceAll("_", " ") };
+  return { quantity, unit, name: quantity.replace(/,?_cfc_?(\d+)/i, ", CFC $1").replaceAll("_", " ") };
 };
 
 // Columns of a table: texts as in the file, and their values.
@@ -50,7 +50,7 @@ const seriesOf = (table, result, dash, singles) => {
     const { unit, name } = split(own.base), error = own.error && columns[own.error];
     const of = sign => columns[column].value.map((v, i) => v + sign * error.value[i]);
     list.push({
-      column, unit, result, dash, name: column.endsWith("_reference") ? `${name}, reference` : name,
+      column, unit, result, dash: column.endsWith("_reference") ? 2 : dash, name: column.endsWith("_reference") ? `${name}, reference` : name,
       time: time.value, timeText: time.text, value: columns[column].value, text: columns[column].text,
       low: error ? of(-1) : own.low ? columns[own.low].value : null, high: error ? of(1) : own.high ? columns[own.high].value : null,
       error: error ? error.text : null, singles: singlesOf(own.base), singlesTime: runs.time_s?.value,
@@ -122,7 +122,7 @@ const energyCharts = (table, roles, result) => {
 // The same for the gas: what is in the tank or bag, and the flows of the rows integrated by the trapezoid rule.
 const massChart = (table, result) => {
   const columns = read(table), time = columns.time_s.value, of = result ? `, ${result}` : "";
-  if (!columns.gas_mass_kg || !columns.inflow_kg_s) return [];
+  if (!columns.gas_mass_kg) return [];
   const total = ({ value }) => {
     let sum = 0;
     return value.map((v, i) => (sum += i > 0 ? 0.5 * (v + value[i - 1]) * (time[i] - time[i - 1]) : 0));
@@ -131,5 +131,5 @@ const massChart = (table, result) => {
   const terms = [{ name: "gas", change: held.map(v => v - held[0]) }];
   for (const column of table.columns) if (column.endsWith("_outflow_kg_s")) terms.push({ name: split(column).name, change: total(columns[column]) });
   const common = { result: "", time, timeText: columns.time_s.text, dash: 0 };
-  return [stackChart(`Where the gas went since the start, from the rows${of}`, "kg", common, terms, [total(columns.inflow_kg_s)])];
+  return [stackChart(`Where the gas went since the start, from the rows${of}`, "kg", common, terms, ["inflow_kg_s", "backflow_kg_s"].filter(c => columns[c]).map(c => total(columns[c])))];
 };
