@@ -62,22 +62,29 @@ class Chart {
     new ResizeObserver(() => this.draw()).observe(this.root);
   }
 
+  // Each name once; where there are several results, their lines too.
   legend() {
-    const list = element("div", { class: "legend" });
-    for (const s of this.series) {
-      const stroke = s.filled ? { stroke: "none", fill: `var(--c${s.colour})` } : { stroke: `var(--c${s.colour})`, "stroke-width": 2, "stroke-dasharray": dashes[s.dash] };
-      const sample = drawn("svg");
-      sample.append(s.filled ? drawn("rect", { width: 22, height: 8, "fill-opacity": .55, ...stroke }) : drawn("line", { x1: 0, x2: 24, y1: 4, y2: 4, ...stroke }));
-      const entry = element("button", { type: "button", title: "show or hide" }, sample, s.result ? `${s.name}, ${s.result}` : s.name);
+    const list = element("div", { class: "legend" }), results = new Map(this.series.map(s => [s.result, s.dash]));
+    const sample = (s, stroke) => {
+      const svg = drawn("svg");
+      svg.append(s.filled ? drawn("rect", { width: 22, height: 8, "fill-opacity": .55, ...stroke }) : drawn("line", { x1: 0, x2: 24, y1: 4, y2: 4, "stroke-width": 2, ...stroke }));
+      return svg;
+    };
+    const named = this.series.reduce((all, s) => all.set(s.name, [...(all.get(s.name) ?? []), s]), new Map());
+    if (named.size > 1) for (const [name, group] of named) {
+      const s = group[0], colour = `var(--c${s.colour})`;
+      const stroke = s.filled ? { stroke: "none", fill: colour } : { stroke: colour, "stroke-dasharray": results.size > 1 ? "" : dashes[s.dash] };
+      const entry = element("button", { type: "button", title: "show or hide" }, sample(s, stroke), name);
       entry.setAttribute("aria-pressed", "true");
       entry.addEventListener("click", () => {
-        s.hidden = !s.hidden;
+        for (const one of group) one.hidden = !one.hidden;
         entry.setAttribute("aria-pressed", String(!s.hidden));
         this.width = null;
         this.draw();
       });
       list.append(s.filled ? element("span", {}, ...entry.childNodes) : entry);
     }
+    if (results.size > 1) for (const [result, dash] of results) list.append(element("span", {}, sample({}, { stroke: "var(--ink)", "stroke-dasharray": dashes[dash] }), result));
     return list;
   }
 

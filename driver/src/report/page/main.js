@@ -138,12 +138,13 @@ const hasWebGL = () => {
   try { return Boolean(document.createElement("canvas").getContext("webgl")); } catch { return false; }
 };
 
-const makePlayer = () => {
+const makePlayer = async () => {
   const moving = runs.filter(run => run.frames);
   if (!moving.length) return null;
   if (typeof THREE === "undefined") return notice("This gasjet was built without three.js (Debian: libjs-three): no pictures in three dimensions."), null;
   if (!hasWebGL()) return notice("This browser has no WebGL: no pictures in three dimensions."), null;
-  return new Player(moving.map(run => [run.label, new Frames(run.frames), upOf(run)]));
+  if (typeof DecompressionStream === "undefined") return notice("This browser is too old to unpack the pictures in three dimensions."), null;
+  return new Player(await Promise.all(moving.map(async run => [run.label, new Frames(run.frames.header, await unpacked(run.frames.data)), upOf(run)])));
 };
 
 const makeCharts = player => {
@@ -269,13 +270,16 @@ const makeLadder = r => {
 };
 
 makeHead();
-const player = makePlayer();
 for (const r of data.results) if (r.kind === "ladder") makeLadder(r);
-makeCharts(player);
-for (const r of data.results) {
-  if (r.kind === "run") makeRunDetails(r);
-  if (r.kind === "ensemble") makeEnsembleDetails(r);
-}
+let player = null;
+makePlayer().then(made => {
+  player = made;
+  makeCharts(player);
+  for (const r of data.results) {
+    if (r.kind === "run") makeRunDetails(r);
+    if (r.kind === "ensemble") makeEnsembleDetails(r);
+  }
+});
 // On paper nothing can be opened.
 let opened = [];
 addEventListener("beforeprint", () => {

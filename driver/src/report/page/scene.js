@@ -2,14 +2,18 @@
 // The bag in three dimensions, from the frames of a run.
 "use strict";
 
-// Frames of a run: header and base64 of the rest of frames.bin.
+// The bytes of base64 of what zlib has packed.
+const unpacked = text => {
+  const packed = Uint8Array.from(atob(text), c => c.charCodeAt(0));
+  return new Response(new Blob([packed]).stream().pipeThrough(new DecompressionStream("deflate"))).arrayBuffer();
+};
+
+// Frames of a run: header, and the rest of frames.bin.
 class Frames {
-  constructor({ header, data }) {
+  constructor(header, bytes) {
     this.header = header;
-    const text = atob(data), bytes = new Uint8Array(text.length);
-    for (let i = 0; i < text.length; ++i) bytes[i] = text.charCodeAt(i);
-    this.bytes = bytes.buffer;
-    this.count = bytes.length / header.frame_bytes;
+    this.bytes = bytes;
+    this.count = bytes.byteLength / header.frame_bytes;
     this.time = Array.from({ length: this.count }, (_, i) => this.scalars(i).time_s);
   }
 
