@@ -118,10 +118,10 @@ def changed_table(rng, text):
 def changed_bytes(rng, text):
     data = bytearray(text.encode())
     for _ in range(rng.choice([1, 1, 4])):
-        at = rng.randrange(len(data))
+        at = rng.randrange(len(data) or 1)
         kind = rng.randrange(4)
         if kind == 0:
-            data[at] = rng.randrange(256)
+            data[at : at + 1] = bytes([rng.randrange(256)])
         elif kind == 1:
             del data[at : at + rng.randrange(1, 20)]
         elif kind == 2:
