@@ -242,6 +242,10 @@ TEST_F(bad_calls, run_compare_and_exact) {
   EXPECT_EQ(gasjet_exact_create("blowdown", "volume=-1", nullptr, 0, &table), GASJET_BAD_INPUT);
   EXPECT_EQ(table, 0);
   refused(gasjet_exact_free(99), gasjet_exact_last_error(), "handle");
+  ASSERT_EQ(gasjet_exact_create("blowdown", nullptr, nullptr, 0, &table), GASJET_OK);
+  refused(gasjet_free(table), "handle");  // each library has its own
+  refused(gasjet_exact_size(gas.value, &columns, &rows), gasjet_exact_last_error(), "table");
+  EXPECT_EQ(gasjet_exact_free(table), GASJET_OK);
 }
 
 TEST_F(bad_calls, a_handle_serves_one_thread_at_a_time) {

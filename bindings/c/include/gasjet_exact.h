@@ -2,7 +2,7 @@
 /*
  * Closed forms by name: what the command `gasjet exact` does. A shared library of its own, because it links
  * GSL: a program that links it falls under the GPL, version 3 or later. Conventions as in gasjet.h; the
- * library has its own handles and its own last error. */
+ * library has its own handles, which gasjet.h refuses, and its own last error. */
 #ifndef GASJET_EXACT_H
 #define GASJET_EXACT_H
 

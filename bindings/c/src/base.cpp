@@ -3,6 +3,8 @@
 
 #include "border.hpp"
 
+const gasjet_handle border::kHandlesBegin = 0;
+
 const char* gasjet_version() {
   return GASJET_VERSION;
 }

@@ -18,7 +18,7 @@ thread_local std::array<char, 4096> error_text{};
 struct Registry {
   std::mutex mutex;
   std::unordered_map<gasjet_handle, std::shared_ptr<Object>> objects;
-  gasjet_handle last = 0;
+  gasjet_handle last = kHandlesBegin;
 };
 
 Registry& registry() {
@@ -71,7 +71,7 @@ std::shared_ptr<Object> find(gasjet_handle handle, std::string_view argument) {
   const std::lock_guard lock(all.mutex);
   const auto found = all.objects.find(handle);
   if (found != all.objects.end()) return found->second;
-  const bool was = handle > 0 && handle <= all.last;
+  const bool was = handle > kHandlesBegin && handle <= all.last;
   refuse(argument,
          was ? "was freed, allowed: a handle that was not" : "is no handle, allowed: one that was created");
 }

@@ -55,6 +55,9 @@ struct Object {
   std::atomic_flag busy = ATOMIC_FLAG_INIT;
 };
 
+/// Handles of this library are above; each library has its own, so that one of another is refused.
+extern const gasjet_handle kHandlesBegin;
+
 gasjet_handle keep(std::shared_ptr<Object> object);
 /// Refuses what is no handle. `argument` names it.
 std::shared_ptr<Object> find(gasjet_handle handle, std::string_view argument);

@@ -13,6 +13,8 @@
 
 using namespace border;
 
+const gasjet_handle border::kHandlesBegin = gasjet_handle{1} << 62;
+
 namespace {
 
 struct Table : Object {
