@@ -59,8 +59,11 @@ draw_history() {
     IFS='|' read -r column factor label <<<"$quantity"
     if ((shown == 3)) || ! grep -qx "$column" <<<"$present"; then continue; fi
     value="($factor*column('$column'))"
-    commands+="stats '$1' using $value nooutput
-set ytics tick(STATS_min, STATS_max)
+    commands+="set yrange [*:*]
+stats '$1' using $value nooutput
+constant = STATS_max <= STATS_min
+if (constant && STATS_max > 0) set yrange [0:2*STATS_max]
+set ytics tick(constant ? 0 : STATS_min, constant ? 2*STATS_max : STATS_max)
 set title '$label'
 plot '$1' every $((rows / 120 + 1)) using (1e3*column('time_s')):$value with lines linestyle 1 linewidth 1.4 notitle
 "
@@ -73,7 +76,7 @@ set datafile columnheaders
 set xlabel 'Time [ms]'
 decade(range) = 10**floor(log10(range))
 round_part(range) = decade(range) * (range / decade(range) > 4 ? 2 : range / decade(range) > 2 ? 1 : 0.5)
-tick(low, high) = high > low ? round_part(high - low) : high > 0 ? high : 1
+tick(low, high) = high > low ? round_part(high - low) : 1
 stats '$1' using (1e3*column('time_s')) nooutput
 set xtics tick(STATS_min, STATS_max)
 set multiplot layout 1,3
@@ -84,12 +87,26 @@ END
   rm "$2.long"
 }
 
-# draw_bag FRAME OUT: the triangles of a .vtp file.
+# draw_bag FRAME OUT: the triangles of a .vtp file, as large as the picture allows.
 draw_bag() {
-  awk '/Name="/ { match($0, /Name="[^"]*"/); part = substr($0, RSTART + 6, RLENGTH - 7); next }
-       /^</ { part = ""; next }
-       part == "Points" { point[n++] = $1 " " $2 " " $3 }
-       part == "connectivity" { for (i = 1; i <= NF; i++) { print point[$i]; if (++corner % 3 == 0) printf "\n\n" } }' "$1" >"$1.polygons"
+  local view
+  view=$(awk -v polygons="$1.polygons" '/Name="/ { match($0, /Name="[^"]*"/); part = substr($0, RSTART + 6, RLENGTH - 7); next }
+    /^</ { part = ""; next }
+    part == "Points" { point[n++] = $1 " " $2 " " $3 }
+    part == "connectivity" { for (i = 1; i <= NF; i++) { seen[$i]; print point[$i] >polygons; if (++corner % 3 == 0) printf "\n\n" >polygons } }
+    # the bag stands in a cube about its centre, seen turned by 40 and tilted by 65 degrees
+    function bound(c, v) { if (!(c in low) || v < low[c]) low[c] = v; if (!(c in high) || v > high[c]) high[c] = v }
+    function extent(c) { return high[c] - low[c] }
+    END { turn = atan2(1, 1) * 40 / 45; tilt = atan2(1, 1) * 65 / 45
+          for (i in seen) { split(point[i], p, " "); for (c = 1; c <= 3; c++) bound(c, p[c]) }
+          for (c = 1; c <= 3; c++) if (extent(c) > longest) longest = extent(c)
+          for (i in seen) {
+            split(point[i], p, " "); for (c = 1; c <= 3; c++) p[c] = (p[c] - (low[c] + high[c]) / 2) / longest
+            x = p[1] * cos(turn) + p[2] * sin(turn); y = (p[2] * cos(turn) - p[1] * sin(turn)) * cos(tilt) + p[3] * sin(tilt)
+            if (x < 0) x = -x; if (y < 0) y = -y
+            if (x > across) across = x; if (y > up) up = y }
+          for (c = 1; c <= 3; c++) printf "set %srange [%.9g:%.9g]\n", substr("xyz", c, 1), (low[c] + high[c] - longest) / 2, (low[c] + high[c] + longest) / 2
+          printf "set view 65, 40, %.4g\n", 1 / (across > 1.2 * up ? across / 1.76 : up / 1.46) }' "$1")
   gnuplot <<END
 load 'scripts/charts/style.gp'
 set terminal pngcairo size 220,180 background paper
@@ -99,10 +116,13 @@ unset tics
 unset key
 unset colorbox
 set margins 0, 0, 0, 0
-set view 65, 40, 1.6
+set origin 0.06, -0.05 # gnuplot leaves room for axes
+$view
 set view equal xyz
+set xyplane relative 0
 set pm3d depthorder border linecolor rgb '#909090' linewidth 0.2 lighting primary 0.5 specular 0.2
 set style fill solid 1
+set datafile separator whitespace # style.gp reads tables with commas
 splot '$1.polygons' with polygons fillcolor rgb '#e8c890'
 END
 }
