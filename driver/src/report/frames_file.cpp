@@ -17,6 +17,8 @@
 namespace driver {
 namespace {
 
+using Json = nlohmann::ordered_json;
+
 std::string base64(std::string_view bytes) {
   static constexpr char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
   std::string text;

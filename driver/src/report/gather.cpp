@@ -16,6 +16,8 @@
 namespace driver {
 namespace {
 
+using Json = nlohmann::ordered_json;
+
 bool has_file(const std::filesystem::path& folder, const char* name) {
   std::error_code ignored;
   return std::filesystem::exists(folder / name, ignored);

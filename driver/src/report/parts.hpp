@@ -11,8 +11,6 @@
 
 namespace driver {
 
-using Json = nlohmann::ordered_json;
-
 /// Files of driver/src/report/page and three.js, as they were when this was built; three.js and its controls
 /// are empty if the package was not there.
 struct PageParts {
@@ -21,12 +19,12 @@ struct PageParts {
 PageParts page_parts();
 
 /// One result, as page/main.js reads it. Throws as report_page.
-std::vector<Json> gather(const std::filesystem::path& result, const ReportOptions& options);
+std::vector<nlohmann::ordered_json> gather(const std::filesystem::path& result, const ReportOptions& options);
 
 /// What frames.bin holds.
 struct Frames {
-  Json header;       // its first line
-  std::string data;  // whole frames of header["frame_bytes"] bytes, at least one
+  nlohmann::ordered_json header;  // its first line
+  std::string data;               // whole frames of header["frame_bytes"] bytes, at least one
 };
 /// Reads frames.bin. Throws CaseError for a file that is none of its kind or does not hold whole frames of
 /// the size that its header asks for.
@@ -34,6 +32,6 @@ Frames load_frames(const std::filesystem::path& file);
 
 /// Header and base64 of the frames in frames.bin, and how many are kept of how many: every k-th, of
 /// `most_bytes` at most; null if there is no such file. Throws as load_frames.
-Json read_frames(const std::filesystem::path& file, std::size_t most_bytes);
+nlohmann::ordered_json read_frames(const std::filesystem::path& file, std::size_t most_bytes);
 
 }  // namespace driver

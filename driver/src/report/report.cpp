@@ -10,6 +10,8 @@
 namespace driver {
 namespace {
 
+using Json = nlohmann::ordered_json;
+
 // Two results of one name are told apart by a number.
 void name_apart(std::vector<Json>& results) {
   for (std::size_t i = 0; i < results.size(); ++i) {

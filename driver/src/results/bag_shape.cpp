@@ -19,6 +19,8 @@
 namespace driver {
 namespace {
 
+using Json = nlohmann::ordered_json;
+
 [[noreturn]] void fail(const std::filesystem::path& file, const std::string& message) {
   throw CaseError(fmt::format("{}: {}", file.string(), message));
 }
