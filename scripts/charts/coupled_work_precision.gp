@@ -18,11 +18,11 @@ left = 0.2
 panels = 4
 set bmargin at screen 0.12
 set tmargin at screen 0.85
-set label 1 'Finer steps, gas tolerances and meshes: the means against those of the finest step and mesh' at screen 0.015, screen 0.955 font 'sans-serif,15'
+set label 1 'Finer steps, gas tolerances and meshes: the means against those of the finest step and mesh'
 set xlabel 'Deviation [%], ± 2 s.e.'
 set arrow 1 from first 0, graph 0 to first 0, graph 1 nohead linestyle 9
-set xrange [-6:10]
-set xtics 2
+set xrange [-6:12]
+set xtics 3
 do for [i = 1:3] {
   set lmargin at screen panel_left(i)
   set rmargin at screen panel_right(i)

@@ -14,7 +14,7 @@ left = 0.215
 panels = 4
 set bmargin at screen 0.09
 set tmargin at screen 0.885
-set label 1 'Means of the paper’s scene against those of its default' at screen 0.015, screen 0.97 font 'sans-serif,15'
+set label 1 'Means of the paper’s scene against those of its default'
 set xlabel 'Deviation from the default [%]'
 set arrow 1 from first 0, graph 0 to first 0, graph 1 nohead linestyle 9
 do for [i = 1:4] {

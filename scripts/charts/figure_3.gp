@@ -3,7 +3,8 @@
 load 'scripts/charts/style.gp'
 set terminal svg size 820,460 font face background paper
 set output out
-set title 'Nitrogen of 673 K through 8.5 dm² of hole and of fabric' font 'sans-serif,15'
+set label 1 'Nitrogen of 673 K through 8.5 dm² of hole and of fabric'
+set tmargin 3
 set key left top Left reverse samplen 3
 set xlabel 'Pressure difference [kPa]'
 set ylabel 'Mass flow [kg/s]'
@@ -12,4 +13,4 @@ set arrow from sonic, graph 0 to sonic, graph 1 nohead linecolor rgb quiet dasht
 set label 'sonic' at sonic - 1, graph 0.3 right textcolor rgb quiet
 plot data using ($1 / 1e3):2 with lines linestyle 1 title 'hole', \
   '' using ($1 / 1e3):3 with lines linestyle 2 title 'fabric, flow over η²', \
-  '' using ($1 / 1e3):4 with lines linestyle 3 title 'fabric of porosity η = 0.05'
+  '' using ($1 / 1e3):(100 * $4) with lines linestyle 3 title 'fabric of porosity η = 0.05, flow times 100'

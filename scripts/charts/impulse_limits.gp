@@ -9,7 +9,7 @@ set xrange [0.42:19]
 set xtics (0.5, 1, 2, 4, 8, 16)
 set offsets 0, 0, graph 0.08, graph 0.08
 set multiplot layout 2,2 margins 0.08,0.98,0.085,0.865 spacing 0.09,0.15
-set label 1 'With stiffer contact the impulse along the path nearly settles, that of the force’s size does not' at screen 0.015, screen 0.97 font 'sans-serif,15'
+set label 1 'With stiffer contact the impulse along the path nearly settles, that of the force’s size does not'
 set key at screen 0.98, screen 0.945 right top vertical maxrows 1 samplen 2
 scenes = 'no_jet no_jet jet jet'
 quantities = 'path_impulse_Ns contact_impulse_Ns path_impulse_Ns contact_impulse_Ns'

@@ -5,7 +5,8 @@ set terminal svg size 1000,760 font face background paper
 set output out
 constants = data.'/constants.csv'
 velocity = 'centreline_velocity_m_s'
-set multiplot layout 2,2 title 'The jet model far from the outlet, and measured jets' font 'sans-serif,15'
+set label 1 'The jet model far from the outlet, and measured jets'
+set multiplot layout 2,2 margins 0.085,0.985,0.075,0.94 spacing 0.1,0.11
 
 set key top right Left reverse samplen 3
 set xlabel 'Distance from the outlet [diameters]'
@@ -15,6 +16,7 @@ set ytics 0.2
 plot data.'/round_0.08.csv' using 'distance_m':(column('distance_m') < 15 ? NaN : 5.7/column('distance_m')):(6.2/(column('distance_m') - 4)) with filledcurves linecolor rgb measured title 'measured, B 5.7 to 6.2', \
      data.'/round_0.066.csv' using 'distance_m':velocity with lines linestyle 2 title 'a = 0.066', \
      data.'/round_0.08.csv' using 'distance_m':velocity with lines linestyle 1 title 'a = 0.08'
+unset label 1
 
 set xlabel 'Coefficient a'
 set xrange [0.06:0.125]

@@ -4,12 +4,13 @@ load 'scripts/charts/style.gp'
 set terminal svg size 800,560 font face background paper
 set output out
 set logscale xy
-set xrange [3:3e5]
+set xrange [3:6e4]
 set format x '10^{%L}'
 set format y '10^{%L}'
 set xlabel 'Field and visibility, time per step [µs], one thread'
 set ylabel 'Relative error of the total jet force'
-set title 'Error of the jet force against cost' font 'sans-serif,15'
+set label 1 'Error of the jet force against cost'
+set tmargin 3
 set key bottom left Left reverse samplen 3 font small_face
 rows(rung) = "< awk -F, '$1 == \"".rung."\"' ".data
 plot rows('pieces') using 3:4 with linespoints linestyle 1 title 'n × n pieces, r.m.s. over the instants', \

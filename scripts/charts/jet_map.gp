@@ -8,7 +8,7 @@ set output out
 # y, label, effect, two standard errors; a gap parts the inputs
 rows(quantity, factor) = "< awk -F, -v OFS=, -v factor=".sprintf('%.9g', factor)." '$3 == \"".quantity."\" { ". \
   "y += before && $1 != before ? 1.4 : 1; before = $1; ". \
-  "print y, $1 ($2 == \"-\" ? \"\" : \" \" $2), factor * ($4 - $6), factor * 2 * sqrt($5 ^ 2 + $7 ^ 2) }' ".data
+  "split($1, part, / *[][]/); print y, part[1] ($2 == \"-\" ? \"\" : \" \" $2) (part[2] ? \" \" part[2] : \"\"), factor * ($4 - $6), factor * 2 * sqrt($5 ^ 2 + $7 ^ 2) }' ".data
 set yrange [25.4:0.2]
 quantities = 'final_angle_rad path_impulse_Ns peak_cg_acceleration_cfc180_m_s2'
 titles = "'on the final angle [°]' 'on the impulse along the path [N s]' 'on the peak acceleration, CFC 180 [m/s²]'"
@@ -18,7 +18,7 @@ panels = 3
 set multiplot
 set bmargin at screen 0.1
 set tmargin at screen 0.905
-set label 1 'What the jet adds, over the range of each input that the paper does not state (± 2 s.e.; dashed: as shipped)' at screen 0.015, screen 0.965 font 'sans-serif,15'
+set label 1 'What the jet adds, over the range of each input that the paper does not state (± 2 s.e.; dashed: as shipped)'
 do for [i = 1:3] {
   set lmargin at screen panel_left(i)
   set rmargin at screen panel_right(i)

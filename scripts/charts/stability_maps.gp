@@ -8,8 +8,9 @@ set format x '10^{%L}'
 set format y '10^{%L}'
 set xlabel label
 set ylabel 'Time step [s]'
-set title heading
-set key above horizontal Left reverse samplen 3
+set label 1 heading
+set tmargin 6
+set key at graph 1, graph 1.03 right bottom horizontal Left reverse samplen 3 maxrows 2
 set autoscale xfix
 set autoscale yfix
 plot data using 1:($3 == 1 ? $2 : NaN) with points linecolor rgb blue pointtype 7 pointsize 0.6 title 'stable', \

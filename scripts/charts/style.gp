@@ -29,3 +29,5 @@ set style line 4 linecolor rgb ink linewidth 1.6 dashtype 3 pointtype 6 pointsiz
 set style line 5 linecolor rgb purple linewidth 1.6 dashtype 5 pointtype 4 pointsize 0.7
 set style line 6 linecolor rgb sky linewidth 1.6 dashtype 1 pointtype 8 pointsize 0.8
 set key noautotitle
+# The title of a chart: `set label 1 'TEXT'`, left above it. What `set title` says is the name of a panel, centred.
+set label 1 '' at screen 0.015, screen 1 offset 0, -1.2 font 'sans-serif,15'

@@ -10,18 +10,22 @@ set ylabel 'r.m.s. error'
 set key bottom right samplen 4
 by_noise(method) = "< awk -F, '$1 == \"".method."\" && $3 == 601' ".data
 by_readings(method, noise) = "< awk -F, '$1 == \"".method."\" && $2 == \"".noise."\"' ".data." | sort -t, -k3n"
-set multiplot layout 1,2
-set xlabel 'Noise of a reading, relative (601 readings, 10 kHz)'
+set label 1 'Error of the inverse tank test: mass flow, temperature, and their product'
+set multiplot layout 1,2 margins 0.065,0.985,0.115,0.845 spacing 0.085,0
+set title 'against noise (601 readings, 10 kHz)'
+set xlabel 'Noise of a reading, relative'
 plot by_noise('dual') using 2:6 with linespoints linestyle 2 title 'dual: T_s', \
   by_noise('dual') using 2:5 with linespoints linestyle 1 title 'dual: mass flow', \
   by_noise('average') using 2:5 with linespoints linestyle 3 title 'average: product', \
   by_noise('average') using 2:6 with linespoints linestyle 4 title 'average: mean T'
-set xlabel 'CPU time of an analysis [ms], 151 to 4801 readings'
+unset label 1
+set title 'against cost (151 to 4801 readings)'
+set xlabel 'CPU time of an analysis [ms]'
 set key top right
 set yrange [1e-4:1]
 set xrange [10:1000]
 plot by_readings('dual', '1e-2') using ($4 / 1e3):5 with linespoints linestyle 1 title 'dual: mass flow, noise 10^{-2}', \
   by_readings('average', '1e-2') using ($4 / 1e3):5 with linespoints linestyle 3 title 'average: product, noise 10^{-2}', \
-  by_readings('dual', '1e-4') using ($4 / 1e3):5 with linespoints linestyle 2 title 'dual: mass flow, noise 10^{-4}', \
-  by_readings('average', '1e-4') using ($4 / 1e3):5 with linespoints linestyle 4 title 'average: product, noise 10^{-4}'
+  by_readings('dual', '1e-4') using ($4 / 1e3):5 with linespoints linestyle 1 dashtype 2 pointtype 6 title 'dual: mass flow, noise 10^{-4}', \
+  by_readings('average', '1e-4') using ($4 / 1e3):5 with linespoints linestyle 3 dashtype 2 pointtype 8 title 'average: product, noise 10^{-4}'
 unset multiplot

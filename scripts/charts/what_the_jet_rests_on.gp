@@ -10,10 +10,11 @@ stats bars every ::0::0 using 2 nooutput
 shipped = STATS_mean
 set yrange [7.6:0.3]
 set xrange [12:25.5]
-set xlabel 'What the jet adds to the angle at 100 ms (°)'
+set xlabel 'What the jet adds to the angle at 100 ms [°]'
+set label 1 'What the jet adds to the angle, over the range of each input'
 set key off
 set lmargin 24
-set tmargin 3
+set tmargin 5
 set grid noytics
 set arrow from shipped,0.3 to shipped,7.6 nohead linewidth 1.4 dashtype 3 linecolor rgb ink
 set label sprintf('as shipped: %.1f°', shipped) at shipped,0.3 offset 0,0.7 center

@@ -12,12 +12,15 @@ titles = "'Final angle' 'Peak pressure' 'Peak acceleration, CFC 180' 'Impulse al
 set xrange [0:1]
 set yrange [7.6:-0.6]
 set xlabel 'Share of the variance'
-set key off
-set multiplot layout 2,2
+set label 1 'Which inputs the spread of each result rests on'
+set key at screen 0.985, screen 0.945 right top maxrows 1 samplen 2 width -4
+set multiplot layout 2,2 margins 0.16,0.97,0.105,0.84 spacing 0.2,0.19
 do for [i = 1:4] {
   set title word(titles, i)
-  plot rows(word(quantities, i)) using 3:0:(0):3:($0-0.35):($0+0.35):yticlabels(1) with boxxyerror fillcolor rgb blue_band, \
-    rows(word(quantities, i)) using 2:0:(0):2:($0-0.35):($0+0.35) with boxxyerror fillcolor rgb blue, \
+  plot rows(word(quantities, i)) using 3:0:(0):3:($0-0.35):($0+0.35):yticlabels(1) with boxxyerror fillcolor rgb blue_band title 'with all others, and its interval', \
+    rows(word(quantities, i)) using 2:0:(0):2:($0-0.35):($0+0.35) with boxxyerror fillcolor rgb blue title 'of the input alone', \
     rows(word(quantities, i)) using 3:0:4:5 with xerrorbars pointtype 0 linecolor rgb ink
+  unset key
+  unset label 1
 }
 unset multiplot
