@@ -73,6 +73,7 @@ plot '$1' every $((rows / 120 + 1)) using (1e3*column('time_s')):$value with lin
 load 'scripts/charts/style.gp'
 set terminal svg size 600,180 font small_face background paper
 set datafile columnheaders
+unset label 1 # the page has the name of the case
 set xlabel 'Time [ms]'
 decade(range) = 10**floor(log10(range))
 round_part(range) = decade(range) * (range / decade(range) > 4 ? 2 : range / decade(range) > 2 ? 1 : 0.5)
