@@ -104,7 +104,7 @@ set output $name
 set multiplot layout $count,1 margins screen 0.11, screen 0.97, screen $(awk "BEGIN { print 55 / $height }"), \
   screen $(awk "BEGIN { print 1 - 66 / $height }") spacing screen 0, screen $(awk "BEGIN { print 62 / $height }")
 set key at screen 0.97, screen $(awk "BEGIN { print 1 - 58 / $height }") right bottom vertical maxrows 1 Left reverse samplen 3 width -1 font small_face
-set label 1 $(gnuplot_text "$title") at screen 0.02, screen $(awk "BEGIN { print 1 - 18 / $height }") font 'sans-serif,15' noenhanced
+set label 1 $(gnuplot_text "$title") noenhanced
 set xlabel 'Time [ms]' offset 0, 0.4
 set autoscale xfix
 set ylabel offset 0.5
