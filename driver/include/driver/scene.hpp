@@ -90,6 +90,7 @@ struct JetPart {
 struct PendulumPart {
   coupling::PendulumModel model;
   coupling::PendulumState initial;
+  std::optional<gas::Curve> driving_moment;  // [N m] about the axis, over time; zero outside of its knots
 };
 
 /// Time and step.

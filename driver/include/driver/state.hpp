@@ -52,6 +52,7 @@ struct Flows {
   double damping_loss = 0.0;     // [J]
   double friction_loss = 0.0;    // [J]
   double jet_work = 0.0;         // [J] by external jets
+  double driving_work = 0.0;     // [J] by the pendulum's driving moment
   double kick_work = 0.0;        // [J] of all forces, kick form
   double contact_impulse = 0.0;  // [N s] integral of the magnitude of the contact force
   /// [N s] Integral of the contact force's part along the impactor's path (K.26).
@@ -167,6 +168,8 @@ struct PendulumRun {
   coupling::PendulumState motion;                    // S8
   double moment = 0.0;                               // S7 [N m] at n
   double contact_moment = 0.0;                       // S7 [N m] at n, of the contact force
+  double driving_moment = 0.0;                       // S7 [N m] at n, that the case prescribes
+  double driving_work = 0.0;                         // S8 [J] of that moment in this kick
   Eigen::Vector3d centre = Eigen::Vector3d::Zero();  // S7 [m] of the impactor at n
   double angular_velocity = 0.0;                     // S8 [rad/s] at n
   coupling::CgAcceleration acceleration;             // S8 at n

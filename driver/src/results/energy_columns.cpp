@@ -37,6 +37,7 @@ constexpr EnergyTerm kTerms[] = {
   {"damping_J", Role::spent, has::damping, [](Of, At now) { return now.level.flows.damping_loss; }},
   {"friction_J", Role::spent, has::friction, [](Of, At now) { return now.flows.friction_loss; }},
   {"jet_work_J", Role::supplied, has::jets_on_bag, [](Of, At now) { return now.level.flows.jet_work; }},
+  {"driving_work_J", Role::supplied, has::driving_moment, [](Of, At now) { return now.level.flows.driving_work; }},
   {"residual_J", Role::none, has::anything, [](Of, At now) { return now.level.energy_residual; }},
   {"kick_residual_J", Role::none, has::motion, [](Of, At now) { return now.level.kick_residual; }},
 };

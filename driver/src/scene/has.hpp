@@ -65,6 +65,9 @@ inline bool friction(const Scene& scene) {
 inline bool pendulum(const Scene& scene) {
   return scene.pendulum.has_value();
 }
+inline bool driving_moment(const Scene& scene) {
+  return scene.pendulum && scene.pendulum->driving_moment;
+}
 inline bool motion(const Scene& scene) {
   return scene.moves();
 }

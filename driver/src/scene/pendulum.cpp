@@ -33,7 +33,10 @@ PendulumPart read_model(TableReader& table, const Eigen::Vector3d& gravity) {
   coupling::PendulumState initial;
   initial.angle = table.number("initial_angle", turns, 0.0);
   initial.angular_velocity = table.number("initial_angular_velocity", any_number, 0.0);
-  return {coupling::PendulumModel(p), initial};
+  PendulumPart part{coupling::PendulumModel(p), initial, {}};
+  if (table.has("driving_moment"))
+    part.driving_moment = to_gas_curve(table.curve("driving_moment", any_number), gas::Outside::zero);
+  return part;
 }
 
 double contact_stiffness(TableReader& table, const coupling::PendulumModel& pendulum, double friction,

@@ -22,9 +22,13 @@ void book_kick(const Scene& scene, State& state, bool last) {
     state.flows.path_impulse +=
         tau * state.pendulum->contact_moment / scene.pendulum->model.parameters().impactor_distance;
   }
+  const double share = kick_share(state.step);
+  if (state.pendulum) {
+    state.flows.driving_work += state.pendulum->driving_work;
+    state.level.flows.driving_work += share * state.pendulum->driving_work;
+  }
   if (!state.bag) return;
   const auto& work = state.bag->advance.work;
-  const double share = kick_share(state.step);
   state.flows.kick_work += work.total();
   state.flows.damping_loss -= work.damping;
   state.level.flows.damping_loss -= share * work.damping;

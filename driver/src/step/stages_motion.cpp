@@ -164,6 +164,7 @@ void advance(const Scene& scene, State& state, const Executor& executor) {
   run.kinetic =
       level_kinetic(step, run.kinetic_before, run.kinetic_after, 0.5 * model.axis_inertia() * before * after);
   state.flows.kick_work += tau * run.moment * 0.5 * (before + after);
+  run.driving_work = tau * run.driving_moment * 0.5 * (before + after);
 }
 
 void volume(const Scene& scene, State& state, const Executor& executor) {

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+// A moment that a case prescribes on its pendulum, against closed forms.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "claim.hpp"
+#include "closed_form/pendulum.hpp"
+#include "run_case.hpp"
+
+namespace {
+
+constexpr double kDuration = 0.02, kLater = 0.05;  // [s]
+
+// A half-sine of 2000 pieces, whose polygon is off by 2e-7 of its impulse.
+std::string half_sine(double peak) {
+  std::string times, values;
+  for (int i = 0; i <= 2000; ++i) {
+    times += fmt::format("{}{}", i > 0 ? "," : "", kDuration * i / 2000);
+    values += fmt::format("{}{}", i > 0 ? "," : "", i < 2000 ? peak * std::sin(M_PI * i / 2000) : 0.0);
+  }
+  return "pendulum.driving_moment={time=[" + times + "],value=[" + values + "]}";
+}
+
+coupled::CaseRun pulse(double peak, double step, const char* gravity) {
+  return coupled::run_case("pendulum_pulse", {half_sine(peak), fmt::format("time.step={}", step),
+                                              std::string("scene.gravity=") + gravity});
+}
+
+const double kInertia = closed_form::pendulum_constants(closed_form::paper_pendulum()).axis_inertia;
+
+TEST(driving_moment, free_pendulum_turns_as_the_pulse_integrated_twice) {
+  const double rate = M_PI / kDuration, peak = 655.0;
+  // After the pulse: M0/I (T/w) within it, then 2 M0/(I w) for the rest.
+  const double exact = peak / kInertia / rate * (kDuration + 2.0 * (kLater - kDuration));
+  std::vector<double> errors, residuals;
+  for (const double step : {2e-3, 1e-3, 5e-4}) {
+    const auto run = pulse(peak, step, "[0,0,0]");
+    errors.push_back(run.history.back().at("pendulum_angle_rad") - exact);
+    residuals.push_back(0.0);
+    for (const auto& row : run.energy)
+      residuals.back() = std::max(residuals.back(), std::abs(row.at("residual_J")));
+    EXPECT_NEAR(run.energy.back().at("driving_work_J"), run.energy.back().at("pendulum_kinetic_J"), 1e-12);
+    EXPECT_LT(std::abs(run.energy.back().at("kick_residual_J")), 1e-12);
+  }
+  claim::expect_order(
+      {"K.1", "half-sine moment on a free pendulum: angle at 50 ms", "sum of sines by the step: (w dt)^2"},
+      errors, 1.95, 2.05);
+  claim::expect_order({"K.21", "half-sine moment on a free pendulum: greatest residual of the energy [J]",
+                       "kinetic energy at a level: (w dt)^2"},
+                      residuals, 1.8, 2.2);
+}
+
+TEST(driving_moment, hanging_pendulum_eq_the_linear_response) {
+  const double force = 5.0;  // [N]: the angle stays below 6e-4, its square over 6 is 6e-8
+  const auto pendulum = closed_form::paper_pendulum();
+  const auto run = pulse(force * pendulum.impactor_arm, 1e-5, "[0,0,-9.80665]");
+  const auto exact = closed_form::half_sine_response(pendulum, force, kDuration, kLater);
+  claim::expect_relative({"K.1", "half-sine moment on the hanging pendulum: angle at 50 ms",
+                          "polygon 2e-7, step (w dt)^2/12 = 2e-7, sine of the angle 6e-8"},
+                         run.history.back().at("pendulum_angle_rad"), exact.angle, 1e-6);
+}
+
+TEST(driving_moment, shipped_case_is_near_the_closed_form_that_it_names) {
+  const auto run = coupled::run_case("pendulum_pulse");
+  const auto exact = closed_form::half_sine_response(closed_form::paper_pendulum(), 500.0, kDuration, kLater);
+  EXPECT_NEAR(run.history.back().at("pendulum_angle_rad") / exact.angle, 1.0, 3e-3);
+}
+
+}  // namespace
