@@ -99,15 +99,16 @@ void add_filtered(Json& run, const std::filesystem::path& file, const PageTable&
   run["filtered"] = {{"columns", {"time_s", "pendulum_cg_acceleration,_CFC_180_m_s2"}}, {"rows", text}};
 }
 
-std::string line_of(const PageTable& table, const char* key) {
+// The run that wrote a table; empty: it does not say.
+std::string run_line(const PageTable& table) {
   for (const auto& [name, text] : table.lines)
-    if (name == key) return text;
+    if (name == "run") return text;
   return {};
 }
 
 // Where no status says so: do the lines `# run:` of two files?
 void require_same_run(const std::filesystem::path& file, const PageTable& table, const PageTable& history) {
-  const std::string own = line_of(table, "run"), other = line_of(history, "run");
+  const std::string own = run_line(table), other = run_line(history);
   if (!own.empty() && !other.empty() && own != other)
     throw CaseError(fmt::format("{}: is of the run '{}', history.csv beside it of '{}': run the case again",
                                 file.string(), own, other));
