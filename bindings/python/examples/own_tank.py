@@ -36,14 +36,14 @@ except ImportError:
     print("no picture: matplotlib is not installed")
 else:
     figure, (left, right) = plot.subplots(1, 2, layout="constrained")
-    left.plot(1e3 * times, exact / 1e3, "k", label="closed form")
+    left.plot(1e3 * times, exact / 1e3, "0.7", linewidth=5, label="closed form")
     left.set(xlabel="Time [ms]", ylabel="Pressure [kPa]")
-    right.fill_between(1e3 * times, -0.2, 0.2, color="0.87", label="band")
-    for (step, run), style in zip(runs.items(), ("--", "-")):
+    right.fill_between(1e3 * times, -0.2, 0.2, color="0.8", label="band")
+    for (step, run), style in zip(runs.items(), ("-", "--")):
         off = np.interp(times, run["time_s"], run["pressure_Pa"]) / exact - 1.0
         left.plot(1e3 * np.array(run["time_s"]), np.array(run["pressure_Pa"]) / 1e3, style)
         right.plot(1e3 * times, 100.0 * off, style, label=f"step {step:g} s")
-    right.set(xlabel="Time [ms]", ylabel="Own tank off by [%]")
+    right.set(xlabel="Time [ms]", ylabel="Own tank off by [%]", ylim=(-0.7, 0.25))
     left.legend()
-    right.legend()
+    right.legend(loc="lower left")
     figure.savefig("own_tank.svg")
