@@ -216,7 +216,11 @@ part_study_bad() {
   refused "none.toml: no such file"
   tank_plan "$plan"
   for share in 0/3 4/3 1 1/0 a/b 1/2/3; do expect 2 "--share $share: NUMBER/COUNT" "$gasjet" study run "$plan" --share $share; done
-  expect 2 "/dev/null: is no regular file" "$gasjet" study run /dev/null --out "$work/none"
+  local command
+  for command in "study run /dev/null" "ladder /dev/null --quantity pressure" "ensemble /dev/null" "cost /dev/null"; do
+    # shellcheck disable=SC2086
+    expect 2 "/dev/null: is no regular file" "$gasjet" $command --out "$work/none"
+  done
   expect 2 "holds no plan.toml" "$gasjet" study merge "$source/cases"
   expect 0 "1 points, 0 factors, 1 runs" "$gasjet" study run "$plan" --check
   # One folder, one plan.

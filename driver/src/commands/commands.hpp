@@ -38,6 +38,8 @@ std::vector<std::string> names_of(const std::vector<std::string>& lists);
 /// Throws CaseError when the file that `option` writes is one of those that are read.
 void refuse_same_file(const char* option, const std::filesystem::path& out,
                       const std::vector<std::filesystem::path>& inputs);
+/// Throws CaseError for a pipe or a device: the command reads the file more than once.
+void require_file(const std::filesystem::path& file);
 /// The same for the files `outputs` that a command writes to the folder of --out.
 void refuse_inputs(const std::filesystem::path& folder, const std::vector<std::string>& outputs,
                    const std::vector<std::filesystem::path>& inputs);

@@ -34,6 +34,7 @@ void write(ResultFolder& folder, const CostResult& result) {
 int cost(const CostArguments& arguments) {
   const auto& [file, overrides] = arguments.scene;
   const CostOptions options{arguments.runs, arguments.threads, arguments.quiet};
+  require_file(file);
   CaseDocument document(file, overrides);
   read_scene(document);
   std::optional<ResultFolder> folder;

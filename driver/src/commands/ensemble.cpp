@@ -95,6 +95,7 @@ int ensemble(const EnsembleArguments& arguments) {
     throw CaseError(
         fmt::format("--against {}: needs another file name than the first case", arguments.against.string()));
   for (const auto& file : files) {
+    require_file(file);
     read_ensemble_scene(file, overrides);
     refuse_inputs_of(path, file, overrides);
   }

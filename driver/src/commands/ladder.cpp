@@ -133,6 +133,7 @@ int ladder(const LadderArguments& arguments) {
   const auto path = arguments.out.empty() ? std::filesystem::path("results") /
                                                 ("ladder_" + arguments.scene.file.stem().string())
                                           : arguments.out;
+  require_file(file);
   plan_ladder(file, overrides, options.quantity, options.hold);
   CaseDocument document(file, overrides);
   read_scene(document);

@@ -29,6 +29,13 @@ void refuse_inputs(const std::filesystem::path& folder, const std::vector<std::s
   for (const auto& name : outputs) refuse_same_file("--out", folder / name, inputs);
 }
 
+void require_file(const std::filesystem::path& file) {
+  std::error_code ignored;  // of none: its reader says so
+  if (std::filesystem::exists(file, ignored) && !std::filesystem::is_regular_file(file))
+    throw CaseError(
+        fmt::format("{}: is no regular file, which is needed: it is read more than once", file.string()));
+}
+
 std::vector<std::filesystem::path> input_files(const std::filesystem::path& file,
                                                const std::vector<std::string>& overrides) {
   CaseDocument document(file, overrides);

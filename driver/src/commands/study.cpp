@@ -39,10 +39,7 @@ void print(const StudySummary& summary, const std::filesystem::path& folder) {
 
 int study_run(const StudyArguments& arguments) {
   const StudyShare share = share_of(arguments.share);
-  std::error_code ignored;  // of none: read_study says so
-  if (std::filesystem::exists(arguments.plan, ignored) && !std::filesystem::is_regular_file(arguments.plan))
-    throw CaseError(
-        fmt::format("{}: is no regular file: a plan is read more than once", arguments.plan.string()));
+  require_file(arguments.plan);
   const StudyPlan plan = read_study(arguments.plan);
   if (plan.stop && share.count > 1)
     throw CaseError(fmt::format(
