@@ -19,7 +19,7 @@ fail() {
 extract_packages() {
   local components package
   components=$(sed -nE 's/^set\(CPACK_COMPONENTS_ALL "(.*)"\)$/\1/p' "$build/CPackConfig.cmake" | sed 's/;docs//')
-  (cd "$build" && cpack -G DEB -B "$scratch/packages" -D CPACK_COMPONENTS_ALL="$components" >"$scratch/log" 2>&1) || { cat "$scratch/log"; exit 1; }
+  (cd "$build" && cpack -G DEB -B "$scratch/packages" -D CPACK_COMPONENTS_ALL="$components" -D CPACK_DEBIAN_COMPRESSION_TYPE=gzip >"$scratch/log" 2>&1) || { cat "$scratch/log"; exit 1; }
   for package in "$scratch"/packages/*.deb; do
     dpkg-deb -x "$package" "$scratch/root"
     package=$(dpkg-deb -f "$package" Package)
