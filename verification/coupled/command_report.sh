@@ -31,6 +31,16 @@ part_report() {
   expect 2 "history.csv:[0-9]+:1: time_s: .* does not rise" "$gasjet" report "$work/bad" --out "$page"
   a_copy && sed -i '/^[0-9]/d' "$work/bad/history.csv"
   expect 2 "history.csv:[0-9]+:1: has no rows" "$gasjet" report "$work/bad" --out "$page"
+  # Cut between two rows, or between two frames.
+  for file in history.csv energy.csv; do
+    a_copy && sed -i '$d' "$work/bad/$file"
+    expect 2 "$file: ends at .* s, .* cut" "$gasjet" report "$work/bad" --out "$page"
+  done
+  a_copy && truncate -s "-$(head -1 "$work/bag/frames.bin" | grep -oE '"frame_bytes":[0-9]+' | cut -d: -f2)" "$work/bad/frames.bin"
+  expect 2 "frames.bin: ends at .* s, the run at .* cut" "$gasjet" report "$work/bad" --out "$page"
+  # Where no status tells runs apart.
+  a_copy && rm "$work/bad/gasjet.status" && sed -i 's/^# run: .*/# run: another/' "$work/bad/energy.csv"
+  expect 2 "energy.csv: is of the run 'another', history.csv beside it" "$gasjet" report "$work/bad" --out "$page"
   # Damaged frames and JSON.
   a_copy && truncate -s -1 "$work/bad/frames.bin"
   expect 2 "frames.bin: holds [0-9]+ bytes of frames, whole frames of [0-9]+ bytes are needed" "$gasjet" report "$work/bad" --out "$page"

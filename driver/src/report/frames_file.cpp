@@ -116,6 +116,7 @@ Json read_frames(const std::filesystem::path& file, std::size_t most_bytes) {
   const std::string kept = thinned(frames.data, size, most_bytes);
   return {{"header", std::move(frames.header)},
           {"data", base64(deflated(kept))},
+          {"end_s", number_at(std::string_view(frames.data).substr(frames.data.size() - size), 0)},
           {"count", kept.size() / size},
           {"total", frames.data.size() / size}};
 }

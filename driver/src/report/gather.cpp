@@ -114,11 +114,12 @@ void require_same_run(const std::filesystem::path& file, const PageTable& table,
                                 file.string(), own, other));
 }
 
-// A run that is done has a row at its end.
-void require_end(const Json& summary, const std::filesystem::path& file, const PageTable& history) {
+// What a run that is done has written ends where the run did.
+void require_end(const Json& run, const std::filesystem::path& file, double last) {
+  if (!run.contains("summary")) return;
+  const Json& summary = run["summary"];
   if (summary.at("status") != "done" || !summary.contains("time_end_s")) return;
-  const double last = history.end, end = summary["time_end_s"];
-  if (last < end * (1.0 - 1e-6))
+  if (const double end = summary["time_end_s"]; last < end * (1.0 - 1e-6))
     throw CaseError(fmt::format("{}: ends at {} s, the run at {} s (summary.json says so): the file is cut",
                                 file.string(), last, end));
 }
@@ -142,7 +143,7 @@ Json gather_run(const std::filesystem::path& folder, const ReportOptions& option
     run["summary"] = read_json(folder / "summary.json");
     for (const char* key : {"scene", "status"}) run["summary"].at(key).get<std::string>();
     run["build"] = run["summary"].value("build", Json());
-    require_end(run["summary"], folder / "history.csv", history);
+    require_end(run, folder / "history.csv", history.end);
   } else {
     missing("summary.json", "no summary");
   }
@@ -154,6 +155,7 @@ Json gather_run(const std::filesystem::path& folder, const ReportOptions& option
     missing("check.json", "no settings and no forecast");
   }
   run["frames"] = read_frames(folder / "frames.bin", options.most_frame_bytes);
+  if (!run["frames"].is_null()) require_end(run, folder / "frames.bin", run["frames"]["end_s"]);
   if (const Json& frames = run["frames"]; !frames.is_null() && frames["count"] < frames["total"])
     run["notes"].push_back(fmt::format("{} of {} frames are shown", frames["count"].get<std::size_t>(),
                                        frames["total"].get<std::size_t>()));
