@@ -34,7 +34,7 @@ part_report() {
   # Cut between two rows, or between two frames.
   for file in history.csv energy.csv; do
     a_copy && sed -i '$d' "$work/bad/$file"
-    expect 2 "$file: ends at .* s, .* cut" "$gasjet" report "$work/bad" --out "$page"
+    expect 2 "ends at .* s, .*cut" "$gasjet" report "$work/bad" --out "$page"
   done
   a_copy && truncate -s "-$(head -1 "$work/bag/frames.bin" | grep -oE '"frame_bytes":[0-9]+' | cut -d: -f2)" "$work/bad/frames.bin"
   expect 2 "frames.bin: ends at .* s, the run at .* cut" "$gasjet" report "$work/bad" --out "$page"

@@ -133,8 +133,11 @@ Json gather_run(const std::filesystem::path& folder, const ReportOptions& option
     run["notes"].push_back(fmt::format("{} is missing: {}", name, what));
   };
   if (has_file(folder, "energy.csv")) {
-    require_same_run(folder / "energy.csv", add_table(run, "energy", folder / "energy.csv", options),
-                     history);
+    const PageTable energy = add_table(run, "energy", folder / "energy.csv", options);
+    require_same_run(folder / "energy.csv", energy, history);
+    if (energy.end != history.end)
+      throw CaseError(fmt::format("{}: ends at {} s, history.csv at {} s: one of them is cut",
+                                  (folder / "energy.csv").string(), energy.end, history.end));
     run["roles"] = roles();
   } else {
     missing("energy.csv", "no balance of energy");
