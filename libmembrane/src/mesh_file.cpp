@@ -50,14 +50,25 @@ MeshFileError::MeshFileError(const std::string& file, std::size_t line, std::siz
 Mesh read_mesh(const std::filesystem::path& path) {
   const Format format = format_of(path, kRead);
   const std::string text = read_text(path), name = path.string();
-  const IncludedFile beside = [&](const std::string& file) { return read_text(path.parent_path() / file); };
+  std::vector<std::filesystem::path> included;
+  const IncludedFile beside = [&](const std::string& file) {
+    included.push_back(path.parent_path() / file);
+    std::error_code ignored;  // a pipe may never end
+    if (!std::filesystem::is_regular_file(included.back(), ignored))
+      throw MeshFileError(included.back().string(), 0, 0, "is no file that can be read");
+    return read_text(included.back());
+  };
+  const auto with_included = [&](Mesh mesh) {
+    mesh.included = std::move(included);
+    return mesh;
+  };
   switch (format) {
     case Format::obj:
       return parse_obj(text, name);
     case Format::keyword:
-      return parse_keyword(text, name, beside);
+      return with_included(parse_keyword(text, name, beside));
     case Format::radioss:
-      return parse_radioss(text, name, beside);
+      return with_included(parse_radioss(text, name, beside));
     case Format::stl:
       return parse_stl(text, name);
     case Format::vtk:

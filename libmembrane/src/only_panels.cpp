@@ -39,6 +39,7 @@ Mesh only_panels(const Mesh& mesh, const std::vector<std::string>& names) {
   part.split_quads = mesh.split_quads;
   part.other_elements = mesh.other_elements;
   part.skipped = mesh.skipped;
+  part.included = mesh.included;
   return part;
 }
 

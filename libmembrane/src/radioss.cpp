@@ -68,6 +68,10 @@ class RadiossParser {
     word_ = line.substr(0, slash);
     if (block_ == Block::start && word != "BEGIN")
       deck_.fail(place(1), shown(line) + ": a Radioss starter deck begins with /BEGIN");
+    if (word == "TRANSFORM" || word == "SUBMODEL" || word.empty())
+      deck_.fail(place(1), shown(line) + " is not read here: it would move nodes or numbers");
+    if (word == "NODE" && line.substr(slash).find_first_not_of("/ \t") != std::string_view::npos)
+      deck_.fail(place(1), shown(line) + ": nodes in units of their own are not read here");
     const bool is_element = std::ranges::find(kOtherElements, word) != std::end(kOtherElements);
     block_ = word == "NODE"    ? Block::node
              : word == "SHELL" ? Block::shell

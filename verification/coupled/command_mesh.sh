@@ -95,8 +95,9 @@ part_mesh_deck() {
   printf '*KEYWORD\n*INCLUDE\nparts/bag.k\n*END\n' >"$work/top.k"
   cp "$work/back.k" "$work/parts/bag.k"
   expect 0 "closed control volume: yes" "$gasjet" mesh convert "$work/top.k"
+  expect 2 "--out .*would overwrite .*parts/bag.k" "$gasjet" mesh convert "$work/top.k" --out "$work/parts/bag.k"
   rm "$work/parts/bag.k"
-  expect 2 "top.k:3:1: include: .*parts/bag.k: cannot be opened" "$gasjet" mesh convert "$work/top.k"
+  expect 2 "top.k:3:1: include: .*parts/bag.k: is no file that can be read" "$gasjet" mesh convert "$work/top.k"
 }
 
 # points FILE: the nodes of a .vtp or .obj, a line each

@@ -20,7 +20,7 @@ part_report() {
   expect 2 "rigid_tank.toml:[0-9]+:1: time_s: is to be one of the columns" "$gasjet" report "$source/cases/rigid_tank.toml" --out "$page"
   # The page never takes the place of a result.
   expect 2 "--out .*is a folder" "$gasjet" report "$work/bag" --out "$work/bag"
-  expect 2 "--out .*would overwrite" "$gasjet" report "$work/bag" --out "$work/./bag/frames.bin"
+  expect 2 "--out .*frames.bin: a page ends with .html" "$gasjet" report "$work/bag" --out "$work/./bag/frames.bin"
   expect 2 "page.html: not writable .No such file" "$gasjet" report "$work/bag" --out "$work/nowhere/page.html"
   # Damaged tables.
   a_copy && sed -i '$s/,[^,]*$/,nan/' "$work/bad/history.csv"
@@ -40,7 +40,9 @@ part_report() {
   expect 2 "frames.bin: ends at .* s, the run at .* cut" "$gasjet" report "$work/bad" --out "$page"
   # Where no status tells runs apart.
   a_copy && rm "$work/bad/gasjet.status" && sed -i 's/^# run: .*/# run: another/' "$work/bad/energy.csv"
-  expect 2 "energy.csv: is of the run 'another', history.csv beside it" "$gasjet" report "$work/bad" --out "$page"
+  expect 2 "energy.csv: is of the run 'another', the table beside it" "$gasjet" report "$work/bad" --out "$page"
+  a_copy && rm "$work/bad/gasjet.status" && sed -i '1s/"run":"[^"]*"/"run":"another"/' "$work/bad/frames.bin"
+  expect 2 "frames.bin: is of the run 'another', the table beside it" "$gasjet" report "$work/bad" --out "$page"
   # Damaged frames and JSON.
   a_copy && truncate -s -1 "$work/bad/frames.bin"
   expect 2 "frames.bin: holds [0-9]+ bytes of frames, whole frames of [0-9]+ bytes are needed" "$gasjet" report "$work/bad" --out "$page"

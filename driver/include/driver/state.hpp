@@ -165,11 +165,11 @@ struct StepSizes {
 
 /// State of the pendulum.
 struct PendulumRun {
-  coupling::PendulumState motion;                    // S8
-  double moment = 0.0;                               // S7 [N m] at n
-  double contact_moment = 0.0;                       // S7 [N m] at n, of the contact force
-  double driving_moment = 0.0;                       // S7 [N m] at n, that the case prescribes
-  double driving_work = 0.0;                         // S8 [J] of that moment in this kick
+  coupling::PendulumState motion;  // S8
+  double moment = 0.0;             // S7 [N m] at n
+  double contact_moment = 0.0;     // S7 [N m] at n, of the contact force
+  double driving_moment = 0.0;     // S8 [N m] that the case prescribes, its mean over the kick
+  double driving_work = 0.0;       // S8 [J] of that moment in this kick
   Eigen::Vector3d centre = Eigen::Vector3d::Zero();  // S7 [m] of the impactor at n
   double angular_velocity = 0.0;                     // S8 [rad/s] at n
   coupling::CgAcceleration acceleration;             // S8 at n

@@ -107,7 +107,8 @@ void write(const BagMesh& bag, const MeshArguments& arguments) {
   write_as("--initial", shape, arguments.initial);
 }
 
-void check_outputs(const MeshArguments& arguments) {
+void check_outputs(const MeshArguments& arguments, const membrane::Mesh& mesh) {
+  for (const auto& out : {arguments.out, arguments.initial}) refuse_same_file("--out", out, mesh.included);
   refuse_same_file("--out", arguments.out, {arguments.file});
   refuse_same_file("--initial", arguments.initial, {arguments.file, arguments.out});
   for (const auto& file : {arguments.out, arguments.initial})
@@ -116,7 +117,7 @@ void check_outputs(const MeshArguments& arguments) {
 
 void finish(BagMesh bag, const MeshArguments& arguments, const std::vector<std::string>& null_panels) {
   try {
-    check_outputs(arguments);
+    check_outputs(arguments, bag.mesh);
     for (const auto& name : null_panels) membrane::panel_elements(bag.mesh, name);  // refuses an unknown name
     refine(bag, arguments.refine, null_panels);
     check_quality(bag, arguments.file);

@@ -11,11 +11,10 @@ namespace driver::commands {
 int report(const ReportArguments& arguments) {
   if (std::filesystem::is_directory(arguments.out))
     throw OutputError(fmt::format("--out {}: is a folder, a file is allowed", arguments.out.string()));
+  // Whatever else stands in a folder of results is safe, too.
+  if (const auto ending = arguments.out.extension(); ending != ".html" && ending != ".htm")
+    throw OutputError(fmt::format("--out {}: a page ends with .html", arguments.out.string()));
   std::vector<std::filesystem::path> inputs = arguments.results;
-  for (const auto& folder : arguments.results)
-    for (const char* name : {"history.csv", "energy.csv", "summary.json", "check.json", "frames.bin",
-                             "ensemble.csv", "ensemble.json", "ladder.json"})
-      inputs.push_back(folder / name);
   if (!arguments.reference.empty()) inputs.push_back(arguments.reference);
   refuse_same_file("--out", arguments.out, inputs);
   const std::string page = report_page(arguments.results, {.reference = arguments.reference});

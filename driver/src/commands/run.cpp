@@ -17,9 +17,9 @@ namespace {
 std::string check_text(const CaseDocument& document, const Scene& scene, const std::string& id) {
   try {
     const State state = state_at_start(scene);
-    auto json = nlohmann::ordered_json::parse(check_json(document, scene, state, forecast(scene, state)));
-    json["run"] = id;
-    return json.dump(2) + '\n';
+    auto settings = nlohmann::ordered_json::parse(check_json(document, scene, state, forecast(scene, state)));
+    settings["run"] = id;
+    return settings.dump(2) + '\n';
   } catch (const std::exception&) {
     return {};
   }

@@ -106,12 +106,15 @@ std::string run_line(const PageTable& table) {
   return {};
 }
 
-// Where no status says so: do the lines `# run:` of two files?
-void require_same_run(const std::filesystem::path& file, const PageTable& table, const PageTable& history) {
-  const std::string own = run_line(table), other = run_line(history);
-  if (!own.empty() && !other.empty() && own != other)
-    throw CaseError(fmt::format("{}: is of the run '{}', history.csv beside it of '{}': run the case again",
+// Where no status says so: are two files of one run?
+void require_same_run(const std::filesystem::path& file, const std::string& own, const PageTable& main) {
+  if (const auto other = run_line(main); !own.empty() && !other.empty() && own != other)
+    throw CaseError(fmt::format("{}: is of the run '{}', the table beside it of '{}': run the case again",
                                 file.string(), own, other));
+}
+
+std::string run_in(const Json& json) {
+  return json.is_object() ? json.value("run", std::string()) : std::string();
 }
 
 // What a run that is done has written ends where the run did.
@@ -134,7 +137,7 @@ Json gather_run(const std::filesystem::path& folder, const ReportOptions& option
   };
   if (has_file(folder, "energy.csv")) {
     const PageTable energy = add_table(run, "energy", folder / "energy.csv", options);
-    require_same_run(folder / "energy.csv", energy, history);
+    require_same_run(folder / "energy.csv", run_line(energy), history);
     if (energy.end != history.end)
       throw CaseError(fmt::format("{}: ends at {} s, history.csv at {} s: one of them is cut",
                                   (folder / "energy.csv").string(), energy.end, history.end));
@@ -146,19 +149,24 @@ Json gather_run(const std::filesystem::path& folder, const ReportOptions& option
     run["summary"] = read_json(folder / "summary.json");
     for (const char* key : {"scene", "status"}) run["summary"].at(key).get<std::string>();
     run["build"] = run["summary"].value("build", Json());
+    require_same_run(folder / "summary.json", run_in(run["summary"]), history);
     require_end(run, folder / "history.csv", history.end);
   } else {
     missing("summary.json", "no summary");
   }
   if (has_file(folder, "check.json")) {
     run["check"] = read_json(folder / "check.json");
+    require_same_run(folder / "check.json", run_in(run["check"]), history);
     for (const char* key : {"forecast", "defaults", "warnings"})
       run["check"].at(key).get<std::vector<Json>>();
   } else {
     missing("check.json", "no settings and no forecast");
   }
   run["frames"] = read_frames(folder / "frames.bin", options.most_frame_bytes);
-  if (!run["frames"].is_null()) require_end(run, folder / "frames.bin", run["frames"]["end_s"]);
+  if (!run["frames"].is_null()) {
+    require_same_run(folder / "frames.bin", run_in(run["frames"]["header"]), history);
+    require_end(run, folder / "frames.bin", run["frames"]["end_s"]);
+  }
   if (const Json& frames = run["frames"]; !frames.is_null() && frames["count"] < frames["total"])
     run["notes"].push_back(fmt::format("{} of {} frames are shown", frames["count"].get<std::size_t>(),
                                        frames["total"].get<std::size_t>()));
@@ -172,7 +180,13 @@ Json gather_ensemble(const std::filesystem::path& folder, const ReportOptions& o
   Json ensemble = start(folder, "ensemble");
   const PageTable table = add_table(ensemble, "history", folder / "ensemble.csv", options);
   for (const auto& [key, value] : table.lines) ensemble["build"][key] = value;
-  if (has_file(folder, "runs.csv")) add_table(ensemble, "singles", folder / "runs.csv", options);
+  if (has_file(folder, "runs.csv")) {
+    const PageTable singles = add_table(ensemble, "singles", folder / "runs.csv", options);
+    require_same_run(folder / "runs.csv", run_line(singles), table);
+    if (singles.end != table.end)
+      throw CaseError(fmt::format("{}: ends at {} s, ensemble.csv at {} s: one of them is cut",
+                                  (folder / "runs.csv").string(), singles.end, table.end));
+  }
   const Json all = read_json(folder / "ensemble.json");
   ensemble["quantities"] = all.value("quantities", Json::object());
   int runs = 0;

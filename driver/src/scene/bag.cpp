@@ -28,6 +28,8 @@ membrane::Mesh read_mesh_file(const TableReader& table, const char* key, const s
                               double unit) {
   try {
     membrane::Mesh mesh = read_any_mesh(file);
+    for (const auto& included : mesh.included)
+      table.beside_case(std::filesystem::absolute(included).string());
     if (!mesh.other_elements.empty())
       table.fail(key,
                  fmt::format("{} has elements that are no shells: {}; `gasjet mesh convert {} --panel NAME "

@@ -35,7 +35,9 @@ PendulumPart read_model(TableReader& table, const Eigen::Vector3d& gravity) {
   initial.angular_velocity = table.number("initial_angular_velocity", any_number, 0.0);
   PendulumPart part{coupling::PendulumModel(p), initial, {}};
   if (table.has("driving_moment"))
-    part.driving_moment = to_gas_curve(table.curve("driving_moment", any_number), gas::Outside::zero);
+    table.located("driving_moment", [&] {
+      part.driving_moment = to_gas_curve(table.curve("driving_moment", any_number), gas::Outside::zero);
+    });
   return part;
 }
 

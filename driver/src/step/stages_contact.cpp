@@ -33,8 +33,7 @@ void contact(const Scene& scene, State& state) {
   PendulumRun& pendulum = *state.pendulum;
   const auto& model = scene.pendulum->model;
   state.level.pendulum_angle = pendulum.motion.angle;
-  if (const auto& curve = scene.pendulum->driving_moment) pendulum.driving_moment = curve->value(state.time);
-  pendulum.moment = model.gravity_moment(pendulum.motion.angle) + pendulum.driving_moment;
+  pendulum.moment = model.gravity_moment(pendulum.motion.angle);
   pendulum.contact_moment = 0.0;
   if (!scene.contact) return;
   // The central difference turned the pendulum by this since the last level.

@@ -154,6 +154,10 @@ void advance(const Scene& scene, State& state, const Executor& executor) {
   PendulumRun& run = *state.pendulum;
   const auto& model = scene.pendulum->model;
   const double tau = 0.5 * (step.before + step.after);
+  if (const auto& curve = scene.pendulum->driving_moment; curve && tau > 0.0) {
+    run.driving_moment = curve->integral(state.time - 0.5 * step.before, state.time + 0.5 * step.after) / tau;
+    run.moment += run.driving_moment;
+  }
   run.angular_velocity = model.angular_velocity_at_level(run.motion, run.moment, step.before);
   run.acceleration = model.cg_acceleration(run.moment, run.angular_velocity);
   const double before = run.motion.angular_velocity;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <filesystem>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -20,6 +21,7 @@ struct Mesh {
   int split_quads = 0;  // quads of the file, each two elements here
   /// Of a deck: keywords of elements that are no shells, with their number.
   std::vector<std::string> other_elements;
+  std::vector<std::filesystem::path> included;  // of a deck: the other files that it was read from
   std::vector<std::string> skipped;  // of a deck: keywords of all else that is not read, with their number
 
   /// N

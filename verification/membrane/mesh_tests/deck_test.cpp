@@ -114,6 +114,9 @@ TEST(Deck, faults_of_radioss_are_told_at_their_place) {
   expect_refused("/BEGIN\n/SH3N/1\n         1         1         2         3\n/END\n", {},
                  "top:3:20: node 1 is in no list of nodes");
   expect_refused("/BEGIN\n/PART/1\na\n/PART/1\nb\n", {}, "top:5:1: part 1 is repeated");
+  expect_refused("/BEGIN\n/TRANSFORM/TRA/1\n", {}, "top:2:1: \"/TRANSFORM/TRA/1\" is not read here");
+  expect_refused("/BEGIN\n//SUBMODEL/1\n", {}, "is not read here: it would move");
+  expect_refused("/BEGIN\n/NODE/2\n", {}, "top:2:1: \"/NODE/2\": nodes in units of their own");
   expect_refused("", {}, "top: the file is empty");
 }
 
