@@ -44,6 +44,18 @@ int cards_of_options(std::string_view options) {
   return of_shape + offset;
 }
 
+// *PART with options that leave title and number where they are, and add cards behind them.
+bool is_part_with_options(std::string_view word) {
+  for (std::string_view rest = word.substr(std::min(word.size(), std::size_t{5})); !rest.empty();) {
+    rest.remove_prefix(1);  // _
+    const std::string_view option = rest.substr(0, rest.find('_'));
+    constexpr std::array options{"INERTIA", "CONTACT", "REPOSITION", "PRINT", "COMPOSITE"};
+    if (std::ranges::find(options, option) == options.end()) return false;
+    rest.remove_prefix(option.size());
+  }
+  return word.starts_with("*PART_");
+}
+
 class KeywordParser {
  public:
   explicit KeywordParser(const IncludedFile& included) : files_(included) {}
@@ -58,7 +70,18 @@ class KeywordParser {
   }
 
  private:
-  enum class Section { start, skipped, elements, node, shell, part_title, part_data, include, end };
+  enum class Section {
+    start,
+    skipped,
+    elements,
+    node,
+    shell,
+    part_title,
+    part_data,
+    include,
+    more_includes,
+    end
+  };
 
   // Where in a file it reads.
   struct Cursor {
@@ -95,7 +118,7 @@ class KeywordParser {
     if (at_.section == Section::node) node(line);
     if (at_.section == Section::shell) shell(line);
     if (at_.section == Section::part_data) part(line);
-    if (at_.section == Section::include) include(line);
+    if (at_.section == Section::include || at_.section == Section::more_includes) include(line);
     if (at_.section == Section::elements) deck_.skip(word_, true);
   }
 
@@ -103,6 +126,7 @@ class KeywordParser {
     word_ = upper(line.substr(0, line.find_first_of(" \t,")));
     const std::size_t rest = line.find_first_not_of(" \t", word_.size());
     const bool is_first = at_.section == Section::start;
+    if (at_.section == Section::include) fail(1, "*INCLUDE before it names no file");
     if (is_first && word_ == "*KEYWORD") return options_of_file(line);
     if (is_first && at_.file == 0) fail(1, shown(word_) + ": a keyword file begins with *KEYWORD");
     at_.is_long = word_.ends_with('+') || (at_.file_is_long && !word_.ends_with('-'));
@@ -117,7 +141,8 @@ class KeywordParser {
 
   Section section_of(const std::string& word) {
     if (word == "*NODE") return Section::node;
-    if (word == "*PART") return Section::part_title;
+    has_one_part_ = is_part_with_options(word);
+    if (word == "*PART" || has_one_part_) return Section::part_title;
     if (word == "*END") return Section::end;
     if (word == "*INCLUDE") return Section::include;
     cards_of_shell_ =
@@ -170,7 +195,7 @@ class KeywordParser {
   void part(std::string_view line) {
     const DeckCard fields = card(line, kPartWidths);
     deck_.name_part(fields.id(0, "the part's number"), title_, fields.place(0));
-    at_.section = Section::part_title;
+    at_.section = has_one_part_ ? Section::skipped : Section::part_title;
   }
 
   void include(std::string_view line) {
@@ -179,13 +204,15 @@ class KeywordParser {
       read_file(text, name);
       at_ = here;
     });
+    at_.section = Section::more_includes;
   }
 
   DeckMesh deck_;
   DeckFiles files_;
   Cursor at_;
-  std::string word_;   // the present keyword
-  std::string title_;  // of the part whose data card comes next
+  std::string word_;           // the present keyword
+  std::string title_;          // of the part whose data card comes next
+  bool has_one_part_ = false;  // the present *PART
   int cards_of_shell_ = 0, cards_left_ = 0;
 };
 

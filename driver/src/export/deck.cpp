@@ -94,6 +94,8 @@ Deck make_deck(const Scene& scene, DeckFormat format) {
   add_parts(*scene.bag, deck);
   add_gas(scene, deck);
   if (scene.pendulum) add_pendulum(scene.pendulum->model.parameters(), deck);
+  if (scene.pendulum && scene.pendulum->driving_moment)
+    deck.notes.push_back({"pendulum.driving_moment", "is not written: load the rigid body by hand"});
   note_jets(scene, deck);
   return deck;
 }

@@ -18,7 +18,7 @@ namespace membrane {
 /// - *ELEMENT_SHELL: id, part, n1 to n4 (8 each); a card that _THICKNESS, _BETA, _MCID or _OFFSET adds is
 ///   skipped;
 /// - *INCLUDE: the name of a file, which `included` reads; its *END ends that file alone;
-/// - *PART: a title line, then the id (10).
+/// - *PART: a title line, then the id (10); also with _INERTIA, _CONTACT, _REPOSITION, _PRINT or _COMPOSITE.
 ///
 /// All fields have 20 columns in the long format or after *NODE+. A shell whose n4 is blank, 0 or n3 is a
 /// triangle; a quad is split along its shorter diagonal. Panels are the parts in the order of their first

@@ -60,6 +60,10 @@ TEST(Deck, includes_are_read_at_their_place) {
     EXPECT_EQ(mesh.node_count(), 3);
     EXPECT_TRUE(mesh.line.empty());
   }
+  EXPECT_EQ(membrane::parse_keyword(head + "empty.k\nnodes.k\n" + rest, "t",
+                                    folder_of({{"empty.k", "*KEYWORD\n"}, {"nodes.k", kFourNodes}}))
+                .node_count(),
+            3);
   const auto half = kRadioss.find("/PART/2");
   const Mesh whole = membrane::parse_radioss(kRadioss, "t");
   const Mesh split = membrane::parse_radioss("/BEGIN\n#include half.inc\n" + kRadioss.substr(half), "t",
@@ -85,9 +89,17 @@ TEST(Deck, faults_of_includes_are_told_at_their_place) {
                  "within each other");
   expect_refused("*KEYWORD\n" + kFourNodes + "*INCLUDE\na.k\n*END\n", {{"a.k", "*NODE\n9,0,0,0\n2,0,0,0\n"}},
                  "a.k:3:1: node 2 is repeated; first in line 4 of top");
+  expect_refused("*KEYWORD\n*INCLUDE\n*END\n", {}, "top:3:1: *INCLUDE before it names no file");
   expect_refused("*KEYWORD\n*INCLUDE\na.k\n*END\n", {{"a.k", "words\n"}}, "a.k:1:1: \"words\"");
   expect_refused("/BEGIN\n#include none\n/END\n", {}, "top:2:1: include: none");
   expect_refused("/BEGIN\n#include a\n/END\n", {{"a", "#include a\n"}}, "within each other");
+}
+
+TEST(Deck, part_with_options_has_its_title) {
+  const std::string shells = kFourNodes + "*ELEMENT_SHELL\n1,1,1,2,3\n2,2,2,3,4\n*END\n";
+  const Mesh mesh = membrane::parse_keyword(
+      "*KEYWORD\n*PART_INERTIA_CONTACT\nmy bag\n1,\n0,0,0,5\n9,9,9\n*PART_MOVE\n2,1,1,1\n" + shells, "t");
+  EXPECT_EQ(mesh.panel_names, (std::vector<std::string>{"my_bag", "part_2"}));
 }
 
 TEST(Deck, cards_of_thickness_are_skipped_even_if_blank) {
