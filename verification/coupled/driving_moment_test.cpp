@@ -58,6 +58,16 @@ TEST(driving_moment, pulse_within_a_step_has_its_impulse) {
   EXPECT_NEAR(run.history.back().at("pendulum_angular_velocity_rad_s"), 10.0 / kInertia, 1e-12);
 }
 
+// Without gravity the joint alone carries m a, and turns with M/I.
+TEST(driving_moment, joint_and_acceleration_feel_it) {
+  const auto run = coupled::run_case(
+      "pendulum_pulse", {"pendulum.driving_moment=100", "time.step=1e-4", "scene.gravity=[0,0,0]"});
+  const auto& row = run.history.back();
+  EXPECT_NEAR(row.at("pendulum_cg_tangential_m_s2"), 100.0 / kInertia * 1.065, 1e-9);
+  EXPECT_NEAR(row.at("pendulum_angular_velocity_rad_s"), 100.0 / kInertia * kLater, 1e-9);
+  EXPECT_NEAR(row.at("pendulum_joint_force_N"), 10.9 * row.at("pendulum_cg_acceleration_m_s2"), 1e-9);
+}
+
 TEST(driving_moment, hanging_pendulum_eq_the_linear_response) {
   const double force = 5.0;  // [N]: the angle stays below 6e-4, its square over 6 is 6e-8
   const auto pendulum = closed_form::paper_pendulum();

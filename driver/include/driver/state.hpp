@@ -166,7 +166,7 @@ struct StepSizes {
 /// State of the pendulum.
 struct PendulumRun {
   coupling::PendulumState motion;  // S8
-  double moment = 0.0;             // S7 [N m] at n
+  double moment = 0.0;             // S7 [N m] at n, of gravity and contact
   double contact_moment = 0.0;     // S7 [N m] at n, of the contact force
   double driving_moment = 0.0;     // S8 [N m] that the case prescribes, its mean over the kick
   double driving_work = 0.0;       // S8 [J] of that moment in this kick

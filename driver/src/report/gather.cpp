@@ -113,6 +113,14 @@ void require_same_run(const std::filesystem::path& file, const std::string& own,
                                 file.string(), own, other));
 }
 
+// Two tables of one run end together.
+void require_same_run(const std::filesystem::path& file, const PageTable& table, const PageTable& main) {
+  require_same_run(file, run_line(table), main);
+  if (table.end != main.end)
+    throw CaseError(fmt::format("{}: ends at {} s, the table beside it at {} s: one of them is cut",
+                                file.string(), table.end, main.end));
+}
+
 std::string run_in(const Json& json) {
   return json.is_object() ? json.value("run", std::string()) : std::string();
 }
@@ -136,11 +144,8 @@ Json gather_run(const std::filesystem::path& folder, const ReportOptions& option
     run["notes"].push_back(fmt::format("{} is missing: {}", name, what));
   };
   if (has_file(folder, "energy.csv")) {
-    const PageTable energy = add_table(run, "energy", folder / "energy.csv", options);
-    require_same_run(folder / "energy.csv", run_line(energy), history);
-    if (energy.end != history.end)
-      throw CaseError(fmt::format("{}: ends at {} s, history.csv at {} s: one of them is cut",
-                                  (folder / "energy.csv").string(), energy.end, history.end));
+    const auto file = folder / "energy.csv";
+    require_same_run(file, add_table(run, "energy", file, options), history);
     run["roles"] = roles();
   } else {
     missing("energy.csv", "no balance of energy");
@@ -181,11 +186,8 @@ Json gather_ensemble(const std::filesystem::path& folder, const ReportOptions& o
   const PageTable table = add_table(ensemble, "history", folder / "ensemble.csv", options);
   for (const auto& [key, value] : table.lines) ensemble["build"][key] = value;
   if (has_file(folder, "runs.csv")) {
-    const PageTable singles = add_table(ensemble, "singles", folder / "runs.csv", options);
-    require_same_run(folder / "runs.csv", run_line(singles), table);
-    if (singles.end != table.end)
-      throw CaseError(fmt::format("{}: ends at {} s, ensemble.csv at {} s: one of them is cut",
-                                  (folder / "runs.csv").string(), singles.end, table.end));
+    const auto file = folder / "runs.csv";
+    require_same_run(file, add_table(ensemble, "singles", file, options), table);
   }
   const Json all = read_json(folder / "ensemble.json");
   ensemble["quantities"] = all.value("quantities", Json::object());

@@ -32,7 +32,8 @@ double hidden_elements(Of, At now) {
 double joint_force(Of scene, At now) {
   const PendulumRun& p = *now.pendulum;
   return scene.pendulum->model
-      .joint_reaction(now.level.pendulum_angle, p.angular_velocity, p.moment, now.contact.force)
+      .joint_reaction(now.level.pendulum_angle, p.angular_velocity, p.moment + p.driving_moment,
+                      now.contact.force)
       .norm();
 }
 

@@ -156,18 +156,18 @@ void advance(const Scene& scene, State& state, const Executor& executor) {
   const double tau = 0.5 * (step.before + step.after);
   if (const auto& curve = scene.pendulum->driving_moment; curve && tau > 0.0) {
     run.driving_moment = curve->integral(state.time - 0.5 * step.before, state.time + 0.5 * step.after) / tau;
-    run.moment += run.driving_moment;
   }
-  run.angular_velocity = model.angular_velocity_at_level(run.motion, run.moment, step.before);
-  run.acceleration = model.cg_acceleration(run.moment, run.angular_velocity);
+  const double moment = run.moment + run.driving_moment;
+  run.angular_velocity = model.angular_velocity_at_level(run.motion, moment, step.before);
+  run.acceleration = model.cg_acceleration(moment, run.angular_velocity);
   const double before = run.motion.angular_velocity;
-  run.motion = model.advance(run.motion, run.moment, tau, step.after);
+  run.motion = model.advance(run.motion, moment, tau, step.after);
   const double after = run.motion.angular_velocity;
   run.kinetic_before = model.kinetic_energy(before);
   run.kinetic_after = model.kinetic_energy(after);
   run.kinetic =
       level_kinetic(step, run.kinetic_before, run.kinetic_after, 0.5 * model.axis_inertia() * before * after);
-  state.flows.kick_work += tau * run.moment * 0.5 * (before + after);
+  state.flows.kick_work += tau * moment * 0.5 * (before + after);
   run.driving_work = tau * run.driving_moment * 0.5 * (before + after);
 }
 

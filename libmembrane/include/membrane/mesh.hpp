@@ -36,8 +36,8 @@ int panel_index(const Mesh& mesh, std::string_view name);
 /// Elements of a panel, ascending. Throws std::invalid_argument for an unknown panel.
 std::vector<int> panel_elements(const Mesh& mesh, std::string_view name);
 
-/// The elements of these panels and their nodes, in the order of `mesh`; panels that stay keep theirs. Throws
-/// std::invalid_argument for an unknown panel.
+/// The elements of these panels and their nodes, in the order of `mesh`; panels in the order of their first
+/// element. Throws std::invalid_argument for an unknown panel.
 Mesh only_panels(const Mesh& mesh, const std::vector<std::string>& names);
 
 /// Nodes used by the elements of a panel, ascending, each once. Throws std::invalid_argument for an unknown

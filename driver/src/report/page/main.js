@@ -240,8 +240,8 @@ const ladderChart = ladder => {
   const x = axis(rungs.map(r => r.cpu_s), left, right), y = axis([...rungs.map(size), ...(allowed > 0 ? [allowed] : [])], bottom, top);
   for (const d of x.decades) svg.append(drawn("line", { class: "frame", x1: x.place(10 ** d), x2: x.place(10 ** d), y1: top, y2: bottom }), drawn("text", { x: x.place(10 ** d), y: bottom + 16, "text-anchor": "middle" }, label(10 ** d, 10 ** d)));
   for (const d of y.decades) svg.append(drawn("line", { class: "frame", x1: left, x2: right, y1: y.place(10 ** d), y2: y.place(10 ** d) }), drawn("text", { x: left - 6, y: y.place(10 ** d) + 4, "text-anchor": "end" }, label(10 ** d, 10 ** d)));
-  svg.append(drawn("text", { x: right, y: bottom + 36, "text-anchor": "end" }, "time of computation [s]"), drawn("text", { x: left, y: bottom + 36 }, `vertical: error of ${split(ladder.quantity).name} [${unit}]` + (rungs.some(r => Math.abs(r.error) < least) ? `; errors below ${label(least, least)} are drawn there` : "")));
-  if (allowed > 0) svg.append(drawn("line", { class: "mark", x1: left, x2: right, y1: y.place(allowed), y2: y.place(allowed) }), drawn("text", { x: right - 4, y: y.place(allowed) - 4, "text-anchor": "end" }, `tolerance ${label(allowed, allowed)} ${unit}`));
+  svg.append(drawn("text", { x: right, y: bottom + 36, "text-anchor": "end" }, "time of computation [s]"), drawn("text", { x: left, y: bottom + 36 }, `vertical: error of ${split(ladder.quantity).name} [${unit}]` + (rungs.some(r => Math.abs(r.error) < least) ? `; errors below ${short(least)} are drawn there` : "")));
+  if (allowed > 0) svg.append(drawn("line", { class: "mark", x1: left, x2: right, y1: y.place(allowed), y2: y.place(allowed) }), drawn("text", { x: right - 4, y: y.place(allowed) - 4, "text-anchor": "end" }, `tolerance ${short(allowed)} ${unit}`));
   const front = rungs.filter(r => r.front > 0).sort((a, b) => a.front - b.front);
   svg.append(drawn("polyline", { points: front.map(r => `${x.place(r.cpu_s)},${y.place(size(r))}`).join(" "), fill: "none", stroke: "var(--c0)" }));
   const taken = [];  // heights of names, so that none lies on another
@@ -272,7 +272,7 @@ const makeLadder = r => {
 makeHead();
 for (const r of data.results) if (r.kind === "ladder") makeLadder(r);
 let player = null;
-makePlayer().then(made => {
+makePlayer().catch(() => (notice("This browser cannot unpack the pictures in three dimensions."), null)).then(made => {
   player = made;
   makeCharts(player);
   for (const r of data.results) {
