@@ -153,6 +153,12 @@ part_study_levels() {
       time = $1; last = $2; next }
     { exit !(rows > 2 && most > least && $4 == most && $5 == least && ($6 / sum - 1) ^ 2 < 1e-24) }' "$work/run/history.csv" "$work/rows/results.csv" ||
     fail "over the rows: $(tail -n 1 "$work/rows/results.csv")"
+  # And of the energies at its end.
+  sed -i 's/"max(pressure_Pa)".*/"inflow_enthalpy_J"]/' "$plan"
+  expect 0 "1 of 1 runs" "$gasjet" study run "$plan" --out "$work/energies"
+  [ "$(tail -n 1 "$work/energies/results.csv" | cut -d, -f4)" = "$(tail -n 1 "$work/run/energy.csv" | cut -d, -f4)" ] ||
+    fail "at the end: $(tail -n 1 "$work/energies/results.csv")"
+  sed -i 's/"inflow_enthalpy_J"/"max(pressure_Pa)"/' "$plan"
   sed -i 's/max(/mean(/' "$plan"
   expect 2 "holds \"mean.pressure_Pa.\", which the scene lacks; allowed are .*integral.. of a column" "$gasjet" study run "$plan" --out "$work/none"
 }

@@ -90,6 +90,8 @@ std::vector<std::string> history_quantities(const Scene& scene) {
   const std::size_t columns = names.size();
   for (const char* over_rows : {"max", "min", "integral"})
     for (std::size_t i = 0; i < columns; ++i) names.push_back(fmt::format("{}({})", over_rows, names[i]));
+  for (const auto& column : energy_columns(scene))
+    if (std::ranges::find(names, column.name) == names.end()) names.push_back(column.name);
   return names;
 }
 
@@ -113,6 +115,7 @@ Member run_member(const Scene& scene) {
   member.cpu_seconds = thread_cpu_seconds() - start;
   if (state.pendulum) append_filtered(member.rows, acceleration, places);
   member.steps = state.steps;
+  member.energies = row(energy_columns(scene), scene, state);
   for (const Quantity& quantity : kQuantities)
     if (quantity.when(scene)) member.quantities.push_back(quantity.value(state, acceleration));
   return member;
@@ -122,11 +125,15 @@ std::optional<double> quantity_of(const Scene& scene, const Member& member, cons
   const auto names = quantity_names(scene);
   const auto found = std::ranges::find(names, name);
   if (found != names.end()) return member.quantities[static_cast<std::size_t>(found - names.begin())];
+  const auto energies = energy_columns(scene);
+  const auto energy = std::ranges::find(energies, name, &Column::name);
   const auto columns = history_columns(scene);
   const auto open = name.find('(');
   const std::string over_rows = open == std::string::npos ? "" : name.substr(0, open);
   const std::string wanted = open == std::string::npos ? name : name.substr(open + 1, name.size() - open - 2);
   const auto column = std::ranges::find(columns, wanted, &Column::name);
+  if (column == columns.end() && energy != energies.end())
+    return member.energies[static_cast<std::size_t>(energy - energies.begin())];
   if (column == columns.end() || member.rows.empty()) return std::nullopt;
   const auto at = static_cast<std::size_t>(column - columns.begin());
   const auto value = [&](const std::vector<double>& of_row) { return of_row[at]; };

@@ -20,6 +20,7 @@ std::vector<std::string> row_names(const Scene& scene);
 struct Member {
   std::vector<std::vector<double>> rows;  // of row_names
   RunOutcome outcome;
+  std::vector<double> energies;                   // of energy_columns, at the end
   std::vector<std::optional<double>> quantities;  // of quantity_names; none: of an event that did not occur
   long steps = 0;
   double cpu_seconds = 0.0;  // of the thread that ran it, from the scene's state to the last step
@@ -32,7 +33,7 @@ Member run_member(const Scene& scene);
 bool has_ended(const Member& member);
 
 /// Columns of the history, whose last value counts, then max(COLUMN), min(COLUMN) and integral(COLUMN) over
-/// its rows, the last by trapezoids over the time.
+/// its rows, the last by trapezoids over the time; then columns of the energies, at the end.
 std::vector<std::string> history_quantities(const Scene& scene);
 
 /// A quantity of quantity_names or history_quantities; none: of an event that did not occur.
