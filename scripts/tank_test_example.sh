@@ -37,6 +37,6 @@ with_noise() {
 known=$(mktemp)
 trap 'rm -f "$known"' EXIT
 exact >"$known"
-"$root/scripts/plot_identify.sh" --title 'Tank test of a known pulse, readings with 1 % noise' "$figures/tank_test" \
+"$root/scripts/plot.sh" identify --title 'Tank test of a known pulse, readings with 1 % noise' "$figures/tank_test" \
   "$tables/tank_test_curves.csv" "$known"
 rm "$figures/tank_test.png" # the pages show the other

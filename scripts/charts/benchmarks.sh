@@ -1,7 +1,7 @@
-#!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# Tables and charts that the programs of benchmarks/ measure, in docs/charts: CSV with machine, compiler, flags and commit, and SVG.
-# Times are CPU time on one core; some twenty minutes in all, on an idle machine.
+# shellcheck shell=bash disable=SC2154  # of charts.sh: out, work
+# Sourced by scripts/charts.sh: tables and charts that the programs of benchmarks/ measure, CSV with machine, compiler, flags and
+# commit, and SVG. Times are CPU time on one core; some twenty minutes in all, on an idle machine.
 #   gas, tank_test, bag   work against precision
 #   jet_fidelity          error of the jet force against cost for each rung of the hidden-element test, on the paper's scene
 #   jet_cost              whole runs of the paper's scene without jet, without occlusion, and with exact occlusion by two routes,
@@ -11,18 +11,9 @@
 #   membrane              one step of the bag in cache and from memory. Bytes are those that a step must move for each element, held
 #                         against what a copy of memory moves in the same run
 #   stability             maps of the stability atlas: stable or not over two parameters, each point a run, beside the formula
-# usage: scripts/charts/benchmarks.sh [CHART...]      all of them by default
-set -euo pipefail
-export LC_ALL=C.UTF-8 # numbers with a decimal point, wherever the user is
-cd "$(dirname "${BASH_SOURCE[0]}")/../.."
-# shellcheck source-path=SCRIPTDIR source=provenance.sh
-source scripts/charts/provenance.sh
-all=(gas tank_test bag jet_fidelity jet_cost jet_overhead membrane stability)
-folder=docs/charts
-
-say() { echo "benchmarks: $*" >&2; }
 
 build() {
+  scripts/setup_debian12.sh libsundials-dev libembree-dev >&2 # the peers
   cmake --preset release >/dev/null
   cmake --build --preset release --target "$@" -j "$(nproc)" >/dev/null
 }
@@ -56,9 +47,7 @@ measure() {
 }
 
 # keep NAME: the table of that name, which is whole
-keep() { cp "$work/$1.csv" "$folder/$1.csv"; }
-
-draw() { gnuplot -e "data='$folder/$1.csv'; out='$folder/$1.svg'" "scripts/charts/$1.gp"; }
+keep() { cp "$work/$1.csv" "$out/$1.csv"; }
 
 chart_gas() {
   build gas_tank_benchmark gasjet
@@ -176,7 +165,7 @@ map() {
     build/benchmarks/stability_maps "$1"
   } >"$work/stability_$1.csv"
   keep "stability_$1"
-  gnuplot -e "data='$folder/stability_$1.csv'; out='$folder/stability_$1.svg'; label='$2'; formula='$3'; heading='$4'" scripts/charts/stability_maps.gp
+  draw "stability_$1" "label='$2'; formula='$3'; heading='$4'" stability_maps
 }
 
 chart_stability() {
@@ -185,18 +174,3 @@ chart_stability() {
   map gas 'Volume over that of the sphere' 'bound of the step (M.12)' 'A small volume of gas shortens the stable step'
   map lagged 'Time simulated [s]' 'growth 1e5-fold by (M.20)' 'A pressure that lags grows slowly at any step'
 }
-
-charts=("$@")
-((${#charts[@]})) || charts=("${all[@]}")
-for chart in "${charts[@]}"; do
-  [[ " ${all[*]} " == *" $chart "* ]] || { say "no chart '$chart'; there are ${all[*]}"; exit 2; }
-done
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
-scripts/setup_debian12.sh libsundials-dev libembree-dev >&2 # the peers
-for chart in "${charts[@]}"; do
-  say "$chart ..."
-  start=$SECONDS
-  "chart_$chart"
-  say "$chart done in $((SECONDS - start)) s"
-done

@@ -9,8 +9,8 @@
 set -euo pipefail
 export LC_ALL=C.UTF-8 # numbers with a decimal point, wherever the user is
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
-# shellcheck source-path=SCRIPTDIR source=provenance.sh
-source scripts/charts/provenance.sh
+# shellcheck source-path=SCRIPTDIR source=common.sh
+source scripts/charts/common.sh
 page=docs/theory/forecast.md csv=docs/charts/forecast.csv folder=results/forecast
 
 # Cases, and the quantity of the ladder.

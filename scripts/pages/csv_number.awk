@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-# Numbers out of CSV files and out of the tables of pages (used by write_tables.awk, source_number.sh and rules.sh).
+# Numbers out of CSV files and out of the tables of pages (used by write_tables.awk, write.sh and rules.sh).
 #
 # formatted(FILE, ROW, COLUMN, FACTOR, FORMAT): that number as text; where there is none, why, which `failed` then says too.
 #   ROW     column=value,... that fits exactly one row; in a page one pair. Of a CSV also two such rows, "A - B", "A / B" or

@@ -70,7 +70,7 @@ plot '$1' every $((rows / 120 + 1)) using (1e3*column('time_s')):$value with lin
     shown=$((shown + 1))
   done
   gnuplot 2>&1 >"$2.long" <<END | grep -v 'empty . range' >&2 || true
-load 'scripts/charts/style.gp'
+load 'docs/charts/gnuplot/style.gp'
 set terminal svg size 600,180 font small_face background paper
 set datafile columnheaders
 unset label 1 # the page has the name of the case
@@ -109,7 +109,7 @@ draw_bag() {
           for (c = 1; c <= 3; c++) printf "set %srange [%.9g:%.9g]\n", substr("xyz", c, 1), (low[c] + high[c] - longest) / 2, (low[c] + high[c] + longest) / 2
           printf "set view 65, 40, %.4g\n", 1 / (across > 1.2 * up ? across / 1.76 : up / 1.46) }' "$1")
   gnuplot <<END
-load 'scripts/charts/style.gp'
+load 'docs/charts/gnuplot/style.gp'
 set terminal pngcairo size 220,180 background paper
 set output '$2'
 unset border

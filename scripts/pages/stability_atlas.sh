@@ -49,7 +49,7 @@ by more than 0.1 %, or a ratio by more than 0.5 %.
 ## Maps
 
 Each point is a run of a bag of 80 elements, of 400 steps in the first two maps. The line is the
-formula. `scripts/charts/benchmarks.sh stability` writes the maps.
+formula. `scripts/charts.sh stability` writes the maps.
 
 **One sliver sets the step of the whole bag.** One node of the sphere is moved along a side
 ([table](charts/stability_sliver.csv)). No run below the bound blows up, and few above it do not.
@@ -75,4 +75,4 @@ formula.
 HEAD
 }
 
-claim_page stability_atlas stability_drift docs/stability.md "$@"
+claim_page stability_atlas docs/stability.md "$@"

@@ -37,4 +37,4 @@ its allowance), or an order (by more than 0.05). Errors of the size of rounding 
 HEAD
 }
 
-claim_page verification_report verification_drift docs/verification.md "$@"
+claim_page verification_report docs/verification.md "$@"

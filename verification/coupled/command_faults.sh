@@ -65,7 +65,7 @@ part_killed() {
   grep -q '"status": "running"' "$work/run/summary.json" || fail "the summary does not say that the run had not ended"
   ended_as "$work/run" running
   expect 2 "history.csv: its run has not ended \(gasjet.status says so\)" "$gasjet" compare "$work/run/history.csv" "$work/run/history.csv"
-  expect 2 "history.csv: its run has not ended" "$source/scripts/plot_history.sh" "$work/plot" "$work/run"
+  expect 2 "history.csv: its run has not ended" "$source/scripts/plot.sh" history "$work/plot" "$work/run"
   "$gasjet" run "$source/cases/rigid_tank.toml" --out "$work/run" --quiet || fail "no run after one that was killed"
   [ "$(ls "$work/run")" = "$(printf '%s\n' check.json energy.csv gasjet.status history.csv summary.json)" ] || fail "left: $(ls "$work/run")"
   # SIGHUP ends a run as SIGTERM does, but where nohup ignores it.
@@ -104,7 +104,7 @@ part_mixed() {
   [ "$(grep '^run: ' "$work/here/gasjet.status")" != "$(grep '^run: ' "$work/changed/gasjet.status")" ] || fail "a changed file does not change the id"
   cp "$work/b/history.csv" "$work/a/history.csv"
   expect 2 "history.csv: is of the run '[0-9a-f]{16}', its folder is of" "$gasjet" compare "$work/a/history.csv" "$work/b/history.csv"
-  expect 2 "history.csv: is of the run '[0-9a-f]{16}', its folder is of" "$source/scripts/plot_history.sh" "$work/plot" "$work/a"
+  expect 2 "history.csv: is of the run '[0-9a-f]{16}', its folder is of" "$source/scripts/plot.sh" history "$work/plot" "$work/a"
   expect 2 "--out .*: holds the results of gasjet run, another folder is allowed" "$gasjet" ladder "$tank" --quantity pressure --out "$work/a"
   # A status file that names what is outside of its folder, or none of ours.
   echo precious >"$work/precious"
@@ -159,10 +159,10 @@ sys.exit(scene != "q'\"\n$(touch OWNED)`touch OWNED`<&>é")
 PYTHON
   local column="it's \$(touch OWNED)\`touch OWNED\`"
   printf '%s\n' "time_s,$column,${column}_reference" 0,1,2 1,2,3 2,1,4 >"$wild.csv"
-  "$source/scripts/plot_compare.sh" "$wild rows" "$wild.csv" >/dev/null && [ -s "$wild rows.svg" ] || fail "no picture of strange columns"
+  "$source/scripts/plot.sh" compare "$wild rows" "$wild.csv" >/dev/null && [ -s "$wild rows.svg" ] || fail "no picture of strange columns"
   for folder in "$wild" "x'; system(\"touch OWNED\"); #" "<touch OWNED; cat " "|touch OWNED"; do # as a file's name, and in a title
     [ "$folder" = "$wild" ] || "$gasjet" run "$source/cases/rigid_tank.toml" --out "$folder" --quiet || fail "run into $folder"
-    "$source/scripts/plot_history.sh" "$folder/plot" "$folder" >/dev/null || fail "plot of $folder"
+    "$source/scripts/plot.sh" history "$folder/plot" "$folder" >/dev/null || fail "plot of $folder"
     for picture in svg png; do [ -s "$folder/plot.$picture" ] || fail "no picture of $folder"; done
     python3 -c 'import sys, xml.etree.ElementTree as x; x.parse(sys.argv[1])' "$folder/plot.svg" || fail "the picture of $folder is no XML"
   done
@@ -172,7 +172,7 @@ PYTHON
   expect 0 "done" "$gasjet" run "$folder.toml" --out "$folder"
   awk '/^#/ { next } /^time_s,/ { found = 1 } { exit !found }' "$folder/history.csv" || fail "the head of a CSV file is torn: $(head "$folder/history.csv")"
   python3 -c 'import json, sys; json.load(open(sys.argv[1], encoding="utf-8"))' "$folder/summary.json" || fail "summary.json is no UTF-8"
-  expect 2 "line break" "$source/scripts/plot_history.sh" plot "$folder"
+  expect 2 "line break" "$source/scripts/plot.sh" history plot "$folder"
   expect 0 "cheapest" "$gasjet" ladder "$folder.toml" --quantity pressure --out "$folder ladder"
   python3 -c 'import json, sys; json.load(open(sys.argv[1], encoding="utf-8"))' "$folder ladder/ladder.json" || fail "ladder.json is no UTF-8"
   expect 0 "done" "$gasjet" run "$folder ladder/cheapest.toml" --out cheapest
@@ -256,7 +256,7 @@ part_locale() {
   cmp <("${comma[@]}" "$gasjet" exact tank_fill) <("$gasjet" exact tank_fill) || fail "exact with a decimal comma"
   cmp <("${comma[@]}" "$gasjet" mesh passenger --out "$work/comma.obj" && cat "$work/comma.obj") \
     <("$gasjet" mesh passenger --out "$work/plain.obj" && cat "$work/plain.obj") >/dev/null || cmp "$work/comma.obj" "$work/plain.obj" || fail "mesh"
-  "${comma[@]}" "$source/scripts/plot_history.sh" "$work/comma" "$work/comma_rigid_tank" >/dev/null || fail "plot"
-  "$source/scripts/plot_history.sh" "$work/plain" "$work/plain_rigid_tank" >/dev/null || fail "plot"
+  "${comma[@]}" "$source/scripts/plot.sh" history "$work/comma" "$work/comma_rigid_tank" >/dev/null || fail "plot"
+  "$source/scripts/plot.sh" history "$work/plain" "$work/plain_rigid_tank" >/dev/null || fail "plot"
   cmp <(sed 's/comma/plain/g' "$work/comma.svg") "$work/plain.svg" || fail "the picture differs where a comma separates decimals"
 }

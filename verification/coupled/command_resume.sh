@@ -17,7 +17,7 @@ part_resume() {
     [ $signal = KILL ] || ended_as "$work/$signal" interrupted
     [ $signal = KILL ] || grep -q '^# status: interrupted, [1-9] of 10 runs' "$work/$signal/sphere_inflation/ensemble.csv" ||
       fail "an interrupted ensemble does not say how many runs it has"
-    [ $signal = KILL ] || expect 2 "was interrupted before all runs were done" "$source/scripts/plot_ensemble.sh" "$work/plot" "$work/INT/sphere_inflation"
+    [ $signal = KILL ] || expect 2 "was interrupted before all runs were done" "$source/scripts/plot.sh" ensemble "$work/plot" "$work/INT/sphere_inflation"
     expect 0 "goes on after [1-9] runs that are done" "$gasjet" "${ensemble[@]}" --out "$work/$signal"
     same_tables "$work/whole/sphere_inflation" "$work/$signal/sphere_inflation" ensemble.csv quantities.csv
     cmp <(sed '/"date"/d' "$work/whole/sphere_inflation/ensemble.json") <(sed '/"date"/d' "$work/$signal/sphere_inflation/ensemble.json") || fail "ensemble.json"

@@ -167,6 +167,10 @@ part_study_levels() {
 part_study_plans() {
   local plan stiffness
   for plan in "$source"/cases/studies/*.toml; do
+    if [[ $plan == */mesh_parts.toml && ! -d $source/results/studies/mesh_parts ]]; then # its meshes are made before
+      expect 2 "factor.0: with \"none\" the case is refused: .*none_design.obj" "$gasjet" study run "$plan" --check
+      continue
+    fi
     expect 0 "points, .* factors, .* runs" "$gasjet" study run "$plan" --check
   done
   stiffness=$("$gasjet" check "$source/cases/passenger_pendulum.toml" | sed -n 's/^contact stiffness: \([^ ]*\).*/\1/p')

@@ -229,7 +229,7 @@ rule_numbers() {
 
 # Each table that docs/tables.tsv lists is in a page and says what its CSV files say.
 rule_tables() {
-  "$scripts/pages/write_tables.sh" --check "$PWD" 2>&1 || echo "docs/tables.tsv: scripts/pages/write_tables.sh writes the tables anew"
+  "$scripts/pages/write.sh" --check "$PWD" 2>&1 || echo "docs/tables.tsv: scripts/pages/write.sh writes the tables anew"
 }
 
 # CITATION, changelog, docs/versions.md and schemas say the versions that cmake/GasjetVersion.cmake, formats.hpp and the reference data have.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The chart of a ladder, by gnuplot; colours and lines are those of scripts/charts/style.gp.
+// The chart of a ladder, by gnuplot; colours and lines are those of docs/charts/gnuplot/style.gp.
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <spawn.h>
