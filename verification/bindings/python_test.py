@@ -36,7 +36,8 @@ class Runs(unittest.TestCase):
     def test_run_has_the_bits_of_the_command(self):
         case, end = os.path.join(CASES, "jet_bag.toml"), "scene.end_time=0.001"
         with tempfile.TemporaryDirectory() as folder:
-            subprocess.run([os.environ["GASJET"], "run", case, "--quiet", "--out", folder, "--set", end], check=True)
+            command = [os.environ["GASJET"], "run", case, "--quiet", "--out", folder, "--set", end]
+            told = subprocess.run(command, check=True, capture_output=True, text=True).stderr.splitlines()
             run = gasjet.run(case, {"scene.end_time": 0.001}, out=os.path.join(folder, "own"))
             for name, table in (("history.csv", run.history), ("energy.csv", run.energy)):
                 for place in (folder, os.path.join(folder, "own")):
@@ -45,6 +46,9 @@ class Runs(unittest.TestCase):
                     self.assertEqual(rows[0], list(table))
                     np.testing.assert_array_equal(np.array(rows[1:], float).T, np.array(list(table.values())))
         self.assertEqual(run.summary["status"], "done")
+        self.assertEqual([f"warning: {warning}" for warning in run.warnings], told)
+        self.assertEqual(len(told), 2)  # the second inflator and its jet: later than the end
+        self.assertEqual(gasjet.run(os.path.join(CASES, "tank_blowdown.toml")).warnings, [])
 
     def test_views_keep_the_run_and_are_read_only(self):
         history = gasjet.run(os.path.join(CASES, "tank_blowdown.toml")).history

@@ -72,6 +72,18 @@ TEST(c_run, file_text_and_folder_give_the_same_bits) {
   EXPECT_STREQ(name, "time_s");
 }
 
+TEST(c_run, summary_holds_the_warnings_of_case_and_jet) {
+  Handle fine, warned;
+  const std::string file = kCases + "jet_bag.toml", end = "scene.end_time=0.006\n";
+  ASSERT_OK(gasjet_run(file.c_str(), nullptr, end.c_str(), nullptr, 1, nullptr, nullptr, &fine.value));
+  EXPECT_NE(summary(fine.value).find("\"warnings\": []"), std::string::npos) << summary(fine.value);
+  const std::string late = end + "inflator.1.start_time=0.1";
+  ASSERT_OK(gasjet_run(file.c_str(), nullptr, late.c_str(), nullptr, 1, nullptr, nullptr, &warned.value));
+  const std::string said = summary(warned.value);
+  EXPECT_NE(said.find("inflator.1 delivers nothing before end_time"), std::string::npos) << said;
+  EXPECT_NE(said.find("jet of inflator 1: nothing flows up to the end"), std::string::npos) << said;
+}
+
 struct Watch {
   int calls = 0;
   double last = 0.0;

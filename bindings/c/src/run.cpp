@@ -157,7 +157,8 @@ int gasjet_run(const char* case_file, const char* case_text, const char* overrid
     const Order order{path(case_file, "case_file"), path_or_none(out, "out"),
                       lines_of(text_or(overrides, "")), threads};
     driver::CaseDocument document = document_of(order, case_text);
-    const driver::Scene scene = driver::read_scene(document);
+    driver::Scene scene = driver::read_scene(document);
+    driver::add_jet_warnings(scene);
     const auto made = std::make_shared<Run>(scene);
     Callback callback(progress, user, scene.time.end);
     const auto outcome = run_scene(scene, order, callback, *made);

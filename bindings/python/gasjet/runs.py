@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import os
 import tempfile
-from typing import Any, Callable, Dict, Mapping, Optional, Union
+from typing import Any, Callable, Dict, List, Mapping, Optional, Union
 
 import numpy as np
 
@@ -18,12 +18,16 @@ Table = Dict[str, np.ndarray]
 
 
 class Run:
-    """What a run gave: `history` and `energy`, arrays by column, views that keep the run; `summary` as summary.json."""
+    """What a run gave: `history` and `energy`, arrays by column, views that keep the run; `summary` as summary.json.
+
+    `warnings`: likely mistakes in the case, and a drift of the energy, as the command prints them.
+    """
 
     def __init__(self, history: Table, energy: Table, summary: Dict[str, Any]) -> None:
         self.history = history
         self.energy = energy
         self.summary = summary
+        self.warnings: List[str] = summary["warnings"]
 
     def __repr__(self) -> str:
         return f"<gasjet.Run {self.summary['scene']}: {self.summary['status']}, {len(self.history['time_s'])} rows>"

@@ -17,6 +17,7 @@ Json summary_head(const Scene& scene, const char* status, const Provenance& line
   Json json{{"scene", scene.name}, {"status", status}};
   const auto run = std::ranges::find(lines, "run", &Provenance::value_type::first);
   if (run != lines.end()) json["run"] = run->second;
+  json["warnings"] = scene.warnings;
   return json;
 }
 
@@ -157,7 +158,7 @@ std::string summary_text(const Scene& scene, const State& state, const RunOutcom
                          const Provenance& lines) {
   Json json = summary_head(scene, status_name(outcome.status), lines);
   if (!outcome.message.empty()) json["message"] = outcome.message;
-  if (!outcome.warning.empty()) json["warnings"] = {outcome.warning};
+  if (!outcome.warning.empty()) json["warnings"].push_back(outcome.warning);
   json["steps"] = state.steps;
   json["time_end_s"] = state.time;
   json["wall_s"] = outcome.wall_seconds;

@@ -36,8 +36,8 @@ GASJET_API int gasjet_run_column(gasjet_handle run, int table, int64_t column, c
 /* The same by name. */
 GASJET_API int gasjet_run_find(gasjet_handle run, int table, const char* name, const double** values);
 
-/* summary.json of the run, into text of `size` bytes; `needed` is the size that holds it. If that is more
- * than `size`, GASJET_BAD_INPUT, and only `needed` is set. */
+/* summary.json of the run, its "warnings" among it, into text of `size` bytes; `needed` is the size that
+ * holds it. If that is more than `size`, GASJET_BAD_INPUT, and only `needed` is set. */
 GASJET_API int gasjet_run_summary(gasjet_handle run, char GASJET_OR_NULL text[], int64_t size,
                                   int64_t* needed);
 

@@ -39,7 +39,7 @@ const makeHead = () => {
     if (!parts.length) parts.push(`a table of ${r.history.columns.length} columns`);
     at("heads").append(element("div", { class: "small", textContent: `${r.label}: ${parts.join("; ")}` }));
     if (s?.message) notice(`${r.label}: ${s.message}`);
-    for (const text of [...(s?.warnings ?? []), ...(r.check?.warnings ?? []), ...r.notes]) notice(`${r.label}: ${text}`);
+    for (const text of new Set([...(s?.warnings ?? []), ...(r.check?.warnings ?? []), ...r.notes])) notice(`${r.label}: ${text}`);
   }
 };
 
