@@ -2,8 +2,8 @@
 # shellcheck shell=bash disable=SC2154
 # Parts of command_test.sh (sourced): the page of `gasjet report`, without a browser (report_page.py has one).
 
-# a_copy: a fresh copy of the results in $work/bag, to be damaged.
-a_copy() { rm -rf "$work/bad" && cp -r "$work/bag" "$work/bad"; }
+# a_copy [FOLDER]: a fresh copy of the results in it, $work/bag by default, to be damaged.
+a_copy() { rm -rf "$work/bad" && cp -r "${1:-$work/bag}" "$work/bad"; }
 
 part_report() {
   local page=$work/page.html
@@ -81,4 +81,31 @@ part_report() {
   [ ! -e "$work/bag/frames.bin" ] || fail "frames of the run before"
   expect 2 "output.frames: is -1, a whole number from 0 to 10000" "$gasjet" run "$source/cases/passenger_pendulum.toml" --out "$work/none" --set output.frames=-1
   expect 2 "output.frames: the scene has no membrane" "$gasjet" run "$source/cases/rigid_tank.toml" --out "$work/none" --set output.frames=10
+}
+
+# Ensembles, and bands of all kinds.
+part_report_bands() {
+  local page=$work/page.html all=$work/all/sphere_inflation
+  "$gasjet" ensemble "$source/cases/sphere_inflation.toml" --runs 2 --quiet --set scene.end_time=1e-3 --set membrane.mesh.levels=1 \
+    --out "$work/all" || fail "ensemble"
+  expect 0 "MB" "$gasjet" report "$all" --out "$page"
+  a_copy "$all" && echo '{}' >"$work/bad/ensemble.json"
+  expect 2 "ensemble.json: is no result of gasjet ensemble" "$gasjet" report "$work/bad" --out "$page"
+  a_copy "$all" && rm "$work/bad/gasjet.status" && sed -i 's/"run": "[^"]*"/"run": "another"/' "$work/bad/ensemble.json"
+  expect 2 "ensemble.json: is of the run 'another', the table beside it" "$gasjet" report "$work/bad" --out "$page"
+  a_copy "$all" && rm "$work/bad/runs.csv" && sed -i '$d' "$work/bad/ensemble.csv"
+  expect 2 "ensemble.csv: ends at .* s, the run at 0.001 s .ensemble.json says so.: the file is cut" "$gasjet" report "$work/bad" --out "$page"
+  a_copy "$all" && truncate -s -2 "$work/bad/ensemble.csv"
+  expect 2 "ensemble.csv: its last row has no end of line: the file is cut" "$gasjet" report "$work/bad" --out "$page"
+  expect 2 "ensemble.csv: its last row has no end of line" "$gasjet" compare "$work/bad/ensemble.csv" "$all/ensemble.csv"
+  printf 'time_s,force_low_N,force_high_N,force_N\n0,1,2,1\n1,2,2,2\n2,2,3,2\n' >"$work/interval.csv"
+  expect 0 "MB" "$gasjet" report "$work/interval.csv" --out "$page"
+  expect 2 "--against .*interval.csv: force_low_N: a reference states its band as half width, in NAME_band" \
+    "$gasjet" report "$all" --against "$work/interval.csv" --out "$page"
+  sed -i 's/^1,2,2,2/1,3,2,2/' "$work/interval.csv"
+  expect 2 "interval.csv:3:1: force_low_N: 3 is above force_high_N, 2" "$gasjet" report "$work/interval.csv" --out "$page"
+  for width in force_band force_standard_error; do
+    printf 'time_s,force,%s\n0,1,0\n1,2,-0.5\n' $width >"$work/width.csv"
+    expect 2 "width.csv:3:1: $width: -0.5: a half width of 0 or more is allowed" "$gasjet" report "$work/width.csv" --out "$page"
+  done
 }

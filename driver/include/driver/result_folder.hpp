@@ -83,9 +83,10 @@ inline constexpr const char* journal_file = "journal.jsonl";
 std::optional<FolderStatus> read_status(const std::filesystem::path& folder);
 
 /// Throws CaseError when the folder of `file` says that its run has not ended, that its runs were interrupted
-/// before all were done, or that the file is of another run. Files that it does not list are the user's own.
+/// before all were done, or that the file is of another run, and when the table's last row is cut. Files that
+/// it does not list are the user's own.
 void require_whole(const std::filesystem::path& file);
-/// The same for a file that says itself of which run it is.
+/// The same for a file that is no table, and which says itself of which run it is.
 void require_whole(const std::filesystem::path& file, const std::string& run);
 
 /// A folder of results. Its status file is locked as long as this lives, says "running" from begin() to

@@ -49,7 +49,9 @@ std::string json_text(const ResultFolder& folder, const EnsembleResult& result) 
   nlohmann::ordered_json json{{"status", status_of(result)},
                               {"run", folder.run()},
                               {"runs_asked", result.asked},
-                              {"runs_ended", result.ended}};
+                              {"runs_ended", result.ended},
+                              {"time_end_s", nullptr}};
+  if (!result.rows.empty()) json["time_end_s"] = result.rows.back().time_s;
   for (const auto& [name, values] : result.quantities) {
     const Statistics s = statistics(values);
     json["quantities"][name] = {{"mean", s.mean},       {"standard_error", s.standard_error},

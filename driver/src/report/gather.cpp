@@ -64,6 +64,11 @@ Json roles() {
 }
 
 void add_comparison(Json& run, const std::filesystem::path& history, const ReportOptions& options) {
+  const PageTable reference = add_table(run, "reference", options.reference, options);
+  if (!reference.intervals.empty())
+    throw CaseError(fmt::format("--against {}: {}: a reference states its band as half width, in NAME{}",
+                                options.reference.string(), reference.columns[reference.intervals[0].first],
+                                band_suffix));
   const Difference difference = compare(read_history(history), read_history(options.reference));
   Json& comparison = run["compare"] = {{"reference", options.reference.filename().string()},
                                        {"verdict", verdict_name(difference.verdict)},
@@ -76,7 +81,6 @@ void add_comparison(Json& run, const std::filesystem::path& history, const Repor
     one["max_error"] = q.largest.value;
     if (!q.band.empty()) one["share_of_band"] = q.share_of_band;
   }
-  add_table(run, "reference", options.reference, options);
 }
 
 // What a laboratory's filter makes of the rows, where they are close enough: their highest frequency is ten
@@ -125,14 +129,18 @@ std::string run_in(const Json& json) {
   return json.is_object() ? json.value("run", std::string()) : std::string();
 }
 
+void require_end(double end, const char* who, const std::filesystem::path& file, double last) {
+  if (last < end * (1.0 - 1e-6))
+    throw CaseError(fmt::format("{}: ends at {} s, the run at {} s ({} says so): the file is cut",
+                                file.string(), last, end, who));
+}
+
 // What a run that is done has written ends where the run did.
 void require_end(const Json& run, const std::filesystem::path& file, double last) {
   if (!run.contains("summary")) return;
   const Json& summary = run["summary"];
-  if (summary.at("status") != "done" || !summary.contains("time_end_s")) return;
-  if (const double end = summary["time_end_s"]; last < end * (1.0 - 1e-6))
-    throw CaseError(fmt::format("{}: ends at {} s, the run at {} s (summary.json says so): the file is cut",
-                                file.string(), last, end));
+  if (summary.at("status") == "done" && summary.contains("time_end_s"))
+    require_end(summary["time_end_s"], "summary.json", file, last);
 }
 
 // The page shows what is there; only the history has to be.
@@ -190,6 +198,12 @@ Json gather_ensemble(const std::filesystem::path& folder, const ReportOptions& o
     require_same_run(file, add_table(ensemble, "singles", file, options), table);
   }
   const Json all = read_json(folder / "ensemble.json");
+  if (!all.value("run", Json()).is_string() || !all.value("runs_ended", Json()).is_number() ||
+      !all.contains("time_end_s"))
+    throw CaseError((folder / "ensemble.json").string() + ": is no result of gasjet ensemble");
+  require_same_run(folder / "ensemble.json", run_in(all), table);
+  if (const Json& end = all["time_end_s"]; !end.is_null())
+    require_end(end, "ensemble.json", folder / "ensemble.csv", table.end);
   ensemble["quantities"] = all.value("quantities", Json::object());
   int runs = 0;
   for (const Json& quantity : ensemble["quantities"]) runs = std::max(runs, quantity.value("runs", 0));

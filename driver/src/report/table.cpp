@@ -11,6 +11,7 @@
 
 #include "case/number_text.hpp"
 #include "driver/case_reader.hpp"
+#include "driver/compare.hpp"
 
 namespace driver {
 namespace {
@@ -60,6 +61,41 @@ std::vector<std::string> header(Reader& reader, PageTable& table) {
     reader.fail(1, "two columns have one name");
   return names;
 }
+
+// Columns that stand around another one: ends of an interval, or its half width.
+class Bands {
+ public:
+  explicit Bands(const std::vector<std::string>& names) : names_(names) {
+    for (std::size_t c = 0; c < names.size(); ++c) {
+      const auto low = names[c].rfind("_low");
+      const bool whole = low != std::string::npos && (low + 4 == names[c].size() || names[c][low + 4] == '_');
+      if (const auto high = whole ? place(std::string(names[c]).replace(low, 4, "_high")) : names.size();
+          high < names.size())
+        intervals_.emplace_back(c, high);
+      for (const std::string suffix : {band_suffix, standard_error_suffix})
+        if (names[c].ends_with(suffix)) half_widths_.push_back(c);
+    }
+  }
+  const std::vector<std::pair<std::size_t, std::size_t>>& intervals() const { return intervals_; }
+
+  void check(const Reader& reader, const std::vector<double>& values) const {
+    for (const auto& [low, high] : intervals_)
+      if (values[low] > values[high])
+        reader.fail(
+            1, fmt::format("{}: {} is above {}, {}", names_[low], values[low], names_[high], values[high]));
+    for (const std::size_t c : half_widths_)
+      if (values[c] < 0.0)
+        reader.fail(1, fmt::format("{}: {}: a half width of 0 or more is allowed", names_[c], values[c]));
+  }
+
+ private:
+  std::size_t place(const std::string& name) const {
+    return static_cast<std::size_t>(std::ranges::find(names_, name) - names_.begin());
+  }
+  const std::vector<std::string>& names_;
+  std::vector<std::pair<std::size_t, std::size_t>> intervals_;
+  std::vector<std::size_t> half_widths_;
+};
 
 // The numbers of a row.
 void parse(const Reader& reader, const std::string& line, const std::vector<std::string>& names,
@@ -126,6 +162,8 @@ PageTable read_page_table(const std::filesystem::path& file, std::size_t most) {
   PageTable table;
   Reader reader(file);
   table.columns = header(reader, table);
+  const Bands bands(table.columns);
+  table.intervals = bands.intervals();
   table.total = count_rows(file);
   if (table.total == 0) reader.fail(1, "has no rows");
   const auto time =
@@ -138,6 +176,7 @@ PageTable read_page_table(const std::filesystem::path& file, std::size_t most) {
     parse(reader, line, table.columns, values);
     if (before && !(values[time] > *before))
       reader.fail(1, fmt::format("time_s: {} does not rise", values[time]));
+    bands.check(reader, values);
     before = table.end = values[time];
     kept.offer(row, line, values);
   }

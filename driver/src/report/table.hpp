@@ -13,16 +13,18 @@ namespace driver {
 struct PageTable {
   std::vector<std::pair<std::string, std::string>> lines;  // `# key: value` above the columns
   std::vector<std::string> columns;
-  std::string rows;       // as in the file, cells apart by commas
-  std::size_t kept = 0;   // rows
-  std::size_t total = 0;  // rows of the file
-  double end = 0.0;       // time of the last row [s]
+  std::vector<std::pair<std::size_t, std::size_t>> intervals;  // columns NAME_low_UNIT and NAME_high_UNIT
+  std::string rows;                                            // as in the file, cells apart by commas
+  std::size_t kept = 0;                                        // rows
+  std::size_t total = 0;                                       // rows of the file
+  double end = 0.0;                                            // time of the last row [s]
 };
 
 /// Reads a CSV file of numbers with a column time_s. Of more than `most` rows it keeps the first, the last,
 /// every k-th, and those of each column's extremes. It is read row by row: its length costs time, no memory.
 /// Throws CaseError at the place of the fault: unreadable, no or two equal columns, a cell that is missing,
-/// too many or no finite number, times that do not rise, no rows.
+/// too many or no finite number, times that do not rise, no rows, the lower end of an interval above the
+/// upper one, a half width below 0.
 PageTable read_page_table(const std::filesystem::path& file, std::size_t most);
 
 }  // namespace driver

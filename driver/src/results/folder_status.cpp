@@ -26,6 +26,13 @@ std::string run_of(const std::filesystem::path& file) {
   return {};
 }
 
+// A table of ours ends with its last row's end of line.
+bool is_torn(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  stream.seekg(-1, std::ios::end);
+  return stream.get() != '\n';
+}
+
 }  // namespace
 
 std::optional<FolderStatus> read_status(const std::filesystem::path& folder) {
@@ -81,7 +88,11 @@ void require_finished(const std::filesystem::path& file, const FolderStatus& sta
 
 void require_whole(const std::filesystem::path& file) {
   // Only a file that a run has written is read here: others may be pipes, or never end.
-  if (const auto status = status_listing(file)) require_finished(file, *status, run_of(file));
+  const auto status = status_listing(file);
+  if (!status) return;
+  require_finished(file, *status, run_of(file));
+  if (is_torn(file))
+    throw CaseError(fmt::format("{}: its last row has no end of line: the file is cut", file.string()));
 }
 
 void require_whole(const std::filesystem::path& file, const std::string& own) {
