@@ -95,8 +95,8 @@ TEST(compare_ensemble, rows_of_an_ensemble_end_with_the_filtered_acceleration) {
   driver::EnsembleOptions one;
   one.runs = 1;
   one.quiet = true;
-  const auto result =
-      driver::run_ensemble(coupled::case_file("passenger_sharp"), {"scene.end_time=0.03"}, one);
+  const auto result = driver::run_ensemble(
+      driver::read_ensemble_scene(coupled::case_file("passenger_sharp"), {"scene.end_time=0.03"}), one);
   ASSERT_EQ(result.columns.back(), driver::filtered_column(180));
   ASSERT_FALSE(result.rows.empty());
   double largest = 0.0;

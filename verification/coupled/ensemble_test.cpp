@@ -6,6 +6,8 @@
 
 #include <cmath>
 
+#include "run_case.hpp"
+
 namespace {
 
 driver::EnsembleResult ensemble(const char* name, int threads) {
@@ -13,7 +15,7 @@ driver::EnsembleResult ensemble(const char* name, int threads) {
   options.runs = 16;
   options.threads = threads;
   options.quiet = true;
-  return driver::run_ensemble(std::string(GASJET_SOURCE_DIR "/cases/") + name + ".toml", {}, options);
+  return driver::run_ensemble(driver::read_ensemble_scene(coupled::case_file(name), {}), options);
 }
 
 TEST(ensemble, jet_effect_on_angle_and_first_contact_exceeds_five_standard_errors) {

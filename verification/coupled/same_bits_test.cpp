@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <thread>
 
+#include "driver/ensemble.hpp"
 #include "run_case.hpp"
 
 namespace {
@@ -85,6 +86,21 @@ TEST(same_bits, of_the_scene_with_jet_and_contact) {
   expect_same_bits(one, run_on(2, "passenger_pendulum", overrides));
   EXPECT_GT(one.state.flows.contact_impulse, 0.0);
   EXPECT_GT(one.state.flows.jet_work, 0.0);
+}
+
+// A run of the ensemble is the run with that perturbation, by the same bits.
+TEST(same_bits, run_of_an_ensemble_eq_run_of_its_seed) {
+  driver::EnsembleOptions options;
+  options.runs = 2;
+  options.first_seed = 3;
+  options.quiet = true;
+  const auto scene = driver::read_ensemble_scene(coupled::case_file("jet_bag"), {"scene.end_time=1e-3"});
+  const auto peaks = driver::run_ensemble(scene, options).quantities.at("peak_volume_m3");
+  for (int seed = 3; seed < 5; ++seed) {
+    const auto run = run_case("jet_bag", {"scene.end_time=1e-3", "membrane.perturbation=1e-4",
+                                          "membrane.perturbation_seed=" + std::to_string(seed)});
+    EXPECT_EQ(peaks.at(static_cast<std::size_t>(seed - 3)), run.state.peaks.volume);
+  }
 }
 
 TEST(same_bits, perturbation_of_1e_12_m_is_another_run) {

@@ -63,11 +63,11 @@ struct EnsembleResult {
 /// perturbation.
 Scene read_ensemble_scene(const std::filesystem::path& file, const std::vector<std::string>& overrides);
 
-/// Runs the case with `runs` seeds from `first_seed` on; the result does not depend on `threads`. With a
-/// folder each run that ends is noted in its journal, and what stands there is not run again. Throws
-/// CaseError as read_ensemble_scene does.
-EnsembleResult run_ensemble(const std::filesystem::path& file, const std::vector<std::string>& overrides,
-                            const EnsembleOptions& options, ResultFolder* folder = nullptr);
+/// Runs a scene with a membrane with `runs` seeds from `first_seed` on; the result does not depend on
+/// `threads`. With a folder each run that ends is noted in its journal, and what stands there is not run
+/// again.
+EnsembleResult run_ensemble(const Scene& scene, const EnsembleOptions& options,
+                            ResultFolder* folder = nullptr);
 
 /// ensemble.csv (time, mean and standard error of each column), quantities.csv (one row a quantity) and
 /// ensemble.json (the same with the value of each run, and failures), runs.csv (single runs). Each says how

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -98,6 +99,7 @@ struct LadderOptions {
   int runs = 16;                  // of each rung where the scene is chaotic
   int threads = 1;
   bool quiet = false;
+  std::function<void()> ready = {};  // called once the case is read, before its first run
 };
 
 struct LadderResult {

@@ -59,9 +59,12 @@ std::string effects_text(const std::vector<Effect>& list) {
 
 // One case of the command: its folder and what came of its runs.
 struct Part {
-  Part(const std::filesystem::path& case_file, const std::filesystem::path& out)
-      : file(case_file), folder(out / case_file.stem(), "ensemble", files_of_case) {}
+  Part(const std::filesystem::path& case_file, Scene&& of_case, const std::filesystem::path& out)
+      : file(case_file),
+        scene(std::move(of_case)),
+        folder(out / case_file.stem(), "ensemble", files_of_case) {}
   std::filesystem::path file;
+  Scene scene;
   ResultFolder folder;
   EnsembleResult result;
 };
@@ -94,22 +97,23 @@ int ensemble(const EnsembleArguments& arguments) {
   if (files.size() > 1 && files[0].stem() == files[1].stem())
     throw CaseError(
         fmt::format("--against {}: needs another file name than the first case", arguments.against.string()));
+  std::deque<Scene> scenes;
   for (const auto& file : files) {
     require_file(file);
-    read_ensemble_scene(file, overrides);
+    scenes.push_back(read_ensemble_scene(file, overrides));
     refuse_inputs_of(path, file, overrides);
   }
   const std::string id = id_of_cases(files, arguments);
   ResultFolder all(path, "ensemble", {"effects.csv"});
   std::deque<Part> parts;
-  for (const auto& file : files) parts.emplace_back(file, path);
+  for (std::size_t i = 0; i < files.size(); ++i) parts.emplace_back(files[i], std::move(scenes[i]), path);
   catch_interrupt();
   all.begin(provenance(arguments.scene.file, overrides, id));
   for (Part& part : parts) part.folder.begin(provenance(part.file, overrides, id));
   bool failed = false;
   for (Part& part : parts) {
     part.result.asked = options.runs;
-    if (!interrupted()) part.result = run_ensemble(part.file, overrides, options, &part.folder);
+    if (!interrupted()) part.result = run_ensemble(part.scene, options, &part.folder);
     write_ensemble(part.folder, part.result);
     report(part.file.stem().string(), part.result, options.quiet);
     failed = failed || !part.result.failures.empty();

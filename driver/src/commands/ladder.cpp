@@ -125,9 +125,9 @@ void draw(ResultFolder& folder, const LadderResult& result, const LadderOptions&
 }  // namespace
 
 int ladder(const LadderArguments& arguments) {
-  const LadderOptions options{arguments.quantity,       read_tolerance(arguments.tolerance),
-                              names_of(arguments.hold), arguments.runs,
-                              arguments.threads,        arguments.quiet};
+  LadderOptions options{arguments.quantity,       read_tolerance(arguments.tolerance),
+                        names_of(arguments.hold), arguments.runs,
+                        arguments.threads,        arguments.quiet};
   const auto& file = arguments.scene.file;
   const auto& overrides = arguments.scene.overrides;
   const auto path = arguments.out.empty() ? std::filesystem::path("results") /
@@ -141,8 +141,11 @@ int ladder(const LadderArguments& arguments) {
                                        "ladder.svg", "cheapest.toml", journal_file};
   refuse_inputs(path, files, document.files());
   ResultFolder folder(path, "ladder", files);
-  catch_interrupt();
-  folder.begin(provenance(file, overrides, id_of("ladder", options_of(options), {&document})));
+  // Until the first run there is nothing to keep, and a signal ends the program at once.
+  options.ready = [&] {
+    catch_interrupt();
+    folder.begin(provenance(file, overrides, id_of("ladder", options_of(options), {&document})));
+  };
   const LadderResult result = run_ladder(file, overrides, options, &folder);
   const bool partial = interrupted();
   write_ladder(folder, result, file, overrides, options, partial);

@@ -68,9 +68,13 @@ void collect_quantities(const Scene& scene, const std::vector<const Member*>& me
       if (const auto& value = m->quantities[i]) result.quantities[names[i]].push_back(*value);
 }
 
-std::vector<Member> run_members(const std::string& name, const std::filesystem::path& file,
-                                const std::vector<std::string>& overrides, const EnsembleOptions& options,
-                                ResultFolder* folder) {
+Member run_seed(Scene scene, double amplitude, int seed) {
+  displace_nodes(scene, amplitude, seed);
+  return run_member(scene);
+}
+
+std::vector<Member> run_members(const Scene& scene, const EnsembleOptions& options, ResultFolder* folder) {
+  const std::string name = one_line(scene.name);
   std::vector<Member> members(static_cast<std::size_t>(options.runs));
   Journal journal(folder);
   if (journal.size() > 0 && !options.quiet)
@@ -87,8 +91,7 @@ std::vector<Member> run_members(const std::string& name, const std::filesystem::
     if (const auto* before = journal.find(key)) {
       member = member_of(*before);
     } else {
-      CaseDocument document(file, perturbed(overrides, options.amplitude, seed));
-      member = run_member(read_scene(document));
+      member = run_seed(scene, options.amplitude, seed);
       if (has_ended(member)) journal.add(key, json_of(member));
     }
     const std::lock_guard<std::mutex> guard(progress_lock);
@@ -126,10 +129,8 @@ Scene read_ensemble_scene(const std::filesystem::path& file, const std::vector<s
   return scene;
 }
 
-EnsembleResult run_ensemble(const std::filesystem::path& file, const std::vector<std::string>& overrides,
-                            const EnsembleOptions& options, ResultFolder* folder) {
-  const Scene scene = read_ensemble_scene(file, overrides);
-  const auto members = run_members(one_line(scene.name), file, overrides, options, folder);
+EnsembleResult run_ensemble(const Scene& scene, const EnsembleOptions& options, ResultFolder* folder) {
+  const auto members = run_members(scene, options, folder);
   EnsembleResult result;
   result.asked = options.runs;
   std::vector<const Member*> complete;

@@ -240,6 +240,7 @@ LadderResult run_ladder(const std::filesystem::path& file, const std::vector<std
   const Scene scene = read_scene(document);
   result.quantity = quantity_name(scene, options.quantity);
   if (result.quantity.ends_with("pressure_Pa")) result.zero = scene.ambient.pressure;
+  if (options.ready) options.ready();
   Journal journal(folder);
   if (journal.size() > 0 && !options.quiet)
     tell(fmt::format("{}: goes on after {} runs that are done", one_line(scene.name), journal.size()));

@@ -36,10 +36,6 @@ class JetField {
   /// empty surface, and an element index out of range.
   JetField(const JetModel& model, int element_count, std::span<const int> null_elements = {});
 
-  ~JetField();
-  JetField(JetField&&) noexcept;
-  JetField& operator=(JetField&&) noexcept;
-
   const JetModel& model() const { return model_; }  // with axis and long direction normalised
   FieldState make_state() const;                    // sized for the surface, all zero
 
@@ -67,7 +63,7 @@ class JetField {
   void reset(FieldState& state) const;
 
   JetModel model_;
-  std::unique_ptr<const JetShape> shape_;
+  std::shared_ptr<const JetShape> shape_;  // copies share it
   int element_count_;
   std::vector<std::uint8_t> loaded_;  // bits of groups of four elements: take load
 };

@@ -90,10 +90,6 @@ void JetField::take_no_load(int element) {
   group = static_cast<std::uint8_t>(group & ~(1 << element % 4));
 }
 
-JetField::~JetField() = default;
-JetField::JetField(JetField&&) noexcept = default;
-JetField& JetField::operator=(JetField&&) noexcept = default;
-
 FieldState JetField::make_state() const {
   FieldState state;
   state.overpressure.assign(static_cast<std::size_t>(element_count_), 0.0);
