@@ -113,14 +113,14 @@ part_bad_input() {
   expect 2 "--set scene.end_time=0.1,0.2" "$gasjet" run "$tank" --out "$work/out" --set scene.end_time=0.1,0.2
   expect 2 "--set a.b=1: a: unknown key" "$gasjet" run "$tank" --out "$work/out" --set a.b=1
   for temperature in 1e300 1e-300; do
-    expect 2 "--set inflator.0.temperature=$temperature: inflator.0.temperature: .*1 to 1e5 K" "$gasjet" run \
+    expect 2 "--set inflator.0.temperature=$temperature: inflator.0.temperature: .*1 to 1e5 .K." "$gasjet" run \
       "$source/cases/plate_jet.toml" --out "$work/out" --set inflator.0.temperature=$temperature
   done
-  expect 2 "ambient.temperature: .*1 to 1e5 K" "$gasjet" check "$tank" --set ambient.temperature=1e300
-  expect 2 "gas.initial.temperature: .*1 to 1e5 K" "$gasjet" check "$tank" --set gas.initial.temperature=1e300
-  expect 2 "outside_temperature: .*1 to 1e5 K" "$gasjet" check "$source/cases/tank_backflow.toml" --set gas.heat_loss.coefficient=1 \
+  expect 2 "ambient.temperature: .*1 to 1e5 .K." "$gasjet" check "$tank" --set ambient.temperature=1e300
+  expect 2 "gas.initial.temperature: .*1 to 1e5 .K." "$gasjet" check "$tank" --set gas.initial.temperature=1e300
+  expect 2 "outside_temperature: .*1 to 1e5 .K." "$gasjet" check "$source/cases/tank_backflow.toml" --set gas.heat_loss.coefficient=1 \
     --set gas.heat_loss.area=1 --set gas.heat_loss.outside_temperature=1e300
-  expect 2 "scene.end_time: is 9e-10, 1e-9 s or more is allowed" "$gasjet" check "$tank" --set scene.end_time=9e-10
+  expect 2 "scene.end_time: is 9e-10, 1e-9 or more .s. is allowed" "$gasjet" check "$tank" --set scene.end_time=9e-10
   expect 2 "end_time: is missing, .* is needed; is 'end_tme' meant\?" "$gasjet" check "$tank" --unset scene.end_time --set scene.end_tme=1
   { cat "$source/cases/pendulum_swing.toml" && echo '[gas]'; } >"$work/no_gas.toml"
   expect 2 "no_gas.toml:[0-9]+:1: gas: names no gas" "$gasjet" check "$work/no_gas.toml"
@@ -143,7 +143,7 @@ part_bad_input() {
   expect 2 "no.x1bsuch. is no command of gasjet" "$gasjet" $'no\x1bsuch'
   expect 2 "--set scene.xx+\.\.\.: scene.xx+\.\.\.: unknown key" "$gasjet" check "$tank" --set "scene.$(printf 'x%.0s' {1..50000})=1"
   for volume in 1e308 1e-320; do
-    expect 2 "tank.volume: is .*, 1e-100 to 1e100 m3 is allowed" "$gasjet" check "$tank" --set tank.volume=$volume
+    expect 2 "tank.volume: is .*, 1e-100 to 1e100 .m³. is allowed" "$gasjet" check "$tank" --set tank.volume=$volume
   done
   expect 2 "part of the path" "$gasjet" run "$tank" --out "$work/out" --set scene.end_time.=1
   expect 2 "longer than 64 MiB" "$gasjet" run /dev/zero --out "$work/out"

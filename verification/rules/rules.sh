@@ -181,9 +181,9 @@ rule_exact_names() {
 # Every key that the driver reads from a case has a row in docs/case_files.md, and every row's key is read there.
 rule_case_keys() {
   local list
-  mapfile -t list < <(cpp_files | grep '^driver/src/' | grep -v '^driver/src/study/')
+  mapfile -t list < <(cpp_files | grep -E '^driver/src/(case|scene|compare)/')
   keys_have_rows docs/case_files.md <(cat docs/case_files.md) "${list[@]}"
-  mapfile -t list < <(cpp_files | grep '^driver/src/study/')
+  mapfile -t list < <(cpp_files | grep -E '^driver/src/study/(plan|design)')
   keys_have_rows docs/study.md <(sed -n '/^## The plan/,/^## Designs/p' docs/study.md) "${list[@]}"
 }
 
@@ -192,7 +192,7 @@ keys_have_rows() {
   local page=$1 read_keys rows key
   rows=$(grep -E '^\| `' "$2" | cut -d'|' -f2 | grep -oE '[a-z_0-9]+' | sort -u)
   read_keys=$(cat "${@:3}" | tr -d '\n' |
-    grep -oE '[^a-z_](number|optional_number|integer|flag|texts?|numbers|elements|vector|curve|composition|choice(<[A-Za-z_:]+>)?|table|optional_table|tables)\([[:space:]]*"[a-z_0-9]+"|\(\*?(table|reader|base), "[a-z_0-9]+"|\{"[a-z_0-9]+", &Options::' |
+    grep -oE '[^a-z_](at|number|table|optional_table|tables)\([[:space:]]*"[a-z_0-9]+"|\(\*?(table|reader|base), "[a-z_0-9]+"|\{"[a-z_0-9]+", &Options::' |
     grep -oE '"[a-z_0-9]+"' | tr -d '"' | sort -u)
   for key in $(comm -23 <(echo "$read_keys") <(echo "$rows")); do echo "$page: no row for the key $key"; done
   for key in $(comm -13 <(echo "$read_keys") <(echo "$rows")); do echo "$page: no code reads the key $key"; done
@@ -232,7 +232,7 @@ rule_tables() {
   "$scripts/pages/write.sh" --check "$PWD" 2>&1 || echo "docs/tables.tsv: scripts/pages/write.sh writes the tables anew"
 }
 
-# CITATION, changelog, docs/versions.md and schemas say the versions that cmake/GasjetVersion.cmake, formats.hpp and the reference data have.
+# CITATION, changelog, docs/versions.md, shipped cases and schemas say the versions that cmake/GasjetVersion.cmake, formats.hpp and the reference data have.
 rule_versions() {
   local version date name now page=docs/versions.md formats=driver/include/driver/formats.hpp list
   version=$(sed -nE 's/^set\(GASJET_VERSION ([0-9.]+)\)$/\1/p' cmake/GasjetVersion.cmake)
@@ -248,6 +248,11 @@ rule_versions() {
   for name in verification/schemas/*.json; do
     now=$(sed -nE 's/^inline constexpr int json = ([0-9]+);.*/\1/p' $formats)
     grep -qE "^    \"format\": \{ \"const\": $now," "$name" || echo "$name: its format is not $now"
+  done
+  now=$(sed -nE 's/^inline constexpr int case_file = ([0-9]+);.*/\1/p' $formats)
+  mapfile -t list < <(files '*.toml' | grep '^cases/' | xargs grep -l '^\[scene\]')
+  for name in "${list[@]}"; do
+    grep -qx "format = $now" "$name" || echo "$name: says no format = $now"
   done
   mapfile -t list < <(cmake_files)
   code_matches 'VERSION [0-9]+\.[0-9]+\.[0-9]' "${list[@]}" | grep project | sed 's/$/   (the version stands in cmake\/GasjetVersion.cmake alone)/' || true

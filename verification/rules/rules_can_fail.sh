@@ -30,7 +30,7 @@ good_tree() {
   put libgas/src/ode.cpp "$spdx" '#include <boost/numeric/odeint.hpp>'
   put verification/closed_form/src/gas.cpp "$spdx" '#include <gsl/gsl_sf_hyperg.h>'
   put driver/src/step/step.cpp "$spdx" '#include "gas/model.hpp"' '#include "jet/model.hpp"'
-  put driver/src/scene/scene.cpp "$spdx" 'double v = table.number("volume", positive) + t->choice<Law>(' '    "law", laws);'
+  put driver/src/scene/scene.cpp "$spdx" 'double v = table.at("volume").number(positive) + t->at(' '    "law").choice<Law>(laws);'
   put docs/case_files.md '| key | meaning |' '|---|---|' '| `volume` | of the tank |' '| `law` | of `spread` |'
   put driver/src/results/history_columns.cpp "$spdx" '{"pressure_Pa", has::volume, f},' 'add("inflator_" + std::to_string(i) + "_in_kg", g);'
   put driver/src/results/energy_columns.cpp "$spdx" '{"strap_J", Role::held,' ' has::straps, f},'
@@ -76,6 +76,7 @@ good_tree() {
   put CITATION.cff 'version: 1.2.3' 'date-released: 2026-01-02'
   put CHANGELOG.md '## Unreleased' '## 1.2.3 (2026-01-02)' '## 1.2.2 (2026-01-01)'
   put cases/reference/VERSION 4
+  put cases/pulse.toml '[scene]' 'format = 2'
   put driver/include/driver/formats.hpp "$spdx" 'inline constexpr int case_file = 2;' 'inline constexpr int results = 3;  // of' 'inline constexpr int json = 5;'
   put docs/versions.md '| program and libraries | 1.2.3 | x |' '| case files | 2 |' '| result files | 3 |' '| JSON of commands | 5 |' '| reference data | 4 |'
   put verification/schemas/scene.schema.json '    "format": { "const": 5, "description": "x" },'
@@ -264,6 +265,8 @@ case $rule in
     breaks docs/versions.md '| program and libraries | 1.2.3 | x |' '| case files | 2 |' '| JSON of commands | 5 |' '| reference data | 4 |'
     breaks docs/versions.md '| program and libraries | 1.2.2 | x |' '| case files | 2 |' '| result files | 3 |' '| JSON of commands | 5 |' '| reference data | 4 |'
     breaks docs/versions.md '| program and libraries | 1.2.3 | x |' '| case files | 2 |' '| result files | 3 |' '| JSON of commands | 5 |' '| reference data | 5 |'
+    breaks cases/pulse.toml '[scene]' 'name = "pulse"'
+    breaks cases/pulse.toml '[scene]' 'format = 1'
     breaks verification/schemas/scene.schema.json '    "format": { "const": 4, "description": "x" },'
     breaks libgas/CMakeLists.txt '# SPDX-License-Identifier: Apache-2.0' 'project(gasjet_gas VERSION 1.2.3 LANGUAGES CXX)'
     ;;

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
-# Rule table_heads (rules.sh), run in the tree: what docs/charts and docs/figures hold says what it was made on and by, and LIST says from
+# Rule table_heads (rules.sh), run in the tree: what docs/charts, docs/figures and docs/gallery hold says what it was made on and by, and LIST says from
 # which files. usage: table_heads.pl LIST
 use strict;
 use warnings;
 
 my ($list) = @ARGV;
-my @made = grep { -f && !m{/README\.md$} } glob('docs/charts/* docs/figures/*');
+my @made = grep { -f && !m{/README\.md$} } glob('docs/charts/* docs/figures/* docs/gallery/*');
 
 for my $file (grep { /\.csv$/ } @made) {
   open(my $in, '<', $file) or die "$file: $!";

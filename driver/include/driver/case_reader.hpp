@@ -33,20 +33,23 @@ class CaseError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Allowed range of a number; `text` describes it in messages. All numbers must be finite.
+/// Allowed range of a number. All numbers must be finite.
 struct Bounds {
   double low = -std::numeric_limits<double>::max();
   double high = std::numeric_limits<double>::max();
-  bool open_low = false;  // low itself is not allowed
-  const char* text = "a finite number";
+  bool open_low = false;                 // low itself is not allowed
+  const char* text = "a finite number";  // the range in messages and in the reference of keys
+  const char* unit = "";                 // of the number; empty if it has none
+
+  constexpr Bounds in(const char* its_unit) const { return {low, high, open_low, text, its_unit}; }
 };
 inline constexpr Bounds any_number{};
 inline constexpr Bounds positive{0.0, std::numeric_limits<double>::max(), true, "a number above 0"};
 inline constexpr Bounds non_negative{0.0, std::numeric_limits<double>::max(), false, "a number of 0 or more"};
 // Constant cp has no range of its own; beyond this one no gas is one of molecules, and powers overflow.
-inline constexpr Bounds gas_temperature{1.0, 1e5, false, "1 to 1e5 K"};
+inline constexpr Bounds gas_temperature{1.0, 1e5, false, "1 to 1e5", "K"};
 // So that densities and masses stay normal numbers.
-inline constexpr Bounds gas_volume{1e-100, 1e100, false, "1e-100 to 1e100 m3"};
+inline constexpr Bounds gas_volume{1e-100, 1e100, false, "1e-100 to 1e100", "m³"};
 inline constexpr Bounds fraction{0.0, 1.0, false, "a number from 0 to 1"};
 inline constexpr Bounds positive_fraction{0.0, 1.0, true, "a number above 0, at most 1"};
 
@@ -55,6 +58,14 @@ struct Setting {
   std::string path;
   std::string value;
   bool is_default;
+};
+
+/// What a case could say at a key that the program has asked for.
+struct KnownKey {
+  std::string path;
+  std::string unit;      // empty if it has none
+  std::string allowed;   // in words
+  std::string fallback;  // the value without the key; empty if the key may be absent, "needed" if not
 };
 
 /// One part of a setting's path: a key, or the number of an element of an array of tables.
@@ -80,38 +91,37 @@ struct CurveData {
   std::vector<double> value;
 };
 
-struct CaseLog;  // settings read so far and the folder of the case file
+struct CaseLog;  // settings and keys read so far, and the folder of the case file
+class TableReader;
 
-/// One table of the case file. Read every key once, then call finish(), which refuses keys that were not
-/// read. The readers throw CaseError for a value of the wrong type or out of range, and for a missing key
-/// that has no fallback.
-class TableReader {
+/// One key of a table, whose value each call reads, checks and records. It throws CaseError for a value of
+/// the wrong type or out of range, and if there is neither a value nor a fallback. It lasts as long as the
+/// table.
+class KeyReader {
  public:
-  TableReader(const toml::table& table, std::string path, std::string where, CaseLog& log);
+  KeyReader(TableReader& table, std::string key) : table_(&table), key_(std::move(key)) {}
 
-  /// True if the key exists.
-  bool has(const std::string& key) const;
-  /// Reads a number; without a fallback the key is required. So it is for the readers below.
-  double number(const std::string& key, Bounds bounds);
-  double number(const std::string& key, Bounds bounds, double fallback);
-  std::optional<double> optional_number(const std::string& key, Bounds bounds);
-  int integer(const std::string& key, int low, int high, int fallback);
-  bool flag(const std::string& key, bool fallback);
-  std::string text(const std::string& key);
-  std::string text(const std::string& key, const std::string& fallback);
-  /// Reads a text that names a file or folder and is no path.
-  std::string file_name(const std::string& key, const std::string& fallback);
-  std::vector<double> numbers(const std::string& key, Bounds bounds);
-  std::vector<std::string> texts(const std::string& key);
+  double number(Bounds bounds);
+  /// `in_words` describes a fallback that other settings decide.
+  double number(Bounds bounds, double fallback, const char* in_words = nullptr);
+  std::optional<double> optional_number(Bounds bounds);
+  int integer(int low, int high, int fallback);
+  bool flag(bool fallback);
+  std::string text();
+  /// `fallback` is not empty.
+  std::string text(const std::string& fallback);
+  std::vector<double> numbers(Bounds bounds);
+  /// None if the key is absent; `in_words` describes that.
+  std::vector<std::string> texts(const char* in_words = "none");
   /// One value of an array as it is written in TOML, and as a number if it is one.
   struct Element {
     std::string text;
     std::optional<double> number;
   };
   /// Reads an array of values of any type; at least one.
-  std::vector<Element> elements(const std::string& key);
-  Eigen::Vector3d vector(const std::string& key);
-  Eigen::Vector3d vector(const std::string& key, const Eigen::Vector3d& fallback);
+  std::vector<Element> elements();
+  Eigen::Vector3d vector(const char* unit);
+  Eigen::Vector3d vector(const char* unit, const Eigen::Vector3d& fallback, const char* in_words = nullptr);
   /// Reads a curve, in one of three forms:
   /// - a number: a constant; `time` is then empty;
   /// - { time = [..], value = [..] };
@@ -119,23 +129,45 @@ class TableReader {
   ///
   /// A curve against another quantity names it as `abscissa`, as in { overpressure = [..], value = [..] }.
   /// Its knots are in `time` all the same. Only a curve of time may jump.
-  CurveData curve(const std::string& key, Bounds value_bounds, const std::string& abscissa = "time");
+  CurveData curve(Bounds value_bounds, const std::string& abscissa = "time");
+  /// Reads { name = fraction, ... }: each in (0, 1], with sum 1 within 1e-9; returned as given.
+  std::map<std::string, double> composition();
+
+  /// Reads one of the names in `choices`. An empty fallback makes the key required.
+  template <typename Value>
+  Value choice(const std::vector<std::pair<std::string, Value>>& choices, const std::string& fallback = {}) {
+    std::vector<std::string> names;
+    for (const auto& entry : choices) names.push_back(entry.first);
+    return choices[choice_index(names, fallback)].second;
+  }
+
+ private:
+  std::size_t choice_index(const std::vector<std::string>& names, const std::string& fallback);
+  std::string read_text(const std::string& allowed, const std::string& fallback);
+  double checked(const toml::node& node, Bounds bounds) const;
+  std::vector<double> numbers_of(const toml::node& node, Bounds bounds);
+  Eigen::Vector3d vector_of(const toml::node& node);
+  void remember(const std::string& value, bool is_default);
+  [[noreturn]] void fail(const std::string& message) const;
+
+  TableReader* table_;
+  std::string key_;
+};
+
+/// One table of the case file. Read every key once, then call finish(), which refuses keys that were not
+/// read.
+class TableReader {
+ public:
+  TableReader(const toml::table& table, std::string path, std::string where, CaseLog& log);
+
+  /// The value of a key.
+  KeyReader at(const std::string& key) { return {*this, key}; }
+  /// True if the key exists. A key that is asked for here may be absent.
+  bool has(const std::string& key) const;
   /// True if the key exists and is a table.
   bool is_table(const std::string& key) const;
   /// True if the key exists, is a table and has the key `inner`.
   bool has_in_table(const std::string& key, const std::string& inner) const;
-  /// Reads { name = fraction, ... }: each in (0, 1], with sum 1 within 1e-9; returned as given.
-  std::map<std::string, double> composition(const std::string& key);
-
-  /// Reads one of the names in `choices`. An empty fallback makes the key required.
-  template <typename Value>
-  Value choice(const std::string& key, const std::vector<std::pair<std::string, Value>>& choices,
-               const std::string& fallback = {}) {
-    std::vector<std::string> names;
-    for (const auto& entry : choices) names.push_back(entry.first);
-    return choices[choice_index(key, names, fallback)].second;
-  }
-
   TableReader table(const std::string& key);
   std::optional<TableReader> optional_table(const std::string& key);
   /// The tables of [[key]]; may be none.
@@ -154,16 +186,14 @@ class TableReader {
   const std::string& path() const { return path_; }
 
  private:
-  const toml::node* find(const std::string& key);
+  friend class KeyReader;
+  const toml::node* find(const std::string& key, const std::string& unit, const std::string& allowed,
+                         const std::string& fallback);
+  const toml::node& require(const std::string& key, const std::string& unit, const std::string& allowed,
+                            const char* in_short = nullptr);
+  TableReader below(const std::string& key, const toml::node& node) const;
   std::string misspelt(const std::string& key) const;
-  const toml::node& require(const std::string& key, const char* allowed);
-  double checked(const std::string& key, const toml::node& node, Bounds bounds) const;
-  std::size_t choice_index(const std::string& key, const std::vector<std::string>& names,
-                           const std::string& fallback);
   std::string join(const std::string& key) const;
-  void remember(const std::string& key, const std::string& value, bool is_default);
-  CurveData curve_of_table(const std::string& key, TableReader&& reader, Bounds value_bounds,
-                           const std::string& abscissa) const;
 
   const toml::table* table_;
   std::string path_;
@@ -171,6 +201,9 @@ class TableReader {
   CaseLog* log_;
   std::set<std::string> asked_;
 };
+
+/// The text of a key that names a file or folder and is no path.
+std::string file_name(TableReader& table, const std::string& key, const std::string& fallback);
 
 /// Prefix of an override that removes a key or a table from the case: "unset key.path".
 inline constexpr std::string_view unset_prefix = "unset ";
@@ -192,6 +225,9 @@ class CaseDocument {
   CaseDocument(CaseDocument&&) noexcept;
   TableReader root();
   const std::vector<Setting>& settings() const;
+  /// The keys that the program has asked for so far, in that order. Keys of curves and compositions stand
+  /// among them.
+  const std::vector<KnownKey>& keys() const;
   const std::filesystem::path& file() const { return file_; }
   /// The case file and the files that it names, as far as they have been read.
   std::vector<std::filesystem::path> files() const;

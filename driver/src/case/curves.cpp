@@ -4,10 +4,11 @@
 
 #include <cmath>
 
+#include "case/csv_table.hpp"
+#include "case/log.hpp"
 #include "case/text_file.hpp"
 #include "case/toml_library.hpp"
 #include "driver/case_reader.hpp"
-#include "results/csv_table.hpp"
 
 namespace driver {
 namespace {
@@ -46,17 +47,15 @@ CurveData read_csv_curve(const std::filesystem::path& file, const std::string& k
   return curve;
 }
 
-}  // namespace
-
-CurveData TableReader::curve_of_table(const std::string& key, TableReader&& reader, Bounds bounds,
-                                      const std::string& abscissa) const {
+CurveData curve_of_table(TableReader&& reader, Bounds bounds, const std::string& abscissa,
+                         const std::function<void(const std::string&)>& fail) {
   CurveData curve;
   const bool jumps = abscissa == "time";
   if (reader.has("file")) {
-    const auto file = beside_case(reader.text("file"));
-    const auto knots =
-        jumps ? reader.text("time_column", "time_s") : reader.text("overpressure_column", "overpressure_Pa");
-    const auto column = reader.text("column");
+    const auto file = reader.beside_case(reader.at("file").text());
+    const auto knots = jumps ? reader.at("time_column").text("time_s")
+                             : reader.at("overpressure_column").text("overpressure_Pa");
+    const auto column = reader.at("column").text();
     try {
       curve = read_csv_curve(file, knots, column, jumps);
     } catch (const FileError& error) {
@@ -64,39 +63,38 @@ CurveData TableReader::curve_of_table(const std::string& key, TableReader&& read
     }
     for (const double value : curve.value)
       if (value < bounds.low || value > bounds.high || (bounds.open_low && value == bounds.low))
-        fail(key, fmt::format("{} holds {}, {} is allowed", file.string(), value, bounds.text));
+        fail(fmt::format("{} holds {}, {} is allowed", file.string(), value,
+                         with_unit(bounds.text, bounds.unit)));
   } else {
-    curve.time = reader.numbers(abscissa, any_number);
-    curve.value = reader.numbers("value", bounds);
-    check_knots(curve, jumps, [&](std::size_t, const std::string& message) { fail(key, message); });
+    curve.time = reader.at(abscissa).numbers(any_number.in(jumps ? "s" : "Pa"));
+    curve.value = reader.at("value").numbers(bounds);
+    check_knots(curve, jumps, [&](std::size_t, const std::string& message) { fail(message); });
   }
   reader.finish();
   return curve;
 }
 
-bool TableReader::is_table(const std::string& key) const {
-  const toml::node* node = table_->get(key);
-  return node && node->is_table();
+}  // namespace
+
+CurveData KeyReader::curve(Bounds bounds, const std::string& abscissa) {
+  const std::string allowed = fmt::format("a curve of {}: {}", abscissa, bounds.text);
+  const toml::node& node = table_->require(key_, bounds.unit, allowed, "a number or a curve");
+  if (!node.is_table()) return {{}, {number(bounds)}};
+  return curve_of_table(table_->below(key_, node), bounds, abscissa,
+                        [&](const std::string& message) { fail(message); });
 }
 
-bool TableReader::has_in_table(const std::string& key, const std::string& inner) const {
-  return is_table(key) && table_->get(key)->as_table()->contains(inner);
-}
-
-CurveData TableReader::curve(const std::string& key, Bounds bounds, const std::string& abscissa) {
-  const toml::node& node = require(key, "a number or a curve");
-  if (node.is_table()) return curve_of_table(key, table(key), bounds, abscissa);
-  return {{}, {number(key, bounds)}};
-}
-
-std::map<std::string, double> TableReader::composition(const std::string& key) {
-  TableReader reader = table(key);
+std::map<std::string, double> KeyReader::composition() {
+  const toml::node& node = table_->require(key_, "", "a composition", "a table");
+  TableReader reader = table_->below(key_, node);
   std::map<std::string, double> fractions;
   double sum = 0.0;
-  for (const auto& [name, node] : *reader.table_)
-    sum += fractions[std::string(name.str())] = reader.number(std::string(name.str()), positive_fraction);
+  for (const auto& [key, value] : *node.as_table()) {
+    const std::string name(key.str());
+    sum += fractions[name] = reader.at(name).number(positive_fraction);
+  }
   // Fractions are typed by hand: nine digits tell a slip from rounding.
-  if (std::abs(sum - 1.0) > 1e-9) fail(key, fmt::format("fractions sum to {}, 1 is allowed", sum));
+  if (std::abs(sum - 1.0) > 1e-9) fail(fmt::format("fractions sum to {}, 1 is allowed", sum));
   return fractions;
 }
 

@@ -193,4 +193,8 @@ const std::vector<Setting>& CaseDocument::settings() const {
   return log_->settings;
 }
 
+const std::vector<KnownKey>& CaseDocument::keys() const {
+  return log_->keys;
+}
+
 }  // namespace driver

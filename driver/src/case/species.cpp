@@ -11,15 +11,16 @@ namespace driver {
 namespace {
 
 double read_molar_mass(TableReader& table) {
-  if (table.has("gas_constant") && table.has("molar_mass"))
+  if (table.has("molar_mass") && table.has("gas_constant"))
     table.fail("gas_constant", "is there besides molar_mass, one of the two is needed");
-  if (table.has("gas_constant")) return gas::kMolarGasConstant / table.number("gas_constant", positive);
-  constexpr Bounds molar{1e-3, 1.0, false, "1e-3 to 1 kg/mol (not g/mol)"};
-  return table.number("molar_mass", molar);
+  if (table.has("gas_constant"))
+    return gas::kMolarGasConstant / table.at("gas_constant").number(positive.in("J/(kg K)"));
+  constexpr Bounds molar{1e-3, 1.0, false, "1e-3 to 1", "kg/mol"};
+  return table.at("molar_mass").number(molar);
 }
 
 gas::Nasa7 read_coefficients(TableReader& table, const std::string& key) {
-  const auto numbers = table.numbers(key, any_number);
+  const auto numbers = table.at(key).numbers(any_number);
   gas::Nasa7 coefficients{};
   if (numbers.size() != coefficients.size())
     table.fail(key, fmt::format("has {} numbers, {} are needed", numbers.size(), coefficients.size()));
@@ -29,10 +30,10 @@ gas::Nasa7 read_coefficients(TableReader& table, const std::string& key) {
 
 gas::Species read_nasa7(TableReader& species, const std::string& name, double molar_mass) {
   TableReader table = species.table("nasa7");
-  const double middle = table.number("middle", gas_temperature, gas::kJointTemperature);
+  const double middle = table.at("middle").number(gas_temperature, gas::kJointTemperature);
   if (middle != gas::kJointTemperature)
     table.fail("middle", fmt::format("is {}, {} K is allowed", middle, gas::kJointTemperature));
-  const auto range = table.numbers("range", gas_temperature);
+  const auto range = table.at("range").numbers(gas_temperature);
   if (range.size() != 2)
     table.fail("range",
                fmt::format("has {} numbers, 2 are needed: lowest and highest temperature [K]", range.size()));
@@ -50,7 +51,7 @@ gas::Species read_own(TableReader& table, const std::string& name) {
     table.fail("cp", "is there besides nasa7, one of the two is needed");
   if (table.has("nasa7")) return read_nasa7(table, name, molar_mass);
   gas::Species gas;
-  const double cp = table.number("cp", positive);
+  const double cp = table.at("cp").number(positive.in("J/(kg K)"));
   table.located("cp", [&] { gas = gas::constant_cp_species(name, gas::kMolarGasConstant / molar_mass, cp); });
   return gas;
 }
@@ -59,7 +60,7 @@ gas::Species read_own(TableReader& table, const std::string& name) {
 
 void SpeciesCatalogue::read(TableReader& gas) {
   for (auto& table : gas.tables("species")) {
-    const std::string name = table.text("name");
+    const std::string name = table.at("name").text();
     require_new(table, name);
     own_.push_back(read_own(table, name));
     table.finish();

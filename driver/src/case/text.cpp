@@ -7,6 +7,7 @@
 #include <sstream>
 #include <string_view>
 
+#include "case/log.hpp"
 #include "case/toml_library.hpp"
 #include "driver/case_reader.hpp"
 
@@ -53,33 +54,10 @@ std::string as_option(const std::string& override_text) {
   return "--set " + shell_word(override_text);
 }
 
-std::string TableReader::file_name(const std::string& key, const std::string& fallback) {
-  constexpr std::size_t longest = 255;  // of Linux' file systems
-  std::string name = text(key, fallback);
-  const auto is_barred = [](char c) { return c == '/' || static_cast<unsigned char>(c) < ' ' || c == 0x7f; };
-  if (name.empty() || name == "." || name == ".." || name.size() > longest ||
-      std::ranges::any_of(name, is_barred))
-    fail(key, fmt::format("is {}, a file name is allowed: {} bytes at most, no / and no control characters",
-                          quoted(shortened(name)), longest));
-  return name;
-}
-
-std::vector<TableReader::Element> TableReader::elements(const std::string& key) {
-  const toml::node& node = require(key, "an array");
-  if (!node.is_array() || node.as_array()->empty()) fail(key, "is no array of one value or more");
-  std::vector<Element> elements;
-  for (const toml::node& element : *node.as_array()) {
-    if (element.is_number()) {
-      const double number = checked(key, element, any_number);
-      elements.push_back({fmt::format("{}", number), number});
-    } else {
-      std::ostringstream text;
-      element.visit([&](const auto& value) { text << value; });
-      elements.push_back({text.str(), std::nullopt});
-    }
-  }
-  remember(key, fmt::format("[{} values]", elements.size()), false);
-  return elements;
+std::string written(const toml::node& node) {
+  std::ostringstream text;
+  node.visit([&](const auto& value) { text << value; });
+  return text.str();
 }
 
 std::string CaseDocument::text(const std::filesystem::path& folder) const {

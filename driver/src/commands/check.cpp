@@ -22,6 +22,12 @@ void print_settings(const CaseDocument& document) {
     fmt::print("  {}{} = {}\n", setting.path, setting.is_default ? " *" : "", setting.value);
 }
 
+// A line for each key that the case could set: path, unit, what is allowed, default; tabs between them.
+void print_keys(const CaseDocument& document) {
+  for (const auto& key : document.keys())
+    fmt::print("{}\t{}\t{}\t{}\n", key.path, key.unit, key.allowed, key.fallback);
+}
+
 void print_panels(const membrane::Mesh& mesh) {
   const Eigen::VectorXd areas = membrane::panel_areas(mesh);
   for (std::size_t i = 0; i < mesh.panel_names.size(); ++i)
@@ -115,6 +121,10 @@ void print_forecast(const Forecast& f) {
 int check(const CaseArguments& arguments, const std::string& format) {
   CaseDocument document(arguments.file, arguments.overrides);
   Scene scene = read_scene(document);
+  if (format == "keys") {
+    print_keys(document);
+    return exit_done;
+  }
   add_jet_warnings(scene);
   const State state = state_at_start(scene);
   const Forecast groups = forecast(scene, state);

@@ -7,11 +7,11 @@
 #include <algorithm>
 #include <charconv>
 
+#include "case/csv_table.hpp"
 #include "case/species.hpp"
 #include "commands/commands.hpp"
 #include "driver/case_reader.hpp"
 #include "driver/results.hpp"
-#include "results/csv_table.hpp"
 #include "tank_test/smoothing_spline.hpp"
 
 namespace driver::commands {

@@ -112,8 +112,8 @@ void add_cost(CLI::App& app, CostArguments& a) {
 void add_others(CLI::App& app, Arguments& all) {
   auto* check = app.add_subcommand("check", "validate a case, print its settings and what follows from them");
   add_case(*check, all.check);
-  check->add_option("--format", all.check_format, "text, or json for other programs")
-      ->check(CLI::IsMember({"text", "json"}));
+  check->add_option("--format", all.check_format, "text, json for other programs, or keys: what it could set")
+      ->check(CLI::IsMember({"text", "json", "keys"}));
   auto* exact = app.add_subcommand("exact", "print a closed form of the verification suite");
   exact->add_option("NAME", all.exact.name, "closed form, see --list");
   exact->add_flag("--list", all.exact.list, "the catalogue");

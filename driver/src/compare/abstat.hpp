@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include "results/csv_table.hpp"
+#include "case/csv_table.hpp"
 
 namespace driver {
 

@@ -7,11 +7,11 @@
 #include <cmath>
 #include <unordered_map>
 
+#include "case/csv_table.hpp"
 #include "compare/abstat.hpp"
 #include "compare/ensemble_history.hpp"
 #include "driver/case_reader.hpp"
 #include "driver/compare.hpp"
-#include "results/csv_table.hpp"
 
 namespace driver {
 namespace {
@@ -32,14 +32,14 @@ struct Map {
 
 MappedColumn read_column(TableReader&& table, const std::string& name) {
   MappedColumn column;
-  column.name = name.empty() ? table.text("name") : name;
+  column.name = name.empty() ? table.at("name").text() : name;
   if (column.name.empty()) table.fail("name", "is empty, the name of a quantity is allowed");
-  column.column = table.text("column");
+  column.column = table.at("column").text();
   if (column.column.empty() || std::count(column.column.begin(), column.column.end(), '*') > 1)
     table.fail("column", fmt::format("is '{}', a name with at most one * is allowed", column.column));
-  column.scale = table.number("scale", any_number, 1.0);
+  column.scale = table.at("scale").number(any_number, 1.0);
   if (column.scale == 0.0) table.fail("scale", "0 forgets the column, another number is allowed");
-  column.offset = table.number("offset", any_number, 0.0);
+  column.offset = table.at("offset").number(any_number, 0.0);
   table.finish();
   return column;
 }
@@ -48,8 +48,8 @@ Map read_map(const std::filesystem::path& file) {
   CaseDocument document(file, {});
   TableReader root = document.root();
   Map map;
-  map.abstat = root.choice<bool>("format", {{"csv", false}, {"abstat", true}});
-  if (map.abstat) map.volume_number = root.integer("volume_number", 1, 1000000000, 1);
+  map.abstat = root.at("format").choice<bool>({{"csv", false}, {"abstat", true}});
+  if (map.abstat) map.volume_number = root.at("volume_number").integer(1, 1000000000, 1);
   map.columns.push_back(read_column(root.table("time"), "time_s"));
   for (auto& table : root.tables("quantity")) {
     map.columns.push_back(read_column(std::move(table), ""));

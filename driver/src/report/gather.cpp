@@ -4,13 +4,13 @@
 
 #include <algorithm>
 
+#include "case/csv_table.hpp"
 #include "case/text_file.hpp"
 #include "driver/channel_filter.hpp"
 #include "driver/compare.hpp"
 #include "driver/result_folder.hpp"
 #include "report/parts.hpp"
 #include "report/table.hpp"
-#include "results/csv_table.hpp"
 #include "results/energy_terms.hpp"
 
 namespace driver {

@@ -18,9 +18,9 @@ template <class Options>
 BagMesh generate_with(TableReader& table) {
   Options options;
   for (const auto& [name, member] : option_names(options).lengths)
-    options.*member = table.number(name, positive, options.*member);
+    options.*member = table.at(name).number(positive.in("m"), options.*member);
   for (const auto& [name, member] : option_names(options).counts)
-    options.*member = table.integer(name, 0, 1000, options.*member);
+    options.*member = table.at(name).integer(0, 1000, options.*member);
   return generate(options);
 }
 
@@ -44,12 +44,12 @@ membrane::Mesh read_mesh_file(const TableReader& table, const char* key, const s
 }
 
 BagMesh mesh_of_files(TableReader& table) {
-  const double unit = table.number("length_unit", positive, 1.0);
-  const auto file = table.beside_case(table.text("file"));
+  const double unit = table.at("length_unit").number(positive.in("m"), 1.0);
+  const auto file = table.beside_case(table.at("file").text());
   BagMesh source{read_mesh_file(table, "file", file, unit), std::nullopt, {}};
   if (table.has("initial_file"))
     table.located("initial_file", [&] {
-      const auto initial = table.beside_case(table.text("initial_file"));
+      const auto initial = table.beside_case(table.at("initial_file").text());
       set_initial(source, read_mesh_file(table, "initial_file", initial, unit));
     });
   require_areas(source.mesh, file);
@@ -63,21 +63,23 @@ BagMesh mesh_of_files(TableReader& table) {
 
 BagMesh generated_mesh(TableReader& table) {
   enum class Generator { driver, passenger, icosphere };
-  const auto generator = table.choice<Generator>("generator", {{"driver", Generator::driver},
-                                                               {"passenger", Generator::passenger},
-                                                               {"icosphere", Generator::icosphere}});
+  const auto generator = table.at("generator")
+                             .choice<Generator>({{"driver", Generator::driver},
+                                                 {"passenger", Generator::passenger},
+                                                 {"icosphere", Generator::icosphere}});
   if (generator == Generator::driver) return generate_with<membrane::DriverBagOptions>(table);
   if (generator == Generator::passenger) return generate_with<membrane::PassengerBagOptions>(table);
-  return {membrane::icosphere(table.number("radius", positive), table.integer("levels", 0, 8, 3)),
-          std::nullopt,
-          {}};
+  return {
+      membrane::icosphere(table.at("radius").number(positive.in("m")), table.at("levels").integer(0, 8, 3)),
+      std::nullopt,
+      {}};
 }
 
 BagMesh read_mesh(TableReader table, const std::vector<std::string>& null_panels) {
   BagMesh source;
   table.located("", [&] {
     source = table.has("file") ? mesh_of_files(table) : generated_mesh(table);
-    const int times = table.integer("refine", 0, 6, 0);
+    const int times = table.at("refine").integer(0, 6, 0);
     table.located("refine", [&] { check_refinement(source.mesh.element_count(), times); });
     membrane::require_closed_surface(source.shape(), source.mesh.elements);
     refine(source, times, null_panels);
@@ -89,7 +91,7 @@ BagMesh read_mesh(TableReader table, const std::vector<std::string>& null_panels
 
 std::vector<int> nodes_of_panels(TableReader& table, const std::string& key, const membrane::Mesh& mesh) {
   std::vector<int> nodes;
-  const auto names = table.texts(key);
+  const auto names = table.at(key).texts();
   table.located(key, [&] {
     for (const auto& name : names)
       for (const int node : membrane::panel_nodes(mesh, name)) nodes.push_back(node);
@@ -101,7 +103,7 @@ std::vector<int> nodes_of_panels(TableReader& table, const std::string& key, con
 
 // The node nearest to a point of the design shape; a point further off than the mesh is coarse is a slip.
 int anchor(TableReader& reader, const char* key, const membrane::Mesh& mesh) {
-  const Eigen::Vector3d point = reader.vector(key);
+  const Eigen::Vector3d point = reader.at(key).vector("m");
   const int node = membrane::nearest_node(mesh, point);
   double longest = 0.0;
   for (int e = 0; e < mesh.element_count(); ++e)
@@ -119,15 +121,15 @@ int anchor(TableReader& reader, const char* key, const membrane::Mesh& mesh) {
 void read_straps(TableReader& table, const BagMesh& source, std::vector<membrane::Strap>& straps) {
   for (auto& reader : table.tables("strap")) {
     membrane::Strap strap;
-    if (reader.has("from") || straps.size() >= source.strap_anchors.size()) {
+    if (reader.has("from") || reader.has("to") || straps.size() >= source.strap_anchors.size()) {
       strap.node_a = anchor(reader, "from", source.mesh);
       strap.node_b = anchor(reader, "to", source.mesh);
     } else {
       strap.node_a = source.strap_anchors[straps.size()][0];
       strap.node_b = source.strap_anchors[straps.size()][1];
     }
-    strap.stiffness = reader.number("stiffness", positive);
-    strap.free_length = reader.number("free_length", positive);
+    strap.stiffness = reader.at("stiffness").number(positive.in("N/m"));
+    strap.free_length = reader.at("free_length").number(positive.in("m"));
     reader.finish();
     straps.push_back(strap);
   }
@@ -137,9 +139,9 @@ void read_plate(TableReader& table, membrane::BagDescription& bag) {
   auto reader = table.optional_table("plate");
   if (!reader) return;
   membrane::Plate plate;
-  plate.point = reader->vector("point");
-  plate.normal = reader->vector("normal");
-  plate.stiffness = reader->optional_number("stiffness", positive);
+  plate.point = reader->at("point").vector("m");
+  plate.normal = reader->at("normal").vector("");
+  plate.stiffness = reader->at("stiffness").optional_number(positive.in("Pa/m"));
   reader->finish();
   bag.plates.push_back(plate);
 }
@@ -179,7 +181,7 @@ Eigen::Matrix3Xd initial_shape(TableReader& table, const BagMesh& source) {
   if (source.initial && table.has("flatten"))
     table.fail("flatten", "this mesh has an initial shape of its own; allowed for meshes without one");
   if (source.initial) return *source.initial;
-  return membrane::flatten(source.mesh, table.number("flatten", positive_fraction, 1.0));
+  return membrane::flatten(source.mesh, table.at("flatten").number(positive_fraction, 1.0));
 }
 
 void warn_of_leaks(const membrane::BagDescription& bag, LeakLaw law, Scene& scene) {
@@ -219,7 +221,7 @@ void read_bag(TableReader& root, Scene& scene) {
     return;
   }
   if (!scene.gas) root.fail("gas", "is missing: a bag ([membrane]) is filled by a gas");
-  const auto null_panels = table->texts("null_panels");
+  const auto null_panels = table->at("null_panels").texts();
   BagMesh source = read_mesh(table->table("mesh"), null_panels);
   membrane::BagDescription bag;
   bag.reference = source.mesh.nodes;
@@ -228,17 +230,17 @@ void read_bag(TableReader& root, Scene& scene) {
   const LeakLaw law = read_fabric(root, source.mesh, null_panels, bag, scene.gas->model);
   std::vector<int> null_elements = set_null_panels(*table, null_panels, source.mesh, bag);
   bag.fixed_nodes = nodes_of_panels(*table, "fixed_panels", source.mesh);
-  bag.mass_damping = table->number("mass_damping", non_negative, 0.0);
+  bag.mass_damping = table->at("mass_damping").number(non_negative.in("1/s"), 0.0);
   read_straps(*table, source, bag.straps);
   read_plate(*table, bag);
 
   warn_of_leaks(bag, law, scene);
   warn_of_size(source.mesh, scene);
   Eigen::Matrix3Xd position = initial_shape(*table, source);
-  const double amplitude = table->number("perturbation", Bounds{0.0, 1e-3, false, "0 to 1e-3 m"}, 0.0);
+  const double amplitude = table->at("perturbation").number(Bounds{0.0, 1e-3, false, "0 to 1e-3", "m"}, 0.0);
   if (table->has("perturbation_seed") && !table->has("perturbation"))
     table->fail("perturbation_seed", "is given without perturbation: what it seeds is needed");
-  const int seed = table->integer("perturbation_seed", 0, 1'000'000'000, 0);
+  const int seed = table->at("perturbation_seed").integer(0, 1'000'000'000, 0);
   perturb(position, bag.fixed_nodes, amplitude, seed);
   table->located("", [&] {
     scene.bag.emplace(BagPart{std::move(source.mesh), membrane::make_model(bag), std::move(position), law,

@@ -12,9 +12,9 @@ std::optional<membrane::WeaveProperties> read_weave(TableReader& table) {
   auto reader = table.optional_table("weave");
   if (!reader) return std::nullopt;
   membrane::WeaveProperties weave;
-  weave.young_modulus_weft = reader->number("young_modulus_weft", positive);
-  weave.shear = reader->number("shear_modulus", positive);
-  weave.warp = reader->vector("warp");
+  weave.young_modulus_weft = reader->at("young_modulus_weft").number(positive.in("Pa"));
+  weave.shear = reader->at("shear_modulus").number(positive.in("Pa"));
+  weave.warp = reader->at("warp").vector("");
   reader->finish();
   return weave;
 }
@@ -22,12 +22,12 @@ std::optional<membrane::WeaveProperties> read_weave(TableReader& table) {
 // Replaces the properties that the table names; `number(key, bounds, before)` reads one.
 template <class Number>
 void read_properties(TableReader& table, membrane::ElementProperties& fabric, Number&& number) {
-  fabric.young_modulus = number("young_modulus", positive, fabric.young_modulus);
+  fabric.young_modulus = number("young_modulus", positive.in("Pa"), fabric.young_modulus);
   // The limit of a woven fabric depends on both moduli; the library asks for it.
   const Bounds isotropic{-0.999, 0.999, false, "a number from -0.999 to 0.999"};
   fabric.poisson = number("poisson_ratio", table.has("weave") ? any_number : isotropic, fabric.poisson);
-  fabric.density = number("density", positive, fabric.density);
-  fabric.thickness = number("thickness", positive, fabric.thickness);
+  fabric.density = number("density", positive.in("kg/m³"), fabric.density);
+  fabric.thickness = number("thickness", positive.in("m"), fabric.thickness);
   if (auto weave = read_weave(table)) fabric.weave = weave;
 }
 
@@ -39,10 +39,10 @@ void read_panels(TableReader& table, const membrane::Mesh& mesh, const std::vect
   for (TableReader& reader : table.tables("panel")) {
     membrane::ElementProperties own = base;
     read_properties(reader, own, [&](const char* key, Bounds bounds, double before) {
-      return reader.optional_number(key, bounds).value_or(before);
+      return reader.at(key).optional_number(bounds).value_or(before);
     });
-    own.porosity = reader.optional_number("porosity", fraction).value_or(own.porosity);
-    const auto names = reader.texts("panels");
+    own.porosity = reader.at("porosity").optional_number(fraction).value_or(own.porosity);
+    const auto names = reader.at("panels").texts("needed");
     if (names.empty()) reader.fail("panels", "is missing or empty, names of panels are needed");
     reader.located("panels", [&] {
       for (const std::string& name : names) {
@@ -68,22 +68,23 @@ LeakLaw read_fabric(TableReader& root, const membrane::Mesh& mesh,
   TableReader table = root.table("fabric");
   membrane::ElementProperties fabric;
   read_properties(table, fabric,
-                  [&](const char* key, Bounds bounds, double) { return table.number(key, bounds); });
-  const auto law = table.choice<LeakLaw>("leak_law",
-                                         {{"none", LeakLaw::none},
-                                          {"printed", LeakLaw::printed},
-                                          {"screen", LeakLaw::screen},
-                                          {"table", LeakLaw::table}},
-                                         "printed");
+                  [&](const char* key, Bounds bounds, double) { return table.at(key).number(bounds); });
+  const auto law = table.at("leak_law")
+                       .choice<LeakLaw>({{"none", LeakLaw::none},
+                                         {"printed", LeakLaw::printed},
+                                         {"screen", LeakLaw::screen},
+                                         {"table", LeakLaw::table}},
+                                        "printed");
   // A table is measured on the fabric as it is: all of it leaks, unless the case says otherwise.
-  fabric.porosity = table.number("porosity", fraction, law == LeakLaw::table ? 1.0 : 0.0);
+  fabric.porosity = table.at("porosity").number(fraction, law == LeakLaw::table ? 1.0 : 0.0);
   if (law == LeakLaw::table) model.fabrics = {gas::Fabric{1.0, read_leak_velocity(table)}};
   using membrane::Compression;
-  bag.compression = table.choice<Compression>(
-      "compression", {{"none", Compression::none}, {"linear", Compression::linear}}, "none");
+  bag.compression =
+      table.at("compression")
+          .choice<Compression>({{"none", Compression::none}, {"linear", Compression::linear}}, "none");
   using membrane::FabricLaw;
-  bag.law = table.choice<FabricLaw>(
-      "law", {{"saint_venant_kirchhoff", FabricLaw::saint_venant_kirchhoff}, {"hencky", FabricLaw::hencky}},
+  bag.law = table.at("law").choice<FabricLaw>(
+      {{"saint_venant_kirchhoff", FabricLaw::saint_venant_kirchhoff}, {"hencky", FabricLaw::hencky}},
       "saint_venant_kirchhoff");
   if (bag.law == FabricLaw::hencky && bag.compression != Compression::none)
     table.fail("compression",

@@ -20,8 +20,8 @@ struct NamedComposition {
 
 NamedComposition read_composition(TableReader& table) {
   NamedComposition composition;
-  composition.fractions = table.composition("composition");
-  composition.by = table.choice<By>("composition_by", {{"mass", By::mass}, {"mole", By::mole}}, "mass");
+  composition.fractions = table.at("composition").composition();
+  composition.by = table.at("composition_by").choice<By>({{"mass", By::mass}, {"mole", By::mole}}, "mass");
   return composition;
 }
 
@@ -45,13 +45,14 @@ class SpeciesList {
 };
 
 SpeciesList read_species(TableReader& table) {
-  const auto law = table.choice<Thermodynamics>(
-      "thermodynamics", {{"constant", Thermodynamics::constant_cp}, {"nasa7", Thermodynamics::nasa7}},
-      "constant");
+  const auto law =
+      table.at("thermodynamics")
+          .choice<Thermodynamics>(
+              {{"constant", Thermodynamics::constant_cp}, {"nasa7", Thermodynamics::nasa7}}, "constant");
   double reference = gas::kReferenceTemperature;
   if (law == Thermodynamics::constant_cp)
     reference =
-        table.number("reference_temperature", Bounds{200.0, 6000.0, false, "200 to 6000 K"}, reference);
+        table.at("reference_temperature").number(Bounds{200.0, 6000.0, false, "200 to 6000", "K"}, reference);
   SpeciesCatalogue catalogue(law, reference);
   catalogue.read(table);
   return SpeciesList(std::move(catalogue));
@@ -104,12 +105,12 @@ std::optional<NamedComposition> read_ambient_composition(TableReader& root,
 gas::Inflow read_inflow(TableReader& reader, std::vector<double> fractions, TriggerNames& names) {
   std::optional<gas::Curve> mass_flow, temperature;
   reader.located("mass_flow", [&] {
-    mass_flow = to_gas_curve(reader.curve("mass_flow", non_negative), gas::Outside::zero);
+    mass_flow = to_gas_curve(reader.at("mass_flow").curve(non_negative.in("kg/s")), gas::Outside::zero);
   });
   reader.located("temperature", [&] {
-    temperature = to_gas_curve(reader.curve("temperature", gas_temperature), gas::Outside::held);
+    temperature = to_gas_curve(reader.at("temperature").curve(gas_temperature), gas::Outside::held);
   });
-  const double start = reader.number("start_time", non_negative, 0.0);
+  const double start = reader.at("start_time").number(non_negative.in("s"), 0.0);
   return {std::move(fractions), *mass_flow, *temperature, start, names.optional_node(reader)};
 }
 
@@ -126,8 +127,10 @@ void read_initial(TableReader& initial, const NamedComposition& composition, Sce
   GasPart& part = *scene.gas;
   initial.located("composition",
                   [&] { part.initial_fractions = mass_fractions(part.model.thermo, composition); });
-  part.initial_pressure = initial.number("pressure", non_negative, scene.ambient.pressure);
-  part.initial_temperature = initial.number("temperature", gas_temperature, scene.ambient.temperature);
+  part.initial_pressure =
+      initial.at("pressure").number(non_negative.in("Pa"), scene.ambient.pressure, "ambient");
+  part.initial_temperature =
+      initial.at("temperature").number(gas_temperature, scene.ambient.temperature, "ambient");
   initial.finish();
 }
 

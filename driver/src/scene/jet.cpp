@@ -15,63 +15,65 @@ namespace driver {
 namespace {
 
 const Bounds below_one{0.0, std::nextafter(1.0, 0.0), false, "a number from 0 to below 1"};
-const Bounds below_right_angle{0.0, std::nextafter(0.5 * std::numbers::pi, 0.0), false,
-                               "0 to below pi/2 rad"};
+const Bounds below_right_angle{0.0, std::nextafter(0.5 * std::numbers::pi, 0.0), false, "0 to below pi/2",
+                               "rad"};
 
 // The coefficient of a kind of outlet, or a number.
 double read_decay_coefficient(TableReader& table, jet::OutletShape shape) {
   using Type = jet::OutletType;
-  if (!table.has("outlet_type")) return table.number("decay_coefficient", positive);
-  if (table.has("decay_coefficient"))
-    table.fail("outlet_type", "stands beside decay_coefficient, one of the two is allowed");
-  return jet::decay_coefficient(
-      shape == jet::OutletShape::round
-          ? table.choice<Type>("outlet_type", {{"contracting_nozzle", Type::contracting_nozzle},
-                                               {"cylindrical_tube", Type::cylindrical_tube},
-                                               {"guide_vane_fan", Type::guide_vane_fan}})
-          : table.choice<Type>("outlet_type", {{"plane_nozzle", Type::plane_nozzle},
-                                               {"sharp_slot", Type::sharp_slot},
-                                               {"rounded_slot", Type::rounded_slot}}));
+  const bool has_number = table.has("decay_coefficient");
+  if (!table.has("outlet_type")) return table.at("decay_coefficient").number(positive);
+  if (has_number) table.fail("outlet_type", "stands beside decay_coefficient, one of the two is allowed");
+  return jet::decay_coefficient(shape == jet::OutletShape::round
+                                    ? table.at("outlet_type")
+                                          .choice<Type>({{"contracting_nozzle", Type::contracting_nozzle},
+                                                         {"cylindrical_tube", Type::cylindrical_tube},
+                                                         {"guide_vane_fan", Type::guide_vane_fan}})
+                                    : table.at("outlet_type")
+                                          .choice<Type>({{"plane_nozzle", Type::plane_nozzle},
+                                                         {"sharp_slot", Type::sharp_slot},
+                                                         {"rounded_slot", Type::rounded_slot}}));
 }
 
 jet::JetModel read_model(TableReader& table) {
   jet::JetModel model;
-  model.shape = table.choice<jet::OutletShape>(
-      "shape", {{"round", jet::OutletShape::round}, {"rectangular", jet::OutletShape::rectangular}});
-  model.centre = table.vector("centre");
-  model.axis = table.vector("axis");
+  model.shape = table.at("shape").choice<jet::OutletShape>(
+      {{"round", jet::OutletShape::round}, {"rectangular", jet::OutletShape::rectangular}});
+  model.centre = table.at("centre").vector("m");
+  model.axis = table.at("axis").vector("");
   if (model.shape == jet::OutletShape::round) {
-    model.radius = table.number("radius", positive);
+    model.radius = table.at("radius").number(positive.in("m"));
   } else {
-    model.long_direction = table.vector("long_direction");
-    model.long_side = table.number("long_side", positive);
-    model.short_side = table.number("short_side", positive);
+    model.long_direction = table.at("long_direction").vector("");
+    model.long_side = table.at("long_side").number(positive.in("m"));
+    model.short_side = table.at("short_side").number(positive.in("m"));
     if (model.short_side > model.long_side) table.fail("short_side", "is longer than long_side");
   }
   model.decay_coefficient = read_decay_coefficient(table, model.shape);
-  model.spread = table.choice<jet::Spread>(
-      "spread", {{"momentum", jet::Spread::momentum}, {"cone", jet::Spread::cone}}, "momentum");
+  model.spread = table.at("spread").choice<jet::Spread>(
+      {{"momentum", jet::Spread::momentum}, {"cone", jet::Spread::cone}}, "momentum");
   if (model.spread == jet::Spread::cone) {
-    model.cone_initial_width = table.number("cone_initial_width", positive);
-    model.cone_half_angle = table.number("cone_half_angle", below_right_angle);
+    model.cone_initial_width = table.at("cone_initial_width").number(positive.in("m"));
+    model.cone_half_angle = table.at("cone_half_angle").number(below_right_angle);
   }
-  model.direction = table.choice<jet::Direction>(
-      "direction", {{"axial", jet::Direction::axial}, {"radial", jet::Direction::radial}}, "axial");
-  model.restitution = table.number("restitution", fraction, 1.0);
-  model.cut_off = table.number("cut_off", below_one, model.cut_off);
-  model.relative_to_skin = table.flag("relative_to_skin", false);
+  model.direction = table.at("direction")
+                        .choice<jet::Direction>(
+                            {{"axial", jet::Direction::axial}, {"radial", jet::Direction::radial}}, "axial");
+  model.restitution = table.at("restitution").number(fraction, 1.0);
+  model.cut_off = table.at("cut_off").number(below_one, model.cut_off);
+  model.relative_to_skin = table.at("relative_to_skin").flag(false);
   return model;
 }
 
 jet::OutletModel read_outlet(TableReader& table, const jet::JetModel& model) {
   jet::OutletModel outlet;
-  outlet.law = table.choice<jet::OutletLaw>(
-      "outlet", {{"sonic", jet::OutletLaw::sonic}, {"pressure_matched", jet::OutletLaw::pressure_matched}},
-      "sonic");
-  outlet.temperature = table.choice<jet::OutletTemperature>(
-      "temperature",
-      {{"static", jet::OutletTemperature::static_value}, {"stagnation", jet::OutletTemperature::stagnation}},
-      "static");
+  outlet.law = table.at("outlet").choice<jet::OutletLaw>(
+      {{"sonic", jet::OutletLaw::sonic}, {"pressure_matched", jet::OutletLaw::pressure_matched}}, "sonic");
+  outlet.temperature =
+      table.at("temperature")
+          .choice<jet::OutletTemperature>({{"static", jet::OutletTemperature::static_value},
+                                           {"stagnation", jet::OutletTemperature::stagnation}},
+                                          "static");
   outlet.area = jet::outlet_area(model);
   if (!(outlet.area > 0.0 && std::isfinite(outlet.area)))
     table.fail(model.shape == jet::OutletShape::round ? "radius" : "short_side",
@@ -144,7 +146,7 @@ void require_target_ahead(const TableReader& table, const jet::JetModel& model, 
 
 std::vector<int> attachment_elements(TableReader& table, const Scene& scene) {
   std::vector<int> elements;
-  const auto panels = table.texts("attachment_panels");
+  const auto panels = table.at("attachment_panels").texts();
   if (!panels.empty() && !scene.bag) table.fail("attachment_panels", "the scene has no membrane");
   table.located("attachment_panels", [&] {
     for (const auto& name : panels)
@@ -165,7 +167,7 @@ void read_jet(TableReader& inflator, std::size_t index, Scene& scene) {
   const std::vector<int> null_elements = scene.bag ? scene.bag->null_elements : std::vector<int>{};
   const auto& elements = scene.bag ? scene.bag->mesh.elements : scene.target->triangles;
   const auto& nodes = scene.bag ? scene.bag->mesh.nodes : scene.target->nodes;
-  const int subdivisions = table->integer("subdivisions", 1, 64, 1);
+  const int subdivisions = table->at("subdivisions").integer(1, 64, 1);
   std::optional<jet::Subdivision> pieces;
   if (subdivisions > 1)
     table->located("subdivisions",
@@ -179,19 +181,20 @@ void read_jet(TableReader& inflator, std::size_t index, Scene& scene) {
     scene.jets.push_back(JetPart{index, std::move(pieces), std::move(field), outlet, std::move(roles)});
   });
   JetPart& part = scene.jets.back();
-  part.occlusion = table->flag("occlusion", true);
-  part.route = table->choice<jet::VisibilityRoute>("visibility",
-                                                   {{"fast", jet::VisibilityRoute::fast},
-                                                    {"cgal_tree", jet::VisibilityRoute::cgal_tree},
-                                                    {"brute_force", jet::VisibilityRoute::brute_force}},
-                                                   "fast");
+  part.occlusion = table->at("occlusion").flag(true);
+  part.route = table->at("visibility")
+                   .choice<jet::VisibilityRoute>({{"fast", jet::VisibilityRoute::fast},
+                                                  {"cgal_tree", jet::VisibilityRoute::cgal_tree},
+                                                  {"brute_force", jet::VisibilityRoute::brute_force}},
+                                                 "fast");
   if (!jet::has_route(part.route))
     table->fail(
         "visibility",
         "\"cgal_tree\" is not part of this program (the command gasjet has it), allowed are \"fast\" and "
         "\"brute_force\"");
-  part.work = table->choice<JetWork>(
-      "jet_work", {{"external", JetWork::external}, {"from_gas", JetWork::from_gas}}, "external");
+  part.work =
+      table->at("jet_work")
+          .choice<JetWork>({{"external", JetWork::external}, {"from_gas", JetWork::from_gas}}, "external");
   if (part.work == JetWork::from_gas && part.outlet.temperature != jet::OutletTemperature::stagnation)
     table->fail("jet_work",
                 "\"from_gas\" needs temperature = \"stagnation\": with a static temperature the jet's "

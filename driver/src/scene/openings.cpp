@@ -8,36 +8,38 @@ namespace driver {
 namespace {
 
 gas::Vent read_vent(TableReader& table, TriggerNames& names) {
-  gas::Vent vent{table.number("discharge_coefficient", positive_fraction, 1.0), 0.0};
+  gas::Vent vent{table.at("discharge_coefficient").number(positive_fraction, 1.0), 0.0};
   if (!table.is_table("area")) {
-    vent.area = table.number("area", positive);
+    vent.area = table.at("area").number(positive.in("m²"));
   } else if (table.has_in_table("area", "overpressure")) {
     table.located("area", [&] {
       vent.area_of_overpressure =
-          to_gas_curve(table.curve("area", non_negative, "overpressure"), gas::Outside::held);
+          to_gas_curve(table.at("area").curve(non_negative.in("m²"), "overpressure"), gas::Outside::held);
     });
   } else {
     table.located("area", [&] {
-      vent.area_of_time = to_gas_curve(table.curve("area", non_negative), gas::Outside::held);
+      vent.area_of_time = to_gas_curve(table.at("area").curve(non_negative.in("m²")), gas::Outside::held);
     });
   }
-  vent.backflow = table.flag("backflow", false);
+  vent.backflow = table.at("backflow").flag(false);
   vent.trigger = names.optional_node(table);
   return vent;
 }
 
 /// A fabric whose share is, for now, its leak area [m2].
 gas::Fabric read_tank_fabric(TableReader& table, Scene& scene) {
-  const double area = table.number("area", positive);
-  const auto law = table.choice<LeakLaw>(
-      "leak_law", {{"printed", LeakLaw::printed}, {"screen", LeakLaw::screen}, {"table", LeakLaw::table}},
-      "printed");
+  const double area = table.at("area").number(positive.in("m²"));
+  const auto law =
+      table.at("leak_law")
+          .choice<LeakLaw>(
+              {{"printed", LeakLaw::printed}, {"screen", LeakLaw::screen}, {"table", LeakLaw::table}},
+              "printed");
   warn_of_screen(table.path(), law, scene);
   gas::Fabric fabric{area};
   if (law == LeakLaw::table) {
     fabric.velocity = read_leak_velocity(table);
   } else {
-    const double porosity = table.number("porosity", positive_fraction);
+    const double porosity = table.at("porosity").number(positive_fraction);
     fabric.share = area * porosity * (law == LeakLaw::printed ? porosity : 1.0);
   }
   table.finish();
@@ -47,7 +49,7 @@ gas::Fabric read_tank_fabric(TableReader& table, Scene& scene) {
 /// [tank.fabric], or several as [[tank.fabric]]
 void read_tank_fabrics(TableReader& tank, Scene& scene) {
   std::vector<TableReader> tables;
-  if (tank.is_table("fabric"))
+  if (tank.has("fabric") && tank.is_table("fabric"))
     tables.push_back(tank.table("fabric"));
   else
     tables = tank.tables("fabric");
@@ -66,10 +68,10 @@ void read_tank_fabrics(TableReader& tank, Scene& scene) {
 
 TankVolume read_wave(TableReader&& wave, double end_time) {
   TankVolume volume;
-  volume.mean = wave.number("mean", gas_volume);
-  volume.amplitude = wave.number("amplitude", positive);
-  volume.frequency = wave.number("frequency", positive);
-  volume.phase = wave.number("phase", any_number, 0.0);
+  volume.mean = wave.at("mean").number(gas_volume);
+  volume.amplitude = wave.at("amplitude").number(positive.in("m³"));
+  volume.frequency = wave.at("frequency").number(positive.in("1/s"));
+  volume.phase = wave.at("phase").number(any_number.in("rad"), 0.0);
   constexpr double most_periods = 1e4;  // each is 512 pieces of the gas's equations
   if (volume.frequency * end_time > most_periods)
     wave.fail("frequency", fmt::format("is {}, at most {:g} is allowed: {:g} periods in end_time",
@@ -87,7 +89,7 @@ void read_volume_of_time(TableReader& tank, double end_time, GasPart& part) {
     volume = read_wave(tank.table("volume"), end_time);
   else
     tank.located("volume", [&] {
-      volume.table = to_gas_curve(tank.curve("volume", gas_volume), gas::Outside::held);
+      volume.table = to_gas_curve(tank.at("volume").curve(gas_volume), gas::Outside::held);
       if (const auto jump = volume.table->first_jump())
         throw std::invalid_argument(fmt::format(
             "jumps at {} s: its work would have no bound; one value at each time is allowed", *jump));
@@ -98,7 +100,7 @@ void read_volume_of_time(TableReader& tank, double end_time, GasPart& part) {
 
 void read_volume_of_overpressure(TableReader& tank, GasPart& part) {
   tank.located("volume", [&] {
-    const auto curve = to_gas_curve(tank.curve("volume", gas_volume, "overpressure"), gas::Outside::held);
+    const auto curve = to_gas_curve(tank.at("volume").curve(gas_volume, "overpressure"), gas::Outside::held);
     const double overpressure = part.initial_pressure - part.model.ambient.pressure;
     part.model.volume_of_overpressure = curve;
     gas::validate(part.model);
@@ -120,7 +122,7 @@ void warn_of_screen(const std::string& fabric, LeakLaw law, Scene& scene) {
 
 gas::Curve read_leak_velocity(TableReader& table) {
   const auto velocity =
-      to_gas_curve(table.curve("velocity", non_negative, "overpressure"), gas::Outside::held);
+      to_gas_curve(table.at("velocity").curve(non_negative.in("m/s"), "overpressure"), gas::Outside::held);
   // The flow would jump where the overpressure changes its sign.
   if (const double at_rest = velocity.value(0.0); at_rest > 0.0)
     table.fail("velocity", fmt::format("is {} m/s without overpressure, 0 is allowed there: begin with the "
@@ -141,7 +143,7 @@ void read_tank(TableReader& root, Scene& scene) {
   if (!tank) return;
   GasPart& part = *scene.gas;
   if (!tank->is_table("volume"))
-    part.rigid_volume = tank->number("volume", gas_volume);
+    part.rigid_volume = tank->at("volume").number(gas_volume);
   else if (tank->has_in_table("volume", "overpressure"))
     read_volume_of_overpressure(*tank, part);
   else if (tank->has_in_table("volume", "time") || tank->has_in_table("volume", "mean"))
@@ -157,9 +159,11 @@ void read_tank(TableReader& root, Scene& scene) {
 void read_heat_loss(TableReader& gas_table, Scene& scene) {
   auto table = gas_table.optional_table("heat_loss");
   if (!table) return;
-  const double coefficient = table->number("coefficient", positive), area = table->number("area", positive);
+  const double coefficient = table->at("coefficient").number(positive.in("W/(m² K)")),
+               area = table->at("area").number(positive.in("m²"));
   scene.gas->model.heat_loss = {
-      coefficient * area, table->number("outside_temperature", gas_temperature, scene.ambient.temperature)};
+      coefficient * area,
+      table->at("outside_temperature").number(gas_temperature, scene.ambient.temperature, "ambient")};
   table->finish();
 }
 

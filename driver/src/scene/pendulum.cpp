@@ -21,30 +21,31 @@ constexpr Bounds sliding{0.0, 10.0, false, "a number from 0 to 10"};
 
 PendulumPart read_model(TableReader& table, const Eigen::Vector3d& gravity) {
   coupling::PendulumParameters p;
-  p.pivot = table.vector("pivot");
-  p.axis = table.vector("axis");
-  p.rest_direction = table.vector("rest_direction");
-  p.mass = table.number("mass", positive);
-  p.inertia_cg = table.number("inertia_cg", non_negative);
-  p.cg_distance = table.number("cg_distance", non_negative);
-  p.impactor_distance = table.number("impactor_distance", positive);
-  p.impactor_radius = table.number("impactor_radius", positive);
+  p.pivot = table.at("pivot").vector("m");
+  p.axis = table.at("axis").vector("");
+  p.rest_direction = table.at("rest_direction").vector("");
+  p.mass = table.at("mass").number(positive.in("kg"));
+  p.inertia_cg = table.at("inertia_cg").number(non_negative.in("kg m²"));
+  p.cg_distance = table.at("cg_distance").number(non_negative.in("m"));
+  p.impactor_distance = table.at("impactor_distance").number(positive.in("m"));
+  p.impactor_radius = table.at("impactor_radius").number(positive.in("m"));
   p.gravity = gravity;
   coupling::PendulumState initial;
-  initial.angle = table.number("initial_angle", turns, 0.0);
-  initial.angular_velocity = table.number("initial_angular_velocity", any_number, 0.0);
+  initial.angle = table.at("initial_angle").number(turns.in("rad"), 0.0);
+  initial.angular_velocity = table.at("initial_angular_velocity").number(any_number.in("rad/s"), 0.0);
   PendulumPart part{coupling::PendulumModel(p), initial, {}};
   if (table.has("driving_moment"))
     table.located("driving_moment", [&] {
-      part.driving_moment = to_gas_curve(table.curve("driving_moment", any_number), gas::Outside::zero);
+      part.driving_moment =
+          to_gas_curve(table.at("driving_moment").curve(any_number.in("N m")), gas::Outside::zero);
     });
   return part;
 }
 
 double contact_stiffness(TableReader& table, const coupling::PendulumModel& pendulum, double friction,
                          const BagPart& bag) {
-  if (const auto stiffness = table.optional_number("stiffness", positive)) return *stiffness;
-  const double share = table.number("stiffness_share", shares, default_contact_share);
+  if (const auto stiffness = table.at("stiffness").optional_number(positive.in("N/m³"))) return *stiffness;
+  const double share = table.at("stiffness_share").number(shares, default_contact_share);
   // Of the other terms the fabric's alone never falls: stretch adds to it, gas and straps come and go.
   return coupling::default_contact_stiffness(
       {share, bag.model.fabric_frequency, lightest_fabric(bag.model.description),
@@ -53,7 +54,7 @@ double contact_stiffness(TableReader& table, const coupling::PendulumModel& pend
 
 coupling::ContactParameters read_contact(TableReader& table, const coupling::PendulumModel& pendulum,
                                          const BagPart& bag) {
-  const double friction = table.number("friction", sliding, 0.0);
+  const double friction = table.at("friction").number(sliding, 0.0);
   return {pendulum.parameters().impactor_radius, contact_stiffness(table, pendulum, friction, bag), friction};
 }
 

@@ -19,16 +19,16 @@ bool will_move(const TableReader& root) {
 
 // What a molecule of air flies between two collisions, 68 nm at 464 m/s, takes a seventh of it: no gas flows
 // in less.
-constexpr Bounds shortest_run{1e-9, any_number.high, false, "1e-9 s or more"};
+constexpr Bounds shortest_run{1e-9, any_number.high, false, "1e-9 or more", "s"};
 
 void read_general(TableReader& root, Scene& scene) {
   TableReader table = root.table("scene");
-  table.integer("format", 1, formats::case_file, 1);  // a file that does not say it is of the first
-  scene.name = table.text("name");
-  scene.time.end = table.number("end_time", shortest_run);
+  table.at("format").integer(1, formats::case_file, 1);  // a file that does not say it is of the first
+  scene.name = table.at("name").text();
+  scene.time.end = table.at("end_time").number(shortest_run);
   if (table.has("gravity") && !will_move(root))
     table.fail("gravity", "has no effect: nothing moves; it needs [membrane] or [pendulum]");
-  if (will_move(root)) scene.gravity = table.vector("gravity", Eigen::Vector3d::Zero());
+  if (will_move(root)) scene.gravity = table.at("gravity").vector("m/s²", Eigen::Vector3d::Zero());
   table.finish();
 }
 
@@ -39,8 +39,8 @@ std::optional<TableReader> read_ambient(TableReader& root, Scene& scene) {
   auto table = root.optional_table("ambient");
   if (table) {
     if (!root.has("gas")) table->fail("", "has no effect: it needs [gas]");
-    scene.ambient.pressure = table->number("pressure", positive, scene.ambient.pressure);
-    scene.ambient.temperature = table->number("temperature", gas_temperature, scene.ambient.temperature);
+    scene.ambient.pressure = table->at("pressure").number(positive.in("Pa"), scene.ambient.pressure);
+    scene.ambient.temperature = table->at("temperature").number(gas_temperature, scene.ambient.temperature);
   }
   return table;
 }
@@ -51,20 +51,21 @@ void read_gas_time(TableReader& table, bool has_volume, Scene& scene) {
     if (table.has(key) && !has_volume) table.fail(key, "has no effect: the scene has no volume of gas");
   if (!has_volume) return;
   gas::IntegratorOptions& options = scene.gas->integrator;
-  options.method = table.choice<gas::Method>("gas_method",
-                                             {{"dormand_prince", gas::Method::dormand_prince_5},
-                                              {"runge_kutta", gas::Method::runge_kutta_4},
-                                              {"euler", gas::Method::euler},
-                                              {"rosenbrock", gas::Method::rosenbrock_4}},
-                                             "dormand_prince");
-  if (const auto step = table.optional_number("gas_step", positive)) {
+  options.method = table.at("gas_method")
+                       .choice<gas::Method>({{"dormand_prince", gas::Method::dormand_prince_5},
+                                             {"runge_kutta", gas::Method::runge_kutta_4},
+                                             {"euler", gas::Method::euler},
+                                             {"rosenbrock", gas::Method::rosenbrock_4}},
+                                            "dormand_prince");
+  if (const auto step = table.at("gas_step").optional_number(positive.in("s"))) {
     if (table.has("gas_tolerance"))
       table.fail("gas_tolerance", "has no effect with gas_step: its sub-steps are fixed");
     options.fixed_step = *step;
     return;
   }
   options.relative_tolerance =
-      table.number("gas_tolerance", Bounds{1e-13, 1e-2, false, "1e-13 to 1e-2"}, options.relative_tolerance);
+      table.at("gas_tolerance")
+          .number(Bounds{1e-13, 1e-2, false, "1e-13 to 1e-2"}, options.relative_tolerance);
 }
 
 /// Steps of what moves.
@@ -73,11 +74,11 @@ void read_motion_time(TableReader& table, bool moves, Scene& scene) {
     if (table.has(key) && !moves)
       table.fail(key, "has no effect: nothing moves; here output.history_every is the step");
   if (!moves) return;
-  scene.time.step = table.optional_number(
-      "step", Bounds{scene.time.end / 1e9, any_number.high, false, "a step of end_time / 1e9 or more"});
+  scene.time.step = table.at("step").optional_number(
+      Bounds{scene.time.end / 1e9, any_number.high, false, "a step of end_time / 1e9 or more", "s"});
   if (!scene.time.step)
-    scene.time.safety = table.number("safety", Bounds{1e-3, 1.0, false, "1e-3 to 1"}, scene.time.safety);
-  scene.time.unsafe_step = table.flag("unsafe_step", false);
+    scene.time.safety = table.at("safety").number(Bounds{1e-3, 1.0, false, "1e-3 to 1"}, scene.time.safety);
+  scene.time.unsafe_step = table.at("unsafe_step").flag(false);
   if (scene.time.unsafe_step && !scene.time.step) table.fail("unsafe_step", "is allowed with `step` only");
 }
 
@@ -101,7 +102,7 @@ void read_streams(TableReader& table, Scene& scene) {
     if (table.has("streams")) table.fail("streams", "has no effect: the scene has no volume of gas");
     return;
   }
-  scene.output.streams = table.flag("streams", false);
+  scene.output.streams = table.at("streams").flag(false);
   if (!scene.output.streams) return;
   const gas::Thermo& thermo = scene.gas->model.thermo;
   for (std::size_t k = 0; k < thermo.size(); ++k)
@@ -115,16 +116,18 @@ void read_output(TableReader& root, Scene& scene) {
   constexpr int default_rows = 1000;
   scene.output.history_every = scene.time.end / default_rows;
   if (auto table = root.optional_table("output")) {
-    const Bounds rows{scene.time.end / 1e7, any_number.high, false, "an interval of end_time / 1e7 or more"};
-    scene.output.history_every = table->number("history_every", rows, scene.output.history_every);
-    scene.output.history_exact = table->flag("history_exact", false);
-    const Bounds frames{scene.time.end / 1e5, any_number.high, false,
-                        "an interval of end_time / 1e5 or more"};
-    scene.output.fields_every = table->optional_number("fields_every", frames).value_or(0.0);
+    const Bounds rows{scene.time.end / 1e7, any_number.high, false, "an interval of end_time / 1e7 or more",
+                      "s"};
+    scene.output.history_every =
+        table->at("history_every").number(rows, scene.output.history_every, "end_time / 1000");
+    scene.output.history_exact = table->at("history_exact").flag(false);
+    const Bounds frames{scene.time.end / 1e5, any_number.high, false, "an interval of end_time / 1e5 or more",
+                        "s"};
+    scene.output.fields_every = table->at("fields_every").optional_number(frames).value_or(0.0);
     if (scene.output.fields_every > 0.0 && !scene.bag)
       table->fail("fields_every", "the scene has no membrane");
     if (table->has("frames") && !scene.bag) table->fail("frames", "the scene has no membrane");
-    if (scene.bag) scene.output.frames = table->integer("frames", 0, 10000, scene.output.frames);
+    if (scene.bag) scene.output.frames = table->at("frames").integer(0, 10000, scene.output.frames);
     read_streams(*table, scene);
     table->finish();
   }

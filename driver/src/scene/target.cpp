@@ -19,14 +19,15 @@ void read_target(TableReader& root, Scene& scene) {
   auto table = root.optional_table("target");
   if (!table) return;
   if (scene.bag) table->fail("", "a scene has a [target] or a [membrane], not both");
-  const Eigen::Vector3d centre = table->vector("centre");
-  const Eigen::Vector3d normal = direction(*table, "normal", table->vector("normal"));
-  const Eigen::Vector3d given = direction(*table, "side", table->vector("side", normal.unitOrthogonal()));
+  const Eigen::Vector3d centre = table->at("centre").vector("m");
+  const Eigen::Vector3d normal = direction(*table, "normal", table->at("normal").vector(""));
+  const Eigen::Vector3d given = direction(
+      *table, "side", table->at("side").vector("", normal.unitOrthogonal(), "any across the normal"));
   const Eigen::Vector3d side = direction(*table, "side", given - given.dot(normal) * normal);
-  const double width = table->number("width", positive);
-  const double height = table->number("height", positive);
-  const int columns = table->integer("columns", 1, 2000, 50);
-  const int rows = table->integer("rows", 1, 2000, 50);
+  const double width = table->at("width").number(positive.in("m"));
+  const double height = table->at("height").number(positive.in("m"));
+  const int columns = table->at("columns").integer(1, 2000, 50);
+  const int rows = table->at("rows").integer(1, 2000, 50);
   table->finish();
 
   const auto mesh = membrane::rectangle(columns, rows, width, height, membrane::Diagonals::union_jack);

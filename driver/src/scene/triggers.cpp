@@ -12,15 +12,15 @@ namespace {
 
 gas::Sensor read_signal(TableReader& table) {
   std::optional<gas::Curve> signal;
-  const double above = table.number("above", any_number);
+  const double above = table.at("above").number(any_number);
   table.located("signal",
-                [&] { signal = to_gas_curve(table.curve("signal", any_number), gas::Outside::held); });
+                [&] { signal = to_gas_curve(table.at("signal").curve(any_number), gas::Outside::held); });
   return {gas::SensorKind::signal, above, {}, signal};
 }
 
 gas::Sensor read_pressure(TableReader& table) {
-  const double threshold = table.number("overpressure", any_number);
-  const auto reset = table.optional_number("reset", any_number);
+  const double threshold = table.at("overpressure").number(any_number.in("Pa"));
+  const auto reset = table.at("reset").optional_number(any_number.in("Pa"));
   if (reset && !(*reset < threshold))
     table.fail("reset", fmt::format("is {}, less than overpressure, {}, is allowed", *reset, threshold));
   return {gas::SensorKind::pressure, threshold, reset, {}};
@@ -32,8 +32,9 @@ gas::Sensor read_sensor(TableReader& table) {
   if (given != 1) table.fail("", fmt::format("names {} of {}, one is needed", given, fmt::join(kinds, ", ")));
   if (table.has("signal")) return read_signal(table);
   if (table.has("overpressure")) return read_pressure(table);
-  if (table.has("time")) return {gas::SensorKind::time, table.number("time", non_negative), {}, {}};
-  if (!table.flag("contact", true)) table.fail("contact", "is false, true is allowed");
+  if (table.has("time"))
+    return {gas::SensorKind::time, table.at("time").number(non_negative.in("s")), {}, {}};
+  if (!table.at("contact").flag(true)) table.fail("contact", "is false, true is allowed");
   return {gas::SensorKind::input, 0.0, {}, {}};
 }
 
@@ -48,13 +49,13 @@ gas::Gate read_gate(TableReader& table, const TriggerNames& names) {
     if (inputs.empty()) table.fail(key, "is empty, names of sensors and triggers are needed");
   };
   if (table.has("not"))
-    add("not", gas::Logic::negated, {table.text("not")});
+    add("not", gas::Logic::negated, {table.at("not").text()});
   else if (table.has("all"))
-    add("all", gas::Logic::all, table.texts("all"));
+    add("all", gas::Logic::all, table.at("all").texts(""));
   else
-    add("any", gas::Logic::any, table.texts("any"));
-  gate.delay = table.number("delay", non_negative, 0.0);
-  gate.latch = table.flag("latch", false);
+    add("any", gas::Logic::any, table.at("any").texts(""));
+  gate.delay = table.at("delay").number(non_negative.in("s"), 0.0);
+  gate.latch = table.at("latch").flag(false);
   return gate;
 }
 
@@ -70,7 +71,7 @@ std::size_t TriggerNames::node(const TableReader& table, const std::string& key,
 }
 
 void TriggerNames::add(TableReader& table) {
-  const std::string name = table.text("name");
+  const std::string name = table.at("name").text();
   if (name.empty()) table.fail("name", "is empty, a name is needed");
   if (std::find(names_.begin(), names_.end(), name) != names_.end())
     table.fail("name", fmt::format("names \"{}\" a second time", name));
@@ -79,7 +80,7 @@ void TriggerNames::add(TableReader& table) {
 
 std::optional<std::size_t> TriggerNames::optional_node(TableReader& table) {
   if (!table.has("trigger")) return {};
-  const std::size_t found = node(table, "trigger", table.text("trigger"));
+  const std::size_t found = node(table, "trigger", table.at("trigger").text());
   used_.insert(found);
   return found;
 }

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "case/csv_table.hpp"
 #include "driver/study_analysis.hpp"
-#include "results/csv_table.hpp"
 #include "study/parts.hpp"
 
 namespace driver {
@@ -65,12 +65,12 @@ std::vector<StudyPoint> sampled(TableReader& table, const StudyPlan& plan) {
   require_levels(table, plan, false);
   if (plan.factors.empty()) table.fail("design", "needs factors");
   const int factors = static_cast<int>(plan.factors.size());
-  const int count = table.integer("points", 1, 1'000'000, 64);
+  const int count = table.at("points").integer(1, 1'000'000, 64);
   std::vector<UnitPoint> units;
   table.located("design", [&] {
     if (plan.design == StudyDesign::latin_hypercube)
       units = latin_hypercube(
-          count, factors, static_cast<std::uint64_t>(table.integer("sampling_seed", 0, 1'000'000'000, 1)));
+          count, factors, static_cast<std::uint64_t>(table.at("sampling_seed").integer(0, 1'000'000'000, 1)));
     else if (plan.design == StudyDesign::sobol)
       units = sobol_sequence(count, factors);
     else
@@ -84,7 +84,7 @@ std::vector<StudyPoint> sampled(TableReader& table, const StudyPlan& plan) {
 }
 
 std::vector<StudyPoint> of_file(TableReader& table, const StudyPlan& plan) {
-  const auto file = table.beside_case(table.text("file"));
+  const auto file = table.beside_case(table.at("file").text());
   std::vector<std::string> names;
   for (const auto& factor : plan.factors) {
     if (!factor.levels.empty() || factor.high > factor.low)
@@ -105,14 +105,13 @@ std::vector<StudyPoint> of_file(TableReader& table, const StudyPlan& plan) {
 }  // namespace
 
 std::vector<StudyPoint> points_of(TableReader& table, StudyPlan& plan) {
-  plan.design = table.choice<StudyDesign>("design",
-                                          {{"grid", StudyDesign::grid},
-                                           {"list", StudyDesign::list},
-                                           {"latin_hypercube", StudyDesign::latin_hypercube},
-                                           {"sobol", StudyDesign::sobol},
-                                           {"sobol_indices", StudyDesign::sobol_indices},
-                                           {"file", StudyDesign::file}},
-                                          "grid");
+  plan.design = table.at("design").choice<StudyDesign>({{"grid", StudyDesign::grid},
+                                                        {"list", StudyDesign::list},
+                                                        {"latin_hypercube", StudyDesign::latin_hypercube},
+                                                        {"sobol", StudyDesign::sobol},
+                                                        {"sobol_indices", StudyDesign::sobol_indices},
+                                                        {"file", StudyDesign::file}},
+                                                       "grid");
   switch (plan.design) {
     case StudyDesign::grid:
       return grid(table, plan);

@@ -14,11 +14,11 @@ namespace driver {
 namespace {
 
 constexpr Bounds rate{0.0, 0.5, true, "a number above 0, at most 0.5"};
-constexpr Bounds small_length{1e-18, 1e-3, false, "1e-18 to 1e-3 m"};
+constexpr Bounds small_length{1e-18, 1e-3, false, "1e-18 to 1e-3", "m"};
 
 std::vector<std::string> overrides_of(TableReader& table) {
-  std::vector<std::string> overrides = table.texts("set");
-  for (const auto& path : table.texts("unset")) overrides.push_back(std::string(unset_prefix) + path);
+  std::vector<std::string> overrides = table.at("set").texts();
+  for (const auto& path : table.at("unset").texts()) overrides.push_back(std::string(unset_prefix) + path);
   return overrides;
 }
 
@@ -31,12 +31,12 @@ void refuse_perturbation(TableReader& table, const char* key, const std::vector<
 
 void read_levels(TableReader& table, StudyFactor& factor, int seeds) {
   for (auto& reader : table.tables("level")) {
-    StudyLevel level{reader.text("name"), overrides_of(reader), std::nullopt};
+    StudyLevel level{reader.at("name").text(), overrides_of(reader), std::nullopt};
     if (seeds == 0 && (reader.has("seeds") || reader.has("amplitude")))
       reader.fail("", "has seeds or an amplitude, which need study.seeds of 1 or more");
-    if (reader.has("seeds")) level.seeds = reader.integer("seeds", 1, seeds, seeds);
+    if (reader.has("seeds")) level.seeds = reader.at("seeds").integer(1, seeds, seeds);
     if (seeds > 0) refuse_perturbation(reader, "set", level.overrides);
-    level.amplitude = reader.optional_number("amplitude", small_length);
+    level.amplitude = reader.at("amplitude").optional_number(small_length);
     reader.finish();
     factor.levels.push_back(std::move(level));
   }
@@ -44,8 +44,8 @@ void read_levels(TableReader& table, StudyFactor& factor, int seeds) {
 }
 
 void read_range(TableReader& table, StudyFactor& factor) {
-  const auto range = table.numbers("range", any_number);
-  factor.logarithmic = table.choice<bool>("scale", {{"linear", false}, {"logarithmic", true}}, "linear");
+  const auto range = table.at("range").numbers(any_number);
+  factor.logarithmic = table.at("scale").choice<bool>({{"linear", false}, {"logarithmic", true}}, "linear");
   if (range.size() != 2 || !(range[0] < range[1]))
     table.fail("range", "is no range, [low, high] with low < high is allowed");
   if (factor.logarithmic && !(range[0] > 0.0))
@@ -56,13 +56,13 @@ void read_range(TableReader& table, StudyFactor& factor) {
 StudyFactor read_factor(TableReader& table, int seeds) {
   StudyFactor factor;
   factor.path = table.path();
-  if (table.has("key")) factor.key = table.text("key");
+  if (table.has("key")) factor.key = table.at("key").text();
   if (seeds > 0) refuse_perturbation(table, "key", {factor.key});
-  factor.name = factor.key.empty() ? table.text("name") : table.text("name", factor.key);
+  factor.name = factor.key.empty() ? table.at("name").text() : table.at("name").text(factor.key);
   if (factor.key.empty())
     read_levels(table, factor, seeds);
   else if (table.has("values"))
-    for (const auto& [text, number] : table.elements("values"))
+    for (const auto& [text, number] : table.at("values").elements())
       factor.levels.push_back({text, {factor.key + '=' + text}, number});
   else if (table.has("range"))
     read_range(table, factor);
@@ -84,7 +84,7 @@ void read_factors(TableReader& root, StudyPlan& plan) {
 }
 
 std::size_t factor_named(TableReader& table, const char* key, const StudyPlan& plan) {
-  const auto name = table.text(key);
+  const auto name = table.at(key).text();
   const auto found = std::ranges::find(plan.factors, name, &StudyFactor::name);
   if (found != plan.factors.end()) return static_cast<std::size_t>(found - plan.factors.begin());
   std::vector<std::string> names;
@@ -117,13 +117,13 @@ void read_analysis(TableReader& root, StudyPlan& plan) {
   auto table = root.optional_table("analysis");
   if (!table) return;
   if (auto base = table->optional_table("base")) {
-    plan.base = StudyBase{factor_named(*base, "factor", plan), base->text("level")};
+    plan.base = StudyBase{factor_named(*base, "factor", plan), base->at("level").text()};
     const auto& levels = plan.factors[plan.base->factor].levels;
     if (std::ranges::find(levels, plan.base->level, &StudyLevel::name) == levels.end())
       base->fail("level", fmt::format("is \"{}\", which the factor does not have", plan.base->level));
     base->finish();
   }
-  plan.response_surface = table->flag("response_surface", false);
+  plan.response_surface = table->at("response_surface").flag(false);
   if (table->has("convergence")) {
     plan.convergence = factor_named(*table, "convergence", plan);
     const auto& levels = plan.factors[*plan.convergence].levels;
@@ -138,12 +138,12 @@ void read_stop(TableReader& root, StudyPlan& plan) {
   auto table = root.optional_table("stop");
   if (!table) return;
   StudyStop stop;
-  stop.quantity = table->text("quantity");
+  stop.quantity = table->at("quantity").text();
   if (std::ranges::find(plan.quantities, stop.quantity) == plan.quantities.end())
     table->fail("quantity", fmt::format("is \"{}\", one of the study's is needed: {}", stop.quantity,
                                         fmt::join(plan.quantities, ", ")));
-  stop.standard_error = table->optional_number("standard_error", positive);
-  stop.error_rate = table->optional_number("sign_error_rate", rate);
+  stop.standard_error = table->at("standard_error").optional_number(positive);
+  stop.error_rate = table->at("sign_error_rate").optional_number(rate);
   if (stop.standard_error.has_value() == stop.error_rate.has_value())
     table->fail("standard_error", "or sign_error_rate is needed, one of the two");
   if (stop.error_rate && !plan.base) table->fail("sign_error_rate", "needs [analysis.base]");
@@ -153,7 +153,7 @@ void read_stop(TableReader& root, StudyPlan& plan) {
       if (level.seeds)
         table->fail("",
                     fmt::format("decides on seeds, but the level \"{}\" has some of its own", level.name));
-  stop.most_seeds = table->integer("most_seeds", plan.seeds, 1'000'000, 1024);
+  stop.most_seeds = table->at("most_seeds").integer(plan.seeds, 1'000'000, 1024);
   plan.stop = stop;
   table->finish();
 }
@@ -210,7 +210,7 @@ void check_points(TableReader& root, const StudyPlan& plan) {
 
 std::vector<std::string> quantities_of(TableReader& table, const Scene& scene) {
   auto names = quantity_names(scene);
-  const auto given = table.texts("quantities");
+  const auto given = table.at("quantities").texts();
   if (given.empty()) return names;
   for (const auto& column : history_columns(scene)) names.push_back(column.name);
   const std::string shown = fmt::format("{}", fmt::join(names, ", "));
@@ -272,11 +272,11 @@ StudyPlan read_study(const std::filesystem::path& file) {
   StudyPlan plan;
   plan.file = file;
   TableReader table = root.table("study");
-  plan.name = table.file_name("name", file.stem().string());
-  plan.case_file = table.beside_case(table.text("case"));
+  plan.name = file_name(table, "name", file.stem().string());
+  plan.case_file = table.beside_case(table.at("case").text());
   plan.overrides = overrides_of(table);
-  plan.seeds = table.integer("seeds", 0, 1'000'000, 0);
-  plan.amplitude = table.number("amplitude", small_length, default_amplitude);
+  plan.seeds = table.at("seeds").integer(0, 1'000'000, 0);
+  plan.amplitude = table.at("amplitude").number(small_length, default_amplitude);
   read_factors(root, plan);
   Scene scene;
   {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "results/csv_table.hpp"
+#include "case/csv_table.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
