@@ -32,7 +32,7 @@ double ContactModel::full_omega_squared_of_skin() const {
   for (int e = 0; e < element_count(); ++e) {
     const double n = subdivision(e);
     for (const int node : triangles_.col(e))
-      area[static_cast<std::size_t>(node)] += weights_[static_cast<std::size_t>(e)] * n * n / 3.0;
+      area[static_cast<std::size_t>(node)] += quadrature_[static_cast<std::size_t>(e)].weight * n * n / 3.0;
   }
   double largest = 0.0;
   for (std::size_t a = 0; a < area.size(); ++a) largest = std::max(largest, area[a] / masses_[a]);

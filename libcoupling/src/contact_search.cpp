@@ -25,33 +25,33 @@ double largest_motion(const Nodes& nodes, const Eigen::Matrix3Xd& old) {
 
 namespace {
 
+constexpr double kRounding = 1.0 + 1e-12;  // keeps an element that only round-off puts out of reach
 constexpr double kUnknown = -std::numeric_limits<double>::infinity();
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kRounding = 1.0 + 1e-12;  // keeps an element that only round-off puts out of reach
-// Of the radius: rounding of the positions, step after step, stays far below.
+// Of the impactor's size: rounding of the positions, step after step, stays far below.
 constexpr double kShare = 1e-9;
 // A box whose gap is this much of its size will do for long enough.
 constexpr double kWorthwhile = 0.05;
 
-// What is at least between a sphere and something, and the size of that [m].
+// What is at least between the impactor and something, and the size of that [m].
 struct Bound {
   double gap, size;
 };
 
 // Up to the circle about an element's centroid that holds its corners.
 Bound circle_bound(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c,
-                   const Eigen::Vector3d& centre, double radius) {
+                   const Eigen::Vector3d& centre, const Impactor& impactor) {
   const Eigen::Vector3d first = b - a, second = c - a;
   const double f2 = first.squaredNorm(), fs = 2.0 * first.dot(second), s2 = second.squaredNorm();
   const double reach2 = std::max(f2 + s2 + fs, std::max(4.0 * f2 + s2 - 2.0 * fs, 4.0 * s2 + f2 - 2.0 * fs));
   const double circle = kRounding * std::sqrt(reach2) / 3.0;
-  const double distance = (3.0 * (a - centre) + first + second).norm() / 3.0;
-  return {distance / kRounding - circle - radius, circle};
+  const Eigen::Vector3d middle = (a - centre) + (first + second) / 3.0;
+  return {impactor.distance_to_ball(middle, circle), circle};
 }
 
 // Up to the box around nodes.
 Bound box_bound(const Nodes& nodes, const int* begin, const int* end, const Eigen::Vector3d& centre,
-                double radius) {
+                const Impactor& impactor) {
   Eigen::Array3d low = Eigen::Array3d::Constant(kInfinity), high = -low, sum = Eigen::Array3d::Zero();
   for (const int* node = begin; node != end; ++node) {
     const Eigen::Array3d x = nodes.col(*node);
@@ -61,8 +61,8 @@ Bound box_bound(const Nodes& nodes, const int* begin, const int* end, const Eige
   }
   // A minimum drops what is no number, a sum does not.
   if (!std::isfinite(sum.sum())) return {std::numeric_limits<double>::quiet_NaN(), 0.0};
-  const Eigen::Array3d outside = (low - centre.array()).max(centre.array() - high).max(0.0);
-  return {outside.matrix().norm() / kRounding - radius - kShare * radius, (high - low).maxCoeff()};
+  const double gap = impactor.distance_to_box(low - centre.array(), high - centre.array());
+  return {gap - kShare * impactor.size(), (high - low).maxCoeff()};
 }
 
 // In four strands, which need not wait for each other.
@@ -87,9 +87,10 @@ void forget_gaps(ContactState& state) {
 
 double Search::exact_gap(int element) const {
   const auto corner = triangles.col(element);
-  return distance_to_triangle(state.centre, nodes.col(corner[0]), nodes.col(corner[1]),
-                              nodes.col(corner[2])) -
-         radius - kShare * radius;
+  return impactor.distance_to_triangle(nodes.col(corner[0]) - state.centre,
+                                       nodes.col(corner[1]) - state.centre,
+                                       nodes.col(corner[2]) - state.centre) -
+         kShare * impactor.size();
 }
 
 // Gap of the element: exact if it is less than the element's own size or than `wanted`, else a bound that
@@ -98,7 +99,7 @@ double Search::look(int element, double wanted) {
   ++state.looks;
   const auto corner = triangles.col(element);
   const Bound bound =
-      circle_bound(nodes.col(corner[0]), nodes.col(corner[1]), nodes.col(corner[2]), state.centre, radius);
+      circle_bound(nodes.col(corner[0]), nodes.col(corner[1]), nodes.col(corner[2]), state.centre, impactor);
   return bound.gap > std::max(bound.size, wanted) ? bound.gap : exact_gap(element);
 }
 
@@ -106,7 +107,7 @@ double Search::look(int element, double wanted) {
 template <class Found>
 void Search::look_at_group(std::size_t g, double wanted, Found&& found) {
   const Bound box = box_bound(nodes, groups.nodes.data() + groups.first_node[g],
-                              groups.nodes.data() + groups.first_node[g + 1], state.centre, radius);
+                              groups.nodes.data() + groups.first_node[g + 1], state.centre, impactor);
   if (!std::isfinite(box.gap)) throw ContactError("contact: a node or the sphere's centre is not finite");
   state.group_slack[g] = state.displacement_bound + box.gap;
   if (box.gap > std::max(kWorthwhile * box.size, wanted)) return;

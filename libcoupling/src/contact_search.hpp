@@ -11,15 +11,15 @@ double largest_motion(const Nodes& nodes, const Eigen::Matrix3Xd& old);
 // Forgets all gaps: the next search looks at every group.
 void forget_gaps(ContactState& state);
 
-// One level of a skin, with the sphere that searches it.
+// One level of a skin, with the impactor that searches it.
 struct Search {
   const Eigen::Matrix3Xi& triangles;
   const ElementGroups& groups;
   const Nodes& nodes;
-  double radius;
+  const Impactor& impactor;
   ContactState& state;  // centre and displacement_bound are those of the level
 
-  // Looks at the elements that the motion may have brought to the sphere. Lists those that overlap it in
+  // Looks at the elements that the motion may have brought to the impactor. Lists those that overlap it in
   // state.near, ascending, and sets state.gap. Throws ContactError if a coordinate is not finite.
   void find_near_elements();
   // Raises state.gap where possible: above state.ahead if that much is free, and to at least half of what is

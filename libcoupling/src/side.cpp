@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "check.hpp"
+#include "coupling/impactor.hpp"
 
 namespace coupling {
 namespace {
@@ -70,6 +71,12 @@ double distance_to_triangle(const Vector3d& point, const Vector3d& a, const Vect
   Eigen::Matrix3d u;
   u << a - point, b - point, c - point;
   return distance_from_origin(u);
+}
+
+double Sphere::distance_to_triangle(const Vector3d& a, const Vector3d& b, const Vector3d& c) const {
+  Eigen::Matrix3d u;
+  u << a, b, c;
+  return distance_from_origin(u) - radius;
 }
 
 Gap smallest_gap(const Triangles& triangles, const Nodes& nodes, const Vector3d& centre, double radius) {

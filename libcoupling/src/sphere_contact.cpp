@@ -42,7 +42,8 @@ ContactModel::ContactModel(const Triangles& triangles, const Nodes& reference, s
     : triangles_(triangles),
       masses_(masses.begin(), masses.end()),
       effective_mass_(effective_mass),
-      parameters_(parameters) {
+      parameters_(parameters),
+      impactor_{parameters.sphere_radius} {
   detail::require_positive("contact.sphere_radius", parameters.sphere_radius);
   detail::require_positive("contact.stiffness", parameters.stiffness);
   detail::require_not_negative("contact.friction", parameters.friction);
@@ -59,14 +60,13 @@ ContactModel::ContactModel(const Triangles& triangles, const Nodes& reference, s
     const double area = 0.5 * (b - a).cross(c - a).norm();
     detail::require_positive(field + " area", area);
     const double edge = std::max({(b - a).norm(), (c - b).norm(), (a - c).norm()});
-    const int n = subdivision_of(field, edge, parameters.sphere_radius);
-    subdivision_.push_back(n);
-    weights_.push_back(area / (static_cast<double>(n) * n));
+    const int n = subdivision_of(field, edge, impactor_.size());
+    quadrature_.push_back({area / (static_cast<double>(n) * n), n});
   }
   for (const int e : open_elements) {
     if (e < 0 || e >= element_count())
       detail::reject("contact.open_elements", std::to_string(e), "an element number");
-    weights_[static_cast<std::size_t>(e)] = 0.0;
+    quadrature_[static_cast<std::size_t>(e)].weight = 0.0;
   }
   groups_ = make_groups(triangles, reference);
   full_omega_squared_ = full_omega_squared_of_skin();
@@ -75,15 +75,16 @@ ContactModel::ContactModel(const Triangles& triangles, const Nodes& reference, s
 ContactState ContactModel::make_state() const {
   ContactState state;
   state.nodes = Eigen::Matrix3Xd::Zero(3, node_count());
-  state.slack.resize(subdivision_.size());
+  state.slack.resize(quadrature_.size());
   state.group_slack.resize(groups_.count());
-  state.near.reserve(subdivision_.size());
+  state.near.reserve(quadrature_.size());
   state.nodal_stiffness.assign(masses_.size(), 0.0);
   if (parameters_.friction > 0.0) {
     // More points than this in touch at once are beyond any scene so far; they would allocate, once.
     constexpr std::size_t kManyPoints = 1 << 16;
     std::size_t points = 0;
-    for (const int n : subdivision_) points += static_cast<std::size_t>(n) * static_cast<std::size_t>(n);
+    for (const auto& [weight, n] : quadrature_)
+      points += static_cast<std::size_t>(n) * static_cast<std::size_t>(n);
     state.bristles.reserve(std::min(points, kManyPoints));
     state.old_bristles.reserve(std::min(points, kManyPoints));
   }
@@ -103,7 +104,7 @@ bool ContactModel::stays_clear(ContactState& state, double motion, double ahead)
 
 // Takes the new level into the state: certificate or sweep for the path, then the elements that overlap.
 void ContactModel::follow(ContactState& state, const Nodes& nodes, const Vector3d& centre) const {
-  const double radius = parameters_.sphere_radius;
+  const double radius = impactor_.size();
   if (!state.started) detail::forget_gaps(state);
   double motion = state.told;
   if (state.started && !(motion >= 0.0) && !state.kept)
@@ -125,7 +126,7 @@ void ContactModel::follow(ContactState& state, const Nodes& nodes, const Vector3
   state.told = ContactState::kNotTold;
   state.shift = centre - state.centre;
   state.centre = centre;
-  detail::Search search{triangles_, groups_, nodes, radius, state};
+  detail::Search search{triangles_, groups_, nodes, impactor_, state};
   search.find_near_elements();
   search.settle_gap();
   state.bristles.swap(state.old_bristles);
@@ -137,7 +138,7 @@ void ContactModel::follow(ContactState& state, const Nodes& nodes, const Vector3
 // The positions that the next call may need: for its sweep if the motion ahead may be too long for the
 // certificate, and for the skin's motion under bristles.
 void ContactModel::keep(ContactState& state, const Nodes& nodes) const {
-  const double clearance = parameters_.sphere_radius + state.gap - state.displacement_bound;
+  const double clearance = impactor_.size() + state.gap - state.displacement_bound;
   const bool certain = state.ahead > 0.0 && state.ahead < clearance;
   state.expected = state.ahead;
   state.kept = !certain || !state.bristles.empty();
@@ -157,16 +158,15 @@ void ContactModel::aim(int e, const ContactState& state, const Nodes& nodes, det
 
 void ContactModel::add_element(int e, detail::Grip* grip, ContactState& state, const Nodes& nodes,
                                NodalForces& forces, ContactResult& result) const {
-  const double radius = parameters_.sphere_radius, kappa = parameters_.stiffness;
+  const double kappa = parameters_.stiffness;
   const auto corner = triangles_.col(e);
   const Vector3d a = nodes.col(corner[0]) - state.centre, b = nodes.col(corner[1]) - state.centre,
                  c = nodes.col(corner[2]) - state.centre;
   const auto index = static_cast<std::size_t>(e);
-  const detail::Element element{a, b - a, c - a, weights_[index], subdivision_[index]};
+  const detail::Element element{a, b - a, c - a, quadrature_[index].weight, quadrature_[index].subdivision};
   if (grip) aim(e, state, nodes, *grip);
-  const detail::ElementSums sums = detail::integrate(element, radius, grip);
+  const detail::ElementSums sums = detail::integrate(element, impactor_, grip);
   if (!(sums.area > 0.0)) return;
-  const double distance = std::sqrt(sums.least_distance2);
   for (int i = 0; i < 3; ++i) {
     const Vector3d force = kappa * sums.force[i];
     forces.col(corner[i]) += force;
@@ -176,8 +176,8 @@ void ContactModel::add_element(int e, detail::Grip* grip, ContactState& state, c
   result.couple -= kappa * sums.couple;
   result.energy += kappa * sums.energy;
   result.area += sums.area;
-  if (result.deepest_element < 0 || radius - distance > result.penetration) {
-    result.penetration = radius - distance;
+  if (result.deepest_element < 0 || sums.depth > result.penetration) {
+    result.penetration = sums.depth;
     result.deepest_element = e;
   }
 }
@@ -196,10 +196,10 @@ ContactResult ContactModel::evaluate(ContactState& state, const Nodes& nodes, co
   keep(state, nodes);
   if (result.deepest_element < 0) return result;
   bound_stiffness(state, result);
-  if (result.penetration > 0.5 * parameters_.sphere_radius)
+  if (result.penetration > 0.5 * impactor_.size())
     throw ContactError("contact: penetration " + detail::text(result.penetration) + " m at element " +
                        std::to_string(result.deepest_element) + " exceeds half the sphere's radius, " +
-                       detail::text(0.5 * parameters_.sphere_radius) + " m");
+                       detail::text(0.5 * impactor_.size()) + " m");
   return result;
 }
 

@@ -15,7 +15,7 @@ struct Point {
   int number;
   double shape[3];
   Vector3d x;       // [m] from the centre
-  Vector3d normal;  // away from the centre
+  Vector3d normal;  // of the impactor's surface, outwards
   double depth;     // [m]
 };
 
@@ -49,60 +49,54 @@ void add_friction(const Element& element, const Point& point, Grip& grip, Elemen
   sums.energy += 0.5 * element.weight * stretch.squaredNorm();
 }
 
-void add_point(const Element& element, double radius, int number, double xi, double eta, Grip* grip,
-               ElementSums& sums) {
+void add_point(const Element& element, const Impactor& impactor, int number, double xi, double eta,
+               Grip* grip, ElementSums& sums) {
   Point point{number,
               {1.0 - xi - eta, xi, eta},
               element.origin + xi * element.first + eta * element.second,
               Vector3d::Zero(),
               0.0};
-  const double distance2 = point.x.squaredNorm();
-  if (!(distance2 < radius * radius)) return;
-  sums.least_distance2 = std::min(sums.least_distance2, distance2);
-  const double distance = std::sqrt(distance2);
-  point.depth = radius - distance;
-  // A point at the centre has no normal; its depth r > r/2 is thrown for by the caller.
-  const Vector3d push = (distance > 0.0 ? element.weight * point.depth / distance : 0.0) * point.x;
+  const auto inside = impactor.depth(point.x);
+  if (!inside) return;
+  point.depth = inside->depth;
+  sums.depth = std::max(sums.depth, point.depth);
+  // Where there is no normal the depth is more than is allowed; the caller throws.
+  const bool has_normal = inside->length > 0.0;
+  const Vector3d push = (has_normal ? element.weight * point.depth / inside->length : 0.0) * inside->outward;
   for (int i = 0; i < 3; ++i) {
     sums.force[i] += point.shape[i] * push;
     sums.shape[i] += point.shape[i] * element.weight;
   }
   sums.energy += 0.5 * element.weight * point.depth * point.depth;
   sums.area += element.weight;
-  if (!grip || !(distance > 0.0)) return;
-  point.normal = point.x / distance;
+  if (!grip || !has_normal) return;
+  point.normal = inside->normal();
   add_friction(element, point, *grip, sums);
 }
 
-// Points (j + offset)/n of one row that can lie in the sphere: the row's chord, one point more on either
-// side.
-// `number` is that of j = 0.
-void add_row(const Element& element, double radius, int row, double offset, int count, int number, Grip* grip,
-             ElementSums& sums) {
+// Points (j + offset)/n of one row that can lie in the impactor, one point more on either side. `number` is
+// that of j = 0.
+void add_row(const Element& element, const Impactor& impactor, int row, double offset, int count, int number,
+             Grip* grip, ElementSums& sums) {
   const double n = element.subdivision;
   const double eta = (row + offset) / n;
-  const Vector3d start = element.origin + eta * element.second;
-  const double length2 = element.first.squaredNorm(), middle = -start.dot(element.first);
-  const double discriminant = middle * middle - length2 * (start.squaredNorm() - radius * radius);
-  const double slack = 1e-9 * length2 * radius * radius;  // round-off near a grazing row
-  if (discriminant < -slack || !(length2 > 0.0)) return;
-  const double half_chord = std::sqrt(std::max(discriminant, 0.0));
-  const double low = (middle - half_chord) / length2 * n - offset - 1.0;
-  const double high = (middle + half_chord) / length2 * n - offset + 1.0;
+  const auto inside = impactor.inside(element.origin + eta * element.second, element.first);
+  if (!inside) return;
+  const double low = inside->begin * n - offset - 1.0, high = inside->end * n - offset + 1.0;
   const int begin = static_cast<int>(std::clamp(std::ceil(low), 0.0, static_cast<double>(count)));
   const int end = static_cast<int>(std::clamp(std::floor(high) + 1.0, 0.0, static_cast<double>(count)));
-  for (int j = begin; j < end; ++j) add_point(element, radius, number + j, (j + offset) / n, eta, grip, sums);
+  for (int j = begin; j < end; ++j)
+    add_point(element, impactor, number + j, (j + offset) / n, eta, grip, sums);
 }
 
 }  // namespace
 
-ElementSums integrate(const Element& element, double radius, Grip* grip) {
+ElementSums integrate(const Element& element, const Impactor& impactor, Grip* grip) {
   ElementSums sums;
-  sums.least_distance2 = radius * radius;
   for (int row = 0, number = 0; row < element.subdivision; ++row) {
     const int up = element.subdivision - row, down = up - 1;
-    add_row(element, radius, row, 1.0 / 3.0, up, number, grip, sums);
-    add_row(element, radius, row, 2.0 / 3.0, down, number + up, grip, sums);
+    add_row(element, impactor, row, 1.0 / 3.0, up, number, grip, sums);
+    add_row(element, impactor, row, 2.0 / 3.0, down, number + up, grip, sums);
     number += up + down;
   }
   return sums;

@@ -7,7 +7,7 @@
 
 namespace coupling::detail {
 
-// One element in the sphere's frame: x(xi, eta) = origin + xi first + eta second.
+// One element in the impactor's frame: x(xi, eta) = origin + xi first + eta second.
 struct Element {
   Eigen::Vector3d origin, first, second;  // [m]
   double weight;                          // [m2] of one quadrature point
@@ -18,7 +18,7 @@ struct Element {
 // and point, while it writes those of this level.
 struct Grip {
   Eigen::Vector3d origin, first, second;  // [m] displacement of the element since then, less the centre's
-  Eigen::Vector3d turn;                   // [rad] rotation of the sphere since then
+  Eigen::Vector3d turn;                   // [rad] rotation of the impactor since then
   double coefficient;
   int element;
   const std::vector<Bristle>& before;
@@ -34,11 +34,11 @@ struct ElementSums {
   Eigen::Vector3d couple = Eigen::Vector3d::Zero();      // of the forces on the skin about the centre
   double shape[3] = {0.0, 0.0, 0.0};                     // [m2] sum_q w_q N_a
   double energy = 0.0, area = 0.0;
-  double least_distance2;  // [m2] of touched points and r^2
+  double depth = 0.0;  // [m] of the deepest point
 };
 
-// Sums over the element's quadrature points inside the sphere. Null `grip`: no friction.
-ElementSums integrate(const Element& element, double radius, Grip* grip);
+// Sums over the element's quadrature points inside the impactor. Null `grip`: no friction.
+ElementSums integrate(const Element& element, const Impactor& impactor, Grip* grip);
 
 // Friction loss [J] over kappa, including that of the points that have left the sphere since the last level.
 double release_rest(Grip& grip);

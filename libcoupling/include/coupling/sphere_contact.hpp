@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Contact of a rigid sphere with a triangulated skin. Its energy is an integral over the skin's reference
-// area, so the force against penetration converges with the mesh:
-//   (K.10) E = sum_q w_q kappa (r - d_q)^2 / 2 over quadrature points with d_q = |x_q - c| < r.
+// Contact of a rigid impactor (impactor.hpp) with a triangulated skin. Its energy is an integral over the
+// skin's reference area, so the force against penetration converges with the mesh:
+//   (K.10) E = sum_q w_q kappa (r - d_q)^2 / 2 over quadrature points with d_q = |x_q - c| < r,
+// where r - d_q of a sphere is the depth below the surface of any other shape.
 // The points are the centroids of n x n sub-triangles. Each element has its n, chosen at build so that the
 // longest reference edge / n <= r/4. E depends on positions only, so the forces f_a = -dE/dx_a (K.11) are
 // conservative.
@@ -19,6 +20,7 @@
 
 #include "coupling/element_groups.hpp"
 #include "coupling/error.hpp"
+#include "coupling/impactor.hpp"
 #include "coupling/skin.hpp"
 
 namespace coupling {
@@ -158,7 +160,7 @@ class ContactModel {
   int element_count() const { return static_cast<int>(triangles_.cols()); }  // M of the skin
   int node_count() const { return static_cast<int>(masses_.size()); }        // N of the skin
   /// Number n of the element's subdivision: it is loaded at n^2 points. Precondition: 0 <= element < M.
-  int subdivision(int element) const { return subdivision_[static_cast<std::size_t>(element)]; }
+  int subdivision(int element) const { return quadrature_[static_cast<std::size_t>(element)].subdivision; }
 
   static constexpr int kMaxSubdivision = 512;  // largest n; the constructor refuses more
 
@@ -171,14 +173,19 @@ class ContactModel {
   void bound_stiffness(ContactState& state, ContactResult& result) const;
   double full_omega_squared_of_skin() const;
 
+  // How an element is integrated.
+  struct Quadrature {
+    double weight;    // [m2] reference area of one sub-triangle
+    int subdivision;  // n
+  };
   Eigen::Matrix3Xi triangles_;
   ElementGroups groups_;
-  std::vector<double> weights_;   // (M) [m2] reference area of one sub-triangle
-  std::vector<int> subdivision_;  // (M) n
-  std::vector<double> masses_;    // (N) [kg]
-  double effective_mass_;         // [kg]
+  std::vector<Quadrature> quadrature_;  // (M)
+  std::vector<double> masses_;          // (N) [kg]
+  double effective_mass_;               // [kg]
   double full_omega_squared_ = 0.0;
   ContactParameters parameters_;
+  Impactor impactor_;
 };
 
 /// Input of default_contact_stiffness. All members are finite and > 0; friction may be 0.

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+// The impactor's shape: a signed distance with a normal. Contact knows the shape through this header alone.
+// Another shape has the members of Sphere and takes its place as `Impactor`; it looks the same at every angle
+// about the pendulum's axis, as a cylinder along that axis does. CONTRIBUTING.md walks through it.
+#pragma once
+#include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace coupling {
+
+/// Where a point lies below the surface of an impactor.
+struct Depth {
+  double depth;             // [m] > 0: minus the signed distance
+  double length;            // [m] of `outward`; 0 where the distance has no gradient
+  Eigen::Vector3d outward;  // [m] along the surface's outward normal
+
+  Eigen::Vector3d normal() const { return outward / length; }  // requires length > 0
+};
+
+/// Part of a line, by its parameter.
+struct Stretch {
+  double begin, end;
+};
+
+/// A sphere about the origin. All points are relative to the impactor's centre.
+struct Sphere {
+  double radius = 0.0;  // [m] > 0
+
+  /// Length [m] that elements resolve: quadrature points are at most a quarter of it apart. A point may sink
+  /// in by half of it. The skin may not meet the ball of this radius's hundredth about the centre.
+  double size() const { return radius; }
+
+  /// Minus the signed distance of the point, if it is inside, with the outward normal.
+  std::optional<Depth> depth(const Eigen::Vector3d& point) const {
+    const double squared = point.squaredNorm();
+    if (!(squared < radius * radius)) return std::nullopt;
+    const double distance = std::sqrt(squared);
+    return Depth{radius - distance, distance, point};
+  }
+
+  /// Signed distance [m] of a triangle: of its nearest point.
+  double distance_to_triangle(const Eigen::Vector3d& a, const Eigen::Vector3d& b,
+                              const Eigen::Vector3d& c) const;
+
+  /// Lower bound [m] of the signed distance of every point within `reach` of the point.
+  double distance_to_ball(const Eigen::Vector3d& point, double reach) const {
+    return point.norm() / kRounding - reach - radius;
+  }
+
+  /// Lower bound [m] of the signed distance of every point of a box.
+  double distance_to_box(const Eigen::Array3d& low, const Eigen::Array3d& high) const {
+    return low.max(-high).max(0.0).matrix().norm() / kRounding - radius;
+  }
+
+  /// Where the line start + t step can be inside; nothing if it is outside. Rounding is allowed for.
+  std::optional<Stretch> inside(const Eigen::Vector3d& start, const Eigen::Vector3d& step) const {
+    const double length2 = step.squaredNorm(), middle = -start.dot(step);
+    const double discriminant = middle * middle - length2 * (start.squaredNorm() - radius * radius);
+    const double slack = 1e-9 * length2 * radius * radius;  // round-off near a grazing line
+    if (discriminant < -slack || !(length2 > 0.0)) return std::nullopt;
+    const double half_chord = std::sqrt(std::max(discriminant, 0.0));
+    return Stretch{(middle - half_chord) / length2, (middle + half_chord) / length2};
+  }
+
+  static constexpr double kRounding = 1.0 + 1e-12;  // keeps what only round-off puts out of reach
+};
+
+/// The shape that contact is compiled for.
+using Impactor = Sphere;
+
+}  // namespace coupling
