@@ -178,6 +178,14 @@ struct PendulumRun {
   double kinetic = 0.0;                              // S8 [J] at n
 };
 
+/// What the balances count from.
+struct AtStart {
+  double gas_mass = 0.0;  // [kg]
+  double volume = 0.0;    // [m3]
+  double energy = 0.0;    // [J] sum of all energies
+  double kinetic = 0.0;   // [J] of skin and pendulum
+};
+
 /// State of a run.
 struct State {
   double time = 0.0;  // [s] of level n
@@ -193,13 +201,9 @@ struct State {
   Streams streams;                                   // S10
   GasEvents gas_events;                              // S2, S10
   gas::GasPoint gas_point{};                         // S2
-  double initial_gas_mass = 0.0;                     // [kg]
   /// S10 [J] Work of the next kick that has already been taken out of the gas.
   double jet_work_ahead = 0.0;
-  double initial_volume = 0.0;  // [m3]
-  /// [J] Sum of all energies at the start.
-  double initial_energy = 0.0;
-  double initial_kinetic = 0.0;  // [J] of skin and pendulum
+  AtStart start;
 
   std::optional<membrane::BagState> bag;  // S1, S6, S8, S9
   std::optional<PendulumRun> pendulum;

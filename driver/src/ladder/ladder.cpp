@@ -32,9 +32,7 @@ class LadderRun {
  public:
   LadderRun(const std::filesystem::path& file, const Scene& scene, const std::vector<std::string>& user,
             const LadderOptions& options, LadderResult& result, Journal& journal)
-      : file_(file), user_(user), options_(options), result_(result), journal_(journal) {
-    has_bag_ = scene.bag.has_value();
-    name_ = scene.name;
+      : file_(file), scene_(scene), user_(user), options_(options), result_(result), journal_(journal) {
     for (const auto& axis : result.plan.axes) full_.push_back(axis.base);
   }
 
@@ -62,7 +60,7 @@ class LadderRun {
     rung.name = std::move(name);
     rung.differs = picks == full_ ? rung.name : differing(picks);
     rung.overrides = combine(result_.plan, picks);
-    rung.can_be_perturbed = has_bag_;
+    rung.can_be_perturbed = scene_.bag.has_value();
     return result_.rungs.emplace_back(std::move(rung));
   }
 
@@ -93,7 +91,7 @@ class LadderRun {
     if (!is_new({})) return;
     LadderRung& rung = result_.rungs.emplace_back();
     rung.name = rung.differs = "as it is";
-    rung.can_be_perturbed = has_bag_;
+    rung.can_be_perturbed = scene_.bag.has_value();
   }
 
   void add_alternatives() {
@@ -149,7 +147,7 @@ class LadderRun {
 
   // Whether seeds scatter by what the tolerance would notice: then every rung is a mean.
   void probe() {
-    if (!has_bag_) return;
+    if (!scene_.bag) return;
     std::vector<LadderJob> jobs;
     for (int seed = 1; seed <= probes; ++seed) jobs.push_back(job(0, seed));
     const auto samples = run(jobs, "seeds");
@@ -207,8 +205,8 @@ class LadderRun {
   }
 
   std::vector<LadderSample> run(const std::vector<LadderJob>& jobs, const std::string& what) const {
-    return run_jobs(file_, jobs, result_.quantity, name_ + ", " + what, options_.threads, options_.quiet,
-                    journal_);
+    return run_jobs(file_, jobs, result_.quantity, scene_.name + ", " + what, options_.threads,
+                    options_.quiet, journal_);
   }
 
   // All are compared to this one.
@@ -220,14 +218,13 @@ class LadderRun {
   }
 
   const std::filesystem::path& file_;
+  const Scene& scene_;
   const std::vector<std::string>& user_;
   const LadderOptions& options_;
   LadderResult& result_;
   Journal& journal_;
   Picks full_;
   double deviation_ = 0.0;  // of one seed from another, in the full case
-  bool has_bag_ = false;
-  std::string name_;
 };
 
 }  // namespace

@@ -10,7 +10,7 @@ using Of = const Scene&;
 using At = const State&;
 
 double ambient_work(Of scene, At now) {
-  return scene.ambient.pressure * (now.level.volume - now.initial_volume);
+  return scene.ambient.pressure * (now.level.volume - now.start.volume);
 }
 
 double pendulum_gravity(Of scene, At now) {
@@ -67,7 +67,7 @@ double energy_residual(const Scene& scene, const State& state) {
   double sum = held_energy(scene, state);
   for (const EnergyTerm& term : kTerms)
     if (term.role == Role::spent && term.when(scene)) sum += term.value(scene, state);
-  sum -= state.initial_energy;
+  sum -= state.start.energy;
   for (const EnergyTerm& term : kTerms)
     if (term.role == Role::supplied && term.when(scene)) sum -= term.value(scene, state);
   return sum;

@@ -75,7 +75,7 @@ void book_peaks(const Scene& scene, State& state) {
   state.level.jet_force = jet_force(state);
   peaks.jet_force = std::max(peaks.jet_force, state.level.jet_force);
   if (scene.has_volume()) {
-    const double supplied = state.initial_gas_mass + state.flows.mass_in + state.flows.backflow_mass;
+    const double supplied = state.start.gas_mass + state.flows.mass_in + state.flows.backflow_mass;
     const double expected = supplied - state.flows.vent_mass_out - state.flows.fabric_mass_out;
     if (supplied > 0.0)
       peaks.mass_residual = std::max(peaks.mass_residual, std::abs(gas_mass(state) - expected) / supplied);
@@ -112,16 +112,16 @@ double skin_kinetic(const State& state) {
 void ledger(const Scene& scene, State& state, const StepRequest& request) {
   StageTimer timer(state, Stage::ledger);
   const bool start = state.steps == 0 && state.step.before == 0.0;
-  if (start) state.initial_kinetic = kinetic_before(state);
+  if (start) state.start.kinetic = kinetic_before(state);
   book_kick(scene, state, request.last);
   book_peaks(scene, state);
   Level& level = state.level;
-  level.kick_residual = kinetic_after(state) - state.initial_kinetic - state.flows.kick_work;
+  level.kick_residual = kinetic_after(state) - state.start.kinetic - state.flows.kick_work;
   state.peaks.ledger_residual = std::max(state.peaks.ledger_residual, std::abs(level.kick_residual));
   if (!request.record) return;
 
   if (state.bag) level.skin_kinetic = skin_kinetic(state);
-  if (start) state.initial_energy = held_energy(scene, state);
+  if (start) state.start.energy = held_energy(scene, state);
   level.energy_residual = energy_residual(scene, state);
   book_energy(scene, state);
   if (state.bag)

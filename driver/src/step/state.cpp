@@ -16,8 +16,8 @@ void start_gas(const Scene& scene, State& state) {
   state.gas = gas::make_state(part.model, part.initial_fractions, part.initial_pressure,
                               part.initial_temperature, volume);
   state.gas_integrator.emplace(part.model, part.integrator);
-  state.initial_gas_mass = std::accumulate(state.gas.masses.begin(), state.gas.masses.end(), 0.0);
-  state.initial_volume = volume;
+  state.start.gas_mass = std::accumulate(state.gas.masses.begin(), state.gas.masses.end(), 0.0);
+  state.start.volume = volume;
   state.streams.inflows.resize(part.model.inflows.size());
   state.streams.outflows.resize(part.model.vents.size() + part.model.fabric_count());
   state.streams.backflows.resize(part.model.vents.size());

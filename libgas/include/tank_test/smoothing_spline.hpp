@@ -32,15 +32,7 @@ SplinePoint evaluate(const SplineBasis& basis, std::span<const double> coefficie
 /// full scale and thus the same over the record.
 enum class Noise { of_reading, of_full_scale };
 
-struct Modes;
-/// Posterior of lambda on a grid, given the readings.
-struct Lambdas {
-  double best = 0.0;               // [-] most likely value
-  std::vector<double> values;      // [-] grid, rising
-  std::vector<double> cumulative;  // [-] posterior probability up to each value
-  /// Quantile of lambda at `probability`, 0 to 1.
-  double quantile(double probability) const;
-};
+struct Posterior;
 
 /// Smoothing spline through noisy readings y_i at times t_i: quintic B-splines s(t) that minimise
 ///   sum w_i (y_i - s(t_i))^2 + lambda int v s'''(x)^2 dx                                             (G.30)
@@ -69,11 +61,11 @@ class SmoothingSpline {
   ~SmoothingSpline();
   SmoothingSpline(SmoothingSpline&&) noexcept;
 
-  double smoothing() const { return smoothing_; }                    // lambda, dimensionless
-  double degrees_of_freedom() const { return degrees_of_freedom_; }  // [-] trace of the smoother
+  double smoothing() const;           // lambda, dimensionless
+  double degrees_of_freedom() const;  // [-] trace of the smoother
   /// Standard deviation of a reading [-] from the weighted residuals, over the reading or, for noise of full
   /// scale, over the largest reading.
-  double noise() const { return noise_; }
+  double noise() const;
 
   /// Coefficients, in the unit of the readings.
   std::span<const double> coefficients() const { return coefficients_; }
@@ -99,15 +91,9 @@ class SmoothingSpline {
 
   double begin_;
   double length_;  // [s]
-  double smoothing_ = 0.0;
-  double degrees_of_freedom_ = 0.0;
-  double noise_ = 0.0;
   std::vector<double> coefficients_;
-  double scale_ = 0.0;  // largest reading
-  Lambdas lambdas_;
-  std::unique_ptr<Modes> modes_;
-  std::vector<double> amplitudes_;
   std::vector<double> roughness_;  // by intervals
+  std::unique_ptr<Posterior> posterior_;
   std::unique_ptr<Workspace> workspace_;
 };
 

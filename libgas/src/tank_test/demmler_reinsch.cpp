@@ -92,4 +92,34 @@ double Lambdas::quantile(double probability) const {
   return values[std::min(values.size() - 1, static_cast<std::size_t>(at - cumulative.begin()))];
 }
 
+std::vector<double> Posterior::coefficients() const {
+  std::vector<double> smoothed = amplitudes;
+  for (std::size_t k = 0; k < smoothed.size(); ++k) smoothed[k] /= 1.0 + lambdas.best * modes.roughness[k];
+  return modes.sum(smoothed, scale);
+}
+
+SplinePoint Posterior::deviation(const SplineBasis& basis) const {
+  SplinePoint variance{0.0, 0.0};
+  for (std::size_t k = 0; k < amplitudes.size(); ++k) {
+    SplinePoint part{0.0, 0.0};
+    for (std::size_t j = 0; j < SplineBasis::kOrder; ++j) {
+      part.value += basis.value[j] * modes.column(basis.first + j, k);
+      part.slope += basis.slope[j] * modes.column(basis.first + j, k);
+    }
+    const double left = 1.0 / (1.0 + lambdas.best * modes.roughness[k]);
+    variance.value += left * part.value * part.value;
+    variance.slope += left * part.slope * part.slope;
+  }
+  return {noise * scale * std::sqrt(variance.value), noise * scale * std::sqrt(variance.slope)};
+}
+
+std::vector<double> Posterior::draw(double lambda, std::span<const double> normals) const {
+  std::vector<double> drawn(amplitudes.size());
+  for (std::size_t k = 0; k < drawn.size(); ++k) {
+    const double left = 1.0 / (1.0 + lambda * modes.roughness[k]);
+    drawn[k] = left * amplitudes[k] + std::sqrt(left) * noise * normals[k];
+  }
+  return modes.sum(drawn, scale);
+}
+
 }  // namespace gas

@@ -23,6 +23,15 @@ struct Modes {
 /// Throws DomainError if G, the readings' Gram matrix, is not positive definite.
 Modes make_modes(gsl::Matrix gram, gsl::Matrix penalty);
 
+/// Posterior of lambda on a grid, given the readings.
+struct Lambdas {
+  double best = 0.0;               // [-] most likely value
+  std::vector<double> values;      // [-] grid, rising
+  std::vector<double> cumulative;  // [-] posterior probability up to each value
+  /// Quantile of lambda at `probability`, 0 to 1.
+  double quantile(double probability) const;
+};
+
 /// Data for (G.31): amplitudes of the modes in the readings, and the residual that no lambda removes.
 struct Scores {
   std::span<const double> roughness;
@@ -36,6 +45,22 @@ struct Scores {
   double minus_log_likelihood(double lambda) const;
   /// The most likely lambda of a grid of ten values a decade, and the posterior over the grid.
   Lambdas likely() const;
+};
+
+/// What the readings leave open: the spline's posterior (G.32), by modes.
+struct Posterior {
+  Modes modes;
+  std::vector<double> amplitudes;  // of the modes in the readings
+  Lambdas lambdas;
+  double scale;               // largest reading
+  double degrees_of_freedom;  // [-] trace of the smoother
+  double noise = 0.0;         // [-] standard deviation of a reading
+
+  /// Coefficients of the most likely spline.
+  std::vector<double> coefficients() const;
+  SplinePoint deviation(const SplineBasis& basis) const;
+  /// Coefficients of a draw at this lambda; `normals` has one number for each mode.
+  std::vector<double> draw(double lambda, std::span<const double> normals) const;
 };
 
 }  // namespace gas

@@ -148,22 +148,20 @@ void SmoothingSpline::fit(std::span<const double> times, std::span<const double>
     }
     gsl::Matrix copy = gsl::matrix(n, n);
     gsl_matrix_memcpy(copy.get(), gram.get());
-    modes_ = std::make_unique<Modes>(make_modes(std::move(copy), workspace_->penalty(stiffness)));
-    amplitudes_ = modes_->amplitudes(right);
-    const double rest = residual(times, readings, weights, modes_->sum(amplitudes_, scale));
+    Modes modes = make_modes(std::move(copy), workspace_->penalty(stiffness));
+    std::vector<double> amplitudes = modes.amplitudes(right);
+    const double rest = residual(times, readings, weights, modes.sum(amplitudes, scale));
     const auto count = static_cast<double>(times.size());
-    std::vector<double> sorted = modes_->roughness;
+    std::vector<double> sorted = modes.roughness;
     std::ranges::nth_element(sorted, sorted.begin() + 2);
-    const Scores scores{modes_->roughness, amplitudes_, rest, count, sorted[2]};
-    lambdas_ = scores.likely();
-    smoothing_ = lambdas_.best;
-    degrees_of_freedom_ = scores.degrees_of_freedom(smoothing_);
-    std::vector<double> smoothed = amplitudes_;
-    for (std::size_t k = 0; k < n; ++k) smoothed[k] /= 1.0 + smoothing_ * modes_->roughness[k];
-    coefficients_ = modes_->sum(smoothed, scale);
-    noise_ = std::sqrt(residual(times, readings, weights, coefficients_) / (count - degrees_of_freedom_));
-    scale_ = scale;
-    const double cell = static_cast<double>(stiffness.size()) / degrees_of_freedom_;
+    const Scores scores{modes.roughness, amplitudes, rest, count, sorted[2]};
+    Lambdas lambdas = scores.likely();
+    const double degrees = scores.degrees_of_freedom(lambdas.best);
+    posterior_ = std::make_unique<Posterior>(
+        Posterior{std::move(modes), std::move(amplitudes), std::move(lambdas), scale, degrees});
+    coefficients_ = posterior_->coefficients();
+    posterior_->noise = std::sqrt(residual(times, readings, weights, coefficients_) / (count - degrees));
+    const double cell = static_cast<double>(stiffness.size()) / degrees;
     roughness_ = workspace_->roughness(coefficients_, static_cast<std::size_t>(0.5 * cell));
   }
 }
@@ -178,6 +176,18 @@ double SmoothingSpline::residual(std::span<const double> times, std::span<const 
     sum += miss * miss;
   }
   return sum;
+}
+
+double SmoothingSpline::smoothing() const {
+  return posterior_->lambdas.best;
+}
+
+double SmoothingSpline::degrees_of_freedom() const {
+  return posterior_->degrees_of_freedom;
+}
+
+double SmoothingSpline::noise() const {
+  return posterior_->noise;
 }
 
 SplineBasis SmoothingSpline::basis(double time) const {
@@ -203,18 +213,7 @@ double SmoothingSpline::roughness(double time) const {
 SplinePoint SmoothingSpline::deviation(const SplineBasis& basis) const {
   const std::size_t n = coefficients_.size();
   require(basis.first + kOrder <= n, "basis", static_cast<double>(basis.first), "is not of this spline");
-  SplinePoint variance{0.0, 0.0};
-  for (std::size_t k = 0; k < n; ++k) {
-    SplinePoint part{0.0, 0.0};
-    for (std::size_t j = 0; j < kOrder; ++j) {
-      part.value += basis.value[j] * modes_->column(basis.first + j, k);
-      part.slope += basis.slope[j] * modes_->column(basis.first + j, k);
-    }
-    const double left = 1.0 / (1.0 + smoothing_ * modes_->roughness[k]);
-    variance.value += left * part.value * part.value;
-    variance.slope += left * part.slope * part.slope;
-  }
-  return {noise_ * scale_ * std::sqrt(variance.value), noise_ * scale_ * std::sqrt(variance.slope)};
+  return posterior_->deviation(basis);
 }
 
 void SmoothingSpline::draw(std::span<const double> normals, double undersmoothing,
@@ -228,13 +227,9 @@ void SmoothingSpline::draw(std::span<const double> normals, double undersmoothin
           "must be the spline's");
   for (const double number : normals)
     require(std::isfinite(number), "normal number", number, "must be finite");
-  const double lambda = lambdas_.quantile(0.5 * std::erfc(-normals[n] / std::sqrt(2.0))) / undersmoothing;
-  std::vector<double> drawn(n);
-  for (std::size_t k = 0; k < n; ++k) {
-    const double left = 1.0 / (1.0 + lambda * modes_->roughness[k]);
-    drawn[k] = left * amplitudes_[k] + std::sqrt(left) * noise_ * normals[k];
-  }
-  std::ranges::copy(modes_->sum(drawn, scale_), coefficients.begin());
+  const double probability = 0.5 * std::erfc(-normals[n] / std::sqrt(2.0));
+  const double lambda = posterior_->lambdas.quantile(probability) / undersmoothing;
+  std::ranges::copy(posterior_->draw(lambda, normals), coefficients.begin());
 }
 
 }  // namespace gas

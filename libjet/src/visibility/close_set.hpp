@@ -15,6 +15,33 @@
 
 namespace jet {
 
+/// Rays and motion that a close set is chosen for.
+struct CloseRange {
+  RaySource source;
+  double scale = 0.0;
+  Frustum bounds{};                                      // of the rays
+  double from = kMotionUnknown, until = kMotionUnknown;  // [m] displacement_bound
+
+  /// False before anything is chosen: everything is close.
+  bool any() const { return until >= from; }
+  /// True if it is for the coordinates of these rays.
+  bool fits(const RaySource& other, double other_scale) const {
+    return any() && other_scale == scale && other.centre == source.centre && other.axis == source.axis &&
+           other.long_direction == source.long_direction && other.half_long == source.half_long;
+  }
+  /// True if it contains all that these rays can meet at this motion.
+  bool holds(const Frustum& rays, double displacement_bound) const {
+    return displacement_bound >= from && displacement_bound <= until && rays.low_u >= bounds.low_u &&
+           rays.high_u <= bounds.high_u && rays.low_v >= bounds.low_v && rays.high_v <= bounds.high_v;
+  }
+
+  /// The bounds, widened by a share of their range.
+  static Frustum widened(const Frustum& rays, float share) {
+    const float u = share * (rays.high_u - rays.low_u), v = share * (rays.high_v - rays.low_v);
+    return {rays.low_u - u, rays.high_u + u, rays.low_v - v, rays.high_v + v};
+  }
+};
+
 class CloseSet {
  public:
   void reserve(const OrderedMesh& mesh, std::size_t node_count) {
@@ -28,41 +55,20 @@ class CloseSet {
   }
 
   /// From now on everything is close.
-  void forget() { until_ = from_ = kMotionUnknown; }
+  void forget() { range_ = {}; }
 
-  /// The bounds, widened by a share of their range.
-  static Frustum widened(const Frustum& rays, float share) {
-    const float u = share * (rays.high_u - rays.low_u), v = share * (rays.high_v - rays.low_v);
-    return {rays.low_u - u, rays.high_u + u, rays.low_v - v, rays.high_v + v};
-  }
+  const CloseRange& range() const { return range_; }
 
-  /// True if it was chosen for the coordinates of these rays.
-  bool fits(const RaySource& source, double scale) const {
-    return any() && scale == scale_ && source.centre == source_.centre && source.axis == source_.axis &&
-           source.long_direction == source_.long_direction && source.half_long == source_.half_long;
-  }
-  /// True if it still contains all that these rays can meet.
-  bool holds(const Frustum& rays, double displacement_bound) const {
-    return displacement_bound >= from_ && displacement_bound <= until_ && rays.low_u >= wide_.low_u &&
-           rays.high_u <= wide_.high_u && rays.low_v >= wide_.low_v && rays.high_v <= wide_.high_v;
-  }
-  const Frustum& bounds() const { return wide_; }
-
-  /// Takes the patches that `find` writes, for rays in the wider bounds and nodes within the reach.
+  /// Takes the patches that `find` writes, for rays in the wide bounds and nodes within the reach.
   template <class Find>
   void choose(const RaySource& source, double scale, const Frustum& wide, double displacement_bound,
               double reach, Find find) {
-    source_ = source;
-    scale_ = scale;
-    wide_ = wide;
-    from_ = displacement_bound;
-    until_ = displacement_bound + reach;
+    range_ = {source, scale, wide, displacement_bound, displacement_bound + reach};
     std::fill(has_patch_.begin(), has_patch_.end(), std::uint8_t{0});
     patch_count_ = static_cast<std::size_t>(find(patches_.data()));
     list_nodes();
   }
 
-  bool any() const { return until_ >= from_; }
   bool has(std::size_t patch) const { return has_patch_[patch] != 0; }
   std::span<const int> patches() const { return std::span(patches_).first(patch_count_); }
   /// Where the nodes' rows of four numbers begin, ascending; the last one repeated to a multiple of eight.
@@ -87,10 +93,7 @@ class CloseSet {
   }
 
   const OrderedMesh* mesh_ = nullptr;
-  RaySource source_;
-  double scale_ = 0.0;
-  Frustum wide_{};
-  double from_ = kMotionUnknown, until_ = kMotionUnknown;  // [m] displacement_bound
+  CloseRange range_;
   std::size_t patch_count_ = 0, row_count_ = 0;
   std::vector<int> patches_, nodes_;  // nodes_: workspace
   std::vector<std::uint32_t> rows_;

@@ -34,7 +34,7 @@ void RayBundle::set_sides(const Frustum& bounds, double reach) {
 }
 
 std::span<const int> RayBundle::find_patches(std::span<int> out) const {
-  if (close_.any()) return close_.patches();
+  if (close_.range().any()) return close_.patches();
   return out.first(static_cast<std::size_t>(find_patches(outside_, out.data())));
 }
 

@@ -75,24 +75,25 @@ void RayBundle::ask(const Surface& surface, const RaySource& source, std::span<c
 
 bool RayBundle::project_expected() {
   fresh_ = false;
-  if (!has_frame_ || !(step_ >= 0.0) || !close_.fits(*source_, scale_)) return false;
+  if (!has_frame_ || !(step_ >= 0.0) || !close_.range().fits(*source_, scale_)) return false;
   set_arrays();
   const auto on = [](float before, float last) { return last + (last - before); };
   const Frustum &b = before_, &l = last_;
   const Frustum next{std::min(l.low_u, on(b.low_u, l.low_u)), std::max(l.high_u, on(b.high_u, l.high_u)),
                      std::min(l.low_v, on(b.low_v, l.low_v)), std::max(l.high_v, on(b.high_v, l.high_v))};
-  const Frustum expected = CloseSet::widened(with_new(next), kLastShare);
-  if (!close_.holds(expected, displacement_bound_) &&
-      !choose_close(CloseSet::widened(expected, kCloseShare), false))
+  const Frustum expected = CloseRange::widened(with_new(next), kLastShare);
+  if (!close_.range().holds(expected, displacement_bound_) &&
+      !choose_close(CloseRange::widened(expected, kCloseShare), false))
     return false;
   return project_close(expected) && fits_range();
 }
 
 bool RayBundle::project_chosen() {
   fresh_ = false;
-  if (!has_frame_ || !(step_ >= 0.0) || !close_.fits(*source_, scale_)) return false;
+  if (!has_frame_ || !(step_ >= 0.0) || !close_.range().fits(*source_, scale_)) return false;
   set_arrays();
-  return close_.holds(close_.bounds(), displacement_bound_) && project_close(close_.bounds()) && fits_range();
+  return close_.range().holds(close_.range().bounds, displacement_bound_) &&
+         project_close(close_.range().bounds) && fits_range();
 }
 
 bool RayBundle::project_fresh() {
@@ -209,7 +210,7 @@ bool RayBundle::project_targets(bool rescaled) {
   close_.forget();
   bounds_ = kernel_table().frustum_of(arrays_, half_long(), static_cast<int>(candidates_.size()));
   if (step_ >= 0.0)
-    return choose_close(CloseSet::widened(bounds_, kCloseShare), rescaled) && project_close(bounds_);
+    return choose_close(CloseRange::widened(bounds_, kCloseShare), rescaled) && project_close(bounds_);
   set_sides(bounds_, 0.0);
   set_winding_ray();
   return fits(kernel_table().project_nodes(arrays_), rescaled);

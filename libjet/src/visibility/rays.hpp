@@ -50,7 +50,9 @@ class RayBundle {
   float winding_v() const { return static_cast<float>(winding_v_); }
 
   /// True if the element's nodes are projected. No ray can meet other elements.
-  bool knows(int place) const { return !close_.any() || close_.has(static_cast<std::size_t>(place / 8)); }
+  bool knows(int place) const {
+    return !close_.range().any() || close_.has(static_cast<std::size_t>(place / 8));
+  }
 
   /// Patches of the mesh, ascending, outside which rays and the winding ray meet nothing. `out` has room for
   /// all.
