@@ -158,8 +158,14 @@ quantities() {
   awk -F, '/^#/ { next } { for (i = 1; i <= NF; i++) there[$i]; for (i = 1; i <= NF; i++) if ($i "_reference" in there) print $i; exit }' "$table"
 }
 
-# label NAME: the name with its unit in brackets
-label() { sed -E 's/_(rad_s|kg_s|m_s2|m_s|Pa|K|m3|m2|kg|N|rad|m|J|s)$/ [\1]/; s/\[(rad|kg|m)_s/[\1\/s/; s/2]$/²]/; s/3]$/³]/; s/_/ /g' <<<"$1"; }
+# label NAME: the name with its unit in brackets, by the endings that the program knows
+label() {
+  local endings
+  endings=$(dirname "${BASH_SOURCE[0]}")/../driver/src/results/unit_endings.hpp
+  grep -oE '\{"_[^"]+", "[^"]+"\}' "$endings" | sed -E 's/^\{"|"\}$//g; s/", "/ /' | awk -v name="$1" '
+    !unit && substr(name, length(name) - length($1) + 1) == $1 { name = substr(name, 1, length(name) - length($1)); sub(/^[^ ]+ /, ""); unit = " [" $0 "]" }
+    END { gsub(/_/, " ", name); print name unit }'
+}
 
 compared() {
   local band='' value reference width

@@ -13,12 +13,12 @@
 #include <csignal>
 #include <cstring>
 #include <optional>
-#include <regex>
 #include <thread>
 
 #include "driver/ladder.hpp"
 #include "driver/progress.hpp"
 #include "driver/results.hpp"
+#include "results/unit_endings.hpp"
 
 namespace driver {
 namespace {
@@ -68,8 +68,9 @@ std::string gnuplot_text(const std::string& text) {
 
 // "peak_pressure_Pa" as "peak pressure": errors are shares of it, without a unit.
 std::string in_words(const std::string& quantity) {
-  static const std::regex unit("_(rad_s|kg_s|m_s2|m_s|Ns|Pa|K|m3|m2|kg|N|rad|m|J|s|W)$"), gap("_");
-  return std::regex_replace(std::regex_replace(quantity, unit, ""), gap, " ");
+  std::string words = without_unit(quantity);
+  std::replace(words.begin(), words.end(), '_', ' ');
+  return words;
 }
 
 std::string chart(const LadderResult& result, const LadderOptions& options) {

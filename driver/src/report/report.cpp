@@ -6,6 +6,7 @@
 #include "build_info.hpp"
 #include "driver/case_reader.hpp"
 #include "report/parts.hpp"
+#include "results/unit_endings.hpp"
 
 namespace driver {
 namespace {
@@ -41,6 +42,7 @@ std::string as_text(const Json& data) {
 
 std::string report_page(const std::vector<std::filesystem::path>& results, const ReportOptions& options) {
   Json data{{"gasjet", fmt::format("{} ({})", build_info::version, build_info::commit)}};
+  data["units"] = unit_endings;
   std::vector<Json> list;
   for (const auto& result : results) try {
       for (Json& one : gather(result, options)) list.push_back(std::move(one));

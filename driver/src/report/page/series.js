@@ -2,10 +2,6 @@
 // From tables of results to series of charts.
 "use strict";
 
-const units = [
-  ["_m_s2", "m/s²"], ["_rad_s", "rad/s"], ["_kg_K_s", "kg K/s"], ["_kg_s", "kg/s"], ["_m_s", "m/s"], ["_m3", "m³"], ["_m2", "m²"],
-  ["_Pa", "Pa"], ["_kg", "kg"], ["_Ns", "N s"], ["_rad", "rad"], ["_K", "K"], ["_W", "W"], ["_N", "N"], ["_J", "J"], ["_m", "m"], ["_s", "s"],
-];
 const names = {
   Pa: "Pressure", K: "Temperature", "m³": "Volume", "m²": "Area", kg: "Mass", "kg/s": "Mass flow", W: "Heat flow", N: "Force", m: "Length",
   rad: "Angle", "rad/s": "Angular velocity", "m/s²": "Acceleration", "m/s": "Speed", J: "Energy", "": "Numbers",
@@ -13,7 +9,7 @@ const names = {
 
 // { quantity, unit, name } of a column, or of a quantity of the summary.
 const split = column => {
-  const [ending, unit] = units.find(([ending]) => column.endsWith(ending)) ?? ["", ""];
+  const [ending, unit] = data.units.find(([ending]) => column.endsWith(ending)) ?? ["", ""];
   const quantity = column.slice(0, column.length - ending.length);
   return { quantity, unit, name: quantity.replace(/,?_cfc_?(\d+)/i, ", CFC $1").replaceAll("_", " ") };
 };

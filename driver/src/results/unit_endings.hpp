@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+// Units of columns by the endings of their names: the report's page, charts of ladders and scripts/plot.sh
+// take them from here.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <utility>
+
+namespace driver {
+
+/// Endings and units; a longer ending stands before one that it ends in.
+inline constexpr std::pair<std::string_view, std::string_view> unit_endings[] = {
+    {"_m_s2", "m/s²"}, {"_rad_s", "rad/s"}, {"_kg_K_s", "kg K/s"}, {"_kg_s", "kg/s"}, {"_m_s", "m/s"},
+    {"_m3", "m³"},     {"_m2", "m²"},       {"_Pa", "Pa"},         {"_kg", "kg"},     {"_Ns", "N s"},
+    {"_rad", "rad"},   {"_K", "K"},         {"_W", "W"},           {"_N", "N"},       {"_J", "J"},
+    {"_m", "m"},       {"_s", "s"},
+};
+
+/// The name without the ending of its unit.
+inline std::string without_unit(std::string_view name) {
+  for (const auto& [ending, unit] : unit_endings)
+    if (name.ends_with(ending)) return std::string(name.substr(0, name.size() - ending.size()));
+  return std::string(name);
+}
+
+}  // namespace driver
