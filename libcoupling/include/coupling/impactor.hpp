@@ -40,7 +40,8 @@ struct Sphere {
     return Depth{radius - distance, distance, point};
   }
 
-  /// Signed distance [m] of a triangle: of its nearest point.
+  /// Signed distance [m] of a triangle, or a lower bound: the nearer it is, the less often the skin is
+  /// searched.
   double distance_to_triangle(const Eigen::Vector3d& a, const Eigen::Vector3d& b,
                               const Eigen::Vector3d& c) const;
 

@@ -7,7 +7,7 @@ namespace gas {
 
 /// Inversion of one draw of the pressures.
 struct Sample {
-  Flow flow;
+  FlowCurves flow;
   std::vector<double> enthalpy_flow;  // K [kg K/s]
 };
 

@@ -105,10 +105,10 @@ Burn find_burn(const Splines& splines, const Pressures& p, double threshold) {
   return burn;
 }
 
-Flow invert(const TankTest& test, std::span<const double> times, const Pressures& p, const Burn& burn,
-            const Flow* guess) {
+FlowCurves invert(const TankTest& test, std::span<const double> times, const Pressures& p, const Burn& burn,
+                  const FlowCurves* guess) {
   const Inversion inversion(test, times, p);
-  Flow flow = inversion.average_temperature(burn);
+  FlowCurves flow = inversion.average_temperature(burn);
   if (p.chamber.empty()) return flow;
   const double mean = flow.mean_temperature;
   if (guess) flow = *guess;
@@ -150,7 +150,7 @@ HeldSpread held_spread(const Burn& burn, std::span<const double> temperature) {
 }
 
 Sample draw(const Splines& splines, const TankTest& test, std::span<const double> times, const Burn& burn,
-            const Flow& best, const HeldSpread& spread, NormalNumbers& normals) {
+            const FlowCurves& best, const HeldSpread& spread, NormalNumbers& normals) {
   const std::vector<double> tank = drawn_coefficients(splines.tank.spline, kUndersmoothing, normals);
   const std::vector<double> chamber =
       splines.chamber ? drawn_coefficients(splines.chamber->spline, kUndersmoothing, normals)
@@ -196,7 +196,7 @@ Identified identify(const TankTest& test, const TankReadings& readings, const Id
   check_pressures(readings, options.noise);
   const Pressures p = pressures(splines);
   const Burn burn = find_burn(splines, p, options.threshold);
-  const Flow flow = invert(test, times, p, burn, nullptr);
+  const FlowCurves flow = invert(test, times, p, burn, nullptr);
   const std::vector<double> k = Inversion(test, times, p).enthalpy_flow(flow.mean_temperature);
   result.threshold = options.threshold * *std::ranges::max_element(k);
   result.mean_temperature = flow.mean_temperature;

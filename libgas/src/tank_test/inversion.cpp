@@ -47,12 +47,12 @@ void Inversion::scale_to_mass(const Burn& burn, std::vector<double>& mass_flow) 
   for (double& flow : mass_flow) flow *= ratio;
 }
 
-Flow Inversion::average_temperature(const Burn& burn) const {
+FlowCurves Inversion::average_temperature(const Burn& burn) const {
   rate(burn.end, test_.total_mass);  // refuses what is out of range
   const double enthalpy = gas_.mean_enthalpy(pressures_.tank[burn.end], test_.total_mass);
   const double temperature = gas_.inflow_temperature(enthalpy);
-  Flow flow{std::vector<double>(times_.size(), 0.0), std::vector<double>(times_.size(), temperature),
-            temperature};
+  FlowCurves flow{std::vector<double>(times_.size(), 0.0), std::vector<double>(times_.size(), temperature),
+                  temperature};
   double mass = 0.0;
   for (std::size_t i = burn.first; i <= burn.last; ++i) {
     mass = gas_.delivered(pressures_.tank[i], enthalpy, test_.total_mass, mass);
@@ -82,7 +82,7 @@ std::vector<double> Inversion::held(const Burn& burn, std::vector<double> temper
 
 /// Temperature and flow at every point for the area of `flow` and the mass that is in the tank by then. Where
 /// masked, a choked outlet says more of the flow than K does.
-void Inversion::solve(const Burn& burn, const std::vector<double>& mass, Flow& flow) const {
+void Inversion::solve(const Burn& burn, const std::vector<double>& mass, FlowCurves& flow) const {
   std::vector<double> solved = flow.temperature;
   for (std::size_t i = 0; i <= burn.end; ++i)
     if (!burn.masked[i])
@@ -108,8 +108,8 @@ double Inversion::guessed_area(double temperature) const {
   return test_.total_mass / mass;
 }
 
-Flow Inversion::dual_pressure(const Burn& burn, const Flow& guess) const {
-  Flow flow = guess;
+FlowCurves Inversion::dual_pressure(const Burn& burn, const FlowCurves& guess) const {
+  FlowCurves flow = guess;
   if (!(flow.effective_area > 0.0)) flow.effective_area = guessed_area(guess.mean_temperature);
   std::vector<double> mass = masses(flow.mass_flow);
   for (int i = 0; i < kMostIterations; ++i) {

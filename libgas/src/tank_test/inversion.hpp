@@ -24,7 +24,7 @@ struct Burn {
 };
 
 /// Flow and temperature at the times of the result.
-struct Flow {
+struct FlowCurves {
   std::vector<double> mass_flow;    // [kg/s]
   std::vector<double> temperature;  // [K] T_s
   double mean_temperature = 0.0;    // [K]
@@ -39,16 +39,16 @@ class Inversion {
   /// K [kg K/s] at every point (G.34), with gamma R of the inflator's gas at `temperature` [K].
   std::vector<double> enthalpy_flow(double temperature) const;
   /// Average-temperature method (G.35). Throws DomainError.
-  Flow average_temperature(const Burn& burn) const;
+  FlowCurves average_temperature(const Burn& burn) const;
   /// Dual-pressure method (G.36), started from `guess`, whose flow has the known mass. Throws DomainError.
-  Flow dual_pressure(const Burn& burn, const Flow& guess) const;
+  FlowCurves dual_pressure(const Burn& burn, const FlowCurves& guess) const;
 
  private:
   std::vector<double> masses(const std::vector<double>& mass_flow) const;
   TankGas::Rate rate(std::size_t i, double mass) const;
   double guessed_area(double temperature) const;
   std::vector<double> held(const Burn& burn, std::vector<double> temperature) const;
-  void solve(const Burn& burn, const std::vector<double>& mass, Flow& flow) const;
+  void solve(const Burn& burn, const std::vector<double>& mass, FlowCurves& flow) const;
   void scale_to_mass(const Burn& burn, std::vector<double>& mass_flow) const;
 
   const TankTest& test_;
