@@ -68,7 +68,7 @@ inline void to_lanes(const Lanes (&row)[4], Lanes& x, Lanes& y, Lanes& z) {
   z = {low_pair(row[0].high, row[1].high), low_pair(row[2].high, row[3].high)};
 }
 
-// The other way.
+// Lanes of x, y and z to rows (x, y, z, 0) of four vectors.
 inline void to_rows(const Lanes& x, const Lanes& y, const Lanes& z, Lanes (&row)[4]) {
   const Pair zero{};
   row[0] = {low_pair(x.low, y.low), low_pair(z.low, zero)};

@@ -47,7 +47,7 @@ inline void to_lanes(const Lanes (&row)[4], Lanes& x, Lanes& y, Lanes& z) {
   z = Lanes(__builtin_shufflevector(xz_01, xz_23, 2, 3, 6, 7));
 }
 
-// The other way.
+// Lanes of x, y and z to rows (x, y, z, 0) of four vectors.
 inline void to_rows(const Lanes& x, const Lanes& y, const Lanes& z, Lanes (&row)[4]) {
   const Lanes zero;
   const auto xy_02 = __builtin_shufflevector(x.v, y.v, 0, 4, 2, 6);

@@ -2,30 +2,15 @@
 #include "membrane/vtk.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cctype>
 #include <vector>
 
 #include "membrane/merge.hpp"
 #include "mesh_text.hpp"
 #include "mesh_tokens.hpp"
+#include "vtk_attributes.hpp"
 
 namespace membrane {
 namespace {
-
-std::string upper_case(std::string_view text) {
-  std::string result(text);
-  std::transform(result.begin(), result.end(), result.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
-  return result;
-}
-
-bool is_whole_number_type(const std::string& type) {
-  static constexpr std::array<std::string_view, 12> types = {
-      "BIT", "UNSIGNED_CHAR", "CHAR", "UNSIGNED_SHORT", "SHORT",        "UNSIGNED_INT",
-      "INT", "UNSIGNED_LONG", "LONG", "VTKIDTYPE",      "VTKTYPEINT64", "VTKTYPEUINT64"};
-  return std::find(types.begin(), types.end(), type) != types.end();
-}
 
 struct Cell {
   std::vector<long long> nodes;
@@ -44,8 +29,6 @@ class VtkParser {
   }
 
  private:
-  enum class Attributes { none, cells, points };
-
   void header() {
     const MeshWord begin = words_.peek("# vtk DataFile Version");
     if (!words_.rest_of_line().starts_with("# vtk DataFile Version"))
@@ -70,17 +53,8 @@ class VtkParser {
     if (key == "POLYGONS" || key == "CELLS") return cells(word, key);
     if (key == "CELL_TYPES") return types(word);
     if (key == "VERTICES" || key == "LINES") return skip_cells();
-    if (key == "CELL_DATA") return begin_attributes(word, Attributes::cells, polygons_.size() + skipped_);
-    if (key == "POINT_DATA") return begin_attributes(word, Attributes::points, points_.size());
-    if (key == "SCALARS") return scalars(word);
-    if (key == "FIELD") return field();
-    if (key == "METADATA") return metadata();
-    if (key == "VECTORS" || key == "NORMALS") return skip_named(3);
-    if (key == "TENSORS") return skip_named(9);
-    if (key == "TEXTURE_COORDINATES") return skip_dimensioned(true);
-    if (key == "COLOR_SCALARS") return skip_dimensioned(false);
-    if (key == "LOOKUP_TABLE") return skip_table();
-    words_.fail(word, shown(word.text) + " is not a section read here");
+    if (!attributes_.read(key, word, polygons_.size() + skipped_, points_.size()))
+      words_.fail(word, shown(word.text) + " is not a section read here");
   }
 
   void points(const MeshWord& at) {
@@ -151,77 +125,8 @@ class VtkParser {
     const std::size_t count = words_.count("the number of cells"),
                       size = words_.count("the size of the list");
     const bool has_offsets = size > 0 && upper_case(words_.peek("the cells").text) == "OFFSETS";
-    skip(size + (has_offsets ? count + 4 : 0));
+    skip(words_, size + (has_offsets ? count + 4 : 0));
     skipped_ += has_offsets ? count - (count > 0 ? 1 : 0) : count;
-  }
-
-  void skip(std::size_t words) {
-    for (std::size_t i = 0; i < words; ++i) words_.word("a value");
-  }
-
-  void begin_attributes(const MeshWord& at, Attributes attributes, std::size_t expected) {
-    attributes_ = attributes;
-    count_ = words_.count("the number of values");
-    if (count_ != expected)
-      words_.fail(at, std::to_string(count_) + " values for " + std::to_string(expected) +
-                          (attributes == Attributes::cells ? " cells" : " points"));
-  }
-
-  void scalars(const MeshWord& at) {
-    if (attributes_ == Attributes::none) words_.fail(at, "SCALARS stands before CELL_DATA and POINT_DATA");
-    const std::string name = panel_name(words_.word("a name").text);
-    const std::string type = upper_case(words_.word("a type").text);
-    const std::string_view rest = words_.rest_of_line();
-    const std::size_t components = rest.empty() ? 1 : rest == "1" ? 1 : rest == "2" ? 2 : rest == "3" ? 3 : 4;
-    if (upper_case(words_.peek("the values").text) == "LOOKUP_TABLE") skip(2);
-    values(name, type, components, count_);
-  }
-
-  // A field may belong to the file, the cells or the points.
-  void field() {
-    words_.word("a name");
-    const std::size_t arrays = words_.count("the number of arrays");
-    for (std::size_t i = 0; i < arrays; ++i) {
-      const std::string name = panel_name(words_.word("a name").text);
-      const std::size_t components = words_.count("the number of components");
-      const std::size_t count = words_.count("the number of values");
-      const std::string type = upper_case(words_.word("a type").text);
-      values(name, type, components, count);
-      if (!words_.at_end() && upper_case(words_.peek("").text) == "METADATA") {
-        words_.word("");
-        metadata();
-      }
-    }
-  }
-
-  void values(const std::string& name, const std::string& type, std::size_t components, std::size_t count) {
-    const bool are_panels = attributes_ == Attributes::cells && panel_of_.empty() && components == 1 &&
-                            is_whole_number_type(type) && count == polygons_.size() + skipped_;
-    if (!are_panels) return skip(components * count);
-    for (std::size_t i = 0; i < count; ++i)
-      panel_of_.push_back(name + "_" + std::string(words_.word("a value").text));
-  }
-
-  // Up to the next empty line.
-  void metadata() {
-    words_.rest_of_line();
-    do words_.next_line();
-    while (!words_.rest_of_line().empty());
-  }
-
-  void skip_named(std::size_t components) {
-    skip(2);
-    skip(components * count_);
-  }
-  void skip_dimensioned(bool has_type) {
-    words_.word("a name");
-    const auto components = static_cast<std::size_t>(words_.integer("the number of components", 1, 4));
-    if (has_type) words_.word("a type");
-    skip(components * count_);
-  }
-  void skip_table() {
-    words_.word("a name");
-    skip(4 * words_.count("the size of the table"));
   }
 
   // Cells without area are skipped; true for those.
@@ -248,6 +153,7 @@ class VtkParser {
     if (are_typed_ && !has_types_) words_.fail(end, "the file ends here: CELL_TYPES is missing");
     // Values of vertices and lines come first, whatever the order of the sections.
     const std::size_t first = skipped_;
+    const std::vector<std::string>& panels = attributes_.panels();
     MeshBuilder mesh;
     for (const Eigen::Vector3d& x : points_) mesh.add_node(x);
     for (std::size_t i = 0; i < polygons_.size(); ++i) {
@@ -257,7 +163,7 @@ class VtkParser {
       std::vector<int> corners(cell.nodes.begin(), cell.nodes.end());
       if (cell.type == 8) std::swap(corners[2], corners[3]);
       if (has_repeated(corners)) words_.fail({{}, cell.line, cell.column}, "a node is repeated in this cell");
-      mesh.add_polygon(corners, panel_of_.empty() ? "default" : panel_of_[first + i], cell.line);
+      mesh.add_polygon(corners, panels.empty() ? "default" : panels[first + i], cell.line);
     }
     if (mesh.empty()) throw MeshFileError(words_.name(), 0, 0, "the file has no cells with an area");
     return used_nodes(std::move(mesh).finish());
@@ -266,11 +172,9 @@ class VtkParser {
   TokenReader words_;
   std::vector<Eigen::Vector3d> points_;
   std::vector<Cell> polygons_;
-  std::vector<std::string> panel_of_;  // of each cell, skipped ones first
+  VtkAttributes attributes_{words_};
   bool are_typed_ = false, has_types_ = false;
   std::size_t skipped_ = 0;  // vertices and lines of polydata
-  Attributes attributes_ = Attributes::none;
-  std::size_t count_ = 0;  // of the attributes
 };
 
 }  // namespace

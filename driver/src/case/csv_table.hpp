@@ -32,8 +32,10 @@ struct CsvHeader {
 CsvHeader read_csv_header(const std::filesystem::path& file);
 
 /// Reads a CSV file with a header row; `#` lines and empty lines are skipped, quotes around a cell taken off.
-/// Throws CaseError at the place of the fault for a file that cannot be read, a column or cell that is
-/// missing or one too many, a cell that is no finite number, and more than 20 million rows.
+/// Throws CaseError at the place of the fault if
+/// - the file cannot be read or has more than 20 million rows,
+/// - a column or a cell is missing, or a row has too many cells,
+/// - a cell is no finite number.
 CsvTable read_csv(const std::filesystem::path& file, const std::vector<std::string>& names);
 
 }  // namespace driver

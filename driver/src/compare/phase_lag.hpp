@@ -7,8 +7,8 @@
 namespace driver {
 
 /// Time [s] by which `mine` is late: the shift of at most a quarter of the window that brings it nearest to
-/// `reference`, in the mean square over the overlap. None when one of the signals does not change, when they
-/// do not come nearer by any shift within that, or for fewer than 8 rows.
+/// `reference`, in the mean square over the overlap. There is none if one of the signals does not change, if
+/// no such shift brings them nearer, or if there are fewer than 8 rows.
 std::optional<double> phase_lag(std::span<const double> time, std::span<const double> mine,
                                 std::span<const double> reference);
 

@@ -8,9 +8,9 @@
 
 namespace driver {
 
-/// Checks what the header of a file announces: CGAL's readers believe it. They reserve what it counts, leave
-/// out what it does not name, and read on at the wrong place behind what they do not know. Throws
-/// membrane::MeshFileError, with the line of a text.
+/// Checks the header of a file against its contents, because CGAL's readers believe the header. They reserve
+/// as many elements as it counts. They skip what it does not name. After a property that they do not know
+/// they read at the wrong place. Throws membrane::MeshFileError, with the line if the file is text.
 void check_header(const std::filesystem::path& path, SoupFormat format, const std::string& bytes);
 
 }  // namespace driver

@@ -26,12 +26,12 @@ struct Frames {
   nlohmann::ordered_json header;  // its first line
   std::string data;               // whole frames of header["frame_bytes"] bytes, at least one
 };
-/// Reads frames.bin. Throws CaseError for a file that is none of its kind or does not hold whole frames of
-/// the size that its header asks for.
+/// Reads frames.bin. Throws CaseError if the file is of another kind, or if it does not hold whole frames of
+/// the size in its header.
 Frames load_frames(const std::filesystem::path& file);
 
-/// Header and base64 of the frames in frames.bin, and how many are kept of how many: every k-th, of
-/// `most_bytes` at most; null if there is no such file. Throws as load_frames.
+/// Header and base64 of frames.bin, and how many of its frames are kept: every k-th, so that they have at
+/// most `most_bytes`. Null if there is no such file. Throws as load_frames.
 nlohmann::ordered_json read_frames(const std::filesystem::path& file, std::size_t most_bytes);
 
 }  // namespace driver

@@ -21,10 +21,13 @@ struct PageTable {
 };
 
 /// Reads a CSV file of numbers with a column time_s. Of more than `most` rows it keeps the first, the last,
-/// every k-th, and those of each column's extremes. It is read row by row: its length costs time, no memory.
-/// Throws CaseError at the place of the fault: unreadable, no or two equal columns, a cell that is missing,
-/// too many or no finite number, times that do not rise, no rows, the lower end of an interval above the
-/// upper one, a half width below 0.
+/// every k-th, and those of each column's extremes. It reads row by row, so a long file needs time but no
+/// memory. Throws CaseError at the place of the fault if
+/// - the file cannot be read or has no rows,
+/// - it has no columns, or two of one name,
+/// - a cell is missing, one too many, or no finite number,
+/// - the times do not rise,
+/// - the lower end of an interval is above the upper one, or a half width is below 0.
 PageTable read_page_table(const std::filesystem::path& file, std::size_t most);
 
 }  // namespace driver

@@ -18,9 +18,11 @@ struct BagShape {
   double error = 0.0;
 };
 
-/// Shape of the kept time that is nearest to `time` [s]: of fields.pvd if the run wrote it, else of
-/// frames.bin. Throws CaseError for a folder without either, a file that is damaged, a run that has not
-/// ended, and a time before the first or after the last one.
+/// Shape of the kept time that is nearest to `time` [s], from fields.pvd if the run wrote it, else from
+/// frames.bin. Throws CaseError if
+/// - the folder has neither, or the file is damaged,
+/// - the run has not ended,
+/// - `time` is before the first kept one or after the last.
 BagShape read_bag_shape(const std::filesystem::path& results, double time);
 
 }  // namespace driver

@@ -8,10 +8,10 @@
 namespace driver {
 
 /// Volume [m3] of the scene's bag against overpressure [Pa], at rest on its supports, without jet, contact
-/// and gravity: that of its first shape at 0, then at 100 Pa and by factors of 2 up to what the inflators
-/// could bring the full volume to, (K.30). Rest: damped motion until its kinetic energy is below 1e-5 of p V
-/// and the volume changes by less than 1e-4. Throws std::runtime_error if that does not come; nothing
-/// after an interrupt.
+/// and gravity. The first knot is the volume of the first shape, at 0. The others are at 100 Pa and, by
+/// factors of 2, up to the pressure that the inflators could bring the full volume to (K.30). The bag is at
+/// rest once damped motion has a kinetic energy below 1e-5 of p V and changes the volume by less than 1e-4.
+/// Throws std::runtime_error if it does not come to rest. Returns nothing after an interrupt.
 std::optional<gas::Curve> bag_volume(const Scene& scene, bool quiet);
 
 }  // namespace driver

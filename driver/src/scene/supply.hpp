@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the inflators send in up to the end of a scene, triggers taken to fire at 0, and the volume that it
-// fills.
+// What the inflators send in up to the end of a scene, and the volume that it fills. Triggers are taken to
+// fire at 0.
 #pragma once
 
 #include "driver/forecast.hpp"

@@ -36,11 +36,11 @@ template <bool upstream = true>
   return {slope - margin, slope + margin};
 }
 
-/// Range of the places of rays from a line, along that line. A ray is at the place of its target or, from the
-/// line's end, farther by at most 2 (v - end) / max(w, |u|), because no coordinate is above 2: nodes examined
-/// are within 1, and none moves by more than 1 until it is examined again. The larger of two numbers is at
-/// least half their sum. Above kUpstream this errs by 5 kUnit, 0.3 %, which 4.02 covers; v errs by 2.5 kUnit,
-/// which kSlack covers.
+/// Range of the places of rays from a line, along that line. A ray is at the place of its target or, if it
+/// comes from the line's end, farther by at most 2 (v - end) / max(w, |u|). The 2 bounds the coordinates:
+/// examined nodes are within 1, and none moves by more than 1 until it is examined again. The larger of two
+/// numbers is at least half their sum. Above kUpstream this errs by 5 kUnit, 0.3 %, which 4.02 covers; v errs
+/// by 2.5 kUnit, which kSlack covers.
 [[gnu::always_inline]] inline Range places(Vec3<Floats> g, Floats half_long) {
   const Floats distance = max(g.z, Floats(1e-30f)) + abs(g.x), inverse = 1.0f / distance;
   const Floats margin = kTurn * inverse + kSlack, end = half_long - Floats(kSlack);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Boxes over boxes of elements, for rays that have no frustum: the rule is asked at the leaves alone.
+// Boxes over boxes of elements, for rays that have no frustum. The rule is asked at the leaves alone.
 #pragma once
 
 #include <vector>
@@ -9,13 +9,13 @@
 namespace jet {
 
 /// Binary tree over the elements of one surface at one instant; a node is halved at its middle element along
-/// its longest side. Boxes hold their corners exactly, and are left out by proof only: no ray loses a
-/// blocker.
+/// its longest side. Boxes hold their corners exactly. A box is left out only if the ray certainly misses it,
+/// so no ray loses a blocker.
 class BoxTree {
  public:
   explicit BoxTree(const Surface& surface);
 
-  /// Does `accept(element)` say yes to any element whose box the ray's segment may meet?
+  /// True if `accept(element)` is true for an element whose box the ray's segment may meet.
   template <class Accept>
   bool any(const blocking::Ray& ray, Accept&& accept) const {
     return any(ray, accept, 0, 0, static_cast<int>(elements_.size()));

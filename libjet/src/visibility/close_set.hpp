@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Patches of a mesh that rays can come to meet while its nodes move by at most a reach and the rays stay
-// within widened bounds. The other patches need not be examined for that long.
+// The close set: patches of a mesh that rays can come to meet while its nodes move by at most a reach and the
+// rays stay within widened bounds. Until then no query examines the other patches.
 #pragma once
 
 #include <algorithm>

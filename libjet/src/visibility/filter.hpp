@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Predicates in double with an error bound. Signs that they cannot decide are left to exact arithmetic.
 // Bound: Shewchuk, Adaptive Precision Floating-Point Arithmetic and Fast Robust Geometric Predicates, 1997.
-// The determinant of differences errs by at most (7 + 56 u) u times its permanent (u = 2^-53), which is at
-// most 6 max|dx| max|dy| max|dz|. The product 4.66e-15 is rounded up for the roundings of the bound itself.
-// kUnderflow covers products below the normal range: coordinates are at most 1e100, so these losses stay
-// below 1e-220.
+// The determinant of differences errs by at most (7 + 56 u) u times its permanent, u = 2^-53. The permanent
+// is at most 6 max|dx| max|dy| max|dz|. The product 4.66e-15 is rounded up for the roundings of the bound
+// itself. kUnderflow covers products below the normal range: coordinates are at most 1e100, so these losses
+// stay below 1e-220.
 #pragma once
 
 #include <algorithm>

@@ -54,8 +54,8 @@ class NearElements {
     bits = static_cast<std::uint8_t>(bits & ~(1 << place % 8));
   }
 
-  /// Calls visit(ray, place, touch) for the listed rays and the near elements that may show their outer side
-  /// and that the rays' lines may touch.
+  /// Calls visit(ray, place, touch) for the listed rays and the elements that their lines may touch. Only
+  /// near elements count that may show their outer side.
   template <class Visit>
   void for_each_touching(const RayBundle& rays, std::span<const int> list, Visit visit) {
     const int count =
@@ -71,10 +71,10 @@ class NearElements {
   }
 
  private:
-  /// Eight successive rays of a list may have different parts of the surface in their way. They then see many
-  /// blocks, most of them in vain. So they are separated where their elements are far apart and, in fine
-  /// meshes, if they still see too many blocks. Both limits are measured. Pairs are tested together, some at
-  /// a time.
+  /// Eight successive rays of a list may cross different parts of the surface. Their common box then meets
+  /// many blocks that no single ray meets. So a list is cut where its elements are far apart and, in fine
+  /// meshes, where the common box still meets too many blocks. Both limits are measured. At most so many
+  /// pairs are tested together.
   static constexpr int kFarPlaces = 64, kMostBlocks = 32, kManyPairs = 512;
 
   static std::span<const int> first(const std::vector<int>& list, int count) {
