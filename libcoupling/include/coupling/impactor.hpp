@@ -21,7 +21,8 @@ struct Depth {
 
 /// Part of a line, by its parameter.
 struct Stretch {
-  double begin, end;
+  double begin;  // the lower end
+  double end;    // the upper end
 };
 
 /// A sphere about the origin. All points are relative to the impactor's centre.
