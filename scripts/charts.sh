@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # Makes the tables and pictures of docs/charts and docs/figures: those of the plans of cases/studies, and
 #   ladders       of the paper's scene, each rung the mean of 16 runs: over all that it names, and over its effects alone on its own mesh
+#   jet_cost      what the jet and the other parts of the scene cost: the one source of such numbers in README and docs
 #   jet_effect    README's figure and table: ensembles with and without jet, 32 runs each
 #   figure_3      Fig. 3 of the paper: mass flow of nitrogen at 673 K through 8.5 dm2 of hole, (G.6), and of porous fabric, (G.7). It
 #                 states neither ambient pressure nor porosity: 101325 Pa, and the fabric for the 0.05 of its scene and over eta^2
@@ -87,6 +88,11 @@ chart_ladders() {
   ladder ladder_passenger
   draw ladder_passenger
   ladder ladder_passenger_effects --hold mesh,pieces,step,gas
+}
+
+chart_jet_cost() {
+  "$gasjet" cost cases/passenger_pendulum.toml --runs 9 --quiet --out results/cost >/dev/null
+  { machine "one thread used"; build_version; grep -v '^#' results/cost/cost.csv; } >"$out/jet_cost.csv"
 }
 
 chart_jet_effect() {

@@ -4,8 +4,6 @@
 # commit, and SVG. Times are CPU time on one core; some twenty minutes in all, on an idle machine.
 #   gas, tank_test, bag   work against precision
 #   jet_fidelity          error of the jet force against cost for each rung of the hidden-element test, on the paper's scene
-#   jet_cost              whole runs of the paper's scene without jet, without occlusion, and with exact occlusion by two routes,
-#                         side by side in one process
 #   jet_overhead          single stages of the jet from 700 to a million elements, folded and inflated, each visibility route and
 #                         Embree side by side in one process
 #   membrane              one step of the bag in cache and from memory. Bytes are those that a step must move for each element, held
@@ -88,35 +86,6 @@ chart_jet_fidelity() {
   { machine "one thread used"; build/benchmarks/jet_fidelity; } >"$work/jet_fidelity.csv"
   keep jet_fidelity
   draw jet_fidelity
-}
-
-chart_jet_cost() {
-  local log=$work/step.log rows=$work/step_rows.csv
-  build step_benchmark
-  build/benchmarks/step_benchmark --benchmark_format=csv --benchmark_repetitions=16 \
-    --benchmark_enable_random_interleaving=true --benchmark_report_aggregates_only=true 2>"$log" >"$rows"
-  {
-    machine "one thread used"
-    grep -E '^(version|commit|compiler|flags|date): ' "$log" | sed 's/^/# /'
-    echo "# least of 16 interleaved repetitions of whole runs of 100 ms: what other programs on the machine add is left out"
-    echo "case,us_per_step,ns_per_element,jet_us_per_step,jet_over_step,step_over_no_jet,steps,drift_rel,hidden_per_step,exact_calls,jet_us_while_blowing"
-    awk -F, '
-      /^name,/ { for (i = 1; i <= NF; ++i) { gsub(/"/, "", $i); column[$i] = i } next }
-      /_least"/ {
-        name = $1; gsub(/"|\/.*|_least/, "", name)
-        if (name == "no_jet") base = $column["us_per_step"]
-        order[++n] = name; row[name] = $0
-      }
-      END {
-        for (k = 1; k <= n; ++k) {
-          split(row[order[k]], f, ",")
-          jet = f[column["jet_us_per_step"]]
-          printf "%s,%.2f,%.2f,%.2f,%.3f,%.3f,%d,%.2e,%.1f,%d,%.2f\n", order[k], f[column["us_per_step"]], f[column["ns_per_element"]],
-            jet, jet / base, f[column["us_per_step"]] / base, f[column["steps"]], f[column["drift_rel"]], f[column["hidden_per_step"]], f[column["exact_calls"]], f[column["jet_us_while_blowing"]]
-        }
-      }' "$rows"
-  } >"$work/jet_cost.csv"
-  keep jet_cost
 }
 
 chart_jet_overhead() {

@@ -78,6 +78,69 @@ TEST(ladder, judgement_names_the_cheaper_and_needs_runs_of_both) {
   EXPECT_EQ(few_of_full.verdict, Verdict::undecided);
 }
 
+// Student's t of 15 degrees of freedom, one-sided: 2.1314 for 0.025 and 3.2860 for 0.0025 (any table).
+TEST(ladder, verdict_allows_for_students_t) {
+  const double error = 0.001 * std::sqrt(2.0);  // of a difference of two means
+  struct Given {
+    double rate, allowed_errors;
+  };
+  for (const auto& [rate, allowed_errors] : {Given{0.025, 2.1314}, Given{0.0025, 3.2860}}) {
+    for (const double share : {0.999, 1.001}) {
+      LadderResult near_inside = two_rungs(16, 16), near_outside = two_rungs(16, 16);
+      near_inside.rungs[1].value.mean = 1.01 - share * allowed_errors * error;
+      near_outside.rungs[1].value.mean = 1.01 + share * allowed_errors * error;
+      driver::judge(near_inside, 0.01, rate);
+      driver::judge(near_outside, 0.01, rate);
+      EXPECT_EQ(near_inside.rungs[1].verdict, share > 1.0 ? Verdict::inside : Verdict::undecided) << rate;
+      EXPECT_EQ(near_outside.rungs[1].verdict, share > 1.0 ? Verdict::outside : Verdict::undecided) << rate;
+    }
+  }
+}
+
+TEST(ladder, looks_double_the_runs) {
+  driver::LadderOptions options;
+  EXPECT_EQ(driver::ladder_looks(options), 1);
+  options.most_runs = 64;
+  EXPECT_EQ(driver::ladder_looks(options), 3);
+  options.most_runs = 65;
+  EXPECT_EQ(driver::ladder_looks(options), 4);
+}
+
+// Two rungs, the second undecided: its error is off the allowed 0.1 by 0.01.
+LadderResult undecided(double own_error, double reference_error, double uncertainty) {
+  LadderResult result = two_rungs(16, 16);
+  result.reference = {1.0, reference_error, uncertainty, {}};
+  result.rungs[0].value.standard_error = reference_error;
+  result.rungs[0].verdict = Verdict::inside;
+  result.rungs[1].value.standard_error = own_error;
+  result.rungs[1].verdict = Verdict::undecided;
+  result.rungs[1].error = 0.11;
+  return result;
+}
+
+TEST(ladder, open_rungs_are_those_whose_runs_can_decide) {
+  using Rungs = std::vector<std::size_t>;
+  EXPECT_EQ(driver::open_rungs(undecided(0.02, 0.001, 0.0), 0.1), (Rungs{1}));
+  EXPECT_EQ(driver::open_rungs(undecided(0.02, 0.02, 0.0), 0.1), (Rungs{0, 1}));
+  EXPECT_EQ(driver::open_rungs(undecided(0.001, 0.02, 0.0), 0.1), (Rungs{0}));
+  // An uncertainty of 0.02 keeps the verdict open whatever the runs say, unless it is scatter itself.
+  EXPECT_EQ(driver::open_rungs(undecided(0.02, 0.001, 0.02), 0.1), Rungs{});
+  EXPECT_EQ(driver::open_rungs(undecided(0.02, 0.02, 0.02), 0.1), (Rungs{0}));
+}
+
+TEST(ladder, finer_meshes_make_the_finest_rung_finer) {
+  const char* file = GASJET_SOURCE_DIR "/cases/jet_bag.toml";
+  for (const int finer : {1, 2}) {
+    const auto plan = driver::plan_ladder(file, {}, "peak_pressure", {}, finer);
+    const auto picks = driver::finest_picks(plan);
+    for (std::size_t a = 0; a < plan.axes.size(); ++a)
+      if (plan.axes[a].name == "mesh") {
+        EXPECT_EQ(plan.axes[a].choices.size(), plan.axes[a].base + static_cast<std::size_t>(finer) + 1);
+        EXPECT_EQ(picks[a], plan.axes[a].base + static_cast<std::size_t>(finer));
+      }
+  }
+}
+
 // Costs and values by hand, the full case first and exact: those on the front by cost have places 1, 2, 3.
 TEST(ladder, front_is_what_is_more_exact_than_all_that_is_cheaper) {
   struct Given {

@@ -28,12 +28,10 @@ struct CostVariant {
   std::string failure = {};  // why it has no numbers
 
   long steps = 0;
-  /// [s] CPU time of each run, in their order: from the state at the start to the last file. Without what
-  /// reading the clock took.
+  /// [s] CPU time of each run, in their order: from the state at the start to the last file.
   std::vector<double> cpu_seconds = {};
   /// [s] CPU time of each stage, and of all else (start, rows, files), in a run of the least CPU time: they
-  /// add up to it. Shares of the stages' wall times in all runs, without the blocks of steps in which another
-  /// program ran.
+  /// add up to it. Shares of the stages in all runs.
   std::array<double, kStages> stage_seconds{};
   double rest_seconds = 0.0;
 

@@ -36,6 +36,7 @@ struct LadderAxis {
 
 struct LadderPlan {
   std::vector<LadderAxis> axes;
+  int finer = 1;  // levels of the mesh beyond the case's own
   std::optional<std::vector<std::string>>
       no_membrane;                    // overrides that leave the bag's gas; no tank.volume yet
   double design_volume = 0.0;         // [m3] of the bag; 0 if it is flat
@@ -45,7 +46,8 @@ struct LadderPlan {
 /// Whether a finer mesh of this plan refines the axis too.
 bool follows_finer_mesh(const LadderPlan& plan, const LadderAxis& axis);
 
-/// Choices of the finest rung: everything that halves is one level finer, by the mesh alone what follows it.
+/// Choices of the finest rung: the mesh is as fine as it gets, by that what follows it, and everything else
+/// that halves is one level finer.
 std::vector<std::size_t> finest_picks(const LadderPlan& plan);
 
 /// The overrides of the choices `picks`, one an axis, after `more`; nothing inside a table that is taken out.
@@ -66,6 +68,7 @@ struct LadderRung {
   std::string failure;          // why it has no value
   double error = 0.0;           // value - the reference's
   double standard_error = 0.0;  // of that
+  double doubt = 0.0;  // what the error may be off by: standard errors and the reference's uncertainty
   Verdict verdict = Verdict::not_judged;
   int front = 0;  // place on the front by cost, from 1; 0: another is no dearer and as exact
 };
@@ -100,6 +103,9 @@ struct LadderOptions {
   int threads = 1;
   bool quiet = false;
   std::function<void()> ready = {};  // called once the case is read, before its first run
+  int most_runs = 0;                 // of a rung whose verdict stays open, if above `runs`
+  double error_rate = 0.025;         // of one verdict being wrong by the scatter of runs
+  int finer = 1;                     // levels of the mesh beyond the case's own, 1 to 3
 };
 
 struct LadderResult {
@@ -126,13 +132,24 @@ Change change_of(const LadderResult& result, const LadderRung& rung);
 inline constexpr double least_share = 1e-3;
 
 /// Reference, errors, front and verdicts of rungs that have run, with the costs that they have. In a chaotic
-/// scene fewer than 16 runs, of a rung or of the finest, decide nothing.
-void judge(LadderResult& result, double tolerance);
+/// scene fewer than 16 runs, of a rung or of the finest, decide nothing. A verdict is wrong by scatter at
+/// most at the rate `error_rate`: it allows for as many standard errors as Student's t has for that,
+/// one-sided.
+void judge(LadderResult& result, double tolerance, double error_rate = 0.025);
+
+/// Times that verdicts are looked at: with `runs` runs, and each time with twice as many up to `most_runs`.
+/// Each look has an equal share of the error rate.
+int ladder_looks(const LadderOptions& options);
+
+/// Rungs of a judged ladder of a chaotic scene of which more runs may decide an open verdict: that rung, and
+/// those that the reference rests on, whichever scatters more. None where the reference's uncertainty keeps
+/// the verdict open and is more than scatter.
+std::vector<std::size_t> open_rungs(const LadderResult& result, double tolerance);
 
 /// The axes of a case. Throws CaseError for a bad case, a quantity it does not have, a held axis it does not
 /// have, and nothing left to vary.
 LadderPlan plan_ladder(const std::filesystem::path& file, const std::vector<std::string>& overrides,
-                       const std::string& quantity, const std::vector<std::string>& hold);
+                       const std::string& quantity, const std::vector<std::string>& hold, int finer = 1);
 
 /// Whole name of a quantity of the scene; the unit may be left off. Throws CaseError with those allowed.
 std::string quantity_name(const Scene& scene, const std::string& quantity);

@@ -2,6 +2,7 @@
 // A run: steps from 0 to the end of the scene, with its result files.
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <functional>
 #include <string>
@@ -34,6 +35,9 @@ struct RunOutcome {
   std::string message;  // of a failure: stage, time, limit; of an inaccurate run: drift, cause
   std::string warning;  // of a drift of the energy that is less, but more than a thousandth
   double wall_seconds = 0.0;
+  /// [s] CPU time from the first step to the last, and of each stage; the rest of it are rows and files.
+  double cpu_seconds = 0.0;
+  std::array<double, kStages> stage_seconds{};
 };
 
 /// Called at each field output and at each frame, when the forces of the level stand. May be empty.

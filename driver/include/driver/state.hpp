@@ -215,31 +215,37 @@ struct State {
   /// S1, of the rigid target.
   membrane::Vectors target_area_vectors, target_centroids;
 
-  /// [s] Wall time of each stage.
-  std::array<double, kStages> stage_seconds{};
+  /// Time of each stage, by stage_ticks().
+  std::array<std::uint64_t, kStages> stage_ticks{};
 };
 
 /// State at t = 0. Throws CaseError for a scene that starts outside the models' domain.
 State make_state(const Scene& scene);
 
+/// A clock of the processor, of whose ticks only shares are used: it takes 10 ns to read. The clock of CPU
+/// time takes 500 ns, and a step has 22 readings.
+inline std::uint64_t stage_ticks() {
+#if defined(__x86_64__)
+  return __builtin_ia32_rdtsc();
+#else
+  return static_cast<std::uint64_t>(std::chrono::steady_clock::now().time_since_epoch().count());
+#endif
+}
+
 /// Measures the time of a stage, and names the stage for messages while it runs.
 class StageTimer {
  public:
-  StageTimer(State& state, Stage stage)
-      : state_(state), stage_(stage), start_(std::chrono::steady_clock::now()) {
+  StageTimer(State& state, Stage stage) : state_(state), stage_(stage), start_(stage_ticks()) {
     state.stage = stage;
   }
-  ~StageTimer() {
-    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start_;
-    state_.stage_seconds[static_cast<std::size_t>(stage_)] += elapsed.count();
-  }
+  ~StageTimer() { state_.stage_ticks[static_cast<std::size_t>(stage_)] += stage_ticks() - start_; }
   StageTimer(const StageTimer&) = delete;
   StageTimer& operator=(const StageTimer&) = delete;
 
  private:
   State& state_;
   Stage stage_;
-  std::chrono::steady_clock::time_point start_;
+  std::uint64_t start_;
 };
 
 }  // namespace driver

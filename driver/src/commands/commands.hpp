@@ -84,7 +84,10 @@ struct LadderArguments {
   std::string tolerance = "2%";
   std::vector<std::string> hold;  // axes that stay as the case has them, lists with commas
   std::filesystem::path out;
-  int runs = 16;  // of each rung of a chaotic scene
+  int runs = 16;              // of each rung of a chaotic scene
+  int most_runs = 0;          // of a rung whose verdict is open
+  double error_rate = 0.025;  // of a verdict
+  int finer = 1;              // levels of the mesh beyond the case's own
   int threads = 1;
   bool quiet = false;
 };

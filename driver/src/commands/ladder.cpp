@@ -36,9 +36,10 @@ void print_scene(const LadderResult& result, const LadderOptions& options) {
   const double tolerance = 100.0 * options.tolerance;
   if (result.chaotic)
     fmt::print(
-        "chaotic: seeds of {:g} m scatter {} by {:.3g}, {:g} % of it would be {:.3g}: means of {} runs\n",
+        "chaotic: seeds of {:g} m scatter {} by {:.3g}, {:g} % of it would be {:.3g}: means of {}{} runs\n",
         default_amplitude, result.quantity, result.spread, tolerance,
-        options.tolerance * std::abs(result.reference.value - result.zero), options.runs);
+        options.tolerance * std::abs(result.reference.value - result.zero), options.runs,
+        options.most_runs > options.runs ? fmt::format(" to {}", options.most_runs) : "");
   else if (result.rungs.front().can_be_perturbed)
     fmt::print("not chaotic: seeds of {:g} m scatter {} by {:.3g} only: single runs\n", default_amplitude,
                result.quantity, result.spread);
@@ -85,7 +86,7 @@ void print_verdict(const LadderResult& result, const LadderOptions& options,
   fmt::print("\n");
   if (!result.cheapest) {
     fmt::print(
-        "undecided: no rung is known to be within {:g} %; more --runs, a finer case, a wider --tolerance or "
+        "undecided: no rung is known to be within {:g} %; more --runs, --finer 2, a wider --tolerance or "
         "--hold of "
         "what is not in question\n",
         100.0 * options.tolerance);
@@ -112,7 +113,8 @@ void print(const LadderResult& result, const LadderOptions& options, const std::
 // What the results follow from, besides the case.
 std::vector<std::string> options_of(const LadderOptions& options) {
   return {options.quantity, fmt::format("{}", options.tolerance),
-          fmt::format("{}", fmt::join(options.hold, ",")), fmt::format("{}", options.runs)};
+          fmt::format("{}", fmt::join(options.hold, ",")), fmt::format("{}", options.runs),
+          fmt::format("{} {} {}", options.most_runs, options.error_rate, options.finer)};
 }
 
 void draw(ResultFolder& folder, const LadderResult& result, const LadderOptions& options) {
@@ -128,13 +130,16 @@ int ladder(const LadderArguments& arguments) {
   LadderOptions options{arguments.quantity,       read_tolerance(arguments.tolerance),
                         names_of(arguments.hold), arguments.runs,
                         arguments.threads,        arguments.quiet};
+  options.most_runs = arguments.most_runs;
+  options.error_rate = arguments.error_rate;
+  options.finer = arguments.finer;
   const auto& file = arguments.scene.file;
   const auto& overrides = arguments.scene.overrides;
   const auto path = arguments.out.empty() ? std::filesystem::path("results") /
                                                 ("ladder_" + arguments.scene.file.stem().string())
                                           : arguments.out;
   require_file(file);
-  plan_ladder(file, overrides, options.quantity, options.hold);
+  plan_ladder(file, overrides, options.quantity, options.hold, options.finer);
   CaseDocument document(file, overrides);
   read_scene(document);
   const std::vector<std::string> files{"ladder.csv", "ladder.json",   "ladder.gp",

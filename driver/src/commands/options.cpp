@@ -95,6 +95,12 @@ void add_ladder(CLI::App& app, LadderArguments& a) {
       ->allow_extra_args(false);
   ladder->add_option("--runs", a.runs, "of each rung where the scene is chaotic")
       ->check(CLI::Range(2, 100000));
+  ladder->add_option("--most-runs", a.most_runs, "of a rung whose verdict stays open, --runs by default")
+      ->check(CLI::Range(2, 100000));
+  ladder->add_option("--error-rate", a.error_rate, "of a verdict being wrong by scatter, 0.025 by default")
+      ->check(CLI::Range(1e-6, 0.5));
+  ladder->add_option("--finer", a.finer, "levels of the mesh beyond the case's own, 1 by default")
+      ->check(CLI::Range(1, 3));
   ladder->add_option("--out", a.out, "result folder (results/ladder_<case> by default)")->check(named);
 }
 

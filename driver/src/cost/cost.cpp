@@ -10,9 +10,9 @@
 #include <deque>
 
 #include "cost/parts.hpp"
-#include "cost/stage_blocks.hpp"
 #include "driver/progress.hpp"
 #include "driver/run.hpp"
+#include "step/stage_clock.hpp"
 
 namespace driver {
 namespace {
@@ -41,26 +41,16 @@ class ScratchFolder {
   std::filesystem::path path_;
 };
 
-// CPU time between two readings of the clock with nothing in between.
-double clock_seconds() {
-  double least = HUGE_VAL;
-  for (int i = 0; i < 2000; ++i) {
-    const double before = cpu_clock();
-    least = std::min(least, cpu_clock() - before);
-  }
-  return least;
-}
-
 struct Timed {
   RunOutcome outcome;
   double cpu_seconds = 0.0;
+  long steps = 0;
 };
 
 // A variant with what is kept between its runs.
 struct Prepared {
   CostVariant* variant = nullptr;
   std::optional<Scene> scene;
-  long block = 1;  // steps
   int repeats = 1;
   int runs = 0;
   std::array<double, kStages> stage_sums{};  // of each stage's share of its run's CPU time
@@ -69,17 +59,15 @@ struct Prepared {
 
 class Measurement {
  public:
-  explicit Measurement(const CostOptions& options) : options_(options), clock_(clock_seconds()) {}
+  explicit Measurement(const CostOptions& options) : options_(options) {}
 
   // Once, untimed: caches and memory are warm from here on, and it says how long a run is.
   void warm_up(Prepared& p, double base_seconds) {
-    StageBlocks blocks(longest_block, options_.threads == 1);
-    const Timed timed = run(p, blocks);
+    const Timed timed = run(p);
     CostVariant& variant = *p.variant;
     if (timed.outcome.status == RunStatus::failed) variant.failure = timed.outcome.message;
     if (timed.outcome.status == RunStatus::interrupted) variant.failure = "interrupted";
-    variant.steps = blocks.steps();
-    p.block = std::clamp(variant.steps / 64, 1L, longest_block);
+    variant.steps = timed.steps;
     p.repeats = static_cast<int>(
         std::clamp(std::ceil(short_run / std::max(timed.cpu_seconds, 1e-9)), 1.0, 1.0 * most_repeats));
     const bool is_long = base_seconds > 0.0 && timed.cpu_seconds > long_variant * base_seconds;
@@ -91,11 +79,13 @@ class Measurement {
   void measure(Prepared& p) {
     double seconds = 0.0;
     for (int i = 0; i < p.repeats; ++i) {
-      StageBlocks blocks(p.block, options_.threads == 1);
-      const Timed timed = run(p, blocks);
+      const Timed timed = run(p);
       if (timed.outcome.status == RunStatus::interrupted) return;
       seconds += timed.cpu_seconds;
-      add_shares(p, blocks, timed.cpu_seconds);
+      if (!(timed.cpu_seconds > 0.0)) continue;
+      for (std::size_t s = 0; s < kStages; ++s)
+        p.stage_sums[s] += timed.outcome.stage_seconds[s] / timed.cpu_seconds;
+      ++p.sampled_runs;
     }
     p.variant->cpu_seconds.push_back(seconds / p.repeats);
   }
@@ -112,10 +102,10 @@ class Measurement {
   }
 
  private:
-  Timed run(const Prepared& p, StageBlocks& blocks) const {
+  Timed run(const Prepared& p) const {
     Timed timed;
-    const auto watch = [&](bool, const State& now) { blocks.update(now); };
-    const double before = cpu_clock();
+    const auto watch = [&](bool, const State& now) { timed.steps = now.steps; };
+    const double before = cpu_seconds(false);
     if (p.variant->writes_files) {
       RunOptions options;
       options.quiet = true;
@@ -126,19 +116,12 @@ class Measurement {
       State state = make_state(*p.scene);
       timed.outcome = run_scene(*p.scene, state, watch, {}, Executor(options_.threads));
     }
-    timed.cpu_seconds = cpu_clock() - before - clock_ * static_cast<double>(blocks.readings());
+    timed.cpu_seconds = cpu_seconds(false) - before;
     return timed;
-  }
-
-  static void add_shares(Prepared& p, const StageBlocks& blocks, double cpu_seconds) {
-    if (blocks.levels() == 0 || !(cpu_seconds > 0.0)) return;
-    for (std::size_t s = 0; s < kStages; ++s) p.stage_sums[s] += blocks.seconds(s) / cpu_seconds;
-    ++p.sampled_runs;
   }
 
   const CostOptions& options_;
   ScratchFolder scratch_;
-  double clock_;
   double warm_seconds_ = 0.0;
 };
 

@@ -26,7 +26,7 @@ std::string options_of(const LadderRung& rung) {
 }
 
 // Quoted as RFC 4180 has it.
-std::string cell(const std::string& text) {
+std::string csv_cell(const std::string& text) {
   std::string quoted(1, '"');
   for (const char c : text) {
     if (c == '"') quoted += c;
@@ -58,7 +58,7 @@ std::string rows_text(const LadderResult& result, const Provenance& lines) {
     } else {
       csv << ",,,,,,not judged,,,,";
     }
-    csv << cell(options_of(rung)) << ',' << cell(rung.failure) << '\n';
+    csv << csv_cell(options_of(rung)) << ',' << csv_cell(rung.failure) << '\n';
   }
   return csv.str();
 }
@@ -138,9 +138,8 @@ std::string cheapest_text(const ResultFolder& folder, const LadderResult& result
                          file.filename().string(), result.quantity, 100.0 * options.tolerance)},
       {"rung", fmt::format("\"{}\": {}", rung.differs,
                            rung.overrides.empty() ? "the case as it is" : options_of(rung))},
-      {"off by", fmt::format("{:.3g} +- {:.2g} (2 standard errors and the reference's uncertainty) of {:.6g}",
-                             rung.error, 2.0 * rung.standard_error + result.reference.uncertainty,
-                             result.reference.value)}};
+      {"off by", fmt::format("{:.3g} +- {:.2g} (standard errors and the reference's uncertainty) of {:.6g}",
+                             rung.error, rung.doubt, result.reference.value)}};
   return comment_lines(head) + '\n' + document.text(folder.path());
 }
 
@@ -153,6 +152,7 @@ void write_ladder(ResultFolder& folder, const LadderResult& result, const std::f
   if (partial) lines.emplace_back("status", "interrupted: what had run by then");
   lines.emplace_back("quantity", result.quantity);
   lines.emplace_back("tolerance", fmt::format("{}", options.tolerance));
+  if (result.chaotic) lines.emplace_back("error rate", fmt::format("{}", options.error_rate));
   if (result.zero != 0.0) lines.emplace_back("counted from", fmt::format("{}", result.zero));
   if (!options.hold.empty()) lines.emplace_back("held", fmt::format("{}", fmt::join(options.hold, ", ")));
   if (result.verdict != Verdict::not_judged) {

@@ -14,6 +14,9 @@ inline constexpr double worth_it = 0.97;
 /// same in each run, which times are not.
 inline constexpr double most_steps = 1.03;
 
+/// Seeds that tell a chaotic scene, and the scatter of one that is not.
+inline constexpr int probes = 4;
+
 /// Settings of a case that has been read.
 class CaseSettings {
  public:
@@ -49,6 +52,11 @@ std::optional<LadderChoice> rigid_tank(LadderPlan& plan);
 std::optional<LadderChoice> bag_by_volume(const std::filesystem::path& file,
                                           const std::vector<std::string>& overrides, bool quiet,
                                           LadderPlan& plan, Journal& journal);
+
+/// The full case less one thing more each time, the least important first: the name of what is left out, and
+/// all choices. None of it depends on the clock: the rungs are the same whenever and in how many parts a
+/// ladder runs.
+std::vector<std::pair<std::string, std::vector<std::size_t>>> combinations(const LadderResult& result);
 
 struct LadderJob {
   std::size_t rung = 0;

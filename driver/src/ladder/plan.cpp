@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "driver/ladder.hpp"
 #include "ladder/parts.hpp"
@@ -46,7 +47,9 @@ std::vector<std::size_t> finest_picks(const LadderPlan& plan) {
   std::vector<std::size_t> picks;
   for (const LadderAxis& axis : plan.axes) {
     const bool finer = axis.kind == AxisKind::halving && !follows_finer_mesh(plan, axis);
-    picks.push_back(std::min(axis.base + (finer ? 1 : 0), axis.choices.size() - 1));
+    const int levels = axis.name == "mesh" ? plan.finer : 1;
+    picks.push_back(
+        std::min(axis.base + static_cast<std::size_t>(finer ? levels : 0), axis.choices.size() - 1));
   }
   return picks;
 }
@@ -65,13 +68,36 @@ std::vector<std::string> combine(const LadderPlan& plan, const std::vector<std::
   return kept;
 }
 
+std::vector<std::pair<std::string, std::vector<std::size_t>>> combinations(const LadderResult& result) {
+  const auto& axes = result.plan.axes;
+  const LadderRung& full = result.rungs.front();
+  std::vector<LadderRung> coarser;
+  for (const LadderRung& r : result.rungs)
+    if (r.axis && r.choice < axes[*r.axis].base && r.failure.empty() && r.value.count > 0 &&
+        r.steps <= most_steps * full.steps)
+      coarser.push_back(r);
+  std::stable_sort(coarser.begin(), coarser.end(), [&](const LadderRung& a, const LadderRung& b) {
+    return std::abs(a.value.mean - full.value.mean) < std::abs(b.value.mean - full.value.mean);
+  });
+  std::vector<std::size_t> picks;
+  for (const auto& axis : axes) picks.push_back(axis.base);
+  std::vector<std::pair<std::string, std::vector<std::size_t>>> list;
+  for (const LadderRung& r : coarser) {
+    if (r.choice >= picks[*r.axis]) continue;
+    picks[*r.axis] = r.choice;
+    list.emplace_back(axes[*r.axis].choices[r.choice].name, picks);
+  }
+  return list;
+}
+
 LadderPlan plan_ladder(const std::filesystem::path& file, const std::vector<std::string>& overrides,
-                       const std::string& quantity, const std::vector<std::string>& hold) {
+                       const std::string& quantity, const std::vector<std::string>& hold, int finer) {
   CaseDocument document(file, overrides);
   const Scene scene = read_scene(document);
   const CaseSettings settings(document);
   const std::string name = quantity_name(scene, quantity);
   LadderPlan plan;
+  plan.finer = finer;
   add_effects(scene, settings, plan);
   add_resolutions(scene, settings, plan);
   hold_axes(plan, hold);

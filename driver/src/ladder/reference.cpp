@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What lies beyond the finest rung, and what the others are off by.
 #include <algorithm>
+#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <limits>
 
@@ -76,6 +77,16 @@ LadderReference reference_of(const LadderResult& result) {
 // Fewer runs say too little of the scatter of a chaotic scene.
 constexpr int fewest_runs = 16;
 
+// Standard errors within which a mean lies but at the rate given; of single runs by the scatter of the
+// probes.
+double student(const LadderRung& rung, const LadderResult& result, double error_rate) {
+  int runs = probes;
+  if (result.chaotic) runs = result.rungs[result.finest].value.count;
+  if (result.chaotic && rung.can_be_perturbed) runs = std::min(runs, rung.value.count);
+  const boost::math::students_t distribution(std::max(1, runs - 1));
+  return quantile(complement(distribution, error_rate));
+}
+
 Verdict verdict_of(const LadderRung& rung, const LadderResult& result, double allowed) {
   const auto says_too_little = [](const LadderRung& r) {
     return r.can_be_perturbed && r.value.count < fewest_runs;
@@ -84,9 +95,8 @@ Verdict verdict_of(const LadderRung& rung, const LadderResult& result, double al
   if (result.chaotic && (says_too_little(rung) || says_too_little(result.rungs[result.finest])))
     return Verdict::undecided;
   if (!(allowed > 0.0)) return Verdict::undecided;  // a share of nothing
-  const double doubt = 2.0 * rung.standard_error + result.reference.uncertainty;
-  if (std::abs(rung.error) + doubt <= allowed) return Verdict::inside;
-  return std::abs(rung.error) - doubt > allowed ? Verdict::outside : Verdict::undecided;
+  if (std::abs(rung.error) + rung.doubt <= allowed) return Verdict::inside;
+  return std::abs(rung.error) - rung.doubt > allowed ? Verdict::outside : Verdict::undecided;
 }
 
 // By cost: what is more exact than all that is cheaper.
@@ -126,8 +136,9 @@ Change change_of(const LadderResult& result, const LadderRung& rung) {
           std::hypot(rung.value.standard_error, full.value.standard_error)};
 }
 
-void judge(LadderResult& result, double tolerance) {
+void judge(LadderResult& result, double tolerance, double error_rate) {
   result.reference = reference_of(result);
+  result.cheapest.reset();
   const LadderReference& reference = result.reference;
   const double allowed = tolerance * std::abs(reference.value - result.zero);
   for (std::size_t i = 0; i < result.rungs.size(); ++i) {
@@ -136,6 +147,8 @@ void judge(LadderResult& result, double tolerance) {
     rung.standard_error = i == result.finest
                               ? reference.standard_error
                               : std::hypot(rung.value.standard_error, reference.standard_error);
+    rung.doubt = student(rung, result, error_rate) * rung.standard_error + reference.uncertainty;
+    rung.front = 0;
     rung.verdict = verdict_of(rung, result, allowed);
     if (rung.verdict == Verdict::inside &&
         (!result.cheapest || rung.cpu_seconds < worth_it * result.rungs[*result.cheapest].cpu_seconds))

@@ -47,7 +47,7 @@ class Resolutions {
     const std::string key = sphere ? "membrane.mesh.levels" : "membrane.mesh.refine";
     const int own = std::stoi(case_.value(key)), low = sphere ? 1 : 0, high = sphere ? 8 : 6;
     LadderAxis axis{"mesh", AxisKind::halving, {}, 0, 0};
-    for (int level = std::max(low, own - 1); level <= std::min(own + 1, high); ++level) {
+    for (int level = std::max(low, own - 1); level <= std::min(own + plan_.finer, high); ++level) {
       LadderChoice choice{fmt::format("mesh {} {}", sphere ? "levels" : "refine", level), {}};
       if (level == own) axis.base = axis.choices.size();
       if (level != own) {
@@ -124,7 +124,8 @@ class Resolutions {
     if (columns % 2 == 0 && rows % 2 == 0) add(columns / 2, rows / 2);
     axis.base = axis.choices.size();
     constexpr int allowed = 2000;
-    for (int factor = 1; factor <= 2 && factor * std::max(columns, rows) <= allowed; ++factor)
+    for (int factor = 1; factor <= 1 << plan_.finer && factor * std::max(columns, rows) <= allowed;
+         factor *= 2)
       add(factor * columns, factor * rows);
     plan_.axes.push_back(std::move(axis));
   }

@@ -163,9 +163,14 @@ std::string summary_text(const Scene& scene, const State& state, const RunOutcom
   json["time_end_s"] = state.time;
   json["wall_s"] = outcome.wall_seconds;
   json["real_time_factor"] = state.time > 0.0 ? outcome.wall_seconds / state.time : 0.0;
-  for (std::size_t i = 0; i < kStages; ++i)
-    if (state.stage_seconds[i] > 0.0)
-      json["stage_seconds"][std::string(stage_name(static_cast<Stage>(i)))] = state.stage_seconds[i];
+  json["cpu_s"] = outcome.cpu_seconds;
+  double rest = outcome.cpu_seconds;
+  for (std::size_t i = 0; i < kStages; ++i) {
+    if (!(outcome.stage_seconds[i] > 0.0)) continue;
+    json["stage_seconds"][std::string(stage_name(static_cast<Stage>(i)))] = outcome.stage_seconds[i];
+    rest -= outcome.stage_seconds[i];
+  }
+  json["stage_seconds"]["rest"] = rest;
   json["dt"] = step_sizes(scene, state);
   json["residual"] = residuals(scene, state);
   json["peak"] = peaks(scene, state);

@@ -11,6 +11,7 @@
 #include "driver/frames.hpp"
 #include "driver/progress.hpp"
 #include "step/drift.hpp"
+#include "step/stage_clock.hpp"
 #include "step/stages.hpp"
 
 namespace driver {
@@ -44,7 +45,8 @@ std::string reached(const State& now) {
 }
 
 void run_steps(const Scene& scene, State& state, const LevelSink& sink, const LevelViews& views,
-               const Executor& executor, const std::function<bool()>& stop_wanted, RunOutcome& outcome) {
+               const Executor& executor, const std::function<bool()>& stop_wanted, StageClock& clock,
+               RunOutcome& outcome) {
   Schedule history(scene.output.history_every), fields(scene.output.fields_every);
   Schedule frames(scene.output.frames > 0 ? scene.time.end / scene.output.frames : 0.0);
   bool field_due = false, frame_due = false;
@@ -63,6 +65,7 @@ void run_steps(const Scene& scene, State& state, const LevelSink& sink, const Le
     const double now = state.time;
     step(scene, state, request, executor);
     sink(request.record, state);
+    clock.update(state);
     if (stop) outcome.status = RunStatus::interrupted;
     if (request.last) return;
     const double stop_at = next_stop(scene, now);
@@ -88,18 +91,21 @@ RunOutcome run_scene(const Scene& scene, State& state, const LevelSink& sink, co
                      const Executor& executor, const std::function<bool()>& stop) {
   RunOutcome outcome;
   const auto start = std::chrono::steady_clock::now();
+  StageClock clock(executor.threads() == 1);
   const auto fail = [&](const std::exception& error) {
     outcome.status = RunStatus::failed;
     outcome.message = fmt::format("stage {} at {} s, step {}: {}", stage_name(state.stage), state.time,
                                   state.steps, text_of(error));
   };
   try {
-    run_steps(scene, state, sink, views, executor, stop, outcome);
+    run_steps(scene, state, sink, views, executor, stop, clock, outcome);
   } catch (const std::exception& error) {
     // A stage refused what an earlier one computed (a coordinate out of range, say), or memory ran out.
     fail(error);
   }
   outcome.wall_seconds = seconds_since(start);
+  outcome.stage_seconds = clock.seconds(state);
+  outcome.cpu_seconds = clock.total();
   judge_drift(scene, state, outcome);
   return outcome;
 }

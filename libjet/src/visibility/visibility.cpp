@@ -2,7 +2,9 @@
 #include "jet/visibility.hpp"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
+#include <map>
 #include <numeric>
 
 #include "checks.hpp"
@@ -161,15 +163,15 @@ std::vector<std::optional<int>> VisibilityQuery::winding_numbers(const Points& n
   const winding::Box box = winding::bounding_box(surface);
   FilteredKernel kernel;
   const BruteForce<FilteredKernel> search{surface, kernel};
+  std::map<std::array<double, 3>, std::optional<int>> of_source;  // many rays begin at an end of a slot
   for (std::size_t k = 0; k < candidates.size(); ++k) {
     blocking::Ray ray = blocking::make_ray(surface, candidates[k], source);
-    const bool shared = source.half_long == 0.0 && k > 0;
-    if (shared) {
-      numbers[k] = numbers[0];
-      continue;
+    const auto [known, is_new] = of_source.try_emplace({ray.source[0], ray.source[1], ray.source[2]});
+    if (is_new) {
+      ray.moved = blocking::moved_if(search.source_on_surface(ray));
+      known->second = winding::number(kernel, ray, surface, box);
     }
-    ray.moved = blocking::moved_if(search.source_on_surface(ray));
-    numbers[k] = winding::number(kernel, ray, surface, box);
+    numbers[k] = known->second;
   }
   return numbers;
 }
