@@ -16,6 +16,11 @@ inline double cpu_seconds(bool of_thread) {
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
+/// Wall time [s].
+inline double wall_seconds() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
 // The run's CPU time, shared out to the stages by their ticks. Those of a block of steps in which another
 // program had the processor are left out: CPU time is too slow to read for each stage, ticks count others
 // too.
@@ -58,9 +63,15 @@ class StageClock {
     }
   };
 
+  // All three at one moment: another program may come in between two readings.
   Moment now() const {
-    const auto wall = std::chrono::steady_clock::now().time_since_epoch();
-    return {cpu_seconds(one_thread_), std::chrono::duration<double>(wall).count(), stage_ticks()};
+    constexpr double at_once = 2e-5;  // [s]
+    constexpr int most = 100;
+    for (int tries = 1;; ++tries) {
+      const double wall = wall_seconds();
+      const Moment moment{cpu_seconds(one_thread_), wall, stage_ticks()};
+      if (wall_seconds() - wall < at_once || tries == most) return moment;
+    }
   }
   void close_block(const State& state) {
     const Moment end = now();
