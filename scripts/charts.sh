@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # Makes the tables and pictures of docs/charts and docs/figures: those of the plans of cases/studies, and
-#   ladders       of the paper's scene, each rung the mean of 16 runs: over all that it names, and over its effects alone on its own mesh
+#   ladders       of the paper's scene, each rung the mean of 16 runs: over all that it names, and over its effects alone on its own mesh;
+#                 of the sharp scene to 2 and 5 %, more runs where a verdict is open, a mesh four times as fine
 #   jet_cost      what the jet and the other parts of the scene cost: the one source of such numbers in README and docs
 #   jet_effect    README's figure and table: ensembles with and without jet, 32 runs each
 #   figure_3      Fig. 3 of the paper: mass flow of nitrogen at 673 K through 8.5 dm2 of hole, (G.6), and of porous fabric, (G.7). It
@@ -33,7 +34,7 @@ draw() {
 rows() {
   case $1 in
     what_to_measure) grep -v '^#' "$2/sobol.csv" ;;
-    coupled_work_precision) awk -F, -v study="$1" -f scripts/charts/studies.awk "$2"/{timing,means}.csv ;;
+    coupled_work_precision | speed_accuracy) awk -F, -v study="$1" -f scripts/charts/studies.awk "$2"/{timing,means}.csv ;;
     ensemble_convergence | jet_map | impulse_limits | first_contact_seed | weave | runs_needed | mesh_parts)
       awk -F, -v study="$1" -f scripts/charts/studies.awk "$2/means.csv"
       ;;
@@ -76,18 +77,20 @@ study() {
 
 # --- what no plan says
 
-# ladder TABLE OPTION...: undecided is an answer too.
+# ladder TABLE CASE TOLERANCE OPTION...: undecided is an answer too.
 ladder() {
   local code=0 folder=results/ladders/$1
-  "$gasjet" ladder cases/passenger_pendulum.toml --quantity pendulum_angle --tolerance 10% --threads "$threads" --out "$folder" "${@:2}" || code=$?
+  "$gasjet" ladder "cases/$2.toml" --quantity pendulum_angle --tolerance "$3" --threads "$threads" --out "$folder" "${@:4}" || code=$?
   ((code == 0 || code == 4))
   cp "$folder/ladder.csv" "$out/$1.csv"
 }
 
 chart_ladders() {
-  ladder ladder_passenger
+  ladder ladder_passenger passenger_pendulum 10%
   draw ladder_passenger
-  ladder ladder_passenger_effects --hold mesh,pieces,step,gas
+  ladder ladder_passenger_effects passenger_pendulum 10% --hold mesh,pieces,step,gas
+  ladder ladder_sharp passenger_sharp 2% --finer 2 --most-runs 32
+  ladder ladder_sharp_5 passenger_sharp 5% --finer 2
 }
 
 chart_jet_cost() {

@@ -8,6 +8,9 @@
 #   coupled_work_precision  CPU time [s] of a run; error: of the mean against the last of its group
 #   mesh_parts  a row for each mesh; its elements are counted in the file that charts.sh has made
 #   weave  a row for each bag; the pressure over the ambient 101325 Pa
+#   speed_accuracy  the jet's effect; bias: less that of the finest meshes (limits in docs/charts/mesh_limits.csv), with its standard
+#     error; scatter of a pair of runs, with and without jet; CPU time [s] of a pair; pairs that a minute has, and the error of
+#     their mean: root of the squares of bias and standard error
 #   the others  the columns that are needed
 # Levels NAME = VALUE are two columns, VALUE alone `-` where there is none.
 BEGIN {
@@ -22,6 +25,7 @@ BEGIN {
   heads["coupled_work_precision"] = \
     "# error: of the mean, against the last of the group (gas: of step), with its standard error\n" \
     "varied,value,quantity,cpu_s,mean,standard_error,runs,error,error_standard_error"
+  heads["speed_accuracy"] = "variation,effect_rad,bias_rad,bias_error_rad,scatter_rad,cpu_s,pairs_in_a_minute,error_rad"
   if (!(study in heads)) { print "studies.awk: no study '" study "'" >"/dev/stderr"; exit 2 }
   print heads[study]
 }
@@ -77,15 +81,35 @@ study == "runs_needed" {
   printf "%s,%s,%s,%.6g,%.3g,%d,%d,%s\n", of("friction"), of("jet"), of("quantity"), of("mean"), of("standard_error") * sqrt(of("runs")),
     of("runs"), needed(of("runs"), 2 * of("standard_error") / (0.01 * of("mean"))), effect
 }
+"cpu_s" in at { seconds[of("point")] += of("cpu_s"); ++timed[of("point")]; next }
+study == "speed_accuracy" {
+  both[of("variation")] += seconds[of("point")] / timed[of("point")]
+  if (of("jet") != "with") next
+  way[++ways] = of("variation"); size[ways] = of("difference")
+  size_error[ways] = of("difference_standard_error"); pairs[ways] = of("pairs")
+}
 study == "coupled_work_precision" {
-  if ("cpu_s" in at) { seconds[of("point")] += of("cpu_s"); ++timed[of("point")]; next }
   group[++rows] = substr($2, 1, index($2, " = ") - 1); quantity[rows] = of("quantity")
   own[rows] = of("mean"); own_error[rows] = of("standard_error")
   last[group[rows], of("quantity")] = of("mean"); last_error[group[rows], of("quantity")] = of("standard_error")
   row[rows] = sprintf("%s,%s,%.4g,%s,%s,%s", two_columns($2), of("quantity"), seconds[of("point")] / timed[of("point")], of("mean"),
     of("standard_error"), of("runs"))
 }
+function limit_of_effect(   line, cell) {
+  while ((getline line < "docs/charts/mesh_limits.csv") > 0) {
+    split(line, cell, ",")
+    if (cell[2] != "final_angle_rad") continue
+    limit += (cell[1] == "jet" ? 1 : -1) * cell[5]
+    limit_error = sqrt(limit_error ^ 2 + cell[7] ^ 2)
+  }
+}
 END {
+  if (ways) limit_of_effect()
+  for (i = 1; i <= ways; ++i) {
+    scatter = size_error[i] * sqrt(pairs[i]); bias = size[i] - limit; minute = int(60 / both[way[i]])
+    printf "%s,%.6g,%.4g,%.3g,%.4g,%.4g,%d,%.4g\n", way[i], size[i], bias, sqrt(size_error[i] ^ 2 + limit_error ^ 2), scatter,
+      both[way[i]], minute, sqrt(bias ^ 2 + scatter ^ 2 / minute)
+  }
   for (i = 1; i <= rows; ++i) {
     key = (group[i] == "gas" ? "step" : group[i]) SUBSEP quantity[i]
     printf "%s,%.3g,%.3g\n", row[i], abs(own[i] / last[key] - 1), sqrt(own_error[i] ^ 2 + last_error[key] ^ 2) / last[key]
