@@ -2,10 +2,7 @@
 #include "visibility/fast.hpp"
 
 #include <algorithm>
-#include <bit>
-#include <cstring>
 
-#include "bits.hpp"
 #include "visibility/sides.hpp"
 #include "visibility/winding.hpp"
 
@@ -16,15 +13,8 @@ void FastRoute::prepare(std::span<const Triangle> triangles, std::size_t node_co
   mesh_ = OrderedMesh(triangles);
   near_.reserve(mesh_);
   rays_.reserve(mesh_, node_count);
-  const std::size_t patches = rays_.asked().size(), elements = 8 * patches;
-  open_.reserve(elements);
-  for (auto* places : {&cached_rays_, &cached_elements_})
-    places->resize(2 * elements + 1);  // by what hid them, what opened them
-  for (auto* met : {&blockers_, &cached_blockers_, &openers_, &cached_openers_}) met->reserve(elements);
-  for (auto* bytes : {&alive_, &chosen_}) bytes->resize(patches);
-  for (auto* bytes : {&blocked_, &pierced_, &apart_, &missed_}) bytes->resize(2 * patches);
-  listed_.resize(elements + 8);
-  states_.resize(elements);
+  states_.reserve(rays_.asked().size());
+  hits_.reserve(rays_.asked().size());
 }
 
 VisibilityCounters FastRoute::query(const Surface& surface, const RaySource& source,
@@ -35,9 +25,7 @@ VisibilityCounters FastRoute::query(const Surface& surface, const RaySource& sou
   kernel_.route = this;
   point_moved_.reset();
   rays_.ask(surface, source, candidates);
-  std::fill(states_.begin(), states_.end(), kLit);
-  std::copy(rays_.asked().begin(), rays_.asked().end(), alive_.begin());
-  open_.clear();
+  states_.reset(rays_.asked());
   bounded_ = (rays_.project_expected() && find_near()) || (rays_.project_chosen() && find_near()) ||
              (rays_.project_fresh() && find_near());
   if (!bounded_) rays_.do_without();
@@ -48,50 +36,14 @@ VisibilityCounters FastRoute::query(const Surface& surface, const RaySource& sou
   if (certain) fallbacks += open_near_away();
   if (bounded_) {
     search();
-  } else if (!open_.empty()) {
+  } else if (!states_.opened().empty()) {
     search_tree();
     trees = 1;
   }
-  VisibilityCounters counters = count(lit);
+  VisibilityCounters counters = states_.count(rays_.places(), lit);
+  counters.exact_calls = kernel_.calls;
   counters.fallbacks = fallbacks;
   counters.tree_builds = trees;
-  return counters;
-}
-
-void FastRoute::set(int place, State state) {
-  this->state(place) = state;
-  std::uint8_t& bits = alive_[static_cast<std::size_t>(place / 8)];
-  bits = static_cast<std::uint8_t>(bits & ~(1 << place % 8));
-  if (state == kOpen) open_.push_back(place);
-}
-
-std::span<const int> FastRoute::list(std::span<const std::uint8_t> bits) {
-  const int count = kernel_table().list_bits(bits.data(), static_cast<int>(bits.size()), listed_.data());
-  return std::span(listed_).first(static_cast<std::size_t>(count));
-}
-
-// Bytes of states are told apart by their bits, eight at a time.
-VisibilityCounters FastRoute::count(std::span<std::uint8_t> lit) const {
-  VisibilityCounters counters;
-  const State* states = states_.data();  // which the bytes written cannot change
-  std::uint8_t* to = lit.data();
-  for (const int place : rays_.places()) *to++ = states[place];
-  const auto take = [&](std::uint8_t* bytes, std::size_t count) {
-    constexpr std::uint64_t ones = 0x0101010101010101u;
-    std::uint64_t x = 0;
-    std::memcpy(&x, bytes, count);
-    counters.hidden += (x & ones) * ones >> 56;
-    counters.facing_away += (x >> 1 & ones) * ones >> 56;
-    x = ~(x | x >> 1) & ones;
-    std::memcpy(bytes, &x, count);
-  };
-  static_assert(kHidden == 1 && kFacingAway == 2 && std::endian::native == std::endian::little);
-  std::size_t i = 0;
-  for (; i + 8 <= lit.size(); i += 8) take(&lit[i], 8);
-  if (i < lit.size()) take(&lit[i], lit.size() - i);
-  counters.candidates = lit.size();
-  counters.lit = counters.candidates - counters.hidden - counters.facing_away;
-  counters.exact_calls = kernel_.calls;
   return counters;
 }
 
@@ -100,11 +52,11 @@ bool FastRoute::find_near() {
   return rays_.accept(near_.found(), near_.patches(), near_.upstream());
 }
 
-// Of the elements near the rays that may show either side, those that face all sources are sorted out.
+// Rules out the near elements that face all sources, though their side was not certain.
 void FastRoute::classify_near() {
   shared_ = true;
   for (const int place : near_.uncertain())
-    if (!may_face_away(element(place))) near_.rule_out_outer_side(place);
+    if (!may_face_away(element(place))) near_.sides().rule_out_outer(place);
   for (const int place : near_.between()) shared_ = shared_ && !between_sources(element(place));
 }
 
@@ -117,7 +69,7 @@ void FastRoute::classify_all() {
   }
 }
 
-// What rounding, or the outlet's length, leaves open counts as facing away.
+// An element counts as facing away if rounding, or the outlet's length, leaves its side open.
 bool FastRoute::may_face_away(int element) {
   int side = common_side(surface_, element, *source_, rays_.size);
   if (side != 0) return side < 0;
@@ -130,7 +82,7 @@ bool FastRoute::may_face_away(int element) {
   return side < 0;
 }
 
-// Not certain that all sources, moved by eps, are on one side of the element's plane.
+// True unless all sources, moved by eps, are certainly on one side of the element's plane.
 bool FastRoute::between_sources(int element) {
   if (source_->half_long == 0.0 || common_side(surface_, element, *source_, rays_.size) != 0) return false;
   if (!in_one_coordinate_plane(surface_, element, *source_)) return !same_side(element);
@@ -138,7 +90,7 @@ bool FastRoute::between_sources(int element) {
                        surface_.corner(element, 2)) == 0;
 }
 
-// No way from one source to another crosses the element's plane.
+// True if no segment between two sources crosses the element's plane.
 bool FastRoute::same_side(int element) {
   int common = 0;
   for (const int place : rays_.places()) {
@@ -179,24 +131,24 @@ bool FastRoute::winding_is_one() {
 // Rays for which the argument of fast.hpp does not hold for certain are open; the number of those that may be
 // lit is returned.
 std::size_t FastRoute::open_uncertain(bool certain) {
-  if (certain && bounded_) and_not(alive_, near_.inner(), chosen_);
-  for (const int place : list(certain && bounded_ ? chosen_ : alive_)) {
-    if (bounded_ && near_.shows_outer_side(place)) {
-      set(place, kFacingAway);
+  const auto rays = certain && bounded_ ? states_.list_alive(near_.sides().inner) : states_.list_alive();
+  for (const int place : rays) {
+    if (bounded_ && ShownSides::has(near_.sides().outer, place)) {
+      states_.set(place, kFacingAway);
       continue;
     }
     const int e = element(place);
     const blocking::Ray& ray = rays_.ray(place);
     if (certain && surely_pierces(surface_, e, ray.source, rays_.size)) continue;
     if (blocking::facing(kernel_, ray, surface_, e) <= 0) {
-      set(place, kFacingAway);
+      states_.set(place, kFacingAway);
     } else if (!certain || !blocking::passage(kernel_, ray, surface_, e).pierces()) {
-      set(place, kOpen);
+      states_.set(place, kOpen);
     }
   }
   for (const int place : rays_.upstream)  // elements beside the other rays were not looked at
-    if (state(place) == kLit) set(place, kOpen);
-  return open_.size();
+    if (states_[place] == kLit) states_.set(place, kOpen);
+  return states_.opened().size();
 }
 
 }  // namespace jet

@@ -20,12 +20,15 @@
 
 #include "jet/visibility.hpp"
 #include "visibility/filter.hpp"
+#include "visibility/hit_cache.hpp"
 #include "visibility/near.hpp"
+#include "visibility/ray_states.hpp"
 #include "visibility/rays.hpp"
 #include "visibility/surface.hpp"
 
 namespace jet {
 
+/// One query: finds the near elements, sets the state of each ray, and searches for the open ones.
 class FastRoute {
  public:
   /// Allocates the workspace for a surface.
@@ -39,11 +42,7 @@ class FastRoute {
                            std::span<std::uint8_t> lit);
 
  private:
-  enum State : std::uint8_t { kLit = 0, kHidden = 1, kFacingAway = 2, kOpen = 4 };  // see count()
-  /// A ray and an element that is, or may be, on it, by their places in the mesh's order.
-  struct RayHit {
-    int ray, element;
-  };
+  using enum RayStates::State;
 
   /// Determines whether a ray's source is moved when the rule asks for it.
   struct Kernel : filter::Kernel {
@@ -56,10 +55,6 @@ class FastRoute {
   };
 
   int element(int place) const { return mesh_.elements[static_cast<std::size_t>(place)]; }
-  State& state(int place) { return states_[static_cast<std::size_t>(place)]; }
-  void set(int place, State state);
-  bool alive(int place) const { return (alive_[static_cast<std::size_t>(place / 8)] >> place % 8 & 1) != 0; }
-  std::span<const int> list(std::span<const std::uint8_t> bits);
   bool find_near();
   void classify_near();
   void classify_all();
@@ -77,7 +72,6 @@ class FastRoute {
   void search();
   void search_upstream();
   void search_tree();
-  VisibilityCounters count(std::span<std::uint8_t> lit) const;
 
   Surface surface_;
   const RaySource* source_ = nullptr;
@@ -90,18 +84,8 @@ class FastRoute {
   Kernel kernel_;
   RayBundle rays_;
   NearElements near_;
-  std::vector<int> open_;  // places of rays that were opened
-  /// Rays with the element that blocks them; cached from the last query.
-  std::vector<RayHit> blockers_, cached_blockers_;
-  /// Rays with the element, facing away, that opened them.
-  std::vector<RayHit> openers_, cached_openers_;
-  /// Rays that may meet an element again, and those elements.
-  std::vector<int> cached_rays_, cached_elements_;
-  std::vector<std::uint8_t> blocked_, pierced_, apart_, missed_;
-  std::vector<std::uint8_t> alive_;   // by patch: bits of the rays that are lit so far
-  std::vector<std::uint8_t> chosen_;  // workspace: bits of rays
-  std::vector<int> listed_;
-  std::vector<State> states_;  // of the elements asked about, by place
+  RayStates states_;
+  HitCache hits_;
 };
 
 }  // namespace jet
