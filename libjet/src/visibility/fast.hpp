@@ -14,16 +14,15 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <vector>
 
 #include "jet/visibility.hpp"
-#include "visibility/filter.hpp"
 #include "visibility/hit_cache.hpp"
 #include "visibility/near.hpp"
 #include "visibility/ray_states.hpp"
 #include "visibility/rays.hpp"
+#include "visibility/source_view.hpp"
 #include "visibility/surface.hpp"
 
 namespace jet {
@@ -44,24 +43,16 @@ class FastRoute {
  private:
   using enum RayStates::State;
 
-  /// Determines whether a ray's source is moved when the rule asks for it.
-  struct Kernel : filter::Kernel {
-    FastRoute* route = nullptr;
-    bool moved(const blocking::Ray& ray) {
-      if (ray.moved == blocking::Moved::unknown)
-        ray.moved = blocking::moved_if(route->source_on_surface(ray));
-      return ray.moved == blocking::Moved::yes;
-    }
+  /// What is known of the sources and the elements of this query.
+  struct Facts {
+    bool bounded = false;   // the rays have boxes, and the elements near them are known
+    bool any_away = false;  // without boxes: an element may face away from a source
+    bool shared = true;     // all sources have the same winding number
   };
 
-  int element(int place) const { return mesh_.elements[static_cast<std::size_t>(place)]; }
   bool find_near();
   void classify_near();
   void classify_all();
-  bool may_face_away(int element);
-  bool between_sources(int element);
-  bool same_side(int element);
-  bool source_on_surface(const blocking::Ray& ray);
   bool winding_is_one();
   std::size_t open_uncertain(bool certain);
   std::size_t open_near_away();
@@ -74,14 +65,10 @@ class FastRoute {
   void search_tree();
 
   Surface surface_;
-  const RaySource* source_ = nullptr;
   OrderedMesh mesh_;
   bool closed_ = false;
-  bool bounded_ = false;   // the rays have boxes, and the elements near them are known
-  bool any_away_ = false;  // without boxes: an element may face away from a source
-  bool shared_ = true;     // all sources have the same winding number
-  std::optional<bool> point_moved_;
-  Kernel kernel_;
+  Facts facts_;
+  SourceView view_;
   RayBundle rays_;
   NearElements near_;
   RayStates states_;

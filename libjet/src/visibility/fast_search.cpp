@@ -10,9 +10,9 @@ namespace jet {
 
 // Opens or hides the rays that meet an element facing away. Returns the number of rays opened without a test.
 std::size_t FastRoute::open_near_away() {
-  if (!bounded_ && !any_away_) return 0;
+  if (!facts_.bounded && !facts_.any_away) return 0;
   const std::span<const int> rays = states_.list_alive();
-  if (bounded_) {
+  if (facts_.bounded) {
     near_.for_each_touching(rays_, rays, [&](int ray, int by, Touch touch) {
       if (states_[ray] == kLit) meet_away(ray, by, touch);
     });
@@ -25,13 +25,13 @@ std::size_t FastRoute::open_near_away() {
 // One ray and one element that faces away and may be on it. If it is, and blocks, the ray need not be
 // searched.
 void FastRoute::meet_away(int ray, int by, Touch touch) {
-  const int e = element(by);
-  const bool can_block = e != element(ray) && !surface_.never_blocks(e);
+  const int e = mesh_.element(by);
+  const bool can_block = e != mesh_.element(ray) && !surface_.never_blocks(e);
   bool hides = can_block && touch == Touch::blocked;
   if (touch == Touch::possible) {
     const blocking::Ray& segment = rays_.ray(ray);
-    if (!blocking::passage(kernel_, segment, surface_, e).touches()) return;
-    hides = can_block && blocking::blocks(kernel_, segment, surface_, e);
+    if (!blocking::passage(view_.kernel(), segment, surface_, e).touches()) return;
+    hides = can_block && blocking::blocks(view_.kernel(), segment, surface_, e);
   }
   hides ? hide(ray, by) : open(ray, by);
 }
@@ -42,10 +42,11 @@ void FastRoute::search() {
   const std::span<const int> rays = states_.list_open();
   if (rays.empty()) return;
   near_.for_each_before_target(rays_, rays, [&](int ray, int by, Touch touch) {
-    const int e = element(by);
+    const int e = mesh_.element(by);
     // Its own element may be among them: the mesh's last one stands at several places.
-    if (states_[ray] != kOpen || e == element(ray) || surface_.never_blocks(e)) return;
-    if (touch == Touch::blocked || blocking::blocks(kernel_, rays_.ray(ray), surface_, e)) hide(ray, by);
+    if (states_[ray] != kOpen || e == mesh_.element(ray) || surface_.never_blocks(e)) return;
+    if (touch == Touch::blocked || blocking::blocks(view_.kernel(), rays_.ray(ray), surface_, e))
+      hide(ray, by);
   });
   for (const int ray : states_.opened())
     if (states_[ray] == kOpen) states_.settle(ray, kLit);
@@ -72,7 +73,8 @@ void FastRoute::test_cached_blockers() {
   hits_.retest(
       rays_, mesh_, may_block, may_open,
       [&](int ray, int by, bool is_certain) {
-        if (is_certain || blocking::blocks(kernel_, rays_.ray(ray), surface_, element(by))) hide(ray, by);
+        if (is_certain || blocking::blocks(view_.kernel(), rays_.ray(ray), surface_, mesh_.element(by)))
+          hide(ray, by);
       },
       [&](int ray, int by) {
         if (states_.alive(ray)) open(ray, by);
@@ -86,9 +88,9 @@ void FastRoute::search_upstream() {
     const blocking::Ray& ray = rays_.ray(place);
     states_.settle(place, kLit);
     for (int e = 0; e < surface_.count && states_[place] == kLit; ++e) {
-      if (e == element(place) || surface_.never_blocks(e) || Box(surface_, e).apart_from_segment(ray))
+      if (e == mesh_.element(place) || surface_.never_blocks(e) || Box(surface_, e).apart_from_segment(ray))
         continue;
-      if (blocking::blocks(kernel_, ray, surface_, e)) states_.settle(place, kHidden);
+      if (blocking::blocks(view_.kernel(), ray, surface_, e)) states_.settle(place, kHidden);
     }
   }
 }
@@ -99,7 +101,8 @@ void FastRoute::search_tree() {
     if (states_[place] != kOpen) continue;
     const blocking::Ray& ray = rays_.ray(place);
     const bool hidden = tree.any(ray, [&](int e) {
-      return e != element(place) && !surface_.never_blocks(e) && blocking::blocks(kernel_, ray, surface_, e);
+      return e != mesh_.element(place) && !surface_.never_blocks(e) &&
+             blocking::blocks(view_.kernel(), ray, surface_, e);
     });
     states_.settle(place, hidden ? kHidden : kLit);
   }
