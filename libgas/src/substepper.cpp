@@ -12,8 +12,9 @@
 namespace gas {
 namespace {
 
-// An explicit sub-step is at most as long as the gas takes to relax: at 2.5 of it trials already fail.
-constexpr double kStiff = 1.0;
+// An explicit sub-step is at most so many times as long as the gas takes to relax: at 2.5 trials already
+// fail.
+constexpr double kStiff = 1.5;
 // Of the time in which flow that ends at p_a does so: a sixteenth of p - p_a is left then.
 constexpr double kTowardsAmbient = 0.75;
 // Of the gas, what may flow the wrong way by rounding: a hundred times what a hundred operations make.
@@ -92,9 +93,24 @@ Substepper::Reach Substepper::reach(const Proposal& proposal, double b) const {
   const double left = clock.position(b) - begin_.x,
                cap = control_.longest(system_.balance, begin_.relaxation);
   const double longest = cap < b - begin_.t ? clock.position(begin_.t + cap) - begin_.x : kInfinity;
-  const double free = std::min(proposal.length, kTowardsAmbient * watch_.until_ambient(begin_.moment));
+  const double share = is_ending() ? 1.0 : kTowardsAmbient;
+  const double free = std::min(proposal.length, share * watch_.until_ambient(begin_.moment));
   const double length = std::min({longest, proposal.landing, control_.is_fixed() ? kInfinity : free});
   return length >= left ? Reach{left, b} : Reach{length, clock.time(begin_.x + length)};
+}
+
+/// True if flow that only runs out, or in, is about to end: the tolerance no longer tells p from p_a.
+bool Substepper::is_ending() const {
+  return !control_.is_fixed() && begin_.moment.growth == 0.0 &&
+         !control_.tells(system_.balance, begin_.moment.overpressure);
+}
+
+/// Makes a trial of such flow that ends beyond p_a end on it.
+void Substepper::stop_at_ambient(double x) {
+  const double from = begin_.moment.overpressure, to = system_.balance.gas().overpressure;
+  if (!(from * to < 0.0) || system_.balance.closed_growth() != 0.0) return;
+  for (double& amount : trial_.end) amount *= from / (from - to);
+  system_.rates(trial_.end, trial_.end_rate, x);
 }
 
 /// One trial; the balance is left at its end. Its error over the tolerance, infinite if any stage met no gas.
@@ -112,6 +128,7 @@ double Substepper::try_step(const Reach& reach, bool stiff) {
     trial_.reversed = system_.ledger.stop_reversed(trial_.end, trial_.error);
     if (trial_.reversed > 0.0) system_.rates(trial_.end, trial_.end_rate, x + h);
   }
+  if (system_.valid && is_ending()) stop_at_ambient(x + h);
   if (!system_.valid && control_.is_fixed()) control_.fail(system_, t, reach.end - t, false);
   return system_.valid ? control_.scaled_error(system_, trial_.error, system_.gas) : kInfinity;
 }
@@ -139,7 +156,7 @@ std::optional<Substepper::Proposal> Substepper::again(const Proposal& tried, con
     return Proposal{other ? reach.length : kCrossingFactor * reach.length, kInfinity, tried.stiff || other};
   }
   if (!system_.clock.root && !tried.stiff) control_.require_motion(balance, begin, end, duration);
-  const auto share = watch_.landing(begin, end, reach.length);
+  const auto share = watch_.landing(begin, end, reach.length, tried.landing < kInfinity);
   if (!share) return {};
   const double shorter = std::max(*share * reach.length, std::nextafter(begin_.x, kInfinity) - begin_.x);
   if (!(shorter < reach.length && system_.clock.time(begin_.x + shorter) > begin_.t)) return {};
@@ -203,7 +220,7 @@ double Substepper::integrate(double a, double b, const TriggerState& triggers) {
       throw DomainError(beyond_text(*balance.boundary().model().volume_of_overpressure) +
                         ", at t = " + to_text(begin_.t) + " s");
     const bool landed = next.landing < kInfinity;
-    const double fits = clock.time(end_x + fitting) - trial.end;
+    const double fits = clock.time(end_x + watch_.time_kept(begin_.moment, end) * fitting) - trial.end;
     const double kept = landed ? std::max(fits, clock.time(end_x + next.length) - trial.end) : fits;
     accept(trial, end, landed, kept, b);
     if (network_.switches(triggers, end.overpressure, p_a)) break;

@@ -11,10 +11,11 @@
 namespace gas {
 namespace {
 
-// Of p, relative. Across a corner of the rates a step that ends beside it by d has an error of d^2, across
-// the sonic switch, where their slopes are continuous, of d^3, which is a thousandth of the tolerance here.
-// When a sensor switched is an answer of its own.
-constexpr double kKnotNear = 1e-9, kSonicShare = 0.1, kSensorNear = 1e-12;
+// Across a corner of the rates a step that ends beside it by d, relative to p, has an error of d^2, across
+// the sonic switch, where their slopes are continuous, of d^3. Here that is a hundredth, or a thousandth, of
+// the tolerance.
+constexpr double kNear = 0.1;
+constexpr double kSensorNear = 1e-12;  // of p: when a sensor switched is an answer of its own
 // p_a is landed on within a tenth of the laminar range, or, without one, within some thousand roundings.
 constexpr double kLaminarNear = 0.1, kAmbientNear = 1e-12;
 constexpr double kRounding = 1e-13;  // of p: some hundred roundings
@@ -22,17 +23,22 @@ constexpr double kEqual = 1e-7;      // of p_a: ten times the laminar range
 // An excursion may go so many times as far as its cubic does.
 constexpr double kExcursion = 1.5;
 
+/// Flow, rather than what else moves p, makes most of its rate.
+bool is_led_by_flow(const Moment& at) {
+  return std::abs(at.growth) < 0.5 * std::abs(at.rate);
+}
+
 }  // namespace
 
 Watch::Watch(const Boundary& boundary, double tolerance) : boundary_(boundary) {
   const ControlVolumeModel& model = boundary.model();
   const double p_a = model.ambient.pressure;
   ambient_near_ = std::max(kLaminarNear * model.laminar_share, kAmbientNear) * p_a;
-  sonic_near_ = kSonicShare * std::cbrt(tolerance) * p_a;
+  sonic_near_ = kNear * std::cbrt(tolerance) * p_a;
   const auto add = [&](double level, double near) {
     levels_.push_back({level, near * (p_a + std::max(0.0, level))});
   };
-  for (const double knot : overpressure_knots(model)) add(knot, kKnotNear);
+  for (const double knot : overpressure_knots(model)) add(knot, kNear * std::sqrt(tolerance));
   for (const Sensor& sensor : model.triggers.sensors) {
     if (sensor.kind != SensorKind::pressure) continue;
     add(sensor.threshold, kSensorNear);
@@ -79,19 +85,24 @@ std::optional<double> Watch::Course::turn() const {
   return {};
 }
 
-std::optional<double> Watch::Course::passing(double near) const {
-  if (std::abs(end) <= near) return {};
+std::optional<double> Watch::Course::passing(double begin_near, double end_near, bool again) const {
+  if (std::abs(end) <= end_near) return {};
   // From one that it starts on, it leaves as its slope says.
   Course course = *this;
-  if (std::abs(begin) <= near)
-    course.begin = begin_slope == 0.0 ? end : std::copysign(2.0 * near, begin_slope);
+  if (std::abs(begin) <= begin_near)
+    course.begin = begin_slope == 0.0 ? end : std::copysign(2.0 * begin_near, begin_slope);
   if (course.begin * end < 0.0) {
     boost::uintmax_t iterations = 60;
     const auto value = [&](double s) { return course.at(s); };
     const boost::math::tools::eps_tolerance<double> close(40);
     const auto [low, high] =
         boost::math::tools::toms748_solve(value, 0.0, 1.0, course.begin, end, close, iterations);
-    return 0.5 * (low + high);
+    // Beyond the level p may follow another law, which misleads the cubic. Then the slope at the start tells.
+    const double curved = 0.5 * (low + high), straight = -begin / begin_slope;
+    if (std::abs(begin) <= begin_near || !(straight > 0.0 && straight < 1.0)) return curved;
+    return again                                                ? std::min(curved, straight)
+           : straight < 2.0 * curved && curved < 2.0 * straight ? curved
+                                                                : straight;
   }
   const auto turned = course.turn();
   if (!turned) return {};
@@ -100,19 +111,20 @@ std::optional<double> Watch::Course::passing(double near) const {
   return nearer * farthest < 0.0 ? turned : std::nullopt;
 }
 
-std::optional<double> Watch::landing(const Moment& begin, const Moment& end, double h) const {
+std::optional<double> Watch::landing(const Moment& begin, const Moment& end, double h, bool again) const {
   std::optional<double> first;
-  const auto watch = [&](double from, double from_rate, double to, double to_rate, double near) {
-    const auto share = Course{from, h * from_rate, to, h * to_rate}.passing(near);
+  const auto watch = [&](const Course& course, double begin_near, double end_near) {
+    const auto share = course.passing(begin_near, end_near, again);
     if (share && !(first && *first <= *share)) first = share;
   };
   const auto watch_level = [&](double level, double near) {
-    watch(begin.overpressure - level, begin.rate, end.overpressure - level, end.rate, near / end.compliance);
+    watch({begin.overpressure - level, h * begin.rate, end.overpressure - level, h * end.rate},
+          near / std::min(begin.compliance, end.compliance), near / end.compliance);
   };
   if (boundary_.is_open() && !is_on_ambient(begin)) watch_level(0.0, ambient_near_);
   for (const Level& level : levels_) watch_level(level.overpressure, level.near);
   if (begin.overpressure * end.overpressure > 0.0)
-    watch(begin.sonic, begin.sonic_rate, end.sonic, end.sonic_rate, sonic_near_);
+    watch({begin.sonic, h * begin.sonic_rate, end.sonic, h * end.sonic_rate}, sonic_near_, sonic_near_);
   return first;
 }
 
@@ -132,15 +144,14 @@ std::optional<double> Watch::switches(const Moment& begin, const Moment& end, do
   const bool starts_on = std::abs(begin.sonic) <= sonic_near_, ends_on = std::abs(end.sonic) <= sonic_near_;
   if ((begin.sonic > 0.0) == (end.sonic > 0.0) || !(starts_on || ends_on)) return {};
   const Course course{begin.sonic, h * begin.sonic_rate, end.sonic, h * end.sonic_rate};
-  return course.passing(0.0).value_or(starts_on ? 0.0 : 1.0);
+  return course.passing(0.0, 0.0, false).value_or(starts_on ? 0.0 : 1.0);
 }
 
 std::optional<double> Watch::equalises(const Moment& begin, const Moment& end) const {
   const double size = kEqual * boundary_.model().ambient.pressure;
   const double from = std::abs(begin.overpressure), to = std::abs(end.overpressure);
   const bool flows = begin.outflow > 0.0 || begin.backflow > 0.0;
-  const bool led_by_flow = std::abs(begin.growth) < 0.5 * std::abs(begin.rate);
-  if (!(from > size && to <= size) || !flows || !led_by_flow) return {};
+  if (!(from > size && to <= size) || !flows || !is_led_by_flow(begin)) return {};
   return (std::sqrt(from) - std::sqrt(size)) / (std::sqrt(from) - std::sqrt(to));  // p - p_a is as its square
 }
 
@@ -150,6 +161,11 @@ double Watch::until_ambient(const Moment& begin) const {
   if (!flows || begin.overpressure * begin.rate >= 0.0 || std::abs(begin.overpressure) <= laminar)
     return kInfinity;
   return -2.0 * begin.overpressure / begin.rate;
+}
+
+double Watch::time_kept(const Moment& begin, const Moment& end) const {
+  const double before = until_ambient(begin), after = until_ambient(end);
+  return before < kInfinity && is_led_by_flow(end) ? std::min(1.0, after / before) : 1.0;
 }
 
 bool Watch::crosses_against_flow(const Moment& begin, const Moment& end, double duration) const {

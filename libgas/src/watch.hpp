@@ -30,8 +30,8 @@ class Watch {
   Moment moment(const Balance& balance, double slope) const;
   /// Share of a trial of length h after which it first passes a level, by the cubic through both ends. The
   /// cubic also shows an excursion beyond a level and back. An end that is close to a level has not passed
-  /// it.
-  std::optional<double> landing(const Moment& begin, const Moment& end, double h) const;
+  /// it. `again`: this trial was to end on a level, and passed it.
+  std::optional<double> landing(const Moment& begin, const Moment& end, double h, bool again) const;
   bool is_on_ambient(const Moment& at) const;  // p is p_a to the accuracy of landing
   /// True if fed flow sets in: p rises at more than half of its rate with the openings shut.
   bool is_onset(const Balance& balance, const Moment& at) const;
@@ -42,6 +42,9 @@ class Watch {
   /// Time, in x, after which flow that only runs out (or in) brings p to p_a, if p - p_a falls as the square
   /// of the time left. Infinite if p goes elsewhere, or is already in the laminar range.
   double until_ambient(const Moment& begin) const;
+  /// Share of that time which is left after a trial, if flow leads p there; 1 elsewhere. Lengths of sub-steps
+  /// shrink with it, because the flow changes over that time.
+  double time_kept(const Moment& begin, const Moment& end) const;
   /// True if the trial takes p through p_a against the feed of the flow, which is an error of the method.
   bool crosses_against_flow(const Moment& begin, const Moment& end, double duration) const;
 
@@ -55,7 +58,7 @@ class Watch {
     double begin, begin_slope, end, end_slope;
     double at(double share) const;
     std::optional<double> turn() const;
-    std::optional<double> passing(double near) const;
+    std::optional<double> passing(double begin_near, double end_near, bool again) const;
   };
 
   const Boundary& boundary_;

@@ -35,7 +35,7 @@ seeds() {
 
 cmake -S . -B build-fuzz -G Ninja -DCMAKE_CXX_COMPILER=clang++ -DCMAKE_BUILD_TYPE=RelWithDebInfo -DCMAKE_CXX_FLAGS_RELWITHDEBINFO='-O1 -g' \
   -DGASJET_SANITIZE=ON -DGASJET_FUZZ=ON -DGASJET_TESTS=OFF -DCMAKE_UNITY_BUILD=ON >/dev/null
-cmake --build build-fuzz --target "${@/#/fuzz_}" -j "$(nproc)" >/dev/null
+cmake --build build-fuzz --target "${@/#/fuzz_}" -j "$(nproc)" >build-fuzz/log || { tail -n 60 build-fuzz/log; exit 1; }
 printf '# commit: %s\nharness,seconds,inputs,edges\n' "$(git rev-parse --short=12 HEAD)" >build-fuzz/fuzz.csv
 for name in "$@"; do
   corpus=build-fuzz/corpus/$name

@@ -8,7 +8,7 @@ cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 export LC_ALL=C.UTF-8 TSAN_OPTIONS='halt_on_error=1 exitcode=66'
 cmake -S . -B build-threads -G Ninja -DCMAKE_BUILD_TYPE=RelWithDebInfo -DCMAKE_CXX_FLAGS_RELWITHDEBINFO='-O1 -g' \
   -DGASJET_SANITIZE_THREADS=ON -DGASJET_TESTS=OFF -DGASJET_BENCHMARKS=OFF -DGASJET_BINDINGS=OFF -DCMAKE_UNITY_BUILD=ON >/dev/null
-cmake --build build-threads --target gasjet -j "$(nproc)" >/dev/null
+cmake --build build-threads --target gasjet -j "$(nproc)" >build-threads/log || { tail -n 60 build-threads/log; exit 1; }
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 

@@ -151,6 +151,8 @@ part_bad_input() {
     --against "$source/cases/sphere_inflation.toml" --out "$work/out"
   expect 2 "no such file" "$gasjet" ensemble "$source/cases/sphere_inflation.toml" --runs 2 --against "$work/none.toml" --out "$work/out"
   expect 2 "the scene has none" "$gasjet" ensemble "$source/cases/sphere_inflation.toml" --runs 2 --against "$tank" --out "$work/out"
+  expect 0 "warning: inflator.1 delivers nothing before end_time" "$gasjet" ensemble "$source/cases/jet_bag.toml" --runs 2 --quiet \
+    --set scene.end_time=1e-4 --out "$work/warned"
   expect 2 "sets the perturbation itself" "$gasjet" ensemble "$source/cases/sphere_inflation.toml" --runs 2 \
     --set membrane.perturbation=1e-6 --out "$work/out"
   expect 2 "--amplitude.*1e-18 to 1e-3 m is allowed" "$gasjet" ensemble "$source/cases/sphere_inflation.toml" --amplitude nan --out "$work/out"

@@ -111,7 +111,7 @@ TEST(blowdown, sonic_switch_is_located) {
                             "70 sub-steps of one tolerance each, partly cancelling"},
                            t.pressure(state, 0.18), 163432.05950537481, 10.0 * tolerance);
     // Without location the sub-steps shrink at the switch: 1e-12 then needs more than a hundred.
-    EXPECT_LE(fluxes.steps, 80);
+    EXPECT_LE(fluxes.steps, 90);
   }
 }
 

@@ -47,6 +47,9 @@ void refuse_inputs(const std::filesystem::path& folder, const std::vector<std::s
 std::vector<std::filesystem::path> input_files(const std::filesystem::path& file,
                                                const std::vector<std::string>& overrides);
 
+/// Tells what is likely to be a mistake in a case, its jets too, before it runs.
+void tell_warnings(Scene& scene);
+
 /// Id of what `command` with `options` makes of cases that have been read.
 std::string id_of(const std::string& command, const std::vector<std::string>& options,
                   const std::vector<const CaseDocument*>& cases);

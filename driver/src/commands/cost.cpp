@@ -36,7 +36,8 @@ int cost(const CostArguments& arguments) {
   const CostOptions options{arguments.runs, arguments.threads, arguments.quiet};
   require_file(file);
   CaseDocument document(file, overrides);
-  read_scene(document);
+  Scene scene = read_scene(document);
+  tell_warnings(scene);
   std::optional<ResultFolder> folder;
   Provenance lines = provenance(
       file, overrides, id_of("cost", {fmt::format("{} {}", options.runs, options.threads)}, {&document}));

@@ -102,6 +102,7 @@ int ensemble(const EnsembleArguments& arguments) {
     require_file(file);
     scenes.push_back(read_ensemble_scene(file, overrides));
     refuse_inputs_of(path, file, overrides);
+    tell_warnings(scenes.back());
   }
   const std::string id = id_of_cases(files, arguments);
   ResultFolder all(path, "ensemble", {"effects.csv"});

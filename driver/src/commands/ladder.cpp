@@ -141,7 +141,8 @@ int ladder(const LadderArguments& arguments) {
   require_file(file);
   plan_ladder(file, overrides, options.quantity, options.hold, options.finer);
   CaseDocument document(file, overrides);
-  read_scene(document);
+  Scene scene = read_scene(document);
+  tell_warnings(scene);
   const std::vector<std::string> files{"ladder.csv", "ladder.json",   "ladder.gp",
                                        "ladder.svg", "cheapest.toml", journal_file};
   refuse_inputs(path, files, document.files());

@@ -27,11 +27,15 @@ std::string check_text(const CaseDocument& document, const Scene& scene, const s
 
 }  // namespace
 
+void tell_warnings(Scene& scene) {
+  add_jet_warnings(scene);
+  for (const auto& warning : scene.warnings) tell("warning: " + warning);
+}
+
 int run(const RunArguments& arguments) {
   CaseDocument document(arguments.scene.file, arguments.scene.overrides);
   Scene scene = read_scene(document);
-  add_jet_warnings(scene);
-  for (const auto& warning : scene.warnings) tell("warning: " + warning);
+  tell_warnings(scene);
   const auto folder =
       arguments.out.empty() ? std::filesystem::path("results") / arguments.scene.file.stem() : arguments.out;
   refuse_inputs(folder,

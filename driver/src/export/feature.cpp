@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "driver/result_folder.hpp"
+
 namespace driver {
 namespace {
 

@@ -92,7 +92,7 @@ struct IntegratorOptions {
 /// vents, and p = p_a.
 ///
 /// A sealed adiabatic volume that is constant or follows the pressure needs quadrature only. The default
-/// method takes sub-steps longer than the relaxation time 1/(G.14) by Rosenbrock 4.
+/// method takes sub-steps longer than 1.5 times the relaxation time 1/(G.14) by Rosenbrock 4.
 class GasIntegrator {
  public:
   /// Copies the model and allocates all that advance() needs. Throws std::invalid_argument for a bad model or

@@ -14,18 +14,20 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <vector>
 
 #include "jet/visibility.hpp"
-#include "visibility/filter.hpp"
+#include "visibility/hit_cache.hpp"
 #include "visibility/near.hpp"
+#include "visibility/ray_states.hpp"
 #include "visibility/rays.hpp"
+#include "visibility/source_view.hpp"
 #include "visibility/surface.hpp"
 
 namespace jet {
 
+/// One query: finds the near elements, sets the state of each ray, and searches for the open ones.
 class FastRoute {
  public:
   /// Allocates the workspace for a surface.
@@ -39,34 +41,18 @@ class FastRoute {
                            std::span<std::uint8_t> lit);
 
  private:
-  enum State : std::uint8_t { kLit = 0, kHidden = 1, kFacingAway = 2, kOpen = 4 };  // see count()
-  /// A ray and an element that is, or may be, on it, by their places in the mesh's order.
-  struct RayHit {
-    int ray, element;
+  using enum RayStates::State;
+
+  /// What is known of the sources and the elements of this query.
+  struct Facts {
+    bool bounded = false;   // the rays have boxes, and the elements near them are known
+    bool any_away = false;  // without boxes: an element may face away from a source
+    bool shared = true;     // all sources have the same winding number
   };
 
-  /// Determines whether a ray's source is moved when the rule asks for it.
-  struct Kernel : filter::Kernel {
-    FastRoute* route = nullptr;
-    bool moved(const blocking::Ray& ray) {
-      if (ray.moved == blocking::Moved::unknown)
-        ray.moved = blocking::moved_if(route->source_on_surface(ray));
-      return ray.moved == blocking::Moved::yes;
-    }
-  };
-
-  int element(int place) const { return mesh_.elements[static_cast<std::size_t>(place)]; }
-  State& state(int place) { return states_[static_cast<std::size_t>(place)]; }
-  void set(int place, State state);
-  bool alive(int place) const { return (alive_[static_cast<std::size_t>(place / 8)] >> place % 8 & 1) != 0; }
-  std::span<const int> list(std::span<const std::uint8_t> bits);
   bool find_near();
   void classify_near();
   void classify_all();
-  bool may_face_away(int element);
-  bool between_sources(int element);
-  bool same_side(int element);
-  bool source_on_surface(const blocking::Ray& ray);
   bool winding_is_one();
   std::size_t open_uncertain(bool certain);
   std::size_t open_near_away();
@@ -77,31 +63,16 @@ class FastRoute {
   void search();
   void search_upstream();
   void search_tree();
-  VisibilityCounters count(std::span<std::uint8_t> lit) const;
 
   Surface surface_;
-  const RaySource* source_ = nullptr;
   OrderedMesh mesh_;
   bool closed_ = false;
-  bool bounded_ = false;   // the rays have boxes, and the elements near them are known
-  bool any_away_ = false;  // without boxes: an element may face away from a source
-  bool shared_ = true;     // all sources have the same winding number
-  std::optional<bool> point_moved_;
-  Kernel kernel_;
+  Facts facts_;
+  SourceView view_;
   RayBundle rays_;
   NearElements near_;
-  std::vector<int> open_;  // places of rays that were opened
-  /// Rays with the element that blocks them; cached from the last query.
-  std::vector<RayHit> blockers_, cached_blockers_;
-  /// Rays with the element, facing away, that opened them.
-  std::vector<RayHit> openers_, cached_openers_;
-  /// Rays that may meet an element again, and those elements.
-  std::vector<int> cached_rays_, cached_elements_;
-  std::vector<std::uint8_t> blocked_, pierced_, apart_, missed_;
-  std::vector<std::uint8_t> alive_;   // by patch: bits of the rays that are lit so far
-  std::vector<std::uint8_t> chosen_;  // workspace: bits of rays
-  std::vector<int> listed_;
-  std::vector<State> states_;  // of the elements asked about, by place
+  RayStates states_;
+  HitCache hits_;
 };
 
 }  // namespace jet

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The fast route, second part: rays that meet elements facing away, and the whole rule for those left open.
+// The search of the fast route: rays that meet elements facing away, and the whole rule for open rays.
 #include <algorithm>
 
 #include "visibility/box_tree.hpp"
@@ -8,30 +8,30 @@
 
 namespace jet {
 
-// Rays that meet an element facing away. Returns the number of those opened without being looked at.
+// Opens or hides the rays that meet an element facing away. Returns the number of rays opened without a test.
 std::size_t FastRoute::open_near_away() {
-  if (!bounded_ && !any_away_) return 0;
-  const std::span<const int> rays = list(alive_);
-  if (bounded_) {
+  if (!facts_.bounded && !facts_.any_away) return 0;
+  const std::span<const int> rays = states_.list_alive();
+  if (facts_.bounded) {
     near_.for_each_touching(rays_, rays, [&](int ray, int by, Touch touch) {
-      if (state(ray) == kLit) meet_away(ray, by, touch);
+      if (states_[ray] == kLit) meet_away(ray, by, touch);
     });
     return 0;
   }
-  for (const int ray : rays) set(ray, kOpen);
+  for (const int ray : rays) states_.set(ray, kOpen);
   return rays.size();
 }
 
 // One ray and one element that faces away and may be on it. If it is, and blocks, the ray need not be
 // searched.
 void FastRoute::meet_away(int ray, int by, Touch touch) {
-  const int e = element(by);
-  const bool can_block = e != element(ray) && !surface_.never_blocks(e);
+  const int e = mesh_.element(by);
+  const bool can_block = e != mesh_.element(ray) && !surface_.never_blocks(e);
   bool hides = can_block && touch == Touch::blocked;
   if (touch == Touch::possible) {
     const blocking::Ray& segment = rays_.ray(ray);
-    if (!blocking::passage(kernel_, segment, surface_, e).touches()) return;
-    hides = can_block && blocking::blocks(kernel_, segment, surface_, e);
+    if (!blocking::passage(view_.kernel(), segment, surface_, e).touches()) return;
+    hides = can_block && blocking::blocks(view_.kernel(), segment, surface_, e);
   }
   hides ? hide(ray, by) : open(ray, by);
 }
@@ -39,90 +39,72 @@ void FastRoute::meet_away(int ray, int by, Touch touch) {
 // Open rays against the elements that can be on them.
 void FastRoute::search() {
   if (!rays_.upstream.empty()) search_upstream();
-  std::fill(chosen_.begin(), chosen_.end(), std::uint8_t{0});
-  for (const int ray : open_) {
-    std::uint8_t& bits = chosen_[static_cast<std::size_t>(ray / 8)];
-    bits = static_cast<std::uint8_t>(bits | int{state(ray) == kOpen} << ray % 8);
-  }
-  const std::span<const int> rays = list(chosen_);  // eight by eight, neighbours together
+  const std::span<const int> rays = states_.list_open();
   if (rays.empty()) return;
   near_.for_each_before_target(rays_, rays, [&](int ray, int by, Touch touch) {
-    const int e = element(by);
+    const int e = mesh_.element(by);
     // Its own element may be among them: the mesh's last one stands at several places.
-    if (state(ray) != kOpen || e == element(ray) || surface_.never_blocks(e)) return;
-    if (touch == Touch::blocked || blocking::blocks(kernel_, rays_.ray(ray), surface_, e)) hide(ray, by);
+    if (states_[ray] != kOpen || e == mesh_.element(ray) || surface_.never_blocks(e)) return;
+    if (touch == Touch::blocked || blocking::blocks(view_.kernel(), rays_.ray(ray), surface_, e))
+      hide(ray, by);
   });
-  for (const int ray : open_)
-    if (state(ray) == kOpen) state(ray) = kLit;
+  for (const int ray : states_.opened())
+    if (states_[ray] == kOpen) states_.settle(ray, kLit);
 }
 
 void FastRoute::hide(int ray, int by) {
-  set(ray, kHidden);
-  blockers_.push_back({ray, by});
+  states_.set(ray, kHidden);
+  hits_.add_blocker(ray, by);
 }
 
 void FastRoute::open(int ray, int by) {
-  set(ray, kOpen);
-  openers_.push_back({ray, by});
+  states_.set(ray, kOpen);
+  hits_.add_opener(ray, by);
 }
 
-// What blocked an element's ray at the last query often blocks it again, and what opened it opens it again. A
-// ray opened in vain costs a search, so that is not asked exactly.
+// A ray opened in vain costs a search, so openers are not tested exactly.
 void FastRoute::test_cached_blockers() {
-  std::swap(blockers_, cached_blockers_);
-  std::swap(openers_, cached_openers_);
-  blockers_.clear();
-  openers_.clear();
-  std::size_t count = 0;
-  const auto ask_if = [&](int wanted, const RayHit& hit) {  // no branch to predict
-    cached_rays_[count] = hit.ray;
-    cached_elements_[count] = hit.element;
-    count += static_cast<std::size_t>(wanted);
+  const auto may_block = [&](const RayHit& hit) {
+    return int{states_.alive(hit.ray)} & int{rays_.knows(hit.element)};
   };
-  for (const RayHit& hit : cached_blockers_) ask_if(int{alive(hit.ray)} & int{rays_.knows(hit.element)}, hit);
-  const std::size_t hidden = count;
-  for (const RayHit& hit : cached_openers_)
-    ask_if(int{alive(hit.ray)} & int{near_.may_show_outer_side(hit.element)}, hit);
-  kernel_table().meet_pairs(
-      {rays_.targets(), rays_.local(), rays_.half_long(), mesh_.corner_rows.data(), cached_rays_.data(),
-       cached_elements_.data(), blocked_.data(), pierced_.data(), apart_.data(), missed_.data()},
-      static_cast<int>(count));
-  const auto bit = [](const std::vector<std::uint8_t>& bits, std::size_t i) {
-    return (bits[i / 8] >> i % 8 & 1u) != 0;
+  const auto may_open = [&](const RayHit& hit) {
+    return int{states_.alive(hit.ray)} & int{ShownSides::has(near_.sides().not_inner, hit.element)};
   };
-  for (std::size_t i = 0; i < hidden; ++i) {
-    const int ray = cached_rays_[i], by = cached_elements_[i];
-    if (bit(blocked_, i) ||
-        (!bit(apart_, i) && blocking::blocks(kernel_, rays_.ray(ray), surface_, element(by))))
-      hide(ray, by);
-  }
-  for (std::size_t i = hidden; i < count; ++i)
-    if (alive(cached_rays_[i]) && !bit(missed_, i)) open(cached_rays_[i], cached_elements_[i]);
+  hits_.retest(
+      rays_, mesh_, may_block, may_open,
+      [&](int ray, int by, bool is_certain) {
+        if (is_certain || blocking::blocks(view_.kernel(), rays_.ray(ray), surface_, mesh_.element(by)))
+          hide(ray, by);
+      },
+      [&](int ray, int by) {
+        if (states_.alive(ray)) open(ray, by);
+      });
 }
 
 // The few rays without bounds, against all elements.
 void FastRoute::search_upstream() {
   for (const int place : rays_.upstream) {
-    if (state(place) != kOpen) continue;
+    if (states_[place] != kOpen) continue;
     const blocking::Ray& ray = rays_.ray(place);
-    state(place) = kLit;
-    for (int e = 0; e < surface_.count && state(place) == kLit; ++e) {
-      if (e == element(place) || surface_.never_blocks(e) || Box(surface_, e).apart_from_segment(ray))
+    states_.settle(place, kLit);
+    for (int e = 0; e < surface_.count && states_[place] == kLit; ++e) {
+      if (e == mesh_.element(place) || surface_.never_blocks(e) || Box(surface_, e).apart_from_segment(ray))
         continue;
-      if (blocking::blocks(kernel_, ray, surface_, e)) state(place) = kHidden;
+      if (blocking::blocks(view_.kernel(), ray, surface_, e)) states_.settle(place, kHidden);
     }
   }
 }
 
 void FastRoute::search_tree() {
   const BoxTree tree(surface_);
-  for (const int place : open_) {
-    if (state(place) != kOpen) continue;
+  for (const int place : states_.opened()) {
+    if (states_[place] != kOpen) continue;
     const blocking::Ray& ray = rays_.ray(place);
     const bool hidden = tree.any(ray, [&](int e) {
-      return e != element(place) && !surface_.never_blocks(e) && blocking::blocks(kernel_, ray, surface_, e);
+      return e != mesh_.element(place) && !surface_.never_blocks(e) &&
+             blocking::blocks(view_.kernel(), ray, surface_, e);
     });
-    state(place) = hidden ? kHidden : kLit;
+    states_.settle(place, hidden ? kHidden : kLit);
   }
 }
 

@@ -28,6 +28,9 @@ struct OrderedMesh {
 
   explicit OrderedMesh(std::span<const Triangle> triangles);
   OrderedMesh() = default;
+
+  /// Number of the element at a place in the order.
+  int element(int place) const { return elements[static_cast<std::size_t>(place)]; }
 };
 
 }  // namespace jet

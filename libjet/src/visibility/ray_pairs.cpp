@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "visibility/ray_pairs.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace jet {
+
+void RayPairs::reserve(const OrderedMesh& mesh) {
+  mesh_ = &mesh;
+  const auto patches = static_cast<std::size_t>(mesh.patches);
+  first_.resize(8 * patches + 8);
+  second_.resize(8 * patches + 8);
+  const std::size_t pairs = kManyPairs + 64 * patches + 8;  // eight rays and all elements
+  for (auto* list : {&rays_, &elements_}) *list = std::make_unique_for_overwrite<int[]>(pairs);
+  for (auto* bytes : {&blocked_, &pierced_, &apart_, &missed_}) bytes->resize(pairs / 8);
+}
+
+// Of the first rays of a list, eight at most: their number.
+std::size_t RayPairs::add(const RayArrays& rays, bool to_targets, const PyramidView& boxes,
+                          const int* patches) {
+  constexpr int no_limit = std::numeric_limits<int>::max();
+  int count = std::min(8, rays.count);
+  const PairLists lists{&rays_[static_cast<std::size_t>(count_)],
+                        &elements_[static_cast<std::size_t>(count_)], first_.data(), second_.data()};
+  const auto find = [&](int places, int blocks) {
+    return kernel_table().find_pairs({rays.targets, rays.half_long, rays.list, count},
+                                     {places, count > 1 ? blocks : no_limit}, to_targets, boxes, patches,
+                                     lists);
+  };
+  int found = find(kFarPlaces, kMostBlocks);
+  if (-8 <= found && found < 0) {
+    count = -found;
+    found = find(no_limit, kMostBlocks);
+  }
+  if (found < 0) {
+    count = -found - 8;
+    found = find(no_limit, no_limit);
+  }
+  count_ += found;
+  return static_cast<std::size_t>(count);
+}
+
+void RayPairs::test(const RayBundle& rays) {
+  kernel_table().meet_pairs(
+      {rays.targets(), rays.local(), rays.half_long(), mesh_->corner_rows.data(), rays_.get(),
+       elements_.get(), blocked_.data(), pierced_.data(), apart_.data(), missed_.data()},
+      count_);
+}
+
+}  // namespace jet
