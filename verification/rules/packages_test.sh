@@ -71,7 +71,7 @@ check_manual() {
   done
   [[ $(completed gasjet ch) == check ]] || fail "completion of a command: $(completed gasjet ch)"
   [[ $(completed gasjet mesh dri) == driver ]] || fail "completion of a command's command"
-  [[ $(completed gasjet check --format "") == "text json" ]] || fail "completion of what an option allows"
+  [[ $(completed gasjet check --format "") == "text json keys" ]] || fail "completion of what an option allows"
   [[ -z $(completed gasjet run --out "")$(completed gasjet run "") ]] || fail "files are left to bash"
   grep -q 'Exit.codes: 0 done' "$prefix/share/man/man1/gasjet-run.1" || fail "no exit codes in a man page"
 }
