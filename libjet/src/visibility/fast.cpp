@@ -13,8 +13,8 @@ void FastRoute::prepare(std::span<const Triangle> triangles, std::size_t node_co
   mesh_ = OrderedMesh(triangles);
   near_.reserve(mesh_);
   rays_.reserve(mesh_, node_count);
-  states_.reserve(rays_.asked().size());
-  hits_.reserve(rays_.asked().size());
+  states_.reserve(rays_.asked().bits().size());
+  hits_.reserve(rays_.asked().bits().size());
 }
 
 VisibilityCounters FastRoute::query(const Surface& surface, const RaySource& source,
@@ -22,7 +22,7 @@ VisibilityCounters FastRoute::query(const Surface& surface, const RaySource& sou
   surface_ = surface;
   view_.begin(surface, source);
   rays_.ask(surface, source, candidates);
-  states_.reset(rays_.asked());
+  states_.reset(rays_.asked().bits());
   facts_.bounded = (rays_.project_expected() && find_near()) || (rays_.project_chosen() && find_near()) ||
                    (rays_.project_fresh() && find_near());
   if (!facts_.bounded) rays_.do_without();
@@ -37,7 +37,7 @@ VisibilityCounters FastRoute::query(const Surface& surface, const RaySource& sou
     search_tree();
     trees = 1;
   }
-  VisibilityCounters counters = states_.count(rays_.places(), lit);
+  VisibilityCounters counters = states_.count(rays_.asked().places(), lit);
   counters.exact_calls = view_.kernel().calls;
   counters.fallbacks = fallbacks;
   counters.tree_builds = trees;
@@ -73,13 +73,13 @@ bool FastRoute::winding_is_one() {
     bool generic = true;
     for (const int place : near_.on_winding_ray()) {
       const auto part =
-          winding::crossing(view_.kernel(), rays_.winding_ray(), surface_, mesh_.element(place));
+          winding::crossing(view_.kernel(), rays_.winding().ray, surface_, mesh_.element(place));
       generic = generic && part.has_value();
       sum += part.value_or(0);
     }
     if (generic) return sum == 1;
   }
-  blocking::Ray from = rays_.ray(rays_.places().front());
+  blocking::Ray from = rays_.asked().ray(rays_.asked().places().front());
   from.moved = blocking::Moved::yes;
   return winding::number(view_.kernel(), from, surface_, winding::bounding_box(surface_)) == 1;
 }
@@ -95,7 +95,7 @@ std::size_t FastRoute::open_uncertain(bool certain) {
       continue;
     }
     const int e = mesh_.element(place);
-    const blocking::Ray& ray = rays_.ray(place);
+    const blocking::Ray& ray = rays_.asked().ray(place);
     if (certain && surely_pierces(surface_, e, ray.source, rays_.size)) continue;
     if (blocking::facing(view_.kernel(), ray, surface_, e) <= 0) {
       states_.set(place, kFacingAway);

@@ -29,7 +29,7 @@ void FastRoute::meet_away(int ray, int by, Touch touch) {
   const bool can_block = e != mesh_.element(ray) && !surface_.never_blocks(e);
   bool hides = can_block && touch == Touch::blocked;
   if (touch == Touch::possible) {
-    const blocking::Ray& segment = rays_.ray(ray);
+    const blocking::Ray& segment = rays_.asked().ray(ray);
     if (!blocking::passage(view_.kernel(), segment, surface_, e).touches()) return;
     hides = can_block && blocking::blocks(view_.kernel(), segment, surface_, e);
   }
@@ -45,7 +45,7 @@ void FastRoute::search() {
     const int e = mesh_.element(by);
     // Its own element may be among them: the mesh's last one stands at several places.
     if (states_[ray] != kOpen || e == mesh_.element(ray) || surface_.never_blocks(e)) return;
-    if (touch == Touch::blocked || blocking::blocks(view_.kernel(), rays_.ray(ray), surface_, e))
+    if (touch == Touch::blocked || blocking::blocks(view_.kernel(), rays_.asked().ray(ray), surface_, e))
       hide(ray, by);
   });
   for (const int ray : states_.opened())
@@ -73,7 +73,8 @@ void FastRoute::test_cached_blockers() {
   hits_.retest(
       rays_, mesh_, may_block, may_open,
       [&](int ray, int by, bool is_certain) {
-        if (is_certain || blocking::blocks(view_.kernel(), rays_.ray(ray), surface_, mesh_.element(by)))
+        if (is_certain ||
+            blocking::blocks(view_.kernel(), rays_.asked().ray(ray), surface_, mesh_.element(by)))
           hide(ray, by);
       },
       [&](int ray, int by) {
@@ -85,7 +86,7 @@ void FastRoute::test_cached_blockers() {
 void FastRoute::search_upstream() {
   for (const int place : rays_.upstream) {
     if (states_[place] != kOpen) continue;
-    const blocking::Ray& ray = rays_.ray(place);
+    const blocking::Ray& ray = rays_.asked().ray(place);
     states_.settle(place, kLit);
     for (int e = 0; e < surface_.count && states_[place] == kLit; ++e) {
       if (e == mesh_.element(place) || surface_.never_blocks(e) || Box(surface_, e).apart_from_segment(ray))
@@ -99,7 +100,7 @@ void FastRoute::search_tree() {
   const BoxTree tree(surface_);
   for (const int place : states_.opened()) {
     if (states_[place] != kOpen) continue;
-    const blocking::Ray& ray = rays_.ray(place);
+    const blocking::Ray& ray = rays_.asked().ray(place);
     const bool hidden = tree.any(ray, [&](int e) {
       return e != mesh_.element(place) && !surface_.never_blocks(e) &&
              blocking::blocks(view_.kernel(), ray, surface_, e);

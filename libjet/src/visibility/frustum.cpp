@@ -53,29 +53,18 @@ int RayBundle::find_patches(int all_outside, int* patches) const {
   return count;
 }
 
-const blocking::Ray& RayBundle::ray(int place) const {
-  const auto i = static_cast<std::size_t>(place);
-  if (is_made_[i] == 0) {
-    is_made_[i] = 1;
-    made_places_.push_back(place);
-    made_[i] = blocking::make_ray(surface_, mesh_->elements[i], *source_);
-    made_[i].moved = blocking::Moved::unknown;
-  }
-  return made_[i];
-}
-
 // A general slope within the bounds: bags are symmetric about the axis. Local coordinates of the end are
 // above 1.
 void RayBundle::set_winding_ray() {
-  winding_v_ = 0.0;
-  for (const int place : places()) {  // the first that goes downstream is within the bounds
-    winding_ray_ = ray(place);
+  winding_.v = 0.0;
+  for (const int place : asked_.places()) {  // the first that goes downstream is within the bounds
+    winding_.ray = asked_.ray(place);
     if (!frame_.line) break;
-    const Eigen::Map<const Eigen::Vector3d> from(winding_ray_.source);
-    winding_v_ = scale_ * (from - source_->centre).dot(frame_.along);
-    if (winding_v_ >= bounds_.low_v && winding_v_ <= bounds_.high_v) break;
+    const Eigen::Map<const Eigen::Vector3d> from(winding_.ray.source);
+    winding_.v = scale_ * (from - source_->centre).dot(frame_.along);
+    if (winding_.v >= bounds_.low_v && winding_.v <= bounds_.high_v) break;
   }
-  winding_ray_.moved = blocking::Moved::yes;
+  winding_.ray.moved = blocking::Moved::yes;
   const auto within = [](float low, float high, double share) {
     const double a = std::clamp(low, -kSteepest, kSteepest), b = std::clamp(high, -kSteepest, kSteepest);
     return a + share * (b - a);
@@ -83,10 +72,10 @@ void RayBundle::set_winding_ray() {
   const double u = within(bounds_.low_u, bounds_.high_u, 0.382);
   const double v = frame_.line ? 0.0 : within(bounds_.low_v, bounds_.high_v, 0.618);
   for (int i = 0; i < 3; ++i)
-    winding_ray_.target[i] = winding_ray_.source[i] +
+    winding_.ray.target[i] = winding_.ray.source[i] +
                              2.0 / scale_ * (frame_.forward[i] + u * frame_.across[i] + v * frame_.along[i]);
-  winding_u_ = u;
-  if (!frame_.line) winding_v_ = v;
+  winding_.u = u;
+  if (!frame_.line) winding_.v = v;
 }
 
 }  // namespace jet

@@ -2,7 +2,6 @@
 #include "visibility/rays.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 
 #include "bits.hpp"
@@ -35,14 +34,8 @@ void RayBundle::reserve(const OrderedMesh& mesh, std::size_t node_count) {
   local_.resize(4 * (node_count + 8));
   codes_.resize(node_count + 8);
   local_targets_.resize(4 * elements);
-  given_.reserve(elements);
-  asked_.resize(patches);
-  asked_before_.resize(patches);
-  listed_.resize(elements + 8);
+  asked_.reserve(mesh, patches);
   upstream.reserve(elements + 8);
-  made_.resize(elements);
-  is_made_.resize(elements);
-  made_places_.reserve(elements);
   close_.reserve(mesh, node_count);
 }
 
@@ -56,20 +49,7 @@ void RayBundle::ask(const Surface& surface, const RaySource& source, std::span<c
   surface_ = surface;
   source_ = &source;
   candidates_ = candidates;
-  given_.resize(candidates.size());
-  asked_.swap(asked_before_);
-  std::fill(asked_.begin(), asked_.end(), std::uint8_t{0});
-  const int* rank = mesh_->rank.data();  // which the bytes written cannot change
-  int* given = given_.data();
-  std::uint8_t* asked = asked_.data();
-  for (const int element : candidates) {
-    const auto place = static_cast<unsigned>(rank[element]);
-    *given++ = static_cast<int>(place);
-    asked[place / 8] = static_cast<std::uint8_t>(asked[place / 8] | 1u << place % 8);
-  }
-  asked_patches_ = count_used(asked_);
-  for (const int place : made_places_) is_made_[static_cast<std::size_t>(place)] = 0;
-  made_places_.clear();
+  asked_.ask(surface, source, candidates);
   has_frame_ = frame_.build(source);
 }
 
@@ -115,14 +95,10 @@ bool RayBundle::fits_range() {
 
 // The bounds of rays asked about before and of those that were not.
 Frustum RayBundle::with_new(const Frustum& before) {
-  and_not(asked_, asked_before_, asked_before_);
-  const int count =
-      kernel_table().list_bits(asked_before_.data(), static_cast<int>(asked_.size()), listed_.data());
-  if (count == 0) return before;
-  for (int& place : std::span(listed_).first(static_cast<std::size_t>(count)))
-    place = mesh_->elements[static_cast<std::size_t>(place)];
-  arrays_.elements = listed_.data();
-  const Frustum now = kernel_table().frustum_of(arrays_, half_long(), count);
+  const std::span<const int> elements = asked_.list_new();
+  if (elements.empty()) return before;
+  arrays_.elements = elements.data();
+  const Frustum now = kernel_table().frustum_of(arrays_, half_long(), static_cast<int>(elements.size()));
   return {std::min(before.low_u, now.low_u), std::max(before.high_u, now.high_u),
           std::min(before.low_v, now.low_v), std::max(before.high_v, now.high_v)};
 }
@@ -133,27 +109,16 @@ bool RayBundle::accept(const PatchesFound& found, std::span<const int> patches,
   if (!fresh_) {  // the bounds are not made of these rays
     const auto above = [](float x, float low) { return x >= low || low < -kSteepest; };
     const Frustum &b = bounds_, &r = found.bounds;
-    if (found.asked < asked_patches_ || !above(r.low_u, b.low_u) || !above(-r.high_u, -b.high_u) ||
+    if (found.asked < asked_.patches() || !above(r.low_u, b.low_u) || !above(-r.high_u, -b.high_u) ||
         !above(r.low_v, b.low_v) || !above(-r.high_v, -b.high_v))
       return false;
-  } else if (found.asked < asked_patches_) {             // they hold no ray of these patches
-    std::vector<std::uint8_t>& missing = asked_before_;  // not read any more
-    missing = asked_;
-    for (const int patch : patches) missing[static_cast<std::size_t>(patch)] = 0;
-    const int more =
-        kernel_table().list_bits(missing.data(), static_cast<int>(missing.size()), listed_.data());
-    upstream.insert(upstream.end(), listed_.begin(), listed_.begin() + more);
+  } else if (found.asked < asked_.patches()) {  // they hold no ray of these patches
+    const std::span<const int> more = asked_.list_outside(patches);
+    upstream.insert(upstream.end(), more.begin(), more.end());
   }
   before_ = fresh_ ? found.bounds : last_;
   last_ = found.bounds;
-  return upstream.empty() || (upstream.size() <= kMostUpstream && upstream.size() < count_asked());
-}
-
-// Given twice, an element counts once.
-std::size_t RayBundle::count_asked() const {
-  std::size_t count = 0;
-  for (const std::uint8_t bits : asked_) count += static_cast<std::size_t>(std::popcount(bits));
-  return count;
+  return upstream.empty() || (upstream.size() <= kMostUpstream && upstream.size() < asked_.count());
 }
 
 void RayBundle::do_without() {

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "kernel_table.hpp"
+#include "visibility/asked_rays.hpp"
 #include "visibility/blocking.hpp"
 #include "visibility/close_set.hpp"
 #include "visibility/frame.hpp"
@@ -18,6 +19,13 @@
 
 namespace jet {
 
+/// Ray from the source of a ray, moved, to a point outside the surface, within the rays' bounds.
+struct WindingRay {
+  blocking::Ray ray{};
+  double u = 0.0, v = 0.0;  // its slopes, or slope across and place along the line
+};
+
+/// The rays of a query, their bounds, and the nodes projected for them.
 class RayBundle {
  public:
   void reserve(const OrderedMesh& mesh, std::size_t node_count);
@@ -40,14 +48,8 @@ class RayBundle {
   /// Gives up bounds of the rays: only `size` is known. Throws as project().
   void do_without();
 
-  /// Ray to an element in the definition's arithmetic, made at its first use.
-  const blocking::Ray& ray(int place) const;
-
-  /// Ray from the source of a ray, moved, to a point outside the surface, within the rays' bounds.
-  const blocking::Ray& winding_ray() const { return winding_ray_; }
-  /// Its slopes, or slope across and place along the line.
-  float winding_u() const { return static_cast<float>(winding_u_); }
-  float winding_v() const { return static_cast<float>(winding_v_); }
+  const AskedRays& asked() const { return asked_; }
+  const WindingRay& winding() const { return winding_; }
 
   /// True if the element's nodes are projected. No ray can meet other elements.
   bool knows(int place) const {
@@ -58,8 +60,6 @@ class RayBundle {
   /// all.
   std::span<const int> find_patches(std::span<int> out) const;
 
-  std::span<const int> places() const { return given_; }          // in the order of those asked about
-  std::span<const std::uint8_t> asked() const { return asked_; }  // by patch: bits of the elements
   RayArrays arrays(std::span<const int> list) const {
     return {local_targets_.data(), half_long(), list.data(), static_cast<int>(list.size())};
   }
@@ -81,7 +81,6 @@ class RayBundle {
   /// Steeper bounds exclude too little to be worth their margin.
   static constexpr float kSteepest = 1e3f;
 
-  std::size_t count_asked() const;
   Frustum with_new(const Frustum& before);
   bool fits_range();
   bool project_targets(bool rescaled);
@@ -99,17 +98,13 @@ class RayBundle {
   const RaySource* source_ = nullptr;
   const OrderedMesh* mesh_ = nullptr;
   std::span<const int> candidates_;
-  std::vector<int> given_;  // their places
-  std::vector<std::uint8_t> asked_, asked_before_;
-  std::vector<int> listed_;  // workspace: places, or elements there
-  int asked_patches_ = 0;
+  AskedRays asked_;
   Frame frame_;
   bool has_frame_ = false;
   /// [1/m] Power of two that brings local coordinates below 1; kept for the next query.
   double scale_ = 0.0;
   Frustum bounds_{}, last_{}, before_{};
-  blocking::Ray winding_ray_{};
-  double winding_u_ = 0.0, winding_v_ = 0.0;
+  WindingRay winding_;
   ProjectArrays arrays_{};
   int outside_ = 0;
   double displacement_bound_ = kMotionUnknown;  // [m] of the nodes
@@ -119,9 +114,6 @@ class RayBundle {
   std::vector<float> local_;          // rows of nodes
   std::vector<std::int32_t> codes_;   // of nodes, if all were projected
   std::vector<float> local_targets_;  // rows of elements
-  mutable std::vector<blocking::Ray> made_;
-  mutable std::vector<std::uint8_t> is_made_;
-  mutable std::vector<int> made_places_;
 };
 
 }  // namespace jet

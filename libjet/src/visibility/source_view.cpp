@@ -29,8 +29,8 @@ bool SourceView::between_sources(int element, const RayBundle& rays) {
 // True if no segment between two sources crosses the element's plane.
 bool SourceView::same_side(int element, const RayBundle& rays) {
   int common = 0;
-  for (const int place : rays.places()) {
-    blocking::Ray ray = rays.ray(place);
+  for (const int place : rays.asked().places()) {
+    blocking::Ray ray = rays.asked().ray(place);
     ray.moved = blocking::Moved::yes;
     const int side = blocking::facing(kernel_, ray, surface_, element);
     if (side == 0 || side == -common) return false;

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+// The elements that a query asks about, by their places in the mesh's order, and the exact rays to them.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "visibility/blocking.hpp"
+#include "visibility/mesh_order.hpp"
+
+namespace jet {
+
+/// One ray to each element that is asked about.
+class AskedRays {
+ public:
+  /// `patches`: bytes of a set of elements.
+  void reserve(const OrderedMesh& mesh, std::size_t patches);
+  void ask(const Surface& surface, const RaySource& source, std::span<const int> candidates);
+
+  std::span<const int> places() const { return given_; }         // in the order of those asked about
+  std::span<const std::uint8_t> bits() const { return asked_; }  // by patch: of the elements
+  int patches() const { return patches_; }                       // that have such elements
+  /// Number of the elements; one that is given twice counts once.
+  std::size_t count() const;
+
+  /// Ray to an element in the definition's arithmetic, made at its first use.
+  const blocking::Ray& ray(int place) const;
+
+  /// Elements that the last query did not ask about. This and the next forget what that query asked.
+  std::span<const int> list_new();
+  /// Places of the elements outside these patches.
+  std::span<const int> list_outside(std::span<const int> patches);
+
+ private:
+  std::span<int> list(std::span<const std::uint8_t> bits);
+
+  Surface surface_;
+  const RaySource* source_ = nullptr;
+  const OrderedMesh* mesh_ = nullptr;
+  std::vector<int> given_;
+  std::vector<std::uint8_t> asked_, before_;
+  std::vector<int> listed_;  // workspace
+  int patches_ = 0;
+  mutable std::vector<blocking::Ray> made_;
+  mutable std::vector<std::uint8_t> is_made_;
+  mutable std::vector<int> made_places_;
+};
+
+}  // namespace jet
