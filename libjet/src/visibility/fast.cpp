@@ -53,7 +53,8 @@ bool FastRoute::find_near() {
 void FastRoute::classify_near() {
   facts_.shared = true;
   for (const int place : near_.uncertain())
-    if (!view_.may_face_away(mesh_.element(place), rays_.size)) near_.sides().rule_out_outer(place);
+    if (!view_.may_face_away(mesh_.element(place), rays_.projection().size))
+      near_.sides().rule_out_outer(place);
   for (const int place : near_.between())
     facts_.shared = facts_.shared && !view_.between_sources(mesh_.element(place), rays_);
 }
@@ -62,7 +63,7 @@ void FastRoute::classify_all() {
   facts_.any_away = false;
   facts_.shared = true;
   for (int place = 0; place < surface_.count; ++place) {
-    facts_.any_away = facts_.any_away || view_.may_face_away(mesh_.element(place), rays_.size);
+    facts_.any_away = facts_.any_away || view_.may_face_away(mesh_.element(place), rays_.projection().size);
     facts_.shared = facts_.shared && !view_.between_sources(mesh_.element(place), rays_);
   }
 }
@@ -96,7 +97,7 @@ std::size_t FastRoute::open_uncertain(bool certain) {
     }
     const int e = mesh_.element(place);
     const blocking::Ray& ray = rays_.asked().ray(place);
-    if (certain && surely_pierces(surface_, e, ray.source, rays_.size)) continue;
+    if (certain && surely_pierces(surface_, e, ray.source, rays_.projection().size)) continue;
     if (blocking::facing(view_.kernel(), ray, surface_, e) <= 0) {
       states_.set(place, kFacingAway);
     } else if (!certain || !blocking::passage(view_.kernel(), ray, surface_, e).pierces()) {

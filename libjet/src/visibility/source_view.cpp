@@ -20,7 +20,8 @@ bool SourceView::may_face_away(int element, double size) {
 
 // True unless all sources, moved by eps, are certainly on one side of the element's plane.
 bool SourceView::between_sources(int element, const RayBundle& rays) {
-  if (source_->half_long == 0.0 || common_side(surface_, element, *source_, rays.size) != 0) return false;
+  if (source_->half_long == 0.0 || common_side(surface_, element, *source_, rays.projection().size) != 0)
+    return false;
   if (!in_one_coordinate_plane(surface_, element, *source_)) return !same_side(element, rays);
   return kernel_.slope(source_->axis.data(), surface_.corner(element, 0), surface_.corner(element, 1),
                        surface_.corner(element, 2)) == 0;

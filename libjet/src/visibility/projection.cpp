@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "visibility/projection.hpp"
+
+#include <cmath>
+
+#include "checks.hpp"
+
+namespace jet {
+namespace {
+
+// Coordinates over extent. Sources and targets lie beside their exact places by 7e-16 of it at most: a
+// quarter of 2^-25, which the margins hold.
+constexpr double kLargestRatio = 1e7;
+constexpr double kMargin = 1e-6;  // 33 times the error of local coordinates
+constexpr int kFloor = 0x80;      // bit of a code: not above the sources' own plane
+
+double extent(const Surface& surface, const Eigen::Vector3d& centre) {
+  double largest = 0.0;
+  for (int i = 0; i < surface.node_count; ++i) {
+    const double* x = surface.node(i);
+    largest = std::max(largest, (Eigen::Vector3d(x[0], x[1], x[2]) - centre).squaredNorm());
+  }
+  return std::sqrt(largest);
+}
+
+// The scale holds the nodes. A small extent does fit if the scale is of these very nodes and sources.
+bool fits(const ProjectFlags& flags, bool rescaled) {
+  return !flags.outside && !flags.tiny && (rescaled || !flags.small);
+}
+
+void set_side(ProjectArrays& arrays, int bit, double slope, double bound, double reach) {
+  const bool steep = !(std::abs(slope) <= static_cast<double>(Projection::kSteepest));
+  arrays.slope[bit] = steep ? 0.0f : static_cast<float>(slope);
+  arrays.bound[bit] = steep ? HUGE_VALF
+                            : static_cast<float>(bound + kMargin * (1.0 + std::abs(slope)) +
+                                                 (reach > 0.0 ? reach * std::hypot(1.0, slope) : 0.0));
+}
+
+}  // namespace
+
+void Projection::reserve(const OrderedMesh& mesh, std::size_t node_count, std::size_t elements) {
+  mesh_ = &mesh;
+  local_.resize(4 * (node_count + 8));
+  codes_.resize(node_count + 8);
+  targets_.resize(4 * elements);
+}
+
+bool Projection::begin(const Surface& surface, const RaySource& source, std::span<const int> candidates) {
+  surface_ = surface;
+  source_ = &source;
+  candidates_ = candidates;
+  return frame_.build(source);
+}
+
+// A scale that keeps the nodes and the sources within 1/2, with room to move. The magnitude of a refused node
+// is not known, so this is where all of them are looked at.
+void Projection::rescale() {
+  check_nodes(surface_);
+  const double largest = std::max({extent(surface_, source_->centre), source_->half_long, 1e-150});
+  scale_ = std::ldexp(1.0, -std::ilogb(largest) - 2);
+}
+
+void Projection::set_arrays() {
+  const int last = surface_.node_count - 1;
+  const double* x = surface_.node(last);
+  arrays_ = {{surface_.nodes, surface_.stride, last, {x[0], x[1], x[2], 0.0}},
+             surface_.node_count,
+             {},
+             {},
+             local_.data(),
+             codes_.data(),
+             surface_.triangles->data(),
+             candidates_.data(),
+             {},
+             {},
+             nullptr,
+             true,
+             {}};
+  for (int i = 0; i < 3; ++i) {
+    arrays_.centre[i] = source_->centre[i];
+    const Eigen::Vector3d* const axes[] = {&frame_.across, &frame_.along, &frame_.forward};
+    for (int j = 0; j < 3; ++j) arrays_.column[i][j] = scale_ * (*axes[j])[i];
+  }
+  for (int j = 0; j < 3; ++j) {
+    int columns = 0;
+    for (int i = 0; i < 3; ++i) {
+      if (arrays_.column[i][j] == 0.0) continue;
+      arrays_.axis[j] = i;
+      ++columns;
+    }
+    arrays_.aligned = arrays_.aligned && columns == 1;
+  }
+}
+
+Frustum Projection::bounds_of(std::span<const int> elements) {
+  arrays_.elements = elements.data();
+  return kernel_table().frustum_of(arrays_, half_long(), static_cast<int>(elements.size()));
+}
+
+bool Projection::code_nodes(const Frustum& bounds, double reach, bool rescaled) {
+  set_sides(bounds, 1.001 * scale_ * reach);
+  return fits(kernel_table().code_nodes(arrays_), rescaled);
+}
+
+bool Projection::project_nodes(const Frustum& bounds, bool rescaled) {
+  set_sides(bounds, 0.0);
+  return fits(kernel_table().project_nodes(arrays_), rescaled);
+}
+
+bool Projection::project_rows(const Frustum& bounds, std::span<const std::uint32_t> rows) {
+  set_sides(bounds, 0.0);
+  arrays_.listed = rows.data();
+  return !kernel_table().project_listed(arrays_, static_cast<int>(rows.size())).outside;
+}
+
+bool Projection::fits_range() {
+  size = source_->centre.cwiseAbs().maxCoeff() + 1.8 / scale_;  // root of 3, and the frame's roundings
+  return size <= kLargest && size * scale_ <= kLargestRatio;
+}
+
+// Half-spaces that hold all rays downstream, beyond their targets, too, and what is within `reach` of them.
+void Projection::set_sides(const Frustum& bounds, double reach) {
+  set_side(arrays_, 0, bounds.low_u, 0.0, reach);
+  set_side(arrays_, 1, bounds.high_u, 0.0, reach);
+  set_side(arrays_, 2, frame_.line ? 0.0 : bounds.low_v, frame_.line ? -bounds.low_v : 0.0, reach);
+  set_side(arrays_, 3, frame_.line ? 0.0 : bounds.high_v, frame_.line ? bounds.high_v : 0.0, reach);
+  arrays_.bound[4] = static_cast<float>(kMargin + std::max(reach, 0.0));
+  // What is not above the sources' own plane meets no ray: a source on it starts above, by eps.
+  outside_ = kSides | (frame_.aligned() ? kFloor : 0);
+}
+
+int Projection::find_patches(bool and_floor, int* patches) const {
+  const int *nodes = mesh_->patch_nodes.data(), *begin = mesh_->patch_begin.data();
+  const std::int32_t* codes = codes_.data();
+  int count = 0;
+  for (int patch = 0; patch < mesh_->patches; ++patch) {
+    int outside = and_floor ? outside_ : kSides;
+    for (const int *node = nodes + begin[patch], *end = nodes + begin[patch + 1]; node < end && outside != 0;
+         node += 4)
+      outside &= codes[node[0]] & codes[node[1]] & codes[node[2]] & codes[node[3]];
+    patches[count] = patch;  // kept if the next does not overwrite it: no branch to predict
+    count += outside == 0;
+  }
+  return count;
+}
+
+}  // namespace jet

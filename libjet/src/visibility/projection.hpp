@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+// A surface in the frame of a jet: nodes as floats, with a code each that says outside which half-spaces it
+// lies.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "kernel_table.hpp"
+#include "visibility/frame.hpp"
+#include "visibility/mesh_order.hpp"
+#include "visibility/surface.hpp"
+
+namespace jet {
+
+/// The nodes that one query needs, in the frame of its sources, and the targets of its rays.
+class Projection {
+ public:
+  /// Steeper bounds exclude too little to be worth their margin.
+  static constexpr float kSteepest = 1e3f;
+
+  /// `elements`: room for their targets.
+  void reserve(const OrderedMesh& mesh, std::size_t node_count, std::size_t elements);
+  /// False if the source has no frame.
+  bool begin(const Surface& surface, const RaySource& source, std::span<const int> candidates);
+
+  /// Chooses a scale that holds the nodes and sources. Throws std::invalid_argument for a node out of range.
+  void rescale();
+  /// Takes the scale of the last query, or the new one. Call one of the functions below after it.
+  void set_arrays();
+  /// Bounds of the rays to these elements.
+  Frustum bounds_of(std::span<const int> elements);
+  /// Bounds of the rays to the candidates.
+  Frustum bounds_of_candidates() { return bounds_of(candidates_); }
+  /// Each takes half-spaces that hold all rays in the bounds, and what is within `reach` [m] of them. The
+  /// first makes the codes of all nodes, the second projects all nodes, the third those of `rows`. False if
+  /// the scale does not fit them, or one is to be refused. `rescaled`: the scale was chosen for these nodes.
+  bool code_nodes(const Frustum& bounds, double reach, bool rescaled);
+  bool project_nodes(const Frustum& bounds, bool rescaled);
+  bool project_rows(const Frustum& bounds, std::span<const std::uint32_t> rows);
+  /// Sets `size`. True if the coordinates are in the range that double arithmetic serves.
+  bool fits_range();
+
+  /// Patches, ascending, that are not all outside one half-space; if `and_floor`, nor below the sources'
+  /// plane. Returns their number.
+  int find_patches(bool and_floor, int* patches) const;
+
+  const Frame& frame() const { return frame_; }
+  double scale() const { return scale_; }   // [1/m]; 0 before the first query
+  int outside() const { return outside_; }  // bits of a code that exclude an element
+  const float* local() const { return local_.data(); }
+  float* targets() { return targets_.data(); }
+  const float* targets() const { return targets_.data(); }
+  RayArrays arrays(std::span<const int> list) const {
+    return {targets_.data(), half_long(), list.data(), static_cast<int>(list.size())};
+  }
+  float half_long() const {  // above 0 for every line, as the frame has it
+    return source_->half_long == 0.0 ? 0.0f
+                                     : std::max(static_cast<float>(scale_ * source_->half_long), 1e-30f);
+  }
+  float local_error() const { return static_cast<float>(2.5e-13 * (1.0 + scale_ * size)); }
+
+  double size = 0.0;  // [m] bound of the coordinates of nodes and sources
+
+ private:
+  void set_sides(const Frustum& bounds, double reach);
+
+  Surface surface_;
+  const RaySource* source_ = nullptr;
+  const OrderedMesh* mesh_ = nullptr;
+  std::span<const int> candidates_;
+  Frame frame_;
+  double scale_ = 0.0;  // power of two that brings local coordinates below 1
+  ProjectArrays arrays_{};
+  int outside_ = 0;
+  std::vector<float> local_, targets_;  // rows of nodes, rows of elements
+  std::vector<std::int32_t> codes_;     // of nodes, if all were projected
+};
+
+}  // namespace jet
