@@ -18,6 +18,8 @@ class AskedRays {
   void reserve(const OrderedMesh& mesh, std::size_t patches);
   void ask(const Surface& surface, const RaySource& source, std::span<const int> candidates);
 
+  const Surface& surface() const { return surface_; }
+  const RaySource& source() const { return *source_; }
   std::span<const int> places() const { return given_; }         // in the order of those asked about
   std::span<const std::uint8_t> bits() const { return asked_; }  // by patch: of the elements
   int patches() const { return patches_; }                       // that have such elements

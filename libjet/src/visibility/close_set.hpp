@@ -65,7 +65,7 @@ class CloseSet {
               double reach, Find find) {
     range_ = {source, scale, wide, displacement_bound, displacement_bound + reach};
     std::fill(has_patch_.begin(), has_patch_.end(), std::uint8_t{0});
-    patch_count_ = static_cast<std::size_t>(find(patches_.data()));
+    patch_count_ = static_cast<std::size_t>(find(*mesh_, patches_.data()));
     list_nodes();
   }
 

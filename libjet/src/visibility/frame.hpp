@@ -12,19 +12,21 @@ namespace jet {
 struct Frame {
   Eigen::Vector3d across, along, forward;  // right-handed in this order: orientations keep their signs
   bool line = false;                       // sources lie on a line, not in one point
+  bool usable = false;                     // the source has a frame
 
-  /// False if the source has no usable frame: the long direction has another length than 1, or is along the
+  /// Sets all of it. The frame is not usable if the long direction has another length than 1, or is along the
   /// axis. Sources of a line lie off `along` by at most 1e-14 of its length.
-  bool build(const RaySource& source) {
+  void build(const RaySource& source) {
+    usable = false;
     line = source.half_long > 0.0;
     forward = (source.axis / source.axis.cwiseAbs().maxCoeff()).normalized();
     along = line ? source.long_direction : forward.unitOrthogonal();
-    if (std::abs(along.squaredNorm() - 1.0) > 1e-14) return false;
+    if (std::abs(along.squaredNorm() - 1.0) > 1e-14) return;
     forward -= forward.dot(along) * along;  // must not cancel, to be square to a few roundings
-    if (forward.squaredNorm() < 0.01) return false;
+    if (forward.squaredNorm() < 0.01) return;
     forward.normalize();
     across = along.cross(forward);
-    return true;
+    usable = true;
   }
 
   /// True if w is a coordinate of the points, the same for all sources. The sign of w is then exact.

@@ -51,9 +51,9 @@ class HitCache {
     const std::size_t first_opener = count;
     for (const RayHit& hit : last_openers_) take_if(is_opener(hit), hit);
     kernel_table().meet_pairs(
-        {rays.projection().targets(), rays.projection().local(), rays.projection().half_long(),
-         mesh.corner_rows.data(), rays_.data(), elements_.data(), blocked_.data(), pierced_.data(),
-         apart_.data(), missed_.data()},
+        {rays.projection().points().targets.data(), rays.projection().points().nodes.data(),
+         rays.projection().points().half_long, mesh.corner_rows.data(), rays_.data(), elements_.data(),
+         blocked_.data(), pierced_.data(), apart_.data(), missed_.data()},
         static_cast<int>(count));
     const auto bit = [](const std::vector<std::uint8_t>& bits, std::size_t i) {
       return (bits[i / 8] >> i % 8 & 1u) != 0;

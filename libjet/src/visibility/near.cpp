@@ -20,23 +20,23 @@ void NearElements::reserve(const OrderedMesh& mesh) {
 }
 
 void NearElements::find(RayBundle& rays) {
-  const std::span<const int> patches = rays.find_patches(patches_);
+  const std::span<const int> patches = rays.find_patches(*mesh_, patches_);
   for (auto* bytes : {&sides_.inner, &sides_.outer, &sides_.not_inner})
     std::fill(bytes->begin(), bytes->end(), std::uint8_t{0});
-  found_ = kernel_table().classify_patches({rays.projection().local(),
-                                            rays.projection().half_long(),
+  found_ = kernel_table().classify_patches({rays.projection().points().nodes.data(),
+                                            rays.projection().points().half_long,
                                             mesh_->corner_rows.data(),
                                             static_cast<int>(mesh_->rank.size()),
                                             patches.data(),
                                             static_cast<int>(patches.size()),
                                             rays.projection().outside(),
                                             rays.asked().bits().data(),
-                                            rays.projection().local_error(),
+                                            rays.projection().points().error,
                                             static_cast<float>(rays.winding().u),
                                             static_cast<float>(rays.winding().v),
                                             patches_.data(),
                                             boxes_.boxes(),
-                                            rays.projection().targets(),
+                                            rays.projection().points().targets.data(),
                                             sides_.inner.data(),
                                             sides_.outer.data(),
                                             sides_.not_inner.data(),

@@ -29,7 +29,7 @@ bool fits(const ProjectFlags& flags, bool rescaled) {
 }
 
 void set_side(ProjectArrays& arrays, int bit, double slope, double bound, double reach) {
-  const bool steep = !(std::abs(slope) <= static_cast<double>(Projection::kSteepest));
+  const bool steep = !(std::abs(slope) <= static_cast<double>(kSteepest));
   arrays.slope[bit] = steep ? 0.0f : static_cast<float>(slope);
   arrays.bound[bit] = steep ? HUGE_VALF
                             : static_cast<float>(bound + kMargin * (1.0 + std::abs(slope)) +
@@ -38,18 +38,17 @@ void set_side(ProjectArrays& arrays, int bit, double slope, double bound, double
 
 }  // namespace
 
-void Projection::reserve(const OrderedMesh& mesh, std::size_t node_count, std::size_t elements) {
-  mesh_ = &mesh;
-  local_.resize(4 * (node_count + 8));
-  codes_.resize(node_count + 8);
-  targets_.resize(4 * elements);
+void Projection::reserve(std::size_t node_count, std::size_t elements) {
+  points_.nodes.resize(4 * (node_count + 8));
+  points_.codes.resize(node_count + 8);
+  points_.targets.resize(4 * elements);
 }
 
-bool Projection::begin(const Surface& surface, const RaySource& source, std::span<const int> candidates) {
+void Projection::begin(const Surface& surface, const RaySource& source, std::span<const int> candidates) {
   surface_ = surface;
   source_ = &source;
   candidates_ = candidates;
-  return frame_.build(source);
+  frame_.build(source);
 }
 
 // A scale that keeps the nodes and the sources within 1/2, with room to move. The magnitude of a refused node
@@ -61,14 +60,16 @@ void Projection::rescale() {
 }
 
 void Projection::set_arrays() {
+  points_.half_long =
+      source_->half_long == 0.0 ? 0.0f : std::max(static_cast<float>(scale_ * source_->half_long), 1e-30f);
   const int last = surface_.node_count - 1;
   const double* x = surface_.node(last);
   arrays_ = {{surface_.nodes, surface_.stride, last, {x[0], x[1], x[2], 0.0}},
              surface_.node_count,
              {},
              {},
-             local_.data(),
-             codes_.data(),
+             points_.nodes.data(),
+             points_.codes.data(),
              surface_.triangles->data(),
              candidates_.data(),
              {},
@@ -94,7 +95,7 @@ void Projection::set_arrays() {
 
 Frustum Projection::bounds_of(std::span<const int> elements) {
   arrays_.elements = elements.data();
-  return kernel_table().frustum_of(arrays_, half_long(), static_cast<int>(elements.size()));
+  return kernel_table().frustum_of(arrays_, points_.half_long, static_cast<int>(elements.size()));
 }
 
 bool Projection::code_nodes(const Frustum& bounds, double reach, bool rescaled) {
@@ -115,6 +116,7 @@ bool Projection::project_rows(const Frustum& bounds, std::span<const std::uint32
 
 bool Projection::fits_range() {
   size = source_->centre.cwiseAbs().maxCoeff() + 1.8 / scale_;  // root of 3, and the frame's roundings
+  points_.error = static_cast<float>(2.5e-13 * (1.0 + scale_ * size));
   return size <= kLargest && size * scale_ <= kLargestRatio;
 }
 
@@ -129,12 +131,12 @@ void Projection::set_sides(const Frustum& bounds, double reach) {
   outside_ = kSides | (frame_.aligned() ? kFloor : 0);
 }
 
-int Projection::find_patches(bool and_floor, int* patches) const {
-  const int *nodes = mesh_->patch_nodes.data(), *begin = mesh_->patch_begin.data();
-  const std::int32_t* codes = codes_.data();
+int find_patches(const OrderedMesh& mesh, const LocalPoints& points, int all_outside, int* patches) {
+  const int *nodes = mesh.patch_nodes.data(), *begin = mesh.patch_begin.data();
+  const std::int32_t* codes = points.codes.data();
   int count = 0;
-  for (int patch = 0; patch < mesh_->patches; ++patch) {
-    int outside = and_floor ? outside_ : kSides;
+  for (int patch = 0; patch < mesh.patches; ++patch) {
+    int outside = all_outside;
     for (const int *node = nodes + begin[patch], *end = nodes + begin[patch + 1]; node < end && outside != 0;
          node += 4)
       outside &= codes[node[0]] & codes[node[1]] & codes[node[2]] & codes[node[3]];

@@ -15,16 +15,32 @@
 
 namespace jet {
 
+/// Steeper bounds exclude too little to be worth their margin.
+inline constexpr float kSteepest = 1e3f;
+
+/// What is projected, as kernels take it.
+struct LocalPoints {
+  std::vector<float> nodes, targets;  // rows of nodes, rows of elements
+  std::vector<std::int32_t> codes;    // of nodes, if all were projected
+  float half_long = 0.0f;             // of the line of sources, above 0 for every line; 0: a point
+  float error = 0.0f;                 // absolute part of the error bound of an orientation
+
+  RayArrays arrays(std::span<const int> list) const {
+    return {targets.data(), half_long, list.data(), static_cast<int>(list.size())};
+  }
+};
+
+/// Writes the patches, ascending, whose nodes are not all outside one of the half-spaces of `outside`, bits
+/// of a code. Returns their number.
+int find_patches(const OrderedMesh& mesh, const LocalPoints& points, int outside, int* patches);
+
 /// The nodes that one query needs, in the frame of its sources, and the targets of its rays.
 class Projection {
  public:
-  /// Steeper bounds exclude too little to be worth their margin.
-  static constexpr float kSteepest = 1e3f;
-
   /// `elements`: room for their targets.
-  void reserve(const OrderedMesh& mesh, std::size_t node_count, std::size_t elements);
-  /// False if the source has no frame.
-  bool begin(const Surface& surface, const RaySource& source, std::span<const int> candidates);
+  void reserve(std::size_t node_count, std::size_t elements);
+  /// Builds the frame of the source, which may not be usable.
+  void begin(const Surface& surface, const RaySource& source, std::span<const int> candidates);
 
   /// Chooses a scale that holds the nodes and sources. Throws std::invalid_argument for a node out of range.
   void rescale();
@@ -43,24 +59,11 @@ class Projection {
   /// Sets `size`. True if the coordinates are in the range that double arithmetic serves.
   bool fits_range();
 
-  /// Patches, ascending, that are not all outside one half-space; if `and_floor`, nor below the sources'
-  /// plane. Returns their number.
-  int find_patches(bool and_floor, int* patches) const;
-
   const Frame& frame() const { return frame_; }
   double scale() const { return scale_; }   // [1/m]; 0 before the first query
   int outside() const { return outside_; }  // bits of a code that exclude an element
-  const float* local() const { return local_.data(); }
-  float* targets() { return targets_.data(); }
-  const float* targets() const { return targets_.data(); }
-  RayArrays arrays(std::span<const int> list) const {
-    return {targets_.data(), half_long(), list.data(), static_cast<int>(list.size())};
-  }
-  float half_long() const {  // above 0 for every line, as the frame has it
-    return source_->half_long == 0.0 ? 0.0f
-                                     : std::max(static_cast<float>(scale_ * source_->half_long), 1e-30f);
-  }
-  float local_error() const { return static_cast<float>(2.5e-13 * (1.0 + scale_ * size)); }
+  const LocalPoints& points() const { return points_; }
+  LocalPoints& points() { return points_; }
 
   double size = 0.0;  // [m] bound of the coordinates of nodes and sources
 
@@ -69,14 +72,12 @@ class Projection {
 
   Surface surface_;
   const RaySource* source_ = nullptr;
-  const OrderedMesh* mesh_ = nullptr;
   std::span<const int> candidates_;
   Frame frame_;
   double scale_ = 0.0;  // power of two that brings local coordinates below 1
   ProjectArrays arrays_{};
   int outside_ = 0;
-  std::vector<float> local_, targets_;  // rows of nodes, rows of elements
-  std::vector<std::int32_t> codes_;     // of nodes, if all were projected
+  LocalPoints points_;
 };
 
 }  // namespace jet

@@ -43,9 +43,9 @@ std::size_t RayPairs::add(const RayArrays& rays, bool to_targets, const PyramidV
 
 void RayPairs::test(const RayBundle& rays) {
   kernel_table().meet_pairs(
-      {rays.projection().targets(), rays.projection().local(), rays.projection().half_long(),
-       mesh_->corner_rows.data(), rays_.get(), elements_.get(), blocked_.data(), pierced_.data(),
-       apart_.data(), missed_.data()},
+      {rays.projection().points().targets.data(), rays.projection().points().nodes.data(),
+       rays.projection().points().half_long, mesh_->corner_rows.data(), rays_.get(), elements_.get(),
+       blocked_.data(), pierced_.data(), apart_.data(), missed_.data()},
       count_);
 }
 

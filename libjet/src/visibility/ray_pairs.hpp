@@ -36,7 +36,8 @@ class RayPairs {
     while (!list.empty()) {
       count_ = 0;
       while (!list.empty() && count_ < kManyPairs)
-        list = list.subspan(add(rays.projection().arrays(list), to_targets, boxes.view(), patches.data()));
+        list = list.subspan(
+            add(rays.projection().points().arrays(list), to_targets, boxes.view(), patches.data()));
       test(rays);
       for (std::size_t begin = 0; begin < static_cast<std::size_t>(count_); begin += 8) {
         const std::size_t byte = begin / 8, count = static_cast<std::size_t>(count_) - begin;

@@ -23,39 +23,67 @@ Frustum with_new(const Frustum& before, AskedRays& asked, Projection& projection
           std::min(before.low_v, now.low_v), std::max(before.high_v, now.high_v)};
 }
 
+// A general slope within the bounds: bags are symmetric about the axis. Local coordinates of the end are
+// above 1.
+WindingRay winding_ray(const Projection& projection, const AskedRays& asked, const Frustum& bounds) {
+  WindingRay winding;
+  const Frame& frame = projection.frame();
+  winding.v = 0.0;
+  for (const int place : asked.places()) {  // the first that goes downstream is within the bounds
+    winding.ray = asked.ray(place);
+    if (!frame.line) break;
+    const Eigen::Map<const Eigen::Vector3d> from(winding.ray.source);
+    winding.v = projection.scale() * (from - asked.source().centre).dot(frame.along);
+    if (winding.v >= bounds.low_v && winding.v <= bounds.high_v) break;
+  }
+  winding.ray.moved = blocking::Moved::yes;
+  const auto within = [](float low, float high, double share) {
+    const double a = std::clamp(low, -kSteepest, kSteepest), b = std::clamp(high, -kSteepest, kSteepest);
+    return a + share * (b - a);
+  };
+  const double u = within(bounds.low_u, bounds.high_u, 0.382);
+  const double v = frame.line ? 0.0 : within(bounds.low_v, bounds.high_v, 0.618);
+  for (int i = 0; i < 3; ++i)
+    winding.ray.target[i] =
+        winding.ray.source[i] +
+        2.0 / projection.scale() * (frame.forward[i] + u * frame.across[i] + v * frame.along[i]);
+  winding.u = u;
+  if (!frame.line) winding.v = v;
+  return winding;
+}
+
 }  // namespace
 
 void RayBundle::reserve(const OrderedMesh& mesh, std::size_t node_count) {
   const std::size_t patches = set_bytes(static_cast<std::size_t>(mesh.patches)), elements = 8 * patches;
-  projection_.reserve(mesh, node_count, elements);
+  projection_.reserve(node_count, elements);
   asked_.reserve(mesh, patches);
   upstream.reserve(elements + 8);
   close_.reserve(mesh, node_count);
 }
 
 void RayBundle::move_to(double displacement_bound) {
-  step_ = displacement_bound - displacement_bound_;
-  displacement_bound_ = displacement_bound;
-  if (!(step_ >= 0.0)) close_.forget();
+  motion_ = {displacement_bound, displacement_bound - motion_.bound};
+  if (!(motion_.step >= 0.0)) close_.forget();
 }
 
 void RayBundle::ask(const Surface& surface, const RaySource& source, std::span<const int> candidates) {
-  surface_ = surface;
-  source_ = &source;
   asked_.ask(surface, source, candidates);
-  has_frame_ = projection_.begin(surface, source, candidates);
+  projection_.begin(surface, source, candidates);
 }
 
 bool RayBundle::project_expected() {
   fresh_ = false;
-  if (!has_frame_ || !(step_ >= 0.0) || !close_.range().fits(*source_, projection_.scale())) return false;
+  if (!projection_.frame().usable || !(motion_.step >= 0.0) ||
+      !close_.range().fits(asked_.source(), projection_.scale()))
+    return false;
   projection_.set_arrays();
   const auto on = [](float before, float last) { return last + (last - before); };
-  const Frustum &b = before_, &l = last_;
+  const Frustum &b = bounds_.before, &l = bounds_.last;
   const Frustum next{std::min(l.low_u, on(b.low_u, l.low_u)), std::max(l.high_u, on(b.high_u, l.high_u)),
                      std::min(l.low_v, on(b.low_v, l.low_v)), std::max(l.high_v, on(b.high_v, l.high_v))};
   const Frustum expected = CloseRange::widened(with_new(next, asked_, projection_), kLastShare);
-  if (!close_.range().holds(expected, displacement_bound_) &&
+  if (!close_.range().holds(expected, motion_.bound) &&
       !choose_close(CloseRange::widened(expected, kCloseShare), false))
     return false;
   return project_close(expected) && projection_.fits_range();
@@ -63,15 +91,17 @@ bool RayBundle::project_expected() {
 
 bool RayBundle::project_chosen() {
   fresh_ = false;
-  if (!has_frame_ || !(step_ >= 0.0) || !close_.range().fits(*source_, projection_.scale())) return false;
+  if (!projection_.frame().usable || !(motion_.step >= 0.0) ||
+      !close_.range().fits(asked_.source(), projection_.scale()))
+    return false;
   projection_.set_arrays();
-  return close_.range().holds(close_.range().bounds, displacement_bound_) &&
-         project_close(close_.range().bounds) && projection_.fits_range();
+  return close_.range().holds(close_.range().bounds, motion_.bound) && project_close(close_.range().bounds) &&
+         projection_.fits_range();
 }
 
 bool RayBundle::project_fresh() {
   fresh_ = true;
-  if (!has_frame_) return false;
+  if (!projection_.frame().usable) return false;
   const bool kept = projection_.scale() != 0.0;
   if (kept) projection_.set_arrays();
   if (kept && project_targets(false)) return projection_.fits_range();
@@ -85,8 +115,8 @@ bool RayBundle::accept(const PatchesFound& found, std::span<const int> patches,
                        std::span<const int> not_downstream) {
   upstream.assign(not_downstream.begin(), not_downstream.end());
   if (!fresh_) {  // the bounds are not made of these rays
-    const auto above = [](float x, float low) { return x >= low || low < -Projection::kSteepest; };
-    const Frustum &b = bounds_, &r = found.bounds;
+    const auto above = [](float x, float low) { return x >= low || low < -kSteepest; };
+    const Frustum &b = bounds_.now, &r = found.bounds;
     if (found.asked < asked_.patches() || !above(r.low_u, b.low_u) || !above(-r.high_u, -b.high_u) ||
         !above(r.low_v, b.low_v) || !above(-r.high_v, -b.high_v))
       return false;
@@ -94,77 +124,54 @@ bool RayBundle::accept(const PatchesFound& found, std::span<const int> patches,
     const std::span<const int> more = asked_.list_outside(patches);
     upstream.insert(upstream.end(), more.begin(), more.end());
   }
-  before_ = fresh_ ? found.bounds : last_;
-  last_ = found.bounds;
+  bounds_.before = fresh_ ? found.bounds : bounds_.last;
+  bounds_.last = found.bounds;
   return upstream.empty() || (upstream.size() <= kMostUpstream && upstream.size() < asked_.count());
 }
 
 void RayBundle::do_without() {
   upstream.clear();
-  const double reach =
-      source_->half_long == 0.0 ? 0.0 : source_->half_long * source_->long_direction.cwiseAbs().maxCoeff();
-  projection_.size = std::max(check_nodes(surface_), source_->centre.cwiseAbs().maxCoeff() + reach);
+  const double reach = asked_.source().half_long == 0.0
+                           ? 0.0
+                           : asked_.source().half_long * asked_.source().long_direction.cwiseAbs().maxCoeff();
+  projection_.size =
+      std::max(check_nodes(asked_.surface()), asked_.source().centre.cwiseAbs().maxCoeff() + reach);
 }
 
 // The frustum of the rays' targets, and nodes: all, or where the motion is known those close to the rays.
 // False where the scale does not fit them any more, or one of them is to be refused.
 bool RayBundle::project_targets(bool rescaled) {
   close_.forget();
-  bounds_ = projection_.bounds_of_candidates();
-  if (step_ >= 0.0)
-    return choose_close(CloseRange::widened(bounds_, kCloseShare), rescaled) && project_close(bounds_);
-  set_winding_ray();
-  return projection_.project_nodes(bounds_, rescaled);
+  bounds_.now = projection_.bounds_of_candidates();
+  if (motion_.step >= 0.0)
+    return choose_close(CloseRange::widened(bounds_.now, kCloseShare), rescaled) &&
+           project_close(bounds_.now);
+  winding_ = winding_ray(projection_, asked_, bounds_.now);
+  return projection_.project_nodes(bounds_.now, rescaled);
 }
 
 // Patches that can come between rays in these bounds while nodes move by a reach.
 bool RayBundle::choose_close(const Frustum& wide, bool rescaled) {
-  const double reach =
-      std::min(kStepsAhead * step_, 1.0 / projection_.scale());  // no coordinate gets above 2, see places()
+  const double reach = std::min(kStepsAhead * motion_.step,
+                                1.0 / projection_.scale());  // no coordinate gets above 2, see places()
   if (!projection_.code_nodes(wide, reach, rescaled)) return false;
-  close_.choose(*source_, projection_.scale(), wide, displacement_bound_, reach, [&](int* patches) {
-    return projection_.find_patches(false, patches);
-  });  // no floor: they may rise
+  close_.choose(asked_.source(), projection_.scale(), wide, motion_.bound, reach,
+                [&](const OrderedMesh& mesh, int* patches) {
+                  return jet::find_patches(mesh, projection_.points(), kSides, patches);
+                });  // no floor: they may rise
   return true;
 }
 
 bool RayBundle::project_close(const Frustum& bounds) {
-  bounds_ = bounds;
-  set_winding_ray();
-  return projection_.project_rows(bounds_, close_.rows());
+  bounds_.now = bounds;
+  winding_ = winding_ray(projection_, asked_, bounds_.now);
+  return projection_.project_rows(bounds_.now, close_.rows());
 }
 
-std::span<const int> RayBundle::find_patches(std::span<int> out) const {
+std::span<const int> RayBundle::find_patches(const OrderedMesh& mesh, std::span<int> out) const {
   if (close_.range().any()) return close_.patches();
-  return out.first(static_cast<std::size_t>(projection_.find_patches(true, out.data())));
-}
-
-// A general slope within the bounds: bags are symmetric about the axis. Local coordinates of the end are
-// above 1.
-void RayBundle::set_winding_ray() {
-  const Frame& frame = projection_.frame();
-  winding_.v = 0.0;
-  for (const int place : asked_.places()) {  // the first that goes downstream is within the bounds
-    winding_.ray = asked_.ray(place);
-    if (!frame.line) break;
-    const Eigen::Map<const Eigen::Vector3d> from(winding_.ray.source);
-    winding_.v = projection_.scale() * (from - source_->centre).dot(frame.along);
-    if (winding_.v >= bounds_.low_v && winding_.v <= bounds_.high_v) break;
-  }
-  winding_.ray.moved = blocking::Moved::yes;
-  const auto within = [](float low, float high, double share) {
-    const double a = std::clamp(low, -Projection::kSteepest, Projection::kSteepest),
-                 b = std::clamp(high, -Projection::kSteepest, Projection::kSteepest);
-    return a + share * (b - a);
-  };
-  const double u = within(bounds_.low_u, bounds_.high_u, 0.382);
-  const double v = frame.line ? 0.0 : within(bounds_.low_v, bounds_.high_v, 0.618);
-  for (int i = 0; i < 3; ++i)
-    winding_.ray.target[i] =
-        winding_.ray.source[i] +
-        2.0 / projection_.scale() * (frame.forward[i] + u * frame.across[i] + v * frame.along[i]);
-  winding_.u = u;
-  if (!frame.line) winding_.v = v;
+  return out.first(static_cast<std::size_t>(
+      jet::find_patches(mesh, projection_.points(), projection_.outside(), out.data())));
 }
 
 }  // namespace jet

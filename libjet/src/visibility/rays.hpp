@@ -60,26 +60,30 @@ class RayBundle {
 
   /// Patches of the mesh, ascending, outside which rays and the winding ray meet nothing. `out` has room for
   /// all.
-  std::span<const int> find_patches(std::span<int> out) const;
+  std::span<const int> find_patches(const OrderedMesh& mesh, std::span<int> out) const;
 
   /// Places whose rays have no length or do not go downstream; they are not in the bounds.
   std::vector<int> upstream;
 
  private:
+  /// Bounds of the rays: of this query, of the last and of that before it.
+  struct Bounds {
+    Frustum now{}, last{}, before{};
+  };
+  /// Of the nodes [m]: the displacement bound, and its growth since the last query.
+  struct Motion {
+    double bound = kMotionUnknown, step = kMotionUnknown;
+  };
+
   bool project_targets(bool rescaled);
   bool project_close(const Frustum& bounds);
   bool choose_close(const Frustum& wide, bool rescaled);
-  void set_winding_ray();
 
-  Surface surface_;
-  const RaySource* source_ = nullptr;
   AskedRays asked_;
   Projection projection_;
-  bool has_frame_ = false;
-  Frustum bounds_{}, last_{}, before_{};
+  Bounds bounds_;
   WindingRay winding_;
-  double displacement_bound_ = kMotionUnknown;  // [m] of the nodes
-  double step_ = kMotionUnknown;                // [m] its growth since the last query
+  Motion motion_;
   CloseSet close_;
   bool fresh_ = false;
 };
