@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # Runs the harnesses of verification/fuzz under AddressSanitizer and UndefinedBehaviorSanitizer, each from the shipped cases and
 # meshes and from what earlier runs have kept in build-fuzz/corpus. Ends at the first input that breaks one, and keeps it there.
-# Writes build-fuzz/fuzz.csv; verification/fuzz/hour.csv is that of an hour.
+# Writes what each did to build-fuzz/fuzz.csv.
 # usage: scripts/tests/fuzz.sh SECONDS [HARNESS...]      SECONDS for each; obj, keyword, visibility, contact, control_volume,
 #                                                  case_reader, curve, history, all of them by default
 set -euo pipefail
@@ -36,18 +36,19 @@ seeds() {
 cmake -S . -B build-fuzz -G Ninja -DCMAKE_CXX_COMPILER=clang++ -DCMAKE_BUILD_TYPE=RelWithDebInfo -DCMAKE_CXX_FLAGS_RELWITHDEBINFO='-O1 -g' \
   -DGASJET_SANITIZE=ON -DGASJET_FUZZ=ON -DGASJET_TESTS=OFF -DCMAKE_UNITY_BUILD=ON >/dev/null
 cmake --build build-fuzz --target "${@/#/fuzz_}" -j "$(nproc)" >build-fuzz/log || { tail -n 60 build-fuzz/log; exit 1; }
-printf '# commit: %s\nharness,seconds,inputs,edges\n' "$(git rev-parse --short=12 HEAD)" >build-fuzz/fuzz.csv
+printf '# commit: %s\nharness,cpu_s,inputs,edges\n' "$(git rev-parse --short=12 HEAD)" >build-fuzz/fuzz.csv
 for name in "$@"; do
   corpus=build-fuzz/corpus/$name
   mkdir -p "$corpus"
   while IFS= read -r file; do cp "$file" "$corpus/$(basename "$file")"; done < <(seeds "$name")
   log=build-fuzz/$name.log
-  if build-fuzz/verification/fuzz/fuzz_"$name" -max_total_time="$seconds" -timeout=60 -rss_limit_mb=2048 -max_len=65536 \
-    -artifact_prefix="build-fuzz/$name-" "$corpus" >"$log" 2>&1 </dev/null; then
+  TIMEFORMAT=%U
+  if cpu=$({ time build-fuzz/verification/fuzz/fuzz_"$name" -max_total_time="$seconds" -timeout=60 -rss_limit_mb=2048 -max_len=65536 \
+    -artifact_prefix="build-fuzz/$name-" "$corpus" >"$log" 2>&1 </dev/null; } 2>&1); then
     inputs=$(sed -n 's/^Done \([0-9]*\) runs in .*/\1/p' "$log")
-    edges=$(sed -n 's/.* DONE *cov: \([0-9]*\) .*/\1/p' "$log")
-    echo "$name,$seconds,$inputs,$edges" >>build-fuzz/fuzz.csv
-    echo "$name: $inputs inputs, $edges edges of the program seen, nothing found"
+    edges=$(sed -n 's/.*DONE *cov: \([0-9]*\) .*/\1/p' "$log")
+    echo "$name,$cpu,$inputs,$edges" >>build-fuzz/fuzz.csv
+    echo "$name: $inputs inputs in $cpu s of CPU, $edges edges of the program seen, nothing found"
   else
     tail -n 60 "$log"
     echo "fuzz.sh: $name: an input breaks it, see $log and build-fuzz/$name-*" >&2
