@@ -21,7 +21,7 @@ shift
   exit 2
 }
 cases=("$@")
-((${#cases[@]})) || mapfile -t cases < <(grep -l '^\[membrane\]' "$root"/cases/*.toml "$root"/cases/reference/*.toml)
+((${#cases[@]})) || mapfile -t cases < <(grep -l '^\[gas\]' $(grep -l '^\[membrane\]' "$root"/cases/*.toml "$root"/cases/reference/*.toml))
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 ulimit -s unlimited 2>/dev/null # the starter has arrays on the stack

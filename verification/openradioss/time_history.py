@@ -59,7 +59,6 @@ def head(reader):
     """What stands before the first state: lengths of its records ahead of the blocks, and the blocks."""
     code = reader.whole()[0]
     reader.next()
-    title = {3040: 40, 3041: 80}.get(code, 100)
     if code >= 3050:
         for _ in range(reader.whole()[0]):
             reader.next()
@@ -87,7 +86,6 @@ def head(reader):
         kind, names = names_of(kind, reader.whole() if count else [])
         if ids and names:
             blocks.append([f"{kind} {id} {name}" for id in ids for name in names])
-    del title
     return sum(1 for length in (of_run, of_parts, of_subsets) if length), blocks
 
 
