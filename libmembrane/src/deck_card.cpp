@@ -26,13 +26,18 @@ DeckCard::DeckCard(const DeckMesh& deck, int file, std::size_t line, std::string
 }
 
 DeckMesh::Id DeckCard::id(std::size_t i, const char* what) const {
+  if (const auto value = whole(i)) return *value;
+  const std::string_view text = fields_[i].text;
+  deck_.fail(place(i), std::string(what) + " is " + (text.empty() ? "blank" : shown(text)) +
+                           "; a whole number above 0 is allowed");
+}
+
+std::optional<DeckMesh::Id> DeckCard::whole(std::size_t i) const {
   const std::string_view text = fields_[i].text;
   DeckMesh::Id value = 0;
   const char* last = text.data() + text.size();
   const auto [end, error] = std::from_chars(text.data(), last, value);
-  if (text.empty() || error != std::errc() || end != last || value <= 0)
-    deck_.fail(place(i), std::string(what) + " is " + (text.empty() ? "blank" : shown(text)) +
-                             "; a whole number above 0 is allowed");
+  if (text.empty() || error != std::errc() || end != last || value <= 0) return std::nullopt;
   return value;
 }
 

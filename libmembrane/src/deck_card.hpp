@@ -2,6 +2,7 @@
 // Private to the readers of decks: a card cut into fields.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -20,6 +21,8 @@ class DeckCard {
 
   bool blank_or_zero(std::size_t i) const { return fields_[i].text.empty() || fields_[i].text == "0"; }
   Place place(std::size_t i) const { return {file_, line_, fields_[i].column}; }
+  /// A whole number above 0, or nothing.
+  std::optional<DeckMesh::Id> whole(std::size_t i) const;
   /// Throw MeshFileError; `what` begins the message.
   DeckMesh::Id id(std::size_t i, const char* what) const;
   double coordinate(std::size_t i) const;

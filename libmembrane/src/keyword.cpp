@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -112,7 +113,7 @@ class KeywordParser {
     if (line.starts_with('$')) return;
     if (line.starts_with('*')) return keyword(line);
     if (at_.section == Section::part_title) return title(line);  // may be blank
-    if (at_.section == Section::shell && cards_left_ > 0) return void(--cards_left_);
+    if (at_.section == Section::shell && cards_left_ > 0) return card_of_option(line);
     if (line.find_first_not_of(" \t") == std::string_view::npos) return;
     if (at_.section == Section::start) fail(1, shown(line) + ": a keyword file begins with *KEYWORD");
     if (at_.section == Section::node) node(line);
@@ -127,6 +128,7 @@ class KeywordParser {
     const std::size_t rest = line.find_first_not_of(" \t", word_.size());
     const bool is_first = at_.section == Section::start;
     if (at_.section == Section::include) fail(1, "*INCLUDE before it names no file");
+    if (cards_left_ > 0) fail(1, "the shell before has not the card that its keyword asks for");
     if (is_first && word_ == "*KEYWORD") return options_of_file(line);
     if (is_first && at_.file == 0) fail(1, shown(word_) + ": a keyword file begins with *KEYWORD");
     at_.is_long = word_.ends_with('+') || (at_.file_is_long && !word_.ends_with('-'));
@@ -187,6 +189,18 @@ class KeywordParser {
     cards_left_ = cards_of_shell_;
   }
 
+  // A card that is missing would take the next shell with it.
+  void card_of_option(std::string_view line) {
+    --cards_left_;
+    const DeckCard fields = card(line, kShellWidths);
+    std::set<DeckMesh::Id> numbers;
+    for (std::size_t i = 2; i < 5; ++i) numbers.insert(fields.whole(i).value_or(0));
+    const bool is_shell = fields.whole(0) && fields.whole(1) && numbers.size() == 3 && !numbers.contains(0);
+    if (is_shell)
+      deck_.fail(fields.place(0),
+                 "looks like a shell, but a card of the option of the one before is due: " + shown(line));
+  }
+
   void title(std::string_view line) {
     title_ = line;
     at_.section = Section::part_data;
@@ -198,8 +212,17 @@ class KeywordParser {
     at_.section = has_one_part_ ? Section::skipped : Section::part_title;
   }
 
+  // A line that ends with ` +` goes on in the next.
   void include(std::string_view line) {
-    files_.include(deck_, place(1), line, [&](const std::string& text, const std::string& name) {
+    const std::size_t first = line.find_first_not_of(" \t"), last = line.find_last_not_of(" \t");
+    file_name_ += line.substr(first, last + 1 - first);
+    if (file_name_.ends_with(" +")) {
+      file_name_.resize(file_name_.find_last_not_of(" \t", file_name_.size() - 2) + 1);
+      at_.section = Section::include;
+      return;
+    }
+    const std::string whole = std::exchange(file_name_, {});
+    files_.include(deck_, place(1), whole, [&](const std::string& text, const std::string& name) {
       const Cursor here = at_;
       read_file(text, name);
       at_ = here;
@@ -212,6 +235,7 @@ class KeywordParser {
   Cursor at_;
   std::string word_;           // the present keyword
   std::string title_;          // of the part whose data card comes next
+  std::string file_name_;      // of *INCLUDE, as far as its lines have it
   bool has_one_part_ = false;  // the present *PART
   int cards_of_shell_ = 0, cards_left_ = 0;
 };

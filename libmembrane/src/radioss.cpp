@@ -108,6 +108,10 @@ class RadiossParser {
     std::vector<DeckMesh::Corner> corners{card.corner(1), card.corner(2), card.corner(3)};
     if (block_ == Block::shell && !card.blank_or_zero(4)) corners.push_back(card.corner(4));
     deck_.add_shell(card.id(0, "the element's number"), part_, std::move(corners), card.place(0));
+    // Behind the corners: an angle and a thickness of this shell alone.
+    constexpr std::size_t corners_end = 50;
+    if (line.substr(std::min(corners_end, line.size())).find_first_of("123456789") != line.npos)
+      deck_.skip("angles and thicknesses in " + word_, false);
   }
 
   void included(std::string_view name) {

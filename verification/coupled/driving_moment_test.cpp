@@ -59,6 +59,16 @@ TEST(driving_moment, pulse_within_a_step_has_its_impulse) {
 }
 
 // Without gravity the joint alone carries m a, and turns with M/I.
+TEST(driving_moment, outside_of_the_run_has_a_warning) {
+  const auto warnings = [](const char* times) {
+    return coupled::scene_of("pendulum_pulse",
+                             {fmt::format("pendulum.driving_moment={{time={},value=[1,1]}}", times)})
+        .warnings.size();
+  };
+  EXPECT_EQ(warnings("[0.05,0.06]"), 1U);  // the run ends at 0.05
+  EXPECT_EQ(warnings("[0.0,0.06]"), 0U);
+}
+
 TEST(driving_moment, joint_and_acceleration_feel_it) {
   const auto run = coupled::run_case(
       "pendulum_pulse", {"pendulum.driving_moment=100", "time.step=1e-4", "scene.gravity=[0,0,0]"});

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // [pendulum] and [contact] -> PendulumPart, ContactModel.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <optional>
 
@@ -58,6 +60,17 @@ coupling::ContactParameters read_contact(TableReader& table, const coupling::Pen
   return {pendulum.parameters().impactor_radius, contact_stiffness(table, pendulum, friction, bag), friction};
 }
 
+void warn_of_late_moment(Scene& scene) {
+  const auto& moment = scene.pendulum->driving_moment;
+  if (!moment || moment->is_constant()) return;
+  const double first = moment->knots().front().time, last = moment->knots().back().time;
+  if (first >= scene.time.end || last <= 0.0)
+    scene.warnings.push_back(
+        fmt::format("pendulum.driving_moment is zero within the run: it acts from {} to "
+                    "{} s, end_time is {} s",
+                    first, last, scene.time.end));
+}
+
 }  // namespace
 
 void read_pendulum(TableReader& root, Scene& scene) {
@@ -66,6 +79,7 @@ void read_pendulum(TableReader& root, Scene& scene) {
   if (contact && !(table && scene.bag)) root.fail("contact", "needs [pendulum] and [membrane]");
   if (!table) return;
   table->located("", [&] { scene.pendulum.emplace(read_model(*table, scene.gravity)); });
+  warn_of_late_moment(scene);
   table->finish();
   if (!scene.bag) return;
   const auto& model = scene.pendulum->model;

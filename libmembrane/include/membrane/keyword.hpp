@@ -16,8 +16,9 @@ namespace membrane {
 /// Cards are comma separated or in columns:
 /// - *NODE: id (8), x, y, z (16 each);
 /// - *ELEMENT_SHELL: id, part, n1 to n4 (8 each); a card that _THICKNESS, _BETA, _MCID or _OFFSET adds is
-///   skipped;
-/// - *INCLUDE: the name of a file, which `included` reads; its *END ends that file alone;
+///   skipped; it must be there;
+/// - *INCLUDE: the name of a file, which `included` reads; ` +` at a line's end continues the name in the
+///   next; the file's *END ends that file alone;
 /// - *PART: a title line, then the id (10); also with _INERTIA, _CONTACT, _REPOSITION, _PRINT or _COMPOSITE.
 ///
 /// All fields have 20 columns in the long format or after *NODE+. A shell whose n4 is blank, 0 or n3 is a

@@ -2,6 +2,7 @@
 // Whole decks, LS-DYNA and Radioss: files within files, cards that are skipped, parts that are picked.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
 #include <string>
 
@@ -113,6 +114,42 @@ TEST(Deck, cards_of_thickness_are_skipped_even_if_blank) {
   const std::string both =
       "*ELEMENT_SHELL_THICKNESS_OFFSET\n1,1,1,2,3\n1,1,1\n0.5\n2,1,2,3,4\n2,2,2\n\n*END\n";
   EXPECT_EQ(membrane::parse_keyword("*KEYWORD\n" + kFourNodes + both, "t").element_count(), 2);
+}
+
+// Without it the next shell would be taken for the card.
+TEST(Deck, missing_card_of_thickness_is_told) {
+  const std::string head = "*KEYWORD\n" + kFourNodes + "*ELEMENT_SHELL_THICKNESS\n1,1,1,2,3\n";
+  expect_refused(head + "2,1,2,3,4\n1e-3,1e-3,1e-3\n*END\n", {}, "top:9:1: looks like a shell");
+  expect_refused(head + "       2       1       2       3       4\n*END\n", {},
+                 "top:9:8: looks like a shell");
+  expect_refused(head + "*END\n", {}, "top:9:1: the shell before has not the card");
+  for (const char* card : {"2,2,2,2,0", "1,1,1", "               2               2", "0.5,1,2,3,4", ""})
+    EXPECT_EQ(membrane::parse_keyword(head + card + "\n*END\n", "t").element_count(), 1) << card;
+}
+
+TEST(Deck, names_of_includes_go_on_in_the_next_line) {
+  const std::string rest = "*ELEMENT_SHELL\n1,1,1,2,3\n*END\n";
+  const Files files{{"folder/of nodes.k", kFourNodes}, {"+", kFourNodes}};
+  for (const char* name : {"folder/ +\nof nodes.k", "  fol +\n  der/o +  \nf nodes.k  ", "+"}) {
+    const auto text = "*KEYWORD\n*INCLUDE\n" + std::string(name) + "\n" + rest;
+    EXPECT_EQ(membrane::parse_keyword(text, "t", folder_of(files)).node_count(), 3) << name;
+  }
+  expect_refused("*KEYWORD\n*INCLUDE\nfolder/ +\n*END\n", files, "top:4:1: *INCLUDE before it names no file");
+}
+
+TEST(Deck, angle_and_thickness_of_a_radioss_shell_are_listed) {
+  const auto skipped = [](const char* tail) {
+    std::string text = kRadioss;
+    const auto at = text.find("\n", text.find("/SH3N"));
+    const auto end = text.find('\n', at + 1);
+    std::string card = text.substr(at + 1, end - at - 1);
+    card.resize(50, ' ');
+    text.replace(at + 1, end - at - 1, card + tail);
+    const auto list = membrane::parse_radioss(text, "t").skipped;
+    return std::ranges::count(list, "angles and thicknesses in /SH3N");
+  };
+  EXPECT_EQ(skipped("                 0.0                 1.5"), 1);
+  EXPECT_EQ(skipped("                 0.0                 0.0"), 0);
 }
 
 TEST(Deck, faults_of_radioss_are_told_at_their_place) {
