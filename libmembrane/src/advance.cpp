@@ -26,7 +26,8 @@ ExtraForces extra_forces(const BagState& state) {
   ExtraForces extra;
   for (const ExtraForce& candidate :
        {ExtraForce{&state.jet_force, &KickWork::jet}, ExtraForce{&state.support_force, &KickWork::support},
-        ExtraForce{&state.contact_force, &KickWork::contact}})
+        ExtraForce{&state.contact_force, &KickWork::contact},
+        ExtraForce{&state.viscous_force, &KickWork::damping}})
     if (!candidate.force->empty()) extra.item[extra.count++] = candidate;
   return extra;
 }
@@ -88,7 +89,7 @@ void advance_block(const BagModel& model, BagState& state, double dt_before, dou
   sums.work.membrane = t.work_membrane;
   sums.work.pressure = t.work_pressure;
   sums.work.damping = -model.description.mass_damping * t.damped;
-  for (int i = 0; i < extra.count; ++i) sums.work.*(extra.item[i].work) = t.work_extra[i];
+  for (int i = 0; i < extra.count; ++i) sums.work.*(extra.item[i].work) += t.work_extra[i];
   sums.kinetic_before = t.kinetic_before;
   sums.kinetic_after = t.kinetic_after;
   // m v- . v+ / 2 = m mean^2 - (kinetic_before + kinetic_after) / 2, and t.damped is tau m mean^2.

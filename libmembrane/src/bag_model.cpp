@@ -58,7 +58,30 @@ Eigen::Vector2d warp_direction(const ReferenceTriangle& t, const ElementProperti
   return in_plane.normalized();
 }
 
-Weave weave_of(const ElementProperties& p) {
+double steepest(const StressCurve& curve) {
+  double slope = 0.0;
+  for (std::size_t i = 1; i < curve.strain.size(); ++i)
+    slope =
+        std::max(slope, (curve.stress[i] - curve.stress[i - 1]) / (curve.strain[i] - curve.strain[i - 1]));
+  return slope;
+}
+
+ThreadCurve thread_curve(const StressCurve& curve) {
+  ThreadCurve ramps{};
+  double before = 0.0;
+  for (std::size_t i = 1; i < curve.strain.size(); ++i) {
+    const double slope = (curve.stress[i] - curve.stress[i - 1]) / (curve.strain[i] - curve.strain[i - 1]);
+    ramps.strain[ramps.count] = curve.strain[i - 1];
+    ramps.rise[ramps.count++] = slope - before;
+    before = slope;
+  }
+  ramps.end = curve.strain.back();
+  return ramps;
+}
+
+// For the bound of the step, a fabric by curves is as stiff as it ever gets (M.31).
+Weave weave_of(const BagDescription& d, const ElementProperties& p) {
+  if (d.law == FabricLaw::curve) return {steepest(d.curves[0]), steepest(d.curves[1]), 0.0, p.weave->shear};
   if (p.weave) return {p.young_modulus, p.weave->young_modulus_weft, p.poisson, p.weave->shear};
   return {p.young_modulus, p.young_modulus, p.poisson, 0.5 * p.young_modulus / (1.0 + p.poisson)};
 }
@@ -101,9 +124,9 @@ void set_fabric(BagModel& m, std::size_t e, const ReferenceTriangle& t, const El
   f.share[lane] = hencky.share;
   f.compliance[lane] = hencky.compliance;
   if (m.woven)
-    set_weave(
-        m.elements.weave[group], f, lane,
-        orthotropic_constants(weave_of(p), warp[0] * warp[0] - warp[1] * warp[1], 2.0 * warp[0] * warp[1]));
+    set_weave(m.elements.weave[group], f, lane,
+              orthotropic_constants(weave_of(m.description, p), warp[0] * warp[0] - warp[1] * warp[1],
+                                    2.0 * warp[0] * warp[1]));
   f.porosity[lane] = p.porosity;
   f.porosity_squared[lane] = p.porosity * p.porosity;
 }
@@ -121,7 +144,7 @@ void set_element(BagModel& m, Eigen::Index e) {
   set_fabric(m, i, t, p);
   if (p.null_panel) return;
   const double mass = p.density * p.thickness * t.area;
-  const Eigen::Matrix3d stiffness = elasticity(weave_of(p), warp_direction(t, p, e));
+  const Eigen::Matrix3d stiffness = elasticity(weave_of(m.description, p), warp_direction(t, p, e));
   m.stiffness[i] = {p.thickness * t.area, t.gradient, stiffness.llt().matrixL()};
   m.shares.mass.col(e).setConstant(mass / 3.0);
   for (const int n : m.description.elements.col(e)) {
@@ -162,10 +185,13 @@ void set_masses(BagModel& m) {
     if (!(m.node_mass[n] > 0.0))
       reject("node " + std::to_string(n),
              "inside a null panel, no fabric holds it; allowed: null panels with rim nodes only");
-    m.inverse_mass[n] = 1.0 / m.node_mass[n];
+    m.inverse_mass.map().col(static_cast<Eigen::Index>(n)).setConstant(1.0 / m.node_mass[n]);
     m.fabric_mass += m.node_mass[n];
   }
-  for (const int node : m.description.fixed_nodes) m.inverse_mass[static_cast<std::size_t>(node)] = 0.0;
+  for (const int node : m.description.fixed_nodes) m.inverse_mass.map().col(node).setZero();
+  for (int axis = 0; axis < 3; ++axis)
+    for (const int node : m.description.held_nodes[static_cast<std::size_t>(axis)])
+      m.inverse_mass.map()(axis, node) = 0.0;
 }
 
 // Largest row sum of |N^T M^-1 N K| over the straps: straps that share a node add up. It covers the
@@ -174,7 +200,8 @@ double strap_bound(const BagModel& m) {
   std::vector<double> at_node(m.node_mass.size(), 0.0);
   const auto node = [](int n) { return static_cast<std::size_t>(n); };
   for (const Strap& s : m.description.straps)
-    for (const int n : {s.node_a, s.node_b}) at_node[node(n)] += s.stiffness * m.inverse_mass[node(n)];
+    for (const int n : {s.node_a, s.node_b})
+      at_node[node(n)] += s.stiffness * m.inverse_mass.map().col(n).maxCoeff();
   double bound = 0.0;
   for (const Strap& s : m.description.straps)
     bound = std::max(bound, at_node[node(s.node_a)] + at_node[node(s.node_b)]);
@@ -200,7 +227,8 @@ double plate_bound(const BagModel& m) {
   double stiffness = 0.0, compliance = 0.0;
   for (const Plate& plate : m.description.plates) stiffness += *plate.stiffness;
   for (std::size_t n = 0; n < m.node_mass.size(); ++n)
-    compliance = std::max(compliance, m.node_area[n] * m.inverse_mass[n]);
+    compliance = std::max(compliance,
+                          m.node_area[n] * m.inverse_mass.map().col(static_cast<Eigen::Index>(n)).maxCoeff());
   return stiffness * compliance;
 }
 
@@ -214,11 +242,14 @@ BagModel make_model(const BagDescription& description) {
   m.node_count = static_cast<int>(description.reference.cols());
   m.element_count = static_cast<int>(description.elements.cols());
   const auto nodes = static_cast<std::size_t>(m.node_count);
-  for (auto* values : {&m.node_mass, &m.inverse_mass, &m.node_area}) values->assign(nodes, 0.0);
+  for (auto* values : {&m.node_mass, &m.node_area}) values->assign(nodes, 0.0);
+  m.inverse_mass = Vectors(m.node_count);
   m.reference_area.assign(static_cast<std::size_t>(m.element_count), 0.0);
   set_corner_table(m);
   set_blocks(m);
   set_weave_groups(m);
+  if (description.law == FabricLaw::curve)
+    m.threads = {thread_curve(description.curves[0]), thread_curve(description.curves[1])};
   m.elements.fabric.assign(m.elements.group.size(), {});
   m.stiffness.resize(static_cast<std::size_t>(m.element_count));
   m.shares.mass.setZero(3, m.element_count);

@@ -36,6 +36,11 @@ BagState make_state(const BagModel& model, ConstVectorsRef position, LoadKinds l
   }
   if (loads.contact) s.contact_force = Vectors(nodes);
   if (!d.straps.empty() || !d.plates.empty()) s.support_force = Vectors(nodes);
+  if (d.stiffness_damping > 0.0) {
+    s.viscous_force = Vectors(nodes);
+    s.elastic_stress = Vectors(elements);
+    s.viscous_corner_force = Vectors(2 * elements);
+  }
   s.strap_tension.assign(d.straps.size(), 0.0);
   s.shares = model.shares;
   s.share_demand.assign(static_cast<std::size_t>(elements), 1.0);

@@ -53,6 +53,8 @@ void check_nodes(const BagDescription& d) {
     for (int c = 0; c < 3; ++c)
       require_finite("node " + std::to_string(n), "reference coordinate", d.reference(c, n));
   for (const int node : d.fixed_nodes) require_node("fixed_nodes", "node", node, d.reference.cols());
+  for (const auto& nodes : d.held_nodes)
+    for (const int node : nodes) require_node("held_nodes", "node", node, d.reference.cols());
 }
 
 void check_corners(const Eigen::Matrix3Xi& elements, Eigen::Index e, Eigen::Index node_count) {
@@ -75,7 +77,35 @@ void check_weave(std::string_view where, const ElementProperties& p) {
   require_positive(where, "length of the warp", p.weave->warp.norm());
 }
 
-void check_properties(std::string_view where, const ElementProperties& p) {
+// Of a fabric by curves, which has no moduli.
+void check_threads(std::string_view where, const ElementProperties& p) {
+  if (!p.weave) reject(where, "fabric by curves needs a weave: its shear and warp");
+  require_positive(where, "shear", p.weave->shear);
+  for (int c = 0; c < 3; ++c) require_finite(where, "warp", p.weave->warp[c]);
+  require_positive(where, "length of the warp", p.weave->warp.norm());
+}
+
+void check_curve(const char* where, const StressCurve& c) {
+  const auto points = static_cast<double>(c.strain.size());
+  if (c.strain.size() != c.stress.size())
+    reject(where, "stresses", static_cast<double>(c.stress.size()), "one for each strain");
+  if (c.strain.size() < 2 || c.strain.size() > kMostCurvePoints)
+    reject(where, "points", points, "2 to " + std::to_string(kMostCurvePoints));
+  for (std::size_t i = 0; i < c.strain.size(); ++i) {
+    require_finite(where, "strain", c.strain[i]);
+    require_finite(where, "stress", c.stress[i]);
+  }
+  if (c.strain[0] != 0.0 || c.stress[0] != 0.0)
+    reject(where,
+           "the first point is (" + shown(c.strain[0]) + ", " + shown(c.stress[0]) + "), allowed: (0, 0)");
+  for (std::size_t i = 1; i < c.strain.size(); ++i)
+    for (const auto* values : {&c.strain, &c.stress})
+      if (!((*values)[i] > (*values)[i - 1]))
+        reject(where, std::string(values == &c.strain ? "strain " : "stress ") + shown((*values)[i]) +
+                          " follows " + shown((*values)[i - 1]) + ", allowed: strictly rising");
+}
+
+void check_properties(std::string_view where, const ElementProperties& p, FabricLaw law) {
   if (!(p.porosity >= 0.0 && p.porosity <= 1.0)) reject(where, "porosity", p.porosity, "0 to 1");
   if (p.null_panel) {
     if (p.porosity != 0.0) reject(where, "porosity", p.porosity, "0 on a null panel");
@@ -83,6 +113,7 @@ void check_properties(std::string_view where, const ElementProperties& p) {
   }
   require_positive(where, "thickness", p.thickness);
   require_positive(where, "density", p.density);
+  if (law == FabricLaw::curve) return check_threads(where, p);
   require_positive(where, "young_modulus", p.young_modulus);
   if (p.weave) return check_weave(where, p);
   if (!(p.poisson > -1.0 && p.poisson < 1.0)) reject(where, "poisson", p.poisson, "-1 < nu < 1");
@@ -95,7 +126,7 @@ void check_elements(const BagDescription& d) {
            "one per element, " + std::to_string(d.elements.cols()));
   for (Eigen::Index e = 0; e < d.elements.cols(); ++e) {
     check_corners(d.elements, e, d.reference.cols());
-    check_properties(element_name(e), d.properties[static_cast<std::size_t>(e)]);
+    check_properties(element_name(e), d.properties[static_cast<std::size_t>(e)], d.law);
   }
 }
 
@@ -123,8 +154,14 @@ void check_plates(const BagDescription& d) {
 }
 
 void check_law(const BagDescription& d) {
-  if (d.law != FabricLaw::saint_venant_kirchhoff && d.law != FabricLaw::hencky)
+  if (d.law != FabricLaw::saint_venant_kirchhoff && d.law != FabricLaw::hencky && d.law != FabricLaw::curve)
     reject("bag", "law", static_cast<double>(d.law), "an enumerator");
+  if (d.law == FabricLaw::curve) {
+    if (d.compression != Compression::none)
+      reject("bag", "fabric by curves carries no compression; allowed with it: Compression::none");
+    check_curve("curve of the warp", d.curves[0]);
+    check_curve("curve of the weft", d.curves[1]);
+  }
   if (d.law != FabricLaw::hencky) return;
   if (d.compression != Compression::none)
     reject("bag", "the Hencky law carries no compression; allowed with it: Compression::none");
@@ -138,12 +175,13 @@ void check_law(const BagDescription& d) {
 void check_description(const BagDescription& d) {
   check_nodes(d);
   check_elements(d);
+  check_law(d);
   check_straps(d);
   check_plates(d);
   if (d.compression != Compression::linear && d.compression != Compression::none)
     reject("bag", "compression", static_cast<double>(d.compression), "an enumerator");
-  check_law(d);
   require_not_negative("bag", "mass_damping", d.mass_damping);
+  require_not_negative("bag", "stiffness_damping", d.stiffness_damping);
   for (int c = 0; c < 3; ++c) require_finite("bag", "gravity", d.gravity[c]);
 }
 

@@ -6,6 +6,7 @@
 #include "lanes.hpp"
 #include "membrane/hencky.hpp"
 #include "membrane/orthotropic.hpp"
+#include "membrane/threads.hpp"
 
 // Steps of the pass over a block for each element. T is Lanes, or double for the oracle. Both visit groups of
 // four elements, keep four partial sums, and add at the nodes in the order of the elements. So they agree bit
@@ -124,19 +125,27 @@ template <class T>
 
 // Constants of one group's fabric for each law.
 template <class T>
-void load_fabric(const FabricGroup& f, const WeaveGroup*, int lane, IsotropicConstants<T>& out) {
+void load_fabric(const FabricGroup& f, const WeaveGroup*, const ThreadCurves*, int lane,
+                 IsotropicConstants<T>& out) {
   out = {load<T>(f.young_modulus + lane), load<T>(f.spherical + lane), load<T>(f.deviator + lane)};
 }
 template <class T>
-void load_fabric(const FabricGroup& f, const WeaveGroup* w, int lane, OrthotropicConstants<T>& out) {
+void load_fabric(const FabricGroup& f, const WeaveGroup* w, const ThreadCurves*, int lane,
+                 OrthotropicConstants<T>& out) {
   out = {load<T>(w->cosine + lane),   load<T>(w->sine + lane),    load<T>(w->warp_scale + lane),
          load<T>(f.spherical + lane), load<T>(f.deviator + lane), load<T>(w->shear + lane),
          load<T>(w->series + lane),   load<T>(w->skew + lane),    load<T>(w->taut + lane)};
 }
 template <class T>
-void load_fabric(const FabricGroup& f, const WeaveGroup*, int lane, HenckyConstants<T>& out) {
+void load_fabric(const FabricGroup& f, const WeaveGroup*, const ThreadCurves*, int lane,
+                 HenckyConstants<T>& out) {
   out = {load<T>(f.spherical + lane), load<T>(f.deviator + lane), load<T>(f.curvature + lane),
          load<T>(f.share + lane), load<T>(f.compliance + lane)};
+}
+template <class T>
+void load_fabric(const FabricGroup&, const WeaveGroup* w, const ThreadCurves* curves, int lane,
+                 ThreadConstants<T>& out) {
+  out = {load<T>(w->cosine + lane), load<T>(w->sine + lane), load<T>(w->shear + lane), curves};
 }
 
 template <class T>
@@ -168,7 +177,7 @@ template <class T>
 template <class T>
 [[gnu::always_inline]] inline void state_of(const FabricGroup& constants, int lane, GroupWork& work) {
   HenckyConstants<T> c;
-  load_fabric(constants, nullptr, lane, c);
+  load_fabric(constants, nullptr, nullptr, lane, c);
   const HenckyStrain<T> e{load<T>(work.strain_1 + lane), load<T>(work.log_radius + lane), T(1.0)};
   const HenckyState<T> h = hencky_state(e, c);
   store(work.strain_1 + lane, h.mean);
@@ -196,13 +205,21 @@ template <Compression kCompression, class T>
                        load<T>(work.square_1 + lane), h, c);
 }
 
-// Stress (M.2, M.3, M.13, M.14, M.25, M.26), energy and the bound of omega^2 (M.10).
+template <Compression kCompression, class T>
+[[gnu::always_inline]] inline PlaneResponse<T> response(const GroupWork& work, int lane,
+                                                        const ThreadConstants<T>& c) {
+  static_assert(kCompression == Compression::none);
+  return threads_response(load_strain<T>(work, lane), c);
+}
+
+// Stress (M.2, M.3, M.13, M.14, M.25, M.26, M.30), energy and the bound of omega^2 (M.10).
 template <template <class> class Fabric, Compression kCompression, class T>
 [[gnu::always_inline]] inline void stress_of(const ElementGroup& g, const FabricGroup& constants,
-                                             const WeaveGroup* weave, const FrequencyGroup& frequency,
-                                             int lane, GroupWork& work, SkinParts<T>& sums) {
+                                             const WeaveGroup* weave, const ThreadCurves* curves,
+                                             const FrequencyGroup& frequency, int lane, GroupWork& work,
+                                             SkinParts<T>& sums) {
   Fabric<T> fabric;
-  load_fabric(constants, weave, lane, fabric);
+  load_fabric(constants, weave, curves, lane, fabric);
   const auto r = response<kCompression>(work, lane, fabric);
   const T volume = load<T>(g.volume + lane);
   store(work.n11 + lane, -(volume * r.s11));

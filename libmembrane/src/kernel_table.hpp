@@ -15,7 +15,8 @@ namespace membrane {
 struct SkinArrays {
   const ElementGroup* group;
   const FabricGroup* fabric;
-  const WeaveGroup* weave;  // null unless woven
+  const WeaveGroup* weave;     // null unless woven
+  const ThreadCurves* curves;  // of FabricLaw::curve
   const FrequencyGroup* frequency;
   int group_count;
   const std::int32_t* element;  // of each lane; read only if there is area_vector
@@ -24,7 +25,7 @@ struct SkinArrays {
   /// Of the next block; 0 if there is none, and in bags that stay in the cache.
   int next_groups, next_nodes;
   const double* position;      // nodes x 4
-  const double* inverse_mass;  // nodes
+  const double* inverse_mass;  // nodes x 4
   double* area_vector;         // elements x 4, null without jet
   double* centroid;            // elements x 4, null without jet
   double *force, *gradient;    // nodes x 4
@@ -42,11 +43,11 @@ struct SkinTotals {
 struct SharedArrays {
   const std::int32_t *node, *row_begin, *slot;
   const NodeSums* sums;
-  const double* inverse_mass;
-  double *force, *gradient;  // nodes x 4
+  const double* inverse_mass;  // nodes x 4
+  double *force, *gradient;    // nodes x 4
 };
 
-inline constexpr int kMaxExtraForces = 3;
+inline constexpr int kMaxExtraForces = 4;
 
 struct AdvanceArrays {
   double *position, *velocity;                     // nodes x 4
@@ -54,7 +55,8 @@ struct AdvanceArrays {
   double gauge_pressure;
   const double* extra_force[kMaxExtraForces];  // nodes x 4
   int extra_count;
-  const double *mass, *inverse_mass;
+  const double* mass;          // nodes
+  const double* inverse_mass;  // nodes x 4
   alignas(32) double gravity[4];
   double damping, dt_before, dt_after;
 };
@@ -75,8 +77,9 @@ enum SkinPass { kSurfacePass, kForcesPass, kSkinPass };
 struct KernelTable {
   using Skin = void (*)(const SkinArrays&, SkinTotals&);
   Skin surface;
-  /// Isotropic, woven, isotropic with the Hencky law; linear, relaxed. Null where there is no such law.
-  Skin forces[3][2], skin[3][2];
+  /// Isotropic, woven, isotropic with the Hencky law, by curves; linear, relaxed. Null where there is no such
+  /// law.
+  Skin forces[4][2], skin[4][2];
   void (*shared[3])(const SharedArrays&, int first, int last, double& mobility);
   void (*advance)(const AdvanceArrays&, int first, int last, AdvanceTotals&);
 };

@@ -20,7 +20,7 @@ struct KickFactors {
 // Advances one node (M.9). The damping force -alpha m (v- + v+) / 2 leaves a scalar equation for v+.
 [[gnu::always_inline]] inline void advance_node(const AdvanceArrays& s, const KickFactors& k, std::int64_t n,
                                                 AdvanceParts& sums) {
-  const Lanes mass = Lanes(s.mass[n]), inverse_mass = Lanes(s.inverse_mass[n]), half = Lanes(0.5);
+  const Lanes mass = Lanes(s.mass[n]), inverse_mass = Lanes::load(s.inverse_mass + 4 * n), half = Lanes(0.5);
   const Lanes membrane = Lanes::load(s.membrane_force + 4 * n);
   const Lanes pressure = k.gauge_pressure * Lanes::load(s.volume_gradient + 4 * n);
   Lanes force = membrane + pressure;
@@ -41,7 +41,7 @@ struct KickFactors {
   sums.kinetic_after += mass * squared;
   sums.momentum_before += mass * before;
   sums.momentum_after += mass * after;
-  if (s.inverse_mass[n] > 0.0) sums.impulse += force;
+  sums.impulse += select(inverse_mass > Lanes(), force, Lanes());
   const double speed_squared = (squared[0] + squared[1]) + squared[2];
   sums.max_speed_squared = speed_squared > sums.max_speed_squared ? speed_squared : sums.max_speed_squared;
 }

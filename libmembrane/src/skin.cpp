@@ -29,6 +29,7 @@ SkinArrays skin_arrays(const BagModel& model, BagState& state, std::size_t b) {
   return {table.group.data() + block.first_group,
           table.fabric.data(),
           model.woven ? table.weave.data() + block.first_group : nullptr,
+          &model.threads,
           state.shares.frequency.data() + block.first_group,
           block.last_group - block.first_group,
           table.element.data() + kLanes * std::ptrdiff_t{block.first_group},
@@ -50,7 +51,8 @@ KernelTable::Skin skin_kernel(const BagModel& model, SkinParts parts) {
   const KernelTable& table = kernel_table(model.description.isa);
   if (parts == SkinParts::surface) return table.surface;
   const auto& kernels = parts == SkinParts::forces ? table.forces : table.skin;
-  const int law = model.description.law == FabricLaw::hencky ? 2 : model.woven ? 1 : 0;
+  const FabricLaw fabric = model.description.law;
+  const int law = fabric == FabricLaw::curve ? 3 : fabric == FabricLaw::hencky ? 2 : model.woven ? 1 : 0;
   return kernels[law][model.description.compression == Compression::none ? 1 : 0];
 }
 
@@ -89,6 +91,9 @@ void sum_forces(const BagModel& model, BagState& state) {
   if (model.description.law == FabricLaw::hencky && std::isinf(frequency))
     throw MembraneError("stage forces: element " + std::to_string(governing_element(model, state)) +
                         " is stretched by more than exp(1/2) = 1.65, where the Hencky law ends");
+  if (model.description.law == FabricLaw::curve && std::isinf(frequency))
+    throw MembraneError("stage forces: element " + std::to_string(governing_element(model, state)) +
+                        " is stretched beyond the last point of its curve");
   state.forces.strain_energy = energy;
   state.forces.element_frequency = frequency;
 }

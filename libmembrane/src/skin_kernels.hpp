@@ -43,7 +43,7 @@ template <SkinPass kPass, class Arrays>
   if constexpr (has_surface(kPass)) {
     const Lanes gradient = rows.gradient * Lanes(1.0 / 3.0);
     gradient.store(s.gradient + 4 * node);
-    mobility += gradient * gradient * Lanes(s.inverse_mass[node]);
+    mobility += gradient * gradient * Lanes::load(s.inverse_mass + 4 * node);
   }
 }
 
@@ -128,7 +128,7 @@ void skin(const SkinArrays& s, SkinTotals& totals) {
     for_lanes<T>(
         first, last, [&](int group, int lane) __attribute__((always_inline)) {
           stress_of<Fabric, kCompression, T>(s.group[group], s.fabric[s.group[group].fabric], s.weave + group,
-                                             s.frequency[group], lane, work[group - first], sums);
+                                             s.curves, s.frequency[group], lane, work[group - first], sums);
         });
     for_lanes<T>(
         first, last, [&](int group, int lane) __attribute__((always_inline)) {
@@ -163,10 +163,12 @@ inline constexpr KernelTable kTableOf{
     kLinear<kSurfacePass, IsotropicConstants, T>,
     {{kLinear<kForcesPass, IsotropicConstants, T>, kRelaxed<kForcesPass, IsotropicConstants, T>},
      {kLinear<kForcesPass, OrthotropicConstants, T>, kRelaxed<kForcesPass, OrthotropicConstants, T>},
-     {nullptr, kRelaxed<kForcesPass, HenckyConstants, T>}},
+     {nullptr, kRelaxed<kForcesPass, HenckyConstants, T>},
+     {nullptr, kRelaxed<kForcesPass, ThreadConstants, T>}},
     {{kLinear<kSkinPass, IsotropicConstants, T>, kRelaxed<kSkinPass, IsotropicConstants, T>},
      {kLinear<kSkinPass, OrthotropicConstants, T>, kRelaxed<kSkinPass, OrthotropicConstants, T>},
-     {nullptr, kRelaxed<kSkinPass, HenckyConstants, T>}},
+     {nullptr, kRelaxed<kSkinPass, HenckyConstants, T>},
+     {nullptr, kRelaxed<kSkinPass, ThreadConstants, T>}},
     {shared<kSurfacePass>, shared<kForcesPass>, shared<kSkinPass>},
     advance};
 

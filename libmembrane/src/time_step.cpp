@@ -10,6 +10,7 @@
 #include "membrane/error.hpp"
 #include "membrane/hencky.hpp"
 #include "membrane/orthotropic.hpp"
+#include "membrane/threads.hpp"
 
 namespace membrane {
 
@@ -49,6 +50,9 @@ PlaneResponse<double> response_of(const BagModel& model, const PlaneStrain<doubl
   if (!model.woven)
     return isotropic_response(compression, strain, {f.young_modulus[k], f.spherical[k], f.deviator[k]});
   const WeaveGroup& w = model.elements.weave[place.group];
+  if (model.description.law == FabricLaw::curve)
+    return threads_response(strain,
+                            ThreadConstants<double>{w.cosine[k], w.sine[k], w.shear[k], &model.threads});
   return orthotropic_response(compression, strain,
                               {w.cosine[k], w.sine[k], w.warp_scale[k], f.spherical[k], f.deviator[k],
                                w.shear[k], w.series[k], w.skew[k], w.taut[k]});
@@ -79,7 +83,9 @@ double force_mobility(const BagModel& model, const BagState& state) {
         state.membrane_force.map().col(n) + state.gauge_pressure * state.volume_gradient.map().col(n);
     for (const Vectors* extra : {&state.jet_force, &state.support_force, &state.contact_force})
       if (!extra->empty()) force += extra->map().col(n);
-    sum += force.squaredNorm() * model.inverse_mass[static_cast<std::size_t>(n)];
+    const auto inverse_mass = model.inverse_mass.map().col(n);
+    const Eigen::Vector3d moving = (inverse_mass.array() > 0.0).select(force, 0.0);
+    sum += moving.squaredNorm() * inverse_mass.maxCoeff();
   }
   return sum;
 }
@@ -91,8 +97,8 @@ double strap_mobility(const BagModel& model, const BagState& state) {
     const Strap& s = model.description.straps[i];
     const Eigen::Vector3d span = x.col(s.node_b) - x.col(s.node_a);
     const double parting = span.normalized().dot(v.col(s.node_b) - v.col(s.node_a));
-    const double mobility = model.inverse_mass[static_cast<std::size_t>(s.node_a)] +
-                            model.inverse_mass[static_cast<std::size_t>(s.node_b)];
+    const auto inverse_mass = model.inverse_mass.map();
+    const double mobility = inverse_mass.col(s.node_a).maxCoeff() + inverse_mass.col(s.node_b).maxCoeff();
     sum += s.stiffness * parting * parting + state.strap_tension[i] * state.strap_tension[i] * mobility;
   }
   return sum;

@@ -13,7 +13,7 @@ import sys
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 CASES = ["cases/*.toml", "cases/reference/*.toml", "verification/rules/keys/*.toml"]
 HEAD = "| key | meaning | unit | allowed | default |"
-OF_A_CURVE = {"time", "overpressure", "value", "file", "time_column", "overpressure_column", "column"}
+OF_A_CURVE = {"time", "overpressure", "strain", "value", "file", "time_column", "overpressure_column", "strain_column", "column"}
 
 
 def shown(allowed):

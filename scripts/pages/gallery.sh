@@ -13,7 +13,7 @@ quantities=(
   'pressure_Pa|1e-3|Pressure [kPa]' 'pendulum_angle_rad|180/pi|Pendulum angle [°]' 'jet_force_N|1e-3|Jet force [kN]'
   'contact_force_N|1e-3|Contact force [kN]' 'strap_force_N|1e-3|Strap force [kN]' 'volume_m3|1e3|Volume [l]'
   'vent_outflow_kg_s|1e3|Outflow, vents [g/s]' 'fabric_outflow_kg_s|1e3|Outflow, fabric [g/s]' 'temperature_K|1|Temperature [K]'
-  'jet_lit_elements|1|Elements that the jet meets'
+  'jet_lit_elements|1|Elements that the jet meets' 'overpressure_Pa|1e-3|Overpressure [kPa]' 'skin_displacement_m|1e3|Largest displacement [mm]'
 )
 
 # first_sentence CASE: of the comment at the top of the file.

@@ -18,6 +18,7 @@ CARDS = {
     "CONTROL_ENERGY": ["i10 i10 i10 i10"],
     "DAMPING_GLOBAL": ["curve i10 r10 r10 r10 r10 r10 r10 r10"],
     "DAMPING_PART_MASS": ["part i10 curve i10 r10 i10"],
+    "DAMPING_PART_STIFFNESS": ["part i10 r10"],
     "BOUNDARY_SPC_SET": ["nodes i10 i10 i10 i10 i10 i10 i10 i10"],
     "RIGIDWALL_PLANAR_ID": [TITLE, "nodes i10 nodes i10 i10 r10 r10 r10 r10", EIGHT],
     "MAT_NULL": ["=material i10 r10 r10 r10 r10 r10 r10 r10"],

@@ -35,9 +35,8 @@ inline driver::Scene scene_of(const std::string& name, const std::vector<std::st
   return driver::read_scene(document);
 }
 
-inline CaseRun run_case(const std::string& name, const std::vector<std::string>& overrides = {},
-                        const driver::Executor& executor = driver::Executor::serial()) {
-  const driver::Scene scene = scene_of(name, overrides);
+inline CaseRun run_of(const driver::Scene& scene,
+                      const driver::Executor& executor = driver::Executor::serial()) {
   CaseRun run;
   run.state = driver::make_state(scene);
   const auto history = driver::history_columns(scene), energy = driver::energy_columns(scene);
@@ -48,6 +47,11 @@ inline CaseRun run_case(const std::string& name, const std::vector<std::string>&
   };
   run.outcome = driver::run_scene(scene, run.state, record, {}, executor);
   return run;
+}
+
+inline CaseRun run_case(const std::string& name, const std::vector<std::string>& overrides = {},
+                        const driver::Executor& executor = driver::Executor::serial()) {
+  return run_of(scene_of(name, overrides), executor);
 }
 
 }  // namespace coupled

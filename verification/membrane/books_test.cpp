@@ -23,13 +23,15 @@ Case loaded_sphere(double damping) {
   d.straps = {{0, 100, 4500.0, 0.2}};
   d.plates = {{{-0.28, 0.0, 0.0}, {1.0, 0.0, 0.0}, 1e6}};
   d.fixed_nodes = {3, 50};
+  d.held_nodes = {{{20, 21}, {}, {21, 60}}};
   d.gravity = {1.0, -2.0, -9.81};
   d.mass_damping = damping;
   auto model = make_model(d);
   auto state =
       membrane::make_state(model, scenes::shaken(mesh.nodes, 0.01, 1), {.jet = true, .contact = true});
   state.velocity.map() = 5.0 * scenes::Random(2).vectors(mesh.node_count());
-  for (const int node : d.fixed_nodes) state.velocity.map().col(node).setZero();
+  for (int i = 0; i < state.velocity.map().size(); ++i)
+    if (model.inverse_mass.map()(i % 3, i / 3) == 0.0) state.velocity.map()(i % 3, i / 3) = 0.0;
   return {std::move(model), std::move(state)};
 }
 
@@ -118,6 +120,23 @@ TEST(Books, fixed_nodes_stay) {
     membrane::advance(c.model, c.state, 2e-5, 2e-5);
   }
   EXPECT_EQ((c.state.position.map().col(50) - before).norm(), 0.0);
+}
+
+TEST(Books, rollers_hold_their_directions_alone) {
+  auto c = loaded_sphere(0.0);
+  const Eigen::Matrix3Xd before = c.state.position.map();
+  scenes::Random random(9);
+  std::vector<double> dp(static_cast<std::size_t>(c.model.element_count));
+  for (int step = 0; step < 10; ++step) {
+    load(c, random, dp);
+    membrane::advance(c.model, c.state, 2e-5, 2e-5);
+  }
+  const Eigen::Matrix3Xd moved = c.state.position.map() - before;
+  for (const int node : {20, 21, 60})
+    for (int axis = 0; axis < 3; ++axis) {
+      const bool held = axis == 0 ? node != 60 : axis == 2 && node != 20;
+      EXPECT_EQ(moved(axis, node) == 0.0, held) << node << ' ' << axis;
+    }
 }
 
 TEST(Books, damping_eq_exact_implicit_decay) {

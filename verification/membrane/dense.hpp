@@ -25,7 +25,7 @@ double greatest_frequency(const membrane::BagModel& model, const Eigen::Matrix3X
     left(i % 3, i / 3) -= h;
     const Eigen::Matrix3Xd slope = (force(left) - force(right)) / (2.0 * h);
     k.col(i) = slope.reshaped();
-    mobility[i] = std::sqrt(model.inverse_mass[static_cast<std::size_t>(i / 3)]);
+    mobility[i] = std::sqrt(model.inverse_mass.map()(i % 3, i / 3));
   }
   const Eigen::MatrixXd scaled = mobility.asDiagonal() * (0.5 * (k + k.transpose())) * mobility.asDiagonal();
   return dense::largest_eigenvalue(scaled);
@@ -50,8 +50,7 @@ inline membrane::BagDescription describe_shipped(const membrane::Mesh& mesh,
 // Rayleigh quotient of M^-1/2 K M^-1/2 after some power steps, K by differences of the fabric's force: below
 // the greatest omega^2, and some percent off it at most.
 inline double power_estimate(const membrane::BagModel& model, const Eigen::Matrix3Xd& x) {
-  const Eigen::Map<const Eigen::RowVectorXd> inverse_mass(model.inverse_mass.data(), model.node_count);
-  const Eigen::RowVectorXd mobility = inverse_mass.cwiseSqrt();
+  const Eigen::Matrix3Xd mobility = model.inverse_mass.map().cwiseSqrt();
   auto state = membrane::make_state(model, x);
   const auto force = [&](const Eigen::Matrix3Xd& at) -> Eigen::Matrix3Xd {
     state.position.map() = at;
@@ -63,9 +62,9 @@ inline double power_estimate(const membrane::BagModel& model, const Eigen::Matri
   double quotient = 0.0;
   for (int i = 0; i < 400; ++i) {
     u /= u.norm();
-    const Eigen::Matrix3Xd v = (h * u.array()).rowwise() * mobility.array();
+    const Eigen::Matrix3Xd v = h * u.cwiseProduct(mobility);
     image = (force(x - v) - force(x + v)) / (2.0 * h);
-    image.array().rowwise() *= mobility.array();
+    image = image.cwiseProduct(mobility);
     quotient = u.cwiseProduct(image).sum();
     u = image;
   }

@@ -88,6 +88,10 @@ const std::vector<BadInput> kBadInputs = {
      },
      {"fixed_nodes", "42"}},
     {[](auto& d) {
+       d.held_nodes[2] = {0, -1};
+     },
+     {"held_nodes", "-1"}},
+    {[](auto& d) {
        d.straps = {{0, 50, 1.0, 1.0}};
      },
      {"strap 0", "node_b", "50"}},

@@ -44,6 +44,7 @@ std::vector<double> run(const membrane::Mesh& mesh, Compression compression, Isa
   d.straps = {{0, 10, 4500.0, 0.01}};
   d.plates = {{{0.0, 0.0, -0.1}, {0.0, 0.0, 1.0}, 1e6}};
   d.fixed_nodes = {3};
+  d.held_nodes = {{{5}, {5, 9}, {7}}};
   d.gravity = {0.0, 0.0, -9.81};
   d.mass_damping = 20.0;
   for (std::size_t e = 0; e < d.properties.size(); ++e)

@@ -21,8 +21,8 @@ Balance balance(const membrane::BagModel& model, const membrane::BagState& state
   Balance result;
   double work = 0.0, inertia = 0.0;
   for (int n = 0; n < model.node_count; ++n) {
-    if (!(model.inverse_mass[static_cast<std::size_t>(n)] > 0.0)) continue;
     for (int c = 0; c < 3; ++c) {
+      if (model.inverse_mass.map()(c, n) == 0.0) continue;
       const Eigen::Index i = 4 * Eigen::Index{n} + c;
       const double now =
           state.membrane_force.data()[i] + state.gauge_pressure * state.volume_gradient.data()[i];

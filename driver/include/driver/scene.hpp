@@ -58,13 +58,15 @@ struct GasPart {
   double tank_leak_area = 0.0;            // [m2] of all fabrics of a tank
 };
 
-/// The bag.
+/// The bag: fabric around the gas, or a sheet under prescribed overpressure.
 struct BagPart {
   membrane::Mesh mesh;  // stress-free design shape
   membrane::BagModel model;
   Eigen::Matrix3Xd initial_position;  // 3 x nodes [m]
   LeakLaw leak_law = LeakLaw::none;
   std::vector<int> null_elements;
+  /// [Pa] Prescribed over time, held outside of its knots; in a scene without gas. The sheet may be open.
+  std::optional<gas::Curve> overpressure;
 };
 
 /// Rigid surface that a jet acts on. Its force is reported; nothing moves.
@@ -129,7 +131,7 @@ struct Scene {
   std::vector<std::string> warnings;
 
   /// True if there is a volume of gas.
-  bool has_volume() const { return bag.has_value() || (gas && gas->rigid_volume); }
+  bool has_volume() const { return gas && (bag || gas->rigid_volume); }
   /// True if anything moves.
   bool moves() const { return bag.has_value() || pendulum.has_value(); }
 };

@@ -52,6 +52,7 @@ struct Flows {
   double damping_loss = 0.0;     // [J]
   double friction_loss = 0.0;    // [J]
   double jet_work = 0.0;         // [J] by external jets
+  double pressure_work = 0.0;    // [J] by a prescribed overpressure
   double driving_work = 0.0;     // [J] by the pendulum's driving moment
   double kick_work = 0.0;        // [J] of all forces, kick form
   double contact_impulse = 0.0;  // [N s] integral of the magnitude of the contact force
@@ -103,6 +104,7 @@ struct Level {
   double volume = 0.0;           // S2 [m3]
   double skin_area = 0.0;        // S2 [m2]
   double skin_strain = 0.0;      // S6 [J]
+  double displacement = 0.0;     // S7 [m] largest of a node since the start, if wanted
   double pendulum_angle = 0.0;   // S7 [rad]
   Flows flows;                   // S2, sums up to n
   /// S2 [kg] of each species; like `streams`, only if the history has them.
@@ -155,8 +157,8 @@ struct StepSizes {
   long drift_limited = 0;
   /// [m] No node of the skin has moved farther since the start; S8.
   double displacement_bound = 0.0;
-  /// [1/s] Damping rate at n of jets relative to the skin.
-  double jet_damping = 0.0;
+  /// [1/s] Damping rate at n of jets relative to the skin, and bound of that of the stiffness damping.
+  double jet_damping = 0.0, stiffness_damping = 0.0;
   double minimum = 0.0;                  // [s] of the run
   double maximum = 0.0;                  // [s]
   membrane::StiffnessShares shares;      // [1/s2] of omega^2 at n

@@ -53,8 +53,9 @@ CurveData curve_of_table(TableReader&& reader, Bounds bounds, const std::string&
   const bool jumps = abscissa == "time";
   if (reader.has("file")) {
     const auto file = reader.beside_case(reader.at("file").text());
-    const auto knots = jumps ? reader.at("time_column").text("time_s")
-                             : reader.at("overpressure_column").text("overpressure_Pa");
+    const auto knots = jumps                  ? reader.at("time_column").text("time_s")
+                       : abscissa == "strain" ? reader.at("strain_column").text("strain")
+                                              : reader.at("overpressure_column").text("overpressure_Pa");
     const auto column = reader.at("column").text();
     try {
       curve = read_csv_curve(file, knots, column, jumps);
@@ -66,7 +67,8 @@ CurveData curve_of_table(TableReader&& reader, Bounds bounds, const std::string&
         fail(fmt::format("{} holds {}, {} is allowed", file.string(), value,
                          with_unit(bounds.text, bounds.unit)));
   } else {
-    curve.time = reader.at(abscissa).numbers(any_number.in(jumps ? "s" : "Pa"));
+    curve.time = abscissa == "strain" ? reader.at("strain").numbers(any_number)
+                                      : reader.at(abscissa).numbers(any_number.in(jumps ? "s" : "Pa"));
     curve.value = reader.at("value").numbers(bounds);
     check_knots(curve, jumps, [&](std::size_t, const std::string& message) { fail(message); });
   }

@@ -12,6 +12,7 @@
 #include "scene/jet_peak.hpp"
 #include "scene/supply.hpp"
 #include "step/drift.hpp"
+#include "step/stages.hpp"
 
 namespace driver::commands {
 namespace {
@@ -63,13 +64,14 @@ void print_bag(const Scene& scene, const State& state) {
   const auto& bag = *scene.bag;
   const auto shares =
       membrane::stiffness_shares(bag.model, *state.bag, state.gas_point.gamma, state.gas_point.pressure);
-  fmt::print(
-      "bag: {} elements, {} nodes, fabric {:.4g} kg, initial volume {:.4g} m3, design volume {:.4g} m3\n",
-      bag.model.element_count, bag.model.node_count, bag.model.fabric_mass, state.bag->surface.volume,
-      membrane::enclosed_volume(bag.mesh.nodes, bag.mesh.elements));
-  fmt::print("critical step at the start: {:.4g} s (alone:{})\n", membrane::critical_time_step(shares),
-             limits_alone(shares));
-  if (const double kept = drift_limit(scene, state); kept < membrane::critical_time_step(shares))
+  fmt::print("bag: {} elements, {} nodes, fabric {:.4g} kg", bag.model.element_count, bag.model.node_count,
+             bag.model.fabric_mass);
+  if (scene.gas)
+    fmt::print(", initial volume {:.4g} m3, design volume {:.4g} m3", state.bag->surface.volume,
+               membrane::enclosed_volume(bag.mesh.nodes, bag.mesh.elements));
+  const double critical = critical_step(scene, shares);
+  fmt::print("\ncritical step at the start: {:.4g} s (alone:{})\n", critical, limits_alone(shares));
+  if (const double kept = drift_limit(scene, state); kept < critical)
     fmt::print("step at the start that keeps the energy (M.22), (M.24): {:.4g} s\n", kept);
   print_panels(bag.mesh);
   print_straps(bag);

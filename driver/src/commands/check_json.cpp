@@ -9,6 +9,7 @@
 #include "scene/jet_peak.hpp"
 #include "scene/supply.hpp"
 #include "step/drift.hpp"
+#include "step/stages.hpp"
 
 namespace driver::commands {
 namespace {
@@ -72,20 +73,22 @@ json bag_of(const Scene& scene, const State& state) {
   const double drift = drift_limit(scene, state);
   json plates = json::array();
   for (const auto& plate : bag.model.description.plates) plates.push_back(plate.stiffness.value());
-  return {{"elements", bag.model.element_count},
-          {"nodes", bag.model.node_count},
-          {"mass_kg", bag.model.fabric_mass},
-          {"initial_volume_m3", state.bag->surface.volume},
-          {"design_volume_m3", membrane::enclosed_volume(bag.mesh.nodes, bag.mesh.elements)},
-          {"straps", straps_of(bag)},
-          {"plate_stiffness_N_m3", plates},
-          {"critical_step_s", membrane::critical_time_step(shares)},
-          {"drift_step_s", std::isfinite(drift) ? json(drift) : json(nullptr)},
-          {"omega_squared_1_s2",
-           {{"elements", shares.element},
-            {"gas", shares.gas},
-            {"straps", shares.strap},
-            {"plates", shares.plate}}}};
+  json all = {{"elements", bag.model.element_count},
+              {"nodes", bag.model.node_count},
+              {"mass_kg", bag.model.fabric_mass}};
+  if (scene.gas)
+    all.update({{"initial_volume_m3", state.bag->surface.volume},
+                {"design_volume_m3", membrane::enclosed_volume(bag.mesh.nodes, bag.mesh.elements)}});
+  all.update({{"straps", straps_of(bag)},
+              {"plate_stiffness_N_m3", plates},
+              {"critical_step_s", critical_step(scene, shares)},
+              {"drift_step_s", std::isfinite(drift) ? json(drift) : json(nullptr)},
+              {"omega_squared_1_s2",
+               {{"elements", shares.element},
+                {"gas", shares.gas},
+                {"straps", shares.strap},
+                {"plates", shares.plate}}}});
+  return all;
 }
 
 json inflators_of(const Scene& scene) {

@@ -10,6 +10,7 @@
 #include "case/csv_table.hpp"
 #include "compare/abstat.hpp"
 #include "compare/ensemble_history.hpp"
+#include "compare/lsdyna_text.hpp"
 #include "driver/case_reader.hpp"
 #include "driver/compare.hpp"
 
@@ -24,9 +25,12 @@ struct MappedColumn {
   double offset = 0.0;
 };
 
+enum class Format { csv, abstat, rcforc, nodout, rbdout };
+
 struct Map {
-  bool abstat = false;
+  Format format = Format::csv;
   int volume_number = 1;
+  std::optional<int> number;          // of a contact, node or rigid body
   std::vector<MappedColumn> columns;  // the time first
 };
 
@@ -48,8 +52,16 @@ Map read_map(const std::filesystem::path& file) {
   CaseDocument document(file, {});
   TableReader root = document.root();
   Map map;
-  map.abstat = root.at("format").choice<bool>({{"csv", false}, {"abstat", true}});
-  if (map.abstat) map.volume_number = root.at("volume_number").integer(1, 1000000000, 1);
+  map.format = root.at("format").choice<Format>({{"csv", Format::csv},
+                                                 {"abstat", Format::abstat},
+                                                 {"rcforc", Format::rcforc},
+                                                 {"nodout", Format::nodout},
+                                                 {"rbdout", Format::rbdout}});
+  constexpr int most = 1000000000;
+  if (map.format == Format::abstat)
+    map.volume_number = root.at("volume_number").integer(1, most, 1);
+  else if (map.format != Format::csv && root.has("number"))
+    map.number = root.at("number").integer(1, most, 1);
   map.columns.push_back(read_column(root.table("time"), "time_s"));
   for (auto& table : root.tables("quantity")) {
     map.columns.push_back(read_column(std::move(table), ""));
@@ -162,8 +174,8 @@ CsvTable select(CsvTable&& table, const std::vector<MappedColumn>& columns,
   for (const auto& column : columns) {
     const auto found = std::find(table.names.begin(), table.names.end(), column.column);
     if (found == table.names.end())
-      throw CaseError(fmt::format("{}:1:1: column: an abstat file has no '{}', allowed are {}", map.string(),
-                                  column.column, fmt::join(table.names, ", ")));
+      throw CaseError(fmt::format("{}:1:1: column: the file {} has no '{}', allowed are {}", map.string(),
+                                  table.file.string(), column.column, fmt::join(table.names, ", ")));
     const auto c = static_cast<std::size_t>(found - table.names.begin());
     chosen.names.push_back(table.names[c]);
     chosen.values.push_back(table.values[c]);
@@ -172,14 +184,27 @@ CsvTable select(CsvTable&& table, const std::vector<MappedColumn>& columns,
   return chosen;
 }
 
+CsvTable read_text_of(const std::filesystem::path& file, const Map& map) {
+  switch (map.format) {
+    case Format::rcforc:
+      return read_lsdyna_text(file, LsDynaText::rcforc, map.number);
+    case Format::nodout:
+      return read_lsdyna_text(file, LsDynaText::nodout, map.number);
+    case Format::rbdout:
+      return read_lsdyna_text(file, LsDynaText::rbdout, map.number);
+    default:
+      return read_abstat(file, map.volume_number);
+  }
+}
+
 }  // namespace
 
 History read_history(const std::filesystem::path& file, const std::filesystem::path& map_file) {
   Map map;
   if (!map_file.empty()) map = read_map(map_file);
   CsvTable table;
-  if (map.abstat) {
-    table = select(read_abstat(file, map.volume_number), map.columns, map_file);
+  if (map.format != Format::csv) {
+    table = select(read_text_of(file, map), map.columns, map_file);
   } else {
     const CsvHeader header = read_csv_header(file);
     if (map_file.empty()) map.columns = own_columns(header);

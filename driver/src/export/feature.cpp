@@ -36,10 +36,18 @@ constexpr Outcome fabric_law{Mapping::approximated,
                              "the program's fabric in Green-Lagrange strain (FORM 12) for St. "
                              "Venant-Kirchhoff, in its invariant frame "
                              "(FORM 1) for Hencky: all agree to first order of strain"};
+constexpr Outcome chord{Mapping::approximated, "linear, by the chord to the curve's end: size below"};
 constexpr Outcome one_area{Mapping::approximated, "leaks by the area that the program takes for its fabric"};
 constexpr Outcome one_opening{
     Mapping::approximated,
     "one opening with a coefficient of time and an area of pressure: exact unless a vent is named below"};
+
+// A cell of a table.
+std::string markdown_cell(const std::string& text) {
+  std::string escaped;
+  for (const char c : text) escaped += c == '|' ? "\\|" : std::string(1, c);
+  return escaped;
+}
 
 }  // namespace
 
@@ -156,6 +164,8 @@ const std::vector<Feature>& features() {
       {"trigger.delay", trigger, trigger},
       {"trigger.latch", trigger, trigger},
       {"fabric.law", law, fabric_law},
+      {"fabric.warp_curve", chord, chord},
+      {"fabric.weft_curve", chord, chord},
       {"fabric.young_modulus", law, fabric_law},
       {"fabric.poisson_ratio", law, fabric_law},
       {"fabric.density", same, same},
@@ -192,10 +202,16 @@ const std::vector<Feature>& features() {
       {"membrane.perturbation", shape, shape},
       {"membrane.perturbation_seed", shape, shape},
       {"membrane.fixed_panels", same, same},
+      {"membrane.roller", same, same},
+      {"membrane.roller.directions", same, same},
       {"membrane.null_panels",
        {Mapping::exact, "parts without stress that close the volume"},
        {Mapping::exact, "parts without stress that close the volume"}},
       {"membrane.mass_damping", same, same},
+      {"membrane.stiffness_damping",
+       {Mapping::approximated, "Beta of /DAMP, which the program applies to its nodal forces"},
+       {Mapping::approximated, "COEF of *DAMPING_PART_STIFFNESS below zero, the coefficient itself"}},
+      {"membrane.overpressure", tank, tank},
       {"membrane.plate.point",
        {Mapping::approximated, "rigid wall, infinitely stiff"},
        {Mapping::approximated, "rigid wall, infinitely stiff"}},
@@ -264,13 +280,6 @@ std::vector<UsedFeature> used_features(const CaseDocument& document, DeckFormat 
   return used;
 }
 
-// A cell of a table.
-std::string cell(const std::string& text) {
-  std::string escaped;
-  for (const char c : text) escaped += c == '|' ? "\\|" : std::string(1, c);
-  return escaped;
-}
-
 std::string export_markdown(const Deck& deck, const std::vector<UsedFeature>& used,
                             const std::string& title) {
   std::string text = fmt::format("# {}\n\n", one_line(title));
@@ -278,8 +287,8 @@ std::string export_markdown(const Deck& deck, const std::vector<UsedFeature>& us
     text += fmt::format("## {}\n\n| key | value | how |\n|---|---|---|\n", name_of(mapping));
     for (const UsedFeature& feature : used)
       if (feature.outcome.mapping == mapping)
-        text += fmt::format("| `{}` | `{}` | {} |\n", cell(feature.path), cell(feature.value),
-                            feature.outcome.how);
+        text += fmt::format("| `{}` | `{}` | {} |\n", markdown_cell(feature.path),
+                            markdown_cell(feature.value), feature.outcome.how);
     text += '\n';
   }
   text += "## In this scene\n\n";

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <functional>
 #include <iterator>
+#include <map>
 #include <numeric>
 #include <set>
 
@@ -26,19 +28,27 @@ DeckIds::DeckIds(const Deck& deck) {
   joint_part = sphere_part + 1;
 }
 
-std::vector<int> fixed_nodes(const Deck& deck) {
-  std::vector<int> nodes = deck.scene->bag->model.description.fixed_nodes;
-  for (int& node : nodes) ++node;
-  return nodes;
+std::vector<HeldNodes> held_nodes(const Deck& deck) {
+  const auto inverse_mass = deck.scene->bag->model.inverse_mass.map();
+  std::map<std::array<bool, 3>, std::vector<int>, std::greater<>> held;
+  for (int n = 0; n < deck.scene->bag->mesh.node_count(); ++n) {
+    const auto at = [&](int axis) { return inverse_mass(axis, n) == 0.0; };
+    if (at(0) || at(1) || at(2)) held[{at(0), at(1), at(2)}].push_back(n + 1);
+  }
+  std::vector<HeldNodes> list;
+  for (const auto& [along, nodes] : held) list.push_back({along, nodes});
+  return list;
 }
 
 std::vector<int> bag_nodes(const Deck& deck, bool free_only) {
   std::vector<int> nodes(static_cast<std::size_t>(deck.scene->bag->mesh.node_count()));
   std::iota(nodes.begin(), nodes.end(), 1);
   if (!free_only) return nodes;
-  std::vector<int> fixed = fixed_nodes(deck), free;
-  std::ranges::sort(fixed);
-  std::ranges::set_difference(nodes, fixed, std::back_inserter(free));
+  const auto held = held_nodes(deck);
+  const auto fixed = std::ranges::find_if(held, &HeldNodes::fixed);
+  if (fixed == held.end()) return nodes;
+  std::vector<int> free;
+  std::ranges::set_difference(nodes, fixed->nodes, std::back_inserter(free));
   return free;
 }
 

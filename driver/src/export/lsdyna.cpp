@@ -111,21 +111,22 @@ void LsDynaDeck::supports() {
   set("NODE", bag_set, bag_nodes(deck_, false));
   const auto free = bag_nodes(deck_, true);
   if (!free.empty()) set("NODE", free_set, free);
-  if (const auto held = fixed_nodes(deck_); !held.empty()) {
-    set("NODE", held_set, held);
+  int next_set = first_held_set;
+  for (const HeldNodes& held : held_nodes(deck_)) {
+    set("NODE", next_set, held.nodes);
     keyword("BOUNDARY_SPC_SET");
-    row({{"NSID", whole(held_set, 10)},
+    row({{"NSID", whole(next_set++, 10)},
          {"CID", whole(0, 10)},
-         {"DOFX", whole(1, 10)},
-         {"DOFY", whole(1, 10)},
-         {"DOFZ", whole(1, 10)},
+         {"DOFX", whole(held.along[0], 10)},
+         {"DOFY", whole(held.along[1], 10)},
+         {"DOFZ", whole(held.along[2], 10)},
          {"DOFRX", whole(0, 10)},
          {"DOFRY", whole(0, 10)},
          {"DOFRZ", whole(0, 10)}});
   }
   if (!free.empty())
     for (const membrane::Plate& wall : bag().model.description.plates) plate(wall);
-  if (bag().model.description.mass_damping > 0.0) damping();
+  damping();
 }
 
 void LsDynaDeck::plate(const membrane::Plate& wall) {
@@ -144,15 +145,22 @@ void LsDynaDeck::plate(const membrane::Plate& wall) {
 }
 
 void LsDynaDeck::damping() {
-  const double rate = bag().model.description.mass_damping * u_.time;
-  if (!deck_.scene->pendulum) {
+  const membrane::BagDescription& d = bag().model.description;
+  const double rate = d.mass_damping * u_.time, beta = d.stiffness_damping / u_.time;
+  const bool of_parts = deck_.scene->pendulum.has_value();  // of the bag alone, not of the pendulum
+  if (rate > 0.0 && !of_parts) {
     keyword("DAMPING_GLOBAL");
     row({{"LCID", whole(0, 10)}, {"VALDMP", narrow(rate)}});
-    return;
   }
-  for (const DeckPart& p : deck_.parts) {  // of the bag alone, not of the pendulum
-    keyword("DAMPING_PART_MASS");
-    row({{"PID", whole(p.id, 10)}, {"LCID", whole(constant_one, 10)}, {"SF", narrow(rate)}});
+  for (const DeckPart& p : deck_.parts) {
+    if (rate > 0.0 && of_parts) {
+      keyword("DAMPING_PART_MASS");
+      row({{"PID", whole(p.id, 10)}, {"LCID", whole(constant_one, 10)}, {"SF", narrow(rate)}});
+    }
+    if (beta > 0.0 && !p.null_panel) {
+      keyword("DAMPING_PART_STIFFNESS");
+      row({{"PID", whole(p.id, 10)}, {"COEF", narrow(-beta)}});  // below zero: the coefficient itself
+    }
   }
 }
 

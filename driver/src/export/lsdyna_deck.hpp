@@ -35,8 +35,8 @@ class LsDynaDeck {
     const char* name;
     Field field;
   };
-  enum Set { bag_parts = 1, bag_set = 1, held_set, free_set };  // of parts; of nodes
-  static constexpr int constant_one = 1;                        // curve
+  enum Set { bag_parts = 1, bag_set = 1, free_set, first_held_set };  // of parts; of nodes
+  static constexpr int constant_one = 1;                              // curve
   const BagPart& bag() const { return *deck_.scene->bag; }
   void row(std::initializer_list<Entry> entries);
   void keyword(std::string_view name);

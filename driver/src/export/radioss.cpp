@@ -72,9 +72,12 @@ void RadiossStarter::supports() {
   group(all_nodes, "bag", bag_nodes(deck_, false));
   const auto free = bag_nodes(deck_, true);
   if (!free.empty()) group(free_nodes, "free nodes of the bag", free);
-  if (const auto held = fixed_nodes(deck_); !held.empty()) {
-    group(held_nodes, "fixed nodes", held);
-    hold(1, "111 000", held_nodes);
+  int id = first_held_nodes;
+  for (const HeldNodes& held : held_nodes(deck_)) {
+    group(static_cast<Group>(id), held.fixed() ? "fixed nodes" : "sliding nodes", held.nodes);
+    const auto code = fmt::format("{:d}{:d}{:d} 000", held.along[0], held.along[1], held.along[2]);
+    hold(id, code, static_cast<Group>(id));
+    ++id;
   }
   for (const membrane::Plate& plate : bag().model.description.plates) {
     if (free.empty()) break;
@@ -88,13 +91,14 @@ void RadiossStarter::supports() {
     out_.line("#                XM1                 YM1                 ZM1");
     point(plate.point + plate.normal.normalized());
   }
-  if (const double damping = bag().model.description.mass_damping; damping > 0.0) {
-    title("/DAMP/1", "mass damping");
+  const double alpha = bag().model.description.mass_damping, beta = bag().model.description.stiffness_damping;
+  if (alpha > 0.0 || beta > 0.0) {
+    title("/DAMP/1", "damping");
     out_.line(
         "#              Alpha                Beta  grnod_ID   skew_ID              Tstart               "
         "Tstop");
-    out_.card({real(damping * u_.time, 20), real(0.0, 20), whole(all_nodes, 10), whole(0, 10), real(0.0, 20),
-               real(1e20, 20)});
+    out_.card({real(alpha * u_.time, 20), real(beta / u_.time, 20), whole(all_nodes, 10), whole(0, 10),
+               real(0.0, 20), real(1e20, 20)});
   }
 }
 

@@ -14,13 +14,13 @@ namespace driver {
 struct RadiossIds {
   enum Group {
     all_nodes = 1,
-    held_nodes,
     free_nodes,
     heavy_nodes,
     pendulum_nodes,
     pendulum_main,
     support_nodes,
-    support_main
+    support_main,
+    first_held_nodes  // the last: there may be several
   };
   static constexpr int void_law = 901, void_property = 901, joint_property = 902, strap_property = 300;
   static constexpr int constant_one = 1;  // function

@@ -2,6 +2,7 @@
 // The writers of decks: a file's name and text each.
 #pragma once
 
+#include <array>
 #include <string>
 #include <utility>
 #include <vector>
@@ -30,8 +31,14 @@ struct DeckIds {
 
 /// Numbers of the bag's nodes, from 1; without the fixed ones if asked for.
 std::vector<int> bag_nodes(const Deck& deck, bool free_only);
-/// The fixed ones.
-std::vector<int> fixed_nodes(const Deck& deck);
+/// Nodes that are held along the same axes.
+struct HeldNodes {
+  std::array<bool, 3> along{};  // x, y, z; fixed nodes: all
+  std::vector<int> nodes;       // their numbers, from 1
+  bool fixed() const { return along[0] && along[1] && along[2]; }
+};
+/// All of them, each node once.
+std::vector<HeldNodes> held_nodes(const Deck& deck);
 std::vector<int> sphere_nodes(const Deck& deck, const DeckIds& ids);
 /// Numbers of the corners of elements of the bag, rising.
 std::vector<int> corners_of(const Deck& deck, const std::vector<int>& elements);

@@ -76,7 +76,8 @@ class Effects {
 
   void compression() {
     if (!scene_.bag) return;
-    if (scene_.bag->model.description.law == membrane::FabricLaw::hencky) return;  // never carries it
+    if (scene_.bag->model.description.law != membrane::FabricLaw::saint_venant_kirchhoff)
+      return;  // never carries it
     LadderChoice linear{"compression linear", {}}, none{"compression none", {}};
     case_.set(linear.overrides, "fabric.compression", "\"linear\"");
     case_.set(none.overrides, "fabric.compression", "\"none\"");

@@ -42,7 +42,7 @@ void element_data(std::string& out, const Scene& scene, const State& state) {
   for (std::size_t e = 0; e < count; ++e)
     fabric.push_back(membrane::element_response(scene.bag->model, *state.bag, static_cast<int>(e)).response);
   const JetLoads jets = jet_loads(state, count);
-  const double gauge = state.gas_point.pressure - scene.ambient.pressure;
+  const double gauge = state.bag->gauge_pressure;
   const auto add = [&](const char* name, const auto& value) {
     data_array(out, name, 1, static_cast<int>(count),
                [&](int e, int) { return value(static_cast<std::size_t>(e)); });

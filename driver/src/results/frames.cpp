@@ -134,7 +134,7 @@ void FrameWriter::write(const State& state) {
   std::vector<double> speed(nodes);
   for (std::size_t n = 0; n < nodes; ++n) speed[n] = velocity.col(static_cast<Eigen::Index>(n)).norm();
   const Eigen::Vector3d impactor = state.pendulum ? state.pendulum->centre : Eigen::Vector3d::Zero();
-  const double gauge = state.gas_point.pressure - scene_.ambient.pressure;
+  const double gauge = state.bag->gauge_pressure;
   const double speed_step = step_of(speed), jet_step = step_of(jets.overpressure);
   Bytes out(frame_bytes(std::size(kScalars) + state.jets.size(), nodes, elements));
   for (const double number : {state.time, gauge, low.x(), low.y(), low.z(), step, impactor.x(), impactor.y(),

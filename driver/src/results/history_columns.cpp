@@ -49,6 +49,8 @@ constexpr Line kLines[] = {
   {"backflow_kg_s", has::backflow, [](Of, At now) { return now.gas_point.backflow; }},
   {"heat_loss_W", has::heat_loss, [](Of, At now) { return now.gas_point.heat_loss; }},
   {"fabric_outflow_kg_s", has::fabric_leak, [](Of, At now) { return now.gas_point.fabric_mass_flow; }},
+  {"overpressure_Pa", has::prescribed_pressure, [](Of, At now) { return now.bag->gauge_pressure; }},
+  {"skin_displacement_m", has::prescribed_pressure, [](Of, At now) { return now.level.displacement; }},
   {"skin_area_m2", has::bag, [](Of, At now) { return now.level.skin_area; }},
   {"jet_force_N", has::jets, [](Of, At now) { return now.level.jet_force; }},
   {"jet_lit_elements", has::jets, lit_elements},

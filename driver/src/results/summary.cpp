@@ -49,7 +49,7 @@ Json residuals(const Scene& scene, const State& state) {
   if (scene.has_volume()) json["mass_rel"] = state.peaks.mass_residual;
   if (scene.moves()) json["ledger_rel"] = relative(state.peaks.ledger_residual);
   if (scene.has_volume() || scene.moves()) json["energy_rel"] = energy_drift(state);
-  if (scene.bag) json["momentum_rel"] = state.peaks.momentum_residual;
+  if (scene.bag && scene.gas) json["momentum_rel"] = state.peaks.momentum_residual;
   return json;
 }
 
@@ -57,7 +57,7 @@ Json peaks(const Scene& scene, const State& state) {
   Json json = Json::object();
   const Peaks& p = state.peaks;
   if (scene.has_volume()) json["pressure_Pa"] = p.pressure;
-  if (scene.bag) json["volume_m3"] = p.volume;
+  if (scene.bag && scene.gas) json["volume_m3"] = p.volume;
   if (!scene.jets.empty()) json["jet_force_N"] = p.jet_force;
   if (scene.pendulum) {
     json["pendulum_angle_rad"] = p.pendulum_angle;

@@ -9,6 +9,7 @@
 #include "membrane/surface_check.hpp"
 #include "mesh_files/mesh_reader.hpp"
 #include "scene/bag_mesh.hpp"
+#include "scene/bag_supports.hpp"
 #include "scene/parts.hpp"
 
 namespace driver {
@@ -43,7 +44,15 @@ membrane::Mesh read_mesh_file(const TableReader& table, const char* key, const s
   }
 }
 
-BagMesh mesh_of_files(TableReader& table) {
+// Of a surface that need not enclose a volume: an open edge is none of its faults.
+enum class Closed { needed, free };
+membrane::SurfaceReport faults_of(const BagMesh& source, Closed closed) {
+  auto report = membrane::check_closed_surface(source.shape(), source.mesh.elements);
+  if (closed == Closed::free) report.boundary_edges.clear();
+  return report;
+}
+
+BagMesh mesh_of_files(TableReader& table, Closed closed) {
   const double unit = table.at("length_unit").number(positive.in("m"), 1.0);
   const auto file = table.beside_case(table.at("file").text());
   BagMesh source{read_mesh_file(table, "file", file, unit), std::nullopt, {}};
@@ -53,11 +62,10 @@ BagMesh mesh_of_files(TableReader& table) {
       set_initial(source, read_mesh_file(table, "initial_file", initial, unit));
     });
   require_areas(source.mesh, file);
-  const auto report = membrane::check_closed_surface(source.shape(), source.mesh.elements);
-  if (!report.ok())
-    throw CaseError(fmt::format("{}: mesh: is not a closed control volume: {}",
-                                place_of_element(source.mesh, file, report.first_element()),
-                                report.describe(source.mesh.line)));
+  if (const auto report = faults_of(source, closed); !report.ok())
+    throw CaseError(fmt::format(
+        "{}: mesh: is not a {}: {}", place_of_element(source.mesh, file, report.first_element()),
+        closed == Closed::free ? "sheet" : "closed control volume", report.describe(source.mesh.line)));
   return source;
 }
 
@@ -75,13 +83,13 @@ BagMesh generated_mesh(TableReader& table) {
       {}};
 }
 
-BagMesh read_mesh(TableReader table, const std::vector<std::string>& null_panels) {
+BagMesh read_mesh(TableReader table, const std::vector<std::string>& null_panels, Closed closed) {
   BagMesh source;
   table.located("", [&] {
-    source = table.has("file") ? mesh_of_files(table) : generated_mesh(table);
+    source = table.has("file") ? mesh_of_files(table, closed) : generated_mesh(table);
     const int times = table.at("refine").integer(0, 6, 0);
     table.located("refine", [&] { check_refinement(source.mesh.element_count(), times); });
-    membrane::require_closed_surface(source.shape(), source.mesh.elements);
+    if (closed == Closed::needed) membrane::require_closed_surface(source.shape(), source.mesh.elements);
     refine(source, times, null_panels);
     order_nodes(source);
   });
@@ -89,73 +97,15 @@ BagMesh read_mesh(TableReader table, const std::vector<std::string>& null_panels
   return source;
 }
 
-std::vector<int> nodes_of_panels(TableReader& table, const std::string& key, const membrane::Mesh& mesh) {
-  std::vector<int> nodes;
-  const auto names = table.at(key).texts();
-  table.located(key, [&] {
-    for (const auto& name : names)
-      for (const int node : membrane::panel_nodes(mesh, name)) nodes.push_back(node);
-  });
-  std::sort(nodes.begin(), nodes.end());
-  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
-  return nodes;
-}
-
-// The node nearest to a point of the design shape; a point further off than the mesh is coarse is a slip.
-int anchor(TableReader& reader, const char* key, const membrane::Mesh& mesh) {
-  const Eigen::Vector3d point = reader.at(key).vector("m");
-  const int node = membrane::nearest_node(mesh, point);
-  double longest = 0.0;
-  for (int e = 0; e < mesh.element_count(); ++e)
-    for (int i = 0; i < 3; ++i)
-      longest = std::max(
-          longest,
-          (mesh.nodes.col(mesh.elements(i, e)) - mesh.nodes.col(mesh.elements((i + 1) % 3, e))).norm());
-  const double distance = (mesh.nodes.col(node) - point).norm();
-  if (distance > longest)
-    reader.fail(key, fmt::format("is {} m from the nearest node, {} m (the longest element side) is allowed",
-                                 distance, longest));
-  return node;
-}
-
-void read_straps(TableReader& table, const BagMesh& source, std::vector<membrane::Strap>& straps) {
-  for (auto& reader : table.tables("strap")) {
-    membrane::Strap strap;
-    if (reader.has("from") || reader.has("to") || straps.size() >= source.strap_anchors.size()) {
-      strap.node_a = anchor(reader, "from", source.mesh);
-      strap.node_b = anchor(reader, "to", source.mesh);
-    } else {
-      strap.node_a = source.strap_anchors[straps.size()][0];
-      strap.node_b = source.strap_anchors[straps.size()][1];
-    }
-    strap.stiffness = reader.at("stiffness").number(positive.in("N/m"));
-    strap.free_length = reader.at("free_length").number(positive.in("m"));
-    reader.finish();
-    straps.push_back(strap);
-  }
-}
-
-void read_plate(TableReader& table, membrane::BagDescription& bag) {
-  auto reader = table.optional_table("plate");
-  if (!reader) return;
-  membrane::Plate plate;
-  plate.point = reader->at("point").vector("m");
-  plate.normal = reader->at("normal").vector("");
-  plate.stiffness = reader->at("stiffness").optional_number(positive.in("Pa/m"));
-  reader->finish();
-  bag.plates.push_back(plate);
-}
-
-// Random displacements of at most `amplitude`, of the free nodes: the members of an ensemble.
-void perturb(Eigen::Matrix3Xd& position, const std::vector<int>& fixed, double amplitude, int seed) {
+// Random displacements of at most `amplitude`, along free directions: the members of an ensemble.
+void perturb(Eigen::Matrix3Xd& position, const membrane::BagModel& model, double amplitude, int seed) {
   if (amplitude == 0.0) return;
   std::mt19937_64 generator(static_cast<std::uint64_t>(seed));
   for (Eigen::Index node = 0; node < position.cols(); ++node)
     for (int axis = 0; axis < 3; ++axis) {
       // By hand: the standard distributions differ between libraries.
       const double unit = static_cast<double>(generator() >> 11) * 0x1p-53;
-      if (!std::binary_search(fixed.begin(), fixed.end(), static_cast<int>(node)))
-        position(axis, node) += amplitude * (2.0 * unit - 1.0);
+      if (model.inverse_mass.map()(axis, node) > 0.0) position(axis, node) += amplitude * (2.0 * unit - 1.0);
     }
 }
 
@@ -203,15 +153,22 @@ void warn_of_size(const membrane::Mesh& mesh, Scene& scene) {
                     extent));
 }
 
+std::optional<gas::Curve> read_overpressure(TableReader& table, const Scene& scene) {
+  if (scene.gas && table.has("overpressure"))
+    table.fail("overpressure", "is for sheets without gas: that of [gas] has its own pressure");
+  std::optional<gas::Curve> curve;
+  if (!scene.gas)
+    table.located("overpressure", [&] {
+      curve = to_gas_curve(table.at("overpressure").curve(any_number.in("Pa")), gas::Outside::held);
+    });
+  return curve;
+}
+
 }  // namespace
 
 void displace_nodes(Scene& scene, double amplitude, int seed) {
   if (!scene.bag) throw std::invalid_argument("the scene has no membrane whose nodes could be displaced");
-  std::vector<int> fixed;
-  const auto& inverse_mass = scene.bag->model.inverse_mass;
-  for (std::size_t node = 0; node < inverse_mass.size(); ++node)
-    if (inverse_mass[node] == 0.0) fixed.push_back(static_cast<int>(node));
-  perturb(scene.bag->initial_position, fixed, amplitude, seed);
+  perturb(scene.bag->initial_position, scene.bag->model, amplitude, seed);
 }
 
 void read_bag(TableReader& root, Scene& scene) {
@@ -220,19 +177,21 @@ void read_bag(TableReader& root, Scene& scene) {
     if (root.has("fabric")) root.fail("fabric", "needs a table [membrane]");
     return;
   }
-  if (!scene.gas) root.fail("gas", "is missing: a bag ([membrane]) is filled by a gas");
+  if (!scene.gas && !table->has("overpressure"))
+    root.fail("gas", "is missing: a bag ([membrane]) is filled by a gas, or a sheet has an overpressure");
+  const auto overpressure = read_overpressure(*table, scene);
   const auto null_panels = table->at("null_panels").texts();
-  BagMesh source = read_mesh(table->table("mesh"), null_panels);
+  BagMesh source = read_mesh(table->table("mesh"), null_panels, overpressure ? Closed::free : Closed::needed);
   membrane::BagDescription bag;
   bag.reference = source.mesh.nodes;
   bag.elements = source.mesh.elements;
   bag.gravity = scene.gravity;
-  const LeakLaw law = read_fabric(root, source.mesh, null_panels, bag, scene.gas->model);
+  const LeakLaw law =
+      read_fabric(root, source.mesh, null_panels, bag, scene.gas ? &scene.gas->model : nullptr);
   std::vector<int> null_elements = set_null_panels(*table, null_panels, source.mesh, bag);
-  bag.fixed_nodes = nodes_of_panels(*table, "fixed_panels", source.mesh);
+  read_supports(*table, source, bag);
   bag.mass_damping = table->at("mass_damping").number(non_negative.in("1/s"), 0.0);
-  read_straps(*table, source, bag.straps);
-  read_plate(*table, bag);
+  bag.stiffness_damping = table->at("stiffness_damping").number(non_negative.in("s"), 0.0);
 
   warn_of_leaks(bag, law, scene);
   warn_of_size(source.mesh, scene);
@@ -241,10 +200,10 @@ void read_bag(TableReader& root, Scene& scene) {
   if (table->has("perturbation_seed") && !table->has("perturbation"))
     table->fail("perturbation_seed", "is given without perturbation: what it seeds is needed");
   const int seed = table->at("perturbation_seed").integer(0, 1'000'000'000, 0);
-  perturb(position, bag.fixed_nodes, amplitude, seed);
   table->located("", [&] {
     scene.bag.emplace(BagPart{std::move(source.mesh), membrane::make_model(bag), std::move(position), law,
-                              std::move(null_elements)});
+                              std::move(null_elements), overpressure});
+    perturb(scene.bag->initial_position, scene.bag->model, amplitude, seed);
   });
   table->finish();
 }

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // [fabric] and [[fabric.panel]] -> the properties of each element.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <limits>
 
@@ -8,11 +10,18 @@
 namespace driver {
 namespace {
 
-std::optional<membrane::WeaveProperties> read_weave(TableReader& table) {
+// A fabric by curves has no moduli. Decks take those of the chords to the curves' ends.
+double chord(const membrane::StressCurve& curve) {
+  return curve.stress.back() / curve.strain.back();
+}
+
+std::optional<membrane::WeaveProperties> read_weave(TableReader& table, const membrane::BagDescription& bag) {
   auto reader = table.optional_table("weave");
   if (!reader) return std::nullopt;
   membrane::WeaveProperties weave;
-  weave.young_modulus_weft = reader->at("young_modulus_weft").number(positive.in("Pa"));
+  weave.young_modulus_weft = bag.law == membrane::FabricLaw::curve
+                                 ? chord(bag.curves[1])
+                                 : reader->at("young_modulus_weft").number(positive.in("Pa"));
   weave.shear = reader->at("shear_modulus").number(positive.in("Pa"));
   weave.warp = reader->at("warp").vector("");
   reader->finish();
@@ -21,27 +30,34 @@ std::optional<membrane::WeaveProperties> read_weave(TableReader& table) {
 
 // Replaces the properties that the table names; `number(key, bounds, before)` reads one.
 template <class Number>
-void read_properties(TableReader& table, membrane::ElementProperties& fabric, Number&& number) {
-  fabric.young_modulus = number("young_modulus", positive.in("Pa"), fabric.young_modulus);
-  // The limit of a woven fabric depends on both moduli; the library asks for it.
-  const Bounds isotropic{-0.999, 0.999, false, "a number from -0.999 to 0.999"};
-  fabric.poisson = number("poisson_ratio", table.has("weave") ? any_number : isotropic, fabric.poisson);
+void read_properties(TableReader& table, const membrane::BagDescription& bag,
+                     membrane::ElementProperties& fabric, Number&& number) {
+  if (bag.law == membrane::FabricLaw::curve) {
+    fabric.young_modulus = chord(bag.curves[0]);
+    fabric.poisson = 0.0;
+  } else {
+    fabric.young_modulus = number("young_modulus", positive.in("Pa"), fabric.young_modulus);
+    // The limit of a woven fabric depends on both moduli; the library asks for it.
+    const Bounds isotropic{-0.999, 0.999, false, "a number from -0.999 to 0.999"};
+    fabric.poisson = number("poisson_ratio", table.has("weave") ? any_number : isotropic, fabric.poisson);
+  }
   fabric.density = number("density", positive.in("kg/m³"), fabric.density);
   fabric.thickness = number("thickness", positive.in("m"), fabric.thickness);
-  if (auto weave = read_weave(table)) fabric.weave = weave;
+  if (auto weave = read_weave(table, bag)) fabric.weave = weave;
 }
 
 // A panel keeps what [fabric] says of it but for what its own table names.
 void read_panels(TableReader& table, const membrane::Mesh& mesh, const std::vector<std::string>& null_panels,
-                 std::vector<membrane::ElementProperties>& all) {
+                 bool leaks, membrane::BagDescription& bag) {
+  std::vector<membrane::ElementProperties>& all = bag.properties;
   const membrane::ElementProperties base = all.front();
   std::vector<bool> named(all.size(), false);
   for (TableReader& reader : table.tables("panel")) {
     membrane::ElementProperties own = base;
-    read_properties(reader, own, [&](const char* key, Bounds bounds, double before) {
+    read_properties(reader, bag, own, [&](const char* key, Bounds bounds, double before) {
       return reader.at(key).optional_number(bounds).value_or(before);
     });
-    own.porosity = reader.at("porosity").optional_number(fraction).value_or(own.porosity);
+    if (leaks) own.porosity = reader.at("porosity").optional_number(fraction).value_or(own.porosity);
     const auto names = reader.at("panels").texts("needed");
     if (names.empty()) reader.fail("panels", "is missing or empty, names of panels are needed");
     reader.located("panels", [&] {
@@ -60,15 +76,43 @@ void read_panels(TableReader& table, const membrane::Mesh& mesh, const std::vect
   }
 }
 
-}  // namespace
+// The places of faults are those of the key, whatever the library says of the whole.
+membrane::StressCurve read_stress_curve(TableReader& table, const char* key) {
+  CurveData data = table.at(key).curve(non_negative.in("Pa"), "strain");
+  const auto fail = [&](const std::string& what) { table.fail(key, what); };
+  if (data.time.empty()) fail("is a number, a curve of stress over strain is allowed");
+  if (data.time.size() > membrane::kMostCurvePoints)
+    fail(fmt::format("has {} points, at most {} are allowed", data.time.size(), membrane::kMostCurvePoints));
+  if (data.time.front() != 0.0 || data.value.front() != 0.0)
+    fail(
+        fmt::format("begins at ({}, {}), the point (0, 0) is needed", data.time.front(), data.value.front()));
+  for (std::size_t i = 1; i < data.value.size(); ++i)
+    if (!(data.value[i] > data.value[i - 1]))
+      fail(fmt::format("has the stress {} Pa after {} Pa, strictly rising ones are allowed: loading alone",
+                       data.value[i], data.value[i - 1]));
+  return {std::move(data.time), std::move(data.value)};
+}
 
-LeakLaw read_fabric(TableReader& root, const membrane::Mesh& mesh,
-                    const std::vector<std::string>& null_panels, membrane::BagDescription& bag,
-                    gas::ControlVolumeModel& model) {
-  TableReader table = root.table("fabric");
-  membrane::ElementProperties fabric;
-  read_properties(table, fabric,
-                  [&](const char* key, Bounds bounds, double) { return table.at(key).number(bounds); });
+// Law, compression and, of a fabric by curves, these.
+void read_law(TableReader& table, membrane::BagDescription& bag) {
+  using membrane::Compression;
+  bag.compression =
+      table.at("compression")
+          .choice<Compression>({{"none", Compression::none}, {"linear", Compression::linear}}, "none");
+  using membrane::FabricLaw;
+  bag.law = table.at("law").choice<FabricLaw>({{"saint_venant_kirchhoff", FabricLaw::saint_venant_kirchhoff},
+                                               {"hencky", FabricLaw::hencky},
+                                               {"curve", FabricLaw::curve}},
+                                              "saint_venant_kirchhoff");
+  if (bag.law != FabricLaw::saint_venant_kirchhoff && bag.compression != Compression::none)
+    table.fail("compression", fmt::format("is \"linear\", but law = \"{}\" carries no compression; allowed: "
+                                          "\"none\"",
+                                          bag.law == FabricLaw::hencky ? "hencky" : "curve"));
+  if (bag.law == FabricLaw::curve)
+    bag.curves = {read_stress_curve(table, "warp_curve"), read_stress_curve(table, "weft_curve")};
+}
+
+LeakLaw read_leak(TableReader& table, gas::ControlVolumeModel& model, membrane::ElementProperties& fabric) {
   const auto law = table.at("leak_law")
                        .choice<LeakLaw>({{"none", LeakLaw::none},
                                          {"printed", LeakLaw::printed},
@@ -78,22 +122,28 @@ LeakLaw read_fabric(TableReader& root, const membrane::Mesh& mesh,
   // A table is measured on the fabric as it is: all of it leaks, unless the case says otherwise.
   fabric.porosity = table.at("porosity").number(fraction, law == LeakLaw::table ? 1.0 : 0.0);
   if (law == LeakLaw::table) model.fabrics = {gas::Fabric{1.0, read_leak_velocity(table)}};
-  using membrane::Compression;
-  bag.compression =
-      table.at("compression")
-          .choice<Compression>({{"none", Compression::none}, {"linear", Compression::linear}}, "none");
+  return law;
+}
+
+}  // namespace
+
+LeakLaw read_fabric(TableReader& root, const membrane::Mesh& mesh,
+                    const std::vector<std::string>& null_panels, membrane::BagDescription& bag,
+                    gas::ControlVolumeModel* model) {
+  TableReader table = root.table("fabric");
+  read_law(table, bag);
+  membrane::ElementProperties fabric;
+  read_properties(table, bag, fabric,
+                  [&](const char* key, Bounds bounds, double) { return table.at(key).number(bounds); });
+  const LeakLaw law = model ? read_leak(table, *model, fabric) : LeakLaw::none;
   using membrane::FabricLaw;
-  bag.law = table.at("law").choice<FabricLaw>(
-      {{"saint_venant_kirchhoff", FabricLaw::saint_venant_kirchhoff}, {"hencky", FabricLaw::hencky}},
-      "saint_venant_kirchhoff");
-  if (bag.law == FabricLaw::hencky && bag.compression != Compression::none)
-    table.fail("compression",
-               "is \"linear\", but law = \"hencky\" carries no compression; allowed: \"none\"");
   bag.properties.assign(static_cast<std::size_t>(bag.elements.cols()), fabric);
-  read_panels(table, mesh, null_panels, bag.properties);
+  read_panels(table, mesh, null_panels, model != nullptr, bag);
   if (bag.law == FabricLaw::hencky &&
       std::any_of(bag.properties.begin(), bag.properties.end(), [](const auto& p) { return bool(p.weave); }))
     table.fail("law", "is \"hencky\", which is for isotropic fabric, without weave");
+  if (bag.law == FabricLaw::curve && !fabric.weave)
+    table.fail("weave", "is missing: law = \"curve\" needs its shear_modulus and warp");
   table.finish();
   return law;
 }

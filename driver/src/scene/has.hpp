@@ -28,7 +28,7 @@ inline bool backflow(const Scene& scene) {
          std::ranges::any_of(scene.gas->model.vents, [](const auto& vent) { return vent.backflow; });
 }
 inline bool fabric_leak(const Scene& scene) {
-  return scene.bag ? scene.bag->leak_law != LeakLaw::none
+  return scene.bag ? scene.gas && scene.bag->leak_law != LeakLaw::none
                    : scene.has_volume() && scene.gas->tank_leak_area > 0.0;
 }
 inline bool moving_tank(const Scene& scene) {
@@ -37,6 +37,12 @@ inline bool moving_tank(const Scene& scene) {
 }
 inline bool bag(const Scene& scene) {
   return scene.bag.has_value();
+}
+inline bool bag_of_gas(const Scene& scene) {
+  return scene.bag && scene.gas;
+}
+inline bool prescribed_pressure(const Scene& scene) {
+  return scene.bag && scene.bag->overpressure;
 }
 inline bool straps(const Scene& scene) {
   return scene.bag && !scene.bag->model.description.straps.empty();
@@ -48,7 +54,9 @@ inline bool weight(const Scene& scene) {
   return scene.bag && !scene.gravity.isZero(0.0);
 }
 inline bool damping(const Scene& scene) {
-  return scene.bag && scene.bag->model.description.mass_damping > 0.0;
+  if (!scene.bag) return false;
+  const membrane::BagDescription& bag = scene.bag->model.description;
+  return bag.mass_damping > 0.0 || bag.stiffness_damping > 0.0;
 }
 inline bool jets(const Scene& scene) {
   return !scene.jets.empty();

@@ -46,6 +46,13 @@ double kick_share(const StepSizes& step);
 /// the central difference of a linear system conserves together with the strain energy; second order for
 /// uneven ones.
 double level_kinetic(const StepSizes& step, double before, double after, double product);
+/// Largest stable step of the bag [s]: that of the stiffnesses (M.12), less for damping that lags (M.29), of
+/// the fabric and of jets at the rate `jet_damping` [1/s].
+double critical_step(const Scene& scene, const membrane::StiffnessShares& shares, double jet_damping = 0.0);
+/// On the skin at the current positions [Pa]: prescribed, or that of the gas.
+double overpressure(const Scene& scene, const State& state);
+/// Largest distance of a node from where it started [m]; 0 without a bag.
+double skin_displacement(const Scene& scene, const State& state);
 /// Potential energy of the skin's weight at the current positions [J]; 0 without gravity.
 double skin_gravity(const Scene& scene, const State& state);
 

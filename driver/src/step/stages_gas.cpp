@@ -85,12 +85,12 @@ void note_opening(const Scene& scene, State& state, std::size_t j) {
 void gas_point(const Scene& scene, State& state) {
   StageTimer timer(state, Stage::gas_point);
   state.level.flows = state.flows;
+  if (state.bag) state.level.skin_area = state.bag->surface.area;
   if (!scene.gas || !scene.has_volume()) return;
   const Enclosure now = enclosure(scene, state);
   state.gas_point = gas::evaluate(scene.gas->model, state.gas, now.volume, now.leak_area, state.time);
   state.level.internal_energy = state.gas.internal_energy + state.jet_work_ahead;
   state.level.volume = state.gas_point.volume;
-  if (state.bag) state.level.skin_area = state.bag->surface.area;
   for (std::size_t j = 0; j < state.gas_events.opened.size(); ++j) note_opening(scene, state, j);
   if (!scene.output.streams) return;
   state.level.masses = state.gas.masses;  // of the sizes that they had in make_state

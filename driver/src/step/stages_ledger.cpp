@@ -32,6 +32,10 @@ void book_kick(const Scene& scene, State& state, bool last) {
   state.flows.kick_work += work.total();
   state.flows.damping_loss -= work.damping;
   state.level.flows.damping_loss -= share * work.damping;
+  if (scene.bag->overpressure) {
+    state.flows.pressure_work += work.pressure;
+    state.level.flows.pressure_work += share * work.pressure;
+  }
   if (scene.jets.empty()) return;
   if (scene.jets.front().work == JetWork::from_gas) {
     state.level.internal_energy -= share * work.jet;
@@ -124,7 +128,7 @@ void ledger(const Scene& scene, State& state, const StepRequest& request) {
   if (start) state.start.energy = held_energy(scene, state);
   level.energy_residual = energy_residual(scene, state);
   book_energy(scene, state);
-  if (state.bag)
+  if (state.bag && scene.gas)
     state.peaks.momentum_residual = std::max(state.peaks.momentum_residual, momentum_residual(state));
 }
 

@@ -31,12 +31,11 @@ std::string shares_text(const membrane::StiffnessShares& s) {
   if (!state.bag)
     throw StepError(fmt::format("step {} s is above its bound {} s, set by the pendulum's swing; {}", given,
                                 state.step.critical, allowed));
-  throw StepError(
-      fmt::format("step {} s is above its bound {} s, set by {}, and by {:.3g} 1/s of jets relative to the "
-                  "skin; stiffest "
-                  "element {}; {}",
-                  given, state.step.critical, shares_text(state.step.shares), state.step.jet_damping,
-                  membrane::governing_element(scene.bag->model, *state.bag), allowed));
+  throw StepError(fmt::format(
+      "step {} s is above its bound {} s, set by {}, and by {:.3g} 1/s of jets relative to the "
+      "skin and {:.3g} 1/s of stiffness damping; stiffest element {}; {}",
+      given, state.step.critical, shares_text(state.step.shares), state.step.jet_damping,
+      state.step.stiffness_damping, membrane::governing_element(scene.bag->model, *state.bag), allowed));
 }
 
 // Bound of the rate at which jets relative to the skin damp it (J.9) [1/s]: the largest of any element's.
@@ -71,8 +70,8 @@ void update_bound(const Scene& scene, State& state) {
       membrane::stiffness_shares(scene.bag->model, *state.bag, gas ? state.gas_point.gamma : 0.0,
                                  gas ? state.gas_point.pressure : 0.0, contact_stiffness(scene, state));
   state.step.jet_damping = jet_damping(scene, state);
-  state.step.critical =
-      step_with_lagged_damping(membrane::critical_time_step(state.step.shares), state.step.jet_damping);
+  state.step.stiffness_damping = scene.bag->model.description.stiffness_damping * state.step.shares.element;
+  state.step.critical = critical_step(scene, state.step.shares, state.step.jet_damping);
   state.step.drift_limit = drift_limit(scene, state);
 }
 
@@ -98,7 +97,8 @@ void forces(const Scene& scene, State& state, const Executor& executor) {
   const auto& model = scene.bag->model;
   state.level.skin_strain = state.bag->forces.strain_energy;
   membrane::support_forces(model, *state.bag, ParallelBlocks{executor});
-  membrane::pressure_forces(*state.bag, state.gas_point.pressure - scene.ambient.pressure);
+  membrane::pressure_forces(*state.bag, overpressure(scene, state));
+  membrane::viscous_forces(model, *state.bag, state.step.before, ParallelBlocks{executor});
   if (!state.jets.empty()) jet_forces(scene, state);
 }
 
@@ -191,6 +191,22 @@ double level_kinetic(const StepSizes& step, double before, double after, double 
 
 double kick_share(const StepSizes& step) {
   return step.before > 0.0 ? step.before / (step.before + step.after) : 0.0;
+}
+
+double critical_step(const Scene& scene, const membrane::StiffnessShares& shares, double jet_damping) {
+  return step_with_lagged_damping(
+      membrane::critical_time_step(shares),
+      jet_damping + scene.bag->model.description.stiffness_damping * shares.element);
+}
+
+double overpressure(const Scene& scene, const State& state) {
+  const auto& prescribed = scene.bag->overpressure;
+  return prescribed ? prescribed->value(state.time) : state.gas_point.pressure - scene.ambient.pressure;
+}
+
+double skin_displacement(const Scene& scene, const State& state) {
+  if (!state.bag) return 0.0;
+  return (state.bag->position.map() - scene.bag->initial_position).colwise().norm().maxCoeff();
 }
 
 double skin_gravity(const Scene& scene, const State& state) {

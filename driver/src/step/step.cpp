@@ -21,7 +21,10 @@ void step(const Scene& scene, State& state, const StepRequest& request, const Ex
   forces(scene, state, executor);
   contact(scene, state);
   if (request.before_advance) (*request.before_advance)(state);
-  if (request.record) state.level.skin_gravity = skin_gravity(scene, state);
+  if (request.record) {
+    state.level.skin_gravity = skin_gravity(scene, state);
+    state.level.displacement = skin_displacement(scene, state);
+  }
   choose_step(scene, state, request.last);
   advance(scene, state, executor);
   const Enclosure before = enclosure(scene, state);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <cstdint>
 #include <limits>
 #include <optional>
@@ -28,6 +29,13 @@ struct WeaveProperties {
   /// Direction of the warp, of any length > 0. The part in the plane of the reference element is used; it
   /// must be more than 1e-6 of the length.
   Eigen::Vector3d warp = Eigen::Vector3d::Constant(kMustBeGiven);
+};
+
+/// Measured curve of a strip along the warp or the weft: nominal stress [Pa], force over the width and
+/// thickness as sewn, over strain [-], stretch less 1. 2 to 64 points, the first (0, 0), both rising.
+struct StressCurve {
+  std::vector<double> strain;  // [-] of each point
+  std::vector<double> stress;  // [Pa] of each point
 };
 
 /// Fabric of one element. A null element closes a hole: it bounds the volume and carries the gas pressure,
@@ -70,12 +78,17 @@ struct BagDescription {
   Eigen::Matrix3Xi elements;                    // corner nodes, 3 x elements, oriented outward
   std::vector<ElementProperties> properties;    // one per element
   Compression compression = Compression::none;  // of all fabric
-  /// Of all fabric. FabricLaw::hencky needs Compression::none and has no weave.
+  /// Of all fabric. FabricLaw::hencky needs Compression::none and has no weave. FabricLaw::curve needs
+  /// Compression::none and a weave of each fabric, whose shear and warp it takes; moduli are not read.
   FabricLaw law = FabricLaw::saint_venant_kirchhoff;
-  std::vector<int> fixed_nodes;                       // nodes that never move; any order, repeats allowed
+  std::array<StressCurve, 2> curves;  // of warp and weft, of FabricLaw::curve alone
+  std::vector<int> fixed_nodes;       // nodes that never move; any order, repeats allowed
+  /// Nodes that never move along x, along y and along z: rollers, and planes of symmetry. As above.
+  std::array<std::vector<int>, 3> held_nodes;
   std::vector<Strap> straps;                          // may be empty
   std::vector<Plate> plates;                          // may be empty
   double mass_damping = 0.0;                          // alpha >= 0: force -alpha m v [1/s]
+  double stiffness_damping = 0.0;                     // beta >= 0: stress beta dS/dt (M.28) [s]
   Eigen::Vector3d gravity = Eigen::Vector3d::Zero();  // [m/s2]
   Isa isa = best_isa();                               // kernels to use; all give the same bits
 };
@@ -117,12 +130,13 @@ struct BagModel {
   int element_count = 0;  // M, null elements included
   /// True if any element has a weave; all elements then use the orthotropic law.
   bool woven = false;
-  BagDescription description;        // as given and checked; plates with unit normal and stiffness
-  BlockTable elements;               // in the order of the kernels
-  SharedNodes shared;                // nodes that blocks share
-  CornerTable corners;               // elements around each node
-  std::vector<double> node_mass;     // [kg] sum of rho h A / 3
-  std::vector<double> inverse_mass;  // [1/kg] 1 / mass, 0 at fixed nodes
+  BagDescription description;     // as given and checked; plates with unit normal and stiffness
+  BlockTable elements;            // in the order of the kernels
+  ThreadCurves threads{};         // of FabricLaw::curve
+  SharedNodes shared;             // nodes that blocks share
+  CornerTable corners;            // elements around each node
+  std::vector<double> node_mass;  // [kg] sum of rho h A / 3
+  Vectors inverse_mass;           // [1/kg] 1 / mass, nodes, 0 along directions that are held
   /// [m2] Reference area of the fabric around each node, sum of A / 3.
   std::vector<double> node_area;
   std::vector<double> reference_area;       // [m2] of each element

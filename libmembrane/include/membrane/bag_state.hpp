@@ -40,7 +40,7 @@ struct KickWork {
   double support = 0.0;   // of straps and plates
   double contact = 0.0;   // of contact_force
   double gravity = 0.0;   // of the weight
-  double damping = 0.0;   // <= 0
+  double damping = 0.0;   // of both dampings
   /// Sum of all [J].
   double total() const { return membrane + pressure + jet + support + contact + gravity + damping; }
 };
@@ -83,7 +83,11 @@ struct BagState {
   Vectors jet_force;       // [N], nodes; empty without jet; S6 jet_forces
   Vectors support_force;   // of straps and plates [N], nodes; empty without them; S6 support_forces
   std::vector<double> strap_tension;  // [N], straps; S6 support_forces
-  Vectors contact_force;              // [N], nodes; empty without contact; S7, the caller
+  /// Of the stiffness-proportional damping [N], nodes; empty without it, as the next two; S6 viscous_forces.
+  Vectors viscous_force;
+  Vectors elastic_stress;        // (S11, S22, S12) at the last evaluation [Pa], elements; S6 viscous_forces
+  Vectors viscous_corner_force;  // workspace: at corners b and c [N], 2 x elements
+  Vectors contact_force;         // [N], nodes; empty without contact; S7, the caller
   /// Workspace of S6 and S9: partial sums of each block at its shared nodes.
   AlignedVector<NodeSums> shared_sums;
   /// Shares of the nodes' mass; they start as in the model; update_mass_shares.

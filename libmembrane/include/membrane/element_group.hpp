@@ -27,6 +27,23 @@ struct alignas(32) FabricGroup {
   double porosity_squared[kLanes];  // eta^2 [-]
 };
 
+/// Most points of a curve of stress over strain.
+inline constexpr int kMostCurvePoints = 64;
+
+/// Nominal stress [Pa] along a thread over its strain, as a sum of ramps (M.30).
+struct ThreadCurve {
+  int count;                        // of the ramps
+  double strain[kMostCurvePoints];  // [-] where each begins
+  double rise[kMostCurvePoints];    // [Pa] what the slope gains there
+  double end;                       // [-] strain of the last point
+};
+
+/// Of both directions.
+struct ThreadCurves {
+  ThreadCurve warp;  // along the first direction
+  ThreadCurve weft;  // along the second
+};
+
 /// All other constants of four elements that the kernels read, in one stream.
 struct alignas(32) ElementGroup {
   std::uint16_t node[3][kLanes];  // corners a, b, c: places in the block's list of nodes

@@ -10,9 +10,9 @@ namespace membrane {
 /// instead (relaxed energy, M.3).
 enum class Compression { linear, none };
 
-/// Elastic law of the fabric: stress linear in Green-Lagrange strain (M.2, M.13), or Cauchy stress linear in
-/// logarithmic strain (M.25, hencky.hpp).
-enum class FabricLaw { saint_venant_kirchhoff, hencky };
+/// Elastic law of the fabric: stress linear in Green-Lagrange strain (M.2, M.13), Cauchy stress linear in
+/// logarithmic strain (M.25, hencky.hpp), or measured curves of warp and weft (M.30, threads.hpp).
+enum class FabricLaw { saint_venant_kirchhoff, hencky, curve };
 
 /// Green-Lagrange strain in an orthonormal frame of the reference plane (M.1); e12 is the tensor component.
 template <class T>

@@ -43,6 +43,12 @@ void sum_skin(const BagModel& model, BagState& state, SkinParts parts);
 void plate_force_block(const BagModel& model, BagState& state, int block);
 /// Part of support_forces: the straps, and the sums over the blocks.
 void sum_support_forces(const BagModel& model, BagState& state);
+/// Number of blocks of elements of viscous_forces.
+int viscous_blocks(const BagModel& model);
+/// Part of viscous_forces for one of these blocks: stresses, and forces at the corners.
+void viscous_block(const BagModel& model, BagState& state, double dt_before, int block);
+/// Part of viscous_forces for one block of nodes, after all of those.
+void viscous_node_block(const BagModel& model, BagState& state, int block);
 /// Part of advance for one block of nodes.
 void advance_block(const BagModel& model, BagState& state, double dt_before, double dt_after, int block);
 /// Part of advance: sums over the blocks. Throws MembraneError, naming the node whose velocity is not finite.
@@ -105,6 +111,18 @@ void support_forces(const BagModel& model, BagState& state, ForEachBlock&& for_e
   if (state.support_force.empty()) return;
   for_each_block(node_blocks(model), [&](int block) { plate_force_block(model, state, block); });
   sum_support_forces(model, state);
+}
+
+/// S6: forces of the stress beta dS/dt (M.28), with the change of S since the last call, dt_before [s] ago;
+/// 0 at the start, where there is none. Rigid motion changes no S. The rate is that of half a step ago, so
+/// the damping is of first order in the step. Does nothing without stiffness_damping. It costs some ten
+/// times update_skin.
+template <class ForEachBlock = Serial>
+void viscous_forces(const BagModel& model, BagState& state, double dt_before,
+                    ForEachBlock&& for_each_block = {}) {
+  if (state.viscous_force.empty()) return;
+  for_each_block(viscous_blocks(model), [&](int block) { viscous_block(model, state, dt_before, block); });
+  for_each_block(node_blocks(model), [&](int block) { viscous_node_block(model, state, block); });
 }
 
 /// Moves mass to the elements whose bound of omega^2 is near the largest one at these positions (M.15), one

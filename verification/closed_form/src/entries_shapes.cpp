@@ -75,6 +75,24 @@ Entry sphere_breathing_entry() {
           }};
 }
 
+Entry sphere_decay_entry() {
+  return {"sphere_breathing_decay",
+          "Rate at which that breathing decays with stiffness-proportional damping, over overpressure",
+          "beta E lambda^2/((1-nu) rho R0^2); lambda of sphere_inflation",
+          kStVK,
+          "overpressure >= 0, constant; below critical damping",
+          15,
+          joined({sheet_parameters(true),
+                  radius_parameter(0.3, "unstretched radius"),
+                  {{"stiffness_damping", "beta", "s", 1e-4, "stress beta dS/dt"}}}),
+          {"overpressure_Pa", "decay_rate_1_s"},
+          range(0.0, 1e5, 50),
+          [](const ParameterMap& v, double p) {
+            return Row{sphere_breathing_decay({sheet_of(v, true), get(v, "radius")}, p,
+                                              get(v, "stiffness_damping"))};
+          }};
+}
+
 Row cylinder_row(const CylinderStretch& s) {
   return {s.hoop_stretch, s.axial_stretch, s.hoop_stress, s.axial_stress};
 }
@@ -183,8 +201,8 @@ Entry mylar_profile_entry() {
 
 void add_inflated_shapes(std::vector<Entry>& list) {
   for (Entry (*entry)() : {icosahedron_entry, icosphere_entry, sphere_inflation_entry, sphere_breathing_entry,
-                           fixed_cylinder_entry, closed_cylinder_entry, hencky_entry, hencky_profile_entry,
-                           mylar_entry, mylar_profile_entry})
+                           sphere_decay_entry, fixed_cylinder_entry, closed_cylinder_entry, hencky_entry,
+                           hencky_profile_entry, mylar_entry, mylar_profile_entry})
     list.push_back(entry());
 }
 

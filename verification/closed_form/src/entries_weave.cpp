@@ -54,10 +54,33 @@ Entry tension_field_entry() {
           }};
 }
 
+Entry two_slopes_entry() {
+  return {
+      "cylinder_two_slopes",
+      "Cylinder of fixed length, its hoop of threads by a curve of two straight pieces, over overpressure",
+      "h P(lambda - 1) = p R lambda; P = E1 e up to the knee e_k, then E1 e_k + E2 (e - e_k)",
+      "derived here (nominal stress, thickness as sewn)",
+      "strain up to 1",
+      15,
+      {{"first_modulus", "E1", "Pa", 20e6, "slope up to the knee"},
+       {"second_modulus", "E2", "Pa", 60e6, "slope past it"},
+       {"knee_strain", "e_k", "1", 0.05, "strain of the knee"},
+       {"thickness", "h", "m", 0.5e-3, "thickness"},
+       {"radius", "R", "m", 0.15, "radius as sewn"}},
+      {"overpressure_Pa", "hoop_stretch"},
+      range(0.0, 20e3, 40),
+      [](const ParameterMap& v, double p) {
+        const double knee = get(v, "knee_strain"), middle = get(v, "first_modulus") * knee;
+        const StripCurve curve{{0.0, knee, 1.0},
+                               {0.0, middle, middle + get(v, "second_modulus") * (1.0 - knee)}};
+        return Row{cylinder_by_curve(curve, get(v, "thickness"), get(v, "radius"), p)};
+      }};
+}
+
 }  // namespace
 
 void add_weave(std::vector<Entry>& list) {
-  list.insert(list.end(), {off_axis_entry(), tension_field_entry()});
+  list.insert(list.end(), {off_axis_entry(), tension_field_entry(), two_slopes_entry()});
 }
 
 }  // namespace closed_form::entries

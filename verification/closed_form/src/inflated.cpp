@@ -62,6 +62,24 @@ double sphere_breathing_frequency(const StretchedSphere& sphere, double overpres
   return std::sqrt(stiffness / (sphere.sheet.density * sphere.sheet.thickness));
 }
 
+double sphere_breathing_decay(const StretchedSphere& sphere, double overpressure, double beta) {
+  const double stretch = stretched_sphere(sphere, overpressure).stretch;
+  check::sheet(sphere.sheet, true);
+  check::non_negative("beta", beta);
+  const double length = sphere.radius / stretch;
+  return beta * biaxial_modulus(sphere.sheet) / (sphere.sheet.density * length * length);
+}
+
+double damped_swing(double omega, double beta, double time) {
+  check::positive("omega", omega);
+  check::non_negative("time", time);
+  check::non_negative("beta", beta);
+  const double ratio = 0.5 * beta * omega;
+  if (!(ratio < 1.0)) check::refuse("beta", beta, "must be below 2 / omega");
+  const double root = std::sqrt((1.0 - ratio) * (1.0 + ratio)), phase = root * omega * time;
+  return std::exp(-ratio * omega * time) * (std::cos(phase) + ratio / root * std::sin(phase));
+}
+
 CylinderStretch fixed_length_cylinder(const StretchedCylinder& cylinder, double overpressure) {
   const Sheet& sheet = check_balloon(cylinder.sheet, cylinder.radius, overpressure);
   const double stress = overpressure * cylinder.radius / sheet.thickness;

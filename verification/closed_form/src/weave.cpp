@@ -88,4 +88,21 @@ WovenState woven_tension_field(const WovenSheet& sheet, double e11, double e22, 
           tension > 0.0 ? turned : std::numeric_limits<double>::quiet_NaN()};
 }
 
+double cylinder_by_curve(const StripCurve& curve, double thickness, double radius, double overpressure) {
+  check::positive("thickness", thickness);
+  check::positive("radius", radius);
+  check::non_negative("overpressure", overpressure);
+  if (curve.strain.size() < 2 || curve.strain.size() != curve.stress.size())
+    check::refuse("curve", static_cast<double>(curve.strain.size()), "2 points or more, a stress for each");
+  const double pull = overpressure * radius / thickness;  // of the stress over the stretch
+  for (std::size_t i = 1; i < curve.strain.size(); ++i) {
+    if (!(curve.strain[i] > curve.strain[i - 1] && curve.stress[i] > curve.stress[i - 1]))
+      check::refuse("curve", curve.strain[i], "must rise strictly");
+    if (curve.stress[i] < pull * (1.0 + curve.strain[i])) continue;
+    const double slope = (curve.stress[i] - curve.stress[i - 1]) / (curve.strain[i] - curve.strain[i - 1]);
+    return (slope * (1.0 + curve.strain[i - 1]) - curve.stress[i - 1]) / (slope - pull);
+  }
+  check::refuse("overpressure", overpressure, "the curve ends before its equilibrium");
+}
+
 }  // namespace closed_form

@@ -88,6 +88,36 @@ TEST(ClosedFormMembrane, sphere_breathing_eq_reference_and_second_difference) {
   expect_relative(sphere_breathing_frequency(other, p, 9e4, 1.3), omega, 1e-8);
 }
 
+TEST(ClosedFormMembrane, sphere_breathing_decay_eq_stress_rate_by_difference) {
+  const StretchedSphere sphere{kOtherSheet, 0.1};
+  const double beta = 3e-5, omega = sphere_breathing_frequency(sphere, 0.0, 0.0, 0.0);
+  expect_relative(sphere_breathing_decay(sphere, 0.0, beta), 0.5 * beta * omega * omega, kAlgebra);
+  // 2 S h lambda / R is the pull per area, so that of beta dS/dt is 2 beta S' h lambda / R per rate; half of
+  // it over the mass rho h R is the rate.
+  const double p = 5e4, step = 1e-2 * p;
+  const SphereStretch low = stretched_sphere(sphere, p - step), high = stretched_sphere(sphere, p + step);
+  const double slope = (high.stress - low.stress) / (high.stretch - low.stretch);
+  const double stretch = stretched_sphere(sphere, p).stretch;
+  const double rate = beta * slope * stretch / (kOtherSheet.density * 0.1 * 0.1);
+  expect_relative(sphere_breathing_decay(sphere, p, beta), rate, 1e-6);  // the step's square
+  expect_refused([&] { sphere_breathing_decay(sphere, p, -1.0); }, "beta");
+}
+
+TEST(ClosedFormMembrane, damped_swing_solves_its_equation) {
+  const double omega = 1700.0, beta = 2e-4, h = 1e-6;
+  expect_relative(damped_swing(omega, 0.0, 1e-3), std::cos(1.7), kAlgebra);
+  EXPECT_EQ(damped_swing(omega, beta, 0.0), 1.0);
+  EXPECT_NEAR(damped_swing(omega, beta, h) - 1.0, -0.5 * omega * omega * h * h, 1e-9);  // at rest
+  for (const double t : {1e-4, 1e-3, 4e-3}) {
+    const double left = damped_swing(omega, beta, t - h), middle = damped_swing(omega, beta, t),
+                 right = damped_swing(omega, beta, t + h);
+    const double acceleration = (left - 2.0 * middle + right) / (h * h), speed = (right - left) / (2.0 * h);
+    const double size = omega * omega;
+    EXPECT_NEAR(acceleration + beta * omega * omega * speed + omega * omega * middle, 0.0, 1e-3 * size) << t;
+  }
+  expect_refused([&] { damped_swing(omega, 2.1 / omega, 1.0); }, "beta");
+}
+
 TEST(ClosedFormMembrane, cylinders_eq_reference_and_equilibrium) {
   const StretchedCylinder cylinder{paper_fabric(), 0.15};
   const CylinderStretch fixed = fixed_length_cylinder(cylinder, 20000.0);

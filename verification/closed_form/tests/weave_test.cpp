@@ -73,4 +73,27 @@ TEST(ClosedFormWeave, bad_sheets_are_refused) {
   expect_refused([] { woven_tension_field(kSheet, 0.0, INFINITY, 0.0); }, "e22");
 }
 
+// Equilibrium at the stretch found, and the linear cylinder: h E (lambda - 1) = p R lambda.
+TEST(ClosedFormWeave, cylinder_by_curve_is_in_equilibrium) {
+  const StripCurve curve{{0.0, 0.05, 0.1, 1.0}, {0.0, 1e6, 4e6, 4e7}};
+  const double h = 0.5e-3, radius = 0.15;
+  for (const double p : {0.0, 1e3, 3e3, 1e4, 3e4}) {
+    const double stretch = cylinder_by_curve(curve, h, radius, p), strain = stretch - 1.0;
+    std::size_t i = 1;
+    while (strain > curve.strain[i]) ++i;
+    const double stress = curve.stress[i - 1] + (curve.stress[i] - curve.stress[i - 1]) *
+                                                    (strain - curve.strain[i - 1]) /
+                                                    (curve.strain[i] - curve.strain[i - 1]);
+    EXPECT_NEAR(h * stress, p * radius * stretch, 1e-12 * h * 4e7) << p;
+  }
+  test::expect_relative(cylinder_by_curve({{0.0, 1.0}, {0.0, 6e7}}, h, radius, 1e4), 1.0 / (1.0 - 0.05),
+                        test::kAlgebra);
+  test::expect_refused([&] { cylinder_by_curve(curve, h, radius, 1e5); }, "overpressure");
+  test::expect_refused(
+      [&] {
+        cylinder_by_curve({{0.0, 0.1, 0.1}, {0.0, 1.0, 2.0}}, h, radius, 1e5);
+      },
+      "curve");
+}
+
 }  // namespace

@@ -59,6 +59,13 @@ double stretched_sphere_pressure(const StretchedSphere& sphere, double stretch);
 double sphere_breathing_frequency(const StretchedSphere& sphere, double overpressure, double ambient_pressure,
                                   double heat_capacity_ratio);
 
+/// Rate [1/s] at which that breathing decays with stiffness-proportional damping beta [s] >= 0, the stress
+/// beta dS/dt: beta E lambda^2/((1-nu) rho R0^2). Constant overpressure [Pa]. Needs sheet.density.
+double sphere_breathing_decay(const StretchedSphere& sphere, double overpressure, double beta);
+/// Swing x(t)/x(0) of one mode, let go at rest, of x'' + beta omega^2 x' + omega^2 x = 0: below critical
+/// damping, 0 <= beta omega < 2; omega > 0 [rad/s], time [s] >= 0.
+double damped_swing(double omega, double beta, double time);
+
 /// StVK cylinder.
 struct StretchedCylinder {
   Sheet sheet;                // its skin

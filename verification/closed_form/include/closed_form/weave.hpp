@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <vector>
+
 #include "closed_form/common.hpp"
 
 /// Woven (orthotropic) sheet in plane stress, with and without compression. Axes: 1 along the warp, 2 along
@@ -36,5 +38,15 @@ struct WovenState {
 /// 2, found here by a scan of 2000 directions and bisection of the derivative; 0 if no direction is
 /// stretched. Source: relaxed energy of Pipkin 1986; the dual form derived here.
 WovenState woven_tension_field(const WovenSheet& sheet, double e11, double e22, double e12);
+
+/// Measured curve of a strip: nominal stress [Pa] over strain [-], both rising strictly from 0.
+struct StripCurve {
+  std::vector<double> strain;  // [-] of each point
+  std::vector<double> stress;  // [Pa] of each point
+};
+/// Hoop stretch of a long cylinder of fixed length, of threads along the hoop with that curve and nothing
+/// else: h P(lambda - 1) = p R lambda, piece by piece. Thickness h and radius R > 0 [m], overpressure p >= 0
+/// [Pa]. Refused if the curve ends before. Source: derived here.
+double cylinder_by_curve(const StripCurve& curve, double thickness, double radius, double overpressure);
 
 }  // namespace closed_form

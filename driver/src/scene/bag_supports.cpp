@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/bag_supports.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace driver {
+namespace {
+
+std::vector<int> nodes_of_panels(TableReader& table, const std::string& key, const membrane::Mesh& mesh) {
+  std::vector<int> nodes;
+  const auto names = table.at(key).texts();
+  table.located(key, [&] {
+    for (const auto& name : names)
+      for (const int node : membrane::panel_nodes(mesh, name)) nodes.push_back(node);
+  });
+  std::sort(nodes.begin(), nodes.end());
+  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+  return nodes;
+}
+
+// Nodes of the design shape in a box.
+std::vector<int> nodes_in_box(TableReader& table, const membrane::Mesh& mesh) {
+  const Eigen::Vector3d low = table.at("low").vector("m"), high = table.at("high").vector("m");
+  std::vector<int> nodes;
+  for (int node = 0; node < mesh.node_count(); ++node)
+    if ((mesh.nodes.col(node).array() >= low.array()).all() &&
+        (mesh.nodes.col(node).array() <= high.array()).all())
+      nodes.push_back(node);
+  if (nodes.empty()) table.fail("low", "and `high` are the corners of a box that holds no node of the mesh");
+  return nodes;
+}
+
+void read_rollers(TableReader& table, const membrane::Mesh& mesh, membrane::BagDescription& bag) {
+  for (auto& reader : table.tables("roller")) {
+    const bool in_box = reader.has("low") || reader.has("high");
+    if (in_box == reader.has("panels"))
+      reader.fail("panels", "or a box, `low` and `high`: one of the two says which nodes slide");
+    const auto nodes = in_box ? nodes_in_box(reader, mesh) : nodes_of_panels(reader, "panels", mesh);
+    if (nodes.empty()) reader.fail("panels", "is empty, names of panels are needed");
+    const auto directions = reader.at("directions").texts("needed");
+    if (directions.empty())
+      reader.fail("directions", "is missing or empty, some of \"x\", \"y\" and \"z\" are needed");
+    for (const std::string& direction : directions) {
+      const auto axis = std::string_view("xyz").find(direction);
+      if (direction.size() != 1 || axis == std::string_view::npos)
+        reader.fail("directions", fmt::format("names \"{}\", \"x\", \"y\" and \"z\" are allowed", direction));
+      auto& held = bag.held_nodes[axis];
+      held.insert(held.end(), nodes.begin(), nodes.end());
+    }
+    reader.finish();
+  }
+}
+
+// The node nearest to a point of the design shape; a point further off than the mesh is coarse is a slip.
+int anchor(TableReader& reader, const char* key, const membrane::Mesh& mesh) {
+  const Eigen::Vector3d point = reader.at(key).vector("m");
+  const int node = membrane::nearest_node(mesh, point);
+  double longest = 0.0;
+  for (int e = 0; e < mesh.element_count(); ++e)
+    for (int i = 0; i < 3; ++i)
+      longest = std::max(
+          longest,
+          (mesh.nodes.col(mesh.elements(i, e)) - mesh.nodes.col(mesh.elements((i + 1) % 3, e))).norm());
+  const double distance = (mesh.nodes.col(node) - point).norm();
+  if (distance > longest)
+    reader.fail(key, fmt::format("is {} m from the nearest node, {} m (the longest element side) is allowed",
+                                 distance, longest));
+  return node;
+}
+
+void read_straps(TableReader& table, const BagMesh& source, std::vector<membrane::Strap>& straps) {
+  for (auto& reader : table.tables("strap")) {
+    membrane::Strap strap;
+    if (reader.has("from") || reader.has("to") || straps.size() >= source.strap_anchors.size()) {
+      strap.node_a = anchor(reader, "from", source.mesh);
+      strap.node_b = anchor(reader, "to", source.mesh);
+    } else {
+      strap.node_a = source.strap_anchors[straps.size()][0];
+      strap.node_b = source.strap_anchors[straps.size()][1];
+    }
+    strap.stiffness = reader.at("stiffness").number(positive.in("N/m"));
+    strap.free_length = reader.at("free_length").number(positive.in("m"));
+    reader.finish();
+    straps.push_back(strap);
+  }
+}
+
+void read_plate(TableReader& table, membrane::BagDescription& bag) {
+  auto reader = table.optional_table("plate");
+  if (!reader) return;
+  membrane::Plate plate;
+  plate.point = reader->at("point").vector("m");
+  plate.normal = reader->at("normal").vector("");
+  plate.stiffness = reader->at("stiffness").optional_number(positive.in("Pa/m"));
+  reader->finish();
+  bag.plates.push_back(plate);
+}
+
+}  // namespace
+
+void read_supports(TableReader& table, const BagMesh& source, membrane::BagDescription& bag) {
+  bag.fixed_nodes = nodes_of_panels(table, "fixed_panels", source.mesh);
+  read_rollers(table, source.mesh, bag);
+  read_straps(table, source, bag.straps);
+  read_plate(table, bag);
+}
+
+}  // namespace driver

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+// Woven fabric by measured curves: nominal stress over strain along the threads of warp and weft.
+#pragma once
+
+#include <cmath>
+#include <limits>
+
+#include "membrane/element_group.hpp"
+#include "membrane/material.hpp"
+
+namespace membrane {
+
+/// Constants of a fabric by measured curves, in the form that the kernels use (M.30).
+template <class T>
+struct ThreadConstants {
+  T cosine;                    // [-] of twice the angle from the frame's first axis to the warp
+  T sine;                      // [-] of the same angle
+  T shear;                     // 2 G [Pa]
+  const ThreadCurves* curves;  // of warp and weft
+};
+
+/// Stress of a thread over its stretch, P / lambda, and its energy.
+template <class T>
+struct ThreadResponse {
+  T stress;          // second Piola-Kirchhoff [Pa]
+  T energy_density;  // integral of P over the strain [J/m3]
+  T strain;          // lambda - 1 [-], 0 in compression
+};
+
+/// Response of a thread of Green-Lagrange strain `e` along it. The curve is the sum of ramps that begin at
+/// its points, each with the rise of the slope there. Nothing in compression: the thread buckles.
+template <class T>
+[[gnu::always_inline]] inline ThreadResponse<T> thread_response(const ThreadCurve& curve, T e) {
+  using std::sqrt;
+  const T zero(0.0), one(1.0), two(2.0), half(0.5);
+  const T taut = select(e > zero, e, zero);
+  const T stretch = sqrt(one + two * taut);
+  const T strain = two * taut / (stretch + one);  // stretch - 1 without cancellation
+  T stress = zero, energy = zero;
+  for (int i = 0; i < curve.count; ++i) {
+    const T beyond = strain - T(curve.strain[i]);
+    const T part = select(beyond > zero, beyond, zero);
+    const T ramp = T(curve.rise[i]) * part;
+    stress = stress + ramp;
+    energy = energy + half * ramp * part;
+  }
+  return {stress / stretch, energy, strain};
+}
+
+/// Stress, energy and principal values at a point (M.30), for T = double or a SIMD lane type. The stress is
+/// the derivative of the energy. Past the end of a curve the factor of the tangent is infinite.
+template <class T>
+[[gnu::always_inline]] inline PlaneResponse<T> threads_response(const PlaneStrain<T>& e,
+                                                                const ThreadConstants<T>& c) {
+  using std::sqrt;
+  const T half(0.5);
+  const T mean = half * (e.e11 + e.e22), difference = half * (e.e11 - e.e22);
+  const T strain_1 = mean + sqrt(difference * difference + e.e12 * e.e12);
+  const T turned = difference * c.cosine + e.e12 * c.sine;
+  const T shear = e.e12 * c.cosine - difference * c.sine;
+  const ThreadResponse<T> warp = thread_response(c.curves->warp, mean + turned);
+  const ThreadResponse<T> weft = thread_response(c.curves->weft, mean - turned);
+  const T d = c.shear * shear;
+  const T s_mean = half * (warp.stress + weft.stress), s_difference = half * (warp.stress - weft.stress);
+  const T s_turned = s_difference * c.cosine - d * c.sine;
+  const T infinite(std::numeric_limits<double>::max());
+  T factor = stretch_factor(strain_1);
+  factor = select(warp.strain > T(c.curves->warp.end), infinite, factor);
+  factor = select(weft.strain > T(c.curves->weft.end), infinite, factor);
+  return {s_mean + s_turned,
+          s_mean - s_turned,
+          s_difference * c.sine + d * c.cosine,
+          warp.energy_density + weft.energy_density + d * shear,
+          s_mean + sqrt(s_difference * s_difference + d * d),
+          strain_1,
+          factor};
+}
+
+}  // namespace membrane
