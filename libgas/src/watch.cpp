@@ -12,9 +12,9 @@ namespace gas {
 namespace {
 
 // Across a corner of the rates a step that ends beside it by d, relative to p, has an error of d^2, across
-// the sonic switch, where their slopes are continuous, of d^3. Here that is a hundredth, or a thousandth, of
-// the tolerance.
-constexpr double kNear = 0.1;
+// the sonic switch, where their slopes are continuous, of d^3. Here that is a ten thousandth, or a
+// thousandth, of the tolerance; corners may be steep.
+constexpr double kKnotShare = 0.01, kSonicShare = 0.1;
 constexpr double kSensorNear = 1e-12;  // of p: when a sensor switched is an answer of its own
 // p_a is landed on within a tenth of the laminar range, or, without one, within some thousand roundings.
 constexpr double kLaminarNear = 0.1, kAmbientNear = 1e-12;
@@ -34,11 +34,11 @@ Watch::Watch(const Boundary& boundary, double tolerance) : boundary_(boundary) {
   const ControlVolumeModel& model = boundary.model();
   const double p_a = model.ambient.pressure;
   ambient_near_ = std::max(kLaminarNear * model.laminar_share, kAmbientNear) * p_a;
-  sonic_near_ = kNear * std::cbrt(tolerance) * p_a;
+  sonic_near_ = kSonicShare * std::cbrt(tolerance) * p_a;
   const auto add = [&](double level, double near) {
     levels_.push_back({level, near * (p_a + std::max(0.0, level))});
   };
-  for (const double knot : overpressure_knots(model)) add(knot, kNear * std::sqrt(tolerance));
+  for (const double knot : overpressure_knots(model)) add(knot, kKnotShare * std::sqrt(tolerance));
   for (const Sensor& sensor : model.triggers.sensors) {
     if (sensor.kind != SensorKind::pressure) continue;
     add(sensor.threshold, kSensorNear);
