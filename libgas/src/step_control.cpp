@@ -100,6 +100,10 @@ bool StepControl::tells(const Balance& balance, double overpressure) const {
   return is_fixed() || std::abs(overpressure) > options_.relative_tolerance * balance.gas().pressure;
 }
 
+bool StepControl::is_ending(const Balance& balance, const Moment& at) const {
+  return at.growth == 0.0 && !tells(balance, at.overpressure);
+}
+
 void StepControl::require_stable(const Balance& balance, double length) const {
   if (!is_fixed() || options_.unsafe_step) return;
   const double growth = balance.closed_growth();

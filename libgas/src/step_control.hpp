@@ -32,6 +32,8 @@ class StepControl {
   double relaxation_bound(const Balance& balance) const;
   /// True if the tolerance distinguishes p_a + overpressure from p_a.
   bool tells(const Balance& balance, double overpressure) const;
+  /// True if flow that only runs out, or in, is about to end: the tolerance does not distinguish p from p_a.
+  bool is_ending(const Balance& balance, const Moment& at) const;
   /// Throws DomainError if a fixed length is above the stability limit of its method and an error would grow:
   /// where inflow feeds the outflow, or where walls or expansion draw in the backflow. Flow that only runs
   /// out or in ends at p = p_a.

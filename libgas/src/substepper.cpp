@@ -93,19 +93,13 @@ Substepper::Reach Substepper::reach(const Proposal& proposal, double b) const {
   const double left = clock.position(b) - begin_.x,
                cap = control_.longest(system_.balance, begin_.relaxation);
   const double longest = cap < b - begin_.t ? clock.position(begin_.t + cap) - begin_.x : kInfinity;
-  const double share = is_ending() ? 1.0 : kTowardsAmbient;
+  const double share = control_.is_ending(system_.balance, begin_.moment) ? 1.0 : kTowardsAmbient;
   const double free = std::min(proposal.length, share * watch_.until_ambient(begin_.moment));
   const double length = std::min({longest, proposal.landing, control_.is_fixed() ? kInfinity : free});
   return length >= left ? Reach{left, b} : Reach{length, clock.time(begin_.x + length)};
 }
 
-/// True if flow that only runs out, or in, is about to end: the tolerance no longer tells p from p_a.
-bool Substepper::is_ending() const {
-  return !control_.is_fixed() && begin_.moment.growth == 0.0 &&
-         !control_.tells(system_.balance, begin_.moment.overpressure);
-}
-
-/// Makes a trial of such flow that ends beyond p_a end on it.
+/// Makes a trial of flow that is about to end at p_a end on it, if it ends beyond.
 void Substepper::stop_at_ambient(double x) {
   const double from = begin_.moment.overpressure, to = system_.balance.gas().overpressure;
   if (!(from * to < 0.0) || system_.balance.closed_growth() != 0.0) return;
@@ -128,7 +122,7 @@ double Substepper::try_step(const Reach& reach, bool stiff) {
     trial_.reversed = system_.ledger.stop_reversed(trial_.end, trial_.error);
     if (trial_.reversed > 0.0) system_.rates(trial_.end, trial_.end_rate, x + h);
   }
-  if (system_.valid && is_ending()) stop_at_ambient(x + h);
+  if (system_.valid && control_.is_ending(system_.balance, begin_.moment)) stop_at_ambient(x + h);
   if (!system_.valid && control_.is_fixed()) control_.fail(system_, t, reach.end - t, false);
   return system_.valid ? control_.scaled_error(system_, trial_.error, system_.gas) : kInfinity;
 }

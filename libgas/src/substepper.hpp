@@ -54,7 +54,6 @@ class Substepper {
   void set_relaxation(double length);
   Reach reach(const Proposal& proposal, double b) const;
   bool is_stiff(double length) const;
-  bool is_ending() const;
   void stop_at_ambient(double x);
   double try_step(const Reach& reach, bool stiff);
   std::optional<Proposal> again(const Proposal& tried, const Reach& reach, const Moment& end) const;
