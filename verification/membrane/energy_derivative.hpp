@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cstring>
+
 #include "scenes.hpp"
 
 namespace scenes {
@@ -31,6 +33,20 @@ inline void expect_force_eq_minus_energy_derivative(const membrane::BagModel& mo
   expect_eq_minus_derivative(
       force, x, [&](const Eigen::Matrix3Xd& at) { return evaluated(model, at).forces.strain_energy; },
       1e-5 * force.cwiseAbs().maxCoeff() + 1e-6);
+}
+
+// Forces, energy and step bound at x have the same bits by every instruction set.
+inline void expect_same_bits(membrane::BagDescription d, const Eigen::Matrix3Xd& x) {
+  d.isa = membrane::Isa::scalar;
+  const auto scalar = evaluated(make_model(d), x);
+  for (const auto isa : {membrane::Isa::baseline, membrane::best_isa()}) {
+    d.isa = isa;
+    const auto lanes = evaluated(make_model(d), x);
+    const Eigen::Matrix3Xd a = scalar.membrane_force.map(), b = lanes.membrane_force.map();
+    EXPECT_EQ(std::memcmp(a.data(), b.data(), static_cast<std::size_t>(a.size()) * sizeof(double)), 0);
+    EXPECT_EQ(scalar.forces.strain_energy, lanes.forces.strain_energy);
+    EXPECT_EQ(scalar.forces.element_frequency, lanes.forces.element_frequency);
+  }
 }
 
 }  // namespace scenes

@@ -5,7 +5,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cstring>
 
 #include "claim.hpp"
 #include "dense.hpp"
@@ -106,16 +105,7 @@ TEST(Threads, every_instruction_set_gives_the_same_bits) {
   const auto mesh = membrane::icosphere(0.3, 1);
   auto d = describe_threads(mesh);
   const Eigen::Matrix3Xd x = scenes::shaken(1.05 * mesh.nodes, 0.03, 4);
-  d.isa = membrane::Isa::scalar;
-  const auto scalar = scenes::evaluated(make_model(d), x);
-  for (const auto isa : {membrane::Isa::baseline, membrane::best_isa()}) {
-    d.isa = isa;
-    const auto lanes = scenes::evaluated(make_model(d), x);
-    const Eigen::Matrix3Xd a = scalar.membrane_force.map(), b = lanes.membrane_force.map();
-    EXPECT_EQ(std::memcmp(a.data(), b.data(), static_cast<std::size_t>(a.size()) * sizeof(double)), 0);
-    EXPECT_EQ(scalar.forces.strain_energy, lanes.forces.strain_energy);
-    EXPECT_EQ(scalar.forces.element_frequency, lanes.forces.element_frequency);
-  }
+  scenes::expect_same_bits(d, x);
 }
 
 // (M.31): random states of single elements, along curves that stiffen and soften.

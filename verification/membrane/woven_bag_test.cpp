@@ -3,14 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <array>
-#include <cstring>
 #include <string>
 
 #include "dense.hpp"
 #include "energy_derivative.hpp"
 
 using membrane::Compression;
-using membrane::Isa;
 
 namespace {
 
@@ -39,16 +37,7 @@ TEST(WovenBag, every_instruction_set_gives_the_same_bits) {
   const Eigen::Matrix3Xd x = scenes::shaken(1.02 * mesh.nodes, 0.03, 4);
   for (const auto compression : {Compression::linear, Compression::none}) {
     auto d = woven(mesh, compression);
-    d.isa = Isa::scalar;
-    const auto scalar = scenes::evaluated(make_model(d), x);
-    for (const auto isa : {Isa::baseline, membrane::best_isa()}) {
-      d.isa = isa;
-      const auto lanes = scenes::evaluated(make_model(d), x);
-      const Eigen::Matrix3Xd a = scalar.membrane_force.map(), b = lanes.membrane_force.map();
-      EXPECT_EQ(std::memcmp(a.data(), b.data(), static_cast<std::size_t>(a.size()) * sizeof(double)), 0);
-      EXPECT_EQ(scalar.forces.strain_energy, lanes.forces.strain_energy);
-      EXPECT_EQ(scalar.forces.element_frequency, lanes.forces.element_frequency);
-    }
+    scenes::expect_same_bits(d, x);
   }
 }
 
