@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "export/lsdyna_deck.hpp"
+#include "export/lsdyna_cards.hpp"
 
 namespace driver {
 namespace {
@@ -110,72 +110,79 @@ void note_lsdyna_vents(Deck& deck) {
   for (DeckNote& note : lsdyna_vents(deck).notes) deck.notes.push_back(std::move(note));
 }
 
-void LsDynaDeck::gas(const DeckGas& mixture, double initial, int mass_flow, int temperature) {
-  const double unit = u_.energy() / mixture.molar_mass;  // of cp by amount
-  row({{"LCIDM", whole(mass_flow, 10)},
-       {"LCIDT", whole(temperature, 10)},
-       {"", blank(10)},
-       {"MW", narrow(mixture.molar_mass / u_.mass)},
-       {"INITM", narrow(initial)},
-       {"A", narrow(mixture.parabola[0] / unit)},
-       {"B", narrow(mixture.parabola[1] / unit)},
-       {"C", narrow(mixture.parabola[2] / unit)}});
-  row({{"FMASS", narrow(0.0)}});
+namespace {
+
+void gas_cards(const DeckGas& mixture, double initial, const std::array<int, 2>& curves, LsDynaCards& out) {
+  const Units& u = out.units();
+  const double unit = u.energy() / mixture.molar_mass;  // of cp by amount
+  out.row({{"LCIDM", whole(curves[0], 10)},
+           {"LCIDT", whole(curves[1], 10)},
+           {"", blank(10)},
+           {"MW", narrow(mixture.molar_mass / u.mass)},
+           {"INITM", narrow(initial)},
+           {"A", narrow(mixture.parabola[0] / unit)},
+           {"B", narrow(mixture.parabola[1] / unit)},
+           {"C", narrow(mixture.parabola[2] / unit)}});
+  out.row({{"FMASS", narrow(0.0)}});
 }
 
-void LsDynaDeck::airbag() {
-  const Scene& scene = *deck_.scene;
+}  // namespace
+
+void write_lsdyna_airbag(const Deck& deck, LsDynaCards& out) {
+  const Units& u = out.units();
+  const Scene& scene = *deck.scene;
   const double start_temperature = scene.gas->initial_temperature;
-  const LsDynaVents vents = lsdyna_vents(deck_);
+  const LsDynaVents vents = lsdyna_vents(deck);
   std::vector<std::array<int, 2>> flows{{0, 0}};  // none: the gas that is in the bag at the start
-  for (const DeckInflator& inflator : deck_.inflators) {
-    flows.push_back({next_curve_, next_curve_ + 1});
-    next_curve_ += 2;
-    curve(flows.back()[0], inflator.mass_flow, u_.time, u_.mass_flow());
-    curve(flows.back()[1], inflator.temperature, u_.time, 1.0);
+  for (const DeckInflator& inflator : deck.inflators) {
+    const int flow = out.next_curve();
+    flows.push_back({flow, out.next_curve()});
+    out.curve(flows.back()[0], inflator.mass_flow, u.time, u.mass_flow());
+    out.curve(flows.back()[1], inflator.temperature, u.time, 1.0);
   }
-  const int coefficient = vents.of_time ? next_curve_++ : 0, area = vents.of_overpressure ? next_curve_++ : 0,
-            second = vents.second ? next_curve_++ : 0;
-  if (vents.of_time) curve(coefficient, *vents.of_time, u_.time, 1.0);
-  if (vents.of_overpressure) curve_of_pressure(area, *vents.of_overpressure, u_.area());
-  if (vents.second) curve_of_pressure(second, *vents.second, u_.area());
+  const int coefficient = vents.of_time ? out.next_curve() : 0,
+            area = vents.of_overpressure ? out.next_curve() : 0, second = vents.second ? out.next_curve() : 0;
+  if (vents.of_time) out.curve(coefficient, *vents.of_time, u.time, 1.0);
+  if (vents.of_overpressure)
+    out.curve_of_pressure(area, *vents.of_overpressure, scene.ambient.pressure, u.area());
+  if (vents.second) out.curve_of_pressure(second, *vents.second, scene.ambient.pressure, u.area());
   const double density =
-      scene.ambient.pressure * deck_.initial_gas.molar_mass / (gas::kMolarGasConstant * start_temperature);
-  keyword("AIRBAG_HYBRID_ID");
-  out_.line(fmt::format("{:>10}{}", 1, "bag"));
-  row({{"SID", whole(bag_parts, 10)},
-       {"SIDTYP", whole(1, 10)},
-       {"RBID", whole(0, 10)},
-       {"VSCA", narrow(1.0)},
-       {"PSCA", narrow(1.0)},
-       {"VINI", narrow(0.0)},
-       {"MWD", narrow(0.0)},
-       {"SPSF", narrow(0.0)}});
-  row({{"ATMOST", narrow(start_temperature)},
-       {"ATMOSP", narrow(scene.ambient.pressure / u_.pressure())},
-       {"ATMOSD", narrow(density / u_.density())},
-       {"GC", narrow(gas::kMolarGasConstant / u_.energy())},
-       {"CC", narrow(1.0)},
-       {"HCONV", narrow(0.0)}});
-  row({{"C23", narrow(vents.of_time ? 0.0 : 1.0)},
-       {"LCC23", whole(coefficient, 10)},
-       {"A23", narrow(vents.area / u_.area())},
-       {"LCA23", whole(area, 10)},
-       {"CP23", narrow(vents.second ? 1.0 : 0.0)},
-       {"LCCP23", whole(0, 10)},
-       {"AP23", narrow(0.0)},
-       {"LCAP23", whole(second, 10)}});
+      scene.ambient.pressure * deck.initial_gas.molar_mass / (gas::kMolarGasConstant * start_temperature);
+  out.keyword("AIRBAG_HYBRID_ID");
+  out.line(fmt::format("{:>10}{}", 1, "bag"));
+  out.row({{"SID", whole(LsDynaIds::bag_parts, 10)},
+           {"SIDTYP", whole(1, 10)},
+           {"RBID", whole(0, 10)},
+           {"VSCA", narrow(1.0)},
+           {"PSCA", narrow(1.0)},
+           {"VINI", narrow(0.0)},
+           {"MWD", narrow(0.0)},
+           {"SPSF", narrow(0.0)}});
+  out.row({{"ATMOST", narrow(start_temperature)},
+           {"ATMOSP", narrow(scene.ambient.pressure / u.pressure())},
+           {"ATMOSD", narrow(density / u.density())},
+           {"GC", narrow(gas::kMolarGasConstant / u.energy())},
+           {"CC", narrow(1.0)},
+           {"HCONV", narrow(0.0)}});
+  out.row({{"C23", narrow(vents.of_time ? 0.0 : 1.0)},
+           {"LCC23", whole(coefficient, 10)},
+           {"A23", narrow(vents.area / u.area())},
+           {"LCA23", whole(area, 10)},
+           {"CP23", narrow(vents.second ? 1.0 : 0.0)},
+           {"LCCP23", whole(0, 10)},
+           {"AP23", narrow(0.0)},
+           {"LCAP23", whole(second, 10)}});
   constexpr int by_share = 3, by_velocity = 7;  // of MAT_FABRIC
-  const int leakage = deck_.leaks.empty() ? 0 : deck_.leaks.front().velocity ? by_velocity : by_share;
-  row({{"OPT", whole(leakage, 10)},
-       {"PVENT", narrow(vents.opens_at_overpressure / u_.pressure())},
-       {"NGAS", whole(static_cast<long>(flows.size()), 10)},
-       {"LCEFR", whole(0, 10)},
-       {"LCIDM0", whole(0, 10)},
-       {"VNTOPT", whole(0, 10)}});
-  gas(deck_.initial_gas, 1.0, flows.front()[0], flows.front()[1]);
-  for (std::size_t i = 0; i < deck_.inflators.size(); ++i)
-    gas(deck_.inflators[i].gas, 0.0, flows[i + 1][0], flows[i + 1][1]);
+  const int leakage = deck.leaks.empty() ? 0 : deck.leaks.front().velocity ? by_velocity : by_share;
+  out.row({{"OPT", whole(leakage, 10)},
+           {"PVENT", narrow(vents.opens_at_overpressure / u.pressure())},
+           {"NGAS", whole(static_cast<long>(flows.size()), 10)},
+           {"LCEFR", whole(0, 10)},
+           {"LCIDM0", whole(0, 10)},
+           {"VNTOPT", whole(0, 10)}});
+  gas_cards(deck.initial_gas, 1.0, flows.front(), out);
+  for (std::size_t i = 0; i < deck.inflators.size(); ++i)
+    gas_cards(deck.inflators[i].gas, 0.0, flows[i + 1], out);
 }
 
 }  // namespace driver

@@ -4,96 +4,89 @@
 
 #include <algorithm>
 
-#include "export/radioss_starter.hpp"
+#include "export/radioss_cards.hpp"
 
 namespace driver {
+namespace {
+
+/// Writes the starter file, one method a block.
+class RadiossStarter : private RadiossIds {
+ public:
+  RadiossStarter(const Deck& deck, const Units& units) : deck_(deck), u_(units), out_(units) {}
+  std::string text();
+
+ private:
+  const BagPart& bag() const { return *deck_.scene->bag; }
+  void head();
+  void nodes();
+  void supports();
+  void surfaces();
+  void loads();
+  void requests();
+  void request(std::string_view header, std::string_view variables, int object);
+
+  const Deck& deck_;
+  const Units& u_;
+  RadiossCards out_;
+};
 
 std::string RadiossStarter::text() {
   head();
   nodes();
-  fabric();
-  straps();
+  write_radioss_fabric(deck_, out_);
+  write_radioss_straps(deck_, out_);
   supports();
-  if (deck_.scene->pendulum) pendulum();
+  if (deck_.scene->pendulum) write_radioss_pendulum(deck_, out_);
   surfaces();
-  write_radioss_airbag(deck_, u_, function_, out_);
+  write_radioss_airbag(deck_, out_);
   loads();
   requests();
   out_.line("/END");
   return out_.text();
 }
 
-void RadiossStarter::title(const std::string& header, std::string_view text) {
-  constexpr std::size_t columns = 80;
-  out_.line(header);
-  out_.label(text, columns);
-}
-
 void RadiossStarter::head() {
   out_.line("#RADIOSS STARTER");
-  title("/BEGIN", deck_.scene->name);
+  out_.title("/BEGIN", deck_.scene->name);
   constexpr int format = 2022;
   out_.card({whole(format, 10), whole(0, 10)});
   for (int i = 0; i < 2; ++i)
     out_.card({word(u_.mass_code, 20), word(u_.length_code, 20), word(u_.time_code, 20)});
-  write_radioss_function(constant_one, "one", {{0.0, 1.0}, {2.0 * deck_.scene->time.end, 1.0}}, u_.time, 1.0,
-                         out_);
-}
-
-void RadiossStarter::node(int id, const Eigen::Vector3d& x) {
-  out_.card(
-      {whole(id, 10), real(x.x() / u_.length, 20), real(x.y() / u_.length, 20), real(x.z() / u_.length, 20)});
+  out_.function("one", {{0.0, 1.0}, {2.0 * deck_.scene->time.end, 1.0}}, u_.time, 1.0);
 }
 
 void RadiossStarter::nodes() {
   out_.line("/NODE");
   out_.line("#  node_ID                  Xc                  Yc                  Zc");
-  for (int i = 0; i < bag().mesh.node_count(); ++i) node(i + 1, bag().initial_position.col(i));
-}
-
-void RadiossStarter::part(int id, std::string_view name, int property, int law) {
-  title(fmt::format("/PART/{}", id), name);
-  out_.line("#  prop_ID    mat_ID subset_ID");
-  out_.card({whole(property, 10), whole(law, 10), whole(0, 10)});
-}
-
-void RadiossStarter::group(Group id, std::string_view name, const std::vector<int>& nodes) {
-  title(fmt::format("/GRNOD/NODE/{}", static_cast<int>(id)), name);
-  out_.list(nodes, 10);
-}
-
-void RadiossStarter::hold(int id, std::string_view code, Group nodes) {
-  title(fmt::format("/BCS/{}", id), "held");
-  out_.line("#  Tra rot   skew_ID  grnod_ID");
-  out_.card({word(code, 10), whole(0, 10), whole(nodes, 10)});
+  for (int i = 0; i < bag().mesh.node_count(); ++i) out_.node(i + 1, bag().initial_position.col(i));
 }
 
 void RadiossStarter::supports() {
-  group(all_nodes, "bag", bag_nodes(deck_, false));
+  out_.group(all_nodes, "bag", bag_nodes(deck_, false));
   const auto free = bag_nodes(deck_, true);
-  if (!free.empty()) group(free_nodes, "free nodes of the bag", free);
+  if (!free.empty()) out_.group(free_nodes, "free nodes of the bag", free);
   int id = first_held_nodes;
   for (const HeldNodes& held : held_nodes(deck_)) {
-    group(static_cast<Group>(id), held.fixed() ? "fixed nodes" : "sliding nodes", held.nodes);
+    out_.group(static_cast<Group>(id), held.fixed() ? "fixed nodes" : "sliding nodes", held.nodes);
     const auto code = fmt::format("{:d}{:d}{:d} 000", held.along[0], held.along[1], held.along[2]);
-    hold(id, code, static_cast<Group>(id));
+    out_.hold(id, code, static_cast<Group>(id));
     ++id;
   }
   for (const membrane::Plate& plate : bag().model.description.plates) {
     if (free.empty()) break;
-    title("/RWALL/PLANE/1", "plate");
+    out_.title("/RWALL/PLANE/1", "plate");
     out_.line("#  node_ID     Slide  grnd_ID1  grnd_ID2");
     out_.card({whole(0, 10), whole(0, 10), whole(free_nodes, 10), whole(0, 10)});
     out_.line("#                  d                fric            Diameter");
     out_.card({real(0.0, 20), real(0.0, 20), real(0.0, 20)});
     out_.line("#                 XM                  YM                  ZM");
-    point(plate.point);
+    out_.point(plate.point);
     out_.line("#                XM1                 YM1                 ZM1");
-    point(plate.point + plate.normal.normalized());
+    out_.point(plate.point + plate.normal.normalized());
   }
   const double alpha = bag().model.description.mass_damping, beta = bag().model.description.stiffness_damping;
   if (alpha > 0.0 || beta > 0.0) {
-    title("/DAMP/1", "damping");
+    out_.title("/DAMP/1", "damping");
     out_.line(
         "#              Alpha                Beta  grnod_ID   skew_ID              Tstart               "
         "Tstop");
@@ -102,14 +95,10 @@ void RadiossStarter::supports() {
   }
 }
 
-void RadiossStarter::point(const Eigen::Vector3d& x) {
-  out_.card({real(x.x() / u_.length, 20), real(x.y() / u_.length, 20), real(x.z() / u_.length, 20)});
-}
-
 void RadiossStarter::surfaces() {
   std::vector<int> parts;
   for (const DeckPart& p : deck_.parts) parts.push_back(p.id);
-  title("/SURF/PART/1", "bag");
+  out_.title("/SURF/PART/1", "bag");
   out_.list(parts, 10);
 }
 
@@ -117,11 +106,11 @@ void RadiossStarter::loads() {
   const Eigen::Vector3d g = deck_.scene->gravity / u_.acceleration();
   if (g.isZero(0.0)) return;
   std::vector<int> heavy = bag_nodes(deck_, false);
-  if (deck_.scene->pendulum) heavy.push_back(ids_.cg);
-  group(heavy_nodes, "nodes with weight", heavy);
+  if (deck_.scene->pendulum) heavy.push_back(DeckIds(deck_).cg);
+  out_.group(heavy_nodes, "nodes with weight", heavy);
   for (int axis = 0; axis < 3; ++axis) {
     if (g(axis) == 0.0) continue;
-    title(fmt::format("/GRAV/{}", axis + 1), "gravity");
+    out_.title(fmt::format("/GRAV/{}", axis + 1), "gravity");
     out_.line(
         "#funct_IDT       DIR   skew_ID sensor_ID  grnod_ID                      Ascale_x            "
         "Fscale_Y");
@@ -131,7 +120,7 @@ void RadiossStarter::loads() {
 }
 
 void RadiossStarter::request(std::string_view header, std::string_view variables, int object) {
-  title(std::string(header), "history");
+  out_.title(std::string(header), "history");
   out_.line(variables);
   out_.card({whole(object, 10)});
 }
@@ -145,8 +134,6 @@ void RadiossStarter::requests() {
   if (!bag().model.description.plates.empty() && !bag_nodes(deck_, true).empty())
     request("/TH/RWALL/4", "DEF       ", 1);
 }
-
-namespace {
 
 std::string engine(const Deck& deck, const Units& u, const std::string& name) {
   Cards out;

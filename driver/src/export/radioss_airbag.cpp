@@ -2,7 +2,7 @@
 // The monitored volume of a Radioss deck: /MONVOL/AIRBAG1.
 #include <fmt/format.h>
 
-#include "export/writers.hpp"
+#include "export/radioss_cards.hpp"
 
 namespace driver {
 namespace {
@@ -26,13 +26,14 @@ void gas_card(int id, const DeckGas& gas, const Units& u, Cards& out) {
   out.card({real(a[4] / unit, 20)});
 }
 
-void injectors(const Deck& deck, const Units& u, int& function, Cards& out) {
+void injectors(const Deck& deck, RadiossCards& out) {
+  const Units& u = out.units();
   for (std::size_t i = 0; i < deck.inflators.size(); ++i) {
     const DeckInflator& inflator = deck.inflators[i];
-    const int number = static_cast<int>(i), flow = function++, temperature = function++;
+    const int number = static_cast<int>(i);
     gas_card(gas_material + 1 + number, inflator.gas, u, out);
-    write_radioss_function(flow, "mass flow", inflator.mass_flow, u.time, u.mass_flow(), out);
-    write_radioss_function(temperature, "temperature", inflator.temperature, u.time, 1.0, out);
+    const int flow = out.function("mass flow", inflator.mass_flow, u.time, u.mass_flow());
+    const int temperature = out.function("temperature", inflator.temperature, u.time, 1.0);
     out.line(fmt::format("/PROP/INJECT1/{}", injector + number));
     out.line("inflator");
     out.line("#  N_gases     Iflow            Ascale_T");
@@ -88,47 +89,38 @@ void leak_cards(const DeckLeak& leak, int surface, int velocity, Cards& out) {
   out.card({whole(velocity, 10), blank(10), real(1.0, 20)});
 }
 
-std::vector<VentFunctions> vent_functions(const Deck& deck, const Units& u, int& function, Cards& out) {
+std::vector<VentFunctions> vent_functions(const Deck& deck, RadiossCards& out) {
+  const Units& u = out.units();
   std::vector<VentFunctions> all;
   for (const DeckVent& vent : deck.vents) {
     VentFunctions functions;
-    if (vent.of_time)
-      write_radioss_function(functions.of_time = function++, "vent area", *vent.of_time, u.time, u.area(),
-                             out);
+    if (vent.of_time) functions.of_time = out.function("vent area", *vent.of_time, u.time, u.area());
     if (vent.of_overpressure)
-      write_radioss_function(functions.of_pressure = function++, "vent area", *vent.of_overpressure,
-                             u.pressure(), u.area(), out);
+      functions.of_pressure = out.function("vent area", *vent.of_overpressure, u.pressure(), u.area());
     all.push_back(functions);
   }
   return all;
 }
 
-std::vector<int> leak_functions(const Deck& deck, const Units& u, int& function, Cards& out) {
+std::vector<int> leak_functions(const Deck& deck, RadiossCards& out) {
+  const Units& u = out.units();
   std::vector<int> all;
   for (const DeckLeak& leak : deck.leaks) {
-    all.push_back(leak.velocity ? function++ : 0);
-    if (leak.velocity)
-      write_radioss_function(all.back(), "leakage velocity", *leak.velocity, u.pressure(), u.velocity(), out);
+    all.push_back(leak.velocity ? out.function("leakage velocity", *leak.velocity, u.pressure(), u.velocity())
+                                : 0);
   }
   return all;
 }
 
 }  // namespace
 
-void write_radioss_function(int id, const std::string& title, const DeckCurve& curve, double x_unit,
-                            double y_unit, Cards& out) {
-  out.line(fmt::format("/FUNCT/{}", id));
-  out.line(title);
-  out.line("#                  X                   Y");
-  for (const auto& [x, y] : curve) out.card({real(x / x_unit, 20), real(y / y_unit, 20)});
-}
-
-void write_radioss_airbag(const Deck& deck, const Units& u, int& function, Cards& out) {
-  constexpr int bag_surface = 1, leak_surface = 100;
+void write_radioss_airbag(const Deck& deck, RadiossCards& out) {
+  constexpr int leak_surface = 100;
+  const Units& u = out.units();
   gas_card(gas_material, deck.initial_gas, u, out);
-  injectors(deck, u, function, out);
-  const auto vents = vent_functions(deck, u, function, out);
-  const auto leaks = leak_functions(deck, u, function, out);
+  injectors(deck, out);
+  const auto vents = vent_functions(deck, out);
+  const auto leaks = leak_functions(deck, out);
   for (const DeckLeak& leak : deck.leaks) {
     out.line(fmt::format("/SURF/PART/{}", leak_surface + leak.part));
     out.line("porous fabric");
@@ -138,7 +130,7 @@ void write_radioss_airbag(const Deck& deck, const Units& u, int& function, Cards
   out.line("/MONVOL/AIRBAG1/1");
   out.line("bag");
   out.line("#surf_IDex                         Hconv");
-  out.card({whole(bag_surface, 10), blank(10), real(0.0, 20)});
+  out.card({whole(RadiossIds::bag_surface, 10), blank(10), real(0.0, 20)});
   out.line(
       "#            AscaleT             AscaleP             AscaleS             AscaleA             AscaleD");
   out.card({real(1.0, 20), real(1.0, 20), real(1.0, 20), real(1.0, 20), real(1.0, 20)});

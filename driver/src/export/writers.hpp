@@ -49,10 +49,4 @@ const membrane::ElementProperties& a_fabric(const Deck& deck);
 /// programs that read curves again on a hundred even steps have a knot there.
 DeckCurve force_of(const Deck& deck, const membrane::Strap& strap);
 
-/// /MONVOL, its gases, inflators and functions. `function` is the number of the next function.
-void write_radioss_airbag(const Deck& deck, const Units& units, int& function, Cards& out);
-/// A function of a Radioss deck.
-void write_radioss_function(int id, const std::string& title, const DeckCurve& curve, double x_unit,
-                            double y_unit, Cards& out);
-
 }  // namespace driver
