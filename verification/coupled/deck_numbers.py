@@ -34,6 +34,8 @@ class Deck:
     def __init__(self):
         self.defined, self.named, self.counts = {}, [], {}
         self.porous, self.members, self.law_of = [], {}, {}  # surfaces that leak; numbers of a list; law of a part
+        # Whether a function rises; keyword of a law or property; parts with these; functions of threads.
+        self.rising, self.keyword_of, self.parts, self.threads = {}, {}, [], []
 
     def define(self, where, kind, number):
         numbers = self.defined.setdefault(kind, set())

@@ -97,11 +97,16 @@ def radioss_airbag(deck, lines):
 RADIOSS_CARDS = {  # title line, then forms; a reference is written kind=field
     "MAT/VOID": (["r20 r20"], "law"),
     "MAT/FABRI": (["r20", VECTOR, VECTOR, "r20"], "law"),
+    "MAT/FABR_A": (["r20", "r20 r20 r20 r20 r20", "r20 r20 r20 r20 -10 i10", "r20 r20 r20 -20 r20",
+                    "i10 i10 r20 r20 r20 r20", "function i10 -10 r20", "function i10 -10 r20", "function i10 -10 r20",
+                    "function i10 function i10 r20 r20 function i10 r20"], "law"),
     "LEAK/MAT": (["i10 -10 r20 r20", "r20 i10 -10 r20", "r20 r20"], "leak"),
     "MAT/GAS/MASS": (["r20", "r20 r20 r20 r20 r20", "r20"], "gas"),
     "PROP/VOID": (["r20"], "property"),
     "PROP/SH_ORTH": (["i10 i10 i10 i10 -20 r20", "r20 r20 r20 r20 r20", "i10 i10 r20 r20 i10 i10 i10",
                       "r20 r20 r20 r20 -10 i10"], "property"),
+    "PROP/SH_FABR": (["i10 i10 i10 -30 r20", "r20 r20 r20 r20 r20", "i10 i10 r20 r20 -10 i10",
+                      "r20 r20 r20 skew i10 i10 -10 i10", "r20 r20 r20 r20 law i10"], "property"),
     "PROP/KJOINT2": (["i10 r20 r20 r20 i10 skew i10 skew i10", "r20 i10 r20 r20", "r20 i10", "r20 r20 i10"], "property"),
     "SKEW/MOV": (["node i10 node i10 node i10 s10"], "skew"),
     "PROP/SPRING": (["r20 -30 i10 i10 i10", "r20 r20 r20 r20 r20", "function i10 i10 i10 i10 i10 -10 r20 r20",
@@ -111,6 +116,7 @@ RADIOSS_CARDS = {  # title line, then forms; a reference is written kind=field
     "RWALL/PLANE": (["node i10 i10 group i10 group i10", VECTOR, VECTOR, VECTOR], "wall"),
     "DAMP": (["r20 r20 group i10 skew i10 r20 r20"], "damping"),
     "GRAV": (["function i10 s10 skew i10 i10 group i10 -10 r20 r20"], "gravity"),
+    "PLOAD": (["surface i10 function i10 i10 i10 i10 -10 r20 r20"], "load"),
     "RBODY": (["node i10 i10 skew i10 i10 r20 group i10 i10 i10 surface i10", VECTOR, VECTOR, "i10 i10 i10"], "body"),
     "INIVEL/TRA": (["r20 r20 r20 group i10 skew i10"], "velocity"),
     "INIVEL/ROT": (["r20 r20 r20 group i10 skew i10"], "velocity"),
@@ -170,6 +176,7 @@ def radioss_block(deck, header, lines):
         points = [fields(place, line, "r20 r20") for place, line in lines[1:]]
         if len(points) < 2 or any(b[0] <= a[0] for a, b in zip(points, points[1:])):
             fault(where, "a function needs two points or more at rising abscissae")
+        deck.rising[number] = all(b[1] > a[1] for a, b in zip(points, points[1:]))
     elif keyword == "XREF":
         deck.name(where, "part", number)
         fields(*lines[1], "i10")
@@ -187,8 +194,13 @@ def radioss_block(deck, header, lines):
             fault(where, f"{keyword} has {len(lines)} lines, {1 + len(forms)} are needed")
         for (place, line), form in zip(lines[1:], forms):
             card_with_names(deck, place, line, form)
+        if kind in ("law", "property"):
+            deck.keyword_of[kind, number] = keyword
         if keyword == "PART":
             deck.law_of[number] = int(lines[1][1][10:20])
+            deck.parts.append((where, int(lines[1][1][:10]), deck.law_of[number]))
+        elif keyword == "MAT/FABR_A":
+            deck.threads += [(where, int(line[:10])) for _, line in lines[6:8]]
         elif keyword == "LEAK/MAT":
             deck.name(where, "law", number)
             factors = fields(*lines[-1], "r20 r20")
@@ -201,6 +213,15 @@ def radioss_block(deck, header, lines):
 def read_radioss(path, deck):
     for header, block in blocks(path, "/", "#", "/END"):
         radioss_block(deck, header, block)
+    # Fabric by curves has a property of its own, and its functions rise everywhere.
+    for where, prop, law in deck.parts:
+        if (deck.keyword_of.get(("law", law)) == "MAT/FABR_A") != (deck.keyword_of.get(("property", prop)) == "PROP/SH_FABR"):
+            fault(where, f"law {law} and property {prop} do not go together")
+    for where, function in deck.threads:
+        if not deck.rising.get(function, True):
+            fault(where, f"function {function} falls, or is level")
+    if not deck.defined.keys() & {"volume", "load"}:
+        fault(path, "neither gas nor pressure")
     # A porous surface leaks by what the material of its parts says, and not at all without it.
     for where, surface in deck.porous:
         for part in deck.members.get(("SURF/PART", surface), []):

@@ -24,6 +24,7 @@ CARDS = {
     "MAT_NULL": ["=material i10 r10 r10 r10 r10 r10 r10 r10"],
     "MAT_FABRIC": ["=material i10 r10 r10 r10 -10 r10 r10 r10", EIGHT, EIGHT, "-10 r10 r10 r10 r10 r10 r10 r10",
                    "r10 r10 r10 -10 -10 -10 r10 i10"],
+    "LOAD_SHELL_SET": ["shells i10 curve i10 r10 r10"],
     "MAT_RIGID": ["=material i10 r10 r10 r10 r10 r10 r10 s10", "r10 i10 i10", "r10 r10 r10 r10 r10 r10"],
     "MAT_SPRING_NONLINEAR_ELASTIC": ["=material i10 curve i10 curve i10"],
     "SECTION_SHELL": ["=section i10 i10 r10 i10 r10 r10 i10 i10", EIGHT],
@@ -50,12 +51,15 @@ LISTS = {
     "DEFINE_CURVE": (["=curve i10 i10 r10 r10 r10 r10 i10 i10"], "r20 r20"),
     "CONSTRAINED_EXTRA_NODES_NODE": ([], "part i10 node i10 i10"),
     "SET_NODE_LIST": (["=nodes i10 r10 r10 r10 r10 s10"], " ".join(["node i10"] * 8)),
+    "SET_SHELL_LIST": (["=shells i10 r10 r10 r10 r10"], " ".join(["element i10"] * 8)),
     "SET_PART_LIST": (["=parts i10 r10 r10 r10 r10"], " ".join(["part i10"] * 8)),
     "DATABASE_HISTORY_NODE": ([], " ".join(["node i10"] * 8)),
 }
 AIRBAG = [TITLE, "parts i10 i10 i10 r10 r10 r10 r10 r10", "r10 r10 r10 r10 r10 r10", "r10 curve i10 r10 curve i10 r10 curve i10 r10 curve i10",
           "i10 r10 i10 curve i10 curve i10 i10"]
 GAS = ["curve i10 curve i10 -10 r10 r10 r10 r10 r10", "r10"]
+THREADS = "curve i10 curve i10 curve i10 curve i10 curve i10 curve i10 r10"  # of a fabric by curves
+BY_CURVES = (4, 14, -14, 24)  # its FORM
 UNITS = ({"m", "mm"}, {"sec", "ms"}, {"kg", "mtrc_ton"}, {"k"})
 
 
@@ -142,6 +146,8 @@ def check_cards(deck, where, keyword, cards):
             fault(where, "leakage by velocity needs a curve, and no other leakage has one")
         if factor < 0:
             deck.name(where, "curve", -int(factor))
+        if (cards[2][5] in BY_CURVES) != (len(cards) == 6 and min(cards[5][:2]) > 0):
+            fault(where, "a fabric by curves has those of warp and weft, and no other fabric has any")
         if cards[0][1] <= 0 or cards[0][2] <= 0 or cards[1][0] <= 0:
             fault(where, "density and moduli above 0 are needed")
     elif keyword == "CONSTRAINED_JOINT_REVOLUTE_ID":
@@ -160,6 +166,7 @@ def read_block(deck, header, lines):
     where, keyword = header[0], header[1][1:]
     if keyword == "KEYWORD":
         return
+    deck.filled |= keyword in ("AIRBAG_HYBRID_ID", "LOAD_SHELL_SET")
     if keyword == "AIRBAG_HYBRID_ID":
         airbag(deck, lines)
     elif keyword in LISTS:
@@ -173,6 +180,8 @@ def read_block(deck, header, lines):
         check_list(deck, keyword, rows)
     elif keyword in CARDS:
         forms = CARDS[keyword]
+        if keyword == "MAT_FABRIC" and len(lines) > 2 and float(lines[2][1][50:60] or 0) in BY_CURVES:
+            forms = forms + [THREADS]
         if len(lines) != len(forms):
             fault(where, f"{keyword} has {len(lines)} lines, {len(forms)} are needed")
             return
@@ -195,7 +204,10 @@ def check_whole(deck):
 
 def read_lsdyna(path, deck):
     deck.places, deck.bodies, deck.sections, deck.shells, deck.shell_parts, deck.joints = {}, {}, {}, set(), set(), []
+    deck.filled = False
     for header, block in blocks(path, "*", "$", "*END"):
         read_block(deck, header, block)
     check_whole(deck)
+    if not deck.filled:
+        fault(path, "neither gas nor pressure")
     deck.counts["nodes"] = len(deck.places)

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# Decks of `gasjet export` in the real program: OpenRadioss' starter reads each case with a bag, in its own format and as an LS-DYNA
+# Decks of `gasjet export` in the real program: OpenRadioss' starter reads each case with a bag or a sheet, in its own format and as an LS-DYNA
 # deck by its reader of that. OpenRadioss is built outside this repository, and nothing of it enters here.
-# usage: read_decks.sh STARTER [CASE...]   by default all cases with a bag; prints a row for each deck: errors and warnings
+# usage: read_decks.sh STARTER [CASE...]   by default all of them; prints a row for each deck: errors and warnings
 # environment: GASJET, the program `gasjet` (by default build/gasjet of this tree); what the starter itself needs, such as
 #   LD_LIBRARY_PATH and RAD_CFG_PATH; UNITS, a unit system (by default t-mm-s)
 # Exit code: 0 no errors; 1 the starter finds errors in a deck, or does not say that there are none; 2 bad arguments; 77 no starter.
@@ -21,7 +21,7 @@ shift
   exit 2
 }
 cases=("$@")
-((${#cases[@]})) || mapfile -t cases < <(grep -l '^\[gas\]' $(grep -l '^\[membrane\]' "$root"/cases/*.toml "$root"/cases/reference/*.toml))
+((${#cases[@]})) || mapfile -t cases < <(grep -l '^\[membrane\]' "$root"/cases/*.toml "$root"/cases/reference/*.toml)
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 ulimit -s unlimited 2>/dev/null # the starter has arrays on the stack

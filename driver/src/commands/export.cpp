@@ -51,7 +51,7 @@ int export_deck(const ExportArguments& arguments) {
   const DeckFormat format = arguments.format == "radioss" ? DeckFormat::radioss : DeckFormat::lsdyna;
   Deck deck = make_deck(scene, format);
   require_size(scene, arguments.any_size);
-  const auto used = used_features(document, format);
+  const auto used = used_features(document, deck);
   if (format == DeckFormat::lsdyna) note_lsdyna_vents(deck);
   DeckFiles files = format == DeckFormat::radioss ? write_radioss(deck, units) : write_lsdyna(deck, units);
   files.emplace_back("export.md", export_markdown(deck, used,

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "export/deck_fabric.hpp"
 #include "export/deck_gas.hpp"
 #include "jet/centreline.hpp"
 #include "membrane/icosphere.hpp"
@@ -63,21 +64,6 @@ std::string jetting_of(DeckFormat format) {
       misfit.rms, misfit.ratio[0], misfit.ratio[1], misfit.ratio[2]);
 }
 
-void note_curves(const BagPart& bag, Deck& deck) {
-  const membrane::BagDescription& d = bag.model.description;
-  if (d.law != membrane::FabricLaw::curve) return;
-  for (std::size_t i = 0; i < 2; ++i) {
-    const membrane::StressCurve& curve = d.curves[i];
-    const double modulus = curve.stress.back() / curve.strain.back();
-    double misfit = 0.0;
-    for (std::size_t k = 0; k < curve.strain.size(); ++k)
-      misfit = std::max(misfit, std::abs(curve.stress[k] - modulus * curve.strain[k]));
-    deck.notes.push_back({i == 0 ? "fabric.warp_curve" : "fabric.weft_curve",
-                          fmt::format("is written as {:.4g} Pa, off by up to {:.2g} of the stress at its end",
-                                      modulus, misfit / curve.stress.back())});
-  }
-}
-
 void note_jets(const Scene& scene, Deck& deck) {
   for (const JetPart& part : scene.jets) {
     const jet::JetModel& model = part.field.model();
@@ -103,20 +89,20 @@ Deck make_deck(const Scene& scene, DeckFormat format) {
   if (!scene.bag)
     throw CaseError(fmt::format("{}: the scene has no [membrane], a scene with a bag is allowed",
                                 scene.case_file.string()));
-  if (!scene.gas)
-    throw CaseError(
-        fmt::format("{}: membrane.overpressure: a sheet without gas is not exported, a bag with "
-                    "[gas] is allowed",
-                    scene.case_file.string()));
   Deck deck;
   deck.scene = &scene;
   deck.format = format;
   add_parts(*scene.bag, deck);
-  add_gas(scene, deck);
+  if (scene.gas) add_gas(scene, deck);
+  if (scene.bag->overpressure) deck.overpressure = knots_of(*scene.bag->overpressure, 0.0, scene.time.end);
   if (scene.pendulum) add_pendulum(scene.pendulum->model.parameters(), deck);
   if (scene.pendulum && scene.pendulum->driving_moment)
     deck.notes.push_back({"pendulum.driving_moment", "is not written: load the rigid body by hand"});
-  note_curves(*scene.bag, deck);
+  add_fabric(*scene.bag, deck);
+  if (scene.bag->overpressure)
+    deck.notes.push_back(
+        {"membrane.overpressure",
+         "no history of displacements is asked for: the pictures (output.frames) have them"});
   note_jets(scene, deck);
   return deck;
 }

@@ -66,10 +66,18 @@ struct DeckNote {
   std::string text;
 };
 
+/// Threads of fabric by measured curves.
+struct DeckThread {
+  DeckCurve curve;        // stress [Pa] over strain [-] in the measures of the format
+  double steepest = 0.0;  // [Pa] of a piece of the case's curve
+};
+
 struct Deck {
   const Scene* scene = nullptr;
   DeckFormat format = DeckFormat::radioss;
   std::vector<DeckPart> parts;
+  std::array<DeckThread, 2> threads;      // warp and weft of fabric by measured curves, else empty
+  std::optional<DeckCurve> overpressure;  // [Pa] of time [s], of a sheet; what is of gas is empty then
   DeckGas initial_gas;
   std::vector<DeckInflator> inflators;
   std::vector<DeckVent> vents;

@@ -55,28 +55,6 @@ DeckGas mixture_of(const gas::Thermo& thermo, const Fractions& fractions, double
   return mixture;
 }
 
-// Decks go on along the last two knots: what the case means beyond them is said by knots of their own, and a
-// jump by two knots a millionth of the scene's end apart.
-DeckCurve knots_of(const gas::Curve& curve, double shift, double end) {
-  DeckCurve points;
-  const double jump = 1e-6 * end;
-  const auto add = [&](double time, double value) {
-    if (!points.empty() && time <= points.back()[0]) time = points.back()[0] + jump;
-    points.push_back({time, value});
-  };
-  const auto knots = curve.knots();
-  const bool zero = curve.outside() == gas::Outside::zero;
-  const double first = knots.front().time + shift;
-  if (zero && first > 0.0) add(std::min(0.0, first - 2.0 * jump), 0.0);
-  if (zero && first > 0.0 && knots.front().value != 0.0) add(first - jump, 0.0);
-  if (!zero && first > 0.0) add(0.0, knots.front().value);
-  for (const auto& knot : knots) add(knot.time + shift, knot.value);
-  const double value = zero ? 0.0 : knots.back().value;
-  if (zero && knots.back().value != 0.0) add(points.back()[0] + jump, 0.0);
-  add(points.back()[0] + end, value);
-  return points;
-}
-
 DeckCurve of_overpressure(const gas::Curve& curve, double factor) {
   DeckCurve points;
   for (const auto& knot : curve.knots()) points.push_back({knot.time, factor * knot.value});
@@ -195,6 +173,28 @@ void note_misfit(const DeckGas& gas, double highest, Deck& deck) {
 }
 
 }  // namespace
+
+// Decks go on along the last two knots: what the case means beyond them is said by knots of their own, and a
+// jump by two knots a millionth of the scene's end apart.
+DeckCurve knots_of(const gas::Curve& curve, double shift, double end) {
+  DeckCurve points;
+  const double jump = 1e-6 * end;
+  const auto add = [&](double time, double value) {
+    if (!points.empty() && time <= points.back()[0]) time = points.back()[0] + jump;
+    points.push_back({time, value});
+  };
+  const auto knots = curve.knots();
+  const bool zero = curve.outside() == gas::Outside::zero;
+  const double first = knots.front().time + shift;
+  if (zero && first > 0.0) add(std::min(0.0, first - 2.0 * jump), 0.0);
+  if (zero && first > 0.0 && knots.front().value != 0.0) add(first - jump, 0.0);
+  if (!zero && first > 0.0) add(0.0, knots.front().value);
+  for (const auto& knot : knots) add(knot.time + shift, knot.value);
+  const double value = zero ? 0.0 : knots.back().value;
+  if (zero && knots.back().value != 0.0) add(points.back()[0] + jump, 0.0);
+  add(points.back()[0] + end, value);
+  return points;
+}
 
 void add_gas(const Scene& scene, Deck& deck) {
   const GasPart& gas = *scene.gas;

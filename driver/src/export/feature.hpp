@@ -29,9 +29,8 @@ struct Feature {
 
 /// The whole table.
 const std::vector<Feature>& features();
-
-/// The row of a setting's path, or nullptr.
-const Feature* feature_of(const std::string& path);
+/// Rows that go before those of the table where the fabric is by measured curves.
+const std::vector<Feature>& features_of_curves();
 
 /// One key that the case uses, by itself or by default.
 struct UsedFeature {
@@ -40,8 +39,8 @@ struct UsedFeature {
   Outcome outcome;
 };
 
-/// All settings of the case. Throws std::logic_error for a key that the table does not name.
-std::vector<UsedFeature> used_features(const CaseDocument& document, DeckFormat format);
+/// All settings of the deck's case. Throws std::logic_error for a key that the table does not name.
+std::vector<UsedFeature> used_features(const CaseDocument& document, const Deck& deck);
 
 /// export.md and export.json.
 std::string export_markdown(const Deck& deck, const std::vector<UsedFeature>& used, const std::string& title);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <numeric>
 
 #include "export/lsdyna_cards.hpp"
 
@@ -30,6 +31,7 @@ class LsDynaDeck : private LsDynaIds {
   void supports();
   void plate(const membrane::Plate& wall);
   void damping();
+  void pressure();
   void loads();
   void requests();
 
@@ -45,7 +47,7 @@ std::string LsDynaDeck::text() {
   write_lsdyna_straps(deck_, out_);
   supports();
   if (deck_.scene->pendulum) write_lsdyna_pendulum(deck_, out_);
-  write_lsdyna_airbag(deck_, out_);
+  if (deck_.scene->gas) write_lsdyna_airbag(deck_, out_);
   loads();
   requests();
   out_.keyword("END");
@@ -131,7 +133,22 @@ void LsDynaDeck::damping() {
   }
 }
 
+void LsDynaDeck::pressure() {
+  const int curve = out_.next_curve();
+  out_.curve(curve, *deck_.overpressure, u_.time, u_.pressure());
+  std::vector<int> elements(static_cast<std::size_t>(bag().mesh.element_count()));
+  std::iota(elements.begin(), elements.end(), 1);
+  out_.set("SHELL", bag_shells, elements);
+  constexpr double along_normals = -1.0;  // above zero a pressure acts against them
+  out_.keyword("LOAD_SHELL_SET");
+  out_.row({{"ESID", whole(bag_shells, 10)},
+            {"LCID", whole(curve, 10)},
+            {"SF", narrow(along_normals)},
+            {"AT", narrow(0.0)}});
+}
+
 void LsDynaDeck::loads() {
+  if (deck_.overpressure) pressure();
   const Eigen::Vector3d g = deck_.scene->gravity / u_.acceleration();
   for (int axis = 0; axis < 3; ++axis) {
     if (g(axis) == 0.0) continue;
@@ -144,7 +161,8 @@ void LsDynaDeck::loads() {
 void LsDynaDeck::requests() {
   const Scene& scene = *deck_.scene;
   constexpr int text_and_binary = 3;
-  std::vector<const char*> histories{"GLSTAT", "MATSUM", "ABSTAT"};
+  std::vector<const char*> histories{"GLSTAT", "MATSUM"};
+  if (scene.gas) histories.push_back("ABSTAT");
   if (scene.pendulum)
     for (const char* name : {"RBDOUT", "JNTFORC", "NODOUT"}) histories.push_back(name);
   if (scene.contact) histories.push_back("RCFORC");

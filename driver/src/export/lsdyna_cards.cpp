@@ -23,7 +23,7 @@ void LsDynaCards::row(std::initializer_list<Entry> entries) {
   card(fields);
 }
 
-void LsDynaCards::curve(int id, const DeckCurve& points, double x_unit, double y_unit) {
+void LsDynaCards::curve(int id, const DeckCurve& points, double x_unit, double y_unit, int intervals) {
   keyword("DEFINE_CURVE");
   row({{"LCID", whole(id, 10)},
        {"SIDR", whole(0, 10)},
@@ -31,7 +31,8 @@ void LsDynaCards::curve(int id, const DeckCurve& points, double x_unit, double y
        {"SFO", narrow(1.0)},
        {"OFFA", narrow(0.0)},
        {"OFFO", narrow(0.0)},
-       {"DATTYP", whole(0, 10)}});
+       {"DATTYP", whole(0, 10)},
+       {"LCINT", whole(intervals, 10)}});
   for (const auto& [x, y] : points) card({real(x / x_unit, 20), real(y / y_unit, 20)});
 }
 

@@ -13,8 +13,8 @@ namespace driver {
 
 /// Numbers of what an LS-DYNA deck has once.
 struct LsDynaIds {
-  enum Set { bag_parts = 1, bag_set = 1, free_set, first_held_set };  // of parts; of nodes
-  static constexpr int constant_one = 1;                              // curve
+  enum Set { bag_parts = 1, bag_shells = 1, bag_set = 1, free_set, first_held_set };  // parts; shells; nodes
+  static constexpr int constant_one = 1;                                              // curve
 };
 
 /// Cards in an LS-DYNA deck's units, with the keywords that several of its blocks have.
@@ -30,7 +30,8 @@ class LsDynaCards : public Cards {
   int next_curve() { return next_curve_++; }
   void keyword(std::string_view name);
   void row(std::initializer_list<Entry> entries);
-  void curve(int id, const DeckCurve& points, double x_unit, double y_unit);
+  /// `intervals`: even steps in which the program reads the curve again; 0 is its default, a hundred.
+  void curve(int id, const DeckCurve& points, double x_unit, double y_unit, int intervals = 0);
   /// A curve of overpressure as one of absolute pressure.
   void curve_of_pressure(int id, const DeckCurve& points, double ambient, double y_unit);
   void node(int id, const Eigen::Vector3d& x);

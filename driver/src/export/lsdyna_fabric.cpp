@@ -19,10 +19,16 @@ class LsDynaFabric {
   void null_material(const DeckPart& p);
   void material(const DeckPart& p);
   void reference();
+  void thread_curves();
+  /// [Pa] Of warp or weft; of a curve the steepest, which the time step rests on.
+  double modulus(std::size_t thread, double linear) const {
+    return threads_[thread] ? deck_.threads[thread].steepest : linear;
+  }
 
   const Deck& deck_;
   const Units& u_;
-  std::vector<int> leak_curves_;  // of the parts that leak by a table
+  std::vector<int> leak_curves_;      // of the parts that leak by a table
+  std::array<int, 2> threads_{0, 0};  // curves of warp and weft, of fabric by measured curves
   LsDynaCards& out_;
 };
 
@@ -45,6 +51,7 @@ void LsDynaFabric::write() {
       out_.curve_of_pressure(leak_curves_.back(), *leak.velocity, deck_.scene->ambient.pressure,
                              u_.velocity());
   }
+  thread_curves();
   std::vector<int> parts;
   for (const DeckPart& p : deck_.parts) {
     p.null_panel ? null_material(p) : material(p);
@@ -54,6 +61,16 @@ void LsDynaFabric::write() {
   }
   out_.set("PART", LsDynaIds::bag_parts, parts);
   reference();
+}
+
+void LsDynaFabric::thread_curves() {
+  if (deck_.threads[0].curve.empty()) return;
+  constexpr int intervals = 1000;
+  out_.line("$ warp and weft: second Piola-Kirchhoff stress over Green-Lagrange strain");
+  for (std::size_t i = 0; i < 2; ++i) {
+    threads_[i] = out_.next_curve();
+    out_.curve(threads_[i], deck_.threads[i].curve, 1.0, u_.pressure(), intervals);
+  }
 }
 
 void LsDynaFabric::null_material(const DeckPart& p) {
@@ -77,7 +94,7 @@ void LsDynaFabric::material(const DeckPart& p) {
   const double shear = f.weave ? f.weave->shear : 0.5 * f.young_modulus / (1.0 + f.poisson);
   const auto& description = bag().model.description;
   const bool green = description.law == membrane::FabricLaw::saint_venant_kirchhoff;
-  constexpr double green_lagrange = 12.0, invariant = 1.0;
+  constexpr double green_lagrange = 12.0, invariant = 1.0, by_curves = 14.0;
   constexpr double by_share = 3.0, by_velocity = 7.0;  // by share: Graefe's formula, which never chokes
   double coefficient = 0.0, factor = 0.0, option = 0.0;
   for (std::size_t i = 0; i < deck_.leaks.size(); ++i) {
@@ -90,8 +107,8 @@ void LsDynaFabric::material(const DeckPart& p) {
   out_.keyword("MAT_FABRIC");
   out_.row({{"MID", whole(p.id, 10)},
             {"RO", narrow(f.density / u_.density())},
-            {"EA", narrow(f.young_modulus / u_.pressure())},
-            {"EB", narrow(weft / u_.pressure())},
+            {"EA", narrow(modulus(0, f.young_modulus) / u_.pressure())},
+            {"EB", narrow(modulus(1, weft) / u_.pressure())},
             {"", blank(10)},
             {"PRBA", narrow(f.poisson * weft / f.young_modulus)},
             {"PRAB", narrow(f.poisson)}});
@@ -110,7 +127,9 @@ void LsDynaFabric::material(const DeckPart& p) {
             {"FAC", narrow(factor)},
             {"ELA", narrow(0.0)},
             {"LNRC", narrow(0.0)},
-            {"FORM", narrow(green ? green_lagrange : invariant)},
+            {"FORM", narrow(threads_[0] ? by_curves
+                            : green     ? green_lagrange
+                                        : invariant)},
             {"FVOPT", narrow(option)},
             {"TSRFAC", narrow(0.0)}});
   const Eigen::Vector3d warp = f.weave ? f.weave->warp.normalized() : Eigen::Vector3d::Zero();
@@ -130,6 +149,14 @@ void LsDynaFabric::material(const DeckPart& p) {
             {"", blank(10)},
             {"BETA", narrow(0.0)},
             {"ISREFG", whole(green ? 1 : 0, 10)}});
+  if (threads_[0])
+    out_.row({{"LCA", whole(threads_[0], 10)},
+              {"LCB", whole(threads_[1], 10)},
+              {"LCAB", whole(0, 10)},
+              {"LCUA", whole(0, 10)},
+              {"LCUB", whole(0, 10)},
+              {"LCUAB", whole(0, 10)},
+              {"RL", narrow(0.0)}});
   section(p.id, f.thickness);
 }
 

@@ -21,6 +21,7 @@ class RadiossStarter : private RadiossIds {
   void nodes();
   void supports();
   void surfaces();
+  void pressure();
   void loads();
   void requests();
   void request(std::string_view header, std::string_view variables, int object);
@@ -38,7 +39,7 @@ std::string RadiossStarter::text() {
   supports();
   if (deck_.scene->pendulum) write_radioss_pendulum(deck_, out_);
   surfaces();
-  write_radioss_airbag(deck_, out_);
+  if (deck_.scene->gas) write_radioss_airbag(deck_, out_);
   loads();
   requests();
   out_.line("/END");
@@ -102,7 +103,18 @@ void RadiossStarter::surfaces() {
   out_.list(parts, 10);
 }
 
+void RadiossStarter::pressure() {
+  const int curve = out_.function("overpressure", *deck_.overpressure, u_.time, u_.pressure());
+  constexpr int without_end = 2;
+  out_.title("/PLOAD/1", "overpressure, along the normals of the elements");
+  out_.line(
+      "#  surf_ID  functIDT sensor_ID    Ipinch      Idel                      Ascale_x            Fscale_y");
+  out_.card({whole(bag_surface, 10), whole(curve, 10), whole(0, 10), whole(0, 10), whole(without_end, 10),
+             blank(10), real(1.0, 20), real(1.0, 20)});
+}
+
 void RadiossStarter::loads() {
+  if (deck_.overpressure) pressure();
   const Eigen::Vector3d g = deck_.scene->gravity / u_.acceleration();
   if (g.isZero(0.0)) return;
   std::vector<int> heavy = bag_nodes(deck_, false);
@@ -126,7 +138,7 @@ void RadiossStarter::request(std::string_view header, std::string_view variables
 }
 
 void RadiossStarter::requests() {
-  request("/TH/MONV/1", "MASS      VOL       P         A         T         ", 1);
+  if (deck_.scene->gas) request("/TH/MONV/1", "MASS      VOL       P         A         T         ", 1);
   if (deck_.scene->pendulum)
     request("/TH/RBODY/2",
             "RX        RY        RZ        VRX       VRY       VRZ       AX        AY        AZ        ", 1);

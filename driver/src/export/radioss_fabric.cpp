@@ -19,10 +19,14 @@ class RadiossFabric : private RadiossIds {
   void material(const DeckPart& p);
   void porous(const DeckLeak& leak);
   void property(const DeckPart& p);
+  void thread_functions();
+  void thread_material(const DeckPart& p);
+  void thread_property(const DeckPart& p);
   void reference(const DeckPart& p);
 
   const Deck& deck_;
   const Units& u_;
+  std::array<int, 2> threads_{0, 0};  // functions of warp and weft, of fabric by measured curves
   RadiossCards& out_;
 };
 
@@ -40,10 +44,13 @@ void RadiossFabric::void_material() {
 
 void RadiossFabric::write() {
   void_material();
+  thread_functions();
   for (const DeckPart& p : deck_.parts) {
     if (!p.null_panel) {
-      material(p);
-      property(p);
+      threads_[0] ? thread_material(p) : material(p);
+      for (const DeckLeak& leak : deck_.leaks)
+        if (leak.part == p.id) porous(leak);
+      threads_[0] ? thread_property(p) : property(p);
     }
     out_.part(p.id, p.name, p.null_panel ? void_property : p.id, p.null_panel ? void_law : p.id);
     out_.triangles(p.id, 1, 1, bag().mesh.elements, p.elements);
@@ -67,8 +74,6 @@ void RadiossFabric::material(const DeckPart& p) {
   out_.line("#                R_E");
   constexpr double slack = 1e-3;  // of the stress in compression, the least that the program takes
   out_.card({real(bag().model.description.compression == membrane::Compression::none ? slack : 1.0, 20)});
-  for (const DeckLeak& leak : deck_.leaks)
-    if (leak.part == p.id) porous(leak);
 }
 
 // The airbag takes of a porous surface what the material says is open of it, and nothing of a material that
@@ -110,6 +115,69 @@ void RadiossFabric::property(const DeckPart& p) {
       "#                 Vx                  Vy                  Vz                 Phi                  Ip");
   out_.card(
       {real(warp.x(), 20), real(warp.y(), 20), real(warp.z(), 20), real(0.0, 20), blank(10), whole(0, 10)});
+}
+
+// A thread has next to no stress in compression; the program wants functions that rise everywhere.
+void RadiossFabric::thread_functions() {
+  constexpr double slack = 1e-6;  // of the steepest piece
+  for (std::size_t i = 0; i < 2; ++i) {
+    const DeckThread& thread = deck_.threads[i];
+    DeckCurve curve = thread.curve;
+    if (curve.empty()) return;
+    curve.insert(curve.begin(), {-1.0, -slack * thread.steepest});
+    threads_[i] = out_.function(i == 0 ? "warp" : "weft", curve, 1.0, u_.pressure());
+  }
+}
+
+// LAW58: nominal stress over the elongation of the fibres of a weave. Its crimp, by which it couples warp and
+// weft, is next to nothing here: what it adds to a strain is three times as much at most.
+void RadiossFabric::thread_material(const DeckPart& p) {
+  const Field none = real(0.0, 20), crimp = real(1e-6, 20), flex = real(0.01, 20);
+  const double shear = p.fabric.weave->shear / u_.pressure();
+  const double locking = 45.0;  // [deg] Beyond it the shear goes on along the same line: its square is 1.
+  out_.title(fmt::format("/MAT/FABR_A/{}", p.id), p.name);
+  out_.line("#              RHO_I");
+  out_.card({real(p.fabric.density / u_.density(), 20)});
+  out_.line(
+      "#                 E1                  B1                  E2                  B2                Flex");
+  out_.card({real(deck_.threads[0].steepest / u_.pressure(), 20), none,
+             real(deck_.threads[1].steepest / u_.pressure(), 20), none, flex});
+  out_.line(
+      "#                 G0                  GT              AlphaT                 Gsh           sensor_ID");
+  out_.card(
+      {real(shear, 20), real(2.0 * shear, 20), real(locking, 20), real(shear, 20), blank(10), whole(0, 10)});
+  out_.line(
+      "#                 Df                  Ds               GFROT                             ZERO_STRESS");
+  out_.card({none, none, none, blank(20), none});
+  out_.line(
+      "#       N1        N2                  S1                  S2               FLEX1               FLEX2");
+  out_.card({whole(1, 10), whole(1, 10), crimp, crimp, flex, flex});
+  for (const int thread : {threads_[0], threads_[1], 0}) {
+    out_.line("#   FCT_ID                        Fscale");
+    out_.card({whole(thread, 10), blank(10), real(1.0, 20)});
+  }
+  out_.line("#  FCT_ID4   FCT_ID5             Fscale4             Fscale5   FCT_ID6             Fscale6");
+  out_.card({whole(0, 10), whole(0, 10), none, none, whole(0, 10), none});
+}
+
+void RadiossFabric::thread_property(const DeckPart& p) {
+  const Eigen::Vector3d warp = p.fabric.weave->warp.normalized();
+  const Field thickness = real(p.fabric.thickness / u_.length, 20), none = real(0.0, 20);
+  constexpr int plain_triangle = 2, by_increments = 4;
+  out_.title(fmt::format("/PROP/SH_FABR/{}", p.id), p.name);
+  out_.line("#   Ishell    Ismstr     Ish3n                                      P_Thick_Fail");
+  out_.card({whole(0, 10), whole(by_increments, 10), whole(plain_triangle, 10), blank(30), none});
+  out_.line(
+      "#                 Hm                  Hf                  Hr                  Dm                  Dn");
+  out_.card({none, none, none, none, none});
+  out_.line("#        N   Istrain               Thick              Ashear              Ithick");
+  out_.card({whole(1, 10), whole(0, 10), thickness, none, blank(10), whole(0, 10)});
+  out_.line(
+      "#                 Vx                  Vy                  Vz   Skew_ID      Ipos                  Ip");
+  out_.card({real(warp.x(), 20), real(warp.y(), 20), real(warp.z(), 20), whole(0, 10), whole(0, 10),
+             blank(10), whole(0, 10)});
+  out_.line("#              Phi_i             Alpha_i                 T_i                 Z_i   mat_IDi");
+  out_.card({none, real(90.0, 20), thickness, none, whole(p.id, 10)});
 }
 
 void RadiossFabric::reference(const DeckPart& p) {
