@@ -48,6 +48,9 @@ TEST(channel_filter, response_eq_published) {
     const auto decibel = [&](double part) {
       return 20.0 * std::log10(gain(part * channel_class, channel_class, interval));
     };
+    // The cut-off is CFC/0.6, as 2.0775 0.6 = (sqrt 2 - 1)^(-1/4); the bent axis moves it by (pi f_c T)^2 / 3
+    // at most.
+    EXPECT_NEAR(gain(channel_class / 0.6, channel_class, interval), std::sqrt(0.5), 1.5e-3);
     EXPECT_NEAR(decibel(0.5), 0.0, 0.5);
     EXPECT_NEAR(decibel(1.65), -3.0, 0.5);
     EXPECT_NEAR(decibel(4.0) - decibel(8.0), 24.0, 3.0);

@@ -75,7 +75,7 @@ History blow(double interval) {
 TEST(compare_ensemble, run_is_filtered_as_the_reference_is) {
   const History mine = blow(1e-4);
   History reference{mine.time, {}};
-  for (const int channel_class : {60, 180}) {
+  for (const int channel_class : {60, 180, 600, 1000}) {
     auto values = driver::filtered_resultant({mine.time, mine.columns[0].second, mine.columns[1].second},
                                              channel_class);
     const auto name = driver::filtered_column(channel_class);
@@ -89,6 +89,8 @@ TEST(compare_ensemble, run_is_filtered_as_the_reference_is) {
   const Difference coarse = driver::compare(blow(1e-3), reference, {"pendulum_cg_acceleration_cfc180_m_s2"});
   EXPECT_NE(coarse.verdict, Verdict::inside);
   EXPECT_NE(coarse.verdict, Verdict::outside);
+  ASSERT_FALSE(coarse.quantities.empty());
+  EXPECT_EQ(coarse.quantities[0].reason, "mine has rows 0.001 s apart, CFC 180 needs 0.000556 s or less");
 }
 
 TEST(compare_ensemble, rows_of_an_ensemble_end_with_the_filtered_acceleration) {
@@ -96,11 +98,21 @@ TEST(compare_ensemble, rows_of_an_ensemble_end_with_the_filtered_acceleration) {
   one.runs = 1;
   one.quiet = true;
   const auto result = driver::run_ensemble(
-      driver::read_ensemble_scene(coupled::case_file("passenger_sharp"), {"scene.end_time=0.03"}), one);
-  ASSERT_EQ(result.columns.back(), driver::filtered_column(180));
+      driver::read_ensemble_scene(coupled::case_file("passenger_sharp"),
+                                  {"scene.end_time=0.03", "output.channel_classes=[180,600]"}),
+      one);
+  const std::size_t columns = result.columns.size();
+  ASSERT_GE(columns, 3U);
+  EXPECT_EQ(result.columns[columns - 3], driver::filtered_column(60));
+  ASSERT_EQ(result.columns[columns - 2], driver::filtered_column(180));
+  ASSERT_EQ(result.columns[columns - 1], driver::filtered_column(600));
   ASSERT_FALSE(result.rows.empty());
-  double largest = 0.0;
-  for (const auto& row : result.rows) largest = std::max(largest, row.values.back().mean);
+  double largest = 0.0, wider = 0.0;
+  for (const auto& row : result.rows) {
+    largest = std::max(largest, row.values[columns - 2].mean);
+    wider = std::max(wider, row.values[columns - 1].mean);
+  }
+  EXPECT_GT(wider, largest);  // what lets more through has the higher peak
   const double peak = result.quantities.at("peak_cg_acceleration_cfc180_m_s2").front();
   EXPECT_LE(largest, peak * (1.0 + 1e-12));
   EXPECT_GT(largest, 0.99 * peak);  // rows are every 0.1 ms

@@ -12,6 +12,7 @@
 #include <memory>
 #include <optional>
 #include <set>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -107,10 +108,12 @@ class KeyReader {
   std::optional<double> optional_number(Bounds bounds);
   int integer(int low, int high, int fallback);
   bool flag(bool fallback);
-  std::string text();
-  /// `fallback` is not empty.
-  std::string text(const std::string& fallback);
+  /// An empty fallback makes the key required.
+  std::string text(const std::string& fallback = {});
   std::vector<double> numbers(Bounds bounds);
+  /// Reads an array of some of the rising numbers `allowed`, each once, and returns it rising; none if the
+  /// key is absent.
+  std::vector<int> some_of(std::span<const int> allowed);
   /// None if the key is absent; `in_words` describes that.
   std::vector<std::string> texts(const char* in_words = "none");
   /// One value of an array as it is written in TOML, and as a number if it is one.

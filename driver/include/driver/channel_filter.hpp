@@ -2,6 +2,7 @@
 // Channel frequency classes of SAE J211-1 / ISO 6487, by which crash laboratories filter measured signals.
 #pragma once
 
+#include <array>
 #include <span>
 #include <string>
 #include <vector>
@@ -11,8 +12,14 @@ namespace driver {
 /// Channel class of an impactor's acceleration [Hz]: 49 CFR 572.200 (g)(5).
 inline constexpr double impactor_channel_class = 180.0;
 
-/// Classes [Hz] of the columns that ensembles have beside the acceleration of the centre of gravity.
-inline constexpr int column_channel_classes[] = {60, 180};
+/// Classes [Hz] of SAE J211-1, by which columns of acceleration may be filtered.
+inline constexpr std::array channel_classes{60, 180, 600, 1000};
+/// Those that every ensemble has beside the acceleration of the centre of gravity.
+inline constexpr std::array ensemble_channel_classes{60, 180};
+/// Widest interval [s] between samples that a class lets pass: ten times its frequency.
+constexpr double widest_interval(double channel_class) {
+  return 0.1 / channel_class;
+}
 /// Name of such a column [m/s2].
 std::string filtered_column(int channel_class);
 

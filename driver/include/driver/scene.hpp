@@ -107,10 +107,11 @@ struct TimePart {
 struct OutputPart {
   /// [s] A row at the first step at or after each multiple; scenes of gas alone step by it.
   double history_every = 0.0;
-  bool history_exact = false;  // true: steps are shortened to end on the multiples
-  double fields_every = 0.0;   // [s] 0: no field files
-  int frames = 100;            // intervals of frames.bin, scenes with a bag; 0: no such file
-  bool streams = false;        // history columns for each species and stream
+  bool history_exact = false;        // true: steps are shortened to end on the multiples
+  double fields_every = 0.0;         // [s] 0: no field files
+  int frames = 100;                  // intervals of frames.bin, scenes with a bag; 0: no such file
+  bool streams = false;              // history columns for each species and stream
+  std::vector<int> channel_classes;  // [Hz] rising; by which the pendulum's acceleration is filtered
 };
 
 /// A whole scene.

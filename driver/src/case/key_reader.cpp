@@ -103,10 +103,6 @@ std::string KeyReader::read_text(const std::string& allowed, const std::string& 
   return *value;
 }
 
-std::string KeyReader::text() {
-  return read_text("a string", "");
-}
-
 std::string KeyReader::text(const std::string& fallback) {
   return read_text("a string", fallback);
 }
@@ -140,6 +136,27 @@ std::vector<double> KeyReader::numbers_of(const toml::node& node, Bounds bounds)
   std::vector<double> values;
   for (const toml::node& element : *node.as_array()) values.push_back(checked(element, bounds));
   remember(fmt::format("[{}]", fmt::join(values, ", ")), false);
+  return values;
+}
+
+std::vector<int> KeyReader::some_of(std::span<const int> allowed) {
+  const auto words = fmt::format("an array of {}", fmt::join(allowed, ", "));
+  const toml::node* node = table_->find(key_, "", words, "none");
+  if (node && !node->is_array()) fail(fmt::format("is {}, {} is allowed", type_name(*node), words));
+  std::vector<int> values;
+  if (node)
+    for (const toml::node& element : *node->as_array()) {
+      const auto value = element.value_exact<std::int64_t>();
+      const auto found = value ? std::ranges::find(allowed, *value) : allowed.end();
+      if (found == allowed.end())
+        fail(fmt::format("holds {}, {} is allowed", value ? fmt::format("{}", *value) : type_name(element),
+                         words));
+      if (std::ranges::find(values, *found) != values.end())
+        fail(fmt::format("has {} twice, once is allowed", *found));
+      values.push_back(*found);
+    }
+  std::ranges::sort(values);
+  remember(fmt::format("[{}]", fmt::join(values, ", ")), node == nullptr);
   return values;
 }
 

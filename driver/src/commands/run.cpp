@@ -39,7 +39,8 @@ int run(const RunArguments& arguments) {
   const auto folder =
       arguments.out.empty() ? std::filesystem::path("results") / arguments.scene.file.stem() : arguments.out;
   refuse_inputs(folder,
-                {"history.csv", "energy.csv", "summary.json", "check.json", "frames.bin", status_file},
+                {"history.csv", "energy.csv", "summary.json", "check.json", "frames.bin", "accelerations.csv",
+                 status_file},
                 document.files());
   const std::string id = id_of("run", {}, {&document});
   // Until the steps begin there is nothing to keep, and a signal ends the program at once.

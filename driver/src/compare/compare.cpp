@@ -38,18 +38,28 @@ class Columns {
 
 // A run has its acceleration by components: what the reference has filtered follows from rows that are close
 // enough, ten times the class as SAE J211 asks.
-History filtered_as(const History& reference, const History& mine) {
-  History result;
+struct Filtered {
+  History columns;
+  std::unordered_map<std::string, std::string> too_coarse;  // why there is no such column
+};
+
+Filtered filtered_as(const History& reference, const History& mine) {
+  Filtered result;
   const auto *first = mine.find("pendulum_cg_tangential_m_s2"),
              *second = mine.find("pendulum_cg_radial_m_s2");
   if (!first || !second || mine.runs > 1) return result;
   double widest = 0.0;
   for (std::size_t i = 1; i < mine.time.size(); ++i)
     widest = std::max(widest, mine.time[i] - mine.time[i - 1]);
-  for (const int channel_class : column_channel_classes) {
+  for (const int channel_class : channel_classes) {
     const std::string name = filtered_column(channel_class);
-    if (mine.find(name) || !reference.find(name) || widest * 10.0 * channel_class > 1.0) continue;
-    result.columns.emplace_back(name, filtered_resultant({mine.time, *first, *second}, channel_class));
+    if (mine.find(name) || !reference.find(name)) continue;
+    if (widest > widest_interval(channel_class) * (1.0 + 1e-12))
+      result.too_coarse[name] = fmt::format("mine has rows {:.3g} s apart, CFC {} needs {:.3g} s or less",
+                                            widest, channel_class, widest_interval(channel_class));
+    else
+      result.columns.columns.emplace_back(name,
+                                          filtered_resultant({mine.time, *first, *second}, channel_class));
   }
   return result;
 }
@@ -260,9 +270,9 @@ const std::vector<double>* History::find(const std::string& name) const {
 
 Difference compare(const History& mine, const History& reference, const std::vector<std::string>& only,
                    const Tolerance& tolerance) {
-  const History filtered = filtered_as(reference, mine);
+  const Filtered filtered = filtered_as(reference, mine);
   Side my_side{mine.time, Columns(mine)};
-  my_side.columns.add(filtered);
+  my_side.columns.add(filtered.columns);
   const Columns expected(reference);
   check_bands(reference);
   const Window window = common_rows(mine, reference);
@@ -277,6 +287,9 @@ Difference compare(const History& mine, const History& reference, const std::vec
   for (const auto& name : names)
     difference.quantities.push_back(
         compare_quantity(name, my_side, expected, difference.time, window, judgement));
+  for (auto& q : difference.quantities)
+    if (const auto why = filtered.too_coarse.find(q.name); why != filtered.too_coarse.end())
+      q.reason = why->second;
   conclude(difference);
   return difference;
 }

@@ -5,8 +5,10 @@
 
 #include <algorithm>
 #include <ctime>
+#include <iterator>
 
 #include "driver/channel_filter.hpp"
+#include "results/acceleration_record.hpp"
 #include "scene/has.hpp"
 
 namespace driver {
@@ -49,14 +51,11 @@ constexpr Quantity kQuantities[] = {
 };
 // clang-format on
 
-// Puts the filtered accelerations behind each row; `places` are those of the rows in the signal.
-void append_filtered(std::vector<std::vector<double>>& rows, Signal signal,
-                     const std::vector<std::size_t>& places) {
-  for (const int channel_class : column_channel_classes) {
-    const std::vector<double> values = signal.time.size() < 2 ? std::vector<double>(signal.time.size())
-                                                              : filtered_resultant(signal, channel_class);
-    for (std::size_t i = 0; i < rows.size(); ++i) rows[i].push_back(values[places[i]]);
-  }
+// Those that an ensemble has anyway, and those that the case asks for.
+std::vector<int> classes_of(const Scene& scene) {
+  std::vector<int> classes;
+  std::ranges::set_union(ensemble_channel_classes, scene.output.channel_classes, std::back_inserter(classes));
+  return classes;
 }
 
 // Over the time, the first column.
@@ -80,7 +79,7 @@ std::vector<std::string> row_names(const Scene& scene) {
   std::vector<std::string> names;
   for (const auto& column : history_columns(scene)) names.push_back(column.name);
   if (scene.pendulum)
-    for (const int channel_class : column_channel_classes) names.push_back(filtered_column(channel_class));
+    for (const int channel_class : classes_of(scene)) names.push_back(filtered_column(channel_class));
   return names;
 }
 
@@ -99,25 +98,21 @@ Member run_member(const Scene& scene) {
   const double start = thread_cpu_seconds();
   State state = make_state(scene);
   Member member;
-  PlanarSignal acceleration;
-  double level = 0.0;  // [s] time of the level that the sink sees
+  AccelerationRecord acceleration;
   const auto columns = history_columns(scene);
-  std::vector<std::size_t> places;
   member.outcome = run_scene(scene, state, [&](bool recorded, const State& now) {
     if (recorded) member.rows.push_back(row(columns, scene, now));
-    if (!now.pendulum) return;
-    if (recorded) places.push_back(acceleration.time.size());
-    acceleration.time.push_back(level);
-    acceleration.first.push_back(now.pendulum->acceleration.tangential);
-    acceleration.second.push_back(now.pendulum->acceleration.radial);
-    level += now.step.after;
+    if (now.pendulum) acceleration.add(recorded, now);
   });
   member.cpu_seconds = thread_cpu_seconds() - start;
-  if (state.pendulum) append_filtered(member.rows, acceleration, places);
+  for (const int channel_class : state.pendulum ? classes_of(scene) : std::vector<int>{}) {
+    const std::vector<double> values = acceleration.at_rows(channel_class);
+    for (std::size_t i = 0; i < values.size(); ++i) member.rows[i].push_back(values[i]);
+  }
   member.steps = state.steps;
   member.energies = row(energy_columns(scene), scene, state);
   for (const Quantity& quantity : kQuantities)
-    if (quantity.when(scene)) member.quantities.push_back(quantity.value(state, acceleration));
+    if (quantity.when(scene)) member.quantities.push_back(quantity.value(state, acceleration.signal()));
   return member;
 }
 

@@ -235,6 +235,7 @@ const std::vector<Feature>& features() {
       {"output.history_every", same, same},
       {"output.history_exact", output, output},
       {"output.streams", output, output},
+      {"output.channel_classes", output, output},
       {"output.frames",
        {Mapping::exact, "intervals between pictures"},
        {Mapping::exact, "intervals between pictures"}},

@@ -95,7 +95,7 @@ void add_filtered(Json& run, const std::filesystem::path& file, const PageTable&
   double widest = 0.0;
   for (std::size_t i = 1; i < signal.time.size(); ++i)
     widest = std::max(widest, signal.time[i] - signal.time[i - 1]);
-  if (signal.time.size() < 2 || widest * 10.0 * impactor_channel_class > 1.0) return;
+  if (signal.time.size() < 2 || widest > widest_interval(impactor_channel_class)) return;
   const std::vector<double> resultant = filtered_resultant(signal, impactor_channel_class);
   std::string text;
   for (std::size_t i = 0; i < resultant.size(); ++i)

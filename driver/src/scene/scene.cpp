@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <string_view>
 
+#include "driver/channel_filter.hpp"
 #include "driver/formats.hpp"
 #include "scene/jet_peak.hpp"
 #include "scene/parts.hpp"
@@ -112,6 +113,19 @@ void read_streams(TableReader& table, Scene& scene) {
                                         name));
 }
 
+void read_channel_classes(TableReader& table, Scene& scene) {
+  if (!scene.pendulum) {
+    if (table.has("channel_classes")) table.fail("channel_classes", "the scene has no pendulum");
+    return;
+  }
+  scene.output.channel_classes = table.at("channel_classes").some_of(channel_classes);
+  for (const int channel_class : scene.output.channel_classes)
+    if (scene.time.step && *scene.time.step > widest_interval(channel_class) * (1.0 + 1e-12))
+      table.fail("channel_classes",
+                 fmt::format("{} needs steps of {:.3g} s or less, time.step is {} s", channel_class,
+                             widest_interval(channel_class), *scene.time.step));
+}
+
 void read_output(TableReader& root, Scene& scene) {
   constexpr int default_rows = 1000;
   scene.output.history_every = scene.time.end / default_rows;
@@ -129,6 +143,7 @@ void read_output(TableReader& root, Scene& scene) {
     if (table->has("frames") && !scene.bag) table->fail("frames", "the scene has no membrane");
     if (scene.bag) scene.output.frames = table->at("frames").integer(0, 10000, scene.output.frames);
     read_streams(*table, scene);
+    read_channel_classes(*table, scene);
     table->finish();
   }
 }

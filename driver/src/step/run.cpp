@@ -10,6 +10,7 @@
 #include "driver/fields.hpp"
 #include "driver/frames.hpp"
 #include "driver/progress.hpp"
+#include "results/acceleration_record.hpp"
 #include "step/drift.hpp"
 #include "step/stage_clock.hpp"
 #include "step/stages.hpp"
@@ -132,7 +133,7 @@ RunOutcome run_to_folder(const Scene& scene, const std::filesystem::path& path, 
              with_frames = scene.bag && scene.output.frames > 0;
   ResultFolder folder(path, "run", [&](const std::string& name) {
     return name == "history.csv" || name == "energy.csv" || name == "summary.json" || name == "check.json" ||
-           name == "frames.bin" || (with_fields && FieldWriter::is_own(name));
+           name == "frames.bin" || name == "accelerations.csv" || (with_fields && FieldWriter::is_own(name));
   });
   if (options.ready) options.ready();
   folder.begin(lines);
@@ -145,12 +146,15 @@ RunOutcome run_to_folder(const Scene& scene, const std::filesystem::path& path, 
   if (with_fields) fields.emplace(folder, scene);
   std::optional<FrameWriter> frames;
   if (with_frames) frames.emplace(folder, scene);
+  AccelerationRecord accelerations;
+  const auto& classes = scene.output.channel_classes;
   const auto record = [&](bool recorded, const State& now) {
     progress.update(now.time, [&] { return reached(now); });
     if (recorded) {
       history.write(scene, now);
       energy.write(scene, now);
     }
+    if (!classes.empty()) accelerations.add(recorded, now);
     if (options.watch) options.watch(recorded, now);
     history.keep_up();
     energy.keep_up();
@@ -160,6 +164,8 @@ RunOutcome run_to_folder(const Scene& scene, const std::filesystem::path& path, 
   if (frames) views.frames = [&](const State& now) { frames->write(now); };
   RunOutcome outcome = run_scene(scene, state, record, views, Executor(options.threads), options.stop);
   for (CsvWriter* table : {&history, &energy}) flush(*table, outcome);
+  if (!classes.empty())
+    folder.write("accelerations.csv", comment_lines(folder.lines()) + accelerations.table(classes));
   folder.write("summary.json", summary_text(scene, state, outcome, folder.lines()));
   folder.end(status_name(outcome.status));
   return outcome;

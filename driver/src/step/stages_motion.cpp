@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "driver/channel_filter.hpp"
 #include "step/drift.hpp"
 #include "step/stages.hpp"
 
@@ -113,6 +114,9 @@ void choose_step(const Scene& scene, State& state, bool last) {
   double wanted = scene.output.history_every;
   if (scene.moves())
     wanted = scene.time.step.value_or(scene.time.safety * std::min(step.critical, step.drift_limit));
+  // Of what is filtered there are samples enough; a fixed step is refused before it comes here.
+  if (!scene.output.channel_classes.empty())
+    wanted = std::min(wanted, widest_interval(scene.output.channel_classes.back()));
   if (scene.time.step && wanted > step.critical && !scene.time.unsafe_step) fail_step(scene, state, wanted);
   // The last two steps share what is left, so that the end is met without a tiny step. Up to a row all of
   // them do: steps that alternate at each row could resonate with a mode.
