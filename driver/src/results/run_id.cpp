@@ -74,9 +74,9 @@ std::string run_id(const std::vector<std::string>& facts, const std::vector<std:
 }
 
 std::string one_line(const std::string& text) {
-  using Json = nlohmann::json;
   // Bytes that are no UTF-8 leave as U+FFFD.
-  const auto clean = Json::parse(Json(text).dump(-1, ' ', false, Json::error_handler_t::replace));
+  const auto clean = nlohmann::json::parse(
+      nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
   std::string line;
   for (const char c : clean.get<std::string>())
     if (static_cast<unsigned char>(c) < ' ' || c == 0x7f)
