@@ -44,6 +44,7 @@ membrane::BagModel make_bag_model(const membrane::PassengerBag& bag, double mass
 
 void update_forces(PassengerState& p) {
   membrane::update_surface(p.model, p.state);
+  membrane::update_geometry(p.model, p.state);
   membrane::membrane_forces(p.model, p.state);
   membrane::support_forces(p.model, p.state);
   membrane::pressure_forces(p.state, p.gauge_pressure);

@@ -170,6 +170,9 @@ struct PyramidView {
 };
 
 struct KernelTable {
+  /// Writes the elements whose rows `select` and `evaluate` will read to `elements`, with room for eight
+  /// more. Returns their number.
+  int (*list_needed)(const FieldArrays&, int* elements);
   /// Writes the elements inside the cut-off, of an axial jet only those not seen from behind, to
   /// `candidates`. Returns their number.
   int (*select)(const JetShape&, const FieldArrays&);

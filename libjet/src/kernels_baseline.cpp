@@ -8,7 +8,7 @@
 namespace jet::baseline {
 
 const KernelTable kTable{
-    select_elements,  evaluate,  force,        project_nodes, code_nodes, project_listed, frustum_of,
-    classify_patches, list_bits, choose_boxes, merge,         find_pairs, meet_pairs};
+    list_needed, select_elements,  evaluate,  force,        project_nodes, code_nodes, project_listed,
+    frustum_of,  classify_patches, list_bits, choose_boxes, merge,         find_pairs, meet_pairs};
 
 }  // namespace jet::baseline

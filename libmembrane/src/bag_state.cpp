@@ -32,6 +32,8 @@ BagState make_state(const BagModel& model, ConstVectorsRef position, LoadKinds l
   for (Vectors* v : {&s.velocity, &s.volume_gradient, &s.membrane_force}) *v = Vectors(nodes);
   if (loads.jet) {
     s.jet_force = Vectors(nodes);
+    s.jet_nodes.reserve(static_cast<std::size_t>(nodes));
+    s.has_jet_force.assign(static_cast<std::size_t>(nodes), 0);
     for (Vectors* v : {&s.area_vector, &s.centroid}) *v = Vectors(elements);
   }
   if (loads.contact) s.contact_force = Vectors(nodes);

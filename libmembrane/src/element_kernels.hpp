@@ -13,11 +13,6 @@
 // for bit.
 namespace membrane::MEMBRANE_KERNELS {
 
-template <class T>
-inline constexpr int kWidth = 4;  // elements handled at a time
-template <>
-inline constexpr int kWidth<double> = 1;
-
 // Partial sums of a block: four numbers, in 4 / width variables.
 inline double sum_parts(const Lanes (&part)[1]) {
   return sum_lanes(part[0]);
@@ -62,15 +57,25 @@ struct Corners {
   Vec3<T> a, b, c;
 };
 
+// Area vectors and centroids (M.5) of the elements asked for.
 template <class T>
-[[gnu::always_inline]] inline void write_geometry(const SkinArrays& s, std::int64_t place,
-                                                  const Corners<T>& x, const Rows<T>& area_vector) {
-  const Rows<T> centroid(((x.a + x.b) + x.c) / T(3.0));
-  for (int i = 0; i < kWidth<T>; ++i) {
-    const std::int64_t element = s.element[place + i];
-    if (element < 0) continue;
-    area_vector.row[i].store(s.area_vector + 4 * element);
-    centroid.row[i].store(s.centroid + 4 * element);
+void geometry(const GeometryArrays& s) {
+  for (int first = 0; first < s.count; first += kWidth<T>) {
+    std::int64_t element[kWidth<T>];
+    int corner[3][kWidth<T>];
+    for (int i = 0; i < kWidth<T>; ++i) {
+      const int place = first + i < s.count ? first + i : s.count - 1;
+      element[i] = s.elements ? s.elements[place] : place;
+      for (int c = 0; c < 3; ++c) corner[c][i] = s.corners[3 * element[i] + c];
+    }
+    const auto* position = reinterpret_cast<const double(*)[4]>(s.position);
+    const Corners<T> x{load_nodes<T>(position, corner[0]), load_nodes<T>(position, corner[1]),
+                       load_nodes<T>(position, corner[2])};
+    const Rows<T> area_vector(cross(x.b - x.a, x.c - x.a) * T(0.5)), centroid(((x.a + x.b) + x.c) / T(3.0));
+    for (int i = 0; i < kWidth<T>; ++i) {
+      area_vector.row[i].store(s.area_vector + 4 * element[i]);
+      centroid.row[i].store(s.centroid + 4 * element[i]);
+    }
   }
 }
 
@@ -92,7 +97,6 @@ template <class T>
   for (int i = 0; i < kWidth<T>; ++i)
     for (int corner = 0; corner < 3; ++corner)
       add_row(nodes.sums[g.node[corner][lane + i]].gradient, rows.row[i]);
-  if (s.area_vector) write_geometry(s, std::int64_t{kLanes} * group + lane, x, rows);
 }
 
 // Columns of the deformation gradient and strain (M.1) of the elements of a group; then their nominal stress.

@@ -19,25 +19,37 @@ void check_overpressure(const BagModel& model, std::span<const double> overpress
            "one per element, " + std::to_string(model.element_count));
 }
 
-// Adds three times the force; says whether there is any.
-bool spread(const BagModel& model, BagState& state, int element, double overpressure) {
-  if (overpressure == 0.0) return false;
+Row jet_force(BagState& state, int node) {
+  return Row(state.jet_force.data() + 4 * std::ptrdiff_t{node});
+}
+
+// Adds three times the force.
+void spread(const BagModel& model, BagState& state, int element, double overpressure) {
+  if (overpressure == 0.0) return;
   using ConstRow = Eigen::Map<const Eigen::Vector4d, Eigen::Aligned32>;
   const Eigen::Vector4d load =
       overpressure * ConstRow(state.area_vector.data() + 4 * std::ptrdiff_t{element});
-  for (const int node : model.description.elements.col(element))
-    Row(state.jet_force.data() + 4 * std::ptrdiff_t{node}) += load;
-  return true;
+  for (const int node : model.description.elements.col(element)) {
+    jet_force(state, node) += load;
+    if (char& has = state.has_jet_force[static_cast<std::size_t>(node)]; has == 0) {
+      has = 1;
+      state.jet_nodes.push_back(node);
+    }
+  }
 }
 
-void clear(const BagModel& model, BagState& state) {
+// A jet loads few nodes, and only those are touched.
+void clear(BagState& state) {
   if (state.jet_force.empty()) reject("jet_forces", "the state was made without LoadKinds::jet");
-  std::fill_n(state.jet_force.data(), 4 * model.node_count, 0.0);
+  for (const int node : state.jet_nodes) {
+    jet_force(state, node).setZero();
+    state.has_jet_force[static_cast<std::size_t>(node)] = 0;
+  }
+  state.jet_nodes.clear();
 }
 
-void take_third(const BagModel& model, BagState& state) {
-  Eigen::Map<Eigen::VectorXd, Eigen::Aligned32>(state.jet_force.data(),
-                                                4 * std::ptrdiff_t{model.node_count}) *= 1.0 / 3.0;
+void take_third(BagState& state) {
+  for (const int node : state.jet_nodes) jet_force(state, node) *= 1.0 / 3.0;
 }
 
 }  // namespace
@@ -50,26 +62,24 @@ void pressure_forces(BagState& state, double gauge_pressure) {
 // A jet loads a small part of the skin: the loaded elements spread their force, instead of every node asking
 // all its elements.
 void jet_forces(const BagModel& model, BagState& state, std::span<const JetLoad> loads) {
-  clear(model, state);
-  bool loaded = false;
+  clear(state);
   for (const JetLoad& load : loads) {
     check_overpressure(model, load.overpressure);
     for (const int e : load.elements) {
       if (e < 0 || e >= model.element_count)
         reject("jet_forces", "element", e, "0 to " + std::to_string(model.element_count - 1));
-      loaded |= spread(model, state, e, load.overpressure[static_cast<std::size_t>(e)]);
+      spread(model, state, e, load.overpressure[static_cast<std::size_t>(e)]);
     }
   }
-  if (loaded) take_third(model, state);
+  take_third(state);
 }
 
 void jet_forces(const BagModel& model, BagState& state, std::span<const double> overpressure) {
-  clear(model, state);
+  clear(state);
   check_overpressure(model, overpressure);
-  bool loaded = false;
   for (int e = 0; e < model.element_count; ++e)
-    loaded |= spread(model, state, e, overpressure[static_cast<std::size_t>(e)]);
-  if (loaded) take_third(model, state);
+    spread(model, state, e, overpressure[static_cast<std::size_t>(e)]);
+  take_third(state);
 }
 
 }  // namespace membrane

@@ -19,15 +19,12 @@ struct SkinArrays {
   const ThreadCurves* curves;  // of FabricLaw::curve
   const FrequencyGroup* frequency;
   int group_count;
-  const std::int32_t* element;  // of each lane; read only if there is area_vector
-  const std::int32_t* node;     // of the block: own_count own nodes, then shared ones, node_count in all
+  const std::int32_t* node;  // of the block: own_count own nodes, then shared ones, node_count in all
   int own_count, node_count;
   /// Of the next block; 0 if there is none, and in bags that stay in the cache.
   int next_groups, next_nodes;
   const double* position;      // nodes x 4
   const double* inverse_mass;  // nodes x 4
-  double* area_vector;         // elements x 4, null without jet
-  double* centroid;            // elements x 4, null without jet
   double *force, *gradient;    // nodes x 4
   NodeSums* shared_sums;       // of this block's shared nodes
 };
@@ -37,6 +34,15 @@ struct SkinTotals {
   double area, porosity_area, porosity_squared_area;
   double mobility;  // of the block's own nodes
   double energy, frequency;
+};
+
+// Area vectors and centroids.
+struct GeometryArrays {
+  const double* position;          // nodes x 4
+  const int* corners;              // nodes, 3 x elements
+  const int* elements;             // that are asked for; null: all
+  int count;                       // of these
+  double *area_vector, *centroid;  // elements x 4
 };
 
 // Nodes that blocks share: their slots are summed.
@@ -80,6 +86,7 @@ struct KernelTable {
   /// Isotropic, woven, isotropic with the Hencky law, by curves; linear, relaxed. Null where there is no such
   /// law.
   Skin forces[4][2], skin[4][2];
+  void (*geometry)(const GeometryArrays&);
   void (*shared[3])(const SharedArrays&, int first, int last, double& mobility);
   void (*advance)(const AdvanceArrays&, int first, int last, AdvanceTotals&);
 };

@@ -23,6 +23,11 @@ inline double sum_lanes(Lanes a) {
   return (a[0] + a[1]) + (a[2] + a[3]);
 }
 
+template <class T>
+inline constexpr int kWidth = 4;  // elements handled at a time
+template <>
+inline constexpr int kWidth<double> = 1;
+
 // Vectors of the elements e ... e + 3 (T = Lanes) or of one element (T = double).
 template <class T>
 struct Vec3 {
@@ -55,20 +60,18 @@ inline void store(double* p, Lanes v) {
 }
 
 // Positions of the nodes of one corner; x has 4 doubles a node.
-template <class T>
-Vec3<T> load_nodes(const double (*x)[4], const std::uint16_t* node);
-template <>
-inline Vec3<double> load_nodes<double>(const double (*x)[4], const std::uint16_t* node) {
-  const double* p = x[*node];
-  return {p[0], p[1], p[2]};
-}
-template <>
-inline Vec3<Lanes> load_nodes<Lanes>(const double (*x)[4], const std::uint16_t* node) {
-  const Lanes row[4] = {Lanes::load(x[node[0]]), Lanes::load(x[node[1]]), Lanes::load(x[node[2]]),
-                        Lanes::load(x[node[3]])};
-  Vec3<Lanes> v;
-  to_lanes(row, v.x, v.y, v.z);
-  return v;
+template <class T, class Index>
+[[gnu::always_inline]] inline Vec3<T> load_nodes(const double (*x)[4], const Index* node) {
+  if constexpr (kWidth<T> == 1) {
+    const double* p = x[*node];
+    return {p[0], p[1], p[2]};
+  } else {
+    const Lanes row[4] = {Lanes::load(x[node[0]]), Lanes::load(x[node[1]]), Lanes::load(x[node[2]]),
+                          Lanes::load(x[node[3]])};
+    Vec3<Lanes> v;
+    to_lanes(row, v.x, v.y, v.z);
+    return v;
+  }
 }
 
 // Vectors of four elements (or of one) as rows (x, y, z, 0), one for each element.

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include "checks.hpp"
 #include "kernel_table.hpp"
 #include "membrane/error.hpp"
 #include "membrane/node_order.hpp"
@@ -22,7 +23,6 @@ SkinPass pass_of(SkinParts parts) {
 SkinArrays skin_arrays(const BagModel& model, BagState& state, std::size_t b) {
   const BlockTable& table = model.elements;
   const ElementBlock& block = table.block[b];
-  const bool jet = !state.area_vector.empty();
   // Fetching pays from there on (measured).
   const bool fetch = model.element_count > kCachedElements && b + 1 < table.block.size();
   const ElementBlock next = fetch ? table.block[b + 1] : ElementBlock{};
@@ -32,7 +32,6 @@ SkinArrays skin_arrays(const BagModel& model, BagState& state, std::size_t b) {
           &model.threads,
           state.shares.frequency.data() + block.first_group,
           block.last_group - block.first_group,
-          table.element.data() + kLanes * std::ptrdiff_t{block.first_group},
           table.node.data() + block.first_node,
           block.first_shared - block.first_node,
           block.last_node - block.first_node,
@@ -40,8 +39,6 @@ SkinArrays skin_arrays(const BagModel& model, BagState& state, std::size_t b) {
           next.last_node - next.first_node,
           state.position.data(),
           model.inverse_mass.data(),
-          jet ? state.area_vector.data() : nullptr,
-          jet ? state.centroid.data() : nullptr,
           state.membrane_force.data(),
           state.volume_gradient.data(),
           state.shared_sums.data() + block.first_slot};
@@ -54,6 +51,13 @@ KernelTable::Skin skin_kernel(const BagModel& model, SkinParts parts) {
   const FabricLaw fabric = model.description.law;
   const int law = fabric == FabricLaw::curve ? 3 : fabric == FabricLaw::hencky ? 2 : model.woven ? 1 : 0;
   return kernels[law][model.description.compression == Compression::none ? 1 : 0];
+}
+
+void geometry(const BagModel& model, BagState& state, const int* elements, int count) {
+  if (state.area_vector.empty()) reject("update_geometry", "the state was made without LoadKinds::jet");
+  kernel_table(model.description.isa)
+      .geometry({state.position.data(), model.description.elements.data(), elements, count,
+                 state.area_vector.data(), state.centroid.data()});
 }
 
 int shared_count(const BagModel& model) {
@@ -121,6 +125,17 @@ void skin_block(const BagModel& model, BagState& state, SkinParts parts, int blo
   if (parts == SkinParts::surface) return;
   sums.forces.strain_energy = totals.energy;
   sums.forces.element_frequency = totals.frequency;
+}
+
+void update_geometry(const BagModel& model, BagState& state, std::span<const int> elements) {
+  for (const int e : elements)
+    if (e < 0 || e >= model.element_count)
+      reject("update_geometry", "element", e, "0 to " + std::to_string(model.element_count - 1));
+  geometry(model, state, elements.data(), static_cast<int>(elements.size()));
+}
+
+void update_geometry(const BagModel& model, BagState& state) {
+  geometry(model, state, nullptr, model.element_count);
 }
 
 void shared_block(const BagModel& model, BagState& state, SkinParts parts, int block) {

@@ -169,6 +169,7 @@ inline constexpr KernelTable kTableOf{
      {kLinear<kSkinPass, OrthotropicConstants, T>, kRelaxed<kSkinPass, OrthotropicConstants, T>},
      {nullptr, kRelaxed<kSkinPass, HenckyConstants, T>},
      {nullptr, kRelaxed<kSkinPass, ThreadConstants, T>}},
+    geometry<T>,
     {shared<kSurfacePass>, shared<kForcesPass>, shared<kSkinPass>},
     advance};
 

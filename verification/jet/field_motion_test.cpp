@@ -26,6 +26,8 @@ TEST(field, far_elements_are_left_out_only_while_they_stay_outside) {
   cone.cone_half_angle = 0.6;
   jet::JetModel all = models::round(0.02, 0.08);
   all.cut_off = 0.0;
+  const Eigen::Matrix3Xd nowhere =
+      Eigen::Matrix3Xd::Constant(3, count, std::numeric_limits<double>::quiet_NaN());
   for (const jet::JetModel& model :
        {models::round(0.02, 0.08), models::rectangular(0.04, 0.3, 0.11), jet::validated(cone), all}) {
     std::mt19937_64 engine(5);
@@ -40,8 +42,8 @@ TEST(field, far_elements_are_left_out_only_while_they_stay_outside) {
       areas.col(e) = 1e-4 * (random() + 2.0 * models::kAxis);
     }
     const jet::JetField field(model, count);
-    jet::FieldState carried = field.make_state(), fresh = field.make_state();
-    std::size_t changes = 0;
+    jet::FieldState carried = field.make_state(), fresh = field.make_state(), given_few = carried;
+    std::size_t changes = 0, needed = 0;
     for (int step = 0; step < 60; ++step) {
       const std::vector<int> before = carried.candidates;
       field.evaluate(areas, centroids, kOutlet, carried, nullptr, stride * step);
@@ -49,15 +51,30 @@ TEST(field, far_elements_are_left_out_only_while_they_stay_outside) {
       EXPECT_EQ(carried.candidates, fresh.candidates);
       EXPECT_EQ(carried.overpressure, fresh.overpressure);
       changes += carried.candidates != before;
+      // The same from the columns that it needs alone.
+      Eigen::Matrix3Xd few_areas = nowhere, few_centroids = nowhere;
+      for (const int e : field.needed(kOutlet, stride * step, given_few)) {
+        few_areas.col(e) = areas.col(e);
+        few_centroids.col(e) = centroids.col(e);
+        ++needed;
+      }
+      field.evaluate(few_areas, few_centroids, kOutlet, given_few, nullptr, stride * step);
+      EXPECT_EQ(given_few.candidates, fresh.candidates);
+      EXPECT_EQ(given_few.overpressure, fresh.overpressure);
       // Without flow a motion told anew holds too.
       const double strides = step == 30 ? 10.0 : 1.0;
-      if (step == 30) field.evaluate(areas, centroids, {}, carried, nullptr, stride * (step - 9));
+      if (step == 30)
+        for (jet::FieldState* state : {&carried, &given_few}) {
+          EXPECT_TRUE(field.needed({}, stride * (step - 9), *state).empty());
+          field.evaluate(areas, centroids, {}, *state, nullptr, stride * (step - 9));
+        }
       for (int e = 0; e < count; ++e) {
         const Eigen::Vector3d aim =
             e % 3 == 0 ? Eigen::Vector3d(models::kCentre + 0.5 * models::kAxis - centroids.col(e)) : random();
         centroids.col(e) += 0.999 * strides * stride * aim.normalized();
       }
     }
+    EXPECT_LT(needed, 60u * count);
     EXPECT_GT(changes, model.cut_off > 0.0 ? 40u : 10u);
     const auto left_out =
         std::count_if(carried.slack.begin(), carried.slack.end(), [&](double s) { return s > 60 * stride; });

@@ -147,10 +147,14 @@ TEST(Input, wrong_state_and_stage_arguments_are_refused) {
             std::string::npos);
   const std::vector<double> dp(80, 0.0);
   EXPECT_NE(message_of([&] { membrane::jet_forces(model, state, dp); }).find("LoadKinds"), std::string::npos);
+  EXPECT_NE(message_of([&] { membrane::update_geometry(model, state); }).find("LoadKinds"),
+            std::string::npos);
   auto jet_state = membrane::make_state(model, model.description.reference, {.jet = true});
   const std::vector<int> absent{3, 80};
   const std::vector<membrane::JetLoad> loads{{dp, absent}};
   EXPECT_NE(message_of([&] { membrane::jet_forces(model, jet_state, loads); }).find("element = 80"),
+            std::string::npos);
+  EXPECT_NE(message_of([&] { membrane::update_geometry(model, jet_state, absent); }).find("element = 80"),
             std::string::npos);
   EXPECT_NE(message_of([&] { element_response(model, state, 80); }).find("80"), std::string::npos);
 }

@@ -59,6 +59,7 @@ inline membrane::BagState evaluated(const membrane::BagModel& model, const Eigen
                                     membrane::LoadKinds loads = {}) {
   auto state = membrane::make_state(model, x, loads);
   membrane::update_surface(model, state);
+  if (loads.jet) membrane::update_geometry(model, state);
   membrane::membrane_forces(model, state);
   membrane::support_forces(model, state);
   return state;

@@ -2,6 +2,8 @@
 // Volume, its gradient and the areas (M.5, M.6).
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "claim.hpp"
 #include "closed_form/membrane.hpp"
 #include "scenes.hpp"
@@ -127,6 +129,7 @@ TEST(Surface, areas_and_porous_sums_eq_direct_sums) {
   const Eigen::Matrix3Xd x = scenes::shaken(mesh.nodes, 0.1, 2);
   auto state = membrane::make_state(model, x, {.jet = true});
   membrane::update_surface(model, state);
+  membrane::update_geometry(model, state);
   const Eigen::VectorXd area = membrane::element_areas(x, mesh.elements);
   double first = 0.0, second = 0.0;
   for (Eigen::Index e = 0; e < area.size(); ++e) {
@@ -145,13 +148,27 @@ TEST(Surface, centroid_eq_plain_double_formula) {
   const auto model = make_model(scenes::describe(mesh, Compression::none));
   const Eigen::Matrix3Xd x = scenes::shaken(mesh.nodes, 0.1, 2);
   auto state = membrane::make_state(model, x, {.jet = true});
-  membrane::update_surface(model, state);
+  membrane::update_geometry(model, state);
   for (int e = 0; e < mesh.element_count(); ++e)
     for (int c = 0; c < 3; ++c) {
       const double a = x(c, mesh.elements(0, e)), b = x(c, mesh.elements(1, e)),
                    d = x(c, mesh.elements(2, e));
       EXPECT_EQ(state.centroid.map()(c, e), ((a + b) + d) / 3.0);
     }
+}
+
+TEST(Surface, geometry_is_that_of_the_elements_asked_for) {
+  const auto mesh = membrane::icosphere(0.7, 1);
+  const auto model = make_model(scenes::describe(mesh, Compression::none));
+  auto all = membrane::make_state(model, scenes::shaken(mesh.nodes, 0.1, 2), {.jet = true}), some = all;
+  membrane::update_geometry(model, all);
+  const std::vector<int> elements{79, 3, 40, 41, 7};
+  membrane::update_geometry(model, some, elements);
+  for (int e = 0; e < mesh.element_count(); ++e) {
+    const bool asked = std::find(elements.begin(), elements.end(), e) != elements.end();
+    EXPECT_EQ(some.area_vector.map().col(e), (asked ? 1.0 : 0.0) * all.area_vector.map().col(e));
+    EXPECT_EQ(some.centroid.map().col(e), (asked ? 1.0 : 0.0) * all.centroid.map().col(e));
+  }
 }
 
 // Each element's area vector is shared equally by its corners, null elements included.
@@ -182,6 +199,10 @@ TEST(Surface, jet_force_eq_overpressure_times_area_vector_third) {
   const std::vector<membrane::JetLoad> loads{{even_dp, even}, {odd_dp, odd}};
   membrane::jet_forces(model, state, loads);
   EXPECT_LE((state.jet_force.map() - one).cwiseAbs().maxCoeff(), 6 * 4 * scenes::kEps * 22.0);
+  // What another load left at other nodes is gone.
+  const std::vector<int> one_element{9};
+  membrane::jet_forces(model, state, std::vector<membrane::JetLoad>{{dp, one_element}});
+  EXPECT_EQ((state.jet_force.map().colwise().norm().array() > 0.0).count(), 3);
   // A uniform overpressure is a pressure.
   std::fill(dp.begin(), dp.end(), 500.0);
   membrane::jet_forces(model, state, dp);

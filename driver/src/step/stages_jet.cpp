@@ -38,7 +38,17 @@ const Eigen::Matrix3Xd& place_velocities(const Scene& scene, const State& state,
   return skin.piece_velocity;
 }
 
-void evaluate_field(const Scene& scene, const State& state, const JetPart& part, JetRun& run) {
+// Pieces need all elements; else the field knows which.
+void place_elements(const Scene& scene, State& state, const JetPart& part, JetRun& run) {
+  if (!state.bag) return;
+  const auto& model = scene.bag->model;
+  if (part.pieces) return membrane::update_geometry(model, *state.bag);
+  membrane::update_geometry(model, *state.bag,
+                            part.field.needed(run.outlet, state.step.displacement_bound, run.field));
+}
+
+void evaluate_field(const Scene& scene, State& state, const JetPart& part, JetRun& run) {
+  place_elements(scene, state, part, run);
   const Skin skin = elements(scene, state);
   if (part.pieces) place_pieces(*part.pieces, skin, run.skin);
   const Skin seen = asked(skin, part, run);

@@ -26,7 +26,7 @@ struct FieldState {
   std::vector<std::uint8_t> inside{};
   /// [m] For each group: `inside` holds while displacement_bound is below.
   std::vector<double> slack{};
-  std::vector<int> selected{};  // workspace: choice of candidates
+  std::vector<int> selected{};  // workspace: choice of candidates, elements needed
 };
 
 /// Field of one jet over a surface of M elements. Const after construction.
@@ -38,6 +38,10 @@ class JetField {
 
   const JetModel& model() const { return model_; }  // with axis and long direction normalised
   FieldState make_state() const;                    // sized for the surface, all zero
+
+  /// Elements whose columns the next evaluate() uses, with the same outlet and bound; those of others may
+  /// hold any numbers. In no order; valid until then. Throws std::invalid_argument for a foreign state.
+  std::span<const int> needed(const OutletState& outlet, double displacement_bound, FieldState& state) const;
 
   /// Computes the overpressure dp = (1 + e) rho0 max(V . n, 0)^2 (J.6), with V at the centroid and n the unit
   /// vector of the area vector. `area_vectors` [m2] and `centroids` [m] are 3 x M and outward.
@@ -60,7 +64,7 @@ class JetField {
 
  private:
   void take_no_load(int element);
-  void reset(FieldState& state) const;
+  void require_own(const FieldState& state) const;
 
   JetModel model_;
   std::shared_ptr<const JetShape> shape_;  // copies share it

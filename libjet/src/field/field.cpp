@@ -47,6 +47,17 @@ std::size_t slack_size(int element_count) {
   return set_bytes((static_cast<std::size_t>(element_count) + 3) / 4);
 }
 
+// Without a bound, or where it decreased, nothing is known of where the elements are.
+void move(double displacement_bound, FieldState& state) {
+  if (!(displacement_bound >= state.displacement_bound))
+    std::fill(state.slack.begin(), state.slack.end(), -HUGE_VAL);
+  state.displacement_bound = displacement_bound;
+}
+
+bool no_flow(const OutletState& outlet) {
+  return outlet.density == 0.0 || outlet.velocity == 0.0;
+}
+
 constexpr std::size_t kRoom = 8;  // that the kernels want behind the candidates
 
 // Every width law is the larger of a constant and a straight line in z; the cut-off is the same multiple of
@@ -100,27 +111,38 @@ FieldState JetField::make_state() const {
   return state;
 }
 
-void JetField::reset(FieldState& state) const {
+void JetField::require_own(const FieldState& state) const {
   if (state.overpressure.size() != static_cast<std::size_t>(element_count_) ||
       state.slack.size() != slack_size(element_count_) || state.inside.size() != slack_size(element_count_) ||
       state.selected.size() != static_cast<std::size_t>(element_count_) + kRoom) {
     throw std::invalid_argument("jet field state does not belong to this surface, use make_state");
   }
-  for (const int element : state.candidates) state.overpressure[static_cast<std::size_t>(element)] = 0.0;
-  state.candidates.clear();
+}
+
+std::span<const int> JetField::needed(const OutletState& outlet, double displacement_bound,
+                                      FieldState& state) const {
+  require_own(state);
+  move(displacement_bound, state);
+  if (no_flow(outlet)) return {};
+  FieldArrays arrays{};
+  arrays.count = element_count_;
+  arrays.displacement_bound = displacement_bound;
+  arrays.slack = state.slack.data();
+  arrays.inside = state.inside.data();
+  return std::span(state.selected)
+      .first(static_cast<std::size_t>(kernel_table().list_needed(arrays, state.selected.data())));
 }
 
 void JetField::evaluate(const Points& area_vectors, const Points& centroids, const OutletState& outlet,
                         FieldState& state, const Points* velocities, double displacement_bound) const {
-  // Refused or not, the elements may have moved.
-  if (!(displacement_bound >= state.displacement_bound))
-    std::fill(state.slack.begin(), state.slack.end(), -HUGE_VAL);
-  state.displacement_bound = displacement_bound;
+  move(displacement_bound, state);  // refused or not, the elements may have moved
   require_columns("area_vectors", area_vectors.cols(), element_count_);
   require_columns("centroids", centroids.cols(), element_count_);
   require_velocities(model_, velocities, element_count_);
-  reset(state);
-  if (outlet.density == 0.0 || outlet.velocity == 0.0) return;
+  require_own(state);
+  for (const int element : state.candidates) state.overpressure[static_cast<std::size_t>(element)] = 0.0;
+  state.candidates.clear();
+  if (no_flow(outlet)) return;
   FieldArrays arrays{};
   arrays.area_vectors = rows(area_vectors);
   arrays.centroids = rows(centroids);

@@ -55,13 +55,10 @@ template <bool round>
   return gather(row(r, e[0]), row(r, e[1]), row(r, e[2]), row(r, e[3]));
 }
 
-/// Examines the groups with points that may have crossed a bound of the jet since they were last examined.
-template <bool round>
-inline void look_at_groups(const JetShape& given, const FieldArrays& a, int begin, int count, int* list) {
-  const JetShape jet = given;  // a copy, so that stores cannot change it
-  const Rows centroids = a.centroids;
+/// Lists the groups with points that may have crossed a bound of the jet since they were last examined.
+inline int list_open(const FieldArrays& a, int begin, int count, int* list) {
   const Lanes displacement_bound(a.displacement_bound);
-  double* slack = a.slack + begin;
+  const double* slack = a.slack + begin;
   int open = 0;
   for (int g = 0; g < count; g += 8) {
     const unsigned clear = bits(displacement_bound < Lanes::load(slack + g)) |
@@ -69,6 +66,15 @@ inline void look_at_groups(const JetShape& given, const FieldArrays& a, int begi
     open += append_bits(~clear & 0xffu, begin + g, list + open);
   }
   while (open > 0 && list[open - 1] >= begin + count) --open;  // behind the last
+  return open;
+}
+
+/// Examines those groups.
+template <bool round>
+inline void look_at_groups(const JetShape& given, const FieldArrays& a, int begin, int count, int* list) {
+  const JetShape jet = given;  // a copy, so that stores cannot change it
+  const Rows centroids = a.centroids;
+  const int open = list_open(a, begin, count, list);
   for (int i = 0; i < open; ++i) {
     const int group = list[i];
     const Inside now = inside<round>(jet, four_rows(centroids, 4 * group));
@@ -85,6 +91,25 @@ inline int list_inside(const std::uint8_t* inside, int begin, int count, int* li
     for (int i = 0; i < 32; i += 8) found += append_bits(has >> i & 0xffu, g + i, list + found);
   }
   return found;
+}
+
+/// Lists the elements whose rows are read next: of open groups all, of others those inside.
+inline int list_needed(const FieldArrays& a, int* elements) {
+  constexpr int most = 256;
+  const int groups = (a.count + 3) / 4;
+  int list[most + 8];
+  int needed = 0;
+  for (int begin = 0; begin < groups; begin += most) {
+    const int batch = groups - begin < most ? groups - begin : most;
+    const int open = list_open(a, begin, batch, list);
+    for (int i = 0; i < open; ++i)
+      for (int e = 4 * list[i]; e < 4 * list[i] + 4 && e < a.count; ++e) elements[needed++] = e;
+    const int found = list_inside(a.inside, begin, batch, list);
+    for (int i = 0; i < found; ++i)
+      if (a.displacement_bound < a.slack[list[i]])
+        needed += append_bits(a.inside[list[i]], 4 * list[i], elements + needed);
+  }
+  return needed;
 }
 
 /// Calls run<round, axial>() for this jet.

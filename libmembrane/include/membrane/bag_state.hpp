@@ -72,16 +72,19 @@ struct BlockSums {
 /// State of a bag: all that changes during a run. Each array has one writer, named on its line. make_state
 /// allocates everything. Arrays of Vectors are padded to 4 doubles a column.
 struct BagState {
-  Vectors position;         // x at n [m], nodes; S8
-  Vectors velocity;         // v at n-1/2 [m/s], nodes, 0 at fixed ones; S8
-  Vectors area_vector;      // S_e, outward, length = area [m2], elements; empty without jet; S1/S9
-  Vectors centroid;         // ((a + b) + c) / 3 [m], elements; empty without jet; S1/S9
+  Vectors position;  // x at n [m], nodes; S8
+  Vectors velocity;  // v at n-1/2 [m/s], nodes, 0 at fixed ones; S8
+  /// Of elements; empty without jet. S4 update_geometry, of the elements that it was asked for last.
+  Vectors area_vector;      // S_e, outward, length = area [m2]
+  Vectors centroid;         // ((a + b) + c) / 3 [m]
   Vectors volume_gradient;  // dV/dx = sum of S_e / 3 [m2], nodes; S1/S9
   /// p - p_a [Pa]; the nodal force is gauge_pressure * volume_gradient; S6 pressure_forces.
   double gauge_pressure = 0.0;
-  Vectors membrane_force;  // [N], nodes; S6 membrane_forces
-  Vectors jet_force;       // [N], nodes; empty without jet; S6 jet_forces
-  Vectors support_force;   // of straps and plates [N], nodes; empty without them; S6 support_forces
+  Vectors membrane_force;           // [N], nodes; S6 membrane_forces
+  Vectors jet_force;                // [N], nodes; empty without jet; S6 jet_forces
+  std::vector<int> jet_nodes;       // where jet_force is not zero; S6 jet_forces
+  std::vector<char> has_jet_force;  // of each node: is one of them; S6 jet_forces
+  Vectors support_force;            // of straps and plates [N], nodes; empty without them; S6 support_forces
   std::vector<double> strap_tension;  // [N], straps; S6 support_forces
   /// Of the stiffness-proportional damping [N], nodes; empty without it, as the next two; S6 viscous_forces.
   Vectors viscous_force;

@@ -64,7 +64,7 @@ void check_steps(double dt_before, double dt_after);
 
 /// S1/S9 and the fabric's part of S6 at state.position, in one pass over the elements because both need the
 /// same corners. The bits are those of the two functions below.
-///   surface: volume, its gradient and the areas; with a jet also area vectors and centroids (M.5)
+///   surface: volume, its gradient and the areas (M.5)
 ///   forces:  forces of the fabric, their strain energy and the element bound of omega^2 (M.4, M.10)
 /// Throws MembraneError if volume or area is not finite.
 template <class ForEachBlock = Serial>
@@ -86,6 +86,12 @@ template <class ForEachBlock = Serial>
 void membrane_forces(const BagModel& model, BagState& state, ForEachBlock&& for_each_block = {}) {
   update_skin(model, state, for_each_block, SkinParts::forces);
 }
+
+/// S4: area vectors and centroids (M.5) of `elements` at state.position. Throws std::invalid_argument without
+/// LoadKinds::jet, and for an element number out of range.
+void update_geometry(const BagModel& model, BagState& state, std::span<const int> elements);
+/// The same of all elements.
+void update_geometry(const BagModel& model, BagState& state);
 
 /// S6: overpressure `gauge_pressure` = p - p_a [Pa] on the inside of every element, null ones included (M.6).
 /// The nodal force is gauge_pressure * dV/dx. Precondition: the gradient belongs to the current positions.
