@@ -93,13 +93,15 @@ TEST(jet_scene, fast_route_eq_cgal_tree_at_every_step_of_the_run) {
        "contact.stiffness_share=4.0"});  // large elements are soft
   const driver::JetPart& part = scene.jets.front();
   const jet::RaySource source = jet::ray_source(part.field.model());
-  jet::VisibilityQuery query(scene.bag->mesh.elements, scene.bag->model.node_count, part.roles);
+  jet::VisibilityQuery query = part.query->another();
   jet::FieldState field = part.field.make_state();
   std::size_t steps = 0, differ = 0, other_candidates = 0;
   std::vector<std::uint8_t> lit;
   const std::function<void(const driver::State&)> compare = [&](const driver::State& state) {
     const driver::JetRun& run = state.jets.front();
-    part.field.evaluate(state.bag->area_vector.map(), state.bag->centroid.map(), run.outlet, field);
+    membrane::BagState bag = *state.bag;
+    membrane::update_geometry(scene.bag->model, bag);  // all elements, not only those that the run looked at
+    part.field.evaluate(bag.area_vector.map(), bag.centroid.map(), run.outlet, field);
     other_candidates += field.candidates != run.field.candidates;
     lit.resize(run.field.candidates.size());
     if (lit.empty()) return;

@@ -34,6 +34,30 @@ TEST(motion, carried_answers_eq_fresh_ones_over_random_motions) {
   }
 }
 
+TEST(motion, another_query_shares_the_mesh_and_knows_nothing_of_the_first) {
+  Mesh mesh = scenes::crumpled(3, 0.02, 31);
+  const auto triangles = mesh.triangles();
+  const auto count = static_cast<int>(mesh.nodes.size());
+  jet::VisibilityQuery first(triangles, count);
+  const auto source = routes::point({0.02, 0.01, 0.03}, {0, 0.6, 0.8});
+  scenes::Random random(32);
+  for (int step = 0; step < 5; ++step) {
+    jet::VisibilityQuery another = first.another(), fresh(triangles, count);
+    const auto candidates = routes::in_cone(mesh, source, 0.4);
+    std::vector<std::uint8_t> lit(candidates.size()), other = lit, expected = lit;
+    const auto nodes = mesh.points();
+    first.query(jet::VisibilityRoute::fast, nodes, source, candidates, lit, 0.001 * step);
+    const auto counters = another.query(jet::VisibilityRoute::fast, nodes, source, candidates, other);
+    const auto wanted = fresh.query(jet::VisibilityRoute::fast, nodes, source, candidates, expected);
+    EXPECT_EQ(lit, expected);
+    EXPECT_EQ(other, expected);
+    EXPECT_EQ(counters.hidden, wanted.hidden);
+    EXPECT_EQ(counters.fallbacks, wanted.fallbacks);
+    EXPECT_EQ(counters.exact_calls, wanted.exact_calls);
+    move(mesh, random, 1e-4);
+  }
+}
+
 TEST(motion, carried_answers_eq_fresh_ones_when_everything_changes) {
   const Mesh first = scenes::crumpled(3, 0.03, 33);
   Carried carried(first);

@@ -78,11 +78,12 @@ struct TargetPart {
 /// One jet.
 struct JetPart {
   std::size_t inflator = 0;  // number of its inflator
-  /// Pieces of the elements; if given, field and roles are those of the pieces.
+  /// Pieces of the elements; if given, field, roles and query are those of the pieces.
   std::optional<jet::Subdivision> pieces;
   jet::JetField field;
   jet::OutletModel outlet;
   jet::SurfaceRoles roles;
+  std::shared_ptr<const jet::VisibilityQuery> query;  // each run has another one of it
   bool occlusion = true;
   jet::VisibilityRoute route = jet::VisibilityRoute::fast;
   JetWork work = JetWork::external;

@@ -174,11 +174,14 @@ void read_jet(TableReader& inflator, std::size_t index, Scene& scene) {
                    [&] { pieces.emplace(elements, static_cast<int>(nodes.cols()), subdivisions); });
   jet::SurfaceRoles roles{null_elements, attachment};
   if (pieces) roles = {pieces->pieces_of(null_elements), pieces->pieces_of(attachment)};
-  const auto count = static_cast<int>(pieces ? pieces->triangles().cols() : elements.cols());
+  const Eigen::Matrix3Xi& seen = pieces ? pieces->triangles() : elements;
   table->located("", [&] {
     const jet::OutletModel outlet = read_outlet(*table, model);
-    jet::JetField field(model, count, roles.null_elements);
-    scene.jets.push_back(JetPart{index, std::move(pieces), std::move(field), outlet, std::move(roles)});
+    jet::JetField field(model, static_cast<int>(seen.cols()), roles.null_elements);
+    auto query = std::make_shared<const jet::VisibilityQuery>(
+        seen, pieces ? pieces->node_count() : static_cast<int>(nodes.cols()), roles);
+    scene.jets.push_back(
+        JetPart{index, std::move(pieces), std::move(field), outlet, std::move(roles), std::move(query)});
   });
   JetPart& part = scene.jets.back();
   part.occlusion = table->at("occlusion").flag(true);

@@ -54,20 +54,18 @@ JetSkin jet_skin(const JetPart& part, Eigen::Index elements) {
   return skin;
 }
 
-JetRun start_jet(const JetPart& part, const Eigen::Matrix3Xi& triangles, Eigen::Index nodes) {
+JetRun start_jet(const JetPart& part, const Eigen::Matrix3Xi& triangles) {
   jet::FieldState elements;
   if (part.pieces) {
     elements.overpressure.assign(static_cast<std::size_t>(triangles.cols()), 0.0);
     elements.candidates.reserve(elements.overpressure.size());
   }
-  const Eigen::Matrix3Xi& asked = part.pieces ? part.pieces->triangles() : triangles;
-  const auto asked_nodes = part.pieces ? part.pieces->node_count() : static_cast<int>(nodes);
   return {{},
           jet_skin(part, triangles.cols()),
           part.field.make_state(),
           std::move(elements),
-          std::vector<std::uint8_t>(static_cast<std::size_t>(asked.cols())),
-          jet::VisibilityQuery(asked, asked_nodes, part.roles),
+          std::vector<std::uint8_t>(static_cast<std::size_t>(part.query->element_count())),
+          part.query->another(),
           {},
           {},
           Eigen::Vector3d::Zero()};
@@ -75,8 +73,7 @@ JetRun start_jet(const JetPart& part, const Eigen::Matrix3Xi& triangles, Eigen::
 
 void start_jets(const Scene& scene, State& state) {
   const auto& triangles = scene.bag ? scene.bag->mesh.elements : scene.target->triangles;
-  const auto nodes = scene.bag ? scene.bag->mesh.nodes.cols() : scene.target->nodes.cols();
-  for (const JetPart& part : scene.jets) state.jets.push_back(start_jet(part, triangles, nodes));
+  for (const JetPart& part : scene.jets) state.jets.push_back(start_jet(part, triangles));
   state.jet_loads.reserve(scene.jets.size());
 }
 

@@ -79,6 +79,8 @@ class VisibilityQuery {
   /// Throws std::invalid_argument for an empty mesh, a node index outside [0, node_count), and a role's
   /// element index out of range.
   VisibilityQuery(const Triangles& triangles, int node_count, const SurfaceRoles& roles = {});
+  /// A query on the same surface that knows nothing of earlier ones. Its mesh is shared, not built again.
+  VisibilityQuery another() const;
   ~VisibilityQuery();
   VisibilityQuery(VisibilityQuery&&) noexcept;
   VisibilityQuery& operator=(VisibilityQuery&&) noexcept;
@@ -108,6 +110,7 @@ class VisibilityQuery {
 
  private:
   struct Impl;
+  VisibilityQuery();
   std::unique_ptr<Impl> impl_;
 };
 

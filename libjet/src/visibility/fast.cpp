@@ -8,11 +8,11 @@
 
 namespace jet {
 
-void FastRoute::prepare(std::span<const Triangle> triangles, std::size_t node_count, bool closed) {
+void FastRoute::prepare(std::shared_ptr<const OrderedMesh> mesh, std::size_t node_count, bool closed) {
   closed_ = closed;
-  mesh_ = OrderedMesh(triangles);
-  near_.reserve(mesh_);
-  rays_.reserve(mesh_, node_count);
+  mesh_ = std::move(mesh);
+  near_.reserve(*mesh_);
+  rays_.reserve(*mesh_, node_count);
   states_.reserve(rays_.asked().bits().size());
   hits_.reserve(rays_.asked().bits().size());
 }
@@ -53,18 +53,18 @@ bool FastRoute::find_near() {
 void FastRoute::classify_near() {
   facts_.shared = true;
   for (const int place : near_.uncertain())
-    if (!view_.may_face_away(mesh_.element(place), rays_.projection().size))
+    if (!view_.may_face_away(mesh_->element(place), rays_.projection().size))
       near_.sides().rule_out_outer(place);
   for (const int place : near_.between())
-    facts_.shared = facts_.shared && !view_.between_sources(mesh_.element(place), rays_);
+    facts_.shared = facts_.shared && !view_.between_sources(mesh_->element(place), rays_);
 }
 
 void FastRoute::classify_all() {
   facts_.any_away = false;
   facts_.shared = true;
   for (int place = 0; place < surface_.count; ++place) {
-    facts_.any_away = facts_.any_away || view_.may_face_away(mesh_.element(place), rays_.projection().size);
-    facts_.shared = facts_.shared && !view_.between_sources(mesh_.element(place), rays_);
+    facts_.any_away = facts_.any_away || view_.may_face_away(mesh_->element(place), rays_.projection().size);
+    facts_.shared = facts_.shared && !view_.between_sources(mesh_->element(place), rays_);
   }
 }
 
@@ -74,7 +74,7 @@ bool FastRoute::winding_is_one() {
     bool generic = true;
     for (const int place : near_.on_winding_ray()) {
       const auto part =
-          winding::crossing(view_.kernel(), rays_.winding().ray, surface_, mesh_.element(place));
+          winding::crossing(view_.kernel(), rays_.winding().ray, surface_, mesh_->element(place));
       generic = generic && part.has_value();
       sum += part.value_or(0);
     }
@@ -95,7 +95,7 @@ std::size_t FastRoute::open_uncertain(bool certain) {
       states_.set(place, kFacingAway);
       continue;
     }
-    const int e = mesh_.element(place);
+    const int e = mesh_->element(place);
     const blocking::Ray& ray = rays_.asked().ray(place);
     if (certain && surely_pierces(surface_, e, ray.source, rays_.projection().size)) continue;
     if (blocking::facing(view_.kernel(), ray, surface_, e) <= 0) {

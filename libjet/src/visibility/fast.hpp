@@ -14,6 +14,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -30,8 +31,8 @@ namespace jet {
 /// One query: finds the near elements, sets the state of each ray, and searches for the open ones.
 class FastRoute {
  public:
-  /// Allocates the workspace for a surface.
-  void prepare(std::span<const Triangle> triangles, std::size_t node_count, bool closed);
+  /// Allocates the workspace for a surface, whose mesh several routes may share.
+  void prepare(std::shared_ptr<const OrderedMesh> mesh, std::size_t node_count, bool closed);
 
   /// Tells that the nodes may have moved; call it before every query of any route. `displacement_bound`: see
   /// VisibilityQuery.
@@ -65,7 +66,7 @@ class FastRoute {
   void search_tree();
 
   Surface surface_;
-  OrderedMesh mesh_;
+  std::shared_ptr<const OrderedMesh> mesh_;
   bool closed_ = false;
   Facts facts_;
   SourceView view_;

@@ -25,8 +25,8 @@ std::size_t FastRoute::open_near_away() {
 // One ray and one element that faces away and may be on it. If it is, and blocks, the ray need not be
 // searched.
 void FastRoute::meet_away(int ray, int by, Touch touch) {
-  const int e = mesh_.element(by);
-  const bool can_block = e != mesh_.element(ray) && !surface_.never_blocks(e);
+  const int e = mesh_->element(by);
+  const bool can_block = e != mesh_->element(ray) && !surface_.never_blocks(e);
   bool hides = can_block && touch == Touch::blocked;
   if (touch == Touch::possible) {
     const blocking::Ray& segment = rays_.asked().ray(ray);
@@ -42,9 +42,9 @@ void FastRoute::search() {
   const std::span<const int> rays = states_.list_open();
   if (rays.empty()) return;
   near_.for_each_before_target(rays_, rays, [&](int ray, int by, Touch touch) {
-    const int e = mesh_.element(by);
+    const int e = mesh_->element(by);
     // Its own element may be among them: the mesh's last one stands at several places.
-    if (states_[ray] != kOpen || e == mesh_.element(ray) || surface_.never_blocks(e)) return;
+    if (states_[ray] != kOpen || e == mesh_->element(ray) || surface_.never_blocks(e)) return;
     if (touch == Touch::blocked || blocking::blocks(view_.kernel(), rays_.asked().ray(ray), surface_, e))
       hide(ray, by);
   });
@@ -71,10 +71,10 @@ void FastRoute::test_cached_blockers() {
     return int{states_.alive(hit.ray)} & int{ShownSides::has(near_.sides().not_inner, hit.element)};
   };
   hits_.retest(
-      rays_, mesh_, may_block, may_open,
+      rays_, *mesh_, may_block, may_open,
       [&](int ray, int by, bool is_certain) {
         if (is_certain ||
-            blocking::blocks(view_.kernel(), rays_.asked().ray(ray), surface_, mesh_.element(by)))
+            blocking::blocks(view_.kernel(), rays_.asked().ray(ray), surface_, mesh_->element(by)))
           hide(ray, by);
       },
       [&](int ray, int by) {
@@ -89,7 +89,7 @@ void FastRoute::search_upstream() {
     const blocking::Ray& ray = rays_.asked().ray(place);
     states_.settle(place, kLit);
     for (int e = 0; e < surface_.count && states_[place] == kLit; ++e) {
-      if (e == mesh_.element(place) || surface_.never_blocks(e) || Box(surface_, e).apart_from_segment(ray))
+      if (e == mesh_->element(place) || surface_.never_blocks(e) || Box(surface_, e).apart_from_segment(ray))
         continue;
       if (blocking::blocks(view_.kernel(), ray, surface_, e)) states_.settle(place, kHidden);
     }
@@ -102,7 +102,7 @@ void FastRoute::search_tree() {
     if (states_[place] != kOpen) continue;
     const blocking::Ray& ray = rays_.asked().ray(place);
     const bool hidden = tree.any(ray, [&](int e) {
-      return e != mesh_.element(place) && !surface_.never_blocks(e) &&
+      return e != mesh_->element(place) && !surface_.never_blocks(e) &&
              blocking::blocks(view_.kernel(), ray, surface_, e);
     });
     states_.settle(place, hidden ? kHidden : kLit);

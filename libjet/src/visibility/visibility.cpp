@@ -63,9 +63,11 @@ struct VisibilityQuery::Impl {
   std::vector<Role> roles;
   std::vector<int> unused;  // nodes that no element uses
   Eigen::Matrix3Xd copy;    // of the nodes, if there are such
+  std::shared_ptr<const OrderedMesh> mesh;
   FastRoute fast;
 
   int count() const { return static_cast<int>(triangles.size()); }
+  void prepare() { fast.prepare(mesh, static_cast<std::size_t>(node_count), closed); }
 
   /// Nodes that no element uses stand where one of an element does: they bound nothing.
   Surface surface(const Points& nodes) {
@@ -116,7 +118,19 @@ VisibilityQuery::VisibilityQuery(const Triangles& triangles, int node_count, con
     if (used[static_cast<std::size_t>(node)] == 0) impl_->unused.push_back(node);
   if (!impl_->unused.empty()) impl_->copy.resize(3, node_count);
   impl_->closed = is_closed(impl_->triangles);
-  impl_->fast.prepare(impl_->triangles, static_cast<std::size_t>(node_count), impl_->closed);
+  impl_->mesh = std::make_shared<const OrderedMesh>(impl_->triangles);
+  impl_->prepare();
+}
+
+VisibilityQuery::VisibilityQuery() = default;
+
+VisibilityQuery VisibilityQuery::another() const {
+  VisibilityQuery query;
+  const Impl& i = *impl_;
+  query.impl_ = std::make_unique<Impl>(
+      Impl{i.node_count, i.closed, i.triangles, i.roles, i.unused, i.copy, i.mesh, {}});
+  query.impl_->prepare();
+  return query;
 }
 
 VisibilityQuery::~VisibilityQuery() = default;
