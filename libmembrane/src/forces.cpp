@@ -65,11 +65,8 @@ void jet_forces(const BagModel& model, BagState& state, std::span<const JetLoad>
   clear(state);
   for (const JetLoad& load : loads) {
     check_overpressure(model, load.overpressure);
-    for (const int e : load.elements) {
-      if (e < 0 || e >= model.element_count)
-        reject("jet_forces", "element", e, "0 to " + std::to_string(model.element_count - 1));
-      spread(model, state, e, load.overpressure[static_cast<std::size_t>(e)]);
-    }
+    update_geometry(model, state, load.elements);
+    for (const int e : load.elements) spread(model, state, e, load.overpressure[static_cast<std::size_t>(e)]);
   }
   take_third(state);
 }
@@ -77,6 +74,7 @@ void jet_forces(const BagModel& model, BagState& state, std::span<const JetLoad>
 void jet_forces(const BagModel& model, BagState& state, std::span<const double> overpressure) {
   clear(state);
   check_overpressure(model, overpressure);
+  update_geometry(model, state);
   for (int e = 0; e < model.element_count; ++e)
     spread(model, state, e, overpressure[static_cast<std::size_t>(e)]);
   take_third(state);

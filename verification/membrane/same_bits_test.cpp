@@ -62,7 +62,6 @@ std::vector<double> run(const membrane::Mesh& mesh, Compression compression, Isa
     }
     membrane::update_mass_shares(model, s, for_each);
     membrane::pressure_forces(s, 2e4);
-    membrane::update_geometry(model, s);
     membrane::jet_forces(model, s, dp);
     membrane::support_forces(model, s, for_each);
     const auto& sums = membrane::advance(model, s, i == 0 ? 0.0 : dt, dt, for_each);

@@ -104,8 +104,9 @@ struct JetLoad {
   std::span<const int> elements;         // elements that the jet may load, each once
 };
 
-/// S6: forces of the jets, overpressure times S_e / 3 at each corner. Throws std::invalid_argument without
-/// LoadKinds::jet, unless there is one value per element, and for an element number out of range.
+/// S6: forces of the jets, overpressure times S_e / 3 at each corner; updates the geometry of these elements.
+/// Throws std::invalid_argument without LoadKinds::jet, unless there is one value per element, and for an
+/// element number out of range.
 void jet_forces(const BagModel& model, BagState& state, std::span<const JetLoad> loads);
 
 /// The same for one jet that may load every element.
