@@ -11,16 +11,16 @@
 #   frames        the scene with and without jet at the same times, as the paper's Figures 10 and 11
 #   concepts      drawings of what words say poorly
 #   examples      pictures that the programs of docs/examples draw; needs a build with bindings, scipy and matplotlib
-#   forecast, detection and the work-precision charts: see charts/forecast.sh, charts/detection.sh and charts/benchmarks.sh
+#   forecast, detection and the work-precision charts: see forecast.sh, detection.sh and benchmarks.sh in docs/make/charts
 # Runs that results/studies has are not computed again.
 # usage: scripts/charts.sh [--threads N] [--out FOLDER] NAME...      1, docs/charts; GASJET names the program; `--list` tells the names
 set -euo pipefail
 export LC_ALL=C.UTF-8 # numbers with a decimal point, wherever the user is
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
-# shellcheck source-path=SCRIPTDIR source=charts/common.sh
-source scripts/charts/common.sh
-# shellcheck source-path=SCRIPTDIR source=charts/benchmarks.sh
-source scripts/charts/benchmarks.sh
+# shellcheck source-path=SCRIPTDIR source=../docs/make/charts/common.sh
+source docs/make/charts/common.sh
+# shellcheck source-path=SCRIPTDIR source=../docs/make/charts/benchmarks.sh
+source docs/make/charts/benchmarks.sh
 threads=1 out=docs/charts gasjet=${GASJET:-build/gasjet}
 
 # draw NAME [COMMANDS]: its picture, of its table
@@ -34,9 +34,9 @@ draw() {
 rows() {
   case $1 in
     what_to_measure) grep -v '^#' "$2/sobol.csv" ;;
-    coupled_work_precision | speed_accuracy) awk -F, -v study="$1" -f scripts/charts/studies.awk "$2"/{timing,means}.csv ;;
+    coupled_work_precision | speed_accuracy) awk -F, -v study="$1" -f docs/make/charts/studies.awk "$2"/{timing,means}.csv ;;
     ensemble_convergence | jet_map | impulse_limits | first_contact_seed | weave | runs_needed | mesh_parts)
-      awk -F, -v study="$1" -f scripts/charts/studies.awk "$2/means.csv"
+      awk -F, -v study="$1" -f docs/make/charts/studies.awk "$2/means.csv"
       ;;
     *) grep -v '^#' "$2/means.csv" ;;
   esac
@@ -45,10 +45,10 @@ rows() {
 # further NAME: tables that follow from that of NAME
 further() {
   case $1 in
-    impulse_limits) awk -F, -v of=impulse -f scripts/charts/limits.awk "$out/$1.csv" >"$out/$1_fits.csv" ;;
+    impulse_limits) awk -F, -v of=impulse -f docs/make/charts/limits.awk "$out/$1.csv" >"$out/$1_fits.csv" ;;
     ensemble_convergence | first_contact_seed)
       [[ ! -f $out/ensemble_convergence.csv || ! -f $out/first_contact_seed.csv ]] ||
-        awk -F, -v of=mesh -f scripts/charts/limits.awk "$out"/{ensemble_convergence,first_contact_seed}.csv >"$out/mesh_limits.csv"
+        awk -F, -v of=mesh -f docs/make/charts/limits.awk "$out"/{ensemble_convergence,first_contact_seed}.csv >"$out/mesh_limits.csv"
       ;;
   esac
 }
@@ -60,7 +60,7 @@ prepare() {
   mkdir -p "$folder"
   "$gasjet" mesh case cases/passenger_pendulum_no_jet.toml --initial "$folder/initial.obj" --out "$folder/design.obj" >/dev/null
   for part in none front rest main,attachment side_left,side_right all; do
-    python3 scripts/charts/refine_part.py "$folder"/{design,initial}.obj "$folder/${part//,/+}"_{design,initial}.obj "$part"
+    python3 docs/make/charts/refine_part.py "$folder"/{design,initial}.obj "$folder/${part//,/+}"_{design,initial}.obj "$part"
   done
 }
 
@@ -143,11 +143,11 @@ chart_frames() {
   for case in passenger_pendulum{,_no_jet}; do
     "$gasjet" run "cases/$case.toml" --out "results/frames/$case" --quiet --set output.fields_every=5e-3
   done
-  xvfb-run -a -s "-screen 0 1600x1200x24" /usr/bin/python3 -B scripts/figures/render_frames.py docs/figures/frames.jpg \
+  xvfb-run -a -s "-screen 0 1600x1200x24" /usr/bin/python3 -B docs/make/figures/render_frames.py docs/figures/frames.jpg \
     "with jet=results/frames/passenger_pendulum" "without jet=results/frames/passenger_pendulum_no_jet" 5 10 20 30 50 90
 }
 
-chart_concepts() { GASJET=$gasjet python3 scripts/figures/draw_concepts.py; }
+chart_concepts() { GASJET=$gasjet python3 docs/make/figures/draw_concepts.py; }
 
 chart_examples() {
   local page
@@ -158,8 +158,8 @@ chart_examples() {
   done
 }
 
-chart_forecast() { scripts/charts/forecast.sh; }
-chart_detection() { scripts/charts/detection.sh "$threads" "$out"; }
+chart_forecast() { docs/make/charts/forecast.sh; }
+chart_detection() { docs/make/charts/detection.sh "$threads" "$out"; }
 
 # ---
 

@@ -27,16 +27,16 @@ mkdir -p "$source/assets" "$source/api" "$source/reports"
 for path in ./*.md CITATION.cff Dockerfile LICENSE docs bindings cases cmake lib* verification benchmarks scripts; do
   ln -s "$PWD/$path" "$source"
 done
-cp -rL /usr/share/javascript/katex/katex.min.css /usr/share/javascript/katex/fonts scripts/site/site.css "$source/assets"
-scripts/site/api_docs.sh "$source/api" >/dev/null
+cp -rL /usr/share/javascript/katex/katex.min.css /usr/share/javascript/katex/fonts docs/make/site/site.css "$source/assets"
+docs/make/site/api_docs.sh "$source/api" >/dev/null
 for name in passenger_pendulum passenger_pendulum_no_jet; do
   "$gasjet" run "cases/$name.toml" --out "$runs/$name" --quiet
 done
 "$gasjet" report "$runs"/passenger_pendulum{,_no_jet} --out "$source/reports/passenger_pendulum.html" >/dev/null
 
 mkdocs build --strict
-NODE_PATH=/usr/share/nodejs node scripts/site/render_equations.js "$site"
-/usr/bin/python3 -B scripts/site/check_links.py "$site"
+NODE_PATH=/usr/share/nodejs node docs/make/site/render_equations.js "$site"
+/usr/bin/python3 -B docs/make/site/check_links.py "$site"
 echo "$site/index.html"
 
 if (($#)); then

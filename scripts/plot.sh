@@ -13,8 +13,8 @@
 set -euo pipefail
 export LC_ALL=C.UTF-8 # numbers with a decimal point, wherever the user is
 
-# shellcheck source-path=SCRIPTDIR source=charts/common.sh
-source "$(dirname "${BASH_SOURCE[0]}")/charts/common.sh"
+# shellcheck source-path=SCRIPTDIR source=../docs/make/charts/common.sh
+source "$(dirname "${BASH_SOURCE[0]}")/../docs/make/charts/common.sh"
 
 fail() {
   echo "plot.sh: $*" >&2

@@ -78,8 +78,8 @@ grep '^SKIPPED' build/Testing/Temporary/LastTest.log || true # why a test did no
 if ((long)); then
   suite long
 fi
-phase "verification report" scripts/pages/verification_report.sh --check || failed_suites+=("verification report")
-phase "stability atlas" scripts/pages/stability_atlas.sh --check || failed_suites+=("stability atlas")
+phase "verification report" docs/make/pages/verification_report.sh --check || failed_suites+=("verification report")
+phase "stability atlas" docs/make/pages/stability_atlas.sh --check || failed_suites+=("stability atlas")
 if ((sanitize)); then
   build sanitize
   suite sanitize

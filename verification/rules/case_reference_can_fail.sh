@@ -11,7 +11,7 @@ trap 'rm -f "$page"' EXIT
 tells() {
   local report status=0
   sed "$2" "$root/docs/case_files.md" >"$page"
-  report=$(/usr/bin/python3 "$root/scripts/pages/case_keys.py" --check "$gasjet" "$page") || status=$?
+  report=$(/usr/bin/python3 "$root/docs/make/pages/case_keys.py" --check "$gasjet" "$page") || status=$?
   if ((status != 1)) || [[ $report != *"$1"* ]]; then
     printf 'changed by %s the check ends with %d and says:\n%s\n' "$2" "$status" "$report"
     exit 1

@@ -27,8 +27,8 @@ page() {
   printf '%s\n' '<h1 id="top">Page</h1>' "<a href='#top'>up</a> $1" >"$scratch/site/index.html"
 }
 
-render() { NODE_PATH=/usr/share/nodejs node scripts/site/render_equations.js "$scratch/site"; }
-check() { /usr/bin/python3 -B scripts/site/check_links.py "$scratch/site"; }
+render() { NODE_PATH=/usr/share/nodejs node docs/make/site/render_equations.js "$scratch/site"; }
+check() { /usr/bin/python3 -B docs/make/site/check_links.py "$scratch/site"; }
 
 page '<span class="arithmatex">\(\rho &lt; \frac{1}{2}\)</span>'
 refuses 'index.html:2: equation left as source' check

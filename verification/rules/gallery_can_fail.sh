@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# Proves that scripts/pages/gallery.sh --check fails, and names the place, where the page lacks a case, says something else than its file,
+# Proves that docs/make/pages/gallery.sh --check fails, and names the place, where the page lacks a case, says something else than its file,
 # or lacks a picture. usage: gallery_can_fail.sh
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
@@ -9,12 +9,12 @@ trap 'rm -rf "$scratch"' EXIT
 
 fresh() {
   rm -rf "${scratch:?}"/*
-  (cd "$root" && cp --parents -r scripts/pages/gallery.sh cases docs/gallery docs/gallery.md "$scratch")
+  (cd "$root" && cp --parents -r docs/make/pages/gallery.sh cases docs/gallery docs/gallery.md "$scratch")
 }
 
 # refuses WHAT: the check fails, and its report says WHAT.
 refuses() {
-  if "$scratch/scripts/pages/gallery.sh" --check >"$scratch/log" 2>&1; then
+  if "$scratch/docs/make/pages/gallery.sh" --check >"$scratch/log" 2>&1; then
     echo "let pass: $1"
     exit 1
   fi

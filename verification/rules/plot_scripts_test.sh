@@ -66,7 +66,7 @@ grep -q "pressure \[Pa\]" a/rows.svg && grep -q "volume \[m³\]" a/rows.svg || f
 cmp a/rows.svg b/rows.svg || fail "the order of the columns changed the picture of the comparison"
 if "$scripts/plot.sh" compare c/rows tank/history.csv 2>/dev/null; then fail "a history without reference was accepted"; fi
 # Each script that draws loads the one style sheet, and brings no fonts or frames of its own.
-for script in "$scripts"/../docs/charts/gnuplot/*.gp $(grep -rlE --include='*.sh' 'gnuplot( 2>&1.*)? <<' "$scripts"); do
+for script in "$scripts"/../docs/charts/gnuplot/*.gp $(grep -rlE --include='*.sh' 'gnuplot( 2>&1.*)? <<' "$scripts" "$scripts/../docs/make"); do
   [[ -f $script ]] || continue
   case ${script##*/} in style.gp | rows.gp) continue ;; esac
   grep -qE "^load (\\\$style|'docs/charts/gnuplot/style.gp')" "$script" || fail "$script does not load docs/charts/gnuplot/style.gp"

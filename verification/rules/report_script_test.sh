@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# Test of scripts/pages/verification_report.sh --check: rows that say the same as the report pass, each drift is named.
+# Test of docs/make/pages/verification_report.sh --check: rows that say the same as the report pass, each drift is named.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 work=$(mktemp -d)
@@ -11,7 +11,7 @@ rows() {
   rm -rf "$work/rows" && mkdir "$work/rows"
   printf '%s\n' "$@" | tr '|' '\t' >"$work/rows/some.tsv"
 }
-check() { "$root/scripts/pages/verification_report.sh" --check "$work/rows" "$work/report.md" 2>&1; }
+check() { "$root/docs/make/pages/verification_report.sh" --check "$work/rows" "$work/report.md" 2>&1; }
 fail() {
   echo "$*"
   exit 1
@@ -25,7 +25,7 @@ long="near|Bag.shape/3|verification/membrane/bag_long_test.cpp|M.5|height [m]|pu
 good=("$pressure" "$order" "${steps[@]}" "$long")
 
 rows "${good[@]}"
-awk -f "$root/scripts/pages/theory_links.awk" -f "$root/scripts/pages/verification_report.awk" "$root"/docs/theory/*.md "$work/rows/some.tsv" >"$work/report.md"
+awk -f "$root/docs/make/pages/theory_links.awk" -f "$root/docs/make/pages/verification_report.awk" "$root"/docs/theory/*.md "$work/rows/some.tsv" >"$work/report.md"
 grep -qF '| [G.9](theory/gas.md#balances) | mass [kg] | 2.08 | 2 | 4.0e-02 | 5.0e-02 | steps | 2 | [tank.steps](' "$work/report.md" ||
   fail "the worst row of a sweep is not shown: $(cat "$work/report.md")"
 check | grep -q '4 rows' || fail "refuses its own rows: $(check)"

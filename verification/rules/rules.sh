@@ -230,13 +230,13 @@ rule_table_heads() {
 
 # Each number that docs/numbers.tsv lists says what its source file says.
 rule_numbers() {
-  awk -F'\t' -f "$scripts/pages/csv_number.awk" -f <(echo '{ print /^#/ || NF < 7 ? "" : formatted($3, $4, $5, $6, $7) }') docs/numbers.tsv |
+  awk -F'\t' -f "$rules/../../docs/make/pages/csv_number.awk" -f <(echo '{ print /^#/ || NF < 7 ? "" : formatted($3, $4, $5, $6, $7) }') docs/numbers.tsv |
     perl "$rules/numbers.pl" docs/numbers.tsv "$max_numbers"
 }
 
 # Each table that docs/tables.tsv lists is in a page and says what its CSV files say.
 rule_tables() {
-  "$scripts/pages/write.sh" --check "$PWD" 2>&1 || echo "docs/tables.tsv: scripts/pages/write.sh writes the tables anew"
+  "$rules/../../docs/make/pages/write.sh" --check "$PWD" 2>&1 || echo "docs/tables.tsv: docs/make/pages/write.sh writes the tables anew"
 }
 
 # CITATION, changelog, docs/versions.md, shipped cases and schemas say the versions that cmake/GasjetVersion.cmake, formats.hpp and the reference data have.

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# Test of scripts/pages/stability_atlas.sh --check: rows that say the same as the atlas pass, each drift is named.
+# Test of docs/make/pages/stability_atlas.sh --check: rows that say the same as the atlas pass, each drift is named.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 work=$(mktemp -d)
@@ -11,7 +11,7 @@ rows() {
   rm -rf "$work/rows" && mkdir "$work/rows"
   printf '%s\n' "$@" | tr '~' '\t' >"$work/rows/some.tsv"
 }
-check() { "$root/scripts/pages/stability_atlas.sh" --check "$work/rows" "$work/atlas.md" 2>&1; }
+check() { "$root/docs/make/pages/stability_atlas.sh" --check "$work/rows" "$work/atlas.md" 2>&1; }
 fail() {
   echo "$*"
   exit 1
@@ -23,7 +23,7 @@ near="near~tank.fill~verification/gas/tank_test.cpp~G.8~pressure~rounding~1~1~1"
 good=("$vent" "$sliver" "$near")
 
 rows "${good[@]}"
-awk -f "$root/scripts/pages/theory_links.awk" -f "$root/scripts/pages/stability_atlas.awk" "$root"/docs/theory/*.md "$work/rows/some.tsv" >"$work/atlas.md"
+awk -f "$root/docs/make/pages/theory_links.awk" -f "$root/docs/make/pages/stability_atlas.awk" "$root"/docs/theory/*.md "$work/rows/some.tsv" >"$work/atlas.md"
 grep -qF '| vent time: Euler | [G.14](theory/gas.md#how-fast-the-gas-relaxes) h \|λ\| = 2 | 0.001 s | 0.001001 s | 1.0010 | 0.99 to 1.01: bisection | error | [' "$work/atlas.md" ||
   fail "writes another row: $(cat "$work/atlas.md")"
 check | grep -q '2 rows' || fail "refuses its own rows: $(check)"

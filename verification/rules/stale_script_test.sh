@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# Test of scripts/pages/stale.sh: in a small repository it names what is older than its code, and nothing else.
+# Test of docs/make/pages/stale.sh: in a small repository it names what is older than its code, and nothing else.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 tree=$(mktemp -d)
@@ -18,7 +18,7 @@ csv() { put docs/charts/force.csv "# gasjet 0.1.0 ($1, GNU 12, Release -O3)" 'x'
 # says EXIT PATTERN...: stale.sh has this exit code, and says no more than these lines and its last.
 says() {
   local output status=0 pattern
-  output=$("$root/scripts/pages/stale.sh" "$tree" 2>&1) || status=$?
+  output=$("$root/docs/make/pages/stale.sh" "$tree" 2>&1) || status=$?
   [[ $status == "$1" && $(wc -l <<<"$output") == "$#" ]] || fail "exit $1 and $# lines expected, seen $status: $output"
   for pattern in "${@:2}"; do grep -qE "$pattern" <<<"$output" || fail "'$pattern' expected: $output"; done
 }

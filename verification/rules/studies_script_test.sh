@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # Test of the programs by which scripts/charts.sh makes tables of means.csv: rows and numbers, by hand.
 set -euo pipefail
-charts=$(cd "$(dirname "${BASH_SOURCE[0]}")/../../scripts/charts" && pwd)
+charts=$(cd "$(dirname "${BASH_SOURCE[0]}")/../../docs/make/charts" && pwd)
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 cd "$work" # a redirection by mistake would leave a file here
@@ -64,7 +64,7 @@ gas,euler 1e-4,final_angle_rad,0.5,0.45,0.03,1,0.1,0.1' -v study=coupled_work_pr
 
 [[ $(ls) == $'means.csv\ntiming.csv' ]] || { echo "files that nobody asked for: $(ls)"; exit 1; }
 for plan in none ../weave; do
-  said=$("$charts/../charts.sh" "$plan" 2>&1) && exit 1
+  said=$("$charts/../../../scripts/charts.sh" "$plan" 2>&1) && exit 1
   [[ $said == "charts.sh: no chart '$plan'; --list tells them" ]] || { echo "of a plan that is not there: $said"; exit 1; }
 done
 ! awk -v study=other -f "$charts/studies.awk" means.csv 2>/dev/null || { echo "a study without rows of its own was accepted"; exit 1; }

@@ -16,7 +16,7 @@ for my $file (grep { /\.csv$/ } @made) {
     last unless /^#/;
   }
   for my $part (qw(machine commit compiler flags)) {
-    $head =~ /^# $part: ./m or print "$file:1: the lines above the columns do not name its $part (scripts/charts/common.sh)\n";
+    $head =~ /^# $part: ./m or print "$file:1: the lines above the columns do not name its $part (docs/make/charts/common.sh)\n";
   }
   print "$file:1: made by a build of changed sources, of which no commit tells\n" if $head =~ /-dirty/;
 }

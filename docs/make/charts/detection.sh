@@ -1,17 +1,17 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# Which errors the passenger references catch, and from how many runs on: puts each error of scripts/charts/detection_changes.tsv into the
+# Which errors the passenger references catch, and from how many runs on: puts each error of docs/make/charts/detection_changes.tsv into the
 # program's case (or source), makes 1, 2, 4, 8 and 16 runs with seeds of their own, and judges them by `gasjet compare`. Four such
 # tries of 1 to 4 runs, three of 8 and two of 16; caught are errors that all tries find outside.
 # Writes docs/charts/detection.csv: error, reference, number of runs from which on it is caught (none: not by 16), and of those runs
 # the column that is farthest outside, in units of what band and chance allow.
-# usage: scripts/charts/detection.sh [THREADS] [OUT]      (1, docs/charts by default; GASJET names the program)
+# usage: docs/make/charts/detection.sh [THREADS] [OUT]      (1, docs/charts by default; GASJET names the program)
 #   Runs are kept in results/detection, and not made again.
 set -euo pipefail
 export LC_ALL=C.UTF-8 # numbers with a decimal point, wherever the user is
-cd "$(dirname "${BASH_SOURCE[0]}")/../.."
+cd "$(dirname "${BASH_SOURCE[0]}")/../../.."
 # shellcheck source-path=SCRIPTDIR source=common.sh
-source scripts/charts/common.sh
+source docs/make/charts/common.sh
 threads=${1:-1} out=${2:-docs/charts}
 gasjet=${GASJET:-build/gasjet}
 work=results/detection
@@ -116,7 +116,7 @@ while IFS=$'\t' read -r error kind first second; do
     row[$error,$reference]=$this
     echo "$error, $reference: $this"
   done
-done <scripts/charts/detection_changes.tsv
+done <docs/make/charts/detection_changes.tsv
 
 {
   provenance

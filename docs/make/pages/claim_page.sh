@@ -3,7 +3,7 @@
 # Sourced by stability_atlas.sh and verification_report.sh: a page of docs, written from the rows that tests
 # write, or compared with them. The caller defines page_head, which prints what stands above the tables.
 
-# claim_tables TABLES ROWS: what scripts/pages/TABLES.awk makes of that folder; row files in a fixed order.
+# claim_tables TABLES ROWS: what docs/make/pages/TABLES.awk makes of that folder; row files in a fixed order.
 claim_tables() {
   local files
   mapfile -t files < <(find "$2" -name '*.tsv' | LC_ALL=C sort)
@@ -11,7 +11,7 @@ claim_tables() {
     echo "$1.sh: no rows in $2; run the tests first (ctest --preset fast)" >&2
     return 1
   }
-  awk -f scripts/pages/theory_links.awk -f "scripts/pages/$1.awk" docs/theory/*.md "${files[@]}"
+  awk -f docs/make/pages/theory_links.awk -f "docs/make/pages/$1.awk" docs/theory/*.md "${files[@]}"
 }
 
 count_rows() { grep -c '](../verification/' "$1"; }
@@ -31,7 +31,7 @@ claim_rows() {
     { grep -E 'Failed|\*\*\*' "$folder/log" >&2; echo "a claim does not hold; see $folder/log" >&2; return 1; }
 }
 
-# claim_page NAME PAGE [--from ROWS | --check [ROWS [OTHER_PAGE]]]: of scripts/pages/NAME.sh, whose tables are
+# claim_page NAME PAGE [--from ROWS | --check [ROWS [OTHER_PAGE]]]: of docs/make/pages/NAME.sh, whose tables are
 # by NAME.awk.
 claim_page() {
   local name=$1 page=$2 rows work
@@ -42,10 +42,10 @@ claim_page() {
   if [[ ${1:-} == --check && $# -le 3 ]]; then
     page=${3:-$page}
     claim_tables "$name" "${2:-build/claims}" >"$work/new"
-    LC_ALL=C awk -f scripts/pages/claim_drift.awk "$page" "$work/new" | sort -u >"$work/drift"
+    LC_ALL=C awk -f docs/make/pages/claim_drift.awk "$page" "$work/new" | sort -u >"$work/drift"
     [[ -s $work/drift ]] || { echo "$page holds: $(count_rows "$work/new") rows"; return; }
     cat "$work/drift"
-    echo "$page is not what the tests say: scripts/pages/$name.sh writes it anew"
+    echo "$page is not what the tests say: docs/make/pages/$name.sh writes it anew"
     return 1
   elif [[ ${1:-} == --from && $# == 2 ]]; then
     rows=$2

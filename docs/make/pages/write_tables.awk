@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # A page with its tables written anew from docs/tables.tsv, which says how. After csv_number.awk. Faults go to standard error, with exit
 # code 1.
-# usage: awk -f scripts/pages/csv_number.awk -f scripts/pages/write_tables.awk -v page=PAGE PAGE
+# usage: awk -f docs/make/pages/csv_number.awk -f docs/make/pages/write_tables.awk -v page=PAGE PAGE
 
 function fault(what) {
   print page ": table " name ": " what >"/dev/stderr"

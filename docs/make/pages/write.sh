@@ -4,7 +4,7 @@
 # with its new numbers.
 #   tables   each between its marks <!-- table NAME --> and <!-- end of table NAME -->, from the CSV files that docs/tables.tsv names
 #   numbers  each that docs/numbers.tsv lists, from the table that it comes from
-# usage: scripts/pages/write.sh [--check [TREE]]
+# usage: docs/make/pages/write.sh [--check [TREE]]
 #   --check  change nothing: exit code 1 if a table of a page, of this tree or of TREE, is not what it would write
 set -euo pipefail
 scripts=$(cd "${BASH_SOURCE[0]%/*}" && pwd)
@@ -12,7 +12,7 @@ if (($# > 2)) || [[ ${1:---check} != --check ]]; then
   echo "write.sh: cannot take '$*'; allowed: nothing, --check [TREE]" >&2
   exit 2
 fi
-cd "${2:-$scripts/../..}"
+cd "${2:-$scripts/../../..}"
 new=$(mktemp)
 trap 'rm -f "$new"' EXIT
 broken=0
@@ -22,7 +22,7 @@ for page in "${pages[@]}"; do
   awk -f "$scripts/csv_number.awk" -f "$scripts/write_tables.awk" -v page="$page" "$page" >"$new" || { broken=1; continue; }
   ! cmp -s "$new" "$page" || continue
   if (($#)); then
-    echo "$page: not what scripts/pages/write.sh writes:"
+    echo "$page: not what docs/make/pages/write.sh writes:"
     diff "$page" "$new" || broken=1
   else
     cp "$new" "$page"

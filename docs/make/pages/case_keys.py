@@ -4,13 +4,13 @@
 case could set. Which keys it asks for depends on the case: those of all cases together are the reference. A key
 without a row, and a row without a key, are errors: the meaning of a key is written by hand.
 
-usage: scripts/pages/case_keys.py [--check] GASJET [PAGE]; --check changes nothing and fails if it would"""
+usage: docs/make/pages/case_keys.py [--check] GASJET [PAGE]; --check changes nothing and fails if it would"""
 import pathlib
 import re
 import subprocess
 import sys
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
+ROOT = pathlib.Path(__file__).resolve().parents[3]
 CASES = ["cases/*.toml", "cases/reference/*.toml", "verification/rules/keys/*.toml"]
 HEAD = "| key | meaning | unit | allowed | default |"
 OF_A_CURVE = {"time", "overpressure", "strain", "value", "file", "time_column", "overpressure_column", "strain_column", "column"}

@@ -3,9 +3,9 @@
 # Lists the CSV files, with their tables, and the figures that are older than the code that they depend on (docs/provenance.tsv).
 # A file is as old as the commit that its head names, or, if it names none, as the commit that last changed it. One that is
 # made from another listed file is older if rows of that have changed since the commit that last changed it.
-# usage: scripts/pages/stale.sh [TREE]      exit code 1 if there are any
+# usage: docs/make/pages/stale.sh [TREE]      exit code 1 if there are any
 set -euo pipefail
-cd "${1:-$(dirname "${BASH_SOURCE[0]}")/../..}"
+cd "${1:-$(dirname "${BASH_SOURCE[0]}")/../../..}"
 list=docs/provenance.tsv
 
 # paths_of TEXT: its words, one a line, those with @ replaced by the paths of their own line.

@@ -1,21 +1,21 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # Writes docs/stability.md from the rows that the tests of thresholds write.
-# usage: scripts/pages/stability_atlas.sh [--from ROWS | --check [ROWS [PAGE]]]
+# usage: docs/make/pages/stability_atlas.sh [--from ROWS | --check [ROWS [PAGE]]]
 #   --from   take the rows that are in the folder ROWS already, instead of running the tests
 #   --check  compare docs/stability.md (or PAGE) with rows already in the folder ROWS (build/claims);
 #            exit code 1 if they differ
 set -euo pipefail
-cd "$(dirname "${BASH_SOURCE[0]}")/../.."
+cd "$(dirname "${BASH_SOURCE[0]}")/../../.."
 # shellcheck source-path=SCRIPTDIR source=claim_page.sh
-source scripts/pages/claim_page.sh
+source docs/make/pages/claim_page.sh
 
 page_head() {
   cat <<'HEAD'
 # Stability atlas
 
 Each row is a way in which a method fails: the limit by its formula, the limit as measured, and what
-the program does past it. `scripts/pages/stability_atlas.sh` writes the page from the tests' own
+the program does past it. `docs/make/pages/stability_atlas.sh` writes the page from the tests' own
 assertions, with the numbers that they saw.
 
 - *Predicted* is the formula's value.
@@ -42,7 +42,7 @@ precision](charts/gas_work_precision.svg) shows. Limits of the bag hold for a fi
 (`time.step`). Such a step above its bound is refused unless `time.unsafe_step` allows it. Without a
 fixed step, the step follows the bound.
 
-**Check.** CI compares this page with what its own tests wrote (`scripts/pages/stability_atlas.sh
+**Check.** CI compares this page with what its own tests wrote (`docs/make/pages/stability_atlas.sh
 --check`). It fails if a row appeared or vanished, a text or band changed, a predicted value moved
 by more than 0.1 %, or a ratio by more than 0.5 %.
 

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # Draws what words say poorly, as SVG in docs/figures: the two jets with their profiles and the hidden elements (by (J.3) to
 # (J.5)), the pendulum test with dimensions from its case file, the balance of the gas, and the passenger bag. GASJET names another
-# binary than build/gasjet. usage: python3 scripts/figures/draw_concepts.py
+# binary than build/gasjet. usage: python3 docs/make/figures/draw_concepts.py
 import json
 import math
 import os
@@ -10,7 +10,7 @@ import subprocess
 import tempfile
 import tomllib
 
-ROOT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..")
+ROOT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "..")
 BLUE, VERMILION, INK, QUIET, PALE, SKIN = "#0072b2", "#d55e00", "#222222", "#767676", "#d8eaf5", "#e8c890"
 
 

@@ -1,21 +1,21 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # Writes docs/verification.md from the rows that the tests write.
-# usage: scripts/pages/verification_report.sh [--from ROWS | --check [ROWS [PAGE]]]
+# usage: docs/make/pages/verification_report.sh [--from ROWS | --check [ROWS [PAGE]]]
 #   --from   take the rows that are in the folder ROWS already, instead of running the tests
 #   --check  compare docs/verification.md (or PAGE) with rows already in the folder ROWS (build/claims);
 #            exit code 1 if they differ
 set -euo pipefail
-cd "$(dirname "${BASH_SOURCE[0]}")/../.."
+cd "$(dirname "${BASH_SOURCE[0]}")/../../.."
 # shellcheck source-path=SCRIPTDIR source=claim_page.sh
-source scripts/pages/claim_page.sh
+source docs/make/pages/claim_page.sh
 
 page_head() {
   cat <<'HEAD'
 # Verification report
 
 Each row is a check that the test named last makes, with the numbers that it saw.
-`scripts/pages/verification_report.sh` writes the page from the tests' own assertions.
+`docs/make/pages/verification_report.sh` writes the page from the tests' own assertions.
 
 - A row of several `checks` (a sweep over parameters, times or elements) shows the one that used
   most of what is allowed.
@@ -28,7 +28,7 @@ Each row is a check that the test named last makes, with the numbers that it saw
 Closed forms are those of [`verification/closed_form`](../verification/closed_form/README.md), which
 sees none of the libraries.
 
-CI compares this page with what its own tests wrote (`scripts/pages/verification_report.sh
+CI compares this page with what its own tests wrote (`docs/make/pages/verification_report.sh
 --check`). It fails if a row appeared or vanished, or if one of these moved: the exact value (by
 more than 1e-6 of it), the allowance (2 %), the number of checks, an error (by more than a tenth of
 its allowance), or an order (by more than 0.05). Errors of the size of rounding (an allowance below

@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # Writes docs/gallery.md: each case with the first sentence of its file and pictures of its run, in docs/gallery. Needs build/gasjet.
-# usage: scripts/pages/gallery.sh [--check]    --check: only compare the page with the cases, run nothing
+# usage: docs/make/pages/gallery.sh [--check]    --check: only compare the page with the cases, run nothing
 set -euo pipefail
 export LC_ALL=C.UTF-8 # numbers with a decimal point, wherever the user is
-cd "$(dirname "${BASH_SOURCE[0]}")/../.."
+cd "$(dirname "${BASH_SOURCE[0]}")/../../.."
 
 page=docs/gallery.md pictures=docs/gallery
 cases=(cases/*.toml cases/reference/*.toml)
@@ -27,7 +27,7 @@ write_page() {
   echo '# Gallery'
   echo
   echo "Each case of the repository, with the first sentence of its file, histories of its run and, where it has one, its bag at the end."
-  echo 'The bag is drawn to no common scale; a history shows at most 120 of its rows. `scripts/pages/gallery.sh` writes this page and its pictures.'
+  echo 'The bag is drawn to no common scale; a history shows at most 120 of its rows. `docs/make/pages/gallery.sh` writes this page and its pictures.'
   echo "The paper's scene at six times, with and without jet, is [above the table of the README](../README.md#what-the-jet-does-and-what-it-costs)."
   echo '[`gasjet report`](report.md) shows any run in motion, in a browser.'
   echo '[Programs](examples/README.md) in Python, Fortran and C that use Gasjet have pages of their own.'
@@ -130,7 +130,7 @@ END
 
 case ${1:-} in
   --check)
-    write_page | diff "$page" - || { echo "$page differs from the cases: run scripts/pages/gallery.sh"; exit 1; }
+    write_page | diff "$page" - || { echo "$page differs from the cases: run docs/make/pages/gallery.sh"; exit 1; }
     for picture in $(grep -oE 'gallery/[a-z0-9_]+\.(svg|png)' "$page"); do
       [[ -s docs/$picture ]] || { echo "$page: no picture docs/$picture"; exit 1; }
     done

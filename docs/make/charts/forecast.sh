@@ -3,14 +3,14 @@
 # What `gasjet check` forecasts beside what ladders measure: docs/charts/forecast.csv, and the table of it in
 # docs/theory/forecast.md; and what those ladders say of a bag without a membrane: docs/charts/without_membrane.csv. Ladders
 # that results/forecast has are not run again; that of the paper's scene is the committed one.
-# usage: scripts/charts/forecast.sh [--check [CSV]]
+# usage: docs/make/charts/forecast.sh [--check [CSV]]
 #   --check  compare the table and the counts of the page, and the totals, with the rows of docs/charts/forecast.csv
 #            (or CSV); exit code 1 if they differ, 2 without rows
 set -euo pipefail
 export LC_ALL=C.UTF-8 # numbers with a decimal point, wherever the user is
-cd "$(dirname "${BASH_SOURCE[0]}")/../.."
+cd "$(dirname "${BASH_SOURCE[0]}")/../../.."
 # shellcheck source-path=SCRIPTDIR source=common.sh
-source scripts/charts/common.sh
+source docs/make/charts/common.sh
 page=docs/theory/forecast.md csv=docs/charts/forecast.csv folder=results/forecast
 
 # Cases, and the quantity of the ladder.
@@ -73,7 +73,7 @@ write_csv() {
   while read -r scene quantity; do
     table=$(ladder_of "$scene" "$quantity")
     json=$(build/gasjet check "cases/$scene.toml" --format json)
-    awk -v scene="$scene" -f scripts/charts/forecast.awk <(echo "$json") "$table"
+    awk -v scene="$scene" -f docs/make/charts/forecast.awk <(echo "$json") "$table"
   done < <(scenes)
 }
 
@@ -106,7 +106,7 @@ page_with() {
     { sub(/It agrees in [0-9]+ of [0-9]+; of the sizes alone in [0-9]+ of [0-9]+\./, counts) }
     /^<!-- end of the table -->/ { inside = 0 }
     !inside
-    /^<!-- table by scripts\/charts\/forecast.sh -->/ { inside = 1; print "\n" table "\n" }' "$page"
+    /^<!-- table by docs\/make\/charts\/forecast.sh -->/ { inside = 1; print "\n" table "\n" }' "$page"
 }
 
 # paper_rows CSV: those of the paper's scene whose change is not that of its ladder.
@@ -131,7 +131,7 @@ check() {
   diff <(totals "$1") <(grep '^all' "$1") || { echo "the totals of $1 are not those of its rows"; exit 1; }
   [[ -z $(paper_rows "$1") ]] || { echo "$1: $(paper_rows "$1")"; exit 1; }
   { diff <(page_with "$1") "$page" && grep -qF "$(counts "$1")" "$page"; } ||
-    { echo "$page is not what $1 says: scripts/charts/forecast.sh writes it anew"; exit 1; }
+    { echo "$page is not what $1 says: docs/make/charts/forecast.sh writes it anew"; exit 1; }
   echo "$page holds: $(rows "$1" | wc -l) rows"
 }
 

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 # The tables that studies.sh's plans make of means.csv (coupled_work_precision: of timing.csv and means.csv). usage: awk -F, -v study=NAME
-# -f scripts/charts/studies.awk FILE...
+# -f docs/make/charts/studies.awk FILE...
 #   jet_map, ensemble_convergence  what the jet changes: means and standard errors with and without jet, fewest runs of both,
 #     difference, in standard errors, decided (more than 5 of them, at least 16 runs)
 #   runs_needed  scatter: standard deviation of a run; runs_for_1_percent: for two standard errors of 1 % of the mean;
