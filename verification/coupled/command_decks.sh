@@ -44,10 +44,10 @@ deck_curves() {
   damaged radioss clamped_disc '/^\/PLOAD/,+3d' "neither gas nor pressure" "$reader"
   damaged lsdyna measured_fabric '/ LCA /,+1s/         3/         2/' "off by" "$judge"
   damaged lsdyna measured_fabric '/^ *0\.2442 /s/0\.2442/  0.22/' "off by" "$judge"
-  damaged lsdyna clamped_disc '/^\*LOAD_SHELL_SET/,+2s/-1\./ 1./' "pressure at" "$judge"
+  damaged lsdyna clamped_disc '/^\*LOAD_SHELL_SET/,+3s/-1\./ 1./' "pressure at" "$judge"
   damaged lsdyna measured_fabric '/FORM/,+1s/       14\./       12./' "lines" "$reader"
   damaged lsdyna measured_fabric '/ LCA /,+1s/         3/      4711/' "curve 4711" "$reader"
-  damaged lsdyna clamped_disc '/^\*LOAD_SHELL_SET/,+2d' "neither gas nor pressure" "$reader"
+  damaged lsdyna clamped_disc '/^\*LOAD_SHELL_SET/,+3d' "neither gas nor pressure" "$reader"
 }
 
 # damaged FORMAT CASE SED PATTERN JUDGE: a judge of decks sees what sed makes of one

@@ -55,8 +55,8 @@ def deck_of(kind, path):
                 curves[int(lines[0][:10])] = numbers(lines[1:])
             elif header == "*MAT_FABRIC" and len(lines) == 6:
                 threads, moduli = (int(lines[5][:10]), int(lines[5][10:20])), (float(lines[0][20:30]), float(lines[0][30:40]))
-            elif header == "*LOAD_SHELL_SET":
-                pressure = (int(lines[0][10:20]), -float(lines[0][20:30]))  # above zero it acts against the normals
+            elif header == "*LOAD_SHELL_SET_ID":
+                pressure = (int(lines[1][10:20]), -float(lines[1][20:30]))  # above zero it acts against the normals
     return curves, threads, moduli, pressure
 
 

@@ -24,7 +24,7 @@ CARDS = {
     "MAT_NULL": ["=material i10 r10 r10 r10 r10 r10 r10 r10"],
     "MAT_FABRIC": ["=material i10 r10 r10 r10 -10 r10 r10 r10", EIGHT, EIGHT, "-10 r10 r10 r10 r10 r10 r10 r10",
                    "r10 r10 r10 -10 -10 -10 r10 i10"],
-    "LOAD_SHELL_SET": ["shells i10 curve i10 r10 r10"],
+    "LOAD_SHELL_SET_ID": [TITLE, "shells i10 curve i10 r10 r10"],
     "MAT_RIGID": ["=material i10 r10 r10 r10 r10 r10 r10 s10", "r10 i10 i10", "r10 r10 r10 r10 r10 r10"],
     "MAT_SPRING_NONLINEAR_ELASTIC": ["=material i10 curve i10 curve i10"],
     "SECTION_SHELL": ["=section i10 i10 r10 i10 r10 r10 i10 i10", EIGHT],
@@ -166,7 +166,7 @@ def read_block(deck, header, lines):
     where, keyword = header[0], header[1][1:]
     if keyword == "KEYWORD":
         return
-    deck.filled |= keyword in ("AIRBAG_HYBRID_ID", "LOAD_SHELL_SET")
+    deck.filled |= keyword in ("AIRBAG_HYBRID_ID", "LOAD_SHELL_SET_ID")
     if keyword == "AIRBAG_HYBRID_ID":
         airbag(deck, lines)
     elif keyword in LISTS:

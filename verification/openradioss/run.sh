@@ -52,7 +52,6 @@ export OMP_NUM_THREADS=1 OMP_STACKSIZE=${OMP_STACKSIZE:-400m}
 # The reader of LS-DYNA decks asks for no history of *AIRBAG_HYBRID, so that the file that includes the deck does.
 radioss_run() (
   cd "$1" || exit 1
-  mv bag_0001.rad run_0001.rad
   sed -i 's#^/RUN/bag/1#/RUN/run/1#; /^\/ANIM/,+1d' run_0001.rad # no pictures
   if [[ -f bag.k ]]; then
     {
@@ -82,8 +81,8 @@ while IFS=';' read -r name case settings limits; do
     rm -rf "$folder"
     # The engine file of a Radioss deck serves both.
     "$gasjet" export "$root/$case" "${options[@]}" --format radioss --units t-mm-s --out "$folder" >/dev/null || exit 2
+    mv "$folder/bag_0001.rad" "$folder/run_0001.rad" # the next export takes away what it did not write
     if [[ $format == lsdyna ]]; then
-      rm "$folder/bag_0000.rad"
       "$gasjet" export "$root/$case" "${options[@]}" --format lsdyna --units t-mm-s --out "$folder" >/dev/null || exit 2
     fi
     if radioss_run "$folder"; then

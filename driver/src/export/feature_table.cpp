@@ -25,7 +25,7 @@ constexpr Outcome law{
     "linear law of another strain: with St. Venant-Kirchhoff it agrees to first order of strain"};
 constexpr Outcome shape{Mapping::exact, "start shape as nodes, design shape as reference geometry"};
 constexpr Outcome sphere{Mapping::approximated, "a sphere of flat triangles, by the size below"};
-constexpr Outcome contact{Mapping::approximated, "contact by node with the program's own penalty"};
+constexpr Outcome own_penalty{Mapping::approximated, "contact by node with the program's own penalty"};
 constexpr Outcome fabric_law{Mapping::approximated,
                              "the program's fabric in Green-Lagrange strain (FORM 12) for St. "
                              "Venant-Kirchhoff, in its invariant frame "
@@ -198,7 +198,7 @@ const std::vector<Feature>& features() {
        {Mapping::approximated, "COEF of *DAMPING_PART_STIFFNESS below zero, the coefficient itself"}},
       {"membrane.overpressure",
        {Mapping::exact, "/PLOAD on all elements, along their normals"},
-       {Mapping::exact, "*LOAD_SHELL_SET on all elements, along their normals"}},
+       {Mapping::exact, "*LOAD_SHELL_SET_ID on all elements, along their normals"}},
       {"membrane.plate.point",
        {Mapping::approximated, "rigid wall, infinitely stiff"},
        {Mapping::approximated, "rigid wall, infinitely stiff"}},
@@ -228,8 +228,8 @@ const std::vector<Feature>& features() {
       {"pendulum.driving_moment",
        {Mapping::none, "load the rigid body by hand"},
        {Mapping::none, "load the rigid body by hand"}},
-      {"contact.stiffness", contact, contact},
-      {"contact.stiffness_share", contact, contact},
+      {"contact.stiffness", own_penalty, own_penalty},
+      {"contact.stiffness_share", own_penalty, own_penalty},
       {"contact.friction", same, same},
       {"time", solver, solver},
       {"output.history_every", same, same},

@@ -140,7 +140,8 @@ void LsDynaDeck::pressure() {
   std::iota(elements.begin(), elements.end(), 1);
   out_.set("SHELL", bag_shells, elements);
   constexpr double along_normals = -1.0;  // above zero a pressure acts against them
-  out_.keyword("LOAD_SHELL_SET");
+  out_.keyword("LOAD_SHELL_SET_ID");
+  out_.line(fmt::format("{:>10}{}", 1, "overpressure"));
   out_.row({{"ESID", whole(bag_shells, 10)},
             {"LCID", whole(curve, 10)},
             {"SF", narrow(along_normals)},
