@@ -37,6 +37,11 @@ Provenance build_lines();
 /// follow from, which are `facts`, the contents of `files`, and the build. Equal computations have equal ids.
 std::string run_id(const std::vector<std::string>& facts, const std::vector<std::filesystem::path>& files);
 
+/// Tells a text from others: 16 hexadecimal digits.
+std::string digits_of(std::string_view text);
+/// The same of what a file holds; nothing if it cannot be read. All pipes have the same.
+std::optional<std::string> digits_of_file(const std::filesystem::path& file);
+
 /// `text` in UTF-8 on one line, whatever bytes it holds: control characters stand as \xNN.
 std::string one_line(const std::string& text);
 /// `lines` as `# key: value` in UTF-8, each on one line whatever bytes the value holds.

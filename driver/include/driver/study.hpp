@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -56,6 +57,8 @@ struct StudyStop {
   int most_seeds = 0;
 };
 
+class StudyInputs;
+
 /// A plan that has been read.
 struct StudyPlan {
   std::filesystem::path file, case_file;
@@ -72,8 +75,9 @@ struct StudyPlan {
   std::optional<StudyStop> stop;
   bool response_surface = false;
   std::optional<std::size_t> convergence;  // factor whose numbers are sizes
+  std::string text;                        // of its file
   std::string id;                          // of the plan, the case, their files and this build
-  std::vector<std::filesystem::path> files;
+  std::shared_ptr<StudyInputs> inputs;     // the case, and the files that the plan and the case name
 
   int most_seeds() const { return stop ? stop->most_seeds : std::max(seeds, 1); }
   /// Of a point: the fewest that it or one of its levels asks for.

@@ -37,6 +37,7 @@ bool LineReader::next(std::string& line) {
     chunk_.resize(before + much);
     stream_.read(chunk_.data() + before, much);
     chunk_.resize(before + static_cast<std::size_t>(stream_.gcount()));
+    if (stream_.bad()) throw FileError(fmt::format("{}: cannot be read to its end", file_.string()));
     end = chunk_.find('\n', before);
     if (end == std::string::npos && chunk_.size() > longest)
       throw FileError(fmt::format("{}:{}:1: the line is longer than 1 MiB", file_.string(), number_ + 1));
@@ -65,6 +66,7 @@ std::string read_text(const std::filesystem::path& file) {
     stream.read(chunk.data(), chunk.size());
     text.append(chunk.data(), static_cast<std::size_t>(stream.gcount()));
   } while (stream && text.size() <= most);
+  if (stream.bad()) throw FileError(fmt::format("{}: cannot be read to its end", file.string()));
   if (text.size() > most) throw FileError(fmt::format("{}: is longer than 64 MiB", file.string()));
   if (text.starts_with(byte_order_mark)) text.erase(0, byte_order_mark.size());
   return text;

@@ -30,10 +30,12 @@ class Hash {
   std::uint64_t value_ = 0xcbf29ce484222325u;
 };
 
-// A pipe has been read already: what it held is a fact.
-void add_file(Hash& hash, const std::filesystem::path& file) {
-  if (!std::filesystem::is_regular_file(file)) return;
+// A pipe has been read already: what it held is a fact. False if the file cannot be read.
+bool add_file(Hash& hash, const std::filesystem::path& file) {
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(file, ignored)) return std::filesystem::exists(file, ignored);
   std::ifstream stream(file, std::ios::binary);
+  if (!stream) return false;
   std::array<char, 1u << 16> chunk;
   std::size_t size = 0;
   do {
@@ -43,6 +45,7 @@ void add_file(Hash& hash, const std::filesystem::path& file) {
     size += count;
   } while (stream);
   hash.add(fmt::format(":{}", size));
+  return !stream.bad();
 }
 
 // No commit tells what a build of changed sources does: the program's own file does.
@@ -70,6 +73,18 @@ std::string run_id(const std::vector<std::string>& facts, const std::vector<std:
   hash.add_whole(program_file());
   for (const auto& fact : facts) hash.add_whole(fact);
   for (const auto& file : files) add_file(hash, file);
+  return hash.digits();
+}
+
+std::string digits_of(std::string_view text) {
+  Hash hash;
+  hash.add_whole(text);
+  return hash.digits();
+}
+
+std::optional<std::string> digits_of_file(const std::filesystem::path& file) {
+  Hash hash;
+  if (!add_file(hash, file)) return std::nullopt;
   return hash.digits();
 }
 

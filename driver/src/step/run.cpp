@@ -5,6 +5,7 @@
 
 #include <chrono>
 #include <cmath>
+#include <new>
 #include <numbers>
 
 #include "driver/fields.hpp"
@@ -96,6 +97,7 @@ RunOutcome run_scene(const Scene& scene, State& state, const LevelSink& sink, co
   StageClock clock(executor.threads() == 1);
   const auto fail = [&](const std::exception& error) {
     outcome.status = RunStatus::failed;
+    outcome.out_of_memory = dynamic_cast<const std::bad_alloc*>(&error) != nullptr;
     outcome.message = fmt::format("stage {} at {} s, step {}: {}", stage_name(state.stage), state.time,
                                   state.steps, text_of(error));
   };

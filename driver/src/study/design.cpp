@@ -93,7 +93,9 @@ std::vector<StudyPoint> of_file(TableReader& table, const StudyPlan& plan) {
     names.push_back(factor.name);
   }
   if (names.empty()) table.fail("design", "needs factors: columns of the file");
+  plan.inputs->check({file});
   const CsvTable csv = read_csv(file, names);
+  plan.inputs->check({file});
   if (csv.rows() == 0) table.fail("file", "has no rows");
   std::vector<StudyPoint> points(csv.rows());
   for (std::size_t f = 0; f < names.size(); ++f)

@@ -9,6 +9,7 @@
 
 #include "driver/case_reader.hpp"
 #include "driver/progress.hpp"
+#include "driver/result_folder.hpp"
 #include "study/parts.hpp"
 
 namespace driver {
@@ -18,7 +19,7 @@ constexpr int tag_chunk = 1;   // numbers of runs; none: there are no more
 constexpr int tag_result = 2;  // lines of runs; none: the first call for work
 
 // A rank that ends a chunk gets the next one.
-void hand_out(const StudyPlan&, const std::vector<StudyChunk>& chunks,
+void hand_out(const StudyPlan& plan, const std::vector<StudyChunk>& chunks,
               const std::function<void(const StudyRun&)>& keep) {
   int ranks = 0;
   MPI_Comm_size(MPI_COMM_WORLD, &ranks);
@@ -45,7 +46,7 @@ void hand_out(const StudyPlan&, const std::vector<StudyChunk>& chunks,
     free.push_back(status.MPI_SOURCE);
     for (std::size_t begin = 0; begin < text.size();) {
       const std::size_t end = text.find('\n', begin);
-      if (const auto run = run_of_line(text.substr(begin, end - begin))) keep(*run);
+      if (const auto run = run_of_line(plan, text.substr(begin, end - begin))) keep(*run);
       begin = end + 1;
     }
   }
@@ -72,6 +73,18 @@ void compute(const StudyPlan& plan) {
   }
 }
 
+// A rank of a machine that sees another plan, case or file would compute other runs.
+void require_one_plan(const StudyPlan& plan, int rank) {
+  std::string facts = plan.text;
+  for (const auto& [file, digits] : plan.inputs->list()) facts += digits;
+  const std::string own = digits_of(facts);
+  std::string first = own;
+  MPI_Bcast(first.data(), static_cast<int>(first.size()), MPI_CHAR, 0, MPI_COMM_WORLD);
+  if (first != own)
+    throw CaseError(
+        fmt::format("{}: rank {} reads another plan, case or file than rank 0", plan.file.string(), rank));
+}
+
 int lead(const StudyPlan& plan, const std::filesystem::path& folder) {
   const bool whole = run_study(plan, folder, {}, hand_out, false);
   send_home();
@@ -91,6 +104,7 @@ int run_ranks(int argc, char** argv) {
     return 2;
   }
   const StudyPlan plan = read_study(argv[1]);
+  require_one_plan(plan, rank);
   catch_interrupt();
   if (rank == 0) return lead(plan, argv[2]);
   compute(plan);

@@ -203,12 +203,9 @@ StudySummary merge_study(const std::filesystem::path& folder) {
     throw CaseError(
         fmt::format("{}: holds no {}, a folder of `gasjet study run` is needed", folder.string(), plan_copy));
   const StudyPlan plan = read_study(folder / plan_copy);
-  auto [runs, lines] = read_shares(folder, {});
+  auto [runs, lines] = read_shares(folder, plan, SharesOf::any_build);
   std::erase_if(
       lines, [](const auto& line) { return line.first == "date"; });  // of one share: no fact of the results
-  std::erase_if(runs, [&](const auto& run) {
-    return run.first >= plan.end_of_numbers() || run.second.values.size() != plan.quantities.size();
-  });
   const StudySummary summary = summary_of(plan, runs);
   ResultFolder results(folder, "study", is_study_file);
   results.begin(lines);

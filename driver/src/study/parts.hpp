@@ -3,6 +3,7 @@
 #pragma once
 
 #include <map>
+#include <mutex>
 
 #include "driver/case_reader.hpp"
 #include "driver/ensemble.hpp"
@@ -15,8 +16,34 @@ inline constexpr const char* shares_folder = "shares";
 /// Files of the tables, beside the plan's copy and the shares.
 bool is_study_file(const std::string& name);
 
+/// A file, and the digits of what it held when it was first read.
+struct StudyInput {
+  std::filesystem::path file;
+  std::string digits;
+};
+
+/// All files that a study reads, but its plan. Any thread may call.
+class StudyInputs {
+ public:
+  /// Throws FileError for one that holds something else than when it was first read, or can no longer be
+  /// read. To be called after what reads the files: then they have been read as they were at first.
+  void check(const std::vector<std::filesystem::path>& files);
+  void check_all();
+  std::vector<StudyInput> list() const;
+
+ private:
+  mutable std::mutex lock_;
+  std::vector<StudyInput> list_;
+};
+
+/// The scene of a point. Throws FileError if a file cannot be read or has changed, and CaseError for what
+/// the case refuses.
+Scene scene_at(const StudyPlan& plan, const StudyPoint& point);
+
 /// Points of the design; `table` is [study].
 std::vector<StudyPoint> points_of(TableReader& table, StudyPlan& plan);
+/// Reads [analysis] and [stop]. Throws CaseError for what cannot be made of the plan's points.
+void read_analysis(TableReader& root, StudyPlan& plan);
 
 /// Seed of a run; 0 without a perturbation.
 int seed_of(const StudyPlan& plan, long run);
@@ -29,11 +56,16 @@ struct StudyRecords {
   StudyRuns runs;
   Provenance lines;  // of the build that computed them
 };
-/// Reads all shares of a folder. A line that a kill tore is not there. Throws CaseError for shares of
-/// different ids, or of another id than `id` unless that is empty.
-StudyRecords read_shares(const std::filesystem::path& folder, const std::string& id);
+/// Whose shares are read: of this plan, case and build, or of any build.
+enum class SharesOf { this_build, any_build };
+/// Reads all shares of a folder. A line that a kill tore is not there. Throws CaseError for shares of another
+/// plan, case or file than those that `plan` was read from, or of different builds, and for damaged lines.
+StudyRecords read_shares(const std::filesystem::path& folder, const StudyPlan& plan, SharesOf build);
 std::string line_of(const StudyRun& run);
-std::optional<StudyRun> run_of_line(const std::string& line);
+/// Nothing if the line is none of a run of the plan.
+std::optional<StudyRun> run_of_line(const StudyPlan& plan, const std::string& line);
+/// What opens a share's part of its file: its build, and the files that it has read.
+std::string head_line(const StudyPlan& plan, const std::filesystem::path& folder, const Provenance& build);
 
 /// Runs that the plan asks for, given those that have ended: more only after a stop rule's look is whole.
 std::vector<long> asked_runs(const StudyPlan& plan, const StudyRuns& ended);

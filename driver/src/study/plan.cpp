@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <set>
 
+#include "case/text_file.hpp"
 #include "driver/scene.hpp"
 #include "ensemble/member.hpp"
 #include "study/parts.hpp"
@@ -13,7 +14,6 @@
 namespace driver {
 namespace {
 
-constexpr Bounds rate{0.0, 0.5, true, "a number above 0, at most 0.5"};
 constexpr Bounds small_length{1e-18, 1e-3, false, "1e-18 to 1e-3", "m"};
 
 std::vector<std::string> overrides_of(TableReader& table) {
@@ -81,88 +81,6 @@ void read_factors(TableReader& root, StudyPlan& plan) {
       if (!levels.insert(level.name).second)
         table.fail("", fmt::format("has the level \"{}\" twice", level.name));
   }
-}
-
-std::size_t factor_named(TableReader& table, const char* key, const StudyPlan& plan) {
-  const auto name = table.at(key).text();
-  const auto found = std::ranges::find(plan.factors, name, &StudyFactor::name);
-  if (found != plan.factors.end()) return static_cast<std::size_t>(found - plan.factors.begin());
-  std::vector<std::string> names;
-  for (const auto& factor : plan.factors) names.push_back(factor.name);
-  table.fail(key, fmt::format("is \"{}\", a factor is needed: {}", name, fmt::join(names, ", ")));
-}
-
-// Base of each point: all its levels but one are the same.
-void set_bases(StudyPlan& plan) {
-  plan.bases.assign(plan.points.size(), std::nullopt);
-  if (!plan.base) return;
-  const auto others = [&](const StudyPoint& point) {
-    std::vector<std::string> names;
-    for (std::size_t f = 0; f < point.levels.size(); ++f)
-      if (f != plan.base->factor) names.push_back(point.levels[f].name);
-    return names;
-  };
-  const auto is_base = [&](const StudyPoint& point) {
-    return point.levels[plan.base->factor].name == plan.base->level;
-  };
-  std::map<std::vector<std::string>, std::size_t> at;
-  for (std::size_t p = 0; p < plan.points.size(); ++p)
-    if (is_base(plan.points[p])) at.emplace(others(plan.points[p]), p);
-  for (std::size_t p = 0; p < plan.points.size(); ++p)
-    if (const auto found = at.find(others(plan.points[p])); found != at.end() && found->second != p)
-      plan.bases[p] = found->second;
-}
-
-void read_analysis(TableReader& root, StudyPlan& plan) {
-  auto table = root.optional_table("analysis");
-  if (!table) return;
-  if (auto base = table->optional_table("base")) {
-    plan.base = StudyBase{factor_named(*base, "factor", plan), base->at("level").text()};
-    const auto& levels = plan.factors[plan.base->factor].levels;
-    if (std::ranges::find(levels, plan.base->level, &StudyLevel::name) == levels.end())
-      base->fail("level", fmt::format("is \"{}\", which the factor does not have", plan.base->level));
-    base->finish();
-  }
-  plan.response_surface = table->at("response_surface").flag(false);
-  if (table->has("convergence")) {
-    plan.convergence = factor_named(*table, "convergence", plan);
-    const auto& levels = plan.factors[*plan.convergence].levels;
-    if (levels.size() < 3 ||
-        !std::ranges::all_of(levels, [](const auto& level) { return level.number.value_or(0.0) > 0.0; }))
-      table->fail("convergence", "needs a factor with 3 or more values above 0: sizes");
-  }
-  table->finish();
-}
-
-void read_stop(TableReader& root, StudyPlan& plan) {
-  auto table = root.optional_table("stop");
-  if (!table) return;
-  StudyStop stop;
-  stop.quantity = table->at("quantity").text();
-  if (std::ranges::find(plan.quantities, stop.quantity) == plan.quantities.end())
-    table->fail("quantity", fmt::format("is \"{}\", one of the study's is needed: {}", stop.quantity,
-                                        fmt::join(plan.quantities, ", ")));
-  stop.standard_error = table->at("standard_error").optional_number(positive);
-  stop.error_rate = table->at("sign_error_rate").optional_number(rate);
-  if (stop.standard_error.has_value() == stop.error_rate.has_value())
-    table->fail("standard_error", "or sign_error_rate is needed, one of the two");
-  if (stop.error_rate && !plan.base) table->fail("sign_error_rate", "needs [analysis.base]");
-  if (plan.seeds < 4) table->fail("", "needs study.seeds of 4 or more: runs of the first look");
-  for (const auto& factor : plan.factors)
-    for (const auto& level : factor.levels)
-      if (level.seeds)
-        table->fail("",
-                    fmt::format("decides on seeds, but the level \"{}\" has some of its own", level.name));
-  stop.most_seeds = table->at("most_seeds").integer(plan.seeds, 1'000'000, 1024);
-  plan.stop = stop;
-  table->finish();
-}
-
-Scene scene_at(const StudyPlan& plan, const StudyPoint& point) {
-  auto overrides = plan.overrides;
-  for (auto& text : point.overrides()) overrides.push_back(std::move(text));
-  CaseDocument document(plan.case_file, overrides);
-  return read_scene(document);
 }
 
 // Why the case is refused at a point; empty if it is not.
@@ -233,17 +151,16 @@ void check_perturbation(TableReader& table, const StudyPlan& plan, const Scene& 
   refuse_perturbation(table, "set", plan.overrides);
 }
 
-// Of the plan as it is, the case with its overrides and what both name.
+// Of the plan as it is, the case with its overrides and the files that both name.
 void set_id(const CaseDocument& document, StudyPlan& plan) {
   const auto text = [](const CaseDocument& one) {
     const auto folder = one.file().parent_path();
     return one.text(folder.empty() ? "." : folder);
   };
-  CaseDocument scene(plan.case_file, plan.overrides);
-  read_scene(scene);
-  plan.files = scene.files();
-  for (auto& file : document.files()) plan.files.push_back(std::move(file));
-  plan.id = run_id({"study", text(document), text(scene)}, plan.files);
+  std::vector<std::string> facts{"study", text(document), text(CaseDocument(plan.case_file, plan.overrides))};
+  plan.inputs->check_all();
+  for (const auto& [file, digits] : plan.inputs->list()) facts.push_back(digits);
+  plan.id = run_id(facts, {});
 }
 
 }  // namespace
@@ -267,10 +184,12 @@ double StudyPlan::amplitude_at(std::size_t point) const {
 }
 
 StudyPlan read_study(const std::filesystem::path& file) {
-  CaseDocument document(file, {});
-  TableReader root = document.root();
   StudyPlan plan;
   plan.file = file;
+  plan.text = read_text(file);
+  plan.inputs = std::make_shared<StudyInputs>();
+  CaseDocument document = CaseDocument::of_text(plan.text, file, {});
+  TableReader root = document.root();
   TableReader table = root.table("study");
   plan.name = file_name(table, "name", file.stem().string());
   plan.case_file = table.beside_case(table.at("case").text());
@@ -278,19 +197,12 @@ StudyPlan read_study(const std::filesystem::path& file) {
   plan.seeds = table.at("seeds").integer(0, 1'000'000, 0);
   plan.amplitude = table.at("amplitude").number(small_length, default_amplitude);
   read_factors(root, plan);
-  Scene scene;
-  {
-    CaseDocument scene_document(plan.case_file, plan.overrides);
-    scene = read_scene(scene_document);
-  }
-  check_perturbation(table, plan, scene);
+  check_perturbation(table, plan, scene_at(plan, {}));
   table.located("", [&] { plan.points = points_of(table, plan); });
   check_points(root, plan);
   plan.quantities = quantities_of(table, scene_at(plan, plan.points.front()));
   table.finish();
   read_analysis(root, plan);
-  set_bases(plan);
-  read_stop(root, plan);
   root.finish();
   set_id(document, plan);
   return plan;

@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <mutex>
-#include <nlohmann/json.hpp>
-#include <set>
+#include <new>
+#include <stdexcept>
+#include <system_error>
 
+#include "case/text_file.hpp"
 #include "driver/executor.hpp"
 #include "driver/progress.hpp"
 #include "driver/results.hpp"
@@ -21,13 +23,6 @@ namespace {
 // Runs of a chunk: its scene is read once, and one thread computes it. Few runs are not shared out unevenly.
 constexpr std::size_t longest_chunk = 16, fewest_chunks = 64;
 
-Scene scene_of(const StudyPlan& plan, std::size_t point) {
-  auto overrides = plan.overrides;
-  for (auto& text : plan.points[point].overrides()) overrides.push_back(std::move(text));
-  CaseDocument document(plan.case_file, overrides);
-  return read_scene(document);
-}
-
 StudyRun run_of(const StudyPlan& plan, long number, const Member& member, const Scene& scene) {
   StudyRun run{number,
                status_name(member.outcome.status),
@@ -38,6 +33,13 @@ StudyRun run_of(const StudyPlan& plan, long number, const Member& member, const 
   for (const auto& name : plan.quantities)
     run.values.push_back(member.rows.empty() ? std::nullopt : quantity_of(scene, member, name));
   return run;
+}
+
+// What the case and its models refuse, in contrast to what the machine does.
+bool is_of_the_values(const std::exception& error) {
+  if (dynamic_cast<const FileError*>(&error) || dynamic_cast<const std::system_error*>(&error)) return false;
+  return dynamic_cast<const std::runtime_error*>(&error) || dynamic_cast<const std::domain_error*>(&error) ||
+         dynamic_cast<const std::invalid_argument*>(&error);
 }
 
 StudyRun refused(const StudyPlan& plan, long number, const std::exception& error) {
@@ -60,16 +62,12 @@ std::vector<StudyChunk> chunks_of(const StudyPlan& plan, const std::vector<long>
 // A share's own file, in which a run stands as soon as it has ended.
 class ShareFile {
  public:
-  ShareFile(const StudyPlan& plan, const std::filesystem::path& folder)
-      : folder_(folder, "study", std::vector<std::string>{journal_file}) {
+  ShareFile(const StudyPlan& plan, const std::filesystem::path& study, const std::string& share)
+      : folder_(study / shares_folder / share, "study", std::vector<std::string>{journal_file}) {
     folder_.begin(provenance(plan.case_file, plan.overrides, plan.id));
     file_.emplace(folder_.add(journal_file), true);
     // On a line of its own, whatever a kill has torn before.
-    nlohmann::json build = folder_.lines();
-    file_->append(
-        '\n' +
-        nlohmann::json{{"build", build}}.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) +
-        '\n');
+    file_->append('\n' + head_line(plan, study, folder_.lines()));
   }
   void keep(const StudyRun& run) { file_->append(line_of(run)); }
   // Never "done", which would remove the journal.
@@ -93,7 +91,8 @@ std::string note_of(const StudyRuns& runs, long asked, int failed) {
 void keep_plan(const StudyPlan& plan, const std::filesystem::path& folder) {
   const auto copy = folder / plan_copy;
   // With its name, which may be that of the file.
-  CaseDocument document(plan.file, {fmt::format("study.name={}", quoted(plan.name))});
+  const CaseDocument document =
+      CaseDocument::of_text(plan.text, plan.file, {fmt::format("study.name={}", quoted(plan.name))});
   const std::string text = document.text(folder);
   std::error_code ignored;
   if (std::filesystem::exists(copy, ignored)) {
@@ -103,7 +102,9 @@ void keep_plan(const StudyPlan& plan, const std::filesystem::path& folder) {
                                     plan.file.string()));
     return;
   }
-  std::filesystem::create_directories(folder, ignored);
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error) throw OutputError(fmt::format("--out {}: {}", folder.string(), error.message()));
   replace_file(copy, text);
 }
 
@@ -128,15 +129,20 @@ void run_chunk(const StudyPlan& plan, const StudyChunk& chunk,
     if (interrupted()) break;
     StudyRun run;
     try {
-      if (!scene) scene = scene_of(plan, point_of(plan, number));
+      if (!scene) scene = scene_at(plan, plan.points[point_of(plan, number)]);
       const Eigen::Matrix3Xd shape = scene->bag ? scene->bag->initial_position : Eigen::Matrix3Xd();
       if (plan.seeds > 0)
         displace_nodes(*scene, plan.amplitude_at(point_of(plan, number)), seed_of(plan, number));
       const Member member = run_member(*scene);
+      if (member.outcome.out_of_memory) throw std::bad_alloc();
       if (scene->bag) scene->bag->initial_position = shape;
       if (member.outcome.status == RunStatus::interrupted) break;
       run = run_of(plan, number, member, *scene);
+    } catch (const std::bad_alloc& error) {
+      throw std::runtime_error(fmt::format("point {}, seed {}: {}: with more of it the same command goes on",
+                                           point_of(plan, number), seed_of(plan, number), text_of(error)));
     } catch (const std::exception& error) {
+      if (!is_of_the_values(error)) throw;
       run = refused(plan, number, error);
       scene.reset();
     }
@@ -161,8 +167,8 @@ bool run_study(const StudyPlan& plan, const std::filesystem::path& folder, const
                const StudyCrew& crew, bool quiet) {
   ResultFolder::require_free(folder, "study", is_study_file);
   keep_plan(plan, folder);
-  StudyRuns ended = read_shares(folder, plan.id).runs;
-  ShareFile file(plan, folder / shares_folder / share.name());
+  StudyRuns ended = read_shares(folder, plan, SharesOf::this_build).runs;
+  ShareFile file(plan, folder, share.name());
   const auto is_mine = [&](long run) { return run % share.count == share.number - 1; };
   if (!quiet && !ended.empty())
     tell(fmt::format("{}: goes on after {} runs that are done", plan.name, ended.size()));

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+// Files that a study reads, and scenes from them.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "case/text_file.hpp"
+#include "driver/result_folder.hpp"
+#include "driver/scene.hpp"
+#include "study/parts.hpp"
+
+namespace driver {
+
+void StudyInputs::check(const std::vector<std::filesystem::path>& files) {
+  for (const auto& file : files) {
+    const auto digits = digits_of_file(file);
+    const std::lock_guard<std::mutex> guard(lock_);
+    const auto known = std::ranges::find(list_, file, &StudyInput::file);
+    if (known == list_.end()) {
+      if (digits) list_.push_back({file, *digits});  // what reads it says that it cannot be read
+    } else if (!digits) {
+      throw FileError(
+          fmt::format("{}: can no longer be read: when it can, the same command goes on", file.string()));
+    } else if (*digits != known->digits) {
+      throw FileError(
+          fmt::format("{}: changed while the study ran: the runs so far are kept; with the file as it "
+                      "was the same command goes on, for another case use another folder",
+                      file.string()));
+    }
+  }
+}
+
+void StudyInputs::check_all() {
+  std::vector<std::filesystem::path> files;
+  for (const auto& input : list()) files.push_back(input.file);
+  check(files);
+}
+
+std::vector<StudyInput> StudyInputs::list() const {
+  const std::lock_guard<std::mutex> guard(lock_);
+  return list_;
+}
+
+Scene scene_at(const StudyPlan& plan, const StudyPoint& point) {
+  auto overrides = plan.overrides;
+  for (auto& text : point.overrides()) overrides.push_back(std::move(text));
+  std::optional<CaseDocument> document;
+  try {
+    document.emplace(plan.case_file, overrides);
+    Scene scene = read_scene(*document);
+    plan.inputs->check(document->files());
+    return scene;
+  } catch (const FileError&) {
+    throw;
+  } catch (const CaseError& error) {
+    // A file that cannot be read, or that is half written, is refused as a wrong value is.
+    plan.inputs->check_all();
+    for (const auto& file : document ? document->files() : std::vector<std::filesystem::path>{})
+      if (!digits_of_file(file)) throw FileError(error.what());
+    throw;
+  }
+}
+
+}  // namespace driver
