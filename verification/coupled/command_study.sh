@@ -204,6 +204,37 @@ part_study_bad() {
   refused "stop.quantity: is \"mass\", one of the study's is needed: pressure_Pa"
   tank_plan "$plan" '[analysis]' 'base = { factor = "x", level = "y" }'
   refused "analysis.base.factor: is \"x\", a factor is needed"
+  # An analysis that cannot be made of the points.
+  local flow=('[[factor]]' 'key = "inflator.0.mass_flow"') heat=('[[factor]]' 'key = "inflator.0.temperature"' 'values = [300, 400, 500]')
+  tank_plan "$plan" "${flow[@]}" 'values = [1, 2, 3]' '[analysis]' 'response_surface = true'
+  refused "$at:8:1: analysis.response_surface: of 1 factors has 3 terms and needs 4 points or more, the plan has 3"
+  tank_plan "$plan" '[analysis]' 'response_surface = true'
+  refused "$at:5:1: analysis.response_surface: needs factors"
+  tank_plan "$plan" "${flow[@]}" 'values = [1, 2]' "${heat[@]}" '[[factor]]' 'key = "tank.volume"' 'values = [1, 2, 3]' '[analysis]' 'response_surface = true'
+  refused "analysis.response_surface: has 10 terms that the points do not tell apart"
+  tank_plan "$plan" 'design = "list"' "${flow[@]}" 'values = [1, 1.5, 2]' "${heat[@]}" '[analysis]' 'convergence = "inflator.0.temperature"'
+  refused "analysis.convergence: needs 3 points or more that differ in the size alone"
+  sed -i 's/^convergence.*/base = { factor = "inflator.0.temperature", level = "400" }/' "$plan"
+  refused "$at:12:1: analysis.base: pairs no points: two are needed that differ in inflator.0.temperature alone"
+  sed -i 's/"400"/"40"/' "$plan"
+  refused "analysis.base.level: is \"40\", which the factor does not have: it has \"300\", \"400\", \"500\""
+  tank_plan "$plan" '[[factor]]' 'name = "way"' '[[factor.level]]' 'name = "a"' '[[factor.level]]' 'name = "b"' '[analysis]' 'response_surface = true'
+  refused "analysis.response_surface: needs factors that are numbers, way has levels"
+  tank_plan "$plan" 'design = "sobol_indices"' 'points = 7' "${flow[@]}" 'range = [1, 2]'
+  refused "$at:5:1: study.points: is 7, a whole number from 8 to 1000000"
+  # Columns and keys are each of one factor.
+  for name in seed quantity standard_error runs pressure_Pa; do
+    tank_plan "$plan" "${flow[@]}" "name = \"$name\"" 'values = [1, 2]'
+    refused "$at:6:1: factor.0.name: is \"$name\", which is another column of the results"
+  done
+  tank_plan "$plan" "${flow[@]}" 'values = [1, 2]' "${flow[@]}" 'name = "again"' 'values = [3, 4]'
+  refused "$at:8:1: factor.1.key: sets again what inflator.0.mass_flow sets"
+  # Larger than memory is.
+  tank_plan "$plan" "${flow[@]}" "values = [$(seq -s , 4000)]" '[[factor]]' 'key = "inflator.0.temperature"' "values = [$(seq -s , 300 4299)]"
+  refused "study.design: has 16000000 points or more of 1 runs each, at most 10000000 runs are allowed"
+  tank_plan "$plan" 'seeds = 1000000' 'design = "sobol_indices"' 'points = 8' "${flow[@]}" 'range = [1, 2]'
+  sed -i 's|rigid_tank|sphere_inflation|; s/"pressure_Pa"/"peak_pressure_Pa"/; s/inflator.0.mass_flow/gas.initial.temperature/; s/\[1, 2\]/[290, 300]/' "$plan"
+  refused "study.design: has 24 points or more of 1000000 runs each"
   for name in ../x /x a/b . .. '' 'a\nb' "$(printf 'x%.0s' {1..256})"; do
     tank_plan "$plan" "name = \"$name\""
     refused "$at:4:1: study.name: is \".*\", a file name is allowed"

@@ -44,13 +44,14 @@ part_study_inputs() {
   expect 2 "journal.jsonl:3:1: a run, but no line before it says of which files" "$gasjet" study merge "$work/out"
   cp "$work/journal" "$journal"
   expect 0 "2 of 2 runs" "$gasjet" study merge "$work/out"
-  # A folder that cannot be made says why.
-  expect 2 "--out /proc/self/none/below: No such|--out /proc/self/none/below: .*(Permission|Read-only|not permitted)" \
-    "$gasjet" study run "$plan" --out /proc/self/none/below
-  [ "$(id -u)" = 0 ] || {
-    mkdir "$work/closed" && chmod 500 "$work/closed"
-    expect 2 "--out .*: Permission denied" "$gasjet" study run "$plan" --out "$work/closed/below"
-  }
+  printf 'flow\n# none\n0.1\n-2\n' >"$work/p.csv"
+  expect 2 "^gasjet: $work/p.csv:4:1: flow: with \"-2\" the case is refused: .*mass_flow: is -2" "$gasjet" study run "$plan" --check
+  # A folder that cannot be made says why. The administrator may write anywhere.
+  local as=()
+  [ "$(id -u)" != 0 ] || as=(setpriv --reuid=65534 --regid=65534 --clear-groups)
+  file_plan "$plan"
+  mkdir "$work/closed" && chmod 555 "$work/closed" && chmod 755 "$work"
+  expect 2 "--out $work/closed/below: Permission denied" "${as[@]}" "$gasjet" study run "$plan" --out "$work/closed/below"
 }
 
 # What happens to the case or to the machine while a study runs is no result.

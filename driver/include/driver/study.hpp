@@ -66,6 +66,7 @@ struct StudyPlan {
   std::vector<std::string> overrides;  // of every run
   std::vector<StudyFactor> factors;
   StudyDesign design = StudyDesign::grid;
+  std::filesystem::path points_file;  // CSV of the points; empty if they are of no file
   std::vector<StudyPoint> points;
   int seeds = 0;  // for each point, at first; 0: one run without a perturbation
   double amplitude = 0.0;

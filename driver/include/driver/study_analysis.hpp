@@ -35,6 +35,8 @@ struct SobolIndex {
   Estimate first_order, total;
 };
 
+inline constexpr int fewest_sobol_rows = 8;
+
 /// Indices of each factor from one value for each of sobol_index_points. A row with a value missing is left
 /// out. First order by Saltelli (2010), total by Jansen (1999); the intervals are those of 1000 bootstrap
 /// samples of the rows. Empty if fewer than 8 rows are whole or the values do not vary.

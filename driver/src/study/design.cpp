@@ -12,7 +12,15 @@
 namespace driver {
 namespace {
 
-constexpr std::size_t most_points = 10'000'000;
+constexpr std::size_t most_runs = 10'000'000;  // of the first look of a stop rule
+
+// Asked before the points take memory. No product is as large as to overflow.
+void require_few(const TableReader& table, const StudyPlan& plan, std::size_t points) {
+  const std::size_t seeds = static_cast<std::size_t>(std::max(plan.seeds, 1));
+  if (points > most_runs / seeds)
+    table.fail("design", fmt::format("has {} points or more of {} runs each, at most {} runs are allowed",
+                                     points, seeds, most_runs));
+}
 
 StudyLevel level_of(const StudyFactor& factor, double number) {
   const std::string text = fmt::format("{}", number);
@@ -28,10 +36,10 @@ void require_levels(TableReader& table, const StudyPlan& plan, bool listed) {
 
 std::vector<StudyPoint> grid(TableReader& table, const StudyPlan& plan) {
   require_levels(table, plan, true);
+  std::size_t count = 1;
+  for (const auto& factor : plan.factors) require_few(table, plan, count *= factor.levels.size());
   std::vector<StudyPoint> points(1);
   for (const auto& factor : plan.factors) {
-    if (points.size() > most_points / factor.levels.size())
-      table.fail("design", fmt::format("has more than {} points", most_points));
     std::vector<StudyPoint> longer;
     for (const auto& point : points)
       for (const auto& level : factor.levels) {
@@ -47,6 +55,7 @@ std::vector<StudyPoint> grid(TableReader& table, const StudyPlan& plan) {
 std::vector<StudyPoint> list(TableReader& table, const StudyPlan& plan) {
   require_levels(table, plan, true);
   std::vector<StudyPoint> points(plan.factors.empty() ? 1 : plan.factors.front().levels.size());
+  require_few(table, plan, points.size());
   for (const auto& factor : plan.factors) {
     if (factor.levels.size() != points.size())
       table.fail("design", fmt::format("\"list\" needs as many values of each factor: {} has {}, not {}",
@@ -65,7 +74,9 @@ std::vector<StudyPoint> sampled(TableReader& table, const StudyPlan& plan) {
   require_levels(table, plan, false);
   if (plan.factors.empty()) table.fail("design", "needs factors");
   const int factors = static_cast<int>(plan.factors.size());
-  const int count = table.at("points").integer(1, 1'000'000, 64);
+  const bool with_indices = plan.design == StudyDesign::sobol_indices;
+  const int count = table.at("points").integer(with_indices ? fewest_sobol_rows : 1, 1'000'000, 64);
+  require_few(table, plan, static_cast<std::size_t>(count) * (with_indices ? plan.factors.size() + 2 : 1));
   std::vector<UnitPoint> units;
   table.located("design", [&] {
     if (plan.design == StudyDesign::latin_hypercube)
@@ -83,7 +94,7 @@ std::vector<StudyPoint> sampled(TableReader& table, const StudyPlan& plan) {
   return points;
 }
 
-std::vector<StudyPoint> of_file(TableReader& table, const StudyPlan& plan) {
+std::vector<StudyPoint> of_file(TableReader& table, StudyPlan& plan) {
   const auto file = table.beside_case(table.at("file").text());
   std::vector<std::string> names;
   for (const auto& factor : plan.factors) {
@@ -93,10 +104,12 @@ std::vector<StudyPoint> of_file(TableReader& table, const StudyPlan& plan) {
     names.push_back(factor.name);
   }
   if (names.empty()) table.fail("design", "needs factors: columns of the file");
+  plan.points_file = file;
   plan.inputs->check({file});
   const CsvTable csv = read_csv(file, names);
   plan.inputs->check({file});
   if (csv.rows() == 0) table.fail("file", "has no rows");
+  require_few(table, plan, csv.rows());
   std::vector<StudyPoint> points(csv.rows());
   for (std::size_t f = 0; f < names.size(); ++f)
     for (std::size_t i = 0; i < points.size(); ++i)

@@ -133,13 +133,7 @@ std::string surface_text(const StudyPlan& plan, const StudyRuns& runs) {
 // One fit for each set of levels of the other factors.
 std::string convergence_text(const StudyPlan& plan, const StudyRuns& runs) {
   const std::size_t size = *plan.convergence;
-  std::map<std::vector<std::string>, std::vector<std::size_t>> groups;
-  for (std::size_t p = 0; p < plan.points.size(); ++p) {
-    std::vector<std::string> others;
-    for (std::size_t f = 0; f < plan.factors.size(); ++f)
-      others.push_back(f == size ? "" : plan.points[p].levels[f].name);
-    groups[others].push_back(p);
-  }
+  const auto groups = size_groups(plan);
   std::string csv = "quantity" + factor_names(plan) + ",limit,order,coefficient,residual,sizes\n";
   for (std::size_t q = 0; q < plan.quantities.size(); ++q) {
     const auto means = point_means(plan, runs, q);

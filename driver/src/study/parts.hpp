@@ -45,6 +45,9 @@ std::vector<StudyPoint> points_of(TableReader& table, StudyPlan& plan);
 /// Reads [analysis] and [stop]. Throws CaseError for what cannot be made of the plan's points.
 void read_analysis(TableReader& root, StudyPlan& plan);
 
+/// Points that differ in the size of the convergence alone, by the names of the other factors' levels.
+std::map<std::vector<std::string>, std::vector<std::size_t>> size_groups(const StudyPlan& plan);
+
 /// Seed of a run; 0 without a perturbation.
 int seed_of(const StudyPlan& plan, long run);
 std::size_t point_of(const StudyPlan& plan, long run);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <set>
 
+#include "case/csv_table.hpp"
 #include "case/text_file.hpp"
 #include "driver/scene.hpp"
 #include "ensemble/member.hpp"
@@ -70,17 +71,60 @@ StudyFactor read_factor(TableReader& table, int seeds) {
   return factor;
 }
 
+bool is_same(const PathPart& a, const PathPart& b) {
+  return a.key == b.key;
+}
+
+// What a factor sets: its key, or those of its levels.
+std::vector<std::vector<PathPart>> paths_of(const StudyFactor& factor) {
+  if (!factor.key.empty()) return {split_path(factor.key)};
+  std::vector<std::vector<PathPart>> paths;
+  for (const auto& level : factor.levels)
+    for (const auto& text : level.overrides)
+      if (!text.starts_with(unset_prefix)) paths.push_back(split_path(text.substr(0, text.find('='))));
+  return paths;
+}
+
+// A factor that sets what one before it sets, or a table around that, would leave the other without effect.
+void require_own_keys(TableReader& table, const std::vector<StudyFactor>& factors) {
+  const auto later = paths_of(factors.back());
+  for (std::size_t f = 0; f + 1 < factors.size(); ++f)
+    for (const auto& earlier : paths_of(factors[f]))
+      for (const auto& path : later)
+        if (path.size() <= earlier.size() && std::equal(path.begin(), path.end(), earlier.begin(), is_same))
+          table.fail(
+              factors.back().key.empty() ? "" : "key",
+              fmt::format("sets again what {} sets: a key of its own is needed, or levels that set both",
+                          factors[f].name));
+}
+
 void read_factors(TableReader& root, StudyPlan& plan) {
-  std::set<std::string> names{"point", "seed", "status", "steps", "message"};
+  std::set<std::string> names;
   for (auto& table : root.tables("factor")) {
     plan.factors.push_back(read_factor(table, plan.seeds));
     if (!names.insert(plan.factors.back().name).second)
-      table.fail("name", fmt::format("is \"{}\", which is another column already", plan.factors.back().name));
+      table.fail("name", fmt::format("is \"{}\", which is another factor already", plan.factors.back().name));
+    require_own_keys(table, plan.factors);
     std::set<std::string> levels;
     for (const auto& level : plan.factors.back().levels)
       if (!levels.insert(level.name).second)
         table.fail("", fmt::format("has the level \"{}\" twice", level.name));
   }
+}
+
+// Each column of a table has a name of its own.
+void check_names(TableReader& root, const StudyPlan& plan) {
+  std::set<std::string> columns{"point", "seed",     "status", "steps",          "message",
+                                "cpu_s", "quantity", "mean",   "standard_error", "runs"};
+  if (plan.base) columns.insert({"difference", "difference_standard_error", "pairs"});
+  if (plan.convergence) columns.insert({"limit", "order", "coefficient", "residual", "sizes"});
+  columns.insert(plan.quantities.begin(), plan.quantities.end());
+  auto tables = root.tables("factor");
+  for (std::size_t f = 0; f < tables.size(); ++f)
+    if (columns.contains(plan.factors[f].name))
+      tables[f].fail(tables[f].has("name") ? "name" : "key",
+                     fmt::format("is \"{}\", which is another column of the results: another name is needed",
+                                 plan.factors[f].name));
 }
 
 // Why the case is refused at a point; empty if it is not.
@@ -93,6 +137,15 @@ std::string refusal(const StudyPlan& plan, const StudyPoint& point) {
   return {};
 }
 
+// Of a point, in the file that it comes from.
+[[noreturn]] void refuse_factor(const TableReader& table, const StudyPlan& plan, std::size_t factor,
+                                std::size_t point, const std::string& level, const std::string& why) {
+  const std::string message = fmt::format("with \"{}\" the case is refused: {}", level, why);
+  if (!plan.points_file.empty())
+    read_csv(plan.points_file, {plan.factors[factor].name}).fail(0, point, message);
+  table.fail("", message);
+}
+
 // A fault of the first point is that of the first factor with which the case is refused.
 void check_first_point(std::vector<TableReader>& tables, const StudyPlan& plan) {
   if (refusal(plan, plan.points.front()).empty()) return;
@@ -100,7 +153,7 @@ void check_first_point(std::vector<TableReader>& tables, const StudyPlan& plan) 
   for (std::size_t f = 0; f < tables.size(); ++f) {
     point.levels.push_back(plan.points.front().levels[f]);
     if (const auto why = refusal(plan, point); !why.empty())
-      tables[f].fail("", fmt::format("with \"{}\" the case is refused: {}", point.levels[f].name, why));
+      refuse_factor(tables[f], plan, f, 0, point.levels[f].name, why);
   }
 }
 
@@ -112,16 +165,18 @@ void check_points(TableReader& root, const StudyPlan& plan) {
     const auto number_of_level = [&](const StudyPoint& point) {
       return point.levels[f].number.value_or(0.0);
     };
-    std::vector<StudyLevel> levels = plan.factors[f].levels;
+    std::vector<std::pair<StudyLevel, std::size_t>> levels;  // with a point that has it
+    for (const auto& level : plan.factors[f].levels) levels.emplace_back(level, 0);
     if (levels.empty()) {
       const auto [low, high] = std::ranges::minmax_element(plan.points, {}, number_of_level);
-      levels = {low->levels[f], high->levels[f]};
+      for (const auto& end : {low, high})
+        levels.emplace_back(end->levels[f], static_cast<std::size_t>(end - plan.points.begin()));
     }
     StudyPoint point = plan.points.front();
-    for (const auto& level : levels) {
+    for (const auto& [level, number] : levels) {
       point.levels[f] = level;
       if (const auto why = refusal(plan, point); !why.empty())
-        tables[f].fail("", fmt::format("with \"{}\" the case is refused: {}", level.name, why));
+        refuse_factor(tables[f], plan, f, number, level.name, why);
     }
   }
 }
@@ -203,6 +258,7 @@ StudyPlan read_study(const std::filesystem::path& file) {
   plan.quantities = quantities_of(table, scene_at(plan, plan.points.front()));
   table.finish();
   read_analysis(root, plan);
+  check_names(root, plan);
   root.finish();
   set_id(document, plan);
   return plan;

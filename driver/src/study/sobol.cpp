@@ -17,7 +17,7 @@ namespace {
 
 constexpr int most_dimensions = 40;  // of GSL's Sobol sequence
 constexpr int bootstrap_samples = 1000;
-constexpr std::size_t fewest_rows = 8;
+constexpr std::size_t fewest_rows = fewest_sobol_rows;
 
 // By hand: the standard distributions differ between libraries.
 double unit(std::mt19937_64& generator) {
