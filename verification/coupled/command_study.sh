@@ -112,14 +112,23 @@ part_study_designs() {
   grep -q '"in_no_mean": 1' "$work/failed/study.json" || fail "how many are left out is not told"
   # Sizes to a limit: fixed steps of the classical method.
   tank_plan "$plan" '[[factor]]' 'key = "output.history_every"' 'values = [0.02, 0.01, 0.005]' '[analysis]' 'convergence = "output.history_every"'
-  expect 0 "" "$gasjet" study run "$plan" --out "$work/limit"
-  [ "$(grep -vc '^#' "$work/limit/convergence.csv")" = 2 ] || fail "no row of convergence"
+  expect 0 "convergence.csv, pressure_Pa: no order, the means do not differ beyond .*rounding" "$gasjet" study run "$plan" --out "$work/limit"
+  [ "$(tail -n 1 "$work/limit/convergence.csv")" = "pressure_Pa,,,,,,3" ] || fail "rounding has an order: $(tail -n 1 "$work/limit/convergence.csv")"
+  grep -q '"convergence.csv, pressure_Pa: no order' "$work/limit/study.json" || fail "not told in study.json"
+  printf '[study]\ncase = "%s/cases/tank_fixed_steps.toml"\nset = ["gas.initial.pressure=101325.0", "scene.end_time=0.002", "time.gas_method=euler"]\n' "$source" >"$plan"
+  printf 'quantities = ["pressure_Pa"]\n[[factor]]\nkey = "time.gas_step"\nvalues = [2e-4, 1e-4, 5e-5]\n[analysis]\nconvergence = "time.gas_step"\n' >>"$plan"
+  expect 0 "3 of 3 runs" "$gasjet" study run "$plan" --out "$work/euler"
+  tail -n 1 "$work/euler/convergence.csv" | awk -F, '{ exit !($4 > 0.9 && $4 < 1.1) }' || fail "Euler's order: $(tail -n 1 "$work/euler/convergence.csv")"
   # A stop rule spends seeds where they are needed.
   bag_plan "$plan" 4
   printf '[stop]\nquantity = "peak_pressure_Pa"\nsign_error_rate = 0.01\nmost_seeds = 32\n' >>"$plan"
-  expect 0 "8 of 8 runs" "$gasjet" study run "$plan" --out "$work/sign"
+  expect 0 "8 of 8 runs.* stop rule: 1 decided, 0 not decided" bash -c "'$gasjet' study run '$plan' --out '$work/sign' | tr '\n' ' '"
+  grep -q '"decided": 1,' "$work/sign/study.json" || fail "what is decided is not in study.json"
   sed -i 's/^sign_error.*/standard_error = 1e-9/; s/^most.*/most_seeds = 8/' "$plan"
-  expect 0 "16 of 16 runs" "$gasjet" study run "$plan" --out "$work/error"
+  expect 0 "stop rule: 0 decided, 2 not decided not decided after 8 seeds: point 0,yes, peak_pressure_Pa not decided after 8 seeds: point 1,no, peak" \
+    bash -c "'$gasjet' study run '$plan' --out '$work/error' | tr '\n' ' '"
+  expect 0 "16 of 16 runs" "$gasjet" study merge "$work/error"
+  grep -q '"not_decided": 2,' "$work/error/study.json" || fail "what is not decided is not in study.json"
   expect 2 "--share 1/2: a stop rule looks at all runs" "$gasjet" study run "$plan" --out "$work/error" --share 1/2
 }
 

@@ -129,6 +129,17 @@ TEST(study_analysis, convergence_finds_limit_and_order) {
   EXPECT_FALSE(driver::fit_convergence({1.0, 0.5, 0.25}, {1.0, 2.0, 5.0}));  // grows away
 }
 
+TEST(study_analysis, means_differ_beyond_errors_and_rounding) {
+  const auto mean = [](double value, double error) {
+    return driver::Statistics{value, error, value, value, 4};
+  };
+  const std::vector<driver::Statistics> some{mean(1.0, 0.3), mean(1.1, 0.0), mean(2.0, 0.4)};
+  EXPECT_TRUE(driver::means_differ(some, 0.0));  // 1.1 and 2.0: 0.9 > 2 * 0.4
+  EXPECT_FALSE(driver::means_differ(some, 1.5));
+  EXPECT_FALSE(driver::means_differ(std::vector{mean(1.0, 0.3), mean(2.0, 0.4)}, 0.0));  // 1.0 = 2 * 0.5
+  EXPECT_FALSE(driver::means_differ({}, 0.0));
+}
+
 // Of samples without a difference, looked at ten times, at most the stated share is called decided.
 TEST(study_analysis, sequential_sign_test_keeps_its_error_rate) {
   std::mt19937_64 generator(11);

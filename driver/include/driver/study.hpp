@@ -135,8 +135,13 @@ struct StudySummary {
   long runs = 0, asked = 0;                                // ended; asked for by the plan so far
   long done = 0, inaccurate = 0, failed = 0, refused = 0;  // of the ended
   double cpu_seconds = 0.0;
+  long decided = 0, undecided = 0;  // points of a stop rule; the latter after all seeds that it allows
+  std::vector<std::string> notes;   // what has no answer, and why
   bool complete() const { return runs == asked; }
 };
+
+/// Lines for the reader of a summary: what a stop rule has decided, and the first of the notes.
+std::vector<std::string> note_lines(const StudySummary& summary);
 
 /// Writes results.csv, timing.csv, means.csv, study.json and what the plan's analysis asks for from all
 /// shares of a folder. The bytes of all but timing.csv do not depend on how the runs were shared out. Throws

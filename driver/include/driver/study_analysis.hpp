@@ -7,6 +7,8 @@
 #include <span>
 #include <vector>
 
+#include "driver/ensemble.hpp"
+
 namespace driver {
 
 /// One place in the unit cube for each factor, in [0, 1).
@@ -57,6 +59,10 @@ struct ResponseSurface {
 /// and one more.
 std::optional<ResponseSurface> fit_surface(const std::vector<std::vector<double>>& points,
                                            const std::vector<double>& values);
+
+/// True if two means differ by more than `rounding`, and by more than twice the standard error of their
+/// difference where both have one.
+bool means_differ(std::span<const Statistics> means, double rounding);
 
 /// Fit of limit + coefficient * size^order.
 struct Convergence {

@@ -33,6 +33,7 @@ void print(const StudySummary& summary, const std::filesystem::path& folder) {
   fmt::print("{} of {} runs: {} done, {} inaccurate, {} failed, {} refused; {:.4g} CPU s; results in {}\n",
              summary.runs, summary.asked, summary.done, summary.inaccurate, summary.failed, summary.refused,
              summary.cpu_seconds, folder.string());
+  for (const auto& line : note_lines(summary)) fmt::print("{}\n", line);
 }
 
 }  // namespace

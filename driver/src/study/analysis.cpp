@@ -124,6 +124,14 @@ std::optional<Convergence> fit_convergence(const std::vector<double>& sizes,
   return at_order(sizes, values, 0.5 * (a + b));
 }
 
+bool means_differ(std::span<const Statistics> means, double rounding) {
+  for (const Statistics& a : means)
+    for (const Statistics& b : means)
+      if (a.mean - b.mean > std::max(rounding, 2.0 * std::hypot(a.standard_error, b.standard_error)))
+        return true;
+  return false;
+}
+
 bool sign_is_decided(const std::vector<double>& differences, int looks, double error_rate) {
   const Statistics s = statistics(differences);
   if (s.count < 3) return false;

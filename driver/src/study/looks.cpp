@@ -21,17 +21,18 @@ bool has_enough(const StudyPlan& plan, const StudyRuns& ended, std::size_t point
   const auto at = std::ranges::find(plan.quantities, plan.stop->quantity) - plan.quantities.begin();
   const auto quantity = static_cast<std::size_t>(at);
   if (plan.stop->error_rate) {
-    if (!plan.bases[point]) return true;
     return sign_is_decided(differences(plan, ended, point, quantity), looks_of(plan), *plan.stop->error_rate);
   }
-  std::vector<double> values;
-  for (const auto& [seed, value] : values_at(plan, ended, point, quantity)) values.push_back(value);
-  const Statistics s = statistics(values);
+  const Statistics s = statistics_at(plan, ended, point, quantity);
   return s.count > 2 && s.standard_error <= *plan.stop->standard_error;
 }
 
-// Seeds that each point needs.
-std::vector<int> needed_seeds(const StudyPlan& plan, const StudyRuns& ended) {
+struct Look {
+  int seeds;  // that the point needs
+  StopClaim claim;
+};
+
+std::vector<Look> looks_at(const StudyPlan& plan, const StudyRuns& ended) {
   const auto is_whole = [&](std::size_t point, int seeds) {
     for (int seed = 0; seed < seeds; ++seed)
       if (!ended.contains(static_cast<long>(point) * plan.most_seeds() + seed)) return false;
@@ -49,16 +50,20 @@ std::vector<int> needed_seeds(const StudyPlan& plan, const StudyRuns& ended) {
     if (const auto base = plan.bases[point]) add(*base);
     return part;
   };
-  std::vector<int> seeds(plan.points.size(), plan.seeds);
-  for (std::size_t p = 0; p < plan.points.size(); ++p) {
-    const auto base = plan.bases[p];
-    while (seeds[p] < plan.most_seeds() && is_whole(p, seeds[p]) && (!base || is_whole(*base, seeds[p])) &&
-           !has_enough(plan, of_look(p, seeds[p]), p))
-      seeds[p] = std::min(2 * seeds[p], plan.most_seeds());
-  }
+  const auto look_at = [&](std::size_t point) {
+    const auto base = plan.bases[point];
+    if (plan.stop->error_rate && !base) return Look{plan.seeds, StopClaim::none};
+    for (int seeds = plan.seeds;; seeds = std::min(2 * seeds, plan.most_seeds())) {
+      if (!is_whole(point, seeds) || (base && !is_whole(*base, seeds))) return Look{seeds, StopClaim::open};
+      if (has_enough(plan, of_look(point, seeds), point)) return Look{seeds, StopClaim::decided};
+      if (seeds == plan.most_seeds()) return Look{seeds, StopClaim::undecided};
+    }
+  };
+  std::vector<Look> looks;
+  for (std::size_t p = 0; p < plan.points.size(); ++p) looks.push_back(look_at(p));
   for (std::size_t p = 0; p < plan.points.size(); ++p)
-    if (const auto base = plan.bases[p]) seeds[*base] = std::max(seeds[*base], seeds[p]);
-  return seeds;
+    if (const auto base = plan.bases[p]) looks[*base].seeds = std::max(looks[*base].seeds, looks[p].seeds);
+  return looks;
 }
 
 }  // namespace
@@ -72,7 +77,7 @@ long StudyPlan::most_runs() const {
 std::vector<long> asked_runs(const StudyPlan& plan, const StudyRuns& ended) {
   std::vector<int> seeds;
   if (plan.stop)
-    seeds = needed_seeds(plan, ended);
+    for (const Look& look : looks_at(plan, ended)) seeds.push_back(look.seeds);
   else
     for (std::size_t p = 0; p < plan.points.size(); ++p) seeds.push_back(plan.seeds_at(p));
   std::vector<long> runs;
@@ -80,6 +85,13 @@ std::vector<long> asked_runs(const StudyPlan& plan, const StudyRuns& ended) {
     for (int seed = 0; seed < seeds[p]; ++seed)
       runs.push_back(static_cast<long>(p) * plan.most_seeds() + seed);
   return runs;
+}
+
+std::vector<StopClaim> stop_claims(const StudyPlan& plan, const StudyRuns& ended) {
+  std::vector<StopClaim> claims;
+  if (plan.stop)
+    for (const Look& look : looks_at(plan, ended)) claims.push_back(look.claim);
+  return claims;
 }
 
 std::map<int, double> values_at(const StudyPlan& plan, const StudyRuns& runs, std::size_t point,
@@ -90,6 +102,13 @@ std::map<int, double> values_at(const StudyPlan& plan, const StudyRuns& runs, st
     if (run->second.status == "done" && run->second.values[quantity])
       values.emplace(seed_of(plan, run->first), *run->second.values[quantity]);
   return values;
+}
+
+Statistics statistics_at(const StudyPlan& plan, const StudyRuns& runs, std::size_t point,
+                         std::size_t quantity) {
+  std::vector<double> values;
+  for (const auto& [seed, value] : values_at(plan, runs, point, quantity)) values.push_back(value);
+  return statistics(values);
 }
 
 std::vector<double> differences(const StudyPlan& plan, const StudyRuns& runs, std::size_t point,

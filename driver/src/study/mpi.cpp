@@ -92,6 +92,7 @@ int lead(const StudyPlan& plan, const std::filesystem::path& folder) {
   const StudySummary summary = merge_study(folder);
   fmt::print("{} of {} runs, {} done; results in {}\n", summary.runs, summary.asked, summary.done,
              folder.string());
+  for (const auto& line : note_lines(summary)) fmt::print("{}\n", line);
   return summary.done == summary.runs ? 0 : 3;
 }
 

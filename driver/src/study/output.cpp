@@ -12,29 +12,8 @@
 namespace driver {
 namespace {
 
-// Quotes only where a comma, a quote or a line end needs them (RFC 4180).
-std::string cell(const std::string& text) {
-  if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text)
-    quoted += c == '"' ? std::string("\"\"") : std::string(1, c == '\n' || c == '\r' ? ' ' : c);
-  return quoted + '"';
-}
-
 std::string cell(const std::optional<double>& value) {
   return value ? fmt::format("{}", *value) : std::string();
-}
-
-std::string factor_names(const StudyPlan& plan) {
-  std::string names;
-  for (const auto& factor : plan.factors) names += ',' + cell(factor.name);
-  return names;
-}
-
-std::string inputs(const StudyPlan& plan, std::size_t point) {
-  std::string cells;
-  for (const auto& level : plan.points[point].levels) cells += ',' + cell(level.name);
-  return cells;
 }
 
 std::string results_text(const StudyPlan& plan, const StudyRuns& runs) {
@@ -43,9 +22,10 @@ std::string results_text(const StudyPlan& plan, const StudyRuns& runs) {
   csv += ",status,steps,message\n";
   for (const auto& [number, run] : runs) {
     const std::size_t point = point_of(plan, number);
-    fmt::format_to(std::back_inserter(csv), "{},{}{}", point, seed_of(plan, number), inputs(plan, point));
+    fmt::format_to(std::back_inserter(csv), "{},{}{}", point, seed_of(plan, number),
+                   level_cells(plan, point));
     for (const auto& value : run.values) csv += ',' + cell(value);
-    fmt::format_to(std::back_inserter(csv), ",{},{},{}\n", run.status, run.steps, cell(run.message));
+    fmt::format_to(std::back_inserter(csv), ",{},{},{}\n", run.status, run.steps, csv_cell(run.message));
   }
   return csv;
 }
@@ -56,12 +36,6 @@ std::string timing_text(const StudyPlan& plan, const StudyRuns& runs) {
     fmt::format_to(std::back_inserter(csv), "{},{},{},{}\n", point_of(plan, number), seed_of(plan, number),
                    run.steps, run.cpu_seconds);
   return csv;
-}
-
-std::vector<double> list_of(const std::map<int, double>& values) {
-  std::vector<double> list;
-  for (const auto& [seed, value] : values) list.push_back(value);
-  return list;
 }
 
 // A standard error of one run is not known: an empty cell.
@@ -76,81 +50,22 @@ std::string means_text(const StudyPlan& plan, const StudyRuns& runs) {
   csv += '\n';
   for (std::size_t p = 0; p < plan.points.size(); ++p)
     for (std::size_t q = 0; q < plan.quantities.size(); ++q) {
-      csv += fmt::format("{}{},{},{}", p, inputs(plan, p), plan.quantities[q],
-                         statistics_cells(statistics(list_of(values_at(plan, runs, p, q)))));
+      csv += fmt::format("{}{},{},{}", p, level_cells(plan, p), plan.quantities[q],
+                         statistics_cells(statistics_at(plan, runs, p, q)));
       if (plan.base) csv += ',' + statistics_cells(statistics(differences(plan, runs, p, q)));
       csv += '\n';
     }
   return csv;
 }
 
-// The mean over the seeds of each point.
-std::vector<std::optional<double>> point_means(const StudyPlan& plan, const StudyRuns& runs, std::size_t q) {
-  std::vector<std::optional<double>> means;
-  for (std::size_t p = 0; p < plan.points.size(); ++p) {
-    const auto values = list_of(values_at(plan, runs, p, q));
-    means.push_back(values.empty() ? std::nullopt : std::optional(statistics(values).mean));
-  }
-  return means;
-}
-
-std::string sobol_text(const StudyPlan& plan, const StudyRuns& runs) {
-  std::string csv =
-      "quantity,factor,first_order,first_order_low,first_order_high,total,total_low,total_high\n";
-  for (std::size_t q = 0; q < plan.quantities.size(); ++q) {
-    const auto list = sobol_indices(point_means(plan, runs, q), static_cast<int>(plan.factors.size()));
-    for (std::size_t f = 0; f < list.size(); ++f)
-      csv += fmt::format("{},{},{},{},{},{},{},{}\n", plan.quantities[q], cell(plan.factors[f].name),
-                         list[f].first_order.value, list[f].first_order.low, list[f].first_order.high,
-                         list[f].total.value, list[f].total.low, list[f].total.high);
-  }
-  return csv;
-}
-
-std::string surface_text(const StudyPlan& plan, const StudyRuns& runs) {
-  std::string csv = "quantity,term,coefficient,standard_error,residual_deviation,explained\n";
-  const auto scaled = scaled_points(plan);
-  for (std::size_t q = 0; scaled && q < plan.quantities.size(); ++q) {
-    const auto means = point_means(plan, runs, q);
-    std::vector<std::vector<double>> points;
-    std::vector<double> values;
-    for (std::size_t p = 0; p < means.size(); ++p)
-      if (means[p]) points.push_back((*scaled)[p]), values.push_back(*means[p]);
-    const auto surface = fit_surface(points, values);
-    if (!surface) continue;
-    for (const auto& term : surface->terms) {
-      std::vector<std::string> names;
-      for (const int f : term.factors) names.push_back(plan.factors[static_cast<std::size_t>(f)].name);
-      csv +=
-          fmt::format("{},{},{},{},{},{}\n", plan.quantities[q],
-                      names.empty() ? "1" : cell(fmt::format("{}", fmt::join(names, " * "))),
-                      term.coefficient, term.standard_error, surface->residual_deviation, surface->explained);
-    }
-  }
-  return csv;
-}
-
-// One fit for each set of levels of the other factors.
-std::string convergence_text(const StudyPlan& plan, const StudyRuns& runs) {
-  const std::size_t size = *plan.convergence;
-  const auto groups = size_groups(plan);
-  std::string csv = "quantity" + factor_names(plan) + ",limit,order,coefficient,residual,sizes\n";
-  for (std::size_t q = 0; q < plan.quantities.size(); ++q) {
-    const auto means = point_means(plan, runs, q);
-    for (const auto& [others, points] : groups) {
-      std::vector<double> sizes, values;
-      for (const std::size_t p : points)
-        if (means[p]) sizes.push_back(*plan.points[p].levels[size].number), values.push_back(*means[p]);
-      const auto fit = fit_convergence(sizes, values);
-      std::string cells;
-      for (const auto& other : others) cells += ',' + cell(other);
-      csv += plan.quantities[q] + cells;
-      csv += fit ? fmt::format(",{},{},{},{},{}\n", fit->limit, fit->order, fit->coefficient, fit->residual,
-                               sizes.size())
-                 : fmt::format(",,,,,{}\n", sizes.size());
-    }
-  }
-  return csv;
+void add_claims(const StudyPlan& plan, const StudyRuns& runs, StudySummary& summary) {
+  const auto claims = stop_claims(plan, runs);
+  summary.decided = std::ranges::count(claims, StopClaim::decided);
+  summary.undecided = std::ranges::count(claims, StopClaim::undecided);
+  for (std::size_t p = 0; p < claims.size(); ++p)
+    if (claims[p] == StopClaim::undecided)
+      summary.notes.push_back(fmt::format("not decided after {} seeds: point {}{}, {}", plan.most_seeds(), p,
+                                          level_cells(plan, p), plan.stop->quantity));
 }
 
 StudySummary summary_of(const StudyPlan& plan, const StudyRuns& runs) {
@@ -164,6 +79,7 @@ StudySummary summary_of(const StudyPlan& plan, const StudyRuns& runs) {
     summary.refused += run.status == "refused";
     summary.cpu_seconds += run.cpu_seconds;
   }
+  if (plan.stop) add_claims(plan, runs, summary);
   return summary;
 }
 
@@ -179,6 +95,8 @@ std::string summary_text(const StudyPlan& plan, const ResultFolder& folder, cons
                               {"failed", s.failed},
                               {"refused", s.refused},
                               {"in_no_mean", s.inaccurate + s.failed + s.refused}};
+  if (plan.stop) json["decided"] = s.decided, json["not_decided"] = s.undecided;
+  if (!s.notes.empty()) json["notes"] = s.notes;
   for (const auto& [key, value] : folder.lines())
     if (key != "run" && key != "date") json["build"][key] = value;
   return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + '\n';
@@ -186,10 +104,43 @@ std::string summary_text(const StudyPlan& plan, const ResultFolder& folder, cons
 
 }  // namespace
 
+// Quotes only where a comma, a quote or a line end needs them (RFC 4180).
+std::string csv_cell(const std::string& text) {
+  if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char c : text)
+    quoted += c == '"' ? std::string("\"\"") : std::string(1, c == '\n' || c == '\r' ? ' ' : c);
+  return quoted + '"';
+}
+
+std::string factor_names(const StudyPlan& plan) {
+  std::string names;
+  for (const auto& factor : plan.factors) names += ',' + csv_cell(factor.name);
+  return names;
+}
+
+std::string level_cells(const StudyPlan& plan, std::size_t point) {
+  std::string cells;
+  for (const auto& level : plan.points[point].levels) cells += ',' + csv_cell(level.name);
+  return cells;
+}
+
 bool is_study_file(const std::string& name) {
   constexpr const char* names[] = {"results.csv", "timing.csv",  "means.csv",      "study.json",
                                    "sobol.csv",   "surface.csv", "convergence.csv"};
   return std::ranges::find(names, name) != std::end(names);
+}
+
+std::vector<std::string> note_lines(const StudySummary& summary) {
+  constexpr std::size_t most = 10;
+  std::vector<std::string> lines;
+  if (summary.decided + summary.undecided > 0)
+    lines.push_back(fmt::format("stop rule: {} decided, {} not decided", summary.decided, summary.undecided));
+  for (const auto& note : summary.notes)
+    if (lines.size() < most) lines.push_back(note);
+  if (summary.notes.size() > most)
+    lines.push_back(fmt::format("{} notes in all: study.json", summary.notes.size()));
+  return lines;
 }
 
 StudySummary merge_study(const std::filesystem::path& folder) {
@@ -200,7 +151,7 @@ StudySummary merge_study(const std::filesystem::path& folder) {
   auto [runs, lines] = read_shares(folder, plan, SharesOf::any_build);
   std::erase_if(
       lines, [](const auto& line) { return line.first == "date"; });  // of one share: no fact of the results
-  const StudySummary summary = summary_of(plan, runs);
+  StudySummary summary = summary_of(plan, runs);
   ResultFolder results(folder, "study", is_study_file);
   results.begin(lines);
   Provenance head = results.lines();
@@ -213,9 +164,10 @@ StudySummary merge_study(const std::filesystem::path& folder) {
   results.write("timing.csv", comments + timing_text(plan, runs));
   results.write("means.csv", comments + means_text(plan, runs));
   if (plan.design == StudyDesign::sobol_indices)
-    results.write("sobol.csv", comments + sobol_text(plan, runs));
-  if (plan.response_surface) results.write("surface.csv", comments + surface_text(plan, runs));
-  if (plan.convergence) results.write("convergence.csv", comments + convergence_text(plan, runs));
+    results.write("sobol.csv", comments + sobol_text(plan, runs, summary.notes));
+  if (plan.response_surface) results.write("surface.csv", comments + surface_text(plan, runs, summary.notes));
+  if (plan.convergence)
+    results.write("convergence.csv", comments + convergence_text(plan, runs, summary.notes));
   results.write("study.json", summary_text(plan, results, summary));
   results.end(summary.complete() ? "done" : "incomplete");
   return summary;

@@ -73,9 +73,29 @@ std::string head_line(const StudyPlan& plan, const std::filesystem::path& folder
 /// Runs that the plan asks for, given those that have ended: more only after a stop rule's look is whole.
 std::vector<long> asked_runs(const StudyPlan& plan, const StudyRuns& ended);
 
+/// What a stop rule has come to at a point: nothing where it claims nothing, as at a base.
+enum class StopClaim { none, open, decided, undecided };
+/// Of each point; none without a stop rule.
+std::vector<StopClaim> stop_claims(const StudyPlan& plan, const StudyRuns& ended);
+
+/// What a study could not say, for its reader.
+using StudyNotes = std::vector<std::string>;
+/// Tables of the analysis; what has no answer is in the notes.
+std::string sobol_text(const StudyPlan& plan, const StudyRuns& runs, StudyNotes& notes);
+std::string surface_text(const StudyPlan& plan, const StudyRuns& runs, StudyNotes& notes);
+std::string convergence_text(const StudyPlan& plan, const StudyRuns& runs, StudyNotes& notes);
+
+/// A cell of a CSV row, and the cells of a point's levels with a comma before each.
+std::string csv_cell(const std::string& text);
+std::string level_cells(const StudyPlan& plan, std::size_t point);
+/// Names of the factors, with a comma before each.
+std::string factor_names(const StudyPlan& plan);
+
 /// Values of one quantity at a point by seed; runs that are not done have none.
 std::map<int, double> values_at(const StudyPlan& plan, const StudyRuns& runs, std::size_t point,
                                 std::size_t quantity);
+Statistics statistics_at(const StudyPlan& plan, const StudyRuns& runs, std::size_t point,
+                         std::size_t quantity);
 /// Differences against the base at common seeds.
 std::vector<double> differences(const StudyPlan& plan, const StudyRuns& runs, std::size_t point,
                                 std::size_t quantity);
