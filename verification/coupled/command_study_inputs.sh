@@ -57,7 +57,8 @@ part_study_inputs() {
 # What happens to the case or to the machine while a study runs is no result.
 part_study_glitches() {
   local plan=$work/plan.toml pid ended
-  bag_plan "$plan" 10
+  bag_plan "$plan" 2 # of each point's scene
+  printf '[[factor]]\nkey = "contact.friction"\nvalues = [0.0, 0.1, 0.2, 0.3, 0.4]\n' >>"$plan"
   sed "s|^\(set = \[\"scene.end_time=\).*|\10.008\"]|; s|^case = .*|case = \"bag.toml\"|" "$plan" >"$plan.1" && mv "$plan.1" "$plan"
   cp "$source/cases/passenger_pendulum.toml" "$work/bag.toml"
   expect 0 "20 of 20 runs" "$gasjet" study run "$plan" --out "$work/whole"
@@ -85,6 +86,14 @@ part_study_glitches() {
   mv "$work/away.toml" "$work/bag.toml"
   expect 0 "20 of 20 runs: 20 done" "$gasjet" study run "$plan" --out "$work/out"
   same_study "$work/whole" "$work/out" study.json
+  # A point's scene is read once, however few its runs are.
+  bag_plan "$plan" 6
+  sed -i "s|^case = .*|case = \"bag.toml\"|; /factor/,\$d" "$plan"
+  rm -r "$work/out"
+  start
+  mv "$work/bag.toml" "$work/away.toml"
+  stopped "bag.toml: no such file" # which the merge finds
+  [ "$(grep -c '"status":"done"' "$work/out/shares/1_of_1/journal.jsonl")" = 6 ] || fail "a scene is read again: $(cat "$work/error")"
   # Memory is the machine's: rows of a million times need more than this limit.
   tank_plan "$plan" 'set = ["output.history_every=1e-7"]'
   ! bash -c 'ulimit -v 60000 && exec "$@"' - "$gasjet" --version >/dev/null 2>&1 || {

@@ -118,10 +118,6 @@ using StudyChunk = std::vector<long>;
 /// Computes chunks, in any order and side by side; calls `keep` for each run that ends, one call at a time.
 using StudyCrew = std::function<void(const StudyPlan&, const std::vector<StudyChunk>&,
                                      const std::function<void(const StudyRun&)>& keep)>;
-/// Calls `keep` for each run of a chunk as soon as it has ended. A run that an interrupt stops is not among
-/// them.
-void run_chunk(const StudyPlan& plan, const StudyChunk& chunk,
-               const std::function<void(const StudyRun&)>& keep);
 /// Threads of this process.
 StudyCrew threads_of_study(int threads);
 

@@ -61,4 +61,23 @@ Scene scene_at(const StudyPlan& plan, const StudyPoint& point) {
   }
 }
 
+std::unique_ptr<Scene> StudyScenes::take(const StudyPlan& plan, std::size_t point) {
+  {
+    const std::lock_guard<std::mutex> guard(lock_);
+    const auto found = std::ranges::find(free_, point, [](const auto& one) { return one.first; });
+    if (found != free_.end()) {
+      auto scene = std::move(found->second);
+      free_.erase(found);
+      return scene;
+    }
+  }
+  return std::make_unique<Scene>(scene_at(plan, plan.points[point]));
+}
+
+void StudyScenes::give(std::size_t point, std::unique_ptr<Scene> scene) {
+  const std::lock_guard<std::mutex> guard(lock_);
+  if (free_.size() == workers_) free_.erase(free_.begin());
+  free_.emplace_back(point, std::move(scene));
+}
+
 }  // namespace driver

@@ -59,6 +59,7 @@ void send_home() {
 }
 
 void compute(const StudyPlan& plan) {
+  StudyScenes scenes(1);
   for (;;) {
     MPI_Status status;
     MPI_Probe(0, tag_chunk, MPI_COMM_WORLD, &status);
@@ -68,7 +69,7 @@ void compute(const StudyPlan& plan) {
     MPI_Recv(chunk.data(), count, MPI_LONG, 0, tag_chunk, MPI_COMM_WORLD, MPI_STATUS_IGNORE);
     if (chunk.empty()) return;
     std::string text;
-    run_chunk(plan, chunk, [&](const StudyRun& run) { text += line_of(run); });
+    run_chunk(plan, chunk, scenes, [&](const StudyRun& run) { text += line_of(run); });
     MPI_Send(text.data(), static_cast<int>(text.size()), MPI_CHAR, 0, tag_result, MPI_COMM_WORLD);
   }
 }

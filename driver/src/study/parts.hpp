@@ -3,10 +3,12 @@
 #pragma once
 
 #include <map>
+#include <memory>
 #include <mutex>
 
 #include "driver/case_reader.hpp"
 #include "driver/ensemble.hpp"
+#include "driver/scene.hpp"
 #include "driver/study.hpp"
 
 namespace driver {
@@ -39,6 +41,26 @@ class StudyInputs {
 /// The scene of a point. Throws FileError if a file cannot be read or has changed, and CaseError for what
 /// the case refuses.
 Scene scene_at(const StudyPlan& plan, const StudyPoint& point);
+
+/// Scenes of the points that are being computed: a worker takes one, and gives it back for the next runs of
+/// the point. Any thread may call.
+class StudyScenes {
+ public:
+  explicit StudyScenes(std::size_t workers) : workers_(workers) {}
+  /// One that is free, or a new one: see scene_at().
+  std::unique_ptr<Scene> take(const StudyPlan& plan, std::size_t point);
+  void give(std::size_t point, std::unique_ptr<Scene> scene);
+
+ private:
+  std::size_t workers_;
+  std::mutex lock_;
+  std::vector<std::pair<std::size_t, std::unique_ptr<Scene>>> free_;  // at most one for each worker
+};
+
+/// Calls `keep` for each run of a chunk as soon as it has ended. A run that an interrupt stops is not among
+/// them, nor is one that the machine stops: FileError and std::runtime_error say so.
+void run_chunk(const StudyPlan& plan, const StudyChunk& chunk, StudyScenes& scenes,
+               const std::function<void(const StudyRun&)>& keep);
 
 /// Points of the design; `table` is [study].
 std::vector<StudyPoint> points_of(TableReader& table, StudyPlan& plan);

@@ -20,7 +20,7 @@
 namespace driver {
 namespace {
 
-// Runs of a chunk: its scene is read once, and one thread computes it. Few runs are not shared out unevenly.
+// Runs of a chunk, which one thread computes. Few runs are not shared out unevenly.
 constexpr std::size_t longest_chunk = 16, fewest_chunks = 64;
 
 StudyRun run_of(const StudyPlan& plan, long number, const Member& member, const Scene& scene) {
@@ -122,17 +122,17 @@ std::size_t point_of(const StudyPlan& plan, long run) {
   return static_cast<std::size_t>(run / plan.most_seeds());
 }
 
-void run_chunk(const StudyPlan& plan, const StudyChunk& chunk,
+void run_chunk(const StudyPlan& plan, const StudyChunk& chunk, StudyScenes& scenes,
                const std::function<void(const StudyRun&)>& keep) {
-  std::optional<Scene> scene;
+  const std::size_t point = point_of(plan, chunk.front());
+  std::unique_ptr<Scene> scene;
   for (const long number : chunk) {
     if (interrupted()) break;
     StudyRun run;
     try {
-      if (!scene) scene = scene_at(plan, plan.points[point_of(plan, number)]);
+      if (!scene) scene = scenes.take(plan, point);
       const Eigen::Matrix3Xd shape = scene->bag ? scene->bag->initial_position : Eigen::Matrix3Xd();
-      if (plan.seeds > 0)
-        displace_nodes(*scene, plan.amplitude_at(point_of(plan, number)), seed_of(plan, number));
+      if (plan.seeds > 0) displace_nodes(*scene, plan.amplitude_at(point), seed_of(plan, number));
       const Member member = run_member(*scene);
       if (member.outcome.out_of_memory) throw std::bad_alloc();
       if (scene->bag) scene->bag->initial_position = shape;
@@ -140,7 +140,7 @@ void run_chunk(const StudyPlan& plan, const StudyChunk& chunk,
       run = run_of(plan, number, member, *scene);
     } catch (const std::bad_alloc& error) {
       throw std::runtime_error(fmt::format("point {}, seed {}: {}: with more of it the same command goes on",
-                                           point_of(plan, number), seed_of(plan, number), text_of(error)));
+                                           point, seed_of(plan, number), text_of(error)));
     } catch (const std::exception& error) {
       if (!is_of_the_values(error)) throw;
       run = refused(plan, number, error);
@@ -148,14 +148,16 @@ void run_chunk(const StudyPlan& plan, const StudyChunk& chunk,
     }
     keep(run);
   }
+  if (scene) scenes.give(point, std::move(scene));
 }
 
 StudyCrew threads_of_study(int threads) {
-  return [threads](const StudyPlan& plan, const std::vector<StudyChunk>& chunks,
-                   const std::function<void(const StudyRun&)>& keep) {
+  const auto scenes = std::make_shared<StudyScenes>(static_cast<std::size_t>(std::max(threads, 1)));
+  return [threads, scenes](const StudyPlan& plan, const std::vector<StudyChunk>& chunks,
+                           const std::function<void(const StudyRun&)>& keep) {
     std::mutex lock;
     Executor(threads).for_each(static_cast<int>(chunks.size()), [&](int i) {
-      run_chunk(plan, chunks[static_cast<std::size_t>(i)], [&](const StudyRun& run) {
+      run_chunk(plan, chunks[static_cast<std::size_t>(i)], *scenes, [&](const StudyRun& run) {
         const std::lock_guard<std::mutex> guard(lock);
         keep(run);
       });
