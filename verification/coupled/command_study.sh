@@ -125,7 +125,7 @@ part_study_designs() {
   expect 0 "8 of 8 runs.* stop rule: 1 decided, 0 not decided" bash -c "'$gasjet' study run '$plan' --out '$work/sign' | tr '\n' ' '"
   grep -q '"decided": 1,' "$work/sign/study.json" || fail "what is decided is not in study.json"
   sed -i 's/^sign_error.*/standard_error = 1e-9/; s/^most.*/most_seeds = 8/' "$plan"
-  expect 0 "stop rule: 0 decided, 2 not decided not decided after 8 seeds: point 0,yes, peak_pressure_Pa not decided after 8 seeds: point 1,no, peak" \
+  expect 0 "stop rule: 0 decided, 2 not decided not decided after 8 seeds: point 0 .yes., peak_pressure_Pa not decided after 8 seeds: point 1 .no., peak" \
     bash -c "'$gasjet' study run '$plan' --out '$work/error' | tr '\n' ' '"
   expect 0 "16 of 16 runs" "$gasjet" study merge "$work/error"
   grep -q '"not_decided": 2,' "$work/error/study.json" || fail "what is not decided is not in study.json"

@@ -62,10 +62,13 @@ void add_claims(const StudyPlan& plan, const StudyRuns& runs, StudySummary& summ
   const auto claims = stop_claims(plan, runs);
   summary.decided = std::ranges::count(claims, StopClaim::decided);
   summary.undecided = std::ranges::count(claims, StopClaim::undecided);
-  for (std::size_t p = 0; p < claims.size(); ++p)
-    if (claims[p] == StopClaim::undecided)
-      summary.notes.push_back(fmt::format("not decided after {} seeds: point {}{}, {}", plan.most_seeds(), p,
-                                          level_cells(plan, p), plan.stop->quantity));
+  for (std::size_t p = 0; p < claims.size(); ++p) {
+    if (claims[p] != StopClaim::undecided) continue;
+    std::vector<std::string> levels;
+    for (const auto& level : plan.points[p].levels) levels.push_back(level.name);
+    summary.notes.push_back(fmt::format("not decided after {} seeds: point {} ({}), {}", plan.most_seeds(), p,
+                                        fmt::join(levels, ", "), plan.stop->quantity));
+  }
 }
 
 StudySummary summary_of(const StudyPlan& plan, const StudyRuns& runs) {
