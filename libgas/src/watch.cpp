@@ -119,7 +119,7 @@ std::optional<double> Watch::landing(const Moment& begin, const Moment& end, dou
   };
   const auto watch_level = [&](double level, double near) {
     watch({begin.overpressure - level, h * begin.rate, end.overpressure - level, h * end.rate},
-          near / std::min(begin.compliance, end.compliance), near / end.compliance);
+          near / begin.compliance, near / end.compliance);
   };
   if (boundary_.is_open() && !is_on_ambient(begin)) watch_level(0.0, ambient_near_);
   for (const Level& level : levels_) watch_level(level.overpressure, level.near);

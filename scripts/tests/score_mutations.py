@@ -75,9 +75,10 @@ def prepare(scratch):
         subprocess.run(["git", "clone", "-q", ROOT, source], check=True)
         rule = source / "cmake/GasjetLibrary.cmake"
         rule.write_text(rule.read_text().replace("add_library(${target} STATIC", "add_library(${target} SHARED"))
+    if not (build / "build.ninja").exists():
         subprocess.run(["cmake", "-S", source, "-B", build, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release", "-DCMAKE_CXX_FLAGS_RELEASE=-O1",
                         "-DCMAKE_UNITY_BUILD=ON", "-DCMAKE_UNITY_BUILD_BATCH_SIZE=10", "-DGASJET_BENCHMARKS=OFF",
-                        "-DGASJET_BINDINGS=OFF"], check=True, stdout=subprocess.DEVNULL)
+                        "-DGASJET_BINDINGS=OFF", "-DGASJET_INSTALL=OFF"], check=True, stdout=subprocess.DEVNULL)
     if not succeeds("cmake", "--build", build, f"-j{JOBS}"):
         sys.exit(f"score_mutations.py: {build} cannot be built")
     return source, build

@@ -13,10 +13,11 @@ using namespace random_tanks;
 
 constexpr int kTanks = 10000;
 
-// Tanks where libgas is further off than 100 tolerances. 5138: flow sets in at p_a in a volume that follows
-// the pressure, and the first sub-step is longer than the laminar range. The others: 101 to 250 tolerances of
-// 1e-8 and 1e-10 in tanks that fill from a vacuum, or rest at p_a, where (G.22) is felt.
-const std::set<std::uint64_t> kKnown{1240, 3065, 3489, 3833, 5138, 7086};
+// Tanks where libgas is further off than 100 tolerances. 5138, at 1e-10: flow sets in at p_a in a volume that
+// follows the pressure, and the first sub-step is longer than the laminar range. 7086, 1e-10: that range is
+// felt where the gas rests at p_a. 3833, 1e-10: the gas passes 1000 K, where cp jumps. 3489: 155 tolerances
+// of 1e-8.
+const std::set<std::uint64_t> kKnown{3489, 3833, 5138, 7086};
 
 TEST(two_routes, agree_on_ten_thousand_random_tanks) {
   const Tally tally = compare_seeds(1, kTanks, GASJET_NASA7);
