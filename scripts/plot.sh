@@ -39,6 +39,7 @@ require_whole() {
   status=$folder/gasjet.status
   [[ -f $status ]] && grep -qxF -- "file: $name" "$status" || return 0
   local says run own
+  [[ -z $(tail -c 1 -- "$1") ]] || fail "$1: its last row has no end of line: the file is cut"
   says=$(sed -n 's/^status: //p' "$status" | tail -n 1)
   run=$(sed -n 's/^run: //p' "$status" | tail -n 1)
   own=$(sed -n '/^#/!q; s/^# run: //p' "$1" | head -n 1)
@@ -96,14 +97,16 @@ bounds() {
 # render OUT COUNT: draws the COUNT panels, gnuplot commands on standard input, as OUT.svg and OUT.png; the legend stands above
 # the first panel alone.
 render() {
-  local out=$1 count=$2 height commands terminal name style
+  local out=$1 count=$2 height commands terminal name made style
   height=$((90 + 230 * $2))
   commands=$(cat)
   style=$(gnuplot_file "$(dirname "${BASH_SOURCE[0]}")/../docs/charts/gnuplot/style.gp") || exit 2
   mkdir -p -- "$(dirname -- "$out")"
   for terminal in "svg size 820,$height font face background paper" \
     "pngcairo size 1640,$((2 * height)) font face fontscale 2 linewidth 2"; do
-    name=$(gnuplot_file "$out.${terminal:0:3}") || exit 2
+    made=$out.${terminal:0:3}
+    name=$(gnuplot_file "$made.part") || exit 2
+    { : >"$made.part"; } 2>/dev/null || fail "$made: not writable"
     gnuplot <<END
 load $style
 set terminal $terminal noenhanced
@@ -118,7 +121,13 @@ set ylabel offset 0.5
 $commands
 unset multiplot
 END
-    echo "$out.${terminal:0:3}"
+    # gnuplot says nothing of a full disk.
+    if ! tail -c 16 -- "$made.part" | grep -qaE '</svg>|IEND'; then
+      rm -f -- "$made.part"
+      fail "$made: write failed (disk full?)"
+    fi
+    mv -T -- "$made.part" "$made" || exit 2
+    echo "$made"
   done
 }
 

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // The `gasjet` command: maps errors to exit codes.
 #include <fcntl.h>
+#include <poll.h>
 #include <unistd.h>
 
+#include <csignal>
 #include <cstdio>
 #include <exception>
 #include <iostream>
@@ -21,13 +23,18 @@ int report(const std::string& message, int code) {
   return code;
 }
 
-constexpr const char* lost_output = "standard output: write failed (disk full?)";
+// Nobody reads what is printed any more, as in `gasjet exact ... | head`: the exit code that a shell then shows.
+int lost_output() {
+  pollfd output{STDOUT_FILENO, POLLOUT, 0};
+  if (poll(&output, 1, 0) == 1 && (output.revents & POLLERR) != 0) return 128 + SIGPIPE;
+  return report("standard output: write failed (disk full?)", driver::commands::exit_domain);
+}
 
 // What was printed has arrived, or the command has not done its work.
 int finish(int code) {
   std::cout.flush();
   if (std::fflush(stdout) == 0 && !std::ferror(stdout)) return code;
-  return report(lost_output, driver::commands::exit_domain);
+  return lost_output();
 }
 
 // A result file would take the number of a closed descriptor, and what is meant for it. Opened the wrong way
@@ -42,6 +49,7 @@ void guard_standard_descriptors() {
 int main(int argc, char** argv) {
   using namespace driver::commands;
   guard_standard_descriptors();
+  for (const int number : {SIGPIPE, SIGXFSZ}) std::signal(number, SIG_IGN);  // the write that fails says so
   jet::add_tree_route();
   try {
     return finish(run_command_line(argc, argv));
@@ -50,6 +58,6 @@ int main(int argc, char** argv) {
   } catch (const driver::OutputError& error) {
     return report(error.what(), exit_input);
   } catch (const std::exception& error) {
-    return report(std::ferror(stdout) ? lost_output : driver::text_of(error), exit_domain);
+    return std::ferror(stdout) ? lost_output() : report(driver::text_of(error), exit_domain);
   }
 }

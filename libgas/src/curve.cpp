@@ -61,6 +61,8 @@ Curve::Piece Curve::piece(double time) const {
 }
 
 double Curve::value(double time, Side side) const {
+  require(side == Side::before || side == Side::after, "side", static_cast<double>(side),
+          "must be an enumerator");
   if (side == Side::before)
     if (const auto first = std::ranges::lower_bound(knots_, time, {}, &Knot::time);
         first != knots_.end() && first->time == time)

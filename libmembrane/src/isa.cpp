@@ -29,9 +29,10 @@ const char* name_of(Isa isa) {
       return "scalar";
     case Isa::avx2:
       return "avx2";
-    default:
+    case Isa::baseline:
       return "baseline";
   }
+  throw std::invalid_argument("isa: is no enumerator");
 }
 
 const KernelTable& kernel_table(Isa isa) {
@@ -45,6 +46,7 @@ const KernelTable& kernel_table(Isa isa) {
 #else
   if (isa == Isa::avx2) throw std::invalid_argument("isa: avx2, but this build has baseline and scalar only");
 #endif
+  if (isa != Isa::baseline) throw std::invalid_argument("isa: is no enumerator");
   return baseline::kTable;
 }
 

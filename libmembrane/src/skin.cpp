@@ -2,6 +2,7 @@
 // S1/S9 surface and the fabric's part of S6: passes over the blocks of elements.
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 #include <string>
 
 #include "checks.hpp"
@@ -17,6 +18,8 @@ namespace {
 
 SkinPass pass_of(SkinParts parts) {
   if (parts == SkinParts::surface) return kSurfacePass;
+  if (parts != SkinParts::forces && parts != SkinParts::both)
+    throw std::invalid_argument("parts of the skin: is no enumerator");
   return parts == SkinParts::forces ? kForcesPass : kSkinPass;
 }
 
@@ -46,6 +49,7 @@ SkinArrays skin_arrays(const BagModel& model, BagState& state, std::size_t b) {
 
 KernelTable::Skin skin_kernel(const BagModel& model, SkinParts parts) {
   const KernelTable& table = kernel_table(model.description.isa);
+  pass_of(parts);  // refuses what is no enumerator
   if (parts == SkinParts::surface) return table.surface;
   const auto& kernels = parts == SkinParts::forces ? table.forces : table.skin;
   const FabricLaw fabric = model.description.law;

@@ -44,6 +44,29 @@ part_descriptors() {
   done
 }
 
+# Nobody reads what is told: the run goes on, and what only prints ends without a word.
+part_pipes() {
+  local said status
+  "$gasjet" run "$source/cases/passenger_pendulum.toml" --set scene.end_time=2e-4 --out "$work/unread" 2>&1 | true
+  until_there ended_as "$work/unread" done
+  said=$({ "$gasjet" exact tank_fill --times 0:1000:0.001; echo $? >"$work/status"; } 2>&1 >/dev/full)
+  [ "$(<"$work/status")" = 3 ] && grep -q 'write failed' <<<"$said" || fail "a full standard output: $said"
+  { "$gasjet" exact tank_fill --times 0:1000:0.001 2>"$work/said"; echo $? >"$work/status"; } | head -n 1 >/dev/null
+  [ "$(<"$work/status")" = 141 ] && [ ! -s "$work/said" ] || fail "exact | head: $(cat "$work/status" "$work/said")"
+  (ulimit -f 8; exec "$gasjet" run "$source/cases/rigid_tank.toml" --set output.history_every=1e-5 --out "$work/cut" --quiet) 2>"$work/said"
+  status=$?
+  [ $status = 3 ] && grep -q 'write failed' "$work/said" || fail "a limit of file sizes: exit $status, $(cat "$work/said")"
+}
+
+# Threads that cannot start are told, not met.
+part_threads() {
+  local threads=(ensemble "$source/cases/sphere_inflation.toml" --runs 40 --threads 200 --set scene.end_time=1e-4 --quiet)
+  if (ulimit -v 400000; exec "$gasjet" --version) >/dev/null 2>&1; then # a sanitizer's program needs more
+    (ulimit -v 400000; exec "$gasjet" "${threads[@]}" --out "$work/threads") 2>"$work/said"
+    [ $? = 3 ] && grep -Eq -- '--threads 200: this system lets [0-9]+ run' "$work/said" || fail "200 threads: $(cat "$work/said")"
+  fi
+}
+
 part_killed() {
   local file whole endless=(run "$source/cases/passenger_pendulum_no_jet.toml" --set scene.end_time=100 --set output.fields_every=1e-3)
   "$gasjet" run "$source/cases/rigid_tank.toml" --out "$work/run" --quiet || fail "a run before"
@@ -160,7 +183,7 @@ PYTHON
   local column="it's \$(touch OWNED)\`touch OWNED\`"
   printf '%s\n' "time_s,$column,${column}_reference" 0,1,2 1,2,3 2,1,4 >"$wild.csv"
   "$source/scripts/plot.sh" compare "$wild rows" "$wild.csv" >/dev/null && [ -s "$wild rows.svg" ] || fail "no picture of strange columns"
-  for folder in "$wild" "x'; system(\"touch OWNED\"); #" "<touch OWNED; cat " "|touch OWNED"; do # as a file's name, and in a title
+  for folder in "$wild" "x'; system(\"touch OWNED\"); #" "<touch OWNED; cat " "|touch OWNED" "]]>"; do # as a file's name, and in a title
     [ "$folder" = "$wild" ] || "$gasjet" run "$source/cases/rigid_tank.toml" --out "$folder" --quiet || fail "run into $folder"
     "$source/scripts/plot.sh" history "$folder/plot" "$folder" >/dev/null || fail "plot of $folder"
     for picture in svg png; do [ -s "$folder/plot.$picture" ] || fail "no picture of $folder"; done
@@ -194,7 +217,9 @@ part_small_disk() {
     rm -r "$1/run"
     "$2" run "$3/cases/rigid_tank.toml" --out "$1/run" --quiet || exit 3
     "$2" mesh passenger --out "$1/bag.obj" >>"$4/output" 2>&1
-    [ $? = 2 ] && [ ! -e "$1/bag.obj" ] || exit 4'
+    [ $? = 2 ] && [ ! -e "$1/bag.obj" ] || exit 4
+    "$3/scripts/plot.sh" history "$1/plot" "$1/run" >>"$4/output" 2>&1
+    [ $? = 2 ] && [ ! -e "$1/plot.png" ] || exit 5'
   mkdir "$disk" "$work/before" "$work/full"
   unshare -rm bash -c "$inside" - "$disk" "$gasjet" "$source" "$work"
   case $? in

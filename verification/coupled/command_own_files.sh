@@ -34,6 +34,9 @@ part_own_files() {
   expect 2 "holds the results of gasjet run" "$gasjet" "${deck[@]}" --format radioss --out "$work/parts"
   expect 0 "a.x0ab: bag.k and export.md are in" "$gasjet" "${deck[@]}" --format lsdyna --out "$work/deck" --set 'scene.name="a\nb"'
   grep -q '^# a.x0ab as a deck of lsdyna' "$work/deck/export.md" || fail "a name of two lines: $(head -n 2 "$work/deck/export.md")"
+  # The folder around an ensemble's results is the ensemble's too.
+  expect 0 "" "$gasjet" ensemble "$source/cases/sphere_inflation.toml" --runs 2 --quiet --set scene.end_time=2e-4 --out "$work/around"
+  expect 2 "holds the results of gasjet ensemble, another folder is allowed" "$gasjet" run "$tank" --out "$work/around"
   # A study that is refused leaves nothing.
   printf '[study]\ncase = "%s"\nquantities = ["peak_pressure_Pa"]\n' "$tank" >"$plan"
   ls "$work/parts" >"$work/before"

@@ -122,6 +122,7 @@ part_bad_input() {
     --set gas.heat_loss.area=1 --set gas.heat_loss.outside_temperature=1e300
   expect 2 "scene.end_time: is 9e-10, 1e-9 or more .s. is allowed" "$gasjet" check "$tank" --set scene.end_time=9e-10
   expect 2 "end_time: is missing, .* is needed; is 'end_tme' meant\?" "$gasjet" check "$tank" --unset scene.end_time --set scene.end_tme=1
+  expect 2 "volume: is missing, .* is needed; is 'voluem' meant\?" "$gasjet" check "$tank" --unset tank.volume --set tank.voluem=1
   { cat "$source/cases/pendulum_swing.toml" && echo '[gas]'; } >"$work/no_gas.toml"
   expect 2 "no_gas.toml:[0-9]+:1: gas: names no gas" "$gasjet" check "$work/no_gas.toml"
   printf 'a%.0s.' {1..200} >"$work/deep.toml" && echo 'a = 1' >>"$work/deep.toml"

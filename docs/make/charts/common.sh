@@ -19,6 +19,7 @@ provenance() {
 gnuplot_text() {
   local text
   text=$(printf '%s' "$1" | tr '\001-\037\177' ' ' | iconv -f UTF-8 -t UTF-8 -c || true)
+  text=${text//]]>/]] >} # which ends a part of an SVG file
   printf "'%s'" "${text//\'/\'\'}"
 }
 

@@ -66,7 +66,7 @@ void ResultFolder::require_free(const std::filesystem::path& folder, const std::
 void ResultFolder::check(const std::filesystem::path& path, const std::string& command,
                          const std::optional<FolderStatus>& status, const IsOwn& is_own) {
   if (::access(path.c_str(), W_OK | X_OK) != 0) refuse(path, "the folder is not writable");
-  if (status && !status->files.empty() && status->command != command)
+  if (status && !status->run.empty() && status->command != command)
     refuse(path, fmt::format("holds the results of gasjet {}, another folder is allowed", status->command));
   for (const auto& entry : std::filesystem::directory_iterator(path)) {
     const std::string name = entry.path().filename().string();

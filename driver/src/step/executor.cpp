@@ -6,7 +6,12 @@
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
+#include <condition_variable>
+#include <mutex>
 #include <stdexcept>
+#include <system_error>
+#include <thread>
+#include <vector>
 
 // ThreadSanitizer does not see how TBB orders its threads: it is told. This file alone is compiled without
 // it.
@@ -34,9 +39,45 @@ struct Executor::Arena {
 #endif
 };
 
+namespace {
+
+// TBB ends the program where a thread cannot be started, so all are tried at once beforehand.
+void require_threads(int threads) {
+  std::mutex mutex;
+  std::condition_variable all_tried;
+  bool go = false;
+  std::vector<std::thread> started;
+  const auto end = [&] {
+    {
+      const std::lock_guard lock(mutex);
+      go = true;
+    }
+    all_tried.notify_all();
+    for (std::thread& thread : started) thread.join();
+  };
+  try {
+    while (static_cast<int>(started.size()) < threads - 1)
+      started.emplace_back([&] {
+        std::unique_lock lock(mutex);
+        all_tried.wait(lock, [&] { return go; });
+      });
+  } catch (const std::system_error&) {
+    const std::size_t most = started.size() + 1;
+    end();
+    throw std::runtime_error(fmt::format(
+        "--threads {}: this system lets {} run (limits of memory or processes), fewer are allowed", threads,
+        most));
+  }
+  end();
+}
+
+}  // namespace
+
 Executor::Executor(int threads) : threads_(threads) {
   if (threads < 1) throw std::invalid_argument(fmt::format("threads: is {}, 1 or more is allowed", threads));
-  if (threads > 1) arena_ = std::make_unique<Arena>(threads);
+  if (threads == 1) return;
+  require_threads(threads);
+  arena_ = std::make_unique<Arena>(threads);
 }
 
 Executor::~Executor() = default;

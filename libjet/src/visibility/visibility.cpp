@@ -53,6 +53,7 @@ void set_tree_route(OtherRoute route) {
   tree_route = route;
 }
 bool has_route(VisibilityRoute route) {
+  if (static_cast<int>(route) < 0 || route > VisibilityRoute::brute_force) refuse("route is no enumerator");
   return route != VisibilityRoute::cgal_tree || tree_route.load() != nullptr;
 }
 
@@ -152,7 +153,6 @@ VisibilityCounters VisibilityQuery::query(VisibilityRoute route, const Points& n
   if (lit.size() != candidates.size()) refuse("lit has another size than candidates");
   if (!has_route(route)) refuse("route cgal_tree is not part of this program, allowed: fast, brute_force");
   const Surface surface = impl_->surface(nodes);
-  if (static_cast<int>(route) < 0 || route > VisibilityRoute::brute_force) refuse("route is no enumerator");
   if (candidates.empty() || route != VisibilityRoute::fast) check_nodes(surface);
   if (candidates.empty()) return {};
   exact::Kernel kernel;
