@@ -23,7 +23,8 @@ int report(const std::string& message, int code) {
   return code;
 }
 
-// Nobody reads what is printed any more, as in `gasjet exact ... | head`: the exit code that a shell then shows.
+// Nobody reads what is printed any more, as in `gasjet exact ... | head`: the exit code that a shell then
+// shows.
 int lost_output() {
   pollfd output{STDOUT_FILENO, POLLOUT, 0};
   if (poll(&output, 1, 0) == 1 && (output.revents & POLLERR) != 0) return 128 + SIGPIPE;

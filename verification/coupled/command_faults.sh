@@ -218,6 +218,7 @@ part_small_disk() {
     "$2" run "$3/cases/rigid_tank.toml" --out "$1/run" --quiet || exit 3
     "$2" mesh passenger --out "$1/bag.obj" >>"$4/output" 2>&1
     [ $? = 2 ] && [ ! -e "$1/bag.obj" ] || exit 4
+    head -c 200000 /dev/zero >"$1/filling" 2>/dev/null
     "$3/scripts/plot.sh" history "$1/plot" "$1/run" >>"$4/output" 2>&1
     [ $? = 2 ] && [ ! -e "$1/plot.png" ] || exit 5'
   mkdir "$disk" "$work/before" "$work/full"

@@ -256,9 +256,10 @@ std::vector<Json> gather(const std::filesystem::path& result, const ReportOption
   std::vector<Json> list;
   for (const auto& folder : ensembles_in(result)) list.push_back(gather_ensemble(folder, options));
   if (const auto status = read_status(result); list.empty() && status && status->status != "done")
-    throw CaseError(fmt::format("{}: has no results yet, its {} is {} ({} says so): the same command goes on "
-                                "from there",
-                                result.string(), status->command, status->status, status_file));
+    throw CaseError(
+        fmt::format("{}: has no results yet, its {} is {} ({} says so): the same command goes on "
+                    "from there",
+                    result.string(), status->command, status->status, status_file));
   if (list.empty())
     throw CaseError(
         fmt::format("{}: is no result: it has no history.csv, ensemble.csv or ladder.json", result.string()));
