@@ -31,6 +31,14 @@ part_study_inputs() {
   expect 0 "2 of 2 runs" "$gasjet" study run "$work/meshes.toml" --out "$work/meshes"
   echo '# more' >>"$work/disc.obj"
   expect 2 "disc.obj: is not as it was" "$gasjet" study merge "$work/meshes"
+  # A curve that one factor names, and that is read at no first level of the other.
+  printf 'time_s,flow\n0,1\n1,1\n' >"$work/flow.csv"
+  printf '[study]\ncase = "tank.toml"\nquantities = ["pressure_Pa"]\n[[factor]]\nname = "flow"\n[[factor.level]]\nname = "own"\n[[factor.level]]\nname = "file"\n' >"$work/pairs.toml"
+  printf 'set = ["inflator.0.mass_flow={file=\\"flow.csv\\", column=\\"flow\\"}"]\n[[factor]]\nname = "gas"\n' >>"$work/pairs.toml"
+  printf '[[factor.level]]\nname = "none"\nunset = ["inflator"]\n[[factor.level]]\nname = "some"\n' >>"$work/pairs.toml"
+  expect 0 "4 of 4 runs: 4 done" "$gasjet" study run "$work/pairs.toml" --out "$work/pairs"
+  sed -i 's/^1,1$/1,2/' "$work/flow.csv"
+  expect 2 "flow.csv: is not as it was" "$gasjet" study merge "$work/pairs"
   # A line that is none of a run of the plan.
   cp "$journal" "$work/journal"
   for line in '{"run":-3,"status":"done","steps":1,"cpu_s":1,"values":[1]}' '{"run":2,"status":"done","steps":1,"cpu_s":1,"values":[1]}' \

@@ -234,6 +234,8 @@ class CaseDocument {
   const std::filesystem::path& file() const { return file_; }
   /// The case file and the files that it names, as far as they have been read.
   std::vector<std::filesystem::path> files() const;
+  /// The files that the case names, whether or not they have been read.
+  std::vector<std::filesystem::path> named_files() const;
   /// The case as TOML with its overrides applied, to be stored in `folder`: paths of files that it names are
   /// relative to there.
   std::string text(const std::filesystem::path& folder) const;

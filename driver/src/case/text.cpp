@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 #include <sstream>
 #include <string_view>
 
@@ -19,18 +20,16 @@ bool names_file(const std::string& key) {
   return key == "file" || key == "initial_file" || key == "case";
 }
 
-void move_files(toml::node& node, const std::filesystem::path& from, const std::filesystem::path& to) {
+void for_each_file(toml::node& node, const std::function<void(std::string&)>& change) {
   if (auto* array = node.as_array())
-    for (toml::node& entry : *array) move_files(entry, from, to);
+    for (toml::node& entry : *array) for_each_file(entry, change);
   auto* table = node.as_table();
   if (!table) return;
   for (auto&& [key, value] : *table) {
     if (auto* text = value.as_string(); text && names_file(std::string(key.str())))
-      text->get() = std::filesystem::proximate(std::filesystem::absolute(from / text->get()),
-                                               std::filesystem::absolute(to))
-                        .string();
+      change(text->get());
     else
-      move_files(value, from, to);
+      for_each_file(value, change);
   }
 }
 
@@ -60,9 +59,19 @@ std::string written(const toml::node& node) {
   return text.str();
 }
 
+std::vector<std::filesystem::path> CaseDocument::named_files() const {
+  std::vector<std::filesystem::path> files;
+  for_each_file(*table_, [&](const std::string& name) { files.push_back(log_->folder / name); });
+  return files;
+}
+
 std::string CaseDocument::text(const std::filesystem::path& folder) const {
   toml::table copy = *table_;
-  move_files(copy, file_.parent_path(), folder);
+  const auto from = file_.parent_path();
+  const auto to = std::filesystem::absolute(folder);
+  for_each_file(copy, [&](std::string& name) {
+    name = std::filesystem::proximate(std::filesystem::absolute(from / name), to).string();
+  });
   std::ostringstream text;
   text << toml::toml_formatter(copy) << '\n';
   return text.str();

@@ -181,6 +181,21 @@ void check_points(TableReader& root, const StudyPlan& plan) {
   }
 }
 
+// A level's file may be read only with levels of others: no check of one factor meets it.
+void note_files(const StudyPlan& plan) {
+  for (const auto& factor : plan.factors)
+    for (const auto& level : factor.levels) {
+      auto overrides = plan.overrides;
+      overrides.insert(overrides.end(), level.overrides.begin(), level.overrides.end());
+      try {
+        plan.inputs->check(CaseDocument(plan.case_file, overrides).named_files());
+      } catch (const FileError&) {
+        throw;
+      } catch (const CaseError&) {  // what it changes is there with levels of others alone
+      }
+    }
+}
+
 std::vector<std::string> quantities_of(TableReader& table, const Scene& scene) {
   auto names = quantity_names(scene);
   const auto given = table.at("quantities").texts();
@@ -255,6 +270,7 @@ StudyPlan read_study(const std::filesystem::path& file) {
   check_perturbation(table, plan, scene_at(plan, {}));
   table.located("", [&] { plan.points = points_of(table, plan); });
   check_points(root, plan);
+  note_files(plan);
   plan.quantities = quantities_of(table, scene_at(plan, plan.points.front()));
   table.finish();
   read_analysis(root, plan);
