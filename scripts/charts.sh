@@ -8,6 +8,7 @@
 #   figure_3      Fig. 3 of the paper: mass flow of nitrogen at 673 K through 8.5 dm2 of hole, (G.6), and of porous fabric, (G.7). It
 #                 states neither ambient pressure nor porosity: 101325 Pa, and the fabric for the 0.05 of its scene and over eta^2
 #   jet_decay     centreline decay, spreading and entrainment of the jet model against bands of measured jets (docs/theory/jet.md)
+#   damaged       what damaged input does: an hour of the fuzzers, and 10,000 damaged cases by class
 #   frames        the scene with and without jet at the same times, as the paper's Figures 10 and 11
 #   concepts      drawings of what words say poorly
 #   examples      pictures that the programs of docs/examples draw; needs a build with bindings, scipy and matplotlib
@@ -135,6 +136,12 @@ chart_jet_decay() {
   done
   "$gasjet" exact jet_far_field --times 0.06:0.125:0.001 >"$folder/constants.csv"
   gnuplot -e "data=$(gnuplot_file "$folder"); out=$(gnuplot_file "$out/jet_decay.svg")" docs/charts/gnuplot/jet_decay.gp
+}
+
+chart_damaged() {
+  scripts/tests/fuzz.sh 450
+  { provenance; grep -v '^#' build-fuzz/fuzz.csv; } >"$out/fuzz.csv"
+  { provenance; verification/fuzz/damaged_cases.py "$gasjet" . 10000 | tr '\t' ','; } >"$out/damaged_cases.csv"
 }
 
 chart_frames() {
