@@ -124,10 +124,10 @@ gas::Curve read_leak_velocity(TableReader& table) {
   const auto velocity =
       to_gas_curve(table.at("velocity").curve(non_negative.in("m/s"), "overpressure"), gas::Outside::held);
   // The flow would jump where the overpressure changes its sign.
-  if (const double at_rest = velocity.value(0.0); at_rest > 0.0)
+  if (const double leak_at_rest = velocity.value(0.0); leak_at_rest > 0.0)
     table.fail("velocity", fmt::format("is {} m/s without overpressure, 0 is allowed there: begin with the "
                                        "knot (0, 0)",
-                                       at_rest));
+                                       leak_at_rest));
   return velocity;
 }
 
