@@ -65,7 +65,7 @@ void require_threads(int threads) {
     const std::size_t most = started.size() + 1;
     end();
     throw std::runtime_error(fmt::format(
-        "--threads {}: this system lets {} run (limits of memory or processes), fewer are allowed", threads,
+        "threads: is {}, this system lets {} run (limits of memory or processes), fewer are allowed", threads,
         most));
   }
   end();

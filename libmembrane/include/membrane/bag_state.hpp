@@ -74,7 +74,7 @@ struct BlockSums {
 struct BagState {
   Vectors position;  // x at n [m], nodes; S8
   Vectors velocity;  // v at n-1/2 [m/s], nodes, 0 at fixed ones; S8
-  /// Of elements; empty without jet. S4 update_geometry, of the elements that it was asked for last.
+  /// Of elements; empty without jet. update_geometry in S4 and S6, of the elements that it is asked for.
   Vectors area_vector;      // S_e, outward, length = area [m2]
   Vectors centroid;         // ((a + b) + c) / 3 [m]
   Vectors volume_gradient;  // dV/dx = sum of S_e / 3 [m2], nodes; S1/S9
