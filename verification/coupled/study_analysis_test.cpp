@@ -140,6 +140,19 @@ TEST(study_analysis, means_differ_beyond_errors_and_rounding) {
   EXPECT_FALSE(driver::means_differ({}, 0.0));
 }
 
+TEST(study_analysis, values_left_out_move_a_mean_within_its_range) {
+  const driver::Statistics s = driver::statistics({1.0, 2.0, 6.0});
+  const auto none = driver::mean_with_left_out(s, 0), some = driver::mean_with_left_out(s, 2);
+  ASSERT_TRUE(none && some);
+  EXPECT_EQ(none->low, 3.0);
+  EXPECT_EQ(none->high, 3.0);
+  EXPECT_NEAR(some->low, (9.0 + 2.0 * 1.0) / 5.0, 1e-15);  // a few roundings of numbers up to 6
+  EXPECT_NEAR(some->high, (9.0 + 2.0 * 6.0) / 5.0, 2e-15);
+  EXPECT_TRUE(driver::mean_with_left_out(driver::statistics({4.0}), 0));
+  EXPECT_FALSE(driver::mean_with_left_out(driver::statistics({4.0}), 1));
+  EXPECT_FALSE(driver::mean_with_left_out(driver::statistics({}), 0));
+}
+
 // Of samples without a difference, looked at ten times, at most the stated share is called decided.
 TEST(study_analysis, sequential_sign_test_keeps_its_error_rate) {
   std::mt19937_64 generator(11);

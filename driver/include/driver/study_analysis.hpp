@@ -64,6 +64,16 @@ std::optional<ResponseSurface> fit_surface(const std::vector<std::vector<double>
 /// difference where both have one.
 bool means_differ(std::span<const Statistics> means, double rounding);
 
+/// Where a mean would lie.
+struct MeanRange {
+  double low = 0.0, high = 0.0;
+};
+
+/// The mean of `s` and of `left_out` further values, all of them like the least of `s`, or like the greatest.
+/// The further values may lie beyond. Nothing without a value; nor of one value if any is left out, because
+/// one shows no spread.
+std::optional<MeanRange> mean_with_left_out(const Statistics& s, int left_out);
+
 /// Fit of limit + coefficient * size^order.
 struct Convergence {
   double limit = 0.0, coefficient = 0.0, order = 0.0;

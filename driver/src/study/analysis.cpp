@@ -132,6 +132,12 @@ bool means_differ(std::span<const Statistics> means, double rounding) {
   return false;
 }
 
+std::optional<MeanRange> mean_with_left_out(const Statistics& s, int left_out) {
+  if (s.count == 0 || (s.count == 1 && left_out > 0)) return std::nullopt;
+  const double share = left_out / (static_cast<double>(s.count) + left_out);
+  return MeanRange{s.mean - share * (s.mean - s.minimum), s.mean + share * (s.maximum - s.mean)};
+}
+
 bool sign_is_decided(const std::vector<double>& differences, int looks, double error_rate) {
   const Statistics s = statistics(differences);
   if (s.count < 3) return false;

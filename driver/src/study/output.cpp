@@ -38,26 +38,6 @@ std::string timing_text(const StudyPlan& plan, const StudyRuns& runs) {
   return csv;
 }
 
-// A standard error of one run is not known: an empty cell.
-std::string statistics_cells(const Statistics& s) {
-  return fmt::format("{},{},{}", s.count > 0 ? cell(std::optional(s.mean)) : "",
-                     s.count > 1 ? cell(std::optional(s.standard_error)) : "", s.count);
-}
-
-std::string means_text(const StudyPlan& plan, const StudyRuns& runs) {
-  std::string csv = "point" + factor_names(plan) + ",quantity,mean,standard_error,runs";
-  if (plan.base) csv += ",difference,difference_standard_error,pairs";
-  csv += '\n';
-  for (std::size_t p = 0; p < plan.points.size(); ++p)
-    for (std::size_t q = 0; q < plan.quantities.size(); ++q) {
-      csv += fmt::format("{}{},{},{}", p, level_cells(plan, p), plan.quantities[q],
-                         statistics_cells(statistics_at(plan, runs, p, q)));
-      if (plan.base) csv += ',' + statistics_cells(statistics(differences(plan, runs, p, q)));
-      csv += '\n';
-    }
-  return csv;
-}
-
 void add_claims(const StudyPlan& plan, const StudyRuns& runs, StudySummary& summary) {
   const auto claims = stop_claims(plan, runs);
   summary.decided = std::ranges::count(claims, StopClaim::decided);
@@ -165,7 +145,7 @@ StudySummary merge_study(const std::filesystem::path& folder) {
   const std::string comments = comment_lines(head);
   results.write("results.csv", comments + results_text(plan, runs));
   results.write("timing.csv", comments + timing_text(plan, runs));
-  results.write("means.csv", comments + means_text(plan, runs));
+  results.write("means.csv", comments + means_text(plan, runs, summary.notes));
   if (plan.design == StudyDesign::sobol_indices)
     results.write("sobol.csv", comments + sobol_text(plan, runs, summary.notes));
   if (plan.response_surface) results.write("surface.csv", comments + surface_text(plan, runs, summary.notes));

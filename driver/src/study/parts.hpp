@@ -102,6 +102,8 @@ std::vector<StopClaim> stop_claims(const StudyPlan& plan, const StudyRuns& ended
 
 /// What a study could not say, for its reader.
 using StudyNotes = std::vector<std::string>;
+/// What runs that are left out could change is the first of the notes.
+std::string means_text(const StudyPlan& plan, const StudyRuns& runs, StudyNotes& notes);
 /// Tables of the analysis; what has no answer is in the notes.
 std::string sobol_text(const StudyPlan& plan, const StudyRuns& runs, StudyNotes& notes);
 std::string surface_text(const StudyPlan& plan, const StudyRuns& runs, StudyNotes& notes);

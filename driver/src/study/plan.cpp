@@ -114,8 +114,9 @@ void read_factors(TableReader& root, StudyPlan& plan) {
 
 // Each column of a table has a name of its own.
 void check_names(TableReader& root, const StudyPlan& plan) {
-  std::set<std::string> columns{"point", "seed",     "status", "steps",          "message",
-                                "cpu_s", "quantity", "mean",   "standard_error", "runs"};
+  std::set<std::string> columns{"point",    "seed",     "status",   "steps",          "message",
+                                "cpu_s",    "quantity", "mean",     "standard_error", "runs",
+                                "left_out", "mean_low", "mean_high"};
   if (plan.base) columns.insert({"difference", "difference_standard_error", "pairs"});
   if (plan.convergence) columns.insert({"limit", "order", "coefficient", "residual", "sizes"});
   columns.insert(plan.quantities.begin(), plan.quantities.end());

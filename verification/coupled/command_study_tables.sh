@@ -1,0 +1,29 @@
+# SPDX-License-Identifier: Apache-2.0
+# shellcheck shell=bash disable=SC2154
+# Parts of command_test.sh (sourced): what a study says of its runs, beforehand, meanwhile and at the end.
+
+# Runs that are not done are in no mean, and the means say what they could change.
+part_study_left_out() {
+  local plan=$work/plan.toml out=$work/out
+  bag_plan "$plan" 6
+  expect 0 "12 of 12 runs: 12 done" "$gasjet" study run "$plan" --out "$out"
+  awk -F, '$3 == "peak_pressure_Pa" { exit !($(NF - 2) == 0 && $(NF - 1) == $4 && $NF == $4) }' "$out/means.csv" ||
+    fail "nothing is left out: $(cat "$out/means.csv")"
+  grep -q notes "$out/study.json" && fail "a note without a reason"
+  sed -i -E '/"run":(2|4),/s/"done"/"failed"/' "$out"/shares/*/journal.jsonl
+  expect 3 "^runs in no mean: 2 of 12, at 1 of 2 points; .* moves by at most [0-9.]+ standard errors .peak_pressure_Pa at point 0.$" \
+    "$gasjet" study merge "$out"
+  # From the rows of the runs: the two that are left out, as the least and as the greatest of the four others.
+  awk -F, '/^(#|point)/ { next }
+    FILENAME ~ /results/ { if ($1 == 0 && $(NF - 2) == "done") { x = $4; sum += x; ++n; if (n == 1 || x < least) least = x; if (x > most) most = x }; next }
+    $1 == 0 && $3 == "peak_pressure_Pa" {
+      low = (sum + 2 * least) / (n + 2); high = (sum + 2 * most) / (n + 2); found = $(NF - 2) == 2 && $6 == 4
+      found = found && ($(NF - 1) / low - 1) ^ 2 < 1e-24 && ($NF / high - 1) ^ 2 < 1e-24 && $(NF - 1) < $4 && $4 < $NF
+      move = (high - $4 > $4 - low ? high - $4 : $4 - low) / $5 }
+    END { if (!found) exit 1; printf "%.2g\n", move }' "$out/results.csv" "$out/means.csv" >"$work/move" || fail "range: $(cat "$out/means.csv")"
+  grep -q "at most $(cat "$work/move") standard errors" "$out/study.json" || fail "not by $(cat "$work/move"): $(cat "$out/study.json")"
+  # One run shows no spread.
+  sed -i -E '/"run":(7|8|9|10|11),/s/"done"/"inaccurate"/' "$out"/shares/*/journal.jsonl
+  expect 3 "runs in no mean: 7 of 12, at 2 of 2 points; .*; fewer than two other runs at 1 of these points" "$gasjet" study merge "$out"
+  grep -Eq '^1,no,peak_pressure_Pa,[-0-9.e]+,,1,,,0,5,,$' "$out/means.csv" || fail "a range of one run: $(cat "$out/means.csv")"
+}
