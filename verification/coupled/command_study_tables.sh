@@ -27,3 +27,23 @@ part_study_left_out() {
   expect 3 "runs in no mean: 7 of 12, at 2 of 2 points; .*; fewer than two other runs at 1 of these points" "$gasjet" study merge "$out"
   grep -Eq '^1,no,peak_pressure_Pa,[-0-9.e]+,,1,,,0,5,,$' "$out/means.csv" || fail "a range of one run: $(cat "$out/means.csv")"
 }
+
+# What a study costs is told before it is paid, from runs of both ends.
+part_study_cost() {
+  local plan=$work/plan.toml
+  bag_plan "$plan" 6
+  expect 0 "12 runs.* about [0-9.]+ CPU s, an estimate from one run each: [0-9.]+ s at the first point, [0-9.]+ s at the last point" \
+    bash -c "'$gasjet' study run '$plan' --check | tee '$work/told' | tr '\n' ' '"
+  [ ! -e "$work/results" ] || fail "something is written"
+  expect 0 "12 of 12 runs" "$gasjet" study run "$plan" --out "$work/out"
+  # Twelve times the mean of both, to the two digits that are printed; and what the runs took, within what a busy machine does.
+  awk -F, 'FILENAME ~ /told/ { if ($0 !~ /about/) next; split($0, word, " "); told = word[2]; sum = 6 * (word[11] + word[17]); next }
+    /^[0-9]/ { took += $4 }
+    END { exit !(sum > 0 && (told / sum - 1) ^ 2 < 0.1 ^ 2 && told < 4 * took && took < 4 * told) }' "$work/told" "$work/out/timing.csv" ||
+    fail "the cost: $(cat "$work/told")"
+  printf '[study]\ncase = "%s/cases/sphere_inflation.toml"\nset = ["scene.end_time=1e-3"]\n[[factor]]\nkey = "time.step"\nvalues = [1e-5, 1e-3]\n' \
+    "$source" >"$plan"
+  expect 0 "^the run at the last point is failed: .*above its bound" "$gasjet" study run "$plan" --check
+  tank_plan "$plan"
+  expect 0 "estimate from one run each: [0-9.e-]+ s at the first point$" "$gasjet" study run "$plan" --check
+}

@@ -105,6 +105,10 @@ struct StudyRun {
 /// `file:line:column: key: message` for a plan, a factor, a range or a quantity that the case does not have.
 StudyPlan read_study(const std::filesystem::path& file);
 
+/// Computes one run at the first point and one at the last, those of the first seed: a sample of what runs
+/// cost. Fewer after an interrupt.
+std::vector<StudyRun> sample_runs(const StudyPlan& plan);
+
 /// Runs of the share `number` of `count`: those whose number leaves the rest number - 1 when divided by
 /// count.
 struct StudyShare {

@@ -200,7 +200,8 @@ void add_study(CLI::App& app, StudyArguments& a) {
   run->add_option("--out", a.out, "folder of the study (results/<name> by default)")->check(named);
   run->add_option("--share", a.share, "NUMBER/COUNT: one of as many shares, on any machine; then `merge`")
       ->check(named);
-  run->add_flag("--check", a.only_check, "read the plan and say how many runs it has");
+  run->add_flag("--check", a.only_check,
+                "read the plan; say how many runs it has and what they cost, from two of them");
   add_threads(*run, a.threads, a.quiet);
   auto* merge = study->add_subcommand("merge", "tables of all shares in a folder");
   merge->add_option("DIR", a.folder, "folder of the study")->required()->check(named);
