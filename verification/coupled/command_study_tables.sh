@@ -47,3 +47,21 @@ part_study_cost() {
   tank_plan "$plan"
   expect 0 "estimate from one run each: [0-9.e-]+ s at the first point$" "$gasjet" study run "$plan" --check
 }
+
+# The progress of a share counts what the others end meanwhile.
+part_study_progress() {
+  local plan=$work/plan.toml shares=$work/out/shares run
+  bag_plan "$plan" 40
+  sed -i 's/end_time=0.004/end_time=0.04/' "$plan"
+  "$gasjet" study run "$plan" --out "$work/out" --share 1/2 2>"$work/log" &
+  until_there grep -q '"run":0,' "$shares/1_of_2/journal.jsonl"
+  mkdir "$shares/2_of_2"
+  # 40 runs of another share, one of them twice, and one that is not whole yet.
+  for ((run = 1; run < 80; run += 2)); do echo "{\"cpu_s\":1,\"run\":$run,\"status\":\"done\"}"; done >"$shares/2_of_2/journal.jsonl"
+  printf '{"cpu_s":1,"run":1,"status":"done"}\n{"cpu_s":1,"run":2' >>"$shares/2_of_2/journal.jsonl"
+  wait $! || fail "share 1/2: $(cat "$work/log")"
+  # A line's share of 40 runs is this share's own; per cent are rounded to half a one, 0.2 runs.
+  awk '/ run [0-9]+ of 80,/ { own = 0.4 * $2; for (i = 1; i < NF; ++i) if ($i == "run") all = $(i + 1)
+      if ((all - own) ^ 2 < 0.5) next; if ((all - own - 40) ^ 2 < 0.5) ++n; else exit 1 } END { exit !n }' "$work/log" ||
+    fail "40 runs of the other share are not told: $(cat "$work/log")"
+}

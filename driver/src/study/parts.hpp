@@ -2,6 +2,8 @@
 // The parts of a study: from the plan to points, from shares to tables.
 #pragma once
 
+#include <chrono>
+#include <cstdint>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -91,6 +93,28 @@ std::string line_of(const StudyRun& run);
 std::optional<StudyRun> run_of_line(const StudyPlan& plan, const std::string& line);
 /// What opens a share's part of its file: its build, and the files that it has read.
 std::string head_line(const StudyPlan& plan, const std::filesystem::path& folder, const Provenance& build);
+
+/// Counts the runs that have ended, those too that other shares compute meanwhile. It reads only what has
+/// been appended to their files since it looked last.
+class StudyWatch {
+ public:
+  /// To be made before the shares are read. Not for a stop rule, whose runs are of one share.
+  StudyWatch(const StudyPlan& plan, const std::filesystem::path& folder, const StudyShare& own);
+  void add(long run);
+  /// Looks at the other shares if that is due, once a second or less often.
+  long ended();
+
+ private:
+  template <class Action>
+  void for_each_file(const Action& action);
+
+  std::filesystem::path folder_;
+  std::string own_;
+  std::vector<bool> is_ended_;
+  long ended_ = 0;
+  std::map<std::filesystem::path, std::uintmax_t> read_;  // bytes of each share's file
+  std::chrono::steady_clock::time_point next_look_;
+};
 
 /// Runs that the plan asks for, given those that have ended: more only after a stop rule's look is whole.
 std::vector<long> asked_runs(const StudyPlan& plan, const StudyRuns& ended);

@@ -78,14 +78,29 @@ class ShareFile {
   std::optional<GrowingFile> file_;
 };
 
-// What says how long the rest takes, and which point it is at.
-std::string note_of(const StudyRuns& runs, long asked, int failed) {
-  double seconds = 0.0;
-  for (const auto& [number, run] : runs) seconds += run.cpu_seconds;
-  const double each = runs.empty() ? 0.0 : seconds / static_cast<double>(runs.size());
-  return fmt::format("run {} of {}, {:.3g} CPU s a run{}", runs.size(), asked, each,
-                     failed ? fmt::format(", {} not done", failed) : "");
-}
+// What the progress of a share tells: how many runs all shares have ended, and what its own take.
+class ShareProgress {
+ public:
+  ShareProgress(const StudyPlan& plan, const std::filesystem::path& folder, const StudyShare& share,
+                bool quiet) {
+    if (!quiet && !plan.stop) watch_.emplace(plan, folder, share);
+  }
+  void add(const StudyRun& run) {
+    ++runs_;
+    seconds_ += run.cpu_seconds;
+    if (watch_) watch_->add(run.number);
+  }
+  std::string note(std::size_t asked, int failed) {
+    return fmt::format("run {} of {}, {:.3g} CPU s a run{}", watch_ ? watch_->ended() : runs_, asked,
+                       seconds_ / static_cast<double>(runs_),
+                       failed ? fmt::format(", {} not done", failed) : "");
+  }
+
+ private:
+  long runs_ = 0;
+  double seconds_ = 0.0;
+  std::optional<StudyWatch> watch_;
+};
 
 // The plan stands in the folder, so that a merge needs the folder alone.
 void keep_plan(const StudyPlan& plan, const std::filesystem::path& folder) {
@@ -169,7 +184,9 @@ bool run_study(const StudyPlan& plan, const std::filesystem::path& folder, const
                const StudyCrew& crew, bool quiet) {
   ResultFolder::require_free(folder, "study", is_study_file);
   keep_plan(plan, folder);
+  ShareProgress all(plan, folder, share, quiet);
   StudyRuns ended = read_shares(folder, plan, SharesOf::this_build).runs;
+  for (const auto& [number, run] : ended) all.add(run);
   ShareFile file(plan, folder, share.name());
   const auto is_mine = [&](long run) { return run % share.count == share.number - 1; };
   if (!quiet && !ended.empty())
@@ -186,9 +203,9 @@ bool run_study(const StudyPlan& plan, const std::filesystem::path& folder, const
     crew(plan, chunks_of(plan, mine), [&](const StudyRun& run) {
       file.keep(run);
       ended.emplace(run.number, run);
+      all.add(run);
       failed += run.status != "done";
-      progress.update(static_cast<double>(++done),
-                      [&] { return note_of(ended, static_cast<long>(asked.size()), failed); });
+      progress.update(static_cast<double>(++done), [&] { return all.note(asked.size(), failed); });
     });
   }
   file.end(!interrupted());
