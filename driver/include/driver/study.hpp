@@ -31,17 +31,20 @@ struct StudyFactor {
   double low = 0.0, high = 0.0;
   bool logarithmic = false;
   std::string path;  // of its table in the plan
+
+  // Of a point's value of this factor, see StudyPoint; the first is nothing for a number that has no level.
+  const StudyLevel* level_of(double value) const;
+  std::string name_of(double value) const;
+  std::vector<std::string> overrides_of(double value) const;
+  std::optional<double> number_of(double value) const;
 };
 
 /// How the points follow from the factors.
 enum class StudyDesign { grid, list, latin_hypercube, sobol, sobol_indices, file };
 
-/// One point: a level of each factor.
-struct StudyPoint {
-  std::vector<StudyLevel> levels;
-  /// All that the point changes in the case.
-  std::vector<std::string> overrides() const;
-};
+/// One point: a value of each factor. It is the place of a level in the factor's list, or a number if the
+/// factor has no list. There may be millions.
+using StudyPoint = std::vector<double>;
 
 /// Differences are taken against the point where `factor` has its level `level` and all others are the same.
 struct StudyBase {

@@ -30,11 +30,12 @@ struct SizeRow {
 
 SizeRow size_row(const StudyPlan& plan, const StudyRuns& runs, const std::vector<std::size_t>& points,
                  std::size_t q) {
+  const StudyFactor& size = plan.factors[*plan.convergence];
   SizeRow row;
   for (const std::size_t p : points) {
     const Statistics s = statistics_at(plan, runs, p, q);
     if (s.count == 0) continue;
-    row.sizes.push_back(*plan.points[p].levels[*plan.convergence].number);
+    row.sizes.push_back(*size.number_of(plan.points[p][*plan.convergence]));
     row.values.push_back(s.mean);
     row.means.push_back(s);
     const long first = static_cast<long>(p) * plan.most_seeds();

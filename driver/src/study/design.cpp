@@ -22,11 +22,6 @@ void require_few(const TableReader& table, const StudyPlan& plan, std::size_t po
                                      points, seeds, most_runs));
 }
 
-StudyLevel level_of(const StudyFactor& factor, double number) {
-  const std::string text = fmt::format("{}", number);
-  return {text, {factor.key + '=' + text}, number};
-}
-
 void require_levels(TableReader& table, const StudyPlan& plan, bool listed) {
   for (const auto& factor : plan.factors)
     if (factor.levels.empty() == listed || (!listed && factor.high <= factor.low))
@@ -42,9 +37,9 @@ std::vector<StudyPoint> grid(TableReader& table, const StudyPlan& plan) {
   for (const auto& factor : plan.factors) {
     std::vector<StudyPoint> longer;
     for (const auto& point : points)
-      for (const auto& level : factor.levels) {
+      for (std::size_t i = 0; i < factor.levels.size(); ++i) {
         longer.push_back(point);
-        longer.back().levels.push_back(level);
+        longer.back().push_back(static_cast<double>(i));
       }
     points = std::move(longer);
   }
@@ -60,7 +55,7 @@ std::vector<StudyPoint> list(TableReader& table, const StudyPlan& plan) {
     if (factor.levels.size() != points.size())
       table.fail("design", fmt::format("\"list\" needs as many values of each factor: {} has {}, not {}",
                                        factor.name, factor.levels.size(), points.size()));
-    for (std::size_t i = 0; i < points.size(); ++i) points[i].levels.push_back(factor.levels[i]);
+    for (std::size_t i = 0; i < points.size(); ++i) points[i].push_back(static_cast<double>(i));
   }
   return points;
 }
@@ -77,20 +72,18 @@ std::vector<StudyPoint> sampled(TableReader& table, const StudyPlan& plan) {
   const bool with_indices = plan.design == StudyDesign::sobol_indices;
   const int count = table.at("points").integer(with_indices ? fewest_sobol_rows : 1, 1'000'000, 64);
   require_few(table, plan, static_cast<std::size_t>(count) * (with_indices ? plan.factors.size() + 2 : 1));
-  std::vector<UnitPoint> units;
+  std::vector<StudyPoint> points;  // in the unit cube at first
   table.located("design", [&] {
     if (plan.design == StudyDesign::latin_hypercube)
-      units = latin_hypercube(
+      points = latin_hypercube(
           count, factors, static_cast<std::uint64_t>(table.at("sampling_seed").integer(0, 1'000'000'000, 1)));
     else if (plan.design == StudyDesign::sobol)
-      units = sobol_sequence(count, factors);
+      points = sobol_sequence(count, factors);
     else
-      units = sobol_index_points(count, factors);
+      points = sobol_index_points(count, factors);
   });
-  std::vector<StudyPoint> points(units.size());
-  for (std::size_t i = 0; i < units.size(); ++i)
-    for (std::size_t f = 0; f < plan.factors.size(); ++f)
-      points[i].levels.push_back(level_of(plan.factors[f], in_range(plan.factors[f], units[i][f])));
+  for (StudyPoint& point : points)
+    for (std::size_t f = 0; f < plan.factors.size(); ++f) point[f] = in_range(plan.factors[f], point[f]);
   return points;
 }
 
@@ -112,12 +105,52 @@ std::vector<StudyPoint> of_file(TableReader& table, StudyPlan& plan) {
   require_few(table, plan, csv.rows());
   std::vector<StudyPoint> points(csv.rows());
   for (std::size_t f = 0; f < names.size(); ++f)
-    for (std::size_t i = 0; i < points.size(); ++i)
-      points[i].levels.push_back(level_of(plan.factors[f], csv.values[f][i]));
+    for (std::size_t i = 0; i < points.size(); ++i) points[i].push_back(csv.values[f][i]);
   return points;
 }
 
 }  // namespace
+
+const StudyLevel* StudyFactor::level_of(double value) const {
+  return levels.empty() ? nullptr : &levels[static_cast<std::size_t>(value)];
+}
+
+std::string StudyFactor::name_of(double value) const {
+  const StudyLevel* level = level_of(value);
+  return level ? level->name : fmt::format("{}", value);
+}
+
+std::vector<std::string> StudyFactor::overrides_of(double value) const {
+  const StudyLevel* level = level_of(value);
+  return level ? level->overrides : std::vector{key + '=' + name_of(value)};
+}
+
+std::optional<double> StudyFactor::number_of(double value) const {
+  const StudyLevel* level = level_of(value);
+  return level ? level->number : value;
+}
+
+std::vector<std::string> level_names(const StudyPlan& plan, const StudyPoint& point) {
+  std::vector<std::string> names;
+  for (std::size_t f = 0; f < point.size(); ++f) names.push_back(plan.factors[f].name_of(point[f]));
+  return names;
+}
+
+int StudyPlan::seeds_at(std::size_t point) const {
+  int fewest = most_seeds();
+  for (std::size_t f = 0; f < factors.size(); ++f)
+    if (const StudyLevel* level = factors[f].level_of(points[point][f]))
+      fewest = std::min(fewest, level->seeds.value_or(fewest));
+  return fewest;
+}
+
+double StudyPlan::amplitude_at(std::size_t point) const {
+  double last = amplitude;
+  for (std::size_t f = 0; f < factors.size(); ++f)
+    if (const StudyLevel* level = factors[f].level_of(points[point][f]))
+      last = level->amplitude.value_or(last);
+  return last;
+}
 
 std::vector<StudyPoint> points_of(TableReader& table, StudyPlan& plan) {
   plan.design = table.at("design").choice<StudyDesign>({{"grid", StudyDesign::grid},
@@ -144,8 +177,9 @@ std::optional<std::vector<std::vector<double>>> scaled_points(const StudyPlan& p
   for (std::size_t f = 0; f < plan.factors.size(); ++f) {
     std::vector<double> numbers;
     for (const auto& point : plan.points) {
-      if (!point.levels[f].number) return std::nullopt;
-      numbers.push_back(*point.levels[f].number);
+      const auto number = plan.factors[f].number_of(point[f]);
+      if (!number) return std::nullopt;
+      numbers.push_back(*number);
       if (plan.factors[f].logarithmic) numbers.back() = std::log(numbers.back());
     }
     const auto [low, high] = std::ranges::minmax(numbers);

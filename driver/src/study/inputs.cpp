@@ -43,7 +43,8 @@ std::vector<StudyInput> StudyInputs::list() const {
 
 Scene scene_at(const StudyPlan& plan, const StudyPoint& point) {
   auto overrides = plan.overrides;
-  for (auto& text : point.overrides()) overrides.push_back(std::move(text));
+  for (std::size_t f = 0; f < point.size(); ++f)
+    for (auto& text : plan.factors[f].overrides_of(point[f])) overrides.push_back(std::move(text));
   std::optional<CaseDocument> document;
   try {
     document.emplace(plan.case_file, overrides);

@@ -44,10 +44,9 @@ void add_claims(const StudyPlan& plan, const StudyRuns& runs, StudySummary& summ
   summary.undecided = std::ranges::count(claims, StopClaim::undecided);
   for (std::size_t p = 0; p < claims.size(); ++p) {
     if (claims[p] != StopClaim::undecided) continue;
-    std::vector<std::string> levels;
-    for (const auto& level : plan.points[p].levels) levels.push_back(level.name);
     summary.notes.push_back(fmt::format("not decided after {} seeds: point {} ({}), {}", plan.most_seeds(), p,
-                                        fmt::join(levels, ", "), plan.stop->quantity));
+                                        fmt::join(level_names(plan, plan.points[p]), ", "),
+                                        plan.stop->quantity));
   }
 }
 
@@ -104,7 +103,7 @@ std::string factor_names(const StudyPlan& plan) {
 
 std::string level_cells(const StudyPlan& plan, std::size_t point) {
   std::string cells;
-  for (const auto& level : plan.points[point].levels) cells += ',' + csv_cell(level.name);
+  for (const auto& name : level_names(plan, plan.points[point])) cells += ',' + csv_cell(name);
   return cells;
 }
 

@@ -40,8 +40,11 @@ class StudyInputs {
   std::vector<StudyInput> list_;
 };
 
-/// The scene of a point. Throws FileError if a file cannot be read or has changed, and CaseError for what
-/// the case refuses.
+/// Names of the levels of a point.
+std::vector<std::string> level_names(const StudyPlan& plan, const StudyPoint& point);
+
+/// The scene of a point, or of its first factors. Throws FileError if a file cannot be read or has changed,
+/// and CaseError for what the case refuses.
 Scene scene_at(const StudyPlan& plan, const StudyPoint& point);
 
 /// Scenes of the points that are being computed: a worker takes one, and gives it back for the next runs of

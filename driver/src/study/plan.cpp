@@ -140,8 +140,9 @@ std::string refusal(const StudyPlan& plan, const StudyPoint& point) {
 
 // Of a point, in the file that it comes from.
 [[noreturn]] void refuse_factor(const TableReader& table, const StudyPlan& plan, std::size_t factor,
-                                std::size_t point, const std::string& level, const std::string& why) {
-  const std::string message = fmt::format("with \"{}\" the case is refused: {}", level, why);
+                                std::size_t point, double value, const std::string& why) {
+  const std::string message =
+      fmt::format("with \"{}\" the case is refused: {}", plan.factors[factor].name_of(value), why);
   if (!plan.points_file.empty())
     read_csv(plan.points_file, {plan.factors[factor].name}).fail(0, point, message);
   table.fail("", message);
@@ -152,9 +153,9 @@ void check_first_point(std::vector<TableReader>& tables, const StudyPlan& plan) 
   if (refusal(plan, plan.points.front()).empty()) return;
   StudyPoint point;
   for (std::size_t f = 0; f < tables.size(); ++f) {
-    point.levels.push_back(plan.points.front().levels[f]);
+    point.push_back(plan.points.front()[f]);
     if (const auto why = refusal(plan, point); !why.empty())
-      refuse_factor(tables[f], plan, f, 0, point.levels[f].name, why);
+      refuse_factor(tables[f], plan, f, 0, point[f], why);
   }
 }
 
@@ -163,21 +164,20 @@ void check_points(TableReader& root, const StudyPlan& plan) {
   auto tables = root.tables("factor");
   check_first_point(tables, plan);
   for (std::size_t f = 0; f < plan.factors.size(); ++f) {
-    const auto number_of_level = [&](const StudyPoint& point) {
-      return point.levels[f].number.value_or(0.0);
-    };
-    std::vector<std::pair<StudyLevel, std::size_t>> levels;  // with a point that has it
-    for (const auto& level : plan.factors[f].levels) levels.emplace_back(level, 0);
-    if (levels.empty()) {
-      const auto [low, high] = std::ranges::minmax_element(plan.points, {}, number_of_level);
+    std::vector<std::pair<double, std::size_t>> values;  // with a point that has it
+    for (std::size_t i = 0; i < plan.factors[f].levels.size(); ++i)
+      values.emplace_back(static_cast<double>(i), 0);
+    if (values.empty()) {
+      const auto [low, high] =
+          std::ranges::minmax_element(plan.points, {}, [&](const StudyPoint& point) { return point[f]; });
       for (const auto& end : {low, high})
-        levels.emplace_back(end->levels[f], static_cast<std::size_t>(end - plan.points.begin()));
+        values.emplace_back((*end)[f], static_cast<std::size_t>(end - plan.points.begin()));
     }
     StudyPoint point = plan.points.front();
-    for (const auto& [level, number] : levels) {
-      point.levels[f] = level;
+    for (const auto& [value, number] : values) {
+      point[f] = value;
       if (const auto why = refusal(plan, point); !why.empty())
-        refuse_factor(tables[f], plan, f, number, level.name, why);
+        refuse_factor(tables[f], plan, f, number, value, why);
     }
   }
 }
@@ -235,24 +235,6 @@ void set_id(const CaseDocument& document, StudyPlan& plan) {
 }
 
 }  // namespace
-
-std::vector<std::string> StudyPoint::overrides() const {
-  std::vector<std::string> all;
-  for (const auto& level : levels) all.insert(all.end(), level.overrides.begin(), level.overrides.end());
-  return all;
-}
-
-int StudyPlan::seeds_at(std::size_t point) const {
-  int fewest = most_seeds();
-  for (const auto& level : points[point].levels) fewest = std::min(fewest, level.seeds.value_or(fewest));
-  return fewest;
-}
-
-double StudyPlan::amplitude_at(std::size_t point) const {
-  double last = amplitude;
-  for (const auto& level : points[point].levels) last = level.amplitude.value_or(last);
-  return last;
-}
 
 StudyPlan read_study(const std::filesystem::path& file) {
   StudyPlan plan;

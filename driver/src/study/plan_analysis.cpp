@@ -24,16 +24,16 @@ std::size_t factor_named(TableReader& table, const char* key, const StudyPlan& p
 
 // Base of each point: all its levels but one are the same.
 void set_bases(StudyPlan& plan) {
+  const StudyFactor& factor = plan.factors[plan.base->factor];
   const auto others = [&](const StudyPoint& point) {
-    std::vector<std::string> names;
-    for (std::size_t f = 0; f < point.levels.size(); ++f)
-      if (f != plan.base->factor) names.push_back(point.levels[f].name);
-    return names;
+    StudyPoint rest = point;
+    rest.erase(rest.begin() + static_cast<std::ptrdiff_t>(plan.base->factor));
+    return rest;
   };
   const auto is_base = [&](const StudyPoint& point) {
-    return point.levels[plan.base->factor].name == plan.base->level;
+    return factor.name_of(point[plan.base->factor]) == plan.base->level;
   };
-  std::map<std::vector<std::string>, std::size_t> at;
+  std::map<StudyPoint, std::size_t> at;
   for (std::size_t p = 0; p < plan.points.size(); ++p)
     if (is_base(plan.points[p])) at.emplace(others(plan.points[p]), p);
   for (std::size_t p = 0; p < plan.points.size(); ++p)
@@ -41,7 +41,7 @@ void set_bases(StudyPlan& plan) {
       plan.bases[p] = found->second;
 }
 
-std::string level_names(const StudyFactor& factor) {
+std::string shown_levels(const StudyFactor& factor) {
   if (factor.levels.empty()) return "it has no levels";
   std::vector<std::string> names;
   for (const auto& level : factor.levels) names.push_back('"' + level.name + '"');
@@ -55,7 +55,7 @@ void read_base(TableReader& analysis, StudyPlan& plan) {
   const auto& factor = plan.factors[plan.base->factor];
   if (std::ranges::find(factor.levels, plan.base->level, &StudyLevel::name) == factor.levels.end())
     table->fail("level", fmt::format("is \"{}\", which the factor does not have: {}", plan.base->level,
-                                     level_names(factor)));
+                                     shown_levels(factor)));
   table->finish();
   set_bases(plan);
   if (std::ranges::none_of(plan.bases, [](const auto& base) { return base.has_value(); }))
@@ -80,7 +80,7 @@ void check_surface(TableReader& table, const StudyPlan& plan) {
   const std::size_t factors = plan.factors.size(), terms = (factors + 1) * (factors + 2) / 2;
   if (factors == 0) table.fail(key, "needs factors");
   for (std::size_t f = 0; f < factors; ++f) {
-    const auto number = [&](const StudyPoint& point) { return point.levels[f].number; };
+    const auto number = [&](const StudyPoint& point) { return plan.factors[f].number_of(point[f]); };
     const auto& name = plan.factors[f].name;
     if (!std::ranges::all_of(plan.points, [&](const auto& point) { return number(point).has_value(); }))
       table.fail(key, fmt::format("needs factors that are numbers, {} has levels or other values", name));
@@ -152,9 +152,8 @@ void read_stop(TableReader& root, StudyPlan& plan) {
 std::map<std::vector<std::string>, std::vector<std::size_t>> size_groups(const StudyPlan& plan) {
   std::map<std::vector<std::string>, std::vector<std::size_t>> groups;
   for (std::size_t p = 0; p < plan.points.size(); ++p) {
-    std::vector<std::string> others;
-    for (std::size_t f = 0; f < plan.factors.size(); ++f)
-      others.push_back(f == *plan.convergence ? "" : plan.points[p].levels[f].name);
+    auto others = level_names(plan, plan.points[p]);
+    others[*plan.convergence].clear();
     groups[others].push_back(p);
   }
   return groups;
