@@ -78,3 +78,58 @@ gas.initial.temperature 280, 300\ntank.volume 0.05, 0.07'
   # 60 MB of addresses are taken by the program, and 8 bytes by each of 1.2 million numbers.
   expect 0 "200000 points, 6 factors, 200000 runs" bash -c 'ulimit -v 150000 && exec "$@"' - "$gasjet" study run "$plan" --check
 }
+
+# drawn FOLDER NAME TEXT...: a picture, its commands and the texts in it
+drawn() {
+  local text
+  [ -s "$1/$2.gp" ] && [ -s "$1/$2.svg" ] || { fail "no $2.svg: $(grep -A 3 '"notes"' "$1/study.json")" && return; }
+  for text in "${@:3}"; do grep -qF -- "$text" "$1/$2.svg" || fail "no '$text' in $2.svg"; done
+  grep -qF "$2.svg" "$1/gasjet.status" || fail "$2.svg is not listed"
+}
+
+# Pictures show the numbers of the tables; names of the plan are texts in them, whatever they hold.
+part_study_pictures() {
+  local plan=$work/plan.toml name="'a' \`touch $work/made\` {/Bold b} @c \"d\""
+  tank_plan "$plan" '[[factor]]' 'name = "gas"' '[[factor.level]]' 'name = "warm"' '[[factor.level]]' "name = '''$name'''" \
+    'set = ["inflator.0.temperature=500"]' '[[factor]]' 'key = "inflator.0.mass_flow"' 'values = [0.3, 0.1, 0.2]' '[analysis]' 'pictures = true'
+  expect 0 "6 of 6 runs: 6 done" "$gasjet" study run "$plan" --out "$work/means"
+  drawn "$work/means" means pressure_Pa inflator.0.mass_flow warm "'a' \`touch $work/made\` {/Bold b} @c"
+  [ ! -e "$work/made" ] || fail "a name is a command"
+  # A line for each gas, its points from the least flow to the greatest.
+  diff <(sed -n '/^\$means_0_1 /,/^EOD/p' "$work/means/means.gp" | sed '1d;$d' | cut -d' ' -f1,2) \
+    <(grep '^[345],' "$work/means/means.csv" | sed -E 's/^.*,(0\.[123]),pressure_Pa,([^,]*),.*/\1 \2/' | sort) || fail "the points of means.svg"
+  grep -q notes "$work/means/study.json" && fail "a note without a reason"
+  # Without gnuplot the tables are the same, and a note says so.
+  mkdir "$work/none"
+  cp "$work/means/means.csv" "$work/means/means.svg" "$work"
+  expect 0 "^means.svg: not drawn, gnuplot: No such file.*; its commands are in means.gp$" env PATH="$work/none" "$gasjet" study merge "$work/means"
+  [ ! -e "$work/means/means.svg" ] && cmp "$work/means.csv" "$work/means/means.csv" || fail "a picture of before, or other means"
+  grep -q '"means.svg: not drawn' "$work/means/study.json" || fail "no note"
+  expect 0 "6 of 6 runs" "$gasjet" study merge "$work/means"
+  cmp "$work/means.svg" "$work/means/means.svg" || fail "the same picture has other bytes"
+  # Points without numbers have rows with their names; Sobol indices and a convergence have pictures of their own.
+  tank_plan "$plan" '[[factor]]' 'name = "way"' '[[factor.level]]' 'name = "some way"' '[[factor.level]]' 'name = "none"' 'unset = ["inflator"]' \
+    '[analysis]' 'pictures = true'
+  expect 0 "2 of 2 runs" "$gasjet" study run "$plan" --out "$work/rows"
+  drawn "$work/rows" means "some way" none
+  tank_plan "$plan" 'design = "sobol_indices"' 'points = 16' '[[factor]]' 'key = "inflator.0.mass_flow"' 'range = [0.05, 0.15]' \
+    '[[factor]]' 'key = "tank.volume"' 'range = [0.05, 0.07]' '[analysis]' 'pictures = true'
+  expect 0 "64 of 64 runs" "$gasjet" study run "$plan" --out "$work/indices"
+  drawn "$work/indices" means inflator.0.mass_flow
+  drawn "$work/indices" sobol inflator.0.mass_flow tank.volume pressure_Pa "of the factor alone" "with all others"
+  diff <(sed -n '/^\$shares_0 /,/^EOD/p' "$work/indices/sobol.gp" | sed '1d;$d' | cut -d' ' -f5-7) \
+    <(grep '^pressure' "$work/indices/sobol.csv" | cut -d, -f6-8 | tr , ' ') || fail "the shares of sobol.svg"
+  printf '[study]\ncase = "%s/cases/tank_fixed_steps.toml"\nset = ["gas.initial.pressure=101325.0", "scene.end_time=0.002", "time.gas_method=euler"]\n' "$source" >"$plan"
+  printf 'quantities = ["pressure_Pa"]\n[[factor]]\nkey = "time.gas_step"\nvalues = [2e-4, 1e-4, 5e-5]\n[analysis]\nconvergence = "time.gas_step"\npictures = true\n' >>"$plan"
+  expect 0 "3 of 3 runs" "$gasjet" study run "$plan" --out "$work/limit"
+  drawn "$work/limit" convergence time.gas_step "distance from the limit" "order $(tail -n 1 "$work/limit/convergence.csv" | awk -F, '{ printf "%.3g", $4 }')"
+  awk -F, 'FILENAME ~ /means/ && /^[0-9]/ { mean[$2 + 0] = $4; next } FILENAME ~ /convergence.csv/ && /^pressure/ { limit = $3; next }
+    /^\$errors_0/ { inside = 1; next } /^EOD/ { inside = 0 }
+    inside { split($0, row, " "); error = mean[row[1] + 0] - limit; if (error < 0) error = -error; ++n; if ((row[2] - error) ^ 2 > 1e-6) bad = 1 }
+    END { exit bad || n != 3 }' "$work"/limit/{means.csv,convergence.csv,convergence.gp} || fail "the errors of convergence.svg"
+  # A study without pictures leaves files of their names alone.
+  sed -i '/^pictures/d' "$plan"
+  mkdir "$work/own" && touch "$work/own/means.svg"
+  expect 0 "3 of 3 runs" "$gasjet" study run "$plan" --out "$work/own"
+  [ ! -s "$work/own/means.svg" ] && [ ! -e "$work/own/means.gp" ] || fail "a picture that nobody asked for"
+}

@@ -78,6 +78,7 @@ struct StudyPlan {
   std::vector<std::optional<std::size_t>> bases;  // of each point: the point that it is compared with
   std::optional<StudyStop> stop;
   bool response_surface = false;
+  bool pictures = false;                   // of the tables
   std::optional<std::size_t> convergence;  // factor whose numbers are sizes
   std::string text;                        // of its file
   std::string id;                          // of the plan, the case, their files and this build

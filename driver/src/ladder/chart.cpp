@@ -1,23 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// The chart of a ladder, by gnuplot; colours and lines are those of docs/charts/gnuplot/style.gp.
-#include <fcntl.h>
+// The chart of a ladder.
 #include <fmt/format.h>
-#include <spawn.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <cerrno>
-#include <chrono>
 #include <cmath>
-#include <csignal>
-#include <cstring>
-#include <optional>
-#include <thread>
 
 #include "driver/ladder.hpp"
-#include "driver/progress.hpp"
 #include "driver/results.hpp"
+#include "results/gnuplot.hpp"
 #include "results/unit_endings.hpp"
 
 namespace driver {
@@ -25,14 +15,7 @@ namespace {
 
 // Data blocks $rungs (cost, error, low, high), $front (cost, error, place), $named (cost, error) and the
 // numbers `tolerance` and `uncertainty` stand before it; errors in per cent of the reference.
-constexpr std::string_view commands = R"(
-set terminal svg size 900,560 font 'sans-serif,13' background '#ffffff' noenhanced
-set output 'ladder.svg'
-set encoding utf8
-set border 3 linecolor rgb '#222222'
-set tics nomirror
-set grid linecolor rgb '#c8c8c8' linewidth 0.5 dashtype 3
-set logscale xy
+constexpr std::string_view commands = R"(set logscale xy
 set format xy '%g'
 set rmargin 36
 set offsets graph 0.05, graph 0.05, 0, 0
@@ -50,21 +33,6 @@ plot (uncertainty > 0 ? uncertainty : NaN) with filledcurves y1=1e-30 fillcolor 
     title 'the cheapest within the tolerance', \
   $front using 1:2:3 with labels textcolor rgb '#0072b2' offset 1.2,0.8 font ',11' notitle
 )";
-
-std::string block(const char* name, const std::string& rows) {
-  return fmt::format("${} << EOD\n{}EOD\n", name, rows.empty() ? "NaN NaN NaN\n" : rows);
-}
-
-// A string of gnuplot's that stands for itself: within single quotes nothing is a command, an escape or a
-// variable.
-std::string gnuplot_text(const std::string& text) {
-  std::string quoted = "'";
-  for (const char c : text) {
-    if (c == '\'') quoted += c;
-    quoted += static_cast<unsigned char>(c) < ' ' ? ' ' : c;
-  }
-  return quoted + "'";
-}
 
 // "peak_pressure_Pa" as "peak pressure": errors are shares of it, without a unit.
 std::string in_words(const std::string& quantity) {
@@ -103,54 +71,15 @@ std::string chart(const LadderResult& result, const LadderOptions& options) {
              "tolerance = {2}\nuncertainty = {3}\nlist = {4}\nset ylabel {0}\n",
              gnuplot_text(fmt::format("Error of {} [%]", in_words(result.quantity))), least_share,
              100.0 * options.tolerance, uncertainty, list) +
-         block("rungs", rungs) + block("front", front) + block("named", named) + std::string(commands);
-}
-
-constexpr std::chrono::seconds longest_wait{30};  // some hundred times what a chart takes
-
-// How the process ended; without one it did not within that time, or until Ctrl-C, and was ended.
-std::optional<int> status_within(pid_t child, std::chrono::seconds time) {
-  const auto until = std::chrono::steady_clock::now() + time;
-  int status = 0;
-  for (;;) {
-    const pid_t ended = waitpid(child, &status, WNOHANG);
-    if (ended == child) return status;
-    if (ended < 0 && errno != EINTR) return std::nullopt;
-    if (interrupted() || std::chrono::steady_clock::now() > until) break;
-    std::this_thread::sleep_for(std::chrono::milliseconds(5));
-  }
-  kill(child, SIGKILL);
-  while (waitpid(child, &status, 0) < 0 && errno == EINTR) continue;
-  return std::nullopt;
-}
-
-// What keeps `gnuplot ladder.gp` in `folder` from ending well; empty: nothing.
-std::string run_gnuplot(const std::filesystem::path& folder) {
-  posix_spawn_file_actions_t actions;
-  posix_spawn_file_actions_init(&actions);
-  posix_spawn_file_actions_addchdir_np(&actions, folder.c_str());
-  posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
-  std::string program = "gnuplot", no_settings_of_the_user = "-d", script = "ladder.gp";
-  char* const arguments[] = {program.data(), no_settings_of_the_user.data(), script.data(), nullptr};
-  pid_t child = 0;
-  const int code = posix_spawnp(&child, program.c_str(), &actions, nullptr, arguments, environ);
-  posix_spawn_file_actions_destroy(&actions);
-  if (code != 0) return fmt::format("gnuplot: {}", std::strerror(code));
-  const std::optional<int> status = status_within(child, longest_wait);
-  if (!status) return fmt::format("gnuplot did not end within {} s or before Ctrl-C", longest_wait.count());
-  const bool drawn =
-      WIFEXITED(*status) && WEXITSTATUS(*status) == 0 && std::filesystem::exists(folder / "ladder.svg");
-  return drawn ? "" : "gnuplot failed";
+         gnuplot_block("rungs", rungs) + gnuplot_block("front", front) + gnuplot_block("named", named) +
+         gnuplot_head("ladder", 900, 560) + std::string(commands);
 }
 
 }  // namespace
 
 std::string draw_ladder(ResultFolder& folder, const LadderResult& result, const LadderOptions& options) {
-  folder.write("ladder.gp", fmt::format("# run: {}\n", folder.run()) + chart(result, options));
-  folder.add("ladder.svg");
-  const std::string problem = run_gnuplot(folder.path());
+  const std::string problem = draw_picture(folder, "ladder", chart(result, options));
   if (problem.empty()) return {};
-  folder.remove("ladder.svg");  // half of one
   return fmt::format("{}; its commands are in {}", problem, (folder.path() / "ladder.gp").string());
 }
 

@@ -57,11 +57,18 @@ double rounding_of(const SizeRow& row) {
 
 }  // namespace
 
-std::string sobol_text(const StudyPlan& plan, const StudyRuns& runs, StudyNotes& notes) {
+SobolTable sobol_table(const StudyPlan& plan, const StudyRuns& runs) {
+  SobolTable table;
+  for (std::size_t q = 0; q < plan.quantities.size(); ++q)
+    table.push_back(sobol_indices(point_means(plan, runs, q), static_cast<int>(plan.factors.size())));
+  return table;
+}
+
+std::string sobol_text(const StudyPlan& plan, const SobolTable& table, StudyNotes& notes) {
   std::string csv =
       "quantity,factor,first_order,first_order_low,first_order_high,total,total_low,total_high\n";
   for (std::size_t q = 0; q < plan.quantities.size(); ++q) {
-    const auto list = sobol_indices(point_means(plan, runs, q), static_cast<int>(plan.factors.size()));
+    const auto& list = table[q];
     for (std::size_t f = 0; f < list.size(); ++f)
       csv += fmt::format("{},{},{},{},{},{},{},{}\n", plan.quantities[q], csv_cell(plan.factors[f].name),
                          list[f].first_order.value, list[f].first_order.low, list[f].first_order.high,
@@ -102,30 +109,40 @@ std::string surface_text(const StudyPlan& plan, const StudyRuns& runs, StudyNote
 }
 
 // One fit for each set of levels of the other factors.
-std::string convergence_text(const StudyPlan& plan, const StudyRuns& runs, StudyNotes& notes) {
+std::vector<SizeFit> size_fits(const StudyPlan& plan, const StudyRuns& runs) {
+  std::vector<SizeFit> fits;
   const auto groups = size_groups(plan);
-  std::string csv = "quantity" + factor_names(plan) + ",limit,order,coefficient,residual,sizes\n";
   for (std::size_t q = 0; q < plan.quantities.size(); ++q)
     for (const auto& [others, points] : groups) {
-      const SizeRow row = size_row(plan, runs, points, q);
+      SizeRow row = size_row(plan, runs, points, q);
       const bool differ = means_differ(row.means, rounding_of(row));
       const auto fit = differ ? fit_convergence(row.sizes, row.values) : std::nullopt;
-      std::string cells, levels;
-      for (const auto& other : others) {
-        cells += ',' + csv_cell(other);
-        if (!other.empty()) levels += ", " + other;
-      }
-      csv += plan.quantities[q] + cells;
-      csv += fit ? fmt::format(",{},{},{},{},{}\n", fit->limit, fit->order, fit->coefficient, fit->residual,
-                               row.sizes.size())
-                 : fmt::format(",,,,,{}\n", row.sizes.size());
-      if (!fit)
-        notes.push_back(
-            fmt::format("convergence.csv, {}{}: no order, {}", plan.quantities[q], levels,
-                        row.sizes.size() < 3 ? "fewer than 3 sizes have a mean"
-                        : differ             ? "none from 0.1 to 8 fits best"
-                                 : "the means do not differ beyond twice their standard errors or rounding"));
+      fits.push_back({q, others, std::move(row.sizes), std::move(row.values), differ, fit});
     }
+  return fits;
+}
+
+std::string convergence_text(const StudyPlan& plan, const std::vector<SizeFit>& fits, StudyNotes& notes) {
+  std::string csv = "quantity" + factor_names(plan) + ",limit,order,coefficient,residual,sizes\n";
+  for (const SizeFit& one : fits) {
+    std::string cells, levels;
+    for (const auto& other : one.others) {
+      cells += ',' + csv_cell(other);
+      if (!other.empty()) levels += ", " + other;
+    }
+    const std::string& quantity = plan.quantities[one.quantity];
+    const auto& fit = one.fit;
+    csv += quantity + cells;
+    csv += fit ? fmt::format(",{},{},{},{},{}\n", fit->limit, fit->order, fit->coefficient, fit->residual,
+                             one.sizes.size())
+               : fmt::format(",,,,,{}\n", one.sizes.size());
+    if (!fit)
+      notes.push_back(fmt::format(
+          "convergence.csv, {}{}: no order, {}", quantity, levels,
+          one.sizes.size() < 3 ? "fewer than 3 sizes have a mean"
+          : one.means_differ   ? "none from 0.1 to 8 fits best"
+                               : "the means do not differ beyond twice their standard errors or rounding"));
+  }
   return csv;
 }
 

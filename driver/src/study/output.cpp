@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "driver/study_analysis.hpp"
+#include "results/gnuplot.hpp"
 #include "study/parts.hpp"
 
 namespace driver {
@@ -84,6 +85,32 @@ std::string summary_text(const StudyPlan& plan, const ResultFolder& folder, cons
   return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + '\n';
 }
 
+void draw(const std::string& name, const StudyPicture& picture, ResultFolder& results, StudyNotes& notes) {
+  std::string problem = picture.why_not;
+  if (problem.empty() && !(problem = draw_picture(results, name, picture.commands)).empty())
+    problem += fmt::format("; its commands are in {}.gp", name);
+  if (!problem.empty()) notes.push_back(fmt::format("{}.svg: not drawn, {}", name, problem));
+}
+
+void write_tables(const StudyPlan& plan, const StudyRuns& runs, const std::string& comments,
+                  ResultFolder& results, StudyNotes& notes) {
+  results.write("results.csv", comments + results_text(plan, runs));
+  results.write("timing.csv", comments + timing_text(plan, runs));
+  results.write("means.csv", comments + means_text(plan, runs, notes));
+  if (plan.pictures) draw("means", means_picture(plan, runs), results, notes);
+  if (plan.design == StudyDesign::sobol_indices) {
+    const SobolTable table = sobol_table(plan, runs);
+    results.write("sobol.csv", comments + sobol_text(plan, table, notes));
+    if (plan.pictures) draw("sobol", sobol_picture(plan, table), results, notes);
+  }
+  if (plan.response_surface) results.write("surface.csv", comments + surface_text(plan, runs, notes));
+  if (plan.convergence) {
+    const auto fits = size_fits(plan, runs);
+    results.write("convergence.csv", comments + convergence_text(plan, fits, notes));
+    if (plan.pictures) draw("convergence", convergence_picture(plan, fits), results, notes);
+  }
+}
+
 }  // namespace
 
 // Quotes only where a comma, a quote or a line end needs them (RFC 4180).
@@ -107,10 +134,15 @@ std::string level_cells(const StudyPlan& plan, std::size_t point) {
   return cells;
 }
 
-bool is_study_file(const std::string& name) {
-  constexpr const char* names[] = {"results.csv", "timing.csv",  "means.csv",      "study.json",
-                                   "sobol.csv",   "surface.csv", "convergence.csv"};
-  return std::ranges::find(names, name) != std::end(names);
+ResultFolder::IsOwn files_of_study(const StudyPlan& plan) {
+  return [pictures = plan.pictures](const std::string& name) {
+    constexpr const char* tables[] = {"results.csv", "timing.csv",  "means.csv",      "study.json",
+                                      "sobol.csv",   "surface.csv", "convergence.csv"};
+    constexpr const char* drawn[] = {"means.gp",  "means.svg",      "sobol.gp",
+                                     "sobol.svg", "convergence.gp", "convergence.svg"};
+    return std::ranges::find(tables, name) != std::end(tables) ||
+           (pictures && std::ranges::find(drawn, name) != std::end(drawn));
+  };
 }
 
 std::vector<std::string> note_lines(const StudySummary& summary) {
@@ -134,22 +166,14 @@ StudySummary merge_study(const std::filesystem::path& folder) {
   std::erase_if(
       lines, [](const auto& line) { return line.first == "date"; });  // of one share: no fact of the results
   StudySummary summary = summary_of(plan, runs);
-  ResultFolder results(folder, "study", is_study_file);
+  ResultFolder results(folder, "study", files_of_study(plan));
   results.begin(lines);
   Provenance head = results.lines();
   head.emplace_back(
       "status",
       fmt::format("{}, {} of {} runs, {} in no mean", summary.complete() ? "done" : "incomplete",
                   summary.runs, summary.asked, summary.inaccurate + summary.failed + summary.refused));
-  const std::string comments = comment_lines(head);
-  results.write("results.csv", comments + results_text(plan, runs));
-  results.write("timing.csv", comments + timing_text(plan, runs));
-  results.write("means.csv", comments + means_text(plan, runs, summary.notes));
-  if (plan.design == StudyDesign::sobol_indices)
-    results.write("sobol.csv", comments + sobol_text(plan, runs, summary.notes));
-  if (plan.response_surface) results.write("surface.csv", comments + surface_text(plan, runs, summary.notes));
-  if (plan.convergence)
-    results.write("convergence.csv", comments + convergence_text(plan, runs, summary.notes));
+  write_tables(plan, runs, comment_lines(head), results, summary.notes);
   results.write("study.json", summary_text(plan, results, summary));
   results.end(summary.complete() ? "done" : "incomplete");
   return summary;

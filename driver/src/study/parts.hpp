@@ -12,13 +12,14 @@
 #include "driver/ensemble.hpp"
 #include "driver/scene.hpp"
 #include "driver/study.hpp"
+#include "driver/study_analysis.hpp"
 
 namespace driver {
 
 inline constexpr const char* plan_copy = "plan.toml";  // in the study's folder
 inline constexpr const char* shares_folder = "shares";
-/// Files of the tables, beside the plan's copy and the shares.
-bool is_study_file(const std::string& name);
+/// Tells the tables and pictures of a plan from other files in the study's folder.
+ResultFolder::IsOwn files_of_study(const StudyPlan& plan);
 
 /// A file, and the digits of what it held when it was first read.
 struct StudyInput {
@@ -131,10 +132,31 @@ std::vector<StopClaim> stop_claims(const StudyPlan& plan, const StudyRuns& ended
 using StudyNotes = std::vector<std::string>;
 /// What runs that are left out could change is the first of the notes.
 std::string means_text(const StudyPlan& plan, const StudyRuns& runs, StudyNotes& notes);
+/// Indices of each quantity; none if it has none.
+using SobolTable = std::vector<std::vector<SobolIndex>>;
+SobolTable sobol_table(const StudyPlan& plan, const StudyRuns& runs);
+/// Means of a quantity over sizes, at one set of levels of the other factors, and their fit.
+struct SizeFit {
+  std::size_t quantity = 0;
+  std::vector<std::string> others;  // names of the levels; empty for the size
+  std::vector<double> sizes, means;
+  bool means_differ = false;
+  std::optional<Convergence> fit;
+};
+std::vector<SizeFit> size_fits(const StudyPlan& plan, const StudyRuns& runs);
 /// Tables of the analysis; what has no answer is in the notes.
-std::string sobol_text(const StudyPlan& plan, const StudyRuns& runs, StudyNotes& notes);
+std::string sobol_text(const StudyPlan& plan, const SobolTable& table, StudyNotes& notes);
 std::string surface_text(const StudyPlan& plan, const StudyRuns& runs, StudyNotes& notes);
-std::string convergence_text(const StudyPlan& plan, const StudyRuns& runs, StudyNotes& notes);
+std::string convergence_text(const StudyPlan& plan, const std::vector<SizeFit>& fits, StudyNotes& notes);
+
+/// gnuplot's commands of a picture, or why there is none.
+struct StudyPicture {
+  std::string commands, why_not;
+};
+/// Against the first factor that has numbers, else by point.
+StudyPicture means_picture(const StudyPlan& plan, const StudyRuns& runs);
+StudyPicture sobol_picture(const StudyPlan& plan, const SobolTable& table);
+StudyPicture convergence_picture(const StudyPlan& plan, const std::vector<SizeFit>& fits);
 
 /// A cell of a CSV row, and the cells of a point's levels with a comma before each.
 std::string csv_cell(const std::string& text);

@@ -119,6 +119,7 @@ void read_tables(TableReader& root, StudyPlan& plan) {
   read_base(*table, plan);
   plan.response_surface = table->at("response_surface").flag(false);
   if (plan.response_surface) check_surface(*table, plan);
+  plan.pictures = table->at("pictures").flag(false);
   if (table->has("convergence")) read_convergence(*table, plan);
   table->finish();
 }

@@ -182,7 +182,7 @@ StudyCrew threads_of_study(int threads) {
 
 bool run_study(const StudyPlan& plan, const std::filesystem::path& folder, const StudyShare& share,
                const StudyCrew& crew, bool quiet) {
-  ResultFolder::require_free(folder, "study", is_study_file);
+  ResultFolder::require_free(folder, "study", files_of_study(plan));
   keep_plan(plan, folder);
   ShareProgress all(plan, folder, share, quiet);
   StudyRuns ended = read_shares(folder, plan, SharesOf::this_build).runs;
