@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <exception>
 #include <iostream>
+#include <new>
 #include <string>
 
 #include "commands/commands.hpp"
@@ -58,6 +59,8 @@ int main(int argc, char** argv) {
     return report(error.what(), exit_input);
   } catch (const driver::OutputError& error) {
     return report(error.what(), exit_input);
+  } catch (const std::bad_alloc& error) {
+    return report(std::string(argc > 1 ? argv[1] : "start") + ": " + driver::text_of(error), exit_domain);
   } catch (const std::exception& error) {
     return std::ferror(stdout) ? lost_output() : report(driver::text_of(error), exit_domain);
   }

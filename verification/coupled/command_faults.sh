@@ -227,6 +227,7 @@ part_small_disk() {
     0)
       grep -Eq 'history.csv: write failed|energy.csv: write failed|No space' "$work/output" || fail "a full disk is told as $(cat "$work/output")"
       [ "$(sed -n 's/^status: //p' "$work/full/gasjet.status" | tail -n 1)" != "done" ] || fail "a run on a full disk says that it is done"
+      ! grep -qs '"status": "\(running\|done\)"' "$work/full/summary.json" || fail "the summary of a run on a full disk: $(head -n 3 "$work/full/summary.json")"
       awk -F, '/^#/ { next } !n++ { width = NF } NF != width { bad = 1 } END { exit bad || n < 3 }' "$work/full/history.csv" ||
         fail "torn or lost rows on a full disk" ;;
     1 | 77) echo "no disk of its own: unshare or mount is not allowed here" ;;

@@ -23,6 +23,16 @@ part_own_files() {
     [ "$(ls -d "$work/parts/$name".gasjet-part*)" = "$work/parts/$name.gasjet-part" ] || fail "left: $(ls "$work/parts")"
   done
   rm "$work/parts"/*.gasjet-part
+  # A result that the user has put in another's place, also where this run writes no such file.
+  local short=(run "$bag" --quiet --set scene.end_time=1e-3)
+  expect 0 "" "$gasjet" "${short[@]}" --set output.fields_every=1e-3 --out "$work/replaced"
+  for name in history.csv bag_00001.vtp; do
+    cp "$work/replaced/$name" "$work/left" && echo mine >"$work/replaced/$name"
+    expect 2 "$name is not as its run left it: move it away" "$gasjet" "${short[@]}" --out "$work/replaced"
+    [ "$(cat "$work/replaced/$name")" = mine ] && cp "$work/left" "$work/replaced/$name" || fail "$name of the user's is lost"
+  done
+  expect 0 "" "$gasjet" "${short[@]}" --out "$work/replaced"
+  [ ! -e "$work/replaced/bag_00001.vtp" ] || fail "a frame of the run before stays"
   # A deck's folder is a folder of results.
   local deck=(export "$bag" --units kg-m-s)
   mkdir "$work/deck" && echo mine >"$work/deck/export.md"

@@ -123,6 +123,11 @@ part_bad_input() {
   expect 2 "scene.end_time: is 9e-10, 1e-9 or more .s. is allowed" "$gasjet" check "$tank" --set scene.end_time=9e-10
   expect 2 "end_time: is missing, .* is needed; is 'end_tme' meant\?" "$gasjet" check "$tank" --unset scene.end_time --set scene.end_tme=1
   expect 2 "volume: is missing, .* is needed; is 'voluem' meant\?" "$gasjet" check "$tank" --unset tank.volume --set tank.voluem=1
+  # A misspelt table is named itself, not what its absence leaves another one without.
+  for table in ambient gas fabric membrane pendulum contact inflator vent; do
+    sed -E "s/^(\[+)$table\b/\1${table%?}/" "$source/cases/passenger_pendulum.toml" >"$work/misspelt.toml"
+    expect 2 "misspelt.toml:[0-9]+:[0-9]+: ${table%?}: unknown key, .*; is '$table' meant\?" "$gasjet" check "$work/misspelt.toml"
+  done
   { cat "$source/cases/pendulum_swing.toml" && echo '[gas]'; } >"$work/no_gas.toml"
   expect 2 "no_gas.toml:[0-9]+:1: gas: names no gas" "$gasjet" check "$work/no_gas.toml"
   printf 'a%.0s.' {1..200} >"$work/deep.toml" && echo 'a = 1' >>"$work/deep.toml"
@@ -133,8 +138,11 @@ part_bad_input() {
   expect 2 "vent: has 1001 tables, at most 1000 are allowed" "$gasjet" check "$work/vents.toml"
   # A build with sanitizers reserves more than any limit: it does not even start.
   ! bash -c 'ulimit -v 60000 && exec "$@"' - "$gasjet" --version >/dev/null 2>&1 ||
-    expect 3 "out of memory: [0-9]+ MiB of addresses are in use, .* the limit of 59 MiB" bash -c 'ulimit -v 60000 && exec "$@"' - \
+    expect 3 "gasjet: mesh: out of memory: [0-9]+ MiB of addresses are in use, .* the limit of 59 MiB" bash -c 'ulimit -v 60000 && exec "$@"' - \
       "$gasjet" mesh passenger --refine 5 --out "$work/large.obj"
+  ! bash -c 'ulimit -v 60000 && exec "$@"' - "$gasjet" --version >/dev/null 2>&1 ||
+    expect 3 "check: .*jet_bag.toml: membrane.*: out of memory: [0-9]+ MiB" bash -c 'ulimit -v 60000 && exec "$@"' - \
+      "$gasjet" check "$source/cases/jet_bag.toml" --set membrane.mesh.levels=7
   # Long values are not told whole.
   [ "$("$gasjet" check "$tank" --set "a=$(printf '[%.0s' {1..50000})" 2>&1 | wc -c)" -lt 600 ] || fail "a long value is told whole"
   for command in "exact tank_fill --set volume=" "ladder $tank --quantity " "mesh passenger --out $work/o.obj --set " ""; do

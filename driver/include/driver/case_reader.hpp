@@ -176,6 +176,9 @@ class TableReader {
   /// The tables of [[key]]; may be none.
   std::vector<TableReader> tables(const std::string& key);
 
+  /// Throws CaseError for a key that is none of `names`: of a table whose parts need each other, before
+  /// another key is blamed for what it lacks.
+  void allow_only(const std::set<std::string>& names) const;
   /// Throws CaseError for a key of this table that no call above has read.
   void finish() const;
 

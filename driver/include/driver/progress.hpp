@@ -5,7 +5,9 @@
 #include <chrono>
 #include <exception>
 #include <functional>
+#include <new>
 #include <string>
+#include <utility>
 
 namespace driver {
 
@@ -34,7 +36,17 @@ class Progress {
   std::chrono::steady_clock::time_point last_;
 };
 
-/// what() of an error; of one of memory, how much was in use.
+/// Memory ran out, and what() says what it was for.
+class OutOfMemory : public std::bad_alloc {
+ public:
+  explicit OutOfMemory(std::string text) : text_(std::move(text)) {}
+  const char* what() const noexcept override { return text_.c_str(); }
+
+ private:
+  std::string text_;
+};
+
+/// what() of an error; of one of memory that says no more, how much was in use.
 std::string text_of(const std::exception& error);
 
 /// A line on standard error, without control characters and with long words cut; one that cannot be written

@@ -2,8 +2,10 @@
 // The folder that a command writes: locked, marked as running until the command ends, and of one run.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <optional>
 #include <set>
 #include <stdexcept>
@@ -74,6 +76,8 @@ struct FolderStatus {
   std::string run;
   std::string status;  // "running" until the command ends, then how it ended
   std::set<std::string, std::less<>> files;
+  /// [bytes] of the files when the command ended; of a killed one there are none.
+  std::map<std::string, std::uintmax_t, std::less<>> sizes;
 };
 inline constexpr const char* status_file = "gasjet.status";
 /// A file is written beside its place, under its name and this, and then renamed. A number follows if a file
@@ -103,7 +107,7 @@ class ResultFolder {
 
   /// Makes and locks the folder; `is_own`: the names that `command` may write. Nothing that was there
   /// changes. Throws OutputError when that cannot be done, while another has the lock, when the folder is of
-  /// another command, and when a file has such a name that no earlier run wrote.
+  /// another command, and when a file has such a name that no earlier run wrote, or not as it is now.
   ResultFolder(std::filesystem::path folder, std::string command, const IsOwn& is_own);
   /// Throws OutputError, as the constructor does, where a command could not write its results later.
   static void require_free(const std::filesystem::path& folder, const std::string& command,

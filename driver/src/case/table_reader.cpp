@@ -38,6 +38,11 @@ std::size_t edits(std::string_view a, std::string_view b) {
   return row.back();
 }
 
+bool is_like(std::string_view a, std::string_view b) {
+  const std::size_t letters = std::max(a.size(), b.size());
+  return letters < 64 && edits(a, b) <= std::max<std::size_t>(1, letters / 4);
+}
+
 }  // namespace
 
 TableReader::TableReader(const toml::table& table, std::string path, std::string where, CaseLog& log)
@@ -94,9 +99,7 @@ const toml::node* TableReader::find(const std::string& key, const std::string& u
 std::string TableReader::misspelt(const std::string& key) const {
   for (const auto& [other, node] : *table_) {
     const std::string_view name = other.str();
-    const std::size_t letters = std::max(name.size(), key.size());
-    if (!asked_.contains(std::string(name)) && letters < 64 &&
-        edits(name, key) <= std::max<std::size_t>(1, letters / 4))
+    if (!asked_.contains(std::string(name)) && is_like(name, key))
       return fmt::format("; is '{}' meant?", name);
   }
   return {};
@@ -142,10 +145,18 @@ std::vector<TableReader> TableReader::tables(const std::string& key) {
   return readers;
 }
 
+void TableReader::allow_only(const std::set<std::string>& names) const {
+  for (const auto& [key, node] : *table_) {
+    const std::string name(key.str());
+    if (names.contains(name)) continue;
+    const auto like = std::ranges::find_if(names, [&](const auto& other) { return is_like(name, other); });
+    fail(name, fmt::format("unknown key, allowed here: {}{}", fmt::join(names, ", "),
+                           like == names.end() ? "" : fmt::format("; is '{}' meant?", *like)));
+  }
+}
+
 void TableReader::finish() const {
-  for (const auto& [key, node] : *table_)
-    if (!asked_.contains(std::string(key.str())))
-      fail(std::string(key.str()), fmt::format("unknown key, allowed here: {}", fmt::join(asked_, ", ")));
+  allow_only(asked_);
 }
 
 }  // namespace driver

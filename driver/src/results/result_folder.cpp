@@ -70,11 +70,16 @@ void ResultFolder::check(const std::filesystem::path& path, const std::string& c
     refuse(path, fmt::format("holds the results of gasjet {}, another folder is allowed", status->command));
   for (const auto& entry : std::filesystem::directory_iterator(path)) {
     const std::string name = entry.path().filename().string();
-    if (!is_own(name)) continue;
-    if (!status || !status->files.contains(name))
+    const bool listed = status && status->files.contains(name);
+    if (!listed && !is_own(name)) continue;
+    if (!listed)
       refuse(path, fmt::format("{} is there, and no run is known to have written it: move it away, or "
                                "another folder is allowed",
                                name));
+    if (const auto size = status->sizes.find(name);
+        size != status->sizes.end() && entry.is_regular_file() && entry.file_size() != size->second)
+      refuse(path,
+             fmt::format("{} is not as its run left it: move it away, or another folder is allowed", name));
     if (!entry.is_regular_file() || ::access(entry.path().c_str(), W_OK) != 0)
       refuse(path, fmt::format("{} is there and not writable", name));
   }
@@ -137,7 +142,14 @@ void ResultFolder::begin(const Provenance& lines) {
 
 void ResultFolder::end(const std::string& status) {
   ended_ = true;
-  mark(fmt::format("status: {}\n", status), false);
+  std::string text = fmt::format("status: {}\n", status);
+  for (const auto& name : listed_) {
+    if (name == journal_file) continue;  // grows, and a reader may be told to mend it
+    std::error_code missing;
+    if (const auto size = std::filesystem::file_size(path_ / name, missing); !missing)
+      text += fmt::format("bytes: {} {}\n", size, name);
+  }
+  mark(text, false);
   if (status == "done") remove(journal_file);
 }
 

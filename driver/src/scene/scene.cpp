@@ -4,10 +4,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <new>
 #include <string_view>
 
 #include "driver/channel_filter.hpp"
 #include "driver/formats.hpp"
+#include "driver/progress.hpp"
 #include "scene/jet_peak.hpp"
 #include "scene/parts.hpp"
 
@@ -172,10 +174,14 @@ void check_composition(const TableReader& root, const Scene& scene) {
 
 }  // namespace
 
-Scene read_scene(CaseDocument& document) {
+namespace {
+
+Scene scene_of(CaseDocument& document) {
   Scene scene;
   scene.case_file = document.file();
   TableReader root = document.root();
+  root.allow_only({"ambient", "contact", "fabric", "gas", "inflator", "membrane", "output", "pendulum",
+                   "scene", "sensor", "tank", "target", "time", "trigger", "vent"});
   read_general(root, scene);
   auto ambient = read_ambient(root, scene);
   auto inflators = root.tables("inflator");
@@ -193,6 +199,17 @@ Scene read_scene(CaseDocument& document) {
   root.finish();
   check_composition(root, scene);
   return scene;
+}
+
+}  // namespace
+
+Scene read_scene(CaseDocument& document) {
+  try {
+    return scene_of(document);
+  } catch (const std::bad_alloc& error) {
+    const std::string last = document.keys().empty() ? "the case" : document.keys().back().path;
+    throw OutOfMemory(fmt::format("{}: {}: {}", document.file().string(), last, text_of(error)));
+  }
 }
 
 void add_jet_warnings(Scene& scene) {

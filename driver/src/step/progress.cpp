@@ -55,7 +55,8 @@ void catch_interrupt() {
 }
 
 std::string text_of(const std::exception& error) {
-  if (dynamic_cast<const std::bad_alloc*>(&error) == nullptr) return error.what();
+  if (!dynamic_cast<const std::bad_alloc*>(&error) || dynamic_cast<const OutOfMemory*>(&error))
+    return error.what();
   std::ifstream statm("/proc/self/statm");  // [pages] of address space, of memory
   double space = 0.0;
   statm >> space;

@@ -126,6 +126,16 @@ void flush(CsvWriter& table, RunOutcome& outcome) {
   }
 }
 
+// On a full disk the summary of the running run gives way: it would say "running" for ever.
+void write_summary(ResultFolder& folder, const std::string& text) {
+  try {
+    folder.write("summary.json", text);
+  } catch (const WriteError&) {
+    folder.remove("summary.json");
+    folder.write("summary.json", text);
+  }
+}
+
 }  // namespace
 
 RunOutcome run_to_folder(const Scene& scene, const std::filesystem::path& path, const Provenance& lines,
@@ -168,7 +178,7 @@ RunOutcome run_to_folder(const Scene& scene, const std::filesystem::path& path, 
   for (CsvWriter* table : {&history, &energy}) flush(*table, outcome);
   if (!classes.empty())
     folder.write("accelerations.csv", comment_lines(folder.lines()) + accelerations.table(classes));
-  folder.write("summary.json", summary_text(scene, state, outcome, folder.lines()));
+  write_summary(folder, summary_text(scene, state, outcome, folder.lines()));
   folder.end(status_name(outcome.status));
   return outcome;
 }

@@ -243,6 +243,7 @@ StudyPlan read_study(const std::filesystem::path& file) {
   plan.inputs = std::make_shared<StudyInputs>();
   CaseDocument document = CaseDocument::of_text(plan.text, file, {});
   TableReader root = document.root();
+  root.allow_only({"analysis", "factor", "stop", "study"});
   TableReader table = root.table("study");
   plan.name = file_name(table, "name", file.stem().string());
   plan.case_file = table.beside_case(table.at("case").text());
