@@ -3,4 +3,5 @@
 FROM debian:bookworm
 COPY . /gasjet
 WORKDIR /gasjet
+ENV PATH=/gasjet/build:$PATH
 RUN scripts/run_main_case.sh

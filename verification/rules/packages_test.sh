@@ -88,11 +88,13 @@ without_closed_forms() {
   PYTHONPATH=$(dirname "$(dirname "$module")") /usr/bin/python3 -B "$project/consumer.py" --without-exact || fail "python3-gasjet alone"
 }
 
-# README's first command is all that the container's image runs.
+# README's first command is all that the container's image runs; what it builds is there by its name.
 check_container() {
-  local tree=$project/../../.. command
+  local tree=$project/../../.. command folder
   command=$(awk '/^```sh$/ { getline; print $1; exit }' "$tree/README.md")
   [[ $(sed -n 's/^RUN //p' "$tree/Dockerfile") == "$command" ]] || fail "Dockerfile does not run $command"
+  folder=$(sed -n 's/^WORKDIR //p' "$tree/Dockerfile")/$(sed -nE 's|^([a-z/]+)/gasjet run .*|\1|p' "$tree/$command")
+  grep -qF "ENV PATH=$folder:" "$tree/Dockerfile" || fail "gasjet is not in the PATH of the Dockerfile: $folder"
 }
 
 check_container
