@@ -203,9 +203,9 @@ void BM_torus_step(benchmark::State& run) {
       mesh.element_count(), benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
   run.counters["volume_m3"] = state.surface.volume;  // 2 pi^2 R r^2 1.02^3 = 1.885 less the facets
   // A group of four elements, and of each node: x, v, f and g of 32 bytes with 5 reads and 4 writes, mass.
-  const std::size_t group_bytes = sizeof(membrane::ElementGroup) + sizeof(membrane::FrequencyGroup) +
-                                  (woven ? sizeof(membrane::WeaveGroup) : 0);
-  const auto element_bytes = static_cast<double>(model.elements.group.size() * group_bytes);
+  const auto element_bytes = static_cast<double>(
+      model.elements.group.size() * (sizeof(membrane::ElementGroup) + sizeof(membrane::FrequencyGroup)) +
+      model.elements.fabric.size() * sizeof(membrane::FabricGroup));
   const double node_bytes = model.node_count * (9.0 * 32.0 + 3.0 * 8.0);
   run.counters["element_bytes"] = element_bytes / mesh.element_count();  // per element, as the next
   run.counters["node_bytes"] = node_bytes / mesh.element_count();

@@ -12,9 +12,9 @@
 #include "blocks.hpp"
 #include "checks.hpp"
 #include "kernel_table.hpp"
-#include "membrane/hencky.hpp"
+#include "law_functions.hpp"
+#include "membrane/law_table.hpp"
 #include "membrane/mesh.hpp"
-#include "membrane/orthotropic.hpp"
 #include "tune_shares.hpp"
 
 namespace membrane {
@@ -58,14 +58,6 @@ Eigen::Vector2d warp_direction(const ReferenceTriangle& t, const ElementProperti
   return in_plane.normalized();
 }
 
-double steepest(const StressCurve& curve) {
-  double slope = 0.0;
-  for (std::size_t i = 1; i < curve.strain.size(); ++i)
-    slope =
-        std::max(slope, (curve.stress[i] - curve.stress[i - 1]) / (curve.strain[i] - curve.strain[i - 1]));
-  return slope;
-}
-
 ThreadCurve thread_curve(const StressCurve& curve) {
   ThreadCurve ramps{};
   double before = 0.0;
@@ -73,15 +65,14 @@ ThreadCurve thread_curve(const StressCurve& curve) {
     const double slope = (curve.stress[i] - curve.stress[i - 1]) / (curve.strain[i] - curve.strain[i - 1]);
     ramps.strain[ramps.count] = curve.strain[i - 1];
     ramps.rise[ramps.count++] = slope - before;
+    ramps.steepest = std::max(ramps.steepest, slope);
     before = slope;
   }
   ramps.end = curve.strain.back();
   return ramps;
 }
 
-// For the bound of the step, a fabric by curves is as stiff as it ever gets (M.31).
-Weave weave_of(const BagDescription& d, const ElementProperties& p) {
-  if (d.law == FabricLaw::curve) return {steepest(d.curves[0]), steepest(d.curves[1]), 0.0, p.weave->shear};
+Weave moduli_of(const ElementProperties& p) {
   if (p.weave) return {p.young_modulus, p.weave->young_modulus_weft, p.poisson, p.weave->shear};
   return {p.young_modulus, p.young_modulus, p.poisson, 0.5 * p.young_modulus / (1.0 + p.poisson)};
 }
@@ -97,36 +88,18 @@ Eigen::Matrix3d elasticity(const Weave& w, const Eigen::Vector2d& angle) {
   return turn.transpose() * d * turn / reciprocal;
 }
 
-void set_weave(WeaveGroup& w, FabricGroup& f, std::size_t lane, const OrthotropicConstants<double>& fabric) {
-  w.cosine[lane] = fabric.cosine;
-  w.sine[lane] = fabric.sine;
-  w.warp_scale[lane] = fabric.warp_scale;
-  f.spherical[lane] = fabric.spherical;
-  f.deviator[lane] = fabric.deviator;
-  w.shear[lane] = fabric.shear;
-  w.series[lane] = fabric.series;
-  w.skew[lane] = fabric.skew;
-  w.taut[lane] = fabric.taut;
-}
-
-void set_fabric(BagModel& m, std::size_t e, const ReferenceTriangle& t, const ElementProperties& p) {
-  if (p.null_panel) return;
-  const auto [group, lane] = place_of(m.elements, e);
+void set_fabric(BagModel& m, Eigen::Index e, const ReferenceTriangle& t, const ElementProperties& p) {
+  const auto i = static_cast<std::size_t>(e);
+  const auto [group, lane] = place_of(m.elements, i);
   FabricGroup& f = m.elements.fabric[group];
-  const Eigen::Vector2d warp = warp_direction(t, p, static_cast<Eigen::Index>(e));
-  const auto fabric = isotropic_constants(p.young_modulus, p.poisson);
+  const Eigen::Vector2d warp = warp_direction(t, p, e);
+  const LawInput fabric{moduli_of(p), warp[0] * warp[0] - warp[1] * warp[1], 2.0 * warp[0] * warp[1],
+                        &m.threads, p.law_constants.data()};
+  const LawFunctions& law = law_functions(m.law);
+  law.write(fabric, f, lane);
+  const Eigen::Matrix3d stiffness = elasticity(law.stiffness(fabric), warp);
+  m.stiffness[i] = {p.thickness * t.area, t.gradient, stiffness.llt().matrixL()};
   m.elements.group[group].volume[lane] = p.thickness * t.area;
-  f.young_modulus[lane] = fabric.young_modulus;
-  f.spherical[lane] = fabric.spherical;
-  f.deviator[lane] = fabric.deviator;
-  const auto hencky = hencky_constants(p.young_modulus, p.poisson);
-  f.curvature[lane] = hencky.curvature;
-  f.share[lane] = hencky.share;
-  f.compliance[lane] = hencky.compliance;
-  if (m.woven)
-    set_weave(m.elements.weave[group], f, lane,
-              orthotropic_constants(weave_of(m.description, p), warp[0] * warp[0] - warp[1] * warp[1],
-                                    2.0 * warp[0] * warp[1]));
   f.porosity[lane] = p.porosity;
   f.porosity_squared[lane] = p.porosity * p.porosity;
 }
@@ -141,11 +114,9 @@ void set_element(BagModel& m, Eigen::Index e) {
   g.gradient_b2[lane] = t.gradient(1, 1);
   g.gradient_c2[lane] = t.gradient(1, 2);
   m.reference_area[i] = t.area;
-  set_fabric(m, i, t, p);
   if (p.null_panel) return;
+  set_fabric(m, e, t, p);
   const double mass = p.density * p.thickness * t.area;
-  const Eigen::Matrix3d stiffness = elasticity(weave_of(m.description, p), warp_direction(t, p, e));
-  m.stiffness[i] = {p.thickness * t.area, t.gradient, stiffness.llt().matrixL()};
   m.shares.mass.col(e).setConstant(mass / 3.0);
   for (const int n : m.description.elements.col(e)) {
     m.node_mass[static_cast<std::size_t>(n)] += mass / 3.0;
@@ -153,14 +124,17 @@ void set_element(BagModel& m, Eigen::Index e) {
   }
 }
 
-// Zero but for the divisors, of elements without effect too.
-void set_weave_groups(BagModel& m) {
-  m.woven = std::any_of(m.description.properties.begin(), m.description.properties.end(),
-                        [](const ElementProperties& p) { return !p.null_panel && p.weave; });
-  if (!m.woven) return;
-  WeaveGroup none{};
-  for (double& scale : none.warp_scale) scale = 1.0;
-  m.elements.weave.assign(m.elements.group.size(), none);
+// The law, and fabrics without stress, as elements without effect keep them.
+void set_law(BagModel& m) {
+  const BagDescription& d = m.description;
+  const bool woven = std::any_of(d.properties.begin(), d.properties.end(),
+                                 [](const ElementProperties& p) { return !p.null_panel && p.weave; });
+  // A bag of null panels alone has no law for isotropic fabric to look for.
+  m.law = find_law(d.law, woven).value_or(0);
+  if (law_named(d.law).curves) m.threads = {thread_curve(d.curves[0]), thread_curve(d.curves[1])};
+  FabricGroup none{};
+  for (std::size_t lane = 0; lane < kLanes; ++lane) law_functions(m.law).write_none(none, lane);
+  m.elements.fabric.assign(m.elements.group.size(), none);
 }
 
 // Each fabric once, in the order of the groups.
@@ -247,10 +221,7 @@ BagModel make_model(const BagDescription& description) {
   m.reference_area.assign(static_cast<std::size_t>(m.element_count), 0.0);
   set_corner_table(m);
   set_blocks(m);
-  set_weave_groups(m);
-  if (description.law == FabricLaw::curve)
-    m.threads = {thread_curve(description.curves[0]), thread_curve(description.curves[1])};
-  m.elements.fabric.assign(m.elements.group.size(), {});
+  set_law(m);
   m.stiffness.resize(static_cast<std::size_t>(m.element_count));
   m.shares.mass.setZero(3, m.element_count);
   for (Eigen::Index e = 0; e < m.element_count; ++e) set_element(m, e);

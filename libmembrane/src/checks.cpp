@@ -2,10 +2,12 @@
 #include "checks.hpp"
 
 #include <cmath>
+#include <iterator>
 #include <sstream>
 #include <stdexcept>
 
 #include "membrane/bag_model.hpp"
+#include "membrane/law_table.hpp"
 
 namespace membrane {
 
@@ -64,6 +66,11 @@ void check_corners(const Eigen::Matrix3Xi& elements, Eigen::Index e, Eigen::Inde
     reject(element_name(e), "a node is repeated");
 }
 
+void check_warp(std::string_view where, const ElementProperties& p) {
+  for (int c = 0; c < 3; ++c) require_finite(where, "warp", p.weave->warp[c]);
+  require_positive(where, "length of the warp", p.weave->warp.norm());
+}
+
 void check_weave(std::string_view where, const ElementProperties& p) {
   require_positive(where, "young_modulus_weft", p.weave->young_modulus_weft);
   require_positive(where, "shear", p.weave->shear);
@@ -73,16 +80,7 @@ void check_weave(std::string_view where, const ElementProperties& p) {
   // A little inside the limit, where the stiffness loses its inverse.
   if (!(p.poisson * p.poisson * (p.weave->young_modulus_weft / p.young_modulus) < 0.998))
     reject(where, "poisson", p.poisson, "poisson^2 < 0.998 young_modulus / young_modulus_weft");
-  for (int c = 0; c < 3; ++c) require_finite(where, "warp", p.weave->warp[c]);
-  require_positive(where, "length of the warp", p.weave->warp.norm());
-}
-
-// Of a fabric by curves, which has no moduli.
-void check_threads(std::string_view where, const ElementProperties& p) {
-  if (!p.weave) reject(where, "fabric by curves needs a weave: its shear and warp");
-  require_positive(where, "shear", p.weave->shear);
-  for (int c = 0; c < 3; ++c) require_finite(where, "warp", p.weave->warp[c]);
-  require_positive(where, "length of the warp", p.weave->warp.norm());
+  check_warp(where, p);
 }
 
 void check_curve(const char* where, const StressCurve& c) {
@@ -105,7 +103,19 @@ void check_curve(const char* where, const StressCurve& c) {
                           " follows " + shown((*values)[i - 1]) + ", allowed: strictly rising");
 }
 
-void check_properties(std::string_view where, const ElementProperties& p, FabricLaw law) {
+void check_own(std::string_view where, const ElementProperties& p, const LawTraits& law) {
+  if (std::ssize(p.law_constants) != law.own_count)
+    reject(where, "law_constants", static_cast<double>(p.law_constants.size()),
+           std::to_string(law.own_count) + " for the law \"" + law.name + "\"");
+  for (int i = 0; i < law.own_count; ++i) {
+    const LawConstant& own = law.own[i];
+    const double value = p.law_constants[static_cast<std::size_t>(i)];
+    if (!(value >= own.least && value <= own.most))
+      reject(where, own.name, value, shown(own.least) + " to " + shown(own.most));
+  }
+}
+
+void check_properties(std::string_view where, const ElementProperties& p, const LawTraits& law) {
   if (!(p.porosity >= 0.0 && p.porosity <= 1.0)) reject(where, "porosity", p.porosity, "0 to 1");
   if (p.null_panel) {
     if (p.porosity != 0.0) reject(where, "porosity", p.porosity, "0 on a null panel");
@@ -113,7 +123,14 @@ void check_properties(std::string_view where, const ElementProperties& p, Fabric
   }
   require_positive(where, "thickness", p.thickness);
   require_positive(where, "density", p.density);
-  if (law == FabricLaw::curve) return check_threads(where, p);
+  if (!find_law(law.name, p.weave.has_value()))
+    reject(where, "the law \"" + std::string(law.name) +
+                      (p.weave ? "\" is for isotropic fabric, without weave" : "\" needs a weave"));
+  check_own(where, p, law);
+  if (law.curves) {
+    require_positive(where, "shear", p.weave->shear);
+    return check_warp(where, p);
+  }
   require_positive(where, "young_modulus", p.young_modulus);
   if (p.weave) return check_weave(where, p);
   if (!(p.poisson > -1.0 && p.poisson < 1.0)) reject(where, "poisson", p.poisson, "-1 < nu < 1");
@@ -126,7 +143,7 @@ void check_elements(const BagDescription& d) {
            "one per element, " + std::to_string(d.elements.cols()));
   for (Eigen::Index e = 0; e < d.elements.cols(); ++e) {
     check_corners(d.elements, e, d.reference.cols());
-    check_properties(element_name(e), d.properties[static_cast<std::size_t>(e)], d.law);
+    check_properties(element_name(e), d.properties[static_cast<std::size_t>(e)], law_named(d.law));
   }
 }
 
@@ -154,20 +171,12 @@ void check_plates(const BagDescription& d) {
 }
 
 void check_law(const BagDescription& d) {
-  if (d.law != FabricLaw::saint_venant_kirchhoff && d.law != FabricLaw::hencky && d.law != FabricLaw::curve)
-    reject("bag", "law", static_cast<double>(d.law), "an enumerator");
-  if (d.law == FabricLaw::curve) {
-    if (d.compression != Compression::none)
-      reject("bag", "fabric by curves carries no compression; allowed with it: Compression::none");
-    check_curve("curve of the warp", d.curves[0]);
-    check_curve("curve of the weft", d.curves[1]);
-  }
-  if (d.law != FabricLaw::hencky) return;
-  if (d.compression != Compression::none)
-    reject("bag", "the Hencky law carries no compression; allowed with it: Compression::none");
-  for (std::size_t e = 0; e < d.properties.size(); ++e)
-    if (!d.properties[e].null_panel && d.properties[e].weave)
-      reject("element " + std::to_string(e), "the Hencky law is for isotropic fabric, without weave");
+  const LawTraits& law = law_named(d.law);
+  if (!law.compression && d.compression != Compression::none)
+    reject("bag", "the law \"" + d.law + "\" carries no compression; allowed with it: Compression::none");
+  if (!law.curves) return;
+  check_curve("curve of the warp", d.curves[0]);
+  check_curve("curve of the weft", d.curves[1]);
 }
 
 }  // namespace

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <utility>
+
 #include "element.hpp"
 #include "kernel_table.hpp"
 #include "lanes.hpp"
-#include "membrane/hencky.hpp"
-#include "membrane/orthotropic.hpp"
-#include "membrane/threads.hpp"
+#include "membrane/fabric_laws.hpp"
 
 // Steps of the pass over a block for each element. T is Lanes, or double for the oracle. Both visit groups of
 // four elements, keep four partial sums, and add at the nodes in the order of the elements. So they agree bit
@@ -101,11 +101,10 @@ template <class T>
 
 // Columns of the deformation gradient and strain (M.1) of the elements of a group; then their nominal stress.
 struct alignas(64) GroupWork {
-  double f1[3][kLanes], f2[3][kLanes];                                          // [-]
-  double e11[kLanes], e22[kLanes], e12[kLanes];                                 // [-]
-  double n11[kLanes], n22[kLanes], n12[kLanes];                                 // -(volume S) [J]
-  double mean[kLanes], radius[kLanes];                                          // of the strain [-]
-  double strain_1[kLanes], log_radius[kLanes], square_1[kLanes], taut[kLanes];  // HenckyStrain
+  double f1[3][kLanes], f2[3][kLanes];           // [-]
+  double e11[kLanes], e22[kLanes], e12[kLanes];  // [-]
+  double n11[kLanes], n22[kLanes], n12[kLanes];  // -(volume S) [J]
+  double notes[kMostNotes][kLanes];              // of the law's steps
 };
 
 template <class T>
@@ -127,29 +126,39 @@ template <class T>
   store(work.e12 + lane, e.e12);
 }
 
-// Constants of one group's fabric for each law.
-template <class T>
-void load_fabric(const FabricGroup& f, const WeaveGroup*, const ThreadCurves*, int lane,
-                 IsotropicConstants<T>& out) {
-  out = {load<T>(f.young_modulus + lane), load<T>(f.spherical + lane), load<T>(f.deviator + lane)};
+// Calls f(0), ..., f(count - 1), each number a type.
+template <int kNumber>
+struct Number {
+  static constexpr int value = kNumber;
+};
+template <class F, int... kNumbers>
+[[gnu::always_inline]] inline void each(std::integer_sequence<int, kNumbers...>, F&& f) {
+  (f(Number<kNumbers>{}), ...);
 }
-template <class T>
-void load_fabric(const FabricGroup& f, const WeaveGroup* w, const ThreadCurves*, int lane,
-                 OrthotropicConstants<T>& out) {
-  out = {load<T>(w->cosine + lane),   load<T>(w->sine + lane),    load<T>(w->warp_scale + lane),
-         load<T>(f.spherical + lane), load<T>(f.deviator + lane), load<T>(w->shear + lane),
-         load<T>(w->series + lane),   load<T>(w->skew + lane),    load<T>(w->taut + lane)};
+
+// Aggregates of numbers, such as a law's Constants and Notes, from rows of groups and to them.
+template <class Aggregate, class T, int... kRow>
+[[gnu::always_inline]] inline Aggregate load_rows(std::integer_sequence<int, kRow...>,
+                                                  [[maybe_unused]] const double (*rows)[kLanes],
+                                                  [[maybe_unused]] int lane) {
+  return {load<T>(rows[kRow] + lane)...};
 }
-template <class T>
-void load_fabric(const FabricGroup& f, const WeaveGroup*, const ThreadCurves*, int lane,
-                 HenckyConstants<T>& out) {
-  out = {load<T>(f.spherical + lane), load<T>(f.deviator + lane), load<T>(f.curvature + lane),
-         load<T>(f.share + lane), load<T>(f.compliance + lane)};
+template <class Law, class T>
+[[gnu::always_inline]] inline auto load_constants(const FabricGroup& fabric, int lane) {
+  return load_rows<typename Law::template Constants<T>, T>(
+      std::make_integer_sequence<int, kNumbersIn<Law::template Constants>>{}, fabric.constants, lane);
 }
-template <class T>
-void load_fabric(const FabricGroup&, const WeaveGroup* w, const ThreadCurves* curves, int lane,
-                 ThreadConstants<T>& out) {
-  out = {load<T>(w->cosine + lane), load<T>(w->sine + lane), load<T>(w->shear + lane), curves};
+template <class Law, class T>
+[[gnu::always_inline]] inline auto load_notes(const GroupWork& work, int lane) {
+  return load_rows<typename Law::template Notes<T>, T>(
+      std::make_integer_sequence<int, kNumbersIn<Law::template Notes>>{}, work.notes, lane);
+}
+template <class T, int kCount>
+[[gnu::always_inline]] inline void store_row(const Row<T, kCount>& row, double (*rows)[kLanes], int lane) {
+  each(
+      std::make_integer_sequence<int, kCount>{}, [&](auto i) __attribute__((always_inline)) {
+        store(rows[i.value] + lane, row.value[i.value]);
+      });
 }
 
 template <class T>
@@ -157,74 +166,22 @@ template <class T>
   return {load<T>(work.e11 + lane), load<T>(work.e22 + lane), load<T>(work.e12 + lane)};
 }
 
-// Steps before the stress of laws that have some.
-template <template <class> class Fabric>
-inline constexpr bool kHasLogarithms = false;
-template <>
-inline constexpr bool kHasLogarithms<HenckyConstants> = true;
-
-// Logarithmic strain (M.25).
-template <class T>
-[[gnu::always_inline]] inline void logarithms_of(int lane, GroupWork& work) {
-  const PlaneStrain<T> e = load_strain<T>(work, lane);
-  const T mean = T(0.5) * (e.e11 + e.e22), difference = T(0.5) * (e.e11 - e.e22);
-  const T radius = sqrt(difference * difference + e.e12 * e.e12);
-  const HenckyStrain<T> h = hencky_strain(mean, radius);
-  store(work.mean + lane, mean);
-  store(work.radius + lane, radius);
-  store(work.strain_1 + lane, h.strain_1);
-  store(work.log_radius + lane, h.radius);
-  store(work.square_1 + lane, h.square_1);
-}
-
-// State (M.26) in place of the strain.
-template <class T>
-[[gnu::always_inline]] inline void state_of(const FabricGroup& constants, int lane, GroupWork& work) {
-  HenckyConstants<T> c;
-  load_fabric(constants, nullptr, nullptr, lane, c);
-  const HenckyStrain<T> e{load<T>(work.strain_1 + lane), load<T>(work.log_radius + lane), T(1.0)};
-  const HenckyState<T> h = hencky_state(e, c);
-  store(work.strain_1 + lane, h.mean);
-  store(work.log_radius + lane, h.radius);
-  store(work.taut + lane, h.taut);
-}
-
-template <Compression kCompression, class T>
-[[gnu::always_inline]] inline PlaneResponse<T> response(const GroupWork& work, int lane,
-                                                        const IsotropicConstants<T>& c) {
-  return isotropic_response<kCompression>(load_strain<T>(work, lane), c);
-}
-template <Compression kCompression, class T>
-[[gnu::always_inline]] inline PlaneResponse<T> response(const GroupWork& work, int lane,
-                                                        const OrthotropicConstants<T>& c) {
-  return orthotropic_response<kCompression>(load_strain<T>(work, lane), c);
-}
-template <Compression kCompression, class T>
-[[gnu::always_inline]] inline PlaneResponse<T> response(const GroupWork& work, int lane,
-                                                        const HenckyConstants<T>& c) {
-  static_assert(kCompression == Compression::none);
-  const HenckyState<T> h{load<T>(work.strain_1 + lane), load<T>(work.log_radius + lane),
-                         load<T>(work.taut + lane)};
-  return hencky_stress(load_strain<T>(work, lane), load<T>(work.mean + lane), load<T>(work.radius + lane),
-                       load<T>(work.square_1 + lane), h, c);
-}
-
-template <Compression kCompression, class T>
-[[gnu::always_inline]] inline PlaneResponse<T> response(const GroupWork& work, int lane,
-                                                        const ThreadConstants<T>& c) {
-  static_assert(kCompression == Compression::none);
-  return threads_response(load_strain<T>(work, lane), c);
+// A step of the law before its response.
+template <class Law, int kStep, class T>
+[[gnu::always_inline]] inline void step_of(const FabricGroup& fabric, int lane, GroupWork& work) {
+  store_row(Law::template step<kStep>(load_strain<T>(work, lane), load_constants<Law, T>(fabric, lane),
+                                      load_notes<Law, T>(work, lane)),
+            work.notes + Law::kNotesBefore[kStep], lane);
 }
 
 // Stress (M.2, M.3, M.13, M.14, M.25, M.26, M.30), energy and the bound of omega^2 (M.10).
-template <template <class> class Fabric, Compression kCompression, class T>
-[[gnu::always_inline]] inline void stress_of(const ElementGroup& g, const FabricGroup& constants,
-                                             const WeaveGroup* weave, const ThreadCurves* curves,
-                                             const FrequencyGroup& frequency, int lane, GroupWork& work,
-                                             SkinParts<T>& sums) {
-  Fabric<T> fabric;
-  load_fabric(constants, weave, curves, lane, fabric);
-  const auto r = response<kCompression>(work, lane, fabric);
+template <class Law, Compression kCompression, class T>
+[[gnu::always_inline]] inline void stress_of(const ElementGroup& g, const FabricGroup& fabric,
+                                             const ThreadCurves& curves, const FrequencyGroup& frequency,
+                                             int lane, GroupWork& work, SkinParts<T>& sums) {
+  const PlaneResponse<T> r =
+      Law::template response<kCompression>(load_strain<T>(work, lane), load_constants<Law, T>(fabric, lane),
+                                           load_notes<Law, T>(work, lane), curves);
   const T volume = load<T>(g.volume + lane);
   store(work.n11 + lane, -(volume * r.s11));
   store(work.n22 + lane, -(volume * r.s22));

@@ -15,8 +15,7 @@ namespace membrane {
 struct SkinArrays {
   const ElementGroup* group;
   const FabricGroup* fabric;
-  const WeaveGroup* weave;     // null unless woven
-  const ThreadCurves* curves;  // of FabricLaw::curve
+  const ThreadCurves* curves;  // of laws by curves
   const FrequencyGroup* frequency;
   int group_count;
   const std::int32_t* node;  // of the block: own_count own nodes, then shared ones, node_count in all
@@ -83,9 +82,10 @@ enum SkinPass { kSurfacePass, kForcesPass, kSkinPass };
 struct KernelTable {
   using Skin = void (*)(const SkinArrays&, SkinTotals&);
   Skin surface;
-  /// Isotropic, woven, isotropic with the Hencky law, by curves; linear, relaxed. Null where there is no such
-  /// law.
-  Skin forces[4][2], skin[4][2];
+  struct OfLaw {
+    Skin compression[2];  // linear and none; linear is null where the law has none
+  };
+  OfLaw forces[FabricLaws::count], skin[FabricLaws::count];
   void (*geometry)(const GeometryArrays&);
   void (*shared[3])(const SharedArrays&, int first, int last, double& mobility);
   void (*advance)(const AdvanceArrays&, int first, int last, AdvanceTotals&);

@@ -8,6 +8,7 @@
 #include "checks.hpp"
 #include "kernel_table.hpp"
 #include "membrane/error.hpp"
+#include "membrane/law_table.hpp"
 #include "membrane/node_order.hpp"
 #include "membrane/stages.hpp"
 #include "membrane/time_step.hpp"
@@ -31,7 +32,6 @@ SkinArrays skin_arrays(const BagModel& model, BagState& state, std::size_t b) {
   const ElementBlock next = fetch ? table.block[b + 1] : ElementBlock{};
   return {table.group.data() + block.first_group,
           table.fabric.data(),
-          model.woven ? table.weave.data() + block.first_group : nullptr,
           &model.threads,
           state.shares.frequency.data() + block.first_group,
           block.last_group - block.first_group,
@@ -52,9 +52,7 @@ KernelTable::Skin skin_kernel(const BagModel& model, SkinParts parts) {
   pass_of(parts);  // refuses what is no enumerator
   if (parts == SkinParts::surface) return table.surface;
   const auto& kernels = parts == SkinParts::forces ? table.forces : table.skin;
-  const FabricLaw fabric = model.description.law;
-  const int law = fabric == FabricLaw::curve ? 3 : fabric == FabricLaw::hencky ? 2 : model.woven ? 1 : 0;
-  return kernels[law][model.description.compression == Compression::none ? 1 : 0];
+  return kernels[model.law].compression[model.description.compression == Compression::none ? 1 : 0];
 }
 
 void geometry(const BagModel& model, BagState& state, const int* elements, int count) {
@@ -96,12 +94,10 @@ void sum_forces(const BagModel& model, BagState& state) {
     energy += block.strain_energy;
     frequency = std::max(frequency, block.element_frequency);
   }
-  if (model.description.law == FabricLaw::hencky && std::isinf(frequency))
-    throw MembraneError("stage forces: element " + std::to_string(governing_element(model, state)) +
-                        " is stretched by more than exp(1/2) = 1.65, where the Hencky law ends");
-  if (model.description.law == FabricLaw::curve && std::isinf(frequency))
-    throw MembraneError("stage forces: element " + std::to_string(governing_element(model, state)) +
-                        " is stretched beyond the last point of its curve");
+  const LawTraits& law = fabric_laws()[static_cast<std::size_t>(model.law)];
+  if (law.end != nullptr && std::isinf(frequency))
+    throw MembraneError("stage forces: element " + std::to_string(governing_element(model, state)) + " " +
+                        law.end);
   state.forces.strain_energy = energy;
   state.forces.element_frequency = frequency;
 }

@@ -94,7 +94,7 @@ template <class T, class F>
 
 // Handles several groups at a time, step by step. The root and the quotient of the stress take long; a
 // processor cannot look ahead over a whole element, but over one step of several groups.
-template <SkinPass kPass, template <class> class Fabric, Compression kCompression, class T>
+template <SkinPass kPass, class Law, Compression kCompression, class T>
 void skin(const SkinArrays& s, SkinTotals& totals) {
   constexpr int kChunk = 8;
   BlockNodes nodes;
@@ -115,20 +115,17 @@ void skin(const SkinArrays& s, SkinTotals& totals) {
           if constexpr (has_surface(kPass)) surface_of<T>(s, origin, group, lane, x, nodes, sums);
         });
     if constexpr (!has_forces(kPass)) continue;
-    if constexpr (kHasLogarithms<Fabric>)
-      for_lanes<T>(
-          first, last, [&](int group, int lane) __attribute__((always_inline)) {
-            logarithms_of<T>(lane, work[group - first]);
-          });
-    if constexpr (kHasLogarithms<Fabric>)
-      for_lanes<T>(
-          first, last, [&](int group, int lane) __attribute__((always_inline)) {
-            state_of<T>(s.fabric[s.group[group].fabric], lane, work[group - first]);
-          });
+    each(
+        std::make_integer_sequence<int, Law::kSteps>{}, [&](auto step) __attribute__((always_inline)) {
+          for_lanes<T>(
+              first, last, [&](int group, int lane) __attribute__((always_inline)) {
+                step_of<Law, step.value, T>(s.fabric[s.group[group].fabric], lane, work[group - first]);
+              });
+        });
     for_lanes<T>(
         first, last, [&](int group, int lane) __attribute__((always_inline)) {
-          stress_of<Fabric, kCompression, T>(s.group[group], s.fabric[s.group[group].fabric], s.weave + group,
-                                             s.curves, s.frequency[group], lane, work[group - first], sums);
+          stress_of<Law, kCompression, T>(s.group[group], s.fabric[s.group[group].fabric], *s.curves,
+                                          s.frequency[group], lane, work[group - first], sums);
         });
     for_lanes<T>(
         first, last, [&](int group, int lane) __attribute__((always_inline)) {
@@ -153,24 +150,25 @@ void shared(const SharedArrays& s, int first, int last, double& mobility) {
   mobility = sum_lanes(sum);
 }
 
-template <SkinPass kPass, template <class> class Fabric, class T>
-inline constexpr KernelTable::Skin kLinear = skin<kPass, Fabric, Compression::linear, T>;
-template <SkinPass kPass, template <class> class Fabric, class T>
-inline constexpr KernelTable::Skin kRelaxed = skin<kPass, Fabric, Compression::none, T>;
+template <SkinPass kPass, class Law, class T>
+constexpr KernelTable::OfLaw kernels_of() {
+  if constexpr (Law::traits.compression)
+    return {{skin<kPass, Law, Compression::linear, T>, skin<kPass, Law, Compression::none, T>}};
+  else
+    return {{nullptr, skin<kPass, Law, Compression::none, T>}};
+}
+
+template <class T, class... Law>
+constexpr KernelTable table_of(LawList<Law...>) {
+  return {skin<kSurfacePass, Isotropic, Compression::linear, T>,
+          {kernels_of<kForcesPass, Law, T>()...},
+          {kernels_of<kSkinPass, Law, T>()...},
+          geometry<T>,
+          {shared<kSurfacePass>, shared<kForcesPass>, shared<kSkinPass>},
+          advance};
+}
 
 template <class T>
-inline constexpr KernelTable kTableOf{
-    kLinear<kSurfacePass, IsotropicConstants, T>,
-    {{kLinear<kForcesPass, IsotropicConstants, T>, kRelaxed<kForcesPass, IsotropicConstants, T>},
-     {kLinear<kForcesPass, OrthotropicConstants, T>, kRelaxed<kForcesPass, OrthotropicConstants, T>},
-     {nullptr, kRelaxed<kForcesPass, HenckyConstants, T>},
-     {nullptr, kRelaxed<kForcesPass, ThreadConstants, T>}},
-    {{kLinear<kSkinPass, IsotropicConstants, T>, kRelaxed<kSkinPass, IsotropicConstants, T>},
-     {kLinear<kSkinPass, OrthotropicConstants, T>, kRelaxed<kSkinPass, OrthotropicConstants, T>},
-     {nullptr, kRelaxed<kSkinPass, HenckyConstants, T>},
-     {nullptr, kRelaxed<kSkinPass, ThreadConstants, T>}},
-    geometry<T>,
-    {shared<kSurfacePass>, shared<kForcesPass>, shared<kSkinPass>},
-    advance};
+inline constexpr KernelTable kTableOf = table_of<T>(FabricLaws{});
 
 }  // namespace membrane::MEMBRANE_KERNELS

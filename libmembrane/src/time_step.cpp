@@ -7,10 +7,8 @@
 #include "blocks.hpp"
 #include "checks.hpp"
 #include "element.hpp"
+#include "law_functions.hpp"
 #include "membrane/error.hpp"
-#include "membrane/hencky.hpp"
-#include "membrane/orthotropic.hpp"
-#include "membrane/threads.hpp"
 
 namespace membrane {
 
@@ -37,25 +35,6 @@ PlaneStrain<double> strain_of(const BagModel& model, const BagState& state, int 
     f2[i] = stretch_2(ab[i], ac[i], g.gradient_b2[lane], g.gradient_c2[lane]);
   }
   return green_lagrange_strain(f1, f2);
-}
-
-PlaneResponse<double> response_of(const BagModel& model, const PlaneStrain<double>& strain,
-                                  const ElementPlace& place) {
-  const Compression compression = model.description.compression;
-  const FabricGroup& f = model.elements.fabric_of(place.group);
-  const std::size_t k = place.lane;
-  if (model.description.law == FabricLaw::hencky)
-    return hencky_response(strain,
-                           {f.spherical[k], f.deviator[k], f.curvature[k], f.share[k], f.compliance[k]});
-  if (!model.woven)
-    return isotropic_response(compression, strain, {f.young_modulus[k], f.spherical[k], f.deviator[k]});
-  const WeaveGroup& w = model.elements.weave[place.group];
-  if (model.description.law == FabricLaw::curve)
-    return threads_response(strain,
-                            ThreadConstants<double>{w.cosine[k], w.sine[k], w.shear[k], &model.threads});
-  return orthotropic_response(compression, strain,
-                              {w.cosine[k], w.sine[k], w.warp_scale[k], f.spherical[k], f.deviator[k],
-                               w.shear[k], w.series[k], w.skew[k], w.taut[k]});
 }
 
 }  // namespace
@@ -111,7 +90,9 @@ ElementResponse element_response(const BagModel& model, const BagState& state, i
   const FrequencyGroup& bound = state.shares.frequency[place.group];
   ElementResponse r;
   r.strain = strain_of(model, state, element);
-  r.response = response_of(model, r.strain, place);
+  r.response =
+      law_functions(model.law).response(model.description.compression, r.strain,
+                                        model.elements.fabric_of(place.group), place.lane, model.threads);
   r.frequency = frequency_bound(bound.material[place.lane], bound.geometric[place.lane],
                                 r.response.tangent_factor, r.response.stress_1);
   return r;

@@ -53,8 +53,7 @@ struct TubeStretch {
   double hoop, axial;
 };
 // Half way along the tube.
-inline TubeStretch stretch_tube(int around, bool closed,
-                                membrane::FabricLaw law = membrane::FabricLaw::saint_venant_kirchhoff) {
+inline TubeStretch stretch_tube(int around, bool closed, const char* law = "saint_venant_kirchhoff") {
   const Tube t = tube(around);
   auto description = describe(t.mesh, membrane::Compression::none);
   description.law = law;

@@ -57,16 +57,16 @@ const std::vector<BadInput> kBadInputs = {
     {[](auto& d) { d.properties[2] = {}; }, {"element 2", "thickness"}},
     {[](auto& d) { d.properties.pop_back(); }, {"properties", "79", "80"}},
     {[](auto& d) {
-       d.law = membrane::FabricLaw::hencky;
+       d.law = "hencky";
        d.compression = membrane::Compression::linear;
      },
-     {"bag", "Hencky", "no compression", "Compression::none"}},
+     {"bag", "hencky", "no compression", "Compression::none"}},
     {[](auto& d) {
-       d.law = membrane::FabricLaw::hencky;
+       d.law = "hencky";
        d.properties[7].weave = membrane::WeaveProperties{20e6, 5e6, {1.0, 0.0, 0.0}};
      },
-     {"element 7", "Hencky", "weave"}},
-    {[](auto& d) { d.law = static_cast<membrane::FabricLaw>(7); }, {"bag", "law", "7"}},
+     {"element 7", "hencky", "without weave"}},
+    {[](auto& d) { d.law = "henky"; }, {"bag", "law = henky", "saint_venant_kirchhoff, hencky, curve"}},
     {[](auto& d) { d.elements(1, 5) = 42; }, {"element 5", "42", "0 to 41"}},
     {[](auto& d) { d.elements(1, 5) = -1; }, {"element 5", "-1"}},
     {[](auto& d) { d.elements(1, 5) = d.elements(0, 5); }, {"element 5", "repeated"}},

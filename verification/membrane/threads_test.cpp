@@ -12,7 +12,6 @@
 #include "membrane/error.hpp"
 
 using membrane::Compression;
-using membrane::FabricLaw;
 
 namespace {
 
@@ -23,7 +22,7 @@ const membrane::StressCurve kWeftCurve{{0.0, 0.1, 0.6}, {0.0, 5e6, 1e7}};
 membrane::BagDescription describe_threads(const membrane::Mesh& mesh,
                                           const Eigen::Vector3d& warp = {0.3, 0.5, 0.8}) {
   auto d = scenes::describe(mesh, Compression::none);
-  d.law = FabricLaw::curve;
+  d.law = "curve";
   d.curves = {kWarpCurve, kWeftCurve};
   for (auto& p : d.properties) {
     p = {.thickness = 0.5e-3, .density = 620.0};
@@ -164,7 +163,7 @@ TEST(Threads, faults_of_curves_are_refused) {
   says([](auto& d) { d.curves[0].stress[2] = std::nan(""); }, "stress = nan");
   says([](auto& d) { d.curves[0].strain.assign(65, 0.0), d.curves[0].stress.assign(65, 0.0); },
        "points = 65");
-  says([](auto& d) { d.properties[1].weave.reset(); }, "element 1: fabric by curves needs a weave");
+  says([](auto& d) { d.properties[1].weave.reset(); }, "element 1: the law \"curve\" needs a weave");
   says([](auto& d) { d.properties[1].weave->shear = 0.0; }, "element 1: shear");
   says([](auto& d) { d.compression = Compression::linear; }, "carries no compression");
 }

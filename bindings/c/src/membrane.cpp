@@ -38,8 +38,7 @@ membrane::BagDescription description_of(const Points& reference, Eigen::Matrix3X
     refuse("fabric.law", "is " + std::to_string(fabric.law) + ", allowed: a gasjet_fabric_law, 0 or 1");
   if (fabric.law == GASJET_HENCKY && fabric.wrinkles == 0)
     refuse("fabric.wrinkles", "is 0 with the law of Hencky, which carries no compression, allowed: not 0");
-  bag.law =
-      fabric.law == GASJET_HENCKY ? membrane::FabricLaw::hencky : membrane::FabricLaw::saint_venant_kirchhoff;
+  if (fabric.law == GASJET_HENCKY) bag.law = "hencky";
   bag.compression = fabric.wrinkles != 0 ? membrane::Compression::none : membrane::Compression::linear;
   return bag;
 }

@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Writes the columns unit, allowed and default of docs/case_files.md, from the keys that `gasjet check` says a
 case could set. Which keys it asks for depends on the case: those of all cases together are the reference. A key
-without a row, and a row without a key, are errors: the meaning of a key is written by hand.
+without a row, and a row without a key, are errors: the meaning of a key is written by hand. A cell that is a link to
+a table stands for the names in that table's first column.
 
 usage: docs/make/pages/case_keys.py [--check] GASJET [PAGE]; --check changes nothing and fails if it would"""
 import pathlib
@@ -65,6 +66,16 @@ def cells(facts_of_keys):
     return columns
 
 
+def linked(cell):
+    """The names in the first column of the table that the cell links to; none if it is no such link."""
+    link = re.fullmatch(r"\[[^]]*\]\(([\w/.-]+)#([a-z-]+)\)", cell)
+    if not link:
+        return []
+    section = re.split(r"^#+ ", (ROOT / "docs" / link[1]).read_text(encoding="utf-8"), flags=re.M)
+    below = [part for part in section if part.split("\n")[0].lower().replace(" ", "-") == link[2]]
+    return re.findall(r"^\| `([a-z_0-9]+)` \|", "".join(below), flags=re.M)
+
+
 def rewritten(text, keys, page):
     """The page with its columns as the keys have them, and what is wrong with it."""
     lines, wrong, prefix, in_table, left = [], [], "curve", False, set(keys)
@@ -79,7 +90,11 @@ def rewritten(text, keys, page):
             wrong += [f"{page}:{number}: no case asks for {path}" for path in paths if path not in keys]
             left -= set(paths)
             if all(path in keys for path in paths):
-                line = " | ".join([f"| {row[1]}", row[2].strip(), *cells([keys[path] for path in paths])]) + " |"
+                unit, allowed, default = cells([keys[path] for path in paths])
+                before = line.split("|")[4].strip()
+                if (names := linked(before)) and names == re.findall(r'`"([^"]+)"`', allowed):
+                    allowed = before
+                line = " | ".join([f"| {row[1]}", row[2].strip(), unit, allowed, default]) + " |"
                 line = re.sub(r"\| +(?=\|)", "| ", line)
         lines.append(line)
     return "\n".join(lines), wrong + [f"{page}: no row for the key {path}" for path in sorted(left)]

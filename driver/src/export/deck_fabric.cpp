@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "membrane/law_table.hpp"
+
 namespace driver {
 namespace {
 
@@ -62,7 +64,7 @@ double value_on(const DeckCurve& curve, double x) {
 
 void add_fabric(const BagPart& bag, Deck& deck) {
   const membrane::BagDescription& d = bag.model.description;
-  if (d.law != membrane::FabricLaw::curve) return;
+  if (!membrane::law_named(d.law).curves) return;
   constexpr double share = 1e-4;  // of the last stress
   double stretched = 1.0;
   for (std::size_t i = 0; i < 2; ++i) {

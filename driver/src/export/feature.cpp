@@ -45,11 +45,14 @@ const Feature* row_of(const std::vector<Feature>& table, const std::string& path
 }  // namespace
 
 std::vector<UsedFeature> used_features(const CaseDocument& document, const Deck& deck) {
+  const std::string law = deck.scene->bag->model.description.law;
   std::vector<UsedFeature> used;
   for (const Setting& setting : document.settings()) {
     const Feature* feature = row_of(features(), setting.path);
     if (!deck.threads[0].curve.empty())
       if (const Feature* of_curves = row_of(features_of_curves(), setting.path)) feature = of_curves;
+    const bool own = feature == nullptr && setting.path.starts_with("fabric.");
+    if (!is_mapped(law) && (own || setting.path == "fabric.law")) feature = &feature_of_other_laws();
     if (feature == nullptr)
       throw std::logic_error(fmt::format("the table of export has no row for the key {}", setting.path));
     used.push_back({setting.path, setting.value, feature->in(deck.format)});

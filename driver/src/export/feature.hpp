@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "driver/case_reader.hpp"
@@ -31,6 +32,10 @@ struct Feature {
 const std::vector<Feature>& features();
 /// Rows that go before those of the table where the fabric is by measured curves.
 const std::vector<Feature>& features_of_curves();
+/// True of a fabric law that the table speaks of.
+bool is_mapped(std::string_view law);
+/// Row of any other law, and of the constants that are its own.
+const Feature& feature_of_other_laws();
 
 /// One key that the case uses, by itself or by default.
 struct UsedFeature {

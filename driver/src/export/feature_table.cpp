@@ -264,4 +264,15 @@ const std::vector<Feature>& features_of_curves() {
   return table;
 }
 
+bool is_mapped(std::string_view law) {
+  return law == "saint_venant_kirchhoff" || law == "hencky" || law == "curve";
+}
+
+const Feature& feature_of_other_laws() {
+  constexpr Outcome other{Mapping::none,
+                          "not mapped: the deck has the program's linear law with the case's moduli"};
+  static const Feature row{"fabric.law", other, other};
+  return row;
+}
+
 }  // namespace driver

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "ladder/parts.hpp"
+#include "membrane/law_table.hpp"
 
 namespace driver {
 namespace {
@@ -76,8 +77,7 @@ class Effects {
 
   void compression() {
     if (!scene_.bag) return;
-    if (scene_.bag->model.description.law != membrane::FabricLaw::saint_venant_kirchhoff)
-      return;  // never carries it
+    if (!membrane::law_named(scene_.bag->model.description.law).compression) return;  // never carries it
     LadderChoice linear{"compression linear", {}}, none{"compression none", {}};
     case_.set(linear.overrides, "fabric.compression", "\"linear\"");
     case_.set(none.overrides, "fabric.compression", "\"none\"");

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "membrane/law_table.hpp"
 #include "scene/parts.hpp"
 
 namespace driver {
@@ -19,7 +20,7 @@ std::optional<membrane::WeaveProperties> read_weave(TableReader& table, const me
   auto reader = table.optional_table("weave");
   if (!reader) return std::nullopt;
   membrane::WeaveProperties weave;
-  weave.young_modulus_weft = bag.law == membrane::FabricLaw::curve
+  weave.young_modulus_weft = membrane::law_named(bag.law).curves
                                  ? chord(bag.curves[1])
                                  : reader->at("young_modulus_weft").number(positive.in("Pa"));
   weave.shear = reader->at("shear_modulus").number(positive.in("Pa"));
@@ -32,7 +33,8 @@ std::optional<membrane::WeaveProperties> read_weave(TableReader& table, const me
 template <class Number>
 void read_properties(TableReader& table, const membrane::BagDescription& bag,
                      membrane::ElementProperties& fabric, Number&& number) {
-  if (bag.law == membrane::FabricLaw::curve) {
+  const membrane::LawTraits& law = membrane::law_named(bag.law);
+  if (law.curves) {
     fabric.young_modulus = chord(bag.curves[0]);
     fabric.poisson = 0.0;
   } else {
@@ -44,6 +46,13 @@ void read_properties(TableReader& table, const membrane::BagDescription& bag,
   fabric.density = number("density", positive.in("kg/m³"), fabric.density);
   fabric.thickness = number("thickness", positive.in("m"), fabric.thickness);
   if (auto weave = read_weave(table, bag)) fabric.weave = weave;
+  fabric.law_constants.resize(static_cast<std::size_t>(law.own_count), membrane::kMustBeGiven);
+  for (std::size_t i = 0; i < fabric.law_constants.size(); ++i) {
+    const membrane::LawConstant& own = law.own[i];
+    const std::string allowed = fmt::format("a number from {} to {}", own.least, own.most);
+    fabric.law_constants[i] = number(own.name, Bounds{own.least, own.most, false, allowed.c_str(), own.unit},
+                                     fabric.law_constants[i]);
+  }
 }
 
 // A panel keeps what [fabric] says of it but for what its own table names.
@@ -99,16 +108,15 @@ void read_law(TableReader& table, membrane::BagDescription& bag) {
   bag.compression =
       table.at("compression")
           .choice<Compression>({{"none", Compression::none}, {"linear", Compression::linear}}, "none");
-  using membrane::FabricLaw;
-  bag.law = table.at("law").choice<FabricLaw>({{"saint_venant_kirchhoff", FabricLaw::saint_venant_kirchhoff},
-                                               {"hencky", FabricLaw::hencky},
-                                               {"curve", FabricLaw::curve}},
-                                              "saint_venant_kirchhoff");
-  if (bag.law != FabricLaw::saint_venant_kirchhoff && bag.compression != Compression::none)
+  std::vector<std::pair<std::string, std::string>> laws;
+  for (const std::string& name : membrane::law_names()) laws.emplace_back(name, name);
+  bag.law = table.at("law").choice(laws, bag.law);
+  const membrane::LawTraits& law = membrane::law_named(bag.law);
+  if (!law.compression && bag.compression != Compression::none)
     table.fail("compression", fmt::format("is \"linear\", but law = \"{}\" carries no compression; allowed: "
                                           "\"none\"",
-                                          bag.law == FabricLaw::hencky ? "hencky" : "curve"));
-  if (bag.law == FabricLaw::curve)
+                                          bag.law));
+  if (law.curves)
     bag.curves = {read_stress_curve(table, "warp_curve"), read_stress_curve(table, "weft_curve")};
 }
 
@@ -136,14 +144,13 @@ LeakLaw read_fabric(TableReader& root, const membrane::Mesh& mesh,
   read_properties(table, bag, fabric,
                   [&](const char* key, Bounds bounds, double) { return table.at(key).number(bounds); });
   const LeakLaw law = model ? read_leak(table, *model, fabric) : LeakLaw::none;
-  using membrane::FabricLaw;
   bag.properties.assign(static_cast<std::size_t>(bag.elements.cols()), fabric);
   read_panels(table, mesh, null_panels, model != nullptr, bag);
-  if (bag.law == FabricLaw::hencky &&
+  if (!membrane::find_law(bag.law, true) &&
       std::any_of(bag.properties.begin(), bag.properties.end(), [](const auto& p) { return bool(p.weave); }))
-    table.fail("law", "is \"hencky\", which is for isotropic fabric, without weave");
-  if (bag.law == FabricLaw::curve && !fabric.weave)
-    table.fail("weave", "is missing: law = \"curve\" needs its shear_modulus and warp");
+    table.fail("law", fmt::format("is \"{}\", which is for isotropic fabric, without weave", bag.law));
+  if (!membrane::find_law(bag.law, false) && !fabric.weave)
+    table.fail("weave", fmt::format("is missing: law = \"{}\" needs its shear_modulus and warp", bag.law));
   table.finish();
   return law;
 }

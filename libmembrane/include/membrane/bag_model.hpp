@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "membrane/element_group.hpp"
@@ -49,6 +50,7 @@ struct ElementProperties {
   double porosity = 0.0;                      // eta, 0 to 1 [-]
   bool null_panel = false;                    // true: null element
   std::optional<WeaveProperties> weave = {};  // none: isotropic
+  std::vector<double> law_constants = {};     // one for each of LawTraits::own of the bag's law
 };
 
 /// Massless spring with tension only: it pulls when it is longer than its free length (M.7).
@@ -78,10 +80,10 @@ struct BagDescription {
   Eigen::Matrix3Xi elements;                    // corner nodes, 3 x elements, oriented outward
   std::vector<ElementProperties> properties;    // one per element
   Compression compression = Compression::none;  // of all fabric
-  /// Of all fabric. FabricLaw::hencky needs Compression::none and has no weave. FabricLaw::curve needs
+  /// Of all fabric: a name of law_names(). "hencky" needs Compression::none and has no weave. "curve" needs
   /// Compression::none and a weave of each fabric, whose shear and warp it takes; moduli are not read.
-  FabricLaw law = FabricLaw::saint_venant_kirchhoff;
-  std::array<StressCurve, 2> curves;  // of warp and weft, of FabricLaw::curve alone
+  std::string law = "saint_venant_kirchhoff";
+  std::array<StressCurve, 2> curves;  // of warp and weft, of laws by curves alone
   std::vector<int> fixed_nodes;       // nodes that never move; any order, repeats allowed
   /// Nodes that never move along x, along y and along z: rollers, and planes of symmetry. As above.
   std::array<std::vector<int>, 3> held_nodes;
@@ -98,7 +100,6 @@ struct BagDescription {
 struct BlockTable {
   AlignedVector<ElementGroup> group;  // kLanes elements each
   AlignedVector<FabricGroup> fabric;  // each fabric once; ElementGroup::fabric points here
-  AlignedVector<WeaveGroup> weave;    // of each group; empty unless the bag is woven
   std::vector<std::int32_t> element;  // of each lane of each group; -1 for padding
   std::vector<std::int32_t> place;    // of each element: kLanes * group + lane
   std::vector<ElementBlock> block;    // in the order in which their sums are added
@@ -128,11 +129,11 @@ struct CornerTable {
 struct BagModel {
   int node_count = 0;     // N
   int element_count = 0;  // M, null elements included
-  /// True if any element has a weave; all elements then use the orthotropic law.
-  bool woven = false;
+  /// Place in FabricLaws: the law for woven fabric if any element has a weave, else that for isotropic.
+  int law = 0;
   BagDescription description;     // as given and checked; plates with unit normal and stiffness
   BlockTable elements;            // in the order of the kernels
-  ThreadCurves threads{};         // of FabricLaw::curve
+  ThreadCurves threads{};         // of laws by curves
   SharedNodes shared;             // nodes that blocks share
   CornerTable corners;            // elements around each node
   std::vector<double> node_mass;  // [kg] sum of rho h A / 3

@@ -3,6 +3,8 @@
 
 #include <cstdint>
 
+#include "membrane/fabric_laws.hpp"
+
 /// Plain data only: the kernels include this, once for each instruction set.
 namespace membrane {
 
@@ -14,34 +16,12 @@ inline constexpr int kLanes = 4;
 inline constexpr int kBlockElements = 512;
 inline constexpr int kBlockNodes = 384;  // see kBlockElements
 
-/// Constants of four elements that many groups have in common. The table holds each distinct one once and
-/// stays in the first-level cache.
+/// Constants of four elements that groups have in common. The table holds each distinct one once; of
+/// isotropic fabric it stays in the first-level cache.
 struct alignas(32) FabricGroup {
-  double young_modulus[kLanes];     // [Pa] see IsotropicConstants; 0 for null elements
-  double spherical[kLanes];         // [Pa] as above; in a woven bag see OrthotropicConstants
-  double deviator[kLanes];          // [Pa] as above
-  double curvature[kLanes];         // [-] see HenckyConstants
-  double share[kLanes];             // [-] as above
-  double compliance[kLanes];        // [1/Pa] as above
-  double porosity[kLanes];          // eta [-]
-  double porosity_squared[kLanes];  // eta^2 [-]
-};
-
-/// Most points of a curve of stress over strain.
-inline constexpr int kMostCurvePoints = 64;
-
-/// Nominal stress [Pa] along a thread over its strain, as a sum of ramps (M.30).
-struct ThreadCurve {
-  int count;                        // of the ramps
-  double strain[kMostCurvePoints];  // [-] where each begins
-  double rise[kMostCurvePoints];    // [Pa] what the slope gains there
-  double end;                       // [-] strain of the last point
-};
-
-/// Of both directions.
-struct ThreadCurves {
-  ThreadCurve warp;  // along the first direction
-  ThreadCurve weft;  // along the second
+  double porosity[kLanes];                   // eta [-]
+  double porosity_squared[kLanes];           // eta^2 [-]
+  double constants[kMostConstants][kLanes];  // of the law, in the order of its Constants; 0 beyond
 };
 
 /// All other constants of four elements that the kernels read, in one stream.
@@ -60,18 +40,6 @@ struct alignas(32) ElementGroup {
 struct alignas(64) FrequencyGroup {
   double material[kLanes];   // [1/s2]
   double geometric[kLanes];  // per principal stress [1/(s2 Pa)]
-};
-
-/// Further constants of a woven bag, besides `spherical` and `deviator` of the fabric: see
-/// OrthotropicConstants.
-struct alignas(32) WeaveGroup {
-  double cosine[kLanes];      // of twice the angle to the warp
-  double sine[kLanes];        // of the same
-  double warp_scale[kLanes];  // [-]
-  double shear[kLanes];       // 2 G [Pa]
-  double series[kLanes];      // [Pa], 0 for null elements
-  double skew[kLanes];        // [-]
-  double taut[kLanes];        // [-]
 };
 
 /// Elements and nodes of one block. Its own nodes come first, then those it shares with other blocks.

@@ -151,4 +151,57 @@ PlaneResponse<T> hencky_response(const PlaneStrain<T>& e, const HenckyConstants<
   return hencky_stress(e, mean, radius, logarithmic.square_1, hencky_state(logarithmic, c), c);
 }
 
+/// The law of Cauchy stress linear in logarithmic strain. Its steps are the functions above.
+struct Hencky : LawDefaults {
+  /// What it is for.
+  static constexpr LawTraits traits{
+      .name = "hencky", .end = "is stretched by more than exp(1/2) = 1.65, where the Hencky law ends"};
+  /// In the form that the kernels use.
+  template <class T>
+  using Constants = HenckyConstants<T>;
+
+  /// Strain, then state.
+  static constexpr int kSteps = 2;
+  /// None, then those of the strain.
+  static constexpr int kNotesBefore[] = {0, 5};
+  /// What the steps leave.
+  template <class T>
+  struct Notes {
+    T mean;          // of the Green-Lagrange strain [-]
+    T radius;        // of the same [-]
+    T strain_1;      // of HenckyStrain
+    T log_radius;    // of HenckyStrain
+    T square_1;      // of HenckyStrain
+    T state_mean;    // of HenckyState
+    T state_radius;  // of HenckyState
+    T taut;          // of HenckyState
+  };
+
+  /// Of one element.
+  static Constants<double> constants(const LawInput& fabric) {
+    return hencky_constants(fabric.moduli.young_modulus_warp, fabric.moduli.poisson);
+  }
+  /// One of the steps.
+  template <int kStep, class T>
+  [[gnu::always_inline]] static auto step(const PlaneStrain<T>& e, const Constants<T>& c, const Notes<T>& n) {
+    using std::sqrt;
+    if constexpr (kStep == 0) {
+      const T mean = T(0.5) * (e.e11 + e.e22), difference = T(0.5) * (e.e11 - e.e22);
+      const T radius = sqrt(difference * difference + e.e12 * e.e12);
+      const HenckyStrain<T> h = hencky_strain(mean, radius);
+      return Row<T, 5>{{mean, radius, h.strain_1, h.radius, h.square_1}};
+    } else {
+      const HenckyState<T> h = hencky_state(HenckyStrain<T>{n.strain_1, n.log_radius, n.square_1}, c);
+      return Row<T, 3>{{h.mean, h.radius, h.taut}};
+    }
+  }
+  /// At a point.
+  template <Compression kCompression, class T>
+  [[gnu::always_inline]] static PlaneResponse<T> response(const PlaneStrain<T>& e, const Constants<T>& c,
+                                                          const Notes<T>& n, const ThreadCurves&) {
+    return hencky_stress(e, n.mean, n.radius, n.square_1,
+                         HenckyState<T>{n.state_mean, n.state_radius, n.taut}, c);
+  }
+};
+
 }  // namespace membrane

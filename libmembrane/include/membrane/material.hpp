@@ -4,15 +4,13 @@
 #include <cmath>
 #include <limits>
 
+#include "membrane/law.hpp"
+
 namespace membrane {
 
 /// Compression law of the fabric. `linear` carries compression like any solid. `none` wrinkles or goes slack
 /// instead (relaxed energy, M.3).
 enum class Compression { linear, none };
-
-/// Elastic law of the fabric: stress linear in Green-Lagrange strain (M.2, M.13), Cauchy stress linear in
-/// logarithmic strain (M.25, hencky.hpp), or measured curves of warp and weft (M.30, threads.hpp).
-enum class FabricLaw { saint_venant_kirchhoff, hencky, curve };
 
 /// Green-Lagrange strain in an orthonormal frame of the reference plane (M.1); e12 is the tensor component.
 template <class T>
@@ -115,5 +113,25 @@ inline PlaneResponse<double> isotropic_response(Compression compression, const P
   return compression == Compression::none ? isotropic_response<Compression::none>(e, c)
                                           : isotropic_response<Compression::linear>(e, c);
 }
+
+/// The law of stress linear in Green-Lagrange strain (M.2, M.3), of isotropic fabric.
+struct Isotropic : LawDefaults {
+  /// What it is for.
+  static constexpr LawTraits traits{.name = "saint_venant_kirchhoff", .compression = true};
+  /// In the form that the kernels use.
+  template <class T>
+  using Constants = IsotropicConstants<T>;
+
+  /// Of one element.
+  static Constants<double> constants(const LawInput& fabric) {
+    return isotropic_constants(fabric.moduli.young_modulus_warp, fabric.moduli.poisson);
+  }
+  /// At a point.
+  template <Compression kCompression, class T>
+  static PlaneResponse<T> response(const PlaneStrain<T>& e, const Constants<T>& c, const Notes<T>&,
+                                   const ThreadCurves&) {
+    return isotropic_response<kCompression>(e, c);
+  }
+};
 
 }  // namespace membrane

@@ -9,16 +9,6 @@
 
 namespace membrane {
 
-/// Elastic data of a woven fabric, as on a data sheet. The Poisson ratio is the contraction along the weft in
-/// tension along the warp. The stiffness is positive definite for moduli > 0 and
-/// poisson^2 < young_modulus_warp / young_modulus_weft.
-struct Weave {
-  double young_modulus_warp;  // [Pa] > 0
-  double young_modulus_weft;  // [Pa] > 0
-  double poisson;             // nu_12 [-]
-  double shear;               // G [Pa] > 0
-};
-
 /// Elastic constants in the form that the kernels use (M.13). In the frame of warp and weft, the strain along
 /// the warp is multiplied by `warp_scale` and that along the weft by its inverse; the stresses by the
 /// inverses of these. This keeps S : E and the sign of both tensors, and makes warp and weft equally stiff.
@@ -27,8 +17,9 @@ template <class T>
 struct OrthotropicConstants {
   /// [-] of twice the angle from the frame's first axis to the warp.
   T cosine;
-  T sine;        // [-] of the same angle
-  T warp_scale;  // [-] (C_11 / C_22)^(1/4)
+  T sine;  // [-] of the same angle
+  /// [-] (C_11 / C_22)^(1/4). A divisor, so 1 for an element without stress.
+  T warp_scale = T(1.0);
   /// [Pa] sqrt(C_11 C_22) + C_12: mean stress over mean strain.
   T spherical;
   /// [Pa] sqrt(C_11 C_22) - C_12: stress over strain, each half the difference between warp and weft.
@@ -138,5 +129,25 @@ inline PlaneResponse<double> orthotropic_response(Compression compression, const
   return compression == Compression::none ? orthotropic_response<Compression::none>(e, c)
                                           : orthotropic_response<Compression::linear>(e, c);
 }
+
+/// The law of stress linear in Green-Lagrange strain (M.13, M.14), of woven fabric.
+struct Orthotropic : LawDefaults {
+  /// What it is for.
+  static constexpr LawTraits traits{.name = "saint_venant_kirchhoff", .woven = true, .compression = true};
+  /// In the form that the kernels use.
+  template <class T>
+  using Constants = OrthotropicConstants<T>;
+
+  /// Of one element.
+  static Constants<double> constants(const LawInput& fabric) {
+    return orthotropic_constants(fabric.moduli, fabric.cosine, fabric.sine);
+  }
+  /// At a point.
+  template <Compression kCompression, class T>
+  static PlaneResponse<T> response(const PlaneStrain<T>& e, const Constants<T>& c, const Notes<T>&,
+                                   const ThreadCurves&) {
+    return orthotropic_response<kCompression>(e, c);
+  }
+};
 
 }  // namespace membrane

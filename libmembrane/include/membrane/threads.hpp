@@ -5,18 +5,34 @@
 #include <cmath>
 #include <limits>
 
-#include "membrane/element_group.hpp"
 #include "membrane/material.hpp"
 
 namespace membrane {
 
+/// Most points of a curve of stress over strain.
+inline constexpr int kMostCurvePoints = 64;
+
+/// Nominal stress [Pa] along a thread over its strain, as a sum of ramps (M.30).
+struct ThreadCurve {
+  int count;                        // of the ramps
+  double strain[kMostCurvePoints];  // [-] where each begins
+  double rise[kMostCurvePoints];    // [Pa] what the slope gains there
+  double end;                       // [-] strain of the last point
+  double steepest;                  // [Pa] largest slope
+};
+
+/// Of both directions.
+struct ThreadCurves {
+  ThreadCurve warp;  // along the first direction
+  ThreadCurve weft;  // along the second
+};
+
 /// Constants of a fabric by measured curves, in the form that the kernels use (M.30).
 template <class T>
 struct ThreadConstants {
-  T cosine;                    // [-] of twice the angle from the frame's first axis to the warp
-  T sine;                      // [-] of the same angle
-  T shear;                     // 2 G [Pa]
-  const ThreadCurves* curves;  // of warp and weft
+  T cosine;  // [-] of twice the angle from the frame's first axis to the warp
+  T sine;    // [-] of the same angle
+  T shear;   // 2 G [Pa]
 };
 
 /// Stress of a thread over its stretch, P / lambda, and its energy.
@@ -51,22 +67,23 @@ template <class T>
 /// the derivative of the energy. Past the end of a curve the factor of the tangent is infinite.
 template <class T>
 [[gnu::always_inline]] inline PlaneResponse<T> threads_response(const PlaneStrain<T>& e,
-                                                                const ThreadConstants<T>& c) {
+                                                                const ThreadConstants<T>& c,
+                                                                const ThreadCurves& curves) {
   using std::sqrt;
   const T half(0.5);
   const T mean = half * (e.e11 + e.e22), difference = half * (e.e11 - e.e22);
   const T strain_1 = mean + sqrt(difference * difference + e.e12 * e.e12);
   const T turned = difference * c.cosine + e.e12 * c.sine;
   const T shear = e.e12 * c.cosine - difference * c.sine;
-  const ThreadResponse<T> warp = thread_response(c.curves->warp, mean + turned);
-  const ThreadResponse<T> weft = thread_response(c.curves->weft, mean - turned);
+  const ThreadResponse<T> warp = thread_response(curves.warp, mean + turned);
+  const ThreadResponse<T> weft = thread_response(curves.weft, mean - turned);
   const T d = c.shear * shear;
   const T s_mean = half * (warp.stress + weft.stress), s_difference = half * (warp.stress - weft.stress);
   const T s_turned = s_difference * c.cosine - d * c.sine;
   const T infinite(std::numeric_limits<double>::max());
   T factor = stretch_factor(strain_1);
-  factor = select(warp.strain > T(c.curves->warp.end), infinite, factor);
-  factor = select(weft.strain > T(c.curves->weft.end), infinite, factor);
+  factor = select(warp.strain > T(curves.warp.end), infinite, factor);
+  factor = select(weft.strain > T(curves.weft.end), infinite, factor);
   return {s_mean + s_turned,
           s_mean - s_turned,
           s_difference * c.sine + d * c.cosine,
@@ -75,5 +92,32 @@ template <class T>
           strain_1,
           factor};
 }
+
+/// The law by measured curves.
+struct Threads : LawDefaults {
+  /// What it is for.
+  static constexpr LawTraits traits{.name = "curve",
+                                    .woven = true,
+                                    .curves = true,
+                                    .end = "is stretched beyond the last point of its curve"};
+  /// In the form that the kernels use.
+  template <class T>
+  using Constants = ThreadConstants<T>;
+
+  /// Of one element.
+  static Constants<double> constants(const LawInput& fabric) {
+    return {fabric.cosine, fabric.sine, 2.0 * fabric.moduli.shear};
+  }
+  /// As stiff as the fabric ever gets (M.31).
+  static Weave stiffness(const LawInput& fabric) {
+    return {fabric.curves->warp.steepest, fabric.curves->weft.steepest, 0.0, fabric.moduli.shear};
+  }
+  /// At a point.
+  template <Compression kCompression, class T>
+  [[gnu::always_inline]] static PlaneResponse<T> response(const PlaneStrain<T>& e, const Constants<T>& c,
+                                                          const Notes<T>&, const ThreadCurves& curves) {
+    return threads_response(e, c, curves);
+  }
+};
 
 }  // namespace membrane

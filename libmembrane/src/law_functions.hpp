@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+
+#include "membrane/element_group.hpp"
+#include "membrane/material.hpp"
+
+namespace membrane {
+
+// What the library itself asks a law, outside the kernels.
+struct LawFunctions {
+  Weave (*stiffness)(const LawInput& fabric);
+  // Writes the constants of one element.
+  void (*write)(const LawInput& fabric, FabricGroup& group, std::size_t lane);
+  // Writes those of an element without stress.
+  void (*write_none)(FabricGroup& group, std::size_t lane);
+  PlaneResponse<double> (*response)(Compression compression, const PlaneStrain<double>& strain,
+                                    const FabricGroup& group, std::size_t lane, const ThreadCurves& curves);
+};
+
+const LawFunctions& law_functions(int law);  // place in FabricLaws
+
+}  // namespace membrane
