@@ -24,6 +24,18 @@ part_resume() {
     ended_as "$work/$signal" done
     [ -e "$work/$signal/sphere_inflation/journal.jsonl" ] && fail "the journal stays"
   done
+  # In shares, one of which is cut off: the whole has the bytes of one go.
+  local shared=("$gasjet" "${ensemble[@]}" --quiet --out "$work/shared") share runs
+  for share in 1/3 3/3; do
+    [ $share = 1/3 ] && runs=4 || runs=3
+    expect 0 "" "${shared[@]}" --share $share
+    [ "$(grep -c '"key":"seed' "$work/shared/sphere_inflation/shares/${share/\//_of_}/journal.jsonl")" = "$runs" ] || fail "runs of share $share"
+  done
+  truncate -s -10 "$work/shared/sphere_inflation/shares/3_of_3/journal.jsonl"
+  expect 2 "shares/[13]_of_3: is of another command, case or build than this" "${shared[@]}" --amplitude 2e-5
+  expect 2 "--share 4/3: NUMBER/COUNT" "${shared[@]}" --share 4/3
+  expect 0 "goes on after 6 runs that are done" "$gasjet" "${ensemble[@]}" --out "$work/shared"
+  same_tables "$work/whole/sphere_inflation" "$work/shared/sphere_inflation" ensemble.csv quantities.csv
   # Another ensemble takes nothing over.
   "$gasjet" "${ensemble[@]}" --out "$work/other" >/dev/null 2>&1 </dev/null &
   pid=$!

@@ -9,6 +9,7 @@
 #include "driver/case_reader.hpp"
 #include "driver/result_folder.hpp"
 #include "driver/run.hpp"
+#include "driver/share.hpp"
 
 namespace driver {
 
@@ -22,6 +23,7 @@ struct EnsembleOptions {
   int first_seed = 1;                    // of the displacements; the runs have this and the following ones
   int threads = 1;                       // runs at a time
   bool quiet = false;
+  Share share = {};  // of the runs
 };
 
 /// Mean, its standard error (sample deviation / sqrt(n)) and extremes over the runs.
@@ -68,6 +70,9 @@ Scene read_ensemble_scene(const std::filesystem::path& file, const std::vector<s
 /// again.
 EnsembleResult run_ensemble(const Scene& scene, const EnsembleOptions& options,
                             ResultFolder* folder = nullptr);
+/// The runs of a share, each noted in the journal of `folder`: shares/NAME in that of the whole ensemble,
+/// whose run_ensemble() then has them. False if an interrupt stopped it.
+bool run_ensemble_share(const Scene& scene, const EnsembleOptions& options, ResultFolder& folder);
 
 /// ensemble.csv (time, mean and standard error of each column), quantities.csv (one row a quantity) and
 /// ensemble.json (the same with the value of each run, and failures), runs.csv (single runs). Each says how

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "driver/result_folder.hpp"
+#include "driver/share.hpp"
 
 namespace driver {
 
@@ -113,13 +114,6 @@ StudyPlan read_study(const std::filesystem::path& file);
 /// cost. Fewer after an interrupt.
 std::vector<StudyRun> sample_runs(const StudyPlan& plan);
 
-/// Runs of the share `number` of `count`: those whose number leaves the rest number - 1 when divided by
-/// count.
-struct StudyShare {
-  int number = 1, count = 1;
-  std::string name() const;
-};
-
 /// Runs of one point, with one seed after the other.
 using StudyChunk = std::vector<long>;
 
@@ -131,7 +125,7 @@ StudyCrew threads_of_study(int threads);
 
 /// Computes what no share in `folder` has computed yet of `share`. Each run that ends is kept at once, in
 /// folder/shares/NAME. False if an interrupt stopped it. Throws OutputError and WriteError.
-bool run_study(const StudyPlan& plan, const std::filesystem::path& folder, const StudyShare& share,
+bool run_study(const StudyPlan& plan, const std::filesystem::path& folder, const Share& share,
                const StudyCrew& crew, bool quiet);
 
 /// What a merge found.

@@ -76,6 +76,7 @@ struct EnsembleArguments {
   int runs = 16;
   double amplitude = default_amplitude;  // [m] of the initial nodes' random displacement
   int first_seed = 1;                    // of the runs' displacements
+  std::string share;                     // NUMBER/COUNT; empty: all
   int threads = 1;
   bool quiet = false;
 };

@@ -52,7 +52,7 @@ void print_text(const CompareArguments& a, const Difference& difference) {
              difference.reason.empty() ? "" : ": " + difference.reason);
 }
 
-double share_of(const std::string& option, std::string_view text) {
+double part_of_one(const std::string& option, std::string_view text) {
   const auto share = number_of(text);
   if (!share || *share < 0.0 || *share > 1.0)
     throw CaseError(fmt::format(
@@ -67,7 +67,7 @@ Tolerance tolerance_of(const std::vector<std::string>& options) {
   for (const auto& text : options) {
     const auto equals = text.find('=');
     const bool of_one = equals != std::string::npos;
-    const double share = share_of(text, std::string_view(text).substr(of_one ? equals + 1 : 0));
+    const double share = part_of_one(text, std::string_view(text).substr(of_one ? equals + 1 : 0));
     if (of_one ? !tolerance.of.emplace(text.substr(0, equals), share).second : given)
       throw CaseError(fmt::format("--tolerance {}: is given twice, once is allowed", text));
     if (of_one) continue;

@@ -83,11 +83,30 @@ std::string id_of_cases(const std::vector<std::filesystem::path>& files, const E
                cases);
 }
 
+// The runs of a share, in folders of its own within those of the cases.
+int run_shares(const std::filesystem::path& path, const std::vector<std::filesystem::path>& files,
+               const std::deque<Scene>& scenes, const EnsembleOptions& options, const Provenance& lines) {
+  bool whole = true;
+  ResultFolder::require_free(path, "ensemble", [](const std::string& name) { return name == "effects.csv"; });
+  for (std::size_t i = 0; i < files.size() && whole; ++i) {
+    const auto part = path / files[i].stem();
+    ResultFolder::require_free(part, "ensemble", [](const std::string& name) {
+      return std::ranges::find(files_of_case, name) != files_of_case.end();
+    });
+    ResultFolder folder(part / shares_folder / options.share.name(), "ensemble",
+                        std::vector<std::string>{journal_file});
+    folder.begin(lines);
+    whole = run_ensemble_share(scenes[i], options, folder);
+    folder.end(whole ? "whole" : "interrupted");  // never "done", which would remove the journal
+  }
+  return whole ? exit_done : exit_interrupted;
+}
+
 }  // namespace
 
 int ensemble(const EnsembleArguments& arguments) {
-  const EnsembleOptions options{arguments.runs, arguments.amplitude, arguments.first_seed, arguments.threads,
-                                arguments.quiet};
+  const EnsembleOptions options{arguments.runs,    arguments.amplitude, arguments.first_seed,
+                                arguments.threads, arguments.quiet,     share_of(arguments.share)};
   const auto& overrides = arguments.scene.overrides;
   const auto path = arguments.out.empty() ? std::filesystem::path("results") /
                                                 ("ensemble_" + arguments.scene.file.stem().string())
@@ -105,6 +124,10 @@ int ensemble(const EnsembleArguments& arguments) {
     tell_warnings(scenes.back());
   }
   const std::string id = id_of_cases(files, arguments);
+  if (options.share.count > 1) {
+    catch_interrupt();
+    return run_shares(path, files, scenes, options, provenance(arguments.scene.file, overrides, id));
+  }
   ResultFolder all(path, "ensemble", {"effects.csv"});
   std::deque<Part> parts;
   for (std::size_t i = 0; i < files.size(); ++i) parts.emplace_back(files[i], std::move(scenes[i]), path);

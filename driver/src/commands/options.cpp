@@ -77,6 +77,8 @@ void add_ensemble(CLI::App& app, Arguments& all) {
   ensemble
       ->add_option("--first-seed", all.ensemble.first_seed, "of the displacements: another one, other runs")
       ->check(CLI::Range(1, 999000000));
+  ensemble->add_option("--share", all.ensemble.share, "NUMBER/COUNT: this share of the runs alone")
+      ->check(named);
   ensemble->add_option("--against", all.ensemble.against, "a second case: report the difference of the means")
       ->check(named);
 }

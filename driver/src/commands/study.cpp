@@ -11,21 +11,6 @@
 namespace driver::commands {
 namespace {
 
-StudyShare share_of(const std::string& text) {
-  StudyShare share;
-  if (text.empty()) return share;
-  const auto parts = split(text, '/');
-  const auto number = [](const std::string& part) {
-    return !part.empty() && part.size() < 7 && part.find_first_not_of("0123456789") == std::string::npos
-               ? std::stoi(part)
-               : 0;
-  };
-  if (parts.size() == 2) share = {number(parts[0]), number(parts[1])};
-  if (parts.size() != 2 || share.count < 1 || share.number < 1 || share.number > share.count)
-    throw CaseError(fmt::format("--share {}: NUMBER/COUNT with 1 <= NUMBER <= COUNT is allowed", text));
-  return share;
-}
-
 void print_plan(const StudyPlan& plan) {
   fmt::print("{}: {} points, {} factors, {} runs{}, {} quantities\n", plan.name, plan.points.size(),
              plan.factors.size(), plan.most_runs(), plan.stop ? " at most" : "", plan.quantities.size());
@@ -72,7 +57,7 @@ void print(const StudySummary& summary, const std::filesystem::path& folder) {
 }  // namespace
 
 int study_run(const StudyArguments& arguments) {
-  const StudyShare share = share_of(arguments.share);
+  const Share share = share_of(arguments.share);
   require_file(arguments.plan);
   const StudyPlan plan = read_study(arguments.plan);
   if (plan.stop && share.count > 1)

@@ -17,7 +17,7 @@
 namespace driver {
 namespace {
 
-constexpr double short_run = 0.02;  // [s] a shorter one is repeated until it has taken so long
+constexpr double short_variant = 0.02;  // [s] a shorter one is repeated until it has taken so long
 constexpr int most_repeats = 1000;
 constexpr double long_variant = 5.0;  // of the case's own time: it gets a third of the runs
 
@@ -69,7 +69,7 @@ class Measurement {
     if (timed.outcome.status == RunStatus::interrupted) variant.failure = "interrupted";
     variant.steps = timed.steps;
     p.repeats = static_cast<int>(
-        std::clamp(std::ceil(short_run / std::max(timed.cpu_seconds, 1e-9)), 1.0, 1.0 * most_repeats));
+        std::clamp(std::ceil(short_variant / std::max(timed.cpu_seconds, 1e-9)), 1.0, 1.0 * most_repeats));
     const bool is_long = base_seconds > 0.0 && timed.cpu_seconds > long_variant * base_seconds;
     p.runs = variant.failure.empty() ? is_long ? std::max(3, options_.runs / 3) : options_.runs : 0;
     warm_seconds_ = timed.cpu_seconds;

@@ -4,11 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
-#include <mutex>
 
 #include "driver/progress.hpp"
+#include "ensemble/each_run.hpp"
 #include "ensemble/member.hpp"
 #include "results/journal.hpp"
 #include "step/stages.hpp"
@@ -79,14 +78,12 @@ std::vector<Member> run_members(const Scene& scene, const EnsembleOptions& optio
   Journal journal(folder);
   if (journal.size() > 0 && !options.quiet)
     tell(fmt::format("{}: goes on after {} runs that are done", name, journal.size()));
-  std::atomic<int> finished = 0;
-  std::mutex progress_lock;
-  Progress progress(name, options.runs, options.quiet);
-  // Runs side by side, each serial inside.
-  Executor(options.threads).for_each(options.runs, [&](int i) {
-    if (interrupted()) return;
+  std::vector<int> mine;
+  for (int i = 0; i < options.runs; ++i)
+    if (options.share.has(i)) mine.push_back(i);
+  each_run(name, static_cast<int>(mine.size()), options.threads, options.quiet, [&](int n) {
+    const int i = mine[static_cast<std::size_t>(n)], seed = options.first_seed + i;
     Member& member = members[static_cast<std::size_t>(i)];
-    const int seed = options.first_seed + i;
     const std::string key = fmt::format("seed {}", seed);
     if (const auto* before = journal.find(key)) {
       member = member_of(*before);
@@ -94,9 +91,6 @@ std::vector<Member> run_members(const Scene& scene, const EnsembleOptions& optio
       member = run_seed(scene, options.amplitude, seed);
       if (has_ended(member)) journal.add(key, json_of(member));
     }
-    const std::lock_guard<std::mutex> guard(progress_lock);
-    const int done = ++finished;
-    progress.update(done, [&] { return fmt::format("run {} of {}", done, options.runs); });
   });
   return members;
 }
@@ -127,6 +121,11 @@ Scene read_ensemble_scene(const std::filesystem::path& file, const std::vector<s
     if (text.starts_with("membrane.perturbation"))
       throw CaseError(fmt::format("--set {}: the ensemble sets the perturbation itself (--amplitude)", text));
   return scene;
+}
+
+bool run_ensemble_share(const Scene& scene, const EnsembleOptions& options, ResultFolder& folder) {
+  run_members(scene, options, &folder);
+  return !interrupted();
 }
 
 EnsembleResult run_ensemble(const Scene& scene, const EnsembleOptions& options, ResultFolder* folder) {

@@ -30,8 +30,9 @@ constexpr Outcome fabric_law{Mapping::approximated,
                              "the program's fabric in Green-Lagrange strain (FORM 12) for St. "
                              "Venant-Kirchhoff, in its invariant frame "
                              "(FORM 1) for Hencky: all agree to first order of strain"};
-constexpr Outcome thread{Mapping::exact, "function of nominal stress over stretch less 1, as in the case"};
-constexpr Outcome thread_green{
+constexpr Outcome curve_of_thread{Mapping::exact,
+                                  "function of nominal stress over stretch less 1, as in the case"};
+constexpr Outcome green_curve_of_thread{
     Mapping::approximated,
     "curve of second Piola-Kirchhoff stress over Green-Lagrange strain: exact at its points, between them by "
     "the size below"};
@@ -149,8 +150,8 @@ const std::vector<Feature>& features() {
       {"trigger.delay", trigger, trigger},
       {"trigger.latch", trigger, trigger},
       {"fabric.law", law, fabric_law},
-      {"fabric.warp_curve", thread, thread_green},
-      {"fabric.weft_curve", thread, thread_green},
+      {"fabric.warp_curve", curve_of_thread, green_curve_of_thread},
+      {"fabric.weft_curve", curve_of_thread, green_curve_of_thread},
       {"fabric.young_modulus", law, fabric_law},
       {"fabric.poisson_ratio", law, fabric_law},
       {"fabric.density", same, same},

@@ -5,9 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <mutex>
 
-#include "driver/progress.hpp"
+#include "ensemble/each_run.hpp"
 #include "ladder/parts.hpp"
 
 namespace driver {
@@ -89,12 +88,7 @@ std::vector<LadderSample> run_jobs(const std::filesystem::path& file, const std:
                                    const std::string& quantity, const std::string& title, int threads,
                                    bool quiet, Journal& journal) {
   std::vector<LadderSample> samples(jobs.size());
-  std::mutex lock;
-  std::size_t finished = 0;
-  Progress progress(title, static_cast<double>(jobs.size()), quiet);
-  // Runs side by side, each serial inside.
-  Executor(threads).for_each(static_cast<int>(jobs.size()), [&](int i) {
-    if (interrupted()) return;
+  each_run(title, static_cast<int>(jobs.size()), threads, quiet, [&](int i) {
     const auto j = static_cast<std::size_t>(i);
     if (const auto before = kept(journal, jobs[j])) {
       samples[j] = *before;
@@ -102,10 +96,6 @@ std::vector<LadderSample> run_jobs(const std::filesystem::path& file, const std:
       samples[j] = run_job(file, jobs[j], quantity);
       keep(journal, jobs[j], samples[j]);
     }
-    const std::lock_guard<std::mutex> guard(lock);
-    ++finished;
-    progress.update(static_cast<double>(finished),
-                    [&] { return fmt::format("run {} of {}", finished, jobs.size()); });
   });
   return samples;
 }

@@ -17,7 +17,8 @@ namespace driver {
 /// Without a folder nothing is kept. Any thread may call it.
 class Journal {
  public:
-  /// Reads what an unfinished run of the same id has left.
+  /// Reads what an unfinished run of the same id has left, and what shares of it have. Throws CaseError for
+  /// shares of another run.
   explicit Journal(ResultFolder* folder);
   std::size_t size() const { return before_.size(); }
   const nlohmann::json* find(const std::string& key) const;
@@ -25,6 +26,9 @@ class Journal {
   void add(const std::string& key, const nlohmann::json& value);
 
  private:
+  std::string read(const std::filesystem::path& file);
+  void read_shares(const ResultFolder& folder);
+
   std::map<std::string, nlohmann::json> before_;
   std::optional<GrowingFile> file_;
   std::mutex lock_;

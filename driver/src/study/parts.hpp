@@ -17,7 +17,6 @@
 namespace driver {
 
 inline constexpr const char* plan_copy = "plan.toml";  // in the study's folder
-inline constexpr const char* shares_folder = "shares";
 /// Tells the tables and pictures of a plan from other files in the study's folder.
 ResultFolder::IsOwn files_of_study(const StudyPlan& plan);
 
@@ -103,7 +102,7 @@ std::string head_line(const StudyPlan& plan, const std::filesystem::path& folder
 class StudyWatch {
  public:
   /// To be made before the shares are read. Not for a stop rule, whose runs are of one share.
-  StudyWatch(const StudyPlan& plan, const std::filesystem::path& folder, const StudyShare& own);
+  StudyWatch(const StudyPlan& plan, const std::filesystem::path& folder, const Share& own);
   void add(long run);
   /// Looks at the other shares if that is due, once a second or less often.
   long ended();

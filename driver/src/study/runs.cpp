@@ -81,8 +81,7 @@ class ShareFile {
 // What the progress of a share tells: how many runs all shares have ended, and what its own take.
 class ShareProgress {
  public:
-  ShareProgress(const StudyPlan& plan, const std::filesystem::path& folder, const StudyShare& share,
-                bool quiet) {
+  ShareProgress(const StudyPlan& plan, const std::filesystem::path& folder, const Share& share, bool quiet) {
     if (!quiet && !plan.stop) watch_.emplace(plan, folder, share);
   }
   void add(const StudyRun& run) {
@@ -124,10 +123,6 @@ void keep_plan(const StudyPlan& plan, const std::filesystem::path& folder) {
 }
 
 }  // namespace
-
-std::string StudyShare::name() const {
-  return fmt::format("{}_of_{}", number, count);
-}
 
 int seed_of(const StudyPlan& plan, long run) {
   return plan.seeds == 0 ? 0 : static_cast<int>(run % plan.most_seeds()) + 1;
@@ -180,7 +175,7 @@ StudyCrew threads_of_study(int threads) {
   };
 }
 
-bool run_study(const StudyPlan& plan, const std::filesystem::path& folder, const StudyShare& share,
+bool run_study(const StudyPlan& plan, const std::filesystem::path& folder, const Share& share,
                const StudyCrew& crew, bool quiet) {
   ResultFolder::require_free(folder, "study", files_of_study(plan));
   keep_plan(plan, folder);
@@ -188,14 +183,13 @@ bool run_study(const StudyPlan& plan, const std::filesystem::path& folder, const
   StudyRuns ended = read_shares(folder, plan, SharesOf::this_build).runs;
   for (const auto& [number, run] : ended) all.add(run);
   ShareFile file(plan, folder, share.name());
-  const auto is_mine = [&](long run) { return run % share.count == share.number - 1; };
   if (!quiet && !ended.empty())
     tell(fmt::format("{}: goes on after {} runs that are done", plan.name, ended.size()));
   while (!interrupted()) {
     const auto asked = asked_runs(plan, ended);
     std::vector<long> mine;
     for (const long run : asked)
-      if (is_mine(run) && !ended.contains(run)) mine.push_back(run);
+      if (share.has(run) && !ended.contains(run)) mine.push_back(run);
     if (mine.empty()) break;
     Progress progress(plan.name, static_cast<double>(mine.size()), quiet);
     long done = 0;

@@ -36,7 +36,7 @@ std::string whole_lines(const std::filesystem::path& file, std::uintmax_t from) 
 
 }  // namespace
 
-StudyWatch::StudyWatch(const StudyPlan& plan, const std::filesystem::path& folder, const StudyShare& own)
+StudyWatch::StudyWatch(const StudyPlan& plan, const std::filesystem::path& folder, const Share& own)
     : folder_(folder / shares_folder),
       own_(own.name()),
       is_ended_(static_cast<std::size_t>(plan.end_of_numbers())),

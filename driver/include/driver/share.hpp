@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+// One of several parts of many runs, for as many machines.
+#pragma once
+
+#include <string>
+
+namespace driver {
+
+/// In a folder of results, with a folder for each share.
+inline constexpr const char* shares_folder = "shares";
+
+/// The runs whose number leaves the rest number - 1 when divided by count.
+struct Share {
+  int number = 1, count = 1;
+  bool has(long run) const { return run % count == number - 1; }
+  /// Of its folder.
+  std::string name() const;
+};
+
+/// Reads NUMBER/COUNT; empty: all runs. Throws CaseError, which names --share.
+Share share_of(const std::string& text);
+
+}  // namespace driver
