@@ -22,44 +22,36 @@ void add(double factor, const Mixture::Sums& from, Mixture::Sums& to) {
   for (std::size_t j = 0; j < to.size(); ++j) to[j] += factor * from[j];
 }
 
-}  // namespace
-
-Thermo::Thermo(std::vector<Species> species)
-    : species_(std::move(species)), maximum_temperature_(std::numeric_limits<double>::infinity()) {
-  if (species_.empty()) throw std::invalid_argument("species: at least one is needed");
-  for (std::size_t k = 0; k < species_.size(); ++k) {
-    const Species& s = species_[k];
-    if (index(s.name) != k) throw std::invalid_argument("species = \"" + s.name + "\": named twice");
-    gas_constants_.push_back(kMolarGasConstant / s.molar_mass);
-    low_.push_back(scaled(s.low, gas_constants_.back()));
-    high_.push_back(scaled(s.high, gas_constants_.back()));
-    minimum_temperature_ = std::max(minimum_temperature_, s.minimum_temperature);
-    maximum_temperature_ = std::min(maximum_temperature_, s.maximum_temperature);
-    constant_cp_ = constant_cp_ && s.constant_cp;
-  }
-}
-
-std::size_t Thermo::index(std::string_view name) const {
-  const auto found = std::ranges::find(species_, name, &Species::name);
-  if (found != species_.end()) return static_cast<std::size_t>(found - species_.begin());
-  throw std::invalid_argument("species = \"" + std::string(name) + "\": not in the mixture");
-}
-
-void Thermo::require_in_range(double temperature, double minimum, double maximum) const {
+void require_in_range(double temperature, double minimum, double maximum) {
   if (temperature > 0.0 && temperature >= minimum && temperature <= maximum && std::isfinite(temperature))
     return;
   throw DomainError("temperature = " + to_text(temperature) + " K: outside " + to_text(minimum) + " to " +
                     to_text(maximum) + " K");
 }
 
+}  // namespace
+
+Thermo::Thermo(std::vector<Species> species) : SpeciesSet(std::move(species)) {
+  none_.maximum_temperature = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < size(); ++k) {
+    const Species& s = SpeciesSet::species(k);
+    gas_constants_.push_back(kMolarGasConstant / s.molar_mass);
+    low_.push_back(scaled(s.low, gas_constants_.back()));
+    high_.push_back(scaled(s.high, gas_constants_.back()));
+    none_.minimum_temperature = std::max(none_.minimum_temperature, s.minimum_temperature);
+    none_.maximum_temperature = std::min(none_.maximum_temperature, s.maximum_temperature);
+    none_.constant_cp = none_.constant_cp && s.constant_cp;
+  }
+}
+
 double Thermo::cp(std::size_t k, double temperature) const {
-  const Species& s = species_.at(k);
+  const Species& s = species(k);
   require_in_range(temperature, s.minimum_temperature, s.maximum_temperature);
   return Mixture{1.0, gas_constants_[k], low_[k], high_[k]}.cp(temperature);
 }
 
 double Thermo::enthalpy(std::size_t k, double temperature) const {
-  const Species& s = species_.at(k);
+  const Species& s = species(k);
   require_in_range(temperature, s.minimum_temperature, s.maximum_temperature);
   return Mixture{1.0, gas_constants_[k], low_[k], high_[k]}.enthalpy(temperature);
 }
@@ -69,7 +61,7 @@ double Thermo::internal_energy(std::size_t k, double temperature) const {
 }
 
 double Thermo::standard_entropy(std::size_t k, double temperature) const {
-  const Species& s = species_.at(k);
+  const Species& s = species(k);
   require_in_range(temperature, s.minimum_temperature, s.maximum_temperature);
   const Nasa7& a = temperature <= kJointTemperature ? s.low : s.high;
   const double t = temperature;
@@ -78,17 +70,14 @@ double Thermo::standard_entropy(std::size_t k, double temperature) const {
 }
 
 void Thermo::mixture(std::span<const double> masses, Mixture& out) const {
-  out = Mixture{};
-  out.minimum_temperature = minimum_temperature_;
-  out.maximum_temperature = maximum_temperature_;
-  out.constant_cp = constant_cp_;
+  out = none_;
   for (std::size_t k = 0; k < masses.size(); ++k) {
     out.mass += masses[k];
     out.gas_constant_sum += masses[k] * gas_constants_[k];
     add(masses[k], low_[k], out.low);
-    if (!constant_cp_) add(masses[k], high_[k], out.high);
+    if (!none_.constant_cp) add(masses[k], high_[k], out.high);
   }
-  if (constant_cp_) out.high = out.low;
+  if (none_.constant_cp) out.high = out.low;
 }
 
 Mixture Thermo::mixture(std::span<const double> masses) const {
@@ -104,7 +93,7 @@ Mixture Thermo::mixture(std::span<const double> masses) const {
 Mixture Thermo::checked(std::span<const double> masses, double temperature) const {
   const Mixture sums = mixture(masses);
   require(sums.mass > 0.0, "mass of the mixture [kg]", sums.mass, "must be positive");
-  require_in_range(temperature, minimum_temperature_, maximum_temperature_);
+  require_in_range(temperature, sums.minimum_temperature, sums.maximum_temperature);
   return sums;
 }
 
@@ -166,32 +155,6 @@ double Thermo::temperature_from_internal_energy(std::span<const double> masses, 
   require(sums.mass > 0.0, "mass of the mixture [kg]", sums.mass, "must be positive");
   require(std::isfinite(guess), "guess [K]", guess, "must be finite");
   return sums.temperature(internal_energy, guess);
-}
-
-std::vector<double> Thermo::fractions(std::span<const Component> composition, bool by_mole) const {
-  std::vector<double> masses(size(), 0.0);
-  std::vector<bool> named(size(), false);
-  double sum = 0.0, total_mass = 0.0;
-  for (const auto& [name, fraction] : composition) {
-    const std::size_t k = index(name);
-    if (named[k]) throw std::invalid_argument("species = \"" + name + "\": named twice in a composition");
-    require(std::isfinite(fraction) && fraction >= 0.0, "fraction of " + name, fraction, "must be 0 to 1");
-    named[k] = true;
-    masses[k] = by_mole ? fraction * species_[k].molar_mass : fraction;
-    sum += fraction;
-    total_mass += masses[k];
-  }
-  require(std::abs(sum - 1.0) <= 1e-6, "sum of fractions", sum, "must be 1");
-  for (double& m : masses) m /= total_mass;
-  return masses;
-}
-
-std::vector<double> Thermo::mass_fractions_by_mole(std::span<const Component> composition) const {
-  return fractions(composition, true);
-}
-
-std::vector<double> Thermo::mass_fractions_by_mass(std::span<const Component> composition) const {
-  return fractions(composition, false);
 }
 
 }  // namespace gas

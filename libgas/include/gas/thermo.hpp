@@ -2,30 +2,23 @@
 #pragma once
 #include <cstddef>
 #include <span>
-#include <string_view>
 #include <vector>
 
 #include "gas/error.hpp"
 #include "gas/mixture.hpp"
-#include "gas/species.hpp"
+#include "gas/species_set.hpp"
 
 namespace gas {
 
-/// Thermodynamics of an ideal-gas mixture; immutable. Species are numbered from 0 in the order given.
-/// Functions of the mixture take `masses` [kg]: one per species, none negative. Mass fractions give the
-/// properties of 1 kg.
-class Thermo {
+/// Thermodynamics of an ideal-gas mixture of some species; immutable. Functions of the mixture take `masses`
+/// [kg]: one per species, none negative. Mass fractions give the properties of 1 kg.
+class Thermo : public SpeciesSet {
  public:
   /// Throws std::invalid_argument if `species` is empty or names one twice.
   explicit Thermo(std::vector<Species> species);
 
-  std::size_t size() const { return species_.size(); }  // number of species
-  /// Species number k; throws std::out_of_range.
-  const Species& species(std::size_t k) const { return species_.at(k); }
-  /// Number of the species `name`. Throws std::invalid_argument if the mixture does not have it.
-  std::size_t index(std::string_view name) const;
-  double minimum_temperature() const { return minimum_temperature_; }  // [K]
-  double maximum_temperature() const { return maximum_temperature_; }  // [K]
+  double minimum_temperature() const { return none_.minimum_temperature; }  // [K]
+  double maximum_temperature() const { return none_.maximum_temperature; }  // [K]
 
   /// Specific gas constant of species k [J/(kg K)].
   double gas_constant(std::size_t k) const { return gas_constants_.at(k); }
@@ -62,27 +55,13 @@ class Thermo {
   double temperature_from_internal_energy(std::span<const double> masses, double internal_energy,
                                           double guess) const;
 
-  /// Mass fractions [-] of this mixture, one per species, from a composition by mole, scaled to sum 1. Throws
-  /// std::invalid_argument for
-  /// - a species that the mixture does not have, or one named twice,
-  /// - a fraction that is negative or not finite,
-  /// - a sum that differs from 1 by more than 1e-6.
-  std::vector<double> mass_fractions_by_mole(std::span<const Component> composition) const;
-  /// The same from a composition by mass.
-  std::vector<double> mass_fractions_by_mass(std::span<const Component> composition) const;
-
  private:
   Mixture checked(std::span<const double> masses, double temperature) const;
-  void require_in_range(double temperature, double minimum, double maximum) const;
-  std::vector<double> fractions(std::span<const Component> composition, bool by_mole) const;
 
-  std::vector<Species> species_;
   std::vector<double> gas_constants_;  // [J/(kg K)]
   std::vector<Mixture::Sums> low_;     // R_k a_jk of 1 kg
   std::vector<Mixture::Sums> high_;
-  double minimum_temperature_ = 0.0;
-  double maximum_temperature_ = 0.0;
-  bool constant_cp_ = true;
+  Mixture none_;  // of no mass: the range of temperature, and if cp is constant
 };
 
 }  // namespace gas
