@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # Sets up the machine, builds with warnings as errors and runs the tests, then runs them once more with libraries and
-# driver under AddressSanitizer (without its watch for use after scope) and UndefinedBehaviorSanitizer; left out there (CMakePresets.json)
-# are long tests of values, whose code shorter ones run too. The last line counts the tests of both suites together.
+# driver, built by clang, under AddressSanitizer (without its watch for use after scope) and UndefinedBehaviorSanitizer, with libFuzzer for
+# a minute; left out there (CMakePresets.json) are long tests of values, whose code shorter ones run too. The last line counts the tests
+# of both suites together.
 # usage: scripts/test_all.sh [--no-sanitize] [--long]
 #   --no-sanitize  leave out the sanitizer build
 #   --long         also run the tests labelled `long` (release build only)
@@ -75,13 +76,12 @@ build release -DGASJET_MPI=ON
 rm -f build/claims/*.tsv build/green
 suite fast
 grep '^SKIPPED' build/Testing/Temporary/LastTest.log || true # why a test did not run
-if ((long)); then
-  suite long
-fi
+# Both pages are of the fast tests; long ones write rows of their own.
 phase "verification report" docs/make/pages/verification_report.sh --check || failed_suites+=("verification report")
 phase "stability atlas" docs/make/pages/stability_atlas.sh --check || failed_suites+=("stability atlas")
+if ((long)); then suite long; fi
 if ((sanitize)); then
-  build sanitize
+  build sanitize -DCMAKE_CXX_COMPILER=clang++ -DGASJET_FUZZ=ON
   suite sanitize
 fi
 

@@ -12,6 +12,12 @@ long support::allocations() {
   return count;
 }
 
+#ifdef __has_feature  // clang's way to say it
+#if __has_feature(address_sanitizer)
+#define __SANITIZE_ADDRESS__
+#endif
+#endif
+
 #ifdef __SANITIZE_ADDRESS__
 
 // Of the sanitizers' run time; gcc installs no header for it.

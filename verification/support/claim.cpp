@@ -32,7 +32,7 @@ void write_row(const char* kind, const Claim& claim, const Where& where,
   const auto* info = testing::UnitTest::GetInstance()->current_test_info();
   std::string test = info->test_suite_name();
   test.append(1, '.').append(info->name());
-  std::string file = where.file_name();
+  std::string file = where.file;
   file.erase(0, file.rfind("verification/"));
   std::string name = test;
   for (char& c : name)
@@ -51,7 +51,7 @@ void write_row(const char* kind, const Claim& claim, const Where& where,
 
 void expect_near(const Claim& claim, double computed, double exact, double tolerance, Where where) {
   if (!(std::abs(computed - exact) <= tolerance))
-    ADD_FAILURE_AT(where.file_name(), where.line())
+    ADD_FAILURE_AT(where.file, where.line)
         << claim.what << ": " << number(computed) << ", exact " << number(exact) << ", differs by "
         << std::abs(computed - exact) << ", allowed " << tolerance;
   write_row("near", claim, where, {number(computed), number(exact), number(tolerance)});
@@ -63,7 +63,7 @@ void expect_relative(const Claim& claim, double computed, double exact, double t
 
 void expect_order(const Claim& claim, const std::vector<double>& errors, double low, double high,
                   double ratio, Where where) {
-  if (errors.size() < 3) ADD_FAILURE_AT(where.file_name(), where.line()) << "an order needs three errors";
+  if (errors.size() < 3) ADD_FAILURE_AT(where.file, where.line) << "an order needs three errors";
   std::ostringstream orders, all;
   orders.precision(17);
   all.precision(17);
@@ -73,7 +73,7 @@ void expect_order(const Claim& claim, const std::vector<double>& errors, double 
     const double order = std::log(errors[i - 1] / errors[i]) / std::log(ratio);
     orders << (i == 1 ? "" : " ") << order;
     if (!(order > low && order < high))
-      ADD_FAILURE_AT(where.file_name(), where.line())
+      ADD_FAILURE_AT(where.file, where.line)
           << claim.what << ": order " << order << " from error " << errors[i - 1] << " to " << errors[i]
           << ", allowed " << low << " to " << high;
   }
@@ -83,7 +83,7 @@ void expect_order(const Claim& claim, const std::vector<double>& errors, double 
 void expect_threshold(const Claim& claim, const Threshold& t, double low, double high, Where where) {
   const double ratio = t.measured / t.predicted;
   if (!(ratio >= low && ratio <= high))
-    ADD_FAILURE_AT(where.file_name(), where.line())
+    ADD_FAILURE_AT(where.file, where.line)
         << t.failure << ": measured " << t.measured << " " << t.unit << ", predicted " << t.predicted
         << ", ratio " << ratio << ", allowed " << low << " to " << high;
   write_row("threshold", claim, where,

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <source_location>
 #include <string>
 #include <vector>
 
@@ -11,7 +10,14 @@
 // tolerance.
 namespace claim {
 
-using Where = std::source_location;
+/// As std::source_location, which clang 14 lacks.
+struct Where {
+  const char* file;
+  int line;
+  static constexpr Where current(const char* file = __builtin_FILE(), int line = __builtin_LINE()) {
+    return {file, line};
+  }
+};
 
 struct Claim {
   const char* equation;  // tag in docs/theory, such as "G.4"

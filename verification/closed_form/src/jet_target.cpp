@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gsl/gsl_sf_bessel.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -31,8 +32,9 @@ double inclined_plate_fraction(double theta, double width_slope, double extent) 
   if (std::abs(s) * extent >= 1.0)
     check::refuse("width_slope", width_slope, "width_slope |tan theta| extent must be < 1");
   const auto integrand = [s](double w) { return std::exp(-2.0 * w * w) / (1.0 - s * w); };
-  const int panels = 8 + static_cast<int>(4.0 * extent);
-  return cosine * std::sqrt(2.0 / pi) * quadrature::integrate(integrand, -extent, extent, panels);
+  const double reach = std::min(extent, 20.0);  // beyond it the integrand is 0 in double precision
+  const int panels = 8 + static_cast<int>(4.0 * reach);
+  return cosine * std::sqrt(2.0 / pi) * quadrature::integrate(integrand, -reach, reach, panels);
 }
 
 double disc_fraction(double disc_radius, double width) {

@@ -41,7 +41,7 @@ struct PlainPlace {
 template <class Real>
 PlainPlace<Real> place_on(const Table& volume, double ambient, const Real& product) {
   using std::sqrt;
-  const auto& [x, v] = volume;
+  const auto &x = volume.x, &v = volume.y;
   if (value_of(product) <= (ambient + x[0]) * v[0]) {
     const Real p = product / v[0];
     return {p, p - ambient, v[0], 0.0};
