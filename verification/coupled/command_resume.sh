@@ -24,17 +24,23 @@ part_resume() {
     ended_as "$work/$signal" done
     [ -e "$work/$signal/sphere_inflation/journal.jsonl" ] && fail "the journal stays"
   done
-  # In shares, one of which is cut off: the whole has the bytes of one go.
-  local shared=("$gasjet" "${ensemble[@]}" --quiet --out "$work/shared") share runs
+  # In shares, of which one is cut off and one is damaged: the whole has the bytes of one go.
+  local shared=("$gasjet" "${ensemble[@]}" --out "$work/shared") share runs journals=$work/shared/sphere_inflation/shares
   for share in 1/3 3/3; do
     [ $share = 1/3 ] && runs=4 || runs=3
-    expect 0 "" "${shared[@]}" --share $share
-    [ "$(grep -c '"key":"seed' "$work/shared/sphere_inflation/shares/${share/\//_of_}/journal.jsonl")" = "$runs" ] || fail "runs of share $share"
+    expect 0 "share ${share/\//_of_}: $runs of $runs runs have ended, 0 not done" "${shared[@]}" --share $share
+    [ "$(grep -c '"key":"seed' "$journals/${share/\//_of_}/journal.jsonl")" = $runs ] || fail "runs of share $share"
   done
-  truncate -s -10 "$work/shared/sphere_inflation/shares/3_of_3/journal.jsonl"
-  expect 2 "shares/[13]_of_3: is of another command, case or build than this" "${shared[@]}" --amplitude 2e-5
+  truncate -s -10 "$journals/3_of_3/journal.jsonl"
+  sed -i '2s/"quantities":\[\[[^]]*\],/"quantities":[/; 3s/"rows":\[\[[^]]*\],/"rows":[[0.0],/' "$journals/1_of_3/journal.jsonl"
   expect 2 "--share 4/3: NUMBER/COUNT" "${shared[@]}" --share 4/3
-  expect 0 "goes on after 6 runs that are done" "$gasjet" "${ensemble[@]}" --out "$work/shared"
+  expect 2 "shares/[13]_of_3: is of another command, case or build than this" "${shared[@]}" --share 2/3 --amplitude 2e-5
+  expect 0 "goes on after 4 runs that are done" "${shared[@]}"
+  same_tables "$work/whole/sphere_inflation" "$work/shared/sphere_inflation" ensemble.csv quantities.csv
+  [ -e "$journals" ] && fail "shares stay: $(ls "$journals")"
+  # Results that are there stay when the shares are of another command.
+  expect 0 "" "${shared[@]}" --quiet --share 1/3 --amplitude 2e-5
+  expect 2 "shares/1_of_3: is of another command, case or build than this" "${shared[@]}"
   same_tables "$work/whole/sphere_inflation" "$work/shared/sphere_inflation" ensemble.csv quantities.csv
   # Another ensemble takes nothing over.
   "$gasjet" "${ensemble[@]}" --out "$work/other" >/dev/null 2>&1 </dev/null &

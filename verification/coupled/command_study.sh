@@ -211,6 +211,8 @@ part_study_bad() {
   refused "$at:6:1: factor.0.values: is no array of one value"
   tank_plan "$plan" '[[factor]]' 'key = "inflator.0.mass_flow"' 'values = [1, 1.0]'
   refused "$at:4:1: factor.0: has the level \"1\" twice"
+  tank_plan "$plan" '[[factor]]' 'kye = "inflator.0.mass_flow"'
+  refused "$at:5:1: factor.0.kye: unknown key, .*; is 'key' meant\?"
   tank_plan "$plan" '[stop]' 'quantity = "mass"'
   refused "stop.quantity: is \"mass\", one of the study's is needed: pressure_Pa"
   tank_plan "$plan" '[analysis]' 'base = { factor = "x", level = "y" }'

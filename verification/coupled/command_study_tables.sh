@@ -61,7 +61,7 @@ part_study_progress() {
   printf '{"cpu_s":1,"run":1,"status":"done"}\n{"cpu_s":1,"run":79' >>"$shares/2_of_2/journal.jsonl"
   wait $! || fail "share 1/2: $(cat "$work/log")"
   # A line's share of 40 runs is this share's own; per cent are rounded to half a one, 0.2 runs.
-  awk '/ run [0-9]+ of 80,/ { own = 0.4 * $2; for (i = 1; i < NF; ++i) if ($i == "run") all = $(i + 1)
+  awk '/ all shares [0-9]+ of 80,/ { own = 0.4 * $2; for (i = 1; i < NF; ++i) if ($i == "shares") all = $(i + 1)
       if ((all - own) ^ 2 < 0.5) next; if ((all - own - 39) ^ 2 < 0.5) ++n; else exit 1 } END { exit !n }' "$work/log" ||
     fail "39 runs of the other share are not told: $(cat "$work/log")"
 }
@@ -109,10 +109,10 @@ part_study_pictures() {
   expect 0 "6 of 6 runs" "$gasjet" study merge "$work/means"
   cmp "$work/means.svg" "$work/means/means.svg" || fail "the same picture has other bytes"
   # Points without numbers have rows with their names; Sobol indices and a convergence have pictures of their own.
-  tank_plan "$plan" '[[factor]]' 'name = "way"' '[[factor.level]]' 'name = "some way"' '[[factor.level]]' 'name = "none"' 'unset = ["inflator"]' \
+  tank_plan "$plan" '[[factor]]' 'name = "way"' '[[factor.level]]' 'name = "50 % p"' '[[factor.level]]' 'name = "none"' 'unset = ["inflator"]' \
     '[analysis]' 'pictures = true'
   expect 0 "2 of 2 runs" "$gasjet" study run "$plan" --out "$work/rows"
-  drawn "$work/rows" means "some way" none
+  drawn "$work/rows" means "50 % p" none
   tank_plan "$plan" 'design = "sobol_indices"' 'points = 16' '[[factor]]' 'key = "inflator.0.mass_flow"' 'range = [0.05, 0.15]' 'scale = "logarithmic"' \
     '[[factor]]' 'key = "tank.volume"' 'range = [0.05, 0.07]' '[analysis]' 'pictures = true'
   expect 0 "64 of 64 runs" "$gasjet" study run "$plan" --out "$work/indices"

@@ -122,6 +122,8 @@ part_bad_input() {
     --set gas.heat_loss.area=1 --set gas.heat_loss.outside_temperature=1e300
   expect 2 "scene.end_time: is 9e-10, 1e-9 or more .s. is allowed" "$gasjet" check "$tank" --set scene.end_time=9e-10
   expect 2 "end_time: is missing, .* is needed; is 'end_tme' meant\?" "$gasjet" check "$tank" --unset scene.end_time --set scene.end_tme=1
+  sed 's/^volume =/volumne =/' "$tank" >"$work/misspelt.toml"
+  expect 2 "misspelt.toml:$(grep -n '^volumne' "$work/misspelt.toml" | cut -d: -f1):1: tank.volume: is missing, .*; is 'volumne' meant\?" "$gasjet" check "$work/misspelt.toml"
   expect 2 "volume: is missing, .* is needed; is 'voluem' meant\?" "$gasjet" check "$tank" --unset tank.volume --set tank.voluem=1
   # A misspelt table is named itself, not what its absence leaves another one without.
   for table in ambient gas fabric membrane pendulum contact inflator vent; do

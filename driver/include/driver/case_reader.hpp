@@ -198,6 +198,7 @@ class TableReader {
   const toml::node& require(const std::string& key, const std::string& unit, const std::string& allowed,
                             const char* in_short = nullptr);
   TableReader below(const std::string& key, const toml::node& node) const;
+  std::string place_of(const std::string& key) const;
   std::string misspelt(const std::string& key) const;
   std::string join(const std::string& key) const;
 

@@ -70,9 +70,13 @@ Scene read_ensemble_scene(const std::filesystem::path& file, const std::vector<s
 /// again.
 EnsembleResult run_ensemble(const Scene& scene, const EnsembleOptions& options,
                             ResultFolder* folder = nullptr);
+/// What a share has come to.
+struct ShareOutcome {
+  int asked = 0, ended = 0, failed = 0;  // runs; failed: left their domain or inaccurate
+};
 /// The runs of a share, each noted in the journal of `folder`: shares/NAME in that of the whole ensemble,
-/// whose run_ensemble() then has them. False if an interrupt stopped it.
-bool run_ensemble_share(const Scene& scene, const EnsembleOptions& options, ResultFolder& folder);
+/// whose run_ensemble() then has them.
+ShareOutcome run_ensemble_share(const Scene& scene, const EnsembleOptions& options, ResultFolder& folder);
 
 /// ensemble.csv (time, mean and standard error of each column), quantities.csv (one row a quantity) and
 /// ensemble.json (the same with the value of each run, and failures), runs.csv (single runs). Each says how

@@ -53,13 +53,16 @@ std::string TableReader::join(const std::string& key) const {
   return path_.empty() ? path_key(key) : path_ + "." + path_key(key);
 }
 
+// Of the key if it is there, else of the table.
+std::string TableReader::place_of(const std::string& key) const {
+  const auto found = table_->find(key);
+  if (found == table_->cend()) return where_;
+  const std::string where = location(found->second.source(), where_);
+  return where.starts_with("--set ") ? where : location(found->first.source(), where);
+}
+
 void TableReader::fail(const std::string& key, const std::string& message) const {
-  std::string where = where_;
-  if (const auto found = table_->find(key); found != table_->cend()) {
-    where = location(found->second.source(), where_);
-    if (!where.starts_with("--set ")) where = location(found->first.source(), where);
-  }
-  throw CaseError(fmt::format("{}: {}: {}", where, shortened(join(key)), message));
+  throw CaseError(fmt::format("{}: {}: {}", place_of(key), shortened(join(key)), message));
 }
 
 void TableReader::located(const std::string& key, const std::function<void()>& action) const {
@@ -96,11 +99,11 @@ const toml::node* TableReader::find(const std::string& key, const std::string& u
   return table_->get(key);
 }
 
+// A key that nothing has asked for and that differs by little; empty: there is none.
 std::string TableReader::misspelt(const std::string& key) const {
   for (const auto& [other, node] : *table_) {
     const std::string_view name = other.str();
-    if (!asked_.contains(std::string(name)) && is_like(name, key))
-      return fmt::format("; is '{}' meant?", name);
+    if (!asked_.contains(std::string(name)) && is_like(name, key)) return std::string(name);
   }
   return {};
 }
@@ -109,10 +112,13 @@ std::string TableReader::misspelt(const std::string& key) const {
 const toml::node& TableReader::require(const std::string& key, const std::string& unit,
                                        const std::string& allowed, const char* in_short) {
   const toml::node* node = find(key, unit, allowed, log_->may_be_absent.contains(join(key)) ? "" : "needed");
-  if (!node)
-    fail(key, fmt::format("is missing, {} is needed{}", in_short ? in_short : with_unit(allowed, unit),
-                          misspelt(key)));
-  return *node;
+  if (node) return *node;
+  const std::string message =
+      fmt::format("is missing, {} is needed", in_short ? in_short : with_unit(allowed, unit));
+  const std::string meant = misspelt(key);
+  if (meant.empty()) fail(key, message);
+  throw CaseError(
+      fmt::format("{}: {}: {}; is '{}' meant?", place_of(meant), shortened(join(key)), message, meant));
 }
 
 TableReader TableReader::below(const std::string& key, const toml::node& node) const {

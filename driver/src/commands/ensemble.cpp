@@ -9,6 +9,7 @@
 #include "commands/commands.hpp"
 #include "driver/progress.hpp"
 #include "driver/results.hpp"
+#include "results/journal.hpp"
 
 namespace driver::commands {
 namespace {
@@ -86,7 +87,7 @@ std::string id_of_cases(const std::vector<std::filesystem::path>& files, const E
 // The runs of a share, in folders of its own within those of the cases.
 int run_shares(const std::filesystem::path& path, const std::vector<std::filesystem::path>& files,
                const std::deque<Scene>& scenes, const EnsembleOptions& options, const Provenance& lines) {
-  bool whole = true;
+  bool whole = true, failed = false;
   ResultFolder::require_free(path, "ensemble", [](const std::string& name) { return name == "effects.csv"; });
   for (std::size_t i = 0; i < files.size() && whole; ++i) {
     const auto part = path / files[i].stem();
@@ -96,10 +97,16 @@ int run_shares(const std::filesystem::path& path, const std::vector<std::filesys
     ResultFolder folder(part / shares_folder / options.share.name(), "ensemble",
                         std::vector<std::string>{journal_file});
     folder.begin(lines);
-    whole = run_ensemble_share(scenes[i], options, folder);
+    const ShareOutcome share = run_ensemble_share(scenes[i], options, folder);
+    whole = share.ended == share.asked;
+    failed = failed || share.failed > 0;
     folder.end(whole ? "whole" : "interrupted");  // never "done", which would remove the journal
+    if (!options.quiet)
+      fmt::print("{}: share {}: {} of {} runs have ended, {} not done\n", files[i].stem().string(),
+                 options.share.name(), share.ended, share.asked, share.failed);
   }
-  return whole ? exit_done : exit_interrupted;
+  if (!whole) return exit_interrupted;
+  return failed ? exit_domain : exit_done;
 }
 
 }  // namespace
@@ -124,6 +131,7 @@ int ensemble(const EnsembleArguments& arguments) {
     tell_warnings(scenes.back());
   }
   const std::string id = id_of_cases(files, arguments);
+  for (const auto& file : files) require_shares_of(path / file.stem(), id);
   if (options.share.count > 1) {
     catch_interrupt();
     return run_shares(path, files, scenes, options, provenance(arguments.scene.file, overrides, id));
@@ -153,6 +161,8 @@ int ensemble(const EnsembleArguments& arguments) {
   const char* status = done ? "done" : "interrupted";
   for (Part& part : parts) part.folder.end(status);
   all.end(status);
+  if (done)
+    for (const Part& part : parts) remove_shares(part.folder);
   if (!done) return exit_interrupted;
   return failed ? exit_domain : exit_done;
 }

@@ -72,25 +72,31 @@ Member run_seed(Scene scene, double amplitude, int seed) {
   return run_member(scene);
 }
 
+std::string key_of(const EnsembleOptions& options, int run) {
+  return fmt::format("seed {}", options.first_seed + run);
+}
+
 std::vector<Member> run_members(const Scene& scene, const EnsembleOptions& options, ResultFolder* folder) {
   const std::string name = one_line(scene.name);
   std::vector<Member> members(static_cast<std::size_t>(options.runs));
   Journal journal(folder);
-  if (journal.size() > 0 && !options.quiet)
-    tell(fmt::format("{}: goes on after {} runs that are done", name, journal.size()));
   std::vector<int> mine;
   for (int i = 0; i < options.runs; ++i)
     if (options.share.has(i)) mine.push_back(i);
-  each_run(name, static_cast<int>(mine.size()), options.threads, options.quiet, [&](int n) {
-    const int i = mine[static_cast<std::size_t>(n)], seed = options.first_seed + i;
-    Member& member = members[static_cast<std::size_t>(i)];
-    const std::string key = fmt::format("seed {}", seed);
-    if (const auto* before = journal.find(key)) {
-      member = member_of(*before);
-    } else {
-      member = run_seed(scene, options.amplitude, seed);
-      if (has_ended(member)) journal.add(key, json_of(member));
+  int before = 0;
+  for (const int i : mine)
+    if (auto kept = member_of(scene, journal.find(key_of(options, i)))) {
+      members[static_cast<std::size_t>(i)] = std::move(*kept);
+      ++before;
     }
+  if (before > 0 && !options.quiet)
+    tell(fmt::format("{}: goes on after {} runs that are done", name, before));
+  each_run(name, static_cast<int>(mine.size()), options.threads, options.quiet, [&](int n) {
+    const int i = mine[static_cast<std::size_t>(n)];
+    Member& member = members[static_cast<std::size_t>(i)];
+    if (has_ended(member)) return;
+    member = run_seed(scene, options.amplitude, options.first_seed + i);
+    if (has_ended(member)) journal.add(key_of(options, i), json_of(member));
   });
   return members;
 }
@@ -123,9 +129,17 @@ Scene read_ensemble_scene(const std::filesystem::path& file, const std::vector<s
   return scene;
 }
 
-bool run_ensemble_share(const Scene& scene, const EnsembleOptions& options, ResultFolder& folder) {
-  run_members(scene, options, &folder);
-  return !interrupted();
+ShareOutcome run_ensemble_share(const Scene& scene, const EnsembleOptions& options, ResultFolder& folder) {
+  const auto members = run_members(scene, options, &folder);
+  ShareOutcome share;
+  for (int i = 0; i < options.runs; ++i) {
+    if (!options.share.has(i)) continue;
+    const Member& member = members[static_cast<std::size_t>(i)];
+    ++share.asked;
+    if (has_ended(member)) ++share.ended;
+    if (has_ended(member) && member.outcome.status != RunStatus::done) ++share.failed;
+  }
+  return share;
 }
 
 EnsembleResult run_ensemble(const Scene& scene, const EnsembleOptions& options, ResultFolder* folder) {

@@ -41,7 +41,8 @@ std::optional<double> quantity_of(const Scene& scene, const Member& member, cons
 
 /// For a journal; finite numbers come back as the same doubles, others as NaN.
 nlohmann::json json_of(const Member& member);
-Member member_of(const nlohmann::json& json);
+/// Nothing if there is no entry, or if it is none of a run of this scene that has ended: then it is damaged.
+std::optional<Member> member_of(const Scene& scene, const nlohmann::json* entry);
 
 /// The overrides of a run with the initial nodes displaced.
 std::vector<std::string> perturbed(std::vector<std::string> overrides, double amplitude, int seed);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A run of many in a journal.
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -31,7 +32,9 @@ nlohmann::json json_of(const Member& member) {
   return json;
 }
 
-Member member_of(const nlohmann::json& json) {
+namespace {
+
+Member member_of_entry(const nlohmann::json& json) {
   Member member;
   member.outcome.status = static_cast<RunStatus>(json.at("status").get<int>());
   member.outcome.message = json.at("message");
@@ -44,6 +47,27 @@ Member member_of(const nlohmann::json& json) {
   for (const nlohmann::json& value : json.at("quantities"))
     member.quantities.push_back(value.empty() ? std::nullopt : std::optional(number_of(value.front())));
   return member;
+}
+
+bool is_of(const Scene& scene, const Member& member) {
+  const std::size_t width = row_names(scene).size();
+  const auto is_whole = [&](const std::vector<double>& row) { return row.size() == width; };
+  const bool ends = member.outcome.status != RunStatus::done ||
+                    (!member.rows.empty() && member.rows.back().front() >= scene.time.end * (1.0 - 1e-9));
+  return has_ended(member) && ends && std::ranges::all_of(member.rows, is_whole) &&
+         member.quantities.size() == quantity_names(scene).size();
+}
+
+}  // namespace
+
+std::optional<Member> member_of(const Scene& scene, const nlohmann::json* entry) {
+  if (!entry) return std::nullopt;
+  try {
+    Member member = member_of_entry(*entry);
+    return is_of(scene, member) ? std::optional(std::move(member)) : std::nullopt;
+  } catch (const nlohmann::json::exception&) {
+    return std::nullopt;
+  }
 }
 
 }  // namespace driver

@@ -9,13 +9,46 @@
 #include "driver/share.hpp"
 
 namespace driver {
+namespace {
+
+// Folders of shares, and what their status files say.
+std::vector<std::pair<std::filesystem::path, FolderStatus>> shares_in(const std::filesystem::path& folder) {
+  std::vector<std::pair<std::filesystem::path, FolderStatus>> list;
+  if (!std::filesystem::is_directory(folder / shares_folder)) return list;
+  for (const auto& share : std::filesystem::directory_iterator(folder / shares_folder))
+    if (share.is_directory())
+      if (const auto status = read_status(share.path()); status && !status->run.empty())
+        list.emplace_back(share.path(), *status);
+  return list;
+}
+
+}  // namespace
+
+void require_shares_of(const std::filesystem::path& folder, const std::string& run) {
+  for (const auto& [share, status] : shares_in(folder))
+    if (status.run != run)
+      throw CaseError(
+          fmt::format("{}: is of another command, case or build than this: remove it, or another folder is "
+                      "allowed",
+                      share.string()));
+}
+
+void remove_shares(const ResultFolder& folder) {
+  std::error_code ignored;  // of folders that hold something else too
+  for (const auto& [share, status] : shares_in(folder.path())) {
+    if (status.run != folder.run() || status.status == "running") continue;
+    for (const char* file : {journal_file, status_file}) std::filesystem::remove(share / file, ignored);
+    std::filesystem::remove(share, ignored);
+  }
+  std::filesystem::remove(folder.path() / shares_folder, ignored);
+}
 
 Journal::Journal(ResultFolder* folder) {
   if (!folder) return;
   const auto path = folder->add(journal_file);
   replace_file(path, read(path));
   file_.emplace(path, true);
-  read_shares(*folder);
+  for (const auto& [share, status] : shares_in(folder->path())) read(share / journal_file);
 }
 
 // Keeps the entries of a file; returns its whole lines.
@@ -29,22 +62,6 @@ std::string Journal::read(const std::filesystem::path& file) {
     whole += line + '\n';
   }
   return whole;
-}
-
-void Journal::read_shares(const ResultFolder& folder) {
-  const auto shares = folder.path() / shares_folder;
-  if (!std::filesystem::is_directory(shares)) return;
-  for (const auto& share : std::filesystem::directory_iterator(shares)) {
-    if (!share.is_directory()) continue;
-    const auto status = read_status(share.path());
-    if (!status || status->run.empty()) continue;
-    if (status->run != folder.run())
-      throw CaseError(
-          fmt::format("{}: is of another command, case or build than this: remove it, or another folder is "
-                      "allowed",
-                      share.path().string()));
-    read(share.path() / journal_file);
-  }
 }
 
 const nlohmann::json* Journal::find(const std::string& key) const {

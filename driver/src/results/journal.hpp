@@ -17,8 +17,7 @@ namespace driver {
 /// Without a folder nothing is kept. Any thread may call it.
 class Journal {
  public:
-  /// Reads what an unfinished run of the same id has left, and what shares of it have. Throws CaseError for
-  /// shares of another run.
+  /// Reads what an unfinished run of the same id has left, and what its shares have.
   explicit Journal(ResultFolder* folder);
   std::size_t size() const { return before_.size(); }
   const nlohmann::json* find(const std::string& key) const;
@@ -27,11 +26,15 @@ class Journal {
 
  private:
   std::string read(const std::filesystem::path& file);
-  void read_shares(const ResultFolder& folder);
 
   std::map<std::string, nlohmann::json> before_;
   std::optional<GrowingFile> file_;
   std::mutex lock_;
 };
+
+/// Throws CaseError if a share below `folder` is of another run than `run`.
+void require_shares_of(const std::filesystem::path& folder, const std::string& run);
+/// Removes the shares of a run whose results are whole; one that is still computed stays.
+void remove_shares(const ResultFolder& folder);
 
 }  // namespace driver

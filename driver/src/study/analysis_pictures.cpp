@@ -100,7 +100,7 @@ StudyPicture sobol_picture(const StudyPlan& plan, const SobolTable& table) {
   }
   if (sheet.panels == 0) return {{}, "no indices"};
   const std::string settings =
-      fmt::format("set xlabel 'share of the variance, 95 % interval'\nset xrange [0:{}]\n", most) +
+      fmt::format("set xlabel 'share of the variance, 95 % interval'\nset xrange [*<0:{}]\n", most) +
       named_rows(sheet, names) + key_above(sheet, 2);
   return {"# Sobol indices.\n" + blocks + open_sheet("sobol", sheet, settings) + panels, {}};
 }

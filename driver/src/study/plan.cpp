@@ -101,6 +101,7 @@ void require_own_keys(TableReader& table, const std::vector<StudyFactor>& factor
 void read_factors(TableReader& root, StudyPlan& plan) {
   std::set<std::string> names;
   for (auto& table : root.tables("factor")) {
+    table.allow_only({"key", "level", "name", "range", "scale", "values"});
     plan.factors.push_back(read_factor(table, plan.seeds));
     if (!names.insert(plan.factors.back().name).second)
       table.fail("name", fmt::format("is \"{}\", which is another factor already", plan.factors.back().name));
@@ -245,6 +246,8 @@ StudyPlan read_study(const std::filesystem::path& file) {
   TableReader root = document.root();
   root.allow_only({"analysis", "factor", "stop", "study"});
   TableReader table = root.table("study");
+  table.allow_only({"amplitude", "case", "design", "file", "name", "points", "quantities", "sampling_seed",
+                    "seeds", "set", "unset"});
   plan.name = file_name(table, "name", file.stem().string());
   plan.case_file = table.beside_case(table.at("case").text());
   plan.overrides = overrides_of(table);

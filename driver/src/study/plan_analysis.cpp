@@ -126,6 +126,7 @@ void read_tables(TableReader& root, StudyPlan& plan) {
 
 void read_stop(TableReader& root, StudyPlan& plan) {
   auto table = root.optional_table("stop");
+  if (table) table->allow_only({"most_seeds", "quantity", "sign_error_rate", "standard_error"});
   if (!table) return;
   StudyStop stop;
   stop.quantity = table->at("quantity").text();

@@ -90,8 +90,8 @@ class ShareProgress {
     if (watch_) watch_->add(run.number);
   }
   std::string note(std::size_t asked, int failed) {
-    return fmt::format("run {} of {}, {:.3g} CPU s a run{}", watch_ ? watch_->ended() : runs_, asked,
-                       seconds_ / static_cast<double>(runs_),
+    return fmt::format("{} {} of {}, {:.3g} CPU s a run{}", watch_ ? "all shares" : "run",
+                       watch_ ? watch_->ended() : runs_, asked, seconds_ / static_cast<double>(runs_),
                        failed ? fmt::format(", {} not done", failed) : "");
   }
 

@@ -49,11 +49,22 @@ std::string panel(const std::string& title, const std::vector<std::string>& plot
   return fmt::format("set title {}\nplot {}\n", gnuplot_text(title), fmt::join(plots, ", \\\n  "));
 }
 
+namespace {
+
+// The text at a tic is a format of its place.
+std::string as_tic(const std::string& name) {
+  std::string text;
+  for (const char c : name) text += c == '%' ? "%%" : std::string(1, c);
+  return text;
+}
+
+}  // namespace
+
 std::string named_tics(const char* axis, const std::vector<std::string>& names,
                        const std::vector<double>& places) {
   std::vector<std::string> list;
   for (std::size_t i = 0; i < names.size(); ++i)
-    list.push_back(fmt::format("{} {}", gnuplot_text(names[i]), places[i]));
+    list.push_back(fmt::format("{} {}", gnuplot_text(as_tic(names[i])), places[i]));
   return fmt::format("set {} ({})\n", axis, fmt::join(list, ", "));
 }
 
