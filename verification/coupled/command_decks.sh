@@ -47,6 +47,7 @@ deck_curves() {
   damaged lsdyna clamped_disc '/^\*LOAD_SHELL_SET/,+3s/-1\./ 1./' "pressure at" "$judge"
   damaged lsdyna measured_fabric '/FORM/,+1s/       14\./       12./' "lines" "$reader"
   damaged lsdyna measured_fabric '/ LCA /,+1s/         3/      4711/' "curve 4711" "$reader"
+  damaged lsdyna measured_fabric '/ISREFG/,+1s/ 0$/ 1/' "goes with FORM 12" "$reader"
   damaged lsdyna clamped_disc '/^\*LOAD_SHELL_SET/,+3d' "neither gas nor pressure" "$reader"
 }
 

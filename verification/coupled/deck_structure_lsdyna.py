@@ -60,6 +60,7 @@ AIRBAG = [TITLE, "parts i10 i10 i10 r10 r10 r10 r10 r10", "r10 r10 r10 r10 r10 r
 GAS = ["curve i10 curve i10 -10 r10 r10 r10 r10 r10", "r10"]
 THREADS = "curve i10 curve i10 curve i10 curve i10 curve i10 curve i10 r10"  # of a fabric by curves
 BY_CURVES = (4, 14, -14, 24)  # its FORM
+GREEN = 12  # FORM of Green-Lagrange strain
 UNITS = ({"m", "mm"}, {"sec", "ms"}, {"kg", "mtrc_ton"}, {"k"})
 
 
@@ -148,6 +149,8 @@ def check_cards(deck, where, keyword, cards):
             deck.name(where, "curve", -int(factor))
         if (cards[2][5] in BY_CURVES) != (len(cards) == 6 and min(cards[5][:2]) > 0):
             fault(where, "a fabric by curves has those of warp and weft, and no other fabric has any")
+        if (cards[2][5] == GREEN) != (cards[4][-1] == 1):
+            fault(where, "strain from the design shape by ISREFG goes with FORM 12, and with no other")
         if cards[0][1] <= 0 or cards[0][2] <= 0 or cards[1][0] <= 0:
             fault(where, "density and moduli above 0 are needed")
     elif keyword == "CONSTRAINED_JOINT_REVOLUTE_ID":

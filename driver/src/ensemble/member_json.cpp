@@ -51,11 +51,14 @@ Member member_of_entry(const nlohmann::json& json) {
 
 bool is_of(const Scene& scene, const Member& member) {
   const std::size_t width = row_names(scene).size();
-  const auto is_whole = [&](const std::vector<double>& row) { return row.size() == width; };
-  const bool ends = member.outcome.status != RunStatus::done ||
-                    (!member.rows.empty() && member.rows.back().front() >= scene.time.end * (1.0 - 1e-9));
-  return has_ended(member) && ends && std::ranges::all_of(member.rows, is_whole) &&
-         member.quantities.size() == quantity_names(scene).size();
+  const auto is_finite = [](const std::optional<double>& value) { return !value || std::isfinite(*value); };
+  if (!has_ended(member) || member.quantities.size() != quantity_names(scene).size()) return false;
+  if (std::ranges::any_of(member.rows, [&](const auto& row) { return row.size() != width; })) return false;
+  if (member.outcome.status != RunStatus::done) return true;
+  return member.rows.back().front() >= scene.time.end * (1.0 - 1e-9) &&  // rounding of the last step
+         std::ranges::all_of(member.quantities, is_finite) &&
+         std::ranges::all_of(member.rows,
+                             [&](const auto& row) { return std::ranges::all_of(row, is_finite); });
 }
 
 }  // namespace

@@ -93,7 +93,7 @@ void LsDynaFabric::material(const DeckPart& p) {
   const double weft = f.weave ? f.weave->young_modulus_weft : f.young_modulus;
   const double shear = f.weave ? f.weave->shear : 0.5 * f.young_modulus / (1.0 + f.poisson);
   const auto& description = bag().model.description;
-  const bool green = description.law != "hencky";
+  const bool green = description.law == "saint_venant_kirchhoff";
   constexpr double green_lagrange = 12.0, invariant = 1.0, by_curves = 14.0;
   constexpr double by_share = 3.0, by_velocity = 7.0;  // by share: Graefe's formula, which never chokes
   double coefficient = 0.0, factor = 0.0, option = 0.0;

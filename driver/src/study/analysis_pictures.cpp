@@ -20,8 +20,7 @@ std::string rows_of_shares(const std::vector<SobolIndex>& list, double& most) {
   for (std::size_t f = 0; f < list.size(); ++f) {
     rows += std::to_string(f);
     for (const Estimate& share : {list[f].first_order, list[f].total}) {
-      rows += fmt::format(" {} {} {}", std::max(share.value, 0.0), std::max(share.low, 0.0),
-                          std::max(share.high, 0.0));
+      rows += fmt::format(" {} {} {}", share.value, share.low, share.high);
       most = std::max(most, share.high);
     }
     rows += '\n';
