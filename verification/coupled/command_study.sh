@@ -282,15 +282,3 @@ part_study_bad() {
   tank_plan "$work/other.toml" '[[factor]]' 'key = "inflator.0.mass_flow"' 'values = [0.1, 0.2]'
   expect 2 "is another plan than" "$gasjet" study run "$work/other.toml" --out "$work/one"
 }
-
-part_study_mpi() {
-  local plan=$work/plan.toml program=${gasjet%/*}/gasjet_study_mpi
-  bag_plan "$plan" 6
-  "$gasjet" study run "$plan" --out "$work/alone" --quiet || fail "alone"
-  ranks() { mpirun --allow-run-as-root --oversubscribe -n "$1" "$program" "${@:2}"; }
-  expect 0 "12 of 12 runs, 12 done" ranks 3 "$plan" "$work/ranks"
-  same_study "$work/alone" "$work/ranks"
-  expect 2 "with 2 ranks or more" ranks 1 "$plan" "$work/ranks"
-  tank_plan "$plan" 'seeds = 4'
-  expect 2 "study.seeds: perturb the nodes" ranks 2 "$plan" "$work/ranks"
-}

@@ -261,7 +261,7 @@ part_exact() {
   expect 2 "no_such_parameter" "$gasjet" exact "$name" --set no_such_parameter=1
 }
 
-for family in channels compare cost decks faults identify ladder mesh own_files report resume study study_inputs study_tables; do
+for family in channels compare cost decks faults identify ladder mesh mpi own_files report resume study study_inputs study_tables; do
   # shellcheck source=/dev/null
   source "$(dirname "${BASH_SOURCE[0]}")/command_$family.sh"
 done

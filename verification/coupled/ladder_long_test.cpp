@@ -14,9 +14,8 @@ TEST(ladder_long, papers_impactor_needs_the_jet) {
   options.quantity = "pendulum_angle";
   options.tolerance = 0.1;
   options.hold = {"mesh", "pieces", "step", "gas", "cp", "porosity", "compression", "outlet"};
-  options.threads = 2;
   options.quiet = true;
-  const auto result = driver::run_ladder(GASJET_SOURCE_DIR "/cases/passenger_pendulum.toml", {}, options);
+  const auto result = driver::run_ladder(GASJET_SOURCE_DIR "/cases/passenger_pendulum.toml", {}, options, 2);
   EXPECT_TRUE(result.chaotic);
   for (const auto& rung : result.rungs) {
     EXPECT_EQ(rung.value.count, 16) << rung.name;

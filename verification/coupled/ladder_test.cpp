@@ -20,8 +20,8 @@ using driver::LadderRung;
 using driver::Verdict;
 using Texts = std::vector<std::string>;
 
-driver::LadderOptions options_of(const char* quantity, double tolerance, Texts hold = {}, int threads = 1) {
-  return {quantity, tolerance, std::move(hold), 16, threads, true};
+driver::LadderOptions options_of(const char* quantity, double tolerance, Texts hold = {}) {
+  return {quantity, tolerance, std::move(hold), 16, true};
 }
 
 const LadderRung& rung_of(const LadderResult& result, const std::string& name) {
@@ -178,7 +178,7 @@ TEST(ladder, impactor_near_the_jet_needs_it) {
 TEST(ladder, values_are_those_of_any_number_of_threads) {
   const auto run = [](int threads) {
     return driver::run_ladder(case_file("jet_bag"), {"membrane.mesh.levels=1", "scene.end_time=0.005"},
-                              options_of("pressure", 0.02, {"mesh"}, threads));
+                              options_of("pressure", 0.02, {"mesh"}), threads);
   };
   const auto one = run(1), two = run(2);
   for (const LadderRung& rung : one.rungs)

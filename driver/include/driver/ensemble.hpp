@@ -2,11 +2,13 @@
 // Perturbed runs of one scene: a chaotic scene has a distribution, not a result.
 #pragma once
 
+#include <deque>
 #include <map>
 #include <string>
 #include <vector>
 
 #include "driver/case_reader.hpp"
+#include "driver/crew.hpp"
 #include "driver/result_folder.hpp"
 #include "driver/run.hpp"
 #include "driver/share.hpp"
@@ -21,7 +23,6 @@ struct EnsembleOptions {
   int runs = 16;
   double amplitude = default_amplitude;  // [m] largest random displacement of the initial nodes
   int first_seed = 1;                    // of the displacements; the runs have this and the following ones
-  int threads = 1;                       // runs at a time
   bool quiet = false;
   Share share = {};  // of the runs
 };
@@ -65,18 +66,28 @@ struct EnsembleResult {
 /// perturbation.
 Scene read_ensemble_scene(const std::filesystem::path& file, const std::vector<std::string>& overrides);
 
-/// Runs a scene with a membrane with `runs` seeds from `first_seed` on; the result does not depend on
-/// `threads`. With a folder each run that ends is noted in its journal, and what stands there is not run
-/// again.
-EnsembleResult run_ensemble(const Scene& scene, const EnsembleOptions& options,
-                            ResultFolder* folder = nullptr);
+/// The runs of scenes, which must outlive it, as the work of a crew.
+CrewWork ensemble_work(const std::deque<Scene>& scenes, double amplitude);
+/// A scene with a membrane, and the crew that computes its runs.
+struct EnsembleScene {
+  const Scene& scene;
+  Crew& crew;  // of ensemble_work()
+  int number;  // of the scene in that work
+};
+
+/// Runs a scene with `runs` seeds from `first_seed` on; the result does not depend on who computes them. Each
+/// run that ends is noted in the folder's journal, and what stands there is not run again.
+EnsembleResult run_ensemble(const EnsembleScene& scene, const EnsembleOptions& options, ResultFolder& folder);
+/// The same on threads of this process, and without a folder.
+EnsembleResult run_ensemble(const Scene& scene, const EnsembleOptions& options, int threads = 1);
 /// What a share has come to.
 struct ShareOutcome {
   int asked = 0, ended = 0, failed = 0;  // runs; failed: left their domain or inaccurate
 };
 /// The runs of a share, each noted in the journal of `folder`: shares/NAME in that of the whole ensemble,
 /// whose run_ensemble() then has them.
-ShareOutcome run_ensemble_share(const Scene& scene, const EnsembleOptions& options, ResultFolder& folder);
+ShareOutcome run_ensemble_share(const EnsembleScene& scene, const EnsembleOptions& options,
+                                ResultFolder& folder);
 
 /// ensemble.csv (time, mean and standard error of each column), quantities.csv (one row a quantity) and
 /// ensemble.json (the same with the value of each run, and failures), runs.csv (single runs). Each says how

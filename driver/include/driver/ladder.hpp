@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "driver/compare.hpp"
+#include "driver/crew.hpp"
 #include "driver/ensemble.hpp"
 
 namespace driver {
@@ -100,12 +101,10 @@ struct LadderOptions {
   double tolerance = 0.02;  // share of the reference's magnitude, from LadderResult::zero
   std::vector<std::string> hold;  // axes that stay as the case has them
   int runs = 16;                  // of each rung where the scene is chaotic
-  int threads = 1;
   bool quiet = false;
-  std::function<void()> ready = {};  // called once the case is read, before its first run
-  int most_runs = 0;                 // of a rung whose verdict stays open, if above `runs`
-  double error_rate = 0.025;         // of one verdict being wrong by the scatter of runs
-  int finer = 1;                     // levels of the mesh beyond the case's own, 1 to 3
+  int most_runs = 0;          // of a rung whose verdict stays open, if above `runs`
+  double error_rate = 0.025;  // of one verdict being wrong by the scatter of runs
+  int finer = 1;              // levels of the mesh beyond the case's own, 1 to 3
 };
 
 struct LadderResult {
@@ -154,13 +153,20 @@ LadderPlan plan_ladder(const std::filesystem::path& file, const std::vector<std:
 /// Whole name of a quantity of the scene; the unit may be left off. Throws CaseError with those allowed.
 std::string quantity_name(const Scene& scene, const std::string& quantity);
 
-/// Runs the ladder; results but the costs do not depend on `threads`. Where the quantity is 0 in the full
-/// case or has no event there, only that is run, and `reason` says so. Throws CaseError as plan_ladder does,
-/// and std::runtime_error when the full case, one of its seeds or the finest rung leaves its domain: errors
-/// have no reference then. With a folder each run that is done is noted in its journal, and what stands there
-/// is not run again.
+/// The runs of a ladder as the work of a crew; `quantity` by its whole name.
+CrewWork ladder_work(const std::filesystem::path& file, const std::string& quantity);
+
+/// Runs the ladder of `plan`; results but the costs do not depend on who computes them. Where the quantity is
+/// 0 in the full case or has no event there, only that is run, and `reason` says so. Throws CaseError for a
+/// case that cannot be read, and std::runtime_error when the full case, one of its seeds or the finest rung
+/// leaves its domain: errors have no reference then. With a folder each run that is done is noted in its
+/// journal, and what stands there is not run again.
 LadderResult run_ladder(const std::filesystem::path& file, const std::vector<std::string>& overrides,
-                        const LadderOptions& options, ResultFolder* folder = nullptr);
+                        const LadderPlan& plan, const LadderOptions& options, Crew& crew,
+                        ResultFolder* folder);
+/// The same on threads of this process, and without a folder. Throws CaseError as plan_ladder does.
+LadderResult run_ladder(const std::filesystem::path& file, const std::vector<std::string>& overrides,
+                        const LadderOptions& options, int threads = 1);
 
 /// ladder.csv, ladder.json, and, if there is a cheapest rung, cheapest.toml, which runs as it is. `partial`,
 /// of one that was interrupted: what had run by then. Throws WriteError.

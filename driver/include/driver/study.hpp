@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "driver/crew.hpp"
 #include "driver/result_folder.hpp"
 #include "driver/share.hpp"
 
@@ -114,19 +115,14 @@ StudyPlan read_study(const std::filesystem::path& file);
 /// cost. Fewer after an interrupt.
 std::vector<StudyRun> sample_runs(const StudyPlan& plan);
 
-/// Runs of one point, with one seed after the other.
-using StudyChunk = std::vector<long>;
+/// The runs of a plan, which must outlive it, as the work of a crew; at most `workers` call it at a time.
+CrewWork study_work(const StudyPlan& plan, int workers);
 
-/// Computes chunks, in any order and side by side; calls `keep` for each run that ends, one call at a time.
-using StudyCrew = std::function<void(const StudyPlan&, const std::vector<StudyChunk>&,
-                                     const std::function<void(const StudyRun&)>& keep)>;
-/// Threads of this process.
-StudyCrew threads_of_study(int threads);
-
-/// Computes what no share in `folder` has computed yet of `share`. Each run that ends is kept at once, in
-/// folder/shares/NAME. False if an interrupt stopped it. Throws OutputError and WriteError.
-bool run_study(const StudyPlan& plan, const std::filesystem::path& folder, const Share& share,
-               const StudyCrew& crew, bool quiet);
+/// Lets a crew of study_work() compute what no share in `folder` has computed yet of `share`. Each run that
+/// ends is kept at once, in folder/shares/NAME. False if an interrupt stopped it. Throws OutputError and
+/// WriteError.
+bool run_study(const StudyPlan& plan, const std::filesystem::path& folder, const Share& share, Crew& crew,
+               bool quiet);
 
 /// What a merge found.
 struct StudySummary {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "driver/compare.hpp"
+#include "driver/crew.hpp"
 #include "driver/ensemble.hpp"
 
 namespace driver::commands {
@@ -22,8 +23,10 @@ inline constexpr int exit_interrupted = 130;  // Ctrl-C, as shells report it; wh
 
 int exit_code(Verdict verdict);
 
-/// Runs the subcommand that the command line asks for.
-int run_command_line(int argc, char** argv);
+/// Runs the subcommand that the command line asks for; those of many runs let `crew` compute them.
+int run_command_line(int argc, char** argv, const MakeCrew& crew);
+/// The same as a whole program: errors are told, and are exit codes.
+int program(int argc, char** argv, const MakeCrew& crew);
 
 /// The words of a command line without the first, in reverse, as CLI11 takes them. "--name=" has the empty
 /// value, not what stands after it.
@@ -80,7 +83,7 @@ struct EnsembleArguments {
   int threads = 1;
   bool quiet = false;
 };
-int ensemble(const EnsembleArguments& arguments);
+int ensemble(const EnsembleArguments& arguments, const MakeCrew& crew);
 
 struct LadderArguments {
   CaseArguments scene;
@@ -95,7 +98,7 @@ struct LadderArguments {
   int threads = 1;
   bool quiet = false;
 };
-int ladder(const LadderArguments& arguments);
+int ladder(const LadderArguments& arguments, const MakeCrew& crew);
 
 struct CostArguments {
   CaseArguments scene;
@@ -160,7 +163,7 @@ struct StudyArguments {
   int threads = 1;
   bool quiet = false;
 };
-int study_run(const StudyArguments& arguments);
+int study_run(const StudyArguments& arguments, const MakeCrew& crew);
 int study_merge(const std::filesystem::path& folder);
 
 struct ExportArguments {

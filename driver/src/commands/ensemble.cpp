@@ -60,12 +60,9 @@ std::string effects_text(const std::vector<Effect>& list) {
 
 // One case of the command: its folder and what came of its runs.
 struct Part {
-  Part(const std::filesystem::path& case_file, Scene&& of_case, const std::filesystem::path& out)
-      : file(case_file),
-        scene(std::move(of_case)),
-        folder(out / case_file.stem(), "ensemble", files_of_case) {}
+  Part(const std::filesystem::path& case_file, const std::filesystem::path& out)
+      : file(case_file), folder(out / case_file.stem(), "ensemble", files_of_case) {}
   std::filesystem::path file;
-  Scene scene;
   ResultFolder folder;
   EnsembleResult result;
 };
@@ -86,7 +83,8 @@ std::string id_of_cases(const std::vector<std::filesystem::path>& files, const E
 
 // The runs of a share, in folders of its own within those of the cases.
 int run_shares(const std::filesystem::path& path, const std::vector<std::filesystem::path>& files,
-               const std::deque<Scene>& scenes, const EnsembleOptions& options, const Provenance& lines) {
+               const std::deque<Scene>& scenes, Crew& crew, const EnsembleOptions& options,
+               const Provenance& lines) {
   bool whole = true, failed = false;
   ResultFolder::require_free(path, "ensemble", [](const std::string& name) { return name == "effects.csv"; });
   for (std::size_t i = 0; i < files.size() && whole; ++i) {
@@ -97,7 +95,7 @@ int run_shares(const std::filesystem::path& path, const std::vector<std::filesys
     ResultFolder folder(part / shares_folder / options.share.name(), "ensemble",
                         std::vector<std::string>{journal_file});
     folder.begin(lines);
-    const ShareOutcome share = run_ensemble_share(scenes[i], options, folder);
+    const ShareOutcome share = run_ensemble_share({scenes[i], crew, static_cast<int>(i)}, options, folder);
     whole = share.ended == share.asked;
     failed = failed || share.failed > 0;
     folder.end(whole ? "whole" : "interrupted");  // never "done", which would remove the journal
@@ -111,9 +109,9 @@ int run_shares(const std::filesystem::path& path, const std::vector<std::filesys
 
 }  // namespace
 
-int ensemble(const EnsembleArguments& arguments) {
-  const EnsembleOptions options{arguments.runs,    arguments.amplitude, arguments.first_seed,
-                                arguments.threads, arguments.quiet,     share_of(arguments.share)};
+int ensemble(const EnsembleArguments& arguments, const MakeCrew& make_crew) {
+  const EnsembleOptions options{arguments.runs, arguments.amplitude, arguments.first_seed, arguments.quiet,
+                                share_of(arguments.share)};
   const auto& overrides = arguments.scene.overrides;
   const auto path = arguments.out.empty() ? std::filesystem::path("results") /
                                                 ("ensemble_" + arguments.scene.file.stem().string())
@@ -132,20 +130,24 @@ int ensemble(const EnsembleArguments& arguments) {
   }
   const std::string id = id_of_cases(files, arguments);
   for (const auto& file : files) require_shares_of(path / file.stem(), id);
+  const auto crew = make_crew(id, ensemble_work(scenes, options.amplitude), arguments.threads);
+  if (!crew) return exit_done;
   if (options.share.count > 1) {
     catch_interrupt();
-    return run_shares(path, files, scenes, options, provenance(arguments.scene.file, overrides, id));
+    return run_shares(path, files, scenes, *crew, options, provenance(arguments.scene.file, overrides, id));
   }
   ResultFolder all(path, "ensemble", {"effects.csv"});
   std::deque<Part> parts;
-  for (std::size_t i = 0; i < files.size(); ++i) parts.emplace_back(files[i], std::move(scenes[i]), path);
+  for (std::size_t i = 0; i < files.size(); ++i) parts.emplace_back(files[i], path);
   catch_interrupt();
   all.begin(provenance(arguments.scene.file, overrides, id));
   for (Part& part : parts) part.folder.begin(provenance(part.file, overrides, id));
   bool failed = false;
-  for (Part& part : parts) {
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    Part& part = parts[i];
     part.result.asked = options.runs;
-    if (!interrupted()) part.result = run_ensemble(part.scene, options, &part.folder);
+    if (!interrupted())
+      part.result = run_ensemble({scenes[i], *crew, static_cast<int>(i)}, options, part.folder);
     write_ensemble(part.folder, part.result);
     report(part.file.stem().string(), part.result, options.quiet);
     failed = failed || !part.result.failures.empty();

@@ -126,10 +126,9 @@ void draw(ResultFolder& folder, const LadderResult& result, const LadderOptions&
 
 }  // namespace
 
-int ladder(const LadderArguments& arguments) {
-  LadderOptions options{arguments.quantity,       read_tolerance(arguments.tolerance),
-                        names_of(arguments.hold), arguments.runs,
-                        arguments.threads,        arguments.quiet};
+int ladder(const LadderArguments& arguments, const MakeCrew& make_crew) {
+  LadderOptions options{arguments.quantity, read_tolerance(arguments.tolerance), names_of(arguments.hold),
+                        arguments.runs, arguments.quiet};
   options.most_runs = arguments.most_runs;
   options.error_rate = arguments.error_rate;
   options.finer = arguments.finer;
@@ -139,20 +138,21 @@ int ladder(const LadderArguments& arguments) {
                                                 ("ladder_" + arguments.scene.file.stem().string())
                                           : arguments.out;
   require_file(file);
-  plan_ladder(file, overrides, options.quantity, options.hold, options.finer);
+  const auto plan = plan_ladder(file, overrides, options.quantity, options.hold, options.finer);
   CaseDocument document(file, overrides);
   Scene scene = read_scene(document);
   tell_warnings(scene);
   const std::vector<std::string> files{"ladder.csv", "ladder.json",   "ladder.gp",
                                        "ladder.svg", "cheapest.toml", journal_file};
   refuse_inputs(path, files, document.files());
+  const std::string id = id_of("ladder", options_of(options), {&document});
+  const auto crew =
+      make_crew(id, ladder_work(file, quantity_name(scene, options.quantity)), arguments.threads);
+  if (!crew) return exit_done;
   ResultFolder folder(path, "ladder", files);
-  // Until the first run there is nothing to keep, and a signal ends the program at once.
-  options.ready = [&] {
-    catch_interrupt();
-    folder.begin(provenance(file, overrides, id_of("ladder", options_of(options), {&document})));
-  };
-  const LadderResult result = run_ladder(file, overrides, options, &folder);
+  catch_interrupt();
+  folder.begin(provenance(file, overrides, id));
+  const LadderResult result = run_ladder(file, overrides, plan, options, *crew, &folder);
   const bool partial = interrupted();
   write_ladder(folder, result, file, overrides, options, partial);
   if (partial) {

@@ -209,8 +209,8 @@ void add_study(CLI::App& app, StudyArguments& a) {
   merge->add_option("DIR", a.folder, "folder of the study")->required()->check(named);
 }
 
-int dispatch_study(const CLI::App& study, const StudyArguments& a) {
-  return study.got_subcommand("run") ? study_run(a) : study_merge(a.folder);
+int dispatch_study(const CLI::App& study, const StudyArguments& a, const MakeCrew& crew) {
+  return study.got_subcommand("run") ? study_run(a, crew) : study_merge(a.folder);
 }
 
 void add_export(CLI::App& app, ExportArguments& a) {
@@ -244,17 +244,17 @@ void add_manual(CLI::App& app, Arguments& all) {
   manual->add_option("--out", all.manual, "folder, such as /usr/share")->required()->check(named);
 }
 
-int dispatch(const CLI::App& app, const Arguments& all) {
+int dispatch(const CLI::App& app, const Arguments& all, const MakeCrew& crew) {
   if (app.got_subcommand("run")) return run(all.run);
   if (app.got_subcommand("check")) return check(all.check, all.check_format);
-  if (app.got_subcommand("ensemble")) return ensemble(all.ensemble);
-  if (app.got_subcommand("ladder")) return ladder(all.ladder);
+  if (app.got_subcommand("ensemble")) return ensemble(all.ensemble, crew);
+  if (app.got_subcommand("ladder")) return ladder(all.ladder, crew);
   if (app.got_subcommand("cost")) return cost(all.cost);
   if (app.got_subcommand("mesh")) return dispatch_mesh(*app.get_subcommand("mesh"), all.mesh);
   if (app.got_subcommand("identify")) return identify(all.identify);
   if (app.got_subcommand("compare")) return compare(all.compare);
   if (app.got_subcommand("report")) return report(all.report);
-  if (app.got_subcommand("study")) return dispatch_study(*app.get_subcommand("study"), all.study);
+  if (app.got_subcommand("study")) return dispatch_study(*app.get_subcommand("study"), all.study, crew);
   if (app.got_subcommand("exact")) return exact(all.exact);
   if (app.got_subcommand("export")) return export_deck(all.export_deck);
   write_manual(app, all.manual);
@@ -263,15 +263,14 @@ int dispatch(const CLI::App& app, const Arguments& all) {
 
 }  // namespace
 
-int run_command_line(int argc, char** argv) {
+int run_command_line(int argc, char** argv, const MakeCrew& crew) {
   CLI::App app("Gasjet: inflating airbags with an analytical gas jet", "gasjet");
   app.set_version_flag("--version", std::string("gasjet ") + build_info::version + " (" + build_info::commit +
                                         ", " + build_info::compiler + ", " + build_info::flags + ")");
   app.require_subcommand(1);
   app.footer(
       "Exit codes: 0 done; 1 of compare: outside the band; 2 the command line or an input is wrong, nothing "
-      "is "
-      "written; 3 the computation left its domain or ended inaccurate, what was computed is kept; 4 of "
+      "is written; 3 the computation left its domain or ended inaccurate, what was computed is kept; 4 of "
       "compare "
       "and ladder: undecided, of study merge: incomplete; 130 ended by Ctrl-C, what was computed is kept.");
   Arguments all;
@@ -294,7 +293,7 @@ int run_command_line(int argc, char** argv) {
     if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version
     throw CaseError(std::string(error.what()) + " (--help lists what is allowed)");
   }
-  return dispatch(app, all);
+  return dispatch(app, all, crew);
 }
 
 }  // namespace driver::commands

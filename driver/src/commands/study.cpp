@@ -56,7 +56,7 @@ void print(const StudySummary& summary, const std::filesystem::path& folder) {
 
 }  // namespace
 
-int study_run(const StudyArguments& arguments) {
+int study_run(const StudyArguments& arguments, const MakeCrew& make_crew) {
   const Share share = share_of(arguments.share);
   require_file(arguments.plan);
   const StudyPlan plan = read_study(arguments.plan);
@@ -67,9 +67,10 @@ int study_run(const StudyArguments& arguments) {
   if (!arguments.quiet || arguments.only_check) print_plan(plan);
   if (arguments.only_check) return check_study(plan);
   const auto folder = arguments.out.empty() ? std::filesystem::path("results") / plan.name : arguments.out;
+  const auto crew = make_crew(plan.id, study_work(plan, arguments.threads), arguments.threads);
+  if (!crew) return exit_done;
   catch_interrupt();
-  if (!run_study(plan, folder, share, threads_of_study(arguments.threads), arguments.quiet))
-    return exit_interrupted;
+  if (!run_study(plan, folder, share, *crew, arguments.quiet)) return exit_interrupted;
   if (share.count > 1) return exit_done;
   const StudySummary summary = merge_study(folder);
   if (!arguments.quiet) print(summary, folder);

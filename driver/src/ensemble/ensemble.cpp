@@ -5,9 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 #include "driver/progress.hpp"
-#include "ensemble/each_run.hpp"
 #include "ensemble/member.hpp"
 #include "results/journal.hpp"
 #include "step/stages.hpp"
@@ -67,38 +67,63 @@ void collect_quantities(const Scene& scene, const std::vector<const Member*>& me
       if (const auto& value = m->quantities[i]) result.quantities[names[i]].push_back(*value);
 }
 
-Member run_seed(Scene scene, double amplitude, int seed) {
-  displace_nodes(scene, amplitude, seed);
-  return run_member(scene);
+std::string key_of(int seed) {
+  return fmt::format("seed {}", seed);
 }
 
-std::string key_of(const EnsembleOptions& options, int run) {
-  return fmt::format("seed {}", options.first_seed + run);
-}
-
-std::vector<Member> run_members(const Scene& scene, const EnsembleOptions& options, ResultFolder* folder) {
+std::vector<Member> run_members(const EnsembleScene& ensemble, const EnsembleOptions& options,
+                                ResultFolder* folder) {
+  const Scene& scene = ensemble.scene;
   const std::string name = one_line(scene.name);
   std::vector<Member> members(static_cast<std::size_t>(options.runs));
   Journal journal(folder);
-  std::vector<int> mine;
-  for (int i = 0; i < options.runs; ++i)
-    if (options.share.has(i)) mine.push_back(i);
+  std::vector<int> missing;
+  std::vector<std::string> jobs;
   int before = 0;
-  for (const int i : mine)
-    if (auto kept = member_of(scene, journal.find(key_of(options, i)))) {
+  for (int i = 0; i < options.runs; ++i) {
+    if (!options.share.has(i)) continue;
+    const int seed = options.first_seed + i;
+    if (auto kept = member_of(scene, journal.find(key_of(seed)))) {
       members[static_cast<std::size_t>(i)] = std::move(*kept);
       ++before;
+    } else {
+      missing.push_back(i);
+      jobs.push_back(fmt::format("{} {}", ensemble.number, seed));
     }
+  }
   if (before > 0 && !options.quiet)
     tell(fmt::format("{}: goes on after {} runs that are done", name, before));
-  each_run(name, static_cast<int>(mine.size()), options.threads, options.quiet, [&](int n) {
-    const int i = mine[static_cast<std::size_t>(n)];
-    Member& member = members[static_cast<std::size_t>(i)];
-    if (has_ended(member)) return;
-    member = run_seed(scene, options.amplitude, options.first_seed + i);
-    if (has_ended(member)) journal.add(key_of(options, i), json_of(member));
+  compute_jobs(name, ensemble.crew, jobs, options.quiet, [&](std::size_t job, const std::string& line) {
+    const int i = missing[job];
+    const auto json = nlohmann::json::parse(line);
+    journal.add(key_of(options.first_seed + i), json);
+    members[static_cast<std::size_t>(i)] = member_of(scene, &json).value();
   });
   return members;
+}
+
+EnsembleResult result_of(const Scene& scene, const std::vector<Member>& members,
+                         const EnsembleOptions& options) {
+  EnsembleResult result;
+  result.asked = options.runs;
+  std::vector<const Member*> complete;
+  std::vector<std::pair<int, const Member*>> seeds;
+  for (std::size_t i = 0; i < members.size(); ++i) {
+    const Member& m = members[i];
+    if (has_ended(m)) ++result.ended;
+    if (m.outcome.status == RunStatus::done && !m.rows.empty()) {
+      complete.push_back(&m);
+      seeds.emplace_back(options.first_seed + static_cast<int>(i), &m);
+    } else if (!m.outcome.message.empty()) {
+      result.failures.push_back(m.outcome.message);
+    }
+    if (!m.outcome.warning.empty()) result.warnings.push_back(m.outcome.warning);
+  }
+  if (complete.empty()) return result;
+  collect_rows(scene, complete, result);
+  collect_singles(seeds, result);
+  collect_quantities(scene, complete, result);
+  return result;
 }
 
 }  // namespace
@@ -129,7 +154,21 @@ Scene read_ensemble_scene(const std::filesystem::path& file, const std::vector<s
   return scene;
 }
 
-ShareOutcome run_ensemble_share(const Scene& scene, const EnsembleOptions& options, ResultFolder& folder) {
+CrewWork ensemble_work(const std::deque<Scene>& scenes, double amplitude) {
+  return [&scenes, amplitude](const std::string& job, const std::function<void(const std::string&)>& emit) {
+    std::istringstream text(job);
+    std::size_t number = 0;
+    int seed = 0;
+    text >> number >> seed;
+    Scene scene = scenes.at(number);
+    displace_nodes(scene, amplitude, seed);
+    const Member member = run_member(scene);
+    if (has_ended(member)) emit(line_of(member));
+  };
+}
+
+ShareOutcome run_ensemble_share(const EnsembleScene& scene, const EnsembleOptions& options,
+                                ResultFolder& folder) {
   const auto members = run_members(scene, options, &folder);
   ShareOutcome share;
   for (int i = 0; i < options.runs; ++i) {
@@ -142,28 +181,15 @@ ShareOutcome run_ensemble_share(const Scene& scene, const EnsembleOptions& optio
   return share;
 }
 
-EnsembleResult run_ensemble(const Scene& scene, const EnsembleOptions& options, ResultFolder* folder) {
-  const auto members = run_members(scene, options, folder);
-  EnsembleResult result;
-  result.asked = options.runs;
-  std::vector<const Member*> complete;
-  std::vector<std::pair<int, const Member*>> seeds;
-  for (std::size_t i = 0; i < members.size(); ++i) {
-    const Member& m = members[i];
-    if (has_ended(m)) ++result.ended;
-    if (m.outcome.status == RunStatus::done && !m.rows.empty()) {
-      complete.push_back(&m);
-      seeds.emplace_back(options.first_seed + static_cast<int>(i), &m);
-    } else if (!m.outcome.message.empty()) {
-      result.failures.push_back(m.outcome.message);
-    }
-    if (!m.outcome.warning.empty()) result.warnings.push_back(m.outcome.warning);
-  }
-  if (complete.empty()) return result;
-  collect_rows(scene, complete, result);
-  collect_singles(seeds, result);
-  collect_quantities(scene, complete, result);
-  return result;
+EnsembleResult run_ensemble(const EnsembleScene& scene, const EnsembleOptions& options,
+                            ResultFolder& folder) {
+  return result_of(scene.scene, run_members(scene, options, &folder), options);
+}
+
+EnsembleResult run_ensemble(const Scene& scene, const EnsembleOptions& options, int threads) {
+  const std::deque<Scene> scenes{scene};
+  const auto crew = thread_crew(ensemble_work(scenes, options.amplitude), threads);
+  return result_of(scene, run_members({scenes.front(), *crew, 0}, options, nullptr), options);
 }
 
 std::vector<Effect> effects(const EnsembleResult& with, const EnsembleResult& without) {

@@ -39,8 +39,8 @@ std::vector<std::string> history_quantities(const Scene& scene);
 /// A quantity of quantity_names or history_quantities; none: of an event that did not occur.
 std::optional<double> quantity_of(const Scene& scene, const Member& member, const std::string& name);
 
-/// For a journal; finite numbers come back as the same doubles, others as NaN.
-nlohmann::json json_of(const Member& member);
+/// For a journal, as JSON; finite numbers come back as the same doubles, others as NaN.
+std::string line_of(const Member& member);
 /// Nothing if there is no entry, or if it is none of a run of this scene that has ended: then it is damaged.
 std::optional<Member> member_of(const Scene& scene, const nlohmann::json* entry);
 

@@ -20,7 +20,7 @@ bool has_ended(const Member& member) {
   return status != RunStatus::interrupted && (status != RunStatus::done || !member.rows.empty());
 }
 
-nlohmann::json json_of(const Member& member) {
+std::string line_of(const Member& member) {
   nlohmann::json json{{"status", static_cast<int>(member.outcome.status)},
                       {"message", member.outcome.message},
                       {"warning", member.outcome.warning},
@@ -29,7 +29,7 @@ nlohmann::json json_of(const Member& member) {
                       {"quantities", nlohmann::json::array()}};
   for (const auto& value : member.quantities)
     json["quantities"].push_back(value ? nlohmann::json::array({*value}) : nlohmann::json::array());
-  return json;
+  return json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
 namespace {

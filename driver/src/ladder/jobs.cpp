@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ensemble/each_run.hpp"
 #include "ladder/parts.hpp"
 
 namespace driver {
@@ -46,25 +45,42 @@ LadderSample run_job(const std::filesystem::path& file, const LadderJob& job, co
   return sample;
 }
 
-// Of what the sample follows from, besides the case: the journal's key.
-std::string key_of(const LadderJob& job) {
-  return fmt::format("{}{}", job.is_one_of_many ? "one of many" : "alone", fmt::join(job.overrides, "\n"));
+constexpr std::string_view one_of_many = "one of many", alone = "alone";
+
+// What the sample follows from, besides the case: the crew's job and the journal's key. An override may hold
+// any byte but 0.
+std::string text_of(const LadderJob& job) {
+  std::string text(job.is_one_of_many ? one_of_many : alone);
+  for (const auto& one : job.overrides) (text += '\0') += one;
+  return text;
 }
 
-// A failure is found again, not kept.
-void keep(Journal& journal, const LadderJob& job, const LadderSample& sample) {
-  if (sample.value && std::isfinite(*sample.value))
-    journal.add(key_of(job),
-                {{"value", *sample.value}, {"cpu_s", sample.cpu_seconds}, {"steps", sample.steps}});
+LadderJob job_of(const std::string& text) {
+  LadderJob job;
+  job.is_one_of_many = text.starts_with(one_of_many);
+  for (std::size_t at = text.find('\0'); at != std::string::npos;) {
+    const std::size_t end = text.find('\0', at + 1);
+    job.overrides.push_back(text.substr(at + 1, end == std::string::npos ? end : end - at - 1));
+    at = end;
+  }
+  return job;
 }
 
-std::optional<LadderSample> kept(const Journal& journal, const LadderJob& job) {
-  const auto* before = journal.find(key_of(job));
-  if (!before) return {};
+std::string line_of(const LadderSample& sample) {
+  nlohmann::json json{{"cpu_s", sample.cpu_seconds}, {"steps", sample.steps}};
+  if (sample.value) json["value"] = *sample.value;
+  if (sample.no_event) json["no_event"] = true;
+  if (!sample.failure.empty()) json["failure"] = sample.failure;
+  return json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
+LadderSample sample_of(const nlohmann::json& json) {
   LadderSample sample;
-  sample.value = before->at("value").get<double>();
-  sample.cpu_seconds = before->at("cpu_s");
-  sample.steps = before->at("steps");
+  if (json.contains("value") && json["value"].is_number()) sample.value = json["value"].get<double>();
+  sample.cpu_seconds = json.at("cpu_s");
+  sample.steps = json.at("steps");
+  sample.failure = json.value("failure", "");
+  sample.no_event = json.value("no_event", false);
   return sample;
 }
 
@@ -84,18 +100,32 @@ std::string quantity_name(const Scene& scene, const std::string& quantity) {
   return found.front();
 }
 
-std::vector<LadderSample> run_jobs(const std::filesystem::path& file, const std::vector<LadderJob>& jobs,
-                                   const std::string& quantity, const std::string& title, int threads,
+CrewWork ladder_work(const std::filesystem::path& file, const std::string& quantity) {
+  return [file, quantity](const std::string& job, const std::function<void(const std::string&)>& emit) {
+    emit(line_of(run_job(file, job_of(job), quantity)));
+  };
+}
+
+// A failure is found again, not kept.
+std::vector<LadderSample> run_jobs(Crew& crew, const std::vector<LadderJob>& jobs, const std::string& title,
                                    bool quiet, Journal& journal) {
   std::vector<LadderSample> samples(jobs.size());
-  each_run(title, static_cast<int>(jobs.size()), threads, quiet, [&](int i) {
-    const auto j = static_cast<std::size_t>(i);
-    if (const auto before = kept(journal, jobs[j])) {
-      samples[j] = *before;
+  std::vector<std::size_t> missing;
+  std::vector<std::string> texts;
+  for (std::size_t i = 0; i < jobs.size(); ++i) {
+    std::string text = text_of(jobs[i]);
+    if (const auto* before = journal.find(text)) {
+      samples[i] = sample_of(*before);
     } else {
-      samples[j] = run_job(file, jobs[j], quantity);
-      keep(journal, jobs[j], samples[j]);
+      missing.push_back(i);
+      texts.push_back(std::move(text));
     }
+  }
+  compute_jobs(title, crew, texts, quiet, [&](std::size_t job, const std::string& line) {
+    const auto json = nlohmann::json::parse(line);
+    LadderSample& sample = samples[missing[job]];
+    sample = sample_of(json);
+    if (sample.value && std::isfinite(*sample.value)) journal.add(texts[job], json);
   });
   return samples;
 }

@@ -29,13 +29,13 @@ void need_size(LadderResult& result, double value, const char* where) {
 class LadderRun {
  public:
   LadderRun(const std::filesystem::path& file, const Scene& scene, const std::vector<std::string>& user,
-            const LadderOptions& options, LadderResult& result, Journal& journal)
+            const LadderOptions& options, Crew& crew, LadderResult& result, Journal& journal)
       : file_(file),
         scene_(scene),
         options_(options),
         result_(result),
         journal_(journal),
-        runs_(file, scene, user, options, result, journal) {
+        runs_(scene, user, options, crew, result, journal) {
     for (const auto& axis : result.plan.axes) full_.push_back(axis.base);
   }
 
@@ -144,22 +144,30 @@ class LadderRun {
 }  // namespace
 
 LadderResult run_ladder(const std::filesystem::path& file, const std::vector<std::string>& overrides,
-                        const LadderOptions& options, ResultFolder* folder) {
+                        const LadderPlan& plan, const LadderOptions& options, Crew& crew,
+                        ResultFolder* folder) {
   LadderResult result;
-  result.plan = plan_ladder(file, overrides, options.quantity, options.hold, options.finer);
+  result.plan = plan;
   CaseDocument document(file, overrides);
   const Scene scene = read_scene(document);
   result.quantity = quantity_name(scene, options.quantity);
   if (result.quantity.ends_with("pressure_Pa")) result.zero = scene.ambient.pressure;
-  if (options.ready) options.ready();
   Journal journal(folder);
   if (journal.size() > 0 && !options.quiet)
     tell(fmt::format("{}: goes on after {} runs that are done", one_line(scene.name), journal.size()));
-  LadderRun(file, scene, overrides, options, result, journal).run();
+  LadderRun(file, scene, overrides, options, crew, result, journal).run();
   if (interrupted() || !result.reason.empty()) return result;
   judge(result, options.tolerance, options.error_rate / (result.chaotic ? ladder_looks(options) : 1));
   need_size(result, result.reference.value, "the reference");
   return result;
+}
+
+LadderResult run_ladder(const std::filesystem::path& file, const std::vector<std::string>& overrides,
+                        const LadderOptions& options, int threads) {
+  const auto plan = plan_ladder(file, overrides, options.quantity, options.hold, options.finer);
+  CaseDocument document(file, overrides);
+  const auto work = ladder_work(file, quantity_name(read_scene(document), options.quantity));
+  return run_ladder(file, overrides, plan, options, *thread_crew(work, threads), nullptr);
 }
 
 }  // namespace driver

@@ -72,10 +72,9 @@ struct LadderSample {
   bool no_event = false;  // that is all: the run is whole
 };
 
-/// One sample a job, `threads` at a time; those that an interrupt forestalled have neither value nor failure.
-/// What stands in the journal is not run again.
-std::vector<LadderSample> run_jobs(const std::filesystem::path& file, const std::vector<LadderJob>& jobs,
-                                   const std::string& quantity, const std::string& title, int threads,
+/// One sample a job, by a crew of ladder_work(); those that an interrupt forestalled have neither value nor
+/// failure. What stands in the journal is not run again.
+std::vector<LadderSample> run_jobs(Crew& crew, const std::vector<LadderJob>& jobs, const std::string& title,
                                    bool quiet, Journal& journal);
 
 }  // namespace driver

@@ -76,8 +76,7 @@ LadderJob RungRuns::job(std::size_t rung, int seed) const {
 
 std::vector<LadderSample> RungRuns::samples_of(const std::vector<LadderJob>& jobs,
                                                const std::string& what) const {
-  return run_jobs(file_, jobs, result_.quantity, scene_.name + ", " + what, options_.threads, options_.quiet,
-                  journal_);
+  return run_jobs(crew_, jobs, scene_.name + ", " + what, options_.quiet, journal_);
 }
 
 void RungRuns::run_missing(std::size_t first, int most, const std::string& what) {
@@ -100,8 +99,8 @@ void RungRuns::tell_cost(std::size_t first) const {
     seconds += result_.rungs[r].cpu_seconds * (wanted(r) - have);
     if (wanted(r) > 1) most += result_.rungs[r].cpu_seconds * (largest - have);
   }
-  auto text = fmt::format("{}: {:.3g} CPU s to go, {:.2g} min on {} threads", one_line(scene_.name), seconds,
-                          seconds / (60.0 * options_.threads), options_.threads);
+  auto text = fmt::format("{}: {:.3g} CPU s to go, {:.2g} min with {} at a time", one_line(scene_.name),
+                          seconds, seconds / (60.0 * crew_.workers()), crew_.workers());
   if (largest > options_.runs)
     text += fmt::format("; at most {:.3g} CPU s, if all of these verdicts stay open", most);
   tell(text);

@@ -9,9 +9,9 @@ namespace driver {
 class RungRuns {
  public:
   /// Arguments must outlive the runs; these fill in the values of `result`'s rungs.
-  RungRuns(const std::filesystem::path& file, const Scene& scene, const std::vector<std::string>& user,
-           const LadderOptions& options, LadderResult& result, Journal& journal)
-      : file_(file), scene_(scene), user_(user), options_(options), result_(result), journal_(journal) {}
+  RungRuns(const Scene& scene, const std::vector<std::string>& user, const LadderOptions& options, Crew& crew,
+           LadderResult& result, Journal& journal)
+      : scene_(scene), user_(user), options_(options), crew_(crew), result_(result), journal_(journal) {}
 
   /// Whether seeds scatter by what the tolerance would notice: then every rung is a mean.
   void probe();
@@ -31,10 +31,10 @@ class RungRuns {
   void collect(std::size_t rung);
   void need(const std::string& name, const LadderSample& sample);
 
-  const std::filesystem::path& file_;
   const Scene& scene_;
   const std::vector<std::string>& user_;
   const LadderOptions& options_;
+  Crew& crew_;
   LadderResult& result_;
   Journal& journal_;
   std::vector<std::vector<LadderSample>> samples_;  // of each rung

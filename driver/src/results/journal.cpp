@@ -3,15 +3,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <fstream>
 
 #include "driver/case_reader.hpp"
 #include "driver/share.hpp"
 
 namespace driver {
-namespace {
-
-// Folders of shares, and what their status files say.
 std::vector<std::pair<std::filesystem::path, FolderStatus>> shares_in(const std::filesystem::path& folder) {
   std::vector<std::pair<std::filesystem::path, FolderStatus>> list;
   if (!std::filesystem::is_directory(folder / shares_folder)) return list;
@@ -19,10 +17,9 @@ std::vector<std::pair<std::filesystem::path, FolderStatus>> shares_in(const std:
     if (share.is_directory())
       if (const auto status = read_status(share.path()); status && !status->run.empty())
         list.emplace_back(share.path(), *status);
+  std::ranges::sort(list, {}, [](const auto& share) { return share.first; });
   return list;
 }
-
-}  // namespace
 
 void require_shares_of(const std::filesystem::path& folder, const std::string& run) {
   for (const auto& [share, status] : shares_in(folder))

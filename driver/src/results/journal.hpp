@@ -8,6 +8,8 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "driver/result_folder.hpp"
 
@@ -32,6 +34,8 @@ class Journal {
   std::mutex lock_;
 };
 
+/// The shares below `folder` and what their status files say, in the order of their names.
+std::vector<std::pair<std::filesystem::path, FolderStatus>> shares_in(const std::filesystem::path& folder);
 /// Throws CaseError if a share below `folder` is of another run than `run`.
 void require_shares_of(const std::filesystem::path& folder, const std::string& run);
 /// Removes the shares of a run whose results are whole; one that is still computed stays.

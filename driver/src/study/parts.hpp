@@ -62,6 +62,8 @@ class StudyScenes {
   std::vector<std::pair<std::size_t, std::unique_ptr<Scene>>> free_;  // at most one for each worker
 };
 
+/// Runs of one point, with one seed after the other.
+using StudyChunk = std::vector<long>;
 /// Calls `keep` for each run of a chunk as soon as it has ended. A run that an interrupt stops is not among
 /// them, nor is one that the machine stops: FileError and std::runtime_error say so.
 void run_chunk(const StudyPlan& plan, const StudyChunk& chunk, StudyScenes& scenes,
@@ -91,6 +93,7 @@ enum class SharesOf { this_build, any_build };
 /// Reads all shares of a folder. A line that a kill tore is not there. Throws CaseError for shares of another
 /// plan, case or file than those that `plan` was read from, or of different builds, and for damaged lines.
 StudyRecords read_shares(const std::filesystem::path& folder, const StudyPlan& plan, SharesOf build);
+/// Without its end, as what a crew emits.
 std::string line_of(const StudyRun& run);
 /// Nothing if the line is none of a run of the plan.
 std::optional<StudyRun> run_of_line(const StudyPlan& plan, const std::string& line);

@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // The runs of a study: which, on which threads, into which share.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
-#include <mutex>
+#include <iterator>
 #include <new>
+#include <sstream>
 #include <stdexcept>
 #include <system_error>
 
 #include "case/text_file.hpp"
-#include "driver/executor.hpp"
 #include "driver/progress.hpp"
 #include "driver/results.hpp"
 #include "driver/scene.hpp"
@@ -47,7 +48,8 @@ StudyRun refused(const StudyPlan& plan, long number, const std::exception& error
           0,      0.0};
 }
 
-std::vector<StudyChunk> chunks_of(const StudyPlan& plan, const std::vector<long>& runs) {
+// The numbers of a chunk's runs, as a job.
+std::vector<std::string> jobs_of(const StudyPlan& plan, const std::vector<long>& runs) {
   std::vector<StudyChunk> chunks;
   const std::size_t longest = std::clamp<std::size_t>(runs.size() / fewest_chunks, 1, longest_chunk);
   for (const long run : runs) {
@@ -56,7 +58,14 @@ std::vector<StudyChunk> chunks_of(const StudyPlan& plan, const std::vector<long>
     if (!joins) chunks.emplace_back();
     chunks.back().push_back(run);
   }
-  return chunks;
+  std::vector<std::string> jobs;
+  for (const StudyChunk& chunk : chunks) jobs.push_back(fmt::format("{}", fmt::join(chunk, " ")));
+  return jobs;
+}
+
+StudyChunk chunk_of(const std::string& job) {
+  std::istringstream text(job);
+  return {std::istream_iterator<long>(text), {}};
 }
 
 // A share's own file, in which a run stands as soon as it has ended.
@@ -69,7 +78,7 @@ class ShareFile {
     // On a line of its own, whatever a kill has torn before.
     file_->append('\n' + head_line(plan, study, folder_.lines()));
   }
-  void keep(const StudyRun& run) { file_->append(line_of(run)); }
+  void keep(const std::string& line) { file_->append(line + '\n'); }
   // Never "done", which would remove the journal.
   void end(bool whole) { folder_.end(whole ? "whole" : "interrupted"); }
 
@@ -161,22 +170,15 @@ void run_chunk(const StudyPlan& plan, const StudyChunk& chunk, StudyScenes& scen
   if (scene) scenes.give(point, std::move(scene));
 }
 
-StudyCrew threads_of_study(int threads) {
-  const auto scenes = std::make_shared<StudyScenes>(static_cast<std::size_t>(std::max(threads, 1)));
-  return [threads, scenes](const StudyPlan& plan, const std::vector<StudyChunk>& chunks,
-                           const std::function<void(const StudyRun&)>& keep) {
-    std::mutex lock;
-    Executor(threads).for_each(static_cast<int>(chunks.size()), [&](int i) {
-      run_chunk(plan, chunks[static_cast<std::size_t>(i)], *scenes, [&](const StudyRun& run) {
-        const std::lock_guard<std::mutex> guard(lock);
-        keep(run);
-      });
-    });
+CrewWork study_work(const StudyPlan& plan, int workers) {
+  const auto scenes = std::make_shared<StudyScenes>(static_cast<std::size_t>(workers));
+  return [&plan, scenes](const std::string& job, const std::function<void(const std::string&)>& emit) {
+    run_chunk(plan, chunk_of(job), *scenes, [&](const StudyRun& run) { emit(line_of(run)); });
   };
 }
 
-bool run_study(const StudyPlan& plan, const std::filesystem::path& folder, const Share& share,
-               const StudyCrew& crew, bool quiet) {
+bool run_study(const StudyPlan& plan, const std::filesystem::path& folder, const Share& share, Crew& crew,
+               bool quiet) {
   ResultFolder::require_free(folder, "study", files_of_study(plan));
   keep_plan(plan, folder);
   ShareProgress all(plan, folder, share, quiet);
@@ -194,8 +196,9 @@ bool run_study(const StudyPlan& plan, const std::filesystem::path& folder, const
     Progress progress(plan.name, static_cast<double>(mine.size()), quiet);
     long done = 0;
     int failed = 0;
-    crew(plan, chunks_of(plan, mine), [&](const StudyRun& run) {
-      file.keep(run);
+    crew.compute(jobs_of(plan, mine), [&](std::size_t, const std::string& line) {
+      file.keep(line);
+      const StudyRun run = run_of_line(plan, line).value();
       ended.emplace(run.number, run);
       all.add(run);
       failed += run.status != "done";

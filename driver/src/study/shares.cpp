@@ -6,6 +6,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "results/journal.hpp"
 #include "study/parts.hpp"
 
 namespace driver {
@@ -87,15 +88,6 @@ class ShareReader {
   std::vector<StudyInput> inputs_;
 };
 
-std::vector<std::filesystem::path> folders_in(const std::filesystem::path& folder) {
-  std::vector<std::filesystem::path> list;
-  if (std::filesystem::is_directory(folder))
-    for (const auto& entry : std::filesystem::directory_iterator(folder))
-      if (entry.is_directory()) list.push_back(entry.path());
-  std::ranges::sort(list);
-  return list;
-}
-
 }  // namespace
 
 std::string line_of(const StudyRun& run) {
@@ -107,7 +99,7 @@ std::string line_of(const StudyRun& run) {
             {"cpu_s", run.cpu_seconds},
             {"values", std::move(values)}};
   if (!run.message.empty()) json["message"] = run.message;
-  return json.dump(-1, ' ', false, Json::error_handler_t::replace) + '\n';
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
 std::string head_line(const StudyPlan& plan, const std::filesystem::path& folder, const Provenance& build) {
@@ -146,11 +138,10 @@ StudyRecords read_shares(const std::filesystem::path& folder, const StudyPlan& p
   const ShareReader reader(plan, folder);
   std::string first_id = build == SharesOf::this_build ? plan.id : "";
   std::filesystem::path first;
-  for (const auto& share : folders_in(folder / shares_folder)) {
-    const auto status = read_status(share);
-    if (!status || !status->files.contains(journal_file)) continue;
-    if (first_id.empty()) first_id = status->run, first = share;
-    if (status->run != first_id)
+  for (const auto& [share, status] : shares_in(folder)) {
+    if (!status.files.contains(journal_file)) continue;
+    if (first_id.empty()) first_id = status.run, first = share;
+    if (status.run != first_id)
       throw CaseError(
           fmt::format("{}: is of another plan, case or build than {}: runs of one are allowed, remove it or "
                       "use another folder",

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "driver/crew.hpp"
+
+#include <fmt/format.h>
+
+#include <mutex>
+
+#include "driver/executor.hpp"
+#include "driver/progress.hpp"
+
+namespace driver {
+namespace {
+
+class ThreadCrew : public Crew {
+ public:
+  ThreadCrew(const CrewWork& work, int threads) : work_(work), executor_(threads) {}
+
+  int workers() const override { return executor_.threads(); }
+
+  void compute(const std::vector<std::string>& jobs,
+               const std::function<void(std::size_t, const std::string&)>& keep) override {
+    std::mutex lock;
+    executor_.for_each(static_cast<int>(jobs.size()), [&](int i) {
+      if (interrupted()) return;
+      const auto job = static_cast<std::size_t>(i);
+      work_(jobs[job], [&](const std::string& line) {
+        const std::lock_guard<std::mutex> guard(lock);
+        keep(job, line);
+      });
+    });
+  }
+
+ private:
+  CrewWork work_;
+  Executor executor_;
+};
+
+}  // namespace
+
+std::unique_ptr<Crew> thread_crew(const CrewWork& work, int threads) {
+  return std::make_unique<ThreadCrew>(work, threads);
+}
+
+void compute_jobs(const std::string& title, Crew& crew, const std::vector<std::string>& jobs, bool quiet,
+                  const std::function<void(std::size_t, const std::string&)>& keep) {
+  const std::size_t count = jobs.size();
+  std::size_t ended = 0;
+  Progress progress(title, static_cast<double>(count), quiet);
+  crew.compute(jobs, [&](std::size_t job, const std::string& line) {
+    keep(job, line);
+    ++ended;
+    progress.update(static_cast<double>(ended), [&] { return fmt::format("run {} of {}", ended, count); });
+  });
+}
+
+}  // namespace driver
