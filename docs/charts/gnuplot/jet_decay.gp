@@ -38,6 +38,6 @@ plot constants using 1:(0.086):(0.102) with filledcurves linecolor rgb measured 
 set ylabel 'Entrainment, d(Q/Q_0) / d(z/D)'
 set yrange [0.2:0.6]
 set ytics 0.05
-plot constants using 1:(0.32) with linespoints linecolor rgb quiet pointtype 6 pointinterval 8 title 'measured, round', \
+plot constants using 1:(0.32) with lines linecolor rgb measured linewidth 6 title 'measured, round', \
      constants using 'spread':'round_entrainment_slope' with lines linestyle 1 title 'model, round: 4 a/0.96'
 unset multiplot
