@@ -69,9 +69,9 @@ part_report() {
   a_copy && sed -i 's/^status: done/status: running/' "$work/bad/gasjet.status"
   expect 2 "history.csv: its run has not ended" "$gasjet" report "$work/bad" --out "$page"
   # What is missing makes the page smaller, and it says so.
-  a_copy && rm "$work/bad/frames.bin" "$work/bad/energy.csv"
+  a_copy && rm "$work/bad/"{frames.bin,energy.csv,check.json}
   expect 0 "MB" "$gasjet" report "$work/bad" --out "$page"
-  grep -q "frames.bin is missing: no pictures of the bag" "$page" && grep -q "energy.csv is missing" "$page" || fail "what is missing is not said"
+  for file in frames.bin energy.csv check.json; do grep -q "$file is missing: no" "$page" || fail "$file: what is missing is not said"; done
   # A long history is thinned, and no peak is lost.
   awk 'BEGIN { print "time_s,pressure_Pa"; for (i = 0; i < 100000; ++i) print i * 1e-6 "," (i == 77777 ? "123456.789" : 1e5) }' >"$work/long.csv"
   expect 0 "MB" "$gasjet" report "$work/long.csv" --out "$page"
@@ -80,7 +80,13 @@ part_report() {
   expect 0 "" "$gasjet" run "$source/cases/passenger_pendulum.toml" --out "$work/bag" --quiet --set scene.end_time=1e-4 --set output.frames=0
   [ ! -e "$work/bag/frames.bin" ] || fail "frames of the run before"
   expect 2 "output.frames: is -1, a whole number from 0 to 10000" "$gasjet" run "$source/cases/passenger_pendulum.toml" --out "$work/none" --set output.frames=-1
-  expect 2 "output.frames: the scene has no membrane" "$gasjet" run "$source/cases/rigid_tank.toml" --out "$work/none" --set output.frames=10
+  # Of a rigid target, too; it is no bag for meshes of states.
+  "$gasjet" run "$source/cases/plate_jet.toml" --out "$work/plate" --quiet || fail "run with a target"
+  expect 2 "plate/frames.bin: is of a rigid target: a run with a bag is needed" "$gasjet" mesh state "$work/plate" --time 0 --out "$work/plate.obj"
+  a_copy "$work/plate" && rm "$work/bad/frames.bin"
+  expect 0 "MB" "$gasjet" report "$work/bad" --out "$page"
+  grep -q "frames.bin is missing: no pictures" "$page" || fail "missing pictures of a target"
+  expect 2 "output.frames: the scene has no membrane and no target" "$gasjet" run "$source/cases/rigid_tank.toml" --out "$work/none" --set output.frames=10
 }
 
 # Ensembles, and bands of all kinds.

@@ -11,6 +11,10 @@ import xml.etree.ElementTree as xml
 gasjet, source = sys.argv[1:]
 
 
+def run(case, folder, *options):
+    subprocess.run([gasjet, "run", os.path.join(source, "cases", case), "--quiet", "--out", folder, *(w for o in options for w in ("--set", o))], check=True)
+
+
 def numbers(file):
     """Arrays of a field file by name."""
     return {a.get("Name"): [float(v) for v in a.text.split()] for a in xml.parse(file).iter("DataArray")}
@@ -43,11 +47,9 @@ def check(name, whole, step, low, exact):
 
 
 with tempfile.TemporaryDirectory() as folder:
-    case = os.path.join(source, "cases/passenger_pendulum.toml")
-    options = ["scene.end_time=0.012", "output.frames=3", "output.fields_every=0.004"]
-    subprocess.run([gasjet, "run", case, "--quiet", "--out", folder, *(w for o in options for w in ("--set", o))], check=True)
+    run("passenger_pendulum.toml", folder, "scene.end_time=0.012", "output.frames=3", "output.fields_every=0.004")
     header, frames = frames_of(os.path.join(folder, "frames.bin"))
-    assert header["elements"] == 2744 and len(header["straps"]) == 2 and len(header["plates"]) == 1 and len(header["jets"]) == 1
+    assert not header["rigid"] and header["elements"] == 2744 and len(header["straps"]) == 2 and len(header["plates"]) == 1 and len(header["jets"]) == 1
     parts = [p for p in xml.parse(os.path.join(folder, "fields.pvd")).iter("DataSet") if p.get("part") == "0"]
     assert len(frames) == len(parts) == 4, (len(frames), len(parts))
     for frame, part in zip(frames, parts):
@@ -66,4 +68,27 @@ with tempfile.TemporaryDirectory() as folder:
         centre = numbers(os.path.join(folder, part.get("file").replace("bag_", "pendulum_")))["Points"][3:]
         assert [frame["impactor_x_m"], frame["impactor_y_m"], frame["impactor_z_m"]] == centre, centre
     assert frames[-1]["jet_0_m_s"] > 0 and any(frames[-1]["mask"])
-print("frames: %d, as the field files have them" % len(frames))
+
+# A rigid target on a coarser grid: the force of its overpressures is that of the history, whatever cells share one.
+pulse = "inflator.0.mass_flow={ time = [0.0, 0.01, 0.015], value = [0.0, 2.0, 0.0] }"
+for columns, rows in ((41, 83), (7, 120)):
+    with tempfile.TemporaryDirectory() as folder:
+        run("plate_jet.toml", folder, pulse, f"target.columns={columns}", f"target.rows={rows}", "target.normal=[0.8, 0.0, 0.6]")
+        header, plate = frames_of(os.path.join(folder, "frames.bin"))
+        assert header["rigid"] and header["elements"] == 2 * min(columns, 30) * min(rows, 30)
+        lines = [line.strip().split(",") for line in open(os.path.join(folder, "history.csv")) if line[0] != "#"]
+        force = [float(line[lines[0].index("jet_force_N")]) for line in lines[1:]]
+        assert len(plate) == len(force) == 21 and max(force) > 1000
+        for frame, exact in zip(plate, force):
+            at = [[frame[n] + frame["position_step_m"] * frame["position"][3 * k + c] for c, n in enumerate(("x_m", "y_m", "z_m"))] for k in range(header["nodes"])]
+            sum_, whole = [0.0] * 3, 0.0
+            for pressure, (a, b, c) in zip(frame["jet"], header["triangles"]):
+                u, v = ([at[k][i] - at[a][i] for i in range(3)] for k in (b, c))
+                area = [0.5 * (u[i - 2] * v[i - 1] - u[i - 1] * v[i - 2]) for i in range(3)]
+                sum_ = [s + frame["jet_step_Pa"] * pressure * x for s, x in zip(sum_, area)]
+                whole += sum(x * x for x in area) ** 0.5
+            assert abs(whole - 1.44) < 1e-4, whole  # [m2]; positions are off by 1e-5 of the sides
+            found = sum(s * s for s in sum_) ** 0.5
+            assert abs(found - exact) <= 0.5 * frame["jet_step_Pa"] * whole + 1e-4 * exact, (found, exact)
+            assert (frame["jet_0_m_s"] > 0) == any(frame["mask"]) == (exact > 0), frame["time_s"]
+print("frames: %d, as the field files have them, and %d of a target, as the history has its force" % (len(frames), len(plate)))

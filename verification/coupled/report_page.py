@@ -132,6 +132,14 @@ def test_pair(page):
     slide(page, 2)
     colour(page, "none")
     left, right = canvas(page, 0), canvas(page, 1)
+    away = "player.views.map(v => v.camera.position.clone().sub(v.controls.target).toArray())"
+    before = page.run(away)
+    page.run("document.querySelector('.view canvas').focus()")
+    for key, code in (("ArrowLeft", 37), ("ArrowUp", 38), ("-", 189)):
+        page.key(key, code)
+    after = page.run(away)
+    size = lambda v: sum(x * x for x in v) ** 0.5
+    check(f"keys turn both bags: {before}, {after}", all(abs(a - b) < 1e-9 for a, b in zip(*after)) and after[0][2] > before[0][2] + 0.1 and abs(size(after[0]) * 0.9 - size(before[0])) < 1e-6)
     slide(page, 10)
     check("one slider moves both bags", canvas(page, 0) != left and canvas(page, 1) != right)
     check("the ground is dark", page.run("getComputedStyle(document.body).backgroundColor") == "rgb(20, 23, 27)")
@@ -152,13 +160,37 @@ def test_tank(page):
     check(f"names are text: {shown}", evil in shown and page.run("document.querySelectorAll('img').length") == 0)
 
 
+def test_target(page):
+    look(page, "target.html")
+    check("a rigid target has what does not move", page.run("[...document.getElementById('quantity').options].map(o => o.value)") == ["jet_overpressure", "mask", "none"])
+    drawn = []
+    for number in (1, 10, 20):
+        slide(page, number)
+        drawn.append((canvas(page), page.run("player.views[0].jets[0].edge.visible")))
+    check("overpressures follow the slider", len({picture for picture, _ in drawn}) == 3)
+    check("a jet is shown while it flows", [jet for _, jet in drawn] == [True, True, False])
+    check("the outlet is in the picture", page.run("(v => v.jets[0].centre.clone().project(v.camera).toArray().every(x => Math.abs(x) < 1))(player.views[0])"))
+
+
+def test_many(page):
+    look(page, "many.html")
+    check("more runs than a browser can show", page.run("player.views.length") == 8 and "the first 8 runs, of 9" in page.run("document.getElementById('notices').textContent"))
+
+
 def test_compared(page):
     look(page, "compared.html")
+    check("all lines are named", page.run("[...document.querySelectorAll('.legend span')].every(entry => entry.textContent)"))
     check("the verdict is shown", "Compared with reference.csv: inside" in page.run("document.getElementById('details').textContent"))
     check("the band is drawn", page.run("Chart.all.some(c => c.series.some(s => s.low && s.result === 'reference'))"))
 
 
 def test_paper(page):
+    look(page, "run.html")
+    page.call("Emulation.setEmulatedMedia", media="print")
+    shown = page.run("[...document.querySelectorAll('#controls > *')].filter(part => getComputedStyle(part).display !== 'none').map(part => part.textContent)")
+    check(f"the time of the picture is on paper: {shown}", shown == ["5.0 ms"])
+    check("browsers print the scale's colours", page.run("getComputedStyle(document.querySelector('#scale .bar')).webkitPrintColorAdjust") == "exact")
+    page.call("Emulation.setEmulatedMedia", media="")
     look(page, "tank.html")
     closed = "document.querySelectorAll('details:not([open])').length"
     before = page.run(closed)
@@ -183,6 +215,11 @@ def test_others(page):
     check("an ensemble is judged", "Compared with ensemble.csv" in page.run("document.getElementById('details').textContent"))
     look(page, "curves.html")
     check("bands of curves", page.run("Chart.all[0].series[0].low.length") > 10)
+    drawn = page.run("(s => s.value.map((v, i) => [s.low[i] < v || s.high[i] > v, s.band(i)]))(Chart.all[1].series[0])")
+    expected = [("%s to %s" % (r["temperature_low_K"], r["temperature_high_K"])) if r["band_claimed"] == "1" else "" for r in rows(curves)]
+    check("bands where they are claimed", drawn == [[bool(text), ", " + (text or "no band")] for text in expected] and len(set(map(bool, expected))) == 2)
+    look(page, "one_end.html")
+    check("one end is no interval", page.run("Chart.all[0].series.map(s => [s.name, s.low])") == [["force", None], ["force low", None]])
 
 
 short = ["scene.end_time=0.01", "output.frames=10"]
@@ -202,8 +239,15 @@ call("ladder", os.path.join(source, "cases/rigid_tank.toml"), "--quantity", "pre
 call("report", path("ensemble"), "--out", path("ensemble.html"))
 call("report", path("ensemble"), "--against", path("ensemble/jet_bag/ensemble.csv"), "--out", path("judged.html"))
 call("report", path("ladder"), "--out", path("ladder.html"))
-call("report", os.path.join(source, "cases/tank_test_curves.csv"), "--out", path("curves.html"))
+curves = os.path.join(source, "cases/tank_test_curves.csv")
+call("report", curves, "--out", path("curves.html"))
+with open(path("one_end.csv"), "w") as table:
+    table.write("time_s,force_N,force_low_N\n0,1,0.5\n1,2,1\n")
+call("report", path("one_end.csv"), "--out", path("one_end.html"))
+run("plate_jet.toml", "target", "inflator.0.mass_flow={ time = [0.0, 0.01, 0.02], value = [0.0, 2.0, 0.0] }")
+call("report", path("target"), "--out", path("target.html"))
+call("report", *[path("run")] * 9, "--out", path("many.html"))
 with browser.Browser() as page:
-    for test in (test_run, test_pair, test_narrow, test_tank, test_compared, test_paper, test_others):
+    for test in (test_run, test_pair, test_narrow, test_tank, test_compared, test_paper, test_others, test_target, test_many):
         test(page)
-print("report: eight pages, no error, no request")
+print("report: eleven pages, no error, no request")

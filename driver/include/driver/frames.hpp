@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// frames.bin: the moving bag in one compact file, for `gasjet report` (docs/results.md has the format).
+// frames.bin: the moving bag, or a rigid target, in one compact file, for `gasjet report` (docs/results.md
+// has the format).
 #pragma once
 
 #include <filesystem>
 #include <fstream>
+#include <memory>
 #include <string>
 
 #include "driver/result_folder.hpp"
@@ -11,6 +13,8 @@
 #include "driver/state.hpp"
 
 namespace driver {
+
+class TargetPicture;
 
 /// Value of the header's key "file"; its "format" is that of the results (formats.hpp).
 inline constexpr const char* frames_file = "gasjet frames";
@@ -26,9 +30,10 @@ constexpr std::size_t frame_bytes(std::size_t scalars, std::size_t nodes, std::s
 /// states: they are off by half of it at most. Whatever a frame holds is little-endian.
 class FrameWriter {
  public:
-  /// Writes frames.bin of the folder's run. Precondition: the scene has a bag. Throws OutputError when the
-  /// file cannot be opened.
+  /// Writes frames.bin of the folder's run. Precondition: the scene has a bag or a target. Throws OutputError
+  /// when the file cannot be opened.
   FrameWriter(ResultFolder& folder, const Scene& scene);
+  ~FrameWriter();
   /// Writes level n; call it when the forces of n stand (StepRequest::before_advance). Throws WriteError.
   void write(const State& state);
 
@@ -36,6 +41,7 @@ class FrameWriter {
   std::filesystem::path file_;
   std::ofstream stream_;
   const Scene& scene_;
+  std::unique_ptr<const TargetPicture> target_;  // null: a bag
 };
 
 }  // namespace driver

@@ -71,8 +71,9 @@ struct BagPart {
 
 /// Rigid surface that a jet acts on. Its force is reported; nothing moves.
 struct TargetPart {
-  Eigen::Matrix3Xd nodes;      // 3 x N [m]
-  Eigen::Matrix3Xi triangles;  // 3 x M
+  int columns = 0, rows = 0;   // cells
+  Eigen::Matrix3Xd nodes;      // 3 x N [m], row by row
+  Eigen::Matrix3Xi triangles;  // 3 x M, two for each cell
 };
 
 /// One jet.
@@ -110,7 +111,7 @@ struct OutputPart {
   double history_every = 0.0;
   bool history_exact = false;        // true: steps are shortened to end on the multiples
   double fields_every = 0.0;         // [s] 0: no field files
-  int frames = 100;                  // intervals of frames.bin, scenes with a bag; 0: no such file
+  int frames = 100;                  // intervals of frames.bin, scenes with a bag or target; 0: none
   bool streams = false;              // history columns for each species and stream
   std::vector<int> channel_classes;  // [Hz] rising; by which the pendulum's acceleration is filtered
 };

@@ -183,8 +183,9 @@ Json gather_run(const std::filesystem::path& folder, const ReportOptions& option
   if (const Json& frames = run["frames"]; !frames.is_null() && frames["count"] < frames["total"])
     run["notes"].push_back(fmt::format("{} of {} frames are shown", frames["count"].get<std::size_t>(),
                                        frames["total"].get<std::size_t>()));
-  if (run["frames"].is_null() && run.contains("check") && run["check"]["settings"].contains("membrane"))
-    missing("frames.bin", "no pictures of the bag (output.frames)");
+  const auto has = [&](const char* column) { return std::ranges::count(history.columns, column) > 0; };
+  if (run["frames"].is_null() && (has("skin_area_m2") || has("jet_force_N")))
+    missing("frames.bin", "no pictures in three dimensions (output.frames)");
   if (!options.reference.empty()) add_comparison(run, folder / "history.csv", options);
   return run;
 }

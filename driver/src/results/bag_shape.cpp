@@ -149,6 +149,7 @@ double scalar(const Frames& frames, std::size_t frame, const char* name) {
 
 BagShape of_frames(const std::filesystem::path& file, double time) {
   const Frames frames = load_frames(file);
+  if (frames.header.value("rigid", false)) fail(file, "is of a rigid target: a run with a bag is needed");
   const auto size = frames.header["frame_bytes"].get<std::size_t>();
   std::vector<double> times;
   for (std::size_t i = 0; i < frames.data.size() / size; ++i) times.push_back(scalar(frames, i, "time_s"));

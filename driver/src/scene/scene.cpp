@@ -142,8 +142,9 @@ void read_output(TableReader& root, Scene& scene) {
     scene.output.fields_every = table->at("fields_every").optional_number(frames).value_or(0.0);
     if (scene.output.fields_every > 0.0 && !scene.bag)
       table->fail("fields_every", "the scene has no membrane");
-    if (table->has("frames") && !scene.bag) table->fail("frames", "the scene has no membrane");
-    if (scene.bag) scene.output.frames = table->at("frames").integer(0, 10000, scene.output.frames);
+    const bool shows = scene.bag || scene.target;
+    if (table->has("frames") && !shows) table->fail("frames", "the scene has no membrane and no target");
+    if (shows) scene.output.frames = table->at("frames").integer(0, 10000, scene.output.frames);
     read_streams(*table, scene);
     read_channel_classes(*table, scene);
     table->finish();

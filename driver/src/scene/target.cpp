@@ -35,7 +35,7 @@ void read_target(TableReader& root, Scene& scene) {
   frame << side, normal.cross(side), normal;
   const Eigen::Vector3d middle(0.5 * width, 0.5 * height, 0.0);
   scene.target.emplace(
-      TargetPart{(frame * (mesh.nodes.colwise() - middle)).colwise() + centre, mesh.elements});
+      TargetPart{columns, rows, (frame * (mesh.nodes.colwise() - middle)).colwise() + centre, mesh.elements});
 }
 
 }  // namespace driver

@@ -142,7 +142,7 @@ RunOutcome run_to_folder(const Scene& scene, const std::filesystem::path& path, 
                          const RunOptions& options) {
   State state = make_state(scene);
   const bool with_fields = scene.output.fields_every > 0.0,
-             with_frames = scene.bag && scene.output.frames > 0;
+             with_frames = (scene.bag || scene.target) && scene.output.frames > 0;
   ResultFolder folder(path, "run", [&](const std::string& name) {
     return name == "history.csv" || name == "energy.csv" || name == "summary.json" || name == "check.json" ||
            name == "frames.bin" || name == "accelerations.csv" || (with_fields && FieldWriter::is_own(name));

@@ -48,7 +48,8 @@ class Player {
   constructor(list) {
     this.views = list.map(([label, frames, up]) => new View(at("views"), label, frames, up));
     this.times = this.views.map(view => view.frames.time).reduce((a, b) => (b[b.length - 1] > a[a.length - 1] ? b : a));
-    for (const [key, { title, unit }] of Object.entries(quantities)) at("quantity").append(new Option(title + (unit ? ` [${unit}]` : ""), key));
+    const rigid = this.views.every(view => view.frames.header.rigid);
+    for (const [key, { title, unit, moving }] of Object.entries(quantities)) if (!(rigid && moving)) at("quantity").append(new Option(title + (unit ? ` [${unit}]` : ""), key));
     at("slider").max = this.times.length - 1;
     at("slider").addEventListener("input", () => this.show());
     for (const id of ["edges", "jet", "through"]) at(id).addEventListener("change", () => this.show());
@@ -138,23 +139,28 @@ const hasWebGL = () => {
   try { return Boolean(document.createElement("canvas").getContext("webgl")); } catch { return false; }
 };
 
+const mostViews = 8; // browsers allow 16 at once on all pages
+
 const makePlayer = async () => {
   const moving = runs.filter(run => run.frames);
   if (!moving.length) return null;
   if (typeof THREE === "undefined") return notice("This gasjet was built without three.js (Debian: libjs-three): no pictures in three dimensions."), null;
+  const shown = moving.slice(0, mostViews);
   if (!hasWebGL()) return notice("This browser has no WebGL: no pictures in three dimensions."), null;
   if (typeof DecompressionStream === "undefined") return notice("This browser is too old to unpack the pictures in three dimensions."), null;
-  return new Player(await Promise.all(moving.map(async run => [run.label, new Frames(run.frames.header, await unpacked(run.frames.data)), upOf(run)])));
+  if (shown.length < moving.length) notice(`Pictures in three dimensions of the first ${shown.length} runs, of ${moving.length}.`);
+  return new Player(await Promise.all(shown.map(async run => [run.label, new Frames(run.frames.header, await unpacked(run.frames.data)), upOf(run)])));
 };
 
 const makeCharts = player => {
   const many = data.results.filter(r => r.history).length > 1, series = [];
   let dash = 0;
   for (const r of data.results) if (r.history) {
-    series.push(...seriesOf(r.history, many ? r.label : "", dash, r.singles));
-    if (r.filtered) series.push(...seriesOf(r.filtered, many ? r.label : "", dash).map(s => ({ ...s, bold: true })));
-    if (r.reference) series.push(...seriesOf(r.reference, "reference", 2));
-    ++dash;
+    const name = many || r.reference ? r.label : "";
+    series.push(...seriesOf(r.history, name, dash, r.singles));
+    if (r.filtered) series.push(...seriesOf(r.filtered, name, dash).map(s => ({ ...s, bold: true })));
+    if (r.reference) series.push(...seriesOf(r.reference, "reference", referenceDash));
+    dash = (dash + 1) % referenceDash;
   }
   const charts = groups(series).map(spec => new Chart(at("charts"), spec));
   for (const r of runs) {
@@ -190,7 +196,7 @@ const makeRunDetails = run => {
   makeComparison(run, of);
   const blocks = [];
   if (s?.peak) blocks.push(block("Peaks and impulses", tableOf(["quantity", "value", "unit"], Object.entries(s.peak).map(([k, v]) => [split(k).name, v, split(k).unit]))));
-  if (s?.residual) blocks.push(block("Greatest residuals, relative", tableOf(["balance", "residual"], Object.entries(s.residual).map(([k, v]) => [k.replace("_rel", ""), v]))));
+  if (s?.residual && Object.keys(s.residual).length) blocks.push(block("Greatest residuals, relative", tableOf(["balance", "residual"], Object.entries(s.residual).map(([k, v]) => [k.replace("_rel", ""), v]))));
   if (s?.streams) blocks.push(block("Streams", tableOf(["stream", "mass [kg]", "enthalpy [J]"], Object.entries(s.streams).map(([k, v]) => [k, v.mass_kg, v.enthalpy_J]))));
   if (s?.dt) {
     const rows = leaves(s.dt).filter(([k]) => !k.startsWith("shares")).map(([k, v]) => [k.replaceAll("_", " "), v, k === "limited_by_drift" ? "steps" : "s"]);

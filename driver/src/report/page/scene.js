@@ -36,13 +36,13 @@ class Frames {
   }
 }
 
-// value: by element e with corners t, of a frame f.
+// value: by element e with corners t, of a frame f. moving: a rigid target has none.
 const quantities = {
-  overpressure: { title: "overpressure, gas and jet", unit: "Pa", value: (f, e) => f.s.overpressure_Pa + f.jet[e] },
+  overpressure: { title: "overpressure, gas and jet", unit: "Pa", moving: true, value: (f, e) => f.s.overpressure_Pa + f.jet[e] },
   jet_overpressure: { title: "overpressure of the jet", unit: "Pa", value: (f, e) => f.jet[e] },
   mask: { title: "jet mask", classes: ["outside the jet", "in it, but hidden or facing away", "hit by the jet"], value: (f, e) => f.mask[e] },
-  strain: { title: "larger principal strain", unit: "", value: (f, e) => f.strain[e] },
-  speed: { title: "speed", unit: "m/s", value: (f, e, t) => (f.speed[t[0]] + f.speed[t[1]] + f.speed[t[2]]) / 3 },
+  strain: { title: "larger principal strain", unit: "", moving: true, value: (f, e) => f.strain[e] },
+  speed: { title: "speed", unit: "m/s", moving: true, value: (f, e, t) => (f.speed[t[0]] + f.speed[t[1]] + f.speed[t[2]]) / 3 },
   none: { title: "none" },
 };
 // viridis, dark to light; classes from a set that colour-blind readers tell apart.
@@ -65,7 +65,8 @@ class View {
     this.renderer = new THREE.WebGLRenderer({ antialias: true, alpha: true, preserveDrawingBuffer: true });
     this.renderer.setPixelRatio(Math.min(2, devicePixelRatio));
     this.renderer.domElement.tabIndex = 0;
-    this.renderer.domElement.setAttribute("aria-label", `${name}: the bag, drag to turn`);
+    this.renderer.domElement.setAttribute("aria-label", `${name}: a drag or the arrow keys turn it, plus and minus come nearer or farther`);
+    this.renderer.domElement.addEventListener("keydown", event => this.key(event));
     this.root.append(this.renderer.domElement);
     this.scene = new THREE.Scene();
     this.camera = new THREE.PerspectiveCamera(30, 1, 0.01, 100);
@@ -78,7 +79,7 @@ class View {
     this.controls = new THREE.OrbitControls(this.camera, this.renderer.domElement);
     this.controls.enableKeys = false;
     this.controls.addEventListener("change", () => { this.render(); this.onturn && this.onturn(this); });
-    this.size = Math.max(...frames.time.map((_, i) => 65535 * frames.scalars(i).position_step_m)); // [m] largest extent
+    this.size = Math.max(...frames.time.map((_, i) => 65535 * frames.scalars(i).position_step_m), ...this.box().getSize(new THREE.Vector3()).toArray()); // [m] largest extent
     this.makeBag();
     this.makeSurroundings();
     new ResizeObserver(() => this.resize()).observe(this.root);
@@ -193,24 +194,32 @@ class View {
 
   // Looks at the middle of what the bag fills, from a direction and a distance [m].
   lookFrom(direction, distance) {
-    this.controls.target.copy(this.centre());
+    this.controls.target.copy(this.box().getCenter(new THREE.Vector3()));
     const side = vector(direction);
     if (Math.abs(side.clone().normalize().dot(this.up)) > 0.99) side.addScaledVector(new THREE.Vector3(0.02, 0.01, 0.015), 1);
     this.camera.position.copy(this.controls.target).addScaledVector(side.normalize(), distance);
     this.controls.update();
   }
 
-  centre() {
-    const low = new THREE.Vector3(Infinity, Infinity, Infinity), high = low.clone().negate();
-    for (const i of [0, Math.floor(this.frames.count / 2), this.frames.count - 1]) {
-      const { position } = this.frames.frame(i);
-      for (let k = 0; k < position.length; k += 3) {
-        const p = new THREE.Vector3(position[k], position[k + 1], position[k + 2]);
-        low.min(p);
-        high.max(p);
-      }
-    }
-    return low.add(high).multiplyScalar(0.5);
+  // What the bag fills over time, or a rigid target with the outlets that blow at it.
+  box() {
+    const box = new THREE.Box3(), { jets, rigid } = this.frames.header;
+    for (const i of [0, Math.floor(this.frames.count / 2), this.frames.count - 1]) box.union(new THREE.Box3().setFromArray(this.frames.frame(i).position));
+    if (rigid) for (const jet of jets) box.expandByPoint(vector(jet.centre_m));
+    return box;
+  }
+
+  // Arrow keys turn by 10 degrees, but not over the poles; plus and minus change the distance by a tenth.
+  key(event) {
+    const [about, over, distance] = { ArrowLeft: [-1, 0, 1], ArrowRight: [1, 0, 1], ArrowUp: [0, -1, 1], ArrowDown: [0, 1, 1], "+": [0, 0, 0.9], "-": [0, 0, 1 / 0.9] }[event.key] ?? [];
+    if (about === undefined || event.ctrlKey || event.metaKey) return;
+    event.preventDefault();
+    const away = this.camera.position.clone().sub(this.controls.target), step = Math.PI / 18;
+    const pole = this.up.angleTo(away) + over * step;
+    if (pole > 0.02 && pole < Math.PI - 0.02) away.applyAxisAngle(this.up.clone().cross(away).normalize(), over * step);
+    away.applyAxisAngle(this.up, about * step);
+    this.camera.position.copy(this.controls.target).addScaledVector(away, distance);
+    this.controls.update();
   }
 
   resize() {
@@ -226,7 +235,7 @@ class View {
   render() { this.renderer.render(this.scene, this.camera); }
 }
 
-// Scale of a quantity over all frames of all views: [low, high, largest]. The topmost 0.5 % of the values share the last colour.
+// Scale of a quantity over all frames of all views: [low, high, largest]. Of bags the topmost 0.5 % of the values share the last colour.
 const scaleOf = (views, name) => {
   const { value, classes } = quantities[name], all = [];
   if (!value || classes) return [0, 1, 1];
@@ -235,7 +244,7 @@ const scaleOf = (views, name) => {
       const f = frames.frame(i);
       frames.header.triangles.forEach((t, e) => all.push(value(f, e, t)));
     }
-  const sorted = Float32Array.from(all).sort(), last = sorted.length - 1;
-  const low = sorted[0], high = sorted[Math.floor(0.995 * last)];
+  const sorted = Float32Array.from(all).sort(), last = sorted.length - 1, share = views.every(view => view.frames.header.rigid) ? 1 : 0.995;
+  const low = sorted[0], high = sorted[Math.floor(share * last)];
   return high > low ? [low, high, sorted[last]] : [low, sorted[last] > low ? sorted[last] : low + 1, sorted[last]];
 };

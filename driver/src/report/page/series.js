@@ -22,17 +22,19 @@ const read = table => {
   return Object.fromEntries(Object.entries(columns).map(([name, text]) => [name, { text, value: text.map(Number) }]));
 };
 
-// What belongs to a column: a band around it. Each is { own, low, high, error } of names, or null if it is such a companion itself.
+// What belongs to a column: the ends of an interval or a half width, by name. Null if it is such a companion itself.
 const companions = (column, all) => {
   const has = name => all.includes(name);
   const { quantity, unit } = split(column), ending = column.slice(quantity.length);
   if (column === "time_s") return null;
   for (const [suffix, owner] of [["_standard_error", "_mean"], ["_band", ""]])
     if (column.endsWith(suffix) && (has(column.slice(0, -suffix.length) + owner) || has(column.slice(0, -suffix.length) + "_reference"))) return null;
-  if (/_(low|high)$/.test(quantity) && has(quantity.replace(/_(low|high)$/, "") + ending)) return null;
+  const owner = quantity.replace(/_(low|high)$/, "");
+  if (owner !== quantity && ["", "_low", "_high"].every(end => has(owner + end + ending))) return null;
   const base = column.replace(/_(mean|reference)$/, "");
   const error = [base + "_standard_error", base + "_band"].find(name => name !== column && has(name) && !(name.endsWith("_band") && column === base && has(base + "_reference")));
-  return { base, low: has(`${quantity}_low${ending}`) && `${quantity}_low${ending}`, high: has(`${quantity}_high${ending}`) && `${quantity}_high${ending}`, error };
+  const ends = ["low", "high"].map(end => `${quantity}_${end}${ending}`);
+  return { base, ends: ends.every(has) ? ends : null, error };
 };
 
 // Series of all columns of a table. `dash` tells results apart; `singles` is a table of single runs, COLUMN_run_SEED.
@@ -43,13 +45,15 @@ const seriesOf = (table, result, dash, singles) => {
   for (const column of table.columns) {
     const own = companions(column, table.columns);
     if (!own) continue;
-    const { unit, name } = split(own.base), error = own.error && columns[own.error];
-    const of = sign => columns[column].value.map((v, i) => v + sign * error.value[i]);
+    const { unit, name } = split(own.base), error = own.error && columns[own.error], ends = own.ends?.map(end => columns[end]);
+    const claimed = i => !columns.band_claimed || columns.band_claimed.value[i] > 0;
+    const end = k => columns[column].value.map((v, i) => error ? v + (2 * k - 1) * error.value[i] : claimed(i) ? ends[k].value[i] : v);
+    const banded = error || ends;
     list.push({
-      column, unit, result, dash: column.endsWith("_reference") ? 2 : dash, name: column.endsWith("_reference") ? `${name}, reference` : name,
+      column, unit, result, dash: column.endsWith("_reference") ? referenceDash : dash, name: column.endsWith("_reference") ? `${name}, reference` : name,
       time: time.value, timeText: time.text, value: columns[column].value, text: columns[column].text,
-      low: error ? of(-1) : own.low ? columns[own.low].value : null, high: error ? of(1) : own.high ? columns[own.high].value : null,
-      error: error ? error.text : null, singles: singlesOf(own.base), singlesTime: runs.time_s?.value,
+      low: banded ? end(0) : null, high: banded ? end(1) : null,
+      band: i => error ? ` ± ${error.text[i]}` : !ends ? "" : claimed(i) ? `, ${ends[0].text[i]} to ${ends[1].text[i]}` : ", no band", singles: singlesOf(own.base), singlesTime: runs.time_s?.value,
     });
   }
   return list;
@@ -109,6 +113,7 @@ const energyCharts = (table, roles, result) => {
   const common = { result: "", time: time.value, timeText: time.text, dash: 0 };
   const changeOf = column => columns[column].value.map(v => (roles[column] === "held" ? v - columns[column].value[0] : v));
   const terms = table.columns.filter(c => ["held", "spent"].includes(roles[c])).map(column => ({ name: split(column).name + (roles[column] === "spent" ? " (spent)" : ""), change: changeOf(column), text: columns[column].text }));
+  if (!terms.length) return [];
   const list = [stackChart(`Where the energy went since the start${of}`, "J", common, terms, table.columns.filter(c => roles[c] === "supplied").map(c => columns[c].value))];
   for (const [column, title] of [["residual_J", "Residual of the energy"], ["kick_residual_J", "Residual of the kicks' work"]])
     if (columns[column]) list.push({ title: title + of, unit: "J", series: [{ ...common, name: title, value: columns[column].value, text: columns[column].text, colour: 1 }] });
