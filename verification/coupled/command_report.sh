@@ -18,6 +18,7 @@ part_report() {
   expect 2 "RESULTS.*required" "$gasjet" report --out "$page"
   expect 2 "out.*required" "$gasjet" report "$work/bag"
   expect 2 "rigid_tank.toml:[0-9]+:1: time_s: is to be one of the columns" "$gasjet" report "$source/cases/rigid_tank.toml" --out "$page"
+  expect 2 "bag/frames.bin: is a part of a result: its folder or a CSV file is allowed" "$gasjet" report "$work/bag/frames.bin" --out "$page"
   # The page never takes the place of a result.
   expect 2 "--out .*is a folder" "$gasjet" report "$work/bag" --out "$work/bag"
   expect 2 "--out .*frames.bin: a page ends with .html" "$gasjet" report "$work/bag" --out "$work/./bag/frames.bin"

@@ -181,6 +181,10 @@ def test_compared(page):
     look(page, "compared.html")
     check("all lines are named", page.run("[...document.querySelectorAll('.legend span')].every(entry => entry.textContent)"))
     check("the verdict is shown", "Compared with reference.csv: inside" in page.run("document.getElementById('details').textContent"))
+    check("and at the head", "compared with reference.csv: inside" in page.run("document.getElementById('heads').textContent"))
+    tip = page.run("(c => { c.read(0.05, 0, 0); return document.getElementById('tip').innerText; })(Chart.all[0])").split("\n")
+    exact = next(r for r in rows(path("reference.csv")) if r["time_s"] == "0.05")
+    check(f"the tip has value, band and unit: {tip}", f"pressure, reference\t{exact['pressure_Pa']} ± {exact['pressure_Pa_band']} Pa" in tip)
     check("the band is drawn", page.run("Chart.all.some(c => c.series.some(s => s.low && s.result === 'reference'))"))
 
 
@@ -215,7 +219,7 @@ def test_others(page):
     check("an ensemble is judged", "Compared with ensemble.csv" in page.run("document.getElementById('details').textContent"))
     look(page, "curves.html")
     check("bands of curves", page.run("Chart.all[0].series[0].low.length") > 10)
-    drawn = page.run("(s => s.value.map((v, i) => [s.low[i] < v || s.high[i] > v, s.band(i)]))(Chart.all[1].series[0])")
+    drawn = page.run("(s => s.value.map((v, i) => [s.low[i] < v || s.high[i] > v, s.interval(i)]))(Chart.all[1].series[0])")
     expected = [("%s to %s" % (r["temperature_low_K"], r["temperature_high_K"])) if r["band_claimed"] == "1" else "" for r in rows(curves)]
     check("bands where they are claimed", drawn == [[bool(text), ", " + (text or "no band")] for text in expected] and len(set(map(bool, expected))) == 2)
     look(page, "one_end.html")

@@ -248,7 +248,12 @@ std::vector<Json> gather(const std::filesystem::path& result, const ReportOption
   if (!options.reference.empty() && !is_run &&
       (has_file(result, "ladder.json") || std::filesystem::is_regular_file(result, ignored)))
     throw CaseError(fmt::format("--against: {} is neither a run nor an ensemble", result.string()));
-  if (std::filesystem::is_regular_file(result, ignored)) return {gather_curves(result, options)};
+  if (std::filesystem::is_regular_file(result, ignored)) {
+    if (result.extension() != ".csv" && read_status(result.parent_path()))
+      throw CaseError(
+          fmt::format("{}: is a part of a result: its folder or a CSV file is allowed", result.string()));
+    return {gather_curves(result, options)};
+  }
   if (!std::filesystem::is_directory(result, ignored))
     throw CaseError(fmt::format("{}: no such folder or file", result.string()));
   if (is_run) return {gather_run(result, options)};

@@ -42,11 +42,11 @@ const nearest = (times, t) => {
   return t - times[low] <= times[high] - t ? low : high;
 };
 
-const dashes = ["", "7 4", "2 3", "9 3 2 3", "14 4", "9 3 2 3 2 3", "4 6", "18 3 2 3", "1 5"];
+const dashes = ["", "7 4", "9 3 2 3", "14 4", "9 3 2 3 2 3", "4 6", "18 3 2 3", "2 3"];
 const referenceDash = dashes.length - 1; // no other result has it
 const margin = { left: 58, right: 10, top: 6, bottom: 30 };
 
-// series: { name, result, time, value, text, low, high, band, singles, singlesTime, colour, dash, filled }; values may be null (band only).
+// series: { name, result, time, value, text, low, high, error, interval, singles, singlesTime, colour, dash, filled }; values may be null (band only).
 class Chart {
   constructor(place, { title, unit, series, zero = false, height = 190 }) {
     Object.assign(this, { title, unit, series, zero, height, time: null });
@@ -162,7 +162,7 @@ class Chart {
     hideTip.mark = this.mark;
     const rows = this.shown.map(s => {
       const i = nearest(s.time, time);
-      return [s.result ? `${s.name}, ${s.result}` : s.name, s.text[i] + (s.band ? s.band(i) : "") + (this.unit ? " " + this.unit : "")];
+      return [s.result ? `${s.name}, ${s.result}` : s.name, s.text[i] + (s.error ? ` ± ${s.error[i]}` : "") + (this.unit ? " " + this.unit : "") + (s.interval ? s.interval(i) : "")];
     });
     // Results whose rows stand at other times have a time each.
     const at = new Map();

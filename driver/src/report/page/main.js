@@ -36,6 +36,7 @@ const makeHead = () => {
     if (r.kind === "ensemble") parts.push(`ensemble of ${r.runs} runs: mean, band of one standard error${r.singles ? ", single runs thin" : ""}`);
     if (r.kind === "ladder") parts.push(`ladder of ${split(r.ladder.quantity).name}: ${r.ladder.verdict}, cheapest within ${100 * r.ladder.tolerance} %: ${r.ladder.cheapest ?? "none"}`);
     if (r.build) parts.push(`case ${r.build.case ?? r.build.data ?? "unknown"}, gasjet ${r.build.version} (${r.build.commit})`);
+    if (r.compare) parts.push(`compared with ${r.compare.reference}: ${r.compare.verdict}`);
     if (!parts.length) parts.push(`a table of ${r.history.columns.length} columns`);
     at("heads").append(element("div", { class: "small", textContent: `${r.label}: ${parts.join("; ")}` }));
     if (s?.message) notice(`${r.label}: ${s.message}`);
@@ -159,7 +160,7 @@ const makeCharts = player => {
     const name = many || r.reference ? r.label : "";
     series.push(...seriesOf(r.history, name, dash, r.singles));
     if (r.filtered) series.push(...seriesOf(r.filtered, name, dash).map(s => ({ ...s, bold: true })));
-    if (r.reference) series.push(...seriesOf(r.reference, "reference", referenceDash));
+    if (r.reference && !series.some(s => s.result === "reference")) series.push(...seriesOf(r.reference, "reference", referenceDash));
     dash = (dash + 1) % referenceDash;
   }
   const charts = groups(series).map(spec => new Chart(at("charts"), spec));

@@ -53,7 +53,8 @@ const seriesOf = (table, result, dash, singles) => {
       column, unit, result, dash: column.endsWith("_reference") ? referenceDash : dash, name: column.endsWith("_reference") ? `${name}, reference` : name,
       time: time.value, timeText: time.text, value: columns[column].value, text: columns[column].text,
       low: banded ? end(0) : null, high: banded ? end(1) : null,
-      band: i => error ? ` ± ${error.text[i]}` : !ends ? "" : claimed(i) ? `, ${ends[0].text[i]} to ${ends[1].text[i]}` : ", no band", singles: singlesOf(own.base), singlesTime: runs.time_s?.value,
+      error: error ? error.text : null, interval: i => error || !ends ? "" : claimed(i) ? `, ${ends[0].text[i]} to ${ends[1].text[i]}` : ", no band",
+      singles: singlesOf(own.base), singlesTime: runs.time_s?.value,
     });
   }
   return list;
