@@ -121,7 +121,7 @@ set origin 0.06, -0.05 # gnuplot leaves room for axes
 $view
 set view equal xyz
 set xyplane relative 0
-set pm3d depthorder border linecolor rgb '#909090' linewidth 0.2 lighting primary 0.5 specular 0.2
+set pm3d depthorder border linecolor rgb '#909090' linewidth 0.2 lighting primary 0.3 specular 0.1
 set style fill solid 1
 set datafile separator whitespace # style.gp reads tables with commas
 splot '$1.polygons' with polygons fillcolor rgb '#e8c890'
