@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # clang-tidy of every header, public and private: names, and the checks of the list below. All headers together are two translation
-# units, which takes seconds; all sources take ten minutes. Prints what it finds as clang-tidy does, with the tree's paths.
-# usage: tidy.sh ROOT BUILD; exit code 0: nothing found, 1: something
+# units, which takes seconds; all sources, as BUILD compiles them, take minutes. Prints what it finds as clang-tidy does, with the
+# tree's paths.
+# usage: tidy.sh ROOT BUILD [sources]; exit code 0: nothing found, 1: something
 set -euo pipefail
 root=$(cd "$1" && pwd) build=$2
 scratch=$(mktemp -d)
@@ -21,6 +22,23 @@ tidy() {
     -std=c++20 -ferror-limit=0 "${folders[@]}" -I"$root/libgas/src/tank_test" -I"$build/driver" -isystem /usr/include/eigen3 2>&1 |
     grep -E '^/.*(warning|error):' | sed "s|^$root/||" || true
 }
+
+# tidy_unit FILE: as the build compiles it; warnings of the compiler are another test's
+tidy_unit() {
+  clang-tidy --quiet -p "$scratch" --checks="$checks" --warnings-as-errors='*' --header-filter="$root/(lib|driver)" \
+    --config-file=.clang-tidy --extra-arg=-w "$1" 2>&1 | grep -E '^/.*(warning|error):' | sed "s|^$root/||" || true
+}
+
+if [[ ${3:-} == sources ]]; then
+  ninja -C "$build" -t compdb >"$scratch/compile_commands.json"
+  mapfile -t units < <(grep -oE '"file": "[^"]*/(lib[a-z]+|driver)/[^"]*\.c(pp|xx)"' "$scratch/compile_commands.json" | cut -d'"' -f4 | LC_ALL=C sort -u)
+  ((${#units[@]})) || { echo "tidy.sh: $build compiles no source" && exit 1; }
+  export -f tidy_unit
+  export root scratch checks
+  printf '%s\0' "${units[@]}" | xargs -0 -n1 -P"$(nproc)" bash -c 'tidy_unit "$1"' - | sort -u | tee "$scratch/all"
+  [[ ! -s $scratch/all ]]
+  exit
+fi
 
 # Two headers of one name, or of one type, are not in one unit.
 mapfile -t headers < <(find "$root"/lib*/{include,src} "$root"/driver/{include,src} -name '*.hpp' | LC_ALL=C sort)

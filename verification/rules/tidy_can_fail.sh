@@ -26,3 +26,9 @@ tells() {
 tells "'tank' [readability-identifier-naming" 's/class Tank/class tank/'
 tells "'roundOne' [readability-identifier-naming" 's/round_one/roundOne/'
 tells "unknown type name 'real'" 's/int size_ =/real size_ =/'
+
+# The same of a source that a build compiles.
+printf 'rule cxx\n  command = c++ -c $in -o $out\nbuild tank.o: cxx %s/libgas/src/tank.cpp\n' "$tree" >"$tree/build.ninja"
+printf 'namespace {\nint sizeOf() { return 1; }\n}\nint main() { return sizeOf(); }\n' >"$tree/libgas/src/tank.cpp"
+report=$("$here/tidy.sh" "$tree" "$tree" sources) && { echo "tidy.sh passes a bad name in a source" && exit 1; }
+[[ $report == "libgas/src/tank.cpp:2:"*"'sizeOf' [readability-identifier-naming"* ]] || { echo "of a bad name in a source tidy.sh says: $report" && exit 1; }
