@@ -8,7 +8,7 @@ usage: scripts/tests/random_mutations.py [--number N] [--seed S] [--functions RE
   --functions REGEX  only in functions whose `file:name` matches
   FILE               only in these (default: every .cpp and .hpp of the libraries' and the steps' sources)
 Arithmetic turns into its inverse, a comparison into its negation (numbers are real: < for <= is the same program), a number
-grows by a tenth. Strings, comments and assertions of input (require, check::) are left alone."""
+other than 0 grows by a tenth. Strings, comments and assertions of input (require, check::) are left alone."""
 
 import argparse
 import pathlib
@@ -20,7 +20,7 @@ CHANGES = [
     (r" \+ ", " - "), (r" - ", " + "), (r" \* ", " / "), (r" / ", " * "), (r" \+= ", " -= "), (r" -= ", " += "),
     (r" \*= ", " /= "), (r" < ", " >= "), (r" > ", " <= "), (r" <= ", " > "), (r" >= ", " < "), (r" == ", " != "),
     (r" != ", " == "), (r" && ", " || "), (r" \|\| ", " && "), (r"std::min\(", "std::max("), (r"std::max\(", "std::min("),
-    (r"std::sin\(", "std::cos("), (r"std::cos\(", "std::sin("), (r"\b[0-9]+\.[0-9]+(e-?[0-9]+)?\b", None),
+    (r"std::sin\(", "std::cos("), (r"std::cos\(", "std::sin("), (r"\b(?!0\.0\b)[0-9]+\.[0-9]+(e-?[0-9]+)?\b", None),
 ]
 HIDDEN = re.compile(r'//[^\n]*|/\*.*?\*/|"(?:\\.|[^"\\\n])*"|\'(?:\\.|[^\'\\\n])\'|^[ \t]*#[^\n]*', re.S | re.M)
 SPARED = re.compile(r"\brequire|\bcheck::|static_assert|\bassert\b")

@@ -201,6 +201,8 @@ part_progress() {
   on_terminal() { script -qec "stty cols $1; $(printf '%q ' "${run[@]}")" "$work/terminal" >/dev/null </dev/null || fail "exit $? on a terminal"; }
   on_terminal 40
   tr '\r' '\n' <"$work/terminal" | sed 's/\x1b\[K.*//' | grep 'left' | awk 'length > 39 { bad = 1 } END { exit bad || !NR }' || fail "lines longer than 40 columns"
+  on_terminal 100 # room for a short bar
+  tr '\r' '\n' <"$work/terminal" | sed 's/\x1b\[K.*//' | grep -F '[#' | awk 'length > 99 { bad = 1 } END { exit bad || !NR }' || fail "no bar within 100 columns"
   on_terminal 140
   grep -qE '100 %, 0.0 s left, 100 ms, [0-9.]+ kPa, [0-9.]+ deg' "$work/terminal" || fail "the state so far is not told"
   tr '\r' '\n' <"$work/terminal" | sed -nE 's/.*\[[#.]{40}\] +([0-9]+) %.*/\1/p' >"$work/percent"
