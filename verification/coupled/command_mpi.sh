@@ -11,7 +11,9 @@ part_mpi() {
   expect 0 "12 of 12 runs: 12 done" ranks 3 study run "$plan" --out "$work/ranks"
   same_study "$work/alone" "$work/ranks"
   expect 2 "with 2 ranks or more" ranks 1 study run "$plan" --out "$work/ranks"
-  expect 2 "gasjet_mpi ensemble.ladder.study" ranks 2 run "$source/cases/rigid_tank.toml"
+  expect 2 "gasjet_mpi ensemble.ladder.study run" ranks 2 run "$source/cases/rigid_tank.toml"
+  expect 2 "gasjet_mpi ensemble.ladder.study run" ranks 2 study merge "$work/ranks" # all ranks would write
+  expect 0 "^gasjet [0-9]" "$program" --version
   tank_plan "$plan" 'seeds = 4'
   expect 2 "study.seeds: perturb the nodes" ranks 2 study run "$plan" --out "$work/none"
   [ "$(ranks 3 study run "$plan" 2>&1 | grep -c 'study.seeds: perturb')" = 1 ] || fail "each rank says what is wrong with the plan"
@@ -34,4 +36,21 @@ part_mpi() {
     -n 1 "$program" ensemble "$work/slow.toml" --runs 2 --out "$work/two"
   expect 2 "missing.toml" mpirun --allow-run-as-root --oversubscribe -n 1 "$program" ensemble "$work/both.toml" --runs 2 --out "$work/two" : \
     -n 1 "$program" ensemble "$work/missing.toml" --runs 2 --out "$work/two"
+  # What a run of each rank refuses is said once, and the folder says it.
+  local small=(ensemble "$source/cases/sphere_inflation.toml" --amplitude 1e-3 --set membrane.mesh.levels=1 --set membrane.mesh.radius=1e-4)
+  [ "$(ranks 5 "${small[@]}" --out "$work/small" 2>&1 | grep -c 'gasjet: volume .* must be finite and positive')" = 1 ] || fail "each rank says why its run fails"
+  ended_as "$work/small" failed
+  # Ctrl-C of one rank, the only one that computes, is one of the command, which goes on from there.
+  local pid
+  bag_plan "$plan" 200
+  ranks 2 study run "$plan" --out "$work/stopped" >/dev/null 2>&1 </dev/null &
+  until_there grep -sq '"run":3,' "$work/stopped/shares/1_of_1/journal.jsonl"
+  pid=$(pgrep -nf "^$program study run .*/stopped") # the newest
+  kill -INT "$pid"
+  wait $!
+  [ $? = 130 ] || fail "exit $? of a study of which one rank was interrupted"
+  ended_as "$work/stopped/shares/1_of_1" interrupted
+  expect 0 "goes on after [0-9]+ runs that are done" ranks 3 study run "$plan" --out "$work/stopped"
+  "$gasjet" study run "$plan" --out "$work/unstopped" --quiet || fail "study"
+  same_study "$work/unstopped" "$work/stopped"
 }

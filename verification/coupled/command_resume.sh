@@ -3,6 +3,9 @@
 # Part of command_test.sh (sourced): what was done before Ctrl-C or a kill is not done again, and the results are those of one go.
 
 part_resume() {
+  # A journal cannot hold what is no number: such a run has failed.
+  expect 3 "failed run, left out: pendulum_joint_force_N is no finite number" "$gasjet" ensemble "$source/cases/ball_impact.toml" --runs 2 --out "$work/no_number" \
+    --set scene.end_time=1e-3 --set membrane.mesh.levels=1 --set pendulum.mass=1e307
   local ensemble=(ensemble "$source/cases/sphere_inflation.toml" --runs 10 --set scene.end_time=1e-2 --set membrane.mesh.levels=3)
   local ladder=(ladder "$source/cases/jet_bag.toml" --set membrane.mesh.levels=2 --quantity pressure --tolerance 10%) signal pid code
   "$gasjet" "${ensemble[@]}" --quiet --out "$work/whole" || fail "ensemble"
@@ -32,10 +35,10 @@ part_resume() {
     [ "$(grep -c '"key":"seed' "$journals/${share/\//_of_}/journal.jsonl")" = $runs ] || fail "runs of share $share"
   done
   truncate -s -10 "$journals/3_of_3/journal.jsonl"
-  sed -i '2s/"quantities":\[\[[^]]*\],/"quantities":[/; 3s/"rows":\[\[[^]]*\],/"rows":[[0.0],/; 4s/"quantities":\[\[[^]]*\],/"quantities":[[null],/' "$journals/1_of_3/journal.jsonl"
+  sed -i '1s/"status":0/"status":17/; 2s/"quantities":\[\[[^]]*\],/"quantities":[/; 3s/"rows":\[\[[^]]*\],/"rows":[[0.0],/; 4s/"quantities":\[\[[^]]*\],/"quantities":[[null],/' "$journals/1_of_3/journal.jsonl"
   expect 2 "--share 4/3: NUMBER/COUNT" "${shared[@]}" --share 4/3
   expect 2 "shares/[13]_of_3: is of another command, case or build than this" "${shared[@]}" --share 2/3 --amplitude 2e-5
-  expect 0 "goes on after 3 runs that are done" "${shared[@]}"
+  expect 0 "goes on after 2 runs that are done" "${shared[@]}"
   same_tables "$work/whole/sphere_inflation" "$work/shared/sphere_inflation" ensemble.csv quantities.csv
   [ -e "$journals" ] && fail "shares stay: $(ls "$journals")"
   # Results that are there stay when the shares are of another command.
@@ -56,6 +59,10 @@ part_resume() {
   until_there test -s "$work/ladder/journal.jsonl"
   kill -KILL $pid
   wait $pid 2>/dev/null
+  # What is damaged is found again.
+  sed -i '1s/"value":[0-9.e+]*}}$/"value":"x"}}/; 2s/"cpu_s":[0-9.e-]*,//' "$work/ladder/journal.jsonl"
+  grep -q '"value":"x"}}$' "$work/ladder/journal.jsonl" || fail "no run of the ladder is damaged"
+  printf '{"key":7,"value":1}\n{"key":"volume by pressure","value":5}\n' >>"$work/ladder/journal.jsonl"
   expect 0 "goes on after [0-9]+ runs that are done" "$gasjet" "${ladder[@]}" --out "$work/ladder"
   "$gasjet" "${ladder[@]}" --out "$work/whole_ladder" --quiet || fail "ladder"
   # All but costs, and what costs decide: the front.

@@ -66,13 +66,14 @@ struct EnsembleResult {
 /// perturbation.
 Scene read_ensemble_scene(const std::filesystem::path& file, const std::vector<std::string>& overrides);
 
-/// The runs of scenes, which must outlive it, as the work of a crew.
+/// The runs of scenes, which must outlive it, as the work of a crew. `amplitude` [m] is that of
+/// EnsembleOptions.
 CrewWork ensemble_work(const std::deque<Scene>& scenes, double amplitude);
 /// A scene with a membrane, and the crew that computes its runs.
 struct EnsembleScene {
   const Scene& scene;
   Crew& crew;  // of ensemble_work()
-  int number;  // of the scene in that work
+  int number;  // index of the scene in that work
 };
 
 /// Runs a scene with `runs` seeds from `first_seed` on; the result does not depend on who computes them. Each

@@ -58,5 +58,7 @@ void tell(const std::string& line);
 void catch_interrupt();
 /// True after the first Ctrl-C.
 bool interrupted();
+/// Sets the flag for a Ctrl-C that another process has got.
+void interrupt();
 
 }  // namespace driver

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <mutex>
+#include <utility>
 
 #include "driver/executor.hpp"
 #include "driver/progress.hpp"
@@ -18,14 +19,14 @@ class ThreadCrew : public Crew {
   int workers() const override { return executor_.threads(); }
 
   void compute(const std::vector<std::string>& jobs,
-               const std::function<void(std::size_t, const std::string&)>& keep) override {
+               const std::function<void(std::size_t, CrewResult)>& keep) override {
     std::mutex lock;
     executor_.for_each(static_cast<int>(jobs.size()), [&](int i) {
       if (interrupted()) return;
       const auto job = static_cast<std::size_t>(i);
-      work_(jobs[job], [&](const std::string& line) {
+      work_(jobs[job], [&](CrewResult result) {
         const std::lock_guard<std::mutex> guard(lock);
-        keep(job, line);
+        keep(job, std::move(result));
       });
     });
   }
@@ -42,12 +43,12 @@ std::unique_ptr<Crew> thread_crew(const CrewWork& work, int threads) {
 }
 
 void compute_jobs(const std::string& title, Crew& crew, const std::vector<std::string>& jobs, bool quiet,
-                  const std::function<void(std::size_t, const std::string&)>& keep) {
+                  const std::function<void(std::size_t, CrewResult)>& keep) {
   const std::size_t count = jobs.size();
   std::size_t ended = 0;
   Progress progress(title, static_cast<double>(count), quiet);
-  crew.compute(jobs, [&](std::size_t job, const std::string& line) {
-    keep(job, line);
+  crew.compute(jobs, [&](std::size_t job, CrewResult result) {
+    keep(job, std::move(result));
     ++ended;
     progress.update(static_cast<double>(ended), [&] { return fmt::format("run {} of {}", ended, count); });
   });

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// `mpirun gasjet_mpi ensemble|ladder|study ...`: the command of `gasjet` on rank 0, which hands out its runs
-// to whoever is free; the other ranks compute.
+// `mpirun gasjet_mpi ensemble|ladder|study run ...`: the command of `gasjet` on rank 0, which hands out its
+// runs to whoever is free; the other ranks compute.
 #include <fmt/format.h>
 #include <mpi.h>
 #include <unistd.h>
@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "commands/commands.hpp"
 #include "driver/case_reader.hpp"
@@ -18,28 +19,38 @@
 namespace driver {
 namespace {
 
-constexpr int tag_job = 1;     // empty: there are no more
-constexpr int tag_result = 2;  // lines of a job, each with its end
+enum Tag {
+  tag_job = 1,      // to a rank; empty: there are no more
+  tag_line,         // of its results, and then one of the following
+  tag_ended,        // the job
+  tag_interrupted,  // the rank; its job may not have ended
+  tag_refused,      // what() of a CaseError
+  tag_failed,       // of another error
+};
 
-std::string receive(int from, int tag, int& source) {
+struct Message {
+  int from, tag;
+  std::string text;
+};
+
+Message receive(int from) {
   MPI_Status status;
-  MPI_Probe(from, tag, MPI_COMM_WORLD, &status);
+  MPI_Probe(from, MPI_ANY_TAG, MPI_COMM_WORLD, &status);
   int size = 0;
   MPI_Get_count(&status, MPI_CHAR, &size);
   std::string text(static_cast<std::size_t>(size), ' ');
-  source = status.MPI_SOURCE;
-  MPI_Recv(text.data(), size, MPI_CHAR, source, tag, MPI_COMM_WORLD, MPI_STATUS_IGNORE);
-  return text;
+  MPI_Recv(text.data(), size, MPI_CHAR, status.MPI_SOURCE, status.MPI_TAG, MPI_COMM_WORLD, MPI_STATUS_IGNORE);
+  return {status.MPI_SOURCE, status.MPI_TAG, std::move(text)};
 }
 
-void send(const std::string& text, int to, int tag) {
+void send(const std::string& text, int to, Tag tag) {
   MPI_Send(text.data(), static_cast<int>(text.size()), MPI_CHAR, to, tag, MPI_COMM_WORLD);
 }
 
-// Rank 0's.
+// The other ranks, as workers of rank 0.
 class RankCrew : public Crew {
  public:
-  // `out` counts the jobs that have not come back.
+  // `out` counts the jobs that have not ended.
   RankCrew(int ranks, std::size_t& out) : ranks_(ranks), out_(out) {}
   RankCrew(const RankCrew&) = delete;
   RankCrew& operator=(const RankCrew&) = delete;
@@ -51,7 +62,7 @@ class RankCrew : public Crew {
 
   // A rank that ends a job gets the next one.
   void compute(const std::vector<std::string>& jobs,
-               const std::function<void(std::size_t, const std::string&)>& keep) override {
+               const std::function<void(std::size_t, CrewResult)>& keep) override {
     std::vector<int> free;
     for (int rank = ranks_ - 1; rank > 0; --rank) free.push_back(rank);
     std::vector<std::size_t> job_of(static_cast<std::size_t>(ranks_));
@@ -63,14 +74,16 @@ class RankCrew : public Crew {
         send(jobs[next++], free.back(), tag_job);
       }
       if (out_ == 0) return;  // an interrupt has come meanwhile
-      int rank = 0;
-      const std::string text = receive(MPI_ANY_SOURCE, tag_result, rank);
-      free.push_back(rank);
-      --out_;
-      for (std::size_t begin = 0, end = 0; begin < text.size(); begin = end + 1) {
-        end = text.find('\n', begin);
-        keep(job_of[static_cast<std::size_t>(rank)], text.substr(begin, end - begin));
+      Message message = receive(MPI_ANY_SOURCE);
+      if (message.tag == tag_line) {
+        keep(job_of[static_cast<std::size_t>(message.from)], {std::move(message.text)});
+        continue;
       }
+      free.push_back(message.from);
+      --out_;
+      if (message.tag == tag_refused) throw CaseError(message.text);
+      if (message.tag == tag_failed) throw std::runtime_error(message.text);
+      if (message.tag == tag_interrupted) interrupt();
     }
   }
 
@@ -87,7 +100,7 @@ class Rank {
     MPI_Comm_rank(MPI_COMM_WORLD, &rank_);
     MPI_Comm_size(MPI_COMM_WORLD, &ranks_);
     if (leads()) return;
-    // What it says before all meet, rank 0 says too; if not, it is said then.
+    // Before all meet, rank 0 says the same. What this rank says is kept, and told only if rank 0 goes on.
     errors_ = dup(STDERR_FILENO);
     said_ = std::tmpfile();
     if (said_) dup2(fileno(said_), STDERR_FILENO);
@@ -107,7 +120,7 @@ class Rank {
     return nullptr;
   }
 
-  // Ends all ranks unless this one's command has come to an end of its own.
+  // The end of this rank's command, with its exit code. A failure ends all ranks that would wait for it.
   void end(int code) {
     const bool is_alone = !has_met_;
     if (code != 0 && leads() && (is_alone || out_ > 0)) MPI_Abort(MPI_COMM_WORLD, code);
@@ -131,11 +144,15 @@ class Rank {
 
   static void help(const CrewWork& work) {
     catch_interrupt();
-    int first = 0;
-    for (std::string job; !(job = receive(0, tag_job, first)).empty();) {
-      std::string text;
-      work(job, [&](const std::string& line) { text += line + '\n'; });
-      send(text, 0, tag_result);
+    for (std::string job; !(job = receive(0).text).empty();) {
+      try {
+        work(job, [](const CrewResult& result) { send(result.line, 0, tag_line); });
+        send("", 0, interrupted() ? tag_interrupted : tag_ended);
+      } catch (const CaseError& error) {
+        send(error.what(), 0, tag_refused);
+      } catch (const std::exception& error) {
+        send(text_of(error), 0, tag_failed);
+      }
     }
   }
 
@@ -143,15 +160,18 @@ class Rank {
   int errors_ = -1;            // where a rank's own errors go once all have met
   std::FILE* said_ = nullptr;  // before that
   bool has_met_ = false;
-  std::size_t out_ = 0;  // jobs that have not come back
+  std::size_t out_ = 0;  // jobs that have not ended
 };
 
 int run_ranks(int argc, char** argv) {
   Rank rank;
-  const std::string command = argc > 1 ? argv[1] : "";
+  const auto word = [&](int i) { return i < argc ? std::string(argv[i]) : std::string(); };
+  const bool asks = word(1) == "--help" || word(1) == "--version";
+  const bool has_runs =
+      word(1) == "ensemble" || word(1) == "ladder" || (word(1) == "study" && word(2) == "run");
   int code = commands::exit_input;
-  if (rank.ranks() < 2 || (command != "ensemble" && command != "ladder" && command != "study"))
-    tell("usage: mpirun -n RANKS gasjet_mpi ensemble|ladder|study ..., with 2 ranks or more");
+  if (!asks && (rank.ranks() < 2 || !has_runs))
+    tell("usage: mpirun -n RANKS gasjet_mpi ensemble|ladder|study run ..., with 2 ranks or more");
   else
     code = commands::program(
         argc, argv, [&](const std::string& id, const CrewWork& work, int) { return rank.crew(id, work); });

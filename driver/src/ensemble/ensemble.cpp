@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <any>
 #include <cmath>
 #include <sstream>
 
@@ -93,11 +94,16 @@ std::vector<Member> run_members(const EnsembleScene& ensemble, const EnsembleOpt
   }
   if (before > 0 && !options.quiet)
     tell(fmt::format("{}: goes on after {} runs that are done", name, before));
-  compute_jobs(name, ensemble.crew, jobs, options.quiet, [&](std::size_t job, const std::string& line) {
+  compute_jobs(name, ensemble.crew, jobs, options.quiet, [&](std::size_t job, CrewResult result) {
     const int i = missing[job];
-    const auto json = nlohmann::json::parse(line);
-    journal.add(key_of(options.first_seed + i), json);
-    members[static_cast<std::size_t>(i)] = member_of(scene, &json).value();
+    journal.add(key_of(options.first_seed + i), result.line);
+    Member& member = members[static_cast<std::size_t>(i)];
+    if (auto* known = std::any_cast<Member>(&result.object)) {
+      member = std::move(*known);
+    } else {
+      const auto json = nlohmann::json::parse(result.line);
+      member = member_of(scene, &json).value();
+    }
   });
   return members;
 }
@@ -155,15 +161,17 @@ Scene read_ensemble_scene(const std::filesystem::path& file, const std::vector<s
 }
 
 CrewWork ensemble_work(const std::deque<Scene>& scenes, double amplitude) {
-  return [&scenes, amplitude](const std::string& job, const std::function<void(const std::string&)>& emit) {
+  return [&scenes, amplitude](const std::string& job, const std::function<void(CrewResult)>& emit) {
     std::istringstream text(job);
     std::size_t number = 0;
     int seed = 0;
     text >> number >> seed;
     Scene scene = scenes.at(number);
     displace_nodes(scene, amplitude, seed);
-    const Member member = run_member(scene);
-    if (has_ended(member)) emit(line_of(member));
+    Member member = run_member(scene);
+    if (!has_ended(member)) return;
+    std::string line = line_of(member);
+    emit({std::move(line), std::move(member)});
   };
 }
 

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <ctime>
 #include <iterator>
 
@@ -66,6 +67,21 @@ double integral(const std::vector<std::vector<double>>& rows, std::size_t at) {
   return sum;
 }
 
+// Name of a value that is no finite number; empty if there is none.
+std::string no_number(const Scene& scene, const Member& member) {
+  const auto is_number = [](const std::optional<double>& value) { return !value || std::isfinite(*value); };
+  const auto place = [&](const auto& values) {
+    return static_cast<std::size_t>(std::ranges::find_if_not(values, is_number) - values.begin());
+  };
+  for (const auto& of_row : member.rows)
+    if (const std::size_t at = place(of_row); at < of_row.size()) return row_names(scene)[at];
+  if (const std::size_t at = place(member.energies); at < member.energies.size())
+    return energy_columns(scene)[at].name;
+  if (const std::size_t at = place(member.quantities); at < member.quantities.size())
+    return quantity_names(scene)[at];
+  return {};
+}
+
 }  // namespace
 
 std::vector<std::string> quantity_names(const Scene& scene) {
@@ -113,6 +129,11 @@ Member run_member(const Scene& scene) {
   member.energies = row(energy_columns(scene), scene, state);
   for (const Quantity& quantity : kQuantities)
     if (quantity.when(scene)) member.quantities.push_back(quantity.value(state, acceleration.signal()));
+  if (member.outcome.status != RunStatus::done) return member;
+  if (const std::string name = no_number(scene, member); !name.empty()) {
+    member.outcome.status = RunStatus::failed;
+    member.outcome.message = fmt::format("{} is no finite number", name);
+  }
   return member;
 }
 

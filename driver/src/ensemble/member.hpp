@@ -26,7 +26,8 @@ struct Member {
   double cpu_seconds = 0.0;  // of the thread that ran it, from the scene's state to the last step
 };
 
-/// Failures of the computation stand in the outcome; a start out of the models' domain is a CaseError.
+/// Failures of the computation stand in the outcome, a value that is no finite number too; a start out of the
+/// models' domain is a CaseError.
 Member run_member(const Scene& scene);
 
 /// Came to an end of its own, in its domain or not; one that never began has not.

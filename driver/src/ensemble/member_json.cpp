@@ -54,7 +54,7 @@ bool is_of(const Scene& scene, const Member& member) {
   const auto is_finite = [](const std::optional<double>& value) { return !value || std::isfinite(*value); };
   if (!has_ended(member) || member.quantities.size() != quantity_names(scene).size()) return false;
   if (std::ranges::any_of(member.rows, [&](const auto& row) { return row.size() != width; })) return false;
-  if (member.outcome.status != RunStatus::done) return true;
+  if (member.outcome.status != RunStatus::done) return !member.outcome.message.empty();
   return member.rows.back().front() >= scene.time.end * (1.0 - 1e-9) &&  // rounding of the last step
          std::ranges::all_of(member.quantities, is_finite) &&
          std::ranges::all_of(member.rows,

@@ -4,7 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cmath>
+#include <utility>
 
 #include "ladder/parts.hpp"
 
@@ -76,12 +76,23 @@ std::string line_of(const LadderSample& sample) {
 
 LadderSample sample_of(const nlohmann::json& json) {
   LadderSample sample;
-  if (json.contains("value") && json["value"].is_number()) sample.value = json["value"].get<double>();
+  if (json.contains("value")) sample.value = json["value"].get<double>();
   sample.cpu_seconds = json.at("cpu_s");
   sample.steps = json.at("steps");
   sample.failure = json.value("failure", "");
   sample.no_event = json.value("no_event", false);
   return sample;
+}
+
+// Nothing if there is no entry, or a damaged one.
+std::optional<LadderSample> sample_of_entry(const nlohmann::json* entry) {
+  if (!entry) return std::nullopt;
+  try {
+    LadderSample sample = sample_of(*entry);
+    return sample.value ? std::optional(std::move(sample)) : std::nullopt;
+  } catch (const nlohmann::json::exception&) {
+    return std::nullopt;
+  }
 }
 
 }  // namespace
@@ -101,8 +112,8 @@ std::string quantity_name(const Scene& scene, const std::string& quantity) {
 }
 
 CrewWork ladder_work(const std::filesystem::path& file, const std::string& quantity) {
-  return [file, quantity](const std::string& job, const std::function<void(const std::string&)>& emit) {
-    emit(line_of(run_job(file, job_of(job), quantity)));
+  return [file, quantity](const std::string& job, const std::function<void(CrewResult)>& emit) {
+    emit({line_of(run_job(file, job_of(job), quantity))});
   };
 }
 
@@ -114,18 +125,17 @@ std::vector<LadderSample> run_jobs(Crew& crew, const std::vector<LadderJob>& job
   std::vector<std::string> texts;
   for (std::size_t i = 0; i < jobs.size(); ++i) {
     std::string text = text_of(jobs[i]);
-    if (const auto* before = journal.find(text)) {
-      samples[i] = sample_of(*before);
+    if (auto before = sample_of_entry(journal.find(text))) {
+      samples[i] = std::move(*before);
     } else {
       missing.push_back(i);
       texts.push_back(std::move(text));
     }
   }
-  compute_jobs(title, crew, texts, quiet, [&](std::size_t job, const std::string& line) {
-    const auto json = nlohmann::json::parse(line);
+  compute_jobs(title, crew, texts, quiet, [&](std::size_t job, const CrewResult& result) {
     LadderSample& sample = samples[missing[job]];
-    sample = sample_of(json);
-    if (sample.value && std::isfinite(*sample.value)) journal.add(texts[job], json);
+    sample = sample_of(nlohmann::json::parse(result.line));
+    if (sample.value) journal.add(texts[job], result.line);
   });
   return samples;
 }

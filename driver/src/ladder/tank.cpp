@@ -101,13 +101,14 @@ std::optional<LadderChoice> bag_by_volume(const std::filesystem::path& file,
                                           const std::vector<std::string>& overrides, bool quiet,
                                           LadderPlan& plan, Journal& journal) {
   constexpr const char* name = "volume by pressure";
-  if (const auto* before = journal.find(name)) return with_volume(plan, name, before->get<std::string>());
+  if (const auto* before = journal.find(name); before && before->is_string())
+    return with_volume(plan, name, before->get<std::string>());
   try {
     CaseDocument document(file, overrides);
     const auto volume = bag_volume(read_scene(document), quiet);
     if (!volume) return {};
     const std::string text = text_of(*volume);
-    journal.add(name, text);
+    journal.add(name, nlohmann::json(text).dump());
     return with_volume(plan, name, text);
   } catch (const std::runtime_error& error) {
     plan.left_out.push_back(fmt::format("{}: {}", name, error.what()));

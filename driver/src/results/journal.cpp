@@ -54,7 +54,8 @@ std::string Journal::read(const std::filesystem::path& file) {
   std::string whole;
   for (std::string line; std::getline(stream, line) && !stream.eof();) {
     const nlohmann::json entry = nlohmann::json::parse(line, nullptr, false);
-    if (!entry.is_object() || !entry.contains("key") || !entry.contains("value")) continue;
+    if (!entry.is_object() || !entry.contains("value")) continue;
+    if (const auto key = entry.find("key"); key == entry.end() || !key->is_string()) continue;
     before_[entry["key"].get<std::string>()] = entry["value"];
     whole += line + '\n';
   }
@@ -66,12 +67,10 @@ const nlohmann::json* Journal::find(const std::string& key) const {
   return found == before_.end() ? nullptr : &found->second;
 }
 
-void Journal::add(const std::string& key, const nlohmann::json& value) {
+void Journal::add(const std::string& key, const std::string& value) {
   if (!file_) return;
-  const std::string line = nlohmann::json{{"key", key}, {"value", value}}.dump(
-      -1, ' ', false, nlohmann::json::error_handler_t::replace);
-  const std::lock_guard<std::mutex> guard(lock_);
-  file_->append(line + '\n');
+  const std::string name = nlohmann::json(key).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+  file_->append(fmt::format("{{\"key\":{},\"value\":{}}}\n", name, value));
 }
 
 }  // namespace driver

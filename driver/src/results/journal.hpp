@@ -4,7 +4,6 @@
 
 #include <cstddef>
 #include <map>
-#include <mutex>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
@@ -16,22 +15,21 @@
 namespace driver {
 
 /// Lines of JSON with a key and a value, in a folder of results; a line that a kill tore is not there.
-/// Without a folder nothing is kept. Any thread may call it.
+/// Without a folder nothing is kept.
 class Journal {
  public:
   /// Reads what an unfinished run of the same id has left, and what its shares have.
   explicit Journal(ResultFolder* folder);
   std::size_t size() const { return before_.size(); }
   const nlohmann::json* find(const std::string& key) const;
-  /// Throws WriteError.
-  void add(const std::string& key, const nlohmann::json& value);
+  /// `value` as JSON on one line. Throws WriteError.
+  void add(const std::string& key, const std::string& value);
 
  private:
   std::string read(const std::filesystem::path& file);
 
   std::map<std::string, nlohmann::json> before_;
   std::optional<GrowingFile> file_;
-  std::mutex lock_;
 };
 
 /// The shares below `folder` and what their status files say, in the order of their names.

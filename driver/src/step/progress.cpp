@@ -94,6 +94,10 @@ bool interrupted() {
   return interrupt_flag != 0;
 }
 
+void interrupt() {
+  interrupt_flag = 1;
+}
+
 Progress::Progress(const std::string& what, double total, bool quiet)
     : what_(one_line(what)),
       total_(total),

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <any>
 #include <iterator>
 #include <new>
 #include <sstream>
@@ -172,8 +173,8 @@ void run_chunk(const StudyPlan& plan, const StudyChunk& chunk, StudyScenes& scen
 
 CrewWork study_work(const StudyPlan& plan, int workers) {
   const auto scenes = std::make_shared<StudyScenes>(static_cast<std::size_t>(workers));
-  return [&plan, scenes](const std::string& job, const std::function<void(const std::string&)>& emit) {
-    run_chunk(plan, chunk_of(job), *scenes, [&](const StudyRun& run) { emit(line_of(run)); });
+  return [&plan, scenes](const std::string& job, const std::function<void(CrewResult)>& emit) {
+    run_chunk(plan, chunk_of(job), *scenes, [&](const StudyRun& run) { emit({line_of(run), run}); });
   };
 }
 
@@ -196,9 +197,10 @@ bool run_study(const StudyPlan& plan, const std::filesystem::path& folder, const
     Progress progress(plan.name, static_cast<double>(mine.size()), quiet);
     long done = 0;
     int failed = 0;
-    crew.compute(jobs_of(plan, mine), [&](std::size_t, const std::string& line) {
-      file.keep(line);
-      const StudyRun run = run_of_line(plan, line).value();
+    crew.compute(jobs_of(plan, mine), [&](std::size_t, const CrewResult& result) {
+      file.keep(result.line);
+      const auto* known = std::any_cast<StudyRun>(&result.object);
+      const StudyRun run = known ? *known : run_of_line(plan, result.line).value();
       ended.emplace(run.number, run);
       all.add(run);
       failed += run.status != "done";
