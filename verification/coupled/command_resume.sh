@@ -27,6 +27,11 @@ part_resume() {
     ended_as "$work/$signal" done
     [ -e "$work/$signal/sphere_inflation/journal.jsonl" ] && fail "the journal stays"
   done
+  local long
+  long=$(printf 'n%.0s' {1..300})
+  expect 2 "File name too long" "$gasjet" "${ensemble[@]}" --out "$work/$long"
+  expect 2 "File name too long" "$gasjet" study run "$source/cases/studies/runs_needed.toml" --out "$work/$long"
+  expect 2 "holds no plan.toml" "$gasjet" study merge "$work/$long"
   # In shares, of which one is cut off and one is damaged: the whole has the bytes of one go.
   local shared=("$gasjet" "${ensemble[@]}" --out "$work/shared") share runs journals=$work/shared/sphere_inflation/shares
   for share in 1/3 3/3; do

@@ -12,7 +12,8 @@
 namespace driver {
 std::vector<std::pair<std::filesystem::path, FolderStatus>> shares_in(const std::filesystem::path& folder) {
   std::vector<std::pair<std::filesystem::path, FolderStatus>> list;
-  if (!std::filesystem::is_directory(folder / shares_folder)) return list;
+  std::error_code ignored;
+  if (!std::filesystem::is_directory(folder / shares_folder, ignored)) return list;
   for (const auto& share : std::filesystem::directory_iterator(folder / shares_folder))
     if (share.is_directory())
       if (const auto status = read_status(share.path()); status && !status->run.empty())

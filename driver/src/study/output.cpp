@@ -158,7 +158,8 @@ std::vector<std::string> note_lines(const StudySummary& summary) {
 }
 
 StudySummary merge_study(const std::filesystem::path& folder) {
-  if (!std::filesystem::exists(folder / plan_copy))
+  std::error_code ignored;
+  if (!std::filesystem::exists(folder / plan_copy, ignored))
     throw CaseError(
         fmt::format("{}: holds no {}, a folder of `gasjet study run` is needed", folder.string(), plan_copy));
   const StudyPlan plan = read_study(folder / plan_copy);

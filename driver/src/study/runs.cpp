@@ -113,22 +113,21 @@ class ShareProgress {
 
 // The plan stands in the folder, so that a merge needs the folder alone.
 void keep_plan(const StudyPlan& plan, const std::filesystem::path& folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error) throw OutputError(fmt::format("--out {}: {}", folder.string(), error.message()));
   const auto copy = folder / plan_copy;
   // With its name, which may be that of the file.
   const CaseDocument document =
       CaseDocument::of_text(plan.text, plan.file, {fmt::format("study.name={}", quoted(plan.name))});
   const std::string text = document.text(folder);
-  std::error_code ignored;
-  if (std::filesystem::exists(copy, ignored)) {
+  if (std::filesystem::exists(copy, error)) {
     CaseDocument other(copy, {});
     if (other.text(folder) != text)
       throw OutputError(fmt::format("{}: is another plan than {}: another folder is allowed", copy.string(),
                                     plan.file.string()));
     return;
   }
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error) throw OutputError(fmt::format("--out {}: {}", folder.string(), error.message()));
   replace_file(copy, text);
 }
 
