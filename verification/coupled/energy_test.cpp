@@ -37,7 +37,7 @@ TEST_P(coupled_books, mass_ledger_and_energy_close) {
   claim::expect_near({"K.21", scene + "largest drift of energy over the supply [-]",
                       "a third of a percent of what the gas keeps, below the ensemble's scatter"},
                      run.state.peaks.energy_residual / supplied(run), 0.0, 1e-3);
-  EXPECT_GT(run.state.peaks.momentum_residual, 0.0);  // not left out: it rounds
+  EXPECT_GT(run.state.peaks.momentum_residual, 0.0);    // not left out: it rounds
   EXPECT_LT(run.state.peaks.momentum_residual, 1e-13);  // eps x some hundred additions of both signs
 }
 
