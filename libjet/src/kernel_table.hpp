@@ -149,12 +149,6 @@ struct PairArrays {
 
 inline constexpr int kBoxFloats = 40;  // of eight elements
 
-/// Limits on rays that are handled together. They are better separated if one follows another by more than
-/// `places` in their list. So they are if a level of a pyramid shows more than `blocks` in their common box.
-struct Parting {
-  int places, blocks;
-};
-
 /// Lists of pairs, with room for all elements eight times and eight more; and two workspace lists with room
 /// for all elements and eight more.
 struct PairLists {
@@ -205,9 +199,9 @@ struct KernelTable {
   /// If `to_targets`, only elements before the ray's target and other than its own; places behind the mesh's
   /// last stand for that element and are not excluded. The lowest blocks of the pyramid are `patches`.
   ///
-  /// If the rays are better separated, returns minus the number of rays of the first part. It returns 8 less
-  /// if the reason is the number of blocks.
-  int (*find_pairs)(const RayArrays&, const Parting&, bool to_targets, const PyramidView&, const int* patches,
+  /// The rays are better separated if one's place follows another's by more than `far_places`. Then returns
+  /// minus the number of rays before the first such gap.
+  int (*find_pairs)(const RayArrays&, int far_places, bool to_targets, const PyramidView&, const int* patches,
                     const PairLists&);
   void (*meet_pairs)(const PairArrays&, int count);
 };

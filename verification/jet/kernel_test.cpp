@@ -226,7 +226,7 @@ Looked look(const jet::KernelTable& kernels, const Mesh& mesh, float half_long) 
     const jet::PyramidView view{boxes.data(), 1, {}, {8}};  // the first 64 elements
     for (int ray = 0; ray + 8 <= n; ray += 8) {
       const jet::RayArrays rays{p.targets.data(), half_long, all.data() + ray, ray % 16 == 0 ? 8 : 3};
-      const int found_pairs = kernels.find_pairs(rays, {n, n}, to_targets, view, blocks.data(), lists);
+      const int found_pairs = kernels.find_pairs(rays, n, to_targets, view, blocks.data(), lists);
       for (const auto* list : {&pair_rays, &pair_elements})
         p.pairs.insert(p.pairs.end(), list->begin(), list->begin() + found_pairs);
     }

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rays that leave the bounds expected of them, from one query to the next, and bounds from the shortest
-// lines.
+// Rays that leave the bounds kept for them, from one query to the next, and bounds from the shortest lines.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -14,7 +13,7 @@ namespace {
 using routes::Carried;
 using scenes::Mesh;
 
-TEST(motion, rays_that_leave_the_bounds_of_the_last_query_meet_what_is_beyond_them) {
+TEST(motion, rays_that_leave_the_bounds_kept_for_them_meet_what_is_beyond_them) {
   for (const bool line : {false, true}) {
     const Mesh bag = scenes::star(3, 0.05, 44);
     const auto source =

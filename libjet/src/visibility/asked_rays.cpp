@@ -14,7 +14,7 @@ void AskedRays::reserve(const OrderedMesh& mesh, std::size_t patches) {
   const std::size_t elements = 8 * patches;
   given_.reserve(elements);
   asked_.resize(patches);
-  before_.resize(patches);
+  outside_.resize(patches);
   listed_.resize(elements + 8);
   made_.resize(elements);
   is_made_.resize(elements);
@@ -25,7 +25,6 @@ void AskedRays::ask(const Surface& surface, const RaySource& source, std::span<c
   surface_ = surface;
   source_ = &source;
   given_.resize(candidates.size());
-  asked_.swap(before_);
   std::fill(asked_.begin(), asked_.end(), std::uint8_t{0});
   const int* rank = mesh_->rank.data();  // which the bytes written cannot change
   int* given = given_.data();
@@ -57,22 +56,12 @@ const blocking::Ray& AskedRays::ray(int place) const {
   return made_[i];
 }
 
-std::span<int> AskedRays::list(std::span<const std::uint8_t> bits) {
-  const int count = kernel_table().list_bits(bits.data(), static_cast<int>(bits.size()), listed_.data());
-  return std::span(listed_).first(static_cast<std::size_t>(count));
-}
-
-std::span<const int> AskedRays::list_new() {
-  and_not(asked_, before_, before_);
-  const std::span<int> places = list(before_);
-  for (int& place : places) place = mesh_->element(place);
-  return places;
-}
-
 std::span<const int> AskedRays::list_outside(std::span<const int> patches) {
-  before_ = asked_;
-  for (const int patch : patches) before_[static_cast<std::size_t>(patch)] = 0;
-  return list(before_);
+  outside_ = asked_;
+  for (const int patch : patches) outside_[static_cast<std::size_t>(patch)] = 0;
+  const int count =
+      kernel_table().list_bits(outside_.data(), static_cast<int>(outside_.size()), listed_.data());
+  return std::span(listed_).first(static_cast<std::size_t>(count));
 }
 
 }  // namespace jet

@@ -29,20 +29,16 @@ class AskedRays {
   /// Ray to an element in the definition's arithmetic, made at its first use.
   const blocking::Ray& ray(int place) const;
 
-  /// Elements that the last query did not ask about. This and the next forget what that query asked.
-  std::span<const int> list_new();
   /// Places of the elements outside these patches.
   std::span<const int> list_outside(std::span<const int> patches);
 
  private:
-  std::span<int> list(std::span<const std::uint8_t> bits);
-
   Surface surface_;
   const RaySource* source_ = nullptr;
   const OrderedMesh* mesh_ = nullptr;
   std::vector<int> given_;
-  std::vector<std::uint8_t> asked_, before_;
-  std::vector<int> listed_;  // workspace
+  std::vector<std::uint8_t> asked_, outside_;  // outside_, listed_: workspace
+  std::vector<int> listed_;
   int patches_ = 0;
   mutable std::vector<blocking::Ray> made_;
   mutable std::vector<std::uint8_t> is_made_;

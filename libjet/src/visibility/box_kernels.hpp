@@ -44,7 +44,6 @@ template <bool upstream = true>
 [[gnu::always_inline]] inline Range places(Vec3<Floats> g, Floats half_long) {
   const Floats distance = max(g.z, Floats(1e-30f)) + abs(g.x), inverse = 1.0f / distance;
   const Floats margin = kTurn * inverse + kSlack, end = half_long - Floats(kSlack);
-  if (bits(abs(g.y) > end) == 0) return {g.y - margin, g.y + margin};  // as below; beyond the ends is rare
   const auto way = [&](Floats beyond) {
     return select(distance > Floats(kUpstream), 4.02f * (beyond * inverse), Floats(kFar));
   };

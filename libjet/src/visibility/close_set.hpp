@@ -29,10 +29,9 @@ struct CloseRange {
     return any() && other_scale == scale && other.centre == source.centre && other.axis == source.axis &&
            other.long_direction == source.long_direction && other.half_long == source.half_long;
   }
-  /// True if it contains all that these rays can meet at this motion.
-  bool holds(const Frustum& rays, double displacement_bound) const {
-    return displacement_bound >= from && displacement_bound <= until && rays.low_u >= bounds.low_u &&
-           rays.high_u <= bounds.high_u && rays.low_v >= bounds.low_v && rays.high_v <= bounds.high_v;
+  /// True if it contains, at this motion, all that rays within the bounds can meet.
+  bool holds(double displacement_bound) const {
+    return displacement_bound >= from && displacement_bound <= until;
   }
 
   /// The bounds, widened by a share of their range.

@@ -23,8 +23,7 @@ VisibilityCounters FastRoute::query(const Surface& surface, const RaySource& sou
   view_.begin(surface, source);
   rays_.ask(surface, source, candidates);
   states_.reset(rays_.asked().bits());
-  facts_.bounded = (rays_.project_expected() && find_near()) || (rays_.project_chosen() && find_near()) ||
-                   (rays_.project_fresh() && find_near());
+  facts_.bounded = (rays_.project_chosen() && find_near()) || (rays_.project_fresh() && find_near());
   if (!facts_.bounded) rays_.do_without();
   facts_.bounded ? classify_near() : classify_all();
   const bool certain = closed_ && facts_.shared && winding_is_one();
@@ -97,7 +96,6 @@ std::size_t FastRoute::open_uncertain(bool certain) {
     }
     const int e = mesh_->element(place);
     const blocking::Ray& ray = rays_.asked().ray(place);
-    if (certain && surely_pierces(surface_, e, ray.source, rays_.projection().size)) continue;
     if (blocking::facing(view_.kernel(), ray, surface_, e) <= 0) {
       states_.set(place, kFacingAway);
     } else if (!certain || !blocking::passage(view_.kernel(), ray, surface_, e).pierces()) {

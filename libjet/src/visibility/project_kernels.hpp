@@ -162,8 +162,7 @@ inline ProjectFlags code_nodes(const ProjectArrays& arrays) {
   return arrays.aligned ? code_nodes_as<true>(arrays) : code_nodes_as<false>(arrays);
 }
 
-/// `padded`: the nodes' own rows are four numbers apart as well.
-template <bool padded, bool aligned>
+template <bool aligned>
 inline ProjectFlags project_listed_as(const ProjectArrays& arrays, int count) {
   const ProjectArrays a = arrays;
   NodeFlags flags;
@@ -177,11 +176,8 @@ inline ProjectFlags project_listed_as(const ProjectArrays& arrays, int count) {
   };
   for (const std::uint32_t* stop = with_last ? end - 8 : end; row_of < stop; row_of += 8)
     project_eight<false, aligned>(
-        a,
-        [=](int j) __attribute__((always_inline)) {
-          return first + (padded ? std::ptrdiff_t{row_of[j]} : row_of[j] / 4 * stride);
-        },
-        flags, store);
+        a, [=](int j) __attribute__((always_inline)) { return first + row_of[j] / 4 * stride; }, flags,
+        store);
   if (with_last)
     project_eight<false, aligned>(
         a, [&](int j) { return row(a.nodes, static_cast<int>(row_of[j] / 4)); }, flags, store);
@@ -189,12 +185,7 @@ inline ProjectFlags project_listed_as(const ProjectArrays& arrays, int count) {
 }
 
 inline ProjectFlags project_listed(const ProjectArrays& arrays, int count) {
-  const bool padded = arrays.nodes.stride == 4;
-  if (arrays.aligned)
-    return padded ? project_listed_as<true, true>(arrays, count)
-                  : project_listed_as<false, true>(arrays, count);
-  return padded ? project_listed_as<true, false>(arrays, count)
-                : project_listed_as<false, false>(arrays, count);
+  return arrays.aligned ? project_listed_as<true>(arrays, count) : project_listed_as<false>(arrays, count);
 }
 
 /// Local centroids of the listed elements k to k + 7. Places behind the last one repeat it.

@@ -93,9 +93,8 @@ void Projection::set_arrays() {
   }
 }
 
-Frustum Projection::bounds_of(std::span<const int> elements) {
-  arrays_.elements = elements.data();
-  return kernel_table().frustum_of(arrays_, points_.half_long, static_cast<int>(elements.size()));
+Frustum Projection::bounds_of_candidates() const {
+  return kernel_table().frustum_of(arrays_, points_.half_long, static_cast<int>(candidates_.size()));
 }
 
 bool Projection::code_nodes(const Frustum& bounds, double reach, bool rescaled) {

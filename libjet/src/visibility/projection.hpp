@@ -46,10 +46,8 @@ class Projection {
   void rescale();
   /// Takes the scale of the last query, or the new one. Call one of the functions below after it.
   void set_arrays();
-  /// Bounds of the rays to these elements.
-  Frustum bounds_of(std::span<const int> elements);
   /// Bounds of the rays to the candidates.
-  Frustum bounds_of_candidates() { return bounds_of(candidates_); }
+  Frustum bounds_of_candidates() const;
   /// Each takes half-spaces that hold all rays in the bounds, and what is within `reach` [m] of them. The
   /// first makes the codes of all nodes, the second projects all nodes, the third those of `rows`. False if
   /// the scale does not fit them, or one is to be refused. `rescaled`: the scale was chosen for these nodes.

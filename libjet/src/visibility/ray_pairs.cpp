@@ -2,7 +2,6 @@
 #include "visibility/ray_pairs.hpp"
 
 #include <algorithm>
-#include <limits>
 
 namespace jet {
 
@@ -19,23 +18,17 @@ void RayPairs::reserve(const OrderedMesh& mesh) {
 // Of the first rays of a list, eight at most: their number.
 std::size_t RayPairs::add(const RayArrays& rays, bool to_targets, const PyramidView& boxes,
                           const int* patches) {
-  constexpr int no_limit = std::numeric_limits<int>::max();
   int count = std::min(8, rays.count);
   const PairLists lists{&rays_[static_cast<std::size_t>(count_)],
                         &elements_[static_cast<std::size_t>(count_)], first_.data(), second_.data()};
-  const auto find = [&](int places, int blocks) {
-    return kernel_table().find_pairs({rays.targets, rays.half_long, rays.list, count},
-                                     {places, count > 1 ? blocks : no_limit}, to_targets, boxes, patches,
-                                     lists);
+  const auto find = [&] {
+    return kernel_table().find_pairs({rays.targets, rays.half_long, rays.list, count}, kFarPlaces, to_targets,
+                                     boxes, patches, lists);
   };
-  int found = find(kFarPlaces, kMostBlocks);
-  if (-8 <= found && found < 0) {
-    count = -found;
-    found = find(no_limit, kMostBlocks);
-  }
+  int found = find();
   if (found < 0) {
-    count = -found - 8;
-    found = find(no_limit, no_limit);
+    count = -found;
+    found = find();
   }
   count_ += found;
   return static_cast<std::size_t>(count);

@@ -58,10 +58,9 @@ class RayPairs {
 
  private:
   /// Eight successive rays of a list may cross different parts of the surface. Their common box then meets
-  /// many blocks that no single ray meets. So a list is cut where its elements are far apart and, in fine
-  /// meshes, where the common box still meets too many blocks. Both limits are measured. At most so many
-  /// pairs are tested together.
-  static constexpr int kFarPlaces = 64, kMostBlocks = 32, kManyPairs = 512;
+  /// many blocks that no single ray meets. So a list is cut where its elements are far apart. The limit is
+  /// measured. At most so many pairs are tested together.
+  static constexpr int kFarPlaces = 64, kManyPairs = 512;
 
   std::size_t add(const RayArrays& rays, bool to_targets, const PyramidView& boxes, const int* patches);
   void test(const RayBundle& rays);

@@ -12,16 +12,7 @@ namespace {
 
 constexpr std::size_t kMostUpstream = 64;  // more of them are quicker in a tree
 constexpr double kStepsAhead = 6.0;        // motion that the choice of close patches is made for
-constexpr float kCloseShare = 0.05f, kLastShare = 0.02f;  // of the rays' range, by which bounds are widened
-
-// The bounds of rays asked about before and of those that were not.
-Frustum with_new(const Frustum& before, AskedRays& asked, Projection& projection) {
-  const std::span<const int> elements = asked.list_new();
-  if (elements.empty()) return before;
-  const Frustum now = projection.bounds_of(elements);
-  return {std::min(before.low_u, now.low_u), std::max(before.high_u, now.high_u),
-          std::min(before.low_v, now.low_v), std::max(before.high_v, now.high_v)};
-}
+constexpr float kCloseShare = 0.05f;       // of the rays' range, by which bounds are widened
 
 // A general slope within the bounds: bags are symmetric about the axis. Local coordinates of the end are
 // above 1.
@@ -72,31 +63,14 @@ void RayBundle::ask(const Surface& surface, const RaySource& source, std::span<c
   projection_.begin(surface, source, candidates);
 }
 
-bool RayBundle::project_expected() {
-  fresh_ = false;
-  if (!projection_.frame().usable || !(motion_.step >= 0.0) ||
-      !close_.range().fits(asked_.source(), projection_.scale()))
-    return false;
-  projection_.set_arrays();
-  const auto on = [](float before, float last) { return last + (last - before); };
-  const Frustum &b = bounds_.before, &l = bounds_.last;
-  const Frustum next{std::min(l.low_u, on(b.low_u, l.low_u)), std::max(l.high_u, on(b.high_u, l.high_u)),
-                     std::min(l.low_v, on(b.low_v, l.low_v)), std::max(l.high_v, on(b.high_v, l.high_v))};
-  const Frustum expected = CloseRange::widened(with_new(next, asked_, projection_), kLastShare);
-  if (!close_.range().holds(expected, motion_.bound) &&
-      !choose_close(CloseRange::widened(expected, kCloseShare), false))
-    return false;
-  return project_close(expected) && projection_.fits_range();
-}
-
 bool RayBundle::project_chosen() {
   fresh_ = false;
-  if (!projection_.frame().usable || !(motion_.step >= 0.0) ||
-      !close_.range().fits(asked_.source(), projection_.scale()))
+  const CloseRange& range = close_.range();
+  if (!projection_.frame().usable || !range.fits(asked_.source(), projection_.scale()) ||
+      !range.holds(motion_.bound))
     return false;
   projection_.set_arrays();
-  return close_.range().holds(close_.range().bounds, motion_.bound) && project_close(close_.range().bounds) &&
-         projection_.fits_range();
+  return project_close(range.bounds) && projection_.fits_range();
 }
 
 bool RayBundle::project_fresh() {
@@ -116,7 +90,7 @@ bool RayBundle::accept(const PatchesFound& found, std::span<const int> patches,
   upstream.assign(not_downstream.begin(), not_downstream.end());
   if (!fresh_) {  // the bounds are not made of these rays
     const auto above = [](float x, float low) { return x >= low || low < -kSteepest; };
-    const Frustum &b = bounds_.now, &r = found.bounds;
+    const Frustum &b = bounds_, &r = found.bounds;
     if (found.asked < asked_.patches() || !above(r.low_u, b.low_u) || !above(-r.high_u, -b.high_u) ||
         !above(r.low_v, b.low_v) || !above(-r.high_v, -b.high_v))
       return false;
@@ -124,8 +98,6 @@ bool RayBundle::accept(const PatchesFound& found, std::span<const int> patches,
     const std::span<const int> more = asked_.list_outside(patches);
     upstream.insert(upstream.end(), more.begin(), more.end());
   }
-  bounds_.before = fresh_ ? found.bounds : bounds_.last;
-  bounds_.last = found.bounds;
   return upstream.empty() || (upstream.size() <= kMostUpstream && upstream.size() < asked_.count());
 }
 
@@ -142,12 +114,11 @@ void RayBundle::do_without() {
 // False where the scale does not fit them any more, or one of them is to be refused.
 bool RayBundle::project_targets(bool rescaled) {
   close_.forget();
-  bounds_.now = projection_.bounds_of_candidates();
+  bounds_ = projection_.bounds_of_candidates();
   if (motion_.step >= 0.0)
-    return choose_close(CloseRange::widened(bounds_.now, kCloseShare), rescaled) &&
-           project_close(bounds_.now);
-  winding_ = winding_ray(projection_, asked_, bounds_.now);
-  return projection_.project_nodes(bounds_.now, rescaled);
+    return choose_close(CloseRange::widened(bounds_, kCloseShare), rescaled) && project_close(bounds_);
+  winding_ = winding_ray(projection_, asked_, bounds_);
+  return projection_.project_nodes(bounds_, rescaled);
 }
 
 // Patches that can come between rays in these bounds while nodes move by a reach.
@@ -163,9 +134,9 @@ bool RayBundle::choose_close(const Frustum& wide, bool rescaled) {
 }
 
 bool RayBundle::project_close(const Frustum& bounds) {
-  bounds_.now = bounds;
-  winding_ = winding_ray(projection_, asked_, bounds_.now);
-  return projection_.project_rows(bounds_.now, close_.rows());
+  bounds_ = bounds;
+  winding_ = winding_ray(projection_, asked_, bounds_);
+  return projection_.project_rows(bounds_, close_.rows());
 }
 
 std::span<const int> RayBundle::find_patches(const OrderedMesh& mesh, std::span<int> out) const {

@@ -35,11 +35,9 @@ class RayBundle {
   /// Makes one ray for each element that is asked about.
   void ask(const Surface& surface, const RaySource& source, std::span<const int> candidates);
 
-  /// Project the nodes that rays in a frustum can come near to. The frustum is that expected from the last
-  /// two queries; that for which the close set was chosen; or that of the rays' targets. False if it is not
-  /// known, or if no frame contains the nodes. Throw std::invalid_argument for coordinates out of range where
-  /// they are read, see VisibilityQuery.
-  bool project_expected();
+  /// Project the nodes that rays in a frustum can come near to. The frustum is that for which the close set
+  /// was chosen, or that of the rays' targets. False if it is not known, or if no frame contains the nodes.
+  /// Throw std::invalid_argument for coordinates out of range where they are read, see VisibilityQuery.
   bool project_chosen();
   bool project_fresh();
   /// True if the elements examined include all that the rays can meet. Rays that are now in `upstream` are
@@ -66,10 +64,6 @@ class RayBundle {
   std::vector<int> upstream;
 
  private:
-  /// Bounds of the rays: of this query, of the last and of that before it.
-  struct Bounds {
-    Frustum now{}, last{}, before{};
-  };
   /// Of the nodes [m]: the displacement bound, and its growth since the last query.
   struct Motion {
     double bound = kMotionUnknown, step = kMotionUnknown;
@@ -81,7 +75,7 @@ class RayBundle {
 
   AskedRays asked_;
   Projection projection_;
-  Bounds bounds_;
+  Frustum bounds_{};  // of the rays
   WindingRay winding_;
   Motion motion_;
   CloseSet close_;

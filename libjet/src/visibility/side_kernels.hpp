@@ -90,10 +90,6 @@ inline PatchesFound classify_patches(const PatchArrays& given) {
   const unsigned there_last = (1u << s.elements % 8) - 1u;
   for (int k = 0; k < s.count; ++k) {
     const int patch = s.patches[k];
-    // Fetches the two cache lines of a later patch: with cold caches the query takes 1.5 % less.
-    const std::uint32_t* ahead = rows_of(s.corner_rows, s.patches[k + 6 < s.count ? k + 6 : k]);
-    __builtin_prefetch(ahead);
-    __builtin_prefetch(ahead + 16);
     const std::uint32_t* rows = rows_of(s.corner_rows, patch);
     const auto corner = [&](int j) {
       return gather_four(s.local, [&](int i) { return std::ptrdiff_t{rows[8 * j + i]}; });

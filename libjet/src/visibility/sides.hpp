@@ -31,23 +31,6 @@ inline int common_side(const Surface& surface, int element, const RaySource& sou
   return height - change > error ? 1 : height + change < -error ? -1 : 0;
 }
 
-/// True if the ray certainly crosses its own target strictly inside and outward. Four predicates say so. For
-/// an exact centroid each is o = orientation(s, a, b, c) or a third of it. The centroid's rounding moves them
-/// by 16.2 u size D^2, D the largest coordinate difference. The determinant errs by 4.7e-15 D^3, D <= 2 size.
-/// This is 1.5e-14 size D^2 in all.
-inline bool surely_pierces(const Surface& surface, int element, const double* s, double size) {
-  const double *a = surface.corner(element, 0), *b = surface.corner(element, 1),
-               *c = surface.corner(element, 2);
-  const double ax = a[0] - s[0], ay = a[1] - s[1], az = a[2] - s[2];
-  const double bx = b[0] - s[0], by = b[1] - s[1], bz = b[2] - s[2];
-  const double cx = c[0] - s[0], cy = c[1] - s[1], cz = c[2] - s[2];
-  const double value = ax * (by * cz - bz * cy) + ay * (bz * cx - bx * cz) + az * (bx * cy - by * cx);
-  const double largest = filter::max3(filter::max3(std::abs(ax), std::abs(ay), std::abs(az)),
-                                      filter::max3(std::abs(bx), std::abs(by), std::abs(bz)),
-                                      filter::max3(std::abs(cx), std::abs(cy), std::abs(cz)));
-  return value > 2e-14 * size * largest * largest + filter::kUnderflow;
-}
-
 /// True if all sources and the element lie in one coordinate plane. Every orientation is then 0, without any
 /// arithmetic.
 inline bool in_one_coordinate_plane(const Surface& surface, int element, const RaySource& source) {

@@ -78,9 +78,8 @@ struct Blocks {
   int count;
 };
 
-/// Lowest blocks whose boxes overlap, in order, found level by level. If there are few, all are taken. `list`
-/// is null if a level has more than `most`.
-inline Blocks blocks_near(const PyramidView& pyramid, const Box& box, int most, const PairLists& to) {
+/// Lowest blocks whose boxes overlap, in order, found level by level. If there are few, all are taken.
+inline Blocks blocks_near(const PyramidView& pyramid, const Box& box, const PairLists& to) {
   Blocks b{to.first, to.second, 0};
   int level = 0;
   while (pyramid.last[level] - pyramid.first[level] > 8) ++level;
@@ -95,7 +94,6 @@ inline Blocks blocks_near(const PyramidView& pyramid, const Box& box, int most, 
           append_bits(box.overlaps(boxes + kBoxFloats * std::ptrdiff_t{block}), 8 * block, b.next + found);
     }
     b = {b.next, b.list, found};
-    if (found > most) return {nullptr, nullptr, 0};
   }
   return b;
 }
