@@ -12,7 +12,8 @@
 #   frames        the scene with and without jet at the same times, as the paper's Figures 10 and 11
 #   concepts      drawings of what words say poorly
 #   examples      pictures that the programs of docs/examples draw; needs a build with bindings, scipy and matplotlib
-#   forecast, detection and the work-precision charts: see forecast.sh, detection.sh and benchmarks.sh in docs/make/charts
+#   forecast, detection, ablation and the work-precision charts: see forecast.sh, detection.sh, ablation.sh and benchmarks.sh in
+#                 docs/make/charts
 # Runs that results/studies has are not computed again.
 # usage: scripts/charts.sh [--threads N] [--out FOLDER] NAME...      1, docs/charts; GASJET names the program; `--list` tells the names
 set -euo pipefail
@@ -167,6 +168,7 @@ chart_examples() {
 
 chart_forecast() { docs/make/charts/forecast.sh; }
 chart_detection() { docs/make/charts/detection.sh "$threads" "$out"; }
+chart_ablation() { docs/make/charts/ablation.sh "$out"; }
 
 # ---
 

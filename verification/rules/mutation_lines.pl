@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-# Rule mutation_lines (rules.sh): every line of the list matches a test of the build and changes its file; there are not too many.
-# Reads the names of the tests from standard input. One sed for each file, not for each line: processes cost most of the time.
+# Rules mutation_lines and ablation_lines (rules.sh): every line of the list matches a name and changes its file; there are not too many.
+# Reads the names, those of tests, from standard input. One sed for each file, not for each line: processes cost most of the time.
 # usage: mutation_lines.pl LIST MOST
 use strict;
 use warnings;
@@ -12,7 +12,7 @@ open(my $in, '<', $list) or die "$list: $!";
 while (<$in>) {
   chomp;
   next if /^#/ || /^\s*$/;
-  my ($test, $file, $expression) = split /\t/, $_, 3;
+  my ($test, $file, $expression) = split /\t/;
   push @lines, $.;
   print "$list:$.: '$test' matches no test\n" unless eval { $names =~ /$test/m };
   if (-f $file) { push @{$of_file{$file}}, [$., $expression] } else { print "$list:$.: no file $file\n" }

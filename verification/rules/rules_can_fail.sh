@@ -42,6 +42,7 @@ good_tree() {
   put build/CTestTestfile.cmake 'add_test(gas.tank "true")' 'add_test(faults/bad_input.one/nan "true")' \
     'add_test(rules.links "true")' 'add_test(rules.links_can_fail "true")'
   put verification/mutations.tsv '# comment' $'gas.(tank|vent)\tREADME.md\ts/gas/b/' $'bad_input.*/nan( |$)\tREADME.md\ts/gas/b/'
+  put benchmarks/ablation.tsv '# comment' $'gas lines\tREADME.md\ts/gas/b/\twhat happens'
   put docs/exact.md '**`tank_fill`**: of a tank'
   put cases/tank.toml '# Closed form: `gasjet exact tank_fill`.'
   put docs/page.md 'The force is 12.3 N.' 'Two is larger by 4.988 kN, 405 times, 40419 %. It is off by 3 %.' 'The rung is off by 2.5 %, 11.46 degrees.' \
@@ -288,6 +289,10 @@ case $rule in
     breaks verification/mutations.tsv $'.*\tREADME.md\ts/gas/b/' $'jet.plume\tREADME.md\ts/gas/b/'
     breaks verification/mutations.tsv $'.*\tREADME.md\ts/absent/b/'
     breaks verification/mutations.tsv $'.*\tgone.cpp\ts/gas/b/'
+    ;;
+  ablation_lines)
+    breaks benchmarks/ablation.tsv $'gas lines\tREADME.md\ts/absent/b/\twhat happens'
+    breaks benchmarks/ablation.tsv $'gas lines\tgone.cpp\ts/gas/b/\twhat happens'
     ;;
   *)
     echo "rules_can_fail.sh: no violations are listed for rule '$rule'"
