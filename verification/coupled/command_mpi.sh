@@ -26,7 +26,8 @@ part_mpi() {
     cmp <(sed '/^#/d' "$work/one/$table") <(sed '/^#/d' "$work/many/$table") || fail "$table on ranks"
   done
   local ladder=(ladder "$source/cases/jet_bag.toml" --set membrane.mesh.levels=1 --set scene.end_time=5e-3 --quantity pressure --tolerance 50%)
-  "$gasjet" "${ladder[@]}" --out "$work/ladder" --quiet || fail "ladder"
+  "$gasjet" "${ladder[@]}" --out "$work/ladder" --quiet 2>"$work/warnings" || fail "ladder"
+  [ "$(sort -u "$work/warnings" | grep -c '^warning: jet of inflator [01]: element sides')" = "$(wc -l <"$work/warnings")" ] || fail "a warning is told twice"
   expect 0 "cheapest within" ranks 3 "${ladder[@]}" --out "$work/ladder_ranks"
   values() { sed '/^#/d' "$1/ladder.csv" | cut -d, -f1-6,9,11-; } # all but costs, and what they decide
   cmp <(values "$work/ladder") <(values "$work/ladder_ranks") || fail "a ladder on ranks has other rows"

@@ -117,7 +117,7 @@ void require_outlet_inside(const jet::JetModel& model, const BagPart& bag) {
 }
 
 // Elements wider than the jet at its outlet sample it by chance.
-void warn_if_coarse(const jet::JetModel& model, const Eigen::Matrix3Xd& nodes,
+void warn_if_coarse(const jet::JetModel& model, std::size_t inflator, const Eigen::Matrix3Xd& nodes,
                     const Eigen::Matrix3Xi& elements, int subdivisions, std::vector<std::string>& warnings) {
   double longest = 0.0;
   for (Eigen::Index e = 0; e < elements.cols(); ++e)
@@ -126,10 +126,10 @@ void warn_if_coarse(const jet::JetModel& model, const Eigen::Matrix3Xd& nodes,
   longest /= subdivisions;
   const double width = jet::section(model, 0.0).width;
   if (longest > 1.5 * width)
-    warnings.push_back(
-        fmt::format("element sides of up to {:.3g} m are too coarse for a jet {:.3g} m wide at its outlet: "
-                    "its force is a matter of chance",
-                    longest, width));
+    warnings.push_back(fmt::format(
+        "jet of inflator {}: element sides of up to {:.3g} m are too coarse for its width of {:.3g} m "
+        "at the outlet: its force is a matter of chance",
+        inflator, longest, width));
 }
 
 // A target behind the outlet, or facing the wrong way, would feel nothing: a slip.
@@ -202,7 +202,7 @@ void read_jet(TableReader& inflator, std::size_t index, Scene& scene) {
     table->fail("jet_work",
                 "\"from_gas\" needs temperature = \"stagnation\": with a static temperature the jet's "
                 "kinetic energy is no part of the inflator's enthalpy");
-  warn_if_coarse(model, nodes, elements, subdivisions, scene.warnings);
+  warn_if_coarse(model, index, nodes, elements, subdivisions, scene.warnings);
   if (scene.target) require_target_ahead(*table, model, *scene.target);
   if (scene.bag) table->located("centre", [&] { require_outlet_inside(model, *scene.bag); });
   table->finish();
