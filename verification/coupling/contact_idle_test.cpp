@@ -2,6 +2,8 @@
 // Levels that need no evaluation: the answer is certain, and the results are those of evaluating every level.
 #include <gtest/gtest.h>
 
+#include <random>
+
 #include "coupling/side.hpp"
 #include "scenes.hpp"
 
@@ -196,6 +198,36 @@ TEST(ContactIdle, jump_after_skipped_levels_is_found) {
   EXPECT_FALSE(model.stays_clear(state, 8.0 * kRadius));
   EXPECT_THROW(model.evaluate(state, skin.nodes, {0.003, 0.001, -4.0 * kRadius}, forces),
                coupling::ContactError);
+}
+
+// Slender and obtuse ones too, whose circle about the centroid is wide.
+TEST(ContactIdle, any_element_is_found_that_meets_the_sphere) {
+  std::mt19937 generator(7);
+  std::uniform_real_distribution<double> uniform(-1.0, 1.0);
+  const auto any = [&](double size) {
+    return Vector3d(size * Vector3d(uniform(generator), uniform(generator), uniform(generator)));
+  };
+  int met = 0, clear = 0;
+  for (int n = 0; n < 5000; ++n) {
+    const double size = kRadius * std::exp(1.5 * uniform(generator));
+    scenes::Skin skin{Eigen::Vector3i(0, 1, 2), Matrix3Xd(3, 3), {}};
+    const Vector3d a = any(size), b = any(size), along = a + 2.0 * uniform(generator) * (b - a);
+    skin.nodes << a, b, along + any(0.2 * size);
+    scenes::lump_masses(skin, 0.31);
+    const auto model = scenes::contact(skin, kRadius, kStiffness);
+    const Vector3d centre =
+        skin.nodes.col(n % 3) + (1.0 + 0.5 * uniform(generator)) * kRadius * any(1.0).normalized();
+    const double gap = coupling::smallest_gap(skin.triangles, skin.nodes, centre, kRadius).distance;
+    if (gap < -0.4 * kRadius) continue;  // too deep is refused
+    auto state = model.make_state();
+    Matrix3Xd forces = Matrix3Xd::Zero(3, 3);
+    model.evaluate(state, skin.nodes, centre, forces);
+    EXPECT_EQ(!state.near.empty(), gap < 1e-9 * kRadius) << n << ": " << gap;
+    EXPECT_LE(coupling::ContactModel::free_gap(state), std::max(0.0, gap)) << n;
+    (gap < 0.0 ? met : clear) += 1;
+  }
+  EXPECT_GT(met, 500);
+  EXPECT_GT(clear, 500);
 }
 
 }  // namespace
