@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: Apache-2.0
 # What each heuristic of the fast visibility route is worth: builds benchmarks/jet_ablation.cpp of HEAD as it is and once for each name
 # in benchmarks/ablation.tsv with that heuristic turned off, demands the same masks of all, and lets them run in turns on one core.
-# Writes FOLDER/jet_ablation.csv: for each heuristic and state the time of a query with it and without [us], their ratio, and by
-# how much the ratios of the odd and of the even turns differ.
+# Writes FOLDER/jet_ablation.csv: for each heuristic and state the time of a query with it and without [us], medians over the turns, the
+# median of their ratios in a turn, and half of what the quartiles of these differ by.
 # usage: docs/make/charts/ablation.sh FOLDER [TURNS [SCRATCH]]      12 turns; programs that SCRATCH has are not built again
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../../.."
@@ -78,32 +78,34 @@ table() {
   local name
   machine "one used"
   grep '^#' "$times/0.as it is"
-  echo "# mean over the steps of a state, each the least of $turns turns; without: this heuristic alone turned off, with the same masks"
+  echo "# medians of $turns turns; without: this heuristic alone turned off, with the same masks; ratio: of the two programs of a turn; spread: half of what its quartiles differ by"
   echo "heuristic,state,elements,query_us,without_us,ratio,spread"
   for name in "${names[@]}"; do
-    awk -F, -v name="$name" '
+    awk -F, -v name="$name" -v turns="$turns" '
       FNR == 1 { turn = FILENAME; sub(/.*\//, "", turn); without = turn !~ /^[0-9]+[.]as it is$/; turn += 0 }
       /^#/ || /^state,/ { next }
       {
         key = $1 "," $2
-        if (!(key in steps)) order[++n] = key
-        steps[key] = split($6, time, " ")
-        for (i = 0; i < 2; ++i) {
-          part = i ? 2 : turn % 2
-          for (k in time)
-            if (!((key, without, part, k) in least) || time[k] + 0 < least[key, without, part, k]) least[key, without, part, k] = time[k] + 0
+        if (!without && turn == 0) order[++n] = key
+        steps = split($6, time, " ")
+        sum = 0
+        for (k = 1; k <= steps; ++k) sum += time[k]
+        mean[key, without, turn] = sum / steps
+      }
+      # quantile(OF, SHARE): of that value over the turns
+      function quantile(of, key, share,   i, j, x, sorted) {
+        for (i = 0; i < turns; ++i) {
+          x = of == "ratio" ? mean[key, 1, i] / mean[key, 0, i] : mean[key, of, i]
+          for (j = i; j > 0 && sorted[j - 1] > x; --j) sorted[j] = sorted[j - 1]
+          sorted[j] = x
         }
+        return sorted[int(share * (turns - 1) + 0.5)]
       }
-      function mean(key, without, part,   k, sum) {
-        for (k = 1; k <= steps[key]; ++k) sum += least[key, without, part, k]
-        return sum / steps[key]
-      }
-      function ratio(key, part) { return mean(key, 1, part) / mean(key, 0, part) }
       END {
         for (i = 1; i <= n; ++i) {
-          spread = turn ? ratio(order[i], 0) - ratio(order[i], 1) : 0
-          printf "%s,%s,%.3f,%.3f,%.3f,%.3f\n", name, order[i], mean(order[i], 0, 2), mean(order[i], 1, 2), ratio(order[i], 2),
-            spread < 0 ? -spread : spread
+          key = order[i]
+          printf "%s,%s,%.3f,%.3f,%.3f,%.3f\n", name, key, quantile(0, key, 0.5), quantile(1, key, 0.5), quantile("ratio", key, 0.5),
+            (quantile("ratio", key, 0.75) - quantile("ratio", key, 0.25)) / 2
         }
       }' "$times/"*".as it is" "$times/"*".$name"
   done
