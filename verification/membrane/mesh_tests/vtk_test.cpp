@@ -46,6 +46,20 @@ TEST(Vtk, grid_has_its_cells_and_panels) {
   EXPECT_EQ(mesh.line.front(), 10);  // of the first cell with an area
 }
 
+TEST(Vtk, scalars_have_as_many_components_as_they_say) {
+  const Mesh mesh = parse_vtk(kGrid, "bag");
+  for (const int components : {1, 2, 3, 4}) {
+    std::string values;
+    for (int i = 0; i < 9 * components; ++i) values += std::to_string(i) + ' ';
+    const Mesh other =
+        parse_vtk(replaced(replaced(kGrid, "stretch double", "stretch double " + std::to_string(components)),
+                           "1 2 3 4 5 6 7 8 9\n", values + '\n'),
+                  "bag");
+    EXPECT_EQ(other.panel_names, mesh.panel_names) << components;
+    EXPECT_EQ(other.panel, mesh.panel) << components;
+  }
+}
+
 TEST(Vtk, polydata_of_both_versions_are_the_same_tetrahedron) {
   const Mesh old = parse_vtk(kPolyData, "bag"), young = parse_vtk(kVersion5, "bag");
   EXPECT_TRUE(old.nodes == young.nodes);
