@@ -150,7 +150,8 @@ TEST(WovenBag, bad_weaves_are_refused_by_name) {
                      {{20e6, 3e6, {0.0, 0.0, 0.0}}, 0.3, "length of the warp"},
                      {{20e6, 3e6, {nan, 1.0, 0.0}}, 0.3, "warp"},
                      {{20e6, 3e6, {0.0, 0.0, 1.0}}, 0.3, "element's plane"},
-                     {{20e6, 3e6, kWarp}, 1.8, "poisson"},
+                     {{20e6, 3e6, kWarp}, 1.74, "poisson"},
+                     {{180e6, 3e6, kWarp}, 0.58, "poisson"},
                      {{20e6, 3e6, kWarp}, nan, "poisson"}};
   const auto mesh = membrane::rectangle(1, 1, 1.0, 1.0, membrane::Diagonals::uniform);
   for (const auto& b : bad) {
@@ -165,5 +166,15 @@ TEST(WovenBag, bad_weaves_are_refused_by_name) {
       EXPECT_NE(message.find("element 1"), std::string::npos) << message;
       EXPECT_NE(message.find(b.says), std::string::npos) << message;
     }
+  }
+}
+
+// Just inside the limit of poisson^2 weft / warp, with the weft a third and three times as stiff as the warp.
+TEST(WovenBag, weaves_of_positive_stiffness_are_accepted) {
+  const auto mesh = membrane::rectangle(1, 1, 1.0, 1.0, membrane::Diagonals::uniform);
+  for (const auto& [weft, poisson] : {std::pair{20e6, 1.72}, {180e6, 0.57}}) {
+    auto d = woven(mesh, Compression::none, {weft, 3e6, kWarp});
+    for (auto& p : d.properties) p.poisson = poisson;
+    EXPECT_NO_THROW(make_model(d)) << poisson;
   }
 }
