@@ -97,6 +97,19 @@ TEST(ladder, verdict_allows_for_students_t) {
   }
 }
 
+// What the error may be off by is 2.1314 standard errors of the difference, 0.0014 each: 0.2 of 0.015073.
+TEST(ladder, verdict_is_on_the_bound_where_the_error_lies_within_a_fifth_of_it) {
+  for (const double allowed : {0.01506, 0.01508})
+    for (const double side : {-1.0, 1.0}) {
+      LadderResult result = two_rungs(16, 16);
+      result.rungs[1].value.mean = 1.0 + side * allowed;
+      driver::judge(result, allowed);
+      EXPECT_EQ(result.rungs[1].verdict, allowed > 0.01507 ? Verdict::on_the_bound : Verdict::undecided);
+      EXPECT_EQ(result.cheapest, std::optional<std::size_t>(0));
+      EXPECT_TRUE(driver::open_rungs(result, allowed).empty() == (allowed > 0.01507));
+    }
+}
+
 TEST(ladder, looks_double_the_runs) {
   driver::LadderOptions options;
   EXPECT_EQ(driver::ladder_looks(options), 1);

@@ -35,8 +35,8 @@ inline constexpr const char* band_suffix = "_band";
 inline constexpr const char* standard_error_suffix = "_standard_error";
 inline constexpr const char* scatter_suffix = "_scatter";
 
-/// Verdict on a quantity or on a whole comparison.
-enum class Verdict { inside, outside, undecided, not_judged };
+/// Verdict on a quantity, a rung or a whole comparison; on_the_bound of rungs alone.
+enum class Verdict { inside, outside, on_the_bound, undecided, not_judged };
 /// Text of a verdict in the results: "inside", "not judged".
 const char* verdict_name(Verdict verdict);
 

@@ -130,6 +130,9 @@ Change change_of(const LadderResult& result, const LadderRung& rung);
 /// Share of the tolerance below which errors do not tell rungs apart on the front.
 inline constexpr double least_share = 1e-3;
 
+/// Share of the tolerance by which the error of a rung on the bound may lie beside it.
+inline constexpr double bound_width = 0.2;
+
 /// Reference, errors, front and verdicts of rungs that have run, with the costs that they have. In a chaotic
 /// scene fewer than 16 runs, of a rung or of the finest, decide nothing. A verdict is wrong by scatter at
 /// most at the rate `error_rate`: it allows for as many standard errors as Student's t has for that,

@@ -93,11 +93,13 @@ void print_verdict(const LadderResult& result, const LadderOptions& options,
     return;
   }
   const LadderRung& best = result.rungs[*result.cheapest];
-  std::vector<std::string> undecided;
-  for (const LadderRung& rung : result.rungs)
-    if (rung.verdict == Verdict::undecided && rung.cpu_seconds < best.cpu_seconds)
-      undecided.push_back(rung.differs);
-  if (!undecided.empty()) fmt::print("cheaper, but undecided: {}\n", fmt::join(undecided, "; "));
+  for (const Verdict verdict : {Verdict::undecided, Verdict::on_the_bound}) {
+    std::vector<std::string> cheaper;
+    for (const LadderRung& rung : result.rungs)
+      if (rung.verdict == verdict && rung.cpu_seconds < best.cpu_seconds) cheaper.push_back(rung.differs);
+    if (!cheaper.empty())
+      fmt::print("cheaper, but {}: {}\n", verdict_name(verdict), fmt::join(cheaper, "; "));
+  }
   fmt::print("cheapest within {:g} %: {}, {:.3g} s of CPU ({:.2g} of the full case); written to {}\n",
              100.0 * options.tolerance, best.differs, best.cpu_seconds,
              best.cpu_seconds / result.rungs.front().cpu_seconds, (folder / "cheapest.toml").string());

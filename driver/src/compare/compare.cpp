@@ -254,6 +254,8 @@ const char* verdict_name(Verdict verdict) {
       return "inside";
     case Verdict::outside:
       return "outside";
+    case Verdict::on_the_bound:
+      return "on the bound";
     case Verdict::undecided:
       return "undecided";
     case Verdict::not_judged:

@@ -95,8 +95,11 @@ Verdict verdict_of(const LadderRung& rung, const LadderResult& result, double al
   if (result.chaotic && (says_too_little(rung) || says_too_little(result.rungs[result.finest])))
     return Verdict::undecided;
   if (!(allowed > 0.0)) return Verdict::undecided;  // a share of nothing
-  if (std::abs(rung.error) + rung.doubt <= allowed) return Verdict::inside;
-  return std::abs(rung.error) - rung.doubt > allowed ? Verdict::outside : Verdict::undecided;
+  const double least = std::abs(rung.error) - rung.doubt, most = std::abs(rung.error) + rung.doubt;
+  if (most <= allowed) return Verdict::inside;
+  if (least > allowed) return Verdict::outside;
+  const bool near = least >= (1.0 - bound_width) * allowed && most <= (1.0 + bound_width) * allowed;
+  return near ? Verdict::on_the_bound : Verdict::undecided;
 }
 
 // By cost: what is more exact than all that is cheaper.
