@@ -205,6 +205,10 @@ part_study_bad() {
   refused "$at:4:1: study.design: needs a range"
   tank_plan "$plan" 'design = "random"'
   refused "$at:4:1: study.design: is \"random\", one of"
+  tank_plan "$plan" 'set = ["gas.foo=1"]'
+  refused "$at:4:1: study.set: gas.foo=1: gas.foo: unknown key"
+  tank_plan "$plan" 'unset = ["gas.foo"]'
+  refused "$at:4:1: study.unset: gas.foo: the case has no such key"
   tank_plan "$plan" 'seeds = 4'
   refused "$at:4:1: study.seeds: perturb the nodes of a membrane"
   tank_plan "$plan" '[[factor]]' 'key = "inflator.0.mass_flow"' 'values = []'

@@ -223,6 +223,18 @@ void check_perturbation(TableReader& table, const StudyPlan& plan, const Scene& 
   refuse_perturbation(table, "set", plan.overrides);
 }
 
+// The case with what the plan changes in it, a refusal of which is told at its place.
+Scene base_scene(const TableReader& table, const StudyPlan& plan) {
+  try {
+    return scene_at(plan, {});
+  } catch (const CaseError& error) {
+    const std::string why = error.what();
+    for (const std::string key : {"set", "unset"})
+      if (why.starts_with("--" + key)) table.fail(key, why.substr(key.size() + 3));
+    throw;
+  }
+}
+
 // Of the plan as it is, the case with its overrides and the files that both name.
 void set_id(const CaseDocument& document, StudyPlan& plan) {
   const auto text = [](const CaseDocument& one) {
@@ -254,7 +266,7 @@ StudyPlan read_study(const std::filesystem::path& file) {
   plan.seeds = table.at("seeds").integer(0, 1'000'000, 0);
   plan.amplitude = table.at("amplitude").number(small_length, default_amplitude);
   read_factors(root, plan);
-  check_perturbation(table, plan, scene_at(plan, {}));
+  check_perturbation(table, plan, base_scene(table, plan));
   table.located("", [&] { plan.points = points_of(table, plan); });
   check_points(root, plan);
   note_files(plan);
