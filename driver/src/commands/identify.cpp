@@ -11,11 +11,17 @@
 #include "case/species.hpp"
 #include "commands/commands.hpp"
 #include "driver/case_reader.hpp"
+#include "driver/progress.hpp"
 #include "driver/results.hpp"
 #include "tank_test/smoothing_spline.hpp"
 
 namespace driver::commands {
 namespace {
+
+constexpr double kAtmosphere = 101325.0;  // [Pa]
+constexpr double kThinned = 0.1;          // of an atmosphere: few tanks are emptied so far before a test
+constexpr double kMiss = 0.02;      // of the pressure: what the spacing of the rows makes of sharp pulses
+constexpr double kMissNoise = 5.0;  // standard deviations of a reading
 
 /// NAME or NAME=FRACTION,...; air, as a whole gas, stands for its four species.
 std::vector<gas::Component> read_composition(const std::string& option, const std::string& text) {
@@ -125,14 +131,12 @@ gas::Identified analyse(const IdentifyArguments& a, const gas::TankTest& test, c
                           .draws = a.draws,
                           .noise = of_reading ? gas::Noise::of_reading : gas::Noise::of_full_scale});
   } catch (const gas::ReadingError& error) {
-    const std::string what = error.what();
-    const bool other_noise = of_reading && error.series == "chamber pressure";
-    table.fail(
-        error.series == "time"            ? 0
-        : error.series == "tank pressure" ? 1
-                                          : 2,
-        error.index,
-        what + (other_noise ? "; noise that is the same over the record fits --noise full-scale" : ""));
+    const std::size_t column = error.series == "time" ? 0 : error.series == "tank pressure" ? 1 : 2;
+    std::string what = error.what();
+    if (column > 0 && table.values[column][error.index] < kThinned * kAtmosphere)
+      what += "; pressures are absolute";
+    if (column == 2 && of_reading) what += "; noise that is the same over the record fits --noise full-scale";
+    table.fail(column, error.index, what);
   } catch (const std::invalid_argument& error) {
     throw CaseError(as_typed(error.what()));
   }
@@ -200,6 +204,33 @@ Provenance findings(const IdentifyArguments& a, const gas::Identified& found) {
   return lines;
 }
 
+/// What the record or the options make doubtful, though there is a result.
+std::vector<std::string> doubts(const IdentifyArguments& a, const gas::Identified& found) {
+  std::vector<std::string> doubts;
+  const auto& points = found.points;
+  const double first = points.front().tank_pressure;
+  if (first < kThinned * kAtmosphere)
+    doubts.push_back(
+        fmt::format("the tank holds {:.4g} Pa at first, less than a tenth of an atmosphere: "
+                    "pressures are absolute",
+                    first));
+  const auto [low, high] = std::ranges::minmax_element(points, {}, &gas::IdentifiedPoint::tank_pressure);
+  const double ratio = a.noise == "reading" ? 1.0 : high->tank_pressure / low->tank_pressure;
+  const double noise = kMissNoise * found.tank.noise * ratio;
+  if (found.forward_error > kMiss + noise)
+    doubts.push_back(fmt::format(
+        "a tank with these curves misses the smoothed tank pressure by {:.2g} %, noise explains {:.2g} %: "
+        "pressures are absolute; sharp pulses need more --points",
+        100.0 * found.forward_error, 100.0 * noise));
+  const auto peak = std::ranges::max_element(points, {}, &gas::IdentifiedPoint::mass_flow);
+  if (!points.back().masked)
+    doubts.push_back(
+        fmt::format("the record ends while gas still flows ({:.2g} % of the largest flow): all "
+                    "of --mass is taken to be in by then",
+                    100.0 * points.back().mass_flow / peak->mass_flow));
+  return doubts;
+}
+
 void write_curve(const std::filesystem::path& file, const Provenance& lines, const gas::Identified& found) {
   fmt::memory_buffer out;
   const auto to = std::back_inserter(out);
@@ -229,6 +260,10 @@ int identify(const IdentifyArguments& arguments) {
   std::erase_if(lines, [](const auto& line) { return line.first == "options"; });
   const Provenance results = findings(arguments, found);
   lines.insert(lines.end(), results.begin(), results.end());
+  for (const auto& doubt : doubts(arguments, found)) {
+    lines.push_back({"warning", doubt});
+    tell("warning: " + doubt);
+  }
   write_curve(arguments.out, lines, found);
   fmt::print("{}: {} readings over {:.4g} s\n", arguments.file.string(), table.rows(),
              table.values[0].back() - table.values[0].front());
