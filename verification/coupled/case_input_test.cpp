@@ -135,6 +135,8 @@ const Fault kFaults[] = {
      "as many", "mass_flow = {"},
     {"wide_outlet", "passenger_pendulum", "centre = [0.0, 0.0, 0.0] ", "centre = [0.0, 0.1, 0.0] ",
      "inflator.0.jet.centre", "0.14, -0.0225] m is outside the bag", "centre = [0.0, 0.1, 0.0"},
+    {"plate_behind", "passenger_pendulum", "normal = [1.0, 0.0, 0.0] }", "normal = [-1.0, 0.0, 0.0] }",
+     "membrane.plate", "has the bag behind it", "plate = {"},
     {"short_side_longer", "passenger_pendulum", "short_side = 0.045 ", "short_side = 0.2 ",
      "inflator.0.jet.short_side", "longer", "short_side"},
     {"step_of_a_tank", "rigid_tank", "[output]", "[time]\nstep = 1e-3\n[output]", "time.step",
@@ -196,6 +198,39 @@ TEST(warnings, name_a_bag_of_no_airbags_size) {
   EXPECT_FALSE(warned("1e-3")) << unit;
   EXPECT_TRUE(warned("1.0"));
   EXPECT_TRUE(warned("1e-6"));
+}
+
+TEST(warnings, name_numbers_in_another_unit) {
+  struct Given {
+    const char *scene, *key, *value;
+  };
+  for (const auto& [scene, key, value] : {Given{"sphere_inflation", "ambient.temperature", "20"},
+                                          Given{"sphere_inflation", "ambient.pressure", "1.013"},
+                                          Given{"sphere_inflation", "gas.initial.pressure", "101.3"},
+                                          Given{"sphere_inflation", "inflator.0.temperature", "127"},
+                                          Given{"sphere_inflation", "inflator.0.mass_flow", "500"},
+                                          Given{"sphere_inflation", "fabric.young_modulus", "60"},
+                                          Given{"sphere_inflation", "fabric.thickness", "0.5"},
+                                          Given{"sphere_inflation", "fabric.density", "6.2e-10"},
+                                          Given{"passenger_pendulum", "vent.0.area", "1000"},
+                                          Given{"passenger_pendulum", "pendulum.initial_angle", "30"}}) {
+    EXPECT_EQ(coupled::scene_of(scene, {}).warnings, std::vector<std::string>{}) << scene;
+    const auto warnings = coupled::scene_of(scene, {std::string(key) + '=' + value}).warnings;
+    ASSERT_EQ(warnings.size(), 1u) << key;
+    EXPECT_TRUE(warnings[0].starts_with(std::string(key) + " is ")) << warnings[0];
+  }
+}
+
+TEST(warnings, name_a_bag_that_nothing_holds_against_its_jet) {
+  const auto warned = [](const char* name, std::vector<std::string> overrides) {
+    driver::Scene scene = coupled::scene_of(name, overrides);
+    driver::add_jet_warnings(scene);
+    return std::ranges::any_of(scene.warnings,
+                               [](const std::string& text) { return text.starts_with("nothing holds"); });
+  };
+  EXPECT_FALSE(warned("passenger_pendulum", {}));
+  EXPECT_TRUE(warned("passenger_pendulum", {"membrane.fixed_panels=[]"}));
+  EXPECT_FALSE(warned("jet_bag", {}));  // two jets, one against the other
 }
 
 // The area of a sonic outlet decides with how much of the gas its pressure is above ambient: with 0.9 of it

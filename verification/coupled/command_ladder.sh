@@ -54,6 +54,8 @@ part_ladder() {
   wait $hung
   grep -q "gnuplot did not end" "$work/hung" || fail "nothing says that gnuplot did not end: $(cat "$work/hung")"
   ((SECONDS - from < 15)) || fail "Ctrl-C waits for gnuplot"
+  expect 4 "undecided: pressure_Pa is 101325 in the full case" "$gasjet" ladder "$source/cases/tank_blowdown.toml" \
+    --quantity pressure --quiet --out "$work/at_ambient"
   expect 4 "undecided: pressure_Pa is 101325 in the full case" "$gasjet" ladder "$tank" --quantity pressure --quiet \
     --set inflator.0.start_time=5 --out "$work/tank"
   grep -q '"reason": "pressure_Pa is' "$work/tank/ladder.json" || fail "no reason in ladder.json"

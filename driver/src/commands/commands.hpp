@@ -52,6 +52,9 @@ std::vector<std::filesystem::path> input_files(const std::filesystem::path& file
 
 /// Tells what is likely to be a mistake in a case, its jets too, before it runs.
 void tell_warnings(Scene& scene);
+/// Tells that many runs were interrupted and that the same command goes on from what is in `kept`. Returns
+/// exit_interrupted.
+int tell_interrupted(const std::filesystem::path& kept);
 
 /// Id of what `command` with `options` makes of cases that have been read.
 std::string id_of(const std::string& command, const std::vector<std::string>& options,

@@ -52,7 +52,11 @@ int cost(const CostArguments& arguments) {
   if (folder) write(*folder, result);
   if (folder) folder->end(interrupted() ? "interrupted" : "done");
   print(arguments, result, lines);
-  if (interrupted()) return exit_interrupted;
+  if (interrupted()) {
+    tell(fmt::format("gasjet: interrupted after {} of {} runs of each",
+                     result.variants.front().cpu_seconds.size(), options.runs));
+    return exit_interrupted;
+  }
   bool failed = false;
   for (const CostVariant& variant : result.variants)
     if (!variant.failure.empty()) {

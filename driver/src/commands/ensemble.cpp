@@ -103,7 +103,7 @@ int run_shares(const std::filesystem::path& path, const std::vector<std::filesys
       fmt::print("{}: share {}: {} of {} runs have ended, {} not done\n", files[i].stem().string(),
                  options.share.name(), share.ended, share.asked, share.failed);
   }
-  if (!whole) return exit_interrupted;
+  if (!whole) return tell_interrupted(path);
   return failed ? exit_domain : exit_done;
 }
 
@@ -165,7 +165,7 @@ int ensemble(const EnsembleArguments& arguments, const MakeCrew& make_crew) {
   all.end(status);
   if (done)
     for (const Part& part : parts) remove_shares(part.folder);
-  if (!done) return exit_interrupted;
+  if (!done) return tell_interrupted(path);
   return failed ? exit_domain : exit_done;
 }
 

@@ -159,10 +159,7 @@ int ladder(const LadderArguments& arguments, const MakeCrew& make_crew) {
   write_ladder(folder, result, file, overrides, options, partial);
   if (partial) {
     folder.end("interrupted");
-    tell(
-        fmt::format("gasjet: interrupted: what had run by then is in {}, the same command goes on from there",
-                    (path / "ladder.csv").string()));
-    return exit_interrupted;
+    return tell_interrupted(path / "ladder.csv");
   }
   if (result.reason.empty() && !options.quiet) print(result, options, path);
   if (result.reason.empty())

@@ -148,10 +148,13 @@ void print_reading(membrane::Mesh& mesh, const MeshArguments& arguments) {
 void require_control_volume(const BagMesh& bag, const MeshArguments& arguments) {
   const auto report = membrane::check_closed_surface(bag.shape(), bag.mesh.elements);
   if (report.ok()) return;
-  throw CaseError(
-      fmt::format("{}: is no closed control volume, and nothing is written; allowed: a closed "
-                  "surface that is wound outward, or --report\n{}",
-                  arguments.file.string(), report.describe(bag.mesh.line)));
+  throw CaseError(fmt::format(
+      "{}: is no closed control volume, and nothing is written; allowed: a closed "
+      "surface that is wound outward, or --report{}\n{}",
+      arguments.file.string(),
+      arguments.merge || report.boundary_edges.empty() ? ""
+                                                       : "; --merge DISTANCE joins nodes that nearly meet",
+      report.describe(bag.mesh.line)));
 }
 
 // Errors of the library in what was asked for are errors of the command line.

@@ -32,6 +32,12 @@ void tell_warnings(Scene& scene) {
   for (const auto& warning : scene.warnings) tell("warning: " + warning);
 }
 
+int tell_interrupted(const std::filesystem::path& kept) {
+  tell(fmt::format("gasjet: interrupted: what had run by then is in {}, the same command goes on from there",
+                   kept.string()));
+  return exit_interrupted;
+}
+
 int run(const RunArguments& arguments) {
   CaseDocument document(arguments.scene.file, arguments.scene.overrides);
   Scene scene = read_scene(document);

@@ -70,7 +70,7 @@ int study_run(const StudyArguments& arguments, const MakeCrew& make_crew) {
   const auto crew = make_crew(plan.id, study_work(plan, arguments.threads), arguments.threads);
   if (!crew) return exit_done;
   catch_interrupt();
-  if (!run_study(plan, folder, share, *crew, arguments.quiet)) return exit_interrupted;
+  if (!run_study(plan, folder, share, *crew, arguments.quiet)) return tell_interrupted(folder);
   if (share.count > 1) return exit_done;
   const StudySummary summary = merge_study(folder);
   if (!arguments.quiet) print(summary, folder);

@@ -101,9 +101,10 @@ std::string jet_text(const CostResult& result) {
   const CostVariant& base = result.variants.front();
   const CostDifference d = cost_difference(base, *without);
   return fmt::format(
-      "\na run with jet over one without: {:.3f} (middle half of the pairs {:.3f} to {:.3f}), "
-      "a step {:.3f}\nthe paper's two runs: {:g} s / {:g} s = {:.2f}\n",
-      d.ratio, d.low, d.high, base.per_step() / without->per_step(), paper_cpu_with_jet, paper_cpu_without,
+      "\na run with jet over one without: {:.3f} by the least of each, a step {:.3f}\n"
+      "  pair by pair, which a busy machine disturbs more: {:.3f} to {:.3f}, the middle half\n"
+      "the paper's two runs: {:g} s / {:g} s = {:.2f}\n",
+      d.ratio, base.per_step() / without->per_step(), d.low, d.high, paper_cpu_with_jet, paper_cpu_without,
       paper_cpu_with_jet / paper_cpu_without);
 }
 

@@ -16,14 +16,15 @@ namespace {
 
 using Picks = std::vector<std::size_t>;
 
-constexpr double rounding = 1e-12;  // of a difference from a value, as its share: some thousand roundings
+constexpr double at_ambient = 1e-7;  // of the ambient pressure: from there on a volume counts as equalised
 
 // Of the quantity, so that a tolerance can be a share of it.
 void need_size(LadderResult& result, double value, const char* where) {
-  if (std::abs(value - result.zero) <= rounding * std::abs(result.zero))
-    result.reason =
-        fmt::format("{} is {:g} in {}, the value that it counts from: no tolerance is a share of that",
-                    result.quantity, result.zero, where);
+  if (std::abs(value - result.zero) <= at_ambient * std::abs(result.zero))
+    result.reason = fmt::format(
+        "{} is {:g} in {}, the value that it counts from: no tolerance is a share of that; "
+        "a quantity that ends elsewhere, or a peak, is allowed",
+        result.quantity, result.zero, where);
 }
 
 class LadderRun {

@@ -51,7 +51,8 @@ membrane::Mesh mesh_of(const std::filesystem::path& path, SoupFormat format, con
   check_header(path, format, bytes);
   const Soup soup = read_soup(format, bytes);
   if (!soup.fault.empty()) {
-    const auto at = static_cast<std::ptrdiff_t>(std::min(soup.stopped_at, bytes.size()));
+    auto at = static_cast<std::ptrdiff_t>(std::min(soup.stopped_at, bytes.size()));
+    if (at > 0 && bytes[static_cast<std::size_t>(at) - 1] == '\n') --at;  // CGAL takes OFF by whole lines
     const auto line = 1 + static_cast<std::size_t>(std::count(bytes.begin(), bytes.begin() + at, '\n'));
     fail(path, soup.is_text ? line : 0, soup.fault);
   }

@@ -69,7 +69,7 @@ Soup read_soup(SoupFormat format, const std::string& bytes) {
   const auto before = CGAL::set_error_handler([](const char*, const char*, const char*, int, const char*) {});
   try {
     if (!read(format, stream, points, polygons))
-      soup.fault = "what stands here is no number, or the file ends";
+      soup.fault = "what stands here is no number or no vertex of the file, or the file ends";
   } catch (const std::length_error& error) {
     soup.fault = error.what();
   } catch (const std::bad_alloc&) {

@@ -52,6 +52,11 @@ membrane::SurfaceReport faults_of(const BagMesh& source, Closed closed) {
   return report;
 }
 
+// As a file leaves it whose elements have their corners for themselves, rounded.
+bool is_torn(const membrane::SurfaceReport& report) {
+  return !report.boundary_edges.empty() && !report.components.empty();
+}
+
 BagMesh mesh_of_files(TableReader& table, Closed closed) {
   const double unit = table.at("length_unit").number(positive.in("m"), 1.0);
   const auto file = table.beside_case(table.at("file").text());
@@ -64,8 +69,9 @@ BagMesh mesh_of_files(TableReader& table, Closed closed) {
   require_areas(source.mesh, file);
   if (const auto report = faults_of(source, closed); !report.ok())
     throw CaseError(fmt::format(
-        "{}: mesh: is not a {}: {}", place_of_element(source.mesh, file, report.first_element()),
-        closed == Closed::free ? "sheet" : "closed control volume", report.describe(source.mesh.line)));
+        "{}: mesh: is not a {}: {}{}", place_of_element(source.mesh, file, report.first_element()),
+        closed == Closed::free ? "sheet" : "closed control volume", report.describe(source.mesh.line),
+        is_torn(report) ? "(gasjet mesh convert --merge DISTANCE joins nodes that nearly meet)\n" : ""));
   return source;
 }
 
@@ -153,6 +159,14 @@ void warn_of_size(const membrane::Mesh& mesh, Scene& scene) {
                     extent));
 }
 
+// A plate with its normal to the wrong side would throw the whole bag across.
+void require_before_plates(const TableReader& table, const BagPart& bag) {
+  const Eigen::Vector3d middle = bag.initial_position.rowwise().mean();
+  for (const membrane::Plate& plate : bag.model.description.plates)
+    if (plate.normal.dot(middle - plate.point) < 0.0)
+      table.fail("plate", "has the bag behind it; a normal that points to the bag's side is allowed");
+}
+
 std::optional<gas::Curve> read_overpressure(TableReader& table, const Scene& scene) {
   if (scene.gas && table.has("overpressure"))
     table.fail("overpressure", "is for sheets without gas: that of [gas] has its own pressure");
@@ -205,6 +219,7 @@ void read_bag(TableReader& root, Scene& scene) {
                               std::move(null_elements), overpressure});
     perturb(scene.bag->initial_position, scene.bag->model, amplitude, seed);
   });
+  require_before_plates(*table, *scene.bag);
   table->finish();
 }
 

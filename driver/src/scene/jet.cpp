@@ -111,8 +111,9 @@ void require_outlet_inside(const jet::JetModel& model, const BagPart& bag) {
     if (!(winding > 0.5))
       throw std::invalid_argument(
           fmt::format("the outlet's point [{}, {}, {}] m is outside the bag; an outlet inside "
-                      "it, or on its skin with the axis inwards, is allowed",
-                      point.x(), point.y(), point.z()));
+                      "it, or flat on its skin with the axis inwards, is allowed{}",
+                      point.x(), point.y(), point.z(),
+                      point == model.centre ? "" : " (the centre is inside: the rim pokes out of the skin)"));
   }
 }
 

@@ -48,6 +48,19 @@ void warn_of_rays(const Scene& scene, const JetPart& part, std::vector<std::stri
                     part.inflator, other, windings.size()));
 }
 
+// An outlet stays where it is, wherever its jet drives the bag.
+void warn_of_free_bag(const Scene& scene, std::vector<std::string>& warnings) {
+  const membrane::BagDescription& bag = scene.bag->model.description;
+  const bool held = !bag.fixed_nodes.empty() ||
+                    std::ranges::any_of(bag.held_nodes, [](const auto& n) { return !n.empty(); });
+  Eigen::Vector3d thrust = Eigen::Vector3d::Zero();
+  for (const JetPart& part : scene.jets) thrust += part.field.model().axis;
+  if (!held && thrust.norm() > 0.1)
+    warnings.emplace_back(
+        "nothing holds the bag against its jet: it may fly off the outlet, which stays where it is, and then "
+        "the jet meets nothing; membrane.fixed_panels holds it");
+}
+
 }  // namespace
 
 JetPeak jet_peak(const Scene& scene, const JetPart& part) {
@@ -84,6 +97,7 @@ std::vector<std::string> jet_warnings(const Scene& scene) {
     warn_of_outlet(scene, part, warnings);
     if (scene.bag) warn_of_rays(scene, part, warnings);
   }
+  if (scene.bag && !scene.jets.empty()) warn_of_free_bag(scene, warnings);
   return warnings;
 }
 

@@ -199,6 +199,7 @@ Scene scene_of(CaseDocument& document) {
   read_output(root, scene);
   root.finish();
   check_composition(root, scene);
+  warn_of_units(scene);
   return scene;
 }
 

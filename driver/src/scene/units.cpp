@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+// Numbers that are likely to be in another unit: they run, and give numbers that look like results.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "scene/parts.hpp"
+
+namespace driver {
+namespace {
+
+class UnitWarnings {
+ public:
+  explicit UnitWarnings(Scene& scene) : scene_(scene) {}
+  /// Of a value beyond what scenes of airbags have.
+  void expect(const std::string& key, double value, const char* unit, double low, double high) {
+    if (value < low || value > high)
+      scene_.warnings.push_back(fmt::format("{} is {:.4g} {}: is that its unit? {:g} to {:g} {} are usual",
+                                            key, value, unit, low, high, unit));
+  }
+
+ private:
+  Scene& scene_;
+};
+
+void check_gas(Scene& scene, UnitWarnings& units) {
+  constexpr double cold = 150.0, hot = 6000.0, thin = 1e3, dense = 1e8;
+  if (scene.ambient.pressure > 0.0)
+    units.expect("ambient.pressure", scene.ambient.pressure, "Pa", thin, dense);
+  if (!scene.gas) return;
+  const GasPart& gas = *scene.gas;
+  units.expect("ambient.temperature", scene.ambient.temperature, "K", cold, hot);
+  if (gas.initial_pressure > 0.0 && gas.initial_pressure != scene.ambient.pressure && scene.bag)
+    units.expect("gas.initial.pressure", gas.initial_pressure, "Pa", thin, dense);
+  for (std::size_t i = 0; i < gas.model.inflows.size(); ++i) {
+    const std::string key = fmt::format("inflator.{}.", i);
+    units.expect(key + "temperature", gas.model.inflows[i].temperature.minimum(), "K", cold, hot);
+    units.expect(key + "mass_flow", gas.model.inflows[i].mass_flow.maximum(), "kg/s", 0.0, 100.0);
+  }
+  for (std::size_t i = 0; i < gas.model.vents.size(); ++i)
+    units.expect(fmt::format("vent.{}.area", i), gas.model.vents[i].area, "m2", 0.0, 1.0);
+}
+
+void check_bag(Scene& scene, UnitWarnings& units) {
+  for (const membrane::ElementProperties& fabric : scene.bag->model.description.properties) {
+    if (fabric.null_panel) continue;
+    const std::size_t before = scene.warnings.size();
+    units.expect("fabric.thickness", fabric.thickness, "m", 1e-6, 0.01);
+    units.expect("fabric.density", fabric.density, "kg/m3", 10.0, 2e4);
+    if (std::isfinite(fabric.young_modulus))
+      units.expect("fabric.young_modulus", fabric.young_modulus, "Pa", 1e4, 1e12);
+    if (scene.warnings.size() > before) return;  // once, not of each element
+  }
+}
+
+}  // namespace
+
+void warn_of_units(Scene& scene) {
+  UnitWarnings units(scene);
+  check_gas(scene, units);
+  if (scene.bag) check_bag(scene, units);
+  if (scene.pendulum)
+    units.expect("pendulum.initial_angle", scene.pendulum->initial.angle, "rad", -2.0 * std::numbers::pi,
+                 2.0 * std::numbers::pi);
+}
+
+}  // namespace driver
