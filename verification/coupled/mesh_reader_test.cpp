@@ -14,6 +14,7 @@
 #include "membrane/icosphere.hpp"
 #include "membrane/stl.hpp"
 #include "membrane/surface_check.hpp"
+#include "run_case.hpp"
 
 namespace {
 
@@ -93,6 +94,22 @@ TEST(mesh_reader, text_of_ply_and_off_is_the_same_pyramid) {
     EXPECT_TRUE(membrane::check_closed_surface(mesh.nodes, mesh.elements).ok());
     EXPECT_EQ(membrane::enclosed_volume(mesh.nodes, mesh.elements), 1.0 / 3.0);
   }
+}
+
+// A tetrahedron, one edge of which has a node beside it: the element between the two is a sliver.
+TEST(mesh_reader, a_case_warns_of_slivers) {
+  const auto warnings = [](const char* beside) {
+    const Folder folder;
+    std::ofstream(folder.path / "a.off")
+        << "OFF\n5 6 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n"
+        << beside << "3 0 2 1\n3 1 2 4\n3 1 4 3\n3 4 2 3\n3 0 1 3\n3 0 3 2\n";
+    const std::string mesh = "membrane.mesh={file=\"" + (folder.path / "a.off").string() + "\"}";
+    return coupled::scene_of("sphere_inflation", {mesh}).warnings;
+  };
+  EXPECT_EQ(warnings("0.4 0.4 0.2\n"), std::vector<std::string>{});
+  const auto thin = warnings("0.499995 0.499995 0.00001\n");
+  ASSERT_EQ(thin.size(), 1u);
+  EXPECT_TRUE(thin[0].starts_with("membrane.mesh: element 1 is 1.2e-05 m thin")) << thin[0];
 }
 
 TEST(mesh_reader, binary_files_keep_every_bit) {

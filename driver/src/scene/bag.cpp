@@ -159,6 +159,28 @@ void warn_of_size(const membrane::Mesh& mesh, Scene& scene) {
                     extent));
 }
 
+// A sliver sets the step of the whole bag.
+void warn_of_slivers(const membrane::Mesh& mesh, Scene& scene) {
+  constexpr double least = 1e-3;  // of the median altitude
+  std::vector<double> altitudes;
+  for (int e = 0; e < mesh.element_count(); ++e) {
+    const auto corner = [&](int i) -> Eigen::Vector3d { return mesh.nodes.col(mesh.elements(i % 3, e)); };
+    double longest = 0.0;
+    for (int i = 0; i < 3; ++i) longest = std::max(longest, (corner(i + 1) - corner(i)).norm());
+    altitudes.push_back((corner(1) - corner(0)).cross(corner(2) - corner(0)).norm() / longest);
+  }
+  const auto thinnest = std::ranges::min_element(altitudes) - altitudes.begin();
+  const double altitude = altitudes[static_cast<std::size_t>(thinnest)];
+  std::ranges::nth_element(altitudes, altitudes.begin() + mesh.element_count() / 2);
+  const double median = altitudes[altitudes.size() / 2];
+  if (altitude < least * median)
+    scene.warnings.push_back(
+        fmt::format("membrane.mesh: element {} is {:.2g} m thin, half of all are more than {:.2g} m: it "
+                    "makes steps short "
+                    "and the energy inexact; gasjet mesh convert --merge joins nodes that nearly meet",
+                    thinnest, altitude, median));
+}
+
 // A plate with its normal to the wrong side would throw the whole bag across.
 void require_before_plates(const TableReader& table, const BagPart& bag) {
   const Eigen::Vector3d middle = bag.initial_position.rowwise().mean();
@@ -209,6 +231,7 @@ void read_bag(TableReader& root, Scene& scene) {
 
   warn_of_leaks(bag, law, scene);
   warn_of_size(source.mesh, scene);
+  warn_of_slivers(source.mesh, scene);
   Eigen::Matrix3Xd position = initial_shape(*table, source);
   const double amplitude = table->at("perturbation").number(Bounds{0.0, 1e-3, false, "0 to 1e-3", "m"}, 0.0);
   if (table->has("perturbation_seed") && !table->has("perturbation"))

@@ -20,7 +20,8 @@ void warn_of_outlet(const Scene& scene, const JetPart& part, std::vector<std::st
   else if (peak.outlet.pressure < ambient)
     warnings.push_back(fmt::format(
         "jet of inflator {}: the outlet pressure is below ambient even at the peak of the mass flow: a sonic "
-        "outlet of that area cannot blow into the bag (outlet = \"pressure_matched\" can)",
+        "outlet of that area cannot blow into the bag (outlet = \"pressure_matched\" with temperature = "
+        "\"stagnation\" can)",
         part.inflator));
   else if (const double share = below_sonic_share(scene, part);
            part.outlet.law == jet::OutletLaw::sonic && share >= kMatters)
@@ -28,7 +29,7 @@ void warn_of_outlet(const Scene& scene, const JetPart& part, std::vector<std::st
         "jet of inflator {}: outlet = \"sonic\" (the paper's form) lets the outlet pressure fall with the "
         "mass "
         "flow: below ambient under {:.3g} kg/s, with {:.2g} of the gas; a smaller outlet or outlet = "
-        "\"pressure_matched\" avoids it",
+        "\"pressure_matched\" with temperature = \"stagnation\" avoids it",
         part.inflator, peak.mass_flow * ambient / peak.outlet.pressure, share));
 }
 
