@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # Makes the tables and pictures of docs/charts and docs/figures: those of the plans of cases/studies, and
-#   ladders       of the paper's scene, each rung the mean of 16 runs: over all that it names, and over its effects alone on its own mesh;
-#                 of the sharp scene to 2 %, more runs where a verdict is open, a mesh four times as fine
+#   ladders       all of: ladder_passenger, the paper's scene, each rung the mean of 16 runs; ladder_passenger_effects, its effects alone on
+#                 its own mesh to 5 %, more runs where a verdict is open; ladder_sharp and ladder_sharp_5, the sharp scene to 2 and to 5 %,
+#                 a mesh four times as fine
 #   jet_cost      what the jet and the other parts of the scene cost: the one source of such numbers in README and docs
 #   jet_effect    README's figure and table: ensembles with and without jet, 32 runs each
 #   figure_3      Fig. 3 of the paper: mass flow of nitrogen at 673 K through 8.5 dm2 of hole, (G.6), and of porous fabric, (G.7). It
@@ -87,11 +88,23 @@ ladder() {
   cp "$folder/ladder.csv" "$out/$1.csv"
 }
 
-chart_ladders() {
+chart_ladder_passenger() {
   ladder ladder_passenger passenger_pendulum 10%
   draw ladder_passenger
-  ladder ladder_passenger_effects passenger_pendulum 10% --hold mesh,pieces,step,gas
-  ladder ladder_sharp passenger_sharp 2% --finer 2 --most-runs 32
+}
+
+chart_ladder_passenger_effects() {
+  ladder ladder_passenger_effects passenger_pendulum 5% --hold mesh,pieces,step,gas --most-runs 512
+}
+
+chart_ladder_sharp() { ladder ladder_sharp passenger_sharp 2% --finer 2 --most-runs 32; }
+chart_ladder_sharp_5() { ladder ladder_sharp_5 passenger_sharp 5% --finer 2 --most-runs 128; }
+
+chart_ladders() {
+  chart_ladder_passenger
+  chart_ladder_passenger_effects
+  chart_ladder_sharp
+  chart_ladder_sharp_5
 }
 
 chart_jet_cost() {
