@@ -27,6 +27,10 @@ part_ladder() {
   grep -q '"verdict": "inside"' "$work/bag/ladder.json" || fail "no verdict"
   expect 0 "" "$gasjet" run "$work/bag/cheapest.toml" --out "$work/run" --quiet
   expect 4 "undecided: no rung" "$gasjet" ladder "${bag[@]}" --out "$work/bag" --tolerance 1e-5 --hold pieces
+  # Seeds hardly scatter this pressure: single runs, unless more are allowed where a verdict is open.
+  expect 0 "only: single runs" "$gasjet" ladder "${bag[@]}" --out "$work/single" --tolerance 5% --hold mesh,pieces,step,gas
+  expect 4 "means of 2 to 4 runs" "$gasjet" ladder "${bag[@]}" --out "$work/means" --tolerance 5% \
+    --hold mesh,pieces,step,gas --runs 2 --most-runs 4
   [ -e "$work/bag/cheapest.toml" ] && fail "the cheapest rung of an earlier ladder stayed"
   cp "$tank" "$work/bag/cheapest.toml"
   expect 2 "--out .*/bag: cheapest.toml is there, and no run is known to have written it" "$gasjet" ladder "$tank" --quantity pressure --out "$work/bag"

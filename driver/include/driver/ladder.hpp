@@ -111,7 +111,7 @@ struct LadderResult {
   std::string quantity;  // full name
   double zero = 0.0;     // value from which the quantity counts: the ambient pressure for pressures
   LadderPlan plan;
-  bool chaotic = false;
+  bool chaotic = false;           // rungs are means: seeds scatter, or --most-runs asks for it
   double spread = 0.0;            // of the quantity over seeds of the full case; scenes with a membrane
   std::vector<LadderRung> rungs;  // the full case first
   std::size_t finest = 0;         // of them

@@ -31,7 +31,9 @@ void RungRuns::probe() {
   deviation_ = seeds.standard_error * std::sqrt(seeds.count);
   const double size =
       std::max(std::abs(seeds.minimum - result_.zero), std::abs(seeds.maximum - result_.zero));
-  result_.chaotic = result_.spread > harmless_share * options_.tolerance * size;
+  // Who allows for more runs wants them where a verdict is open, however little they scatter.
+  result_.chaotic =
+      result_.spread > harmless_share * options_.tolerance * size || options_.most_runs > options_.runs;
   if (result_.chaotic && options_.runs >= probes) samples_.assign(1, std::move(samples));
 }
 
