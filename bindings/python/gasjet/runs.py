@@ -123,9 +123,10 @@ def catalogue() -> Dict[str, Dict[str, Any]]:
 
 def compare(mine: Union[Path, Mapping[str, Any], Run], reference: Union[Path, Mapping[str, Any], Run],
             map: Optional[Path] = None, tolerance: float = 0.0) -> Dict[str, Any]:
-    """Judges a history by the reference's band, as `gasjet compare` does: "verdict" and each quantity's difference.
+    """Judges a history by the reference's band: "verdict" and each quantity's difference.
 
     Either is a CSV file, a Run, or a dict of columns with "time_s". map: file that names a foreign program's columns.
+    It judges as `gasjet compare` without --columns does; for some columns alone, pass a dict of those as the reference.
     """
     with tempfile.TemporaryDirectory() as folder:
         files = [_file_of(given, name, folder) for given, name in ((mine, "mine"), (reference, "reference"))]
