@@ -219,7 +219,7 @@ TEST_F(bad_calls, run_compare_and_exact) {
   refused(gasjet_compare("a.csv", nullptr, nullptr, 0.0, &verdict, nullptr, 0, &rows), "reference");
   refused(gasjet_compare("", "b.csv", nullptr, 0.0, &verdict, nullptr, 0, &rows), "mine");
   refused(gasjet_compare("a.csv", "b.csv", "", 0.0, &verdict, nullptr, 0, &rows), "map");
-  refused(gasjet_compare("a.csv", "b.csv", nullptr, 0.0, &verdict, nullptr, 0, &rows), "a.csv");
+  refused(gasjet_compare("a.csv", "b.csv", nullptr, 0.0, &verdict, nullptr, 0, &rows), "b.csv");
   each(kNotCounted, "tolerance",
        [&](double e) { return gasjet_compare("a.csv", "b.csv", nullptr, e, &verdict, nullptr, 0, &rows); });
   EXPECT_EQ(verdict, 7);

@@ -19,12 +19,27 @@ part_compare() {
   printf 'format = "csv"\n[time]\ncolumn = "ms"\nscale = 1e-3\n[[quantity]]\nname = "pressure_Pa"\ncolumn = "bar"\nscale = 1e5\noffset = 101325\n' >"$work/map.toml"
   expect 0 "^inside" "$gasjet" compare "$work/foreign.csv" "$reference" --map "$work/map.toml" --columns pressure_Pa
   expect 4 "undecided: temperature_K: mine does not have it" "$gasjet" compare "$work/foreign.csv" "$reference" --map "$work/map.toml"
-  expect 2 "time_s: no such column" "$gasjet" compare "$work/foreign.csv" "$reference"
+  expect 2 "foreign.csv:1:1: time_s: no such column, the header has ms, bar; --map names the columns" "$gasjet" compare "$work/foreign.csv" "$reference"
+  tr , ';' <"$work/foreign.csv" >"$work/semicolons.csv"
+  expect 2 "the header has ms;bar; commas are needed between columns; --map" "$gasjet" compare "$work/semicolons.csv" "$reference"
+  # A column that is needed has to be there, a name to be one of the reference; what a map for many scenes has beside is left out.
+  sed 's/"bar"/"barr"/' "$work/map.toml" >"$work/bad.toml"
+  expect 2 "bad.toml:7:1: quantity.0.column: 'barr' is not in .*foreign.csv, the header has ms, bar; is 'bar' meant\?" "$gasjet" compare "$work/foreign.csv" "$reference" --map "$work/bad.toml"
+  sed 's/pressure_Pa/presure_Pa/' "$work/map.toml" >"$work/bad.toml"
+  expect 2 "bad.toml:6:1: quantity.0.name: the reference has no column 'presure_Pa', .* is 'pressure_Pa' meant\?" "$gasjet" compare "$work/foreign.csv" "$reference" --map "$work/bad.toml"
+  { cat "$work/map.toml" && printf '[[quantity]]\nname = "skin_area_m2"\ncolumn = "none"\n'; } >"$work/wide.toml"
+  expect 4 "wide.toml:11:1: quantity.1.name: 'skin_area_m2' is left out: the reference has no such column" "$gasjet" compare "$work/foreign.csv" "$reference" --map "$work/wide.toml"
+  expect 0 "^inside" "$gasjet" compare "$work/foreign.csv" "$reference" --map "$work/wide.toml" --columns pressure_Pa
   # Outside, and no band to be inside of.
   "$gasjet" exact tank_fill --times 0:0.1:0.01 --set mass_flow=1.0001 | with_bands 2e-8 2e-10 >"$work/other.csv"
   expect 1 "^outside: pressure_Pa: 10 of 11 rows outside" "$gasjet" compare "$mine" "$work/other.csv"
   expect 1 '"verdict": "outside"' "$gasjet" compare "$mine" "$work/other.csv" --format json
-  expect 4 "^undecided: the reference states no band" "$gasjet" compare "$mine" "$mine"
+  expect 4 "^undecided: the reference states no band, --tolerance gives one" "$gasjet" compare "$mine" "$mine"
+  # Without any band the tolerance is the band: 1e-4 too much inflow is 9e-5 of the pressure.
+  "$gasjet" exact tank_fill --times 0:0.1:0.01 --set mass_flow=1.0001 >"$work/bare.csv"
+  expect 0 "^inside" "$gasjet" compare "$mine" "$work/bare.csv" --columns pressure_Pa,temperature_K --tolerance 1e-4
+  expect 1 "^outside: pressure_Pa" "$gasjet" compare "$mine" "$work/bare.csv" --columns pressure_Pa,temperature_K --tolerance 8e-5
+  expect 4 "^undecided: the reference states no band" "$gasjet" compare "$mine" "$work/bare.csv" --columns pressure_Pa --tolerance 0
   expect 2 "--columns volume_m3: .* allowed are pressure_Pa, temperature_K" "$gasjet" compare "$mine" "$reference" --columns volume_m3
   expect 2 "--columns '': a name is empty, allowed are pressure_Pa" "$gasjet" compare "$mine" "$reference" --columns pressure_Pa,
   expect 0 "^inside" "$gasjet" compare "$mine" "$reference" --columns pressure_Pa,temperature_K

@@ -82,6 +82,9 @@ std::vector<PathPart> split_path(const std::string& path);
 /// `text`, or the beginning of a long one, for messages.
 std::string shortened(const std::string& text);
 
+/// The texts differ by so few letters that one may be meant by the other.
+bool is_like(std::string_view a, std::string_view b);
+
 /// `text` in quotes that TOML and JSON both read.
 std::string quoted(const std::string& text);
 
@@ -182,7 +185,9 @@ class TableReader {
   /// Throws CaseError for a key of this table that no call above has read.
   void finish() const;
 
-  /// Throws CaseError `file:line:column: path.key: message`, at the key if it exists, else at the table.
+  /// `file:line:column: path.key`, of the key if it exists, else of the table.
+  std::string label(const std::string& key) const;
+  /// Throws CaseError: the label of the key, and the message.
   [[noreturn]] void fail(const std::string& key, const std::string& message) const;
   /// Runs `action`. A std::invalid_argument from it becomes a CaseError at `key`, or at the table if `key` is
   /// empty.

@@ -16,6 +16,8 @@ struct History {
   std::vector<double> time;                                          // [s]
   std::vector<std::pair<std::string, std::vector<double>>> columns;  // name and values, one for each time
   int runs = 1;                                                      // that the columns are means of
+  std::vector<std::string>
+      left_out;  // quantities of the map that the reference does not have, with their place
 
   /// Values of a column; nullptr if there is none of that name.
   const std::vector<double>* find(const std::string& name) const;
@@ -28,6 +30,12 @@ struct History {
 /// - a band or standard error below 0, times that do not rise, or fewer than 3 rows,
 /// - an ensemble that does not say of how many runs.
 History read_history(const std::filesystem::path& file, const std::filesystem::path& map = {});
+/// The same for a comparison with `reference`, of the quantities `only` (all if empty). A column of such a
+/// quantity that the map names has to be in the file, and a name of the map must not be a misspelt one of the
+/// reference. Other names of the map that the reference does not have are left out, for maps serve many
+/// scenes.
+History read_history(const std::filesystem::path& file, const std::filesystem::path& map,
+                     const History& reference, const std::vector<std::string>& only = {});
 
 /// Suffix of a column that holds the half width of the error band of the column before it.
 inline constexpr const char* band_suffix = "_band";
@@ -96,7 +104,7 @@ struct Tolerance {
 /// added to the band of each quantity that has a standard error. One that the scatter hides is not judged
 /// then.
 ///
-/// `tolerance` widens every band. `only`: names to compare, all if empty. Throws CaseError for a name of
+/// `tolerance` widens every band; it is the band if the reference states none at all. `only`: names to compare, all if empty. Throws CaseError for a name of
 /// `only` or `tolerance` that the reference does not have, and for one of `only` that is given twice.
 Difference compare(const History& mine, const History& reference, const std::vector<std::string>& only = {},
                    const Tolerance& tolerance = {});

@@ -73,9 +73,7 @@ std::vector<std::size_t> find_columns(const std::vector<CsvCell>& header, const 
   std::vector<std::size_t> indices;
   for (const auto& name : table.names) {
     const auto count = places.count(name);
-    if (count == 0)
-      fail_at(table.file, line, 1,
-              fmt::format("{}: no such column, the header has {}", name, fmt::join(present, ", ")));
+    if (count == 0) fail_at(table.file, line, 1, no_such_column(name, present));
     if (count > 1) fail_at(table.file, line, 1, fmt::format("{}: is more than one column", name));
     indices.push_back(places.find(name)->second);
   }
@@ -103,6 +101,12 @@ void check_width(const std::vector<CsvCell>& row, std::size_t width, const std::
 
 void CsvTable::fail(std::size_t column, std::size_t row, const std::string& message) const {
   fail_at(file, lines[row], positions[column][row], names[column] + ": " + message);
+}
+
+std::string no_such_column(const std::string& name, const std::vector<std::string>& header) {
+  const bool other_separator = header.size() == 1 && header.front().find_first_of(";\t") != std::string::npos;
+  return fmt::format("{}: no such column, the header has {}{}", name, fmt::join(header, ", "),
+                     other_separator ? "; commas are needed between columns" : "");
 }
 
 CsvHeader read_csv_header(const std::filesystem::path& file) {

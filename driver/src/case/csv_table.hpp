@@ -31,6 +31,9 @@ struct CsvHeader {
 /// Names in the header row. Throws CaseError when the file cannot be read or has none.
 CsvHeader read_csv_header(const std::filesystem::path& file);
 
+/// Says that a header has no column of this name, and what may be wrong with it.
+std::string no_such_column(const std::string& name, const std::vector<std::string>& header);
+
 /// Reads a CSV file with a header row; `#` lines and empty lines are skipped, quotes around a cell taken off.
 /// Throws CaseError at the place of the fault if
 /// - the file cannot be read or has more than 20 million rows,

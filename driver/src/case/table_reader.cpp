@@ -38,12 +38,12 @@ std::size_t edits(std::string_view a, std::string_view b) {
   return row.back();
 }
 
+}  // namespace
+
 bool is_like(std::string_view a, std::string_view b) {
   const std::size_t letters = std::max(a.size(), b.size());
   return letters < 64 && edits(a, b) <= std::max<std::size_t>(1, letters / 4);
 }
-
-}  // namespace
 
 TableReader::TableReader(const toml::table& table, std::string path, std::string where, CaseLog& log)
     : table_(&table), path_(std::move(path)), where_(location(table.source(), where)), log_(&log) {}
@@ -61,8 +61,12 @@ std::string TableReader::place_of(const std::string& key) const {
   return where.starts_with("--set ") ? where : location(found->first.source(), where);
 }
 
+std::string TableReader::label(const std::string& key) const {
+  return place_of(key) + ": " + shortened(join(key));
+}
+
 void TableReader::fail(const std::string& key, const std::string& message) const {
-  throw CaseError(fmt::format("{}: {}: {}", place_of(key), shortened(join(key)), message));
+  throw CaseError(label(key) + ": " + message);
 }
 
 void TableReader::located(const std::string& key, const std::function<void()>& action) const {

@@ -9,6 +9,7 @@
 #include "case/number_text.hpp"
 #include "commands/commands.hpp"
 #include "driver/case_reader.hpp"
+#include "driver/progress.hpp"
 #include "driver/results.hpp"
 
 namespace driver::commands {
@@ -103,8 +104,12 @@ int exit_code(Verdict verdict) {
 
 int compare(const CompareArguments& a) {
   refuse_same_file("--rows", a.rows, {a.mine, a.reference, a.map});
-  const Difference difference = driver::compare(read_history(a.mine, a.map), read_history(a.reference),
-                                                names_of(a.columns), tolerance_of(a.tolerance));
+  const History reference = read_history(a.reference);
+  const auto names = names_of(a.columns);
+  const History mine = read_history(a.mine, a.map, reference, names);
+  if (names.empty())
+    for (const auto& name : mine.left_out) tell(name + " is left out: the reference has no such column");
+  const Difference difference = driver::compare(mine, reference, names, tolerance_of(a.tolerance));
   if (!a.rows.empty()) write_rows(a.rows, difference);
   if (a.format == "json")
     fmt::print("{}\n", json_of(difference, a.mine.string(), a.reference.string()));

@@ -46,6 +46,10 @@ std::vector<std::string> names_to_compare(const History& reference, const std::v
   return only.empty() ? names : only;
 }
 
+bool states_band(const History& reference) {
+  return std::ranges::any_of(reference.columns, [](const auto& column) { return is_band(column.first); });
+}
+
 void check_bands(const History& reference) {
   std::unordered_set<std::string_view> names;
   for (const auto& [name, values] : reference.columns) names.insert(name);

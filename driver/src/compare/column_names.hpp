@@ -14,6 +14,9 @@ namespace driver {
 std::vector<std::string> names_to_compare(const History& reference, const std::vector<std::string>& only,
                                           const Tolerance& tolerance);
 
+/// One of the columns is a band.
+bool states_band(const History& reference);
+
 /// Throws CaseError for a band without its column and for one below 0.
 void check_bands(const History& reference);
 

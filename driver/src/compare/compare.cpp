@@ -9,11 +9,11 @@
 #include <unordered_map>
 
 #include "compare/column_names.hpp"
+#include "compare/filtered.hpp"
 #include "compare/mean_test.hpp"
 #include "compare/phase_lag.hpp"
 #include "compare/sampled.hpp"
 #include "driver/case_reader.hpp"
-#include "driver/channel_filter.hpp"
 
 namespace driver {
 namespace {
@@ -35,34 +35,6 @@ class Columns {
  private:
   std::unordered_map<std::string_view, const std::vector<double>*> values_;
 };
-
-// A run has its acceleration by components: what the reference has filtered follows from rows that are close
-// enough, ten times the class as SAE J211 asks.
-struct Filtered {
-  History columns;
-  std::unordered_map<std::string, std::string> too_coarse;  // why there is no such column
-};
-
-Filtered filtered_as(const History& reference, const History& mine) {
-  Filtered result;
-  const auto *first = mine.find("pendulum_cg_tangential_m_s2"),
-             *second = mine.find("pendulum_cg_radial_m_s2");
-  if (!first || !second || mine.runs > 1) return result;
-  double widest = 0.0;
-  for (std::size_t i = 1; i < mine.time.size(); ++i)
-    widest = std::max(widest, mine.time[i] - mine.time[i - 1]);
-  for (const int channel_class : channel_classes) {
-    const std::string name = filtered_column(channel_class);
-    if (mine.find(name) || !reference.find(name)) continue;
-    if (widest > widest_interval(channel_class) * (1.0 + 1e-12))
-      result.too_coarse[name] = fmt::format("mine has rows {:.3g} s apart, CFC {} needs {:.3g} s or less",
-                                            widest, channel_class, widest_interval(channel_class));
-    else
-      result.columns.columns.emplace_back(name,
-                                          filtered_resultant({mine.time, *first, *second}, channel_class));
-  }
-  return result;
-}
 
 struct Window {
   std::size_t first = 0, count = 0;  // rows of the reference that mine covers
@@ -160,11 +132,14 @@ struct Side {
 
 constexpr double round_off_of_means = 1e-6;  // of the largest magnitude: means are written with fewer digits
 
+constexpr const char* no_band_text = "the reference states no band, --tolerance gives one";
+
 // What all quantities are judged by.
 struct Judgement {
   const Tolerance& tolerance;
   std::optional<MeanTest> test;  // if the reference is an ensemble
   bool mine_is_run = true;
+  std::vector<double> no_band;  // zeros, if the reference states no band: the tolerance alone is
 };
 
 double share_of(const std::string& name, const Tolerance& tolerance) {
@@ -191,6 +166,7 @@ QuantityDifference compare_quantity(const std::string& name, const Side& mine, c
   const auto* error = judgement.test ? reference.find(name + standard_error_suffix) : nullptr;
   const auto* own_error = judgement.mine_is_run ? nullptr : mine.columns.find(name + standard_error_suffix);
   const auto* values = mine.columns.find(name);
+  if (!judgement.no_band.empty() && share_of(name, judgement.tolerance) > 0.0) band = &judgement.no_band;
   if (!values || window.count == 0) {
     if (band || error) q.verdict = Verdict::undecided;
     q.reason = values ? "no common times: mine " + window.text : "mine does not have it";
@@ -206,7 +182,7 @@ QuantityDifference compare_quantity(const std::string& name, const Side& mine, c
   q.expected = rows(*reference.find(name), window);
   measure(time, q);
   if (!band && !error) {
-    q.reason = "the reference states no band";
+    q.reason = no_band_text;
     return q;
   }
   q.band = band ? rows(*band, window) : std::vector<double>(window.count, 0.0);
@@ -242,8 +218,7 @@ void conclude(Difference& difference) {
   const bool judged = with(Verdict::inside) != end;
   difference.verdict = judged ? Verdict::inside : Verdict::undecided;
   if (judged) return;
-  difference.reason =
-      difference.reference_runs > 1 ? "so few runs say nothing" : "the reference states no band";
+  difference.reason = difference.reference_runs > 1 ? "so few runs say nothing" : no_band_text;
 }
 
 }  // namespace
@@ -283,7 +258,8 @@ Difference compare(const History& mine, const History& reference, const std::vec
   difference.reference_runs = reference.runs;
   difference.time = rows(reference.time, window);
   const auto names = names_to_compare(reference, only, tolerance);
-  Judgement judgement{tolerance, {}, mine.runs == 1};
+  Judgement judgement{tolerance, {}, mine.runs == 1, {}};
+  if (reference.runs == 1 && !states_band(reference)) judgement.no_band.resize(reference.time.size());
   if (reference.runs > 1)
     judgement.test.emplace(mine.runs, reference.runs, names.size() * difference.time.size());
   for (const auto& name : names)

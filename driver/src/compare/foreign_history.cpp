@@ -23,6 +23,7 @@ struct MappedColumn {
   std::string column;  // the file's; one * stands for any characters
   double scale = 1.0;
   double offset = 0.0;
+  std::string name_label = {}, column_label = {};  // places in the map
 };
 
 enum class Format { csv, abstat, rcforc, nodout, rbdout };
@@ -38,7 +39,9 @@ MappedColumn read_column(TableReader&& table, const std::string& name) {
   MappedColumn column;
   column.name = name.empty() ? table.at("name").text() : name;
   if (column.name.empty()) table.fail("name", "is empty, the name of a quantity is allowed");
+  column.name_label = table.label("name");
   column.column = table.at("column").text();
+  column.column_label = table.label("column");
   if (column.column.empty() || std::count(column.column.begin(), column.column.end(), '*') > 1)
     table.fail("column", fmt::format("is '{}', a name with at most one * is allowed", column.column));
   column.scale = table.at("scale").number(any_number, 1.0);
@@ -83,6 +86,50 @@ bool matches(const std::string& pattern, const std::string& name) {
 
 using NameCounts = std::unordered_map<std::string, std::size_t>;
 
+// What a history of foreign names is compared with.
+struct Purpose {
+  const History& reference;
+  const std::vector<std::string>& only;
+
+  bool needs(const std::string& name) const {
+    return only.empty() ? reference.find(name) != nullptr : std::ranges::find(only, name) != only.end();
+  }
+};
+
+// `compare` makes filtered accelerations of these.
+bool is_component(const std::string& name) {
+  return name == "pendulum_cg_tangential_m_s2" || name == "pendulum_cg_radial_m_s2";
+}
+
+// Names of the map that the reference does not have, with their places.
+std::vector<std::string> names_left_out(const Map& map, const Purpose& purpose) {
+  std::vector<std::string> left_out;
+  for (const auto& column : map.columns) {
+    if (&column == &map.columns.front() || is_component(column.name)) continue;
+    if (purpose.reference.find(column.name)) continue;
+    for (const auto& [name, values] : purpose.reference.columns) {
+      const auto same = [&](const MappedColumn& other) { return other.name == name; };
+      if (is_like(column.name, name) && std::ranges::none_of(map.columns, same))
+        throw CaseError(
+            fmt::format("{}: the reference has no column '{}', a column of the reference is "
+                        "allowed; is '{}' meant?",
+                        column.name_label, column.name, name));
+    }
+    left_out.push_back(fmt::format("{}: '{}'", column.name_label, column.name));
+  }
+  return left_out;
+}
+
+[[noreturn]] void fail_missing(const std::filesystem::path& file, const CsvHeader& header,
+                               const MappedColumn& column) {
+  const auto like =
+      std::ranges::find_if(header.names, [&](const auto& name) { return is_like(name, column.column); });
+  throw CaseError(fmt::format(
+      "{}: '{}' is not in {}, the header has {}; {}", column.column_label, column.column, file.string(),
+      fmt::join(header.names, ", "),
+      like == header.names.end() ? "--columns compares others" : fmt::format("is '{}' meant?", *like)));
+}
+
 // Names of the header that a pattern means.
 std::vector<std::string> matching(const CsvHeader& header, const NameCounts& counts,
                                   const std::string& pattern) {
@@ -96,7 +143,7 @@ std::vector<std::string> matching(const CsvHeader& header, const NameCounts& cou
   return found;
 }
 
-// The column's name in the header; empty when it is not there, since a map may name more than a run wrote.
+// The column's name in the header; empty when it is not there.
 std::string find_column(const std::filesystem::path& file, const CsvHeader& header, const NameCounts& counts,
                         const std::string& pattern) {
   const auto found = matching(header, counts, pattern);
@@ -113,17 +160,23 @@ std::vector<MappedColumn> own_columns(const CsvHeader& header) {
   return columns;
 }
 
-// Read as CSV: the columns that are there take the file's full names.
+// Read as CSV: the columns that are there take the file's full names. A map may name more than a run wrote,
+// but nothing that the comparison needs.
 CsvTable read_mapped_csv(const std::filesystem::path& file, std::vector<MappedColumn>& columns,
-                         const CsvHeader& header) {
+                         const CsvHeader& header, const Purpose* purpose) {
   NameCounts counts;
   for (const auto& name : header.names) ++counts[name];
-  for (auto& column : columns)
-    if (const auto name = find_column(file, header, counts, column.column);
-        &column == &columns.front() || !name.empty())
-      column.column = name.empty() ? column.column : name;
+  for (auto& column : columns) {
+    const auto name = find_column(file, header, counts, column.column);
+    if (!name.empty())
+      column.column = name;
+    else if (&column == &columns.front())
+      continue;  // read_csv refuses a file without its time
+    else if (purpose && purpose->needs(column.name))
+      fail_missing(file, header, column);
     else
       column.name.clear();
+  }
   std::erase_if(columns, [](const MappedColumn& c) { return c.name.empty(); });
   std::vector<std::string> names;
   for (const auto& column : columns) names.push_back(column.column);
@@ -168,13 +221,12 @@ void check_times(const CsvTable& table, const History& history) {
 }
 
 // The columns of `table` that the map names, in the map's order.
-CsvTable select(CsvTable&& table, const std::vector<MappedColumn>& columns,
-                const std::filesystem::path& map) {
+CsvTable select(CsvTable&& table, const std::vector<MappedColumn>& columns) {
   CsvTable chosen{table.file, {}, {}, table.lines, {}};
   for (const auto& column : columns) {
     const auto found = std::find(table.names.begin(), table.names.end(), column.column);
     if (found == table.names.end())
-      throw CaseError(fmt::format("{}:1:1: column: the file {} has no '{}', allowed are {}", map.string(),
+      throw CaseError(fmt::format("{}: the file {} has no '{}', allowed are {}", column.column_label,
                                   table.file.string(), column.column, fmt::join(table.names, ", ")));
     const auto c = static_cast<std::size_t>(found - table.names.begin());
     chosen.names.push_back(table.names[c]);
@@ -197,23 +249,40 @@ CsvTable read_text_of(const std::filesystem::path& file, const Map& map) {
   }
 }
 
-}  // namespace
-
-History read_history(const std::filesystem::path& file, const std::filesystem::path& map_file) {
+History read(const std::filesystem::path& file, const std::filesystem::path& map_file,
+             const Purpose* purpose) {
   Map map;
   if (!map_file.empty()) map = read_map(map_file);
+  std::vector<std::string> left_out;
+  if (purpose) left_out = names_left_out(map, *purpose);
   CsvTable table;
   if (map.format != Format::csv) {
-    table = select(read_text_of(file, map), map.columns, map_file);
+    table = select(read_text_of(file, map), map.columns);
   } else {
     const CsvHeader header = read_csv_header(file);
     if (map_file.empty()) map.columns = own_columns(header);
-    table = read_mapped_csv(file, map.columns, header);
+    if (map_file.empty() && purpose && std::ranges::find(header.names, "time_s") == header.names.end())
+      throw CaseError(fmt::format("{}:{}:1: {}; --map names the columns of another program", file.string(),
+                                  header.line, no_such_column("time_s", header.names)));
+    table = read_mapped_csv(file, map.columns, header, map_file.empty() ? nullptr : purpose);
   }
   History history = in_si_units(table, map.columns);
   check_times(table, history);
   read_ensemble_lines(history, file);
+  history.left_out = std::move(left_out);
   return history;
+}
+
+}  // namespace
+
+History read_history(const std::filesystem::path& file, const std::filesystem::path& map) {
+  return read(file, map, nullptr);
+}
+
+History read_history(const std::filesystem::path& file, const std::filesystem::path& map,
+                     const History& reference, const std::vector<std::string>& only) {
+  const Purpose purpose{reference, only};
+  return read(file, map, &purpose);
 }
 
 }  // namespace driver
