@@ -101,6 +101,7 @@ part_bad_input() {
   expect 2 "inflator.0.jet.radius: makes an outlet of 0 m2" "$gasjet" check "$source/cases/jet_bag.toml" --set inflator.0.jet.radius=1e-200
   expect 3 "gas_step" "$gasjet" run "$source/cases/tank_fixed_steps.toml" --set time.gas_step=1e-9 --out "$work/small_steps"
   expect 2 "no such file" "$gasjet" run "$work/missing.toml" --out "$work/out"
+  expect 2 "--set vent.0.area=1e-3: the case has no \[\[vent\]\]$" "$gasjet" check "$source/cases/rigid_tank.toml" --set vent.0.area=1e-3
   printf '[scene\nname = "x"\n' >"$work/syntax.toml"
   expect 2 "syntax.toml:1:[0-9]+: TOML syntax" "$gasjet" run "$work/syntax.toml" --out "$work/out"
   expect 2 "is a folder" "$gasjet" run "$work" --out "$work/out"

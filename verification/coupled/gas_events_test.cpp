@@ -46,6 +46,18 @@ std::vector<double> openings(const Texts& overrides) {
   return run.state.gas_events.opened;
 }
 
+TEST(gas_events, vents_that_stay_shut_are_told) {
+  const CaseRun run = run_case(
+      "rigid_tank",
+      {"sensor=[{name=\"high\",overpressure=1e9},{name=\"low\",overpressure=1e3},{name=\"late\",time=9}]",
+       "vent=[{area=1e-5,trigger=\"high\"},{area=1e-5,trigger=\"low\"},{area=1e-5,trigger=\"late\"},"
+       "{area=1e-5}]"});
+  ASSERT_EQ(run.outcome.unopened.size(), 2u);
+  EXPECT_EQ(run.outcome.unopened[0].find("vent.0 never opened: its sensor comes on at 1e+09 Pa, the largest"),
+            0u);
+  EXPECT_EQ(run.outcome.unopened[1], "vent.2 never opened: its trigger was never on");
+}
+
 TEST(gas_events, vents_open_as_their_curves_and_triggers_say) {
   const std::string clock = "sensor=[{name=\"clock\",time=0.0123}]";
   const std::string growing = "area={time=[0.0,0.002,0.004],value=[0.0,0.0,1e-5]}";

@@ -220,8 +220,9 @@ int gasjet_compare(const char* mine, const char* reference, const char* map, dou
   return call_driver([&] {
     const std::string my_file = path(mine, "mine"), reference_file = path(reference, "reference");
     number(tolerance, "tolerance", 0.0);
+    const auto map_file = path_or_none(map, "map");
     const auto reference_history = driver::read_history(reference_file);
-    const auto my_history = driver::read_history(my_file, path_or_none(map, "map"), reference_history);
+    const auto my_history = driver::read_history(my_file, map_file, reference_history);
     const auto difference = driver::compare(my_history, reference_history, {}, tolerance);
     const bool inside = difference.verdict == driver::Verdict::inside;
     const bool outside = difference.verdict == driver::Verdict::outside;

@@ -185,8 +185,8 @@ class TableReader {
   /// Throws CaseError for a key of this table that no call above has read.
   void finish() const;
 
-  /// `file:line:column: path.key`, of the key if it exists, else of the table.
-  std::string label(const std::string& key) const;
+  /// `file:line:column: path.key`, at the key `place` (by default `key`) if it exists, else at the table.
+  std::string label(const std::string& key, const std::string& place = {}) const;
   /// Throws CaseError: the label of the key, and the message.
   [[noreturn]] void fail(const std::string& key, const std::string& message) const;
   /// Runs `action`. A std::invalid_argument from it becomes a CaseError at `key`, or at the table if `key` is
@@ -203,7 +203,6 @@ class TableReader {
   const toml::node& require(const std::string& key, const std::string& unit, const std::string& allowed,
                             const char* in_short = nullptr);
   TableReader below(const std::string& key, const toml::node& node) const;
-  std::string place_of(const std::string& key) const;
   std::string misspelt(const std::string& key) const;
   std::string join(const std::string& key) const;
 

@@ -16,8 +16,8 @@ struct History {
   std::vector<double> time;                                          // [s]
   std::vector<std::pair<std::string, std::vector<double>>> columns;  // name and values, one for each time
   int runs = 1;                                                      // that the columns are means of
-  std::vector<std::string>
-      left_out;  // quantities of the map that the reference does not have, with their place
+  /// Quantities of the map that the reference does not have, with their places in the map.
+  std::vector<std::string> left_out = {};
 
   /// Values of a column; nullptr if there is none of that name.
   const std::vector<double>* find(const std::string& name) const;
@@ -104,8 +104,9 @@ struct Tolerance {
 /// added to the band of each quantity that has a standard error. One that the scatter hides is not judged
 /// then.
 ///
-/// `tolerance` widens every band; it is the band if the reference states none at all. `only`: names to compare, all if empty. Throws CaseError for a name of
-/// `only` or `tolerance` that the reference does not have, and for one of `only` that is given twice.
+/// `tolerance` widens every band; it is the band if the reference states none at all. `only`: names to
+/// compare, all if empty. Throws CaseError for a name of `only` or `tolerance` that the reference does not
+/// have, and for one of `only` that is given twice.
 Difference compare(const History& mine, const History& reference, const std::vector<std::string>& only = {},
                    const Tolerance& tolerance = {});
 

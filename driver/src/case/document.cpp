@@ -95,7 +95,17 @@ std::size_t end_of_path(const std::string& text) {
   return std::string::npos;
 }
 
-// The node that `key` names inside `parent`; a missing table is made, for the strict reader to judge.
+// An entry of a list that the case does not have.
+void require_list(const toml::node& parent, const std::vector<PathPart>& parts, std::size_t i,
+                  const std::string& override_text) {
+  if (!parts[i + 1].index || !parent.is_table() || parent.as_table()->contains(parts[i].key)) return;
+  std::string path;
+  for (std::size_t j = 0; j <= i; ++j)
+    path += (j > 0 ? "." : "") + (parts[j].index ? parts[j].key : path_key(parts[j].key));
+  throw CaseError(fmt::format("{}: the case has no [[{}]]", option_of(override_text), shortened(path)));
+}
+
+// The node that `part` names inside `parent`; a missing table is made, for the strict reader to judge.
 toml::node& descend(toml::node& parent, const PathPart& part, const std::string& override_text) {
   const auto& [key, index] = part;
   if (auto* table = parent.as_table()) {
@@ -143,7 +153,10 @@ void apply_override(toml::table& root, const std::string& text) {
     throw CaseError(fmt::format("{}: a part of the path is empty", option_of(text)));
   toml::table value = parse_override_value(text, text.substr(equals + 1));
   toml::node* node = &root;
-  for (std::size_t i = 0; i + 1 < parts.size(); ++i) node = &descend(*node, parts[i], text);
+  for (std::size_t i = 0; i + 1 < parts.size(); ++i) {
+    require_list(*node, parts, i, text);
+    node = &descend(*node, parts[i], text);
+  }
   if (auto* table = node->as_table()) {
     table->insert_or_assign(parts.back().key, std::move(*value.get("value")));
   } else if (auto* array = node->as_array()) {

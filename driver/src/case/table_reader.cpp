@@ -53,16 +53,13 @@ std::string TableReader::join(const std::string& key) const {
   return path_.empty() ? path_key(key) : path_ + "." + path_key(key);
 }
 
-// Of the key if it is there, else of the table.
-std::string TableReader::place_of(const std::string& key) const {
-  const auto found = table_->find(key);
-  if (found == table_->cend()) return where_;
-  const std::string where = location(found->second.source(), where_);
-  return where.starts_with("--set ") ? where : location(found->first.source(), where);
-}
-
-std::string TableReader::label(const std::string& key) const {
-  return place_of(key) + ": " + shortened(join(key));
+std::string TableReader::label(const std::string& key, const std::string& place) const {
+  std::string where = where_;
+  if (const auto found = table_->find(place.empty() ? key : place); found != table_->cend()) {
+    where = location(found->second.source(), where_);
+    if (!where.starts_with("--set ")) where = location(found->first.source(), where);
+  }
+  return where + ": " + shortened(join(key));
 }
 
 void TableReader::fail(const std::string& key, const std::string& message) const {
@@ -121,8 +118,7 @@ const toml::node& TableReader::require(const std::string& key, const std::string
       fmt::format("is missing, {} is needed", in_short ? in_short : with_unit(allowed, unit));
   const std::string meant = misspelt(key);
   if (meant.empty()) fail(key, message);
-  throw CaseError(
-      fmt::format("{}: {}: {}; is '{}' meant?", place_of(meant), shortened(join(key)), message, meant));
+  throw CaseError(fmt::format("{}: {}; is '{}' meant?", label(key, meant), message, meant));
 }
 
 TableReader TableReader::below(const std::string& key, const toml::node& node) const {

@@ -146,10 +146,11 @@ void add_identify(CLI::App& app, IdentifyArguments& a) {
       ->check(CLI::IsMember({"average", "dual"}));
   c->add_option("--volume", a.volume, "volume of the tank [m3]")->required()->check(given);
   c->add_option("--mass", a.mass, "total mass that the inflator delivers [kg]")->required()->check(given);
-  c->add_option("--gas", a.gas, "what it delivers: NAME, air or NAME=FRACTION,... (N2=0.7,CO2=0.3)")
+  c->add_option("--gas", a.gas, "what it delivers: NAME, air or NAME=FRACTION,... (N2=0.7,CO2=0.3), see --by")
       ->required();
   add("--tank-gas", a.tank_gas, "what the tank holds before firing");
-  add("--by", a.by, "fractions by")->check(CLI::IsMember({"mass", "mole"}));
+  add("--by", a.by, "what the fractions of --gas and --tank-gas are of; of air always mole")
+      ->check(CLI::IsMember({"mass", "mole"}));
   add("--thermodynamics", a.thermodynamics, "cp")->check(CLI::IsMember({"nasa7", "constant"}));
   c->add_option("--species", a.species,
                 "TOML with [[gas.species]] as in a case, whose names the gases may use")

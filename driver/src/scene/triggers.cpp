@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <set>
 
 #include "scene/parts.hpp"
 
@@ -26,10 +27,19 @@ gas::Sensor read_pressure(TableReader& table) {
   return {gas::SensorKind::pressure, threshold, reset, {}};
 }
 
-gas::Sensor read_sensor(TableReader& table) {
-  const std::vector<std::string> kinds{"time", "signal", "overpressure", "contact"};
+// Of the kinds one is given; an unknown key is told first, for it may be meant as one.
+void require_one(const TableReader& table, const std::vector<std::string>& kinds,
+                 const std::set<std::string>& others) {
   const auto given = std::count_if(kinds.begin(), kinds.end(), [&](const auto& k) { return table.has(k); });
-  if (given != 1) table.fail("", fmt::format("names {} of {}, one is needed", given, fmt::join(kinds, ", ")));
+  if (given == 1) return;
+  std::set<std::string> allowed = others;
+  allowed.insert(kinds.begin(), kinds.end());
+  table.allow_only(allowed);
+  table.fail("", fmt::format("names {} of {}, one is needed", given, fmt::join(kinds, ", ")));
+}
+
+gas::Sensor read_sensor(TableReader& table) {
+  require_one(table, {"time", "signal", "overpressure", "contact"}, {"name", "above", "reset"});
   if (table.has("signal")) return read_signal(table);
   if (table.has("overpressure")) return read_pressure(table);
   if (table.has("time"))
@@ -39,9 +49,7 @@ gas::Sensor read_sensor(TableReader& table) {
 }
 
 gas::Gate read_gate(TableReader& table, const TriggerNames& names) {
-  const std::vector<std::string> kinds{"all", "any", "not"};
-  const auto given = std::count_if(kinds.begin(), kinds.end(), [&](const auto& k) { return table.has(k); });
-  if (given != 1) table.fail("", fmt::format("names {} of {}, one is needed", given, fmt::join(kinds, ", ")));
+  require_one(table, {"all", "any", "not"}, {"name", "delay", "latch"});
   gas::Gate gate{gas::Logic::negated, {}};
   const auto add = [&](const std::string& key, gas::Logic logic, const std::vector<std::string>& inputs) {
     gate.logic = logic;
@@ -64,6 +72,8 @@ gas::Gate read_gate(TableReader& table, const TriggerNames& names) {
 std::size_t TriggerNames::node(const TableReader& table, const std::string& key,
                                const std::string& name) const {
   const auto found = std::find(names_.begin(), names_.end(), name);
+  if (names_.empty())
+    table.fail(key, fmt::format("is \"{}\", the name of a [[sensor]] is allowed; the case has none", name));
   if (found == names_.end())
     table.fail(key, fmt::format("is \"{}\", a [[sensor]] or an earlier [[trigger]] is allowed: \"{}\"", name,
                                 fmt::join(names_, "\", \"")));

@@ -88,6 +88,23 @@ void judge_drift(const Scene& scene, const State& state, RunOutcome& outcome) {
   outcome.message = drift_text(scene, state);
 }
 
+// Vents that no trigger has opened. The other vents have an area, or say so in the case.
+void note_unopened(const Scene& scene, const State& state, RunOutcome& outcome) {
+  if (outcome.status != RunStatus::done || !scene.gas) return;
+  const gas::TriggerModel& triggers = scene.gas->model.triggers;
+  const auto& vents = scene.gas->model.vents;
+  for (std::size_t j = 0; j < vents.size(); ++j) {
+    const auto node = vents[j].trigger;
+    if (!node || std::isfinite(state.gas.triggers[*node].first_on)) continue;
+    std::string text = fmt::format("vent.{} never opened: its trigger was never on", j);
+    if (*node < triggers.sensors.size() && triggers.sensors[*node].kind == gas::SensorKind::pressure)
+      text = fmt::format(
+          "vent.{} never opened: its sensor comes on at {:.6g} Pa, the largest overpressure was {:.6g} Pa", j,
+          triggers.sensors[*node].threshold, state.peaks.pressure - scene.ambient.pressure);
+    outcome.unopened.push_back(std::move(text));
+  }
+}
+
 }  // namespace
 
 RunOutcome run_scene(const Scene& scene, State& state, const LevelSink& sink, const LevelViews& views,
@@ -110,6 +127,7 @@ RunOutcome run_scene(const Scene& scene, State& state, const LevelSink& sink, co
   outcome.wall_seconds = seconds_since(start);
   outcome.stage_seconds = clock.seconds(state);
   outcome.cpu_seconds = clock.total();
+  note_unopened(scene, state, outcome);
   judge_drift(scene, state, outcome);
   return outcome;
 }
