@@ -52,10 +52,18 @@ TEST(gas_events, vents_that_stay_shut_are_told) {
       {"sensor=[{name=\"high\",overpressure=1e9},{name=\"low\",overpressure=1e3},{name=\"late\",time=9}]",
        "vent=[{area=1e-5,trigger=\"high\"},{area=1e-5,trigger=\"low\"},{area=1e-5,trigger=\"late\"},"
        "{area=1e-5}]"});
-  ASSERT_EQ(run.outcome.unopened.size(), 2u);
-  EXPECT_EQ(run.outcome.unopened[0].find("vent.0 never opened: its sensor comes on at 1e+09 Pa, the largest"),
+  ASSERT_EQ(run.outcome.notes.size(), 2u);
+  EXPECT_EQ(run.outcome.notes[0].find("vent.0 never opened: its sensor comes on at 1e+09 Pa, the largest"),
             0u);
-  EXPECT_EQ(run.outcome.unopened[1], "vent.2 never opened: its trigger was never on");
+  EXPECT_EQ(run.outcome.notes[1], "vent.2 never opened: its trigger was never on");
+}
+
+TEST(gas_events, outlets_that_the_bag_has_left_are_told) {
+  const Texts short_run{"scene.end_time=0.02"};
+  EXPECT_EQ(run_case("passenger_pendulum", short_run).outcome.notes, std::vector<std::string>{});
+  const CaseRun free = run_case("passenger_pendulum", {"scene.end_time=0.02", "membrane.fixed_panels=[]"});
+  ASSERT_EQ(free.outcome.notes.size(), 1u);
+  EXPECT_EQ(free.outcome.notes[0].find("inflator.0.jet: the outlet is outside the bag at the end"), 0u);
 }
 
 TEST(gas_events, vents_open_as_their_curves_and_triggers_say) {

@@ -109,7 +109,7 @@ TEST(mesh_reader, a_case_warns_of_slivers) {
   EXPECT_EQ(warnings("0.4 0.4 0.2\n"), std::vector<std::string>{});
   const auto thin = warnings("0.499995 0.499995 0.00001\n");
   ASSERT_EQ(thin.size(), 1u);
-  EXPECT_TRUE(thin[0].starts_with("membrane.mesh: element 1 is 1.2e-05 m thin")) << thin[0];
+  EXPECT_TRUE(thin[0].starts_with("membrane.mesh: an element is 1.2e-05 m thin")) << thin[0];
 }
 
 TEST(mesh_reader, binary_files_keep_every_bit) {

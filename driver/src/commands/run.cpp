@@ -56,7 +56,7 @@ int run(const RunArguments& arguments) {
                      .threads = arguments.threads,
                      .ready = catch_interrupt,
                      .check = check_text(document, scene, id)});
-  for (const auto& vent : outcome.unopened) tell("warning: " + vent);
+  for (const auto& note : outcome.notes) tell("warning: " + note);
   if (!outcome.warning.empty()) tell("warning: " + outcome.warning);
   if (outcome.status == RunStatus::inaccurate) {
     tell(fmt::format("gasjet: inaccurate: {}\nResults up to the end are in {}", outcome.message,

@@ -158,7 +158,7 @@ std::string summary_text(const Scene& scene, const State& state, const RunOutcom
                          const Provenance& lines) {
   Json json = summary_head(scene, status_name(outcome.status), lines);
   if (!outcome.message.empty()) json["message"] = outcome.message;
-  for (const auto& vent : outcome.unopened) json["warnings"].push_back(vent);
+  for (const auto& note : outcome.notes) json["warnings"].push_back(note);
   if (!outcome.warning.empty()) json["warnings"].push_back(outcome.warning);
   json["steps"] = state.steps;
   json["time_end_s"] = state.time;

@@ -161,24 +161,14 @@ void warn_of_size(const membrane::Mesh& mesh, Scene& scene) {
 
 // A sliver sets the step of the whole bag.
 void warn_of_slivers(const membrane::Mesh& mesh, Scene& scene) {
-  constexpr double least = 1e-3;  // of the median altitude
-  std::vector<double> altitudes;
-  for (int e = 0; e < mesh.element_count(); ++e) {
-    const auto corner = [&](int i) -> Eigen::Vector3d { return mesh.nodes.col(mesh.elements(i % 3, e)); };
-    double longest = 0.0;
-    for (int i = 0; i < 3; ++i) longest = std::max(longest, (corner(i + 1) - corner(i)).norm());
-    altitudes.push_back((corner(1) - corner(0)).cross(corner(2) - corner(0)).norm() / longest);
-  }
-  const auto thinnest = std::ranges::min_element(altitudes) - altitudes.begin();
-  const double altitude = altitudes[static_cast<std::size_t>(thinnest)];
-  std::ranges::nth_element(altitudes, altitudes.begin() + mesh.element_count() / 2);
-  const double median = altitudes[altitudes.size() / 2];
-  if (altitude < least * median)
+  constexpr double least = 1e-3;  // of the mean
+  const auto quality = membrane::element_quality(mesh.nodes, mesh.elements);
+  if (quality.min_altitude < least * quality.mean_altitude)
     scene.warnings.push_back(
-        fmt::format("membrane.mesh: element {} is {:.2g} m thin, half of all are more than {:.2g} m: it "
-                    "makes steps short "
-                    "and the energy inexact; gasjet mesh convert --merge joins nodes that nearly meet",
-                    thinnest, altitude, median));
+        fmt::format("membrane.mesh: an element is {:.2g} m thin, {:.2g} m are the mean: it makes steps short "
+                    "and the energy "
+                    "inexact; gasjet mesh convert --merge joins nodes that nearly meet",
+                    quality.min_altitude, quality.mean_altitude));
 }
 
 // A plate with its normal to the wrong side would throw the whole bag across.

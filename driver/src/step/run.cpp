@@ -8,6 +8,7 @@
 #include <new>
 #include <numbers>
 
+#include "coupling/side.hpp"
 #include "driver/fields.hpp"
 #include "driver/frames.hpp"
 #include "driver/progress.hpp"
@@ -90,7 +91,7 @@ void judge_drift(const Scene& scene, const State& state, RunOutcome& outcome) {
 
 // Vents that no trigger has opened. The other vents have an area, or say so in the case.
 void note_unopened(const Scene& scene, const State& state, RunOutcome& outcome) {
-  if (outcome.status != RunStatus::done || !scene.gas) return;
+  if (!scene.gas) return;
   const gas::TriggerModel& triggers = scene.gas->model.triggers;
   const auto& vents = scene.gas->model.vents;
   for (std::size_t j = 0; j < vents.size(); ++j) {
@@ -101,7 +102,23 @@ void note_unopened(const Scene& scene, const State& state, RunOutcome& outcome) 
       text = fmt::format(
           "vent.{} never opened: its sensor comes on at {:.6g} Pa, the largest overpressure was {:.6g} Pa", j,
           triggers.sensors[*node].threshold, state.peaks.pressure - scene.ambient.pressure);
-    outcome.unopened.push_back(std::move(text));
+    outcome.notes.push_back(std::move(text));
+  }
+}
+
+// Outlets stay where they are, also if a bag that nothing holds flies off.
+void note_left_outlets(const Scene& scene, const State& state, RunOutcome& outcome) {
+  if (!state.bag) return;
+  const auto position = state.bag->position.map();
+  const double size = (position.rowwise().maxCoeff() - position.rowwise().minCoeff()).norm();
+  for (const JetPart& part : scene.jets) {
+    const jet::JetModel& jet = part.field.model();
+    const Eigen::Vector3d inside = jet.centre + 1e-6 * size * jet.axis;
+    if (coupling::winding_number(scene.bag->mesh.elements, position, inside) > 0.5) continue;
+    outcome.notes.push_back(fmt::format(
+        "inflator.{}.jet: the outlet is outside the bag at the end, where its jet meets nothing: has the bag "
+        "flown off? membrane.fixed_panels holds it",
+        part.inflator));
   }
 }
 
@@ -127,7 +144,10 @@ RunOutcome run_scene(const Scene& scene, State& state, const LevelSink& sink, co
   outcome.wall_seconds = seconds_since(start);
   outcome.stage_seconds = clock.seconds(state);
   outcome.cpu_seconds = clock.total();
-  note_unopened(scene, state, outcome);
+  if (outcome.status == RunStatus::done) {
+    note_unopened(scene, state, outcome);
+    note_left_outlets(scene, state, outcome);
+  }
   judge_drift(scene, state, outcome);
   return outcome;
 }
