@@ -35,11 +35,10 @@ double per_cent(const LadderResult& result, double value) {
 void print_scene(const LadderResult& result, const LadderOptions& options) {
   const double tolerance = 100.0 * options.tolerance;
   if (result.chaotic)
-    fmt::print(
-        "seeds of {:g} m scatter {} by {:.3g}, {:g} % of it would be {:.3g}: means of {}{} runs\n",
-        default_amplitude, result.quantity, result.spread, tolerance,
-        options.tolerance * std::abs(result.reference.value - result.zero), options.runs,
-        options.most_runs > options.runs ? fmt::format(" to {}", options.most_runs) : "");
+    fmt::print("seeds of {:g} m scatter {} by {:.3g}, {:g} % of it would be {:.3g}: means of {}{} runs\n",
+               default_amplitude, result.quantity, result.spread, tolerance,
+               options.tolerance * std::abs(result.reference.value - result.zero), options.runs,
+               options.most_runs > options.runs ? fmt::format(" to {}", options.most_runs) : "");
   else if (result.rungs.front().can_be_perturbed)
     fmt::print("not chaotic: seeds of {:g} m scatter {} by {:.3g} only: single runs\n", default_amplitude,
                result.quantity, result.spread);
