@@ -108,7 +108,7 @@ std::vector<std::string> names_left_out(const Map& map, const Purpose& purpose) 
     if (&column == &map.columns.front() || is_component(column.name)) continue;
     if (purpose.reference.find(column.name)) continue;
     for (const auto& [name, values] : purpose.reference.columns) {
-      const auto same = [&](const MappedColumn& other) { return other.name == name; };
+      const auto same = [&wanted = name](const MappedColumn& other) { return other.name == wanted; };
       if (is_like(column.name, name) && std::ranges::none_of(map.columns, same))
         throw CaseError(
             fmt::format("{}: the reference has no column '{}', a column of the reference is "
