@@ -4,24 +4,17 @@
 #include <algorithm>
 #include <cstddef>
 #include <numeric>
-#include <span>
 #include <stdexcept>
 #include <utility>
 
 #include "checks.hpp"
+#include "edges.hpp"
 #include "membrane/mesh.hpp"
 
 namespace membrane {
 namespace {
 
 constexpr std::size_t kNamed = 5;  // offenders that describe() names of each kind
-
-struct HalfEdge {
-  int low, high;  // nodes, low < high
-  int element;
-  int side;      // runs from local corner `side` to `side` + 1
-  bool forward;  // the element runs it from low to high
-};
 
 struct Disjoint {  // union-find over 0..n-1, path halving; the root is the lowest member
   std::vector<int> parent;
@@ -40,32 +33,6 @@ struct Disjoint {  // union-find over 0..n-1, path halving; the root is the lowe
 };
 
 using Elements = Eigen::Ref<const Eigen::Matrix3Xi>;
-using EdgeGroup = std::span<const HalfEdge>;  // all half edges between the same two nodes
-
-std::vector<HalfEdge> sorted_edges(const Elements& elements) {
-  std::vector<HalfEdge> edges;
-  edges.reserve(3 * static_cast<std::size_t>(elements.cols()));
-  for (int e = 0; e < elements.cols(); ++e)
-    for (int i = 0; i < 3; ++i) {
-      const int a = elements(i, e), b = elements((i + 1) % 3, e);
-      if (a != b) edges.push_back({std::min(a, b), std::max(a, b), e, i, a < b});
-    }
-  std::stable_sort(edges.begin(), edges.end(), [](const HalfEdge& p, const HalfEdge& q) {
-    return p.low != q.low ? p.low < q.low : p.high < q.high;
-  });
-  return edges;
-}
-
-std::vector<EdgeGroup> edge_groups(const std::vector<HalfEdge>& edges) {
-  std::vector<EdgeGroup> groups;
-  for (std::size_t begin = 0, end = 0; begin < edges.size(); begin = end) {
-    while (end < edges.size() && edges[end].low == edges[begin].low && edges[end].high == edges[begin].high)
-      ++end;
-    groups.emplace_back(&edges[begin], end - begin);
-  }
-  return groups;
-}
-
 void check_indices(Eigen::Index node_count, const Elements& elements, SurfaceReport& report) {
   std::vector<bool> used(static_cast<std::size_t>(node_count), false);
   for (int e = 0; e < elements.cols(); ++e) {

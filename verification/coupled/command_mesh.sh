@@ -15,6 +15,9 @@ part_mesh() {
   sed 's/^\(f [0-9]*\) \([0-9]*\) \([0-9]*\)/\1 \3 \2/' "$work/open.obj" >"$work/inverted.obj"
   expect 2 "inward" "$gasjet" mesh convert "$work/inverted.obj"
   expect 0 "inward" "$gasjet" mesh convert "$work/inverted.obj" --report
+  expect 2 "wound outward, or --report; --outward turns elements" "$gasjet" mesh convert "$work/inverted.obj"
+  expect 0 "^elements turned: 2352$" "$gasjet" mesh convert "$work/inverted.obj" --outward --out "$work/outward.obj"
+  expect 0 "^elements turned: 0$" "$gasjet" mesh convert "$work/outward.obj" --outward
   ln -s /dev/zero "$work/endless.obj"
   expect 2 "endless.obj: is longer than 256 MiB" "$gasjet" mesh convert "$work/endless.obj"
   sed 's/^g vent_left/g $vent/' "$work/open.obj" >"$work/dollar.obj"

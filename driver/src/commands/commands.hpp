@@ -118,6 +118,7 @@ struct MeshArguments {
   double time = 0.0;                             // of those results [s]
   double length_unit = 1.0;                      // of that file [m]
   std::optional<double> merge;                   // join nodes at most so far apart [m]
+  bool outward = false;                          // turn elements
   bool report = false;                           // an open or inside-out surface is no error
   std::vector<std::string> panels, null_panels;  // of that file
   std::filesystem::path out;                     // design shape, format by the ending; or empty

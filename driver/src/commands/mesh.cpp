@@ -12,6 +12,7 @@
 #include "driver/scene.hpp"
 #include "membrane/merge.hpp"
 #include "membrane/surface_check.hpp"
+#include "membrane/turn_outward.hpp"
 #include "mesh_files/mesh_reader.hpp"
 #include "results/bag_shape.hpp"
 #include "scene/bag_mesh.hpp"
@@ -148,13 +149,13 @@ void print_reading(membrane::Mesh& mesh, const MeshArguments& arguments) {
 void require_control_volume(const BagMesh& bag, const MeshArguments& arguments) {
   const auto report = membrane::check_closed_surface(bag.shape(), bag.mesh.elements);
   if (report.ok()) return;
-  throw CaseError(fmt::format(
-      "{}: is no closed control volume, and nothing is written; allowed: a closed "
-      "surface that is wound outward, or --report{}\n{}",
-      arguments.file.string(),
-      arguments.merge || report.boundary_edges.empty() ? ""
-                                                       : "; --merge DISTANCE joins nodes that nearly meet",
-      report.describe(bag.mesh.line)));
+  const bool joins = !arguments.merge && !report.boundary_edges.empty(),
+             turns = !arguments.outward && (report.inward || !report.inconsistent_edges.empty());
+  throw CaseError(
+      fmt::format("{}: is no closed control volume, and nothing is written; allowed: a closed "
+                  "surface that is wound outward, or --report{}{}\n{}",
+                  arguments.file.string(), joins ? "; --merge DISTANCE joins nodes that nearly meet" : "",
+                  turns ? "; --outward turns elements" : "", report.describe(bag.mesh.line)));
 }
 
 // Errors of the library in what was asked for are errors of the command line.
@@ -195,6 +196,7 @@ int mesh_convert(const MeshArguments& arguments) {
     if (!arguments.panels.empty()) bag.mesh = membrane::only_panels(bag.mesh, arguments.panels);
     bag.mesh.nodes *= arguments.length_unit;
     print_reading(bag.mesh, arguments);
+    if (arguments.outward) fmt::print("elements turned: {}\n", membrane::turn_outward(bag.mesh));
     require_areas(bag.mesh, arguments.file);
     if (!arguments.report) require_control_volume(bag, arguments);
     finish(std::move(bag), arguments, arguments.null_panels);

@@ -42,6 +42,7 @@ void add_mesh(CLI::App& app, MeshArguments& arguments) {
                    "panel, or part of a deck, to keep; may be repeated; all without it")
       ->allow_extra_args(false);
   convert->add_option("--merge", arguments.merge, "join nodes at most so far apart [m]")->check(not_negative);
+  convert->add_flag("--outward", arguments.outward, "turn elements so that the surface is wound outward");
   convert->add_flag("--report", arguments.report, "report only: an open or inside-out surface is no error");
   convert->add_option("--out", arguments.out, "file to write; without it the report only")->check(named);
   convert->add_option("--length-unit", arguments.length_unit, "length unit of FILE [m]")->check(positive);

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "membrane/mesh.hpp"
+
+namespace membrane {
+
+/// Turns elements, so that neighbours run their common edge in opposite directions and each connected part
+/// encloses a positive volume; a part with holes is closed towards its centre for that. Edges of more than
+/// two elements join nothing. Returns the number of elements turned. The second and third node of those are
+/// exchanged, all else stays. Throws std::invalid_argument for a node number out of range.
+int turn_outward(Mesh& mesh);
+
+}  // namespace membrane
