@@ -89,21 +89,27 @@ void judge_drift(const Scene& scene, const State& state, RunOutcome& outcome) {
   outcome.message = drift_text(scene, state);
 }
 
-// Vents that no trigger has opened. The other vents have an area, or say so in the case.
-void note_unopened(const Scene& scene, const State& state, RunOutcome& outcome) {
+// Why a node of the triggers was never on.
+std::string never_on(const Scene& scene, const State& state, std::size_t node) {
+  const auto& sensors = scene.gas->model.triggers.sensors;
+  if (node >= sensors.size() || sensors[node].kind != gas::SensorKind::pressure)
+    return "its trigger was never on";
+  return fmt::format("its sensor comes on at {:.6g} Pa, the largest overpressure was {:.6g} Pa",
+                     sensors[node].threshold, state.peaks.pressure - scene.ambient.pressure);
+}
+
+// Vents and inflators that wait for a trigger which never came on. Other vents have an area, or say so in the
+// case.
+void note_never_on(const Scene& scene, const State& state, RunOutcome& outcome) {
   if (!scene.gas) return;
-  const gas::TriggerModel& triggers = scene.gas->model.triggers;
-  const auto& vents = scene.gas->model.vents;
-  for (std::size_t j = 0; j < vents.size(); ++j) {
-    const auto node = vents[j].trigger;
-    if (!node || std::isfinite(state.gas.triggers[*node].first_on)) continue;
-    std::string text = fmt::format("vent.{} never opened: its trigger was never on", j);
-    if (*node < triggers.sensors.size() && triggers.sensors[*node].kind == gas::SensorKind::pressure)
-      text = fmt::format(
-          "vent.{} never opened: its sensor comes on at {:.6g} Pa, the largest overpressure was {:.6g} Pa", j,
-          triggers.sensors[*node].threshold, state.peaks.pressure - scene.ambient.pressure);
-    outcome.notes.push_back(std::move(text));
-  }
+  const auto note = [&](const auto& parts, std::string_view name, std::string_view done) {
+    for (std::size_t i = 0; i < parts.size(); ++i)
+      if (const auto node = parts[i].trigger; node && !std::isfinite(state.gas.triggers[*node].first_on))
+        outcome.notes.push_back(
+            fmt::format("{}.{} never {}: {}", name, i, done, never_on(scene, state, *node)));
+  };
+  note(scene.gas->model.vents, "vent", "opened");
+  note(scene.gas->model.inflows, "inflator", "fired");
 }
 
 // Outlets stay where they are, also if a bag that nothing holds flies off.
@@ -145,7 +151,7 @@ RunOutcome run_scene(const Scene& scene, State& state, const LevelSink& sink, co
   outcome.stage_seconds = clock.seconds(state);
   outcome.cpu_seconds = clock.total();
   if (outcome.status == RunStatus::done) {
-    note_unopened(scene, state, outcome);
+    note_never_on(scene, state, outcome);
     note_left_outlets(scene, state, outcome);
   }
   judge_drift(scene, state, outcome);
