@@ -32,7 +32,7 @@ TEST_P(coupled_books, mass_ledger_and_energy_close) {
   const char* why = "bookkeeping: eps x some 2000 additions, whatever the scene does";
   claim::expect_near({"G.9", scene + "largest residual of the mass balance [-]", why},
                      run.state.peaks.mass_residual, 0.0, 1e-12);
-  claim::expect_near({"K.20", scene + "largest residual of the kick ledger over the supply [-]", why},
+  claim::expect_near({"K.20", scene + "largest residual of (K.20) over the supply [-]", why},
                      run.state.peaks.ledger_residual / supplied(run), 0.0, 1e-12);
   claim::expect_near({"K.21", scene + "largest drift of energy over the supply [-]",
                       "a third of a percent of what the gas keeps, below the ensemble's scatter"},

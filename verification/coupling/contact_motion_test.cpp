@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Motion under contact by central difference: a sphere bounces on free or sprung nodes. Momenta to round-off,
-// kick ledger for varying steps, physical energy at second order, with a free sphere and with the pendulum.
+// (K.20) for varying steps, physical energy at second order, with a free sphere and with the pendulum.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -158,7 +158,7 @@ Books bounce(double duration, Step step_size) {
 TEST(ContactMotion, kick_ledger_closes_for_varying_steps) {
   const Books books = bounce(0.01, [](int n) { return 2e-5 * (1.0 + 0.5 * std::sin(0.3 * n)); });
   ASSERT_GT(books.penetration, 1e-3);
-  claim::expect_near({"K.20", "pendulum and skin in contact, varying steps: kick ledger [J]",
+  claim::expect_near({"K.20", "pendulum and skin in contact, varying steps: residual of (K.20) [J]",
                       "500 steps, sums over 243 components: of all the work"},
                      books.kick_gap, 0.0, 1e-12 * books.supplied);
 }

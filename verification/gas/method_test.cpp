@@ -95,7 +95,7 @@ INSTANTIATE_TEST_SUITE_P(methods, method_order,
 struct Levels {
   gas::Method method;
   double order;
-  int halvings;  // until the error is near rounding, or that of the Jacobian's differences, some 1e-12
+  int halvings;  // until the error is near rounding, some 1e-12
 };
 constexpr Levels kLevels[] = {{gas::Method::euler, 1.0, 3},
                               {gas::Method::runge_kutta_4, 4.0, 3},

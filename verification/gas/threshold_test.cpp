@@ -142,8 +142,9 @@ TEST(threshold, implicit_method_has_none) {
     const double h = 100.0 / b.rate;
     gas::GasIntegrator(b.model, {1e-10, 100000, gas::Method::rosenbrock_4, h})
         .advance(state, 0.0, 50.0 * h, rigid(b.volume));
-    // The Jacobian's differences carry 1e-7 of themselves, and h lambda = 100 of that comes through.
-    EXPECT_LT(relative(gas::evaluate(b.model, state, b.volume, 0.0, 0.0).pressure, b.pressure), 1e-4);
+    // A balance is a fixed point of the method too. What moves it is rounding, and the laminar range, by
+    // 1.5e-6 Pa.
+    EXPECT_LT(relative(gas::evaluate(b.model, state, b.volume, 0.0, 0.0).pressure, b.pressure), 1e-10);
   }
 }
 
