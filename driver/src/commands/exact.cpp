@@ -75,8 +75,8 @@ void print_page() {
       "Printed by `gasjet exact --list --format markdown`. `gasjet exact NAME --set parameter=value --times "
       "0:0.3:1e-3` "
       "prints one of\nthem as CSV or JSON (`--format`); SI units; the digits are those that are correct. "
-      "Parameters "
-      "outside their validity are refused.\n");
+      "`--times` gives\nthe values of the first column, which is the time or what the form says. "
+      "Parameters outside their validity are refused.\n");
   std::string family;
   for (const auto& entry : closed_form::catalogue()) {
     if (entry.family != family) fmt::print("\n## {}\n", family = entry.family);

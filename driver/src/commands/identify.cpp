@@ -268,7 +268,11 @@ int identify(const IdentifyArguments& arguments) {
   fmt::print("{}: {} readings over {:.4g} s\n", arguments.file.string(), table.rows(),
              table.values[0].back() - table.values[0].front());
   for (const auto& [key, value] : results) fmt::print("  {}: {}\n", key, value);
-  fmt::print("{}: mass_flow_kg_s and temperature_K are curves for a case file\n", arguments.out.string());
+  fmt::print(
+      "{}: mass_flow_kg_s and temperature_K are curves for a case file; the temperature is that of the gas "
+      "at "
+      "rest, which a jet takes with inflator.jet.temperature = \"stagnation\"\n",
+      arguments.out.string());
   return exit_done;
 }
 
