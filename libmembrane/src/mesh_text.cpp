@@ -6,10 +6,12 @@
 #include <cerrno>
 #include <charconv>
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
 #include <fstream>
 #include <stdexcept>
 #include <system_error>
+#include <unordered_set>
 #include <utility>
 
 #include "membrane/mesh_file.hpp"
@@ -129,15 +131,9 @@ void require_finite_nodes(const Mesh& mesh) {
 }
 
 void MeshBuilder::add_polygon(std::span<const int> corners, const std::string& panel, std::size_t line) {
-  std::vector<int> c(corners.begin(), corners.end());
-  if (c.size() == 4 && second_diagonal_shorter(corners)) c = {c[1], c[2], c[3], c[0]};
-  if (c.size() == 4) ++split_quads_;
-  const int index = panel_index(panel);
-  for (std::size_t i = 2; i < c.size(); ++i) {
-    elements_.emplace_back(c[0], c[i - 1], c[i]);
-    element_panels_.push_back(index);
-    element_lines_.push_back(static_cast<int>(line));
-  }
+  polygons_.push_back({{corners[0], corners[1], corners[2], corners.size() == 4 ? corners[3] : -1},
+                       panel_index(panel),
+                       static_cast<int>(line)});
 }
 
 int MeshBuilder::panel_index(const std::string& panel) {
@@ -146,24 +142,46 @@ int MeshBuilder::panel_index(const std::string& panel) {
   return entry->second;
 }
 
-bool MeshBuilder::second_diagonal_shorter(std::span<const int> quad) const {
-  const auto x = [&](std::size_t i) -> const Eigen::Vector3d& {
-    return nodes_[static_cast<std::size_t>(quad[i])];
+/// Turns the corners of each quad, so that it is split from the first to the third.
+void MeshBuilder::split_quads() {
+  std::unordered_set<std::uint64_t> sides;
+  const auto add = [&](int a, int b) {  // false if it is there
+    const auto low = static_cast<std::uint64_t>(std::min(a, b)),
+               high = static_cast<std::uint64_t>(std::max(a, b));
+    return sides.insert(low << 32 | high).second;
   };
-  return (x(3) - x(1)).norm() < (x(2) - x(0)).norm();
+  for (const Polygon& polygon : polygons_)
+    for (std::size_t i = 0; i < polygon.size(); ++i)
+      add(polygon.corners[i], polygon.corners[(i + 1) % polygon.size()]);
+  const auto distance = [&](int a, int b) {
+    return (nodes_[static_cast<std::size_t>(a)] - nodes_[static_cast<std::size_t>(b)]).norm();
+  };
+  for (Polygon& polygon : polygons_) {
+    if (polygon.size() == 3) continue;
+    auto& c = polygon.corners;
+    const auto add_diagonal = [&](bool second) { return second ? add(c[1], c[3]) : add(c[0], c[2]); };
+    bool second = distance(c[1], c[3]) < distance(c[0], c[2]);
+    if (!add_diagonal(second) && add_diagonal(!second)) second = !second;
+    if (second) std::rotate(c.begin(), c.begin() + 1, c.end());
+  }
 }
 
 Mesh MeshBuilder::finish() && {
   Mesh mesh;
   mesh.nodes.resize(3, static_cast<Eigen::Index>(nodes_.size()));
   for (std::size_t i = 0; i < nodes_.size(); ++i) mesh.nodes.col(static_cast<Eigen::Index>(i)) = nodes_[i];
-  mesh.elements.resize(3, static_cast<Eigen::Index>(elements_.size()));
-  for (std::size_t e = 0; e < elements_.size(); ++e)
-    mesh.elements.col(static_cast<Eigen::Index>(e)) = elements_[e];
-  mesh.panel = std::move(element_panels_);
+  const auto is_quad = [](const Polygon& polygon) { return polygon.size() == 4; };
+  mesh.split_quads = static_cast<int>(std::count_if(polygons_.begin(), polygons_.end(), is_quad));
+  if (mesh.split_quads > 0) split_quads();
+  mesh.elements.resize(3, static_cast<Eigen::Index>(polygons_.size()) + mesh.split_quads);
+  for (const Polygon& polygon : polygons_)
+    for (std::size_t i = 2; i < polygon.size(); ++i) {
+      const auto& c = polygon.corners;
+      mesh.elements.col(static_cast<Eigen::Index>(mesh.panel.size())) << c[0], c[i - 1], c[i];
+      mesh.panel.push_back(polygon.panel);
+      mesh.line.push_back(polygon.line);
+    }
   mesh.panel_names = std::move(panel_names_);
-  mesh.line = std::move(element_lines_);
-  mesh.split_quads = split_quads_;
   return mesh;
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <filesystem>
 #include <span>
 #include <string>
@@ -39,21 +40,25 @@ void require_finite_nodes(const Mesh& mesh);
 class MeshBuilder {
  public:
   int node_count() const { return static_cast<int>(nodes_.size()); }
-  bool empty() const { return elements_.empty(); }
+  bool empty() const { return polygons_.empty(); }
   void add_node(const Eigen::Vector3d& position) { nodes_.push_back(position); }
-  /// Adds a polygon of 3 or 4 corners, node numbers from 0. A quad becomes two elements along its shorter
-  /// diagonal (the first one if they are equal).
+  /// Adds a polygon of 3 or 4 corners, node numbers from 0.
   void add_polygon(std::span<const int> corners, const std::string& panel, std::size_t line);
+  /// A quad becomes two elements along its shorter diagonal (the first one if they are equal). Where that is
+  /// a side already, as across the corner of two sheets, it is split along the other one.
   Mesh finish() &&;
 
  private:
+  struct Polygon {
+    std::array<int, 4> corners;  // the last is -1 in a triangle
+    int panel, line;
+    std::size_t size() const { return corners[3] < 0 ? 3 : 4; }
+  };
   int panel_index(const std::string& panel);
-  bool second_diagonal_shorter(std::span<const int> quad) const;
+  void split_quads();
 
   std::vector<Eigen::Vector3d> nodes_;
-  std::vector<Eigen::Vector3i> elements_;
-  std::vector<int> element_panels_, element_lines_;
-  int split_quads_ = 0;
+  std::vector<Polygon> polygons_;
   std::vector<std::string> panel_names_;
   std::unordered_map<std::string, int> panel_of_name_;
 };

@@ -58,7 +58,8 @@ class ObjParser {
   }
 
   void statement(const std::vector<Token>& tokens) {
-    static constexpr std::array<std::string_view, 6> skipped = {"vt", "vn", "vp", "s", "usemtl", "mtllib"};
+    static constexpr std::array<std::string_view, 8> skipped = {"vt", "vn", "vp",     "s",
+                                                                "l",  "p",  "usemtl", "mtllib"};
     if (tokens.empty()) return;
     const std::string_view keyword = tokens[0].text;
     if (keyword == "v") return node(tokens);
@@ -66,17 +67,17 @@ class ObjParser {
     if (keyword == "g" || keyword == "o") return panel(tokens);
     if (std::find(skipped.begin(), skipped.end(), keyword) == skipped.end())
       fail(tokens[0].column, shown(keyword) +
-                                 " is not a statement read here; allowed: v, f, g, o (vt, vn, vp, s, "
+                                 " is not a statement read here; allowed: v, f, g, o (vt, vn, vp, s, l, p, "
                                  "usemtl, mtllib are skipped)");
   }
 
   void node(const std::vector<Token>& tokens) {
-    if (tokens.size() != 4 && tokens.size() != 5)
-      fail(tokens[0].column,
-           "v needs 3 coordinates (and at most a weight), has " + std::to_string(tokens.size() - 1));
+    if (tokens.size() != 4 && tokens.size() != 5 && tokens.size() != 7)
+      fail(tokens[0].column, "v needs 3 coordinates (and at most a weight, or 3 colours), has " +
+                                 std::to_string(tokens.size() - 1));
     if (mesh_.node_count() == std::numeric_limits<int>::max() / 3) fail(tokens[0].column, "too many nodes");
     mesh_.add_node({number(tokens[1]), number(tokens[2]), number(tokens[3])});
-    if (tokens.size() == 5) number(tokens[4]);
+    for (std::size_t i = 4; i < tokens.size(); ++i) number(tokens[i]);
   }
 
   double number(const Token& token) const {
@@ -86,9 +87,10 @@ class ObjParser {
   }
 
   void panel(const std::vector<Token>& tokens) {
-    if (tokens.size() > 2)
-      fail(tokens[2].column, "one name only: an element belongs to one panel, and names have no blanks");
-    panel_name_ = tokens.size() == 2 ? std::string(tokens[1].text) : "default";
+    panel_name_.clear();
+    for (std::size_t i = 1; i < tokens.size(); ++i)
+      panel_name_.append(i > 1 ? "_" : "").append(tokens[i].text);
+    if (panel_name_.empty()) panel_name_ = "default";
   }
 
   void polygon(const std::vector<Token>& tokens) {

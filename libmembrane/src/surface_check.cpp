@@ -2,6 +2,7 @@
 #include "membrane/surface_check.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <numeric>
 #include <stdexcept>
@@ -14,6 +15,7 @@
 namespace membrane {
 namespace {
 
+constexpr double kFlat = 1e-12;    // of the area's power: rounding of a volume that is none
 constexpr std::size_t kNamed = 5;  // offenders that describe() names of each kind
 
 struct Disjoint {  // union-find over 0..n-1, path halving; the root is the lowest member
@@ -166,8 +168,10 @@ std::string SurfaceReport::describe(const std::vector<int>& lines) const {
   describe_list("elements with a repeated node", repeated_node_elements, element, text);
   describe_list("nodes that are not finite", non_finite_nodes, node, text);
   describe_edges("boundary edges (a hole in the surface)", boundary_edges, names, text);
-  describe_edges("non-manifold edges (more than two elements: a duplicate or an inner wall between chambers)",
-                 non_manifold_edges, names, text);
+  describe_edges(
+      "non-manifold edges (more than two elements: a duplicate, an inner wall between chambers, or two "
+      "sheets whose corner elements have the same diagonal)",
+      non_manifold_edges, names, text);
   describe_edges("inconsistently oriented edges (two elements run them the same way)", inconsistent_edges,
                  names, text);
   describe_list("pinched (non-manifold) nodes, where separate fans of elements meet", pinched_nodes, node,
@@ -179,7 +183,10 @@ std::string SurfaceReport::describe(const std::vector<int>& lines) const {
     describe_list("disconnected components (one control volume is one chamber), first " + names.elements(),
                   firsts, element, text);
   }
-  if (inward) text += "inward orientation: the enclosed volume is " + shown(volume) + " m3, not positive\n";
+  if (flat)
+    text += "no volume: the sheets lie on each other, and need an initial shape that is open\n";
+  else if (inward)
+    text += "inward orientation: the enclosed volume is " + shown(volume) + " m3, not positive\n";
   return text;
 }
 
@@ -199,6 +206,7 @@ SurfaceReport check_closed_surface(const Eigen::Ref<const Eigen::Matrix3Xd>& nod
   if (closed && report.inconsistent_edges.empty() && report.non_finite_nodes.empty()) {
     report.volume = enclosed_volume(nodes, elements);
     report.inward = !(report.volume > 0.0);
+    report.flat = std::abs(report.volume) < kFlat * std::pow(element_areas(nodes, elements).sum(), 1.5);
   }
   return report;
 }

@@ -65,11 +65,12 @@ part_compare() {
   expect 2 "--rows.*is empty" "$gasjet" compare "$mine" "$reference" --rows ""
   # 1e-4 too much inflow is 9e-5 of the pressure, less of the temperature.
   expect 0 "^inside" "$gasjet" compare "$mine" "$work/other.csv" --tolerance 1e-4
+  expect 0 "^inside" "$gasjet" compare "$mine" "$work/other.csv" --tolerance 0.01%
   expect 0 "^inside" "$gasjet" compare "$mine" "$work/other.csv" --tolerance pressure_Pa=1e-4 --tolerance 1e-4
   expect 1 "^outside: pressure_Pa" "$gasjet" compare "$mine" "$work/other.csv" --tolerance pressure_Pa=1e-6 --tolerance 1e-4
   expect 1 "^outside: temperature_K" "$gasjet" compare "$mine" "$work/other.csv" --tolerance pressure_Pa=1e-4
   for share in nan -1 1.5 x "" pressure_Pa= pressure_Pa=nan; do
-    expect 2 "--tolerance $share: .* a finite number from 0 to 1, or COLUMN=SHARE" "$gasjet" compare "$mine" "$reference" --tolerance "$share"
+    expect 2 "--tolerance $share: .* a finite number from 0 to 1, such as 0.02 or 2%, or COLUMN=SHARE" "$gasjet" compare "$mine" "$reference" --tolerance "$share"
   done
   expect 2 "--tolerance volume: the reference has no such quantity, allowed are pressure_Pa" "$gasjet" compare "$mine" "$reference" --tolerance volume=0
   expect 2 "--tolerance 2e-3: is given twice" "$gasjet" compare "$mine" "$reference" --tolerance 1e-3 --tolerance 2e-3

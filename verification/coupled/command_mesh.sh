@@ -18,6 +18,9 @@ part_mesh() {
   expect 2 "wound outward, or --report; --outward turns elements" "$gasjet" mesh convert "$work/inverted.obj"
   expect 0 "^elements turned: 2352$" "$gasjet" mesh convert "$work/inverted.obj" --outward --out "$work/outward.obj"
   expect 0 "^elements turned: 0$" "$gasjet" mesh convert "$work/outward.obj" --outward
+  { echo 'v 9 9 9' && sed 's/^f /f 1+/' "$work/open.obj" | awk '$1 == "f" { for (i = 2; i <= 4; ++i) $i = substr($i, index($i, "+") + 1) + 1 } 1'; } >"$work/unused.obj"
+  expect 0 "^nodes that no element uses, left out: 1$" "$gasjet" mesh convert "$work/unused.obj"
+  expect 0 "longest extent: 699 m; --length-unit" "$gasjet" mesh convert "$work/open.obj" --length-unit 1e3
   ln -s /dev/zero "$work/endless.obj"
   expect 2 "endless.obj: is longer than 256 MiB" "$gasjet" mesh convert "$work/endless.obj"
   sed 's/^g vent_left/g $vent/' "$work/open.obj" >"$work/dollar.obj"
@@ -128,6 +131,9 @@ part_mesh_state() {
 
   # The next run starts with the stresses of this one: both are rounding of the modulus, 60 MPa, apart.
   sed 's|^mesh = .*|mesh = { file = "design.obj", initial_file = "state.obj" }|' "$case" >"$work/next.toml"
+  expect 0 "" "$gasjet" mesh convert "$work/state.obj" --length-unit 1e3 --out "$work/large.obj"
+  expect 2 "initial_file: the initial shape has 1.13e.06 m2 of skin, the design shape 1.13 m2: length_unit is that of both" \
+    "$gasjet" check "$work/next.toml" --set "membrane.mesh.initial_file=\"$work/large.obj\""
   expect 0 "" "$gasjet" run "$work/next.toml" --out "$work/next" --quiet --set scene.end_time=1e-4 --set output.fields_every=1e-4
   values "$run/bag_00003.vtp" principal_stress_Pa >"$work/kept"
   values "$work/next/bag_00000.vtp" principal_stress_Pa >"$work/continued"
@@ -140,6 +146,7 @@ part_mesh_state() {
   expect 0 "^coordinates are off by [0-9.]*e-06 m at most$" "$gasjet" mesh state "$work/framed" --time 6e-3 --out "$work/framed.obj"
   points "$run/bag_00003.vtp" >"$work/kept"
   points "$work/framed.obj" >"$work/written"
+  for file in framed run; do expect 0 "^panel sphere: 1280 elements" "$gasjet" mesh state "$work/$file" --time 6e-3 --out "$work/named.obj"; done
   awk -v d="$(differ "$work/kept" "$work/written")" 'BEGIN { exit !(d != "not comparable" && d < 1e-5) }' || # half a step of 0.6 m / 65535
     fail "the frame is off by $(differ "$work/kept" "$work/written") m"
 

@@ -96,8 +96,13 @@ part_study_designs() {
   tank_plan "$plan" 'design = "latin_hypercube"' 'points = 20' '[[factor]]' 'key = "inflator.0.mass_flow"' 'name = "flow"' 'range = [0.05, 0.15]' \
     '[analysis]' 'response_surface = true'
   expect 0 "20 of 20 runs" "$gasjet" study run "$plan" --out "$work/surface"
-  awk -F, '$2 == "flow * flow" { square = $3 } $2 == "flow" { slope = $3 } END { exit !(slope > 1e4 && square ^ 2 < 1e-18 * slope ^ 2) }' \
+  # From end to end of the range: p at a flow of 0 is the constant less twice the slope.
+  awk -F, '$2 == "flow * flow" { square = $3 } $2 == "flow" { slope = $3 } $2 == "1" { middle = $3 }
+    END { start = middle - 2 * slope - 101325; exit !(slope > 1e4 && square ^ 2 < 1e-18 * slope ^ 2 && start ^ 2 < 1e-4) }' \
     "$work/surface/surface.csv" || fail "surface: $(cat "$work/surface/surface.csv")"
+  tank_plan "$plan" 'design = "latin_hypercube"' 'points = 9' '[[factor]]' 'key = "ambient.temperature"' 'range = [290, 300]' '[analysis]' \
+    'response_surface = true'
+  expect 0 "surface.csv, pressure_Pa: no surface, it does not vary" "$gasjet" study run "$plan" --out "$work/flat"
   # Points of a file, written by another program.
   printf 'flow,other\n0.05,1\n0.1,2\n' >"$work/points.csv"
   tank_plan "$plan" 'design = "file"' 'file = "points.csv"' '[[factor]]' 'key = "inflator.0.mass_flow"' 'name = "flow"'

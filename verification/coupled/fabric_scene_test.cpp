@@ -127,7 +127,7 @@ TEST(fabric_scene, initial_shape_comes_from_a_file) {
   const driver::Scene scene = driver::read_scene(document);
   EXPECT_TRUE(scene.bag->initial_position == bag.opened);
   EXPECT_TRUE(scene.bag->mesh.nodes == bag.mesh.nodes);
-  EXPECT_NE(with("file = \"design.k\"").find("not positive"), std::string::npos);
+  EXPECT_NE(with("file = \"design.k\"").find("no volume: the sheets lie on each other"), std::string::npos);
   EXPECT_NE(with("file = \"design.k\", initial_file = \"other.obj\"").find("same order"), std::string::npos);
   EXPECT_NE(with("file = \"design.k\", initial_file = \"none.obj\"").find("none.obj"), std::string::npos);
 }

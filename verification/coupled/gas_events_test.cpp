@@ -58,6 +58,22 @@ TEST(gas_events, vents_that_stay_shut_are_told) {
   EXPECT_EQ(run.outcome.notes[1], "vent.2 never opened: its trigger was never on");
 }
 
+TEST(gas_events, inflators_that_never_fire_are_told) {
+  const CaseRun run =
+      run_case("rigid_tank", {"sensor=[{name=\"high\",overpressure=1e9}]", "inflator.0.trigger=high"});
+  ASSERT_EQ(run.outcome.notes.size(), 1u);
+  EXPECT_EQ(run.outcome.notes[0].find("inflator.0 never fired: its sensor comes on at 1e+09 Pa, the largest"),
+            0u);
+}
+
+TEST(gas_events, fabric_beyond_its_table_is_told) {
+  const Texts short_table{"fabric.velocity.overpressure=[0,100]", "fabric.velocity.value=[0,0.05]"};
+  EXPECT_EQ(run_case("bag_leak_table").outcome.notes, std::vector<std::string>{});
+  const CaseRun run = run_case("bag_leak_table", short_table);
+  ASSERT_EQ(run.outcome.notes.size(), 1u);
+  EXPECT_EQ(run.outcome.notes[0].find("a fabric's velocity is known up to 100 Pa and was held beyond"), 0u);
+}
+
 TEST(gas_events, outlets_that_the_bag_has_left_are_told) {
   const Texts short_run{"scene.end_time=0.02"};
   EXPECT_EQ(run_case("passenger_pendulum", short_run).outcome.notes, std::vector<std::string>{});

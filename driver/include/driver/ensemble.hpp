@@ -2,6 +2,7 @@
 // Perturbed runs of one scene: a chaotic scene has a distribution, not a result.
 #pragma once
 
+#include <algorithm>
 #include <deque>
 #include <map>
 #include <string>
@@ -105,7 +106,11 @@ struct Effect {
   double difference = 0.0;
   double standard_errors = 0.0;
   /// Fewer than 16 runs on either side say too little of the scatter to decide anything.
-  bool decided() const { return with.count >= 16 && without.count >= 16 && standard_errors > 5.0; }
+  static constexpr int least_runs = 16;
+  static constexpr double least_standard_errors = 5.0;
+  bool decided() const {
+    return std::min(with.count, without.count) >= least_runs && standard_errors > least_standard_errors;
+  }
 };
 std::vector<Effect> effects(const EnsembleResult& with, const EnsembleResult& without);
 

@@ -28,4 +28,11 @@ std::optional<double> number_of(std::string_view text) {
   return std::nullopt;
 }
 
+std::optional<double> fraction_of(std::string_view text) {
+  const bool percent = text.ends_with('%');
+  auto value = number_of(text.substr(0, text.size() - (percent ? 1 : 0)));
+  if (value && percent) *value /= 100.0;
+  return value;
+}
+
 }  // namespace driver

@@ -162,7 +162,12 @@ void TableReader::allow_only(const std::set<std::string>& names) const {
 }
 
 void TableReader::finish() const {
-  allow_only(asked_);
+  std::set<std::string> names = asked_;
+  const std::string head = path_.empty() ? "" : path_ + ".";  // of its keys
+  for (const std::string& path : log_->may_be_absent)
+    if (path.starts_with(head) && path.find('.', head.size()) == std::string::npos)
+      names.insert(path.substr(head.size()));
+  allow_only(names);
 }
 
 }  // namespace driver

@@ -51,14 +51,19 @@ void print_text(const CompareArguments& a, const Difference& difference) {
     fmt::print("sees: the change of the reference's peak that would be outside in nine of ten cases\n");
   fmt::print("{}{}\n", verdict_name(difference.verdict),
              difference.reason.empty() ? "" : ": " + difference.reason);
+  if (means && difference.verdict == Verdict::outside)
+    fmt::print(
+        "the reference's runs start from nodes displaced at random (membrane.perturbation), and have their "
+        "rows by output.history_exact of the case: are mine alike?\n");
 }
 
 double part_of_one(const std::string& option, std::string_view text) {
-  const auto share = number_of(text);
+  const auto share = fraction_of(text);
   if (!share || *share < 0.0 || *share > 1.0)
-    throw CaseError(fmt::format(
-        "--tolerance {}: '{}' is no share, a finite number from 0 to 1, or COLUMN=SHARE, is allowed", option,
-        text));
+    throw CaseError(
+        fmt::format("--tolerance {}: '{}' is no share, a finite number from 0 to 1, such as 0.02 or 2%, or "
+                    "COLUMN=SHARE, is allowed",
+                    option, text));
   return *share;
 }
 

@@ -16,10 +16,7 @@ namespace {
 const std::vector<std::string> files_of_cost{"cost.csv", "cost.json", "cost.txt"};
 
 void print(const CostArguments& arguments, const CostResult& result, const Provenance& lines) {
-  if (arguments.format == "json")
-    fmt::print("{}", cost_json(result, lines));
-  else if (!arguments.quiet)
-    fmt::print("{}", cost_text(result));
+  fmt::print("{}", arguments.format == "json" ? cost_json(result, lines) : cost_text(result));
 }
 
 void write(ResultFolder& folder, const CostResult& result) {

@@ -46,6 +46,8 @@ void print_effects(const std::vector<Effect>& list) {
   for (const Effect& e : list)
     fmt::print("  {:28} {:12.5g} {:12.3g} {:>10}\n", e.quantity, e.difference, e.standard_errors,
                e.decided() ? "decided" : "undecided");
+  fmt::print("decided: more than {:g} standard errors, by {} runs of each case at least\n",
+             Effect::least_standard_errors, Effect::least_runs);
 }
 
 std::string effects_text(const std::vector<Effect>& list) {

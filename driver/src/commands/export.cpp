@@ -10,20 +10,19 @@
 #include "driver/results.hpp"
 #include "export/feature.hpp"
 #include "export/writers.hpp"
+#include "scene/bag_mesh.hpp"
 
 namespace driver::commands {
 namespace {
 
-// A bag of 600 m is one of millimetres taken for metres, and its deck would run.
+// Its deck would run.
 void require_size(const Scene& scene, bool any_size) {
-  constexpr double smallest = 0.02, largest = 10.0;  // [m] no airbag is
-  const auto& nodes = scene.bag->mesh.nodes;
-  const double extent = (nodes.rowwise().maxCoeff() - nodes.rowwise().minCoeff()).maxCoeff();
-  if (any_size || (extent >= smallest && extent <= largest)) return;
+  const auto extent = unlikely_extent(scene.bag->mesh);
+  if (any_size || !extent) return;
   throw CaseError(
-      fmt::format("{}: membrane.mesh: the bag's longest extent is {:.6g} m, {} to {} m are allowed: "
+      fmt::format("{}: membrane.mesh: the bag's longest extent is {:.6g} m, 0.02 to 10 m are allowed: "
                   "length_unit says what a file's coordinates mean; --any-size takes it as it is",
-                  scene.case_file.string(), extent, smallest, largest));
+                  scene.case_file.string(), *extent));
 }
 
 std::string json_of(const Deck& deck, const std::vector<UsedFeature>& used,

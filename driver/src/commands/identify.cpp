@@ -222,6 +222,9 @@ std::vector<std::string> doubts(const IdentifyArguments& a, const gas::Identifie
         "a tank with these curves misses the smoothed tank pressure by {:.2g} %, noise explains {:.2g} %: "
         "pressures are absolute; sharp pulses need more --points",
         100.0 * found.forward_error, 100.0 * noise));
+  constexpr double longest = 5.0;  // [s] of a record; inflators burn for a tenth of a second
+  if (const double length = points.back().time - points.front().time; length > longest)
+    doubts.push_back(fmt::format("the record is {:.4g} s long: times are in seconds", length));
   const auto peak = std::ranges::max_element(points, {}, &gas::IdentifiedPoint::mass_flow);
   if (!points.back().masked)
     doubts.push_back(

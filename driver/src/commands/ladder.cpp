@@ -4,9 +4,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <charconv>
 #include <cmath>
 
+#include "case/number_text.hpp"
 #include "commands/commands.hpp"
 #include "driver/progress.hpp"
 #include "driver/results.hpp"
@@ -14,17 +14,12 @@
 namespace driver::commands {
 namespace {
 
-// "2%" or "0.02".
 double read_tolerance(const std::string& text) {
-  const bool percent = text.ends_with('%');
-  const std::string digits = percent ? text.substr(0, text.size() - 1) : text;
-  double value = 0.0;
-  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-  if (percent) value /= 100.0;
-  if (error != std::errc{} || end != digits.data() + digits.size() || !(value > 0.0 && value <= 1.0))
+  const auto value = fraction_of(text);
+  if (!value || !(*value > 0.0 && *value <= 1.0))
     throw CaseError(
         fmt::format("--tolerance {}: a share above 0 up to 1, such as 0.02 or 2%, is allowed", text));
-  return value;
+  return *value;
 }
 
 // Per cent of the reference, from where the quantity counts.

@@ -87,6 +87,10 @@ void print_report(const BagMesh& bag) {
   if (bag.initial) print_quality("initial shape", *bag.initial, mesh.elements);
   for (const auto& [back, front] : bag.strap_anchors)
     fmt::print("strap anchors: nodes {} and {}\n", back, front);
+  if (const auto extent = unlikely_extent(mesh))
+    fmt::print(
+        "longest extent: {:.3g} m; --length-unit says what a file's coordinates mean, 1e-3 millimetres\n",
+        *extent);
   const auto faults = membrane::check_closed_surface(bag.shape(), mesh.elements).describe(mesh.line);
   fmt::print("{}", faults.empty() ? "closed control volume: yes\n" : "closed control volume: no\n" + faults);
 }
@@ -136,6 +140,10 @@ void print_reading(membrane::Mesh& mesh, const MeshArguments& arguments) {
     if (!list->empty()) fmt::print("{}: {}\n", what, fmt::join(*list, ", "));
   if (mesh.split_quads > 0)
     fmt::print("quads split in two along their shorter diagonal: {}\n", mesh.split_quads);
+  const int before = mesh.node_count();
+  mesh = membrane::used_nodes(std::move(mesh));
+  if (mesh.node_count() < before)
+    fmt::print("nodes that no element uses, left out: {}\n", before - mesh.node_count());
   if (!arguments.merge) return;
   const auto merged = membrane::merge_nodes(mesh, *arguments.merge);
   fmt::print("nodes merged within {:g} m: {}\n", *arguments.merge, merged.nodes);

@@ -94,9 +94,23 @@ class XmlText {
   std::size_t at_ = 0;
 };
 
-void name_panels(membrane::Mesh& mesh) {
-  const int panels = 1 + *std::max_element(mesh.panel.begin(), mesh.panel.end());
-  for (int i = 0; i < panels; ++i) mesh.panel_names.push_back(fmt::format("panel_{}", i));
+// By the header of the run's frames, if it has those elements.
+void name_panels(membrane::Mesh& mesh, const Json& header) {
+  const auto elements = static_cast<std::size_t>(mesh.element_count());
+  const Json panels = header.value("panels", Json::array()),
+             names = header.value("panel_names", Json::array());
+  const auto is_panel = [&](const Json& panel) {
+    return panel.is_number_unsigned() && panel.get<std::size_t>() < names.size();
+  };
+  if (panels.size() == elements && std::ranges::all_of(panels, is_panel) &&
+      std::ranges::all_of(names, &Json::is_string)) {
+    mesh.panel = panels.get<std::vector<int>>();
+    mesh.panel_names = names.get<std::vector<std::string>>();
+    return;
+  }
+  mesh.panel.resize(elements, 0);
+  const int count = 1 + *std::max_element(mesh.panel.begin(), mesh.panel.end());
+  for (int i = 0; i < count; ++i) mesh.panel_names.push_back(fmt::format("panel_{}", i));
 }
 
 membrane::Mesh read_polydata(const std::filesystem::path& file) {
@@ -117,7 +131,6 @@ membrane::Mesh read_polydata(const std::filesystem::path& file) {
     if (mesh.panel.back() < 0 || mesh.panel.back() >= mesh.element_count())
       fail(file, "a panel is out of range");
   }
-  name_panels(mesh);
   return mesh;
 }
 
@@ -134,7 +147,12 @@ BagShape of_fields(const std::filesystem::path& collection, double time) {
   if (times.empty()) fail(collection, "names no bag");
   const std::size_t i = nearest(times, time, collection);
   if (files[i].find('/') != std::string::npos) fail(collection, "names a file of another folder");
-  return {read_polydata(collection.parent_path() / files[i]), times[i], files[i], 0.0};
+  BagShape shape{read_polydata(collection.parent_path() / files[i]), times[i], files[i], 0.0};
+  std::error_code ignored;
+  const auto frames = collection.parent_path() / "frames.bin";
+  name_panels(shape.mesh,
+              std::filesystem::exists(frames, ignored) ? load_frames(frames).header : Json::object());
+  return shape;
 }
 
 double scalar(const Frames& frames, std::size_t frame, const char* name) {
@@ -171,8 +189,7 @@ BagShape of_frames(const std::filesystem::path& file, double time) {
     for (Eigen::Index k = 0; k < 3; ++k)
       shape.mesh.elements(k, e) =
           triangles[static_cast<std::size_t>(e)].at(static_cast<std::size_t>(k)).get<int>();
-  shape.mesh.panel.assign(triangles.size(), 0);
-  name_panels(shape.mesh);
+  name_panels(shape.mesh, frames.header);
   return shape;
 }
 

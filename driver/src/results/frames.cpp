@@ -58,6 +58,8 @@ double largest_distance(const Eigen::Vector3d& from, const Eigen::Matrix3Xd& poi
 
 // What a bag has beside its skin.
 void add_bag(Json& json, const BagPart& bag) {
+  json["panel_names"] = bag.mesh.panel_names;
+  json["panels"] = bag.mesh.panel;  // of each element
   for (const auto& strap : bag.model.description.straps)
     json["straps"].push_back({strap.node_a, strap.node_b});
   for (const auto& plate : bag.model.description.plates)

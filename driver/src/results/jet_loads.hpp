@@ -12,7 +12,7 @@ namespace driver {
 
 struct JetLoads {
   std::vector<double> overpressure;  // [Pa]
-  std::vector<std::uint8_t> mask;  // 0 no load, 1 in a jet but hidden or facing away, 2 lit, if only in part
+  std::vector<std::uint8_t> mask;  // 0 outside or facing away, 1 in a jet but hidden, 2 lit, if only in part
 
   void add(std::size_t e, double pressure, std::uint8_t value) {
     overpressure[e] += pressure;

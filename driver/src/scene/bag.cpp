@@ -52,9 +52,14 @@ membrane::SurfaceReport faults_of(const BagMesh& source, Closed closed) {
   return report;
 }
 
-// As a file leaves it whose elements have their corners for themselves, rounded.
-bool is_torn(const membrane::SurfaceReport& report) {
-  return !report.boundary_edges.empty() && !report.components.empty();
+// What `gasjet mesh convert` can do about it.
+std::string remedy(const membrane::SurfaceReport& report, Closed closed) {
+  std::vector<std::string> remedies;
+  if (closed == Closed::needed && !report.boundary_edges.empty())
+    remedies.emplace_back("--merge DISTANCE joins nodes that nearly meet");
+  if (report.inward || !report.inconsistent_edges.empty()) remedies.emplace_back("--outward turns elements");
+  if (!report.unused_nodes.empty()) remedies.emplace_back("it leaves out nodes that no element uses");
+  return remedies.empty() ? "" : fmt::format("(gasjet mesh convert: {})\n", fmt::join(remedies, "; "));
 }
 
 BagMesh mesh_of_files(TableReader& table, Closed closed) {
@@ -68,10 +73,10 @@ BagMesh mesh_of_files(TableReader& table, Closed closed) {
     });
   require_areas(source.mesh, file);
   if (const auto report = faults_of(source, closed); !report.ok())
-    throw CaseError(fmt::format(
-        "{}: mesh: is not a {}: {}{}", place_of_element(source.mesh, file, report.first_element()),
-        closed == Closed::free ? "sheet" : "closed control volume", report.describe(source.mesh.line),
-        is_torn(report) ? "(gasjet mesh convert --merge DISTANCE joins nodes that nearly meet)\n" : ""));
+    throw CaseError(fmt::format("{}: mesh: is not a {}: {}{}",
+                                place_of_element(source.mesh, file, report.first_element()),
+                                closed == Closed::free ? "sheet" : "closed control volume",
+                                report.describe(source.mesh.line), remedy(report, closed)));
   return source;
 }
 
@@ -148,15 +153,12 @@ void warn_of_leaks(const membrane::BagDescription& bag, LeakLaw law, Scene& scen
     scene.warnings.emplace_back("fabric.porosity has no effect with leak_law = \"none\"");
 }
 
-// Millimetres read as metres run, and give numbers that look like results.
 void warn_of_size(const membrane::Mesh& mesh, Scene& scene) {
-  constexpr double smallest = 0.02, largest = 10.0;  // [m] no airbag is
-  const double extent = (mesh.nodes.rowwise().maxCoeff() - mesh.nodes.rowwise().minCoeff()).maxCoeff();
-  if (extent < smallest || extent > largest)
+  if (const auto extent = unlikely_extent(mesh))
     scene.warnings.push_back(
         fmt::format("membrane.mesh: the bag's longest extent is {:.3g} m; of a mesh from a file length_unit "
                     "says what its coordinates mean",
-                    extent));
+                    *extent));
 }
 
 // A sliver sets the step of the whole bag.

@@ -59,6 +59,13 @@ std::vector<std::string> vent_panels(const membrane::Mesh& mesh) {
   return names;
 }
 
+std::optional<double> unlikely_extent(const membrane::Mesh& mesh) {
+  constexpr double smallest = 0.02, largest = 10.0;  // [m]
+  const double extent = (mesh.nodes.rowwise().maxCoeff() - mesh.nodes.rowwise().minCoeff()).maxCoeff();
+  if (extent >= smallest && extent <= largest) return {};
+  return extent;
+}
+
 std::string place_of_element(const membrane::Mesh& mesh, const std::filesystem::path& file, int element) {
   if (mesh.line.empty()) return file.string();
   return fmt::format("{}:{}:1", file.string(), mesh.line[static_cast<std::size_t>(element)]);
@@ -114,6 +121,14 @@ void set_initial(BagMesh& bag, const membrane::Mesh& shape) {
       shape.elements != bag.mesh.elements)
     throw std::invalid_argument(
         "the initial shape needs the nodes and elements of the design shape in the same order");
+  constexpr double most = 100.0;  // a folded skin keeps its area, nearly
+  const double design = membrane::element_areas(bag.mesh.nodes, bag.mesh.elements).sum(),
+               initial = membrane::element_areas(shape.nodes, shape.elements).sum();
+  if (!(initial * most >= design && initial <= design * most))
+    throw std::invalid_argument(fmt::format(
+        "the initial shape has {:.3g} m2 of skin, the design shape {:.3g} m2: length_unit is that "
+        "of both files; gasjet mesh state writes metres",
+        initial, design));
   bag.initial = shape.nodes;
 }
 

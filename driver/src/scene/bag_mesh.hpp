@@ -38,6 +38,10 @@ BagMesh generate(const membrane::DriverBagOptions& options);
 /// Names of the panels that begin with "vent": the generators' null panels.
 std::vector<std::string> vent_panels(const membrane::Mesh& mesh);
 
+/// Longest extent [m] of a mesh if no airbag has it: millimetres taken for metres run, and give numbers that
+/// look like results.
+std::optional<double> unlikely_extent(const membrane::Mesh& mesh);
+
 /// `file:line:1` of an element, or `file` if the mesh has no lines.
 std::string place_of_element(const membrane::Mesh& mesh, const std::filesystem::path& file, int element);
 /// Throws CaseError at the line of the first element without area of a mesh read from `file`.
@@ -51,7 +55,8 @@ void refine(BagMesh& bag, int times, const std::vector<std::string>& null_panels
 /// Numbers the nodes of a large bag by membrane::node_order, those of both shapes and the anchors.
 void order_nodes(BagMesh& bag);
 
-/// Takes the nodes of `shape` as initial shape. Throws std::invalid_argument unless it has the same elements.
+/// Takes the nodes of `shape` as initial shape. Throws std::invalid_argument unless it has the same elements,
+/// and areas of the same order.
 void set_initial(BagMesh& bag, const membrane::Mesh& shape);
 
 }  // namespace driver

@@ -14,6 +14,7 @@
 namespace driver {
 namespace {
 
+const Bounds above_zero_or_type{positive.low, positive.high, true, "a number above 0 (or outlet_type)"};
 const Bounds below_one{0.0, std::nextafter(1.0, 0.0), false, "a number from 0 to below 1"};
 const Bounds below_right_angle{0.0, std::nextafter(0.5 * std::numbers::pi, 0.0), false, "0 to below pi/2",
                                "rad"};
@@ -22,7 +23,7 @@ const Bounds below_right_angle{0.0, std::nextafter(0.5 * std::numbers::pi, 0.0),
 double read_decay_coefficient(TableReader& table, jet::OutletShape shape) {
   using Type = jet::OutletType;
   const bool has_number = table.has("decay_coefficient");
-  if (!table.has("outlet_type")) return table.at("decay_coefficient").number(positive);
+  if (!table.has("outlet_type")) return table.at("decay_coefficient").number(above_zero_or_type);
   if (has_number) table.fail("outlet_type", "stands beside decay_coefficient, one of the two is allowed");
   return jet::decay_coefficient(shape == jet::OutletShape::round
                                     ? table.at("outlet_type")
@@ -74,6 +75,12 @@ jet::OutletModel read_outlet(TableReader& table, const jet::JetModel& model) {
           .choice<jet::OutletTemperature>({{"static", jet::OutletTemperature::static_value},
                                            {"stagnation", jet::OutletTemperature::stagnation}},
                                           "static");
+  if (outlet.law == jet::OutletLaw::pressure_matched &&
+      outlet.temperature == jet::OutletTemperature::static_value)
+    table.fail(
+        "temperature",
+        "is \"static\", the default; with outlet = \"pressure_matched\" \"stagnation\" is allowed: the "
+        "inflator's temperature is then that of the gas at rest");
   outlet.area = jet::outlet_area(model);
   if (!(outlet.area > 0.0 && std::isfinite(outlet.area)))
     table.fail(model.shape == jet::OutletShape::round ? "radius" : "short_side",
@@ -128,9 +135,9 @@ void warn_if_coarse(const jet::JetModel& model, std::size_t inflator, const Eige
   const double width = jet::section(model, 0.0).width;
   if (longest > 1.5 * width)
     warnings.push_back(fmt::format(
-        "jet of inflator {}: element sides of up to {:.3g} m are too coarse for its width of {:.3g} m "
-        "at the outlet: its force is a matter of chance",
-        inflator, longest, width));
+        "jet of inflator {}: element sides of up to {:.3g} m are too coarse for its width of {:.3g} m (1/e) "
+        "at the outlet: its force is a matter of chance; finer elements or inflator.{}.jet.subdivisions help",
+        inflator, longest, width, inflator));
 }
 
 // A target behind the outlet, or facing the wrong way, would feel nothing: a slip.

@@ -112,6 +112,20 @@ void note_never_on(const Scene& scene, const State& state, RunOutcome& outcome) 
   note(scene.gas->model.inflows, "inflator", "fired");
 }
 
+// A measured fabric beyond what was measured.
+void note_held_velocities(const Scene& scene, const State& state, RunOutcome& outcome) {
+  if (!scene.gas) return;
+  const double largest = state.peaks.pressure - scene.ambient.pressure;
+  for (const gas::Fabric& fabric : scene.gas->model.fabrics) {
+    if (!fabric.velocity || largest <= fabric.velocity->knots().back().time) continue;
+    outcome.notes.push_back(fmt::format(
+        "a fabric's velocity is known up to {:.6g} Pa and was held beyond, the largest overpressure was "
+        "{:.6g} Pa",
+        fabric.velocity->knots().back().time, largest));
+    return;
+  }
+}
+
 // Outlets stay where they are, also if a bag that nothing holds flies off.
 void note_left_outlets(const Scene& scene, const State& state, RunOutcome& outcome) {
   if (!state.bag) return;
@@ -152,6 +166,7 @@ RunOutcome run_scene(const Scene& scene, State& state, const LevelSink& sink, co
   outcome.cpu_seconds = clock.total();
   if (outcome.status == RunStatus::done) {
     note_never_on(scene, state, outcome);
+    note_held_velocities(scene, state, outcome);
     note_left_outlets(scene, state, outcome);
   }
   judge_drift(scene, state, outcome);

@@ -90,6 +90,12 @@ std::string surface_text(const StudyPlan& plan, const StudyRuns& runs, StudyNote
     std::vector<double> values;
     for (std::size_t p = 0; p < means.size(); ++p)
       if (means[p]) points.push_back((*scaled)[p]), values.push_back(*means[p]);
+    constexpr double rounding = 1e-12;
+    if (const auto [least, greatest] = std::ranges::minmax(values);
+        greatest - least <= rounding * std::max(std::abs(least), std::abs(greatest))) {
+      notes.push_back(fmt::format("surface.csv, {}: no surface, it does not vary", plan.quantities[q]));
+      continue;
+    }
     const auto surface = fit_surface(points, values);
     if (!surface) {
       notes.push_back(fmt::format("surface.csv, {}: no surface, the {} of {} points with a mean are too few",

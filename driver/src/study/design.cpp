@@ -182,8 +182,12 @@ std::optional<std::vector<std::vector<double>>> scaled_points(const StudyPlan& p
       numbers.push_back(*number);
       if (plan.factors[f].logarithmic) numbers.back() = std::log(numbers.back());
     }
-    const auto [low, high] = std::ranges::minmax(numbers);
+    auto [low, high] = std::ranges::minmax(numbers);
     if (!(high > low)) return std::nullopt;
+    if (const StudyFactor& factor = plan.factors[f]; factor.high > factor.low) {
+      low = factor.logarithmic ? std::log(factor.low) : factor.low;
+      high = factor.logarithmic ? std::log(factor.high) : factor.high;
+    }
     for (std::size_t i = 0; i < numbers.size(); ++i)
       scaled[i].push_back(2.0 * (numbers[i] - low) / (high - low) - 1.0);
   }

@@ -175,8 +175,8 @@ Statistics statistics_at(const StudyPlan& plan, const StudyRuns& runs, std::size
 std::vector<double> differences(const StudyPlan& plan, const StudyRuns& runs, std::size_t point,
                                 std::size_t quantity);
 
-/// [point][factor] in [-1, 1] between the least and the greatest number of the factor (of their logarithms on
-/// a logarithmic scale). None if a level is no number or a factor does not vary.
+/// [point][factor] in [-1, 1] between the ends of the factor's range, or else its least and greatest number
+/// (of their logarithms on a logarithmic scale). None if a level is no number or a factor does not vary.
 std::optional<std::vector<std::vector<double>>> scaled_points(const StudyPlan& plan);
 
 }  // namespace driver

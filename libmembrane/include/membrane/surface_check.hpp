@@ -30,6 +30,7 @@ struct SurfaceReport {
   std::vector<std::vector<int>> components;
   bool empty = false;   // no element at all
   bool inward = false;  // closed, but the enclosed volume is <= 0
+  bool flat = false;    // closed, but the enclosed volume is 0 to rounding
   /// [m3] Enclosed volume; computed only if the surface is closed and consistently oriented.
   double volume = 0.0;
 

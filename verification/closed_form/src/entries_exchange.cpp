@@ -37,7 +37,8 @@ Entry ambient_inrush_entry() {
 Entry heat_loss_fill_entry() {
   return {"heat_loss_fill",
           "Constant inflow into a rigid tank that loses heat through its walls",
-          "T - T_inf = (T0 - T_inf) (1 + mdot t/m0)^-(1 + hA/(mdot cv))",
+          "T - T_inf = (T0 - T_inf) (1 + mdot t/m0)^-(1 + hA/(mdot cv)); T_inf = (mdot cp T_in + hA "
+          "T_ext)/(mdot cv + hA)",
           "linear energy balance, derived here",
           "t >= 0",
           14,

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 #include "membrane/icosphere.hpp"
@@ -96,6 +98,33 @@ TEST(Polygons, quads_are_split_and_unused_nodes_left_out) {
   EXPECT_EQ(mesh.split_quads, 1);
   EXPECT_TRUE(mesh.elements == (Eigen::Matrix3Xi(3, 3) << 1, 1, 0, 2, 3, 3, 3, 0, 4).finished());
   EXPECT_TRUE(mesh.line.empty());
+}
+
+// In each corner both sheets have the diagonal between two nodes of the seam for their shorter one.
+TEST(Polygons, two_sheets_of_quads_are_closed) {
+  constexpr int n = 4;
+  Eigen::Matrix3Xd nodes(3, 2 * (n + 1) * (n + 1));
+  const auto node = [](int sheet, int i, int j) {
+    const bool seam = i == 0 || j == 0 || i == n || j == n;
+    return (seam ? 0 : sheet * (n + 1) * (n + 1)) + i * (n + 1) + j;
+  };
+  std::vector<std::vector<int>> quads;
+  for (int sheet = 0; sheet < 2; ++sheet)
+    for (int i = 0; i <= n; ++i)
+      for (int j = 0; j <= n; ++j) {
+        const double x = 2.0 * i / n - 1.0, y = 2.0 * j / n - 1.0;  // rounder than a square: a lens
+        const double r = std::max(1.0, std::hypot(x, y));
+        nodes.col(sheet * (n + 1) * (n + 1) + i * (n + 1) + j) << x / r, y / r,
+            (sheet == 0 ? 0.3 : -0.3) * (1.0 - x * x) * (1.0 - y * y);
+        if (i == n || j == n) continue;
+        quads.push_back(
+            {node(sheet, i, j), node(sheet, i + 1, j), node(sheet, i + 1, j + 1), node(sheet, i, j + 1)});
+        if (sheet == 1) std::reverse(quads.back().begin(), quads.back().end());
+      }
+  const Mesh mesh = membrane::mesh_of_polygons(nodes, quads);
+  const auto report = membrane::check_closed_surface(mesh.nodes, mesh.elements);
+  EXPECT_TRUE(report.ok()) << report.describe();
+  EXPECT_EQ(mesh.split_quads, 2 * n * n);
 }
 
 TEST(Polygons, bad_ones_are_named) {

@@ -131,6 +131,16 @@ TEST(SurfaceCheck, node_pinched_within_one_component_is_found) {
   EXPECT_FALSE(report.ok());
 }
 
+TEST(SurfaceCheck, sheets_on_each_other_are_flat_not_inward) {
+  Mesh mesh = membrane::icosphere(0.3, 3);
+  mesh.nodes.row(2).setConstant(0.2);
+  const SurfaceReport report = check(mesh);
+  EXPECT_TRUE(report.flat);
+  EXPECT_EQ(report.describe(),
+            "no volume: the sheets lie on each other, and need an initial shape that is open\n");
+  EXPECT_FALSE(check(membrane::icosphere(0.3, 3)).flat);
+}
+
 TEST(SurfaceCheck, inward_orientation_is_negative_volume) {
   Mesh mesh = membrane::icosphere(1.0, 2);
   const double outward = check(mesh).volume;
