@@ -3,7 +3,7 @@
 # Makes the tables and pictures of docs/charts and docs/figures: those of the plans of cases/studies, and
 #   ladders       all of: ladder_passenger, the paper's scene, each rung the mean of 16 runs; ladder_passenger_5, to 5 % with a mesh four
 #                 times as fine; ladder_passenger_effects, its effects alone on its own mesh to 5 %, more runs where a
-#                 verdict is open; ladder_sharp and ladder_sharp_5, the sharp scene to 2 and to 5 %,
+#                 verdict is open; ladder_sharp and ladder_sharp_5, the scene with friction to 2 and to 5 %,
 #                 a mesh four times as fine
 #   jet_cost      what the jet and the other parts of the scene cost: the one source of such numbers in README and docs
 #   jet_effect    README's figure and table: ensembles with and without jet, 32 runs each

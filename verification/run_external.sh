@@ -27,14 +27,18 @@ fail() {
   exit 2
 }
 
-# is_share TEXT: a number from 0 to 1
+# is_share TEXT: a number from 0 to 1, or of per cent
 is_share() {
-  [[ $1 =~ ^[0-9]*\.?[0-9]+([eE][-+]?[0-9]+)?$ ]] && ! awk -v share="$1" 'BEGIN { exit share + 0 <= 1 }'
+  [[ $1 =~ ^[0-9]*\.?[0-9]+([eE][-+]?[0-9]+)?%?$ ]] && ! awk -v share="$1" 'BEGIN { exit share + 0 <= (share ~ /%$/ ? 100 : 1) }'
 }
 
 tolerance=0 tolerances='' limit=3600 scenes='' out=''
 while [[ ${1:-} == -* ]]; do
   case $1 in
+    --help)
+      sed -n '3,/^set /{/^set /d;s/^# \{0,1\}//;p}' "${BASH_SOURCE[0]}"
+      exit 0
+      ;;
     --tolerance | --tolerances | --timeout | --scenes | --out) (($# > 1)) || fail "$1 needs a value" ;;
     *) fail "unknown option $1; allowed before the command: --tolerance, --tolerances, --timeout, --scenes, --out" ;;
   esac
@@ -47,7 +51,7 @@ while [[ ${1:-} == -* ]]; do
   esac
   shift 2
 done
-is_share "$tolerance" || fail "--tolerance $tolerance: a share from 0 to 1 is allowed"
+is_share "$tolerance" || fail "--tolerance $tolerance: a share from 0 to 1, such as 0.02 or 2%, is allowed"
 [[ $limit =~ ^[1-9][0-9]*$ ]] || fail "--timeout $limit: a whole number of seconds above 0 is allowed"
 [[ $scenes =~ ^[a-z_\ ]*$ ]] || fail "--scenes: names of scenes are allowed, such as tank_fill,plate_jet"
 (($# > 0)) || fail "needs the command of a program"
@@ -92,8 +96,8 @@ read_tolerances() {
     $1 != "*" && !($1 in scene) { refuse(1, "scene: no scene \047" $1 "\047, those of the reference set and * are allowed") }
     $2 != "*" && ($1 == "*" ? !($2 in column) : !(($1, $2) in pair)) {
       refuse(length($1) + 2, "column: no column \047" $2 "\047 of " ($1 == "*" ? "any scene" : $1) ", those with a band and * are allowed") }
-    $3 !~ /^[0-9]*\.?[0-9]+([eE][-+]?[0-9]+)?$/ || $3 + 0 > 1 {
-      refuse(length($1) + length($2) + 3, "tolerance: \047" $3 "\047, a share from 0 to 1 is allowed") }
+    $3 !~ /^[0-9]*\.?[0-9]+([eE][-+]?[0-9]+)?%?$/ || $3 + 0 > ($3 ~ /%$/ ? 100 : 1) {
+      refuse(length($1) + length($2) + 3, "tolerance: \047" $3 "\047, a share from 0 to 1, such as 0.02 or 2%, is allowed") }
     { rows = rows $1 " " $2 " " $3 "\n" }
     END { if (!bad && !header) { rows = file ":1:1: is empty, the header scene,column,tolerance is needed"; bad = 1 }; printf "%s", rows; exit bad }' <(echo "$known") "$tolerances"
 }
@@ -153,7 +157,7 @@ for scene in $scenes; do
   (scene_as_json "$scene") >"$work/$scene.json" || fail "$scene: no JSON"
   rm -f "$work/$scene.csv" # of an earlier run
   start=$EPOCHREALTIME
-  timeout "$limit" "$@" "$work/$scene.json" "$work/$scene.csv" </dev/null >"$work/$scene.log" 2>&1
+  { timeout "$limit" "$@" "$work/$scene.json" "$work/$scene.csv" </dev/null >"$work/$scene.log" 2>&1; } 2>/dev/null
   status=$?
   seconds=$(awk -v from="$start" -v to="$EPOCHREALTIME" 'BEGIN { printf "%.3f", to - from }')
   if ((status == 77)); then
@@ -162,8 +166,16 @@ for scene in $scenes; do
     continue
   fi
   judged=$((judged + 1))
-  if ((status != 0)); then
+  reason=''
+  if ((status == 124)); then
+    reason="the program took longer than $limit s"
+  elif ((status != 0)); then
     reason="the program failed with exit code $status: $(tail -1 "$work/$scene.log")"
+  elif [[ ! -e $work/$scene.csv ]]; then
+    reason="the program wrote no history: $(tail -1 "$work/$scene.log")"
+  fi
+  if [[ -n $reason ]]; then
+    [[ -n $out ]] || reason+=' (--out keeps what it was given and what it said)'
     echo "$scene: $reason"
     report_scene "$scene" "$seconds" failed "$reason"
     note 2

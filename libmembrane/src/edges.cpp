@@ -2,6 +2,7 @@
 #include "edges.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace membrane {
 
@@ -27,6 +28,10 @@ std::vector<EdgeGroup> edge_groups(const std::vector<HalfEdge>& edges) {
     groups.emplace_back(&edges[begin], end - begin);
   }
   return groups;
+}
+
+bool is_flat(double volume, double area) {
+  return std::abs(volume) <= 1e-12 * area * std::sqrt(area);
 }
 
 }  // namespace membrane

@@ -20,6 +20,9 @@ using EdgeGroup = std::span<const HalfEdge>;  // all half edges between the same
 /// elements. An edge from a node to itself is left out.
 std::vector<HalfEdge> sorted_edges(const Eigen::Ref<const Eigen::Matrix3Xi>& elements);
 
+/// True if a surface of `area` [m2] encloses no `volume` [m3] but rounding.
+bool is_flat(double volume, double area);
+
 /// Groups of sorted `edges`, which must outlive them.
 std::vector<EdgeGroup> edge_groups(const std::vector<HalfEdge>& edges);
 

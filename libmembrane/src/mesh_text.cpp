@@ -9,8 +9,10 @@
 #include <cstdint>
 #include <cstdio>
 #include <fstream>
+#include <numeric>
 #include <stdexcept>
 #include <system_error>
+#include <tuple>
 #include <unordered_set>
 #include <utility>
 
@@ -142,10 +144,27 @@ int MeshBuilder::panel_index(const std::string& panel) {
   return entry->second;
 }
 
+/// One number for all nodes of one position: seams may have nodes of their own on each side.
+std::vector<int> MeshBuilder::positions() const {
+  std::vector<int> order(nodes_.size()), of(nodes_.size());
+  std::iota(order.begin(), order.end(), 0);
+  const auto at = [&](int node) {
+    const Eigen::Vector3d& x = nodes_[static_cast<std::size_t>(node)];
+    return std::tuple(x.x(), x.y(), x.z());
+  };
+  std::ranges::sort(order, {}, at);
+  for (std::size_t i = 0; i < order.size(); ++i)
+    of[static_cast<std::size_t>(order[i])] =
+        i > 0 && at(order[i]) == at(order[i - 1]) ? of[static_cast<std::size_t>(order[i - 1])] : order[i];
+  return of;
+}
+
 /// Turns the corners of each quad, so that it is split from the first to the third.
 void MeshBuilder::split_quads() {
+  const std::vector<int> position = positions();
   std::unordered_set<std::uint64_t> sides;
   const auto add = [&](int a, int b) {  // false if it is there
+    a = position[static_cast<std::size_t>(a)], b = position[static_cast<std::size_t>(b)];
     const auto low = static_cast<std::uint64_t>(std::min(a, b)),
                high = static_cast<std::uint64_t>(std::max(a, b));
     return sides.insert(low << 32 | high).second;

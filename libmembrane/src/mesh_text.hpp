@@ -55,6 +55,7 @@ class MeshBuilder {
     std::size_t size() const { return corners[3] < 0 ? 3 : 4; }
   };
   int panel_index(const std::string& panel);
+  std::vector<int> positions() const;
   void split_quads();
 
   std::vector<Eigen::Vector3d> nodes_;

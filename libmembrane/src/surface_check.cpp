@@ -2,7 +2,6 @@
 #include "membrane/surface_check.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <numeric>
 #include <stdexcept>
@@ -15,7 +14,6 @@
 namespace membrane {
 namespace {
 
-constexpr double kFlat = 1e-12;    // of the area's power: rounding of a volume that is none
 constexpr std::size_t kNamed = 5;  // offenders that describe() names of each kind
 
 struct Disjoint {  // union-find over 0..n-1, path halving; the root is the lowest member
@@ -145,7 +143,7 @@ void describe_edges(const std::string& what, const std::vector<EdgeFault>& edges
 }  // namespace
 
 bool SurfaceReport::ok() const {
-  return !empty && !inward && out_of_range_elements.empty() && repeated_node_elements.empty() &&
+  return !empty && !inward && !flat && out_of_range_elements.empty() && repeated_node_elements.empty() &&
          non_finite_nodes.empty() && boundary_edges.empty() && non_manifold_edges.empty() &&
          inconsistent_edges.empty() && pinched_nodes.empty() && unused_nodes.empty() && components.empty();
 }
@@ -206,7 +204,7 @@ SurfaceReport check_closed_surface(const Eigen::Ref<const Eigen::Matrix3Xd>& nod
   if (closed && report.inconsistent_edges.empty() && report.non_finite_nodes.empty()) {
     report.volume = enclosed_volume(nodes, elements);
     report.inward = !(report.volume > 0.0);
-    report.flat = std::abs(report.volume) < kFlat * std::pow(element_areas(nodes, elements).sum(), 1.5);
+    report.flat = is_flat(report.volume, element_areas(nodes, elements).sum());
   }
   return report;
 }

@@ -33,20 +33,21 @@ void turn(Mesh& mesh, int element) {
   std::swap(mesh.elements(1, element), mesh.elements(2, element));
 }
 
-/// Volume [m3] between the elements of a part and its centre.
-double volume_of(const Mesh& mesh, const std::vector<int>& part) {
+/// True if the volume between the elements of a part and its centre is below 0, by more than rounding.
+bool is_inward(const Mesh& mesh, const std::vector<int>& part) {
   Eigen::Vector3d centre = Eigen::Vector3d::Zero();
   for (const int e : part)
     for (const int node : mesh.elements.col(e)) centre += mesh.nodes.col(node);
   centre /= 3.0 * static_cast<double>(part.size());
-  double volume = 0.0;
+  double volume = 0.0, area = 0.0;
   for (const int e : part) {
     const auto corner = [&](int i) -> Eigen::Vector3d {
       return mesh.nodes.col(mesh.elements(i, e)) - centre;
     };
     volume += corner(0).dot(corner(1).cross(corner(2))) / 6.0;
+    area += 0.5 * (corner(1) - corner(0)).cross(corner(2) - corner(0)).norm();
   }
-  return volume;
+  return volume < 0.0 && !is_flat(volume, area);
 }
 
 /// The elements that edges join to `first`, itself included, after turning them as it is wound.
@@ -82,8 +83,8 @@ int turn_outward(Mesh& mesh) {
   for (int first = 0; first < mesh.element_count(); ++first) {
     if (seen[static_cast<std::size_t>(first)]) continue;
     const std::vector<int> part = wind_part(mesh, neighbours, first, seen);
-    if (!(volume_of(mesh, part) < 0.0)) continue;
-    for (const int element : part) turn(mesh, element);
+    if (is_inward(mesh, part))
+      for (const int element : part) turn(mesh, element);
   }
   return static_cast<int>((mesh.elements.row(1).array() != before.row(1).array()).count());
 }

@@ -134,7 +134,7 @@ TEST(channel_filter, peak_of_arriving_skin_follows_the_stiffness_raw_and_the_imp
     claim::expect_relative({"K.23", "the same: impulse [N s]", why}, given, impulse, tolerance);
     const auto channel = driver::channel_filter(force, kSample, 180.0);
     filtered.push_back(*std::max_element(channel.begin(), channel.end()));
-    claim::expect_relative({"K.23", "the same: peak behind CFC 180 [N]", why}, filtered.back(),
+    claim::expect_relative({"K.23", "the same: peak filtered with CFC 180 [N]", why}, filtered.back(),
                            filtered_half_sine(impulse, pi / rate), tolerance);
   }
   // Raw peaks are as 1 to 2.83; a filter whose corner is at f_c sees (f_c T)^2 = 0.3 % of that.

@@ -200,7 +200,9 @@ PROGRAM
   expect 2 "passenger_jet: not done" "$source/verification/run_external.sh" --scenes passenger_jet "$work/looks"
   # A program that does not end is ended.
   printf '#!/bin/sh\nexec sleep 20\n' >"$work/endless" && chmod +x "$work/endless"
-  expect 2 "tank_fill: the program failed with exit code 124" "$source/verification/run_external.sh" --timeout 1 --scenes tank_fill "$work/endless"
+  expect 2 "tank_fill: the program took longer than 1 s .--out keeps" "$source/verification/run_external.sh" --timeout 1 --scenes tank_fill "$work/endless"
+  expect 2 "tank_fill: the program wrote no history: " "$source/verification/run_external.sh" --scenes tank_fill true
+  expect 0 "^usage: run_external.sh" "$source/verification/run_external.sh" --help
   expect 2 "--timeout 0: a whole number" "$source/verification/run_external.sh" --timeout 0 false
   expect 2 "no scene 'tank'" "$source/verification/run_external.sh" --scenes tank false
   expect 2 "needs the command" "$source/verification/run_external.sh" --tolerance 0.1

@@ -43,6 +43,7 @@ part_cost() {
   # That route is nearly all of its run, whatever other programs do meanwhile.
   awk -v rest="$(value "$work/cost/cost.csv" "hidden elements by CGAL's tree" rest_us)" \
     -v all="$(value "$work/cost/cost.csv" "hidden elements by CGAL's tree" us_per_step)" 'BEGIN { exit !(rest < 0.2 * all) }' || fail "a rest beside the slow route"
+  expect 0 "^without jet " "$gasjet" cost "$case" "${short[@]}" --runs 3 --quiet
   # Its JSON: parts are differences of variants.
   json=$("$gasjet" cost "$case" "${short[@]}" --runs 3 --quiet --format json)
   python3 - "$json" <<'END' || fail "JSON: $json"

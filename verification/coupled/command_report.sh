@@ -107,6 +107,12 @@ part_report_bands() {
   expect 2 "ensemble.csv: its last row has no end of line" "$gasjet" compare "$work/bad/ensemble.csv" "$all/ensemble.csv"
   printf 'time_s,force_low_N,force_high_N,force_N\n0,1,2,1\n1,2,2,2\n2,2,3,2\n' >"$work/interval.csv"
   expect 0 "MB" "$gasjet" report "$work/interval.csv" --out "$page"
+  # A history of another program is judged, too.
+  local tank=$source/cases/reference/tank_fill.csv
+  grep -v '^#' "$tank" | cut -d, -f1,2,4 >"$work/foreign.csv"
+  mkdir "$work/ladder" && echo '{}' >"$work/ladder/ladder.json"
+  expect 0 "MB" "$gasjet" report "$work/foreign.csv" --against "$tank" --out "$work/foreign.html"
+  expect 2 "--against: .* is a ladder, a run, an ensemble or a history" "$gasjet" report "$work/ladder" --against "$tank" --out "$work/foreign.html"
   expect 2 "--against .*interval.csv: force_low_N: a reference states its band as half width, in NAME_band" \
     "$gasjet" report "$all" --against "$work/interval.csv" --out "$page"
   sed -i 's/^1,2,2,2/1,3,2,2/' "$work/interval.csv"

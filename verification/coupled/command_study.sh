@@ -103,6 +103,10 @@ part_study_designs() {
   tank_plan "$plan" 'design = "latin_hypercube"' 'points = 9' '[[factor]]' 'key = "ambient.temperature"' 'range = [290, 300]' '[analysis]' \
     'response_surface = true'
   expect 0 "surface.csv, pressure_Pa: no surface, it does not vary" "$gasjet" study run "$plan" --out "$work/flat"
+  # A quantity that no run has: the bag does not touch.
+  printf '%s\n' '[study]' "case = \"$source/cases/contact_vent.toml\"" 'set = ["scene.end_time=5e-4"]' 'quantities = ["first_contact_s"]' \
+    'design = "latin_hypercube"' 'points = 9' '[[factor]]' 'key = "vent.0.area"' 'range = [1e-3, 2e-3]' '[analysis]' 'response_surface = true' >"$plan"
+  expect 0 "surface.csv, first_contact_s: no surface, the 0 of 9 points" "$gasjet" study run "$plan" --out "$work/untouched"
   # Points of a file, written by another program.
   printf 'flow,other\n0.05,1\n0.1,2\n' >"$work/points.csv"
   tank_plan "$plan" 'design = "file"' 'file = "points.csv"' '[[factor]]' 'key = "inflator.0.mass_flow"' 'name = "flow"'

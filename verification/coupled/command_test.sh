@@ -54,6 +54,7 @@ part_exit_codes() {
   expect 2 "end_time: is missing" "$gasjet" check "$source/cases/rigid_tank.toml" --set scene.end_time=0.01 --unset scene.end_time
   expect 0 "does not fill the volume" "$gasjet" check "$source/cases/passenger_pendulum.toml" --set scene.end_time=0.001
   expect 0 "inflator 0: at its peak \(t = 0.012 s\) 4 kg/s at 406 K, R 296.8 J/\(kg K\), gamma 1.3995" "$gasjet" check "$source/cases/passenger_pendulum.toml"
+  expect 0 "ambient.pressure \* = 101325$" "$gasjet" check "$source/cases/piston_leak.toml" # which names none
   expect 0 "choked at the start, choked from 1918" "$gasjet" check "$source/cases/tank_blowdown.toml"
   expect 0 "done" "$gasjet" run "$source/cases/tank_backflow.toml" --out "$work/rest" --set time.gas_method=rosenbrock --set tank.volume=1e-3 --set vent.0.backflow=false --unset ambient.composition --unset ambient.composition_by --set gas.initial.temperature=200.5 --set gas.initial.pressure=101325.0 --set gas.heat_loss.outside_temperature=400.0
   expect 0 "warning: jet of inflator 0: the outlet pressure is below ambient" "$gasjet" run \
@@ -237,6 +238,7 @@ part_same_bytes() {
 part_exact() {
   expect 0 "tank" "$gasjet" exact --list
   expect 2 "no_such" "$gasjet" exact no_such
+  expect 2 "; is 'blowdown' meant.$" "$gasjet" exact blowdow
   local name
   for name in $("$gasjet" exact --list | sed -nE 's/^([a-z0-9_]+): .*/\1/p'); do
     "$gasjet" exact "$name" >"$work/rows.csv" 2>"$work/error" </dev/null

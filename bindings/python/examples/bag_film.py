@@ -12,7 +12,7 @@ from mpl_toolkits.mplot3d.art3d import Poly3DCollection
 
 import gasjet
 
-COLOURS = np.array(["#dddddd", "#0072b2", "#f0c420"])  # outside the jet; in it, but hidden or facing away; lit
+COLOURS = np.array(["#dddddd", "#0072b2", "#f0c420"])  # outside the jet; in it, but hidden; lit
 
 
 def read_frames(path):

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
 # Rows of ensemble_convergence.gp, from the table read twice: y, label, deviation [%] of the mean with jet from that of the
-# default (seed of 1e-4 m), two standard errors, the same without jet; -v quantity=NAME. A gap parts the groups.
+# default (amplitude of 1e-4 m), two standard errors, the same without jet; -v quantity=NAME. A gap parts the groups.
 BEGIN {
   y = 0
   OFS = ","
-  text["seed"] = "seed %s m"
+  text["seed"] = "amplitude %s m"
   text["step"] = "step %s of critical"
   text["contact"] = "contact stiffness × %s"
   text["contact_10970"] = "stiffness × %s on 10970 elements"

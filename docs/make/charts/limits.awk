@@ -6,7 +6,7 @@
 # limit, that order's own included; scatter: at that order; half_of_orders: half of what the limit moves by from order 1 to 2;
 # its_error: scatter and that together. chi_squared: of that order, one degree of freedom (none for the impulse without jet: the
 # order is its own; the last row sums up the others). Files: ensemble_convergence.csv, first_contact_seed.csv, from which comes first
-# contact without jet, since it needs a seed in proportion to the elements.
+# contact without jet, since it needs an amplitude in proportion to the elements.
 #
 # impulse: limits of impulse_limits.csv; x is 1/stiffness, or step or element side over the shipped case's. order: the best from
 # 0.5 (stiffness) or 1 (mesh) to 2, for the step 2, the scheme's; 1.5 of two meshes, which leave it open. order_low, order_high: the

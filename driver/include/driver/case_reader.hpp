@@ -175,7 +175,8 @@ class TableReader {
   /// True if the key exists, is a table and has the key `inner`.
   bool has_in_table(const std::string& key, const std::string& inner) const;
   TableReader table(const std::string& key);
-  std::optional<TableReader> optional_table(const std::string& key);
+  /// None if it is absent, or with `defaults` an empty one: what it could say is then recorded all the same.
+  std::optional<TableReader> optional_table(const std::string& key, bool defaults = false);
   /// The tables of [[key]]; may be none.
   std::vector<TableReader> tables(const std::string& key);
 

@@ -18,7 +18,7 @@ std::string polydata_of(const membrane::Mesh& mesh);
 /// Writes the field files.
 /// - bag_*.vtp: nodes with velocity; elements with panel, larger principal stress [Pa] and strain,
 ///   overpressure of gas and jets together and of the jets alone [Pa], and jet mask (0 outside, 1 in a jet
-///   but hidden or facing away, 2 lit).
+///   but hidden, 2 lit).
 /// - pendulum_*.vtp: a line from the pivot to the impactor's centre, with the impactor's radius [m].
 ///
 /// All members throw WriteError.

@@ -156,6 +156,9 @@ LadderPlan plan_ladder(const std::filesystem::path& file, const std::vector<std:
 /// Whole name of a quantity of the scene; the unit may be left off. Throws CaseError with those allowed.
 std::string quantity_name(const Scene& scene, const std::string& quantity);
 
+/// Whether the scene has a quantity of that whole name.
+bool has_quantity(const Scene& scene, const std::string& name);
+
 /// The runs of a ladder as the work of a crew; `quantity` by its whole name.
 CrewWork ladder_work(const std::filesystem::path& file, const std::string& quantity);
 

@@ -38,6 +38,13 @@ std::size_t edits(std::string_view a, std::string_view b) {
   return row.back();
 }
 
+[[noreturn]] void refuse_unknown(const TableReader& table, const std::string& key,
+                                 const std::set<std::string>& names) {
+  const auto like = std::ranges::find_if(names, [&](const auto& other) { return is_like(key, other); });
+  table.fail(key, fmt::format("unknown key, allowed here: {}{}", fmt::join(names, ", "),
+                              like == names.end() ? "" : fmt::format("; is '{}' meant?", *like)));
+}
+
 }  // namespace
 
 bool is_like(std::string_view a, std::string_view b) {
@@ -130,9 +137,11 @@ TableReader TableReader::table(const std::string& key) {
   return below(key, require(key, "", "a table"));
 }
 
-std::optional<TableReader> TableReader::optional_table(const std::string& key) {
+std::optional<TableReader> TableReader::optional_table(const std::string& key, bool defaults) {
+  static const toml::table empty;
   if (has(key)) return table(key);
   find(key, "", "a table", "");
+  if (defaults) return TableReader(empty, join(key), where_, *log_);
   return std::nullopt;
 }
 
@@ -154,20 +163,18 @@ std::vector<TableReader> TableReader::tables(const std::string& key) {
 void TableReader::allow_only(const std::set<std::string>& names) const {
   for (const auto& [key, node] : *table_) {
     const std::string name(key.str());
-    if (names.contains(name)) continue;
-    const auto like = std::ranges::find_if(names, [&](const auto& other) { return is_like(name, other); });
-    fail(name, fmt::format("unknown key, allowed here: {}{}", fmt::join(names, ", "),
-                           like == names.end() ? "" : fmt::format("; is '{}' meant?", *like)));
+    if (!names.contains(name)) refuse_unknown(*this, name, names);
   }
 }
 
 void TableReader::finish() const {
-  std::set<std::string> names = asked_;
-  const std::string head = path_.empty() ? "" : path_ + ".";  // of its keys
+  std::set<std::string> names = asked_;  // and those that may be absent
+  const std::string head = path_.empty() ? "" : path_ + ".";
   for (const std::string& path : log_->may_be_absent)
     if (path.starts_with(head) && path.find('.', head.size()) == std::string::npos)
       names.insert(path.substr(head.size()));
-  allow_only(names);
+  for (const auto& [key, node] : *table_)
+    if (!asked_.contains(std::string(key.str()))) refuse_unknown(*this, std::string(key.str()), names);
 }
 
 }  // namespace driver

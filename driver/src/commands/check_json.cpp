@@ -53,6 +53,14 @@ json species_of(const gas::Thermo& thermo) {
   return all;
 }
 
+// By mass, `air` resolved.
+json fractions_of(const gas::Thermo& thermo, const std::vector<double>& mass_fractions) {
+  json all = json::object();
+  for (std::size_t k = 0; k < mass_fractions.size(); ++k)
+    if (mass_fractions[k] > 0.0) all[thermo.species(k).name] = mass_fractions[k];
+  return all;
+}
+
 json point_of(const BagPart& bag, int node) {
   const Eigen::Vector3d point = bag.mesh.nodes.col(node);
   return {point.x(), point.y(), point.z()};
@@ -93,13 +101,15 @@ json bag_of(const Scene& scene, const State& state) {
 
 json inflators_of(const Scene& scene) {
   json inflators = json::array();
-  for (std::size_t i = 0; i < scene.gas->model.inflows.size(); ++i) {
+  const gas::ControlVolumeModel& model = scene.gas->model;
+  for (std::size_t i = 0; i < model.inflows.size(); ++i) {
     const auto [time, point] = inflator_peak(scene, i);
     inflators.push_back({{"peak_time_s", time},
                          {"peak_flow_kg_s", point.mass_flow},
                          {"temperature_K", point.temperature},
                          {"gas_constant_J_kg_K", point.gas_constant},
-                         {"gamma", point.gamma}});
+                         {"gamma", point.gamma},
+                         {"mass_fractions", fractions_of(model.thermo, model.inflows[i].mass_fractions)}});
   }
   return inflators;
 }
@@ -132,10 +142,12 @@ json full_volume_of(const FullState& full) {
 json derived_of(const Scene& scene, const State& state, const Forecast& f) {
   json derived = {{"step_s", f.step}};
   if (scene.has_volume())
-    derived["gas_at_start"] = {{"mass_kg", state.gas_point.mass},
-                               {"pressure_Pa", state.gas_point.pressure},
-                               {"temperature_K", state.gas_point.temperature},
-                               {"gamma", state.gas_point.gamma}};
+    derived["gas_at_start"] = {
+        {"mass_kg", state.gas_point.mass},
+        {"pressure_Pa", state.gas_point.pressure},
+        {"temperature_K", state.gas_point.temperature},
+        {"gamma", state.gas_point.gamma},
+        {"mass_fractions", fractions_of(scene.gas->model.thermo, scene.gas->initial_fractions)}};
   if (f.full) derived["full_volume"] = full_volume_of(*f.full);
   if (scene.gas) derived["inflators"] = inflators_of(scene);
   if (scene.gas) derived["supply"] = {{"mass_kg", f.supply.mass}, {"peak_flow_kg_s", f.supply.peak_flow}};

@@ -49,12 +49,12 @@ void print_text(const CompareArguments& a, const Difference& difference) {
   }
   if (means)
     fmt::print("sees: the change of the reference's peak that would be outside in nine of ten cases\n");
-  fmt::print("{}{}\n", verdict_name(difference.verdict),
-             difference.reason.empty() ? "" : ": " + difference.reason);
   if (means && difference.verdict == Verdict::outside)
     fmt::print(
         "the reference's runs start from nodes displaced at random (membrane.perturbation), and have their "
         "rows by output.history_exact of the case: are mine alike?\n");
+  fmt::print("{}{}\n", verdict_name(difference.verdict),
+             difference.reason.empty() ? "" : ": " + difference.reason);
 }
 
 double part_of_one(const std::string& option, std::string_view text) {

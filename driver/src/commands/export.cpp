@@ -15,14 +15,14 @@
 namespace driver::commands {
 namespace {
 
-// Its deck would run.
+// The deck of a bag in the wrong unit would run.
 void require_size(const Scene& scene, bool any_size) {
   const auto extent = unlikely_extent(scene.bag->mesh);
   if (any_size || !extent) return;
   throw CaseError(
-      fmt::format("{}: membrane.mesh: the bag's longest extent is {:.6g} m, 0.02 to 10 m are allowed: "
+      fmt::format("{}: membrane.mesh: the bag's longest extent is {:.6g} m, {} to {} m are allowed: "
                   "length_unit says what a file's coordinates mean; --any-size takes it as it is",
-                  scene.case_file.string(), *extent));
+                  scene.case_file.string(), *extent, smallest_bag, largest_bag));
 }
 
 std::string json_of(const Deck& deck, const std::vector<UsedFeature>& used,

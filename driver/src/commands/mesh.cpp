@@ -138,19 +138,19 @@ void print_reading(membrane::Mesh& mesh, const MeshArguments& arguments) {
   for (const auto& [what, list] :
        {std::pair("elements that are no shells", &mesh.other_elements), std::pair("not read", &mesh.skipped)})
     if (!list->empty()) fmt::print("{}: {}\n", what, fmt::join(*list, ", "));
-  if (mesh.split_quads > 0)
-    fmt::print("quads split in two along their shorter diagonal: {}\n", mesh.split_quads);
+  if (mesh.split_quads > 0) fmt::print("quads split in two: {}\n", mesh.split_quads);
+  if (arguments.merge) {
+    const auto merged = membrane::merge_nodes(mesh, *arguments.merge);
+    fmt::print("nodes merged within {:g} m: {}\n", *arguments.merge, merged.nodes);
+    if (merged.elements > 0)
+      fmt::print("elements left out, two of whose corners became one: {}\n", merged.elements);
+    if (mesh.element_count() == 0)
+      throw CaseError(fmt::format("--merge {:g} leaves no element", *arguments.merge));
+  }
   const int before = mesh.node_count();
   mesh = membrane::used_nodes(std::move(mesh));
   if (mesh.node_count() < before)
     fmt::print("nodes that no element uses, left out: {}\n", before - mesh.node_count());
-  if (!arguments.merge) return;
-  const auto merged = membrane::merge_nodes(mesh, *arguments.merge);
-  fmt::print("nodes merged within {:g} m: {}\n", *arguments.merge, merged.nodes);
-  if (merged.elements > 0)
-    fmt::print("elements left out, two of whose corners became one: {}\n", merged.elements);
-  if (mesh.element_count() == 0)
-    throw CaseError(fmt::format("--merge {:g} leaves no element", *arguments.merge));
 }
 
 // Before anything is written.
@@ -158,7 +158,8 @@ void require_control_volume(const BagMesh& bag, const MeshArguments& arguments) 
   const auto report = membrane::check_closed_surface(bag.shape(), bag.mesh.elements);
   if (report.ok()) return;
   const bool joins = !arguments.merge && !report.boundary_edges.empty(),
-             turns = !arguments.outward && (report.inward || !report.inconsistent_edges.empty());
+             turns = !arguments.outward &&
+                     ((report.inward && !report.flat) || !report.inconsistent_edges.empty());
   throw CaseError(
       fmt::format("{}: is no closed control volume, and nothing is written; allowed: a closed "
                   "surface that is wound outward, or --report{}{}\n{}",

@@ -110,10 +110,10 @@ void add_cost(CLI::App& app, CostArguments& a) {
   auto* cost = app.add_subcommand("cost", "what jet, hidden-element test, contact, gas and files cost");
   add_case(*cost, a.scene);
   add_threads(*cost, a.threads, a.quiet);
+  cost->get_option("--quiet")->description("no progress is printed");
   cost->add_option("--runs", a.runs, "of each variant; the least CPU time counts")
       ->check(CLI::Range(3, 1000));
-  cost->add_option("--format", a.format, "text, or json for other programs")
-      ->check(CLI::IsMember({"text", "json"}));
+  cost->add_option("--format", a.format, "text or json")->check(CLI::IsMember({"text", "json"}));
   cost->add_option("--out", a.out, "folder for cost.csv, cost.json and cost.txt")->check(named);
 }
 

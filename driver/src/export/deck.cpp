@@ -89,6 +89,11 @@ Deck make_deck(const Scene& scene, DeckFormat format) {
   if (!scene.bag)
     throw CaseError(fmt::format("{}: the scene has no [membrane], a scene with a bag is allowed",
                                 scene.case_file.string()));
+  if (scene.gas && scene.ambient.pressure == 0.0)
+    throw CaseError(
+        fmt::format("{}: ambient.pressure: is 0, a number above 0 is allowed in decks: their bags "
+                    "begin with gas of that pressure",
+                    scene.case_file.string()));
   Deck deck;
   deck.scene = &scene;
   deck.format = format;

@@ -111,6 +111,10 @@ std::string quantity_name(const Scene& scene, const std::string& quantity) {
   return found.front();
 }
 
+bool has_quantity(const Scene& scene, const std::string& name) {
+  return std::ranges::count(all_names(scene), name) > 0;
+}
+
 CrewWork ladder_work(const std::filesystem::path& file, const std::string& quantity) {
   return [file, quantity](const std::string& job, const std::function<void(CrewResult)>& emit) {
     emit({line_of(run_job(file, job_of(job), quantity))});

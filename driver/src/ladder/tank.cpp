@@ -126,7 +126,8 @@ void add_no_membrane(const std::filesystem::path& file, const std::vector<std::s
     const auto any = with_volume(plan, "of any volume", "1").overrides;
     all.insert(all.end(), any.begin(), any.end());
     CaseDocument document(file, all);
-    quantity_name(read_scene(document), quantity);
+    if (const Scene tank = read_scene(document); !has_quantity(tank, quantity))
+      throw CaseError(fmt::format("a volume of gas alone has no {}", quantity));
   } catch (const CaseError& error) {
     plan.no_membrane.reset();
     plan.left_out.push_back(fmt::format("without membrane: {}", error.what()));

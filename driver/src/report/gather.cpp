@@ -229,6 +229,7 @@ Json gather_curves(const std::filesystem::path& file, const ReportOptions& optio
   const PageTable table = add_table(curves, "history", file, options);
   for (const auto& [key, value] : table.lines) curves["build"][key] = value;
   if (!curves["build"].contains("version") || !curves["build"].contains("commit")) curves.erase("build");
+  if (!options.reference.empty()) add_comparison(curves, file, options);
   return curves;
 }
 
@@ -245,9 +246,9 @@ std::vector<std::filesystem::path> ensembles_in(const std::filesystem::path& fol
 std::vector<Json> gather(const std::filesystem::path& result, const ReportOptions& options) {
   std::error_code ignored;
   const bool is_run = has_file(result, "history.csv");
-  if (!options.reference.empty() && !is_run &&
-      (has_file(result, "ladder.json") || std::filesystem::is_regular_file(result, ignored)))
-    throw CaseError(fmt::format("--against: {} is neither a run nor an ensemble", result.string()));
+  if (!options.reference.empty() && !is_run && has_file(result, "ladder.json"))
+    throw CaseError(fmt::format("--against: {} is a ladder, a run, an ensemble or a history (CSV) is allowed",
+                                result.string()));
   if (std::filesystem::is_regular_file(result, ignored)) {
     if (result.extension() != ".csv" && read_status(result.parent_path()))
       throw CaseError(

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <fstream>
 #include <string_view>
 #include <vector>
 
@@ -97,8 +98,11 @@ class XmlText {
 // By the header of the run's frames, if it has those elements.
 void name_panels(membrane::Mesh& mesh, const Json& header) {
   const auto elements = static_cast<std::size_t>(mesh.element_count());
-  const Json panels = header.value("panels", Json::array()),
-             names = header.value("panel_names", Json::array());
+  const auto list = [&](const char* key) {
+    const bool is_list = header.is_object() && header.contains(key) && header[key].is_array();
+    return is_list ? header[key] : Json::array();
+  };
+  const Json panels = list("panels"), names = list("panel_names");
   const auto is_panel = [&](const Json& panel) {
     return panel.is_number_unsigned() && panel.get<std::size_t>() < names.size();
   };
@@ -148,10 +152,9 @@ BagShape of_fields(const std::filesystem::path& collection, double time) {
   const std::size_t i = nearest(times, time, collection);
   if (files[i].find('/') != std::string::npos) fail(collection, "names a file of another folder");
   BagShape shape{read_polydata(collection.parent_path() / files[i]), times[i], files[i], 0.0};
-  std::error_code ignored;
-  const auto frames = collection.parent_path() / "frames.bin";
-  name_panels(shape.mesh,
-              std::filesystem::exists(frames, ignored) ? load_frames(frames).header : Json::object());
+  std::string header;
+  std::getline(std::ifstream(collection.parent_path() / "frames.bin"), header);
+  name_panels(shape.mesh, Json::parse(header, nullptr, false));
   return shape;
 }
 

@@ -57,7 +57,8 @@ std::string remedy(const membrane::SurfaceReport& report, Closed closed) {
   std::vector<std::string> remedies;
   if (closed == Closed::needed && !report.boundary_edges.empty())
     remedies.emplace_back("--merge DISTANCE joins nodes that nearly meet");
-  if (report.inward || !report.inconsistent_edges.empty()) remedies.emplace_back("--outward turns elements");
+  if ((report.inward && !report.flat) || !report.inconsistent_edges.empty())
+    remedies.emplace_back("--outward turns elements");
   if (!report.unused_nodes.empty()) remedies.emplace_back("it leaves out nodes that no element uses");
   return remedies.empty() ? "" : fmt::format("(gasjet mesh convert: {})\n", fmt::join(remedies, "; "));
 }

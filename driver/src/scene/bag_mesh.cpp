@@ -60,9 +60,8 @@ std::vector<std::string> vent_panels(const membrane::Mesh& mesh) {
 }
 
 std::optional<double> unlikely_extent(const membrane::Mesh& mesh) {
-  constexpr double smallest = 0.02, largest = 10.0;  // [m]
   const double extent = (mesh.nodes.rowwise().maxCoeff() - mesh.nodes.rowwise().minCoeff()).maxCoeff();
-  if (extent >= smallest && extent <= largest) return {};
+  if (extent >= smallest_bag && extent <= largest_bag) return {};
   return extent;
 }
 
@@ -124,6 +123,7 @@ void set_initial(BagMesh& bag, const membrane::Mesh& shape) {
   constexpr double most = 100.0;  // a folded skin keeps its area, nearly
   const double design = membrane::element_areas(bag.mesh.nodes, bag.mesh.elements).sum(),
                initial = membrane::element_areas(shape.nodes, shape.elements).sum();
+  if (!std::isfinite(initial)) throw std::invalid_argument("the initial shape has no finite area");
   if (!(initial * most >= design && initial <= design * most))
     throw std::invalid_argument(fmt::format(
         "the initial shape has {:.3g} m2 of skin, the design shape {:.3g} m2: length_unit is that "

@@ -40,6 +40,7 @@ std::vector<std::string> vent_panels(const membrane::Mesh& mesh);
 
 /// Longest extent [m] of a mesh if no airbag has it: millimetres taken for metres run, and give numbers that
 /// look like results.
+inline constexpr double smallest_bag = 0.02, largest_bag = 10.0;  // [m] longest extents
 std::optional<double> unlikely_extent(const membrane::Mesh& mesh);
 
 /// `file:line:1` of an element, or `file` if the mesh has no lines.

@@ -61,9 +61,10 @@ double relaxation_rate(double mass_at_start, const Forecast& f) {
 void add_gas(const Scene& scene, const State& state, const Forecast& f, Groups& groups) {
   const FullState& full = *f.full;
   const double ambient = scene.ambient.pressure, flow = f.supply.peak_flow;
-  groups.add_number("full_pressure", "K.31", "pressure of the full volume over ambient",
-                    full.pressure / ambient);
-  if (!scene.gas->model.vents.empty())
+  if (ambient > 0.0)
+    groups.add_number("full_pressure", "K.31", "pressure of the full volume over ambient",
+                      full.pressure / ambient);
+  if (ambient > 0.0 && !scene.gas->model.vents.empty())
     groups.add_number("vent_choking", "K.32", "that pressure over the one from which vents choke",
                       full.pressure / ambient * gas::critical_pressure_ratio(full.gamma));
   if (flow > 0.0 && full.vent_flow > 0.0)

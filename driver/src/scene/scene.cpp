@@ -35,16 +35,17 @@ void read_general(TableReader& root, Scene& scene) {
   table.finish();
 }
 
-/// The table is finished by the gas, which reads the composition.
+/// The table is finished by the gas, which reads the composition. None without gas.
 std::optional<TableReader> read_ambient(TableReader& root, Scene& scene) {
   // The standard atmosphere at 20 degrees C where the case does not say.
   scene.ambient = {101325.0, 293.15};
-  auto table = root.optional_table("ambient");
-  if (table) {
-    if (!root.has("gas")) table->fail("", "has no effect: it needs [gas]");
-    scene.ambient.pressure = table->at("pressure").number(positive.in("Pa"), scene.ambient.pressure);
-    scene.ambient.temperature = table->at("temperature").number(gas_temperature, scene.ambient.temperature);
+  if (!root.has("gas")) {
+    if (const auto table = root.optional_table("ambient")) table->fail("", "has no effect: it needs [gas]");
+    return {};
   }
+  TableReader table = *root.optional_table("ambient", true);
+  scene.ambient.pressure = table.at("pressure").number(non_negative.in("Pa"), scene.ambient.pressure);
+  scene.ambient.temperature = table.at("temperature").number(gas_temperature, scene.ambient.temperature);
   return table;
 }
 
@@ -86,11 +87,10 @@ void read_motion_time(TableReader& table, bool moves, Scene& scene) {
 }
 
 void read_time(TableReader& root, Scene& scene) {
-  auto table = root.optional_table("time");
-  if (!table) return;
-  read_motion_time(*table, will_move(root), scene);
-  read_gas_time(*table, scene.gas && !root.has("target"), scene);
-  table->finish();
+  TableReader table = *root.optional_table("time", true);
+  read_motion_time(table, will_move(root), scene);
+  read_gas_time(table, scene.gas && !root.has("target"), scene);
+  table.finish();
 }
 
 bool can_name_a_column(const std::string& species) {
@@ -131,24 +131,22 @@ void read_channel_classes(TableReader& table, Scene& scene) {
 void read_output(TableReader& root, Scene& scene) {
   constexpr int default_rows = 1000;
   scene.output.history_every = scene.time.end / default_rows;
-  if (auto table = root.optional_table("output")) {
-    const Bounds rows{scene.time.end / 1e7, any_number.high, false, "an interval of end_time / 1e7 or more",
+  TableReader table = *root.optional_table("output", true);
+  const Bounds rows{scene.time.end / 1e7, any_number.high, false, "an interval of end_time / 1e7 or more",
+                    "s"};
+  scene.output.history_every =
+      table.at("history_every").number(rows, scene.output.history_every, "end_time / 1000");
+  scene.output.history_exact = table.at("history_exact").flag(false);
+  const Bounds frames{scene.time.end / 1e5, any_number.high, false, "an interval of end_time / 1e5 or more",
                       "s"};
-    scene.output.history_every =
-        table->at("history_every").number(rows, scene.output.history_every, "end_time / 1000");
-    scene.output.history_exact = table->at("history_exact").flag(false);
-    const Bounds frames{scene.time.end / 1e5, any_number.high, false, "an interval of end_time / 1e5 or more",
-                        "s"};
-    scene.output.fields_every = table->at("fields_every").optional_number(frames).value_or(0.0);
-    if (scene.output.fields_every > 0.0 && !scene.bag)
-      table->fail("fields_every", "the scene has no membrane");
-    const bool shows = scene.bag || scene.target;
-    if (table->has("frames") && !shows) table->fail("frames", "the scene has no membrane and no target");
-    if (shows) scene.output.frames = table->at("frames").integer(0, 10000, scene.output.frames);
-    read_streams(*table, scene);
-    read_channel_classes(*table, scene);
-    table->finish();
-  }
+  scene.output.fields_every = table.at("fields_every").optional_number(frames).value_or(0.0);
+  if (scene.output.fields_every > 0.0 && !scene.bag) table.fail("fields_every", "the scene has no membrane");
+  const bool shows = scene.bag || scene.target;
+  if (table.has("frames") && !shows) table.fail("frames", "the scene has no membrane and no target");
+  if (shows) scene.output.frames = table.at("frames").integer(0, 10000, scene.output.frames);
+  read_streams(table, scene);
+  read_channel_classes(table, scene);
+  table.finish();
 }
 
 void check_composition(const TableReader& root, const Scene& scene) {

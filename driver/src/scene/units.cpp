@@ -2,6 +2,7 @@
 // Numbers that are likely to be in another unit: they run, and give numbers that look like results.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -26,23 +27,26 @@ class UnitWarnings {
 
 void check_gas(Scene& scene, UnitWarnings& units) {
   constexpr double cold = 150.0, hot = 6000.0, thin = 1e3, dense = 1e8;
-  constexpr double late = 100.0;  // of the scene
+  constexpr double long_burn = 1.0, late = 100.0;  // [s], and of the scene
+  constexpr double nearly_empty = 50.0;            // [Pa] of a tank; less is likely to be in bar
   if (scene.ambient.pressure > 0.0)
     units.expect("ambient.pressure", scene.ambient.pressure, "Pa", thin, dense);
   if (!scene.gas) return;
   const GasPart& gas = *scene.gas;
   units.expect("ambient.temperature", scene.ambient.temperature, "K", cold, hot);
   if (gas.initial_pressure > 0.0 && gas.initial_pressure != scene.ambient.pressure)
-    units.expect("gas.initial.pressure", gas.initial_pressure, "Pa", thin, dense);
+    units.expect("gas.initial.pressure", gas.initial_pressure, "Pa", scene.bag ? thin : nearly_empty, dense);
   for (std::size_t i = 0; i < gas.model.inflows.size(); ++i) {
     const std::string key = fmt::format("inflator.{}.", i);
     units.expect(key + "temperature", gas.model.inflows[i].temperature.minimum(), "K", cold, hot);
     units.expect(key + "mass_flow", gas.model.inflows[i].mass_flow.maximum(), "kg/s", 0.0, 100.0);
-    const double last = gas.model.inflows[i].mass_flow.knots().back().time;
-    if (last > late * scene.time.end)
+    const auto knots = gas.model.inflows[i].mass_flow.knots();
+    const auto flows = [](const gas::Curve::Knot& knot) { return knot.value > 0.0; };
+    const auto last = std::find_if(knots.rbegin(), knots.rend(), flows);
+    if (last != knots.rend() && last->time > std::max(long_burn, late * scene.time.end))
       scene.warnings.push_back(
           fmt::format("{}mass_flow goes on until {:.4g} s, the scene ends at {:.4g} s: is that its unit?",
-                      key, last, scene.time.end));
+                      key, last->time, scene.time.end));
   }
   if (gas.rigid_volume) units.expect("tank.volume", *gas.rigid_volume, "m3", 1e-5, 10.0);
   for (std::size_t i = 0; i < gas.model.vents.size(); ++i)

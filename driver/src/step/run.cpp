@@ -119,9 +119,8 @@ void note_held_velocities(const Scene& scene, const State& state, RunOutcome& ou
   for (const gas::Fabric& fabric : scene.gas->model.fabrics) {
     if (!fabric.velocity || largest <= fabric.velocity->knots().back().time) continue;
     outcome.notes.push_back(fmt::format(
-        "a fabric's velocity is known up to {:.6g} Pa and was held beyond, the largest overpressure was "
-        "{:.6g} Pa",
-        fabric.velocity->knots().back().time, largest));
+        "{}.velocity ends at {:.6g} Pa and was held beyond, the largest overpressure was {:.6g} Pa",
+        scene.bag ? "fabric" : "tank.fabric", fabric.velocity->knots().back().time, largest));
     return;
   }
 }

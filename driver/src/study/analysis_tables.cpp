@@ -91,8 +91,10 @@ std::string surface_text(const StudyPlan& plan, const StudyRuns& runs, StudyNote
     for (std::size_t p = 0; p < means.size(); ++p)
       if (means[p]) points.push_back((*scaled)[p]), values.push_back(*means[p]);
     constexpr double rounding = 1e-12;
-    if (const auto [least, greatest] = std::ranges::minmax(values);
-        greatest - least <= rounding * std::max(std::abs(least), std::abs(greatest))) {
+    const auto is_first = [&](double value) {
+      return std::abs(value - values.front()) <= rounding * std::abs(values.front());
+    };
+    if (values.size() > 1 && std::ranges::all_of(values, is_first)) {
       notes.push_back(fmt::format("surface.csv, {}: no surface, it does not vary", plan.quantities[q]));
       continue;
     }

@@ -16,7 +16,8 @@ struct EdgeFault {
   std::vector<int> elements;  // from 0
 };
 
-/// Faults of a surface. On a valid control volume all lists are empty, and `empty` and `inward` are false.
+/// Faults of a surface. On a valid control volume all lists are empty, and `empty`, `inward` and
+/// `flat` are false.
 struct SurfaceReport {
   std::vector<int> out_of_range_elements;     // elements with a node index < 0 or >= node count
   std::vector<int> repeated_node_elements;    // elements with a node twice

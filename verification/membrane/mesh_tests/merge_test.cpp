@@ -5,8 +5,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
 #include <stdexcept>
+#include <utility>
+#include <vector>
 
 #include "membrane/icosphere.hpp"
 #include "membrane/polygons.hpp"
@@ -100,31 +101,42 @@ TEST(Polygons, quads_are_split_and_unused_nodes_left_out) {
   EXPECT_TRUE(mesh.line.empty());
 }
 
-// In each corner both sheets have the diagonal between two nodes of the seam for their shorter one.
-TEST(Polygons, two_sheets_of_quads_are_closed) {
-  constexpr int n = 4;
-  Eigen::Matrix3Xd nodes(3, 2 * (n + 1) * (n + 1));
-  const auto node = [](int sheet, int i, int j) {
+// Two square sheets of n x n quads that bulge apart; with seams of their own, or in common.
+std::pair<Eigen::Matrix3Xd, std::vector<std::vector<int>>> pillow(int n, bool own_seams) {
+  const int of_sheet = (n + 1) * (n + 1);
+  Eigen::Matrix3Xd nodes(3, 2 * of_sheet);
+  const auto node = [&](int sheet, int i, int j) {
     const bool seam = i == 0 || j == 0 || i == n || j == n;
-    return (seam ? 0 : sheet * (n + 1) * (n + 1)) + i * (n + 1) + j;
+    return (seam && !own_seams ? 0 : sheet * of_sheet) + i * (n + 1) + j;
   };
   std::vector<std::vector<int>> quads;
   for (int sheet = 0; sheet < 2; ++sheet)
     for (int i = 0; i <= n; ++i)
       for (int j = 0; j <= n; ++j) {
-        const double x = 2.0 * i / n - 1.0, y = 2.0 * j / n - 1.0;  // rounder than a square: a lens
-        const double r = std::max(1.0, std::hypot(x, y));
-        nodes.col(sheet * (n + 1) * (n + 1) + i * (n + 1) + j) << x / r, y / r,
+        const double x = 2.0 * i / n - 1.0, y = 2.0 * j / n - 1.0;
+        nodes.col(sheet * of_sheet + i * (n + 1) + j) << x, y,
             (sheet == 0 ? 0.3 : -0.3) * (1.0 - x * x) * (1.0 - y * y);
         if (i == n || j == n) continue;
         quads.push_back(
             {node(sheet, i, j), node(sheet, i + 1, j), node(sheet, i + 1, j + 1), node(sheet, i, j + 1)});
         if (sheet == 1) std::reverse(quads.back().begin(), quads.back().end());
       }
-  const Mesh mesh = membrane::mesh_of_polygons(nodes, quads);
-  const auto report = membrane::check_closed_surface(mesh.nodes, mesh.elements);
-  EXPECT_TRUE(report.ok()) << report.describe();
-  EXPECT_EQ(mesh.split_quads, 2 * n * n);
+  return {nodes, quads};
+}
+
+// In each corner both sheets have the diagonal between two nodes of the seam for their shorter one.
+TEST(Polygons, two_sheets_of_quads_are_closed) {
+  for (const bool own_seams : {false, true})
+    for (const int n : {2, 3, 8}) {
+      const auto [nodes, quads] = pillow(n, own_seams);
+      const auto side = [&, x = nodes](int a, int b) { return (x.col(a) - x.col(b)).norm(); };
+      ASSERT_LT(side(quads[0][1], quads[0][3]), side(quads[0][0], quads[0][2]));
+      Mesh mesh = membrane::mesh_of_polygons(nodes, quads);
+      EXPECT_EQ(mesh.split_quads, 2 * n * n);
+      membrane::merge_nodes(mesh, 0.0);
+      const auto report = membrane::check_closed_surface(mesh.nodes, mesh.elements);
+      EXPECT_TRUE(report.ok()) << report.describe();
+    }
 }
 
 TEST(Polygons, bad_ones_are_named) {

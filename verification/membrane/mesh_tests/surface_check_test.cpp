@@ -136,6 +136,7 @@ TEST(SurfaceCheck, sheets_on_each_other_are_flat_not_inward) {
   mesh.nodes.row(2).setConstant(0.2);
   const SurfaceReport report = check(mesh);
   EXPECT_TRUE(report.flat);
+  EXPECT_FALSE(report.ok());
   EXPECT_EQ(report.describe(),
             "no volume: the sheets lie on each other, and need an initial shape that is open\n");
   EXPECT_FALSE(check(membrane::icosphere(0.3, 3)).flat);

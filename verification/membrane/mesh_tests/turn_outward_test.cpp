@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <random>
 #include <stdexcept>
 
@@ -81,6 +82,21 @@ TEST(TurnOutward, strip_with_one_side_stays_a_fault) {
   }
   membrane::turn_outward(strip);
   EXPECT_EQ(membrane::check_closed_surface(strip.nodes, strip.elements).inconsistent_edges.size(), 1u);
+}
+
+// The sign of a volume that is rounding says nothing.
+TEST(TurnOutward, flat_surfaces_stay) {
+  Mesh flat = membrane::icosphere(1.0, 3);
+  flat.nodes.row(2).setZero();
+  for (int i = 0; i < 8; ++i) {
+    Mesh mesh = flat;
+    mesh.nodes = Eigen::AngleAxisd(0.7 * i, Eigen::Vector3d(1.0, 2.0, 3.0).normalized()).toRotationMatrix() *
+                 flat.nodes;
+    EXPECT_EQ(membrane::turn_outward(mesh), 0);
+    EXPECT_FALSE(membrane::check_closed_surface(mesh.nodes, mesh.elements).ok());
+    for (auto element : mesh.elements.rightCols(7).colwise()) std::swap(element(1), element(2));
+    EXPECT_EQ(membrane::turn_outward(mesh), 7);
+  }
 }
 
 TEST(TurnOutward, node_out_of_range_is_refused) {

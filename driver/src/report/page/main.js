@@ -285,6 +285,7 @@ makePlayer().catch(() => (notice("This browser cannot unpack the pictures in thr
   for (const r of data.results) {
     if (r.kind === "run") makeRunDetails(r);
     if (r.kind === "ensemble") makeEnsembleDetails(r);
+    if (r.kind === "curves") makeComparison(r, data.results.length > 1 ? ` of ${r.label}` : "");
   }
 });
 // On paper nothing can be opened.

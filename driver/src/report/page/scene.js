@@ -40,7 +40,7 @@ class Frames {
 const quantities = {
   overpressure: { title: "overpressure, gas and jet", unit: "Pa", moving: true, value: (f, e) => f.s.overpressure_Pa + f.jet[e] },
   jet_overpressure: { title: "overpressure of the jet", unit: "Pa", value: (f, e) => f.jet[e] },
-  mask: { title: "jet mask", classes: ["outside the jet", "in it, but hidden or facing away", "hit by the jet"], value: (f, e) => f.mask[e] },
+  mask: { title: "jet mask", classes: ["outside the jet", "in it, but hidden", "hit by the jet"], value: (f, e) => f.mask[e] },
   strain: { title: "larger principal strain", unit: "", moving: true, value: (f, e) => f.strain[e] },
   speed: { title: "speed", unit: "m/s", moving: true, value: (f, e, t) => (f.speed[t[0]] + f.speed[t[1]] + f.speed[t[2]]) / 3 },
   none: { title: "none" },
