@@ -16,7 +16,10 @@ struct StepPath {
   double volume(double t) const { return first + (mean_rate + curvature * (end - t)) * (t - begin); }
   double rate(double t) const { return mean_rate + curvature * (begin + end - 2.0 * t); }
   double acceleration() const { return -2.0 * curvature; }
-  double leak_area(double t) const { return leak_first + leak_rate * (t - begin); }
+  template <class S>
+  S leak_area(const S& t) const {
+    return leak_first + leak_rate * (t - begin);
+  }
   bool moves() const { return mean_rate != 0.0 || curvature != 0.0; }
   bool leaks() const { return leak_first > 0.0 || leak_rate != 0.0; }
 };
@@ -25,7 +28,8 @@ struct StepPath {
 struct AmbientGas {
   explicit AmbientGas(const ControlVolumeModel& model);
   /// The gas upstream of a vent while the gas inside is at `overpressure` [Pa] < 0.
-  Upstream upstream(double overpressure) const {
+  template <class S>
+  Upstream<S> upstream(const S& overpressure) const {
     return {pressure, -overpressure, temperature, gas_constant, gamma};
   }
 
@@ -34,23 +38,21 @@ struct AmbientGas {
   double gas_constant = 287.0, gamma = 1.4, enthalpy = 0.0;  // [J/(kg K)], [-], [J/kg]
 };
 
-/// A mass flow and its partial derivatives.
-struct Flow {
-  double value;         // [kg/s]
-  double pressure;      // by p of the gas inside
-  double temperature;   // by its T
-  double gas_constant;  // by its R
-  double gamma;         // by its gamma
-  double time;          // by time, through an area
-};
-
 double laminar_overpressure(const ControlVolumeModel& model);  // [Pa] d of (G.22)
 /// Fabric i of the model, the default one included.
 const Fabric& fabric_of(const ControlVolumeModel& model, std::size_t i);
+
 /// Mass flow [kg/s] out through fabric i, (G.7) or (G.12); `leak_area` [m2] is that of all fabrics.
-double fabric_flow(const ControlVolumeModel& model, std::size_t i, double leak_area, const UniformGas& gas);
-/// Heat flow [W] through the walls (G.11).
-double heat_flow(const ControlVolumeModel& model, const UniformGas& gas);
+template <class S>
+S fabric_flow(const ControlVolumeModel& model, std::size_t i, const S& leak_area, const Upstream<S>& gas) {
+  const auto& [share, velocity] = fabric_of(model, i);
+  const S area = share * leak_area;
+  if (!velocity) return area * fabric_flux(gas, laminar_overpressure(model));
+  return area * gas.density() * value_of(*velocity, gas.overpressure);
+}
+
+/// Heat flow [W] through the walls (G.11) at a temperature [K] of the gas.
+double heat_flow(const ControlVolumeModel& model, double temperature);
 
 /// All flows through the boundary of a volume, over a segment of time in which nothing switches.
 class Boundary {
@@ -71,15 +73,15 @@ class Boundary {
   bool has_open_vent() const { return openings_.is_open(); }
   bool has_backflow() const { return openings_.has_backflow(); }  // gas can come in
 
-  /// Mass flows [kg/s] at time t. Out in stream j of Slots: through a vent (G.6), or through a fabric, (G.7)
-  /// or (G.12). In through vent j.
-  double out(std::size_t j, const UniformGas& gas, double t) const;
-  double back(std::size_t j, const UniformGas& gas, double t) const;
-  /// The same with their derivatives.
-  Flow vent_slopes(std::size_t j, const UniformGas& gas, double t) const;
-  Flow fabric_slopes(std::size_t i, const UniformGas& gas, double t) const;
-  Flow out_slopes(std::size_t j, const UniformGas& gas, double t) const;
-  Flow back_slopes(std::size_t j, const UniformGas& gas, double t) const;
+  /// Mass flows [kg/s] at time t, as numbers or with derivatives. Out in stream j of Slots: through a vent
+  /// (G.6), or through a fabric, (G.7) or (G.12). In through vent j.
+  template <class S>
+  S out(std::size_t j, const Upstream<S>& gas, const S& t) const;
+  template <class S>
+  S back(std::size_t j, const Upstream<S>& gas, const S& t) const;
+  /// All that flow out; below zero those that flow in.
+  template <class S>
+  S flow(const Upstream<S>& gas, const S& t) const;
 
  private:
   const ControlVolumeModel& model_;
@@ -91,9 +93,32 @@ class Boundary {
   StepPath path_;
 };
 
+template <class S>
+S Boundary::out(std::size_t j, const Upstream<S>& gas, const S& t) const {
+  if (j >= slots_.vents)
+    return path_.leaks() ? fabric_flow(model_, j - slots_.vents, path_.leak_area(t), gas) : S(0.0);
+  if (!openings_.is_open(j)) return S(0.0);
+  return openings_.area(j, t, gas.overpressure) * hole_flux(gas, laminar_);
+}
+
+template <class S>
+S Boundary::back(std::size_t j, const Upstream<S>& gas, const S& t) const {
+  if (!model_.vents[j].backflow || !openings_.is_open(j)) return S(0.0);
+  return openings_.area(j, t, gas.overpressure) * hole_flux(ambient_.upstream(gas.overpressure), laminar_);
+}
+
+template <class S>
+S Boundary::flow(const Upstream<S>& gas, const S& t) const {
+  const bool leaves = gas.overpressure > 0.0;
+  S sum(0.0);
+  for (std::size_t j = 0; j < (leaves ? slots_.streams() : slots_.backflows); ++j)
+    sum = sum + (leaves ? out(j, gas, t) : -back(j, gas, t));
+  return sum;
+}
+
 /// V dp/dt [W] with the openings shut, from inflow, volume and walls.
 double closed_growth(const Boundary& boundary, const UniformGas& gas, double t);
-/// V dp/dt [W] for 1 kg/s of `mixture` that enters `gas` at `temperature` [K].
-double growth_per_flow(const Mixture& mixture, double temperature, const UniformGas& gas);
+/// V dp/dt [W] from a flow [kg/s] out through the openings; below zero it is ambient gas that comes in.
+double open_growth(const Boundary& boundary, const UniformGas& gas, double flow);
 
 }  // namespace gas

@@ -27,7 +27,7 @@ double fill_first(System& system, const IntegratorOptions& options, Vector& y, d
   const Balance& balance = system.balance;
   const Boundary& boundary = balance.boundary();
   const Slots& s = boundary.slots();
-  const UniformGas empty = balance.gas();
+  const Upstream<double> empty = balance.gas().upstream();
   // Into no gas ambient gas flows sonic, linear in time as areas are.
   const auto set_backflow = [&](double factor, double at) {
     std::ranges::fill(y, 0.0);
@@ -52,8 +52,8 @@ double fill_first(System& system, const IntegratorOptions& options, Vector& y, d
   set_backflow(end - t, 0.5 * (t + end));
   system.ledger.gas_at(y, end, system.gas);
   const Mixture mixture = boundary.model().thermo.mixture(std::span(system.gas).first(s.species));
-  y[s.heat()] =
-      system.gas.back() - mixture.internal_energy(*temperature) - balance.work_at(mixture, *temperature);
+  y[s.heat()] = system.gas.back() - mixture.internal_energy(*temperature) -
+                GasLocator(boundary.model()).work_at(mixture, *temperature);
   system.ledger.accept(y, end);
   ++system.effort.accepted;
   return end;

@@ -29,7 +29,7 @@ UniformGas gas_of(const ControlVolumeModel& model, const ControlVolumeState& sta
   const double energy = state.internal_energy + locator.stored_work(state);
   const auto gas = locator.locate(mixture, energy, volume, state.temperature);
   if (!gas) mixture.temperature(state.internal_energy, state.temperature);  // throws, and says why
-  if (gas->beyond) throw DomainError(beyond_text(*model.volume_of_overpressure));
+  if (gas->beyond) throw DomainError(beyond_text(model));
   return *gas;
 }
 
@@ -61,11 +61,11 @@ GasPoint evaluate(const ControlVolumeModel& model, const ControlVolumeState& sta
   if (gas.overpressure > 0.0) {
     point.vent_mass_flow = area * hole_flux(gas.upstream(), laminar);
     for (std::size_t i = 0; i < model.fabric_count(); ++i)
-      point.fabric_mass_flow += fabric_flow(model, i, leak_area, gas);
+      point.fabric_mass_flow += fabric_flow(model, i, leak_area, gas.upstream());
   } else if (back_area > 0.0) {
     point.backflow = back_area * hole_flux(AmbientGas(model).upstream(gas.overpressure), laminar);
   }
-  if (gas.mass > 0.0) point.heat_loss = heat_flow(model, gas);
+  if (gas.mass > 0.0) point.heat_loss = heat_flow(model, gas.temperature);
   return point;
 }
 

@@ -70,8 +70,9 @@ class GasIntegrator::Implementation {
     triggers_ = before_ = state.triggers;
     std::ranges::fill(switchings_, 0);
     boundary_.begin_step(t0, t1, path);
-    ledger_.begin_step(state);
-    substepper_.begin_step(state);
+    const double work = GasLocator(model_).stored_work(state);
+    ledger_.begin_step(state, work);
+    substepper_.begin_step(state.temperature);
     double a = t0;
     try {
       while (a < t1) a = advance_segment(a, t1);
@@ -79,7 +80,7 @@ class GasIntegrator::Implementation {
       require_no_chatter(t0, a);
       throw;
     }
-    finish(state, t1);
+    finish(state, t1, work);
     return fluxes();
   }
 
@@ -119,17 +120,14 @@ class GasIntegrator::Implementation {
     return substepper_.balance().gas();
   }
 
-  /// Turns `state` into the one at t1. The work of a volume that follows the pressure is known there alone.
-  void finish(ControlVolumeState& state, double t1) {
+  /// Turns `state` into the one at t1. The work of a volume that follows the pressure is known there alone;
+  /// `work_begin` is (G.19) at the begin.
+  void finish(ControlVolumeState& state, double t1, double work_begin) {
     const UniformGas& gas = locate(t1);
-    if (gas.beyond) throw DomainError(beyond_text(*model_.volume_of_overpressure));
+    if (gas.beyond) throw DomainError(beyond_text(model_));
     const Vector& amount = ledger_.gas();
-    state.internal_energy = amount.back();
-    if (model_.volume_of_overpressure) {
-      const double work = substepper_.balance().work();
-      ledger_.set_total(boundary_.slots().work(), work);
-      state.internal_energy -= work;
-    }
+    state.internal_energy = amount.back() - gas.work;
+    if (model_.volume_of_overpressure) ledger_.set_total(boundary_.slots().work(), gas.work - work_begin);
     std::copy_n(amount.begin(), state.masses.size(), state.masses.begin());
     if (gas.mass > 0.0) state.temperature = gas.temperature;
     state.triggers = triggers_;

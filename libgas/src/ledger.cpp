@@ -21,9 +21,9 @@ Ledger::Ledger(const Boundary& boundary, double negligible)
       received_(boundary.inflows().size()),
       delivered_(boundary.inflows().size()) {}
 
-void Ledger::begin_step(const ControlVolumeState& state) {
+void Ledger::begin_step(const ControlVolumeState& state, double work) {
   std::ranges::copy(state.masses, gas_.begin());
-  gas_.back() = state.internal_energy;
+  gas_.back() = state.internal_energy + work;
   for (std::size_t i = 0; i < gas_.size(); ++i) sums_[i] = gas_[i];
   std::ranges::fill(totals_, CompensatedSum{});
   std::ranges::fill(received_, Received{});

@@ -9,7 +9,7 @@
 namespace gas {
 
 /// Content of the volume, and what has crossed its boundary. The gas (m_k, U) is carried from sub-step to
-/// sub-step:
+/// sub-step, with the energy of (G.19) in place of U if the volume follows p:
 ///   m_k = m_k(t0) + delivered_k - out_k + Y_ak sum back,
 ///   U = U(t0) + delivered enthalpy - sum enthalpy + h_a sum back - work - heat.
 /// If it were counted from the step's begin, that of a tiny volume would be a difference of far larger sums.
@@ -19,7 +19,8 @@ class Ledger {
   /// the gas is used up, which is no error.
   Ledger(const Boundary& boundary, double negligible);
 
-  void begin_step(const ControlVolumeState& state);
+  /// `work` [J] is (G.19) of `state`.
+  void begin_step(const ControlVolumeState& state, double work);
   void begin_segment(double a);
   void end_segment(double reached);
 

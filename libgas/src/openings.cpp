@@ -64,21 +64,6 @@ void Openings::begin_segment(const TriggerState& triggers, double a, double b) {
   }
 }
 
-double Openings::effective_area(std::size_t j, double t, double overpressure) const {
-  if (!open_[j]) return 0.0;
-  const auto& curve = model_.vents[j].area_of_overpressure;
-  if (curve) return pieces_[j].value * curve->value(overpressure);
-  return pieces_[j].slope == 0.0 ? pieces_[j].value : std::max(0.0, pieces_[j].at(t));
-}
-
-Openings::Area Openings::area(std::size_t j, double t, double overpressure) const {
-  const double value = effective_area(j, t, overpressure);
-  if (!open_[j]) return {};
-  if (const auto& curve = model_.vents[j].area_of_overpressure)
-    return {value, pieces_[j].value * curve->piece(overpressure).slope, 0.0};
-  return {value, 0.0, pieces_[j].slope};
-}
-
 std::vector<double> overpressure_knots(const ControlVolumeModel& model) {
   std::vector<double> knots;
   const auto add = [&](const std::optional<Curve>& curve) {

@@ -2,9 +2,19 @@
 #pragma once
 #include <vector>
 
+#include "flux.hpp"
 #include "gas/control_volume.hpp"
 
 namespace gas {
+
+/// Value of a curve, or with its derivatives.
+inline double value_of(const Curve& curve, double x) {
+  return curve.value(x);
+}
+template <std::size_t N>
+Dual<N> value_of(const Curve& curve, const Dual<N>& x) {
+  return curve.piece(x.value).at(x);
+}
 
 /// Cd A of a vent [m2] at `time` [s] and `overpressure` [Pa]; zero while it is shut.
 double effective_area(const Vent& vent, const TriggerState& triggers, double time, double overpressure);
@@ -12,13 +22,6 @@ double effective_area(const Vent& vent, const TriggerState& triggers, double tim
 /// Areas of the vents over a segment of time in which none opens, shuts or passes a knot.
 class Openings {
  public:
-  /// An area and its derivatives.
-  struct Area {
-    double value;            // [m2] Cd A, not negative
-    double by_overpressure;  // [m2/Pa]
-    double by_time;          // [m2/s]
-  };
-
   /// `model` must outlive this object.
   explicit Openings(const ControlVolumeModel& model);
 
@@ -27,12 +30,17 @@ class Openings {
   /// Sets which vents are open, and their pieces on [a, b].
   void begin_segment(const TriggerState& triggers, double a, double b);
 
+  bool is_open(std::size_t j) const { return open_[j]; }
   bool is_open() const { return is_open_; }            // any vent
   bool has_backflow() const { return has_backflow_; }  // any open vent with backflow
-  /// Of vent j.
-  Area area(std::size_t j, double t, double overpressure) const;
-  /// Its value alone.
-  double effective_area(std::size_t j, double t, double overpressure) const;
+  /// Cd A [m2] of vent j, which is open.
+  template <class S>
+  S area(std::size_t j, const S& t, const S& overpressure) const {
+    if (const auto& curve = model_.vents[j].area_of_overpressure)
+      return pieces_[j].value * value_of(*curve, overpressure);
+    const S area = pieces_[j].at(t);
+    return area < 0.0 ? S(0.0) : area;
+  }
 
  private:
   const ControlVolumeModel& model_;

@@ -20,21 +20,14 @@ UniformGas moved(const Balance& balance, double overpressure) {
 
 double balanced_overpressure(const Balance& balance) {
   const Boundary& boundary = balance.boundary();
-  const Slots& s = boundary.slots();
   const UniformGas& gas = balance.gas();
-  const double growth = balance.closed_growth() * gas.compliance(),
-               laminar = laminar_overpressure(boundary.model());
+  const double growth = balance.closed_growth(), laminar = laminar_overpressure(boundary.model());
   if (gas.mass == 0.0 || growth == 0.0) return 0.0;
   // What the openings do to V dp/dt where the law is that of the root, and from it where they balance the
   // feed.
   const double sign = growth > 0.0 ? 1.0 : -1.0, far = std::max(std::abs(gas.overpressure), 100.0 * laminar);
-  const UniformGas there = moved(balance, sign * far);
-  double flow = 0.0;
-  for (std::size_t j = 0; j < (growth > 0.0 ? s.streams() : s.backflows); ++j)
-    flow += growth > 0.0 ? boundary.out(j, there, balance.time()) : boundary.back(j, there, balance.time());
-  const AmbientGas& air = boundary.ambient();
-  const double effect = flow * (growth > 0.0 ? gas.gamma * gas.gas_constant * gas.temperature
-                                             : growth_per_flow(air.mixture, air.temperature, gas));
+  const double flow = boundary.flow(moved(balance, sign * far).upstream(), balance.time());
+  const double effect = -sign * open_growth(boundary, gas, flow);
   if (!(effect > 0.0)) return 0.0;
   const double root = std::abs(growth) / effect * std::sqrt(far);
   double overpressure = root * root;
@@ -57,75 +50,48 @@ UniformGas where_linear(const Balance& balance) {
 }
 
 double relaxation(const Balance& balance, const UniformGas& gas) {
+  using Number = Dual<1>;
   const Boundary& boundary = balance.boundary();
-  const Slots& s = boundary.slots();
   if (gas.mass == 0.0) return 0.0;
   const double walls = boundary.model().heat_loss.conductance / gas.capacity;
-  if (gas.overpressure > 0.0) {
-    Flow all{};
-    for (std::size_t j = 0; j < s.streams(); ++j) {
-      const Flow one = boundary.out_slopes(j, gas, balance.time());
-      all.value += one.value;
-      all.pressure += one.pressure;
-    }
-    if (!(all.value > 0.0)) return walls;
-    return walls + outflow_relaxation_rate(gas.gamma, all.value / gas.mass,
-                                           all.pressure * gas.pressure / all.value, gas.compliance());
-  }
-  double slope = 0.0;
-  for (std::size_t j = 0; j < s.backflows; ++j)
-    slope += boundary.back_slopes(j, gas, balance.time()).pressure;
-  if (!(slope < 0.0)) return walls;
-  const AmbientGas& air = boundary.ambient();
-  const double effect = -slope * growth_per_flow(air.mixture, air.temperature, gas);
-  return walls + std::max(0.0, effect / (gas.compliance() * gas.volume));
+  const Number flow = boundary.flow<Number>(
+      {{gas.pressure, 0}, {gas.overpressure, 0}, gas.temperature, gas.gas_constant, gas.gamma},
+      balance.time());
+  const double slope = flow.slopes[0];
+  if (flow.value == 0.0) return walls;
+  if (flow.value < 0.0) return walls + std::max(0.0, open_growth(boundary, gas, -slope) / gas.volume);
+  return walls + outflow_relaxation_rate(gas.gamma, flow.value / gas.mass, slope * gas.pressure / flow.value,
+                                         gas.compliance());
 }
 
 RateSlopes::RateSlopes(const Slots& slots)
     : by_part(slots.species + 1, Vector(slots.size())),
       by_time(slots.size()),
       part_energy(slots.species + 1),
-      changes_(slots.species + 1) {}
+      changes_(slots.species + 2) {}
 
+/// How the variables follow the parts, (G.23), and the time.
 void RateSlopes::fill_changes(const Balance& balance, const UniformGas& g) {
-  const Thermo& thermo = balance.boundary().model().thermo;
+  const Boundary& boundary = balance.boundary();
+  const Thermo& thermo = boundary.model().thermo;
   const double cv = g.cp - g.gas_constant, per_energy = g.pressure_per_energy();
   const std::size_t species = thermo.size();
   for (std::size_t k = 0; k < species; ++k) {
     const double rt = thermo.gas_constant(k) * g.temperature, h = thermo.enthalpy(k, g.temperature);
     const double r = (thermo.gas_constant(k) - g.gas_constant) / g.mass,
                  cp = (thermo.cp(k, g.temperature) - g.cp) / g.mass;
-    changes_[k] = {rt * per_energy, 0.0, r, (g.cp * r - g.gas_constant * cp) / (cv * cv),
+    changes_[k] = {{rt * per_energy, 0.0, r, (g.cp * r - g.gas_constant * cp) / (cv * cv), 0.0},
                    (h - g.enthalpy) / g.mass};
-    part_energy[k] = h - rt + GasLocator::work_share(g) * rt;
+    part_energy[k] = h - rt + g.work_share() * rt;
   }
   const double per_capacity = 1.0 / g.capacity;
   const double cp_slope = balance.mixture().cp_slope(g.temperature) / g.mass;
-  changes_[species] = {g.mass * g.gas_constant * per_energy * per_capacity, per_capacity, 0.0,
-                       -g.gas_constant * cp_slope / (cv * cv) * per_capacity, g.cp * per_capacity};
+  changes_[species] = {{g.mass * g.gas_constant * per_energy * per_capacity, per_capacity, 0.0,
+                        -g.gas_constant * cp_slope / (cv * cv) * per_capacity, 0.0},
+                       g.cp * per_capacity};
   part_energy[species] = 1.0;
-}
-
-void RateSlopes::add_outflow(const Balance& balance, const UniformGas& g, double pressure_by_time) {
-  const Boundary& boundary = balance.boundary();
-  const Slots& s = boundary.slots();
-  for (std::size_t j = 0; j < s.streams(); ++j) {
-    const Flow flow = boundary.out_slopes(j, g, balance.time());
-    const double time = flow.time + flow.pressure * pressure_by_time;
-    by_time[s.mass(j)] = time;
-    by_time[s.enthalpy(j)] = time * g.enthalpy;
-    for (std::size_t k = 0; k < s.species; ++k) by_time[s.out(k)] += time * balance.fraction(k);
-    for (std::size_t part = 0; part < by_part.size(); ++part) {
-      const double change = changes_[part].of(flow);
-      by_part[part][s.mass(j)] = change;
-      by_part[part][s.enthalpy(j)] = change * g.enthalpy + flow.value * changes_[part].enthalpy;
-      for (std::size_t k = 0; k < s.species; ++k) {
-        const double fraction = balance.fraction(k);
-        const double of_fraction = part == s.species ? 0.0 : ((part == k ? 1.0 : 0.0) - fraction) / g.mass;
-        by_part[part][s.out(k)] += change * fraction + flow.value * of_fraction;
-      }
-    }
-  }
+  changes_.back() = {{-g.pressure * boundary.path().rate(balance.time()) / g.volume, 0.0, 0.0, 0.0, 1.0},
+                     0.0};
 }
 
 void RateSlopes::fill(const Balance& balance) {
@@ -138,19 +104,39 @@ void RateSlopes::fill(const Balance& balance) {
   part_energy.back() = 1.0;
   if (g.mass == 0.0) return;
   fill_changes(balance, g);
-  const double t = balance.time(), rate = boundary.path().rate(t);
-  const double pressure_by_time = -g.pressure * rate / g.volume;
-  if (g.overpressure > 0.0) add_outflow(balance, g, pressure_by_time);
-  for (std::size_t j = 0; g.overpressure < 0.0 && j < s.backflows; ++j) {
-    const Flow flow = boundary.back_slopes(j, g, t);
-    by_time[s.back(j)] = flow.time + flow.pressure * pressure_by_time;
-    for (std::size_t part = 0; part < by_part.size(); ++part)
-      by_part[part][s.back(j)] = changes_[part].of(flow);
+  const auto variable = [](double value, Variable v) { return Number(value, v); };
+  const Number t = variable(balance.time(), kTime);
+  const Upstream<Number> gas{variable(g.pressure, kPressure), variable(g.overpressure, kPressure),
+                             variable(g.temperature, kTemperature), variable(g.gas_constant, kGasConstant),
+                             variable(g.gamma, kGamma)};
+  const auto for_each_column = [&](auto visit) {
+    for (std::size_t part = 0; part < changes_.size(); ++part)
+      visit(part < by_part.size() ? by_part[part] : by_time, changes_[part], part);
+  };
+  for_each_column([&](Vector& column, const Change& change, std::size_t) {
+    column[s.work()] = boundary.path().rate(balance.time()) * change.variables[kPressure] +
+                       g.pressure * boundary.path().acceleration() * change.variables[kTime];
+    column[s.heat()] = boundary.model().heat_loss.conductance * change.variables[kTemperature];
+  });
+  for (std::size_t j = 0; g.overpressure > 0.0 && j < s.streams(); ++j) {
+    const Number flow = boundary.out(j, gas, t);
+    for_each_column([&](Vector& column, const Change& change, std::size_t part) {
+      // All slots from one number: columns must be proportional to the last bit where flow alone makes them,
+      // or stiff gas sees what rounding leaves.
+      const double by = column[s.mass(j)] = flow.along(change.variables);
+      column[s.enthalpy(j)] = by * g.enthalpy + flow.value * change.enthalpy;
+      for (std::size_t k = 0; k < s.species; ++k) {
+        const double y = balance.fraction(k);
+        const double of_y = part < s.species ? ((part == k ? 1.0 : 0.0) - y) / g.mass : 0.0;
+        column[s.out(k)] += by * y + flow.value * of_y;
+      }
+    });
   }
-  by_time[s.work()] = rate * pressure_by_time + g.pressure * boundary.path().acceleration();
-  for (std::size_t part = 0; part < by_part.size(); ++part) {
-    by_part[part][s.work()] = rate * changes_[part].pressure;
-    by_part[part][s.heat()] = boundary.model().heat_loss.conductance * changes_[part].temperature;
+  for (std::size_t j = 0; g.overpressure < 0.0 && j < s.backflows; ++j) {
+    const Number flow = boundary.back(j, gas, t);
+    for_each_column([&](Vector& column, const Change& change, std::size_t) {
+      column[s.back(j)] = flow.along(change.variables);
+    });
   }
 }
 

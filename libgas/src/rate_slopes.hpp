@@ -31,18 +31,17 @@ class RateSlopes {
   Vector part_energy;
 
  private:
-  /// Derivatives of p, T, R, gamma and h by a part.
+  enum Variable { kPressure, kTemperature, kGasConstant, kGamma, kTime, kVariables };
+  using Number = Dual<kVariables>;
+  /// Derivatives of the variables, and of h.
   struct Change {
-    double pressure, temperature, gas_constant, gamma, enthalpy;
-    double of(const Flow& flow) const {
-      return flow.pressure * pressure + flow.temperature * temperature + flow.gas_constant * gas_constant +
-             flow.gamma * gamma;
-    }
+    std::array<double, kVariables> variables;
+    double enthalpy;
   };
-  void fill_changes(const Balance& balance, const UniformGas& gas);
-  void add_outflow(const Balance& balance, const UniformGas& gas, double pressure_by_time);
 
-  std::vector<Change> changes_;
+  void fill_changes(const Balance& balance, const UniformGas& gas);
+
+  std::vector<Change> changes_;  // by each part, and last by time
 };
 
 }  // namespace gas

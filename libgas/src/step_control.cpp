@@ -55,7 +55,7 @@ double StepControl::first_step(const Balance& balance) const {
   const UniformGas& gas = balance.gas();
   if (gas.mass == 0.0) return kInfinity;
   const double fed = std::abs(balance.closed_growth()) / (gas.pressure * gas.volume);
-  const double left = (balance.outflow() + balance.backflow()) / gas.mass;
+  const double left = std::abs(balance.flow()) / gas.mass;
   return std::max(first_share_ / (fed + left), 8.0 * kEpsilon * std::abs(balance.time()));
 }
 
@@ -65,7 +65,7 @@ double StepControl::limit() const {
 
 /// What passes through in a sub-step of this length rounds to the tolerance of what is there.
 double StepControl::rounding_limit(const Balance& balance) const {
-  const double passing = std::max(balance.outflow(), balance.backflow());
+  const double passing = std::abs(balance.flow());
   return passing > 0.0 && balance.gas().mass > 0.0
              ? options_.relative_tolerance * balance.gas().mass / (100.0 * kEpsilon * passing)
              : kInfinity;
@@ -85,15 +85,14 @@ double StepControl::relaxation_bound(const Balance& balance) const {
   const ControlVolumeModel& model = balance.boundary().model();
   const bool curves =
       std::ranges::any_of(model.vents, [](const Vent& v) { return v.area_of_overpressure.has_value(); });
-  if (gas.mass == 0.0 || curves || balance.backflow() > 0.0 ||
-      std::abs(gas.overpressure) < kFar * gas.pressure)
+  if (gas.mass == 0.0 || curves || balance.flow() < 0.0 || std::abs(gas.overpressure) < kFar * gas.pressure)
     return kInfinity;
   const double walls = balance.boundary().model().heat_loss.conductance / gas.capacity;
-  if (balance.outflow() == 0.0) return walls;
+  if (balance.flow() == 0.0) return walls;
   // n of a hole is at most 1/2 p/(p - p_a) + 1, that of fabric 1/2 p/(p - p_a) + 1/2; a table's less than
   // p/(p - p_a) + 1.
   const double exponent = 1.0 + gas.pressure / gas.overpressure;
-  return walls + balance.outflow() / gas.mass * (1.0 + gas.gamma * (exponent + 0.5));
+  return walls + balance.flow() / gas.mass * (1.0 + gas.gamma * (exponent + 0.5));
 }
 
 bool StepControl::tells(const Balance& balance, double overpressure) const {
@@ -150,8 +149,7 @@ std::string StepControl::advice(const Balance& balance, double length) const {
   if (length * relaxation > 0.1 * limit()) text += "; Rosenbrock 4 (gas_method of a case) has no such limit";
   const double rounding = rounding_limit(balance);
   if (length > 0.1 * rounding)
-    text += "; it passes through within " +
-            to_text(balance.gas().mass / std::max(balance.outflow(), balance.backflow())) +
+    text += "; it passes through within " + to_text(balance.gas().mass / std::abs(balance.flow())) +
             " s, so that rounding takes sub-steps below " + to_text(rounding) +
             " s; a looser tolerance (gas_tolerance of a case) is allowed";
   return text;

@@ -41,10 +41,10 @@ Substepper::Substepper(const Boundary& boundary, Ledger& ledger, const TriggerNe
       begin_{0.0, 0.0, Vector(boundary.slots().size()), {}, 0.0},
       trial_{begin_.rate, begin_.rate, begin_.rate} {}
 
-void Substepper::begin_step(const ControlVolumeState& state) {
+void Substepper::begin_step(double temperature) {
   system_.effort = {};
   moments_ = {};
-  system_.balance.begin_step(state);
+  system_.balance.begin_step(temperature);
 }
 
 /// The clock of a sub-step: where flow sets in at p_a it grows as the root of the time.
@@ -140,7 +140,7 @@ std::optional<Substepper::Proposal> Substepper::again(const Proposal& tried, con
   const bool turns = trial_.reversed > 0.0 && !fixed && !on_ambient;
   if (turns || (!options_.unsafe_step && watch_.crosses_against_flow(begin, end, duration))) {
     if (fixed) {  // what only runs out, or in, ends there
-      const bool fed = begin.outflow > 0.0 ? begin.growth > 0.0 : begin.growth < 0.0;
+      const bool fed = begin.growth * begin.flow > 0.0;
       if (fed || on_ambient) control_.fail_crossing(begin_.t);
       return Proposal{tried.length,
                       reach.length * begin.overpressure / (begin.overpressure - end.overpressure),
@@ -211,8 +211,7 @@ double Substepper::integrate(double a, double b, const TriggerState& triggers) {
       continue;
     }
     if (balance.gas().beyond)  // it starts on the last knot, where trials end that pass it
-      throw DomainError(beyond_text(*balance.boundary().model().volume_of_overpressure) +
-                        ", at t = " + to_text(begin_.t) + " s");
+      throw DomainError(beyond_text(balance.boundary().model()) + ", at t = " + to_text(begin_.t) + " s");
     const bool landed = next.landing < kInfinity;
     const double fits = clock.time(end_x + watch_.time_kept(begin_.moment, end) * fitting) - trial.end;
     const double kept = landed ? std::max(fits, clock.time(end_x + next.length) - trial.end) : fits;

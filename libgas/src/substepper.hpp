@@ -19,8 +19,8 @@ class Substepper {
   Substepper(const Boundary& boundary, Ledger& ledger, const TriggerNetwork& network,
              const IntegratorOptions& options);
 
-  /// Resets the counters. Throws DomainError if the temperature of `state` is out of range.
-  void begin_step(const ControlVolumeState& state);
+  /// Resets the counters. `temperature` [K] is that of the gas, which has it too while there is none.
+  void begin_step(double temperature);
   /// Advances from time a towards b [s]. Returns the time reached: b, or earlier if a pressure sensor
   /// switches there. Throws DomainError.
   double integrate(double a, double b, const TriggerState& triggers);

@@ -1,56 +1,125 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "uniform_gas.hpp"
 
-namespace gas {
+#include <algorithm>
+#include <cmath>
 
-GasLocator::GasLocator(const ControlVolumeModel& model) : model_(model) {
-  if (model.volume_of_overpressure)
-    volume_by_pressure_.emplace(*model.volume_of_overpressure, model.ambient.pressure);
+#include "require.hpp"
+
+namespace gas {
+namespace {
+
+// Newton's steps below this share of T are followed by two more: one may end across a knot, the next is
+// quadratic.
+constexpr double kSmallStep = 1e-8;
+constexpr int kSmallSteps = 3;
+constexpr int kMostNewtonSteps = 100;
+constexpr double kCurveEnd = 1e-12;  // products closer to the end of the curve, relative, are on it
+// Of an energy, relative: some hundred operations. What is so close to an end of the range is there.
+constexpr double kEnergyRoundOff = 2e-14;
+
+/// The knot from which the line of the curve goes up on which p V is `product` [J]; within rounding of the
+/// last knot that line is the last one. Below the first knot the volume is rigid.
+PressureVolume find_line(const Curve& curve, double ambient_pressure, double product) {
+  const auto knots = curve.knots();
+  const Curve::Knot& first = knots.front();
+  PressureVolume line{ambient_pressure + first.time, first.time, first.value, 0.0, 0.0, false};
+  for (std::size_t i = 0; i < knots.size(); ++i) {
+    const double p = ambient_pressure + knots[i].time, grown = knots[i].value - line.volume;
+    line.volume_slope = i == 0 ? 0.0 : grown / (knots[i].time - knots[i - 1].time);
+    const double rounding = i + 1 == knots.size() ? 1.0 + kCurveEnd : 1.0;
+    if (product <= p * knots[i].value * rounding) return line;
+    line = {p, knots[i].time, knots[i].value, 0.0, line.work + 0.5 * grown * (line.pressure + p), false};
+  }
+  line.beyond = true;
+  return line;
+}
+
+}  // namespace
+
+PressureVolume PressureVolume::at(double product) const {
+  // (p + d)(V + V' d) = product, the root that does not cancel. Beyond the line's ends, too, p and V are
+  // positive.
+  const double b = volume + volume_slope * pressure, c = product - pressure * volume;
+  const double d = 2.0 * c / (b + std::sqrt(b * b + 4.0 * volume_slope * c));
+  return {volume_slope == 0.0 ? product / volume : pressure + d,
+          overpressure + d,
+          volume + volume_slope * d,
+          volume_slope,
+          work + volume_slope * d * (pressure + 0.5 * d),
+          beyond};
+}
+
+/// Where p V of the gas is `product` [J].
+PressureVolume GasLocator::place(double product, double volume) const {
+  const double ambient = model_.ambient.pressure;
+  if (const auto& curve = model_.volume_of_overpressure)
+    return find_line(*curve, ambient, product).at(product);
+  const double pressure = product / volume;
+  return {pressure, pressure - ambient, volume, 0.0, 0.0, false};
+}
+
+/// In a volume that follows p by Newton's method. The heat capacity lies between cv and cp, so each step
+/// removes most of the error.
+std::optional<double> GasLocator::find_temperature(const Mixture& gas, double energy,
+                                                   double guess) const noexcept {
+  if (!model_.volume_of_overpressure) return gas.find_temperature(energy, guess);
+  const double r = gas.gas_constant_sum;
+  const double round_off = kEnergyRoundOff * (std::abs(energy) + r * guess);
+  double t = guess;
+  int small = 0, outside = 0;
+  for (int i = 0; i < kMostNewtonSteps && outside < 2; ++i) {
+    const PressureVolume at = place(r * t, 0.0);
+    const double capacity = gas.cv(t) + r * at.work_share();
+    const double next = t - (gas.internal_energy(t) + at.work - energy) / capacity;
+    if (!std::isfinite(next)) return {};
+    const double kept = std::clamp(next, std::max(gas.minimum_temperature, 0.5 * t), gas.maximum_temperature);
+    const bool inside = kept == 0.5 * t || std::abs(next - kept) * capacity <= round_off;
+    outside = inside ? 0 : outside + 1;
+    if (std::abs(kept - t) > kSmallStep * t)
+      small = 0;
+    else if (++small == kSmallSteps && inside)
+      return kept;
+    t = kept;
+  }
+  return {};
 }
 
 std::optional<UniformGas> GasLocator::locate(const Mixture& mixture, double energy, double volume,
                                              double guess) const {
-  UniformGas gas{};
-  gas.overpressure = -model_.ambient.pressure;
-  gas.temperature = guess;
-  gas.volume = volume_by_pressure_ ? volume_by_pressure_->smallest() : volume;
-  if (mixture.mass == 0.0) return gas;
-  const auto temperature = volume_by_pressure_ ? volume_by_pressure_->find_temperature(mixture, energy, guess)
-                                               : mixture.find_temperature(energy, guess);
+  if (mixture.mass == 0.0) {
+    UniformGas empty{place(0.0, volume)};
+    empty.temperature = guess;
+    return empty;
+  }
+  const auto temperature = find_temperature(mixture, energy, guess);
   if (!temperature) return {};
   const double t = *temperature, r = mixture.gas_constant_sum, cp = mixture.cp(t);
+  UniformGas gas{place(r * t, volume)};
   gas.mass = mixture.mass;
   gas.temperature = t;
   gas.gas_constant = r / mixture.mass;
   gas.cp = cp / mixture.mass;
   gas.gamma = cp / (cp - r);
-  gas.capacity = cp - r;
-  if (volume_by_pressure_) {
-    const PressurePlace place = volume_by_pressure_->place(r * t);
-    gas.pressure = place.pressure;
-    gas.overpressure = place.overpressure;
-    gas.volume = place.volume;
-    gas.volume_slope = place.slope;
-    gas.work = place.work;
-    gas.beyond = place.beyond;
-    gas.capacity = heat_capacity(place, cp - r, r);
-  } else {
-    gas.pressure = r * t / volume;
-    gas.overpressure = gas.pressure - model_.ambient.pressure;
-  }
   gas.enthalpy = (energy - gas.work + r * t) / mixture.mass;
+  gas.capacity = cp - r + r * gas.work_share();
   return gas;
 }
 
 double GasLocator::work_at(const Mixture& mixture, double temperature) const {
-  return volume_by_pressure_ ? volume_by_pressure_->place(mixture.gas_constant_sum * temperature).work : 0.0;
+  return place(mixture.gas_constant_sum * temperature, 1.0).work;
 }
 
 double GasLocator::stored_work(const ControlVolumeState& state) const {
-  if (!volume_by_pressure_) return 0.0;
+  if (!model_.volume_of_overpressure) return 0.0;
   const Mixture mixture = model_.thermo.mixture(state.masses);
   if (mixture.mass == 0.0) return 0.0;
   return work_at(mixture, mixture.temperature(state.internal_energy, state.temperature));
+}
+
+std::string beyond_text(const ControlVolumeModel& model) {
+  return "the overpressure passes " + to_text(model.volume_of_overpressure->knots().back().time) +
+         " Pa, where the curve of the volume ends";
 }
 
 }  // namespace gas

@@ -49,14 +49,8 @@ Watch::Watch(const Boundary& boundary, double tolerance) : boundary_(boundary) {
 Moment Watch::moment(const Balance& balance, double slope) const {
   const UniformGas& gas = balance.gas();
   const double p_a = boundary_.model().ambient.pressure, rate = balance.pressure_rate() * slope;
-  Moment m{gas.overpressure,
-           rate,
-           gas.compliance(),
-           -p_a,
-           0.0,
-           balance.closed_growth() / gas.volume,
-           balance.outflow(),
-           balance.backflow()};
+  Moment m{gas.overpressure, rate, gas.compliance(), -p_a, 0.0, balance.closed_growth() / gas.volume,
+           balance.flow()};
   if (gas.mass > 0.0 && gas.overpressure > 0.0 && boundary_.has_open_vent()) {
     const double ratio = critical_pressure_ratio(gas.gamma);
     m.sonic = ratio * gas.pressure - p_a;
@@ -132,11 +126,13 @@ bool Watch::is_on_ambient(const Moment& at) const {
   return std::abs(at.overpressure) <= ambient_near_ / at.compliance;
 }
 
+bool Watch::is_led(const Moment& at, double side) const {
+  const bool opens = side > 0.0 ? boundary_.is_open() : boundary_.has_backflow();
+  return side * at.flow > 0.0 || (opens && is_on_ambient(at) && side * at.growth > 0.0);
+}
+
 bool Watch::is_onset(const Balance& balance, const Moment& at) const {
-  const bool on = is_on_ambient(at);
-  const bool out = at.growth > 0.0 && (at.outflow > 0.0 || on) && boundary_.is_open();
-  const bool in = at.growth < 0.0 && (at.backflow > 0.0 || on) && boundary_.has_backflow();
-  return (out || in) && balance.pressure_rate() / at.growth >= 0.5;
+  return at.growth != 0.0 && is_led(at, at.growth) && balance.pressure_rate() / at.growth >= 0.5;
 }
 
 std::optional<double> Watch::switches(const Moment& begin, const Moment& end, double h) const {
@@ -150,15 +146,13 @@ std::optional<double> Watch::switches(const Moment& begin, const Moment& end, do
 std::optional<double> Watch::equalises(const Moment& begin, const Moment& end) const {
   const double size = kEqual * boundary_.model().ambient.pressure;
   const double from = std::abs(begin.overpressure), to = std::abs(end.overpressure);
-  const bool flows = begin.outflow > 0.0 || begin.backflow > 0.0;
-  if (!(from > size && to <= size) || !flows || !is_led_by_flow(begin)) return {};
+  if (!(from > size && to <= size) || begin.flow == 0.0 || !is_led_by_flow(begin)) return {};
   return (std::sqrt(from) - std::sqrt(size)) / (std::sqrt(from) - std::sqrt(to));  // p - p_a is as its square
 }
 
 double Watch::until_ambient(const Moment& begin) const {
-  const bool flows = begin.outflow > 0.0 || begin.backflow > 0.0;
   const double laminar = 3.0 * laminar_overpressure(boundary_.model());
-  if (!flows || begin.overpressure * begin.rate >= 0.0 || std::abs(begin.overpressure) <= laminar)
+  if (begin.flow == 0.0 || begin.overpressure * begin.rate >= 0.0 || std::abs(begin.overpressure) <= laminar)
     return kInfinity;
   return -2.0 * begin.overpressure / begin.rate;
 }
@@ -176,18 +170,15 @@ bool Watch::crosses_against_flow(const Moment& begin, const Moment& end, double 
     // Gas that only runs out stays above p_a, and what only comes in leaves it below: beyond p_a rest may be
     // unstable, if cold ambient gas lowers p. A stage beyond p_a that leads farther back is another such
     // error.
-    if (begin.outflow == 0.0 && begin.backflow == 0.0) return false;
+    if (begin.flow == 0.0) return false;
     const double rounding = kRounding * boundary_.model().ambient.pressure;
     return (from * to < 0.0 && std::abs(to) > rounding) ||
            (from * begin.rate < 0.0 && from * to > 0.0 && std::abs(to) > std::abs(from) + rounding);
   }
   // What cooling or expansion, inflow or compression, could take p beyond p_a.
   const double near = ambient_near_ / end.compliance;
-  const bool on = is_on_ambient(begin);
-  const bool from_above = begin.outflow > 0.0 || (on && boundary_.is_open() && begin.growth > 0.0);
-  const bool from_below = begin.backflow > 0.0 || (on && boundary_.has_backflow() && begin.growth < 0.0);
-  return (from_above && from > -near && -to > near + down * duration) ||
-         (from_below && from < near && to > near + up * duration);
+  return (is_led(begin, 1.0) && from > -near && -to > near + down * duration) ||
+         (is_led(begin, -1.0) && from < near && to > near + up * duration);
 }
 
 }  // namespace gas

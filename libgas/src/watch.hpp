@@ -14,8 +14,8 @@ struct Moment {
   double compliance;    // [-]
   /// [Pa] > 0 where vents are choked; [Pa] per unit of x.
   double sonic, sonic_rate;
-  double growth;             // [Pa/s] dp/dt with the openings shut
-  double outflow, backflow;  // [kg/s]
+  double growth;  // [Pa/s] dp/dt with the openings shut
+  double flow;    // [kg/s] out through the openings; below zero what comes in
 };
 
 /// Finds where p passes a level on which a sub-step must end, because the rates are not smooth there. Levels:
@@ -33,6 +33,8 @@ class Watch {
   /// it. `again`: this trial was to end on a level, and passed it.
   std::optional<double> landing(const Moment& begin, const Moment& end, double h, bool again) const;
   bool is_on_ambient(const Moment& at) const;  // p is p_a to the accuracy of landing
+  /// True if gas flows out (`side` > 0) or in, or is about to, from p_a.
+  bool is_led(const Moment& at, double side) const;
   /// True if fed flow sets in: p rises at more than half of its rate with the openings shut.
   bool is_onset(const Balance& balance, const Moment& at) const;
   /// Share of a trial of length h after which the vents became choked or unchoked; empty if they did not.

@@ -33,7 +33,10 @@ class Curve {
     double value;   // at the origin, in the unit of the quantity
     double slope;   // [unit/s]
     /// Value at `time` [s]. Outside the piece its line is continued.
-    double at(double time) const { return value + slope * (time - origin); }
+    template <class Number>
+    Number at(const Number& time) const {
+      return value + slope * (time - origin);
+    }
   };
 
   /// Throws std::invalid_argument for
