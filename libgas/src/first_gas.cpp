@@ -46,7 +46,8 @@ double fill_first(System& system, const IntegratorOptions& options, Vector& y, d
   const double end = length == b - t ? b : t + length;
   set_backflow(1.0, end);
   system.ledger.change(y, system.gas);
-  boundary.inflows().add_rates(1.0, end, system.gas);
+  boundary.inflows().add(
+      1.0, [&](const InflowSegment& in) { return in.rate(end); }, system.gas);
   const auto temperature = balance_with_walls(boundary.model(), system.gas);
   if (!temperature) return t;
   set_backflow(end - t, 0.5 * (t + end));

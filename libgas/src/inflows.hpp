@@ -17,17 +17,21 @@ class Inflows {
   /// First time after t at which an inflow is not smooth.
   double next_break(const TriggerState& triggers, double t) const;
   void begin_segment(const TriggerState& triggers, double a, double b);
-  void end_segment();
 
   std::size_t size() const { return segments_.size(); }
   const InflowSegment& operator[](std::size_t i) const { return segments_[i]; }
-  /// Adds mass and enthalpy of `stream` from inflow i to `gas`.
-  void add(std::size_t i, const InflowSegment::Delivered& stream, std::span<double> gas) const;
-  /// Adds what all inflows deliver from t0 to t1 [s].
-  void add_delivered(double t0, double t1, std::span<double> gas) const;
-  /// Adds factor times their rates at t, or the rates' derivatives by t.
-  void add_rates(double factor, double t, std::span<double> gas) const;
-  void add_slopes(double factor, double t, std::span<double> gas) const;
+  /// Adds to `gas`, for each inflow that flows, factor times what `amount` says of its segment: what it
+  /// delivers, its rate, or the rate's derivative.
+  template <class Amount>
+  void add(double factor, Amount amount, std::span<double> gas) const {
+    for (std::size_t i = 0; i < segments_.size(); ++i) {
+      if (segments_[i].is_idle()) continue;
+      const auto [mass, enthalpy] = amount(segments_[i]);
+      const auto& fractions = model_.inflows[i].mass_fractions;
+      for (std::size_t k = 0; k < fractions.size(); ++k) gas[k] += fractions[k] * (factor * mass);
+      gas[fractions.size()] += factor * enthalpy;
+    }
+  }
   /// Mass [kg] of all from t0 to t1 [s].
   double mass(double t0, double t1) const;
 

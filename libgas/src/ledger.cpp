@@ -79,7 +79,8 @@ bool Ledger::gas_at(const Vector& y, double t, Vector& gas) {
   const Slots& s = boundary_.slots();
   change(y, gas);
   for (std::size_t i = 0; i < gas.size(); ++i) gas[i] += gas_[i];
-  boundary_.inflows().add_delivered(time_, t, gas);
+  boundary_.inflows().add(
+      1.0, [&](const InflowSegment& in) { return in.delivered(time_, t); }, gas);
   double passed = 0.0;
   for (std::size_t k = 0; k < s.species; ++k) passed += std::abs(y[s.out(k)]);
   return clear_lacking(gas, passed);

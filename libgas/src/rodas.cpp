@@ -105,7 +105,9 @@ class Rodas : public Stepper {
     }
     system.rates_of(stage_gas_, rate_.flows, x);
     system.ledger.change(rate_.flows, rate_.gas);
-    system.balance.boundary().inflows().add_rates(system.clock.slope(x), system.clock.time(x), rate_.gas);
+    const double t = system.clock.time(x);
+    system.balance.boundary().inflows().add(
+        system.clock.slope(x), [&](const InflowSegment& in) { return in.rate(t); }, rate_.gas);
   }
 
   /// The g of the right side rate_ + h d slope_ + sum weights g / h.
@@ -138,8 +140,10 @@ class Rodas : public Stepper {
     for (std::size_t i = 0; i < slope_.flows.size(); ++i)
       slope_.flows[i] = s * s * slopes_.by_time[i] + (s > 0.0 ? s2 / s * rate_.flows[i] : 0.0);
     system.ledger.change(slope_.flows, slope_.gas);
-    inflows.add_slopes(s * s, t, slope_.gas);
-    inflows.add_rates(s2, t, slope_.gas);
+    inflows.add(
+        s * s, [&](const InflowSegment& in) { return in.rate_slope(t); }, slope_.gas);
+    inflows.add(
+        s2, [&](const InflowSegment& in) { return in.rate(t); }, slope_.gas);
     for (std::size_t part = 0; part < slopes_.by_part.size(); ++part) {
       for (double& slope : slopes_.by_part[part]) slope *= s;
       system.ledger.change(slopes_.by_part[part], column_);
