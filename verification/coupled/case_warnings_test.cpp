@@ -75,6 +75,16 @@ TEST(warnings, name_a_mass_flow_in_milliseconds) {
   EXPECT_FALSE(warned("[0,0.02,60]"));  // its end alone is far away
 }
 
+TEST(warnings, of_slivers_need_areas_that_a_number_holds) {
+  try {
+    coupled::scene_of("damped_sphere", {"membrane.mesh.radius=1e-308"});
+    FAIL() << "no error";
+  } catch (const driver::CaseError& error) {
+    EXPECT_NE(std::string(error.what()).find("membrane.mesh: element 0: its area is zero"), std::string::npos)
+        << error.what();
+  }
+}
+
 TEST(warnings, are_none_of_nearly_evacuated_tanks) {
   EXPECT_EQ(coupled::scene_of("rigid_tank", {"gas.initial.pressure=100"}).warnings,
             std::vector<std::string>{});

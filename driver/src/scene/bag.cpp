@@ -224,7 +224,7 @@ void read_bag(TableReader& root, Scene& scene) {
 
   warn_of_leaks(bag, law, scene);
   warn_of_size(source.mesh, scene);
-  warn_of_slivers(source.mesh, scene);
+  table->located("mesh", [&] { warn_of_slivers(source.mesh, scene); });
   Eigen::Matrix3Xd position = initial_shape(*table, source);
   const double amplitude = table->at("perturbation").number(Bounds{0.0, 1e-3, false, "0 to 1e-3", "m"}, 0.0);
   if (table->has("perturbation_seed") && !table->has("perturbation"))
