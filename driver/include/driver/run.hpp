@@ -35,7 +35,7 @@ struct RunOutcome {
   std::string message;             // of a failure: stage, time, limit; of an inaccurate run: drift, cause
   bool out_of_memory = false;      // is why it failed: no fault of the scene
   std::string warning;             // of a drift of the energy that is less, but more than a thousandth
-  std::vector<std::string> notes;  // vents that stayed shut to the end, outlets that the bag has left
+  std::vector<std::string> notes;  // at the end of a run: what never came on, was held or left behind
   double wall_seconds = 0.0;
   /// [s] CPU time from the first step to the last, and of each stage; the rest of it are rows and files.
   double cpu_seconds = 0.0;

@@ -272,9 +272,8 @@ int identify(const IdentifyArguments& arguments) {
              table.values[0].back() - table.values[0].front());
   for (const auto& [key, value] : results) fmt::print("  {}: {}\n", key, value);
   fmt::print(
-      "{}: mass_flow_kg_s and temperature_K are curves for a case file; the temperature is that of the gas "
-      "at "
-      "rest, which a jet takes with inflator.jet.temperature = \"stagnation\"\n",
+      "{}: mass_flow_kg_s and temperature_K are curves for a case file\n"
+      "temperature_K is that of the gas at rest: a jet takes it with jet.temperature = \"stagnation\"\n",
       arguments.out.string());
   return exit_done;
 }

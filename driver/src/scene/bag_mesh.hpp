@@ -38,9 +38,9 @@ BagMesh generate(const membrane::DriverBagOptions& options);
 /// Names of the panels that begin with "vent": the generators' null panels.
 std::vector<std::string> vent_panels(const membrane::Mesh& mesh);
 
+inline constexpr double smallest_bag = 0.02, largest_bag = 10.0;  // [m] longest extents of airbags
 /// Longest extent [m] of a mesh if no airbag has it: millimetres taken for metres run, and give numbers that
 /// look like results.
-inline constexpr double smallest_bag = 0.02, largest_bag = 10.0;  // [m] longest extents
 std::optional<double> unlikely_extent(const membrane::Mesh& mesh);
 
 /// `file:line:1` of an element, or `file` if the mesh has no lines.
