@@ -25,6 +25,7 @@ void Ledger::begin_step(const ControlVolumeState& state, double work) {
   std::ranges::copy(state.masses, gas_.begin());
   gas_.back() = state.internal_energy + work;
   for (std::size_t i = 0; i < gas_.size(); ++i) sums_[i] = gas_[i];
+  depleted_.reset();
   std::ranges::fill(totals_, CompensatedSum{});
   std::ranges::fill(received_, Received{});
   std::ranges::fill(delivered_, StreamFlux{});

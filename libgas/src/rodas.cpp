@@ -99,10 +99,7 @@ class Rodas : public Stepper {
   void evaluate(System& system, std::initializer_list<double> shifts, double x) {
     const Vector& begin = system.ledger.gas();
     for (std::size_t i = 0; i < begin.size(); ++i) stage_gas_[i] = begin[i] + sum(&Pair::gas, i, shifts);
-    if (!system.ledger.clear_lacking(stage_gas_, 0.0)) {
-      system.depleted = system.ledger.depleted();
-      system.valid = false;
-    }
+    system.valid = system.valid && system.ledger.clear_lacking(stage_gas_, 0.0);
     system.rates_of(stage_gas_, rate_.flows, x);
     system.ledger.change(rate_.flows, rate_.gas);
     const double t = system.clock.time(x);

@@ -162,8 +162,8 @@ void StepControl::fail(System& system, double t, double length, bool found_gas) 
   // What a trial met there is no matter: events and rates need shorter sub-steps than there are.
   const double rounding = 2.0 * kEpsilon * std::abs(t);
   const bool too_short = !is_fixed() && length <= rounding;
-  if (system.depleted && !too_short)
-    throw DomainError("species " + thermo.species(*system.depleted).name +
+  if (system.ledger.depleted() && !too_short)
+    throw DomainError("species " + thermo.species(*system.ledger.depleted()).name +
                       " runs out: more of it would leave than there is, " + where +
                       (is_fixed() ? "; a shorter one (gas_step of a case), or none, is allowed" : ""));
   const bool begin_has_gas = balance.locate(system.ledger.gas(), t);

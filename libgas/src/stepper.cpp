@@ -59,9 +59,7 @@ class Doubling : public Stepper {
 }  // namespace
 
 void System::rates(const Vector& y, Vector& dydx, double x) {
-  const bool enough = ledger.gas_at(y, clock.time(x), gas);
-  if (!enough && valid) depleted = ledger.depleted();
-  valid = valid && enough;
+  valid = valid && ledger.gas_at(y, clock.time(x), gas);
   rates_of(gas, dydx, x);
 }
 

@@ -29,9 +29,8 @@ struct System {
   Ledger& ledger;
   Balance balance;
   Clock clock{};
-  Vector gas;                             // (m_k, U) of the last evaluation
-  bool valid = true;                      // every evaluation of the trial had a valid gas
-  std::optional<std::size_t> depleted{};  // species that a trial used up
+  Vector gas;         // (m_k, U) of the last evaluation
+  bool valid = true;  // every evaluation of the trial had a valid gas
   Effort effort{};
 
   /// dy/dx at (y, x).

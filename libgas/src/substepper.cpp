@@ -114,7 +114,6 @@ double Substepper::try_step(const Reach& reach, bool stiff) {
   if (++system_.effort.attempts > options_.maximum_steps || !(h > 0.0) || !(system_.clock.time(x + h) > t))
     control_.fail(system_, t, reach.end - t, system_.valid);
   system_.valid = true;
-  system_.depleted.reset();
   trial_.reversed = 0.0;
   if (stiff) system_.balance.locate(system_.ledger.gas(), t);  // a good guess of the temperature
   (stiff ? implicit_ : explicit_)->step(system_, begin_.rate, x, h, !control_.is_fixed(), trial_);
