@@ -5,14 +5,15 @@
 
 namespace gas {
 
-Balance::Balance(const Boundary& boundary)
-    : boundary_(boundary), locator_(boundary.model()), masses_(boundary.slots().species) {}
+Balance::Balance(const Boundary& boundary) : boundary_(boundary), masses_(boundary.slots().species) {}
 
-bool Balance::locate(std::span<const double> gas, double t) {
+bool Balance::locate(std::span<const double> amount, double t) {
   time_ = t;
-  std::ranges::copy(gas.first(masses_.size()), masses_.begin());
-  boundary_.model().thermo.mixture(masses_, mixture_);
-  const auto found = locator_.locate(mixture_, gas.back(), boundary_.path().volume(t), gas_.temperature);
+  std::ranges::copy(amount.first(masses_.size()), masses_.begin());
+  const ControlVolumeModel& model = boundary_.model();
+  model.thermo.mixture(masses_, mixture_);
+  const auto found =
+      gas::locate(model, mixture_, amount.back(), boundary_.path().volume(t), gas_.temperature);
   if (found) gas_ = *found;
   return found.has_value();
 }

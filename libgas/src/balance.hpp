@@ -13,8 +13,8 @@ class Balance {
 
   /// Guess of the temperature [K] for the first gas.
   void begin_step(double temperature) { gas_.temperature = temperature; }
-  /// Locates the gas (m_k, energy) at time t. False if its temperature is out of range.
-  bool locate(std::span<const double> gas, double t);
+  /// Locates the gas of the amount (m_k, energy) at time t. False if its temperature is out of range.
+  bool locate(std::span<const double> amount, double t);
   /// Rates dy/dt of the gas located.
   void fill_rates(Vector& dydt);
 
@@ -31,7 +31,6 @@ class Balance {
 
  private:
   const Boundary& boundary_;
-  const GasLocator locator_;
   double time_ = 0.0;
   Vector masses_;
   Mixture mixture_;

@@ -54,7 +54,7 @@ double fill_first(System& system, const IntegratorOptions& options, Vector& y, d
   system.ledger.gas_at(y, end, system.gas);
   const Mixture mixture = boundary.model().thermo.mixture(std::span(system.gas).first(s.species));
   y[s.heat()] = system.gas.back() - mixture.internal_energy(*temperature) -
-                GasLocator(boundary.model()).work_at(mixture, *temperature);
+                work_at(boundary.model(), mixture, *temperature);
   system.ledger.accept(y, end);
   ++system.effort.accepted;
   return end;

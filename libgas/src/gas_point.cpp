@@ -24,10 +24,9 @@ InflatorPoint inflator_point(const ControlVolumeModel& model, const Inflow& infl
 
 /// The gas of `state`, (G.8), (G.18).
 UniformGas gas_of(const ControlVolumeModel& model, const ControlVolumeState& state, double volume) {
-  const GasLocator locator(model);
   const Mixture mixture = model.thermo.mixture(state.masses);
-  const double energy = state.internal_energy + locator.stored_work(state);
-  const auto gas = locator.locate(mixture, energy, volume, state.temperature);
+  const double energy = state.internal_energy + stored_work(model, state);
+  const auto gas = locate(model, mixture, energy, volume, state.temperature);
   if (!gas) mixture.temperature(state.internal_energy, state.temperature);  // throws, and says why
   if (gas->beyond) throw DomainError(beyond_text(model));
   return *gas;

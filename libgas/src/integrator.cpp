@@ -70,7 +70,7 @@ class GasIntegrator::Implementation {
     triggers_ = before_ = state.triggers;
     std::ranges::fill(switchings_, 0);
     boundary_.begin_step(t0, t1, path);
-    const double work = GasLocator(model_).stored_work(state);
+    const double work = stored_work(model_, state);
     ledger_.begin_step(state, work);
     substepper_.begin_step(state.temperature);
     double a = t0;

@@ -35,25 +35,10 @@ PressureVolume find_line(const Curve& curve, double ambient_pressure, double pro
   return line;
 }
 
-}  // namespace
-
-PressureVolume PressureVolume::at(double product) const {
-  // (p + d)(V + V' d) = product, the root that does not cancel. Beyond the line's ends, too, p and V are
-  // positive.
-  const double b = volume + volume_slope * pressure, c = product - pressure * volume;
-  const double d = 2.0 * c / (b + std::sqrt(b * b + 4.0 * volume_slope * c));
-  return {volume_slope == 0.0 ? product / volume : pressure + d,
-          overpressure + d,
-          volume + volume_slope * d,
-          volume_slope,
-          work + volume_slope * d * (pressure + 0.5 * d),
-          beyond};
-}
-
 /// Where p V of the gas is `product` [J].
-PressureVolume GasLocator::place(double product, double volume) const {
-  const double ambient = model_.ambient.pressure;
-  if (const auto& curve = model_.volume_of_overpressure)
+PressureVolume place(const ControlVolumeModel& model, double product, double volume) {
+  const double ambient = model.ambient.pressure;
+  if (const auto& curve = model.volume_of_overpressure)
     return find_line(*curve, ambient, product).at(product);
   const double pressure = product / volume;
   return {pressure, pressure - ambient, volume, 0.0, 0.0, false};
@@ -61,15 +46,15 @@ PressureVolume GasLocator::place(double product, double volume) const {
 
 /// In a volume that follows p by Newton's method. The heat capacity lies between cv and cp, so each step
 /// removes most of the error.
-std::optional<double> GasLocator::find_temperature(const Mixture& gas, double energy,
-                                                   double guess) const noexcept {
-  if (!model_.volume_of_overpressure) return gas.find_temperature(energy, guess);
+std::optional<double> find_temperature(const ControlVolumeModel& model, const Mixture& gas, double energy,
+                                       double guess) noexcept {
+  if (!model.volume_of_overpressure) return gas.find_temperature(energy, guess);
   const double r = gas.gas_constant_sum;
   const double round_off = kEnergyRoundOff * (std::abs(energy) + r * guess);
   double t = guess;
   int small = 0, outside = 0;
   for (int i = 0; i < kMostNewtonSteps && outside < 2; ++i) {
-    const PressureVolume at = place(r * t, 0.0);
+    const PressureVolume at = place(model, r * t, 0.0);
     const double capacity = gas.cv(t) + r * at.work_share();
     const double next = t - (gas.internal_energy(t) + at.work - energy) / capacity;
     if (!std::isfinite(next)) return {};
@@ -85,17 +70,32 @@ std::optional<double> GasLocator::find_temperature(const Mixture& gas, double en
   return {};
 }
 
-std::optional<UniformGas> GasLocator::locate(const Mixture& mixture, double energy, double volume,
-                                             double guess) const {
+}  // namespace
+
+PressureVolume PressureVolume::at(double product) const {
+  // (p + d)(V + V' d) = product, the root that does not cancel. Beyond the line's ends, too, p and V are
+  // positive.
+  const double b = volume + volume_slope * pressure, c = product - pressure * volume;
+  const double d = 2.0 * c / (b + std::sqrt(b * b + 4.0 * volume_slope * c));
+  return {volume_slope == 0.0 ? product / volume : pressure + d,
+          overpressure + d,
+          volume + volume_slope * d,
+          volume_slope,
+          work + volume_slope * d * (pressure + 0.5 * d),
+          beyond};
+}
+
+std::optional<UniformGas> locate(const ControlVolumeModel& model, const Mixture& mixture, double energy,
+                                 double volume, double guess) {
   if (mixture.mass == 0.0) {
-    UniformGas empty{place(0.0, volume)};
+    UniformGas empty{place(model, 0.0, volume)};
     empty.temperature = guess;
     return empty;
   }
-  const auto temperature = find_temperature(mixture, energy, guess);
+  const auto temperature = find_temperature(model, mixture, energy, guess);
   if (!temperature) return {};
   const double t = *temperature, r = mixture.gas_constant_sum, cp = mixture.cp(t);
-  UniformGas gas{place(r * t, volume)};
+  UniformGas gas{place(model, r * t, volume)};
   gas.mass = mixture.mass;
   gas.temperature = t;
   gas.gas_constant = r / mixture.mass;
@@ -106,15 +106,15 @@ std::optional<UniformGas> GasLocator::locate(const Mixture& mixture, double ener
   return gas;
 }
 
-double GasLocator::work_at(const Mixture& mixture, double temperature) const {
-  return place(mixture.gas_constant_sum * temperature, 1.0).work;
+double work_at(const ControlVolumeModel& model, const Mixture& mixture, double temperature) {
+  return place(model, mixture.gas_constant_sum * temperature, 1.0).work;
 }
 
-double GasLocator::stored_work(const ControlVolumeState& state) const {
-  if (!model_.volume_of_overpressure) return 0.0;
-  const Mixture mixture = model_.thermo.mixture(state.masses);
+double stored_work(const ControlVolumeModel& model, const ControlVolumeState& state) {
+  if (!model.volume_of_overpressure) return 0.0;
+  const Mixture mixture = model.thermo.mixture(state.masses);
   if (mixture.mass == 0.0) return 0.0;
-  return work_at(mixture, mixture.temperature(state.internal_energy, state.temperature));
+  return work_at(model, mixture, mixture.temperature(state.internal_energy, state.temperature));
 }
 
 std::string beyond_text(const ControlVolumeModel& model) {

@@ -46,28 +46,16 @@ struct UniformGas : PressureVolume {
   Upstream<double> upstream() const { return {pressure, overpressure, temperature, gas_constant, gamma}; }
 };
 
-/// Finds the temperature of a mixture, and all other properties with it. If the volume follows p, volumes
-/// given to it are not read, and an energy is U plus the work done so far (G.19).
-class GasLocator {
- public:
-  /// `model` must outlive this object.
-  explicit GasLocator(const ControlVolumeModel& model) : model_(model) {}
-
-  /// The gas of `mixture` with an energy [J] in `volume` [m3]. `guess` [K] affects the speed only. Empty if
-  /// the temperature is out of range.
-  std::optional<UniformGas> locate(const Mixture& mixture, double energy, double volume, double guess) const;
-  /// Work (G.19) [J] of the gas of `state`; 0 unless the volume follows p. Throws DomainError outside the
-  /// range.
-  double stored_work(const ControlVolumeState& state) const;
-  /// The same for a mixture at a temperature [K].
-  double work_at(const Mixture& mixture, double temperature) const;
-
- private:
-  PressureVolume place(double product, double volume) const;
-  std::optional<double> find_temperature(const Mixture& gas, double energy, double guess) const noexcept;
-
-  const ControlVolumeModel& model_;
-};
+/// The gas of `mixture` with an energy [J] in `volume` [m3]. If the volume follows p, `volume` is not read,
+/// and the energy is U plus the work done so far (G.19). `guess` [K] affects the speed only. Empty if the
+/// temperature is out of range.
+std::optional<UniformGas> locate(const ControlVolumeModel& model, const Mixture& mixture, double energy,
+                                 double volume, double guess);
+/// Work (G.19) [J] of the gas of `state`; 0 unless the volume follows p. Throws DomainError outside the
+/// range.
+double stored_work(const ControlVolumeModel& model, const ControlVolumeState& state);
+/// The same for a mixture at a temperature [K].
+double work_at(const ControlVolumeModel& model, const Mixture& mixture, double temperature);
 
 /// Text of an error for PressureVolume::beyond.
 std::string beyond_text(const ControlVolumeModel& model);
