@@ -36,7 +36,7 @@ program bad_calls
   source%axis = [1d0, 0d0, 0d0]
   source%half_long = 0d0
   call good(gasjet_surface_visible(skin, y, four, [1_c_int64_t, four], source, candidate_count=none, &
-                                   displacement_bound=0d0, lit=lit, lit_count=four))
+                                   displacement_bound=bad(1), lit=lit, lit_count=four))
   if (any(lit /= 1)) error stop 'columns of Fortran are not the rows of C'
   call good(gasjet_jet_defaults(model))
   model%centre = here

@@ -7,6 +7,9 @@
  * otherwise. No exception leaves a function. Functions may be called from any thread; one handle that changes
  * serves one thread at a time.
  *
+ * A function computes in the default floating-point environment and leaves the caller's as it was: traps,
+ * rounding and flags. Callbacks run in the caller's.
+ *
  * `x[]` is an array, `*x` one value. Pointers marked GASJET_OR_NULL may be NULL, all others not. Arrays are
  * read and written during the call only. Vectors come as rows of three doubles; `stride` has two numbers of
  * doubles, from one row to the next and from one component to the next, NULL for {3, 1}; so triangles have

@@ -17,6 +17,8 @@
 #include <string_view>
 #include <type_traits>
 
+#include "environment.hpp"
+
 namespace border {
 
 /// Bad input; what() is `argument: what, allowed`.
@@ -38,11 +40,16 @@ int fail(int status, const char* what) noexcept;
 /// The exception that is being handled, as a status.
 int fail_by_exception() noexcept;
 
-/// Runs a function of the interface: nothing is thrown out of it.
-template <std::invocable F>
+/// Runs a function of the interface, in the default floating-point environment: nothing is thrown out of it.
+/// It may take the environment, to call the caller back.
+template <class F>
 int call(F&& f) noexcept {
+  Environment environment;
   try {
-    f();
+    if constexpr (std::invocable<F, Environment&>)
+      f(environment);
+    else
+      f();
     return fail(GASJET_OK, "");
   } catch (...) {
     return fail_by_exception();

@@ -56,26 +56,32 @@ std::vector<std::string> lines_of(const std::string& text) {
 /// Asks the callback now and then; an exception out of it stops the run.
 class Callback {
  public:
-  Callback(gasjet_progress function, void* user, double end) : function_(function), user_(user), end_(end) {}
+  Callback(gasjet_progress function, void* user, double end, Environment& environment)
+      : function_(function), user_(user), end_(end), environment_(environment) {}
   void level(double time) {
     if (function_ == nullptr || stopped_) return;
     const auto now = std::chrono::steady_clock::now();
     if (called_ && time < end_ && now - last_ < std::chrono::milliseconds(100)) return;
     called_ = true;
     last_ = now;
-    try {
-      stopped_ = function_(time, end_, user_) != 0;
-    } catch (...) {
-      stopped_ = thrown_ = true;
-    }
+    stopped_ = environment_.callers([&] { return asks_to_stop(time); });
   }
   bool stopped() const { return stopped_; }
   bool thrown() const { return thrown_; }
 
  private:
+  bool asks_to_stop(double time) {
+    try {
+      return function_(time, end_, user_) != 0;
+    } catch (...) {
+      return thrown_ = true;
+    }
+  }
+
   gasjet_progress function_;
   void* user_;
   double end_;
+  Environment& environment_;
   bool called_ = false, stopped_ = false, thrown_ = false;
   std::chrono::steady_clock::time_point last_;
 };
@@ -135,9 +141,9 @@ std::size_t column_of(const Table& table, int64_t column) {
 /// The driver's own kinds of error as those of the border.
 template <class F>
 int call_driver(F&& f) {
-  return call([&] {
+  return call([&](Environment& environment) {
     try {
-      f();
+      f(environment);
     } catch (const driver::CaseError& error) {
       throw Refusal(error.what());
     } catch (const driver::OutputError& error) {
@@ -150,7 +156,7 @@ int call_driver(F&& f) {
 
 int gasjet_run(const char* case_file, const char* case_text, const char* overrides, const char* out,
                int threads, gasjet_progress progress, void* user, gasjet_handle* run) {
-  return call_driver([&] {
+  return call_driver([&](Environment& environment) {
     needed(run, "run");
     if (threads < 1 || threads > 1024)
       refuse("threads", "is " + std::to_string(threads) + ", allowed: 1 to 1024");
@@ -160,7 +166,7 @@ int gasjet_run(const char* case_file, const char* case_text, const char* overrid
     driver::Scene scene = driver::read_scene(document);
     driver::add_jet_warnings(scene);
     const auto made = std::make_shared<Run>(scene);
-    Callback callback(progress, user, scene.time.end);
+    Callback callback(progress, user, scene.time.end, environment);
     const auto outcome = run_scene(scene, order, callback, *made);
     *run = keep(made);
     judge(outcome, callback);
@@ -217,7 +223,7 @@ int gasjet_run_summary(gasjet_handle run, char text[], int64_t size, int64_t* ne
 
 int gasjet_compare(const char* mine, const char* reference, const char* map, double tolerance, int* verdict,
                    char text[], int64_t size, int64_t* needed_size) {
-  return call_driver([&] {
+  return call_driver([&](Environment&) {
     const std::string my_file = path(mine, "mine"), reference_file = path(reference, "reference");
     number(tolerance, "tolerance", 0.0);
     const auto map_file = path_or_none(map, "map");
