@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # The shared libraries: what they export, and what they are made of.
-# usage: library_test.sh PART SOURCE BUILD         PART: exports, permissive, abi, can_fail; write_abi rewrites what abi compares with
+# usage: library_test.sh PART SOURCE BUILD         PART: exports, permissive, abi, valgrind, can_fail; write_abi rewrites what abi compares with
 set -euo pipefail
 
 part=$1 source=$2 build=$3
@@ -61,6 +61,18 @@ case $part in
     interface "$source" | diff "$list" - >"$folder/difference" ||
       fail "the interface differs from $list. If version $(sed -nE 's/^set.GASJET_VERSION ([0-9.]+).*/\1/p' "$source/cmake/GasjetVersion.cmake") is released, \
 raise it (docs/versions.md); write the new interface: library_test.sh write_abi. $(cat "$folder/difference")"
+    ;;
+  valgrind)
+    libraries=$build/bindings/c
+    cc -g "$source/verification/bindings/every_kind.c" -I"$source/bindings/c/include" -L"$libraries" -Wl,-rpath,"$libraries" \
+      -lgasjet -lgasjet_exact -o "$folder/every_kind"
+    "$folder/every_kind" "$source/cases/tank_blowdown.toml"
+    if ! command -v valgrind >/dev/null; then
+      echo "library_test: no valgrind here"
+      exit 77
+    fi
+    valgrind -q --leak-check=full --errors-for-leak-kinds=definite,indirect,possible --error-exitcode=1 \
+      "$folder/every_kind" "$source/cases/tank_blowdown.toml" || fail "valgrind found what stands above"
     ;;
   write_abi) interface "$source" >"$source/bindings/c/interface.txt" ;;
   can_fail)

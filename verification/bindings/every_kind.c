@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: Apache-2.0
+// An object of every kind: made, used, refused and freed. Run under valgrind, which finds what is not given
+// back. usage: every_kind CASE.toml
+#include <gasjet.h>
+#include <gasjet_exact.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+static void check(int status, int wanted) {
+  if (status == wanted) return;
+  fprintf(stderr, "every_kind: %d %s\n", status, gasjet_last_error());
+  exit(1);
+}
+
+static int stop(double time, double end, void* user) {
+  return time <= end && user == NULL;
+}
+
+static const double nodes[] = {0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0};
+static const double not_finite[] = {0.0, 0.0, 0.0, NAN, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0};
+static const int32_t triangles[] = {0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3};
+static const int32_t wrong[] = {0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 9};
+enum { NODES = 4, TRIANGLES = 4 };
+
+static void gas_and_tank(void) {
+  gasjet_handle gas, tank, none;
+  gasjet_gas_values values;
+  check(gasjet_gas_create("N2=0.7, CO2=0.3", 0.0, &gas), GASJET_OK);
+  check(gasjet_gas_create("N2=0.7, XY=0.3", 0.0, &none), GASJET_BAD_INPUT);
+  check(gasjet_gas_evaluate(gas, 500.0, &values), GASJET_OK);
+  check(gasjet_gas_evaluate(gas, 50.0, &values), GASJET_DOMAIN);
+  const double time[] = {0.0, 1.0}, flow[] = {0.1, 0.1}, temperature[] = {500.0, 500.0};
+  check(gasjet_tank_create(gas, 2e5, 300.0, 0.06, 1e5, 1e-8, &tank), GASJET_OK);
+  check(gasjet_tank_add_inflow(tank, gas, 2, time, flow, temperature, 0.0), GASJET_OK);
+  check(gasjet_tank_add_vent(tank, 0.6, 1e-3, 0.0), GASJET_OK);
+  check(gasjet_free(gas), GASJET_OK);
+  check(gasjet_tank_advance(tank, 0.1, 0.06), GASJET_OK);
+  check(gasjet_tank_advance(tank, 0.1, 0.06), GASJET_BAD_INPUT);
+  check(gasjet_free(tank), GASJET_OK);
+}
+
+static void jet_and_surface(void) {
+  gasjet_handle jet, surface, none;
+  gasjet_jet_model model;
+  double pressure[TRIANGLES], force[3];
+  uint8_t lit[TRIANGLES];
+  const gasjet_source source = {{0.1, 0.1, 0.1}, {1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, 0.05};
+  check(gasjet_jet_defaults(&model), GASJET_OK);
+  for (int i = 0; i < 3; ++i) model.centre[i] = 0.1, model.axis[i] = i == 0;
+  model.radius = 0.05;
+  model.decay_coefficient = 0.08;
+  check(gasjet_jet_create(&model, triangles, TRIANGLES, NULL, NODES, NULL, 0, NULL, 0, &jet), GASJET_OK);
+  check(gasjet_jet_create(&model, wrong, TRIANGLES, NULL, NODES, NULL, 0, NULL, 0, &none), GASJET_BAD_INPUT);
+  check(gasjet_surface_create(triangles, TRIANGLES, NULL, NODES, NULL, 0, NULL, 0, &surface), GASJET_OK);
+  for (int i = 0; i < 3; ++i) {
+    check(gasjet_jet_pressure(jet, nodes, NODES, NULL, 400.0, 1.0, 1, 1e-3 * i, pressure, TRIANGLES, force,
+                              NULL),
+          GASJET_OK);
+    check(gasjet_surface_visible(surface, nodes, NODES, NULL, &source, NULL, 0, NAN, lit, TRIANGLES, NULL),
+          GASJET_OK);
+  }
+  check(gasjet_surface_visible(surface, not_finite, NODES, NULL, &source, NULL, 0, NAN, lit, TRIANGLES, NULL),
+        GASJET_BAD_INPUT);
+  check(gasjet_free(jet), GASJET_OK);
+  check(gasjet_free(surface), GASJET_OK);
+}
+
+static void membrane_and_contact(void) {
+  gasjet_handle membrane, contact, none;
+  gasjet_fabric_model fabric = {4e-4, 800.0, 3e8, 0.3, 1, GASJET_HENCKY};
+  gasjet_membrane_sums sums;
+  gasjet_contact_sums touch;
+  double mass[NODES], force[3 * NODES] = {0.0};
+  const double centre[] = {0.3, 0.3, -0.15};
+  check(gasjet_membrane_create(nodes, NODES, NULL, triangles, TRIANGLES, NULL, &fabric, NULL, 0, NULL, 0,
+                               &membrane),
+        GASJET_OK);
+  check(gasjet_membrane_masses(membrane, mass, NODES), GASJET_OK);
+  check(gasjet_membrane_evaluate(membrane, nodes, NODES, NULL, 1.4, 1e5, force, NULL, 3 * NODES, &sums),
+        GASJET_OK);
+  check(gasjet_contact_create(nodes, NODES, NULL, triangles, TRIANGLES, NULL, mass, 1.0, 0.2, 1e5, 0.1,
+                              &contact),
+        GASJET_OK);
+  check(gasjet_contact_evaluate(contact, nodes, NODES, NULL, centre, NULL, force, 3 * NODES, &touch),
+        GASJET_OK);
+  fabric.thickness = -1.0;
+  check(gasjet_membrane_create(nodes, NODES, NULL, triangles, TRIANGLES, NULL, &fabric, NULL, 0, NULL, 0,
+                               &none),
+        GASJET_BAD_INPUT);
+  check(gasjet_free(membrane), GASJET_OK);
+  check(gasjet_free(contact), GASJET_OK);
+}
+
+static void run_and_closed_form(const char* file) {
+  gasjet_handle run, table;
+  const double* values;
+  const double times[] = {0.0, 0.1};
+  check(gasjet_run(file, NULL, "scene.end_time=0.02", NULL, 2, NULL, NULL, &run), GASJET_OK);
+  check(gasjet_run_find(run, GASJET_HISTORY, "pressure_Pa", &values), GASJET_OK);
+  check(gasjet_free(run), GASJET_OK);
+  check(gasjet_run(file, NULL, "scene.end_time=0.02", NULL, 1, stop, NULL, &run), GASJET_STOPPED);
+  check(gasjet_free(run), GASJET_OK);
+  check(gasjet_run(file, NULL, "scene.end=0.02", NULL, 1, NULL, NULL, &run), GASJET_BAD_INPUT);
+  check(gasjet_exact_create("blowdown", "volume=0.03", times, 2, &table), GASJET_OK);
+  check(gasjet_exact_free(table), GASJET_OK);
+}
+
+int main(int count, char** arguments) {
+  if (count != 2) return 2;
+  gas_and_tank();
+  jet_and_surface();
+  membrane_and_contact();
+  run_and_closed_form(arguments[1]);
+  puts("an object of every kind was made and freed");
+}
