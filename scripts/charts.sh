@@ -26,6 +26,7 @@ source docs/make/charts/common.sh
 # shellcheck source-path=SCRIPTDIR source=../docs/make/charts/benchmarks.sh
 source docs/make/charts/benchmarks.sh
 threads=1 out=docs/charts gasjet=${GASJET:-build/gasjet}
+[[ ! -d $gasjet ]] || gasjet+=/build/gasjet # a clone, as the tutorials set it
 
 # draw NAME [COMMANDS]: its picture, of its table
 draw() {

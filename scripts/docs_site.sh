@@ -12,6 +12,7 @@ if (($# > 1)) || [[ ${1:---serve} != --serve ]]; then
 fi
 
 gasjet=${GASJET:-build/gasjet}
+[[ ! -d $gasjet ]] || gasjet+=/build/gasjet # a clone, as the tutorials set it
 if [ ! -x "$gasjet" ]; then
   echo "docs_site.sh: $gasjet is missing: scripts/run_main_case.sh builds it" >&2
   exit 2

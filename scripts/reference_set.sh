@@ -15,6 +15,7 @@ set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 cd "$root"
 gasjet=${GASJET:-$root/build/gasjet}
+[[ ! -d $gasjet ]] || gasjet+=/build/gasjet # a clone, as the tutorials set it
 out=${REFERENCE_OUT:-cases/reference}
 scenes=(tank_fill two_gas_fill tank_blowdown piston_leak sphere_vent circular_membrane plate_jet plate_jet_shadow
   pendulum_swing cushion_impact passenger_jet passenger_no_jet passenger_sharp_jet passenger_sharp_no_jet)

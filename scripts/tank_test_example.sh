@@ -7,6 +7,7 @@ set -euo pipefail
 export LC_ALL=C.UTF-8 # numbers with a decimal point, wherever the user is
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 gasjet=${GASJET:-$root/build/gasjet}
+[[ ! -d $gasjet ]] || gasjet+=/build/gasjet # a clone, as the tutorials set it
 tables=${1:-$root/cases}
 figures=${1:-$root/docs/figures}
 noise=0.01 # of the reading

@@ -14,6 +14,7 @@ cd "$(dirname "${BASH_SOURCE[0]}")/../../.."
 source docs/make/charts/common.sh
 threads=${1:-1} out=${2:-docs/charts}
 gasjet=${GASJET:-build/gasjet}
+[[ ! -d $gasjet ]] || gasjet+=/build/gasjet # a clone, as the tutorials set it
 work=results/detection
 references=(passenger_jet passenger_sharp_jet)
 sizes=(1 2 4 8 16)
