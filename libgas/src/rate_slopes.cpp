@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "gas/orifice.hpp"
 
@@ -14,6 +15,20 @@ UniformGas moved(const Balance& balance, double overpressure) {
   gas.overpressure = overpressure;
   gas.pressure = balance.boundary().model().ambient.pressure + overpressure;
   return gas;
+}
+
+/// Bound of the relaxation rate by the flow alone; infinite where there is none.
+double relaxation_bound(const Balance& balance) {
+  constexpr double kFar = 1e-3;  // of p: nearer to p_a the slope of flow is not bounded by the flow
+  const UniformGas& gas = balance.gas();
+  if (gas.overpressure < kFar * gas.pressure ||
+      std::ranges::any_of(balance.boundary().model().vents,
+                          [](const Vent& v) { return v.area_of_overpressure.has_value(); }))
+    return std::numeric_limits<double>::infinity();
+  // n of a hole is at most 1/2 p/(p - p_a) + 1, that of fabric 1/2 p/(p - p_a) + 1/2; a table's less than
+  // p/(p - p_a) + 1.
+  const double exponent = 1.0 + gas.pressure / gas.overpressure;
+  return wall_relaxation(balance) + balance.flow() / gas.mass * (1.0 + gas.gamma * (exponent + 0.5));
 }
 
 }  // namespace
@@ -49,15 +64,20 @@ UniformGas where_linear(const Balance& balance) {
              : gas;
 }
 
-double relaxation(const Balance& balance, const UniformGas& gas) {
+double wall_relaxation(const Balance& balance) {
+  const UniformGas& gas = balance.gas();
+  return gas.mass > 0.0 ? balance.boundary().model().heat_loss.conductance / gas.capacity : 0.0;
+}
+
+double relaxation(const Balance& balance, double enough) {
   using Number = Dual<1>;
+  if (const double bound = relaxation_bound(balance); bound <= enough) return bound;
   const Boundary& boundary = balance.boundary();
-  if (gas.mass == 0.0) return 0.0;
-  const double walls = boundary.model().heat_loss.conductance / gas.capacity;
+  const UniformGas gas = where_linear(balance);
   const Number flow = boundary.flow<Number>(
       {{gas.pressure, 0}, {gas.overpressure, 0}, gas.temperature, gas.gas_constant, gas.gamma},
       balance.time());
-  const double slope = flow.slopes[0];
+  const double slope = flow.slopes[0], walls = wall_relaxation(balance);
   if (flow.value == 0.0) return walls;
   if (flow.value < 0.0) return walls + std::max(0.0, open_growth(boundary, gas, -slope) / gas.volume);
   return walls + outflow_relaxation_rate(gas.gamma, flow.value / gas.mass, slope * gas.pressure / flow.value,

@@ -13,9 +13,11 @@ double balanced_overpressure(const Balance& balance);
 /// once.
 UniformGas where_linear(const Balance& balance);
 
-/// Relaxation rate [1/s] at `gas`: that of the walls (G.16) plus that of outflow, the faster of (G.14), or
-/// of p by backflow.
-double relaxation(const Balance& balance, const UniformGas& gas);
+/// Relaxation rate [1/s] of the walls (G.16).
+double wall_relaxation(const Balance& balance);
+/// The same of walls and flow together: the faster of (G.14), or that of p by backflow. If a cheap bound of
+/// it is at most `enough`, that bound.
+double relaxation(const Balance& balance, double enough = 0.0);
 
 /// Derivatives of the rates of a Balance. The gas has parts z: the mass of each species, taken to come at the
 /// gas's own temperature, and last its energy (G.23).

@@ -79,22 +79,6 @@ double StepControl::longest(const Balance& balance, double relaxation) const {
   return std::min(stable, rounding_limit(balance));
 }
 
-double StepControl::relaxation_bound(const Balance& balance) const {
-  constexpr double kFar = 1e-3;  // of p: nearer to p_a the slope of flow is not bounded by the flow
-  const UniformGas& gas = balance.gas();
-  const ControlVolumeModel& model = balance.boundary().model();
-  const bool curves =
-      std::ranges::any_of(model.vents, [](const Vent& v) { return v.area_of_overpressure.has_value(); });
-  if (gas.mass == 0.0 || curves || balance.flow() < 0.0 || std::abs(gas.overpressure) < kFar * gas.pressure)
-    return kInfinity;
-  const double walls = balance.boundary().model().heat_loss.conductance / gas.capacity;
-  if (balance.flow() == 0.0) return walls;
-  // n of a hole is at most 1/2 p/(p - p_a) + 1, that of fabric 1/2 p/(p - p_a) + 1/2; a table's less than
-  // p/(p - p_a) + 1.
-  const double exponent = 1.0 + gas.pressure / gas.overpressure;
-  return walls + balance.flow() / gas.mass * (1.0 + gas.gamma * (exponent + 0.5));
-}
-
 bool StepControl::tells(const Balance& balance, double overpressure) const {
   return is_fixed() || std::abs(overpressure) > options_.relative_tolerance * balance.gas().pressure;
 }
@@ -103,13 +87,10 @@ bool StepControl::is_ending(const Balance& balance, const Moment& at) const {
   return at.growth == 0.0 && !tells(balance, at.overpressure);
 }
 
-void StepControl::require_stable(const Balance& balance, double length) const {
+void StepControl::require_stable(const Balance& balance, double length, double relaxation) const {
   if (!is_fixed() || options_.unsafe_step) return;
-  const double growth = balance.closed_growth();
-  const UniformGas gas = where_linear(balance);
-  const bool fed = gas.overpressure < 0.0 ? growth < 0.0 : growth > 0.0;
-  const double walls = gas.mass > 0.0 ? balance.boundary().model().heat_loss.conductance / gas.capacity : 0.0;
-  const double rate = fed ? relaxation(balance, gas) : walls;
+  const bool fed = balance.closed_growth() * where_linear(balance).overpressure > 0.0;
+  const double rate = fed ? relaxation : wall_relaxation(balance);
   if (!(length * rate > limit())) return;
   throw DomainError("the step " + to_text(options_.fixed_step) + " s is above the method's stability limit " +
                     to_text(limit() / rate) + " s at t = " + to_text(balance.time()) +
@@ -143,7 +124,7 @@ void StepControl::fail_crossing(double t) const {
 
 /// What could be done about sub-steps of `length`, too many or too short.
 std::string StepControl::advice(const Balance& balance, double length) const {
-  const double relaxation = gas::relaxation(balance, where_linear(balance));
+  const double relaxation = gas::relaxation(balance);
   std::string text;
   if (relaxation > 0.0) text = "; it relaxes within " + to_text(1.0 / relaxation) + " s";
   if (length * relaxation > 0.1 * limit()) text += "; Rosenbrock 4 (gas_method of a case) has no such limit";

@@ -28,8 +28,6 @@ class StepControl {
   /// Longest length; `relaxation` [1/s] is the rate of flow and walls. For the methods that are only explicit
   /// it is their stability limit.
   double longest(const Balance& balance, double relaxation) const;
-  /// Cheap upper bound [1/s] of the gas's relaxation rate; infinite if none is known.
-  double relaxation_bound(const Balance& balance) const;
   /// True if the tolerance distinguishes p_a + overpressure from p_a.
   bool tells(const Balance& balance, double overpressure) const;
   /// True if flow that only runs out, or in, is about to end: the tolerance does not distinguish p from p_a.
@@ -37,7 +35,7 @@ class StepControl {
   /// Throws DomainError if a fixed length is above the stability limit of its method and an error would grow:
   /// where inflow feeds the outflow, or where walls or expansion draw in the backflow. Flow that only runs
   /// out or in ends at p = p_a.
-  void require_stable(const Balance& balance, double length) const;
+  void require_stable(const Balance& balance, double length, double relaxation) const;
 
   /// Throws DomainError if p hardly moves in a fixed explicit sub-step, though its rates at both ends would
   /// move it far. It has turned in between: the sub-step is beyond the stability limit at a balance that it

@@ -32,6 +32,7 @@ constexpr double kRootBegin = 1e-12;
 Substepper::Substepper(const Boundary& boundary, Ledger& ledger, const TriggerNetwork& network,
                        const IntegratorOptions& options)
     : options_(options),
+      may_switch_(options.method == Method::dormand_prince_5 && options.fixed_step == 0.0),
       network_(network),
       watch_(boundary, options.relative_tolerance),
       control_(options, options.method == Method::rosenbrock_4 ? 4.0 : 5.0),
@@ -75,17 +76,11 @@ void Substepper::start(double t, double b) {
 
 /// Before a sub-step of at most `length` [s]: where that is far from stiff, a bound of it does.
 void Substepper::set_relaxation(double length) {
-  if (options_.method == Method::dormand_prince_5) {
-    begin_.relaxation = control_.relaxation_bound(system_.balance);
-    if (length * begin_.relaxation <= kStiff) return;
-  }
-  begin_.relaxation = relaxation(system_.balance, where_linear(system_.balance));
+  begin_.relaxation = relaxation(system_.balance, may_switch_ ? kStiff / length : 0.0);
 }
 
 bool Substepper::is_stiff(double length) const {
-  if (options_.method == Method::rosenbrock_4) return true;
-  return options_.method == Method::dormand_prince_5 && !control_.is_fixed() &&
-         length * begin_.relaxation > kStiff;
+  return options_.method == Method::rosenbrock_4 || (may_switch_ && length * begin_.relaxation > kStiff);
 }
 
 Substepper::Reach Substepper::reach(const Proposal& proposal, double b) const {
@@ -110,7 +105,7 @@ void Substepper::stop_at_ambient(double x) {
 /// One trial; the balance is left at its end. Its error over the tolerance, infinite if any stage met no gas.
 double Substepper::try_step(const Reach& reach, bool stiff) {
   const double t = begin_.t, x = begin_.x, h = (x + reach.length) - x;  // what flows in until then, exactly
-  control_.require_stable(system_.balance, reach.end - t);
+  control_.require_stable(system_.balance, reach.end - t, begin_.relaxation);
   if (++system_.effort.attempts > options_.maximum_steps || !(h > 0.0) || !(system_.clock.time(x + h) > t))
     control_.fail(system_, t, reach.end - t, system_.valid);
   system_.valid = true;
@@ -145,7 +140,7 @@ std::optional<Substepper::Proposal> Substepper::again(const Proposal& tried, con
                       reach.length * begin.overpressure / (begin.overpressure - end.overpressure),
                       tried.stiff};
     }
-    const bool other = !tried.stiff && options_.method == Method::dormand_prince_5;
+    const bool other = !tried.stiff && may_switch_;
     return Proposal{other ? reach.length : kCrossingFactor * reach.length, kInfinity, tried.stiff || other};
   }
   if (!system_.clock.root && !tried.stiff) control_.require_motion(balance, begin, end, duration);

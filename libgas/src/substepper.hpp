@@ -60,6 +60,7 @@ class Substepper {
   void accept(const Reach& reach, const Moment& end, bool landed, double after, double b);
 
   const IntegratorOptions options_;
+  const bool may_switch_;  // to the implicit method and back
   const TriggerNetwork& network_;
   const Watch watch_;
   const StepControl control_;
