@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "limits.hpp"
+
 namespace gas {
 namespace {
 
@@ -15,6 +17,10 @@ bool lets_air_in(const ControlVolumeModel& model) {
 
 double laminar_overpressure(const ControlVolumeModel& model) {
   return model.laminar_share * model.ambient.pressure;
+}
+
+double opened_at(const Vent& vent, const TriggerState& triggers) {
+  return vent.trigger ? triggers[*vent.trigger].since : 0.0;
 }
 
 const Fabric& fabric_of(const ControlVolumeModel& model, std::size_t i) {
@@ -40,29 +46,55 @@ Boundary::Boundary(const ControlVolumeModel& model)
       ambient_(model),
       slots_{model.thermo.size(), model.vents.size(), model.fabric_count(),
              lets_air_in(model) ? model.vents.size() : 0},
-      laminar_(laminar_overpressure(model)),
       inflows_(model),
-      openings_(model) {}
+      areas_(model.vents.size()) {}
 
 void Boundary::begin_step(double t0, double t1, const VolumePath& path) {
-  const double length = t1 - t0;
-  path_ = {t0,
-           t1,
-           path.volume_begin,
-           (path.volume_end - path.volume_begin) / length,
-           4.0 * path.volume_bulge / (length * length),
-           path.leak_area_begin,
-           (path.leak_area_end - path.leak_area_begin) / length};
-  if (model_.volume_of_overpressure) path_.mean_rate = path_.curvature = 0.0;
+  path_ = {t0, 1.0 / (t1 - t0), path};
+  if (!model_.volume_of_overpressure) return;
+  path_.path.volume_end = path.volume_begin;  // not read
+  path_.path.volume_bulge = 0.0;
 }
 
 void Boundary::begin_segment(const TriggerState& triggers, double a, double b) {
-  openings_.begin_segment(triggers, a, b);
   inflows_.begin_segment(triggers, a, b);
+  for (std::size_t j = 0; j < areas_.size(); ++j) {
+    const Vent& vent = model_.vents[j];
+    Curve::Piece piece{0.0, vent.area_of_overpressure ? 1.0 : vent.area, 0.0};
+    if (vent.trigger && !triggers[*vent.trigger].on) {
+      piece.value = 0.0;
+    } else if (vent.area_of_time) {
+      const double start = opened_at(vent, triggers);
+      piece = vent.area_of_time->piece(0.5 * (a + b) - start);
+      piece.origin += start;
+    }
+    const double cd = vent.discharge_coefficient;
+    areas_[j] = {piece.origin, cd * piece.value, cd * piece.slope};
+  }
 }
 
 double Boundary::next_break(const TriggerState& triggers, double t) const {
-  return std::min(openings_.next_break(triggers, t), inflows_.next_break(triggers, t));
+  double next = inflows_.next_break(triggers, t);
+  for (const Vent& vent : model_.vents) {
+    const double start = opened_at(vent, triggers);
+    if (!vent.area_of_time || start == kInfinity) continue;
+    const Curve& area = *vent.area_of_time;
+    const double knot = start + area.next_knot(local_time({&area}, start, t));
+    next = std::min(next, std::max(knot, std::nextafter(t, kInfinity)));
+  }
+  return next;
+}
+
+bool Boundary::has_open_vent() const {
+  for (std::size_t j = 0; j < areas_.size(); ++j)
+    if (is_open(j)) return true;
+  return false;
+}
+
+bool Boundary::has_backflow() const {
+  for (std::size_t j = 0; j < slots_.backflows; ++j)
+    if (model_.vents[j].backflow && is_open(j)) return true;
+  return false;
 }
 
 namespace {

@@ -1,27 +1,37 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
+#include <vector>
+
 #include "gas/integrator.hpp"
 #include "inflows.hpp"
-#include "openings.hpp"
 #include "slots.hpp"
 #include "uniform_gas.hpp"
 
 namespace gas {
 
-/// A VolumePath over its step (G.17).
+/// A VolumePath from t0 on, (G.17), in the share x of the step.
 struct StepPath {
-  double begin = 0.0, end = 0.0;                         // [s]
-  double first = 0.0, mean_rate = 0.0, curvature = 0.0;  // [m3], [m3/s], [m3/s2]
-  double leak_first = 0.0, leak_rate = 0.0;              // [m2], [m2/s]
-  double volume(double t) const { return first + (mean_rate + curvature * (end - t)) * (t - begin); }
-  double rate(double t) const { return mean_rate + curvature * (begin + end - 2.0 * t); }
-  double acceleration() const { return -2.0 * curvature; }
+  double t0 = 0.0, per_second = 0.0;  // [s], dx/dt [1/s]
+  VolumePath path{};
+  template <class S>
+  S share(const S& t) const {
+    return (t - t0) * per_second;
+  }
+  double growth() const { return path.volume_end - path.volume_begin; }
+  double volume(double t) const {
+    const double x = share(t);
+    return path.volume_begin + x * (growth() + 4.0 * path.volume_bulge * (1.0 - x));
+  }
+  double rate(double t) const {
+    return (growth() + 4.0 * path.volume_bulge * (1.0 - 2.0 * share(t))) * per_second;
+  }
+  double acceleration() const { return -8.0 * path.volume_bulge * per_second * per_second; }
   template <class S>
   S leak_area(const S& t) const {
-    return leak_first + leak_rate * (t - begin);
+    return path.leak_area_begin + share(t) * (path.leak_area_end - path.leak_area_begin);
   }
-  bool moves() const { return mean_rate != 0.0 || curvature != 0.0; }
-  bool leaks() const { return leak_first > 0.0 || leak_rate != 0.0; }
+  bool moves() const { return growth() != 0.0 || path.volume_bulge != 0.0; }
+  bool leaks() const { return path.leak_area_begin > 0.0 || path.leak_area_end > 0.0; }
 };
 
 /// The gas outside, which flows in through vents with backflow.
@@ -39,8 +49,19 @@ struct AmbientGas {
 };
 
 double laminar_overpressure(const ControlVolumeModel& model);  // [Pa] d of (G.22)
+/// Time [s] at which a vent opened, from which its area of time counts.
+double opened_at(const Vent& vent, const TriggerState& triggers);
 /// Fabric i of the model, the default one included.
 const Fabric& fabric_of(const ControlVolumeModel& model, std::size_t i);
+
+/// Value of a curve, or with its derivatives.
+inline double value_of(const Curve& curve, double x) {
+  return curve.value(x);
+}
+template <std::size_t N>
+Dual<N> value_of(const Curve& curve, const Dual<N>& x) {
+  return curve.piece(x.value).at(x);
+}
 
 /// Mass flow [kg/s] out through fabric i, (G.7) or (G.12); `leak_area` [m2] is that of all fabrics.
 template <class S>
@@ -54,7 +75,8 @@ S fabric_flow(const ControlVolumeModel& model, std::size_t i, const S& leak_area
 /// Heat flow [W] through the walls (G.11) at a temperature [K] of the gas.
 double heat_flow(const ControlVolumeModel& model, double temperature);
 
-/// All flows through the boundary of a volume, over a segment of time in which nothing switches.
+/// All flows through the boundary of a volume, over a segment of time in which nothing switches and no curve
+/// of time passes a knot.
 class Boundary {
  public:
   /// `model` must outlive this object.
@@ -62,6 +84,7 @@ class Boundary {
 
   void begin_step(double t0, double t1, const VolumePath& path);
   void begin_segment(const TriggerState& triggers, double a, double b);
+  /// First time after t at which a segment has to end.
   double next_break(const TriggerState& triggers, double t) const;
 
   const ControlVolumeModel& model() const { return model_; }
@@ -69,52 +92,52 @@ class Boundary {
   const AmbientGas& ambient() const { return ambient_; }
   const Inflows& inflows() const { return inflows_; }
   const StepPath& path() const { return path_; }
-  bool is_open() const { return openings_.is_open() || path_.leaks(); }  // gas can leave
-  bool has_open_vent() const { return openings_.is_open(); }
-  bool has_backflow() const { return openings_.has_backflow(); }  // gas can come in
+  bool has_open_vent() const;
+  bool is_open() const { return has_open_vent() || path_.leaks(); }  // gas can leave
+  bool has_backflow() const;                                         // gas can come in
 
   /// Mass flows [kg/s] at time t, as numbers or with derivatives. Out in stream j of Slots: through a vent
   /// (G.6), or through a fabric, (G.7) or (G.12). In through vent j.
   template <class S>
-  S out(std::size_t j, const Upstream<S>& gas, const S& t) const;
+  S out(std::size_t j, const Upstream<S>& gas, const S& t) const {
+    if (j < slots_.vents) return through_vent(j, gas, gas.overpressure, t);
+    return path_.leaks() ? fabric_flow(model_, j - slots_.vents, path_.leak_area(t), gas) : S(0.0);
+  }
   template <class S>
-  S back(std::size_t j, const Upstream<S>& gas, const S& t) const;
+  S back(std::size_t j, const Upstream<S>& gas, const S& t) const {
+    if (!model_.vents[j].backflow) return S(0.0);
+    return through_vent(j, ambient_.upstream(gas.overpressure), gas.overpressure, t);
+  }
   /// All that flow out; below zero those that flow in.
   template <class S>
-  S flow(const Upstream<S>& gas, const S& t) const;
+  S flow(const Upstream<S>& gas, const S& t) const {
+    const bool leaves = gas.overpressure > 0.0;
+    S sum(0.0);
+    for (std::size_t j = 0; j < (leaves ? slots_.streams() : slots_.backflows); ++j)
+      sum = sum + (leaves ? out(j, gas, t) : -back(j, gas, t));
+    return sum;
+  }
 
  private:
+  bool is_open(std::size_t j) const { return areas_[j].value > 0.0 || areas_[j].slope != 0.0; }
+  template <class S>
+  S through_vent(std::size_t j, const Upstream<S>& upstream, const S& overpressure, const S& t) const {
+    if (!is_open(j)) return S(0.0);
+    S area = areas_[j].at(t);
+    if (area < 0.0) return S(0.0);
+    if (const auto& curve = model_.vents[j].area_of_overpressure)
+      area = area * value_of(*curve, overpressure);
+    return area * hole_flux(upstream, laminar_overpressure(model_));
+  }
+
   const ControlVolumeModel& model_;
   const AmbientGas ambient_;
   const Slots slots_;
-  const double laminar_;  // [Pa] d of (G.22)
   Inflows inflows_;
-  Openings openings_;
+  /// [vent] Cd A over time, zero while it is shut; for one with a curve over the overpressure Cd alone.
+  std::vector<Curve::Piece> areas_;
   StepPath path_;
 };
-
-template <class S>
-S Boundary::out(std::size_t j, const Upstream<S>& gas, const S& t) const {
-  if (j >= slots_.vents)
-    return path_.leaks() ? fabric_flow(model_, j - slots_.vents, path_.leak_area(t), gas) : S(0.0);
-  if (!openings_.is_open(j)) return S(0.0);
-  return openings_.area(j, t, gas.overpressure) * hole_flux(gas, laminar_);
-}
-
-template <class S>
-S Boundary::back(std::size_t j, const Upstream<S>& gas, const S& t) const {
-  if (!model_.vents[j].backflow || !openings_.is_open(j)) return S(0.0);
-  return openings_.area(j, t, gas.overpressure) * hole_flux(ambient_.upstream(gas.overpressure), laminar_);
-}
-
-template <class S>
-S Boundary::flow(const Upstream<S>& gas, const S& t) const {
-  const bool leaves = gas.overpressure > 0.0;
-  S sum(0.0);
-  for (std::size_t j = 0; j < (leaves ? slots_.streams() : slots_.backflows); ++j)
-    sum = sum + (leaves ? out(j, gas, t) : -back(j, gas, t));
-  return sum;
-}
 
 /// V dp/dt [W] with the openings shut, from inflow, volume and walls.
 double closed_growth(const Boundary& boundary, const UniformGas& gas, double t);

@@ -32,6 +32,16 @@ UniformGas gas_of(const ControlVolumeModel& model, const ControlVolumeState& sta
   return *gas;
 }
 
+/// Cd A of a vent [m2]; zero while it is shut.
+double effective_area(const Vent& vent, const TriggerState& triggers, double time, double overpressure) {
+  if (vent.trigger && !triggers.at(*vent.trigger).on) return 0.0;
+  double area = vent.area;
+  if (const auto& curve = vent.area_of_overpressure) area = curve->value(overpressure);
+  if (const auto& curve = vent.area_of_time)
+    area = curve->value(local_time({&*curve}, opened_at(vent, triggers), time));
+  return vent.discharge_coefficient * area;
+}
+
 }  // namespace
 
 GasPoint evaluate(const ControlVolumeModel& model, const ControlVolumeState& state, double volume,

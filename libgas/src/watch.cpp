@@ -28,6 +28,21 @@ bool is_led_by_flow(const Moment& at) {
   return std::abs(at.growth) < 0.5 * std::abs(at.rate);
 }
 
+/// Overpressures [Pa] at which an area, a fabric's velocity or the volume has a knot, rising.
+std::vector<double> overpressure_knots(const ControlVolumeModel& model) {
+  std::vector<double> knots;
+  const auto add = [&](const std::optional<Curve>& curve) {
+    if (!curve || curve->is_constant()) return;
+    for (const Curve::Knot& knot : curve->knots()) knots.push_back(knot.time);
+  };
+  for (const Vent& vent : model.vents) add(vent.area_of_overpressure);
+  for (const Fabric& fabric : model.fabrics) add(fabric.velocity);
+  add(model.volume_of_overpressure);
+  std::ranges::sort(knots);
+  knots.erase(std::unique(knots.begin(), knots.end()), knots.end());
+  return knots;
+}
+
 }  // namespace
 
 Watch::Watch(const Boundary& boundary, double tolerance) : boundary_(boundary) {
