@@ -4,6 +4,16 @@
 #include <algorithm>
 
 namespace gas {
+namespace {
+
+/// V dp/dt [W] in a rigid volume for 1 kg/s of `mixture` that enters `gas` at `temperature` [K].
+double growth_per_flow(const Mixture& mixture, double temperature, const UniformGas& gas) {
+  return (mixture.gas_constant_sum * gas.temperature +
+          (gas.gamma - 1.0) * (mixture.enthalpy(temperature) - mixture.internal_energy(gas.temperature))) /
+         mixture.mass;
+}
+
+}  // namespace
 
 Balance::Balance(const Boundary& boundary) : boundary_(boundary), masses_(boundary.slots().species) {}
 
@@ -38,9 +48,29 @@ void Balance::fill_rates(Vector& dydt) {
   dydt[s.heat()] = heat_flow(boundary_.model(), gas_.temperature);  // Q, (G.11)
 }
 
+double Balance::closed_growth() const {
+  const Inflows& inflows = boundary_.inflows();
+  double growth = -gas_.gamma * gas_.pressure * boundary_.path().rate(time_) -
+                  (gas_.gamma - 1.0) * heat_flow(boundary_.model(), gas_.temperature);
+  for (std::size_t i = 0; i < inflows.size(); ++i) {
+    if (inflows[i].is_idle()) continue;
+    const auto [mass_flow, temperature] = inflows[i].flow(time_);
+    growth += mass_flow * growth_per_flow(inflows[i].gas(), temperature, gas_);
+  }
+  return growth / gas_.compliance();
+}
+
+double Balance::open_growth(double flow) const {
+  if (flow == 0.0) return 0.0;
+  const AmbientGas& air = boundary_.ambient();
+  const double growth = flow > 0.0 ? gas_.gamma * gas_.gas_constant * gas_.temperature
+                                   : growth_per_flow(air.mixture, air.temperature, gas_);
+  return -flow * growth / gas_.compliance();
+}
+
 double Balance::pressure_rate() const {
   if (gas_.mass == 0.0) return 0.0;
-  return (closed_growth() + open_growth(boundary_, gas_, flow_)) / gas_.volume;
+  return (closed_growth() + open_growth(flow_)) / gas_.volume;
 }
 
 }  // namespace gas

@@ -24,10 +24,13 @@ class Balance {
   double time() const { return time_; }  // [s]
   double fraction(std::size_t k) const { return masses_[k] / gas_.mass; }
 
-  // Of the gas located and the rates filled last:
+  /// V dp/dt [W] of the gas located: with the openings shut, from inflow, volume and walls; and from a flow
+  /// [kg/s] out through the openings, which below zero is ambient gas that comes in.
+  double closed_growth() const;
+  double open_growth(double flow) const;
+  // Of the rates filled last:
   double flow() const { return flow_; }  // [kg/s] out through all openings; below zero what comes in
-  double closed_growth() const { return gas::closed_growth(boundary_, gas_, time_); }
-  double pressure_rate() const;  // [Pa/s]
+  double pressure_rate() const;          // [Pa/s]
 
  private:
   const Boundary& boundary_;

@@ -97,35 +97,4 @@ bool Boundary::has_backflow() const {
   return false;
 }
 
-namespace {
-
-/// V dp/dt [W] in a rigid volume for 1 kg/s of `mixture` that enters `gas` at `temperature` [K].
-double growth_per_flow(const Mixture& mixture, double temperature, const UniformGas& gas) {
-  return (mixture.gas_constant_sum * gas.temperature +
-          (gas.gamma - 1.0) * (mixture.enthalpy(temperature) - mixture.internal_energy(gas.temperature))) /
-         mixture.mass;
-}
-
-}  // namespace
-
-double closed_growth(const Boundary& boundary, const UniformGas& gas, double t) {
-  const Inflows& inflows = boundary.inflows();
-  double growth = -gas.gamma * gas.pressure * boundary.path().rate(t) -
-                  (gas.gamma - 1.0) * heat_flow(boundary.model(), gas.temperature);
-  for (std::size_t i = 0; i < inflows.size(); ++i) {
-    if (inflows[i].is_idle()) continue;
-    const auto [mass_flow, temperature] = inflows[i].flow(t);
-    growth += mass_flow * growth_per_flow(inflows[i].gas(), temperature, gas);
-  }
-  return growth / gas.compliance();
-}
-
-double open_growth(const Boundary& boundary, const UniformGas& gas, double flow) {
-  if (flow == 0.0) return 0.0;
-  const AmbientGas& air = boundary.ambient();
-  const double growth = flow > 0.0 ? gas.gamma * gas.gas_constant * gas.temperature
-                                   : growth_per_flow(air.mixture, air.temperature, gas);
-  return -flow * growth / gas.compliance();
-}
-
 }  // namespace gas

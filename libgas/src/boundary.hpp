@@ -139,9 +139,4 @@ class Boundary {
   StepPath path_;
 };
 
-/// V dp/dt [W] with the openings shut, from inflow, volume and walls.
-double closed_growth(const Boundary& boundary, const UniformGas& gas, double t);
-/// V dp/dt [W] from a flow [kg/s] out through the openings; below zero it is ambient gas that comes in.
-double open_growth(const Boundary& boundary, const UniformGas& gas, double flow);
-
 }  // namespace gas

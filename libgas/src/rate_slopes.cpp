@@ -42,7 +42,7 @@ double balanced_overpressure(const Balance& balance) {
   // feed.
   const double sign = growth > 0.0 ? 1.0 : -1.0, far = std::max(std::abs(gas.overpressure), 100.0 * laminar);
   const double flow = boundary.flow(moved(balance, sign * far).upstream(), balance.time());
-  const double effect = -sign * open_growth(boundary, gas, flow);
+  const double effect = -sign * balance.open_growth(flow);
   if (!(effect > 0.0)) return 0.0;
   const double root = std::abs(growth) / effect * std::sqrt(far);
   double overpressure = root * root;
@@ -79,7 +79,7 @@ double relaxation(const Balance& balance, double enough) {
       balance.time());
   const double slope = flow.slopes[0], walls = wall_relaxation(balance);
   if (flow.value == 0.0) return walls;
-  if (flow.value < 0.0) return walls + std::max(0.0, open_growth(boundary, gas, -slope) / gas.volume);
+  if (flow.value < 0.0) return walls + std::max(0.0, balance.open_growth(-slope) / gas.volume);
   return walls + outflow_relaxation_rate(gas.gamma, flow.value / gas.mass, slope * gas.pressure / flow.value,
                                          gas.compliance());
 }
