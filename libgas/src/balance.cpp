@@ -22,10 +22,7 @@ bool Balance::locate(std::span<const double> amount, double t) {
   std::ranges::copy(amount.first(masses_.size()), masses_.begin());
   const ControlVolumeModel& model = boundary_.model();
   model.thermo.mixture(masses_, mixture_);
-  const auto found =
-      gas::locate(model, mixture_, amount.back(), boundary_.path().volume(t), gas_.temperature);
-  if (found) gas_ = *found;
-  return found.has_value();
+  return gas::locate(model, mixture_, amount.back(), boundary_.path().volume(t), gas_);
 }
 
 void Balance::fill_rates(Vector& dydt) {

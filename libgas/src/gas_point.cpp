@@ -26,10 +26,12 @@ InflatorPoint inflator_point(const ControlVolumeModel& model, const Inflow& infl
 UniformGas gas_of(const ControlVolumeModel& model, const ControlVolumeState& state, double volume) {
   const Mixture mixture = model.thermo.mixture(state.masses);
   const double energy = state.internal_energy + stored_work(model, state);
-  const auto gas = locate(model, mixture, energy, volume, state.temperature);
-  if (!gas) mixture.temperature(state.internal_energy, state.temperature);  // throws, and says why
-  if (gas->beyond) throw DomainError(beyond_text(model));
-  return *gas;
+  UniformGas gas{};
+  gas.temperature = state.temperature;
+  if (!locate(model, mixture, energy, volume, gas))
+    mixture.temperature(state.internal_energy, state.temperature);  // throws, and says why
+  if (gas.beyond) throw DomainError(beyond_text(model));
+  return gas;
 }
 
 /// Cd A of a vent [m2]; zero while it is shut.

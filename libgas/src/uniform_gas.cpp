@@ -85,25 +85,25 @@ PressureVolume PressureVolume::at(double product) const {
           beyond};
 }
 
-std::optional<UniformGas> locate(const ControlVolumeModel& model, const Mixture& mixture, double energy,
-                                 double volume, double guess) {
+bool locate(const ControlVolumeModel& model, const Mixture& mixture, double energy, double volume,
+            UniformGas& gas) {
   if (mixture.mass == 0.0) {
-    UniformGas empty{place(model, 0.0, volume)};
-    empty.temperature = guess;
-    return empty;
+    gas = {place(model, 0.0, volume), 0.0, gas.temperature};
+    return true;
   }
-  const auto temperature = find_temperature(model, mixture, energy, guess);
-  if (!temperature) return {};
+  const auto temperature = find_temperature(model, mixture, energy, gas.temperature);
+  if (!temperature) return false;
   const double t = *temperature, r = mixture.gas_constant_sum, cp = mixture.cp(t);
-  UniformGas gas{place(model, r * t, volume)};
-  gas.mass = mixture.mass;
-  gas.temperature = t;
-  gas.gas_constant = r / mixture.mass;
-  gas.cp = cp / mixture.mass;
-  gas.gamma = cp / (cp - r);
-  gas.enthalpy = (energy - gas.work + r * t) / mixture.mass;
-  gas.capacity = cp - r + r * gas.work_share();
-  return gas;
+  const PressureVolume at = place(model, r * t, volume);
+  gas = {at,  // all at once: a member by itself is slow to read back
+         mixture.mass,
+         t,
+         r / mixture.mass,
+         cp / mixture.mass,
+         cp / (cp - r),
+         (energy - at.work + r * t) / mixture.mass,
+         cp - r + r * at.work_share()};
+  return true;
 }
 
 double work_at(const ControlVolumeModel& model, const Mixture& mixture, double temperature) {

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-#include <optional>
 #include <span>
 #include <string>
 
@@ -46,11 +45,11 @@ struct UniformGas : PressureVolume {
   Upstream<double> upstream() const { return {pressure, overpressure, temperature, gas_constant, gamma}; }
 };
 
-/// The gas of `mixture` with an energy [J] in `volume` [m3]. If the volume follows p, `volume` is not read,
-/// and the energy is U plus the work done so far (G.19). `guess` [K] affects the speed only. Empty if the
-/// temperature is out of range.
-std::optional<UniformGas> locate(const ControlVolumeModel& model, const Mixture& mixture, double energy,
-                                 double volume, double guess);
+/// Sets `gas` to that of `mixture` with an energy [J] in `volume` [m3]. If the volume follows p, `volume` is
+/// not read, and the energy is U plus the work done so far (G.19). The temperature in `gas` is the guess,
+/// which affects the speed only. False, and nothing is set, if the temperature is out of range.
+bool locate(const ControlVolumeModel& model, const Mixture& mixture, double energy, double volume,
+            UniformGas& gas);
 /// Work (G.19) [J] of the gas of `state`; 0 unless the volume follows p. Throws DomainError outside the
 /// range.
 double stored_work(const ControlVolumeModel& model, const ControlVolumeState& state);
