@@ -11,13 +11,15 @@ struct TooStiff : DomainError {
   using DomainError::DomainError;
 };
 
-/// Length of a sub-step, and the error if none can be taken. All lengths are in t [s].
+/// Length [s] of a sub-step, and the error if none can be taken.
 class StepControl {
  public:
   /// `error_power` is that of the method for gas that is not stiff.
   StepControl(const IntegratorOptions& options, double error_power);
 
   bool is_fixed() const { return options_.fixed_step > 0.0; }
+  /// Stiff sub-steps are taken by the implicit method, and others are not.
+  bool may_switch() const { return options_.method == Method::dormand_prince_5 && !is_fixed(); }
   /// Error of mass and of thermal energy at the gas located, over the tolerance; 0 for fixed sub-steps. The
   /// energy h that goes with an error of mass is not counted as an error of temperature.
   double scaled_error(const System& system, const Vector& error, Vector& scratch) const;

@@ -19,6 +19,20 @@ struct Clock {
   double slope_of_slope() const { return root ? 2.0 : 0.0; }     // d2t/dx2
 };
 
+/// The time of a trial, by shares of its length in x.
+struct Stretch {
+  Stretch(const Clock& its_clock, double begins, double ends)
+      : clock(its_clock), begin(begins), end(ends), x(clock.position(begin)), h(clock.position(end) - x) {}
+  double time(double share) const { return clock.time(x + share * h); }
+  // Time [s] in which the trial would pass at the pace of x that it begins or ends with.
+  double begin_pace() const { return h * clock.slope(x); }
+  double end_pace() const { return h * clock.slope(x + h); }
+
+  Clock clock;
+  double begin, end;  // [s]
+  double x, h;        // begin and length in x
+};
+
 /// Counters: sub-steps tried and accepted, evaluations of the right-hand side.
 struct Effort {
   int attempts = 0, accepted = 0, evaluations = 0;
