@@ -65,7 +65,7 @@ TEST(allocation, a_step_of_the_jet_allocates_nothing) {
   }
 }
 
-TEST(allocation, rays_that_go_upstream_allocate_nothing) {
+TEST(allocation, rays_that_go_upstream_allocate_at_the_first_query_alone) {
   const scenes::Mesh mesh = scenes::star(4, 0.2, 1);
   jet::VisibilityQuery query(mesh.triangles(), static_cast<int>(mesh.nodes.size()));
   jet::RaySource source;
@@ -77,11 +77,12 @@ TEST(allocation, rays_that_go_upstream_allocate_nothing) {
   std::vector<std::uint8_t> lit(chosen.size());
   const Eigen::Matrix3Xd points = mesh.points();
   const jet::Points nodes(points);
+  query.query(jet::VisibilityRoute::fast, nodes, source, chosen, lit);
   const long before = support::allocations();
   const auto counters = query.query(jet::VisibilityRoute::fast, nodes, source, chosen, lit);
   EXPECT_EQ(support::allocations(), before);
   EXPECT_EQ(counters.tree_builds, 0u);
-  EXPECT_GT(counters.fallbacks, 10u);
+  EXPECT_GT(counters.lit, 40u);
 }
 
 }  // namespace

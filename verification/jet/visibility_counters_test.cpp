@@ -46,14 +46,14 @@ TEST(fast_route, ray_upstream_falls_back_alone) {
   std::vector<int> candidates = routes::in_cone(mesh, source, 0.3);
   std::size_t facing = 0;
   for (const int e : routes::in_cone(mesh, back, 0.9)) {
-    if (facing == 5 || routes::agreed_on({e}, mesh, source).counters.facing_away > 0) continue;
+    if (facing == 4 || routes::agreed_on({e}, mesh, source).counters.facing_away > 0) continue;
     candidates.push_back(e);
     ++facing;
     const auto counters = routes::agreed_on(candidates, mesh, source).counters;
     EXPECT_EQ(counters.fallbacks, facing);
     EXPECT_EQ(counters.tree_builds, 0u);
   }
-  EXPECT_EQ(facing, 5u);
+  EXPECT_EQ(facing, 4u);
 }
 
 TEST(fast_route, outlet_that_crosses_the_bag_has_no_common_winding_number) {
@@ -78,13 +78,13 @@ TEST(fast_route, outlet_that_crosses_the_bag_has_no_common_winding_number) {
   }
 }
 
-TEST(fast_route, tree_is_built_for_rays_all_around_in_a_folded_bag_alone) {
+TEST(fast_route, rays_all_around_need_no_tree) {
   const Mesh folded = scenes::crumpled(3, 0.02, 2), star = scenes::star(3, 0.3, 5);
   const jet::RaySource source = routes::point({0, 0, 0});
   const auto all = routes::agreed(folded, source).counters;
-  EXPECT_EQ(all.tree_builds, 1u);
-  EXPECT_GT(all.fallbacks, 100u);
-  EXPECT_LE(all.fallbacks, all.lit + all.hidden);
+  EXPECT_EQ(all.tree_builds, 0u);
+  EXPECT_LT(all.fallbacks, 20u);  // those square to the axis
+  EXPECT_GT(all.hidden, 100u);
   const auto lit = routes::agreed(star, source).counters;
   EXPECT_EQ(lit.tree_builds, 0u);
   EXPECT_EQ(lit.fallbacks, 0u);

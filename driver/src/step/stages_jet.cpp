@@ -62,16 +62,6 @@ void evaluate_field(const Scene& scene, State& state, const JetPart& part, JetRu
                       state.step.displacement_bound);
 }
 
-void add(const jet::VisibilityCounters& counters, jet::VisibilityCounters& total) {
-  total.candidates += counters.candidates;
-  total.lit += counters.lit;
-  total.hidden += counters.hidden;
-  total.facing_away += counters.facing_away;
-  total.exact_calls += counters.exact_calls;
-  total.fallbacks += counters.fallbacks;
-  total.tree_builds += counters.tree_builds;
-}
-
 void mask(const JetPart& part, const jet::Points& nodes, double displacement_bound, JetRun& run) {
   run.counters = {};
   if (!part.occlusion || run.field.candidates.empty()) {
@@ -112,7 +102,7 @@ void visibility(const Scene& scene, State& state) {
     const JetPart& part = scene.jets[j];
     JetRun& run = state.jets[j];
     mask(part, asked(skin, part, run).nodes, state.step.displacement_bound, run);
-    add(run.counters, run.total);
+    run.total += run.counters;
     if (part.pieces) part.pieces->average(run.field, run.elements);
     run.force = jet::jet_force(run.load(), skin.area_vectors);
   }

@@ -67,9 +67,11 @@ struct VisibilityCounters {
   std::size_t exact_calls = 0;  // predicates by CGAL's kernel; may depend on earlier queries
   /// Fast route: rays that its short cut did not decide, so that the whole rule was tested.
   std::size_t fallbacks = 0;
-  /// 1 if the fast route built a tree of boxes, which allocates. This happens for a folded surface with many
-  /// rays upstream, and for coordinates above 1e7 extents.
+  /// Trees of boxes that the fast route built, which allocates. This happens for a folded surface with many
+  /// rays square to the axis, and for coordinates above 1e7 extents.
   std::size_t tree_builds = 0;
+
+  VisibilityCounters& operator+=(const VisibilityCounters& other);
 };
 
 /// Visibility on a surface of fixed connectivity. It owns its workspace: use one object per thread. Data kept

@@ -7,23 +7,36 @@
 #include "visibility/winding.hpp"
 
 namespace jet {
+namespace {
 
-void FastRoute::prepare(std::shared_ptr<const OrderedMesh> mesh, std::size_t node_count, bool closed) {
+constexpr std::size_t kFewUpstream = 4;  // each takes as long as two looks at the surface
+
+}  // namespace
+
+void FastRoute::prepare(std::shared_ptr<const OrderedMesh> mesh, std::size_t node_count, bool closed,
+                        Way way) {
   closed_ = closed;
   mesh_ = std::move(mesh);
   near_.reserve(*mesh_);
-  rays_.reserve(*mesh_, node_count);
+  rays_.reserve(*mesh_, node_count, way);
   states_.reserve(rays_.asked().bits().size());
   hits_.reserve(rays_.asked().bits().size());
 }
 
-VisibilityCounters FastRoute::query(const Surface& surface, const RaySource& source,
-                                    std::span<const int> candidates, std::span<std::uint8_t> lit) {
+bool FastRoute::begin(const Surface& surface, const RaySource& source, std::span<const int> candidates) {
   surface_ = surface;
   view_.begin(surface, source);
   rays_.ask(surface, source, candidates);
   states_.reset(rays_.asked().bits());
-  facts_.bounded = (rays_.project_chosen() && find_near()) || (rays_.project_fresh() && find_near());
+  const auto found_near = [&] {
+    near_.find(rays_);
+    return rays_.accept(near_.found(), near_.patches(), near_.upstream());
+  };
+  facts_.bounded = (rays_.project_chosen() && found_near()) || (rays_.project_fresh() && found_near());
+  return rays_.upstream.size() <= kFewUpstream;
+}
+
+VisibilityCounters FastRoute::answer(std::span<std::uint8_t> lit) {
   if (!facts_.bounded) rays_.do_without();
   facts_.bounded ? classify_near() : classify_all();
   const bool certain = closed_ && facts_.shared && winding_is_one();
@@ -41,11 +54,6 @@ VisibilityCounters FastRoute::query(const Surface& surface, const RaySource& sou
   counters.fallbacks = fallbacks;
   counters.tree_builds = trees;
   return counters;
-}
-
-bool FastRoute::find_near() {
-  near_.find(rays_);
-  return rays_.accept(near_.found(), near_.patches(), near_.upstream());
 }
 
 // Rules out the near elements that face all sources, though their side was not certain.

@@ -28,18 +28,21 @@
 
 namespace jet {
 
-/// One query: finds the near elements, sets the state of each ray, and searches for the open ones.
+/// One query, begun and answered: finds the near elements, sets the state of each ray, and searches for the
+/// open ones.
 class FastRoute {
  public:
   /// Allocates the workspace for a surface, whose mesh several routes may share.
-  void prepare(std::shared_ptr<const OrderedMesh> mesh, std::size_t node_count, bool closed);
+  void prepare(std::shared_ptr<const OrderedMesh> mesh, std::size_t node_count, bool closed, Way way);
 
   /// Tells that the nodes may have moved; call it before every query of any route. `displacement_bound`: see
   /// VisibilityQuery.
   void move_to(double displacement_bound) { rays_.move_to(displacement_bound); }
 
-  VisibilityCounters query(const Surface& surface, const RaySource& source, std::span<const int> candidates,
-                           std::span<std::uint8_t> lit);
+  /// False if more than a few rays do not go this way: `answer` then takes long.
+  bool begin(const Surface& surface, const RaySource& source, std::span<const int> candidates);
+  /// Once for each `begin`, with its arguments still there.
+  VisibilityCounters answer(std::span<std::uint8_t> lit);
 
  private:
   using enum RayStates::State;
@@ -51,7 +54,6 @@ class FastRoute {
     bool shared = true;     // all sources have the same winding number
   };
 
-  bool find_near();
   void classify_near();
   void classify_all();
   bool winding_is_one();

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Orthonormal coordinates along a jet: w downstream, v along the outlet's long side and u across.
+// Orthonormal coordinates along a jet: w downstream, or upstream, v along the outlet's long side and u
+// across.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -9,10 +10,14 @@
 
 namespace jet {
 
+/// The way that w runs. Sources on the surface are moved downstream in either.
+enum class Way { downstream, upstream };
+
 struct Frame {
   Eigen::Vector3d across, along, forward;  // right-handed in this order: orientations keep their signs
   bool line = false;                       // sources lie on a line, not in one point
   bool usable = false;                     // the source has a frame
+  Way way = Way::downstream;
 
   /// Sets all of it. The frame is not usable if the long direction has another length than 1, or is along the
   /// axis. Sources of a line lie off `along` by at most 1e-14 of its length.
@@ -25,12 +30,15 @@ struct Frame {
     forward -= forward.dot(along) * along;  // must not cancel, to be square to a few roundings
     if (forward.squaredNorm() < 0.01) return;
     forward.normalize();
+    if (way == Way::upstream) forward = -forward;
     across = along.cross(forward);
     usable = true;
   }
 
-  /// True if w is a coordinate of the points, the same for all sources. The sign of w is then exact.
-  bool aligned() const {
+  /// True if no ray is at w <= 0: sources on the surface are moved above, and w is a coordinate of the
+  /// points, the same for all sources, so its sign is exact.
+  bool has_floor() const {
+    if (way == Way::upstream) return false;
     if ((forward.array() == 0.0).count() != 2) return false;
     for (int i = 0; i < 3; ++i)
       if (std::abs(forward[i]) == 1.0 && along[i] == 0.0) return true;

@@ -38,7 +38,8 @@ void set_side(ProjectArrays& arrays, int bit, double slope, double bound, double
 
 }  // namespace
 
-void Projection::reserve(std::size_t node_count, std::size_t elements) {
+void Projection::reserve(std::size_t node_count, std::size_t elements, Way way) {
+  frame_.way = way;
   points_.nodes.resize(4 * (node_count + 8));
   points_.codes.resize(node_count + 8);
   points_.targets.resize(4 * elements);
@@ -127,7 +128,7 @@ void Projection::set_sides(const Frustum& bounds, double reach) {
   set_side(arrays_, 3, frame_.line ? 0.0 : bounds.high_v, frame_.line ? bounds.high_v : 0.0, reach);
   arrays_.bound[4] = static_cast<float>(kMargin + std::max(reach, 0.0));
   // What is not above the sources' own plane meets no ray: a source on it starts above, by eps.
-  outside_ = kSides | (frame_.aligned() ? kFloor : 0);
+  outside_ = kSides | (frame_.has_floor() ? kFloor : 0);
 }
 
 int find_patches(const OrderedMesh& mesh, const LocalPoints& points, int all_outside, int* patches) {

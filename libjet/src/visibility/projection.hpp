@@ -38,7 +38,7 @@ int find_patches(const OrderedMesh& mesh, const LocalPoints& points, int outside
 class Projection {
  public:
   /// `elements`: room for their targets.
-  void reserve(std::size_t node_count, std::size_t elements);
+  void reserve(std::size_t node_count, std::size_t elements, Way way);
   /// Builds the frame of the source, which may not be usable.
   void begin(const Surface& surface, const RaySource& source, std::span<const int> candidates);
 

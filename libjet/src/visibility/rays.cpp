@@ -45,9 +45,9 @@ WindingRay winding_ray(const Projection& projection, const AskedRays& asked, con
 
 }  // namespace
 
-void RayBundle::reserve(const OrderedMesh& mesh, std::size_t node_count) {
+void RayBundle::reserve(const OrderedMesh& mesh, std::size_t node_count, Way way) {
   const std::size_t patches = set_bytes(static_cast<std::size_t>(mesh.patches)), elements = 8 * patches;
-  projection_.reserve(node_count, elements);
+  projection_.reserve(node_count, elements, way);
   asked_.reserve(mesh, patches);
   upstream.reserve(elements + 8);
   close_.reserve(mesh, node_count);
@@ -61,6 +61,7 @@ void RayBundle::move_to(double displacement_bound) {
 void RayBundle::ask(const Surface& surface, const RaySource& source, std::span<const int> candidates) {
   asked_.ask(surface, source, candidates);
   projection_.begin(surface, source, candidates);
+  upstream.clear();
 }
 
 bool RayBundle::project_chosen() {

@@ -28,7 +28,7 @@ struct WindingRay {
 /// The rays of a query, their bounds, and the nodes projected for them.
 class RayBundle {
  public:
-  void reserve(const OrderedMesh& mesh, std::size_t node_count);
+  void reserve(const OrderedMesh& mesh, std::size_t node_count, Way way);
 
   /// Tells that the nodes may have moved. `displacement_bound`: see VisibilityQuery.
   void move_to(double displacement_bound);
@@ -60,7 +60,7 @@ class RayBundle {
   /// all.
   std::span<const int> find_patches(const OrderedMesh& mesh, std::span<int> out) const;
 
-  /// Places whose rays have no length or do not go downstream; they are not in the bounds.
+  /// Places whose rays have no length or do not go the frame's way; they are not in the bounds.
   std::vector<int> upstream;
 
  private:

@@ -9,8 +9,8 @@
 
 #include "checks.hpp"
 #include "visibility/blocking.hpp"
+#include "visibility/both_ways.hpp"
 #include "visibility/closedness.hpp"
-#include "visibility/fast.hpp"
 #include "visibility/filter.hpp"
 #include "visibility/one_by_one.hpp"
 #include "visibility/predicates.hpp"
@@ -57,6 +57,17 @@ bool has_route(VisibilityRoute route) {
   return route != VisibilityRoute::cgal_tree || tree_route.load() != nullptr;
 }
 
+VisibilityCounters& VisibilityCounters::operator+=(const VisibilityCounters& other) {
+  candidates += other.candidates;
+  lit += other.lit;
+  hidden += other.hidden;
+  facing_away += other.facing_away;
+  exact_calls += other.exact_calls;
+  fallbacks += other.fallbacks;
+  tree_builds += other.tree_builds;
+  return *this;
+}
+
 struct VisibilityQuery::Impl {
   int node_count;
   bool closed;
@@ -65,7 +76,7 @@ struct VisibilityQuery::Impl {
   std::vector<int> unused;  // nodes that no element uses
   Eigen::Matrix3Xd copy;    // of the nodes, if there are such
   std::shared_ptr<const OrderedMesh> mesh;
-  FastRoute fast;
+  BothWays fast;
 
   int count() const { return static_cast<int>(triangles.size()); }
   void prepare() { fast.prepare(mesh, static_cast<std::size_t>(node_count), closed); }
