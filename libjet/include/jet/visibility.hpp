@@ -71,7 +71,7 @@ struct VisibilityCounters {
   /// rays square to the axis, and for coordinates above 1e7 extents.
   std::size_t tree_builds = 0;
 
-  VisibilityCounters& operator+=(const VisibilityCounters& other);
+  VisibilityCounters& operator+=(const VisibilityCounters& other);  // adds those of another query
 };
 
 /// Visibility on a surface of fixed connectivity. It owns its workspace: use one object per thread. Data kept
