@@ -11,6 +11,7 @@
 #include "case_folder.hpp"
 #include "claim.hpp"
 #include "closed_form/gas.hpp"
+#include "closed_form/membrane.hpp"
 #include "run_case.hpp"
 
 namespace {
@@ -50,6 +51,14 @@ TEST(forecast, pressure_of_the_full_volume_by_hand) {
       bag.group.at("fabric_stretch"),
       1.5 * kGamma * bag.forecast.full->pressure * std::cbrt(0.75 * volume / M_PI) / (60e6 * 0.5e-3 / 0.7),
       kDigits);
+}
+
+TEST(forecast, full_volume_of_a_flat_design_is_that_of_its_balloon) {
+  // Discs of 0.35 m, cut as polygons of 84 corners.
+  const double discs = 42.0 / M_PI * std::sin(M_PI / 42.0);
+  claim::expect_relative({"K.30", "case driver_bag, flat: full volume [m3]", "eight digits of the constant"},
+                         forecasted("driver_bag").forecast.full->volume,
+                         closed_form::mylar_balloon(0.35).volume * std::pow(discs, 1.5), 2e-8);
 }
 
 TEST(forecast, full_volume_that_follows_its_pressure_eq_closed_form) {

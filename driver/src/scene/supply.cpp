@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "gas/orifice.hpp"
 #include "step/stages.hpp"
@@ -120,6 +121,16 @@ double relaxations(const Scene& scene, const FullOpenings& openings, const FullS
   return sum * scene.time.end / pieces;
 }
 
+// As sewn. A flat design encloses nothing: it becomes about a balloon of two discs of as much fabric.
+double sewn_volume(const membrane::Mesh& mesh) {
+  constexpr double kBalloon =
+      1.2185242;  // volume over radius^3 of the discs: Paulsen, the Mylar balloon, 1994
+  constexpr double kFlat = 0.1;
+  const double discs = kBalloon * std::pow(membrane::panel_areas(mesh).sum() / (2.0 * std::numbers::pi), 1.5);
+  const double sewn = membrane::enclosed_volume(mesh.nodes, mesh.elements);
+  return sewn > kFlat * discs ? sewn : discs;
+}
+
 }  // namespace
 
 double duration(const Scene& scene, const gas::Inflow& inflow) {
@@ -178,9 +189,7 @@ FullState full_state(const Scene& scene, const State& state, const Supply& suppl
   const auto [start, leak_area] = enclosure(scene, state);
   FullState full;
   const bool filled = supply.mass > 0.0;
-  full.volume = start;  // a flat design shape has none
-  if (scene.bag && filled)
-    full.volume = std::max(start, membrane::enclosed_volume(scene.bag->mesh.nodes, scene.bag->mesh.elements));
+  full.volume = scene.bag && filled ? std::max(start, sewn_volume(scene.bag->mesh)) : start;
   full.gamma = filled ? model.thermo.gamma(supply.mass_fractions, supply.temperature)
                       : model.thermo.gamma(scene.gas->initial_fractions, scene.gas->initial_temperature);
   full.closed_pressure = (scene.gas->initial_pressure * start + supply.work -
