@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "driver/study_analysis.hpp"
@@ -39,15 +40,29 @@ std::string timing_text(const StudyPlan& plan, const StudyRuns& runs) {
   return csv;
 }
 
+std::string point_name(const StudyPlan& plan, std::size_t p) {
+  return fmt::format("point {} ({})", p, fmt::join(level_names(plan, plan.points[p]), ", "));
+}
+
+void add_missing(const StudyPlan& plan, const StudyRuns& runs, StudySummary& summary) {
+  std::map<std::size_t, std::vector<int>> seeds;
+  for (const long number : asked_runs(plan, runs))
+    if (!runs.contains(number)) seeds[point_of(plan, number)].push_back(seed_of(plan, number));
+  for (const auto& [point, missing] : seeds)
+    summary.notes.push_back(
+        missing.size() > 8
+            ? fmt::format("not run yet: {}, {} seeds", point_name(plan, point), missing.size())
+            : fmt::format("not run yet: {}, seed {}", point_name(plan, point), fmt::join(missing, ", ")));
+}
+
 void add_claims(const StudyPlan& plan, const StudyRuns& runs, StudySummary& summary) {
   const auto claims = stop_claims(plan, runs);
   summary.decided = std::ranges::count(claims, StopClaim::decided);
   summary.undecided = std::ranges::count(claims, StopClaim::undecided);
   for (std::size_t p = 0; p < claims.size(); ++p) {
     if (claims[p] != StopClaim::undecided) continue;
-    summary.notes.push_back(fmt::format("not decided after {} seeds: point {} ({}), {}", plan.most_seeds(), p,
-                                        fmt::join(level_names(plan, plan.points[p]), ", "),
-                                        plan.stop->quantity));
+    summary.notes.push_back(fmt::format("not decided after {} seeds: {}, {}", plan.most_seeds(),
+                                        point_name(plan, p), plan.stop->quantity));
   }
 }
 
@@ -55,6 +70,7 @@ StudySummary summary_of(const StudyPlan& plan, const StudyRuns& runs) {
   StudySummary summary;
   summary.asked = static_cast<long>(asked_runs(plan, runs).size());
   for (const long number : asked_runs(plan, runs)) summary.runs += runs.contains(number);
+  add_missing(plan, runs, summary);
   for (const auto& [number, run] : runs) {
     summary.done += run.status == "done";
     summary.inaccurate += run.status == "inaccurate";
