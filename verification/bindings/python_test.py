@@ -3,6 +3,7 @@
 import csv
 import ctypes
 import gc
+import json
 import os
 import signal
 import subprocess
@@ -45,6 +46,12 @@ class Runs(unittest.TestCase):
                         rows = list(csv.reader(line for line in file if not line.startswith("#")))
                     self.assertEqual(rows[0], list(table))
                     np.testing.assert_array_equal(np.array(rows[1:], float).T, np.array(list(table.values())))
+            checks = []
+            for place in (folder, os.path.join(folder, "own")):
+                with open(os.path.join(place, "check.json"), encoding="utf-8") as file:
+                    checks.append(json.load(file))
+            commanded, own = checks
+        self.assertEqual({**own, "run": commanded["run"]}, commanded)
         self.assertEqual(run.summary["status"], "done")
         self.assertEqual([f"warning: {warning}" for warning in run.warnings], told)
         self.assertEqual(len(told), 2)  # the second inflator and its jet: later than the end

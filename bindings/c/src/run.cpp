@@ -98,9 +98,10 @@ driver::CaseDocument document_of(const Order& order, const char* case_text) {
 }
 
 /// Runs, with the command's files if a folder is named; `run` takes the tables and the summary in any case.
-driver::RunOutcome run_scene(const driver::Scene& scene, const Order& order, Callback& callback, Run& run) {
+driver::RunOutcome run_scene(const driver::Scene& scene, const driver::CaseDocument& document,
+                             const Order& order, Callback& callback, Run& run) {
   const auto lines = driver::provenance(order.file, order.overrides);
-  driver::RunOptions options{true, order.threads};
+  driver::RunOptions options{.quiet = true, .threads = order.threads, .document = &document};
   options.watch = [&](bool recorded, const driver::State& now) {
     callback.level(now.time);
     if (!recorded) return;
@@ -167,7 +168,7 @@ int gasjet_run(const char* case_file, const char* case_text, const char* overrid
     driver::add_jet_warnings(scene);
     const auto made = std::make_shared<Run>(scene);
     Callback callback(progress, user, scene.time.end, environment);
-    const auto outcome = run_scene(scene, order, callback, *made);
+    const auto outcome = run_scene(scene, document, order, callback, *made);
     *run = keep(made);
     judge(outcome, callback);
   });

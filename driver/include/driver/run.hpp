@@ -15,6 +15,8 @@
 
 namespace driver {
 
+class CaseDocument;
+
 /// inaccurate: it came to its end, but the energy drifted by more than a hundredth (K.21).
 enum class RunStatus { done, inaccurate, interrupted, failed };
 
@@ -27,7 +29,8 @@ struct RunOptions {
   LevelSink watch = {};              // after the files have got the level; may be empty
   std::function<bool()> stop = {};   // asked before every step, instead of Ctrl-C
   std::function<void()> ready = {};  // called once all is set up, before anything is written
-  std::string check = {};  // text of check.json: the case with its defaults, and what follows from them
+  /// Of the scene; with it check.json tells the case with its defaults, and what follows from them.
+  const CaseDocument* document = nullptr;
 };
 
 struct RunOutcome {

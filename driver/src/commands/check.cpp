@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // Validates a case and prints what follows from it before any step is made.
-#include "commands/check.hpp"
-
 #include <fmt/format.h>
 
 #include <cmath>
@@ -9,6 +7,7 @@
 #include "commands/commands.hpp"
 #include "driver/run.hpp"
 #include "gas/orifice.hpp"
+#include "results/check_json.hpp"
 #include "scene/jet_peak.hpp"
 #include "scene/supply.hpp"
 #include "step/drift.hpp"

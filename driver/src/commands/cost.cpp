@@ -6,9 +6,9 @@
 #include <algorithm>
 
 #include "commands/commands.hpp"
-#include "commands/json_head.hpp"
 #include "driver/progress.hpp"
 #include "driver/results.hpp"
+#include "results/json_head.hpp"
 
 namespace driver::commands {
 namespace {

@@ -11,8 +11,8 @@
 #include "case/number_text.hpp"
 #include "closed_form/catalogue.hpp"
 #include "commands/commands.hpp"
-#include "commands/json_head.hpp"
 #include "driver/case_reader.hpp"
+#include "results/json_head.hpp"
 
 namespace driver::commands {
 namespace {

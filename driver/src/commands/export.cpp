@@ -5,11 +5,11 @@
 #include <nlohmann/json.hpp>
 
 #include "commands/commands.hpp"
-#include "commands/json_head.hpp"
 #include "driver/result_folder.hpp"
 #include "driver/results.hpp"
 #include "export/feature.hpp"
 #include "export/writers.hpp"
+#include "results/json_head.hpp"
 #include "scene/bag_mesh.hpp"
 
 namespace driver::commands {

@@ -4,28 +4,11 @@
 #include <fmt/format.h>
 
 #include <cstdio>
-#include <nlohmann/json.hpp>
 
-#include "commands/check.hpp"
 #include "commands/commands.hpp"
 #include "driver/progress.hpp"
 
 namespace driver::commands {
-namespace {
-
-// Of a start that is out of the models' domain the run itself tells.
-std::string check_text(const CaseDocument& document, const Scene& scene, const std::string& id) {
-  try {
-    const State state = state_at_start(scene);
-    auto settings = nlohmann::ordered_json::parse(check_json(document, scene, state, forecast(scene, state)));
-    settings["run"] = id;
-    return settings.dump(2) + '\n';
-  } catch (const std::exception&) {
-    return {};
-  }
-}
-
-}  // namespace
 
 void tell_warnings(Scene& scene) {
   add_jet_warnings(scene);
@@ -55,7 +38,7 @@ int run(const RunArguments& arguments) {
                     {.quiet = arguments.quiet,
                      .threads = arguments.threads,
                      .ready = catch_interrupt,
-                     .check = check_text(document, scene, id)});
+                     .document = &document});
   for (const auto& note : outcome.notes) tell("warning: " + note);
   if (!outcome.warning.empty()) tell("warning: " + outcome.warning);
   if (outcome.status == RunStatus::inaccurate) {

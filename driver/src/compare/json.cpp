@@ -2,8 +2,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "commands/json_head.hpp"
 #include "driver/compare.hpp"
+#include "results/json_head.hpp"
 
 namespace driver {
 namespace {
@@ -32,7 +32,7 @@ Json to_json(const QuantityDifference& q) {
 }  // namespace
 
 std::string json_of(const Difference& difference, const std::string& mine, const std::string& reference) {
-  auto object = commands::json_head<Json>();
+  auto object = json_head<Json>();
   object.update({{"mine", mine},
                  {"reference", reference},
                  {"verdict", verdict_name(difference.verdict)},

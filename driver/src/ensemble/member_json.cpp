@@ -9,7 +9,7 @@
 namespace driver {
 namespace {
 
-double number_of(const nlohmann::json& json) {
+double number_of_json(const nlohmann::json& json) {
   return json.is_null() ? std::nan("") : json.get<double>();
 }
 
@@ -42,10 +42,10 @@ Member member_of_entry(const nlohmann::json& json) {
   member.cpu_seconds = json.at("cpu_s");
   for (const nlohmann::json& row : json.at("rows")) {
     auto& values = member.rows.emplace_back();
-    for (const nlohmann::json& value : row) values.push_back(number_of(value));
+    for (const nlohmann::json& value : row) values.push_back(number_of_json(value));
   }
   for (const nlohmann::json& value : json.at("quantities"))
-    member.quantities.push_back(value.empty() ? std::nullopt : std::optional(number_of(value.front())));
+    member.quantities.push_back(value.empty() ? std::nullopt : std::optional(number_of_json(value.front())));
   return member;
 }
 

@@ -13,6 +13,7 @@
 #include "driver/frames.hpp"
 #include "driver/progress.hpp"
 #include "results/acceleration_record.hpp"
+#include "results/check_json.hpp"
 #include "step/drift.hpp"
 #include "step/stage_clock.hpp"
 #include "step/stages.hpp"
@@ -208,7 +209,8 @@ RunOutcome run_to_folder(const Scene& scene, const std::filesystem::path& path, 
   if (options.ready) options.ready();
   folder.begin(lines);
   folder.write("summary.json", summary_of_running(scene, folder.lines()));
-  if (!options.check.empty()) folder.write("check.json", options.check);
+  const std::string check = options.document ? check_file(*options.document, scene, folder.run()) : "";
+  if (!check.empty()) folder.write("check.json", check);
   CsvWriter history(folder, "history.csv", history_columns(scene));
   CsvWriter energy(folder, "energy.csv", energy_columns(scene));
   Progress progress(scene.name, scene.time.end, options.quiet);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How each JSON begins that a command prints.
+// How each JSON begins that other programs read.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -7,7 +7,7 @@
 #include "build_info.hpp"
 #include "driver/formats.hpp"
 
-namespace driver::commands {
+namespace driver {
 
 /// Version of the format, version and commit of the program.
 template <class Json>
@@ -15,4 +15,4 @@ Json json_head() {
   return {{"format", formats::json}, {"version", build_info::version}, {"commit", build_info::commit}};
 }
 
-}  // namespace driver::commands
+}  // namespace driver

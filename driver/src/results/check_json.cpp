@@ -1,45 +1,46 @@
 // SPDX-License-Identifier: Apache-2.0
 // What `gasjet check` knows of a case, as JSON for other programs.
+#include "results/check_json.hpp"
+
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "commands/check.hpp"
-#include "commands/json_head.hpp"
 #include "membrane/time_step.hpp"
+#include "results/json_head.hpp"
 #include "scene/jet_peak.hpp"
 #include "scene/supply.hpp"
 #include "step/drift.hpp"
 #include "step/stages.hpp"
 
-namespace driver::commands {
+namespace driver {
 namespace {
 
-using nlohmann::json;
+using Json = nlohmann::ordered_json;
 
 // Every setting of the case, as nested tables and arrays.
-json settings_of(const CaseDocument& document) {
-  json settings = json::object();
+Json settings_of(const CaseDocument& document) {
+  Json settings = Json::object();
   for (const auto& setting : document.settings()) {
-    json* node = &settings;
+    Json* node = &settings;
     for (const auto& part : split_path(setting.path))
       node = part.index ? &(*node)[*part.index] : &(*node)[part.key];
-    *node = json::parse(setting.value);
+    *node = Json::parse(setting.value);
   }
   return settings;
 }
 
-json defaults_of(const CaseDocument& document) {
-  json defaults = json::array();
+Json defaults_of(const CaseDocument& document) {
+  Json defaults = Json::array();
   for (const auto& setting : document.settings())
     if (setting.is_default) defaults.push_back(setting.path);
   return defaults;
 }
 
-json species_of(const gas::Thermo& thermo) {
-  json all = json::object();
+Json species_of(const gas::Thermo& thermo) {
+  Json all = Json::object();
   for (std::size_t k = 0; k < thermo.size(); ++k) {
     const gas::Species& s = thermo.species(k);
-    json& one =
+    Json& one =
         all[s.name] = {{"gas_constant_J_kg_K", thermo.gas_constant(k)}, {"molar_mass_kg_mol", s.molar_mass}};
     if (s.constant_cp)
       one["constant_cp_J_kg_K"] = s.low[0] * thermo.gas_constant(k);
@@ -54,34 +55,34 @@ json species_of(const gas::Thermo& thermo) {
 }
 
 // By mass, `air` resolved.
-json fractions_of(const gas::Thermo& thermo, const std::vector<double>& mass_fractions) {
-  json all = json::object();
+Json fractions_of(const gas::Thermo& thermo, const std::vector<double>& mass_fractions) {
+  Json all = Json::object();
   for (std::size_t k = 0; k < mass_fractions.size(); ++k)
     if (mass_fractions[k] > 0.0) all[thermo.species(k).name] = mass_fractions[k];
   return all;
 }
 
-json point_of(const BagPart& bag, int node) {
+Json point_of(const BagPart& bag, int node) {
   const Eigen::Vector3d point = bag.mesh.nodes.col(node);
   return {point.x(), point.y(), point.z()};
 }
 
 // Where the straps begin and end in the design shape; a generated mesh brings its own places.
-json straps_of(const BagPart& bag) {
-  json straps = json::array();
+Json straps_of(const BagPart& bag) {
+  Json straps = Json::array();
   for (const auto& strap : bag.model.description.straps)
     straps.push_back({{"from_m", point_of(bag, strap.node_a)}, {"to_m", point_of(bag, strap.node_b)}});
   return straps;
 }
 
-json bag_of(const Scene& scene, const State& state) {
+Json bag_of(const Scene& scene, const State& state) {
   const BagPart& bag = *scene.bag;
   const auto shares =
       membrane::stiffness_shares(bag.model, *state.bag, state.gas_point.gamma, state.gas_point.pressure);
   const double drift = drift_limit(scene, state);
-  json plates = json::array();
+  Json plates = Json::array();
   for (const auto& plate : bag.model.description.plates) plates.push_back(plate.stiffness.value());
-  json all = {{"elements", bag.model.element_count},
+  Json all = {{"elements", bag.model.element_count},
               {"nodes", bag.model.node_count},
               {"mass_kg", bag.model.fabric_mass}};
   if (scene.gas)
@@ -90,7 +91,7 @@ json bag_of(const Scene& scene, const State& state) {
   all.update({{"straps", straps_of(bag)},
               {"plate_stiffness_N_m3", plates},
               {"critical_step_s", critical_step(scene, shares)},
-              {"drift_step_s", std::isfinite(drift) ? json(drift) : json(nullptr)},
+              {"drift_step_s", std::isfinite(drift) ? Json(drift) : Json(nullptr)},
               {"omega_squared_1_s2",
                {{"elements", shares.element},
                 {"gas", shares.gas},
@@ -99,8 +100,8 @@ json bag_of(const Scene& scene, const State& state) {
   return all;
 }
 
-json inflators_of(const Scene& scene) {
-  json inflators = json::array();
+Json inflators_of(const Scene& scene) {
+  Json inflators = Json::array();
   const gas::ControlVolumeModel& model = scene.gas->model;
   for (std::size_t i = 0; i < model.inflows.size(); ++i) {
     const auto [time, point] = inflator_peak(scene, i);
@@ -114,8 +115,8 @@ json inflators_of(const Scene& scene) {
   return inflators;
 }
 
-json jets_of(const Scene& scene) {
-  json jets = json::array();
+Json jets_of(const Scene& scene) {
+  Json jets = Json::array();
   for (const auto& part : scene.jets) {
     const JetPeak peak = jet_peak(scene, part);
     jets.push_back({{"inflator_number", part.inflator},
@@ -129,8 +130,8 @@ json jets_of(const Scene& scene) {
   return jets;
 }
 
-json full_volume_of(const FullState& full) {
-  json all = {
+Json full_volume_of(const FullState& full) {
+  Json all = {
       {"volume_m3", full.volume}, {"closed_pressure_Pa", full.closed_pressure}, {"fills", full.fills}};
   if (full.fills)
     all.update({{"pressure_Pa", full.pressure},
@@ -139,8 +140,8 @@ json full_volume_of(const FullState& full) {
   return all;
 }
 
-json derived_of(const Scene& scene, const State& state, const Forecast& f) {
-  json derived = {{"step_s", f.step}};
+Json derived_of(const Scene& scene, const State& state, const Forecast& f) {
+  Json derived = {{"step_s", f.step}};
   if (scene.has_volume())
     derived["gas_at_start"] = {
         {"mass_kg", state.gas_point.mass},
@@ -164,16 +165,16 @@ json derived_of(const Scene& scene, const State& state, const Forecast& f) {
 
 std::string check_json(const CaseDocument& document, const Scene& scene, const State& state,
                        const Forecast& f) {
-  json groups = json::array();
+  Json groups = Json::array();
   for (const Group& g : f.groups)
     groups.push_back({{"name", g.name},
                       {"equation", g.equation},
                       {"meaning", g.meaning},
-                      {"value", std::isfinite(g.value) ? json(g.value) : json("infinite")},
+                      {"value", std::isfinite(g.value) ? Json(g.value) : Json("infinite")},
                       {"verdict", verdict(g)}});
   auto warnings = scene.warnings;
   if (std::string advice = gas_advice(scene, f); !advice.empty()) warnings.push_back(std::move(advice));
-  auto all = json_head<json>();
+  auto all = json_head<Json>();
   all.update({{"settings", settings_of(document)},
               {"defaults", defaults_of(document)},
               {"warnings", warnings},
@@ -183,4 +184,15 @@ std::string check_json(const CaseDocument& document, const Scene& scene, const S
   return all.dump(2);
 }
 
-}  // namespace driver::commands
+std::string check_file(const CaseDocument& document, const Scene& scene, const std::string& id) {
+  try {
+    const State state = state_at_start(scene);
+    Json settings = Json::parse(check_json(document, scene, state, forecast(scene, state)));
+    settings["run"] = id;
+    return settings.dump(2) + '\n';
+  } catch (const std::exception&) {
+    return {};
+  }
+}
+
+}  // namespace driver
