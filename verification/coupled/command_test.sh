@@ -202,7 +202,7 @@ part_progress() {
   local run=("$gasjet" run "$source/cases/passenger_pendulum_no_jet.toml" --out "$work/bar")
   on_terminal() { script -qec "stty cols $1; $(printf '%q ' "${run[@]}")" "$work/terminal" >/dev/null </dev/null || fail "exit $? on a terminal"; }
   on_terminal 40
-  tr '\r' '\n' <"$work/terminal" | sed 's/\x1b\[K.*//' | grep 'left' | awk 'length > 39 { bad = 1 } END { exit bad || !NR }' || fail "lines longer than 40 columns"
+  tr '\r' '\n' <"$work/terminal" | sed 's/\x1b\[K.*//' | grep ' s left,' | awk 'length > 39 { bad = 1 } END { exit bad || !NR }' || fail "lines longer than 40 columns"
   on_terminal 100 # room for a short bar
   tr '\r' '\n' <"$work/terminal" | sed 's/\x1b\[K.*//' | grep -F '[#' | awk 'length > 99 { bad = 1 } END { exit bad || !NR }' || fail "no bar within 100 columns"
   on_terminal 140
