@@ -92,11 +92,9 @@ void StepControl::require_stable(const Balance& balance, double length, double r
   const bool fed = balance.closed_growth() * where_linear(balance).overpressure > 0.0;
   const double rate = fed ? relaxation : wall_relaxation(balance);
   if (!(length * rate > limit())) return;
-  throw DomainError("the step " + to_text(options_.fixed_step) + " s is above the method's stability limit " +
-                    to_text(limit() / rate) + " s at t = " + to_text(balance.time()) +
-                    " s, where the gas relaxes within " + to_text(1.0 / rate) +
-                    " s; Rosenbrock 4 (gas_method of a case) has no such limit, and error control (no "
-                    "gas_step) keeps to it");
+  fail_fixed(balance.time(), "is above the method's stability limit " + to_text(limit() / rate) +
+                                 " s, as the gas relaxes within " + to_text(1.0 / rate) +
+                                 " s; Rosenbrock 4 (gas_method of a case) has no such limit");
 }
 
 void StepControl::require_motion(const Balance& balance, const Moment& begin, const Moment& end,
@@ -108,18 +106,12 @@ void StepControl::require_motion(const Balance& balance, const Moment& begin, co
   if (moved <= options_.relative_tolerance * balance.gas().pressure ||
       std::abs(end.overpressure - begin.overpressure) >= kStill * moved)
     return;
-  throw DomainError(
-      "the step " + to_text(options_.fixed_step) +
-      " s is too long for the balance of flows at t = " + to_text(balance.time()) +
-      " s: p stays where its rate would move it; a shorter one (gas_step of a case), or none, is "
-      "allowed");
+  fail_fixed(balance.time(), "is too long for the balance of flows: p stays where its rate would move it");
 }
 
-void StepControl::fail_crossing(double t) const {
-  throw DomainError("the step " + to_text(options_.fixed_step) +
-                    " s is too long for the balance near ambient pressure at t = " + to_text(t) +
-                    " s: flow through the openings takes p past p_a, where it would turn, or the wrong way; "
-                    "a shorter one (gas_step of a case), or none, is allowed");
+void StepControl::fail_fixed(double t, const std::string& why) const {
+  throw DomainError("the step " + to_text(options_.fixed_step) + " s at t = " + to_text(t) + " s " + why +
+                    "; a shorter one (gas_step of a case), or none, is allowed");
 }
 
 /// What could be done about sub-steps of `length`, too many or too short.

@@ -47,8 +47,8 @@ class StepControl {
   /// Throws the DomainError that says why a sub-step of `length` cannot be taken from time t [s].
   /// `found_gas`: the last trial had a temperature.
   [[noreturn]] void fail(System& system, double t, double length, bool found_gas) const;
-  /// The same for a fixed sub-step that takes p through p_a against the feed of the flow.
-  [[noreturn]] void fail_crossing(double t) const;
+  /// The same for a fixed sub-step that is too long at t [s]; `why` completes the sentence.
+  [[noreturn]] void fail_fixed(double t, const std::string& why) const;
 
  private:
   double rounding_limit(const Balance& balance) const;

@@ -120,13 +120,16 @@ std::optional<Substepper::Proposal> Substepper::again(const Proposal& tried, con
   const Moment& begin = begin_.moment;
   const bool fixed = control_.is_fixed(), on_ambient = watch_.is_on_ambient(begin);
   const double length = trial.end - trial.begin;
-  if (fixed && trial_.reversed > kReversed * balance.gas().mass) control_.fail_crossing(begin_.t);
   // Stopped where it turned, flow would stay there; at p_a it is rounding that turns it.
-  const bool turns = trial_.reversed > 0.0 && !fixed && !on_ambient;
+  const bool turns =
+      fixed ? trial_.reversed > kReversed * balance.gas().mass : trial_.reversed > 0.0 && !on_ambient;
   if (turns || (!options_.unsafe_step && watch_.crosses_against_flow(begin, end, length))) {
-    if (fixed) {  // what only runs out, or in, ends there
-      const bool fed = begin.growth * begin.flow > 0.0;
-      if (fed || on_ambient) control_.fail_crossing(begin_.t);
+    if (fixed) {
+      if (turns || on_ambient || begin.growth * begin.flow > 0.0)
+        control_.fail_fixed(trial.begin,
+                            "is too long for the balance near ambient pressure: flow through the openings "
+                            "takes p past p_a, where it would turn, or the wrong way");
+      // What only runs out, or in, ends there.
       const double share = begin.overpressure / (begin.overpressure - end.overpressure);
       return Proposal{tried.length, trial.time(share) - trial.begin, tried.stiff};
     }
