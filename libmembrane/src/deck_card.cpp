@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <string>
 
 #include "mesh_text.hpp"
 
@@ -16,13 +17,16 @@ DeckCard::DeckCard(const DeckMesh& deck, int file, std::size_t line, std::string
     const std::size_t end = std::min(free ? text.find(',', begin) : begin + widths[i], text.size());
     const std::string_view whole = text.substr(begin, end - begin);
     const std::size_t first = whole.find_first_not_of(" \t");
+    if (const auto tab = whole.find('\t'); !free && tab != std::string_view::npos)
+      deck.fail({file, line, begin + tab + 1},
+                "a tab stands in fields of columns; blanks or commas are allowed");
     if (first == std::string_view::npos)
-      fields_.push_back({{}, begin + 1});
+      fields_.push_back({{}, begin + 1, free || whole.size() == widths[i]});
     else
       fields_.push_back({whole.substr(first, whole.find_last_not_of(" \t") + 1 - first), begin + first + 1});
     begin = end + (free ? 1 : 0);
   }
-  while (fields_.size() < widths.size()) fields_.push_back({{}, text.size() + 1});
+  while (fields_.size() < widths.size()) fields_.push_back({{}, text.size() + 1, false});
 }
 
 DeckMesh::Id DeckCard::id(std::size_t i, const char* what) const {
@@ -48,9 +52,16 @@ Eigen::Vector3d DeckCard::point(std::size_t first) const {
 }
 
 double DeckCard::coordinate(std::size_t i) const {
-  if (fields_[i].text.empty()) deck_.fail(place(i), "a coordinate is blank; a node needs x, y and z");
   double value = 0.0;
-  if (const auto fault = number_fault(fields_[i].text, value); !fault.empty()) deck_.fail(place(i), fault);
+  if (fields_[i].text.empty()) {
+    if (!fields_[i].whole)
+      deck_.fail(place(i), "a coordinate is blank, and the line ends; a node needs x, y and z");
+    return value;
+  }
+  std::string text(fields_[i].text);
+  std::ranges::replace_if(
+      text, [](char c) { return c == 'D' || c == 'd'; }, 'e');  // Fortran's exponents
+  if (!number_fault(text, value).empty()) deck_.fail(place(i), number_fault(fields_[i].text, value));
   return value;
 }
 

@@ -11,8 +11,9 @@
 
 namespace membrane {
 
-/// Cut at the commas of the line or, if it has none, into columns of the given widths. Text beyond the last
-/// width is not read; a field that is missing is blank and stands at the line's end.
+/// Cut at the commas of the line or, if it has none, into columns of the given widths, where a tab is
+/// refused. Text beyond the last width is not read; a field that is missing is blank and stands at the line's
+/// end.
 class DeckCard {
  public:
   /// `deck` gives messages their file's name.
@@ -25,7 +26,7 @@ class DeckCard {
   std::optional<DeckMesh::Id> whole(std::size_t i) const;
   /// Throw MeshFileError; `what` begins the message.
   DeckMesh::Id id(std::size_t i, const char* what) const;
-  double coordinate(std::size_t i) const;
+  double coordinate(std::size_t i) const;  // 0 if blank
   Eigen::Vector3d point(std::size_t first) const;
   DeckMesh::Corner corner(std::size_t i) const { return {id(i, "a corner"), place(i)}; }
 
@@ -33,6 +34,7 @@ class DeckCard {
   struct Field {
     std::string_view text;  // without surrounding blanks, possibly empty
     std::size_t column;     // of its first character, from 1
+    bool whole = true;      // false: the line ends before the field does
   };
 
   const DeckMesh& deck_;

@@ -138,7 +138,8 @@ class KeywordParser {
     if (!is_read && at_.section != Section::elements) deck_.skip(word_, false);
     // Such as *NODE %, other columns: what they would give is no mesh, or worse, one.
     if (is_read && at_.section != Section::end && rest < line.size())
-      fail(rest + 1, shown(line.substr(rest)) + " after " + word_ + " is not read here; allowed: nothing");
+      fail(rest + 1, shown(line.substr(rest)) + " after " + word_ + " is not read here; " + word_ +
+                         " alone on its line is allowed");
   }
 
   Section section_of(const std::string& word) {
@@ -152,7 +153,8 @@ class KeywordParser {
     cards_left_ = 0;
     if (cards_of_shell_ > 0) deck_.skip("what else is in " + word, false);
     if (cards_of_shell_ >= 0) return Section::shell;
-    if (word.starts_with(kShell) || word.starts_with("*NODE") || word.starts_with("*INCLUDE"))
+    if (word.starts_with(kShell) || word.starts_with("*ELEMENT_GENERATE_SHELL") ||
+        word.starts_with("*NODE") || word.starts_with("*INCLUDE"))
       fail(1, shown(word) +
                   " is not read here; allowed are *NODE, *PART, *INCLUDE, and *ELEMENT_SHELL, also with "
                   "_THICKNESS, _BETA, _MCID and _OFFSET");

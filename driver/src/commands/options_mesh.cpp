@@ -40,19 +40,22 @@ void add_mesh(CLI::App& app, MeshArguments& arguments) {
   convert
       ->add_option("--panel", arguments.panels,
                    "panel, or part of a deck, to keep; may be repeated; all without it")
-      ->allow_extra_args(false);
+      ->allow_extra_args(false)
+      ->option_text("NAME");  // and not several
   convert->add_option("--merge", arguments.merge, "join nodes at most so far apart [m]")->check(not_negative);
   convert->add_flag("--outward", arguments.outward, "turn elements so that the surface is wound outward");
   convert->add_flag("--report", arguments.report, "report only: an open or inside-out surface is no error");
   convert->add_option("--out", arguments.out, "file to write; without it the report only")->check(named);
   convert->add_option("--length-unit", arguments.length_unit, "length unit of FILE [m]")->check(positive);
   convert->add_option("--null-panel", arguments.null_panels, "panel that closes a hole; may be repeated")
-      ->allow_extra_args(false);
+      ->allow_extra_args(false)
+      ->option_text("NAME");
   for (auto* command : {bag, passenger, of_case})
     command
         ->add_option("--set", arguments.overrides,
                      "option=value of the generator or the case; may be repeated")
-        ->allow_extra_args(false);
+        ->allow_extra_args(false)
+        ->option_text("KEY=VALUE");
   for (auto* command : {bag, passenger, convert})
     command->add_option("--refine", arguments.refine, "split each element in four, so many times")
         ->check(CLI::Range(0, 6));

@@ -139,6 +139,15 @@ void PrintTo(const Bad& bad, std::ostream* out) {
   *out << bad.name;
 }
 
+TEST(Keyword, blank_coordinates_are_zero_and_exponents_may_be_fortrans) {
+  const Mesh mesh = parse_keyword(
+      "*KEYWORD\n*NODE\n"
+      "       1                           1.0d3                \n"
+      "2,1,,0\n3,\t0.1D+1, ,5\n*ELEMENT_SHELL\n1,1,1,2,3\n*END\n",
+      "t");
+  EXPECT_EQ(mesh.nodes, (Eigen::Matrix3d() << 0, 1, 1, 1000, 0, 0, 0, 0, 5).finished());
+}
+
 class bad_keyword : public testing::TestWithParam<Bad> {};
 
 TEST_P(bad_keyword, is_refused) {
@@ -181,8 +190,12 @@ const Bad kBad[] = {
     {"include", "*KEYWORD\n*INCLUDE\nother.k\n", 3, 1, "no folder"},
     {"include_transform", "*KEYWORD\n*INCLUDE_TRANSFORM\n", 2, 1, "*INCLUDE_TRANSFORM"},
     {"shell_option", "*KEYWORD\n*ELEMENT_SHELL_COMPOSITE\n", 2, 1, "*ELEMENT_SHELL_COMPOSITE"},
+    {"generated_shells", "*KEYWORD\n*ELEMENT_GENERATE_SHELL\n", 2, 1, "*ELEMENT_GENERATE_SHELL"},
+    {"tab", "*KEYWORD\n*NODE\n1\t0\t0\t0\n", 3, 2, "a tab"},
+    {"tab_before_a_number", "*KEYWORD\n*NODE\n       1\t0.0             0.0\n", 3, 9, "a tab"},
+    {"exponent_alone", kHead + "4,1D,0,0\n*END\n", 6, 3, "\"1D\" is not a number"},
     {"node_option", "*KEYWORD\n*NODE_TRANSFORM\n", 2, 1, "*NODE_TRANSFORM"},
-    {"other_columns", kHead + "*NODE %\n", 6, 7, "after *NODE"},
+    {"other_columns", kHead + "*NODE %\n", 6, 7, "*NODE alone on its line is allowed"},
     {"shell_columns", kHead + "*ELEMENT_SHELL (i10)\n", 6, 16, "after *ELEMENT_SHELL"},
     {"long_with_blanks", "*KEYWORD LONG = Y\n", 1, 10, "LONG=Y (20 columns)"},
     {"long_ids", "*KEYWORD LONG=K\n", 1, 10, "LONG=K"},
