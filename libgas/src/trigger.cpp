@@ -5,6 +5,7 @@
 #include <string>
 
 #include "require.hpp"
+#include "trigger_network.hpp"
 
 namespace gas {
 namespace {
@@ -48,6 +49,32 @@ void set_input(const TriggerModel& model, std::size_t node, bool on, TriggerStat
   require(node < model.sensors.size() && model.sensors[node].kind == SensorKind::input, "node",
           static_cast<double>(node), "must be an input sensor");
   state.at(node).on = on;
+}
+
+std::vector<bool> nodes_behind(const TriggerModel& model, std::size_t node) {
+  std::vector<bool> behind(model.size(), false);
+  behind.at(node) = true;
+  for (std::size_t i = model.size(); i-- > model.sensors.size();)
+    if (behind[i])
+      for (const std::size_t input : model.gates[i - model.sensors.size()].inputs) behind[input] = true;
+  return behind;
+}
+
+std::optional<std::vector<double>> switching_times(const TriggerModel& model, std::size_t node, double end) {
+  const std::vector<bool> behind = nodes_behind(model, node);
+  for (std::size_t i = 0; i < model.sensors.size(); ++i) {
+    const SensorKind kind = model.sensors[i].kind;
+    if (behind[i] && kind != SensorKind::time && kind != SensorKind::signal) return std::nullopt;
+  }
+  const TriggerNetwork network(model);
+  TriggerState state(model.size());
+  std::vector<double> times;
+  for (double t = 0.0; t <= end; t = network.next_break(state, t)) {
+    network.update(state, t, 0.0, 0.0);  // the pressure acts on other nodes alone
+    const bool was_on = times.size() % 2 == 1;
+    if (state[node].on != was_on) times.push_back(t);
+  }
+  return times;
 }
 
 }  // namespace gas

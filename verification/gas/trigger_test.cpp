@@ -80,6 +80,29 @@ TEST(trigger, delay_needs_the_condition_to_hold_unless_latched) {
   EXPECT_NEAR(fires_at({{kShock}, {{Logic::any, {0}, 0.025, true}}}), 0.035, 4.0 * kEpsilon);
 }
 
+/// What a run finds is known before it, unless a pressure or an input decides.
+TEST(trigger, switching_times_of_clocks_and_signals_are_known) {
+  const gas::TriggerModel models[]{
+      {{kClock, kShock}, {{Logic::all, {0, 1}}}},
+      {{kClock, kShock}, {{Logic::any, {0, 1}}, {Logic::negated, {2}}}},
+      {{kShock}, {{Logic::any, {0}, 0.025}}},
+      {{kShock}, {{Logic::any, {0}, 0.025, true}}},
+  };
+  for (const gas::TriggerModel& model : models) {
+    const auto times = gas::switching_times(model, model.size() - 1, 1.0);
+    ASSERT_TRUE(times);
+    EXPECT_EQ(times->front(), fires_at(model));
+  }
+  const auto all = gas::switching_times({{kShock}, {}}, 0, 0.06);
+  ASSERT_EQ(all->size(), 3u);  // on, off, and on again
+  EXPECT_NEAR((*all)[1], 0.03, 4.0 * kEpsilon);
+  EXPECT_TRUE(gas::switching_times({{kClock}, {}}, 0, 0.02)->empty());
+  const gas::TriggerModel run{{kClock, {SensorKind::pressure, 5e4}, {SensorKind::input}},
+                              {{Logic::any, {0, 1}}, {Logic::all, {0, 2}}, {Logic::negated, {0}}}};
+  for (const std::size_t node : {1, 2, 3, 4}) EXPECT_FALSE(gas::switching_times(run, node, 1.0)) << node;
+  EXPECT_EQ(gas::switching_times(run, 5, 1.0), (std::vector<double>{0.0, 0.03}));
+}
+
 /// A pulse of 10 us that any trigger fires, by any method, at any tolerance, in one step of a second.
 TEST(trigger, triggered_pulse_adds_its_mass_with_any_method) {
   const gas::TriggerModel triggers{{{SensorKind::time, 0.1}}, {{Logic::any, {0}, 1.0 / 3.0, true}}};

@@ -72,4 +72,11 @@ void validate(const TriggerModel& model);
 /// if `node` is not an input sensor.
 void set_input(const TriggerModel& model, std::size_t node, bool on, TriggerState& state);
 
+/// Nodes that a node depends on, itself among them: one flag per node. Throws std::out_of_range.
+std::vector<bool> nodes_behind(const TriggerModel& model, std::size_t node);
+
+/// Times [s] from 0 to `end` at which a node comes on and goes off in turn, first on. Nothing if it depends
+/// on a pressure or an input sensor: then the run decides.
+std::optional<std::vector<double>> switching_times(const TriggerModel& model, std::size_t node, double end);
+
 }  // namespace gas
