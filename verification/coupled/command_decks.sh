@@ -78,7 +78,7 @@ part_decks() {
         out=$work/$format/$name.$units
         expect 0 "export.md are in" "$gasjet" export "$case" --format "$format" --units "$units" --out "$out"
         grep -q '^## no counterpart' "$out/export.md" || fail "$name: export.md"
-        [ "$(grep -c '"mapping": "\(exact\|approximated\|no counterpart\)"' "$out/export.json")" = "$settings" ] ||
+        [ "$(grep -c '"mapping": "\(exact\|approximated\|no counterpart\|left out\)"' "$out/export.json")" = "$settings" ] ||
           fail "$name: export.json does not name all $settings settings"
         count=$((count + 1))
       done
@@ -121,6 +121,12 @@ part_decks() {
       --set 'scene.name="*END\n/END"' --format "$format" --units kg-m-s --out "$out"
     expect 0 "nodes=" python3 -B "$reader" "$format" "$out"
     grep -qx '_[*]END_/END' "$out"/bag* || fail "$format: the scene's name"
+  done
+  # What is left out is told loudly. The run goes on past the scene's end, by an interval of the histories and a hundredth.
+  for format in "${deck_formats[@]}"; do
+    expect 0 "^warning: the deck has none of the case's 1 inflators" "$gasjet" export "$source/cases/sphere_inflation.toml" \
+      --set 'sensor=[{name="p",overpressure=5e3}]' --set 'inflator.0.trigger="p"' --format "$format" --units kg-m-s --out "$work/$format/without"
+    grep -A1 -hE '^/RUN/|ENDTIM' "$work/$format/without"/bag* | grep -qE '^ +0?\.0607$' || fail "$format: end of the run"
   done
   # Bad input.
   expect 2 "has no \[membrane\]" "$gasjet" export "$source/cases/rigid_tank.toml" --format radioss --units kg-m-s --out "$work/none"

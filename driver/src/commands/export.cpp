@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "commands/commands.hpp"
+#include "driver/progress.hpp"
 #include "driver/result_folder.hpp"
 #include "driver/results.hpp"
 #include "export/feature.hpp"
@@ -25,6 +26,17 @@ void require_size(const Scene& scene, bool any_size) {
                   scene.case_file.string(), *extent, smallest_bag, largest_bag));
 }
 
+void tell_omissions(const Deck& deck) {
+  const std::size_t inflators = deck.scene->gas ? deck.scene->gas->model.inflows.size() : 0;
+  const auto is_inflator = [](const std::string& part) { return part.starts_with("inflator."); };
+  const auto left_out =
+      static_cast<std::size_t>(std::ranges::count_if(deck.omissions, is_inflator, &DeckOmission::part));
+  if (inflators > 0 && left_out == inflators)
+    tell(fmt::format("warning: the deck has none of the case's {} inflators", inflators));
+  for (const DeckOmission& omission : deck.omissions)
+    tell(fmt::format("warning: {} is left out: {}", omission.part, omission.why));
+}
+
 std::string json_of(const Deck& deck, const std::vector<UsedFeature>& used,
                     const ExportArguments& arguments) {
   auto object = json_head<nlohmann::ordered_json>();
@@ -36,6 +48,9 @@ std::string json_of(const Deck& deck, const std::vector<UsedFeature>& used,
                               {"value", feature.value},
                               {"mapping", name_of(feature.outcome.mapping)},
                               {"how", feature.outcome.how}});
+  object["left_out"] = nlohmann::ordered_json::array();
+  for (const DeckOmission& omission : deck.omissions)
+    object["left_out"].push_back({{"part", omission.part}, {"why", omission.why}});
   object["notes"] = nlohmann::ordered_json::array();
   for (const DeckNote& note : deck.notes) object["notes"].push_back({{"key", note.key}, {"text", note.text}});
   return object.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + '\n';
@@ -50,8 +65,9 @@ int export_deck(const ExportArguments& arguments) {
   const DeckFormat format = arguments.format == "radioss" ? DeckFormat::radioss : DeckFormat::lsdyna;
   Deck deck = make_deck(scene, format);
   require_size(scene, arguments.any_size);
+  if (format == DeckFormat::lsdyna) leave_out_lsdyna_vents(deck);
   const auto used = used_features(document, deck);
-  if (format == DeckFormat::lsdyna) note_lsdyna_vents(deck);
+  for (DeckNote& note : notes_of_lost(used)) deck.notes.push_back(std::move(note));
   DeckFiles files = format == DeckFormat::radioss ? write_radioss(deck, units) : write_lsdyna(deck, units);
   files.emplace_back("export.md", export_markdown(deck, used,
                                                   fmt::format("{} as a deck of {}, {}", scene.name,
@@ -68,6 +84,7 @@ int export_deck(const ExportArguments& arguments) {
                           id_of("export", {arguments.format, arguments.units}, {&document})));
   for (const auto& [name, text] : files) folder.write(name, text);
   folder.end("done");
+  tell_omissions(deck);
   for (const DeckNote& note : deck.notes) fmt::print("{}: {}\n", note.key, note.text);
   fmt::print("{}: {} and {} are in {}\n", one_line(scene.name), names.front(), "export.md",
              arguments.out.string());

@@ -24,6 +24,8 @@ Field narrow(double value);
 Field blank(std::size_t width);
 Field word(std::string_view text, std::size_t width);
 
+inline constexpr std::size_t title_columns = 80;  // of a deck
+
 /// Text of a deck that grows line by line.
 class Cards {
  public:

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "export/cards.hpp"
 #include "export/deck_fabric.hpp"
 #include "export/deck_gas.hpp"
 #include "jet/centreline.hpp"
@@ -52,6 +53,27 @@ void add_pendulum(const coupling::PendulumParameters& p, Deck& deck) {
                    deck.sphere.elements.cols(), 1.0 - (nearest + deck.contact_gap) / radius)});
 }
 
+// Contact acts on the bag's nodes: between those of an even triangle of edge L, a sphere of radius R sinks in
+// by L^2/(6 R) before it meets one, as their circle has the radius L/sqrt(3).
+void note_contact(const Scene& scene, Deck& deck) {
+  const membrane::Mesh& mesh = scene.bag->mesh;
+  double longest = 0.0;
+  for (Eigen::Index e = 0; e < mesh.elements.cols(); ++e)
+    for (Eigen::Index i = 0; i < 3; ++i)
+      longest = std::max(
+          longest,
+          (mesh.nodes.col(mesh.elements(i, e)) - mesh.nodes.col(mesh.elements((i + 1) % 3, e))).norm());
+  const double radius = scene.pendulum->model.parameters().impactor_radius;
+  const double depth = longest * longest / (6.0 * radius);
+  if (depth <= deck.contact_gap) return;
+  deck.notes.push_back(
+      {"membrane.mesh",
+       fmt::format(
+           "contact acts on the bag's nodes alone: the longest edge is {:.3g} m, the impactor's radius "
+           "{:.3g} m, so that it sinks in up to {:.2g} m between nodes; edges below {:.2g} m are fine",
+           longest, radius, depth, std::sqrt(6.0 * radius * deck.contact_gap))});
+}
+
 std::string jetting_of(DeckFormat format) {
   if (format == DeckFormat::lsdyna)
     return "The program's own jetting is a cone with an efficiency. How it loads an element is not published "
@@ -85,9 +107,14 @@ CosineMisfit cosine_misfit() {
           {1.0 / std::cos(30.0 * degrees), 1.0 / std::cos(45.0 * degrees), 1.0 / std::cos(60.0 * degrees)}};
 }
 
+double run_end(const Scene& scene) {
+  const double step = 0.01 * scene.time.end;  // at most, of the other program
+  return scene.time.end + std::min(scene.output.history_every, 0.5 * scene.time.end) + step;
+}
+
 Deck make_deck(const Scene& scene, DeckFormat format) {
   if (!scene.bag)
-    throw CaseError(fmt::format("{}: the scene has no [membrane], a scene with a bag is allowed",
+    throw CaseError(fmt::format("{}: has no [membrane]: only scenes with a bag or a sheet can be exported",
                                 scene.case_file.string()));
   if (scene.gas && scene.ambient.pressure == 0.0)
     throw CaseError(
@@ -103,7 +130,11 @@ Deck make_deck(const Scene& scene, DeckFormat format) {
   if (scene.pendulum) add_pendulum(scene.pendulum->model.parameters(), deck);
   if (scene.pendulum && scene.pendulum->driving_moment)
     deck.notes.push_back({"pendulum.driving_moment", "is not written: load the rigid body by hand"});
+  if (scene.contact) note_contact(scene, deck);
   add_fabric(*scene.bag, deck);
+  if (scene.name.size() > title_columns)
+    deck.notes.push_back(
+        {"scene.name", fmt::format("only the first {} bytes are in the title", title_columns)});
   if (scene.bag->overpressure)
     deck.notes.push_back(
         {"membrane.overpressure",

@@ -43,9 +43,11 @@ struct DeckInflator {
   DeckGas gas;
   DeckCurve mass_flow;    // [kg/s] of time [s]
   DeckCurve temperature;  // [K] of time [s]
+  bool of_mass = false;   // true: `mass_flow` is the mass [kg] that has come in
 };
 
 struct DeckVent {
+  std::size_t number;                           // in the case
   double area;                                  // [m2] with the discharge coefficient; factor of the curves
   std::optional<DeckCurve> of_time;             // [-] of time [s]
   std::optional<DeckCurve> of_overpressure;     // [-] of overpressure [Pa]
@@ -64,6 +66,12 @@ struct DeckLeak {
 struct DeckNote {
   std::string key;  // of the case
   std::string text;
+};
+
+/// An inflator or a vent that the deck has not.
+struct DeckOmission {
+  std::string part;  // path in the case: "vent.0"
+  std::string why;
 };
 
 /// Threads of fabric by measured curves.
@@ -86,7 +94,11 @@ struct Deck {
   double inertia = 0.0;      // [kg m2] of the pendulum about its centre of gravity; a body needs one
   double contact_gap = 0.0;  // [m] within which contact acts, outside the sphere's mesh
   std::vector<DeckNote> notes;
+  std::vector<DeckOmission> omissions;
 };
+
+/// When the deck's run ends [s]: the histories of others have a last row at the scene's end or past it.
+double run_end(const Scene& scene);
 
 /// Throws CaseError for a scene without a bag.
 Deck make_deck(const Scene& scene, DeckFormat format);

@@ -6,8 +6,10 @@
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "driver/step.hpp"
+#include "export/deck_openings.hpp"
 #include "membrane/time_step.hpp"
 #include "step/stages.hpp"
 
@@ -15,6 +17,8 @@ namespace driver {
 namespace {
 
 using Fractions = std::vector<double>;
+
+constexpr double round_off = 1e-12;  // of a constant heat capacity
 
 // The molar heat capacity of some programs is a parabola.
 void fit_parabola(const gas::Thermo& thermo, const Fractions& fractions, double highest, DeckGas& mixture) {
@@ -31,7 +35,6 @@ void fit_parabola(const gas::Thermo& thermo, const Fractions& fractions, double 
   const Eigen::Vector3d factors = powers.householderQr().solve(cp);
   mixture.parabola = {factors(0), factors(1) / highest, factors(2) / (highest * highest)};
   mixture.parabola_misfit = ((powers * factors).array() / cp.array() - 1.0).abs().maxCoeff();
-  constexpr double round_off = 1e-12;  // of a constant heat capacity
   if (mixture.parabola_misfit > round_off) return;
   const bool constant = cp.maxCoeff() - cp.minCoeff() <= round_off * cp.maxCoeff();
   if (constant) mixture.parabola = {cp(0), 0.0, 0.0};
@@ -50,51 +53,60 @@ DeckGas mixture_of(const gas::Thermo& thermo, const Fractions& fractions, double
       mixture.cp[j] += fractions[k] * thermo.gas_constant(k) * species.low[j];
   }
   mixture.molar_mass = 1.0 / amount;
-  for (double T = gas::kJointTemperature; T < highest; T += 10.0) {
+  fit_parabola(thermo, fractions, highest, mixture);
+  if (highest <= gas::kJointTemperature) return mixture;
+  constexpr int points = 200;
+  for (int i = 1; i <= points; ++i) {
+    const double T = gas::kJointTemperature + (highest - gas::kJointTemperature) * i / points;
     double cp = 0.0;
     for (std::size_t j = mixture.cp.size(); j-- > 0;) cp = cp * T + mixture.cp[j];
     mixture.misfit = std::max(mixture.misfit, std::abs(cp / thermo.cp(fractions, T) - 1.0));
   }
-  fit_parabola(thermo, fractions, highest, mixture);
+  if (mixture.misfit <= round_off) mixture.misfit = 0.0;
   return mixture;
-}
-
-DeckCurve of_overpressure(const gas::Curve& curve, double factor) {
-  DeckCurve points;
-  for (const auto& knot : curve.knots()) points.push_back({knot.time, factor * knot.value});
-  constexpr double beyond = 1e9;  // [Pa] no bag has
-  if (points.size() == 1) points.insert(points.begin(), {-beyond, points.front()[1]});
-  points.push_back({points.back()[0] + beyond, points.back()[1]});
-  return points;
-}
-
-// Time at which a trigger comes on whatever happens, if there is one.
-std::optional<double> known_time(const gas::TriggerModel& triggers, std::optional<std::size_t> node) {
-  if (!node) return 0.0;
-  if (*node < triggers.sensors.size() && triggers.sensors[*node].kind == gas::SensorKind::time)
-    return triggers.sensors[*node].threshold;
-  return std::nullopt;
 }
 
 void add_inflators(const Scene& scene, double highest, Deck& deck) {
   const gas::ControlVolumeModel& model = scene.gas->model;
   for (std::size_t i = 0; i < model.inflows.size(); ++i) {
     const gas::Inflow& inflow = model.inflows[i];
-    const auto fires = known_time(model.triggers, inflow.trigger);
-    if (!fires) {
-      deck.notes.push_back(
-          {"inflator.trigger", fmt::format("inflator {} is left out: its trigger depends on the run", i)});
+    const auto times = times_of(scene, inflow.trigger);
+    if (!times || times->empty()) {
+      deck.omissions.push_back({fmt::format("inflator.{}", i), times ? never_on : decided_by_run});
       continue;
     }
-    const double shift = *fires + inflow.start_time;
+    const double shift = times->front() + inflow.start_time;
     deck.inflators.push_back({mixture_of(model.thermo, inflow.mass_fractions, highest),
                               knots_of(inflow.mass_flow, shift, scene.time.end),
                               knots_of(inflow.temperature, shift, scene.time.end)});
   }
 }
 
-// A thousandth of the run, or what takes fifty steps of an explicit program: these give the area of a
-// triangle to a thousandth.
+// Enthalpy of a deck's gas between two temperatures [J/kg], by the heat capacity that the deck has.
+double enthalpy_between(const DeckGas& mixture, DeckFormat format, double from, double to) {
+  const std::span<const double> cp =
+      format == DeckFormat::radioss ? std::span<const double>(mixture.cp) : mixture.parabola;
+  double sum = 0.0;
+  for (std::size_t j = cp.size(); j-- > 0;) {
+    const auto power = static_cast<double>(j + 1);
+    sum += cp[j] / power * (std::pow(to, power) - std::pow(from, power));
+  }
+  return sum;
+}
+
+// Temperature at which gas comes into a rigid volume with the internal energy that it has at another one.
+double filling_temperature(const DeckGas& mixture, DeckFormat format, double temperature) {
+  const double work = gas::kMolarGasConstant / mixture.molar_mass * temperature;  // [J/kg] p/rho
+  double low = 0.0, high = temperature;
+  for (int i = 0; i < 60; ++i) {
+    const double middle = 0.5 * (low + high);
+    (enthalpy_between(mixture, format, middle, temperature) > work ? low : high) = middle;
+  }
+  return 0.5 * (low + high);
+}
+
+// A thousandth of the run, or twenty critical steps if these are longer: these give a triangle's area to a
+// thousandth.
 double pulse_of(const Scene& scene) {
   constexpr double steps = 20.0;
   const State start = state_at_start(scene);
@@ -105,9 +117,9 @@ double pulse_of(const Scene& scene) {
   return std::isfinite(critical) ? std::max(least, steps * critical) : least;
 }
 
-// Decks begin at ambient pressure. What a case has above it comes in within a pulse, at the temperature that
-// gives the same internal energy in a rigid volume.
-void add_initial_overpressure(const Scene& scene, double highest, Deck& deck) {
+// Decks begin at ambient pressure. What a case has above it comes in at the temperature that gives the same
+// internal energy in a rigid volume: at once where a curve of mass is allowed, else within a pulse.
+void add_initial_overpressure(const Scene& scene, Deck& deck) {
   const GasPart& gas = *scene.gas;
   const double excess = gas.initial_pressure - scene.ambient.pressure;
   if (excess == 0.0) return;
@@ -121,69 +133,35 @@ void add_initial_overpressure(const Scene& scene, double highest, Deck& deck) {
   const BagPart& bag = *scene.bag;
   const double volume = membrane::enclosed_volume(bag.initial_position, bag.mesh.elements);
   const double R = gas.model.thermo.gas_constant(gas.initial_fractions);
-  const double gamma = gas.model.thermo.gamma(gas.initial_fractions, gas.initial_temperature);
-  const double mass = excess * volume / (R * gas.initial_temperature), pulse = pulse_of(scene);
-  const double peak = 2.0 * mass / pulse;
-  const double temperature = gas.initial_temperature / gamma;
-  deck.inflators.push_back({mixture_of(gas.model.thermo, gas.initial_fractions, highest),
-                            {{0.0, 0.0}, {0.5 * pulse, peak}, {pulse, 0.0}, {2.0 * scene.time.end, 0.0}},
-                            {{0.0, temperature}, {2.0 * scene.time.end, temperature}}});
+  const double mass = excess * volume / (R * gas.initial_temperature), end = 2.0 * scene.time.end;
+  const double temperature = filling_temperature(deck.initial_gas, deck.format, gas.initial_temperature);
+  DeckInflator inflator{
+      deck.initial_gas, {{0.0, mass}, {end, mass}}, {{0.0, temperature}, {end, temperature}}};
+  inflator.of_mass = deck.format == DeckFormat::radioss;
+  std::string when = "in the first cycle";
+  if (!inflator.of_mass) {
+    const double pulse = pulse_of(scene);
+    inflator.mass_flow = {{0.0, 0.0}, {0.5 * pulse, 2.0 * mass / pulse}, {pulse, 0.0}, {end, 0.0}};
+    when = fmt::format(
+        "within the first {:.3g} s; a bag that breathes in a like time loses some of its first swing", pulse);
+  }
+  deck.inflators.push_back(std::move(inflator));
   deck.notes.push_back(
       {"gas.initial.pressure",
        fmt::format("the initial overpressure of {:.6g} Pa comes from an inflator of its own, "
-                   "{:.6g} kg within the first {:.3g} s",
-                   excess, mass, pulse)});
-}
-
-void add_vents(const Scene& scene, Deck& deck) {
-  const gas::ControlVolumeModel& model = scene.gas->model;
-  for (std::size_t i = 0; i < model.vents.size(); ++i) {
-    const gas::Vent& vent = model.vents[i];
-    DeckVent opening{vent.discharge_coefficient, std::nullopt, std::nullopt, 0.0, std::nullopt};
-    if (const auto opens = known_time(model.triggers, vent.trigger)) {
-      opening.opens_at = *opens;
-    } else {
-      const std::size_t node = *vent.trigger;
-      const bool by_pressure = node < model.triggers.sensors.size() &&
-                               model.triggers.sensors[node].kind == gas::SensorKind::pressure &&
-                               !model.triggers.sensors[node].reset;
-      if (!by_pressure) {
-        deck.notes.push_back(
-            {"vent.trigger", fmt::format("vent {} is left out: its trigger depends on the run", i)});
-        continue;
-      }
-      opening.opens_at_overpressure = model.triggers.sensors[node].threshold;
-    }
-    if (vent.area_of_time)
-      opening.of_time = knots_of(*vent.area_of_time, opening.opens_at, scene.time.end);
-    else if (vent.area_of_overpressure)
-      opening.of_overpressure = of_overpressure(*vent.area_of_overpressure, 1.0);
-    else
-      opening.area *= vent.area;
-    deck.vents.push_back(std::move(opening));
-  }
-}
-
-void add_leaks(const Scene& scene, Deck& deck) {
-  const LeakLaw law = scene.bag->leak_law;
-  if (law == LeakLaw::none) return;
-  for (const DeckPart& part : deck.parts) {
-    const double porosity = part.fabric.porosity;
-    if (part.null_panel || porosity == 0.0) continue;
-    DeckLeak leak{part.id, law == LeakLaw::printed ? porosity * porosity : porosity, std::nullopt};
-    if (law == LeakLaw::table)
-      leak.velocity = of_overpressure(*scene.gas->model.fabrics.front().velocity, porosity);
-    deck.leaks.push_back(std::move(leak));
-  }
+                   "{:.6g} kg {}",
+                   excess, mass, when)});
 }
 
 void note_misfit(const DeckGas& gas, double highest, Deck& deck) {
   const bool parabola = deck.format == DeckFormat::lsdyna;
   const double misfit = parabola ? gas.parabola_misfit : gas.misfit;
   if (misfit == 0.0) return;
-  deck.notes.push_back(
-      {"gas.thermodynamics", fmt::format("cp of {}{} is off by up to {:.2g} up to {:.0f} K", gas.name,
-                                         parabola ? "" : " above 1000 K", misfit, highest)});
+  const std::string text =
+      fmt::format("cp of {} is off by up to {:.2g} % {} {:.0f} K", gas.name, 100.0 * misfit,
+                  parabola ? "from 250 to" : "between 1000 and", highest);
+  if (std::ranges::find(deck.notes, text, &DeckNote::text) == deck.notes.end())
+    deck.notes.push_back({"gas.thermodynamics", text});
 }
 
 }  // namespace
@@ -216,7 +194,7 @@ void add_gas(const Scene& scene, Deck& deck) {
   for (const auto& inflow : gas.model.inflows) highest = std::max(highest, inflow.temperature.maximum());
   deck.initial_gas = mixture_of(gas.model.thermo, gas.initial_fractions, highest);
   add_inflators(scene, highest, deck);
-  add_initial_overpressure(scene, highest, deck);
+  add_initial_overpressure(scene, deck);
   add_vents(scene, deck);
   add_leaks(scene, deck);
   note_misfit(deck.initial_gas, highest, deck);

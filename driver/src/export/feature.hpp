@@ -12,12 +12,13 @@
 
 namespace driver {
 
-enum class Mapping { exact, approximated, none };
+enum class Mapping { exact, approximated, none, left_out };
 const char* name_of(Mapping mapping);
 
 struct Outcome {
   Mapping mapping;
   const char* how;
+  bool lost = false;  // an effect that the deck has not: a case that sets it gets a note
 };
 
 /// One key of cases, without the numbers of tables: "inflator.jet.radius". It stands for the keys below it
@@ -42,12 +43,17 @@ struct UsedFeature {
   std::string path;
   std::string value;
   Outcome outcome;
+  bool is_default = false;
 };
 
-/// All settings of the deck's case. Throws std::logic_error for a key that the table does not name.
+/// All settings of the deck's case; those of parts that the deck leaves out, and of what serves these alone,
+/// are left out. Throws std::logic_error for a key that the table does not name.
 std::vector<UsedFeature> used_features(const CaseDocument& document, const Deck& deck);
 
-/// export.md and export.json.
+/// A note for each effect that the case asks for and the deck has not.
+std::vector<DeckNote> notes_of_lost(const std::vector<UsedFeature>& used);
+
+/// export.md.
 std::string export_markdown(const Deck& deck, const std::vector<UsedFeature>& used, const std::string& title);
 
 }  // namespace driver

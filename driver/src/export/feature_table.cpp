@@ -6,6 +6,10 @@ namespace driver {
 namespace {
 
 constexpr Outcome same{Mapping::exact, "as in the case"};
+constexpr Outcome no_inflow{Mapping::none, "no gas flows in from outside"};
+constexpr Outcome adiabatic{Mapping::none, "the walls are adiabatic"};
+constexpr Outcome lost_heat{Mapping::none, "the walls are adiabatic", true};
+constexpr Outcome stiff_wall{Mapping::none, "the wall is infinitely stiff", true};
 constexpr Outcome in_deck{Mapping::exact, "part of what the deck's numbers come from"};
 constexpr Outcome solver{Mapping::none,
                          "of this program's own solution; the other program has its own settings"};
@@ -19,10 +23,11 @@ constexpr Outcome molar{
     "a parabola of molar cp, by least squares from 250 K up: exact if cp is constant, else "
     "by the size below"};
 constexpr Outcome trigger{Mapping::approximated,
-                          "sensors of time become times; what else fires is left out, see below"};
+                          "what time and signals fire becomes a time; pressure opens a vent"};
 constexpr Outcome law{
     Mapping::approximated,
-    "linear law of another strain: with St. Venant-Kirchhoff it agrees to first order of strain"};
+    "linear law of logarithmic strain, woven fabric of linear strain: exact for Hencky while taut, for St. "
+    "Venant-Kirchhoff to first order of strain"};
 constexpr Outcome shape{Mapping::exact, "start shape as nodes, design shape as reference geometry"};
 constexpr Outcome sphere{Mapping::approximated, "a sphere of flat triangles, by the size below"};
 constexpr Outcome own_penalty{Mapping::approximated, "contact by node with the program's own penalty"};
@@ -50,11 +55,9 @@ const std::vector<Feature>& features() {
       {"scene.gravity", same, same},
       {"scene.format", solver, solver},
       {"ambient.pressure", same, same},
-      {"ambient.temperature", in_deck, in_deck},
-      {"ambient.composition",
-       {Mapping::none, "no gas flows in from outside"},
-       {Mapping::none, "no gas flows in from outside"}},
-      {"ambient.composition_by", in_deck, in_deck},
+      {"ambient.temperature", no_inflow, no_inflow},
+      {"ambient.composition", no_inflow, no_inflow},
+      {"ambient.composition_by", no_inflow, no_inflow},
       {"gas.thermodynamics", polynomial, molar},
       {"gas.reference_temperature", in_deck, in_deck},
       {"gas.initial.composition",
@@ -74,15 +77,9 @@ const std::vector<Feature>& features() {
       {"gas.species.nasa7.high", polynomial, molar},
       {"gas.species.nasa7.range", solver, solver},
       {"gas.species.nasa7.middle", solver, solver},
-      {"gas.heat_loss",
-       {Mapping::none, "the walls are adiabatic"},
-       {Mapping::none, "the walls are adiabatic"}},
-      {"gas.heat_loss.coefficient",
-       {Mapping::none, "the walls are adiabatic"},
-       {Mapping::none, "the walls are adiabatic"}},
-      {"gas.heat_loss.outside_temperature",
-       {Mapping::none, "the walls are adiabatic"},
-       {Mapping::none, "the walls are adiabatic"}},
+      {"gas.heat_loss", adiabatic, adiabatic},
+      {"gas.heat_loss.coefficient", lost_heat, lost_heat},
+      {"gas.heat_loss.outside_temperature", adiabatic, adiabatic},
       {"tank", tank, tank},
       {"tank.volume", tank, tank},
       {"tank.mean", tank, tank},
@@ -129,18 +126,19 @@ const std::vector<Feature>& features() {
        {Mapping::exact, "isentropic flow, choked above the critical ratio, by area and coefficient"},
        one_opening},
       {"vent.discharge_coefficient", {Mapping::exact, "factor of the area"}, one_opening},
-      {"vent.backflow", {Mapping::none, "no gas flows in"}, {Mapping::none, "no gas flows in"}},
+      {"vent.backflow", {Mapping::none, "no gas flows in", true}, {Mapping::none, "no gas flows in", true}},
       {"vent.trigger", trigger, trigger},
       {"sensor.name", in_deck, in_deck},
       {"sensor.time",
        {Mapping::exact, "shift of a curve, or time at which a vent opens"},
        {Mapping::exact, "shift of a curve"}},
-      {"sensor.signal", trigger, trigger},
-      {"sensor.above", trigger, trigger},
+      {"sensor.signal",
+       {Mapping::exact, "its crossings become times"},
+       {Mapping::exact, "its crossings become times"}},
+      {"sensor.above", in_deck, in_deck},
       {"sensor.overpressure",
        {Mapping::approximated, "pressure at which a vent opens, and stays open"},
-       {Mapping::approximated,
-        "pressure at which a single vent opens; of several it is left out, see below"}},
+       {Mapping::approximated, "pressure at which a single vent opens, and stays open"}},
       {"sensor.reset", trigger, trigger},
       {"sensor.contact", trigger, trigger},
       {"trigger.name", in_deck, in_deck},
@@ -204,9 +202,7 @@ const std::vector<Feature>& features() {
        {Mapping::approximated, "rigid wall, infinitely stiff"},
        {Mapping::approximated, "rigid wall, infinitely stiff"}},
       {"membrane.plate.normal", same, same},
-      {"membrane.plate.stiffness",
-       {Mapping::none, "the wall is infinitely stiff"},
-       {Mapping::none, "the wall is infinitely stiff"}},
+      {"membrane.plate.stiffness", stiff_wall, stiff_wall},
       {"membrane.strap.from", same, same},
       {"membrane.strap.to", same, same},
       {"membrane.strap.stiffness",

@@ -57,11 +57,11 @@ std::string LsDynaDeck::text() {
 void LsDynaDeck::head() {
   out_.keyword("KEYWORD");
   out_.keyword("TITLE");
-  out_.label(deck_.scene->name, 80);
+  out_.label(deck_.scene->name, title_columns);
   out_.keyword("CONTROL_UNITS");
   out_.line(fmt::format("{:<10}{:<10}{:<10}{:<10}", u_.length_code, time_name(u_), mass_name(u_), "k"));
   out_.keyword("CONTROL_TERMINATION");
-  out_.row({{"ENDTIM", narrow(deck_.scene->time.end / u_.time)}});
+  out_.row({{"ENDTIM", narrow(run_end(*deck_.scene) / u_.time)}});
   out_.keyword("CONTROL_TIMESTEP");
   out_.row({{"DTINIT", narrow(0.0)}, {"TSSFAC", narrow(0.8)}});
   out_.keyword("CONTROL_ENERGY");

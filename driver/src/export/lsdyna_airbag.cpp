@@ -59,9 +59,8 @@ LsDynaVents single(const DeckVent& vent, double end) {
   if (vent.of_overpressure) vents.area = 0.0;
   if (vent.of_time && vent.opens_at_overpressure) {
     vents.area = 0.0;
-    vents.notes.push_back(
-        {"vent.area",
-         "vent 0 is left out: its curve begins when a pressure is reached, at a time that the run says"});
+    vents.omissions.push_back({fmt::format("vent.{}", vent.number),
+                               "its curve begins when a pressure is reached, at a time that the run says"});
     return vents;
   }
   if (vent.of_time || vent.opens_at > 0.0) {
@@ -81,15 +80,18 @@ LsDynaVents lsdyna_vents(const Deck& deck) {
   if (deck.vents.size() == 1) return single(deck.vents.front(), end);
   LsDynaVents vents;
   std::vector<Term> timed, pressed;
-  for (std::size_t i = 0; i < deck.vents.size(); ++i) {
-    const DeckVent& vent = deck.vents[i];
+  for (const DeckVent& vent : deck.vents) {
     const bool left_out =
         vent.opens_at_overpressure || (vent.of_overpressure && (vent.opens_at > 0.0 || !deck.leaks.empty()));
     if (left_out)
-      vents.notes.push_back(
-          {"vent.area",
-           fmt::format("vent {} is left out: beside others, the airbag has no place for a vent {}", i,
-                       vent.opens_at_overpressure ? "that opens by pressure" : "with a curve of pressure")});
+      vents.omissions.push_back(
+          {fmt::format("vent.{}", vent.number),
+           vent.opens_at_overpressure
+               ? "beside others, the airbag has no place for a vent that opens by pressure"
+           : deck.leaks.empty()
+               ? "beside others, the airbag has no place for a later vent with a curve of pressure"
+               : "beside others and leaking fabric, the airbag has no place for a vent with a curve of "
+                 "pressure"});
     else if (vent.of_overpressure)
       pressed.push_back({vent.area, *vent.of_overpressure});
     else if (is_plain(vent))
@@ -106,8 +108,8 @@ LsDynaVents lsdyna_vents(const Deck& deck) {
   return vents;
 }
 
-void note_lsdyna_vents(Deck& deck) {
-  for (DeckNote& note : lsdyna_vents(deck).notes) deck.notes.push_back(std::move(note));
+void leave_out_lsdyna_vents(Deck& deck) {
+  for (DeckOmission& omission : lsdyna_vents(deck).omissions) deck.omissions.push_back(std::move(omission));
 }
 
 namespace {

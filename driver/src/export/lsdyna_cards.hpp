@@ -53,7 +53,7 @@ struct LsDynaVents {
   std::optional<DeckCurve> of_overpressure;  // [m2] of overpressure [Pa], instead of `area`
   double opens_at_overpressure = 0.0;        // [Pa]
   std::optional<DeckCurve> second;           // [m2] of overpressure [Pa]
-  std::vector<DeckNote> notes;               // of vents that are left out
+  std::vector<DeckOmission> omissions;
 };
 LsDynaVents lsdyna_vents(const Deck& deck);
 

@@ -151,7 +151,7 @@ std::string engine(const Deck& deck, const Units& u, const std::string& name) {
   Cards out;
   const Scene& scene = *deck.scene;
   out.line(fmt::format("/RUN/{}/1", name));
-  out.card({real(scene.time.end / u.time, 20)});
+  out.card({real(run_end(scene) / u.time, 20)});
   out.line("/TFILE/4");
   out.card({real(scene.output.history_every / u.time, 20)});
   out.line("/TH/TITLE");

@@ -32,12 +32,13 @@ void injectors(const Deck& deck, RadiossCards& out) {
     const DeckInflator& inflator = deck.inflators[i];
     const int number = static_cast<int>(i);
     gas_card(gas_material + 1 + number, inflator.gas, u, out);
-    const int flow = out.function("mass flow", inflator.mass_flow, u.time, u.mass_flow());
+    const int flow = out.function(inflator.of_mass ? "mass" : "mass flow", inflator.mass_flow, u.time,
+                                  inflator.of_mass ? u.mass : u.mass_flow());
     const int temperature = out.function("temperature", inflator.temperature, u.time, 1.0);
     out.line(fmt::format("/PROP/INJECT1/{}", injector + number));
     out.line("inflator");
     out.line("#  N_gases     Iflow            Ascale_T");
-    out.card({whole(1, 10), whole(1, 10), real(1.0, 20)});
+    out.card({whole(1, 10), whole(inflator.of_mass ? 0 : 1, 10), real(1.0, 20)});
     out.line("#   Mat_ID  fun_ID_M  fun_ID_T                      Fscale_M            Fscale_T");
     out.card({whole(gas_material + 1 + number, 10), whole(flow, 10), whole(temperature, 10), blank(10),
               real(1.0, 20), real(1.0, 20)});

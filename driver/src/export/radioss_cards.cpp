@@ -6,9 +6,8 @@
 namespace driver {
 
 void RadiossCards::title(const std::string& header, std::string_view text) {
-  constexpr std::size_t columns = 80;
   line(header);
-  label(text, columns);
+  label(text, title_columns);
 }
 
 void RadiossCards::node(int id, const Eigen::Vector3d& x) {

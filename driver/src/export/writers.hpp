@@ -18,8 +18,8 @@ using DeckFiles = std::vector<std::pair<std::string, std::string>>;
 DeckFiles write_radioss(const Deck& deck, const Units& units);
 DeckFiles write_lsdyna(const Deck& deck, const Units& units);
 
-/// Notes of the vents that an LS-DYNA deck, with its one opening, has no place for.
-void note_lsdyna_vents(Deck& deck);
+/// Names the vents for which an LS-DYNA deck, with its one opening, has no place.
+void leave_out_lsdyna_vents(Deck& deck);
 
 /// Numbers of what both decks have besides the bag, whose nodes and elements begin at 1.
 struct DeckIds {
