@@ -7,8 +7,6 @@
 namespace driver {
 namespace {
 
-constexpr double no_damping = 1e-10;  // of membranes; zero stands for a default of 0.05
-
 /// Writes the fabric, one method a block.
 class RadiossFabric : private RadiossIds {
  public:
@@ -109,7 +107,7 @@ void RadiossFabric::property(const DeckPart& p) {
              real(0.0, 20)});
   out_.line(
       "#                 Hm                  Hf                  Hr                  Dm                  Dn");
-  out_.card({real(0.0, 20), real(0.0, 20), real(0.0, 20), real(no_damping, 20), real(0.0, 20)});
+  out_.card({real(0.0, 20), real(0.0, 20), real(0.0, 20), real(0.0, 20), real(0.0, 20)});
   out_.line("#        N   ISTRAIN               Thick              Ashear     Iskew    ITHICK     IPLAS");
   out_.card({whole(1, 10), whole(0, 10), real(p.fabric.thickness / u_.length, 20), real(0.0, 20),
              whole(0, 10), whole(0, 10), whole(0, 10)});
@@ -171,7 +169,7 @@ void RadiossFabric::thread_property(const DeckPart& p) {
   out_.card({whole(0, 10), whole(by_increments, 10), whole(plain_triangle, 10), blank(30), none});
   out_.line(
       "#                 Hm                  Hf                  Hr                  Dm                  Dn");
-  out_.card({none, none, none, real(no_damping, 20), none});
+  out_.card({none, none, none, none, none});
   out_.line("#        N   Istrain               Thick              Ashear              Ithick");
   out_.card({whole(1, 10), whole(0, 10), thickness, none, blank(10), whole(0, 10)});
   out_.line(
