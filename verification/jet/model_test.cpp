@@ -50,6 +50,7 @@ TEST(model, wrong_members_are_refused_by_name) {
   expect_refused(round, {"radius", [](auto& m) { m.radius = 0.0; }});
   expect_refused(wedge, {"short_side", [](auto& m) { m.short_side = -1.0; }});
   expect_refused(wedge, {"long_side", [](auto& m) { m.long_side = kNan; }});
+  expect_refused(wedge, {"short_side", [](auto& m) { std::swap(m.short_side, m.long_side); }});
   expect_refused(wedge, {"long_direction", [](auto& m) { m.long_direction = m.axis; }});
 }
 

@@ -52,7 +52,7 @@ struct JetModel {
 /// Throws std::invalid_argument, naming the member, for
 /// - an axis that is zero or not finite,
 /// - a long direction that is not perpendicular to the axis (|cosine| > 1e-9),
-/// - a size, coefficient or width that is not positive,
+/// - a size, coefficient or width that is not positive, and a short side longer than the long side,
 /// - a restitution, cut_off or angle out of range.
 JetModel validated(const JetModel& model);
 

@@ -49,6 +49,8 @@ void check_sizes(const JetModel& model) {
   } else {
     require_positive("short_side", model.short_side);
     require_positive("long_side", model.long_side);
+    if (model.short_side > model.long_side)
+      refuse_value("jet short_side", model.short_side, "at most long_side");
   }
   require_positive("decay_coefficient", model.decay_coefficient);
 }
