@@ -187,11 +187,12 @@ TEST(good_input, every_shipped_case_is_accepted) {
 
 TEST(case_overrides, reach_their_key_and_name_themselves_in_errors) {
   const fs::path tank = GASJET_SOURCE_DIR "/cases/rigid_tank.toml";
-  EXPECT_EQ(coupled::scene_of("rigid_tank", {"tank.volume=0.12"}).gas->rigid_volume, 0.12);
+  for (const char* text : {"tank.volume=0.12", " tank.volume = 0.12 "})
+    EXPECT_EQ(coupled::scene_of("rigid_tank", {text}).gas->rigid_volume, 0.12);
   EXPECT_EQ(coupled::scene_of("rigid_tank", {"time.gas_tolerance=1e-6"}).gas->integrator.relative_tolerance,
             1e-6);
-  for (const char* text :
-       {"tank.volume=-1", "tank.volum=1", "inflator.0.mass_flow=nan", "inflator.7.mass_flow=1"}) {
+  for (const char* text : {"tank.volume=-1", "tank.volume = -1", "tank.volum=1", "inflator.0.mass_flow=nan",
+                           "inflator.7.mass_flow=1"}) {
     const std::string message = message_of(tank, {text});
     EXPECT_NE(message.find(std::string("--set ") + text), std::string::npos) << message;
   }

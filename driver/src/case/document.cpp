@@ -139,19 +139,25 @@ void unset(toml::table& root, const std::string& path) {
     throw CaseError(fmt::format("--unset {}: the case has no such key", shortened(path)));
 }
 
+std::string without_blanks_around(const std::string& text) {
+  const auto first = text.find_first_not_of(" \t");
+  return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(" \t") + 1 - first);
+}
+
 void apply_override(toml::table& root, const std::string& text) {
   if (text.starts_with(unset_prefix)) return unset(root, text.substr(unset_prefix.size()));
   const auto equals = end_of_path(text);
-  if (equals == std::string::npos || equals == 0)
+  const std::string path = without_blanks_around(text.substr(0, equals));
+  if (equals == std::string::npos || path.empty())
     throw CaseError(fmt::format("{}: key.path=value is expected", option_of(text)));
-  const auto parts = split_path(text.substr(0, equals));
+  const auto parts = split_path(path);
   check_keys(text.substr(equals + 1), "--set");
   if (parts.size() > most_parts)
     throw CaseError(fmt::format("{}: a key has more than {} parts", option_of(text), most_parts));
-  if (text[equals - 1] == '.' ||
+  if (path.back() == '.' ||
       std::any_of(parts.begin(), parts.end(), [](const auto& p) { return p.key.empty(); }))
     throw CaseError(fmt::format("{}: a part of the path is empty", option_of(text)));
-  toml::table value = parse_override_value(text, text.substr(equals + 1));
+  toml::table value = parse_override_value(text, without_blanks_around(text.substr(equals + 1)));
   toml::node* node = &root;
   for (std::size_t i = 0; i + 1 < parts.size(); ++i) {
     require_list(*node, parts, i, text);

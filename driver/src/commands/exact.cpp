@@ -147,15 +147,6 @@ int list(const ExactArguments& a) {
   return exit_done;
 }
 
-// For a name that no closed form has.
-std::string meant_by(const std::string& name) {
-  const auto& entries = closed_form::catalogue();
-  if (std::ranges::find(entries, name, &closed_form::Entry::name) != entries.end()) return {};
-  const auto like =
-      std::ranges::find_if(entries, [&](const auto& entry) { return is_like(entry.name, name); });
-  return like == entries.end() ? "" : fmt::format("; is '{}' meant?", like->name);
-}
-
 }  // namespace
 
 int exact(const ExactArguments& arguments) {
@@ -172,7 +163,7 @@ int exact(const ExactArguments& arguments) {
     const auto parameters = closed_form::complete_parameters(entry, given);
     arguments.format == "json" ? print_json(entry, parameters, table) : print_csv(entry, parameters, table);
   } catch (const std::invalid_argument& error) {
-    throw CaseError(fmt::format("exact {}: {}{}", arguments.name, error.what(), meant_by(arguments.name)));
+    throw CaseError(fmt::format("exact {}: {}", arguments.name, error.what()));
   }
   return exit_done;
 }

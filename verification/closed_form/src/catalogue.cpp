@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <sstream>
 #include <stdexcept>
+#include <utility>
 
 #include "entries.hpp"
 
@@ -85,13 +87,39 @@ const std::vector<Entry>& catalogue() {
   return list;
 }
 
+namespace {
+
+/// Letters to change, add or leave out to make `b` of `a`.
+std::size_t edits(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    std::size_t diagonal = std::exchange(row[0], i);
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const std::size_t changed = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
+      diagonal = std::exchange(row[j], std::min({changed, row[j] + 1, row[j - 1] + 1}));
+    }
+  }
+  return row.back();
+}
+
+std::string meant_by(std::string_view name) {
+  if (name.size() > 64) return "";
+  for (const Entry& entry : catalogue())
+    if (edits(entry.name, name) <= entry.name.size() / 4) return "; is '" + entry.name + "' meant?";
+  return "";
+}
+
+}  // namespace
+
 const Entry& find_entry(std::string_view name) {
   std::string names;
   for (const Entry& entry : catalogue()) {
     if (entry.name == name) return entry;
     names += (names.empty() ? "" : ", ") + entry.name;
   }
-  throw std::invalid_argument("unknown closed form " + std::string(name) + ", allowed: " + names);
+  throw std::invalid_argument("unknown closed form " + std::string(name) + ", allowed: " + names +
+                              meant_by(name));
 }
 
 ParameterMap complete_parameters(const Entry& entry, const ParameterMap& given) {

@@ -99,6 +99,8 @@ TEST(Catalogue, row_eq_closed_form_and_symbols_name_parameters) {
 TEST(Catalogue, bad_requests_are_refused_by_name) {
   const Entry& fill = find_entry("tank_fill");
   expect_refused([] { find_entry("tank_fil"); }, "tank_fill, tank_fill_pulse");
+  expect_refused([] { find_entry("tank_fil"); }, "; is 'tank_fill' meant?");
+  EXPECT_THROW(find_entry(std::string(100000, 'x')), std::invalid_argument);
   expect_refused([&] { evaluate(fill, {{"volum", 1.0}}); }, "volum; allowed: gas_constant");
   expect_refused([&] { evaluate(fill, {{"volume", -1.0}}); }, "volume = -1");
   expect_refused([&] { evaluate(fill, {{"V", 1.0}, {"volume", 1.0}}); }, "given twice");
