@@ -32,7 +32,7 @@ def between_numbers():
 
 NUMBERS = [None, "1", [1.0, 2.0], 1j, NAN, float("inf"), object()]
 VECTORS = [None, "abc", 1.0, (1.0, 0.0), (1.0, 0.0, 0.0, 0.0), (1.0, NAN, 0.0), (1.0, None, 0.0), (float("inf"), 0.0, 0.0)]
-POINTS = [None, "nodes", 1.0, NODES.astype(np.float32), NODES.astype(">f8"), NODES.astype(complex), NODES.astype(object), NODES[:, :2],
+POINTS = [None, "nodes", 1.0, NODES.astype(np.longdouble), NODES.astype(np.int64) + 2**53, NODES.astype(bool), NODES.astype(complex), NODES.astype(object), NODES[:, :2],
           NODES.ravel(), NODES[None], NODES[:0], NODES.tolist()[:3] + [[0.0, 1.0]], with_row(NAN), with_row([0.0, 0.0, -np.inf]),
           between_numbers(), np.ma.masked_equal(NODES, 1.0), np.asfortranarray(with_row(NAN)), with_row(NAN)[:, ::-1]]
 TRIANGLE_LISTS = ["triangles", 1, TRIANGLES.astype(float), TRIANGLES.astype(bool), TRIANGLES[:, :2], TRIANGLES.ravel(), TRIANGLES[:0],
@@ -118,7 +118,7 @@ class BadCalls(unittest.TestCase):
         self.each(gasjet.visible, dict(nodes=NODES, triangles=TRIANGLES, centre=CENTRE, axis=AXIS), nodes=POINTS, triangles=TRIANGLE_LISTS)
         model = dict(centre=CENTRE, axis=AXIS, decay_coefficient=0.08, radius=0.03, restitution=1.0, cut_off=1e-3, radial=False)
         self.each(gasjet.Jet, model, centre=VECTORS, axis=VECTORS, decay_coefficient=NUMBERS, restitution=NUMBERS, cut_off=NUMBERS,
-                  radial=FLAGS, radius=[value for value in NUMBERS if value is not NAN])
+                  radial=FLAGS, radius=NUMBERS, cone_half_angle=[0.1], short_side=[0.1], long_side=[0.1])
         jet = gasjet.Jet(**model)
         self.each(jet.velocity, dict(points=NODES), points=[value for value in POINTS if getattr(value, "size", 1) > 0])
         self.each(jet.pressure, dict(nodes=NODES, triangles=TRIANGLES, velocity=1.0, density=1.0, occlusion=True), nodes=POINTS,
@@ -149,11 +149,14 @@ class BadCalls(unittest.TestCase):
             type(self).calls += 1
             with self.assertRaisesRegex(gasjet.InputError, r"absent(\\xff)?.toml: no such file"):
                 gasjet.run(case)
+        self.each(gasjet.check_surface, dict(nodes=NODES, triangles=TRIANGLES), nodes=POINTS, triangles=TRIANGLE_LISTS)
         history = {"time_s": [0.0, 1.0, 2.0], "pressure_Pa": [1.0, 2.0, 3.0]}
         wrong = [None, 1, {}, {"time_s": [0.0, 1.0], "a": [1.0]}, {1: [1.0]}, {"a,b": [1.0]}, {"time_s": [[0.0]]}, {"time_s": 1.0}]
         for value in wrong + [{"time_s": column} for column in COLUMNS]:
             self.refused("mine", lambda: gasjet.compare(value, history), value)
             self.refused("reference", lambda: gasjet.compare(history, value), value)
+        for value in ["pressure_Pa", [1], [""], ["a,b"], 1]:
+            self.refused("columns", lambda: gasjet.compare(history, history, columns=value), value)
         for value in NUMBERS:
             self.refused("tolerance", lambda: gasjet.compare(history, history, tolerance=value), value)
         self.each(gasjet.exact, dict(name="blowdown", times=[0.1], volume=0.06), times=COLUMNS[:4] + COLUMNS[5:], volume=NUMBERS, name=[None, 1, "none", "a\0"])

@@ -103,6 +103,8 @@ TEST_F(bad_calls, jet) {
   }
   EXPECT_NE(with([](auto& j) { j.radius = kNan; }).find("side"), std::string::npos);
   EXPECT_NE(with([](auto& j) { j.axis[0] = 0.0; }).find("axis"), std::string::npos);
+  EXPECT_EQ(with([](auto& j) { j.long_side = 0.1; }).find("radius: is given beside"), 0u);
+  EXPECT_EQ(with([](auto& j) { j.cone_half_angle = 0.1; }).find("cone_half_angle: is given without"), 0u);
   EXPECT_EQ(out, 0);
   double force[3] = {7.0, 7.0, 7.0};
   const auto press = [&](const double* nodes, int64_t count, double v, double d, double bound, double* p,
@@ -215,13 +217,14 @@ TEST_F(bad_calls, run_compare_and_exact) {
   int64_t columns = 0, rows = 0;
   each_bad_handle("run", gas.value, [&](gasjet_handle h) { return gasjet_run_size(h, 0, &columns, &rows); });
   int verdict = 7;
-  refused(gasjet_compare(nullptr, "b.csv", nullptr, 0.0, &verdict, nullptr, 0, &rows), "mine");
-  refused(gasjet_compare("a.csv", nullptr, nullptr, 0.0, &verdict, nullptr, 0, &rows), "reference");
-  refused(gasjet_compare("", "b.csv", nullptr, 0.0, &verdict, nullptr, 0, &rows), "mine");
-  refused(gasjet_compare("a.csv", "b.csv", "", 0.0, &verdict, nullptr, 0, &rows), "map");
-  refused(gasjet_compare("a.csv", "b.csv", nullptr, 0.0, &verdict, nullptr, 0, &rows), "b.csv");
-  each(kNotCounted, "tolerance",
-       [&](double e) { return gasjet_compare("a.csv", "b.csv", nullptr, e, &verdict, nullptr, 0, &rows); });
+  refused(gasjet_compare(nullptr, "b.csv", nullptr, nullptr, 0.0, &verdict, nullptr, 0, &rows), "mine");
+  refused(gasjet_compare("a.csv", nullptr, nullptr, nullptr, 0.0, &verdict, nullptr, 0, &rows), "reference");
+  refused(gasjet_compare("", "b.csv", nullptr, nullptr, 0.0, &verdict, nullptr, 0, &rows), "mine");
+  refused(gasjet_compare("a.csv", "b.csv", "", nullptr, 0.0, &verdict, nullptr, 0, &rows), "map");
+  refused(gasjet_compare("a.csv", "b.csv", nullptr, nullptr, 0.0, &verdict, nullptr, 0, &rows), "b.csv");
+  each(kNotCounted, "tolerance", [&](double e) {
+    return gasjet_compare("a.csv", "b.csv", nullptr, nullptr, e, &verdict, nullptr, 0, &rows);
+  });
   EXPECT_EQ(verdict, 7);
   gasjet_handle table = 0;
   const auto exact = [&](const char* name, const char* parameters, const double* times, int64_t count,

@@ -198,7 +198,7 @@ class Visible(unittest.TestCase):
         good, bad = self.nodes.copy(), self.nodes.copy()
         bad[7, 1] = np.nan
         calls = [
-            (TypeError, "nodes", lambda: gasjet.visible(good.astype(np.float32), self.triangles, **self.source)),
+            (TypeError, "nodes", lambda: gasjet.visible(good.astype(object), self.triangles, **self.source)),
             (TypeError, "nodes", lambda: gasjet.visible(good[:, :2], self.triangles, **self.source)),
             (TypeError, "nodes", lambda: gasjet.visible(good.ravel(), self.triangles, **self.source)),
             (TypeError, "nodes", lambda: gasjet.visible("nodes", self.triangles, **self.source)),

@@ -30,7 +30,10 @@ std::vector<double> column(gasjet_handle run, const char* name) {
 
 std::string summary(gasjet_handle run) {
   int64_t needed = 0;
-  EXPECT_EQ(gasjet_run_summary(run, nullptr, 0, &needed), GASJET_BAD_INPUT);
+  EXPECT_OK(gasjet_run_summary(run, nullptr, 0, &needed));
+  EXPECT_STREQ(gasjet_last_error(), "");
+  char little[2];
+  EXPECT_EQ(gasjet_run_summary(run, little, 2, &needed), GASJET_BAD_INPUT);
   std::string text(static_cast<std::size_t>(needed), '\0');
   EXPECT_OK(gasjet_run_summary(run, text.data(), needed, &needed));
   return text;
@@ -70,6 +73,18 @@ TEST(c_run, file_text_and_folder_give_the_same_bits) {
   char name[64];
   ASSERT_OK(gasjet_run_name(of_file.value, GASJET_ENERGY, 0, name, sizeof name));
   EXPECT_STREQ(name, "time_s");
+}
+
+TEST(c_run, overrides_may_have_blanks_and_returns) {
+  const std::string file = kCases + "tank_blowdown.toml";
+  Handle plain, spaced;
+  ASSERT_OK(gasjet_run(file.c_str(), nullptr, "scene.end_time=0.05\ntank.volume=0.03\nscene.name=other",
+                       nullptr, 1, nullptr, nullptr, &plain.value));
+  ASSERT_OK(gasjet_run(file.c_str(), nullptr,
+                       "scene.end_time = 0.05\r\n\ttank.volume =0.03 \r\n\r\nscene.name= other\r\n", nullptr,
+                       1, nullptr, nullptr, &spaced.value));
+  EXPECT_EQ(column(spaced.value, "pressure_Pa"), column(plain.value, "pressure_Pa"));
+  EXPECT_NE(summary(spaced.value).find("\"scene\": \"other\""), std::string::npos) << summary(spaced.value);
 }
 
 TEST(c_run, summary_holds_the_warnings_of_case_and_jet) {
@@ -149,12 +164,22 @@ TEST(c_compare, a_history_is_inside_its_own_band) {
   const std::string file = kCases + "reference/tank_blowdown.csv";
   int verdict = -1;
   int64_t needed = 0;
-  EXPECT_EQ(gasjet_compare(file.c_str(), file.c_str(), nullptr, 0.0, &verdict, nullptr, 0, &needed),
-            GASJET_BAD_INPUT);
+  EXPECT_OK(gasjet_compare(file.c_str(), file.c_str(), nullptr, nullptr, 0.0, &verdict, nullptr, 0, &needed));
   std::string text(static_cast<std::size_t>(needed), '\0');
-  ASSERT_OK(gasjet_compare(file.c_str(), file.c_str(), nullptr, 0.0, &verdict, text.data(), needed, &needed));
+  ASSERT_OK(gasjet_compare(file.c_str(), file.c_str(), nullptr, nullptr, 0.0, &verdict, text.data(), needed,
+                           &needed));
   EXPECT_EQ(verdict, GASJET_INSIDE);
   EXPECT_NE(text.find("\"pressure_Pa\""), std::string::npos);
+  EXPECT_NE(text.find("\"temperature_K\""), std::string::npos);
+  ASSERT_OK(gasjet_compare(file.c_str(), file.c_str(), nullptr, "pressure_Pa, volume_m3", 0.0, &verdict,
+                           text.data(), needed, &needed));
+  text = text.c_str();  // shorter
+  EXPECT_NE(text.find("\"volume_m3\""), std::string::npos);
+  EXPECT_EQ(text.find("\"temperature_K\""), std::string::npos);
+  EXPECT_EQ(
+      gasjet_compare(file.c_str(), file.c_str(), nullptr, "presure_Pa", 0.0, &verdict, nullptr, 0, &needed),
+      GASJET_BAD_INPUT);
+  EXPECT_NE(std::string(gasjet_last_error()).find("presure_Pa"), std::string::npos) << gasjet_last_error();
 }
 
 }  // namespace

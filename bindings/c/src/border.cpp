@@ -103,6 +103,12 @@ std::string path_or_none(const char* pointer, std::string_view argument) {
   return pointer == nullptr ? "" : path(pointer, argument);
 }
 
+std::string_view trim(std::string_view text) {
+  constexpr std::string_view blanks = " \t\r";
+  const auto first = text.find_first_not_of(blanks);
+  return first == std::string_view::npos ? "" : text.substr(first, text.find_last_not_of(blanks) + 1 - first);
+}
+
 std::string shown(double value) {
   std::array<char, 40> digits{};
   return {digits.data(), std::to_chars(digits.begin(), digits.end(), value).ptr};
@@ -139,6 +145,7 @@ void write_text(const std::string& value, char* to, int64_t size, std::string_vi
 
 void write_sized(const std::string& value, char* to, int64_t size, int64_t* needed_size) {
   needed(needed_size, "needed") = static_cast<int64_t>(value.size()) + 1;
+  if (to == nullptr && size == 0) return;  // asks for the size
   write_text(value, to, size, "text");
 }
 

@@ -137,6 +137,8 @@ void write_text(const std::string& value, char* to, int64_t size, std::string_vi
 /// The same for a text whose size the caller may ask for.
 void write_sized(const std::string& value, char* to, int64_t size, int64_t* needed_size);
 
+/// A text without blanks, tabs and returns around it.
+std::string_view trim(std::string_view text);
 /// A number as a message shows it.
 std::string shown(double value);
 /// The number that a text is, with a decimal point in every locale; NaN if it is none.

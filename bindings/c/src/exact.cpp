@@ -43,14 +43,16 @@ void quiet_gsl() {
 closed_form::ParameterMap parameters_of(const std::string& text) {
   closed_form::ParameterMap parameters;
   std::istringstream stream(text);
-  for (std::string line; std::getline(stream, line);) {
+  for (std::string given; std::getline(stream, given);) {
+    const std::string line(trim(given));
     if (line.empty()) continue;
     const auto equals = line.find('=');
     if (equals == std::string::npos) refuse("parameters", "'" + line + "', allowed: lines name=value");
-    const double value = number_in(std::string_view(line).substr(equals + 1));
+    const std::string name(trim(std::string_view(line).substr(0, equals)));
+    const double value = number_in(trim(std::string_view(line).substr(equals + 1)));
     if (!std::isfinite(value)) refuse("parameters", "'" + line + "', allowed: name=finite number");
-    if (!parameters.emplace(line.substr(0, equals), value).second)
-      refuse("parameters", line.substr(0, equals) + " is given twice, allowed: once");
+    if (!parameters.emplace(name, value).second)
+      refuse("parameters", name + " is given twice, allowed: once");
   }
   return parameters;
 }

@@ -19,8 +19,21 @@ using namespace border;
 
 namespace {
 
+/// Refuses sizes of which one would go unread.
+void check_sizes(const gasjet_jet_model& given) {
+  const bool round = !std::isnan(given.radius);
+  const bool sides = !std::isnan(given.short_side) || !std::isnan(given.long_side);
+  const bool cone = !std::isnan(given.cone_initial_width);
+  if (!round && !sides) refuse("radius", "is not given, allowed: radius, or short_side and long_side");
+  if (round && sides)
+    refuse("radius", "is given beside short_side or long_side, allowed: radius, or short_side and long_side");
+  if (!cone && !std::isnan(given.cone_half_angle))
+    refuse("cone_half_angle", "is given without cone_initial_width, allowed: both, or neither");
+}
+
 jet::JetModel model_of(const gasjet_jet_model* pointer) {
   const gasjet_jet_model& given = needed(pointer, "model");
+  check_sizes(given);
   jet::JetModel model;
   model.shape = std::isnan(given.radius) ? jet::OutletShape::rectangular : jet::OutletShape::round;
   model.centre = Eigen::Map<const Eigen::Vector3d>(given.centre);

@@ -5,6 +5,7 @@
 
 #include "arrays.hpp"
 #include "membrane/stages.hpp"
+#include "membrane/surface_check.hpp"
 #include "membrane/time_step.hpp"
 
 using namespace border;
@@ -54,12 +55,38 @@ gasjet_membrane_sums sums_of(const Membrane& membrane, double gamma, double pres
           membrane::critical_time_step(shares)};
 }
 
+gasjet_surface_faults faults_of(const membrane::SurfaceReport& report) {
+  const auto count = [](const auto& list) { return static_cast<int64_t>(list.size()); };
+  return {report.ok() ? 1 : 0,
+          count(report.boundary_edges),
+          count(report.non_manifold_edges),
+          count(report.inconsistent_edges),
+          count(report.repeated_node_elements),
+          count(report.pinched_nodes),
+          count(report.unused_nodes),
+          report.components.empty() ? 0 : count(report.components) - 1,
+          report.inward ? 1 : 0,
+          report.flat ? 1 : 0};
+}
+
 void write_vectors(const membrane::Vectors& from, double* to) {
   if (to == nullptr) return;
   Eigen::Map<Eigen::Matrix3Xd>(to, 3, from.count()) = from.map();
 }
 
 }  // namespace
+
+int gasjet_surface_check(const double nodes[], int64_t node_count, const int64_t node_stride[],
+                         const int32_t triangles[], int64_t triangle_count, const int64_t triangle_stride[],
+                         gasjet_surface_faults* faults, char text[], int64_t size, int64_t* needed_size) {
+  return call([&] {
+    const Points points(nodes, node_count, node_stride, "nodes");
+    const auto report = membrane::check_closed_surface(
+        points.view(), triangles_of(triangles, triangle_count, triangle_stride, node_count));
+    needed(faults, "faults") = faults_of(report);
+    write_sized(report.describe(), text, size, needed_size);
+  });
+}
 
 int gasjet_membrane_create(const double reference[], int64_t node_count, const int64_t reference_stride[],
                            const int32_t triangles[], int64_t triangle_count, const int64_t triangle_stride[],

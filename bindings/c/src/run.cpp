@@ -45,12 +45,13 @@ struct Run : Object {
   std::string summary;
 };
 
-std::vector<std::string> lines_of(const std::string& text) {
-  std::vector<std::string> lines;
+/// Parts of a text that are not empty, without blanks and the returns of CRLF around them.
+std::vector<std::string> parts_of(const std::string& text, char separator) {
+  std::vector<std::string> parts;
   std::istringstream stream(text);
-  for (std::string line; std::getline(stream, line);)
-    if (!line.empty()) lines.push_back(line);
-  return lines;
+  for (std::string part; std::getline(stream, part, separator);)
+    if (const auto trimmed = trim(part); !trimmed.empty()) parts.emplace_back(trimmed);
+  return parts;
 }
 
 /// Asks the callback now and then; an exception out of it stops the run.
@@ -162,7 +163,7 @@ int gasjet_run(const char* case_file, const char* case_text, const char* overrid
     if (threads < 1 || threads > 1024)
       refuse("threads", "is " + std::to_string(threads) + ", allowed: 1 to 1024");
     const Order order{path(case_file, "case_file"), path_or_none(out, "out"),
-                      lines_of(text_or(overrides, "")), threads};
+                      parts_of(text_or(overrides, ""), '\n'), threads};
     driver::CaseDocument document = document_of(order, case_text);
     driver::Scene scene = driver::read_scene(document);
     driver::add_jet_warnings(scene);
@@ -222,15 +223,16 @@ int gasjet_run_summary(gasjet_handle run, char text[], int64_t size, int64_t* ne
   return call([&] { write_sized(Use<Run>(run, "run")->summary, text, size, needed); });
 }
 
-int gasjet_compare(const char* mine, const char* reference, const char* map, double tolerance, int* verdict,
-                   char text[], int64_t size, int64_t* needed_size) {
+int gasjet_compare(const char* mine, const char* reference, const char* map, const char* columns,
+                   double tolerance, int* verdict, char text[], int64_t size, int64_t* needed_size) {
   return call_driver([&](Environment&) {
     const std::string my_file = path(mine, "mine"), reference_file = path(reference, "reference");
     number(tolerance, "tolerance", 0.0);
     const auto map_file = path_or_none(map, "map");
+    const auto names = parts_of(text_or(columns, ""), ',');
     const auto reference_history = driver::read_history(reference_file);
-    const auto my_history = driver::read_history(my_file, map_file, reference_history);
-    const auto difference = driver::compare(my_history, reference_history, {}, tolerance);
+    const auto my_history = driver::read_history(my_file, map_file, reference_history, names);
+    const auto difference = driver::compare(my_history, reference_history, names, tolerance);
     const bool inside = difference.verdict == driver::Verdict::inside;
     const bool outside = difference.verdict == driver::Verdict::outside;
     needed(verdict, "verdict") = inside ? GASJET_INSIDE : outside ? GASJET_OUTSIDE : GASJET_UNDECIDED;

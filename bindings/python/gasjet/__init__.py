@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
 """Gasjet: airbags inflated with an analytical gas jet. SI units throughout.
 
-run() runs a case, exact() and catalogue() are the closed forms, compare() judges histories, visible() finds hidden elements;
-Gas, Tank, Jet, Surface, Membrane, Contact and Pendulum are the parts for a program of one's own.
+run() runs a case, exact() and catalogue() are the closed forms, compare() judges histories, visible() finds hidden elements,
+check_surface() faults of a mesh; Gas, Tank, Jet, Surface, Membrane, Contact and Pendulum are the parts for a program of one's own.
 """
 from . import _gasjet
-from .bodies import Gas, Jet, Membrane, Surface, Tank, fabric_leak, orifice, outlet, visible
+from .bodies import Gas, Jet, Membrane, Surface, Tank, check_surface, fabric_leak, orifice, outlet, visible
 from .coupling import Contact, Pendulum
 from .errors import BusyError, DomainError, Error, InputError, StoppedError
 from .runs import Run, catalogue, compare, exact, run
@@ -13,5 +13,5 @@ from .runs import Run, catalogue, compare, exact, run
 __version__ = _gasjet.version()
 __all__ = [
     "BusyError", "Contact", "DomainError", "Error", "Gas", "InputError", "Jet", "Membrane", "Pendulum", "Run", "StoppedError",
-    "Surface", "Tank", "catalogue", "compare", "exact", "fabric_leak", "orifice", "outlet", "run", "visible",
+    "Surface", "Tank", "catalogue", "check_surface", "compare", "exact", "fabric_leak", "orifice", "outlet", "run", "visible",
 ]

@@ -25,13 +25,23 @@ def mesh_arrays(nodes: Any, triangles: Any, name: str = "nodes") -> Tuple[Any, A
 
 
 def as_points(given: Any, name: str) -> np.ndarray:
-    """An array as it is; lists and the like as one."""
+    """An array as it is if it is of float64; one of other numbers that float64 holds exactly, and lists and the like, as such."""
     if isinstance(given, np.ndarray):
         _refuse_masks(given, name)
-        array = given
+        array = given if given.dtype == np.float64 else _exact_doubles(given, name)
     else:
         array = as_numbers(given, name)
     return _rows_of_three(array, name)
+
+
+def _exact_doubles(array: np.ndarray, name: str) -> np.ndarray:
+    """float32 and integers, as meshes have them, and other orders of bytes."""
+    kind, size = array.dtype.kind, array.dtype.itemsize
+    if not (kind in "iu" or kind == "f" and size <= 8):
+        raise TypeError(f"{name}: have the dtype {array.dtype}, allowed: float64, or numbers that it holds exactly")
+    if kind in "iu" and size == 8 and array.size and max(-int(array.min()), int(array.max())) > 2**53:
+        raise TypeError(f"{name}: have an integer beyond 2^53, allowed: numbers that float64 holds exactly")
+    return array.astype(np.float64)
 
 
 def _rows_of_three(array: np.ndarray, name: str) -> np.ndarray:

@@ -134,8 +134,16 @@ def visible(nodes: Any, triangles: Any = None, centre: Vector = (0.0, 0.0, 0.0),
         nodes, centre, axis, long_direction, half_long)
 
 
+def check_surface(nodes: Any, triangles: Any = None) -> Dict[str, Any]:
+    """What keeps a surface from enclosing a volume: faults by name and count, and `findings`, a list of texts. `ok`: nothing.
+
+    Membrane and Jet take any surface; the volume and the load of one with faults mean nothing. A meshio mesh stands for both.
+    """
+    return _gasjet.check_surface(*mesh_arrays(nodes, triangles))
+
+
 class Jet:
-    """A gas jet out of a round outlet (radius [m]) or a rectangular one (short_side, long_side [m], long_direction).
+    """A gas jet out of a round outlet (radius [m]) or a rectangular one (short_side, at most long_side [m], long_direction).
 
     decay_coefficient [-]: of the centreline. cone_initial_width [m], cone_half_angle [rad]: the width grows along a cone
     instead of by conservation of momentum.
@@ -146,7 +154,7 @@ class Jet:
                  cone_half_angle: float = NAN, restitution: float = 1.0, cut_off: float = 1e-3, radial: bool = False) -> None:
         self._model = _gasjet.jet_model(centre, axis, radius, short_side, long_side, long_direction, decay_coefficient,
                                         cone_initial_width, cone_half_angle, restitution, cut_off, radial)
-        self._skin: Tuple[Any, Any, int] = (None, None, 0)
+        self._skin: Tuple[Any, Any] = (None, None)
         self.counters: Dict[str, int] = {}
         self.velocity(np.zeros((1, 3)))  # judges the model
 
@@ -164,12 +172,11 @@ class Jet:
         """
         nodes, triangles = mesh_arrays(nodes, triangles)
         roles = (as_indices(null_elements, "null_elements"), as_indices(attachment_elements, "attachment_elements"))
-        key = (triangles, *roles)
-        handle, known, count = self._skin
-        if handle is None or count != len(nodes) or not all(map(np.array_equal, known, key)):
-            count = len(nodes)
-            handle = _gasjet.jet(self._model, triangles, count, *roles)
-            self._skin = (handle, tuple(part.copy() for part in key), count)
+        key = (len(nodes), *(part.tobytes() for part in (triangles, *roles)))  # quicker to compare than arrays
+        handle, known = self._skin
+        if known != key:
+            handle = _gasjet.jet(self._model, triangles, len(nodes), *roles)
+            self._skin = (handle, key)
         pressure, force, self.counters = _gasjet.jet_pressure(handle, len(triangles), nodes, velocity, density, occlusion,
                                                               displacement_bound)
         return pressure, force

@@ -6,6 +6,7 @@ from typing import Any, Dict
 
 from . import _gasjet
 from .arrays import Vector, as_column, as_points, mesh_arrays
+from .errors import InputError
 
 AT_REST = (0.0, 0.0, 0.0)
 
@@ -44,8 +45,11 @@ class Pendulum:
         From the first step on `angular_velocity` is that of half a step before `angle`.
         """
         all_moments = moment + self.state["gravity_moment_Nm"]
-        self.angle, self.angular_velocity = _gasjet.pendulum_advance(self._model, all_moments, self._step_before, step, self.angle,
-                                                                     self.angular_velocity)
+        try:
+            self.angle, self.angular_velocity = _gasjet.pendulum_advance(self._model, all_moments, self._step_before, step,
+                                                                         self.angle, self.angular_velocity)
+        except InputError as error:
+            raise InputError(str(error).replace("dt_after", "step", 1)) from None
         self._step_before = step
         return self.angle
 

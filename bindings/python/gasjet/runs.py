@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import os
 import tempfile
-from typing import Any, Callable, Dict, List, Mapping, Optional, Union
+from typing import Any, Callable, Dict, List, Mapping, Optional, Sequence, Union
 
 import numpy as np
 
@@ -113,7 +113,10 @@ def exact(name: str, times: Any = None, **parameters: float) -> Table:
     """A closed form by name (see catalogue()), as arrays by column; times: its abscissae. Loads GSL, which is GPL."""
     _exact = _closed_forms()
     lines = "\n".join(f"{key}={_number(value, key)!r}" for key, value in parameters.items())
-    return _exact.evaluate(name, lines, np.zeros(0) if times is None else as_column(times, "times"))
+    abscissae = np.zeros(0) if times is None else as_column(times, "times")
+    table = _exact.evaluate(name, lines, abscissae)
+    none_asked = times is not None and abscissae.size == 0  # the library then takes the form's own
+    return {column: values[:0] for column, values in table.items()} if none_asked else table
 
 
 def catalogue() -> Dict[str, Dict[str, Any]]:
@@ -122,16 +125,18 @@ def catalogue() -> Dict[str, Dict[str, Any]]:
 
 
 def compare(mine: Union[Path, Mapping[str, Any], Run], reference: Union[Path, Mapping[str, Any], Run],
-            map: Optional[Path] = None, tolerance: float = 0.0) -> Dict[str, Any]:
+            map: Optional[Path] = None, tolerance: float = 0.0, columns: Sequence[str] = ()) -> Dict[str, Any]:
     """Judges a history by the reference's band: "verdict" and each quantity's difference.
 
-    Either is a CSV file, a Run, or a dict of columns with "time_s". map: file that names a foreign program's columns.
-    It judges as `gasjet compare` without --columns does; for some columns alone, pass a dict of those as the reference.
+    Either is a CSV file, a Run, or a dict of columns with "time_s". map: file that names a foreign program's columns. columns: names
+    of the quantities to compare; none: all.
     """
+    if not isinstance(columns, (list, tuple)) or not all(isinstance(name, str) and name and "," not in name for name in columns):
+        raise TypeError(f"columns: is {columns!r}, allowed: a list of names")
     with tempfile.TemporaryDirectory() as folder:
         files = [_file_of(given, name, folder) for given, name in ((mine, "mine"), (reference, "reference"))]
         try:
-            return json.loads(_gasjet.compare(*files, None if map is None else _path(map, "map"), tolerance))
+            return json.loads(_gasjet.compare(*files, None if map is None else _path(map, "map"), ",".join(columns), tolerance))
         except InputError as error:
             raise InputError(str(error).replace(os.path.join(folder, ""), "")) from None  # it names mine.csv or reference.csv
 

@@ -79,6 +79,39 @@ py::tuple jet_pressure(const Handle& jet, int64_t elements, const py::object& no
   return py::make_tuple(pressure, force, counters_of(seen));
 }
 
+/// Faults by name, and the findings in prose.
+py::dict check_surface(const py::object& nodes, const py::object& elements) {
+  const Points x = points(nodes, "nodes");
+  const Triangles t = triangles(elements);
+  gasjet_surface_faults faults;
+  std::string text(1 << 16, '\0');
+  int64_t needed = 0;
+  unlocked([&] {
+    const auto ask = [&] {
+      return gasjet_surface_check(x.data(), x.count(), x.stride.data(), t.data(), t.count(), t.stride.data(),
+                                  &faults, text.data(), static_cast<int64_t>(text.size()), &needed);
+    };
+    const int status = ask();
+    if (needed <= static_cast<int64_t>(text.size())) return status;
+    text.resize(static_cast<std::size_t>(needed));
+    return ask();
+  });
+  text.resize(static_cast<std::size_t>(needed) - 1);
+  py::dict all;
+  all["ok"] = faults.ok != 0;
+  all["boundary_edges"] = faults.boundary_edges;
+  all["non_manifold_edges"] = faults.non_manifold_edges;
+  all["inconsistent_edges"] = faults.inconsistent_edges;
+  all["repeated_node_elements"] = faults.repeated_node_elements;
+  all["pinched_nodes"] = faults.pinched_nodes;
+  all["unused_nodes"] = faults.unused_nodes;
+  all["more_components"] = faults.more_components;
+  all["inward"] = faults.inward != 0;
+  all["flat"] = faults.flat != 0;
+  all["findings"] = py::str(text).attr("splitlines")();
+  return all;
+}
+
 Owner surface(const py::object& elements, int64_t node_count, const Indices& null_elements,
               const Indices& attachment) {
   const Triangles t = triangles(elements);
@@ -163,6 +196,7 @@ void add_bodies(py::module_& m) {
   def(m, "jet", &jet, {"model", "triangles", "node_count", "null_elements", "attachment_elements"});
   def(m, "jet_pressure", &jet_pressure,
       {"jet", "elements", "nodes", "velocity", "density", "occlusion", "displacement_bound"});
+  def(m, "check_surface", &check_surface, {"nodes", "triangles"});
   def(m, "surface", &surface, {"triangles", "node_count", "null_elements", "attachment_elements"});
   def(m, "surface_visible", &surface_visible,
       {"surface", "elements", "nodes", "centre", "axis", "long_direction", "half_long", "candidates",

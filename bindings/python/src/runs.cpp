@@ -71,15 +71,15 @@ py::tuple run(const std::string& file, const std::optional<std::string>& text, c
 }
 
 std::string compare(const std::string& mine, const std::string& reference,
-                    const std::optional<std::string>& map, double tolerance) {
+                    const std::optional<std::string>& map, const std::string& columns, double tolerance) {
   const char* names = map ? map->c_str() : nullptr;
   int verdict = 0;
   std::string text(1 << 16, '\0');
   int64_t needed = 0;
   int status = GASJET_OK;
   for (int i = 0; i < 2; ++i) {
-    status = gasjet_compare(mine.c_str(), reference.c_str(), names, tolerance, &verdict, text.data(),
-                            static_cast<int64_t>(text.size()), &needed);
+    status = gasjet_compare(mine.c_str(), reference.c_str(), names, columns.c_str(), tolerance, &verdict,
+                            text.data(), static_cast<int64_t>(text.size()), &needed);
     if (status == GASJET_OK || needed <= static_cast<int64_t>(text.size())) break;
     text.resize(static_cast<std::size_t>(needed));
   }
@@ -92,5 +92,5 @@ std::string compare(const std::string& mine, const std::string& reference,
 
 void add_runs(py::module_& m) {
   def(m, "run", &run, {"case", "text", "set", "out", "threads", "progress"});
-  def(m, "compare", &compare, {"mine", "reference", "map", "tolerance"});
+  def(m, "compare", &compare, {"mine", "reference", "map", "columns", "tolerance"});
 }

@@ -35,12 +35,12 @@ typedef struct gasjet_jet_model {
   double centre[3];          /* [m] of the outlet */
   double axis[3];            /* [-] into the bag, any length but 0 */
   double radius;             /* [m] of a round outlet; NaN: rectangular */
-  double short_side;         /* [m] rectangular */
-  double long_side;          /* [m] rectangular */
+  double short_side;         /* [m] rectangular: at most long_side; NaN: round */
+  double long_side;          /* [m] rectangular; NaN: round */
   double long_direction[3];  /* [-] rectangular: along the long side, normal to the axis */
   double decay_coefficient;  /* [-] a of (J.3), (J.4) */
   double cone_initial_width; /* [m] given: the width grows along a cone; NaN: by conservation of momentum */
-  double cone_half_angle;    /* [rad] of that cone, 0 to pi/2 */
+  double cone_half_angle;    /* [rad] of that cone, 0 to pi/2; NaN without one */
   double restitution;        /* [-] 0 to 1, default 1: complete reflection */
   double cut_off;            /* [-] no load where (V/V_max)^2 is below, default 1e-3 */
   int64_t radial; /* not 0: velocity points away from the virtual origin; default 0: along the axis */
@@ -50,7 +50,8 @@ GASJET_API int gasjet_jet_defaults(gasjet_jet_model* model);
 
 /* A jet at a surface of triangles. null_elements close a hole: no load, and they never hide;
  * attachment_elements around the outlet never hide. Element numbers from 0; NULL with count 0. node_count:
- * with nodes of other parts, up to 20 million more than corners of triangles. */
+ * with nodes of other parts, up to 20 million more than corners of triangles. The jet loads inner sides, so a
+ * triangle that is wound wrongly takes none: gasjet_surface_check finds it. */
 GASJET_API int gasjet_jet_create(const gasjet_jet_model* model, const int32_t triangles[],
                                  int64_t triangle_count, const int64_t GASJET_OR_NULL triangle_stride[],
                                  int64_t node_count, const int32_t GASJET_OR_NULL null_elements[],

@@ -9,6 +9,28 @@
 extern "C" {
 #endif
 
+/* What keeps a surface from enclosing a volume. */
+typedef struct gasjet_surface_faults {
+  int64_t ok;                     /* not 0: closed, connected and wound outward; all others are 0 */
+  int64_t boundary_edges;         /* of one triangle alone: a hole */
+  int64_t non_manifold_edges;     /* of more than two triangles */
+  int64_t inconsistent_edges;     /* which two triangles run along in one direction: one is wound wrongly */
+  int64_t repeated_node_elements; /* triangles with a node twice */
+  int64_t pinched_nodes;          /* whose triangles touch there alone */
+  int64_t unused_nodes;           /* of no triangle */
+  int64_t more_components;        /* parts without a common edge, less one */
+  int64_t inward;                 /* 1: closed, but wound inward */
+  int64_t flat;                   /* 1: closed, but without a volume */
+} gasjet_surface_faults;
+
+/* Checks a surface of triangles. text: the findings, a line each; numbers count from 0. Its size as that of
+ * gasjet_run_summary; `faults` is set in any case. */
+GASJET_API int gasjet_surface_check(const double nodes[], int64_t node_count,
+                                    const int64_t GASJET_OR_NULL node_stride[], const int32_t triangles[],
+                                    int64_t triangle_count, const int64_t GASJET_OR_NULL triangle_stride[],
+                                    gasjet_surface_faults* faults, char GASJET_OR_NULL text[], int64_t size,
+                                    int64_t* needed);
+
 enum gasjet_fabric_law {
   GASJET_SAINT_VENANT_KIRCHHOFF = 0, /* stress linear in Green-Lagrange strain (M.2) */
   GASJET_HENCKY = 1 /* Cauchy stress linear in logarithmic strain (M.25); goes slack, to stretches of 1.65 */
@@ -26,7 +48,7 @@ typedef struct gasjet_fabric_model {
 
 /* The membrane at given positions. */
 typedef struct gasjet_membrane_sums {
-  double volume;            /* [m3] enclosed (M.5) */
+  double volume;            /* [m3] enclosed (M.5), if gasjet_surface_check finds nothing */
   double area;              /* [m2] */
   double mass;              /* [kg] of the fabric */
   double strain_energy;     /* [J] */
@@ -47,7 +69,8 @@ GASJET_API int gasjet_membrane_create(
 GASJET_API int gasjet_membrane_masses(gasjet_handle membrane, double mass[], int64_t mass_count);
 
 /* At positions `nodes` [m]: the fabric's forces [N] and the volume's gradient dV/dx [m2], rows of three a
- * node (3 node_count numbers, either may be NULL); the gas pushes with (p - p_a) dV/dx. gamma [-] >= 0 and
+ * node (3 node_count numbers, either may be NULL); the gas pushes with (p - p_a) dV/dx. Volume and gradient
+ * mean something for a surface alone in which gasjet_surface_check finds nothing. gamma [-] >= 0 and
  * the absolute pressure [Pa] >= 0 of the gas go into the critical step; 0: the pressure is prescribed. */
 GASJET_API int gasjet_membrane_evaluate(gasjet_handle membrane, const double nodes[], int64_t node_count,
                                         const int64_t GASJET_OR_NULL node_stride[], double gamma,

@@ -37,18 +37,20 @@ GASJET_API int gasjet_run_column(gasjet_handle run, int table, int64_t column, c
 GASJET_API int gasjet_run_find(gasjet_handle run, int table, const char* name, const double** values);
 
 /* summary.json of the run, its "warnings" among it, into text of `size` bytes; `needed` is the size that
- * holds it. If that is more than `size`, GASJET_BAD_INPUT, and only `needed` is set. */
+ * holds it. NULL with size 0 asks for that alone. If it is more than `size`, GASJET_BAD_INPUT, and only
+ * `needed` is set. */
 GASJET_API int gasjet_run_summary(gasjet_handle run, char GASJET_OR_NULL text[], int64_t size,
                                   int64_t* needed);
 
 enum gasjet_verdict { GASJET_INSIDE = 0, GASJET_OUTSIDE = 1, GASJET_UNDECIDED = 4 };
 
 /* Judges the history file `mine` by the band of `reference`. map: file that names a foreign program's
- * columns. tolerance [-] >= 0: share of each quantity's peak, added to the bands. verdict: gasjet_verdict.
- * text: what `gasjet compare --format json` prints; sizes as gasjet_run_summary. */
+ * columns. columns: quantities to compare, separated by commas; NULL: all. tolerance [-] >= 0: share of each
+ * quantity's peak, added to the bands. verdict: gasjet_verdict. text: what `gasjet compare --format json`
+ * prints; sizes as gasjet_run_summary. */
 GASJET_API int gasjet_compare(const char* mine, const char* reference, const char* GASJET_OR_NULL map,
-                              double tolerance, int* verdict, char GASJET_OR_NULL text[], int64_t size,
-                              int64_t* needed);
+                              const char* GASJET_OR_NULL columns, double tolerance, int* verdict,
+                              char GASJET_OR_NULL text[], int64_t size, int64_t* needed);
 
 #ifdef __cplusplus
 }
