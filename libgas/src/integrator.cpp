@@ -61,7 +61,6 @@ class GasIntegrator::Implementation {
         triggers_(model_.triggers.size()),
         before_(model_.triggers.size()),
         switchings_(model_.triggers.size()),
-        inflows_(model_.inflows.size()),
         outflows_(boundary_.slots().streams()),
         backflows_(boundary_.slots().backflows) {}
 
@@ -72,7 +71,7 @@ class GasIntegrator::Implementation {
     std::ranges::fill(switchings_, 0);
     boundary_.begin_step(t0, t1, path);
     const double work = stored_work(model_, state);
-    ledger_.begin_step(state, work, t0);
+    ledger_.begin_step(state, work);
     substepper_.begin_step(state.temperature);
     double a = t0;
     try {
@@ -101,8 +100,9 @@ class GasIntegrator::Implementation {
     if (const double knot = boundary_.next_break(triggers_, a); t1 - knot > kOneTime * std::abs(t1))
       next = std::min(next, knot);
     boundary_.begin_segment(triggers_, a, next);
+    ledger_.begin_segment(a);
     if (needs_stepper() || watched) next = substepper_.integrate(a, next, triggers_);
-    ledger_.deliver(next);
+    ledger_.end_segment(next);
     return next;
   }
 
@@ -114,7 +114,9 @@ class GasIntegrator::Implementation {
   /// The gas at t, between two segments.
   const UniformGas& locate(double t) {
     if (!substepper_.balance().locate(ledger_.gas(), t))
-      throw DomainError(range_text(model_) + "at t = " + to_text(t) + " s");
+      throw DomainError("the gas leaves its temperature range, " +
+                        to_text(model_.thermo.minimum_temperature()) + " to " +
+                        to_text(model_.thermo.maximum_temperature()) + " K, at t = " + to_text(t) + " s");
     return substepper_.balance().gas();
   }
 
@@ -163,13 +165,12 @@ class GasIntegrator::Implementation {
   StepFluxes fluxes() {
     const Slots& slots = boundary_.slots();
     StepFluxes f{};
-    f.inflows = inflows_;
+    f.inflows = ledger_.delivered();
     f.outflows = outflows_;
     f.backflows = backflows_;
-    for (std::size_t i = 0; i < inflows_.size(); ++i) {
-      inflows_[i] = ledger_.delivered(i);
-      f.mass_in += inflows_[i].mass;
-      f.enthalpy_in += inflows_[i].enthalpy;
+    for (const StreamFlux& in : f.inflows) {
+      f.mass_in += in.mass;
+      f.enthalpy_in += in.enthalpy;
     }
     for (std::size_t j = 0; j < outflows_.size(); ++j) {
       outflows_[j] = {ledger_.total(slots.mass(j)), ledger_.total(slots.enthalpy(j))};
@@ -198,7 +199,7 @@ class GasIntegrator::Implementation {
   TriggerState triggers_;
   TriggerState before_;          // at the last update
   std::vector<int> switchings_;  // of each node in this call
-  std::vector<StreamFlux> inflows_, outflows_, backflows_;
+  std::vector<StreamFlux> outflows_, backflows_;
 };
 
 GasIntegrator::GasIntegrator(const ControlVolumeModel& model, const IntegratorOptions& options)

@@ -16,6 +16,10 @@ constexpr double kSafety = 0.9, kSmallestFactor = 0.05, kLargestFactor = 5.0;
 // The first step's error constant is of the order kFirstStep^-error_power: a guess, only speed depends on it.
 constexpr double kFirstStep = 5.0;
 
+std::string range_of(const Thermo& thermo) {
+  return to_text(thermo.minimum_temperature()) + " to " + to_text(thermo.maximum_temperature()) + " K";
+}
+
 }  // namespace
 
 StepControl::StepControl(const IntegratorOptions& options, double error_power)
@@ -42,6 +46,8 @@ double StepControl::scaled_error(const System& system, const Vector& error, Vect
 
 double StepControl::factor(double error, double error_power) const {
   if (is_fixed()) return 1.0;
+  if (!(error < kInfinity)) return kSmallestFactor;
+  if (error <= 0.0) return kLargestFactor;
   return std::clamp(kSafety * std::pow(error, -1.0 / error_power), kSmallestFactor, kLargestFactor);
 }
 
@@ -86,9 +92,11 @@ void StepControl::require_stable(const Balance& balance, double length, double r
   const bool fed = balance.closed_growth() * where_linear(balance).overpressure > 0.0;
   const double rate = fed ? relaxation : wall_relaxation(balance);
   if (!(length * rate > limit())) return;
-  fail_fixed(balance.time(), "is above the method's stability limit " + to_text(limit() / rate) +
-                                 " s, as the gas relaxes within " + to_text(1.0 / rate) +
-                                 " s; Rosenbrock 4 (gas_method of a case) has no such limit");
+  throw DomainError("the step " + to_text(options_.fixed_step) + " s is above the method's stability limit " +
+                    to_text(limit() / rate) + " s at t = " + to_text(balance.time()) +
+                    " s, where the gas relaxes within " + to_text(1.0 / rate) +
+                    " s; Rosenbrock 4 (gas_method of a case) has no such limit, and error control (no "
+                    "gas_step) keeps to it");
 }
 
 void StepControl::require_motion(const Balance& balance, const Moment& begin, const Moment& end,
@@ -100,12 +108,18 @@ void StepControl::require_motion(const Balance& balance, const Moment& begin, co
   if (moved <= options_.relative_tolerance * balance.gas().pressure ||
       std::abs(end.overpressure - begin.overpressure) >= kStill * moved)
     return;
-  fail_fixed(balance.time(), "is too long for the balance of flows: p stays where its rate would move it");
+  throw DomainError(
+      "the step " + to_text(options_.fixed_step) +
+      " s is too long for the balance of flows at t = " + to_text(balance.time()) +
+      " s: p stays where its rate would move it; a shorter one (gas_step of a case), or none, is "
+      "allowed");
 }
 
-void StepControl::fail_fixed(double t, const std::string& why) const {
-  throw DomainError("the step " + to_text(options_.fixed_step) + " s at t = " + to_text(t) + " s " + why +
-                    "; a shorter one (gas_step of a case), or none, is allowed");
+void StepControl::fail_crossing(double t) const {
+  throw DomainError("the step " + to_text(options_.fixed_step) +
+                    " s is too long for the balance near ambient pressure at t = " + to_text(t) +
+                    " s: flow through the openings takes p past p_a, where it would turn, or the wrong way; "
+                    "a shorter one (gas_step of a case), or none, is allowed");
 }
 
 /// What could be done about sub-steps of `length`, too many or too short.
@@ -139,7 +153,8 @@ void StepControl::fail(System& system, double t, double length, bool found_gas) 
   const double temperature = balance.gas().temperature;
   const bool on_end = !begin_has_gas || temperature <= (1.0 + kOnEnd) * thermo.minimum_temperature() ||
                       temperature >= (1.0 - kOnEnd) * thermo.maximum_temperature();
-  if (!found_gas && (!too_short || on_end)) throw DomainError(range_text(balance.boundary().model()) + where);
+  if (!found_gas && (!too_short || on_end))
+    throw DomainError("the gas leaves its temperature range, " + range_of(thermo) + ", " + where);
   Vector rates(balance.boundary().slots().size());
   balance.fill_rates(rates);
   const std::string gas =

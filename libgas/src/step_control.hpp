@@ -11,15 +11,13 @@ struct TooStiff : DomainError {
   using DomainError::DomainError;
 };
 
-/// Length [s] of a sub-step, and the error if none can be taken.
+/// Length of a sub-step, and the error if none can be taken. All lengths are in t [s].
 class StepControl {
  public:
   /// `error_power` is that of the method for gas that is not stiff.
   StepControl(const IntegratorOptions& options, double error_power);
 
   bool is_fixed() const { return options_.fixed_step > 0.0; }
-  /// Stiff sub-steps are taken by the implicit method, and others are not.
-  bool may_switch() const { return options_.method == Method::dormand_prince_5 && !is_fixed(); }
   /// Error of mass and of thermal energy at the gas located, over the tolerance; 0 for fixed sub-steps. The
   /// energy h that goes with an error of mass is not counted as an error of temperature.
   double scaled_error(const System& system, const Vector& error, Vector& scratch) const;
@@ -47,8 +45,8 @@ class StepControl {
   /// Throws the DomainError that says why a sub-step of `length` cannot be taken from time t [s].
   /// `found_gas`: the last trial had a temperature.
   [[noreturn]] void fail(System& system, double t, double length, bool found_gas) const;
-  /// The same for a fixed sub-step that is too long at t [s]; `why` completes the sentence.
-  [[noreturn]] void fail_fixed(double t, const std::string& why) const;
+  /// The same for a fixed sub-step that takes p through p_a against the feed of the flow.
+  [[noreturn]] void fail_crossing(double t) const;
 
  private:
   double rounding_limit(const Balance& balance) const;

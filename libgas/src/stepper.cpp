@@ -35,16 +35,18 @@ class Doubling : public Stepper {
   }
   void step(System& system, const Vector& dydx, double x, double h, bool estimate, Trial& out) override {
     const auto rates = [&](const Vector& y, Vector& rate, double s) { system.rates(y, rate, s); };
-    Vector& whole = estimate ? out.error : out.end;
-    method_.do_step(rates, zero_, dydx, x, whole, h);
-    if (estimate) {
-      method_.do_step(rates, zero_, dydx, x, middle_, 0.5 * h);
-      system.rates(middle_, middle_rate_, x + 0.5 * h);
-      method_.do_step(rates, middle_, middle_rate_, x + 0.5 * h, out.end, 0.5 * h);
-      constexpr double kShare = 1.0 / ((1 << Order) - 1);  // Richardson
-      for (std::size_t i = 0; i < middle_.size(); ++i) out.error[i] = kShare * (out.end[i] - whole[i]);
+    if (!estimate) {
+      method_.do_step(rates, zero_, dydx, x, out.end, h);
+      system.rates(out.end, out.end_rate, x + h);
+      return;
     }
+    method_.do_step(rates, zero_, dydx, x, out.error, h);
+    method_.do_step(rates, zero_, dydx, x, middle_, 0.5 * h);
+    system.rates(middle_, middle_rate_, x + 0.5 * h);
+    method_.do_step(rates, middle_, middle_rate_, x + 0.5 * h, out.end, 0.5 * h);
     system.rates(out.end, out.end_rate, x + h);
+    constexpr double kShare = 1.0 / ((1 << Order) - 1);  // Richardson
+    for (std::size_t i = 0; i < middle_.size(); ++i) out.error[i] = kShare * (out.end[i] - out.error[i]);
   }
   double error_power() const override { return Order + 1.0; }
 
@@ -61,16 +63,16 @@ void System::rates(const Vector& y, Vector& dydx, double x) {
   rates_of(gas, dydx, x);
 }
 
-void System::rates_of(const Vector& amount, Vector& dydx, double x) {
-  ++effort.evaluations;
+void System::rates_of(Vector& amount, Vector& dydx, double x) {
   valid = valid && balance.locate(amount, clock.time(x));
+  ++effort.evaluations;
   if (!valid) {
     std::ranges::fill(dydx, 0.0);
     return;
   }
   balance.fill_rates(dydx);
-  if (clock.root)
-    for (double& rate : dydx) rate *= clock.slope(x);
+  if (!clock.root) return;
+  for (double& rate : dydx) rate *= clock.slope(x);
 }
 
 double stability_limit(Method method) {

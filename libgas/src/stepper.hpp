@@ -19,20 +19,6 @@ struct Clock {
   double slope_of_slope() const { return root ? 2.0 : 0.0; }     // d2t/dx2
 };
 
-/// The time of a trial, by shares of its length in x.
-struct Stretch {
-  Stretch(const Clock& its_clock, double begins, double ends)
-      : clock(its_clock), begin(begins), end(ends), x(clock.position(begin)), h(clock.position(end) - x) {}
-  double time(double share) const { return clock.time(x + share * h); }
-  // Time [s] in which the trial would pass at the pace of x that it begins or ends with.
-  double begin_pace() const { return h * clock.slope(x); }
-  double end_pace() const { return h * clock.slope(x + h); }
-
-  Clock clock;
-  double begin, end;  // [s]
-  double x, h;        // begin and length in x
-};
-
 /// Counters: sub-steps tried and accepted, evaluations of the right-hand side.
 struct Effort {
   int attempts = 0, accepted = 0, evaluations = 0;
@@ -49,14 +35,15 @@ struct System {
 
   /// dy/dx at (y, x).
   void rates(const Vector& y, Vector& dydx, double x);
-  /// The same at an amount of gas.
-  void rates_of(const Vector& amount, Vector& dydx, double x);
+  /// The same at `gas`; masses below zero in it are set to zero.
+  void rates_of(Vector& gas, Vector& dydx, double x);
 };
 
 /// Result of a step.
 struct Trial {
   Vector end, end_rate, error;
-  double reversed = 0.0;  // [kg] that flowed the wrong way by an error of the method, and was stopped
+  /// [kg] that flowed the wrong way by an error of the method.
+  double reversed = 0.0;
 };
 
 /// An integration method.

@@ -32,13 +32,14 @@ constexpr double kRootBegin = 1e-12;
 Substepper::Substepper(const Boundary& boundary, Ledger& ledger, const TriggerNetwork& network,
                        const IntegratorOptions& options)
     : options_(options),
+      may_switch_(options.method == Method::dormand_prince_5 && options.fixed_step == 0.0),
       network_(network),
       watch_(boundary, options.relative_tolerance),
       control_(options, options.method == Method::rosenbrock_4 ? 4.0 : 5.0),
       explicit_(make_explicit(options.method, boundary.slots())),
       implicit_(make_rodas(boundary.slots())),
       system_{ledger, Balance(boundary), {}, Vector(boundary.slots().species + 1)},
-      begin_{0.0, Vector(boundary.slots().size()), {}, 0.0},
+      begin_{0.0, 0.0, Vector(boundary.slots().size()), {}, 0.0},
       trial_{begin_.rate, begin_.rate, begin_.rate} {}
 
 void Substepper::begin_step(double temperature) {
@@ -47,21 +48,19 @@ void Substepper::begin_step(double temperature) {
   system_.balance.begin_step(temperature);
 }
 
-/// Where flow sets in at p_a it grows as the root of the time.
-Clock Substepper::suitable_clock(double b) const {
+/// The clock of a sub-step: where flow sets in at p_a it grows as the root of the time.
+void Substepper::start_clock(double b) {
   const Moment& now = begin_.moment;
-  if (!watch_.is_onset(now)) return {};
-  const double left = b - begin_.t, since = std::max(0.0, now.overpressure / now.growth);
+  const Balance& balance = system_.balance;
+  const double since =
+      watch_.is_onset(balance, now) ? std::max(0.0, now.overpressure / now.growth) : kInfinity;
+  system_.clock = {};
   // Where the flow balances its feed before the tolerance tells, what sets in is no matter.
-  if (since >= left || !control_.tells(system_.balance, balanced_overpressure(system_.balance))) return {};
-  return {true, begin_.t - std::max(since, kRootBegin * left)};
-}
-
-void Substepper::set_clock(const Clock& clock) {
-  const auto slope = [&](const Clock& its) { return its.slope(its.position(begin_.t)); };
-  const double slower = slope(clock) / slope(system_.clock);
-  for (double& rate : begin_.rate) rate *= slower;
-  system_.clock = clock;
+  const bool matters = since < b - begin_.t && control_.tells(balance, balanced_overpressure(balance));
+  if (matters) system_.clock = {true, begin_.t - std::max(since, kRootBegin * (b - begin_.t))};
+  begin_.x = system_.clock.position(begin_.t);
+  for (double& rate : begin_.rate) rate *= system_.clock.slope(begin_.x);
+  begin_.moment.rate *= system_.clock.slope(begin_.x);
 }
 
 void Substepper::start(double t, double b) {
@@ -70,22 +69,25 @@ void Substepper::start(double t, double b) {
   system_.valid = true;
   system_.rates_of(system_.gas = system_.ledger.gas(), begin_.rate, t);
   if (!system_.valid) control_.fail(system_, t, b - t, false);
-  begin_.moment = watch_.moment(system_.balance);
+  begin_.moment = watch_.moment(system_.balance, 1.0);
   set_relaxation(kInfinity);
-  set_clock(suitable_clock(b));
+  start_clock(b);
 }
 
 /// Before a sub-step of at most `length` [s]: where that is far from stiff, a bound of it does.
 void Substepper::set_relaxation(double length) {
-  begin_.relaxation = relaxation(system_.balance, control_.may_switch() ? kStiff / length : 0.0);
+  begin_.relaxation = relaxation(system_.balance, may_switch_ ? kStiff / length : 0.0);
 }
 
-Stretch Substepper::reach(const Proposal& next, double b) const {
+Substepper::Reach Substepper::reach(const Proposal& proposal, double b) const {
+  const Clock& clock = system_.clock;
+  const double left = clock.position(b) - begin_.x,
+               cap = control_.longest(system_.balance, begin_.relaxation);
+  const double longest = cap < b - begin_.t ? clock.position(begin_.t + cap) - begin_.x : kInfinity;
   const double share = control_.is_ending(system_.balance, begin_.moment) ? 1.0 : kTowardsAmbient;
-  double length = std::min(control_.longest(system_.balance, begin_.relaxation), next.landing);
-  if (!control_.is_fixed())
-    length = std::min({length, next.length, share * watch_.until_ambient(begin_.moment)});
-  return {system_.clock, begin_.t, std::min(begin_.t + length, b)};
+  const double free = std::min(proposal.length, share * watch_.until_ambient(begin_.moment));
+  const double length = std::min({longest, proposal.landing, control_.is_fixed() ? kInfinity : free});
+  return length >= left ? Reach{left, b} : Reach{length, clock.time(begin_.x + length)};
 }
 
 /// Makes a trial of flow that is about to end at p_a end on it, if it ends beyond.
@@ -97,105 +99,119 @@ void Substepper::stop_at_ambient(double x) {
 }
 
 /// One trial; the balance is left at its end. Its error over the tolerance, infinite if any stage met no gas.
-double Substepper::try_step(const Stretch& trial, bool stiff) {
-  const double t = trial.begin, end_x = trial.x + trial.h, length = trial.end - t;
-  control_.require_stable(system_.balance, length, begin_.relaxation);
-  if (++system_.effort.attempts > options_.maximum_steps || !(trial.h > 0.0))
-    control_.fail(system_, t, length, system_.valid);
+double Substepper::try_step(const Reach& reach, bool stiff) {
+  const double t = begin_.t, x = begin_.x, h = (x + reach.length) - x;  // what flows in until then, exactly
+  control_.require_stable(system_.balance, reach.end - t, begin_.relaxation);
+  if (++system_.effort.attempts > options_.maximum_steps || !(h > 0.0) || !(system_.clock.time(x + h) > t))
+    control_.fail(system_, t, reach.end - t, system_.valid);
   system_.valid = true;
+  trial_.reversed = 0.0;
   if (stiff) system_.balance.locate(system_.ledger.gas(), t);  // a good guess of the temperature
-  (stiff ? implicit_ : explicit_)->step(system_, begin_.rate, trial.x, trial.h, !control_.is_fixed(), trial_);
-  trial_.reversed = system_.valid ? system_.ledger.stop_reversed(trial_.end, trial_.error) : 0.0;
-  if (trial_.reversed > 0.0) system_.rates(trial_.end, trial_.end_rate, end_x);
-  if (system_.valid && control_.is_ending(system_.balance, begin_.moment)) stop_at_ambient(end_x);
-  if (!system_.valid && control_.is_fixed()) control_.fail(system_, t, length, false);
+  (stiff ? implicit_ : explicit_)->step(system_, begin_.rate, x, h, !control_.is_fixed(), trial_);
+  if (!stiff && !control_.is_fixed() && system_.valid) {
+    trial_.reversed = system_.ledger.stop_reversed(trial_.end, trial_.error);
+    if (trial_.reversed > 0.0) system_.rates(trial_.end, trial_.end_rate, x + h);
+  }
+  if (system_.valid && control_.is_ending(system_.balance, begin_.moment)) stop_at_ambient(x + h);
+  if (!system_.valid && control_.is_fixed()) control_.fail(system_, t, reach.end - t, false);
   return system_.valid ? control_.scaled_error(system_, trial_.error, system_.gas) : kInfinity;
 }
 
 /// What to try in place of a trial whose error is small: the other method where it took flow the wrong way, a
 /// shorter one where it passes what it has to end on. None: the trial stands.
-std::optional<Substepper::Proposal> Substepper::again(const Proposal& tried, const Stretch& trial,
+std::optional<Substepper::Proposal> Substepper::again(const Proposal& tried, const Reach& reach,
                                                       const Moment& end) const {
   const Balance& balance = system_.balance;
   const Moment& begin = begin_.moment;
   const bool fixed = control_.is_fixed(), on_ambient = watch_.is_on_ambient(begin);
-  const double length = trial.end - trial.begin;
+  const double duration = reach.end - begin_.t;
+  if (fixed && trial_.reversed > kReversed * balance.gas().mass) control_.fail_crossing(begin_.t);
   // Stopped where it turned, flow would stay there; at p_a it is rounding that turns it.
-  const bool turns =
-      fixed ? trial_.reversed > kReversed * balance.gas().mass : trial_.reversed > 0.0 && !on_ambient;
-  if (turns || (!options_.unsafe_step && watch_.crosses_against_flow(begin, end, length))) {
-    if (fixed) {
-      if (turns || on_ambient || begin.growth * begin.flow > 0.0)
-        control_.fail_fixed(trial.begin,
-                            "is too long for the balance near ambient pressure: flow through the openings "
-                            "takes p past p_a, where it would turn, or the wrong way");
-      // What only runs out, or in, ends there.
-      const double share = begin.overpressure / (begin.overpressure - end.overpressure);
-      return Proposal{tried.length, trial.time(share) - trial.begin, tried.stiff};
+  const bool turns = trial_.reversed > 0.0 && !fixed && !on_ambient;
+  if (turns || (!options_.unsafe_step && watch_.crosses_against_flow(begin, end, duration))) {
+    if (fixed) {  // what only runs out, or in, ends there
+      const bool fed = begin.growth * begin.flow > 0.0;
+      if (fed || on_ambient) control_.fail_crossing(begin_.t);
+      return Proposal{tried.length,
+                      reach.length * begin.overpressure / (begin.overpressure - end.overpressure),
+                      tried.stiff};
     }
-    const bool other = !tried.stiff && control_.may_switch();
-    return Proposal{other ? length : kCrossingFactor * length, kInfinity, tried.stiff || other};
+    const bool other = !tried.stiff && may_switch_;
+    return Proposal{other ? reach.length : kCrossingFactor * reach.length, kInfinity, tried.stiff || other};
   }
-  if (!trial.clock.root && !tried.stiff) control_.require_motion(balance, begin, end, length);
-  const auto share = watch_.landing(trial, begin, end, tried.landing < kInfinity);
+  if (!system_.clock.root && !tried.stiff) control_.require_motion(balance, begin, end, duration);
+  const auto share = watch_.landing(begin, end, reach.length, tried.landing < kInfinity);
   if (!share) return {};
-  const double landing = std::max(trial.time(*share), std::nextafter(trial.begin, kInfinity));
-  if (!(landing < trial.end)) return {};
-  return Proposal{tried.length, landing - trial.begin, tried.stiff};
+  const double shorter = std::max(*share * reach.length, std::nextafter(begin_.x, kInfinity) - begin_.x);
+  if (!(shorter < reach.length && system_.clock.time(begin_.x + shorter) > begin_.t)) return {};
+  return Proposal{tried.length, shorter, tried.stiff};
 }
 
 /// Books the trial; the next sub-step, of about `after` [s], begins at its end.
-void Substepper::accept(const Stretch& trial, const Moment& end, bool landed, double after, double b) {
-  if (const auto share = watch_.switches(trial, begin_.moment, end))
-    moments_.sonic_switch = trial.time(*share);
-  if (const auto share = watch_.equalises(begin_.moment, end)) moments_.equalisation = trial.time(*share);
-  system_.ledger.accept(trial_.end, trial.end);
+void Substepper::accept(const Reach& reach, const Moment& end, bool landed, double after, double b) {
+  const Clock clock = system_.clock;
+  const double duration = reach.end - clock.time(begin_.x), slope = clock.slope(begin_.x + reach.length);
+  const bool sets_in = landed && watch_.is_on_ambient(end);
+  const auto time = [&](double share) { return clock.time(begin_.x + share * reach.length); };
+  if (const auto share = watch_.switches(begin_.moment, end, reach.length))
+    moments_.sonic_switch = time(*share);
+  if (const auto share = watch_.equalises(begin_.moment, end)) moments_.equalisation = time(*share);
+  system_.ledger.accept(trial_.end, reach.end);
   ++system_.effort.accepted;
-  begin_.t = trial.end;
+  begin_.t = reach.end;
+  begin_.x += reach.length;
   begin_.rate.swap(trial_.end_rate);
   begin_.moment = end;
   set_relaxation(after);
-  const bool short_since_onset = trial.end - trial.begin <= kRootShare * (trial.end - trial.clock.origin);
-  if (landed && watch_.is_on_ambient(end))
-    set_clock(suitable_clock(b));
-  else if (trial.clock.root && ((short_since_onset && !control_.is_fixed()) || !watch_.is_onset(end)))
-    set_clock({});
+  const bool leaves_root =
+      clock.root && ((duration <= kRootShare * (reach.end - clock.origin) && !control_.is_fixed()) ||
+                     !watch_.is_onset(system_.balance, end));
+  if (!leaves_root && !sets_in) return;
+  for (double& rate : begin_.rate) rate /= slope;
+  begin_.moment.rate /= slope;
+  system_.clock = {};
+  begin_.x = reach.end;
+  if (sets_in) start_clock(b);
 }
 
 double Substepper::integrate(double a, double b, const TriggerState& triggers) {
   const Balance& balance = system_.balance;
-  const ControlVolumeModel& model = balance.boundary().model();
   start(a, b);
-  if (balance.gas().mass == 0.0 && model.heat_loss.conductance > 0.0) {
+  if (balance.gas().mass == 0.0 && balance.boundary().model().heat_loss.conductance > 0.0) {
     const double filled = fill_first(system_, options_, trial_.end, a, b);
     if (filled > a) start(filled, b);
   }
-  Proposal next{control_.first_step(balance)};
+  const double first = control_.first_step(balance), p_a = balance.boundary().model().ambient.pressure;
+  Proposal next{first < b - begin_.t ? system_.clock.position(begin_.t + first) - begin_.x : kInfinity};
   while (begin_.t < b) {
-    const Stretch trial = reach(next, b);
+    const Reach trial = reach(next, b);
     next.stiff = next.stiff || options_.method == Method::rosenbrock_4 ||
-                 (control_.may_switch() && (trial.end - trial.begin) * begin_.relaxation > kStiff);
+                 (may_switch_ && (trial.end - begin_.t) * begin_.relaxation > kStiff);
     const double error = try_step(trial, next.stiff);
-    const double factor = control_.factor(error, (next.stiff ? implicit_ : explicit_)->error_power());
+    const double fitting =
+        trial.length * control_.factor(error, (next.stiff ? implicit_ : explicit_)->error_power());
     if (error > 1.0) {
-      next = {trial.time(factor) - trial.begin, kInfinity, next.stiff};
+      next = {fitting, kInfinity, next.stiff};
       continue;
     }
-    const Moment end = watch_.moment(balance);
+    const Clock& clock = system_.clock;
+    const double end_x = begin_.x + trial.length;
+    const Moment end = watch_.moment(balance, clock.slope(end_x));
     if (const auto repeated = again(next, trial, end)) {
       next = *repeated;
       continue;
     }
     if (balance.gas().beyond)  // it starts on the last knot, where trials end that pass it
-      throw DomainError(beyond_text(model) + ", at t = " + to_text(begin_.t) + " s");
+      throw DomainError(beyond_text(balance.boundary().model()) + ", at t = " + to_text(begin_.t) + " s");
     const bool landed = next.landing < kInfinity;
-    const double fits = trial.time(1.0 + watch_.time_kept(begin_.moment, end) * factor) - trial.end;
-    const double kept = landed ? std::max(fits, next.length) : fits;
+    const double fits = clock.time(end_x + watch_.time_kept(begin_.moment, end) * fitting) - trial.end;
+    const double kept = landed ? std::max(fits, clock.time(end_x + next.length) - trial.end) : fits;
     accept(trial, end, landed, kept, b);
-    if (network_.switches(triggers, end.overpressure, model.ambient.pressure)) break;
+    if (network_.switches(triggers, end.overpressure, p_a)) break;
     // Just after an onset the slope changes within the time since it: a stiff sub-step may not keep its
     // length.
-    next = {kept * begin_.relaxation > kStiff ? fits : kept};
+    const double after = kept * begin_.relaxation > kStiff ? fits : kept;
+    next = {system_.clock.position(begin_.t + after) - begin_.x};
   }
   return begin_.t;
 }

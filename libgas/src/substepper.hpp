@@ -32,29 +32,34 @@ class Substepper {
  private:
   /// Start of a sub-step.
   struct Begin {
-    double t;     // [s]
+    double t, x;  // [s], and on the clock
     Vector rate;  // dy/dx
     Moment moment;
     double relaxation;  // [1/s] of the gas
   };
-  /// The next trial. Lengths are in t [s].
+  /// The next trial. Lengths are in x.
   struct Proposal {
     double length;
     double landing = kInfinity;  // if finite, the trial has to end on an event that Watch found
     bool stiff = false;          // take the implicit method
   };
+  /// Extent of a trial.
+  struct Reach {
+    double length;  // in x
+    double end;     // [s]
+  };
 
   void start(double t, double b);
-  Clock suitable_clock(double b) const;
-  void set_clock(const Clock& clock);
+  void start_clock(double b);
   void set_relaxation(double length);
-  Stretch reach(const Proposal& proposal, double b) const;
+  Reach reach(const Proposal& proposal, double b) const;
   void stop_at_ambient(double x);
-  double try_step(const Stretch& trial, bool stiff);
-  std::optional<Proposal> again(const Proposal& tried, const Stretch& trial, const Moment& end) const;
-  void accept(const Stretch& trial, const Moment& end, bool landed, double after, double b);
+  double try_step(const Reach& reach, bool stiff);
+  std::optional<Proposal> again(const Proposal& tried, const Reach& reach, const Moment& end) const;
+  void accept(const Reach& reach, const Moment& end, bool landed, double after, double b);
 
   const IntegratorOptions options_;
+  const bool may_switch_;  // to the implicit method and back
   const TriggerNetwork& network_;
   const Watch watch_;
   const StepControl control_;

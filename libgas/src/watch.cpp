@@ -61,9 +61,9 @@ Watch::Watch(const Boundary& boundary, double tolerance) : boundary_(boundary) {
   }
 }
 
-Moment Watch::moment(const Balance& balance) const {
+Moment Watch::moment(const Balance& balance, double slope) const {
   const UniformGas& gas = balance.gas();
-  const double p_a = boundary_.model().ambient.pressure, rate = balance.pressure_rate();
+  const double p_a = boundary_.model().ambient.pressure, rate = balance.pressure_rate() * slope;
   Moment m{gas.overpressure, rate, gas.compliance(), -p_a, 0.0, balance.closed_growth() / gas.volume,
            balance.flow()};
   if (gas.mass > 0.0 && gas.overpressure > 0.0 && boundary_.has_open_vent()) {
@@ -120,23 +120,20 @@ std::optional<double> Watch::Course::passing(double begin_near, double end_near,
   return nearer * farthest < 0.0 ? turned : std::nullopt;
 }
 
-std::optional<double> Watch::landing(const Stretch& trial, const Moment& begin, const Moment& end,
-                                     bool again) const {
+std::optional<double> Watch::landing(const Moment& begin, const Moment& end, double h, bool again) const {
   std::optional<double> first;
   const auto watch = [&](const Course& course, double begin_near, double end_near) {
     const auto share = course.passing(begin_near, end_near, again);
     if (share && !(first && *first <= *share)) first = share;
   };
   const auto watch_level = [&](double level, double near) {
-    watch({begin.overpressure - level, trial.begin_pace() * begin.rate, end.overpressure - level,
-           trial.end_pace() * end.rate},
+    watch({begin.overpressure - level, h * begin.rate, end.overpressure - level, h * end.rate},
           near / begin.compliance, near / end.compliance);
   };
   if (boundary_.is_open() && !is_on_ambient(begin)) watch_level(0.0, ambient_near_);
   for (const Level& level : levels_) watch_level(level.overpressure, level.near);
   if (begin.overpressure * end.overpressure > 0.0)
-    watch({begin.sonic, trial.begin_pace() * begin.sonic_rate, end.sonic, trial.end_pace() * end.sonic_rate},
-          sonic_near_, sonic_near_);
+    watch({begin.sonic, h * begin.sonic_rate, end.sonic, h * end.sonic_rate}, sonic_near_, sonic_near_);
   return first;
 }
 
@@ -149,16 +146,15 @@ bool Watch::is_led(const Moment& at, double side) const {
   return side * at.flow > 0.0 || (opens && is_on_ambient(at) && side * at.growth > 0.0);
 }
 
-bool Watch::is_onset(const Moment& at) const {
-  return at.growth != 0.0 && is_led(at, at.growth) && at.rate / at.growth >= 0.5;
+bool Watch::is_onset(const Balance& balance, const Moment& at) const {
+  return at.growth != 0.0 && is_led(at, at.growth) && balance.pressure_rate() / at.growth >= 0.5;
 }
 
-std::optional<double> Watch::switches(const Stretch& trial, const Moment& begin, const Moment& end) const {
+std::optional<double> Watch::switches(const Moment& begin, const Moment& end, double h) const {
   // A trial may end just short of the switch, which the next one passes.
   const bool starts_on = std::abs(begin.sonic) <= sonic_near_, ends_on = std::abs(end.sonic) <= sonic_near_;
   if ((begin.sonic > 0.0) == (end.sonic > 0.0) || !(starts_on || ends_on)) return {};
-  const Course course{begin.sonic, trial.begin_pace() * begin.sonic_rate, end.sonic,
-                      trial.end_pace() * end.sonic_rate};
+  const Course course{begin.sonic, h * begin.sonic_rate, end.sonic, h * end.sonic_rate};
   return course.passing(0.0, 0.0, false).value_or(starts_on ? 0.0 : 1.0);
 }
 

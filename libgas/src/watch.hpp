@@ -3,16 +3,16 @@
 #include <optional>
 #include <vector>
 
-#include "stepper.hpp"
+#include "balance.hpp"
 
 namespace gas {
 
 /// State at one end of a trial, by which Watch decides whether the trial has to end elsewhere.
 struct Moment {
   double overpressure;  // [Pa]
-  double rate;          // [Pa/s]
+  double rate;          // [Pa] per unit of x
   double compliance;    // [-]
-  /// [Pa] > 0 where vents are choked; [Pa/s].
+  /// [Pa] > 0 where vents are choked; [Pa] per unit of x.
   double sonic, sonic_rate;
   double growth;  // [Pa/s] dp/dt with the openings shut
   double flow;    // [kg/s] out through the openings; below zero what comes in
@@ -26,23 +26,22 @@ class Watch {
   /// `boundary` must outlive this object.
   Watch(const Boundary& boundary, double tolerance);
 
-  /// State of the gas that `balance` has located.
-  Moment moment(const Balance& balance) const;
-  /// Share of a trial after which it first passes a level, by the cubic through both ends. The cubic also
-  /// shows an excursion beyond a level and back. An end that is close to a level has not passed it. `again`:
-  /// this trial was to end on a level, and passed it.
-  std::optional<double> landing(const Stretch& trial, const Moment& begin, const Moment& end,
-                                bool again) const;
+  /// State of the gas that `balance` has located; `slope` is dt/dx of the clock.
+  Moment moment(const Balance& balance, double slope) const;
+  /// Share of a trial of length h after which it first passes a level, by the cubic through both ends. The
+  /// cubic also shows an excursion beyond a level and back. An end that is close to a level has not passed
+  /// it. `again`: this trial was to end on a level, and passed it.
+  std::optional<double> landing(const Moment& begin, const Moment& end, double h, bool again) const;
   bool is_on_ambient(const Moment& at) const;  // p is p_a to the accuracy of landing
   /// True if gas flows out (`side` > 0) or in, or is about to, from p_a.
   bool is_led(const Moment& at, double side) const;
   /// True if fed flow sets in: p rises at more than half of its rate with the openings shut.
-  bool is_onset(const Moment& at) const;
-  /// Share of a trial after which the vents became choked or unchoked; empty if they did not.
-  std::optional<double> switches(const Stretch& trial, const Moment& begin, const Moment& end) const;
+  bool is_onset(const Balance& balance, const Moment& at) const;
+  /// Share of a trial of length h after which the vents became choked or unchoked; empty if they did not.
+  std::optional<double> switches(const Moment& begin, const Moment& end, double h) const;
   /// Share of a trial after which flow, rather than another cause, brought p to p_a, to 1e-7 of it.
   std::optional<double> equalises(const Moment& begin, const Moment& end) const;
-  /// Time [s] after which flow that only runs out (or in) brings p to p_a, if p - p_a falls as the square
+  /// Time, in x, after which flow that only runs out (or in) brings p to p_a, if p - p_a falls as the square
   /// of the time left. Infinite if p goes elsewhere, or is already in the laminar range.
   double until_ambient(const Moment& begin) const;
   /// Share of that time which is left after a trial, if flow leads p there; 1 elsewhere. Lengths of sub-steps
