@@ -35,18 +35,16 @@ class Doubling : public Stepper {
   }
   void step(System& system, const Vector& dydx, double x, double h, bool estimate, Trial& out) override {
     const auto rates = [&](const Vector& y, Vector& rate, double s) { system.rates(y, rate, s); };
-    if (!estimate) {
-      method_.do_step(rates, zero_, dydx, x, out.end, h);
-      system.rates(out.end, out.end_rate, x + h);
-      return;
+    Vector& whole = estimate ? out.error : out.end;
+    method_.do_step(rates, zero_, dydx, x, whole, h);
+    if (estimate) {
+      method_.do_step(rates, zero_, dydx, x, middle_, 0.5 * h);
+      system.rates(middle_, middle_rate_, x + 0.5 * h);
+      method_.do_step(rates, middle_, middle_rate_, x + 0.5 * h, out.end, 0.5 * h);
+      constexpr double kShare = 1.0 / ((1 << Order) - 1);  // Richardson
+      for (std::size_t i = 0; i < middle_.size(); ++i) out.error[i] = kShare * (out.end[i] - whole[i]);
     }
-    method_.do_step(rates, zero_, dydx, x, out.error, h);
-    method_.do_step(rates, zero_, dydx, x, middle_, 0.5 * h);
-    system.rates(middle_, middle_rate_, x + 0.5 * h);
-    method_.do_step(rates, middle_, middle_rate_, x + 0.5 * h, out.end, 0.5 * h);
     system.rates(out.end, out.end_rate, x + h);
-    constexpr double kShare = 1.0 / ((1 << Order) - 1);  // Richardson
-    for (std::size_t i = 0; i < middle_.size(); ++i) out.error[i] = kShare * (out.end[i] - out.error[i]);
   }
   double error_power() const override { return Order + 1.0; }
 
