@@ -114,9 +114,7 @@ class GasIntegrator::Implementation {
   /// The gas at t, between two segments.
   const UniformGas& locate(double t) {
     if (!substepper_.balance().locate(ledger_.gas(), t))
-      throw DomainError("the gas leaves its temperature range, " +
-                        to_text(model_.thermo.minimum_temperature()) + " to " +
-                        to_text(model_.thermo.maximum_temperature()) + " K, at t = " + to_text(t) + " s");
+      throw DomainError(range_text(model_) + "at t = " + to_text(t) + " s");
     return substepper_.balance().gas();
   }
 

@@ -16,10 +16,6 @@ constexpr double kSafety = 0.9, kSmallestFactor = 0.05, kLargestFactor = 5.0;
 // The first step's error constant is of the order kFirstStep^-error_power: a guess, only speed depends on it.
 constexpr double kFirstStep = 5.0;
 
-std::string range_of(const Thermo& thermo) {
-  return to_text(thermo.minimum_temperature()) + " to " + to_text(thermo.maximum_temperature()) + " K";
-}
-
 }  // namespace
 
 StepControl::StepControl(const IntegratorOptions& options, double error_power)
@@ -151,8 +147,7 @@ void StepControl::fail(System& system, double t, double length, bool found_gas) 
   const double temperature = balance.gas().temperature;
   const bool on_end = !begin_has_gas || temperature <= (1.0 + kOnEnd) * thermo.minimum_temperature() ||
                       temperature >= (1.0 - kOnEnd) * thermo.maximum_temperature();
-  if (!found_gas && (!too_short || on_end))
-    throw DomainError("the gas leaves its temperature range, " + range_of(thermo) + ", " + where);
+  if (!found_gas && (!too_short || on_end)) throw DomainError(range_text(balance.boundary().model()) + where);
   Vector rates(balance.boundary().slots().size());
   balance.fill_rates(rates);
   const std::string gas =

@@ -122,4 +122,9 @@ std::string beyond_text(const ControlVolumeModel& model) {
          " Pa, where the curve of the volume ends";
 }
 
+std::string range_text(const ControlVolumeModel& model) {
+  return "the gas leaves its temperature range, " + to_text(model.thermo.minimum_temperature()) + " to " +
+         to_text(model.thermo.maximum_temperature()) + " K, ";
+}
+
 }  // namespace gas

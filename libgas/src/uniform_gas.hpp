@@ -56,7 +56,8 @@ double stored_work(const ControlVolumeModel& model, const ControlVolumeState& st
 /// The same for a mixture at a temperature [K].
 double work_at(const ControlVolumeModel& model, const Mixture& mixture, double temperature);
 
-/// Text of an error for PressureVolume::beyond.
+/// Text of an error for PressureVolume::beyond, and for a temperature out of range.
 std::string beyond_text(const ControlVolumeModel& model);
+std::string range_text(const ControlVolumeModel& model);
 
 }  // namespace gas
