@@ -30,7 +30,7 @@ void Balance::fill_rates(Vector& dydt) {
   const Upstream<double> gas = gas_.upstream();
   std::ranges::fill(dydt, 0.0);
   flow_ = 0.0;
-  if (gas_.overpressure < 0.0 && boundary_.has_backflow())
+  if (gas_.overpressure < 0.0)
     for (std::size_t j = 0; j < s.backflows; ++j)
       flow_ -= dydt[s.back(j)] = boundary_.back(j, gas, time_);  // mdot_back, (G.6) the other way
   if (gas_.mass == 0.0) return;

@@ -61,6 +61,7 @@ class GasIntegrator::Implementation {
         triggers_(model_.triggers.size()),
         before_(model_.triggers.size()),
         switchings_(model_.triggers.size()),
+        inflows_(model_.inflows.size()),
         outflows_(boundary_.slots().streams()),
         backflows_(boundary_.slots().backflows) {}
 
@@ -71,7 +72,7 @@ class GasIntegrator::Implementation {
     std::ranges::fill(switchings_, 0);
     boundary_.begin_step(t0, t1, path);
     const double work = stored_work(model_, state);
-    ledger_.begin_step(state, work);
+    ledger_.begin_step(state, work, t0);
     substepper_.begin_step(state.temperature);
     double a = t0;
     try {
@@ -100,9 +101,8 @@ class GasIntegrator::Implementation {
     if (const double knot = boundary_.next_break(triggers_, a); t1 - knot > kOneTime * std::abs(t1))
       next = std::min(next, knot);
     boundary_.begin_segment(triggers_, a, next);
-    ledger_.begin_segment(a);
     if (needs_stepper() || watched) next = substepper_.integrate(a, next, triggers_);
-    ledger_.end_segment(next);
+    ledger_.deliver(next);
     return next;
   }
 
@@ -163,12 +163,13 @@ class GasIntegrator::Implementation {
   StepFluxes fluxes() {
     const Slots& slots = boundary_.slots();
     StepFluxes f{};
-    f.inflows = ledger_.delivered();
+    f.inflows = inflows_;
     f.outflows = outflows_;
     f.backflows = backflows_;
-    for (const StreamFlux& in : f.inflows) {
-      f.mass_in += in.mass;
-      f.enthalpy_in += in.enthalpy;
+    for (std::size_t i = 0; i < inflows_.size(); ++i) {
+      inflows_[i] = ledger_.delivered(i);
+      f.mass_in += inflows_[i].mass;
+      f.enthalpy_in += inflows_[i].enthalpy;
     }
     for (std::size_t j = 0; j < outflows_.size(); ++j) {
       outflows_[j] = {ledger_.total(slots.mass(j)), ledger_.total(slots.enthalpy(j))};
@@ -197,7 +198,7 @@ class GasIntegrator::Implementation {
   TriggerState triggers_;
   TriggerState before_;          // at the last update
   std::vector<int> switchings_;  // of each node in this call
-  std::vector<StreamFlux> outflows_, backflows_;
+  std::vector<StreamFlux> inflows_, outflows_, backflows_;
 };
 
 GasIntegrator::GasIntegrator(const ControlVolumeModel& model, const IntegratorOptions& options)

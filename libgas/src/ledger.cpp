@@ -18,24 +18,18 @@ Ledger::Ledger(const Boundary& boundary, double negligible)
       sums_(boundary.slots().species + 1),
       totals_(boundary.slots().size()),
       gas_(boundary.slots().species + 1),
-      received_(boundary.inflows().size()),
-      delivered_(boundary.inflows().size()) {}
+      received_(boundary.inflows().size()) {}
 
-void Ledger::begin_step(const ControlVolumeState& state, double work) {
+void Ledger::begin_step(const ControlVolumeState& state, double work, double t) {
+  time_ = t;
   std::ranges::copy(state.masses, gas_.begin());
   gas_.back() = state.internal_energy + work;
   for (std::size_t i = 0; i < gas_.size(); ++i) sums_[i] = gas_[i];
   depleted_.reset();
   std::ranges::fill(totals_, CompensatedSum{});
   std::ranges::fill(received_, Received{});
-  std::ranges::fill(delivered_, StreamFlux{});
 }
 
-void Ledger::begin_segment(double a) {
-  time_ = a;
-}
-
-/// Adds what flows in until t.
 void Ledger::deliver(double t) {
   if (t == time_) return;
   const std::size_t species = boundary_.slots().species;
@@ -50,13 +44,11 @@ void Ledger::deliver(double t) {
     received_[i].enthalpy.add(enthalpy);
   }
   time_ = t;
+  update_gas();
 }
 
-void Ledger::end_segment(double reached) {
-  deliver(reached);
+void Ledger::update_gas() {
   for (std::size_t i = 0; i < gas_.size(); ++i) gas_[i] = sums_[i].value();
-  for (std::size_t i = 0; i < delivered_.size(); ++i)
-    delivered_[i] = {received_[i].mass.value(), received_[i].enthalpy.value()};
 }
 
 bool Ledger::clear_lacking(Vector& gas, double passed) {
@@ -102,31 +94,20 @@ void Ledger::accept(Vector& y, double t) {
   deliver(t);
   Vector& moved = gas_;
   change(y, moved);
-  bool lacks = false;
+  double species = 0.0, streams = 0.0;
   for (std::size_t k = 0; k < s.species; ++k) {
     sums_[k].add(moved[k]);
     if (const double left = sums_[k].value(); left < 0.0) {
       y[s.out(k)] += left;
       sums_[k] = 0.0;
-      lacks = true;
     }
-  }
-  if (lacks) {
-    close_streams(y);
-    change(y, moved);
+    species += y[s.out(k)];
   }
   sums_.back().add(moved.back());
+  for (std::size_t j = 0; j < s.streams(); ++j) streams += y[s.mass(j)];
+  for (std::size_t j = 0; streams > 0.0 && j < s.streams(); ++j) y[s.mass(j)] *= species / streams;
   for (std::size_t i = 0; i < totals_.size(); ++i) totals_[i].add(y[i]);
-  for (std::size_t i = 0; i < gas_.size(); ++i) gas_[i] = sums_[i].value();
-}
-
-void Ledger::close_streams(Vector& y) const {
-  const Slots& s = boundary_.slots();
-  double species = 0.0, out = 0.0;
-  for (std::size_t k = 0; k < s.species; ++k) species += y[s.out(k)];
-  for (std::size_t j = 0; j < s.streams(); ++j) out += y[s.mass(j)];
-  if (!(out > 0.0)) return;
-  for (std::size_t j = 0; j < s.streams(); ++j) y[s.mass(j)] *= species / out;
+  update_gas();
 }
 
 double Ledger::stop_reversed(Vector& y, Vector& error) const {

@@ -19,10 +19,10 @@ class Ledger {
   /// the gas is used up, which is no error.
   Ledger(const Boundary& boundary, double negligible);
 
-  /// `work` [J] is (G.19) of `state`.
-  void begin_step(const ControlVolumeState& state, double work);
-  void begin_segment(double a);
-  void end_segment(double reached);
+  /// `work` [J] is (G.19) of `state`, at time t.
+  void begin_step(const ControlVolumeState& state, double work, double t);
+  /// Adds what flows in until t.
+  void deliver(double t);
 
   /// Gas at the start of the sub-step.
   const Vector& gas() const { return gas_; }
@@ -36,20 +36,21 @@ class Ledger {
   /// Fills `change` with the change of the gas that the unknowns y make.
   void change(const Vector& y, Vector& change) const;
   /// Ends a sub-step with y at t; the next one begins there. If more of a species has left than there was,
-  /// the excess is taken out of y.
+  /// the excess is taken out of y. The masses of the outgoing streams are scaled so that their sum is that of
+  /// the outgoing species.
   void accept(Vector& y, double t);
-  /// Scales the masses of the outgoing streams so that their sum is that of the outgoing species.
-  void close_streams(Vector& y) const;
   /// Stops flow that an error of the method let go the wrong way, and adds it to `error`. Returns its mass
   /// [kg].
   double stop_reversed(Vector& y, Vector& error) const;
 
   double total(std::size_t slot) const { return totals_[slot].value(); }  // over the step
   void set_total(std::size_t slot, double value) { totals_[slot] = value; }
-  std::span<const StreamFlux> delivered() const { return delivered_; }  // by each inflow, over the step
+  StreamFlux delivered(std::size_t i) const {  // by inflow i, over the step
+    return {received_[i].mass.value(), received_[i].enthalpy.value()};
+  }
 
  private:
-  void deliver(double t);
+  void update_gas();
 
   const Boundary& boundary_;
   const double negligible_;
@@ -60,7 +61,6 @@ class Ledger {
     CompensatedSum mass, enthalpy;
   };
   std::vector<Received> received_;
-  std::vector<StreamFlux> delivered_;
   std::optional<std::size_t> depleted_;
 };
 

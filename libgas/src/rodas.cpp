@@ -75,8 +75,6 @@ class Rodas : public Stepper {
     out.error = g_[5].flows;
     for (std::size_t i = 0; i < out.end.size(); ++i)
       out.end[i] = sum(&Pair::flows, i, {c.a51, c.a52, c.a53, c.a54, 1.0, 1.0});
-    out.reversed = system.ledger.stop_reversed(out.end, out.error);
-    system.ledger.close_streams(out.end);
     system.rates(out.end, out.end_rate, x + h);
   }
   double error_power() const override { return 4.0; }

@@ -61,16 +61,16 @@ void System::rates(const Vector& y, Vector& dydx, double x) {
   rates_of(gas, dydx, x);
 }
 
-void System::rates_of(Vector& amount, Vector& dydx, double x) {
-  valid = valid && balance.locate(amount, clock.time(x));
+void System::rates_of(const Vector& amount, Vector& dydx, double x) {
   ++effort.evaluations;
+  valid = valid && balance.locate(amount, clock.time(x));
   if (!valid) {
     std::ranges::fill(dydx, 0.0);
     return;
   }
   balance.fill_rates(dydx);
-  if (!clock.root) return;
-  for (double& rate : dydx) rate *= clock.slope(x);
+  if (clock.root)
+    for (double& rate : dydx) rate *= clock.slope(x);
 }
 
 double stability_limit(Method method) {

@@ -35,15 +35,14 @@ struct System {
 
   /// dy/dx at (y, x).
   void rates(const Vector& y, Vector& dydx, double x);
-  /// The same at `gas`; masses below zero in it are set to zero.
-  void rates_of(Vector& gas, Vector& dydx, double x);
+  /// The same at an amount of gas.
+  void rates_of(const Vector& amount, Vector& dydx, double x);
 };
 
 /// Result of a step.
 struct Trial {
   Vector end, end_rate, error;
-  /// [kg] that flowed the wrong way by an error of the method.
-  double reversed = 0.0;
+  double reversed = 0.0;  // [kg] that flowed the wrong way by an error of the method, and was stopped
 };
 
 /// An integration method.

@@ -105,13 +105,10 @@ double Substepper::try_step(const Reach& reach, bool stiff) {
   if (++system_.effort.attempts > options_.maximum_steps || !(h > 0.0) || !(system_.clock.time(x + h) > t))
     control_.fail(system_, t, reach.end - t, system_.valid);
   system_.valid = true;
-  trial_.reversed = 0.0;
   if (stiff) system_.balance.locate(system_.ledger.gas(), t);  // a good guess of the temperature
   (stiff ? implicit_ : explicit_)->step(system_, begin_.rate, x, h, !control_.is_fixed(), trial_);
-  if (!stiff && !control_.is_fixed() && system_.valid) {
-    trial_.reversed = system_.ledger.stop_reversed(trial_.end, trial_.error);
-    if (trial_.reversed > 0.0) system_.rates(trial_.end, trial_.end_rate, x + h);
-  }
+  trial_.reversed = system_.valid ? system_.ledger.stop_reversed(trial_.end, trial_.error) : 0.0;
+  if (trial_.reversed > 0.0) system_.rates(trial_.end, trial_.end_rate, x + h);
   if (system_.valid && control_.is_ending(system_.balance, begin_.moment)) stop_at_ambient(x + h);
   if (!system_.valid && control_.is_fixed()) control_.fail(system_, t, reach.end - t, false);
   return system_.valid ? control_.scaled_error(system_, trial_.error, system_.gas) : kInfinity;
