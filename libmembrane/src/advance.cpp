@@ -112,4 +112,16 @@ void sum_advance(const BagModel& model, BagState& state, double dt_before, doubl
   state.advance = sums;
 }
 
+double level_kinetic(double kinetic_before, double kinetic_after, double kinetic_product, double dt_before,
+                     double dt_after) {
+  check_steps(dt_before, dt_after);
+  const double late = dt_before > 0.0 ? dt_before / (dt_before + dt_after) : 0.0, early = 1.0 - late;
+  return early * (early - late) * kinetic_before + late * (late - early) * kinetic_after +
+         4.0 * early * late * kinetic_product;
+}
+
+double level_kinetic(const AdvanceSums& sums, double dt_before, double dt_after) {
+  return level_kinetic(sums.kinetic_before, sums.kinetic_after, sums.kinetic_product, dt_before, dt_after);
+}
+
 }  // namespace membrane

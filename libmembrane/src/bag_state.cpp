@@ -2,6 +2,7 @@
 #include "membrane/bag_state.hpp"
 
 #include <algorithm>
+#include <initializer_list>
 #include <string>
 
 #include "checks.hpp"
@@ -20,7 +21,30 @@ void check_position(const BagModel& model, const ConstVectorsRef& position) {
       require_finite("node " + std::to_string(n), "initial coordinate", position(c, n));
 }
 
+int sum_blocks(const BagModel& model) {
+  return std::max(element_blocks(model), node_blocks(model));
+}
+
 }  // namespace
+
+void check_state(const BagModel& model, const BagState& s) {
+  const BagDescription& d = model.description;
+  const auto all = [](bool kept, int count, std::initializer_list<const Vectors*> arrays) {
+    return std::ranges::all_of(arrays, [&](const Vectors* v) { return v->count() == (kept ? count : 0); });
+  };
+  const int nodes = model.node_count, elements = model.element_count;
+  const bool jet = !s.jet_force.empty(), damped = d.stiffness_damping > 0.0;
+  const bool own =
+      all(true, nodes, {&s.position, &s.velocity, &s.volume_gradient, &s.membrane_force}) &&
+      all(jet, nodes, {&s.jet_force}) && all(jet, elements, {&s.area_vector, &s.centroid}) &&
+      all(!s.contact_force.empty(), nodes, {&s.contact_force}) &&
+      all(!d.straps.empty() || !d.plates.empty(), nodes, {&s.support_force}) &&
+      all(damped, nodes, {&s.viscous_force}) && all(damped, elements, {&s.elastic_stress}) &&
+      std::ssize(s.strap_tension) == std::ssize(d.straps) && std::ssize(s.share_demand) == elements &&
+      s.shares.frequency.size() == model.elements.group.size() &&
+      s.shared_sums.size() == model.shared.slot.size() && std::ssize(s.block) == sum_blocks(model);
+  if (!own) reject("state", "its arrays have not the sizes of this model; allowed: what make_state gives");
+}
 
 BagState make_state(const BagModel& model, ConstVectorsRef position, LoadKinds loads) {
   check_position(model, position);
@@ -47,7 +71,7 @@ BagState make_state(const BagModel& model, ConstVectorsRef position, LoadKinds l
   s.shares = model.shares;
   s.share_demand.assign(static_cast<std::size_t>(elements), 1.0);
   s.shared_sums.resize(model.shared.slot.size());
-  s.block.resize(static_cast<std::size_t>(std::max(element_blocks(model), node_blocks(model))));
+  s.block.resize(static_cast<std::size_t>(sum_blocks(model)));
   return s;
 }
 

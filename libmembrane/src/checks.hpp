@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <Eigen/Core>
 #include <string>
 #include <string_view>
 
@@ -20,6 +21,9 @@ void require_finite(std::string_view where, const char* field, double value);
 struct BagDescription;
 struct Mesh;
 
+// Every corner is a number of a node.
+void require_nodes(std::string_view where, const Eigen::Ref<const Eigen::Matrix3Xi>& elements,
+                   Eigen::Index node_count);
 void require_panels(std::string_view where, const Mesh& mesh);  // one index of a panel for each element
 
 // Refuses everything that make_model refuses and that needs no computation. Throws std::invalid_argument.

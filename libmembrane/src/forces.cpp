@@ -62,6 +62,7 @@ void pressure_forces(BagState& state, double gauge_pressure) {
 // A jet loads a small part of the skin: the loaded elements spread their force, instead of every node asking
 // all its elements.
 void jet_forces(const BagModel& model, BagState& state, std::span<const JetLoad> loads) {
+  check_state(model, state);
   clear(state);
   for (const JetLoad& load : loads) {
     check_overpressure(model, load.overpressure);
@@ -72,6 +73,7 @@ void jet_forces(const BagModel& model, BagState& state, std::span<const JetLoad>
 }
 
 void jet_forces(const BagModel& model, BagState& state, std::span<const double> overpressure) {
+  check_state(model, state);
   clear(state);
   check_overpressure(model, overpressure);
   update_geometry(model, state);

@@ -10,6 +10,8 @@
 #include <string>
 #include <utility>
 
+#include "checks.hpp"
+
 namespace membrane {
 namespace {
 
@@ -107,6 +109,7 @@ int drop_collapsed(Mesh& mesh) {
 MergeReport merge_nodes(Mesh& mesh, double tolerance) {
   if (!(std::isfinite(tolerance) && tolerance >= 0.0))
     throw std::invalid_argument("tolerance = " + std::to_string(tolerance) + ", allowed: finite and >= 0");
+  require_nodes("merge_nodes", mesh.elements, mesh.nodes.cols());
   const std::vector<int> of = joined(mesh.nodes, tolerance);
   std::vector<bool> stays(of.size());
   for (std::size_t n = 0; n < of.size(); ++n) stays[n] = of[n] == static_cast<int>(n);
@@ -118,6 +121,7 @@ MergeReport merge_nodes(Mesh& mesh, double tolerance) {
 }
 
 Mesh used_nodes(Mesh mesh) {
+  require_nodes("used_nodes", mesh.elements, mesh.nodes.cols());
   std::vector<bool> stays(static_cast<std::size_t>(mesh.nodes.cols()), false);
   std::vector<int> of(stays.size());
   for (std::size_t n = 0; n < of.size(); ++n) of[n] = static_cast<int>(n);

@@ -21,13 +21,6 @@ std::array<Eigen::Vector3d, 3> corners(const Nodes& nodes, const Elements& eleme
   return {nodes.col(elements(0, e)), nodes.col(elements(1, e)), nodes.col(elements(2, e))};
 }
 
-void require_nodes(const char* where, const Nodes& nodes, const Elements& elements) {
-  if (elements.cols() == 0) return;
-  const int low = elements.minCoeff(), high = elements.maxCoeff();
-  if (low < 0 || high >= nodes.cols())
-    reject(where, "node number", low < 0 ? low : high, "0 to " + std::to_string(nodes.cols() - 1));
-}
-
 struct ElementShape {
   double altitude;  // [m] smallest
   double angle;     // [rad] smallest
@@ -49,6 +42,14 @@ ElementShape element_shape(const std::array<Eigen::Vector3d, 3>& x) {
 }
 
 }  // namespace
+
+void require_nodes(std::string_view where, const Eigen::Ref<const Eigen::Matrix3Xi>& elements,
+                   Eigen::Index node_count) {
+  if (elements.cols() == 0) return;
+  const int low = elements.minCoeff(), high = elements.maxCoeff();
+  if (low < 0 || high >= node_count)
+    reject(where, "node number", low < 0 ? low : high, "0 to " + std::to_string(node_count - 1));
+}
 
 void require_panels(std::string_view where, const Mesh& mesh) {
   if (mesh.panel.size() != static_cast<std::size_t>(mesh.element_count()))
@@ -77,6 +78,8 @@ std::vector<int> panel_elements(const Mesh& mesh, std::string_view name) {
 }
 
 std::vector<int> panel_nodes(const Mesh& mesh, std::string_view name) {
+  require_nodes("panel_nodes", mesh.elements, mesh.nodes.cols());
+  require_panels("panel_nodes", mesh);
   std::vector<int> result;
   for (const int e : panel_elements(mesh, name))
     for (int a = 0; a < 3; ++a) result.push_back(mesh.elements(a, e));
@@ -94,7 +97,7 @@ int nearest_node(const Mesh& mesh, const Eigen::Vector3d& point) {
 }
 
 Eigen::VectorXd element_areas(const Nodes& nodes, const Elements& elements) {
-  require_nodes("element_areas", nodes, elements);
+  require_nodes("element_areas", elements, nodes.cols());
   Eigen::VectorXd areas(elements.cols());
   for (Eigen::Index e = 0; e < elements.cols(); ++e) {
     const auto x = corners(nodes, elements, e);
@@ -113,7 +116,7 @@ Eigen::VectorXd panel_areas(const Mesh& mesh) {
 
 double enclosed_volume(const Nodes& nodes, const Elements& elements) {
   if (elements.cols() == 0) return 0.0;
-  require_nodes("enclosed_volume", nodes, elements);
+  require_nodes("enclosed_volume", elements, nodes.cols());
   const Eigen::Vector3d origin = nodes.col(0);
   double six_volumes = 0.0;
   for (Eigen::Index e = 0; e < elements.cols(); ++e) {
@@ -130,7 +133,7 @@ bool has_area(const Eigen::Vector3d& ab, const Eigen::Vector3d& ac) {
 
 ElementQuality element_quality(const Nodes& nodes, const Elements& elements) {
   if (elements.cols() == 0) throw std::invalid_argument("elements: none; element quality needs at least one");
-  require_nodes("element_quality", nodes, elements);
+  require_nodes("element_quality", elements, nodes.cols());
   const double infinity = std::numeric_limits<double>::infinity();
   ElementQuality quality{infinity, infinity, 0.0, 0.0, infinity, 0.0};
   for (Eigen::Index e = 0; e < elements.cols(); ++e) {

@@ -2,9 +2,9 @@
 #include "membrane/node_order.hpp"
 
 #include <algorithm>
-#include <stdexcept>
 
 #include "blocks.hpp"
+#include "checks.hpp"
 #include "membrane/bag_model.hpp"
 
 namespace membrane {
@@ -16,8 +16,7 @@ std::vector<int> node_order(const Mesh& mesh) {
   m.description.elements = mesh.elements;
   std::vector<int> order;
   if (m.element_count > 0) {
-    if (mesh.elements.minCoeff() < 0 || mesh.elements.maxCoeff() >= m.node_count)
-      throw std::invalid_argument("node_order: a node number is out of range");
+    require_nodes("node_order", mesh.elements, m.node_count);
     set_corner_table(m);
     set_blocks(m);
   }

@@ -2,12 +2,15 @@
 #include <algorithm>
 #include <utility>
 
+#include "checks.hpp"
 #include "membrane/mesh.hpp"
 #include "mesh_text.hpp"
 
 namespace membrane {
 
 Mesh only_panels(const Mesh& mesh, const std::vector<std::string>& names) {
+  require_nodes("only_panels", mesh.elements, mesh.nodes.cols());
+  require_panels("only_panels", mesh);
   for (const auto& name : names) panel_index(mesh, name);  // refuses an unknown one
   const auto panel_of = [&](int element) -> const std::string& {
     const auto panel = mesh.panel[static_cast<std::size_t>(element)];

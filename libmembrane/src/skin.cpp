@@ -56,6 +56,7 @@ KernelTable::Skin skin_kernel(const BagModel& model, SkinParts parts) {
 }
 
 void geometry(const BagModel& model, BagState& state, const int* elements, int count) {
+  check_state(model, state);
   if (state.area_vector.empty()) reject("update_geometry", "the state was made without LoadKinds::jet");
   kernel_table(model.description.isa)
       .geometry({state.position.data(), model.description.elements.data(), elements, count,

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "membrane/time_step.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 
 #include "blocks.hpp"
@@ -41,21 +43,30 @@ PlaneStrain<double> strain_of(const BagModel& model, const BagState& state, int 
 
 StiffnessShares stiffness_shares(const BagModel& model, const BagState& state, double gamma, double pressure,
                                  double contact) {
+  check_state(model, state);
   require_not_negative("stiffness_shares", "gamma", gamma);
   require_not_negative("stiffness_shares", "pressure", pressure);
   require_not_negative("stiffness_shares", "contact", contact);
-  return {state.forces.element_frequency, gas_frequency(state, gamma, pressure), contact,
-          model.strap_frequency, model.plate_frequency};
+  return {state.forces.element_frequency,
+          gas_frequency(state, gamma, pressure),
+          contact,
+          model.strap_frequency,
+          model.plate_frequency,
+          model.description.stiffness_damping * state.forces.element_frequency};
 }
 
-double critical_time_step(const StiffnessShares& shares) {
+double critical_time_step(const StiffnessShares& shares, double jet_damping) {
+  require_not_negative("critical_time_step", "damping", shares.damping);
+  require_not_negative("critical_time_step", "jet_damping", jet_damping);
   const double total = shares.total();
   if (!(std::isfinite(total) && total > 0.0))
     throw MembraneError("critical step: the sum of stiffnesses is not finite and positive");
-  return 2.0 / std::sqrt(total);
+  const double undamped = 2.0 / std::sqrt(total), rate = jet_damping + shares.damping;
+  return 4.0 / (rate + std::sqrt(rate * rate + 16.0 / (undamped * undamped)));
 }
 
 double force_mobility(const BagModel& model, const BagState& state) {
+  check_state(model, state);
   double sum = 0.0;
   for (int n = 0; n < model.node_count; ++n) {
     Eigen::Vector3d force =
@@ -70,6 +81,7 @@ double force_mobility(const BagModel& model, const BagState& state) {
 }
 
 double strap_mobility(const BagModel& model, const BagState& state) {
+  check_state(model, state);
   const auto x = state.position.map(), v = state.velocity.map();
   double sum = 0.0;
   for (std::size_t i = 0; i < model.description.straps.size(); ++i) {
@@ -83,7 +95,28 @@ double strap_mobility(const BagModel& model, const BagState& state) {
   return sum;
 }
 
+double bounce_time_step(const BagModel& model) {
+  constexpr double most = 2.0;  // (omega dt)^2 of straps and plates, which open and close many times
+  const double frequency = model.strap_frequency + model.plate_frequency;
+  return frequency > 0.0 ? std::sqrt(most / frequency) : std::numeric_limits<double>::infinity();
+}
+
+double energy_time_step(const BagModel& model, const BagState& state, double energy, double mobility,
+                        bool at_rest) {
+  if (!(energy >= 0.0)) reject("energy_time_step", "energy", energy, ">= 0");
+  if (!(mobility >= 0.0)) reject("energy_time_step", "mobility", mobility, ">= 0");
+  // Shares of the energy. One spring that opens and closes, and fabric that moves as a whole, drift by all of
+  // it; the waves of fabric without compression are many, and what one gains another loses.
+  constexpr double share_together = 1e-4, share_apart = 1e-3;
+  const bool together = at_rest || model.description.compression == Compression::linear;
+  const double rate =
+      mobility / (together ? share_together : share_apart) + strap_mobility(model, state) / share_together;
+  const double bounce = bounce_time_step(model);
+  return rate > 0.0 ? std::min(std::sqrt(8.0 * energy / rate), bounce) : bounce;
+}
+
 ElementResponse element_response(const BagModel& model, const BagState& state, int element) {
+  check_state(model, state);
   if (element < 0 || element >= model.element_count)
     reject("element_response", "element", element, "0 to " + std::to_string(model.element_count - 1));
   const ElementPlace place = place_of(model.elements, static_cast<std::size_t>(element));
@@ -99,6 +132,7 @@ ElementResponse element_response(const BagModel& model, const BagState& state, i
 }
 
 void largest_strains(const BagModel& model, const BagState& state, std::span<double> strains) {
+  check_state(model, state);
   if (std::ssize(strains) != model.element_count)
     reject("largest_strains", "strains", static_cast<double>(strains.size()), "one per element");
   for (int e = 0; e < model.element_count; ++e) {

@@ -147,7 +147,7 @@ TEST(jet_options, lagged_damping_limit_eq_measured_threshold) {
   for (const double omega : {1.0, 4e4})
     for (const double ratio : {0.01, 0.5, 3.0}) {
       const double rate = ratio * omega;
-      const double limit = driver::step_with_lagged_damping(2.0 / omega, rate);
+      const double limit = membrane::critical_time_step({.element = omega * omega}, rate);
       const double measured = claim::largest_passing(0.5 * limit, 2.0 * limit, 2e-4,
                                                      [&](double dt) { return bounded(omega, rate, dt); });
       claim::expect_threshold(
@@ -159,7 +159,7 @@ TEST(jet_options, lagged_damping_limit_eq_measured_threshold) {
            "the rate is part of the bound; a fixed step above it: exit 3, naming the jet"},
           1.0 - 1e-3, 1.0 + 1e-3);
     }
-  EXPECT_EQ(driver::step_with_lagged_damping(1e-5, 0.0), 1e-5);
+  EXPECT_EQ(membrane::critical_time_step({.element = 4e10}), 1e-5);
 }
 
 // A free element in a jet relative to it: 2 (1 + e) rho0 u A / (rho h A0), u its relative normal speed.
@@ -180,18 +180,19 @@ double damping_rate(const driver::Scene& scene, const driver::State& state) {
 }
 
 TEST(jet_options, step_bound_counts_relative_jets) {
-  double rate = 0.0, undamped = 0.0, least = 1.0;
+  double rate = 0.0, least = 1.0;
+  membrane::StiffnessShares shares;
   for_each_level(
       {}, 150,
       [&](const driver::Scene& scene, const driver::State& state) {
         rate = damping_rate(scene, state);
-        undamped = membrane::critical_time_step(membrane::stiffness_shares(
-            scene.bag->model, *state.bag, state.gas_point.gamma, state.gas_point.pressure));
+        shares = membrane::stiffness_shares(scene.bag->model, *state.bag, state.gas_point.gamma,
+                                            state.gas_point.pressure);
       },
       [&](const driver::Scene&, const driver::State& state) {
-        const double bound = driver::step_with_lagged_damping(undamped, rate);
+        const double bound = membrane::critical_time_step(shares, rate);
         EXPECT_NEAR(state.step.critical, bound, 1e-12 * bound);  // a dozen roundings on either side
-        least = std::min(least, bound / undamped);
+        least = std::min(least, bound / membrane::critical_time_step(shares));
       });
   EXPECT_LT(least, 0.9) << "the jet has to matter";
 }

@@ -105,6 +105,10 @@ TEST(AddedBound, critical_step_adds_all_shares) {
   const membrane::StiffnessShares shares{1e8, 2e8, 3e8, 4e8, 6e8};
   EXPECT_EQ(membrane::critical_time_step(shares), 2.0 / std::sqrt(1.6e9));
   EXPECT_THROW(membrane::critical_time_step({}), membrane::MembraneError);
+  for (const double bad : {-1.0, std::nan("")}) {
+    EXPECT_THROW(membrane::critical_time_step(shares, bad), std::invalid_argument);
+    EXPECT_THROW(membrane::critical_time_step({.element = 1e8, .damping = bad}), std::invalid_argument);
+  }
 }
 
 TEST(AddedBound, gas_without_volume_is_refused) {

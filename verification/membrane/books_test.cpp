@@ -2,7 +2,10 @@
 // Books of the central difference (M.9): exact for any force and any sequence of steps.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
+#include <stdexcept>
+#include <utility>
 
 #include "membrane/error.hpp"
 #include "scenes.hpp"
@@ -178,6 +181,43 @@ TEST(Books, free_flight_conserves_momentum_and_angular_momentum) {
   }
   // One step shifts x by dt v, which has no moment with m v; x reaches 0.4 m.
   EXPECT_LE((angular_momentum() - before).norm(), 1000 * 162 * 6 * scenes::kEps * 10.0 * 5e-5);
+}
+
+TEST(Books, level_kinetic_is_that_of_the_velocity_between) {
+  // A mass of 3 kg at v with acceleration a: v at n-1/2 and n+1/2, and |v|^2 less dt_before dt_after |a|^2
+  // / 4.
+  const Eigen::Vector3d v(1.0, -2.0, 0.5), a(4.0, 8.0, -6.0);
+  for (const auto& [before, after] : {std::pair{0.25, 0.25}, {0.125, 0.5}, {0.0, 0.5}}) {
+    const Eigen::Vector3d early = v - 0.5 * before * a, late = v + 0.5 * after * a;
+    membrane::AdvanceSums sums;
+    sums.kinetic_before = 1.5 * early.squaredNorm();
+    sums.kinetic_after = 1.5 * late.squaredNorm();
+    sums.kinetic_product = 1.5 * early.dot(late);
+    EXPECT_NEAR(membrane::level_kinetic(sums, before, after),
+                1.5 * (v.squaredNorm() - before * after * a.squaredNorm() / 4.0), 100.0 * scenes::kEps);
+  }
+  EXPECT_THROW(membrane::level_kinetic({}, -1.0, 1.0), std::invalid_argument);
+}
+
+// (M.22) A start from rest lacks dt^2 / 8 f^T M^-1 f at the next level: the share 1e-4 of the energy asked
+// for.
+TEST(Books, start_at_the_energy_step_lacks_its_share_of_the_energy) {
+  const auto mesh = membrane::icosphere(0.3, 2);
+  const auto model = make_model(scenes::describe(mesh, membrane::Compression::linear));
+  auto state = scenes::evaluated(model, 1.01 * mesh.nodes);
+  const double energy = state.forces.strain_energy, mobility = membrane::force_mobility(model, state);
+  const double dt = membrane::energy_time_step(model, state, energy, mobility, true);
+  membrane::advance(model, state, 0.0, dt);
+  membrane::update_skin(model, state);
+  const double strain = state.forces.strain_energy;
+  membrane::advance(model, state, dt, dt);
+  const double drift = (membrane::level_kinetic(state.advance, dt, dt) + strain) / energy - 1.0;
+  EXPECT_NEAR(drift, -1e-4, 1e-6);  // the next terms are (omega dt)^2 = 4e-4 of it, and 1 % of stretch
+  EXPECT_EQ(membrane::energy_time_step(model, state, energy, 0.0, true), membrane::bounce_time_step(model));
+  for (const double bad : {-1.0, std::nan("")}) {
+    EXPECT_THROW(membrane::energy_time_step(model, state, bad, mobility, true), std::invalid_argument);
+    EXPECT_THROW(membrane::energy_time_step(model, state, energy, bad, true), std::invalid_argument);
+  }
 }
 
 TEST(Books, non_finite_motion_is_caught_at_once) {

@@ -159,6 +159,44 @@ TEST(Input, wrong_state_and_stage_arguments_are_refused) {
   EXPECT_NE(message_of([&] { element_response(model, state, 80); }).find("80"), std::string::npos);
 }
 
+// Of another model, or of none: every stage compares sizes before it reads.
+TEST(Input, state_of_another_model_is_refused) {
+  const auto model = make_model(good());
+  const auto finer = make_model(scenes::describe(membrane::icosphere(0.3, 2), membrane::Compression::none));
+  auto d = good();
+  d.stiffness_damping = 1e-4;
+  d.straps = {{0, 1, 4500.0, 0.1}};
+  const auto damped = make_model(d);
+  const membrane::LoadKinds loads{.jet = true, .contact = true};
+  const std::vector<double> dp(80, 0.0);
+  std::vector<double> strains(80);
+  using Call = std::function<void(membrane::BagState&)>;
+  const std::vector<Call> stages = {[&](auto& s) { membrane::update_skin(model, s); },
+                                    [&](auto& s) { membrane::update_surface(model, s); },
+                                    [&](auto& s) { membrane::membrane_forces(model, s); },
+                                    [&](auto& s) { membrane::update_geometry(model, s); },
+                                    [&](auto& s) { membrane::update_geometry(model, s, std::vector{3}); },
+                                    [&](auto& s) { membrane::jet_forces(model, s, dp); },
+                                    [&](auto& s) { membrane::support_forces(model, s); },
+                                    [&](auto& s) { membrane::viscous_forces(model, s, 0.0); },
+                                    [&](auto& s) { membrane::update_mass_shares(model, s); },
+                                    [&](auto& s) { membrane::advance(model, s, 0.0, 1e-6); },
+                                    [&](auto& s) { membrane::stiffness_shares(model, s, 0.0, 0.0); },
+                                    [&](auto& s) { membrane::force_mobility(model, s); },
+                                    [&](auto& s) { membrane::strap_mobility(model, s); },
+                                    [&](auto& s) { membrane::element_response(model, s, 0); },
+                                    [&](auto& s) { membrane::largest_strains(model, s, strains); },
+                                    [&](auto& s) { membrane::governing_element(model, s); }};
+  auto own = membrane::make_state(model, model.description.reference, loads);
+  for (std::size_t i = 0; i < stages.size(); ++i) {
+    EXPECT_EQ(message_of([&] { stages[i](own); }), "accepted") << i;
+    for (auto foreign :
+         {membrane::BagState(), membrane::make_state(finer, finer.description.reference, loads),
+          membrane::make_state(damped, d.reference, loads)})
+      EXPECT_NE(message_of([&] { stages[i](foreign); }).find("make_state"), std::string::npos) << i;
+  }
+}
+
 TEST(Input, null_panel_with_rim_nodes_only_is_accepted) {
   auto d = good();
   d.properties[0] = {};

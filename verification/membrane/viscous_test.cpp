@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 
 #include "claim.hpp"
 #include "closed_form/membrane.hpp"
@@ -71,12 +72,35 @@ double growth_of_kick(const membrane::BagModel& model, double dt, int steps) {
 // (M.29), with the bound (M.10) of omega^2, which the lone elements of the icosahedron take to a half.
 TEST(Viscous, bound_of_the_step_holds_for_stiffness_and_lagged_damping) {
   const auto model = breather_model();
-  const double frequency = scenes::evaluated(model, model.description.reference).forces.element_frequency;
-  const double rate = kStressLag * frequency;
-  const double bound = 4.0 / (rate + std::sqrt(rate * rate + 4.0 * frequency));
+  const auto state = scenes::evaluated(model, model.description.reference);
+  const double frequency = state.forces.element_frequency, rate = kStressLag * frequency;
+  const double bound = membrane::critical_time_step(membrane::stiffness_shares(model, state, 0.0, 0.0));
+  EXPECT_NEAR(bound, 4.0 / (rate + std::sqrt(rate * rate + 4.0 * frequency)), 10.0 * scenes::kEps * bound);
   EXPECT_LT(bound, 0.9 * 2.0 / std::sqrt(frequency));  // the damping does shorten it
   EXPECT_LT(growth_of_kick(model, bound, 120), 100.0);
   EXPECT_GT(growth_of_kick(model, 2.0 * bound, 12), 1e4);
+}
+
+// A fine sphere whose pressure is switched on: the damping, which takes a half to nine tenths off the step,
+// has to take energy at nine tenths of the bound.
+TEST(Viscous, pressed_sphere_comes_to_rest_at_the_critical_step) {
+  const auto mesh = membrane::icosphere(kBreather, 2);
+  for (const double lag : {1e-4, 1e-3}) {
+    auto d = scenes::describe(mesh, Compression::none);
+    d.stiffness_damping = lag;
+    const auto model = make_model(d);
+    auto state = membrane::make_state(model, mesh.nodes);
+    double most = 0.0;
+    for (double time = 0.0, before = 0.0, dt = 0.0; time < 0.05; time += dt, before = dt) {
+      membrane::update_skin(model, state);
+      membrane::pressure_forces(state, 2e3);
+      membrane::viscous_forces(model, state, before);
+      dt = 0.9 * membrane::critical_time_step(membrane::stiffness_shares(model, state, 0.0, 0.0));
+      ASSERT_NO_THROW(membrane::advance(model, state, before, dt)) << lag << " s, at " << time << " s";
+      most = std::max(most, state.advance.kinetic_after);
+    }
+    EXPECT_LT(state.advance.kinetic_after, 1e-3 * most) << lag << " s";
+  }
 }
 
 TEST(Viscous, rigid_motion_is_not_damped_and_forces_sum_to_zero) {

@@ -157,8 +157,7 @@ struct StepSizes {
   long drift_limited = 0;
   /// [m] No node of the skin has moved farther since the start; S8.
   double displacement_bound = 0.0;
-  /// [1/s] Damping rate at n of jets relative to the skin, and bound of that of the stiffness damping.
-  double jet_damping = 0.0, stiffness_damping = 0.0;
+  double jet_damping = 0.0;              // [1/s] damping rate at n of jets relative to the skin (J.9)
   double minimum = 0.0;                  // [s] of the run
   double maximum = 0.0;                  // [s]
   membrane::StiffnessShares shares;      // [1/s2] of omega^2 at n

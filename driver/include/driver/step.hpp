@@ -30,10 +30,6 @@ struct StepRequest {
 void step(const Scene& scene, State& state, const StepRequest& request,
           const Executor& executor = Executor::serial());
 
-/// Largest stable step [s] of central difference with omega = 2 / `undamped` and a damping force taken from
-/// the velocity of the half step before, rate c [1/s]: omega^2 dt^2 + 2 c dt = 4 (J.9).
-double step_with_lagged_damping(double undamped, double rate);
-
 /// The state at the start, gas point and forces included: what a forecast and other derived values read.
 State state_at_start(const Scene& scene);
 

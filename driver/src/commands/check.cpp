@@ -68,7 +68,7 @@ void print_bag(const Scene& scene, const State& state) {
   if (scene.gas)
     fmt::print(", initial volume {:.4g} m3, design volume {:.4g} m3", state.bag->surface.volume,
                membrane::enclosed_volume(bag.mesh.nodes, bag.mesh.elements));
-  const double critical = critical_step(scene, shares);
+  const double critical = membrane::critical_time_step(shares);
   fmt::print("\ncritical step at the start: {:.4g} s (alone:{})\n", critical, limits_alone(shares));
   if (const double kept = drift_limit(scene, state); kept < critical)
     fmt::print("step at the start that keeps the energy (M.22), (M.24): {:.4g} s\n", kept);

@@ -111,9 +111,8 @@ double pulse_of(const Scene& scene) {
   constexpr double steps = 20.0;
   const State start = state_at_start(scene);
   const double least = 1e-3 * scene.time.end,
-               critical = critical_step(
-                   scene, membrane::stiffness_shares(scene.bag->model, *start.bag, start.gas_point.gamma,
-                                                     start.gas_point.pressure));
+               critical = membrane::critical_time_step(membrane::stiffness_shares(
+                   scene.bag->model, *start.bag, start.gas_point.gamma, start.gas_point.pressure));
   return std::isfinite(critical) ? std::max(least, steps * critical) : least;
 }
 

@@ -141,9 +141,8 @@ void add_bag(const Scene& scene, const FullState& full, Groups& groups) {
 double first_step(const Scene& scene, const State& state) {
   if (scene.time.step) return *scene.time.step;
   if (!scene.bag) return scene.moves() ? 0.0 : scene.output.history_every;
-  const double critical =
-      critical_step(scene, membrane::stiffness_shares(scene.bag->model, *state.bag, state.gas_point.gamma,
-                                                      state.gas_point.pressure));
+  const double critical = membrane::critical_time_step(membrane::stiffness_shares(
+      scene.bag->model, *state.bag, state.gas_point.gamma, state.gas_point.pressure));
   return scene.time.safety * std::min(critical, drift_limit(scene, state));
 }
 

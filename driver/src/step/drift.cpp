@@ -14,11 +14,7 @@
 namespace driver {
 namespace {
 
-// Shares of the energy (M.22). One spring that opens and closes, and fabric that moves as a whole, drift by
-// all of it; the waves of fabric without compression are many, and what one gains another loses.
-constexpr double share_together = 1e-4, share_apart = 1e-3;
 constexpr double growth = 1.01;  // of the limit in a step: a spring that has just opened closes again
-constexpr double bounce = 2.0;   // (omega dt)^2 of straps and plate, which open and close many times (M.24)
 
 // That the limit of level n may draw on [J].
 double energy_at_hand(const State& state) {
@@ -29,12 +25,6 @@ double energy_at_hand(const State& state) {
 }
 
 using Named = std::pair<const char*, double>;
-
-// Where a bounce off straps or plate at most doubles its energy: they are one-sided and never at rest.
-double bounce_limit(const membrane::BagModel& model) {
-  const double frequency = model.strap_frequency + model.plate_frequency;
-  return frequency > 0.0 ? std::sqrt(bounce / frequency) : std::numeric_limits<double>::infinity();
-}
 
 Named largest(std::initializer_list<Named> list) {
   return *std::max_element(list.begin(), list.end(),
@@ -69,17 +59,13 @@ double energy_drift(const State& state) {
 }
 
 double drift_limit(const Scene& scene, const State& state) {
-  constexpr double none = std::numeric_limits<double>::infinity();
-  if (!state.bag) return none;
-  if (!scene.gas) return bounce_limit(scene.bag->model);
+  if (!state.bag) return std::numeric_limits<double>::infinity();
   const membrane::BagModel& model = scene.bag->model;
+  if (!scene.gas) return membrane::bounce_time_step(model);
   const bool start = state.step.before == 0.0;
-  const bool together = start || model.description.compression == membrane::Compression::linear;
-  const double fabric = start ? membrane::force_mobility(model, *state.bag) : state.step.force_mobility;
-  const double rate = fabric / (together ? share_together : share_apart) +
-                      membrane::strap_mobility(model, *state.bag) / share_together;
-  const double limit = rate > 0.0 ? std::sqrt(8.0 * energy_at_hand(state) / rate) : none;
-  return std::min({limit, growth * state.step.drift_limit, bounce_limit(model)});
+  const double mobility = start ? membrane::force_mobility(model, *state.bag) : state.step.force_mobility;
+  return std::min(membrane::energy_time_step(model, *state.bag, energy_at_hand(state), mobility, start),
+                  growth * state.step.drift_limit);
 }
 
 std::string drift_text(const Scene& scene, const State& state) {

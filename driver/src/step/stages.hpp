@@ -41,14 +41,6 @@ void ledger(const Scene& scene, State& state, const StepRequest& request);  // S
 
 /// Part of the kick at level n that lies before n: dt_before / (dt_before + dt_after).
 double kick_share(const StepSizes& step);
-/// Kinetic energy at n [J] from those of v at n-1/2 and n+1/2 and their product m v- . v+ / 2: |v_n|^2 of the
-/// linear interpolation less dt_before dt_after |a|^2 / 4. For even steps that is the product alone, which
-/// the central difference of a linear system conserves together with the strain energy; second order for
-/// uneven ones.
-double level_kinetic(const StepSizes& step, double before, double after, double product);
-/// Largest stable step of the bag [s]: that of the stiffnesses (M.12), less for damping that lags (M.29), of
-/// the fabric and of jets at the rate `jet_damping` [1/s].
-double critical_step(const Scene& scene, const membrane::StiffnessShares& shares, double jet_damping = 0.0);
 /// On the skin at the current positions [Pa]: prescribed, or that of the gas.
 double overpressure(const Scene& scene, const State& state);
 /// Largest distance of a node from where it started [m]; 0 without a bag.

@@ -107,8 +107,7 @@ void book_energy(const Scene& scene, State& state) {
 }
 
 double skin_kinetic(const State& state) {
-  const auto& sums = state.bag->advance;
-  return level_kinetic(state.step, sums.kinetic_before, sums.kinetic_after, sums.kinetic_product);
+  return membrane::level_kinetic(state.bag->advance, state.step.before, state.step.after);
 }
 
 }  // namespace

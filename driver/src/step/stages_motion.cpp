@@ -36,7 +36,7 @@ std::string shares_text(const membrane::StiffnessShares& s) {
       "step {} s is above its bound {} s, set by {}, and by {:.3g} 1/s of jets relative to the "
       "skin and {:.3g} 1/s of stiffness damping; stiffest element {}; {}",
       given, state.step.critical, shares_text(state.step.shares), state.step.jet_damping,
-      state.step.stiffness_damping, membrane::governing_element(scene.bag->model, *state.bag), allowed));
+      state.step.shares.damping, membrane::governing_element(scene.bag->model, *state.bag), allowed));
 }
 
 // Bound of the rate at which jets relative to the skin damp it (J.9) [1/s]: the largest of any element's.
@@ -71,8 +71,7 @@ void update_bound(const Scene& scene, State& state) {
       membrane::stiffness_shares(scene.bag->model, *state.bag, gas ? state.gas_point.gamma : 0.0,
                                  gas ? state.gas_point.pressure : 0.0, contact_stiffness(scene, state));
   state.step.jet_damping = jet_damping(scene, state);
-  state.step.stiffness_damping = scene.bag->model.description.stiffness_damping * state.step.shares.element;
-  state.step.critical = critical_step(scene, state.step.shares, state.step.jet_damping);
+  state.step.critical = membrane::critical_time_step(state.step.shares, state.step.jet_damping);
   state.step.drift_limit = drift_limit(scene, state);
 }
 
@@ -169,8 +168,8 @@ void advance(const Scene& scene, State& state, const Executor& executor) {
   const double after = run.motion.angular_velocity;
   run.kinetic_before = model.kinetic_energy(before);
   run.kinetic_after = model.kinetic_energy(after);
-  run.kinetic =
-      level_kinetic(step, run.kinetic_before, run.kinetic_after, 0.5 * model.axis_inertia() * before * after);
+  run.kinetic = membrane::level_kinetic(run.kinetic_before, run.kinetic_after,
+                                        0.5 * model.axis_inertia() * before * after, step.before, step.after);
   state.flows.kick_work += tau * moment * 0.5 * (before + after);
   run.driving_work = tau * run.driving_moment * 0.5 * (before + after);
 }
@@ -184,23 +183,8 @@ void volume(const Scene& scene, State& state, const Executor& executor) {
     membrane::update_mass_shares(scene.bag->model, *state.bag, ParallelBlocks{executor});
 }
 
-double step_with_lagged_damping(double undamped, double rate) {
-  return 4.0 / (rate + std::sqrt(rate * rate + 16.0 / (undamped * undamped)));
-}
-
-double level_kinetic(const StepSizes& step, double before, double after, double product) {
-  const double late = kick_share(step), early = 1.0 - late;
-  return early * (early - late) * before + late * (late - early) * after + 4.0 * early * late * product;
-}
-
 double kick_share(const StepSizes& step) {
   return step.before > 0.0 ? step.before / (step.before + step.after) : 0.0;
-}
-
-double critical_step(const Scene& scene, const membrane::StiffnessShares& shares, double jet_damping) {
-  return step_with_lagged_damping(
-      membrane::critical_time_step(shares),
-      jet_damping + scene.bag->model.description.stiffness_damping * shares.element);
 }
 
 double overpressure(const Scene& scene, const State& state) {

@@ -76,19 +76,19 @@ inline constexpr double kDefaultPlateShare = 0.25;
 
 /// Input of make_model: everything that defines a bag.
 struct BagDescription {
-  Eigen::Matrix3Xd reference;                   // stress-free positions, 3 x nodes [m]
-  Eigen::Matrix3Xi elements;                    // corner nodes, 3 x elements, oriented outward
-  std::vector<ElementProperties> properties;    // one per element
+  Eigen::Matrix3Xd reference{};                 // stress-free positions, 3 x nodes [m]
+  Eigen::Matrix3Xi elements{};                  // corner nodes, 3 x elements, oriented outward
+  std::vector<ElementProperties> properties{};  // one per element
   Compression compression = Compression::none;  // of all fabric
   /// Of all fabric: a name of law_names(). "hencky" needs Compression::none and has no weave. "curve" needs
   /// Compression::none and a weave of each fabric, whose shear and warp it takes; moduli are not read.
   std::string law = "saint_venant_kirchhoff";
-  std::array<StressCurve, 2> curves;  // of warp and weft, of laws by curves alone
-  std::vector<int> fixed_nodes;       // nodes that never move; any order, repeats allowed
+  std::array<StressCurve, 2> curves{};  // of warp and weft, of laws by curves alone
+  std::vector<int> fixed_nodes{};       // nodes that never move; any order, repeats allowed
   /// Nodes that never move along x, along y and along z: rollers, and planes of symmetry. As above.
-  std::array<std::vector<int>, 3> held_nodes;
-  std::vector<Strap> straps;                          // may be empty
-  std::vector<Plate> plates;                          // may be empty
+  std::array<std::vector<int>, 3> held_nodes{};
+  std::vector<Strap> straps{};                        // may be empty
+  std::vector<Plate> plates{};                        // may be empty
   double mass_damping = 0.0;                          // alpha >= 0: force -alpha m v [1/s]
   double stiffness_damping = 0.0;                     // beta >= 0: stress beta dS/dt (M.28) [s]
   Eigen::Vector3d gravity = Eigen::Vector3d::Zero();  // [m/s2]

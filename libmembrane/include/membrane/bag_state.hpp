@@ -112,4 +112,8 @@ struct LoadKinds {
 /// Throws std::invalid_argument, naming the node, for a wrong size or a coordinate that is not finite.
 BagState make_state(const BagModel& model, ConstVectorsRef position, LoadKinds loads = {});
 
+/// Throws std::invalid_argument unless the arrays have the sizes that make_state gives them for this model.
+/// The stages call it: a state of another model, or one that was not made, is refused.
+void check_state(const BagModel& model, const BagState& state);
+
 }  // namespace membrane

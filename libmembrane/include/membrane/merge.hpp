@@ -15,10 +15,12 @@ struct MergeReport {
 /// Joins each node to the first node before it that is at most `tolerance` [m] away and stays; 0 joins nodes
 /// of equal coordinates. Elements with two corners in one are left out, and panels keep their numbers. The
 /// order of nodes and elements stays. Throws std::invalid_argument for a tolerance that is negative or not
-/// finite, and for a node that is not finite or too far away for the tolerance: 2^52 times of it.
+/// finite, for a node number out of range, and for a node that is not finite or too far away for the
+/// tolerance: 2^52 times of it.
 MergeReport merge_nodes(Mesh& mesh, double tolerance);
 
-/// The mesh without the nodes that no element uses.
+/// The mesh without the nodes that no element uses. Throws std::invalid_argument for a node number out of
+/// range.
 Mesh used_nodes(Mesh mesh);
 
 }  // namespace membrane

@@ -37,11 +37,12 @@ int panel_index(const Mesh& mesh, std::string_view name);
 std::vector<int> panel_elements(const Mesh& mesh, std::string_view name);
 
 /// The elements of these panels and their nodes, in the order of `mesh`; panels in the order of their first
-/// element. Throws std::invalid_argument for an unknown panel.
+/// element. Throws std::invalid_argument for an unknown panel, and for a number of a node or panel out of
+/// range.
 Mesh only_panels(const Mesh& mesh, const std::vector<std::string>& names);
 
 /// Nodes used by the elements of a panel, ascending, each once. Throws std::invalid_argument for an unknown
-/// panel.
+/// panel, and for a number of a node or panel out of range.
 std::vector<int> panel_nodes(const Mesh& mesh, std::string_view name);
 
 /// Node nearest to `point` [m]; the lowest index if several are equally near. Throws std::invalid_argument

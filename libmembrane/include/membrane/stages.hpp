@@ -6,11 +6,12 @@
 
 #include "membrane/bag_model.hpp"
 #include "membrane/bag_state.hpp"
+#include "membrane/error.hpp"
 
 /// The bag's stages of one step. None of them allocates. Each takes `for_each_block`: for_each_block(count,
 /// f) must run f(0) ... f(count - 1), in any order or in parallel. The results have the same bits in every
 /// case. The functions with `block` are parts of stages; precondition: `block` is a number of its kind of
-/// block.
+/// block, and the state is one of the model. The stages check that: see check_state.
 namespace membrane {
 
 /// Runs one block after the other in the calling thread.
@@ -70,6 +71,7 @@ void check_steps(double dt_before, double dt_after);
 template <class ForEachBlock = Serial>
 void update_skin(const BagModel& model, BagState& state, ForEachBlock&& for_each_block = {},
                  SkinParts parts = SkinParts::both) {
+  check_state(model, state);
   for_each_block(element_blocks(model), [&](int block) { skin_block(model, state, parts, block); });
   for_each_block(shared_blocks(model), [&](int block) { shared_block(model, state, parts, block); });
   sum_skin(model, state, parts);
@@ -115,6 +117,7 @@ void jet_forces(const BagModel& model, BagState& state, std::span<const double> 
 /// S6: forces and energies of straps and plates (M.7, M.8). Does nothing for a bag without them.
 template <class ForEachBlock = Serial>
 void support_forces(const BagModel& model, BagState& state, ForEachBlock&& for_each_block = {}) {
+  check_state(model, state);
   if (state.support_force.empty()) return;
   for_each_block(node_blocks(model), [&](int block) { plate_force_block(model, state, block); });
   sum_support_forces(model, state);
@@ -122,11 +125,12 @@ void support_forces(const BagModel& model, BagState& state, ForEachBlock&& for_e
 
 /// S6: forces of the stress beta dS/dt (M.28), with the change of S since the last call, dt_before [s] ago;
 /// 0 at the start, where there is none. Rigid motion changes no S. The rate is that of half a step ago, so
-/// the damping is of first order in the step. Does nothing without stiffness_damping. It costs some ten
-/// times update_skin.
+/// the damping is of first order in the step, and it shortens the stable one: critical_time_step has that in
+/// it. Does nothing without stiffness_damping. It costs some ten times update_skin.
 template <class ForEachBlock = Serial>
 void viscous_forces(const BagModel& model, BagState& state, double dt_before,
                     ForEachBlock&& for_each_block = {}) {
+  check_state(model, state);
   if (state.viscous_force.empty()) return;
   for_each_block(viscous_blocks(model), [&](int block) { viscous_block(model, state, dt_before, block); });
   for_each_block(node_blocks(model), [&](int block) { viscous_node_block(model, state, block); });
@@ -137,6 +141,7 @@ void viscous_forces(const BagModel& model, BagState& state, double dt_before,
 /// wherever the nodes move. It costs at most about thirty times update_skin, less if few elements are near.
 template <class ForEachBlock = Serial>
 void update_mass_shares(const BagModel& model, BagState& state, ForEachBlock&& for_each_block = {}) {
+  check_state(model, state);
   for_each_block(element_blocks(model), [&](int block) { demand_block(model, state, block); });
   for_each_block(node_blocks(model), [&](int block) { share_block(model, state, block); });
   for_each_block(element_blocks(model), [&](int block) { frequency_block(model, state, block); });
@@ -147,16 +152,26 @@ void update_mass_shares(const BagModel& model, BagState& state, ForEachBlock&& f
 ///   x += dt_after v+.
 /// dt_before [s] >= 0 is the step that led to n; 0 at the start, where v is the velocity at n itself.
 /// dt_after [s] > 0 is the step that leaves n. The order is 2 for smoothly varying steps. Stable for
-/// dt <= critical_time_step (time_step.hpp). Throws std::invalid_argument for bad steps, and MembraneError,
-/// naming the node, for a velocity that is not finite.
+/// dt <= critical_time_step (time_step.hpp), damping included. Throws std::invalid_argument for bad steps,
+/// and MembraneError, naming the node, for a velocity that is not finite.
 template <class ForEachBlock = Serial>
 const AdvanceSums& advance(const BagModel& model, BagState& state, double dt_before, double dt_after,
                            ForEachBlock&& for_each_block = {}) {
+  check_state(model, state);
   check_steps(dt_before, dt_after);
   for_each_block(node_blocks(model),
                  [&](int block) { advance_block(model, state, dt_before, dt_after, block); });
   sum_advance(model, state, dt_before, dt_after);
   return state.advance;
 }
+
+/// Kinetic energy at n [J] from those at n-1/2 and n+1/2 and the sum of m v- . v+ / 2: that of the linear
+/// interpolation less dt_before dt_after m |a|^2 / 8. For even steps it is the product alone, which a linear
+/// system conserves together with the strain energy; of second order for uneven ones. dt_before = 0 at the
+/// start, where it is kinetic_before. Throws std::invalid_argument as advance does.
+double level_kinetic(double kinetic_before, double kinetic_after, double kinetic_product, double dt_before,
+                     double dt_after);
+/// The same of the step that `sums` came with.
+double level_kinetic(const AdvanceSums& sums, double dt_before, double dt_after);
 
 }  // namespace membrane

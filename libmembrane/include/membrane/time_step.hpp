@@ -5,17 +5,20 @@
 
 #include "membrane/bag_model.hpp"
 #include "membrane/bag_state.hpp"
+#include "membrane/error.hpp"
 
 namespace membrane {
 
-/// Bounds of omega^2 [1/s2] by cause. The stiffnesses act together, so the bounds add (M.12). The smallest of
-/// separate step limits would not be safe.
+/// Bounds of omega^2 [1/s2] by cause, and the damping that shortens the step. The stiffnesses act together,
+/// so the bounds add (M.12). The smallest of separate step limits would not be safe.
 struct StiffnessShares {
   double element = 0.0;  // fabric at its current stretch, geometric stiffness included (M.10)
   double gas = 0.0;      // (gamma p / V) g^T M^-1 g (M.11)
   double contact = 0.0;  // from the contact model
   double strap = 0.0;    // of all straps, taut or not
   double plate = 0.0;    // of all plates, touched or not
+  /// Rate c of the stiffness damping, beta omega^2 of the fabric (M.29) [1/s]; no part of omega^2.
+  double damping = 0.0;
   /// Bound of omega^2 of the whole bag [1/s2] (M.12).
   double total() const { return element + gas + contact + strap + plate; }
 };
@@ -27,9 +30,12 @@ struct StiffnessShares {
 StiffnessShares stiffness_shares(const BagModel& model, const BagState& state, double gamma, double pressure,
                                  double contact = 0.0);
 
-/// Largest stable step of central difference, 2 / omega [s] (M.12). Throws MembraneError if the sum of the
-/// bounds is not finite and positive.
-double critical_time_step(const StiffnessShares& shares);
+/// Largest stable step of central difference [s]: omega^2 dt^2 + 2 c dt = 4 (M.29), which is 2 / omega (M.12)
+/// without damping. c is the rate at which damping acts that is taken from the velocity half a step before:
+/// shares.damping, and `jet_damping` [1/s] of jets relative to the skin (J.9), where the caller has such.
+/// mass_damping takes nothing of the step. Throws std::invalid_argument for a negative rate or one that is
+/// not finite, and MembraneError if the sum of the bounds is not finite and positive.
+double critical_time_step(const StiffnessShares& shares, double jet_damping = 0.0);
 
 /// Sum of |f|^2 / m over the free nodes [J/s2], after S6 and S7 at the same positions; weight and damping are
 /// left out. dt^2 / 8 times this sum is the energy error of a start from rest with step dt (M.22).
@@ -38,6 +44,17 @@ double force_mobility(const BagModel& model, const BagState& state);
 /// part, T the tension. A strap that swings alone keeps this sum. dt^2 / 8 times it bounds, to leading order,
 /// the energy that a strap gains in a bounce (M.22).
 double strap_mobility(const BagModel& model, const BagState& state);
+
+/// Step [s] at which a bounce off straps or plates at most doubles its energy (M.24); infinity without them.
+double bounce_time_step(const BagModel& model);
+
+/// Step [s] that keeps the drift of the energy small (M.22), bounce_time_step included. `energy` [J] >= 0 is
+/// the largest that the bag and its gas held or were supplied with so far. `mobility` [J/s2] is
+/// force_mobility; a caller may take that of the step before. `at_rest`: the bag starts from rest, and all of
+/// it moves together. Let the limit grow by at most 1 % a step: a strap that has just opened closes again.
+/// Throws std::invalid_argument for an energy or mobility that is negative or no number.
+double energy_time_step(const BagModel& model, const BagState& state, double energy, double mobility,
+                        bool at_rest);
 
 /// Response of one element at the current positions, for output and messages; a step does not use it.
 struct ElementResponse {

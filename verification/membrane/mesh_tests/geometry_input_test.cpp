@@ -9,7 +9,9 @@
 #include <vector>
 
 #include "membrane/icosphere.hpp"
+#include "membrane/merge.hpp"
 #include "membrane/mesh.hpp"
+#include "membrane/node_order.hpp"
 #include "membrane/refine.hpp"
 
 namespace {
@@ -34,6 +36,11 @@ TEST(geometry_input, node_numbers_out_of_range) {
     expect_refused([&] { membrane::element_quality(mesh.nodes, mesh.elements); },
                    "element_quality: node number");
     expect_refused([&] { membrane::refine(mesh); }, "node number is out of range");
+    expect_refused([&] { membrane::used_nodes(mesh); }, "used_nodes: node number");
+    expect_refused([&] { membrane::merge_nodes(mesh, 0.0); }, "merge_nodes: node number");
+    expect_refused([&] { membrane::panel_nodes(mesh, mesh.panel_names[0]); }, "panel_nodes: node number");
+    expect_refused([&] { membrane::only_panels(mesh, mesh.panel_names); }, "only_panels: node number");
+    expect_refused([&] { membrane::node_order(mesh); }, "node_order: node number");
   }
   const membrane::Mesh empty;
   EXPECT_EQ(membrane::enclosed_volume(empty.nodes, empty.elements), 0.0);
