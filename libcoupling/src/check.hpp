@@ -6,9 +6,12 @@
 #include <stdexcept>
 #include <string>
 
+#include "coupling/skin.hpp"
+
 namespace coupling::detail {
 
-[[noreturn]] inline void reject(const std::string& field, const std::string& value, const char* allowed) {
+[[noreturn]] inline void reject(const std::string& field, const std::string& value,
+                                const std::string& allowed) {
   throw std::invalid_argument(field + " = " + value + ": must be " + allowed);
 }
 
@@ -36,6 +39,14 @@ inline void require_not_negative(const std::string& field, double value) {
 
 inline void require_finite(const std::string& field, const Eigen::Vector3d& value) {
   if (!value.allFinite()) reject(field, text(value), "finite");
+}
+
+// Every corner is a column of the nodes.
+inline void require_nodes(const std::string& field, const Triangles& triangles, Eigen::Index node_count) {
+  for (Eigen::Index e = 0; e < triangles.cols(); ++e)
+    for (int i = 0; i < 3; ++i)
+      if (triangles(i, e) < 0 || triangles(i, e) >= node_count)
+        reject(field + "[" + std::to_string(e) + "]", std::to_string(triangles(i, e)), "a node number");
 }
 
 }  // namespace coupling::detail

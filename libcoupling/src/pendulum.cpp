@@ -96,6 +96,8 @@ double PendulumModel::kinetic_energy(double angular_velocity) const {
 
 PendulumState PendulumModel::advance(const PendulumState& state, double moment, double tau,
                                      double dt_after) const {
+  if (!(tau >= 0.0)) detail::reject("pendulum step tau", detail::text(tau), "0 or greater");
+  if (!(dt_after >= 0.0)) detail::reject("pendulum step dt_after", detail::text(dt_after), "0 or greater");
   PendulumState next;
   next.angular_velocity = state.angular_velocity + tau * (moment / axis_inertia_);
   next.angle = state.angle + dt_after * next.angular_velocity;

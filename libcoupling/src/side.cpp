@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <string>
 
 #include "check.hpp"
 #include "coupling/impactor.hpp"
@@ -61,9 +62,12 @@ double distance_from_origin(const Eigen::Matrix3d& u) {
 }  // namespace
 
 double winding_number(const Triangles& triangles, const Nodes& nodes, const Vector3d& point) {
+  detail::require_nodes("winding_number: triangles", triangles, nodes.cols());
+  detail::require_finite("winding_number: point", point);
   double sum = 0.0;
   for (Eigen::Index e = 0; e < triangles.cols(); ++e)
     sum += half_solid_angle(corners_from(triangles, nodes, e, point));
+  if (!std::isfinite(sum)) detail::reject("winding_number: nodes", "not a number", "finite");
   return sum / (2.0 * std::numbers::pi);
 }
 
@@ -80,15 +84,22 @@ double Sphere::distance_to_triangle(const Vector3d& a, const Vector3d& b, const 
 }
 
 Gap smallest_gap(const Triangles& triangles, const Nodes& nodes, const Vector3d& centre, double radius) {
+  detail::require_nodes("smallest_gap: triangles", triangles, nodes.cols());
+  detail::require_finite("smallest_gap: centre", centre);
+  detail::require_not_negative("smallest_gap: radius", radius);
   Gap gap{std::numeric_limits<double>::infinity(), -1};
   for (Eigen::Index e = 0; e < triangles.cols(); ++e) {
-    const double distance = distance_from_origin(corners_from(triangles, nodes, e, centre)) - radius;
+    const Eigen::Matrix3d corners = corners_from(triangles, nodes, e, centre);
+    if (!corners.allFinite())
+      detail::reject("smallest_gap: nodes of element " + std::to_string(e), "not finite", "finite");
+    const double distance = distance_from_origin(corners) - radius;
     if (distance < gap.distance) gap = {distance, static_cast<int>(e)};
   }
   return gap;
 }
 
 void require_outside(const Triangles& triangles, const Nodes& nodes, const Vector3d& centre, double radius) {
+  detail::require_finite("pendulum.impactor: centre", centre);
   const Gap gap = smallest_gap(triangles, nodes, centre, radius);
   if (gap.distance < -1e-9 * radius)
     detail::reject("pendulum.impactor",
@@ -102,6 +113,9 @@ void require_outside(const Triangles& triangles, const Nodes& nodes, const Vecto
 }
 
 bool path_meets_triangle(const Eigen::Matrix3d& start, const Eigen::Matrix3d& end, double tolerance) {
+  if (!start.allFinite() || !end.allFinite())
+    detail::reject("path_meets_triangle: start and end", "not finite", "finite");
+  detail::require_positive("path_meets_triangle: tolerance", tolerance);
   const Eigen::Matrix3d motion = end - start;
   const double largest = motion.colwise().norm().maxCoeff();
   constexpr double least = 1e-6;  // of the step: below rounding the time would stand still

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <string>
 
 #include "check.hpp"
@@ -18,12 +19,14 @@ using Eigen::Vector3d;
 
 constexpr double kRounding = 1.0 + 1e-12;  // of a motion bound that others computed
 
-void check_nodes(const Triangles& triangles, Eigen::Index node_count) {
-  for (Eigen::Index e = 0; e < triangles.cols(); ++e)
-    for (int i = 0; i < 3; ++i)
-      if (triangles(i, e) < 0 || triangles(i, e) >= node_count)
-        detail::reject("contact.triangles[" + std::to_string(e) + "]", std::to_string(triangles(i, e)),
-                       "a node number");
+void require_columns(const std::string& field, Eigen::Index columns, int node_count) {
+  if (columns != node_count)
+    detail::reject(field, std::to_string(columns) + " columns", "one a node, " + std::to_string(node_count));
+}
+
+void require_own(const ContactState& state, const std::shared_ptr<const ElementGroups>& groups) {
+  if (state.owner != groups)
+    detail::reject("contact.state", "one of another model, or of none", "from make_state of this model");
 }
 
 int subdivision_of(const std::string& field, double longest_edge, double radius) {
@@ -52,7 +55,7 @@ ContactModel::ContactModel(const Triangles& triangles, const Nodes& reference, s
     detail::reject("contact.masses", std::to_string(masses_.size()) + " values", "one value a node");
   for (std::size_t a = 0; a < masses_.size(); ++a)
     detail::require_positive("contact.masses[" + std::to_string(a) + "]", masses_[a]);
-  check_nodes(triangles, reference.cols());
+  detail::require_nodes("contact.triangles", triangles, reference.cols());
   for (Eigen::Index e = 0; e < triangles.cols(); ++e) {
     const std::string field = "contact: skin element " + std::to_string(e);
     const Vector3d a = reference.col(triangles(0, e)), b = reference.col(triangles(1, e)),
@@ -68,15 +71,16 @@ ContactModel::ContactModel(const Triangles& triangles, const Nodes& reference, s
       detail::reject("contact.open_elements", std::to_string(e), "an element number");
     quadrature_[static_cast<std::size_t>(e)].weight = 0.0;
   }
-  groups_ = make_groups(triangles, reference);
+  groups_ = std::make_shared<const ElementGroups>(make_groups(triangles, reference));
   full_omega_squared_ = full_omega_squared_of_skin();
 }
 
 ContactState ContactModel::make_state() const {
   ContactState state;
+  state.owner = groups_;
   state.nodes = Eigen::Matrix3Xd::Zero(3, node_count());
   state.slack.resize(quadrature_.size());
-  state.group_slack.resize(groups_.count());
+  state.group_slack.resize(groups_->count());
   state.near.reserve(quadrature_.size());
   state.nodal_stiffness.assign(masses_.size(), 0.0);
   if (parameters_.friction > 0.0) {
@@ -92,6 +96,7 @@ ContactState ContactModel::make_state() const {
 }
 
 bool ContactModel::stays_clear(ContactState& state, double motion, double ahead) const {
+  require_own(state, groups_);
   state.ahead = ahead;
   state.told = motion >= 0.0 ? motion : std::numeric_limits<double>::infinity();
   // Not a number compares false.
@@ -126,7 +131,7 @@ void ContactModel::follow(ContactState& state, const Nodes& nodes, const Vector3
   state.told = ContactState::kNotTold;
   state.shift = centre - state.centre;
   state.centre = centre;
-  detail::Search search{triangles_, groups_, nodes, impactor_, state};
+  detail::Search search{triangles_, *groups_, nodes, impactor_, state};
   search.find_near_elements();
   search.settle_gap();
   state.bristles.swap(state.old_bristles);
@@ -184,8 +189,9 @@ void ContactModel::add_element(int e, detail::Grip* grip, ContactState& state, c
 
 ContactResult ContactModel::evaluate(ContactState& state, const Nodes& nodes, const Vector3d& centre,
                                      NodalForces forces, const Vector3d& turn) const {
-  if (nodes.cols() != node_count() || forces.cols() != node_count())
-    detail::reject("contact.nodes", std::to_string(nodes.cols()) + " columns", "as many as at build");
+  require_own(state, groups_);
+  require_columns("contact.nodes", nodes.cols(), node_count());
+  require_columns("contact.forces", forces.cols(), node_count());
   detail::require_finite("contact.turn", turn);
   follow(state, nodes, centre);
   ContactResult result;

@@ -195,10 +195,45 @@ TEST(ContactGuard, bad_input_names_the_field) {
   }
 }
 
+std::string refusal(const std::function<void()>& call) {
+  try {
+    call();
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
 TEST(ContactGuard, arrays_of_another_mesh_are_refused) {
   Path run(scenes::plate(2, kRadius));
   run.skin = scenes::plate(3, kRadius);
-  EXPECT_THROW(run.go({0.0, 0.0, 1.0}), std::invalid_argument);
+  EXPECT_EQ(refusal([&] { run.go({0.0, 0.0, 1.0}); }), "contact.nodes = 16 columns: must be one a node, 9");
+  run.skin = scenes::plate(2, kRadius);
+  run.forces.resize(3, 7);
+  EXPECT_EQ(refusal([&] { run.go({0.0, 0.0, 1.0}); }), "contact.forces = 7 columns: must be one a node, 9");
+}
+
+TEST(ContactGuard, state_of_another_model_is_refused) {
+  const scenes::Skin skin = scenes::plate(4, kRadius);
+  const auto model = scenes::contact(skin, kRadius, kStiffness);
+  const coupling::ContactModel copy = model;
+  Matrix3Xd forces = Matrix3Xd::Zero(3, skin.nodes.cols());
+  const auto answers = [&](coupling::ContactState state) {
+    return std::pair(refusal([&] {
+                       model.evaluate(state, skin.nodes, {0.0, 0.0, 0.9 * kRadius}, forces);
+                     }),
+                     refusal([&] { model.stays_clear(state, 0.0); }));
+  };
+  const std::pair<std::string, std::string> fine{"accepted", "accepted"};
+  EXPECT_EQ(answers(model.make_state()), fine);
+  EXPECT_EQ(answers(copy.make_state()), fine);
+  // Of no model, of a smaller one, and of one that differs by the sphere alone.
+  for (const auto& state : {coupling::ContactState(), Path(scenes::plate(1, kRadius)).state,
+                            scenes::contact(skin, 1.1 * kRadius, kStiffness).make_state()}) {
+    const auto [evaluated, told] = answers(state);
+    EXPECT_TRUE(names(evaluated, "contact.state") && names(evaluated, "make_state")) << evaluated;
+    EXPECT_TRUE(names(told, "contact.state")) << told;
+  }
 }
 
 }  // namespace

@@ -185,6 +185,10 @@ TEST(Pendulum, advance_refuses_what_is_not_finite) {
   const PendulumModel model(scenes::paper_pendulum());
   EXPECT_THROW(model.advance({0.0, 1.0}, std::nan(""), 1e-3, 1e-3), coupling::ContactError);
   EXPECT_THROW(model.advance({0.0, 1.0}, 1e300, 1e10, 1e300), coupling::ContactError);
+  for (const double bad : {-1e-3, std::nan("")}) {
+    EXPECT_THROW(model.advance({0.0, 1.0}, 0.0, bad, 1e-3), std::invalid_argument);
+    EXPECT_THROW(model.advance({0.0, 1.0}, 0.0, 1e-3, bad), std::invalid_argument);
+  }
 }
 
 }  // namespace

@@ -176,4 +176,39 @@ TEST(Side, swept_test_of_a_triangle_at_rest) {
   EXPECT_TRUE(coupling::path_meets_triangle(u, u, 0.6));  // 1/sqrt(3) away
 }
 
+TEST(Side, what_is_no_number_and_no_node_is_refused) {
+  const auto good = scenes::octasphere(2);
+  const double nan = std::nan(""), infinite = std::numeric_limits<double>::infinity();
+  const auto all_refuse = [](const auto& skin, const Vector3d& centre, double radius) {
+    EXPECT_THROW(coupling::smallest_gap(skin.triangles, skin.nodes, centre, radius), std::invalid_argument);
+    EXPECT_THROW(coupling::require_outside(skin.triangles, skin.nodes, centre, radius),
+                 std::invalid_argument);
+  };
+  const Vector3d outside(3.0, 0.0, 0.0);
+  for (const double bad : {nan, infinite}) {
+    auto skin = good;
+    skin.nodes(1, 5) = bad;
+    all_refuse(skin, outside, 0.2);
+    EXPECT_THROW(coupling::winding_number(skin.triangles, skin.nodes, outside), std::invalid_argument);
+    all_refuse(good, {3.0, bad, 0.0}, 0.2);
+    EXPECT_THROW(coupling::winding_number(good.triangles, good.nodes, {3.0, bad, 0.0}),
+                 std::invalid_argument);
+    all_refuse(good, outside, bad);
+    Matrix3d u;
+    u << 1, 0, 0, 0, 1, 0, 0, 0, 1;
+    Matrix3d spoilt = u;
+    spoilt(2, 1) = bad;
+    EXPECT_THROW(coupling::path_meets_triangle(u, spoilt, 1e-3), std::invalid_argument);
+    EXPECT_THROW(coupling::path_meets_triangle(spoilt, u, 1e-3), std::invalid_argument);
+    EXPECT_THROW(coupling::path_meets_triangle(u, u, bad), std::invalid_argument);
+  }
+  all_refuse(good, outside, -0.2);
+  for (const int node : {-1, static_cast<int>(good.nodes.cols())}) {
+    auto skin = good;
+    skin.triangles(2, 3) = node;
+    all_refuse(skin, outside, 0.2);
+    EXPECT_THROW(coupling::winding_number(skin.triangles, skin.nodes, outside), std::invalid_argument);
+  }
+}
+
 }  // namespace

@@ -75,7 +75,8 @@ class PendulumModel {
   ///   moment^n.
   /// `moment` [N m] is the sum of all moments about the axis (K.1). tau = (dt_before + dt_after)/2 [s], with
   /// dt_before = 0 at the start. The kinetic energy changes by exactly tau moment (omega_- + omega_+)/2 (kick
-  /// form). Throws ContactError if the result is not finite.
+  /// form). Throws std::invalid_argument for a step that is negative or no number, and ContactError if the
+  /// result is not finite.
   PendulumState advance(const PendulumState& state, double moment, double tau, double dt_after) const;
 
   /// Throws ContactError if `turn` [rad], that of one step, moves the impactor's centre by more than r/2

@@ -8,7 +8,8 @@ namespace coupling {
 
 /// Winding number [-] of a closed, outward oriented surface about a point off the surface: the sum of the
 /// triangles' solid angles over 4 pi (K.14). 1 inside, 0 outside, other integers where the surface overlaps
-/// itself; all to round-off. A fraction for an open surface. `point` [m]. Source: A. van Oosterom, J.
+/// itself; all to round-off. A fraction for an open surface. `point` [m]. Throws std::invalid_argument for a
+/// node number out of range and for coordinates that are not finite. Source: A. van Oosterom, J.
 /// Strackee, IEEE Trans. Biomed. Eng. 30 (1983) 125-126.
 double winding_number(const Triangles& triangles, const Nodes& nodes, const Eigen::Vector3d& point);
 
@@ -23,12 +24,14 @@ struct Gap {
 };
 
 /// Smallest gap between a sphere and the skin, exactly, over all elements (no quadrature). `centre` and
-/// `radius` [m].
+/// `radius` >= 0 [m]. Throws std::invalid_argument for a node number out of range, for coordinates of its
+/// elements or the centre that are not finite, and for a radius out of range.
 Gap smallest_gap(const Triangles& triangles, const Nodes& nodes, const Eigen::Vector3d& centre,
                  double radius);
 
 /// Checks that a sphere lies outside a closed surface and overlaps it by at most 1e-9 radius, the round-off
-/// of placing it in touch (K.24). Throws std::invalid_argument, naming pendulum.impactor and the element.
+/// of placing it in touch (K.24). Throws std::invalid_argument, naming pendulum.impactor and the element;
+/// else as smallest_gap does.
 void require_outside(const Triangles& triangles, const Nodes& nodes, const Eigen::Vector3d& centre,
                      double radius);
 
@@ -38,7 +41,8 @@ void require_outside(const Triangles& triangles, const Nodes& nodes, const Eigen
 ///
 /// Conservative advancement: at distance d at time t, nothing can meet before t + d / (largest corner
 /// motion). So the answer `false` is certain for motions up to 1e6 tolerances. It takes at most as many
-/// rounds.
+/// rounds. Throws std::invalid_argument for coordinates that are not finite, and unless the tolerance is
+/// finite and > 0.
 bool path_meets_triangle(const Eigen::Matrix3d& start, const Eigen::Matrix3d& end, double tolerance);
 
 }  // namespace coupling

@@ -15,6 +15,7 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <limits>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -62,11 +63,12 @@ struct Bristle {
   double weight;            // [m2]
 };
 
-/// Workspace of one run; ContactModel::make_state makes it. Without friction everything in it is a cache:
-/// results depend on nodes and centre alone, bit for bit. What it keeps from call to call saves work and
-/// allows the centre's path to be tested. With friction, the results depend also on the history in
-/// `bristles`.
+/// Workspace of one run; ContactModel::make_state makes it, for this model and its copies alone. Without
+/// friction everything in it is a cache: results depend on nodes and centre alone, bit for bit. What it keeps
+/// from call to call saves work and allows the centre's path to be tested. With friction, the results depend
+/// also on the history in `bristles`.
 struct ContactState {
+  std::shared_ptr<const ElementGroups> owner;        // of the model that made it; a state without is refused
   Eigen::Vector3d centre = Eigen::Vector3d::Zero();  // [m] at the last call
   Eigen::Vector3d shift = Eigen::Vector3d::Zero();   // [m] motion of the centre in the last call
   Eigen::Matrix3Xd nodes;                            // (3 x N) [m] at the last call, if `kept`
@@ -129,8 +131,8 @@ class ContactModel {
   /// - the centre crosses the skin,
   /// - a coordinate is not finite (all are read, unless stays_clear was told the motion).
   ///
-  /// Throws std::invalid_argument for wrong sizes, and for a turn that is not finite; the state is then
-  /// unchanged. After an exception `forces` must not be used.
+  /// Throws std::invalid_argument for a state of another model, for wrong sizes, and for a turn that is not
+  /// finite; the state is then unchanged. After an exception `forces` must not be used.
   ContactResult evaluate(ContactState& state, const Nodes& nodes, const Eigen::Vector3d& centre,
                          NodalForces forces, const Eigen::Vector3d& turn = Eigen::Vector3d::Zero()) const;
 
@@ -145,6 +147,8 @@ class ContactModel {
   /// only if a path may need a test over such a motion. Without them `evaluate` throws std::invalid_argument
   /// for a level that was not passed through this function. It throws ContactError for a longer motion that
   /// may have crossed the skin.
+  ///
+  /// Throws std::invalid_argument for a state of another model.
   bool stays_clear(ContactState& state, double motion, double ahead = 0.0) const;
 
   /// Lower bound [m] of the relative motion before anything touches; 0 in touch.
@@ -179,10 +183,10 @@ class ContactModel {
     int subdivision;  // n
   };
   Eigen::Matrix3Xi triangles_;
-  ElementGroups groups_;
-  std::vector<Quadrature> quadrature_;  // (M)
-  std::vector<double> masses_;          // (N) [kg]
-  double effective_mass_;               // [kg]
+  std::shared_ptr<const ElementGroups> groups_;  // copies share them, and so their states
+  std::vector<Quadrature> quadrature_;           // (M)
+  std::vector<double> masses_;                   // (N) [kg]
+  double effective_mass_;                        // [kg]
   double full_omega_squared_ = 0.0;
   ContactParameters parameters_;
   Impactor impactor_;
