@@ -33,16 +33,17 @@ Curve::Curve(std::vector<Knot> knots, Outside outside) : knots_(std::move(knots)
   require(knots_.size() >= least, "number of knots of a curve", static_cast<double>(knots_.size()),
           "must be at least 1, and 2 for a curve that is zero outside its knots");
   for (std::size_t i = 0; i < knots_.size(); ++i) {
-    require(std::isfinite(knots_[i].time), "time of a knot [s]", knots_[i].time, "must be finite");
+    require(std::isfinite(knots_[i].time), "time or overpressure of a knot", knots_[i].time,
+            "must be finite");
     require(std::isfinite(knots_[i].value), "value of a knot", knots_[i].value, "must be finite");
-    require(i == 0 || knots_[i].time >= knots_[i - 1].time, "time of a knot [s]", knots_[i].time,
-            "must not be earlier than that of the knot before");
-    require(i < 2 || knots_[i].time > knots_[i - 2].time, "time of three knots [s]", knots_[i].time,
-            "must be that of two knots at most, the values before and after a jump");
+    require(i == 0 || knots_[i].time >= knots_[i - 1].time, "time or overpressure of a knot", knots_[i].time,
+            "must not be below that of the knot before");
+    require(i < 2 || knots_[i].time > knots_[i - 2].time, "time or overpressure of three knots",
+            knots_[i].time, "must be that of two knots at most, the values before and after a jump");
     if (i == 0 || knots_[i].time == knots_[i - 1].time) continue;
     const double slope = (knots_[i].value - knots_[i - 1].value) / (knots_[i].time - knots_[i - 1].time);
     require(std::isfinite(slope), "slope of a curve", slope,
-            "must be finite; a jump has two knots at one time");
+            "must be finite; a jump has two knots at one place");
   }
 }
 

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The gas and its flows at one moment.
+#include <cmath>
+
 #include "boundary.hpp"
 #include "gas/control_volume.hpp"
 #include "require.hpp"
@@ -20,6 +22,12 @@ InflatorPoint inflator_point(const ControlVolumeModel& model, const Inflow& infl
   const double cp = gas.cp(temperature);
   return {mass_flow(inflow, start, time, side), temperature, cp / gas.mass, cp / gas.cv(temperature),
           gas.gas_constant_sum / gas.mass};
+}
+
+void require_triggers(const ControlVolumeModel& model, const ControlVolumeState& state) {
+  require(state.triggers.size() == model.triggers.size(), "number of triggers of the state",
+          static_cast<double>(state.triggers.size()),
+          "must be one per node of the model's triggers, as make_state(model, ...) gives them");
 }
 
 /// The gas of `state`, (G.8), (G.18).
@@ -50,6 +58,9 @@ GasPoint evaluate(const ControlVolumeModel& model, const ControlVolumeState& sta
                   double leak_area, double time) {
   if (!model.volume_of_overpressure && !(volume > 0.0))
     throw DomainError("volume = " + to_text(volume) + " m3: must be positive");
+  if (!(leak_area >= 0.0 && std::isfinite(leak_area)))
+    throw DomainError("leak_area = " + to_text(leak_area) + " m2: must be finite and not negative");
+  require_triggers(model, state);
   const UniformGas gas = gas_of(model, state, volume);
   GasPoint point{};
   point.pressure = gas.pressure;
@@ -83,6 +94,7 @@ GasPoint evaluate(const ControlVolumeModel& model, const ControlVolumeState& sta
 InflatorPoint inflator_point(const ControlVolumeModel& model, const ControlVolumeState& state, std::size_t i,
                              double time) {
   const Inflow& inflow = model.inflows.at(i);
+  require_triggers(model, state);
   return inflator_point(model, inflow, firing_time(inflow, state.triggers), time, Side::after);
 }
 

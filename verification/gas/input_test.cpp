@@ -49,6 +49,11 @@ TEST(input, volume_of_overpressure) {
   refused({{0.0, 0.0}, {1e4, 0.1}}, gas::Outside::held, "must be positive");
   refused({{-2e5, 0.1}, {1e4, 0.1}}, gas::Outside::held, "first overpressure");
   refused({{0.0, 0.1}}, gas::Outside::held, "at least 2");
+  expect_refused(
+      [] {
+        gas::Curve({{1e4, 0.1}, {0.0, 0.1}}, gas::Outside::held);
+      },
+      "time or overpressure of a knot");
   refused({{0.0, 0.1}, {1e4, 0.1}}, gas::Outside::zero, "held outside");
 }
 
@@ -141,6 +146,20 @@ TEST(domain, volume_and_leak_area_must_make_sense) {
                                       {0.06, 0.06, 0.0, 0.0, kNan}})
     EXPECT_THROW(integrator.advance(state, 0.0, 1e-3, path), gas::DomainError);
   EXPECT_THROW(gas::evaluate(model, state, 0.0, 0.0, 0.0), gas::DomainError);
+  for (const double bad : {-1e-4, kNan, kInfinity})
+    EXPECT_THROW(gas::evaluate(model, state, 0.06, bad, 0.0), gas::DomainError);
+}
+
+TEST(input, state_without_the_triggers_of_its_model_is_refused) {
+  gas::ControlVolumeModel model = valid_model();
+  model.triggers.sensors.push_back({gas::SensorKind::time, 0.01});
+  model.inflows[0].trigger = 0;
+  const std::vector<double> fractions{1.0, 0.0};
+  const auto bare = gas::make_state(model.thermo, fractions, 1e5, 300.0, 0.06);
+  expect_refused([&] { gas::evaluate(model, bare, 0.06, 0.0, 0.0); }, "number of triggers of the state = 0");
+  expect_refused([&] { gas::inflator_point(model, bare, 0, 0.0); }, "number of triggers of the state = 0");
+  const auto whole = gas::make_state(model, fractions, 1e5, 300.0, 0.06);
+  EXPECT_EQ(gas::evaluate(model, whole, 0.06, 0.0, 0.0).inflow, 0.0);
 }
 
 /// Expansion cools N2 below 200 K, compression heats it above 6000 K: an error, and the state as it was.

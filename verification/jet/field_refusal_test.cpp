@@ -40,6 +40,22 @@ TEST(field, refused_evaluation_leaves_no_overpressure) {
   }
 }
 
+TEST(field, outlet_that_is_negative_or_no_number_is_refused) {
+  const plates::Target plate = models::normal_plate(0.2, 0.001, 4);
+  const jet::JetField field(models::round(0.05, 0.08), plate.count());
+  for (const auto member : {&jet::OutletState::density, &jet::OutletState::velocity})
+    for (const double bad :
+         {-1.0, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
+      jet::FieldState state = field.make_state();
+      field.evaluate(plate.area_vectors, plate.centroids, models::kOutlet, state);
+      jet::OutletState outlet = models::kOutlet;
+      outlet.*member = bad;
+      EXPECT_THROW(field.evaluate(plate.area_vectors, plate.centroids, outlet, state), jet::DomainError);
+      EXPECT_TRUE(state.candidates.empty());
+      EXPECT_EQ(std::count(state.overpressure.begin(), state.overpressure.end(), 0.0), plate.count());
+    }
+}
+
 TEST(field, force_needs_one_area_vector_an_element) {
   const plates::Target plate = models::normal_plate(0.2, 0.001, 4);
   const jet::JetField field(models::round(0.05, 0.08), plate.count());

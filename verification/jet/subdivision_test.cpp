@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <functional>
+#include <stdexcept>
 
 #include "claim.hpp"
 #include "closed_form/occlusion.hpp"
@@ -61,6 +62,17 @@ TEST(subdivision, pieces_of_a_closed_bag_close_and_share_their_elements_area) {
     // Two products of coordinates of 0.3 m, known to a few roundings.
     EXPECT_LT((pieces.area_vectors - cut.area_vectors).cwiseAbs().maxCoeff(), 32 * kEps * 0.3 * 0.3);
   }
+}
+
+TEST(subdivision, means_of_corners_that_do_not_exist_are_refused) {
+  const Eigen::Matrix3Xd values = Eigen::Matrix3Xd::Ones(3, 4);
+  Eigen::Matrix3Xd means(3, 1);
+  for (const int wrong : {-1, 4}) {
+    const Eigen::Matrix3Xi triangle = Eigen::Vector3i(0, 1, wrong);
+    EXPECT_THROW(jet::corner_means(values, triangle, means), std::invalid_argument);
+  }
+  jet::corner_means(values, Eigen::Matrix3Xi(Eigen::Vector3i(0, 1, 3)), means);
+  EXPECT_EQ(means.sum(), 3.0);
 }
 
 TEST(subdivision, average_eq_field_of_the_refined_mesh) {

@@ -62,11 +62,11 @@ struct HeatLoss {
 
 /// Constant data of a control volume. validate() checks it; so does the constructor of GasIntegrator.
 struct ControlVolumeModel {
-  Thermo thermo;                // species of the gas; all mass fractions are in their order
-  Ambient ambient;              // constant over a run
-  std::vector<Inflow> inflows;  // any number
-  std::vector<Vent> vents;      // any number
-  HeatLoss heat_loss{};         // adiabatic by default
+  Thermo thermo;                  // species of the gas; all mass fractions are in their order
+  Ambient ambient;                // constant over a run
+  std::vector<Inflow> inflows{};  // any number
+  std::vector<Vent> vents{};      // any number
+  HeatLoss heat_loss{};           // adiabatic by default
   /// Fabrics, whose shares sum to 1. They leak if the leak area passed to a call is above 0. None given: one
   /// fabric that leaks by (G.7).
   std::vector<Fabric> fabrics{};
@@ -139,13 +139,15 @@ ControlVolumeState make_state(const ControlVolumeModel& model, std::span<const d
 double firing_time(const Inflow& inflow, const TriggerState& triggers);
 
 /// Stage S2: the gas of `state` in `volume` [m3] at time `time` [s]. `leak_area` [m2] is that of all fabrics
-/// (see fabric_mass_flow). The flows are those that the integrator uses, (G.22) included. Does not allocate.
-/// Throws DomainError if the volume is not positive, if the temperature leaves its range, or if p exceeds the
-/// last knot of volume_of_overpressure.
+/// (see fabric_mass_flow), >= 0. The flows are those that the integrator uses, (G.22) included. Does not
+/// allocate. Throws std::invalid_argument for a state without the triggers of the model. Throws DomainError
+/// - if the volume is not positive, or the leak area is negative or not finite,
+/// - if the temperature leaves its range, or p exceeds the last knot of volume_of_overpressure.
 GasPoint evaluate(const ControlVolumeModel& model, const ControlVolumeState& state, double volume,
                   double leak_area, double time);
 
-/// Stage S3: the gas of inflow `i` at time `time` [s]. Throws std::out_of_range if there is no inflow `i`.
+/// Stage S3: the gas of inflow `i` at time `time` [s]. Throws std::out_of_range if there is no inflow `i`,
+/// and std::invalid_argument for a state without the triggers of the model.
 InflatorPoint inflator_point(const ControlVolumeModel& model, const ControlVolumeState& state, std::size_t i,
                              double time);
 /// The same without a state: the trigger, if any, is taken to come on at time 0. Where a curve jumps, `side`

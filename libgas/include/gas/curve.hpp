@@ -19,7 +19,8 @@ enum class Side {
 };
 
 /// Piecewise linear function of time through knots (t, value). Two knots at one time make a jump: the first
-/// one is the value before it, the second the value from that time on.
+/// one is the value before it, the second the value from that time on. Vents, fabrics and the volume have
+/// curves of the overpressure [Pa], which then stands for the time.
 class Curve {
  public:
   /// A point of the curve.

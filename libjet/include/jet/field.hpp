@@ -56,8 +56,8 @@ class JetField {
   /// that cannot have crossed a bound of the jet are then skipped; the results are the same. Without it, and
   /// whenever it decreases, all elements are examined.
   ///
-  /// Throws std::invalid_argument for a wrong shape or missing velocities, and DomainError if the
-  /// overpressure of a candidate is not finite.
+  /// Throws std::invalid_argument for a wrong shape or missing velocities, and DomainError if the outlet's
+  /// velocity or density is negative or not finite, or the overpressure of a candidate is not finite.
   void evaluate(const Points& area_vectors, const Points& centroids, const OutletState& outlet,
                 FieldState& state, const Points* velocities = nullptr,
                 double displacement_bound = kMotionUnknown) const;

@@ -39,8 +39,8 @@ struct OutletInput {
 
 /// Uniform gas state in the outlet.
 struct OutletState {
-  double velocity = 0.0;     // [m/s] V0
-  double density = 0.0;      // [kg/m3] rho0; 0 without flow if `sonic`
+  double velocity = 0.0;     // [m/s] V0 >= 0
+  double density = 0.0;      // [kg/m3] rho0 >= 0; 0 without flow if `sonic`
   double pressure = 0.0;     // [Pa] static, rho0 R T
   double temperature = 0.0;  // [K] static
 };

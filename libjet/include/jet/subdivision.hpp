@@ -53,8 +53,8 @@ class Subdivision {
   Eigen::Matrix3Xi triangles_;
 };
 
-/// Means of nodal values over the corners of each triangle, ((a + b) + c) / 3. `result` is 3 x M, else throws
-/// std::invalid_argument.
+/// Means of nodal values over the corners of each triangle, ((a + b) + c) / 3. `result` is 3 x M. Throws
+/// std::invalid_argument for another shape, and for a corner that has no value.
 void corner_means(const Points& values, const Triangles& triangles, Eigen::Matrix3Xd& result);
 
 }  // namespace jet

@@ -7,10 +7,12 @@
 #include <cmath>
 #include <sstream>
 #include <stdexcept>
+#include <utility>
 
 #include "bits.hpp"
 #include "field/outline.hpp"
 #include "jet/centreline.hpp"
+#include "refuse.hpp"
 
 namespace jet {
 namespace {
@@ -52,6 +54,12 @@ void move(double displacement_bound, FieldState& state) {
   if (!(displacement_bound >= state.displacement_bound))
     std::fill(state.slack.begin(), state.slack.end(), -HUGE_VAL);
   state.displacement_bound = displacement_bound;
+}
+
+void check_outlet(const OutletState& outlet) {
+  for (const auto& [name, value] :
+       {std::pair{"jet outlet velocity", outlet.velocity}, std::pair{"jet outlet density", outlet.density}})
+    if (!(value >= 0.0 && std::isfinite(value))) refuse_value<DomainError>(name, value, "finite and >= 0");
 }
 
 bool no_flow(const OutletState& outlet) {
@@ -142,6 +150,7 @@ void JetField::evaluate(const Points& area_vectors, const Points& centroids, con
   require_own(state);
   for (const int element : state.candidates) state.overpressure[static_cast<std::size_t>(element)] = 0.0;
   state.candidates.clear();
+  check_outlet(outlet);
   if (no_flow(outlet)) return;
   FieldArrays arrays{};
   arrays.area_vectors = rows(area_vectors);

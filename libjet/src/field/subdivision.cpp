@@ -20,14 +20,19 @@ void require(const char* name, Eigen::Index value, Eigen::Index wanted) {
   if (value != wanted) refuse_mesh(std::string(name) + " columns", value, std::to_string(wanted));
 }
 
+void require_nodes(const Triangles& triangles, Eigen::Index node_count) {
+  if (triangles.cols() == 0) return;
+  const int low = triangles.minCoeff(), high = triangles.maxCoeff();
+  if (low < 0 || high >= node_count)
+    refuse_mesh("node index", low < 0 ? low : high, "0 to " + std::to_string(node_count - 1));
+}
+
 void check(const Triangles& triangles, int node_count, int n) {
   if (n < 1 || n > 64) refuse_mesh("n", n, "1 to 64");
   if (triangles.cols() < 1) refuse_mesh("element count", triangles.cols(), "1 or more");
   if (triangles.cols() > std::numeric_limits<int>::max() / (n * n))
     refuse_mesh("piece count", static_cast<long long>(triangles.cols()) * n * n, "2^31 - 1 or less");
-  if (triangles.minCoeff() < 0 || triangles.maxCoeff() >= node_count)
-    refuse_mesh("node index", triangles.minCoeff() < 0 ? triangles.minCoeff() : triangles.maxCoeff(),
-                "0 to " + std::to_string(node_count - 1));
+  require_nodes(triangles, node_count);
 }
 
 /// Cuts one element after the other; nodes on an edge are made by the first element that has it.
@@ -146,6 +151,7 @@ void Subdivision::average(const FieldState& pieces, FieldState& elements) const 
 
 void corner_means(const Points& values, const Triangles& triangles, Eigen::Matrix3Xd& result) {
   require("means", result.cols(), triangles.cols());
+  require_nodes(triangles, values.cols());
   for (Eigen::Index e = 0; e < triangles.cols(); ++e)
     result.col(e) =
         ((values.col(triangles(0, e)) + values.col(triangles(1, e))) + values.col(triangles(2, e))) / 3.0;
