@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # Proves that one library stands alone: configures, builds and installs a copy of it that has no other library
-# beside it, then compiles and runs the first ```cpp block of its README against the installed package.
+# beside it, then compiles the first ```cpp block of its README against the installed package, without a warning, and
+# runs it. It prints each line of the ```text block that follows.
 # usage: scripts/tests/test_library_alone.sh [--of BUILD] NAME [SCRATCH_FOLDER]   (NAME: gas, membrane, jet, coupling, closed_form)
 #   --of BUILD  installs the library of that build of the whole tree instead: does its package need another?
 # A given scratch folder is kept, so that a second call builds incrementally.
@@ -52,6 +53,8 @@ build_and_install() {
 extract_example() {
   awk '/^```/ { if (inside) exit; if ($0 == "```cpp") { inside = 1; next } } inside' \
     "$root/$library/README.md" >"$scratch/consumer/example.cpp"
+  awk '/^```text$/ && seen { inside = 1; next } /^```/ { if (inside) exit; if ($0 == "```cpp") seen = 1 } inside' \
+    "$root/$library/README.md" >"$scratch/consumer/printed"
   local lines
   lines=$(wc -l <"$scratch/consumer/example.cpp")
   if ((lines == 0 || lines > max_example_lines)); then
@@ -68,11 +71,15 @@ find_package(gasjet_$name REQUIRED)
 add_executable(example example.cpp)
 target_link_libraries(example PRIVATE gasjet::$name)
 END
-  cmake -S "$scratch/consumer" -B "$scratch/consumer/build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_FLAGS_RELEASE=-O0 \
+  cmake -S "$scratch/consumer" -B "$scratch/consumer/build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_FLAGS_RELEASE="-O3 -Wall -Wextra -Werror" \
     -DCMAKE_PREFIX_PATH="$scratch/prefix"
   cmake --build "$scratch/consumer/build"
   echo "--- output of the example of $library/README.md"
-  (cd "$scratch/consumer" && build/example)
+  (cd "$scratch/consumer" && build/example | tee output)
+  [[ -s $scratch/consumer/printed ]] || { echo "$library/README.md does not say what its example prints" >&2; exit 1; }
+  grep -vxFf "$scratch/consumer/output" "$scratch/consumer/printed" >&2 || return 0
+  echo "$library/README.md: its example does not print these lines" >&2
+  exit 1
 }
 
 copy_sources
