@@ -103,13 +103,14 @@ void require_outside(const Triangles& triangles, const Nodes& nodes, const Vecto
   const Gap gap = smallest_gap(triangles, nodes, centre, radius);
   if (gap.distance < -1e-9 * radius)
     detail::reject("pendulum.impactor",
-                   detail::text(gap.distance) + " m from element " + std::to_string(gap.element),
-                   "at a gap >= 0 from the skin at the start");
+                   "a sphere that reaches " + detail::text(-gap.distance) + " m into the skin at element " +
+                       std::to_string(gap.element),
+                   "clear of the skin at the start");
   const double winding = winding_number(triangles, nodes, centre);
   if (std::abs(winding) > 0.5)
     detail::reject("pendulum.impactor",
-                   "centre " + detail::text(centre) + " m, winding number " + detail::text(winding),
-                   "outside the skin at the start");
+                   "a sphere whose centre, " + detail::text(centre) + " m, lies inside the bag",
+                   "outside the bag at the start");
 }
 
 bool path_meets_triangle(const Eigen::Matrix3d& start, const Eigen::Matrix3d& end, double tolerance) {

@@ -129,6 +129,23 @@ TEST(energy_drift, more_than_a_hundredth_is_inaccurate_and_names_the_term) {
   EXPECT_EQ(run.history.back().at("time_s"), 0.02);  // complete
 }
 
+// A drift that rounds to the limit is printed with the digits that tell them apart.
+TEST(energy_drift, is_printed_above_the_limit_that_it_passes) {
+  const auto scene = coupled::scene_of("strapped_sphere", {"scene.end_time=1e-5"});
+  for (const auto& [drift, text] : {std::pair{1.0167e-3, "drifts by 0.00102 of itself"},
+                                    {1.00004e-3, "drifts by 0.00100004 of itself"},
+                                    {2.34e-3, "drifts by 0.0023 of itself"}}) {
+    driver::State state = driver::make_state(scene);
+    state.peaks.energy_scale = 1e12;  // [J] beyond what the run itself comes to
+    state.peaks.energy_residual = drift * state.peaks.energy_scale;
+    const auto outcome = driver::run_scene(scene, state, [](bool, const driver::State&) {});
+    EXPECT_NE(outcome.warning.find(text), std::string::npos) << outcome.warning;
+    EXPECT_NE(outcome.warning.find("0.001 or less is expected"), std::string::npos) << outcome.warning;
+    EXPECT_NE(outcome.warning.find("% of the step's limit come from the "), std::string::npos)
+        << outcome.warning;
+  }
+}
+
 TEST(energy_drift, more_than_a_thousandth_is_a_warning) {
   const auto run = run_case("strapped_sphere", fixed_strap("1e-5"));
   EXPECT_EQ(run.outcome.status, driver::RunStatus::done);

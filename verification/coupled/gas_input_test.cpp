@@ -92,6 +92,12 @@ const Fault kGasFaults[] = {
      "mass_flow = { time = [0.0, 0.02, 0.04], value = [0.0, 1.0, 0.0] }   # kg/s, 0.02 kg\n"
      "temperature = 406.0           # K\n",
      "", "gas", "is missing", ""},
+    {"species_in_other_letters", "driver_bag", "composition = { N2 = 1.0 }", "composition = { Co2 = 1.0 }",
+     "inflator.0.composition", "CH4 air; is 'CO2' meant?", "composition = { Co2"},
+    {"air_in_capitals", "driver_bag", "composition = { air = 1.0 } }", "composition = { AIR = 1.0 } }",
+     "gas.initial.composition", "CH4 air; is 'air' meant?", "composition = { AIR"},
+    {"species_of_ones_own_misspelt", "tank_fixed_steps", "composition = { model_N2",
+     "composition = { modl_N2", "composition", "; is 'model_N2' meant?", "composition = { modl"},
     {"species_without_name", "tank_fixed_steps", "name = \"model_N2\"", "name = \"\"", "gas.species.0.name",
      "is empty"},
     {"species_of_a_built_in_name", "tank_fixed_steps", "name = \"model_N2\"", "name = \"air\"",

@@ -56,6 +56,23 @@ gas::Species read_own(TableReader& table, const std::string& name) {
   return gas;
 }
 
+std::string lower(std::string text) {
+  for (char& c : text)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return text;
+}
+
+// The known name that is meant, if any: formulas of few letters are alike by chance, so their letters must
+// agree.
+std::string meant_by(const std::string& name, const std::vector<std::string>& known) {
+  constexpr std::size_t formula = 4;  // letters at most
+  const std::string small = lower(name);
+  auto like = std::ranges::find_if(known, [&](const auto& other) { return lower(other) == small; });
+  if (like == known.end() && name.size() > formula)
+    like = std::ranges::find_if(known, [&](const auto& other) { return is_like(small, lower(other)); });
+  return like == known.end() ? "" : fmt::format("; is '{}' meant?", *like);
+}
+
 }  // namespace
 
 void SpeciesCatalogue::read(TableReader& gas) {
@@ -84,9 +101,10 @@ gas::Species SpeciesCatalogue::named(const std::string& name) const {
   if (const auto own = std::ranges::find(own_, name, &gas::Species::name); own != own_.end()) return *own;
   auto known = gas::species_names();
   if (std::ranges::find(known, name) == known.end()) {
+    known.emplace_back("air");
     for (const auto& own : own_) known.push_back(own.name);
-    throw std::invalid_argument(
-        fmt::format("species = \"{}\": must be one of {}", name, fmt::join(known, " ")));
+    throw std::invalid_argument(fmt::format("species = \"{}\": must be one of {}{}", name,
+                                            fmt::join(known, " "), meant_by(name, known)));
   }
   return law_ == Thermodynamics::nasa7 ? gas::nasa7_species(name)
                                        : gas::constant_cp_species(name, reference_);

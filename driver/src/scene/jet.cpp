@@ -15,6 +15,13 @@ namespace driver {
 namespace {
 
 const Bounds above_zero_or_type{positive.low, positive.high, true, "a number above 0 (or outlet_type)"};
+// Of a case that names neither.
+const Bounds round_or_type{positive.low, positive.high, true,
+                           "a number above 0 (0.06 to 0.12 are usual), or outlet_type = "
+                           "\"contracting_nozzle\", \"cylindrical_tube\" or \"guide_vane_fan\","},
+    plane_or_type{positive.low, positive.high, true,
+                  "a number above 0 (0.09 to 0.16 are usual), or outlet_type = \"plane_nozzle\", "
+                  "\"sharp_slot\" or \"rounded_slot\","};
 const Bounds below_one{0.0, std::nextafter(1.0, 0.0), false, "a number from 0 to below 1"};
 const Bounds below_right_angle{0.0, std::nextafter(0.5 * std::numbers::pi, 0.0), false, "0 to below pi/2",
                                "rad"};
@@ -23,7 +30,11 @@ const Bounds below_right_angle{0.0, std::nextafter(0.5 * std::numbers::pi, 0.0),
 double read_decay_coefficient(TableReader& table, jet::OutletShape shape) {
   using Type = jet::OutletType;
   const bool has_number = table.has("decay_coefficient");
-  if (!table.has("outlet_type")) return table.at("decay_coefficient").number(above_zero_or_type);
+  if (!table.has("outlet_type"))
+    return table.at("decay_coefficient")
+        .number(has_number                         ? above_zero_or_type
+                : shape == jet::OutletShape::round ? round_or_type
+                                                   : plane_or_type);
   if (has_number) table.fail("outlet_type", "stands beside decay_coefficient, one of the two is allowed");
   return jet::decay_coefficient(shape == jet::OutletShape::round
                                     ? table.at("outlet_type")

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string>
 #include <utility>
 
 #include "membrane/time_step.hpp"
@@ -38,8 +39,16 @@ std::string governing_share(const State& state) {
                                    {"contact", s.contact},
                                    {"straps", s.strap},
                                    {"plate", s.plate}});
-  return fmt::format("; {:.0f} % of omega^2 on average: {}", 100.0 * governing.second / s.total(),
-                     governing.first);
+  return fmt::format("; on average {:.0f} % of the step's limit come from the {}",
+                     100.0 * governing.second / s.total(), governing.first);
+}
+
+// With as many digits as show that it is above the limit.
+std::string above_limit(double drift) {
+  for (int digits = 2; digits < 17; ++digits)
+    if (const std::string text = fmt::format("{:.{}g}", drift, digits); std::stod(text) > kDriftWarned)
+      return text;
+  return fmt::format("{}", drift);
 }
 
 }  // namespace
@@ -72,9 +81,9 @@ std::string drift_text(const Scene& scene, const State& state) {
   const double drift = energy_drift(state);
   const LargestTerm& term = state.peaks.largest_term;
   std::string text = fmt::format(
-      "the energy drifts by {:.2g} of itself (residual.energy_rel), {:.0e} or less is "
+      "the energy drifts by {} of itself (residual.energy_rel), {:g} or less is "
       "expected; largest term that the step integrates: {}, {:.3g} J",
-      drift, kDriftWarned, term.name, term.magnitude);
+      above_limit(drift), kDriftWarned, term.name, term.magnitude);
   if (state.step.share_sums.total() > 0.0) text += governing_share(state);
   if (!scene.moves()) return text;
   // Second order; a tenth to spare.
