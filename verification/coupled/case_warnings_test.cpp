@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "case_folder.hpp"
 #include "driver/scene.hpp"
 #include "run_case.hpp"
 
@@ -31,18 +33,27 @@ TEST(warnings, name_numbers_in_another_unit) {
   struct Given {
     const char *scene, *key, *value;
   };
-  for (const auto& [scene, key, value] :
-       {Given{"sphere_inflation", "ambient.temperature", "20"},
-        Given{"sphere_inflation", "ambient.pressure", "1.013"},
-        Given{"sphere_inflation", "gas.initial.pressure", "101.3"},
-        Given{"sphere_inflation", "inflator.0.temperature", "127"},
-        Given{"sphere_inflation", "inflator.0.mass_flow", "500"},
-        Given{"sphere_inflation", "fabric.young_modulus", "60"},
-        Given{"sphere_inflation", "fabric.thickness", "0.5"},
-        Given{"sphere_inflation", "fabric.density", "6.2e-10"}, Given{"rigid_tank", "tank.volume", "60"},
-        Given{"tank_blowdown", "gas.initial.pressure", "5"},
-        Given{"passenger_pendulum", "vent.0.area", "1000"},
-        Given{"passenger_pendulum", "pendulum.initial_angle", "30"}}) {
+  for (const auto& [scene, key, value] : {Given{"sphere_inflation", "ambient.temperature", "20"},
+                                          Given{"sphere_inflation", "ambient.pressure", "1.013"},
+                                          Given{"sphere_inflation", "gas.initial.pressure", "101.3"},
+                                          Given{"sphere_inflation", "inflator.0.temperature", "127"},
+                                          Given{"sphere_inflation", "inflator.0.mass_flow", "500"},
+                                          Given{"sphere_inflation", "fabric.young_modulus", "60"},
+                                          Given{"sphere_inflation", "fabric.thickness", "0.5"},
+                                          Given{"sphere_inflation", "fabric.density", "6.2e-10"},
+                                          Given{"rigid_tank", "tank.volume", "60"},
+                                          Given{"tank_blowdown", "gas.initial.pressure", "5"},
+                                          Given{"passenger_pendulum", "vent.0.area", "1000"},
+                                          Given{"driver_bag", "scene.end_time", "60"},
+                                          Given{"rigid_tank", "scene.end_time", "100"},
+                                          Given{"driver_bag", "scene.gravity", "[0,-9810,0]"},
+                                          Given{"pendulum_swing", "scene.gravity", "[0,0,-9810]"},
+                                          Given{"passenger_pendulum", "pendulum.mass", "10900"},
+                                          Given{"passenger_pendulum", "pendulum.cg_distance", "1000"},
+                                          Given{"passenger_pendulum", "pendulum.inertia_cg", "1e6"},
+                                          Given{"pendulum_swing", "pendulum.impactor_distance", "1310"},
+                                          Given{"pendulum_swing", "pendulum.impactor_radius", "4.1e-5"},
+                                          Given{"passenger_pendulum", "pendulum.initial_angle", "30"}}) {
     EXPECT_EQ(coupled::scene_of(scene, {}).warnings, std::vector<std::string>{}) << scene;
     const auto warnings = coupled::scene_of(scene, {std::string(key) + '=' + value}).warnings;
     ASSERT_EQ(warnings.size(), 1u) << key;
@@ -73,6 +84,37 @@ TEST(warnings, name_a_mass_flow_in_milliseconds) {
   EXPECT_TRUE(warned("[0,20,60]"));
   EXPECT_FALSE(warned("[0,0.02,0.06]"));
   EXPECT_FALSE(warned("[0,0.02,60]"));  // its end alone is far away
+}
+
+// A curtain that stays full while a car rolls over, a free pendulum and the gravity of a crash.
+TEST(warnings, leave_scenes_that_last_or_fall_hard) {
+  for (const auto& [scene, setting] : {std::pair{"driver_bag", "scene.end_time=6"},
+                                       {"pendulum_swing", "scene.end_time=60"},
+                                       {"driver_bag", "scene.gravity=[400,0,0]"}})
+    EXPECT_EQ(coupled::scene_of(scene, {setting}).warnings, std::vector<std::string>{}) << setting;
+}
+
+// The hint of a mesh that comes from a generator, and from a file.
+TEST(warnings, are_told_with_what_is_refused_for_the_same_reason) {
+  const auto refusal = [](const char* scene, std::vector<std::string> overrides) {
+    return coupled::message_of(coupled::case_file(scene), overrides);
+  };
+  const std::string generated = refusal("ball_impact", {"membrane.mesh.radius=200"});
+  EXPECT_NE(generated.find("lies inside the bag: must be outside the bag at the start\nwarning: "),
+            std::string::npos)
+      << generated;
+  EXPECT_NE(generated.find("longest extent is 400 m"), std::string::npos) << generated;
+  EXPECT_NE(generated.find("a generator are in metres"), std::string::npos) << generated;
+  EXPECT_EQ(generated.find("length_unit"), std::string::npos) << generated;
+  const std::string coarse =
+      refusal("contact_vent", {"membrane.mesh.radius=300", "pendulum.pivot=[400,0,0]"});
+  EXPECT_NE(coarse.find("at most 128 radii"), std::string::npos) << coarse;
+  EXPECT_NE(coarse.find("\nwarning: membrane.mesh: the bag's longest extent is 600 m"), std::string::npos)
+      << coarse;
+  const std::string file = refusal("bag_from_files", {"membrane.mesh.length_unit=1",
+                                                      "membrane.roller=[{directions=[\"x\"],low=[0,0,"
+                                                      "0],high=[1e-3,1e-3,1e-3]}]"});
+  EXPECT_NE(file.find("length_unit says"), std::string::npos) << file;
 }
 
 TEST(warnings, of_slivers_need_areas_that_a_number_holds) {

@@ -154,12 +154,13 @@ void warn_of_leaks(const membrane::BagDescription& bag, LeakLaw law, Scene& scen
     scene.warnings.emplace_back("fabric.porosity has no effect with leak_law = \"none\"");
 }
 
-void warn_of_size(const membrane::Mesh& mesh, Scene& scene) {
+void warn_of_size(const membrane::Mesh& mesh, bool from_file, Scene& scene) {
   if (const auto extent = unlikely_extent(mesh))
     scene.warnings.push_back(
-        fmt::format("membrane.mesh: the bag's longest extent is {:.3g} m; of a mesh from a file length_unit "
-                    "says what its coordinates mean",
-                    *extent));
+        fmt::format("membrane.mesh: the bag's longest extent is {:.3g} m, {:g} to {:g} m are usual: {}",
+                    *extent, smallest_bag, largest_bag,
+                    from_file ? "length_unit says what the file's coordinates mean, 1e-3 millimetres"
+                              : "the lengths of a generator are in metres"));
 }
 
 // A sliver sets the step of the whole bag.
@@ -211,6 +212,7 @@ void read_bag(TableReader& root, Scene& scene) {
   const auto overpressure = read_overpressure(*table, scene);
   const auto null_panels = table->at("null_panels").texts();
   BagMesh source = read_mesh(table->table("mesh"), null_panels, overpressure ? Closed::free : Closed::needed);
+  warn_of_size(source.mesh, table->has_in_table("mesh", "file"), scene);
   membrane::BagDescription bag;
   bag.reference = source.mesh.nodes;
   bag.elements = source.mesh.elements;
@@ -223,7 +225,6 @@ void read_bag(TableReader& root, Scene& scene) {
   bag.stiffness_damping = table->at("stiffness_damping").number(non_negative.in("s"), 0.0);
 
   warn_of_leaks(bag, law, scene);
-  warn_of_size(source.mesh, scene);
   table->located("mesh", [&] { warn_of_slivers(source.mesh, scene); });
   Eigen::Matrix3Xd position = initial_shape(*table, source);
   const double amplitude = table->at("perturbation").number(Bounds{0.0, 1e-3, false, "0 to 1e-3", "m"}, 0.0);

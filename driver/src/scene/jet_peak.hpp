@@ -20,7 +20,11 @@ JetPeak jet_peak(const Scene& scene, const JetPart& part);
 /// midpoint rule.
 double below_sonic_share(const Scene& scene, const JetPart& part);
 
-/// Outlets that cannot blow into the bag, rays that start outside it.
+/// Momentum flux through the section at `distance` [m] of a jet with spread = "cone" over that of the outlet
+/// [-]: by (J.5) as (width / R)^2 of a round jet, width / b of a rectangular one.
+double cone_gain(const jet::JetModel& cone, double distance);
+
+/// Outlets that cannot blow into the bag, cones that make momentum, rays that start outside the bag.
 std::vector<std::string> jet_warnings(const Scene& scene);
 
 }  // namespace driver

@@ -37,8 +37,10 @@ void read_vents(TableReader& root, TriggerNames& names, gas::ControlVolumeModel&
 void read_tank(TableReader& root, Scene& scene);
 /// Of gas that the vents, a shrinking tank or an inflator would take out of its range of temperatures.
 void warn_of_range(Scene& scene);
-/// Of numbers that are likely to be in another unit.
+/// Of numbers that are likely to be in another unit; the scene may be read in part.
 void warn_of_units(Scene& scene);
+/// Of parts that are likely to miss what they are there for.
+void warn_of_slips(Scene& scene);
 /// Of the leak law "screen" in the table `fabric`.
 void warn_of_screen(const std::string& fabric, LeakLaw law, Scene& scene);
 /// [gas.heat_loss]

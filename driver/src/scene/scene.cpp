@@ -175,9 +175,7 @@ void check_composition(const TableReader& root, const Scene& scene) {
 
 namespace {
 
-Scene scene_of(CaseDocument& document) {
-  Scene scene;
-  scene.case_file = document.file();
+void read_parts(CaseDocument& document, Scene& scene) {
   TableReader root = document.root();
   root.allow_only({"ambient", "contact", "fabric", "gas", "inflator", "membrane", "output", "pendulum",
                    "scene", "sensor", "tank", "target", "time", "trigger", "vent"});
@@ -197,7 +195,26 @@ Scene scene_of(CaseDocument& document) {
   read_output(root, scene);
   root.finish();
   check_composition(root, scene);
+}
+
+// What is refused may follow from a number in another unit: so the warnings are told with it.
+[[noreturn]] void refuse(const CaseError& error, const Scene& scene) {
+  std::string text = error.what();
+  for (const std::string& warning : scene.warnings) text += "\nwarning: " + warning;
+  throw CaseError(text);
+}
+
+Scene scene_of(CaseDocument& document) {
+  Scene scene;
+  scene.case_file = document.file();
+  try {
+    read_parts(document, scene);
+  } catch (const CaseError& error) {
+    warn_of_units(scene);
+    refuse(error, scene);
+  }
   warn_of_units(scene);
+  warn_of_slips(scene);
   return scene;
 }
 

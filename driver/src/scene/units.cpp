@@ -53,6 +53,25 @@ void check_gas(Scene& scene, UnitWarnings& units) {
     units.expect(fmt::format("vent.{}.area", i), gas.model.vents[i].area, "m2", 0.0, 1.0);
 }
 
+void check_general(const Scene& scene, UnitWarnings& units) {
+  constexpr double longest = 10.0;    // [s] a curtain of a car that rolls over stays full for 6 s
+  constexpr double steepest = 500.0;  // [m/s2] that of a crash, which acts on what rides along
+  if (scene.bag || (scene.gas && !scene.gas->model.inflows.empty()))
+    units.expect("scene.end_time", scene.time.end, "s", 0.0, longest);
+  units.expect("scene.gravity", scene.gravity.norm(), "m/s2", 0.0, steepest);
+}
+
+void check_pendulum(const PendulumPart& pendulum, UnitWarnings& units) {
+  constexpr double turn = 2.0 * std::numbers::pi;
+  const coupling::PendulumParameters& p = pendulum.model.parameters();
+  units.expect("pendulum.mass", p.mass, "kg", 0.05, 5e3);
+  units.expect("pendulum.inertia_cg", p.inertia_cg, "kg m2", 0.0, 1e4);
+  units.expect("pendulum.cg_distance", p.cg_distance, "m", 0.0, 20.0);
+  units.expect("pendulum.impactor_distance", p.impactor_distance, "m", 0.01, 20.0);
+  units.expect("pendulum.impactor_radius", p.impactor_radius, "m", 1e-3, 2.0);
+  units.expect("pendulum.initial_angle", pendulum.initial.angle, "rad", -turn, turn);
+}
+
 void check_bag(Scene& scene, UnitWarnings& units) {
   for (const membrane::ElementProperties& fabric : scene.bag->model.description.properties) {
     if (fabric.null_panel) continue;
@@ -69,11 +88,10 @@ void check_bag(Scene& scene, UnitWarnings& units) {
 
 void warn_of_units(Scene& scene) {
   UnitWarnings units(scene);
+  check_general(scene, units);
   check_gas(scene, units);
   if (scene.bag) check_bag(scene, units);
-  if (scene.pendulum)
-    units.expect("pendulum.initial_angle", scene.pendulum->initial.angle, "rad", -2.0 * std::numbers::pi,
-                 2.0 * std::numbers::pi);
+  if (scene.pendulum) check_pendulum(*scene.pendulum, units);
 }
 
 }  // namespace driver

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <new>
@@ -142,6 +143,32 @@ void note_left_outlets(const Scene& scene, const State& state, RunOutcome& outco
   }
 }
 
+// A run that was cut short may have ended before the bag was full.
+bool sees_all_inflow(const Scene& scene) {
+  return !scene.gas || std::ranges::all_of(scene.gas->model.inflows, [&](const gas::Inflow& inflow) {
+    const auto& flow = inflow.mass_flow;
+    return flow.is_constant() || inflow.start_time + flow.knots().back().time <= scene.time.end;
+  });
+}
+
+// What stands or flies past what it is there for.
+void note_untouched(const Scene& scene, const State& state, RunOutcome& outcome) {
+  if (scene.target && !(state.peaks.jet_force > 0.0))
+    outcome.notes.emplace_back("target: no jet ever met it");
+  if (!scene.contact || state.peaks.first_contact >= 0.0 || !sees_all_inflow(scene)) return;
+  const auto& model = scene.pendulum->model;
+  const auto gap = [&](const Eigen::Matrix3Xd& nodes, double angle) {
+    return coupling::smallest_gap(scene.bag->mesh.elements, nodes, model.impactor_centre(angle),
+                                  model.parameters().impactor_radius)
+        .distance;
+  };
+  outcome.notes.push_back(
+      fmt::format("pendulum: the impactor never touched the bag: it was {:.3g} m off at the start and "
+                  "{:.3g} m off at the end",
+                  gap(scene.bag->initial_position, scene.pendulum->initial.angle),
+                  gap(state.bag->position.map(), state.level.pendulum_angle)));
+}
+
 }  // namespace
 
 RunOutcome run_scene(const Scene& scene, State& state, const LevelSink& sink, const LevelViews& views,
@@ -168,6 +195,7 @@ RunOutcome run_scene(const Scene& scene, State& state, const LevelSink& sink, co
     note_never_on(scene, state, outcome);
     note_held_velocities(scene, state, outcome);
     note_left_outlets(scene, state, outcome);
+    note_untouched(scene, state, outcome);
   }
   judge_drift(scene, state, outcome);
   return outcome;

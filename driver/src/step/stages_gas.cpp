@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // S2 gas point, S10 gas.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <iterator>
 #include <limits>
 #include <numbers>
+#include <stdexcept>
 
 #include "step/stages.hpp"
 
@@ -145,6 +148,16 @@ void take_jet_work(State& state) {
   state.jet_work_ahead = ahead;
 }
 
+// A bag that is empty: no gas fits into what is left.
+void require_inside(double volume) {
+  if (!(volume > 0.0 && std::isfinite(volume)))
+    throw std::domain_error(fmt::format(
+        "volume = {:.3g} m3: must be positive and finite; the skin has collapsed or turned inside out, as it "
+        "does if more gas flows out than in: look at the areas of vents, the porosity, the times of "
+        "mass_flow and end_time, and at their units",
+        volume));
+}
+
 }  // namespace
 
 void gas_ode(const Scene& scene, State& state, const Enclosure& before) {
@@ -157,6 +170,7 @@ void gas_ode(const Scene& scene, State& state, const Enclosure& before) {
       gas::set_input(scene.gas->model.triggers, i, state.contact.area > 0.0, state.gas.triggers);
   if (scene.gas->tank_volume) return advance_tank(*scene.gas->tank_volume, before.leak_area, next, state);
   const Enclosure after = enclosure(scene, state);
+  if (scene.bag) require_inside(after.volume);
   book(state.gas_integrator->advance(state.gas, state.time, next,
                                      {before.volume, after.volume, before.leak_area, after.leak_area}),
        state);
