@@ -10,6 +10,7 @@
 
 #include "claim.hpp"
 #include "closed_form/occlusion.hpp"
+#include "jet/centreline.hpp"
 #include "models.hpp"
 #include "plates.hpp"
 #include "rounding.hpp"
