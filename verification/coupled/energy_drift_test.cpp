@@ -63,6 +63,25 @@ TEST(energy_drift, bounces_off_stiff_straps_and_plate_hold_a_thousandth) {
   }
 }
 
+// (K.40) contains the step: a shorter one to meet the end made the last residual larger by half or more.
+TEST(energy_drift, last_row_is_no_other_than_those_before) {
+  for (const char* end : {"0.0195", "0.01983", "0.02"}) {
+    const auto run = run_case("passenger_pendulum", {std::string("scene.end_time=") + end});
+    const double last = run.energy.back().at("residual_J"),
+                 before = run.energy.at(run.energy.size() - 2).at("residual_J");
+    EXPECT_LT(std::abs(last - before), 0.1 * std::abs(before)) << end;
+  }
+}
+
+// Without motion the step is the interval of the rows, of which only the last gives way to the end.
+TEST(energy_drift, rows_of_a_tank_stay_at_multiples) {
+  const auto run = run_case("rigid_tank", {"output.history_every=1e-3", "scene.end_time=0.0105"});
+  ASSERT_EQ(run.history.size(), 12u);
+  for (int i = 0; i <= 10; ++i)
+    EXPECT_NEAR(run.history.at(static_cast<std::size_t>(i)).at("time_s"), 1e-3 * i, 1e-15) << i;
+  EXPECT_EQ(run.history.back().at("time_s"), 0.0105);
+}
+
 // The step from rest is a whole one of which half lies before the start: central difference keeps the energy
 // less dt^2/8 of f M^-1 f, so level 1 lacks that. Where it is a share, by bisection.
 TEST(energy_drift, first_level_lacks_what_the_bound_says) {

@@ -117,13 +117,13 @@ void choose_step(const Scene& scene, State& state, bool last) {
   if (!scene.output.channel_classes.empty())
     wanted = std::min(wanted, widest_interval(scene.output.channel_classes.back()));
   if (scene.time.step && wanted > step.critical && !scene.time.unsafe_step) fail_step(scene, state, wanted);
-  // The last steps to the end share what is left, so that it is met without a shorter one: the energy of a
-  // level contains the step (M.25). Up to a row all of them do, or steps that alternate could resonate.
-  constexpr double kSharing = 100.0;  // steps
-  constexpr double kWhole = 1e-6;     // so close to a whole number of steps, times as cases write them are it
+  // The last steps share what is left, so that the end is met without a shorter one: the energy of a level
+  // contains the step (K.40). Of steps that the case gives two share, and gas alone keeps to its rows. Up to
+  // a row all of them share, or steps that alternate at each row could resonate with a mode.
   const double left = next_stop(scene, state.time) - state.time;
-  if (scene.output.history_exact || left < kSharing * wanted)
-    wanted = left / std::max(1.0, std::ceil(left / wanted * (1.0 - kWhole)));
+  const double sharing = !scene.moves() ? 1.0 : scene.time.step ? 2.0 : 100.0;
+  const double steps = std::max(1.0, std::ceil(left / wanted * (1.0 - 1e-9)));
+  if (scene.output.history_exact || steps <= sharing) wanted = left / steps;
   step.after = std::min(wanted, left);
   if (step.after < left && step.after < 1e-9 * scene.time.end)
     throw StepError(fmt::format("step {} s{} would take more than 1e9 of them to end_time; {}", step.after,

@@ -165,10 +165,10 @@ const AdvanceSums& advance(const BagModel& model, BagState& state, double dt_bef
   return state.advance;
 }
 
-/// Kinetic energy at n [J] from those at n-1/2 and n+1/2 and the sum of m v- . v+ / 2: that of the linear
-/// interpolation less dt_before dt_after m |a|^2 / 8. For even steps it is the product alone, which a linear
-/// system conserves together with the strain energy; of second order for uneven ones. dt_before = 0 at the
-/// start, where it is kinetic_before. Throws std::invalid_argument as advance does.
+/// Kinetic energy at n [J], (K.40), from those at n-1/2 and n+1/2 and the sum of m v- . v+ / 2: that of the
+/// linear interpolation less dt_before dt_after m |a|^2 / 8. For even steps it is the product alone, which a
+/// linear system conserves together with the strain energy; of second order for uneven ones. dt_before = 0 at
+/// the start, where it is kinetic_before. Throws std::invalid_argument as advance does.
 double level_kinetic(double kinetic_before, double kinetic_after, double kinetic_product, double dt_before,
                      double dt_after);
 /// The same of the step that `sums` came with.
