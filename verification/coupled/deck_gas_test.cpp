@@ -59,6 +59,22 @@ TEST(deck_gas, initial_overpressure_comes_in_with_the_internal_energy_of_the_sta
   }
 }
 
+// Its temperature is held before, its flow is not.
+TEST(deck_gas, constant_flow_that_begins_later_is_zero_before) {
+  const std::string flow =
+      "inflator=[{composition={N2=1.0},mass_flow=1.0,temperature=500.0,start_time=0.005}]";
+  for (const DeckFormat format : kFormats) {
+    const driver::DeckInflator made = Exported("sphere_inflation", {flow}, format).deck.inflators.front();
+    ASSERT_EQ(made.mass_flow.size(), 4u);
+    EXPECT_EQ(made.mass_flow[0][1], 0.0);
+    EXPECT_EQ(made.mass_flow[1][1], 0.0);
+    EXPECT_NEAR(made.mass_flow[1][0], 0.005, 1e-6 * 0.06 * (1.0 + 1e-9));
+    EXPECT_EQ(made.mass_flow[2][0], 0.005);
+    EXPECT_EQ(made.mass_flow[2][1], 1.0);
+    for (const auto& [time, temperature] : made.temperature) EXPECT_EQ(temperature, 500.0) << time;
+  }
+}
+
 TEST(deck_gas, initial_overpressure_is_there_at_once_or_within_a_pulse) {
   const Exported radioss("sphere_inflation", kHot, DeckFormat::radioss),
       lsdyna("sphere_inflation", kHot, DeckFormat::lsdyna);

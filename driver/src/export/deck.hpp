@@ -47,8 +47,8 @@ struct DeckInflator {
 };
 
 struct DeckVent {
-  std::size_t number;                           // in the case
-  double area;                                  // [m2] with the discharge coefficient; factor of the curves
+  std::size_t number = 0;                       // in the case
+  double area = 0.0;                            // [m2] with the discharge coefficient; factor of the curves
   std::optional<DeckCurve> of_time;             // [-] of time [s]
   std::optional<DeckCurve> of_overpressure;     // [-] of overpressure [Pa]
   double opens_at = 0.0;                        // [s]
@@ -68,7 +68,7 @@ struct DeckNote {
   std::string text;
 };
 
-/// An inflator or a vent that the deck has not.
+/// An inflator or a vent that the deck lacks.
 struct DeckOmission {
   std::string part;  // path in the case: "vent.0"
   std::string why;

@@ -77,7 +77,7 @@ void add_inflators(const Scene& scene, double highest, Deck& deck) {
     }
     const double shift = times->front() + inflow.start_time;
     deck.inflators.push_back({mixture_of(model.thermo, inflow.mass_fractions, highest),
-                              knots_of(inflow.mass_flow, shift, scene.time.end),
+                              knots_of(inflow.mass_flow, shift, scene.time.end, true),
                               knots_of(inflow.temperature, shift, scene.time.end)});
   }
 }
@@ -167,7 +167,7 @@ void note_misfit(const DeckGas& gas, double highest, Deck& deck) {
 
 // Decks go on along the last two knots: what the case means beyond them is said by knots of their own, and a
 // jump by two knots a millionth of the scene's end apart.
-DeckCurve knots_of(const gas::Curve& curve, double shift, double end) {
+DeckCurve knots_of(const gas::Curve& curve, double shift, double end, bool zero_before) {
   DeckCurve points;
   const double jump = 1e-6 * end;
   const auto add = [&](double time, double value) {
@@ -177,9 +177,10 @@ DeckCurve knots_of(const gas::Curve& curve, double shift, double end) {
   const auto knots = curve.knots();
   const bool zero = curve.outside() == gas::Outside::zero;
   const double first = knots.front().time + shift;
-  if (zero && first > 0.0) add(std::min(0.0, first - 2.0 * jump), 0.0);
-  if (zero && first > 0.0 && knots.front().value != 0.0) add(first - jump, 0.0);
-  if (!zero && first > 0.0) add(0.0, knots.front().value);
+  zero_before = zero_before || zero;
+  if (zero_before && first > 0.0) add(std::min(0.0, first - 2.0 * jump), 0.0);
+  if (zero_before && first > 0.0 && knots.front().value != 0.0) add(first - jump, 0.0);
+  if (!zero_before && first > 0.0) add(0.0, knots.front().value);
   for (const auto& knot : knots) add(knot.time + shift, knot.value);
   const double value = zero ? 0.0 : knots.back().value;
   if (zero && knots.back().value != 0.0) add(points.back()[0] + jump, 0.0);

@@ -79,7 +79,9 @@ void add_vents(const Scene& scene, Deck& deck) {
   const gas::ControlVolumeModel& model = scene.gas->model;
   for (std::size_t i = 0; i < model.vents.size(); ++i) {
     const gas::Vent& vent = model.vents[i];
-    DeckVent opening{i, vent.discharge_coefficient, std::nullopt, std::nullopt, 0.0, std::nullopt};
+    DeckVent opening;
+    opening.number = i;
+    opening.area = vent.discharge_coefficient;
     if (const std::string why = add_trigger(scene, vent, opening); !why.empty()) {
       deck.omissions.push_back({fmt::format("vent.{}", i), why});
       continue;

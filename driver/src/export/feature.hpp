@@ -18,7 +18,7 @@ const char* name_of(Mapping mapping);
 struct Outcome {
   Mapping mapping;
   const char* how;
-  bool lost = false;  // an effect that the deck has not: a case that sets it gets a note
+  bool lost = false;  // an effect that the deck lacks: a case that sets it gets a note
 };
 
 /// One key of cases, without the numbers of tables: "inflator.jet.radius". It stands for the keys below it
@@ -50,7 +50,7 @@ struct UsedFeature {
 /// are left out. Throws std::logic_error for a key that the table does not name.
 std::vector<UsedFeature> used_features(const CaseDocument& document, const Deck& deck);
 
-/// A note for each effect that the case asks for and the deck has not.
+/// A note for each effect that the case asks for and the deck lacks.
 std::vector<DeckNote> notes_of_lost(const std::vector<UsedFeature>& used);
 
 /// export.md.
