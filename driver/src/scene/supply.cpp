@@ -121,14 +121,14 @@ double relaxations(const Scene& scene, const FullOpenings& openings, const FullS
   return sum * scene.time.end / pieces;
 }
 
-// As sewn. A flat design encloses nothing: it becomes about a balloon of two discs of as much fabric.
+// As sewn. A flat design encloses nothing: it becomes about a balloon of two discs of as much fabric, the
+// more so the flatter it is.
 double sewn_volume(const membrane::Mesh& mesh) {
   constexpr double kBalloon =
       1.2185242;  // volume over radius^3 of the discs: Paulsen, the Mylar balloon, 1994
-  constexpr double kFlat = 0.1;
   const double discs = kBalloon * std::pow(membrane::panel_areas(mesh).sum() / (2.0 * std::numbers::pi), 1.5);
   const double sewn = membrane::enclosed_volume(mesh.nodes, mesh.elements);
-  return sewn > kFlat * discs ? sewn : discs;
+  return std::max(sewn, discs - sewn);
 }
 
 }  // namespace
