@@ -11,7 +11,7 @@ namespace border {
 namespace {
 
 constexpr unsigned kSseDefault = 0x1f80;
-constexpr unsigned short kX87Default = 0x37f;
+constexpr unsigned short kX87Default = 0x37f, kX87Flags = 0x3f;
 
 unsigned short x87_status() {
   unsigned short status = 0;
@@ -19,7 +19,7 @@ unsigned short x87_status() {
   return status;
 }
 void set_x87_control(unsigned short control) {
-  asm volatile("fldcw %0" : : "m"(control));
+  asm volatile("fldcw %0" : : "m"(control) : "memory");
 }
 
 }  // namespace
@@ -33,10 +33,11 @@ FloatingPoint FloatingPoint::now() noexcept {
 }
 
 void FloatingPoint::set() const noexcept {
-  if (((x87_status() ^ x87_status_) & FE_ALL_EXCEPT) != 0) {  // rare: long double is
-    set_x87_control(kX87Default);                             // a flag whose trap is on ends the program
+  if (((x87_status() ^ x87_status_) & kX87Flags) != 0) {  // only long double sets them
+    set_x87_control(kX87Default);                         // a flag whose trap is on ends the program
+    asm volatile("fnclex" : : : "memory");
     const std::fexcept_t flags = x87_status_;
-    std::fesetexceptflag(&flags, FE_ALL_EXCEPT);
+    if ((flags & FE_ALL_EXCEPT) != 0) std::fesetexceptflag(&flags, FE_ALL_EXCEPT);
   }
   set_x87_control(x87_control_);
   _mm_setcsr(sse_);
