@@ -21,7 +21,7 @@ UniformGas moved(const Balance& balance, double overpressure) {
 double relaxation_bound(const Balance& balance) {
   constexpr double kFar = 1e-3;  // of p: nearer to p_a the slope of flow is not bounded by the flow
   const UniformGas& gas = balance.gas();
-  if (gas.overpressure < kFar * gas.pressure ||
+  if (!(gas.overpressure > kFar * gas.pressure) ||
       std::ranges::any_of(balance.boundary().model().vents,
                           [](const Vent& v) { return v.area_of_overpressure.has_value(); }))
     return std::numeric_limits<double>::infinity();

@@ -42,6 +42,7 @@ double StepControl::scaled_error(const System& system, const Vector& error, Vect
 
 double StepControl::factor(double error, double error_power) const {
   if (is_fixed()) return 1.0;
+  if (error == 0.0) return kLargestFactor;
   return std::clamp(kSafety * std::pow(error, -1.0 / error_power), kSmallestFactor, kLargestFactor);
 }
 
