@@ -75,7 +75,7 @@ part_study() {
   wait $pid 2>/dev/null
   printf '{"run":7,"status":"do' >>"$work/killed/shares/1_of_1/journal.jsonl" # torn
   expect 4 "of 80 runs" "$gasjet" study merge "$work/killed"
-  grep -q '"not run yet: point 1 (.*), 40 seeds"' "$work/killed/study.json" || fail "missing runs are not named"
+  grep -q '"not run yet: .*point 1 (.*), 40 seeds"' "$work/killed/study.json" || fail "missing runs are not named"
   grep -q '"status": "incomplete"' "$work/killed/study.json" || fail "not incomplete"
   expect 0 "goes on after .* 80 of 80 runs: 80 done" bash -c "'$gasjet' study run '$work/long.toml' --out '$work/killed' --threads 2 2>&1 | tr '\n' ' '"
   expect 0 "" "$gasjet" study run "$work/long.toml" --out "$work/whole" --quiet --threads 2

@@ -48,11 +48,16 @@ void add_missing(const StudyPlan& plan, const StudyRuns& runs, StudySummary& sum
   std::map<std::size_t, std::vector<int>> seeds;
   for (const long number : asked_runs(plan, runs))
     if (!runs.contains(number)) seeds[point_of(plan, number)].push_back(seed_of(plan, number));
-  for (const auto& [point, missing] : seeds)
-    summary.notes.push_back(
-        missing.size() > 8
-            ? fmt::format("not run yet: {}, {} seeds", point_name(plan, point), missing.size())
-            : fmt::format("not run yet: {}, seed {}", point_name(plan, point), fmt::join(missing, ", ")));
+  constexpr std::size_t most = 3, most_seeds = 8;
+  std::vector<std::string> points;
+  for (const auto& [point, missing] : seeds) {
+    if (points.size() == most) break;
+    points.push_back(point_name(plan, point) + (missing.size() > most_seeds
+                                                    ? fmt::format(", {} seeds", missing.size())
+                                                    : fmt::format(", seed {}", fmt::join(missing, ", "))));
+  }
+  if (seeds.size() > most) points.push_back(fmt::format("{} more points", seeds.size() - most));
+  if (!points.empty()) summary.notes.push_back(fmt::format("not run yet: {}", fmt::join(points, "; ")));
 }
 
 void add_claims(const StudyPlan& plan, const StudyRuns& runs, StudySummary& summary) {
@@ -70,7 +75,6 @@ StudySummary summary_of(const StudyPlan& plan, const StudyRuns& runs) {
   StudySummary summary;
   summary.asked = static_cast<long>(asked_runs(plan, runs).size());
   for (const long number : asked_runs(plan, runs)) summary.runs += runs.contains(number);
-  add_missing(plan, runs, summary);
   for (const auto& [number, run] : runs) {
     summary.done += run.status == "done";
     summary.inaccurate += run.status == "inaccurate";
@@ -79,6 +83,7 @@ StudySummary summary_of(const StudyPlan& plan, const StudyRuns& runs) {
     summary.cpu_seconds += run.cpu_seconds;
   }
   if (plan.stop) add_claims(plan, runs, summary);
+  add_missing(plan, runs, summary);
   return summary;
 }
 
