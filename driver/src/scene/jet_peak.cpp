@@ -52,6 +52,7 @@ void warn_of_cone(const Scene& scene, const JetPart& part, std::vector<std::stri
   const jet::JetModel& model = part.field.model();
   if (model.spread != jet::Spread::cone) return;
   const double length = way(scene, model);
+  if (!(length > 0.0)) return;  // all of it lies upstream
   double largest = 0.0, where = 0.0;
   for (int i = 1; i <= pieces; ++i) {
     const double z = length * i / pieces, gain = cone_gain(model, z);

@@ -35,7 +35,7 @@ void warn_of_path(const coupling::PendulumParameters& p, const BagPart& bag, Sce
   if (apart > reach.radius + p.impactor_radius)
     scene.warnings.push_back(
         fmt::format("pendulum.pivot = [{:g}, {:g}, {:g}] m and impactor_distance = {:g} m let the impactor "
-                    "pass the bag's middle at {:.3g} m at the nearest: it cannot touch the bag",
+                    "pass the bag's middle at {:.3g} m at the nearest: it cannot touch the bag there",
                     p.pivot.x(), p.pivot.y(), p.pivot.z(), p.impactor_distance, apart));
 }
 
@@ -44,7 +44,7 @@ void warn_of_upside_down(const coupling::PendulumParameters& p, Scene& scene) {
   if (scene.gravity.dot(p.rest_direction.normalized()) < clearly * scene.gravity.norm())
     scene.warnings.push_back(fmt::format(
         "scene.gravity = [{:g}, {:g}, {:g}] m/s2 points from the impactor to the pivot: the pendulum stands "
-        "on its head; its sign, or that of pendulum.rest_direction, is likely to be wrong",
+        "on its head; is the sign right, and that of pendulum.rest_direction?",
         scene.gravity.x(), scene.gravity.y(), scene.gravity.z()));
 }
 

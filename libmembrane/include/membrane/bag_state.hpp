@@ -113,7 +113,8 @@ struct LoadKinds {
 BagState make_state(const BagModel& model, ConstVectorsRef position, LoadKinds loads = {});
 
 /// Throws std::invalid_argument unless the arrays have the sizes that make_state gives them for this model.
-/// The stages call it: a state of another model, or one that was not made, is refused.
+/// The stages call it: a state of a model of other sizes, or one that was not made, is refused. Two models of
+/// the same sizes are not told apart.
 void check_state(const BagModel& model, const BagState& state);
 
 }  // namespace membrane
