@@ -111,6 +111,11 @@ def test_run(page):
     page.key(" ", 32, " ")
     page.run("new Promise(done => setTimeout(done, 300))")
     check("space plays", page.run("document.getElementById('slider').value") == "10")
+    # What the run comes to stands above all.
+    keys = dict(page.run("[...document.querySelectorAll('#keys tr')].map(row => [...row.cells].slice(0, 2).map(cell => cell.textContent))"))
+    summary = json.load(open(path("run/summary.json")))
+    check(f"peaks are told: {keys}", abs(float(keys["pressure"]) / summary["peak"]["pressure_Pa"] - 1) < 1e-5)
+    check(f"residuals are told: {keys}", abs(float(keys["largest residual of a balance, relative"]) / max(summary["residual"].values()) - 1) < 1e-5)
     # A drag turns the camera.
     before = page.run("player.views[0].camera.position.x")
     x, y = page.run("(() => { const b = document.querySelector('.view canvas').getBoundingClientRect(); return [b.left + b.width / 2, b.top + b.height / 2]; })()")
@@ -142,6 +147,10 @@ def test_pair(page):
     check(f"keys turn both bags: {before}, {after}", all(abs(a - b) < 1e-9 for a, b in zip(*after)) and after[0][2] > before[0][2] + 0.1 and abs(size(after[0]) * 0.9 - size(before[0])) < 1e-6)
     slide(page, 10)
     check("one slider moves both bags", canvas(page, 0) != left and canvas(page, 1) != right)
+    pressure = page.run("[...document.querySelectorAll('#keys tr')].find(row => row.cells[0].textContent === 'pressure').cells[2].textContent")
+    peaks = [json.load(open(path(f"{name}/summary.json")))["peak"]["pressure_Pa"] for name in ("run", "no_jet")]
+    off = float(pressure.split("(")[1].split()[0].replace("−", "-"))
+    check(f"peaks are compared: {pressure}, {peaks}", abs(off - 100 * (peaks[1] / peaks[0] - 1)) <= 5e-3 * abs(off))
     check("the ground is dark", page.run("getComputedStyle(document.body).backgroundColor") == "rgb(20, 23, 27)")
 
 

@@ -44,6 +44,21 @@ const makeHead = () => {
   }
 };
 
+// Peaks and impulses of the runs and their largest residual, side by side; runs after the first with their difference from it.
+const makeKeyNumbers = () => {
+  const told = runs.filter(run => run.summary?.peak);
+  if (!told.length) return;
+  const names = new Set(told.flatMap(run => Object.keys(run.summary.peak)));
+  const compared = (value, first) => typeof value !== "number" || !first || value === first ? value ?? "" : `${short(value)} (${value > first ? "+" : "−"}${Math.abs(100 * (value / first - 1)).toPrecision(3)} %)`;
+  const rows = [...names].map(name => {
+    const values = told.map(run => run.summary.peak[name]);
+    return [split(name).name, values[0] ?? "", ...values.slice(1).map(v => compared(v, values[0])), split(name).unit];
+  });
+  const worst = told.map(run => Math.max(0, ...Object.values(run.summary.residual ?? {})));
+  rows.push(["largest residual of a balance, relative", ...worst, ""]);
+  at("keys").append(tableOf(["peaks and impulses", ...(told.length > 1 ? told.map(run => run.label) : ["value"]), "unit"], rows));
+};
+
 // The views, one slider for all of them.
 class Player {
   constructor(list) {
@@ -196,7 +211,6 @@ const makeRunDetails = run => {
   const block = (title, node) => element("div", {}, element("h3", { textContent: title }), node);
   makeComparison(run, of);
   const blocks = [];
-  if (s?.peak) blocks.push(block("Peaks and impulses", tableOf(["quantity", "value", "unit"], Object.entries(s.peak).map(([k, v]) => [split(k).name, v, split(k).unit]))));
   if (s?.residual && Object.keys(s.residual).length) blocks.push(block("Greatest residuals, relative", tableOf(["balance", "residual"], Object.entries(s.residual).map(([k, v]) => [k.replace("_rel", ""), v]))));
   if (s?.streams) blocks.push(block("Streams", tableOf(["stream", "mass [kg]", "enthalpy [J]"], Object.entries(s.streams).map(([k, v]) => [k, v.mass_kg, v.enthalpy_J]))));
   if (s?.dt) {
@@ -277,6 +291,7 @@ const makeLadder = r => {
 };
 
 makeHead();
+makeKeyNumbers();
 for (const r of data.results) if (r.kind === "ladder") makeLadder(r);
 let player = null;
 makePlayer().catch(() => (notice("This browser cannot unpack the pictures in three dimensions."), null)).then(made => {
