@@ -69,7 +69,8 @@ double Curve::value(double time, Side side) const {
         first != knots_.end() && first->time == time)
       return first->value;
   if (time == knots_.back().time) return knots_.back().value;
-  return piece(time).at(time);
+  const Piece p = piece(time);
+  return p.slope == 0.0 ? p.value : p.at(time);  // at an infinite time, too: before what has not fired
 }
 
 std::optional<double> Curve::first_jump() const {

@@ -125,6 +125,24 @@ TEST(jet_scene, fast_route_eq_cgal_tree_at_every_step_of_the_run) {
 }
 
 /// Two jets against each other: column and summary's peak are of the resultant of both, over all steps.
+/// A jet whose inflator waits for a trigger is the jet of one that starts at that time; before it there is
+/// none.
+TEST(jet_scene, triggered_inflator_eq_one_that_starts_then) {
+  const std::vector<std::string> coarse{"membrane.mesh.levels=2", "scene.end_time=8e-3", "time.step=2e-5"};
+  const auto run = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> all = coarse;
+    all.insert(all.end(), more.begin(), more.end());
+    return coupled::run_case("jet_bag", all);
+  };
+  const auto triggered = run({"sensor=[{name=\"clock\",time=0.003}]", "inflator.0.trigger=clock"});
+  expect_same_runs(run({"inflator.0.start_time=0.003"}), triggered);
+  EXPECT_GT(triggered.history.back().at("jet_force_N"), 0.0);
+  const auto never = run(
+      {"sensor=[{name=\"high\",overpressure=1e9}]", "inflator.0.trigger=high", "inflator.1.trigger=high"});
+  ASSERT_EQ(never.outcome.status, driver::RunStatus::done) << never.outcome.message;
+  EXPECT_EQ(never.history.back().at("jet_force_N"), 0.0);
+}
+
 TEST(jet_scene, peak_force_is_the_greatest_of_all_steps) {
   const auto scene = coupled::scene_of("jet_bag", {"output.history_every=2e-9"});
   const auto columns = driver::history_columns(scene);

@@ -61,6 +61,19 @@ TEST(trigger, time_and_signal_fire_at_their_crossing) {
   EXPECT_EQ(fires_at({{{SensorKind::signal, -1.0, {}, signal()}}, {}}), 0.0);
 }
 
+/// What an inflator delivers before it has fired: nothing, at the temperature with which it begins.
+TEST(trigger, inflator_that_has_not_fired_has_a_temperature) {
+  gas::ControlVolumeModel model = triggered_tank({{kClock}, {}}, 0);
+  const auto state = gas::make_state(model, kPure, kAmbientPressure, 293.15, 0.06);
+  for (const gas::Curve& temperature :
+       {gas::Curve::constant(900.0), gas::Curve({{0.0, 900.0}, {1.0, 400.0}}, gas::Outside::held)}) {
+    model.inflows[0].temperature = temperature;
+    const gas::InflatorPoint point = gas::inflator_point(model, state, 0, 0.02);
+    EXPECT_EQ(point.mass_flow, 0.0);
+    EXPECT_EQ(point.temperature, 900.0);
+  }
+}
+
 TEST(trigger, logic_combines_sensors) {
   // The signal is on in [0.01, 0.03) and from 0.05; the clock from 0.03.
   EXPECT_NEAR(fires_at({{kClock, kShock}, {{Logic::all, {0, 1}}}}), 0.05, 4.0 * kEpsilon);
