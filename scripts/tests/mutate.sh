@@ -159,7 +159,7 @@ try_mutation() {
 }
 
 tests=() mutated_files=() expressions=()
-while IFS=$'\t' read -r test file expression; do
+while IFS=$'\t' read -r test file expression _; do
   tests+=("$test") mutated_files+=("$file") expressions+=("$expression")
 done < <(grep -v -e '^#' -e '^[[:space:]]*$' "$list" | grep -E -e "$only")
 if ((${#tests[@]} == 0)); then

@@ -216,10 +216,13 @@ rule_columns() {
   for name in $(comm -13 <(echo "$columns") <(echo "$rows") | tr '*' '?'); do echo "$page: no such column as $name"; done
 }
 
-# Every line of mutations.tsv matches a test of the build and changes its file.
+# Every line of mutations.tsv and of the gas's safeguards matches a test of the build and changes its file.
 rule_mutation_lines() {
-  ctest --test-dir "$build" -N </dev/null | sed -nE 's/^ *Test +#[0-9]+: //p' | grep -v '_NOT_BUILT$' |
-    perl "$rules/mutation_lines.pl" verification/mutations.tsv "$max_mutations"
+  local list tests
+  tests=$(ctest --test-dir "$build" -N </dev/null | sed -nE 's/^ *Test +#[0-9]+: //p' | grep -v '_NOT_BUILT$')
+  for list in verification/mutations.tsv verification/gas/safeguards.tsv; do
+    [[ ! -f $list ]] || perl "$rules/mutation_lines.pl" "$list" "$max_mutations" <<<"$tests"
+  done
 }
 
 # Every line of ablation.tsv still turns its heuristic off: it changes its file.
