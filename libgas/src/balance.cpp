@@ -46,6 +46,7 @@ void Balance::fill_rates(Vector& dydt) {
 }
 
 double Balance::closed_growth() const {
+  if (gas_.mass == 0.0) return 0.0;
   const Inflows& inflows = boundary_.inflows();
   double growth = -gas_.gamma * gas_.pressure * boundary_.path().rate(time_) -
                   (gas_.gamma - 1.0) * heat_flow(boundary_.model(), gas_.temperature);

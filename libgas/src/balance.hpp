@@ -5,7 +5,7 @@
 namespace gas {
 
 /// Right-hand side of (G.9), (G.10) for the unknowns of Slots, at one gas and time. locate() sets gas and
-/// time; fill_rates() has one line for each term.
+/// time; fill_rates() has one line for the rate of each.
 class Balance {
  public:
   /// `boundary` must outlive this object.

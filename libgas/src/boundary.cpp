@@ -52,8 +52,7 @@ Boundary::Boundary(const ControlVolumeModel& model)
 void Boundary::begin_step(double t0, double t1, const VolumePath& path) {
   path_ = {t0, 1.0 / (t1 - t0), path};
   if (!model_.volume_of_overpressure) return;
-  path_.path.volume_end = path.volume_begin;  // not read
-  path_.path.volume_bulge = 0.0;
+  path_.path.volume_begin = path_.path.volume_end = path_.path.volume_bulge = 0.0;  // not read
 }
 
 void Boundary::begin_segment(const TriggerState& triggers, double a, double b) {

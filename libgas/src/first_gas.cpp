@@ -2,8 +2,9 @@
 #include "first_gas.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <numeric>
+
+#include "limits.hpp"
 
 namespace gas {
 namespace {
@@ -40,7 +41,7 @@ double fill_first(System& system, const IntegratorOptions& options, Vector& y, d
   const double all = mass_until(b), fixed = options.fixed_step;
   if (!(all > 0.0)) return t;
   double length = fixed > 0.0 ? std::min(fixed, b - t) : b - t;
-  const double least = 16.0 * std::numeric_limits<double>::epsilon() * std::abs(t);
+  const double least = 16.0 * kEpsilon * std::abs(t);
   while (fixed == 0.0 && length > least && mass_until(t + length) > options.relative_tolerance * all)
     length *= 0.5;
   const double end = length == b - t ? b : t + length;

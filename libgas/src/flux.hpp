@@ -32,7 +32,7 @@ S inviscid_hole_flux(const Upstream<S>& gas, const S& cp) {
   const S &p = gas.pressure, &gamma = gas.gamma;
   const S rt = gas.gas_constant * gas.temperature, outside = p - gas.overpressure;
   if (outside < kNeverChoked * p) {
-    // (2/(gamma + 1))^((gamma + 1)/(2 (gamma - 1))); that of (G.5) has an exponent that is half less.
+    // (2/(gamma + 1))^((gamma + 1)/(2 (gamma - 1))); the exponent of (G.5) is 1/2 more.
     const S throat = exp(S(0.5 * (gamma + 1.0) / (gamma - 1.0) * log_sonic_temperature(gamma)));
     if (outside <= throat * sqrt(2.0 / (gamma + 1.0)) * p) return p * sqrt(gamma / rt) * throat;
   }

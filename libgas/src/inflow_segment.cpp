@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
 #include "limits.hpp"
 
@@ -82,31 +81,25 @@ InflowSegment::Flow InflowSegment::flow(double t) const {
 }
 
 InflowSegment::Delivered InflowSegment::rate(double t) const {
-  if (is_idle()) return {0.0, 0.0};
   const auto [mass_flow, temperature] = flow(t);
   return {mass_flow, mass_flow * (temperature_slope_ == 0.0 ? enthalpy_ : gas_->enthalpy(temperature))};
 }
 
 InflowSegment::Delivered InflowSegment::rate_slope(double t) const {
-  if (is_idle()) return {0.0, 0.0};
   const auto [mass_flow, temperature] = flow(t);
   return {mass_flow_slope_, mass_flow_slope_ * gas_->enthalpy(temperature) +
                                 mass_flow * temperature_slope_ * gas_->cp(temperature)};
 }
 
-InflowSegment::Delivered InflowSegment::delivered_between(double from, double to) const {
-  const double elapsed = to - from;
-  const auto [mass_flow, temperature] = flow_after(0.5 * (from + to));
-  const double mass = elapsed * mass_flow;
-  if (temperature_slope_ == 0.0) return {mass, mass * enthalpy_};
-  if (!gas_->constant_cp) return {mass, enthalpy_by_quadrature(from, to)};
-  const double correlation = mass_flow_slope_ * temperature_slope_ * elapsed * elapsed / 12.0;
-  return {mass, gas_->cp(temperature) * elapsed * (mass_flow * temperature + correlation)};
-}
-
 InflowSegment::Delivered InflowSegment::delivered(double t0, double t1) const {
   if (is_idle()) return {0.0, 0.0};
-  return delivered_between(elapsed(t0), elapsed(t1));
+  const double from = elapsed(t0), to = elapsed(t1), length = to - from;
+  const auto [mass_flow, temperature] = flow_after(0.5 * (from + to));
+  const double mass = length * mass_flow;
+  if (temperature_slope_ == 0.0) return {mass, mass * enthalpy_};
+  if (!gas_->constant_cp) return {mass, enthalpy_by_quadrature(from, to)};
+  const double correlation = mass_flow_slope_ * temperature_slope_ * length * length / 12.0;
+  return {mass, gas_->cp(temperature) * length * (mass_flow * temperature + correlation)};
 }
 
 double InflowSegment::enthalpy_by_quadrature(double from, double to) const {

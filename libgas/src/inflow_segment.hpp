@@ -47,7 +47,6 @@ class InflowSegment {
   // one of them might not reach a level that another has located.
   double elapsed(double t) const;
   Flow flow_after(double elapsed) const;
-  Delivered delivered_between(double from, double to) const;
   double enthalpy_by_quadrature(double from, double to) const;
 
   const Inflow* inflow_ = nullptr;

@@ -34,12 +34,12 @@ const IntegratorOptions& validated(const IntegratorOptions& options) {
   return options;
 }
 
-void require_path(const VolumePath& path) {
+void require_path(const VolumePath& path, bool has_volume) {
   for (const double v : {path.volume_begin, path.volume_end})
-    if (!(v > 0.0 && std::isfinite(v)))
+    if (has_volume && !(v > 0.0 && std::isfinite(v)))
       throw DomainError("volume = " + to_text(v) + " m3: must be positive and finite");
-  if (!(path.volume_bulge > -std::min(path.volume_begin, path.volume_end) &&
-        std::isfinite(path.volume_bulge)))
+  if (has_volume && !(path.volume_bulge > -std::min(path.volume_begin, path.volume_end) &&
+                      std::isfinite(path.volume_bulge)))
     throw DomainError("volume bulge = " + to_text(path.volume_bulge) +
                       " m3: must be finite and above minus the smaller volume of the step's ends");
   for (const double a : {path.leak_area_begin, path.leak_area_end})
@@ -67,7 +67,7 @@ class GasIntegrator::Implementation {
 
   StepFluxes advance(ControlVolumeState& state, double t0, double t1, const VolumePath& path) {
     require_step(state, t0, t1);
-    require_path(path);
+    require_path(path, !model_.volume_of_overpressure);
     triggers_ = before_ = state.triggers;
     std::ranges::fill(switchings_, 0);
     boundary_.begin_step(t0, t1, path);
@@ -156,8 +156,9 @@ class GasIntegrator::Implementation {
             static_cast<double>(state.triggers.size()), "must be one per node of the model's triggers");
     for (const double m : state.masses)
       require(std::isfinite(m) && m >= 0.0, "masses [kg]", m, "must be finite and not negative");
-    require(std::isfinite(state.internal_energy), "internal_energy [J]", state.internal_energy,
-            "must be finite");
+    for (const auto& [name, value] :
+         {std::pair{"internal_energy [J]", state.internal_energy}, {"temperature [K]", state.temperature}})
+      require(std::isfinite(value), name, value, "must be finite");
   }
 
   StepFluxes fluxes() {

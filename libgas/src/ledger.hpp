@@ -31,7 +31,7 @@ class Ledger {
   /// Sets masses below zero to zero if they are round-off of the content and of `passed` [kg], or negligible.
   /// False if a mass is further below zero.
   bool clear_lacking(Vector& gas, double passed);
-  /// The species that was used up when gas_at() or clear_lacking() returned false.
+  /// The species of which more had left than there was when gas_at() or clear_lacking() returned false.
   std::optional<std::size_t> depleted() const { return depleted_; }
   /// Fills `change` with the change of the gas that the unknowns y make.
   void change(const Vector& y, Vector& change) const;

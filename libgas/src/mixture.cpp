@@ -7,6 +7,7 @@
 
 #include "gas/error.hpp"
 #include "gas/species.hpp"
+#include "limits.hpp"
 #include "require.hpp"
 
 namespace gas {
@@ -37,8 +38,6 @@ constexpr double kNewtonTolerance = 1e-8;
 constexpr double kChebyshevTolerance = 2e-6;
 constexpr int kQuickIterations = 4;
 constexpr int kMaximumIterations = 200;
-// Of U, relative: some hundred operations. What is so close to an end of the range is there.
-constexpr double kRoundOff = 2e-14;
 
 struct Root {
   const Sums& coefficients;
@@ -97,7 +96,8 @@ std::optional<double> Mixture::find_temperature(double internal_energy, double g
     return t > 0.0 && std::isfinite(t) ? std::optional(t) : std::nullopt;
   }
   const Root lower{low, gas_constant_sum, internal_energy}, upper{high, gas_constant_sum, internal_energy};
-  const double round_off = kRoundOff * (std::abs(internal_energy) + gas_constant_sum * maximum_temperature);
+  const double round_off =
+      kEnergyRoundOff * (std::abs(internal_energy) + gas_constant_sum * maximum_temperature);
   const double joint = std::min(kJointTemperature, maximum_temperature);
   // One kelvin clear of the joint, where the two ranges may both have a root.
   if (guess < joint) {

@@ -9,17 +9,12 @@ double critical_pressure_ratio(double gamma) {
   return std::exp(gamma / (gamma - 1.0) * log_sonic_temperature(gamma));
 }
 
-double hole_mass_flow(double effective_area, double pressure, double temperature, double gas_constant,
-                      double cp, double gamma, double overpressure) {
-  return effective_area *
-         inviscid_hole_flux<double>({pressure, overpressure, temperature, gas_constant, gamma}, cp);
-}
-
 double orifice_mass_flow(double effective_area, double pressure, double temperature, double gas_constant,
                          double cp, double gamma, double ambient_pressure) {
   // The difference is exact where it matters, within a factor of 2.
-  return hole_mass_flow(effective_area, pressure, temperature, gas_constant, cp, gamma,
-                        pressure - ambient_pressure);
+  const double overpressure = pressure - ambient_pressure;
+  return effective_area *
+         inviscid_hole_flux<double>({pressure, overpressure, temperature, gas_constant, gamma}, cp);
 }
 
 double fabric_mass_flow(double leak_area, double density, double overpressure) {

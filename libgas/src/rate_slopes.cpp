@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "gas/orifice.hpp"
+#include "limits.hpp"
 
 namespace gas {
 namespace {
@@ -21,13 +21,13 @@ UniformGas moved(const Balance& balance, double overpressure) {
 double relaxation_bound(const Balance& balance) {
   constexpr double kFar = 1e-3;  // of p: nearer to p_a the slope of flow is not bounded by the flow
   const UniformGas& gas = balance.gas();
+  const ControlVolumeModel& model = balance.boundary().model();
   if (!(gas.overpressure > kFar * gas.pressure) ||
-      std::ranges::any_of(balance.boundary().model().vents,
-                          [](const Vent& v) { return v.area_of_overpressure.has_value(); }))
-    return std::numeric_limits<double>::infinity();
-  // n of a hole is at most 1/2 p/(p - p_a) + 1, that of fabric 1/2 p/(p - p_a) + 1/2; a table's less than
-  // p/(p - p_a) + 1.
-  const double exponent = 1.0 + gas.pressure / gas.overpressure;
+      std::ranges::any_of(model.vents, [](const Vent& v) { return v.area_of_overpressure.has_value(); }) ||
+      std::ranges::any_of(model.fabrics, [](const Fabric& f) { return f.velocity.has_value(); }))
+    return kInfinity;
+  // That of fabric is less by 1/2.
+  const double exponent = 1.0 + 0.5 * gas.pressure / gas.overpressure;
   return wall_relaxation(balance) + balance.flow() / gas.mass * (1.0 + gas.gamma * (exponent + 0.5));
 }
 
@@ -87,7 +87,7 @@ double relaxation(const Balance& balance, double enough) {
 RateSlopes::RateSlopes(const Slots& slots)
     : by_part(slots.species + 1, Vector(slots.size())),
       by_time(slots.size()),
-      part_energy(slots.species + 1),
+      part_energy(slots.species),
       changes_(slots.species + 2) {}
 
 /// How the variables follow the parts, (G.23), and the time.
@@ -109,7 +109,6 @@ void RateSlopes::fill_changes(const Balance& balance, const UniformGas& g) {
   changes_[species] = {{g.mass * g.gas_constant * per_energy * per_capacity, per_capacity, 0.0,
                         -g.gas_constant * cp_slope / (cv * cv) * per_capacity, 0.0},
                        g.cp * per_capacity};
-  part_energy[species] = 1.0;
   changes_.back() = {{-g.pressure * boundary.path().rate(balance.time()) / g.volume, 0.0, 0.0, 0.0, 1.0},
                      0.0};
 }
@@ -121,7 +120,6 @@ void RateSlopes::fill(const Balance& balance) {
   for (Vector& column : by_part) std::ranges::fill(column, 0.0);
   std::ranges::fill(by_time, 0.0);
   std::ranges::fill(part_energy, 0.0);
-  part_energy.back() = 1.0;
   if (g.mass == 0.0) return;
   fill_changes(balance, g);
   const auto variable = [](double value, Variable v) { return Number(value, v); };

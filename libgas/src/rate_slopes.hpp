@@ -29,7 +29,7 @@ class RateSlopes {
 
   std::vector<Vector> by_part;  // [part] d(dy/dt)/dz
   Vector by_time;               // d(dy/dt)/dt with the gas held
-  /// [J/kg] Energy that comes with 1 kg of each species; 1 for the last part.
+  /// [J/kg] Energy that comes with 1 kg of each species.
   Vector part_energy;
 
  private:

@@ -23,7 +23,6 @@ struct Slots {
   std::size_t mass(std::size_t j) const { return species + 2 + 2 * j; }
   std::size_t enthalpy(std::size_t j) const { return mass(j) + 1; }
   std::size_t streams() const { return vents + fabrics; }
-  std::size_t fabric(std::size_t i) const { return vents + i; }  // its stream
   std::size_t back(std::size_t j) const { return mass(streams()) + j; }
   std::size_t size() const { return back(backflows); }
 };

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "limits.hpp"
 #include "rate_slopes.hpp"
@@ -18,8 +17,10 @@ constexpr double kFirstStep = 5.0;
 
 }  // namespace
 
-StepControl::StepControl(const IntegratorOptions& options, double error_power)
-    : options_(options), first_share_(kFirstStep * std::pow(options.relative_tolerance, 1.0 / error_power)) {}
+StepControl::StepControl(const IntegratorOptions& options)
+    : options_(options),
+      first_share_(kFirstStep * std::pow(options.relative_tolerance,
+                                         options.method == Method::rosenbrock_4 ? 0.25 : 0.2)) {}
 
 double StepControl::scaled_error(const System& system, const Vector& error, Vector& scratch) const {
   if (is_fixed()) return 0.0;
@@ -55,7 +56,8 @@ double StepControl::first_step(const Balance& balance) const {
 }
 
 double StepControl::limit() const {
-  return stability_limit(options_.method);
+  const bool turns = options_.method == Method::dormand_prince_5 && !is_fixed();
+  return turns ? kInfinity : stability_limit(options_.method);
 }
 
 /// What passes through in a sub-step of this length rounds to the tolerance of what is there.
@@ -68,9 +70,8 @@ double StepControl::rounding_limit(const Balance& balance) const {
 
 double StepControl::longest(const Balance& balance, double relaxation) const {
   if (is_fixed()) return options_.fixed_step;
-  const bool only_explicit = options_.method == Method::euler || options_.method == Method::runge_kutta_4;
-  // Their halves are at half of the limit, where |R| is small: what is damped stays so.
-  const double stable = only_explicit && relaxation > 0.0 ? limit() / relaxation : kInfinity;
+  // The halves of a doubled step are at half of the limit, where |R| is small: what is damped stays so.
+  const double stable = relaxation > 0.0 ? limit() / relaxation : kInfinity;
   return std::min(stable, rounding_limit(balance));
 }
 

@@ -14,8 +14,7 @@ struct TooStiff : DomainError {
 /// Length of a sub-step, and the error if none can be taken. All lengths are in t [s].
 class StepControl {
  public:
-  /// `error_power` is that of the method for gas that is not stiff.
-  StepControl(const IntegratorOptions& options, double error_power);
+  explicit StepControl(const IntegratorOptions& options);
 
   bool is_fixed() const { return options_.fixed_step > 0.0; }
   /// Error of mass and of thermal energy at the gas located, over the tolerance; 0 for fixed sub-steps. The
@@ -32,9 +31,9 @@ class StepControl {
   bool tells(const Balance& balance, double overpressure) const;
   /// True if flow that only runs out, or in, is about to end: the tolerance does not distinguish p from p_a.
   bool is_ending(const Balance& balance, const Moment& at) const;
-  /// Throws DomainError if a fixed length is above the stability limit of its method and an error would grow:
-  /// where inflow feeds the outflow, or where walls or expansion draw in the backflow. Flow that only runs
-  /// out or in ends at p = p_a.
+  /// Throws DomainError if a fixed length is above the stability limit of its method: by the rate of flow and
+  /// walls where the flow is fed (inflow feeds outflow, or walls or expansion draw in backflow), else by that
+  /// of the walls. Flow that only runs out or in ends at p = p_a.
   void require_stable(const Balance& balance, double length, double relaxation) const;
 
   /// Throws DomainError if p hardly moves in a fixed explicit sub-step, though its rates at both ends would
@@ -50,6 +49,7 @@ class StepControl {
 
  private:
   double rounding_limit(const Balance& balance) const;
+  /// Stability limit of the method, infinite for the default one under error control, which turns implicit.
   double limit() const;
   std::string advice(const Balance& balance, double length) const;
 

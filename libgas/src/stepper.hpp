@@ -29,7 +29,7 @@ struct System {
   Ledger& ledger;
   Balance balance;
   Clock clock{};
-  Vector gas;         // (m_k, U) of the last evaluation
+  Vector gas;         // scratch: an amount (m_k, U)
   bool valid = true;  // every evaluation of the trial had a valid gas
   Effort effort{};
 

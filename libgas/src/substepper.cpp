@@ -35,7 +35,7 @@ Substepper::Substepper(const Boundary& boundary, Ledger& ledger, const TriggerNe
       may_switch_(options.method == Method::dormand_prince_5 && options.fixed_step == 0.0),
       network_(network),
       watch_(boundary, options.relative_tolerance),
-      control_(options, options.method == Method::rosenbrock_4 ? 4.0 : 5.0),
+      control_(options),
       explicit_(make_explicit(options.method, boundary.slots())),
       implicit_(make_rodas(boundary.slots())),
       system_{ledger, Balance(boundary), {}, Vector(boundary.slots().species + 1)},
@@ -67,7 +67,7 @@ void Substepper::start(double t, double b) {
   begin_.t = t;
   system_.clock = {};
   system_.valid = true;
-  system_.rates_of(system_.gas = system_.ledger.gas(), begin_.rate, t);
+  system_.rates_of(system_.ledger.gas(), begin_.rate, t);
   if (!system_.valid) control_.fail(system_, t, b - t, false);
   begin_.moment = watch_.moment(system_.balance, 1.0);
   set_relaxation(kInfinity);
@@ -98,7 +98,8 @@ void Substepper::stop_at_ambient(double x) {
   system_.rates(trial_.end, trial_.end_rate, x);
 }
 
-/// One trial; the balance is left at its end. Its error over the tolerance, infinite if any stage met no gas.
+/// One trial; the balance is left at its end. Its error over the tolerance, infinite if a stage had no valid
+/// gas.
 double Substepper::try_step(const Reach& reach, bool stiff) {
   const double t = begin_.t, x = begin_.x, h = (x + reach.length) - x;  // what flows in until then, exactly
   control_.require_stable(system_.balance, reach.end - t, begin_.relaxation);
@@ -128,7 +129,8 @@ std::optional<Substepper::Proposal> Substepper::again(const Proposal& tried, con
   if (turns || (!options_.unsafe_step && watch_.crosses_against_flow(begin, end, duration))) {
     if (fixed) {  // what only runs out, or in, ends there
       const bool fed = begin.growth * begin.flow > 0.0;
-      if (fed || on_ambient) control_.fail_crossing(begin_.t);
+      const bool away = begin.overpressure * end.overpressure > 0.0;
+      if (fed || on_ambient || away) control_.fail_crossing(begin_.t);
       return Proposal{tried.length,
                       reach.length * begin.overpressure / (begin.overpressure - end.overpressure),
                       tried.stiff};

@@ -19,7 +19,7 @@ class Substepper {
   Substepper(const Boundary& boundary, Ledger& ledger, const TriggerNetwork& network,
              const IntegratorOptions& options);
 
-  /// Resets the counters. `temperature` [K] is that of the gas, which has it too while there is none.
+  /// Resets the counters. `temperature` [K] is the first guess; an empty volume keeps it.
   void begin_step(double temperature);
   /// Advances from time a towards b [s]. Returns the time reached: b, or earlier if a pressure sensor
   /// switches there. Throws DomainError.

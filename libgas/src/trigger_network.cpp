@@ -89,20 +89,14 @@ bool TriggerNetwork::update_gate(const Gate& gate, NodeState& node, const Trigge
   return t >= node.held_since + gate.delay;
 }
 
-bool TriggerNetwork::update(TriggerState& state, double t, double overpressure,
+void TriggerNetwork::update(TriggerState& state, double t, double overpressure,
                             double ambient_pressure) const {
-  bool changed = false;
   const std::size_t sensors = model_.sensors.size();
-  for (std::size_t i = 0; i < model_.size(); ++i) {
-    NodeState& node = state[i];
-    const double since = node.since;
-    set(node,
-        i < sensors ? sensor_on(i, node, t, overpressure, ambient_pressure)
-                    : update_gate(model_.gates[i - sensors], node, state, t),
+  for (std::size_t i = 0; i < model_.size(); ++i)
+    set(state[i],
+        i < sensors ? sensor_on(i, state[i], t, overpressure, ambient_pressure)
+                    : update_gate(model_.gates[i - sensors], state[i], state, t),
         t);
-    changed = changed || (node.since == kInfinity) != (since == kInfinity);
-  }
-  return changed;
 }
 
 bool TriggerNetwork::switches(const TriggerState& state, double overpressure, double ambient_pressure) const {

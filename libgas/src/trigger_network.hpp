@@ -15,10 +15,9 @@ class TriggerNetwork {
 
   /// First time after t at which a sensor of time or signal, or a running delay, may switch a node.
   double next_break(const TriggerState& state, double t) const;
-  /// Updates every node to time t. True if a gate or sensor came on or went off. A pressure sensor switches
-  /// where the integrator locates its threshold [Pa, above the ambient pressure]. Input sensors keep the
-  /// caller's value.
-  bool update(TriggerState& state, double t, double overpressure, double ambient_pressure) const;
+  /// Updates every node to time t. A pressure sensor switches where the integrator locates its threshold [Pa,
+  /// above the ambient pressure]. Input sensors keep the caller's value.
+  void update(TriggerState& state, double t, double overpressure, double ambient_pressure) const;
   /// True if a pressure sensor differs from its value in `state`.
   bool switches(const TriggerState& state, double overpressure, double ambient_pressure) const;
   /// True while a pressure sensor may still switch something.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "limits.hpp"
 #include "require.hpp"
 
 namespace gas {
@@ -15,8 +16,6 @@ constexpr double kSmallStep = 1e-8;
 constexpr int kSmallSteps = 3;
 constexpr int kMostNewtonSteps = 100;
 constexpr double kCurveEnd = 1e-12;  // products closer to the end of the curve, relative, are on it
-// Of an energy, relative: some hundred operations. What is so close to an end of the range is there.
-constexpr double kEnergyRoundOff = 2e-14;
 
 /// The knot from which the line of the curve goes up on which p V is `product` [J]; within rounding of the
 /// last knot that line is the last one. Below the first knot the volume is rigid.

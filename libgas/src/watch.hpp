@@ -35,7 +35,7 @@ class Watch {
   bool is_on_ambient(const Moment& at) const;  // p is p_a to the accuracy of landing
   /// True if gas flows out (`side` > 0) or in, or is about to, from p_a.
   bool is_led(const Moment& at, double side) const;
-  /// True if fed flow sets in: p rises at more than half of its rate with the openings shut.
+  /// True if fed flow sets in: p moves at half or more of its rate with the openings shut.
   bool is_onset(const Balance& balance, const Moment& at) const;
   /// Share of a trial of length h after which the vents became choked or unchoked; empty if they did not.
   std::optional<double> switches(const Moment& begin, const Moment& end, double h) const;

@@ -128,6 +128,9 @@ TEST(input, state_and_step) {
   expect_refused([&] { integrator.advance(state, 1.0, 1.0, rigid(0.06)); }, "t1");
   expect_refused([&] { integrator.advance(state, 0.0, kNan, rigid(0.06)); }, "t1");
   gas::ControlVolumeState broken = state;
+  broken.temperature = kNan;
+  expect_refused([&] { integrator.advance(broken, 0.0, 1.0, rigid(0.06)); }, "temperature");
+  broken = state;
   broken.masses[0] = kNan;
   expect_refused([&] { integrator.advance(broken, 0.0, 1.0, rigid(0.06)); }, "masses");
   broken.masses.pop_back();

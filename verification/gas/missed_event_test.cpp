@@ -123,6 +123,44 @@ TEST(missed_event, balance_that_fixed_steps_cannot_reach) {
   for (const double step : {1.8e-5, 2e-5, 2.5e-5}) EXPECT_THROW(pressure(step), gas::DomainError) << step;
 }
 
+/// A step so long that a stage beyond p_a leads p farther away: a shorter one is advised.
+TEST(missed_event, fixed_step_that_leads_away_from_ambient) {
+  gas::ControlVolumeModel model = closed_tank(nitrogen());
+  model.ambient = {kAmbientPressure, 300.0, kPure};
+  model.vents.push_back({0.6, 1e-3});
+  model.vents[0].backflow = true;
+  gas::ControlVolumeState state = gas::make_state(model, kPure, kAmbientPressure + 1000.0, 300.0, 0.06);
+  try {
+    gas::GasIntegrator(model, {1e-10, 100000, gas::Method::runge_kutta_4, 0.1})
+        .advance(state, 0.0, 1.0, rigid(0.06));
+    FAIL() << "no error";
+  } catch (const gas::DomainError& error) {
+    EXPECT_NE(std::string(error.what()).find("a shorter one"), std::string::npos) << error.what();
+  }
+}
+
+/// Air and an inflow come into an empty volume: the temperature that its state names is that of no gas.
+TEST(missed_event, empty_state_has_no_temperature) {
+  gas::ControlVolumeModel model = closed_tank(nitrogen());
+  model.ambient.mass_fractions = kPure;
+  model.vents.push_back({0.6, 1e-3});
+  model.vents[0].backflow = true;
+  model.inflows.push_back(steady_inflow(model.thermo, 0.1, 700.0));
+  for (const double step : {0.0, 1e-3, 0.5}) {
+    const auto outcome = [&](double temperature) {
+      gas::ControlVolumeState state = gas::make_state(model, kPure, 0.0, temperature, 0.06);
+      const gas::IntegratorOptions options{1e-10, 100000, gas::Method::euler, step};
+      try {
+        gas::GasIntegrator(model, options).advance(state, 0.0, 0.5, rigid(0.06));
+      } catch (const gas::DomainError& error) {
+        return std::string(error.what());
+      }
+      return std::to_string(state.masses[0]);
+    };
+    EXPECT_EQ(outcome(293.0), outcome(800.0)) << step;
+  }
+}
+
 /// Fabric that leaks by a table, far less than an inflow that grows from nothing: no pressure is held.
 TEST(missed_event, leak_of_less_than_a_rounding_of_the_inflow) {
   gas::ControlVolumeModel model = closed_tank(nitrogen());

@@ -11,7 +11,7 @@ namespace {
 
 using namespace cases;
 
-constexpr double kNotRead = 1.0;  // [m3] volumes of calls
+constexpr double kNotRead = 0.0;  // [m3] volumes of calls, none that a rigid volume could have
 
 gas::Curve curve(std::vector<gas::Curve::Knot> knots) {
   return {std::move(knots), gas::Outside::held};

@@ -23,8 +23,8 @@ struct Ambient {
   std::vector<double> mass_fractions{};  // [-] of the gas outside; only vents with backflow read them
 };
 
-/// Inflow of one inflator, given as curves. The mass flow is zero before firing and outside the curve's
-/// knots.
+/// Inflow of one inflator, given as curves. The mass flow is zero before firing; outside its knots it is what
+/// its curve says.
 struct Inflow {
   std::vector<double> mass_fractions;  // [-] one per species of the Thermo, sum 1
   Curve mass_flow;                     // [kg/s] >= 0, against the time since firing [s]; may jump
@@ -37,7 +37,7 @@ struct Inflow {
 /// A hole. Its area is a number or one of two curves. A curve is held outside its knots.
 struct Vent {
   double discharge_coefficient;                 // [-] 0 to 1
-  double area;                                  // [m2] >= 0; not read if a curve is given
+  double area;                                  // [m2] >= 0; without effect if a curve is given
   std::optional<Curve> area_of_time{};          // [m2] against time since opening [s]; may jump
   std::optional<Curve> area_of_overpressure{};  // [m2] against p - p_a [Pa], without a jump
   /// True: ambient gas flows in at p < p_a, by (G.6) with inside and outside exchanged.

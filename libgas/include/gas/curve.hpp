@@ -52,7 +52,7 @@ class Curve {
   /// Value at `time` [s]. Where the curve jumps, `side` selects the value. At the first and last knot a curve
   /// that is zero outside has its value inside.
   double value(double time, Side side = Side::after) const;
-  /// The linear piece around `time` [s]. Precondition: `time` is not a knot.
+  /// The linear piece around `time` [s]; at a knot the one after it.
   Piece piece(double time) const;
   /// Time [s] of the first knot later than `time`; infinity if there is none or the curve is constant.
   double next_knot(double time) const;

@@ -29,7 +29,7 @@ struct StreamFlux {
 struct StepMoments {
   /// [s] last time at which the vents became choked or unchoked.
   double sonic_switch = std::numeric_limits<double>::quiet_NaN();
-  /// [s] last time at which p reached p_a, to 1e-7 of it.
+  /// [s] last time at which flow through the openings brought p to p_a, to 1e-7 of it.
   double equalisation = std::numeric_limits<double>::quiet_NaN();
 };
 
@@ -82,17 +82,18 @@ struct IntegratorOptions {
 
 /// Stage S10: integrates (G.9) and (G.10) over a step.
 ///
-/// Sub-steps integrate outflows, backflow, heat and work only. The inflow is added in closed form at every
-/// stage. So mass and energy balance to round-off, and no inflow is stepped over, at any tolerance and by any
-/// method.
+/// Sub-steps integrate outflows, backflow, heat and work only. What flows in over a sub-step is added in
+/// closed form; Rosenbrock 4 takes it as a rate in its stages. So mass and energy balance to round-off, and
+/// no inflow is stepped over, at any tolerance and by any method.
 ///
 /// Sub-steps end at break points. Some are known in advance: knots and firing times of the inflows, inflow
 /// temperatures of 1000 K, knots of the vents' curves over time, switching times of the triggers. Others are
 /// located on the way: pressure triggers, knots over the overpressure, the sonic/subsonic switch of the
 /// vents, and p = p_a.
 ///
-/// A sealed adiabatic volume that is constant or follows the pressure needs quadrature only. The default
-/// method takes sub-steps longer than 1.5 times the relaxation time 1/(G.14) by Rosenbrock 4.
+/// A sealed adiabatic volume that is constant or follows the pressure needs quadrature only, unless a
+/// pressure sensor watches it. The default method takes sub-steps longer than 1.5 times the relaxation time,
+/// by (G.14) and (G.16), by Rosenbrock 4.
 class GasIntegrator {
  public:
   /// Copies the model and allocates all that advance() needs. Throws std::invalid_argument for a bad model or
@@ -105,11 +106,14 @@ class GasIntegrator {
   /// Advances `state` from t0 to t1 > t0 [s]. Does not allocate. On an exception `state` is unchanged.
   /// - Throws std::invalid_argument for times that are not finite or t1 <= t0, and for a state with other
   ///   sizes, a negative mass or a number that is not finite.
-  /// - Throws DomainError if a volume is not positive, a leak area is negative, or the temperature leaves its
-  ///   range.
-  /// - Throws DomainError if maximum_steps is exceeded (the gas is too stiff).
-  /// - Throws DomainError if fixed_step, without unsafe_step, is above the stability limit or takes p through
-  ///   p_a against the feed.
+  /// - Throws DomainError if a volume is not positive, a leak area is negative, the temperature leaves its
+  ///   range, or p passes the last knot of volume_of_overpressure.
+  /// - Throws DomainError if maximum_steps is exceeded, or if sub-steps fall below the rounding of t: the gas
+  /// is
+  ///   too stiff, or a pressure sensor keeps switching.
+  /// - With a fixed_step, throws DomainError if a species runs out or flow turns round within a sub-step;
+  ///   without unsafe_step also if the step is above the stability limit, misses a balance, or takes p
+  ///   through p_a against the feed.
   StepFluxes advance(ControlVolumeState& state, double t0, double t1, const VolumePath& path);
 
  private:

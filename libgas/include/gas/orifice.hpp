@@ -18,19 +18,14 @@ double orifice_mass_flow(double effective_area /* Cd A [m2] */, double pressure 
                          double temperature /* [K] */, double gas_constant /* [J/(kg K)] */,
                          double cp /* [J/(kg K)] */, double gamma, double ambient_pressure /* [Pa] */);
 
-/// The same, from the overpressure p - p_a [Pa]. Use it where the overpressure is known with more digits than
-/// the two pressures. Units of the other arguments as above.
-double hole_mass_flow(double effective_area, double pressure, double temperature, double gas_constant,
-                      double cp, double gamma, double overpressure);
-
 /// Mass flow [kg/s] through porous fabric, leak_area sqrt(2 rho (p - p_a)), never choked.             (G.7)
 /// leak_area [m2] is sum eta^2 A for the printed law and sum eta A for the screen law (eta: porosity, A:
 /// element area).
 double fabric_mass_flow(double leak_area /* [m2] */, double density /* [kg/m3] */,
                         double overpressure /* p - p_a [Pa] */);
 
-/// Exponent d ln mdot / d ln p [-] of (G.6) at constant T: 1 if sonic; 1 - n/2 if subsonic,           (G.13)
-///   n = (2 r^(2/gamma) - (gamma + 1) r^((gamma+1)/gamma))/(gamma (r^(2/gamma) - r^((gamma+1)/gamma))),
+/// Exponent n = d ln mdot / d ln p [-] of (G.6) at constant T: 1 if sonic; if subsonic               (G.13)
+///   n = 1 - (2 r^(2/gamma) - (gamma + 1) r^((gamma+1)/gamma))/(2 gamma (r^(2/gamma) - r^((gamma+1)/gamma))),
 /// with r = p_a/p < 1. `overpressure_share` is (p - p_a)/p. As p -> p_a it grows as p/(2 (p - p_a)).
 double orifice_pressure_exponent(double gamma, double overpressure_share);
 

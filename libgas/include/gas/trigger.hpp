@@ -55,7 +55,8 @@ struct NodeState {
   double since = std::numeric_limits<double>::infinity();
   /// [s] when it first came on.
   double first_on = std::numeric_limits<double>::infinity();
-  /// [s] gates only: since when the condition holds; infinity if it does not.
+  /// [s] gates only: since when the condition holds, or when it first held if the gate latches; else
+  /// infinity.
   double held_since = std::numeric_limits<double>::infinity();
 };
 
