@@ -33,6 +33,10 @@ part_own_files() {
   done
   expect 0 "" "$gasjet" "${short[@]}" --out "$work/replaced"
   [ ! -e "$work/replaced/bag_00001.vtp" ] || fail "a frame of the run before stays"
+  # A run that ends before its first frame: the same command takes its place.
+  for _ in 1 2; do
+    expect 3 "step 0: .* is not finite" "$gasjet" run "$source/cases/plate_jet.toml" --set output.frames=3 --set inflator.0.mass_flow=1e305 --out "$work/failed"
+  done
   # A deck's folder is a folder of results.
   local deck=(export "$bag" --units kg-m-s)
   mkdir "$work/deck" && echo mine >"$work/deck/export.md"

@@ -157,8 +157,10 @@ FrameWriter::FrameWriter(ResultFolder& folder, const Scene& scene)
     : file_(folder.add("frames.bin")), stream_(file_, std::ios::binary), scene_(scene) {
   if (!stream_) throw OutputError(fmt::format("{}: not writable", file_.string()));
   if (scene.target) target_ = std::make_unique<TargetPicture>(*scene.target);
+  // Flushed: a run may end before its first frame, and its status then tells the file's size.
   stream_ << header(scene, folder.run(), target_.get()).dump(-1, ' ', false, Json::error_handler_t::replace)
-          << '\n';
+          << '\n'
+          << std::flush;
 }
 
 FrameWriter::~FrameWriter() = default;
