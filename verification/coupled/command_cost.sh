@@ -67,6 +67,11 @@ END
   adds_up "$work/tank/cost.csv"
   [ "$(value "$work/tank/cost.csv" "without jet" runs)" = "" ] || fail "a tank has no jet"
   expect 0 "left out: without jet: the scene is nothing else" "$gasjet" cost "$source/cases/plate_jet.toml" --runs 3
+  # What goes with the pendulum: channel classes, and sensors of its contact, without which the case is another one.
+  local quick=(--unset inflator.0.jet --set scene.end_time=2e-4 --runs 3 --quiet)
+  expect 0 "^without pendulum and contact " "$gasjet" cost "$case" "${quick[@]}" --set output.channel_classes=[60,180]
+  expect 0 "left out: without pendulum and contact: a sensor waits for the contact" \
+    "$gasjet" cost "$source/cases/contact_vent.toml" --set scene.end_time=2e-4 --runs 3 --quiet
   # What is wrong is refused, and nothing is written.
   expect 2 "no_such.toml: no such file" "$gasjet" cost "$work/no_such.toml" --out "$work/none"
   expect 2 "--runs.*2.*3" "$gasjet" cost "$case" --runs 2 --out "$work/none"

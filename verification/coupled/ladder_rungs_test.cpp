@@ -161,6 +161,13 @@ TEST_P(ladder_leak, without_a_membrane_eq_that_of_the_skin_as_cut) {
   }
 }
 
+// Channel classes are of the pendulum, which goes with the membrane.
+TEST(ladder_plan, leaves_the_membrane_out_of_a_case_with_channel_classes) {
+  const auto plan = driver::plan_ladder(case_file("passenger_pendulum"), {"output.channel_classes=[60,180]"},
+                                        "peak_pressure", {});
+  EXPECT_TRUE(plan.no_membrane.has_value()) << testing::PrintToString(plan.left_out);
+}
+
 INSTANTIATE_TEST_SUITE_P(
     fabrics, ladder_leak,
     testing::Values(Leak{"panels", "driver_bag", {}},

@@ -2,6 +2,8 @@
 // What a case can be run without, to see what it costs.
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "cost/parts.hpp"
 #include "jet/visibility.hpp"
 #include "ladder/parts.hpp"
@@ -40,7 +42,13 @@ class Variants {
 
   void contact() {
     if (!scene_.contact) return leave_out(cost_no_contact, "the scene has no contact");
-    add(cost_no_contact, {"unset pendulum", "unset contact"});
+    if (scene_.gas && std::ranges::any_of(scene_.gas->model.triggers.sensors, [](const gas::Sensor& sensor) {
+          return sensor.kind == gas::SensorKind::input;
+        }))
+      return leave_out(cost_no_contact, "a sensor waits for the contact");
+    std::vector<std::string> off{"unset pendulum", "unset contact"};
+    case_.unset(off, "output.channel_classes");
+    add(cost_no_contact, std::move(off));
   }
 
   void gas() {
