@@ -43,6 +43,7 @@ TEST(warnings, name_numbers_in_another_unit) {
                                           Given{"sphere_inflation", "fabric.density", "6.2e-10"},
                                           Given{"rigid_tank", "tank.volume", "60"},
                                           Given{"tank_blowdown", "gas.initial.pressure", "5"},
+                                          Given{"tank_backflow", "gas.heat_loss.coefficient", "1e12"},
                                           Given{"passenger_pendulum", "vent.0.area", "1000"},
                                           Given{"driver_bag", "scene.end_time", "60"},
                                           Given{"rigid_tank", "scene.end_time", "100"},

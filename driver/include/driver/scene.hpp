@@ -56,6 +56,8 @@ struct GasPart {
   std::optional<double> rigid_volume;     // [m3] of a tank, at the start if it varies
   std::optional<TankVolume> tank_volume;  // of a tank that moves
   double tank_leak_area = 0.0;            // [m2] of all fabrics of a tank
+  /// [W/(m2 K)] of the walls, if they take heat; the model has it times their area.
+  std::optional<double> heat_loss_coefficient{};
 };
 
 /// The bag: fabric around the gas, or a sheet under prescribed overpressure.

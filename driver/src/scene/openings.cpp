@@ -161,6 +161,7 @@ void read_heat_loss(TableReader& gas_table, Scene& scene) {
   if (!table) return;
   const double coefficient = table->at("coefficient").number(positive.in("W/(m² K)")),
                area = table->at("area").number(positive.in("m²"));
+  scene.gas->heat_loss_coefficient = coefficient;
   scene.gas->model.heat_loss = {
       coefficient * area,
       table->at("outside_temperature").number(gas_temperature, scene.ambient.temperature, "ambient")};

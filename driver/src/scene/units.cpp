@@ -48,6 +48,8 @@ void check_gas(Scene& scene, UnitWarnings& units) {
           fmt::format("{}mass_flow goes on until {:.4g} s, the scene ends at {:.4g} s: is that its unit?",
                       key, last->time, scene.time.end));
   }
+  if (const auto& coefficient = gas.heat_loss_coefficient)
+    units.expect("gas.heat_loss.coefficient", *coefficient, "W/(m2 K)", 0.1, 1e5);
   if (gas.rigid_volume) units.expect("tank.volume", *gas.rigid_volume, "m3", 1e-5, 10.0);
   for (std::size_t i = 0; i < gas.model.vents.size(); ++i)
     units.expect(fmt::format("vent.{}.area", i), gas.model.vents[i].area, "m2", 0.0, 1.0);
