@@ -23,6 +23,8 @@ part_report() {
   expect 2 "--out .*is a folder" "$gasjet" report "$work/bag" --out "$work/bag"
   expect 2 "--out .*frames.bin: a page ends with .html" "$gasjet" report "$work/bag" --out "$work/./bag/frames.bin"
   expect 2 "page.html: not writable .No such file" "$gasjet" report "$work/bag" --out "$work/nowhere/page.html"
+  : >"$work/nothing.csv"
+  expect 2 "nothing.csv:1:1: has no header row" "$gasjet" report "$work/nothing.csv" --out "$page"
   # Damaged tables.
   a_copy && sed -i '$s/,[^,]*$/,nan/' "$work/bad/history.csv"
   expect 2 "history.csv:[0-9]+:[0-9]+: plate_force_N: 'nan': a finite number is allowed" "$gasjet" report "$work/bad" --out "$page"

@@ -37,7 +37,8 @@ class Reader {
     return false;
   }
   [[noreturn]] void fail(std::size_t column, const std::string& message) const {
-    throw CaseError(fmt::format("{}:{}:{}: {}", file_.string(), number_, column, message));
+    throw CaseError(
+        fmt::format("{}:{}:{}: {}", file_.string(), std::max<std::size_t>(1, number_), column, message));
   }
 
  private:
