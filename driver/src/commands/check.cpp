@@ -2,6 +2,7 @@
 // Validates a case and prints what follows from it before any step is made.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "commands/commands.hpp"
@@ -76,21 +77,41 @@ void print_bag(const Scene& scene, const State& state) {
   print_straps(bag);
 }
 
+// Ambient gas comes in through a vent, at the speed of sound.
+bool chokes_inwards(const Scene& scene, double pressure) {
+  const gas::ControlVolumeModel& model = scene.gas->model;
+  const gas::Ambient& outside = model.ambient;
+  return outside.pressure > 0.0 && std::ranges::any_of(model.vents, &gas::Vent::backflow) &&
+         pressure <= outside.pressure * gas::critical_pressure_ratio(
+                                            model.thermo.gamma(outside.mass_fractions, outside.temperature));
+}
+
 // Whether the vents choke: at the start, and from which pressure.
-void print_vents(const Scene& scene, const State& state) {
+void print_vents(const Scene& scene, const State& state, double gamma) {
   if (!scene.has_volume() || scene.gas->model.vents.empty()) return;
-  const double critical = scene.ambient.pressure / gas::critical_pressure_ratio(state.gas_point.gamma);
-  fmt::print("vents: {} at the start, choked from {:.6g} Pa at that gamma\n",
-             state.gas_point.pressure >= critical ? "choked" : "not choked", critical);
+  const double pressure = state.gas_point.pressure, ambient = scene.ambient.pressure;
+  const double critical = ambient / gas::critical_pressure_ratio(gamma);
+  if (chokes_inwards(scene, pressure))
+    fmt::print("vents: choked inwards at the start, outwards from {:.6g} Pa at that gamma\n", critical);
+  else
+    fmt::print("vents: {} at the start, choked {} {:.6g} Pa at that gamma\n",
+               pressure > ambient && pressure >= critical ? "choked" : "not choked",
+               ambient > 0.0 ? "from" : "above", critical);
+}
+
+// When an inflator is at its peak; before a run nobody knows when its trigger comes on.
+std::string peak_text(const Scene& scene, std::size_t inflator, double time) {
+  const bool triggered = scene.gas->model.inflows[inflator].trigger.has_value();
+  return fmt::format("t = {:.4g} s{}", time, triggered ? " after its trigger" : "");
 }
 
 void print_inflators(const Scene& scene) {
   if (!scene.gas) return;
   for (std::size_t i = 0; i < scene.gas->model.inflows.size(); ++i) {
     const auto [time, point] = inflator_peak(scene, i);
-    fmt::print(
-        "inflator {}: at its peak (t = {:.4g} s) {:.5g} kg/s at {:.5g} K, R {:.5g} J/(kg K), gamma {:.5g}\n",
-        i, time, point.mass_flow, point.temperature, point.gas_constant, point.gamma);
+    fmt::print("inflator {}: at its peak ({}) {:.5g} kg/s at {:.5g} K, R {:.5g} J/(kg K), gamma {:.5g}\n", i,
+               peak_text(scene, i, time), point.mass_flow, point.temperature, point.gas_constant,
+               point.gamma);
   }
 }
 
@@ -98,10 +119,10 @@ void print_jet(const Scene& scene, const JetPart& part) {
   const JetPeak peak = jet_peak(scene, part);
   const jet::JetModel& model = part.field.model();
   fmt::print(
-      "jet of inflator {}: at its peak (t = {:.4g} s) V0 = {:.5g} m/s, rho0 = {:.4g} kg/m3, outlet pressure "
+      "jet of inflator {}: at its peak ({}) V0 = {:.5g} m/s, rho0 = {:.4g} kg/m3, outlet pressure "
       "{:.4g} Pa ({}), momentum {:.4g} N; cut-off loses {:.2g} of it\n",
-      part.inflator, peak.time, peak.outlet.velocity, peak.outlet.density, peak.outlet.pressure,
-      peak.outlet.pressure > scene.ambient.pressure ? "choked" : "not choked",
+      part.inflator, peak_text(scene, part.inflator, peak.time), peak.outlet.velocity, peak.outlet.density,
+      peak.outlet.pressure, peak.outlet.pressure > scene.ambient.pressure ? "choked" : "not choked",
       jet::momentum_flux(peak.outlet, part.outlet.area), jet::momentum_loss(model));
 }
 
@@ -135,11 +156,13 @@ int check(const CaseArguments& arguments, const std::string& format) {
   }
   print_settings(document);
   fmt::print("\nderived\n");
+  const double gamma = gamma_at_start(state, groups);
   if (scene.has_volume())
-    fmt::print("gas: {:.5g} kg at {:.6g} Pa, {:.5g} K, gamma {:.5g}\n", state.gas_point.mass,
-               state.gas_point.pressure, state.gas_point.temperature, state.gas_point.gamma);
+    fmt::print("gas: {:.5g} kg at {:.6g} Pa, {:.5g} K, gamma {:.5g}{}\n", state.gas_point.mass,
+               state.gas_point.pressure, state.gas_point.temperature, gamma,
+               state.gas_point.mass > 0.0 ? "" : " of what fills it");
   if (scene.bag) print_bag(scene, state);
-  print_vents(scene, state);
+  print_vents(scene, state, gamma);
   print_inflators(scene);
   for (const auto& part : scene.jets) print_jet(scene, part);
   if (scene.pendulum)

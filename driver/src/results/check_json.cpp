@@ -147,7 +147,7 @@ Json derived_of(const Scene& scene, const State& state, const Forecast& f) {
         {"mass_kg", state.gas_point.mass},
         {"pressure_Pa", state.gas_point.pressure},
         {"temperature_K", state.gas_point.temperature},
-        {"gamma", state.gas_point.gamma},
+        {"gamma", gamma_at_start(state, f)},
         {"mass_fractions", fractions_of(scene.gas->model.thermo, scene.gas->initial_fractions)}};
   if (f.full) derived["full_volume"] = full_volume_of(*f.full);
   if (scene.gas) derived["inflators"] = inflators_of(scene);

@@ -215,4 +215,8 @@ FullState full_state(const Scene& scene, const State& state, const Supply& suppl
   return full;
 }
 
+double gamma_at_start(const State& state, const Forecast& f) {
+  return f.full && !(state.gas_point.mass > 0.0) ? f.full->gamma : state.gas_point.gamma;
+}
+
 }  // namespace driver

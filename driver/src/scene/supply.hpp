@@ -29,4 +29,8 @@ Supply supply_of(const Scene& scene);
 
 FullState full_state(const Scene& scene, const State& state, const Supply& supply);
 
+/// cp/cv of the gas at the start [-]. An empty volume has that of the gas that fills it; a scene without a
+/// volume of gas has none, 0.
+double gamma_at_start(const State& state, const Forecast& f);
+
 }  // namespace driver
