@@ -25,4 +25,6 @@ part_check() {
   expect 0 "^jet of inflator 0: at its peak \(t = 0.012 s after its trigger\) V0" "$gasjet" check "$source/cases/passenger_pendulum.toml" \
     --set 'sensor=[{name="s",time=0.005}]' --set inflator.0.trigger=s
   expect 0 "^jet of inflator 0: at its peak \(t = 0.012 s\) V0" "$gasjet" check "$source/cases/passenger_pendulum.toml"
+  # A warning names the inflator that is wrong.
+  expect 2 "^warning: inflator.1.temperature is 7000 K: is that its unit" "$gasjet" check "$source/cases/tank_triggers.toml" --set inflator.1.temperature=7000.0
 }

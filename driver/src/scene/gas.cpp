@@ -185,13 +185,13 @@ void read_gas(TableReader& root, std::optional<TableReader>& ambient, std::vecto
   table->finish();
 
   TriggerNames names = read_triggers(root, part.model.triggers);
-  std::vector<gas::Inflow> inflows;
+  gas::ControlVolumeModel alone = part.model;  // with one inflator: what is wrong is of that one
+  auto& inflows = part.model.inflows;
   for (std::size_t i = 0; i < inflators.size(); ++i) {
     inflows.push_back(read_inflow(inflators[i], mass_fractions(part.model.thermo, compositions[i]), names));
-    part.model.inflows.assign(1, inflows.back());  // alone: what is wrong is of this one
-    inflators[i].located("temperature", [&] { gas::validate(part.model); });
+    alone.inflows.assign(1, inflows.back());
+    inflators[i].located("temperature", [&] { gas::validate(alone); });
   }
-  part.model.inflows = std::move(inflows);
   warn_of_idle_inflators(scene);
   read_vents(root, names, part.model);
   names.warn_of_idle(scene);
