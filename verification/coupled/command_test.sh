@@ -210,7 +210,11 @@ part_progress() {
   tr '\r' '\n' <"$work/terminal" | sed -nE 's/.*\[[#.]{40}\] +([0-9]+) %.*/\1/p' >"$work/percent"
   sort -nc "$work/percent" || fail "progress goes back: $(paste -sd ' ' "$work/percent")"
   [ "$(tail -n 1 "$work/percent")" = 100 ] || fail "no 100 % at the end: $(paste -sd ' ' "$work/percent")"
-  run+=(--set scene.end_time=0.002)
+  local bag=("${run[@]}")
+  run=("$gasjet" run "$source/cases/plate_jet.toml" --out "$work/target" --set scene.end_time=1 --set output.history_every=1e-4)
+  on_terminal 140 # nothing has a pressure
+  tr '\r' '\n' <"$work/terminal" | sed 's/\x1b\[K.*//' | grep -q ' s left, [0-9.]* ms$' || fail "the time of a target is not told alone"
+  run=("${bag[@]}" --set scene.end_time=0.002)
   "${run[@]}" >"$work/log" 2>&1 </dev/null || fail "exit $? without a terminal"
   ! grep -q $'\r' "$work/log" || fail "a bar without a terminal"
   [ -z "$("${run[@]}" --quiet 2>&1 </dev/null)" ] || fail "--quiet is not quiet"

@@ -45,7 +45,8 @@ class Schedule {
 // What the line of progress tells of a run.
 std::string reached(const State& now) {
   const double pressure = now.bag && !now.gas_integrator ? now.bag->gauge_pressure : now.gas_point.pressure;
-  std::string text = fmt::format("{:.4g} ms, {:.4g} kPa", 1e3 * now.time, 1e-3 * pressure);
+  std::string text = fmt::format("{:.4g} ms", 1e3 * now.time);
+  if (now.bag || now.gas_integrator) text += fmt::format(", {:.4g} kPa", 1e-3 * pressure);
   if (now.pendulum) text += fmt::format(", {:.3g} deg", now.level.pendulum_angle * 180.0 / std::numbers::pi);
   return text;
 }
