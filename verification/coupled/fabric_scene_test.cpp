@@ -2,6 +2,8 @@
 // Fabric by panel, woven fabric, and meshes with an initial shape, as scenes read them.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "case_folder.hpp"
 #include "membrane/driver_bag.hpp"
 #include "membrane/mesh_file.hpp"
@@ -103,6 +105,41 @@ TEST(fabric_scene, large_mesh_is_renumbered_whole) {
     EXPECT_EQ(order[static_cast<std::size_t>(straps[i].node_b)], bag.tether_anchors[i][1]);
   }
   EXPECT_FALSE(scene.bag->mesh.elements == design.elements);
+}
+
+// The flat discs have nodes at the same places: a point is one of a panel, or is refused.
+TEST(fabric_scene, straps_are_tied_to_the_panels_that_they_name) {
+  const Folder folder;
+  const auto with = [&](const std::string& panels) {
+    const std::string text = read(GASJET_SOURCE_DIR "/cases/driver_bag.toml");
+    std::ofstream(folder.path / "case.toml")
+        << text.substr(0, text.find("[[membrane.strap]]"))
+        << "[[membrane.strap]]\nfrom = [0.0, 0.1, 0.0]\nto = [0.0, 0.1, 0.0]\n"
+        << panels << "stiffness = 4500.0\nfree_length = 0.26\n[output]\nhistory_every = 1e-3\n";
+    return message_of(folder.path / "case.toml");
+  };
+  EXPECT_EQ(with("from_panel = \"back\"\nto_panel = \"front\"\n"), "accepted");
+  driver::CaseDocument document(folder.path / "case.toml", {});
+  const driver::Scene scene = driver::read_scene(document);
+  const membrane::Mesh& mesh = scene.bag->mesh;
+  const membrane::Strap& strap = scene.bag->model.description.straps.front();
+  EXPECT_EQ(mesh.nodes.col(strap.node_a), mesh.nodes.col(strap.node_b));
+  const auto has = [&](const char* panel, int node) {
+    const auto nodes = membrane::panel_nodes(mesh, panel);
+    return std::find(nodes.begin(), nodes.end(), node) != nodes.end();
+  };
+  EXPECT_TRUE(has("back", strap.node_a) && !has("front", strap.node_a));
+  EXPECT_TRUE(has("front", strap.node_b) && !has("back", strap.node_b));
+  const auto refused = [&](const std::string& panels, const std::string& part) {
+    const std::string message = with(panels);
+    EXPECT_NE(message.find(part), std::string::npos) << message;
+  };
+  refused("",
+          "membrane.strap.0.from: is nearest to nodes at one place of the panels \"back\", \"front\": "
+          "`from_panel`");
+  refused("from_panel = \"back\"\n", "membrane.strap.0.to: is nearest");
+  refused("from_panel = \"hub\"\n", "membrane.strap.0.from_panel: panel: \"hub\" does not exist");
+  refused("from_panel = \"vent_left\"\n", "m from the nearest node");
 }
 
 // Design and initial shape from two files are those of the generator.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Validates a case and prints what follows from it before any step is made.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -9,6 +10,7 @@
 #include "driver/run.hpp"
 #include "gas/orifice.hpp"
 #include "results/check_json.hpp"
+#include "scene/bag_mesh.hpp"
 #include "scene/jet_peak.hpp"
 #include "scene/supply.hpp"
 #include "step/drift.hpp"
@@ -35,11 +37,12 @@ void print_panels(const membrane::Mesh& mesh) {
     fmt::print("panel {}: {:.5g} m2\n", mesh.panel_names[i], areas(static_cast<Eigen::Index>(i)));
 }
 
-// Where they are tied to the design shape, as a case file says it.
+// Where they are tied to the design shape, as a case file says it, and to which panels.
 void print_straps(const BagPart& bag) {
   const auto point = [&](int node) {
     const Eigen::Vector3d p = bag.mesh.nodes.col(node);
-    return fmt::format("[{}, {}, {}]", p.x(), p.y(), p.z());
+    return fmt::format("[{}, {}, {}] ({})", p.x(), p.y(), p.z(),
+                       fmt::join(panels_of_node(bag.mesh, node), ", "));
   };
   const auto& straps = bag.model.description.straps;
   for (std::size_t i = 0; i < straps.size(); ++i)

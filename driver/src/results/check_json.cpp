@@ -7,6 +7,7 @@
 
 #include "membrane/time_step.hpp"
 #include "results/json_head.hpp"
+#include "scene/bag_mesh.hpp"
 #include "scene/jet_peak.hpp"
 #include "scene/supply.hpp"
 #include "step/drift.hpp"
@@ -71,7 +72,10 @@ Json point_of(const BagPart& bag, int node) {
 Json straps_of(const BagPart& bag) {
   Json straps = Json::array();
   for (const auto& strap : bag.model.description.straps)
-    straps.push_back({{"from_m", point_of(bag, strap.node_a)}, {"to_m", point_of(bag, strap.node_b)}});
+    straps.push_back({{"from_m", point_of(bag, strap.node_a)},
+                      {"from_panels", panels_of_node(bag.mesh, strap.node_a)},
+                      {"to_m", point_of(bag, strap.node_b)},
+                      {"to_panels", panels_of_node(bag.mesh, strap.node_b)}});
   return straps;
 }
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <stdexcept>
 
 #include "driver/case_reader.hpp"
@@ -56,6 +57,15 @@ std::vector<std::string> vent_panels(const membrane::Mesh& mesh) {
   std::vector<std::string> names;
   for (const std::string& name : mesh.panel_names)
     if (name.starts_with("vent")) names.push_back(name);
+  return names;
+}
+
+std::vector<std::string> panels_of_node(const membrane::Mesh& mesh, int node) {
+  std::set<int> panels;
+  for (int e = 0; e < mesh.element_count(); ++e)
+    if ((mesh.elements.col(e).array() == node).any()) panels.insert(mesh.panel[static_cast<std::size_t>(e)]);
+  std::vector<std::string> names;
+  for (const int panel : panels) names.push_back(mesh.panel_names[static_cast<std::size_t>(panel)]);
   return names;
 }
 

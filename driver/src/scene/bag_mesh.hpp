@@ -38,6 +38,9 @@ BagMesh generate(const membrane::DriverBagOptions& options);
 /// Names of the panels that begin with "vent": the generators' null panels.
 std::vector<std::string> vent_panels(const membrane::Mesh& mesh);
 
+/// Names of the panels whose elements have this node; several on a seam.
+std::vector<std::string> panels_of_node(const membrane::Mesh& mesh, int node);
+
 inline constexpr double smallest_bag = 0.02, largest_bag = 10.0;  // [m] longest extents of airbags
 /// Longest extent [m] of a mesh if no airbag has it: millimetres taken for metres run, and give numbers that
 /// look like results.

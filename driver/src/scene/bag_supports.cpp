@@ -2,6 +2,7 @@
 #include "scene/bag_supports.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 
@@ -53,27 +54,69 @@ void read_rollers(TableReader& table, const membrane::Mesh& mesh, membrane::BagD
   }
 }
 
-// The node nearest to a point of the design shape; a point further off than the mesh is coarse is a slip.
-int anchor(TableReader& reader, const char* key, const membrane::Mesh& mesh) {
-  const Eigen::Vector3d point = reader.at(key).vector("m");
-  const int node = membrane::nearest_node(mesh, point);
+double longest_side(const membrane::Mesh& mesh) {
   double longest = 0.0;
   for (int e = 0; e < mesh.element_count(); ++e)
     for (int i = 0; i < 3; ++i)
       longest = std::max(
           longest,
           (mesh.nodes.col(mesh.elements(i, e)) - mesh.nodes.col(mesh.elements((i + 1) % 3, e))).norm());
-  const double distance = (mesh.nodes.col(node) - point).norm();
+  return longest;
+}
+
+int nearest_of_panel(TableReader& reader, const std::string& key, const membrane::Mesh& mesh,
+                     const Eigen::Vector3d& point) {
+  const std::string name = reader.at(key).text();
+  int nearest = -1;
+  reader.located(key, [&] {
+    const auto distance = [&](int node) { return (mesh.nodes.col(node) - point).squaredNorm(); };
+    nearest = std::ranges::min(membrane::panel_nodes(mesh, name), {}, distance);
+  });
+  return nearest;
+}
+
+// Sheets that lie on each other in the design shape have nodes at the same place: without a panel, a point
+// does not say which of them it means.
+void require_one_panel(TableReader& reader, const std::string& key, const membrane::Mesh& mesh, int node,
+                       double same_place) {
+  std::vector<std::string> panels = panels_of_node(mesh, node), others;
+  for (int other = 0; other < mesh.node_count(); ++other) {
+    if (other == node || (mesh.nodes.col(other) - mesh.nodes.col(node)).norm() > same_place) continue;
+    for (const std::string& name : panels_of_node(mesh, other))
+      if (std::find(panels.begin(), panels.end(), name) == panels.end()) others.push_back(name);
+  }
+  if (others.empty()) return;
+  panels.insert(panels.end(), others.begin(), others.end());
+  std::sort(panels.begin(), panels.end());
+  panels.erase(std::unique(panels.begin(), panels.end()), panels.end());
+  reader.fail(key,
+              fmt::format("is nearest to nodes at one place of the panels \"{}\": `{}_panel` says which, "
+                          "one of these is allowed",
+                          fmt::join(panels, "\", \""), key));
+}
+
+// The node nearest to a point of the design shape, of all panels or of one; a point further off than the mesh
+// is coarse is a slip.
+int anchor(TableReader& reader, const std::string& key, const membrane::Mesh& mesh) {
+  const Eigen::Vector3d point = reader.at(key).vector("m");
+  const bool of_panel = reader.has(key + "_panel");
+  const int node =
+      of_panel ? nearest_of_panel(reader, key + "_panel", mesh, point) : membrane::nearest_node(mesh, point);
+  const double distance = (mesh.nodes.col(node) - point).norm(), longest = longest_side(mesh);
   if (distance > longest)
     reader.fail(key, fmt::format("is {} m from the nearest node, {} m (the longest element side) is allowed",
                                  distance, longest));
+  constexpr double rounding = 1e-9;  // of a side: what decimals of a mesh file leave
+  if (!of_panel) require_one_panel(reader, key, mesh, node, rounding * longest);
   return node;
 }
 
 void read_straps(TableReader& table, const BagMesh& source, std::vector<membrane::Strap>& straps) {
   for (auto& reader : table.tables("strap")) {
     membrane::Strap strap;
-    if (reader.has("from") || reader.has("to") || straps.size() >= source.strap_anchors.size()) {
+    const bool points =
+        reader.has("from") || reader.has("to") || reader.has("from_panel") || reader.has("to_panel");
+    if (points || straps.size() >= source.strap_anchors.size()) {
       strap.node_a = anchor(reader, "from", source.mesh);
       strap.node_b = anchor(reader, "to", source.mesh);
     } else {
