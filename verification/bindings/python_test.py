@@ -151,6 +151,7 @@ class ClosedForms(unittest.TestCase):
         self.assertIn("pressure_Pa", form["columns"])
         table = gasjet.exact("blowdown", times=[0.0, 0.1], initial_pressure=4e5)
         self.assertEqual(table["pressure_Pa"][0], 4e5)
+        self.assertGreater(gasjet.exact("ambient_inrush")["end_time_s"][0], 0.2)
         with self.assertRaisesRegex(gasjet.InputError, "no_such"):
             gasjet.exact("blowdown", no_such=1.0)
         with self.assertRaises(gasjet.InputError):

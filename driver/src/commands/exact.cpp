@@ -69,6 +69,29 @@ void print_list() {
   }
 }
 
+// The columns of a printed table: those that depend on the abscissa.
+std::vector<std::string> table_columns(const closed_form::Entry& entry) {
+  auto columns = entry.columns;
+  std::erase_if(columns, [&](const std::string& name) { return entry.is_constant(name); });
+  return columns;
+}
+
+// What is printed of a form: a value that does not depend on the abscissa stands beside the table, so that
+// the table compares with a history.
+struct Printed {
+  std::vector<std::pair<std::string, double>> constants;
+  std::vector<std::vector<double>> rows;
+
+  Printed(const closed_form::Entry& entry, const closed_form::Table& table) : rows(table.rows.size()) {
+    for (std::size_t c = 0; c < table.columns.size(); ++c) {
+      if (entry.is_constant(table.columns[c]))
+        constants.emplace_back(table.columns[c], table.rows.front()[c]);
+      else
+        for (std::size_t i = 0; i < rows.size(); ++i) rows[i].push_back(table.rows[i][c]);
+    }
+  }
+};
+
 // The catalogue page of the documentation.
 void print_page() {
   fmt::print(
@@ -76,13 +99,17 @@ void print_page() {
       "Printed by `gasjet exact --list --format markdown`. `gasjet exact NAME --set parameter=value --times "
       "0:0.3:1e-3` "
       "prints one of\nthem as CSV or JSON (`--format`); SI units; the digits are those that are correct. "
-      "`--times` gives\nthe values of the first column, which is the time or what the form says. "
+      "`--times` gives\nthe values of the first column, which is the time or what the form says. A value "
+      "beside "
+      "the table does not\ndepend on it: a `#` line of the CSV. "
       "Parameters outside their validity are refused.\n");
   std::string family;
   for (const auto& entry : closed_form::catalogue()) {
     if (entry.family != family) fmt::print("\n## {}\n", family = entry.family);
     fmt::print("\n**`{}`**: {}\n\n    {}\n\n", entry.name, entry.title, entry.equation);
-    fmt::print("- columns: `{}`\n", fmt::join(entry.columns, "`, `"));
+    fmt::print("- columns: `{}`\n", fmt::join(table_columns(entry), "`, `"));
+    if (!entry.constants.empty())
+      fmt::print("- beside the table: `{}`\n", fmt::join(entry.constants, "`, `"));
     for (const auto& p : entry.parameters)
       fmt::print("- `{}`{} [{}], {}: {}\n", p.name, p.symbol.empty() ? "" : fmt::format(" (`{}`)", p.symbol),
                  p.unit, p.default_value ? fmt::format("{}", *p.default_value) : "required", p.meaning);
@@ -101,11 +128,17 @@ Json to_json(const closed_form::Parameter& p) {
 Json to_json(const closed_form::Entry& entry) {
   Json parameters = Json::array();
   for (const auto& p : entry.parameters) parameters.push_back(to_json(p));
-  return {{"name", entry.name},       {"family", entry.family},
-          {"title", entry.title},     {"equation", entry.equation},
-          {"source", entry.source},   {"validity", entry.validity},
-          {"digits", entry.digits},   {"parameters", parameters},
-          {"columns", entry.columns}, {"abscissae", entry.default_abscissae}};
+  return {{"name", entry.name},
+          {"family", entry.family},
+          {"title", entry.title},
+          {"equation", entry.equation},
+          {"source", entry.source},
+          {"validity", entry.validity},
+          {"digits", entry.digits},
+          {"parameters", parameters},
+          {"columns", table_columns(entry)},
+          {"constants", entry.constants},
+          {"abscissae", entry.default_abscissae}};
 }
 
 // For programs: default null where a parameter must be given; abscissae empty where there is one row.
@@ -120,12 +153,17 @@ void print_csv(const closed_form::Entry& entry, const closed_form::ParameterMap&
   fmt::print("# name: {}\n# equation: {}\n# source: {}\n# validity: {}\n# digits: {}\n", entry.name,
              entry.equation, entry.source, entry.validity, entry.digits);
   for (const auto& [name, value] : parameters) fmt::print("# {}: {}\n", name, value);
-  fmt::print("{}\n", fmt::join(table.columns, ","));
-  for (const auto& row : table.rows) fmt::print("{}\n", fmt::join(row, ","));
+  const Printed printed(entry, table);
+  for (const auto& [name, value] : printed.constants) fmt::print("# {}: {}\n", name, value);
+  fmt::print("{}\n", fmt::join(table_columns(entry), ","));
+  for (const auto& row : printed.rows) fmt::print("{}\n", fmt::join(row, ","));
 }
 
 void print_json(const closed_form::Entry& entry, const closed_form::ParameterMap& parameters,
                 const closed_form::Table& table) {
+  const Printed printed(entry, table);
+  Json constants = Json::object();
+  for (const auto& [name, value] : printed.constants) constants[name] = value;
   auto object = json_head<Json>();
   object.update({{"name", entry.name},
                  {"equation", entry.equation},
@@ -133,8 +171,9 @@ void print_json(const closed_form::Entry& entry, const closed_form::ParameterMap
                  {"validity", entry.validity},
                  {"digits", entry.digits},
                  {"parameters", parameters},
-                 {"columns", table.columns},
-                 {"rows", table.rows}});
+                 {"constants", constants},
+                 {"columns", table_columns(entry)},
+                 {"rows", printed.rows}});
   fmt::print("{}\n", object.dump(2));
 }
 

@@ -125,7 +125,7 @@ void add_others(CLI::App& app, Arguments& all) {
   auto* exact = app.add_subcommand("exact", "print a closed form of the verification suite");
   exact->add_option("NAME", all.exact.name, "closed form, see --list");
   exact->add_flag("--list", all.exact.list, "the catalogue");
-  exact->add_option("--set", all.exact.parameters, "name=value")->allow_extra_args(false);
+  exact->add_option("--set", all.exact.parameters, "name=value, one --set for each")->allow_extra_args(false);
   exact->add_option("--times", all.exact.times, "abscissae, first:last:step")
       ->check(not_empty("first:last:step"));
   exact->add_option("--format", all.exact.format, "csv or json; of --list markdown or json")

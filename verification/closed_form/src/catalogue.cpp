@@ -82,6 +82,10 @@ std::string given_values(const ParameterMap& given) {
 
 }  // namespace
 
+bool Entry::is_constant(const std::string& column) const {
+  return std::find(constants.begin(), constants.end(), column) != constants.end();
+}
+
 const std::vector<Entry>& catalogue() {
   static const std::vector<Entry> list = build();
   return list;

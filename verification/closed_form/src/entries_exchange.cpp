@@ -31,7 +31,8 @@ Entry ambient_inrush_entry() {
         Row row = history(ambient_inrush(tank, t));
         row.push_back(ambient_inrush_end(tank));
         return row;
-      }};
+      },
+      {"end_time_s"}};
 }
 
 Entry heat_loss_fill_entry() {

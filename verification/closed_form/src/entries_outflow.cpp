@@ -201,7 +201,8 @@ Entry porous_isothermal_entry() {
             Row row = history(porous_tank_isothermal(porous_tank_of(gas_of_constant(v), v), t));
             row.push_back(porous_tank_isothermal_end(porous_tank_of(gas_of_constant(v), v)));
             return row;
-          }};
+          },
+          {"end_time_s"}};
 }
 
 Entry porous_adiabatic_entry() {
@@ -218,7 +219,8 @@ Entry porous_adiabatic_entry() {
             Row row = history(porous_tank_adiabatic(porous_tank_of(gas_of(v), v), t));
             row.push_back(porous_tank_adiabatic_end(porous_tank_of(gas_of(v), v)));
             return row;
-          }};
+          },
+          {"end_time_s"}};
 }
 
 }  // namespace

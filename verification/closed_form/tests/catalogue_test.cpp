@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "closed_form/catalogue.hpp"
 
+#include <algorithm>
 #include <map>
 #include <set>
 
@@ -72,6 +73,24 @@ TEST_P(CatalogueEntry, extreme_parameters_are_refused_by_name_or_give_numbers) {
         EXPECT_NE(message.find(p.name), std::string::npos) << p.name << " = " << value << ": " << message;
       }
     }
+}
+
+// A table over time compares with a history: all of its columns are states, others are named as constants.
+TEST_P(CatalogueEntry, constants_do_not_depend_on_the_abscissa_and_states_are_the_rest) {
+  const Entry& e = entry();
+  const Table table = evaluate(e);
+  const std::set<std::string> states{"pressure_Pa", "temperature_K", "gas_mass_kg", "inflow_temperature_K"};
+  for (std::size_t c = 0; c < e.columns.size(); ++c) {
+    const std::string& name = e.columns[c];
+    const bool same = std::ranges::all_of(table.rows, [&](auto& row) { return row[c] == table.rows[0][c]; });
+    if (e.is_constant(name)) {
+      EXPECT_TRUE(same && c > 0) << name;
+    } else if (e.columns.front() == "time_s" && e.has_abscissa()) {
+      EXPECT_TRUE(!same || states.contains(name)) << name;
+    }
+  }
+  for (const std::string& name : e.constants)
+    EXPECT_NE(std::find(e.columns.begin(), e.columns.end(), name), e.columns.end()) << name;
 }
 
 INSTANTIATE_TEST_SUITE_P(All, CatalogueEntry, testing::Range(std::size_t{0}, catalogue().size()),

@@ -39,10 +39,13 @@ struct Entry {
   std::vector<double> default_abscissae;
   /// Values of the columns, without the abscissa, at one abscissa. The map is complete.
   std::function<std::vector<double>(const ParameterMap&, double abscissa)> values;
+  /// Columns that do not depend on the abscissa, as the time of an end: no part of a history.
+  std::vector<std::string> constants = {};
   std::string family = {};  // gas, outflow, membrane, stability, jet, pendulum or coupled
 
   /// True if the rows run over an abscissa, such as time.
   bool has_abscissa() const { return !default_abscissae.empty(); }
+  bool is_constant(const std::string& column) const;
 };
 
 /// Result of evaluate().
