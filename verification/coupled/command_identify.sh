@@ -85,6 +85,13 @@ END
   expect 2 "co2.toml:4:1: gas.species: is missing" "$gasjet" identify "$work/own/history.csv" $own --species "$work/co2.toml" --out "$work/none.csv"
   sed 's/0.044009/-1/' "$work/own.toml" >"$work/bad.toml"
   expect 2 "bad.toml:4:1: gas.species.0.molar_mass: is -1" "$gasjet" identify "$work/own/history.csv" $own --species "$work/bad.toml" --out "$work/none.csv"
+  # A tank that loses heat to its walls is none of the model: the miss is no noise, so there is no band.
+  sed 's/^initial.*/&\nheat_loss = { coefficient = 200.0, area = 0.6 }/' "$work/co2.toml" >"$work/loss.toml"
+  "$gasjet" run "$work/loss.toml" --out "$work/loss" --quiet || fail "tank that loses heat"
+  expect 0 "warning: .* noise explains 0.* a tank that loses heat to them does not fit" "$gasjet" identify "$work/loss/history.csv" \
+    --method average --tank-column pressure_Pa --volume 0.0283 --mass 0.07 --gas CO2 --out "$work/loss.csv"
+  grep -q '^# mean_temperature_K: .*, no band$' "$work/loss.csv" || fail "a band of a tank that loses heat: $(head -20 "$work/loss.csv")"
+  awk -F, '/^[0-9]/ && $NF != 0 { exit 1 }' "$work/loss.csv" || fail "rows that claim a band of a tank that loses heat"
   # Noise that is the same over the record, 0.2 % of the largest reading.
   awk -F, -v OFS=, '/^#/ { print; next } $1 == "time_s" { for (i = 1; i <= NF; i++) if ($i == "chamber_pressure_Pa") c = i; print; next }
     { seed = (16807 * (seed ? seed : 7)) % 2147483647; $c += 1e4 * (2 * seed / 2147483647 - 1) * 1.7; print }' "$data" >"$work/gauge.csv"

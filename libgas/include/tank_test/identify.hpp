@@ -95,11 +95,15 @@ struct Identified {
   double threshold;
   /// Draws whose inversion fails, as where a temperature leaves its range. The bands come from the others.
   int misfits = 0;
-  /// The bands are claimed: at most a tenth of the draws are misfits.
+  /// The bands are claimed: at most a tenth of the draws are misfits, and the model fits the record.
   bool bands = false;
   /// [-] Largest relative difference between the smoothed tank pressure and that of a control-volume run with
   /// these curves.
   double forward_error = 0.0;
+  double forward_noise = 0.0;  // [-] what of it the noise explains: 5 standard deviations of a reading
+  /// forward_error is what the noise and the spacing of the points explain. Else the tank is none of this
+  /// model, as one that loses heat to its walls, and the error is no noise: there are no bands.
+  bool fits = false;
   Smoothing tank;       // of the tank's pressure
   Smoothing chamber{};  // of the chamber's; zero without its readings
 };

@@ -22,6 +22,8 @@ constexpr double kUndersmoothing =
     3.0;                              // of lambda in the draws: what smoothing biases is then below the noise
 constexpr double kSharp = 4.0;        // times the burn's mean roughness: smoothing rounds such a bend
 constexpr double kMostMisfits = 0.1;  // of the draws
+constexpr double kMiss = 0.005;       // of the pressure: 501 points over 150 ms make 7e-4 of a rise of 1 ms
+constexpr double kMissNoise = 5.0;    // standard deviations of a reading
 constexpr long kLeastReadings = 30;   // within the burn: with fewer, smoothing rounds the pulse itself
 
 /// One pressure: its spline, and the basis at the times of the result.
@@ -214,6 +216,10 @@ Identified identify(const TankTest& test, const TankReadings& readings, const Id
                              burn.masked[i] != 0});
 
   result.forward_error = forward_error(test, result.points);
+  const auto [low, high] = std::ranges::minmax(p.tank);
+  const double share = options.noise == Noise::of_reading ? 1.0 : high / low;
+  result.forward_noise = kMissNoise * result.tank.noise * share;
+  result.fits = result.forward_error <= kMiss + result.forward_noise;
 
   const HeldSpread spread = held_spread(burn, flow.temperature);
   NormalNumbers normals;
@@ -223,8 +229,9 @@ Identified identify(const TankTest& test, const TankReadings& readings, const Id
     } catch (const DomainError&) {
       ++result.misfits;
     }
-  result.bands = result.misfits <= kMostMisfits * options.draws;
-  if (result.bands) add_bands(samples, result);
+  const bool samples_hold = result.misfits <= kMostMisfits * options.draws;
+  if (samples_hold) add_bands(samples, result);
+  result.bands = result.fits && samples_hold;
   claim(readings.times, splines.tank.spline, burn, result);
   return result;
 }
