@@ -176,6 +176,12 @@ const Fault kFaults[] = {
      "not a closed control volume", "{ generator"},
     {"refined_beyond_memory", "sphere_inflation", "levels = 3", "levels = 8, refine = 6",
      "membrane.mesh.refine", "makes up to 5368709120 elements of 1310720, at most 10000000", "refine = 6"},
+    {"jets_of_different_work", "passenger_pendulum", "[[vent]]",
+     "[[inflator]]\ncomposition = { N2 = 1.0 }\ntemperature = 406.0\nmass_flow = 1.0\n[inflator.jet]\nshape "
+     "= "
+     "\"round\"\ncentre = [0.0, 0.0, 0.0]\naxis = [1.0, 0.0, 0.0]\nradius = 0.02\ndecay_coefficient = 0.08\n"
+     "attachment_panels = [\"attachment\"]\ntemperature = \"stagnation\"\njet_work = \"from_gas\"\n[[vent]]",
+     "inflator.1.jet.jet_work", "all jets need the same", "jet_work = "},
     {"rings", "driver_bag", "generator = \"driver\"", "generator = \"driver\", rings = 3", "membrane.mesh",
      "rings = 3", "{ generator"},
 };

@@ -221,6 +221,9 @@ void read_jet(TableReader& inflator, std::size_t index, Scene& scene) {
     table->fail("jet_work",
                 "\"from_gas\" needs temperature = \"stagnation\": with a static temperature the jet's "
                 "kinetic energy is no part of the inflator's enthalpy");
+  if (part.work != scene.jets.front().work)
+    table->fail("jet_work", fmt::format("is not that of inflator.{}.jet, all jets need the same",
+                                        scene.jets.front().inflator));
   warn_if_coarse(model, index, nodes, elements, subdivisions, scene.warnings);
   if (scene.target) require_target_ahead(*table, model, *scene.target);
   if (scene.bag) table->located("centre", [&] { require_outlet_inside(model, *scene.bag); });

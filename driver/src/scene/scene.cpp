@@ -156,8 +156,6 @@ void check_composition(const TableReader& root, const Scene& scene) {
     root.fail("gas", "needs a volume, [tank] or [membrane], or a [target] for its jet");
   if (scene.target && scene.jets.empty())
     root.fail("target", "needs an inflator with a jet ([inflator.jet])");
-  for (const auto& part : scene.jets)
-    if (part.work != scene.jets.front().work) root.fail("inflator", "all jets need the same jet_work");
   if (!scene.gas && !scene.moves() && !scene.target)
     root.fail("", "names nothing to simulate: [gas], [membrane] or [pendulum]");
   if (scene.gas && !scene.has_volume() && !scene.gas->model.vents.empty())
