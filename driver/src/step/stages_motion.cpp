@@ -39,6 +39,26 @@ std::string shares_text(const membrane::StiffnessShares& s) {
       state.step.shares.damping, membrane::governing_element(scene.bag->model, *state.bag), allowed));
 }
 
+// Without gas there is no energy that the steps could keep: the cause is the pressure, not the fabric.
+[[noreturn]] void fail_short_step(const Scene& scene, const State& state) {
+  const StepSizes& step = state.step;
+  std::string cause;
+  if (state.bag && step.drift_limit < step.critical)
+    cause = ", set by the drift of the energy (M.22),";
+  else if (state.bag)
+    cause = ", set by " + shares_text(step.shares) + ",";
+  std::string advice;
+  if (state.bag && scene.has_volume() && state.gas_point.pressure < 0.01 * scene.ambient.pressure)
+    advice = fmt::format(
+        "; the skin collapses, as {:.3g} Pa of gas do not bear the {:.6g} Pa outside: look at "
+        "gas.initial.pressure, the areas of vents and the porosity, and at their units",
+        state.gas_point.pressure, scene.ambient.pressure);
+  throw StepError(
+      fmt::format("step {} s{} would take more than 1e9 of them to end_time; steps of end_time / 1e9 or more "
+                  "are allowed{}",
+                  step.after, cause, advice));
+}
+
 // Bound of the rate at which jets relative to the skin damp it (J.9) [1/s]: the largest of any element's.
 double jet_damping(const Scene& scene, const State& state) {
   double sum = 0.0;
@@ -125,10 +145,7 @@ void choose_step(const Scene& scene, State& state, bool last) {
   const double steps = std::max(1.0, std::ceil(left / wanted * (1.0 - 1e-9)));
   if (scene.output.history_exact || steps <= sharing) wanted = left / steps;
   step.after = std::min(wanted, left);
-  if (step.after < left && step.after < 1e-9 * scene.time.end)
-    throw StepError(fmt::format("step {} s{} would take more than 1e9 of them to end_time; {}", step.after,
-                                state.bag ? ", set by " + shares_text(step.shares) + "," : std::string(),
-                                "steps of end_time / 1e9 or more are allowed"));
+  if (step.after < left && step.after < 1e-9 * scene.time.end) fail_short_step(scene, state);
   book_step(step);
 }
 
