@@ -2,9 +2,10 @@
 #include "compare/mean_test.hpp"
 
 #include <algorithm>
-#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <deque>
+
+#include "compare/students_t.hpp"
 
 namespace driver {
 namespace {
@@ -36,7 +37,7 @@ MeanTest::MeanTest(int runs, int reference_runs, std::size_t comparisons)
     : runs_(runs), reference_runs_(reference_runs) {
   const double freedom = static_cast<double>(runs) + reference_runs - 2.0;
   const double tests = static_cast<double>(std::max<std::size_t>(comparisons, 1));
-  const boost::math::students_t student(freedom);
+  const StudentsT student(freedom);
   chance_ = quantile(complement(student, false_alarms / (2.0 * tests)));
   seen_ = chance_ + quantile(complement(student, missed));
 }

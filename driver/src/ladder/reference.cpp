@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // What lies beyond the finest rung, and what the others are off by.
 #include <algorithm>
-#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <limits>
 
+#include "compare/students_t.hpp"
 #include "ladder/parts.hpp"
 
 namespace driver {
@@ -83,7 +83,7 @@ double student(const LadderRung& rung, const LadderResult& result, double error_
   int runs = probes;
   if (result.chaotic) runs = result.rungs[result.finest].value.count;
   if (result.chaotic && rung.can_be_perturbed) runs = std::min(runs, rung.value.count);
-  const boost::math::students_t distribution(std::max(1, runs - 1));
+  const StudentsT distribution(std::max(1, runs - 1));
   return quantile(complement(distribution, error_rate));
 }
 
