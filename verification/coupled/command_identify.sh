@@ -88,7 +88,7 @@ END
   # A tank that loses heat to its walls is none of the model: the miss is no noise, so there is no band.
   sed 's/^initial.*/&\nheat_loss = { coefficient = 200.0, area = 0.6 }/' "$work/co2.toml" >"$work/loss.toml"
   "$gasjet" run "$work/loss.toml" --out "$work/loss" --quiet || fail "tank that loses heat"
-  expect 0 "warning: .* noise explains 0.* a tank that loses heat to them does not fit" "$gasjet" identify "$work/loss/history.csv" \
+  expect 0 "warning: .* noise explains 0.* a tank that loses heat does not fit" "$gasjet" identify "$work/loss/history.csv" \
     --method average --tank-column pressure_Pa --volume 0.0283 --mass 0.07 --gas CO2 --out "$work/loss.csv"
   grep -q '^# mean_temperature_K: .*, no band$' "$work/loss.csv" || fail "a band of a tank that loses heat: $(head -20 "$work/loss.csv")"
   awk -F, '/^[0-9]/ && $NF != 0 { exit 1 }' "$work/loss.csv" || fail "rows that claim a band of a tank that loses heat"

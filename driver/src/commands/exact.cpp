@@ -96,12 +96,11 @@ struct Printed {
 void print_page() {
   fmt::print(
       "# Closed forms\n\n"
-      "Printed by `gasjet exact --list --format markdown`. `gasjet exact NAME --set parameter=value --times "
-      "0:0.3:1e-3` "
-      "prints one of\nthem as CSV or JSON (`--format`); SI units; the digits are those that are correct. "
-      "`--times` gives\nthe values of the first column, which is the time or what the form says. A value "
-      "beside "
-      "the table does not\ndepend on it: a `#` line of the CSV. "
+      "Printed by `gasjet exact --list --format markdown`. "
+      "`gasjet exact NAME --set parameter=value --times 0:0.3:1e-3` prints one of\n"
+      "them as CSV or JSON (`--format`); SI units; the digits are those that are correct. `--times` gives\n"
+      "the values of the first column, which is the time or what the form says. "
+      "A value beside the table does not\ndepend on it: a `#` line of the CSV. "
       "Parameters outside their validity are refused.\n");
   std::string family;
   for (const auto& entry : closed_form::catalogue()) {

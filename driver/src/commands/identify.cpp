@@ -216,9 +216,7 @@ std::vector<std::string> doubts(const gas::Identified& found) {
   if (!found.fits)
     doubts.push_back(fmt::format(
         "a tank with these curves misses the smoothed tank pressure by {:.2g} %, noise explains {:.2g} %: "
-        "pressures are absolute; sharp pulses need more --points; the walls take no heat here, and a tank "
-        "that "
-        "loses heat to them does not fit",
+        "pressures are absolute; sharp pulses need more --points; a tank that loses heat does not fit",
         100.0 * found.forward_error, 100.0 * found.forward_noise));
   constexpr double longest = 5.0;  // [s] of a record; inflators burn for a tenth of a second
   if (const double length = points.back().time - points.front().time; length > longest)

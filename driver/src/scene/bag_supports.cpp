@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <optional>
 
 namespace driver {
 namespace {
@@ -64,9 +65,8 @@ double longest_side(const membrane::Mesh& mesh) {
   return longest;
 }
 
-int nearest_of_panel(TableReader& reader, const std::string& key, const membrane::Mesh& mesh,
-                     const Eigen::Vector3d& point) {
-  const std::string name = reader.at(key).text();
+int nearest_of_panel(TableReader& reader, const std::string& key, const std::string& name,
+                     const membrane::Mesh& mesh, const Eigen::Vector3d& point) {
   int nearest = -1;
   reader.located(key, [&] {
     const auto distance = [&](int node) { return (mesh.nodes.col(node) - point).squaredNorm(); };
@@ -97,17 +97,17 @@ void require_one_panel(TableReader& reader, const std::string& key, const membra
 
 // The node nearest to a point of the design shape, of all panels or of one; a point further off than the mesh
 // is coarse is a slip.
-int anchor(TableReader& reader, const std::string& key, const membrane::Mesh& mesh) {
+int anchor(TableReader& reader, const std::string& key, const std::optional<std::string>& panel,
+           const membrane::Mesh& mesh) {
   const Eigen::Vector3d point = reader.at(key).vector("m");
-  const bool of_panel = reader.has(key + "_panel");
-  const int node =
-      of_panel ? nearest_of_panel(reader, key + "_panel", mesh, point) : membrane::nearest_node(mesh, point);
+  const int node = panel ? nearest_of_panel(reader, key + "_panel", *panel, mesh, point)
+                         : membrane::nearest_node(mesh, point);
   const double distance = (mesh.nodes.col(node) - point).norm(), longest = longest_side(mesh);
   if (distance > longest)
     reader.fail(key, fmt::format("is {} m from the nearest node, {} m (the longest element side) is allowed",
                                  distance, longest));
   constexpr double rounding = 1e-9;  // of a side: what decimals of a mesh file leave
-  if (!of_panel) require_one_panel(reader, key, mesh, node, rounding * longest);
+  if (!panel) require_one_panel(reader, key, mesh, node, rounding * longest);
   return node;
 }
 
@@ -117,8 +117,11 @@ void read_straps(TableReader& table, const BagMesh& source, std::vector<membrane
     const bool points =
         reader.has("from") || reader.has("to") || reader.has("from_panel") || reader.has("to_panel");
     if (points || straps.size() >= source.strap_anchors.size()) {
-      strap.node_a = anchor(reader, "from", source.mesh);
-      strap.node_b = anchor(reader, "to", source.mesh);
+      std::optional<std::string> from, to;
+      if (reader.has("from_panel")) from = reader.at("from_panel").text();
+      if (reader.has("to_panel")) to = reader.at("to_panel").text();
+      strap.node_a = anchor(reader, "from", from, source.mesh);
+      strap.node_b = anchor(reader, "to", to, source.mesh);
     } else {
       strap.node_a = source.strap_anchors[straps.size()][0];
       strap.node_b = source.strap_anchors[straps.size()][1];

@@ -45,6 +45,7 @@ struct Entry {
 
   /// True if the rows run over an abscissa, such as time.
   bool has_abscissa() const { return !default_abscissae.empty(); }
+  /// True if the column is among the constants.
   bool is_constant(const std::string& column) const;
 };
 
