@@ -26,7 +26,7 @@ double relaxation_bound(const Balance& balance) {
       std::ranges::any_of(model.vents, [](const Vent& v) { return v.area_of_overpressure.has_value(); }) ||
       std::ranges::any_of(model.fabrics, [](const Fabric& f) { return f.velocity.has_value(); }))
     return kInfinity;
-  // That of fabric is less by 1/2.
+  // The exponent n of a hole is at most 1/2 p/(p - p_a) + 1, that of fabric 1/2 less.
   const double exponent = 1.0 + 0.5 * gas.pressure / gas.overpressure;
   return wall_relaxation(balance) + balance.flow() / gas.mass * (1.0 + gas.gamma * (exponent + 0.5));
 }
