@@ -43,6 +43,8 @@ AdvanceArrays advance_arrays(const BagModel& model, BagState& state, const Extra
   for (int i = 0; i < extra.count; ++i) a.extra_force[i] = extra.item[i].force->data();
   a.mass = model.node_mass.data();
   a.inverse_mass = model.inverse_mass.data();
+  a.node_gradient_squared = model.node_gradient_squared.data();
+  a.rate_bound_squared = state.rate_bound_squared.data();
   for (int c = 0; c < 3; ++c) a.gravity[c] = model.description.gravity[c];
   a.damping = model.description.mass_damping;
   return a;

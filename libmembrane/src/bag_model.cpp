@@ -116,11 +116,14 @@ void set_element(BagModel& m, Eigen::Index e) {
   m.reference_area[i] = t.area;
   if (p.null_panel) return;
   set_fabric(m, e, t, p);
+  m.gradient_squared[i] = t.gradient.squaredNorm();
   const double mass = p.density * p.thickness * t.area;
   m.shares.mass.col(e).setConstant(mass / 3.0);
   for (const int n : m.description.elements.col(e)) {
     m.node_mass[static_cast<std::size_t>(n)] += mass / 3.0;
     m.node_area[static_cast<std::size_t>(n)] += t.area / 3.0;
+    double& steepest = m.node_gradient_squared[static_cast<std::size_t>(n)];
+    steepest = std::max(steepest, 3.0 * m.gradient_squared[i]);
   }
 }
 
@@ -216,9 +219,10 @@ BagModel make_model(const BagDescription& description) {
   m.node_count = static_cast<int>(description.reference.cols());
   m.element_count = static_cast<int>(description.elements.cols());
   const auto nodes = static_cast<std::size_t>(m.node_count);
-  for (auto* values : {&m.node_mass, &m.node_area}) values->assign(nodes, 0.0);
+  for (auto* values : {&m.node_mass, &m.node_area, &m.node_gradient_squared}) values->assign(nodes, 0.0);
   m.inverse_mass = Vectors(m.node_count);
-  m.reference_area.assign(static_cast<std::size_t>(m.element_count), 0.0);
+  for (auto* values : {&m.reference_area, &m.gradient_squared})
+    values->assign(static_cast<std::size_t>(m.element_count), 0.0);
   set_corner_table(m);
   set_blocks(m);
   set_law(m);

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "checks.hpp"
+#include "kernel_table.hpp"
 #include "membrane/stages.hpp"
 
 namespace membrane {
@@ -25,6 +26,10 @@ int sum_blocks(const BagModel& model) {
   return std::max(element_blocks(model), node_blocks(model));
 }
 
+int rate_chunks(const BagModel& model) {
+  return (model.node_count + kRateNodes - 1) / kRateNodes;
+}
+
 }  // namespace
 
 void check_state(const BagModel& model, const BagState& s) {
@@ -40,6 +45,7 @@ void check_state(const BagModel& model, const BagState& s) {
       all(!s.contact_force.empty(), nodes, {&s.contact_force}) &&
       all(!d.straps.empty() || !d.plates.empty(), nodes, {&s.support_force}) &&
       all(damped, nodes, {&s.viscous_force}) && all(damped, elements, {&s.elastic_stress}) &&
+      std::ssize(s.rate_bound_squared) == rate_chunks(model) &&
       std::ssize(s.strap_tension) == std::ssize(d.straps) && std::ssize(s.share_demand) == elements &&
       s.shares.frequency.size() == model.elements.group.size() &&
       s.shared_sums.size() == model.shared.slot.size() && std::ssize(s.block) == sum_blocks(model);
@@ -67,6 +73,7 @@ BagState make_state(const BagModel& model, ConstVectorsRef position, LoadKinds l
     s.elastic_stress = Vectors(elements);
     s.viscous_corner_force = Vectors(2 * elements);
   }
+  s.rate_bound_squared.assign(static_cast<std::size_t>(rate_chunks(model)), 0.0);
   s.strap_tension.assign(d.straps.size(), 0.0);
   s.shares = model.shares;
   s.share_demand.assign(static_cast<std::size_t>(elements), 1.0);

@@ -53,6 +53,7 @@ struct SharedArrays {
 };
 
 inline constexpr int kMaxExtraForces = 4;
+inline constexpr int kRateNodes = 16;  // nodes with a common bound of the rate of deformation
 
 struct AdvanceArrays {
   double *position, *velocity;                     // nodes x 4
@@ -60,8 +61,10 @@ struct AdvanceArrays {
   double gauge_pressure;
   const double* extra_force[kMaxExtraForces];  // nodes x 4
   int extra_count;
-  const double* mass;          // nodes
-  const double* inverse_mass;  // nodes x 4
+  const double* mass;                   // nodes
+  const double* node_gradient_squared;  // nodes
+  double* rate_bound_squared;           // of each kRateNodes nodes
+  const double* inverse_mass;           // nodes x 4
   alignas(32) double gravity[4];
   double damping, dt_before, dt_after;
 };

@@ -11,6 +11,7 @@ struct AdvanceParts {
   Lanes kinetic_before{}, kinetic_after{}, membrane{}, pressure{}, extra[kMaxExtraForces]{}, damped{};
   Lanes momentum_before{}, momentum_after{}, impulse{};
   double max_speed_squared = 0.0;
+  double rate_bound_squared = 0.0;  // of the last kRateNodes nodes
 };
 
 struct KickFactors {
@@ -44,6 +45,8 @@ struct KickFactors {
   sums.impulse += select(inverse_mass > Lanes(), force, Lanes());
   const double speed_squared = (squared[0] + squared[1]) + squared[2];
   sums.max_speed_squared = speed_squared > sums.max_speed_squared ? speed_squared : sums.max_speed_squared;
+  const double rate_bound = speed_squared * s.node_gradient_squared[n];
+  sums.rate_bound_squared = rate_bound > sums.rate_bound_squared ? rate_bound : sums.rate_bound_squared;
 }
 
 inline AdvanceTotals totals_of(const AdvanceParts& sums, double tau) {
@@ -73,7 +76,12 @@ inline void advance(const AdvanceArrays& s, int first, int last, AdvanceTotals& 
                             Lanes::load(s.gravity),
                             Lanes(s.gauge_pressure)};
   AdvanceParts sums;
-  for (int n = first; n < last; ++n) advance_node(s, factors, n, sums);
+  for (int begin = first; begin < last; begin += kRateNodes) {
+    const int end = begin + kRateNodes < last ? begin + kRateNodes : last;
+    sums.rate_bound_squared = 0.0;
+    for (int n = begin; n < end; ++n) advance_node(s, factors, n, sums);
+    s.rate_bound_squared[begin / kRateNodes] = sums.rate_bound_squared;
+  }
   totals = totals_of(sums, tau);
 }
 

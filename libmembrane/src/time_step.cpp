@@ -9,6 +9,7 @@
 #include "blocks.hpp"
 #include "checks.hpp"
 #include "element.hpp"
+#include "kernel_table.hpp"
 #include "law_functions.hpp"
 #include "membrane/error.hpp"
 
@@ -22,6 +23,46 @@ double gas_frequency(const BagState& state, double gamma, double pressure) {
     throw MembraneError("critical step: the enclosed volume is " + std::to_string(state.surface.volume) +
                         " m3, gas needs it to be positive");
   return gamma * pressure / state.surface.volume * state.surface.gradient_mobility;
+}
+
+// |dF/dt|^2 of an element [1/s2].
+double rate_squared(const BagModel& model, const BagState& state, std::int32_t element) {
+  const auto v = state.velocity.map();
+  const Eigen::Vector3i corner = model.description.elements.col(element);
+  const Eigen::Matrix<double, 2, 3>& gradient = model.stiffness[static_cast<std::size_t>(element)].gradient;
+  const Eigen::Vector3d a = v.col(corner[0]), ab = v.col(corner[1]) - a, ac = v.col(corner[2]) - a;
+  double sum = 0.0;
+  for (int i = 0; i < 3; ++i) {
+    const double f1 = stretch_1(ab[i], gradient(0, 1));
+    const double f2 = stretch_2(ab[i], ac[i], gradient(1, 1), gradient(1, 2));
+    sum += f1 * f1 + f2 * f2;
+  }
+  return sum;
+}
+
+struct Fastest {
+  double rate_squared;  // [1/s2]
+  std::int32_t element;
+};
+
+double speed_squared(const BagState& state, int node) {
+  const double* v = state.velocity.data() + 4 * static_cast<std::ptrdiff_t>(node);
+  return (v[0] * v[0] + v[1] * v[1]) + v[2] * v[2];
+}
+
+// |dF/dt|^2 <= sum of |v_a|^2 times sum of |grad N_a|^2, by Cauchy and Schwarz.
+Fastest fastest_around(const BagModel& model, const BagState& state, int node, Fastest fastest) {
+  const auto row = static_cast<std::size_t>(node);
+  for (auto k = model.corners.row_begin[row]; k < model.corners.row_begin[row + 1]; ++k) {
+    const std::int32_t element = model.corners.element[static_cast<std::size_t>(k)];
+    double speeds = 0.0;
+    for (const int corner : model.description.elements.col(element)) speeds += speed_squared(state, corner);
+    const double bound = speeds * model.gradient_squared[static_cast<std::size_t>(element)];
+    if (!(bound > fastest.rate_squared)) continue;
+    if (const double squared = rate_squared(model, state, element); squared > fastest.rate_squared)
+      fastest = {squared, element};
+  }
+  return fastest;
 }
 
 PlaneStrain<double> strain_of(const BagModel& model, const BagState& state, int element) {
@@ -113,6 +154,20 @@ double energy_time_step(const BagModel& model, const BagState& state, double ene
       mobility / (together ? share_together : share_apart) + strap_mobility(model, state) / share_together;
   const double bounce = bounce_time_step(model);
   return rate > 0.0 ? std::min(std::sqrt(8.0 * energy / rate), bounce) : bounce;
+}
+
+DeformationRate deformation_rate(const BagModel& model, const BagState& state, double floor) {
+  check_state(model, state);
+  Fastest fastest{floor * floor, -1};
+  for (std::size_t chunk = 0; chunk < state.rate_bound_squared.size(); ++chunk) {
+    if (!(state.rate_bound_squared[chunk] > fastest.rate_squared)) continue;
+    const int first = static_cast<int>(chunk) * kRateNodes;
+    for (int n = first; n < std::min(first + kRateNodes, model.node_count); ++n)
+      if (speed_squared(state, n) * model.node_gradient_squared[static_cast<std::size_t>(n)] >
+          fastest.rate_squared)
+        fastest = fastest_around(model, state, n, fastest);
+  }
+  return {fastest.element < 0 ? floor : std::sqrt(fastest.rate_squared), fastest.element};
 }
 
 ElementResponse element_response(const BagModel& model, const BagState& state, int element) {

@@ -24,7 +24,7 @@ TEST(contact_limits, stiffness_past_the_cap_of_a_fixed_step_is_refused_before_it
   EXPECT_GT(soft.state.flows.contact_impulse, 0.0);
   const auto stiff = at("3.0");
   ASSERT_EQ(stiff.outcome.status, driver::RunStatus::failed);
-  for (const char* word : {"above its bound", "contact", "stage S8_advance"})
+  for (const char* word : {"is unstable: the limit is", "contact 7", "stage S8_advance"})
     EXPECT_NE(stiff.outcome.message.find(word), std::string::npos) << stiff.outcome.message;
   // As soon as a step could bring it into touch, and not from the start.
   EXPECT_EQ(stiff.state.contact.area, 0.0);
@@ -46,7 +46,7 @@ TEST(contact_limits, any_stiffness_is_followed_by_the_step) {
   }
   const auto stiff = at("1e15");
   ASSERT_EQ(stiff.outcome.status, driver::RunStatus::failed);
-  for (const char* word : {"contact 100.0 %", "more than 1e9 of them", "stage S8_advance"})
+  for (const char* word : {"contact 100 %", "more than 1e9 of them", "stage S8_advance", "lower contact.stiffness"})
     EXPECT_NE(stiff.outcome.message.find(word), std::string::npos) << stiff.outcome.message;
   EXPECT_EQ(stiff.state.flows.contact_impulse, 0.0);
 }
@@ -67,9 +67,9 @@ TEST(contact_limits, soft_contact_ends_at_half_the_radius) {
   EXPECT_LE(softer.state.peaks.penetration, half);
 }
 
-// Up to the fastest that a step of 56 us follows, 280 rad/s (K.25).
+// Up to the fastest that a step of 66 us follows, 236 rad/s (K.25).
 TEST(contact_limits, sphere_that_strikes_at_full_speed_is_stopped_in_the_skin) {
-  for (const char* speed : {"200.0", "250.0", "279.0"}) {
+  for (const char* speed : {"200.0", "220.0", "235.0"}) {
     const auto run = run_case("ball_impact", {std::string("pendulum.initial_angular_velocity=") + speed,
                                               "membrane.mesh.levels=2", "pendulum.pivot=[-0.2, 0.0, 1.31]"});
     ASSERT_EQ(run.outcome.status, driver::RunStatus::failed) << speed;

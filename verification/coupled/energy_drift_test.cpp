@@ -139,13 +139,18 @@ std::vector<std::string> fixed_strap(const char* step) {
   return {kStiffStrap[0], kStiffStrap[1], std::string("time.step=") + step};
 }
 
-TEST(energy_drift, more_than_a_hundredth_is_inaccurate_and_names_the_term) {
+TEST(energy_drift, more_than_a_hundredth_stops_and_names_the_term) {
   const auto run = run_case("strapped_sphere", fixed_strap("3.5e-5"));
   ASSERT_EQ(run.outcome.status, driver::RunStatus::inaccurate) << run.outcome.warning;
   EXPECT_GT(drift(run.state), 1e-2);
-  for (const char* word : {"energy drifts by", "residual.energy_rel", "strap_J", "straps", "time.step"})
+  for (const char* word :
+       {"stopped at", "energy drifts by", "residual.energy_rel", "strap_J", "straps", "time.step", "element"})
     EXPECT_NE(run.outcome.message.find(word), std::string::npos) << run.outcome.message;
-  EXPECT_EQ(run.history.back().at("time_s"), 0.02);  // complete
+  EXPECT_EQ(run.history.back().at("time_s"), run.state.time);  // complete up to there
+  EXPECT_LT(run.state.time, 0.02);
+  auto settings = fixed_strap("3.5e-5");
+  settings.emplace_back("time.unsafe_step=true");
+  EXPECT_EQ(run_case("strapped_sphere", settings).state.time, 0.02);
 }
 
 // A drift that rounds to the limit is printed with the digits that tell them apart.

@@ -102,7 +102,7 @@ struct PendulumPart {
 /// Time and step.
 struct TimePart {
   double end = 0.0;            // [s]
-  double safety = 0.8;         // [-] step over the critical step
+  double safety = 0.95;        // [-] step over the critical step
   std::optional<double> step;  // [s] fixed step, in place of safety * critical
   bool unsafe_step = false;    // true: allow a fixed step above its bound
 };

@@ -157,6 +157,12 @@ struct StepSizes {
   long drift_limited = 0;
   /// [m] No node of the skin has moved farther since the start; S8.
   double displacement_bound = 0.0;
+  /// [s] Share of the bound that is taken, which grows slowly (M.33).
+  double steady = std::numeric_limits<double>::infinity();
+  /// Number of steps that the change of the deformation gradient made shorter (M.32).
+  long deformation_limited = 0;
+  double deformation = 0.0;   // [-] largest change of an element's dF in a given step (M.32)
+  int deformed_element = -1;  // that element, or the last one that made a step shorter
   double jet_damping = 0.0;              // [1/s] damping rate at n of jets relative to the skin (J.9)
   double minimum = 0.0;                  // [s] of the run
   double maximum = 0.0;                  // [s]

@@ -17,7 +17,7 @@ namespace driver {
 namespace {
 
 // Column `c` of the history at `time`, linear between the recorded levels.
-double interpolate(const std::vector<std::vector<double>>& rows, double time, std::size_t c) {
+double column_at(const std::vector<std::vector<double>>& rows, double time, std::size_t c) {
   const auto after =
       std::ranges::lower_bound(rows, time, {}, [](const std::vector<double>& row) { return row.front(); });
   if (after == rows.end()) return rows.back()[c];
@@ -36,7 +36,7 @@ void collect_rows(const Scene& scene, const std::vector<const Member*>& members,
     EnsembleRow row{std::min(scene.time.end, static_cast<double>(i) * scene.output.history_every), {}};
     for (std::size_t c = 1; c < names.size(); ++c) {
       for (std::size_t m = 0; m < members.size(); ++m)
-        values[m] = interpolate(members[m]->rows, row.time_s, c);
+        values[m] = column_at(members[m]->rows, row.time_s, c);
       row.values.push_back(statistics(values));
     }
     result.rows.push_back(std::move(row));
@@ -55,7 +55,7 @@ void collect_singles(const std::vector<std::pair<int, const Member*>>& runs, Ens
     for (std::size_t i = 0; i < count; i += result.singles_every) {
       auto& row = single.rows.emplace_back();
       for (std::size_t c = 1; c <= result.columns.size(); ++c)
-        row.push_back(interpolate(member->rows, result.rows[i].time_s, c));
+        row.push_back(column_at(member->rows, result.rows[i].time_s, c));
     }
   }
 }

@@ -32,7 +32,12 @@ Json step_sizes(const Scene& scene, const State& state) {
   const StepSizes& step = state.step;
   Json json{{"min", step.minimum}, {"max", step.maximum}};
   if (!scene.bag) return json;
-  if (!scene.time.step) json["limited_by_drift"] = step.drift_limited;
+  if (!scene.time.step) {
+    json["limited_by_drift"] = step.drift_limited;
+    json["limited_by_deformation"] = step.deformation_limited;
+  } else {
+    json["largest_deformation"] = step.deformation;
+  }
   const double steps = std::max(1.0, static_cast<double>(state.steps));
   json["shares"] = {{"element", step.share_sums.element / steps},
                     {"gas", step.share_sums.gas / steps},

@@ -43,6 +43,27 @@ std::string governing_share(const State& state) {
                      100.0 * governing.second / s.total(), governing.first);
 }
 
+// Where steps change the skin most.
+std::string deformed_text(const Scene& scene, const State& state) {
+  if (!state.bag) return "";
+  const auto fastest = membrane::deformation_rate(scene.bag->model, *state.bag);
+  if (fastest.element < 0) return "";
+  return fmt::format("; element {} deforms fastest, by {:.2g} in a step", fastest.element,
+                     fastest.rate * state.step.after);
+}
+
+// A step that should do: of second order, with a tenth to spare, where that still is what happens.
+std::string shorter_step(const Scene& scene, const State& state, double drift) {
+  const double ratio = 0.9 * std::sqrt(kDriftWarned / drift);
+  if (!scene.time.step && ratio < 0.2)
+    return "; a smaller time.safety will hardly help: look at the mesh around that element (gasjet mesh "
+           "convert --report)";
+  if (!scene.time.step) return fmt::format("; try time.safety = {:.2g}", ratio * scene.time.safety);
+  const double deformed = membrane::kLargestDeformation / std::max(state.step.deformation, 1e-300);
+  return fmt::format("; try time.step = {:.2g}, or leave it out",
+                     std::min(ratio, deformed) * *scene.time.step);
+}
+
 // With as many digits as show that it is above the limit.
 std::string above_limit(double drift) {
   for (int digits = 2; digits < 17; ++digits)
@@ -86,10 +107,7 @@ std::string drift_text(const Scene& scene, const State& state) {
       above_limit(drift), kDriftWarned, term.name, term.magnitude);
   if (state.step.share_sums.total() > 0.0) text += governing_share(state);
   if (!scene.moves()) return text;
-  // Second order; a tenth to spare.
-  const double factor = 0.9 * std::sqrt(kDriftWarned / drift);
-  return text + (scene.time.step ? fmt::format("; try time.step = {:.2g}", factor * *scene.time.step)
-                                 : fmt::format("; try time.safety = {:.2g}", factor * scene.time.safety));
+  return text + deformed_text(scene, state) + shorter_step(scene, state, drift);
 }
 
 }  // namespace driver

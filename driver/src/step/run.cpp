@@ -51,12 +51,17 @@ std::string reached(const State& now) {
   return text;
 }
 
+// A bag that makes so much energy only makes more.
+bool has_blown_up(const Scene& scene, const State& state) {
+  return scene.bag && !scene.time.unsafe_step && energy_drift(state) > kDriftInaccurate;
+}
+
 void run_steps(const Scene& scene, State& state, const LevelSink& sink, const LevelViews& views,
                const Executor& executor, const std::function<bool()>& stop_wanted, StageClock& clock,
                RunOutcome& outcome) {
   Schedule history(scene.output.history_every), fields(scene.output.fields_every);
   Schedule frames(scene.output.frames > 0 ? scene.time.end / scene.output.frames : 0.0);
-  bool field_due = false, frame_due = false;
+  bool field_due = false, frame_due = false, blown_up = false;
   const std::function<void(const State&)> view = [&](const State& now) {
     if (field_due) views.fields(now);
     if (frame_due) views.frames(now);
@@ -64,7 +69,7 @@ void run_steps(const Scene& scene, State& state, const LevelSink& sink, const Le
   for (;;) {
     StepRequest request;
     const bool stop = stop_wanted ? stop_wanted() : interrupted();
-    request.last = stop || state.time >= scene.time.end;
+    request.last = stop || blown_up || state.time >= scene.time.end;
     request.record = history.due(state.time) || request.last;
     field_due = views.fields && fields.due(state.time);
     frame_due = views.frames && frames.due(state.time);
@@ -75,6 +80,7 @@ void run_steps(const Scene& scene, State& state, const LevelSink& sink, const Le
     clock.update(state);
     if (stop) outcome.status = RunStatus::interrupted;
     if (request.last) return;
+    blown_up = request.record && has_blown_up(scene, state);
     const double stop_at = next_stop(scene, now);
     state.time = state.step.after >= stop_at - now ? stop_at : now + state.step.after;
     ++state.steps;
@@ -90,6 +96,8 @@ void judge_drift(const Scene& scene, const State& state, RunOutcome& outcome) {
   }
   outcome.status = RunStatus::inaccurate;
   outcome.message = drift_text(scene, state);
+  if (state.time < scene.time.end)
+    outcome.message = fmt::format("stopped at {:.4g} s: {}", state.time, outcome.message);
 }
 
 // Why a node of the triggers was never on.

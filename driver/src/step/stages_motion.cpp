@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // S6 forces, the size of the step, S8 advance, S9 volume.
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -9,6 +7,7 @@
 #include "driver/channel_filter.hpp"
 #include "step/drift.hpp"
 #include "step/stages.hpp"
+#include "step/step_limits.hpp"
 
 namespace driver {
 namespace {
@@ -18,45 +17,6 @@ void jet_forces(const Scene& scene, State& state) {
   for (const JetRun& run : state.jets)
     state.jet_loads.push_back({run.load().overpressure, run.load().candidates});
   membrane::jet_forces(scene.bag->model, *state.bag, std::span<const membrane::JetLoad>(state.jet_loads));
-}
-
-std::string shares_text(const membrane::StiffnessShares& s) {
-  const double all = s.total() / 100.0;
-  return fmt::format(
-      "omega^2 of the fabric {:.1f} %, gas {:.1f} %, contact {:.1f} %, straps {:.1f} %, plate {:.1f} %",
-      s.element / all, s.gas / all, s.contact / all, s.strap / all, s.plate / all);
-}
-
-[[noreturn]] void fail_step(const Scene& scene, const State& state, double given) {
-  constexpr const char* allowed = "a step up to the bound, or unsafe_step = true, is allowed";
-  if (!state.bag)
-    throw StepError(fmt::format("step {} s is above its bound {} s, set by the pendulum's swing; {}", given,
-                                state.step.critical, allowed));
-  throw StepError(fmt::format(
-      "step {} s is above its bound {} s, set by {}, and by {:.3g} 1/s of jets relative to the "
-      "skin and {:.3g} 1/s of stiffness damping; stiffest element {}; {}",
-      given, state.step.critical, shares_text(state.step.shares), state.step.jet_damping,
-      state.step.shares.damping, membrane::governing_element(scene.bag->model, *state.bag), allowed));
-}
-
-// Without gas there is no energy that the steps could keep: the cause is the pressure, not the fabric.
-[[noreturn]] void fail_short_step(const Scene& scene, const State& state) {
-  const StepSizes& step = state.step;
-  std::string cause;
-  if (state.bag && step.drift_limit < step.critical)
-    cause = ", set by the drift of the energy (M.22),";
-  else if (state.bag)
-    cause = ", set by " + shares_text(step.shares) + ",";
-  std::string advice;
-  if (state.bag && scene.has_volume() && state.gas_point.pressure < 0.01 * scene.ambient.pressure)
-    advice = fmt::format(
-        "; the skin collapses, as {:.3g} Pa of gas do not bear the {:.6g} Pa outside: look at "
-        "gas.initial.pressure, the areas of vents and the porosity, and at their units",
-        state.gas_point.pressure, scene.ambient.pressure);
-  throw StepError(
-      fmt::format("step {} s{} would take more than 1e9 of them to end_time; steps of end_time / 1e9 or more "
-                  "are allowed{}",
-                  step.after, cause, advice));
 }
 
 // Bound of the rate at which jets relative to the skin damp it (J.9) [1/s]: the largest of any element's.
@@ -95,6 +55,32 @@ void update_bound(const Scene& scene, State& state) {
   state.step.drift_limit = drift_limit(scene, state);
 }
 
+// Step by stability, energy and deformation [s]. The bound jumps as crumpled elements come and go, and a step
+// that jumps with it heats the skin, so its share grows slowly (M.33).
+double free_step(const Scene& scene, State& state) {
+  constexpr double growth = 1.0002;
+  StepSizes& step = state.step;
+  step.steady = std::min(scene.time.safety * step.critical, growth * step.steady);
+  const double wanted = std::min(step.steady, scene.time.safety * step.drift_limit);
+  if (!state.bag) return wanted;
+  const double most = membrane::kLargestDeformation;
+  const auto fastest = membrane::deformation_rate(scene.bag->model, *state.bag, most / wanted);
+  if (fastest.element < 0) return wanted;
+  ++step.deformation_limited;
+  step.deformed_element = fastest.element;
+  return most / fastest.rate;
+}
+
+// A given step is kept; its worst change of the deformation gradient is told.
+void book_deformation(const Scene& scene, State& state) {
+  StepSizes& step = state.step;
+  const auto fastest =
+      membrane::deformation_rate(scene.bag->model, *state.bag, step.deformation / step.after);
+  if (fastest.element < 0) return;
+  step.deformation = fastest.rate * step.after;
+  step.deformed_element = fastest.element;
+}
+
 void book_step(StepSizes& step) {
   step.minimum = step.minimum == 0.0 ? step.after : std::min(step.minimum, step.after);
   step.maximum = std::max(step.maximum, step.after);
@@ -131,12 +117,14 @@ void choose_step(const Scene& scene, State& state, bool last) {
     return;
   }
   double wanted = scene.output.history_every;
-  if (scene.moves())
-    wanted = scene.time.step.value_or(scene.time.safety * std::min(step.critical, step.drift_limit));
+  if (scene.time.step)
+    wanted = *scene.time.step;
+  else if (scene.moves())
+    wanted = free_step(scene, state);
   // Of what is filtered there are samples enough; a fixed step is refused before it comes here.
   if (!scene.output.channel_classes.empty())
     wanted = std::min(wanted, widest_interval(scene.output.channel_classes.back()));
-  if (scene.time.step && wanted > step.critical && !scene.time.unsafe_step) fail_step(scene, state, wanted);
+  if (scene.time.step && wanted > step.critical && !scene.time.unsafe_step) refuse_step(scene, state, wanted);
   // The last steps share what is left, so that the end is met without a shorter one: the energy of a level
   // contains the step (K.40). Of steps that the case gives two share, and gas alone keeps to its rows. Up to
   // a row all of them share, or steps that alternate at each row could resonate with a mode.
@@ -145,7 +133,8 @@ void choose_step(const Scene& scene, State& state, bool last) {
   const double steps = std::max(1.0, std::ceil(left / wanted * (1.0 - 1e-9)));
   if (scene.output.history_exact || steps <= sharing) wanted = left / steps;
   step.after = std::min(wanted, left);
-  if (step.after < left && step.after < 1e-9 * scene.time.end) fail_short_step(scene, state);
+  if (scene.time.step && state.bag) book_deformation(scene, state);
+  if (step.after < left && step.after < 1e-9 * scene.time.end) refuse_short_step(scene, state);
   book_step(step);
 }
 

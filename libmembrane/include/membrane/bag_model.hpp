@@ -149,7 +149,10 @@ struct BagModel {
   double strap_frequency = 0.0;
   /// [1/s2] Bound of omega^2 that the plates add, touched or not.
   double plate_frequency = 0.0;
-  double fabric_mass = 0.0;  // [kg]
+  double fabric_mass = 0.0;              // [kg]
+  std::vector<double> gradient_squared;  // [1/m2] sum of |grad N_a|^2 of each element, 0 of null ones
+  /// [1/m2] Three times that of the elements around each node, the largest.
+  std::vector<double> node_gradient_squared;
 };
 
 /// Builds the model. Throws std::invalid_argument, naming the element, node, strap or plate, the field, its

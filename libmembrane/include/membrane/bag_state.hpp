@@ -74,6 +74,8 @@ struct BlockSums {
 struct BagState {
   Vectors position;  // x at n [m], nodes; S8
   Vectors velocity;  // v at n-1/2 [m/s], nodes, 0 at fixed ones; S8
+  /// Largest |v|^2 times BagModel::node_gradient_squared [1/s2] of each 16 nodes, 0 at the start; S8.
+  std::vector<double> rate_bound_squared;
   /// Of elements; empty without jet. update_geometry in S4 and S6, of the elements that it is asked for.
   Vectors area_vector;      // S_e, outward, length = area [m2]
   Vectors centroid;         // ((a + b) + c) / 3 [m]

@@ -56,6 +56,18 @@ double bounce_time_step(const BagModel& model);
 double energy_time_step(const BagModel& model, const BagState& state, double energy, double mobility,
                         bool at_rest);
 
+/// Change of the deformation gradient that one step may make [-] (M.32).
+inline constexpr double kLargestDeformation = 0.4;
+/// Rate at which the fabric deforms.
+struct DeformationRate {
+  double rate = 0.0;  // largest |dF/dt| of an element, Frobenius norm [1/s]
+  int element = -1;   // that element; -1: no element is above the floor
+};
+/// Largest rate of the fabric's elements with the velocities that `advance` has left (M.32), or `floor` [1/s]
+/// if all are below it. Only elements that the speeds of their corners allow more than the floor are
+/// evaluated. So the result is exact and cheap.
+DeformationRate deformation_rate(const BagModel& model, const BagState& state, double floor = 0.0);
+
 /// Response of one element at the current positions, for output and messages; a step does not use it.
 struct ElementResponse {
   PlaneStrain<double> strain;      // in the element's frame, first axis along its reference side a-b

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "step/step_limits.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "membrane/time_step.hpp"
+#include "step/stages.hpp"
+
+namespace driver {
+namespace {
+
+// Three digits, rounded down: a limit that may be typed as it is printed.
+std::string limit_text(double value) {
+  const double unit = std::pow(10.0, std::floor(std::log10(value)) - 2.0);
+  return fmt::format("{:.3g}", std::floor(value / unit) * unit);
+}
+
+// What makes the bag stiff, largest first; shares below half a per cent are left out.
+std::string shares_text(const Scene& scene, const State& state) {
+  const membrane::StiffnessShares& s = state.step.shares;
+  std::vector<std::pair<double, const char*>> shares{
+      {s.element, "fabric"}, {s.gas, "gas"}, {s.contact, "contact"}, {s.strap, "straps"}, {s.plate, "plate"}};
+  std::ranges::sort(shares, std::greater{}, &std::pair<double, const char*>::first);
+  std::string text;
+  for (const auto& [share, name] : shares)
+    if (const double percent = 100.0 * share / s.total(); percent >= 0.5)
+      text += fmt::format("{}{} {:.0f} %", text.empty() ? "" : ", ", name, percent);
+  if (s.element >= 0.005 * s.total())
+    text += fmt::format("; stiffest element {}", membrane::governing_element(scene.bag->model, *state.bag));
+  const double rate = 0.5 * state.step.critical;
+  if (const double percent = 100.0 * rate * s.damping; percent >= 0.5)
+    text += fmt::format("; stiffness damping shortens it by up to {:.0f} %", percent);
+  if (const double percent = 100.0 * rate * state.step.jet_damping; percent >= 0.5)
+    text += fmt::format("; jets relative to the skin shorten it by up to {:.0f} %", percent);
+  return text;
+}
+
+// The key that lengthens the step most.
+std::string advice(const Scene& scene, const State& state) {
+  const membrane::StiffnessShares& s = state.step.shares;
+  if (scene.has_volume() && state.gas_point.pressure < 0.01 * scene.ambient.pressure)
+    return fmt::format(
+        "the skin collapses, as {:.3g} Pa of gas do not bear the {:.3g} Pa outside: look at "
+        "gas.initial.pressure, the areas of vents and the porosity, and at their units",
+        state.gas_point.pressure, scene.ambient.pressure);
+  const double most = std::max({s.element, s.gas, s.contact, s.strap, s.plate});
+  if (s.contact == most) return "lower contact.stiffness or contact.stiffness_share";
+  if (s.strap == most) return "lower membrane.strap.stiffness";
+  if (s.plate == most) return "lower membrane.plate.stiffness";
+  if (s.gas == most) return "the gas is stiff in so small a volume: begin with a larger one";
+  return "look at the size and shape of that element, and at fabric.young_modulus and its unit";
+}
+
+}  // namespace
+
+void refuse_step(const Scene& scene, const State& state, double given) {
+  std::string cause = "the pendulum's swing";
+  if (state.bag) cause = shares_text(scene, state);
+  throw StepError(fmt::format(
+      "time.step = {:.3g} s is unstable: the limit is {} s ({}). Lower time.step, leave it out, or "
+      "set time.unsafe_step = true",
+      given, limit_text(state.step.critical), cause));
+}
+
+void refuse_short_step(const Scene& scene, const State& state) {
+  const StepSizes& step = state.step;
+  std::string cause, help;
+  if (state.bag) {
+    if (step.after * 1.01 < scene.time.safety * std::min(step.steady / scene.time.safety, step.drift_limit))
+      cause = fmt::format(" for element {}, which deforms at {:.3g} 1/s (M.32)", step.deformed_element,
+                          membrane::kLargestDeformation / step.after);
+    else if (step.drift_limit < step.critical)
+      cause = " for the energy to drift little (M.22)";
+    else
+      cause = fmt::format(" ({})", shares_text(scene, state));
+    help = "; " + advice(scene, state);
+  }
+  throw StepError(
+      fmt::format("a step of {:.3g} s is needed{}, and more than 1e9 of them to end_time = {:.3g} s{}",
+                  step.after, cause, scene.time.end, help));
+}
+
+}  // namespace driver
