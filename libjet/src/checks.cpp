@@ -73,7 +73,7 @@ double check_nodes(const Surface& surface) {
   if (!tiny && largest <= std::bit_cast<std::uint64_t>(kLargest)) return std::bit_cast<double>(largest);
   for (int i = 0; i < surface.node_count; ++i) {
     const double* x = surface.node(i);
-    require_coordinates(("node " + std::to_string(i)).c_str(), {x[0], x[1], x[2]});
+    require_coordinates(("node " + std::to_string(surface.name(i))).c_str(), {x[0], x[1], x[2]});
   }
   return kLargest;
 }

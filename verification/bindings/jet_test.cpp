@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Jet and hidden elements through gasjet.h.
+#include <algorithm>
+#include <chrono>
 #include <numeric>
 
 #include "jet/visibility.hpp"
@@ -68,6 +70,93 @@ TEST(c_surface, triangles_of_fortran_order_eq_rows) {
   ASSERT_OK(gasjet_surface_visible(surface.value, mesh.nodes.data(), mesh.node_count(), nullptr, &source,
                                    nullptr, 0, kNan, lit.data(), count, nullptr));
   EXPECT_EQ(lit, library_mask(mesh, {{0.0, 0.1, 0.0}, {1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, 0.05}));
+}
+
+/// `mesh` among nodes of other parts, which stand before and between its own and hold anything.
+struct PartOfModel {
+  Mesh whole;
+  explicit PartOfModel(const Mesh& mesh, double others) {
+    const auto count = static_cast<std::size_t>(mesh.node_count());
+    for (std::size_t i = 0; i < count; ++i) {
+      whole.nodes.insert(whole.nodes.end(), 9, others);
+      std::copy_n(mesh.nodes.data() + 3 * i, 3, whole.nodes.end() - 6);
+    }
+    for (const int32_t node : mesh.triangles) whole.triangles.push_back(3 * node + 1);
+  }
+};
+
+TEST(c_jet, nodes_of_no_triangle_change_nothing) {
+  const Mesh mesh = nested();
+  const auto elements = static_cast<std::size_t>(mesh.triangle_count());
+  gasjet_jet_model model = round_jet();
+  model.axis[1] = 0.5;
+  const gasjet_source source{{0.01, 0.02, 0.03}, {1.0, 0.5, 0.2}, {0.0, 0.0, 0.0}, 0.0};
+  const auto answers = [&](const Mesh& of, const Layout& layout) {
+    Handle jet, surface;
+    EXPECT_OK(gasjet_jet_create(&model, of.triangles.data(), of.triangle_count(), nullptr, of.node_count(),
+                                nullptr, 0, nullptr, 0, &jet.value));
+    EXPECT_OK(gasjet_surface_create(of.triangles.data(), of.triangle_count(), nullptr, of.node_count(),
+                                    nullptr, 0, nullptr, 0, &surface.value));
+    std::vector<double> all(elements + 3);
+    std::vector<uint8_t> lit(elements);
+    const double* nodes = layout.data.data() + layout.first;
+    EXPECT_OK(gasjet_jet_pressure(jet.value, nodes, of.node_count(), layout.stride, 400.0, 1.0, 1, kNan,
+                                  all.data(), of.triangle_count(), all.data() + elements, nullptr));
+    EXPECT_OK(gasjet_surface_visible(surface.value, nodes, of.node_count(), layout.stride, &source, nullptr,
+                                     0, kNan, lit.data(), of.triangle_count(), nullptr));
+    all.insert(all.end(), lit.begin(), lit.end());
+    return all;
+  };
+  const auto alone = answers(mesh, layouts_of(mesh.nodes).front());
+  for (const double others : {0.0, 1e-150, 1e300, kInfinity, kNan}) {
+    const PartOfModel part(mesh, others);
+    for (const Layout& layout : layouts_of(part.whole.nodes)) EXPECT_EQ(answers(part.whole, layout), alone);
+  }
+}
+
+TEST(c_jet, a_coordinate_is_refused_by_the_callers_number) {
+  const PartOfModel part(box(2, 2.0, -1.0), kNan);
+  const gasjet_jet_model model = round_jet();
+  Handle jet;
+  ASSERT_OK(gasjet_jet_create(&model, part.whole.triangles.data(), part.whole.triangle_count(), nullptr,
+                              part.whole.node_count(), nullptr, 0, nullptr, 0, &jet.value));
+  std::vector<double> pressure(static_cast<std::size_t>(part.whole.triangle_count()));
+  double force[3];
+  for (const auto& [bad, words] : {std::pair{kNan, "row 13 that is not finite"}, {1e-150, "node 13 has"}}) {
+    auto nodes = part.whole.nodes;
+    nodes[3 * 13 + 2] = bad;
+    EXPECT_EQ(gasjet_jet_pressure(jet.value, nodes.data(), part.whole.node_count(), nullptr, 400.0, 1.0, 1,
+                                  kNan, pressure.data(), part.whole.triangle_count(), force, nullptr),
+              GASJET_BAD_INPUT);
+    EXPECT_NE(std::string(gasjet_last_error()).find(words), std::string::npos) << gasjet_last_error();
+  }
+}
+
+/// Allowed: five times the time of the bag alone; reading them all takes some 150 times as long.
+TEST(c_jet, a_million_nodes_of_other_parts_cost_a_call_nothing) {
+  const Mesh mesh = nested();
+  Mesh large = mesh;
+  large.nodes.resize(3'000'000, kNan);
+  const gasjet_jet_model model = round_jet();
+  std::vector<double> pressure(static_cast<std::size_t>(mesh.triangle_count()));
+  const auto fastest_call = [&](const Mesh& of) {
+    Handle jet;
+    EXPECT_OK(gasjet_jet_create(&model, of.triangles.data(), of.triangle_count(), nullptr, of.node_count(),
+                                nullptr, 0, nullptr, 0, &jet.value));
+    double force[3], fastest = kInfinity;
+    for (int i = 0; i < 50; ++i) {
+      const auto begin = std::chrono::steady_clock::now();
+      EXPECT_OK(gasjet_jet_pressure(jet.value, of.nodes.data(), of.node_count(), nullptr, 400.0, 1.0, 1, kNan,
+                                    pressure.data(), of.triangle_count(), force, nullptr));
+      const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
+      fastest = std::min(fastest, taken.count());
+    }
+    return fastest;
+  };
+  const double alone = fastest_call(mesh), among = fastest_call(large);
+  RecordProperty("alone_us", std::to_string(1e6 * alone));
+  RecordProperty("among_us", std::to_string(1e6 * among));
+  EXPECT_LT(among, 5.0 * alone) << among << " s among a million nodes, " << alone << " s alone";
 }
 
 /// Momentum of a jet that meets a wall at right angles: (1 + e) rho0 V0^2 A, less the cut-off's share.

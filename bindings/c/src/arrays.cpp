@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace border {
 namespace {
@@ -27,11 +28,17 @@ Stride stride_of(const int64_t* stride, int64_t count, std::string_view argument
   return given;
 }
 
-Eigen::Matrix3Xd copy_of(const double* data, int count, Stride stride) {
+Eigen::Matrix3Xd copy_of(const double* data, int count, Stride stride, std::span<const int> only) {
   Eigen::Matrix3Xd copy(3, count);
-  for (int i = 0; i < count; ++i)
+  for (const int i : only)
     for (int k = 0; k < 3; ++k) copy(k, i) = data[i * stride.row + k * stride.component];
   return copy;
+}
+
+std::vector<int> all_rows(int64_t count, std::string_view argument) {
+  std::vector<int> rows(static_cast<std::size_t>(count_of(count, std::string(argument) + "_count")));
+  std::iota(rows.begin(), rows.end(), 0);
+  return rows;
 }
 
 bool fits(Stride stride) {
@@ -58,17 +65,20 @@ void require_count(int64_t count, int64_t wanted, std::string_view argument) {
     refuse(argument, "has " + std::to_string(count) + " numbers, allowed: " + std::to_string(wanted));
 }
 
+Points::Points(const double* data, int64_t count, const int64_t* stride, std::string_view argument)
+    : Points(data, count, stride, argument, all_rows(count, argument)) {}
+
 Points::Points(const double* data, int64_t count, const int64_t* stride, std::string_view argument,
-               bool finite)
+               std::span<const int> only, bool finite)
     : copy_([&] {
         needed(data, argument);
         const Stride given = stride_of(stride, count, argument);
         const int rows = count_of(count, std::string(argument) + "_count");
-        return fits(given) ? Eigen::Matrix3Xd() : copy_of(data, rows, given);
+        return fits(given) ? Eigen::Matrix3Xd() : copy_of(data, rows, given, only);
       }()),
       view_(view_of(data, static_cast<int>(count), stride_of(stride, count, argument), copy_)) {
-  if (!finite || view_.array().isFinite().all()) return;
-  for (Eigen::Index i = 0; i < view_.cols(); ++i)
+  if (!finite) return;
+  for (const int i : only)
     if (!view_.col(i).array().isFinite().all())
       refuse(argument,
              "has a coordinate in row " + std::to_string(i) + " that is not finite, allowed: finite numbers");

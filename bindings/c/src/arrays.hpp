@@ -20,9 +20,12 @@ void require_count(int64_t count, int64_t wanted, std::string_view argument);
 class Points {
  public:
   using View = Eigen::Ref<const Eigen::Matrix3Xd, 0, Eigen::OuterStride<>>;
-  /// Refuses NULL and strides that no memory has; with `finite` a coordinate that is not, by its row.
+  /// Refuses NULL, strides that no memory has, and a coordinate that is not finite, by its row.
+  Points(const double* data, int64_t count, const int64_t* stride, std::string_view argument);
+  /// Reads the rows of `only` alone, each below `count`; the view's other rows may hold anything. Without
+  /// `finite` their coordinates are left to the caller.
   Points(const double* data, int64_t count, const int64_t* stride, std::string_view argument,
-         bool finite = true);
+         std::span<const int> only, bool finite = true);
   Points(const Points&) = delete;
   Points& operator=(const Points&) = delete;
   const View& view() const { return view_; }

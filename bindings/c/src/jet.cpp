@@ -71,7 +71,7 @@ void write_counters(const jet::VisibilityCounters& from, gasjet_visibility* to) 
 
 /// What jet and surface are made from.
 struct Skin {
-  /// The query keeps some 100 bytes for each node: a count that is wrong is not to take the machine's memory.
+  /// Making it takes memory for each node: a count that is wrong is not to take the machine's.
   static int64_t checked(int64_t nodes, int64_t triangle_count) {
     const int64_t most =
         3 * std::clamp<int64_t>(triangle_count, 0, std::numeric_limits<int>::max()) + kOtherNodes;
@@ -87,25 +87,36 @@ struct Skin {
       : triangles(triangles_of(data, count, stride, checked(nodes, count))),
         roles{numbers_of(null_elements, null_count, count, "null_elements"),
               numbers_of(attachment_elements, attachment_count, count, "attachment_elements")},
-        node_count(nodes) {}
+        named(triangles.data(), triangles.data() + triangles.size()),
+        node_count(nodes) {
+    std::sort(named.begin(), named.end());
+    named.erase(std::unique(named.begin(), named.end()), named.end());
+  }
+
+  /// A call reads the nodes that a triangle names, and no other.
+  Points points(const double* nodes, int64_t count, const int64_t* stride, bool finite) const {
+    require_count(count, node_count, "nodes");
+    return {nodes, count, stride, "nodes", named, finite};
+  }
 
   Eigen::Matrix3Xi triangles;
   jet::SurfaceRoles roles;
+  std::vector<int> named;  // nodes
   int64_t node_count;
 };
 
 struct Surface : Object {
-  explicit Surface(const Skin& skin)
-      : query(skin.triangles, static_cast<int>(skin.node_count), skin.roles),
-        node_count(skin.node_count),
+  explicit Surface(Skin given)
+      : skin(std::move(given)),
+        query(skin.triangles, static_cast<int>(skin.node_count), skin.roles),
         all(static_cast<std::size_t>(skin.triangles.cols())) {
     std::iota(all.begin(), all.end(), 0);
   }
   static constexpr const char* name = "a surface";
   static constexpr bool shared = false;
 
+  Skin skin;
   jet::VisibilityQuery query;
-  int64_t node_count;
   std::vector<int> all;  // elements
 };
 
@@ -222,8 +233,7 @@ int gasjet_jet_pressure(gasjet_handle jet, const double nodes[], int64_t node_co
                         double force[3], gasjet_visibility* counters) {
   return call([&] {
     const Use<Jet> use(jet, "jet");
-    require_count(node_count, use->skin.node_count, "nodes");
-    const Points points(nodes, node_count, node_stride, "nodes");
+    const Points points = use->skin.points(nodes, node_count, node_stride, true);
     const auto out = output(overpressure, overpressure_count, use->skin.triangles.cols(), "overpressure");
     needed(force, "force");
     bound_of(displacement_bound);
@@ -271,8 +281,8 @@ int gasjet_surface_visible(gasjet_handle surface, const double nodes[], int64_t 
                            uint8_t lit[], int64_t lit_count, gasjet_visibility* counters) {
   return call([&] {
     const Use<Surface> use(surface, "surface");
-    require_count(node_count, use->node_count, "nodes");
-    const Points points(nodes, node_count, node_stride, "nodes", false);  // the query looks at those it needs
+    const Points points =
+        use->skin.points(nodes, node_count, node_stride, false);  // the query looks at those it needs
     const auto from = source_of(source);
     const auto asked = candidates_of(*use, candidates, candidate_count);
     const auto out = output(lit, lit_count, static_cast<int64_t>(asked.size()), "lit");

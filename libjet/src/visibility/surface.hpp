@@ -17,11 +17,13 @@ struct Surface {
   const Role* roles = nullptr;
   int count = 0;
   int node_count = 0;
+  const int* names = nullptr;  // the caller's numbers of the nodes; null: their own
 
   const double* node(int i) const { return nodes + i * stride; }
   const double* corner(int element, int i) const {
     return node(triangles[element][static_cast<std::size_t>(i)]);
   }
+  int name(int i) const { return names == nullptr ? i : names[i]; }
   bool never_blocks(int element) const { return roles[element] != Role::fabric; }
 };
 

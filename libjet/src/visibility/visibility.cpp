@@ -69,26 +69,40 @@ VisibilityCounters& VisibilityCounters::operator+=(const VisibilityCounters& oth
 }
 
 struct VisibilityQuery::Impl {
-  int node_count;
+  int node_count;  // of the caller's
   bool closed;
-  std::vector<std::array<int, 3>> triangles;
+  std::vector<std::array<int, 3>> triangles;  // numbers in `used` if there are unused nodes
   std::vector<Role> roles;
-  std::vector<int> unused;  // nodes that no element uses
-  Eigen::Matrix3Xd copy;    // of the nodes, if there are such
+  std::vector<int> used;  // nodes of elements; empty if all are
+  Eigen::Matrix3Xd copy;  // of these nodes
   std::shared_ptr<const OrderedMesh> mesh;
   BothWays fast;
 
   int count() const { return static_cast<int>(triangles.size()); }
-  void prepare() { fast.prepare(mesh, static_cast<std::size_t>(node_count), closed); }
+  int used_count() const { return used.empty() ? node_count : static_cast<int>(used.size()); }
+  void prepare() { fast.prepare(mesh, static_cast<std::size_t>(used_count()), closed); }
 
-  /// Nodes that no element uses stand where one of an element does: they bound nothing.
-  Surface surface(const Points& nodes) {
-    if (!unused.empty()) {
-      copy = nodes;
-      for (const int node : unused) copy.col(node) = nodes.col(triangles[0][0]);
-      return {copy.data(), 3, triangles.data(), roles.data(), count(), node_count};
+  /// Renumbers the triangles if some nodes are of no element: these are then never read.
+  void leave_out_unused() {
+    std::vector<int> number(static_cast<std::size_t>(node_count), -1);
+    for (const Triangle& t : triangles)
+      for (const int node : t) number[static_cast<std::size_t>(node)] = 0;
+    for (int node = 0; node < node_count; ++node) {
+      int& place = number[static_cast<std::size_t>(node)];
+      if (place == 0) place = static_cast<int>(used.size()), used.push_back(node);
     }
-    return {nodes.data(), nodes.outerStride(), triangles.data(), roles.data(), count(), node_count};
+    if (static_cast<int>(used.size()) == node_count) return used.clear();
+    for (Triangle& t : triangles)
+      for (int& node : t) node = number[static_cast<std::size_t>(node)];
+    copy.resize(3, used_count());
+  }
+
+  Surface surface(const Points& nodes) {
+    Surface all{nodes.data(), nodes.outerStride(), triangles.data(), roles.data(), count(), used_count()};
+    if (used.empty()) return all;
+    for (int i = 0; i < used_count(); ++i) copy.col(i) = nodes.col(used[static_cast<std::size_t>(i)]);
+    all.nodes = copy.data(), all.stride = 3, all.names = used.data();
+    return all;
   }
 
   void assign(const std::vector<int>& elements, const char* name, Role role) {
@@ -123,12 +137,7 @@ VisibilityQuery::VisibilityQuery(const Triangles& triangles, int node_count, con
   impl_->roles.assign(impl_->triangles.size(), Role::fabric);
   impl_->assign(roles.attachment_elements, "attachment element", Role::attachment);
   impl_->assign(roles.null_elements, "null element", Role::null_panel);
-  std::vector<std::uint8_t> used(static_cast<std::size_t>(node_count), 0);
-  for (const Triangle& t : impl_->triangles)
-    for (const int node : t) used[static_cast<std::size_t>(node)] = 1;
-  for (int node = 0; node < node_count; ++node)
-    if (used[static_cast<std::size_t>(node)] == 0) impl_->unused.push_back(node);
-  if (!impl_->unused.empty()) impl_->copy.resize(3, node_count);
+  impl_->leave_out_unused();
   impl_->closed = is_closed(impl_->triangles);
   impl_->mesh = std::make_shared<const OrderedMesh>(impl_->triangles);
   impl_->prepare();
@@ -139,8 +148,8 @@ VisibilityQuery::VisibilityQuery() = default;
 VisibilityQuery VisibilityQuery::another() const {
   VisibilityQuery query;
   const Impl& i = *impl_;
-  query.impl_ = std::make_unique<Impl>(
-      Impl{i.node_count, i.closed, i.triangles, i.roles, i.unused, i.copy, i.mesh, {}});
+  query.impl_ =
+      std::make_unique<Impl>(Impl{i.node_count, i.closed, i.triangles, i.roles, i.used, i.copy, i.mesh, {}});
   query.impl_->prepare();
   return query;
 }

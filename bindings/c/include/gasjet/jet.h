@@ -50,7 +50,8 @@ GASJET_API int gasjet_jet_defaults(gasjet_jet_model* model);
 
 /* A jet at a surface of triangles. null_elements close a hole: no load, and they never hide;
  * attachment_elements around the outlet never hide. Element numbers from 0; NULL with count 0. node_count:
- * with nodes of other parts, up to 20 million more than corners of triangles. The jet loads inner sides, so a
+ * with nodes of other parts, up to 20 million more than corners of triangles. Calls read the nodes that
+ * triangles name: others may hold anything, and cost nothing. The jet loads inner sides, so a
  * triangle that is wound wrongly takes none: gasjet_surface_check finds it. */
 GASJET_API int gasjet_jet_create(const gasjet_jet_model* model, const int32_t triangles[],
                                  int64_t triangle_count, const int64_t GASJET_OR_NULL triangle_stride[],
