@@ -33,6 +33,11 @@ if [[ $(installed gasjet_fortran.pc) != . ]]; then
   # shellcheck disable=SC2046
   gfortran -Wall -Werror "$here/consumer.f90" $(pkg-config --cflags --libs gasjet_fortran gasjet_exact) -o "$scratch/consumer_f"
   "$scratch/consumer_f"
+  # As another compiler, which cannot read the .mod.
+  # shellcheck disable=SC2046
+  gfortran -std=f2018 -J "$scratch" "$(pkg-config --variable=source gasjet_fortran)" "$here/consumer.f90" \
+    $(pkg-config --libs gasjet gasjet_exact) -o "$scratch/consumer_source"
+  "$scratch/consumer_source"
 fi
 packages=$(installed _gasjet.*.so)
 if [[ $packages != . ]]; then
