@@ -7,11 +7,11 @@ check_surface() faults of a mesh; Gas, Tank, Jet, Surface, Membrane, Contact and
 from . import _gasjet
 from .bodies import Gas, Jet, Membrane, Surface, Tank, check_surface, fabric_leak, orifice, outlet, visible
 from .coupling import Contact, Pendulum
-from .errors import BusyError, DomainError, Error, InputError, StoppedError
+from .errors import BusyError, DomainError, Error, GasjetWarning, InputError, StoppedError
 from .runs import Run, catalogue, compare, exact, run
 
 __version__ = _gasjet.version()
 __all__ = [
-    "BusyError", "Contact", "DomainError", "Error", "Gas", "InputError", "Jet", "Membrane", "Pendulum", "Run", "StoppedError",
-    "Surface", "Tank", "catalogue", "check_surface", "compare", "exact", "fabric_leak", "orifice", "outlet", "run", "visible",
+    "BusyError", "Contact", "DomainError", "Error", "Gas", "GasjetWarning", "InputError", "Jet", "Membrane", "Pendulum", "Run",
+    "StoppedError", "Surface", "Tank", "catalogue", "check_surface", "compare", "exact", "fabric_leak", "orifice", "outlet", "run", "visible",
 ]

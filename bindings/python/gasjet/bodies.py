@@ -8,6 +8,7 @@ import numpy as np
 
 from . import _gasjet
 from .arrays import NAN, NO_VECTOR, Vector, as_column, as_indices, as_points, as_triangles, handle_of, mesh_arrays
+from .errors import Error
 
 
 class Gas:
@@ -16,18 +17,26 @@ class Gas:
     Species: N2 O2 Ar He H2 CO CO2 H2O NO N2O NH3 CH4. constant_cp_at [K]: cp is constant, its value at this temperature.
     """
 
+    __slots__ = ("_handle", "_words", "__weakref__")
+
     def __init__(self, composition: str, constant_cp_at: float = 0.0) -> None:
         self._handle = _gasjet.gas(composition, constant_cp_at)
+        self._words = composition + (f", constant cp at {constant_cp_at:g} K" if constant_cp_at else "")
 
     @classmethod
     def ideal(cls, gas_constant: float, cp: float) -> Gas:
         """A gas of constant cp [J/(kg K)] > gas_constant [J/(kg K)] > 0."""
         made = cls.__new__(cls)
         made._handle = _gasjet.ideal_gas(gas_constant, cp)
+        made._words = f"ideal, gas constant {gas_constant:g} J/(kg K), cp {cp:g} J/(kg K)"
         return made
 
+    def __repr__(self) -> str:
+        return f"<gasjet.Gas {self._words}>"
+
     def properties(self, temperature: float) -> Dict[str, float]:
-        """Of 1 kg at temperature [K]: gas constant, cp, cv, gamma, enthalpy, internal energy, speed of sound."""
+        """Of 1 kg at temperature [K]: gas_constant_J_kgK, cp_J_kgK, cv_J_kgK, gamma, enthalpy_J_kg, internal_energy_J_kg,
+        speed_of_sound_m_s."""
         return _gasjet.gas_values(self._handle, temperature)
 
     def temperature(self, internal_energy: float) -> float:
@@ -53,10 +62,20 @@ def fabric_leak(leak_area: float, density: float, overpressure: float) -> float:
 class Tank:
     """A volume [m3] of gas at uniform pressure [Pa] and temperature [K], from time 0. Parts are added before the first advance."""
 
+    __slots__ = ("_handle", "_volume", "__weakref__")
+
     def __init__(self, gas: Gas, pressure: float, temperature: float, volume: float,
                  ambient_pressure: float = 101325.0, tolerance: float = 1e-10) -> None:
         self._handle = _gasjet.tank(handle_of(gas, Gas, "gas"), pressure, temperature, volume, ambient_pressure, tolerance)
         self._volume = volume
+
+    def __repr__(self) -> str:
+        try:
+            now = self.state
+        except Error:  # another thread uses it
+            return "<gasjet.Tank>"
+        return (f"<gasjet.Tank at {now['time_s']:g} s: {now['volume_m3']:.6g} m3, {now['pressure_Pa']:.6g} Pa, "
+                f"{now['temperature_K']:.6g} K>")
 
     def add_inflow(self, gas: Gas, time: Any, mass_flow: Any, temperature: Any, start_time: float = 0.0) -> None:
         """mass_flow [kg/s] and temperature [K] at knots time [s] since start_time; linear between, no flow outside."""
@@ -72,7 +91,7 @@ class Tank:
         _gasjet.tank_add_fabric(self._handle, leak_area)
 
     def advance(self, time: float, volume: Optional[float] = None) -> Dict[str, float]:
-        """Goes on to time [s]; the volume changes linearly to `volume` [m3] (None: stays). Returns the state."""
+        """Goes on to time [s]; the volume changes linearly to `volume` [m3] (None: stays). Returns `state`."""
         new = self._volume if volume is None else volume
         _gasjet.tank_advance(self._handle, time, new)
         self._volume = new
@@ -80,12 +99,14 @@ class Tank:
 
     @property
     def state(self) -> Dict[str, float]:
-        """Pressure, temperature, masses and flows now."""
+        """Now: time_s, pressure_Pa, temperature_K, volume_m3, gas_mass_kg, internal_energy_J, density_kg_m3, gamma, cp_J_kgK,
+        gas_constant_J_kgK, inflow_kg_s, vent_outflow_kg_s, fabric_outflow_kg_s."""
         return _gasjet.tank_state(self._handle)
 
     @property
     def balance(self) -> Dict[str, float]:
-        """What crossed the border since the start, and what does not balance."""
+        """What crossed the border since the start: mass_in_kg, enthalpy_in_J, vent_mass_out_kg, fabric_mass_out_kg,
+        enthalpy_out_J, work_J; what does not balance: mass_residual_kg, energy_residual_J; and substeps, how many it took."""
         return _gasjet.tank_balance(self._handle)
 
 
@@ -94,7 +115,7 @@ OUTLET_LAWS = ("sonic_static", "sonic_stagnation", "pressure_matched")
 
 def outlet(area: float, mass_flow: float, temperature: float, cp: float, gas_constant: float,
            law: str = "sonic_static", bag_pressure: float = 101325.0) -> Dict[str, float]:
-    """Velocity, density, pressure and temperature in an outlet of area [m2]; law: one of OUTLET_LAWS."""
+    """velocity_m_s, density_kg_m3, pressure_Pa and temperature_K (static) in an outlet of area [m2]; law: one of OUTLET_LAWS."""
     if law not in OUTLET_LAWS:
         raise ValueError(f"law: is {law!r}, allowed: {', '.join(OUTLET_LAWS)}")
     return _gasjet.outlet(OUTLET_LAWS.index(law), area, mass_flow, temperature, cp, gas_constant, bag_pressure)
@@ -103,11 +124,17 @@ def outlet(area: float, mass_flow: float, temperature: float, cp: float, gas_con
 class Surface:
     """Triangles that are asked again and again what a source sees of them; it keeps what makes the next answer fast."""
 
+    __slots__ = ("_elements", "_nodes", "_handle", "__weakref__")
+
     def __init__(self, triangles: Any, node_count: int, null_elements: Any = None, attachment_elements: Any = None) -> None:
         elements = as_triangles(triangles)
         self._elements = len(elements)
         self._handle = _gasjet.surface(elements, node_count, as_indices(null_elements, "null_elements"),
                                        as_indices(attachment_elements, "attachment_elements"))
+        self._nodes = node_count
+
+    def __repr__(self) -> str:
+        return f"<gasjet.Surface {self._elements} elements, {self._nodes} nodes>"
 
     def visible(self, nodes: Any, centre: Vector, axis: Vector, long_direction: Vector = NO_VECTOR, half_long: float = 0.0,
                 candidates: Any = None, displacement_bound: float = NAN) -> np.ndarray:
@@ -135,9 +162,11 @@ def visible(nodes: Any, triangles: Any = None, centre: Vector = (0.0, 0.0, 0.0),
 
 
 def check_surface(nodes: Any, triangles: Any = None) -> Dict[str, Any]:
-    """What keeps a surface from enclosing a volume: faults by name and count, and `findings`, a list of texts. `ok`: nothing.
+    """What keeps a surface from enclosing a volume: `findings`, a list of texts, and the faults. `ok`: there are none.
 
-    Membrane and Jet take any surface; the volume and the load of one with faults mean nothing. A meshio mesh stands for both.
+    Counts: boundary_edges, non_manifold_edges, inconsistent_edges, repeated_node_elements, pinched_nodes, unused_nodes,
+    more_components (beyond the first). True or False: inward, flat. Membrane and Jet take any surface; the volume and the load of
+    one with faults mean nothing. A meshio mesh stands for both.
     """
     return _gasjet.check_surface(*mesh_arrays(nodes, triangles))
 
@@ -146,8 +175,10 @@ class Jet:
     """A gas jet out of a round outlet (radius [m]) or a rectangular one (short_side, at most long_side [m], long_direction).
 
     decay_coefficient [-]: of the centreline. cone_initial_width [m], cone_half_angle [rad]: the width grows along a cone
-    instead of by conservation of momentum.
+    instead of by conservation of momentum. `counters` of the last `pressure`: candidates, lit, hidden, facing_away.
     """
+
+    __slots__ = ("_model", "_skin", "_words", "counters", "__weakref__")
 
     def __init__(self, centre: Vector, axis: Vector, *, decay_coefficient: float, radius: float = NAN, short_side: float = NAN,
                  long_side: float = NAN, long_direction: Vector = NO_VECTOR, cone_initial_width: float = NAN,
@@ -157,6 +188,11 @@ class Jet:
         self._skin: Tuple[Any, Any] = (None, None)
         self.counters: Dict[str, int] = {}
         self.velocity(np.zeros((1, 3)))  # judges the model
+        size = f"round, radius {radius:g} m" if radius == radius else f"{short_side:g} m by {long_side:g} m"
+        self._words = f"{size}, at ({', '.join(f'{x:g}' for x in centre)}) m along ({', '.join(f'{x:g}' for x in axis)})"
+
+    def __repr__(self) -> str:
+        return f"<gasjet.Jet {self._words}>"
 
     def velocity(self, points: Any) -> np.ndarray:
         """Velocity over the outlet's at points (n, 3) [m]."""
@@ -192,6 +228,8 @@ class Membrane:
     linear in Green-Lagrange strain, or Cauchy's in logarithmic strain (with wrinkles, to stretches of 1.65).
     """
 
+    __slots__ = ("_handle", "_nodes", "_words", "__weakref__")
+
     def __init__(self, reference: Any, triangles: Any = None, *, thickness: float, density: float, young_modulus: float,
                  poisson: float, wrinkles: bool = True, law: str = "saint_venant_kirchhoff", null_elements: Any = None,
                  fixed_nodes: Any = None) -> None:
@@ -202,6 +240,10 @@ class Membrane:
                                         FABRIC_LAWS.index(law), as_indices(null_elements, "null_elements"),
                                         as_indices(fixed_nodes, "fixed_nodes"))
         self._nodes = len(reference)
+        self._words = f"{len(triangles)} elements, {len(reference)} nodes, {law}, {'with' if wrinkles else 'without'} wrinkles"
+
+    def __repr__(self) -> str:
+        return f"<gasjet.Membrane {self._words}>"
 
     @property
     def masses(self) -> np.ndarray:
@@ -209,7 +251,8 @@ class Membrane:
         return _gasjet.membrane_masses(self._handle, self._nodes)
 
     def evaluate(self, nodes: Any, gamma: float = 0.0, pressure: float = 0.0) -> Dict[str, Any]:
-        """Forces, volume, its gradient, energy and critical step at positions nodes (n, 3) [m].
+        """force_N and gradient_m2 (of the volume) of each node, volume_m3, area_m2, mass_kg, strain_energy_J and critical_step_s at
+        positions nodes (n, 3) [m].
 
         gamma [-] and absolute pressure [Pa] of the gas go into the critical step; 0: the pressure is prescribed.
         """

@@ -19,6 +19,8 @@ class Pendulum:
     impactor_radius [m]; gravity [m/s2]. It starts with `angle` and `angular_velocity` [rad/s], which are those of now.
     """
 
+    __slots__ = ("_model", "_step_before", "angle", "angular_velocity", "__weakref__")
+
     def __init__(self, pivot: Vector, axis: Vector, rest_direction: Vector, *, mass: float, inertia_cg: float, cg_distance: float,
                  impactor_distance: float, impactor_radius: float, gravity: Vector = AT_REST, angle: float = 0.0,
                  angular_velocity: float = 0.0) -> None:
@@ -29,10 +31,14 @@ class Pendulum:
         self.angular_velocity = angular_velocity
         self.state  # judges the model
 
+    def __repr__(self) -> str:
+        return f"<gasjet.Pendulum at {self.angle:.6g} rad, {self.angular_velocity:.6g} rad/s>"
+
     @property
     def state(self) -> Dict[str, Any]:
-        """Where impactor and centre of gravity are, energies, moment of gravity, inertia about the axis, and the mass that a force
-        along the impactor's path sees. Velocity and kinetic energy are those of `angular_velocity`."""
+        """impactor_centre_m, impactor_velocity_m_s, cg_position_m, gravity_moment_Nm, potential_energy_J, kinetic_energy_J,
+        axis_inertia_kg_m2, and effective_mass_kg, which a force along the impactor's path sees. Velocity and kinetic energy are those of
+        `angular_velocity`."""
         return _gasjet.pendulum_evaluate(self._model, self.angle, self.angular_velocity)
 
     def moment(self, force: Vector, point: Vector) -> float:
@@ -61,13 +67,20 @@ class Contact:
     friction [-] of Coulomb.
     """
 
+    __slots__ = ("_handle", "_words", "__weakref__")
+
     def __init__(self, reference: Any, triangles: Any = None, *, masses: Any, effective_mass: float, radius: float, stiffness: float,
                  friction: float = 0.0) -> None:
         reference, triangles = mesh_arrays(reference, triangles, "reference")
         self._handle = _gasjet.contact(reference, triangles, as_column(masses, "masses"), effective_mass, radius, stiffness, friction)
+        self._words = f"radius {radius:g} m, {stiffness:g} N/m3, friction {friction:g}, {len(triangles)} elements"
+
+    def __repr__(self) -> str:
+        return f"<gasjet.Contact {self._words}>"
 
     def evaluate(self, nodes: Any, centre: Vector, turn: Vector = AT_REST) -> Dict[str, Any]:
-        """Forces on the nodes (n, 3) and on the sphere, energy, friction, area and penetration at positions nodes (n, 3) [m].
+        """node_force_N (n, 3), force_N and couple_Nm on the sphere, energy_J, friction_loss_J (since the last call), area_m2,
+        penetration_m, frequency_1_s2 (for the critical step) and deepest_element (-1: none touches) at positions nodes (n, 3) [m].
 
         Calls belong to successive times: the centre [m] must not cross the skin between two. turn [rad]: of the sphere since the last
         call, which friction alone feels. DomainError if the sphere goes deeper than half its radius.

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Exceptions of Gasjet. Each text says what is wrong and what is allowed."""
+"""Exceptions and the warning of Gasjet. Each text says what is wrong and what is allowed."""
 
 
 class Error(Exception):
@@ -22,5 +22,11 @@ class BusyError(Error, RuntimeError):
 
 class StoppedError(Error):
     """The run's callback asked for it; `run` is what was computed so far."""
+
+    run = None
+
+
+class GasjetWarning(UserWarning):
+    """A likely mistake in a case, or an inaccuracy of its run. Turned into an error it has `run`, what was computed."""
 
     run = None

@@ -4,14 +4,16 @@ from __future__ import annotations
 
 import json
 import os
+import re
 import tempfile
+import warnings
 from typing import Any, Callable, Dict, List, Mapping, Optional, Sequence, Union
 
 import numpy as np
 
 from . import _gasjet
 from .arrays import as_column, as_numbers
-from .errors import DomainError, InputError, StoppedError
+from .errors import DomainError, GasjetWarning, InputError, StoppedError
 
 Path = Union[str, "os.PathLike[str]"]
 Table = Dict[str, np.ndarray]
@@ -23,6 +25,8 @@ class Run:
     `warnings`: likely mistakes in the case, and a drift of the energy, as the command prints them.
     """
 
+    __slots__ = ("history", "energy", "summary", "warnings", "__weakref__")
+
     def __init__(self, history: Table, energy: Table, summary: Dict[str, Any]) -> None:
         self.history = history
         self.energy = energy
@@ -30,7 +34,8 @@ class Run:
         self.warnings: List[str] = summary["warnings"]
 
     def __repr__(self) -> str:
-        return f"<gasjet.Run {self.summary['scene']}: {self.summary['status']}, {len(self.history['time_s'])} rows>"
+        told = {0: "", 1: ", 1 warning"}.get(len(self.warnings), f", {len(self.warnings)} warnings")
+        return f"<gasjet.Run {self.summary['scene']}: {self.summary['status']}, {len(self.history['time_s'])} rows{told}>"
 
 
 def _toml(value: Any) -> str:
@@ -76,21 +81,44 @@ def run(case: Path, set: Optional[Mapping[str, Any]] = None, out: Optional[Path]
 
     case: its file; with `text`, the case itself, the file only names it. set: {"key.path": value}, None takes a key out. out:
     folder for the command's files. progress(time, end) is called some ten times a second; if it returns True, the run stops.
-    Raises InputError, DomainError or StoppedError; of the last two `.run` is what was computed.
+    Raises InputError, DomainError or StoppedError; of the last two, of KeyboardInterrupt and of what `progress` raises `.run` is
+    what was computed. Each of the run's warnings is a GasjetWarning.
     """
     if set is not None and not isinstance(set, Mapping):
         raise TypeError(f"set: is a {type(set).__name__}, allowed: a dict")
     if progress is not None and not callable(progress):
         raise TypeError(f"progress: is a {type(progress).__name__}, allowed: a function of time and end")
     overrides = "\n".join(_override(key, value) for key, value in (set or {}).items())
-    status, message, history, energy, summary = _gasjet.run(
-        _path(case, "case"), text, overrides, None if out is None else _path(out, "out"), threads, progress)
+    try:
+        status, message, history, energy, summary, raised = _gasjet.run(
+            _path(case, "case"), text, overrides, None if out is None else _path(out, "out"), threads, progress)
+    except InputError as error:
+        raise InputError(_in_words(str(error))) from None
     made = Run(history, energy, json.loads(summary))
+    if raised is not None:
+        raise _with_run(raised, made)
+    for warning in made.warnings:
+        try:
+            warnings.warn(warning, GasjetWarning, stacklevel=2)
+        except GasjetWarning as error:  # if the caller asked for errors
+            raise _with_run(error, made)
     if status != 0:
-        error = (DomainError if status == 3 else StoppedError)(message)
-        error.run = made
-        raise error
+        raise _with_run((DomainError if status == 3 else StoppedError)(message), made)
     return made
+
+
+def _with_run(error: BaseException, made: Run) -> BaseException:
+    try:
+        error.run = made  # type: ignore[attr-defined]
+    except (AttributeError, TypeError):  # a class of the caller's that takes no attribute
+        pass
+    return error
+
+
+def _in_words(text: str) -> str:
+    """A message of the command with the names that its options have here."""
+    text = re.sub(r"^--unset (.*?):", r"set: \1=None:", text)
+    return re.sub(r"--(columns|tolerance|map)\b", r"\1", re.sub(r"^--(set|out|columns|tolerance) ", r"\1: ", text))
 
 
 def _closed_forms() -> Any:
@@ -126,22 +154,44 @@ def catalogue() -> Dict[str, Dict[str, Any]]:
 
 def compare(mine: Union[Path, Mapping[str, Any], Run], reference: Union[Path, Mapping[str, Any], Run],
             map: Optional[Path] = None, tolerance: float = 0.0, columns: Sequence[str] = ()) -> Dict[str, Any]:
-    """Judges a history by the reference's band: "verdict" and each quantity's difference.
+    """Judges a history by the reference's band.
 
     Either is a CSV file, a Run, or a dict of columns with "time_s". map: file that names a foreign program's columns. columns: names
-    of the quantities to compare; none: all.
+    of the quantities to compare; none: all. Gives
+    - verdict (inside, outside or undecided) and reason; mine and reference, what was compared; rows, the number of times;
+      runs and reference_runs, if the reference is a mean; format, version and commit of this program;
+    - quantities, by name: verdict, reason, max_error and its time, l2_error, relative_error, share_of_band, phase_lag_s, peak,
+      reference_peak; seen_share, if the reference is a mean.
     """
     if not isinstance(columns, (list, tuple)) or not all(isinstance(name, str) and name and "," not in name for name in columns):
         raise TypeError(f"columns: is {columns!r}, allowed: a list of names")
     with tempfile.TemporaryDirectory() as folder:
-        files = [_file_of(given, name, folder) for given, name in ((mine, "mine"), (reference, "reference"))]
+        files = [_file_of(mine, "mine", folder, map is None), _file_of(reference, "reference", folder, True)]
         try:
-            return json.loads(_gasjet.compare(*files, None if map is None else _path(map, "map"), ",".join(columns), tolerance))
+            text = _gasjet.compare(*files, None if map is None else _path(map, "map"), ",".join(columns), tolerance)
         except InputError as error:
-            raise InputError(str(error).replace(os.path.join(folder, ""), "")) from None  # it names mine.csv or reference.csv
+            raise InputError(_in_words(_without_file(str(error), folder))) from None
+    difference: Dict[str, Any] = json.loads(text)
+    for name, given in (("mine", mine), ("reference", reference)):
+        if isinstance(given, (Run, Mapping)):
+            difference[name] = "a Run" if isinstance(given, Run) else "a dict"
+    for part in (difference, *difference["quantities"].values()):
+        if part.get("reason"):
+            part["reason"] = _in_words(part["reason"])
+    return difference
 
 
-def _file_of(history: Any, argument: str, folder: str) -> bytes:
+def _without_file(text: str, folder: str) -> str:
+    """A message of a file in the folder as one of the columns that it was written from."""
+
+    def place(found: Any) -> str:
+        name, line, column = found.group(1), int(found.group(2) or 0), found.group(3)
+        return f"{name}: {column}[{line - 2}]: " if column and line > 1 else f"{name}: {column}: " if column else f"{name}: "
+
+    return re.sub(re.escape(os.path.join(folder, "")) + r"(mine|reference)\.csv(?::(\d+):\d+)?: (?:(\w+): )?", place, text)
+
+
+def _file_of(history: Any, argument: str, folder: str, own_names: bool) -> bytes:
     """The file of a history; one of a dict is written into the folder, its numbers as they are."""
     if isinstance(history, Run):
         history = history.history
@@ -155,6 +205,14 @@ def _file_of(history: Any, argument: str, folder: str) -> bytes:
     columns = {name: as_numbers(values, f"{argument}: {name}") for name, values in history.items()}
     if len({values.shape for values in columns.values()}) > 1 or any(values.ndim != 1 for values in columns.values()):
         raise ValueError(f"{argument}: has columns that differ in length, allowed: one dimension and the same length")
+    if own_names and "time_s" not in columns:
+        raise InputError(f"{argument}: has no column time_s, only {', '.join(columns)}")
+    if (count := len(next(iter(columns.values())))) < 3:
+        raise InputError(f"{argument}: has {count} numbers in each column, allowed: 3 or more")
+    for name, values in columns.items():
+        if not np.isfinite(values).all():
+            at = int(np.argmin(np.isfinite(values)))
+            raise InputError(f"{argument}: {name}[{at}]: is {values[at]}, allowed: finite numbers")
     path = os.path.join(folder, argument + ".csv")
     with open(path, "w", encoding="utf-8") as file:
         file.write(",".join(columns) + "\n")

@@ -47,7 +47,15 @@ std::string summary(gasjet_handle run) {
   return text;
 }
 
-/// status, message, history, energy, summary; with a run that left its domain or was stopped what it has.
+/// What was raised in a call, or None.
+py::object exception_of(const std::optional<py::error_already_set>& raised) {
+  if (!raised) return py::none();
+  if (raised->trace()) PyException_SetTraceback(raised->value().ptr(), raised->trace().ptr());
+  return raised->value();
+}
+
+/// status, message, history, energy, summary and what the watcher raised; with a run that left its domain or
+/// was stopped what it has.
 py::tuple run(const std::string& file, const std::optional<std::string>& text, const std::string& overrides,
               const std::optional<std::string>& out, int threads, const py::object& progress) {
   Watcher watcher{progress, {}};
@@ -62,12 +70,8 @@ py::tuple run(const std::string& file, const std::optional<std::string>& text, c
   }
   if (handle == 0) raise(status, message.c_str());
   const py::object owner = py::cast(std::make_unique<Handle>(handle));
-  if (watcher.raised) {
-    watcher.raised->restore();
-    throw py::error_already_set();
-  }
   return py::make_tuple(status, message, table(owner, handle, GASJET_HISTORY),
-                        table(owner, handle, GASJET_ENERGY), summary(handle));
+                        table(owner, handle, GASJET_ENERGY), summary(handle), exception_of(watcher.raised));
 }
 
 std::string compare(const std::string& mine, const std::string& reference,
