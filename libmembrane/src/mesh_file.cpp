@@ -41,11 +41,19 @@ Format format_of(const std::filesystem::path& path, const char* fault) {
 constexpr const char* kRead = "a mesh file ends with .obj, .k, .key, .dyn, .rad, .stl, .vtk or .msh";
 constexpr const char* kWritten = "the name of a mesh that is written ends with .obj, .k, .key, .dyn or .stl";
 
+// what() ends at a NUL.
+std::string without_nul(std::string text) {
+  std::replace(text.begin(), text.end(), '\0', '?');
+  return text;
+}
+
 }  // namespace
 
 MeshFileError::MeshFileError(const std::string& file, std::size_t line, std::size_t column,
                              const std::string& message)
-    : std::runtime_error(location(file, line, column) + ": " + message), line_(line), column_(column) {}
+    : std::runtime_error(location(file, line, column) + ": " + without_nul(message)),
+      line_(line),
+      column_(column) {}
 
 Mesh read_mesh(const std::filesystem::path& path) {
   const Format format = format_of(path, kRead);

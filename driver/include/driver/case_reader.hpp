@@ -31,7 +31,8 @@ namespace driver {
 /// The case file, a file that it names, or an override is wrong (exit code 2). what() is the whole message.
 class CaseError : public std::runtime_error {
  public:
-  using std::runtime_error::runtime_error;
+  /// A NUL, at which what() would end, is shown as \x00.
+  explicit CaseError(const std::string& message);
 };
 
 /// Allowed range of a number. All numbers must be finite.

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <string_view>
 #include <unordered_map>
@@ -29,17 +30,21 @@ std::size_t cell_end(const std::string& line, std::size_t begin) {
   return begin;
 }
 
+// A blank or control character. A NUL is neither: it is no part of a text, and is shown where it stands.
+bool is_blank(char c) {
+  return (c > 0 && c <= ' ') || c == 0x7f;
+}
+
 // Into `cells`, which stand in the line.
 void split_row(const std::string& line, std::vector<CsvCell>& cells) {
-  const auto is_blank = [&](std::size_t i) { return line[i] == ' ' || line[i] == '\t' || line[i] == '\r'; };
   cells.clear();
   std::size_t begin = 0;
   while (begin <= line.size()) {
     const std::size_t end = cell_end(line, begin);
     std::size_t first = begin, last = end;
     const auto trim = [&] {
-      while (first < last && is_blank(first)) ++first;
-      while (last > first && is_blank(last - 1)) --last;
+      while (first < last && is_blank(line[first])) ++first;
+      while (last > first && is_blank(line[last - 1])) --last;
     };
     trim();
     if (last - first >= 2 && line[first] == '"' && line[last - 1] == '"') {
@@ -51,10 +56,18 @@ void split_row(const std::string& line, std::vector<CsvCell>& cells) {
   }
 }
 
+// Without the empty cells at the end: a spreadsheet fills each row up to the widest.
+std::size_t filled(const std::vector<CsvCell>& row) {
+  std::size_t count = row.size();
+  while (count > 0 && row[count - 1].text.empty()) --count;
+  return count;
+}
+
 constexpr std::size_t most_rows = 20'000'000;  // twice what a run writes
 
 bool holds_nothing(const std::string& line) {
-  return line.empty() || line[0] == '#' || line == "\r";
+  const auto is_empty = [](char c) { return is_blank(c) || c == ',' || c == '"'; };
+  return std::ranges::all_of(line, is_empty) || comment_of(line).has_value();
 }
 
 [[noreturn]] void fail_at(const std::filesystem::path& file, std::size_t line, std::size_t column,
@@ -90,10 +103,10 @@ double cell_number(const std::vector<CsvCell>& row, std::size_t index, const std
   return *value;
 }
 
-// More cells than names: a decimal comma, or a column without a name. A comma at the end is none.
+// More cells than names: a decimal comma, or a column without a name.
 void check_width(const std::vector<CsvCell>& row, std::size_t width, const std::filesystem::path& file,
                  std::size_t line) {
-  const std::size_t cells = row.size() - (row.back().text.empty() ? 1 : 0);
+  const std::size_t cells = filled(row);
   if (cells > width) fail_at(file, line, 1, fmt::format("has {} columns, the header {}", cells, width));
 }
 
@@ -101,6 +114,21 @@ void check_width(const std::vector<CsvCell>& row, std::size_t width, const std::
 
 void CsvTable::fail(std::size_t column, std::size_t row, const std::string& message) const {
   fail_at(file, lines[row], positions[column][row], names[column] + ": " + message);
+}
+
+std::optional<std::string> comment_of(const std::string& line) {
+  std::size_t begin = 0, end = line.size();
+  const auto skip_blanks = [&] {
+    while (begin < end && is_blank(line[begin])) ++begin;
+  };
+  skip_blanks();
+  const bool in_quotes = begin < end && line[begin] == '"';
+  if (in_quotes) ++begin;
+  skip_blanks();
+  if (begin >= end || line[begin] != '#') return std::nullopt;
+  while (is_blank(line[end - 1]) || line[end - 1] == ',') --end;
+  if (in_quotes && line[end - 1] == '"') --end;
+  return line.substr(begin, end - begin);
 }
 
 std::string no_such_column(const std::string& name, const std::vector<std::string>& header) {
@@ -118,6 +146,7 @@ CsvHeader read_csv_header(const std::filesystem::path& file) {
     if (holds_nothing(line)) continue;
     header.line = lines.number();
     split_row(line, cells);
+    cells.resize(std::max<std::size_t>(filled(cells), 1));
     for (const auto& cell : cells) header.names.emplace_back(cell.text);
     return header;
   }
@@ -138,7 +167,7 @@ CsvTable read_csv(const std::filesystem::path& file, const std::vector<std::stri
     split_row(line, row);
     if (indices.empty()) {
       indices = find_columns(row, table, lines.number());
-      width = row.size();
+      width = filled(row);
       continue;
     }
     check_width(row, width, file, lines.number());

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,6 +24,10 @@ struct CsvTable {
   [[noreturn]] void fail(std::size_t column, std::size_t row, const std::string& message) const;
 };
 
+/// A comment line from its `#` on, none of another line. A spreadsheet that saves a file again sets comments
+/// with commas in quotes, and adds commas up to the widest row.
+std::optional<std::string> comment_of(const std::string& line);
+
 struct CsvHeader {
   std::size_t line = 0;  // 1-based
   std::vector<std::string> names;
@@ -34,7 +39,8 @@ CsvHeader read_csv_header(const std::filesystem::path& file);
 /// Says that a header has no column of this name, and what may be wrong with it.
 std::string no_such_column(const std::string& name, const std::vector<std::string>& header);
 
-/// Reads a CSV file with a header row; `#` lines and empty lines are skipped, quotes around a cell taken off.
+/// Reads a CSV file with a header row; `#` lines and empty lines are skipped, quotes, blanks and control
+/// characters around a cell taken off.
 /// Throws CaseError at the place of the fault if
 /// - the file cannot be read or has more than 20 million rows,
 /// - a column or a cell is missing, or a row has too many cells,

@@ -95,30 +95,51 @@ std::size_t end_of_path(const std::string& text) {
   return std::string::npos;
 }
 
-// An entry of a list that the case does not have.
-void require_list(const toml::node& parent, const std::vector<PathPart>& parts, std::size_t i,
-                  const std::string& override_text) {
-  if (!parts[i + 1].index || !parent.is_table() || parent.as_table()->contains(parts[i].key)) return;
+using Path = std::vector<PathPart>;
+
+// Parts of a path from `begin` to before `end`.
+std::string joined(const Path& parts, std::size_t begin, std::size_t end) {
   std::string path;
-  for (std::size_t j = 0; j <= i; ++j)
-    path += (j > 0 ? "." : "") + (parts[j].index ? parts[j].key : path_key(parts[j].key));
-  throw CaseError(fmt::format("{}: the case has no [[{}]]", option_of(override_text), shortened(path)));
+  for (std::size_t j = begin; j < end; ++j)
+    path += (j > begin ? "." : "") + (parts[j].index ? parts[j].key : path_key(parts[j].key));
+  return shortened(path);
 }
 
-// The node that `part` names inside `parent`; a missing table is made, for the strict reader to judge.
-toml::node& descend(toml::node& parent, const PathPart& part, const std::string& override_text) {
-  const auto& [key, index] = part;
+// An entry of a list that the case does not have.
+void require_list(const toml::node& parent, const Path& parts, std::size_t i,
+                  const std::string& override_text) {
+  if (!parts[i + 1].index || !parent.is_table() || parent.as_table()->contains(parts[i].key)) return;
+  throw CaseError(
+      fmt::format("{}: the case has no [[{}]]", option_of(override_text), joined(parts, 0, i + 1)));
+}
+
+// The entry of a list that part i of a path names. Throws CaseError with the paths that name one.
+std::size_t entry_of(const toml::array& list, const Path& parts, std::size_t i, const std::string& option) {
+  const auto& index = parts[i].index;
+  if (index && *index < list.size()) return *index;
+  const std::string head = joined(parts, 0, i);
+  if (list.empty()) throw CaseError(fmt::format("{}: {} is an empty list", option, head));
+  // Behind the number; a key in its place means one of the entry.
+  const std::size_t begin = index || !list[0].is_table() ? i + 1 : i;
+  const std::string tail = begin < parts.size() ? "." + joined(parts, begin, parts.size()) : "";
+  const auto with = [&](std::size_t number) { return fmt::format("{}.{}{}", head, number, tail); };
+  throw CaseError(fmt::format(
+      "{}: {} is a list of {}: {}", option, head, list.size() == 1 ? "one" : fmt::format("{}", list.size()),
+      list.size() == 1 ? with(0) + " is allowed"
+                       : fmt::format("{} to {} are allowed", with(0), with(list.size() - 1))));
+}
+
+// The node that part i of a path names inside `parent`; a missing table is made, for the strict reader to
+// judge.
+toml::node& descend(toml::node& parent, const Path& parts, std::size_t i, const std::string& override_text) {
+  const std::string& key = parts[i].key;
   if (auto* table = parent.as_table()) {
     if (!table->contains(key))
       table->insert(key, std::move(*toml::parse("value = {}", option_of(override_text)).get("value")));
     return *table->get(key);
   }
-  if (auto* array = parent.as_array()) {
-    if (index && *index < array->size()) return *array->get(*index);
-    throw CaseError(fmt::format("{}: '{}' is no index of that array, 0 to {} are allowed",
-                                option_of(override_text), shortened(key),
-                                static_cast<long>(array->size()) - 1));
-  }
+  if (auto* array = parent.as_array())
+    return *array->get(entry_of(*array, parts, i, option_of(override_text)));
   throw CaseError(
       fmt::format("{}: nothing stands below the key before '{}'", option_of(override_text), shortened(key)));
 }
@@ -126,17 +147,18 @@ toml::node& descend(toml::node& parent, const PathPart& part, const std::string&
 void unset(toml::table& root, const std::string& path) {
   toml::node* node = &root;
   const auto parts = split_path(path);
+  const std::string option = "--unset " + shortened(path);
   for (std::size_t i = 0; node && i + 1 < parts.size(); ++i) {
     auto* array = node->as_array();
-    const auto& [key, index] = parts[i];
-    node = array && index ? array->get(*index) : node->is_table() ? node->as_table()->get(key) : nullptr;
+    node = array              ? array->get(entry_of(*array, parts, i, option))
+           : node->is_table() ? node->as_table()->get(parts[i].key)
+                              : nullptr;
   }
   if (auto* array = node ? node->as_array() : nullptr;
-      array && parts.back().index && *parts.back().index < array->size())
-    throw CaseError(fmt::format("--unset {}: one entry of a list; a key, a table or a whole list is allowed",
-                                shortened(path)));
+      array && entry_of(*array, parts, parts.size() - 1, option) < array->size())
+    throw CaseError(option + ": one entry of a list; a key, a table or a whole list is allowed");
   if (!node || !node->is_table() || node->as_table()->erase(parts.back().key) == 0)
-    throw CaseError(fmt::format("--unset {}: the case has no such key", shortened(path)));
+    throw CaseError(option + ": the case has no such key");
 }
 
 std::string without_blanks_around(const std::string& text) {
@@ -161,22 +183,46 @@ void apply_override(toml::table& root, const std::string& text) {
   toml::node* node = &root;
   for (std::size_t i = 0; i + 1 < parts.size(); ++i) {
     require_list(*node, parts, i, text);
-    node = &descend(*node, parts[i], text);
+    node = &descend(*node, parts, i, text);
   }
   if (auto* table = node->as_table()) {
     table->insert_or_assign(parts.back().key, std::move(*value.get("value")));
   } else if (auto* array = node->as_array()) {
-    const auto& [key, index] = parts.back();
-    if (!index || *index >= array->size())
-      throw CaseError(fmt::format("{}: '{}' is no index of that array", option_of(text), shortened(key)));
-    array->replace(array->cbegin() + static_cast<std::ptrdiff_t>(*index), std::move(*value.get("value")));
+    const std::size_t entry = entry_of(*array, parts, parts.size() - 1, option_of(text));
+    array->replace(array->cbegin() + static_cast<std::ptrdiff_t>(entry), std::move(*value.get("value")));
   } else {
     throw CaseError(
         fmt::format("{}: the key before '{}' is no table", option_of(text), shortened(parts.back().key)));
   }
 }
 
+bool has_nul(std::string_view text) {
+  return text.find('\0') != std::string_view::npos;
+}
+
+// A text of a case ends at a NUL wherever the system or a message takes it.
+void refuse_nul(const toml::node& node, const std::string& key) {
+  const auto* text = node.as_string();
+  if (has_nul(key) || (text && has_nul(text->get()))) {
+    const auto at = node.source().begin;
+    const std::string file = node.source().path ? *node.source().path : "";
+    throw CaseError(fmt::format("{}{}: {}: holds a NUL (\\u0000), a text without one is allowed", file,
+                                at.line > 0 ? fmt::format(":{}:{}", at.line, at.column) : "", key));
+  }
+  if (const auto* table = node.as_table())
+    for (const auto& [name, value] : *table) refuse_nul(value, std::string(name.str()));
+  if (const auto* array = node.as_array())
+    for (const toml::node& value : *array) refuse_nul(value, key);
+}
+
 }  // namespace
+
+CaseError::CaseError(const std::string& message)
+    : std::runtime_error([&] {
+        std::string shown;
+        for (const char c : message) c == '\0' ? shown += "\\x00" : shown += c;
+        return shown;
+      }()) {}
 
 CaseDocument::CaseDocument(const std::filesystem::path& file, const std::vector<std::string>& overrides)
     : CaseDocument(read_text(file), file, overrides) {}
@@ -193,6 +239,7 @@ CaseDocument::CaseDocument(const std::string& toml_text, const std::filesystem::
       log_(std::make_unique<CaseLog>()) {
   log_->folder = file.parent_path();
   for (const auto& text : overrides) apply_override(*table_, text);
+  refuse_nul(*table_, "");
 }
 
 CaseDocument::~CaseDocument() = default;

@@ -4,10 +4,11 @@
 #include <fmt/format.h>
 
 #include <charconv>
-#include <fstream>
 #include <string_view>
 #include <unordered_set>
 
+#include "case/csv_table.hpp"
+#include "case/text_file.hpp"
 #include "driver/case_reader.hpp"
 
 namespace driver {
@@ -23,11 +24,12 @@ struct Line {
 
 Line runs_line(const std::filesystem::path& file) {
   Line found;
-  std::ifstream stream(file);
-  for (std::string line; std::getline(stream, line) && line.starts_with('#'); ++found.number) {
-    if (!line.starts_with(runs_key)) continue;
-    if (line.ends_with('\r')) line.pop_back();
-    found.text = line.substr(runs_key.size());
+  LineReader lines(file);
+  for (std::string line; lines.next(line); ++found.number) {
+    const auto comment = comment_of(line);
+    if (!comment) break;
+    if (!comment->starts_with(runs_key)) continue;
+    found.text = comment->substr(runs_key.size());
     break;
   }
   return found;

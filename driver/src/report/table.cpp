@@ -9,6 +9,7 @@
 #include <optional>
 #include <set>
 
+#include "case/csv_table.hpp"
 #include "case/number_text.hpp"
 #include "driver/case_reader.hpp"
 #include "driver/compare.hpp"
@@ -25,11 +26,13 @@ class Reader {
   bool next(std::string& line, PageTable* table = nullptr) {
     while (std::getline(stream_, line)) {
       ++number_;
-      if (!line.empty() && line.back() == '\r') line.pop_back();
-      if (line.starts_with('#')) {
-        const auto colon = line.find(": ");
+      if (number_ == 1 && line.starts_with("\xef\xbb\xbf")) line.erase(0, 3);
+      // A spreadsheet fills rows with commas up to the widest.
+      while (!line.empty() && (line.back() == '\r' || line.back() == ',')) line.pop_back();
+      if (const auto comment = comment_of(line)) {
+        const auto colon = comment->find(": ");
         if (table && colon != std::string::npos && colon > 2)
-          table->lines.emplace_back(line.substr(2, colon - 2), line.substr(colon + 2));
+          table->lines.emplace_back(comment->substr(2, colon - 2), comment->substr(colon + 2));
       } else if (!line.empty()) {
         return true;
       }
@@ -50,7 +53,6 @@ class Reader {
 std::vector<std::string> header(Reader& reader, PageTable& table) {
   std::string line;
   if (!reader.next(line, &table)) reader.fail(1, "has no header row");
-  if (line.starts_with("\xef\xbb\xbf")) line.erase(0, 3);
   std::vector<std::string> names;
   for (std::size_t begin = 0; begin <= line.size();) {
     const std::size_t end = std::min(line.find(',', begin), line.size());
