@@ -15,9 +15,9 @@ namespace coupling::detail {
   throw std::invalid_argument(field + " = " + value + ": must be " + allowed);
 }
 
-inline std::string text(double value) {
+inline std::string text(double value, int digits = 10) {
   std::ostringstream stream;
-  stream.precision(10);
+  stream.precision(digits);
   stream << value;
   return stream.str();
 }

@@ -182,8 +182,8 @@ void sweep_centre_path(const Eigen::Matrix3Xi& triangles, double radius, const N
                          text(most_radii * radius) + " m");
     // A centre this close to the skin is far beyond the penetration allowed, whichever side it ends on.
     if (path_meets_triangle(start, end, 0.01 * radius))
-      throw ContactError("contact: the sphere's centre crossed the skin at element " + std::to_string(e) +
-                         " within one step");
+      throw PenetrationError("contact: the sphere's centre crossed the skin at element " + std::to_string(e) +
+                             " within one step");
   }
 }
 

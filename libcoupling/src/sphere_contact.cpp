@@ -203,9 +203,9 @@ ContactResult ContactModel::evaluate(ContactState& state, const Nodes& nodes, co
   if (result.deepest_element < 0) return result;
   bound_stiffness(state, result);
   if (result.penetration > 0.5 * impactor_.size())
-    throw ContactError("contact: penetration " + detail::text(result.penetration) + " m at element " +
-                       std::to_string(result.deepest_element) + " exceeds half the sphere's radius, " +
-                       detail::text(0.5 * impactor_.size()) + " m");
+    throw PenetrationError("contact: penetration " + detail::text(result.penetration, 3) + " m at element " +
+                           std::to_string(result.deepest_element) + " exceeds half the sphere's radius, " +
+                           detail::text(0.5 * impactor_.size(), 3) + " m");
   return result;
 }
 

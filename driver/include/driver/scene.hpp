@@ -132,6 +132,7 @@ struct Scene {
   std::vector<JetPart> jets;
   std::optional<PendulumPart> pendulum;
   std::optional<coupling::ContactModel> contact;
+  std::optional<double> contact_share;  // [-] stiffness_share, if the stiffness comes of it
   /// Likely mistakes that are no errors; `check` and `run` print them.
   std::vector<std::string> warnings;
 

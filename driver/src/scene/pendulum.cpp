@@ -44,20 +44,20 @@ PendulumPart read_model(TableReader& table, const Eigen::Vector3d& gravity) {
   return part;
 }
 
-double contact_stiffness(TableReader& table, const coupling::PendulumModel& pendulum, double friction,
-                         const BagPart& bag) {
+double contact_stiffness(TableReader& table, double friction, Scene& scene) {
   if (const auto stiffness = table.at("stiffness").optional_number(positive.in("N/m³"))) return *stiffness;
-  const double share = table.at("stiffness_share").number(shares, default_contact_share);
+  scene.contact_share = table.at("stiffness_share").number(shares, default_contact_share);
+  const auto& pendulum = scene.pendulum->model;
   // Of the other terms the fabric's alone never falls: stretch adds to it, gas and straps come and go.
   return coupling::default_contact_stiffness(
-      {share, bag.model.fabric_frequency, lightest_fabric(bag.model.description),
+      {*scene.contact_share, scene.bag->model.fabric_frequency, lightest_fabric(scene.bag->model.description),
        pendulum.parameters().impactor_radius, pendulum.effective_mass(), friction});
 }
 
-coupling::ContactParameters read_contact(TableReader& table, const coupling::PendulumModel& pendulum,
-                                         const BagPart& bag) {
+coupling::ContactParameters read_contact(TableReader& table, Scene& scene) {
   const double friction = table.at("friction").number(sliding, 0.0);
-  return {pendulum.parameters().impactor_radius, contact_stiffness(table, pendulum, friction, bag), friction};
+  const double stiffness = contact_stiffness(table, friction, scene);
+  return {scene.pendulum->model.parameters().impactor_radius, stiffness, friction};
 }
 
 void warn_of_late_moment(Scene& scene) {
@@ -90,7 +90,7 @@ void read_pendulum(TableReader& root, Scene& scene) {
   });
   if (!contact) root.fail("contact", "is missing: a pendulum in front of a bag needs it (it may be empty)");
   std::optional<coupling::ContactParameters> parameters;
-  contact->located("", [&] { parameters = read_contact(*contact, model, *scene.bag); });
+  contact->located("", [&] { parameters = read_contact(*contact, scene); });
   // What a case can still get wrong is a sphere too small for the elements.
   table->located("impactor_radius", [&] {
     scene.contact.emplace(scene.bag->mesh.elements, scene.bag->model.description.reference,

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // S7: the impactor's sphere against the skin.
+#include <fmt/format.h>
+
 #include <cmath>
+#include <string>
 
 #include "step/stages.hpp"
 
@@ -23,6 +26,25 @@ double motion_ahead(const Scene& scene, const State& state) {
   const double speed = std::sqrt(state.bag->advance.max_speed_squared) +
                        arm * std::abs(state.pendulum->motion.angular_velocity);
   return 2.0 * speed * membrane::critical_time_step(others);
+}
+
+// The depth falls at least with the root of the stiffness (K.23): to a third, then to a tenth.
+std::string stiffer(const Scene& scene) {
+  const double now = scene.contact_share.value_or(scene.contact->parameters().stiffness);
+  const char* key = scene.contact_share ? "stiffness_share" : "stiffness";
+  return fmt::format("contact.{} = {:.3g}, then {:.3g} (now {:.3g})", key, 10.0 * now, 100.0 * now, now);
+}
+
+coupling::ContactResult evaluate(const Scene& scene, State& state, const Eigen::Vector3d& centre,
+                                 const Eigen::Vector3d& turn) {
+  try {
+    return scene.contact->evaluate(*state.contact_cache, state.bag->position.map(), centre,
+                                   state.bag->contact_force.map(), turn);
+  } catch (const coupling::PenetrationError& error) {
+    throw coupling::PenetrationError(
+        fmt::format("{}; try {}: the sphere sinks in less, and steps get shorter near the skin", error.what(),
+                    stiffer(scene)));
+  }
 }
 
 }  // namespace
@@ -48,8 +70,7 @@ void contact(const Scene& scene, State& state) {
     return;
   }
   const auto& axis = model.parameters().axis;
-  state.contact = scene.contact->evaluate(*state.contact_cache, state.bag->position.map(), centre,
-                                          state.bag->contact_force.map(), turn * axis);
+  state.contact = evaluate(scene, state, centre, turn * axis);
   pendulum.contact_moment = model.moment(state.contact.force, centre) + axis.dot(state.contact.couple);
   pendulum.moment += pendulum.contact_moment;
   state.flows.friction_loss += state.contact.friction_loss;

@@ -12,4 +12,10 @@ class ContactError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// The sphere sank in beyond half its radius, or its centre crossed the skin: stiffer contact holds it.
+class PenetrationError : public ContactError {
+ public:
+  using ContactError::ContactError;
+};
+
 }  // namespace coupling
