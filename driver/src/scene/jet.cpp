@@ -7,7 +7,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "coupling/side.hpp"
 #include "jet/centreline.hpp"
 #include "scene/parts.hpp"
 
@@ -98,41 +97,6 @@ jet::OutletModel read_outlet(TableReader& table, const jet::JetModel& model) {
                fmt::format("makes an outlet of {} m2, a finite area above 0 is allowed", outlet.area));
   table.located("temperature", [&] { jet::validate(outlet); });
   return outlet;
-}
-
-// The outlet's centre and its corners (rectangular) or eight points of its rim (round).
-std::vector<Eigen::Vector3d> outlet_points(const jet::JetModel& model) {
-  std::vector<Eigen::Vector3d> points{model.centre};
-  if (model.shape == jet::OutletShape::rectangular) {
-    const Eigen::Vector3d across = model.axis.cross(model.long_direction);
-    for (const double l : {-0.5, 0.5})
-      for (const double s : {-0.5, 0.5})
-        points.push_back(model.centre + l * model.long_side * model.long_direction +
-                         s * model.short_side * across);
-    return points;
-  }
-  const Eigen::Vector3d first = model.axis.unitOrthogonal(), second = model.axis.cross(first);
-  for (int i = 0; i < 8; ++i) {
-    const double angle = i * std::numbers::pi / 4.0;
-    points.push_back(model.centre + model.radius * (std::cos(angle) * first + std::sin(angle) * second));
-  }
-  return points;
-}
-
-// Every point of the outlet, moved into the bag by a millionth of the bag's size.
-void require_outlet_inside(const jet::JetModel& model, const BagPart& bag) {
-  const double size =
-      (bag.initial_position.rowwise().maxCoeff() - bag.initial_position.rowwise().minCoeff()).norm();
-  for (const Eigen::Vector3d& point : outlet_points(model)) {
-    const double winding =
-        coupling::winding_number(bag.mesh.elements, bag.initial_position, point + 1e-6 * size * model.axis);
-    if (!(winding > 0.5))
-      throw std::invalid_argument(
-          fmt::format("the outlet's point [{}, {}, {}] m is outside the bag; an outlet inside "
-                      "it, or flat on its skin with the axis inwards, is allowed{}",
-                      point.x(), point.y(), point.z(),
-                      point == model.centre ? "" : " (the centre is inside: the rim pokes out of the skin)"));
-  }
 }
 
 // Elements wider than the jet at its outlet sample it by chance.

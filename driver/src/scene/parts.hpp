@@ -60,6 +60,9 @@ double lightest_fabric(const membrane::BagDescription& bag);
 void read_target(TableReader& root, Scene& scene);
 /// [inflator.jet] of inflator `index`
 void read_jet(TableReader& inflator, std::size_t index, Scene& scene);
+/// Throws std::invalid_argument for an outlet that is not inside the bag, nor flat on its skin with the axis
+/// inwards; the message says where along its axis it would be.
+void require_outlet_inside(const jet::JetModel& model, const BagPart& bag);
 /// [pendulum], [contact]
 void read_pendulum(TableReader& root, Scene& scene);
 
