@@ -42,12 +42,12 @@ void report(const std::string& title, const EnsembleResult& result, bool quiet) 
 }
 
 void print_effects(const std::vector<Effect>& list) {
-  fmt::print("difference\n  {:28} {:>12} {:>12} {:>10}\n", "quantity", "difference", "std. errors", "");
+  fmt::print("difference\n  {:28} {:>12} {:>12} {:>8} {:>10}\n", "quantity", "difference", "std. errors",
+             "needed", "");
   for (const Effect& e : list)
-    fmt::print("  {:28} {:12.5g} {:12.3g} {:>10}\n", e.quantity, e.difference, e.standard_errors,
-               e.decided() ? "decided" : "undecided");
-  fmt::print("decided: more than {:g} standard errors, by {} runs of each case at least\n",
-             Effect::least_standard_errors, Effect::least_runs);
+    fmt::print("  {:28} {:12.5g} {:12.3g} {:8.3g} {:>10}\n", e.quantity, e.difference, e.standard_errors,
+               e.needed, e.decided() ? "decided" : "undecided");
+  fmt::print("decided: more standard errors than needed, 5 from 16 runs of each case on, more by fewer\n");
 }
 
 std::string effects_text(const std::vector<Effect>& list) {
