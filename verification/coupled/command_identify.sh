@@ -41,12 +41,8 @@ part_identify() {
   # for its eight digits and the last bits of another machine's functions that the search for lambda carries on.
   expect 0 "" "$gasjet" identify "$source/cases/tank_test_readings.csv" ${base/601/241} --out "$work/shipped.csv"
   same_rows 1e-5 "$work/shipped.csv" "$source/cases/tank_test_curves.csv" >"$work/log" || fail "shipped curves: $(cat "$work/log")"
-  # With closed descriptors too: what is printed is lost, and told where it can be; the table is not.
-  "$gasjet" identify "$source/cases/tank_test_readings.csv" ${base/601/241} --out "$work/closed.csv" <&- 2>&- >/dev/null || fail "closed descriptors"
-  cmp <(without_dates "$work/shipped.csv") <(without_dates "$work/closed.csv") || fail "a closed descriptor changes the table"
-  rm "$work/closed.csv"
-  "$gasjet" identify "$source/cases/tank_test_readings.csv" ${base/601/241} --out "$work/closed.csv" <&- >&- 2>&-
-  [ $? = 3 ] || fail "the lost lines are not told"
+  # With closed descriptors too: what would be printed is lost, the table is not.
+  "$gasjet" identify "$source/cases/tank_test_readings.csv" ${base/601/241} --out "$work/closed.csv" <&- >&- 2>&- || fail "closed descriptors"
   cmp <(without_dates "$work/shipped.csv") <(without_dates "$work/closed.csv") || fail "closed descriptors change the table"
   # Its case runs to the truth within the readings' noise (1 %).
   "$gasjet" run "$source/cases/tank_identified.toml" --out "$work/shipped" --quiet || fail "shipped example"

@@ -40,11 +40,12 @@ int finish(int code) {
   return lost_output();
 }
 
-// A result file would take the number of a closed descriptor, and what is meant for it. Opened the wrong way
-// round it refuses what is read or written, as a closed one does.
+// A result file would take the number of a closed descriptor, and what is meant for it. Whoever closes an
+// output wants nothing of it, which is no failure. An input opened the wrong way round refuses what is read,
+// as a closed one does.
 void guard_standard_descriptors() {
   for (const int number : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
-    if (fcntl(number, F_GETFD) < 0) open("/dev/null", number == STDIN_FILENO ? O_WRONLY : O_RDONLY);
+    if (fcntl(number, F_GETFD) < 0) open("/dev/null", O_WRONLY);
 }
 
 }  // namespace
