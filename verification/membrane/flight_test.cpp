@@ -2,7 +2,11 @@
 // A thrown, spinning disc: centre on its parabola, rotation that of a rigid body as the fabric stiffens.
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <limits>
+
 #include "claim.hpp"
+#include "membrane/error.hpp"
 #include "statics.hpp"
 
 using membrane::Compression;
@@ -79,4 +83,33 @@ TEST(Flight, thrown_disc_tends_to_rigid_body_with_order_1_in_compliance) {
   claim::expect_order(
       {"M.9", "spinning disc as it stiffens: lag behind the rigid body", "first order in 1/E"}, lag, 0.95,
       1.05);
+}
+
+// One step from rest shape, without force: each node moves by its own length along an axis where it was at 0.
+TEST(Flight, a_coordinate_below_1e_90_m_is_zero_and_others_keep_their_bits) {
+  constexpr double kStep = 1e-6;
+  for (const membrane::Isa isa : {membrane::Isa::scalar, membrane::Isa::baseline, membrane::best_isa()}) {
+    const auto mesh = scenes::disc(kRadius, 2);  // in z = 0
+    auto d = scenes::describe(mesh, Compression::linear);
+    d.isa = isa;
+    const auto model = make_model(d);
+    for (const double length : {5e-324, 1e-199, 1e-100, 9e-91, 2e-90, 1e-80, 1e-17, 1e-3}) {
+      for (const double sign : {-1.0, 1.0}) {
+        auto state = membrane::make_state(model, mesh.nodes);
+        state.velocity.map().row(2).setConstant(sign * length / kStep);
+        membrane::membrane_forces(model, state);
+        membrane::advance(model, state, 0.0, kStep);
+        const double moved = 0.0 + kStep * (sign * length / kStep);
+        for (int n = 0; n < mesh.node_count(); ++n) {
+          EXPECT_EQ(state.position.map()(2, n), length < 1e-90 ? 0.0 : moved) << length;
+          EXPECT_EQ(state.velocity.map()(2, n), sign * length / kStep);
+        }
+      }
+    }
+    auto state = membrane::make_state(model, mesh.nodes);  // what is no number stays so, and is refused
+    state.velocity.map()(2, 0) = std::numeric_limits<double>::quiet_NaN();
+    membrane::membrane_forces(model, state);
+    EXPECT_THROW(membrane::advance(model, state, 0.0, kStep), membrane::MembraneError);
+    EXPECT_TRUE(std::isnan(state.position.map()(2, 0)));
+  }
 }
