@@ -51,7 +51,7 @@ MeshWord TokenReader::word(const char* what) {
 
 MeshWord TokenReader::expect(std::string_view text) {
   const MeshWord found = word(std::string(text).c_str());
-  if (found.text != text)
+  if (upper_case(found.text) != upper_case(text))
     fail(found, shown(found.text) + " stands where " + std::string(text) + " is needed");
   return found;
 }

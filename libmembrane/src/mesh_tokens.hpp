@@ -2,6 +2,8 @@
 // Private to the mesh files: words of a text with their places.
 #pragma once
 
+#include <algorithm>
+#include <cctype>
 #include <cstddef>
 #include <string>
 #include <string_view>
@@ -13,6 +15,13 @@ struct MeshWord {
   std::string_view text;
   std::size_t line, column;  // from 1
 };
+
+inline std::string upper_case(std::string_view text) {
+  std::string result(text);
+  std::transform(result.begin(), result.end(), result.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+  return result;
+}
 
 /// Reads a text word by word. All faults are MeshFileError at the word.
 class TokenReader {
@@ -27,7 +36,7 @@ class TokenReader {
   MeshWord word(const char* what);
   /// The next word, which stays.
   MeshWord peek(const char* what);
-  /// The next word must be `text`.
+  /// The next word must be `text`, in capitals or not.
   MeshWord expect(std::string_view text);
   /// A finite number.
   double number(const char* what);

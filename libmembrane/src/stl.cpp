@@ -6,6 +6,7 @@
 #include <array>
 #include <map>
 #include <stdexcept>
+#include <vector>
 
 #include "mesh_text.hpp"
 #include "mesh_tokens.hpp"
@@ -29,9 +30,9 @@ class StlParser {
     panel_ = panel_name(words_.rest_of_line());
     while (true) {
       const MeshWord word = words_.word("facet or endsolid");
-      if (word.text == "endsolid") break;
-      if (word.text != "facet")
-        words_.fail(word, shown(word.text) + " stands where facet or endsolid is needed");
+      const std::string key = upper_case(word.text);
+      if (key == "ENDSOLID") break;
+      if (key != "FACET") words_.fail(word, shown(word.text) + " stands where facet or endsolid is needed");
       facet(word);
     }
     words_.rest_of_line();
@@ -44,16 +45,13 @@ class StlParser {
     words_.expect("outer");
     words_.expect("loop");
     std::array<int, 3> corners{};
-    for (std::size_t i = 0; i < corners.size(); ++i) {
-      const MeshWord vertex = words_.expect("vertex");
-      corners[i] = node();
-      if (std::find(corners.begin(), corners.begin() + static_cast<std::ptrdiff_t>(i), corners[i]) !=
-          corners.begin() + static_cast<std::ptrdiff_t>(i))
-        words_.fail(vertex, "the facet has this corner twice");
+    for (int& corner : corners) {
+      words_.expect("vertex");
+      corner = node();
     }
-    const MeshWord end = words_.word("endloop");
-    if (end.text == "vertex") words_.fail(end, "a facet has three corners; this is the fourth");
-    if (end.text != "endloop") words_.fail(end, shown(end.text) + " stands where endloop is needed");
+    if (const MeshWord end = words_.peek("endloop"); upper_case(end.text) == "VERTEX")
+      words_.fail(end, "a facet has three corners; this is the fourth");
+    words_.expect("endloop");
     words_.expect("endfacet");
     mesh_.add_polygon(corners, panel_, begin.line);
   }
@@ -75,7 +73,8 @@ class StlParser {
 }  // namespace
 
 bool is_stl_text(std::string_view bytes) {
-  return bytes.starts_with("solid") && bytes.find('\0') == std::string_view::npos;
+  const std::string_view text = bytes.substr(std::min(bytes.find_first_not_of(" \t\r\n"), bytes.size()));
+  return upper_case(text.substr(0, 5)) == "SOLID" && bytes.find('\0') == std::string_view::npos;
 }
 
 Mesh parse_stl(std::string_view text, const std::string& name) {
@@ -93,14 +92,16 @@ std::string format_stl(const Mesh& mesh) {
     }
     text += '\n';
   };
+  std::vector<std::vector<int>> elements(mesh.panel_names.size());
+  for (int e = 0; e < mesh.element_count(); ++e)
+    elements.at(static_cast<std::size_t>(mesh.panel.at(static_cast<std::size_t>(e)))).push_back(e);
   for (std::size_t panel = 0; panel < mesh.panel_names.size(); ++panel) {
     const std::string& name = mesh.panel_names[panel];
     if (panel_name(name) != name)
       throw std::invalid_argument("panel_names: \"" + name +
                                   "\"; in STL a name must be non-empty, without blanks and #");
     text += "solid " + name + "\n";
-    for (int e = 0; e < mesh.element_count(); ++e) {
-      if (mesh.panel.at(static_cast<std::size_t>(e)) != static_cast<int>(panel)) continue;
+    for (const int e : elements[panel]) {
       const Eigen::Vector3d a = mesh.nodes.col(mesh.elements(0, e)), b = mesh.nodes.col(mesh.elements(1, e)),
                             c = mesh.nodes.col(mesh.elements(2, e));
       row("facet normal", Eigen::Vector3d((b - a).cross(c - a).normalized()));

@@ -2,6 +2,7 @@
 #include "membrane/vtk.hpp"
 
 #include <algorithm>
+#include <unordered_set>
 #include <vector>
 
 #include "membrane/merge.hpp"
@@ -147,13 +148,44 @@ class VtkParser {
                   "cell type " + std::to_string(cell.type) + " with " + std::to_string(corners) + " corners");
   }
 
+  // What an array of the cells says: which panel each is in, or which cell each is, as the identifiers that
+  // filters of VTK leave behind.
+  enum class Meaning { panels, one_panel, identifiers };
+  Meaning meaning_of(const CellNumbers& numbers) const {
+    if (numbers.name.starts_with("vtkOriginal") || numbers.name.starts_with("vtkGhost"))
+      return Meaning::identifiers;
+    std::unordered_set<std::string_view> values;
+    std::size_t cells = 0;
+    for (std::size_t i = 0; i < polygons_.size(); ++i) {
+      if (is_skipped(polygons_[i])) continue;
+      values.insert(numbers.values[skipped_ + i]);
+      ++cells;
+    }
+    if (values.size() == 1) return Meaning::one_panel;
+    return 2 * values.size() > cells ? Meaning::identifiers : Meaning::panels;
+  }
+
+  // The first array that names several panels, else the first that names one; none if there is neither.
+  const CellNumbers* panels(std::vector<std::string>& identifiers) const {
+    const CellNumbers* one = nullptr;
+    for (const CellNumbers& numbers : attributes_.cell_numbers()) {
+      const Meaning meaning = meaning_of(numbers);
+      if (meaning == Meaning::panels) return &numbers;
+      if (meaning == Meaning::identifiers) identifiers.push_back("cell array " + numbers.name);
+      if (meaning == Meaning::one_panel && !one) one = &numbers;
+    }
+    return one;
+  }
+
   Mesh build() {
     const MeshWord end{{}, words_.line(), 1};
     if (polygons_.empty()) throw MeshFileError(words_.name(), 0, 0, "the file has no cells");
     if (are_typed_ && !has_types_) words_.fail(end, "the file ends here: CELL_TYPES is missing");
-    // Values of vertices and lines come first, whatever the order of the sections.
-    const std::size_t first = skipped_;
-    const std::vector<std::string>& panels = attributes_.panels();
+    for (const CellNumbers& numbers : attributes_.cell_numbers())
+      if (numbers.values.size() != polygons_.size() + skipped_)
+        words_.fail(end, "array " + numbers.name + " stands before all cells of the file");
+    std::vector<std::string> identifiers;
+    const CellNumbers* numbers = panels(identifiers);
     MeshBuilder mesh;
     for (const Eigen::Vector3d& x : points_) mesh.add_node(x);
     for (std::size_t i = 0; i < polygons_.size(); ++i) {
@@ -162,11 +194,15 @@ class VtkParser {
       check(cell);
       std::vector<int> corners(cell.nodes.begin(), cell.nodes.end());
       if (cell.type == 8) std::swap(corners[2], corners[3]);
-      if (has_repeated(corners)) words_.fail({{}, cell.line, cell.column}, "a node is repeated in this cell");
-      mesh.add_polygon(corners, panels.empty() ? "default" : panels[first + i], cell.line);
+      // Values of vertices and lines come first, whatever the order of the sections.
+      mesh.add_polygon(corners,
+                       numbers ? numbers->name + "_" + std::string(numbers->values[skipped_ + i]) : "default",
+                       cell.line);
     }
     if (mesh.empty()) throw MeshFileError(words_.name(), 0, 0, "the file has no cells with an area");
-    return used_nodes(std::move(mesh).finish());
+    Mesh result = used_nodes(std::move(mesh).finish());
+    result.skipped = std::move(identifiers);
+    return result;
   }
 
   TokenReader words_;

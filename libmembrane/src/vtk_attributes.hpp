@@ -4,7 +4,7 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
+#include <limits>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -13,13 +13,6 @@
 #include "mesh_tokens.hpp"
 
 namespace membrane {
-
-inline std::string upper_case(std::string_view text) {
-  std::string result(text);
-  std::transform(result.begin(), result.end(), result.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
-  return result;
-}
 
 inline bool is_whole_number_type(const std::string& type) {
   static constexpr std::array<std::string_view, 12> types = {
@@ -33,7 +26,13 @@ inline void skip(TokenReader& words, std::size_t count) {
   for (std::size_t i = 0; i < count; ++i) words.word("a value");
 }
 
-/// Sections of values. The first whole number of each cell names its panel.
+/// A whole number for each cell of a file, skipped cells first.
+struct CellNumbers {
+  std::string name;
+  std::vector<std::string_view> values;
+};
+
+/// Sections of values. Those of the cells that may name panels are kept.
 class VtkAttributes {
  public:
   explicit VtkAttributes(TokenReader& words) : words_(words) {}
@@ -53,6 +52,8 @@ class VtkAttributes {
       metadata();
     else if (key == "VECTORS" || key == "NORMALS")
       skip_named(3);
+    else if (key == "GLOBAL_IDS" || key == "PEDIGREE_IDS")
+      skip_named(1);
     else if (key == "TENSORS")
       skip_named(9);
     else if (key == "TEXTURE_COORDINATES" || key == "COLOR_SCALARS")
@@ -64,16 +65,16 @@ class VtkAttributes {
     return true;
   }
 
-  /// Name of the panel of each cell, skipped ones first; empty if the file names none.
-  const std::vector<std::string>& panels() const { return panels_; }
+  const std::vector<CellNumbers>& cell_numbers() const { return cell_numbers_; }
 
  private:
   enum class Of { none, cells, points };
 
   void begin(const MeshWord& at, Of of, std::size_t expected) {
     of_ = of;
-    count_ = words_.count("the number of values");
-    if (count_ != expected)
+    count_ = static_cast<std::size_t>(
+        words_.integer("the number of values", 0, std::numeric_limits<int>::max()));  // nothing need follow
+    if (count_ != expected && count_ != 0)
       words_.fail(at, std::to_string(count_) + " values for " + std::to_string(expected) +
                           (of == Of::cells ? " cells" : " points"));
   }
@@ -84,7 +85,7 @@ class VtkAttributes {
     const std::string type = upper_case(words_.word("a type").text);
     const std::string_view rest = words_.rest_of_line();
     const std::size_t components = rest.empty() ? 1 : rest == "1" ? 1 : rest == "2" ? 2 : rest == "3" ? 3 : 4;
-    if (upper_case(words_.peek("the values").text) == "LOOKUP_TABLE") skip(words_, 2);
+    if (!words_.at_end() && upper_case(words_.peek("the values").text) == "LOOKUP_TABLE") skip(words_, 2);
     values(name, type, components, count_);
   }
 
@@ -106,11 +107,12 @@ class VtkAttributes {
   }
 
   void values(const std::string& name, const std::string& type, std::size_t components, std::size_t count) {
-    const bool are_panels = of_ == Of::cells && panels_.empty() && components == 1 &&
-                            is_whole_number_type(type) && count == cells_;
-    if (!are_panels) return skip(words_, components * count);
+    const bool are_kept =
+        of_ == Of::cells && components == 1 && is_whole_number_type(type) && count == cells_;
+    if (!are_kept) return skip(words_, components * count);
+    cell_numbers_.push_back({name, {}});
     for (std::size_t i = 0; i < count; ++i)
-      panels_.push_back(name + "_" + std::string(words_.word("a value").text));
+      cell_numbers_.back().values.push_back(words_.word("a value").text);
   }
 
   // Up to the next empty line.
@@ -139,7 +141,7 @@ class VtkAttributes {
   Of of_ = Of::none;
   std::size_t count_ = 0;  // of values in the sections that follow
   std::size_t cells_ = 0;
-  std::vector<std::string> panels_;
+  std::vector<CellNumbers> cell_numbers_;
 };
 
 }  // namespace membrane

@@ -22,7 +22,7 @@ struct Mesh {
   /// Of a deck: keywords of elements that are no shells, with their number.
   std::vector<std::string> other_elements;
   std::vector<std::filesystem::path> included;  // of a deck: the other files that it was read from
-  std::vector<std::string> skipped;  // of a deck: keywords of all else that is not read, with their number
+  std::vector<std::string> skipped;  // all else that is not read: keywords of a deck, arrays of VTK
 
   /// N
   int node_count() const { return static_cast<int>(nodes.cols()); }

@@ -2,6 +2,8 @@
 // Legacy VTK text: what is read, what is refused and where.
 #include "membrane/vtk.hpp"
 
+#include <array>
+
 #include "bad_text.hpp"
 #include "membrane/surface_check.hpp"
 
@@ -60,6 +62,62 @@ TEST(Vtk, scalars_have_as_many_components_as_they_say) {
   }
 }
 
+// Filters of VTK number the cells; what they leave behind stands before or after the parts.
+TEST(Vtk, identifiers_of_cells_are_no_panels) {
+  const Mesh plain = parse_vtk(kGrid, "bag");
+  const std::string part = "SCALARS part int 1", ids = "0 1 2 3 4 5 6 7 8\n";
+  const auto array = [](const std::string& name, const std::string& type, const std::string& values) {
+    return "SCALARS " + name + " " + type + " 1\nLOOKUP_TABLE default\n" + values;
+  };
+  const auto skips = [](const Mesh& mesh, const char* name) {
+    return mesh.skipped == std::vector<std::string>{std::string("cell array ") + name};
+  };
+  for (const auto& [name, type, values] :
+       {std::array<std::string, 3>{"vtkOriginalCellIds", "vtkIdType", ids},
+        std::array<std::string, 3>{"vtkOriginalCellIds", "vtkIdType", "0 0 0 0 0 0 0 1 1\n"},
+        std::array<std::string, 3>{"vtkGhostType", "unsigned_char", "0 0 0 0 0 0 0 1 1\n"},
+        std::array<std::string, 3>{"GlobalElementId", "long", "11 12 13 14 15 16 17 18 19\n"},
+        std::array<std::string, 3>{"cell", "int", "1 1 2 2 3 3 4 4 5\n"}}) {
+    const Mesh mesh = parse_vtk(replaced(kGrid, part, array(name, type, values) + part), "bag");
+    EXPECT_EQ(mesh.panel_names, plain.panel_names) << name;
+    EXPECT_EQ(mesh.panel, plain.panel) << name;
+    EXPECT_TRUE(skips(mesh, name.c_str())) << name;
+    EXPECT_EQ(parse_vtk(kGrid + array(name, type, values), "bag").panel_names, plain.panel_names) << name;
+  }
+  // Alone they leave one panel, and an array of one value names it.
+  const Mesh alone = parse_vtk(replaced(kGrid, "0 1 1 2 2 2 7 7 0\n", ids), "bag");
+  EXPECT_EQ(alone.panel_names, std::vector<std::string>{"default"});
+  EXPECT_TRUE(skips(alone, "part"));
+  const std::string ones = "3 3 3 3 3 3 3 3 3\n";
+  EXPECT_EQ(parse_vtk(replaced(kGrid, part, array("domain", "int", ones) + part), "bag").panel_names,
+            plain.panel_names);
+  EXPECT_EQ(parse_vtk(replaced(kGrid, "0 1 1 2 2 2 7 7 0\n", ones), "bag").panel_names,
+            std::vector<std::string>{"part_3"});
+  const std::string attributes = "GLOBAL_IDS ids int\n" + ids + "PEDIGREE_IDS more vtkIdType\n" + ids;
+  EXPECT_EQ(parse_vtk(replaced(kGrid, part, attributes + part), "bag").panel, plain.panel);
+}
+
+// The values that a cell has are counted without its lines and vertices: 0, 0, 1, 1 here.
+TEST(Vtk, skipped_cells_have_no_part_in_what_is_an_identifier) {
+  EXPECT_EQ(parse_vtk(kPolyData, "bag").panel_names, (std::vector<std::string>{"panel_0", "panel_1"}));
+}
+
+TEST(Vtk, sections_without_values_are_read) {
+  const std::string bare = kGrid.substr(0, kGrid.find("CELL_DATA"));
+  for (const char* rest :
+       {"CELL_DATA 0\n", "CELL_DATA 9\n", "CELL_DATA 9\nFIELD FieldData 0\n", "CELL_DATA 0\nPOINT_DATA 0\n",
+        "CELL_DATA 9\nPOINT_DATA 9\n", "POINT_DATA 0\nCELL_DATA 0\nFIELD f 0\n",
+        "CELL_DATA 0\nFIELD f 1\npart 1 0 int\n", "CELL_DATA 0\nSCALARS part int\nLOOKUP_TABLE default\n",
+        "CELL_DATA 0\nSCALARS part int 1\n", "CELL_DATA 0\nVECTORS v float\nNORMALS n float\n",
+        "CELL_DATA 0\nMETADATA\nINFORMATION 0\n\nPOINT_DATA 0\n"}) {
+    const Mesh mesh = parse_vtk(bare + rest, "bag");
+    EXPECT_EQ(mesh.element_count(), 12) << rest;
+    EXPECT_EQ(mesh.panel_names, std::vector<std::string>{"default"}) << rest;
+  }
+  meshes::expect_refused(parse_vtk, {{bare + "CELL_DATA 0\nSCALARS part int 1\nLOOKUP_TABLE default\n1 2 3\n",
+                                      "\"1\" is not a section read here"}});
+}
+
 TEST(Vtk, polydata_of_both_versions_are_the_same_tetrahedron) {
   const Mesh old = parse_vtk(kPolyData, "bag"), young = parse_vtk(kVersion5, "bag");
   EXPECT_TRUE(old.nodes == young.nodes);
@@ -84,7 +142,6 @@ TEST(Vtk, bad_files_are_refused_with_line_and_column) {
         "bag:5:8: the number of points is \"999999999999\""},
        {replaced(kGrid, "4 0 3 2 1", "4 0 3 2 9"),
         "bag:10:9: a node is \"9\"; a whole number from 0 to 8 is allowed"},
-       {replaced(kGrid, "4 0 3 2 1", "4 0 3 2 2"), "bag:10:1: a node is repeated in this cell"},
        {replaced(kGrid, "CELLS 9 38", "CELLS 9 39"),
         "bag:8:1: the cells have 38 numbers, not the 39 announced"},
        {replaced(kGrid, "3 9 8 9", "3 12 8 9"), "bag:10:1: cell type 12 is not read here"},
@@ -99,6 +156,7 @@ TEST(Vtk, bad_files_are_refused_with_line_and_column) {
        {replaced(kVersion5, "0 3 6 9 12", "0 3 6 9 11"),
         "the offsets do not go from 0 to the number of nodes, 12"},
        {replaced(kVersion5, "0 3 6 9 12", "0 6 3 9 12"), "bag:14:5: an offset is \"3\""},
+       {kPolyData + "LINES 1 3\n2 0 1\n", "bag:19:1: array panel stands before all cells of the file"},
        {kGrid.substr(0, kGrid.find("CELL_TYPES")), "CELL_TYPES is missing"},
        {kGrid.substr(0, kGrid.find("CELLS")), "bag: the file has no cells"}});
 }
