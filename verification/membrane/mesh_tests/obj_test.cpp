@@ -77,6 +77,27 @@ TEST(Obj, comments_blanks_and_skipped_statements_are_no_elements) {
   EXPECT_EQ(mesh.element_count(), 1);
 }
 
+// Rhino breaks long lines like that.
+TEST(Obj, a_backslash_at_the_end_of_a_line_joins_the_next_one) {
+  const Mesh whole = parse_obj(kNodes + "g a b\nf 1 2 3\nf 1 3 4\n", "t");
+  for (const char* rest :
+       {"g a b\nf 1 2 \\\n3\nf 1 3 4\n", "g a b\nf 1\\\n2\\\n3\nf 1 3 4", "g a \\\nb\nf 1 2 3\nf 1 3 4",
+        "g a b\r\nf 1 2 \\\r\n 3\r\nf 1 3 4\r\n", "g a b\nf 1 2 \\ \t\n3\nf 1 3 4\n",
+        "g a b\nf \\\n1 2 3 # one\nf 1 3 4\n", "g a b\nf 1 2 \\ # two\n3\nf 1 3 4\n",
+        "g a b\nf 1 2 \\\n\\\n3\nf 1 3 4\n", "g a b\nf 1//1 2//1 \\\n3//1\nf 1 3 4 \\\n",
+        "g a b\nf 1 2 3\n\\\nf 1 3 4\n", "vt 0 \\\n0\ng a b\nf 1 2 3\nf 1 3 4\n"}) {
+    const Mesh mesh = parse_obj(kNodes + rest, "t");
+    EXPECT_TRUE(mesh.elements == whole.elements) << rest;
+    EXPECT_EQ(mesh.panel_names, whole.panel_names) << rest;
+  }
+  EXPECT_EQ(parse_obj("v 0 0 \\\n0\nv 1 0 0\nv 0 1 0\nf 1 2 \\\n3\n", "t").line, std::vector<int>{5});
+}
+
+// A comment may end in a path of Windows.
+TEST(Obj, a_backslash_in_a_comment_joins_nothing) {
+  EXPECT_EQ(parse_obj("# from C:\\bags\\\n" + kNodes + "f 1 2 3 # \\\nf 1 3 4", "t").node_count(), 4);
+}
+
 struct BadFile {
   const char* text;
   std::size_t line, column;
@@ -102,8 +123,10 @@ TEST(Obj, bad_files_are_refused_with_line_and_column) {
       {"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n", 4, 7, "out of range"},
       {"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 -4 2\n", 4, 5, "out of range"},
       {"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 0 1 2\n", 4, 3, "index 0"},
-      {"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 2\n", 4, 7, "repeated"},
-      {"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 -2\n", 4, 7, "repeated"},
+      {"v 0 0 \\\n nan\n", 2, 2, "not finite"},
+      {"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2\\\n\n", 4, 1, "3 or 4 corners"},
+      {"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2\\\n3 \\\n  4\n", 6, 3, "out of range"},
+      {"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\\4\n", 4, 7, "not a corner"},
       {"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3.0\n", 4, 7, "not a corner"},
       {"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3/\n", 4, 7, "not a corner"},
       {"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3//\n", 4, 7, "not a corner"},
