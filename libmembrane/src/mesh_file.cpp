@@ -8,6 +8,7 @@
 #include "membrane/gmsh.hpp"
 #include "membrane/keyword.hpp"
 #include "membrane/obj.hpp"
+#include "membrane/off.hpp"
 #include "membrane/radioss.hpp"
 #include "membrane/stl.hpp"
 #include "membrane/vtk.hpp"
@@ -20,12 +21,13 @@ std::string location(const std::string& file, std::size_t line, std::size_t colu
   return line == 0 ? file : file + ":" + std::to_string(line) + ":" + std::to_string(column);
 }
 
-enum class Format { obj, keyword, radioss, stl, vtk, gmsh };
+enum class Format { obj, keyword, radioss, stl, off, vtk, gmsh };
 
 const std::map<std::string, Format>& formats() {
   static const std::map<std::string, Format> list = {
-      {".obj", Format::obj}, {".k", Format::keyword}, {".key", Format::keyword}, {".dyn", Format::keyword},
-      {".stl", Format::stl}, {".vtk", Format::vtk},   {".msh", Format::gmsh},    {".rad", Format::radioss}};
+      {".obj", Format::obj},     {".k", Format::keyword}, {".key", Format::keyword},
+      {".dyn", Format::keyword}, {".stl", Format::stl},   {".off", Format::off},
+      {".vtk", Format::vtk},     {".msh", Format::gmsh},  {".rad", Format::radioss}};
   return list;
 }
 
@@ -38,7 +40,13 @@ Format format_of(const std::filesystem::path& path, const char* fault) {
   return found->second;
 }
 
-constexpr const char* kRead = "a mesh file ends with .obj, .k, .key, .dyn, .rad, .stl, .vtk or .msh";
+const std::map<Format, std::string (*)(const Mesh&)>& writers() {
+  static const std::map<Format, std::string (*)(const Mesh&)> list = {
+      {Format::obj, format_obj}, {Format::keyword, format_keyword}, {Format::stl, format_stl}};
+  return list;
+}
+
+constexpr const char* kRead = "a mesh file ends with .obj, .k, .key, .dyn, .rad, .stl, .off, .vtk or .msh";
 constexpr const char* kWritten = "the name of a mesh that is written ends with .obj, .k, .key, .dyn or .stl";
 
 // what() ends at a NUL.
@@ -79,6 +87,8 @@ Mesh read_mesh(const std::filesystem::path& path) {
       return with_included(parse_radioss(text, name, beside));
     case Format::stl:
       return parse_stl(text, name);
+    case Format::off:
+      return parse_off(text, name);
     case Format::vtk:
       return parse_vtk(text, name);
     case Format::gmsh:
@@ -89,15 +99,12 @@ Mesh read_mesh(const std::filesystem::path& path) {
 
 void check_mesh_ending(const std::filesystem::path& path) {
   const Format format = format_of(path, kWritten);
-  if (format == Format::vtk || format == Format::gmsh || format == Format::radioss)
-    throw MeshFileError(path.string(), 0, 0, kWritten);
+  if (!writers().contains(format)) throw MeshFileError(path.string(), 0, 0, kWritten);
 }
 
 void write_mesh(const Mesh& mesh, const std::filesystem::path& path) {
   check_mesh_ending(path);
-  static const std::map<Format, std::string (*)(const Mesh&)> writers = {
-      {Format::obj, format_obj}, {Format::keyword, format_keyword}, {Format::stl, format_stl}};
-  write_text(path, writers.at(format_of(path, kWritten))(mesh));
+  write_text(path, writers().at(format_of(path, kWritten))(mesh));
 }
 
 }  // namespace membrane

@@ -41,6 +41,7 @@ class Header {
       } else if (word == "element") {
         element_ = second;
         count(words, "the number of elements is missing");
+        announced_ += (announced_.empty() ? "" : ", ") + line;
       } else if (word == "property") {
         property(words, second);
       }
@@ -48,23 +49,8 @@ class Header {
     fail(0, "the file ends before end_header");
   }
 
-  // Vertices and faces, past comments.
-  void off() {
-    int found = 0;
-    bool begun = false;
-    for (std::string line; found < 2 && std::getline(text_, line);) {
-      ++line_;
-      std::istringstream words(line.substr(0, line.find('#')));
-      if (std::string word; !begun && words >> word) {
-        if (!word.ends_with("OFF")) fail(line_, "an OFF file begins with OFF");
-        if (line.find("BINARY") != std::string::npos) fail(line_, "binary OFF is not read here");
-        begun = true;
-      }
-      for (; found < 2 && !(words >> std::ws).eof(); ++found)
-        count(words, "the numbers of vertices and faces are missing");
-    }
-    if (found < 2) fail(0, "the file ends before the numbers of vertices and faces");
-  }
+  // What the header of a PLY file counts.
+  const std::string& announced() const { return announced_; }
 
  private:
   [[noreturn]] void fail(std::size_t line, const std::string& message) const {
@@ -118,17 +104,18 @@ class Header {
   const std::string& bytes_;
   std::istringstream text_;
   std::size_t line_ = 0;
+  std::string announced_;
   std::string element_;                        // to which the properties belong
   std::set<std::string> coordinates_, lists_;  // of vertices and faces
 };
 
 }  // namespace
 
-void check_header(const std::filesystem::path& path, SoupFormat format, const std::string& bytes) {
+std::string check_header(const std::filesystem::path& path, SoupFormat format, const std::string& bytes) {
   Header header(path, bytes);
   if (format == SoupFormat::stl) header.binary_stl();
   if (format == SoupFormat::ply) header.ply();
-  if (format == SoupFormat::off) header.off();
+  return header.announced();
 }
 
 }  // namespace driver

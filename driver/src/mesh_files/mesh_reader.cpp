@@ -47,15 +47,30 @@ std::string bytes_of(const std::filesystem::path& path) {
   throw MeshFileError(path.string(), line, line == 0 ? 0 : 1, message);
 }
 
+// Of the bytes up to `at`.
+std::size_t line_breaks(const std::string& bytes, std::size_t at) {
+  return static_cast<std::size_t>(
+      std::count(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(at), '\n'));
+}
+
+// CGAL reads no more than the header announces.
+void require_end(const std::filesystem::path& path, const Soup& soup, const std::string& bytes,
+                 const std::string& announced) {
+  const std::size_t more = bytes.find_first_not_of(" \t\r\n", soup.stopped_at);
+  if (more == std::string::npos) return;
+  fail(path, soup.is_text ? 1 + line_breaks(bytes, more) : 0,
+       "the header announces " + announced + ", and the file goes on for " +
+           std::to_string(bytes.size() - more) + " bytes" + (soup.is_text ? " here" : "") +
+           "; correct the header");
+}
+
 membrane::Mesh mesh_of(const std::filesystem::path& path, SoupFormat format, const std::string& bytes) {
-  check_header(path, format, bytes);
+  const std::string announced = check_header(path, format, bytes);
   const Soup soup = read_soup(format, bytes);
-  if (!soup.fault.empty()) {
-    auto at = static_cast<std::ptrdiff_t>(std::min(soup.stopped_at, bytes.size()));
-    if (at > 0 && bytes[static_cast<std::size_t>(at) - 1] == '\n') --at;  // CGAL takes OFF by whole lines
-    const auto line = 1 + static_cast<std::size_t>(std::count(bytes.begin(), bytes.begin() + at, '\n'));
-    fail(path, soup.is_text ? line : 0, soup.fault);
-  }
+  if (!soup.fault.empty())
+    fail(path, soup.is_text ? 1 + line_breaks(bytes, std::min(soup.stopped_at, bytes.size())) : 0,
+         soup.fault);
+  if (format == SoupFormat::ply) require_end(path, soup, bytes, announced);
   try {
     return membrane::mesh_of_polygons(soup.nodes, soup.polygons);
   } catch (const std::invalid_argument& error) {
@@ -67,8 +82,8 @@ membrane::Mesh mesh_of(const std::filesystem::path& path, SoupFormat format, con
 
 membrane::Mesh read_any_mesh(const std::filesystem::path& path) {
   const std::string ending = ending_of(path);
-  if (ending != ".stl" && ending != ".ply" && ending != ".off") {
-    static const std::string others[] = {".obj", ".k", ".key", ".dyn", ".rad", ".vtk", ".msh"};
+  if (ending != ".stl" && ending != ".ply") {
+    static const std::string others[] = {".obj", ".k", ".key", ".dyn", ".rad", ".off", ".vtk", ".msh"};
     if (std::find(std::begin(others), std::end(others), ending) == std::end(others))
       fail(path, 0, std::string("a mesh file ends with one of ") + mesh_endings);
     return membrane::read_mesh(path);
@@ -79,7 +94,7 @@ membrane::Mesh read_any_mesh(const std::filesystem::path& path) {
     if (membrane::is_stl_text(bytes) || bytes.starts_with("\xEF\xBB\xBF")) return membrane::read_mesh(path);
     return mesh_of(path, SoupFormat::stl, bytes);
   }
-  return mesh_of(path, ending == ".ply" ? SoupFormat::ply : SoupFormat::off, bytes);
+  return mesh_of(path, SoupFormat::ply, bytes);
 }
 
 }  // namespace driver

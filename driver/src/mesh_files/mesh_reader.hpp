@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Mesh files of every format: those of libmembrane, and PLY, OFF and binary STL through CGAL's readers of
+// Mesh files of every format: those of libmembrane, and PLY and binary STL through CGAL's readers of
 // polygon soups. CGAL stays inside this library.
 #pragma once
 

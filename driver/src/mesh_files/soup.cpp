@@ -3,7 +3,6 @@
 #include "mesh_files/soup.hpp"
 
 #define CGAL_DEBUG  // its readers state by assertions what a file must be; they throw
-#include <CGAL/IO/OFF.h>
 #include <CGAL/IO/PLY.h>
 #include <CGAL/IO/STL.h>
 #include <CGAL/Simple_cartesian.h>
@@ -47,8 +46,7 @@ bool read(SoupFormat format, std::istream& bytes, std::vector<Point>& points,
           std::vector<Corners>& polygons) {
   const auto quiet = CGAL::parameters::verbose(false);
   if (format == SoupFormat::stl) return CGAL::IO::read_STL(bytes, points, polygons, quiet);
-  if (format == SoupFormat::ply) return CGAL::IO::read_PLY(bytes, points, polygons, quiet);
-  return CGAL::IO::read_OFF(bytes, points, polygons, quiet);
+  return CGAL::IO::read_PLY(bytes, points, polygons, quiet);
 }
 
 // Numbers that no node can have stay such.
@@ -61,7 +59,7 @@ int node_number(std::size_t corner) {
 
 Soup read_soup(SoupFormat format, const std::string& bytes) {
   Soup soup;
-  soup.is_text = format == SoupFormat::off || (format == SoupFormat::ply && bytes.find("format ascii") < 64);
+  soup.is_text = format == SoupFormat::ply && bytes.find("format ascii") < 64;
   std::vector<Point> points;
   std::vector<Corners> polygons;
   std::istringstream stream(bytes);

@@ -9,14 +9,14 @@
 namespace driver {
 
 /// Formats that CGAL reads.
-enum class SoupFormat { stl, ply, off };
+enum class SoupFormat { stl, ply };
 
 /// Nodes and polygons as a file has them.
 struct Soup {
   Eigen::Matrix3Xd nodes;                  // 3 x N
   std::vector<std::vector<int>> polygons;  // node numbers from 0
   std::string fault;                       // what is wrong; empty if nothing is
-  std::size_t stopped_at = 0;              // byte at which the reader gave up
+  std::size_t stopped_at = 0;              // byte at which the reader gave up or ended
   bool is_text = true;                     // false: lines mean nothing
 };
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Mesh files by the end of their name: Wavefront OBJ (.obj), LS-DYNA keyword (.k, .key, .dyn), STL text
-// (.stl), legacy VTK (.vtk), Gmsh (.msh) and Radioss starter decks (.rad). The last three are read, not
-// written.
+// (.stl), OFF (.off), legacy VTK (.vtk), Gmsh (.msh) and Radioss starter decks (.rad). The last four are
+// read, not written.
 #pragma once
 
 #include <cstddef>
@@ -35,7 +35,7 @@ using IncludedFile = std::function<std::string(const std::string& name)>;
 inline constexpr std::size_t largest_mesh_file = std::size_t{256} << 20;
 
 /// Reads a mesh, lengths in metres, by the parsers of obj.hpp, keyword.hpp, radioss.hpp, stl.hpp,
-/// vtk.hpp and gmsh.hpp. Files that a deck includes stand beside it, or in folders below. Throws
+/// off.hpp, vtk.hpp and gmsh.hpp. Files that a deck includes stand beside it, or in folders below. Throws
 /// MeshFileError for another ending, a file that cannot be read or is too long, and whatever the parsers
 /// refuse.
 Mesh read_mesh(const std::filesystem::path& path);
