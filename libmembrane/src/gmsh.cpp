@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "membrane/gmsh.hpp"
 
+#include <algorithm>
+#include <cstdlib>
+#include <iterator>
 #include <map>
+#include <set>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -14,6 +18,7 @@ namespace membrane {
 namespace {
 
 constexpr long long kMostTag = 2'000'000'000;
+constexpr const char* kOneGroup = "; a panel is one group: take the surface out of the other";
 
 // Corners of the elements of first order that are read or skipped; 0 for all others.
 std::size_t corners_of(long long type) {
@@ -31,6 +36,37 @@ std::size_t corners_of(long long type) {
   }
 }
 
+std::size_t known_corners(const TokenReader& words, const MeshWord& at, long long type) {
+  const std::size_t corners = corners_of(type);
+  if (corners == 0)
+    words.fail(at, "element type " + std::to_string(type) +
+                       " is not read here; allowed: 2 triangle, 3 quad (1 line and 15 point are skipped)");
+  return corners;
+}
+
+struct Element {
+  std::vector<int> nodes;
+  std::size_t line;
+  std::string panel;
+};
+
+// Version 2 writes an element once for each of its groups.
+void require_one_group(const TokenReader& words, const std::vector<Element>& elements) {
+  std::vector<std::pair<std::vector<int>, const Element*>> sorted;
+  for (const Element& element : elements) {
+    sorted.emplace_back(element.nodes, &element);
+    std::ranges::sort(sorted.back().first);
+  }
+  std::ranges::sort(sorted);
+  for (std::size_t i = 1; i < sorted.size(); ++i) {
+    const Element &first = *sorted[i - 1].second, &again = *sorted[i].second;
+    if (sorted[i].first == sorted[i - 1].first && first.panel != again.panel)
+      words.fail({{}, again.line, 1}, "the element of line " + std::to_string(first.line) +
+                                          " is here again: it is in two physical groups, " + first.panel +
+                                          " and " + again.panel + kOneGroup);
+  }
+}
+
 class GmshParser {
  public:
   GmshParser(std::string_view text, const std::string& name) : words_(text, name) {}
@@ -43,12 +79,6 @@ class GmshParser {
   }
 
  private:
-  struct Element {
-    std::vector<long long> nodes;
-    std::size_t line;
-    std::string panel;
-  };
-
   void format() {
     words_.expect("$MeshFormat");
     const MeshWord version = words_.word("the version");
@@ -105,7 +135,7 @@ class GmshParser {
         const std::size_t groups = words_.count("the number of physical groups");
         for (std::size_t k = 0; k < groups; ++k) {
           const long long group = tag("a physical group");
-          if (dimension == 2) group_of_surface_.try_emplace(entity, group);
+          if (dimension == 2) groups_of_surface_[entity].insert(std::abs(group));  // a sign is an orientation
         }
         if (dimension == 0) continue;
         const std::size_t bounding = words_.count("the number of bounding entities");
@@ -115,9 +145,20 @@ class GmshParser {
 
   std::string panel_of(long long group, long long surface) const {
     if (group == 0) return "surface_" + std::to_string(surface);
-    const long long number = group < 0 ? -group : group;  // a sign tells an orientation
-    const auto name = names_.find(number);
-    return name == names_.end() ? "physical_" + std::to_string(number) : name->second;
+    const auto name = names_.find(group);
+    return name == names_.end() ? "physical_" + std::to_string(group) : name->second;
+  }
+
+  // The one group of a surface; 0 if it is in none.
+  long long group_of(const MeshWord& at, long long surface) const {
+    const auto found = groups_of_surface_.find(surface);
+    if (found == groups_of_surface_.end()) return 0;
+    const std::set<long long>& groups = found->second;
+    if (groups.size() > 1)
+      words_.fail(at, "surface " + std::to_string(surface) + " is in two physical groups, " +
+                          panel_of(*groups.begin(), surface) + " and " +
+                          panel_of(*std::next(groups.begin()), surface) + kOneGroup);
+    return *groups.begin();
   }
 
   void add_node(const MeshWord& at, long long number, const Eigen::Vector3d& x) {
@@ -169,14 +210,6 @@ class GmshParser {
                                                              std::to_string(announced) + " announced");
   }
 
-  std::size_t known_corners(const MeshWord& at, long long type) {
-    const std::size_t corners = corners_of(type);
-    if (corners == 0)
-      words_.fail(at, "element type " + std::to_string(type) +
-                          " is not read here; allowed: 2 triangle, 3 quad (1 line and 15 point are skipped)");
-    return corners;
-  }
-
   void add_element(std::size_t corners, std::string panel, std::size_t line) {
     Element element{{}, line, std::move(panel)};
     for (std::size_t k = 0; k < corners; ++k) {
@@ -185,10 +218,7 @@ class GmshParser {
       if (!index_.contains(number)) words_.fail(at, "node " + std::to_string(number) + " is not in $Nodes");
       element.nodes.push_back(index_.at(number));
     }
-    if (corners < 3) return;
-    if (has_repeated(std::vector<int>(element.nodes.begin(), element.nodes.end())))
-      words_.fail({{}, line, 1}, "a node is repeated in this element");
-    elements_.push_back(std::move(element));
+    if (corners >= 3) elements_.push_back(std::move(element));
   }
 
   void elements() {
@@ -198,13 +228,13 @@ class GmshParser {
       words_.integer("the element's number", 1, kMostTag);
       const MeshWord at = words_.peek("the element's type");
       const long long type = words_.integer("the element's type", 1, 1000);
-      const std::size_t corners = known_corners(at, type), tags = words_.count("the number of tags");
+      const std::size_t corners = known_corners(words_, at, type), tags = words_.count("the number of tags");
       long long tag_of[2] = {0, 0};
       for (std::size_t k = 0; k < tags; ++k) {
         const long long value = tag("a tag");
         if (k < 2) tag_of[k] = value;
       }
-      add_element(corners, panel_of(tag_of[0], tag_of[1]), line);
+      add_element(corners, panel_of(std::abs(tag_of[0]), tag_of[1]), line);
     }
   }
 
@@ -219,9 +249,9 @@ class GmshParser {
       const long long entity = tag("an entity");
       const MeshWord at = words_.peek("the elements' type");
       const long long type = words_.integer("the elements' type", 1, 1000);
-      const std::size_t corners = known_corners(at, type), count = words_.count("the number of elements");
-      const auto group = group_of_surface_.find(entity);
-      const std::string panel = panel_of(group == group_of_surface_.end() ? 0 : group->second, entity);
+      const std::size_t corners = known_corners(words_, at, type),
+                        count = words_.count("the number of elements");
+      const std::string panel = panel_of(corners < 3 ? 0 : group_of(at, entity), entity);
       for (std::size_t i = 0; i < count; ++i) {
         const std::size_t line = words_.peek("an element").line;
         words_.integer("the element's number", 1, kMostTag);
@@ -233,17 +263,17 @@ class GmshParser {
   }
 
   Mesh build() const {
+    require_one_group(words_, elements_);
     MeshBuilder mesh;
     for (const Eigen::Vector3d& x : nodes_) mesh.add_node(x);
-    for (const Element& e : elements_)
-      mesh.add_polygon(std::vector<int>(e.nodes.begin(), e.nodes.end()), e.panel, e.line);
+    for (const Element& e : elements_) mesh.add_polygon(e.nodes, e.panel, e.line);
     return used_nodes(std::move(mesh).finish());
   }
 
   TokenReader words_;
   bool is_new_ = false;                     // version 4
   std::map<long long, std::string> names_;  // of the physical surfaces
-  std::map<long long, long long> group_of_surface_;
+  std::map<long long, std::set<long long>> groups_of_surface_;
   std::vector<Eigen::Vector3d> nodes_;
   std::unordered_map<long long, int> index_;  // of each number
   std::vector<Element> elements_;

@@ -25,7 +25,7 @@ const std::string kNew =
     "$PhysicalNames\n1\n2 7 \"front panel\"\n$EndPhysicalNames\n"
     "$Comments\nanything $ at all\n$EndComments\n"
     "$Entities\n1 1 5 0\n1 5 5 5 0\n1 0 0 0 1 0 0 0 2 1 -1\n"
-    "1 0 0 0 1 1 0 1 7 0\n2 0 0 2 1 1 2 2 -7 8 3 1 2 3\n3 0 0 0 1 0 2 1 9 0\n4 0 0 0 1 1 2 1 9 0\n"
+    "1 0 0 0 1 1 0 1 7 0\n2 0 0 2 1 1 2 1 -7 3 1 2 3\n3 0 0 0 1 0 2 1 9 0\n4 0 0 0 1 1 2 1 9 0\n"
     "5 0 0 0 0 1 2 0 0\n$EndEntities\n"
     "$Nodes\n3 7 1 40\n0 1 0 1\n40\n5 5 5\n2 1 0 3\n1\n2\n3\n0 0 0\n1 0 0\n0 1 0\n"
     "2 2 1 3\n11\n12\n13\n0 0 2 0.5 0.5\n1 0 2 1 0\n0 1 2 0 1\n$EndNodes\n"
@@ -65,7 +65,6 @@ TEST(Gmsh, bad_files_are_refused_with_line_and_column) {
        {replaced(kOld, "$Nodes\n7", "$Nodes\n77777777777"),
         "bag:10:1: the number of nodes is \"77777777777\""},
        {replaced(kOld, "1 2 12 11", "1 2 14 11"), "bag:25:15: node 14 is not in $Nodes"},
-       {replaced(kOld, "1 2 12 11", "1 2 12 2"), "bag:25:1: a node is repeated in this element"},
        {replaced(kOld, "3 2 2 7 1", "3 4 2 7 1"), "bag:23:3: element type 4 is not read here"},
        {replaced(kOld, "3 2 2 7 1", "3 9 2 7 1"), "bag:23:3: element type 9 is not read here"},
        {replaced(kNew, "3 7 1 40", "3 8 1 40"), "7 nodes, not the 8 announced"},
@@ -74,6 +73,37 @@ TEST(Gmsh, bad_files_are_refused_with_line_and_column) {
         "\"$EndElements\" stands where $EndEntities is needed"},
        {kOld.substr(0, kOld.find("$Elements")), "bag: the file has no triangles and no quads"},
        {kNew.substr(0, kNew.size() - 14), "$EndElements is missing"}});
+}
+
+// A panel is one group. Version 2 has an element once for each of its groups, version 4 a list of groups.
+TEST(Gmsh, a_surface_in_two_groups_is_refused_in_both_versions) {
+  const std::string says = "two physical groups, front_panel and physical_9; a panel is one group";
+  const auto twice = [](const std::string& element) {
+    return replaced(replaced(kOld, "$Elements\n7", "$Elements\n8"), "$EndElements",
+                    element + "\n$EndElements");
+  };
+  const std::string again = "bag:28:1: the element of line 24 is here again: it is in ";
+  meshes::expect_refused(parse_gmsh,
+                         {{twice("8 2 2 9 2 11 12 13"), again + says},
+                          {twice("4 2 2 9 2 11 12 13"), again + says},      // of the same number
+                          {twice("8 2 2 9 2 12 13 11"), again + says},      // from another corner
+                          {twice("8 2 2 9 2 13 12 11"), again + says},      // wound the other way
+                          {twice("8 2 4 9 2 1 0 11 12 13"), again + says},  // with tags of partitions
+                          {twice("8 3 2 7 3 1 2 12 11"),
+                           "the element of line 25 is here again: it is in two physical groups, "
+                           "physical_9 and front_panel"},
+                          {replaced(kNew, "1 1 2 1 -7 3", "1 1 2 2 -7 9 3"), "surface 2 is in " + says},
+                          {replaced(kNew, "1 1 2 1 -7 3", "1 1 2 2 9 7 3"), "surface 2 is in " + says},
+                          {replaced(kNew, "1 1 2 1 -7 3", "1 1 2 3 9 7 8 3"),
+                           "surface 2 is in two physical groups, front_panel and physical_8"},
+                          {replaced(kNew, "1 0 2 1 9 0", "1 0 2 2 9 -7 0"), "surface 3 is in " + says}});
+  // The same group twice, a sign for another orientation, groups of curves, and surfaces without elements.
+  for (const std::string& text : {replaced(kNew, "1 1 2 1 -7 3", "1 1 2 2 -7 7 3"),
+                                  replaced(kNew, "1 0 0 0 1 0 0 0 2 1 -1", "1 0 0 0 1 0 0 2 3 4 2 1 -1"),
+                                  replaced(replaced(kNew, "$Entities\n1 1 5 0", "$Entities\n1 1 6 0"),
+                                           "$EndEntities", "6 0 0 0 0 1 2 2 7 9 0\n$EndEntities")})
+    EXPECT_EQ(parse_gmsh(text, "bag").panel_names,
+              (std::vector<std::string>{"front_panel", "physical_9", "surface_5"}));
 }
 
 TEST(Gmsh, no_damaged_file_crashes) {
