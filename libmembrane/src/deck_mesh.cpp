@@ -30,10 +30,6 @@ void DeckMesh::add_shell(Id number, Id part, std::vector<Corner> corners, const 
   if (!shell_numbers_.insert(number).second)
     fail(place, "element " + std::to_string(number) + " is repeated");
   if (corners.size() == 4 && corners[3].node == corners[2].node) corners.pop_back();
-  for (std::size_t i = 1; i < corners.size(); ++i)
-    for (std::size_t k = 0; k < i; ++k)
-      if (corners[k].node == corners[i].node)
-        fail(corners[i].place, "node " + std::to_string(corners[i].node) + " is repeated in this element");
   shells_.push_back({part, std::move(corners)});
 }
 

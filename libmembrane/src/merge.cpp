@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdint>
 #include <map>
+#include <numeric>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -86,7 +87,7 @@ void keep_nodes(Mesh& mesh, const std::vector<bool>& stays, const std::vector<in
 }
 
 // Leaves out elements with two equal corners; returns how many.
-int drop_collapsed(Mesh& mesh) {
+int drop_repeated(Mesh& mesh) {
   Eigen::Index count = 0;
   for (Eigen::Index e = 0; e < mesh.elements.cols(); ++e) {
     const Eigen::Vector3i c = mesh.elements.col(e);
@@ -116,8 +117,42 @@ MergeReport merge_nodes(Mesh& mesh, double tolerance) {
   MergeReport report;
   report.nodes = static_cast<int>(std::count(stays.begin(), stays.end(), false));
   keep_nodes(mesh, stays, of);
-  report.elements = drop_collapsed(mesh);
+  report.elements = drop_repeated(mesh);
   return report;
+}
+
+int drop_collapsed(Mesh& mesh, Eigen::Matrix3Xd* start) {
+  require_nodes("drop_collapsed", mesh.elements, mesh.nodes.cols());
+  std::vector<int> of(static_cast<std::size_t>(mesh.nodes.cols()));
+  std::iota(of.begin(), of.end(), 0);
+  const auto first = [&](int node) {  // each look halves the way of the next
+    for (auto n = static_cast<std::size_t>(node); of[n] != node;
+         node = of[n = static_cast<std::size_t>(node)])
+      of[n] = of[static_cast<std::size_t>(of[n])];
+    return node;
+  };
+  std::vector<bool> was_used(of.size(), false), stays(of.size(), true);
+  for (Eigen::Index e = 0; e < mesh.elements.cols(); ++e)
+    for (int a = 0; a < 3; ++a) {
+      const int i = mesh.elements(a, e), j = mesh.elements((a + 1) % 3, e);
+      was_used[static_cast<std::size_t>(i)] = true;
+      if (mesh.nodes.col(i) != mesh.nodes.col(j)) continue;
+      const auto [low, high] = std::minmax({first(i), first(j)});
+      of[static_cast<std::size_t>(high)] = low;
+    }
+  for (int& corner : mesh.elements.reshaped()) corner = first(corner);
+  const int gone = drop_repeated(mesh);
+  if (gone == 0) return 0;
+  for (std::size_t n = 0; n < of.size(); ++n) stays[n] = !was_used[n];
+  for (const int corner : mesh.elements.reshaped()) stays[static_cast<std::size_t>(corner)] = true;
+  if (start) {
+    Mesh other;
+    other.nodes = *start;
+    keep_nodes(other, stays, of);
+    *start = other.nodes;
+  }
+  keep_nodes(mesh, stays, of);
+  return gone;
 }
 
 Mesh used_nodes(Mesh mesh) {

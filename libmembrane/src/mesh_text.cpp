@@ -119,14 +119,6 @@ std::string panel_name(std::string_view text) {
   return name.empty() ? "default" : name;
 }
 
-bool has_repeated(std::span<const int> corners) {
-  for (std::size_t i = 1; i < corners.size(); ++i)
-    if (std::find(corners.begin(), corners.begin() + static_cast<std::ptrdiff_t>(i), corners[i]) !=
-        corners.begin() + static_cast<std::ptrdiff_t>(i))
-      return true;
-  return false;
-}
-
 void require_finite_nodes(const Mesh& mesh) {
   if (!mesh.nodes.allFinite())
     throw std::invalid_argument("nodes: a coordinate is not finite; mesh files hold finite ones");

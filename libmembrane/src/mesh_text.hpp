@@ -30,9 +30,6 @@ void write_text(const std::filesystem::path& path, const std::string& text);  //
 /// A panel's name from a file: blanks and # become _; "default" if there is none.
 std::string panel_name(std::string_view text);
 
-/// True if a node is there twice.
-bool has_repeated(std::span<const int> corners);
-
 /// Throws std::invalid_argument unless all nodes are finite.
 void require_finite_nodes(const Mesh& mesh);
 
@@ -42,7 +39,8 @@ class MeshBuilder {
   int node_count() const { return static_cast<int>(nodes_.size()); }
   bool empty() const { return polygons_.empty(); }
   void add_node(const Eigen::Vector3d& position) { nodes_.push_back(position); }
-  /// Adds a polygon of 3 or 4 corners, node numbers from 0.
+  /// Adds a polygon of 3 or 4 corners, node numbers from 0. A node may be there twice: drop_collapsed() of
+  /// merge.hpp takes out what has no area.
   void add_polygon(std::span<const int> corners, const std::string& panel, std::size_t line);
   /// A quad becomes two elements along its shorter diagonal (the first one if they are equal). Where that is
   /// a side already, as across the corner of two sheets, it is split along the other one.

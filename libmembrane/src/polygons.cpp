@@ -27,7 +27,6 @@ Mesh mesh_of_polygons(const Eigen::Matrix3Xd& nodes, const std::vector<std::vect
       if (node < 0 || node >= nodes.cols())
         throw std::invalid_argument(where + "node " + std::to_string(node) + " is out of range, 0 to " +
                                     std::to_string(nodes.cols() - 1));
-    if (has_repeated(corners)) throw std::invalid_argument(where + "a node is repeated");
     mesh.add_polygon(corners, "default", i);
   }
   Mesh result = used_nodes(std::move(mesh).finish());

@@ -50,10 +50,16 @@ const BadMesh kMeshes[] = {
      "of elements in lines 5;"},
     {"orientation", kTurned.c_str(),
      "bag.obj:5:1: mesh: is not a closed control volume: 3 inconsistently oriented edges"},
-    {"repeated_node", kRepeated.c_str(), "bag.obj:7:7: node 3 is repeated"},
+    {"repeated_node", kRepeated.c_str(),
+     "bag.obj:5:1: mesh: is not a closed control volume: 1 element left out, two corners of which coincide; "
+     "3 "
+     "boundary edges"},
     {"out_of_range", kOutOfRange.c_str(), "bag.obj:7:7: node index 9 is out of range: 4"},
     {"inward", kInward.c_str(), "bag.obj:5:1: mesh: is not a closed control volume: inward"},
-    {"no_area", kNoArea.c_str(), "bag.obj:12:1: mesh: the element has no area"},
+    {"no_area", kNoArea.c_str(),
+     "bag.obj:12:1: mesh: the element has no area: its nodes 5, 6 and 7 at (1, 0, 1), (2, 0, 2) and (3, 0, "
+     "3) m "
+     "lie on one line"},
     {"two_chambers", kTwo.c_str(), "one control volume is one chamber"},
     {"not_a_mesh", "hello world\n", "bag.obj:1:"},
     {"empty", "", "element"},

@@ -134,11 +134,14 @@ void finish(BagMesh bag, const MeshArguments& arguments, const std::vector<std::
 }
 
 // What the file had, and what merging makes of it.
-void print_reading(membrane::Mesh& mesh, const MeshArguments& arguments) {
+void print_reading(BagMesh& bag, const MeshArguments& arguments) {
+  membrane::Mesh& mesh = bag.mesh;
   for (const auto& [what, list] :
        {std::pair("elements that are no shells", &mesh.other_elements), std::pair("not read", &mesh.skipped)})
     if (!list->empty()) fmt::print("{}: {}\n", what, fmt::join(*list, ", "));
   if (mesh.split_quads > 0) fmt::print("quads split in two: {}\n", mesh.split_quads);
+  drop_collapsed(bag, arguments.file);
+  if (bag.collapsed > 0) fmt::print("{}\n", collapsed_text(bag));
   if (arguments.merge) {
     const auto merged = membrane::merge_nodes(mesh, *arguments.merge);
     fmt::print("nodes merged within {:g} m: {}\n", *arguments.merge, merged.nodes);
@@ -204,7 +207,7 @@ int mesh_convert(const MeshArguments& arguments) {
     BagMesh bag{read_any_mesh(arguments.file), std::nullopt, {}};
     if (!arguments.panels.empty()) bag.mesh = membrane::only_panels(bag.mesh, arguments.panels);
     bag.mesh.nodes *= arguments.length_unit;
-    print_reading(bag.mesh, arguments);
+    print_reading(bag, arguments);
     if (arguments.outward) fmt::print("elements turned: {}\n", membrane::turn_outward(bag.mesh));
     require_areas(bag.mesh, arguments.file);
     if (!arguments.report) require_control_volume(bag, arguments);

@@ -72,11 +72,13 @@ BagMesh mesh_of_files(TableReader& table, Closed closed) {
       const auto initial = table.beside_case(table.at("initial_file").text());
       set_initial(source, read_mesh_file(table, "initial_file", initial, unit));
     });
+  drop_collapsed(source, file);
   require_areas(source.mesh, file);
+  const std::string left_out = source.collapsed > 0 ? collapsed_text(source) + "; " : "";
   if (const auto report = faults_of(source, closed); !report.ok())
-    throw CaseError(fmt::format("{}: mesh: is not a {}: {}{}",
+    throw CaseError(fmt::format("{}: mesh: is not a {}: {}{}{}",
                                 place_of_element(source.mesh, file, report.first_element()),
-                                closed == Closed::free ? "sheet" : "closed control volume",
+                                closed == Closed::free ? "sheet" : "closed control volume", left_out,
                                 report.describe(source.mesh.line), remedy(report, closed)));
   return source;
 }
@@ -213,6 +215,7 @@ void read_bag(TableReader& root, Scene& scene) {
   const auto null_panels = table->at("null_panels").texts();
   BagMesh source = read_mesh(table->table("mesh"), null_panels, overpressure ? Closed::free : Closed::needed);
   warn_of_size(source.mesh, table->has_in_table("mesh", "file"), scene);
+  if (source.collapsed > 0) scene.warnings.push_back("membrane.mesh: " + collapsed_text(source));
   membrane::BagDescription bag;
   bag.reference = source.mesh.nodes;
   bag.elements = source.mesh.elements;

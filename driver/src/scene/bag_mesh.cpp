@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "driver/case_reader.hpp"
+#include "membrane/merge.hpp"
 #include "membrane/node_order.hpp"
 #include "membrane/refine.hpp"
 
@@ -80,15 +81,49 @@ std::string place_of_element(const membrane::Mesh& mesh, const std::filesystem::
   return fmt::format("{}:{}:1", file.string(), mesh.line[static_cast<std::size_t>(element)]);
 }
 
+void drop_collapsed(BagMesh& bag, const std::filesystem::path& file) {
+  bag.collapsed = membrane::drop_collapsed(bag.mesh, bag.initial ? &*bag.initial : nullptr);
+  if (bag.mesh.element_count() == 0)
+    throw CaseError(fmt::format("{}: mesh: no element has an area: {}", file.string(), collapsed_text(bag)));
+}
+
+std::string collapsed_text(const BagMesh& bag) {
+  if (bag.collapsed == 0) return "";
+  return fmt::format("{} left out, two corners of which coincide",
+                     bag.collapsed == 1 ? "1 element" : fmt::format("{} elements", bag.collapsed));
+}
+
+namespace {
+
+std::string coordinates(const Eigen::Vector3d& x) {
+  return fmt::format("({:.3g}, {:.3g}, {:.3g})", x.x(), x.y(), x.z());
+}
+
+// Why an element has no area: its corners lie on one line, or its lengths are beyond what a number can
+// square.
+std::string without_area(const Eigen::Matrix3d& corners, const Eigen::Vector3i& nodes) {
+  const Eigen::Vector3d ab = corners.col(1) - corners.col(0), ac = corners.col(2) - corners.col(0);
+  const double longest = std::max(ab.stableNorm(), ac.stableNorm());
+  if (!std::isfinite(longest) || membrane::has_area(ab / longest, ac / longest))
+    return fmt::format("has no area that a number holds, its sides are {:.3g} m long", longest);
+  return fmt::format(
+      "has no area: its nodes {}, {} and {} at {}, {} and {} m lie on one line; move one of them, or join "
+      "those that nearly meet by gasjet mesh convert --merge DISTANCE",
+      nodes[0], nodes[1], nodes[2], coordinates(corners.col(0)), coordinates(corners.col(1)),
+      coordinates(corners.col(2)));
+}
+
+}  // namespace
+
 void require_areas(const membrane::Mesh& mesh, const std::filesystem::path& file) {
-  for (Eigen::Index e = 0; e < mesh.elements.cols(); ++e) {
-    const Eigen::Vector3d a = mesh.nodes.col(mesh.elements(0, e));
-    if (membrane::has_area(mesh.nodes.col(mesh.elements(1, e)) - a, mesh.nodes.col(mesh.elements(2, e)) - a))
-      continue;
-    throw CaseError(
-        fmt::format("{}: mesh: {} has no area that a number holds, corners off one line are allowed",
-                    place_of_element(mesh, file, static_cast<int>(e)),
-                    mesh.line.empty() ? fmt::format("element {}", e) : "the element"));
+  const bool was_read = !mesh.line.empty();  // such nodes count from 1
+  for (int e = 0; e < mesh.element_count(); ++e) {
+    const Eigen::Vector3i nodes = mesh.elements.col(e);
+    const Eigen::Matrix3d x = mesh.nodes(Eigen::all, nodes);
+    if (membrane::has_area(x.col(1) - x.col(0), x.col(2) - x.col(0))) continue;
+    throw CaseError(fmt::format("{}: mesh: {} {}", place_of_element(mesh, file, e),
+                                was_read ? "the element" : fmt::format("element {}", e),
+                                without_area(x, (nodes.array() + (was_read ? 1 : 0)).matrix())));
   }
 }
 

@@ -18,6 +18,7 @@ struct BagMesh {
   membrane::Mesh mesh;                            // stress-free design shape
   std::optional<Eigen::Matrix3Xd> initial;        // 3 x nodes [m], if not the design shape
   std::vector<std::array<int, 2>> strap_anchors;  // of the generator: back and front node
+  int collapsed = 0;                              // elements of the file that drop_collapsed() left out
 
   const Eigen::Matrix3Xd& shape() const { return initial ? *initial : mesh.nodes; }
 };
@@ -48,6 +49,11 @@ std::optional<double> unlikely_extent(const membrane::Mesh& mesh);
 
 /// `file:line:1` of an element, or `file` if the mesh has no lines.
 std::string place_of_element(const membrane::Mesh& mesh, const std::filesystem::path& file, int element);
+/// Leaves out elements of both shapes by membrane::drop_collapsed, and counts them. Throws CaseError if none
+/// is left.
+void drop_collapsed(BagMesh& bag, const std::filesystem::path& file);
+/// "2 elements left out, ..." for messages; empty if none was.
+std::string collapsed_text(const BagMesh& bag);
 /// Throws CaseError at the line of the first element without area of a mesh read from `file`.
 void require_areas(const membrane::Mesh& mesh, const std::filesystem::path& file);
 /// Throws std::invalid_argument if `times` refinements of so many elements may make more than

@@ -19,6 +19,13 @@ struct MergeReport {
 /// tolerance: 2^52 times of it.
 MergeReport merge_nodes(Mesh& mesh, double tolerance);
 
+/// Joins nodes of equal coordinates that one element has, as the corners of an element without area, and
+/// leaves out the elements that have a corner twice then. Nodes that lose all their elements go, too; panels
+/// keep their numbers, the order of nodes and elements stays. With `start`, the nodes of a start shape, the
+/// same nodes are taken from it. Returns how many elements are gone. Throws std::invalid_argument for a node
+/// number out of range.
+int drop_collapsed(Mesh& mesh, Eigen::Matrix3Xd* start = nullptr);
+
 /// The mesh without the nodes that no element uses. Throws std::invalid_argument for a node number out of
 /// range.
 Mesh used_nodes(Mesh mesh);

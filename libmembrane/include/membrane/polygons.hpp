@@ -12,7 +12,7 @@ namespace membrane {
 /// the shorter diagonal, or along the other one if that is a side of a polygon or of another quad's halves
 /// (nodes of one position count as one); nodes that no polygon uses are left out. Throws
 /// std::invalid_argument, naming the polygon by its number from 0, for another number of corners, a node that
-/// is out of range or repeated, and a node that is not finite; also if there is no polygon.
+/// is out of range, and a node that is not finite; also if there is no polygon.
 Mesh mesh_of_polygons(const Eigen::Matrix3Xd& nodes, const std::vector<std::vector<int>>& polygons);
 
 }  // namespace membrane

@@ -183,7 +183,6 @@ const Bad kBad[] = {
     {"negative_corner", kShells + "1,1,1,2,-3\n*END\n", 7, 9, "above 0"},
     {"fraction_of_a_node", kShells + "1,1,1,2,3.0\n*END\n", 7, 9, "whole number"},
     {"repeated_element", kShells + "1,1,1,2,3\n1,1,1,3,2\n*END\n", 8, 1, "element 1 is repeated"},
-    {"repeated_corner", kShells + "1,1,1,2,1\n*END\n", 7, 9, "repeated"},
     {"eight_nodes", kShells + "1,1,1,2,3,3,4,5,6,7\n*END\n", 7, 13, "more than 4 nodes"},
     {"repeated_part", "*KEYWORD\n*PART\na\n1,\nb\n1,\n", 6, 1, "part 1 is repeated"},
     {"bad_part", "*KEYWORD\n*PART\na\n         x\n", 4, 10, "whole number"},
