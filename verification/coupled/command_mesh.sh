@@ -169,7 +169,7 @@ part_mesh_state() {
   expect 2 "^gasjet: --time 0.5: .*frames.bin has times from 0 to 0.008" "$gasjet" mesh state "$work/framed" --time 0.5 --out "$work/bad.k"
   expect 2 "nan: a finite number from 0 is allowed" "$gasjet" mesh state "$run" --time nan --out "$work/bad.k"
   expect 2 "has neither fields.pvd nor frames.bin" "$gasjet" mesh state "$work" --time 0 --out "$work/bad.k"
-  expect 2 "ends with .obj" "$gasjet" mesh state "$run" --time 0 --out "$work/bad.msh"
+  for file in bad.msh bad.vtk; do expect 2 "--out .*/$file: the name of a state ends with .obj, .stl, .vtp, or LS-DYNA keyword" "$gasjet" mesh state "$run" --time 0 --out "$work/$file"; done
   sed -i 's/^\(<Piece.*\)NumberOfPolys="1280"/\1NumberOfPolys="12800000"/' "$run/bag_00001.vtp"
   expect 2 "bag_00001.vtp: NumberOfPolys is 12800000, which the file cannot hold" "$gasjet" mesh state "$run" --time 2e-3 --out "$work/bad.k"
   sed -i '0,/Name="Points"/s//Name="Dots"/' "$run/bag_00002.vtp"

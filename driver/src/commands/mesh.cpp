@@ -76,12 +76,14 @@ void check_quality(const BagMesh& bag, const std::filesystem::path& file) {
 
 void print_report(const BagMesh& bag) {
   const membrane::Mesh& mesh = bag.mesh;
-  fmt::print("{} elements, {} nodes, volume {:.5g} m3\n", mesh.element_count(), mesh.node_count(),
-             membrane::enclosed_volume(bag.shape(), mesh.elements));
+  const auto surface = membrane::check_closed_surface(bag.shape(), mesh.elements);
+  fmt::print("{} elements, {} nodes{}\n", mesh.element_count(), mesh.node_count(),
+             surface.has_volume() ? fmt::format(", volume {:.5g} m3", surface.volume) : "");
   const Eigen::VectorXd areas = membrane::panel_areas(mesh);
+  std::vector<int> counts(mesh.panel_names.size(), 0);
+  for (const int panel : mesh.panel) ++counts[static_cast<std::size_t>(panel)];
   for (std::size_t i = 0; i < mesh.panel_names.size(); ++i)
-    fmt::print("panel {}: {} elements, {:.5g} m2\n", mesh.panel_names[i],
-               membrane::panel_elements(mesh, mesh.panel_names[i]).size(),
+    fmt::print("panel {}: {} elements, {:.5g} m2\n", mesh.panel_names[i], counts[i],
                areas(static_cast<Eigen::Index>(i)));
   print_quality("design shape", mesh.nodes, mesh.elements);
   if (bag.initial) print_quality("initial shape", *bag.initial, mesh.elements);
@@ -91,7 +93,7 @@ void print_report(const BagMesh& bag) {
     fmt::print(
         "longest extent: {:.3g} m; --length-unit says what a file's coordinates mean, 1e-3 millimetres\n",
         *extent);
-  const auto faults = membrane::check_closed_surface(bag.shape(), mesh.elements).describe(mesh.line);
+  const auto faults = surface.describe(mesh.line);
   fmt::print("{}", faults.empty() ? "closed control volume: yes\n" : "closed control volume: no\n" + faults);
 }
 
@@ -170,6 +172,14 @@ void require_control_volume(const BagMesh& bag, const MeshArguments& arguments) 
                   turns ? "; --outward turns elements" : "", report.describe(bag.mesh.line)));
 }
 
+void check_state_ending(const std::filesystem::path& out) {
+  try {
+    membrane::check_mesh_ending(out);
+  } catch (const membrane::MeshFileError&) {
+    throw CaseError(fmt::format("--out {}: the name of a state ends with {}", out.string(), shape_endings));
+  }
+}
+
 // Errors of the library in what was asked for are errors of the command line.
 template <class Action>
 int reported(Action&& action) {
@@ -228,8 +238,8 @@ int mesh_of_case(const MeshArguments& arguments) {
 
 int mesh_of_state(const MeshArguments& arguments) {
   return reported([&] {
-    const bool is_vtp = arguments.out.extension() == ".vtp";
-    if (!is_vtp) membrane::check_mesh_ending(arguments.out);
+    const bool is_vtp = arguments.out.extension() == ".vtp" || arguments.out.extension() == ".VTP";
+    if (!is_vtp) check_state_ending(arguments.out);
     const BagShape shape = read_bag_shape(arguments.file, arguments.time);
     refuse_same_file("--out", arguments.out, {arguments.file / shape.file});
     fmt::print("time {} s, of {}\n", shape.time, shape.file);

@@ -5,6 +5,7 @@
 
 #include "commands/validators.hpp"
 #include "mesh_files/mesh_reader.hpp"
+#include "results/bag_shape.hpp"
 
 namespace driver::commands {
 
@@ -22,9 +23,7 @@ void add_mesh(CLI::App& app, MeshArguments& arguments) {
   state->add_option("--time", arguments.time, "of the kept shapes, the nearest is taken [s]")
       ->required()
       ->check(not_negative);
-  state
-      ->add_option("--out", arguments.out,
-                   "file to write: .obj, .stl, .vtp, or LS-DYNA keyword .k, .key, .dyn")
+  state->add_option("--out", arguments.out, std::string("file to write: ") + shape_endings)
       ->required()
       ->check(named);
   const char* formats = ".obj, .stl, or LS-DYNA keyword .k, .key, .dyn";

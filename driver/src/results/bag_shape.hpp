@@ -18,6 +18,9 @@ struct BagShape {
   double error = 0.0;
 };
 
+/// Endings of the files that a shape is written to, for help and messages.
+inline constexpr const char* shape_endings = ".obj, .stl, .vtp, or LS-DYNA keyword .k, .key, .dyn";
+
 /// Shape of the kept time that is nearest to `time` [s], from fields.pvd if the run wrote it, else from
 /// frames.bin. Throws CaseError if
 /// - the folder has neither, or the file is damaged,

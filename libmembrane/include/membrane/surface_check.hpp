@@ -5,6 +5,8 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <cmath>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -32,8 +34,11 @@ struct SurfaceReport {
   bool empty = false;   // no element at all
   bool inward = false;  // closed, but the enclosed volume is <= 0
   bool flat = false;    // closed, but the enclosed volume is 0 to rounding
-  /// [m3] Enclosed volume; computed only if the surface is closed and consistently oriented.
-  double volume = 0.0;
+  /// [m3] Enclosed volume; NaN unless the surface is closed and consistently oriented: that of an open one
+  /// depends on the origin.
+  double volume = std::numeric_limits<double>::quiet_NaN();
+
+  bool has_volume() const { return std::isfinite(volume); }
 
   /// True if the surface is closed, manifold, connected, consistently and outward oriented, without unused
   /// nodes.
