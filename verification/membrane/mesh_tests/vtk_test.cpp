@@ -156,7 +156,7 @@ TEST(Vtk, bad_files_are_refused_with_line_and_column) {
        {replaced(kVersion5, "0 3 6 9 12", "0 3 6 9 11"),
         "the offsets do not go from 0 to the number of nodes, 12"},
        {replaced(kVersion5, "0 3 6 9 12", "0 6 3 9 12"), "bag:14:5: an offset is \"3\""},
-       {kPolyData + "LINES 1 3\n2 0 1\n", "bag:19:1: array panel stands before all cells of the file"},
+       {kPolyData + "LINES 1 3\n2 0 1\n", "bag:22:1: array panel stands before all cells of the file"},
        {kGrid.substr(0, kGrid.find("CELL_TYPES")), "CELL_TYPES is missing"},
        {kGrid.substr(0, kGrid.find("CELLS")), "bag: the file has no cells"}});
 }
