@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "deck_card.hpp"
 
-#include <algorithm>
 #include <charconv>
 #include <string>
 
+#include "membrane/fortran_number.hpp"
 #include "mesh_text.hpp"
 
 namespace membrane {
@@ -51,18 +51,18 @@ Eigen::Vector3d DeckCard::point(std::size_t first) const {
   return point;
 }
 
-double DeckCard::coordinate(std::size_t i) const {
+double DeckCard::number(std::size_t i) const {
   double value = 0.0;
-  if (fields_[i].text.empty()) {
-    if (!fields_[i].whole)
-      deck_.fail(place(i), "a coordinate is blank, and the line ends; a node needs x, y and z");
-    return value;
-  }
-  std::string text(fields_[i].text);
-  std::ranges::replace_if(
-      text, [](char c) { return c == 'D' || c == 'd'; }, 'e');  // Fortran's exponents
-  if (!number_fault(text, value).empty()) deck_.fail(place(i), number_fault(fields_[i].text, value));
+  if (fields_[i].text.empty()) return value;
+  if (!number_fault(without_fortran_exponent(fields_[i].text), value).empty())
+    deck_.fail(place(i), number_fault(fields_[i].text, value));
   return value;
+}
+
+double DeckCard::coordinate(std::size_t i) const {
+  if (fields_[i].text.empty() && !fields_[i].whole)
+    deck_.fail(place(i), "a coordinate is blank, and the line ends; a node needs x, y and z");
+  return number(i);
 }
 
 }  // namespace membrane

@@ -26,7 +26,8 @@ class DeckCard {
   std::optional<DeckMesh::Id> whole(std::size_t i) const;
   /// Throw MeshFileError; `what` begins the message.
   DeckMesh::Id id(std::size_t i, const char* what) const;
-  double coordinate(std::size_t i) const;  // 0 if blank
+  double number(std::size_t i) const;      // 0 if blank
+  double coordinate(std::size_t i) const;  // 0 if blank, and refused if the line ends before it does
   Eigen::Vector3d point(std::size_t first) const;
   DeckMesh::Corner corner(std::size_t i) const { return {id(i, "a corner"), place(i)}; }
 

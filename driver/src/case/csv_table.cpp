@@ -98,7 +98,7 @@ double cell_number(const std::vector<CsvCell>& row, std::size_t index, const std
   if (index >= row.size())
     fail_at(file, line, 1, fmt::format("has {} columns, {} are needed", row.size(), index + 1));
   const CsvCell& cell = row[index];
-  const auto value = number_of(cell.text);
+  const auto value = file_number_of(cell.text);
   if (!value) fail_at(file, line, cell.column, fmt::format("'{}': a finite number is allowed", cell.text));
   return *value;
 }

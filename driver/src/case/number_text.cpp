@@ -4,6 +4,8 @@
 #include <charconv>
 #include <cmath>
 
+#include "membrane/fortran_number.hpp"
+
 namespace driver {
 namespace {
 
@@ -26,6 +28,11 @@ std::optional<double> number_of(std::string_view text) {
   if (error == std::errc::result_out_of_range && parse(text, wide) == std::errc{} && std::abs(wide) < 1.0L)
     return 0.0;
   return std::nullopt;
+}
+
+std::optional<double> file_number_of(std::string_view text) {
+  if (const auto value = number_of(text)) return value;
+  return number_of(membrane::without_fortran_exponent(text));
 }
 
 std::optional<double> fraction_of(std::string_view text) {

@@ -41,7 +41,7 @@ Row read_row(const std::filesystem::path& file, std::size_t line_number, const s
       throw CaseError(fmt::format("{}: the row ends in field {} of {}", place, i + 1, kFields));
     const std::string_view field = std::string_view(line).substr(begin, kWidths[i]);
     const auto skip = std::min(field.find_first_not_of(' '), field.size());
-    const auto value = number_of(field.substr(skip));
+    const auto value = file_number_of(field.substr(skip));
     if (!value) throw CaseError(fmt::format("{}: '{}': a finite number is allowed", place, field));
     if (i == kNumberField && !(*value >= 1.0 && *value <= 1e9 && *value == std::floor(*value)))
       throw CaseError(fmt::format("{}: '{}': a whole number from 1 to 1e9 is allowed", place, field));

@@ -54,7 +54,7 @@ class Rows {
   void next_line() { ++line_; }
 
   double number(const Word& word) const {
-    const auto value = number_of(word.text);
+    const auto value = file_number_of(word.text);
     if (!value) fail(word.column, fmt::format("'{}': a finite number is allowed", word.text));
     return *value;
   }
