@@ -30,7 +30,7 @@ void DeckMesh::add_shell(Id number, Id part, std::vector<Corner> corners, const 
   if (!shell_numbers_.insert(number).second)
     fail(place, "element " + std::to_string(number) + " is repeated");
   if (corners.size() == 4 && corners[3].node == corners[2].node) corners.pop_back();
-  shells_.push_back({part, std::move(corners)});
+  shells_.push_back({number, part, std::move(corners)});
 }
 
 void DeckMesh::name_part(Id part, const std::string& title, const Place& place) {
@@ -50,26 +50,55 @@ std::string DeckMesh::panel_of(Id part) const {
   return named == part_names_.end() ? "part_" + std::to_string(part) : named->second;
 }
 
-Mesh DeckMesh::build() const {
+void DeckMesh::require_node(const Corner& corner) const {
+  if (!place_of_node_.contains(corner.node))
+    fail(corner.place, "node " + std::to_string(corner.node) + " is in no list of nodes of this deck");
+}
+
+/// Places of nodes in the stress-free shape; none if the deck gives none that can be taken.
+DeckPlaces DeckMesh::design() {
+  if (reference_.empty()) return {};
+  for (const auto& [number, corners] : reference_.shells())
+    for (const Corner& corner : corners) require_node(corner);
+  DeckPlaces start;
+  for (const Node& node : nodes_) start.emplace(node.number, node.position);
+  auto shape = reference_.shape(shells_, start);
+  if (shape.half)
+    neglect("the reference shape of part " + std::to_string(*shape.half) +
+            ", of which the deck lists nodes of its seams only");
+  if (!shape.two_places) return std::move(shape.places);
+  neglect("the reference shape, which has node " + std::to_string(*shape.two_places) +
+          " in two places, as panels that are cut flat have");
+  return {};
+}
+
+Mesh DeckMesh::build() {
   std::unordered_map<Id, int> index;
-  for (const Shell& shell : shells_)
+  for (const DeckShell& shell : shells_)
     for (const Corner& corner : shell.corners) {
-      if (!place_of_node_.contains(corner.node))
-        fail(corner.place, "node " + std::to_string(corner.node) + " is in no list of nodes of this deck");
+      require_node(corner);
       index.try_emplace(corner.node, -1);
     }
+  const DeckPlaces design_places = design();
   MeshBuilder builder;
+  std::vector<Eigen::Vector3d> start;
+  bool is_moved = false;
   for (const Node& node : nodes_)
     if (const auto used = index.find(node.number); used != index.end()) {
       used->second = builder.node_count();
-      builder.add_node(node.position);
+      const auto listed = design_places.find(node.number);
+      const Eigen::Vector3d& place = listed == design_places.end() ? node.position : listed->second;
+      is_moved = is_moved || place != node.position;
+      builder.add_node(place);
+      start.push_back(node.position);
     }
-  for (const Shell& shell : shells_) {
+  for (const DeckShell& shell : shells_) {
     std::vector<int> corners;
     for (const Corner& corner : shell.corners) corners.push_back(index.at(corner.node));
     builder.add_polygon(corners, panel_of(shell.part), shell.corners.front().place.line);
   }
   Mesh mesh = std::move(builder).finish();
+  if (is_moved) mesh.start = Eigen::Map<const Eigen::Matrix3Xd>(start.front().data(), 3, mesh.nodes.cols());
   if (files_.size() > 1) mesh.line.clear();  // of which file?
   const auto listed = [](const std::map<std::string, int>& counts) {
     std::vector<std::string> list;
@@ -79,6 +108,7 @@ Mesh DeckMesh::build() const {
   };
   mesh.other_elements = listed(elements_);
   mesh.skipped = listed(skipped_);
+  mesh.neglected = listed(neglected_);
   return mesh;
 }
 

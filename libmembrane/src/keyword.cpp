@@ -9,6 +9,7 @@
 
 #include "deck_card.hpp"
 #include "deck_files.hpp"
+#include "keyword_reference.hpp"
 
 namespace membrane {
 namespace {
@@ -43,6 +44,15 @@ int cards_of_options(std::string_view options) {
     options.remove_prefix(option.size());
   }
   return of_shape + offset;
+}
+
+// Keywords that move the nodes or stress the shells at the start. They are not read.
+bool changes_bag(std::string_view word) {
+  constexpr std::array<std::string_view, 5> starts{"*PART_MOVE", "*INITIAL_STRESS_SHELL",
+                                                   "*INITIAL_STRAIN_SHELL", "*INITIAL_VELOCITY",
+                                                   "*AIRBAG_SHELL_REFERENCE"};
+  return std::ranges::any_of(starts, [&](auto start) { return word.starts_with(start); }) ||
+         word.starts_with("*AIRBAG_REFERENCE");
 }
 
 // *PART with options that leave title and number where they are, and add cards behind them.
@@ -81,6 +91,7 @@ class KeywordParser {
     part_data,
     include,
     more_includes,
+    reference,
     end
   };
 
@@ -114,6 +125,7 @@ class KeywordParser {
     if (line.starts_with('*')) return keyword(line);
     if (at_.section == Section::part_title) return title(line);  // may be blank
     if (at_.section == Section::shell && cards_left_ > 0) return card_of_option(line);
+    if (at_.section == Section::reference) return reference_.read(line, at_.file, at_.line, at_.is_long);
     if (line.find_first_not_of(" \t") == std::string_view::npos) return;
     if (at_.section == Section::start) fail(1, shown(line) + ": a keyword file begins with *KEYWORD");
     if (at_.section == Section::node) node(line);
@@ -129,13 +141,15 @@ class KeywordParser {
     const bool is_first = at_.section == Section::start;
     if (at_.section == Section::include) fail(1, "*INCLUDE before it names no file");
     if (cards_left_ > 0) fail(1, "the shell before has not the card that its keyword asks for");
-    if (is_first && word_ == "*KEYWORD") return options_of_file(line);
+    if (word_ == "*KEYWORD" || word_ == "*KEYWORD_ID" || word_ == "*KEYWORD_JOBID")
+      return options_of_file(line);
     if (is_first && at_.file == 0) fail(1, shown(word_) + ": a keyword file begins with *KEYWORD");
     at_.is_long = word_.ends_with('+') || (at_.file_is_long && !word_.ends_with('-'));
     if (word_.ends_with('+') || word_.ends_with('-')) word_.pop_back();
     at_.section = section_of(word_);
     const bool is_read = at_.section != Section::skipped && at_.section != Section::elements;
     if (!is_read && at_.section != Section::elements) deck_.skip(word_, false);
+    if (!is_read && changes_bag(word_)) deck_.neglect(word_);
     // Such as *NODE %, other columns: what they would give is no mesh, or worse, one.
     if (is_read && at_.section != Section::end && rest < line.size())
       fail(rest + 1, shown(line.substr(rest)) + " after " + word_ + " is not read here; " + word_ +
@@ -148,6 +162,7 @@ class KeywordParser {
     if (word == "*PART" || has_one_part_) return Section::part_title;
     if (word == "*END") return Section::end;
     if (word == "*INCLUDE") return Section::include;
+    if (reference_.begins(word)) return Section::reference;
     cards_of_shell_ =
         word.starts_with(kShell) ? cards_of_options(std::string_view(word).substr(kShell.size())) : -1;
     cards_left_ = 0;
@@ -163,6 +178,7 @@ class KeywordParser {
 
   void options_of_file(std::string_view line) {
     at_.section = Section::skipped;
+    if (word_ != "*KEYWORD") return;  // names of a project or a job
     const std::string options = upper(line.substr(word_.size()));
     at_.file_is_long = options.find("LONG=Y") != std::string::npos;
     const auto at =
@@ -194,6 +210,7 @@ class KeywordParser {
   // A card that is missing would take the next shell with it.
   void card_of_option(std::string_view line) {
     --cards_left_;
+    if (line.find_first_of("123456789") != line.npos) deck_.neglect(word_);
     const DeckCard fields = card(line, kShellWidths);
     std::set<DeckMesh::Id> numbers;
     for (std::size_t i = 2; i < 5; ++i) numbers.insert(fields.whole(i).value_or(0));
@@ -234,6 +251,7 @@ class KeywordParser {
 
   DeckMesh deck_;
   DeckFiles files_;
+  KeywordReference reference_{deck_};
   Cursor at_;
   std::string word_;           // the present keyword
   std::string title_;          // of the part whose data card comes next

@@ -21,18 +21,18 @@ using Cube = std::array<std::int64_t, 3>;
 // Nodes that stay, by cubes whose side is the tolerance: neighbours are in the 27 cubes around.
 class Neighbours {
  public:
-  Neighbours(const Eigen::Matrix3Xd& nodes, double tolerance) : nodes_(nodes), tolerance_(tolerance) {}
+  Neighbours(const Mesh& mesh, double tolerance) : mesh_(mesh), tolerance_(tolerance) {}
 
   // The node to which node `n` is joined; itself if it stays, which is noted.
   int join(int n) {
-    const Eigen::Vector3d x = nodes_.col(n);
+    const Eigen::Vector3d x = mesh_.nodes.col(n);
     const Cube own = cube_of(x);
     int first = n;
     for (int k = 0; k < 27; ++k) {
       const Cube beside{own[0] + k % 3 - 1, own[1] + k / 3 % 3 - 1, own[2] + k / 9 - 1};
       const auto [begin, end] = staying_.equal_range(beside);
       for (auto it = begin; it != end; ++it)
-        if (it->second < first && (nodes_.col(it->second) - x).norm() <= tolerance_) first = it->second;
+        if (it->second < first && is_near(it->second, n)) first = it->second;
     }
     if (first == n) staying_.emplace(own, n);
     return first;
@@ -50,23 +50,31 @@ class Neighbours {
     return cube;
   }
 
-  const Eigen::Matrix3Xd& nodes_;
+  // In both shapes.
+  bool is_near(int a, int b) const {
+    const auto near = [&](const Eigen::Matrix3Xd& x) { return (x.col(a) - x.col(b)).norm() <= tolerance_; };
+    return near(mesh_.nodes) && (!mesh_.start || near(*mesh_.start));
+  }
+
+  const Mesh& mesh_;
   double tolerance_;
   std::multimap<Cube, int> staying_;
 };
 
-std::vector<int> joined(const Eigen::Matrix3Xd& nodes, double tolerance) {
+std::vector<int> joined(const Mesh& mesh, double tolerance) {
+  const Eigen::Matrix3Xd &nodes = mesh.nodes, &start = mesh.start_nodes();
   std::vector<int> of(static_cast<std::size_t>(nodes.cols()));
   if (tolerance > 0.0) {
-    Neighbours neighbours(nodes, tolerance);
+    Neighbours neighbours(mesh, tolerance);
     for (int n = 0; n < nodes.cols(); ++n) of[static_cast<std::size_t>(n)] = neighbours.join(n);
     return of;
   }
-  std::map<std::array<double, 3>, int> first;
+  std::map<std::array<double, 6>, int> first;
   for (int n = 0; n < nodes.cols(); ++n) {
     if (!nodes.col(n).allFinite()) throw std::invalid_argument("a node is not finite");
-    // -0 and 0 are one number.
-    const std::array<double, 3> x{nodes(0, n) + 0.0, nodes(1, n) + 0.0, nodes(2, n) + 0.0};
+    std::array<double, 6> x;
+    for (std::size_t c = 0; c < 6; ++c)  // -0 and 0 are one number
+      x[c] = (c < 3 ? nodes : start)(static_cast<Eigen::Index>(c % 3), n) + 0.0;
     of[static_cast<std::size_t>(n)] = first.try_emplace(x, n).first->second;
   }
   return of;
@@ -79,9 +87,11 @@ void keep_nodes(Mesh& mesh, const std::vector<bool>& stays, const std::vector<in
   for (std::size_t n = 0; n < stays.size(); ++n)
     if (stays[n]) {
       mesh.nodes.col(count) = mesh.nodes.col(static_cast<Eigen::Index>(n));
+      if (mesh.start) mesh.start->col(count) = mesh.start->col(static_cast<Eigen::Index>(n));
       place[n] = count++;
     }
   mesh.nodes.conservativeResize(3, count);
+  if (mesh.start) mesh.start->conservativeResize(3, count);
   for (int& corner : mesh.elements.reshaped())
     corner = place[static_cast<std::size_t>(of[static_cast<std::size_t>(corner)])];
 }
@@ -111,7 +121,7 @@ MergeReport merge_nodes(Mesh& mesh, double tolerance) {
   if (!(std::isfinite(tolerance) && tolerance >= 0.0))
     throw std::invalid_argument("tolerance = " + std::to_string(tolerance) + ", allowed: finite and >= 0");
   require_nodes("merge_nodes", mesh.elements, mesh.nodes.cols());
-  const std::vector<int> of = joined(mesh.nodes, tolerance);
+  const std::vector<int> of = joined(mesh, tolerance);
   std::vector<bool> stays(of.size());
   for (std::size_t n = 0; n < of.size(); ++n) stays[n] = of[n] == static_cast<int>(n);
   MergeReport report;

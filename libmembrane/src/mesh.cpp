@@ -61,6 +61,11 @@ void require_panels(std::string_view where, const Mesh& mesh) {
              "one of the " + std::to_string(mesh.panel_names.size()) + " panels");
 }
 
+void scale(Mesh& mesh, double factor) {
+  mesh.nodes *= factor;
+  if (mesh.start) *mesh.start *= factor;
+}
+
 int panel_index(const Mesh& mesh, std::string_view name) {
   const auto found = std::find(mesh.panel_names.begin(), mesh.panel_names.end(), name);
   if (found != mesh.panel_names.end()) return static_cast<int>(found - mesh.panel_names.begin());

@@ -40,6 +40,7 @@ Mesh renumbered(const Mesh& mesh, const std::vector<int>& order) {
   for (std::size_t i = 0; i < order.size(); ++i) {
     place[static_cast<std::size_t>(order[i])] = static_cast<int>(i);
     result.nodes.col(static_cast<Eigen::Index>(i)) = mesh.nodes.col(order[i]);
+    if (mesh.start) result.start->col(static_cast<Eigen::Index>(i)) = mesh.start->col(order[i]);
   }
   for (int& node : result.elements.reshaped()) node = place[static_cast<std::size_t>(node)];
   return result;

@@ -23,10 +23,12 @@ Mesh only_panels(const Mesh& mesh, const std::vector<std::string>& names) {
     for (const int node : mesh.elements.col(e)) number[static_cast<std::size_t>(node)] = 0;
   }
   MeshBuilder builder;
+  std::vector<int> nodes;
   for (std::size_t n = 0; n < number.size(); ++n) {
     if (number[n] < 0) continue;
     number[n] = builder.node_count();
-    builder.add_node(mesh.nodes.col(static_cast<Eigen::Index>(n)));
+    nodes.push_back(static_cast<int>(n));
+    builder.add_node(mesh.nodes.col(nodes.back()));
   }
   for (const int e : kept) {
     std::vector<int> corners;
@@ -36,9 +38,11 @@ Mesh only_panels(const Mesh& mesh, const std::vector<std::string>& names) {
   }
   Mesh part = std::move(builder).finish();
   if (mesh.line.empty()) part.line.clear();
+  if (mesh.start) part.start = (*mesh.start)(Eigen::all, nodes);
   part.split_quads = mesh.split_quads;
   part.other_elements = mesh.other_elements;
   part.skipped = mesh.skipped;
+  part.neglected = mesh.neglected;
   part.included = mesh.included;
   return part;
 }

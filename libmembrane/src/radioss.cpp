@@ -8,6 +8,7 @@
 
 #include "deck_card.hpp"
 #include "deck_files.hpp"
+#include "radioss_reference.hpp"
 
 namespace membrane {
 namespace {
@@ -20,12 +21,18 @@ constexpr std::string_view kOtherElements[] = {"BEAM",   "BRIC20", "BRICK",  "PE
                                                "SHEL16", "SPHCEL", "SPRING", "TETRA10", "TETRA4",
                                                "TRIA",   "TRUSS",  "XELEM"};
 
+// Blocks that move the nodes or stress the shells at the start. They are not read.
+constexpr std::string_view kChanges[] = {"INISHE", "INISH3", "INIVEL", "INISTA", "MERGE"};
+
 class RadiossParser {
  public:
   explicit RadiossParser(const IncludedFile& included) : files_(included) {}
 
   Mesh parse(std::string_view text, const std::string& name) {
+    // A deck for both programs begins with the part of the engine.
+    if (const auto engine = text.find("/END/ENGINE"); engine < text.find("/BEGIN")) block_ = Block::engine;
     read_file(text, name);
+    reference_.finish();
     const auto fail = [&](const char* what) { throw MeshFileError(name, 0, 0, what); };
     if (block_ == Block::start) fail("the file is empty; a Radioss starter deck begins with /BEGIN");
     if (block_ != Block::end) fail("the file does not end with /END: it is truncated");
@@ -34,7 +41,7 @@ class RadiossParser {
   }
 
  private:
-  enum class Block { start, skipped, elements, node, shell, triangle, part_title, end };
+  enum class Block { engine, start, skipped, elements, node, shell, triangle, part_title, reference, end };
 
   Place place(std::size_t column) const { return {file_, line_, column}; }
 
@@ -50,10 +57,15 @@ class RadiossParser {
 
   void read(std::string_view line) {
     constexpr std::string_view include = "#include ";
+    if (block_ == Block::engine) {
+      if (line.starts_with("/END/ENGINE")) block_ = Block::start;
+      return;
+    }
     if (line.starts_with(include)) return included(line.substr(include.size()));
     if (line.starts_with('#') || line.starts_with('$')) return;
     if (line.starts_with('/')) return block(line);
     if (block_ == Block::part_title) return title(line);  // may be blank
+    if (block_ == Block::reference) return reference_.read(line, file_, line_);
     if (line.find_first_not_of(" \t") == std::string_view::npos) return;
     if (block_ == Block::start)
       deck_.fail(place(1), shown(line) + ": a Radioss starter deck begins with /BEGIN");
@@ -72,24 +84,29 @@ class RadiossParser {
       deck_.fail(place(1), shown(line) + " is not read here: it would move nodes or numbers");
     if (word == "NODE" && line.substr(slash).find_first_not_of("/ \t") != std::string_view::npos)
       deck_.fail(place(1), shown(line) + ": nodes in units of their own are not read here");
+    if (word == "XREF" && std::ranges::count(line, '/') > 2)
+      deck_.fail(place(1), shown(line) + ": nodes in units of their own are not read here");
+    const bool is_reference = reference_.begins(line, [&] { return part_number(line, slash + 1); });
     const bool is_element = std::ranges::find(kOtherElements, word) != std::end(kOtherElements);
     block_ = word == "NODE"    ? Block::node
              : word == "SHELL" ? Block::shell
              : word == "SH3N"  ? Block::triangle
              : word == "PART"  ? Block::part_title
              : word == "END"   ? Block::end
+             : is_reference    ? Block::reference
              : is_element      ? Block::elements
                                : Block::skipped;
     if (block_ == Block::shell || block_ == Block::triangle || block_ == Block::part_title)
       part_ = part_number(line, slash + 1);
     if (block_ == Block::skipped && word != "BEGIN") deck_.skip(word_, false);
+    if (std::ranges::find(kChanges, word) != std::end(kChanges)) deck_.neglect(word_);
   }
 
-  // What stands between a block's second slash and its next, if there is one.
+  // The first word from `begin` on, up to a slash.
   DeckMesh::Id part_number(std::string_view line, std::size_t begin) const {
-    const std::string_view rest = line.substr(std::min(begin, line.size()));
-    const std::array widths{std::min(rest.find_first_of("/ \t"), rest.size())};
-    const std::string text = std::string(std::min(begin, line.size()), ' ').append(rest.substr(0, widths[0]));
+    begin = std::min(line.find_first_not_of("/ \t", begin), line.size());
+    const std::size_t end = std::min(line.find_first_of("/ \t", begin), line.size());
+    const std::string text = std::string(begin, ' ').append(line.substr(begin, end - begin));
     return DeckCard(deck_, file_, line_, text, std::array{text.size()}).id(0, "the part's number");
   }
 
@@ -110,8 +127,9 @@ class RadiossParser {
     deck_.add_shell(card.id(0, "the element's number"), part_, std::move(corners), card.place(0));
     // Behind the corners: an angle and a thickness of this shell alone.
     constexpr std::size_t corners_end = 50;
-    if (line.substr(std::min(corners_end, line.size())).find_first_of("123456789") != line.npos)
-      deck_.skip("angles and thicknesses in " + word_, false);
+    if (line.substr(std::min(corners_end, line.size())).find_first_of("123456789") == line.npos) return;
+    deck_.skip("angles and thicknesses in " + word_, false);
+    deck_.neglect("angles and thicknesses in " + word_);
   }
 
   void included(std::string_view name) {
@@ -126,6 +144,7 @@ class RadiossParser {
 
   DeckMesh deck_;
   DeckFiles files_;
+  RadiossReference reference_{deck_, files_};
   int file_ = 0;
   std::size_t line_ = 0;
   Block block_ = Block::start;

@@ -35,15 +35,14 @@ void turn(Mesh& mesh, int element) {
 
 /// True if the volume between the elements of a part and its centre is below 0, by more than rounding.
 bool is_inward(const Mesh& mesh, const std::vector<int>& part) {
+  const Eigen::Matrix3Xd& nodes = mesh.start_nodes();
   Eigen::Vector3d centre = Eigen::Vector3d::Zero();
   for (const int e : part)
-    for (const int node : mesh.elements.col(e)) centre += mesh.nodes.col(node);
+    for (const int node : mesh.elements.col(e)) centre += nodes.col(node);
   centre /= 3.0 * static_cast<double>(part.size());
   double volume = 0.0, area = 0.0;
   for (const int e : part) {
-    const auto corner = [&](int i) -> Eigen::Vector3d {
-      return mesh.nodes.col(mesh.elements(i, e)) - centre;
-    };
+    const auto corner = [&](int i) -> Eigen::Vector3d { return nodes.col(mesh.elements(i, e)) - centre; };
     volume += corner(0).dot(corner(1).cross(corner(2))) / 6.0;
     area += 0.5 * (corner(1) - corner(0)).cross(corner(2) - corner(0)).norm();
   }

@@ -3,6 +3,7 @@
 
 #include <charconv>
 #include <numbers>
+#include <utility>
 
 #include "commands/commands.hpp"
 #include "driver/case_reader.hpp"
@@ -139,7 +140,8 @@ void finish(BagMesh bag, const MeshArguments& arguments, const std::vector<std::
 void print_reading(BagMesh& bag, const MeshArguments& arguments) {
   membrane::Mesh& mesh = bag.mesh;
   for (const auto& [what, list] :
-       {std::pair("elements that are no shells", &mesh.other_elements), std::pair("not read", &mesh.skipped)})
+       {std::pair("elements that are no shells", &mesh.other_elements), std::pair("not read", &mesh.skipped),
+        std::pair("not read, and changes the bag", &mesh.neglected)})
     if (!list->empty()) fmt::print("{}: {}\n", what, fmt::join(*list, ", "));
   if (mesh.split_quads > 0) fmt::print("quads split in two: {}\n", mesh.split_quads);
   drop_collapsed(bag, arguments.file);
@@ -216,9 +218,12 @@ int mesh_convert(const MeshArguments& arguments) {
   return reported([&] {
     BagMesh bag{read_any_mesh(arguments.file), std::nullopt, {}};
     if (!arguments.panels.empty()) bag.mesh = membrane::only_panels(bag.mesh, arguments.panels);
-    bag.mesh.nodes *= arguments.length_unit;
+    membrane::scale(bag.mesh, arguments.length_unit);
     print_reading(bag, arguments);
     if (arguments.outward) fmt::print("elements turned: {}\n", membrane::turn_outward(bag.mesh));
+    bag.initial = std::exchange(bag.mesh.start, std::nullopt);
+    if (bag.initial && arguments.initial.empty() && !arguments.out.empty())
+      fmt::print("--out has the stress-free shape of the deck, --initial writes the one at the start\n");
     require_areas(bag.mesh, arguments.file);
     if (!arguments.report) require_control_volume(bag, arguments);
     finish(std::move(bag), arguments, arguments.null_panels);

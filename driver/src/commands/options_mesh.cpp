@@ -45,6 +45,10 @@ void add_mesh(CLI::App& app, MeshArguments& arguments) {
   convert->add_flag("--outward", arguments.outward, "turn elements so that the surface is wound outward");
   convert->add_flag("--report", arguments.report, "report only: an open or inside-out surface is no error");
   convert->add_option("--out", arguments.out, "file to write; without it the report only")->check(named);
+  convert
+      ->add_option("--initial", arguments.initial,
+                   "shape at the start to write, of a deck that has a stress-free one too")
+      ->check(named);
   convert->add_option("--length-unit", arguments.length_unit, "length unit of FILE [m]")->check(positive);
   convert->add_option("--null-panel", arguments.null_panels, "panel that closes a hole; may be repeated")
       ->allow_extra_args(false)

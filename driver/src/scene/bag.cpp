@@ -7,7 +7,7 @@
 
 #include "membrane/icosphere.hpp"
 #include "membrane/surface_check.hpp"
-#include "mesh_files/mesh_reader.hpp"
+#include "scene/bag_file.hpp"
 #include "scene/bag_mesh.hpp"
 #include "scene/bag_supports.hpp"
 #include "scene/parts.hpp"
@@ -25,64 +25,6 @@ BagMesh generate_with(TableReader& table) {
   return generate(options);
 }
 
-membrane::Mesh read_mesh_file(const TableReader& table, const char* key, const std::filesystem::path& file,
-                              double unit) {
-  try {
-    membrane::Mesh mesh = read_any_mesh(file);
-    for (const auto& included : mesh.included)
-      table.beside_case(std::filesystem::absolute(included).string());
-    if (!mesh.other_elements.empty())
-      table.fail(key,
-                 fmt::format("{} has elements that are no shells: {}; `gasjet mesh convert {} --panel NAME "
-                             "--out BAG.k` takes the bag alone",
-                             file.string(), fmt::join(mesh.other_elements, ", "), file.string()));
-    mesh.nodes *= unit;
-    return mesh;
-  } catch (const membrane::MeshFileError& error) {
-    if (error.line() == 0) table.fail(key, error.what());  // the file as a whole
-    throw CaseError(error.what());
-  }
-}
-
-// Of a surface that need not enclose a volume: an open edge is none of its faults.
-enum class Closed { needed, free };
-membrane::SurfaceReport faults_of(const BagMesh& source, Closed closed) {
-  auto report = membrane::check_closed_surface(source.shape(), source.mesh.elements);
-  if (closed == Closed::free) report.boundary_edges.clear();
-  return report;
-}
-
-// What `gasjet mesh convert` can do about it.
-std::string remedy(const membrane::SurfaceReport& report, Closed closed) {
-  std::vector<std::string> remedies;
-  if (closed == Closed::needed && !report.boundary_edges.empty())
-    remedies.emplace_back("--merge DISTANCE joins nodes that nearly meet");
-  if ((report.inward && !report.flat) || !report.inconsistent_edges.empty())
-    remedies.emplace_back("--outward turns elements");
-  if (!report.unused_nodes.empty()) remedies.emplace_back("it leaves out nodes that no element uses");
-  return remedies.empty() ? "" : fmt::format("(gasjet mesh convert: {})\n", fmt::join(remedies, "; "));
-}
-
-BagMesh mesh_of_files(TableReader& table, Closed closed) {
-  const double unit = table.at("length_unit").number(positive.in("m"), 1.0);
-  const auto file = table.beside_case(table.at("file").text());
-  BagMesh source{read_mesh_file(table, "file", file, unit), std::nullopt, {}};
-  if (table.has("initial_file"))
-    table.located("initial_file", [&] {
-      const auto initial = table.beside_case(table.at("initial_file").text());
-      set_initial(source, read_mesh_file(table, "initial_file", initial, unit));
-    });
-  drop_collapsed(source, file);
-  require_areas(source.mesh, file);
-  const std::string left_out = source.collapsed > 0 ? collapsed_text(source) + "; " : "";
-  if (const auto report = faults_of(source, closed); !report.ok())
-    throw CaseError(fmt::format("{}: mesh: is not a {}: {}{}{}",
-                                place_of_element(source.mesh, file, report.first_element()),
-                                closed == Closed::free ? "sheet" : "closed control volume", left_out,
-                                report.describe(source.mesh.line), remedy(report, closed)));
-  return source;
-}
-
 BagMesh generated_mesh(TableReader& table) {
   enum class Generator { driver, passenger, icosphere };
   const auto generator = table.at("generator")
@@ -97,10 +39,11 @@ BagMesh generated_mesh(TableReader& table) {
       {}};
 }
 
-BagMesh read_mesh(TableReader table, const std::vector<std::string>& null_panels, Closed closed) {
+BagMesh read_mesh(TableReader table, const std::vector<std::string>& null_panels, Closed closed,
+                  Scene& scene) {
   BagMesh source;
   table.located("", [&] {
-    source = table.has("file") ? mesh_of_files(table, closed) : generated_mesh(table);
+    source = table.has("file") ? mesh_of_files(table, closed, scene) : generated_mesh(table);
     const int times = table.at("refine").integer(0, 6, 0);
     table.located("refine", [&] { check_refinement(source.mesh.element_count(), times); });
     if (closed == Closed::needed) membrane::require_closed_surface(source.shape(), source.mesh.elements);
@@ -213,7 +156,8 @@ void read_bag(TableReader& root, Scene& scene) {
     root.fail("gas", "is missing: a bag ([membrane]) is filled by a gas, or a sheet has an overpressure");
   const auto overpressure = read_overpressure(*table, scene);
   const auto null_panels = table->at("null_panels").texts();
-  BagMesh source = read_mesh(table->table("mesh"), null_panels, overpressure ? Closed::free : Closed::needed);
+  BagMesh source =
+      read_mesh(table->table("mesh"), null_panels, overpressure ? Closed::free : Closed::needed, scene);
   warn_of_size(source.mesh, table->has_in_table("mesh", "file"), scene);
   if (source.collapsed > 0) scene.warnings.push_back("membrane.mesh: " + collapsed_text(source));
   membrane::BagDescription bag;

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <set>
 #include <stdexcept>
+#include <utility>
 
 #include "driver/case_reader.hpp"
 #include "membrane/merge.hpp"
@@ -160,21 +161,60 @@ void order_nodes(BagMesh& bag) {
   bag.mesh = membrane::renumbered(bag.mesh, order);
 }
 
-void set_initial(BagMesh& bag, const membrane::Mesh& shape) {
-  if (shape.nodes.cols() != bag.mesh.nodes.cols() || shape.elements.cols() != bag.mesh.elements.cols() ||
-      shape.elements != bag.mesh.elements)
-    throw std::invalid_argument(
-        "the initial shape needs the nodes and elements of the design shape in the same order");
+namespace {
+
+/// Sides of two elements, each as it is run; those that both have, once each way, are left out.
+std::set<std::pair<int, int>> run_sides(const Eigen::Matrix3Xi& elements, Eigen::Index first) {
+  std::set<std::pair<int, int>> sides;
+  for (Eigen::Index e = first; e < first + 2; ++e)
+    for (Eigen::Index i = 0; i < 3; ++i) {
+      const int a = elements(i, e), b = elements((i + 1) % 3, e);
+      if (sides.erase({b, a}) == 0) sides.emplace(a, b);
+    }
+  return sides;
+}
+
+/// The first element that both meshes do not have. A quad of a file is two elements, one after the other,
+/// along either diagonal.
+std::optional<Eigen::Index> first_other(const membrane::Mesh& a, const membrane::Mesh& b) {
+  const bool quads = a.split_quads > 0 || b.split_quads > 0;
+  for (Eigen::Index e = 0; e < a.elements.cols(); ++e) {
+    if (a.elements.col(e) == b.elements.col(e)) continue;
+    if (!quads || e + 1 == a.elements.cols() || run_sides(a.elements, e) != run_sides(b.elements, e)) return e;
+    ++e;
+  }
+  return {};
+}
+
+}  // namespace
+
+void require_same_elements(const membrane::Mesh& design, const membrane::Mesh& shape) {
+  constexpr const char* needed =
+      "the initial shape needs the nodes and elements of the design shape in the same order: ";
+  if (shape.node_count() != design.node_count() || shape.element_count() != design.element_count())
+    throw std::invalid_argument(fmt::format("{}it has {} nodes and {} elements, the design shape {} and {}",
+                                            needed, shape.node_count(), shape.element_count(),
+                                            design.node_count(), design.element_count()));
+  const auto other = first_other(design, shape);
+  if (!other) return;
+  const Eigen::Vector3i a = shape.elements.col(*other).array() + 1,
+                        b = design.elements.col(*other).array() + 1;
+  throw std::invalid_argument(
+      fmt::format("{}element {} has the nodes {}, {}, {}, in the design shape {}, {}, {}", needed, *other + 1,
+                  a[0], a[1], a[2], b[0], b[1], b[2]));
+}
+
+void set_initial(BagMesh& bag, const Eigen::Matrix3Xd& nodes) {
   constexpr double most = 100.0;  // a folded skin keeps its area, nearly
   const double design = membrane::element_areas(bag.mesh.nodes, bag.mesh.elements).sum(),
-               initial = membrane::element_areas(shape.nodes, shape.elements).sum();
+               initial = membrane::element_areas(nodes, bag.mesh.elements).sum();
   if (!std::isfinite(initial)) throw std::invalid_argument("the initial shape has no finite area");
   if (!(initial * most >= design && initial <= design * most))
     throw std::invalid_argument(fmt::format(
         "the initial shape has {:.3g} m2 of skin, the design shape {:.3g} m2: length_unit is that "
         "of both files; gasjet mesh state writes metres",
         initial, design));
-  bag.initial = shape.nodes;
+  bag.initial = nodes;
 }
 
 }  // namespace driver

@@ -65,8 +65,11 @@ void refine(BagMesh& bag, int times, const std::vector<std::string>& null_panels
 /// Numbers the nodes of a large bag by membrane::node_order, those of both shapes and the anchors.
 void order_nodes(BagMesh& bag);
 
-/// Takes the nodes of `shape` as initial shape. Throws std::invalid_argument unless it has the same elements,
-/// and areas of the same order.
-void set_initial(BagMesh& bag, const membrane::Mesh& shape);
+/// Throws std::invalid_argument unless `shape` has the elements of `design`. Quads of files may be split
+/// along the other diagonal: the bag has the elements of the design shape.
+void require_same_elements(const membrane::Mesh& design, const membrane::Mesh& shape);
+/// Takes the nodes as initial shape. Throws std::invalid_argument unless both shapes have areas of the same
+/// order.
+void set_initial(BagMesh& bag, const Eigen::Matrix3Xd& nodes);
 
 }  // namespace driver

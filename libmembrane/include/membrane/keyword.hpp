@@ -10,7 +10,7 @@
 namespace membrane {
 
 /// Reads keyword text; lengths are taken as they stand. `name` is the file's name in messages. The text
-/// begins with *KEYWORD (long format by LONG=Y) and ends with *END; without *END it counts as truncated.
+/// begins with *KEYWORD (long format by LONG=Y), *KEYWORD_ID or *KEYWORD_JOBID, and ends with *END; without *END it counts as truncated.
 /// Lines that begin with `$` are comments.
 ///
 /// Cards are comma separated or in columns:
@@ -19,13 +19,20 @@ namespace membrane {
 ///   skipped; it must be there;
 /// - *INCLUDE: the name of a file, which `included` reads; ` +` at a line's end continues the name in the
 ///   next; the file's *END ends that file alone;
+/// - *AIRBAG_REFERENCE_GEOMETRY, also with _ID, _BIRTH and _RDT: with _ID a card of scales and the node that
+///   they are about (10 each), with _BIRTH one of a time, then cards as of *NODE. The places are those of the
+///   stress-free shape, Mesh::nodes; Mesh::start then has those of *NODE;
+/// - *AIRBAG_SHELL_REFERENCE_GEOMETRY: id, part, n1 to n4 (8 each), nodes at which the shell's corners are in
+///   the stress-free shape;
 /// - *PART: a title line, then the id (10); also with _INERTIA, _CONTACT, _REPOSITION, _PRINT or _COMPOSITE.
 ///
 /// All fields have 20 columns in the long format or after *NODE+. A shell whose n4 is blank, 0 or n3 is a
 /// triangle; a quad is split along its shorter diagonal. Panels are the parts in the order of their first
 /// element. A panel has the part's title as its name (blanks and # become _, a repeated title gets _id), or
 /// "part_id". Nodes that no shell uses are left out; other keywords are skipped
-/// and listed (Mesh::other_elements, Mesh::skipped).
+/// and listed (Mesh::other_elements, Mesh::skipped). Mesh::neglected has those that change the bag:
+/// *PART_MOVE, stress, strain and velocity at the start, thicknesses and angles of single shells, and a
+/// stress-free shape in which a node has two places.
 ///
 /// Throws MeshFileError, with line and column, for
 /// - files that cannot be included, *INCLUDE_TRANSFORM, other columns and forms of *NODE, text after a

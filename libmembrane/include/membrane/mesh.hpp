@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -12,7 +13,9 @@ namespace membrane {
 
 /// Triangulated surface. Elements are wound counter-clockwise seen from outside (outward orientation).
 struct Mesh {
-  Eigen::Matrix3Xd nodes;                // [m] 3 x N, node positions
+  Eigen::Matrix3Xd nodes;  // [m] 3 x N, node positions
+  /// [m] 3 x N, of a deck whose stress-free shape, then in `nodes`, is not where its nodes are.
+  std::optional<Eigen::Matrix3Xd> start;
   Eigen::Matrix3Xi elements;             // 3 x M, node indices from 0
   std::vector<int> panel;                // M, index into panel_names
   std::vector<std::string> panel_names;  // one name per panel, unique
@@ -23,12 +26,19 @@ struct Mesh {
   std::vector<std::string> other_elements;
   std::vector<std::filesystem::path> included;  // of a deck: the other files that it was read from
   std::vector<std::string> skipped;  // all else that is not read: keywords of a deck, arrays of VTK
+  /// Of a deck: what changes the bag's shapes, its fabric or its stress at the start and is not read.
+  std::vector<std::string> neglected;
 
   /// N
   int node_count() const { return static_cast<int>(nodes.cols()); }
   /// M
   int element_count() const { return static_cast<int>(elements.cols()); }
+  /// Where the nodes are at the start.
+  const Eigen::Matrix3Xd& start_nodes() const { return start ? *start : nodes; }
 };
+
+/// Multiplies all lengths.
+void scale(Mesh& mesh, double factor);
 
 /// Index of the panel `name`. Throws std::invalid_argument, listing the panels, if there is none.
 int panel_index(const Mesh& mesh, std::string_view name);

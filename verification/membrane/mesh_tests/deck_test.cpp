@@ -152,6 +152,55 @@ TEST(Deck, angle_and_thickness_of_a_radioss_shell_are_listed) {
   EXPECT_EQ(skipped("                 0.0                 0.0"), 0);
 }
 
+TEST(Deck, for_both_programs_has_the_engine_first) {
+  const std::string engine = "#RADIOSS\n/RUN/bag/1\n  0.05\n/TFILE\n 1e-4\n/END/ENGINE\n#\n";
+  const Mesh one = membrane::parse_radioss(kRadioss, "t");
+  for (const auto& text : {engine + kRadioss, kRadioss + "/RUN/bag/1\n0.05\n/END/ENGINE\n"}) {
+    const Mesh mesh = membrane::parse_radioss(text, "t");
+    meshes::expect_same_bits(mesh, one);
+    EXPECT_EQ(mesh.skipped, one.skipped);
+  }
+  expect_refused(engine, {}, "the file is empty; a Radioss starter deck begins with /BEGIN");
+  expect_refused("/RUN/bag/1\n" + kRadioss, {}, "top:1:1: \"/RUN/bag/1\": a Radioss starter deck begins");
+}
+
+TEST(Deck, numbers_of_parts_may_have_blanks_before_them) {
+  const Mesh one = membrane::parse_radioss(kRadioss, "t");
+  for (const char* blanks : {"/   ", " / ", "/\t"}) {
+    std::string text = kRadioss;
+    for (const char* block : {"/PART", "/SH3N", "/SHELL"})
+      for (std::size_t at = 0; (at = text.find(std::string(block) + "/", at)) != text.npos;)
+        text.replace(at += std::string(block).size(), 1, blanks);
+    meshes::expect_same_bits(membrane::parse_radioss(text, "t"), one);
+  }
+}
+
+TEST(Deck, exponents_may_be_fortrans) {
+  for (const auto& [text, value] : std::map<std::string, double>{{"1.5D2", 150.0},
+                                                                 {"1.5+2", 150.0},
+                                                                 {"-1.5-3", -1.5e-3},
+                                                                 {"+.5d-1", 0.05},
+                                                                 {"1.234-101", 1.234e-101},
+                                                                 {"1.+0", 1.0}}) {
+    const Mesh keyword = membrane::parse_keyword(
+        "*KEYWORD\n*NODE\n1,0,0," + text + "\n2,1,0,0\n3,0,1,0\n*ELEMENT_SHELL\n1,1,1,2,3\n*END\n", "t");
+    EXPECT_EQ(keyword.nodes(2, 0), value) << text;
+    const Mesh radioss = membrane::parse_radioss(
+        "/BEGIN\n/NODE\n1,0,0," + text + "\n2,1,0,0\n3,0,1,0\n/SH3N/1\n1,1,2,3\n/END\n", "t");
+    EXPECT_EQ(radioss.nodes(2, 0), value) << text;
+  }
+  for (const char* text : {"5-3", "1.5-", "1.5--2", "1.5e3-2", ".-3", "1.5-3.0", "1.2.3-4", "D"})
+    expect_refused("*KEYWORD\n*NODE\n1," + std::string(text) + ",0,0\n*END\n", {},
+                   "\"" + std::string(text) + "\" is not a number");
+}
+
+TEST(Deck, first_line_may_name_a_project) {
+  for (const char* head : {"*KEYWORD_ID\n", "*KEYWORD_ID bag 12 LONG\n", "*keyword_jobid run_5\n",
+                           "*KEYWORD MEMORY=100M\n", "*KEYWORD_ID\nbag\n*KEYWORD LONG=Y\n"})
+    EXPECT_EQ(membrane::parse_keyword(head + kDeck.substr(9), "t").element_count(), 2) << head;
+  expect_refused("*KEYWORDS\n*END\n", {}, "a keyword file begins with *KEYWORD");
+}
+
 TEST(Deck, faults_of_radioss_are_told_at_their_place) {
   expect_refused("/NODE\n", {}, "top:1:1: \"/NODE\": a Radioss starter deck begins with /BEGIN");
   expect_refused("/BEGIN\n", {}, "top: the file does not end with /END");
