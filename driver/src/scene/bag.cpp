@@ -9,6 +9,7 @@
 #include "membrane/surface_check.hpp"
 #include "scene/bag_file.hpp"
 #include "scene/bag_mesh.hpp"
+#include "scene/bag_start.hpp"
 #include "scene/bag_supports.hpp"
 #include "scene/parts.hpp"
 
@@ -120,14 +121,6 @@ void warn_of_slivers(const membrane::Mesh& mesh, Scene& scene) {
                     quality.min_altitude, quality.mean_altitude));
 }
 
-// A plate with its normal to the wrong side would throw the whole bag across.
-void require_before_plates(const TableReader& table, const BagPart& bag) {
-  const Eigen::Vector3d middle = bag.initial_position.rowwise().mean();
-  for (const membrane::Plate& plate : bag.model.description.plates)
-    if (plate.normal.dot(middle - plate.point) < 0.0)
-      table.fail("plate", "has the bag behind it; a normal that points to the bag's side is allowed");
-}
-
 std::optional<gas::Curve> read_overpressure(TableReader& table, const Scene& scene) {
   if (scene.gas && table.has("overpressure"))
     table.fail("overpressure", "is for sheets without gas: that of [gas] has its own pressure");
@@ -181,9 +174,10 @@ void read_bag(TableReader& root, Scene& scene) {
   table->located("", [&] {
     scene.bag.emplace(BagPart{std::move(source.mesh), membrane::make_model(bag), std::move(position), law,
                               std::move(null_elements), overpressure});
-    perturb(scene.bag->initial_position, scene.bag->model, amplitude, seed);
   });
   require_before_plates(*table, *scene.bag);
+  if (!table->has("flatten")) warn_of_strained_start(scene);
+  perturb(scene.bag->initial_position, scene.bag->model, amplitude, seed);
   table->finish();
 }
 

@@ -180,7 +180,8 @@ std::optional<Eigen::Index> first_other(const membrane::Mesh& a, const membrane:
   const bool quads = a.split_quads > 0 || b.split_quads > 0;
   for (Eigen::Index e = 0; e < a.elements.cols(); ++e) {
     if (a.elements.col(e) == b.elements.col(e)) continue;
-    if (!quads || e + 1 == a.elements.cols() || run_sides(a.elements, e) != run_sides(b.elements, e)) return e;
+    if (!quads || e + 1 == a.elements.cols() || run_sides(a.elements, e) != run_sides(b.elements, e))
+      return e;
     ++e;
   }
   return {};
