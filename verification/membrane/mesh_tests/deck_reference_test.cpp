@@ -11,6 +11,7 @@
 #include "membrane/node_order.hpp"
 #include "membrane/radioss.hpp"
 
+namespace deck_reference {
 namespace {
 
 using Eigen::Vector3d;
@@ -57,7 +58,7 @@ TEST(DeckReference, of_a_keyword_file_is_the_design_shape) {
         "*AIRBAG_REFERENCE_GEOMETRY_BIRTH\n0.\n2,2,0,0\n3,0,2,0\n4,0,0,2\n",
         "*AIRBAG_REFERENCE_GEOMETRY_BIRTH_ID\n\n\n2,2,0,0\n3,0,2,0\n4,0,0,2\n",
         "*AIRBAG_REFERENCE_GEOMETRY\n       2             2.0             0.0             0.0\n"
-        "       3                           2.0                \n"
+        "       3                             2.0                \n"
         "       4             0.0             0.0           2.0+0\n",
         "*AIRBAG_REFERENCE_GEOMETRY+\n                   2                 2.0                 0.0           "
         "  "
@@ -71,15 +72,14 @@ TEST(DeckReference, of_a_keyword_file_is_the_design_shape) {
 }
 
 TEST(DeckReference, of_a_radioss_deck_is_the_design_shape) {
-  const Files files{
-      {"runRS0", "# of all nodes\n1,0,0,0\n2,2,0,0\n3,0,2,0\n4,0,0,2\n"},
-      {"ref.sta",
-       "         2                  2.                  0.                  0.\n         3        "
-       "                              2.                \n4,0,0,2\n"},
-      {"short",
-       "       2              2.              0.              0.\n"
-       "       3              0.              2.              0.\n"
-       "       4              0.              0.              2.\n"}};
+  const Files files{{"runRS0", "# of all nodes\n1,0,0,0\n2,2,0,0\n3,0,2,0\n4,0,0,2\n"},
+                    {"ref.sta",
+                     "         2                  2.                  0.                  0.\n         3     "
+                     "                                 2.                    \n4,0,0,2\n"},
+                    {"short",
+                     "       2              2.              0.              0.\n"
+                     "       3              0.              2.              0.\n"
+                     "       4              0.              0.              2.\n"}};
   for (const std::string lists :
        {"/XREF/1\nbag\n       100\n2,2,0,0\n3,0,2,0\n4,0,0,2\n/XREF/2\n\n\n2,2,0,0\n3,0,2,0\n4,0,0,2\n",
         "/XREF/   1\nbag\n       100\n1,0,0,0\n2,2,0,0\n3,0,2,0\n4,0,0,2\n",  // of part 2 all by part 1
@@ -205,3 +205,4 @@ TEST(DeckReference, faults_are_told_at_their_place) {
 }
 
 }  // namespace
+}  // namespace deck_reference
