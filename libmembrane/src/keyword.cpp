@@ -103,9 +103,8 @@ class KeywordParser {
     bool file_is_long = false, is_long = false;  // by default, and after the present keyword
   };
 
-  Place place(std::size_t column) const { return {at_.file, at_.line, column}; }
   [[noreturn]] void fail(std::size_t column, const std::string& what) const {
-    deck_.fail(place(column), what);
+    deck_.fail({at_.file, at_.line, column}, what);
   }
   DeckCard card(std::string_view line, const std::array<Widths, 2>& widths) const {
     return {deck_, at_.file, at_.line, line, widths[at_.is_long]};
@@ -241,11 +240,12 @@ class KeywordParser {
       return;
     }
     const std::string whole = std::exchange(file_name_, {});
-    files_.include(deck_, place(1), whole, [&](const std::string& text, const std::string& name) {
-      const Cursor here = at_;
-      read_file(text, name);
-      at_ = here;
-    });
+    files_.include(deck_, {at_.file, at_.line, 1}, whole,
+                   [&](const std::string& text, const std::string& name) {
+                     const Cursor here = at_;
+                     read_file(text, name);
+                     at_ = here;
+                   });
     at_.section = Section::more_includes;
   }
 

@@ -10,8 +10,8 @@
 namespace membrane {
 
 /// Reads keyword text; lengths are taken as they stand. `name` is the file's name in messages. The text
-/// begins with *KEYWORD (long format by LONG=Y), *KEYWORD_ID or *KEYWORD_JOBID, and ends with *END; without *END it counts as truncated.
-/// Lines that begin with `$` are comments.
+/// begins with *KEYWORD (long format by LONG=Y), *KEYWORD_ID or *KEYWORD_JOBID, and ends with *END; without
+/// *END it counts as truncated. Lines that begin with `$` are comments.
 ///
 /// Cards are comma separated or in columns:
 /// - *NODE: id (8), x, y, z (16 each);
