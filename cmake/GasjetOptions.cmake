@@ -24,6 +24,8 @@ endif()
 
 add_library(gasjet_options INTERFACE)
 target_compile_features(gasjet_options INTERFACE cxx_std_20)
+# Headers alone, for sources: what is installed does not need them.
+target_include_directories(gasjet_options INTERFACE ${CMAKE_CURRENT_LIST_DIR}/../elementary/include)
 # Bitwise reproducibility: no contraction, no -ffast-math. The two -fno flags change no value.
 target_compile_options(gasjet_options INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow -Wconversion

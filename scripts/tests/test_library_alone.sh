@@ -35,7 +35,7 @@ copy_sources() {
   rm -rf "$scratch/source" "$scratch/prefix" "$scratch/consumer"
   mkdir -p "$scratch/source/$(dirname "$library")" "$scratch/consumer"
   cp -a "$root/$library" "$scratch/source/$library"
-  cp -a "$root/cmake" "$scratch/source"
+  cp -a "$root/cmake" "$root/elementary" "$scratch/source"
 }
 
 # Without optimisation: whether it stands alone does not depend on it.

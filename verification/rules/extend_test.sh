@@ -13,7 +13,7 @@ if [[ -z $scratch ]]; then
 fi
 rm -rf "$scratch/source"
 mkdir -p "$scratch/source"
-cp -a "$root"/{cmake,libgas,libcoupling} "$scratch/source"
+cp -a "$root"/{cmake,elementary,libgas,libcoupling} "$scratch/source"
 
 echo 'Kr,83.798,200.0,6000.0,2.5,0.0,0.0,0.0,0.0,-745.375,5.49095651,test' >>"$scratch/source/libgas/data/nasa7.csv"
 

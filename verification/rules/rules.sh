@@ -76,9 +76,9 @@ rule_include_rule() {
     file=${line%%:*} header=${line#*:*:} place=${line%:"${line#*:*:}"}
     folder=${file%/@(include|src)/*}
     case $folder in
-      libgas) check_include "$place" "$file" "$header" "$folder" boost gsl ;;
-      libjet) check_include "$place" "$file" "$header" "$folder" Eigen CGAL experimental ;;
-      libmembrane | libcoupling) check_include "$place" "$file" "$header" "$folder" Eigen experimental ;;
+      libgas) check_include "$place" "$file" "$header" "$folder" elementary boost gsl ;;
+      libjet) check_include "$place" "$file" "$header" "$folder" elementary Eigen CGAL experimental ;;
+      libmembrane | libcoupling) check_include "$place" "$file" "$header" "$folder" elementary Eigen experimental ;;
       verification/closed_form) check_include "$place" "$file" "$header" "$folder" gsl ;;
     esac
     [[ $header != '<CGAL/'* || $file == @(libjet/src/*.cpp|driver/src/mesh_files/soup.cpp|verification/*|benchmarks/*) ]] ||
