@@ -18,7 +18,7 @@ struct FrictionFactors {
 FrictionFactors friction_factors(double coefficient) {
   if (!(coefficient > 0.0)) return {};
   // Sticking is as stiff as pressing, at right angles to it; sliding follows the depth, mu times the force.
-  const double skewed = std::hypot(1.0, coefficient);
+  const double skewed = std::sqrt(1.0 + coefficient * coefficient);
   // Friction acts at the sphere's surface, at most twice as far from a pivot as the centre (r <= L_i).
   return {skewed, 4.0 * skewed};
 }

@@ -3,6 +3,7 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
+#include <elementary/trigonometric.hpp>
 
 #include "check.hpp"
 #include "coupling/error.hpp"
@@ -55,11 +56,11 @@ PendulumModel::PendulumModel(const PendulumParameters& parameters)
 }
 
 Eigen::Vector3d PendulumModel::radial_direction(double angle) const {
-  return std::cos(angle) * parameters_.rest_direction + std::sin(angle) * side_direction_;
+  return elementary::cos(angle) * parameters_.rest_direction + elementary::sin(angle) * side_direction_;
 }
 
 Eigen::Vector3d PendulumModel::tangential_direction(double angle) const {
-  return std::cos(angle) * side_direction_ - std::sin(angle) * parameters_.rest_direction;
+  return elementary::cos(angle) * side_direction_ - elementary::sin(angle) * parameters_.rest_direction;
 }
 
 Eigen::Vector3d PendulumModel::cg_position(double angle) const {
@@ -84,9 +85,9 @@ double PendulumModel::moment(const Eigen::Vector3d& force, const Eigen::Vector3d
 
 double PendulumModel::potential_energy(double angle) const {
   // cos(a) - 1 as -2 sin^2(a/2): small angles keep their digits.
-  const double half_sine = std::sin(0.5 * angle);
+  const double half_sine = elementary::sin(0.5 * angle);
   const Eigen::Vector3d lift =
-      std::sin(angle) * side_direction_ - 2.0 * half_sine * half_sine * parameters_.rest_direction;
+      elementary::sin(angle) * side_direction_ - 2.0 * half_sine * half_sine * parameters_.rest_direction;
   return -parameters_.mass * parameters_.cg_distance * parameters_.gravity.dot(lift);
 }
 
@@ -124,7 +125,7 @@ double PendulumModel::angular_velocity_at_level(const PendulumState& state, doub
 CgAcceleration PendulumModel::cg_acceleration(double moment, double angular_velocity) const {
   const double tangential = moment / axis_inertia_ * parameters_.cg_distance;
   const double radial = angular_velocity * angular_velocity * parameters_.cg_distance;
-  return {tangential, radial, std::hypot(tangential, radial)};
+  return {tangential, radial, std::sqrt(tangential * tangential + radial * radial)};
 }
 
 Eigen::Vector3d PendulumModel::joint_reaction(double angle, double angular_velocity, double moment,

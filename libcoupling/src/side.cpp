@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <elementary/trigonometric.hpp>
 #include <limits>
 #include <numbers>
 #include <string>
@@ -30,7 +31,7 @@ double half_solid_angle(const Eigen::Matrix3d& u) {
   const double volume = u.col(0).dot(u.col(1).cross(u.col(2)));
   const double cosine =
       a * b * c + u.col(0).dot(u.col(1)) * c + u.col(1).dot(u.col(2)) * a + u.col(2).dot(u.col(0)) * b;
-  return std::atan2(volume, cosine);
+  return elementary::atan2(volume, cosine);
 }
 
 // Squared distance of the origin from the segment a + t (b - a).

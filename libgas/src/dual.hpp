@@ -4,6 +4,7 @@
 #include <cmath>
 #include <compare>
 #include <cstddef>
+#include <elementary/exponential.hpp>
 
 namespace gas {
 
@@ -44,13 +45,16 @@ struct Dual {
     return {root, 0.5 / root, a};
   }
   friend Dual exp(const Dual& a) {
-    const double power = std::exp(a.value);
+    const double power = elementary::exp(a.value);
     return {power, power, a};
   }
-  friend Dual expm1(const Dual& a) { return {std::expm1(a.value), std::exp(a.value), a}; }
-  friend Dual log1p(const Dual& a) { return {std::log1p(a.value), 1.0 / (1.0 + a.value), a}; }
+  friend Dual expm1(const Dual& a) {
+    const double growth = elementary::expm1(a.value);
+    return {growth, 1.0 + growth, a};
+  }
+  friend Dual log1p(const Dual& a) { return {elementary::log1p(a.value), 1.0 / (1.0 + a.value), a}; }
 };
 
-using std::exp, std::expm1, std::log1p, std::sqrt;
+using elementary::exp, elementary::expm1, elementary::log1p, std::sqrt;
 
 }  // namespace gas

@@ -36,9 +36,10 @@ S inviscid_hole_flux(const Upstream<S>& gas, const S& cp) {
     const S throat = exp(S(0.5 * (gamma + 1.0) / (gamma - 1.0) * log_sonic_temperature(gamma)));
     if (outside <= throat * sqrt(2.0 / (gamma + 1.0)) * p) return p * sqrt(gamma / rt) * throat;
   }
-  const S log_ratio = log1p(S(-gas.overpressure / p));  // of p_a/p
-  const S powers = -exp(2.0 / gamma * log_ratio) * expm1(S((gamma - 1.0) / gamma * log_ratio));
-  return p / rt * sqrt(2.0 * cp * gas.temperature * powers);
+  const S log_ratio = log1p(S(-gas.overpressure / p));            // of p_a/p
+  const S cooling = expm1(S((gamma - 1.0) / gamma * log_ratio));  // T/T0 - 1
+  const S density_ratio = outside / p / (1.0 + cooling);          // r^(1/gamma)
+  return p / rt * density_ratio * sqrt(-2.0 * cp * gas.temperature * cooling);
 }
 
 /// Mass flux [kg/(s m2)] through porous fabric, (G.7).

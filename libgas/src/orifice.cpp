@@ -6,7 +6,7 @@
 namespace gas {
 
 double critical_pressure_ratio(double gamma) {
-  return std::exp(gamma / (gamma - 1.0) * log_sonic_temperature(gamma));
+  return elementary::exp(gamma / (gamma - 1.0) * log_sonic_temperature(gamma));
 }
 
 double orifice_mass_flow(double effective_area, double pressure, double temperature, double gas_constant,

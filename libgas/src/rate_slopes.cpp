@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <elementary/exponential.hpp>
 
 #include "gas/orifice.hpp"
 #include "limits.hpp"
@@ -48,7 +49,7 @@ double balanced_overpressure(const Balance& balance) {
   double overpressure = root * root;
   // (G.22): root = p^2/(p^2 + d^2)^(3/4), by iterations that leave at most 3/4 of the error.
   for (int i = 0; i < 8 && overpressure < 10.0 * laminar; ++i)
-    overpressure = std::sqrt(root) * std::pow(overpressure * overpressure + laminar * laminar, 0.375);
+    overpressure = std::sqrt(root) * elementary::pow(overpressure * overpressure + laminar * laminar, 0.375);
   return sign * overpressure;
 }
 

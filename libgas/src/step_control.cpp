@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <elementary/exponential.hpp>
 
 #include "limits.hpp"
 #include "rate_slopes.hpp"
@@ -19,8 +20,8 @@ constexpr double kFirstStep = 5.0;
 
 StepControl::StepControl(const IntegratorOptions& options)
     : options_(options),
-      first_share_(kFirstStep * std::pow(options.relative_tolerance,
-                                         options.method == Method::rosenbrock_4 ? 0.25 : 0.2)) {}
+      first_share_(kFirstStep * elementary::pow(options.relative_tolerance,
+                                                options.method == Method::rosenbrock_4 ? 0.25 : 0.2)) {}
 
 double StepControl::scaled_error(const System& system, const Vector& error, Vector& scratch) const {
   if (is_fixed()) return 0.0;
@@ -44,7 +45,7 @@ double StepControl::scaled_error(const System& system, const Vector& error, Vect
 double StepControl::factor(double error, double error_power) const {
   if (is_fixed()) return 1.0;
   if (error == 0.0) return kLargestFactor;
-  return std::clamp(kSafety * std::pow(error, -1.0 / error_power), kSmallestFactor, kLargestFactor);
+  return std::clamp(kSafety * elementary::pow(error, -1.0 / error_power), kSmallestFactor, kLargestFactor);
 }
 
 double StepControl::first_step(const Balance& balance) const {

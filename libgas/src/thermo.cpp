@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <elementary/exponential.hpp>
 #include <limits>
 #include <stdexcept>
 #include <string>
@@ -66,7 +67,7 @@ double Thermo::standard_entropy(std::size_t k, double temperature) const {
   const Nasa7& a = temperature <= kJointTemperature ? s.low : s.high;
   const double t = temperature;
   return gas_constants_[k] *
-         (a[6] + a[0] * std::log(t) + t * (a[1] + t * (a[2] / 2 + t * (a[3] / 3 + t * (a[4] / 4)))));
+         (a[6] + a[0] * elementary::log(t) + t * (a[1] + t * (a[2] / 2 + t * (a[3] / 3 + t * (a[4] / 4)))));
 }
 
 void Thermo::mixture(std::span<const double> masses, Mixture& out) const {
@@ -144,7 +145,7 @@ double Thermo::entropy(std::span<const double> masses, double temperature, doubl
     const double amount = masses[k] * gas_constants_[k];  // [J/K]
     const double partial_pressure = amount / sums.gas_constant_sum * pressure;
     sum += masses[k] * standard_entropy(k, temperature) -
-           amount * std::log(partial_pressure / kStandardPressure);
+           amount * elementary::log(partial_pressure / kStandardPressure);
   }
   return sum / sums.mass;
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
+#include <elementary/exponential.hpp>
 
 #include "gas/orifice.hpp"
 #include "limits.hpp"
@@ -49,7 +50,7 @@ Watch::Watch(const Boundary& boundary, double tolerance) : boundary_(boundary) {
   const ControlVolumeModel& model = boundary.model();
   const double p_a = model.ambient.pressure;
   ambient_near_ = std::max(kLaminarNear * model.laminar_share, kAmbientNear) * p_a;
-  sonic_near_ = kSonicShare * std::cbrt(tolerance) * p_a;
+  sonic_near_ = kSonicShare * elementary::pow(tolerance, 1.0 / 3.0) * p_a;
   const auto add = [&](double level, double near) {
     levels_.push_back({level, near * (p_a + std::max(0.0, level))});
   };

@@ -2,6 +2,7 @@
 #include "membrane/driver_bag.hpp"
 
 #include <cmath>
+#include <elementary/trigonometric.hpp>
 #include <numbers>
 #include <vector>
 
@@ -115,7 +116,7 @@ class DriverBagBuilder {
     for (int ring = 0; ring <= o_.rings; ++ring)
       for (int along = 0; along < (ring == 0 ? 1 : 6 * ring); ++along) {
         const double angle = ring == 0 ? 0.0 : std::numbers::pi * along / (3 * ring);
-        const Eigen::Vector3d direction(0.0, -std::sin(angle), std::cos(angle));
+        const Eigen::Vector3d direction(0.0, -elementary::sin(angle), elementary::cos(angle));
         const double radius = ring_radius(ring), on_cone = std::max(radius - o_.inflator_radius, 0.0);
         const Eigen::Vector3d flat = radius * direction;
         Eigen::Vector3d bent = (radius - on_cone + on_cone * std::sqrt(1.0 - slope * slope)) * direction;

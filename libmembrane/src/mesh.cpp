@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <elementary/trigonometric.hpp>
 #include <limits>
 #include <stdexcept>
 #include <string>
@@ -30,15 +31,13 @@ struct ElementShape {
 
 ElementShape element_shape(const std::array<Eigen::Vector3d, 3>& x) {
   const double twice_area = (x[1] - x[0]).cross(x[2] - x[0]).norm();
-  ElementShape shape{0.0, std::numeric_limits<double>::infinity(), 0.0, 0.5 * twice_area};
-  for (std::size_t i = 0; i < 3; ++i) {
-    const Eigen::Vector3d a = x[(i + 1) % 3] - x[i];
-    const Eigen::Vector3d b = x[(i + 2) % 3] - x[i];
-    shape.longest = std::max(shape.longest, a.norm());
-    shape.angle = std::min(shape.angle, std::atan2(a.cross(b).norm(), a.dot(b)));
-  }
-  shape.altitude = twice_area / shape.longest;
-  return shape;
+  const auto side = [&](std::size_t i) { return (x[(i + 2) % 3] - x[(i + 1) % 3]).norm(); };
+  const std::array<double, 3> sides{side(0), side(1), side(2)};
+  const double longest = std::ranges::max(sides);
+  // The smallest angle is opposite to the shortest side.
+  const auto sharp = static_cast<std::size_t>(std::ranges::min_element(sides) - sides.begin());
+  const double cosine = (x[(sharp + 1) % 3] - x[sharp]).dot(x[(sharp + 2) % 3] - x[sharp]);
+  return {twice_area / longest, elementary::atan2(twice_area, cosine), longest, 0.5 * twice_area};
 }
 
 }  // namespace

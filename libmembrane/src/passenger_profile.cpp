@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <elementary/trigonometric.hpp>
 #include <numbers>
 
 namespace membrane {
@@ -22,11 +23,12 @@ Vec2 upper_profile(const PassengerBagOptions& o, double t) {
   const double quarter = 0.5 * std::numbers::pi;
   if (t <= half - rb) return {0.0, t};
   t -= half - rb;
-  if (t <= quarter * rb) return {rb - rb * std::cos(t / rb), half - rb + rb * std::sin(t / rb)};
+  if (t <= quarter * rb) return {rb - rb * elementary::cos(t / rb), half - rb + rb * elementary::sin(t / rb)};
   t -= quarter * rb;
   if (t <= o.depth - rb - rf) return {rb + t, half};
   t -= o.depth - rb - rf;
-  if (t <= quarter * rf) return {o.depth - rf + rf * std::sin(t / rf), half - rf + rf * std::cos(t / rf)};
+  if (t <= quarter * rf)
+    return {o.depth - rf + rf * elementary::sin(t / rf), half - rf + rf * elementary::cos(t / rf)};
   t -= quarter * rf;
   return {o.depth, half - rf - t};
 }

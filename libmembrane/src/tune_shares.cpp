@@ -3,7 +3,7 @@
 // of the elements around it.
 #include "tune_shares.hpp"
 
-#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <span>
@@ -23,6 +23,19 @@ Eigen::Matrix<double, 3, 2> strain_operator(const Eigen::Vector2d& g) {
   return b;
 }
 
+// Of a symmetric matrix. Newton's iteration falls from a bound to the largest root of t^3 - c t - d, which
+// the matrix less its mean eigenvalue has.
+double greatest_eigenvalue(Eigen::Matrix3d a) {
+  const double mean = a.trace() / 3.0;
+  a.diagonal().array() -= mean;
+  const double c = 0.5 * a.squaredNorm(), d = a.determinant();
+  for (double t = 2.0 * std::sqrt(c / 3.0);;) {
+    const double next = t - (t * (t * t - c) - d) / (3.0 * t * t - c);
+    if (!(next < t)) return mean + t;
+    t = next;
+  }
+}
+
 // Greatest eigenvalue of h A L^T B M^-1 B^T L.
 double material_frequency(const ElementStiffness& e, const Eigen::Vector3d& mass) {
   Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
@@ -30,14 +43,14 @@ double material_frequency(const ElementStiffness& e, const Eigen::Vector3d& mass
     const Eigen::Matrix<double, 3, 2> b = e.factor.transpose() * strain_operator(e.gradient.col(a));
     sum += b * b.transpose() / mass[a];
   }
-  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
-  return e.volume * solver.computeDirect(sum, Eigen::EigenvaluesOnly).eigenvalues()[2];
+  return e.volume * greatest_eigenvalue(sum);
 }
 
 // omega^2 per principal stress: larger eigenvalue of a 2 x 2 matrix.
 double geometric_frequency(const ElementStiffness& e, const Eigen::Vector3d& mass) {
   const Eigen::Matrix2d g = e.gradient * mass.cwiseInverse().asDiagonal() * e.gradient.transpose();
-  return e.volume * (0.5 * (g(0, 0) + g(1, 1)) + std::hypot(0.5 * (g(0, 0) - g(1, 1)), g(0, 1)));
+  const double half = 0.5 * (g(0, 0) - g(1, 1));
+  return e.volume * (0.5 * (g(0, 0) + g(1, 1)) + std::sqrt(half * half + g(0, 1) * g(0, 1)));
 }
 
 std::span<const std::int32_t> around(const BagModel& m, int node) {

@@ -42,4 +42,25 @@ std::optional<double> fraction_of(std::string_view text) {
   return value;
 }
 
+namespace {
+
+// Nearest three digits, and one of the last digit.
+std::pair<double, double> three_digits(double value) {
+  const std::string text = fmt::format("{:.2e}", value);
+  const int exponent = std::stoi(text.substr(text.find('e') + 1));
+  return {std::stod(text), std::stod(fmt::format("1e{}", exponent - 2))};
+}
+
+}  // namespace
+
+double three_digits_below(double value) {
+  const auto [nearest, unit] = three_digits(value);
+  return nearest <= value ? nearest : nearest - unit;
+}
+
+double three_digits_above(double value) {
+  const auto [nearest, unit] = three_digits(value);
+  return nearest >= value ? nearest : nearest + unit;
+}
+
 }  // namespace driver

@@ -14,4 +14,9 @@ std::optional<double> file_number_of(std::string_view text);
 /// As number_of, of a fraction, "0.02" or "2%".
 std::optional<double> fraction_of(std::string_view text);
 
+/// A positive value to three digits, not above or not below it: limits that may be typed as they are printed.
+double three_digits_below(double value);
+/// See three_digits_below.
+double three_digits_above(double value);
+
 }  // namespace driver

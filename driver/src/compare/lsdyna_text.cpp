@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <elementary/hypot.hpp>
 #include <limits>
 #include <set>
 #include <span>
@@ -93,7 +94,8 @@ class Rows {
                                              table_.names.begin());
     std::vector<double> sizes;
     for (std::size_t i = 0; i < table_.rows(); ++i)
-      sizes.push_back(std::hypot(table_.values[at][i], table_.values[at + 1][i], table_.values[at + 2][i]));
+      sizes.push_back(elementary::hypot(elementary::hypot(table_.values[at][i], table_.values[at + 1][i]),
+                                        table_.values[at + 2][i]));
     table_.names.push_back(name);
     table_.values.push_back(std::move(sizes));
     table_.positions.push_back(table_.positions[at]);

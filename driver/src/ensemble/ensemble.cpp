@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <any>
 #include <cmath>
+#include <elementary/hypot.hpp>
 #include <sstream>
 
 #include "compare/students_t.hpp"
@@ -222,7 +223,7 @@ std::vector<Effect> effects(const EnsembleResult& with, const EnsembleResult& wi
     if (other == without.quantities.end()) continue;
     Effect effect{name, statistics(values), statistics(other->second)};
     effect.difference = effect.with.mean - effect.without.mean;
-    const double error = std::hypot(effect.with.standard_error, effect.without.standard_error);
+    const double error = elementary::hypot(effect.with.standard_error, effect.without.standard_error);
     if (effect.difference != 0.0) effect.standard_errors = std::abs(effect.difference) / error;
     effect.needed = needed_standard_errors(effect.with, effect.without);
     list.push_back(effect);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <elementary/trigonometric.hpp>
 #include <numbers>
 
 #include "export/cards.hpp"
@@ -104,7 +105,8 @@ void note_jets(const Scene& scene, Deck& deck) {
 CosineMisfit cosine_misfit() {
   // int (c - c^2)^2 dc / int c^4 dc over c from 0 to 1: (1/3 - 2/4 + 1/5) / (1/5)
   return {std::sqrt((1.0 / 3.0 - 0.5 + 0.2) / 0.2),
-          {1.0 / std::cos(30.0 * degrees), 1.0 / std::cos(45.0 * degrees), 1.0 / std::cos(60.0 * degrees)}};
+          {1.0 / elementary::cos(30.0 * degrees), 1.0 / elementary::cos(45.0 * degrees),
+           1.0 / elementary::cos(60.0 * degrees)}};
 }
 
 double run_end(const Scene& scene) {

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <elementary/exponential.hpp>
 
 #include "membrane/law_table.hpp"
 
@@ -42,7 +43,7 @@ DeckCurve green_lagrange(const DeckCurve& nominal, double share) {
     const double slope = (high - low) / (to - from), stretch = 1.0 + from;
     // On the piece P = a + b lambda, so d2S/dE2 = 3 a/lambda^5; a chord is off by an eighth of it times the
     // square of its length.
-    const double curvature = 3.0 * std::abs(low - slope * stretch) / std::pow(stretch, 5);
+    const double curvature = 3.0 * std::abs(low - slope * stretch) / elementary::pow(stretch, 5);
     const double length = green_lagrange_strain(to) - green_lagrange_strain(from);
     const double count = std::max(1.0, std::ceil(length * std::sqrt(curvature / (8.0 * allowed))));
     for (double i = 1.0; i <= count; ++i) {

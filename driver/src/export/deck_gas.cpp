@@ -6,6 +6,7 @@
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
+#include <elementary/exponential.hpp>
 #include <span>
 
 #include "driver/step.hpp"
@@ -89,7 +90,7 @@ double enthalpy_between(const DeckGas& mixture, DeckFormat format, double from, 
   double sum = 0.0;
   for (std::size_t j = cp.size(); j-- > 0;) {
     const auto power = static_cast<double>(j + 1);
-    sum += cp[j] / power * (std::pow(to, power) - std::pow(from, power));
+    sum += cp[j] / power * (elementary::pow(to, power) - elementary::pow(from, power));
   }
   return sum;
 }

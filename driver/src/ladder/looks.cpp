@@ -2,6 +2,7 @@
 // Where a ladder of a chaotic scene spends more runs.
 #include <algorithm>
 #include <cmath>
+#include <elementary/hypot.hpp>
 
 #include "ladder/parts.hpp"
 
@@ -36,7 +37,7 @@ int ladder_looks(const LadderOptions &options) {
 std::vector<std::size_t> open_rungs(const LadderResult &result, double tolerance) {
   const LadderReference &reference = result.reference;
   const double allowed = tolerance * std::abs(reference.value - result.zero);
-  const double coarse = std::hypot(result.rungs[0].value.standard_error, reference.standard_error);
+  const double coarse = elementary::hypot(result.rungs[0].value.standard_error, reference.standard_error);
   std::vector<bool> open(result.rungs.size(), false);
   bool of_reference = false;
   for (std::size_t r = 0; r < result.rungs.size(); ++r) {

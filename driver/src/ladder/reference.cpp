@@ -2,7 +2,10 @@
 // What lies beyond the finest rung, and what the others are off by.
 #include <algorithm>
 #include <cmath>
+#include <elementary/exponential.hpp>
+#include <elementary/hypot.hpp>
 #include <limits>
+#include <numbers>
 
 #include "compare/students_t.hpp"
 #include "ladder/parts.hpp"
@@ -15,7 +18,7 @@ namespace {
 constexpr double lowest_order = 0.7, highest_order = 4.6;
 
 bool is_seen(double difference, const Statistics& a, const Statistics& b) {
-  return std::abs(difference) > 2.0 * std::hypot(a.standard_error, b.standard_error);
+  return std::abs(difference) > 2.0 * elementary::hypot(a.standard_error, b.standard_error);
 }
 
 // Richardson's limit of the last three values.
@@ -25,7 +28,7 @@ std::optional<Remainder> extrapolated(const std::vector<Statistics>& values, std
   const double before = last[-1].mean - last[-2].mean, after = last->mean - last[-1].mean;
   if (!is_seen(before, last[-1], last[-2]) || !is_seen(after, *last, last[-1])) return std::nullopt;
   if (!(before / after > 0.0)) return std::nullopt;
-  const double ratio = before / after, order = std::log2(ratio);
+  const double ratio = before / after, order = elementary::log(ratio) / std::numbers::ln2;
   if (!(order >= lowest_order && order <= highest_order)) return std::nullopt;
   const double step = after / (ratio - 1.0);
   // What the limit, last + after^2 / (before - after), changes by with each of the three.
@@ -35,7 +38,7 @@ std::optional<Remainder> extrapolated(const std::vector<Statistics>& values, std
   double error = 0.0;
   for (std::size_t i = 0; i < values.size(); ++i) {
     const double by = (i + 3 < values.size() ? 0.0 : by_value[i + 3 - values.size()]) - (i == at ? 1.0 : 0.0);
-    error = std::hypot(error, by * values[i].standard_error);
+    error = elementary::hypot(error, by * values[i].standard_error);
   }
   return Remainder{last->mean + step - values[at].mean, std::abs(step), error, order};
 }
@@ -68,7 +71,7 @@ LadderReference reference_of(const LadderResult& result) {
     const Remainder rest = remainder_of(result, a, picks[a]);
     reference.value += rest.correction;
     reference.standard_error += rest.standard_error;
-    reference.uncertainty = std::hypot(reference.uncertainty, rest.uncertainty);
+    reference.uncertainty = elementary::hypot(reference.uncertainty, rest.uncertainty);
     reference.remainders.emplace_back(axis.name, rest);
   }
   return reference;
@@ -136,7 +139,7 @@ Change change_of(const LadderResult& result, const LadderRung& rung) {
   const LadderRung& full = result.rungs.front();
   if (&rung == &full) return {};
   return {rung.value.mean - full.value.mean,
-          std::hypot(rung.value.standard_error, full.value.standard_error)};
+          elementary::hypot(rung.value.standard_error, full.value.standard_error)};
 }
 
 void judge(LadderResult& result, double tolerance, double error_rate) {
@@ -149,7 +152,7 @@ void judge(LadderResult& result, double tolerance, double error_rate) {
     rung.error = rung.value.mean - reference.value;
     rung.standard_error = i == result.finest
                               ? reference.standard_error
-                              : std::hypot(rung.value.standard_error, reference.standard_error);
+                              : elementary::hypot(rung.value.standard_error, reference.standard_error);
     rung.doubt = student(rung, result, error_rate) * rung.standard_error + reference.uncertainty;
     rung.front = 0;
     rung.verdict = verdict_of(rung, result, allowed);

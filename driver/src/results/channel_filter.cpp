@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <elementary/hypot.hpp>
+#include <elementary/trigonometric.hpp>
 #include <numbers>
 #include <stdexcept>
 
@@ -18,7 +20,7 @@ struct TwoPole {
 
 TwoPole two_pole(double interval, double channel_class) {
   // The bilinear transform's frequency is prewarped: the gain at f_c is exactly 1/sqrt(2) a pass.
-  const double wa = std::tan(std::numbers::pi * channel_class * 2.0775 * interval);
+  const double wa = elementary::tan(std::numbers::pi * channel_class * 2.0775 * interval);
   const double root = std::numbers::sqrt2 * wa, square = wa * wa, all = 1.0 + root + square;
   return {square / all, 2.0 * square / all, square / all, -2.0 * (square - 1.0) / all,
           (-1.0 + root - square) / all};
@@ -79,7 +81,7 @@ std::vector<double> filtered_at_100_khz(const PlanarSignal& signal, double chann
   };
   std::vector<double> first = filtered(signal.first);
   const std::vector<double> second = filtered(signal.second);
-  for (std::size_t i = 0; i < first.size(); ++i) first[i] = std::hypot(first[i], second[i]);
+  for (std::size_t i = 0; i < first.size(); ++i) first[i] = elementary::hypot(first[i], second[i]);
   return first;
 }
 

@@ -7,6 +7,7 @@
 #include <bit>
 #include <cmath>
 #include <cstring>
+#include <elementary/exponential.hpp>
 #include <nlohmann/json.hpp>
 #include <span>
 
@@ -46,7 +47,7 @@ Json jet_json(const jet::JetModel& model, double reach) {
             {"half_width_m", round ? model.radius : 0.5 * model.short_side}};
   for (int i = 0; i <= sections; ++i) {
     const double z = reach * i / sections;
-    const double edge = model.cut_off > 0.0 ? std::sqrt(std::log(1.0 / model.cut_off)) : 1.0;
+    const double edge = model.cut_off > 0.0 ? std::sqrt(elementary::log(1.0 / model.cut_off)) : 1.0;
     json["sections_m"].push_back({z, jet::section(model, z).width * edge});
   }
   return json;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <elementary/exponential.hpp>
 #include <stdexcept>
 
 #include "driver/progress.hpp"
@@ -79,11 +80,11 @@ std::optional<gas::Curve> bag_volume(const Scene& scene, bool quiet) {
   BagAtRest bag(scene);
   std::vector<gas::Curve::Knot> knots{{0.0, bag.volume()}};
   const double factors =
-      std::ceil(std::log2(std::max(highest / first_overpressure, 1.0)) / std::log2(factor));
+      std::ceil(elementary::log(std::max(highest / first_overpressure, 1.0)) / elementary::log(factor));
   Progress progress(scene.name + ", bag at rest", factors + 1.0, quiet);
   for (double i = 0.0; i <= factors && !interrupted(); ++i) {
     // Wrinkles settle one way or another: no volume is taken for less than that at a lower pressure.
-    const double overpressure = first_overpressure * std::pow(factor, i);
+    const double overpressure = first_overpressure * elementary::pow(factor, i);
     knots.push_back({overpressure, std::max(bag.volume_at(overpressure), knots.back().value)});
     progress.update(i + 1.0);
   }

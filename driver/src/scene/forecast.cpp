@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <elementary/exponential.hpp>
 #include <numbers>
 
 #include "gas/orifice.hpp"
@@ -91,7 +92,7 @@ std::string text_of(const JetPart& part) {
 void add_jet_forces(const Scene& scene, const JetPart& part, const jet::OutletState& outlet,
                     const FullState& full, Groups& groups) {
   const jet::JetModel& model = part.field.model();
-  const double excess = full.pressure - scene.ambient.pressure, bag = std::cbrt(full.volume);
+  const double excess = full.pressure - scene.ambient.pressure, bag = elementary::pow(full.volume, 1.0 / 3.0);
   const double flux = (1.0 + model.restitution) * outlet.density * outlet.velocity * outlet.velocity;
   groups.add_size("jet_on_bag" + key_of(part), "K.35",
                   text_of(part) + "its force over that of the pressure on the bag",
@@ -112,9 +113,9 @@ void add_jet_mesh(const Scene& scene, const JetPart& part, Groups& groups) {
   if (!(distance > 0.0)) return;
   const double pieces =
       part.pieces ? std::sqrt(part.pieces->triangles().cols() / scene.bag->model.element_count) : 1.0;
-  groups.add_size("jet_mesh" + key_of(part), "K.38",
-                  text_of(part) + "(element side / its width at the impactor)^2",
-                  std::pow(mean_side(scene) / pieces / (2.0 * jet::section(model, distance).width), 2));
+  groups.add_size(
+      "jet_mesh" + key_of(part), "K.38", text_of(part) + "(element side / its width at the impactor)^2",
+      elementary::pow(mean_side(scene) / pieces / (2.0 * jet::section(model, distance).width), 2));
 }
 
 void add_jet(const Scene& scene, const JetPart& part, const Forecast& f, Groups& groups) {
@@ -128,14 +129,15 @@ void add_jet(const Scene& scene, const JetPart& part, const Forecast& f, Groups&
 }
 
 void add_bag(const Scene& scene, const FullState& full, Groups& groups) {
-  const double radius = std::cbrt(0.75 * full.volume / pi), stiffness = fabric_stiffness(scene.bag->model);
+  const double radius = elementary::pow(0.75 * full.volume / pi, 1.0 / 3.0),
+               stiffness = fabric_stiffness(scene.bag->model);
   if (full.fills)
     groups.add_size("fabric_stretch", "K.36",
                     "stiffness of the gas over that of the fabric, breathing sphere",
                     1.5 * full.gamma * full.pressure * radius / stiffness);
   if (scene.contact)
     groups.add_size("contact_mesh", "K.38", "(element side / diameter of the impactor)^2",
-                    std::pow(mean_side(scene) / (2.0 * scene.contact->parameters().sphere_radius), 2));
+                    elementary::pow(mean_side(scene) / (2.0 * scene.contact->parameters().sphere_radius), 2));
 }
 
 double first_step(const Scene& scene, const State& state) {

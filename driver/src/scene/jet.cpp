@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <elementary/trigonometric.hpp>
 #include <numbers>
 
 #include "jet/centreline.hpp"

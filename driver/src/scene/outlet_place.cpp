@@ -6,9 +6,11 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <elementary/trigonometric.hpp>
 #include <numbers>
 #include <optional>
 
+#include "case/number_text.hpp"
 #include "coupling/side.hpp"
 #include "scene/parts.hpp"
 
@@ -29,7 +31,8 @@ std::vector<Eigen::Vector3d> outlet_points(const jet::JetModel& model) {
   const Eigen::Vector3d first = model.axis.unitOrthogonal(), second = model.axis.cross(first);
   for (int i = 0; i < 8; ++i) {
     const double angle = i * std::numbers::pi / 4.0;
-    points.push_back(model.centre + model.radius * (std::cos(angle) * first + std::sin(angle) * second));
+    points.push_back(model.centre +
+                     model.radius * (elementary::cos(angle) * first + elementary::sin(angle) * second));
   }
   return points;
 }
@@ -58,7 +61,7 @@ class OutletPlace {
         if (const double way = way_to(e, point); way > 0.0) ways.push_back(way);
     std::ranges::sort(ways);
     for (const double way : ways)
-      if (const double digits = rounded_up(way); !outside(digits)) return digits;
+      if (const double digits = three_digits_above(way); !outside(digits)) return digits;
     return std::nullopt;
   }
 
@@ -72,11 +75,6 @@ class OutletPlace {
     edges << corner(1) - corner(0), corner(2) - corner(0), -axis_;
     const Eigen::Vector3d at = -edges.inverse() * corner(0);
     return at.x() >= 0.0 && at.y() >= 0.0 && at.x() + at.y() <= 1.0 ? at.z() : std::nan("");
-  }
-  // To three digits.
-  static double rounded_up(double way) {
-    const double digit = std::pow(10.0, std::floor(std::log10(way)) - 2.0);
-    return digit * std::ceil(way / digit);
   }
 
   Eigen::Vector3d axis_;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <elementary/hypot.hpp>
 
 #include "scene/bag_mesh.hpp"
 #include "scene/parts.hpp"
@@ -31,7 +32,7 @@ void warn_of_path(const coupling::PendulumParameters& p, const BagPart& bag, Sce
   const Eigen::Vector3d arm = reach.middle - p.pivot;
   const double along = arm.dot(p.axis.normalized()),
                across = std::sqrt(std::max(0.0, arm.squaredNorm() - along * along));
-  const double apart = std::hypot(along, across - p.impactor_distance);
+  const double apart = elementary::hypot(along, across - p.impactor_distance);
   if (apart > reach.radius + p.impactor_radius)
     scene.warnings.push_back(
         fmt::format("pendulum.pivot = [{:g}, {:g}, {:g}] m and impactor_distance = {:g} m let the impactor "

@@ -2,7 +2,10 @@
 #include "scene/supply.hpp"
 
 #include <algorithm>
+#include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
+#include <cstdint>
+#include <elementary/exponential.hpp>
 #include <numbers>
 
 #include "gas/orifice.hpp"
@@ -79,13 +82,11 @@ class FullOpenings {
 
   // Pressure [Pa] up to `high` at which they let out `flow` [kg/s]; `high` if they do not.
   double balance(double flow, double high) const {
-    double low = model_.ambient.pressure;
-    if (!(outflow(high) > flow)) return high;
-    for (int i = 0; i < 60; ++i) {
-      const double middle = 0.5 * (low + high);
-      (outflow(middle) > flow ? high : low) = middle;
-    }
-    return high;
+    const auto excess = [&](double pressure) { return outflow(pressure) - flow; };
+    if (!(excess(high) > 0.0)) return high;
+    const boost::math::tools::eps_tolerance<double> close(48);
+    std::uintmax_t iterations = 100;
+    return boost::math::tools::toms748_solve(excess, model_.ambient.pressure, high, close, iterations).second;
   }
 
  private:
@@ -126,7 +127,8 @@ double relaxations(const Scene& scene, const FullOpenings& openings, const FullS
 double sewn_volume(const membrane::Mesh& mesh) {
   constexpr double kBalloon =
       1.2185242;  // volume over radius^3 of the discs: Paulsen, the Mylar balloon, 1994
-  const double discs = kBalloon * std::pow(membrane::panel_areas(mesh).sum() / (2.0 * std::numbers::pi), 1.5);
+  const double discs =
+      kBalloon * elementary::pow(membrane::panel_areas(mesh).sum() / (2.0 * std::numbers::pi), 1.5);
   const double sewn = membrane::enclosed_volume(mesh.nodes, mesh.elements);
   return std::max(sewn, discs - sewn);
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <elementary/trigonometric.hpp>
 #include <iterator>
 #include <limits>
 #include <numbers>
@@ -15,7 +16,7 @@ namespace driver {
 
 double TankVolume::at(double time) const {
   return table ? table->value(time)
-               : mean + amplitude * std::sin(2.0 * std::numbers::pi * frequency * time + phase);
+               : mean + amplitude * elementary::sin(2.0 * std::numbers::pi * frequency * time + phase);
 }
 
 double TankVolume::piece_end(double time) const {

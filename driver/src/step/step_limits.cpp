@@ -9,17 +9,12 @@
 #include <utility>
 #include <vector>
 
+#include "case/number_text.hpp"
 #include "membrane/time_step.hpp"
 #include "step/stages.hpp"
 
 namespace driver {
 namespace {
-
-// Three digits, rounded down: a limit that may be typed as it is printed.
-std::string limit_text(double value) {
-  const double unit = std::pow(10.0, std::floor(std::log10(value)) - 2.0);
-  return fmt::format("{:.3g}", std::floor(value / unit) * unit);
-}
 
 // What makes the bag stiff, largest first; shares below half a per cent are left out.
 std::string shares_text(const Scene& scene, const State& state) {
@@ -63,9 +58,9 @@ void refuse_step(const Scene& scene, const State& state, double given) {
   std::string cause = "the pendulum's swing";
   if (state.bag) cause = shares_text(scene, state);
   throw StepError(fmt::format(
-      "time.step = {:.3g} s is unstable: the limit is {} s ({}). Lower time.step, leave it out, or "
+      "time.step = {:.3g} s is unstable: the limit is {:.3g} s ({}). Lower time.step, leave it out, or "
       "set time.unsafe_step = true",
-      given, limit_text(state.step.critical), cause));
+      given, three_digits_below(state.step.critical), cause));
 }
 
 void refuse_short_step(const Scene& scene, const State& state) {

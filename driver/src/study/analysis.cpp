@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <elementary/exponential.hpp>
+#include <elementary/hypot.hpp>
 #include <memory>
 
 #include "driver/ensemble.hpp"
@@ -43,7 +45,7 @@ Convergence at_order(const std::vector<double>& sizes, const std::vector<double>
   const double n = static_cast<double>(sizes.size());
   double mean_power = 0.0, mean_value = 0.0, square = 0.0, mixed = 0.0;
   std::vector<double> powers;
-  for (const double size : sizes) powers.push_back(std::pow(size / sizes.front(), order));
+  for (const double size : sizes) powers.push_back(elementary::pow(size / sizes.front(), order));
   for (std::size_t i = 0; i < sizes.size(); ++i) mean_power += powers[i] / n, mean_value += values[i] / n;
   for (std::size_t i = 0; i < sizes.size(); ++i) {
     square += (powers[i] - mean_power) * (powers[i] - mean_power);
@@ -53,7 +55,7 @@ Convergence at_order(const std::vector<double>& sizes, const std::vector<double>
   fit.order = order;
   const double slope = mixed / square;
   fit.limit = mean_value - slope * mean_power;
-  fit.coefficient = slope / std::pow(sizes.front(), order);
+  fit.coefficient = slope / elementary::pow(sizes.front(), order);
   for (std::size_t i = 0; i < sizes.size(); ++i)
     fit.residual = std::max(fit.residual, std::abs(values[i] - fit.limit - slope * powers[i]));
   return fit;
@@ -63,7 +65,7 @@ double squares(const std::vector<double>& sizes, const std::vector<double>& valu
   const Convergence fit = at_order(sizes, values, order);
   double sum = 0.0;
   for (std::size_t i = 0; i < sizes.size(); ++i) {
-    const double off = values[i] - fit.limit - fit.coefficient * std::pow(sizes[i], order);
+    const double off = values[i] - fit.limit - fit.coefficient * elementary::pow(sizes[i], order);
     sum += off * off;
   }
   return sum;
@@ -127,7 +129,7 @@ std::optional<Convergence> fit_convergence(const std::vector<double>& sizes,
 bool means_differ(std::span<const Statistics> means, double rounding) {
   for (const Statistics& a : means)
     for (const Statistics& b : means)
-      if (a.mean - b.mean > std::max(rounding, 2.0 * std::hypot(a.standard_error, b.standard_error)))
+      if (a.mean - b.mean > std::max(rounding, 2.0 * elementary::hypot(a.standard_error, b.standard_error)))
         return true;
   return false;
 }

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <elementary/exponential.hpp>
 
 #include "driver/study_analysis.hpp"
 #include "results/gnuplot.hpp"
@@ -56,7 +57,8 @@ std::string blocks_of_fit(const SizeFit& one, std::size_t number) {
       rows += fmt::format("{} {}\n", one.sizes[k], error);
   const auto [low, high] = std::ranges::minmax(one.sizes);
   for (const double size : {low, high})
-    line += fmt::format("{} {}\n", size, std::abs(one.fit->coefficient) * std::pow(size, one.fit->order));
+    line +=
+        fmt::format("{} {}\n", size, std::abs(one.fit->coefficient) * elementary::pow(size, one.fit->order));
   return gnuplot_block(fmt::format("errors_{}", number), rows) +
          gnuplot_block(fmt::format("fit_{}", number), line);
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <elementary/exponential.hpp>
 
 #include "case/csv_table.hpp"
 #include "driver/study_analysis.hpp"
@@ -62,7 +63,7 @@ std::vector<StudyPoint> list(TableReader& table, const StudyPlan& plan) {
 
 double in_range(const StudyFactor& factor, double unit) {
   if (!factor.logarithmic) return factor.low + unit * (factor.high - factor.low);
-  return factor.low * std::pow(factor.high / factor.low, unit);
+  return factor.low * elementary::pow(factor.high / factor.low, unit);
 }
 
 std::vector<StudyPoint> sampled(TableReader& table, const StudyPlan& plan) {
@@ -180,13 +181,13 @@ std::optional<std::vector<std::vector<double>>> scaled_points(const StudyPlan& p
       const auto number = plan.factors[f].number_of(point[f]);
       if (!number) return std::nullopt;
       numbers.push_back(*number);
-      if (plan.factors[f].logarithmic) numbers.back() = std::log(numbers.back());
+      if (plan.factors[f].logarithmic) numbers.back() = elementary::log(numbers.back());
     }
     auto [low, high] = std::ranges::minmax(numbers);
     if (!(high > low)) return std::nullopt;
     if (const StudyFactor& factor = plan.factors[f]; factor.high > factor.low) {
-      low = factor.logarithmic ? std::log(factor.low) : factor.low;
-      high = factor.logarithmic ? std::log(factor.high) : factor.high;
+      low = factor.logarithmic ? elementary::log(factor.low) : factor.low;
+      high = factor.logarithmic ? elementary::log(factor.high) : factor.high;
     }
     for (std::size_t i = 0; i < numbers.size(); ++i)
       scaled[i].push_back(2.0 * (numbers[i] - low) / (high - low) - 1.0);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <elementary/hypot.hpp>
 #include <string>
 
 #include "require.hpp"
@@ -64,8 +65,8 @@ void check_pressures(const TankReadings& readings, Noise noise) {
     if (!(readings.tank[i] > 0.0))
       throw ReadingError("tank pressure", i, to_text(readings.tank[i]) + ": must be above 0");
   if (readings.chamber.empty()) return;
-  const double slack =
-      kChamberSlack * std::hypot(robust_noise(readings.tank, noise), robust_noise(readings.chamber, noise));
+  const double slack = kChamberSlack * elementary::hypot(robust_noise(readings.tank, noise),
+                                                         robust_noise(readings.chamber, noise));
   for (std::size_t i = 0; i < readings.times.size(); ++i) {
     const double tank = readings.tank[i];
     if (readings.chamber[i] < tank - slack * (noise == Noise::of_reading ? tank : 1.0))

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <elementary/exponential.hpp>
 
 namespace gas {
 namespace {
@@ -60,9 +61,9 @@ double Scores::minus_log_likelihood(double lambda) const {  // (G.31)
     if (roughness[k] <= smoothest) continue;
     const double lost = lambda * roughness[k] / (1.0 + lambda * roughness[k]);
     sum += amplitudes[k] * amplitudes[k] * lost;
-    logs += std::log(lost);
+    logs += elementary::log(lost);
   }
-  return 0.5 * ((count - kParabola) * std::log(sum) - logs);
+  return 0.5 * ((count - kParabola) * elementary::log(sum) - logs);
 }
 
 Lambdas Scores::likely() const {
@@ -82,7 +83,7 @@ Lambdas Scores::likely() const {
     }
   }
   double sum = 0.0;
-  for (const double l : logs) result.cumulative.push_back(sum += std::exp(least - l));
+  for (const double l : logs) result.cumulative.push_back(sum += elementary::exp(least - l));
   for (double& c : result.cumulative) c /= sum;
   return result;
 }

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <elementary/exponential.hpp>
+#include <elementary/hypot.hpp>
 #include <optional>
 
 #include "bands.hpp"
@@ -72,7 +74,7 @@ std::size_t find_end(const Splines& splines, const Pressures& p) {
   const std::size_t last = p.tank.size() - 1;
   const auto peak = static_cast<std::size_t>(std::ranges::max_element(p.tank) - p.tank.begin());
   const double fall = p.tank[peak] - p.tank[last];
-  return fall > kFalls * std::hypot(deviation(peak), deviation(last)) ? peak : last;
+  return fall > kFalls * elementary::hypot(deviation(peak), deviation(last)) ? peak : last;
 }
 
 /// From the first point that is not masked to the last, and on either side as far as K > 0.
@@ -141,7 +143,7 @@ struct HeldSpread {
 HeldSpread held_spread(const Burn& burn, std::span<const double> temperature) {
   std::vector<double> firm;
   for (std::size_t i = 0; i < temperature.size(); ++i)
-    if (burn.firm[i]) firm.push_back(std::log(temperature[i]));
+    if (burn.firm[i]) firm.push_back(elementary::log(temperature[i]));
   const auto from = [&](double end) {
     double sum = 0.0;
     for (const double t : firm) sum += (t - end) * (t - end);
@@ -160,8 +162,8 @@ Sample draw(const Splines& splines, const TankTest& test, std::span<const double
   const Pressures p = pressures(splines, tank, chamber);
   Burn moved = burn;
   const std::span<const double> numbers = normals(2);
-  moved.before = std::exp(spread.before * numbers[0]);
-  moved.after = std::exp(spread.after * numbers[1]);
+  moved.before = elementary::exp(spread.before * numbers[0]);
+  moved.after = elementary::exp(spread.after * numbers[1]);
   set_burn(p.rate, moved);
   return {invert(test, times, p, moved, &best),
           Inversion(test, times, p).enthalpy_flow(best.mean_temperature)};

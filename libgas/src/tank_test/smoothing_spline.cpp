@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <elementary/error_function.hpp>
 #include <string>
 
 #include "demmler_reinsch.hpp"
@@ -227,7 +228,7 @@ void SmoothingSpline::draw(std::span<const double> normals, double undersmoothin
           "must be the spline's");
   for (const double number : normals)
     require(std::isfinite(number), "normal number", number, "must be finite");
-  const double probability = 0.5 * std::erfc(-normals[n] / std::sqrt(2.0));
+  const double probability = 0.5 * elementary::erfc(-normals[n] / std::sqrt(2.0));
   const double lambda = posterior_->lambdas.quantile(probability) / undersmoothing;
   std::ranges::copy(posterior_->draw(lambda, normals), coefficients.begin());
 }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <elementary/exponential.hpp>
 
 #include "gas/orifice.hpp"
 #include "require.hpp"
@@ -108,8 +109,8 @@ double TankGas::stagnation_temperature(const Rate& rate, double area, double cha
     const double excess = outlet_flow(area, t, chamber, tank) * content / rate.power;
     // Outlet flow goes with T^(-1/2): d ln(excess)/d ln T.
     const double slope = std::max(kLeastSlope, inflator_.cp(t) * t / content - 0.5);
-    const double step = excess > 0.0 ? std::clamp(-std::log(excess) / slope, -1.0, 1.0) : 1.0;
-    const double next = std::clamp(t * std::exp(step), range_.low, range_.high);
+    const double step = excess > 0.0 ? std::clamp(-elementary::log(excess) / slope, -1.0, 1.0) : 1.0;
+    const double next = std::clamp(t * elementary::exp(step), range_.low, range_.high);
     if (std::abs(next - t) <= kTemperatureSettled * t) return next;
     t = next;
   }

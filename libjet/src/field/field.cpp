@@ -5,6 +5,7 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <elementary/exponential.hpp>
 #include <sstream>
 #include <stdexcept>
 #include <utility>
@@ -72,7 +73,7 @@ constexpr std::size_t kRoom = 8;  // that the kernels want behind the candidates
 // it.
 void set_cut(const JetModel& model, JetShape& shape) {
   constexpr double everywhere = 1e100;  // stands for a cut-off of 0; its square is finite
-  const double multiple = std::min(std::sqrt(-0.5 * std::log(model.cut_off)), everywhere);
+  const double multiple = std::min(std::sqrt(-0.5 * elementary::log(model.cut_off)), everywhere);
   const double core = shape.size * (shape.round ? round_core_length(model.decay_coefficient)
                                                 : plane_core_length(model.decay_coefficient));
   const double in_core = section(model, 0.0).width;
@@ -80,7 +81,7 @@ void set_cut(const JetModel& model, JetShape& shape) {
   const double slope = shape.momentum ? (section(model, 3.0 * core).width - beyond) / core : shape.cone_slope;
   shape.cut_core = multiple * in_core;
   shape.cut_slope = multiple * slope;
-  shape.cut_cosine = 1.0 / std::hypot(1.0, shape.cut_slope);
+  shape.cut_cosine = 1.0 / std::sqrt(1.0 + shape.cut_slope * shape.cut_slope);
   shape.centre_size = model.centre.cwiseAbs().maxCoeff();
   shape.cut_origin = multiple * (shape.momentum ? beyond - 2.0 * core * slope : in_core);
 }

@@ -3,6 +3,8 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
+#include <elementary/error_function.hpp>
+#include <elementary/trigonometric.hpp>
 #include <numbers>
 #include <sstream>
 #include <stdexcept>
@@ -72,6 +74,10 @@ void copy(const Eigen::Vector3d& from, double* to) {
 
 }  // namespace
 
+double profile::exp(double x) {
+  return elementary::exp(x);
+}
+
 JetModel validated(const JetModel& model) {
   check_sizes(model);
   check_options(model);
@@ -95,7 +101,7 @@ double outlet_area(const JetModel& model) {
 
 double momentum_loss(const JetModel& model) {
   if (model.shape == OutletShape::round || model.cut_off == 0.0) return model.cut_off;
-  return std::erfc(std::sqrt(-std::log(model.cut_off)));
+  return elementary::erfc(std::sqrt(-elementary::log(model.cut_off)));
 }
 
 RaySource ray_source(const JetModel& model) {
@@ -127,7 +133,7 @@ JetShape outline(const JetModel& model) {
   }
   if (!shape.momentum) {
     shape.cone_width = model.cone_initial_width;
-    shape.cone_slope = std::tan(model.cone_half_angle);
+    shape.cone_slope = elementary::tan(model.cone_half_angle);
   }
   return shape;
 }

@@ -103,11 +103,15 @@ template <class T>
   return {dot(away, vector), dot(away, away)};
 }
 
+/// For T = double, as `sqrt` of lanes is found beside them. The kernels must not compile elementary::exp: the
+/// linker keeps one of its copies for all processors.
+double exp(double x);
+
 /// V . vector / V0
 template <class T>
 [[gnu::always_inline]] inline T velocity_along(const JetShape& jet, const Speed<T>& at,
                                                const Part<T>& vector) {
-  using std::exp, std::sqrt;
+  using std::sqrt;
   const T speed = at.decay * exp(at.exponent);
   if (jet.axial) return speed * vector.along;
   return speed * vector.along / sqrt(vector.distance2);

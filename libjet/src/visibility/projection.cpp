@@ -2,6 +2,7 @@
 #include "visibility/projection.hpp"
 
 #include <cmath>
+#include <elementary/hypot.hpp>
 
 #include "checks.hpp"
 
@@ -33,7 +34,7 @@ void set_side(ProjectArrays& arrays, int bit, double slope, double bound, double
   arrays.slope[bit] = steep ? 0.0f : static_cast<float>(slope);
   arrays.bound[bit] = steep ? HUGE_VALF
                             : static_cast<float>(bound + kMargin * (1.0 + std::abs(slope)) +
-                                                 (reach > 0.0 ? reach * std::hypot(1.0, slope) : 0.0));
+                                                 (reach > 0.0 ? reach * elementary::hypot(1.0, slope) : 0.0));
 }
 
 }  // namespace
