@@ -32,6 +32,8 @@ target_compile_options(gasjet_options INTERFACE
   # For clang a local name hides one of another file's unnamed namespace that is compiled with it.
   $<$<AND:$<CXX_COMPILER_ID:Clang>,$<BOOL:${CMAKE_UNITY_BUILD}>>:-Wno-shadow>
   -ffp-contract=off -fno-math-errno -fno-trapping-math
+  # Eigen's sums have one order on every processor. The layout of its types stays that of its default.
+  -DEIGEN_DONT_VECTORIZE -DEIGEN_MAX_ALIGN_BYTES=16 -DEIGEN_MAX_STATIC_ALIGN_BYTES=16
   $<$<BOOL:${GASJET_WERROR}>:-Werror>
   $<$<BOOL:${GASJET_SANITIZE}>:-fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer>
   # What these three see AddressSanitizer stops at too, but for alignment; they take a third of the build.

@@ -101,6 +101,16 @@ TEST(SameBits, every_instruction_set_gives_the_same_bits) {
     }
 }
 
+// The libraries compile Eigen without vectors, whose users need not: its types must not move in our structs.
+TEST(SameBits, eigens_types_are_aligned_as_by_default) {
+#if defined(__SSE2__)
+  EXPECT_EQ(alignof(Eigen::Vector2d), 16u);
+  EXPECT_EQ(alignof(Eigen::Matrix2d), 16u);
+  EXPECT_EQ(alignof(Eigen::Vector4d), 16u);
+#endif
+  EXPECT_EQ(alignof(Eigen::Vector3d), alignof(double));
+}
+
 // 156,800 elements: past the size from which a block is fetched while the one before it is computed.
 TEST(SameBits, bag_too_large_for_the_cache_has_those_of_the_oracle) {
   const auto mesh = membrane::rectangle(280, 280, 1.0, 1.0, membrane::Diagonals::uniform);
