@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "case/number_text.hpp"
 
+#include <fmt/format.h>
+
 #include <charconv>
 #include <cmath>
+#include <string>
+#include <utility>
 
 #include "membrane/fortran_number.hpp"
 
