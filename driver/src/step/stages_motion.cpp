@@ -58,9 +58,9 @@ void update_bound(const Scene& scene, State& state) {
 // Step by stability, energy and deformation [s]. The bound jumps as crumpled elements come and go, and a step
 // that jumps with it heats the skin, so its share grows slowly (M.33).
 double free_step(const Scene& scene, State& state) {
-  constexpr double growth = 1.0002;
+  constexpr double steady_growth = 1.0002;
   StepSizes& step = state.step;
-  step.steady = std::min(scene.time.safety * step.critical, growth * step.steady);
+  step.steady = std::min(scene.time.safety * step.critical, steady_growth * step.steady);
   const double wanted = std::min(step.steady, scene.time.safety * step.drift_limit);
   if (!state.bag) return wanted;
   const double most = membrane::kLargestDeformation;
