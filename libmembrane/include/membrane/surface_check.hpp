@@ -38,6 +38,7 @@ struct SurfaceReport {
   /// depends on the origin.
   double volume = std::numeric_limits<double>::quiet_NaN();
 
+  /// True if `volume` was computed.
   bool has_volume() const { return std::isfinite(volume); }
 
   /// True if the surface is closed, manifold, connected, consistently and outward oriented, without unused
