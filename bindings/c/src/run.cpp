@@ -116,8 +116,8 @@ driver::RunOutcome run_scene(const driver::Scene& scene, const driver::CaseDocum
     return outcome;
   }
   driver::State state = driver::make_state(scene);
-  const auto outcome =
-      driver::run_scene(scene, state, options.watch, {}, driver::Executor(order.threads), options.stop);
+  const auto outcome = driver::run_scene(scene, state, options.watch, {.skin = true},
+                                         driver::Executor(order.threads), options.stop);
   run.summary = driver::summary_text(scene, state, outcome, lines);
   return outcome;
 }
@@ -167,6 +167,7 @@ int gasjet_run(const char* case_file, const char* case_text, const char* overrid
     driver::CaseDocument document = document_of(order, case_text);
     driver::Scene scene = driver::read_scene(document);
     driver::add_jet_warnings(scene);
+    driver::add_skin_warning(scene);
     const auto made = std::make_shared<Run>(scene);
     Callback callback(progress, user, scene.time.end, environment);
     const auto outcome = run_scene(scene, document, order, callback, *made);

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "driver/crossing.hpp"
 #include "driver/results.hpp"
 #include "driver/scene.hpp"
 #include "driver/state.hpp"
@@ -39,6 +40,7 @@ struct RunOutcome {
   bool out_of_memory = false;      // is why it failed: no fault of the scene
   std::string warning;             // of a drift of the energy that is less, but more than a thousandth
   std::vector<std::string> notes;  // at the end of a run: what never came on, was held or left behind
+  std::vector<SkinLook> looks;     // at the skin, in order
   double wall_seconds = 0.0;
   /// [s] CPU time from the first step to the last, and of each stage; the rest of it are rows and files.
   double cpu_seconds = 0.0;
@@ -48,6 +50,7 @@ struct RunOutcome {
 /// Called at each field output and at each frame, when the forces of the level stand. May be empty.
 struct LevelViews {
   std::function<void(const State&)> fields = {}, frames = {};
+  bool skin = false;  // look whether the skin passes through itself, at the levels of docs/results.md
 };
 
 /// Steps the scene to its end or to an interrupt, calling `sink` after each step. Failures of the computation

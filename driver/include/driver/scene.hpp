@@ -111,11 +111,12 @@ struct TimePart {
 struct OutputPart {
   /// [s] A row at the first step at or after each multiple; scenes of gas alone step by it.
   double history_every = 0.0;
-  bool history_exact = false;        // true: steps are shortened to end on the multiples
-  double fields_every = 0.0;         // [s] 0: no field files
-  int frames = 100;                  // intervals of frames.bin, scenes with a bag or target; 0: none
-  bool streams = false;              // history columns for each species and stream
-  std::vector<int> channel_classes;  // [Hz] rising; by which the pendulum's acceleration is filtered
+  bool history_exact = false;            // true: steps are shortened to end on the multiples
+  double fields_every = 0.0;             // [s] 0: no field files
+  int frames = 100;                      // intervals of frames.bin, scenes with a bag or target; 0: none
+  double self_intersection_every = 0.0;  // [s] looks at the skin beside the usual ones; 0: none
+  bool streams = false;                  // history columns for each species and stream
+  std::vector<int> channel_classes;      // [Hz] rising; by which the pendulum's acceleration is filtered
 };
 
 /// A whole scene.
@@ -148,6 +149,9 @@ Scene read_scene(CaseDocument& document);
 /// Adds the warnings of jets: outlets that cannot blow into the bag, rays that start outside it. It looks
 /// along many rays, which takes longer than reading the scene.
 void add_jet_warnings(Scene& scene);
+
+/// Adds a warning if elements of the bag cross each other at the start.
+void add_skin_warning(Scene& scene);
 
 /// Displaces each free node of the bag's initial shape by up to `amplitude` [m] along each axis, as
 /// `membrane.perturbation` and `perturbation_seed` do. Throws std::invalid_argument without a bag.

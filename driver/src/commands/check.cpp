@@ -151,6 +151,7 @@ int check(const CaseArguments& arguments, const std::string& format) {
     return exit_done;
   }
   add_jet_warnings(scene);
+  add_skin_warning(scene);
   const State state = state_at_start(scene);
   const Forecast groups = forecast(scene, state);
   if (format == "json") {

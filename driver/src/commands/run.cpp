@@ -12,6 +12,7 @@ namespace driver::commands {
 
 void tell_warnings(Scene& scene) {
   add_jet_warnings(scene);
+  add_skin_warning(scene);
   for (const auto& warning : scene.warnings) tell("warning: " + warning);
 }
 

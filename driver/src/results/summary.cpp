@@ -115,6 +115,27 @@ Json streams(const Scene& scene, const State& state) {
   return json;
 }
 
+/// Looks at the skin, and the largest of each number.
+Json self_intersection(const Scene& scene, const std::vector<SkinLook>& looks) {
+  Json list = Json::array(), largest{{"pairs", 0}, {"elements", 0}};
+  const auto add = [&](Json& json, const char* key, auto value) {
+    json[key] = value;
+    if (largest.value(key, decltype(value){}) <= value) largest[key] = value;
+  };
+  for (const auto& [time, volume, crossing] : looks) {
+    Json& json = list.emplace_back(Json{{"time_s", time}});
+    add(json, "pairs", crossing.pairs);
+    add(json, "elements", crossing.elements);
+    if (!scene.gas) continue;
+    json["volume_m3"] = volume;
+    add(json, "counted_twice_m3", crossing.volumes.counted_twice.value);
+    json["counted_twice_standard_error_m3"] = crossing.volumes.counted_twice.standard_error;
+    add(json, "inside_out_m3", crossing.volumes.inside_out.value);
+    json["inside_out_standard_error_m3"] = crossing.volumes.inside_out.standard_error;
+  }
+  return {{"looks", list}, {"largest", largest}};
+}
+
 Json counters(const Scene& scene, const State& state) {
   Json json = Json::object();
   if (scene.has_volume()) json["gas_substeps"] = state.flows.gas_substeps;
@@ -182,6 +203,7 @@ std::string summary_text(const Scene& scene, const State& state, const RunOutcom
   json["peak"] = peaks(scene, state);
   if (scene.has_volume()) json["moments"] = moments(state);
   if (scene.has_volume()) json["streams"] = streams(scene, state);
+  if (!outcome.looks.empty()) json["self_intersection"] = self_intersection(scene, outcome.looks);
   json["counters"] = counters(scene, state);
   return text_of(std::move(json), lines);
 }

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "driver/channel_filter.hpp"
+#include "driver/crossing.hpp"
 #include "driver/formats.hpp"
 #include "driver/progress.hpp"
 #include "scene/jet_peak.hpp"
@@ -141,6 +142,10 @@ void read_output(TableReader& root, Scene& scene) {
                       "s"};
   scene.output.fields_every = table.at("fields_every").optional_number(frames).value_or(0.0);
   if (scene.output.fields_every > 0.0 && !scene.bag) table.fail("fields_every", "the scene has no membrane");
+  scene.output.self_intersection_every =
+      table.at("self_intersection_every").optional_number(frames).value_or(0.0);
+  if (scene.output.self_intersection_every > 0.0 && !scene.bag)
+    table.fail("self_intersection_every", "the scene has no membrane");
   const bool shows = scene.bag || scene.target;
   if (table.has("frames") && !shows) table.fail("frames", "the scene has no membrane and no target");
   if (shows) scene.output.frames = table.at("frames").integer(0, 10000, scene.output.frames);
@@ -229,6 +234,18 @@ Scene read_scene(CaseDocument& document) {
 
 void add_jet_warnings(Scene& scene) {
   for (auto& warning : jet_warnings(scene)) scene.warnings.push_back(std::move(warning));
+}
+
+void add_skin_warning(Scene& scene) {
+  if (!scene.bag) return;
+  const auto& elements = scene.bag->mesh.elements;
+  const auto& position = scene.bag->initial_position;
+  const Crossing crossing = find_crossing(position, elements, scene.gas.has_value());
+  if (crossing.pairs == 0) return;
+  const double volume = scene.gas ? membrane::enclosed_volume(position, elements) : 0.0;
+  scene.warnings.push_back(
+      fmt::format("membrane: the skin passes through itself at the start: {}; pull its layers apart",
+                  text_of(crossing, volume)));
 }
 
 }  // namespace driver

@@ -16,6 +16,8 @@
 #include "results/acceleration_record.hpp"
 #include "results/check_json.hpp"
 #include "step/drift.hpp"
+#include "step/schedule.hpp"
+#include "step/skin_looks.hpp"
 #include "step/stage_clock.hpp"
 #include "step/stages.hpp"
 
@@ -25,22 +27,6 @@ namespace {
 double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
-
-// Levels to record: the first at or past each multiple of the interval.
-class Schedule {
- public:
-  explicit Schedule(double interval) : interval_(interval) {}
-  bool due(double time) {
-    // Multiples meet the step's times to round-off only.
-    if (interval_ <= 0.0 || time < next_ * interval_ * (1.0 - 1e-12)) return false;
-    next_ = std::floor(time / interval_ * (1.0 + 1e-12)) + 1.0;
-    return true;
-  }
-
- private:
-  double interval_;
-  double next_ = 0.0;  // multiple that is due next
-};
 
 // What the line of progress tells of a run.
 std::string reached(const State& now) {
@@ -61,10 +47,12 @@ void run_steps(const Scene& scene, State& state, const LevelSink& sink, const Le
                RunOutcome& outcome) {
   Schedule history(scene.output.history_every), fields(scene.output.fields_every);
   Schedule frames(scene.output.frames > 0 ? scene.time.end / scene.output.frames : 0.0);
-  bool field_due = false, frame_due = false, blown_up = false;
+  SkinLooks skin(scene);
+  bool field_due = false, frame_due = false, look_due = false, blown_up = false;
   const std::function<void(const State&)> view = [&](const State& now) {
     if (field_due) views.fields(now);
     if (frame_due) views.frames(now);
+    if (look_due) outcome.looks.push_back(skin.look(now));
   };
   for (;;) {
     StepRequest request;
@@ -73,7 +61,8 @@ void run_steps(const Scene& scene, State& state, const LevelSink& sink, const Le
     request.record = history.due(state.time) || request.last;
     field_due = views.fields && fields.due(state.time);
     frame_due = views.frames && frames.due(state.time);
-    if (field_due || frame_due) request.before_advance = &view;
+    look_due = views.skin && skin.due(state, request.last);
+    if (field_due || frame_due || look_due) request.before_advance = &view;
     const double now = state.time;
     step(scene, state, request, executor);
     sink(request.record, state);
@@ -206,6 +195,7 @@ RunOutcome run_scene(const Scene& scene, State& state, const LevelSink& sink, co
     note_left_outlets(scene, state, outcome);
     note_untouched(scene, state, outcome);
   }
+  if (auto note = note_of_crossing(outcome.looks); !note.empty()) outcome.notes.push_back(std::move(note));
   judge_drift(scene, state, outcome);
   return outcome;
 }
@@ -268,7 +258,7 @@ RunOutcome run_to_folder(const Scene& scene, const std::filesystem::path& path, 
     history.keep_up();
     energy.keep_up();
   };
-  LevelViews views;
+  LevelViews views{.skin = true};
   if (fields) views.fields = [&](const State& now) { fields->write(now); };
   if (frames) views.frames = [&](const State& now) { frames->write(now); };
   RunOutcome outcome = run_scene(scene, state, record, views, Executor(options.threads), options.stop);

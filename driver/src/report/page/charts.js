@@ -46,7 +46,7 @@ const dashes = ["", "7 4", "9 3 2 3", "14 4", "9 3 2 3 2 3", "4 6", "18 3 2 3", 
 const referenceDash = dashes.length - 1; // no other result has it
 const margin = { left: 58, right: 10, top: 6, bottom: 30 };
 
-// series: { name, result, time, value, text, low, high, error, interval, singles, singlesTime, colour, dash, filled }; values may be null (band only).
+// series: { name, result, time, value, text, low, high, error, interval, singles, singlesTime, colour, dash, dots, filled }; values may be null (band only).
 class Chart {
   constructor(place, { title, unit, series, zero = false, height = 190 }) {
     Object.assign(this, { title, unit, series, zero, height, time: null });
@@ -131,6 +131,7 @@ class Chart {
       for (const values of s.singles ?? [])
         this.svg.append(drawn("polyline", { class: "single", points: path(s.singlesTime, values).join(" "), fill: "none", stroke: colour, "stroke-width": 0.8, "stroke-opacity": 0.35 }));
       if (s.value) this.svg.append(drawn("polyline", { points: path(s.time, s.value).join(" "), fill: "none", stroke: colour, "stroke-width": s.bold ? 2.6 : 1.3, "stroke-dasharray": dashes[s.dash], "stroke-linejoin": "round" }));
+      if (s.dots) for (const point of path(s.time, s.value)) this.svg.append(drawn("circle", { cx: point.split(",")[0], cy: point.split(",")[1], r: 3, fill: colour }));
     }
     this.mark = drawn("line", { class: "mark", y1: margin.top, y2: bottom, visibility: "hidden" });
     this.cursor = drawn("line", { class: "cursor", y1: margin.top, y2: bottom });

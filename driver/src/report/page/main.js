@@ -180,7 +180,7 @@ const makeCharts = player => {
   }
   const charts = groups(series).map(spec => new Chart(at("charts"), spec));
   for (const r of runs) {
-    const label = many ? r.label : "", balances = [...massChart(r.history, label), ...(r.energy ? energyCharts(r.energy, r.roles, label) : [])];
+    const label = many ? r.label : "", balances = [...massChart(r.history, label), ...(r.energy ? energyCharts(r.energy, r.roles, label) : []), ...crossingCharts(r.summary, label)];
     for (const spec of balances) charts.push(new Chart(at("charts"), spec));
   }
   if (player) {

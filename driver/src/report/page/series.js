@@ -135,3 +135,19 @@ const massChart = (table, result) => {
   const common = { result: "", time, timeText: columns.time_s.text, dash: 0 };
   return [stackChart(`Where the gas went since the start, from the rows${of}`, "kg", common, terms, ["inflow_kg_s", "backflow_kg_s"].filter(c => columns[c]).map(c => total(columns[c])))];
 };
+
+// Looks at a skin that passes through itself: the volume that is counted wrongly, and how many elements cross.
+const crossingCharts = (summary, result) => {
+  const looks = summary?.self_intersection?.looks ?? [], of = result ? `, ${result}` : "";
+  if (!looks.some(look => look.pairs > 0)) return [];
+  const common = { result: "", time: looks.map(look => look.time_s), timeText: looks.map(look => String(look.time_s)), dash: 0, dots: true };
+  const series = (key, name, colour, error) => ({
+    ...common, name, colour, value: looks.map(look => look[key]), text: looks.map(look => String(look[key])),
+    ...(error && { error: looks.map(look => String(look[error])), low: looks.map(look => look[key] - look[error]), high: looks.map(look => look[key] + look[error]) }),
+  });
+  const list = [{ title: `Elements that pass through each other${of}`, unit: "", zero: true, series: [series("pairs", "pairs", 0), series("elements", "elements", 1)] }];
+  if (looks.every(look => "volume_m3" in look))
+    list.push({ title: `Volume counted wrongly, where the skin passes through itself${of}`, unit: "m³", zero: true, series: [
+      series("counted_twice_m3", "counted twice", 0, "counted_twice_standard_error_m3"), series("inside_out_m3", "inside out", 1, "inside_out_standard_error_m3")] });
+  return list;
+};
