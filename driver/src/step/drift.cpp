@@ -47,7 +47,7 @@ std::string governing_share(const State& state) {
 std::string deformed_text(const Scene& scene, const State& state) {
   if (!state.bag) return "";
   const auto fastest = membrane::deformation_rate(scene.bag->model, *state.bag);
-  if (fastest.element < 0) return "";
+  if (!(fastest.rate * state.step.after > 0.01)) return "";
   return fmt::format("; element {} deforms fastest, by {:.2g} in a step", fastest.element,
                      fastest.rate * state.step.after);
 }
