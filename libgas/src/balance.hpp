@@ -13,7 +13,8 @@ class Balance {
 
   /// Guess of the temperature [K] for the first gas.
   void begin_step(double temperature) { gas_.temperature = temperature; }
-  /// Locates the gas of the amount (m_k, energy) at time t. False if its temperature is out of range.
+  /// Locates the gas of the amount (m_k, energy) at time t of the segment. False if its temperature is out of
+  /// range.
   bool locate(std::span<const double> amount, double t);
   /// Rates dy/dt of the gas located.
   void fill_rates(Vector& dydt);
@@ -21,7 +22,8 @@ class Balance {
   const Boundary& boundary() const { return boundary_; }
   const UniformGas& gas() const { return gas_; }
   const Mixture& mixture() const { return mixture_; }
-  double time() const { return time_; }  // [s]
+  double time() const { return time_; }  // [s] since the begin of the segment
+  double absolute_time() const { return boundary_.segment_begin() + time_; }  // [s]
   double fraction(std::size_t k) const { return masses_[k] / gas_.mass; }
 
   /// V dp/dt [W] of the gas located: with the openings shut, from inflow, volume and walls; and from a flow

@@ -9,13 +9,14 @@
 
 namespace gas {
 
-/// A VolumePath from t0 on, (G.17), in the share x of the step.
+/// A VolumePath, (G.17), in the share x of the step, on a segment of it. Times count from the segment's
+/// begin.
 struct StepPath {
-  double t0 = 0.0, per_second = 0.0;  // [s], dx/dt [1/s]
+  double begin = 0.0, per_second = 0.0;  // x there; dx/dt [1/s]
   VolumePath path{};
   template <class S>
   S share(const S& t) const {
-    return (t - t0) * per_second;
+    return begin + t * per_second;
   }
   double growth() const { return path.volume_end - path.volume_begin; }
   double volume(double t) const {
@@ -76,7 +77,7 @@ S fabric_flow(const ControlVolumeModel& model, std::size_t i, const S& leak_area
 double heat_flow(const ControlVolumeModel& model, double temperature);
 
 /// All flows through the boundary of a volume, over a segment of time in which nothing switches and no curve
-/// of time passes a knot.
+/// of time passes a knot. Times within the segment count from its begin.
 class Boundary {
  public:
   /// `model` must outlive this object.
@@ -92,12 +93,14 @@ class Boundary {
   const AmbientGas& ambient() const { return ambient_; }
   const Inflows& inflows() const { return inflows_; }
   const StepPath& path() const { return path_; }
+  double segment_begin() const { return begin_; }    // [s]
+  double segment_length() const { return length_; }  // [s]
   bool has_open_vent() const;
   bool is_open() const { return has_open_vent() || path_.leaks(); }  // gas can leave
   bool has_backflow() const;                                         // gas can come in
 
-  /// Mass flows [kg/s] at time t, as numbers or with derivatives. Out in stream j of Slots: through a vent
-  /// (G.6), or through a fabric, (G.7) or (G.12). In through vent j.
+  /// Mass flows [kg/s] at time t of the segment, as numbers or with derivatives. Out in stream j of Slots:
+  /// through a vent (G.6), or through a fabric, (G.7) or (G.12). In through vent j.
   template <class S>
   S out(std::size_t j, const Upstream<S>& gas, const S& t) const {
     if (j < slots_.vents) return through_vent(j, gas, gas.overpressure, t);
@@ -137,6 +140,7 @@ class Boundary {
   /// [vent] Cd A over time, zero while it is shut; for one with a curve over the overpressure Cd alone.
   std::vector<Curve::Piece> areas_;
   StepPath path_;
+  double step_begin_ = 0.0, begin_ = 0.0, length_ = 0.0;  // [s]
 };
 
 }  // namespace gas

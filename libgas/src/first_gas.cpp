@@ -4,18 +4,18 @@
 #include <algorithm>
 #include <numeric>
 
+#include "gas/error.hpp"
 #include "limits.hpp"
+#include "require.hpp"
 
 namespace gas {
 namespace {
 
 /// Temperature of the gas that flows in at the rates (m_k [kg/s], H [W]), in balance with the walls: h A is
-/// added to its heat capacity. Work against its pressure is of second order in its mass. None without inflow,
-/// or out of range.
+/// added to its heat capacity. Work against its pressure is of second order in its mass. None out of range.
 std::optional<double> balance_with_walls(const ControlVolumeModel& model, const Vector& rates) {
   const HeatLoss& walls = model.heat_loss;
   Mixture sum = model.thermo.mixture(std::span(rates).first(model.thermo.size()));
-  if (sum.mass == 0.0) return {};
   sum.low[0] += walls.conductance;
   sum.high[0] += walls.conductance;
   return sum.find_temperature(rates.back() + walls.conductance * walls.outside_temperature,
@@ -41,16 +41,18 @@ double fill_first(System& system, const IntegratorOptions& options, Vector& y, d
   const double all = mass_until(b), fixed = options.fixed_step;
   if (!(all > 0.0)) return t;
   double length = fixed > 0.0 ? std::min(fixed, b - t) : b - t;
-  const double least = 16.0 * kEpsilon * std::abs(t);
-  while (fixed == 0.0 && length > least && mass_until(t + length) > options.relative_tolerance * all)
+  while (fixed == 0.0 && length > 0.0 && mass_until(t + length) > options.relative_tolerance * all)
     length *= 0.5;
   const double end = length == b - t ? b : t + length;
   set_backflow(1.0, end);
   system.ledger.change(y, system.gas);
   boundary.inflows().add(
       1.0, [&](const InflowSegment& in) { return in.rate(end); }, system.gas);
+  if (std::accumulate(system.gas.begin(), system.gas.end() - 1, 0.0) == 0.0) return t;
   const auto temperature = balance_with_walls(boundary.model(), system.gas);
-  if (!temperature) return t;
+  if (!temperature)
+    throw DomainError(range_text(boundary.model()) + "at t = " + to_text(boundary.segment_begin() + t) +
+                      " s, where its first gas is in balance with the walls");
   set_backflow(end - t, 0.5 * (t + end));
   system.ledger.gas_at(y, end, system.gas);
   const Mixture mixture = boundary.model().thermo.mixture(std::span(system.gas).first(s.species));

@@ -9,8 +9,8 @@ namespace gas {
 /// capacity, so it cannot be stepped. It is at its balance with the walls,
 ///   sum mdot_i (h_i - u_i(T)) = h A (T - T_ext),
 /// until the tolerance's share of what the segment brings has come in (or for one fixed sub-step). The gas is
-/// added to the ledger, with `y` as its unknowns. Returns the time reached; t if nothing flows in, or if the
-/// balance is out of the temperature range.
+/// added to the ledger, with `y` as its unknowns. Returns the time reached; t if nothing flows in. Throws
+/// DomainError if the balance is out of the temperature range.
 double fill_first(System& system, const IntegratorOptions& options, Vector& y, double t, double b);
 
 }  // namespace gas

@@ -16,7 +16,8 @@ double local_time(const Inflow& inflow, double start, double t);
 /// First time after t at which the inflow is not smooth: firing, a knot, an inflow temperature of 1000 K.
 double next_break(const Inflow& inflow, double start, bool constant_cp, double t);
 
-/// One inflow on an interval [a, b] without a break inside, where mass flow and temperature are linear.
+/// One inflow on an interval [a, b] without a break inside, where mass flow and temperature are linear. Times
+/// count from a: they keep their digits where a is late, as the first gas of an evacuated volume needs.
 class InflowSegment {
  public:
   struct Flow {
@@ -33,7 +34,9 @@ class InflowSegment {
   InflowSegment(const Inflow& inflow, double start, const Mixture& gas, double a, double b);
 
   bool is_idle() const { return mass_flow_ == 0.0 && mass_flow_slope_ == 0.0; }
-  Flow flow(double t) const;
+  Flow flow(double t) const {
+    return {mass_flow_ + mass_flow_slope_ * t, temperature_ + temperature_slope_ * t};
+  }
   /// Mass flow [kg/s] and enthalpy flow [W] at t; then their derivatives by t.
   Delivered rate(double t) const;
   Delivered rate_slope(double t) const;
@@ -43,15 +46,9 @@ class InflowSegment {
   const Mixture& gas() const { return *gas_; }
 
  private:
-  // Time [s] from a to t by the clock of the firing. Rates, totals and pieces all use this clock; otherwise
-  // one of them might not reach a level that another has located.
-  double elapsed(double t) const;
-  Flow flow_after(double elapsed) const;
   double enthalpy_by_quadrature(double from, double to) const;
 
-  const Inflow* inflow_ = nullptr;
   const Mixture* gas_ = nullptr;
-  double start_ = 0.0, begin_ = 0.0, end_ = 0.0;  // [s] firing; time since it at a and at b
   double mass_flow_ = 0.0, mass_flow_slope_ = 0.0;
   double temperature_ = 0.0, temperature_slope_ = 0.0;
   double enthalpy_ = 0.0;  // [J/kg] at temperature_

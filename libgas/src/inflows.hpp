@@ -7,8 +7,8 @@
 
 namespace gas {
 
-/// All inflows of a volume, over a segment of time in which none fires, ends or passes a knot. An amount of
-/// gas is (m_k [kg] of each species, U [J]).
+/// All inflows of a volume, over a segment of time in which none fires, ends or passes a knot. Times of
+/// amounts count from the begin of the segment. An amount of gas is (m_k [kg] of each species, U [J]).
 class Inflows {
  public:
   /// `model` must outlive this object.

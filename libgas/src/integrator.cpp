@@ -72,7 +72,7 @@ class GasIntegrator::Implementation {
     std::ranges::fill(switchings_, 0);
     boundary_.begin_step(t0, t1, path);
     const double work = stored_work(model_, state);
-    ledger_.begin_step(state, work, t0);
+    ledger_.begin_step(state, work);
     substepper_.begin_step(state.temperature);
     double a = t0;
     try {
@@ -101,9 +101,11 @@ class GasIntegrator::Implementation {
     if (const double knot = boundary_.next_break(triggers_, a); t1 - knot > kOneTime * std::abs(t1))
       next = std::min(next, knot);
     boundary_.begin_segment(triggers_, a, next);
-    if (needs_stepper() || watched) next = substepper_.integrate(a, next, triggers_);
-    ledger_.deliver(next);
-    return next;
+    const double length = boundary_.segment_length();
+    ledger_.begin_segment();
+    const double reached = needs_stepper() || watched ? substepper_.integrate(triggers_) : length;
+    ledger_.deliver(reached);
+    return reached < length ? a + reached : next;
   }
 
   /// More than inflow changes the gas.
@@ -113,7 +115,7 @@ class GasIntegrator::Implementation {
 
   /// The gas at t, between two segments.
   const UniformGas& locate(double t) {
-    if (!substepper_.balance().locate(ledger_.gas(), t))
+    if (!substepper_.balance().locate(ledger_.gas(), t - boundary_.segment_begin()))
       throw DomainError(range_text(model_) + "at t = " + to_text(t) + " s");
     return substepper_.balance().gas();
   }

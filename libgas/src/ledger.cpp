@@ -20,8 +20,7 @@ Ledger::Ledger(const Boundary& boundary, double negligible)
       gas_(boundary.slots().species + 1),
       received_(boundary.inflows().size()) {}
 
-void Ledger::begin_step(const ControlVolumeState& state, double work, double t) {
-  time_ = t;
+void Ledger::begin_step(const ControlVolumeState& state, double work) {
   std::ranges::copy(state.masses, gas_.begin());
   gas_.back() = state.internal_energy + work;
   for (std::size_t i = 0; i < gas_.size(); ++i) sums_[i] = gas_[i];

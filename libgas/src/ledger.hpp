@@ -19,8 +19,10 @@ class Ledger {
   /// the gas is used up, which is no error.
   Ledger(const Boundary& boundary, double negligible);
 
-  /// `work` [J] is (G.19) of `state`, at time t.
-  void begin_step(const ControlVolumeState& state, double work, double t);
+  /// `work` [J] is (G.19) of `state`.
+  void begin_step(const ControlVolumeState& state, double work);
+  /// The times below count from the begin of a segment.
+  void begin_segment() { time_ = 0.0; }
   /// Adds what flows in until t.
   void deliver(double t);
 
@@ -54,7 +56,7 @@ class Ledger {
 
   const Boundary& boundary_;
   const double negligible_;
-  double time_ = 0.0;  // [s] up to which gas_ and totals count
+  double time_ = 0.0;  // [s] of the segment, up to which gas_ and totals count
   std::vector<CompensatedSum> sums_, totals_;
   Vector gas_;  // values of sums_
   struct Received {

@@ -14,6 +14,13 @@ inline std::string to_text(double value) {
   return {buffer, result.ptr};
 }
 
+/// The same in three digits.
+inline std::string to_short_text(double value) {
+  char buffer[32];
+  const auto result = std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::general, 3);
+  return {buffer, result.ptr};
+}
+
 /// Throws std::invalid_argument "field = value: allowed" unless `ok`.
 inline void require(bool ok, std::string_view field, double value, std::string_view allowed) {
   if (ok) return;

@@ -15,6 +15,43 @@ namespace {
 constexpr double kSafety = 0.9, kSmallestFactor = 0.05, kLargestFactor = 5.0;
 // The first step's error constant is of the order kFirstStep^-error_power: a guess, only speed depends on it.
 constexpr double kFirstStep = 5.0;
+// Of the tolerance of p: knots of a curve over the overpressure that are nearer than this are a jump.
+constexpr double kJump = 100.0;
+constexpr double kBeside = 10.0;  // times as far from it at most is p that it holds
+
+/// Where `curve` rises so steeply beside the overpressure that p may be held there by flow that the
+/// tolerance does not resolve; `name` and `unit` are those of its values. Else empty.
+std::string jump_text(const std::string& name, const std::string& unit, const Curve& curve,
+                      const UniformGas& gas, double tolerance) {
+  const double width = kJump * tolerance * gas.pressure;
+  const auto knots = curve.knots();
+  for (std::size_t i = 1; i < knots.size(); ++i) {
+    const auto &l = knots[i - 1], &r = knots[i];
+    if (r.time - l.time < width && r.value > l.value && l.time - kBeside * width < gas.overpressure &&
+        gas.overpressure < r.time + kBeside * width)
+      return "; the curve of " + name + " jumps from " + to_text(l.value) + " to " + to_text(r.value) + unit +
+             " between " + to_text(l.time) + " and " + to_text(r.time) + " Pa: set its knots " +
+             to_short_text(width) + " Pa apart or more";
+  }
+  return {};
+}
+
+std::string jump_text(const Balance& balance, double tolerance) {
+  const ControlVolumeModel& model = balance.boundary().model();
+  for (std::size_t i = 0; i < model.vents.size(); ++i)
+    if (const auto& curve = model.vents[i].area_of_overpressure)
+      if (const std::string text =
+              jump_text("vent." + std::to_string(i) + ".area", " m2", *curve, balance.gas(), tolerance);
+          !text.empty())
+        return text;
+  for (const Fabric& fabric : model.fabrics)
+    if (fabric.velocity)
+      if (const std::string text =
+              jump_text("the fabric's velocity", " m/s", *fabric.velocity, balance.gas(), tolerance);
+          !text.empty())
+        return text;
+  return {};
+}
 
 }  // namespace
 
@@ -53,7 +90,7 @@ double StepControl::first_step(const Balance& balance) const {
   if (gas.mass == 0.0) return kInfinity;
   const double fed = std::abs(balance.closed_growth()) / (gas.pressure * gas.volume);
   const double left = std::abs(balance.flow()) / gas.mass;
-  return std::max(first_share_ / (fed + left), 8.0 * kEpsilon * std::abs(balance.time()));
+  return std::max(first_share_ / (fed + left), 8.0 * kEpsilon * balance.time());
 }
 
 double StepControl::limit() const {
@@ -90,7 +127,7 @@ void StepControl::require_stable(const Balance& balance, double length, double r
   const double rate = fed ? relaxation : wall_relaxation(balance);
   if (!(length * rate > limit())) return;
   throw DomainError("the step " + to_text(options_.fixed_step) + " s is above the method's stability limit " +
-                    to_text(limit() / rate) + " s at t = " + to_text(balance.time()) +
+                    to_text(limit() / rate) + " s at t = " + to_text(balance.absolute_time()) +
                     " s, where the gas relaxes within " + to_text(1.0 / rate) +
                     " s; Rosenbrock 4 (gas_method of a case) has no such limit, and error control (no "
                     "gas_step) keeps to it");
@@ -107,22 +144,24 @@ void StepControl::require_motion(const Balance& balance, const Moment& begin, co
     return;
   throw DomainError(
       "the step " + to_text(options_.fixed_step) +
-      " s is too long for the balance of flows at t = " + to_text(balance.time()) +
+      " s is too long for the balance of flows at t = " + to_text(balance.absolute_time()) +
       " s: p stays where its rate would move it; a shorter one (gas_step of a case), or none, is "
       "allowed");
 }
 
-void StepControl::fail_crossing(double t) const {
-  throw DomainError("the step " + to_text(options_.fixed_step) +
-                    " s is too long for the balance near ambient pressure at t = " + to_text(t) +
-                    " s: flow through the openings takes p past p_a, where it would turn, or the wrong way; "
-                    "a shorter one (gas_step of a case), or none, is allowed");
+void StepControl::fail_crossing(const Balance& balance) const {
+  throw DomainError(
+      "the step " + to_text(options_.fixed_step) +
+      " s is too long for the balance near ambient pressure at t = " + to_text(balance.absolute_time()) +
+      " s: flow through the openings takes p past p_a, where it would turn, or the wrong way; "
+      "a shorter one (gas_step of a case), or none, is allowed");
 }
 
 /// What could be done about sub-steps of `length`, too many or too short.
 std::string StepControl::advice(const Balance& balance, double length) const {
   const double relaxation = gas::relaxation(balance);
-  std::string text;
+  std::string text = jump_text(balance, options_.relative_tolerance);
+  if (!text.empty()) return text;
   if (relaxation > 0.0) text = "; it relaxes within " + to_text(1.0 / relaxation) + " s";
   if (length * relaxation > 0.1 * limit()) text += "; Rosenbrock 4 (gas_method of a case) has no such limit";
   const double rounding = rounding_limit(balance);
@@ -133,13 +172,19 @@ std::string StepControl::advice(const Balance& balance, double length) const {
   return text;
 }
 
+bool StepControl::is_too_short(const Balance& balance, double t, double length) const {
+  constexpr double kShortest = 1e-40;  // of the segment
+  return !is_fixed() &&
+         length <= std::max(2.0 * kEpsilon * t, kShortest * balance.boundary().segment_length());
+}
+
 void StepControl::fail(System& system, double t, double length, bool found_gas) const {
   Balance& balance = system.balance;
   const Thermo& thermo = balance.boundary().model().thermo;
-  const std::string where = "at t = " + to_text(t) + " s with a sub-step of " + to_text(length) + " s";
+  const std::string where = "at t = " + to_text(balance.boundary().segment_begin() + t) +
+                            " s with a sub-step of " + to_text(length) + " s";
   // What a trial met there is no matter: events and rates need shorter sub-steps than there are.
-  const double rounding = 2.0 * kEpsilon * std::abs(t);
-  const bool too_short = !is_fixed() && length <= rounding;
+  const bool too_short = is_too_short(balance, t, length);
   if (system.ledger.depleted() && !too_short)
     throw DomainError("species " + thermo.species(*system.ledger.depleted()).name +
                       " runs out: more of it would leave than there is, " + where +
@@ -148,7 +193,8 @@ void StepControl::fail(System& system, double t, double length, bool found_gas) 
   // Trials that step over an end of the range are repeated until they are too short: the gas is on it then.
   constexpr double kOnEnd = 1e-6;  // of T
   const double temperature = balance.gas().temperature;
-  const bool on_end = !begin_has_gas || temperature <= (1.0 + kOnEnd) * thermo.minimum_temperature() ||
+  const bool on_end = !begin_has_gas || balance.gas().mass == 0.0 ||
+                      temperature <= (1.0 + kOnEnd) * thermo.minimum_temperature() ||
                       temperature >= (1.0 - kOnEnd) * thermo.maximum_temperature();
   if (!found_gas && (!too_short || on_end)) throw DomainError(range_text(balance.boundary().model()) + where);
   Vector rates(balance.boundary().slots().size());
@@ -159,12 +205,13 @@ void StepControl::fail(System& system, double t, double length, bool found_gas) 
     throw DomainError("a fixed sub-step of " + to_text(options_.fixed_step) + " s takes more than " +
                       std::to_string(options_.maximum_steps) + " sub-steps, " + where + gas +
                       "; a longer one (gas_step of a case), or none, is allowed");
-  throw TooStiff(
-      "the gas is too stiff for the integrator: " + std::to_string(system.effort.attempts) +
-      (system.effort.attempts == 1 ? " sub-step, " : " sub-steps, ") + where + gas + advice(balance, length) +
-      (too_short ? "; that is below the rounding of t, " + to_text(rounding) +
-                       " s: a larger volume, smaller openings or a start nearer to t = 0 is allowed"
-                 : ""));
+  throw TooStiff("the gas is too stiff for the integrator: " + std::to_string(system.effort.attempts) +
+                 (system.effort.attempts == 1 ? " sub-step, " : " sub-steps, ") + where + gas +
+                 advice(balance, length) +
+                 (too_short ? "; that is below the rounding of the time since the last break point: use a "
+                              "larger volume or smaller "
+                              "openings"
+                            : ""));
 }
 
 }  // namespace gas

@@ -41,11 +41,15 @@ class StepControl {
   /// misses.
   void require_motion(const Balance& balance, const Moment& begin, const Moment& end, double length) const;
 
-  /// Throws the DomainError that says why a sub-step of `length` cannot be taken from time t [s].
+  /// True if a sub-step of `length` from time t [s] of the segment is shorter than rounding resolves, or than
+  /// the first gas of an empty volume needs.
+  bool is_too_short(const Balance& balance, double t, double length) const;
+  /// Throws the DomainError that says why a sub-step of `length` cannot be taken from time t [s] of the
+  /// segment.
   /// `found_gas`: the last trial had a temperature.
   [[noreturn]] void fail(System& system, double t, double length, bool found_gas) const;
   /// The same for a fixed sub-step that takes p through p_a against the feed of the flow.
-  [[noreturn]] void fail_crossing(double t) const;
+  [[noreturn]] void fail_crossing(const Balance& balance) const;
 
  private:
   double rounding_limit(const Balance& balance) const;

@@ -8,8 +8,8 @@
 
 namespace gas {
 
-/// Variable x of the sub-steps. x is the time t or, from the moment `origin` at which flow sets in at p = p_a
-/// as sqrt(t - origin), that root. In the root everything is smooth.
+/// Variable x of the sub-steps. x is the time t since the begin of the segment or, from the moment `origin`
+/// at which flow sets in at p = p_a as sqrt(t - origin), that root. In the root everything is smooth.
 struct Clock {
   bool root = false;
   double origin = 0.0;  // [s]

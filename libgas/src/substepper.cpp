@@ -103,7 +103,8 @@ void Substepper::stop_at_ambient(double x) {
 double Substepper::try_step(const Reach& reach, bool stiff) {
   const double t = begin_.t, x = begin_.x, h = (x + reach.length) - x;  // what flows in until then, exactly
   control_.require_stable(system_.balance, reach.end - t, begin_.relaxation);
-  if (++system_.effort.attempts > options_.maximum_steps || !(h > 0.0) || !(system_.clock.time(x + h) > t))
+  if (++system_.effort.attempts > options_.maximum_steps || !(system_.clock.time(x + h) > t) ||
+      (t == 0.0 && control_.is_too_short(system_.balance, t, reach.end - t)))
     control_.fail(system_, t, reach.end - t, system_.valid);
   system_.valid = true;
   if (stiff) system_.balance.locate(system_.ledger.gas(), t);  // a good guess of the temperature
@@ -123,14 +124,14 @@ std::optional<Substepper::Proposal> Substepper::again(const Proposal& tried, con
   const Moment& begin = begin_.moment;
   const bool fixed = control_.is_fixed(), on_ambient = watch_.is_on_ambient(begin);
   const double duration = reach.end - begin_.t;
-  if (fixed && trial_.reversed > kReversed * balance.gas().mass) control_.fail_crossing(begin_.t);
+  if (fixed && trial_.reversed > kReversed * balance.gas().mass) control_.fail_crossing(balance);
   // Stopped where it turned, flow would stay there; at p_a it is rounding that turns it.
   const bool turns = trial_.reversed > 0.0 && !fixed && !on_ambient;
   if (turns || (!options_.unsafe_step && watch_.crosses_against_flow(begin, end, duration))) {
     if (fixed) {  // what only runs out, or in, ends there
       const bool fed = begin.growth * begin.flow > 0.0;
       const bool away = begin.overpressure * end.overpressure > 0.0;
-      if (fed || on_ambient || away) control_.fail_crossing(begin_.t);
+      if (fed || on_ambient || away) control_.fail_crossing(balance);
       return Proposal{tried.length,
                       reach.length * begin.overpressure / (begin.overpressure - end.overpressure),
                       tried.stiff};
@@ -151,7 +152,9 @@ void Substepper::accept(const Reach& reach, const Moment& end, bool landed, doub
   const Clock clock = system_.clock;
   const double duration = reach.end - clock.time(begin_.x), slope = clock.slope(begin_.x + reach.length);
   const bool sets_in = landed && watch_.is_on_ambient(end);
-  const auto time = [&](double share) { return clock.time(begin_.x + share * reach.length); };
+  const auto time = [&](double share) {
+    return system_.balance.boundary().segment_begin() + clock.time(begin_.x + share * reach.length);
+  };
   if (const auto share = watch_.switches(begin_.moment, end, reach.length))
     moments_.sonic_switch = time(*share);
   if (const auto share = watch_.equalises(begin_.moment, end)) moments_.equalisation = time(*share);
@@ -173,12 +176,13 @@ void Substepper::accept(const Reach& reach, const Moment& end, bool landed, doub
   if (sets_in) start_clock(b);
 }
 
-double Substepper::integrate(double a, double b, const TriggerState& triggers) {
+double Substepper::integrate(const TriggerState& triggers) {
   const Balance& balance = system_.balance;
-  start(a, b);
+  const double b = balance.boundary().segment_length();
+  start(0.0, b);
   if (balance.gas().mass == 0.0 && balance.boundary().model().heat_loss.conductance > 0.0) {
-    const double filled = fill_first(system_, options_, trial_.end, a, b);
-    if (filled > a) start(filled, b);
+    const double filled = fill_first(system_, options_, trial_.end, 0.0, b);
+    if (filled > 0.0) start(filled, b);
   }
   const double first = control_.first_step(balance), p_a = balance.boundary().model().ambient.pressure;
   Proposal next{first < b - begin_.t ? system_.clock.position(begin_.t + first) - begin_.x : kInfinity};
@@ -201,7 +205,8 @@ double Substepper::integrate(double a, double b, const TriggerState& triggers) {
       continue;
     }
     if (balance.gas().beyond)  // it starts on the last knot, where trials end that pass it
-      throw DomainError(beyond_text(balance.boundary().model()) + ", at t = " + to_text(begin_.t) + " s");
+      throw DomainError(beyond_text(balance.boundary().model()) +
+                        ", at t = " + to_text(balance.boundary().segment_begin() + begin_.t) + " s");
     const bool landed = next.landing < kInfinity;
     const double fits = clock.time(end_x + watch_.time_kept(begin_.moment, end) * fitting) - trial.end;
     const double kept = landed ? std::max(fits, clock.time(end_x + next.length) - trial.end) : fits;

@@ -21,9 +21,9 @@ class Substepper {
 
   /// Resets the counters. `temperature` [K] is the first guess; an empty volume keeps it.
   void begin_step(double temperature);
-  /// Advances from time a towards b [s]. Returns the time reached: b, or earlier if a pressure sensor
-  /// switches there. Throws DomainError.
-  double integrate(double a, double b, const TriggerState& triggers);
+  /// Advances over the segment of the boundary. Returns the time reached since its begin: its length, or
+  /// less if a pressure sensor switches there. Throws DomainError.
+  double integrate(const TriggerState& triggers);
 
   Balance& balance() { return system_.balance; }
   const Effort& effort() const { return system_.effort; }
@@ -32,7 +32,7 @@ class Substepper {
  private:
   /// Start of a sub-step.
   struct Begin {
-    double t, x;  // [s], and on the clock
+    double t, x;  // [s] since the begin of the segment, and on the clock
     Vector rate;  // dy/dx
     Moment moment;
     double relaxation;  // [1/s] of the gas
@@ -46,7 +46,7 @@ class Substepper {
   /// Extent of a trial.
   struct Reach {
     double length;  // in x
-    double end;     // [s]
+    double end;     // [s] of the segment
   };
 
   void start(double t, double b);
