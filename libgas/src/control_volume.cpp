@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "gas/control_volume.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -108,6 +109,16 @@ void require_volume(const Curve& curve, double ambient_pressure) {
   }
 }
 
+/// Each level of a sensor is located to 2e-12 of p; nearer to each other, p is at both at once.
+void require_apart(const Sensor& sensor, double ambient_pressure) {
+  constexpr double kApart = 1e-11;
+  if (sensor.kind != SensorKind::pressure || !sensor.reset) return;
+  const double width = kApart * (ambient_pressure + std::max(0.0, sensor.threshold));
+  require(sensor.threshold - *sensor.reset >= width, "sensor.reset [Pa]", *sensor.reset,
+          "must be " + to_short_text(1.01 * width) +
+              " Pa or more below the threshold: nearer levels are one to rounding");
+}
+
 }  // namespace
 
 void validate(const ControlVolumeModel& model) {
@@ -136,6 +147,7 @@ void validate(const ControlVolumeModel& model) {
   validate(model.fabrics);
   if (model.volume_of_overpressure) require_volume(*model.volume_of_overpressure, p_a);
   validate(model.triggers);
+  for (const Sensor& sensor : model.triggers.sensors) require_apart(sensor, p_a);
 }
 
 ControlVolumeState make_state(const Thermo& thermo, std::span<const double> mass_fractions, double pressure,

@@ -27,6 +27,8 @@ const Fault kGasFaults[] = {
      "is \"x\", the name of a [[sensor]] is allowed; the case has none", "trigger ="},
     {"sensor_reset", "tank_triggers", "reset = 70.0e3", "reset = 90.0e3", "sensor.4.reset",
      "less than overpressure"},
+    {"sensor_reset_too_near", "tank_triggers", "reset = 70.0e3", "reset = 79999.9999999", "sensor.4.reset",
+     "Pa or more below the threshold"},
     {"sensor_named_twice", "tank_triggers", "name = \"safing\"", "name = \"crash\"", "sensor.1.name",
      "second time"},
     {"contact_false", "contact_vent", "contact = true", "contact = false", "sensor.0.contact",

@@ -89,6 +89,16 @@ void add_species(TableReader& reader, const NamedComposition& composition, Speci
   });
 }
 
+/// Of each sensor alone what the gas refuses: a reset too near to the threshold.
+void require_sensors(TableReader& root, const gas::ControlVolumeModel& model) {
+  gas::ControlVolumeModel alone{model.thermo, model.ambient, {}, {}};
+  auto sensor = model.triggers.sensors.begin();
+  for (auto& table : root.tables("sensor")) {
+    alone.triggers.sensors.assign(1, *sensor++);
+    table.located("reset", [&] { gas::validate(alone); });
+  }
+}
+
 /// Composition of the gas outside; asked for only where a vent lets it in.
 std::optional<NamedComposition> read_ambient_composition(TableReader& root,
                                                          std::optional<TableReader>& ambient) {
@@ -185,6 +195,7 @@ void read_gas(TableReader& root, std::optional<TableReader>& ambient, std::vecto
   table->finish();
 
   TriggerNames names = read_triggers(root, part.model.triggers);
+  require_sensors(root, part.model);
   gas::ControlVolumeModel alone = part.model;  // with one inflator: what is wrong is of that one
   auto& inflows = part.model.inflows;
   for (std::size_t i = 0; i < inflators.size(); ++i) {
