@@ -67,6 +67,27 @@ inline History sine_squared(double start, double duration) {
 inline History with_tail(double rise, double decay) {
   return [=](double t) { return t < rise ? t / rise : std::exp((rise - t) / decay); };
 }
+/// Flow that jumps on at `start` and falls to half over `duration`, where it jumps off.
+inline History kinked(double start, double duration) {
+  return [=](double t) {
+    const double x = (t - start) / duration;
+    return x >= 0.0 && x < 1.0 ? 1.0 - 0.5 * x : 0.0;
+  };
+}
+/// Records of `pulse` with noise of full scale whose band of the mean temperature holds it, by average
+/// temperature.
+inline int records_with_the_mean(const Pulse& pulse, double noise, int readings, int seeds) {
+  int inside = 0;
+  for (int seed = 5000; seed < 5000 + seeds; ++seed) {
+    Record record(pulse.truth, pulse.end, readings);
+    record.add_full_scale_noise(noise, static_cast<unsigned>(seed));
+    const gas::Identified found = gas::identify(
+        pulse.test, record.average(), {.points = 201, .draws = 200, .noise = gas::Noise::of_full_scale});
+    const auto [low, high] = found.mean_temperature_band;
+    inside += low <= pulse.mean_temperature && pulse.mean_temperature <= high;
+  }
+  return inside;
+}
 inline History falling(double first, double last, double end) {
   return [=](double t) { return first + (last - first) * std::min(1.0, t / end); };
 }

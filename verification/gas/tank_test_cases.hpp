@@ -41,6 +41,15 @@ struct Record {
     for (double& p : tank) p *= 1.0 + fraction * normal(generator);
     for (double& p : chamber) p *= 1.0 + fraction * normal(generator);
   }
+  /// The same, a fraction of the largest reading of each gauge.
+  void add_full_scale_noise(double fraction, unsigned seed) {
+    std::mt19937_64 generator(seed);
+    std::normal_distribution<double> normal;
+    for (auto* readings : {&tank, &chamber}) {
+      const double deviation = fraction * *std::max_element(readings->begin(), readings->end());
+      for (double& p : *readings) p += deviation * normal(generator);
+    }
+  }
   gas::TankReadings average() const { return {times, tank, {}}; }
   gas::TankReadings dual() const { return {times, tank, chamber}; }
 };

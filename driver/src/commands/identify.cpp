@@ -151,6 +151,8 @@ std::string text(const IdentifyArguments& a, const gas::Smoothing& s) {
 
 std::string bands(const IdentifyArguments& a, const gas::Identified& found) {
   const std::string share = fmt::format("{} of {} draws do not fit", found.misfits, a.draws);
+  if (found.tank_clipping || found.chamber_clipping)
+    return "none: a gauge is cut off, and the total mass, which closes the whole record, is met there too";
   if (!found.fits) return "none: a tank with these curves misses the record by more than the noise";
   if (!found.bands) return "none: " + share + " the range of temperatures, more than a tenth";
   const char* text = "pointwise 95 %, from the pressures' noise alone";
@@ -174,6 +176,8 @@ Provenance findings(const IdentifyArguments& a, const gas::Identified& found) {
   const auto with_band = [&](double value, const gas::Band& band) {
     return fmt::format("{:.6g}, {}", value, found.bands ? "95 %: " + text(band) : "no band");
   };
+  lines.push_back({"initial_pressure_Pa", fmt::format("{:.6g}, of the readings that are flat at the start",
+                                                      found.initial_pressure)});
   lines.push_back({"mean_temperature_K", with_band(found.mean_temperature, found.mean_temperature_band)});
   if (dual) lines.push_back({"outlet_CdA_m2", with_band(found.effective_area, found.effective_area_band)});
   double worst = 0.0;
@@ -195,12 +199,24 @@ Provenance findings(const IdentifyArguments& a, const gas::Identified& found) {
   lines.push_back({"bands", bands(a, found)});
   lines.push_back({"band_claimed",
                    fmt::format("{} of {} rows: not where masked, nor where the tank pressure bends more "
-                               "sharply than smoothing follows; none with fewer than 30 readings in the burn",
+                               "sharply than smoothing follows, nor where the band ends at the temperatures "
+                               "of the gas; none with fewer than 30 readings in the burn",
                                claimed, found.points.size())});
   lines.push_back(
       {"bias", dual ? "temperature is held where masked"
                     : "mass_flow is off by T_s/mean_temperature at each moment, not in the bands"});
   return lines;
+}
+
+/// A gauge that is cut off, if it is.
+void add_clipping(const char* gauge, const std::optional<gas::Clipping>& clipping, const char* advice,
+                  std::vector<std::string>& doubts) {
+  if (!clipping) return;
+  doubts.push_back(
+      fmt::format("the {} pressure is cut off at {:.6g} Pa from {:.4g} to {:.4g} s: {} readings equal the "
+                  "largest; no band is "
+                  "claimed, use a gauge of a larger range{}",
+                  gauge, clipping->pressure, clipping->first, clipping->last, clipping->count, advice));
 }
 
 /// What the record or the options make doubtful, though there is a result.
@@ -213,6 +229,8 @@ std::vector<std::string> doubts(const gas::Identified& found) {
         fmt::format("the tank holds {:.4g} Pa at first, less than a tenth of an atmosphere: "
                     "pressures are absolute",
                     first));
+  add_clipping("tank", found.tank_clipping, "", doubts);
+  add_clipping("chamber", found.chamber_clipping, " or --method average", doubts);
   if (!found.fits)
     doubts.push_back(fmt::format(
         "a tank with these curves misses the smoothed tank pressure by {:.2g} %, noise explains {:.2g} %: "

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
+#include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -14,6 +16,7 @@
 ///   mdot T_s = K = V p'/(gamma R)                                                                    (G.34)
 /// SmoothingSpline smooths the pressures. The curve's flow is zero outside the burn. The burn reaches from
 /// the first to the last point where K is clear of threshold and noise, and on both sides on to where K <= 0.
+/// The pressure before firing is the mean of the readings that are flat at the start.                (G.38)
 /// The curve's integral is the known total mass. The tank holds all of it at the end of the record. If the
 /// pressure falls after its peak by more than noise explains, it holds all of it at the peak.
 namespace gas {
@@ -69,11 +72,12 @@ struct IdentifiedPoint {
   /// [-] Standard deviation of K over K, divided by the noise of the tank's readings. At a masked point K is
   /// replaced by the threshold if that is larger.
   double amplification;
-  /// K is below its threshold or below 4 of its standard deviations, the burn has ended, or the chamber's
-  /// pressure does not exceed the tank's.
+  /// K is below its threshold or below 4 of its standard deviations, the burn has ended, the chamber's
+  /// pressure does not exceed the tank's, or a gauge is cut off.
   bool masked;
   /// The bands hold: the point is not masked, the pressure bends no more sharply than smoothing follows, the
-  /// burn has 30 readings or more, and Identified::bands is true.
+  /// temperature's band lies inside the range of the gases, the burn has 30 readings or more, and
+  /// Identified::bands is true.
   bool band_claimed = false;
 };
 
@@ -82,6 +86,13 @@ struct Smoothing {
   double parameter;           // lambda of (G.30)
   double degrees_of_freedom;  // of the fit
   double noise;  // [-] standard deviation of a reading over the reading (full scale: over the largest)
+};
+
+/// Where a gauge is cut off at the end of its range.
+struct Clipping {
+  double pressure;       // [Pa] largest reading
+  double first, last;    // [s] of the readings that equal it
+  std::ptrdiff_t count;  // of them
 };
 
 /// Result of one test.
@@ -95,8 +106,11 @@ struct Identified {
   double threshold;
   /// Draws whose inversion fails, as where a temperature leaves its range. The bands come from the others.
   int misfits = 0;
-  /// The bands are claimed: at most a tenth of the draws are misfits, and the model fits the record.
+  /// The bands are claimed: at most a tenth of the draws are misfits, the model fits the record, and no gauge
+  /// is cut off. What is known at the end, the total mass, closes the whole record.
   bool bands = false;
+  std::optional<Clipping> tank_clipping{}, chamber_clipping{};  // none: the gauge's range is wide enough
+  double initial_pressure = 0.0;                                // [Pa] before firing
   /// [-] Largest relative difference between the smoothed tank pressure and that of a control-volume run with
   /// these curves.
   double forward_error = 0.0;

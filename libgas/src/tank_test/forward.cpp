@@ -8,7 +8,7 @@
 
 namespace gas {
 
-double forward_error(const TankTest& test, std::span<const IdentifiedPoint> points) {
+double forward_error(const TankTest& test, double initial_pressure, std::span<const IdentifiedPoint> points) {
   std::vector<Curve::Knot> flow, temperature;
   for (const IdentifiedPoint& point : points) {
     flow.push_back({point.time, point.mass_flow});
@@ -17,8 +17,8 @@ double forward_error(const TankTest& test, std::span<const IdentifiedPoint> poin
   ControlVolumeModel model{test.thermo, {0.0, test.initial_temperature}, {}, {}};
   model.inflows.push_back(
       {test.inflator_fractions, Curve(flow, Outside::zero), Curve(temperature, Outside::held)});
-  ControlVolumeState state = make_state(test.thermo, test.tank_fractions, points.front().tank_pressure,
-                                        test.initial_temperature, test.volume);
+  ControlVolumeState state =
+      make_state(test.thermo, test.tank_fractions, initial_pressure, test.initial_temperature, test.volume);
   GasIntegrator integrator(model);
   double worst = 0.0;
   for (std::size_t i = 1; i < points.size(); ++i) {

@@ -9,7 +9,9 @@
 
 #include "bands.hpp"
 #include "checks.hpp"
+#include "clipping.hpp"
 #include "forward.hpp"
+#include "initial_pressure.hpp"
 #include "inversion.hpp"
 #include "tank_test/smoothing_spline.hpp"
 
@@ -47,8 +49,10 @@ struct Splines {
 };
 
 /// Pressures at the result's times from coefficients of both splines.
-Pressures pressures(const Splines& splines, std::span<const double> tank, std::span<const double> chamber) {
+Pressures pressures(const Splines& splines, double initial, std::span<const double> tank,
+                    std::span<const double> chamber) {
   Pressures p;
+  p.initial = initial;
   for (const SplineBasis& basis : splines.tank.basis) {
     const SplinePoint point = evaluate(basis, tank);
     p.tank.push_back(point.value);
@@ -60,8 +64,8 @@ Pressures pressures(const Splines& splines, std::span<const double> tank, std::s
   return p;
 }
 
-Pressures pressures(const Splines& splines) {
-  return pressures(splines, splines.tank.spline.coefficients(),
+Pressures pressures(const Splines& splines, double initial) {
+  return pressures(splines, initial, splines.tank.spline.coefficients(),
                    splines.chamber ? splines.chamber->spline.coefficients() : std::span<const double>());
 }
 
@@ -87,8 +91,9 @@ void set_burn(const std::vector<double>& k, Burn& burn) {
   while (burn.last < burn.end && k[burn.last + 1] > 0.0) ++burn.last;
 }
 
-/// Masked: K is below `threshold` of its largest, or its noise hides it, or the chamber drives no flow.
-Burn find_burn(const Splines& splines, const Pressures& p, double threshold) {
+/// Masked: K is below `threshold` of its largest, or its noise hides it, or the chamber drives no flow, or
+/// its gauge is cut off.
+Burn find_burn(const Splines& splines, const Pressures& p, double threshold, std::vector<char> clipped) {
   const std::size_t n = p.rate.size();
   std::vector<double> signal;
   for (std::size_t i = 0; i < n; ++i)
@@ -98,10 +103,11 @@ Burn find_burn(const Splines& splines, const Pressures& p, double threshold) {
   if (!(*peak > 0.0 && best > kLeastRise))
     throw DomainError("tank test: the tank pressure does not rise above its noise");
   Burn burn;
+  burn.clipped = std::move(clipped);
   burn.end = find_end(splines, p);
   for (std::size_t i = 0; i < n; ++i) {
     const bool masked = !(p.rate[i] >= threshold * *peak && signal[i] >= kResolved && i <= burn.end) ||
-                        (!p.chamber.empty() && p.chamber[i] <= p.tank[i]);
+                        (!p.chamber.empty() && (p.chamber[i] <= p.tank[i] || burn.clipped[i]));
     burn.masked.push_back(masked);
     burn.firm.push_back(!masked && signal[i] >= std::min(kFirm, 0.9 * best));
   }
@@ -126,6 +132,20 @@ std::vector<double> equally_spaced(double first, double last, int points) {
   for (int i = 0; i < points; ++i) times.push_back(first + (last - first) * i / (points - 1));
   times.back() = last;
   return times;
+}
+
+/// The times at which the gauge is cut off.
+std::vector<char> within(const std::optional<Clipping>& clipping, std::span<const double> times) {
+  std::vector<char> inside;
+  for (const double t : times) inside.push_back(clipping && t >= clipping->first && t <= clipping->last);
+  return inside;
+}
+
+InitialPressure initial_pressure(const TankReadings& readings, const SmoothingSpline& spline, Noise noise) {
+  constexpr double kLeast = 1e-12;  // of the scale, for readings without noise
+  const double scale =
+      noise == Noise::of_reading ? readings.tank.front() : *std::ranges::max_element(readings.tank);
+  return {readings.times, readings.tank, scale * std::max(kLeast, spline.noise())};
 }
 
 std::vector<double> drawn_coefficients(const SmoothingSpline& spline, double undersmoothing,
@@ -154,14 +174,15 @@ HeldSpread held_spread(const Burn& burn, std::span<const double> temperature) {
 }
 
 Sample draw(const Splines& splines, const TankTest& test, std::span<const double> times, const Burn& burn,
-            const FlowCurves& best, const HeldSpread& spread, NormalNumbers& normals) {
+            const FlowCurves& best, const HeldSpread& spread, const InitialPressure& initial,
+            NormalNumbers& normals) {
   const std::vector<double> tank = drawn_coefficients(splines.tank.spline, kUndersmoothing, normals);
   const std::vector<double> chamber =
       splines.chamber ? drawn_coefficients(splines.chamber->spline, kUndersmoothing, normals)
                       : std::vector<double>();
-  const Pressures p = pressures(splines, tank, chamber);
   Burn moved = burn;
-  const std::span<const double> numbers = normals(2);
+  const std::span<const double> numbers = normals(4);
+  const Pressures p = pressures(splines, initial.draw(numbers[2], numbers[3]), tank, chamber);
   moved.before = elementary::exp(spread.before * numbers[0]);
   moved.after = elementary::exp(spread.after * numbers[1]);
   set_burn(p.rate, moved);
@@ -170,9 +191,9 @@ Sample draw(const Splines& splines, const TankTest& test, std::span<const double
 }
 
 /// No band from too few readings in the burn, where the pressure bends more sharply than smoothing follows,
-/// or where the point is masked.
-void claim(std::span<const double> readings, const SmoothingSpline& tank, const Burn& burn,
-           Identified& result) {
+/// where the point is masked, or where draws end at the range of temperatures.
+void claim(std::span<const double> readings, TankGas::Range range, const SmoothingSpline& tank,
+           const Burn& burn, Identified& result) {
   const double start = result.points[burn.first].time, end = result.points[burn.last].time;
   const auto inside = std::ranges::count_if(readings, [&](double t) { return start <= t && t <= end; });
   const bool claims = result.bands && inside >= kLeastReadings;
@@ -180,7 +201,8 @@ void claim(std::span<const double> readings, const SmoothingSpline& tank, const 
   for (std::size_t i = burn.first; i <= burn.last; ++i) sum += tank.roughness(result.points[i].time);
   const double limit = kSharp * sum / static_cast<double>(burn.last - burn.first + 1);
   for (IdentifiedPoint& point : result.points)
-    point.band_claimed = claims && !point.masked && tank.roughness(point.time) <= limit;
+    point.band_claimed = claims && !point.masked && tank.roughness(point.time) <= limit &&
+                         point.temperature_band.low > range.low && point.temperature_band.high < range.high;
 }
 
 }  // namespace
@@ -198,8 +220,12 @@ Identified identify(const TankTest& test, const TankReadings& readings, const Id
   result.tank = splines.tank.report();
   if (dual) result.chamber = splines.chamber->report();
   check_pressures(readings, options.noise);
-  const Pressures p = pressures(splines);
-  const Burn burn = find_burn(splines, p, options.threshold);
+  result.tank_clipping = find_clipping(readings.times, readings.tank);
+  if (dual) result.chamber_clipping = find_clipping(readings.times, readings.chamber);
+  const InitialPressure initial = initial_pressure(readings, splines.tank.spline, options.noise);
+  result.initial_pressure = initial.value();
+  const Pressures p = pressures(splines, initial.value());
+  const Burn burn = find_burn(splines, p, options.threshold, within(result.chamber_clipping, times));
   const FlowCurves flow = invert(test, times, p, burn, nullptr);
   const std::vector<double> k = Inversion(test, times, p).enthalpy_flow(flow.mean_temperature);
   result.threshold = options.threshold * *std::ranges::max_element(k);
@@ -217,7 +243,7 @@ Identified identify(const TankTest& test, const TankReadings& readings, const Id
                              0.0,
                              burn.masked[i] != 0});
 
-  result.forward_error = forward_error(test, result.points);
+  result.forward_error = forward_error(test, initial.value(), result.points);
   const auto [low, high] = std::ranges::minmax(p.tank);
   const double share = options.noise == Noise::of_reading ? 1.0 : high / low;
   result.forward_noise = kMissNoise * result.tank.noise * share;
@@ -227,14 +253,14 @@ Identified identify(const TankTest& test, const TankReadings& readings, const Id
   NormalNumbers normals;
   std::vector<Sample> samples;
   for (int i = 0; i < options.draws; ++i) try {
-      samples.push_back(draw(splines, test, times, burn, flow, spread, normals));
+      samples.push_back(draw(splines, test, times, burn, flow, spread, initial, normals));
     } catch (const DomainError&) {
       ++result.misfits;
     }
   const bool samples_hold = result.misfits <= kMostMisfits * options.draws;
   if (samples_hold) add_bands(samples, result);
-  result.bands = result.fits && samples_hold;
-  claim(readings.times, splines.tank.spline, burn, result);
+  result.bands = result.fits && samples_hold && !result.tank_clipping && !result.chamber_clipping;
+  claim(readings.times, TankGas(test, initial.value()).temperatures(), splines.tank.spline, burn, result);
   return result;
 }
 

@@ -17,7 +17,7 @@ constexpr double kChoked = 2.1;  // p_c/p from which every gas (gamma up to 5/3)
 }  // namespace
 
 Inversion::Inversion(const TankTest& test, std::span<const double> times, const Pressures& pressures)
-    : test_(test), times_(times), pressures_(pressures), gas_(test, pressures.tank.front()) {}
+    : test_(test), times_(times), pressures_(pressures), gas_(test, pressures.initial) {}
 
 std::vector<double> Inversion::enthalpy_flow(double temperature) const {
   std::vector<double> k;
@@ -92,7 +92,7 @@ void Inversion::solve(const Burn& burn, const std::vector<double>& mass, FlowCur
   for (std::size_t i = 0; i <= burn.end; ++i) {
     const double chamber = pressures_.chamber[i], tank = pressures_.tank[i];
     if (!burn.masked[i] && solved[i] > gas_.temperatures().low) flow.temperature[i] = solved[i];
-    flow.mass_flow[i] = burn.masked[i] && chamber > kChoked * tank
+    flow.mass_flow[i] = burn.masked[i] && !burn.clipped[i] && chamber > kChoked * tank
                             ? gas_.outlet_flow(flow.effective_area, flow.temperature[i], chamber, tank)
                             : gas_.mass_flow(rate(i, mass[i]), flow.temperature[i]);
   }

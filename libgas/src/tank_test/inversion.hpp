@@ -9,6 +9,7 @@ struct Pressures {
   std::vector<double> tank;     // [Pa]
   std::vector<double> rate;     // [Pa/s] of the tank
   std::vector<double> chamber;  // [Pa], empty for average temperature
+  double initial = 0.0;         // [Pa] of the tank before firing
 };
 
 /// Points that carry flow, and those at which it is well determined.
@@ -16,11 +17,11 @@ struct Burn {
   std::size_t first = 0, last = 0;  // the flow is zero outside
   std::size_t end = 0;              // from here on the tank holds all of the mass
   std::vector<char> masked;
+  std::vector<char> clipped;  // the chamber's gauge is cut off: its pressure says nothing
   /// Not masked, and well determined: masked points take their temperature from these.
   std::vector<char> firm;
   /// Factors of the temperatures that are held before the first and after the last firm point.
-  double before = 1.0,
-         after = 1.0;  // factors of the temperatures held before the first and after the last firm
+  double before = 1.0, after = 1.0;
 };
 
 /// Flow and temperature at the times of the result.
