@@ -123,6 +123,19 @@ TEST(energy_drift, everyday_scenes_take_the_steps_of_stability) {
   }
 }
 
+/// A skin at rest that a constant pressure sets in motion, and one whose pressure rises from zero: the energy
+/// of the first levels contains the step, and says nothing of the drift.
+TEST(energy_drift, few_fixed_steps_are_done) {
+  for (const char* name : {"damped_sphere", "clamped_disc", "strapped_sphere", "driver_bag"})
+    for (const int steps : {1, 2, 3, 10, 24, 25, 60}) {
+      const auto run = run_case(name, {"time.step=1e-6", "scene.end_time=" + std::to_string(steps) + "e-6",
+                                       "output.history_every=1e-6", "output.fields_every=1"});
+      EXPECT_EQ(run.outcome.status, driver::RunStatus::done)
+          << name << ", " << steps << " steps: " << run.outcome.message;
+      EXPECT_EQ(run.state.steps, steps) << name;
+    }
+}
+
 TEST(energy_drift, halved_safety_halves_the_step_that_drift_limits) {
   std::vector<double> first;
   for (const char* safety : {"time.safety=0.8", "time.safety=0.4"}) {
