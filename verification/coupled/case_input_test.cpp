@@ -150,6 +150,8 @@ const Fault kFaults[] = {
      "nothing moves", "step = 1e-3"},
     {"safety_of_a_tank", "rigid_tank", "[output]", "[time]\nsafety = 0.5\n[output]", "time.safety",
      "nothing moves", "safety = 0.5"},
+    {"safety_beside_step", "strapped_sphere", "[output]", "[time]\nstep = 1e-5\nsafety = 0.5\n[output]",
+     "time.safety", "no effect beside step, which replaces it", "safety = 0.5"},
     {"unsafe_step_of_a_tank", "rigid_tank", "[output]", "[time]\nunsafe_step = false\n[output]",
      "time.unsafe_step", "nothing moves", "unsafe_step = false"},
     {"gravity_of_a_tank", "rigid_tank", "end_time = 0.1 ", "gravity = [0.0, 0.0, -9.8]\nend_time = 0.1 ",

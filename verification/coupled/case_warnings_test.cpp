@@ -54,7 +54,11 @@ TEST(warnings, name_numbers_in_another_unit) {
                                           Given{"passenger_pendulum", "pendulum.inertia_cg", "1e6"},
                                           Given{"pendulum_swing", "pendulum.impactor_distance", "1310"},
                                           Given{"pendulum_swing", "pendulum.impactor_radius", "4.1e-5"},
-                                          Given{"passenger_pendulum", "pendulum.initial_angle", "30"}}) {
+                                          Given{"passenger_pendulum", "pendulum.initial_angle", "30"},
+                                          Given{"passenger_pendulum", "membrane.strap.0.free_length", "620"},
+                                          Given{"passenger_pendulum", "membrane.strap.1.stiffness", "4.5"},
+                                          Given{"driver_bag", "membrane.mass_damping", "1e5"},
+                                          Given{"damped_sphere", "membrane.stiffness_damping", "0.5"}}) {
     EXPECT_EQ(coupled::scene_of(scene, {}).warnings, std::vector<std::string>{}) << scene;
     const auto warnings = coupled::scene_of(scene, {std::string(key) + '=' + value}).warnings;
     ASSERT_EQ(warnings.size(), 1u) << key;

@@ -46,6 +46,13 @@ std::vector<double> openings(const Texts& overrides) {
   return run.state.gas_events.opened;
 }
 
+TEST(gas_events, straps_that_stay_slack_are_told) {
+  EXPECT_EQ(run_case("strapped_sphere").outcome.notes, std::vector<std::string>{});
+  const CaseRun run = run_case("strapped_sphere", {"membrane.strap.0.free_length=500"});
+  ASSERT_EQ(run.outcome.notes.size(), 1u);
+  EXPECT_EQ(run.outcome.notes[0], "membrane.strap.0 was never taut: its free_length is 500 m");
+}
+
 TEST(gas_events, vents_that_stay_shut_are_told) {
   const CaseRun run = run_case(
       "rigid_tank",

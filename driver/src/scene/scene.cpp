@@ -81,6 +81,8 @@ void read_motion_time(TableReader& table, bool moves, Scene& scene) {
   if (!moves) return;
   scene.time.step = table.at("step").optional_number(
       Bounds{scene.time.end / 1e9, any_number.high, false, "a step of end_time / 1e9 or more", "s"});
+  if (scene.time.step && table.has("safety"))
+    table.fail("safety", "has no effect beside step, which replaces it: leave one of the two out");
   if (!scene.time.step)
     scene.time.safety = table.at("safety").number(Bounds{1e-3, 1.0, false, "1e-3 to 1"}, scene.time.safety);
   scene.time.unsafe_step = table.at("unsafe_step").flag(false);

@@ -82,7 +82,15 @@ void check_bag(Scene& scene, UnitWarnings& units) {
     units.expect("fabric.density", fabric.density, "kg/m3", 10.0, 2e4);
     if (std::isfinite(fabric.young_modulus))
       units.expect("fabric.young_modulus", fabric.young_modulus, "Pa", 1e4, 1e12);
-    if (scene.warnings.size() > before) return;  // once, not of each element
+    if (scene.warnings.size() > before) break;  // once, not of each element
+  }
+  const membrane::BagDescription& bag = scene.bag->model.description;
+  units.expect("membrane.mass_damping", bag.mass_damping, "1/s", 0.0, 1e4);
+  units.expect("membrane.stiffness_damping", bag.stiffness_damping, "s", 0.0, 0.1);
+  for (std::size_t i = 0; i < bag.straps.size(); ++i) {
+    const std::string key = fmt::format("membrane.strap.{}.", i);
+    units.expect(key + "free_length", bag.straps[i].free_length, "m", 0.01, 5.0);
+    units.expect(key + "stiffness", bag.straps[i].stiffness, "N/m", 50.0, 1e8);
   }
 }
 

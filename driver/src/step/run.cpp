@@ -21,6 +21,7 @@
 #include "step/skin_looks.hpp"
 #include "step/stage_clock.hpp"
 #include "step/stages.hpp"
+#include "step/taut_straps.hpp"
 
 namespace driver {
 namespace {
@@ -55,7 +56,7 @@ class BlowUp {
 
 void run_steps(const Scene& scene, State& state, const LevelSink& sink, const LevelViews& views,
                const Executor& executor, const std::function<bool()>& stop_wanted, StageClock& clock,
-               RunOutcome& outcome) {
+               TautStraps& straps, RunOutcome& outcome) {
   Schedule history(scene.output.history_every), fields(scene.output.fields_every);
   Schedule frames(scene.output.frames > 0 ? scene.time.end / scene.output.frames : 0.0);
   SkinLooks skin(scene);
@@ -77,6 +78,7 @@ void run_steps(const Scene& scene, State& state, const LevelSink& sink, const Le
     const double now = state.time;
     step(scene, state, request, executor);
     sink(request.record, state);
+    straps.look(state);
     clock.update(state);
     if (stop) outcome.status = RunStatus::interrupted;
     if (request.last) return;
@@ -185,6 +187,7 @@ RunOutcome run_scene(const Scene& scene, State& state, const LevelSink& sink, co
   RunOutcome outcome;
   const auto start = std::chrono::steady_clock::now();
   StageClock clock(executor.threads() == 1);
+  TautStraps straps(scene);
   const auto fail = [&](const std::exception& error) {
     outcome.status = RunStatus::failed;
     outcome.out_of_memory = dynamic_cast<const std::bad_alloc*>(&error) != nullptr;
@@ -192,7 +195,7 @@ RunOutcome run_scene(const Scene& scene, State& state, const LevelSink& sink, co
                                   state.steps, text_of(error));
   };
   try {
-    run_steps(scene, state, sink, views, executor, stop, clock, outcome);
+    run_steps(scene, state, sink, views, executor, stop, clock, straps, outcome);
   } catch (const std::exception& error) {
     // A stage refused what an earlier one computed (a coordinate out of range, say), or memory ran out.
     fail(error);
@@ -205,6 +208,7 @@ RunOutcome run_scene(const Scene& scene, State& state, const LevelSink& sink, co
     note_held_velocities(scene, state, outcome);
     note_left_outlets(scene, state, outcome);
     note_untouched(scene, state, outcome);
+    if (sees_all_inflow(scene)) straps.note(scene, outcome);
   }
   if (auto note = note_of_crossing(outcome.looks); !note.empty()) outcome.notes.push_back(std::move(note));
   judge_drift(scene, state, outcome);
