@@ -21,8 +21,9 @@ Band band(std::span<const Sample> samples, const Quantity& quantity) {
 
 }  // namespace
 
-NormalNumbers::NormalNumbers() : generator_(gsl::allocated(gsl_rng_alloc(gsl_rng_mt19937))) {
-  gsl_rng_set(generator_.get(), 1);
+NormalNumbers::NormalNumbers(unsigned long seed)
+    : generator_(gsl::allocated(gsl_rng_alloc(gsl_rng_mt19937))) {
+  gsl_rng_set(generator_.get(), seed);
 }
 
 std::span<const double> NormalNumbers::operator()(std::size_t count) {

@@ -14,7 +14,7 @@ struct Sample {
 /// Independent standard normal numbers, the same in every run.
 class NormalNumbers {
  public:
-  NormalNumbers();
+  explicit NormalNumbers(unsigned long seed);
   std::span<const double> operator()(std::size_t count);
 
  private:

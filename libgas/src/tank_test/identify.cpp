@@ -174,15 +174,14 @@ HeldSpread held_spread(const Burn& burn, std::span<const double> temperature) {
 }
 
 Sample draw(const Splines& splines, const TankTest& test, std::span<const double> times, const Burn& burn,
-            const FlowCurves& best, const HeldSpread& spread, const InitialPressure& initial,
-            NormalNumbers& normals) {
+            const FlowCurves& best, const HeldSpread& spread, double initial, NormalNumbers& normals) {
   const std::vector<double> tank = drawn_coefficients(splines.tank.spline, kUndersmoothing, normals);
   const std::vector<double> chamber =
       splines.chamber ? drawn_coefficients(splines.chamber->spline, kUndersmoothing, normals)
                       : std::vector<double>();
   Burn moved = burn;
-  const std::span<const double> numbers = normals(4);
-  const Pressures p = pressures(splines, initial.draw(numbers[2], numbers[3]), tank, chamber);
+  const std::span<const double> numbers = normals(2);
+  const Pressures p = pressures(splines, initial, tank, chamber);
   moved.before = elementary::exp(spread.before * numbers[0]);
   moved.after = elementary::exp(spread.after * numbers[1]);
   set_burn(p.rate, moved);
@@ -250,10 +249,12 @@ Identified identify(const TankTest& test, const TankReadings& readings, const Id
   result.fits = result.forward_error <= kMiss + result.forward_noise;
 
   const HeldSpread spread = held_spread(burn, flow.temperature);
-  NormalNumbers normals;
+  NormalNumbers normals(1), of_initial(2);
   std::vector<Sample> samples;
   for (int i = 0; i < options.draws; ++i) try {
-      samples.push_back(draw(splines, test, times, burn, flow, spread, initial, normals));
+      const std::span<const double> two = of_initial(2);
+      samples.push_back(
+          draw(splines, test, times, burn, flow, spread, initial.draw(two[0], two[1]), normals));
     } catch (const DomainError&) {
       ++result.misfits;
     }
