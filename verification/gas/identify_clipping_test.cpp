@@ -8,7 +8,7 @@ namespace {
 
 using namespace cases;
 
-constexpr gas::IdentifyOptions kBands{.points = 101, .draws = 40};
+constexpr gas::IdentifyOptions kClippedBands{.points = 101, .draws = 40};
 
 double largest(const std::vector<double>& readings) {
   return *std::max_element(readings.begin(), readings.end());
@@ -48,7 +48,7 @@ TEST(identify_clipping, chamber_gauge_is_named_and_nothing_is_claimed) {
       cut_off(record.chamber, share);
       if (gauge.step > 0.0)
         for (auto* readings : {&record.tank, &record.chamber}) round_to(*readings, gauge.step);
-      const gas::Identified found = gas::identify(one_gas_test(), record.dual(), kBands);
+      const gas::Identified found = gas::identify(one_gas_test(), record.dual(), kClippedBands);
       ASSERT_TRUE(found.chamber_clipping);
       EXPECT_EQ(found.chamber_clipping->pressure, largest(record.chamber));
       EXPECT_FALSE(found.tank_clipping);
@@ -65,7 +65,7 @@ TEST(identify_clipping, tank_gauge_is_named_and_nothing_is_claimed_by_either_met
       cut_off(record.tank, share);
       if (gauge.step > 0.0) round_to(record.tank, gauge.step);
       for (const auto& readings : {record.average(), record.dual()}) {
-        const gas::Identified found = gas::identify(one_gas_test(), readings, kBands);
+        const gas::Identified found = gas::identify(one_gas_test(), readings, kClippedBands);
         ASSERT_TRUE(found.tank_clipping);
         EXPECT_EQ(found.tank_clipping->pressure, largest(record.tank));
         EXPECT_FALSE(claims(found));
@@ -102,7 +102,7 @@ TEST(identify_clipping, flow_while_the_chamber_gauge_is_cut_off_follows_from_the
   const Truth truth = one_gas_truth(1e-4);
   Record record(truth, 0.06, 601);
   cut_off(record.chamber, 0.65);
-  const gas::Identified found = gas::identify(one_gas_test(), record.dual(), kBands);
+  const gas::Identified found = gas::identify(one_gas_test(), record.dual(), kClippedBands);
   for (const auto& point : found.points) {
     if (point.time < found.chamber_clipping->first || point.time > found.chamber_clipping->last) continue;
     EXPECT_TRUE(point.masked);
@@ -118,7 +118,7 @@ TEST(identify_clipping, temperature_at_the_end_of_the_range_is_not_claimed) {
   record.add_noise(0.01, 5);
   for (std::size_t i = 0; i < record.times.size(); ++i)  // a chamber gauge that reads too little late
     if (record.times[i] > 0.03) record.chamber[i] = std::max(record.tank[i], 0.4 * record.chamber[i]);
-  const gas::Identified found = gas::identify(test, record.dual(), kBands);
+  const gas::Identified found = gas::identify(test, record.dual(), kClippedBands);
   int ends = 0;
   for (const auto& point : found.points) {
     const bool at_end = point.temperature_band.low <= 200.0 || point.temperature_band.high >= 6000.0;

@@ -60,6 +60,7 @@ void run_steps(const Scene& scene, State& state, const LevelSink& sink, const Le
   Schedule history(scene.output.history_every), fields(scene.output.fields_every);
   Schedule frames(scene.output.frames > 0 ? scene.time.end / scene.output.frames : 0.0);
   SkinLooks skin(scene);
+  BlowUp blow_up;
   bool field_due = false, frame_due = false, look_due = false, blown_up = false;
   const std::function<void(const State&)> view = [&](const State& now) {
     if (field_due) views.fields(now);
