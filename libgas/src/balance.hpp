@@ -23,7 +23,7 @@ class Balance {
   const UniformGas& gas() const { return gas_; }
   const Mixture& mixture() const { return mixture_; }
   double time() const { return time_; }  // [s] since the begin of the segment
-  double absolute_time() const { return boundary_.segment_begin() + time_; }  // [s]
+  double absolute_time() const { return boundary_.segment().begin + time_; }  // [s]
   double fraction(std::size_t k) const { return masses_[k] / gas_.mass; }
 
   /// V dp/dt [W] of the gas located: with the openings shut, from inflow, volume and walls; and from a flow

@@ -50,17 +50,15 @@ Boundary::Boundary(const ControlVolumeModel& model)
       areas_(model.vents.size()) {}
 
 void Boundary::begin_step(double t0, double t1, const VolumePath& path) {
-  path_ = {0.0, 1.0 / (t1 - t0), path};
-  step_begin_ = begin_ = t0;
-  length_ = 0.0;
+  path_ = {t0, 0.0, 1.0 / (t1 - t0), path};
+  segment_ = {t0, 0.0};
   if (!model_.volume_of_overpressure) return;
   path_.path.volume_begin = path_.path.volume_end = path_.path.volume_bulge = 0.0;  // not read
 }
 
 void Boundary::begin_segment(const TriggerState& triggers, double a, double b) {
-  begin_ = a;
-  length_ = b - a;
-  path_.begin = (a - step_begin_) * path_.per_second;
+  segment_ = {a, b - a};
+  path_.begin = (a - path_.t0) * path_.per_second;
   inflows_.begin_segment(triggers, a, b);
   for (std::size_t j = 0; j < areas_.size(); ++j) {
     const Vent& vent = model_.vents[j];

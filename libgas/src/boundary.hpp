@@ -9,10 +9,15 @@
 
 namespace gas {
 
-/// A VolumePath, (G.17), in the share x of the step, on a segment of it. Times count from the segment's
-/// begin.
+/// A time between two break points.
+struct Segment {
+  double begin = 0.0, length = 0.0;  // [s]
+};
+
+/// A VolumePath, (G.17), in the share x of the step, on a segment of it. Times count from its begin.
 struct StepPath {
-  double begin = 0.0, per_second = 0.0;  // x there; dx/dt [1/s]
+  double t0 = 0.0;                       // [s] begin of the step
+  double begin = 0.0, per_second = 0.0;  // x where the segment begins; dx/dt [1/s]
   VolumePath path{};
   template <class S>
   S share(const S& t) const {
@@ -93,8 +98,7 @@ class Boundary {
   const AmbientGas& ambient() const { return ambient_; }
   const Inflows& inflows() const { return inflows_; }
   const StepPath& path() const { return path_; }
-  double segment_begin() const { return begin_; }    // [s]
-  double segment_length() const { return length_; }  // [s]
+  const Segment& segment() const { return segment_; }
   bool has_open_vent() const;
   bool is_open() const { return has_open_vent() || path_.leaks(); }  // gas can leave
   bool has_backflow() const;                                         // gas can come in
@@ -140,7 +144,7 @@ class Boundary {
   /// [vent] Cd A over time, zero while it is shut; for one with a curve over the overpressure Cd alone.
   std::vector<Curve::Piece> areas_;
   StepPath path_;
-  double step_begin_ = 0.0, begin_ = 0.0, length_ = 0.0;  // [s]
+  Segment segment_;
 };
 
 }  // namespace gas

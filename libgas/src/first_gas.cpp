@@ -51,7 +51,7 @@ double fill_first(System& system, const IntegratorOptions& options, Vector& y, d
   if (std::accumulate(system.gas.begin(), system.gas.end() - 1, 0.0) == 0.0) return t;
   const auto temperature = balance_with_walls(boundary.model(), system.gas);
   if (!temperature)
-    throw DomainError(range_text(boundary.model()) + "at t = " + to_text(boundary.segment_begin() + t) +
+    throw DomainError(range_text(boundary.model()) + "at t = " + to_text(boundary.segment().begin + t) +
                       " s, where its first gas is in balance with the walls");
   set_backflow(end - t, 0.5 * (t + end));
   system.ledger.gas_at(y, end, system.gas);

@@ -101,7 +101,7 @@ class GasIntegrator::Implementation {
     if (const double knot = boundary_.next_break(triggers_, a); t1 - knot > kOneTime * std::abs(t1))
       next = std::min(next, knot);
     boundary_.begin_segment(triggers_, a, next);
-    const double length = boundary_.segment_length();
+    const double length = boundary_.segment().length;
     ledger_.begin_segment();
     const double reached = needs_stepper() || watched ? substepper_.integrate(triggers_) : length;
     ledger_.deliver(reached);
@@ -115,7 +115,7 @@ class GasIntegrator::Implementation {
 
   /// The gas at t, between two segments.
   const UniformGas& locate(double t) {
-    if (!substepper_.balance().locate(ledger_.gas(), t - boundary_.segment_begin()))
+    if (!substepper_.balance().locate(ledger_.gas(), t - boundary_.segment().begin))
       throw DomainError(range_text(model_) + "at t = " + to_text(t) + " s");
     return substepper_.balance().gas();
   }

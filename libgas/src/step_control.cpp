@@ -175,13 +175,13 @@ std::string StepControl::advice(const Balance& balance, double length) const {
 bool StepControl::is_too_short(const Balance& balance, double t, double length) const {
   constexpr double kShortest = 1e-40;  // of the segment
   return !is_fixed() &&
-         length <= std::max(2.0 * kEpsilon * t, kShortest * balance.boundary().segment_length());
+         length <= std::max(2.0 * kEpsilon * t, kShortest * balance.boundary().segment().length);
 }
 
 void StepControl::fail(System& system, double t, double length, bool found_gas) const {
   Balance& balance = system.balance;
   const Thermo& thermo = balance.boundary().model().thermo;
-  const std::string where = "at t = " + to_text(balance.boundary().segment_begin() + t) +
+  const std::string where = "at t = " + to_text(balance.boundary().segment().begin + t) +
                             " s with a sub-step of " + to_text(length) + " s";
   // What a trial met there is no matter: events and rates need shorter sub-steps than there are.
   const bool too_short = is_too_short(balance, t, length);

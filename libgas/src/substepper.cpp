@@ -153,7 +153,7 @@ void Substepper::accept(const Reach& reach, const Moment& end, bool landed, doub
   const double duration = reach.end - clock.time(begin_.x), slope = clock.slope(begin_.x + reach.length);
   const bool sets_in = landed && watch_.is_on_ambient(end);
   const auto time = [&](double share) {
-    return system_.balance.boundary().segment_begin() + clock.time(begin_.x + share * reach.length);
+    return system_.balance.boundary().segment().begin + clock.time(begin_.x + share * reach.length);
   };
   if (const auto share = watch_.switches(begin_.moment, end, reach.length))
     moments_.sonic_switch = time(*share);
@@ -178,7 +178,7 @@ void Substepper::accept(const Reach& reach, const Moment& end, bool landed, doub
 
 double Substepper::integrate(const TriggerState& triggers) {
   const Balance& balance = system_.balance;
-  const double b = balance.boundary().segment_length();
+  const double b = balance.boundary().segment().length;
   start(0.0, b);
   if (balance.gas().mass == 0.0 && balance.boundary().model().heat_loss.conductance > 0.0) {
     const double filled = fill_first(system_, options_, trial_.end, 0.0, b);
@@ -206,7 +206,7 @@ double Substepper::integrate(const TriggerState& triggers) {
     }
     if (balance.gas().beyond)  // it starts on the last knot, where trials end that pass it
       throw DomainError(beyond_text(balance.boundary().model()) +
-                        ", at t = " + to_text(balance.boundary().segment_begin() + begin_.t) + " s");
+                        ", at t = " + to_text(balance.boundary().segment().begin + begin_.t) + " s");
     const bool landed = next.landing < kInfinity;
     const double fits = clock.time(end_x + watch_.time_kept(begin_.moment, end) * fitting) - trial.end;
     const double kept = landed ? std::max(fits, clock.time(end_x + next.length) - trial.end) : fits;

@@ -97,8 +97,8 @@ void book_energy(const Scene& scene, State& state) {
   Peaks& peaks = state.peaks;
   peaks.energy_scale = std::max(peaks.energy_scale, energy_scale(scene, state));
   // The energy of a level contains the step (K.40), that of the start does not. Of a skin that a constant
-  // pressure sets in motion from rest the two differ by 2/(4 n^2 - 1) of its energy after n steps, 8e-4 at 25;
-  // of one whose pressure rises from zero by some four times that.
+  // pressure sets in motion from rest the two differ by 2/(4 n^2 - 1) of its energy after n steps, 8e-4 at
+  // 25; of one whose pressure rises from zero by some four times that.
   constexpr int fewest_steps = 25;
   if (!scene.moves() || state.steps >= fewest_steps)
     peaks.energy_residual = std::max(peaks.energy_residual, std::abs(state.level.energy_residual));
