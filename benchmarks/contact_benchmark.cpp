@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Stage S7: the pendulum's impactor in front of and in the inflated passenger bag. The skin shifts to and fro
+// Stage S4: the pendulum's impactor in front of and in the inflated passenger bag. The skin shifts to and fro
 // by 1 mm a call, as a bag at 25 m/s does in 40 us.
 #include <benchmark/benchmark.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Stages S3 to S5 of the rectangular jet in the passenger bag: outlet, field, and visibility by each route.
+// Stages S5 to S7 of the rectangular jet in the passenger bag: outlet, field, and visibility by each route.
 // The counters say what was decided and that the routes agree.
 #include <benchmark/benchmark.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Stages S1, S6, S8 and S9 of the bag, one thread unless a row says two. time_per_element counts all 2744
+// Stages S1, S3, S8 and S9 of the bag, one thread unless a row says two. time_per_element counts all 2744
 // elements; the other counters are the physics of the state and how well its identities hold.
 #include <benchmark/benchmark.h>
 #include <tbb/global_control.h>
@@ -119,7 +119,7 @@ void BM_advance(benchmark::State& run) {
   run.counters["ledger_error"] = worst;  // kick form
 }
 
-// One step of the bag under constant gauge pressure: S9 with the fabric of S6, supports and pressure, S8.
+// One step of the bag under constant gauge pressure: S9 with the fabric of S3, supports and pressure, S8.
 template <class ForEachBlock = membrane::Serial>
 void one_step(const membrane::BagModel& model, membrane::BagState& state, double gauge_pressure,
               const ForEachBlock& for_each_block = {}) {

@@ -107,20 +107,20 @@ int main() {
         gas::evaluate(volume, content, surface.volume, surface.porosity_squared_area, time);  // S2
     if (n % 100 == 0)
       std::printf("%.17g,%.17g,%.17g,%.17g\n", time, point.pressure, surface.volume, swing.angle);
-    const auto inflow = gas::inflator_point(volume, content, 0, time);  // S3
+    const auto inflow = gas::inflator_point(volume, content, 0, time);  // S5
     const auto nozzle =
         jet::outlet_state(outlet, {inflow.mass_flow, inflow.temperature, inflow.cp, inflow.gas_constant});
-    membrane::update_geometry(bag, skin);  // S4
+    membrane::update_geometry(bag, skin);  // S6
     field.evaluate(skin.area_vector.map(), skin.centroid.map(), nozzle, load);
-    const std::span<std::uint8_t> mask(lit.data(), load.candidates.size());  // S5
+    const std::span<std::uint8_t> mask(lit.data(), load.candidates.size());  // S7
     query.query(jet::VisibilityRoute::fast, skin.position.map(), jet::ray_source(field.model()),
                 load.candidates, mask);
     jet::apply_mask(mask, load);
-    membrane::support_forces(bag, skin);  // S6
+    membrane::support_forces(bag, skin);  // S3
     membrane::pressure_forces(skin, point.pressure - kAmbientPressure);
     const membrane::JetLoad jets[] = {{load.overpressure, load.candidates}};
     membrane::jet_forces(bag, skin, jets);
-    pendulum.require_followed(before * swing.angular_velocity);  // S7
+    pendulum.require_followed(before * swing.angular_velocity);  // S4
     const Vector3d centre = pendulum.impactor_centre(swing.angle);
     skin.contact_force.map().setZero();
     const auto hit = contact.evaluate(touched, skin.position.map(), centre, skin.contact_force.map());

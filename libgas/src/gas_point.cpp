@@ -9,18 +9,16 @@
 namespace gas {
 namespace {
 
-double mass_flow(const Inflow& inflow, double start, double time, Side side = Side::after) {
-  const double tau = local_time(inflow, start, time);
-  const bool fired = side == Side::after ? tau >= 0.0 : tau > 0.0;
-  return fired ? inflow.mass_flow.value(tau, side) : 0.0;
+double mass_flow(const Inflow& inflow, double since, Side side = Side::after) {
+  const bool fired = side == Side::after ? since >= 0.0 : since > 0.0;
+  return fired ? inflow.mass_flow.value(since, side) : 0.0;
 }
 
-InflatorPoint inflator_point(const ControlVolumeModel& model, const Inflow& inflow, double start, double time,
-                             Side side) {
-  const double temperature = inflow.temperature.value(local_time(inflow, start, time), side);
+InflatorPoint inflator_point(const ControlVolumeModel& model, const Inflow& inflow, double since, Side side) {
+  const double temperature = inflow.temperature.value(since, side);
   const Mixture gas = model.thermo.mixture(inflow.mass_fractions);
   const double cp = gas.cp(temperature);
-  return {mass_flow(inflow, start, time, side), temperature, cp / gas.mass, cp / gas.cv(temperature),
+  return {mass_flow(inflow, since, side), temperature, cp / gas.mass, cp / gas.cv(temperature),
           gas.gas_constant_sum / gas.mass};
 }
 
@@ -72,7 +70,7 @@ GasPoint evaluate(const ControlVolumeModel& model, const ControlVolumeState& sta
   point.gas_constant = gas.gas_constant;
   point.mass = gas.mass;
   for (const Inflow& inflow : model.inflows)
-    point.inflow += mass_flow(inflow, firing_time(inflow, state.triggers), time);
+    point.inflow += mass_flow(inflow, local_time(inflow, firing_time(inflow, state.triggers), time));
   double area = 0.0, back_area = 0.0;
   for (const Vent& vent : model.vents) {
     const double effective = effective_area(vent, state.triggers, time, gas.overpressure);
@@ -95,12 +93,18 @@ InflatorPoint inflator_point(const ControlVolumeModel& model, const ControlVolum
                              double time) {
   const Inflow& inflow = model.inflows.at(i);
   require_triggers(model, state);
-  return inflator_point(model, inflow, firing_time(inflow, state.triggers), time, Side::after);
+  return inflator_point(model, inflow, local_time(inflow, firing_time(inflow, state.triggers), time),
+                        Side::after);
 }
 
 InflatorPoint inflator_point(const ControlVolumeModel& model, std::size_t i, double time, Side side) {
   const Inflow& inflow = model.inflows.at(i);
-  return inflator_point(model, inflow, inflow.start_time, time, side);
+  return inflator_point(model, inflow, local_time(inflow, inflow.start_time, time), side);
+}
+
+InflatorPoint inflator_point_since_firing(const ControlVolumeModel& model, std::size_t i, double since,
+                                          Side side) {
+  return inflator_point(model, model.inflows.at(i), since, side);
 }
 
 }  // namespace gas

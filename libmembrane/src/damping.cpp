@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// S6: stiffness-proportional damping (M.28). Scenes without it never come here.
+// S3: stiffness-proportional damping (M.28). Scenes without it never come here.
 #include <algorithm>
 
 #include "blocks.hpp"

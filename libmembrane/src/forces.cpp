@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// S6: pressure and jet.
+// S3: pressure and jet.
 #include <algorithm>
 #include <cmath>
 

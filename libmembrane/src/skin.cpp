@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// S1/S9 surface and the fabric's part of S6: passes over the blocks of elements.
+// S1/S9 surface and the fabric's part of S3: passes over the blocks of elements.
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>

@@ -34,21 +34,16 @@ TEST(driving_moment, free_pendulum_turns_as_the_pulse_integrated_twice) {
   const double rate = M_PI / kDuration, peak = 655.0;
   // After the pulse: M0/I (T/w) within it, then 2 M0/(I w) for the rest.
   const double exact = peak / kInertia / rate * (kDuration + 2.0 * (kLater - kDuration));
-  std::vector<double> residuals;
   for (const double step : {2e-3, 1e-3, 5e-4}) {
     const auto run = pulse(peak, step, "[0,0,0]");
     claim::expect_relative({"K.4", "half-sine moment on a free pendulum: angle at 50 ms, steps 0.5 to 2 ms",
                             "polygon 2e-7; a symmetric pulse has no error of the step"},
                            run.history.back().at("pendulum_angle_rad"), exact, 3e-7);
-    residuals.push_back(0.0);
-    for (const auto& row : run.energy)
-      residuals.back() = std::max(residuals.back(), std::abs(row.at("residual_J")));
+    // A free pendulum keeps (K.21) at every level: (K.42). Rounding of some 20 J.
+    EXPECT_LT(run.state.peaks.energy_residual, 1e-12);
     EXPECT_NEAR(run.energy.back().at("driving_work_J"), run.energy.back().at("pendulum_kinetic_J"), 1e-12);
     EXPECT_LT(std::abs(run.energy.back().at("kick_residual_J")), 1e-12);
   }
-  claim::expect_order({"K.21", "half-sine moment on a free pendulum: greatest residual of the energy [J]",
-                       "kinetic energy at a level: (w dt)^2"},
-                      residuals, 1.8, 2.2);
 }
 
 TEST(driving_moment, pulse_within_a_step_has_its_impulse) {
@@ -56,6 +51,8 @@ TEST(driving_moment, pulse_within_a_step_has_its_impulse) {
       coupled::run_case("pendulum_pulse", {"pendulum.driving_moment={time=[0.00101,0.00103],value=[5e5,5e5]}",
                                            "time.step=3e-3", "scene.gravity=[0,0,0]"});
   EXPECT_NEAR(run.history.back().at("pendulum_angular_velocity_rad_s"), 10.0 / kInertia, 1e-12);
+  EXPECT_EQ(run.outcome.status, driver::RunStatus::done) << run.outcome.message;
+  EXPECT_LT(run.state.peaks.energy_residual, 1e-12);
 }
 
 // Without gravity the joint alone carries m a, and turns with M/I.

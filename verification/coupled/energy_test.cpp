@@ -87,7 +87,7 @@ double lack_of_jet_work(const char* step) {
   driver::State state = driver::make_state(scene);
   double squares = 0.0;
   for (; state.time < 0.0016; ++state.steps) {
-    driver::step(scene, state, {});
+    driver::step(scene, state, {.record = true});
     // Constant heat capacities: U = p V / (gamma - 1).
     const double held = state.gas_point.pressure * state.level.volume / (state.gas_point.gamma - 1.0);
     squares += std::pow(state.level.internal_energy - held, 2);

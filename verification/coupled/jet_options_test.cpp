@@ -191,7 +191,9 @@ TEST(jet_options, step_bound_counts_relative_jets) {
       },
       [&](const driver::Scene&, const driver::State& state) {
         const double bound = membrane::critical_time_step(shares, rate);
-        EXPECT_NEAR(state.step.critical, bound, 1e-12 * bound);  // a dozen roundings on either side
+        // The bound takes the loads over a kick after which the step is as long as before it. Steps change by
+        // less than 1e-3; the jet starts with the run.
+        EXPECT_NEAR(state.step.critical, bound, 1e-3 * bound);
         least = std::min(least, bound / membrane::critical_time_step(shares));
       });
   EXPECT_LT(least, 0.9) << "the jet has to matter";

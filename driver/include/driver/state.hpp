@@ -22,11 +22,11 @@ namespace driver {
 enum class Stage {
   surface,     // S1 x^n -> area vectors, centroids, V^n (from S9 of the last step)
   gas_point,   // S2 m_k, U, V -> p, T, rho, gamma
-  outlet,      // S3 inflators -> V0, rho0
-  jet_field,   // S4 centroids -> overpressure, candidates
-  visibility,  // S5 candidates -> exact mask
-  forces,      // S6 fabric, straps, plates, pressure, jet
-  contact,     // S7 sphere against skin
+  forces,      // S3 fabric, straps, plates, pressure; the jets' after S7
+  contact,     // S4 sphere against skin; then the size of the step
+  outlet,      // S5 inflators over the kick -> V0, rho0
+  jet_field,   // S6 centroids -> overpressure, candidates
+  visibility,  // S7 candidates -> exact mask
   advance,     // S8 central difference
   volume,      // S9 surface at n+1
   gas,         // S10 gas ODE over the step
@@ -62,17 +62,25 @@ struct Flows {
 
 /// Skin on which a jet acts: its elements, or their pieces.
 struct JetSkin {
-  Eigen::Matrix3Xd nodes;         // [m] pieces only; S4
-  Eigen::Matrix3Xd area_vectors;  // [m2] pieces only; S4
-  Eigen::Matrix3Xd centroids;     // [m] pieces only; S4
-  Eigen::Matrix3Xd velocity;      // [m/s] of the elements, relative jets only; S4
-  /// [m/s] Velocity of each piece, that of its element; relative jets with pieces only; S4.
+  Eigen::Matrix3Xd nodes;         // [m] pieces only; S6
+  Eigen::Matrix3Xd area_vectors;  // [m2] pieces only; S6
+  Eigen::Matrix3Xd centroids;     // [m] pieces only; S6
+  Eigen::Matrix3Xd velocity;      // [m/s] of the elements, relative jets only; S6
+  /// [m/s] Velocity of each piece, that of its element; relative jets with pieces only; S6.
   Eigen::Matrix3Xd piece_velocity;
+};
+
+/// Internal energies that gas has at ambient temperature [J]: of what is held, and of what the streams
+/// carried since the start. Less these, energies are sensible: no zero of enthalpy is in them.
+struct AmbientEnergies {
+  double held = 0.0, inflow = 0.0, outflow = 0.0, backflow = 0.0;
 };
 
 /// Mass and enthalpy of each stream since the start; S10.
 struct Streams {
   std::vector<gas::StreamFlux> inflows, outflows, backflows;  // outflows: vents, then fabrics
+  AmbientEnergies ambient;
+  std::vector<double> outflow_ambient;  // [J] ambient.outflow by outflow
 };
 
 /// When the flow of the gas changed its regime; NaN: not yet.
@@ -86,16 +94,19 @@ struct JetRun {
   /// Overpressure on the elements, after the mask.
   const jet::FieldState& load() const { return elements.overpressure.empty() ? field : elements; }
 
-  jet::OutletState outlet;  // S3
-  JetSkin skin;             // S4
-  /// S4; S5 applies the mask. Of the pieces if there are any, else of the elements.
+  jet::OutletState outlet;  // S5, mean over the kick
+  JetSkin skin;             // S6
+  /// S6; S7 applies the mask. Of the pieces if there are any, else of the elements.
   jet::FieldState field;
-  jet::FieldState elements;                         // S5, averages over the pieces; empty without pieces
-  std::vector<std::uint8_t> lit;                    // S5, one per candidate
-  jet::VisibilityQuery query;                       // S5 workspace
-  jet::VisibilityCounters counters;                 // S5, of this step
-  jet::VisibilityCounters total;                    // S5, of the run
-  Eigen::Vector3d force = Eigen::Vector3d::Zero();  // S5 [N]
+  jet::FieldState elements;                         // S7, averages over the pieces; empty without pieces
+  std::vector<std::uint8_t> lit;                    // S7, one per candidate
+  jet::VisibilityQuery query;                       // S7 workspace
+  jet::VisibilityCounters counters;                 // S7, of this step
+  jet::VisibilityCounters total;                    // S7, of the run
+  Eigen::Vector3d force = Eigen::Vector3d::Zero();  // S7 [N]
+  double thrust_change = 0.0;  // S5, over the thrust of the call before; 0 if there was none
+  /// S5 [s] Firing of its inflator, as far as it was known when the kick began.
+  double firing = std::numeric_limits<double>::infinity();
 };
 
 /// Values of the current level n that later stages overwrite, kept for the balances of n.
@@ -103,16 +114,19 @@ struct Level {
   double internal_energy = 0.0;  // S2 [J]
   double volume = 0.0;           // S2 [m3]
   double skin_area = 0.0;        // S2 [m2]
-  double skin_strain = 0.0;      // S6 [J]
-  double displacement = 0.0;     // S7 [m] largest of a node since the start, if wanted
-  double pendulum_angle = 0.0;   // S7 [rad]
+  double skin_strain = 0.0;      // S3 [J]
+  double displacement = 0.0;     // S8 [m] largest of a node since the start, if wanted
+  double pendulum_angle = 0.0;   // S4 [rad]
   Flows flows;                   // S2, sums up to n
+  AmbientEnergies ambient;       // S2
   /// S2 [kg] of each species; like `streams`, only if the history has them.
   std::vector<double> masses;
   Streams streams;         // S2
   double jet_force = 0.0;  // S11 [N] magnitude of the resultant of all jets
-  /// S7 [J]; this and the next members only if the balance of n is wanted.
+  /// S8 [J]; this and the next members only if the balance of n is wanted.
   double skin_gravity = 0.0;
+  double jet_power = 0.0;        // S8 [W] of all jets on the skin, at the velocity of n-1/2
+  double pressure_power = 0.0;   // S8 [W] of a prescribed pressure, likewise
   double skin_kinetic = 0.0;     // S11 [J]
   double energy_residual = 0.0;  // S11 [J] physical drift (K.21)
   double kick_residual = 0.0;    // S11 [J] (K.20): change of kinetic energy less the work of every force
@@ -138,8 +152,9 @@ struct Peaks {
   double ledger_residual = 0.0;  // [J] kick form, largest magnitude
   /// [J] Physical drift, largest magnitude at the recorded levels.
   double energy_residual = 0.0;
-  /// [J] Largest of supplied enthalpy and internal, kinetic and elastic energy.
+  /// [J] Largest of sensible supply, sensible internal energy, p V, kinetic and elastic energy (K.43).
   double energy_scale = 0.0;
+  double mechanical = 0.0;  // [J] largest sum of kinetic and elastic energy and that of the pendulum's weight
   /// Largest of the terms that the step integrates, at the recorded levels.
   LargestTerm largest_term;
   /// [-] Of the momentum balance: inner forces and pressure on the closed skin sum to zero.
@@ -150,6 +165,8 @@ struct Peaks {
 struct StepSizes {
   double before = 0.0;                                           // [s] step that led to n; 0 at the start
   double after = 0.0;                                            // [s] step that leaves n
+  double kick_begin = 0.0;                                       // [s] where the kick at n-1 ended
+  double kick_end = 0.0;                                         // [s] half a step after n
   double critical = 0.0;                                         // [s] bound at n
   double drift_limit = std::numeric_limits<double>::infinity();  // [s] limit of (M.22) at n
   double force_mobility = 0.0;                                   // [J/s2] of the last kick (M.22); S8
@@ -161,8 +178,8 @@ struct StepSizes {
   double steady = std::numeric_limits<double>::infinity();
   /// Number of steps that the change of the deformation gradient made shorter (M.32).
   long deformation_limited = 0;
-  double deformation = 0.0;   // [-] largest change of an element's dF in a given step (M.32)
-  int deformed_element = -1;  // that element, or the last one that made a step shorter
+  double deformation = 0.0;              // [-] largest change of an element's dF in a given step (M.32)
+  int deformed_element = -1;             // that element, or the last one that made a step shorter
   double jet_damping = 0.0;              // [1/s] damping rate at n of jets relative to the skin (J.9)
   double minimum = 0.0;                  // [s] of the run
   double maximum = 0.0;                  // [s]
@@ -172,12 +189,13 @@ struct StepSizes {
 
 /// State of the pendulum.
 struct PendulumRun {
-  coupling::PendulumState motion;  // S8
-  double moment = 0.0;             // S7 [N m] at n, of gravity and contact
-  double contact_moment = 0.0;     // S7 [N m] at n, of the contact force
-  double driving_moment = 0.0;     // S8 [N m] that the case prescribes, its mean over the kick
-  double driving_work = 0.0;       // S8 [J] of that moment in this kick
-  Eigen::Vector3d centre = Eigen::Vector3d::Zero();  // S7 [m] of the impactor at n
+  coupling::PendulumState motion;    // S8
+  double moment = 0.0;               // S4 [N m] at n, of gravity and contact
+  double contact_moment = 0.0;       // S4 [N m] at n, of the contact force
+  double driving_moment = 0.0;       // S8 [N m] that the case prescribes, its mean over the kick
+  double driving_work = 0.0;         // S8 [J] of that moment in this kick
+  double driving_work_before = 0.0;  // S8 [J] its part before n (K.42)
+  Eigen::Vector3d centre = Eigen::Vector3d::Zero();  // S4 [m] of the impactor at n
   double angular_velocity = 0.0;                     // S8 [rad/s] at n
   coupling::CgAcceleration acceleration;             // S8 at n
   double kinetic_before = 0.0;                       // S8 [J] at n-1/2
@@ -187,10 +205,12 @@ struct PendulumRun {
 
 /// What the balances count from.
 struct AtStart {
-  double gas_mass = 0.0;  // [kg]
-  double volume = 0.0;    // [m3]
-  double energy = 0.0;    // [J] sum of all energies
-  double kinetic = 0.0;   // [J] of skin and pendulum
+  double gas_mass = 0.0;               // [kg]
+  double volume = 0.0;                 // [m3]
+  double energy = 0.0;                 // [J] sum of all energies
+  double kinetic = 0.0;                // [J] of skin and pendulum
+  std::vector<double> masses;          // [kg] of each species
+  std::vector<double> ambient_energy;  // [J/kg] u of each species at ambient temperature
 };
 
 /// State of a run.
@@ -212,12 +232,12 @@ struct State {
   double jet_work_ahead = 0.0;
   AtStart start;
 
-  std::optional<membrane::BagState> bag;  // S1, S6, S8, S9
+  std::optional<membrane::BagState> bag;  // S1, S3, S8, S9
   std::optional<PendulumRun> pendulum;
-  std::optional<coupling::ContactState> contact_cache;  // S7 workspace
-  coupling::ContactResult contact;                      // S7
+  std::optional<coupling::ContactState> contact_cache;  // S4 workspace
+  coupling::ContactResult contact;                      // S4
   std::vector<JetRun> jets;
-  /// S6: views of what S4 and S5 wrote for each jet.
+  /// S3: views of what S6 and S7 wrote for each jet.
   std::vector<membrane::JetLoad> jet_loads;
   /// S1, of the rigid target.
   membrane::Vectors target_area_vectors, target_centroids;

@@ -39,6 +39,10 @@ constexpr EnergyTerm kTerms[] = {
   {"jet_work_J", Role::supplied, has::jets_on_bag, [](Of, At now) { return now.level.flows.jet_work; }},
   {"pressure_work_J", Role::supplied, has::prescribed_pressure, [](Of, At now) { return now.level.flows.pressure_work; }},
   {"driving_work_J", Role::supplied, has::driving_moment, [](Of, At now) { return now.level.flows.driving_work; }},
+  {"gas_sensible_J", Role::none, has::volume, [](Of, At now) { return now.level.internal_energy - now.level.ambient.held; }},
+  {"outflow_sensible_J", Role::none, has::volume, [](Of, At now) { return now.level.flows.enthalpy_out - now.level.ambient.outflow; }},
+  {"inflow_sensible_J", Role::none, has::volume, [](Of, At now) { return now.level.flows.enthalpy_in - now.level.ambient.inflow; }},
+  {"backflow_sensible_J", Role::none, has::backflow, [](Of, At now) { return now.level.flows.backflow_enthalpy - now.level.ambient.backflow; }},
   {"residual_J", Role::none, has::anything, [](Of, At now) { return now.level.energy_residual; }},
   {"kick_residual_J", Role::none, has::motion, [](Of, At now) { return now.level.kick_residual; }},
 };

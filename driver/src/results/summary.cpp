@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <numeric>
+#include <span>
 
 #include "driver/run.hpp"
 #include "step/drift.hpp"
@@ -54,6 +56,7 @@ Json residuals(const Scene& scene, const State& state) {
   if (scene.has_volume()) json["mass_rel"] = state.peaks.mass_residual;
   if (scene.moves()) json["ledger_rel"] = relative(state.peaks.ledger_residual);
   if (scene.has_volume() || scene.moves()) json["energy_rel"] = energy_drift(state);
+  if (scene.moves()) json["energy_of_mechanical"] = mechanical_drift(state);
   if (scene.bag && scene.gas) json["momentum_rel"] = state.peaks.momentum_residual;
   return json;
 }
@@ -93,25 +96,34 @@ Json moments(const State& state) {
 /// Mass and enthalpy that each stream carried, from the start.
 Json streams(const Scene& scene, const State& state) {
   Json json = Json::object();
-  const auto entry = [](const gas::StreamFlux& flux) {
-    return Json{{"mass_kg", flux.mass}, {"enthalpy_J", flux.enthalpy}};
+  const auto entry = [](const gas::StreamFlux& flux, double at_ambient) {
+    return Json{
+        {"mass_kg", flux.mass}, {"enthalpy_J", flux.enthalpy}, {"sensible_J", flux.enthalpy - at_ambient}};
   };
-  const std::size_t vents = scene.gas->model.vents.size();
+  const gas::ControlVolumeModel& model = scene.gas->model;
+  const auto incoming = [&](const gas::StreamFlux& flux, std::span<const double> fractions) {
+    return entry(flux, flux.mass * std::inner_product(fractions.begin(), fractions.end(),
+                                                      state.start.ambient_energy.begin(), 0.0));
+  };
+  const auto& outflow_ambient = state.streams.outflow_ambient;
+  const std::size_t vents = model.vents.size();
   for (std::size_t i = 0; i < state.streams.inflows.size(); ++i) {
-    Json& inflator = json["inflator." + std::to_string(i)] = entry(state.streams.inflows[i]);
-    const double fired = gas::firing_time(scene.gas->model.inflows[i], state.gas.triggers);
+    Json& inflator = json["inflator." + std::to_string(i)] =
+        incoming(state.streams.inflows[i], model.inflows[i].mass_fractions);
+    const double fired = gas::firing_time(model.inflows[i], state.gas.triggers);
     inflator["fired_s"] = time_or_null(fired <= state.time ? fired : HUGE_VAL);
   }
   for (std::size_t j = 0; j < vents; ++j) {
-    Json& vent = json["vent." + std::to_string(j)] = entry(state.streams.outflows[j]);
+    Json& vent = json["vent." + std::to_string(j)] = entry(state.streams.outflows[j], outflow_ambient[j]);
     vent["opened_s"] = time_or_null(state.gas_events.opened[j]);
-    if (scene.gas->model.vents[j].backflow)
-      json["vent." + std::to_string(j) + ".backflow"] = entry(state.streams.backflows[j]);
+    if (model.vents[j].backflow)
+      json["vent." + std::to_string(j) + ".backflow"] =
+          incoming(state.streams.backflows[j], model.ambient.mass_fractions);
   }
-  const std::size_t fabrics = scene.gas->model.fabric_count();
+  const std::size_t fabrics = model.fabric_count();
   for (std::size_t i = 0; i < fabrics; ++i)
     if (const auto& out = state.streams.outflows[vents + i]; fabrics > 1 || out.mass > 0.0)
-      json[fabrics > 1 ? "fabric." + std::to_string(i) : "fabric"] = entry(out);
+      json[fabrics > 1 ? "fabric." + std::to_string(i) : "fabric"] = entry(out, outflow_ambient[vents + i]);
   return json;
 }
 

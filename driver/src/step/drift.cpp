@@ -17,11 +17,23 @@ namespace {
 
 constexpr double growth = 1.01;  // of the limit in a step: a spring that has just opened closes again
 
+// Sensible energies count from the internal energy at ambient temperature. p V is there because gas at that
+// temperature has none.
+double gas_scale(const State& state) {
+  const Level& level = state.level;
+  return std::max({level.flows.enthalpy_in - level.ambient.inflow,
+                   std::abs(level.internal_energy - level.ambient.held),
+                   state.gas_point.pressure * level.volume});
+}
+
+double pendulum_weight(const Scene& scene, const State& state) {
+  return state.pendulum ? scene.pendulum->model.potential_energy(state.level.pendulum_angle) : 0.0;
+}
+
 // That the limit of level n may draw on [J].
 double energy_at_hand(const State& state) {
   const membrane::ForceSums& forces = state.bag->forces;
-  return std::max({state.peaks.energy_scale, std::abs(state.level.internal_energy),
-                   std::abs(state.flows.enthalpy_in), state.bag->advance.kinetic_after,
+  return std::max({state.peaks.energy_scale, gas_scale(state), state.bag->advance.kinetic_after,
                    forces.strain_energy + forces.strap_energy + forces.plate_energy});
 }
 
@@ -76,11 +88,17 @@ std::string above_limit(double drift) {
 
 double energy_scale(const Scene& scene, const State& state) {
   const double kinetic = sum_of(Role::kinetic, scene, state), elastic = sum_of(Role::elastic, scene, state);
-  const double weight =
-      state.pendulum ? scene.pendulum->model.potential_energy(state.level.pendulum_angle) : 0.0;
-  // Absolute enthalpies (NASA-7) pass through zero: no single term serves as the scale of all scenes.
-  return std::max({std::abs(state.level.flows.enthalpy_in), std::abs(state.level.internal_energy), kinetic,
-                   std::abs(weight), elastic});
+  return std::max({gas_scale(state), kinetic, std::abs(pendulum_weight(scene, state)), elastic});
+}
+
+double mechanical_energy(const Scene& scene, const State& state) {
+  return sum_of(Role::kinetic, scene, state) + sum_of(Role::elastic, scene, state) +
+         std::abs(pendulum_weight(scene, state));
+}
+
+double mechanical_drift(const State& state) {
+  const Peaks& peaks = state.peaks;
+  return peaks.mechanical > 0.0 ? peaks.energy_residual / peaks.mechanical : 0.0;
 }
 
 double energy_drift(const State& state) {
@@ -101,10 +119,13 @@ double drift_limit(const Scene& scene, const State& state) {
 std::string drift_text(const Scene& scene, const State& state) {
   const double drift = energy_drift(state);
   const LargestTerm& term = state.peaks.largest_term;
-  std::string text = fmt::format(
-      "the energy drifts by {} of itself (residual.energy_rel), {:g} or less is "
-      "expected; largest term that the step integrates: {}, {:.3g} J",
-      above_limit(drift), kDriftWarned, term.name, term.magnitude);
+  std::string text =
+      fmt::format("the energy drifts by {} of itself (residual.energy_rel), {:g} or less is expected",
+                  above_limit(drift), kDriftWarned);
+  if (const double share = mechanical_drift(state); share > 0.0)
+    text += fmt::format("; by {:.3g} J, {:.2g} % of the mechanical energy", state.peaks.energy_residual,
+                        100.0 * share);
+  text += fmt::format("; largest term that the step integrates: {}, {:.3g} J", term.name, term.magnitude);
   if (state.step.share_sums.total() > 0.0) text += governing_share(state);
   if (!scene.moves()) return text;
   return text + deformed_text(scene, state) + shorter_step(scene, state, drift);

@@ -17,8 +17,12 @@ double energy_drift(const State& state);
 /// Step that bounds the drift (M.22), (M.24) [s]; without gas (M.24) alone. Writes nothing.
 double drift_limit(const Scene& scene, const State& state);
 
-/// Energy that the drift is compared with [J], of a level.
+/// Energy that the drift is compared with [J], of a level (K.43).
 double energy_scale(const Scene& scene, const State& state);
+/// Kinetic and elastic energy of a level, and that of the pendulum's weight [J].
+double mechanical_energy(const Scene& scene, const State& state);
+/// Largest drift of the recorded levels over the largest mechanical energy; 0 if nothing moved.
+double mechanical_drift(const State& state);
 
 /// Says how large the drift is, of which term it can be, what sets the step, and which step would do.
 std::string drift_text(const Scene& scene, const State& state);

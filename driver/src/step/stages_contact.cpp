@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// S7: the impactor's sphere against the skin.
+// S4: the impactor's sphere against the skin.
 #include <fmt/format.h>
 
 #include <cmath>

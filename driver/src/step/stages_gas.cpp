@@ -8,6 +8,7 @@
 #include <iterator>
 #include <limits>
 #include <numbers>
+#include <numeric>
 #include <stdexcept>
 
 #include "step/stages.hpp"
@@ -95,6 +96,7 @@ void gas_point(const Scene& scene, State& state) {
   state.gas_point = gas::evaluate(scene.gas->model, state.gas, now.volume, now.leak_area, state.time);
   state.level.internal_energy = state.gas.internal_energy + state.jet_work_ahead;
   state.level.volume = state.gas_point.volume;
+  state.level.ambient = state.streams.ambient;
   for (std::size_t j = 0; j < state.gas_events.opened.size(); ++j) note_opening(scene, state, j);
   if (!scene.output.streams) return;
   state.level.masses = state.gas.masses;  // of the sizes that they had in make_state
@@ -110,7 +112,19 @@ void add(std::span<const gas::StreamFlux> fluxes, std::vector<gas::StreamFlux>& 
   }
 }
 
-void book(const gas::StepFluxes& fluxes, State& state) {
+// All outflows of a step have one composition.
+void book_ambient(const Scene& scene, const gas::StepFluxes& fluxes, State& state) {
+  Streams& streams = state.streams;
+  streams.ambient = ambient_energies(scene, state);
+  const double mass = fluxes.vent_mass_out + fluxes.fabric_mass_out;
+  if (!(mass > 0.0)) return;
+  const double left = streams.ambient.outflow -
+                      std::accumulate(streams.outflow_ambient.begin(), streams.outflow_ambient.end(), 0.0);
+  for (std::size_t i = 0; i < streams.outflow_ambient.size(); ++i)
+    streams.outflow_ambient[i] += fluxes.outflows[i].mass / mass * left;
+}
+
+void book(const Scene& scene, const gas::StepFluxes& fluxes, State& state) {
   Flows& flows = state.flows;
   flows.mass_in += fluxes.mass_in;
   flows.enthalpy_in += fluxes.enthalpy_in;
@@ -129,13 +143,15 @@ void book(const gas::StepFluxes& fluxes, State& state) {
   add(fluxes.inflows, state.streams.inflows);
   add(fluxes.outflows, state.streams.outflows);
   add(fluxes.backflows, state.streams.backflows);
+  book_ambient(scene, fluxes, state);
 }
 
 /// A tank that moves along its path: steps end at the ends of the path's pieces.
-void advance_tank(const TankVolume& volume, double leak_area, double next, State& state) {
+void advance_tank(const Scene& scene, double leak_area, double next, State& state) {
+  const TankVolume& volume = *scene.gas->tank_volume;
   for (double t = state.time; t < next;) {
     const double end = std::min(volume.piece_end(t), next);
-    book(state.gas_integrator->advance(state.gas, t, end, volume.piece(t, end, leak_area)), state);
+    book(scene, state.gas_integrator->advance(state.gas, t, end, volume.piece(t, end, leak_area)), state);
     t = end;
   }
 }
@@ -169,10 +185,11 @@ void gas_ode(const Scene& scene, State& state, const Enclosure& before) {
   for (std::size_t i = 0; i < sensors.size(); ++i)
     if (sensors[i].kind == gas::SensorKind::input)
       gas::set_input(scene.gas->model.triggers, i, state.contact.area > 0.0, state.gas.triggers);
-  if (scene.gas->tank_volume) return advance_tank(*scene.gas->tank_volume, before.leak_area, next, state);
+  if (scene.gas->tank_volume) return advance_tank(scene, before.leak_area, next, state);
   const Enclosure after = enclosure(scene, state);
   if (scene.bag) require_inside(after.volume);
-  book(state.gas_integrator->advance(state.gas, state.time, next,
+  book(scene,
+       state.gas_integrator->advance(state.gas, state.time, next,
                                      {before.volume, after.volume, before.leak_area, after.leak_area}),
        state);
   if (state.bag && !scene.jets.empty() && scene.jets.front().work == JetWork::from_gas) take_jet_work(state);

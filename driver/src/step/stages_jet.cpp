@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// S3 outlet, S4 jet field, S5 visibility.
+// S5 outlet, S6 jet field, S7 visibility.
 #include <algorithm>
+#include <cmath>
 
+#include "step/mean_outlet.hpp"
 #include "step/stages.hpp"
 
 namespace driver {
@@ -74,16 +76,27 @@ void mask(const JetPart& part, const jet::Points& nodes, double displacement_bou
   jet::apply_mask(lit, run.field);
 }
 
+double firing_time(const Scene& scene, const State& state, const JetPart& part) {
+  return gas::firing_time(scene.gas->model.inflows[part.inflator], state.gas.triggers);
+}
+
 }  // namespace
 
 void outlets(const Scene& scene, State& state) {
   if (scene.jets.empty()) return;
   StageTimer timer(state, Stage::outlet);
+  const double pressure = scene.has_volume() ? state.gas_point.pressure : scene.ambient.pressure;
   for (std::size_t j = 0; j < scene.jets.size(); ++j) {
-    const auto point = gas::inflator_point(scene.gas->model, state.gas, scene.jets[j].inflator, state.time);
-    const double pressure = scene.has_volume() ? state.gas_point.pressure : scene.ambient.pressure;
-    state.jets[j].outlet = jet::outlet_state(
-        scene.jets[j].outlet, {point.mass_flow, point.temperature, point.cp, point.gas_constant, pressure});
+    const JetPart& part = scene.jets[j];
+    const double firing = firing_time(scene, state, part);
+    // S10 finds a firing within the step: what has blown since then is in no kick yet.
+    const double begin =
+        std::isfinite(state.jets[j].firing) ? state.step.kick_begin : std::min(state.step.kick_begin, firing);
+    const jet::OutletState outlet = mean_outlet(
+        scene, part, {begin - firing, state.step.kick_end - firing, kick_length(state.step)}, pressure);
+    const double thrust = jet::momentum_flux(state.jets[j].outlet, part.outlet.area);
+    state.jets[j].thrust_change = thrust > 0.0 ? jet::momentum_flux(outlet, part.outlet.area) / thrust : 0.0;
+    state.jets[j].outlet = outlet;
   }
 }
 
@@ -102,10 +115,43 @@ void visibility(const Scene& scene, State& state) {
     const JetPart& part = scene.jets[j];
     JetRun& run = state.jets[j];
     mask(part, asked(skin, part, run).nodes, state.step.displacement_bound, run);
-    run.total += run.counters;
     if (part.pieces) part.pieces->average(run.field, run.elements);
     run.force = jet::jet_force(run.load(), skin.area_vectors);
   }
+}
+
+void book_jets(const Scene& scene, State& state) {
+  for (std::size_t j = 0; j < scene.jets.size(); ++j) {
+    state.jets[j].total += state.jets[j].counters;
+    state.jets[j].firing = firing_time(scene, state, scene.jets[j]);
+  }
+}
+
+bool jets_damp(const Scene& scene) {
+  return scene.bag && std::ranges::any_of(scene.jets, [](const JetPart& part) {
+           return part.field.model().relative_to_skin;
+         });
+}
+
+bool rescale_jets(State& state) {
+  if (std::ranges::any_of(state.jets, [](const JetRun& run) { return !(run.thrust_change > 0.0); }))
+    return false;
+  for (JetRun& run : state.jets) {
+    jet::FieldState& load = run.elements.overpressure.empty() ? run.field : run.elements;
+    for (const int element : load.candidates)
+      load.overpressure[static_cast<std::size_t>(element)] *= run.thrust_change;
+    run.force *= run.thrust_change;
+  }
+  return true;
+}
+
+void jet_forces(const Scene& scene, State& state) {
+  if (state.jets.empty() || !state.bag) return;
+  StageTimer timer(state, Stage::forces);
+  state.jet_loads.clear();
+  for (const JetRun& run : state.jets)
+    state.jet_loads.push_back({run.load().overpressure, run.load().candidates});
+  membrane::jet_forces(scene.bag->model, *state.bag, std::span<const membrane::JetLoad>(state.jet_loads));
 }
 
 }  // namespace driver

@@ -22,26 +22,27 @@ void book_kick(const Scene& scene, State& state, bool last) {
     state.flows.path_impulse +=
         tau * state.pendulum->contact_moment / scene.pendulum->model.parameters().impactor_distance;
   }
-  const double share = kick_share(state.step);
+  const StepSizes& step = state.step;
   if (state.pendulum) {
     state.flows.driving_work += state.pendulum->driving_work;
-    state.level.flows.driving_work += share * state.pendulum->driving_work;
+    state.level.flows.driving_work += state.pendulum->driving_work_before;
   }
   if (!state.bag) return;
   const auto& work = state.bag->advance.work;
   state.flows.kick_work += work.total();
   state.flows.damping_loss -= work.damping;
-  state.level.flows.damping_loss -= share * work.damping;
+  state.level.flows.damping_loss -= kick_share(step) * work.damping;
   if (scene.bag->overpressure) {
     state.flows.pressure_work += work.pressure;
-    state.level.flows.pressure_work += share * work.pressure;
+    state.level.flows.pressure_work += work_before_level(step, state.level.pressure_power, work.pressure);
   }
   if (scene.jets.empty()) return;
+  const double jet_before = work_before_level(step, state.level.jet_power, work.jet);
   if (scene.jets.front().work == JetWork::from_gas) {
-    state.level.internal_energy -= share * work.jet;
+    state.level.internal_energy -= jet_before;
   } else {
     state.flows.jet_work += work.jet;
-    state.level.flows.jet_work += share * work.jet;
+    state.level.flows.jet_work += jet_before;
   }
 }
 
@@ -96,6 +97,7 @@ void book_peaks(const Scene& scene, State& state) {
 void book_energy(const Scene& scene, State& state) {
   Peaks& peaks = state.peaks;
   peaks.energy_scale = std::max(peaks.energy_scale, energy_scale(scene, state));
+  peaks.mechanical = std::max(peaks.mechanical, mechanical_energy(scene, state));
   // The energy of a level contains the step (K.40), that of the start does not. Of a skin that a constant
   // pressure sets in motion from rest the two differ by 2/(4 n^2 - 1) of its energy after n steps, 8e-4 at
   // 25; of one whose pressure rises from zero by some four times that.

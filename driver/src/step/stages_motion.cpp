@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// S6 forces, the size of the step, S8 advance, S9 volume.
+// S3 forces, the size of the step, S8 advance, S9 volume.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -11,13 +11,6 @@
 
 namespace driver {
 namespace {
-
-void jet_forces(const Scene& scene, State& state) {
-  state.jet_loads.clear();
-  for (const JetRun& run : state.jets)
-    state.jet_loads.push_back({run.load().overpressure, run.load().candidates});
-  membrane::jet_forces(scene.bag->model, *state.bag, std::span<const membrane::JetLoad>(state.jet_loads));
-}
 
 // Bound of the rate at which jets relative to the skin damp it (J.9) [1/s]: the largest of any element's.
 double jet_damping(const Scene& scene, const State& state) {
@@ -94,6 +87,22 @@ void book_step(StepSizes& step) {
   step.share_sums.plate += step.shares.plate / all;
 }
 
+// Largest distance of a node from where it started [m].
+double skin_displacement(const Scene& scene, const State& state) {
+  return (state.bag->position.map() - scene.bag->initial_position).colwise().norm().maxCoeff();
+}
+
+// Potential energy of the weight at the current positions [J].
+double skin_gravity(const Scene& scene, const State& state) {
+  if (scene.gravity.isZero(0.0)) return 0.0;
+  const auto position = state.bag->position.map();
+  double energy = 0.0;
+  for (Eigen::Index node = 0; node < position.cols(); ++node)
+    energy -=
+        scene.bag->model.node_mass[static_cast<std::size_t>(node)] * scene.gravity.dot(position.col(node));
+  return energy;
+}
+
 }  // namespace
 
 void forces(const Scene& scene, State& state, const Executor& executor) {
@@ -103,9 +112,14 @@ void forces(const Scene& scene, State& state, const Executor& executor) {
   const auto& model = scene.bag->model;
   state.level.skin_strain = state.bag->forces.strain_energy;
   membrane::support_forces(model, *state.bag, ParallelBlocks{executor});
-  membrane::pressure_forces(*state.bag, overpressure(scene, state));
+  if (scene.gas) membrane::pressure_forces(*state.bag, state.gas_point.pressure - scene.ambient.pressure);
   membrane::viscous_forces(model, *state.bag, state.step.before, ParallelBlocks{executor});
-  if (!state.jets.empty()) jet_forces(scene, state);
+}
+
+void prescribed_pressure(const Scene& scene, State& state) {
+  if (!state.bag || !scene.bag->overpressure) return;
+  StageTimer timer(state, Stage::forces);
+  membrane::pressure_forces(*state.bag, kick_mean(*scene.bag->overpressure, state.step));
 }
 
 void choose_step(const Scene& scene, State& state, bool last) {
@@ -163,9 +177,7 @@ void advance(const Scene& scene, State& state, const Executor& executor) {
   PendulumRun& run = *state.pendulum;
   const auto& model = scene.pendulum->model;
   const double tau = 0.5 * (step.before + step.after);
-  if (const auto& curve = scene.pendulum->driving_moment; curve && tau > 0.0) {
-    run.driving_moment = curve->integral(state.time - 0.5 * step.before, state.time + 0.5 * step.after) / tau;
-  }
+  if (const auto& curve = scene.pendulum->driving_moment) run.driving_moment = kick_mean(*curve, step);
   const double moment = run.moment + run.driving_moment;
   run.angular_velocity = model.angular_velocity_at_level(run.motion, moment, step.before);
   run.acceleration = model.cg_acceleration(moment, run.angular_velocity);
@@ -178,6 +190,7 @@ void advance(const Scene& scene, State& state, const Executor& executor) {
                                         0.5 * model.axis_inertia() * before * after, step.before, step.after);
   state.flows.kick_work += tau * moment * 0.5 * (before + after);
   run.driving_work = tau * run.driving_moment * 0.5 * (before + after);
+  run.driving_work_before = work_before_level(step, run.driving_moment * before, run.driving_work);
 }
 
 void volume(const Scene& scene, State& state, const Executor& executor) {
@@ -193,24 +206,29 @@ double kick_share(const StepSizes& step) {
   return step.before > 0.0 ? step.before / (step.before + step.after) : 0.0;
 }
 
-double overpressure(const Scene& scene, const State& state) {
-  const auto& prescribed = scene.bag->overpressure;
-  return prescribed ? prescribed->value(state.time) : state.gas_point.pressure - scene.ambient.pressure;
+double kick_mean(const gas::Curve& curve, const StepSizes& step) {
+  const double begin = step.kick_begin, end = step.kick_end;
+  if (curve.next_knot(begin) < end) return curve.integral(begin, end) / kick_length(step);
+  return curve.value(0.5 * (begin + end));  // of a line, rounded less than its integral
 }
 
-double skin_displacement(const Scene& scene, const State& state) {
-  if (!state.bag) return 0.0;
-  return (state.bag->position.map() - scene.bag->initial_position).colwise().norm().maxCoeff();
+double work_before_level(const StepSizes& step, double power_before, double work) {
+  const double length = kick_length(step);
+  if (!(length > 0.0)) return 0.0;
+  const double rise = 2.0 * (work / length - power_before);  // of the power, from n-1/2 to n+1/2
+  return 0.5 * step.before * (power_before + (step.before - step.after) / (4.0 * length) * rise);
 }
 
-double skin_gravity(const Scene& scene, const State& state) {
-  if (!state.bag || scene.gravity.isZero(0.0)) return 0.0;
-  const auto position = state.bag->position.map();
-  double energy = 0.0;
-  for (Eigen::Index node = 0; node < position.cols(); ++node)
-    energy -=
-        scene.bag->model.node_mass[static_cast<std::size_t>(node)] * scene.gravity.dot(position.col(node));
-  return energy;
+void look_at_level(const Scene& scene, State& state) {
+  if (!state.bag) return;
+  Level& level = state.level;
+  level.displacement = skin_displacement(scene, state);
+  level.skin_gravity = skin_gravity(scene, state);
+  const auto velocity = state.bag->velocity.map();
+  if (!state.jets.empty()) level.jet_power = state.bag->jet_force.map().cwiseProduct(velocity).sum();
+  if (scene.bag->overpressure)
+    level.pressure_power =
+        state.bag->gauge_pressure * state.bag->volume_gradient.map().cwiseProduct(velocity).sum();
 }
 
 }  // namespace driver

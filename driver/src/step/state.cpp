@@ -18,10 +18,14 @@ void start_gas(const Scene& scene, State& state) {
   state.gas_integrator.emplace(part.model, part.integrator);
   state.start.gas_mass = std::accumulate(state.gas.masses.begin(), state.gas.masses.end(), 0.0);
   state.start.volume = volume;
+  state.start.masses = state.gas.masses;
+  state.start.ambient_energy = species_at_ambient(scene);
   state.streams.inflows.resize(part.model.inflows.size());
   state.streams.outflows.resize(part.model.vents.size() + part.model.fabric_count());
+  state.streams.outflow_ambient.resize(state.streams.outflows.size());
   state.streams.backflows.resize(part.model.vents.size());
   state.gas_events.opened.assign(part.model.vents.size(), std::numeric_limits<double>::quiet_NaN());
+  state.streams.ambient = ambient_energies(scene, state);
   if (!scene.output.streams) return;
   state.level.masses = state.gas.masses;
   state.level.streams = state.streams;

@@ -118,7 +118,7 @@ class ContactModel {
 
   ContactState make_state() const;  // with all that evaluate() needs
 
-  /// S7: adds the contact forces (K.11) to `forces` at touched nodes only, and returns the result for the
+  /// S4: adds the contact forces (K.11) to `forces` at touched nodes only, and returns the result for the
   /// sphere. Does not allocate. `turn` [rad] is the sphere's rotation since the last call; only friction uses
   /// it.
   ///

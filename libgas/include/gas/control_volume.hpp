@@ -146,7 +146,7 @@ double firing_time(const Inflow& inflow, const TriggerState& triggers);
 GasPoint evaluate(const ControlVolumeModel& model, const ControlVolumeState& state, double volume,
                   double leak_area, double time);
 
-/// Stage S3: the gas of inflow `i` at time `time` [s]. Throws std::out_of_range if there is no inflow `i`,
+/// Stage S5: the gas of inflow `i` at time `time` [s]. Throws std::out_of_range if there is no inflow `i`,
 /// and std::invalid_argument for a state without the triggers of the model.
 InflatorPoint inflator_point(const ControlVolumeModel& model, const ControlVolumeState& state, std::size_t i,
                              double time);
@@ -154,5 +154,8 @@ InflatorPoint inflator_point(const ControlVolumeModel& model, const ControlVolum
 /// selects the value.
 InflatorPoint inflator_point(const ControlVolumeModel& model, std::size_t i, double time,
                              Side side = Side::after);
+/// The same at a time `since` its firing [s]; before it, nothing flows.
+InflatorPoint inflator_point_since_firing(const ControlVolumeModel& model, std::size_t i, double since,
+                                          Side side = Side::after);
 
 }  // namespace gas

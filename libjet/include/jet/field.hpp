@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Stage S4: overpressure of a jet on the elements of a surface, and the elements it can reach.
+// Stage S6: overpressure of a jet on the elements of a surface, and the elements it can reach.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,7 @@ namespace jet {
 
 struct JetShape;
 
-/// Result and workspace of S4. JetField::make_state makes it once for this field. It is then reused, and no
+/// Result and workspace of S6. JetField::make_state makes it once for this field. It is then reused, and no
 /// step allocates.
 struct FieldState {
   std::vector<double> overpressure;  // [Pa] M, dp of each element; 0 off the candidates
@@ -72,7 +72,7 @@ class JetField {
   std::vector<std::uint8_t> loaded_;  // bits of groups of four elements: take load
 };
 
-/// Last part of S5: sets dp of candidates[k] to zero where lit[k] is 0. Throws std::invalid_argument unless
+/// Last part of S7: sets dp of candidates[k] to zero where lit[k] is 0. Throws std::invalid_argument unless
 /// lit has one entry per candidate.
 void apply_mask(std::span<const std::uint8_t> lit, FieldState& state);
 

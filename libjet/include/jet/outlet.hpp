@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// State of the gas in the outlet of an inflator (stage S3): one uniform velocity and density.
+// State of the gas in the outlet of an inflator (stage S5): one uniform velocity and density.
 #pragma once
 
 #include <stdexcept>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Stage S5: which elements of a triangulated surface are lit from a source. Exact on the coordinates as
+// Stage S7: which elements of a triangulated surface are lit from a source. Exact on the coordinates as
 // given.
 //
 // Definition (J.7). For a candidate element (a, b, c), in double arithmetic, in this order and without

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Kernels of S4, four elements at a time.
+// Kernels of S6, four elements at a time.
 #pragma once
 
 #include "field/profile.hpp"

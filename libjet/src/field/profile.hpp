@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The velocity profile in the outlet's frame, for one point (T = double) or for lanes of points. The
-// pointwise functions and S4 share it.
+// pointwise functions and S6 share it.
 #pragma once
 
 #include <cmath>

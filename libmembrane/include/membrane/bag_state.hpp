@@ -22,7 +22,7 @@ struct SurfaceSums {
   double gradient_mobility = 0.0;      // g^T M^-1 g, g = dV/dx at the free nodes [m4/kg]
 };
 
-/// S6: sums over the elements and supports.
+/// S3: sums over the elements and supports.
 struct ForceSums {
   double strain_energy = 0.0;                             // [J]
   double strap_energy = 0.0;                              // [J]
@@ -76,31 +76,31 @@ struct BagState {
   Vectors velocity;  // v at n-1/2 [m/s], nodes, 0 at fixed ones; S8
   /// Largest |v|^2 times BagModel::node_gradient_squared [1/s2] of each 16 nodes, 0 at the start; S8.
   std::vector<double> rate_bound_squared;
-  /// Of elements; empty without jet. update_geometry in S4 and S6, of the elements that it is asked for.
+  /// Of elements; empty without jet. update_geometry in S6 and S3, of the elements that it is asked for.
   Vectors area_vector;      // S_e, outward, length = area [m2]
   Vectors centroid;         // ((a + b) + c) / 3 [m]
   Vectors volume_gradient;  // dV/dx = sum of S_e / 3 [m2], nodes; S1/S9
-  /// p - p_a [Pa]; the nodal force is gauge_pressure * volume_gradient; S6 pressure_forces.
+  /// p - p_a [Pa]; the nodal force is gauge_pressure * volume_gradient; S3 pressure_forces.
   double gauge_pressure = 0.0;
-  Vectors membrane_force;           // [N], nodes; S6 membrane_forces
-  Vectors jet_force;                // [N], nodes; empty without jet; S6 jet_forces
-  std::vector<int> jet_nodes;       // where jet_force is not zero; S6 jet_forces
-  std::vector<char> has_jet_force;  // of each node: is one of them; S6 jet_forces
-  Vectors support_force;            // of straps and plates [N], nodes; empty without them; S6 support_forces
-  std::vector<double> strap_tension;  // [N], straps; S6 support_forces
-  /// Of the stiffness-proportional damping [N], nodes; empty without it, as the next two; S6 viscous_forces.
+  Vectors membrane_force;           // [N], nodes; S3 membrane_forces
+  Vectors jet_force;                // [N], nodes; empty without jet; S3 jet_forces
+  std::vector<int> jet_nodes;       // where jet_force is not zero; S3 jet_forces
+  std::vector<char> has_jet_force;  // of each node: is one of them; S3 jet_forces
+  Vectors support_force;            // of straps and plates [N], nodes; empty without them; S3 support_forces
+  std::vector<double> strap_tension;  // [N], straps; S3 support_forces
+  /// Of the stiffness-proportional damping [N], nodes; empty without it, as the next two; S3 viscous_forces.
   Vectors viscous_force;
-  Vectors elastic_stress;        // (S11, S22, S12) at the last evaluation [Pa], elements; S6 viscous_forces
+  Vectors elastic_stress;        // (S11, S22, S12) at the last evaluation [Pa], elements; S3 viscous_forces
   Vectors viscous_corner_force;  // workspace: at corners b and c [N], 2 x elements
-  Vectors contact_force;         // [N], nodes; empty without contact; S7, the caller
-  /// Workspace of S6 and S9: partial sums of each block at its shared nodes.
+  Vectors contact_force;         // [N], nodes; empty without contact; S4, the caller
+  /// Workspace of S3 and S9: partial sums of each block at its shared nodes.
   AlignedVector<NodeSums> shared_sums;
   /// Shares of the nodes' mass; they start as in the model; update_mass_shares.
   MassShares shares;
   std::vector<double> share_demand;  // elements; workspace of update_mass_shares
   std::vector<BlockSums> block;      // workspace of the block sums
   SurfaceSums surface;               // S1/S9
-  ForceSums forces;                  // S6
+  ForceSums forces;                  // S3
   AdvanceSums advance;               // S8
 };
 

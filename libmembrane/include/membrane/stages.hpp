@@ -63,7 +63,7 @@ void frequency_block(const BagModel& model, BagState& state, int block);
 /// Part of advance: throws std::invalid_argument unless dt_before >= 0 and dt_after > 0, both finite [s].
 void check_steps(double dt_before, double dt_after);
 
-/// S1/S9 and the fabric's part of S6 at state.position, in one pass over the elements because both need the
+/// S1/S9 and the fabric's part of S3 at state.position, in one pass over the elements because both need the
 /// same corners. The bits are those of the two functions below.
 ///   surface: volume, its gradient and the areas (M.5)
 ///   forces:  forces of the fabric, their strain energy and the element bound of omega^2 (M.4, M.10)
@@ -89,13 +89,13 @@ void membrane_forces(const BagModel& model, BagState& state, ForEachBlock&& for_
   update_skin(model, state, for_each_block, SkinParts::forces);
 }
 
-/// S4: area vectors and centroids (M.5) of `elements` at state.position. Throws std::invalid_argument without
+/// S6: area vectors and centroids (M.5) of `elements` at state.position. Throws std::invalid_argument without
 /// LoadKinds::jet, and for an element number out of range.
 void update_geometry(const BagModel& model, BagState& state, std::span<const int> elements);
 /// The same of all elements.
 void update_geometry(const BagModel& model, BagState& state);
 
-/// S6: overpressure `gauge_pressure` = p - p_a [Pa] on the inside of every element, null ones included (M.6).
+/// S3: overpressure `gauge_pressure` = p - p_a [Pa] on the inside of every element, null ones included (M.6).
 /// The nodal force is gauge_pressure * dV/dx. Precondition: the gradient belongs to the current positions.
 /// Throws MembraneError if the pressure is not finite.
 void pressure_forces(BagState& state, double gauge_pressure);
@@ -106,7 +106,7 @@ struct JetLoad {
   std::span<const int> elements;         // elements that the jet may load, each once
 };
 
-/// S6: forces of the jets, overpressure times S_e / 3 at each corner; updates the geometry of these elements.
+/// S3: forces of the jets, overpressure times S_e / 3 at each corner; updates the geometry of these elements.
 /// Throws std::invalid_argument without LoadKinds::jet, unless there is one value per element, and for an
 /// element number out of range.
 void jet_forces(const BagModel& model, BagState& state, std::span<const JetLoad> loads);
@@ -114,7 +114,7 @@ void jet_forces(const BagModel& model, BagState& state, std::span<const JetLoad>
 /// The same for one jet that may load every element.
 void jet_forces(const BagModel& model, BagState& state, std::span<const double> overpressure);
 
-/// S6: forces and energies of straps and plates (M.7, M.8). Does nothing for a bag without them.
+/// S3: forces and energies of straps and plates (M.7, M.8). Does nothing for a bag without them.
 template <class ForEachBlock = Serial>
 void support_forces(const BagModel& model, BagState& state, ForEachBlock&& for_each_block = {}) {
   check_state(model, state);
@@ -123,7 +123,7 @@ void support_forces(const BagModel& model, BagState& state, ForEachBlock&& for_e
   sum_support_forces(model, state);
 }
 
-/// S6: forces of the stress beta dS/dt (M.28), with the change of S since the last call, dt_before [s] ago;
+/// S3: forces of the stress beta dS/dt (M.28), with the change of S since the last call, dt_before [s] ago;
 /// 0 at the start, where there is none. Rigid motion changes no S. The rate is that of half a step ago, so
 /// the damping is of first order in the step, and it shortens the stable one: critical_time_step has that in
 /// it. Does nothing without stiffness_damping. It costs some ten times update_skin.

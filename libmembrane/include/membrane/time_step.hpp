@@ -23,7 +23,7 @@ struct StiffnessShares {
   double total() const { return element + gas + contact + strap + plate; }
 };
 
-/// Bounds after S1 and S6 at the same positions. gamma [-] and the absolute pressure p [Pa] are those of the
+/// Bounds after S1 and S3 at the same positions. gamma [-] and the absolute pressure p [Pa] are those of the
 /// gas inside; gamma = 0 if the pressure is prescribed. `contact` [1/s2] comes from the caller. Throws
 /// std::invalid_argument for a negative argument or one that is not finite, and MembraneError if there is gas
 /// and the volume is not positive.
@@ -37,7 +37,7 @@ StiffnessShares stiffness_shares(const BagModel& model, const BagState& state, d
 /// not finite, and MembraneError if the sum of the bounds is not finite and positive.
 double critical_time_step(const StiffnessShares& shares, double jet_damping = 0.0);
 
-/// Sum of |f|^2 / m over the free nodes [J/s2], after S6 and S7 at the same positions; weight and damping are
+/// Sum of |f|^2 / m over the free nodes [J/s2], after S3 and S4 at the same positions; weight and damping are
 /// left out. dt^2 / 8 times this sum is the energy error of a start from rest with step dt (M.22).
 double force_mobility(const BagModel& model, const BagState& state);
 /// Sum of k v^2 + T^2 (1/m_a + 1/m_b) over the straps [J/s2], taut or not; v is the speed at which the ends

@@ -54,7 +54,7 @@ const makeKeyNumbers = () => {
     const values = told.map(run => run.summary.peak[name]);
     return [split(name).name, values[0] ?? "", ...values.slice(1).map(v => compared(v, values[0])), split(name).unit];
   });
-  const worst = told.map(run => Math.max(0, ...Object.values(run.summary.residual ?? {})));
+  const worst = told.map(run => Math.max(0, ...Object.entries(run.summary.residual ?? {}).filter(([key]) => key.endsWith("_rel")).map(([, v]) => v)));
   rows.push(["largest residual of a balance, relative", ...worst, ""]);
   at("keys").append(tableOf(["peaks and impulses", ...(told.length > 1 ? told.map(run => run.label) : ["value"]), "unit"], rows));
 };
@@ -211,8 +211,8 @@ const makeRunDetails = run => {
   const block = (title, node) => element("div", {}, element("h3", { textContent: title }), node);
   makeComparison(run, of);
   const blocks = [];
-  if (s?.residual && Object.keys(s.residual).length) blocks.push(block("Greatest residuals, relative", tableOf(["balance", "residual"], Object.entries(s.residual).map(([k, v]) => [k.replace("_rel", ""), v]))));
-  if (s?.streams) blocks.push(block("Streams", tableOf(["stream", "mass [kg]", "enthalpy [J]"], Object.entries(s.streams).map(([k, v]) => [k, v.mass_kg, v.enthalpy_J]))));
+  if (s?.residual && Object.keys(s.residual).length) blocks.push(block("Greatest residuals, relative", tableOf(["balance", "residual"], Object.entries(s.residual).map(([k, v]) => [k.replace("_rel", "").replaceAll("_", " "), v]))));
+  if (s?.streams) blocks.push(block("Streams", tableOf(["stream", "mass [kg]", "energy, sensible [J]"], Object.entries(s.streams).map(([k, v]) => [k, v.mass_kg, v.sensible_J ?? ""]))));
   if (s?.dt) {
     const rows = leaves(s.dt).filter(([k]) => !k.startsWith("shares")).map(([k, v]) => [k.replaceAll("_", " "), v, k === "limited_by_drift" ? "steps" : "s"]);
     const node = element("div", {}, tableOf(["step", "value", "unit"], rows));

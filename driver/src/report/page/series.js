@@ -109,11 +109,14 @@ const stackChart = (title, unit, common, terms, supplied) => {
   return { title, unit, series, height: 260 };
 };
 
+// Energies of the gas without those that it has at ambient temperature, where the table has them: a chart of absolute ones depends on the zero of enthalpy.
+const sensible = columns => Object.fromEntries(Object.entries(columns).map(([name, column]) => [name, columns[name.replace(/_(internal|enthalpy)_J$/, "_sensible_J")] ?? column]));
+
 const energyCharts = (table, roles, result) => {
-  const columns = read(table), time = columns.time_s, of = result ? `, ${result}` : "";
+  const columns = sensible(read(table)), time = columns.time_s, of = result ? `, ${result}` : "";
   const common = { result: "", time: time.value, timeText: time.text, dash: 0 };
   const changeOf = column => columns[column].value.map(v => (roles[column] === "held" ? v - columns[column].value[0] : v));
-  const terms = table.columns.filter(c => ["held", "spent"].includes(roles[c])).map(column => ({ name: split(column).name + (roles[column] === "spent" ? " (spent)" : ""), change: changeOf(column), text: columns[column].text }));
+  const terms = table.columns.filter(c => ["held", "spent"].includes(roles[c])).map(column => ({ name: split(column).name.replace(/ (internal|enthalpy)$/, columns.gas_sensible_J ? ", sensible" : " $1") + (roles[column] === "spent" ? " (spent)" : ""), change: changeOf(column), text: columns[column].text }));
   if (!terms.length) return [];
   const list = [stackChart(`Where the energy went since the start${of}`, "J", common, terms, table.columns.filter(c => roles[c] === "supplied").map(c => columns[c].value))];
   for (const [column, title] of [["residual_J", "Residual of the energy"], ["kick_residual_J", "Residual of the kicks' work"]])
