@@ -68,8 +68,7 @@ std::string deformed_text(const Scene& scene, const State& state) {
 std::string shorter_step(const Scene& scene, const State& state, double drift) {
   const double ratio = 0.9 * std::sqrt(kDriftWarned / drift);
   if (!scene.time.step && ratio < 0.2)
-    return "; a smaller time.safety will hardly help: look at the mesh around that element (gasjet mesh "
-           "convert --report)";
+    return "; a smaller time.safety will hardly help: look at the mesh (gasjet mesh convert --report)";
   if (!scene.time.step) return fmt::format("; try time.safety = {:.2g}", ratio * scene.time.safety);
   const double deformed = membrane::kLargestDeformation / std::max(state.step.deformation, 1e-300);
   return fmt::format("; try time.step = {:.2g}, or leave it out",
