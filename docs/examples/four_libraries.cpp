@@ -33,6 +33,8 @@ membrane::BagModel bag_model(const membrane::PassengerBag& design) {
     bag.properties[e] = {};
     bag.properties[e].null_panel = true;
   }
+  for (const int e : membrane::panel_elements(mesh, "attachment"))
+    bag.properties[e].porosity = 0.0;  // bolted on
   bag.fixed_nodes = membrane::panel_nodes(mesh, "attachment");
   for (const auto& [back, front] : design.strap_anchors) bag.straps.push_back({back, front, 4500.0, 0.62});
   bag.plates.push_back({Vector3d::Zero(), Vector3d::UnitX()});

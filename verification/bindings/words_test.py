@@ -81,7 +81,7 @@ class Stopped(unittest.TestCase):
                                (raises(KeyError("mine")), KeyError), (raises(SystemExit(3)), SystemExit)):
             with warnings.catch_warnings(), self.assertRaises(kind) as caught:
                 warnings.simplefilter("ignore")
-                gasjet.run(BAG, progress=progress)
+                gasjet.run(os.path.join(CASES, "passenger_sharp.toml"), progress=progress)
             self.assertEqual(caught.exception.run.summary["status"], "interrupted")
             self.assertGreater(caught.exception.run.summary["time_end_s"], 0.0)
         with warnings.catch_warnings(), self.assertRaises(Closed):

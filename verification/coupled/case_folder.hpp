@@ -42,4 +42,11 @@ inline std::string message_of(const fs::path& file, const std::vector<std::strin
   return "accepted";
 }
 
+inline driver::Scene scene_of_text(const Folder& folder, const std::string& text,
+                                   const std::vector<std::string>& overrides) {
+  std::ofstream(folder.path / "case.toml") << text;
+  driver::CaseDocument document(folder.path / "case.toml", overrides);
+  return driver::read_scene(document);
+}
+
 }  // namespace coupled

@@ -140,15 +140,16 @@ TEST(contact_scene, momenta_are_conserved_without_supports) {
 TEST(contact_scene, plate_force_is_the_sum_over_the_nodes_behind_it) {
   auto overrides = kCoarse;
   overrides.push_back(
-      "membrane.plate={point=[0.1, 0.0, 0.0], normal=[-1.0, 0.0, 0.0]}");  // 10 mm into the ball
+      "membrane.plate={point=[0.112, 0.0, 0.0], normal=[-1.0, 0.0, 0.0]}");  // 2 mm from the ball
   const auto scene = coupled::scene_of("ball_impact", overrides);
   driver::State state = driver::make_state(scene);
+  state.bag->position.map().row(0).array() += 0.012;  // 10 mm into the plate
   driver::step(scene, state, {.record = true});
   const auto& model = scene.bag->model;
   double expected = 0.0;
   for (Eigen::Index a = 0; a < scene.bag->initial_position.cols(); ++a)
     expected += *model.description.plates[0].stiffness * model.node_area[static_cast<std::size_t>(a)] *
-                std::max(0.0, scene.bag->initial_position(0, a) - 0.1);
+                std::max(0.0, scene.bag->initial_position(0, a) + 0.012 - 0.112);
   ASSERT_GT(expected, 0.0);
   EXPECT_NEAR(coupled::row_of(driver::history_columns(scene), scene, state).at("plate_force_N") / expected,
               1.0, 1e-13);  // a few dozen additions of one sign

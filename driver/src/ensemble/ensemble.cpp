@@ -37,8 +37,7 @@ void collect_rows(const Scene& scene, const std::vector<const Member*>& members,
   for (long i = 0; i <= count; ++i) {
     EnsembleRow row{std::min(scene.time.end, static_cast<double>(i) * scene.output.history_every), {}};
     for (std::size_t c = 1; c < names.size(); ++c) {
-      for (std::size_t m = 0; m < members.size(); ++m)
-        values[m] = column_at(members[m]->rows, row.time_s, c);
+      for (std::size_t m = 0; m < members.size(); ++m) values[m] = column_at(members[m]->rows, row.time_s, c);
       row.values.push_back(statistics(values));
     }
     result.rows.push_back(std::move(row));

@@ -239,6 +239,7 @@ const std::vector<Feature>& features() {
        {Mapping::exact, "intervals between pictures"},
        {Mapping::exact, "intervals between pictures"}},
       {"output.fields_every", output, output},
+      {"output.self_intersection_every", output, output},
   };
   return table;
 }

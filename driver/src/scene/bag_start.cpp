@@ -50,8 +50,8 @@ double driving_energy(const Scene& scene) {
   if (bag.overpressure) {
     const double area =
         std::accumulate(bag.model.reference_area.begin(), bag.model.reference_area.end(), 0.0);
-    return std::max(std::abs(bag.overpressure->maximum()), std::abs(bag.overpressure->minimum())) *
-           area * std::sqrt(area);
+    return std::max(std::abs(bag.overpressure->maximum()), std::abs(bag.overpressure->minimum())) * area *
+           std::sqrt(area);
   }
   const double held = scene.gas->initial_pressure *
                       std::abs(membrane::enclosed_volume(bag.initial_position, bag.mesh.elements));

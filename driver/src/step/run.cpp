@@ -47,7 +47,7 @@ class BlowUp {
     if (!scene.bag || scene.time.unsafe_step || !(state.peaks.energy_scale > 0.0)) return false;
     const double before =
         std::exchange(share_, std::abs(state.level.energy_residual) / state.peaks.energy_scale);
-    return before > kDriftInaccurate && share_ >= before;
+    return before > kDriftInaccurate && share_ >= before && energy_drift(state) > kDriftInaccurate;
   }
 
  private:

@@ -91,7 +91,8 @@ struct Smoothing {
 /// Where a gauge is cut off at the end of its range.
 struct Clipping {
   double pressure;       // [Pa] largest reading
-  double first, last;    // [s] of the readings that equal it
+  double first;          // [s] of the readings that equal it
+  double last;           // [s] of the last of these
   std::ptrdiff_t count;  // of them
 };
 
@@ -109,8 +110,9 @@ struct Identified {
   /// The bands are claimed: at most a tenth of the draws are misfits, the model fits the record, and no gauge
   /// is cut off. What is known at the end, the total mass, closes the whole record.
   bool bands = false;
-  std::optional<Clipping> tank_clipping{}, chamber_clipping{};  // none: the gauge's range is wide enough
-  double initial_pressure = 0.0;                                // [Pa] before firing
+  std::optional<Clipping> tank_clipping{};     // none: the gauge's range is wide enough
+  std::optional<Clipping> chamber_clipping{};  // as tank_clipping
+  double initial_pressure = 0.0;               // [Pa] before firing
   /// [-] Largest relative difference between the smoothed tank pressure and that of a control-volume run with
   /// these curves.
   double forward_error = 0.0;
