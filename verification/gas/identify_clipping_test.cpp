@@ -121,13 +121,14 @@ TEST(identify_clipping, temperature_at_the_end_of_the_range_is_not_claimed) {
   const gas::Identified found = gas::identify(test, record.dual(), kClippedBands);
   int ends = 0;
   for (const auto& point : found.points) {
-    const bool at_end = point.temperature_band.low <= 200.0 || point.temperature_band.high >= 6000.0;
+    const bool at_end = point.temperature <= 200.0 || point.temperature >= 6000.0 ||
+                        point.temperature_band.low <= 200.0 || point.temperature_band.high >= 6000.0;
     ends += at_end;
     if (at_end) {
       EXPECT_FALSE(point.band_claimed) << point.time;
     }
   }
-  EXPECT_GT(ends, 0);
+  EXPECT_GT(ends, 10);
 }
 
 }  // namespace

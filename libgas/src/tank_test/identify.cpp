@@ -25,6 +25,7 @@ constexpr double kFalls = 5.0;      // standard deviations of a pressure that th
 constexpr double kUndersmoothing =
     3.0;                              // of lambda in the draws: what smoothing biases is then below the noise
 constexpr double kSharp = 4.0;        // times the burn's mean roughness: smoothing rounds such a bend
+constexpr double kBeyond = 0.025;     // of the draws: the percentiles of a band
 constexpr double kMostMisfits = 0.1;  // of the draws
 constexpr double kMiss = 0.005;       // of the pressure: 501 points over 150 ms make 7e-4 of a rise of 1 ms
 constexpr double kMissNoise = 5.0;    // standard deviations of a reading
@@ -190,18 +191,27 @@ Sample draw(const Splines& splines, const TankTest& test, std::span<const double
 }
 
 /// No band from too few readings in the burn, where the pressure bends more sharply than smoothing follows,
-/// where the point is masked, or where draws end at the range of temperatures.
+/// where the point is masked, or where the estimate or draws beyond the band's percentiles end at the range
+/// of temperatures.
 void claim(std::span<const double> readings, TankGas::Range range, const SmoothingSpline& tank,
-           const Burn& burn, Identified& result) {
+           const Burn& burn, std::span<const Sample> samples, Identified& result) {
   const double start = result.points[burn.first].time, end = result.points[burn.last].time;
   const auto inside = std::ranges::count_if(readings, [&](double t) { return start <= t && t <= end; });
   const bool claims = result.bands && inside >= kLeastReadings;
   double sum = 0.0;
   for (std::size_t i = burn.first; i <= burn.last; ++i) sum += tank.roughness(result.points[i].time);
   const double limit = kSharp * sum / static_cast<double>(burn.last - burn.first + 1);
-  for (IdentifiedPoint& point : result.points)
-    point.band_claimed = claims && !point.masked && tank.roughness(point.time) <= limit &&
-                         point.temperature_band.low > range.low && point.temperature_band.high < range.high;
+  const auto at_end = [&](double t) { return t <= range.low || t >= range.high; };
+  const auto ends = [&](std::size_t i) {
+    const auto count = std::ranges::count_if(
+        samples, [&](const Sample& sample) { return at_end(sample.flow.temperature[i]); });
+    return at_end(result.points[i].temperature) ||
+           static_cast<double>(count) > kBeyond * static_cast<double>(samples.size());
+  };
+  for (std::size_t i = 0; i < result.points.size(); ++i) {
+    IdentifiedPoint& point = result.points[i];
+    point.band_claimed = claims && !point.masked && tank.roughness(point.time) <= limit && !ends(i);
+  }
 }
 
 }  // namespace
@@ -261,7 +271,8 @@ Identified identify(const TankTest& test, const TankReadings& readings, const Id
   const bool samples_hold = result.misfits <= kMostMisfits * options.draws;
   if (samples_hold) add_bands(samples, result);
   result.bands = result.fits && samples_hold && !result.tank_clipping && !result.chamber_clipping;
-  claim(readings.times, TankGas(test, initial.value()).temperatures(), splines.tank.spline, burn, result);
+  claim(readings.times, TankGas(test, initial.value()).temperatures(), splines.tank.spline, burn, samples,
+        result);
   return result;
 }
 
