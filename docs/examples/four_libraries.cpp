@@ -109,7 +109,9 @@ int main() {
         gas::evaluate(volume, content, surface.volume, surface.porosity_squared_area, time);  // S2
     if (n % 100 == 0)
       std::printf("%.17g,%.17g,%.17g,%.17g\n", time, point.pressure, surface.volume, swing.angle);
-    const auto inflow = gas::inflator_point(volume, content, 0, time);  // S5
+    auto inflow = gas::inflator_point(volume, content, 0, time);  // S5: the mean over the kick
+    inflow.mass_flow = volume.inflows[0].mass_flow.integral(time - 0.5 * before, time + 0.5 * step) /
+                       (0.5 * (before + step));
     const auto nozzle =
         jet::outlet_state(outlet, {inflow.mass_flow, inflow.temperature, inflow.cp, inflow.gas_constant});
     membrane::update_geometry(bag, skin);  // S6

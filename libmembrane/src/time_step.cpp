@@ -148,7 +148,7 @@ double energy_time_step(const BagModel& model, const BagState& state, double ene
   if (!(mobility >= 0.0)) reject("energy_time_step", "mobility", mobility, ">= 0");
   // Shares of the energy. One spring that opens and closes, and fabric that moves as a whole, drift by all of
   // it; the waves of fabric without compression are many, and what one gains another loses.
-  constexpr double share_together = 1e-4, share_apart = 1e-3;
+  constexpr double share_together = 1e-4, share_apart = 1.4e-3;
   const bool together = at_rest || model.description.compression == Compression::linear;
   const double rate =
       mobility / (together ? share_together : share_apart) + strap_mobility(model, state) / share_together;
