@@ -80,16 +80,14 @@ TEST(identify_coverage, mean_temperature_of_a_kinked_pulse) {
   const auto triangle = [](double t) {
     return t < 0.005 ? 0.0 : t < 0.015 ? (t - 0.005) / 0.01 : std::max(0.0, (0.055 - t) / 0.04);
   };
-  for (const auto& [name, shape] : {std::pair{"kink after 2 ms", kinked(0.002, 0.04)},
-                                    {"kink after 5 ms", kinked(0.005, 0.04)},
-                                    {"triangle after 5 ms", History(triangle)}}) {
+  for (const auto& [name, shape] :
+       {std::pair{"kink after 2 ms", kinked(0.002, 0.04)}, {"triangle after 5 ms", History(triangle)}}) {
     const Pulse pulse = make_pulse(one_gas_test(), {}, {}, shape, falling(700.0, 700.0, 1.0), 0.065);
-    for (const double noise : {0.002, 0.005})
-      for (const int readings : {301, 1001}) {
-        const int inside = records_with_the_mean(pulse, noise, readings, seeds);
-        std::printf("%s, noise %.3f, %d readings: %d of %d\n", name, noise, readings, inside, seeds);
-        EXPECT_GE(inside, 0.89 * seeds) << name << ", noise " << noise << ", " << readings << " readings";
-      }
+    for (const auto& [noise, readings] : {std::pair{0.002, 1001}, {0.005, 301}}) {
+      const int inside = records_with_the_mean(pulse, noise, readings, seeds);
+      std::printf("%s, noise %.3f, %d readings: %d of %d\n", name, noise, readings, inside, seeds);
+      EXPECT_GE(inside, 0.89 * seeds) << name << ", noise " << noise << ", " << readings << " readings";
+    }
   }
 }
 
