@@ -147,27 +147,30 @@ TEST(deformation_limit, regular_mesh_needs_none) {
   EXPECT_LT(energy_made(d, 0.8, kNoGrowthLimit, kAnyChange), 0.1 * kDrift);
 }
 
-// Slivers that bounce between taut and slack heat up at 0.8 of the bound, and end with all the energy there
-// is.
+// Slivers that bounce between taut and slack heat up at 0.8 of the bound, and some end with all the energy
+// there is. Which one bounces when is chance: the worst of four meshes, each with two starts, counts.
+double worst_energy_made(double share, double growth, double change) {
+  double worst = 0.0;
+  for (const char* name : {"hull_120_1.obj", "hull_120_3.obj", "hull_250_6.obj", "hull_250_12.obj"})
+    for (const std::uint64_t seed : {1, 2}) {
+      auto d = hull(name);
+      d.reference = scenes::shaken(d.reference, 1e-6, seed);
+      worst = std::max(worst, energy_made(d, share, growth, change));
+    }
+  return worst;
+}
+
 TEST(deformation_limit, slivers_heat_up_above_it) {
-  int blown_up = 0;
-  for (const char* name : {"hull_120_1.obj", "hull_120_3.obj", "hull_250_6.obj", "hull_250_12.obj"}) {
-    const auto d = hull(name);
-    EXPECT_LT(energy_made(d, 0.95, 1.0002, membrane::kLargestDeformation), 0.1 * kDrift) << name;
-    if (energy_made(d, 0.8, kNoGrowthLimit, kAnyChange) < 1.0)
-      continue;  // where no sliver bounces, by chance
-    ++blown_up;
-    const double measured = claim::largest_passing(
-        membrane::kLargestDeformation, 1e4, 0.05,
-        [&](double change) { return energy_made(d, 0.8, kNoGrowthLimit, change) < kDrift; });
-    claim::expect_threshold(
-        {"M.32", std::string("bag of slivers, ") + name,
-         "the limit is below all of these; which sliver bounces when is chance"},
-        {"change of F in a step at which the energy drifts by 1e-4", "dt = 0.4 / max |dF/dt|",
-         membrane::kLargestDeformation, measured, "1", "steps change F by 0.4 at most"},
-        1.0, 20.0);
-  }
-  EXPECT_GE(blown_up, 2);
+  EXPECT_EQ(worst_energy_made(0.8, kNoGrowthLimit, kAnyChange), 1.0);
+  EXPECT_LT(worst_energy_made(0.95, 1.0002, membrane::kLargestDeformation), 0.1 * kDrift);
+  double measured = membrane::kLargestDeformation;
+  while (measured < 100.0 && worst_energy_made(0.8, kNoGrowthLimit, measured) < kDrift) measured *= 1.25;
+  claim::expect_threshold(
+      {"M.32", "bags of slivers, worst of eight",
+       "the limit is below what any of them bears; steps of a quarter"},
+      {"change of F in a step at which the energy drifts by 1e-4", "dt = 0.4 / max |dF/dt|",
+       membrane::kLargestDeformation, measured, "1", "steps change F by 0.4 at most"},
+      1.25, 10.0);
 }
 
 }  // namespace
