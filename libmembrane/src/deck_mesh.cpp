@@ -64,9 +64,11 @@ DeckPlaces DeckMesh::design() {
   for (const Node& node : nodes_) start.emplace(node.number, node.position);
   auto shape = reference_.shape(shells_, start);
   if (shape.half)
-    neglect("the reference shape of part " + std::to_string(*shape.half) +
-            ", of which the deck lists nodes of its seams only");
-  if (!shape.two_places) return std::move(shape.places);
+    neglect("the reference shape, as the deck lists of part " + std::to_string(*shape.half) +
+            " the nodes of its seams only");
+  else if (!shape.two_places)
+    return std::move(shape.places);
+  if (!shape.two_places) return {};
   neglect("the reference shape, which has node " + std::to_string(*shape.two_places) +
           " in two places, as panels that are cut flat have");
   return {};

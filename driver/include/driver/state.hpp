@@ -209,6 +209,7 @@ struct AtStart {
   double volume = 0.0;                 // [m3]
   double energy = 0.0;                 // [J] sum of all energies
   double kinetic = 0.0;                // [J] of skin and pendulum
+  double smallest_energy = 0.0;        // [J] below which a skin's is not judged
   std::vector<double> masses;          // [kg] of each species
   std::vector<double> ambient_energy;  // [J/kg] u of each species at ambient temperature
 };

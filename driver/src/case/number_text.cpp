@@ -36,6 +36,10 @@ std::optional<double> number_of(std::string_view text) {
 
 std::optional<double> file_number_of(std::string_view text) {
   if (const auto value = number_of(text)) return value;
+  // Without its letter an exponent has three digits; 1.5-2 is a slip.
+  const auto sign = text.find_last_of("+-");
+  if (text.find_first_of("dD") == text.npos && (sign == text.npos || text.size() != sign + 4))
+    return std::nullopt;
   return number_of(membrane::without_fortran_exponent(text));
 }
 

@@ -91,7 +91,7 @@ std::string node_text(const BagPart& bag, const std::vector<double>& energies, d
   if (*worst < 0.5 * total) return "";
   const auto node = worst - around.begin();
   const Eigen::Vector3d x = bag.initial_position.col(node);
-  return fmt::format(", around node {} at [{:.3g}, {:.3g}, {:.3g}] m", node + 1, x.x(), x.y(), x.z());
+  return fmt::format(", around the node at [{:.3g}, {:.3g}, {:.3g}] m", x.x(), x.y(), x.z());
 }
 
 }  // namespace

@@ -69,7 +69,7 @@ std::string deformed_text(const Scene& scene, const State& state) {
 // A step that should do: of second order, with a tenth to spare, where that still is what happens.
 std::string shorter_step(const Scene& scene, const State& state, double drift) {
   const double ratio = 0.9 * std::sqrt(kDriftWarned / drift);
-  if (!scene.time.step && ratio < 0.2)
+  if (!scene.time.step && ratio < 0.05)
     return "; a smaller time.safety will hardly help: look at the mesh (gasjet mesh convert --report)";
   if (!scene.time.step) return fmt::format("; try time.safety = {:.2g}", ratio * scene.time.safety);
   const double deformed = membrane::kLargestDeformation / std::max(state.step.deformation, 1e-300);
@@ -87,9 +87,19 @@ std::string above_limit(double drift) {
 
 }  // namespace
 
+// Of a skin strained by 1e-6. Below, a drift is that of rounding, or of a load that has just begun.
+double smallest_energy(const Scene& scene) {
+  if (!scene.bag) return 0.0;
+  double stiffness = 0.0;
+  for (const membrane::ElementStiffness& e : scene.bag->model.stiffness)
+    stiffness += e.volume * e.factor(0, 0) * e.factor(0, 0);
+  return 0.5e-12 * stiffness;
+}
+
 double energy_scale(const Scene& scene, const State& state) {
   const double kinetic = sum_of(Role::kinetic, scene, state), elastic = sum_of(Role::elastic, scene, state);
-  return std::max({gas_scale(state), kinetic, std::abs(pendulum_weight(scene, state)), elastic});
+  return std::max({gas_scale(state), kinetic, std::abs(pendulum_weight(scene, state)), elastic,
+                   state.start.smallest_energy});
 }
 
 double mechanical_energy(const Scene& scene, const State& state) {

@@ -17,6 +17,9 @@ double energy_drift(const State& state);
 /// Step that bounds the drift (M.22), (M.24) [s]; without gas (M.24) alone. Writes nothing.
 double drift_limit(const Scene& scene, const State& state);
 
+/// Energy of a skin below which its drift says nothing [J]; 0 without a skin.
+double smallest_energy(const Scene& scene);
+
 /// Energy that the drift is compared with [J], of a level (K.43).
 double energy_scale(const Scene& scene, const State& state);
 /// Kinetic and elastic energy of a level, and that of the pendulum's weight [J].

@@ -82,6 +82,7 @@ void run_steps(const Scene& scene, State& state, const LevelSink& sink, const Le
     straps.look(state);
     clock.update(state);
     if (stop) outcome.status = RunStatus::interrupted;
+    if (blown_up) outcome.status = RunStatus::inaccurate;
     if (request.last) return;
     blown_up = request.record && blow_up.is_at(scene, state);
     const double stop_at = next_stop(scene, now);
@@ -92,15 +93,15 @@ void run_steps(const Scene& scene, State& state, const LevelSink& sink, const Le
 
 void judge_drift(const Scene& scene, const State& state, RunOutcome& outcome) {
   const double drift = energy_drift(state);
-  if (!(drift > kDriftWarned)) return;
-  if (outcome.status != RunStatus::done || drift <= kDriftInaccurate) {
+  const bool stopped = outcome.status == RunStatus::inaccurate;
+  if (!stopped && !(drift > kDriftWarned)) return;
+  if (!stopped && (outcome.status != RunStatus::done || drift <= kDriftInaccurate)) {
     outcome.warning = drift_text(scene, state);
     return;
   }
   outcome.status = RunStatus::inaccurate;
   outcome.message = drift_text(scene, state);
-  if (state.time < scene.time.end)
-    outcome.message = fmt::format("stopped at {:.4g} s: {}", state.time, outcome.message);
+  if (stopped) outcome.message = fmt::format("stopped at {:.4g} s: {}", state.time, outcome.message);
 }
 
 // Why a node of the triggers was never on.
@@ -204,7 +205,7 @@ RunOutcome run_scene(const Scene& scene, State& state, const LevelSink& sink, co
   outcome.wall_seconds = seconds_since(start);
   outcome.stage_seconds = clock.seconds(state);
   outcome.cpu_seconds = clock.total();
-  if (outcome.status == RunStatus::done) {
+  if (outcome.status == RunStatus::done && state.time >= scene.time.end) {
     note_never_on(scene, state, outcome);
     note_held_velocities(scene, state, outcome);
     note_left_outlets(scene, state, outcome);

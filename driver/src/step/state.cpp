@@ -5,6 +5,7 @@
 #include <limits>
 #include <numeric>
 
+#include "step/drift.hpp"
 #include "step/stages.hpp"
 
 namespace driver {
@@ -85,6 +86,7 @@ void start_jets(const Scene& scene, State& state) {
 
 State make_state(const Scene& scene) {
   State state;
+  state.start.smallest_energy = smallest_energy(scene);
   if (scene.bag) {
     const membrane::LoadKinds loads{!scene.jets.empty(), scene.contact.has_value()};
     state.bag = membrane::make_state(scene.bag->model, scene.bag->initial_position, loads);

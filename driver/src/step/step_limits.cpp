@@ -36,20 +36,36 @@ std::string shares_text(const Scene& scene, const State& state) {
   return text;
 }
 
+// Why the gas, if it is that, lets the skin collapse.
+std::string collapse(const Scene& scene, const State& state) {
+  if (!scene.has_volume() || state.gas_point.pressure >= 0.01 * scene.ambient.pressure) return "";
+  return fmt::format(
+      "; the skin collapses, as {:.3g} Pa of gas do not bear the {:.3g} Pa outside: look at "
+      "gas.initial.pressure, the areas of vents and the porosity, and at their units",
+      state.gas_point.pressure, scene.ambient.pressure);
+}
+
 // The key that lengthens the step most.
-std::string advice(const Scene& scene, const State& state) {
+std::string advice(const State& state) {
   const membrane::StiffnessShares& s = state.step.shares;
-  if (scene.has_volume() && state.gas_point.pressure < 0.01 * scene.ambient.pressure)
-    return fmt::format(
-        "the skin collapses, as {:.3g} Pa of gas do not bear the {:.3g} Pa outside: look at "
-        "gas.initial.pressure, the areas of vents and the porosity, and at their units",
-        state.gas_point.pressure, scene.ambient.pressure);
   const double most = std::max({s.element, s.gas, s.contact, s.strap, s.plate});
-  if (s.contact == most) return "lower contact.stiffness or contact.stiffness_share";
-  if (s.strap == most) return "lower membrane.strap.stiffness";
-  if (s.plate == most) return "lower membrane.plate.stiffness";
-  if (s.gas == most) return "the gas is stiff in so small a volume: begin with a larger one";
-  return "look at the size and shape of that element, and at fabric.young_modulus and its unit";
+  if (s.contact == most) return "; lower contact.stiffness or contact.stiffness_share";
+  if (s.strap == most) return "; lower membrane.strap.stiffness";
+  if (s.plate == most) return "; lower membrane.plate.stiffness";
+  if (s.gas == most) return "; the gas is stiff in so small a volume: begin with a larger one";
+  return "; look at the size and shape of that element, and at fabric.young_modulus and its unit";
+}
+
+// Which limit it is, and what to do.
+std::string cause_of_short_step(const Scene& scene, const State& state) {
+  const StepSizes& step = state.step;
+  if (step.after * 1.01 < std::min(step.steady, scene.time.safety * step.drift_limit))
+    return fmt::format(
+        " for element {}, which deforms at {:.3g} 1/s (M.32); look at the mesh there, and at what loads it",
+        step.deformed_element, membrane::kLargestDeformation / step.after);
+  if (step.drift_limit < step.critical)
+    return " for the energy to drift little (M.22); look at what loads the skin";
+  return fmt::format(" ({}){}", shares_text(scene, state), advice(state));
 }
 
 }  // namespace
@@ -64,21 +80,10 @@ void refuse_step(const Scene& scene, const State& state, double given) {
 }
 
 void refuse_short_step(const Scene& scene, const State& state) {
-  const StepSizes& step = state.step;
-  std::string cause, help;
-  if (state.bag) {
-    if (step.after * 1.01 < scene.time.safety * std::min(step.steady / scene.time.safety, step.drift_limit))
-      cause = fmt::format(" for element {}, which deforms at {:.3g} 1/s (M.32)", step.deformed_element,
-                          membrane::kLargestDeformation / step.after);
-    else if (step.drift_limit < step.critical)
-      cause = " for the energy to drift little (M.22)";
-    else
-      cause = fmt::format(" ({})", shares_text(scene, state));
-    help = "; " + advice(scene, state);
-  }
-  throw StepError(
-      fmt::format("a step of {:.3g} s is needed{}, and more than 1e9 of them to end_time = {:.3g} s{}",
-                  step.after, cause, scene.time.end, help));
+  const std::string cause = state.bag ? cause_of_short_step(scene, state) + collapse(scene, state) : "";
+  throw StepError(fmt::format(
+      "more than 1e9 steps of {:.3g} s are left to end_time = {:.3g} s; so short a step is needed{}",
+      state.step.after, scene.time.end, cause));
 }
 
 }  // namespace driver

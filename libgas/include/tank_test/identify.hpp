@@ -73,7 +73,7 @@ struct IdentifiedPoint {
   /// replaced by the threshold if that is larger.
   double amplification;
   /// K is below its threshold or below 4 of its standard deviations, the burn has ended, the chamber's
-  /// pressure does not exceed the tank's, or a gauge is cut off.
+  /// pressure does not exceed the tank's, or the chamber gauge is cut off.
   bool masked;
   /// The bands hold: the point is not masked, the pressure bends no more sharply than smoothing follows, the
   /// temperature's band lies inside the range of the gases, the burn has 30 readings or more, and
