@@ -3,14 +3,12 @@
 #include "kernel_table.hpp"
 #include "membrane/isa.hpp"
 
-extern "C" {
-membrane::Isa __wrap__ZN8membrane8best_isaEv();
-const jet::KernelTable& __wrap__ZN3jet12kernel_tableEv();
+membrane::Isa baseline_isa() __asm__("__wrap__ZN8membrane8best_isaEv");
+const jet::KernelTable& baseline_table() __asm__("__wrap__ZN3jet12kernel_tableEv");
 
-membrane::Isa __wrap__ZN8membrane8best_isaEv() {
+membrane::Isa baseline_isa() {
   return membrane::Isa::baseline;
 }
-const jet::KernelTable& __wrap__ZN3jet12kernel_tableEv() {
+const jet::KernelTable& baseline_table() {
   return jet::baseline::kTable;
-}
 }

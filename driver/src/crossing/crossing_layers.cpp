@@ -55,7 +55,7 @@ class LineGrid {
     for (int i = i0; i <= i1; ++i)
       for (std::size_t line = 2 * index(i, j0); line < 2 * index(i, j1) + 2; ++line) {
         const Point& q = points_[line];
-        if ((q.x() < low.x()) | (q.x() > high.x()) | (q.y() < low.y()) | (q.y() > high.y())) continue;
+        if (q.x() < low.x() || q.x() > high.x() || q.y() < low.y() || q.y() > high.y()) continue;
         if (const int winding = winding_about(p, q)) hits.push_back({line, height(corner, p, q), -winding});
       }
   }

@@ -57,7 +57,7 @@ int line_side(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::V
 }
 
 bool has_node(const Face& t, int node) {
-  return (t.node[0] == node) | (t.node[1] == node) | (t.node[2] == node);
+  return t.node[0] == node || t.node[1] == node || t.node[2] == node;
 }
 
 // Whether the corners of u that are not corners of t are all on one side of the plane of t.
@@ -163,8 +163,8 @@ class Strips {
     for (std::size_t strip = 0; strip < boxes_.size(); ++strip)
       for (auto a = boxes_[strip].begin(); a != boxes_[strip].end(); ++a)
         for (auto b = a + 1; b != boxes_[strip].end() && b->low[0] <= a->high[0]; ++b) {
-          const bool overlap = (a->low[1] <= b->high[1]) & (b->low[1] <= a->high[1]) &
-                               (a->low[2] <= b->high[2]) & (b->low[2] <= a->high[2]);
+          const bool overlap = a->low[1] <= b->high[1] && b->low[1] <= a->high[1] &&
+                               a->low[2] <= b->high[2] && b->low[2] <= a->high[2];
           if (overlap && place(std::max(a->low[1], b->low[1])) == strip) visit(a->face, b->face);
         }
   }
