@@ -43,8 +43,7 @@ int run(const RunArguments& arguments) {
   for (const auto& note : outcome.notes) tell("warning: " + note);
   if (!outcome.warning.empty()) tell("warning: " + outcome.warning);
   if (outcome.status == RunStatus::inaccurate) {
-    tell(fmt::format("gasjet: inaccurate: {}\nResults up to the end are in {}", outcome.message,
-                     folder.string()));
+    tell(fmt::format("gasjet: inaccurate: {}\nResults are in {}", outcome.message, folder.string()));
     return exit_domain;
   }
   if (outcome.status == RunStatus::failed) {

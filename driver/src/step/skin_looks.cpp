@@ -39,7 +39,7 @@ std::string note_of_crossing(const std::vector<SkinLook>& looks) {
   if (worst == looks.end() || share(*worst) <= limit) return {};
   return fmt::format(
       "membrane: the skin passes through itself, since nothing keeps its layers apart: at {:.3g} s {}; above "
-      "{:g} % pressure and volume are off by about that share: start with fewer folds",
+      "{:g} % pressure and volume are off by about that share; a start less folded or flattened crosses less",
       worst->time, text_of(worst->crossing, worst->volume), 100.0 * limit);
 }
 
