@@ -17,10 +17,10 @@
 #include <stdexcept>
 #include <vector>
 
-#include "driver/results.hpp"
 #include "jet/field.hpp"
 #include "jet/visibility.hpp"
 #include "jet_surface.hpp"
+#include "results/results.hpp"
 
 namespace {
 

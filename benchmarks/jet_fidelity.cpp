@@ -9,10 +9,10 @@
 #include <limits>
 #include <optional>
 
-#include "driver/results.hpp"
 #include "jet/field.hpp"
 #include "jet_surface.hpp"
 #include "jet_tree/tree_route.hpp"
+#include "results/results.hpp"
 
 namespace {
 

@@ -11,10 +11,10 @@
 #include <limits>
 #include <string>
 
-#include "driver/results.hpp"
 #include "jet/field.hpp"
 #include "jet_surface.hpp"
 #include "jet_tree/tree_route.hpp"
+#include "results/results.hpp"
 #ifdef GASJET_EMBREE
 #include "embree_visibility.hpp"
 #endif

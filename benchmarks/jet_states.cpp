@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "jet_states.hpp"
 
-#include "driver/run.hpp"
+#include "engine/run.hpp"
+#include "results/load_scene.hpp"
 
 namespace benchmarks {
 
 driver::Scene passenger_scene(const std::vector<std::string>& overrides) {
   driver::CaseDocument document(GASJET_SOURCE_DIR "/cases/passenger_pendulum.toml", overrides);
-  return driver::read_scene(document);
+  return driver::load_scene(document);
 }
 
 std::vector<JetState> jet_states(const driver::Scene& scene, const std::vector<double>& times) {

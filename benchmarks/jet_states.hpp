@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "driver/scene.hpp"
+#include "engine/scene.hpp"
 #include "jet/outlet.hpp"
 
 namespace benchmarks {

@@ -170,7 +170,7 @@ quantities() {
 # label NAME: the name with its unit in brackets, by the endings that the program knows
 label() {
   local endings
-  endings=$(dirname "${BASH_SOURCE[0]}")/../driver/src/results/unit_endings.hpp
+  endings=$(dirname "${BASH_SOURCE[0]}")/../driver/results/include/results/unit_endings.hpp
   grep -oE '\{"_[^"]+", "[^"]+"\}' "$endings" | sed -E 's/^\{"|"\}$//g; s/", "/ /' | awk -v name="$1" '
     !unit && substr(name, length(name) - length($1) + 1) == $1 { name = substr(name, 1, length(name) - length($1)); sub(/^[^ ]+ /, ""); unit = " [" $0 "]" }
     END { gsub(/_/, " ", name); print name unit }'

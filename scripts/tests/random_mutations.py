@@ -91,7 +91,7 @@ def main():
     parser.add_argument("files", nargs="*")
     wanted = parser.parse_args()
     files = wanted.files or sorted(
-        str(p.relative_to(ROOT)) for folder in ("libgas", "libmembrane", "libjet", "libcoupling", "driver/src/step")
+        str(p.relative_to(ROOT)) for folder in ("libgas", "libmembrane", "libjet", "libcoupling", "driver/engine/src/step")
         for p in (ROOT / folder).rglob("*") if p.suffix in (".cpp", ".hpp"))
     lines = []
     for file in files:

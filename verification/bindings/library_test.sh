@@ -53,7 +53,7 @@ case $part in
     ;;
   permissive)
     library=$(basename "$(readlink -f "$build/bindings/c/libgasjet.so")")
-    found=$(gpl_of "$library" '^(bindings/c/CMakeFiles/gasjet_(c|border)|driver/CMakeFiles/gasjet_driver|libgas/CMakeFiles/gasjet_gas|libjet/CMakeFiles/gasjet_jet[.]|libmembrane/|libcoupling/)')
+    found=$(gpl_of "$library" '^(bindings/c/CMakeFiles/gasjet_(c|border)|driver/(base|engine|forecast|results|compare)/|libgas/CMakeFiles/gasjet_gas|libjet/CMakeFiles/gasjet_jet[.]|libmembrane/|libcoupling/)')
     [[ -z $found ]] || fail "$library has parts under the GPL: $found"
     ;;
   abi)

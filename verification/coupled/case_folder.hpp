@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "driver/scene.hpp"
-#include "driver/state.hpp"
+#include "engine/state.hpp"
+#include "results/load_scene.hpp"
 
 namespace coupled {
 
@@ -35,7 +35,7 @@ struct Folder {
 inline std::string message_of(const fs::path& file, const std::vector<std::string>& overrides = {}) {
   try {
     driver::CaseDocument document(file, overrides);
-    driver::make_state(driver::read_scene(document));
+    driver::make_state(driver::load_scene(document));
   } catch (const driver::CaseError& error) {
     return error.what();
   }
@@ -46,7 +46,7 @@ inline driver::Scene scene_of_text(const Folder& folder, const std::string& text
                                    const std::vector<std::string>& overrides) {
   std::ofstream(folder.path / "case.toml") << text;
   driver::CaseDocument document(folder.path / "case.toml", overrides);
-  return driver::read_scene(document);
+  return driver::load_scene(document);
 }
 
 }  // namespace coupled

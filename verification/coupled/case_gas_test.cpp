@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "claim.hpp"
-#include "driver/forecast.hpp"
+#include "forecast/forecast.hpp"
 #include "run_case.hpp"
 
 namespace {

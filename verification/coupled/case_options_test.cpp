@@ -23,7 +23,7 @@ TEST(case_options, check_names_only_keys_that_the_case_may_set) {
   for (const auto& [name, overrides] : scenes) {
     const auto file = coupled::fs::path(GASJET_SOURCE_DIR "/cases") / (std::string(name) + ".toml");
     driver::CaseDocument document(file, overrides);
-    driver::read_scene(document);
+    driver::load_scene(document);
     std::vector<std::string> defaults;
     for (const auto& setting : document.settings())
       if (setting.is_default) defaults.push_back(setting.path + "=" + setting.value);

@@ -8,7 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "driver/scene.hpp"
+#include "engine/scene.hpp"
+#include "forecast/jet_peak.hpp"
 #include "run_case.hpp"
 
 namespace slips {

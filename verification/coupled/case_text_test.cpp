@@ -14,7 +14,7 @@ const fs::path kCases = GASJET_SOURCE_DIR "/cases";
 // Every setting but the names of files.
 std::vector<std::string> settings_of(const fs::path& file) {
   driver::CaseDocument document(file, {});
-  driver::read_scene(document);
+  driver::load_scene(document);
   std::vector<std::string> list;
   for (const auto& setting : document.settings())
     if (setting.path.find("file") == std::string::npos)
@@ -41,7 +41,7 @@ TEST(case_text, means_the_same_in_another_folder) {
 TEST(case_text, unset_takes_out_a_key_and_a_table) {
   driver::CaseDocument document(kCases / "passenger_pendulum.toml",
                                 {"unset inflator.0.jet", "unset scene.gravity"});
-  const auto scene = driver::read_scene(document);
+  const auto scene = driver::load_scene(document);
   EXPECT_TRUE(scene.jets.empty());
   EXPECT_TRUE(scene.gravity.isZero(0.0));
 }

@@ -8,7 +8,8 @@
 #include <vector>
 
 #include "case_folder.hpp"
-#include "driver/scene.hpp"
+#include "engine/scene.hpp"
+#include "forecast/jet_peak.hpp"
 #include "run_case.hpp"
 
 namespace warned {

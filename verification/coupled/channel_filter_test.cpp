@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The channel filter against its published frequency response, and that it shifts nothing.
-#include "driver/channel_filter.hpp"
+#include "engine/channel_filter.hpp"
 
 #include <gtest/gtest.h>
 

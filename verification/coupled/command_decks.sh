@@ -9,7 +9,7 @@ read -ra deck_units <<<"${GASJET_DECK_UNITS:-kg-m-s t-mm-s kg-mm-ms}"
 deck_keys() {
   local key
   while read -r key; do
-    grep -qE "\"([a-z_0-9.]+\.)?$key\"" "$source/driver/src/export/feature_table.cpp" || fail "no row of the export's table names the key $key"
+    grep -qE "\"([a-z_0-9.]+\.)?$key\"" "$source/driver/export/src/feature_table.cpp" || fail "no row of the export's table names the key $key"
   done < <(sed '/^## Map of a foreign/,$d' "$source/docs/case_files.md" | grep -E '^\| `' | cut -d'|' -f2 | grep -oE '[a-z_0-9]+' | sort -u |
     grep -vxE 'file|time|value|strain|strain_column|overpressure_column|time_column|column|species|initial|radius|levels|generator|refine|heat_loss|nasa7|rings|vents|time_|fabric|ambient|gas|inflator|jet|vent|sensor|trigger|membrane|strap|plate|pendulum|contact|scene|output|weave|panel|depth|width|height|back_radius|front_radius|depth_cells|width_cells|height_cells|attachment_width_cells|attachment_height_cells|vent_depth_cell|vent_height_cell|inflator_radius|opening|inflator_rings|vent_ring|centre|normal|side|columns|rows|area|step|safety|unsafe_step|gas_tolerance|gas_step|gas_method')
 }

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <random>
 
-#include "driver/channel_filter.hpp"
-#include "driver/compare.hpp"
-#include "driver/ensemble.hpp"
+#include "compare/compare.hpp"
+#include "engine/channel_filter.hpp"
+#include "many_runs/ensemble.hpp"
 #include "run_case.hpp"
 
 namespace {

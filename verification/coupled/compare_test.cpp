@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // `gasjet compare` on histories whose difference is known: shifted, scaled, resampled, cut short.
-#include "driver/compare.hpp"
+#include "compare/compare.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 
-#include "driver/case_reader.hpp"
+#include "base/case_reader.hpp"
 
 namespace {
 

@@ -90,7 +90,7 @@ TEST(contact_closed_form, columns_of_a_swing_eq_closed_form) {
          "rest_direction = [0.0, 0.0, -1.0]\nmass = 10.9\ninertia_cg = 2.07\ncg_distance = 1.065\n"
          "impactor_distance = 1.31\nimpactor_radius = 0.041\ninitial_angle = 1.0471975511965976\n";
   driver::CaseDocument document(file, {});
-  const auto scene = driver::read_scene(document);
+  const auto scene = driver::load_scene(document);
   driver::State state = driver::make_state(scene);
   const auto pendulum = closed_form::paper_pendulum();
   const double w = closed_form::pendulum_constants(pendulum).angular_frequency, arm = 1.065, g = 9.80665;

@@ -10,8 +10,8 @@
 #include <random>
 
 #include "crossed_meshes.hpp"
-#include "driver/crossing.hpp"
 #include "membrane/icosphere.hpp"
+#include "results/crossing.hpp"
 #include "run_case.hpp"
 
 namespace {

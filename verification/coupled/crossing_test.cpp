@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Volumes that a surface counts twice and inside out, against closed forms.
-#include "driver/crossing.hpp"
+#include "results/crossing.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,8 +12,8 @@
 
 #include "claim.hpp"
 #include "crossed_meshes.hpp"
-#include "crossing/winding.hpp"
 #include "membrane/icosphere.hpp"
+#include "results/winding.hpp"
 
 namespace {
 

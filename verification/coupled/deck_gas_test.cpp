@@ -9,6 +9,7 @@
 #include "export/deck_fabric.hpp"
 #include "export/feature.hpp"
 #include "export/writers.hpp"
+#include "results/load_scene.hpp"
 
 namespace {
 
@@ -27,7 +28,7 @@ struct Exported {
 
   Exported(const std::string& name, const Settings& settings, DeckFormat format)
       : document(GASJET_SOURCE_DIR "/cases/" + name + ".toml", settings),
-        scene(driver::read_scene(document)),
+        scene(driver::load_scene(document)),
         deck(driver::make_deck(scene, format)) {
     if (format == DeckFormat::lsdyna) driver::leave_out_lsdyna_vents(deck);
     used = driver::used_features(document, deck);

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "driver/ensemble.hpp"
+#include "many_runs/ensemble.hpp"
 
 namespace {
 

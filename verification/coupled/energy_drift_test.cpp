@@ -6,7 +6,7 @@
 
 #include "bisection.hpp"
 #include "claim.hpp"
-#include "driver/ensemble.hpp"
+#include "many_runs/ensemble.hpp"
 #include "run_case.hpp"
 
 namespace {

@@ -8,7 +8,8 @@
 #include <nlohmann/json.hpp>
 
 #include "claim.hpp"
-#include "driver/run.hpp"
+#include "engine/run.hpp"
+#include "results/summary.hpp"
 #include "run_case.hpp"
 
 namespace {
@@ -116,7 +117,7 @@ TEST(energy_figure, summary_and_text_say_the_share_of_the_mechanical_energy) {
   const driver::Scene scene = coupled::scene_of(
       "strapped_sphere", {"membrane.strap.0.stiffness=1e6", "time.step=1e-5", "scene.end_time=0.02"});
   const auto run = coupled::run_of(scene);
-  const auto json = nlohmann::json::parse(driver::summary_text(scene, run.state, run.outcome, {}));
+  const auto json = nlohmann::json::parse(driver::summary_text(scene, run.state, run.outcome, {}, {}));
   double mechanical = 0.0, drift = 0.0;
   for (const auto& row : run.energy) {
     mechanical = std::max(mechanical, row.at("skin_kinetic_J") + row.at("skin_strain_J") + row.at("strap_J"));

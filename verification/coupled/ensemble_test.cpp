@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The paper's scene as an ensemble: the jet's effect against the scatter of a chaotic scene.
-#include "driver/ensemble.hpp"
+#include "many_runs/ensemble.hpp"
 
 #include <gtest/gtest.h>
 

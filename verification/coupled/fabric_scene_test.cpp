@@ -43,7 +43,7 @@ TEST(fabric_scene, panels_do_not_inherit_from_each_other) {
   text.insert(text.find("[membrane]"), "[[fabric.panel]]\npanels = [\"back\"]\ndensity = 700.0\n");
   std::ofstream(folder.path / "case.toml") << text;
   driver::CaseDocument document(folder.path / "case.toml", {});
-  const driver::Scene scene = driver::read_scene(document);
+  const driver::Scene scene = driver::load_scene(document);
   const auto& all = scene.bag->model.description.properties;
   const auto fabric_of = [&](const char* panel) {
     return all[static_cast<std::size_t>(membrane::panel_elements(scene.bag->mesh, panel).front())];
@@ -120,7 +120,7 @@ TEST(fabric_scene, straps_are_tied_to_the_panels_that_they_name) {
   };
   EXPECT_EQ(with("from_panel = \"back\"\nto_panel = \"front\"\n"), "accepted");
   driver::CaseDocument document(folder.path / "case.toml", {});
-  const driver::Scene scene = driver::read_scene(document);
+  const driver::Scene scene = driver::load_scene(document);
   const membrane::Mesh& mesh = scene.bag->mesh;
   const membrane::Strap& strap = scene.bag->model.description.straps.front();
   EXPECT_EQ(mesh.nodes.col(strap.node_a), mesh.nodes.col(strap.node_b));
@@ -161,7 +161,7 @@ TEST(fabric_scene, initial_shape_comes_from_a_file) {
   };
   EXPECT_EQ(with("file = \"design.k\", initial_file = \"open.obj\""), "accepted");
   driver::CaseDocument document(folder.path / "case.toml", {});
-  const driver::Scene scene = driver::read_scene(document);
+  const driver::Scene scene = driver::load_scene(document);
   EXPECT_TRUE(scene.bag->initial_position == bag.opened);
   EXPECT_TRUE(scene.bag->mesh.nodes == bag.mesh.nodes);
   EXPECT_NE(with("file = \"design.k\"").find("no volume: the sheets lie on each other"), std::string::npos);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Field files, read by a small XML reader of the test's own: tags that match, counts that are those said, and
 // the volume, jet force, pressure and pendulum angle that the history has at the same level.
-#include "driver/fields.hpp"
+#include "results/fields.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,6 +10,7 @@
 #include <regex>
 
 #include "case_folder.hpp"
+#include "results/load_scene.hpp"
 #include "run_case.hpp"
 
 namespace {
@@ -109,7 +110,7 @@ TEST(fields, files_say_what_the_history_says) {
   const coupled::Folder folder;
   driver::CaseDocument document(GASJET_SOURCE_DIR "/cases/passenger_pendulum.toml",
                                 {"scene.end_time=0.011", "output.fields_every=0.005"});
-  const driver::Scene scene = driver::read_scene(document);
+  const driver::Scene scene = driver::load_scene(document);
   driver::State state = driver::make_state(scene);
   driver::ResultFolder results(folder.path, "run", driver::FieldWriter::is_own);
   results.begin({});
@@ -121,11 +122,11 @@ TEST(fields, files_say_what_the_history_says) {
                     [&](bool recorded, const driver::State& now) {
                       if (recorded) rows[now.time] = coupled::row_of(columns, scene, now);
                     },
-                    {.fields = [&](const driver::State& now) {
+                    {driver::at_multiples(scene.output.fields_every, [&](const driver::State& now) {
                       writer.write(now);
                       times.push_back(now.time);
                       facing_away.push_back(static_cast<double>(now.jets.front().counters.facing_away));
-                    }});
+                    })});
   std::vector<Element> parts;
   for (const Element& e : read_xml(coupled::read(folder.path / "fields.pvd")))
     if (e.name == "DataSet") parts.push_back(e);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The forecast's groups by hand, and the paths and strings of settings that `check --format json` is made of.
-#include "driver/forecast.hpp"
+#include "forecast/forecast.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,6 +12,7 @@
 #include "claim.hpp"
 #include "closed_form/gas.hpp"
 #include "closed_form/membrane.hpp"
+#include "results/load_scene.hpp"
 #include "run_case.hpp"
 
 namespace {
@@ -239,7 +240,7 @@ TEST(setting_path, odd_names_reach_their_setting) {
   std::map<std::string, std::string> settings;
   driver::CaseDocument document(
       file, {"gas.initial.composition.\"7\"=0.25", "gas.initial.composition.\"a/b.~\\\"\"=0.75"});
-  driver::read_scene(document);
+  driver::load_scene(document);
   for (const auto& setting : document.settings()) settings[setting.path] = setting.value;
   EXPECT_EQ(settings.at("gas.initial.composition.\"7\""), "0.25");
   EXPECT_EQ(settings.at("gas.initial.composition.\"a/b.~\\\"\""), "0.75");

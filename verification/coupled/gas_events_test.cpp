@@ -7,6 +7,7 @@
 #include "case_folder.hpp"
 #include "claim.hpp"
 #include "closed_form/orifice.hpp"
+#include "results/run_to_folder.hpp"
 #include "run_case.hpp"
 
 namespace {

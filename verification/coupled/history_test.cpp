@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "case_folder.hpp"
-#include "driver/compare.hpp"
+#include "compare/compare.hpp"
 
 namespace {
 

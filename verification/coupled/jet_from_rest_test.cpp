@@ -7,7 +7,7 @@
 
 #include "bisection.hpp"
 #include "claim.hpp"
-#include "driver/step.hpp"
+#include "engine/step.hpp"
 #include "run_case.hpp"
 
 namespace {

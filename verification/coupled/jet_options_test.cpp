@@ -10,7 +10,7 @@
 
 #include "bisection.hpp"
 #include "claim.hpp"
-#include "driver/step.hpp"
+#include "engine/step.hpp"
 #include "jet/jet.hpp"
 #include "membrane/time_step.hpp"
 #include "run_case.hpp"

@@ -11,7 +11,7 @@
 
 #include "case_folder.hpp"
 #include "claim.hpp"
-#include "driver/step.hpp"
+#include "engine/step.hpp"
 #include "run_case.hpp"
 
 namespace {

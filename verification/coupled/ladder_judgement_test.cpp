@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "driver/ladder.hpp"
+#include "many_runs/ladder.hpp"
 
 namespace {
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "driver/ladder.hpp"
+#include "many_runs/ladder.hpp"
 
 namespace {
 

@@ -6,10 +6,11 @@
 #include <csignal>
 #include <cstdlib>
 
+#include "base/progress.hpp"
 #include "closed_form/coupled.hpp"
-#include "driver/ladder.hpp"
-#include "driver/progress.hpp"
+#include "many_runs/ladder.hpp"
 #include "membrane/stages.hpp"
+#include "results/load_scene.hpp"
 #include "run_case.hpp"
 
 namespace {
@@ -82,7 +83,7 @@ TEST(ladder, bag_without_a_membrane_is_the_sphere_at_rest) {
                                  [](const LadderRung& r) { return r.name == "volume by pressure"; });
   ASSERT_NE(rung, result.rungs.end());
   driver::CaseDocument document(case_file("sphere_inflation"), rung->overrides);
-  const driver::Scene scene = driver::read_scene(document);
+  const driver::Scene scene = driver::load_scene(document);
   ASSERT_TRUE(scene.gas->model.volume_of_overpressure && !scene.bag);
   const auto knots = scene.gas->model.volume_of_overpressure->knots();
   const closed_form::StretchedSphere sphere{{60e6, 0.3, 0.5e-3, 620.0}, 0.3};

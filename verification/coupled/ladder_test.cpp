@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Ladders where the answer is known.
-#include "driver/ladder.hpp"
+#include "many_runs/ladder.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,6 +9,7 @@
 
 #include "case_folder.hpp"
 #include "closed_form/jet.hpp"
+#include "results/load_scene.hpp"
 #include "run_case.hpp"
 
 namespace {
@@ -151,7 +152,7 @@ TEST(ladder, free_bag_needs_no_jet_for_its_pressure) {
     driver::write_ladder(results, result, case_file("jet_bag"), small, options, false);
   }
   driver::CaseDocument written(folder.path / "cheapest.toml", {});
-  const driver::Scene scene = driver::read_scene(written);
+  const driver::Scene scene = driver::load_scene(written);
   EXPECT_TRUE(scene.jets.empty());
   driver::State state = driver::make_state(scene);
   double pressure = 0.0;

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <functional>
 
+#include "base/case_reader.hpp"
 #include "case_folder.hpp"
-#include "driver/case_reader.hpp"
-#include "driver/compare.hpp"
+#include "compare/compare.hpp"
 
 namespace {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // PLY, OFF and binary STL, read with CGAL; every format by its ending.
-#include "mesh_files/mesh_reader.hpp"
+#include "results/mesh_reader.hpp"
 
 #include <gtest/gtest.h>
 

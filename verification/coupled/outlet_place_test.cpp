@@ -7,7 +7,7 @@
 #include <regex>
 #include <string>
 
-#include "driver/scene.hpp"
+#include "results/load_scene.hpp"
 
 namespace {
 
@@ -49,7 +49,7 @@ mesh = {{ generator = "icosphere", radius = 0.3, levels = 3 }}
 std::string message(const Outlet& outlet) {
   try {
     auto document = driver::CaseDocument::of_text(case_of(outlet), "case.toml", {});
-    driver::read_scene(document);
+    driver::load_scene(document);
     return {};
   } catch (const driver::CaseError& error) {
     return error.what();

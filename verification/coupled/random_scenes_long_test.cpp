@@ -9,7 +9,7 @@
 #include <regex>
 #include <sstream>
 
-#include "driver/case_reader.hpp"
+#include "base/case_reader.hpp"
 #include "run_case.hpp"
 
 namespace {

@@ -69,7 +69,7 @@ coupled::CaseRun run_half(const std::string& name, int n, std::optional<driver::
     if (coupled::fs::exists(file)) coupled::fs::copy_file(file, folder.path / (name + ending));
   }
   driver::CaseDocument document(folder.path / (name + ".toml"), {});
-  scene.emplace(driver::read_scene(document));
+  scene.emplace(driver::load_scene(document));
   return coupled::run_of(*scene);
 }
 

@@ -6,8 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "driver/columns.hpp"
-#include "driver/run.hpp"
+#include "engine/columns.hpp"
+#include "engine/run.hpp"
+#include "results/load_scene.hpp"
 
 namespace coupled {
 
@@ -32,7 +33,7 @@ inline std::string case_file(const std::string& name) {
 
 inline driver::Scene scene_of(const std::string& name, const std::vector<std::string>& overrides = {}) {
   driver::CaseDocument document(case_file(name), overrides);
-  return driver::read_scene(document);
+  return driver::load_scene(document);
 }
 
 inline CaseRun run_of(const driver::Scene& scene,

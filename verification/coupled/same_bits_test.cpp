@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <thread>
 
-#include "driver/ensemble.hpp"
+#include "many_runs/ensemble.hpp"
 #include "run_case.hpp"
 
 namespace {

@@ -58,7 +58,7 @@ TEST(sheet, quarter_of_a_clamped_disc_comes_to_rest_at_the_closed_form_with_orde
     std::ofstream(folder.path / "clamped_disc.obj") << quarter_disc(n);
     coupled::fs::copy_file(coupled::case_file("clamped_disc"), folder.path / "clamped_disc.toml");
     driver::CaseDocument document(folder.path / "clamped_disc.toml", {});
-    const auto run = coupled::run_of(driver::read_scene(document));
+    const auto run = coupled::run_of(driver::load_scene(document));
     ASSERT_EQ(run.outcome.status, driver::RunStatus::done) << run.outcome.message;
     const auto& row = run.history.back();
     EXPECT_EQ(row.at("overpressure_Pa"), pressure);

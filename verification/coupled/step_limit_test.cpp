@@ -101,7 +101,7 @@ TEST(step_limit, step_grows_by_at_most_2e_4) {
 // (M.32) of slivers that bounce.
 TEST(step_limit, no_step_changes_the_deformation_by_more_than_0_4) {
   driver::CaseDocument document(GASJET_SOURCE_DIR "/verification/foreign/slivers/hull_120_3.toml", {});
-  const auto levels = levels_of(driver::read_scene(document));
+  const auto levels = levels_of(driver::load_scene(document));
   EXPECT_GT(levels.back().limited, 0);
   for (std::size_t n = 1; n + 1 < levels.size(); ++n)  // no step leaves the last level
     EXPECT_LE(levels[n - 1].rate * levels[n].step, 0.4 * (1.0 + 1e-12)) << n;
@@ -111,7 +111,7 @@ TEST(step_limit, no_step_changes_the_deformation_by_more_than_0_4) {
 TEST(step_limit, given_step_is_not_cut_by_the_deformation) {
   driver::CaseDocument document(GASJET_SOURCE_DIR "/verification/foreign/slivers/hull_120_3.toml",
                                 {"time.step=3e-6", "scene.end_time=0.015"});
-  const auto scene = driver::read_scene(document);
+  const auto scene = driver::load_scene(document);
   double worst = 0.0, before = 0.0;
   driver::State state = driver::make_state(scene);
   const auto record = [&](bool, const driver::State& now) {

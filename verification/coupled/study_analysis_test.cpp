@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Designs and analyses of studies against closed forms.
-#include "driver/study_analysis.hpp"
+#include "many_runs/study_analysis.hpp"
 
 #include <gtest/gtest.h>
 

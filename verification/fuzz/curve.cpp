@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Any bytes are the CSV file of a case's curve, or are refused at their place.
+#include "base/case_reader.hpp"
 #include "bytes.hpp"
-#include "driver/case_reader.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const auto file = fuzz::file_of(data, size, ".csv");

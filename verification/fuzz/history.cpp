@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Any bytes are a history, or are refused with a message; one that is read compares with itself, and differs
 // by nothing.
+#include "base/case_reader.hpp"
 #include "bytes.hpp"
-#include "driver/case_reader.hpp"
-#include "driver/compare.hpp"
+#include "compare/compare.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   try {

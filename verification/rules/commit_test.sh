@@ -6,8 +6,8 @@ set -euo pipefail
 source=$1 build=$2
 
 templates=$(grep -rl --include='*.in' --include='*.hpp' --include='*.cpp' GASJET_COMMIT "$source"/{driver,bindings,lib*}/ | sed "s|^$source/||")
-[[ $templates == driver/src/build_info.cpp.in ]] || { echo "commit_test: the commit is in: $templates"; exit 1; }
+[[ $templates == driver/base/src/build_info.cpp.in ]] || { echo "commit_test: the commit is in: $templates"; exit 1; }
 [[ -f $build/build.ninja ]] || { echo "commit_test: not built by ninja"; exit 77; }
-objects=$(ninja -C "$build" -t query "$(realpath "$build")/driver/src/build_info.cpp" | sed '1,/outputs:/d' | grep -c '\.o$' || true)
+objects=$(ninja -C "$build" -t query "$(realpath "$build")/driver/base/build_info.cpp" | sed '1,/outputs:/d' | grep -c '\.o$' || true)
 [[ $objects == 1 ]] || { echo "commit_test: $objects objects are compiled from build_info.cpp"; exit 1; }
 echo "commit_test: one object knows the commit"

@@ -81,8 +81,8 @@ rule_include_rule() {
       libmembrane | libcoupling) check_include "$place" "$file" "$header" "$folder" elementary Eigen experimental ;;
       verification/closed_form) check_include "$place" "$file" "$header" "$folder" gsl ;;
     esac
-    [[ $header != '<CGAL/'* || $file == @(libjet/src/*.cpp|driver/src/mesh_files/soup.cpp|driver/src/crossing/exact.cpp|verification/*|benchmarks/*) ]] ||
-      echo "$place: includes ${header:1} (CGAL belongs in .cpp files of libjet/src, in driver/src/mesh_files/soup.cpp and driver/src/crossing/exact.cpp)"
+    [[ $header != '<CGAL/'* || $file == @(libjet/src/*.cpp|driver/results/src/mesh_files/soup.cpp|driver/results/src/crossing/exact.cpp|verification/*|benchmarks/*) ]] ||
+      echo "$place: includes ${header:1} (CGAL belongs in .cpp files of libjet/src, in driver/results/src/mesh_files/soup.cpp and driver/results/src/crossing/exact.cpp)"
   done < <(includes "${cpp[@]}")
   chosen '^lib(gas|membrane|jet|coupling)/' "${cpp[@]}"
   { code_matches "\\b${others}::" "${list[@]}" | grep -P "^lib(\w+)/[^:]*:\d+:.*\b(?!\1::)${others}::" || true; } |
@@ -188,9 +188,9 @@ rule_exact_names() {
 # Every key that the driver reads from a case has a row in docs/case_files.md, and every row's key is read there.
 rule_case_keys() {
   local list
-  mapfile -t list < <(cpp_files | grep -E '^driver/src/(case|scene|compare)/')
+  mapfile -t list < <(cpp_files | grep -E '^driver/(base|engine|compare)/')
   keys_have_rows docs/case_files.md <(cat docs/case_files.md) "${list[@]}"
-  mapfile -t list < <(cpp_files | grep -E '^driver/src/study/(plan|design)')
+  mapfile -t list < <(cpp_files | grep -E '^driver/many_runs/src/study/(plan|design)')
   keys_have_rows docs/study.md <(sed -n '/^## The plan/,/^## Designs/p' docs/study.md) "${list[@]}"
 }
 
@@ -208,7 +208,7 @@ keys_have_rows() {
 # Every column of the history and of the energy file has a row in docs/results.md, and every row's column is one.
 rule_columns() {
   local page=docs/results.md columns rows name
-  columns=$(cat driver/src/results/history_columns.cpp driver/src/results/energy_columns.cpp | tr -d '\n' |
+  columns=$(cat driver/engine/src/columns/history_columns.cpp driver/engine/src/columns/energy_columns.cpp | tr -d '\n' |
     grep -oE '\{"[A-Za-z0-9_]+", |add\([^,]*, ' |
     sed -E 's/^\{//; s/^add\(//; s/, $//; s/vent \+/"vent_*" +/; s/" \+ [^"]* \+ "/*/g; s/" \+ "//g; s/"//g' | sort -u)
   rows=$(sed -nE '/^## .(history|energy)/,/^## .summary/ s/^\| `([^`]+)`.*/\1/p' "$page" | sort -u)
@@ -249,7 +249,7 @@ rule_tables() {
 
 # CITATION, changelog, docs/versions.md, shipped cases and schemas say the versions that cmake/GasjetVersion.cmake, formats.hpp and the reference data have.
 rule_versions() {
-  local version date name now page=docs/versions.md formats=driver/include/driver/formats.hpp list
+  local version date name now page=docs/versions.md formats=driver/base/include/base/formats.hpp list
   version=$(sed -nE 's/^set\(GASJET_VERSION ([0-9.]+)\)$/\1/p' cmake/GasjetVersion.cmake)
   date=$(sed -nE "s/^## ${version//./[.]} \(([0-9-]+)\)$/\1/p" CHANGELOG.md)
   [[ $(sed -nE 's/^## ([0-9].*) \(.*/\1/p' CHANGELOG.md | head -1) == "$version" ]] || echo "CHANGELOG.md: the newest release is not $version"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "driver/run.hpp"
+#include "engine/run.hpp"
 
 #include <gasjet/run.h>
 
@@ -9,10 +9,15 @@
 #include <sstream>
 
 #include "arrays.hpp"
-#include "driver/case_reader.hpp"
-#include "driver/columns.hpp"
-#include "driver/compare.hpp"
-#include "driver/results.hpp"
+#include "base/case_reader.hpp"
+#include "compare/compare.hpp"
+#include "engine/columns.hpp"
+#include "forecast/jet_peak.hpp"
+#include "results/load_scene.hpp"
+#include "results/results.hpp"
+#include "results/run_to_folder.hpp"
+#include "results/skin_checks.hpp"
+#include "results/summary.hpp"
 
 using namespace border;
 
@@ -116,9 +121,11 @@ driver::RunOutcome run_scene(const driver::Scene& scene, const driver::CaseDocum
     return outcome;
   }
   driver::State state = driver::make_state(scene);
-  const auto outcome = driver::run_scene(scene, state, options.watch, {.skin = true},
-                                         driver::Executor(order.threads), options.stop);
-  run.summary = driver::summary_text(scene, state, outcome, lines);
+  driver::SkinChecks checks(scene);
+  auto outcome = driver::run_scene(scene, state, options.watch, {checks.view()},
+                                   driver::Executor(order.threads), options.stop);
+  checks.note(outcome);
+  run.summary = driver::summary_text(scene, state, outcome, checks.found(), lines);
   return outcome;
 }
 
@@ -165,7 +172,7 @@ int gasjet_run(const char* case_file, const char* case_text, const char* overrid
     const Order order{path(case_file, "case_file"), path_or_none(out, "out"),
                       parts_of(text_or(overrides, ""), '\n'), threads};
     driver::CaseDocument document = document_of(order, case_text);
-    driver::Scene scene = driver::read_scene(document);
+    driver::Scene scene = driver::load_scene(document);
     driver::add_jet_warnings(scene);
     driver::add_skin_warning(scene);
     const auto made = std::make_shared<Run>(scene);

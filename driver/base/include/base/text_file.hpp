@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include "base/case_reader.hpp"
+
+namespace driver {
+
+/// No text can be had of a file: a fault of what names it, not of a line in it.
+class FileError : public CaseError {
+ public:
+  using CaseError::CaseError;
+};
+
+/// Lines of an input file of any length, without a byte order mark.
+class LineReader {
+ public:
+  /// Throws FileError for a folder and a file that cannot be read.
+  explicit LineReader(const std::filesystem::path& file);
+  /// The next line; false at the end. Throws FileError for a line of more than 1 MiB, since a device may
+  /// never end, and for a carriage return within a line.
+  bool next(std::string& line);
+  std::size_t number() const { return number_; }  // of the last line, from 1
+
+ private:
+  std::filesystem::path file_;
+  std::ifstream stream_;
+  std::string chunk_;
+  std::size_t at_ = 0, number_ = 0;
+};
+
+/// The whole text of an input file, without a byte order mark. Throws FileError for a folder, a file that
+/// cannot be read or one of more than 64 MiB.
+std::string read_text(const std::filesystem::path& file);
+
+}  // namespace driver

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: Apache-2.0
+// Curves and compositions of a case file, and curves that stand in a CSV beside it.
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "base/case_reader.hpp"
+#include "base/csv_table.hpp"
+#include "base/text_file.hpp"
+#include "case_log.hpp"
+#include "toml_library.hpp"
+
+namespace driver {
+namespace {
+
+/// Calls fail(knot, message) for the first fault; `jumps`: two knots at one time are allowed.
+void check_knots(const CurveData& curve, bool jumps,
+                 const std::function<void(std::size_t, const std::string&)>& fail) {
+  const auto& time = curve.time;
+  if (curve.time.size() != curve.value.size())
+    fail(0, fmt::format("has {} knots and {} values, as many are needed", time.size(), curve.value.size()));
+  if (time.size() < 2)
+    fail(0, fmt::format("has {} knot{}, 2 or more are needed", time.size(), time.size() == 1 ? "" : "s"));
+  for (std::size_t i = 1; i < time.size(); ++i) {
+    if (!(time[i] > time[i - 1]) && !(jumps && time[i] == time[i - 1]))
+      fail(i, fmt::format("knot {} at {} follows {}: knots in {}rising order are allowed", i + 1, time[i],
+                          time[i - 1], jumps ? "" : "strictly "));
+    if (i > 1 && time[i] == time[i - 2])
+      fail(i, fmt::format("knot {} at {} is the third there: a jump, two knots at one time, is allowed",
+                          i + 1, time[i]));
+    const double slope = (curve.value[i] - curve.value[i - 1]) / (time[i] - time[i - 1]);
+    if (time[i] > time[i - 1] && !std::isfinite(slope))
+      fail(i, fmt::format("knots {} and {} are so close that their slope overflows: a jump has two knots at "
+                          "one time",
+                          i, i + 1));
+  }
+}
+
+CurveData read_csv_curve(const std::filesystem::path& file, const std::string& knots,
+                         const std::string& column, bool jumps) {
+  CsvTable table = read_csv(file, {knots, column});
+  CurveData curve{std::move(table.values[0]), std::move(table.values[1])};
+  check_knots(curve, jumps, [&](std::size_t knot, const std::string& message) {
+    const std::size_t line = knot < table.rows() ? table.lines[knot] : 1;
+    throw CaseError(fmt::format("{}:{}:1: {}: {}", file.string(), line, column, message));
+  });
+  return curve;
+}
+
+CurveData curve_of_table(TableReader&& reader, Bounds bounds, const std::string& abscissa,
+                         const std::function<void(const std::string&)>& fail) {
+  CurveData curve;
+  const bool jumps = abscissa == "time";
+  if (reader.has("file")) {
+    const auto file = reader.beside_case(reader.at("file").text());
+    const auto knots = jumps                  ? reader.at("time_column").text("time_s")
+                       : abscissa == "strain" ? reader.at("strain_column").text("strain")
+                                              : reader.at("overpressure_column").text("overpressure_Pa");
+    const auto column = reader.at("column").text();
+    try {
+      curve = read_csv_curve(file, knots, column, jumps);
+    } catch (const FileError& error) {
+      reader.fail("file", error.what());
+    }
+    for (const double value : curve.value)
+      if (value < bounds.low || value > bounds.high || (bounds.open_low && value == bounds.low))
+        fail(fmt::format("{} holds {}, {} is allowed", file.string(), value,
+                         with_unit(bounds.text, bounds.unit)));
+  } else {
+    curve.time = abscissa == "strain" ? reader.at("strain").numbers(any_number)
+                                      : reader.at(abscissa).numbers(any_number.in(jumps ? "s" : "Pa"));
+    curve.value = reader.at("value").numbers(bounds);
+    check_knots(curve, jumps, [&](std::size_t, const std::string& message) { fail(message); });
+  }
+  reader.finish();
+  return curve;
+}
+
+}  // namespace
+
+CurveData KeyReader::curve(Bounds bounds, const std::string& abscissa) {
+  const std::string allowed = fmt::format("a curve of {}: {}", abscissa, bounds.text);
+  const toml::node& node = table_->require(key_, bounds.unit, allowed, "a number or a curve");
+  if (!node.is_table()) return {{}, {number(bounds)}};
+  return curve_of_table(table_->below(key_, node), bounds, abscissa,
+                        [&](const std::string& message) { fail(message); });
+}
+
+std::map<std::string, double> KeyReader::composition() {
+  const toml::node& node = table_->require(key_, "", "a composition", "a table");
+  TableReader reader = table_->below(key_, node);
+  std::map<std::string, double> fractions;
+  double sum = 0.0;
+  for (const auto& [key, value] : *node.as_table()) {
+    const std::string name(key.str());
+    sum += fractions[name] = reader.at(name).number(positive_fraction);
+  }
+  // Fractions are typed by hand: nine digits tell a slip from rounding.
+  if (std::abs(sum - 1.0) > 1e-9) fail(fmt::format("fractions sum to {}, 1 is allowed", sum));
+  return fractions;
+}
+
+}  // namespace driver

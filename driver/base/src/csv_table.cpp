@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "base/csv_table.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <string_view>
+#include <unordered_map>
+
+#include "base/case_reader.hpp"
+#include "base/number_text.hpp"
+#include "base/result_folder.hpp"
+#include "base/text_file.hpp"
+
+namespace driver {
+namespace {
+
+struct CsvCell {
+  std::string_view text;
+  std::size_t column;  // 1-based character position
+};
+
+// Where a cell ends: at the next comma, outside quotes.
+std::size_t cell_end(const std::string& line, std::size_t begin) {
+  bool quoted = false;
+  for (; begin < line.size() && (quoted || line[begin] != ','); ++begin)
+    if (line[begin] == '"') quoted = !quoted;
+  return begin;
+}
+
+// A blank or control character. A NUL is neither: it is no part of a text, and is shown where it stands.
+bool is_blank(char c) {
+  return (c > 0 && c <= ' ') || c == 0x7f;
+}
+
+// Into `cells`, which stand in the line.
+void split_row(const std::string& line, std::vector<CsvCell>& cells) {
+  cells.clear();
+  std::size_t begin = 0;
+  while (begin <= line.size()) {
+    const std::size_t end = cell_end(line, begin);
+    std::size_t first = begin, last = end;
+    const auto trim = [&] {
+      while (first < last && is_blank(line[first])) ++first;
+      while (last > first && is_blank(line[last - 1])) --last;
+    };
+    trim();
+    if (last - first >= 2 && line[first] == '"' && line[last - 1] == '"') {
+      ++first, --last;
+      trim();
+    }
+    cells.push_back({std::string_view(line).substr(first, last - first), first + 1});
+    begin = end + 1;
+  }
+}
+
+// Without the empty cells at the end: a spreadsheet fills each row up to the widest.
+std::size_t filled(const std::vector<CsvCell>& row) {
+  std::size_t count = row.size();
+  while (count > 0 && row[count - 1].text.empty()) --count;
+  return count;
+}
+
+constexpr std::size_t most_rows = 20'000'000;  // twice what a run writes
+
+bool holds_nothing(const std::string& line) {
+  const auto is_empty = [](char c) { return is_blank(c) || c == ',' || c == '"'; };
+  return std::ranges::all_of(line, is_empty) || comment_of(line).has_value();
+}
+
+[[noreturn]] void fail_at(const std::filesystem::path& file, std::size_t line, std::size_t column,
+                          const std::string& message) {
+  throw CaseError(fmt::format("{}:{}:{}: {}", file.string(), line, column, message));
+}
+
+std::vector<std::size_t> find_columns(const std::vector<CsvCell>& header, const CsvTable& table,
+                                      std::size_t line) {
+  std::vector<std::string> present;
+  std::unordered_multimap<std::string, std::size_t> places;
+  for (const auto& cell : header) {
+    places.emplace(cell.text, present.size());
+    present.emplace_back(cell.text);
+  }
+  std::vector<std::size_t> indices;
+  for (const auto& name : table.names) {
+    const auto count = places.count(name);
+    if (count == 0) fail_at(table.file, line, 1, no_such_column(name, present));
+    if (count > 1) fail_at(table.file, line, 1, fmt::format("{}: is more than one column", name));
+    indices.push_back(places.find(name)->second);
+  }
+  return indices;
+}
+
+double cell_number(const std::vector<CsvCell>& row, std::size_t index, const std::filesystem::path& file,
+                   std::size_t line) {
+  if (index >= row.size())
+    fail_at(file, line, 1, fmt::format("has {} columns, {} are needed", row.size(), index + 1));
+  const CsvCell& cell = row[index];
+  const auto value = file_number_of(cell.text);
+  if (!value) fail_at(file, line, cell.column, fmt::format("'{}': a finite number is allowed", cell.text));
+  return *value;
+}
+
+// More cells than names: a decimal comma, or a column without a name.
+void check_width(const std::vector<CsvCell>& row, std::size_t width, const std::filesystem::path& file,
+                 std::size_t line) {
+  const std::size_t cells = filled(row);
+  if (cells > width) fail_at(file, line, 1, fmt::format("has {} columns, the header {}", cells, width));
+}
+
+}  // namespace
+
+void CsvTable::fail(std::size_t column, std::size_t row, const std::string& message) const {
+  fail_at(file, lines[row], positions[column][row], names[column] + ": " + message);
+}
+
+std::optional<std::string> comment_of(const std::string& line) {
+  std::size_t begin = 0, end = line.size();
+  const auto skip_blanks = [&] {
+    while (begin < end && is_blank(line[begin])) ++begin;
+  };
+  skip_blanks();
+  const bool in_quotes = begin < end && line[begin] == '"';
+  if (in_quotes) ++begin;
+  skip_blanks();
+  if (begin >= end || line[begin] != '#') return std::nullopt;
+  while (is_blank(line[end - 1]) || line[end - 1] == ',') --end;
+  if (in_quotes && line[end - 1] == '"') --end;
+  return line.substr(begin, end - begin);
+}
+
+std::string no_such_column(const std::string& name, const std::vector<std::string>& header) {
+  const bool other_separator = header.size() == 1 && header.front().find_first_of(";\t") != std::string::npos;
+  return fmt::format("{}: no such column, the header has {}{}", name, fmt::join(header, ", "),
+                     other_separator ? "; commas are needed between columns" : "");
+}
+
+CsvHeader read_csv_header(const std::filesystem::path& file) {
+  require_whole(file);
+  LineReader lines(file);
+  CsvHeader header;
+  std::vector<CsvCell> cells;
+  for (std::string line; lines.next(line);) {
+    if (holds_nothing(line)) continue;
+    header.line = lines.number();
+    split_row(line, cells);
+    cells.resize(std::max<std::size_t>(filled(cells), 1));
+    for (const auto& cell : cells) header.names.emplace_back(cell.text);
+    return header;
+  }
+  throw CaseError(fmt::format("{}:1:1: has no header row", file.string()));
+}
+
+CsvTable read_csv(const std::filesystem::path& file, const std::vector<std::string>& names) {
+  require_whole(file);
+  LineReader lines(file);
+  const std::size_t count = names.size();
+  CsvTable table{file, names, std::vector<std::vector<double>>(count), {}, {}};
+  table.positions.resize(count);
+  std::vector<std::size_t> indices;
+  std::vector<CsvCell> row;
+  std::size_t width = 0;
+  for (std::string line; lines.next(line);) {
+    if (holds_nothing(line)) continue;
+    split_row(line, row);
+    if (indices.empty()) {
+      indices = find_columns(row, table, lines.number());
+      width = filled(row);
+      continue;
+    }
+    check_width(row, width, file, lines.number());
+    if (table.rows() == most_rows)
+      fail_at(file, lines.number(), 1, fmt::format("is more than {} rows", most_rows));
+    table.lines.push_back(static_cast<std::uint32_t>(lines.number()));
+    for (std::size_t c = 0; c < count; ++c) {
+      table.values[c].push_back(cell_number(row, indices[c], file, lines.number()));
+      table.positions[c].push_back(static_cast<std::uint32_t>(row[indices[c]].column));
+    }
+  }
+  return table;
+}
+
+}  // namespace driver

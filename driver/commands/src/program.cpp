@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+// The commands as a program: maps errors to exit codes.
+#include <fcntl.h>
+#include <poll.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <cstdio>
+#include <exception>
+#include <iostream>
+#include <new>
+#include <string>
+
+#include "base/case_reader.hpp"
+#include "base/progress.hpp"
+#include "commands/commands.hpp"
+#include "jet_tree/tree_route.hpp"
+#include "results/results.hpp"
+
+namespace driver::commands {
+namespace {
+
+int report_error(const std::string& message, int code) {
+  tell("gasjet: " + message);
+  return code;
+}
+
+// Nobody reads what is printed any more, as in `gasjet exact ... | head`: the exit code that a shell then
+// shows.
+int lost_output() {
+  pollfd output{STDOUT_FILENO, POLLOUT, 0};
+  if (poll(&output, 1, 0) == 1 && (output.revents & POLLERR) != 0) return 128 + SIGPIPE;
+  return report_error("standard output: write failed (disk full?)", exit_domain);
+}
+
+// What was printed has arrived, or the command has not done its work.
+int finish(int code) {
+  std::cout.flush();
+  if (std::fflush(stdout) == 0 && !std::ferror(stdout)) return code;
+  return lost_output();
+}
+
+// A result file would take the number of a closed descriptor, and what is meant for it. Whoever closes an
+// output wants nothing of it, which is no failure. An input opened the wrong way round refuses what is read,
+// as a closed one does.
+void guard_standard_descriptors() {
+  for (const int number : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+    if (fcntl(number, F_GETFD) < 0) open("/dev/null", O_WRONLY);
+}
+
+}  // namespace
+
+int program(int argc, char** argv, const MakeCrew& crew) {
+  guard_standard_descriptors();
+  for (const int number : {SIGPIPE, SIGXFSZ}) std::signal(number, SIG_IGN);  // the write that fails says so
+  jet::add_tree_route();
+  try {
+    return finish(run_command_line(argc, argv, crew));
+  } catch (const CaseError& error) {
+    return report_error(error.what(), exit_input);
+  } catch (const OutputError& error) {
+    return report_error(error.what(), exit_input);
+  } catch (const std::bad_alloc& error) {
+    return report_error(std::string(argc > 1 ? argv[1] : "start") + ": " + text_of(error), exit_domain);
+  } catch (const std::exception& error) {
+    return std::ferror(stdout) ? lost_output() : report_error(text_of(error), exit_domain);
+  }
+}
+
+}  // namespace driver::commands

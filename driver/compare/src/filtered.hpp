@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <unordered_map>
+
+#include "compare/compare.hpp"
+
+namespace driver {
+
+/// Filtered accelerations that the reference has and mine, a run, lacks: made of its components.
+struct Filtered {
+  History columns;
+  std::unordered_map<std::string, std::string> too_coarse;  // column, and why mine's rows do not give it
+};
+Filtered filtered_as(const History& reference, const History& mine);
+
+}  // namespace driver

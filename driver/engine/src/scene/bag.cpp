@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: Apache-2.0
+// [membrane] -> BagPart.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <random>
+
+#include "engine/bag_mesh.hpp"
+#include "membrane/icosphere.hpp"
+#include "membrane/surface_check.hpp"
+#include "scene/bag_file.hpp"
+#include "scene/bag_start.hpp"
+#include "scene/bag_supports.hpp"
+#include "scene/parts.hpp"
+
+namespace driver {
+namespace {
+
+template <class Options>
+BagMesh generate_with(TableReader& table) {
+  Options options;
+  for (const auto& [name, member] : option_names(options).lengths)
+    options.*member = table.at(name).number(positive.in("m"), options.*member);
+  for (const auto& [name, member] : option_names(options).counts)
+    options.*member = table.at(name).integer(0, 1000, options.*member);
+  return generate(options);
+}
+
+BagMesh generated_mesh(TableReader& table) {
+  enum class Generator { driver, passenger, icosphere };
+  const auto generator = table.at("generator")
+                             .choice<Generator>({{"driver", Generator::driver},
+                                                 {"passenger", Generator::passenger},
+                                                 {"icosphere", Generator::icosphere}});
+  if (generator == Generator::driver) return generate_with<membrane::DriverBagOptions>(table);
+  if (generator == Generator::passenger) return generate_with<membrane::PassengerBagOptions>(table);
+  return {
+      membrane::icosphere(table.at("radius").number(positive.in("m")), table.at("levels").integer(0, 8, 3)),
+      std::nullopt,
+      {}};
+}
+
+BagMesh read_bag_mesh(TableReader table, const MeshReader& read_mesh,
+                      const std::vector<std::string>& null_panels, Closed closed, Scene& scene) {
+  BagMesh source;
+  table.located("", [&] {
+    source = table.has("file") ? mesh_of_files(table, read_mesh, closed, scene) : generated_mesh(table);
+    const int times = table.at("refine").integer(0, 6, 0);
+    table.located("refine", [&] { check_refinement(source.mesh.element_count(), times); });
+    if (closed == Closed::needed) membrane::require_closed_surface(source.shape(), source.mesh.elements);
+    refine(source, times, null_panels);
+    order_nodes(source);
+  });
+  table.finish();
+  return source;
+}
+
+// Random displacements of at most `amplitude`, along free directions: the members of an ensemble.
+void perturb(Eigen::Matrix3Xd& position, const membrane::BagModel& model, double amplitude, int seed) {
+  if (amplitude == 0.0) return;
+  std::mt19937_64 generator(static_cast<std::uint64_t>(seed));
+  for (Eigen::Index node = 0; node < position.cols(); ++node)
+    for (int axis = 0; axis < 3; ++axis) {
+      // By hand: the standard distributions differ between libraries.
+      const double unit = static_cast<double>(generator() >> 11) * 0x1p-53;
+      if (model.inverse_mass.map()(axis, node) > 0.0) position(axis, node) += amplitude * (2.0 * unit - 1.0);
+    }
+}
+
+std::vector<int> set_null_panels(TableReader& table, const std::vector<std::string>& names,
+                                 const membrane::Mesh& mesh, membrane::BagDescription& bag) {
+  std::vector<int> elements;
+  table.located("null_panels", [&] {
+    for (const auto& name : names)
+      for (const int element : membrane::panel_elements(mesh, name)) elements.push_back(element);
+    std::sort(elements.begin(), elements.end());
+    if (std::adjacent_find(elements.begin(), elements.end()) != elements.end())
+      throw std::invalid_argument("names a panel twice");
+  });
+  for (const int element : elements) {
+    bag.properties[static_cast<std::size_t>(element)].null_panel = true;
+    bag.properties[static_cast<std::size_t>(element)].porosity = 0.0;
+  }
+  return elements;
+}
+
+// The shape at the start: the mesh's own, or the design shape pressed flat.
+Eigen::Matrix3Xd initial_shape(TableReader& table, const BagMesh& source) {
+  if (source.initial && table.has("flatten"))
+    table.fail("flatten", "this mesh has an initial shape of its own; allowed for meshes without one");
+  if (source.initial) return *source.initial;
+  return membrane::flatten(source.mesh, table.at("flatten").number(positive_fraction, 1.0));
+}
+
+void warn_of_leaks(const membrane::BagDescription& bag, LeakLaw law, Scene& scene) {
+  warn_of_screen("fabric", law, scene);
+  const bool porous = std::any_of(bag.properties.begin(), bag.properties.end(),
+                                  [](const auto& fabric) { return fabric.porosity > 0.0; });
+  if (law == LeakLaw::none && porous)
+    scene.warnings.emplace_back("fabric.porosity has no effect with leak_law = \"none\"");
+}
+
+void warn_of_size(const membrane::Mesh& mesh, bool from_file, Scene& scene) {
+  if (const auto extent = unlikely_extent(mesh))
+    scene.warnings.push_back(
+        fmt::format("membrane.mesh: the bag's longest extent is {:.3g} m, {:g} to {:g} m are usual: {}",
+                    *extent, smallest_bag, largest_bag,
+                    from_file ? "length_unit says what the file's coordinates mean, 1e-3 millimetres"
+                              : "the lengths of a generator are in metres"));
+}
+
+// A sliver sets the step of the whole bag.
+void warn_of_slivers(const membrane::Mesh& mesh, Scene& scene) {
+  constexpr double least = 1e-3;  // of the mean
+  const auto quality = membrane::element_quality(mesh.nodes, mesh.elements);
+  if (quality.min_altitude < least * quality.mean_altitude)
+    scene.warnings.push_back(
+        fmt::format("membrane.mesh: an element is {:.2g} m thin, {:.2g} m are the mean: it makes steps short "
+                    "and the energy "
+                    "inexact; gasjet mesh convert --merge joins nodes that nearly meet",
+                    quality.min_altitude, quality.mean_altitude));
+}
+
+std::optional<gas::Curve> read_overpressure(TableReader& table, const Scene& scene) {
+  if (scene.gas && table.has("overpressure"))
+    table.fail("overpressure", "is for sheets without gas: that of [gas] has its own pressure");
+  std::optional<gas::Curve> curve;
+  if (!scene.gas)
+    table.located("overpressure", [&] {
+      curve = to_gas_curve(table.at("overpressure").curve(any_number.in("Pa")), gas::Outside::held);
+    });
+  return curve;
+}
+
+}  // namespace
+
+void displace_nodes(Scene& scene, double amplitude, int seed) {
+  if (!scene.bag) throw std::invalid_argument("the scene has no membrane whose nodes could be displaced");
+  perturb(scene.bag->initial_position, scene.bag->model, amplitude, seed);
+}
+
+void read_bag(TableReader& root, const MeshReader& read_mesh, Scene& scene) {
+  auto table = root.optional_table("membrane");
+  if (!table) {
+    if (root.has("fabric")) root.fail("fabric", "needs a table [membrane]");
+    return;
+  }
+  if (!scene.gas && !table->has("overpressure"))
+    root.fail("gas", "is missing: a bag ([membrane]) is filled by a gas, or a sheet has an overpressure");
+  const auto overpressure = read_overpressure(*table, scene);
+  const auto null_panels = table->at("null_panels").texts();
+  BagMesh source = read_bag_mesh(table->table("mesh"), read_mesh, null_panels,
+                                 overpressure ? Closed::free : Closed::needed, scene);
+  warn_of_size(source.mesh, table->has_in_table("mesh", "file"), scene);
+  if (source.collapsed > 0) scene.warnings.push_back("membrane.mesh: " + collapsed_text(source));
+  membrane::BagDescription bag;
+  bag.reference = source.mesh.nodes;
+  bag.elements = source.mesh.elements;
+  bag.gravity = scene.gravity;
+  const LeakLaw law =
+      read_fabric(root, source.mesh, null_panels, bag, scene.gas ? &scene.gas->model : nullptr);
+  std::vector<int> null_elements = set_null_panels(*table, null_panels, source.mesh, bag);
+  read_supports(*table, source, bag);
+  bag.mass_damping = table->at("mass_damping").number(non_negative.in("1/s"), 0.0);
+  bag.stiffness_damping = table->at("stiffness_damping").number(non_negative.in("s"), 0.0);
+
+  warn_of_leaks(bag, law, scene);
+  table->located("mesh", [&] { warn_of_slivers(source.mesh, scene); });
+  Eigen::Matrix3Xd position = initial_shape(*table, source);
+  const double amplitude = table->at("perturbation").number(Bounds{0.0, 1e-3, false, "0 to 1e-3", "m"}, 0.0);
+  if (table->has("perturbation_seed") && !table->has("perturbation"))
+    table->fail("perturbation_seed", "is given without perturbation: what it seeds is needed");
+  const int seed = table->at("perturbation_seed").integer(0, 1'000'000'000, 0);
+  table->located("", [&] {
+    scene.bag.emplace(BagPart{std::move(source.mesh), membrane::make_model(bag), std::move(position), law,
+                              std::move(null_elements), overpressure});
+  });
+  require_before_plates(*table, *scene.bag);
+  if (!table->has("flatten")) warn_of_strained_start(scene);
+  perturb(scene.bag->initial_position, scene.bag->model, amplitude, seed);
+  table->finish();
+}
+
+}  // namespace driver

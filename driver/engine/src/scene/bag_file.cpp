@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/bag_file.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "membrane/mesh_file.hpp"
+#include "membrane/surface_check.hpp"
+
+namespace driver {
+namespace {
+
+membrane::Mesh read_mesh_file(const TableReader& table, const char* key, const MeshReader& read_mesh,
+                              const std::filesystem::path& file, double unit) {
+  try {
+    membrane::Mesh mesh = read_mesh(file);
+    for (const auto& included : mesh.included)
+      table.beside_case(std::filesystem::absolute(included).string());
+    if (!mesh.other_elements.empty())
+      table.fail(key,
+                 fmt::format("{} has elements that are no shells: {}; `gasjet mesh convert {} --panel NAME "
+                             "--out BAG.k` takes the bag alone",
+                             file.string(), fmt::join(mesh.other_elements, ", "), file.string()));
+    membrane::scale(mesh, unit);
+    return mesh;
+  } catch (const membrane::MeshFileError& error) {
+    if (error.line() == 0) table.fail(key, error.what());  // the file as a whole
+    throw CaseError(error.what());
+  }
+}
+
+void warn_of_neglected(const membrane::Mesh& mesh, const std::filesystem::path& file, Scene& scene) {
+  if (!mesh.neglected.empty())
+    scene.warnings.push_back(
+        fmt::format("membrane.mesh: {} has what changes the bag and is not read: {}; thickness and warp "
+                    "belong in [fabric] or [[panel]] of the case, shapes in the nodes",
+                    file.string(), fmt::join(mesh.neglected, ", ")));
+}
+
+// What `gasjet mesh convert` can do about it.
+std::string remedy(const membrane::SurfaceReport& report, Closed closed) {
+  std::vector<std::string> remedies;
+  if (closed == Closed::needed && !report.boundary_edges.empty())
+    remedies.emplace_back("--merge DISTANCE joins nodes that nearly meet");
+  if ((report.inward && !report.flat) || !report.inconsistent_edges.empty())
+    remedies.emplace_back("--outward turns elements");
+  if (!report.unused_nodes.empty()) remedies.emplace_back("it leaves out nodes that no element uses");
+  return remedies.empty() ? "" : fmt::format("(gasjet mesh convert: {})\n", fmt::join(remedies, "; "));
+}
+
+// A start that is wound inward although the shape as cut is wound outward has other nodes than it should.
+void require_not_mirrored(const BagMesh& source, const std::filesystem::path& start,
+                          const membrane::SurfaceReport& report) {
+  if (!source.initial || !report.inward || report.flat) return;
+  const double cut = membrane::enclosed_volume(source.mesh.nodes, source.mesh.elements);
+  if (cut > 0.0)
+    throw CaseError(fmt::format(
+        "{}: mesh: the shape at the start encloses {:.3g} m3, the design shape {:.3g} m3 by the same "
+        "elements: is the start mirrored, or are its nodes in another order?",
+        start.string(), membrane::enclosed_volume(*source.initial, source.mesh.elements), cut));
+}
+
+void require_sound(const BagMesh& source, const std::filesystem::path& file,
+                   const std::filesystem::path& start, Closed closed) {
+  auto report = membrane::check_closed_surface(source.shape(), source.mesh.elements);
+  if (closed == Closed::free) report.boundary_edges.clear();
+  if (report.ok()) return;
+  require_not_mirrored(source, start, report);
+  const std::string left_out = source.collapsed > 0 ? collapsed_text(source) + "; " : "";
+  throw CaseError(fmt::format("{}: mesh: is not a {}: {}{}{}",
+                              place_of_element(source.mesh, file, report.first_element()),
+                              closed == Closed::free ? "sheet" : "closed control volume", left_out,
+                              report.describe(source.mesh.line), remedy(report, closed)));
+}
+
+}  // namespace
+
+BagMesh mesh_of_files(TableReader& table, const MeshReader& read_mesh, Closed closed, Scene& scene) {
+  const double unit = table.at("length_unit").number(positive.in("m"), 1.0);
+  const auto file = table.beside_case(table.at("file").text());
+  auto start = file;
+  BagMesh source{read_mesh_file(table, "file", read_mesh, file, unit), std::nullopt, {}};
+  warn_of_neglected(source.mesh, file, scene);
+  if (table.has("initial_file"))
+    table.located("initial_file", [&] {
+      start = table.beside_case(table.at("initial_file").text());
+      const membrane::Mesh shape = read_mesh_file(table, "initial_file", read_mesh, start, unit);
+      require_same_elements(source.mesh, shape);
+      set_initial(source, shape.start_nodes());
+    });
+  else if (source.mesh.start)
+    table.located("file", [&] { set_initial(source, *source.mesh.start); });
+  source.mesh.start.reset();
+  drop_collapsed(source, file);
+  require_areas(source.mesh, file);
+  require_sound(source, file, start, closed);
+  return source;
+}
+
+}  // namespace driver

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: Apache-2.0
+// A scene with a bag as plain data that the decks of other programs hold. All values are in SI units; the
+// writers convert them.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/scene.hpp"
+#include "membrane/mesh.hpp"
+
+namespace driver {
+
+enum class DeckFormat { radioss, lsdyna };
+
+/// Elements of one panel, which have one fabric.
+struct DeckPart {
+  int id;            // from 1
+  std::string name;  // of the panel
+  bool null_panel;
+  membrane::ElementProperties fabric;
+  std::vector<int> elements;  // numbers in the mesh, from 0
+  double area;                // [m2] in the design shape
+};
+
+/// A mixture as one gas: its heat capacity is that of the mixture, exact below 1000 K.
+struct DeckGas {
+  std::string name;
+  double molar_mass;           // [kg/mol]
+  std::array<double, 5> cp{};  // [J/(kg K^(j+1))] factors of T^j
+  double misfit = 0.0;         // [-] largest of cp up to the highest temperature that the case names
+  std::array<double, 3>
+      parabola{};                // [J/(kg K^(j+1))] least squares of the mixture's cp over these temperatures
+  double parabola_misfit = 0.0;  // [-] largest of cp over them
+};
+
+/// Knots of a curve; times rise, and what the case means outside its knots is said by knots.
+using DeckCurve = std::vector<std::array<double, 2>>;
+
+struct DeckInflator {
+  DeckGas gas;
+  DeckCurve mass_flow;    // [kg/s] of time [s]
+  DeckCurve temperature;  // [K] of time [s]
+  bool of_mass = false;   // true: `mass_flow` is the mass [kg] that has come in
+};
+
+struct DeckVent {
+  std::size_t number = 0;                       // in the case
+  double area = 0.0;                            // [m2] with the discharge coefficient; factor of the curves
+  std::optional<DeckCurve> of_time;             // [-] of time [s]
+  std::optional<DeckCurve> of_overpressure;     // [-] of overpressure [Pa]
+  double opens_at = 0.0;                        // [s]
+  std::optional<double> opens_at_overpressure;  // [Pa]
+};
+
+/// Fabric of a part that leaks.
+struct DeckLeak {
+  int part;                           // id
+  double share;                       // [-] of the part's area that is open
+  std::optional<DeckCurve> velocity;  // [m/s] of overpressure [Pa]
+};
+
+/// Something of this scene that a deck holds otherwise, or not at all, and how much that is.
+struct DeckNote {
+  std::string key;  // of the case
+  std::string text;
+};
+
+/// An inflator or a vent that the deck lacks.
+struct DeckOmission {
+  std::string part;  // path in the case: "vent.0"
+  std::string why;
+};
+
+/// Threads of fabric by measured curves.
+struct DeckThread {
+  DeckCurve curve;        // stress [Pa] over strain [-] in the measures of the format
+  double steepest = 0.0;  // [Pa] of a piece of the case's curve
+};
+
+struct Deck {
+  const Scene* scene = nullptr;
+  DeckFormat format = DeckFormat::radioss;
+  std::vector<DeckPart> parts;
+  std::array<DeckThread, 2> threads;      // warp and weft of fabric by measured curves, else empty
+  std::optional<DeckCurve> overpressure;  // [Pa] of time [s], of a sheet; what is of gas is empty then
+  DeckGas initial_gas;
+  std::vector<DeckInflator> inflators;
+  std::vector<DeckVent> vents;
+  std::vector<DeckLeak> leaks;
+  membrane::Mesh sphere;     // of the impactor, about its centre; no node without one
+  double inertia = 0.0;      // [kg m2] of the pendulum about its centre of gravity; a body needs one
+  double contact_gap = 0.0;  // [m] within which contact acts, outside the sphere's mesh
+  std::vector<DeckNote> notes;
+  std::vector<DeckOmission> omissions;
+};
+
+/// When the deck's run ends [s]: the histories of others have a last row at the scene's end or past it.
+double run_end(const Scene& scene);
+
+/// Throws CaseError for a scene without a bag.
+Deck make_deck(const Scene& scene, DeckFormat format);
+
+/// Misfit of the load of one cosine to that of a reflected jet, cos^2 of the incidence: root mean square over
+/// the half space [-], and ratio at 30, 45 and 60 degrees.
+struct CosineMisfit {
+  double rms;
+  std::array<double, 3> ratio;
+};
+CosineMisfit cosine_misfit();
+
+}  // namespace driver

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "export/deck.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <elementary/trigonometric.hpp>
+#include <numbers>
+
+#include "deck_gas.hpp"
+#include "export/cards.hpp"
+#include "export/deck_fabric.hpp"
+#include "jet/centreline.hpp"
+#include "membrane/icosphere.hpp"
+
+namespace driver {
+namespace {
+
+constexpr int sphere_levels = 3;    // 1280 elements
+constexpr double gap_share = 0.02;  // of the radius
+constexpr double degrees = std::numbers::pi / 180.0;
+
+void add_parts(const BagPart& bag, Deck& deck) {
+  const auto areas = membrane::element_areas(bag.mesh.nodes, bag.mesh.elements);
+  for (std::size_t p = 0; p < bag.mesh.panel_names.size(); ++p) {
+    DeckPart part{static_cast<int>(p) + 1, bag.mesh.panel_names[p], false, {}, {}, 0.0};
+    part.elements = membrane::panel_elements(bag.mesh, part.name);
+    if (part.elements.empty()) continue;
+    part.fabric = bag.model.description.properties[static_cast<std::size_t>(part.elements.front())];
+    part.null_panel = part.fabric.null_panel;
+    for (const int e : part.elements) part.area += areas(e);
+    deck.parts.push_back(std::move(part));
+  }
+}
+
+void add_pendulum(const coupling::PendulumParameters& p, Deck& deck) {
+  constexpr double least = 1e-9;  // of a point mass at the centre of gravity, about the pivot
+  const double radius = p.impactor_radius;
+  deck.inertia = std::max(p.inertia_cg, least * p.mass * p.cg_distance * p.cg_distance);
+  deck.contact_gap = gap_share * radius;
+  deck.sphere = membrane::icosphere(radius - deck.contact_gap, sphere_levels);
+  double nearest = radius;
+  for (Eigen::Index e = 0; e < deck.sphere.elements.cols(); ++e) {
+    const Eigen::Vector3d middle = (deck.sphere.nodes.col(deck.sphere.elements(0, e)) +
+                                    deck.sphere.nodes.col(deck.sphere.elements(1, e)) +
+                                    deck.sphere.nodes.col(deck.sphere.elements(2, e))) /
+                                   3.0;
+    nearest = std::min(nearest, middle.norm());
+  }
+  deck.notes.push_back(
+      {"pendulum.impactor_radius",
+       fmt::format("the sphere is {} flat triangles, up to {:.2g} of the radius inside it",
+                   deck.sphere.elements.cols(), 1.0 - (nearest + deck.contact_gap) / radius)});
+}
+
+// Contact acts on the bag's nodes: between those of an even triangle of edge L, a sphere of radius R sinks in
+// by L^2/(6 R) before it meets one, as their circle has the radius L/sqrt(3).
+void note_contact(const Scene& scene, Deck& deck) {
+  const membrane::Mesh& mesh = scene.bag->mesh;
+  double longest = 0.0;
+  for (Eigen::Index e = 0; e < mesh.elements.cols(); ++e)
+    for (Eigen::Index i = 0; i < 3; ++i)
+      longest = std::max(
+          longest,
+          (mesh.nodes.col(mesh.elements(i, e)) - mesh.nodes.col(mesh.elements((i + 1) % 3, e))).norm());
+  const double radius = scene.pendulum->model.parameters().impactor_radius;
+  const double depth = longest * longest / (6.0 * radius);
+  if (depth <= deck.contact_gap) return;
+  deck.notes.push_back(
+      {"membrane.mesh",
+       fmt::format(
+           "contact acts on the bag's nodes alone: the longest edge is {:.3g} m, the impactor's radius "
+           "{:.3g} m, so that it sinks in up to {:.2g} m between nodes; edges below {:.2g} m are fine",
+           longest, radius, depth, std::sqrt(6.0 * radius * deck.contact_gap))});
+}
+
+std::string jetting_of(DeckFormat format) {
+  if (format == DeckFormat::lsdyna)
+    return "The program's own jetting is a cone with an efficiency. How it loads an element is not published "
+           "closely enough to state a misfit";
+  const CosineMisfit misfit = cosine_misfit();
+  return fmt::format(
+      "The program's own jetting has one cosine of the incidence, the jet cos^2: {:.3g} of the "
+      "load in the root mean square over all directions; {:.3g}, {:.3g} and {:.3g} times at 30, "
+      "45 and 60 degrees",
+      misfit.rms, misfit.ratio[0], misfit.ratio[1], misfit.ratio[2]);
+}
+
+void note_jets(const Scene& scene, Deck& deck) {
+  for (const JetPart& part : scene.jets) {
+    const jet::JetModel& model = part.field.model();
+    std::string text = fmt::format("jet of inflator {}: not written. ", part.inflator);
+    if (model.shape == jet::OutletShape::round)
+      text += fmt::format(
+          "Its far field is a product of an angle's and a distance's function about a virtual "
+          "origin {:.4g} m behind the outlet. ",
+          jet::round_virtual_origin(model.decay_coefficient) * model.radius);
+    deck.notes.push_back({"inflator.jet", text + jetting_of(deck.format)});
+  }
+}
+
+}  // namespace
+
+CosineMisfit cosine_misfit() {
+  // int (c - c^2)^2 dc / int c^4 dc over c from 0 to 1: (1/3 - 2/4 + 1/5) / (1/5)
+  return {std::sqrt((1.0 / 3.0 - 0.5 + 0.2) / 0.2),
+          {1.0 / elementary::cos(30.0 * degrees), 1.0 / elementary::cos(45.0 * degrees),
+           1.0 / elementary::cos(60.0 * degrees)}};
+}
+
+double run_end(const Scene& scene) {
+  const double step = 0.01 * scene.time.end;  // at most, of the other program
+  return scene.time.end + std::min(scene.output.history_every, 0.5 * scene.time.end) + step;
+}
+
+Deck make_deck(const Scene& scene, DeckFormat format) {
+  if (!scene.bag)
+    throw CaseError(fmt::format("{}: has no [membrane]: only scenes with a bag or a sheet can be exported",
+                                scene.case_file.string()));
+  if (scene.gas && scene.ambient.pressure == 0.0)
+    throw CaseError(
+        fmt::format("{}: ambient.pressure: is 0, a number above 0 is allowed in decks: their bags "
+                    "begin with gas of that pressure",
+                    scene.case_file.string()));
+  Deck deck;
+  deck.scene = &scene;
+  deck.format = format;
+  add_parts(*scene.bag, deck);
+  if (scene.gas) add_gas(scene, deck);
+  if (scene.bag->overpressure) deck.overpressure = knots_of(*scene.bag->overpressure, 0.0, scene.time.end);
+  if (scene.pendulum) add_pendulum(scene.pendulum->model.parameters(), deck);
+  if (scene.pendulum && scene.pendulum->driving_moment)
+    deck.notes.push_back({"pendulum.driving_moment", "is not written: load the rigid body by hand"});
+  if (scene.contact) note_contact(scene, deck);
+  add_fabric(*scene.bag, deck);
+  if (scene.name.size() > title_columns)
+    deck.notes.push_back(
+        {"scene.name", fmt::format("only the first {} bytes are in the title", title_columns)});
+  if (scene.bag->overpressure)
+    deck.notes.push_back(
+        {"membrane.overpressure",
+         "no history of displacements is asked for: the pictures (output.frames) have them"});
+  note_jets(scene, deck);
+  return deck;
+}
+
+}  // namespace driver

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "forecast/jet_peak.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+#include <utility>
+
+#include "engine/supply.hpp"
+#include "forecast/forecast.hpp"
+
+namespace driver {
+namespace {
+
+void warn_of_outlet(const Scene& scene, const JetPart& part, std::vector<std::string>& warnings) {
+  const JetPeak peak = jet_peak(scene, part);
+  const double ambient = scene.ambient.pressure;
+  if (!(peak.mass_flow > 0.0))
+    warnings.push_back(fmt::format("jet of inflator {}: nothing flows up to the end", part.inflator));
+  else if (peak.outlet.pressure < ambient)
+    warnings.push_back(fmt::format(
+        "jet of inflator {}: the outlet pressure is below ambient even at the peak of the mass flow: a sonic "
+        "outlet of that area cannot blow into the bag (outlet = \"pressure_matched\" with temperature = "
+        "\"stagnation\" can)",
+        part.inflator));
+  else if (const double share = below_sonic_share(scene, part);
+           part.outlet.law == jet::OutletLaw::sonic && share >= kMatters)
+    warnings.push_back(fmt::format(
+        "jet of inflator {}: outlet = \"sonic\" (the paper's form) lets the outlet pressure fall with the "
+        "mass "
+        "flow: below ambient under {:.3g} kg/s, with {:.2g} of the gas; a smaller outlet or outlet = "
+        "\"pressure_matched\" with temperature = \"stagnation\" avoids it",
+        part.inflator, peak.mass_flow * ambient / peak.outlet.pressure, share));
+}
+
+// How far the jet has to go [m].
+double way(const Scene& scene, const jet::JetModel& model) {
+  const auto along = [&](const Eigen::Matrix3Xd& nodes) {
+    return (model.axis.transpose() * (nodes.colwise() - model.centre)).maxCoeff();
+  };
+  return scene.bag ? std::max(along(scene.bag->mesh.nodes), along(scene.bag->initial_position))
+                   : along(scene.target->nodes);
+}
+
+// A cone as wide as the edges between which textbooks draw a plane jet carries up to 2.6 times its momentum
+// (cases/jet_slot_plate.toml), one as wide as those of a round jet 4 times.
+void warn_of_cone(const Scene& scene, const JetPart& part, std::vector<std::string>& warnings) {
+  constexpr double most = 3.0;
+  constexpr int pieces = 100;
+  const jet::JetModel& model = part.field.model();
+  if (model.spread != jet::Spread::cone) return;
+  const double length = way(scene, model);
+  if (!(length > 0.0)) return;  // all of it lies upstream
+  double largest = 0.0, where = 0.0;
+  for (int i = 1; i <= pieces; ++i) {
+    const double z = length * i / pieces, gain = cone_gain(model, z);
+    if (gain > largest) std::tie(largest, where) = std::pair(gain, z);
+  }
+  if (largest > most)
+    warnings.push_back(fmt::format(
+        "jet of inflator {}: spread = \"cone\" carries {:.2g} times the momentum that leaves the outlet at "
+        "{:.2g} m from it: its force is as much too large; a smaller cone_half_angle, or spread = "
+        "\"momentum\", which keeps it, avoids that",
+        part.inflator, largest, where));
+}
+
+void warn_of_rays(const Scene& scene, const JetPart& part, std::vector<std::string>& warnings) {
+  jet::VisibilityQuery query(scene.bag->mesh.elements, scene.bag->model.node_count);
+  // Each source of a slot asks all elements; they lie on one segment, so a few hundred of them tell.
+  constexpr int most = 256;
+  const int count = scene.bag->model.element_count, stride = 1 + (count - 1) / most;
+  std::vector<int> some;
+  for (int e = 0; e < count; e += stride) some.push_back(e);
+  const auto windings =
+      query.winding_numbers(scene.bag->initial_position, jet::ray_source(part.field.model()), some);
+  const auto other = std::count_if(windings.begin(), windings.end(), [](const auto& w) { return w != 1; });
+  if (other > 0)
+    warnings.push_back(
+        fmt::format("jet of inflator {}: {} of {} rays looked at start where the winding number is not 1",
+                    part.inflator, other, windings.size()));
+}
+
+// An outlet stays where it is, wherever its jet drives the bag.
+void warn_of_free_bag(const Scene& scene, std::vector<std::string>& warnings) {
+  const membrane::BagDescription& bag = scene.bag->model.description;
+  const bool held = !bag.fixed_nodes.empty() ||
+                    std::ranges::any_of(bag.held_nodes, [](const auto& n) { return !n.empty(); });
+  Eigen::Vector3d thrust = Eigen::Vector3d::Zero();
+  for (const JetPart& part : scene.jets) thrust += part.field.model().axis;
+  if (!held && thrust.norm() > 0.1)
+    warnings.emplace_back(
+        "nothing holds the bag against its jet: it may fly off the outlet, which stays where it is, and then "
+        "the jet meets nothing; membrane.fixed_panels holds it");
+}
+
+}  // namespace
+
+double cone_gain(const jet::JetModel& cone, double distance) {
+  jet::JetModel momentum = cone;
+  momentum.spread = jet::Spread::momentum;
+  const double ratio = jet::section(cone, distance).width / jet::section(momentum, distance).width;
+  return cone.shape == jet::OutletShape::round ? ratio * ratio : ratio;
+}
+
+JetPeak jet_peak(const Scene& scene, const JetPart& part) {
+  const auto [time, point] = inflator_peak(scene, part.inflator);
+  return {time, point.mass_flow,
+          jet::outlet_state(part.outlet, {point.mass_flow, point.temperature, point.cp, point.gas_constant,
+                                          scene.ambient.pressure})};
+}
+
+double below_sonic_share(const Scene& scene, const JetPart& part) {
+  const auto& inflow = scene.gas->model.inflows[part.inflator];
+  constexpr int pieces = 4000;
+  const double end =
+      std::min(duration(scene, inflow),
+               inflow.mass_flow.is_constant() ? INFINITY : inflow.mass_flow.knots().back().time);
+  jet::OutletModel sonic = part.outlet;
+  sonic.law = jet::OutletLaw::sonic;
+  double all = 0.0, below = 0.0;
+  for (int i = 0; i < pieces && end > 0.0; ++i) {
+    const auto point =
+        gas::inflator_point(scene.gas->model, part.inflator, inflow.start_time + end * (i + 0.5) / pieces);
+    if (!(point.mass_flow > 0.0)) continue;
+    const auto outlet = jet::outlet_state(
+        sonic, {point.mass_flow, point.temperature, point.cp, point.gas_constant, scene.ambient.pressure});
+    all += point.mass_flow;
+    if (outlet.pressure < scene.ambient.pressure) below += point.mass_flow;
+  }
+  return all > 0.0 ? below / all : 0.0;
+}
+
+void add_jet_warnings(Scene& scene) {
+  std::vector<std::string>& warnings = scene.warnings;
+  for (const JetPart& part : scene.jets) {
+    warn_of_outlet(scene, part, warnings);
+    warn_of_cone(scene, part, warnings);
+    if (scene.bag) warn_of_rays(scene, part, warnings);
+  }
+  if (scene.bag && !scene.jets.empty()) warn_of_free_bag(scene, warnings);
+}
+
+}  // namespace driver

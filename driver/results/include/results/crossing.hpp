@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+// Where a triangulated skin passes through itself, and what volume is counted wrongly for it (M.35).
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace driver {
+
+/// Positions of nodes, 3 x N [m]; columns may lie apart.
+using NodesView = Eigen::Ref<const Eigen::Matrix3Xd, 0, Eigen::OuterStride<>>;
+/// Nodes of triangles from 0, 3 x M.
+using TrianglesView = Eigen::Ref<const Eigen::Matrix3Xi>;
+
+/// Pairs of triangles that meet elsewhere than in the nodes and edges that they share, exactly on the
+/// coordinates as given.
+/// - Triangles that share no node cross if they have a point in common. So a touch counts, and so do layers
+///   that lie on each other in one plane.
+/// - Triangles that share a node cross if they meet elsewhere.
+/// - Triangles that share an edge cross if they lie in one plane on one side of it.
+///
+/// Triangles without area are left out. Nodes are finite, and each triangle has three different ones. The
+/// cost grows as M^1.5 for triangles of one size.
+std::vector<std::pair<int, int>> crossing_pairs(const NodesView& nodes, const TrianglesView& triangles);
+
+/// A volume and its standard error, both [m3].
+struct VolumeEstimate {
+  double value = 0.0, standard_error = 0.0;
+};
+
+/// Volumes of a closed, consistently oriented surface by its winding number w. The signed volume (M.5) is
+/// that of the points with w > 0, plus counted_twice, less inside_out.
+struct LayerVolumes {
+  VolumeEstimate counted_twice{};  // integral of max(w - 1, 0)
+  VolumeEstimate inside_out{};     // integral of max(-w, 0)
+};
+
+/// Integrates along `lines` parallel lines or some more, across the shortest extent of the surface. There are
+/// two random lines in each cell of a grid, always the same ones, whose difference gives the standard error.
+LayerVolumes layer_volumes(const NodesView& nodes, const TrianglesView& triangles, int lines);
+
+/// What there is to say of one state of the skin.
+struct Crossing {
+  std::size_t pairs = 0;     // of elements that cross
+  std::size_t elements = 0;  // elements in them
+  LayerVolumes volumes{};    // zero if no elements cross
+  /// [m3] Counted twice or inside out.
+  double miscounted() const { return volumes.counted_twice.value + volumes.inside_out.value; }
+};
+
+/// Looks at a skin. Without `closed` it has no volumes. If no elements of a connected skin cross, w is 0 or 1
+/// everywhere, and no line is drawn.
+Crossing find_crossing(const NodesView& nodes, const TrianglesView& triangles, bool closed);
+
+/// Elements, pairs and volumes in words; the volumes as parts of the signed `volume` [m3], where that is
+/// above 0.
+std::string text_of(const Crossing& crossing, double volume);
+
+}  // namespace driver

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+// Checks during a run whether the skin passes through itself.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "engine/run.hpp"
+#include "results/crossing.hpp"
+
+namespace driver {
+
+/// What a check found at one level.
+struct SkinCheck {
+  double time = 0.0;    // [s]
+  double volume = 0.0;  // [m3] signed volume (M.5) of a bag; 0 of a sheet
+  Crossing crossing{};
+};
+
+/// Checks a bag at the start, at the end, and at the first levels where a quarter, a half and three quarters
+/// of the way from its initial to its design volume are done; also at the first level at or past each
+/// multiple of output.self_intersection_every. A sheet has no volume: it has the other checks.
+class SkinChecks {
+ public:
+  explicit SkinChecks(const Scene& scene);
+  /// For run_scene(); it refers to this.
+  LevelView view();
+  /// In the order of time.
+  const std::vector<SkinCheck>& found() const { return found_; }
+  /// Adds note_of_crossing() to the notes of a run that has ended.
+  void note(RunOutcome& outcome) const;
+
+ private:
+  bool due(const State& state, bool last);
+  void check(const State& state);
+
+  const Scene& scene_;
+  double initial_volume_ = 0.0, design_volume_ = 0.0;  // [m3]
+  int quarters_ = 3;                                   // of the way that are done
+  Schedule schedule_;
+  std::vector<SkinCheck> found_;
+};
+
+/// What to warn of after a run: the check in which most of the volume was counted wrongly, if that was more
+/// than a hundredth of it; else empty. The check at the start is left to add_skin_warning().
+std::string note_of_crossing(const std::vector<SkinCheck>& checks);
+
+/// Adds a warning if elements of the bag cross each other at the start.
+void add_skin_warning(Scene& scene);
+
+}  // namespace driver

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "results/gnuplot.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <chrono>
+#include <csignal>
+#include <cstring>
+#include <optional>
+#include <thread>
+
+#include "base/progress.hpp"
+
+namespace driver {
+namespace {
+
+constexpr std::chrono::seconds longest_wait{30};  // some hundred times what a chart takes
+
+// How the process ended; without one it did not within that time, or until Ctrl-C, and was ended.
+std::optional<int> status_within(pid_t child, std::chrono::seconds time) {
+  const auto until = std::chrono::steady_clock::now() + time;
+  int status = 0;
+  for (;;) {
+    const pid_t ended = waitpid(child, &status, WNOHANG);
+    if (ended == child) return status;
+    if (ended < 0 && errno != EINTR) return std::nullopt;
+    if (interrupted() || std::chrono::steady_clock::now() > until) break;
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+  kill(child, SIGKILL);
+  while (waitpid(child, &status, 0) < 0 && errno == EINTR) continue;
+  return std::nullopt;
+}
+
+// What keeps `gnuplot NAME.gp` in `folder` from ending well; empty: nothing.
+std::string run_gnuplot(const std::filesystem::path& folder, const std::string& name) {
+  posix_spawn_file_actions_t actions;
+  posix_spawn_file_actions_init(&actions);
+  posix_spawn_file_actions_addchdir_np(&actions, folder.c_str());
+  posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
+  std::string program = "gnuplot", no_settings_of_the_user = "-d", script = name + ".gp";
+  char* const arguments[] = {program.data(), no_settings_of_the_user.data(), script.data(), nullptr};
+  pid_t child = 0;
+  const int code = posix_spawnp(&child, program.c_str(), &actions, nullptr, arguments, environ);
+  posix_spawn_file_actions_destroy(&actions);
+  if (code != 0) return fmt::format("gnuplot: {}", std::strerror(code));
+  const std::optional<int> status = status_within(child, longest_wait);
+  if (!status) return fmt::format("gnuplot did not end within {} s or before Ctrl-C", longest_wait.count());
+  const bool drawn =
+      WIFEXITED(*status) && WEXITSTATUS(*status) == 0 && std::filesystem::exists(folder / (name + ".svg"));
+  return drawn ? "" : "gnuplot failed";
+}
+
+}  // namespace
+
+std::string gnuplot_head(const std::string& name, int width, int height) {
+  return fmt::format(R"(
+set terminal svg size {},{} font 'sans-serif,13' background '#ffffff' noenhanced
+set output '{}.svg'
+set encoding utf8
+set border 3 linecolor rgb '#222222'
+set tics nomirror
+set grid linecolor rgb '#c8c8c8' linewidth 0.5 dashtype 3
+)",
+                     width, height, name);
+}
+
+std::string gnuplot_block(const std::string& name, const std::string& rows) {
+  return fmt::format("${} << EOD\n{}EOD\n", name, rows.empty() ? "NaN NaN NaN\n" : rows);
+}
+
+std::string gnuplot_text(const std::string& text) {
+  std::string quoted = "'";
+  for (const char c : text) {
+    // Not '', which gnuplot does not take at either end of a string.
+    if (c == '\'')
+      quoted += "'.\"'\".'";
+    else
+      quoted += static_cast<unsigned char>(c) < ' ' ? ' ' : c;
+  }
+  return quoted + "'";
+}
+
+std::string draw_picture(ResultFolder& folder, const std::string& name, const std::string& commands) {
+  const std::string picture = name + ".svg";
+  folder.write(name + ".gp", fmt::format("# run: {}\n", folder.run()) + commands);
+  folder.add(picture);
+  std::string problem = run_gnuplot(folder.path(), name);
+  if (!problem.empty()) folder.remove(picture);  // half of one
+  return problem;
+}
+
+}  // namespace driver

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: Apache-2.0
+// The only file of the driver that includes CGAL: headers under the LGPL.
+#include "soup.hpp"
+
+#define CGAL_DEBUG  // its readers state by assertions what a file must be; they throw
+#include <CGAL/IO/PLY.h>
+#include <CGAL/IO/STL.h>
+#include <CGAL/Simple_cartesian.h>
+
+#include <array>
+#include <limits>
+#include <new>
+#include <sstream>
+#include <stdexcept>
+
+namespace driver {
+namespace {
+
+using Point = CGAL::Simple_cartesian<double>::Point_3;
+
+// Corners of a polygon, few enough for a damaged count to do no harm.
+class Corners {
+ public:
+  using value_type = std::size_t;
+  using iterator = std::size_t*;
+  using const_iterator = const std::size_t*;
+  void resize(std::size_t count) {
+    if (count > corner_.size())
+      throw std::length_error("an element of " + std::to_string(count) + " corners; 3 or 4 are allowed");
+    count_ = count;
+  }
+  std::size_t size() const { return count_; }
+  std::size_t& operator[](std::size_t i) { return corner_[i]; }
+  std::size_t operator[](std::size_t i) const { return corner_[i]; }
+  iterator begin() { return corner_.data(); }
+  iterator end() { return corner_.data() + count_; }
+  const_iterator begin() const { return corner_.data(); }
+  const_iterator end() const { return corner_.data() + count_; }
+
+ private:
+  std::array<std::size_t, 4> corner_{};
+  std::size_t count_ = 0;
+};
+
+bool read(SoupFormat format, std::istream& bytes, std::vector<Point>& points,
+          std::vector<Corners>& polygons) {
+  const auto quiet = CGAL::parameters::verbose(false);
+  if (format == SoupFormat::stl) return CGAL::IO::read_STL(bytes, points, polygons, quiet);
+  return CGAL::IO::read_PLY(bytes, points, polygons, quiet);
+}
+
+// Numbers that no node can have stay such.
+int node_number(std::size_t corner) {
+  constexpr auto most = static_cast<std::size_t>(std::numeric_limits<int>::max());
+  return corner > most ? -1 : static_cast<int>(corner);
+}
+
+}  // namespace
+
+Soup read_soup(SoupFormat format, const std::string& bytes) {
+  Soup soup;
+  soup.is_text = format == SoupFormat::ply && bytes.find("format ascii") < 64;
+  std::vector<Point> points;
+  std::vector<Corners> polygons;
+  std::istringstream stream(bytes);
+  // Assertions that fail throw and say nothing.
+  const auto before = CGAL::set_error_handler([](const char*, const char*, const char*, int, const char*) {});
+  try {
+    if (!read(format, stream, points, polygons))
+      soup.fault = "what stands here is no number or no vertex of the file, or the file ends";
+  } catch (const std::length_error& error) {
+    soup.fault = error.what();
+  } catch (const std::bad_alloc&) {
+    soup.fault = "a count is beyond all memory";
+  } catch (const CGAL::Failure_exception&) {
+    soup.fault = "what stands here is not of the format";
+  }
+  CGAL::set_error_handler(before);
+  stream.clear();
+  soup.stopped_at = static_cast<std::size_t>(std::max<std::streamoff>(stream.tellg(), 0));
+  if (!soup.fault.empty()) return soup;
+  soup.nodes.resize(3, static_cast<Eigen::Index>(points.size()));
+  for (std::size_t n = 0; n < points.size(); ++n)
+    soup.nodes.col(static_cast<Eigen::Index>(n)) << points[n].x(), points[n].y(), points[n].z();
+  for (const Corners& polygon : polygons) {
+    std::vector<int> corners;
+    for (const std::size_t corner : polygon) corners.push_back(node_number(corner));
+    soup.polygons.push_back(std::move(corners));
+  }
+  return soup;
+}
+
+}  // namespace driver

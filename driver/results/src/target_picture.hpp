@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+// A rigid target as frames.bin shows it.
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "engine/scene.hpp"
+#include "jet_loads.hpp"
+
+namespace driver {
+
+/// A grid of at most 30 by 30 cells, as a target may have millions. Its lines are lines of the target's own
+/// grid, so each cell holds whole cells of the target, and its mean overpressure has their force.
+class TargetPicture {
+ public:
+  explicit TargetPicture(const TargetPart& target);
+  const Eigen::Matrix3Xd& nodes() const { return nodes_; }          // [m]
+  const Eigen::Matrix3Xi& triangles() const { return triangles_; }  // two for each cell
+  /// The mean overpressure of each cell, and its largest mask, for both of its triangles.
+  JetLoads loads(const State& state) const;
+
+ private:
+  Eigen::Matrix3Xd nodes_;
+  Eigen::Matrix3Xi triangles_;
+  std::vector<std::size_t> cell_of_;  // [cell of the target]
+  std::vector<double> share_;         // [cell] 1 / number of the target's elements in it
+};
+
+}  // namespace driver
