@@ -25,7 +25,7 @@ rm -rf "$source" "$site" "$runs"
 mkdir -p "$source/assets" "$source/api" "$source/reports"
 
 # The site has the repository's layout: links between its files hold in both.
-for path in ./*.md CITATION.cff Dockerfile LICENSE docs bindings cases cmake elementary lib* verification benchmarks scripts; do
+for path in ./*.md CITATION.cff Dockerfile LICENSE docs bindings cases cmake driver elementary lib* verification benchmarks scripts; do
   ln -s "$PWD/$path" "$source"
 done
 cp -rL /usr/share/javascript/katex/katex.min.css /usr/share/javascript/katex/fonts docs/make/site/site.css "$source/assets"
