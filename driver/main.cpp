@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The `gasjet` command.
-#include "commands/commands.hpp"
+#include "commands/program.hpp"
 
 int main(int argc, char** argv) {
   const driver::MakeCrew threads = [](const std::string&, const driver::CrewWork& work, int count) {

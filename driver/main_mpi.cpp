@@ -13,7 +13,8 @@
 #include "base/case_reader.hpp"
 #include "base/progress.hpp"
 #include "base/result_folder.hpp"
-#include "commands/commands.hpp"
+#include "commands/command.hpp"
+#include "commands/program.hpp"
 #include "many_runs/crew.hpp"
 
 namespace driver {

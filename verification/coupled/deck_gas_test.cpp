@@ -8,7 +8,8 @@
 #include "export/deck.hpp"
 #include "export/deck_fabric.hpp"
 #include "export/feature.hpp"
-#include "export/writers.hpp"
+#include "export/lsdyna.hpp"
+#include "export/radioss.hpp"
 #include "results/load_scene.hpp"
 
 namespace {

@@ -6,6 +6,7 @@
 #include <CLI/CLI.hpp>
 #include <fstream>
 
+#include "argument_list.hpp"
 #include "base/build_info.hpp"
 #include "results/results.hpp"
 

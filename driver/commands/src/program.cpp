@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The commands as a program: maps errors to exit codes.
+#include "commands/program.hpp"
+
 #include <fcntl.h>
 #include <poll.h>
 #include <unistd.h>
@@ -13,7 +15,7 @@
 
 #include "base/case_reader.hpp"
 #include "base/progress.hpp"
-#include "commands/commands.hpp"
+#include "commands/command.hpp"
 #include "jet_tree/tree_route.hpp"
 #include "results/results.hpp"
 

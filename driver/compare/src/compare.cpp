@@ -239,12 +239,6 @@ const char* verdict_name(Verdict verdict) {
   return "not judged";
 }
 
-const std::vector<double>* History::find(const std::string& name) const {
-  for (const auto& [own, values] : columns)
-    if (own == name) return &values;
-  return nullptr;
-}
-
 Difference compare(const History& mine, const History& reference, const std::vector<std::string>& only,
                    const Tolerance& tolerance) {
   const Filtered filtered = filtered_as(reference, mine);

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // An LS-DYNA deck: bag.k.
+#include "export/lsdyna.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <numeric>
 
-#include "lsdyna_cards.hpp"
+#include "lsdyna_blocks.hpp"
 
 namespace driver {
 namespace {

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // A Radioss deck: starter file bag_0000.rad and engine file bag_0001.rad.
+#include "export/radioss.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "radioss_cards.hpp"
+#include "radioss_blocks.hpp"
 
 namespace driver {
 namespace {

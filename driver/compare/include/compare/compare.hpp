@@ -2,46 +2,14 @@
 // Difference of two histories, judged by the error band of the reference.
 #pragma once
 
-#include <filesystem>
 #include <map>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
+#include "compare/history.hpp"
+
 namespace driver {
-
-/// Columns over strictly rising times, in SI units.
-struct History {
-  std::vector<double> time;                                          // [s]
-  std::vector<std::pair<std::string, std::vector<double>>> columns;  // name and values, one for each time
-  int runs = 1;                                                      // that the columns are means of
-  /// Quantities of the map that the reference does not have, with their places in the map.
-  std::vector<std::string> left_out = {};
-
-  /// Values of a column; nullptr if there is none of that name.
-  const std::vector<double>* find(const std::string& name) const;
-};
-
-/// Reads a history. Without a map, `file` is a CSV file with a column `time_s`; every other column is a
-/// quantity. With a map (TOML, docs/case_files.md), `file` has another format, and the map names its columns,
-/// units and offsets. Throws CaseError, at the place of the fault, for
-/// - a file that cannot be read, or a text that is no number,
-/// - a band or standard error below 0, times that do not rise, or fewer than 3 rows,
-/// - an ensemble that does not say of how many runs.
-History read_history(const std::filesystem::path& file, const std::filesystem::path& map = {});
-/// The same for a comparison with `reference`, of the quantities `only` (all if empty). A column of such a
-/// quantity that the map names has to be in the file, and a name of the map must not be a misspelt one of the
-/// reference. Other names of the map that the reference does not have are left out, for maps serve many
-/// scenes.
-History read_history(const std::filesystem::path& file, const std::filesystem::path& map,
-                     const History& reference, const std::vector<std::string>& only = {});
-
-/// Suffix of a column that holds the half width of the error band of the column before it.
-inline constexpr const char* band_suffix = "_band";
-/// Suffix of the standard error of a mean, and of the scatter (standard deviation) of a run about it.
-inline constexpr const char* standard_error_suffix = "_standard_error";
-inline constexpr const char* scatter_suffix = "_scatter";
 
 /// Verdict on a quantity, a rung or a whole comparison; on_the_bound of rungs alone.
 enum class Verdict { inside, outside, on_the_bound, undecided, not_judged };

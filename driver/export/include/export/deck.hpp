@@ -13,6 +13,9 @@
 
 namespace driver {
 
+/// Names and texts of the files of a deck.
+using DeckFiles = std::vector<std::pair<std::string, std::string>>;
+
 enum class DeckFormat { radioss, lsdyna };
 
 /// Elements of one panel, which have one fabric.

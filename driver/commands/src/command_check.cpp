@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: Apache-2.0
+// Validates a case and prints what follows from it before any step is made.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "commands/command.hpp"
+#include "engine/bag_mesh.hpp"
+#include "engine/drift.hpp"
+#include "engine/run.hpp"
+#include "engine/stages.hpp"
+#include "engine/supply.hpp"
+#include "forecast/check_json.hpp"
+#include "forecast/jet_peak.hpp"
+#include "gas/orifice.hpp"
+#include "results/load_scene.hpp"
+#include "results/skin_checks.hpp"
+
+namespace driver::commands {
+namespace {
+
+void print_settings(const CaseDocument& document) {
+  fmt::print("settings (* by default)\n");
+  for (const auto& setting : document.settings())
+    fmt::print("  {}{} = {}\n", setting.path, setting.is_default ? " *" : "", setting.value);
+}
+
+// A line for each key that the case could set: path, unit, what is allowed, default; tabs between them.
+void print_keys(const CaseDocument& document) {
+  for (const auto& key : document.keys())
+    fmt::print("{}\t{}\t{}\t{}\n", key.path, key.unit, key.allowed, key.fallback);
+}
+
+void print_panels(const membrane::Mesh& mesh) {
+  const Eigen::VectorXd areas = membrane::panel_areas(mesh);
+  for (std::size_t i = 0; i < mesh.panel_names.size(); ++i)
+    fmt::print("panel {}: {:.5g} m2\n", mesh.panel_names[i], areas(static_cast<Eigen::Index>(i)));
+}
+
+// Where they are tied to the design shape, as a case file says it, and to which panels.
+void print_straps(const BagPart& bag) {
+  const auto point = [&](int node) {
+    const Eigen::Vector3d p = bag.mesh.nodes.col(node);
+    return fmt::format("[{}, {}, {}] ({})", p.x(), p.y(), p.z(),
+                       fmt::join(panels_of_node(bag.mesh, node), ", "));
+  };
+  const auto& straps = bag.model.description.straps;
+  for (std::size_t i = 0; i < straps.size(); ++i)
+    fmt::print("strap {}: from = {}, to = {}\n", i, point(straps[i].node_a), point(straps[i].node_b));
+}
+
+// Each part's limit of the step by itself; a part that has none is left out.
+std::string limits_alone(const membrane::StiffnessShares& shares) {
+  std::string text;
+  const auto add = [&](const char* name, double omega_squared) {
+    if (omega_squared > 0.0)
+      text += fmt::format("{} {} {:.4g}", text.empty() ? "" : ",", name, 2.0 / std::sqrt(omega_squared));
+  };
+  add("fabric", shares.element);
+  add("gas", shares.gas);
+  add("straps", shares.strap);
+  add("plate", shares.plate);
+  return text;
+}
+
+void print_bag(const Scene& scene, const State& state) {
+  const auto& bag = *scene.bag;
+  const auto shares =
+      membrane::stiffness_shares(bag.model, *state.bag, state.gas_point.gamma, state.gas_point.pressure);
+  fmt::print("bag: {} elements, {} nodes, fabric {:.4g} kg", bag.model.element_count, bag.model.node_count,
+             bag.model.fabric_mass);
+  if (scene.gas)
+    fmt::print(", initial volume {:.4g} m3, design volume {:.4g} m3", state.bag->surface.volume,
+               membrane::enclosed_volume(bag.mesh.nodes, bag.mesh.elements));
+  const double critical = membrane::critical_time_step(shares);
+  fmt::print("\ncritical step at the start: {:.4g} s (alone:{})\n", critical, limits_alone(shares));
+  if (const double kept = drift_limit(scene, state); kept < critical)
+    fmt::print("step at the start that keeps the energy (M.22), (M.24): {:.4g} s\n", kept);
+  print_panels(bag.mesh);
+  print_straps(bag);
+}
+
+// Ambient gas comes in through a vent, at the speed of sound.
+bool chokes_inwards(const Scene& scene, double pressure) {
+  const gas::ControlVolumeModel& model = scene.gas->model;
+  const gas::Ambient& outside = model.ambient;
+  return outside.pressure > 0.0 && std::ranges::any_of(model.vents, &gas::Vent::backflow) &&
+         pressure <= outside.pressure * gas::critical_pressure_ratio(
+                                            model.thermo.gamma(outside.mass_fractions, outside.temperature));
+}
+
+// Whether the vents choke: at the start, and from which pressure.
+void print_vents(const Scene& scene, const State& state, double gamma) {
+  if (!scene.has_volume() || scene.gas->model.vents.empty()) return;
+  const double pressure = state.gas_point.pressure, ambient = scene.ambient.pressure;
+  const double critical = ambient / gas::critical_pressure_ratio(gamma);
+  if (chokes_inwards(scene, pressure))
+    fmt::print("vents: choked inwards at the start, outwards from {:.6g} Pa at that gamma\n", critical);
+  else
+    fmt::print("vents: {} at the start, choked {} {:.6g} Pa at that gamma\n",
+               pressure > ambient && pressure >= critical ? "choked" : "not choked",
+               ambient > 0.0 ? "from" : "above", critical);
+}
+
+// When an inflator is at its peak; before a run nobody knows when its trigger comes on.
+std::string peak_text(const Scene& scene, std::size_t inflator, double time) {
+  const bool triggered = scene.gas->model.inflows[inflator].trigger.has_value();
+  return fmt::format("t = {:.4g} s{}", time, triggered ? " after its trigger" : "");
+}
+
+void print_inflators(const Scene& scene) {
+  if (!scene.gas) return;
+  for (std::size_t i = 0; i < scene.gas->model.inflows.size(); ++i) {
+    const auto [time, point] = inflator_peak(scene, i);
+    fmt::print("inflator {}: at its peak ({}) {:.5g} kg/s at {:.5g} K, R {:.5g} J/(kg K), gamma {:.5g}\n", i,
+               peak_text(scene, i, time), point.mass_flow, point.temperature, point.gas_constant,
+               point.gamma);
+  }
+}
+
+void print_jet(const Scene& scene, const JetPart& part) {
+  const JetPeak peak = jet_peak(scene, part);
+  const jet::JetModel& model = part.field.model();
+  fmt::print(
+      "jet of inflator {}: at its peak ({}) V0 = {:.5g} m/s, rho0 = {:.4g} kg/m3, outlet pressure "
+      "{:.4g} Pa ({}), momentum {:.4g} N; cut-off loses {:.2g} of it\n",
+      part.inflator, peak_text(scene, part.inflator, peak.time), peak.outlet.velocity, peak.outlet.density,
+      peak.outlet.pressure, peak.outlet.pressure > scene.ambient.pressure ? "choked" : "not choked",
+      jet::momentum_flux(peak.outlet, part.outlet.area), jet::momentum_loss(model));
+}
+
+void print_forecast(const Forecast& f) {
+  if (f.full && !f.full->fills)
+    fmt::print(
+        "\nwhat flows in up to the end does not fill the volume: {:.4g} Pa in {:.4g} m3, below ambient "
+        "(K.30)\n",
+        f.full->closed_pressure, f.full->volume);
+  if (f.groups.empty()) return;
+  fmt::print("\nforecast (sizes: 0.1 matters, 0.01 shows, below negligible)\n");
+  for (const Group& g : f.groups)
+    fmt::print("  {:<10} {:>9.3g}  {} ({})\n", verdict(g), g.value, g.meaning, g.equation);
+}
+
+}  // namespace
+
+int check(const CaseArguments& arguments, const std::string& format) {
+  CaseDocument document(arguments.file, arguments.overrides);
+  Scene scene = load_scene(document);
+  if (format == "keys") {
+    print_keys(document);
+    return exit_done;
+  }
+  add_jet_warnings(scene);
+  add_skin_warning(scene);
+  const State state = state_at_start(scene);
+  const Forecast groups = forecast(scene, state);
+  if (format == "json") {
+    fmt::print("{}\n", check_json(document, scene, state, groups));
+    return exit_done;
+  }
+  print_settings(document);
+  fmt::print("\nderived\n");
+  const double gamma = gamma_at_start(state, groups);
+  if (scene.has_volume())
+    fmt::print("gas: {:.5g} kg at {:.6g} Pa, {:.5g} K, gamma {:.5g}{}\n", state.gas_point.mass,
+               state.gas_point.pressure, state.gas_point.temperature, gamma,
+               state.gas_point.mass > 0.0 ? "" : " of what fills it");
+  if (scene.bag) print_bag(scene, state);
+  print_vents(scene, state, gamma);
+  print_inflators(scene);
+  for (const auto& part : scene.jets) print_jet(scene, part);
+  if (scene.pendulum)
+    fmt::print("pendulum: {:.6g} kg m2 about the axis, effective mass {:.5g} kg\n",
+               scene.pendulum->model.axis_inertia(), scene.pendulum->model.effective_mass());
+  if (scene.contact) fmt::print("contact stiffness: {:.4g} N/m3\n", scene.contact->parameters().stiffness);
+  if (scene.moves() && !scene.output.history_exact)
+    fmt::print(
+        "history: a row at the first step at or past each multiple of {} s; on it with history_exact\n",
+        scene.output.history_every);
+  print_forecast(groups);
+  if (const std::string advice = gas_advice(scene, groups); !advice.empty())
+    fmt::print("advice: {}\n", advice);
+  for (const auto& warning : scene.warnings) fmt::print("warning: {}\n", warning);
+  return exit_done;
+}
+
+}  // namespace driver::commands

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include "commands/command.hpp"
+#include "input_files.hpp"
+#include "report/report.hpp"
+#include "results/results.hpp"
+
+namespace driver::commands {
+
+int report(const ReportArguments& arguments) {
+  if (std::filesystem::is_directory(arguments.out))
+    throw OutputError(fmt::format("--out {}: is a folder, a file is allowed", arguments.out.string()));
+  // Whatever else stands in a folder of results is safe, too.
+  if (const auto ending = arguments.out.extension(); ending != ".html" && ending != ".htm")
+    throw OutputError(fmt::format("--out {}: a page ends with .html", arguments.out.string()));
+  std::vector<std::filesystem::path> inputs = arguments.results;
+  if (!arguments.reference.empty()) inputs.push_back(arguments.reference);
+  refuse_same_file("--out", arguments.out, inputs);
+  const std::string page = report_page(arguments.results, {.reference = arguments.reference});
+  replace_file(arguments.out, page);
+  fmt::print("{}: {:.1f} MB\n", arguments.out.string(), static_cast<double>(page.size()) * 1e-6);
+  return exit_done;
+}
+
+}  // namespace driver::commands

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+// The files that a command reads: those that it must not write, and the id that follows from them.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "base/case_reader.hpp"
+
+namespace driver::commands {
+
+/// Throws CaseError when the file that `option` writes is one of those that are read.
+void refuse_same_file(const char* option, const std::filesystem::path& out,
+                      const std::vector<std::filesystem::path>& inputs);
+/// Throws CaseError for a pipe or a device: the command reads the file more than once.
+void require_file(const std::filesystem::path& file);
+/// The same for the files `outputs` that a command writes to the folder of --out.
+void refuse_inputs(const std::filesystem::path& folder, const std::vector<std::string>& outputs,
+                   const std::vector<std::filesystem::path>& inputs);
+/// A case and the files that it names. Throws CaseError.
+std::vector<std::filesystem::path> input_files(const std::filesystem::path& file,
+                                               const std::vector<std::string>& overrides);
+
+/// Id of what `command` with `options` makes of cases that have been read.
+std::string id_of(const std::string& command, const std::vector<std::string>& options,
+                  const std::vector<const CaseDocument*>& cases);
+
+}  // namespace driver::commands

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "mesh_options.hpp"
+
+#include <string>
+
+#include "results/bag_shape.hpp"
+#include "results/mesh_reader.hpp"
+#include "validators.hpp"
+
+namespace driver::commands {
+
+void add_mesh(CLI::App& app, MeshArguments& arguments) {
+  auto* mesh = app.add_subcommand("mesh", "generate or convert an airbag mesh and report on it");
+  mesh->require_subcommand(1);
+  auto* bag =
+      mesh->add_subcommand("driver", "driver bag: two discs sewn at the rim, attachment, vents, tethers");
+  auto* passenger = mesh->add_subcommand("passenger", "passenger bag: main and side panels, one vent");
+  auto* convert =
+      mesh->add_subcommand("convert", "read a mesh file, say what it holds; write it in the format of --out");
+  auto* of_case = mesh->add_subcommand("case", "write the mesh that a case runs with");
+  auto* state = mesh->add_subcommand("state", "write the shape of a run's bag at one time");
+  state->add_option("RESULTS", arguments.file, "folder of `gasjet run`")->required();
+  state->add_option("--time", arguments.time, "of the kept shapes, the nearest is taken [s]")
+      ->required()
+      ->check(not_negative);
+  state->add_option("--out", arguments.out, std::string("file to write: ") + shape_endings)
+      ->required()
+      ->check(named);
+  const char* formats = ".obj, .stl, or LS-DYNA keyword .k, .key, .dyn";
+  bag->add_option("--out", arguments.out, std::string("design shape, ") + formats)->required()->check(named);
+  bag->add_option("--initial", arguments.initial, "initial shape, of the same formats")->check(named);
+  of_case->add_option("CASE", arguments.file, "case file (TOML)")->required();
+  of_case->add_option("--initial", arguments.initial, "initial shape, of the same formats")->check(named);
+  for (auto* command : {of_case, passenger})
+    command->add_option("--out", arguments.out, std::string("design shape, ") + formats)
+        ->required()
+        ->check(named);
+  convert->add_option("FILE", arguments.file, mesh_endings)->required();
+  convert
+      ->add_option("--panel", arguments.panels,
+                   "panel, or part of a deck, to keep; may be repeated; all without it")
+      ->allow_extra_args(false)
+      ->option_text("NAME");  // and not several
+  convert->add_option("--merge", arguments.merge, "join nodes at most so far apart [m]")->check(not_negative);
+  convert->add_flag("--outward", arguments.outward, "turn elements so that the surface is wound outward");
+  convert->add_flag("--report", arguments.report, "report only: an open or inside-out surface is no error");
+  convert->add_option("--out", arguments.out, "file to write; without it the report only")->check(named);
+  convert
+      ->add_option("--initial", arguments.initial,
+                   "shape at the start to write, of a deck that has a stress-free one too")
+      ->check(named);
+  convert->add_option("--length-unit", arguments.length_unit, "length unit of FILE [m]")->check(positive);
+  convert->add_option("--null-panel", arguments.null_panels, "panel that closes a hole; may be repeated")
+      ->allow_extra_args(false)
+      ->option_text("NAME");
+  for (auto* command : {bag, passenger, of_case})
+    command
+        ->add_option("--set", arguments.overrides,
+                     "option=value of the generator or the case; may be repeated")
+        ->allow_extra_args(false)
+        ->option_text("KEY=VALUE");
+  for (auto* command : {bag, passenger, convert})
+    command->add_option("--refine", arguments.refine, "split each element in four, so many times")
+        ->check(CLI::Range(0, 6));
+}
+
+int dispatch_mesh(const CLI::App& mesh, const MeshArguments& arguments) {
+  if (mesh.got_subcommand("driver")) return mesh_driver(arguments);
+  if (mesh.got_subcommand("case")) return mesh_of_case(arguments);
+  if (mesh.got_subcommand("state")) return mesh_of_state(arguments);
+  return mesh.got_subcommand("passenger") ? mesh_passenger(arguments) : mesh_convert(arguments);
+}
+
+}  // namespace driver::commands

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "lsdyna_blocks.hpp"
+
+namespace driver {
+
+void LsDynaCards::keyword(std::string_view name) {
+  line(fmt::format("*{}", name));
+}
+
+void LsDynaCards::row(std::initializer_list<Entry> entries) {
+  std::vector<Field> names, fields;
+  for (const Entry& entry : entries) {
+    names.push_back(word(entry.name, entry.field.width));
+    fields.push_back(entry.field);
+  }
+  Field& first = names.front();
+  first.text = fmt::format("${:>{}}", first.text, first.width - 1);
+  card(names);
+  card(fields);
+}
+
+void LsDynaCards::curve(int id, const DeckCurve& points, double x_unit, double y_unit, int intervals) {
+  keyword("DEFINE_CURVE");
+  row({{"LCID", whole(id, 10)},
+       {"SIDR", whole(0, 10)},
+       {"SFA", narrow(1.0)},
+       {"SFO", narrow(1.0)},
+       {"OFFA", narrow(0.0)},
+       {"OFFO", narrow(0.0)},
+       {"DATTYP", whole(0, 10)},
+       {"LCINT", whole(intervals, 10)}});
+  for (const auto& [x, y] : points) card({real(x / x_unit, 20), real(y / y_unit, 20)});
+}
+
+void LsDynaCards::curve_of_pressure(int id, const DeckCurve& points, double ambient, double y_unit) {
+  DeckCurve absolute;
+  for (const auto& [pressure, value] : points) absolute.push_back({ambient + pressure, value});
+  // Some programs read curves again on a hundred even steps: the last knot, which only holds the value,
+  // stands near the others, and a first one at zero.
+  const double last = absolute[absolute.size() - 2][0];
+  absolute.back()[0] = std::max(last, 0.0) + ambient;
+  while (absolute.size() > 1 && absolute[1][0] <= 0.0) absolute.erase(absolute.begin());
+  absolute.front()[0] = std::max(absolute.front()[0], 0.0);
+  curve(id, absolute, u_.pressure(), y_unit);
+}
+
+void LsDynaCards::node(int id, const Eigen::Vector3d& x) {
+  card({whole(id, 8), real(x.x() / u_.length, 16), real(x.y() / u_.length, 16), real(x.z() / u_.length, 16)});
+}
+
+void LsDynaCards::set(const char* kind, int id, const std::vector<int>& members) {
+  keyword(fmt::format("SET_{}_LIST", kind));
+  row({{"SID", whole(id, 10)}});
+  constexpr std::size_t width = 10, per_line = 8;
+  list(members, width, per_line);
+}
+
+void LsDynaCards::part(int id, std::string_view name) {
+  keyword("PART");
+  label(name, 70);
+  row({{"PID", whole(id, 10)}, {"SECID", whole(id, 10)}, {"MID", whole(id, 10)}});
+}
+
+void LsDynaCards::triangles(int part_id, int first_element, int first_node, const Eigen::Matrix3Xi& corners,
+                            const std::vector<int>& elements) {
+  keyword("ELEMENT_SHELL");
+  line("$    EID     PID      N1      N2      N3      N4");
+  for (const int e : elements) {
+    const Field last = whole(first_node + corners(2, e), 8);
+    card({whole(first_element + e, 8), whole(part_id, 8), whole(first_node + corners(0, e), 8),
+          whole(first_node + corners(1, e), 8), last, last});
+  }
+}
+
+}  // namespace driver

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include "radioss_blocks.hpp"
+
+namespace driver {
+
+void RadiossCards::title(const std::string& header, std::string_view text) {
+  line(header);
+  label(text, title_columns);
+}
+
+void RadiossCards::node(int id, const Eigen::Vector3d& x) {
+  card(
+      {whole(id, 10), real(x.x() / u_.length, 20), real(x.y() / u_.length, 20), real(x.z() / u_.length, 20)});
+}
+
+void RadiossCards::point(const Eigen::Vector3d& x) {
+  card({real(x.x() / u_.length, 20), real(x.y() / u_.length, 20), real(x.z() / u_.length, 20)});
+}
+
+void RadiossCards::part(int id, std::string_view name, int property, int law) {
+  title(fmt::format("/PART/{}", id), name);
+  line("#  prop_ID    mat_ID subset_ID");
+  card({whole(property, 10), whole(law, 10), whole(0, 10)});
+}
+
+void RadiossCards::group(Group id, std::string_view name, const std::vector<int>& nodes) {
+  title(fmt::format("/GRNOD/NODE/{}", static_cast<int>(id)), name);
+  list(nodes, 10);
+}
+
+void RadiossCards::hold(int id, std::string_view code, Group nodes) {
+  title(fmt::format("/BCS/{}", id), "held");
+  line("#  Tra rot   skew_ID  grnod_ID");
+  card({word(code, 10), whole(0, 10), whole(nodes, 10)});
+}
+
+void RadiossCards::triangles(int part_id, int first_element, int first_node, const Eigen::Matrix3Xi& corners,
+                             const std::vector<int>& elements) {
+  line(fmt::format("/SH3N/{}", part_id));
+  line("#  sh3n_ID  node_ID1  node_ID2  node_ID3");
+  for (const int e : elements)
+    card({whole(first_element + e, 10), whole(first_node + corners(0, e), 10),
+          whole(first_node + corners(1, e), 10), whole(first_node + corners(2, e), 10)});
+}
+
+int RadiossCards::function(std::string_view name, const DeckCurve& curve, double x_unit, double y_unit) {
+  line(fmt::format("/FUNCT/{}", ++functions_));
+  line(name);
+  line("#                  X                   Y");
+  for (const auto& [x, y] : curve) card({real(x / x_unit, 20), real(y / y_unit, 20)});
+  return functions_;
+}
+
+}  // namespace driver
