@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// The options of `gasjet` and its subcommands.
 #include <CLI/CLI.hpp>
 #include <span>
 
 #include "argument_list.hpp"
 #include "base/build_info.hpp"
-#include "base/case_reader.hpp"
 #include "commands/command.hpp"
 #include "commands/program.hpp"
 #include "manual.hpp"
@@ -274,8 +272,8 @@ int run_command_line(int argc, char** argv, const MakeCrew& crew) {
   app.footer(
       "Exit codes: 0 done; 1 of compare: outside the band; 2 the command line or an input is wrong, nothing "
       "is written; 3 the computation left its domain or ended inaccurate, what was computed is kept; 4 of "
-      "compare "
-      "and ladder: undecided, of study merge: incomplete; 130 ended by Ctrl-C, what was computed is kept.");
+      "compare and ladder: undecided, of study merge: incomplete; 130 ended by Ctrl-C, what was computed is "
+      "kept.");
   Arguments all;
   add_run(app, all);
   add_ensemble(app, all);
