@@ -15,35 +15,29 @@ namespace {
 
 struct Family {
   const char* name;
-  void (*add)(std::vector<Entry>&);
+  std::vector<std::vector<Entry> (*)()> lists;
 };
-constexpr Family families[] = {{"gas", entries::add_tanks},
-                               {"gas", entries::add_tank_tests},
-                               {"gas", entries::add_tank_test_readings},
-                               {"outflow", entries::add_outflow},
-                               {"outflow", entries::add_emptying_tanks},
-                               {"outflow", entries::add_exchanging_tanks},
-                               {"outflow", entries::add_bags},
-                               {"membrane", entries::add_inflated_shapes},
-                               {"membrane", entries::add_logarithmic_bags},
-                               {"membrane", entries::add_discs},
-                               {"membrane", entries::add_tension_and_waves},
-                               {"membrane", entries::add_weave},
-                               {"stability", entries::add_stability},
-                               {"jet", entries::add_jets},
-                               {"jet", entries::add_jet_targets},
-                               {"jet", entries::add_shadows},
-                               {"pendulum", entries::add_pendulum},
-                               {"coupled", entries::add_contact_and_coupled}};
 
 std::vector<Entry> build() {
-  std::vector<Entry> list;
-  for (const Family& family : families) {
-    const std::size_t first = list.size();
-    family.add(list);
-    for (std::size_t i = first; i < list.size(); ++i) list[i].family = family.name;
-  }
-  return list;
+  const Family families[] = {
+      {"gas", {entries::tanks, entries::tank_tests}},
+      {"outflow", {entries::outflow, entries::emptying_tanks, entries::exchanging_tanks, entries::bags}},
+      {"membrane",
+       {entries::polyhedra, entries::inflated_shapes, entries::flat_membranes, entries::logarithmic_bags,
+        entries::discs, entries::vibration, entries::tension, entries::waves, entries::weave}},
+      {"stability", {entries::time_steps, entries::drifts}},
+      {"jet", {entries::jets, entries::jet_targets, entries::shadows}},
+      {"pendulum", {entries::swings}},
+      {"coupled", {entries::contact, entries::coupled}},
+  };
+  std::vector<Entry> all;
+  for (const Family& family : families)
+    for (const auto& list : family.lists)
+      for (Entry& entry : list()) {
+        entry.family = family.name;
+        all.push_back(std::move(entry));
+      }
+  return all;
 }
 
 std::string parameter_names(const Entry& entry) {

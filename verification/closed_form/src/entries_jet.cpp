@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "check.hpp"
 #include "closed_form/jet.hpp"
+#include "closed_form/occlusion.hpp"
 #include "entries.hpp"
+#include "fields.hpp"
 
 namespace closed_form::entries {
 namespace {
@@ -9,143 +10,199 @@ namespace {
 const char* const kAbramovich =
     "G. N. Abramovich, The Theory of Turbulent Jets (textbook result); width derived here";
 
-Parameters outlet_parameters(double spread) {
-  return {{"spread", "a", "1", spread, "turbulence structure coefficient"},
-          {"outlet_velocity", "V0", "m/s", 400.0, "velocity at the outlet"},
-          {"outlet_density", "rho0", "kg/m3", 1.0, "density at the outlet"}};
+template <class Jet>
+struct Traverse : Jet {
+  double offset = kRequired;
+};
+
+auto outlet(double spread) {
+  return [spread]<class S>(Form<S>& form) {
+    form.field(&S::spread, "spread", "a", "1", spread, "turbulence structure coefficient")
+        .field(&S::outlet_velocity, "outlet_velocity", "V0", "m/s", 400.0, "velocity at the outlet")
+        .field(&S::outlet_density, "outlet_density", "rho0", "kg/m3", 1.0, "density at the outlet");
+  };
 }
 
-std::vector<std::string> section_columns() {
-  return {"distance_m",        "centreline_velocity_m_s", "width_m",     "momentum_flux_N",
-          "volume_flux_ratio", "energy_flux_ratio",       "velocity_m_s"};
+Columns<JetSection> section_columns() {
+  return {{"centreline_velocity_m_s", &JetSection::centreline_velocity},
+          {"width_m", &JetSection::width},
+          {"momentum_flux_N", &JetSection::momentum_flux},
+          {"volume_flux_ratio", &JetSection::volume_flux_ratio},
+          {"energy_flux_ratio", &JetSection::energy_flux_ratio}};
 }
 
-Row section_row(const JetSection& s, double velocity) {
-  return {s.centreline_velocity, s.width, s.momentum_flux, s.volume_flux_ratio,
-          s.energy_flux_ratio,   velocity};
+Columns<TollmienConstants> tollmien_columns() {
+  return {{"edge", &TollmienConstants::edge},
+          {"half_velocity", &TollmienConstants::half_velocity},
+          {"momentum_integral", &TollmienConstants::momentum_integral},
+          {"flux_integral", &TollmienConstants::flux_integral},
+          {"decay_constant", &TollmienConstants::decay_constant}};
 }
 
-Entry round_jet_entry() {
-  return {"round_jet",
-          "Round jet over axial distance",
-          "Vm/V0 = min(1, 0.96/(a z/R0 + 0.29)); R = sqrt 2 R0 V0/Vm; V = Vm exp(-r^2/R^2)",
-          kAbramovich,
-          "z >= 0",
-          15,
-          joined({outlet_parameters(0.08),
-                  {{"radius", "R0", "m", 0.05, "radius of the outlet"},
-                   {"offset", "r", "m", 0.0, "distance from the axis of the last column"}}}),
-          section_columns(),
-          range(0.0, 2.0, 40),
-          [](const ParameterMap& v, double z) {
-            const RoundJet jet{get(v, "radius"), get(v, "spread"), get(v, "outlet_velocity"),
-                               get(v, "outlet_density")};
-            return section_row(round_jet_section(jet, z), round_jet_velocity(jet, z, get(v, "offset")));
-          }};
+struct Plate {
+  double reflection = kRequired, width_slope = kRequired, extent = kRequired;
+};
+
+struct Target {
+  double width = kRequired, offset = kRequired;
+};
+
+auto width() {
+  return [](Form<Target>& form) {
+    form.field(&Target::width, "width", "R", "m", 1.0, "width of exp(-(r/R)^2) at the target");
+  };
 }
 
-Entry plane_jet_entry() {
-  return {"plane_jet",
-          "Plane jet over axial distance",
-          "Vm/V0 = min(1, 1.2/sqrt(a z/b0 + 0.41)); b = 2 sqrt(2/pi) b0 (V0/Vm)^2; V = Vm exp(-y^2/b^2)",
-          kAbramovich,
-          "z >= 0",
-          15,
-          joined({outlet_parameters(0.11),
-                  {{"half_width", "b0", "m", 0.01, "half the short side of the outlet"},
-                   {"length", "L", "m", 0.2, "long side of the outlet"},
-                   {"offset", "y", "m", 0.0, "distance from the mid plane of the last column"}}}),
-          section_columns(),
-          range(0.0, 1.0, 40),
-          [](const ParameterMap& v, double z) {
-            const PlaneJet jet{get(v, "half_width"), get(v, "length"), get(v, "spread"),
-                               get(v, "outlet_velocity"), get(v, "outlet_density")};
-            return section_row(plane_jet_section(jet, z), plane_jet_velocity(jet, z, get(v, "offset")));
-          }};
-}
+struct TwoDiscs {
+  double r1 = kRequired, z1 = kRequired, r2 = kRequired, z2 = kRequired;
+};
 
-Entry far_field_entry() {
-  return {"jet_far_field",
-          "Constants that experiments report, over the spread a",
-          "round: core 0.67/a, B = 0.48/a, S = sqrt(2 ln 2) a/0.96, entrainment 4 a/0.96; plane: core "
-          "1.03/a, K = 2 a/1.44",
-          "derived here from the centreline laws",
-          "a > 0",
-          15,
-          {},
-          {"spread", "round_core_over_radius", "round_decay_constant", "round_half_width_slope",
-           "round_entrainment_slope", "plane_core_over_half_width", "plane_decay_constant",
-           "plane_half_width_slope"},
-          {0.066, 0.076, 0.08, 0.089, 0.1, 0.108, 0.11, 0.12},
-          [](const ParameterMap&, double a) {
-            const RoundFarField r = round_far_field(a);
-            const PlaneFarField p = plane_far_field(a);
-            return Row{round_core_length(a), r.decay_constant, r.half_width_slope, r.entrainment_slope,
-                       plane_core_length(a), p.decay_constant, p.half_width_slope};
-          }};
-}
-
-Row tollmien_row(const TollmienConstants& c) {
-  return {c.edge, c.half_velocity, c.momentum_integral, c.flux_integral, c.decay_constant};
-}
-
-std::vector<std::string> tollmien_columns() {
-  return {"edge", "half_velocity", "momentum_integral", "flux_integral", "decay_constant"};
-}
-
-Entry tollmien_round_entry() {
-  return {"tollmien_round",
-          "Mixing-length similarity of the round jet",
-          "(F'' - F'/phi)^2 = F F', f = F'/phi",
-          "W. Tollmien (1926); integrated here",
-          "far field",
-          12,
-          {},
-          tollmien_columns(),
-          {},
-          [](const ParameterMap&, double) { return tollmien_row(tollmien_round()); }};
-}
-
-Entry tollmien_plane_entry() {
-  return {"tollmien_plane",
-          "Mixing-length similarity of the plane jet",
-          "F''^2 = F F', f = F': F^(3/2) = 1 - f^(3/2)",
-          "W. Tollmien (1926); Beta functions derived here",
-          "far field",
-          14,
-          {},
-          tollmien_columns(),
-          {},
-          [](const ParameterMap&, double) { return tollmien_row(tollmien_plane()); }};
-}
-
-Entry sonic_outlet_entry() {
-  return {"sonic_outlet",
-          "Sonic outlet state over mass flow",
-          "V0 = sqrt((gamma-1) cp T_s), times sqrt(2/(gamma+1)) for stagnation T_s; rho0 = mdot/(A V0)",
-          "Gas Jet Model for Airbag Inflators; textbook result",
-          "does not fix the outlet pressure",
-          15,
-          joined({gas_parameters(),
-                  {{"temperature", "T_s", "K", 406.0, "static, or stagnation"},
-                   {"stagnation", "", "1", 0.0, "0: T_s is static; 1: stagnation"},
-                   {"area", "A", "m2", 5e-3, "area of the outlet"}}}),
-          {"inflow_kg_s", "velocity_m_s", "density_kg_m3", "momentum_flux_N", "static_pressure_Pa"},
-          range(0.5, 4.0, 7),
-          [](const ParameterMap& v, double mass_flow) {
-            const bool stagnation = check::integer_within("stagnation", whole(v, "stagnation"), 0, 1) == 1;
-            const OutletState s =
-                sonic_outlet({gas_of(v), get(v, "temperature"), stagnation, mass_flow, get(v, "area")});
-            return Row{s.velocity, s.density, s.momentum_flux, s.static_pressure};
-          }};
-}
+struct SphereInShell {
+  double sphere = kRequired, shell = kRequired;
+};
 
 }  // namespace
 
-void add_jets(std::vector<Entry>& list) {
-  for (Entry (*entry)() : {round_jet_entry, plane_jet_entry, far_field_entry, tollmien_round_entry,
-                           tollmien_plane_entry, sonic_outlet_entry})
-    list.push_back(entry());
+std::vector<Entry> jets() {
+  return {
+      Form<Traverse<RoundJet>>(
+          "round_jet", "Round jet over axial distance",
+          "Vm/V0 = min(1, 0.96/(a z/R0 + 0.29)); R = sqrt 2 R0 V0/Vm; V = Vm exp(-r^2/R^2)", kAbramovich,
+          "z >= 0", 15)
+          .fields(outlet(0.08), radius(0.05, "radius of the outlet"))
+          .field(&Traverse<RoundJet>::offset, "offset", "r", "m", 0.0,
+                 "distance from the axis of the last column")
+          .over("distance_m", range(0.0, 2.0, 40))
+          .results(round_jet_section, section_columns())
+          .result("velocity_m_s", with(round_jet_velocity, itself(), abscissa, &Traverse<RoundJet>::offset)),
+      Form<Traverse<PlaneJet>>(
+          "plane_jet", "Plane jet over axial distance",
+          "Vm/V0 = min(1, 1.2/sqrt(a z/b0 + 0.41)); b = 2 sqrt(2/pi) b0 (V0/Vm)^2; V = Vm exp(-y^2/b^2)",
+          kAbramovich, "z >= 0", 15)
+          .fields(outlet(0.11))
+          .field(&PlaneJet::half_width, "half_width", "b0", "m", 0.01, "half the short side of the outlet")
+          .field(&PlaneJet::length, "length", "L", "m", 0.2, "long side of the outlet")
+          .field(&Traverse<PlaneJet>::offset, "offset", "y", "m", 0.0,
+                 "distance from the mid plane of the last column")
+          .over("distance_m", range(0.0, 1.0, 40))
+          .results(plane_jet_section, section_columns())
+          .result("velocity_m_s", with(plane_jet_velocity, itself(), abscissa, &Traverse<PlaneJet>::offset)),
+      Form<Nothing>(
+          "jet_far_field", "Constants that experiments report, over the spread a",
+          "round: core 0.67/a, B = 0.48/a, S = sqrt(2 ln 2) a/0.96, entrainment 4 a/0.96; plane: core "
+          "1.03/a, K = 2 a/1.44",
+          "derived here from the centreline laws", "a > 0", 15)
+          .over("spread", {0.066, 0.076, 0.08, 0.089, 0.1, 0.108, 0.11, 0.12})
+          .result("round_core_over_radius", round_core_length)
+          .results(round_far_field, {{"round_decay_constant", &RoundFarField::decay_constant},
+                                     {"round_half_width_slope", &RoundFarField::half_width_slope},
+                                     {"round_entrainment_slope", &RoundFarField::entrainment_slope}})
+          .result("plane_core_over_half_width", plane_core_length)
+          .results(plane_far_field, {{"plane_decay_constant", &PlaneFarField::decay_constant},
+                                     {"plane_half_width_slope", &PlaneFarField::half_width_slope}}),
+      Form<Nothing>("tollmien_round", "Mixing-length similarity of the round jet",
+                    "(F'' - F'/phi)^2 = F F', f = F'/phi", "W. Tollmien (1926); integrated here", "far field",
+                    12)
+          .results(tollmien_round, tollmien_columns()),
+      Form<Nothing>("tollmien_plane", "Mixing-length similarity of the plane jet",
+                    "F''^2 = F F', f = F': F^(3/2) = 1 - f^(3/2)",
+                    "W. Tollmien (1926); Beta functions derived here", "far field", 14)
+          .results(tollmien_plane, tollmien_columns()),
+      Form<SonicOutlet>(
+          "sonic_outlet", "Sonic outlet state over mass flow",
+          "V0 = sqrt((gamma-1) cp T_s), times sqrt(2/(gamma+1)) for stagnation T_s; rho0 = mdot/(A V0)",
+          "Gas Jet Model for Airbag Inflators; textbook result", "does not fix the outlet pressure", 15)
+          .fields(gas())
+          .field(&SonicOutlet::temperature, "temperature", "T_s", "K", 406.0, "static, or stagnation")
+          .field(&SonicOutlet::stagnation, "stagnation", "", "1", 0.0, "0: T_s is static; 1: stagnation")
+          .field(&SonicOutlet::area, "area", "A", "m2", 5e-3, "area of the outlet")
+          .over("inflow_kg_s", range(0.5, 4.0, 7), &SonicOutlet::mass_flow)
+          .results(sonic_outlet, {{"velocity_m_s", &OutletState::velocity},
+                                  {"density_kg_m3", &OutletState::density},
+                                  {"momentum_flux_N", &OutletState::momentum_flux},
+                                  {"static_pressure_Pa", &OutletState::static_pressure}})};
+}
+
+std::vector<Entry> jet_targets() {
+  return {
+      Form<Plate>("plate_force", "Force on an unbounded plate normal to the jet, over the momentum flux",
+                  "F = c J", "momentum balance, textbook result", "1 <= c <= 2; J >= 0", 15)
+          .field(&Plate::reflection, "reflection", "c", "1", 2.0,
+                 "1 deflection into the plane, 2 complete reflection")
+          .over("momentum_flux_N", {100.0, 821.46483795717026, 1600.0})
+          .result("jet_force_N", with(plate_force, &Plate::reflection, abscissa)),
+      Form<Plate>("inclined_plate",
+                  "Normal force on a plate inclined to a round jet, over F = c J, over the angle",
+                  "cos(theta) sqrt(2/pi) int exp(-2 w^2)/(1 - s w) dw, s = R' tan(theta); cos(theta) without "
+                  "spreading",
+                  "derived here", "|s| extent < 1", 14)
+          .field(&Plate::width_slope, "width_slope", "R'", "1", 0.11785113019775793,
+                 "growth dR/dz of the width")
+          .field(&Plate::extent, "extent", "", "1", 3.0, "half width of the plate over R")
+          .over("angle_rad", range(0.0, 1.1, 22))
+          .result("force_fraction",
+                  [](const Plate& p, double theta) {
+                    return inclined_plate_fraction(theta, p.width_slope, p.extent);
+                  })
+          .result("force_fraction_constant_width",
+                  [](double theta) { return inclined_plate_fraction(theta); }),
+      Form<Target>("disc_target", "Momentum fraction caught by a disc over its radius",
+                   "1 - exp(-2 rho^2/R^2) on the axis; 1 - Q1(2 d/R, 2 rho/R) at offset d (Marcum Q)",
+                   "derived here", "disc normal to the axis, radius > 0", 13)
+          .fields(width())
+          .field(&Target::offset, "offset", "d", "m", 0.5, "of the disc's centre from the axis")
+          .over("disc_radius_m", range(0.1, 2.0, 19))
+          .result("coaxial_fraction", with(disc_fraction, abscissa, &Target::width))
+          .result("offset_fraction", with(off_axis_disc_fraction, abscissa, &Target::offset, &Target::width)),
+      Form<Target>("square_target", "Momentum fraction caught by a square over half its side",
+                   "erf(sqrt 2 L/R)^2", "derived here", "coaxial, normal to the axis", 15)
+          .fields(width())
+          .over("half_side_m", range(0.0, 2.0, 20))
+          .result("fraction", with(square_fraction, abscissa, &Target::width)),
+      Form<Target>("half_plane_target", "Momentum fraction caught by a half plane over its edge's distance",
+                   "Phi(2 d/R)", "derived here", "d > 0: the axis hits the target", 15)
+          .fields(width())
+          .over("edge_distance_m", range(-1.0, 1.0, 20))
+          .result("fraction", with(half_plane_fraction, abscissa, &Target::width)),
+      Form<Nothing>("lattice_quadrature",
+                    "Error of centre-of-element pressure on a square lattice over spacing/width",
+                    "(1 + e)^2 - 1, e = 2 sum (-1)^k exp(-k^2 pi^2 R^2/(2 h^2))",
+                    "derived here (Poisson summation)", "lattice corner on the axis; 0 < h/R <= 10", 14)
+          .over("spacing_over_width", {0.25, 0.5, 0.75, 1.0, 1.5})
+          .result("relative_error", lattice_quadrature_error)};
+}
+
+std::vector<Entry> shadows() {
+  return {
+      Form<TwoDiscs>("hidden_disc", "Part of a disc hidden behind a disc over the occluder's offset",
+                     "(r1 z2/(z1 r2))^2 coaxial; lens area of shadow and target over the target's",
+                     "derived here", "parallel discs, point source on the target's axis; z2 > z1 > 0", 14)
+          .field(&TwoDiscs::r1, "occluder_radius", "r1", "m", 0.3, "of the occluder")
+          .field(&TwoDiscs::z1, "occluder_distance", "z1", "m", 1.0, "source to occluder")
+          .field(&TwoDiscs::r2, "target_radius", "r2", "m", 1.0, "of the target")
+          .field(&TwoDiscs::z2, "target_distance", "z2", "m", 2.0, "source to target")
+          .over("offset_m", range(0.0, 0.8, 16))
+          .result("hidden_fraction", with(hidden_disc_fraction, &TwoDiscs::r1, &TwoDiscs::z1, &TwoDiscs::r2,
+                                          &TwoDiscs::z2, abscissa))
+          .result("hidden_fraction_coaxial", with(hidden_coaxial_disc_fraction, &TwoDiscs::r1, &TwoDiscs::z1,
+                                                  &TwoDiscs::r2, &TwoDiscs::z2)),
+      Form<SphereInShell>("sphere_shadow",
+                          "Opaque sphere between a source and a concentric shell, over the source's distance",
+                          "shadow cap asin(r/D) + asin(r/R); visible part (1 - r/D)/2; solid angle 2 pi (1 - "
+                          "sqrt(1 - (r/D)^2))",
+                          "derived here", "r < D < R", 15)
+          .field(&SphereInShell::sphere, "sphere_radius", "r", "m", 0.5, "opaque sphere")
+          .field(&SphereInShell::shell, "shell_radius", "R", "m", 2.0, "shell")
+          .over("source_distance_m", range(0.6, 1.8, 12))
+          .result("shadow_half_angle_rad",
+                  with(sphere_shadow_half_angle, &SphereInShell::sphere, abscissa, &SphereInShell::shell))
+          .result("visible_fraction", with(visible_sphere_fraction, &SphereInShell::sphere, abscissa))
+          .result("solid_angle_sr", with(sphere_solid_angle, &SphereInShell::sphere, abscissa)),
+      Form<Nothing>("icosahedron_faces", "Faces of an icosahedron seen from a vertex axis, over the distance",
+                    "20 inside, 5 up to 2 + sqrt 5 circumradii, 10 beyond", "derived here",
+                    "distance >= 0, not 1", 2)
+          .over("distance_over_circumradius", {0.0, 1.01, 2.0, 4.0, 5.0, 100.0})
+          .result("visible_faces", icosahedron_visible_faces)};
 }
 
 }  // namespace closed_form::entries

@@ -1,142 +1,199 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "closed_form/coupled.hpp"
 #include "closed_form/pendulum.hpp"
 #include "entries.hpp"
+#include "fields.hpp"
 
 namespace closed_form::entries {
 namespace {
 
 const char* const kRigid = "rigid-body mechanics, textbook result";
 
-Entry constants_entry() {
-  return {"pendulum_constants",
-          "Inertia, frequency, effective mass and centre of percussion",
-          "I_O = I_cg + m L^2; omega0^2 = m g L/I_O; m_eff = I_O/L_i^2; I_O/(m L)",
-          kRigid,
-          "all > 0",
-          15,
-          pendulum_parameters(),
-          {"axis_inertia_kg_m2", "angular_frequency_rad_s", "small_swing_period_s",
-           "angular_acceleration_per_force_rad_s2_N", "cg_acceleration_per_force_m_s2_N",
-           "impactor_acceleration_per_force_m_s2_N", "effective_mass_kg", "centre_of_percussion_m",
-           "pivot_impulse_ratio"},
-          {},
-          [](const ParameterMap& v, double) {
-            const PendulumConstants c = pendulum_constants(pendulum_of(v));
-            return Row{c.axis_inertia,
-                       c.angular_frequency,
-                       c.small_swing_period,
-                       c.angular_acceleration_per_force,
-                       c.cg_acceleration_per_force,
-                       c.impactor_acceleration_per_force,
-                       c.effective_mass,
-                       c.centre_of_percussion,
-                       c.pivot_impulse_ratio};
-          }};
+struct Release : Pendulum {
+  double amplitude = kRequired;
+};
+
+struct HalfSine : Pendulum {
+  double force = kRequired, duration = kRequired;
+};
+
+Columns<PendulumState> motion() {
+  return {{"pendulum_angle_rad", &PendulumState::angle},
+          {"pendulum_angular_velocity_rad_s", &PendulumState::angular_velocity}};
 }
 
-// Plain swings do not depend on the impactor.
-Parameters swing_parameters() {
-  Parameters list = pendulum_parameters();
-  std::erase_if(list, [](const Parameter& p) { return p.name == "impactor_arm"; });
-  return list;
+struct Sphere {
+  double radius = kRequired, stiffness = kRequired;
+};
+
+auto sphere_radius() {
+  return [](Form<Sphere>& form) {
+    form.field(&Sphere::radius, "radius", "R", "m", 0.041, "radius of the sphere");
+  };
 }
 
-Pendulum swing_of(const ParameterMap& v) {
-  return {get(v, "mass"), get(v, "cg_inertia"), get(v, "cg_arm"), 1.0, get(v, "gravity")};
+struct MassOnSpring {
+  double mass = kRequired, stiffness = kRequired;
+};
+
+auto cylinder(double pressure) {
+  return [pressure]<class S>(Form<S>& form) {
+    form.fields(heat_capacity_ratio())
+        .field(&S::area, "area", "S", "m2", 0.05, "area of the piston")
+        .field(&S::volume, "volume", "V", "m3", 0.06, "gas at equilibrium")
+        .field(&S::pressure, "pressure", "p", "Pa", pressure, "absolute, at equilibrium");
+  };
 }
 
-Entry period_entry() {
-  return {"pendulum_period",
-          "Period of the pendulum over amplitude",
-          "T = 4 K(k)/omega0, k = sin(amplitude/2)",
-          "textbook result (Landau and Lifshitz, Mechanics)",
-          "0 <= amplitude < pi",
-          14,
-          swing_parameters(),
-          {"amplitude_rad", "period_s"},
-          range(0.0, 3.0, 60),
-          [](const ParameterMap& v, double a) { return Row{pendulum_period(swing_of(v), a)}; }};
-}
+// The stretch at which the inflow has entered, and the state there.
+struct FilledSphere : SphereFillState {
+  double stretch = 0.0;
+};
 
-Entry swing_entry() {
-  return {
-      "pendulum_swing",
-      "Pendulum released at rest",
-      "theta = 2 asin(k sn(K - omega0 t)), k = sin(amplitude/2)",
-      "textbook result (Jacobi elliptic functions)",
-      "|amplitude| < pi",
-      13,
-      joined({swing_parameters(), {{"amplitude", "theta0", "rad", 1.0471975511965976, "angle of release"}}}),
-      {"time_s", "pendulum_angle_rad", "pendulum_angular_velocity_rad_s"},
-      range(0.0, 2.5, 250),
-      [](const ParameterMap& v, double t) {
-        const PendulumState s = pendulum_swing(swing_of(v), get(v, "amplitude"), t);
-        return Row{s.angle, s.angular_velocity};
-      }};
-}
-
-Entry impulse_entry() {
-  return {"pendulum_impulse",
-          "Hanging pendulum struck at the impactor, over the impulse",
-          "omega = J L_i/I_O; cos(theta_max) = 1 - I_O omega^2/(2 m g L); t_max = K(k)/omega0, k = omega/(2 "
-          "omega0)",
-          kRigid,
-          "J > 0, not over the top",
-          14,
-          pendulum_parameters(),
-          {"impulse_N_s", "pendulum_angular_velocity_rad_s", "kinetic_energy_J", "maximum_angle_rad",
-           "time_of_maximum_s"},
-          range(1.0, 60.0, 59),
-          [](const ParameterMap& v, double impulse) {
-            const ImpulseResponse r = pendulum_impulse(pendulum_of(v), impulse);
-            return Row{r.angular_velocity, r.kinetic_energy, r.maximum_angle, r.time_of_maximum};
-          }};
-}
-
-Entry constant_force_entry() {
-  // The greatest angle of a constant force is static: it does not depend on the inertia.
-  Parameters list = pendulum_parameters();
-  std::erase_if(list, [](const Parameter& p) { return p.name == "cg_inertia"; });
-  return {"pendulum_constant_force",
-          "Greatest angle from rest under a constant horizontal force, over the force",
-          "theta_max = 2 atan(F L_i/(m g L))",
-          "derived here from the energy integral",
-          "F >= 0",
-          15,
-          list,
-          {"force_N", "maximum_angle_rad"},
-          range(0.0, 500.0, 50),
-          [](const ParameterMap& v, double force) {
-            const Pendulum pendulum{get(v, "mass"), 0.0, get(v, "cg_arm"), get(v, "impactor_arm"),
-                                    get(v, "gravity")};
-            return Row{constant_force_maximum_angle(pendulum, force)};
-          }};
-}
-
-Entry half_sine_entry() {
-  return {"pendulum_half_sine",
-          "Linearised pendulum under a half-sine force at the impactor",
-          "theta'' + omega0^2 theta = (F L_i/I_O) sin(pi t/T) for t <= T; free afterwards",
-          "textbook result",
-          "small angles: error theta^2/6 relative; omega0 T != pi",
-          13,
-          joined({pendulum_parameters(),
-                  {{"force", "F", "N", 2000.0, "peak force"}, {"duration", "T", "s", 0.02, "duration"}}}),
-          {"time_s", "pendulum_angle_rad", "pendulum_angular_velocity_rad_s"},
-          range(0.0, 0.1, 100),
-          [](const ParameterMap& v, double t) {
-            const PendulumState s =
-                half_sine_response(pendulum_of(v), get(v, "force"), get(v, "duration"), t);
-            return Row{s.angle, s.angular_velocity};
-          }};
+FilledSphere filled_sphere(const SphereFill& scene, double inflow_mass) {
+  const double stretch = sphere_fill_stretch(scene, inflow_mass);
+  return {sphere_fill(scene, stretch), stretch};
 }
 
 }  // namespace
 
-void add_pendulum(std::vector<Entry>& list) {
-  for (Entry (*entry)() :
-       {constants_entry, period_entry, swing_entry, impulse_entry, constant_force_entry, half_sine_entry})
-    list.push_back(entry());
+std::vector<Entry> swings() {
+  return {
+      Form<Pendulum>("pendulum_constants", "Inertia, frequency, effective mass and centre of percussion",
+                     "I_O = I_cg + m L^2; omega0^2 = m g L/I_O; m_eff = I_O/L_i^2; I_O/(m L)", kRigid,
+                     "all > 0", 15)
+          .fields(pendulum())
+          .results(pendulum_constants,
+                   {{"axis_inertia_kg_m2", &PendulumConstants::axis_inertia},
+                    {"angular_frequency_rad_s", &PendulumConstants::angular_frequency},
+                    {"small_swing_period_s", &PendulumConstants::small_swing_period},
+                    {"angular_acceleration_per_force_rad_s2_N",
+                     &PendulumConstants::angular_acceleration_per_force},
+                    {"cg_acceleration_per_force_m_s2_N", &PendulumConstants::cg_acceleration_per_force},
+                    {"impactor_acceleration_per_force_m_s2_N",
+                     &PendulumConstants::impactor_acceleration_per_force},
+                    {"effective_mass_kg", &PendulumConstants::effective_mass},
+                    {"centre_of_percussion_m", &PendulumConstants::centre_of_percussion},
+                    {"pivot_impulse_ratio", &PendulumConstants::pivot_impulse_ratio}}),
+      Form<Pendulum>("pendulum_period", "Period of the pendulum over amplitude",
+                     "T = 4 K(k)/omega0, k = sin(amplitude/2)",
+                     "textbook result (Landau and Lifshitz, Mechanics)", "0 <= amplitude < pi", 14)
+          .fields(pendulum())
+          .fixed("impactor_arm", 1.0)
+          .over("amplitude_rad", range(0.0, 3.0, 60))
+          .result("period_s", pendulum_period),
+      Form<Release>("pendulum_swing", "Pendulum released at rest",
+                    "theta = 2 asin(k sn(K - omega0 t)), k = sin(amplitude/2)",
+                    "textbook result (Jacobi elliptic functions)", "|amplitude| < pi", 13)
+          .fields(pendulum())
+          .fixed("impactor_arm", 1.0)
+          .field(&Release::amplitude, "amplitude", "theta0", "rad", 1.0471975511965976, "angle of release")
+          .over("time_s", range(0.0, 2.5, 250))
+          .results(with(pendulum_swing, itself(), &Release::amplitude, abscissa), motion()),
+      Form<Pendulum>(
+          "pendulum_impulse", "Hanging pendulum struck at the impactor, over the impulse",
+          "omega = J L_i/I_O; cos(theta_max) = 1 - I_O omega^2/(2 m g L); t_max = K(k)/omega0, k = omega/(2 "
+          "omega0)",
+          kRigid, "J > 0, not over the top", 14)
+          .fields(pendulum())
+          .over("impulse_N_s", range(1.0, 60.0, 59))
+          .results(pendulum_impulse, {{"pendulum_angular_velocity_rad_s", &ImpulseResponse::angular_velocity},
+                                      {"kinetic_energy_J", &ImpulseResponse::kinetic_energy},
+                                      {"maximum_angle_rad", &ImpulseResponse::maximum_angle},
+                                      {"time_of_maximum_s", &ImpulseResponse::time_of_maximum}}),
+      Form<Pendulum>("pendulum_constant_force",
+                     "Greatest angle from rest under a constant horizontal force, over the force",
+                     "theta_max = 2 atan(F L_i/(m g L))", "derived here from the energy integral", "F >= 0",
+                     15)
+          .fields(pendulum())
+          .fixed("cg_inertia", 0.0)
+          .over("force_N", range(0.0, 500.0, 50))
+          .result("maximum_angle_rad", constant_force_maximum_angle),
+      Form<HalfSine>("pendulum_half_sine", "Linearised pendulum under a half-sine force at the impactor",
+                     "theta'' + omega0^2 theta = (F L_i/I_O) sin(pi t/T) for t <= T; free afterwards",
+                     "textbook result", "small angles: error theta^2/6 relative; omega0 T != pi", 13)
+          .fields(pendulum())
+          .field(&HalfSine::force, "force", "F", "N", 2000.0, "peak force")
+          .field(&HalfSine::duration, "duration", "T", "s", 0.02, "duration")
+          .over("time_s", range(0.0, 0.1, 100))
+          .results(with(half_sine_response, itself(), &HalfSine::force, &HalfSine::duration, abscissa),
+                   motion())};
+}
+
+std::vector<Entry> contact() {
+  return {
+      Form<Sphere>("sphere_plane_cut", "Cut of a sphere by a plane over the depth",
+                   "patch pi (2 R d - d^2); cap pi d^2 (R - d/3)", "textbook result", "0 <= d <= 2 R", 15)
+          .fields(sphere_radius())
+          .over("depth_m", range(0.0, 0.04, 40))
+          .results(
+              with(sphere_plane_cut, &Sphere::radius, abscissa),
+              {{"patch_area_m2", &SphereContact::patch_area}, {"cap_volume_m3", &SphereContact::cap_volume}}),
+      Form<Sphere>("sphere_plane_contact", "Surface-integral contact of a sphere with a plane over the depth",
+                   "F = pi kappa d^2 (R - d); energy pi kappa d^3 (R/3 - d/4)", "derived here", "0 <= d <= R",
+                   15)
+          .fields(sphere_radius())
+          .field(&Sphere::stiffness, "stiffness", "kappa", "N/m3", 1e7, "contact stiffness per area")
+          .over("depth_m", range(0.0, 0.02, 20))
+          .results(with(sphere_plane_contact, &Sphere::radius, abscissa, &Sphere::stiffness),
+                   {{"contact_force_N", &SphereForce::force}, {"contact_energy_J", &SphereForce::energy}}),
+      Form<MassOnSpring>("penalty_bounce", "Mass that bounces off a one-sided spring, over the speed",
+                         "d_max = v sqrt(m/k); duration pi sqrt(m/k); F_max = v sqrt(m k); dt = 2 sqrt(m/k)",
+                         "textbook result", "no gravity", 15)
+          .field(&MassOnSpring::mass, "mass", "m", "kg", 8.4103796398811258, "mass")
+          .field(&MassOnSpring::stiffness, "stiffness", "k", "N/m", 1e5, "spring")
+          .over("speed_m_s", range(1.0, 10.0, 9))
+          .results(with(penalty_bounce, &MassOnSpring::mass, &MassOnSpring::stiffness, abscissa),
+                   {{"maximum_penetration_m", &PenaltyBounce::maximum_penetration},
+                    {"duration_s", &PenaltyBounce::duration},
+                    {"maximum_force_N", &PenaltyBounce::maximum_force},
+                    {"critical_time_step_s", &PenaltyBounce::critical_time_step}})};
+}
+
+std::vector<Entry> coupled() {
+  return {
+      Form<GasPiston>("gas_piston", "Small oscillation of a piston on a spring and on gas",
+                      "omega^2 = (k + gamma p S^2/V)/M; isothermal control with gamma = 1",
+                      "derived here by linearisation", "small amplitude", 15)
+          .field(&GasPiston::mass, "mass", "M", "kg", 5.0, "mass of the piston")
+          .field(&GasPiston::stiffness, "stiffness", "k", "N/m", 2e4, "spring")
+          .fields(cylinder(1.5e5))
+          .result("angular_frequency_rad_s", gas_piston_frequency)
+          .result("isothermal_angular_frequency_rad_s", gas_piston_isothermal_frequency),
+      Form<PendulumGasSpring>("pendulum_gas_spring", "Small oscillation of the pendulum on enclosed gas",
+                              "omega^2 = (gamma p S^2 L_i^2/V + m g L)/I_O", "derived here by linearisation",
+                              "small amplitude", 15)
+          .fields(pendulum(), cylinder(101325.0))
+          .result("angular_frequency_rad_s", pendulum_gas_spring_frequency),
+      Form<SphereFill>("sphere_fill", "Elastic sphere filled slowly by gas, over the mass that entered",
+                       "m_in cp T_in = (p V - p_a V0)/(gamma-1) + U + p_a (V - V0)",
+                       "derived here from the energy balance",
+                       "adiabatic, quasi-static; ambient gas inside at the start", 13)
+          .fields(gas(), sheet(), radius(0.3), ambient_pressure())
+          .field(&SphereFill::inflow_temperature, "inflow_temperature", "T_in", "K", 700.0,
+                 "temperature of the inflow")
+          .over("inflow_mass_kg", range(0.0, 0.1, 50))
+          .results(filled_sphere, {{"pressure_Pa", &FilledSphere::pressure},
+                                   {"volume_m3", &FilledSphere::volume},
+                                   {"stretch", &FilledSphere::stretch},
+                                   {"strain_energy_J", &FilledSphere::strain_energy},
+                                   {"ambient_work_J", &FilledSphere::ambient_work}}),
+      Form<PressedBalloon>(
+          "pressed_balloon",
+          "Inflated elastic sphere pressed between two rigid spheres, over the patch's angle",
+          "F = (p + 2 T/r) pi a^2; StVK equilibrium by shooting", "derived here (after Feng and Yang 1973)",
+          "frictionless, taut; indenter at least as large as the sphere", 9)
+          .fields(sheet(), radius(0.3))
+          .field(&PressedBalloon::overpressure, "overpressure", "p", "Pa", 2e4, "overpressure")
+          .field(&PressedBalloon::indenter_radius, "indenter_radius", "r", "m", 0.6,
+                 "radius of the indenters")
+          .over("patch_angle_rad", range(0.05, 0.5, 9))
+          .results(pressed_balloon, {{"contact_force_N", &BalloonPress::force},
+                                     {"centre_height_m", &BalloonPress::centre_height},
+                                     {"patch_area_m2", &BalloonPress::patch_area},
+                                     {"pole_stretch", &BalloonPress::pole_stretch},
+                                     {"strain_energy_J", &BalloonPress::strain_energy},
+                                     {"volume_m3", &BalloonPress::volume}})};
 }
 
 }  // namespace closed_form::entries

@@ -1,214 +1,222 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <numbers>
+
 #include "closed_form/membrane.hpp"
+#include "closed_form/weave.hpp"
 #include "entries.hpp"
+#include "fields.hpp"
 
 namespace closed_form::entries {
 namespace {
 
-Parameters tension_parameters() {
-  return {{"tension", "N", "N/m", 1000.0, "uniform tension"},
-          {"area_density", "rho_h", "kg/m2", 0.31, "mass per area"}};
+struct Drum : TensionedMembrane {
+  double radius = kRequired;
+  int diameters = 0, order = 1;
+};
+
+struct Rectangle : TensionedMembrane {
+  double a = kRequired, b = kRequired;
+  int m = 1, n = 1;
+};
+
+struct Circle {
+  double tension = kRequired, radius = kRequired;
+};
+
+struct Rebound : MembraneDent {
+  double mass = kRequired;
+};
+
+struct StrainedWeave : WovenSheet {
+  double e11 = kRequired, e22 = kRequired, e12 = kRequired;
+};
+
+struct TwoSlopes {
+  double first_modulus = kRequired, second_modulus = kRequired, knee_strain = kRequired,
+         thickness = kRequired, radius = kRequired;
+};
+
+auto tensioned() {
+  return []<class S>(Form<S>& form) {
+    form.field(&S::tension, "tension", "N", "N/m", 1000.0, "uniform tension")
+        .field(&S::area_density, "area_density", "rho_h", "kg/m2", 0.31, "mass per area");
+  };
 }
 
-TensionedMembrane tensioned_of(const ParameterMap& v) {
-  return {get(v, "tension"), get(v, "area_density")};
+auto half_waves() {
+  return [](Form<Rectangle>& form) {
+    form.field(&Rectangle::m, "m", "", "1", 1.0, "half waves along x")
+        .field(&Rectangle::n, "n", "", "1", 1.0, "half waves along y");
+  };
 }
 
-Parameters half_waves() {
-  return {{"m", "", "1", 1.0, "half waves along x"}, {"n", "", "1", 1.0, "half waves along y"}};
+auto woven_sheet() {
+  return []<class S>(Form<S>& form) {
+    form.field(&S::warp_modulus, "warp_modulus", "E1", "Pa", 60e6, "Young's modulus along the warp")
+        .field(&S::weft_modulus, "weft_modulus", "E2", "Pa", 45e6, "Young's modulus along the weft")
+        .field(&S::poisson_ratio, "poisson_ratio", "nu12", "1", 0.3,
+               "contraction of the weft in tension along the warp")
+        .field(&S::shear_modulus, "shear_modulus", "G", "Pa", 2e6, "shear modulus");
+  };
 }
 
-Entry drum_entry() {
-  return {"drum_frequency",
-          "Frequency of the circular drum",
-          "f = c j_mn/(2 pi a), c = sqrt(N/(rho h))",
-          "textbook result (Rayleigh, The Theory of Sound)",
-          "0 <= m <= 20; 1 <= n <= 20",
-          13,
-          joined({tension_parameters(),
-                  {{"radius", "a", "m", 0.3, "radius"},
-                   {"diameters", "m", "1", 0.0, "nodal diameters"},
-                   {"order", "n", "1", 1.0, "order of the Bessel zero"}}}),
-          {"frequency_Hz", "wave_speed_m_s"},
-          {},
-          [](const ParameterMap& v, double) {
-            const TensionedMembrane membrane = tensioned_of(v);
-            return Row{drum_frequency(membrane, get(v, "radius"), whole(v, "diameters"), whole(v, "order")),
-                       transverse_wave_speed(membrane)};
-          }};
-}
-
-Entry rectangle_entry() {
-  return {"rectangle_frequency",
-          "Frequency of the rectangular membrane",
-          "f = (c/2) sqrt(m^2/a^2 + n^2/b^2)",
-          "textbook result",
-          "m, n >= 1",
-          15,
-          joined({tension_parameters(),
-                  {{"a", "", "m", 0.6, "side along x"}, {"b", "", "m", 0.6, "side along y"}},
-                  half_waves()}),
-          {"frequency_Hz"},
-          {},
-          [](const ParameterMap& v, double) {
-            return Row{
-                rectangle_frequency(tensioned_of(v), get(v, "a"), get(v, "b"), whole(v, "m"), whole(v, "n"))};
-          }};
-}
-
-Entry lattice_square_entry() {
-  return {"lattice_square_frequency",
-          "Exact discrete frequency of the square of split squares over divisions",
-          "f = (c/(pi h)) sqrt(sin^2(m pi/2N) + sin^2(n pi/2N)), h = L/N",
-          "derived here (5-point Laplacian)",
-          "uniform diagonals, lumped mass; 1 <= m, n < N",
-          15,
-          joined({tension_parameters(), {{"side", "L", "m", 0.6, "side"}}, half_waves()}),
-          {"divisions", "frequency_Hz"},
-          {8.0, 16.0, 32.0, 64.0},
-          [](const ParameterMap& v, double divisions) {
-            return Row{lattice_square_frequency(tensioned_of(v), get(v, "side"),
-                                                whole_abscissa("divisions", divisions), whole(v, "m"),
-                                                whole(v, "n"))};
-          }};
-}
-
-Entry square_deflection_entry() {
-  return {"square_deflection",
-          "Tensioned square membrane under uniform pressure, continuum and lattice",
-          "n lap(w) = -p; w_c = C p a^2/n; V = C_V p a^4/n",
-          "Fourier series, textbook result; lattice derived here",
-          "small slope; even number of divisions, up to 4096",
-          14,
-          {},
-          {"divisions", "lattice_centre_coefficient", "lattice_volume_coefficient", "centre_coefficient",
-           "volume_coefficient"},
-          {8.0, 16.0, 32.0, 64.0},
-          [](const ParameterMap&, double divisions) {
-            const SquareDeflection lattice =
-                lattice_square_deflection(whole_abscissa("divisions", divisions));
-            const SquareDeflection exact = square_deflection();
-            return Row{lattice.centre_coefficient, lattice.volume_coefficient, exact.centre_coefficient,
-                       exact.volume_coefficient};
-          }};
-}
-
-Entry circle_deflection_entry() {
-  return {"circle_deflection",
-          "Tensioned circular membrane under uniform pressure",
-          "w_c = p a^2/(4 n)",
-          "textbook result",
-          "small slope",
-          15,
-          {{"tension", "n", "N/m", 1000.0, "uniform tension"}, {"radius", "a", "m", 0.3, "radius"}},
-          {"overpressure_Pa", "centre_deflection_m"},
-          range(0.0, 100.0, 10),
-          [](const ParameterMap& v, double p) {
-            return Row{circle_deflection(get(v, "tension"), get(v, "radius"), p)};
-          }};
-}
-
-Entry wave_speeds_entry() {
-  return {"wave_speeds",
-          "Waves in a thin elastic sheet",
-          "plane sqrt(E/(rho (1-nu^2))); bar sqrt(E/rho); shear sqrt(G/rho)",
-          "textbook result",
-          "small strain",
-          15,
-          {{"young_modulus", "E", "Pa", 60e6, "Young's modulus"},
-           {"poisson_ratio", "nu", "1", 0.3, "Poisson's ratio"},
-           {"density", "rho", "kg/m3", 620.0, "density"}},
-          {"plane_m_s", "bar_m_s", "shear_m_s"},
-          {},
-          [](const ParameterMap& v, double) {
-            const WaveSpeeds w =
-                wave_speeds({get(v, "young_modulus"), get(v, "poisson_ratio"), 1.0, get(v, "density")});
-            return Row{w.plane, w.bar, w.shear};
-          }};
-}
-
-Entry stretched_waves_entry() {
-  return {"stretched_wave_speeds",
-          "Small waves on a sheet stretched in one direction, over the stretch",
-          "longitudinal sqrt(E/(rho (1-nu^2)) (3 lambda^2 - 1)/2); transverse sqrt(S/rho)",
-          "derived here (St. Venant-Kirchhoff)",
-          "referential speeds; stretch >= 1, 1 across",
-          15,
-          {{"young_modulus", "E", "Pa", 60e6, "Young's modulus"},
-           {"poisson_ratio", "nu", "1", 0.3, "Poisson's ratio"},
-           {"density", "rho", "kg/m3", 620.0, "density"}},
-          {"stretch", "longitudinal_m_s", "transverse_m_s"},
-          range(1.0, 1.3, 30),
-          [](const ParameterMap& v, double s) {
-            const StretchedWaveSpeeds w = stretched_wave_speeds(
-                {get(v, "young_modulus"), get(v, "poisson_ratio"), 1.0, get(v, "density")}, s);
-            return Row{w.longitudinal, w.transverse};
-          }};
-}
-
-Entry uniaxial_entry() {
-  return {
-      "uniaxial_tension",
-      "Uniaxial tension of a sheet over the stretch",
-      "S = E (lambda^2 - 1)/2; lambda_t = sqrt(1 - nu (lambda^2 - 1)); P = lambda S",
-      "derived here (St. Venant-Kirchhoff)",
-      "nu (lambda^2 - 1) < 1",
-      15,
-      {{"young_modulus", "E", "Pa", 60e6, "Young's modulus"},
-       {"poisson_ratio", "nu", "1", 0.3, "Poisson's ratio"}},
-      {"stretch", "stress_Pa", "transverse_stretch", "nominal_stress_Pa"},
-      range(1.0, 1.5, 50),
-      [](const ParameterMap& v, double s) {
-        const UniaxialState u = uniaxial_tension({get(v, "young_modulus"), get(v, "poisson_ratio"), 1.0}, s);
-        return Row{u.stress, u.transverse_stretch, u.nominal_stress};
-      }};
-}
-
-Entry simple_shear_entry() {
-  return {"simple_shear",
-          "Simple shear of a sheet over the shear",
-          "E12 = g/2; E22 = g^2/2; S = plane stress of E",
-          "derived here (St. Venant-Kirchhoff)",
-          "any shear",
-          15,
-          {{"young_modulus", "E", "Pa", 60e6, "Young's modulus"},
-           {"poisson_ratio", "nu", "1", 0.3, "Poisson's ratio"}},
-          {"shear", "s11_Pa", "s22_Pa", "s12_Pa"},
-          range(0.0, 0.5, 50),
-          [](const ParameterMap& v, double g) {
-            const PlaneStress s = simple_shear({get(v, "young_modulus"), get(v, "poisson_ratio"), 1.0}, g);
-            return Row{s.s11, s.s22, s.s12};
-          }};
-}
-
-Entry membrane_rebound_entry() {
-  return {"membrane_rebound",
-          "Sphere that rebounds from a tensioned circular membrane, over its speed",
-          "M v^2/2 = pi N a^4 (ln(R/a) + 1/4)/r^2; depth a^2 (1 + 2 ln(R/a))/(2 r)",
-          "derived here",
-          "membrane without mass, small slope a/r",
-          9,
-          {{"tension", "N", "N/m", 2e3, "tension"},
-           {"membrane_radius", "R", "m", 0.3, "radius of the clamped rim"},
-           {"sphere_radius", "r", "m", 10.0, "radius of the sphere"},
-           {"mass", "M", "kg", 40.0, "mass of the sphere"}},
-          {"speed_m_s", "patch_radius_m", "depth_m", "contact_force_N", "duration_s"},
-          range(0.005, 0.05, 9),
-          [](const ParameterMap& v, double speed) {
-            const MembraneRebound b =
-                membrane_rebound({get(v, "tension"), get(v, "membrane_radius"), get(v, "sphere_radius")},
-                                 get(v, "mass"), speed);
-            return Row{b.patch_radius, b.turn.depth, b.turn.force, b.duration};
-          }};
+double two_slopes(const TwoSlopes& s, double overpressure) {
+  const double middle = s.first_modulus * s.knee_strain;
+  const StripCurve curve{{0.0, s.knee_strain, 1.0},
+                         {0.0, middle, middle + s.second_modulus * (1.0 - s.knee_strain)}};
+  return cylinder_by_curve(curve, s.thickness, s.radius, overpressure);
 }
 
 }  // namespace
 
-void add_tension_and_waves(std::vector<Entry>& list) {
-  for (Entry (*entry)() :
-       {drum_entry, rectangle_entry, lattice_square_entry, square_deflection_entry, circle_deflection_entry,
-        membrane_rebound_entry, wave_speeds_entry, stretched_waves_entry, uniaxial_entry, simple_shear_entry})
-    list.push_back(entry());
+std::vector<Entry> vibration() {
+  return {
+      Form<Drum>("drum_frequency", "Frequency of the circular drum",
+                 "f = c j_mn/(2 pi a), c = sqrt(N/(rho h))",
+                 "textbook result (Rayleigh, The Theory of Sound)", "0 <= m <= 20; 1 <= n <= 20", 13)
+          .fields(tensioned())
+          .field(&Drum::radius, "radius", "a", "m", 0.3, "radius")
+          .field(&Drum::diameters, "diameters", "m", "1", 0.0, "nodal diameters")
+          .field(&Drum::order, "order", "n", "1", 1.0, "order of the Bessel zero")
+          .result("frequency_Hz",
+                  with(drum_frequency, itself(), &Drum::radius, &Drum::diameters, &Drum::order))
+          .result("wave_speed_m_s", transverse_wave_speed),
+      Form<Rectangle>("rectangle_frequency", "Frequency of the rectangular membrane",
+                      "f = (c/2) sqrt(m^2/a^2 + n^2/b^2)", "textbook result", "m, n >= 1", 15)
+          .fields(tensioned())
+          .field(&Rectangle::a, "a", "", "m", 0.6, "side along x")
+          .field(&Rectangle::b, "b", "", "m", 0.6, "side along y")
+          .fields(half_waves())
+          .result("frequency_Hz", with(rectangle_frequency, itself(), &Rectangle::a, &Rectangle::b,
+                                       &Rectangle::m, &Rectangle::n)),
+      Form<Rectangle>("lattice_square_frequency",
+                      "Exact discrete frequency of the square of split squares over divisions",
+                      "f = (c/(pi h)) sqrt(sin^2(m pi/2N) + sin^2(n pi/2N)), h = L/N",
+                      "derived here (5-point Laplacian)", "uniform diagonals, lumped mass; 1 <= m, n < N", 15)
+          .fields(tensioned())
+          .field(&Rectangle::a, "side", "L", "m", 0.6, "side")
+          .fields(half_waves())
+          .over("divisions", {8.0, 16.0, 32.0, 64.0})
+          .result("frequency_Hz", [](const Rectangle& r, double divisions) {
+            return lattice_square_frequency(r, r.a, whole("divisions", divisions), r.m, r.n);
+          })};
+}
+
+std::vector<Entry> tension() {
+  const auto lattice = [](double divisions) {
+    return lattice_square_deflection(whole("divisions", divisions));
+  };
+  return {Form<Nothing>("square_deflection",
+                        "Tensioned square membrane under uniform pressure, continuum and lattice",
+                        "n lap(w) = -p; w_c = C p a^2/n; V = C_V p a^4/n",
+                        "Fourier series, textbook result; lattice derived here",
+                        "small slope; even number of divisions, up to 4096", 14)
+              .over("divisions", {8.0, 16.0, 32.0, 64.0})
+              .results(lattice, {{"lattice_centre_coefficient", &SquareDeflection::centre_coefficient},
+                                 {"lattice_volume_coefficient", &SquareDeflection::volume_coefficient}})
+              .results(square_deflection, {{"centre_coefficient", &SquareDeflection::centre_coefficient},
+                                           {"volume_coefficient", &SquareDeflection::volume_coefficient}}),
+          Form<Circle>("circle_deflection", "Tensioned circular membrane under uniform pressure",
+                       "w_c = p a^2/(4 n)", "textbook result", "small slope", 15)
+              .field(&Circle::tension, "tension", "n", "N/m", 1000.0, "uniform tension")
+              .field(&Circle::radius, "radius", "a", "m", 0.3, "radius")
+              .over("overpressure_Pa", range(0.0, 100.0, 10))
+              .result("centre_deflection_m",
+                      with(circle_deflection, &Circle::tension, &Circle::radius, abscissa)),
+          Form<Rebound>("membrane_rebound",
+                        "Sphere that rebounds from a tensioned circular membrane, over its speed",
+                        "M v^2/2 = pi N a^4 (ln(R/a) + 1/4)/r^2; depth a^2 (1 + 2 ln(R/a))/(2 r)",
+                        "derived here", "membrane without mass, small slope a/r", 9)
+              .field(&Rebound::tension, "tension", "N", "N/m", 2e3, "tension")
+              .field(&Rebound::membrane_radius, "membrane_radius", "R", "m", 0.3, "radius of the clamped rim")
+              .field(&Rebound::sphere_radius, "sphere_radius", "r", "m", 10.0, "radius of the sphere")
+              .field(&Rebound::mass, "mass", "M", "kg", 40.0, "mass of the sphere")
+              .over("speed_m_s", range(0.005, 0.05, 9))
+              .results(with(membrane_rebound, itself(), &Rebound::mass, abscissa),
+                       {{"patch_radius_m", &MembraneRebound::patch_radius},
+                        {"depth_m", path(&MembraneRebound::turn, &DentState::depth)},
+                        {"contact_force_N", path(&MembraneRebound::turn, &DentState::force)},
+                        {"duration_s", &MembraneRebound::duration}})};
+}
+
+std::vector<Entry> waves() {
+  return {Form<Sheet>("wave_speeds", "Waves in a thin elastic sheet",
+                      "plane sqrt(E/(rho (1-nu^2))); bar sqrt(E/rho); shear sqrt(G/rho)", "textbook result",
+                      "small strain", 15)
+              .fields(sheet(), density())
+              .fixed("thickness", 1.0)
+              .results(wave_speeds, {{"plane_m_s", &WaveSpeeds::plane},
+                                     {"bar_m_s", &WaveSpeeds::bar},
+                                     {"shear_m_s", &WaveSpeeds::shear}}),
+          Form<Sheet>("stretched_wave_speeds",
+                      "Small waves on a sheet stretched in one direction, over the stretch",
+                      "longitudinal sqrt(E/(rho (1-nu^2)) (3 lambda^2 - 1)/2); transverse sqrt(S/rho)",
+                      "derived here (St. Venant-Kirchhoff)", "referential speeds; stretch >= 1, 1 across", 15)
+              .fields(sheet(), density())
+              .fixed("thickness", 1.0)
+              .over("stretch", range(1.0, 1.3, 30))
+              .results(stretched_wave_speeds, {{"longitudinal_m_s", &StretchedWaveSpeeds::longitudinal},
+                                               {"transverse_m_s", &StretchedWaveSpeeds::transverse}}),
+          Form<Sheet>("uniaxial_tension", "Uniaxial tension of a sheet over the stretch",
+                      "S = E (lambda^2 - 1)/2; lambda_t = sqrt(1 - nu (lambda^2 - 1)); P = lambda S",
+                      "derived here (St. Venant-Kirchhoff)", "nu (lambda^2 - 1) < 1", 15)
+              .fields(sheet())
+              .fixed("thickness", 1.0)
+              .over("stretch", range(1.0, 1.5, 50))
+              .results(uniaxial_tension, {{"stress_Pa", &UniaxialState::stress},
+                                          {"transverse_stretch", &UniaxialState::transverse_stretch},
+                                          {"nominal_stress_Pa", &UniaxialState::nominal_stress}}),
+          Form<Sheet>("simple_shear", "Simple shear of a sheet over the shear",
+                      "E12 = g/2; E22 = g^2/2; S = plane stress of E", "derived here (St. Venant-Kirchhoff)",
+                      "any shear", 15)
+              .fields(sheet())
+              .fixed("thickness", 1.0)
+              .over("shear", range(0.0, 0.5, 50))
+              .results(simple_shear, {{"s11_Pa", &PlaneStress::s11},
+                                      {"s22_Pa", &PlaneStress::s22},
+                                      {"s12_Pa", &PlaneStress::s12}})};
+}
+
+std::vector<Entry> weave() {
+  return {
+      Form<WovenSheet>("off_axis_modulus",
+                       "Young's modulus of a woven strip over the angle of its cut to the warp",
+                       "1/E = c^4/E1 + s^4/E2 + (1/G - 2 nu12/E1) c^2 s^2",
+                       "textbook result (Jones, Mechanics of Composite Materials)", "nu12^2 < E1/E2", 15)
+          .fields(woven_sheet())
+          .over("angle_deg", range(0.0, 90.0, 6))
+          .result("modulus_Pa",
+                  [](const WovenSheet& s, double angle) {
+                    return off_axis_modulus(s, angle * std::numbers::pi / 180.0);
+                  }),
+      Form<StrainedWeave>(
+          "woven_tension_field", "Stress and energy of a woven sheet that carries no compression",
+          "S = C E if that has no compression, else W = max over angles of E(a) <t E t>^2/2, S = E(a) <t E "
+          "t> t t",
+          "relaxed energy of Pipkin 1986; dual form derived here",
+          "nu12^2 < E1/E2; the default strain is wrinkled", 13)
+          .fields(woven_sheet())
+          .field(&StrainedWeave::e11, "e11", "", "1", 0.02, "Green-Lagrange strain along the warp")
+          .field(&StrainedWeave::e22, "e22", "", "1", -0.03, "along the weft")
+          .field(&StrainedWeave::e12, "e12", "", "1", 0.02, "shear, tensor component")
+          .results(with(woven_tension_field, itself(), &StrainedWeave::e11, &StrainedWeave::e22,
+                        &StrainedWeave::e12),
+                   {{"s11_Pa", &WovenState::s11},
+                    {"s22_Pa", &WovenState::s22},
+                    {"s12_Pa", &WovenState::s12},
+                    {"energy_density_J_m3", &WovenState::energy_density}}),
+      Form<TwoSlopes>("cylinder_two_slopes",
+                      "Cylinder of fixed length, its hoop of threads by a curve of two straight pieces, over "
+                      "overpressure",
+                      "h P(lambda - 1) = p R lambda; P = E1 e up to the knee e_k, then E1 e_k + E2 (e - e_k)",
+                      "derived here (nominal stress, thickness as sewn)", "strain up to 1", 15)
+          .field(&TwoSlopes::first_modulus, "first_modulus", "E1", "Pa", 20e6, "slope up to the knee")
+          .field(&TwoSlopes::second_modulus, "second_modulus", "E2", "Pa", 60e6, "slope past it")
+          .field(&TwoSlopes::knee_strain, "knee_strain", "e_k", "1", 0.05, "strain of the knee")
+          .field(&TwoSlopes::thickness, "thickness", "h", "m", 0.5e-3, "thickness")
+          .field(&TwoSlopes::radius, "radius", "R", "m", 0.15, "radius as sewn")
+          .over("overpressure_Pa", range(0.0, 20e3, 40))
+          .result("hoop_stretch", two_slopes)};
 }
 
 }  // namespace closed_form::entries
