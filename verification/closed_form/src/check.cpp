@@ -5,19 +5,7 @@
 #include <sstream>
 #include <stdexcept>
 
-namespace closed_form {
-
-double specific_heat_cp(const PerfectGas& gas) {
-  check::gas(gas);
-  return gas.heat_capacity_ratio * gas.gas_constant / (gas.heat_capacity_ratio - 1.0);
-}
-
-double specific_heat_cv(const PerfectGas& gas) {
-  check::gas(gas);
-  return gas.gas_constant / (gas.heat_capacity_ratio - 1.0);
-}
-
-namespace check {
+namespace closed_form::check {
 namespace {
 
 std::string interval(char open, double low, double high, char close) {
@@ -91,5 +79,4 @@ const Sheet& sheet(const Sheet& sheet, bool with_density) {
   return sheet;
 }
 
-}  // namespace check
-}  // namespace closed_form
+}  // namespace closed_form::check

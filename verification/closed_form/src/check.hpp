@@ -14,6 +14,24 @@ namespace closed_form::check {
 double finite(std::string_view name, double value);
 double positive(std::string_view name, double value);
 double non_negative(std::string_view name, double value);
+
+/// Further names and values, in this order.
+template <class... More>
+void finite(std::string_view name, double value, const More&... more) {
+  finite(name, value);
+  finite(more...);
+}
+template <class... More>
+void positive(std::string_view name, double value, const More&... more) {
+  positive(name, value);
+  positive(more...);
+}
+template <class... More>
+void non_negative(std::string_view name, double value, const More&... more) {
+  non_negative(name, value);
+  non_negative(more...);
+}
+
 /// low < value <= high.
 double above_upto(std::string_view name, double value, double low, double high);
 /// low <= value <= high.

@@ -11,9 +11,7 @@ namespace {
 
 // gamma p S^2/V [N/m]; gamma = 1 is isothermal.
 double gas_stiffness(double gamma, double pressure, double area, double volume) {
-  check::positive("pressure", pressure);
-  check::positive("area", area);
-  check::positive("volume", volume);
+  check::positive("pressure", pressure, "area", area, "volume", volume);
   return gamma * pressure * area * area / volume;
 }
 
@@ -44,8 +42,7 @@ double pendulum_gas_spring_frequency(const PendulumGasSpring& scene) {
 
 SphereFillState sphere_fill(const SphereFill& scene, double stretch) {
   check::gas(scene.gas);
-  check::positive("ambient_pressure", scene.ambient_pressure);
-  check::positive("inflow_temperature", scene.inflow_temperature);
+  check::positive("ambient_pressure", scene.ambient_pressure, "inflow_temperature", scene.inflow_temperature);
   const double overpressure = stretched_sphere_pressure(scene.sphere, stretch);
   const SphereStretch shape = stretched_sphere(scene.sphere, overpressure);
   const double gamma = scene.gas.heat_capacity_ratio;

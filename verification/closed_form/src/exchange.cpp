@@ -34,11 +34,8 @@ Inrush inrush(const AmbientInrush& tank) {
 
 void check_inrush(const AmbientInrush& tank) {
   check::gas(tank.gas);
-  check::positive("volume", tank.volume);
-  check::positive("area", tank.area);
-  check::positive("initial_temperature", tank.initial_temperature);
-  check::positive("ambient_pressure", tank.ambient_pressure);
-  check::positive("ambient_temperature", tank.ambient_temperature);
+  check::positive("volume", tank.volume, "area", tank.area, "initial_temperature", tank.initial_temperature,
+                  "ambient_pressure", tank.ambient_pressure, "ambient_temperature", tank.ambient_temperature);
   check::from_below("initial_pressure", tank.initial_pressure, 0.0, tank.ambient_pressure);
 }
 
@@ -77,9 +74,8 @@ double ambient_inrush_end(const AmbientInrush& tank) {
 
 GasState heat_loss_fill(const HeatLossFill& tank, double time) {
   check::gas(tank.gas);
-  check::positive("volume", tank.volume);
-  check::positive("initial_pressure", tank.initial_pressure);
-  check::positive("initial_temperature", tank.initial_temperature);
+  check::positive("volume", tank.volume, "initial_pressure", tank.initial_pressure, "initial_temperature",
+                  tank.initial_temperature);
   check::non_negative("mass_flow", tank.mass_flow);
   check::positive("inflow_temperature", tank.inflow_temperature);
   check::non_negative("conductance", tank.conductance);
@@ -101,11 +97,8 @@ GasState heat_loss_fill(const HeatLossFill& tank, double time) {
 
 GasState linear_fabric_tank(const LinearFabricTank& tank, double time) {
   check::gas(tank.gas);
-  check::positive("volume", tank.volume);
-  check::positive("area", tank.area);
-  check::positive("permeability", tank.permeability);
-  check::positive("initial_temperature", tank.initial_temperature);
-  check::positive("ambient_pressure", tank.ambient_pressure);
+  check::positive("volume", tank.volume, "area", tank.area, "permeability", tank.permeability,
+                  "initial_temperature", tank.initial_temperature, "ambient_pressure", tank.ambient_pressure);
   check::above_upto("initial_pressure", tank.initial_pressure, tank.ambient_pressure, 1e12);
   check::non_negative("time", time);
   const auto [R, gamma] = tank.gas;

@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "closed_form/jet.hpp"
 
+#include <gsl/gsl_sf_bessel.h>
+
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "check.hpp"
+#include "quadrature.hpp"
 
 namespace closed_form {
 namespace {
@@ -17,9 +21,7 @@ using std::numbers::sqrt2;
 constexpr double plane_width = 2.0 * sqrt2 * std::numbers::inv_sqrtpi;
 
 void check_outlet(double spread, double velocity, double density) {
-  check::positive("spread", spread);
-  check::positive("outlet_velocity", velocity);
-  check::positive("outlet_density", density);
+  check::positive("spread", spread, "outlet_velocity", velocity, "outlet_density", density);
 }
 
 }  // namespace
@@ -54,8 +56,7 @@ JetSection round_jet_section(const RoundJet& jet, double distance) {
 }
 
 JetSection plane_jet_section(const PlaneJet& jet, double distance) {
-  check::positive("half_width", jet.half_width);
-  check::positive("length", jet.length);
+  check::positive("half_width", jet.half_width, "length", jet.length);
   check_outlet(jet.spread, jet.outlet_velocity, jet.outlet_density);
   const double ratio = plane_centreline_ratio(jet.spread, distance / jet.half_width);
   const double momentum =
@@ -88,9 +89,7 @@ PlaneFarField plane_far_field(double spread) {
 
 OutletState sonic_outlet(const SonicOutlet& outlet) {
   check::gas(outlet.gas);
-  check::positive("temperature", outlet.temperature);
-  check::positive("mass_flow", outlet.mass_flow);
-  check::positive("area", outlet.area);
+  check::positive("temperature", outlet.temperature, "mass_flow", outlet.mass_flow, "area", outlet.area);
   const auto [R, gamma] = outlet.gas;
   const double static_temperature =
       outlet.stagnation ? 2.0 * outlet.temperature / (gamma + 1.0) : outlet.temperature;
@@ -100,6 +99,68 @@ OutletState sonic_outlet(const SonicOutlet& outlet) {
   state.momentum_flux = outlet.mass_flow * state.velocity;
   state.static_pressure = state.density * R * static_temperature;
   return state;
+}
+
+double plate_force(double reflection, double momentum_flux) {
+  check::within("reflection", reflection, 1.0, 2.0);
+  return reflection * check::non_negative("momentum_flux", momentum_flux);
+}
+
+double inclined_plate_fraction(double theta) {
+  if (!(std::abs(theta) < 0.5 * pi)) check::refuse("theta", theta, "must lie in (-pi/2, pi/2)");
+  return std::cos(theta);
+}
+
+double inclined_plate_fraction(double theta, double width_slope, double extent) {
+  const double cosine = inclined_plate_fraction(theta);
+  check::non_negative("width_slope", width_slope);
+  check::positive("extent", extent);
+  const double s = width_slope * std::tan(theta);
+  if (std::abs(s) * extent >= 1.0)
+    check::refuse("width_slope", width_slope, "width_slope |tan theta| extent must be < 1");
+  const auto integrand = [s](double w) { return std::exp(-2.0 * w * w) / (1.0 - s * w); };
+  const double reach = std::min(extent, 20.0);  // beyond it the integrand is 0 in double precision
+  const int panels = 8 + static_cast<int>(4.0 * reach);
+  return cosine * std::sqrt(2.0 / pi) * quadrature::integrate(integrand, -reach, reach, panels);
+}
+
+double disc_fraction(double disc_radius, double width) {
+  const double ratio = check::non_negative("disc_radius", disc_radius) / check::positive("width", width);
+  return -std::expm1(-2.0 * ratio * ratio);
+}
+
+double square_fraction(double half_side, double width) {
+  const double root =
+      std::erf(sqrt2 * check::non_negative("half_side", half_side) / check::positive("width", width));
+  return root * root;
+}
+
+double half_plane_fraction(double edge_distance, double width) {
+  return 0.5 *
+         std::erfc(-sqrt2 * check::finite("edge_distance", edge_distance) / check::positive("width", width));
+}
+
+double off_axis_disc_fraction(double disc_radius, double offset, double width) {
+  check::positive("disc_radius", disc_radius);
+  check::non_negative("offset", offset);
+  check::positive("width", width);
+  // 1 - Q1 is int_0^rho (r/sigma^2) exp(-(r^2 + d^2)/(2 sigma^2)) I0(r d/sigma^2) dr, sigma = R/2.
+  const double d = 2.0 * offset / width;
+  const double end = std::fmin(2.0 * disc_radius / width, d + 9.0);  // the tail beyond is below 1e-17
+  const double start = std::fmin(std::fmax(0.0, d - 9.0), end);
+  const auto density = [d](double r) {
+    return r * std::exp(-0.5 * (r - d) * (r - d)) * gsl_sf_bessel_I0_scaled(r * d);
+  };
+  return quadrature::integrate(density, start, end, 24);
+}
+
+double lattice_quadrature_error(double spacing_over_width) {
+  const double h = check::above_upto("spacing_over_width", spacing_over_width, 0.0, 10.0);
+  // One direction: 1 + e = 1 + 2 sum (-1)^k exp(-k^2 pi^2 R^2/(2 h^2)) (Poisson summation).
+  const double exponent = 0.5 * pi * pi / (h * h);
+  double e = 0.0;
+  for (int k = 200; k > 0; --k) e += (k % 2 == 0 ? 2.0 : -2.0) * std::exp(-exponent * k * k);
+  return e * (2.0 + e);
 }
 
 }  // namespace closed_form

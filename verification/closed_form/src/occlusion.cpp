@@ -78,8 +78,7 @@ double hidden_triangle_fraction(const Triangle2& occluder, double occluder_dista
 }
 
 double circle_overlap_area(double r1, double r2, double distance) {
-  check::positive("r1", r1);
-  check::positive("r2", r2);
+  check::positive("r1", r1, "r2", r2);
   const double d = check::non_negative("distance", distance);
   if (d >= r1 + r2) return 0.0;
   if (d <= std::abs(r1 - r2)) return pi * std::min(r1, r2) * std::min(r1, r2);
@@ -94,8 +93,7 @@ double circle_overlap_area(double r1, double r2, double distance) {
 double hidden_disc_fraction(double occluder_radius, double occluder_distance, double target_radius,
                             double target_distance, double offset) {
   check_distances(occluder_distance, target_distance);
-  check::positive("occluder_radius", occluder_radius);
-  check::positive("target_radius", target_radius);
+  check::positive("occluder_radius", occluder_radius, "target_radius", target_radius);
   const double scale = target_distance / occluder_distance;
   return circle_overlap_area(scale * occluder_radius, target_radius,
                              scale * check::non_negative("offset", offset)) /

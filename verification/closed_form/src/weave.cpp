@@ -11,9 +11,8 @@ namespace closed_form {
 namespace {
 
 void check_sheet(const WovenSheet& s) {
-  check::positive("warp_modulus", s.warp_modulus);
-  check::positive("weft_modulus", s.weft_modulus);
-  check::positive("shear_modulus", s.shear_modulus);
+  check::positive("warp_modulus", s.warp_modulus, "weft_modulus", s.weft_modulus, "shear_modulus",
+                  s.shear_modulus);
   check::finite("poisson_ratio", s.poisson_ratio);
   if (!(s.poisson_ratio * s.poisson_ratio * s.weft_modulus < s.warp_modulus))
     check::refuse("poisson_ratio", s.poisson_ratio, "its square must be < warp_modulus / weft_modulus");
@@ -74,9 +73,7 @@ double off_axis_modulus(const WovenSheet& sheet, double angle) {
 
 WovenState woven_tension_field(const WovenSheet& sheet, double e11, double e22, double e12) {
   check_sheet(sheet);
-  check::finite("e11", e11);
-  check::finite("e22", e22);
-  check::finite("e12", e12);
+  check::finite("e11", e11, "e22", e22, "e12", e12);
   const WovenState taut = taut_state(sheet, e11, e22, e12);
   if (taut.s11 + taut.s22 >= 0.0 && taut.s11 * taut.s22 >= taut.s12 * taut.s12) return taut;
   const double angle = tension_angle(sheet, e11, e22, e12);
@@ -89,8 +86,7 @@ WovenState woven_tension_field(const WovenSheet& sheet, double e11, double e22, 
 }
 
 double cylinder_by_curve(const StripCurve& curve, double thickness, double radius, double overpressure) {
-  check::positive("thickness", thickness);
-  check::positive("radius", radius);
+  check::positive("thickness", thickness, "radius", radius);
   check::non_negative("overpressure", overpressure);
   if (curve.strain.size() < 2 || curve.strain.size() != curve.stress.size())
     check::refuse("curve", static_cast<double>(curve.strain.size()), "2 points or more, a stress for each");

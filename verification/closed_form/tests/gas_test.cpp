@@ -5,6 +5,7 @@
 
 #include "check.hpp"
 #include "closed_form/orifice.hpp"
+#include "closed_form/tank_test.hpp"
 
 namespace {
 

@@ -3,8 +3,8 @@
 
 #include "closed_form/common.hpp"
 
-/// Closed forms of one uniform gas volume: filling, mixing, compression, inverse tank tests. All functions
-/// throw std::invalid_argument, naming the field, for a parameter that is missing or out of validity.
+/// Closed forms of one uniform gas volume: filling, mixing, compression. All functions throw
+/// std::invalid_argument, naming the field, for a parameter that is missing or out of validity.
 namespace closed_form {
 
 /// Rigid adiabatic tank filled at constant mass flow and inflow temperature.
@@ -140,38 +140,5 @@ struct SpringBag {
 ///   (p V - p0 V0)/(gamma - 1) + k (p^2 - p0^2)/2 = m cp T.
 /// Source: derived here from the energy balance.
 GasState spring_bag_fill(const SpringBag& bag, double mass, double temperature);
-
-/// Tank test with measured end pressure and known total mass.
-struct AverageTemperature {
-  PerfectGas gas;                       // of tank and inflow
-  double volume = kRequired;            // [m3] > 0
-  double initial_pressure = kRequired;  // [Pa] >= 0
-  double final_pressure = kRequired;    // [Pa] > initial_pressure
-  double total_mass = kRequired;        // [kg] > 0
-};
-/// Mean inflow temperature T_bar = (p_end - p0) V / (gamma R M) [K]. Source: tank_fill, solved for T_in.
-double average_inflow_temperature(const AverageTemperature& tank);
-
-/// Mass flow V (dp/dt) / (gamma R T_bar) [kg/s], for `pressure_rate` dp/dt [Pa/s]. Exact for the product mdot
-/// T_in; mdot itself is off by the factor T_in/T_bar.
-double average_temperature_mass_flow(const AverageTemperature& tank, double pressure_rate);
-
-/// Dual-pressure tank test: choked inflator outlet; chamber pressure and rate of the tank pressure are
-/// measured.
-struct DualPressure {
-  PerfectGas gas;                       // of inflator and tank
-  double volume = kRequired;            // [m3] of the tank, > 0
-  double outlet_area = kRequired;       // [m2] Cd A > 0
-  double chamber_pressure = kRequired;  // [Pa] > 0
-  double pressure_rate = kRequired;     // [Pa/s] of the tank, > 0
-};
-
-/// Flow that follows from the two readings at one time.
-struct DualPressureResult {
-  double mass_flow = 0.0;    // [kg/s] (A phi p_c)^2 / (R Q), Q = V p' / (gamma R)
-  double temperature = 0.0;  // [K] R Q^2 / (A phi p_c)^2, stagnation
-};
-/// Flow at one time. Source: derived here from the choked-flux formula and the tank's energy balance.
-DualPressureResult dual_pressure(const DualPressure& test);
 
 }  // namespace closed_form

@@ -25,10 +25,6 @@ double biaxial_modulus(const Sheet& sheet) {
 
 }  // namespace
 
-Sheet paper_fabric() {
-  return {60e6, 0.3, 0.5e-3, 620.0};
-}
-
 SphereStretch stretched_sphere(const StretchedSphere& sphere, double overpressure) {
   const Sheet& sheet = check_balloon(sphere.sheet, sphere.radius, overpressure);
   const double modulus = biaxial_modulus(sheet);
@@ -72,8 +68,7 @@ double sphere_breathing_decay(const StretchedSphere& sphere, double overpressure
 
 double damped_swing(double omega, double beta, double time) {
   check::positive("omega", omega);
-  check::non_negative("time", time);
-  check::non_negative("beta", beta);
+  check::non_negative("time", time, "beta", beta);
   const double ratio = 0.5 * beta * omega;
   if (!(ratio < 1.0)) check::refuse("beta", beta, "must be below 2 / omega");
   const double root = std::sqrt((1.0 - ratio) * (1.0 + ratio)), phase = root * omega * time;

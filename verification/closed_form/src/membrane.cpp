@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "closed_form/membrane.hpp"
+
 #include <cmath>
 
 #include "check.hpp"
-#include "closed_form/membrane.hpp"
 
 namespace closed_form {
 namespace {
@@ -12,6 +13,10 @@ double plane_stress_modulus(const Sheet& sheet) {
 }
 
 }  // namespace
+
+Sheet paper_fabric() {
+  return {60e6, 0.3, 0.5e-3, 620.0};
+}
 
 WaveSpeeds wave_speeds(const Sheet& sheet) {
   check::sheet(sheet, true);

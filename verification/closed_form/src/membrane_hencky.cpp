@@ -52,8 +52,7 @@ double leading_coefficient(const std::vector<double>& beta, double poisson_ratio
 double load(const CircularMembrane& membrane) {
   check::sheet(membrane.sheet, false);
   check::within("poisson_ratio", membrane.sheet.poisson_ratio, 0.0, 0.5);
-  check::positive("radius", membrane.radius);
-  check::positive("overpressure", membrane.overpressure);
+  check::positive("radius", membrane.radius, "overpressure", membrane.overpressure);
   const double q =
       membrane.overpressure * membrane.radius / (membrane.sheet.young_modulus * membrane.sheet.thickness);
   if (q > 0.1) check::refuse("overpressure", membrane.overpressure, "p a/(E h) must be <= 0.1 (small slope)");

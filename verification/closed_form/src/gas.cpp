@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "closed_form/gas.hpp"
+
 #include <cmath>
 #include <numbers>
 
 #include "check.hpp"
-#include "closed_form/gas.hpp"
 #include "closed_form/orifice.hpp"
 
 namespace closed_form {
@@ -18,25 +19,21 @@ GasState state_of(const PerfectGas& gas, double mass, double pressure, double vo
 
 void check_tank(const PerfectGas& gas, double volume, double temperature) {
   check::gas(gas);
-  check::positive("volume", volume);
-  check::positive("initial_temperature", temperature);
+  check::positive("volume", volume, "initial_temperature", temperature);
 }
 
 void check_pulse(const PulseFill& pulse) {
   check_tank(pulse.gas, pulse.volume, pulse.initial_temperature);
-  check::positive("initial_pressure", pulse.initial_pressure);
-  check::positive("total_mass", pulse.total_mass);
-  check::positive("duration", pulse.duration);
-  check::positive("start_temperature", pulse.start_temperature);
-  check::positive("end_temperature", pulse.end_temperature);
+  check::positive("initial_pressure", pulse.initial_pressure, "total_mass", pulse.total_mass, "duration",
+                  pulse.duration, "start_temperature", pulse.start_temperature, "end_temperature",
+                  pulse.end_temperature);
 }
 
 }  // namespace
 
 GasState tank_fill(const TankFill& tank, double time) {
   check_tank(tank.gas, tank.volume, tank.initial_temperature);
-  check::non_negative("initial_pressure", tank.initial_pressure);
-  check::non_negative("mass_flow", tank.mass_flow);
+  check::non_negative("initial_pressure", tank.initial_pressure, "mass_flow", tank.mass_flow);
   check::positive("inflow_temperature", tank.inflow_temperature);
   check::non_negative("time", time);
   const auto [R, gamma] = tank.gas;
@@ -100,9 +97,8 @@ TwoGasState two_gas_fill(const TwoGasFill& tank) {
 
 VentedFillSteady vented_fill_steady(const VentedFill& tank) {
   check_tank(tank.gas, tank.volume, 1.0);
-  check::positive("mass_flow", tank.mass_flow);
-  check::positive("inflow_temperature", tank.inflow_temperature);
-  check::positive("vent_area", tank.vent_area);
+  check::positive("mass_flow", tank.mass_flow, "inflow_temperature", tank.inflow_temperature, "vent_area",
+                  tank.vent_area);
   check::above_upto("discharge_coefficient", tank.discharge_coefficient, 0.0, 1.0);
   check::non_negative("ambient_pressure", tank.ambient_pressure);
   const auto [R, gamma] = tank.gas;
@@ -121,8 +117,7 @@ VentedFillSteady vented_fill_steady(const VentedFill& tank) {
 
 PistonState adiabatic_piston(const AdiabaticPiston& piston, double volume) {
   check_tank(piston.gas, piston.initial_volume, piston.initial_temperature);
-  check::positive("initial_pressure", piston.initial_pressure);
-  check::positive("volume", volume);
+  check::positive("initial_pressure", piston.initial_pressure, "volume", volume);
   const auto [R, gamma] = piston.gas;
   const double log_ratio = std::log(piston.initial_volume / volume);
   const double energy0 = piston.initial_pressure * piston.initial_volume / (gamma - 1.0);
@@ -143,6 +138,22 @@ GasState constant_pressure_fill(const ConstantPressureFill& bag, double time) {
   const double inflow = bag.mass_flow * time;
   const double volume = bag.initial_volume + inflow * R * bag.inflow_temperature / bag.pressure;
   return state_of(bag.gas, mass0 + inflow, bag.pressure, volume);
+}
+
+GasState spring_bag_fill(const SpringBag& bag, double mass, double temperature) {
+  check::gas(bag.gas);
+  check::positive("initial_pressure", bag.initial_pressure, "initial_temperature", bag.initial_temperature,
+                  "initial_volume", bag.initial_volume);
+  check::non_negative("compliance", bag.compliance, "inflow_mass", mass);
+  check::positive("inflow_temperature", temperature);
+  const auto [R, gamma] = bag.gas;
+  const double p0 = bag.initial_pressure, v0 = bag.initial_volume, k = bag.compliance;
+  const double supplied = mass * gamma * R / (gamma - 1.0) * temperature;
+  // a d^2 + b d = supplied, with d = p - p0; the root that does not cancel.
+  const double a = k * (1.0 / (gamma - 1.0) + 0.5), b = (v0 + k * p0) / (gamma - 1.0) + k * p0;
+  const double d = 2.0 * supplied / (b + std::sqrt(b * b + 4.0 * a * supplied));
+  const double p = p0 + d, v = v0 + k * d, m = p0 * v0 / (R * bag.initial_temperature) + mass;
+  return {m, p * v / (m * R), p, v};
 }
 
 }  // namespace closed_form

@@ -22,8 +22,7 @@ double squared_sine(int half_waves, int divisions) {
 }  // namespace
 
 double transverse_wave_speed(const TensionedMembrane& membrane) {
-  check::positive("tension", membrane.tension);
-  check::positive("area_density", membrane.area_density);
+  check::positive("tension", membrane.tension, "area_density", membrane.area_density);
   return std::sqrt(membrane.tension / membrane.area_density);
 }
 
@@ -36,8 +35,7 @@ double drum_frequency(const TensionedMembrane& membrane, double radius, int diam
 }
 
 double rectangle_frequency(const TensionedMembrane& membrane, double a, double b, int m, int n) {
-  check::positive("a", a);
-  check::positive("b", b);
+  check::positive("a", a, "b", b);
   check::integer_within("m", m, 1, 1000);
   check::integer_within("n", n, 1, 1000);
   return 0.5 * transverse_wave_speed(membrane) * std::hypot(m / a, n / b);
@@ -86,15 +84,13 @@ SquareDeflection lattice_square_deflection(int divisions) {
 }
 
 double circle_deflection(double tension, double radius, double overpressure) {
-  check::positive("tension", tension);
-  check::positive("radius", radius);
+  check::positive("tension", tension, "radius", radius);
   return check::finite("overpressure", overpressure) * radius * radius / (4.0 * tension);
 }
 
 DentState membrane_dent(const MembraneDent& dent, double patch_radius) {
-  check::positive("tension", dent.tension);
-  check::positive("membrane_radius", dent.membrane_radius);
-  check::positive("sphere_radius", dent.sphere_radius);
+  check::positive("tension", dent.tension, "membrane_radius", dent.membrane_radius, "sphere_radius",
+                  dent.sphere_radius);
   if (dent.sphere_radius < dent.membrane_radius)
     check::refuse("sphere_radius", dent.sphere_radius, "must be at least the radius of the membrane");
   check::from_below("patch_radius", patch_radius, 0.0, dent.membrane_radius);
@@ -106,8 +102,7 @@ DentState membrane_dent(const MembraneDent& dent, double patch_radius) {
 }
 
 MembraneRebound membrane_rebound(const MembraneDent& dent, double mass, double speed) {
-  check::positive("mass", mass);
-  check::positive("speed", speed);
+  check::positive("mass", mass, "speed", speed);
   const double energy = 0.5 * mass * speed * speed;
   double low = 0.0, high = dent.membrane_radius * (1.0 - 1e-9);
   if (membrane_dent(dent, high).energy <= energy)

@@ -18,12 +18,10 @@ struct Branch {
 
 void check_tank(const Blowdown& tank) {
   check::gas(tank.gas);
-  check::positive("volume", tank.volume);
-  check::positive("area", tank.area);
+  check::positive("volume", tank.volume, "area", tank.area);
   check::above_upto("discharge_coefficient", tank.discharge_coefficient, 0.0, 1.0);
-  check::positive("initial_pressure", tank.initial_pressure);
-  check::positive("initial_temperature", tank.initial_temperature);
-  check::positive("ambient_pressure", tank.ambient_pressure);
+  check::positive("initial_pressure", tank.initial_pressure, "initial_temperature", tank.initial_temperature,
+                  "ambient_pressure", tank.ambient_pressure);
   if (tank.initial_pressure <= tank.ambient_pressure)
     check::refuse("initial_pressure", tank.initial_pressure, "must be > ambient_pressure");
 }
@@ -156,6 +154,24 @@ GasState isothermal_blowdown(const Blowdown& tank, double time) {
   const double pressure = time <= unchoke ? tank.initial_pressure * std::exp(-time / tau)
                                           : pressure_after(tank, isothermal_branch(tank), time - unchoke);
   return state_at(tank, pressure, tank.initial_temperature);
+}
+
+GasState proportional_blowdown(const Blowdown& bag, double time) {
+  check::gas(bag.gas);
+  check::positive("volume", bag.volume, "area", bag.area);
+  check::above_upto("discharge_coefficient", bag.discharge_coefficient, 0.0, 1.0);
+  check::positive("initial_pressure", bag.initial_pressure, "initial_temperature", bag.initial_temperature);
+  check::non_negative("ambient_pressure", bag.ambient_pressure, "time", time);
+  const auto [R, gamma] = bag.gas;
+  const double rate = bag.discharge_coefficient * bag.area * choked_flux_coefficient(gamma) *
+                      std::sqrt(R * bag.initial_temperature) / bag.volume;
+  const double a = (gamma - 1.0) / gamma, left = 1.0 - 0.5 * rate * time;
+  const double x = left > 0.0 ? std::pow(left, 2.0 / (2.0 - a)) : 0.0;
+  if (!(critical_pressure_ratio(gamma) * x * bag.initial_pressure >= bag.ambient_pressure && x > 0.0))
+    check::refuse("time", time, "the vent must be choked up to then");
+  const double p = bag.initial_pressure * x, v = bag.volume * x,
+               temperature = bag.initial_temperature * std::pow(x, a);
+  return {p * v / (R * temperature), temperature, p, v};
 }
 
 }  // namespace closed_form
