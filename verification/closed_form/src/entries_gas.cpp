@@ -126,7 +126,7 @@ std::vector<Entry> tank_tests() {
           .field(&TankTest::end_temperature, "end_temperature", "T2", "K", 400.0, "the same at t_e")
           .field(&TankTest::outlet_area, "outlet_area", "A", "m2", 2e-4, "Cd A of the chamber's outlet")
           .over("time_s", range(0.0, 0.06, 120))
-          .results(with(tank_test_pulse, &TankTest::tank_gas, &TankTest::gas, itself(), abscissa),
+          .results(with(tank_test_pulse, &TankTest::tank_gas, &TankTest::gas, itself, abscissa),
                    {{"tank_pressure_Pa", &TankTestReadings::tank_pressure},
                     {"chamber_pressure_Pa", &TankTestReadings::chamber_pressure},
                     {"inflow_kg_s", &TankTestReadings::mass_flow},

@@ -10,11 +10,6 @@ namespace {
 const char* const kAbramovich =
     "G. N. Abramovich, The Theory of Turbulent Jets (textbook result); width derived here";
 
-template <class Jet>
-struct Traverse : Jet {
-  double offset = kRequired;
-};
-
 auto outlet(double spread) {
   return [spread]<class S>(Form<S>& form) {
     form.field(&S::spread, "spread", "a", "1", spread, "turbulence structure coefficient")
@@ -39,54 +34,35 @@ Columns<TollmienConstants> tollmien_columns() {
           {"decay_constant", &TollmienConstants::decay_constant}};
 }
 
-struct Plate {
-  double reflection = kRequired, width_slope = kRequired, extent = kRequired;
-};
-
-struct Target {
-  double width = kRequired, offset = kRequired;
-};
-
 auto width() {
-  return [](Form<Target>& form) {
-    form.field(&Target::width, "width", "R", "m", 1.0, "width of exp(-(r/R)^2) at the target");
+  return [](Form<Nothing>& form) {
+    form.number("width", "R", "m", 1.0, "width of exp(-(r/R)^2) at the target");
   };
 }
-
-struct TwoDiscs {
-  double r1 = kRequired, z1 = kRequired, r2 = kRequired, z2 = kRequired;
-};
-
-struct SphereInShell {
-  double sphere = kRequired, shell = kRequired;
-};
 
 }  // namespace
 
 std::vector<Entry> jets() {
   return {
-      Form<Traverse<RoundJet>>(
-          "round_jet", "Round jet over axial distance",
-          "Vm/V0 = min(1, 0.96/(a z/R0 + 0.29)); R = sqrt 2 R0 V0/Vm; V = Vm exp(-r^2/R^2)", kAbramovich,
-          "z >= 0", 15)
+      Form<RoundJet>("round_jet", "Round jet over axial distance",
+                     "Vm/V0 = min(1, 0.96/(a z/R0 + 0.29)); R = sqrt 2 R0 V0/Vm; V = Vm exp(-r^2/R^2)",
+                     kAbramovich, "z >= 0", 15)
           .fields(outlet(0.08), radius(0.05, "radius of the outlet"))
-          .field(&Traverse<RoundJet>::offset, "offset", "r", "m", 0.0,
-                 "distance from the axis of the last column")
+          .number("offset", "r", "m", 0.0, "distance from the axis of the last column")
           .over("distance_m", range(0.0, 2.0, 40))
           .results(round_jet_section, section_columns())
-          .result("velocity_m_s", with(round_jet_velocity, itself(), abscissa, &Traverse<RoundJet>::offset)),
-      Form<Traverse<PlaneJet>>(
+          .result("velocity_m_s", with(round_jet_velocity, itself, abscissa, "offset")),
+      Form<PlaneJet>(
           "plane_jet", "Plane jet over axial distance",
           "Vm/V0 = min(1, 1.2/sqrt(a z/b0 + 0.41)); b = 2 sqrt(2/pi) b0 (V0/Vm)^2; V = Vm exp(-y^2/b^2)",
           kAbramovich, "z >= 0", 15)
           .fields(outlet(0.11))
           .field(&PlaneJet::half_width, "half_width", "b0", "m", 0.01, "half the short side of the outlet")
           .field(&PlaneJet::length, "length", "L", "m", 0.2, "long side of the outlet")
-          .field(&Traverse<PlaneJet>::offset, "offset", "y", "m", 0.0,
-                 "distance from the mid plane of the last column")
+          .number("offset", "y", "m", 0.0, "distance from the mid plane of the last column")
           .over("distance_m", range(0.0, 1.0, 40))
           .results(plane_jet_section, section_columns())
-          .result("velocity_m_s", with(plane_jet_velocity, itself(), abscissa, &Traverse<PlaneJet>::offset)),
+          .result("velocity_m_s", with(plane_jet_velocity, itself, abscissa, "offset")),
       Form<Nothing>(
           "jet_far_field", "Constants that experiments report, over the spread a",
           "round: core 0.67/a, B = 0.48/a, S = sqrt(2 ln 2) a/0.96, entrainment 4 a/0.96; plane: core "
@@ -125,45 +101,43 @@ std::vector<Entry> jets() {
 
 std::vector<Entry> jet_targets() {
   return {
-      Form<Plate>("plate_force", "Force on an unbounded plate normal to the jet, over the momentum flux",
-                  "F = c J", "momentum balance, textbook result", "1 <= c <= 2; J >= 0", 15)
-          .field(&Plate::reflection, "reflection", "c", "1", 2.0,
-                 "1 deflection into the plane, 2 complete reflection")
+      Form<Nothing>("plate_force", "Force on an unbounded plate normal to the jet, over the momentum flux",
+                    "F = c J", "momentum balance, textbook result", "1 <= c <= 2; J >= 0", 15)
+          .number("reflection", "c", "1", 2.0, "1 deflection into the plane, 2 complete reflection")
           .over("momentum_flux_N", {100.0, 821.46483795717026, 1600.0})
-          .result("jet_force_N", with(plate_force, &Plate::reflection, abscissa)),
-      Form<Plate>("inclined_plate",
-                  "Normal force on a plate inclined to a round jet, over F = c J, over the angle",
-                  "cos(theta) sqrt(2/pi) int exp(-2 w^2)/(1 - s w) dw, s = R' tan(theta); cos(theta) without "
-                  "spreading",
-                  "derived here", "|s| extent < 1", 14)
-          .field(&Plate::width_slope, "width_slope", "R'", "1", 0.11785113019775793,
-                 "growth dR/dz of the width")
-          .field(&Plate::extent, "extent", "", "1", 3.0, "half width of the plate over R")
+          .result("jet_force_N", with(plate_force, "reflection", abscissa)),
+      Form<Nothing>(
+          "inclined_plate", "Normal force on a plate inclined to a round jet, over F = c J, over the angle",
+          "cos(theta) sqrt(2/pi) int exp(-2 w^2)/(1 - s w) dw, s = R' tan(theta); cos(theta) without "
+          "spreading",
+          "derived here", "|s| extent < 1", 14)
+          .number("width_slope", "R'", "1", 0.11785113019775793, "growth dR/dz of the width")
+          .number("extent", "", "1", 3.0, "half width of the plate over R")
           .over("angle_rad", range(0.0, 1.1, 22))
           .result("force_fraction",
-                  [](const Plate& p, double theta) {
-                    return inclined_plate_fraction(theta, p.width_slope, p.extent);
-                  })
+                  with([](double theta, double slope,
+                          double extent) { return inclined_plate_fraction(theta, slope, extent); },
+                       abscissa, "width_slope", "extent"))
           .result("force_fraction_constant_width",
                   [](double theta) { return inclined_plate_fraction(theta); }),
-      Form<Target>("disc_target", "Momentum fraction caught by a disc over its radius",
-                   "1 - exp(-2 rho^2/R^2) on the axis; 1 - Q1(2 d/R, 2 rho/R) at offset d (Marcum Q)",
-                   "derived here", "disc normal to the axis, radius > 0", 13)
+      Form<Nothing>("disc_target", "Momentum fraction caught by a disc over its radius",
+                    "1 - exp(-2 rho^2/R^2) on the axis; 1 - Q1(2 d/R, 2 rho/R) at offset d (Marcum Q)",
+                    "derived here", "disc normal to the axis, radius > 0", 13)
           .fields(width())
-          .field(&Target::offset, "offset", "d", "m", 0.5, "of the disc's centre from the axis")
+          .number("offset", "d", "m", 0.5, "of the disc's centre from the axis")
           .over("disc_radius_m", range(0.1, 2.0, 19))
-          .result("coaxial_fraction", with(disc_fraction, abscissa, &Target::width))
-          .result("offset_fraction", with(off_axis_disc_fraction, abscissa, &Target::offset, &Target::width)),
-      Form<Target>("square_target", "Momentum fraction caught by a square over half its side",
-                   "erf(sqrt 2 L/R)^2", "derived here", "coaxial, normal to the axis", 15)
+          .result("coaxial_fraction", with(disc_fraction, abscissa, "width"))
+          .result("offset_fraction", with(off_axis_disc_fraction, abscissa, "offset", "width")),
+      Form<Nothing>("square_target", "Momentum fraction caught by a square over half its side",
+                    "erf(sqrt 2 L/R)^2", "derived here", "coaxial, normal to the axis", 15)
           .fields(width())
           .over("half_side_m", range(0.0, 2.0, 20))
-          .result("fraction", with(square_fraction, abscissa, &Target::width)),
-      Form<Target>("half_plane_target", "Momentum fraction caught by a half plane over its edge's distance",
-                   "Phi(2 d/R)", "derived here", "d > 0: the axis hits the target", 15)
+          .result("fraction", with(square_fraction, abscissa, "width")),
+      Form<Nothing>("half_plane_target", "Momentum fraction caught by a half plane over its edge's distance",
+                    "Phi(2 d/R)", "derived here", "d > 0: the axis hits the target", 15)
           .fields(width())
           .over("edge_distance_m", range(-1.0, 1.0, 20))
-          .result("fraction", with(half_plane_fraction, abscissa, &Target::width)),
+          .result("fraction", with(half_plane_fraction, abscissa, "width")),
       Form<Nothing>("lattice_quadrature",
                     "Error of centre-of-element pressure on a square lattice over spacing/width",
                     "(1 + e)^2 - 1, e = 2 sum (-1)^k exp(-k^2 pi^2 R^2/(2 h^2))",
@@ -174,30 +148,30 @@ std::vector<Entry> jet_targets() {
 
 std::vector<Entry> shadows() {
   return {
-      Form<TwoDiscs>("hidden_disc", "Part of a disc hidden behind a disc over the occluder's offset",
-                     "(r1 z2/(z1 r2))^2 coaxial; lens area of shadow and target over the target's",
-                     "derived here", "parallel discs, point source on the target's axis; z2 > z1 > 0", 14)
-          .field(&TwoDiscs::r1, "occluder_radius", "r1", "m", 0.3, "of the occluder")
-          .field(&TwoDiscs::z1, "occluder_distance", "z1", "m", 1.0, "source to occluder")
-          .field(&TwoDiscs::r2, "target_radius", "r2", "m", 1.0, "of the target")
-          .field(&TwoDiscs::z2, "target_distance", "z2", "m", 2.0, "source to target")
+      Form<Nothing>("hidden_disc", "Part of a disc hidden behind a disc over the occluder's offset",
+                    "(r1 z2/(z1 r2))^2 coaxial; lens area of shadow and target over the target's",
+                    "derived here", "parallel discs, point source on the target's axis; z2 > z1 > 0", 14)
+          .number("occluder_radius", "r1", "m", 0.3, "of the occluder")
+          .number("occluder_distance", "z1", "m", 1.0, "source to occluder")
+          .number("target_radius", "r2", "m", 1.0, "of the target")
+          .number("target_distance", "z2", "m", 2.0, "source to target")
           .over("offset_m", range(0.0, 0.8, 16))
-          .result("hidden_fraction", with(hidden_disc_fraction, &TwoDiscs::r1, &TwoDiscs::z1, &TwoDiscs::r2,
-                                          &TwoDiscs::z2, abscissa))
-          .result("hidden_fraction_coaxial", with(hidden_coaxial_disc_fraction, &TwoDiscs::r1, &TwoDiscs::z1,
-                                                  &TwoDiscs::r2, &TwoDiscs::z2)),
-      Form<SphereInShell>("sphere_shadow",
-                          "Opaque sphere between a source and a concentric shell, over the source's distance",
-                          "shadow cap asin(r/D) + asin(r/R); visible part (1 - r/D)/2; solid angle 2 pi (1 - "
-                          "sqrt(1 - (r/D)^2))",
-                          "derived here", "r < D < R", 15)
-          .field(&SphereInShell::sphere, "sphere_radius", "r", "m", 0.5, "opaque sphere")
-          .field(&SphereInShell::shell, "shell_radius", "R", "m", 2.0, "shell")
+          .result("hidden_fraction", with(hidden_disc_fraction, "occluder_radius", "occluder_distance",
+                                          "target_radius", "target_distance", abscissa))
+          .result("hidden_fraction_coaxial", with(hidden_coaxial_disc_fraction, "occluder_radius",
+                                                  "occluder_distance", "target_radius", "target_distance")),
+      Form<Nothing>("sphere_shadow",
+                    "Opaque sphere between a source and a concentric shell, over the source's distance",
+                    "shadow cap asin(r/D) + asin(r/R); visible part (1 - r/D)/2; solid angle 2 pi (1 - "
+                    "sqrt(1 - (r/D)^2))",
+                    "derived here", "r < D < R", 15)
+          .number("sphere_radius", "r", "m", 0.5, "opaque sphere")
+          .number("shell_radius", "R", "m", 2.0, "shell")
           .over("source_distance_m", range(0.6, 1.8, 12))
           .result("shadow_half_angle_rad",
-                  with(sphere_shadow_half_angle, &SphereInShell::sphere, abscissa, &SphereInShell::shell))
-          .result("visible_fraction", with(visible_sphere_fraction, &SphereInShell::sphere, abscissa))
-          .result("solid_angle_sr", with(sphere_solid_angle, &SphereInShell::sphere, abscissa)),
+                  with(sphere_shadow_half_angle, "sphere_radius", abscissa, "shell_radius"))
+          .result("visible_fraction", with(visible_sphere_fraction, "sphere_radius", abscissa))
+          .result("solid_angle_sr", with(sphere_solid_angle, "sphere_radius", abscissa)),
       Form<Nothing>("icosahedron_faces", "Faces of an icosahedron seen from a vertex axis, over the distance",
                     "20 inside, 5 up to 2 + sqrt 5 circumradii, 10 beyond", "derived here",
                     "distance >= 0, not 1", 2)

@@ -13,18 +13,6 @@ const char* const kLogarithmicLaw =
     "derived here (Cauchy stress linear in logarithmic strain, constant thickness)";
 const char* const kLogarithmicValidity = "overpressure >= 0, stretches up to exp(1/2)";
 
-struct Icosahedron {
-  double edge = kRequired;
-};
-
-struct MylarDiscs {
-  double flat_radius = kRequired;
-};
-
-struct BreathingSphere : StretchedSphere {
-  double ambient_pressure = kRequired, heat_capacity_ratio = kRequired, stiffness_damping = kRequired;
-};
-
 Columns<CylinderStretch> cylinder_columns() {
   return {{"hoop_stretch", &CylinderStretch::hoop_stretch},
           {"axial_stretch", &CylinderStretch::axial_stretch},
@@ -40,6 +28,10 @@ Columns<LogarithmicBag> logarithmic_cylinder_columns() {
           {"energy_density_J_m3", &LogarithmicBag::energy_density}};
 }
 
+double mylar_height(double flat_radius, double x_over_equator) {
+  return mylar_profile(flat_radius, x_over_equator * mylar_balloon(flat_radius).equator_radius);
+}
+
 auto flat_disc() {
   return [](Form<CircularMembrane>& form) {
     form.fields(sheet()).field(&CircularMembrane::radius, "radius", "a", "m", 0.3, "radius of the flat disc");
@@ -49,18 +41,17 @@ auto flat_disc() {
 }  // namespace
 
 std::vector<Entry> polyhedra() {
-  return {Form<Icosahedron>("icosahedron_volume", "Volume of the regular icosahedron",
-                            "V = 5 (3 + sqrt 5)/12 edge^3", "textbook result", "edge > 0", 15)
-              .field(&Icosahedron::edge, "edge", "a", "m", 1.0, "edge")
-              .result("volume_m3", with(icosahedron_volume, &Icosahedron::edge)),
+  return {Form<Nothing>("icosahedron_volume", "Volume of the regular icosahedron",
+                        "V = 5 (3 + sqrt 5)/12 edge^3", "textbook result", "edge > 0", 15)
+              .number("edge", "a", "m", 1.0, "edge")
+              .result("volume_m3", with(icosahedron_volume, "edge")),
           Form<Nothing>("icosphere", "Volume and area of a refined icosahedron against its sphere",
                         "V = (1/6) sum a.(b x c); midpoints pushed to the sphere at each level",
                         "pure geometry, computed here", "whole level, 0 to 8", 14)
               .over("level", range(0.0, 5.0, 5))
-              .results([](double level) { return icosphere_ratios(whole("level", level)); },
-                       {{"faces", &IcosphereRatios::faces},
-                        {"volume_ratio", &IcosphereRatios::volume_ratio},
-                        {"area_ratio", &IcosphereRatios::area_ratio}})};
+              .results(with(icosphere_ratios, abscissa), {{"faces", &IcosphereRatios::faces},
+                                                          {"volume_ratio", &IcosphereRatios::volume_ratio},
+                                                          {"area_ratio", &IcosphereRatios::area_ratio}})};
 }
 
 std::vector<Entry> inflated_shapes() {
@@ -73,27 +64,23 @@ std::vector<Entry> inflated_shapes() {
                                           {"stress_Pa", &SphereStretch::stress},
                                           {"volume_m3", &SphereStretch::volume},
                                           {"strain_energy_J", &SphereStretch::strain_energy}}),
-          Form<BreathingSphere>("sphere_breathing", "Small breathing of an inflated sphere over overpressure",
+          Form<StretchedSphere>("sphere_breathing", "Small breathing of an inflated sphere over overpressure",
                                 "omega^2 = (2 h P'/R0^2 - 2 p lambda/R0 + 3 gamma p_abs lambda/R0)/(rho h)",
                                 kStVK, "overpressure >= 0; gamma = 0 leaves out the gas", 15)
               .fields(sheet(), density(), radius(0.30598317419458695), ambient_pressure())
-              .field(&BreathingSphere::heat_capacity_ratio, "heat_capacity_ratio", "gamma", "1", 1.4,
-                     "of the gas; 0 for none")
+              .number("heat_capacity_ratio", "gamma", "1", 1.4, "of the gas; 0 for none")
               .over("overpressure_Pa", range(0.0, 1e5, 50))
-              .result("angular_frequency_rad_s",
-                      with(sphere_breathing_frequency, itself(), abscissa, &BreathingSphere::ambient_pressure,
-                           &BreathingSphere::heat_capacity_ratio)),
-          Form<BreathingSphere>(
+              .result("angular_frequency_rad_s", with(sphere_breathing_frequency, itself, abscissa,
+                                                      "ambient_pressure", "heat_capacity_ratio")),
+          Form<StretchedSphere>(
               "sphere_breathing_decay",
               "Rate at which that breathing decays with stiffness-proportional damping, over overpressure",
               "beta E lambda^2/((1-nu) rho R0^2); lambda of sphere_inflation", kStVK,
               "overpressure >= 0, constant; below critical damping", 15)
               .fields(sheet(), density(), radius(0.3))
-              .field(&BreathingSphere::stiffness_damping, "stiffness_damping", "beta", "s", 1e-4,
-                     "stress beta dS/dt")
+              .number("stiffness_damping", "beta", "s", 1e-4, "stress beta dS/dt")
               .over("overpressure_Pa", range(0.0, 1e5, 50))
-              .result("decay_rate_1_s",
-                      with(sphere_breathing_decay, itself(), abscissa, &BreathingSphere::stiffness_damping)),
+              .result("decay_rate_1_s", with(sphere_breathing_decay, itself, abscissa, "stiffness_damping")),
           Form<StretchedCylinder>(
               "cylinder_fixed_length", "Cylindrical balloon of fixed length over overpressure",
               "lambda = sqrt(1 + 2 (1-nu^2) p R/(E h)); S_z = nu S", kStVK, "overpressure >= 0", 15)
@@ -138,14 +125,12 @@ std::vector<Entry> flat_membranes() {
           .results(mylar_balloon, {{"equator_radius_m", &MylarBalloon::equator_radius},
                                    {"thickness_m", &MylarBalloon::thickness},
                                    {"volume_m3", &MylarBalloon::volume}}),
-      Form<MylarDiscs>("mylar_profile", "Half height of the inextensible balloon over radius",
-                       "z(x) = int_x^r s^2/sqrt(r^4 - s^4) ds", "W. H. Paulsen (1994)",
-                       "abscissa x/r, 0 to 1", 14)
-          .field(&MylarDiscs::flat_radius, "flat_radius", "a", "m", 1.0, "radius of the flat discs")
+      Form<Nothing>("mylar_profile", "Half height of the inextensible balloon over radius",
+                    "z(x) = int_x^r s^2/sqrt(r^4 - s^4) ds", "W. H. Paulsen (1994)", "abscissa x/r, 0 to 1",
+                    14)
+          .number("flat_radius", "a", "m", 1.0, "radius of the flat discs")
           .over("radius_over_equator", range(0.0, 1.0, 50))
-          .result("half_height_m", [](const MylarDiscs& discs, double x) {
-            return mylar_profile(discs.flat_radius, x * mylar_balloon(discs.flat_radius).equator_radius);
-          })};
+          .result("half_height_m", with(mylar_height, "flat_radius", abscissa))};
 }
 
 std::vector<Entry> logarithmic_bags() {

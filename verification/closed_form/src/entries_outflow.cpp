@@ -52,14 +52,9 @@ Vessel at_overpressure(Vessel vessel, double overpressure) {
   return vessel;
 }
 
-struct FilledSpringBag : SpringBag {
-  double mass_flow = kRequired, inflow_temperature = kRequired;
-};
-
-GasState filled_spring_bag(const FilledSpringBag& bag, double time) {
-  check::non_negative("time", time);
-  check::non_negative("mass_flow", bag.mass_flow);
-  return spring_bag_fill(bag, bag.mass_flow * time, bag.inflow_temperature);
+GasState filled_spring_bag(const SpringBag& bag, double mass_flow, double temperature, double time) {
+  check::non_negative("time", time, "mass_flow", mass_flow);
+  return spring_bag_fill(bag, mass_flow * time, temperature);
 }
 
 }  // namespace
@@ -185,17 +180,16 @@ std::vector<Entry> exchanging_tanks() {
 
 std::vector<Entry> bags() {
   return {
-      Form<FilledSpringBag>(
-          "spring_bag_fill", "Filling of a bag whose volume rises linearly with its pressure",
-          "(p V - p0 V0)/(gamma - 1) + k (p^2 - p0^2)/2 = mdot t cp T_in, V = V0 + k (p - p0)",
-          "derived here from the energy balance", "t >= 0; k = 0 is tank_fill", 15)
+      Form<SpringBag>("spring_bag_fill", "Filling of a bag whose volume rises linearly with its pressure",
+                      "(p V - p0 V0)/(gamma - 1) + k (p^2 - p0^2)/2 = mdot t cp T_in, V = V0 + k (p - p0)",
+                      "derived here from the energy balance", "t >= 0; k = 0 is tank_fill", 15)
           .fields(gas(), tank(0.06, 101325.0, 293.15))
-          .field(&FilledSpringBag::compliance, "compliance", "k", "m3/Pa", 5e-7, "dV/dp")
-          .field(&FilledSpringBag::mass_flow, "mass_flow", "mdot", "kg/s", 1.0, "inflow")
-          .field(&FilledSpringBag::inflow_temperature, "inflow_temperature", "T_in", "K", 700.0,
-                 "of the inflow")
+          .field(&SpringBag::compliance, "compliance", "k", "m3/Pa", 5e-7, "dV/dp")
+          .number("mass_flow", "mdot", "kg/s", 1.0, "inflow")
+          .number("inflow_temperature", "T_in", "K", 700.0, "of the inflow")
           .over("time_s", range(0.0, 0.05, 50))
-          .results(filled_spring_bag, history_with_volume()),
+          .results(with(filled_spring_bag, itself, "mass_flow", "inflow_temperature", abscissa),
+                   history_with_volume()),
       Form<Blowdown>(
           "proportional_blowdown", "Choked blow-down of a bag whose volume is proportional to its pressure",
           "m/m0 = (1 - mdot0 t/(2 m0))^2, p/p0 = (m/m0)^(gamma/(gamma + 1)), T = T0 (p/p0)^((gamma-1)/gamma)",

@@ -9,32 +9,14 @@ namespace {
 
 const char* const kRigid = "rigid-body mechanics, textbook result";
 
-struct Release : Pendulum {
-  double amplitude = kRequired;
-};
-
-struct HalfSine : Pendulum {
-  double force = kRequired, duration = kRequired;
-};
-
 Columns<PendulumState> motion() {
   return {{"pendulum_angle_rad", &PendulumState::angle},
           {"pendulum_angular_velocity_rad_s", &PendulumState::angular_velocity}};
 }
 
-struct Sphere {
-  double radius = kRequired, stiffness = kRequired;
-};
-
 auto sphere_radius() {
-  return [](Form<Sphere>& form) {
-    form.field(&Sphere::radius, "radius", "R", "m", 0.041, "radius of the sphere");
-  };
+  return [](Form<Nothing>& form) { form.number("radius", "R", "m", 0.041, "radius of the sphere"); };
 }
-
-struct MassOnSpring {
-  double mass = kRequired, stiffness = kRequired;
-};
 
 auto cylinder(double pressure) {
   return [pressure]<class S>(Form<S>& form) {
@@ -82,14 +64,14 @@ std::vector<Entry> swings() {
           .fixed("impactor_arm", 1.0)
           .over("amplitude_rad", range(0.0, 3.0, 60))
           .result("period_s", pendulum_period),
-      Form<Release>("pendulum_swing", "Pendulum released at rest",
-                    "theta = 2 asin(k sn(K - omega0 t)), k = sin(amplitude/2)",
-                    "textbook result (Jacobi elliptic functions)", "|amplitude| < pi", 13)
+      Form<Pendulum>("pendulum_swing", "Pendulum released at rest",
+                     "theta = 2 asin(k sn(K - omega0 t)), k = sin(amplitude/2)",
+                     "textbook result (Jacobi elliptic functions)", "|amplitude| < pi", 13)
           .fields(pendulum())
           .fixed("impactor_arm", 1.0)
-          .field(&Release::amplitude, "amplitude", "theta0", "rad", 1.0471975511965976, "angle of release")
+          .number("amplitude", "theta0", "rad", 1.0471975511965976, "angle of release")
           .over("time_s", range(0.0, 2.5, 250))
-          .results(with(pendulum_swing, itself(), &Release::amplitude, abscissa), motion()),
+          .results(with(pendulum_swing, itself, "amplitude", abscissa), motion()),
       Form<Pendulum>(
           "pendulum_impulse", "Hanging pendulum struck at the impactor, over the impulse",
           "omega = J L_i/I_O; cos(theta_max) = 1 - I_O omega^2/(2 m g L); t_max = K(k)/omega0, k = omega/(2 "
@@ -109,41 +91,40 @@ std::vector<Entry> swings() {
           .fixed("cg_inertia", 0.0)
           .over("force_N", range(0.0, 500.0, 50))
           .result("maximum_angle_rad", constant_force_maximum_angle),
-      Form<HalfSine>("pendulum_half_sine", "Linearised pendulum under a half-sine force at the impactor",
+      Form<Pendulum>("pendulum_half_sine", "Linearised pendulum under a half-sine force at the impactor",
                      "theta'' + omega0^2 theta = (F L_i/I_O) sin(pi t/T) for t <= T; free afterwards",
                      "textbook result", "small angles: error theta^2/6 relative; omega0 T != pi", 13)
           .fields(pendulum())
-          .field(&HalfSine::force, "force", "F", "N", 2000.0, "peak force")
-          .field(&HalfSine::duration, "duration", "T", "s", 0.02, "duration")
+          .number("force", "F", "N", 2000.0, "peak force")
+          .number("duration", "T", "s", 0.02, "duration")
           .over("time_s", range(0.0, 0.1, 100))
-          .results(with(half_sine_response, itself(), &HalfSine::force, &HalfSine::duration, abscissa),
-                   motion())};
+          .results(with(half_sine_response, itself, "force", "duration", abscissa), motion())};
 }
 
 std::vector<Entry> contact() {
   return {
-      Form<Sphere>("sphere_plane_cut", "Cut of a sphere by a plane over the depth",
-                   "patch pi (2 R d - d^2); cap pi d^2 (R - d/3)", "textbook result", "0 <= d <= 2 R", 15)
+      Form<Nothing>("sphere_plane_cut", "Cut of a sphere by a plane over the depth",
+                    "patch pi (2 R d - d^2); cap pi d^2 (R - d/3)", "textbook result", "0 <= d <= 2 R", 15)
           .fields(sphere_radius())
           .over("depth_m", range(0.0, 0.04, 40))
           .results(
-              with(sphere_plane_cut, &Sphere::radius, abscissa),
+              with(sphere_plane_cut, "radius", abscissa),
               {{"patch_area_m2", &SphereContact::patch_area}, {"cap_volume_m3", &SphereContact::cap_volume}}),
-      Form<Sphere>("sphere_plane_contact", "Surface-integral contact of a sphere with a plane over the depth",
-                   "F = pi kappa d^2 (R - d); energy pi kappa d^3 (R/3 - d/4)", "derived here", "0 <= d <= R",
-                   15)
+      Form<Nothing>(
+          "sphere_plane_contact", "Surface-integral contact of a sphere with a plane over the depth",
+          "F = pi kappa d^2 (R - d); energy pi kappa d^3 (R/3 - d/4)", "derived here", "0 <= d <= R", 15)
           .fields(sphere_radius())
-          .field(&Sphere::stiffness, "stiffness", "kappa", "N/m3", 1e7, "contact stiffness per area")
+          .number("stiffness", "kappa", "N/m3", 1e7, "contact stiffness per area")
           .over("depth_m", range(0.0, 0.02, 20))
-          .results(with(sphere_plane_contact, &Sphere::radius, abscissa, &Sphere::stiffness),
+          .results(with(sphere_plane_contact, "radius", abscissa, "stiffness"),
                    {{"contact_force_N", &SphereForce::force}, {"contact_energy_J", &SphereForce::energy}}),
-      Form<MassOnSpring>("penalty_bounce", "Mass that bounces off a one-sided spring, over the speed",
-                         "d_max = v sqrt(m/k); duration pi sqrt(m/k); F_max = v sqrt(m k); dt = 2 sqrt(m/k)",
-                         "textbook result", "no gravity", 15)
-          .field(&MassOnSpring::mass, "mass", "m", "kg", 8.4103796398811258, "mass")
-          .field(&MassOnSpring::stiffness, "stiffness", "k", "N/m", 1e5, "spring")
+      Form<Nothing>("penalty_bounce", "Mass that bounces off a one-sided spring, over the speed",
+                    "d_max = v sqrt(m/k); duration pi sqrt(m/k); F_max = v sqrt(m k); dt = 2 sqrt(m/k)",
+                    "textbook result", "no gravity", 15)
+          .number("mass", "m", "kg", 8.4103796398811258, "mass")
+          .number("stiffness", "k", "N/m", 1e5, "spring")
           .over("speed_m_s", range(1.0, 10.0, 9))
-          .results(with(penalty_bounce, &MassOnSpring::mass, &MassOnSpring::stiffness, abscissa),
+          .results(with(penalty_bounce, "mass", "stiffness", abscissa),
                    {{"maximum_penetration_m", &PenaltyBounce::maximum_penetration},
                     {"duration_s", &PenaltyBounce::duration},
                     {"maximum_force_N", &PenaltyBounce::maximum_force},

@@ -14,7 +14,7 @@ namespace closed_form::entries {
 template <class S>
 auto gas_member() {
   if constexpr (std::is_base_of_v<PerfectGas, S>)
-    return itself();
+    return itself;
   else if constexpr (requires { &S::gas; })
     return &S::gas;
   else
@@ -69,7 +69,10 @@ inline auto inflow(double mass_flow, double temperature) {
 
 inline auto ambient_pressure(const char* meaning = "ambient pressure") {
   return [meaning]<class S>(Form<S>& form) {
-    form.field(&S::ambient_pressure, "ambient_pressure", "p_a", "Pa", 101325.0, meaning);
+    if constexpr (requires { &S::ambient_pressure; })
+      form.field(&S::ambient_pressure, "ambient_pressure", "p_a", "Pa", 101325.0, meaning);
+    else
+      form.number("ambient_pressure", "p_a", "Pa", 101325.0, meaning);
   };
 }
 
@@ -100,9 +103,8 @@ inline Columns<GasState> history_with_volume() {
 /// The sheet of the arguments: they are one, have one, or have a sphere made of one.
 template <class S>
 auto sheet_member() {
-  if constexpr (std::is_base_of_v<Sheet, S>) return [](auto& sheet) -> auto& {
-      return sheet;
-    };
+  if constexpr (std::is_base_of_v<Sheet, S>)
+    return itself;
   else if constexpr (requires { &S::sheet; })
     return &S::sheet;
   else
@@ -136,9 +138,8 @@ inline auto radius(double value, const char* meaning = "unstretched radius") {
 
 template <class S>
 auto pendulum_member() {
-  if constexpr (std::is_base_of_v<Pendulum, S>) return [](auto& pendulum) -> auto& {
-      return pendulum;
-    };
+  if constexpr (std::is_base_of_v<Pendulum, S>)
+    return itself;
   else
     return &S::pendulum;
 }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <algorithm>
 #include <functional>
+#include <map>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -32,39 +32,52 @@ auto path(Outer outer, Inner inner) {
 }
 
 /// Where the arguments of a form are what is asked for.
-inline auto itself() {
-  return [](auto& arguments) -> auto& {
-    return arguments;
-  };
-}
+inline constexpr std::identity itself;
 
 /// Stands for the abscissa among the inputs of with().
 struct Abscissa {};
 inline constexpr Abscissa abscissa;
 
-/// f of some members of the arguments and of the abscissa.
+/// A number that may be asked for as a whole one.
+struct Number {
+  const char* name;
+  double value;
+  operator double() const { return value; }
+  operator int() const { return whole(name, value); }
+};
+
+/// What a form is evaluated at.
+template <class Arguments>
+struct Point {
+  const Arguments& arguments;
+  const ParameterMap& values;
+  Number abscissa;
+
+  Number input(Abscissa) const { return abscissa; }
+  Number input(const char* name) const { return {name, values.at(name)}; }
+  template <class Member>
+  decltype(auto) input(Member member) const {
+    return std::invoke(member, arguments);
+  }
+};
+
+/// f of inputs: members of the arguments, names of parameters, the abscissa.
 template <class F, class... Inputs>
 auto with(F f, Inputs... inputs) {
-  return [=](const auto& arguments, double x) {
-    const auto value = [&](const auto& input) -> decltype(auto) {
-      if constexpr (std::is_same_v<decltype(input), const Abscissa&>)
-        return (x);
-      else
-        return std::invoke(input, arguments);
-    };
-    return f(value(inputs)...);
-  };
+  return [=]<class Arguments>(const Point<Arguments>& at) { return f(at.input(inputs)...); };
 }
 
-/// Calls f with what it takes: arguments, abscissa, both or none.
+/// Calls f with what it takes: arguments, abscissa, both, the whole point or nothing.
 template <class F, class Arguments>
-auto call(const F& f, const Arguments& arguments, double x) {
+auto call(const F& f, const Point<Arguments>& at) {
   if constexpr (std::is_invocable_v<F, const Arguments&, double>)
-    return std::invoke(f, arguments, x);
+    return std::invoke(f, at.arguments, at.abscissa.value);
   else if constexpr (std::is_invocable_v<F, const Arguments&>)
-    return std::invoke(f, arguments);
+    return std::invoke(f, at.arguments);
+  else if constexpr (std::is_invocable_v<F, const Point<Arguments>&>)
+    return f(at);
   else if constexpr (std::is_invocable_v<F, double>)
-    return f(x);
+    return f(at.abscissa.value);
   else
     return f();
 }
@@ -93,23 +106,27 @@ class Form {
     entry_.digits = digits;
   }
 
-  /// A parameter that sets `member`. An int must be given a whole number, a bool or enum 0 or 1.
+  /// A parameter that is a number by itself.
+  Form& number(std::string name, std::string symbol, std::string unit, double default_value,
+               std::string meaning) {
+    entry_.parameters.push_back(
+        {std::move(name), std::move(symbol), std::move(unit), default_value, std::move(meaning)});
+    return *this;
+  }
+
+  /// A parameter that sets `member`; a bool or enum, by 0 or 1.
   template <class Member>
   Form& field(Member member, const std::string& name, std::string symbol, std::string unit,
               double default_value, std::string meaning) {
-    entry_.parameters.push_back(
-        {name, std::move(symbol), std::move(unit), default_value, std::move(meaning)});
-    setters_.push_back([member, name](Arguments& arguments, double value) {
+    setters_[name] = [member, name](Arguments& arguments, double value) {
       auto& target = std::invoke(member, arguments);
       using Target = std::remove_reference_t<decltype(target)>;
       if constexpr (std::is_same_v<Target, double>)
         target = value;
-      else if constexpr (std::is_same_v<Target, int>)
-        target = whole(name, value);
       else
         target = static_cast<Target>(check::integer_within(name, whole(name, value), 0, 1));
-    });
-    return *this;
+    };
+    return number(name, std::move(symbol), std::move(unit), default_value, std::move(meaning));
   }
 
   /// Parameters that several forms share.
@@ -121,11 +138,9 @@ class Form {
 
   /// Takes the field `name` out of the parameters: the form does not depend on it.
   Form& fixed(const std::string& name, double value) {
-    const auto found = std::ranges::find(entry_.parameters, name, &Parameter::name);
-    const auto setter = setters_.begin() + (found - entry_.parameters.begin());
-    (*setter)(initial_, value);
-    setters_.erase(setter);
-    entry_.parameters.erase(found);
+    setters_.at(name)(initial_, value);
+    setters_.erase(name);
+    std::erase_if(entry_.parameters, [&](const Parameter& parameter) { return parameter.name == name; });
     return *this;
   }
 
@@ -143,14 +158,14 @@ class Form {
   }
 
   template <class F>
-  using Result = std::decay_t<decltype(call(std::declval<F>(), std::declval<Arguments>(), 0.0))>;
+  using Result = std::decay_t<decltype(call(std::declval<F>(), std::declval<Point<Arguments>>()))>;
 
   /// Columns of the result of f, a function of what call() gives.
   template <class F>
   Form& results(F f, Columns<Result<F>> columns) {
     for (const auto& column : columns) entry_.columns.push_back(column.name);
-    evaluators_.push_back([f, columns = std::move(columns)](const Arguments& arguments, double x, Row& row) {
-      const Result<F> result = call(f, arguments, x);
+    evaluators_.push_back([f, columns = std::move(columns)](const Point<Arguments>& at, Row& row) {
+      const Result<F> result = call(f, at);
       for (const auto& column : columns) row.push_back(column.value(result));
     });
     return *this;
@@ -171,11 +186,11 @@ class Form {
     Entry entry = entry_;
     entry.values = [form = *this](const ParameterMap& values, double x) {
       Arguments arguments = form.initial_;
-      for (std::size_t i = form.setters_.size(); i-- > 0;)  // of two bad values it names the last
-        form.setters_[i](arguments, values.at(form.entry_.parameters[i].name));
+      for (const auto& [name, set] : form.setters_) set(arguments, values.at(name));
       if (form.set_abscissa_) form.set_abscissa_(arguments, x);
       Row row;
-      for (const auto& evaluator : form.evaluators_) evaluator(arguments, x, row);
+      const Number named{form.entry_.columns.front().c_str(), x};
+      for (const auto& evaluate : form.evaluators_) evaluate({arguments, values, named}, row);
       return row;
     };
     return entry;
@@ -184,9 +199,9 @@ class Form {
  private:
   Entry entry_;
   Arguments initial_{};
-  std::vector<std::function<void(Arguments&, double)>> setters_;  // of each parameter
+  std::map<std::string, std::function<void(Arguments&, double)>> setters_;  // of parameters, by name
   std::function<void(Arguments&, double)> set_abscissa_;
-  std::vector<std::function<void(const Arguments&, double, Row&)>> evaluators_;
+  std::vector<std::function<void(const Point<Arguments>&, Row&)>> evaluators_;
 };
 
 }  // namespace closed_form::entries
