@@ -25,7 +25,7 @@ check_tree() {
   changes=$(git status --porcelain)
   [[ -z $changes ]] || refuse "what is not committed would be in no release:"$'\n'"$changes"
   ! grep -q '^## Unreleased' CHANGELOG.md || refuse "CHANGELOG.md: 'Unreleased' is to become '$version (date)' first"
-  verification/rules/rules.sh versions >&2 || refuse "the versions differ"
+  verification/rules/rules.py versions >&2 || refuse "the versions differ"
   tagged=$(git rev-parse -q --verify "v$version^{commit}" || true)
   [[ -z $tagged || $tagged == "$commit" ]] || refuse "v$version is another commit, $tagged: a new release needs a new number"
 }

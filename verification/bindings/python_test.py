@@ -5,6 +5,7 @@ import ctypes
 import gc
 import json
 import os
+import pathlib
 import signal
 import subprocess
 import sys
@@ -23,13 +24,9 @@ CASES = os.path.join(SOURCE, "cases")
 
 def mesh(name):
     """Nodes and triangles of an OBJ file."""
-    nodes, triangles = [], []
-    with open(os.path.join(CASES, "reference", name), encoding="utf-8") as file:
-        for line in file:
-            if line.startswith("v "):
-                nodes.append([float(x) for x in line.split()[1:4]])
-            elif line.startswith("f "):
-                triangles.append([int(x) - 1 for x in line.split()[1:4]])
+    lines = pathlib.Path(CASES, "reference", name).read_text(encoding="utf-8").splitlines()
+    nodes = [[float(x) for x in line.split()[1:4]] for line in lines if line.startswith("v ")]
+    triangles = [[int(x) - 1 for x in line.split()[1:4]] for line in lines if line.startswith("f ")]
     return np.array(nodes), np.array(triangles)
 
 
@@ -46,11 +43,7 @@ class Runs(unittest.TestCase):
                         rows = list(csv.reader(line for line in file if not line.startswith("#")))
                     self.assertEqual(rows[0], list(table))
                     np.testing.assert_array_equal(np.array(rows[1:], float).T, np.array(list(table.values())))
-            checks = []
-            for place in (folder, os.path.join(folder, "own")):
-                with open(os.path.join(place, "check.json"), encoding="utf-8") as file:
-                    checks.append(json.load(file))
-            commanded, own = checks
+            commanded, own = (json.loads(pathlib.Path(folder, place, "check.json").read_text()) for place in (".", "own"))
         # What pip builds from a copy without git knows no commit.
         self.assertEqual({**own, "run": commanded["run"], "commit": commanded["commit"]}, commanded)
         self.assertEqual(run.summary["status"], "done")

@@ -1,14 +1,14 @@
-#!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
 """Members of each class and struct, and the .cpp files that its functions are in.
 
 It has at most MEMBERS members, and its functions are in at most SOURCES .cpp files: then its idea fits in its first
 comment. Members are functions and data, private ones and overloads too; types, aliases, friends, and functions that are
-defaulted or deleted do not count.
-usage: class_sizes.py FILE...; prints what breaks the rule. class_sizes.py --all FILE... prints all of them"""
+defaulted or deleted do not count."""
+
 import collections
 import re
-import sys
+
+from tree import rule
 
 MEMBERS, SOURCES = 25, 2
 # A function of a class where it is defined; the name of the class.
@@ -75,29 +75,17 @@ def classes(path, text):
         yield f"{path}:{text.count(chr(10), 0, found.start()) + 1}", found[2], sum(map(names, declarations(body)))
 
 
-def sizes(paths):
-    """(place, name, members, .cpp files) of each class of the files; those of one library go together."""
+@rule
+def class_sizes(tree):
+    """Classes of one library and name go together."""
     found, sources = [], collections.defaultdict(set)
-    for path in paths:
-        with open(path, encoding="utf-8") as file:
-            text = without_comments(file.read())
-        library = path.split("/")[0]
+    for path in tree.files("*.cpp", "*.hpp", "*.h", under=r"(lib[a-z]+|driver|bindings)/"):
+        text, library = without_comments(tree.read(path)), path.split("/")[0]
         found += [(library, *entry) for entry in classes(path, text)]
         if path.endswith(".cpp"):
             for name in re.findall(DEFINITION, text, re.M):
                 sources[library, name].add(path)
-    return [(place, name, members, len(sources[library, name])) for library, place, name, members in found]
-
-
-def main(arguments):
-    if arguments[0] == "--all":
-        for place, name, members, files in sizes(arguments[1:]):
-            print(f"{members}\t{files}\t{name}\t{place}")
-        return
-    for place, name, members, files in sizes(arguments):
+    for library, place, name, members in found:
+        files = len(sources[library, name])
         if members > MEMBERS or files > SOURCES:
-            print(f"{place}: {name} has {members} members in {files} .cpp files, at most {MEMBERS} in {SOURCES} are allowed")
-
-
-if __name__ == "__main__":
-    main(sys.argv[1:])
+            yield f"{place}: {name} has {members} members in {files} .cpp files, at most {MEMBERS} in {SOURCES} are allowed"

@@ -57,7 +57,7 @@ sed -i 's/^| `curve` .*/&\n| `partial` | by a share $c$ of each of the two (M.10
 touched=$(diff -rq "$scratch/before" "$tree" || true)
 (($(wc -l <<<"$touched") == 4)) || { printf 'a law touches other than four files:\n%s\n' "$touched" && exit 1; }
 for rule in include_rule geometry_include file_size equation_tags links case_keys; do
-  "$root/verification/rules/rules.sh" "$rule" "$tree"
+  "$root/verification/rules/rules.py" "$rule" --root "$tree"
 done
 
 cmake -S "$tree" -B "$scratch/law" -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_FLAGS_RELEASE=-O1 -DCMAKE_UNITY_BUILD=ON \
