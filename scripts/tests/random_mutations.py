@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
 """Writes random changes of one operator or number each, in functions of the libraries and of the steps, as lines that
-scripts/tests/mutate.sh --list tries: which tests must notice it, file, sed expression.
+scripts/tests/mutate.py --list tries: which tests must notice it, file, sed expression.
 usage: scripts/tests/random_mutations.py [--number N] [--seed S] [--functions REGEX] [FILE...]
   --number N         how many (300); fewer where there are not so many
   --seed S           of the choice (1): the same seed and source give the same list

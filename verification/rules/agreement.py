@@ -59,13 +59,17 @@ def versions(tree):
     version = first(r"^set\(GASJET_VERSION ([0-9.]+)\)$", "cmake/GasjetVersion.cmake")
     formats = dict(re.findall(r"^inline constexpr int (\w+) = (\d+);", tree.read(tree.named("formats.hpp")), re.M))
     date = first(rf"^## {re.escape(version)} \(([0-9-]+)\)$", "CHANGELOG.md")
-    says = [("CHANGELOG.md", r"^## ([0-9].*) \(", version), ("CITATION.cff", r"^version: (.*)", version), ("CITATION.cff", r"^date-released: (.*)", date)]
+    says = [("CHANGELOG.md", "newest release", r"^## ([0-9].*) \(", version), ("CITATION.cff", "version", r"^version: (.*)", version),
+            ("CITATION.cff", "date", r"^date-released: (.*)", date)]
     rows = {"program and libraries": version, "reference data": tree.read("cases/reference/VERSION").strip(), "case files": formats["case_file"],
             "result files": formats["results"], "JSON of commands": formats["json"]}
-    says += [("docs/versions.md", rf"^\| {name} \| ([^ ]+) \|", now) for name, now in rows.items()]
-    says += [(path, r'^    "format": \{ "const": (\d+),', formats["json"]) for path in tree.files("*.json", under="verification/schemas/")]
-    says += [(path, r"^format = (.*)", formats["case_file"]) for path in tree.files("*.toml", under="cases/") if re.search(r"^\[scene\]", tree.read(path), re.M)]
-    yield from (f"{path}: '{pattern}' is '{first(pattern, path)}', not '{now}'" for path, pattern, now in says if not now or first(pattern, path) != now)
+    says += [("docs/versions.md", name, rf"^\| {name} \| ([^ ]+) \|", now) for name, now in rows.items()]
+    says += [(path, "format", r'^    "format": \{ "const": (\d+),', formats["json"]) for path in tree.files("*.json", under="verification/schemas/")]
+    says += [(path, "format", r"^format = (.*)", formats["case_file"]) for path in tree.files("*.toml", under="cases/")
+             if re.search(r"^\[scene\]", tree.read(path), re.M)]
+    for path, what, pattern, now in says:
+        if not now or first(pattern, path) != now:
+            yield f"{path}: the {what} is '{first(pattern, path)}', not '{now}'"
     for place, _ in tree.code_matches(r"project\(.*VERSION [0-9]+\.[0-9]+\.[0-9]", tree.files(*CMAKE)):
         yield f"{place}: the version stands in cmake/GasjetVersion.cmake alone"
 

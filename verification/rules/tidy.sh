@@ -41,7 +41,7 @@ if [[ ${3:-} == sources ]]; then
 fi
 
 # Two headers of one name, or of one type, are not in one unit.
-mapfile -t headers < <(find "$root"/lib*/{include,src} "$root"/driver/{include,src} -name '*.hpp' | LC_ALL=C sort)
+mapfile -t headers < <(find "$root"/lib* "$root"/driver -name '*.hpp' -regex '.*/\(include\|src\)/.*' | LC_ALL=C sort)
 mapfile -t first < <(printf '%s\n' "${headers[@]}" | grep -vE '/libjet/src/|/lanes_whole')
 mapfile -t second < <(printf '%s\n' "${headers[@]}" | grep '/libjet/src/')
 tidy "${first[@]}" >"$scratch/first" &
