@@ -17,9 +17,9 @@ LIBRARIES = {
 }
 NAMES = "(gas|membrane|mesh|jet|coupling|closed_form|driver)"
 # CGAL's headers are slow to compile, and some of them are under the GPL.
-MAY_USE_CGAL = r"libjet/src/.*\.cpp|driver/(.*/)?(mesh_files/(src/)?soup|crossing/exact)\.cpp|(verification|benchmarks)/.*"
+MAY_USE_CGAL = r"libjet/src/.*\.cpp|driver/results/src/(mesh_files/soup|crossing/exact)\.cpp|(verification|benchmarks)/.*"
 # The driver's layers from below; those of one line do not know each other.
-LAYERS = ["base", "mesh_files"], ["engine"], ["forecast"], ["results"], ["export", "compare"], ["report"], ["many_runs"], ["commands"]
+LAYERS = ["base"], ["engine"], ["forecast"], ["results"], ["export", "compare"], ["report"], ["many_runs"], ["commands"]
 HEIGHT = {layer: height for height, row in enumerate(LAYERS) for layer in row}
 
 
@@ -48,7 +48,7 @@ def include_rule(tree):
         if folder in LIBRARIES and not is_allowed(tree, path, quote, header, folder, LIBRARIES[folder][1]):
             yield f"{place}: includes {header}: allowed are {folder}, the standard library, {', '.join(sorted(LIBRARIES[folder][1]))}"
         if header.startswith("CGAL/") and not re.fullmatch(MAY_USE_CGAL, path):
-            yield f"{place}: includes {header} (CGAL belongs in .cpp files of libjet/src, in soup.cpp and in crossing/exact.cpp)"
+            yield f"{place}: includes {header} (CGAL belongs in .cpp files of libjet/src, in driver/results in soup.cpp and exact.cpp)"
     sources, lists = tree.files(*CPP, under="lib"), tree.files("CMakeLists.txt", under="lib")
     for what, pattern, paths in (("names", rf"\b{NAMES}::", sources), ("links", rf"\b(?:gasjet::|gasjet_|lib){NAMES}\b", lists)):
         for place, found in tree.code_matches(pattern, paths):
@@ -69,7 +69,7 @@ def layers(tree):
             of, part = (provider.split("/") + ["", ""])[1:3]
             if of in HEIGHT and of != layer and (of not in below or part != "include"):
                 yield f"{place}: includes {header} of {of}: allowed are {layer} and public headers of {', '.join(below) or 'no other layer'}"
-        for place, found in tree.code_matches(rf"\b(?:gasjet|driver)(?:_driver)?(?:_|::)({'|'.join(HEIGHT)})\b",
+        for place, found in tree.code_matches(rf"\bgasjet(?:_|::)({'|'.join(HEIGHT)})\b",
                                               tree.files("CMakeLists.txt", under=f"driver/{layer}/")):
             if found[1] != layer and found[1] not in below:
                 yield f"{place}: links {found[1]}: allowed are {', '.join(below) or 'no other layer'}"
