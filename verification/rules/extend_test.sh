@@ -2,15 +2,11 @@
 # SPDX-License-Identifier: Apache-2.0
 # What CONTRIBUTING.md says of a new species, impactor and fabric law, done to a copy: one row of the table of species, a capsule in the
 # header of the impactor's shape, and four files of a law. All are built, and a program uses what is new.
-# usage: extend_test.sh [SCRATCH]; a given folder is kept
+# usage: extend_test.sh SCRATCH
 set -euo pipefail
 root=$(cd "${BASH_SOURCE[0]%/*}/../.." && pwd)
 here=$root/verification/rules/extend
-scratch=${1:-}
-if [[ -z $scratch ]]; then
-  scratch=$(mktemp -d)
-  trap 'rm -rf "$scratch"' EXIT
-fi
+scratch=${1:?usage: extend_test.sh SCRATCH}
 rm -rf "$scratch/source"
 mkdir -p "$scratch/source"
 cp -a "$root"/{cmake,elementary,libgas,libcoupling} "$scratch/source"
@@ -56,9 +52,7 @@ cp "$here/partial_test.cpp" "$tree/verification/membrane"
 sed -i 's/^| `curve` .*/&\n| `partial` | by a share $c$ of each of the two (M.101) | isotropic | none | `kept_compression` |/; s/^Fabric with a `weave`/$$ W = c W + (1 - c) W_r \\tag{M.101} $$\n\n&/' "$tree/docs/theory/membrane.md"
 touched=$(diff -rq "$scratch/before" "$tree" || true)
 (($(wc -l <<<"$touched") == 4)) || { printf 'a law touches other than four files:\n%s\n' "$touched" && exit 1; }
-for rule in include_rule geometry_include file_size equation_tags links case_keys; do
-  "$root/verification/rules/rules.py" "$rule" --root "$tree"
-done
+"$root/verification/rules/rules.py" --root "$tree" include_rule geometry_include file_size equation_tags links case_keys
 
 cmake -S "$tree" -B "$scratch/law" -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_FLAGS_RELEASE=-O1 -DCMAKE_UNITY_BUILD=ON \
   -DCMAKE_UNITY_BUILD_BATCH_SIZE=30 -DGASJET_BINDINGS=OFF >/dev/null
