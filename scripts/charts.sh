@@ -180,7 +180,7 @@ chart_examples() {
   export MATPLOTLIBRC=$PWD/docs/examples/examples.mplstyle SOURCE_DATE_EPOCH=0 MPLBACKEND=Agg
   for page in docs/examples/*.md; do
     [[ $page != */README.md ]] || continue
-    verification/rules/tutorial_test.sh "$page" "$PWD/$gasjet" "$PWD" docs/examples
+    verification/rules/tutorial_test.py --pictures docs/examples "$gasjet" "$page"
   done
 }
 
