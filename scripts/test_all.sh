@@ -58,10 +58,12 @@ build() {
 
 # closing_line: ctest's "P% tests passed, F tests failed out of N", summed over the suites.
 closing_line() {
-  sed -n 's/.*tests passed, \([0-9]*\) tests* failed out of \([0-9]*\).*/\1 \2/p' "$logs"/* |
-    awk '{ failed += $1; total += $2 }
-         END { if (!total) exit 1
-               printf "%d%% tests passed, %d tests failed out of %d\n", int(100 * (total - failed) / total), failed, total }'
+  local failed=0 total=0 of_suite
+  while read -r -a of_suite; do
+    failed=$((failed + of_suite[0])) total=$((total + of_suite[1]))
+  done < <(sed -n 's/.*tests passed, \([0-9]*\) tests* failed out of \([0-9]*\).*/\1 \2/p' "$logs"/*)
+  ((total)) || return 1
+  echo "$((100 * (total - failed) / total))% tests passed, $failed tests failed out of $total"
 }
 
 export UBSAN_OPTIONS=${UBSAN_OPTIONS:-print_stacktrace=1}
