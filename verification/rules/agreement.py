@@ -75,13 +75,12 @@ def versions(tree):
 
 
 def list_lines(tree, path):
-    for path, number, text in tree.lines(path):
-        if text.strip() and not text.startswith("#"):
-            yield f"{path}:{number}", *text.split("\t")[:3]
+    """(place, name, file, sed expression) of each line."""
+    return [(place, *found[0].split("\t")[:3]) for place, found in tree.matches(r"^[^#\s].*", [path])]
 
 
 def without_effect(tree, lines):
-    """Lines (place, name, file, sed expression) that change nothing."""
+    """Lines whose expression changes nothing in their file."""
     for place, _, path, expression in lines:
         if not tree.exists(path):
             yield f"{place}: no file {path}"
@@ -95,7 +94,7 @@ def mutation_lines(tree):
     listed = subprocess.run(["ctest", "--test-dir", tree.build, "-N"], capture_output=True, text=True, stdin=subprocess.DEVNULL).stdout
     tests = [name for name in re.findall(r"^ *Test +#[0-9]+: (.*)", listed, re.M) if not name.endswith("_NOT_BUILT")]
     for path in tree.files("mutations.tsv", "safeguards.tsv", under="verification/"):
-        lines = list(list_lines(tree, path))
+        lines = list_lines(tree, path)
         yield from (f"{place}: '{test}' matches no test" for place, test, *_ in lines if not any(re.search(test, name) for name in tests))
         yield from without_effect(tree, lines)
         if len(lines) > MAX_MUTATIONS:

@@ -61,14 +61,11 @@ def equation_tags(tree):
 @rule
 def links(tree):
     """Every relative link of a Markdown file, code blocks aside, leads to a file of the tree."""
-    for path in tree.files(*PAGES):
-        in_code = False
-        for path, number, text in tree.lines(path):
-            in_code ^= text.startswith("```")
-            for target in [] if in_code else re.findall(r"\]\(([^)]+)\)", text):
-                file = os.path.join(os.path.dirname(path), target.split("#")[0])
-                if "://" not in target and not target.startswith("#") and not tree.exists(file):
-                    yield f"{path}:{number}: no file {target}"
+    for place, found in tree.matches(r"^```(?:.*\n)*?```|\]\(([^)]+)\)", tree.files(*PAGES)):
+        target = found[1] or "#"
+        file = os.path.join(os.path.dirname(place), target.split("#")[0])
+        if "://" not in target and not target.startswith("#") and not tree.exists(file):
+            yield f"{place}: no file {target}"
 
 
 @rule

@@ -62,28 +62,18 @@ class Tree:
         with open(self.path(path), encoding="utf-8", errors="replace") as file:
             return file.read()
 
-    def lines(self, *paths):
-        """(file, number, text) of each line."""
-        for path in paths:
-            for number, text in enumerate(self.read(path).split("\n"), 1):
-                yield path, number, text
-
     @functools.lru_cache(maxsize=None)
     def code(self, path):
         """The text without comments to the end of a line."""
         comment = r"//.*" if re.search(r"\.(cpp|hpp|h)(\.in)?$", path) else r"(^|(?<=\s))#.*"
         return re.sub(comment, "", self.read(path), flags=re.M)
 
-    def code_matches(self, pattern, paths):
-        """(file:line, match) of each match in code."""
+    def matches(self, pattern, paths, in_code=False):
+        """(file:line, match) of each match, comments included unless in_code."""
         for path in paths:
-            for found in re.finditer(pattern, self.code(path), re.M):
-                yield f"{path}:{self.code(path).count(chr(10), 0, found.start()) + 1}", found
-
-    def matches(self, pattern, paths):
-        """(file:line, match) of each match in a line; lines are looked at only in files that match at all."""
-        pattern = re.compile(pattern, re.M)
-        for path in paths:
-            text = self.read(path)
-            for found in pattern.finditer(text):
+            text = self.code(path) if in_code else self.read(path)
+            for found in re.finditer(pattern, text, re.M):
                 yield f"{path}:{text.count(chr(10), 0, found.start()) + 1}", found
+
+    def code_matches(self, pattern, paths):
+        return self.matches(pattern, paths, in_code=True)
