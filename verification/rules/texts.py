@@ -3,6 +3,7 @@
 
 import os
 import re
+import shutil
 import subprocess
 
 from tree import CMAKE, CPP, PAGES, SCRIPTS, rule
@@ -27,6 +28,8 @@ def file_size(tree):
 @rule
 def format(tree):
     """Every C++ file is as clang-format writes it."""
+    if not shutil.which("clang-format"):
+        return ["clang-format is not installed"]
     paths = [path for path in tree.files(*CPP) if not path.endswith(".in")]
     said = subprocess.run(["clang-format", "--dry-run", *paths], cwd=tree.root, capture_output=True, text=True).stderr
     return [line for line in said.splitlines() if "warning:" in line]
