@@ -9,12 +9,10 @@ usage: scripts/tests/mutate.py [--list FILE] [--only REGEX] [--scratch FOLDER] [
   --results CSV     keep the verdicts there, and which test noticed; a later call goes on where this one ended
   --minutes N       begin no mutation after so long
 A line of a list names a test, a file and a sed expression. `@gas coupled` in place of a test: any fast test of these folders of
-verification/, those first that noticed most so far for their time. A test that hangs has noticed.
+verification/. A test that hangs has noticed.
 Exit code: 0 all mutations killed; 1 some survived or could not be tried; 2 bad arguments."""
 
 import argparse
-import collections
-import concurrent.futures
 import csv
 import json
 import os
@@ -44,7 +42,7 @@ def succeeds(*command, timeout=3600):
 
 
 class Copy:
-    """Source and build in the scratch folder."""
+    """Source, build and tests in the scratch folder."""
 
     def __init__(self, scratch):
         self.source, self.build = scratch / "source", scratch / "build"
@@ -75,54 +73,25 @@ class Copy:
     def make(self, *targets):
         return succeeds("cmake", "--build", self.build, f"-j{JOBS}", *(["--target", *targets] if targets else []))
 
-
-class Tests:
-    """The tests of a build, by name or by folder of verification/."""
-
-    def __init__(self, build):
-        self.build = build
-        self.noticed, self.seconds = collections.Counter(), collections.defaultdict(lambda: 1.0)
-
-    def listed(self, *options, folder=""):
-        """(name, command) of each test."""
-        found = json.loads(output("ctest", "--test-dir", self.build / folder, "--show-only=json-v1", *options) or '{"tests": []}')
-        return [(test["name"], test.get("command", [])) for test in found["tests"]]
-
     def targets(self, test):
         """What a build must have for the test."""
         if test.startswith("@"):
             return ["gasjet"] + [f"verification/{family}/all" for family in test[1:].split()]
-        words = {pathlib.Path(word) for _, command in self.listed("-R", test) for word in command if os.access(word, os.X_OK)}
+        listed = json.loads(output("ctest", "--test-dir", self.build, "--show-only=json-v1", "-R", test))["tests"]
+        words = {pathlib.Path(word) for one in listed for word in one.get("command", []) if os.access(word, os.X_OK)}
         return sorted(str(word.relative_to(self.build)) for word in words if word.is_file() and word.is_relative_to(self.build))
 
-    def passes(self, program):
-        start = time.monotonic()
-        passed = succeeds(program, "--gtest_fail_fast", "--gtest_brief=1", timeout=LONGEST)
-        self.seconds[program] = time.monotonic() - start
-        return passed
-
     def first_failure(self, test):
-        """The name of a test, or program of tests, that fails; empty: all pass."""
-        if not test.startswith("@"):
-            passes = succeeds("ctest", "--test-dir", self.build, "-R", test, "--no-tests=error", f"-j{JOBS}", timeout=LONGEST)
-            return "" if passes else test
-        for folder in (f"verification/{family}" for family in test[1:].split()):
-            commands = [command for _, command in self.listed("-L", "fast", folder=folder)]
-            programs = {command[0] for command in commands if any("gtest" in word for word in command)}
-            programs = sorted(programs, key=lambda name: -(self.noticed[name] + 1) / (self.seconds[name] + 0.05))
-            for i in range(0, len(programs), JOBS):  # a program that fails spares those behind it
-                with concurrent.futures.ThreadPoolExecutor(JOBS) as pool:
-                    for program, passes in zip(programs[i:i + JOBS], pool.map(self.passes, programs[i:i + JOBS])):
-                        if not passes:
-                            self.noticed[program] += 1
-                            return os.path.basename(program)
-            if not succeeds("ctest", "--test-dir", self.build / folder, "-L", "fast", "-E", "^[A-Za-z_/]+[.]", "--stop-on-failure",
-                            "--timeout", str(LONGEST), "--no-tests=ignore", f"-j{JOBS}"):
-                return f"ctest of {folder}"
+        """The name of a test that fails; empty: all pass. ctest begins with those that failed before."""
+        selections = [(self.build / "verification" / family, "-L", "fast") for family in test[1:].split()]
+        for folder, *which in selections if test.startswith("@") else [(self.build, "-R", test)]:
+            failed = folder / "Testing/Temporary/LastTestsFailed.log"
+            if not succeeds("ctest", "--test-dir", folder, *which, "--no-tests=error", "--stop-on-failure", "--timeout", str(LONGEST), f"-j{JOBS}"):
+                return failed.read_text().split("\n")[0].partition(":")[2] if failed.exists() else test
         return ""
 
 
-def try_mutation(copy, tests, test, file, expression):
+def try_mutation(copy, test, file, expression):
     """(verdict, by which test). The restored file is compiled with the next mutation."""
     path = copy.source / file
     if not path.is_file():
@@ -133,9 +102,9 @@ def try_mutation(copy, tests, test, file, expression):
             return "sed refuses the expression", ""
         if path.read_bytes() == before:
             return "sed changed nothing", ""
-        if not copy.make(*tests.targets(test)):
+        if not copy.make(*copy.targets(test)):
             return "does not compile", ""
-        by = tests.first_failure(test)
+        by = copy.first_failure(test)
         return ("killed", by) if by else ("SURVIVED", "")
     finally:
         path.write_bytes(before)
@@ -162,16 +131,16 @@ def run(options, lines, scratch):
     copy.update()
     if not copy.configure() or not copy.make():
         sys.exit(f"mutate.py: {copy.build}: the tree without mutation cannot be built")
-    tests, end, rows = Tests(copy.build), time.monotonic() + 60 * options.minutes, []
+    end, rows = time.monotonic() + 60 * options.minutes, []
     if options.results and options.results.exists():
         rows = list(csv.DictReader(options.results.open()))
     known = {(row["file"], row["expression"]) for row in rows}
-    red = {test: tests.first_failure(test) for test in dict.fromkeys(line[0] for line in lines)}
+    red = {test: copy.first_failure(test) for test in dict.fromkeys(line[0] for line in lines)}
     for test, file, expression in lines:
         if (file, expression) in known or time.monotonic() > end:
             continue
         start = time.monotonic()
-        verdict, by = ("test fails or is missing without mutation", red[test]) if red[test] else try_mutation(copy, tests, test, file, expression)
+        verdict, by = ("test fails or is missing without mutation", red[test]) if red[test] else try_mutation(copy, test, file, expression)
         print(f"{verdict:10} {test} | {file} | {expression}", flush=True)
         rows.append(dict(zip(COLUMNS, [verdict, by, f"{time.monotonic() - start:.0f}", file, expression])))
         if options.results:
