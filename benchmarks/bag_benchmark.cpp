@@ -10,9 +10,9 @@
 
 #include "closed_form/membrane.hpp"
 #include "disc_mesh.hpp"
-#include "membrane/icosphere.hpp"
 #include "membrane/stages.hpp"
 #include "membrane/time_step.hpp"
+#include "mesh/icosphere.hpp"
 
 namespace {
 
@@ -28,7 +28,7 @@ struct Swing {
 
 constexpr double kGamma = 1.4;
 
-membrane::BagDescription describe(const membrane::Mesh& mesh) {
+membrane::BagDescription describe(const mesh::Mesh& mesh) {
   membrane::BagDescription d;
   d.reference = mesh.nodes;
   d.elements = mesh.elements;
@@ -40,7 +40,7 @@ membrane::BagDescription describe(const membrane::Mesh& mesh) {
 /// Of 120 litres.
 Swing sphere(int level) {
   constexpr double radius = 0.30598317419458695, pressure = 121325.0;
-  const auto mesh = membrane::icosphere(radius, level);
+  const auto mesh = mesh::icosphere(radius, level);
   return {
       make_model(describe(mesh)), mesh.nodes, 1e-5 * mesh.nodes,
       closed_form::sphere_breathing_frequency({closed_form::paper_fabric(), radius}, 0.0, pressure, kGamma),

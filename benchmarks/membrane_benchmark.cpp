@@ -41,7 +41,7 @@ void BM_surface(benchmark::State& run) {
     benchmark::ClobberMemory();
   }
   count_elements(run, p);
-  const double volume = membrane::enclosed_volume(p.state.position.map(), p.bag.mesh.elements);
+  const double volume = mesh::enclosed_volume(p.state.position.map(), p.bag.mesh.elements);
   run.counters["volume_litres"] = 1e3 * state.surface.volume;
   run.counters["volume_error"] = std::abs(state.surface.volume / volume - 1.0);
   // x . dV/dx = 3 V (M.5)
@@ -145,9 +145,9 @@ void BM_bag_step(benchmark::State& run) {
 }
 
 // Torus of radii 1 m and 0.3 m of 2 around x across elements, its nodes ordered as the program orders them.
-membrane::Mesh torus(int around, int across) {
+mesh::Mesh torus(int around, int across) {
   const double turn = 2.0 * std::numbers::pi;
-  membrane::Mesh mesh;
+  mesh::Mesh mesh;
   mesh.nodes.resize(3, around * across);
   mesh.elements.resize(3, 2 * around * across);
   for (int i = 0; i < around; ++i)
@@ -159,8 +159,9 @@ membrane::Mesh torus(int around, int across) {
       mesh.elements.col(2 * a) << a, b, c;
       mesh.elements.col(2 * a + 1) << a, c, d;
     }
-  return mesh.element_count() > membrane::kCachedElements ? renumbered(mesh, membrane::node_order(mesh))
-                                                          : mesh;
+  return mesh.element_count() > membrane::kCachedElements
+             ? renumbered(mesh, membrane::node_order(mesh.elements, mesh.node_count()))
+             : mesh;
 }
 
 struct Blocks {
@@ -174,7 +175,7 @@ struct Blocks {
   }
 };
 
-membrane::BagModel torus_model(const membrane::Mesh& mesh, membrane::Isa isa, bool woven) {
+membrane::BagModel torus_model(const mesh::Mesh& mesh, membrane::Isa isa, bool woven) {
   membrane::BagDescription bag;
   bag.reference = mesh.nodes;
   bag.elements = mesh.elements;

@@ -26,7 +26,7 @@ Settings settings(Shape shape) {
   return {1.0, 5e3, 300.0, 60e-3};
 }
 
-membrane::BagModel make_bag_model(const membrane::PassengerBag& bag, double mass_damping) {
+membrane::BagModel make_bag_model(const mesh::PassengerBag& bag, double mass_damping) {
   membrane::BagDescription d;
   d.reference = bag.mesh.nodes;
   d.elements = bag.mesh.elements;
@@ -34,9 +34,9 @@ membrane::BagModel make_bag_model(const membrane::PassengerBag& bag, double mass
                       {0.5e-3, 620.0, 60e6, 0.3, 0.05, false});
   membrane::ElementProperties null_panel;
   null_panel.null_panel = true;
-  for (const int e : membrane::panel_elements(bag.mesh, "vent"))
+  for (const int e : mesh::panel_elements(bag.mesh, "vent"))
     d.properties[static_cast<std::size_t>(e)] = null_panel;
-  d.fixed_nodes = membrane::panel_nodes(bag.mesh, "attachment");
+  d.fixed_nodes = mesh::panel_nodes(bag.mesh, "attachment");
   for (const auto& anchors : bag.strap_anchors) d.straps.push_back({anchors[0], anchors[1], 4500.0, 0.62});
   d.mass_damping = mass_damping;
   return membrane::make_model(d);
@@ -52,14 +52,14 @@ void update_forces(PassengerState& p) {
 
 PassengerState make_passenger_state(Shape shape) {
   const Settings s = settings(shape);
-  const auto bag = membrane::passenger_bag();
+  const auto bag = mesh::passenger_bag();
   const auto model = make_bag_model(bag, s.mass_damping);
   PassengerState p{bag,
                    model,
-                   membrane::make_state(model, membrane::flatten(bag.mesh, s.flattening), {true, true}),
+                   membrane::make_state(model, mesh::flatten(bag.mesh, s.flattening), {true, true}),
                    s.gauge_pressure,
-                   membrane::panel_elements(bag.mesh, "vent"),
-                   membrane::panel_elements(bag.mesh, "attachment")};
+                   mesh::panel_elements(bag.mesh, "vent"),
+                   mesh::panel_elements(bag.mesh, "attachment")};
   update_forces(p);
   double before = 0.0;
   for (double time = 0.0; time < s.duration; time += before) {

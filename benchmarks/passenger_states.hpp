@@ -5,7 +5,7 @@
 
 #include "membrane/bag_model.hpp"
 #include "membrane/bag_state.hpp"
-#include "membrane/passenger_bag.hpp"
+#include "mesh/passenger_bag.hpp"
 
 namespace benchmarks {
 
@@ -19,7 +19,7 @@ enum class Shape { flat, crumpled, inflated };
 const char* name_of(Shape shape);
 
 struct PassengerState {
-  membrane::PassengerBag bag;
+  mesh::PassengerBag bag;
   membrane::BagModel model;
   membrane::BagState state;        // surface and forces belong to its positions
   double gauge_pressure;           // [Pa]

@@ -28,7 +28,7 @@ double bound(const scenes::Bag& bag) {
 
 // Sphere of 80 elements with one node moved along a side until that is the share `side` of what it was.
 scenes::Bag with_sliver(double side) {
-  auto mesh = membrane::icosphere(0.3, 1);
+  auto mesh = mesh::icosphere(0.3, 1);
   const int from = mesh.elements(0, 0), to = mesh.elements(1, 0);
   mesh.nodes.col(from) = mesh.nodes.col(to) + side * (mesh.nodes.col(from) - mesh.nodes.col(to)).eval();
   return {make_model(scenes::describe(mesh, membrane::Compression::linear)), mesh.nodes};
@@ -37,7 +37,7 @@ scenes::Bag with_sliver(double side) {
 // Sphere of 80 elements, slack, flattened to the share `depth` of its depth and so of its volume, with air at
 // rest inside.
 scenes::Bag flattened(double depth) {
-  const auto mesh = membrane::icosphere(0.3, 1);
+  const auto mesh = mesh::icosphere(0.3, 1);
   scenes::Bag bag{make_model(scenes::describe(mesh, membrane::Compression::none)), mesh.nodes,
                   scenes::kAmbient};
   bag.x.row(2) *= depth;

@@ -9,10 +9,10 @@
 #include <gas/integrator.hpp>
 #include <jet/field.hpp>
 #include <jet/visibility.hpp>
-#include <membrane/passenger_bag.hpp>
 #include <membrane/stages.hpp>
-#include <membrane/surface_check.hpp>
 #include <membrane/time_step.hpp>
+#include <mesh/passenger_bag.hpp>
+#include <mesh/surface_check.hpp>
 #include <stdexcept>
 
 namespace {
@@ -23,19 +23,18 @@ constexpr double kAmbientPressure = 101325.0, kAmbientTemperature = 293.15;  // 
 constexpr double kThickness = 0.5e-3, kDensity = 620.0, kRadius = 0.041;     // m, kg/m3, m
 const Vector3d kGravity(0.0, 0.0, -9.80665);                                 // m/s2
 
-membrane::BagModel bag_model(const membrane::PassengerBag& design) {
-  const membrane::Mesh& mesh = design.mesh;
+membrane::BagModel bag_model(const mesh::PassengerBag& design) {
+  const mesh::Mesh& mesh = design.mesh;
   membrane::BagDescription bag;
   bag.reference = mesh.nodes;
   bag.elements = mesh.elements;
   bag.properties.assign(mesh.panel.size(), {kThickness, kDensity, 60e6, 0.3, 0.05});
-  for (const int e : membrane::panel_elements(mesh, "vent")) {
+  for (const int e : mesh::panel_elements(mesh, "vent")) {
     bag.properties[e] = {};
     bag.properties[e].null_panel = true;
   }
-  for (const int e : membrane::panel_elements(mesh, "attachment"))
-    bag.properties[e].porosity = 0.0;  // bolted on
-  bag.fixed_nodes = membrane::panel_nodes(mesh, "attachment");
+  for (const int e : mesh::panel_elements(mesh, "attachment")) bag.properties[e].porosity = 0.0;  // bolted on
+  bag.fixed_nodes = mesh::panel_nodes(mesh, "attachment");
   for (const auto& [back, front] : design.strap_anchors) bag.straps.push_back({back, front, 4500.0, 0.62});
   bag.plates.push_back({Vector3d::Zero(), Vector3d::UnitX()});
   bag.gravity = kGravity;
@@ -66,23 +65,22 @@ jet::JetModel jet_model() {
 }  // namespace
 
 int main() {
-  const membrane::PassengerBag design = membrane::passenger_bag();
-  const membrane::Mesh& mesh = design.mesh;
-  membrane::require_closed_surface(mesh.nodes, mesh.elements);
+  const mesh::PassengerBag design = mesh::passenger_bag();
+  const mesh::Mesh& mesh = design.mesh;
+  mesh::require_closed_surface(mesh.nodes, mesh.elements);
   const membrane::BagModel bag = bag_model(design);
-  const Eigen::Matrix3Xd start = membrane::flatten(mesh, 0.1);
+  const Eigen::Matrix3Xd start = mesh::flatten(mesh, 0.1);
   membrane::BagState skin = membrane::make_state(bag, start, {.jet = true, .contact = true});
 
   const gas::ControlVolumeModel volume = gas_model();
   gas::GasIntegrator integrator(volume);
   const auto air = volume.thermo.mass_fractions_by_mole(gas::air_by_mole());
 
-  const std::vector<int> vent = membrane::panel_elements(mesh, "vent");
+  const std::vector<int> vent = mesh::panel_elements(mesh, "vent");
   const jet::JetField field(jet_model(), bag.element_count, vent);
   const jet::OutletModel outlet{.area = jet::outlet_area(field.model())};
   jet::FieldState load = field.make_state();
-  jet::VisibilityQuery query(mesh.elements, bag.node_count,
-                             {vent, membrane::panel_elements(mesh, "attachment")});
+  jet::VisibilityQuery query(mesh.elements, bag.node_count, {vent, mesh::panel_elements(mesh, "attachment")});
   std::vector<std::uint8_t> lit(mesh.panel.size());
 
   const coupling::PendulumModel pendulum(

@@ -14,7 +14,6 @@
 #include "kernel_table.hpp"
 #include "law_functions.hpp"
 #include "membrane/law_table.hpp"
-#include "membrane/mesh.hpp"
 #include "tune_shares.hpp"
 
 namespace membrane {
@@ -210,6 +209,11 @@ double plate_bound(const BagModel& m) {
 }
 
 }  // namespace
+
+bool has_area(const Eigen::Vector3d& ab, const Eigen::Vector3d& ac) {
+  const double twice_area = ab.cross(ac).norm();
+  return std::isfinite(twice_area) && twice_area > 1e-14 * std::max(ab.squaredNorm(), ac.squaredNorm());
+}
 
 BagModel make_model(const BagDescription& description) {
   check_description(description);

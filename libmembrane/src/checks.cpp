@@ -38,15 +38,15 @@ void require_finite(std::string_view where, const char* field, double value) {
   if (!std::isfinite(value)) reject(where, field, value, "finite");
 }
 
+void require_node(std::string_view where, const char* field, int node, Eigen::Index node_count) {
+  if (node < 0 || node >= node_count)
+    reject(where, field, node, "a node number, 0 to " + std::to_string(node_count - 1));
+}
+
 namespace {
 
 std::string element_name(Eigen::Index e) {
   return "element " + std::to_string(e);
-}
-
-void require_node(std::string_view where, const char* field, int node, Eigen::Index node_count) {
-  if (node < 0 || node >= node_count)
-    reject(where, field, node, "a node number, 0 to " + std::to_string(node_count - 1));
 }
 
 void check_nodes(const BagDescription& d) {

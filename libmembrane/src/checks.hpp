@@ -18,13 +18,10 @@ void require_positive(std::string_view where, const char* field, double value); 
 void require_not_negative(std::string_view where, const char* field, double value);
 void require_finite(std::string_view where, const char* field, double value);
 
-struct BagDescription;
-struct Mesh;
+// Throws unless `node` is the number of a node.
+void require_node(std::string_view where, const char* field, int node, Eigen::Index node_count);
 
-// Every corner is a number of a node.
-void require_nodes(std::string_view where, const Eigen::Ref<const Eigen::Matrix3Xi>& elements,
-                   Eigen::Index node_count);
-void require_panels(std::string_view where, const Mesh& mesh);  // one index of a panel for each element
+struct BagDescription;
 
 // Refuses everything that make_model refuses and that needs no computation. Throws std::invalid_argument.
 void check_description(const BagDescription& description);

@@ -9,14 +9,14 @@
 
 namespace membrane {
 
-std::vector<int> node_order(const Mesh& mesh) {
+std::vector<int> node_order(const Eigen::Ref<const Eigen::Matrix3Xi>& elements, int node_count) {
   BagModel m;
-  m.node_count = mesh.node_count();
-  m.element_count = mesh.element_count();
-  m.description.elements = mesh.elements;
+  m.node_count = node_count;
+  m.element_count = static_cast<int>(elements.cols());
+  m.description.elements = elements;
   std::vector<int> order;
   if (m.element_count > 0) {
-    require_nodes("node_order", mesh.elements, m.node_count);
+    for (const int node : elements.reshaped()) require_node("node_order", "node number", node, node_count);
     set_corner_table(m);
     set_blocks(m);
   }
@@ -32,18 +32,6 @@ std::vector<int> node_order(const Mesh& mesh) {
   for (const ElementBlock& block : m.elements.block) place_range(block.first_shared, block.last_node);
   for (std::int32_t node = 0; node < m.node_count; ++node) place(node);
   return order;
-}
-
-Mesh renumbered(const Mesh& mesh, const std::vector<int>& order) {
-  std::vector<int> place(order.size());
-  Mesh result = mesh;
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    place[static_cast<std::size_t>(order[i])] = static_cast<int>(i);
-    result.nodes.col(static_cast<Eigen::Index>(i)) = mesh.nodes.col(order[i]);
-    if (mesh.start) result.start->col(static_cast<Eigen::Index>(i)) = mesh.start->col(order[i]);
-  }
-  for (int& node : result.elements.reshaped()) node = place[static_cast<std::size_t>(node)];
-  return result;
 }
 
 }  // namespace membrane

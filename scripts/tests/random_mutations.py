@@ -26,8 +26,8 @@ HIDDEN = re.compile(r'//[^\n]*|/\*.*?\*/|"(?:\\.|[^"\\\n])*"|\'(?:\\.|[^\'\\\n])
 SPARED = re.compile(r"\brequire|\bcheck::|static_assert|\bassert\b")
 SCOPE = re.compile(r"\b(namespace|class|struct|enum|union|extern)\b")
 # Where a file's tests stand, nearest first; the coupled ones run the whole program.
-TESTS = {"libgas": "@gas coupled", "libmembrane": "@membrane coupled", "libjet": "@jet coupled",
-         "libcoupling": "@coupling coupled", "driver": "@coupled", "verification": "@closed_form/tests"}
+TESTS = {"libgas": "@gas coupled", "libmembrane": "@membrane coupled", "libmembrane/mesh": "@mesh coupled",
+         "libjet": "@jet coupled", "libcoupling": "@coupling coupled", "driver": "@coupled", "verification": "@closed_form/tests"}
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 
 
@@ -95,7 +95,7 @@ def main():
         for p in (ROOT / folder).rglob("*") if p.suffix in (".cpp", ".hpp"))
     lines = []
     for file in files:
-        suite = TESTS.get(file.split("/")[0])
+        suite = TESTS.get("libmembrane/mesh" if file.startswith("libmembrane/mesh/") else file.split("/")[0])
         if suite is None or not (ROOT / file).is_file():
             sys.exit(f"random_mutations.py: {file}: no source of a library, a step or a closed form")
         lines += [f"{suite}\t{file}\t{m}" for m in mutations(file, wanted.functions)]

@@ -85,7 +85,7 @@ TEST(case_options, shapes_come_from_files_in_their_unit) {
   const auto scene = coupled::scene_of("bag_from_files");
   const double full = 4.0 / 3.0 * M_PI * std::pow(0.3, 3) * closed_form::icosphere_ratios(1).volume_ratio;
   const auto volume = [&](const auto& nodes) {
-    return membrane::enclosed_volume(nodes, scene.bag->mesh.elements);
+    return mesh::enclosed_volume(nodes, scene.bag->mesh.elements);
   };
   // Nine decimals of a millimetre: 3e-12 of the radius, 3e-11 of the flattened one.
   EXPECT_NEAR(volume(scene.bag->mesh.nodes) / full, 1.0, 1e-11);

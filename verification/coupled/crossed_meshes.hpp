@@ -4,14 +4,13 @@
 
 #include <Eigen/Core>
 
-#include "membrane/mesh.hpp"
+#include "mesh/mesh.hpp"
 
 namespace crossed {
 
 // Two meshes as one, the second moved.
-inline membrane::Mesh together(const membrane::Mesh& one, const membrane::Mesh& other,
-                               const Eigen::Vector3d& move) {
-  membrane::Mesh both;
+inline mesh::Mesh together(const mesh::Mesh& one, const mesh::Mesh& other, const Eigen::Vector3d& move) {
+  mesh::Mesh both;
   both.nodes.resize(3, one.nodes.cols() + other.nodes.cols());
   both.nodes << one.nodes, other.nodes.colwise() + move;
   both.elements.resize(3, one.elements.cols() + other.elements.cols());
@@ -20,8 +19,8 @@ inline membrane::Mesh together(const membrane::Mesh& one, const membrane::Mesh& 
 }
 
 // The unit cube of twelve triangles, outward.
-inline membrane::Mesh cube() {
-  membrane::Mesh mesh;
+inline mesh::Mesh cube() {
+  mesh::Mesh mesh;
   mesh.nodes.resize(3, 8);
   for (int n = 0; n < 8; ++n) mesh.nodes.col(n) << n % 2, n / 2 % 2, n / 4;
   mesh.elements.resize(3, 12);

@@ -10,7 +10,7 @@
 #include <random>
 
 #include "crossed_meshes.hpp"
-#include "membrane/icosphere.hpp"
+#include "mesh/icosphere.hpp"
 #include "results/crossing.hpp"
 #include "run_case.hpp"
 
@@ -20,7 +20,7 @@ using crossed::cube;
 using crossed::together;
 using driver::crossing_pairs;
 using Eigen::Vector3d;
-using membrane::Mesh;
+using mesh::Mesh;
 using Pairs = std::vector<std::pair<int, int>>;
 
 // The second route. It also lists triangles without area, each with itself.
@@ -99,7 +99,7 @@ TEST(crossing, neighbours_cross_only_elsewhere_than_where_they_are_joined) {
 TEST(crossing, pairs_are_those_of_cgal) {
   std::size_t pairs = 0;
   for (const int levels : {2, 4}) {
-    const Mesh sphere = membrane::icosphere(1.0, levels);
+    const Mesh sphere = mesh::icosphere(1.0, levels);
     for (std::uint64_t seed = 0; seed < 12; ++seed) {
       Mesh mesh = shaken(sphere, std::pow(0.5, levels) * (0.1 + 0.05 * static_cast<double>(seed)), seed);
       if (seed % 3 == 1) mesh.nodes.row(static_cast<Eigen::Index>(seed) % 2) *= 1e-3;  // flattened

@@ -12,7 +12,7 @@
 
 #include "claim.hpp"
 #include "crossed_meshes.hpp"
-#include "membrane/icosphere.hpp"
+#include "mesh/icosphere.hpp"
 #include "results/winding.hpp"
 
 namespace {
@@ -22,7 +22,7 @@ using crossed::together;
 using driver::Crossing;
 using driver::layer_volumes;
 using Eigen::Vector3d;
-using membrane::Mesh;
+using mesh::Mesh;
 
 constexpr int kLines = 4096;
 
@@ -41,7 +41,7 @@ double normal_number(std::mt19937_64& random) {
 }
 
 TEST(crossing, lens_of_two_spheres_is_counted_twice) {
-  const Mesh sphere = membrane::icosphere(1.0, 4);
+  const Mesh sphere = mesh::icosphere(1.0, 4);
   const auto lens = [](double r, double d) {
     return std::numbers::pi * std::pow(2.0 * r - d, 2) * (d * d + 4.0 * d * r) / (12.0 * d);
   };
@@ -79,22 +79,22 @@ TEST(crossing, three_layers_count_twice_too_often) {
 }
 
 TEST(crossing, a_surface_inside_out_has_its_volume_there) {
-  Mesh mesh = membrane::icosphere(1.0, 4);
+  Mesh mesh = mesh::icosphere(1.0, 4);
   mesh.elements.row(1).swap(mesh.elements.row(2));
   const auto [twice, inside_out] = layer_volumes(mesh.nodes, mesh.elements, kLines);
   EXPECT_EQ(twice.value, 0.0);
-  EXPECT_NEAR(inside_out.value, -membrane::enclosed_volume(mesh.nodes, mesh.elements),
+  EXPECT_NEAR(inside_out.value, -mesh::enclosed_volume(mesh.nodes, mesh.elements),
               5.0 * inside_out.standard_error);
 }
 
 // y -> x y turns half of the sphere inside out: pi (1 - x^2) |x| across, pi / 4 in each half.
 TEST(crossing, half_of_a_figure_of_eight_is_inside_out) {
-  const Mesh sphere = membrane::icosphere(1.0, 5);
+  const Mesh sphere = mesh::icosphere(1.0, 5);
   Mesh mesh = sphere;
   mesh.nodes.row(1).array() *= mesh.nodes.row(0).array();
   const Crossing crossing = driver::find_crossing(mesh.nodes, mesh.elements, true);
   EXPECT_GT(crossing.pairs, 0u);
-  EXPECT_NEAR(membrane::enclosed_volume(mesh.nodes, mesh.elements), 0.0, 1e-14);
+  EXPECT_NEAR(mesh::enclosed_volume(mesh.nodes, mesh.elements), 0.0, 1e-14);
   const auto [volume, error] = crossing.volumes.inside_out;
   // The map stretches by less than 2, and changes volumes by less than 1: between the sphere and its mesh are
   // 4 pi depth, half of them on this side. Bending of its edges adds as much.
@@ -106,14 +106,14 @@ TEST(crossing, half_of_a_figure_of_eight_is_inside_out) {
 // The signed volume is what is enclosed, plus what is counted twice, less what is inside out: here the union
 // of both spheres is known by the same signs.
 TEST(crossing, volumes_add_up_to_the_signed_volume) {
-  const Mesh sphere = membrane::icosphere(1.0, 3);
+  const Mesh sphere = mesh::icosphere(1.0, 3);
   Mesh other = sphere;
   other.elements.row(1).swap(other.elements.row(2));
   const Mesh both = together(sphere, other, {0.9, 0.2, 0.1});
   const auto [twice, inside_out] = layer_volumes(both.nodes, both.elements, kLines);
   const Mesh two = together(sphere, sphere, {0.9, 0.2, 0.1});
   const auto lens = layer_volumes(two.nodes, two.elements, kLines).counted_twice;
-  const double volume = membrane::enclosed_volume(sphere.nodes, sphere.elements);
+  const double volume = mesh::enclosed_volume(sphere.nodes, sphere.elements);
   EXPECT_EQ(twice.value, 0.0) << "w is 1, 0 and -1";
   EXPECT_NEAR(inside_out.value, volume - lens.value, 5.0 * (inside_out.standard_error + lens.standard_error));
 }
@@ -140,7 +140,7 @@ TEST(crossing, standard_error_is_the_scatter) {
 }
 
 TEST(crossing, error_falls_as_the_number_of_lines) {
-  const Mesh sphere = membrane::icosphere(1.0, 4), two = together(sphere, sphere, {0.7, 0.5, 0.3});
+  const Mesh sphere = mesh::icosphere(1.0, 4), two = together(sphere, sphere, {0.7, 0.5, 0.3});
   const double few = layer_volumes(two.nodes, two.elements, 1024).counted_twice.standard_error,
                many = layer_volumes(two.nodes, two.elements, 16384).counted_twice.standard_error;
   EXPECT_GT(few / many, 8.0) << "16 times the lines: 4 for independent lines, 16 for a smooth length";
@@ -164,7 +164,7 @@ TEST(crossing, a_point_on_an_edge_belongs_to_one_side) {
 }
 
 TEST(crossing, size_and_place_do_not_matter) {
-  const Mesh sphere = membrane::icosphere(1.0, 3), two = together(sphere, sphere, {1.0, 0.5, 0.25});
+  const Mesh sphere = mesh::icosphere(1.0, 3), two = together(sphere, sphere, {1.0, 0.5, 0.25});
   const auto expected = driver::find_crossing(two.nodes, two.elements, true);
   for (const double scale : {0x1p-100, 0x1p-10, 0x1p100}) {
     const Eigen::Matrix3Xd nodes = scale * two.nodes;

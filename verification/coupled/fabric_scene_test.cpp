@@ -5,10 +5,10 @@
 #include <algorithm>
 
 #include "case_folder.hpp"
-#include "membrane/driver_bag.hpp"
-#include "membrane/mesh_file.hpp"
 #include "membrane/node_order.hpp"
-#include "membrane/refine.hpp"
+#include "mesh/driver_bag.hpp"
+#include "mesh/mesh_file.hpp"
+#include "mesh/refine.hpp"
 #include "run_case.hpp"
 
 namespace {
@@ -46,7 +46,7 @@ TEST(fabric_scene, panels_do_not_inherit_from_each_other) {
   const driver::Scene scene = driver::load_scene(document);
   const auto& all = scene.bag->model.description.properties;
   const auto fabric_of = [&](const char* panel) {
-    return all[static_cast<std::size_t>(membrane::panel_elements(scene.bag->mesh, panel).front())];
+    return all[static_cast<std::size_t>(mesh::panel_elements(scene.bag->mesh, panel).front())];
   };
   EXPECT_EQ(fabric_of("front").thickness, 1e-3);
   EXPECT_EQ(fabric_of("front").density, 620.0);
@@ -80,7 +80,7 @@ TEST(fabric_scene, refined_mesh_keeps_shape_and_vents) {
   EXPECT_EQ(fine.bag->null_elements.size(), 20u);
   EXPECT_EQ(fine.bag->model.element_count, 4 * (coarse.bag->model.element_count - 8) + 20);
   const auto volume = [](const driver::BagPart& bag) {
-    return membrane::enclosed_volume(bag.initial_position, bag.mesh.elements);
+    return mesh::enclosed_volume(bag.initial_position, bag.mesh.elements);
   };
   EXPECT_NEAR(volume(*fine.bag), volume(*coarse.bag), 1e-15);  // 6e-3 m3 in ten thousand terms: rounding
 }
@@ -88,13 +88,13 @@ TEST(fabric_scene, refined_mesh_keeps_shape_and_vents) {
 // 37 000 elements run with their nodes in another order than refinement gives: the same shapes and tethers.
 TEST(fabric_scene, large_mesh_is_renumbered_whole) {
   const driver::Scene scene = scene_of("driver_bag", {"membrane.mesh.refine=2"});
-  const auto bag = membrane::driver_bag();
-  membrane::Mesh design = bag.mesh, open = bag.mesh;
+  const auto bag = mesh::driver_bag();
+  mesh::Mesh design = bag.mesh, open = bag.mesh;
   open.nodes = bag.opened;
   const std::vector<std::string> vents = {"vent_left", "vent_right"};
   for (auto* mesh : {&design, &open})
-    for (int i = 0; i < 2; ++i) *mesh = membrane::refine(*mesh, vents);
-  const auto order = membrane::node_order(design);
+    for (int i = 0; i < 2; ++i) *mesh = mesh::refine(*mesh, vents);
+  const auto order = membrane::node_order(design.elements, design.node_count());
   EXPECT_TRUE(scene.bag->mesh.nodes == design.nodes(Eigen::all, order));
   EXPECT_TRUE(scene.bag->initial_position == open.nodes(Eigen::all, order));
   const auto& straps = scene.bag->model.description.straps;
@@ -121,11 +121,11 @@ TEST(fabric_scene, straps_are_tied_to_the_panels_that_they_name) {
   EXPECT_EQ(with("from_panel = \"back\"\nto_panel = \"front\"\n"), "accepted");
   driver::CaseDocument document(folder.path / "case.toml", {});
   const driver::Scene scene = driver::load_scene(document);
-  const membrane::Mesh& mesh = scene.bag->mesh;
+  const mesh::Mesh& mesh = scene.bag->mesh;
   const membrane::Strap& strap = scene.bag->model.description.straps.front();
   EXPECT_EQ(mesh.nodes.col(strap.node_a), mesh.nodes.col(strap.node_b));
   const auto has = [&](const char* panel, int node) {
-    const auto nodes = membrane::panel_nodes(mesh, panel);
+    const auto nodes = mesh::panel_nodes(mesh, panel);
     return std::find(nodes.begin(), nodes.end(), node) != nodes.end();
   };
   EXPECT_TRUE(has("back", strap.node_a) && !has("front", strap.node_a));
@@ -145,12 +145,12 @@ TEST(fabric_scene, straps_are_tied_to_the_panels_that_they_name) {
 // Design and initial shape from two files are those of the generator.
 TEST(fabric_scene, initial_shape_comes_from_a_file) {
   const Folder folder;
-  const auto bag = membrane::driver_bag();
-  membrane::Mesh open = bag.mesh;
+  const auto bag = mesh::driver_bag();
+  mesh::Mesh open = bag.mesh;
   open.nodes = bag.opened;
-  membrane::write_mesh(bag.mesh, folder.path / "design.k");
-  membrane::write_mesh(open, folder.path / "open.obj");
-  membrane::write_mesh(membrane::driver_bag({.rings = 12}).mesh, folder.path / "other.obj");
+  mesh::write_mesh(bag.mesh, folder.path / "design.k");
+  mesh::write_mesh(open, folder.path / "open.obj");
+  mesh::write_mesh(mesh::driver_bag({.rings = 12}).mesh, folder.path / "other.obj");
   const auto with = [&](const std::string& mesh) {
     std::string text = read(GASJET_SOURCE_DIR "/cases/driver_bag.toml");
     const std::string generator = "generator = \"driver\"";

@@ -11,16 +11,16 @@
 #include <fstream>
 
 #include "case_folder.hpp"
-#include "membrane/icosphere.hpp"
-#include "membrane/stl.hpp"
-#include "membrane/surface_check.hpp"
+#include "mesh/icosphere.hpp"
+#include "mesh/stl.hpp"
+#include "mesh/surface_check.hpp"
 #include "run_case.hpp"
 
 namespace {
 
 using coupled::Folder;
 using driver::read_any_mesh;
-using membrane::Mesh;
+using mesh::Mesh;
 
 Mesh read_text_as(const Folder& folder, const std::string& name, const std::string& text) {
   std::ofstream(folder.path / name, std::ios::binary) << text;
@@ -32,7 +32,7 @@ std::string refusal(const std::string& name, const std::string& text) {
   const Folder folder;
   try {
     read_text_as(folder, name, text);
-  } catch (const membrane::MeshFileError& error) {
+  } catch (const mesh::MeshFileError& error) {
     return std::string(error.what()).substr(folder.path.string().size() + 1);
   }
   return "accepted";
@@ -91,8 +91,8 @@ TEST(mesh_reader, text_of_ply_and_off_is_the_same_pyramid) {
     EXPECT_EQ(mesh.element_count(), 6);
     EXPECT_EQ(mesh.split_quads, 1);
     EXPECT_EQ(mesh.panel_names, (std::vector<std::string>{"default"}));
-    EXPECT_TRUE(membrane::check_closed_surface(mesh.nodes, mesh.elements).ok());
-    EXPECT_EQ(membrane::enclosed_volume(mesh.nodes, mesh.elements), 1.0 / 3.0);
+    EXPECT_TRUE(mesh::check_closed_surface(mesh.nodes, mesh.elements).ok());
+    EXPECT_EQ(mesh::enclosed_volume(mesh.nodes, mesh.elements), 1.0 / 3.0);
   }
 }
 
@@ -114,7 +114,7 @@ TEST(mesh_reader, a_case_warns_of_slivers) {
 
 TEST(mesh_reader, binary_files_keep_every_bit) {
   const Folder folder;
-  Mesh mesh = membrane::icosphere(0.3, 2);
+  Mesh mesh = mesh::icosphere(0.3, 2);
   for (const bool big_endian : {false, true}) {
     const Mesh back = read_text_as(folder, "a.ply", binary_ply(mesh, big_endian));
     EXPECT_TRUE(back.nodes == mesh.nodes);
@@ -131,17 +131,17 @@ TEST(mesh_reader, binary_files_keep_every_bit) {
 
 TEST(mesh_reader, every_ending_has_its_format) {
   const Folder folder;
-  const Mesh mesh = membrane::icosphere(0.3, 1);
+  const Mesh mesh = mesh::icosphere(0.3, 1);
   for (const char* name : {"a.obj", "a.k", "a.KEY", "a.dyn", "a.stl"}) {
-    membrane::write_mesh(mesh, folder.path / name);
+    mesh::write_mesh(mesh, folder.path / name);
     EXPECT_EQ(read_any_mesh(folder.path / name).node_count(), mesh.node_count()) << name;
   }
   EXPECT_EQ(read_text_as(folder, "b.stl", "\xEF\xBB\xBF" + format_stl(mesh)).node_count(), mesh.node_count());
   EXPECT_NE(refusal("a.step", "x")
                 .find("a mesh file ends with one of .obj, .k, .key, .dyn, .rad, .stl, .ply, .off"),
             std::string::npos);
-  EXPECT_THROW(read_any_mesh(folder.path / "none.ply"), membrane::MeshFileError);
-  EXPECT_THROW(read_any_mesh(folder.path), membrane::MeshFileError);
+  EXPECT_THROW(read_any_mesh(folder.path / "none.ply"), mesh::MeshFileError);
+  EXPECT_THROW(read_any_mesh(folder.path), mesh::MeshFileError);
 }
 
 TEST(mesh_reader, bad_files_are_refused_with_their_line) {
@@ -179,14 +179,14 @@ TEST(mesh_reader, bad_files_are_refused_with_their_line) {
       {"a.ply", changed(kPly, "vertex 5", "vertex 6"), "a.ply:"},
       {"a.ply", changed(kPly, "end_header", "element edge 1\nproperty int a\nend_header") + "7\n8\n",
        "a.ply:23:1: the header announces element vertex 5, element face 5, element edge 1, and"},
-      {"a.ply", binary_ply(membrane::icosphere(1.0, 0), false) + std::string("\x03\0\0\0\0", 5),
+      {"a.ply", binary_ply(mesh::icosphere(1.0, 0), false) + std::string("\x03\0\0\0\0", 5),
        "a.ply: the header announces element vertex 12, element face 20, and the file goes on for 5 bytes; "
        "correct the header"},
-      {"a.ply", binary_ply(membrane::icosphere(1.0, 0), true) + std::string(13, '\1'), "for 13 bytes"},
+      {"a.ply", binary_ply(mesh::icosphere(1.0, 0), true) + std::string(13, '\1'), "for 13 bytes"},
       {"a.ply", changed(kPly, "4 0 3 2 1", "5 0 3 2 1 4"), "an element of 5 corners; 3 or 4 are allowed"},
       {"a.off", "ply\n", "a.off:1:1: an OFF file begins with OFF"},
       {"a.stl", std::string(50, '\1'), "a.stl: neither STL text, which begins with solid, nor binary"},
-      {"a.stl", binary_stl(membrane::icosphere(1.0, 0)).substr(0, 700),
+      {"a.stl", binary_stl(mesh::icosphere(1.0, 0)).substr(0, 700),
        "a.stl: binary STL tells of 20 facets, but holds 12 and a part of one"},
   };
   for (const auto& file : files) {
@@ -198,7 +198,7 @@ TEST(mesh_reader, bad_files_are_refused_with_their_line) {
 
 // A number that no float holds, or none at all.
 TEST(mesh_reader, binary_stl_with_nan_is_refused) {
-  std::string bytes = binary_stl(membrane::icosphere(1.0, 0));
+  std::string bytes = binary_stl(mesh::icosphere(1.0, 0));
   const auto nan = std::bit_cast<std::uint32_t>(std::numeric_limits<float>::quiet_NaN());
   std::memcpy(bytes.data() + 84 + 12, &nan, sizeof nan);
   EXPECT_NE(refusal("a.stl", bytes), "accepted");
@@ -207,7 +207,7 @@ TEST(mesh_reader, binary_stl_with_nan_is_refused) {
 // Each byte in turn is changed, and each beginning read: refused or read, nothing else.
 TEST(mesh_reader, no_damaged_file_crashes) {
   const Folder folder;
-  const Mesh sphere = membrane::icosphere(1.0, 0);
+  const Mesh sphere = mesh::icosphere(1.0, 0);
   const struct {
     const char* name;
     std::string bytes;
@@ -221,7 +221,7 @@ TEST(mesh_reader, no_damaged_file_crashes) {
         EXPECT_TRUE(mesh.nodes.allFinite());
         EXPECT_LT(mesh.elements.maxCoeff(), mesh.node_count());
         ++read;
-      } catch (const membrane::MeshFileError&) {
+      } catch (const mesh::MeshFileError&) {
         ++refused;
       }
     };

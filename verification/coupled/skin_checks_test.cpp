@@ -51,7 +51,7 @@ TEST(skin_checks, are_at_the_start_at_the_end_and_three_times_between) {
   EXPECT_EQ(checks.front().time, 0.0);
   EXPECT_EQ(checks.back().time, scene.time.end);
   const double initial = checks.front().volume,
-               design = membrane::enclosed_volume(scene.bag->mesh.nodes, scene.bag->mesh.elements);
+               design = mesh::enclosed_volume(scene.bag->mesh.nodes, scene.bag->mesh.elements);
   double before = 0.0;
   for (std::size_t k = 1; k <= 3; ++k) {
     const double way = (checks[k].volume - initial) / (design - initial);

@@ -12,9 +12,9 @@
 #include "claim.hpp"
 #include "closed_form/coupled.hpp"
 #include "coupling/sphere_contact.hpp"
-#include "membrane/icosphere.hpp"
 #include "membrane/stages.hpp"
 #include "membrane/time_step.hpp"
+#include "mesh/icosphere.hpp"
 
 namespace {
 
@@ -28,8 +28,8 @@ closed_form::PressedBalloon scene(double indenter) {
 
 // Icosahedron with every side cut into n, pushed out to the sphere: finer steps than halving all sides.
 // Turned, so that the axis meets no node.
-membrane::Mesh geodesic_sphere(int n) {
-  const membrane::Mesh base = membrane::icosphere(1.0, 0);
+mesh::Mesh geodesic_sphere(int n) {
+  const mesh::Mesh base = mesh::icosphere(1.0, 0);
   using Place = std::array<std::pair<int, int>, 3>;  // corner and its weight, those of weight 0 as (-1, 0)
   std::map<Place, int> numbers;
   std::vector<Vector3d> nodes;
@@ -44,7 +44,7 @@ membrane::Mesh geodesic_sphere(int n) {
     if (fresh) nodes.push_back(x.normalized());
     return entry->second;
   };
-  membrane::Mesh mesh;
+  mesh::Mesh mesh;
   mesh.elements.resize(3, 20 * n * n);
   Eigen::Index e = 0;
   for (int f = 0; f < base.element_count(); ++f)
@@ -85,7 +85,7 @@ class Press {
   double force() const { return 0.5 * (touch_[0].force.z() - touch_[1].force.z()); }  // [N] the mean of both
 
  private:
-  static membrane::BagDescription describe(const membrane::Mesh& mesh) {
+  static membrane::BagDescription describe(const mesh::Mesh& mesh) {
     membrane::BagDescription d;
     d.reference = mesh.nodes;
     d.elements = mesh.elements;
@@ -116,7 +116,7 @@ class Press {
            kPressure * state_.surface.volume;
   }
 
-  membrane::Mesh mesh_;
+  mesh::Mesh mesh_;
   membrane::BagModel model_;
   coupling::ContactModel contact_;
   double stretch_;

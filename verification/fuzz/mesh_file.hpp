@@ -4,18 +4,18 @@
 #pragma once
 
 #include "bytes.hpp"
-#include "membrane/mesh_file.hpp"
+#include "mesh/mesh_file.hpp"
 
 namespace fuzz {
 
-inline bool is_same(const membrane::Mesh& a, const membrane::Mesh& b) {
+inline bool is_same(const mesh::Mesh& a, const mesh::Mesh& b) {
   return a.nodes == b.nodes && a.elements == b.elements && a.panel.size() == b.panel.size();
 }
 
 template <class Parse, class Format>
 int read_and_write(const std::uint8_t* data, std::size_t size, Parse&& parse, Format&& format) {
   try {
-    const membrane::Mesh mesh = parse({reinterpret_cast<const char*>(data), size}, "input");
+    const mesh::Mesh mesh = parse({reinterpret_cast<const char*>(data), size}, "input");
     require(mesh.element_count() > 0 && mesh.nodes.allFinite(), "a mesh has elements and finite nodes");
     require(mesh.elements.minCoeff() >= 0 && mesh.elements.maxCoeff() < mesh.node_count(),
             "node numbers are in range");
@@ -24,7 +24,7 @@ int read_and_write(const std::uint8_t* data, std::size_t size, Parse&& parse, Fo
     } catch (const std::invalid_argument&) {
       // a name that the format cannot hold
     }
-  } catch (const membrane::MeshFileError& error) {
+  } catch (const mesh::MeshFileError& error) {
     require(error.what()[0] != '\0', "a refusal says why");
   }
   return 0;

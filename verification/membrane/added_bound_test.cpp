@@ -27,7 +27,7 @@ membrane::StiffnessShares shares_at(const membrane::BagModel& model, const Eigen
 TEST(AddedBound, gas_share_converges_to_breathing_frequency) {
   std::vector<double> error;
   for (int level = 2; level <= 4; ++level) {
-    const auto mesh = membrane::icosphere(0.3, level);
+    const auto mesh = mesh::icosphere(0.3, level);
     const auto model = make_model(scenes::describe(mesh, Compression::none));
     const double exact = 3.0 * kGamma * kPressure / (0.3 * 620.0 * 0.5e-3);  // 3 gamma p / (R rho h)
     error.push_back(shares_at(model, mesh.nodes).gas / exact - 1.0);
@@ -42,7 +42,7 @@ TEST(AddedBound, gas_share_converges_to_breathing_frequency) {
 // d2V/dx2.
 TEST(AddedBound, sum_is_above_true_limit_of_a_gas_filled_bag) {
   for (const int level : {0, 1}) {
-    const auto mesh = membrane::icosphere(0.3, level);
+    const auto mesh = mesh::icosphere(0.3, level);
     const auto model = make_model(scenes::describe(mesh, Compression::none));
     const Eigen::Matrix3Xd x = scenes::shaken(1.08 * mesh.nodes, 0.002, 6);
     const auto base = scenes::evaluated(model, x);
@@ -59,7 +59,7 @@ TEST(AddedBound, sum_is_above_true_limit_of_a_gas_filled_bag) {
 }
 
 TEST(AddedBound, gas_share_eq_dense_eigenvalue_of_rank_one_stiffness) {
-  auto d = scenes::describe(membrane::icosphere(0.3, 1), Compression::none);
+  auto d = scenes::describe(mesh::icosphere(0.3, 1), Compression::none);
   d.fixed_nodes = {0, 7};
   d.held_nodes = {{{3, 4}, {4}, {5, 6}}};
   const auto model = make_model(d);
@@ -77,7 +77,7 @@ TEST(AddedBound, gas_share_eq_dense_eigenvalue_of_rank_one_stiffness) {
 }
 
 TEST(AddedBound, strap_share_above_dense_eigenvalue) {
-  auto d = scenes::describe(membrane::icosphere(0.3, 1), Compression::none);
+  auto d = scenes::describe(mesh::icosphere(0.3, 1), Compression::none);
   d.straps = {{0, 20, 4500.0, 0.2}, {0, 30, 4500.0, 0.25}, {20, 40, 9000.0, 0.1}};
   for (const bool fixed : {false, true}) {
     if (fixed) d.fixed_nodes = {0};
@@ -91,7 +91,7 @@ TEST(AddedBound, strap_share_above_dense_eigenvalue) {
 }
 
 TEST(AddedBound, plate_share_eq_dense_eigenvalue) {
-  auto d = scenes::describe(membrane::icosphere(0.3, 1), Compression::none);
+  auto d = scenes::describe(mesh::icosphere(0.3, 1), Compression::none);
   d.plates = {{{-1.0, 0.0, 0.0}, {-1.0, 0.0, 0.0}, 1e6}};  // all nodes behind it
   const auto model = make_model(d);
   const double exact = scenes::greatest_frequency(model, d.reference, [&](const Eigen::Matrix3Xd& at) {
@@ -112,13 +112,13 @@ TEST(AddedBound, critical_step_adds_all_shares) {
 }
 
 TEST(AddedBound, gas_without_volume_is_refused) {
-  const auto mesh = membrane::icosphere(0.3, 1);
+  const auto mesh = mesh::icosphere(0.3, 1);
   const auto model = make_model(scenes::describe(mesh, Compression::none));
   EXPECT_THROW(shares_at(model, -mesh.nodes), membrane::MembraneError);  // turned inside out
 }
 
 TEST(AddedBound, governing_element_has_the_largest_bound) {
-  const auto mesh = membrane::icosphere(0.3, 1);
+  const auto mesh = mesh::icosphere(0.3, 1);
   const auto model = make_model(scenes::describe(mesh, Compression::none));
   Eigen::Matrix3Xd x = mesh.nodes;
   x.col(13) *= 1.3;

@@ -6,7 +6,7 @@
 #include "support/allocation_counter.hpp"
 
 TEST(Allocation, stages_allocate_nothing) {
-  const auto mesh = membrane::icosphere(0.3, 3);
+  const auto mesh = mesh::icosphere(0.3, 3);
   auto d = scenes::describe(mesh, membrane::Compression::none);
   d.straps = {{0, 10, 4500.0, 0.01}};
   d.plates = {{{0.0, 0.0, -0.1}, {0.0, 0.0, 1.0}, 1e6}};

@@ -49,7 +49,7 @@ inline double growth(const Bag& bag, double dt, int steps = 400, bool lagged = f
 
 // The icosahedron's nodes are all alike, so one pressure holds it at any stretch.
 inline Bag icosahedron(double stretch) {
-  const auto mesh = membrane::icosphere(0.3, 0);
+  const auto mesh = mesh::icosphere(0.3, 0);
   Bag bag{make_model(describe(mesh, membrane::Compression::none)), stretch * mesh.nodes};
   const auto state = evaluated(bag.model, bag.x);
   const double inward = -state.membrane_force.map().cwiseProduct(bag.x).sum();

@@ -21,7 +21,7 @@ struct Case {
 
 // Everything at once: pressure, jet, contact, straps, plate, gravity, damping, fixed nodes, random motion.
 Case loaded_sphere(double damping) {
-  const auto mesh = membrane::icosphere(0.3, 2);
+  const auto mesh = mesh::icosphere(0.3, 2);
   auto d = scenes::describe(mesh, Compression::none);
   d.straps = {{0, 100, 4500.0, 0.2}};
   d.plates = {{{-0.28, 0.0, 0.0}, {1.0, 0.0, 0.0}, 1e6}};
@@ -144,7 +144,7 @@ TEST(Books, rollers_hold_their_directions_alone) {
 
 TEST(Books, damping_eq_exact_implicit_decay) {
   // A lone drifting sheet: v+ = v- (1 - alpha tau / 2) / (1 + alpha tau / 2).
-  const auto sheet = membrane::rectangle(2, 2, 0.2, 0.2, membrane::Diagonals::uniform);
+  const auto sheet = mesh::rectangle(2, 2, 0.2, 0.2, mesh::Diagonals::uniform);
   auto d = scenes::describe(sheet, Compression::none);
   d.mass_damping = 100.0;
   const auto model = make_model(d);
@@ -156,7 +156,7 @@ TEST(Books, damping_eq_exact_implicit_decay) {
 }
 
 TEST(Books, free_flight_conserves_momentum_and_angular_momentum) {
-  const auto mesh = membrane::icosphere(0.3, 2);
+  const auto mesh = mesh::icosphere(0.3, 2);
   const auto model = make_model(scenes::describe(mesh, Compression::none));
   auto state = membrane::make_state(model, mesh.nodes);
   const Eigen::Vector3d spin(20.0, -10.0, 30.0);
@@ -202,7 +202,7 @@ TEST(Books, level_kinetic_is_that_of_the_velocity_between) {
 // (M.22) A start from rest lacks dt^2 / 8 f^T M^-1 f at the next level: the share 1e-4 of the energy asked
 // for.
 TEST(Books, start_at_the_energy_step_lacks_its_share_of_the_energy) {
-  const auto mesh = membrane::icosphere(0.3, 2);
+  const auto mesh = mesh::icosphere(0.3, 2);
   const auto model = make_model(scenes::describe(mesh, membrane::Compression::linear));
   auto state = scenes::evaluated(model, 1.01 * mesh.nodes);
   const double energy = state.forces.strain_energy, mobility = membrane::force_mobility(model, state);

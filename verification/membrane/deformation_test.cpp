@@ -8,7 +8,7 @@
 
 #include "bisection.hpp"
 #include "claim.hpp"
-#include "membrane/mesh_file.hpp"
+#include "mesh/mesh_file.hpp"
 #include "scenes.hpp"
 
 namespace {
@@ -36,13 +36,13 @@ double rate_by_sides(const membrane::BagDescription& d, const Eigen::Matrix3Xd& 
 
 membrane::BagDescription hull(const char* name) {
   return scenes::describe(
-      membrane::read_mesh(std::string(GASJET_SOURCE_DIR "/verification/foreign/slivers/") + name),
+      mesh::read_mesh(std::string(GASJET_SOURCE_DIR "/verification/foreign/slivers/") + name),
       membrane::Compression::none);
 }
 
 TEST(deformation_rate, eq_that_of_every_element_above_any_floor) {
   for (const auto& d :
-       {scenes::describe(membrane::icosphere(0.3, 2), membrane::Compression::none), hull("hull_120_3.obj")}) {
+       {scenes::describe(mesh::icosphere(0.3, 2), membrane::Compression::none), hull("hull_120_3.obj")}) {
     const auto model = make_model(d);
     for (const std::uint64_t seed : {1, 2, 3}) {
       const Eigen::Matrix3Xd v = 20.0 * scenes::Random(seed).vectors(d.reference.cols());
@@ -62,7 +62,7 @@ TEST(deformation_rate, eq_that_of_every_element_above_any_floor) {
 }
 
 TEST(deformation_rate, of_a_uniform_motion_eq_0_and_of_null_panels_is_not_read) {
-  auto d = scenes::describe(membrane::icosphere(0.3, 1), membrane::Compression::none);
+  auto d = scenes::describe(mesh::icosphere(0.3, 1), membrane::Compression::none);
   d.properties[7] = {.null_panel = true};
   const auto model = make_model(d);
   Eigen::Matrix3Xd v(3, d.reference.cols());
@@ -78,7 +78,7 @@ TEST(deformation_limit, stiffness_met_in_one_step_stays_below_the_true_limit) {
   const double ratio = true_limit / share;
   const double predicted = std::sqrt((2.0 * ratio * ratio + 1.0) / 3.0) - 1.0;
   for (const double apex : {0.866, 0.02}) {
-    membrane::Mesh mesh;
+    mesh::Mesh mesh;
     mesh.nodes.resize(3, 3);
     mesh.nodes << 0.0, 1.0, 0.5, 0.0, 0.0, apex, 0.0, 0.0, 0.0;
     mesh.elements.resize(3, 1);
@@ -143,7 +143,7 @@ constexpr double kNoGrowthLimit = 1e9, kAnyChange = 1e9, kDrift = 1e-4;
 
 // Without (M.33): an element of the size of the others bounces in no step that stability allows.
 TEST(deformation_limit, regular_mesh_needs_none) {
-  const auto d = scenes::describe(membrane::icosphere(0.3, 2), membrane::Compression::none);
+  const auto d = scenes::describe(mesh::icosphere(0.3, 2), membrane::Compression::none);
   EXPECT_LT(energy_made(d, 0.8, kNoGrowthLimit, kAnyChange), 0.1 * kDrift);
 }
 

@@ -37,13 +37,13 @@ inline Eigen::Matrix3Xd membrane_force(const membrane::BagModel& model, const Ei
 
 // A generated bag of the paper's fabric, held at its attachment; it carries compression, so that no state is
 // slack.
-inline membrane::BagDescription describe_shipped(const membrane::Mesh& mesh,
+inline membrane::BagDescription describe_shipped(const mesh::Mesh& mesh,
                                                  const std::vector<std::string>& null_panels) {
   auto d = describe(mesh, membrane::Compression::linear);
   for (const auto& panel : null_panels)
-    for (const int e : membrane::panel_elements(mesh, panel))
+    for (const int e : mesh::panel_elements(mesh, panel))
       d.properties[static_cast<std::size_t>(e)] = {.null_panel = true};
-  d.fixed_nodes = membrane::panel_nodes(mesh, "attachment");
+  d.fixed_nodes = mesh::panel_nodes(mesh, "attachment");
   return d;
 }
 

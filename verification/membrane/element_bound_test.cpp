@@ -22,7 +22,7 @@ constexpr Shape kShapes[] = {{"equilateral", 0.01, 0.005, kHigh}, {"right", 0.01
                              {"skew", 0.01, 0.03, 0.004},         {"scalene", 0.01, 0.002, 0.007}};
 
 membrane::BagModel single(const Shape& s, Compression compression) {
-  membrane::Mesh mesh;
+  mesh::Mesh mesh;
   mesh.nodes.resize(3, 3);
   mesh.nodes.col(0) << 0.0, 0.0, 0.0;
   mesh.nodes.col(1) << s.base, 0.0, 0.0;
@@ -105,7 +105,7 @@ TEST(ElementBound, dense_eigenvalue_below_bound) {
 }
 
 TEST(ElementBound, bound_is_tight_on_a_stretched_bag) {
-  const auto mesh = membrane::icosphere(0.3, 2);
+  const auto mesh = mesh::icosphere(0.3, 2);
   for (const auto compression : {Compression::linear, Compression::none})
     for (const double stretch : {1.05, 1.2}) {
       const auto model = make_model(scenes::describe(mesh, compression));
@@ -122,7 +122,7 @@ TEST(ElementBound, bound_is_tight_on_a_stretched_bag) {
 // The bound on an unbounded mesh is the element's, a fixed fraction of the Bloch wave's limit.
 TEST(ElementBound, patch_interior_limit_eq_bloch_limit) {
   const auto sheet = closed_form::paper_fabric();
-  const auto mesh = membrane::rectangle(8, 8, 0.08, 0.08, membrane::Diagonals::uniform);
+  const auto mesh = mesh::rectangle(8, 8, 0.08, 0.08, mesh::Diagonals::uniform);
   auto d = scenes::describe(mesh, Compression::linear);
   for (int n = 0; n < mesh.node_count(); ++n)
     if (n % 9 == 0 || n % 9 == 8 || n / 9 == 0 || n / 9 == 8) d.fixed_nodes.push_back(n);

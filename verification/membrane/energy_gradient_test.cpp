@@ -28,7 +28,7 @@ Count count_states(const membrane::BagModel& model, const membrane::BagState& st
 }  // namespace
 
 TEST(EnergyGradient, force_eq_minus_energy_derivative) {
-  const auto mesh = membrane::icosphere(0.3, 1);
+  const auto mesh = mesh::icosphere(0.3, 1);
   for (const auto compression : {Compression::linear, Compression::none})
     for (const double swelling : {1.0, 1.05, 1.2}) {
       const auto model = make_model(scenes::describe(mesh, compression));
@@ -38,7 +38,7 @@ TEST(EnergyGradient, force_eq_minus_energy_derivative) {
 
 // The test above must have met every state of the relaxed law.
 TEST(EnergyGradient, scenes_hold_taut_wrinkled_and_slack_elements) {
-  const auto mesh = membrane::icosphere(0.3, 1);
+  const auto mesh = mesh::icosphere(0.3, 1);
   const auto model = make_model(scenes::describe(mesh, Compression::none));
   Count all;
   for (const double swelling : {1.0, 1.05, 1.2}) {
@@ -54,7 +54,7 @@ TEST(EnergyGradient, scenes_hold_taut_wrinkled_and_slack_elements) {
 }
 
 TEST(EnergyGradient, largest_strains_are_those_of_the_responses) {
-  const auto mesh = membrane::icosphere(0.3, 1);
+  const auto mesh = mesh::icosphere(0.3, 1);
   auto description = scenes::describe(mesh, Compression::none);
   description.properties[5] = {};
   description.properties[5].null_panel = true;
@@ -71,7 +71,7 @@ TEST(EnergyGradient, largest_strains_are_those_of_the_responses) {
 }
 
 TEST(EnergyGradient, null_elements_bear_pressure_only) {
-  const auto mesh = membrane::icosphere(0.3, 1);
+  const auto mesh = mesh::icosphere(0.3, 1);
   auto description = scenes::describe(mesh, Compression::linear);
   description.properties[5] = {};
   description.properties[5].null_panel = true;

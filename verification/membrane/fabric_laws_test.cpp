@@ -12,8 +12,7 @@ using membrane::LawTraits;
 namespace {
 
 // Fabric in the middle of what the law allows.
-membrane::BagDescription describe_law(const membrane::Mesh& mesh, const LawTraits& law,
-                                      Compression compression) {
+membrane::BagDescription describe_law(const mesh::Mesh& mesh, const LawTraits& law, Compression compression) {
   auto d = scenes::describe(mesh, compression);
   d.law = law.name;
   if (law.curves) d.curves = {{{{0.0, 0.1, 1.5}, {0.0, 2e6, 9e7}}, {{0.0, 0.2, 1.5}, {0.0, 9e6, 4e7}}}};
@@ -39,7 +38,7 @@ void each_law(F&& f) {
 }  // namespace
 
 TEST(FabricLaws, force_eq_minus_energy_derivative) {
-  const auto mesh = membrane::icosphere(0.3, 1);
+  const auto mesh = mesh::icosphere(0.3, 1);
   each_law([&](const LawTraits& law, Compression compression) {
     for (const double swelling : {1.0, 1.05, 1.2})
       scenes::expect_force_eq_minus_energy_derivative(make_model(describe_law(mesh, law, compression)),
@@ -48,7 +47,7 @@ TEST(FabricLaws, force_eq_minus_energy_derivative) {
 }
 
 TEST(FabricLaws, all_instruction_sets_give_the_same_bits) {
-  const auto mesh = membrane::icosphere(0.3, 2);
+  const auto mesh = mesh::icosphere(0.3, 2);
   each_law([&](const LawTraits& law, Compression compression) {
     auto d = describe_law(mesh, law, compression);
     d.properties[7] = {.null_panel = true};
@@ -58,7 +57,7 @@ TEST(FabricLaws, all_instruction_sets_give_the_same_bits) {
 
 // The kernels' energy is the sum over the elements' responses.
 TEST(FabricLaws, energy_eq_sum_of_responses) {
-  const auto mesh = membrane::icosphere(0.3, 2);
+  const auto mesh = mesh::icosphere(0.3, 2);
   each_law([&](const LawTraits& law, Compression compression) {
     const auto model = make_model(describe_law(mesh, law, compression));
     const auto state = scenes::evaluated(model, scenes::shaken(1.1 * mesh.nodes, 0.01, 3));
@@ -72,7 +71,7 @@ TEST(FabricLaws, energy_eq_sum_of_responses) {
 }
 
 TEST(FabricLaws, dense_eigenvalue_below_bound) {
-  const auto mesh = membrane::rectangle(1, 1, 0.1, 0.1, membrane::Diagonals::uniform);
+  const auto mesh = mesh::rectangle(1, 1, 0.1, 0.1, mesh::Diagonals::uniform);
   scenes::Random random(21);
   each_law([&](const LawTraits& law, Compression compression) {
     const auto model = make_model(describe_law(mesh, law, compression));
@@ -89,7 +88,7 @@ TEST(FabricLaws, dense_eigenvalue_below_bound) {
 }
 
 TEST(FabricLaws, own_constants_out_of_range_are_refused) {
-  const auto mesh = membrane::icosphere(0.3, 1);
+  const auto mesh = mesh::icosphere(0.3, 1);
   each_law([&](const LawTraits& law, Compression compression) {
     auto d = describe_law(mesh, law, compression);
     d.properties[3].law_constants.push_back(1.0);

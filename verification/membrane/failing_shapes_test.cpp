@@ -21,7 +21,7 @@ constexpr double kSide = 0.6, kShrink = 0.99;  // [m], of a square whose edge is
 // Rate at which the shortest wave of the square in N x N cells grows, (M.21): w_n+1 - 2 w_n + w_n-1 = (rate
 // dt)^2 w_n.
 double measured_rate(int divisions, Compression compression) {
-  const auto mesh = membrane::rectangle(divisions, divisions, kSide, kSide, membrane::Diagonals::uniform);
+  const auto mesh = mesh::rectangle(divisions, divisions, kSide, kSide, mesh::Diagonals::uniform);
   auto d = scenes::describe(mesh, compression);
   Eigen::RowVectorXd shape = Eigen::RowVectorXd::Zero(mesh.node_count());
   for (int k = 0; k < mesh.node_count(); ++k) {
@@ -48,7 +48,7 @@ double measured_rate(int divisions, Compression compression) {
 }
 
 // Sphere of radius 0.3 m whose upper cap is turned inside: mirrored in the plane z = 0.3 m - height.
-Eigen::Matrix3Xd dented(const membrane::Mesh& mesh, double height) {
+Eigen::Matrix3Xd dented(const mesh::Mesh& mesh, double height) {
   Eigen::Matrix3Xd x = mesh.nodes;
   const double plane = 0.3 - height;
   for (Eigen::Index k = 0; k < x.cols(); ++k)
@@ -113,7 +113,7 @@ TEST(FailingShape, compressed_sheet_wrinkles_at_the_rate_of_its_shortest_wave) {
 }
 
 TEST(FailingShape, sphere_turned_through_itself_has_no_volume) {
-  const auto mesh = membrane::icosphere(0.3, 4);
+  const auto mesh = mesh::icosphere(0.3, 4);
   const auto model = make_model(scenes::describe(mesh, Compression::none));
   const auto accepted = [&](double height) {
     try {

@@ -16,15 +16,15 @@ using membrane::Compression;
 
 namespace {
 
-membrane::BagDescription describe_hencky(const membrane::Mesh& mesh, double poisson = 0.3) {
+membrane::BagDescription describe_hencky(const mesh::Mesh& mesh, double poisson = 0.3) {
   auto d = scenes::describe(mesh, Compression::none);
   d.law = "hencky";
   for (auto& p : d.properties) p.poisson = poisson;
   return d;
 }
 
-membrane::Mesh lone_triangle(double base, double apex, double height) {
-  membrane::Mesh mesh;
+mesh::Mesh lone_triangle(double base, double apex, double height) {
+  mesh::Mesh mesh;
   mesh.nodes.resize(3, 3);
   mesh.nodes.col(0) << 0.0, 0.0, 0.0;
   mesh.nodes.col(1) << base, 0.0, 0.0;
@@ -37,7 +37,7 @@ membrane::Mesh lone_triangle(double base, double apex, double height) {
 }  // namespace
 
 TEST(HenckyBag, force_eq_minus_energy_derivative) {
-  const auto mesh = membrane::icosphere(0.3, 1);
+  const auto mesh = mesh::icosphere(0.3, 1);
   for (const double poisson : {-0.4, 0.3, 0.45})
     for (const double swelling : {1.0, 1.05, 1.2})
       scenes::expect_force_eq_minus_energy_derivative(make_model(describe_hencky(mesh, poisson)),
@@ -45,7 +45,7 @@ TEST(HenckyBag, force_eq_minus_energy_derivative) {
 }
 
 TEST(HenckyBag, forces_turn_with_the_bag) {
-  const auto mesh = membrane::icosphere(0.3, 1);
+  const auto mesh = mesh::icosphere(0.3, 1);
   const auto model = make_model(describe_hencky(mesh));
   const Eigen::Matrix3Xd x = scenes::shaken(1.05 * mesh.nodes, 0.03, 8);
   const Eigen::Matrix3d turn = scenes::rotation();
@@ -56,7 +56,7 @@ TEST(HenckyBag, forces_turn_with_the_bag) {
 }
 
 TEST(HenckyBag, every_instruction_set_gives_the_same_bits) {
-  const auto mesh = membrane::icosphere(0.3, 1);
+  const auto mesh = mesh::icosphere(0.3, 1);
   for (const double swelling : {1.0, 1.02, 1.2}) {
     const Eigen::Matrix3Xd x = scenes::shaken(swelling * mesh.nodes, 0.03, 4);
     auto d = describe_hencky(mesh);
@@ -66,7 +66,7 @@ TEST(HenckyBag, every_instruction_set_gives_the_same_bits) {
 
 // One element after the other, by the law itself.
 TEST(HenckyBag, element_responses_sum_to_energy_and_bound) {
-  const auto mesh = membrane::icosphere(0.3, 1);
+  const auto mesh = mesh::icosphere(0.3, 1);
   const auto model = make_model(describe_hencky(mesh));
   const auto state = scenes::evaluated(model, scenes::shaken(1.05 * mesh.nodes, 0.03, 4));
   double energy = 0.0, frequency = 0.0;
@@ -105,7 +105,7 @@ TEST(HenckyBag, dense_eigenvalue_below_bound) {
 }
 
 TEST(HenckyBag, bound_is_tight_on_a_stretched_bag) {
-  const auto mesh = membrane::icosphere(0.3, 2);
+  const auto mesh = mesh::icosphere(0.3, 2);
   for (const double stretch : {1.05, 1.2}) {
     const auto model = make_model(describe_hencky(mesh));
     const Eigen::Matrix3Xd x = scenes::shaken(stretch * mesh.nodes, 5e-4, 2);
@@ -120,7 +120,7 @@ TEST(HenckyBag, bound_is_tight_on_a_stretched_bag) {
 }
 
 TEST(HenckyBag, element_stretched_beyond_the_law_is_named) {
-  const auto mesh = membrane::icosphere(0.3, 1);
+  const auto mesh = mesh::icosphere(0.3, 1);
   const auto model = make_model(describe_hencky(mesh));
   EXPECT_NO_THROW(scenes::evaluated(model, 1.64 * mesh.nodes));
   Eigen::Matrix3Xd x = mesh.nodes;
@@ -141,13 +141,13 @@ TEST(HenckyBag, sphere_stretch_converges_to_closed_form_with_order_2) {
         closed_form::logarithmic_sphere({closed_form::paper_fabric(), 0.3}, pressure).hoop_stretch;
     std::vector<double> error;
     for (const int level : {1, 2, 3}) {
-      const auto mesh = membrane::icosphere(0.3, level);
+      const auto mesh = mesh::icosphere(0.3, level);
       const auto model = make_model(describe_hencky(mesh));
       auto state = membrane::make_state(model, (1.0 + 3.5e-6 * pressure) * mesh.nodes);
       // 1e-6 of the force of the pressure on a node: the stretch to 1e-6 of its strain.
       scenes::relax(model, state, pressure, 1e-6 * pressure * 1.13 / model.node_count);
       const double stretch =
-          std::cbrt(state.surface.volume / membrane::enclosed_volume(mesh.nodes, mesh.elements));
+          std::cbrt(state.surface.volume / mesh::enclosed_volume(mesh.nodes, mesh.elements));
       error.push_back((stretch - exact) / (exact - 1.0));
     }
     claim::expect_order(

@@ -12,7 +12,7 @@ namespace scenes {
 inline constexpr double kTubeRadius = 0.15, kTubePressure = 2e4;
 
 struct Tube {
-  membrane::Mesh mesh;
+  mesh::Mesh mesh;
   int around, along;
   std::vector<int> ring(int j) const {
     std::vector<int> nodes;

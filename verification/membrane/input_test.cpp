@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "membrane/node_order.hpp"
 #include "scenes.hpp"
 
 using membrane::BagDescription;
@@ -17,7 +18,7 @@ constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInf = std::numeric_limits<double>::infinity();
 
 BagDescription good() {
-  return scenes::describe(membrane::icosphere(0.3, 1), membrane::Compression::none);
+  return scenes::describe(mesh::icosphere(0.3, 1), membrane::Compression::none);
 }
 
 struct BadInput {
@@ -72,6 +73,7 @@ const std::vector<BadInput> kBadInputs = {
     {[](auto& d) { d.elements(1, 5) = d.elements(0, 5); }, {"element 5", "repeated"}},
     {[](auto& d) { d.reference(1, 9) = kNaN; }, {"node 9", "coordinate"}},
     {collapse, {"reference area"}},
+    {[](auto& d) { d.reference *= 1e120; }, {"reference area"}},  // its square has no double
     {[](auto& d) {
        d.reference.conservativeResize(3, 43);
        d.reference.col(42).setZero();
@@ -162,7 +164,7 @@ TEST(Input, wrong_state_and_stage_arguments_are_refused) {
 // Of another model, or of none: every stage compares sizes before it reads.
 TEST(Input, state_of_another_model_is_refused) {
   const auto model = make_model(good());
-  const auto finer = make_model(scenes::describe(membrane::icosphere(0.3, 2), membrane::Compression::none));
+  const auto finer = make_model(scenes::describe(mesh::icosphere(0.3, 2), membrane::Compression::none));
   auto d = good();
   d.stiffness_damping = 1e-4;
   d.straps = {{0, 1, 4500.0, 0.1}};
@@ -194,6 +196,15 @@ TEST(Input, state_of_another_model_is_refused) {
          {membrane::BagState(), membrane::make_state(finer, finer.description.reference, loads),
           membrane::make_state(damped, d.reference, loads)})
       EXPECT_NE(message_of([&] { stages[i](foreign); }).find("make_state"), std::string::npos) << i;
+  }
+}
+
+TEST(Input, node_order_refuses_a_number_of_no_node) {
+  Eigen::Matrix3Xi elements = good().elements;
+  for (const int wrong : {-1, 42}) {
+    elements(2, 7) = wrong;
+    EXPECT_NE(message_of([&] { membrane::node_order(elements, 42); }).find("node_order: node number"),
+              std::string::npos);
   }
 }
 

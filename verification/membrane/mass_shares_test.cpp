@@ -7,8 +7,8 @@
 #include "closed_form/membrane.hpp"
 #include "closed_form/stability.hpp"
 #include "dense.hpp"
-#include "membrane/driver_bag.hpp"
-#include "membrane/passenger_bag.hpp"
+#include "mesh/driver_bag.hpp"
+#include "mesh/passenger_bag.hpp"
 #include "statics.hpp"
 
 using membrane::Compression;
@@ -16,9 +16,9 @@ using membrane::Compression;
 namespace {
 
 // Triangles with no node in common, reference = position.
-membrane::Mesh random_triangles(int count) {
+mesh::Mesh random_triangles(int count) {
   scenes::Random random(7);
-  membrane::Mesh mesh;
+  mesh::Mesh mesh;
   mesh.nodes.resize(3, 3 * count);
   mesh.elements.resize(3, count);
   mesh.panel.assign(static_cast<std::size_t>(count), 0);
@@ -45,7 +45,7 @@ double smallest_altitude(const Eigen::Vector3d& b, const Eigen::Vector3d& c) {
 // Fabric whose thickness and stiffness jump from element to element: shares differ most from own masses
 // there.
 TEST(MassShares, dense_eigenvalue_of_uneven_fabric_below_bound) {
-  const auto mesh = membrane::icosphere(0.3, 1);
+  const auto mesh = mesh::icosphere(0.3, 1);
   for (const auto compression : {Compression::linear, Compression::none})
     for (const double amplitude : {0.0, 0.01, 0.1}) {
       auto d = scenes::describe(mesh, compression);
@@ -82,11 +82,11 @@ Eigen::Matrix3Xd at_rest(const membrane::BagDescription& bag, const Eigen::Matri
 // At rest under 0 to 25 kPa (strains up to 0.32), shares tuned where they are. The step must stay below the
 // limit and reach 0.8 of it.
 TEST(MassShares, shipped_bags_reach_four_fifths_of_the_true_step) {
-  const auto passenger = membrane::passenger_bag();
-  const auto driver = membrane::driver_bag();
+  const auto passenger = mesh::passenger_bag();
+  const auto driver = mesh::driver_bag();
   const struct {
     const char* name;
-    const membrane::Mesh& mesh;
+    const mesh::Mesh& mesh;
     const Eigen::Matrix3Xd& initial;
     std::vector<std::string> null_panels;
   } bags[] = {{"passenger", passenger.mesh, passenger.mesh.nodes, {"vent"}},
@@ -119,7 +119,7 @@ TEST(MassShares, shipped_bags_reach_four_fifths_of_the_true_step) {
 // After any rounds the shares of a node sum to its mass, and the bounds that the kernels use are those of
 // these shares.
 TEST(MassShares, shares_sum_to_the_mass_of_their_node) {
-  const auto mesh = membrane::icosphere(0.3, 2);
+  const auto mesh = mesh::icosphere(0.3, 2);
   const auto model = make_model(scenes::describe(mesh, Compression::none));
   auto state = scenes::evaluated(model, scenes::shaken(1.05 * mesh.nodes, 0.01, 3));
   for (int round = 0; round < 10; ++round) update_mass_shares(model, state);

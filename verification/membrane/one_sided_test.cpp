@@ -5,8 +5,8 @@
 #include <numbers>
 
 #include "claim.hpp"
-#include "membrane/icosphere.hpp"
 #include "membrane/time_step.hpp"
+#include "mesh/icosphere.hpp"
 #include "scenes.hpp"
 
 using membrane::Compression;
@@ -19,7 +19,7 @@ const double kOmega = std::sqrt(kStiffness / (620.0 * 0.5e-3));  // kappa / (rho
 // Kinetic energy after a bounce over that before: a triangle that flies flat onto a plate, first `phase` of a
 // step away from it at a level.
 double gain(double dt, double phase) {
-  membrane::Mesh mesh;
+  mesh::Mesh mesh;
   mesh.nodes.resize(3, 3);
   mesh.nodes << 0.0, 0.1, 0.0, 0.0, 0.0, 0.1, 0.0, 0.0, 0.0;
   mesh.elements.resize(3, 1);
@@ -65,7 +65,7 @@ TEST(OneSided, largest_gain_of_a_bounce_eq_formula) {
 }
 
 TEST(OneSided, force_mobility_eq_square_of_the_kick) {
-  auto d = scenes::describe(membrane::icosphere(0.3, 1), Compression::none);
+  auto d = scenes::describe(mesh::icosphere(0.3, 1), Compression::none);
   d.straps = {{0, 20, 4500.0, 0.2}};
   d.plates = {{{0.1, 0.0, 0.0}, {1.0, 0.0, 0.0}, 1e6}};
   d.fixed_nodes = {3};
@@ -84,7 +84,7 @@ TEST(OneSided, force_mobility_eq_square_of_the_kick) {
 
 // k v^2 + T^2 (1/m_a + 1/m_b), written out; a slack strap counts what it closes with.
 TEST(OneSided, strap_mobility_counts_pull_and_parting) {
-  auto d = scenes::describe(membrane::icosphere(0.3, 1), Compression::none);
+  auto d = scenes::describe(mesh::icosphere(0.3, 1), Compression::none);
   const double distance = (d.reference.col(20) - d.reference.col(0)).norm();
   d.straps = {{0, 20, 4500.0, 0.9 * distance}, {0, 20, 7000.0, 1.1 * distance}};
   d.fixed_nodes = {20};

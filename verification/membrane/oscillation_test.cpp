@@ -25,7 +25,7 @@ struct End {
 
 // A sphere under constant pressure, off its equilibrium and moving, ovally, always taut.
 End run(int steps) {
-  const auto mesh = membrane::icosphere(0.3, 1);
+  const auto mesh = mesh::icosphere(0.3, 1);
   const auto model = make_model(scenes::describe(mesh, Compression::none));
   const double pressure = 2e4;
   Eigen::Matrix3Xd x = 1.09 * mesh.nodes;

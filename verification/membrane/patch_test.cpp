@@ -22,8 +22,8 @@ bool interior(int node) {
 }
 
 // Unit square whose inner nodes are moved in the plane.
-membrane::Mesh irregular_patch() {
-  auto mesh = membrane::rectangle(kCells, kCells, 1.0, 1.0, membrane::Diagonals::union_jack);
+mesh::Mesh irregular_patch() {
+  auto mesh = mesh::rectangle(kCells, kCells, 1.0, 1.0, mesh::Diagonals::union_jack);
   scenes::Random random(1);
   for (int n = 0; n < mesh.node_count(); ++n)
     if (interior(n)) mesh.nodes.col(n) += Eigen::Vector3d(0.03 * random(), 0.03 * random(), 0.0);
@@ -105,7 +105,7 @@ TEST(Patch, boundary_force_eq_nominal_traction) {
 
 TEST(Patch, rigid_motion_gives_no_stress) {
   for (const auto compression : {Compression::linear, Compression::none}) {
-    const auto mesh = membrane::icosphere(0.3, 2);
+    const auto mesh = mesh::icosphere(0.3, 2);
     const auto model = make_model(scenes::describe(mesh, compression));
     const Eigen::Matrix3Xd x = (scenes::rotation() * mesh.nodes).colwise() + Eigen::Vector3d(3.0, -2.0, 1.0);
     const auto state = scenes::evaluated(model, x);
@@ -119,7 +119,7 @@ TEST(Patch, rigid_motion_gives_no_stress) {
 
 TEST(Patch, forces_turn_with_the_frame) {
   for (const auto compression : {Compression::linear, Compression::none}) {
-    const auto mesh = membrane::icosphere(0.3, 2);
+    const auto mesh = mesh::icosphere(0.3, 2);
     const auto model = make_model(scenes::describe(mesh, compression));
     const Eigen::Matrix3Xd x = scenes::shaken(mesh.nodes, 0.03, 4);
     const auto state = scenes::evaluated(model, x);
@@ -135,7 +135,7 @@ TEST(Patch, forces_turn_with_the_frame) {
 
 TEST(Patch, inner_forces_have_no_resultant) {
   for (const auto compression : {Compression::linear, Compression::none}) {
-    const auto mesh = membrane::icosphere(0.3, 2);
+    const auto mesh = mesh::icosphere(0.3, 2);
     const auto model = make_model(scenes::describe(mesh, compression));
     const auto state = scenes::evaluated(model, scenes::shaken(mesh.nodes, 0.03, 4));
     const Eigen::Matrix3Xd x = state.position.map(), f = state.membrane_force.map();

@@ -37,7 +37,7 @@ struct TwoThreads {
 
 // Everything a run writes, after some steps with every load; surface and fabric in one pass, or in two.
 template <class ForEachBlock>
-std::vector<double> run(const membrane::Mesh& mesh, Compression compression, Isa isa, ForEachBlock for_each,
+std::vector<double> run(const mesh::Mesh& mesh, Compression compression, Isa isa, ForEachBlock for_each,
                         bool one_pass = true) {
   auto d = scenes::describe(mesh, compression);
   d.isa = isa;
@@ -85,8 +85,8 @@ void expect_same_bits(const std::vector<double>& a, const std::vector<double>& b
 }
 
 // 42 elements (not whole groups of lanes), and 1280 (three blocks).
-std::vector<membrane::Mesh> meshes() {
-  return {membrane::rectangle(7, 3, 0.7, 0.3, membrane::Diagonals::uniform), membrane::icosphere(0.3, 3)};
+std::vector<mesh::Mesh> meshes() {
+  return {mesh::rectangle(7, 3, 0.7, 0.3, mesh::Diagonals::uniform), mesh::icosphere(0.3, 3)};
 }
 
 }  // namespace
@@ -113,7 +113,7 @@ TEST(SameBits, eigens_types_are_aligned_as_by_default) {
 
 // 156,800 elements: past the size from which a block is fetched while the one before it is computed.
 TEST(SameBits, bag_too_large_for_the_cache_has_those_of_the_oracle) {
-  const auto mesh = membrane::rectangle(280, 280, 1.0, 1.0, membrane::Diagonals::uniform);
+  const auto mesh = mesh::rectangle(280, 280, 1.0, 1.0, mesh::Diagonals::uniform);
   expect_same_bits(run(mesh, Compression::none, Isa::scalar, membrane::Serial{}),
                    run(mesh, Compression::none, membrane::best_isa(), membrane::Serial{}));
 }
@@ -128,10 +128,10 @@ TEST(SameBits, every_block_order_gives_the_same_bits) {
 
 // An icosphere's own numbers go by its subdivision, all over the sphere.
 TEST(SameBits, node_order_puts_blocks_together_and_moves_no_node) {
-  const auto mesh = membrane::icosphere(0.3, 3);
-  const auto order = membrane::node_order(mesh);
-  const auto ordered = membrane::renumbered(mesh, order);
-  const auto moved = [](const membrane::Mesh& m) {
+  const auto mesh = mesh::icosphere(0.3, 3);
+  const auto order = membrane::node_order(mesh.elements, mesh.node_count());
+  const auto ordered = mesh::renumbered(mesh, order);
+  const auto moved = [](const mesh::Mesh& m) {
     const auto model = make_model(scenes::describe(m, Compression::none));
     auto state = membrane::make_state(model, 1.01 * m.nodes);
     for (int i = 0; i < 20; ++i) {
@@ -151,18 +151,19 @@ TEST(SameBits, node_order_puts_blocks_together_and_moves_no_node) {
     for (auto i = block.first_node; i < block.first_shared; ++i)
       EXPECT_EQ(model.elements.node[static_cast<std::size_t>(i)], next++);
   EXPECT_EQ(model.shared.node.front(), next);
-  EXPECT_TRUE(renumbered(ordered, membrane::node_order(ordered)).elements == ordered.elements);
+  EXPECT_TRUE(renumbered(ordered, membrane::node_order(ordered.elements, ordered.node_count())).elements ==
+              ordered.elements);
 }
 
 TEST(SameBits, node_order_has_every_node_once) {
-  auto mesh = membrane::rectangle(2, 2, 1.0, 1.0, membrane::Diagonals::uniform);
+  auto mesh = mesh::rectangle(2, 2, 1.0, 1.0, mesh::Diagonals::uniform);
   mesh.elements.conservativeResize(3, 1);  // the other nodes belong to no element
-  auto order = membrane::node_order(mesh);
+  auto order = membrane::node_order(mesh.elements, mesh.node_count());
   std::sort(order.begin(), order.end());
   for (int node = 0; node < mesh.node_count(); ++node)
     EXPECT_EQ(order.at(static_cast<std::size_t>(node)), node);
   mesh.elements(0, 0) = mesh.node_count();
-  EXPECT_THROW(membrane::node_order(mesh), std::invalid_argument);
+  EXPECT_THROW(membrane::node_order(mesh.elements, mesh.node_count()), std::invalid_argument);
 }
 
 TEST(SameBits, one_pass_gives_the_same_bits_as_two) {

@@ -8,9 +8,9 @@
 #include <limits>
 #include <random>
 
-#include "membrane/icosphere.hpp"
 #include "membrane/stages.hpp"
 #include "membrane/time_step.hpp"
+#include "mesh/icosphere.hpp"
 
 // Small membranes shared by these tests.
 namespace scenes {
@@ -22,7 +22,7 @@ inline membrane::ElementProperties fabric(double porosity = 0.0) {
   return {0.5e-3, 620.0, 60e6, 0.3, porosity, false};
 }
 
-inline membrane::BagDescription describe(const membrane::Mesh& mesh, membrane::Compression compression) {
+inline membrane::BagDescription describe(const mesh::Mesh& mesh, membrane::Compression compression) {
   membrane::BagDescription d;
   d.reference = mesh.nodes;
   d.elements = mesh.elements;

@@ -12,12 +12,12 @@ namespace {
 
 // Stretch (V / V_reference)^(1/3) of the icosphere of 0.3 m at rest under pressure.
 double equilibrium_stretch(int level, double pressure) {
-  const auto mesh = membrane::icosphere(0.3, level);
+  const auto mesh = mesh::icosphere(0.3, level);
   const auto model = make_model(scenes::describe(mesh, Compression::none));
   auto state = membrane::make_state(model, (1.0 + 3.5e-6 * pressure) * mesh.nodes);
   // 1e-6 of the force of the pressure on a node: the stretch to 1e-6 of its strain.
   scenes::relax(model, state, pressure, 1e-6 * pressure * 1.13 / model.node_count);
-  return std::cbrt(state.surface.volume / membrane::enclosed_volume(mesh.nodes, mesh.elements));
+  return std::cbrt(state.surface.volume / mesh::enclosed_volume(mesh.nodes, mesh.elements));
 }
 
 }  // namespace

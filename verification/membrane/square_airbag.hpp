@@ -21,10 +21,10 @@ struct SquareAirbag {
 // Richardson's value of 8, 16 and 32 divisions; an independent code gives 8 x (-77.73 to -77.77) J at 64.
 inline constexpr double kSquareAirbagPotential = -622.15;
 
-inline SquareAirbag square_airbag(int divisions, membrane::Diagonals diagonals,
-                                  membrane::Compression compression, double relative_tolerance) {
+inline SquareAirbag square_airbag(int divisions, mesh::Diagonals diagonals, membrane::Compression compression,
+                                  double relative_tolerance) {
   const double side = 0.6 / std::numbers::sqrt2, pressure = 5e3;
-  const auto mesh = membrane::rectangle(divisions, divisions, side, side, diagonals);
+  const auto mesh = mesh::rectangle(divisions, divisions, side, side, diagonals);
   auto d = describe(mesh, compression);
   for (auto& p : d.properties) p.thickness = 0.6e-3, p.young_modulus = 588e6, p.poisson = 0.4;
   const auto model = make_model(d);

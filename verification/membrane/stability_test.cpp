@@ -9,7 +9,7 @@
 #include "bisection.hpp"
 #include "claim.hpp"
 #include "dense.hpp"
-#include "membrane/passenger_bag.hpp"
+#include "mesh/passenger_bag.hpp"
 
 using membrane::Compression;
 using scenes::Bag;
@@ -33,7 +33,7 @@ std::string percent(double share) {
 }
 
 Bag triangle(double base, double apex, double height) {
-  membrane::Mesh mesh;
+  mesh::Mesh mesh;
   mesh.nodes.resize(3, 3);
   mesh.nodes << 0.0, base, apex, 0.0, 0.0, height, 0.0, 0.0, 0.0;
   mesh.elements.resize(3, 1);
@@ -107,7 +107,7 @@ TEST(Stability, largest_step_of_a_gas_filled_bag_eq_dense_eigenvalue) {
 // The passenger bag, 2744 elements: its measured limit is that of the greatest eigenvalue, and the step that
 // a run takes is below it.
 TEST(Stability, largest_step_of_the_passenger_bag_eq_eigenvalue) {
-  const auto mesh = membrane::passenger_bag().mesh;
+  const auto mesh = mesh::passenger_bag().mesh;
   const Bag bag{make_model(scenes::describe_shipped(mesh, {"vent"})), mesh.nodes};
   const double estimate = 2.0 / std::sqrt(scenes::power_estimate(bag.model, bag.x));
   const double limit = measured_limit(bag, estimate);
@@ -146,7 +146,7 @@ TEST(Stability, pressure_lagged_by_one_step_grows_at_every_step_size) {
 // A bag that holds hardly any gas: the gas sets the limit, 2 / omega_gas (M.11), and the fabric's stiffness
 // takes off no more than its share.
 TEST(Stability, bag_with_a_tiny_volume_fails_where_the_gas_bound_says) {
-  const auto mesh = membrane::icosphere(0.3, 1);
+  const auto mesh = mesh::icosphere(0.3, 1);
   Bag bag{make_model(scenes::describe(mesh, Compression::none)), mesh.nodes, kAmbient};
   bag.x.row(2) *= 1e-3;  // slack everywhere
   const auto state = scenes::evaluated(bag.model, bag.x);
@@ -167,7 +167,7 @@ TEST(Stability, bag_with_a_tiny_volume_fails_where_the_gas_bound_says) {
 // lowest mode has a negative stiffness, and it springs open by itself. Fabric that does not stays where it
 // is.
 TEST(Stability, linear_compression_springs_a_flattened_bag_open) {
-  const auto mesh = membrane::icosphere(0.3, 1);
+  const auto mesh = mesh::icosphere(0.3, 1);
   Eigen::Matrix3Xd flat = mesh.nodes;
   flat.row(2) *= 0.1;
   for (const auto compression : {Compression::linear, Compression::none}) {

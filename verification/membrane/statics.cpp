@@ -39,7 +39,7 @@ Balance balance(const membrane::BagModel& model, const membrane::BagState& state
 
 }  // namespace
 
-membrane::Mesh wrapped_grid(int around, int along, const Place& place) {
+mesh::Mesh wrapped_grid(int around, int along, const Place& place) {
   Eigen::Matrix3Xd nodes(3, around * (along + 1));
   std::vector<Eigen::Vector3i> elements;
   for (int j = 0; j <= along; ++j)

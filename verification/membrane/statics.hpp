@@ -13,7 +13,7 @@ namespace scenes {
 // Grid closed in one direction, `around` x `along` cells with uniform diagonals; node i + j around at
 // place(i / around, j / along). Outward if place turns anticlockwise about the second direction.
 using Place = std::function<Eigen::Vector3d(double turn, double height)>;
-membrane::Mesh wrapped_grid(int around, int along, const Place& place);
+mesh::Mesh wrapped_grid(int around, int along, const Place& place);
 
 // Clears the components of the forces that a support takes up (symmetry planes, sliding edges).
 using Support = std::function<void(membrane::BagState&)>;

@@ -6,7 +6,7 @@
 #include "square_airbag.hpp"
 
 using membrane::Compression;
-using membrane::Diagonals;
+using mesh::Diagonals;
 
 // Height 0.217 +- 0.0015 m and volume 0.125 +- 0.0005 m3 on finer meshes too, whatever the diagonals.
 TEST(StaticsLong, square_airbag_is_in_the_published_range) {

@@ -11,7 +11,7 @@ using membrane::Compression;
 namespace {
 
 membrane::BagDescription supported_sphere() {
-  auto d = scenes::describe(membrane::icosphere(0.3, 1), Compression::none);
+  auto d = scenes::describe(mesh::icosphere(0.3, 1), Compression::none);
   d.straps = {{0, 20, 4500.0, 0.3}, {0, 30, 3000.0, 0.35}, {5, 6, 4500.0, 5.0}};
   d.plates = {{{-0.2, 0.0, 0.0}, {2.0, 0.0, 0.5}, 1e6}, {{0.0, 0.25, 0.0}, {0.0, -1.0, 0.0}, 2e6}};
   return d;
@@ -38,7 +38,7 @@ TEST(Supports, force_eq_minus_energy_derivative) {
 }
 
 TEST(Supports, strap_pulls_and_never_pushes) {
-  auto d = scenes::describe(membrane::icosphere(0.3, 0), Compression::none);
+  auto d = scenes::describe(mesh::icosphere(0.3, 0), Compression::none);
   d.straps = {{0, 1, 4500.0, 0.5}};
   const auto model = make_model(d);
   for (const double length : {0.2, 0.5, 0.6}) {
@@ -57,7 +57,7 @@ TEST(Supports, strap_pulls_and_never_pushes) {
 
 TEST(Supports, plate_pressure_eq_stiffness_times_depth) {
   // A flat sheet pushed d behind the plate feels kappa d on its area.
-  const auto sheet = membrane::rectangle(4, 3, 0.4, 0.3, membrane::Diagonals::uniform);
+  const auto sheet = mesh::rectangle(4, 3, 0.4, 0.3, mesh::Diagonals::uniform);
   auto d = scenes::describe(sheet, Compression::none);
   d.plates = {{{0.0, 0.0, 0.01}, {0.0, 0.0, 3.0}, 1e6}};
   const auto state = scenes::evaluated(make_model(d), sheet.nodes);
@@ -71,7 +71,7 @@ TEST(Supports, plate_pressure_eq_stiffness_times_depth) {
 
 // A slack sheet thrown against a plate leaves with the speed it came with: order 2 in the step.
 TEST(Supports, plate_without_stiffness_adds_its_share) {
-  auto d = scenes::describe(membrane::icosphere(0.3, 2), Compression::none);
+  auto d = scenes::describe(mesh::icosphere(0.3, 2), Compression::none);
   d.plates = {{{-0.2, 0.0, 0.0}, {1.0, 0.0, 0.0}, {}}};
   const auto model = make_model(d);
   // Uniform fabric: every node has the same mass per area, to the rounding of sums of six elements.
@@ -90,7 +90,7 @@ TEST(Supports, bounce_at_its_step_doubles_the_energy_at_most) {
 }
 
 TEST(Supports, bounce_on_plate_conserves_energy) {
-  const auto sheet = membrane::rectangle(2, 2, 0.2, 0.2, membrane::Diagonals::union_jack);
+  const auto sheet = mesh::rectangle(2, 2, 0.2, 0.2, mesh::Diagonals::union_jack);
   auto d = scenes::describe(sheet, Compression::none);
   d.plates = {{{0.0, 0.0, -0.01}, {0.0, 0.0, 1.0}, 1e6}};
   const auto model = make_model(d);

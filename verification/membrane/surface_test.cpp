@@ -22,7 +22,7 @@ struct Surface {
 std::vector<Surface> surfaces() {
   std::vector<Surface> list;
   for (const double amplitude : {0.0, 0.1, 1.0}) {
-    const auto mesh = membrane::icosphere(0.7, 2);
+    const auto mesh = mesh::icosphere(0.7, 2);
     list.push_back(
         {make_model(scenes::describe(mesh, Compression::none)), scenes::shaken(mesh.nodes, amplitude, 11)});
   }
@@ -96,7 +96,7 @@ TEST(Surface, volume_independent_of_origin) {
 }
 
 TEST(Surface, icosahedron_volume_eq_closed_form) {
-  const auto mesh = membrane::icosphere(1.0, 0);
+  const auto mesh = mesh::icosphere(1.0, 0);
   const auto model = make_model(scenes::describe(mesh, Compression::none));
   const double edge = (mesh.nodes.col(mesh.elements(0, 0)) - mesh.nodes.col(mesh.elements(1, 0))).norm();
   claim::expect_near({"M.5", "icosahedron: volume [m3]", "20 elements, 10 roundings each"},
@@ -121,7 +121,7 @@ TEST(Surface, pressure_power_eq_p_dVdt) {
 }
 
 TEST(Surface, areas_and_porous_sums_eq_direct_sums) {
-  const auto mesh = membrane::icosphere(0.7, 2);
+  const auto mesh = mesh::icosphere(0.7, 2);
   auto description = scenes::describe(mesh, Compression::none);
   for (std::size_t e = 0; e < description.properties.size(); ++e)
     description.properties[e].porosity = 0.01 * static_cast<double>(e % 7);
@@ -130,7 +130,7 @@ TEST(Surface, areas_and_porous_sums_eq_direct_sums) {
   auto state = membrane::make_state(model, x, {.jet = true});
   membrane::update_surface(model, state);
   membrane::update_geometry(model, state);
-  const Eigen::VectorXd area = membrane::element_areas(x, mesh.elements);
+  const Eigen::VectorXd area = mesh::element_areas(x, mesh.elements);
   double first = 0.0, second = 0.0;
   for (Eigen::Index e = 0; e < area.size(); ++e) {
     const double eta = description.properties[static_cast<std::size_t>(e)].porosity;
@@ -144,7 +144,7 @@ TEST(Surface, areas_and_porous_sums_eq_direct_sums) {
 }
 
 TEST(Surface, centroid_eq_plain_double_formula) {
-  const auto mesh = membrane::icosphere(0.7, 1);
+  const auto mesh = mesh::icosphere(0.7, 1);
   const auto model = make_model(scenes::describe(mesh, Compression::none));
   const Eigen::Matrix3Xd x = scenes::shaken(mesh.nodes, 0.1, 2);
   auto state = membrane::make_state(model, x, {.jet = true});
@@ -158,7 +158,7 @@ TEST(Surface, centroid_eq_plain_double_formula) {
 }
 
 TEST(Surface, geometry_is_that_of_the_elements_asked_for) {
-  const auto mesh = membrane::icosphere(0.7, 1);
+  const auto mesh = mesh::icosphere(0.7, 1);
   const auto model = make_model(scenes::describe(mesh, Compression::none));
   auto all = membrane::make_state(model, scenes::shaken(mesh.nodes, 0.1, 2), {.jet = true}), some = all;
   membrane::update_geometry(model, all);
@@ -173,7 +173,7 @@ TEST(Surface, geometry_is_that_of_the_elements_asked_for) {
 
 // Each element's area vector is shared equally by its corners, null elements included.
 TEST(Surface, jet_force_eq_overpressure_times_area_vector_third) {
-  const auto mesh = membrane::icosphere(0.7, 1);
+  const auto mesh = mesh::icosphere(0.7, 1);
   auto description = scenes::describe(mesh, Compression::none);
   const auto model = make_model(description);
   const Eigen::Matrix3Xd x = scenes::shaken(mesh.nodes, 0.1, 2);

@@ -19,7 +19,7 @@ namespace {
 const membrane::StressCurve kWarpCurve{{0.0, 0.02, 0.05, 0.3, 0.6}, {0.0, 4e5, 2e6, 2e7, 3e7}};
 const membrane::StressCurve kWeftCurve{{0.0, 0.1, 0.6}, {0.0, 5e6, 1e7}};
 
-membrane::BagDescription describe_threads(const membrane::Mesh& mesh,
+membrane::BagDescription describe_threads(const mesh::Mesh& mesh,
                                           const Eigen::Vector3d& warp = {0.3, 0.5, 0.8}) {
   auto d = scenes::describe(mesh, Compression::none);
   d.law = "curve";
@@ -51,8 +51,8 @@ double work_to(const membrane::StressCurve& c, double strain) {
   return work;
 }
 
-membrane::Mesh lone_square() {
-  return membrane::rectangle(1, 1, 0.1, 0.1, membrane::Diagonals::uniform);
+mesh::Mesh lone_square() {
+  return mesh::rectangle(1, 1, 0.1, 0.1, mesh::Diagonals::uniform);
 }
 
 // Of a square with the warp along x, stretched along x and y.
@@ -84,14 +84,14 @@ TEST(Threads, strip_gives_back_the_curve_and_its_integral) {
 }
 
 TEST(Threads, force_eq_minus_energy_derivative) {
-  const auto mesh = membrane::icosphere(0.3, 1);
+  const auto mesh = mesh::icosphere(0.3, 1);
   for (const double swelling : {0.9, 1.0, 1.05, 1.2})
     scenes::expect_force_eq_minus_energy_derivative(make_model(describe_threads(mesh)),
                                                     scenes::shaken(swelling * mesh.nodes, 0.02, 8));
 }
 
 TEST(Threads, forces_turn_with_the_bag) {
-  const auto mesh = membrane::icosphere(0.3, 1);
+  const auto mesh = mesh::icosphere(0.3, 1);
   const auto model = make_model(describe_threads(mesh));
   const Eigen::Matrix3Xd x = scenes::shaken(1.05 * mesh.nodes, 0.02, 8);
   const Eigen::Matrix3d turn = scenes::rotation();
@@ -101,7 +101,7 @@ TEST(Threads, forces_turn_with_the_bag) {
 }
 
 TEST(Threads, every_instruction_set_gives_the_same_bits) {
-  const auto mesh = membrane::icosphere(0.3, 1);
+  const auto mesh = mesh::icosphere(0.3, 1);
   auto d = describe_threads(mesh);
   const Eigen::Matrix3Xd x = scenes::shaken(1.05 * mesh.nodes, 0.03, 4);
   scenes::expect_same_bits(d, x);

@@ -20,7 +20,7 @@ constexpr double kTension = 1000.0;  // second Piola-Kirchhoff stress x thicknes
 constexpr closed_form::TensionedMembrane kSheet{kTension, 620.0 * 0.5e-3};
 const double kStretch = std::sqrt(1.0 + 2.0 * kTension / 0.5e-3 * (1.0 - 0.3) / 60e6);
 
-membrane::BagModel clamped(const membrane::Mesh& mesh, const std::vector<int>& edge) {
+membrane::BagModel clamped(const mesh::Mesh& mesh, const std::vector<int>& edge) {
   auto d = scenes::describe(mesh, Compression::none);
   d.fixed_nodes = edge;
   return make_model(d);
@@ -62,7 +62,7 @@ struct Vibration {
   double dt;
   int steps;
 };
-Vibration vibrate(const membrane::BagModel& model, const membrane::Mesh& mesh, const Eigen::VectorXd& shape,
+Vibration vibrate(const membrane::BagModel& model, const mesh::Mesh& mesh, const Eigen::VectorXd& shape,
                   double frequency) {
   Eigen::Matrix3Xd rest = kStretch * mesh.nodes, unit = Eigen::Matrix3Xd::Zero(3, mesh.node_count());
   unit.row(2) = 1e-9 * shape.transpose();
@@ -84,7 +84,7 @@ Vibration vibrate(const membrane::BagModel& model, const membrane::Mesh& mesh, c
 // Mode (m, n) of the square of side 0.6 m in N x N cells.
 Vibration vibrate_square(int divisions, int m, int n) {
   const double side = 0.6;
-  const auto mesh = membrane::rectangle(divisions, divisions, side, side, membrane::Diagonals::uniform);
+  const auto mesh = mesh::rectangle(divisions, divisions, side, side, mesh::Diagonals::uniform);
   std::vector<int> edge;
   Eigen::VectorXd shape(mesh.node_count());
   for (int k = 0; k < mesh.node_count(); ++k) {
@@ -131,7 +131,7 @@ const Sphere kUnstressed{0.0, 121325.0, Compression::linear};
 // Breathing over two periods from a radial kick at equilibrium: swings of 1e-5 of the radius change the
 // frequency by their square.
 Amplitude breathe(const Sphere& sphere, int level, double dt) {
-  const auto mesh = membrane::icosphere(Sphere::kRadius, level);
+  const auto mesh = mesh::icosphere(Sphere::kRadius, level);
   const auto model = make_model(scenes::describe(mesh, sphere.compression));
   auto state = membrane::make_state(model, (1.0 + 3.7e-6 * sphere.overpressure) * mesh.nodes);
   // 1e-10 of the force of the gas on a node displaces it by 1e-11 of the radius, against swings of 1e-5.

@@ -17,7 +17,7 @@ constexpr double kBreather = 0.3, kStressLag = 1e-4;  // [m], [s]
 
 // The icosahedron's nodes are all alike: it breathes with one degree of freedom.
 membrane::BagModel breather_model() {
-  auto d = scenes::describe(membrane::icosphere(kBreather, 0), Compression::linear);
+  auto d = scenes::describe(mesh::icosphere(kBreather, 0), Compression::linear);
   d.stiffness_damping = kStressLag;
   return make_model(d);
 }
@@ -84,7 +84,7 @@ TEST(Viscous, bound_of_the_step_holds_for_stiffness_and_lagged_damping) {
 // A fine sphere whose pressure is switched on: the damping, which takes a half to nine tenths off the step,
 // has to take energy at nine tenths of the bound.
 TEST(Viscous, pressed_sphere_comes_to_rest_at_the_critical_step) {
-  const auto mesh = membrane::icosphere(kBreather, 2);
+  const auto mesh = mesh::icosphere(kBreather, 2);
   for (const double lag : {1e-4, 1e-3}) {
     auto d = scenes::describe(mesh, Compression::none);
     d.stiffness_damping = lag;
@@ -104,7 +104,7 @@ TEST(Viscous, pressed_sphere_comes_to_rest_at_the_critical_step) {
 }
 
 TEST(Viscous, rigid_motion_is_not_damped_and_forces_sum_to_zero) {
-  const auto mesh = membrane::icosphere(kBreather, 2);
+  const auto mesh = mesh::icosphere(kBreather, 2);
   auto d = scenes::describe(mesh, Compression::none);
   d.stiffness_damping = kStressLag;
   for (int e = 0; e < 5; ++e) d.properties[static_cast<std::size_t>(e)].porosity = 0.0;

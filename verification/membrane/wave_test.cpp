@@ -34,7 +34,7 @@ std::vector<Wave> waves() {
 // Height of the standing wave A cos(k x) at the middle node after `steps` steps from rest, over A. One step
 // carries a disturbance one cell, so the free edges (cells / 2 away) are not felt.
 double height_after(const Wave& wave, int cells, double wave_number, double dt, int steps) {
-  const auto mesh = membrane::rectangle(cells, cells, kWaveSide, kWaveSide, membrane::Diagonals::uniform);
+  const auto mesh = mesh::rectangle(cells, cells, kWaveSide, kWaveSide, mesh::Diagonals::uniform);
   const auto model = make_model(scenes::describe(mesh, Compression::linear));
   const int middle = cells / 2 * (cells + 1) + cells / 2;
   const double x0 = mesh.nodes(0, middle), amplitude = 1e-7;

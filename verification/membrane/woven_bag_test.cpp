@@ -14,7 +14,7 @@ namespace {
 
 const Eigen::Vector3d kWarp(0.3, 1.0, 0.1);  // along no side and no normal of the meshes below
 
-membrane::BagDescription woven(const membrane::Mesh& mesh, Compression compression,
+membrane::BagDescription woven(const mesh::Mesh& mesh, Compression compression,
                                const membrane::WeaveProperties& weave = {20e6, 3e6, kWarp}) {
   auto d = scenes::describe(mesh, compression);
   for (auto& p : d.properties) p.weave = weave;
@@ -24,7 +24,7 @@ membrane::BagDescription woven(const membrane::Mesh& mesh, Compression compressi
 }  // namespace
 
 TEST(WovenBag, force_eq_minus_energy_derivative) {
-  const auto mesh = membrane::icosphere(0.3, 1);
+  const auto mesh = mesh::icosphere(0.3, 1);
   for (const auto compression : {Compression::linear, Compression::none})
     for (const double swelling : {1.0, 1.2})
       scenes::expect_force_eq_minus_energy_derivative(make_model(woven(mesh, compression)),
@@ -33,7 +33,7 @@ TEST(WovenBag, force_eq_minus_energy_derivative) {
 
 TEST(WovenBag, every_instruction_set_gives_the_same_bits) {
   const auto mesh =
-      membrane::icosphere(0.3, 1);  // 80 elements: taut, wrinkled and slack ones share groups of lanes
+      mesh::icosphere(0.3, 1);  // 80 elements: taut, wrinkled and slack ones share groups of lanes
   const Eigen::Matrix3Xd x = scenes::shaken(1.02 * mesh.nodes, 0.03, 4);
   for (const auto compression : {Compression::linear, Compression::none}) {
     auto d = woven(mesh, compression);
@@ -43,7 +43,7 @@ TEST(WovenBag, every_instruction_set_gives_the_same_bits) {
 
 // The oracle of one element, by the law itself: energies of the elements sum to the bag's.
 TEST(WovenBag, element_response_sums_to_the_strain_energy) {
-  const auto mesh = membrane::icosphere(0.3, 1);
+  const auto mesh = mesh::icosphere(0.3, 1);
   for (const auto compression : {Compression::linear, Compression::none}) {
     const auto model = make_model(woven(mesh, compression));
     const auto state = scenes::evaluated(model, scenes::shaken(1.02 * mesh.nodes, 0.03, 4));
@@ -57,7 +57,7 @@ TEST(WovenBag, element_response_sums_to_the_strain_energy) {
 
 // A weave of isotropic constants, whatever its warp, is the isotropic fabric.
 TEST(WovenBag, isotropic_constants_give_the_isotropic_bag) {
-  const auto mesh = membrane::icosphere(0.3, 1);
+  const auto mesh = mesh::icosphere(0.3, 1);
   const Eigen::Matrix3Xd x = scenes::shaken(1.02 * mesh.nodes, 0.03, 4);
   for (const auto compression : {Compression::linear, Compression::none}) {
     const auto plain = scenes::evaluated(make_model(scenes::describe(mesh, compression)), x);
@@ -77,7 +77,7 @@ TEST(WovenBag, isotropic_constants_give_the_isotropic_bag) {
 // Design shape, warp and positions turned together, and positions turned alone: the forces turn with the
 // positions.
 TEST(WovenBag, forces_turn_with_the_frame) {
-  const auto mesh = membrane::icosphere(0.3, 1);
+  const auto mesh = mesh::icosphere(0.3, 1);
   const Eigen::Matrix3Xd x = scenes::shaken(1.02 * mesh.nodes, 0.03, 4);
   const Eigen::Matrix3d turn = scenes::rotation();
   const auto d = woven(mesh, Compression::none);
@@ -96,7 +96,7 @@ TEST(WovenBag, dense_eigenvalue_below_bound) {
   scenes::Random random(21);
   for (const auto compression : {Compression::linear, Compression::none})
     for (int trial = 0; trial < 60; ++trial) {
-      auto mesh = membrane::rectangle(1, 1, 0.01, 0.01 * (1.2 + random()), membrane::Diagonals::uniform);
+      auto mesh = mesh::rectangle(1, 1, 0.01, 0.01 * (1.2 + random()), mesh::Diagonals::uniform);
       const double shear = 1e6 * std::pow(10.0, 1.5 * random());
       const auto model = make_model(woven(mesh, compression, {20e6, shear, {1.0, random(), 0.0}}));
       Eigen::Matrix3d f = Eigen::Matrix3d::Identity();
@@ -111,7 +111,7 @@ TEST(WovenBag, dense_eigenvalue_below_bound) {
 
 // Sharp where it can be: one free element at rest, stiff warp along a side.
 TEST(WovenBag, dense_eigenvalue_of_a_free_element_eq_bound) {
-  auto mesh = membrane::rectangle(1, 1, 0.01, 0.01, membrane::Diagonals::uniform);
+  auto mesh = mesh::rectangle(1, 1, 0.01, 0.01, mesh::Diagonals::uniform);
   mesh.elements = mesh.elements.leftCols(1).eval();
   mesh.nodes = mesh.nodes(Eigen::all, std::array{0, 1, 3}).eval();
   mesh.elements << 0, 1, 2;
@@ -125,7 +125,7 @@ TEST(WovenBag, dense_eigenvalue_of_a_free_element_eq_bound) {
 }
 
 TEST(WovenBag, null_elements_have_no_stress) {
-  const auto mesh = membrane::icosphere(0.3, 1);
+  const auto mesh = mesh::icosphere(0.3, 1);
   auto d = woven(mesh, Compression::none);
   d.properties[5] = {};
   d.properties[5].null_panel = true;
@@ -153,7 +153,7 @@ TEST(WovenBag, bad_weaves_are_refused_by_name) {
                      {{20e6, 3e6, kWarp}, 1.74, "poisson"},
                      {{180e6, 3e6, kWarp}, 0.58, "poisson"},
                      {{20e6, 3e6, kWarp}, nan, "poisson"}};
-  const auto mesh = membrane::rectangle(1, 1, 1.0, 1.0, membrane::Diagonals::uniform);
+  const auto mesh = mesh::rectangle(1, 1, 1.0, 1.0, mesh::Diagonals::uniform);
   for (const auto& b : bad) {
     auto d = woven(mesh, Compression::none);
     d.properties[1].weave = b.weave;
@@ -171,7 +171,7 @@ TEST(WovenBag, bad_weaves_are_refused_by_name) {
 
 // Just inside the limit of poisson^2 weft / warp, with the weft a third and three times as stiff as the warp.
 TEST(WovenBag, weaves_of_positive_stiffness_are_accepted) {
-  const auto mesh = membrane::rectangle(1, 1, 1.0, 1.0, membrane::Diagonals::uniform);
+  const auto mesh = mesh::rectangle(1, 1, 1.0, 1.0, mesh::Diagonals::uniform);
   for (const auto& [weft, poisson] : {std::pair{20e6, 1.72}, {180e6, 0.57}}) {
     auto d = woven(mesh, Compression::none, {weft, 3e6, kWarp});
     for (auto& p : d.properties) p.poisson = poisson;

@@ -8,7 +8,7 @@
 #include "square_airbag.hpp"
 
 using membrane::Compression;
-using membrane::Diagonals;
+using mesh::Diagonals;
 using std::numbers::pi;
 
 namespace {

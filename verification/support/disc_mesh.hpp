@@ -6,13 +6,12 @@
 #include <numbers>
 #include <vector>
 
-#include "membrane/mesh.hpp"
+#include "mesh/mesh.hpp"
 
 namespace scenes {
 
-inline membrane::Mesh plain_mesh(const Eigen::Matrix3Xd& nodes,
-                                 const std::vector<Eigen::Vector3i>& elements) {
-  membrane::Mesh mesh;
+inline mesh::Mesh plain_mesh(const Eigen::Matrix3Xd& nodes, const std::vector<Eigen::Vector3i>& elements) {
+  mesh::Mesh mesh;
   mesh.nodes = nodes;
   mesh.elements.resize(3, static_cast<Eigen::Index>(elements.size()));
   for (std::size_t e = 0; e < elements.size(); ++e)
@@ -28,7 +27,7 @@ inline int ring_node(int k, int j) {
 }
 
 // Plane disc in z = 0, normal +z: ring k of `rings` has 6 k nodes, 6 rings^2 elements, the rim's nodes last.
-inline membrane::Mesh disc(double radius, int rings) {
+inline mesh::Mesh disc(double radius, int rings) {
   Eigen::Matrix3Xd nodes = Eigen::Matrix3Xd::Zero(3, 3 * rings * (rings + 1) + 1);
   std::vector<Eigen::Vector3i> elements;
   for (int k = 1; k <= rings; ++k)

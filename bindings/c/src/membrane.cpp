@@ -5,8 +5,8 @@
 
 #include "arrays.hpp"
 #include "membrane/stages.hpp"
-#include "membrane/surface_check.hpp"
 #include "membrane/time_step.hpp"
+#include "mesh/surface_check.hpp"
 
 using namespace border;
 
@@ -55,7 +55,7 @@ gasjet_membrane_sums sums_of(const Membrane& membrane, double gamma, double pres
           membrane::critical_time_step(shares)};
 }
 
-gasjet_surface_faults faults_of(const membrane::SurfaceReport& report) {
+gasjet_surface_faults faults_of(const mesh::SurfaceReport& report) {
   const auto count = [](const auto& list) { return static_cast<int64_t>(list.size()); };
   return {report.ok() ? 1 : 0,
           count(report.boundary_edges),
@@ -81,7 +81,7 @@ int gasjet_surface_check(const double nodes[], int64_t node_count, const int64_t
                          gasjet_surface_faults* faults, char text[], int64_t size, int64_t* needed_size) {
   return call([&] {
     const Points points(nodes, node_count, node_stride, "nodes");
-    const auto report = membrane::check_closed_surface(
+    const auto report = mesh::check_closed_surface(
         points.view(), triangles_of(triangles, triangle_count, triangle_stride, node_count));
     needed(faults, "faults") = faults_of(report);
     write_sized(report.describe(), text, size, needed_size);

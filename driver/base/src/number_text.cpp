@@ -8,7 +8,7 @@
 #include <string>
 #include <utility>
 
-#include "membrane/fortran_number.hpp"
+#include "mesh/fortran_number.hpp"
 
 namespace driver {
 namespace {
@@ -40,7 +40,7 @@ std::optional<double> file_number_of(std::string_view text) {
   const auto sign = text.find_last_of("+-");
   if (text.find_first_of("dD") == text.npos && (sign == text.npos || text.size() != sign + 4))
     return std::nullopt;
-  return number_of(membrane::without_fortran_exponent(text));
+  return number_of(mesh::without_fortran_exponent(text));
 }
 
 std::optional<double> fraction_of(std::string_view text) {

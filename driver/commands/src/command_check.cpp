@@ -33,8 +33,8 @@ void print_keys(const CaseDocument& document) {
     fmt::print("{}\t{}\t{}\t{}\n", key.path, key.unit, key.allowed, key.fallback);
 }
 
-void print_panels(const membrane::Mesh& mesh) {
-  const Eigen::VectorXd areas = membrane::panel_areas(mesh);
+void print_panels(const mesh::Mesh& mesh) {
+  const Eigen::VectorXd areas = mesh::panel_areas(mesh);
   for (std::size_t i = 0; i < mesh.panel_names.size(); ++i)
     fmt::print("panel {}: {:.5g} m2\n", mesh.panel_names[i], areas(static_cast<Eigen::Index>(i)));
 }
@@ -73,7 +73,7 @@ void print_bag(const Scene& scene, const State& state) {
              bag.model.fabric_mass);
   if (scene.gas)
     fmt::print(", initial volume {:.4g} m3, design volume {:.4g} m3", state.bag->surface.volume,
-               membrane::enclosed_volume(bag.mesh.nodes, bag.mesh.elements));
+               mesh::enclosed_volume(bag.mesh.nodes, bag.mesh.elements));
   const double critical = membrane::critical_time_step(shares);
   fmt::print("\ncritical step at the start: {:.4g} s (alone:{})\n", critical, limits_alone(shares));
   if (const double kept = drift_limit(scene, state); kept < critical)

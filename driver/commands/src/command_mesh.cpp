@@ -10,9 +10,9 @@
 #include "commands/command.hpp"
 #include "engine/bag_mesh.hpp"
 #include "input_files.hpp"
-#include "membrane/merge.hpp"
-#include "membrane/surface_check.hpp"
-#include "membrane/turn_outward.hpp"
+#include "mesh/merge.hpp"
+#include "mesh/surface_check.hpp"
+#include "mesh/turn_outward.hpp"
 #include "results/bag_shape.hpp"
 #include "results/fields.hpp"
 #include "results/load_scene.hpp"
@@ -57,7 +57,7 @@ BagMesh generate_with(const std::vector<std::string>& overrides) {
 }
 
 void print_quality(const char* shape, const Eigen::Matrix3Xd& nodes, const Eigen::Matrix3Xi& elements) {
-  const auto q = membrane::element_quality(nodes, elements);
+  const auto q = mesh::element_quality(nodes, elements);
   fmt::print(
       "{}: smallest angle {:.1f} degrees, largest aspect {:.3g}, altitudes from {:.4g} m (mean {:.4g} m), "
       "areas {:.4g} to "
@@ -69,19 +69,19 @@ void print_quality(const char* shape, const Eigen::Matrix3Xd& nodes, const Eigen
 // Refuses a shape without a report before anything is written.
 void check_quality(const BagMesh& bag, const std::filesystem::path& file) {
   try {
-    membrane::element_quality(bag.mesh.nodes, bag.mesh.elements);
-    if (bag.initial) membrane::element_quality(*bag.initial, bag.mesh.elements);
+    mesh::element_quality(bag.mesh.nodes, bag.mesh.elements);
+    if (bag.initial) mesh::element_quality(*bag.initial, bag.mesh.elements);
   } catch (const std::invalid_argument& error) {
     throw CaseError(fmt::format("{}: {}", file.empty() ? "--set" : file.string(), error.what()));
   }
 }
 
 void print_report(const BagMesh& bag) {
-  const membrane::Mesh& mesh = bag.mesh;
-  const auto surface = membrane::check_closed_surface(bag.shape(), mesh.elements);
+  const mesh::Mesh& mesh = bag.mesh;
+  const auto surface = mesh::check_closed_surface(bag.shape(), mesh.elements);
   fmt::print("{} elements, {} nodes{}\n", mesh.element_count(), mesh.node_count(),
              surface.has_volume() ? fmt::format(", volume {:.5g} m3", surface.volume) : "");
-  const Eigen::VectorXd areas = membrane::panel_areas(mesh);
+  const Eigen::VectorXd areas = mesh::panel_areas(mesh);
   std::vector<int> counts(mesh.panel_names.size(), 0);
   for (const int panel : mesh.panel) ++counts[static_cast<std::size_t>(panel)];
   for (std::size_t i = 0; i < mesh.panel_names.size(); ++i)
@@ -100,9 +100,9 @@ void print_report(const BagMesh& bag) {
 }
 
 // What the format cannot hold is a fault of the option that names the file.
-void write_as(const char* option, const membrane::Mesh& mesh, const std::filesystem::path& file) {
+void write_as(const char* option, const mesh::Mesh& mesh, const std::filesystem::path& file) {
   try {
-    membrane::write_mesh(mesh, file);
+    mesh::write_mesh(mesh, file);
   } catch (const std::invalid_argument& error) {
     throw CaseError(fmt::format("{} {}: {}", option, file.string(), error.what()));
   }
@@ -111,27 +111,27 @@ void write_as(const char* option, const membrane::Mesh& mesh, const std::filesys
 void write(const BagMesh& bag, const MeshArguments& arguments) {
   if (!arguments.out.empty()) write_as("--out", bag.mesh, arguments.out);
   if (arguments.initial.empty()) return;
-  membrane::Mesh shape = bag.mesh;
+  mesh::Mesh shape = bag.mesh;
   shape.nodes = bag.shape();
   write_as("--initial", shape, arguments.initial);
 }
 
-void check_outputs(const MeshArguments& arguments, const membrane::Mesh& mesh) {
+void check_outputs(const MeshArguments& arguments, const mesh::Mesh& mesh) {
   for (const auto& out : {arguments.out, arguments.initial}) refuse_same_file("--out", out, mesh.included);
   refuse_same_file("--out", arguments.out, {arguments.file});
   refuse_same_file("--initial", arguments.initial, {arguments.file, arguments.out});
   for (const auto& file : {arguments.out, arguments.initial})
-    if (!file.empty()) membrane::check_mesh_ending(file);
+    if (!file.empty()) mesh::check_mesh_ending(file);
 }
 
 void finish(BagMesh bag, const MeshArguments& arguments, const std::vector<std::string>& null_panels) {
   try {
     check_outputs(arguments, bag.mesh);
-    for (const auto& name : null_panels) membrane::panel_elements(bag.mesh, name);  // refuses an unknown name
+    for (const auto& name : null_panels) mesh::panel_elements(bag.mesh, name);  // refuses an unknown name
     refine(bag, arguments.refine, null_panels);
     check_quality(bag, arguments.file);
     write(bag, arguments);
-  } catch (const membrane::MeshFileError& error) {
+  } catch (const mesh::MeshFileError& error) {
     throw OutputError(error.what());
   }
   print_report(bag);
@@ -139,7 +139,7 @@ void finish(BagMesh bag, const MeshArguments& arguments, const std::vector<std::
 
 // What the file had, and what merging makes of it.
 void print_reading(BagMesh& bag, const MeshArguments& arguments) {
-  membrane::Mesh& mesh = bag.mesh;
+  mesh::Mesh& mesh = bag.mesh;
   for (const auto& [what, list] :
        {std::pair("elements that are no shells", &mesh.other_elements), std::pair("not read", &mesh.skipped),
         std::pair("not read, and changes the bag", &mesh.neglected)})
@@ -148,7 +148,7 @@ void print_reading(BagMesh& bag, const MeshArguments& arguments) {
   drop_collapsed(bag, arguments.file);
   if (bag.collapsed > 0) fmt::print("{}\n", collapsed_text(bag));
   if (arguments.merge) {
-    const auto merged = membrane::merge_nodes(mesh, *arguments.merge);
+    const auto merged = mesh::merge_nodes(mesh, *arguments.merge);
     fmt::print("nodes merged within {:g} m: {}\n", *arguments.merge, merged.nodes);
     if (merged.elements > 0)
       fmt::print("elements left out, two of whose corners became one: {}\n", merged.elements);
@@ -156,14 +156,14 @@ void print_reading(BagMesh& bag, const MeshArguments& arguments) {
       throw CaseError(fmt::format("--merge {:g} leaves no element", *arguments.merge));
   }
   const int before = mesh.node_count();
-  mesh = membrane::used_nodes(std::move(mesh));
+  mesh = mesh::used_nodes(std::move(mesh));
   if (mesh.node_count() < before)
     fmt::print("nodes that no element uses, left out: {}\n", before - mesh.node_count());
 }
 
 // Before anything is written.
 void require_control_volume(const BagMesh& bag, const MeshArguments& arguments) {
-  const auto report = membrane::check_closed_surface(bag.shape(), bag.mesh.elements);
+  const auto report = mesh::check_closed_surface(bag.shape(), bag.mesh.elements);
   if (report.ok()) return;
   const bool joins = !arguments.merge && !report.boundary_edges.empty(),
              turns = !arguments.outward &&
@@ -177,8 +177,8 @@ void require_control_volume(const BagMesh& bag, const MeshArguments& arguments) 
 
 void check_state_ending(const std::filesystem::path& out) {
   try {
-    membrane::check_mesh_ending(out);
-  } catch (const membrane::MeshFileError&) {
+    mesh::check_mesh_ending(out);
+  } catch (const mesh::MeshFileError&) {
     throw CaseError(fmt::format("--out {}: the name of a state ends with {}", out.string(), shape_endings));
   }
 }
@@ -190,7 +190,7 @@ int reported(Action&& action) {
     return action();
   } catch (const std::invalid_argument& error) {
     throw CaseError(error.what());
-  } catch (const membrane::MeshFileError& error) {
+  } catch (const mesh::MeshFileError& error) {
     throw CaseError(error.what());
   }
 }
@@ -199,7 +199,7 @@ int reported(Action&& action) {
 
 int mesh_driver(const MeshArguments& arguments) {
   return reported([&] {
-    BagMesh bag = generate_with<membrane::DriverBagOptions>(arguments.overrides);
+    BagMesh bag = generate_with<mesh::DriverBagOptions>(arguments.overrides);
     const auto vents = vent_panels(bag.mesh);
     finish(std::move(bag), arguments, vents);
     return exit_done;
@@ -208,7 +208,7 @@ int mesh_driver(const MeshArguments& arguments) {
 
 int mesh_passenger(const MeshArguments& arguments) {
   return reported([&] {
-    BagMesh bag = generate_with<membrane::PassengerBagOptions>(arguments.overrides);
+    BagMesh bag = generate_with<mesh::PassengerBagOptions>(arguments.overrides);
     const auto vents = vent_panels(bag.mesh);
     finish(std::move(bag), arguments, vents);
     return exit_done;
@@ -218,10 +218,10 @@ int mesh_passenger(const MeshArguments& arguments) {
 int mesh_convert(const MeshArguments& arguments) {
   return reported([&] {
     BagMesh bag{read_any_mesh(arguments.file), std::nullopt, {}};
-    if (!arguments.panels.empty()) bag.mesh = membrane::only_panels(bag.mesh, arguments.panels);
-    membrane::scale(bag.mesh, arguments.length_unit);
+    if (!arguments.panels.empty()) bag.mesh = mesh::only_panels(bag.mesh, arguments.panels);
+    mesh::scale(bag.mesh, arguments.length_unit);
     print_reading(bag, arguments);
-    if (arguments.outward) fmt::print("elements turned: {}\n", membrane::turn_outward(bag.mesh));
+    if (arguments.outward) fmt::print("elements turned: {}\n", mesh::turn_outward(bag.mesh));
     bag.initial = std::exchange(bag.mesh.start, std::nullopt);
     if (bag.initial && arguments.initial.empty() && !arguments.out.empty())
       fmt::print("--out has the stress-free shape of the deck, --initial writes the one at the start\n");
@@ -255,7 +255,7 @@ int mesh_of_state(const MeshArguments& arguments) {
         replace_file(arguments.out, polydata_of(shape.mesh));
       else
         write_as("--out", shape.mesh, arguments.out);
-    } catch (const membrane::MeshFileError& error) {
+    } catch (const mesh::MeshFileError& error) {
       throw OutputError(error.what());
     }
     print_report({shape.mesh, std::nullopt, {}});

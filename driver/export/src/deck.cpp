@@ -12,7 +12,7 @@
 #include "export/cards.hpp"
 #include "export/deck_fabric.hpp"
 #include "jet/centreline.hpp"
-#include "membrane/icosphere.hpp"
+#include "mesh/icosphere.hpp"
 
 namespace driver {
 namespace {
@@ -22,10 +22,10 @@ constexpr double gap_share = 0.02;  // of the radius
 constexpr double degrees = std::numbers::pi / 180.0;
 
 void add_parts(const BagPart& bag, Deck& deck) {
-  const auto areas = membrane::element_areas(bag.mesh.nodes, bag.mesh.elements);
+  const auto areas = mesh::element_areas(bag.mesh.nodes, bag.mesh.elements);
   for (std::size_t p = 0; p < bag.mesh.panel_names.size(); ++p) {
     DeckPart part{static_cast<int>(p) + 1, bag.mesh.panel_names[p], false, {}, {}, 0.0};
-    part.elements = membrane::panel_elements(bag.mesh, part.name);
+    part.elements = mesh::panel_elements(bag.mesh, part.name);
     if (part.elements.empty()) continue;
     part.fabric = bag.model.description.properties[static_cast<std::size_t>(part.elements.front())];
     part.null_panel = part.fabric.null_panel;
@@ -39,7 +39,7 @@ void add_pendulum(const coupling::PendulumParameters& p, Deck& deck) {
   const double radius = p.impactor_radius;
   deck.inertia = std::max(p.inertia_cg, least * p.mass * p.cg_distance * p.cg_distance);
   deck.contact_gap = gap_share * radius;
-  deck.sphere = membrane::icosphere(radius - deck.contact_gap, sphere_levels);
+  deck.sphere = mesh::icosphere(radius - deck.contact_gap, sphere_levels);
   double nearest = radius;
   for (Eigen::Index e = 0; e < deck.sphere.elements.cols(); ++e) {
     const Eigen::Vector3d middle = (deck.sphere.nodes.col(deck.sphere.elements(0, e)) +
@@ -57,7 +57,7 @@ void add_pendulum(const coupling::PendulumParameters& p, Deck& deck) {
 // Contact acts on the bag's nodes: between those of an even triangle of edge L, a sphere of radius R sinks in
 // by L^2/(6 R) before it meets one, as their circle has the radius L/sqrt(3).
 void note_contact(const Scene& scene, Deck& deck) {
-  const membrane::Mesh& mesh = scene.bag->mesh;
+  const mesh::Mesh& mesh = scene.bag->mesh;
   double longest = 0.0;
   for (Eigen::Index e = 0; e < mesh.elements.cols(); ++e)
     for (Eigen::Index i = 0; i < 3; ++i)

@@ -131,7 +131,7 @@ void add_initial_overpressure(const Scene& scene, Deck& deck) {
     return;
   }
   const BagPart& bag = *scene.bag;
-  const double volume = membrane::enclosed_volume(bag.initial_position, bag.mesh.elements);
+  const double volume = mesh::enclosed_volume(bag.initial_position, bag.mesh.elements);
   const double R = gas.model.thermo.gas_constant(gas.initial_fractions);
   const double mass = excess * volume / (R * gas.initial_temperature), end = 2.0 * scene.time.end;
   const double temperature = filling_temperature(deck.initial_gas, deck.format, gas.initial_temperature);

@@ -11,7 +11,7 @@
 namespace driver {
 
 DeckIds::DeckIds(const Deck& deck) {
-  const membrane::Mesh& mesh = deck.scene->bag->mesh;
+  const mesh::Mesh& mesh = deck.scene->bag->mesh;
   const int straps = static_cast<int>(deck.scene->bag->model.description.straps.size());
   const int panels = static_cast<int>(mesh.panel_names.size());
   sphere_node = mesh.node_count() + 1;

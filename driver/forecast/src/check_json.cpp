@@ -91,7 +91,7 @@ Json bag_of(const Scene& scene, const State& state) {
               {"mass_kg", bag.model.fabric_mass}};
   if (scene.gas)
     all.update({{"initial_volume_m3", state.bag->surface.volume},
-                {"design_volume_m3", membrane::enclosed_volume(bag.mesh.nodes, bag.mesh.elements)}});
+                {"design_volume_m3", mesh::enclosed_volume(bag.mesh.nodes, bag.mesh.elements)}});
   all.update({{"straps", straps_of(bag)},
               {"plate_stiffness_N_m3", plates},
               {"critical_step_s", membrane::critical_time_step(shares)},

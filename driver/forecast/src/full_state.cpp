@@ -108,12 +108,12 @@ double relaxations(const Scene& scene, const FullOpenings& openings, const FullS
 
 // As sewn. A flat design encloses nothing: it becomes about a balloon of two discs of as much fabric, the
 // more so the flatter it is.
-double sewn_volume(const membrane::Mesh& mesh) {
+double sewn_volume(const mesh::Mesh& mesh) {
   constexpr double kBalloon =
       1.2185242;  // volume over radius^3 of the discs: Paulsen, the Mylar balloon, 1994
   const double discs =
-      kBalloon * elementary::pow(membrane::panel_areas(mesh).sum() / (2.0 * std::numbers::pi), 1.5);
-  const double sewn = membrane::enclosed_volume(mesh.nodes, mesh.elements);
+      kBalloon * elementary::pow(mesh::panel_areas(mesh).sum() / (2.0 * std::numbers::pi), 1.5);
+  const double sewn = mesh::enclosed_volume(mesh.nodes, mesh.elements);
   return std::max(sewn, discs - sewn);
 }
 

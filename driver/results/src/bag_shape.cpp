@@ -96,7 +96,7 @@ class XmlText {
 };
 
 // By the header of the run's frames, if it has those elements.
-void name_panels(membrane::Mesh& mesh, const Json& header) {
+void name_panels(mesh::Mesh& mesh, const Json& header) {
   const auto elements = static_cast<std::size_t>(mesh.element_count());
   const auto list = [&](const char* key) {
     const bool is_list = header.is_object() && header.contains(key) && header[key].is_array();
@@ -117,9 +117,9 @@ void name_panels(membrane::Mesh& mesh, const Json& header) {
   for (int i = 0; i < count; ++i) mesh.panel_names.push_back(fmt::format("panel_{}", i));
 }
 
-membrane::Mesh read_polydata(const std::filesystem::path& file) {
+mesh::Mesh read_polydata(const std::filesystem::path& file) {
   XmlText text(file);
-  membrane::Mesh mesh;
+  mesh::Mesh mesh;
   mesh.nodes.resize(3, text.count("NumberOfPoints"));
   mesh.elements.resize(3, text.count("NumberOfPolys"));
   text.array("Points");

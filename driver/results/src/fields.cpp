@@ -26,7 +26,7 @@ void data_array(std::string& out, const char* name, int components, int count, c
   out += "</DataArray>\n";
 }
 
-void connectivity(std::string& out, const membrane::Mesh& mesh) {
+void connectivity(std::string& out, const mesh::Mesh& mesh) {
   out += "<Polys>\n<DataArray type=\"Int32\" Name=\"connectivity\" format=\"ascii\">\n";
   for (int e = 0; e < mesh.element_count(); ++e)
     fmt::format_to(std::back_inserter(out), "{} {} {}\n", mesh.elements(0, e), mesh.elements(1, e),
@@ -105,7 +105,7 @@ std::string pendulum_polydata(const std::string& first, const Scene& scene, cons
 
 }  // namespace
 
-std::string polydata_of(const membrane::Mesh& mesh) {
+std::string polydata_of(const mesh::Mesh& mesh) {
   std::string out =
       "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"LittleEndian\">\n";
   fmt::format_to(std::back_inserter(out),

@@ -10,9 +10,9 @@ namespace driver {
 
 SkinChecks::SkinChecks(const Scene& scene) : scene_(scene), schedule_(scene.output.self_intersection_every) {
   if (!scene.bag || !scene.gas) return;
-  const membrane::Mesh& mesh = scene.bag->mesh;
-  initial_volume_ = membrane::enclosed_volume(scene.bag->initial_position, mesh.elements);
-  design_volume_ = membrane::enclosed_volume(mesh.nodes, mesh.elements);
+  const mesh::Mesh& mesh = scene.bag->mesh;
+  initial_volume_ = mesh::enclosed_volume(scene.bag->initial_position, mesh.elements);
+  design_volume_ = mesh::enclosed_volume(mesh.nodes, mesh.elements);
   if (design_volume_ > initial_volume_) quarters_ = 0;
 }
 
@@ -60,7 +60,7 @@ void add_skin_warning(Scene& scene) {
   const auto& position = scene.bag->initial_position;
   const Crossing crossing = find_crossing(position, elements, scene.gas.has_value());
   if (crossing.pairs == 0) return;
-  const double volume = scene.gas ? membrane::enclosed_volume(position, elements) : 0.0;
+  const double volume = scene.gas ? mesh::enclosed_volume(position, elements) : 0.0;
   scene.warnings.push_back(
       fmt::format("membrane: the skin passes through itself at the start: {}; pull its layers apart",
                   text_of(crossing, volume)));

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "membrane/icosphere.hpp"
+#include "mesh/icosphere.hpp"
 
 namespace driver {
 namespace {
@@ -30,7 +30,7 @@ std::vector<std::size_t> holders(const std::vector<int>& lines) {
 TargetPicture::TargetPicture(const TargetPart& target) {
   const std::vector<int> x = picture_lines(target.columns), y = picture_lines(target.rows);
   const int columns = static_cast<int>(x.size()) - 1, rows = static_cast<int>(y.size()) - 1;
-  triangles_ = membrane::rectangle(columns, rows, 1.0, 1.0, membrane::Diagonals::union_jack).elements;
+  triangles_ = mesh::rectangle(columns, rows, 1.0, 1.0, mesh::Diagonals::union_jack).elements;
   nodes_.resize(3, std::ssize(x) * std::ssize(y));
   Eigen::Index n = 0;
   for (const int j : y)

@@ -155,6 +155,10 @@ struct BagModel {
   std::vector<double> node_gradient_squared;
 };
 
+/// False if the area of the triangle with sides `ab` and `ac` [m] is only round-off of its corners: at most
+/// 1e-14 of the longer side squared. Also false if the area overflows a double.
+bool has_area(const Eigen::Vector3d& ab, const Eigen::Vector3d& ac);
+
 /// Builds the model. Throws std::invalid_argument, naming the element, node, strap or plate, the field, its
 /// value and what is allowed, for
 /// - sizes that differ, numbers that are not finite, and values outside the ranges above,
@@ -162,7 +166,7 @@ struct BagModel {
 /// - an element without area and a node without element,
 /// - a null panel with a node that no fabric holds.
 ///
-/// Open surfaces are legal membranes; membrane/surface_check.hpp checks whether a surface is closed.
+/// Open surfaces are legal membranes; mesh/surface_check.hpp checks whether a surface is closed.
 BagModel make_model(const BagDescription& description);
 
 }  // namespace membrane

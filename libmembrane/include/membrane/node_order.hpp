@@ -5,8 +5,6 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "membrane/mesh.hpp"
-
 namespace membrane {
 
 /// Bags with more elements do not fit a core's second-level cache; they take 4 MB.
@@ -16,12 +14,8 @@ inline constexpr int kCachedElements = 20000;
 /// blocks share, then nodes of no element. New node i is old node result[i]; each old node occurs once.
 ///
 /// The forces and the motion of a node have the same bits in any order of the nodes. The volume is taken
-/// about the first node, and sums over nodes follow their order, so these differ by round-off. Throws
-/// std::invalid_argument for a node number out of range.
-std::vector<int> node_order(const Mesh& mesh);
-
-/// The mesh with new node i in the place of old node order[i]. Elements, panels and lines keep their order.
-/// Precondition: `order` has each node once.
-Mesh renumbered(const Mesh& mesh, const std::vector<int>& order);
+/// about the first node, and sums over nodes follow their order, so these differ by round-off. `elements` is
+/// 3 x M. Throws std::invalid_argument for a node number out of range.
+std::vector<int> node_order(const Eigen::Ref<const Eigen::Matrix3Xi>& elements, int node_count);
 
 }  // namespace membrane

@@ -5,7 +5,7 @@
 #include "scenes.hpp"
 
 TEST(Partial, pressed_strip_keeps_its_share) {
-  const auto mesh = membrane::rectangle(1, 1, 0.1, 0.1, membrane::Diagonals::uniform);
+  const auto mesh = mesh::rectangle(1, 1, 0.1, 0.1, mesh::Diagonals::uniform);
   for (const double kept : {0.0, 0.25, 1.0}) {
     auto d = scenes::describe(mesh, membrane::Compression::none);
     d.law = "partial";

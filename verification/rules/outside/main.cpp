@@ -7,7 +7,7 @@
 #include <cstdio>
 #include <gas/integrator.hpp>
 #include <jet/visibility.hpp>
-#include <membrane/icosphere.hpp>
+#include <mesh/icosphere.hpp>
 #include <numeric>
 #include <tank_test/smoothing_spline.hpp>
 
@@ -41,8 +41,8 @@ bool holds(const char* what, double computed, double expected, double tolerance)
 }  // namespace
 
 int main() {
-  const membrane::Mesh mesh = membrane::icosphere(0.3, 3);
-  const double volume = membrane::enclosed_volume(mesh.nodes, mesh.elements);
+  const mesh::Mesh mesh = mesh::icosphere(0.3, 3);
+  const double volume = mesh::enclosed_volume(mesh.nodes, mesh.elements);
   const double pressure = closed_form::tank_fill({{}, volume, 101325.0, 293.15, 1.0, 700.0}, 0.01).pressure;
   const auto lit = jet::visible(mesh.nodes, mesh.elements, jet::RaySource{});
   const coupling::PendulumModel rod({{0, 0, 0}, {0, -1, 0}, {0, 0, -1}, 3.0, 0.25, 0.5, 1.0, 0.05});

@@ -9,13 +9,13 @@
 #include <utility>
 #include <vector>
 
-#include "membrane/driver_bag.hpp"
-#include "membrane/passenger_bag.hpp"
+#include "mesh/driver_bag.hpp"
+#include "mesh/passenger_bag.hpp"
 
 namespace driver {
 
 struct BagMesh {
-  membrane::Mesh mesh;                            // stress-free design shape
+  mesh::Mesh mesh;                                // stress-free design shape
   std::optional<Eigen::Matrix3Xd> initial;        // 3 x nodes [m], if not the design shape
   std::vector<std::array<int, 2>> strap_anchors;  // of the generator: back and front node
   int collapsed = 0;                              // elements of the file that drop_collapsed() left out
@@ -29,37 +29,37 @@ struct OptionNames {
   std::vector<std::pair<const char*, double Options::*>> lengths;
   std::vector<std::pair<const char*, int Options::*>> counts;
 };
-const OptionNames<membrane::PassengerBagOptions>& option_names(const membrane::PassengerBagOptions&);
-const OptionNames<membrane::DriverBagOptions>& option_names(const membrane::DriverBagOptions&);
+const OptionNames<mesh::PassengerBagOptions>& option_names(const mesh::PassengerBagOptions&);
+const OptionNames<mesh::DriverBagOptions>& option_names(const mesh::DriverBagOptions&);
 
 /// The generators throw std::invalid_argument naming the option.
-BagMesh generate(const membrane::PassengerBagOptions& options);
-BagMesh generate(const membrane::DriverBagOptions& options);
+BagMesh generate(const mesh::PassengerBagOptions& options);
+BagMesh generate(const mesh::DriverBagOptions& options);
 
 /// Names of the panels that begin with "vent": the generators' null panels.
-std::vector<std::string> vent_panels(const membrane::Mesh& mesh);
+std::vector<std::string> vent_panels(const mesh::Mesh& mesh);
 
 /// Names of the panels whose elements have this node; several on a seam.
-std::vector<std::string> panels_of_node(const membrane::Mesh& mesh, int node);
+std::vector<std::string> panels_of_node(const mesh::Mesh& mesh, int node);
 
 inline constexpr double smallest_bag = 0.02, largest_bag = 10.0;  // [m] longest extents of airbags
 /// Longest extent [m] of a mesh if no airbag has it: millimetres taken for metres run, and give numbers that
 /// look like results.
-std::optional<double> unlikely_extent(const membrane::Mesh& mesh);
+std::optional<double> unlikely_extent(const mesh::Mesh& mesh);
 
 /// `file:line:1` of an element, or `file` if the mesh has no lines.
-std::string place_of_element(const membrane::Mesh& mesh, const std::filesystem::path& file, int element);
-/// Leaves out elements of both shapes by membrane::drop_collapsed, and counts them. Throws CaseError if none
+std::string place_of_element(const mesh::Mesh& mesh, const std::filesystem::path& file, int element);
+/// Leaves out elements of both shapes by mesh::drop_collapsed, and counts them. Throws CaseError if none
 /// is left.
 void drop_collapsed(BagMesh& bag, const std::filesystem::path& file);
 /// "2 elements left out, ..." for messages; empty if none was.
 std::string collapsed_text(const BagMesh& bag);
 /// Throws CaseError at the line of the first element without area of a mesh read from `file`.
-void require_areas(const membrane::Mesh& mesh, const std::filesystem::path& file);
+void require_areas(const mesh::Mesh& mesh, const std::filesystem::path& file);
 /// Throws std::invalid_argument if `times` refinements of so many elements may make more than
-/// membrane::kMostElements.
+/// mesh::kMostElements.
 void check_refinement(int elements, int times);
-/// Applies membrane::refine `times` to both shapes.
+/// Applies mesh::refine `times` to both shapes.
 void refine(BagMesh& bag, int times, const std::vector<std::string>& null_panels);
 
 /// Numbers the nodes of a large bag by membrane::node_order, those of both shapes and the anchors.
@@ -67,7 +67,7 @@ void order_nodes(BagMesh& bag);
 
 /// Throws std::invalid_argument unless `shape` has the elements of `design`. Quads of files may be split
 /// along the other diagonal: the bag has the elements of the design shape.
-void require_same_elements(const membrane::Mesh& design, const membrane::Mesh& shape);
+void require_same_elements(const mesh::Mesh& design, const mesh::Mesh& shape);
 /// Takes the nodes as initial shape. Throws std::invalid_argument unless both shapes have areas of the same
 /// order.
 void set_initial(BagMesh& bag, const Eigen::Matrix3Xd& nodes);

@@ -20,7 +20,7 @@
 #include "jet/subdivision.hpp"
 #include "jet/visibility.hpp"
 #include "membrane/bag_model.hpp"
-#include "membrane/mesh.hpp"
+#include "mesh/mesh.hpp"
 
 namespace driver {
 
@@ -63,7 +63,7 @@ struct GasPart {
 
 /// The bag: fabric around the gas, or a sheet under prescribed overpressure.
 struct BagPart {
-  membrane::Mesh mesh;  // stress-free design shape
+  mesh::Mesh mesh;  // stress-free design shape
   membrane::BagModel model;
   Eigen::Matrix3Xd initial_position;  // 3 x nodes [m]
   LeakLaw leak_law = LeakLaw::none;
@@ -144,8 +144,8 @@ struct Scene {
   bool moves() const { return bag.has_value() || pendulum.has_value(); }
 };
 
-/// Reads the mesh file of a case. Throws membrane::MeshFileError.
-using MeshReader = std::function<membrane::Mesh(const std::filesystem::path&)>;
+/// Reads the mesh file of a case. Throws mesh::MeshFileError.
+using MeshReader = std::function<mesh::Mesh(const std::filesystem::path&)>;
 
 /// Reads and checks a whole case; `read_mesh` reads the mesh files that it names. Throws CaseError; the
 /// message has file, line, column and key.

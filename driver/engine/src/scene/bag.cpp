@@ -6,8 +6,8 @@
 #include <random>
 
 #include "engine/bag_mesh.hpp"
-#include "membrane/icosphere.hpp"
-#include "membrane/surface_check.hpp"
+#include "mesh/icosphere.hpp"
+#include "mesh/surface_check.hpp"
 #include "scene/bag_file.hpp"
 #include "scene/bag_start.hpp"
 #include "scene/bag_supports.hpp"
@@ -32,12 +32,11 @@ BagMesh generated_mesh(TableReader& table) {
                              .choice<Generator>({{"driver", Generator::driver},
                                                  {"passenger", Generator::passenger},
                                                  {"icosphere", Generator::icosphere}});
-  if (generator == Generator::driver) return generate_with<membrane::DriverBagOptions>(table);
-  if (generator == Generator::passenger) return generate_with<membrane::PassengerBagOptions>(table);
-  return {
-      membrane::icosphere(table.at("radius").number(positive.in("m")), table.at("levels").integer(0, 8, 3)),
-      std::nullopt,
-      {}};
+  if (generator == Generator::driver) return generate_with<mesh::DriverBagOptions>(table);
+  if (generator == Generator::passenger) return generate_with<mesh::PassengerBagOptions>(table);
+  return {mesh::icosphere(table.at("radius").number(positive.in("m")), table.at("levels").integer(0, 8, 3)),
+          std::nullopt,
+          {}};
 }
 
 BagMesh read_bag_mesh(TableReader table, const MeshReader& read_mesh,
@@ -47,7 +46,7 @@ BagMesh read_bag_mesh(TableReader table, const MeshReader& read_mesh,
     source = table.has("file") ? mesh_of_files(table, read_mesh, closed, scene) : generated_mesh(table);
     const int times = table.at("refine").integer(0, 6, 0);
     table.located("refine", [&] { check_refinement(source.mesh.element_count(), times); });
-    if (closed == Closed::needed) membrane::require_closed_surface(source.shape(), source.mesh.elements);
+    if (closed == Closed::needed) mesh::require_closed_surface(source.shape(), source.mesh.elements);
     refine(source, times, null_panels);
     order_nodes(source);
   });
@@ -68,11 +67,11 @@ void perturb(Eigen::Matrix3Xd& position, const membrane::BagModel& model, double
 }
 
 std::vector<int> set_null_panels(TableReader& table, const std::vector<std::string>& names,
-                                 const membrane::Mesh& mesh, membrane::BagDescription& bag) {
+                                 const mesh::Mesh& mesh, membrane::BagDescription& bag) {
   std::vector<int> elements;
   table.located("null_panels", [&] {
     for (const auto& name : names)
-      for (const int element : membrane::panel_elements(mesh, name)) elements.push_back(element);
+      for (const int element : mesh::panel_elements(mesh, name)) elements.push_back(element);
     std::sort(elements.begin(), elements.end());
     if (std::adjacent_find(elements.begin(), elements.end()) != elements.end())
       throw std::invalid_argument("names a panel twice");
@@ -89,7 +88,7 @@ Eigen::Matrix3Xd initial_shape(TableReader& table, const BagMesh& source) {
   if (source.initial && table.has("flatten"))
     table.fail("flatten", "this mesh has an initial shape of its own; allowed for meshes without one");
   if (source.initial) return *source.initial;
-  return membrane::flatten(source.mesh, table.at("flatten").number(positive_fraction, 1.0));
+  return mesh::flatten(source.mesh, table.at("flatten").number(positive_fraction, 1.0));
 }
 
 void warn_of_leaks(const membrane::BagDescription& bag, LeakLaw law, Scene& scene) {
@@ -100,7 +99,7 @@ void warn_of_leaks(const membrane::BagDescription& bag, LeakLaw law, Scene& scen
     scene.warnings.emplace_back("fabric.porosity has no effect with leak_law = \"none\"");
 }
 
-void warn_of_size(const membrane::Mesh& mesh, bool from_file, Scene& scene) {
+void warn_of_size(const mesh::Mesh& mesh, bool from_file, Scene& scene) {
   if (const auto extent = unlikely_extent(mesh))
     scene.warnings.push_back(
         fmt::format("membrane.mesh: the bag's longest extent is {:.3g} m, {:g} to {:g} m are usual: {}",
@@ -110,9 +109,9 @@ void warn_of_size(const membrane::Mesh& mesh, bool from_file, Scene& scene) {
 }
 
 // A sliver sets the step of the whole bag.
-void warn_of_slivers(const membrane::Mesh& mesh, Scene& scene) {
+void warn_of_slivers(const mesh::Mesh& mesh, Scene& scene) {
   constexpr double least = 1e-3;  // of the mean
-  const auto quality = membrane::element_quality(mesh.nodes, mesh.elements);
+  const auto quality = mesh::element_quality(mesh.nodes, mesh.elements);
   if (quality.min_altitude < least * quality.mean_altitude)
     scene.warnings.push_back(
         fmt::format("membrane.mesh: an element is {:.2g} m thin, {:.2g} m are the mean: it makes steps short "

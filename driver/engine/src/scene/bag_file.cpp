@@ -4,16 +4,16 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "membrane/mesh_file.hpp"
-#include "membrane/surface_check.hpp"
+#include "mesh/mesh_file.hpp"
+#include "mesh/surface_check.hpp"
 
 namespace driver {
 namespace {
 
-membrane::Mesh read_mesh_file(const TableReader& table, const char* key, const MeshReader& read_mesh,
-                              const std::filesystem::path& file, double unit) {
+mesh::Mesh read_mesh_file(const TableReader& table, const char* key, const MeshReader& read_mesh,
+                          const std::filesystem::path& file, double unit) {
   try {
-    membrane::Mesh mesh = read_mesh(file);
+    mesh::Mesh mesh = read_mesh(file);
     for (const auto& included : mesh.included)
       table.beside_case(std::filesystem::absolute(included).string());
     if (!mesh.other_elements.empty())
@@ -21,15 +21,15 @@ membrane::Mesh read_mesh_file(const TableReader& table, const char* key, const M
                  fmt::format("{} has elements that are no shells: {}; `gasjet mesh convert {} --panel NAME "
                              "--out BAG.k` takes the bag alone",
                              file.string(), fmt::join(mesh.other_elements, ", "), file.string()));
-    membrane::scale(mesh, unit);
+    mesh::scale(mesh, unit);
     return mesh;
-  } catch (const membrane::MeshFileError& error) {
+  } catch (const mesh::MeshFileError& error) {
     if (error.line() == 0) table.fail(key, error.what());  // the file as a whole
     throw CaseError(error.what());
   }
 }
 
-void warn_of_neglected(const membrane::Mesh& mesh, const std::filesystem::path& file, Scene& scene) {
+void warn_of_neglected(const mesh::Mesh& mesh, const std::filesystem::path& file, Scene& scene) {
   if (!mesh.neglected.empty())
     scene.warnings.push_back(
         fmt::format("membrane.mesh: {} has what changes the bag and is not read: {}; thickness and warp "
@@ -38,7 +38,7 @@ void warn_of_neglected(const membrane::Mesh& mesh, const std::filesystem::path& 
 }
 
 // What `gasjet mesh convert` can do about it.
-std::string remedy(const membrane::SurfaceReport& report, Closed closed) {
+std::string remedy(const mesh::SurfaceReport& report, Closed closed) {
   std::vector<std::string> remedies;
   if (closed == Closed::needed && !report.boundary_edges.empty())
     remedies.emplace_back("--merge DISTANCE joins nodes that nearly meet");
@@ -50,19 +50,19 @@ std::string remedy(const membrane::SurfaceReport& report, Closed closed) {
 
 // A start that is wound inward although the shape as cut is wound outward has other nodes than it should.
 void require_not_mirrored(const BagMesh& source, const std::filesystem::path& start,
-                          const membrane::SurfaceReport& report) {
+                          const mesh::SurfaceReport& report) {
   if (!source.initial || !report.inward || report.flat) return;
-  const double cut = membrane::enclosed_volume(source.mesh.nodes, source.mesh.elements);
+  const double cut = mesh::enclosed_volume(source.mesh.nodes, source.mesh.elements);
   if (cut > 0.0)
     throw CaseError(fmt::format(
         "{}: mesh: the shape at the start encloses {:.3g} m3, the design shape {:.3g} m3 by the same "
         "elements: is the start mirrored, or are its nodes in another order?",
-        start.string(), membrane::enclosed_volume(*source.initial, source.mesh.elements), cut));
+        start.string(), mesh::enclosed_volume(*source.initial, source.mesh.elements), cut));
 }
 
 void require_sound(const BagMesh& source, const std::filesystem::path& file,
                    const std::filesystem::path& start, Closed closed) {
-  auto report = membrane::check_closed_surface(source.shape(), source.mesh.elements);
+  auto report = mesh::check_closed_surface(source.shape(), source.mesh.elements);
   if (closed == Closed::free) report.boundary_edges.clear();
   if (report.ok()) return;
   require_not_mirrored(source, start, report);
@@ -84,7 +84,7 @@ BagMesh mesh_of_files(TableReader& table, const MeshReader& read_mesh, Closed cl
   if (table.has("initial_file"))
     table.located("initial_file", [&] {
       start = table.beside_case(table.at("initial_file").text());
-      const membrane::Mesh shape = read_mesh_file(table, "initial_file", read_mesh, start, unit);
+      const mesh::Mesh shape = read_mesh_file(table, "initial_file", read_mesh, start, unit);
       require_same_elements(source.mesh, shape);
       set_initial(source, shape.start_nodes());
     });

@@ -10,14 +10,14 @@
 #include <utility>
 
 #include "base/case_reader.hpp"
-#include "membrane/merge.hpp"
 #include "membrane/node_order.hpp"
-#include "membrane/refine.hpp"
+#include "mesh/merge.hpp"
+#include "mesh/refine.hpp"
 
 namespace driver {
 
-const OptionNames<membrane::PassengerBagOptions>& option_names(const membrane::PassengerBagOptions&) {
-  using Options = membrane::PassengerBagOptions;
+const OptionNames<mesh::PassengerBagOptions>& option_names(const mesh::PassengerBagOptions&) {
+  using Options = mesh::PassengerBagOptions;
   static const OptionNames<Options> names{{{"depth", &Options::depth},
                                            {"width", &Options::width},
                                            {"height", &Options::height},
@@ -33,8 +33,8 @@ const OptionNames<membrane::PassengerBagOptions>& option_names(const membrane::P
   return names;
 }
 
-const OptionNames<membrane::DriverBagOptions>& option_names(const membrane::DriverBagOptions&) {
-  using Options = membrane::DriverBagOptions;
+const OptionNames<mesh::DriverBagOptions>& option_names(const mesh::DriverBagOptions&) {
+  using Options = mesh::DriverBagOptions;
   static const OptionNames<Options> names{{{"radius", &Options::radius},
                                            {"inflator_radius", &Options::inflator_radius},
                                            {"opening", &Options::opening}},
@@ -45,24 +45,24 @@ const OptionNames<membrane::DriverBagOptions>& option_names(const membrane::Driv
   return names;
 }
 
-BagMesh generate(const membrane::PassengerBagOptions& options) {
-  auto bag = membrane::passenger_bag(options);
+BagMesh generate(const mesh::PassengerBagOptions& options) {
+  auto bag = mesh::passenger_bag(options);
   return {std::move(bag.mesh), std::nullopt, {bag.strap_anchors.begin(), bag.strap_anchors.end()}};
 }
 
-BagMesh generate(const membrane::DriverBagOptions& options) {
-  auto bag = membrane::driver_bag(options);
+BagMesh generate(const mesh::DriverBagOptions& options) {
+  auto bag = mesh::driver_bag(options);
   return {std::move(bag.mesh), std::move(bag.opened), {bag.tether_anchors.begin(), bag.tether_anchors.end()}};
 }
 
-std::vector<std::string> vent_panels(const membrane::Mesh& mesh) {
+std::vector<std::string> vent_panels(const mesh::Mesh& mesh) {
   std::vector<std::string> names;
   for (const std::string& name : mesh.panel_names)
     if (name.starts_with("vent")) names.push_back(name);
   return names;
 }
 
-std::vector<std::string> panels_of_node(const membrane::Mesh& mesh, int node) {
+std::vector<std::string> panels_of_node(const mesh::Mesh& mesh, int node) {
   std::set<int> panels;
   for (int e = 0; e < mesh.element_count(); ++e)
     if ((mesh.elements.col(e).array() == node).any()) panels.insert(mesh.panel[static_cast<std::size_t>(e)]);
@@ -71,19 +71,19 @@ std::vector<std::string> panels_of_node(const membrane::Mesh& mesh, int node) {
   return names;
 }
 
-std::optional<double> unlikely_extent(const membrane::Mesh& mesh) {
+std::optional<double> unlikely_extent(const mesh::Mesh& mesh) {
   const double extent = (mesh.nodes.rowwise().maxCoeff() - mesh.nodes.rowwise().minCoeff()).maxCoeff();
   if (extent >= smallest_bag && extent <= largest_bag) return {};
   return extent;
 }
 
-std::string place_of_element(const membrane::Mesh& mesh, const std::filesystem::path& file, int element) {
+std::string place_of_element(const mesh::Mesh& mesh, const std::filesystem::path& file, int element) {
   if (mesh.line.empty()) return file.string();
   return fmt::format("{}:{}:1", file.string(), mesh.line[static_cast<std::size_t>(element)]);
 }
 
 void drop_collapsed(BagMesh& bag, const std::filesystem::path& file) {
-  bag.collapsed = membrane::drop_collapsed(bag.mesh, bag.initial ? &*bag.initial : nullptr);
+  bag.collapsed = mesh::drop_collapsed(bag.mesh, bag.initial ? &*bag.initial : nullptr);
   if (bag.mesh.element_count() == 0)
     throw CaseError(fmt::format("{}: mesh: no element has an area: {}", file.string(), collapsed_text(bag)));
 }
@@ -116,7 +116,7 @@ std::string without_area(const Eigen::Matrix3d& corners, const Eigen::Vector3i& 
 
 }  // namespace
 
-void require_areas(const membrane::Mesh& mesh, const std::filesystem::path& file) {
+void require_areas(const mesh::Mesh& mesh, const std::filesystem::path& file) {
   const bool was_read = !mesh.line.empty();  // such nodes count from 1
   for (int e = 0; e < mesh.element_count(); ++e) {
     const Eigen::Vector3i nodes = mesh.elements.col(e);
@@ -130,27 +130,27 @@ void require_areas(const membrane::Mesh& mesh, const std::filesystem::path& file
 
 void check_refinement(int elements, int times) {
   const double fine = elements * std::ldexp(1.0, 2 * times);
-  if (fine > membrane::kMostElements)
+  if (fine > mesh::kMostElements)
     throw std::invalid_argument(
         fmt::format("refine = {} makes up to {:.0f} elements of {}, at most {} are allowed", times, fine,
-                    elements, membrane::kMostElements));
+                    elements, mesh::kMostElements));
 }
 
 void refine(BagMesh& bag, int times, const std::vector<std::string>& null_panels) {
   check_refinement(bag.mesh.element_count(), times);
   for (int i = 0; i < times; ++i) {
     if (bag.initial) {
-      membrane::Mesh shape = bag.mesh;
+      mesh::Mesh shape = bag.mesh;
       shape.nodes = *bag.initial;
-      bag.initial = membrane::refine(shape, null_panels).nodes;
+      bag.initial = mesh::refine(shape, null_panels).nodes;
     }
-    bag.mesh = membrane::refine(bag.mesh, null_panels);
+    bag.mesh = mesh::refine(bag.mesh, null_panels);
   }
 }
 
 void order_nodes(BagMesh& bag) {
   if (bag.mesh.element_count() <= membrane::kCachedElements) return;
-  const auto order = membrane::node_order(bag.mesh);
+  const auto order = membrane::node_order(bag.mesh.elements, bag.mesh.node_count());
   for (auto& anchors : bag.strap_anchors)
     for (int& node : anchors)
       node = static_cast<int>(std::find(order.begin(), order.end(), node) - order.begin());
@@ -158,7 +158,7 @@ void order_nodes(BagMesh& bag) {
     const Eigen::Matrix3Xd initial = *bag.initial;
     *bag.initial = initial(Eigen::all, order);
   }
-  bag.mesh = membrane::renumbered(bag.mesh, order);
+  bag.mesh = mesh::renumbered(bag.mesh, order);
 }
 
 namespace {
@@ -176,7 +176,7 @@ std::set<std::pair<int, int>> run_sides(const Eigen::Matrix3Xi& elements, Eigen:
 
 /// The first element that both meshes do not have. A quad of a file is two elements, one after the other,
 /// along either diagonal.
-std::optional<Eigen::Index> first_other(const membrane::Mesh& a, const membrane::Mesh& b) {
+std::optional<Eigen::Index> first_other(const mesh::Mesh& a, const mesh::Mesh& b) {
   const bool quads = a.split_quads > 0 || b.split_quads > 0;
   for (Eigen::Index e = 0; e < a.elements.cols(); ++e) {
     if (a.elements.col(e) == b.elements.col(e)) continue;
@@ -189,7 +189,7 @@ std::optional<Eigen::Index> first_other(const membrane::Mesh& a, const membrane:
 
 }  // namespace
 
-void require_same_elements(const membrane::Mesh& design, const membrane::Mesh& shape) {
+void require_same_elements(const mesh::Mesh& design, const mesh::Mesh& shape) {
   constexpr const char* needed =
       "the initial shape needs the nodes and elements of the design shape in the same order: ";
   if (shape.node_count() != design.node_count() || shape.element_count() != design.element_count())
@@ -207,8 +207,8 @@ void require_same_elements(const membrane::Mesh& design, const membrane::Mesh& s
 
 void set_initial(BagMesh& bag, const Eigen::Matrix3Xd& nodes) {
   constexpr double most = 100.0;  // a folded skin keeps its area, nearly
-  const double design = membrane::element_areas(bag.mesh.nodes, bag.mesh.elements).sum(),
-               initial = membrane::element_areas(nodes, bag.mesh.elements).sum();
+  const double design = mesh::element_areas(bag.mesh.nodes, bag.mesh.elements).sum(),
+               initial = mesh::element_areas(nodes, bag.mesh.elements).sum();
   if (!std::isfinite(initial)) throw std::invalid_argument("the initial shape has no finite area");
   if (!(initial * most >= design && initial <= design * most))
     throw std::invalid_argument(fmt::format(

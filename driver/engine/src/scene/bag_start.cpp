@@ -53,8 +53,8 @@ double driving_energy(const Scene& scene) {
     return std::max(std::abs(bag.overpressure->maximum()), std::abs(bag.overpressure->minimum())) * area *
            std::sqrt(area);
   }
-  const double held = scene.gas->initial_pressure *
-                      std::abs(membrane::enclosed_volume(bag.initial_position, bag.mesh.elements));
+  const double held =
+      scene.gas->initial_pressure * std::abs(mesh::enclosed_volume(bag.initial_position, bag.mesh.elements));
   try {
     return std::max(held, supply_of(scene).work);
   } catch (const gas::DomainError&) {

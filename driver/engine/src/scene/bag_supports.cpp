@@ -10,12 +10,12 @@
 namespace driver {
 namespace {
 
-std::vector<int> nodes_of_panels(TableReader& table, const std::string& key, const membrane::Mesh& mesh) {
+std::vector<int> nodes_of_panels(TableReader& table, const std::string& key, const mesh::Mesh& mesh) {
   std::vector<int> nodes;
   const auto names = table.at(key).texts();
   table.located(key, [&] {
     for (const auto& name : names)
-      for (const int node : membrane::panel_nodes(mesh, name)) nodes.push_back(node);
+      for (const int node : mesh::panel_nodes(mesh, name)) nodes.push_back(node);
   });
   std::sort(nodes.begin(), nodes.end());
   nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
@@ -23,7 +23,7 @@ std::vector<int> nodes_of_panels(TableReader& table, const std::string& key, con
 }
 
 // Nodes of the design shape in a box.
-std::vector<int> nodes_in_box(TableReader& table, const membrane::Mesh& mesh) {
+std::vector<int> nodes_in_box(TableReader& table, const mesh::Mesh& mesh) {
   const Eigen::Vector3d low = table.at("low").vector("m"), high = table.at("high").vector("m");
   std::vector<int> nodes;
   for (int node = 0; node < mesh.node_count(); ++node)
@@ -34,7 +34,7 @@ std::vector<int> nodes_in_box(TableReader& table, const membrane::Mesh& mesh) {
   return nodes;
 }
 
-void read_rollers(TableReader& table, const membrane::Mesh& mesh, membrane::BagDescription& bag) {
+void read_rollers(TableReader& table, const mesh::Mesh& mesh, membrane::BagDescription& bag) {
   for (auto& reader : table.tables("roller")) {
     const bool in_box = reader.has("low") || reader.has("high");
     if (in_box == reader.has("panels"))
@@ -55,7 +55,7 @@ void read_rollers(TableReader& table, const membrane::Mesh& mesh, membrane::BagD
   }
 }
 
-double longest_side(const membrane::Mesh& mesh) {
+double longest_side(const mesh::Mesh& mesh) {
   double longest = 0.0;
   for (int e = 0; e < mesh.element_count(); ++e)
     for (int i = 0; i < 3; ++i)
@@ -66,18 +66,18 @@ double longest_side(const membrane::Mesh& mesh) {
 }
 
 int nearest_of_panel(TableReader& reader, const std::string& key, const std::string& name,
-                     const membrane::Mesh& mesh, const Eigen::Vector3d& point) {
+                     const mesh::Mesh& mesh, const Eigen::Vector3d& point) {
   int nearest = -1;
   reader.located(key, [&] {
     const auto distance = [&](int node) { return (mesh.nodes.col(node) - point).squaredNorm(); };
-    nearest = std::ranges::min(membrane::panel_nodes(mesh, name), {}, distance);
+    nearest = std::ranges::min(mesh::panel_nodes(mesh, name), {}, distance);
   });
   return nearest;
 }
 
 // Sheets that lie on each other in the design shape have nodes at the same place: without a panel, a point
 // does not say which of them it means.
-void require_one_panel(TableReader& reader, const std::string& key, const membrane::Mesh& mesh, int node,
+void require_one_panel(TableReader& reader, const std::string& key, const mesh::Mesh& mesh, int node,
                        double same_place) {
   std::vector<std::string> panels = panels_of_node(mesh, node), others;
   for (int other = 0; other < mesh.node_count(); ++other) {
@@ -98,10 +98,10 @@ void require_one_panel(TableReader& reader, const std::string& key, const membra
 // The node nearest to a point of the design shape, of all panels or of one; a point further off than the mesh
 // is coarse is a slip.
 int anchor(TableReader& reader, const std::string& key, const std::optional<std::string>& panel,
-           const membrane::Mesh& mesh) {
+           const mesh::Mesh& mesh) {
   const Eigen::Vector3d point = reader.at(key).vector("m");
-  const int node = panel ? nearest_of_panel(reader, key + "_panel", *panel, mesh, point)
-                         : membrane::nearest_node(mesh, point);
+  const int node =
+      panel ? nearest_of_panel(reader, key + "_panel", *panel, mesh, point) : mesh::nearest_node(mesh, point);
   const double distance = (mesh.nodes.col(node) - point).norm(), longest = longest_side(mesh);
   if (distance > longest)
     reader.fail(key, fmt::format("is {} m from the nearest node, {} m (the longest element side) is allowed",

@@ -56,7 +56,7 @@ void read_properties(TableReader& table, const membrane::BagDescription& bag,
 }
 
 // A panel keeps what [fabric] says of it but for what its own table names.
-void read_panels(TableReader& table, const membrane::Mesh& mesh, const std::vector<std::string>& null_panels,
+void read_panels(TableReader& table, const mesh::Mesh& mesh, const std::vector<std::string>& null_panels,
                  bool leaks, membrane::BagDescription& bag) {
   std::vector<membrane::ElementProperties>& all = bag.properties;
   const membrane::ElementProperties base = all.front();
@@ -73,7 +73,7 @@ void read_panels(TableReader& table, const membrane::Mesh& mesh, const std::vect
       for (const std::string& name : names) {
         if (std::find(null_panels.begin(), null_panels.end(), name) != null_panels.end())
           throw std::invalid_argument("names \"" + name + "\", a null panel: it has no fabric");
-        for (const int element : membrane::panel_elements(mesh, name)) {
+        for (const int element : mesh::panel_elements(mesh, name)) {
           const auto e = static_cast<std::size_t>(element);
           if (named[e]) throw std::invalid_argument("names panel \"" + name + "\" again");
           named[e] = true;
@@ -135,9 +135,8 @@ LeakLaw read_leak(TableReader& table, gas::ControlVolumeModel& model, membrane::
 
 }  // namespace
 
-LeakLaw read_fabric(TableReader& root, const membrane::Mesh& mesh,
-                    const std::vector<std::string>& null_panels, membrane::BagDescription& bag,
-                    gas::ControlVolumeModel* model) {
+LeakLaw read_fabric(TableReader& root, const mesh::Mesh& mesh, const std::vector<std::string>& null_panels,
+                    membrane::BagDescription& bag, gas::ControlVolumeModel* model) {
   TableReader table = root.table("fabric");
   read_law(table, bag);
   membrane::ElementProperties fabric;

@@ -134,7 +134,7 @@ std::vector<int> attachment_elements(TableReader& table, const Scene& scene) {
   if (!panels.empty() && !scene.bag) table.fail("attachment_panels", "the scene has no membrane");
   table.located("attachment_panels", [&] {
     for (const auto& name : panels)
-      for (const int element : membrane::panel_elements(scene.bag->mesh, name)) elements.push_back(element);
+      for (const int element : mesh::panel_elements(scene.bag->mesh, name)) elements.push_back(element);
   });
   return elements;
 }

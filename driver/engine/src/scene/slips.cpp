@@ -88,9 +88,9 @@ bool hangs_free(const BagPart& bag, const std::vector<int>& elements) {
 
 void warn_of_closed_holes(const BagPart& bag, Scene& scene) {
   if (!scene.gas || !scene.gas->model.vents.empty()) return;
-  const Eigen::VectorXd areas = membrane::panel_areas(bag.mesh);
+  const Eigen::VectorXd areas = mesh::panel_areas(bag.mesh);
   for (std::size_t i = 0; i < bag.mesh.panel_names.size(); ++i) {
-    const std::vector<int> elements = membrane::panel_elements(bag.mesh, bag.mesh.panel_names[i]);
+    const std::vector<int> elements = mesh::panel_elements(bag.mesh, bag.mesh.panel_names[i]);
     const bool is_null = !elements.empty() && std::ranges::binary_search(bag.null_elements, elements.front());
     if (is_null && hangs_free(bag, elements))
       scene.warnings.push_back(fmt::format(

@@ -2,7 +2,7 @@
 // [target] -> TargetPart: a rigid rectangle that a jet blows at.
 #include <Eigen/Geometry>
 
-#include "membrane/icosphere.hpp"
+#include "mesh/icosphere.hpp"
 #include "scene/parts.hpp"
 
 namespace driver {
@@ -30,7 +30,7 @@ void read_target(TableReader& root, Scene& scene) {
   const int rows = table->at("rows").integer(1, 2000, 50);
   table->finish();
 
-  const auto mesh = membrane::rectangle(columns, rows, width, height, membrane::Diagonals::union_jack);
+  const auto mesh = mesh::rectangle(columns, rows, width, height, mesh::Diagonals::union_jack);
   Eigen::Matrix3d frame;
   frame << side, normal.cross(side), normal;
   const Eigen::Vector3d middle(0.5 * width, 0.5 * height, 0.0);

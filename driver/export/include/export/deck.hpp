@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "engine/scene.hpp"
-#include "membrane/mesh.hpp"
+#include "mesh/mesh.hpp"
 
 namespace driver {
 
@@ -93,7 +93,7 @@ struct Deck {
   std::vector<DeckInflator> inflators;
   std::vector<DeckVent> vents;
   std::vector<DeckLeak> leaks;
-  membrane::Mesh sphere;     // of the impactor, about its centre; no node without one
+  mesh::Mesh sphere;         // of the impactor, about its centre; no node without one
   double inertia = 0.0;      // [kg m2] of the pendulum about its centre of gravity; a body needs one
   double contact_gap = 0.0;  // [m] within which contact acts, outside the sphere's mesh
   std::vector<DeckNote> notes;

@@ -62,7 +62,7 @@ double design_volume(const BagPart& bag) {
   double area = 0.0;
   for (const double a : bag.model.reference_area) area += a;
   constexpr double flat = 1e-9;  // of a volume of that area: far more than the roundings of a sum
-  const double volume = membrane::enclosed_volume(bag.mesh.nodes, bag.mesh.elements);
+  const double volume = mesh::enclosed_volume(bag.mesh.nodes, bag.mesh.elements);
   return volume > flat * elementary::pow(area, 1.5) ? volume : 0.0;
 }
 

@@ -5,15 +5,15 @@
 #include <filesystem>
 #include <string>
 
-#include "membrane/mesh.hpp"
+#include "mesh/mesh.hpp"
 
 namespace driver {
 
 /// A shape that a run kept.
 struct BagShape {
-  membrane::Mesh mesh;  // elements as in the run; panels are called panel_0, panel_1, ...
-  double time = 0.0;    // [s]
-  std::string file;     // of the results that it is from
+  mesh::Mesh mesh;    // elements as in the run; panels are called panel_0, panel_1, ...
+  double time = 0.0;  // [s]
+  std::string file;   // of the results that it is from
   /// [m] Coordinates are off by this at most; 0 for the doubles of fields.pvd.
   double error = 0.0;
 };

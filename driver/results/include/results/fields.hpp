@@ -13,7 +13,7 @@
 namespace driver {
 
 /// A mesh as VTK XML text, with the number of each element's panel.
-std::string polydata_of(const membrane::Mesh& mesh);
+std::string polydata_of(const mesh::Mesh& mesh);
 
 /// Writes the field files.
 /// - bag_*.vtp: nodes with velocity; elements with panel, larger principal stress [Pa] and strain,

@@ -5,16 +5,16 @@
 
 #include <filesystem>
 
-#include "membrane/mesh_file.hpp"
+#include "mesh/mesh_file.hpp"
 
 namespace driver {
 
 /// The endings of the formats that are read, for help and messages.
 inline constexpr const char* mesh_endings = ".obj, .k, .key, .dyn, .rad, .stl, .ply, .off, .vtk, .msh";
 
-/// Reads a mesh, format by the ending, lengths as they stand. Throws membrane::MeshFileError for another
+/// Reads a mesh, format by the ending, lengths as they stand. Throws mesh::MeshFileError for another
 /// ending, a file that cannot be read, and whatever is wrong with its text. Files that CGAL reads have no
 /// Mesh::line, and one panel, "default".
-membrane::Mesh read_any_mesh(const std::filesystem::path& path);
+mesh::Mesh read_any_mesh(const std::filesystem::path& path);
 
 }  // namespace driver

@@ -6,7 +6,7 @@
 #include <set>
 #include <sstream>
 
-#include "membrane/mesh_file.hpp"
+#include "mesh/mesh_file.hpp"
 
 namespace driver {
 namespace {
@@ -54,7 +54,7 @@ class Header {
 
  private:
   [[noreturn]] void fail(std::size_t line, const std::string& message) const {
-    throw membrane::MeshFileError(path_.string(), line, line == 0 ? 0 : 1, message);
+    throw mesh::MeshFileError(path_.string(), line, line == 0 ? 0 : 1, message);
   }
 
   void begin_ply(const std::string& word, const std::string& second) const {

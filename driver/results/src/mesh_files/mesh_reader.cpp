@@ -9,14 +9,14 @@
 #include <stdexcept>
 
 #include "headers.hpp"
-#include "membrane/polygons.hpp"
-#include "membrane/stl.hpp"
+#include "mesh/polygons.hpp"
+#include "mesh/stl.hpp"
 #include "soup.hpp"
 
 namespace driver {
 namespace {
 
-using membrane::MeshFileError;
+using mesh::MeshFileError;
 
 std::string ending_of(const std::filesystem::path& path) {
   std::string ending = path.extension().string();
@@ -35,11 +35,11 @@ std::string bytes_of(const std::filesystem::path& path) {
   do {
     file.read(chunk.data(), chunk.size());
     bytes.append(chunk.data(), static_cast<std::size_t>(file.gcount()));
-  } while (file && bytes.size() <= membrane::largest_mesh_file);
+  } while (file && bytes.size() <= mesh::largest_mesh_file);
   if (file.bad()) throw MeshFileError(path.string(), 0, 0, "cannot be read");
-  if (bytes.size() > membrane::largest_mesh_file)
+  if (bytes.size() > mesh::largest_mesh_file)
     throw MeshFileError(path.string(), 0, 0,
-                        "is longer than " + std::to_string(membrane::largest_mesh_file >> 20) + " MiB");
+                        "is longer than " + std::to_string(mesh::largest_mesh_file >> 20) + " MiB");
   return bytes;
 }
 
@@ -64,7 +64,7 @@ void require_end(const std::filesystem::path& path, const Soup& soup, const std:
            "; correct the header");
 }
 
-membrane::Mesh mesh_of(const std::filesystem::path& path, SoupFormat format, const std::string& bytes) {
+mesh::Mesh mesh_of(const std::filesystem::path& path, SoupFormat format, const std::string& bytes) {
   const std::string announced = check_header(path, format, bytes);
   const Soup soup = read_soup(format, bytes);
   if (!soup.fault.empty())
@@ -72,7 +72,7 @@ membrane::Mesh mesh_of(const std::filesystem::path& path, SoupFormat format, con
          soup.fault);
   if (format == SoupFormat::ply) require_end(path, soup, bytes, announced);
   try {
-    return membrane::mesh_of_polygons(soup.nodes, soup.polygons);
+    return mesh::mesh_of_polygons(soup.nodes, soup.polygons);
   } catch (const std::invalid_argument& error) {
     fail(path, 0, error.what());
   }
@@ -80,18 +80,18 @@ membrane::Mesh mesh_of(const std::filesystem::path& path, SoupFormat format, con
 
 }  // namespace
 
-membrane::Mesh read_any_mesh(const std::filesystem::path& path) {
+mesh::Mesh read_any_mesh(const std::filesystem::path& path) {
   const std::string ending = ending_of(path);
   if (ending != ".stl" && ending != ".ply") {
     static const std::string others[] = {".obj", ".k", ".key", ".dyn", ".rad", ".off", ".vtk", ".msh"};
     if (std::find(std::begin(others), std::end(others), ending) == std::end(others))
       fail(path, 0, std::string("a mesh file ends with one of ") + mesh_endings);
-    return membrane::read_mesh(path);
+    return mesh::read_mesh(path);
   }
   const std::string bytes = bytes_of(path);
   if (ending == ".stl") {
     // Text may stand behind a byte order mark.
-    if (membrane::is_stl_text(bytes) || bytes.starts_with("\xEF\xBB\xBF")) return membrane::read_mesh(path);
+    if (mesh::is_stl_text(bytes) || bytes.starts_with("\xEF\xBB\xBF")) return mesh::read_mesh(path);
     return mesh_of(path, SoupFormat::stl, bytes);
   }
   return mesh_of(path, SoupFormat::ply, bytes);

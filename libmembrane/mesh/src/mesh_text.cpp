@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "mesh_text.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <charconv>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <fstream>
+#include <numeric>
+#include <stdexcept>
+#include <system_error>
+#include <tuple>
+#include <unordered_set>
+#include <utility>
+
+#include "mesh/mesh_file.hpp"
+
+namespace mesh {
+
+std::string shown(std::string_view text) {
+  constexpr std::size_t longest = 40;
+  std::string result = "\"";
+  for (const char c : text.substr(0, longest)) result += c >= ' ' && c <= '~' ? c : '?';
+  return result + (text.size() > longest ? "...\"" : "\"");
+}
+
+std::string number_fault(std::string_view text, double& value) {
+  std::string_view digits = text;
+  if (digits.size() > 1 && digits[0] == '+' && digits[1] != '-') digits.remove_prefix(1);
+  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+  if (error == std::errc::result_out_of_range) return shown(text) + " is beyond double range";
+  if (error != std::errc() || end != digits.data() + digits.size()) return shown(text) + " is not a number";
+  return std::isfinite(value) ? "" : shown(text) + " is not finite";
+}
+
+void append_number(double value, std::string& text) {
+  std::array<char, 32> buffer;
+  text.append(buffer.data(), std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr);
+}
+
+std::string read_text(const std::filesystem::path& path) {
+  std::error_code ignored;
+  std::ifstream file(path, std::ios::binary);
+  if (!file || std::filesystem::is_directory(path, ignored))
+    throw MeshFileError(path.string(), 0, 0, "cannot be opened for reading");
+  constexpr std::size_t most = largest_mesh_file;  // a device may never end
+  std::string text;
+  std::array<char, 1u << 16> chunk;
+  do {
+    file.read(chunk.data(), chunk.size());
+    text.append(chunk.data(), static_cast<std::size_t>(file.gcount()));
+  } while (file && text.size() <= most);
+  if (text.size() > most)
+    throw MeshFileError(path.string(), 0, 0, "is longer than " + std::to_string(most >> 20) + " MiB");
+  if (file.bad()) throw MeshFileError(path.string(), 0, 0, "cannot be read");
+  if (text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);  // byte order mark of UTF-8
+  if (text.find('\n') == std::string::npos)
+    std::replace(text.begin(), text.end(), '\r', '\n');  // as old Macs end lines
+  return text;
+}
+
+namespace {
+
+bool write_straight(const std::filesystem::path& path, const std::string& text) {
+  std::ofstream file(path, std::ios::binary);
+  file << text;
+  file.close();
+  return static_cast<bool>(file);
+}
+
+struct Part {
+  std::filesystem::path path;
+  std::FILE* file;
+};
+
+// Of this writer alone: of two that write one file at once, each renames a whole one.
+Part open_part(const std::filesystem::path& target) {
+  for (int n = 0;; ++n) {
+    std::filesystem::path path = target.string() + ".gasjet-part" + (n == 0 ? "" : std::to_string(n));
+    std::FILE* file = std::fopen(path.c_str(), "wbx");
+    if (file || errno != EEXIST) return {std::move(path), file};
+  }
+}
+
+// A full disk leaves what was there.
+bool replace(const std::filesystem::path& path, const std::string& text) {
+  const Part part = open_part(path);
+  if (!part.file) return false;
+  const bool taken = std::fwrite(text.data(), 1, text.size(), part.file) == text.size();
+  std::error_code failed, ignored;
+  if (std::fclose(part.file) == 0 && taken)
+    std::filesystem::rename(part.path, path, failed);
+  else
+    failed = std::make_error_code(std::errc::io_error);
+  if (failed) std::filesystem::remove(part.path, ignored);
+  return !failed;
+}
+
+}  // namespace
+
+void write_text(const std::filesystem::path& path, const std::string& text) {
+  std::error_code ignored;
+  const bool is_there = std::filesystem::exists(path, ignored);
+  const bool is_device = is_there && !std::filesystem::is_regular_file(path, ignored);
+  const bool may_be_replaced = !is_there || std::ofstream(path, std::ios::app).good();
+  const bool written =
+      is_device ? write_straight(path, text)
+                : may_be_replaced && replace(is_there ? std::filesystem::canonical(path) : path, text);
+  if (!written) throw MeshFileError(path.string(), 0, 0, "cannot be written");
+}
+
+std::string panel_name(std::string_view text) {
+  std::string name(text);
+  for (char& c : name)
+    if (static_cast<unsigned char>(c) <= ' ' || c == '#') c = '_';
+  return name.empty() ? "default" : name;
+}
+
+void require_finite_nodes(const Mesh& mesh) {
+  if (!mesh.nodes.allFinite())
+    throw std::invalid_argument("nodes: a coordinate is not finite; mesh files hold finite ones");
+}
+
+void MeshBuilder::add_polygon(std::span<const int> corners, const std::string& panel, std::size_t line) {
+  polygons_.push_back({{corners[0], corners[1], corners[2], corners.size() == 4 ? corners[3] : -1},
+                       panel_index(panel),
+                       static_cast<int>(line)});
+}
+
+int MeshBuilder::panel_index(const std::string& panel) {
+  const auto [entry, is_new] = panel_of_name_.try_emplace(panel, static_cast<int>(panel_names_.size()));
+  if (is_new) panel_names_.push_back(panel);
+  return entry->second;
+}
+
+/// One number for all nodes of one position: seams may have nodes of their own on each side.
+std::vector<int> MeshBuilder::positions() const {
+  std::vector<int> order(nodes_.size()), of(nodes_.size());
+  std::iota(order.begin(), order.end(), 0);
+  const auto at = [&](int node) {
+    const Eigen::Vector3d& x = nodes_[static_cast<std::size_t>(node)];
+    return std::tuple(x.x(), x.y(), x.z());
+  };
+  std::ranges::sort(order, {}, at);
+  for (std::size_t i = 0; i < order.size(); ++i)
+    of[static_cast<std::size_t>(order[i])] =
+        i > 0 && at(order[i]) == at(order[i - 1]) ? of[static_cast<std::size_t>(order[i - 1])] : order[i];
+  return of;
+}
+
+/// Turns the corners of each quad, so that it is split from the first to the third.
+void MeshBuilder::split_quads() {
+  const std::vector<int> position = positions();
+  std::unordered_set<std::uint64_t> sides;
+  const auto add = [&](int a, int b) {  // false if it is there
+    a = position[static_cast<std::size_t>(a)], b = position[static_cast<std::size_t>(b)];
+    const auto low = static_cast<std::uint64_t>(std::min(a, b)),
+               high = static_cast<std::uint64_t>(std::max(a, b));
+    return sides.insert(low << 32 | high).second;
+  };
+  for (const Polygon& polygon : polygons_)
+    for (std::size_t i = 0; i < polygon.size(); ++i)
+      add(polygon.corners[i], polygon.corners[(i + 1) % polygon.size()]);
+  const auto distance = [&](int a, int b) {
+    return (nodes_[static_cast<std::size_t>(a)] - nodes_[static_cast<std::size_t>(b)]).norm();
+  };
+  for (Polygon& polygon : polygons_) {
+    if (polygon.size() == 3) continue;
+    auto& c = polygon.corners;
+    const auto add_diagonal = [&](bool second) { return second ? add(c[1], c[3]) : add(c[0], c[2]); };
+    bool second = distance(c[1], c[3]) < distance(c[0], c[2]);
+    if (!add_diagonal(second) && add_diagonal(!second)) second = !second;
+    if (second) std::rotate(c.begin(), c.begin() + 1, c.end());
+  }
+}
+
+Mesh MeshBuilder::finish() && {
+  Mesh mesh;
+  mesh.nodes.resize(3, static_cast<Eigen::Index>(nodes_.size()));
+  for (std::size_t i = 0; i < nodes_.size(); ++i) mesh.nodes.col(static_cast<Eigen::Index>(i)) = nodes_[i];
+  const auto is_quad = [](const Polygon& polygon) { return polygon.size() == 4; };
+  mesh.split_quads = static_cast<int>(std::count_if(polygons_.begin(), polygons_.end(), is_quad));
+  if (mesh.split_quads > 0) split_quads();
+  mesh.elements.resize(3, static_cast<Eigen::Index>(polygons_.size()) + mesh.split_quads);
+  for (const Polygon& polygon : polygons_)
+    for (std::size_t i = 2; i < polygon.size(); ++i) {
+      const auto& c = polygon.corners;
+      mesh.elements.col(static_cast<Eigen::Index>(mesh.panel.size())) << c[0], c[i - 1], c[i];
+      mesh.panel.push_back(polygon.panel);
+      mesh.line.push_back(polygon.line);
+    }
+  mesh.panel_names = std::move(panel_names_);
+  return mesh;
+}
+
+}  // namespace mesh

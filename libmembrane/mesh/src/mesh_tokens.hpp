@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+// Private to the mesh files: words of a text with their places.
+#pragma once
+
+#include <algorithm>
+#include <cctype>
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace mesh {
+
+/// A word, and where it stands.
+struct MeshWord {
+  std::string_view text;
+  std::size_t line, column;  // from 1
+};
+
+inline std::string upper_case(std::string_view text) {
+  std::string result(text);
+  std::transform(result.begin(), result.end(), result.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+  return result;
+}
+
+/// Reads a text word by word. All faults are MeshFileError at the word.
+class TokenReader {
+ public:
+  TokenReader(std::string_view text, const std::string& name) : text_(text), name_(name) {}
+
+  const std::string& name() const { return name_; }
+  std::size_t line() const { return line_; }
+  /// True if no word is left.
+  bool at_end();
+  /// The next word. `what` is what should stand there, for the message at the end of the file.
+  MeshWord word(const char* what);
+  /// The next word, which stays.
+  MeshWord peek(const char* what);
+  /// The next word must be `text`, in capitals or not.
+  MeshWord expect(std::string_view text);
+  /// A finite number.
+  double number(const char* what);
+  /// A whole number from `low` to `high`.
+  long long integer(const char* what, long long low, long long high);
+  /// How many items follow. Refuses more than the rest of the file can hold, at a character and a blank each.
+  std::size_t count(const char* what);
+  /// The rest of the line, without white space at its ends; the next word is on another line.
+  std::string_view rest_of_line();
+  /// Goes to the line after this one.
+  void next_line();
+  [[noreturn]] void fail(const MeshWord& at, const std::string& message) const;
+
+ private:
+  void skip_blanks();
+
+  std::string_view text_;
+  std::string name_;
+  std::size_t at_ = 0, line_ = 1, line_begin_ = 0;
+};
+
+}  // namespace mesh
