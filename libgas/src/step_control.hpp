@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
+#include "event_finder.hpp"
 #include "gas/error.hpp"
 #include "stepper.hpp"
-#include "watch.hpp"
 
 namespace gas {
 

@@ -34,7 +34,7 @@ Substepper::Substepper(const Boundary& boundary, Ledger& ledger, const TriggerNe
     : options_(options),
       may_switch_(options.method == Method::dormand_prince_5 && options.fixed_step == 0.0),
       network_(network),
-      watch_(boundary, options.relative_tolerance),
+      events_(boundary, options.relative_tolerance),
       control_(options),
       explicit_(make_explicit(options.method, boundary.slots())),
       implicit_(make_rodas(boundary.slots())),
@@ -53,7 +53,7 @@ void Substepper::start_clock(double b) {
   const Moment& now = begin_.moment;
   const Balance& balance = system_.balance;
   const double since =
-      watch_.is_onset(balance, now) ? std::max(0.0, now.overpressure / now.growth) : kInfinity;
+      events_.is_onset(balance, now) ? std::max(0.0, now.overpressure / now.growth) : kInfinity;
   system_.clock = {};
   // Where the flow balances its feed before the tolerance tells, what sets in is no matter.
   const bool matters = since < b - begin_.t && control_.tells(balance, balanced_overpressure(balance));
@@ -69,7 +69,7 @@ void Substepper::start(double t, double b) {
   system_.valid = true;
   system_.rates_of(system_.ledger.gas(), begin_.rate, t);
   if (!system_.valid) control_.fail(system_, t, b - t, false);
-  begin_.moment = watch_.moment(system_.balance, 1.0);
+  begin_.moment = events_.moment(system_.balance, 1.0);
   set_relaxation(kInfinity);
   start_clock(b);
 }
@@ -85,7 +85,7 @@ Substepper::Reach Substepper::reach(const Proposal& proposal, double b) const {
                cap = control_.longest(system_.balance, begin_.relaxation);
   const double longest = cap < b - begin_.t ? clock.position(begin_.t + cap) - begin_.x : kInfinity;
   const double share = control_.is_ending(system_.balance, begin_.moment) ? 1.0 : kTowardsAmbient;
-  const double free = std::min(proposal.length, share * watch_.until_ambient(begin_.moment));
+  const double free = std::min(proposal.length, share * events_.until_ambient(begin_.moment));
   const double length = std::min({longest, proposal.landing, control_.is_fixed() ? kInfinity : free});
   return length >= left ? Reach{left, b} : Reach{length, clock.time(begin_.x + length)};
 }
@@ -122,12 +122,12 @@ std::optional<Substepper::Proposal> Substepper::again(const Proposal& tried, con
                                                       const Moment& end) const {
   const Balance& balance = system_.balance;
   const Moment& begin = begin_.moment;
-  const bool fixed = control_.is_fixed(), on_ambient = watch_.is_on_ambient(begin);
+  const bool fixed = control_.is_fixed(), on_ambient = events_.is_on_ambient(begin);
   const double duration = reach.end - begin_.t;
   if (fixed && trial_.reversed > kReversed * balance.gas().mass) control_.fail_crossing(balance);
   // Stopped where it turned, flow would stay there; at p_a it is rounding that turns it.
   const bool turns = trial_.reversed > 0.0 && !fixed && !on_ambient;
-  if (turns || (!options_.unsafe_step && watch_.crosses_against_flow(begin, end, duration))) {
+  if (turns || (!options_.unsafe_step && events_.crosses_against_flow(begin, end, duration))) {
     if (fixed) {  // what only runs out, or in, ends there
       const bool fed = begin.growth * begin.flow > 0.0;
       const bool away = begin.overpressure * end.overpressure > 0.0;
@@ -140,7 +140,7 @@ std::optional<Substepper::Proposal> Substepper::again(const Proposal& tried, con
     return Proposal{other ? reach.length : kCrossingFactor * reach.length, kInfinity, tried.stiff || other};
   }
   if (!system_.clock.root && !tried.stiff) control_.require_motion(balance, begin, end, duration);
-  const auto share = watch_.landing(begin, end, reach.length, tried.landing < kInfinity);
+  const auto share = events_.landing(begin, end, reach.length, tried.landing < kInfinity);
   if (!share) return {};
   const double shorter = std::max(*share * reach.length, std::nextafter(begin_.x, kInfinity) - begin_.x);
   if (!(shorter < reach.length && system_.clock.time(begin_.x + shorter) > begin_.t)) return {};
@@ -151,13 +151,13 @@ std::optional<Substepper::Proposal> Substepper::again(const Proposal& tried, con
 void Substepper::accept(const Reach& reach, const Moment& end, bool landed, double after, double b) {
   const Clock clock = system_.clock;
   const double duration = reach.end - clock.time(begin_.x), slope = clock.slope(begin_.x + reach.length);
-  const bool sets_in = landed && watch_.is_on_ambient(end);
+  const bool sets_in = landed && events_.is_on_ambient(end);
   const auto time = [&](double share) {
     return system_.balance.boundary().segment().begin + clock.time(begin_.x + share * reach.length);
   };
-  if (const auto share = watch_.switches(begin_.moment, end, reach.length))
+  if (const auto share = events_.switches(begin_.moment, end, reach.length))
     moments_.sonic_switch = time(*share);
-  if (const auto share = watch_.equalises(begin_.moment, end)) moments_.equalisation = time(*share);
+  if (const auto share = events_.equalises(begin_.moment, end)) moments_.equalisation = time(*share);
   system_.ledger.accept(trial_.end, reach.end);
   ++system_.effort.accepted;
   begin_.t = reach.end;
@@ -167,7 +167,7 @@ void Substepper::accept(const Reach& reach, const Moment& end, bool landed, doub
   set_relaxation(after);
   const bool leaves_root =
       clock.root && ((duration <= kRootShare * (reach.end - clock.origin) && !control_.is_fixed()) ||
-                     !watch_.is_onset(system_.balance, end));
+                     !events_.is_onset(system_.balance, end));
   if (!leaves_root && !sets_in) return;
   for (double& rate : begin_.rate) rate /= slope;
   begin_.moment.rate /= slope;
@@ -199,7 +199,7 @@ double Substepper::integrate(const TriggerState& triggers) {
     }
     const Clock& clock = system_.clock;
     const double end_x = begin_.x + trial.length;
-    const Moment end = watch_.moment(balance, clock.slope(end_x));
+    const Moment end = events_.moment(balance, clock.slope(end_x));
     if (const auto repeated = again(next, trial, end)) {
       next = *repeated;
       continue;
@@ -208,7 +208,7 @@ double Substepper::integrate(const TriggerState& triggers) {
       throw DomainError(beyond_text(balance.boundary().model()) +
                         ", at t = " + to_text(balance.boundary().segment().begin + begin_.t) + " s");
     const bool landed = next.landing < kInfinity;
-    const double fits = clock.time(end_x + watch_.time_kept(begin_.moment, end) * fitting) - trial.end;
+    const double fits = clock.time(end_x + events_.time_kept(begin_.moment, end) * fitting) - trial.end;
     const double kept = landed ? std::max(fits, clock.time(end_x + next.length) - trial.end) : fits;
     accept(trial, end, landed, kept, b);
     if (network_.switches(triggers, end.overpressure, p_a)) break;

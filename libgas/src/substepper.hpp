@@ -3,16 +3,17 @@
 #include <memory>
 #include <optional>
 
+#include "event_finder.hpp"
 #include "limits.hpp"
 #include "step_control.hpp"
 #include "stepper.hpp"
 #include "trigger_network.hpp"
-#include "watch.hpp"
 
 namespace gas {
 
 /// Takes the sub-steps of one segment. It proposes a length and tries it by a suitable method. It repeats the
-/// sub-step if its error is too large, makes it end where Watch finds an event, and adds it to the ledger.
+/// sub-step if its error is too large, makes it end where EventFinder finds an event, and adds it to the
+/// ledger.
 class Substepper {
  public:
   /// All arguments must outlive this object.
@@ -40,7 +41,7 @@ class Substepper {
   /// The next trial. Lengths are in x.
   struct Proposal {
     double length;
-    double landing = kInfinity;  // if finite, the trial has to end on an event that Watch found
+    double landing = kInfinity;  // if finite, the trial has to end on an event that EventFinder found
     bool stiff = false;          // take the implicit method
   };
   /// Extent of a trial.
@@ -61,7 +62,7 @@ class Substepper {
   const IntegratorOptions options_;
   const bool may_switch_;  // to the implicit method and back
   const TriggerNetwork& network_;
-  const Watch watch_;
+  const EventFinder events_;
   const StepControl control_;
   const std::unique_ptr<Stepper> explicit_, implicit_;
   System system_;

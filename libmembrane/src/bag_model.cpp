@@ -14,7 +14,7 @@
 #include "kernel_table.hpp"
 #include "law_functions.hpp"
 #include "membrane/law_table.hpp"
-#include "tune_shares.hpp"
+#include "stages_mass_shares.hpp"
 
 namespace membrane {
 
@@ -57,8 +57,8 @@ Eigen::Vector2d warp_direction(const ReferenceTriangle& t, const ElementProperti
   return in_plane.normalized();
 }
 
-ThreadCurve thread_curve(const StressCurve& curve) {
-  ThreadCurve ramps{};
+YarnCurve yarn_curve(const StressCurve& curve) {
+  YarnCurve ramps{};
   double before = 0.0;
   for (std::size_t i = 1; i < curve.strain.size(); ++i) {
     const double slope = (curve.stress[i] - curve.stress[i - 1]) / (curve.strain[i] - curve.strain[i - 1]);
@@ -93,7 +93,7 @@ void set_fabric(BagModel& m, Eigen::Index e, const ReferenceTriangle& t, const E
   FabricGroup& f = m.elements.fabric[group];
   const Eigen::Vector2d warp = warp_direction(t, p, e);
   const LawInput fabric{moduli_of(p), warp[0] * warp[0] - warp[1] * warp[1], 2.0 * warp[0] * warp[1],
-                        &m.threads, p.law_constants.data()};
+                        &m.yarns, p.law_constants.data()};
   const LawFunctions& law = law_functions(m.law);
   law.write(fabric, f, lane);
   const Eigen::Matrix3d stiffness = elasticity(law.stiffness(fabric), warp);
@@ -133,7 +133,7 @@ void set_law(BagModel& m) {
                                  [](const ElementProperties& p) { return !p.null_panel && p.weave; });
   // A bag of null panels alone has no law for isotropic fabric to look for.
   m.law = find_law(d.law, woven).value_or(0);
-  if (law_named(d.law).curves) m.threads = {thread_curve(d.curves[0]), thread_curve(d.curves[1])};
+  if (law_named(d.law).curves) m.yarns = {yarn_curve(d.curves[0]), yarn_curve(d.curves[1])};
   FabricGroup none{};
   for (std::size_t lane = 0; lane < kLanes; ++lane) law_functions(m.law).write_none(none, lane);
   m.elements.fabric.assign(m.elements.group.size(), none);

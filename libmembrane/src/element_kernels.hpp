@@ -81,8 +81,9 @@ void geometry(const GeometryArrays& s) {
 
 // S1/S9 (M.5): adds area vectors at the corners, and areas and volume to the sums.
 template <class T>
-[[gnu::always_inline]] inline void surface_of(const SkinArrays& s, const Vec3<T>& origin, int group, int lane,
-                                              const Corners<T>& x, BlockNodes& nodes, SkinParts<T>& sums) {
+[[gnu::always_inline]] inline void add_surface(const SkinArrays& s, const Vec3<T>& origin, int group,
+                                               int lane, const Corners<T>& x, BlockNodes& nodes,
+                                               SkinParts<T>& sums) {
   const FabricGroup& fabric = s.fabric[s.group[group].fabric];
   const ElementGroup& g = s.group[group];
   const Vec3<T> area_vector = cross(x.b - x.a, x.c - x.a) * T(0.5);
@@ -168,7 +169,7 @@ template <class T>
 
 // A step of the law before its response.
 template <class Law, int kStep, class T>
-[[gnu::always_inline]] inline void step_of(const FabricGroup& fabric, int lane, GroupWork& work) {
+[[gnu::always_inline]] inline void take_law_step(const FabricGroup& fabric, int lane, GroupWork& work) {
   store_row(Law::template step<kStep>(load_strain<T>(work, lane), load_constants<Law, T>(fabric, lane),
                                       load_notes<Law, T>(work, lane)),
             work.notes + Law::kNotesBefore[kStep], lane);
@@ -176,9 +177,9 @@ template <class Law, int kStep, class T>
 
 // Stress (M.2, M.3, M.13, M.14, M.25, M.26, M.30), energy and the bound of omega^2 (M.10).
 template <class Law, Compression kCompression, class T>
-[[gnu::always_inline]] inline void stress_of(const ElementGroup& g, const FabricGroup& fabric,
-                                             const ThreadCurves& curves, const FrequencyGroup& frequency,
-                                             int lane, GroupWork& work, SkinParts<T>& sums) {
+[[gnu::always_inline]] inline void law_stress(const ElementGroup& g, const FabricGroup& fabric,
+                                              const YarnCurves& curves, const FrequencyGroup& frequency,
+                                              int lane, GroupWork& work, SkinParts<T>& sums) {
   const PlaneResponse<T> r =
       Law::template response<kCompression>(load_strain<T>(work, lane), load_constants<Law, T>(fabric, lane),
                                            load_notes<Law, T>(work, lane), curves);
@@ -195,8 +196,8 @@ template <class Law, Compression kCompression, class T>
 
 // Adds the forces -dW/dx at the corners (M.4).
 template <class T>
-[[gnu::always_inline]] inline void forces_of(const ElementGroup& g, int lane, const GroupWork& work,
-                                             BlockNodes& nodes) {
+[[gnu::always_inline]] inline void add_forces(const ElementGroup& g, int lane, const GroupWork& work,
+                                              BlockNodes& nodes) {
   const T b1 = load<T>(g.gradient_b1 + lane), b2 = load<T>(g.gradient_b2 + lane),
           c2 = load<T>(g.gradient_c2 + lane);
   const T n11 = load<T>(work.n11 + lane), n22 = load<T>(work.n22 + lane), n12 = load<T>(work.n12 + lane);

@@ -15,7 +15,7 @@ namespace membrane {
 struct SkinArrays {
   const ElementGroup* group;
   const FabricGroup* fabric;
-  const ThreadCurves* curves;  // of laws by curves
+  const YarnCurves* curves;  // of laws by curves
   const FrequencyGroup* frequency;
   int group_count;
   const std::int32_t* node;  // of the block: own_count own nodes, then shared ones, node_count in all

@@ -16,7 +16,7 @@ struct LawFunctions {
   // Writes those of an element without stress.
   void (*write_none)(FabricGroup& group, std::size_t lane);
   PlaneResponse<double> (*response)(Compression compression, const PlaneStrain<double>& strain,
-                                    const FabricGroup& group, std::size_t lane, const ThreadCurves& curves);
+                                    const FabricGroup& group, std::size_t lane, const YarnCurves& curves);
 };
 
 const LawFunctions& law_functions(int law);  // place in FabricLaws

@@ -37,7 +37,7 @@ void run_steps(const PlaneStrain<double>& strain, const Constants<Law>& constant
 
 template <class Law>
 PlaneResponse<double> response(Compression compression, const PlaneStrain<double>& strain,
-                               const FabricGroup& group, std::size_t lane, const ThreadCurves& curves) {
+                               const FabricGroup& group, std::size_t lane, const YarnCurves& curves) {
   Rows<Law> rows;
   for (std::size_t i = 0; i < rows.size(); ++i) rows[i] = group.constants[i][lane];
   const auto constants = std::bit_cast<Constants<Law>>(rows);

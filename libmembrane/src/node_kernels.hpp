@@ -55,7 +55,7 @@ struct KickFactors {
   sums.rate_bound_squared = rate_bound > sums.rate_bound_squared ? rate_bound : sums.rate_bound_squared;
 }
 
-inline AdvanceTotals totals_of(const AdvanceParts& sums, double tau) {
+inline AdvanceTotals advance_totals(const AdvanceParts& sums, double tau) {
   AdvanceTotals t{};
   t.kinetic_before = 0.5 * sum_lanes(sums.kinetic_before);
   t.kinetic_after = 0.5 * sum_lanes(sums.kinetic_after);
@@ -88,7 +88,7 @@ inline void advance(const AdvanceArrays& s, int first, int last, AdvanceTotals& 
     for (int n = begin; n < end; ++n) advance_node(s, factors, n, sums);
     s.rate_bound_squared[begin / kRateNodes] = sums.rate_bound_squared;
   }
-  totals = totals_of(sums, tau);
+  totals = advance_totals(sums, tau);
 }
 
 }  // namespace membrane::MEMBRANE_KERNELS

@@ -112,24 +112,24 @@ void skin(const SkinArrays& s, SkinTotals& totals) {
                              load_nodes<T>(nodes.position, g.node[1] + lane),
                              load_nodes<T>(nodes.position, g.node[2] + lane)};
           if constexpr (has_forces(kPass)) strain_of<T>(g, lane, x, work[group - first]);
-          if constexpr (has_surface(kPass)) surface_of<T>(s, origin, group, lane, x, nodes, sums);
+          if constexpr (has_surface(kPass)) add_surface<T>(s, origin, group, lane, x, nodes, sums);
         });
     if constexpr (!has_forces(kPass)) continue;
     each(
         std::make_integer_sequence<int, Law::kSteps>{}, [&](auto step) __attribute__((always_inline)) {
           for_lanes<T>(
               first, last, [&](int group, int lane) __attribute__((always_inline)) {
-                step_of<Law, step.value, T>(s.fabric[s.group[group].fabric], lane, work[group - first]);
+                take_law_step<Law, step.value, T>(s.fabric[s.group[group].fabric], lane, work[group - first]);
               });
         });
     for_lanes<T>(
         first, last, [&](int group, int lane) __attribute__((always_inline)) {
-          stress_of<Law, kCompression, T>(s.group[group], s.fabric[s.group[group].fabric], *s.curves,
-                                          s.frequency[group], lane, work[group - first], sums);
+          law_stress<Law, kCompression, T>(s.group[group], s.fabric[s.group[group].fabric], *s.curves,
+                                           s.frequency[group], lane, work[group - first], sums);
         });
     for_lanes<T>(
         first, last, [&](int group, int lane) __attribute__((always_inline)) {
-          forces_of<T>(s.group[group], lane, work[group - first], nodes);
+          add_forces<T>(s.group[group], lane, work[group - first], nodes);
         });
   }
   totals = {sum_parts(sums.moment.value),        sum_parts(sums.area.value),
@@ -151,7 +151,7 @@ void shared(const SharedArrays& s, int first, int last, double& mobility) {
 }
 
 template <SkinPass kPass, class Law, class T>
-constexpr KernelTable::OfLaw kernels_of() {
+constexpr KernelTable::OfLaw law_kernels() {
   if constexpr (Law::traits.compression)
     return {{skin<kPass, Law, Compression::linear, T>, skin<kPass, Law, Compression::none, T>}};
   else
@@ -159,16 +159,16 @@ constexpr KernelTable::OfLaw kernels_of() {
 }
 
 template <class T, class... Law>
-constexpr KernelTable table_of(LawList<Law...>) {
+constexpr KernelTable make_table(LawList<Law...>) {
   return {skin<kSurfacePass, Isotropic, Compression::linear, T>,
-          {kernels_of<kForcesPass, Law, T>()...},
-          {kernels_of<kSkinPass, Law, T>()...},
+          {law_kernels<kForcesPass, Law, T>()...},
+          {law_kernels<kSkinPass, Law, T>()...},
           geometry<T>,
           {shared<kSurfacePass>, shared<kForcesPass>, shared<kSkinPass>},
           advance};
 }
 
 template <class T>
-inline constexpr KernelTable kTableOf = table_of<T>(FabricLaws{});
+inline constexpr KernelTable kTableOf = make_table<T>(FabricLaws{});
 
 }  // namespace membrane::MEMBRANE_KERNELS

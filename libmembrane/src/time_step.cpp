@@ -180,7 +180,7 @@ ElementResponse element_response(const BagModel& model, const BagState& state, i
   r.strain = strain_of(model, state, element);
   r.response =
       law_functions(model.law).response(model.description.compression, r.strain,
-                                        model.elements.fabric_of(place.group), place.lane, model.threads);
+                                        model.elements.fabric_of(place.group), place.lane, model.yarns);
   r.frequency = frequency_bound(bound.material[place.lane], bound.geometric[place.lane],
                                 r.response.tangent_factor, r.response.stress_1);
   return r;

@@ -87,7 +87,7 @@ struct Bounds {
   }
 };
 
-[[gnu::always_inline]] inline Floats::Mask lanes_of(unsigned bits) {
+[[gnu::always_inline]] inline Floats::Mask mask_from_bits(unsigned bits) {
   return ((Floats::Mask{} + static_cast<int>(bits)) & Floats::Mask{1, 2, 4, 8, 16, 32, 64, 128}) != 0;
 }
 
@@ -96,7 +96,7 @@ inline Frustum frustum_of(const ProjectArrays& arrays, float half_long, int coun
   Bounds bounds;
   constexpr float least_depth = 0.5f * kSlack;  // includes all rays that classify_patches adds
   for (int k = 0; k < count; k += 8)
-    bounds.take(local_centroids(a, k, count), lanes_of(0xffu), half_long, least_depth);
+    bounds.take(local_centroids(a, k, count), mask_from_bits(0xffu), half_long, least_depth);
   return bounds.all();
 }
 

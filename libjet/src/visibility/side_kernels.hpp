@@ -130,7 +130,7 @@ inline PatchesFound classify_patches(const PatchArrays& given) {
     const auto mean = [](Floats x, Floats y, Floats z) { return (1.0f / 3.0f) * (x + y + z); };
     const Vec3<Floats> g = {mean(t.a.x, t.b.x, t.c.x), mean(t.a.y, t.b.y, t.c.y), mean(t.a.z, t.b.z, t.c.z)};
     store_rows([&](int i) { return s.targets + 4 * (8 * std::ptrdiff_t{patch} + i); }, g, Floats());
-    const unsigned behind = asked & ~bits(bounds.take(g, lanes_of(asked), s.half_long, kSlack));
+    const unsigned behind = asked & ~bits(bounds.take(g, mask_from_bits(asked), s.half_long, kSlack));
     if (behind != 0) found.upstream += append_bits(behind, 8 * patch, s.upstream + found.upstream);
     ++found.asked;
   }

@@ -44,7 +44,7 @@ inline int choose_boxes(const BoxArrays& from, const std::uint8_t* chosen, float
   for (int k = 0; k < from.count; ++k) {
     const int patch = from.patches[k];
     if (chosen[patch] == 0) continue;
-    const Floats::Mask lanes = lanes_of(chosen[patch]);
+    const Floats::Mask lanes = mask_from_bits(chosen[patch]);
     const float* block = from.boxes + kBoxFloats * std::ptrdiff_t{k};
     for (int row = 0; row < kBoxFloats; row += 8) {
       // Low p, low q and the depth; between them high p and high q.

@@ -133,7 +133,7 @@ struct BagModel {
   int law = 0;
   BagDescription description;     // as given and checked; plates with unit normal and stiffness
   BlockTable elements;            // in the order of the kernels
-  ThreadCurves threads{};         // of laws by curves
+  YarnCurves yarns{};             // of laws by curves
   SharedNodes shared;             // nodes that blocks share
   CornerTable corners;            // elements around each node
   std::vector<double> node_mass;  // [kg] sum of rho h A / 3

@@ -5,7 +5,7 @@
 #include "membrane/hencky.hpp"
 #include "membrane/material.hpp"
 #include "membrane/orthotropic.hpp"
-#include "membrane/threads.hpp"
+#include "membrane/yarns.hpp"
 
 namespace membrane {
 
@@ -17,7 +17,7 @@ struct LawList {
 };
 
 /// The laws; LawDefaults says what each has.
-using FabricLaws = LawList<Isotropic, Orthotropic, Hencky, Threads>;
+using FabricLaws = LawList<Isotropic, Orthotropic, Hencky, Yarns>;
 
 /// Numbers that an aggregate of numbers holds, such as a law's Constants or Notes.
 template <template <class> class Numbers>
@@ -25,7 +25,7 @@ inline constexpr int kNumbersIn = static_cast<int>(sizeof(Numbers<double>) / siz
 
 /// The largest of some numbers, at least 1.
 template <int... kCount>
-constexpr int most_of() {
+constexpr int greatest() {
   const int counts[] = {kCount...};
   int most = 1;
   for (const int count : counts) most = count > most ? count : most;
@@ -34,12 +34,12 @@ constexpr int most_of() {
 /// Most constants of a law of the list.
 template <class... Law>
 constexpr int most_constants(LawList<Law...>) {
-  return most_of<kNumbersIn<Law::template Constants>...>();
+  return greatest<kNumbersIn<Law::template Constants>...>();
 }
 /// Most notes of a law of the list.
 template <class... Law>
 constexpr int most_notes(LawList<Law...>) {
-  return most_of<kNumbersIn<Law::template Notes>...>();
+  return greatest<kNumbersIn<Law::template Notes>...>();
 }
 /// Rooms for constants.
 inline constexpr int kMostConstants = most_constants(FabricLaws{});

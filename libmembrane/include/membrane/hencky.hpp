@@ -51,7 +51,7 @@ struct HenckyState {
 /// atanh(y) for |y| <= (e - 1) / (e + 1), to 4e-17 of it before rounding: y + y z P(z) with z = y^2 and P the
 /// Chebyshev interpolation with 12 terms.
 template <class T>
-[[gnu::always_inline]] inline T atanh_of(T y) {
+[[gnu::always_inline]] inline T atanh_series(T y) {
   const T z = y * y, z2 = z * z, z4 = z2 * z2;
   const T p0 = (T(0.3333333333333331879) + T(0.2000000000001960641) * z) +
                (T(0.1428571428135329412) + T(0.111111114898268898) * z) * z2;
@@ -74,8 +74,8 @@ template <class T>
   const T growth_1 = select(cut_1 > zero, cut_1, zero), growth_2 = select(cut_2 > lowest, cut_2, lowest);
   const T below_1 = two + growth_1, below_2 = two + growth_2;
   const T inverse = T(1.0) / (below_1 * below_2);
-  const T strain_1 = atanh_of(growth_1 * below_2 * inverse);
-  const T strain_2 = atanh_of(growth_2 * below_1 * inverse);
+  const T strain_1 = atanh_series(growth_1 * below_2 * inverse);
+  const T strain_2 = atanh_series(growth_2 * below_1 * inverse);
   return {strain_1, T(0.5) * (strain_1 - strain_2), T(1.0) + growth_1};
 }
 
@@ -198,7 +198,7 @@ struct Hencky : LawDefaults {
   /// At a point.
   template <Compression kCompression, class T>
   [[gnu::always_inline]] static PlaneResponse<T> response(const PlaneStrain<T>& e, const Constants<T>& c,
-                                                          const Notes<T>& n, const ThreadCurves&) {
+                                                          const Notes<T>& n, const YarnCurves&) {
     return hencky_stress(e, n.mean, n.radius, n.square_1,
                          HenckyState<T>{n.state_mean, n.state_radius, n.taut}, c);
   }

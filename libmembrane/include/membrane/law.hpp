@@ -5,7 +5,7 @@
 
 namespace membrane {
 
-struct ThreadCurves;
+struct YarnCurves;
 
 /// Elastic data of a woven fabric, as on a data sheet. The Poisson ratio is the contraction along the weft in
 /// tension along the warp. The stiffness is positive definite for moduli > 0 and
@@ -19,11 +19,11 @@ struct Weave {
 
 /// Everything that a law makes its constants from: the fabric of one element, checked.
 struct LawInput {
-  Weave moduli;                // of isotropic fabric the same along warp and weft; not of laws by curves
-  double cosine;               // [-] of twice the angle from the element's first axis to the warp
-  double sine;                 // [-] of the same angle
-  const ThreadCurves* curves;  // of the bag, of laws by curves
-  const double* own;           // one for each of LawTraits::own
+  Weave moduli;              // of isotropic fabric the same along warp and weft; not of laws by curves
+  double cosine;             // [-] of twice the angle from the element's first axis to the warp
+  double sine;               // [-] of the same angle
+  const YarnCurves* curves;  // of the bag, of laws by curves
+  const double* own;         // one for each of LawTraits::own
 };
 
 /// A constant that one law alone reads. It is a key of [fabric] in case files.

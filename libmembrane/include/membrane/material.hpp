@@ -129,7 +129,7 @@ struct Isotropic : LawDefaults {
   /// At a point.
   template <Compression kCompression, class T>
   static PlaneResponse<T> response(const PlaneStrain<T>& e, const Constants<T>& c, const Notes<T>&,
-                                   const ThreadCurves&) {
+                                   const YarnCurves&) {
     return isotropic_response<kCompression>(e, c);
   }
 };

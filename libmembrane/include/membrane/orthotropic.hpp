@@ -145,7 +145,7 @@ struct Orthotropic : LawDefaults {
   /// At a point.
   template <Compression kCompression, class T>
   static PlaneResponse<T> response(const PlaneStrain<T>& e, const Constants<T>& c, const Notes<T>&,
-                                   const ThreadCurves&) {
+                                   const YarnCurves&) {
     return orthotropic_response<kCompression>(e, c);
   }
 };

@@ -33,7 +33,7 @@ struct Partial : LawDefaults {
   /// At a point.
   template <Compression, class T>
   static PlaneResponse<T> response(const PlaneStrain<T>& e, const Constants<T>& c, const Notes<T>&,
-                                   const ThreadCurves&) {
+                                   const YarnCurves&) {
     const IsotropicConstants<T> fabric{c.young_modulus, c.spherical, c.deviator};
     const PlaneResponse<T> with = isotropic_response<Compression::linear>(e, fabric),
                            without = isotropic_response<Compression::none>(e, fabric);

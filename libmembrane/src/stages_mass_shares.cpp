@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Shares of the nodes' mass (M.15, M.17): an element gains mass in the ratio of its bound of omega^2 to those
 // of the elements around it.
-#include "tune_shares.hpp"
+#include "stages_mass_shares.hpp"
 
 #include <Eigen/LU>
 #include <algorithm>

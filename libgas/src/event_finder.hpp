@@ -7,7 +7,7 @@
 
 namespace gas {
 
-/// State at one end of a trial, by which Watch decides whether the trial has to end elsewhere.
+/// State at one end of a trial, by which EventFinder decides whether the trial has to end elsewhere.
 struct Moment {
   double overpressure;  // [Pa]
   double rate;          // [Pa] per unit of x
@@ -21,10 +21,10 @@ struct Moment {
 /// Finds where p passes a level on which a sub-step must end, because the rates are not smooth there. Levels:
 /// p_a, where flow sets in or turns; the sonic switch; knots of curves over the overpressure; thresholds of
 /// sensors.
-class Watch {
+class EventFinder {
  public:
   /// `boundary` must outlive this object.
-  Watch(const Boundary& boundary, double tolerance);
+  EventFinder(const Boundary& boundary, double tolerance);
 
   /// State of the gas that `balance` has located; `slope` is dt/dx of the clock.
   Moment moment(const Balance& balance, double slope) const;

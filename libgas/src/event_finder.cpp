@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "watch.hpp"
+#include "event_finder.hpp"
 
 #include <algorithm>
 #include <boost/math/tools/toms748_solve.hpp>
@@ -46,7 +46,7 @@ std::vector<double> overpressure_knots(const ControlVolumeModel& model) {
 
 }  // namespace
 
-Watch::Watch(const Boundary& boundary, double tolerance) : boundary_(boundary) {
+EventFinder::EventFinder(const Boundary& boundary, double tolerance) : boundary_(boundary) {
   const ControlVolumeModel& model = boundary.model();
   const double p_a = model.ambient.pressure;
   ambient_near_ = std::max(kLaminarNear * model.laminar_share, kAmbientNear) * p_a;
@@ -62,7 +62,7 @@ Watch::Watch(const Boundary& boundary, double tolerance) : boundary_(boundary) {
   }
 }
 
-Moment Watch::moment(const Balance& balance, double slope) const {
+Moment EventFinder::moment(const Balance& balance, double slope) const {
   const UniformGas& gas = balance.gas();
   const double p_a = boundary_.model().ambient.pressure, rate = balance.pressure_rate() * slope;
   Moment m{gas.overpressure, rate, gas.compliance(), -p_a, 0.0, balance.closed_growth() / gas.volume,
@@ -78,13 +78,13 @@ Moment Watch::moment(const Balance& balance, double slope) const {
   return m;
 }
 
-double Watch::Course::at(double s) const {
+double EventFinder::Course::at(double s) const {
   const double rise = end - begin, u = 1.0 - s;
   return begin + s * (rise + u * (begin_slope * u - end_slope * s + rise * (2.0 * s - 1.0)));
 }
 
 /// Where it has an extremum inside.
-std::optional<double> Watch::Course::turn() const {
+std::optional<double> EventFinder::Course::turn() const {
   if (!(begin_slope * end_slope < 0.0)) return {};
   // Its slope is a s^2 + b s + c; of the two zeros, one lies inside.
   const double rise = end - begin, a = 3.0 * (begin_slope + end_slope - 2.0 * rise),
@@ -95,7 +95,7 @@ std::optional<double> Watch::Course::turn() const {
   return {};
 }
 
-std::optional<double> Watch::Course::passing(double begin_near, double end_near, bool again) const {
+std::optional<double> EventFinder::Course::passing(double begin_near, double end_near, bool again) const {
   if (std::abs(end) <= end_near) return {};
   // From one that it starts on, it leaves as its slope says.
   Course course = *this;
@@ -121,7 +121,8 @@ std::optional<double> Watch::Course::passing(double begin_near, double end_near,
   return nearer * farthest < 0.0 ? turned : std::nullopt;
 }
 
-std::optional<double> Watch::landing(const Moment& begin, const Moment& end, double h, bool again) const {
+std::optional<double> EventFinder::landing(const Moment& begin, const Moment& end, double h,
+                                           bool again) const {
   std::optional<double> first;
   const auto watch = [&](const Course& course, double begin_near, double end_near) {
     const auto share = course.passing(begin_near, end_near, again);
@@ -138,20 +139,20 @@ std::optional<double> Watch::landing(const Moment& begin, const Moment& end, dou
   return first;
 }
 
-bool Watch::is_on_ambient(const Moment& at) const {
+bool EventFinder::is_on_ambient(const Moment& at) const {
   return std::abs(at.overpressure) <= ambient_near_ / at.compliance;
 }
 
-bool Watch::is_led(const Moment& at, double side) const {
+bool EventFinder::is_led(const Moment& at, double side) const {
   const bool opens = side > 0.0 ? boundary_.is_open() : boundary_.has_backflow();
   return side * at.flow > 0.0 || (opens && is_on_ambient(at) && side * at.growth > 0.0);
 }
 
-bool Watch::is_onset(const Balance& balance, const Moment& at) const {
+bool EventFinder::is_onset(const Balance& balance, const Moment& at) const {
   return at.growth != 0.0 && is_led(at, at.growth) && balance.pressure_rate() / at.growth >= 0.5;
 }
 
-std::optional<double> Watch::switches(const Moment& begin, const Moment& end, double h) const {
+std::optional<double> EventFinder::switches(const Moment& begin, const Moment& end, double h) const {
   // A trial may end just short of the switch, which the next one passes.
   const bool starts_on = std::abs(begin.sonic) <= sonic_near_, ends_on = std::abs(end.sonic) <= sonic_near_;
   if ((begin.sonic > 0.0) == (end.sonic > 0.0) || !(starts_on || ends_on)) return {};
@@ -159,26 +160,26 @@ std::optional<double> Watch::switches(const Moment& begin, const Moment& end, do
   return course.passing(0.0, 0.0, false).value_or(starts_on ? 0.0 : 1.0);
 }
 
-std::optional<double> Watch::equalises(const Moment& begin, const Moment& end) const {
+std::optional<double> EventFinder::equalises(const Moment& begin, const Moment& end) const {
   const double size = kEqual * boundary_.model().ambient.pressure;
   const double from = std::abs(begin.overpressure), to = std::abs(end.overpressure);
   if (!(from > size && to <= size) || begin.flow == 0.0 || !is_led_by_flow(begin)) return {};
   return (std::sqrt(from) - std::sqrt(size)) / (std::sqrt(from) - std::sqrt(to));  // p - p_a is as its square
 }
 
-double Watch::until_ambient(const Moment& begin) const {
+double EventFinder::until_ambient(const Moment& begin) const {
   const double laminar = 3.0 * laminar_overpressure(boundary_.model());
   if (begin.flow == 0.0 || begin.overpressure * begin.rate >= 0.0 || std::abs(begin.overpressure) <= laminar)
     return kInfinity;
   return -2.0 * begin.overpressure / begin.rate;
 }
 
-double Watch::time_kept(const Moment& begin, const Moment& end) const {
+double EventFinder::time_kept(const Moment& begin, const Moment& end) const {
   const double before = until_ambient(begin), after = until_ambient(end);
   return before < kInfinity && is_led_by_flow(end) ? std::min(1.0, after / before) : 1.0;
 }
 
-bool Watch::crosses_against_flow(const Moment& begin, const Moment& end, double duration) const {
+bool EventFinder::crosses_against_flow(const Moment& begin, const Moment& end, double duration) const {
   const double from = begin.overpressure, to = end.overpressure;
   const double up = std::max({0.0, begin.growth, end.growth}),
                down = std::max({0.0, -begin.growth, -end.growth});

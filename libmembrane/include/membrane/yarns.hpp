@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Woven fabric by measured curves: nominal stress over strain along the threads of warp and weft.
+// Woven fabric by measured curves: nominal stress over strain along the yarns of warp and weft.
 #pragma once
 
 #include <cmath>
@@ -12,8 +12,8 @@ namespace membrane {
 /// Most points of a curve of stress over strain.
 inline constexpr int kMostCurvePoints = 64;
 
-/// Nominal stress [Pa] along a thread over its strain, as a sum of ramps (M.30).
-struct ThreadCurve {
+/// Nominal stress [Pa] along a yarn over its strain, as a sum of ramps (M.30).
+struct YarnCurve {
   int count;                        // of the ramps
   double strain[kMostCurvePoints];  // [-] where each begins
   double rise[kMostCurvePoints];    // [Pa] what the slope gains there
@@ -22,31 +22,31 @@ struct ThreadCurve {
 };
 
 /// Of both directions.
-struct ThreadCurves {
-  ThreadCurve warp;  // along the first direction
-  ThreadCurve weft;  // along the second
+struct YarnCurves {
+  YarnCurve warp;  // along the first direction
+  YarnCurve weft;  // along the second
 };
 
 /// Constants of a fabric by measured curves, in the form that the kernels use (M.30).
 template <class T>
-struct ThreadConstants {
+struct YarnConstants {
   T cosine;  // [-] of twice the angle from the frame's first axis to the warp
   T sine;    // [-] of the same angle
   T shear;   // 2 G [Pa]
 };
 
-/// Stress of a thread over its stretch, P / lambda, and its energy.
+/// Stress of a yarn over its stretch, P / lambda, and its energy.
 template <class T>
-struct ThreadResponse {
+struct YarnResponse {
   T stress;          // second Piola-Kirchhoff [Pa]
   T energy_density;  // integral of P over the strain [J/m3]
   T strain;          // lambda - 1 [-], 0 in compression
 };
 
-/// Response of a thread of Green-Lagrange strain `e` along it. The curve is the sum of ramps that begin at
-/// its points, each with the rise of the slope there. Nothing in compression: the thread buckles.
+/// Response of a yarn of Green-Lagrange strain `e` along it. The curve is the sum of ramps that begin at
+/// its points, each with the rise of the slope there. Nothing in compression: the yarn buckles.
 template <class T>
-[[gnu::always_inline]] inline ThreadResponse<T> thread_response(const ThreadCurve& curve, T e) {
+[[gnu::always_inline]] inline YarnResponse<T> yarn_response(const YarnCurve& curve, T e) {
   using std::sqrt;
   const T zero(0.0), one(1.0), two(2.0), half(0.5);
   const T taut = select(e > zero, e, zero);
@@ -66,17 +66,17 @@ template <class T>
 /// Stress, energy and principal values at a point (M.30), for T = double or a SIMD lane type. The stress is
 /// the derivative of the energy. Past the end of a curve the factor of the tangent is infinite.
 template <class T>
-[[gnu::always_inline]] inline PlaneResponse<T> threads_response(const PlaneStrain<T>& e,
-                                                                const ThreadConstants<T>& c,
-                                                                const ThreadCurves& curves) {
+[[gnu::always_inline]] inline PlaneResponse<T> yarns_response(const PlaneStrain<T>& e,
+                                                              const YarnConstants<T>& c,
+                                                              const YarnCurves& curves) {
   using std::sqrt;
   const T half(0.5);
   const T mean = half * (e.e11 + e.e22), difference = half * (e.e11 - e.e22);
   const T strain_1 = mean + sqrt(difference * difference + e.e12 * e.e12);
   const T turned = difference * c.cosine + e.e12 * c.sine;
   const T shear = e.e12 * c.cosine - difference * c.sine;
-  const ThreadResponse<T> warp = thread_response(curves.warp, mean + turned);
-  const ThreadResponse<T> weft = thread_response(curves.weft, mean - turned);
+  const YarnResponse<T> warp = yarn_response(curves.warp, mean + turned);
+  const YarnResponse<T> weft = yarn_response(curves.weft, mean - turned);
   const T d = c.shear * shear;
   const T s_mean = half * (warp.stress + weft.stress), s_difference = half * (warp.stress - weft.stress);
   const T s_turned = s_difference * c.cosine - d * c.sine;
@@ -94,7 +94,7 @@ template <class T>
 }
 
 /// The law by measured curves.
-struct Threads : LawDefaults {
+struct Yarns : LawDefaults {
   /// What it is for.
   static constexpr LawTraits traits{.name = "curve",
                                     .woven = true,
@@ -102,7 +102,7 @@ struct Threads : LawDefaults {
                                     .end = "is stretched beyond the last point of its curve"};
   /// In the form that the kernels use.
   template <class T>
-  using Constants = ThreadConstants<T>;
+  using Constants = YarnConstants<T>;
 
   /// Of one element.
   static Constants<double> constants(const LawInput& fabric) {
@@ -115,8 +115,8 @@ struct Threads : LawDefaults {
   /// At a point.
   template <Compression kCompression, class T>
   [[gnu::always_inline]] static PlaneResponse<T> response(const PlaneStrain<T>& e, const Constants<T>& c,
-                                                          const Notes<T>&, const ThreadCurves& curves) {
-    return threads_response(e, c, curves);
+                                                          const Notes<T>&, const YarnCurves& curves) {
+    return yarns_response(e, c, curves);
   }
 };
 

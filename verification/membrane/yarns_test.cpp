@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Fabric by measured curves of warp and weft (M.30), (M.31).
-#include "membrane/threads.hpp"
+#include "membrane/yarns.hpp"
 
 #include <gtest/gtest.h>
 
@@ -19,8 +19,8 @@ namespace {
 const membrane::StressCurve kWarpCurve{{0.0, 0.02, 0.05, 0.3, 0.6}, {0.0, 4e5, 2e6, 2e7, 3e7}};
 const membrane::StressCurve kWeftCurve{{0.0, 0.1, 0.6}, {0.0, 5e6, 1e7}};
 
-membrane::BagDescription describe_threads(const mesh::Mesh& mesh,
-                                          const Eigen::Vector3d& warp = {0.3, 0.5, 0.8}) {
+membrane::BagDescription describe_yarns(const mesh::Mesh& mesh,
+                                        const Eigen::Vector3d& warp = {0.3, 0.5, 0.8}) {
   auto d = scenes::describe(mesh, Compression::none);
   d.law = "curve";
   d.curves = {kWarpCurve, kWeftCurve};
@@ -58,7 +58,7 @@ mesh::Mesh lone_square() {
 // Of a square with the warp along x, stretched along x and y.
 membrane::PlaneResponse<double> stretched(double x, double y) {
   const auto mesh = lone_square();
-  const auto model = make_model(describe_threads(mesh, Eigen::Vector3d::UnitX()));
+  const auto model = make_model(describe_yarns(mesh, Eigen::Vector3d::UnitX()));
   Eigen::Matrix3Xd at = mesh.nodes;
   at.row(0) *= 1.0 + x;
   at.row(1) *= 1.0 + y;
@@ -68,7 +68,7 @@ membrane::PlaneResponse<double> stretched(double x, double y) {
 }  // namespace
 
 // The element's first side runs along x: s11 is along the warp. A strip's own data, at points and between.
-TEST(Threads, strip_gives_back_the_curve_and_its_integral) {
+TEST(Yarns, strip_gives_back_the_curve_and_its_integral) {
   for (const double strain : {-0.2, 0.0, 1e-9, 0.01, 0.02, 0.035, 0.05, 0.2, 0.3, 0.45, 0.6})
     for (const bool along_warp : {true, false}) {
       const auto& curve = along_warp ? kWarpCurve : kWeftCurve;
@@ -83,16 +83,16 @@ TEST(Threads, strip_gives_back_the_curve_and_its_integral) {
     }
 }
 
-TEST(Threads, force_eq_minus_energy_derivative) {
+TEST(Yarns, force_eq_minus_energy_derivative) {
   const auto mesh = mesh::icosphere(0.3, 1);
   for (const double swelling : {0.9, 1.0, 1.05, 1.2})
-    scenes::expect_force_eq_minus_energy_derivative(make_model(describe_threads(mesh)),
+    scenes::expect_force_eq_minus_energy_derivative(make_model(describe_yarns(mesh)),
                                                     scenes::shaken(swelling * mesh.nodes, 0.02, 8));
 }
 
-TEST(Threads, forces_turn_with_the_bag) {
+TEST(Yarns, forces_turn_with_the_bag) {
   const auto mesh = mesh::icosphere(0.3, 1);
-  const auto model = make_model(describe_threads(mesh));
+  const auto model = make_model(describe_yarns(mesh));
   const Eigen::Matrix3Xd x = scenes::shaken(1.05 * mesh.nodes, 0.02, 8);
   const Eigen::Matrix3d turn = scenes::rotation();
   const Eigen::Matrix3Xd force = scenes::evaluated(model, x).membrane_force.map();
@@ -100,20 +100,20 @@ TEST(Threads, forces_turn_with_the_bag) {
   EXPECT_LE((turned - turn * force).cwiseAbs().maxCoeff(), 100 * scenes::kEps * 4e4);  // 7.2e7 Pa x 0.5 mm
 }
 
-TEST(Threads, every_instruction_set_gives_the_same_bits) {
+TEST(Yarns, every_instruction_set_gives_the_same_bits) {
   const auto mesh = mesh::icosphere(0.3, 1);
-  auto d = describe_threads(mesh);
+  auto d = describe_yarns(mesh);
   const Eigen::Matrix3Xd x = scenes::shaken(1.05 * mesh.nodes, 0.03, 4);
   scenes::expect_same_bits(d, x);
 }
 
 // (M.31): random states of single elements, along curves that stiffen and soften.
-TEST(Threads, dense_eigenvalue_below_bound) {
+TEST(Yarns, dense_eigenvalue_below_bound) {
   scenes::Random random(21);
   double closest = 0.0;
   for (int trial = 0; trial < 200; ++trial) {
     const auto mesh = lone_square();
-    const auto model = make_model(describe_threads(mesh, Eigen::Vector3d(random(), random(), 0.0)));
+    const auto model = make_model(describe_yarns(mesh, Eigen::Vector3d(random(), random(), 0.0)));
     Eigen::Matrix3d f = (1.1 + 0.12 * random()) * Eigen::Matrix3d::Identity();
     for (int i = 0; i < 9; ++i) f(i % 3, i / 3) += 0.12 * random();
     const Eigen::Matrix3Xd x = scenes::rotation() * f * mesh.nodes;
@@ -126,9 +126,9 @@ TEST(Threads, dense_eigenvalue_below_bound) {
   EXPECT_GT(closest, 0.3);  // the steepest piece of both curves is seldom met at once
 }
 
-TEST(Threads, beyond_the_last_point_there_is_no_stress) {
+TEST(Yarns, beyond_the_last_point_there_is_no_stress) {
   const auto mesh = lone_square();
-  const auto model = make_model(describe_threads(mesh, Eigen::Vector3d::UnitX()));
+  const auto model = make_model(describe_yarns(mesh, Eigen::Vector3d::UnitX()));
   Eigen::Matrix3Xd at = mesh.nodes;
   at.row(1) *= 1.61;
   try {
@@ -139,9 +139,9 @@ TEST(Threads, beyond_the_last_point_there_is_no_stress) {
   }
 }
 
-TEST(Threads, faults_of_curves_are_refused) {
+TEST(Yarns, faults_of_curves_are_refused) {
   const auto message = [](auto&& change) -> std::string {
-    auto d = describe_threads(lone_square());
+    auto d = describe_yarns(lone_square());
     change(d);
     try {
       make_model(d);

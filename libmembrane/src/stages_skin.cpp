@@ -32,7 +32,7 @@ SkinArrays skin_arrays(const BagModel& model, BagState& state, std::size_t b) {
   const ElementBlock next = fetch ? table.block[b + 1] : ElementBlock{};
   return {table.group.data() + block.first_group,
           table.fabric.data(),
-          &model.threads,
+          &model.yarns,
           state.shares.frequency.data() + block.first_group,
           block.last_group - block.first_group,
           table.node.data() + block.first_node,
