@@ -3,8 +3,7 @@
 # of the installation that this build has.
 set(data ${CMAKE_INSTALL_DATADIR}/gasjet)
 install(DIRECTORY cases DESTINATION ${data} COMPONENT command)
-install(PROGRAMS verification/run_external.sh DESTINATION ${data} COMPONENT command)
-install(FILES verification/run_external_report.sh DESTINATION ${data} COMPONENT command)
+install(PROGRAMS verification/run_external.py DESTINATION ${data} COMPONENT command)
 install(DIRECTORY verification/schemas DESTINATION ${data} COMPONENT command)
 install(FILES README.md CHANGELOG.md CITATION.cff LICENSE DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/gasjet COMPONENT docs)
 install(DIRECTORY ${PROJECT_BINARY_DIR}/site/ DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/gasjet/site COMPONENT docs OPTIONAL) # scripts/docs_site.sh
@@ -43,7 +42,7 @@ endfunction()
 
 set(CPACK_COMPONENTS_ALL)
 set(same "(= ${PROJECT_VERSION})")
-gasjet_package(command gasjet "Command, cases, reference histories" SECTION science LICENCE "GPL-3.0 or later")
+gasjet_package(command gasjet "Command, cases, reference histories" SECTION science LICENCE "GPL-3.0 or later" DEPENDS python3)
 gasjet_package(development libgasjet-dev "Libraries and headers for C++, with packages for CMake" SECTION libdevel
   DEPENDS "libeigen3-dev, libcgal-dev, libgsl-dev")
 gasjet_package(c libgasjet "Shared library and header for C" SECTION libs LICENCE "LGPL-3.0 or later")

@@ -64,7 +64,7 @@ in_root "$root" 'cd /try
   gasjet run /usr/share/gasjet/cases/passenger_pendulum.toml
   printf "%s\n" "#!/bin/bash" "cp /usr/share/gasjet/cases/reference/\$(basename \$1 .json).csv \$2" >program
   chmod +x program
-  /usr/share/gasjet/run_external.sh ./program
+  /usr/share/gasjet/run_external.py ./program
   apt-get install -q -y --no-install-recommends ./libgasjet_*.deb ./python3-gasjet_*.deb >/dev/null
   /usr/bin/python3 outside/consumer.py --without-exact
   apt-get install -q -y --no-install-recommends ./*.deb g++ gfortran cmake make pkg-config >/dev/null

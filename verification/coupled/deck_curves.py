@@ -1,15 +1,10 @@
-#!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
 """Judges the curves of a deck of `gasjet export` by those of its case: stress of fabric by measured curves, and the
 pressure on a sheet. It reads the deck's text by itself and shares nothing with the writers.
-
-usage: deck_curves.py radioss|lsdyna CASE.toml FOLDER PRESSURE_UNIT TIME_UNIT     units of the deck in Pa and s
 The stress of a strip is nominal stress over stretch less 1, whatever measures the deck has.
 """
 import csv
 import os
-import re
-import sys
 import tomllib
 
 FILES = {"radioss": "bag_0000.rad", "lsdyna": "bag.k"}
@@ -94,7 +89,6 @@ def judge_threads(kind, case, folder, deck, unit):
             strain = last[0] * i / 1000
             expected = interpolate(points, strain) if strain > 0 else 0.0
             worst = max(worst, abs(stress(kind, curves[thread], unit, strain) - expected) / last[1])
-        print(f"{name}: off by {worst:.1e} of the last stress")
         if worst > SHARE[kind]:
             faults.append(f"{name}: off by {worst:.3g} of the last stress, {SHARE[kind]:g} is allowed")
     return faults
@@ -116,8 +110,8 @@ def judge_pressure(case, folder, deck, unit, time):
     return faults[:3]
 
 
-def main():
-    kind, path, folder, unit, time = sys.argv[1], sys.argv[2], sys.argv[3], float(sys.argv[4]), float(sys.argv[5])
+def judge_curves(kind, path, folder, unit, time):
+    """Faults of the deck in the folder; units of the deck in Pa and s."""
     with open(path, "rb") as file:
         case = tomllib.load(file)
     deck = deck_of(kind, os.path.join(folder, FILES[kind]))
@@ -126,9 +120,4 @@ def main():
         faults += judge_threads(kind, case, beside, deck, unit)
     if "overpressure" in case["membrane"]:
         faults += judge_pressure(case, beside, deck, unit, time)
-    print("\n".join(faults) if faults else "curves agree")
-    return 1 if faults else 0
-
-
-if __name__ == "__main__":
-    sys.exit(main())
+    return faults

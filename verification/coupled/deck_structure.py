@@ -1,14 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """Reads the decks of `gasjet export` by the cards' own columns, as the programs do, and resolves every
-reference between numbers. It shares nothing with the writers.
-
-Usage: deck_structure.py radioss|lsdyna DECK...   a deck is a file, or a folder of one. Prints counts; exit code 1
-and the faults if there are any.
-"""
+reference between numbers. It shares nothing with the writers."""
 import glob
 import os
 import re
-import sys
 
 from deck_numbers import FAULTS, Deck, blocks, fault
 from deck_structure_lsdyna import read_lsdyna
@@ -236,31 +231,17 @@ def read_engine(path):
             fault(path, f"no {keyword}")
 
 
-def read_deck(kind, paths):
+def read_deck(kind, path):
+    """Counts of a deck, which is a file or a folder of one, and its faults."""
+    FAULTS.clear()
     deck = Deck()
-    for path in paths:
+    files = sorted(glob.glob(os.path.join(path, "bag*"))) if os.path.isdir(path) else [path]
+    for file in files:
         if kind == "lsdyna":
-            read_lsdyna(path, deck)
-        elif path.endswith("_0001.rad"):
-            read_engine(path)
+            read_lsdyna(file, deck)
+        elif file.endswith("_0001.rad"):
+            read_engine(file)
         else:
-            read_radioss(path, deck)
+            read_radioss(file, deck)
     deck.resolve()
-    print(paths[0], " ".join(f"{key}={value}" for key, value in sorted(deck.counts.items())))
-
-
-def main():
-    kind = sys.argv[1]
-    for path in sys.argv[2:]:
-        files = sorted(glob.glob(os.path.join(path, "bag*"))) if os.path.isdir(path) else [path]
-        if not files:
-            fault(path, "no deck")
-            continue
-        read_deck(kind, files)
-    for text in FAULTS[:10]:
-        print(text)
-    return 1 if FAULTS else 0
-
-
-if __name__ == "__main__":
-    sys.exit(main())
+    return deck.counts, FAULTS[:10]

@@ -1,13 +1,11 @@
-#!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
 """Judges the numbers of decks of one case in several unit systems: those with a name, which stands above them.
 
-usage: deck_units.py radioss|lsdyna CASE.toml FOLDER...     each FOLDER is named CASE.UNITS; the first is in kg-m-s
-Each number of a deck times its unit is that of the first deck, and the first deck has the numbers of the case.
+Folders are named CASE.UNITS; the first is in kg-m-s. Each number of a deck times its unit is that of the first deck, and the first
+deck has the numbers of the case.
 """
 
 import re
-import sys
 import tomllib
 
 SYSTEMS = {"kg-m-s": (1.0, 1.0, 1.0), "t-mm-s": (1e3, 1e-3, 1.0), "kg-mm-ms": (1.0, 1e-3, 1e-3)}  # kg, m, s
@@ -61,9 +59,9 @@ def at_path(table, path):
     return table
 
 
-def main():
-    kind, case, folders = sys.argv[1], sys.argv[2], sys.argv[3:]
-    faults, compared, first = [], 0, None
+def judge_units(kind, case, folders):
+    """Faults of the decks in the folders."""
+    faults, first = [], None
     for folder in folders:
         mass, length, time = SYSTEMS[folder.rsplit(".", 1)[1]]
         with open(f"{folder}/{FILES[kind]}", encoding="ascii") as file:
@@ -78,7 +76,6 @@ def main():
             if not values or len(values) != len(first[name]):
                 faults.append(f"{folder}: {name}: {len(values)} numbers, {len(first[name])} in the first deck")
             for mine, expected in zip(values, first[name]):
-                compared += 1
                 if abs(mine - expected) > 1e-3 * abs(expected):  # fields of ten columns hold four digits or more
                     faults.append(f"{folder}: {name}: {mine:g} in SI units, {expected:g} in the first deck")
     with open(case, "rb") as file:
@@ -92,9 +89,4 @@ def main():
     peak = max(table["inflator"][0]["mass_flow"]["value"])
     if not any(abs(value - peak) <= 1e-9 * peak for value in first["curve"]):
         faults.append(f"mass flow: {first['curve']}, the case has {peak}")
-    print("\n".join(faults) if faults else f"{compared} numbers agree")
-    return 1 if faults else 0
-
-
-if __name__ == "__main__":
-    sys.exit(main())
+    return faults

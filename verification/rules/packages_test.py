@@ -65,7 +65,7 @@ def test_judging_a_program(prefix, tmp_path):
     data, program = prefix / "share/gasjet", tmp_path / "program"
     program.write_text(f'#!/bin/bash\ncp "{data}/cases/reference/$(basename "$1" .json).csv" "$2"\n')
     program.chmod(0o755)
-    output(next(data.glob("run_external.*")), "--scenes", "tank_fill,plate_jet", "--out", "judged", "./program", cwd=tmp_path, env={"PATH": "/usr/bin:/bin"})
+    output(data / "run_external.py", "--scenes", "tank_fill,plate_jet", "--out", "judged", "./program", cwd=tmp_path, env={"PATH": "/usr/bin:/bin"})
     assert '"verdict": "inside",' in (tmp_path / "judged/report.json").read_text()
     assert all((data / f"schemas/{schema}.schema.json").stat().st_size for schema in ("scene", "report"))
 

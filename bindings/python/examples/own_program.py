@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""A program of one's own, NumPy alone, for run_external.sh: a swinging pendulum and a round jet on a plate.
+"""A program of one's own, NumPy alone, for run_external.py: a swinging pendulum and a round jet on a plate.
 
 usage: own_program.py METHOD SCENE.json HISTORY.csv      METHOD: euler or runge_kutta, for the pendulum
 Exit code 77: it does not do this scene.

@@ -1,35 +1,14 @@
 # SPDX-License-Identifier: Apache-2.0
-# The page of `gasjet report` in a real browser. usage: report_page.py GASJET SOURCE_DIR [FOLDER_FOR_PICTURES]
+"""The page of `gasjet report` in a real browser."""
 import json
 import os
-import subprocess
-import sys
-import tempfile
 
-sys.dont_write_bytecode = True
 import browser
+import pytest
+from command import load, numbers, ok, table, write, write_table
 
-if not browser.program():
-    print("SKIPPED, Chromium is missing (package chromium)")
-    sys.exit(0)
-
-gasjet, source, *pictures = sys.argv[1:]
-work = tempfile.TemporaryDirectory()  # goes at the end
-path = lambda name: os.path.join(work.name, name)
-evil = "</script><script>throw 1</script><img src=x onerror=alert(1)>&amp;\"'"
-
-
-def call(*words):
-    subprocess.run([gasjet, *words], check=True, stdout=subprocess.DEVNULL)
-
-
-def run(case, name, *options):
-    call("run", os.path.join(source, "cases", case), "--quiet", "--out", path(name), *(w for o in options for w in ("--set", o)))
-
-
-def rows(file):
-    lines = [line.strip().split(",") for line in open(file) if not line.startswith("#")]
-    return [dict(zip(lines[0], line)) for line in lines[1:]]
+EVIL = "</script><script>throw 1</script><img src=x onerror=alert(1)>&amp;\"'"
+CURVES = "cases/tank_test_curves.csv"
 
 
 def check(what, holds):
@@ -38,11 +17,9 @@ def check(what, holds):
 
 def look(page, name, **how):
     """Opens a page; whatever else happens it logs no error and asks for nothing but itself."""
-    page.open(path(name), **how)
+    page.open(name, **how)
     check(f"{name} logs {page.errors}", not page.errors)
-    check(f"{name} asks for {page.requests}", page.requests == ["file://" + path(name)])
-    if pictures:
-        page.picture(os.path.join(pictures[0], name.replace(".html", f"_{how.get('width', 1400)}{'_dark' if how.get('dark') else ''}.png")), whole=True)
+    check(f"{name} asks for {page.requests}", page.requests == ["file://" + os.path.abspath(name)])
 
 
 def slide(page, value):
@@ -58,9 +35,9 @@ def canvas(page, k=0):
     return page.run(f"document.querySelectorAll('.view canvas')[{k}].toDataURL()")
 
 
-def test_run(page):
+def a_run(page):
     look(page, "run.html")
-    history = rows(path("run/history.csv"))
+    history = table("run/history.csv")
     colour(page, "none")
     for part in ("jet", "edges"):
         page.run(f"document.getElementById('{part}').click()")
@@ -113,7 +90,7 @@ def test_run(page):
     check("space plays", page.run("document.getElementById('slider').value") == "10")
     # What the run comes to stands above all.
     keys = dict(page.run("[...document.querySelectorAll('#keys tr')].map(row => [...row.cells].slice(0, 2).map(cell => cell.textContent))"))
-    summary = json.load(open(path("run/summary.json")))
+    summary = load("run/summary.json")
     check(f"peaks are told: {keys}", abs(float(keys["pressure"]) / summary["peak"]["pressure_Pa"] - 1) < 1e-5)
     check(f"residuals are told: {keys}", abs(float(keys["largest residual of a balance, relative"]) / max(v for k, v in summary["residual"].items() if k.endswith("_rel")) - 1) < 1e-5)
     # A drag turns the camera.
@@ -129,10 +106,10 @@ def test_run(page):
     check("the balance of the gas is drawn", page.run("Chart.all.some(c => c.title.startsWith('Where the gas went'))"))
     check("the residual is drawn", page.run("Chart.all.some(c => c.title.startsWith('Residual of the energy'))"))
     marked = page.run("[...document.querySelectorAll('td')].filter(cell => cell.textContent === 'default').map(cell => cell.parentNode.firstChild.textContent)")
-    check(f"defaults are marked: {marked}", sorted(marked) == sorted(json.load(open(path("run/check.json")))["defaults"]))
+    check(f"defaults are marked: {marked}", sorted(marked) == sorted(load("run/check.json")["defaults"]))
 
 
-def test_pair(page):
+def a_pair(page):
     look(page, "pair.html", dark=True)
     slide(page, 2)
     colour(page, "none")
@@ -148,13 +125,13 @@ def test_pair(page):
     slide(page, 10)
     check("one slider moves both bags", canvas(page, 0) != left and canvas(page, 1) != right)
     pressure = page.run("[...document.querySelectorAll('#keys tr')].find(row => row.cells[0].textContent === 'pressure').cells[2].textContent")
-    peaks = [json.load(open(path(f"{name}/summary.json")))["peak"]["pressure_Pa"] for name in ("run", "no_jet")]
+    peaks = [load(f"{name}/summary.json")["peak"]["pressure_Pa"] for name in ("run", "no_jet")]
     off = float(pressure.split("(")[1].split()[0].replace("−", "-"))
     check(f"peaks are compared: {pressure}, {peaks}", abs(off - 100 * (peaks[1] / peaks[0] - 1)) <= 5e-3 * abs(off))
     check("the ground is dark", page.run("getComputedStyle(document.body).backgroundColor") == "rgb(20, 23, 27)")
 
 
-def test_narrow(page):
+def narrow_screens(page):
     for name in ("run.html", "tank.html", "pair.html"):
         look(page, name, width=390, height=800)
         page.run("document.body.style.fontFamily = 'monospace'; 0")  # as wide as any machine's font
@@ -162,14 +139,14 @@ def test_narrow(page):
         check(f"{name} is {wide} px wide on a screen of 390", wide <= 390)
 
 
-def test_tank(page):
+def a_tank(page):
     look(page, "tank.html")
     check("a tank has no view", page.run("document.getElementById('player').hidden") and page.run("Chart.all.length") >= 5)
     shown = page.run("document.getElementById('heads').textContent")
-    check(f"names are text: {shown}", evil in shown and page.run("document.querySelectorAll('img').length") == 0)
+    check(f"names are text: {shown}", EVIL in shown and page.run("document.querySelectorAll('img').length") == 0)
 
 
-def test_target(page):
+def a_target(page):
     look(page, "target.html")
     check("a rigid target has what does not move", page.run("[...document.getElementById('quantity').options].map(o => o.value)") == ["jet_overpressure", "mask", "none"])
     drawn = []
@@ -181,23 +158,23 @@ def test_target(page):
     check("the outlet is in the picture", page.run("(v => v.jets[0].centre.clone().project(v.camera).toArray().every(x => Math.abs(x) < 1))(player.views[0])"))
 
 
-def test_many(page):
+def many_runs(page):
     look(page, "many.html")
     check("more runs than a browser can show", page.run("player.views.length") == 8 and "the first 8 runs, of 9" in page.run("document.getElementById('notices').textContent"))
 
 
-def test_compared(page):
+def a_compared_tank(page):
     look(page, "compared.html")
     check("all lines are named", page.run("[...document.querySelectorAll('.legend span')].every(entry => entry.textContent)"))
     check("the verdict is shown", "Compared with reference.csv: inside" in page.run("document.getElementById('details').textContent"))
     check("and at the head", "compared with reference.csv: inside" in page.run("document.getElementById('heads').textContent"))
     tip = page.run("(c => { c.read(0.05, 0, 0); return document.getElementById('tip').innerText; })(Chart.all[0])").split("\n")
-    exact = next(r for r in rows(path("reference.csv")) if r["time_s"] == "0.05")
+    exact = next(r for r in table("reference.csv") if r["time_s"] == "0.05")
     check(f"the tip has value, band and unit: {tip}", f"pressure, reference\t{exact['pressure_Pa']} ± {exact['pressure_Pa_band']} Pa" in tip)
     check("the band is drawn", page.run("Chart.all.some(c => c.series.some(s => s.low && s.result === 'reference'))"))
 
 
-def test_paper(page):
+def paper(page):
     look(page, "run.html")
     page.call("Emulation.setEmulatedMedia", media="print")
     shown = page.run("[...document.querySelectorAll('#controls > *')].filter(part => getComputedStyle(part).display !== 'none').map(part => part.textContent)")
@@ -213,7 +190,7 @@ def test_paper(page):
     check("and closed again", page.run(closed) == before)
 
 
-def test_others(page):
+def other_results(page):
     look(page, "ensemble.html")
     check("bands of the mean", page.run("Chart.all[0].series[0].low.filter((v, i) => v < Chart.all[0].series[0].value[i]).length") > 10)
     check("single runs are thin lines", page.run("Chart.all[0].svg.querySelectorAll('polyline.single').length") == 2 * page.run("Chart.all[0].series.length"))
@@ -229,38 +206,32 @@ def test_others(page):
     look(page, "curves.html")
     check("bands of curves", page.run("Chart.all[0].series[0].low.length") > 10)
     drawn = page.run("(s => s.value.map((v, i) => [s.low[i] < v || s.high[i] > v, s.interval(i)]))(Chart.all[1].series[0])")
-    expected = [("%s to %s" % (r["temperature_low_K"], r["temperature_high_K"])) if r["band_claimed"] == "1" else "" for r in rows(curves)]
+    expected = [("%s to %s" % (r["temperature_low_K"], r["temperature_high_K"])) if r["band_claimed"] == "1" else "" for r in table(CURVES)]
     check("bands where they are claimed", drawn == [[bool(text), ", " + (text or "no band")] for text in expected] and len(set(map(bool, expected))) == 2)
     look(page, "one_end.html")
     check("one end is no interval", page.run("Chart.all[0].series.map(s => [s.name, s.low])") == [["force", None], ["force low", None]])
 
 
-short = ["scene.end_time=0.01", "output.frames=10"]
-run("passenger_pendulum.toml", "run", *short)
-run("passenger_pendulum_no_jet.toml", "no_jet", *short)
-run("rigid_tank.toml", "tank", "scene.name=" + json.dumps(evil))
-call("report", path("run"), "--out", path("run.html"))
-call("report", path("run"), path("no_jet"), "--out", path("pair.html"))
-call("report", path("tank"), "--out", path("tank.html"))
-exact = subprocess.run([gasjet, "exact", "tank_fill", "--times", "0:0.1:0.01"], check=True, capture_output=True, text=True).stdout
-with open(path("reference.csv"), "w") as reference:
-    for number, line in enumerate(l for l in exact.splitlines() if not l.startswith("#")):
-        reference.write(line + (",pressure_Pa_band,temperature_K_band" if number == 0 else ",2e-8,2e-10") + "\n")
-call("report", path("tank"), "--against", path("reference.csv"), "--out", path("compared.html"))
-call("ensemble", os.path.join(source, "cases/jet_bag.toml"), "--runs", "2", "--quiet", "--out", path("ensemble"), "--set", "scene.end_time=0.003")
-call("ladder", os.path.join(source, "cases/rigid_tank.toml"), "--quantity", "pressure", "--quiet", "--out", path("ladder"))
-call("report", path("ensemble"), "--out", path("ensemble.html"))
-call("report", path("ensemble"), "--against", path("ensemble/jet_bag/ensemble.csv"), "--out", path("judged.html"))
-call("report", path("ladder"), "--out", path("ladder.html"))
-curves = os.path.join(source, "cases/tank_test_curves.csv")
-call("report", curves, "--out", path("curves.html"))
-with open(path("one_end.csv"), "w") as table:
-    table.write("time_s,force_N,force_low_N\n0,1,0.5\n1,2,1\n")
-call("report", path("one_end.csv"), "--out", path("one_end.html"))
-run("plate_jet.toml", "target", "inflator.0.mass_flow={ time = [0.0, 0.01, 0.019], value = [0.0, 2.0, 0.0] }")
-call("report", path("target"), "--out", path("target.html"))
-call("report", *[path("run")] * 9, "--out", path("many.html"))
-with browser.Browser() as page:
-    for test in (test_run, test_pair, test_narrow, test_tank, test_compared, test_paper, test_others, test_target, test_many):
-        test(page)
-print("report: eleven pages, no error, no request")
+def test_report_page():
+    """Eleven pages, no error, no request."""
+    if not browser.program():
+        pytest.skip("Chromium is missing (package chromium)")
+    short = "--quiet --set scene.end_time=0.01 --set output.frames=10"
+    ok(f"run cases/passenger_pendulum.toml --out run {short}")
+    ok(f"run cases/passenger_pendulum_no_jet.toml --out no_jet {short}")
+    ok("run cases/rigid_tank.toml --quiet --out tank --set", "scene.name=" + json.dumps(EVIL))
+    write("exact.csv", ok("exact tank_fill --times 0:0.1:0.01").out)
+    rows = numbers("exact.csv")
+    write_table("reference.csv", {**{name: [row[name] for row in table("exact.csv")] for name in rows}, "pressure_Pa_band": ["2e-8"] * 11,
+                                  "temperature_K_band": ["2e-10"] * 11})
+    ok("ensemble cases/jet_bag.toml --runs 2 --quiet --out ensemble --set scene.end_time=0.003")
+    ok("ladder cases/rigid_tank.toml --quantity pressure --quiet --out ladder")
+    write("one_end.csv", "time_s,force_N,force_low_N", "0,1,0.5", "1,2,1")
+    ok("run cases/plate_jet.toml --quiet --out target --set", "inflator.0.mass_flow={ time = [0.0, 0.01, 0.019], value = [0.0, 2.0, 0.0] }")
+    for page, results in (("run", "run"), ("pair", "run no_jet"), ("tank", "tank"), ("compared", "tank --against reference.csv"),
+                          ("ensemble", "ensemble"), ("judged", "ensemble --against ensemble/jet_bag/ensemble.csv"), ("ladder", "ladder"),
+                          ("curves", CURVES), ("one_end", "one_end.csv"), ("target", "target"), ("many", "run " * 9)):
+        ok(f"report {results} --out {page}.html")
+    with browser.Browser() as page:
+        for look_at in (a_run, a_pair, narrow_screens, a_tank, a_compared_tank, paper, other_results, a_target, many_runs):
+            look_at(page)

@@ -1,22 +1,14 @@
-#!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
 """Runs the paper's scene, short, with options of every kind at once: each pair of values of two factors is run.
 
-usage: combined_cases.py GASJET SOURCE_DIR
-
-All are allowed together. Each run must end, with balances that close and finite rows, and the jet must blow once the
-inflator has fired. Prints the number of runs. Exit 1 if one ends otherwise, with the command that does so.
+All are allowed together. Each run must end, with balances that close and finite rows, and the jet must blow once the inflator has fired.
 """
 
-import csv
 import itertools
-import json
 import math
-import pathlib
 import random
-import subprocess
-import sys
-import tempfile
+
+from command import gasjet, load, numbers
 
 LENGTH = 5e-3  # [s]
 MASS, ENERGY = 1e-12, 5e-3  # largest residuals: some roundings; the drift of a short run, a thousandth as a rule
@@ -61,40 +53,25 @@ def covering_rows(rng):
         yield row
 
 
-def fault_of(gasjet, case, settings, folder):
+def fault_of(settings, folder):
     """What is wrong with the run; nothing: it is as it has to be."""
-
-    command = [gasjet, "run", case, "--quiet", "--out", folder, *(word for s in settings for word in ("--set", s))]
-    done = subprocess.run(command, capture_output=True, text=True, timeout=120)
-    if done.returncode != 0:
-        return f"exit {done.returncode}: {done.stderr.strip()[-400:]}"
-    residual = json.loads(pathlib.Path(folder, "summary.json").read_text())["residual"]
+    done = gasjet(f"run cases/passenger_pendulum.toml --quiet --out {folder}", *(word for s in settings for word in ("--set", s)), timeout=120)
+    if done.code != 0:
+        return done.what
+    residual = load(f"{folder}/summary.json")["residual"]
     if residual["mass_rel"] > MASS or residual["energy_rel"] > ENERGY:
         return f"residuals {residual}"
-    with open(pathlib.Path(folder, "history.csv")) as file:
-        rows = list(csv.DictReader(line for line in file if not line.startswith("#")))
-    if not all(math.isfinite(float(value)) for row in rows for value in row.values()):
+    history = numbers(f"{folder}/history.csv")
+    if not all(map(math.isfinite, itertools.chain(*history.values()))):
         return "a number that is not finite"
-    if not max(float(row["jet_force_N"]) for row in rows) > 0.0:
-        return "no jet"
-    return None
+    return None if max(history["jet_force_N"]) > 0.0 else "no jet"
 
 
-def main():
-    gasjet, source = sys.argv[1:]
-    case = str(pathlib.Path(source, "cases", "passenger_pendulum.toml"))
-    faults = count = 0
-    with tempfile.TemporaryDirectory() as folder:
-        for row in covering_rows(random.Random(1)):
-            settings = [f"scene.end_time={LENGTH}", *(s for values, k in zip(FACTORS, row) for s in values[k])]
-            count += 1
-            fault = fault_of(gasjet, case, settings, f"{folder}/{count}")
-            if fault:
-                faults += 1
-                print(fault, "\n  ", " ".join(f"--set '{s}'" for s in settings))
-    print(f"{count} runs, {faults} of them not as they have to be")
-    return 1 if faults else 0
-
-
-if __name__ == "__main__":
-    sys.exit(main())
+def test_combined_cases():
+    rows = list(covering_rows(random.Random(1)))
+    faults = []
+    for n, row in enumerate(rows):
+        settings = [f"scene.end_time={LENGTH}", *(s for values, k in zip(FACTORS, row) for s in values[k])]
+        if fault := fault_of(settings, f"run_{n}"):
+            faults.append((fault, *settings))
+    assert not faults, f"{len(faults)} of {len(rows)} runs: {faults}"
