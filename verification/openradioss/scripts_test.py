@@ -1,37 +1,22 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Tests of run.sh, where OpenRadioss is missing, and of time_history.py, on a time history that is written here.
-
-usage: scripts_test.py    exit code 1: a check fails
-"""
-import csv
-import io
+"""run.py, where OpenRadioss is missing, and time_history.py, on a time history that is written here."""
 import math
-import pathlib
 import struct
-import subprocess
 import sys
-import tempfile
+from pathlib import Path
 
-HERE = pathlib.Path(__file__).resolve().parent
+import pytest
+from command import ended, program, table, write
 
-
-def check(is_so, what):
-    if not is_so:
-        sys.exit(f"scripts_test.py: {what}")
-
-
-def run_script(*arguments):
-    return subprocess.run([HERE / "run.sh", *arguments], capture_output=True, text=True)
+HERE = Path(__file__).resolve().parent
+pytestmark = pytest.mark.usefixtures("work")
 
 
-def check_run_script(folder):
-    absent = run_script(folder / "no_starter", folder / "no_engine")
-    check(absent.returncode == 77 and "no OpenRadioss starter" in absent.stderr, f"no starter: {absent}")
-    engine = run_script("/bin/true", folder / "no_engine")
-    check(engine.returncode == 77 and "no OpenRadioss engine" in engine.stderr, f"no engine: {engine}")
-    check(run_script().returncode == 77, "no arguments")
-    check(run_script("--speed", "1", "/bin/true", "/bin/true").returncode == 2, "unknown option")
-    check(run_script("--out").returncode == 2, "an option without its value")
+def test_scripts():
+    for code, says, words in ((77, "no OpenRadioss starter", "no_starter no_engine"), (77, "no OpenRadioss engine", "/bin/true no_engine"),
+                              (77, "", ""), (2, "", "--speed 1 /bin/true /bin/true"), (2, "", "--out")):
+        ended(code, says, program(HERE / "run.py", *words.split()))
+    ended(77, "no OpenRadioss starter", program(HERE / "read_decks.py"))
 
 
 class History:
@@ -90,39 +75,23 @@ def time_history(order, code):
 
 
 def table_of(path, *marks):
-    done = subprocess.run([sys.executable, "-B", HERE / "time_history.py", path, *marks], capture_output=True, text=True)
-    check(done.returncode == 0, f"{path}: {done}")
-    return list(csv.DictReader(io.StringIO(done.stdout)))
+    write("histories.csv", ended(0, "", program(sys.executable, "-B", HERE / "time_history.py", path, *marks)).out)
+    return table("histories.csv")
 
 
-def check_history(path):
-    rows = table_of(path)
-    check(len(rows) == STATES, f"{path}: {len(rows)} states")
+@pytest.mark.parametrize("order", "<>")
+@pytest.mark.parametrize("code", [3040, 3041, 3050])
+def test_scripts_time_history(order, code):
+    Path("runT01").write_bytes(time_history(order, code))
+    rows = table_of("runT01")
+    assert len(rows) == STATES
     for i, row in enumerate(rows):
         (mass, volume, pressure), (turn, *acceleration), impulse = values_at(i)
-        before = values_at(max(i - 1, 0))[2]
-        force = [(a - b) / 0.5 for a, b in zip(impulse, before)]
+        force = [(a - b) / 0.5 for a, b in zip(impulse, values_at(max(i - 1, 0))[2])]
         wanted = {
             "time": 0.5 * i, "MONV 1 MASS": mass, "MONV 1 VOL": volume, "MONV 1 P": pressure, "RBODY 5 RY": turn,
             "RBODY 5 AX": acceleration[0], "RBODY 5 A": math.hypot(*acceleration), "INTER 7 FNX": force[0],
             "INTER 7 F": math.hypot(force[0] + force[3], force[1] + force[4], force[2] + force[5])
         }
-        for name, value in wanted.items():
-            check(abs(float(row[name]) - value) <= 1e-8 * abs(value), f"{path}, state {i}: {name} is {row[name]} instead of {value}")
-    check(list(table_of(path, "MONV")[0]) == ["time", "MONV 1 MASS", "MONV 1 VOL", "MONV 1 P"], f"{path}: marks")
-
-
-def main():
-    with tempfile.TemporaryDirectory() as name:
-        folder = pathlib.Path(name)
-        check_run_script(folder)
-        for order in "<>":
-            for code in (3040, 3041, 3050):
-                path = folder / f"{'little' if order == '<' else 'big'}_{code}_T01"
-                path.write_bytes(time_history(order, code))
-                check_history(path)
-    print("scripts_test.py: all as wanted")
-
-
-if __name__ == "__main__":
-    main()
+        assert {name: float(row[name]) for name in wanted} == pytest.approx(wanted, rel=1e-8)
+    assert list(table_of("runT01", "MONV")[0]) == ["time", "MONV 1 MASS", "MONV 1 VOL", "MONV 1 P"]
