@@ -17,4 +17,14 @@ int whole(const std::string& name, double value) {
   return static_cast<int>(value);
 }
 
+Entry described(const char* name, const char* title, const char* equation, const char* source,
+                const char* validity, int digits) {
+  return {name, title, equation, source, validity, digits, {}, {}, {}, {}};
+}
+
+void add_parameter(Entry& entry, const char* name, const char* symbol, const char* unit, double default_value,
+                   const char* meaning) {
+  entry.parameters.push_back({name, symbol, unit, default_value, meaning});
+}
+
 }  // namespace closed_form::entries

@@ -20,6 +20,12 @@ Row range(double first, double last, int n);
 /// The value, which must be a whole number, else std::invalid_argument.
 int whole(const std::string& name, double value);
 
+/// An entry without parameters and columns.
+Entry described(const char* name, const char* title, const char* equation, const char* source,
+                const char* validity, int digits);
+void add_parameter(Entry& entry, const char* name, const char* symbol, const char* unit, double default_value,
+                   const char* meaning);
+
 /// Of a form that has no parameters.
 struct Nothing {};
 
@@ -85,7 +91,7 @@ auto call(const F& f, const Point<Arguments>& at) {
 /// A column, and the member of the result that it shows, or a function of the result.
 template <class Result>
 struct Column {
-  std::string name;  // with unit suffix
+  const char* name;  // with unit suffix
   std::function<double(const Result&)> value;
 };
 template <class Result>
@@ -96,29 +102,22 @@ using Columns = std::vector<Column<Result>>;
 template <class Arguments>
 class Form {
  public:
-  Form(std::string name, std::string title, std::string equation, std::string source, std::string validity,
-       int digits) {
-    entry_.name = std::move(name);
-    entry_.title = std::move(title);
-    entry_.equation = std::move(equation);
-    entry_.source = std::move(source);
-    entry_.validity = std::move(validity);
-    entry_.digits = digits;
-  }
+  Form(const char* name, const char* title, const char* equation, const char* source, const char* validity,
+       int digits)
+      : entry_(described(name, title, equation, source, validity, digits)) {}
 
   /// A parameter that is a number by itself.
-  Form& number(std::string name, std::string symbol, std::string unit, double default_value,
-               std::string meaning) {
-    entry_.parameters.push_back(
-        {std::move(name), std::move(symbol), std::move(unit), default_value, std::move(meaning)});
+  Form& number(const char* name, const char* symbol, const char* unit, double default_value,
+               const char* meaning) {
+    add_parameter(entry_, name, symbol, unit, default_value, meaning);
     return *this;
   }
 
   /// A parameter that sets `member`; a bool or enum, by 0 or 1.
   template <class Member>
-  Form& field(Member member, const std::string& name, std::string symbol, std::string unit,
-              double default_value, std::string meaning) {
-    setters_[name] = [member, name](Arguments& arguments, double value) {
+  Form& field(Member member, const char* name, const char* symbol, const char* unit, double default_value,
+              const char* meaning) {
+    setters_[name] = [=](Arguments& arguments, double value) {
       auto& target = std::invoke(member, arguments);
       using Target = std::remove_reference_t<decltype(target)>;
       if constexpr (std::is_same_v<Target, double>)
@@ -126,7 +125,7 @@ class Form {
       else
         target = static_cast<Target>(check::integer_within(name, whole(name, value), 0, 1));
     };
-    return number(name, std::move(symbol), std::move(unit), default_value, std::move(meaning));
+    return number(name, symbol, unit, default_value, meaning);
   }
 
   /// Parameters that several forms share.
@@ -137,7 +136,7 @@ class Form {
   }
 
   /// Takes the field `name` out of the parameters: the form does not depend on it.
-  Form& fixed(const std::string& name, double value) {
+  Form& fixed(const char* name, double value) {
     setters_.at(name)(initial_, value);
     setters_.erase(name);
     std::erase_if(entry_.parameters, [&](const Parameter& parameter) { return parameter.name == name; });
@@ -145,16 +144,16 @@ class Form {
   }
 
   /// The abscissa, and its default values. To be called before the columns.
-  Form& over(std::string name, Row values) {
-    entry_.columns.push_back(std::move(name));
+  Form& over(const char* name, Row values) {
+    entry_.columns.emplace_back(name);
     entry_.default_abscissae = std::move(values);
     return *this;
   }
   /// An abscissa that sets `member`.
   template <class Member>
-  Form& over(std::string name, Row values, Member member) {
+  Form& over(const char* name, Row values, Member member) {
     set_abscissa_ = [member](Arguments& arguments, double value) { std::invoke(member, arguments) = value; };
-    return over(std::move(name), std::move(values));
+    return over(name, std::move(values));
   }
 
   template <class F>
@@ -163,7 +162,7 @@ class Form {
   /// Columns of the result of f, a function of what call() gives.
   template <class F>
   Form& results(F f, Columns<Result<F>> columns) {
-    for (const auto& column : columns) entry_.columns.push_back(column.name);
+    for (const auto& column : columns) entry_.columns.emplace_back(column.name);
     evaluators_.push_back([f, columns = std::move(columns)](const Point<Arguments>& at, Row& row) {
       const Result<F> result = call(f, at);
       for (const auto& column : columns) row.push_back(column.value(result));
@@ -172,13 +171,13 @@ class Form {
   }
   /// The column that f itself gives.
   template <class F>
-  Form& result(std::string name, F f) {
-    return results(f, {{std::move(name), [](Result<F> value) { return static_cast<double>(value); }}});
+  Form& result(const char* name, F f) {
+    return results(f, {{name, [](Result<F> value) { return static_cast<double>(value); }}});
   }
   /// A column that does not depend on the abscissa.
   template <class F>
-  Form& constant(const std::string& name, F f) {
-    entry_.constants.push_back(name);
+  Form& constant(const char* name, F f) {
+    entry_.constants.emplace_back(name);
     return result(name, f);
   }
 
