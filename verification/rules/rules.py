@@ -7,7 +7,6 @@ Exit code 0: kept, 1: broken, 2: no such rule."""
 
 import argparse
 import pathlib
-import subprocess
 import sys
 
 sys.dont_write_bytecode = True  # the tree keeps its files
@@ -15,33 +14,9 @@ import agreement  # noqa: E402,F401 (they register their rules)
 import class_sizes  # noqa: E402,F401
 import includes  # noqa: E402,F401
 import texts  # noqa: E402,F401
-from tree import RULES, Tree, rule  # noqa: E402
+from tree import RULES, Tree  # noqa: E402
 
 HERE = pathlib.Path(__file__).resolve().parent
-PAGES = HERE.parent.parent / "docs/make/pages"
-
-
-def said_by(tree, command):
-    return subprocess.run(["bash", "-c", command], cwd=tree.root, capture_output=True, text=True).stdout.splitlines()
-
-
-@rule
-def table_heads(tree):
-    """Every table of the pages says what it was made on and by, and docs/provenance.tsv says from what."""
-    return said_by(tree, f"perl {HERE}/table_heads.pl docs/provenance.tsv")
-
-
-@rule
-def numbers(tree):
-    """Each number that docs/numbers.tsv lists says what its source file says."""
-    return said_by(tree, f"awk -F'\\t' -f {PAGES}/csv_number.awk -f <(echo '{{ print /^#/ || NF < 7 ? \"\" : formatted($3, $4, $5, $6, $7) }}') "
-                   f"docs/numbers.tsv | perl {HERE}/numbers.pl docs/numbers.tsv 100")
-
-
-@rule
-def tables(tree):
-    """Each table that docs/tables.tsv lists is in a page and says what its CSV files say."""
-    return said_by(tree, f"{PAGES}/write.sh --check . 2>&1 || echo 'docs/tables.tsv: docs/make/pages/write.sh writes the tables anew'")
 
 
 def main():
