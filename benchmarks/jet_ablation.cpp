@@ -2,7 +2,7 @@
 // One query of the fast visibility route in the paper's scene, flat, folded and inflated, with 2744 and
 // 175 616 elements. As in a run it follows the skin from step to step and knows how far the nodes moved.
 // Writes CSV: for each state what was lit in its last step and what not, a digest of all masks, and the time
-// of each step. docs/make/charts/ablation.sh compares the library with itself, one heuristic less. One
+// of each step. docs/make/charts/ablation.py compares the library with itself, one heuristic less. One
 // thread.
 #include <fmt/format.h>
 #include <fmt/ranges.h>

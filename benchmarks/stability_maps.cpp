@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Stable or not over two parameters, each point a run; scripts/charts.sh draws them.
+// Stable or not over two parameters, each point a run; scripts/charts.py draws them.
 // usage: stability_maps sliver|gas|lagged     CSV: x,dt_s,stable,formula_dt_s
 #include <cmath>
 #include <cstdio>

@@ -15,4 +15,4 @@ build/gasjet run "cases/$case_name.toml" --out "$results" "$@"
 cat "$results/summary.json"
 echo
 echo "Results: $results/history.csv, energy.csv, summary.json"
-echo "Plot:    scripts/plot.sh history $results/plot $results"
+echo "Plot:    scripts/plot.py history $results/plot $results"

@@ -9,7 +9,7 @@ set format y '10^{%L}'
 set xlabel 'CPU time of two periods [ms]'
 set ylabel 'Relative error of the frequency'
 set key top right samplen 4
-rows(scene, share) = "< awk -F, '$1 == \"".scene."\" && $3 == \"".share."\"' ".data
+rows(scene, share) = "< docs/charts/gnuplot/rows.py where ".data." scene=".scene." share_of_critical_step=".share
 shares = '0.9 0.45 0.225 0.1125'
 set label 1 'Error of a bag’s frequency against cost, over mesh and step (numbers: elements)'
 set multiplot layout 1,2 margins 0.065,0.97,0.11,0.85 spacing 0.075,0

@@ -6,10 +6,7 @@ load 'docs/charts/gnuplot/rows.gp'
 set terminal svg size 1100,480 font small_face background paper
 set output out
 # y, label, deviation from the last of the group (gas: of step) [%], two standard errors, CPU time [s]; a gap parts the groups
-rows(quantity) = "< awk -F, -v OFS=, -v quantity=".quantity." '$3 != quantity { next } NR == FNR { mean[$1] = $5; next } ". \
-  "{ group = $1 == \"gas\" ? \"step\" : $1; y += before && $1 != before ? 1.6 : 1; before = $1; gsub(\"_\", \"-\", $2); ". \
-  "label = $1 == \"step\" ? \"step \" $2 \" of critical\" : $1 == \"mesh\" ? $2 \" elements\" : \"gas \" $2; ". \
-  "print y, label, 100 * ($5 / mean[group] - 1), ($8 > 0 ? 200 * $9 : 0), $4 }' ".data." ".data
+rows(quantity) = "< docs/charts/gnuplot/rows.py work_precision ".data." ".quantity
 set yrange [13.8:0.4]
 set multiplot
 quantities = 'final_angle_rad path_impulse_Ns peak_cg_acceleration_cfc180_m_s2'

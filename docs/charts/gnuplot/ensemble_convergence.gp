@@ -5,7 +5,7 @@ load 'docs/charts/gnuplot/rows.gp'
 set terminal svg size 1100,580 font small_face background paper
 set output out
 # y, label, deviation with jet [%], its two standard errors, the same without jet
-rows(quantity) = "< awk -F, -v quantity=".quantity." -f docs/charts/gnuplot/convergence_rows.awk ".data." ".data
+rows(quantity) = "< docs/charts/gnuplot/rows.py convergence ".data." ".quantity
 set yrange [18.8:-0.8]
 set multiplot
 quantities = 'final_angle_rad contact_impulse_Ns peak_cg_acceleration_cfc180_m_s2 peak_cg_acceleration_m_s2'

@@ -12,7 +12,7 @@ set xlabel 'CPU time [µs]' offset 0, 0.3
 set ylabel 'Achieved relative error' offset 1
 unset key
 # An exact answer is drawn at 1e-16.
-rows(problem, solver) = "< awk -F, '$1 == \"".problem."\" && $2 == \"".solver."\"' ".data
+rows(problem, solver) = "< docs/charts/gnuplot/rows.py where ".data." problem=".problem." solver=".solver
 shown(error) = error < 1e-16 ? 1e-16 : error
 solvers = 'dormand_prince rosenbrock runge_kutta euler msbdf cvode'
 names = "'Dormand-Prince 5' 'Rosenbrock 4' 'Runge-Kutta 4' 'Euler' 'GSL msbdf' 'CVODE'"

@@ -12,7 +12,7 @@ set ylabel 'Relative error of the total jet force'
 set label 1 'Error of the jet force against cost'
 set tmargin 3
 set key bottom left Left reverse samplen 3 font small_face
-rows(rung) = "< awk -F, '$1 == \"".rung."\"' ".data
+rows(rung) = "< docs/charts/gnuplot/rows.py where ".data." rung=".rung
 plot rows('pieces') using 3:4 with linespoints linestyle 1 title 'n × n pieces, r.m.s. over the instants', \
      rows('pieces') using 3:5 with linespoints linestyle 2 title 'n × n pieces, impulse', \
      rows('cgal_tree') using 3:4 with linespoints linestyle 3 title "the same by CGAL’s tree, r.m.s.", \

@@ -6,9 +6,7 @@ load 'docs/charts/gnuplot/rows.gp'
 set terminal svg size 1000,560 font small_face background paper
 set output out
 # y, label, effect, two standard errors; a gap parts the inputs
-rows(quantity, factor) = "< awk -F, -v OFS=, -v factor=".sprintf('%.9g', factor)." '$3 == \"".quantity."\" { ". \
-  "y += before && $1 != before ? 1.4 : 1; before = $1; ". \
-  "split($1, part, / *[][]/); print y, part[1] ($2 == \"-\" ? \"\" : \" \" $2) (part[2] ? \" \" part[2] : \"\"), factor * ($4 - $6), factor * 2 * sqrt($5 ^ 2 + $7 ^ 2) }' ".data
+rows(quantity, factor) = "< docs/charts/gnuplot/rows.py effects ".data." ".quantity." ".sprintf('%.9g', factor)
 set yrange [25.4:0.2]
 quantities = 'final_angle_rad path_impulse_Ns peak_cg_acceleration_cfc180_m_s2'
 titles = "'on the final angle [°]' 'on the impulse along the path [N s]' 'on the peak acceleration, CFC 180 [m/s²]'"
@@ -24,7 +22,7 @@ do for [i = 1:3] {
   set rmargin at screen panel_right(i)
   set xlabel word(titles, i)
   set xrange [0:*]
-  shipped = factor[i] * real(system("awk -F, '$1 == \"as shipped\" && $3 == \"".word(quantities, i)."\" { print $4 - $6 }' ".data))
+  shipped = factor[i] * real(system("docs/charts/gnuplot/rows.py cell ".data." difference 'input=as shipped' quantity=".word(quantities, i)))
   set arrow 2 from first shipped, graph 0 to first shipped, graph 1 nohead linecolor rgb quiet linewidth 1.2 dashtype 2
   if (i == 1) {
     plot rows(word(quantities, i), factor[i]) using 3:1:4:yticlabels(2) with xerrorbars linestyle 1

@@ -12,7 +12,7 @@ set xlabel 'Elements'
 set ylabel 'Time per step [µs], one thread'
 set label 1 'Cost of the jet: hidden elements by route, and the velocity field'
 set key at screen 0.985, screen 0.925 right top Left reverse maxrows 2 samplen 2 width -3 font small_face
-rows(shape, route) = "< awk -F, '$1 == \"".shape."\" && $3 == \"".route."\"' ".data
+rows(shape, route) = "< docs/charts/gnuplot/rows.py where ".data." shape=".shape." route=".route
 set multiplot layout 1,2 margins 0.075,0.985,0.115,0.785 spacing 0.085,0
 do for [shape in "folded inflated"] {
   set title shape." bag"

@@ -7,11 +7,7 @@ set output out
 comment(key) = real(system("sed -n 's/^# ".key.": //p' ".data))
 tolerance = 100 * comment('tolerance')
 uncertainty = 100 * comment('uncertainty') / comment('reference')
-# y, name, error [%], two standard errors, CPU time [s], on the front; -v kind: front, other, all
-rows(kind) = "< awk -F, -v OFS=, -v kind=".kind." '/^# reference: / { split($0, part, \": \"); reference = part[2] } ". \
-  "/^#/ || $1 == \"rung\" { next } { print $7, $1, 100 * $5 / reference, 200 * $6 / reference, $10 }' ".data. \
-  " | sort -t, -k1,1gr | awk -F, -v OFS=, -v kind=".kind." '{ y++ } kind == \"all\" || (kind == \"front\") == ($5 > 0) ". \
-  "{ print y, $2, $3, $4, $1 }'"
+rows(kind) = "< docs/charts/gnuplot/rows.py ladder ".data." ".kind." ".sprintf('%.17g', comment('reference'))
 rungs = int(system("grep -vc '^#' ".data)) - 1
 left = 0.2
 # The axis is broken where no rung is, below the rungs with jet.

@@ -18,16 +18,16 @@ degrees = 180 / pi
 names = "'1216 elements' 'as shipped' '10970 elements' 'step 0.9' 'step 0.4' 'no hidden-element test' '2 × 2 pieces'"
 styles = '3 1 4 2 5 6 7'
 set style line 7 linecolor rgb quiet linewidth 1.6 dashtype 2 pointtype 10 pointsize 0.7
-cell_of(name, column) = real(system("awk -F, '$1 == \"".name."\" { print $".column." }' ".data))
+cell_of(name, column) = real(system("docs/charts/gnuplot/rows.py cell ".data." ".column." 'variation=".name."'"))
 array bias[7]
 array scatter[7]
 array cost[7]
 do for [i = 1:7] {
-  bias[i] = cell_of(word(names, i), 3) * degrees
-  scatter[i] = cell_of(word(names, i), 5) * degrees
-  cost[i] = cell_of(word(names, i), 6)
+  bias[i] = cell_of(word(names, i), 'bias_rad') * degrees
+  scatter[i] = cell_of(word(names, i), 'scatter_rad') * degrees
+  cost[i] = cell_of(word(names, i), 'cpu_s')
 }
-reference = cell_of('as shipped', 4) * degrees
+reference = cell_of('as shipped', 'bias_error_rad') * degrees
 error_of(i, n) = sqrt(bias[i] ** 2 + scatter[i] ** 2 / n)
 set samples 31
 set arrow 1 from 60, graph 0 to 60, graph 1 nohead linestyle 9 linecolor rgb quiet linewidth 1

@@ -8,8 +8,8 @@ set format x '10^{%L}'
 set format y '10^{%L}'
 set ylabel 'r.m.s. error'
 set key bottom right samplen 4
-by_noise(method) = "< awk -F, '$1 == \"".method."\" && $3 == 601' ".data
-by_readings(method, noise) = "< awk -F, '$1 == \"".method."\" && $2 == \"".noise."\"' ".data." | sort -t, -k3n"
+by_noise(method) = "< docs/charts/gnuplot/rows.py where ".data." readings=601 method=".method
+by_readings(method, noise) = "< docs/charts/gnuplot/rows.py rising ".data." readings method=".method." noise=".noise
 set label 1 'Error of the inverse tank test: mass flow, temperature, and their product'
 set multiplot layout 1,2 margins 0.065,0.985,0.115,0.845 spacing 0.085,0
 set title 'against noise (601 readings, 10 kHz)'

@@ -5,7 +5,7 @@ load 'docs/charts/gnuplot/style.gp'
 set terminal svg size 860,430 font face background paper
 set output out
 # label, low end, high end, standard errors, the texts of the ends; the first line is the scene as shipped
-bars = "< awk -F, -v OFS=, -f docs/charts/gnuplot/tornado.awk ".data
+bars = "< docs/charts/gnuplot/rows.py tornado ".data
 stats bars every ::0::0 using 2 nooutput
 shipped = STATS_mean
 set yrange [7.6:0.3]

@@ -6,7 +6,7 @@ load 'docs/charts/gnuplot/rows.gp'
 set terminal svg size 900,620 font face background paper
 set output out
 # label, first order (0 if the estimate is below), total with its interval
-rows(quantity) = "< awk -F, -v OFS=, '$1 == \"".quantity."\" { print $2, ($3 > 0 ? $3 : 0), $6, $7, $8 }' ".data
+rows(quantity) = "< docs/charts/gnuplot/rows.py sobol ".data." ".quantity
 quantities = 'final_angle_rad peak_pressure_Pa peak_cg_acceleration_cfc180_m_s2 path_impulse_Ns'
 titles = "'Final angle' 'Peak pressure' 'Peak acceleration, CFC 180' 'Impulse along the path'"
 set xrange [0:1]

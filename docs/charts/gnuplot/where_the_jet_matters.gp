@@ -5,8 +5,7 @@ load 'docs/charts/gnuplot/style.gp'
 set terminal svg size 900,400 font face background paper
 set output out
 # distance, difference [degrees], two standard errors
-rows(friction, outlet) = "< awk -F, -v OFS=, '$3 == \"".friction."\" && $4 == \"".outlet. \
-  "\" && $5 == \"final_angle_rad\" { print $2, $9 * 57.29577951, 2 * $10 * 57.29577951 }' ".data
+rows(friction, outlet) = "< docs/charts/gnuplot/rows.py distances ".data." ".friction." ".outlet
 set xlabel 'Centre of the impactor to the plate [m]'
 set ylabel 'What the jet adds to the final angle [°]'
 set xrange [0.24:0.51]

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Units of columns by the endings of their names: the report's page, charts of ladders and scripts/plot.sh
+// Units of columns by the endings of their names: the report's page, charts of ladders and scripts/plot.py
 // take them from here.
 #pragma once
 
