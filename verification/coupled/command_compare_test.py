@@ -179,7 +179,7 @@ def test_reference_anew():
     """The command that made the set makes it: a scene whose case reads the mesh that is written beside it."""
     os.mkdir("set")
     shutil.copy(TABLES / "plate_jet_shadow.toml", "set")
-    ended(0, "plate_jet_shadow: 22 rows", program(ROOT / "scripts/reference_set.sh", "plate_jet_shadow",
+    ended(0, "plate_jet_shadow: 22 rows", program(ROOT / "scripts/reference_set.py", "plate_jet_shadow",
                                                   env={"GASJET": GASJET, "REFERENCE_OUT": os.path.abspath("set")}))
     expect(0, "^inside", f"compare set/plate_jet_shadow.csv {TABLES}/plate_jet_shadow.csv")
     for name in ("plate_jet_shadow.obj", "plate_jet_shadow.k"):

@@ -17,7 +17,7 @@ from command import (GASJET, ROOT, change, ended, expect, files, fits, has, limi
 TANK, ENDLESS = "cases/rigid_tank.toml", "run cases/passenger_pendulum_no_jet.toml --set scene.end_time=100 --set output.fields_every=1e-3"
 WARNS = "run cases/passenger_pendulum.toml --set scene.end_time=2e-4"
 TABLES = ("history.csv", "energy.csv")
-PLOT = ROOT / "scripts/plot.sh"
+PLOT = ROOT / "scripts/plot.py"
 
 
 def redirected(command, how):

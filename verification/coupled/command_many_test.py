@@ -181,7 +181,7 @@ def test_resume():
         if how == signal.SIGINT:
             assert code == 130 and status(folder) == "interrupted"
             assert has(f"{folder}/sphere_inflation/ensemble.csv", "^# status: interrupted, [1-9] of 10 runs")
-            ended(2, "was interrupted before all runs were done", program(ROOT / "scripts/plot.sh", "ensemble", "plot", f"{folder}/sphere_inflation"))
+            ended(2, "was interrupted before all runs were done", program(ROOT / "scripts/plot.py", "ensemble", "plot", f"{folder}/sphere_inflation"))
         expect(0, "goes on after [1-9] runs that are done", f"{ENSEMBLE} --out {folder}")
         same("whole/sphere_inflation", f"{folder}/sphere_inflation", *TABLES)
         mine, other = (load(f"{f}/sphere_inflation/ensemble.json") for f in ("whole", folder))
