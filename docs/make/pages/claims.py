@@ -86,8 +86,10 @@ def verification_tables(rows):
         if key not in worst or share_used(row) > share_used(worst[key]):
             worst[key] = row
         count[key] = count.get(key, 0) + 1
-    text = ""
-    for family in ("gas", "membrane", "jet", "coupling", "coupled"):
+    text, families = "", ("gas", "membrane", "mesh", "jet", "coupling", "coupled")
+    if strange := {key[1] for key in worst if key[1].split("/")[1] not in families}:
+        sys.exit(f"claims.py: no section of verification.md for {', '.join(sorted(strange))}")
+    for family in families:
         here = [key for key in worst if key[1].startswith(f"verification/{family}/")]
         text += f"## {family.capitalize()}\n\n" if here else ""
         for kind, head, line in (("near", NEAR, near_line), ("order", ORDER, order_line)):
