@@ -9,6 +9,7 @@
 #include <fstream>
 
 #include "base/case_reader.hpp"
+#include "base/output_file.hpp"
 
 namespace driver {
 namespace {
