@@ -51,6 +51,7 @@ BagTimes time_bag(const driver::Scene& scene, const JetSurface& surface) {
                              membrane::membrane_forces(model, state);
                              membrane::support_forces(model, state);
                              membrane::pressure_forces(state, 20e3);
+                             membrane::update_geometry(model, state);
                              membrane::jet_forces(model, state, overpressure);
                            }));
     // So short a step that the shape stays.

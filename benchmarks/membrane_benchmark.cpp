@@ -79,6 +79,7 @@ void BM_jet_forces(benchmark::State& run) {
   membrane::BagState state = p.state;
   const std::vector<double> overpressure(static_cast<std::size_t>(p.model.element_count), 1e3);  // [Pa]
   for (auto _ : run) {
+    membrane::update_geometry(p.model, state);
     membrane::jet_forces(p.model, state, overpressure);
     benchmark::ClobberMemory();
   }

@@ -26,6 +26,12 @@ void reject(std::string_view where, const std::string& field, double value, cons
   reject(where, field + " = " + shown(value) + ", allowed: " + allowed);
 }
 
+void require_elements(std::string_view where, const BagModel& model, std::span<const int> elements) {
+  for (const int e : elements)
+    if (e < 0 || e >= model.element_count)
+      reject(where, "element", e, "0 to " + std::to_string(model.element_count - 1));
+}
+
 void require_positive(std::string_view where, const char* field, double value) {
   if (!(std::isfinite(value) && value > 0.0)) reject(where, field, value, "finite and > 0");
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -22,6 +23,10 @@ void require_finite(std::string_view where, const char* field, double value);
 void require_node(std::string_view where, const char* field, int node, Eigen::Index node_count);
 
 struct BagDescription;
+struct BagModel;
+
+// Every number is one of an element.
+void require_elements(std::string_view where, const BagModel& model, std::span<const int> elements);
 
 // Refuses everything that make_model refuses and that needs no computation. Throws std::invalid_argument.
 void check_description(const BagDescription& description);

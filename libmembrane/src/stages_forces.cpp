@@ -66,7 +66,7 @@ void jet_forces(const BagModel& model, BagState& state, std::span<const JetLoad>
   clear(state);
   for (const JetLoad& load : loads) {
     check_overpressure(model, load.overpressure);
-    update_geometry(model, state, load.elements);
+    require_elements("jet_forces", model, load.elements);
     for (const int e : load.elements) spread(model, state, e, load.overpressure[static_cast<std::size_t>(e)]);
   }
   take_third(state);
@@ -76,7 +76,6 @@ void jet_forces(const BagModel& model, BagState& state, std::span<const double> 
   check_state(model, state);
   clear(state);
   check_overpressure(model, overpressure);
-  update_geometry(model, state);
   for (int e = 0; e < model.element_count; ++e)
     spread(model, state, e, overpressure[static_cast<std::size_t>(e)]);
   take_third(state);

@@ -129,9 +129,7 @@ void skin_block(const BagModel& model, BagState& state, SkinParts parts, int blo
 }
 
 void update_geometry(const BagModel& model, BagState& state, std::span<const int> elements) {
-  for (const int e : elements)
-    if (e < 0 || e >= model.element_count)
-      reject("update_geometry", "element", e, "0 to " + std::to_string(model.element_count - 1));
+  require_elements("update_geometry", model, elements);
   geometry(model, state, elements.data(), static_cast<int>(elements.size()));
 }
 

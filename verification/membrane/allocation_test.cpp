@@ -17,6 +17,7 @@ TEST(Allocation, stages_allocate_nothing) {
   EXPECT_GT(before, 0);  // the counter works
   for (int i = 0; i < 3; ++i) {
     membrane::update_skin(model, state);
+    membrane::update_geometry(model, state);
     membrane::update_mass_shares(model, state);
     membrane::pressure_forces(state, 1000.0);
     membrane::jet_forces(model, state, dp);

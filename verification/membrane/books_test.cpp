@@ -40,6 +40,7 @@ Case loaded_sphere(double damping) {
 
 void load(Case& c, scenes::Random& random, std::vector<double>& dp) {
   membrane::update_surface(c.model, c.state);
+  membrane::update_geometry(c.model, c.state);
   membrane::membrane_forces(c.model, c.state);
   membrane::pressure_forces(c.state, 2e4 * random());
   for (double& value : dp) value = 1e4 * random();
@@ -223,6 +224,7 @@ TEST(Books, start_at_the_energy_step_lacks_its_share_of_the_energy) {
 TEST(Books, non_finite_motion_is_caught_at_once) {
   auto c = loaded_sphere(0.0);
   membrane::update_surface(c.model, c.state);
+  membrane::update_geometry(c.model, c.state);
   membrane::membrane_forces(c.model, c.state);
   c.state.contact_force.map()(1, 17) = std::numeric_limits<double>::quiet_NaN();
   try {

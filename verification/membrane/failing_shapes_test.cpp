@@ -80,6 +80,7 @@ struct Flicker {
     double sum = 0.0;
     for (int n = 0; n < steps; ++n) {
       membrane::update_skin(bag.model, state);
+      membrane::update_geometry(bag.model, state);
       membrane::pressure_forces(state, bag.gauge(state.surface.volume));
       membrane::jet_forces(bag.model, state, n % 2 == 0 ? on : off);
       sum += (n % 2 == 0 ? 1.0 : -1.0) * ((state.position.map() - bag.x).cwiseProduct(bag.x).sum() / size);

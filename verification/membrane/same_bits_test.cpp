@@ -61,6 +61,7 @@ std::vector<double> run(const mesh::Mesh& mesh, Compression compression, Isa isa
       membrane::membrane_forces(model, s, for_each);
     }
     membrane::update_mass_shares(model, s, for_each);
+    membrane::update_geometry(model, s);
     membrane::pressure_forces(s, 2e4);
     membrane::jet_forces(model, s, dp);
     membrane::support_forces(model, s, for_each);

@@ -76,11 +76,11 @@ struct BagState {
   Vectors velocity;  // v at n-1/2 [m/s], nodes, 0 at fixed ones; S8
   /// Largest |v|^2 times BagModel::node_gradient_squared [1/s2] of each 16 nodes, 0 at the start; S8.
   std::vector<double> rate_bound_squared;
-  /// Of elements; empty without jet. update_geometry in S6 and S3, of the elements that it is asked for.
+  /// Of elements; empty without jet; S6 update_geometry, of the elements that it is asked for.
   Vectors area_vector;      // S_e, outward, length = area [m2]
   Vectors centroid;         // ((a + b) + c) / 3 [m]
   Vectors volume_gradient;  // dV/dx = sum of S_e / 3 [m2], nodes; S1/S9
-  /// p - p_a [Pa]; the nodal force is gauge_pressure * volume_gradient; S3 pressure_forces.
+  /// p - p_a [Pa]; S8 takes gauge_pressure * volume_gradient as the nodal force; S3 pressure_forces.
   double gauge_pressure = 0.0;
   Vectors membrane_force;           // [N], nodes; S3 membrane_forces
   Vectors jet_force;                // [N], nodes; empty without jet; S3 jet_forces

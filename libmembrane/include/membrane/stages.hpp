@@ -96,7 +96,8 @@ void update_geometry(const BagModel& model, BagState& state, std::span<const int
 void update_geometry(const BagModel& model, BagState& state);
 
 /// S3: overpressure `gauge_pressure` = p - p_a [Pa] on the inside of every element, null ones included (M.6).
-/// The nodal force is gauge_pressure * dV/dx. Precondition: the gradient belongs to the current positions.
+/// Advance takes gauge_pressure * dV/dx as the nodal force. Precondition: the gradient belongs to the current
+/// positions.
 /// Throws MembraneError if the pressure is not finite.
 void pressure_forces(BagState& state, double gauge_pressure);
 
@@ -106,9 +107,9 @@ struct JetLoad {
   std::span<const int> elements;         // elements that the jet may load, each once
 };
 
-/// S3: forces of the jets, overpressure times S_e / 3 at each corner; updates the geometry of these elements.
-/// Throws std::invalid_argument without LoadKinds::jet, unless there is one value per element, and for an
-/// element number out of range.
+/// S3: forces of the jets, overpressure times S_e / 3 at each corner. Precondition: update_geometry has
+/// computed the area vectors of the loaded elements at the current positions. Throws std::invalid_argument
+/// without LoadKinds::jet, unless there is one value per element, and for an element number out of range.
 void jet_forces(const BagModel& model, BagState& state, std::span<const JetLoad> loads);
 
 /// The same for one jet that may load every element.
