@@ -14,14 +14,12 @@ driver::Scene passenger_scene(const std::vector<std::string>& overrides) {
 std::vector<JetState> jet_states(const driver::Scene& scene, const std::vector<double>& times) {
   driver::State state = driver::make_state(scene);
   std::vector<JetState> states;
-  const std::function<void(const driver::State&)> keep = [&](const driver::State& now) {
-    if (states.size() < times.size() && now.time >= times[states.size()])
-      states.push_back({now.time, now.bag->position.map(), now.bag->velocity.map(), now.jets.front().outlet});
-  };
-  driver::StepRequest request;
-  request.before_advance = &keep;
   while (states.size() < times.size()) {
-    driver::step(scene, state, request);
+    driver::evaluate_level(scene, state, {});
+    if (state.time >= times[states.size()])
+      states.push_back(
+          {state.time, state.bag->position.map(), state.bag->velocity.map(), state.jets.front().outlet});
+    driver::advance_level(scene, state, {});
     state.time += state.step.after;
   }
   return states;

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <functional>
 
 #include "bisection.hpp"
 #include "claim.hpp"
@@ -28,7 +27,7 @@ Start start(double dt) {
   driver::State state = driver::make_state(scene);
   Start result;
   std::size_t element = 0;
-  const std::function<void(const driver::State&)> look = [&](const driver::State& now) {
+  const auto look = [&](const driver::State& now) {
     const auto& load = now.jets.front().load().overpressure;
     if (now.steps == 3) {
       element = static_cast<std::size_t>(std::max_element(load.begin(), load.end()) - load.begin());
@@ -36,10 +35,10 @@ Start start(double dt) {
     }
     if (now.steps == 4) result.after = load[element];
   };
-  driver::StepRequest request;
-  request.before_advance = &look;
   for (; state.steps < 5; ++state.steps) {
-    driver::step(scene, state, request);
+    driver::evaluate_level(scene, state, {});
+    look(state);
+    driver::advance_level(scene, state, {});
     if (state.steps == 3) result.bound = state.step.critical;
     state.time += state.step.after;
   }

@@ -82,11 +82,10 @@ void for_each_level(const std::vector<std::string>& overrides, int steps, const 
                     const Check& after = {}) {
   const driver::Scene scene = coupled::scene_of("jet_bag", overrides);
   driver::State state = driver::make_state(scene);
-  const std::function<void(const driver::State&)> hook = [&](const driver::State& s) { check(scene, s); };
-  driver::StepRequest request;
-  request.before_advance = &hook;
   for (int i = 0; i < steps; ++i) {
-    driver::step(scene, state, request);
+    driver::evaluate_level(scene, state, {});
+    check(scene, state);
+    driver::advance_level(scene, state, {});
     if (after) after(scene, state);
     state.time += state.step.after;
   }

@@ -97,7 +97,7 @@ TEST(jet_scene, fast_route_eq_cgal_tree_at_every_step_of_the_run) {
   jet::FieldState field = part.field.make_state();
   std::size_t steps = 0, differ = 0, other_candidates = 0;
   std::vector<std::uint8_t> lit;
-  const std::function<void(const driver::State&)> compare = [&](const driver::State& state) {
+  const auto compare = [&](const driver::State& state) {
     const driver::JetRun& run = state.jets.front();
     membrane::BagState bag = *state.bag;
     membrane::update_geometry(scene.bag->model, bag);  // all elements, not only those that the run looked at
@@ -111,10 +111,10 @@ TEST(jet_scene, fast_route_eq_cgal_tree_at_every_step_of_the_run) {
     ++steps;
   };
   driver::State state = driver::make_state(scene);
-  driver::StepRequest request;
-  request.before_advance = &compare;
   while (state.time < 0.08) {  // the jet blows until then
-    driver::step(scene, state, request);
+    driver::evaluate_level(scene, state, {});
+    compare(state);
+    driver::advance_level(scene, state, {});
     state.time += state.step.after;
   }
   EXPECT_EQ(other_candidates, 0u);  // of a field that looks at all elements

@@ -137,21 +137,20 @@ struct Impulse {
 Impulse impulse_of(const driver::Scene& scene) {
   driver::State state = driver::make_state(scene);
   Impulse sum;
-  const std::function<void(const driver::State&)> look = [&](const driver::State& now) {
-    const double kick = 0.5 * (now.step.before + now.step.after);
-    const auto& run = now.jets.front();
+  const auto step = [&](const driver::StepRequest& request) {
+    driver::evaluate_level(scene, state, request);
+    const double kick = 0.5 * (state.step.before + state.step.after);
+    const auto& run = state.jets.front();
     sum.thrust += kick * jet::momentum_flux(run.outlet, scene.jets.front().outlet.area);
     sum.skin += kick * run.force.norm();
+    driver::advance_level(scene, state, request);
   };
-  driver::StepRequest request;
-  request.before_advance = &look;
   while (state.time < scene.time.end) {
-    driver::step(scene, state, request);
+    step({});
     state.time += state.step.after;
     ++state.steps;
   }
-  request.last = true;
-  driver::step(scene, state, request);
+  step({.last = true});
   return sum;
 }
 

@@ -80,4 +80,10 @@ void apply_mask(std::span<const std::uint8_t> lit, FieldState& state);
 /// unless there is one area vector per element.
 Eigen::Vector3d jet_force(const FieldState& state, const Points& area_vectors);
 
+/// Rate at which a jet relative to the skin damps it, at most (J.9) [1/s]: the largest
+/// 2 sqrt((1 + e) rho0 dp_e) |S_e| / m_e of a candidate; 0 without relative_to_skin. `masses` [kg] are those
+/// of the elements. Throws std::invalid_argument unless there is one area vector and one mass per element.
+double damping_rate(const JetModel& model, const OutletState& outlet, const FieldState& state,
+                    const Points& area_vectors, std::span<const double> masses);
+
 }  // namespace jet

@@ -44,9 +44,9 @@ struct JetModel {
   double restitution = 1.0;
   /// [-] in [0, 1): elements where (V/V_max)^2 is below this are no candidates; see momentum_loss.
   double cut_off = 1e-3;
-  /// True: the overpressure follows from the velocity relative to the element. Such a jet damps the skin at a
-  /// rate c of up to (J.9), half a step late: the largest 2 sqrt((1 + e) rho0 dp) |S_e| / m_e of a candidate,
-  /// m_e its mass [kg]. The stable step is then less than the skin's own: omega^2 dt^2 + 2 c dt <= 4.
+  /// True: the overpressure follows from the velocity relative to the element. Such a jet damps the skin,
+  /// half a step late, at up to c = damping_rate (J.9). The stable step is then less than the skin's own:
+  /// omega^2 dt^2 + 2 c dt <= 4.
   bool relative_to_skin = false;
 };
 

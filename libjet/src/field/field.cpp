@@ -199,4 +199,20 @@ Eigen::Vector3d jet_force(const FieldState& state, const Points& area_vectors) {
   return {force[0], force[1], force[2]};
 }
 
+double damping_rate(const JetModel& model, const OutletState& outlet, const FieldState& state,
+                    const Points& area_vectors, std::span<const double> masses) {
+  const int elements = static_cast<int>(state.overpressure.size());
+  require_columns("area_vectors", area_vectors.cols(), elements);
+  require_columns("masses", static_cast<Eigen::Index>(masses.size()), elements);
+  if (!model.relative_to_skin) return 0.0;
+  const double factor = (1.0 + model.restitution) * outlet.density;
+  double largest = 0.0;
+  for (const int element : state.candidates) {
+    const auto e = static_cast<std::size_t>(element);
+    const double slope = 2.0 * std::sqrt(factor * state.overpressure[e]);  // d dp / d (v . n)
+    largest = std::max(largest, slope * area_vectors.col(element).norm() / masses[e]);
+  }
+  return largest;
+}
+
 }  // namespace jet

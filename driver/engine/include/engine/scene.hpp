@@ -70,6 +70,7 @@ struct BagPart {
   std::vector<int> null_elements;
   /// [Pa] Prescribed over time, held outside of its knots; in a scene without gas. The sheet may be open.
   std::optional<gas::Curve> overpressure;
+  std::vector<double> element_mass;  // [kg] of each element's fabric
 };
 
 /// Rigid surface that a jet acts on. Its force is reported; nothing moves.
@@ -90,7 +91,6 @@ struct JetPart {
   std::shared_ptr<const jet::VisibilityQuery> query;  // each run has another one of it
   bool occlusion = true;
   jet::VisibilityRoute route = jet::VisibilityRoute::fast;
-  JetWork work = JetWork::external;
 };
 
 /// The pendulum.
@@ -132,6 +132,7 @@ struct Scene {
   std::optional<BagPart> bag;
   std::optional<TargetPart> target;
   std::vector<JetPart> jets;
+  JetWork jet_work = JetWork::external;  // of all jets
   std::optional<PendulumPart> pendulum;
   std::optional<coupling::ContactModel> contact;
   std::optional<double> contact_share;  // [-] stiffness_share, if the stiffness comes of it

@@ -1,93 +1,53 @@
 // SPDX-License-Identifier: Apache-2.0
-// CPU time of the stages of a run, on a machine that others use.
+// CPU time of a run and of its stages.
 #pragma once
 
 #include <array>
-#include <ctime>
+#include <cstdint>
 
 #include "engine/state.hpp"
 
 namespace driver {
 
 /// CPU time [s] of this thread, or of the whole process.
-inline double cpu_seconds(bool of_thread) {
-  timespec now{};
-  clock_gettime(of_thread ? CLOCK_THREAD_CPUTIME_ID : CLOCK_PROCESS_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
+double cpu_seconds(bool of_thread);
 
-/// Wall time [s].
-inline double wall_seconds() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
+/// Ticks of the processor, of which only shares are used. They take 10 ns to read; CPU time takes 500 ns, and
+/// a step has 22 readings.
+std::uint64_t stage_ticks();
 
-// The run's CPU time, shared out to the stages by their ticks. Those of a block of steps in which another
-// program had the processor are left out: CPU time is too slow to read for each stage, ticks count others
-// too.
-class StageClock {
+/// Measures the ticks of a stage, and names the stage for messages while it runs.
+class StageTimer {
  public:
-  explicit StageClock(bool one_thread) : one_thread_(one_thread) { start_ = at_ = now(); }
-
-  /// After each step.
-  void update(const State& state) {
-    if (++since_ < block) return;
-    since_ = 0;
-    close_block(state);
+  StageTimer(State& state, Stage stage) : state_(state), stage_(stage), start_(stage_ticks()) {
+    state.stage = stage;
   }
-  /// [s] Of each stage, and of all; at the end of the run.
-  std::array<double, kStages> seconds(const State& state) {
-    close_block(state);
-    const Reading shares = quiet_.ticks > 0.0 ? quiet_ : all_;
-    std::array<double, kStages> seconds{};
-    for (std::size_t s = 0; s < kStages && shares.ticks > 0.0; ++s)
-      seconds[s] = total() * shares.stages[s] / shares.ticks;
-    return seconds;
-  }
-  double total() const { return at_.cpu - start_.cpu; }
+  ~StageTimer() { state_.stage_ticks[static_cast<std::size_t>(stage_)] += stage_ticks() - start_; }
+  StageTimer(const StageTimer&) = delete;
+  StageTimer& operator=(const StageTimer&) = delete;
 
  private:
-  static constexpr int block = 16;             // steps
-  static constexpr double interrupted = 0.05;  // share of a block's wall time that is not CPU time
+  State& state_;
+  Stage stage_;
+  std::uint64_t start_;
+};
 
-  struct Moment {
-    double cpu = 0.0, wall = 0.0;  // [s]
-    std::uint64_t ticks = 0;
-  };
-  struct Reading {
-    double ticks = 0.0;
-    std::array<double, kStages> stages{};
-    void add(double more, const std::array<std::uint64_t, kStages>& now,
-             const std::array<std::uint64_t, kStages>& before) {
-      ticks += more;
-      for (std::size_t s = 0; s < kStages; ++s) stages[s] += static_cast<double>(now[s] - before[s]);
-    }
-  };
+/// Shares out the CPU time since it was made to the stages, by their ticks. What other programs take of the
+/// processor meets each stage in proportion to its time.
+class StageClock {
+ public:
+  explicit StageClock(bool one_thread)
+      : one_thread_(one_thread), start_(cpu_seconds(one_thread)), start_ticks_(stage_ticks()) {}
 
-  // All three at one moment: another program may come in between two readings.
-  Moment now() const {
-    constexpr double at_once = 2e-5;  // [s]
-    constexpr int most = 100;
-    for (int tries = 1;; ++tries) {
-      const double wall = wall_seconds();
-      const Moment moment{cpu_seconds(one_thread_), wall, stage_ticks()};
-      if (wall_seconds() - wall < at_once || tries == most) return moment;
-    }
-  }
-  void close_block(const State& state) {
-    const Moment end = now();
-    const double ticks = static_cast<double>(end.ticks - at_.ticks), wall = end.wall - at_.wall;
-    all_.add(ticks, state.stage_ticks, before_);
-    if (one_thread_ && wall - (end.cpu - at_.cpu) < interrupted * wall)
-      quiet_.add(ticks, state.stage_ticks, before_);
-    at_ = end;
-    before_ = state.stage_ticks;
-  }
+  /// CPU time of all [s].
+  double total() const { return cpu_seconds(one_thread_) - start_; }
+  /// That of each stage [s].
+  std::array<double, kStages> seconds(const State& state) const;
 
+ private:
   bool one_thread_;
-  int since_ = 0;
-  Moment start_, at_;  // of the run, of the last block
-  std::array<std::uint64_t, kStages> before_{};
-  Reading all_, quiet_;
+  double start_;  // [s]
+  std::uint64_t start_ticks_;
 };
 
 }  // namespace driver

@@ -2,6 +2,7 @@
 // The stages of a step, one function each, in the order of step().
 #pragma once
 
+#include "engine/stage_clock.hpp"
 #include "engine/step.hpp"
 
 namespace driver {

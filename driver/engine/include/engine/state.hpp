@@ -3,7 +3,6 @@
 #pragma once
 
 #include <array>
-#include <chrono>
 #include <cstdint>
 #include <limits>
 #include <optional>
@@ -13,6 +12,7 @@
 
 #include "coupling/sphere_contact.hpp"
 #include "engine/scene.hpp"
+#include "gas/kick_work.hpp"
 #include "membrane/stages.hpp"
 #include "membrane/time_step.hpp"
 
@@ -229,8 +229,7 @@ struct State {
   Streams streams;                                   // S10
   GasEvents gas_events;                              // S2, S10
   gas::GasPoint gas_point{};                         // S2
-  /// S10 [J] Work of the next kick that has already been taken out of the gas.
-  double jet_work_ahead = 0.0;
+  gas::KickWork jet_work;                            // S10, with JetWork::from_gas
   AtStart start;
 
   std::optional<membrane::BagState> bag;  // S1, S3, S8, S9
@@ -243,37 +242,11 @@ struct State {
   /// S1, of the rigid target.
   membrane::Vectors target_area_vectors, target_centroids;
 
-  /// Time of each stage, by stage_ticks().
+  /// Time of each stage, in ticks (stage_clock.hpp).
   std::array<std::uint64_t, kStages> stage_ticks{};
 };
 
 /// State at t = 0. Throws CaseError for a scene that starts outside the models' domain.
 State make_state(const Scene& scene);
-
-/// A clock of the processor, of whose ticks only shares are used: it takes 10 ns to read. The clock of CPU
-/// time takes 500 ns, and a step has 22 readings.
-inline std::uint64_t stage_ticks() {
-#if defined(__x86_64__)
-  return __builtin_ia32_rdtsc();
-#else
-  return static_cast<std::uint64_t>(std::chrono::steady_clock::now().time_since_epoch().count());
-#endif
-}
-
-/// Measures the time of a stage, and names the stage for messages while it runs.
-class StageTimer {
- public:
-  StageTimer(State& state, Stage stage) : state_(state), stage_(stage), start_(stage_ticks()) {
-    state.stage = stage;
-  }
-  ~StageTimer() { state_.stage_ticks[static_cast<std::size_t>(stage_)] += stage_ticks() - start_; }
-  StageTimer(const StageTimer&) = delete;
-  StageTimer& operator=(const StageTimer&) = delete;
-
- private:
-  State& state_;
-  Stage stage_;
-  std::uint64_t start_;
-};
 
 }  // namespace driver

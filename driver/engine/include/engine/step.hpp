@@ -2,7 +2,6 @@
 // One step of a scene: the eleven stages of docs/stages.md.
 #pragma once
 
-#include <functional>
 #include <stdexcept>
 
 #include "base/executor.hpp"
@@ -22,11 +21,18 @@ class StepError : public std::runtime_error {
 struct StepRequest {
   bool record = false;  // work out what the columns (columns.hpp) read of level n
   bool last = false;    // level n is the end: the balance only, the state does not go on
-  const std::function<void(const State&)>* before_advance = nullptr;  // called when all forces of n stand
 };
 
-/// Computes level n and advances the state to n+1. Does not allocate (a visibility search aside). Throws
-/// StepError, gas::DomainError, membrane::MembraneError, jet::DomainError or coupling::ContactError.
+/// S2 to S7: gas and forces of level n, and the size of the step that leaves it. Neither part of a step
+/// allocates (a visibility search aside). Both throw StepError, gas::DomainError, membrane::MembraneError,
+/// jet::DomainError or coupling::ContactError.
+void evaluate_level(const Scene& scene, State& state, const StepRequest& request,
+                    const Executor& executor = Executor::serial());
+/// S8 to S11: from level n, as evaluated for the same request, to n+1; the balances of n.
+void advance_level(const Scene& scene, State& state, const StepRequest& request,
+                   const Executor& executor = Executor::serial());
+
+/// One step: both parts.
 void step(const Scene& scene, State& state, const StepRequest& request,
           const Executor& executor = Executor::serial());
 

@@ -120,6 +120,15 @@ void warn_of_slivers(const mesh::Mesh& mesh, Scene& scene) {
                     quality.min_altitude, quality.mean_altitude));
 }
 
+std::vector<double> element_masses(const membrane::BagModel& model) {
+  std::vector<double> masses;
+  for (std::size_t e = 0; e < model.reference_area.size(); ++e) {
+    const membrane::ElementProperties& fabric = model.description.properties[e];
+    masses.push_back(fabric.density * fabric.thickness * model.reference_area[e]);
+  }
+  return masses;
+}
+
 std::optional<gas::Curve> read_overpressure(TableReader& table, const Scene& scene) {
   if (scene.gas && table.has("overpressure"))
     table.fail("overpressure", "is for sheets without gas: that of [gas] has its own pressure");
@@ -171,8 +180,10 @@ void read_bag(TableReader& root, const MeshReader& read_mesh, Scene& scene) {
     table->fail("perturbation_seed", "is given without perturbation: what it seeds is needed");
   const int seed = table->at("perturbation_seed").integer(0, 1'000'000'000, 0);
   table->located("", [&] {
-    scene.bag.emplace(BagPart{std::move(source.mesh), membrane::make_model(bag), std::move(position), law,
-                              std::move(null_elements), overpressure});
+    membrane::BagModel model = membrane::make_model(bag);
+    std::vector<double> masses = element_masses(model);
+    scene.bag.emplace(BagPart{std::move(source.mesh), std::move(model), std::move(position), law,
+                              std::move(null_elements), overpressure, std::move(masses)});
   });
   require_before_plates(*table, *scene.bag);
   if (!table->has("flatten")) warn_of_strained_start(scene);

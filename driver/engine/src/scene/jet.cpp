@@ -179,16 +179,17 @@ void read_jet(TableReader& inflator, std::size_t index, Scene& scene) {
         "visibility",
         "\"cgal_tree\" is not part of this program (the command gasjet has it), allowed are \"fast\" and "
         "\"brute_force\"");
-  part.work =
+  const auto work =
       table->at("jet_work")
           .choice<JetWork>({{"external", JetWork::external}, {"from_gas", JetWork::from_gas}}, "external");
-  if (part.work == JetWork::from_gas && part.outlet.temperature != jet::OutletTemperature::stagnation)
+  if (work == JetWork::from_gas && part.outlet.temperature != jet::OutletTemperature::stagnation)
     table->fail("jet_work",
                 "\"from_gas\" needs temperature = \"stagnation\": with a static temperature the jet's "
                 "kinetic energy is no part of the inflator's enthalpy");
-  if (part.work != scene.jets.front().work)
+  if (scene.jets.size() > 1 && work != scene.jet_work)
     table->fail("jet_work", fmt::format("is not that of inflator.{}.jet, all jets need the same",
                                         scene.jets.front().inflator));
+  scene.jet_work = work;
   warn_if_coarse(model, index, nodes, elements, subdivisions, scene.warnings);
   if (scene.target) require_target_ahead(*table, model, *scene.target);
   if (scene.bag) table->located("centre", [&] { require_outlet_inside(model, *scene.bag); });

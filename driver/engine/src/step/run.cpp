@@ -41,15 +41,12 @@ class BlowUp {
 };
 
 void run_steps(const Scene& scene, State& state, const LevelSink& sink, const std::vector<LevelView>& views,
-               const Executor& executor, const std::function<bool()>& stop_wanted, StageClock& clock,
-               TautStraps& straps, RunOutcome& outcome) {
+               const Executor& executor, const std::function<bool()>& stop_wanted, TautStraps& straps,
+               RunOutcome& outcome) {
   Schedule history(scene.output.history_every);
   BlowUp blow_up;
   bool blown_up = false;
   std::vector<const LevelView*> due;
-  const std::function<void(const State&)> show = [&](const State& now) {
-    for (const LevelView* view : due) view->show(now);
-  };
   for (;;) {
     StepRequest request;
     const bool stop = stop_wanted ? stop_wanted() : interrupted();
@@ -58,12 +55,12 @@ void run_steps(const Scene& scene, State& state, const LevelSink& sink, const st
     due.clear();
     for (const LevelView& view : views)
       if (view.due(state, request.last)) due.push_back(&view);
-    if (!due.empty()) request.before_advance = &show;
     const double now = state.time;
-    step(scene, state, request, executor);
+    evaluate_level(scene, state, request, executor);
+    for (const LevelView* view : due) view->show(state);
+    advance_level(scene, state, request, executor);
     sink(request.record, state);
     straps.look(state);
-    clock.update(state);
     if (stop) outcome.status = RunStatus::interrupted;
     if (blown_up) outcome.status = RunStatus::inaccurate;
     if (request.last) return;
@@ -192,7 +189,7 @@ RunOutcome run_scene(const Scene& scene, State& state, const LevelSink& sink,
                      const std::function<bool()>& stop) {
   RunOutcome outcome;
   const auto start = std::chrono::steady_clock::now();
-  StageClock clock(executor.threads() == 1);
+  const StageClock clock(executor.threads() == 1);
   TautStraps straps(scene);
   const auto fail = [&](const std::exception& error) {
     outcome.status = RunStatus::failed;
@@ -201,7 +198,7 @@ RunOutcome run_scene(const Scene& scene, State& state, const LevelSink& sink,
                                   state.steps, text_of(error));
   };
   try {
-    run_steps(scene, state, sink, views, executor, stop, clock, straps, outcome);
+    run_steps(scene, state, sink, views, executor, stop, straps, outcome);
   } catch (const std::exception& error) {
     // A stage refused what an earlier one computed (a coordinate out of range, say), or memory ran out.
     fail(error);

@@ -94,7 +94,7 @@ void gas_point(const Scene& scene, State& state) {
   if (!scene.gas || !scene.has_volume()) return;
   const Enclosure now = enclosure(scene, state);
   state.gas_point = gas::evaluate(scene.gas->model, state.gas, now.volume, now.leak_area, state.time);
-  state.level.internal_energy = state.gas.internal_energy + state.jet_work_ahead;
+  state.level.internal_energy = state.gas.internal_energy + state.jet_work.ahead();
   state.level.volume = state.gas_point.volume;
   state.level.ambient = state.streams.ambient;
   for (std::size_t j = 0; j < state.gas_events.opened.size(); ++j) note_opening(scene, state, j);
@@ -156,15 +156,6 @@ void advance_tank(const Scene& scene, double leak_area, double next, State& stat
   }
 }
 
-// The kick at n works from n-1/2 to n+1/2; the next one's part before n+1 is taken at this one's rate and
-// settled a step later, so that the pressure at n+1 is second order.
-void take_jet_work(State& state) {
-  const double work = state.bag->advance.work.jet, after = state.step.after;
-  const double ahead = work * after / (state.step.before + after);
-  state.gas.internal_energy -= work - state.jet_work_ahead + ahead;
-  state.jet_work_ahead = ahead;
-}
-
 // A bag that is empty: no gas fits into what is left.
 void require_inside(double volume) {
   if (!(volume > 0.0 && std::isfinite(volume)))
@@ -192,7 +183,8 @@ void gas_ode(const Scene& scene, State& state, const Enclosure& before) {
        state.gas_integrator->advance(state.gas, state.time, next,
                                      {before.volume, after.volume, before.leak_area, after.leak_area}),
        state);
-  if (state.bag && !scene.jets.empty() && scene.jets.front().work == JetWork::from_gas) take_jet_work(state);
+  if (state.bag && scene.jet_work == JetWork::from_gas)
+    state.jet_work.take(state.bag->advance.work.jet, state.step.before, state.step.after, state.gas);
 }
 
 }  // namespace driver

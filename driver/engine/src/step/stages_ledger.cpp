@@ -38,7 +38,7 @@ void book_kick(const Scene& scene, State& state, bool last) {
   }
   if (scene.jets.empty()) return;
   const double jet_before = work_before_level(step, state.level.jet_power, work.jet);
-  if (scene.jets.front().work == JetWork::from_gas) {
+  if (scene.jet_work == JetWork::from_gas) {
     state.level.internal_energy -= jet_before;
   } else {
     state.flows.jet_work += work.jet;

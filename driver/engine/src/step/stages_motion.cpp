@@ -12,24 +12,12 @@
 namespace driver {
 namespace {
 
-// Bound of the rate at which jets relative to the skin damp it (J.9) [1/s]: the largest of any element's.
+// Rate at which all jets damp the skin, at most (J.9) [1/s].
 double jet_damping(const Scene& scene, const State& state) {
   double sum = 0.0;
-  for (std::size_t j = 0; j < scene.jets.size(); ++j) {
-    const auto& jet_model = scene.jets[j].field.model();
-    if (!jet_model.relative_to_skin) continue;
-    const jet::FieldState& load = state.jets[j].load();
-    const double factor = (1.0 + jet_model.restitution) * state.jets[j].outlet.density;
-    double largest = 0.0;
-    for (const int element : load.candidates) {
-      const auto e = static_cast<std::size_t>(element);
-      const auto& fabric = scene.bag->model.description.properties[e];
-      const double mass = fabric.density * fabric.thickness * scene.bag->model.reference_area[e];
-      const double slope = 2.0 * std::sqrt(factor * load.overpressure[e]);  // d dp / d (v . n)
-      largest = std::max(largest, slope * state.bag->area_vector.map().col(element).norm() / mass);
-    }
-    sum += largest;
-  }
+  for (std::size_t j = 0; j < scene.jets.size(); ++j)
+    sum += jet::damping_rate(scene.jets[j].field.model(), state.jets[j].outlet, state.jets[j].load(),
+                             state.bag->area_vector.map(), scene.bag->element_mass);
   return sum;
 }
 

@@ -84,6 +84,13 @@ void start_jets(const Scene& scene, State& state) {
 
 }  // namespace
 
+std::string_view stage_name(Stage stage) {
+  static constexpr std::string_view names[] = {"S1_surface", "S2_gas_point", "S3_forces",     "S4_contact",
+                                               "S5_outlet",  "S6_jet_field", "S7_visibility", "S8_advance",
+                                               "S9_volume",  "S10_gas",      "S11_ledger"};
+  return names[static_cast<std::size_t>(stage)];
+}
+
 State make_state(const Scene& scene) {
   State state;
   state.start.smallest_energy = smallest_energy(scene);

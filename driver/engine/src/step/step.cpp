@@ -5,13 +5,6 @@
 
 namespace driver {
 
-std::string_view stage_name(Stage stage) {
-  static constexpr std::string_view names[] = {"S1_surface", "S2_gas_point", "S3_forces",     "S4_contact",
-                                               "S5_outlet",  "S6_jet_field", "S7_visibility", "S8_advance",
-                                               "S9_volume",  "S10_gas",      "S11_ledger"};
-  return names[static_cast<std::size_t>(stage)];
-}
-
 namespace {
 
 void jets_of_kick(const Scene& scene, State& state) {
@@ -45,7 +38,7 @@ void loads_of_kick(const Scene& scene, State& state, bool jets_known) {
 
 }  // namespace
 
-void step(const Scene& scene, State& state, const StepRequest& request, const Executor& executor) {
+void evaluate_level(const Scene& scene, State& state, const StepRequest& request, const Executor& executor) {
   // S1: the surface of level n was written by S9 of the step before (make_state, at the start).
   gas_point(scene, state);
   forces(scene, state, executor);
@@ -53,8 +46,10 @@ void step(const Scene& scene, State& state, const StepRequest& request, const Ex
   const bool jets_known = jets_before_step(scene, state);
   choose_step(scene, state, request.last);
   loads_of_kick(scene, state, jets_known);
-  if (request.before_advance) (*request.before_advance)(state);
   if (request.record) look_at_level(scene, state);
+}
+
+void advance_level(const Scene& scene, State& state, const StepRequest& request, const Executor& executor) {
   advance(scene, state, executor);
   const Enclosure before = enclosure(scene, state);
   if (!request.last) {
@@ -64,6 +59,11 @@ void step(const Scene& scene, State& state, const StepRequest& request, const Ex
   ledger(scene, state, request);
   state.step.before = state.step.after;
   state.step.kick_begin = state.step.kick_end;
+}
+
+void step(const Scene& scene, State& state, const StepRequest& request, const Executor& executor) {
+  evaluate_level(scene, state, request, executor);
+  advance_level(scene, state, request, executor);
 }
 
 State state_at_start(const Scene& scene) {

@@ -27,7 +27,7 @@ class FieldWriter {
   FieldWriter(ResultFolder& folder, const Scene& scene);
   /// Names of the files.
   static bool is_own(const std::string& name);
-  /// Writes level n. Call it when the forces of n are complete (StepRequest::before_advance).
+  /// Writes level n. Call it when the forces of n are complete (LevelView::show).
   void write(const State& state);
 
  private:

@@ -35,7 +35,7 @@ class FrameWriter {
   /// when the file cannot be opened.
   FrameWriter(ResultFolder& folder, const Scene& scene);
   ~FrameWriter();
-  /// Writes level n; call it when the forces of n stand (StepRequest::before_advance). Throws WriteError.
+  /// Writes level n; call it when the forces of n are complete (LevelView::show). Throws WriteError.
   void write(const State& state);
 
  private:

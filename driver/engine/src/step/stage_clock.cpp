@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engine/stage_clock.hpp"
+
+#include <chrono>
+#include <ctime>
+
+namespace driver {
+
+double cpu_seconds(bool of_thread) {
+  timespec now{};
+  clock_gettime(of_thread ? CLOCK_THREAD_CPUTIME_ID : CLOCK_PROCESS_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+std::uint64_t stage_ticks() {
+#if defined(__x86_64__)
+  return __builtin_ia32_rdtsc();
+#else
+  return static_cast<std::uint64_t>(std::chrono::steady_clock::now().time_since_epoch().count());
+#endif
+}
+
+std::array<double, kStages> StageClock::seconds(const State& state) const {
+  const double tick = total() / static_cast<double>(stage_ticks() - start_ticks_);  // [s] of CPU time
+  std::array<double, kStages> seconds{};
+  for (std::size_t s = 0; s < kStages; ++s) seconds[s] = tick * static_cast<double>(state.stage_ticks[s]);
+  return seconds;
+}
+
+}  // namespace driver
