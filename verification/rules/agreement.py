@@ -42,7 +42,7 @@ def case_keys(tree):
 def columns(tree):
     """Every column of the history and of the energy file has a row in docs/results.md, and every row's column is one."""
     page = "docs/results.md"
-    text = "".join(tree.read(tree.named(name)) for name in ("history_columns.cpp", "energy_columns.cpp")).replace("\n", "")
+    text = "".join(tree.read(tree.named(name)) for name in ("columns.cpp", "energy_terms.cpp")).replace("\n", "")
     written = re.findall(r'\{("[A-Za-z0-9_]+"), ', text) + re.findall(r"add\(([^,]*), ", text)
     joined = re.compile(r'" \+ [^"]* \+ "')
     in_code = [joined.sub("*", name.replace("vent +", '"vent_*" +')).replace('" + "', "").strip('"') for name in written]

@@ -30,9 +30,9 @@ GOOD = {
     "driver/engine/src/scene/scene.cpp":
         SPDX + '#include "../stages.hpp"\n#include "engine/step.hpp"\n#include "stages.hpp"\n'
                'double v = table.at("volume").number(positive) + t->at("law").choice<Law>(laws);\n',
-    "driver/engine/src/columns/history_columns.cpp":
+    "driver/engine/src/columns/columns.cpp":
         SPDX + '// clang-format off\nColumns a{{"pressure_Pa", has, f}, add("inflator_" + std::to_string(i) + "_in_kg", g)};\n',
-    "driver/engine/src/columns/energy_columns.cpp": SPDX + 'Columns b{{"strap_J", held, straps, f}};\n',
+    "driver/engine/src/columns/energy_terms.cpp": SPDX + 'Columns b{{"strap_J", held, straps, f}};\n',
     "driver/engine/CMakeLists.txt": "# SPDX-License-Identifier: Apache-2.0\ntarget_link_libraries(gasjet_engine PUBLIC gasjet_base)\n",
     "driver/compare/include/compare/history.hpp": SPDX,
     "driver/export/src/deck.cpp": SPDX + '#include "base/formats.hpp"\n',

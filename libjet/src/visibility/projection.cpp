@@ -84,15 +84,6 @@ void Projection::set_arrays() {
     const Eigen::Vector3d* const axes[] = {&frame_.across, &frame_.along, &frame_.forward};
     for (int j = 0; j < 3; ++j) arrays_.column[i][j] = scale_ * (*axes[j])[i];
   }
-  for (int j = 0; j < 3; ++j) {
-    int columns = 0;
-    for (int i = 0; i < 3; ++i) {
-      if (arrays_.column[i][j] == 0.0) continue;
-      arrays_.axis[j] = i;
-      ++columns;
-    }
-    arrays_.aligned = arrays_.aligned && columns == 1;
-  }
 }
 
 Frustum Projection::bounds_of_candidates() const {

@@ -49,11 +49,6 @@ void volume(const Scene& scene, State& state, const Executor& executor);    // S
 void gas_ode(const Scene& scene, State& state, const Enclosure& before);    // S10
 void ledger(const Scene& scene, State& state, const StepRequest& request);  // S11
 
-/// Internal energy of each species at ambient temperature, which is held to their range [J/kg].
-std::vector<double> species_at_ambient(const Scene& scene);
-/// What gas and streams have at that temperature (K.43).
-AmbientEnergies ambient_energies(const Scene& scene, const State& state);
-
 /// Part of the kick at level n that lies before n: dt_before / (dt_before + dt_after).
 double kick_share(const StepSizes& step);
 /// Length of the kick at level n [s]: (dt_before + dt_after) / 2.

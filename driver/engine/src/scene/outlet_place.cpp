@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Where an outlet is to the bag that it is to blow into.
+#include "scene/outlet_place.hpp"
+
 #include <fmt/format.h>
 
 #include <Eigen/Geometry>
@@ -12,7 +14,6 @@
 
 #include "base/number_text.hpp"
 #include "coupling/side.hpp"
-#include "scene/parts.hpp"
 
 namespace driver {
 namespace {

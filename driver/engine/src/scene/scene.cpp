@@ -10,7 +10,13 @@
 #include "base/formats.hpp"
 #include "base/progress.hpp"
 #include "engine/channel_filter.hpp"
-#include "scene/parts.hpp"
+#include "engine/scene.hpp"
+#include "scene/plausibility.hpp"
+#include "scene/read_bag.hpp"
+#include "scene/read_gas.hpp"
+#include "scene/read_jet.hpp"
+#include "scene/read_pendulum.hpp"
+#include "scene/read_target.hpp"
 
 namespace driver {
 namespace {
@@ -217,7 +223,7 @@ Scene scene_of(CaseDocument& document, const MeshReader& read_mesh) {
     refuse(error, scene);
   }
   warn_of_units(scene);
-  warn_of_slips(scene);
+  warn_of_idle_parts(scene);
   return scene;
 }
 

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Energies that the gas and its streams have at ambient temperature: what is left is sensible.
+#include "step/ambient_energies.hpp"
+
 #include <algorithm>
 #include <numeric>
 #include <span>
-
-#include "engine/stages.hpp"
 
 namespace driver {
 namespace {

@@ -4,32 +4,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <elementary/trigonometric.hpp>
 #include <iterator>
 #include <limits>
-#include <numbers>
 #include <numeric>
 #include <stdexcept>
 
 #include "engine/stages.hpp"
+#include "step/ambient_energies.hpp"
 
 namespace driver {
-
-double TankVolume::at(double time) const {
-  return table ? table->value(time)
-               : mean + amplitude * elementary::sin(2.0 * std::numbers::pi * frequency * time + phase);
-}
-
-double TankVolume::piece_end(double time) const {
-  constexpr double pieces = 512.0;
-  return table ? table->next_knot(time) : time + 1.0 / (pieces * frequency);
-}
-
-gas::VolumePath TankVolume::piece(double begin, double end, double leak_area) const {
-  const double first = at(begin), last = at(end);
-  const double bulge = table ? 0.0 : at(0.5 * (begin + end)) - 0.5 * (first + last);
-  return {first, last, leak_area, leak_area, bulge};
-}
 
 Enclosure enclosure(const Scene& scene, const State& state) {
   if (!scene.bag) {

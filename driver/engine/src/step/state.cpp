@@ -7,6 +7,7 @@
 
 #include "engine/drift.hpp"
 #include "engine/stages.hpp"
+#include "step/ambient_energies.hpp"
 
 namespace driver {
 namespace {

@@ -10,7 +10,7 @@
 
 #include "engine/channel_filter.hpp"
 #include "engine/columns.hpp"
-#include "engine/has.hpp"
+#include "engine/scene_features.hpp"
 #include "results/acceleration_record.hpp"
 
 namespace driver {

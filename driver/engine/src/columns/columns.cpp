@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// The columns of history.csv.
+#include "engine/columns.hpp"
+
 #include <algorithm>
 
-#include "engine/columns.hpp"
-#include "engine/has.hpp"
+#include "engine/energy_terms.hpp"
+#include "engine/scene_features.hpp"
 
 namespace driver {
 namespace {
@@ -102,6 +103,13 @@ std::vector<Column> history_columns(const Scene& scene) {
   for (const Line& line : kLines)
     if (line.when(scene)) columns.push_back({line.name, line.value});
   if (scene.output.streams) add_streams(scene, columns);
+  return columns;
+}
+
+std::vector<Column> energy_columns(const Scene& scene) {
+  std::vector<Column> columns{{"time_s", [](Of, At now) { return now.time; }}};
+  for (const EnergyTerm& term : energy_terms())
+    if (term.when(scene)) columns.push_back({term.name, term.value});
   return columns;
 }
 

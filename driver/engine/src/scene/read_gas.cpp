@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // [gas], [[inflator]] -> GasPart.
+#include "scene/read_gas.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 
 #include "engine/species.hpp"
-#include "scene/parts.hpp"
+#include "scene/gas_curve.hpp"
+#include "scene/plausibility.hpp"
+#include "scene/read_openings.hpp"
+#include "scene/read_triggers.hpp"
 
 namespace driver {
 namespace {
@@ -151,16 +156,6 @@ void refuse_without_gas(TableReader& root) {
 }
 
 }  // namespace
-
-gas::Curve to_gas_curve(const CurveData& data, gas::Outside outside) {
-  if (outside == gas::Outside::zero && !data.time.empty() && data.time.front() < 0.0)
-    throw std::invalid_argument(fmt::format(
-        "its first knot is at {} s: time counts from firing, 0 or more is allowed", data.time.front()));
-  if (data.time.empty()) return gas::Curve::constant(data.value.front());
-  std::vector<gas::Curve::Knot> knots;
-  for (std::size_t i = 0; i < data.time.size(); ++i) knots.push_back({data.time[i], data.value[i]});
-  return {std::move(knots), outside};
-}
 
 void read_gas(TableReader& root, std::optional<TableReader>& ambient, std::vector<TableReader>& inflators,
               Scene& scene) {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "scene/parts.hpp"
+#include "scene/plausibility.hpp"
 
 namespace driver {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The columns of energy.csv, terms of the energy balance (K.21).
 #include "engine/energy_terms.hpp"
-#include "engine/has.hpp"
+
+#include "engine/scene_features.hpp"
 
 namespace driver {
 namespace {
@@ -76,13 +76,6 @@ double energy_residual(const Scene& scene, const State& state) {
   for (const EnergyTerm& term : kTerms)
     if (term.role == Role::supplied && term.when(scene)) sum -= term.value(scene, state);
   return sum;
-}
-
-std::vector<Column> energy_columns(const Scene& scene) {
-  std::vector<Column> columns{{"time_s", [](Of, At now) { return now.time; }}};
-  for (const EnergyTerm& term : kTerms)
-    if (term.when(scene)) columns.push_back({term.name, term.value});
-  return columns;
 }
 
 }  // namespace driver

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // [pendulum] and [contact] -> PendulumPart, ContactModel.
+#include "scene/read_pendulum.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <optional>
 
 #include "coupling/side.hpp"
-#include "scene/parts.hpp"
+#include "scene/gas_curve.hpp"
+#include "scene/read_fabric.hpp"
 
 namespace driver {
 namespace {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "scene/parts.hpp"
+#include "scene/plausibility.hpp"
 
 namespace driver {
 namespace {

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // [[vent]], [tank] with its fabric, [gas.heat_loss] -> GasPart.
+#include "scene/read_openings.hpp"
+
 #include <fmt/format.h>
 
-#include "scene/parts.hpp"
+#include "scene/gas_curve.hpp"
+#include "scene/read_triggers.hpp"
 
 namespace driver {
 namespace {

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // [target] -> TargetPart: a rigid rectangle that a jet blows at.
+#include "scene/read_target.hpp"
+
 #include <Eigen/Geometry>
 
 #include "mesh/icosphere.hpp"
-#include "scene/parts.hpp"
 
 namespace driver {
 namespace {

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // [membrane] -> BagPart.
+#include "scene/read_bag.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <random>
 
 #include "engine/bag_mesh.hpp"
 #include "mesh/icosphere.hpp"
@@ -11,7 +12,9 @@
 #include "scene/bag_file.hpp"
 #include "scene/bag_start.hpp"
 #include "scene/bag_supports.hpp"
-#include "scene/parts.hpp"
+#include "scene/gas_curve.hpp"
+#include "scene/read_fabric.hpp"
+#include "scene/read_openings.hpp"
 
 namespace driver {
 namespace {
@@ -52,18 +55,6 @@ BagMesh read_bag_mesh(TableReader table, const MeshReader& read_mesh,
   });
   table.finish();
   return source;
-}
-
-// Random displacements of at most `amplitude`, along free directions: the members of an ensemble.
-void perturb(Eigen::Matrix3Xd& position, const membrane::BagModel& model, double amplitude, int seed) {
-  if (amplitude == 0.0) return;
-  std::mt19937_64 generator(static_cast<std::uint64_t>(seed));
-  for (Eigen::Index node = 0; node < position.cols(); ++node)
-    for (int axis = 0; axis < 3; ++axis) {
-      // By hand: the standard distributions differ between libraries.
-      const double unit = static_cast<double>(generator() >> 11) * 0x1p-53;
-      if (model.inverse_mass.map()(axis, node) > 0.0) position(axis, node) += amplitude * (2.0 * unit - 1.0);
-    }
 }
 
 std::vector<int> set_null_panels(TableReader& table, const std::vector<std::string>& names,
@@ -142,11 +133,6 @@ std::optional<gas::Curve> read_overpressure(TableReader& table, const Scene& sce
 
 }  // namespace
 
-void displace_nodes(Scene& scene, double amplitude, int seed) {
-  if (!scene.bag) throw std::invalid_argument("the scene has no membrane whose nodes could be displaced");
-  perturb(scene.bag->initial_position, scene.bag->model, amplitude, seed);
-}
-
 void read_bag(TableReader& root, const MeshReader& read_mesh, Scene& scene) {
   auto table = root.optional_table("membrane");
   if (!table) {
@@ -187,7 +173,7 @@ void read_bag(TableReader& root, const MeshReader& read_mesh, Scene& scene) {
   });
   require_before_plates(*table, *scene.bag);
   if (!table->has("flatten")) warn_of_strained_start(scene);
-  perturb(scene.bag->initial_position, scene.bag->model, amplitude, seed);
+  displace_nodes(scene, amplitude, seed);
   table->finish();
 }
 

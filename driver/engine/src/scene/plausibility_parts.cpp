@@ -7,7 +7,7 @@
 #include <elementary/hypot.hpp>
 
 #include "engine/bag_mesh.hpp"
-#include "scene/parts.hpp"
+#include "scene/plausibility.hpp"
 
 namespace driver {
 namespace {
@@ -113,7 +113,7 @@ void warn_of_few_rows(Scene& scene) {
 
 }  // namespace
 
-void warn_of_slips(Scene& scene) {
+void warn_of_idle_parts(Scene& scene) {
   if (scene.pendulum) {
     const coupling::PendulumParameters& parameters = scene.pendulum->model.parameters();
     warn_of_upside_down(parameters, scene);

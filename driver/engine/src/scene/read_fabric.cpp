@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // [fabric] and [[fabric.panel]] -> the properties of each element.
+#include "scene/read_fabric.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <limits>
 
 #include "membrane/law_table.hpp"
-#include "scene/parts.hpp"
+#include "scene/read_openings.hpp"
 
 namespace driver {
 namespace {

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // [inflator.jet] -> JetPart.
+#include "scene/read_jet.hpp"
+
 #include <fmt/format.h>
 
 #include <Eigen/Geometry>
@@ -9,7 +11,7 @@
 #include <numbers>
 
 #include "jet/centreline.hpp"
-#include "scene/parts.hpp"
+#include "scene/outlet_place.hpp"
 
 namespace driver {
 namespace {

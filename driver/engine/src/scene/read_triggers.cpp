@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // [[sensor]] and [[trigger]] -> the nodes of gas::TriggerModel, by name.
+#include "scene/read_triggers.hpp"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
 #include <set>
 
-#include "scene/parts.hpp"
+#include "scene/gas_curve.hpp"
 
 namespace driver {
 namespace {

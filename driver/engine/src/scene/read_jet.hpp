@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+// [inflator.jet] -> JetPart.
+#pragma once
+
+#include <cstddef>
+
+#include "engine/scene.hpp"
+
+namespace driver {
+
+/// [inflator.jet] of inflator `index`
+void read_jet(TableReader& inflator, std::size_t index, Scene& scene);
+
+}  // namespace driver
