@@ -65,9 +65,6 @@ struct ProjectArrays {
   /// If not all nodes are projected: where their rows in `local` begin, ascending, the last one repeated to a
   /// multiple of eight.
   const std::uint32_t* listed;
-  /// True if u, v and w are each a coordinate times a factor: each needs one column.
-  bool aligned = false;
-  int axis[3] = {};  // those columns, if aligned
 };
 
 inline constexpr int kSides = 0x1f;
@@ -113,8 +110,8 @@ struct PatchArrays {
   float* boxes;
   float* targets;  // rows of the near patches that have rays
   // By patch of the mesh, written for near patches. Sources whose rays can touch an element certainly see its
-  // inner side; certainly see its outer side; or it is near and does not certainly show its inner side.
-  std::uint8_t *inner, *outer, *not_inner;
+  // inner side; or it is near and does not certainly show that.
+  std::uint8_t *inner, *not_inner;
   int* uncertain;       // near elements that may show either side
   int* between;         // near elements that may lie between two sources
   int* on_winding_ray;  // near elements that may touch the winding ray

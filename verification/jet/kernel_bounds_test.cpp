@@ -77,7 +77,7 @@ TEST(kernels, rays_to_elements_far_from_each_other_part) {
   for (const jet::KernelTable* kernels : kBoth) {
     jet::Pyramid pyramid;
     pyramid.reserve(patches.size());
-    std::vector<std::uint8_t> asked(patches.size()), inner(asked), outer(asked), not_inner(asked);
+    std::vector<std::uint8_t> asked(patches.size()), inner(asked), not_inner(asked);
     std::vector<int> near(patches), uncertain(8 * patches.size() + 8), between(uncertain),
         on_winding_ray(uncertain);
     EXPECT_EQ(kernels
@@ -96,7 +96,6 @@ TEST(kernels, rays_to_elements_far_from_each_other_part) {
                                       pyramid.boxes(),
                                       nullptr,
                                       inner.data(),
-                                      outer.data(),
                                       not_inner.data(),
                                       uncertain.data(),
                                       between.data(),
@@ -149,7 +148,7 @@ TEST(kernels, element_is_not_in_the_way_to_itself) {
     jet::Pyramid pyramid;
     pyramid.reserve(1);
     const std::uint8_t asked[1] = {0};
-    std::uint8_t inner[1], outer[1], not_inner[1];
+    std::uint8_t inner[1], not_inner[1];
     int near[1], uncertain[16], between[16], on_winding_ray[16];
     ASSERT_EQ(kernels
                   ->classify_patches({local.data(),
@@ -167,7 +166,6 @@ TEST(kernels, element_is_not_in_the_way_to_itself) {
                                       pyramid.boxes(),
                                       nullptr,
                                       inner,
-                                      outer,
                                       not_inner,
                                       uncertain,
                                       between,

@@ -124,7 +124,7 @@ TEST(kernels, profile_eq_exponential) {
 
 struct Looked {
   std::vector<float> local, targets, boxes, chosen_boxes, merged, bounds;
-  std::vector<std::uint8_t> inner, outer, not_inner, blocked, pierced, apart, missed;
+  std::vector<std::uint8_t> inner, not_inner, blocked, pierced, apart, missed;
   std::vector<int> near, uncertain, between, on_winding_ray, upstream, chosen, pairs;
   std::vector<std::int32_t> codes;
   bool operator==(const Looked&) const = default;
@@ -175,7 +175,7 @@ Looked look(const jet::KernelTable& kernels, const Mesh& mesh, float half_long) 
   p.boxes.resize(jet::kBoxFloats * patches);
   p.chosen_boxes = p.boxes;
   p.merged.resize(jet::kBoxFloats * (patches / 8 + 1));
-  p.inner = p.outer = p.not_inner = p.blocked = p.pierced = p.apart = p.missed = bytes();
+  p.inner = p.not_inner = p.blocked = p.pierced = p.apart = p.missed = bytes();
   p.near = p.uncertain = p.between = p.on_winding_ray = p.upstream = p.chosen = places();
   project(kernels, mesh, triangles, all, half_long, p);
   const int n = static_cast<int>(count);
@@ -196,7 +196,6 @@ Looked look(const jet::KernelTable& kernels, const Mesh& mesh, float half_long) 
                                                             p.boxes.data(),
                                                             p.targets.data(),
                                                             p.inner.data(),
-                                                            p.outer.data(),
                                                             p.not_inner.data(),
                                                             p.uncertain.data(),
                                                             p.between.data(),

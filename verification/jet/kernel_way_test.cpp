@@ -44,7 +44,7 @@ TEST(kernels, elements_on_the_way_are_listed) {
   for (const jet::KernelTable* kernels : {&jet::baseline::kTable, &jet::kernel_table()}) {
     for (const float half_long : {0.0f, 0.3f}) {
       const std::vector<std::uint8_t> asked(patches);
-      std::vector<std::uint8_t> inner(asked), outer(asked), not_inner(asked);
+      std::vector<std::uint8_t> inner(asked), not_inner(asked);
       const int found = kernels
                             ->classify_patches({local.data(),
                                                 half_long,
@@ -61,7 +61,6 @@ TEST(kernels, elements_on_the_way_are_listed) {
                                                 boxes.data(),
                                                 nullptr,
                                                 inner.data(),
-                                                outer.data(),
                                                 not_inner.data(),
                                                 uncertain.data(),
                                                 between.data(),

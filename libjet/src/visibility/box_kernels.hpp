@@ -23,9 +23,8 @@ struct Range {
 struct Turned {
   Floats place, inverse;
 };
-template <bool upstream = true>
 [[gnu::always_inline]] inline Turned turned(Floats u, Floats w) {
-  const Floats inverse = 1.0f / ((upstream ? max(w, Floats(1e-30f)) : w) + abs(u));
+  const Floats inverse = 1.0f / (max(w, Floats(1e-30f)) + abs(u));
   return {u * inverse, inverse};
 }
 
@@ -100,16 +99,14 @@ inline Frustum frustum_of(const ProjectArrays& arrays, float half_long, int coun
   return bounds.all();
 }
 
-/// Range of the downstream part of a triangle. If `upstream`, it may reach upstream: it then must stay on one
-/// side, or else its range is everything. If not `upstream`, no triangle reaches upstream.
-template <bool upstream>
+/// Range of the downstream part of a triangle. If it reaches upstream, it must stay on one side, or else its
+/// range is everything.
 [[gnu::always_inline]] inline Range spanned(Floats a, Floats b, Floats c, const Vec3<Floats>& w,
                                             Floats depth) {
-  const Turned ta = turned<upstream>(a, w.x), tb = turned<upstream>(b, w.y), tc = turned<upstream>(c, w.z);
+  const Turned ta = turned(a, w.x), tb = turned(b, w.y), tc = turned(c, w.z);
   const Floats margin = kTurn * max(max(ta.inverse, tb.inverse), tc.inverse);
   const Range range = {min(min(ta.place, tb.place), tc.place) - margin,
                        max(max(ta.place, tb.place), tc.place) + margin};
-  if (!upstream) return range;
   const Floats::Mask one_side =
       (min(min(a, b), c) > Floats(kUpstream)) | (max(max(a, b), c) < Floats(-kUpstream));
   const Floats::Mask anywhere = (depth <= Floats(kUpstream)) & ~one_side;

@@ -98,10 +98,6 @@ std::size_t FastRoute::open_uncertain(bool certain) {
   const auto rays =
       certain && facts_.bounded ? states_.list_alive(near_.sides().inner) : states_.list_alive();
   for (const int place : rays) {
-    if (facts_.bounded && ShownSides::has(near_.sides().outer, place)) {
-      states_.set(place, kFacingAway);
-      continue;
-    }
     const int e = mesh_->element(place);
     const blocking::Ray& ray = rays_.asked().ray(place);
     if (blocking::facing(view_.kernel(), ray, surface_, e) <= 0) {

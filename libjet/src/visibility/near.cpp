@@ -12,7 +12,7 @@ void NearElements::reserve(const OrderedMesh& mesh) {
   const auto patches = static_cast<std::size_t>(mesh.patches);
   patches_.resize(patches);
   outer_patches_.resize(patches);
-  for (auto* bytes : {&sides_.inner, &sides_.outer, &sides_.not_inner}) bytes->resize(set_bytes(patches));
+  for (auto* bytes : {&sides_.inner, &sides_.not_inner}) bytes->resize(set_bytes(patches));
   for (auto* list : {&uncertain_, &between_, &on_winding_ray_, &upstream_}) list->resize(8 * patches + 8);
   boxes_.reserve(patches);
   outer_boxes_.reserve(patches);
@@ -21,7 +21,7 @@ void NearElements::reserve(const OrderedMesh& mesh) {
 
 void NearElements::find(RayBundle& rays) {
   const std::span<const int> patches = rays.find_patches(*mesh_, patches_);
-  for (auto* bytes : {&sides_.inner, &sides_.outer, &sides_.not_inner})
+  for (auto* bytes : {&sides_.inner, &sides_.not_inner})
     std::fill(bytes->begin(), bytes->end(), std::uint8_t{0});
   found_ = kernel_table().classify_patches({rays.projection().points().nodes.data(),
                                             rays.projection().points().half_long,
@@ -38,7 +38,6 @@ void NearElements::find(RayBundle& rays) {
                                             boxes_.boxes(),
                                             rays.projection().points().targets.data(),
                                             sides_.inner.data(),
-                                            sides_.outer.data(),
                                             sides_.not_inner.data(),
                                             uncertain_.data(),
                                             between_.data(),

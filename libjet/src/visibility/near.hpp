@@ -18,7 +18,6 @@ namespace jet {
 /// Sides that the elements near the rays show to the sources, as bits by patch of the mesh.
 struct ShownSides {
   std::vector<std::uint8_t> inner;      // all these sources see the inner side, and the own rays pierce it
-  std::vector<std::uint8_t> outer;      // all sources whose rays can touch the element see its outer side
   std::vector<std::uint8_t> not_inner;  // near, and may show its outer side to such sources
 
   static bool has(const std::vector<std::uint8_t>& set, int place) {

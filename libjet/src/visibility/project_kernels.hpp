@@ -16,15 +16,9 @@ struct NodeFlags {
   Floats::Mask largest{};                 // bits of the largest magnitude; those of NaN are larger
 };
 
-/// Four points to local coordinates in double. `aligned` gives the same numbers with less work.
-template <bool aligned = false>
+/// Four points to local coordinates in double.
 [[gnu::always_inline]] inline Vec3<Lanes> to_local(const ProjectArrays& a, const Vec3<Lanes>& x) {
   const Vec3<Lanes> d = {x.x - a.centre[0], x.y - a.centre[1], x.z - a.centre[2]};
-  if constexpr (aligned) {
-    const Lanes all[] = {d.x, d.y, d.z};
-    const auto one = [&](int j) { return a.column[a.axis[j]][j] * all[a.axis[j]]; };
-    return {one(0), one(1), one(2)};
-  }
   const auto along = [&](int j) {
     return a.column[0][j] * d.x + a.column[1][j] * d.y + a.column[2][j] * d.z;
   };
@@ -32,7 +26,6 @@ template <bool aligned = false>
 }
 
 /// The same for nodes.
-template <bool aligned>
 [[gnu::always_inline]] inline Vec3<Lanes> to_local(const ProjectArrays& a, const Vec3<Lanes>& x,
                                                    NodeFlags& flags) {
   const Lanes all[] = {x.x, x.y, x.z};
@@ -40,7 +33,7 @@ template <bool aligned>
     const auto below = reinterpret_cast<Lanes::Values>(reinterpret_cast<Lanes::Mask>(abs(y).v) - 1);
     flags.smallest = below < flags.smallest ? below : flags.smallest;  // 0 became NaN and is left out
   }
-  return to_local<aligned>(a, x);
+  return to_local(a, x);
 }
 
 [[gnu::always_inline]] inline Floats joined(Lanes low, Lanes high) {
@@ -82,12 +75,10 @@ template <class To>
 }
 
 /// Projects eight nodes, in the rows that `at` gives, and calls store(x, below) with bit 7 set where w <= 0.
-template <bool smallest, bool aligned, class At, class Store>
+template <bool smallest, class At, class Store>
 [[gnu::always_inline]] inline void project_eight(const ProjectArrays& a, At at, NodeFlags& flags,
                                                  Store store) {
-  const auto local = [&](const Vec3<Lanes>& x) {
-    return smallest ? to_local<aligned>(a, x, flags) : to_local<aligned>(a, x);
-  };
+  const auto local = [&](const Vec3<Lanes>& x) { return smallest ? to_local(a, x, flags) : to_local(a, x); };
   const Vec3<Lanes> low = local(gather(at(0), at(1), at(2), at(3))),
                     high = local(gather(at(4), at(5), at(6), at(7)));
   const Vec3<Floats> x = {joined(low.x, high.x), joined(low.y, high.y), joined(low.z, high.z)};
@@ -119,7 +110,7 @@ inline ProjectFlags project_flags(const NodeFlags& flags) {
 
 /// Projects all nodes, and up to seven more that repeat the last. Calls store(i, x, below) for those from i
 /// on.
-template <bool aligned, class Store>
+template <class Store>
 [[gnu::always_inline]] inline ProjectFlags project_each(const ProjectArrays& a, Store store) {
   NodeFlags flags;
   const std::ptrdiff_t stride = a.nodes.stride;
@@ -129,9 +120,9 @@ template <bool aligned, class Store>
     store(i, local, below);
   };
   for (; i + 8 < a.count; i += 8, x += 8 * stride)
-    project_eight<true, aligned>(
+    project_eight<true>(
         a, [=](int j) __attribute__((always_inline)) { return x + j * stride; }, flags, eight);
-  project_eight<true, aligned>(
+  project_eight<true>(
       a, [&](int j) { return row(a.nodes, i + j < a.count ? i + j : a.count - 1); }, flags, eight);
   return project_flags(flags);
 }
@@ -139,7 +130,7 @@ template <bool aligned, class Store>
 /// Computes local coordinates and codes.
 inline ProjectFlags project_nodes(const ProjectArrays& arrays) {
   const ProjectArrays a = arrays;  // a copy, so that stores cannot change it
-  return project_each<false>(
+  return project_each(
       a, [&](int i, const Vec3<Floats>& x, Floats::Mask below) __attribute__((always_inline)) {
         float* local = a.local + 4 * std::ptrdiff_t{i};
         const auto code = store_local(
@@ -149,21 +140,15 @@ inline ProjectFlags project_nodes(const ProjectArrays& arrays) {
 }
 
 /// Computes codes only, and of these only the sides.
-template <bool aligned>
-inline ProjectFlags code_nodes_as(const ProjectArrays& arrays) {
+inline ProjectFlags code_nodes(const ProjectArrays& arrays) {
   const ProjectArrays a = arrays;
-  return project_each<aligned>(
+  return project_each(
       a, [&](int i, const Vec3<Floats>& x, Floats::Mask) __attribute__((always_inline)) {
         *reinterpret_cast<UnalignedInts*>(a.codes + i) = sides_code(a, x);
       });
 }
 
-inline ProjectFlags code_nodes(const ProjectArrays& arrays) {
-  return arrays.aligned ? code_nodes_as<true>(arrays) : code_nodes_as<false>(arrays);
-}
-
-template <bool aligned>
-inline ProjectFlags project_listed_as(const ProjectArrays& arrays, int count) {
+inline ProjectFlags project_listed(const ProjectArrays& arrays, int count) {
   const ProjectArrays a = arrays;
   NodeFlags flags;
   const std::ptrdiff_t stride = a.nodes.stride;
@@ -175,17 +160,13 @@ inline ProjectFlags project_listed_as(const ProjectArrays& arrays, int count) {
         a, x, below, [&](int j) __attribute__((always_inline)) { return a.local + row_of[j]; });
   };
   for (const std::uint32_t* stop = with_last ? end - 8 : end; row_of < stop; row_of += 8)
-    project_eight<false, aligned>(
+    project_eight<false>(
         a, [=](int j) __attribute__((always_inline)) { return first + row_of[j] / 4 * stride; }, flags,
         store);
   if (with_last)
-    project_eight<false, aligned>(
+    project_eight<false>(
         a, [&](int j) { return row(a.nodes, static_cast<int>(row_of[j] / 4)); }, flags, store);
   return project_flags(flags);
-}
-
-inline ProjectFlags project_listed(const ProjectArrays& arrays, int count) {
-  return arrays.aligned ? project_listed_as<true>(arrays, count) : project_listed_as<false>(arrays, count);
 }
 
 /// Local centroids of the listed elements k to k + 7. Places behind the last one repeat it.

@@ -76,9 +76,7 @@ void Projection::set_arrays() {
              candidates_.data(),
              {},
              {},
-             nullptr,
-             true,
-             {}};
+             nullptr};
   for (int i = 0; i < 3; ++i) {
     arrays_.centre[i] = source_->centre[i];
     const Eigen::Vector3d* const axes[] = {&frame_.across, &frame_.along, &frame_.forward};

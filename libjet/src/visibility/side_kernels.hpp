@@ -54,16 +54,15 @@ struct Boxes {
     depth.store(block + 32);
   }
 };
-template <bool upstream>
 [[gnu::always_inline]] inline Boxes boxes_of(const Corners& t, Floats depth, float half_long) {
   const auto& [a, b, c] = t;
   const Vec3<Floats> w = {a.z, b.z, c.z};
-  const Range p = spanned<upstream>(a.x, b.x, c.x, w, depth);
+  const Range p = spanned(a.x, b.x, c.x, w, depth);
   if (half_long > 0.0f) {
     const Floats low = min(min(a.y, b.y), c.y), high = max(max(a.y, b.y), c.y);
     return {p, {low - Floats(kSlack), high + kSlack}, depth};
   }
-  return {p, spanned<upstream>(a.y, b.y, c.y, w, depth), depth};
+  return {p, spanned(a.y, b.y, c.y, w, depth), depth};
 }
 
 /// Bounds of the two coordinates that are constant along the winding ray.
@@ -102,24 +101,17 @@ inline PatchesFound classify_patches(const PatchArrays& given) {
     if (near == 0) continue;
     const Corners t = {a.point, b.point, c.point};
     const Floats depth = min(min(t.a.z, t.b.z), t.c.z);
-    unsigned on_winding_ray = near, between = 0;
-    const auto take_boxes = [&](const Boxes& boxes) __attribute__((always_inline)) {
-      boxes.store(s.boxes + kBoxFloats * std::ptrdiff_t{found.near});
-      on_winding_ray &= winding_ray.overlaps(boxes);
-    };
-    if (bits(depth <= Floats(kUpstream)) == 0) {  // nearly all patches
-      take_boxes(boxes_of<false>(t, depth, s.half_long));
-    } else {
-      take_boxes(boxes_of<true>(t, depth, s.half_long));
-      between = near & ~bits(beside_sources(s, t));
-    }
+    const Boxes boxes = boxes_of(t, depth, s.half_long);
+    boxes.store(s.boxes + kBoxFloats * std::ptrdiff_t{found.near});
+    const unsigned on_winding_ray = near & winding_ray.overlaps(boxes);
+    const bool all_ahead = bits(depth <= Floats(kSlack)) == 0;  // nearly all patches
+    const unsigned between = all_ahead ? 0u : near & ~bits(beside_sources(s, t));
     s.near[found.near++] = patch;
     const Sides side = sides(s, t);
-    const unsigned inner = bits(side.inner) | (~there & 0xffu), outer = bits(side.outer) & there;
+    const unsigned inner = bits(side.inner) | (~there & 0xffu);
     s.inner[patch] = static_cast<std::uint8_t>(inner);
-    s.outer[patch] = static_cast<std::uint8_t>(outer);
     s.not_inner[patch] = static_cast<std::uint8_t>(near & ~inner);
-    const unsigned uncertain = near & ~(inner | outer);
+    const unsigned uncertain = near & ~(inner | bits(side.outer));
     if (uncertain != 0) found.uncertain += append_bits(uncertain, 8 * patch, s.uncertain + found.uncertain);
     if (between != 0) found.between += append_bits(between, 8 * patch, s.between + found.between);
     if (on_winding_ray != 0)
