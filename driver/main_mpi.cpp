@@ -62,22 +62,18 @@ class RankCrew : public Crew {
   int workers() const override { return ranks_ - 1; }
 
   // A rank that ends a job gets the next one.
-  void compute(const std::vector<std::string>& jobs,
-               const std::function<void(std::size_t, CrewResult)>& keep) override {
+  void compute(std::size_t count, const std::function<std::string(std::size_t)>& job,
+               const std::function<void(CrewResult)>& keep) override {
     std::vector<int> free;
     for (int rank = ranks_ - 1; rank > 0; --rank) free.push_back(rank);
-    std::vector<std::size_t> job_of(static_cast<std::size_t>(ranks_));
     std::size_t next = 0;
-    const auto is_more = [&] { return next < jobs.size() && !interrupted(); };
+    const auto is_more = [&] { return next < count && !interrupted(); };
     while (is_more() || out_ > 0) {
-      for (; !free.empty() && is_more(); free.pop_back(), ++out_) {
-        job_of[static_cast<std::size_t>(free.back())] = next;
-        send(jobs[next++], free.back(), tag_job);
-      }
+      for (; !free.empty() && is_more(); free.pop_back(), ++out_) send(job(next++), free.back(), tag_job);
       if (out_ == 0) return;  // an interrupt has come meanwhile
       Message message = receive(MPI_ANY_SOURCE);
       if (message.tag == tag_line) {
-        keep(job_of[static_cast<std::size_t>(message.from)], {std::move(message.text)});
+        keep({std::move(message.text)});
         continue;
       }
       free.push_back(message.from);

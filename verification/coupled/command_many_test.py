@@ -176,7 +176,7 @@ def test_resume():
     for how in (signal.SIGINT, signal.SIGKILL):
         folder = how.name
         run = started(f"{ENSEMBLE} --out {folder}")
-        until(lambda: has(f"{folder}/sphere_inflation/journal.jsonl"))
+        until(lambda: has(f"{folder}/sphere_inflation/journal.jsonl", '"run":'))
         code = stop(run, how)
         if how == signal.SIGINT:
             assert code == 130 and status(folder) == "interrupted"
@@ -189,7 +189,7 @@ def test_resume():
         assert status(folder) == "done" and not os.path.exists(f"{folder}/sphere_inflation/journal.jsonl")
     # Another ensemble takes nothing over.
     run = started(f"{ENSEMBLE} --out other")
-    until(lambda: has("other/sphere_inflation/journal.jsonl"))
+    until(lambda: has("other/sphere_inflation/journal.jsonl", '"run":'))
     stop(run)
     expect(0, "quantity", f"{ENSEMBLE} --out other --amplitude 2e-5")
     ok(f"{ENSEMBLE} --out fresh --amplitude 2e-5 --quiet")
@@ -209,35 +209,34 @@ def test_resume_shares():
     shared, shares = f"{ENSEMBLE} --out shared", Path("shared/sphere_inflation/shares")
     for share, runs in ((1, 4), (3, 3)):
         expect(0, f"share {share}_of_3: {runs} of {runs} runs have ended, 0 not done", f"{shared} --share {share}/3")
-        assert read(shares / f"{share}_of_3/journal.jsonl").count('"key":"seed') == runs
+        assert read(shares / f"{share}_of_3/journal.jsonl").count('"run":') == runs
     os.truncate(shares / "3_of_3/journal.jsonl", os.path.getsize(shares / "3_of_3/journal.jsonl") - 10)
-    lines = read(shares / "1_of_3/journal.jsonl").splitlines()
-    numbers = r'"quantities":\[\[[^]]*\],'
-    for i, (pattern, new) in enumerate((('"status":0', '"status":17'), (numbers, '"quantities":['), (r'"rows":\[\[[^]]*\],', '"rows":[[0.0],'),
-                                        (numbers, '"quantities":[[null],'))):
-        lines[i] = re.sub(pattern, new, lines[i])
-    write(shares / "1_of_3/journal.jsonl", *lines)
+    lines = read(shares / "1_of_3/journal.jsonl").splitlines()  # an empty one, and that of the build, come first
+    for pattern, new in (('"status":"done"', '"status":"gone"'), (r'"values":\[[^],]*,', '"values":['), (r'"values":\[[^],]*,', '"values":["1",'),
+                         (r'"rows":\[\[[^]]*\],', '"rows":[[0.0],')):
+        write(shares / "1_of_3/journal.jsonl", *lines[:2], re.sub(pattern, new, lines[2]), *lines[3:])
+        expect(2, "shares/1_of_3/journal.jsonl:3:1: is damaged: no run of the plan; remove the line", shared)
+    write(shares / "1_of_3/journal.jsonl", *lines[:2])
     refused("--share 4/3: NUMBER/COUNT", f"{shared} --share 4/3")
-    expect(2, "shares/[13]_of_3: is of another command, case or build than this", f"{shared} --share 2/3 --amplitude 2e-5")
+    expect(2, "shares/[13]_of_3: is of another plan, case or build", f"{shared} --share 2/3 --amplitude 2e-5")
     expect(0, "goes on after 2 runs that are done", shared)
     same("whole/sphere_inflation", "shared/sphere_inflation", *TABLES)
     assert not shares.exists()
     # Results that are there stay when the shares are of another command.
     ok(f"{shared} --quiet --share 1/3 --amplitude 2e-5")
-    expect(2, "shares/1_of_3: is of another command, case or build than this", shared)
+    expect(2, "shares/1_of_3: is of another plan, case or build", shared)
     same("whole/sphere_inflation", "shared/sphere_inflation", *TABLES)
 
 
 def test_resume_ladder():
     ladder = f"{BAG} --tolerance 10%"
     run = started(f"{ladder} --out ladder")
-    until(lambda: has("ladder/journal.jsonl"))
+    until(lambda: has("ladder/journal.jsonl", '"run":'))
     stop(run, signal.SIGKILL)
-    # What is damaged is found again.
-    lines = read("ladder/journal.jsonl").splitlines()
-    damaged = [re.sub(r'"value":[0-9.e+]*}}$', '"value":"x"}}', lines[0]), *(re.sub('"cpu_s":[0-9.e-]*,', "", line) for line in lines[1:2]), *lines[2:]]
-    assert damaged[0].endswith('"value":"x"}}')
-    write("ladder/journal.jsonl", *damaged, '{"key":7,"value":1}', '{"key":"volume by pressure","value":5}')
+    kept = read("ladder/journal.jsonl")
+    write("ladder/journal.jsonl", kept, '{"run":"seed 1"}')
+    expect(2, "ladder/journal.jsonl:[0-9]+:1: is damaged", f"{ladder} --out ladder")
+    write("ladder/journal.jsonl", kept)
     expect(0, "goes on after [0-9]+ runs that are done", f"{ladder} --out ladder")
     ok(f"{ladder} --out whole --quiet")
     assert rungs("whole") == rungs("ladder")
@@ -253,7 +252,7 @@ def test_resume_two_cases():
         for _ in range(5):  # on a busy machine it may end before this sees that it began
             shutil.rmtree("killed", ignore_errors=True)
             run = started(f"{against} --out killed")
-            until(lambda: has("killed/slow/journal.jsonl"), run)
+            until(lambda: has("killed/slow/journal.jsonl", '"run":'), run)
             stop(run, how)
             if status("killed") != "done":
                 break

@@ -64,7 +64,9 @@ def test_study_progress():
     until(lambda: has("out/shares/1_of_2/journal.jsonl", '"run":0,'))
     # 39 runs of another share, one of them twice, and one that is not whole yet.
     os.mkdir("out/shares/2_of_2")
-    lines = [json.dumps({"cpu_s": 1, "run": run, "status": "done"}, separators=(",", ":")) for run in (*range(1, 79, 2), 1)]
+    head = next(line for line in read("out/shares/1_of_2/journal.jsonl").splitlines() if "build" in line)
+    done = {"cpu_s": 1, "status": "done", "steps": 1, "values": [1, 1]}
+    lines = [head, *(json.dumps(done | {"run": run}, separators=(",", ":")) for run in (*range(1, 79, 2), 1))]
     Path("out/shares/2_of_2/journal.jsonl").write_text("\n".join([*lines, '{"cpu_s":1,"run":79']))
     assert run.wait() == 0, read("log")
     # A line's share of 40 runs is this share's own; per cent are rounded to half a one, 0.2 runs.

@@ -97,10 +97,8 @@ TEST(compare_ensemble, rows_of_an_ensemble_end_with_the_filtered_acceleration) {
   driver::EnsembleOptions one;
   one.runs = 1;
   one.quiet = true;
-  const auto result = driver::run_ensemble(
-      driver::read_ensemble_scene(coupled::case_file("passenger_sharp"),
-                                  {"scene.end_time=0.03", "output.channel_classes=[180,600]"}),
-      one);
+  const auto result = driver::run_ensemble(coupled::case_file("passenger_sharp"),
+                                           {"scene.end_time=0.03", "output.channel_classes=[180,600]"}, one);
   const std::size_t columns = result.columns.size();
   ASSERT_GE(columns, 3U);
   EXPECT_EQ(result.columns[columns - 3], driver::filtered_column(60));

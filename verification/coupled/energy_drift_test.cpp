@@ -208,13 +208,13 @@ TEST(energy_drift, ensemble_leaves_inaccurate_runs_out_and_says_so) {
   driver::EnsembleOptions options;
   options.runs = 2;
   options.quiet = true;
-  const auto result = driver::run_ensemble(
-      driver::read_ensemble_scene(coupled::case_file("strapped_sphere"), fixed_strap("3.5e-5")), options);
+  const auto result =
+      driver::run_ensemble(coupled::case_file("strapped_sphere"), fixed_strap("3.5e-5"), options);
   EXPECT_TRUE(result.quantities.empty());
   ASSERT_EQ(result.failures.size(), 2u);
   EXPECT_NE(result.failures[0].find("energy drifts"), std::string::npos) << result.failures[0];
-  const auto warned = driver::run_ensemble(
-      driver::read_ensemble_scene(coupled::case_file("strapped_sphere"), fixed_strap("1e-5")), options);
+  const auto warned =
+      driver::run_ensemble(coupled::case_file("strapped_sphere"), fixed_strap("1e-5"), options);
   EXPECT_TRUE(warned.failures.empty());
   ASSERT_EQ(warned.warnings.size(), 2u);
   EXPECT_FALSE(warned.quantities.empty());

@@ -14,7 +14,7 @@ driver::EnsembleResult ensemble(const char* name, int threads) {
   driver::EnsembleOptions options;
   options.runs = 16;
   options.quiet = true;
-  return driver::run_ensemble(driver::read_ensemble_scene(coupled::case_file(name), {}), options, threads);
+  return driver::run_ensemble(coupled::case_file(name), {}, options, threads);
 }
 
 TEST(ensemble, jet_effect_on_angle_and_first_contact_exceeds_five_standard_errors) {

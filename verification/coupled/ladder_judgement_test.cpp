@@ -110,15 +110,6 @@ TEST(ladder, verdict_is_on_the_bound_where_the_error_lies_within_a_fifth_of_it) 
     }
 }
 
-TEST(ladder, looks_double_the_runs) {
-  driver::LadderOptions options;
-  EXPECT_EQ(driver::ladder_looks(options), 1);
-  options.most_runs = 64;
-  EXPECT_EQ(driver::ladder_looks(options), 3);
-  options.most_runs = 65;
-  EXPECT_EQ(driver::ladder_looks(options), 4);
-}
-
 // Two rungs, the second undecided: its error is off the allowed 0.1 by 0.01.
 LadderResult undecided(double own_error, double reference_error, double uncertainty) {
   LadderResult result = two_rungs(16, 16);

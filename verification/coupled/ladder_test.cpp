@@ -9,6 +9,7 @@
 
 #include "case_folder.hpp"
 #include "closed_form/jet.hpp"
+#include "many_runs/quantities.hpp"
 #include "results/load_scene.hpp"
 #include "run_case.hpp"
 

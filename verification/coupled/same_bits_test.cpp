@@ -94,8 +94,8 @@ TEST(same_bits, run_of_an_ensemble_eq_run_of_its_seed) {
   options.runs = 2;
   options.first_seed = 3;
   options.quiet = true;
-  const auto scene = driver::read_ensemble_scene(coupled::case_file("jet_bag"), {"scene.end_time=1e-3"});
-  const auto peaks = driver::run_ensemble(scene, options).quantities.at("peak_volume_m3");
+  const auto result = driver::run_ensemble(coupled::case_file("jet_bag"), {"scene.end_time=1e-3"}, options);
+  const auto peaks = result.quantities.at("peak_volume_m3");
   for (int seed = 3; seed < 5; ++seed) {
     const auto run = run_case("jet_bag", {"scene.end_time=1e-3", "membrane.perturbation=1e-4",
                                           "membrane.perturbation_seed=" + std::to_string(seed)});

@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // Designs and analyses of studies against closed forms.
-#include "many_runs/study_analysis.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <random>
+
+#include "many_runs/regression.hpp"
+#include "many_runs/sampling.hpp"
+#include "many_runs/sequential_test.hpp"
+#include "many_runs/statistics.hpp"
 
 namespace {
 
@@ -177,6 +180,14 @@ TEST(study_analysis, sequential_sign_test_keeps_its_error_rate) {
   EXPECT_LE(wrong, rate * tests);  // Bonferroni is on the safe side
   EXPECT_GT(wrong, 0.2 * rate * tests);
   EXPECT_GT(found, 0.99 * tests);  // 256 seeds see half a standard deviation
+}
+
+TEST(study_analysis, looks_double_the_runs) {
+  EXPECT_EQ(driver::looks(16, 0), 1);
+  EXPECT_EQ(driver::looks(16, 64), 3);
+  EXPECT_EQ(driver::looks(16, 65), 4);
+  EXPECT_EQ(driver::next_look(32, 65), 64);
+  EXPECT_EQ(driver::next_look(64, 65), 65);
 }
 
 }  // namespace

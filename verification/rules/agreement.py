@@ -34,7 +34,7 @@ def case_keys(tree):
     yield from differences(page, "key", read_keys(tree, of_cases), row_keys(tree.read(page)))
     if tree.exists(study):
         plan = tree.read(study).partition("## The plan")[2].partition("\n## ")[0]
-        of_plans = tree.files(*CPP, under="driver/many_runs/src/study/(plan|design)")
+        of_plans = tree.files(*CPP, under="driver/many_runs/src/study_plan")
         yield from differences(study, "key", read_keys(tree, of_plans), row_keys(plan))
 
 

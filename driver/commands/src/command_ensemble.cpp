@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <deque>
 
-#include "base/journal.hpp"
 #include "base/progress.hpp"
 #include "commands/command.hpp"
 #include "input_files.hpp"
@@ -85,26 +84,22 @@ std::string id_of_cases(const std::vector<std::filesystem::path>& files, const E
 }
 
 // The runs of a share, in folders of its own within those of the cases.
-int run_shares(const std::filesystem::path& path, const std::vector<std::filesystem::path>& files,
-               const std::deque<Scene>& scenes, Crew& crew, const EnsembleOptions& options,
-               const Provenance& lines) {
+int run_shares(const std::filesystem::path& path, const std::deque<EnsembleCase>& cases, Crew& crew,
+               const EnsembleOptions& options, const Provenance& lines) {
   bool whole = true, failed = false;
   ResultFolder::require_free(path, "ensemble", [](const std::string& name) { return name == "effects.csv"; });
-  for (std::size_t i = 0; i < files.size() && whole; ++i) {
-    const auto part = path / files[i].stem();
+  for (std::size_t i = 0; i < cases.size() && whole; ++i) {
+    const auto stem = cases[i].file.stem();
+    const auto part = path / stem;
     ResultFolder::require_free(part, "ensemble", [](const std::string& name) {
       return std::ranges::find(files_of_case, name) != files_of_case.end();
     });
-    ResultFolder folder(part / shares_folder / options.share.name(), "ensemble",
-                        std::vector<std::string>{journal_file});
-    folder.begin(lines);
-    const ShareOutcome share = run_ensemble_share({scenes[i], crew, static_cast<int>(i)}, options, folder);
+    const ShareOutcome share = run_ensemble_share(cases, i, options, crew, part, lines);
     whole = share.ended == share.asked;
     failed = failed || share.failed > 0;
-    folder.end(whole ? "whole" : "interrupted");  // never "done", which would remove the journal
     if (!options.quiet)
-      fmt::print("{}: share {}: {} of {} runs have ended, {} not done\n", files[i].stem().string(),
-                 options.share.name(), share.ended, share.asked, share.failed);
+      fmt::print("{}: share {}: {} of {} runs have ended, {} not done\n", stem.string(), options.share.name(),
+                 share.ended, share.asked, share.failed);
   }
   if (!whole) return tell_interrupted(path);
   return failed ? exit_domain : exit_done;
@@ -124,20 +119,20 @@ int ensemble(const EnsembleArguments& arguments, const MakeCrew& make_crew) {
   if (files.size() > 1 && files[0].stem() == files[1].stem())
     throw CaseError(
         fmt::format("--against {}: needs another file name than the first case", arguments.against.string()));
-  std::deque<Scene> scenes;
+  std::deque<EnsembleCase> cases;
   for (const auto& file : files) {
     require_file(file);
-    scenes.push_back(read_ensemble_scene(file, overrides));
+    cases.push_back(read_ensemble_case(file, overrides));
     refuse_inputs_of(path, file, overrides);
-    tell_warnings(scenes.back());
+    tell_warnings(cases.back().scene);
   }
   const std::string id = id_of_cases(files, arguments);
-  for (const auto& file : files) require_shares_of(path / file.stem(), id);
-  const auto crew = make_crew(id, ensemble_work(scenes, options.amplitude), arguments.threads);
+  for (const auto& file : files) shares_in(path / file.stem(), id);
+  const auto crew = make_crew(id, ensemble_work(cases, arguments.threads), arguments.threads);
   if (!crew) return exit_done;
   if (options.share.count > 1) {
     catch_interrupt();
-    return run_shares(path, files, scenes, *crew, options, provenance(arguments.scene.file, overrides, id));
+    return run_shares(path, cases, *crew, options, provenance(arguments.scene.file, overrides, id));
   }
   ResultFolder all(path, "ensemble", {"effects.csv"});
   std::deque<Part> parts;
@@ -149,8 +144,7 @@ int ensemble(const EnsembleArguments& arguments, const MakeCrew& make_crew) {
   for (std::size_t i = 0; i < parts.size(); ++i) {
     Part& part = parts[i];
     part.result.asked = options.runs;
-    if (!interrupted())
-      part.result = run_ensemble({scenes[i], *crew, static_cast<int>(i)}, options, part.folder);
+    if (!interrupted()) part.result = run_ensemble(cases, i, options, *crew, part.folder);
     write_ensemble(part.folder, part.result);
     report(part.file.stem().string(), part.result, options.quiet);
     failed = failed || !part.result.failures.empty();

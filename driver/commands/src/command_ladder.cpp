@@ -10,6 +10,7 @@
 #include "commands/command.hpp"
 #include "input_files.hpp"
 #include "many_runs/ladder.hpp"
+#include "many_runs/quantities.hpp"
 #include "results/load_scene.hpp"
 #include "results/results.hpp"
 
@@ -145,7 +146,8 @@ int ladder(const LadderArguments& arguments, const MakeCrew& make_crew) {
   refuse_inputs(path, files, document.files());
   const std::string id = id_of("ladder", options_of(options), {&document});
   const auto crew =
-      make_crew(id, ladder_work(file, quantity_name(scene, options.quantity)), arguments.threads);
+      make_crew(id, ladder_work(file, overrides, quantity_name(scene, options.quantity), arguments.threads),
+                arguments.threads);
   if (!crew) return exit_done;
   ResultFolder folder(path, "ladder", files);
   catch_interrupt();

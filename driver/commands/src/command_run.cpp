@@ -9,6 +9,7 @@
 #include "forecast/jet_peak.hpp"
 #include "input_files.hpp"
 #include "results/load_scene.hpp"
+#include "results/results.hpp"
 #include "results/run_to_folder.hpp"
 #include "results/skin_checks.hpp"
 

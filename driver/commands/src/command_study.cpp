@@ -21,7 +21,7 @@ std::string seconds_text(double seconds) {
 }
 
 // What the runs cost if they are like those of a sample.
-void print_cost(const StudyPlan& plan, const std::vector<StudyRun>& sample) {
+void print_cost(const StudyPlan& plan, const std::vector<RunRecord>& sample) {
   double seconds = 0.0;
   std::string each;
   for (const auto& run : sample) {
@@ -33,7 +33,7 @@ void print_cost(const StudyPlan& plan, const std::vector<StudyRun>& sample) {
              seconds_text(seconds * static_cast<double>(plan.most_runs())), plan.stop ? " at most" : "",
              each);
   for (const auto& run : sample)
-    if (run.status != "done")
+    if (!run.is_done())
       fmt::print("the run at the {} point is {}: {}\n", run.number == 0 ? "first" : "last", run.status,
                  run.message);
 }

@@ -72,6 +72,9 @@ inline constexpr const char* cost_no_files = "without files";
 /// The paper's two runs of its scene [s], with the jet and without.
 inline constexpr double paper_cpu_with_jet = 3803.0, paper_cpu_without = 2072.0;
 
+/// Adds the case as it is, and what it can be run without.
+void add_variants(const Scene& scene, const CaseDocument& document, CostResult& result);
+
 /// Names the variants that the case has, and runs each in turn, first all once, to warm up. Stops early after
 /// an interrupt, with what was measured. Throws CaseError for a case that is refused, OutputError or
 /// WriteError where the folder for temporary files takes none.

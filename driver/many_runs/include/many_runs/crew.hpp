@@ -7,7 +7,6 @@
 #include <functional>
 #include <memory>
 #include <string>
-#include <vector>
 
 namespace driver {
 
@@ -30,11 +29,11 @@ class Crew {
   virtual ~Crew() = default;
   /// Jobs at a time.
   virtual int workers() const = 0;
-  /// Does the jobs side by side, in any order. Calls `keep` with each result and the index of its job, as
-  /// soon as there is one and one call at a time. After an interrupt no job begins, and those that run may
-  /// end without results. Throws what the work and `keep` throw.
-  virtual void compute(const std::vector<std::string>& jobs,
-                       const std::function<void(std::size_t job, CrewResult result)>& keep) = 0;
+  /// Does `count` jobs side by side, in any order; several threads may ask for their texts. Calls `keep` with
+  /// each result, as soon as there is one and one call at a time. After an interrupt no job begins, and those
+  /// that run may end without results. Throws what the work and `keep` throw.
+  virtual void compute(std::size_t count, const std::function<std::string(std::size_t)>& job,
+                       const std::function<void(CrewResult result)>& keep) = 0;
 };
 
 /// Makes the crew that does `work`; `threads` counts its workers if they are threads. Returns null in a
@@ -45,9 +44,5 @@ using MakeCrew =
 
 /// Threads of this process.
 std::unique_ptr<Crew> thread_crew(const CrewWork& work, int threads);
-
-/// Crew::compute() for jobs of one result each; shows the progress under `title`.
-void compute_jobs(const std::string& title, Crew& crew, const std::vector<std::string>& jobs, bool quiet,
-                  const std::function<void(std::size_t job, CrewResult result)>& keep);
 
 }  // namespace driver

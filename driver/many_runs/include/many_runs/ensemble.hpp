@@ -2,17 +2,18 @@
 // Perturbed runs of one scene: a chaotic scene has a distribution, not a result.
 #pragma once
 
-#include <algorithm>
 #include <deque>
+#include <filesystem>
 #include <map>
 #include <string>
 #include <vector>
 
 #include "base/case_reader.hpp"
 #include "base/result_folder.hpp"
-#include "base/share.hpp"
 #include "engine/run.hpp"
 #include "many_runs/crew.hpp"
+#include "many_runs/share.hpp"
+#include "many_runs/statistics.hpp"
 
 namespace driver {
 
@@ -27,16 +28,6 @@ struct EnsembleOptions {
   bool quiet = false;
   Share share = {};  // of the runs
 };
-
-/// Mean, its standard error (sample deviation / sqrt(n)) and extremes over the runs.
-struct Statistics {
-  double mean = 0.0;
-  double standard_error = 0.0;
-  double minimum = 0.0;
-  double maximum = 0.0;
-  int count = 0;
-};
-Statistics statistics(const std::vector<double>& values);
 
 /// One row of the mean history: time, then statistics of each column of the scene's history and of the
 /// filtered accelerations of a pendulum.
@@ -63,33 +54,36 @@ struct EnsembleResult {
   int asked = 0, ended = 0;           // runs; those that an interrupt stopped have not ended
 };
 
+/// A case whose scene has a membrane.
+struct EnsembleCase {
+  std::filesystem::path file;
+  std::vector<std::string> overrides;
+  Scene scene;
+};
 /// Throws CaseError for a bad case, a scene that has no membrane to perturb, and overrides of the
 /// perturbation.
-Scene read_ensemble_scene(const std::filesystem::path& file, const std::vector<std::string>& overrides);
+EnsembleCase read_ensemble_case(const std::filesystem::path& file, const std::vector<std::string>& overrides);
 
-/// The runs of scenes, which must outlive it, as the work of a crew. `amplitude` [m] is that of
-/// EnsembleOptions.
-CrewWork ensemble_work(const std::deque<Scene>& scenes, double amplitude);
-/// A scene with a membrane, and the crew that computes its runs.
-struct EnsembleScene {
-  const Scene& scene;
-  Crew& crew;  // of ensemble_work()
-  int number;  // index of the scene in that work
-};
+/// The runs of cases as the work of a crew.
+CrewWork ensemble_work(const std::deque<EnsembleCase>& cases, int workers);
 
-/// Runs a scene with `runs` seeds from `first_seed` on; the result does not depend on who computes them. Each
-/// run that ends is noted in the folder's journal, and what stands there is not run again.
-EnsembleResult run_ensemble(const EnsembleScene& scene, const EnsembleOptions& options, ResultFolder& folder);
-/// The same on threads of this process, and without a folder.
-EnsembleResult run_ensemble(const Scene& scene, const EnsembleOptions& options, int threads = 1);
+/// Runs cases[place] with `runs` seeds from `first_seed` on; the result does not depend on who computes them.
+/// `crew` does ensemble_work(cases). Each run that ends is kept in the journal of `folder`, and what stands
+/// there or in its shares is not run again.
+EnsembleResult run_ensemble(const std::deque<EnsembleCase>& cases, std::size_t place,
+                            const EnsembleOptions& options, Crew& crew, ResultFolder& folder);
+/// The same of one case, on threads of this process, and without a folder.
+EnsembleResult run_ensemble(const std::filesystem::path& file, const std::vector<std::string>& overrides,
+                            const EnsembleOptions& options, int threads = 1);
+
 /// What a share has come to.
 struct ShareOutcome {
   int asked = 0, ended = 0, failed = 0;  // runs; failed: left their domain or inaccurate
 };
-/// The runs of a share, each noted in the journal of `folder`: shares/NAME in that of the whole ensemble,
-/// whose run_ensemble() then has them.
-ShareOutcome run_ensemble_share(const EnsembleScene& scene, const EnsembleOptions& options,
-                                ResultFolder& folder);
+/// Computes a share in `folder`/shares/NAME, whose runs run_ensemble() in `folder` then has.
+ShareOutcome run_ensemble_share(const std::deque<EnsembleCase>& cases, std::size_t place,
+                                const EnsembleOptions& options, Crew& crew,
+                                const std::filesystem::path& folder, const Provenance& lines);
 
 /// ensemble.csv (time, mean and standard error of each column), quantities.csv (one row a quantity) and
 /// ensemble.json (the same with the value of each run, and failures), runs.csv (single runs). Each says how

@@ -12,6 +12,7 @@
 #include "compare/compare.hpp"
 #include "many_runs/crew.hpp"
 #include "many_runs/ensemble.hpp"
+#include "many_runs/statistics.hpp"
 
 namespace driver {
 
@@ -102,7 +103,7 @@ struct LadderOptions {
   std::vector<std::string> hold;  // axes that stay as the case has them
   int runs = 16;                  // of each rung where the scene is chaotic
   bool quiet = false;
-  int most_runs = 0;          // of a rung whose verdict stays open, if above `runs`
+  int most_runs = 0;          // of a rung whose verdict stays open, if above `runs`: see sequential_test.hpp
   double error_rate = 0.025;  // of one verdict being wrong by the scatter of runs
   int finer = 1;              // levels of the mesh beyond the case's own, 1 to 3
 };
@@ -139,10 +140,6 @@ inline constexpr double bound_width = 0.2;
 /// one-sided.
 void judge(LadderResult& result, double tolerance, double error_rate = 0.025);
 
-/// Times that verdicts are looked at: with `runs` runs, and each time with twice as many up to `most_runs`.
-/// Each look has an equal share of the error rate.
-int ladder_looks(const LadderOptions& options);
-
 /// Rungs of a judged ladder of a chaotic scene of which more runs may decide an open verdict: that rung, and
 /// those that the reference rests on, whichever scatters more. None where the reference's uncertainty keeps
 /// the verdict open and is more than scatter.
@@ -153,19 +150,14 @@ std::vector<std::size_t> open_rungs(const LadderResult& result, double tolerance
 LadderPlan plan_ladder(const std::filesystem::path& file, const std::vector<std::string>& overrides,
                        const std::string& quantity, const std::vector<std::string>& hold, int finer = 1);
 
-/// Whole name of a quantity of the scene; the unit may be left off. Throws CaseError with those allowed.
-std::string quantity_name(const Scene& scene, const std::string& quantity);
-
-/// Whether the scene has a quantity of that whole name.
-bool has_quantity(const Scene& scene, const std::string& name);
-
 /// The runs of a ladder as the work of a crew; `quantity` by its whole name.
-CrewWork ladder_work(const std::filesystem::path& file, const std::string& quantity);
+CrewWork ladder_work(const std::filesystem::path& file, const std::vector<std::string>& overrides,
+                     const std::string& quantity, int workers);
 
 /// Runs the ladder of `plan`; results but the costs do not depend on who computes them. Where the quantity is
 /// 0 in the full case or has no event there, only that is run, and `reason` says so. Throws CaseError for a
 /// case that cannot be read, and std::runtime_error when the full case, one of its seeds or the finest rung
-/// leaves its domain: errors have no reference then. With a folder each run that is done is noted in its
+/// leaves its domain: errors have no reference then. With a folder each run that ends is kept in its
 /// journal, and what stands there is not run again.
 LadderResult run_ladder(const std::filesystem::path& file, const std::vector<std::string>& overrides,
                         const LadderPlan& plan, const LadderOptions& options, Crew& crew,

@@ -10,9 +10,9 @@
 #include <string>
 #include <vector>
 
-#include "base/result_folder.hpp"
-#include "base/share.hpp"
 #include "many_runs/crew.hpp"
+#include "many_runs/run_record.hpp"
+#include "many_runs/share.hpp"
 
 namespace driver {
 
@@ -93,18 +93,8 @@ struct StudyPlan {
   double amplitude_at(std::size_t point) const;
   /// Runs that it can ask for.
   long most_runs() const;
-  /// Numbers of runs lie below it.
+  /// Numbers of runs lie below it: that of a run is point * most_seeds() + seed - 1 (seed 0 and 1 alike).
   long end_of_numbers() const { return static_cast<long>(points.size()) * most_seeds(); }
-};
-
-/// One run: its number is point * most_seeds + seed - 1 (seed 0 and 1 alike).
-struct StudyRun {
-  long number = 0;
-  std::string status;                         // "done", "inaccurate", "failed" or "refused"
-  std::string message;                        // why it is not done
-  std::vector<std::optional<double>> values;  // of the quantities; none: of an event that did not occur
-  long steps = 0;
-  double cpu_seconds = 0.0;
 };
 
 /// Reads a plan and builds the scenes at the ends of each factor's range. Throws CaseError
@@ -113,7 +103,7 @@ StudyPlan read_study(const std::filesystem::path& file);
 
 /// Computes one run at the first point and one at the last, those of the first seed: a sample of what runs
 /// cost. Fewer after an interrupt.
-std::vector<StudyRun> sample_runs(const StudyPlan& plan);
+std::vector<RunRecord> sample_runs(const StudyPlan& plan);
 
 /// The runs of a plan, which must outlive it, as the work of a crew; at most `workers` call it at a time.
 CrewWork study_work(const StudyPlan& plan, int workers);

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "case_settings.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace driver {
+
+std::string CaseSettings::value(const std::string& path) const {
+  for (const Setting& setting : settings_)
+    if (setting.path == path) return setting.value;
+  return {};
+}
+
+bool CaseSettings::has(const std::string& path) const {
+  return std::any_of(settings_.begin(), settings_.end(), [&](const Setting& s) {
+    return !s.is_default && (s.path == path || s.path.starts_with(path + '.'));
+  });
+}
+
+void CaseSettings::set(std::vector<std::string>& overrides, const std::string& path,
+                       const std::string& value) const {
+  if (this->value(path) != value) overrides.push_back(path + '=' + value);
+}
+
+void CaseSettings::unset(std::vector<std::string>& overrides, const std::string& path) const {
+  if (has(path)) overrides.push_back(std::string(unset_prefix) + path);
+}
+
+std::string CaseSettings::jet_key(const JetPart& jet, const char* key) {
+  return fmt::format("inflator.{}.jet.{}", jet.inflator, key);
+}
+
+}  // namespace driver

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: Apache-2.0
+// Effects that a case names, and the overrides that change them.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "ladder_plan.hpp"
+#include "membrane/law_table.hpp"
+
+namespace driver {
+namespace {
+
+using Overrides = std::vector<std::string>;
+using Choices = std::vector<LadderChoice>;
+
+// Each from the cheapest way to treat it to the truest, which is the base.
+class Effects {
+ public:
+  Effects(const Scene& scene, const CaseSettings& settings, LadderPlan& plan)
+      : scene_(scene), case_(settings), plan_(plan) {}
+
+  void jet() {
+    if (scene_.jets.empty() || !scene_.bag) return;
+    Overrides off;
+    for (const JetPart& jet : scene_.jets) off.push_back(fmt::format("unset inflator.{}.jet", jet.inflator));
+    effect("jet", {{"jet off", off}, {"jet on", {}}});
+  }
+
+  void occlusion() {
+    if (scene_.jets.empty()) return;
+    LadderChoice off{"occlusion off", {}}, on{"occlusion on", {}};
+    for (const JetPart& jet : scene_.jets) {
+      case_.set(off.overrides, case_.jet_key(jet, "occlusion"), "false");
+      case_.set(on.overrides, case_.jet_key(jet, "occlusion"), "true");
+    }
+    effect("occlusion", {off, on});
+  }
+
+  // An outlet at the bag's pressure counts the inflator's temperature as that of the gas at rest.
+  void outlet() {
+    if (scene_.jets.empty()) return;
+    LadderChoice sonic{"outlet sonic", {}}, matched{"outlet pressure_matched", {}};
+    for (const JetPart& jet : scene_.jets) {
+      case_.set(sonic.overrides, case_.jet_key(jet, "outlet"), "\"sonic\"");
+      case_.set(matched.overrides, case_.jet_key(jet, "outlet"), "\"pressure_matched\"");
+      case_.set(matched.overrides, case_.jet_key(jet, "temperature"), "\"stagnation\"");
+    }
+    effect("outlet", {sonic, matched});
+  }
+
+  void heat_capacity() {
+    if (!scene_.gas) return;
+    for (std::size_t i = 0; case_.has(fmt::format("gas.species.{}", i)); ++i)
+      if (case_.has(fmt::format("gas.species.{}.cp", i))) {
+        plan_.left_out.emplace_back("cp: the case has a species of its own, whose cp is constant");
+        return;
+      }
+    LadderChoice constant{"cp constant", {}}, nasa{"cp nasa7", {}};
+    case_.set(constant.overrides, "gas.thermodynamics", "\"constant\"");
+    case_.set(nasa.overrides, "gas.thermodynamics", "\"nasa7\"");
+    if (!nasa.overrides.empty()) case_.unset(nasa.overrides, "gas.reference_temperature");
+    effect("cp", {constant, nasa});
+  }
+
+  void porosity() {
+    LadderChoice off{"porosity off", {}};
+    if (scene_.gas && scene_.gas->tank_leak_area > 0.0) {
+      case_.unset(off.overrides, "tank.fabric");
+    } else if (scene_.bag && scene_.bag->leak_law != LeakLaw::none && bag_leaks()) {
+      case_.set(off.overrides, "fabric.leak_law", "\"none\"");
+      case_.unset(off.overrides, "fabric.velocity");
+    } else {
+      return;
+    }
+    effect("porosity", {off, {"porosity on", {}}});
+  }
+
+  void compression() {
+    if (!scene_.bag) return;
+    if (!membrane::law_named(scene_.bag->model.description.law).compression) return;  // never carries it
+    LadderChoice linear{"compression linear", {}}, none{"compression none", {}};
+    case_.set(linear.overrides, "fabric.compression", "\"linear\"");
+    case_.set(none.overrides, "fabric.compression", "\"none\"");
+    effect("compression", {linear, none});
+  }
+
+ private:
+  void effect(const char* name, Choices choices) {
+    const std::size_t base = choices.size() - 1;
+    plan_.axes.push_back({name, AxisKind::effect, std::move(choices), base, base});
+  }
+
+  bool bag_leaks() const {
+    const auto& fabric = scene_.bag->model.description.properties;
+    return std::any_of(fabric.begin(), fabric.end(), [](const auto& f) { return f.porosity > 0.0; });
+  }
+
+  const Scene& scene_;
+  const CaseSettings& case_;
+  LadderPlan& plan_;
+};
+
+}  // namespace
+
+void add_effects(const Scene& scene, const CaseSettings& settings, LadderPlan& plan) {
+  Effects effects(scene, settings, plan);
+  effects.jet();
+  effects.occlusion();
+  effects.outlet();
+  effects.heat_capacity();
+  effects.porosity();
+  effects.compression();
+}
+
+}  // namespace driver
