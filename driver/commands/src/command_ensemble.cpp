@@ -94,12 +94,16 @@ int run_shares(const std::filesystem::path& path, const std::deque<EnsembleCase>
     ResultFolder::require_free(part, "ensemble", [](const std::string& name) {
       return std::ranges::find(files_of_case, name) != files_of_case.end();
     });
-    const ShareOutcome share = run_ensemble_share(cases, i, options, crew, part, lines);
+    ResultFolder folder(part / shares_folder / options.share.name(), "ensemble",
+                        std::vector<std::string>{journal_file});
+    folder.begin(lines);
+    const EnsembleResult share = run_ensemble(cases, i, options, crew, folder, part);
     whole = share.ended == share.asked;
-    failed = failed || share.failed > 0;
+    failed = failed || !share.failures.empty();
+    folder.end(whole ? "whole" : "interrupted");  // never "done", which would remove the journal
     if (!options.quiet)
       fmt::print("{}: share {}: {} of {} runs have ended, {} not done\n", stem.string(), options.share.name(),
-                 share.ended, share.asked, share.failed);
+                 share.ended, share.asked, share.failures.size());
   }
   if (!whole) return tell_interrupted(path);
   return failed ? exit_domain : exit_done;
@@ -144,7 +148,7 @@ int ensemble(const EnsembleArguments& arguments, const MakeCrew& make_crew) {
   for (std::size_t i = 0; i < parts.size(); ++i) {
     Part& part = parts[i];
     part.result.asked = options.runs;
-    if (!interrupted()) part.result = run_ensemble(cases, i, options, *crew, part.folder);
+    if (!interrupted()) part.result = run_ensemble(cases, i, options, *crew, part.folder, part.folder.path());
     write_ensemble(part.folder, part.result);
     report(part.file.stem().string(), part.result, options.quiet);
     failed = failed || !part.result.failures.empty();

@@ -5,7 +5,20 @@
 
 #include <algorithm>
 
+#include "results/load_scene.hpp"
+
 namespace driver {
+
+std::vector<std::string> joined(std::vector<std::string> overrides, const std::vector<std::string>& more) {
+  overrides.insert(overrides.end(), more.begin(), more.end());
+  return overrides;
+}
+
+Scene load_variant(const std::filesystem::path& file, const std::vector<std::string>& overrides,
+                   const std::vector<std::string>& more) {
+  CaseDocument document(file, joined(overrides, more));
+  return load_scene(document);
+}
 
 std::string CaseSettings::value(const std::string& path) const {
   for (const Setting& setting : settings_)

@@ -2,6 +2,7 @@
 // The settings of a case by their paths, and overrides that change them.
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -9,6 +10,12 @@
 #include "engine/scene.hpp"
 
 namespace driver {
+
+/// `overrides` and then `more`.
+std::vector<std::string> joined(std::vector<std::string> overrides, const std::vector<std::string>& more);
+/// The scene of a case with them.
+Scene load_variant(const std::filesystem::path& file, const std::vector<std::string>& overrides,
+                   const std::vector<std::string>& more);
 
 /// Settings of a case that has been read.
 class CaseSettings {

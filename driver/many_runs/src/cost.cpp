@@ -10,6 +10,7 @@
 #include <deque>
 
 #include "base/progress.hpp"
+#include "case_settings.hpp"
 #include "engine/run.hpp"
 #include "engine/stage_clock.hpp"
 #include "results/load_scene.hpp"
@@ -137,11 +138,8 @@ std::deque<Prepared> prepare(const std::filesystem::path& file, const std::vecto
   for (CostVariant& variant : result.variants) {
     Prepared& p = all.emplace_back();
     p.variant = &variant;
-    auto changed = overrides;
-    changed.insert(changed.end(), variant.overrides.begin(), variant.overrides.end());
     try {
-      CaseDocument document(file, changed);
-      p.scene = load_scene(document);
+      p.scene = load_variant(file, overrides, variant.overrides);
       if (!variant.writes_files) leave_out_rows(*p.scene);
     } catch (const CaseError& error) {
       variant.failure = error.what();

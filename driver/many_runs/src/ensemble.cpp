@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "base/progress.hpp"
+#include "case_settings.hpp"
 #include "many_runs/quantities.hpp"
 #include "results/load_scene.hpp"
 #include "run_jobs.hpp"
@@ -87,10 +88,11 @@ void compute(const EnsembleCase& one, std::size_t place, const EnsembleOptions& 
 
 EnsembleResult result_of(const Scene& scene, const RunJournal::Runs& runs, const EnsembleOptions& options) {
   EnsembleResult result;
-  result.asked = options.runs;
-  result.ended = static_cast<int>(runs.size());
+  for (int run = 0; run < options.runs; ++run) result.asked += options.share.has(run);
   std::vector<const RunRecord*> done;
   for (const auto& [number, run] : runs) {
+    if (!options.share.has(number)) continue;
+    ++result.ended;
     if (run.is_done()) done.push_back(&run);
     if (!run.message.empty()) result.failures.push_back(run.message);
     if (!run.warning.empty()) result.warnings.push_back(run.warning);
@@ -120,18 +122,18 @@ EnsembleCase read_ensemble_case(const std::filesystem::path& file,
 CrewWork ensemble_work(const std::deque<EnsembleCase>& cases, int workers) {
   std::vector<RunCase> list;
   for (const EnsembleCase& one : cases)
-    list.push_back({[file = one.file, overrides = one.overrides](const auto&) {
-                      CaseDocument document(file, overrides);
-                      return load_scene(document);
+    list.push_back({[file = one.file, overrides = one.overrides](const auto& more) {
+                      return load_variant(file, overrides, more);
                     },
                     quantity_names(one.scene), true, false});
   return run_work(std::move(list), workers);
 }
 
 EnsembleResult run_ensemble(const std::deque<EnsembleCase>& cases, std::size_t place,
-                            const EnsembleOptions& options, Crew& crew, ResultFolder& folder) {
+                            const EnsembleOptions& options, Crew& crew, ResultFolder& folder,
+                            const std::filesystem::path& whole) {
   RunJournal journal(shape_of(cases[place], options));
-  journal.read_shares(folder.path(), folder.run());
+  journal.read_shares(whole, folder.run());
   journal.open(folder);
   compute(cases[place], place, options, crew, journal);
   return result_of(cases[place].scene, journal.runs(), options);
@@ -144,28 +146,6 @@ EnsembleResult run_ensemble(const std::filesystem::path& file, const std::vector
   RunJournal journal(shape_of(cases.front(), options));
   compute(cases.front(), 0, options, *thread_crew(ensemble_work(cases, threads), threads), journal);
   return result_of(cases.front().scene, journal.runs(), options);
-}
-
-ShareOutcome run_ensemble_share(const std::deque<EnsembleCase>& cases, std::size_t place,
-                                const EnsembleOptions& options, Crew& crew,
-                                const std::filesystem::path& folder, const Provenance& lines) {
-  RunJournal journal(shape_of(cases[place], options));
-  ResultFolder own(folder / shares_folder / options.share.name(), "ensemble",
-                   std::vector<std::string>{journal_file});
-  own.begin(lines);
-  journal.read_shares(folder, own.run());
-  journal.open(own);
-  compute(cases[place], place, options, crew, journal);
-  ShareOutcome share;
-  for (int run = 0; run < options.runs; ++run) share.asked += options.share.has(run);
-  for (const auto& [number, run] : journal.runs()) {
-    if (!options.share.has(number)) continue;
-    ++share.ended;
-    share.failed += !run.is_done();
-  }
-  own.end(share.ended == share.asked ? "whole"
-                                     : "interrupted");  // never "done", which would remove the journal
-  return share;
 }
 
 }  // namespace driver

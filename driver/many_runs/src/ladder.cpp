@@ -130,9 +130,7 @@ class LadderRun {
   std::optional<std::string> volume_by_pressure() {
     auto volume = runs_.kept_volume();
     if (volume) return volume;
-    auto overrides = user_;
-    const auto& full = result_.rungs.front().overrides;
-    overrides.insert(overrides.end(), full.begin(), full.end());
+    const auto overrides = joined(user_, result_.rungs.front().overrides);
     volume = bag_by_volume(file_, overrides, options_.quiet, result_.plan);
     if (volume) runs_.keep_volume(*volume);
     return volume;
@@ -162,12 +160,7 @@ class LadderRun {
 
 CrewWork ladder_work(const std::filesystem::path& file, const std::vector<std::string>& overrides,
                      const std::string& quantity, int workers) {
-  const auto load = [file, overrides](const std::vector<std::string>& more) {
-    auto all = overrides;
-    all.insert(all.end(), more.begin(), more.end());
-    CaseDocument document(file, all);
-    return load_scene(document);
-  };
+  const auto load = [=](const auto& more) { return load_variant(file, overrides, more); };
   return run_work({{load, {quantity}}}, workers);
 }
 

@@ -8,7 +8,6 @@
 #include "forecast/bag_volume.hpp"
 #include "ladder_plan.hpp"
 #include "many_runs/quantities.hpp"
-#include "results/load_scene.hpp"
 
 namespace driver {
 namespace {
@@ -63,17 +62,14 @@ double design_volume(const BagPart& bag) {
 }  // namespace
 
 std::vector<std::string> without_membrane(const LadderPlan& plan, const std::string& volume) {
-  auto overrides = *plan.no_membrane;
-  overrides.push_back("tank.volume=" + volume);
-  return overrides;
+  return joined(*plan.no_membrane, {"tank.volume=" + volume});
 }
 
 std::optional<std::string> bag_by_volume(const std::filesystem::path& file,
                                          const std::vector<std::string>& overrides, bool quiet,
                                          LadderPlan& plan) {
   try {
-    CaseDocument document(file, overrides);
-    const auto volume = bag_volume(load_scene(document), quiet);
+    const auto volume = bag_volume(load_variant(file, overrides, {}), quiet);
     return volume ? std::optional(text_of(*volume)) : std::nullopt;
   } catch (const std::runtime_error& error) {
     plan.left_out.push_back(fmt::format("volume by pressure: {}", error.what()));
@@ -87,11 +83,8 @@ void add_no_membrane(const std::filesystem::path& file, const std::vector<std::s
   try {
     plan.design_volume = design_volume(*scene.bag);
     plan.no_membrane = taken_out(scene, settings);
-    auto all = overrides;
-    const auto any = without_membrane(plan, "1");
-    all.insert(all.end(), any.begin(), any.end());
-    CaseDocument document(file, all);
-    if (const Scene tank = load_scene(document); !has_quantity(tank, quantity))
+    if (const Scene tank = load_variant(file, overrides, without_membrane(plan, "1"));
+        !has_quantity(tank, quantity))
       throw CaseError(fmt::format("a volume of gas alone has no {}", quantity));
   } catch (const CaseError& error) {
     plan.no_membrane.reset();

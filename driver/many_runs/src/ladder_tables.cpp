@@ -7,6 +7,7 @@
 #include <sstream>
 #include <thread>
 
+#include "case_settings.hpp"
 #include "many_runs/ladder.hpp"
 #include "results/results.hpp"
 #include "table_text.hpp"
@@ -107,9 +108,7 @@ std::string cheapest_text(const ResultFolder& folder, const LadderResult& result
                           const std::filesystem::path& file, const std::vector<std::string>& overrides,
                           const LadderOptions& options) {
   const LadderRung& rung = result.rungs[*result.cheapest];
-  auto all = overrides;
-  all.insert(all.end(), rung.overrides.begin(), rung.overrides.end());
-  const CaseDocument document(file, all);
+  const CaseDocument document(file, joined(overrides, rung.overrides));
   const Provenance head{
       {"run", folder.run()},
       {"of", fmt::format("{}: the cheapest rung of its ladder with {} within {:g} % of the reference",

@@ -72,23 +72,25 @@ void RunJournal::read(const std::filesystem::path& file) {
   place.bytes += text.size();
   for (std::size_t at = 0, end = 0; at < text.size(); at = end + 1) {
     end = text.find('\n', at);
-    read_line(text.substr(at, end - at), fmt::format("{}:{}:1", file.string(), ++place.lines), place);
+    ++place.lines;
+    read_line(text.substr(at, end - at), file, place);
   }
 }
 
-void RunJournal::read_line(const std::string& line, const std::string& place, Place& read) {
+void RunJournal::read_line(const std::string& line, const std::filesystem::path& file, Place& read) {
+  const auto place = [&] { return fmt::format("{}:{}:1", file.string(), read.lines); };
   if (line.starts_with("{\"build\":") && Line::accept(line)) {
-    read.has_head = read_head(line, place) || read.has_head;
+    read.has_head = read_head(line, place()) || read.has_head;
   } else if (auto run = record_of_line(line, shape_)) {
     if (!read.has_head)
       throw CaseError(
           fmt::format("{}: a run, but no line before it says of which files: an earlier version has "
                       "written it; use another folder",
-                      place));
+                      place()));
     const long number = run->number;
     runs_.try_emplace(number, std::move(*run));
   } else if (Line::accept(line)) {
-    throw damaged(place);
+    throw damaged(place());
   }
 }
 

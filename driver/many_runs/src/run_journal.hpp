@@ -54,7 +54,7 @@ class RunJournal {
     bool has_head = false;
   };
   void read(const std::filesystem::path& file);
-  void read_line(const std::string& line, const std::string& place, Place& read);
+  void read_line(const std::string& line, const std::filesystem::path& file, Place& read);
   bool read_head(const std::string& line, const std::string& place);
 
   RunShape shape_;

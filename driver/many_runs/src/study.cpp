@@ -19,7 +19,7 @@ namespace driver {
 namespace {
 
 // Runs of one point, with one seed after the other.
-RunJob job_of(const StudyPlan& plan, std::span<const long> runs) {
+RunJob study_job(const StudyPlan& plan, std::span<const long> runs) {
   const std::size_t point = point_of(plan, runs.front());
   RunJob job{.name = fmt::format("point {}", point),
              .overrides = study_overrides(plan, plan.points[point]),
@@ -30,7 +30,7 @@ RunJob job_of(const StudyPlan& plan, std::span<const long> runs) {
 }
 
 // Few runs are not shared out unevenly.
-RunBatch batch_of(const StudyPlan& plan, const std::vector<long>& runs, bool quiet) {
+RunBatch study_batch(const StudyPlan& plan, const std::vector<long>& runs, bool quiet) {
   constexpr std::size_t longest_job = 16, fewest_jobs = 64;
   const std::size_t longest = std::clamp<std::size_t>(runs.size() / fewest_jobs, 1, longest_job);
   std::vector<std::size_t> begins;
@@ -41,7 +41,7 @@ RunBatch batch_of(const StudyPlan& plan, const std::vector<long>& runs, bool qui
   const std::size_t count = begins.size();
   begins.push_back(runs.size());
   const auto job = [&plan, &runs, begins = std::move(begins)](std::size_t i) {
-    return job_of(plan, std::span(runs).subspan(begins[i], begins[i + 1] - begins[i]));
+    return study_job(plan, std::span(runs).subspan(begins[i], begins[i + 1] - begins[i]));
   };
   return {plan.name, quiet, static_cast<long>(runs.size()), count, job};
 }
@@ -79,7 +79,7 @@ std::vector<RunRecord> sample_runs(const StudyPlan& plan) {
   std::vector<long> numbers{0};
   if (plan.points.size() > 1) numbers.push_back(plan.end_of_numbers() - plan.most_seeds());
   RunJournal journal(shape_of(plan));
-  compute_runs(*thread_crew(study_work(plan, 1), 1), batch_of(plan, numbers, true), journal);
+  compute_runs(*thread_crew(study_work(plan, 1), 1), study_batch(plan, numbers, true), journal);
   std::vector<RunRecord> runs;
   for (const auto& [number, run] : journal.runs()) runs.push_back(run);
   return runs;
@@ -101,7 +101,7 @@ bool run_study(const StudyPlan& plan, const std::filesystem::path& folder, const
     for (const long run : asked)
       if (share.has(run) && !journal.find(run)) mine.push_back(run);
     if (mine.empty()) break;
-    RunBatch batch = batch_of(plan, mine, quiet);
+    RunBatch batch = study_batch(plan, mine, quiet);
     if (!plan.stop) batch.of_all = static_cast<long>(asked.size());  // a stop rule's runs are of one share
     compute_runs(crew, batch, journal);
   }

@@ -51,7 +51,7 @@ struct EnsembleResult {
       quantities;                     // one value a run: first contact, final angle, peaks
   std::vector<std::string> failures;  // of runs that left their domain or were inaccurate: in no mean
   std::vector<std::string> warnings;  // of runs whose energy drifts by more than a thousandth: in the means
-  int asked = 0, ended = 0;           // runs; those that an interrupt stopped have not ended
+  int asked = 0, ended = 0;           // runs of the share; those that an interrupt stopped have not ended
 };
 
 /// A case whose scene has a membrane.
@@ -67,23 +67,15 @@ EnsembleCase read_ensemble_case(const std::filesystem::path& file, const std::ve
 /// The runs of cases as the work of a crew.
 CrewWork ensemble_work(const std::deque<EnsembleCase>& cases, int workers);
 
-/// Runs cases[place] with `runs` seeds from `first_seed` on; the result does not depend on who computes them.
-/// `crew` does ensemble_work(cases). Each run that ends is kept in the journal of `folder`, and what stands
-/// there or in its shares is not run again.
+/// Runs cases[place] with `runs` seeds from `first_seed` on, or the share of them; the result does not depend
+/// on who computes them. `crew` does ensemble_work(cases). Each run that ends is kept in the journal of
+/// `folder`. What stands there or in the shares below `whole`, the folder of all runs, is not run again.
 EnsembleResult run_ensemble(const std::deque<EnsembleCase>& cases, std::size_t place,
-                            const EnsembleOptions& options, Crew& crew, ResultFolder& folder);
+                            const EnsembleOptions& options, Crew& crew, ResultFolder& folder,
+                            const std::filesystem::path& whole);
 /// The same of one case, on threads of this process, and without a folder.
 EnsembleResult run_ensemble(const std::filesystem::path& file, const std::vector<std::string>& overrides,
                             const EnsembleOptions& options, int threads = 1);
-
-/// What a share has come to.
-struct ShareOutcome {
-  int asked = 0, ended = 0, failed = 0;  // runs; failed: left their domain or inaccurate
-};
-/// Computes a share in `folder`/shares/NAME, whose runs run_ensemble() in `folder` then has.
-ShareOutcome run_ensemble_share(const std::deque<EnsembleCase>& cases, std::size_t place,
-                                const EnsembleOptions& options, Crew& crew,
-                                const std::filesystem::path& folder, const Provenance& lines);
 
 /// ensemble.csv (time, mean and standard error of each column), quantities.csv (one row a quantity) and
 /// ensemble.json (the same with the value of each run, and failures), runs.csv (single runs). Each says how
