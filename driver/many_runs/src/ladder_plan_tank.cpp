@@ -12,7 +12,7 @@
 namespace driver {
 namespace {
 
-std::string text_of(const gas::Curve& curve) {
+std::string curve_text(const gas::Curve& curve) {
   std::vector<double> overpressure, value;
   for (const gas::Curve::Knot& knot : curve.knots()) {
     overpressure.push_back(knot.time);
@@ -33,9 +33,10 @@ std::string tank_fabric(const Scene& scene) {
   }
   if (area == 0.0) return {};
   return fmt::format("tank.fabric={{area={}, {}}}", area,
-                     law == LeakLaw::table ? fmt::format("leak_law=\"table\", velocity={}",
-                                                         text_of(*scene.gas->model.fabrics.front().velocity))
-                                           : "porosity=1");
+                     law == LeakLaw::table
+                         ? fmt::format("leak_law=\"table\", velocity={}",
+                                       curve_text(*scene.gas->model.fabrics.front().velocity))
+                         : "porosity=1");
 }
 
 std::vector<std::string> taken_out(const Scene& scene, const CaseSettings& settings) {
@@ -70,7 +71,7 @@ std::optional<std::string> bag_by_volume(const std::filesystem::path& file,
                                          LadderPlan& plan) {
   try {
     const auto volume = bag_volume(load_variant(file, overrides, {}), quiet);
-    return volume ? std::optional(text_of(*volume)) : std::nullopt;
+    return volume ? std::optional(curve_text(*volume)) : std::nullopt;
   } catch (const std::runtime_error& error) {
     plan.left_out.push_back(fmt::format("volume by pressure: {}", error.what()));
     return {};

@@ -19,7 +19,7 @@
 namespace driver {
 namespace {
 
-using Line = nlohmann::json;
+using RunJson = nlohmann::json;
 
 // [s] of a run below it the cost is the least of those that take as long, of which there are
 constexpr double short_run = 0.02;
@@ -28,12 +28,12 @@ constexpr int short_repeats = 5;  // at least
 // An override may hold any byte, which JSON's own text does not.
 std::string job_text(const RunJob& job) {
   std::string text;
-  Line::to_cbor({job.place, job.name, job.overrides, job.amplitude, job.runs, job.for_cost}, text);
+  RunJson::to_cbor({job.place, job.name, job.overrides, job.amplitude, job.runs, job.for_cost}, text);
   return text;
 }
 
 RunJob job_of(const std::string& text) {
-  const Line json = Line::from_cbor(text);
+  const RunJson json = RunJson::from_cbor(text);
   return {json[0], json[1], json[2], json[3], json[4], json[5]};
 }
 

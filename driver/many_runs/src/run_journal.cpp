@@ -13,7 +13,7 @@
 namespace driver {
 namespace {
 
-using Line = nlohmann::json;
+using RunJson = nlohmann::json;
 
 CaseError damaged(const std::string& place) {
   return CaseError(fmt::format(
@@ -32,10 +32,10 @@ std::string whole_lines(const std::filesystem::path& file, std::uintmax_t from) 
 }
 
 std::string head_line(const Provenance& build, const std::vector<RunInput>& inputs) {
-  Line list = Line::array();
+  RunJson list = RunJson::array();
   for (const auto& [file, digits] : inputs) list.push_back({file.string(), digits});
-  return Line{{"build", build}, {"inputs", std::move(list)}}.dump(-1, ' ', false,
-                                                                  Line::error_handler_t::replace);
+  return RunJson{{"build", build}, {"inputs", std::move(list)}}.dump(-1, ' ', false,
+                                                                     RunJson::error_handler_t::replace);
 }
 
 }  // namespace
@@ -79,7 +79,7 @@ void RunJournal::read(const std::filesystem::path& file) {
 
 void RunJournal::read_line(const std::string& line, const std::filesystem::path& file, Place& read) {
   const auto place = [&] { return fmt::format("{}:{}:1", file.string(), read.lines); };
-  if (line.starts_with("{\"build\":") && Line::accept(line)) {
+  if (line.starts_with("{\"build\":") && RunJson::accept(line)) {
     read.has_head = read_head(line, place()) || read.has_head;
   } else if (auto run = record_of_line(line, shape_)) {
     if (!read.has_head)
@@ -89,7 +89,7 @@ void RunJournal::read_line(const std::string& line, const std::filesystem::path&
                       place()));
     const long number = run->number;
     runs_.try_emplace(number, std::move(*run));
-  } else if (Line::accept(line)) {
+  } else if (RunJson::accept(line)) {
     throw damaged(place());
   }
 }
@@ -97,12 +97,12 @@ void RunJournal::read_line(const std::string& line, const std::filesystem::path&
 bool RunJournal::read_head(const std::string& line, const std::string& place) {
   std::vector<std::pair<std::string, std::string>> inputs;
   try {
-    const Line json = Line::parse(line);
+    const RunJson json = RunJson::parse(line);
     auto build = json.at("build").get<Provenance>();
     if (build_.empty()) build_ = std::move(build);
     if (!json.contains("inputs")) return false;
     inputs = json.at("inputs");
-  } catch (const Line::exception&) {
+  } catch (const RunJson::exception&) {
     throw damaged(place);
   }
   if (inputs.size() != inputs_.size())

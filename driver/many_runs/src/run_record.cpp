@@ -7,7 +7,7 @@
 namespace driver {
 namespace {
 
-using Line = nlohmann::json;
+using RunJson = nlohmann::json;
 
 bool is_of_shape(const RunRecord& run, const RunShape& shape) {
   constexpr const char* statuses[] = {"done", "inaccurate", "failed", "refused"};
@@ -21,21 +21,21 @@ bool is_of_shape(const RunRecord& run, const RunShape& shape) {
 }  // namespace
 
 std::string line_of(const RunRecord& run) {
-  Line values = Line::array();
-  for (const auto& value : run.values) values.push_back(value ? Line(*value) : Line());
-  Line json{{"run", run.number},
-            {"status", run.status},
-            {"steps", run.steps},
-            {"cpu_s", run.cpu_seconds},
-            {"values", std::move(values)}};
+  RunJson values = RunJson::array();
+  for (const auto& value : run.values) values.push_back(value ? RunJson(*value) : RunJson());
+  RunJson json{{"run", run.number},
+               {"status", run.status},
+               {"steps", run.steps},
+               {"cpu_s", run.cpu_seconds},
+               {"values", std::move(values)}};
   if (!run.message.empty()) json["message"] = run.message;
   if (!run.warning.empty()) json["warning"] = run.warning;
   if (!run.rows.empty()) json["rows"] = run.rows;
-  return json.dump(-1, ' ', false, Line::error_handler_t::replace);
+  return json.dump(-1, ' ', false, RunJson::error_handler_t::replace);
 }
 
 std::optional<RunRecord> record_of_line(const std::string& line, const RunShape& shape) {
-  const Line json = Line::parse(line, nullptr, false);
+  const RunJson json = RunJson::parse(line, nullptr, false);
   if (!json.is_object()) return std::nullopt;
   RunRecord run;
   try {
@@ -46,10 +46,10 @@ std::optional<RunRecord> record_of_line(const std::string& line, const RunShape&
     run.warning = json.value("warning", "");
     run.steps = json.at("steps");
     run.cpu_seconds = json.at("cpu_s");
-    for (const Line& value : json.at("values"))
+    for (const RunJson& value : json.at("values"))
       run.values.push_back(value.is_null() ? std::nullopt : std::optional(value.get<double>()));
     run.rows = json.value("rows", run.rows);
-  } catch (const Line::exception&) {
+  } catch (const RunJson::exception&) {
     return std::nullopt;
   }
   return is_of_shape(run, shape) ? std::optional(std::move(run)) : std::nullopt;
