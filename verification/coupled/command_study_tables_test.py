@@ -145,7 +145,7 @@ def test_study_pictures_of_designs():
     assert drawn_errors == pytest.approx(errors, abs=1e-3, rel=0) and len(errors) == 3
     # A study without pictures leaves files of their names alone.
     change("plan.toml", ("^pictures.*\n", ""))
-    os.mkdir("own")
+    expect(0, "3 of 3 runs", "study run plan.toml --out own")
     Path("own/means.svg").touch()
     expect(0, "3 of 3 runs", "study run plan.toml --out own")
     assert read("own/means.svg") == "" and not os.path.exists("own/means.gp")

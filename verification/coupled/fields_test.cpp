@@ -112,7 +112,7 @@ TEST(fields, files_say_what_the_history_says) {
                                 {"scene.end_time=0.011", "output.fields_every=0.005"});
   const driver::Scene scene = driver::load_scene(document);
   driver::State state = driver::make_state(scene);
-  driver::ResultFolder results(folder.path, "run", driver::FieldWriter::is_own);
+  driver::ResultFolder results(folder.path / "results", "run");
   results.begin({});
   driver::FieldWriter writer(results, scene);
   const auto columns = driver::history_columns(scene);
@@ -128,7 +128,7 @@ TEST(fields, files_say_what_the_history_says) {
                       facing_away.push_back(static_cast<double>(now.jets.front().counters.facing_away));
                     })});
   std::vector<Element> parts;
-  for (const Element& e : read_xml(coupled::read(folder.path / "fields.pvd")))
+  for (const Element& e : read_xml(coupled::read(results.path() / "fields.pvd")))
     if (e.name == "DataSet") parts.push_back(e);
   ASSERT_EQ(times.size(), 3u);  // 0, 5 and 10 ms
   ASSERT_EQ(parts.size(), 6u);  // bag and pendulum
@@ -136,10 +136,10 @@ TEST(fields, files_say_what_the_history_says) {
     ASSERT_EQ(std::stod(parts[2 * i].attributes.at("timestep")), times[i]);
     ASSERT_TRUE(rows.contains(times[i]));  // both intervals fall on the same steps
     const coupled::Row& row = rows.at(times[i]);
-    const PolyData bag(folder.path / parts[2 * i].attributes.at("file"));
+    const PolyData bag(results.path() / parts[2 * i].attributes.at("file"));
     expect_counts(bag);
     expect_record(bag, row, scene.ambient.pressure, facing_away[i]);
-    const PolyData pendulum(folder.path / parts[2 * i + 1].attributes.at("file"));
+    const PolyData pendulum(results.path() / parts[2 * i + 1].attributes.at("file"));
     const Eigen::Vector3d rod = pendulum.point(1) - pendulum.point(0);
     EXPECT_NEAR(rod.norm(), 1.31, 1e-14);  // m, in the case; eps of the 1.3 m that are subtracted
     EXPECT_NEAR(std::atan2(rod.x(), -rod.z()), row.at("pendulum_angle_rad"), 1e-14);

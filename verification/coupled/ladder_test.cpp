@@ -148,11 +148,11 @@ TEST(ladder, free_bag_needs_no_jet_for_its_pressure) {
 
   Folder folder;
   {
-    driver::ResultFolder results(folder.path, "ladder", {"ladder.csv", "ladder.json", "cheapest.toml"});
+    driver::ResultFolder results(folder.path / "results", "ladder");
     results.begin({});
     driver::write_ladder(results, result, case_file("jet_bag"), small, options, false);
   }
-  driver::CaseDocument written(folder.path / "cheapest.toml", {});
+  driver::CaseDocument written(folder.path / "results/cheapest.toml", {});
   const driver::Scene scene = driver::load_scene(written);
   EXPECT_TRUE(scene.jets.empty());
   driver::State state = driver::make_state(scene);

@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <fstream>
 
 #include "base/case_reader.hpp"
@@ -18,13 +17,6 @@ namespace {
 bool is_plain(const std::string& name) {
   return !name.empty() && name != "." && name != ".." && name != status_file &&
          name.find('/') == std::string::npos;
-}
-
-// `bytes: SIZE NAME`.
-void add_size(const std::string& text, FolderStatus& status) {
-  std::uintmax_t size = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), size);
-  if (error == std::errc() && *end == ' ') status.sizes[end + 1] = size;
 }
 
 // The value of `# run: ` above the columns; empty if there is none.
@@ -52,7 +44,7 @@ std::optional<FolderStatus> read_status(const std::filesystem::path& folder) {
   std::ifstream stream(file);
   if (!std::filesystem::is_regular_file(file, ignored) || !stream)
     throw OutputError(fmt::format("{}: not readable", file.string()));
-  FolderStatus status{"", "", "running", {}, {}};
+  FolderStatus status{"", "", "running", {}};
   std::string line;
   if (std::getline(stream, line) && line != status_head)
     throw OutputError(fmt::format("{}: is no status file of gasjet, move it away", file.string()));
@@ -62,7 +54,6 @@ std::optional<FolderStatus> read_status(const std::filesystem::path& folder) {
     if (line.starts_with("run: ")) status.run = value("run: ");
     if (line.starts_with("status: ")) status.status = value("status: ");
     if (line.starts_with("file: ") && is_plain(value("file: "))) status.files.insert(value("file: "));
-    if (line.starts_with("bytes: ")) add_size(value("bytes: "), status);
   }
   return status;
 }

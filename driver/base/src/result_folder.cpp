@@ -18,30 +18,42 @@ namespace {
   throw OutputError(fmt::format("--out {}: {}", folder.string(), message));
 }
 
+bool holds_files(const std::filesystem::path& folder) {
+  return std::ranges::any_of(std::filesystem::directory_iterator(folder), [](const auto& entry) {
+    return !entry.is_directory() && entry.path().filename() != status_file;
+  });
+}
+
 }  // namespace
 
-ResultFolder::ResultFolder(std::filesystem::path folder, std::string command, const IsOwn& is_own)
+void ResultFolder::require_free(const std::filesystem::path& folder, const std::string& command,
+                                bool is_known) {
+  std::error_code ignored;
+  if (!std::filesystem::exists(folder, ignored)) return;
+  const auto status = read_status(folder);
+  const bool is_made = status && !status->run.empty();
+  if (is_made && status->command != command)
+    refuse(folder, fmt::format("holds the results of gasjet {}: name another folder", status->command));
+  if (!is_made && !is_known && holds_files(folder))
+    refuse(folder, fmt::format("holds files, and gasjet {} has not made it: name another folder", command));
+}
+
+ResultFolder::ResultFolder(std::filesystem::path folder, std::string command, bool is_known)
     : path_(std::move(folder)), command_(std::move(command)) {
   std::error_code error;
   std::filesystem::create_directories(path_, error);
   if (error) refuse(path_, error.message());
-  check(path_, command_, read_status(path_), is_own);
+  if (::access(path_.c_str(), W_OK | X_OK) != 0) refuse(path_, "the folder is not writable");
+  require_free(path_, command_, is_known);
   lock();
   try {
-    const auto status = read_status(path_);
-    check(path_, command_, status, is_own);  // what may have come before the lock
-    if (status) earlier_ = *status;
+    require_free(path_, command_, is_known);  // what may have come before the lock
+    if (const auto status = read_status(path_)) earlier_ = *status;
   } catch (...) {
     leave();
     throw;
   }
 }
-
-ResultFolder::ResultFolder(std::filesystem::path folder, std::string command,
-                           const std::vector<std::string>& names)
-    : ResultFolder(std::move(folder), std::move(command), [&names](const std::string& name) {
-        return std::ranges::find(names, name) != names.end();
-      }) {}
 
 ResultFolder::~ResultFolder() {
   try {
@@ -55,34 +67,6 @@ void ResultFolder::leave() {
   // Of a command that was refused nothing stays; lock() sees that the file has gone.
   if (run_.empty() && earlier_.run.empty()) ::unlink((path_ / status_file).c_str());
   ::close(descriptor_);
-}
-
-void ResultFolder::require_free(const std::filesystem::path& folder, const std::string& command,
-                                const IsOwn& is_own) {
-  std::error_code ignored;
-  if (std::filesystem::exists(folder, ignored)) check(folder, command, read_status(folder), is_own);
-}
-
-void ResultFolder::check(const std::filesystem::path& path, const std::string& command,
-                         const std::optional<FolderStatus>& status, const IsOwn& is_own) {
-  if (::access(path.c_str(), W_OK | X_OK) != 0) refuse(path, "the folder is not writable");
-  if (status && !status->run.empty() && status->command != command)
-    refuse(path, fmt::format("holds the results of gasjet {}, another folder is allowed", status->command));
-  for (const auto& entry : std::filesystem::directory_iterator(path)) {
-    const std::string name = entry.path().filename().string();
-    const bool listed = status && status->files.contains(name);
-    if (!listed && !is_own(name)) continue;
-    if (!listed)
-      refuse(path, fmt::format("{} is there, and no run is known to have written it: move it away, or "
-                               "another folder is allowed",
-                               name));
-    if (const auto size = status->sizes.find(name);
-        size != status->sizes.end() && entry.is_regular_file() && entry.file_size() != size->second)
-      refuse(path,
-             fmt::format("{} is not as its run left it: move it away, or another folder is allowed", name));
-    if (!entry.is_regular_file() || ::access(entry.path().c_str(), W_OK) != 0)
-      refuse(path, fmt::format("{} is there and not writable", name));
-  }
 }
 
 void ResultFolder::lock() {
@@ -101,7 +85,7 @@ void ResultFolder::lock() {
   const int code = errno;
   ::close(descriptor_);
   if (code == EWOULDBLOCK)
-    refuse(path_, "another command is writing this folder: wait for its end, or another folder is allowed");
+    refuse(path_, "another command is writing this folder: wait for its end, or name another folder");
   refuse(path_, fmt::format("{} cannot be locked: {}", status_file, std::strerror(code)));
 }
 
@@ -142,19 +126,17 @@ void ResultFolder::begin(const Provenance& lines) {
 
 void ResultFolder::end(const std::string& status) {
   ended_ = true;
-  std::string text = fmt::format("status: {}\n", status);
-  for (const auto& name : listed_) {
-    if (name == journal_file) continue;  // grows, and a reader may be told to mend it
-    std::error_code missing;
-    if (const auto size = std::filesystem::file_size(path_ / name, missing); !missing)
-      text += fmt::format("bytes: {} {}\n", size, name);
-  }
-  mark(text, false);
+  mark(fmt::format("status: {}\n", status), false);
   if (status == "done") remove(journal_file);
 }
 
 std::filesystem::path ResultFolder::add(const std::string& name) {
-  if (listed_.insert(name).second) mark(fmt::format("file: {}\n", name), false);
+  if (listed_.contains(name)) return path_ / name;
+  if (std::error_code ignored;
+      std::filesystem::exists(std::filesystem::symlink_status(path_ / name, ignored)))
+    refuse(path_, fmt::format("{} is there, and gasjet has not written it: move it away", name));
+  listed_.insert(name);
+  mark(fmt::format("file: {}\n", name), false);
   return path_ / name;
 }
 

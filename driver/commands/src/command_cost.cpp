@@ -14,8 +14,6 @@
 namespace driver::commands {
 namespace {
 
-const std::vector<std::string> files_of_cost{"cost.csv", "cost.json", "cost.txt"};
-
 void print(const CostArguments& arguments, const CostResult& result, const Provenance& lines) {
   fmt::print("{}", arguments.format == "json" ? cost_json(result, lines) : cost_text(result));
 }
@@ -41,8 +39,8 @@ int cost(const CostArguments& arguments) {
       file, overrides, id_of("cost", {fmt::format("{} {}", options.runs, options.threads)}, {&document}));
   catch_interrupt();
   if (!arguments.out.empty()) {
-    refuse_inputs(arguments.out, files_of_cost, document.files());
-    folder.emplace(arguments.out, "cost", files_of_cost);
+    refuse_inputs(arguments.out, document.files());
+    folder.emplace(arguments.out, "cost");
     folder->begin(lines);
     lines = folder->lines();
   }

@@ -14,14 +14,11 @@
 namespace driver::commands {
 namespace {
 
-const std::vector<std::string> files_of_case{"ensemble.csv", "quantities.csv", "runs.csv", "ensemble.json",
-                                             journal_file};
-
 void refuse_inputs_of(const std::filesystem::path& folder, const std::filesystem::path& file,
                       const std::vector<std::string>& overrides) {
   const auto inputs = input_files(file, overrides);
-  refuse_inputs(folder / file.stem(), files_of_case, inputs);
-  refuse_inputs(folder, {"effects.csv", status_file}, inputs);
+  refuse_inputs(folder / file.stem(), inputs);
+  refuse_inputs(folder, inputs);
 }
 
 void print_quantities(const std::string& title, const EnsembleResult& result) {
@@ -63,7 +60,7 @@ std::string effects_text(const std::vector<Effect>& list) {
 // One case of the command: its folder and what came of its runs.
 struct Part {
   Part(const std::filesystem::path& case_file, const std::filesystem::path& out)
-      : file(case_file), folder(out / case_file.stem(), "ensemble", files_of_case) {}
+      : file(case_file), folder(out / case_file.stem(), "ensemble") {}
   std::filesystem::path file;
   ResultFolder folder;
   EnsembleResult result;
@@ -87,15 +84,12 @@ std::string id_of_cases(const std::vector<std::filesystem::path>& files, const E
 int run_shares(const std::filesystem::path& path, const std::deque<EnsembleCase>& cases, Crew& crew,
                const EnsembleOptions& options, const Provenance& lines) {
   bool whole = true, failed = false;
-  ResultFolder::require_free(path, "ensemble", [](const std::string& name) { return name == "effects.csv"; });
+  ResultFolder::require_free(path, "ensemble");
   for (std::size_t i = 0; i < cases.size() && whole; ++i) {
     const auto stem = cases[i].file.stem();
     const auto part = path / stem;
-    ResultFolder::require_free(part, "ensemble", [](const std::string& name) {
-      return std::ranges::find(files_of_case, name) != files_of_case.end();
-    });
-    ResultFolder folder(part / shares_folder / options.share.name(), "ensemble",
-                        std::vector<std::string>{journal_file});
+    ResultFolder::require_free(part, "ensemble");
+    ResultFolder folder(part / shares_folder / options.share.name(), "ensemble");
     folder.begin(lines);
     const EnsembleResult share = run_ensemble(cases, i, options, crew, folder, part);
     whole = share.ended == share.asked;
@@ -138,7 +132,7 @@ int ensemble(const EnsembleArguments& arguments, const MakeCrew& make_crew) {
     catch_interrupt();
     return run_shares(path, cases, *crew, options, provenance(arguments.scene.file, overrides, id));
   }
-  ResultFolder all(path, "ensemble", {"effects.csv"});
+  ResultFolder all(path, "ensemble");
   std::deque<Part> parts;
   for (std::size_t i = 0; i < files.size(); ++i) parts.emplace_back(files[i], path);
   catch_interrupt();

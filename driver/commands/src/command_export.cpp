@@ -78,11 +78,8 @@ int export_deck(const ExportArguments& arguments) {
   files.emplace_back("export.json", json_of(deck, used, arguments));
   std::vector<std::string> names;
   for (const auto& file : files) names.push_back(file.first);
-  std::vector<std::string> own{"bag.k", "bag_0000.rad", "bag_0001.rad", status_file};
-  own.insert(own.end(), names.begin(), names.end());
-  refuse_inputs(arguments.out, own, document.files());
-  own.erase(std::ranges::find(own, status_file));
-  ResultFolder folder(arguments.out, "export", own);
+  refuse_inputs(arguments.out, document.files());
+  ResultFolder folder(arguments.out, "export");
   folder.begin(provenance(arguments.scene.file, arguments.scene.overrides,
                           id_of("export", {arguments.format, arguments.units}, {&document})));
   for (const auto& [name, text] : files) folder.write(name, text);

@@ -141,15 +141,13 @@ int ladder(const LadderArguments& arguments, const MakeCrew& make_crew) {
   CaseDocument document(file, overrides);
   Scene scene = load_scene(document);
   tell_warnings(scene);
-  const std::vector<std::string> files{"ladder.csv", "ladder.json",   "ladder.gp",
-                                       "ladder.svg", "cheapest.toml", journal_file};
-  refuse_inputs(path, files, document.files());
+  refuse_inputs(path, document.files());
   const std::string id = id_of("ladder", options_of(options), {&document});
   const auto crew =
       make_crew(id, ladder_work(file, overrides, quantity_name(scene, options.quantity), arguments.threads),
                 arguments.threads);
   if (!crew) return exit_done;
-  ResultFolder folder(path, "ladder", files);
+  ResultFolder folder(path, "ladder");
   catch_interrupt();
   folder.begin(provenance(file, overrides, id));
   const LadderResult result = run_ladder(file, overrides, plan, options, *crew, &folder);

@@ -33,10 +33,7 @@ int run(const RunArguments& arguments) {
   tell_warnings(scene);
   const auto folder =
       arguments.out.empty() ? std::filesystem::path("results") / arguments.scene.file.stem() : arguments.out;
-  refuse_inputs(folder,
-                {"history.csv", "energy.csv", "summary.json", "check.json", "frames.bin", "accelerations.csv",
-                 status_file},
-                document.files());
+  refuse_inputs(folder, document.files());
   const std::string id = id_of("run", {}, {&document});
   // Until the steps begin there is nothing to keep, and a signal ends the program at once.
   const auto outcome =

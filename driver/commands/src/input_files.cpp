@@ -26,9 +26,10 @@ void refuse_same_file(const char* option, const std::filesystem::path& out,
                                   input.string()));
 }
 
-void refuse_inputs(const std::filesystem::path& folder, const std::vector<std::string>& outputs,
-                   const std::vector<std::filesystem::path>& inputs) {
-  for (const auto& name : outputs) refuse_same_file("--out", folder / name, inputs);
+void refuse_inputs(const std::filesystem::path& folder, const std::vector<std::filesystem::path>& inputs) {
+  const auto status = read_status(folder);
+  if (!status) return;
+  for (const auto& name : status->files) refuse_same_file("--out", folder / name, inputs);
 }
 
 void require_file(const std::filesystem::path& file) {

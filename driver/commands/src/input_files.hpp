@@ -15,9 +15,8 @@ void refuse_same_file(const char* option, const std::filesystem::path& out,
                       const std::vector<std::filesystem::path>& inputs);
 /// Throws CaseError for a pipe or a device: the command reads the file more than once.
 void require_file(const std::filesystem::path& file);
-/// The same for the files `outputs` that a command writes to the folder of --out.
-void refuse_inputs(const std::filesystem::path& folder, const std::vector<std::string>& outputs,
-                   const std::vector<std::filesystem::path>& inputs);
+/// Throws CaseError if one of the inputs is among the results in the folder of --out, which are removed.
+void refuse_inputs(const std::filesystem::path& folder, const std::vector<std::filesystem::path>& inputs);
 /// A case and the files that it names. Throws CaseError.
 std::vector<std::filesystem::path> input_files(const std::filesystem::path& file,
                                                const std::vector<std::string>& overrides);

@@ -87,11 +87,12 @@ std::vector<RunRecord> sample_runs(const StudyPlan& plan) {
 
 bool run_study(const StudyPlan& plan, const std::filesystem::path& folder, const Share& share, Crew& crew,
                bool quiet) {
-  ResultFolder::require_free(folder, "study", files_of_study(plan));
+  std::error_code ignored;
+  ResultFolder::require_free(folder, "study", std::filesystem::exists(folder / plan_copy, ignored));
   keep_plan(plan, folder);
   RunJournal journal(shape_of(plan), study_inputs(plan, folder));
   journal.read_shares(folder, plan.id);
-  ResultFolder own(folder / shares_folder / share.name(), "study", std::vector<std::string>{journal_file});
+  ResultFolder own(folder / shares_folder / share.name(), "study");
   own.begin(provenance(plan.case_file, plan.overrides, plan.id));
   tell_start(plan.name, journal, quiet);
   journal.open(own);

@@ -142,17 +142,6 @@ std::string level_cells(const StudyPlan& plan, std::size_t point) {
   return cells;
 }
 
-ResultFolder::IsOwn files_of_study(const StudyPlan& plan) {
-  return [pictures = plan.pictures](const std::string& name) {
-    constexpr const char* tables[] = {"results.csv", "timing.csv",  "means.csv",      "study.json",
-                                      "sobol.csv",   "surface.csv", "convergence.csv"};
-    constexpr const char* drawn[] = {"means.gp",  "means.svg",      "sobol.gp",
-                                     "sobol.svg", "convergence.gp", "convergence.svg"};
-    return std::ranges::find(tables, name) != std::end(tables) ||
-           (pictures && std::ranges::find(drawn, name) != std::end(drawn));
-  };
-}
-
 std::vector<std::string> note_lines(const StudySummary& summary) {
   constexpr std::size_t most = 10;
   std::vector<std::string> lines;
@@ -178,7 +167,7 @@ StudySummary merge_study(const std::filesystem::path& folder) {
   std::erase_if(
       lines, [](const auto& line) { return line.first == "date"; });  // of one share: no fact of the results
   StudySummary summary = summary_of(plan, runs);
-  ResultFolder results(folder, "study", files_of_study(plan));
+  ResultFolder results(folder, "study", true);
   results.begin(lines);
   Provenance head = results.lines();
   head.emplace_back(

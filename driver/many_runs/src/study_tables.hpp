@@ -9,9 +9,6 @@
 
 namespace driver {
 
-/// Tells the tables and pictures of a plan from other files in the study's folder.
-ResultFolder::IsOwn files_of_study(const StudyPlan& plan);
-
 /// What a study could not say, for its reader.
 using StudyNotes = std::vector<std::string>;
 /// What runs that are left out could change is the first of the notes.

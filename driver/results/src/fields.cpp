@@ -122,14 +122,6 @@ std::string polydata_of(const mesh::Mesh& mesh) {
 
 FieldWriter::FieldWriter(ResultFolder& folder, const Scene& scene) : folder_(folder), scene_(scene) {}
 
-bool FieldWriter::is_own(const std::string& name) {
-  constexpr std::string_view ending = ".vtp";
-  const std::size_t begin = name.starts_with("bag_") ? 4 : name.starts_with("pendulum_") ? 9 : 0;
-  if (begin == 0 || !name.ends_with(ending) || name.size() <= begin + ending.size())
-    return name == "fields.pvd";
-  return name.find_first_not_of("0123456789", begin) == name.size() - ending.size();
-}
-
 void FieldWriter::write(const State& state) {
   const auto frame = fmt::format("{:05d}.vtp", files_.size());
   const std::string bag_file = "bag_" + frame, first = head(folder_, "PolyData");

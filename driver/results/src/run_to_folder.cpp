@@ -55,10 +55,7 @@ RunOutcome run_to_folder(const Scene& scene, const std::filesystem::path& path, 
   State state = make_state(scene);
   const bool with_fields = scene.output.fields_every > 0.0,
              with_frames = (scene.bag || scene.target) && scene.output.frames > 0;
-  ResultFolder folder(path, "run", [&](const std::string& name) {
-    return name == "history.csv" || name == "energy.csv" || name == "summary.json" || name == "check.json" ||
-           name == "frames.bin" || name == "accelerations.csv" || (with_fields && FieldWriter::is_own(name));
-  });
+  ResultFolder folder(path, "run");
   if (options.ready) options.ready();
   folder.begin(lines);
   folder.write("summary.json", summary_of_running(scene, folder.lines()));

@@ -2,9 +2,7 @@
 // gasjet.status: what a folder of results says of itself.
 #pragma once
 
-#include <cstdint>
 #include <filesystem>
-#include <map>
 #include <optional>
 #include <set>
 #include <string>
@@ -17,8 +15,6 @@ struct FolderStatus {
   std::string run;
   std::string status;  // "running" until the command ends, then how it ended
   std::set<std::string, std::less<>> files;
-  /// [bytes] of the files when the command ended; of a killed one there are none.
-  std::map<std::string, std::uintmax_t, std::less<>> sizes;
 };
 inline constexpr const char* status_file = "gasjet.status";
 inline constexpr const char* status_head =

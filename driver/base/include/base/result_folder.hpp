@@ -3,8 +3,6 @@
 #pragma once
 
 #include <filesystem>
-#include <functional>
-#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
@@ -16,21 +14,18 @@
 
 namespace driver {
 
-/// A folder of results. Its status file is locked as long as this lives, says "running" from begin() to
-/// end(), "failed" if this goes before, and lists the files of the run before they are written: only those
-/// are ever removed or replaced.
+/// A folder of results: one that held no files, or that the same command has made. Its status file is locked
+/// as long as this lives, says "running" from begin() to end(), "failed" if this goes before, and lists the
+/// files of the run before they are written. Only listed files are ever removed or replaced.
 class ResultFolder {
  public:
-  using IsOwn = std::function<bool(const std::string& name)>;
-
-  /// Makes and locks the folder; `is_own`: the names that `command` may write. Nothing that was there
-  /// changes. Throws OutputError when that cannot be done, while another has the lock, when the folder is of
-  /// another command, and when a file has such a name that no earlier run wrote, or not as it is now.
-  ResultFolder(std::filesystem::path folder, std::string command, const IsOwn& is_own);
-  /// Throws OutputError, as the constructor does, where a command could not write its results later.
+  /// Throws OutputError if `folder` is of another command, or holds files but is of none; `is_known`: the
+  /// caller knows that the command has made it.
   static void require_free(const std::filesystem::path& folder, const std::string& command,
-                           const IsOwn& is_own);
-  ResultFolder(std::filesystem::path folder, std::string command, const std::vector<std::string>& names);
+                           bool is_known = false);
+  /// Makes and locks the folder. Nothing that was there changes. Throws OutputError as require_free(), if the
+  /// folder cannot be made or written, and while another command has the lock.
+  ResultFolder(std::filesystem::path folder, std::string command, bool is_known = false);
   ~ResultFolder();
   ResultFolder(const ResultFolder&) = delete;
   ResultFolder& operator=(const ResultFolder&) = delete;
@@ -47,15 +42,14 @@ class ResultFolder {
   /// Lines that open each file, the id among them.
   const Provenance& lines() const { return lines_; }
 
-  /// Path of a file of the run, which is listed from now on.
+  /// Path of a file of the run, which is listed from now on. Throws OutputError if a file that no run has
+  /// written is there.
   std::filesystem::path add(const std::string& name);
   /// Writes a whole file of the run. Throws WriteError.
   void write(const std::string& name, const std::string& text);
   void remove(const std::string& name);
 
  private:
-  static void check(const std::filesystem::path& path, const std::string& command,
-                    const std::optional<FolderStatus>& status, const IsOwn& is_own);
   void lock();
   void leave();
   void mark(std::string_view text, bool anew);

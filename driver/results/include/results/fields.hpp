@@ -25,8 +25,6 @@ std::string polydata_of(const mesh::Mesh& mesh);
 class FieldWriter {
  public:
   FieldWriter(ResultFolder& folder, const Scene& scene);
-  /// Names of the files.
-  static bool is_own(const std::string& name);
   /// Writes level n. Call it when the forces of n are complete (LevelView::show).
   void write(const State& state);
 
