@@ -32,7 +32,7 @@ void Balance::fill_rates(Vector& dydt) {
   flow_ = 0.0;
   if (gas_.overpressure < 0.0)
     for (std::size_t j = 0; j < s.backflows; ++j)
-      flow_ -= dydt[s.back(j)] = boundary_.back(j, gas, time_);  // mdot_back, (G.6) the other way
+      flow_ -= dydt[s.back(j)] = boundary_.back(j, gas, time_);  // mdot_back, (G.6) reversed
   if (gas_.mass == 0.0) return;
   if (gas_.overpressure > 0.0) {
     for (std::size_t j = 0; j < s.streams(); ++j) {

@@ -4,8 +4,8 @@
 
 namespace gas {
 
-/// Right-hand side of (G.9), (G.10) for the unknowns of Slots, at one gas and time. locate() sets gas and
-/// time; fill_rates() has one line for the rate of each.
+/// Right-hand side of (G.9), (G.10) for the unknowns of Slots. locate() sets gas and time; fill_rates()
+/// computes the rates.
 class Balance {
  public:
   /// `boundary` must outlive this object.
@@ -16,7 +16,7 @@ class Balance {
   /// Locates the gas of the amount (m_k, energy) at time t of the segment. False if its temperature is out of
   /// range.
   bool locate(std::span<const double> amount, double t);
-  /// Rates dy/dt of the gas located.
+  /// Rates dy/dt at the located gas.
   void fill_rates(Vector& dydt);
 
   const Boundary& boundary() const { return boundary_; }
@@ -26,12 +26,12 @@ class Balance {
   double absolute_time() const { return boundary_.segment().begin + time_; }  // [s]
   double fraction(std::size_t k) const { return masses_[k] / gas_.mass; }
 
-  /// V dp/dt [W] of the gas located: with the openings shut, from inflow, volume and walls; and from a flow
-  /// [kg/s] out through the openings, which below zero is ambient gas that comes in.
+  /// V dp/dt [W] at the located gas: first by inflow, volume and walls alone, with the openings shut; then by
+  /// a flow [kg/s] out through the openings (below zero: ambient gas in).
   double closed_growth() const;
   double open_growth(double flow) const;
-  // Of the rates filled last:
-  double flow() const { return flow_; }  // [kg/s] out through all openings; below zero what comes in
+  // The rates that fill_rates() found last:
+  double flow() const { return flow_; }  // [kg/s] out through all openings; below zero: in
   double pressure_rate() const;          // [Pa/s]
 
  private:

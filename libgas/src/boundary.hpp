@@ -9,12 +9,12 @@
 
 namespace gas {
 
-/// A time between two break points.
+/// The time between two break points.
 struct Segment {
   double begin = 0.0, length = 0.0;  // [s]
 };
 
-/// A VolumePath, (G.17), in the share x of the step, on a segment of it. Times count from its begin.
+/// A VolumePath (G.17) as a function of the share x of the step. Times count from the begin of a segment.
 struct StepPath {
   double t0 = 0.0;                       // [s] begin of the step
   double begin = 0.0, per_second = 0.0;  // x where the segment begins; dx/dt [1/s]
@@ -55,12 +55,12 @@ struct AmbientGas {
 };
 
 double laminar_overpressure(const ControlVolumeModel& model);  // [Pa] d of (G.22)
-/// Time [s] at which a vent opened, from which its area of time counts.
+/// Time [s] at which a vent opened. Its area_of_time counts from there.
 double opened_at(const Vent& vent, const TriggerState& triggers);
 /// Fabric i of the model, the default one included.
 const Fabric& fabric_of(const ControlVolumeModel& model, std::size_t i);
 
-/// Value of a curve, or with its derivatives.
+/// Value of a curve, as a number or with derivatives.
 inline double value_of(const Curve& curve, double x) {
   return curve.value(x);
 }
@@ -69,7 +69,7 @@ Dual<N> value_of(const Curve& curve, const Dual<N>& x) {
   return curve.piece(x.value).at(x);
 }
 
-/// Mass flow [kg/s] out through fabric i, (G.7) or (G.12); `leak_area` [m2] is that of all fabrics.
+/// Mass flow [kg/s] out through fabric i, (G.7) or (G.12); `leak_area` [m2] is the total of all fabrics.
 template <class S>
 S fabric_flow(const ControlVolumeModel& model, std::size_t i, const S& leak_area, const Upstream<S>& gas) {
   const auto& [share, velocity] = fabric_of(model, i);
@@ -81,8 +81,8 @@ S fabric_flow(const ControlVolumeModel& model, std::size_t i, const S& leak_area
 /// Heat flow [W] through the walls (G.11) at a temperature [K] of the gas.
 double heat_flow(const ControlVolumeModel& model, double temperature);
 
-/// All flows through the boundary of a volume, over a segment of time in which nothing switches and no curve
-/// of time passes a knot. Times within the segment count from its begin.
+/// All flows through the boundary of a volume, over a segment of time without a switch and without a knot of
+/// a curve over time. Times within the segment count from its begin.
 class Boundary {
  public:
   /// `model` must outlive this object.
@@ -103,8 +103,8 @@ class Boundary {
   bool is_open() const { return has_open_vent() || path_.leaks(); }  // gas can leave
   bool has_backflow() const;                                         // gas can come in
 
-  /// Mass flows [kg/s] at time t of the segment, as numbers or with derivatives. Out in stream j of Slots:
-  /// through a vent (G.6), or through a fabric, (G.7) or (G.12). In through vent j.
+  /// Mass flows [kg/s] at time t of the segment, as numbers or with derivatives. out(): stream j of Slots,
+  /// through a vent (G.6) or a fabric, (G.7) or (G.12). in(): through vent j.
   template <class S>
   S out(std::size_t j, const Upstream<S>& gas, const S& t) const {
     if (j < slots_.vents) return through_vent(j, gas, gas.overpressure, t);
@@ -115,7 +115,7 @@ class Boundary {
     if (!model_.vents[j].backflow) return S(0.0);
     return through_vent(j, ambient_.upstream(gas.overpressure), gas.overpressure, t);
   }
-  /// All that flow out; below zero those that flow in.
+  /// Total flow out; below zero: in.
   template <class S>
   S flow(const Upstream<S>& gas, const S& t) const {
     const bool leaves = gas.overpressure > 0.0;
@@ -141,7 +141,7 @@ class Boundary {
   const AmbientGas ambient_;
   const Slots slots_;
   Inflows inflows_;
-  /// [vent] Cd A over time, zero while it is shut; for one with a curve over the overpressure Cd alone.
+  /// [vent] Cd A over time, zero while shut. If the area is a curve over the overpressure: Cd alone.
   std::vector<Curve::Piece> areas_;
   StepPath path_;
   Segment segment_;

@@ -109,7 +109,7 @@ void require_volume(const Curve& curve, double ambient_pressure) {
   }
 }
 
-/// Each level of a sensor is located to 2e-12 of p; nearer to each other, p is at both at once.
+/// Each level of a sensor is located to 2e-12 of p. Two levels must be farther apart than that.
 void require_apart(const Sensor& sensor, double ambient_pressure) {
   constexpr double kApart = 1e-11;
   if (sensor.kind != SensorKind::pressure || !sensor.reset) return;

@@ -70,7 +70,8 @@ double Curve::value(double time, Side side) const {
       return first->value;
   if (time == knots_.back().time) return knots_.back().value;
   const Piece p = piece(time);
-  return p.slope == 0.0 ? p.value : p.at(time);  // at an infinite time, too: before what has not fired
+  return p.slope == 0.0 ? p.value : p.at(time);  // also at an infinite time: before an inflow that has not
+                                                 // fired
 }
 
 std::optional<double> Curve::first_jump() const {

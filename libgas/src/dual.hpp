@@ -8,8 +8,8 @@
 
 namespace gas {
 
-/// A number and its derivatives by N variables. (Boost's autodiff carries all products of derivatives along,
-/// and neither it nor Eigen's has log1p and expm1.)
+/// A number and its derivatives by N variables. (Boost's autodiff also computes all higher derivatives;
+/// neither it nor Eigen's has log1p and expm1.)
 template <std::size_t N>
 struct Dual {
   double value = 0.0;
@@ -24,7 +24,7 @@ struct Dual {
   Dual(double number, double by_a, const Dual& a, double by_b, const Dual& b) : value(number) {
     for (std::size_t i = 0; i < N; ++i) slopes[i] = by_a * a.slopes[i] + by_b * b.slopes[i];
   }
-  /// Derivative where the variables change as `change` says.
+  /// Derivative along the direction `change` of the variables.
   double along(const std::array<double, N>& change) const {
     double sum = 0.0;
     for (std::size_t i = 0; i < N; ++i) sum += slopes[i] * change[i];

@@ -12,19 +12,20 @@
 namespace gas {
 namespace {
 
-// Across a corner of the rates a step that ends beside it by d, relative to p, has an error of d^2, across
-// the sonic switch, where their slopes are continuous, of d^3. Here that is a ten thousandth, or a
-// thousandth, of the tolerance; corners may be steep.
+// A step that passes a kink of the rates and ends at the relative distance d from it has an error of d^2; at
+// the sonic switch, where slopes are continuous, of d^3. With these shares the errors are a ten thousandth
+// and a thousandth of the tolerance, as kinks may be steep.
 constexpr double kKnotShare = 0.01, kSonicShare = 0.1;
-constexpr double kSensorNear = 1e-12;  // of p: when a sensor switched is an answer of its own
+constexpr double kSensorNear = 1e-12;  // share of p: the time at which a sensor switches is a result in
+                                       // itself
 // p_a is landed on within a tenth of the laminar range, or, without one, within some thousand roundings.
 constexpr double kLaminarNear = 0.1, kAmbientNear = 1e-12;
-constexpr double kRounding = 1e-13;  // of p: some hundred roundings
-constexpr double kEqual = 1e-7;      // of p_a: ten times the laminar range
-// An excursion may go so many times as far as its cubic does.
+constexpr double kRounding = 1e-13;  // share of p: some hundred roundings
+constexpr double kEqual = 1e-7;      // share of p_a: ten times the laminar range
+// An excursion may go this many times as far as its cubic.
 constexpr double kExcursion = 1.5;
 
-/// Flow, rather than what else moves p, makes most of its rate.
+/// True if flow through the openings causes more than half of dp/dt.
 bool is_led_by_flow(const Moment& at) {
   return std::abs(at.growth) < 0.5 * std::abs(at.rate);
 }
@@ -83,10 +84,10 @@ double EventFinder::Course::at(double s) const {
   return begin + s * (rise + u * (begin_slope * u - end_slope * s + rise * (2.0 * s - 1.0)));
 }
 
-/// Where it has an extremum inside.
+/// Place of its extremum inside the trial, if it has one.
 std::optional<double> EventFinder::Course::turn() const {
   if (!(begin_slope * end_slope < 0.0)) return {};
-  // Its slope is a s^2 + b s + c; of the two zeros, one lies inside.
+  // The slope is a s^2 + b s + c; one of its two zeros lies inside.
   const double rise = end - begin, a = 3.0 * (begin_slope + end_slope - 2.0 * rise),
                b = 2.0 * (3.0 * rise - 2.0 * begin_slope - end_slope), c = begin_slope;
   const double q = -0.5 * (b + std::copysign(std::sqrt(std::max(0.0, b * b - 4.0 * a * c)), b));
@@ -97,7 +98,7 @@ std::optional<double> EventFinder::Course::turn() const {
 
 std::optional<double> EventFinder::Course::passing(double begin_near, double end_near, bool again) const {
   if (std::abs(end) <= end_near) return {};
-  // From one that it starts on, it leaves as its slope says.
+  // If it starts on a level, its slope decides to which side it leaves.
   Course course = *this;
   if (std::abs(begin) <= begin_near)
     course.begin = begin_slope == 0.0 ? end : std::copysign(2.0 * begin_near, begin_slope);
@@ -107,7 +108,8 @@ std::optional<double> EventFinder::Course::passing(double begin_near, double end
     const boost::math::tools::eps_tolerance<double> close(40);
     const auto [low, high] =
         boost::math::tools::toms748_solve(value, 0.0, 1.0, course.begin, end, close, iterations);
-    // Beyond the level p may follow another law, which misleads the cubic. Then the slope at the start tells.
+    // Beyond the level p may follow another law, which misleads the cubic. Then the slope at the start is
+    // used.
     const double curved = 0.5 * (low + high), straight = -begin / begin_slope;
     if (std::abs(begin) <= begin_near || !(straight > 0.0 && straight < 1.0)) return curved;
     return again                                                ? std::min(curved, straight)
@@ -153,7 +155,7 @@ bool EventFinder::is_onset(const Balance& balance, const Moment& at) const {
 }
 
 std::optional<double> EventFinder::switches(const Moment& begin, const Moment& end, double h) const {
-  // A trial may end just short of the switch, which the next one passes.
+  // A trial may end just short of the switch; the next trial then passes it.
   const bool starts_on = std::abs(begin.sonic) <= sonic_near_, ends_on = std::abs(end.sonic) <= sonic_near_;
   if ((begin.sonic > 0.0) == (end.sonic > 0.0) || !(starts_on || ends_on)) return {};
   const Course course{begin.sonic, h * begin.sonic_rate, end.sonic, h * end.sonic_rate};
@@ -164,7 +166,8 @@ std::optional<double> EventFinder::equalises(const Moment& begin, const Moment& 
   const double size = kEqual * boundary_.model().ambient.pressure;
   const double from = std::abs(begin.overpressure), to = std::abs(end.overpressure);
   if (!(from > size && to <= size) || begin.flow == 0.0 || !is_led_by_flow(begin)) return {};
-  return (std::sqrt(from) - std::sqrt(size)) / (std::sqrt(from) - std::sqrt(to));  // p - p_a is as its square
+  return (std::sqrt(from) - std::sqrt(size)) / (std::sqrt(from) - std::sqrt(to));  // p - p_a is proportional
+                                                                                   // to its square
 }
 
 double EventFinder::until_ambient(const Moment& begin) const {
@@ -184,15 +187,15 @@ bool EventFinder::crosses_against_flow(const Moment& begin, const Moment& end, d
   const double up = std::max({0.0, begin.growth, end.growth}),
                down = std::max({0.0, -begin.growth, -end.growth});
   if (up + down == 0.0) {
-    // Gas that only runs out stays above p_a, and what only comes in leaves it below: beyond p_a rest may be
-    // unstable, if cold ambient gas lowers p. A stage beyond p_a that leads farther back is another such
-    // error.
+    // Flow out that is not fed leaves p above p_a, and flow in leaves it below. Beyond p_a rest may be
+    // unstable, if cold ambient gas lowers p. A stage beyond p_a that drives p farther away is such an error,
+    // too.
     if (begin.flow == 0.0) return false;
     const double rounding = kRounding * boundary_.model().ambient.pressure;
     return (from * to < 0.0 && std::abs(to) > rounding) ||
            (from * begin.rate < 0.0 && from * to > 0.0 && std::abs(to) > std::abs(from) + rounding);
   }
-  // What cooling or expansion, inflow or compression, could take p beyond p_a.
+  // Change of p beyond p_a that cooling, expansion, inflow or compression could cause.
   const double near = ambient_near_ / end.compliance;
   return (is_led(begin, 1.0) && from > -near && -to > near + down * duration) ||
          (is_led(begin, -1.0) && from < near && to > near + up * duration);

@@ -11,8 +11,9 @@
 namespace gas {
 namespace {
 
-/// Temperature of the gas that flows in at the rates (m_k [kg/s], H [W]), in balance with the walls: h A is
-/// added to its heat capacity. Work against its pressure is of second order in its mass. None out of range.
+/// Temperature of the gas that flows in at the rates (m_k [kg/s], H [W]), in balance with the walls: h A adds
+/// to its heat capacity; work against its pressure is of second order in its mass. Empty if it is out of
+/// range.
 std::optional<double> balance_with_walls(const ControlVolumeModel& model, const Vector& rates) {
   const HeatLoss& walls = model.heat_loss;
   Mixture sum = model.thermo.mixture(std::span(rates).first(model.thermo.size()));
@@ -29,7 +30,7 @@ double fill_first(System& system, const IntegratorOptions& options, Vector& y, d
   const Boundary& boundary = balance.boundary();
   const Slots& s = boundary.slots();
   const Upstream<double> empty = balance.gas().upstream();
-  // Into no gas ambient gas flows sonic, linear in time as areas are.
+  // Ambient gas enters an empty volume at the speed of sound, so its flow is linear in time, as areas are.
   const auto set_backflow = [&](double factor, double at) {
     std::ranges::fill(y, 0.0);
     for (std::size_t j = 0; j < s.backflows; ++j) y[s.back(j)] = factor * boundary.back(j, empty, at);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The laws of the flow, each written once: for numbers, and for numbers with their derivatives.
+// The laws of flow, as templates for numbers and for numbers with derivatives.
 #pragma once
 #include "dual.hpp"
 
@@ -16,8 +16,7 @@ struct Upstream {
   S density() const { return pressure / (gas_constant * temperature); }
 };
 
-/// log(2/(gamma + 1)), of the throat's temperature over that at rest; by log1p, as its exponents multiply the
-/// error.
+/// log(2/(gamma + 1)): throat over stagnation temperature. log1p, because large exponents multiply its error.
 template <class S>
 S log_sonic_temperature(const S& gamma) {
   return log1p(S(-(gamma - 1.0) / (gamma + 1.0)));
@@ -54,7 +53,7 @@ S inviscid_fabric_flux(const S& density, const S& overpressure) {
 /// d = 0.
 template <class S>
 S laminar_factor(const S& overpressure, double laminar_overpressure) {
-  // (1 + q^2)^(-3/4) is 1 - 3/4 q^2 to a rounding for q^2 below this.
+  // For q^2 below this, (1 + q^2)^(-3/4) equals 1 - 3/4 q^2 to one rounding.
   constexpr double kSmallSquare = 1e-8;
   if (!(overpressure > 0.0)) return S(0.0);
   const S q = laminar_overpressure / overpressure;

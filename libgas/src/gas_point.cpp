@@ -35,7 +35,7 @@ UniformGas gas_of(const ControlVolumeModel& model, const ControlVolumeState& sta
   UniformGas gas{};
   gas.temperature = state.temperature;
   if (!locate(model, mixture, energy, volume, gas))
-    mixture.temperature(state.internal_energy, state.temperature);  // throws, and says why
+    mixture.temperature(state.internal_energy, state.temperature);  // throws the reason
   if (gas.beyond) throw DomainError(beyond_text(model));
   return gas;
 }

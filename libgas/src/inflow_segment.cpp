@@ -10,7 +10,7 @@
 namespace gas {
 namespace {
 
-/// When the temperature, on its piece around tau, passes 1000 K after tau; infinity if it does not.
+/// Time after tau at which the temperature, on its piece around tau, passes 1000 K; infinity if it does not.
 double joint_crossing(const Curve& temperature, double tau, double piece_end) {
   const Curve::Piece piece = temperature.piece(tau);
   if (piece.slope == 0.0) return kInfinity;
@@ -19,7 +19,7 @@ double joint_crossing(const Curve& temperature, double tau, double piece_end) {
   return crossing > tau + clearance && crossing < piece_end ? crossing : kInfinity;
 }
 
-/// Of t - start.
+/// Round-off of t - start.
 double round_off(double start, double t) {
   return 2.0 * kEpsilon * std::max(std::abs(t), std::abs(start));
 }
@@ -54,7 +54,8 @@ InflowSegment::InflowSegment(const Inflow& inflow, double start, const Mixture& 
     : gas_(&gas) {
   const double begin = local_time(inflow, start, a), end = local_time(inflow, start, b);
   if (!(begin >= 0.0)) return;
-  // Where a and b round, the clock of the firing goes at another pace: it delivers what the knots say.
+  // Because a and b are rounded, time since firing passes at a slightly different rate. This keeps the
+  // delivery that the knots state.
   const double pace = (end - begin) / (b - a), middle = begin + 0.5 * (end - begin);
   const Curve::Piece flow = inflow.mass_flow.piece(middle), heat = inflow.temperature.piece(middle);
   mass_flow_ = pace * flow.at(begin);

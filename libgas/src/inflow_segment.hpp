@@ -6,18 +6,18 @@
 
 namespace gas {
 
-/// Time since `start` [s] at time t; -infinity if the start never comes. The subtraction rounds. So a result
-/// within round-off of zero, or of a knot of `curves`, is set to it. A pulse then keeps its exact length
-/// however late it fires.
+/// Time since `start` [s] at time t; -infinity if the start never comes. A result within round-off of zero,
+/// or of a knot of `curves`, is set to it: then a pulse keeps its exact length however late it fires.
 double local_time(std::initializer_list<const Curve*> curves, double start, double t);
-/// The same since firing, with the curves of the inflow.
+/// The same for an inflow: time since it fired.
 double local_time(const Inflow& inflow, double start, double t);
 
 /// First time after t at which the inflow is not smooth: firing, a knot, an inflow temperature of 1000 K.
 double next_break(const Inflow& inflow, double start, bool constant_cp, double t);
 
 /// One inflow on an interval [a, b] without a break inside, where mass flow and temperature are linear. Times
-/// count from a: they keep their digits where a is late, as the first gas of an evacuated volume needs.
+/// count from a, so that they keep their digits even where a is late; the first gas of an evacuated volume
+/// needs that.
 class InflowSegment {
  public:
   struct Flow {
@@ -40,8 +40,8 @@ class InflowSegment {
   /// Mass flow [kg/s] and enthalpy flow [W] at t; then their derivatives by t.
   Delivered rate(double t) const;
   Delivered rate_slope(double t) const;
-  /// Mass and enthalpy delivered from t0 to t1, in closed form. For cp(T) and a changing temperature a Gauss
-  /// rule is used, which is exact: the integrand is a polynomial of degree 6 in time.
+  /// Mass and enthalpy delivered from t0 to t1, in closed form. For cp(T) and a changing temperature it uses
+  /// a Gauss rule, which is exact for the integrand, a polynomial of degree 6 in time.
   Delivered delivered(double t0, double t1) const;
   const Mixture& gas() const { return *gas_; }
 

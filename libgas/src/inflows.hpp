@@ -20,8 +20,8 @@ class Inflows {
 
   std::size_t size() const { return segments_.size(); }
   const InflowSegment& operator[](std::size_t i) const { return segments_[i]; }
-  /// Adds to `gas`, for each inflow that flows, factor times what `amount` says of its segment: what it
-  /// delivers, its rate, or the rate's derivative.
+  /// Adds factor times amount(segment) of each flowing inflow to `gas`. The amount may be a delivery, a rate
+  /// or the rate's derivative.
   template <class Amount>
   void add(double factor, Amount amount, std::span<double> gas) const {
     for (std::size_t i = 0; i < segments_.size(); ++i) {
@@ -32,7 +32,7 @@ class Inflows {
       gas[fractions.size()] += factor * enthalpy;
     }
   }
-  /// Mass [kg] of all from t0 to t1 [s].
+  /// Mass [kg] delivered by all inflows from t0 to t1 [s].
   double mass(double t0, double t1) const;
 
  private:

@@ -11,11 +11,11 @@
 namespace gas {
 namespace {
 
-// Of the tolerance: by so much may a species that leaves faster than a sub-step be missing.
+// A species that leaves faster than a sub-step may be overdrawn by this share of the tolerance.
 constexpr double kNegligible = 0.1;
 
-// Of t, what a sum of steps is off by: a knot so close to the end of a step is that end. In a segment between
-// the two an evacuated volume would fill within the rounding of t.
+// Relative error of t after many steps. A knot this close to the end of a step counts as the end: no segment
+// may be as short as the rounding of t.
 constexpr double kOneTime = 1e-14;
 
 const ControlVolumeModel& validated(const ControlVolumeModel& model) {
@@ -108,7 +108,7 @@ class GasIntegrator::Implementation {
     return reached < length ? a + reached : next;
   }
 
-  /// More than inflow changes the gas.
+  /// True if anything but inflow changes the gas.
   bool needs_stepper() const {
     return boundary_.is_open() || boundary_.path().moves() || model_.heat_loss.conductance > 0.0;
   }
@@ -120,7 +120,7 @@ class GasIntegrator::Implementation {
     return substepper_.balance().gas();
   }
 
-  /// Turns `state` into the one at t1. The work of a volume that follows the pressure is known there alone;
+  /// Sets `state` to time t1. The work of a volume that follows the pressure is known only there;
   /// `work_begin` is (G.19) at the begin.
   void finish(ControlVolumeState& state, double t1, double work_begin) {
     const UniformGas& gas = locate(t1);
@@ -133,7 +133,7 @@ class GasIntegrator::Implementation {
     state.triggers = triggers_;
   }
 
-  /// Throws if it was a pressure sensor that took the sub-steps, by what it opens and closes.
+  /// Throws if a pressure sensor used up the sub-steps by switching again and again.
   void require_no_chatter(double t0, double t) const {
     constexpr int kOften = 100;
     for (std::size_t i = 0; i < model_.triggers.sensors.size(); ++i) {
@@ -199,8 +199,8 @@ class GasIntegrator::Implementation {
   Ledger ledger_;
   Substepper substepper_;
   TriggerState triggers_;
-  TriggerState before_;          // at the last update
-  std::vector<int> switchings_;  // of each node in this call
+  TriggerState before_;          // triggers at the last update
+  std::vector<int> switchings_;  // number of switchings of each node in this call
   std::vector<StreamFlux> inflows_, outflows_, backflows_;
 };
 

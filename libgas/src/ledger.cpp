@@ -7,7 +7,7 @@
 namespace gas {
 namespace {
 
-// A species that runs out leaves a remainder of round-off, of either sign, relative to what passed through.
+// Round-off that a species leaves when it runs out, of either sign, relative to the mass that passed through.
 constexpr double kSpeciesRoundOff = 1e-13;
 
 }  // namespace

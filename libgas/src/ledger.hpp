@@ -8,15 +8,16 @@
 
 namespace gas {
 
-/// Content of the volume, and what has crossed its boundary. The gas (m_k, U) is carried from sub-step to
-/// sub-step, with the energy of (G.19) in place of U if the volume follows p:
+/// Content of the volume, and the amounts that crossed its boundary. The gas (m_k, U) is carried from
+/// sub-step to sub-step, with the energy of (G.19) in place of U if the volume follows p:
 ///   m_k = m_k(t0) + delivered_k - out_k + Y_ak sum back,
 ///   U = U(t0) + delivered enthalpy - sum enthalpy + h_a sum back - work - heat.
-/// If it were counted from the step's begin, that of a tiny volume would be a difference of far larger sums.
+/// Counted from the begin of the step instead, the gas of a tiny volume would be a difference of far larger
+/// sums.
 class Ledger {
  public:
-  /// `boundary` must outlive this object. A species that is lacking by less than the share `negligible` of
-  /// the gas is used up, which is no error.
+  /// `boundary` must outlive this object. A species may be overdrawn by the share `negligible` of the gas; it
+  /// is then used up.
   Ledger(const Boundary& boundary, double negligible);
 
   /// `work` [J] is (G.19) of `state`.
@@ -28,20 +29,19 @@ class Ledger {
 
   /// Gas at the start of the sub-step.
   const Vector& gas() const { return gas_; }
-  /// `gas` at time t of a sub-step with the unknowns y. False if more of a species has left than there was.
+  /// Computes `gas` at time t of a sub-step with the unknowns y. False if a species is overdrawn.
   bool gas_at(const Vector& y, double t, Vector& gas);
-  /// Sets masses below zero to zero if they are round-off of the content and of `passed` [kg], or negligible.
+  /// Sets negative masses to zero if they are negligible, or round-off of the content and of `passed` [kg].
   /// False if a mass is further below zero.
   bool clear_lacking(Vector& gas, double passed);
-  /// The species of which more had left than there was when gas_at() or clear_lacking() returned false.
+  /// The overdrawn species when gas_at() or clear_lacking() returned false.
   std::optional<std::size_t> depleted() const { return depleted_; }
-  /// Fills `change` with the change of the gas that the unknowns y make.
+  /// Fills `change` with the change of the gas by the unknowns y.
   void change(const Vector& y, Vector& change) const;
-  /// Ends a sub-step with y at t; the next one begins there. If more of a species has left than there was,
-  /// the excess is taken out of y. The masses of the outgoing streams are scaled so that their sum is that of
-  /// the outgoing species.
+  /// Ends a sub-step with y at t; the next one begins there. If a species is overdrawn, the excess is taken
+  /// out of y. The masses of the outgoing streams are scaled to the sum of the outgoing species.
   void accept(Vector& y, double t);
-  /// Stops flow that an error of the method let go the wrong way, and adds it to `error`. Returns its mass
+  /// Removes flow that goes the wrong way by an error of the method, and adds it to `error`. Returns its mass
   /// [kg].
   double stop_reversed(Vector& y, Vector& error) const;
 
@@ -56,7 +56,7 @@ class Ledger {
 
   const Boundary& boundary_;
   const double negligible_;
-  double time_ = 0.0;  // [s] of the segment, up to which gas_ and totals count
+  double time_ = 0.0;  // [s] of the segment; gas_ and totals count up to here
   std::vector<CompensatedSum> sums_, totals_;
   Vector gas_;  // values of sums_
   struct Received {

@@ -34,7 +34,8 @@ double enthalpy_of(const Sums& a, double t) {
 
 // Newton's method converges quadratically: after a step below this times T the error is below round-off.
 constexpr double kNewtonTolerance = 1e-8;
-// Chebyshev's, cubically, with a factor of order 1 for every gas: so is it after a step of this size.
+// Chebyshev's method converges cubically, with a factor of order 1 for every gas: the same holds after a step
+// below this.
 constexpr double kChebyshevTolerance = 2e-6;
 constexpr int kQuickIterations = 4;
 constexpr int kMaximumIterations = 200;
@@ -99,7 +100,7 @@ std::optional<double> Mixture::find_temperature(double internal_energy, double g
   const double round_off =
       kEnergyRoundOff * (std::abs(internal_energy) + gas_constant_sum * maximum_temperature);
   const double joint = std::min(kJointTemperature, maximum_temperature);
-  // One kelvin clear of the joint, where the two ranges may both have a root.
+  // Stay one kelvin away from the joint, because both ranges may have a root there.
   if (guess < joint) {
     if (const auto t = quick_root(lower, guess, minimum_temperature, joint)) return t;
   } else if (const auto t = quick_root(upper, guess, joint + 1.0, maximum_temperature)) {

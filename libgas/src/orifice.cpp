@@ -11,7 +11,7 @@ double critical_pressure_ratio(double gamma) {
 
 double orifice_mass_flow(double effective_area, double pressure, double temperature, double gas_constant,
                          double cp, double gamma, double ambient_pressure) {
-  // The difference is exact where it matters, within a factor of 2.
+  // The difference is exact where the pressures are within a factor of 2.
   const double overpressure = pressure - ambient_pressure;
   return effective_area *
          inviscid_hole_flux<double>({pressure, overpressure, temperature, gas_constant, gamma}, cp);
@@ -22,7 +22,7 @@ double fabric_mass_flow(double leak_area, double density, double overpressure) {
 }
 
 double orifice_pressure_exponent(double gamma, double overpressure_share) {
-  using Number = Dual<1>;  // by p, at p = 1
+  using Number = Dual<1>;  // derivative by p, at p = 1
   const Number flux = hole_flux<Number>({{1.0, 0}, {overpressure_share, 0}, 1.0, 1.0, gamma}, 0.0);
   return flux.slopes[0] / flux.value;
 }

@@ -20,7 +20,7 @@ UniformGas moved(const Balance& balance, double overpressure) {
 
 /// Bound of the relaxation rate by the flow alone; infinite where there is none.
 double relaxation_bound(const Balance& balance) {
-  constexpr double kFar = 1e-3;  // of p: nearer to p_a the slope of flow is not bounded by the flow
+  constexpr double kFar = 1e-3;  // share of p: nearer to p_a the flow does not bound its slope
   const UniformGas& gas = balance.gas();
   const ControlVolumeModel& model = balance.boundary().model();
   if (!(gas.overpressure > kFar * gas.pressure) ||
@@ -39,8 +39,8 @@ double balanced_overpressure(const Balance& balance) {
   const UniformGas& gas = balance.gas();
   const double growth = balance.closed_growth(), laminar = laminar_overpressure(boundary.model());
   if (gas.mass == 0.0 || growth == 0.0) return 0.0;
-  // What the openings do to V dp/dt where the law is that of the root, and from it where they balance the
-  // feed.
+  // Effect of the openings on V dp/dt at a distance from p_a where the square-root law holds. From it follows
+  // where they balance the feed.
   const double sign = growth > 0.0 ? 1.0 : -1.0, far = std::max(std::abs(gas.overpressure), 100.0 * laminar);
   const double flow = boundary.flow(moved(balance, sign * far).upstream(), balance.time());
   const double effect = -sign * balance.open_growth(flow);
@@ -54,7 +54,7 @@ double balanced_overpressure(const Balance& balance) {
 }
 
 UniformGas where_linear(const Balance& balance) {
-  // Farther from p_a the slope no longer changes by much within a sub-step.
+  // Farther from p_a the slope hardly changes within a sub-step.
   constexpr double kClose = 1e-3;  // of p_a
   const UniformGas& gas = balance.gas();
   const double close = kClose * balance.boundary().model().ambient.pressure;
@@ -91,7 +91,7 @@ RateSlopes::RateSlopes(const Slots& slots)
       part_energy(slots.species),
       changes_(slots.species + 2) {}
 
-/// How the variables follow the parts, (G.23), and the time.
+/// Derivatives of the variables by the parts (G.23) and by time.
 void RateSlopes::fill_changes(const Balance& balance, const UniformGas& g) {
   const Boundary& boundary = balance.boundary();
   const Thermo& thermo = boundary.model().thermo;
@@ -140,8 +140,8 @@ void RateSlopes::fill(const Balance& balance) {
   for (std::size_t j = 0; g.overpressure > 0.0 && j < s.streams(); ++j) {
     const Number flow = boundary.out(j, gas, t);
     for_each_column([&](Vector& column, const Change& change, std::size_t part) {
-      // All slots from one number: columns must be proportional to the last bit where flow alone makes them,
-      // or stiff gas sees what rounding leaves.
+      // One number for all slots: columns that flow alone makes must be proportional to the last bit, or
+      // stiff gas amplifies the rounding.
       const double by = column[s.mass(j)] = flow.along(change.variables);
       column[s.enthalpy(j)] = by * g.enthalpy + flow.value * change.enthalpy;
       for (std::size_t k = 0; k < s.species; ++k) {

@@ -2,9 +2,9 @@
 // Rodas 4(3), L-stable, with the coefficients of Boost.Odeint (whose own stepper allocates in each step). The
 // rates of the unknowns y depend on the gas w = (m_k, U) alone, so w is stepped beside them:
 //   y' = r(w, t),  w' = in(t) + S r(w, t).
-// Inflow is a rate of the gas here: where it leaves as it comes, through a volume that holds far less than
-// passes in a step, the gas hardly changes, and each stage sees just that. The matrix is solved in the parts
-// z of RateSlopes: there each part hastens its own way out, and pivots are positive as they come.
+// Inflow is a rate of the gas here. If far more gas passes through in a step than the volume holds, the gas
+// hardly changes, and each stage sees that. The matrix is solved in the parts z of RateSlopes: there each
+// part speeds up its own outflow, so all pivots are positive.
 #include <algorithm>
 #include <array>
 #include <boost/numeric/odeint/stepper/rosenbrock4.hpp>
@@ -15,8 +15,8 @@
 namespace gas {
 namespace {
 
-/// Dense LU factors in place, without pivoting: a row that is zero but for its diagonal, that of an absent
-/// species, stays so to the bit, and no mass of it appears.
+/// Dense LU factors in place, without pivoting. The row of an absent species has only its diagonal and keeps
+/// it to the bit, so that no mass of it appears.
 class Factors {
  public:
   explicit Factors(std::size_t n) : n_(n), a_(n * n) {}
@@ -58,8 +58,8 @@ class Rodas : public Stepper {
   void step(System& system, const Vector&, double x, double h, bool, Trial& out) override {
     evaluate(system, {}, x);
     fill_matrix(system, x, h);
-    // The sum of gamma_ij that d4 stands for is -0.0362: Odeint (1.74) has it without the sign, which leaves
-    // order 1 where the rates depend on time.
+    // d4, the sum of gamma_ij, is -0.0362. Odeint 1.74 has the wrong sign, which reduces the order to 1 if
+    // rates depend on time.
     const auto& c = coefficients_;
     solve_stage(h, {}, c.d1, g_[0]);
     const auto stage = [&](std::size_t number, std::initializer_list<double> shifts, double node,
@@ -105,7 +105,7 @@ class Rodas : public Stepper {
         system.clock.slope(x), [&](const InflowSegment& in) { return in.rate(t); }, rate_.gas);
   }
 
-  /// The g of the right side rate_ + h d slope_ + sum weights g / h.
+  /// Solves for the g of the right side rate_ + h d slope_ + sum weights g / h.
   void solve_stage(double h, std::initializer_list<double> weights, double d, Pair& g) {
     for (const auto part : {&Pair::flows, &Pair::gas})
       for (std::size_t i = 0; i < (right_.*part).size(); ++i)
@@ -126,7 +126,7 @@ class Rodas : public Stepper {
     for (std::size_t k = 0; k + 1 < change.size(); ++k) change.back() -= slopes_.part_energy[k] * change[k];
   }
 
-  /// slopes_ in x, slope_ and the factors of 1/(gamma h) - S d(rates)/dz at the gas located.
+  /// Fills slopes_ in x, slope_, and the factors of 1/(gamma h) - S d(rates)/dz at the located gas.
   void fill_matrix(System& system, double x, double h) {
     const Clock& clock = system.clock;
     const double t = clock.time(x), s = clock.slope(x), s2 = clock.slope_of_slope();

@@ -10,7 +10,7 @@ using Vector = std::vector<double>;
 /// Place of each unknown of a sub-step in the ODE vector y. All unknowns are zero at the begin of the
 /// sub-step:
 ///   out(k)              [kg] species k that left through all openings
-///   work()              [J]  int p dV (0 if the volume follows the pressure: its work is then no unknown)
+/// work()              [J]  int p dV (0 if the volume follows the pressure)
 ///   heat()              [J]  lost through the walls
 ///   mass(j), enthalpy(j) [kg], [J] that left in stream j: the vents, then the fabrics
 ///   back(j)             [kg] ambient gas that came in through vent j; only if a vent has backflow

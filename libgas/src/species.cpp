@@ -83,7 +83,7 @@ double cp_over_gas_constant(const Species& species, double t) {
   return value(cp_over_gas_constant(t <= kJointTemperature ? species.low : species.high), t);
 }
 
-/// The ends of [a, b] and where p has an extremum between them, rising: p is monotonic from each to the next.
+/// a, the extrema of p in between, and b, rising. p is monotonic from each to the next.
 std::vector<double> extrema(const Polynomial& p, double a, double b) {
   if (p.size() < 2) return {a, b};
   Polynomial slope;
@@ -102,7 +102,7 @@ std::vector<double> extrema(const Polynomial& p, double a, double b) {
   return found;
 }
 
-/// cp > R between a and b [K], so that u rises with T.
+/// Requires cp > R between a and b [K], so that u rises with T.
 void require_heat_capacity(const std::string& range, const Nasa7& coefficients, double a, double b) {
   const Polynomial cp = cp_over_gas_constant(coefficients);
   for (const double t : extrema(cp, a, b))

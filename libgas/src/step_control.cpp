@@ -13,14 +13,14 @@ namespace gas {
 namespace {
 
 constexpr double kSafety = 0.9, kSmallestFactor = 0.05, kLargestFactor = 5.0;
-// The first step's error constant is of the order kFirstStep^-error_power: a guess, only speed depends on it.
+// The first step's error constant is guessed as kFirstStep^-error_power. It affects the speed only.
 constexpr double kFirstStep = 5.0;
-// Of the tolerance of p: knots of a curve over the overpressure that are nearer than this are a jump.
+// Knots of a curve over the overpressure that are closer than this multiple of p's tolerance count as a jump.
 constexpr double kJump = 100.0;
-constexpr double kBeside = 10.0;  // times as far from it at most is p that it holds
+constexpr double kBeside = 10.0;  // a jump may hold p if p is at most this multiple of that distance away
 
-/// Where `curve` rises so steeply beside the overpressure that p may be held there by flow that the
-/// tolerance does not resolve; `name` and `unit` are those of its values. Else empty.
+/// Describes a rise of `curve` near the overpressure that is so steep that flow may hold p there, which the
+/// tolerance does not resolve. `name` and `unit` belong to its values. Empty if there is none.
 std::string jump_text(const std::string& name, const std::string& unit, const Curve& curve,
                       const UniformGas& gas, double tolerance) {
   const double width = kJump * tolerance * gas.pressure;
@@ -98,7 +98,8 @@ double StepControl::limit() const {
   return turns ? kInfinity : stability_limit(options_.method);
 }
 
-/// What passes through in a sub-step of this length rounds to the tolerance of what is there.
+/// In a sub-step of this length the rounding of the gas that passes through equals the tolerance of the gas
+/// present.
 double StepControl::rounding_limit(const Balance& balance) const {
   const double passing = std::abs(balance.flow());
   return passing > 0.0 && balance.gas().mass > 0.0
@@ -108,7 +109,7 @@ double StepControl::rounding_limit(const Balance& balance) const {
 
 double StepControl::longest(const Balance& balance, double relaxation) const {
   if (is_fixed()) return options_.fixed_step;
-  // The halves of a doubled step are at half of the limit, where |R| is small: what is damped stays so.
+  // The halves of a doubled step are at half of the limit, where |R| is small: damped parts stay damped.
   const double stable = relaxation > 0.0 ? limit() / relaxation : kInfinity;
   return std::min(stable, rounding_limit(balance));
 }
@@ -135,7 +136,8 @@ void StepControl::require_stable(const Balance& balance, double length, double r
 
 void StepControl::require_motion(const Balance& balance, const Moment& begin, const Moment& end,
                                  double length) const {
-  constexpr double kStill = 0.01;  // of the motion by the lesser rate; at the limit itself it is none
+  constexpr double kStill = 0.01;  // share of the motion by the smaller rate; at the limit itself the motion
+                                   // is zero
   if (!is_fixed() || options_.unsafe_step || options_.method == Method::rosenbrock_4) return;
   if (!(begin.rate * end.rate > 0.0)) return;
   const double moved = std::min(std::abs(begin.rate), std::abs(end.rate)) * length;
@@ -157,7 +159,7 @@ void StepControl::fail_crossing(const Balance& balance) const {
       "a shorter one (gas_step of a case), or none, is allowed");
 }
 
-/// What could be done about sub-steps of `length`, too many or too short.
+/// Advice for the user if sub-steps of `length` are too many or too short.
 std::string StepControl::advice(const Balance& balance, double length) const {
   const double relaxation = gas::relaxation(balance);
   std::string text = jump_text(balance, options_.relative_tolerance);
@@ -173,7 +175,7 @@ std::string StepControl::advice(const Balance& balance, double length) const {
 }
 
 bool StepControl::is_too_short(const Balance& balance, double t, double length) const {
-  constexpr double kShortest = 1e-40;  // of the segment
+  constexpr double kShortest = 1e-40;  // share of the segment
   return !is_fixed() &&
          length <= std::max(2.0 * kEpsilon * t, kShortest * balance.boundary().segment().length);
 }
@@ -183,14 +185,15 @@ void StepControl::fail(System& system, double t, double length, bool found_gas) 
   const Thermo& thermo = balance.boundary().model().thermo;
   const std::string where = "at t = " + to_text(balance.boundary().segment().begin + t) +
                             " s with a sub-step of " + to_text(length) + " s";
-  // What a trial met there is no matter: events and rates need shorter sub-steps than there are.
+  // The trial's result does not matter then: events or rates need shorter sub-steps than are possible.
   const bool too_short = is_too_short(balance, t, length);
   if (system.ledger.depleted() && !too_short)
     throw DomainError("species " + thermo.species(*system.ledger.depleted()).name +
                       " runs out: more of it would leave than there is, " + where +
                       (is_fixed() ? "; a shorter one (gas_step of a case), or none, is allowed" : ""));
   const bool begin_has_gas = balance.locate(system.ledger.gas(), t);
-  // Trials that step over an end of the range are repeated until they are too short: the gas is on it then.
+  // Trials that step over an end of the range are repeated until they are too short. The gas is then on that
+  // end.
   constexpr double kOnEnd = 1e-6;  // of T
   const double temperature = balance.gas().temperature;
   const bool on_end = !begin_has_gas || balance.gas().mass == 0.0 ||

@@ -26,7 +26,7 @@ class DormandPrince : public Stepper {
   odeint::runge_kutta_dopri5<Vector> method_;
 };
 
-/// A method without an error estimate of its own: two half steps, compared with the whole one.
+/// Error estimate for a method that has none: two half steps are compared with one whole step.
 template <class Method, int Order>
 class Doubling : public Stepper {
  public:

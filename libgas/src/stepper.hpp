@@ -8,8 +8,8 @@
 
 namespace gas {
 
-/// Variable x of the sub-steps. x is the time t since the begin of the segment or, from the moment `origin`
-/// at which flow sets in at p = p_a as sqrt(t - origin), that root. In the root everything is smooth.
+/// Variable x of the sub-steps: the time t since the begin of the segment, or sqrt(t - origin). Flow that
+/// sets in at p = p_a, at the time `origin`, is smooth only as a function of that root.
 struct Clock {
   bool root = false;
   double origin = 0.0;  // [s]
@@ -24,33 +24,33 @@ struct Effort {
   int attempts = 0, accepted = 0, evaluations = 0;
 };
 
-/// The right-hand side as a stepper sees it, dy/dx.
+/// The right-hand side dy/dx for a stepper.
 struct System {
   Ledger& ledger;
   Balance balance;
   Clock clock{};
   Vector gas;         // scratch: an amount (m_k, U)
-  bool valid = true;  // every evaluation of the trial had a valid gas
+  bool valid = true;  // all evaluations of the trial had a valid gas
   Effort effort{};
 
   /// dy/dx at (y, x).
   void rates(const Vector& y, Vector& dydx, double x);
-  /// The same at an amount of gas.
+  /// dy/dx at an amount of gas.
   void rates_of(const Vector& amount, Vector& dydx, double x);
 };
 
 /// Result of a step.
 struct Trial {
   Vector end, end_rate, error;
-  double reversed = 0.0;  // [kg] that flowed the wrong way by an error of the method, and was stopped
+  double reversed = 0.0;  // [kg] removed because it flowed the wrong way by an error of the method
 };
 
 /// An integration method.
 class Stepper {
  public:
   virtual ~Stepper() = default;
-  /// Steps from y = 0, with the rates dydx at x, to x + h. Leaves the balance at the end. Fills `error` if
-  /// `estimate`.
+  /// Steps from y = 0, with the rates dydx at x, to x + h. The balance is then located at the end. Fills
+  /// `error` if `estimate`.
   virtual void step(System& system, const Vector& dydx, double x, double h, bool estimate, Trial& out) = 0;
   /// The error of a step grows as h to this power.
   virtual double error_power() const = 0;

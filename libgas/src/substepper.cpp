@@ -12,19 +12,20 @@
 namespace gas {
 namespace {
 
-// An explicit sub-step is at most so many times as long as the gas takes to relax: at 2.5 trials already
-// fail.
+// Longest explicit sub-step, in relaxation times of the gas. At 2.5 trials already fail.
 constexpr double kStiff = 1.5;
-// Of the time in which flow that ends at p_a does so: a sixteenth of p - p_a is left then.
+// Share of the time until flow ends at p_a. After it a sixteenth of p - p_a is left.
 constexpr double kTowardsAmbient = 0.75;
-// Of the gas, what may flow the wrong way by rounding: a hundred times what a hundred operations make.
+// Share of the gas that may flow the wrong way by rounding: a hundred times the rounding of a hundred
+// operations.
 constexpr double kReversed = 1e-12;
-// After a trial that took p through p_a against its flow.
+// Factor of the length after a trial that took p through p_a against its flow.
 constexpr double kCrossingFactor = 0.5;
-// Steps up to a sixteenth of the time since the onset: each further term of sqrt(t) is less than a sixteenth
-// of the last.
+// Longest step, as a share of the time since the onset: each further term of sqrt(t) is less than a sixteenth
+// of the one before.
 constexpr double kRootShare = 1.0 / 16.0;
-// The root's clock starts so much, of the time ahead, before the onset: at its origin all rates are zero.
+// The root's clock starts before the onset by this share of the time ahead, because all rates are zero at its
+// origin.
 constexpr double kRootBegin = 1e-12;
 
 }  // namespace
@@ -48,14 +49,14 @@ void Substepper::begin_step(double temperature) {
   system_.balance.begin_step(temperature);
 }
 
-/// The clock of a sub-step: where flow sets in at p_a it grows as the root of the time.
+/// Chooses the clock of a sub-step: flow that sets in at p_a grows as the root of the time.
 void Substepper::start_clock(double b) {
   const Moment& now = begin_.moment;
   const Balance& balance = system_.balance;
   const double since =
       events_.is_onset(balance, now) ? std::max(0.0, now.overpressure / now.growth) : kInfinity;
   system_.clock = {};
-  // Where the flow balances its feed before the tolerance tells, what sets in is no matter.
+  // If the flow balances its feed within the tolerance of p_a, its onset does not matter.
   const bool matters = since < b - begin_.t && control_.tells(balance, balanced_overpressure(balance));
   if (matters) system_.clock = {true, begin_.t - std::max(since, kRootBegin * (b - begin_.t))};
   begin_.x = system_.clock.position(begin_.t);
@@ -74,7 +75,8 @@ void Substepper::start(double t, double b) {
   start_clock(b);
 }
 
-/// Before a sub-step of at most `length` [s]: where that is far from stiff, a bound of it does.
+/// Sets the relaxation rate before a sub-step of at most `length` [s]. If that is far from stiff, a bound of
+/// the rate is enough.
 void Substepper::set_relaxation(double length) {
   begin_.relaxation = relaxation(system_.balance, may_switch_ ? kStiff / length : 0.0);
 }
@@ -90,7 +92,7 @@ Substepper::Reach Substepper::reach(const Proposal& proposal, double b) const {
   return length >= left ? Reach{left, b} : Reach{length, clock.time(begin_.x + length)};
 }
 
-/// Makes a trial of flow that is about to end at p_a end on it, if it ends beyond.
+/// If flow is about to end at p_a, shortens a trial that would end beyond p_a to end on it.
 void Substepper::stop_at_ambient(double x) {
   const double from = begin_.moment.overpressure, to = system_.balance.gas().overpressure;
   if (!(from * to < 0.0) || system_.balance.closed_growth() != 0.0) return;
@@ -98,8 +100,8 @@ void Substepper::stop_at_ambient(double x) {
   system_.rates(trial_.end, trial_.end_rate, x);
 }
 
-/// One trial; the balance is left at its end. Its error over the tolerance, infinite if a stage had no valid
-/// gas.
+/// Makes one trial; the balance is then located at its end. Returns the error over the tolerance; infinity if
+/// a stage had no valid gas.
 double Substepper::try_step(const Reach& reach, bool stiff) {
   const double t = begin_.t, x = begin_.x, h = (x + reach.length) - x;  // what flows in until then, exactly
   control_.require_stable(system_.balance, reach.end - t, begin_.relaxation);
@@ -116,8 +118,8 @@ double Substepper::try_step(const Reach& reach, bool stiff) {
   return system_.valid ? control_.scaled_error(system_, trial_.error, system_.gas) : kInfinity;
 }
 
-/// What to try in place of a trial whose error is small: the other method where it took flow the wrong way, a
-/// shorter one where it passes what it has to end on. None: the trial stands.
+/// What to try instead of a trial with a small error: the other method if flow went the wrong way; a shorter
+/// trial if it passed an event. Empty: the trial is accepted.
 std::optional<Substepper::Proposal> Substepper::again(const Proposal& tried, const Reach& reach,
                                                       const Moment& end) const {
   const Balance& balance = system_.balance;
@@ -125,10 +127,10 @@ std::optional<Substepper::Proposal> Substepper::again(const Proposal& tried, con
   const bool fixed = control_.is_fixed(), on_ambient = events_.is_on_ambient(begin);
   const double duration = reach.end - begin_.t;
   if (fixed && trial_.reversed > kReversed * balance.gas().mass) control_.fail_crossing(balance);
-  // Stopped where it turned, flow would stay there; at p_a it is rounding that turns it.
+  // Flow that was stopped where it turned would stay there. At p_a only rounding turns it.
   const bool turns = trial_.reversed > 0.0 && !fixed && !on_ambient;
   if (turns || (!options_.unsafe_step && events_.crosses_against_flow(begin, end, duration))) {
-    if (fixed) {  // what only runs out, or in, ends there
+    if (fixed) {  // flow that is not fed ends there
       const bool fed = begin.growth * begin.flow > 0.0;
       const bool away = begin.overpressure * end.overpressure > 0.0;
       if (fed || on_ambient || away) control_.fail_crossing(balance);
@@ -147,7 +149,7 @@ std::optional<Substepper::Proposal> Substepper::again(const Proposal& tried, con
   return Proposal{tried.length, shorter, tried.stiff};
 }
 
-/// Books the trial; the next sub-step, of about `after` [s], begins at its end.
+/// Adds the trial to the ledger; the next sub-step, of about `after` [s], begins at its end.
 void Substepper::accept(const Reach& reach, const Moment& end, bool landed, double after, double b) {
   const Clock clock = system_.clock;
   const double duration = reach.end - clock.time(begin_.x), slope = clock.slope(begin_.x + reach.length);
@@ -204,7 +206,7 @@ double Substepper::integrate(const TriggerState& triggers) {
       next = *repeated;
       continue;
     }
-    if (balance.gas().beyond)  // it starts on the last knot, where trials end that pass it
+    if (balance.gas().beyond)  // the segment starts on the last knot: trials that pass it end there
       throw DomainError(beyond_text(balance.boundary().model()) +
                         ", at t = " + to_text(balance.boundary().segment().begin + begin_.t) + " s");
     const bool landed = next.landing < kInfinity;
@@ -212,7 +214,7 @@ double Substepper::integrate(const TriggerState& triggers) {
     const double kept = landed ? std::max(fits, clock.time(end_x + next.length) - trial.end) : fits;
     accept(trial, end, landed, kept, b);
     if (network_.switches(triggers, end.overpressure, p_a)) break;
-    // Just after an onset the slope changes within the time since it: a stiff sub-step may not keep its
+    // Just after an onset the slope changes as fast as time passes, so a stiff sub-step may not keep its
     // length.
     const double after = kept * begin_.relaxation > kStiff ? fits : kept;
     next = {system_.clock.position(begin_.t + after) - begin_.x};

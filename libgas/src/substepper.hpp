@@ -11,9 +11,8 @@
 
 namespace gas {
 
-/// Takes the sub-steps of one segment. It proposes a length and tries it by a suitable method. It repeats the
-/// sub-step if its error is too large, makes it end where EventFinder finds an event, and adds it to the
-/// ledger.
+/// Takes the sub-steps of one segment. It proposes a length and a method and tries them. It repeats the
+/// sub-step if the error is too large, ends it where EventFinder finds an event, and adds it to the ledger.
 class Substepper {
  public:
   /// All arguments must outlive this object.
@@ -33,7 +32,7 @@ class Substepper {
  private:
   /// Start of a sub-step.
   struct Begin {
-    double t, x;  // [s] since the begin of the segment, and on the clock
+    double t, x;  // [s] since the begin of the segment; x of the clock
     Vector rate;  // dy/dx
     Moment moment;
     double relaxation;  // [1/s] of the gas
@@ -41,7 +40,7 @@ class Substepper {
   /// The next trial. Lengths are in x.
   struct Proposal {
     double length;
-    double landing = kInfinity;  // if finite, the trial has to end on an event that EventFinder found
+    double landing = kInfinity;  // if finite, the trial must end there, on an event that EventFinder found
     bool stiff = false;          // take the implicit method
   };
   /// Extent of a trial.
@@ -60,7 +59,7 @@ class Substepper {
   void accept(const Reach& reach, const Moment& end, bool landed, double after, double b);
 
   const IntegratorOptions options_;
-  const bool may_switch_;  // to the implicit method and back
+  const bool may_switch_;  // the method may switch to implicit and back
   const TriggerNetwork& network_;
   const EventFinder events_;
   const StepControl control_;

@@ -70,7 +70,7 @@ std::optional<std::vector<double>> switching_times(const TriggerModel& model, st
   TriggerState state(model.size());
   std::vector<double> times;
   for (double t = 0.0; t <= end; t = network.next_break(state, t)) {
-    network.update(state, t, 0.0, 0.0);  // the pressure acts on other nodes alone
+    network.update(state, t, 0.0, 0.0);  // the pressure affects other nodes only
     const bool was_on = times.size() % 2 == 1;
     if (state[node].on != was_on) times.push_back(t);
   }

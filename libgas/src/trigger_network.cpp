@@ -8,11 +8,11 @@
 namespace gas {
 namespace {
 
-// Of the pressure, relative: a threshold is located to 1e-12, and as much again for the rounding
+// Relative to the pressure: a threshold is located to 1e-12, and as much again for the rounding
 // there.
 constexpr double kThresholdNear = 2e-12;
 
-/// Where the piecewise linear signal crosses the threshold. At the threshold counts as on.
+/// Times at which the piecewise linear signal crosses the threshold. A signal at the threshold is on.
 std::vector<double> crossings(const Curve& signal, double threshold) {
   std::vector<double> times;
   const auto knots = signal.knots();
@@ -25,7 +25,7 @@ std::vector<double> crossings(const Curve& signal, double threshold) {
   return times;
 }
 
-/// `since` tells whether the node was on: the caller sets the `on` of an input.
+/// `since` shows whether the node was on; `on` does not, because the caller sets it for an input.
 void set(NodeState& node, bool on, double t) {
   if (on && node.since == kInfinity) node.since = t;
   if (!on) node.since = kInfinity;

@@ -13,10 +13,10 @@ class TriggerNetwork {
   /// `model` must outlive this object.
   explicit TriggerNetwork(const TriggerModel& model);
 
-  /// First time after t at which a sensor of time or signal, or a running delay, may switch a node.
+  /// First time after t at which a time sensor, a signal sensor or a running delay may switch a node.
   double next_break(const TriggerState& state, double t) const;
-  /// Updates every node to time t. A pressure sensor switches where the integrator locates its threshold [Pa,
-  /// above the ambient pressure]. Input sensors keep the caller's value.
+  /// Updates all nodes to time t. Pressure sensors compare `overpressure` [Pa] with their thresholds. Input
+  /// sensors keep the caller's value.
   void update(TriggerState& state, double t, double overpressure, double ambient_pressure) const;
   /// True if a pressure sensor differs from its value in `state`.
   bool switches(const TriggerState& state, double overpressure, double ambient_pressure) const;
@@ -30,7 +30,7 @@ class TriggerNetwork {
   bool update_gate(const Gate& gate, NodeState& node, const TriggerState& state, double t) const;
 
   const TriggerModel& model_;
-  /// [s] Of each sensor, rising; the sensor goes on and off in turn.
+  /// [s] of each sensor, rising; it goes on and off in turn.
   std::vector<std::vector<double>> switching_;
   std::vector<bool> starts_on_;  // of each sensor, before its first switching time
 };

@@ -10,15 +10,14 @@
 namespace gas {
 namespace {
 
-// Newton's steps below this share of T are followed by two more: one may end across a knot, the next is
-// quadratic.
+// After a Newton step below this share of T two more follow: one may pass a knot, the next is quadratic.
 constexpr double kSmallStep = 1e-8;
 constexpr int kSmallSteps = 3;
 constexpr int kMostNewtonSteps = 100;
-constexpr double kCurveEnd = 1e-12;  // products closer to the end of the curve, relative, are on it
+constexpr double kCurveEnd = 1e-12;  // relative: products this close to the end of the curve are on it
 
-/// The knot from which the line of the curve goes up on which p V is `product` [J]; within rounding of the
-/// last knot that line is the last one. Below the first knot the volume is rigid.
+/// The line of the curve on which p V is `product` [J], from its lower knot; the last line within rounding of
+/// the last knot. Below the first knot the volume is rigid.
 PressureVolume find_line(const Curve& curve, double ambient_pressure, double product) {
   const auto knots = curve.knots();
   const Curve::Knot& first = knots.front();
@@ -34,7 +33,7 @@ PressureVolume find_line(const Curve& curve, double ambient_pressure, double pro
   return line;
 }
 
-/// Where p V of the gas is `product` [J].
+/// The point at which p V of the gas is `product` [J].
 PressureVolume place(const ControlVolumeModel& model, double product, double volume) {
   const double ambient = model.ambient.pressure;
   if (const auto& curve = model.volume_of_overpressure)
@@ -43,8 +42,8 @@ PressureVolume place(const ControlVolumeModel& model, double product, double vol
   return {pressure, pressure - ambient, volume, 0.0, 0.0, false};
 }
 
-/// In a volume that follows p by Newton's method. The heat capacity lies between cv and cp, so each step
-/// removes most of the error.
+/// Newton's method in a volume that follows p. The heat capacity lies between cv and cp, so each step removes
+/// most of the error.
 std::optional<double> find_temperature(const ControlVolumeModel& model, const Mixture& gas, double energy,
                                        double guess) noexcept {
   if (!model.volume_of_overpressure) return gas.find_temperature(energy, guess);
@@ -72,8 +71,8 @@ std::optional<double> find_temperature(const ControlVolumeModel& model, const Mi
 }  // namespace
 
 PressureVolume PressureVolume::at(double product) const {
-  // (p + d)(V + V' d) = product, the root that does not cancel. Beyond the line's ends, too, p and V are
-  // positive.
+  // Solves (p + d)(V + V' d) = product for d, without cancellation. p and V are positive beyond the line's
+  // ends, too.
   const double b = volume + volume_slope * pressure, c = product - pressure * volume;
   const double d = 2.0 * c / (b + std::sqrt(b * b + 4.0 * volume_slope * c));
   return {volume_slope == 0.0 ? product / volume : pressure + d,
@@ -94,7 +93,7 @@ bool locate(const ControlVolumeModel& model, const Mixture& mixture, double ener
   if (!temperature) return false;
   const double t = *temperature, r = mixture.gas_constant_sum, cp = mixture.cp(t);
   const PressureVolume at = place(model, r * t, volume);
-  gas = {at,  // all at once: a member by itself is slow to read back
+  gas = {at,  // all at once: reading back single members is slow
          mixture.mass,
          t,
          r / mixture.mass,

@@ -16,7 +16,7 @@ Wide<Digits> growth(const Wide<Digits>& r) {
 template <class Digits>
 Wide<Digits> exp(const Wide<Digits>& x) {
   using Number = Wide<Digits>;
-  int whole = 0;  // of x/ln 2, rounded
+  int whole = 0;  // x/ln 2, rounded to an integer
   Number r = x;
   if (x.exponent >= -2) {
     whole = static_cast<int>(x.leading() * 1.4426950408889634 + 0.5);
@@ -93,10 +93,10 @@ inline double log1p(double x) {
   return nearest([x](auto number) { return log_of_one_and(number.of(x)); });
 }
 
-/// As kSlack, of the powers that 64 digits compute.
+/// As kSlack, for powers computed with 64 digits.
 inline constexpr std::uint64_t kPowerSlack = 128;
 
-/// x^y for x >= 0; not a number for x < 0, whatever y is.
+/// x^y for x >= 0; NaN for x < 0, unless y = 0.
 inline double pow(double x, double y) {
   if (x == 1.0 || y == 0.0) return 1.0;
   if (std::isnan(x) || std::isnan(y) || x < 0.0) return NAN;
@@ -109,7 +109,8 @@ inline double pow(double x, double y) {
   }
   const auto power = exponent(Wide<Digits128>{});
   if (power.exponent > 9) return grows ? HUGE_VAL : 0.0;
-  // Powers of whole numbers may lie in the middle between two doubles: 2^-111 of the value decides that.
+  // Powers of whole numbers may lie exactly between two doubles. A result within 2^-111 (relative) of the
+  // middle counts as the middle.
   return exp(power).rounded(1 << 16);
 }
 

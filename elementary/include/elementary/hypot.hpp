@@ -26,7 +26,7 @@ inline double hypot(double x, double y) {
     return sqrt(a * a + b * b);
   };
   const auto quick = root(Wide<Digits64>{});
-  // The root of a sum of squares may lie in the middle between two doubles.
+  // The root of a sum of squares may lie exactly between two doubles.
   return quick.is_certain(kSlack) ? quick.rounded() : root(Wide<Digits128>{}).rounded(1 << 8);
 }
 

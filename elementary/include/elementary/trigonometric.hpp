@@ -5,14 +5,14 @@
 
 namespace elementary {
 
-/// x = quadrant pi/2 + rest, |rest| <= pi/4; the quadrant counts modulo 4.
+/// x = quadrant pi/2 + rest, |rest| <= pi/4; the quadrant is taken modulo 4.
 template <class Digits>
 struct Reduced {
   Wide<Digits> rest;
   unsigned quadrant;
 };
 
-/// Payne and Hanek's reduction: of 2/pi count only those 256 digits that give digits of x 2/pi modulo 4.
+/// Payne and Hanek's reduction. Only 256 digits of 2/pi affect x 2/pi modulo 4; it uses no others.
 template <class Digits>
 Reduced<Digits> reduced(double x) {
   using Number = Wide<Digits>;
@@ -56,7 +56,7 @@ Reduced<Digits> reduced(double x) {
   const bool beyond = (turns[0] >> 61 & 1) != 0;  // the next quadrant is nearer
   if (beyond) {
     ++quadrant;
-    for (auto& part : turns) part = ~part;  // 2^-254 less than the negative
+    for (auto& part : turns) part = ~part;  // the negative, less 2^-254
   }
   turns[0] &= ~std::uint64_t{0} >> 2;
   const auto part = [](std::uint64_t high, std::uint64_t low, int units) {
@@ -76,7 +76,7 @@ Wide<Digits> small_sin(const Wide<Digits>& x) {
   return x * series(c, x * x, true);
 }
 
-/// cos x for |x| <= pi/4, with as many.
+/// cos x for |x| <= pi/4, with the same numbers of terms.
 template <class Digits>
 Wide<Digits> small_cos(const Wide<Digits>& x) {
   static constexpr auto c = factorial_reciprocals < Digits, kDigits<Digits> == 64 ? 10 : 16 > (2, 2);
@@ -132,7 +132,7 @@ Wide<Digits> first_quadrant(double y, double x) {
   const Number wy = Number::of(y), wx = Number::of(x), slope = Number::of(k / 8.0);
   const Number z = k == 0 ? wy / wx : (wy - slope * wx) / (wx + slope * wy);
   const Number ratio = series(c, z * z, true);
-  // An arc is less than its tangent, also where no digit shows it.
+  // An arc is less than its tangent, even where the difference is below the last digit.
   return eighths[k] + z * (ratio - Number::scaled(1, 1 - kDigits<Digits>));
 }
 

@@ -6,8 +6,8 @@
 #include <cstdint>
 
 /// Elementary functions that have the same bits on every processor, with every compiler and every libm. Each
-/// is computed in integers, to 64 digits and to 128 if these leave it open, and rounded once: the value is
-/// the double nearest to the exact result.
+/// is computed in integers and rounded once, so the value is the double nearest to the exact result. 64
+/// digits are computed first, and 128 if 64 do not decide the rounding.
 namespace elementary {
 
 using Digits64 = std::uint64_t;
@@ -95,15 +95,15 @@ struct Wide {
     return a * Wide{inverse.digits, inverse.exponent - b.exponent, b.negative};
   }
 
-  /// Its first 53 digits, if it is not negative and its exponent is that of a normal double.
+  /// The first 53 digits. Precondition: not negative, and in the range of normal doubles.
   [[nodiscard]] double leading() const {
     const auto first = static_cast<std::uint64_t>(digits >> (kDigits<Digits> - 53));
     return std::bit_cast<double>((static_cast<std::uint64_t>(exponent + 1022) << 52) + first);
   }
-  /// The nearest double, to even between two. A number within `slack` last digits of the middle counts as the
-  /// middle.
+  /// The nearest double; a tie goes to the even one. A number within `slack` last digits of the middle counts
+  /// as the middle.
   [[nodiscard]] double rounded(std::uint64_t slack = 0) const;
-  /// A normal double, and each number within `slack` last digits is rounded to the same.
+  /// True if the result is a normal double, and all numbers within `slack` last digits round to it.
   [[nodiscard]] bool is_certain(std::uint64_t slack) const {
     const Digits middle = Digits{1} << (kDigits<Digits> - 54), dropped = digits & (2 * middle - 1);
     return exponent >= -1022 && (dropped > middle ? dropped - middle : middle - dropped) > slack;
@@ -129,12 +129,12 @@ double Wide<Digits>::rounded(std::uint64_t slack) const {
   return std::bit_cast<double>(sign | ((biased << 52) + kept));
 }
 
-/// What is allowed for the errors of 64 digits [last digits]. No function is wrong by half of it, as a test
-/// measures.
+/// Bound of the error of a function computed with 64 digits [last digits]. A test measures less than half of
+/// it.
 inline constexpr std::uint64_t kSlack = 32;
 
-/// f(Wide<Digits64>), rounded, or f(Wide<Digits128>) if its error may matter. f takes a number of the type
-/// that it is to return.
+/// f(Wide<Digits64>), rounded, or f(Wide<Digits128>) if its error may matter. The type of f's argument
+/// selects the type of its result.
 template <class Function>
 double nearest(const Function& f) {
   const Wide<Digits64> quick = f(Wide<Digits64>{});
@@ -166,8 +166,8 @@ constexpr Coefficients<Digits, count> factorial_reciprocals(int first, int step)
   return c;
 }
 
-/// sum_k c_k t^k, or with (-t)^k if `alternating`; 0 <= t < 1, sum < 2. Even and odd terms in chains of their
-/// own.
+/// sum_k c_k t^k, or with (-t)^k if `alternating`; 0 <= t < 1, sum < 2. Even and odd terms are summed apart,
+/// so that both chains run in parallel.
 template <class Digits, int count>
 [[gnu::always_inline]] inline Wide<Digits> series(const Coefficients<Digits, count>& c, const Wide<Digits>& t,
                                                   bool alternating) {

@@ -20,24 +20,24 @@ namespace gas {
 struct Ambient {
   double pressure;                       // [Pa] >= 0
   double temperature;                    // [K] > 0
-  std::vector<double> mass_fractions{};  // [-] of the gas outside; only vents with backflow read them
+  std::vector<double> mass_fractions{};  // [-] of the gas outside; used only by vents with backflow
 };
 
-/// Inflow of one inflator, given as curves. The mass flow is zero before firing; outside its knots it is what
-/// its curve says.
+/// Inflow of one inflator, given as curves. The mass flow is zero before firing; outside its knots it follows
+/// the curve's Outside.
 struct Inflow {
   std::vector<double> mass_fractions;  // [-] one per species of the Thermo, sum 1
   Curve mass_flow;                     // [kg/s] >= 0, against the time since firing [s]; may jump
   Curve temperature;        // [K], against the time since firing [s]; may jump; held outside its knots
-  double start_time = 0.0;  // [s] firing time, or delay after the trigger; infinity: never
+  double start_time = 0.0;  // [s] firing time, or delay after the trigger; infinity: it never fires
   /// Trigger node. The inflow fires start_time after this node first comes on. None: it fires at start_time.
   std::optional<std::size_t> trigger{};
 };
 
-/// A hole. Its area is a number or one of two curves. A curve is held outside its knots.
+/// A hole. Its area is constant or follows one of two curves. A curve is held outside its knots.
 struct Vent {
   double discharge_coefficient;                 // [-] 0 to 1
-  double area;                                  // [m2] >= 0; without effect if a curve is given
+  double area;                                  // [m2] >= 0; not used if a curve is given
   std::optional<Curve> area_of_time{};          // [m2] against time since opening [s]; may jump
   std::optional<Curve> area_of_overpressure{};  // [m2] against p - p_a [Pa], without a jump
   /// True: ambient gas flows in at p < p_a, by (G.6) with inside and outside exchanged.
@@ -92,7 +92,7 @@ struct ControlVolumeState {
 };
 
 /// The gas at one moment. Without gas (an evacuated volume) density, mass and gas properties are zero, and so
-/// are pressure and outflow. `temperature` is then that of the state.
+/// are pressure and outflow. `temperature` is then the state's.
 struct GasPoint {
   double pressure;          // [Pa]
   double temperature;       // [K]
@@ -131,16 +131,18 @@ void validate(const ControlVolumeModel& model);
 ControlVolumeState make_state(const Thermo& thermo, std::span<const double> mass_fractions, double pressure,
                               double temperature, double volume);
 
-/// The same, with all triggers of `model` off. Throws std::invalid_argument for a value out of range.
+/// The same for a model with triggers, all of them off. Throws std::invalid_argument for a value out of
+/// range.
 ControlVolumeState make_state(const ControlVolumeModel& model, std::span<const double> mass_fractions,
                               double pressure, double temperature, double volume);
 
 /// Firing time [s] of an inflow; infinity while its trigger has not come on.
 double firing_time(const Inflow& inflow, const TriggerState& triggers);
 
-/// Stage S2: the gas of `state` in `volume` [m3] at time `time` [s]. `leak_area` [m2] is that of all fabrics
-/// (see fabric_mass_flow), >= 0. The flows are those that the integrator uses, (G.22) included. Does not
-/// allocate. Throws std::invalid_argument for a state without the triggers of the model. Throws DomainError
+/// Stage S2: the gas of `state` in `volume` [m3] at time `time` [s]. `leak_area` [m2] >= 0 is the total of
+/// all fabrics (see fabric_mass_flow). The flows are those that the integrator uses, (G.22) included. Does
+/// not allocate. Throws std::invalid_argument for a state without the triggers of the model. Throws
+/// DomainError
 /// - if the volume is not positive, or the leak area is negative or not finite,
 /// - if the temperature leaves its range, or p exceeds the last knot of volume_of_overpressure.
 GasPoint evaluate(const ControlVolumeModel& model, const ControlVolumeState& state, double volume,
@@ -150,8 +152,8 @@ GasPoint evaluate(const ControlVolumeModel& model, const ControlVolumeState& sta
 /// and std::invalid_argument for a state without the triggers of the model.
 InflatorPoint inflator_point(const ControlVolumeModel& model, const ControlVolumeState& state, std::size_t i,
                              double time);
-/// The same without a state: the trigger, if any, is taken to come on at time 0. Where a curve jumps, `side`
-/// selects the value.
+/// The same without a state: a trigger, if any, comes on at time 0. Where a curve jumps, `side` selects the
+/// value.
 InflatorPoint inflator_point(const ControlVolumeModel& model, std::size_t i, double time,
                              Side side = Side::after);
 /// The same at a time `since` its firing [s]; before it, nothing flows.

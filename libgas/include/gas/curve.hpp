@@ -8,19 +8,19 @@ namespace gas {
 
 /// How a Curve goes on outside its knots.
 enum class Outside {
-  zero,  // zero (a mass flow)
-  held,  // that of the nearest knot (a temperature)
+  zero,  // it is zero (a mass flow)
+  held,  // it keeps the value of the nearest knot (a temperature)
 };
 
 /// Side of a jump.
 enum class Side {
-  before,  // value that the curve reaches
-  after,   // value from which it goes on
+  before,  // the value just before the jump
+  after,   // the value just after the jump
 };
 
-/// Piecewise linear function of time through knots (t, value). Two knots at one time make a jump: the first
-/// one is the value before it, the second the value from that time on. Vents, fabrics and the volume have
-/// curves of the overpressure [Pa], which then stands for the time.
+/// Piecewise linear function of time through knots (t, value). Two knots at the same time make a jump: the
+/// first is the value before it, the second the value after it. Curves of vents, fabrics and the volume may
+/// have the overpressure [Pa] in place of time.
 class Curve {
  public:
   /// A point of the curve.
@@ -33,7 +33,7 @@ class Curve {
     double origin;  // [s]
     double value;   // at the origin, in the unit of the quantity
     double slope;   // [unit/s]
-    /// Value at `time` [s]. Outside the piece its line is continued.
+    /// Value at `time` [s]. Outside the piece the line continues.
     template <class Number>
     Number at(const Number& time) const {
       return value + slope * (time - origin);
@@ -49,8 +49,8 @@ class Curve {
   /// A constant curve: one knot, held.
   static Curve constant(double value);
 
-  /// Value at `time` [s]. Where the curve jumps, `side` selects the value. At the first and last knot a curve
-  /// that is zero outside has its value inside.
+  /// Value at `time` [s]. Where the curve jumps, `side` selects the value. A curve that is zero outside still
+  /// has its own value at the first and the last knot.
   double value(double time, Side side = Side::after) const;
   /// The linear piece around `time` [s]; at a knot the one after it.
   Piece piece(double time) const;
@@ -60,7 +60,7 @@ class Curve {
   double nearest_knot(double time) const;
   /// Integral over [a, b], a <= b [s], exact to round-off.
   double integral(double a, double b) const;
-  /// Time [s] of the first jump, if there is one.
+  /// Time [s] of the first jump; empty if there is none.
   std::optional<double> first_jump() const;
 
   /// The knots as given; their times do not fall.

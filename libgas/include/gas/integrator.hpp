@@ -16,7 +16,7 @@ struct VolumePath {
   double volume_end;          // [m3] > 0
   double leak_area_begin;     // [m2] >= 0, see fabric_mass_flow
   double leak_area_end;       // [m2] >= 0
-  double volume_bulge = 0.0;  // [m3] of V at mid-step above the mean of its ends; > -(smaller end)
+  double volume_bulge = 0.0;  // [m3] V at mid-step minus the mean of its ends; > -(smaller end)
 };
 
 /// Mass and enthalpy that one stream carried.
@@ -29,7 +29,7 @@ struct StreamFlux {
 struct StepMoments {
   /// [s] last time at which the vents became choked or unchoked.
   double sonic_switch = std::numeric_limits<double>::quiet_NaN();
-  /// [s] last time at which flow through the openings brought p to p_a, to 1e-7 of it.
+  /// [s] last time at which flow through the openings brought p within 1e-7 of p_a.
   double equalisation = std::numeric_limits<double>::quiet_NaN();
 };
 
@@ -55,7 +55,7 @@ struct StepFluxes {
 
 /// Method of integration between break points.
 enum class Method {
-  /// Explicit, order 5(4); where the gas is stiff, Rosenbrock 4. The default.
+  /// The default: explicit, order 5(4), and Rosenbrock 4 where the gas is stiff.
   dormand_prince_5,
   runge_kutta_4,  // explicit, order 4, error by step doubling
   euler,          // explicit, order 1, error by step doubling
@@ -69,22 +69,23 @@ double stability_limit(Method method);
 
 /// Accuracy and method of the integration. The defaults suit an airbag.
 struct IntegratorOptions {
-  /// [-] 1e-13 to 1e-2: local error of mass and of thermal energy, relative to the gas in the volume.
+  /// [-] 1e-13 to 1e-2: bound of the local error of mass and thermal energy, relative to the gas in the
+  /// volume.
   double relative_tolerance = 1e-10;
-  int maximum_steps = 100000;                // > 0: sub-steps, rejected ones included, in one advance()
+  int maximum_steps = 100000;                // > 0: most sub-steps in one advance(), rejected ones included
   Method method = Method::dormand_prince_5;  // see Method
-  /// [s] > 0: length of all sub-steps between break points, by `method` alone and without error control. 0:
-  /// error control.
+  /// [s] > 0: length of all sub-steps between break points, by `method` alone. 0: lengths follow from error
+  /// control.
   double fixed_step = 0.0;
-  /// True: take a fixed_step above the method's stability limit, to measure that limit.
+  /// True: a fixed_step may exceed the method's stability limit, so that the limit can be measured.
   bool unsafe_step = false;
 };
 
 /// Stage S10: integrates (G.9) and (G.10) over a step.
 ///
-/// Sub-steps integrate outflows, backflow, heat and work only. What flows in over a sub-step is added in
-/// closed form; Rosenbrock 4 takes it as a rate in its stages. So mass and energy balance to round-off, and
-/// no inflow is stepped over, at any tolerance and by any method.
+/// Sub-steps integrate outflows, backflow, heat and work only. Inflow over a sub-step is added in closed
+/// form; the stages of Rosenbrock 4 see it as a rate. So mass and energy balance to round-off, and no inflow
+/// is missed, with any tolerance and method.
 ///
 /// Sub-steps end at break points. Some are known in advance: knots and firing times of the inflows, inflow
 /// temperatures of 1000 K, knots of the vents' curves over time, switching times of the triggers. Others are
@@ -92,8 +93,8 @@ struct IntegratorOptions {
 /// vents, and p = p_a.
 ///
 /// A sealed adiabatic volume that is constant or follows the pressure needs quadrature only, unless a
-/// pressure sensor watches it. The default method takes sub-steps longer than 1.5 times the relaxation time,
-/// by (G.14) and (G.16), by Rosenbrock 4.
+/// pressure sensor watches it. The default method uses Rosenbrock 4 for sub-steps longer than 1.5 times the
+/// relaxation time, by (G.14) and (G.16).
 class GasIntegrator {
  public:
   /// Copies the model and allocates all that advance() needs. Throws std::invalid_argument for a bad model or
@@ -108,12 +109,11 @@ class GasIntegrator {
   ///   sizes, a negative mass or a number that is not finite.
   /// - Throws DomainError if a volume is not positive, a leak area is negative, the temperature leaves its
   ///   range, or p passes the last knot of volume_of_overpressure.
-  /// - Throws DomainError if maximum_steps is exceeded, or if sub-steps fall below the rounding of t: the gas
-  /// is
-  ///   too stiff, or a pressure sensor keeps switching.
-  /// - With a fixed_step, throws DomainError if a species runs out or flow turns round within a sub-step;
-  ///   without unsafe_step also if the step is above the stability limit, misses a balance, or takes p
-  ///   through p_a against the feed.
+  /// - Throws DomainError if maximum_steps is exceeded or sub-steps become shorter than t resolves. Either
+  ///   the gas is too stiff, or a pressure sensor keeps switching.
+  /// - With a fixed_step, throws DomainError if a species runs out or the flow reverses within a sub-step.
+  ///   Without unsafe_step it also throws if the step is above the stability limit, steps over an
+  ///   equilibrium, or takes p through p_a against the feed.
   StepFluxes advance(ControlVolumeState& state, double t0, double t1, const VolumePath& path);
 
  private:

@@ -34,8 +34,8 @@ class Mixture {
     return enthalpy(temperature) - gas_constant_sum * temperature;
   }
 
-  /// Temperature [K] from the internal energy [J], by Chebyshev's iteration, or, if that does not converge
-  /// inside the range, by Newton's in a bracket. `guess` [K] affects the speed only. Where U(T) jumps up at
+  /// Temperature [K] from the internal energy [J], by Chebyshev's iteration; if that does not converge inside
+  /// the range, by a bracketed Newton iteration. `guess` [K] affects the speed only. Where U(T) jumps up at
   /// 1000 K, energies inside the jump give T = 1000 K. Where it jumps down, the lower of the two roots is
   /// taken. Throws DomainError outside the temperature range (constant cp: for T <= 0).
   double temperature(double internal_energy, double guess) const;

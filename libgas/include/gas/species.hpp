@@ -9,7 +9,8 @@ namespace gas {
 
 inline constexpr double kMolarGasConstant = 8.31446261815324;  // [J/(mol K)] CODATA 2018, exact
 inline constexpr double kStandardPressure = 1e5;               // [Pa] of the entropies (G.3)
-inline constexpr double kReferenceTemperature = 298.15;        // [K] of a constant cp, if no other is given
+inline constexpr double kReferenceTemperature = 298.15;        // [K] default temperature at which a constant
+                                                               // cp is taken
 inline constexpr double kJointTemperature = 1000.0;            // [K] where the two NASA-7 ranges meet
 
 /// NASA-7 coefficients a1..a7 of one temperature range:
@@ -21,7 +22,7 @@ using Nasa7 = std::array<double, 7>;
 /// An ideal gas. A gas of constant cp has a1 = cp/R and all other coefficients zero, so h = cp T and u = cv T
 /// without offset. Its range is every positive temperature.
 struct Species {
-  std::string name;            // compositions refer to it
+  std::string name;            // used in compositions
   double molar_mass;           // [kg/mol]
   double minimum_temperature;  // [K]
   double maximum_temperature;  // [K]
@@ -44,7 +45,7 @@ Species nasa7_species(std::string_view name);
 Species nasa7_species(std::string_view name, double molar_mass, double minimum_temperature,
                       double maximum_temperature, const Nasa7& low, const Nasa7& high);
 
-/// Built-in species with constant cp: the value of NASA-7 at `temperature` [K], 200 to 6000. Throws
+/// Built-in species with constant cp, taken from NASA-7 at `temperature` [K], 200 to 6000. Throws
 /// std::invalid_argument for another temperature or an unknown name.
 Species constant_cp_species(std::string_view name, double temperature = kReferenceTemperature);
 
@@ -55,9 +56,10 @@ Species constant_cp_species(const Species& species, double temperature);
 /// finite; else throws std::invalid_argument.
 Species constant_cp_species(std::string_view name, double gas_constant, double cp);
 
-/// One part of a composition, by mole or by mass; the function that takes it says which.
+/// One part of a composition. Whether the fraction is by mole or by mass depends on the function that takes
+/// it.
 struct Component {
-  std::string species;  // its name
+  std::string species;  // name of the species
   double fraction;      // [-]
 };
 

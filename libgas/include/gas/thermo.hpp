@@ -61,7 +61,7 @@ class Thermo : public SpeciesSet {
   std::vector<double> gas_constants_;  // [J/(kg K)]
   std::vector<Mixture::Sums> low_;     // R_k a_jk of 1 kg
   std::vector<Mixture::Sums> high_;
-  Mixture none_;  // of no mass: the range of temperature, and if cp is constant
+  Mixture none_;  // of no mass; holds the range of temperature, and whether cp is constant
 };
 
 }  // namespace gas

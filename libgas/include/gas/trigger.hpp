@@ -13,15 +13,15 @@ namespace gas {
 
 /// Quantity that a sensor watches.
 enum class SensorKind {
-  time,      // on from `threshold` [s]
-  signal,    // on while the supplied signal is at `threshold` or above
+  time,      // on from the time `threshold` [s]
+  signal,    // on while the signal is at or above `threshold`
   pressure,  // on from when p - p_a reaches `threshold` [Pa]; off below `reset`, if given
   input,     // set by the caller between steps (contact); takes effect at the next step
 };
 
 /// A node that watches one quantity.
 struct Sensor {
-  SensorKind kind;                // decides which of the other members are read
+  SensorKind kind;                // decides which other members are used
   double threshold = 0.0;         // [s], unit of the signal, or [Pa]; not read by `input`
   std::optional<double> reset{};  // [Pa] < threshold, `pressure` only; none: the sensor stays on
   std::optional<Curve> signal{};  // `signal` only; held outside its knots
@@ -55,8 +55,8 @@ struct NodeState {
   double since = std::numeric_limits<double>::infinity();
   /// [s] when it first came on.
   double first_on = std::numeric_limits<double>::infinity();
-  /// [s] gates only: since when the condition holds, or when it first held if the gate latches; else
-  /// infinity.
+  /// [s] gates only: when the condition last became true (a latching gate: when it first did); infinity if it
+  /// is false.
   double held_since = std::numeric_limits<double>::infinity();
 };
 
@@ -73,11 +73,11 @@ void validate(const TriggerModel& model);
 /// if `node` is not an input sensor.
 void set_input(const TriggerModel& model, std::size_t node, bool on, TriggerState& state);
 
-/// Nodes that a node depends on, itself among them: one flag per node. Throws std::out_of_range.
+/// Nodes that a node depends on, itself included: one flag per node. Throws std::out_of_range.
 std::vector<bool> nodes_behind(const TriggerModel& model, std::size_t node);
 
-/// Times [s] from 0 to `end` at which a node comes on and goes off in turn, first on. Nothing if it depends
-/// on a pressure or an input sensor: then the run decides.
+/// Times [s] from 0 to `end` at which a node switches: on, off, on, and so on. Empty if the node depends on a
+/// pressure or an input sensor, so that only a run can tell.
 std::optional<std::vector<double>> switching_times(const TriggerModel& model, std::size_t node, double end);
 
 }  // namespace gas

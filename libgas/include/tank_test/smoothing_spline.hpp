@@ -11,7 +11,7 @@
 
 namespace gas {
 
-/// Value and slope of a spline at one time, as sums over kOrder of its coefficients.
+/// Weights of kOrder coefficients in the value and the slope of a spline at one time.
 struct SplineBasis {
   static constexpr std::size_t kOrder = 6;  // quintic
   std::size_t first;                        // number of the first coefficient
@@ -28,8 +28,8 @@ struct SplinePoint {
 /// are too few.
 SplinePoint evaluate(const SplineBasis& basis, std::span<const double> coefficients);
 
-/// Noise model: the standard deviation of a reading is a fixed share of the reading itself, or of the gauge's
-/// full scale and thus the same over the record.
+/// Noise model: the standard deviation of a reading is a fixed share of the reading, or of the gauge's full
+/// scale (then it is constant over the record).
 enum class Noise { of_reading, of_full_scale };
 
 struct Posterior;
@@ -38,7 +38,7 @@ struct Posterior;
 ///   sum w_i (y_i - s(t_i))^2 + lambda int v s'''(x)^2 dx                                             (G.30)
 /// Here x is the time scaled to [0, 1], and y is scaled to a largest reading of 1. The weight is
 /// w_i = 1/(mean of readings near i)^2 or, for noise of full scale, 1. A first fit with v = 1 finds where the
-/// curve bends. A second fit takes v = (r/max r + 0.001)^(-1/2), r the mean of s'''^2 around x.
+/// curve bends. A second fit uses v = (r/max r + 0.001)^(-1/2), where r is the mean of s'''^2 around x.
 ///
 /// lambda is the most likely one of a Gaussian process with this penalty (Wahba, Ann. Stat. 13, 1985,
 /// 1378-1402), on a grid of ten values a decade.                                                      (G.31)
@@ -63,8 +63,8 @@ class SmoothingSpline {
 
   double smoothing() const;           // lambda, dimensionless
   double degrees_of_freedom() const;  // [-] trace of the smoother
-  /// Standard deviation of a reading [-] from the weighted residuals, over the reading or, for noise of full
-  /// scale, over the largest reading.
+  /// Standard deviation of a reading [-] from the weighted residuals, relative to the reading or, for noise
+  /// of full scale, to the largest reading.
   double noise() const;
 
   /// Coefficients, in the unit of the readings.

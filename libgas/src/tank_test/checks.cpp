@@ -13,8 +13,8 @@
 namespace gas {
 namespace {
 
-constexpr double kChamberSlack = 5.0;       // standard deviations: what noise alone does not reach
-constexpr double kMedianOfNormal = 0.6745;  // of the magnitude, for unit deviation
+constexpr double kChamberSlack = 5.0;       // standard deviations that noise alone does not reach
+constexpr double kMedianOfNormal = 0.6745;  // median of the magnitude of a normal number with unit deviation
 
 void check_fractions(const TankTest& test, std::span<const double> fractions, const char* name) {
   require(fractions.size() == test.thermo.size(), name, static_cast<double>(fractions.size()),
@@ -27,8 +27,8 @@ void check_fractions(const TankTest& test, std::span<const double> fractions, co
   require(std::abs(sum - 1.0) <= 1e-9, name, sum, "mass fractions must sum to 1");
 }
 
-/// Standard deviation of one reading, from the median of the second differences (6 is the sum of the squares
-/// of 1, -2, 1): an outlier does not count. As a fraction of the reading, or in its unit.
+/// Standard deviation of one reading, from the median of the second differences, so that outliers do not
+/// count (6 is the sum of the squares of 1, -2, 1). It is a fraction of the reading, or in its unit.
 double robust_noise(std::span<const double> readings, Noise noise) {
   std::vector<double> differences;
   for (std::size_t i = 1; i + 1 < readings.size(); ++i)

@@ -7,10 +7,11 @@ namespace gas {
 namespace {
 
 constexpr std::ptrdiff_t kFewest = 5;  // equal largest readings
-// Times as many as at the next lower reading. At a smooth peak the time above a level goes with the root of
-// its depth: 1/(sqrt 2 - 1) = 2.4 if the whole top level is below the peak.
+// Least ratio of their number to that of the next lower reading. At a smooth peak the time above a level
+// grows with the root of its depth, so the ratio is at most 1/(sqrt 2 - 1) = 2.4.
 constexpr std::ptrdiff_t kPiled = 4;
-constexpr double kComesToRest = 0.15;  // of the steepest rise; a gauge of 200 steps rises by 0.08 of it there
+constexpr double kComesToRest = 0.15;  // share of the steepest rise; with a gauge of 200 steps the rise at a
+                                       // peak is 0.08 of it
 
 /// Largest rise [Pa] of the readings over `span` of them.
 double steepest(std::span<const double> readings, std::size_t span) {
@@ -34,8 +35,8 @@ Level next_below(std::span<const double> readings, double top) {
   return {next, std::ranges::count(readings, next)};
 }
 
-/// The readings come to rest at the largest one: they never fall by more than the last step, the resolution
-/// there, and rise slowly over the last two steps.
+/// True if the readings come to rest at the largest one: they never fall by more than the last step (their
+/// resolution), and rise slowly over the last two steps.
 bool rests(std::span<const double> readings, double top, const Level& next) {
   const double step = top - next.value;
   for (std::size_t i = 1; i < readings.size(); ++i)

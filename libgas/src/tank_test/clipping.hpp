@@ -7,12 +7,12 @@
 
 namespace gas {
 
-/// Where a gauge is cut off at the end of its range: many readings equal the largest one, and hardly any the
-/// next lower one. A smooth peak of rounded readings has 2.4 times as many at the top at most.
+/// Finds where a gauge is cut off at the end of its range: many readings equal the largest one, and hardly
+/// any equal the next lower value. At a smooth peak of rounded readings the ratio is at most 2.4.
 ///
-/// A pressure that rests at the end of the record is no such place: it comes to rest slowly, and readings
-/// scatter there as before. A flow that stops at once looks like a gauge that is cut off, and is taken for
-/// one, if readings do not scatter at all.
+/// A pressure that comes to rest at the end of the record does not count: it does so slowly, and its readings
+/// still scatter. If readings do not scatter at all, a flow that stops at once is mistaken for a cut-off
+/// gauge.
 std::optional<Clipping> find_clipping(std::span<const double> times, std::span<const double> readings);
 
 }  // namespace gas

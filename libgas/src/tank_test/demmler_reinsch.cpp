@@ -13,8 +13,8 @@ namespace gas {
 namespace {
 
 constexpr double kGridRatio = 1.2589254117941673;  // ten values of lambda a decade
-constexpr double kFewestDegrees = 3.01;            // of freedom
-constexpr double kParabola = 3.0;                  // coefficients of what no lambda smooths
+constexpr double kFewestDegrees = 3.01;            // degrees of freedom
+constexpr double kParabola = 3.0;                  // coefficients that no lambda smooths
 
 }  // namespace
 
@@ -68,7 +68,7 @@ double Scores::minus_log_likelihood(double lambda) const {  // (G.31)
 
 Lambdas Scores::likely() const {
   const double roughest = *std::ranges::max_element(roughness);
-  // From a fit that smooths no mode to one that leaves nothing but a parabola.
+  // The grid ranges from a fit without smoothing to a fit that is a parabola.
   const double highest = 1e3 * roughest;
   Lambdas result;
   std::vector<double> logs;

@@ -15,7 +15,7 @@ struct Modes {
   std::vector<double> roughness;  // s_k >= 0
 
   double column(std::size_t i, std::size_t k) const { return gsl_matrix_get(columns.get(), i, k); }
-  /// Amplitudes Z^T right of the modes in a right side of the normal equations.
+  /// Amplitudes Z^T right of the modes, for a right side of the normal equations.
   std::vector<double> amplitudes(std::span<const double> right) const;
   /// Coefficients of the spline, scale Z amplitudes.
   std::vector<double> sum(std::span<const double> amplitudes, double scale) const;
@@ -37,7 +37,7 @@ struct Scores {
   std::span<const double> roughness;
   std::vector<double> amplitudes;
   double residual;  // weighted sum of squares of the fit with lambda = 0
-  double count;     // of readings
+  double count;     // number of readings
   /// Largest roughness of the three modes that make a parabola; zero but for round-off.
   double smoothest;
 
@@ -47,10 +47,10 @@ struct Scores {
   Lambdas likely() const;
 };
 
-/// What the readings leave open: the spline's posterior (G.32), by modes.
+/// Posterior of the spline given the readings (G.32), by modes.
 struct Posterior {
   Modes modes;
-  std::vector<double> amplitudes;  // of the modes in the readings
+  std::vector<double> amplitudes;  // amplitudes of the modes in the readings
   Lambdas lambdas;
   double scale;               // largest reading
   double degrees_of_freedom;  // [-] trace of the smoother

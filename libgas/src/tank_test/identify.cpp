@@ -18,20 +18,22 @@
 namespace gas {
 namespace {
 
-constexpr double kLeastRise = 5.0;  // standard deviations of the largest slope
-constexpr double kResolved = 4.0;   // standard deviations of K from which its inverse has a band
-constexpr double kFirm = 10.0;      // standard deviations of K: its temperature is known to a fifth
-constexpr double kFalls = 5.0;      // standard deviations of a pressure that the tank loses after the burn
-constexpr double kUndersmoothing =
-    3.0;                              // of lambda in the draws: what smoothing biases is then below the noise
-constexpr double kSharp = 4.0;        // times the burn's mean roughness: smoothing rounds such a bend
-constexpr double kBeyond = 0.025;     // of the draws: the percentiles of a band
+constexpr double kLeastRise = 5.0;       // standard deviations of the largest slope
+constexpr double kResolved = 4.0;        // standard deviations of K: above these its inverse has a band
+constexpr double kFirm = 10.0;           // standard deviations of K: its temperature is known to a fifth
+constexpr double kFalls = 5.0;           // standard deviations: a fall of the tank's pressure after the burn
+constexpr double kUndersmoothing = 3.0;  // divisor of lambda in the draws: keeps the bias of smoothing below
+                                         // the noise
+constexpr double kSharp = 4.0;        // multiple of the burn's mean roughness: smoothing rounds bends sharper
+                                      // than this
+constexpr double kBeyond = 0.025;     // share of the draws outside a band, at each end
 constexpr double kMostMisfits = 0.1;  // of the draws
-constexpr double kMiss = 0.005;       // of the pressure: 501 points over 150 ms make 7e-4 of a rise of 1 ms
+constexpr double kMiss = 0.005;       // share of the pressure: 501 points over 150 ms miss 7e-4 in a rise of
+                                      // 1 ms
 constexpr double kMissNoise = 5.0;    // standard deviations of a reading
-constexpr long kLeastReadings = 30;   // within the burn: with fewer, smoothing rounds the pulse itself
+constexpr long kLeastReadings = 30;   // in the burn: with fewer, smoothing rounds the pulse itself
 
-/// One pressure: its spline, and the basis at the times of the result.
+/// The spline of one pressure, and its basis at the times of the result.
 struct Smoothed {
   SmoothingSpline spline;
   std::vector<SplineBasis> basis;
@@ -49,7 +51,7 @@ struct Splines {
   std::optional<Smoothed> chamber;
 };
 
-/// Pressures at the result's times from coefficients of both splines.
+/// Pressures at the times of the result, from coefficients of both splines.
 Pressures pressures(const Splines& splines, double initial, std::span<const double> tank,
                     std::span<const double> chamber) {
   Pressures p;
@@ -70,8 +72,8 @@ Pressures pressures(const Splines& splines, double initial) {
                    splines.chamber ? splines.chamber->spline.coefficients() : std::span<const double>());
 }
 
-/// Where the tank holds all of the mass: at the end of the record, or where its pressure is highest if it has
-/// fallen since by more than noise explains.
+/// Point at which the tank holds all of the mass: the end of the record, or the peak of the pressure if it
+/// then falls by more than the noise.
 std::size_t find_end(const Splines& splines, const Pressures& p) {
   const auto deviation = [&](std::size_t i) {
     return splines.tank.spline.deviation(splines.tank.basis[i]).value;
@@ -82,7 +84,7 @@ std::size_t find_end(const Splines& splines, const Pressures& p) {
   return fall > kFalls * elementary::hypot(deviation(peak), deviation(last)) ? peak : last;
 }
 
-/// From the first point that is not masked to the last, and on either side as far as K > 0.
+/// Sets the burn: all points that are not masked, extended on both sides as far as K > 0.
 void set_burn(const std::vector<double>& k, Burn& burn) {
   burn.first = 0;
   burn.last = burn.end;
@@ -92,8 +94,8 @@ void set_burn(const std::vector<double>& k, Burn& burn) {
   while (burn.last < burn.end && k[burn.last + 1] > 0.0) ++burn.last;
 }
 
-/// Masked: K is below `threshold` of its largest, or its noise hides it, or the chamber drives no flow, or
-/// its gauge is cut off.
+/// Finds the burn. A point is masked if K is below `threshold` of its maximum or hidden by noise, if the
+/// chamber drives no flow, or if its gauge is cut off.
 Burn find_burn(const Splines& splines, const Pressures& p, double threshold, std::vector<char> clipped) {
   const std::size_t n = p.rate.size();
   std::vector<double> signal;
@@ -143,7 +145,7 @@ std::vector<char> within(const std::optional<Clipping>& clipping, std::span<cons
 }
 
 InitialPressure initial_pressure(const TankReadings& readings, const SmoothingSpline& spline, Noise noise) {
-  constexpr double kLeast = 1e-12;  // of the scale, for readings without noise
+  constexpr double kLeast = 1e-12;  // share of the scale, for readings without noise
   const double scale =
       noise == Noise::of_reading ? readings.tank.front() : *std::ranges::max_element(readings.tank);
   return {readings.times, readings.tank, scale * std::max(kLeast, spline.noise())};
@@ -156,8 +158,8 @@ std::vector<double> drawn_coefficients(const SmoothingSpline& spline, double und
   return drawn;
 }
 
-/// How far, in ln T, the firm temperatures are from the first and from the last of them (r.m.s.): so far may
-/// those be that are held outside.
+/// R.m.s. distance, in ln T, of the firm temperatures from the first and from the last of them. It is the
+/// uncertainty of the constant temperatures outside.
 struct HeldSpread {
   double before = 0.0, after = 0.0;
 };
@@ -190,9 +192,9 @@ Sample draw(const Splines& splines, const TankTest& test, std::span<const double
           Inversion(test, times, p).enthalpy_flow(best.mean_temperature)};
 }
 
-/// No band from too few readings in the burn, where the pressure bends more sharply than smoothing follows,
-/// where the point is masked, or where the estimate or draws beyond the band's percentiles end at the range
-/// of temperatures.
+/// Claims bands, except where the burn has too few readings, the pressure bends too sharply for the
+/// smoothing, the point is masked, or the estimate or too many draws are at an end of the range of
+/// temperatures.
 void claim(std::span<const double> readings, TankGas::Range range, const SmoothingSpline& tank,
            const Burn& burn, std::span<const Sample> samples, Identified& result) {
   const double start = result.points[burn.first].time, end = result.points[burn.last].time;

@@ -11,16 +11,16 @@
 namespace gas {
 namespace {
 
-constexpr double kRisen = 6.0;            // standard deviations of a reading: from here on it has risen
-constexpr std::size_t kReference = 3;     // readings whose mean the rise counts from
-constexpr std::size_t kMostShares = 200;  // numbers of flat readings that are looked at
+constexpr double kRisen = 6.0;            // standard deviations of a reading: a larger rise counts as risen
+constexpr std::size_t kReference = 3;     // the rise is measured from the mean of so many readings
+constexpr std::size_t kMostShares = 200;  // numbers of flat readings that are tried
 
 constexpr std::size_t kTerms = 3;  // 1 and two powers of the time since the onset
 
 using Row = std::array<double, kTerms>;
 using Matrix = std::array<Row, kTerms>;
 
-/// One past the last reading to look at: the first of two in turn that have risen.
+/// One past the last reading to use: the first of two successive readings that have risen.
 std::size_t find_risen(std::span<const double> readings, double deviation) {
   double reference = 0.0;
   for (std::size_t i = 0; i < kReference; ++i) reference += readings[i] / kReference;
@@ -30,7 +30,7 @@ std::size_t find_risen(std::span<const double> readings, double deviation) {
   return i;
 }
 
-/// In place, Cholesky; returns the logarithm of the determinant.
+/// Cholesky factors in place; returns the logarithm of the determinant.
 double factorize(Matrix& m) {
   double logarithm = 0.0;
   for (std::size_t k = 0; k < kTerms; ++k) {
@@ -50,7 +50,7 @@ double factorize(Matrix& m) {
 InitialPressure::InitialPressure(std::span<const double> times, std::span<const double> readings,
                                  double deviation) {
   const std::size_t end = find_risen(readings, deviation), step = end / kMostShares + 1;
-  // In deviations and in mean intervals: a and b are then of the order of the rise that ends the range.
+  // Scaled by the deviation and the mean interval, so that a and b are of the order of the rise.
   const double interval = (times[end] - times[0]) / static_cast<double>(end), origin = readings[0];
   std::vector<double> logarithms;
   for (std::size_t last = 0; last < end; last += step) {

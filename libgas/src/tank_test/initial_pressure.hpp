@@ -7,15 +7,15 @@ namespace gas {
 
 /// Pressure of the tank before firing: the mean of the readings that are flat at the start of the record.
 ///
-/// How many are flat, the readings decide. For each number n of them the pressure is c, then
-/// c + a (t - t_n) + b (t - t_n)^2, up to where it has risen by six standard deviations of a reading. The
-/// posterior of c is the mixture over n, weighted by 1/n and by the evidence (linear Gaussian model, flat
-/// prior of c): a record often starts at firing, which one number among many would hide. The smoothing spline
-/// does not serve: smoothing rounds the kink at the onset, and starts too high.   (G.38)
+/// The number n of flat readings is not known. For each n the pressure is c, then
+/// c + a (t - t_n) + b (t - t_n)^2, up to a rise of six standard deviations of a reading. The posterior of c
+/// is the mixture over n, weighted by the evidence (linear Gaussian model, flat prior of c) and by 1/n,
+/// because a record often starts at firing. The smoothing spline starts too high, because it rounds the kink
+/// at the onset. (G.38)
 class InitialPressure {
  public:
-  /// `deviation` [Pa] > 0 is that of a reading at the start. Preconditions: times that rise, three readings
-  /// or more.
+  /// `deviation` [Pa] > 0 is the standard deviation of a reading at the start. Preconditions: times that
+  /// rise, three readings or more.
   InitialPressure(std::span<const double> times, std::span<const double> readings, double deviation);
 
   /// [Pa] posterior mean.

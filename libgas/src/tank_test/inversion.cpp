@@ -9,10 +9,11 @@
 namespace gas {
 namespace {
 
-// The area goes with the square root of the mass but for the tank's gas: a factor of 5 or more an iteration.
+// The area is nearly proportional to the square root of the mass, so each iteration reduces the error by a
+// factor of 5 or more.
 constexpr int kMostIterations = 100;
 constexpr double kSettled = 1e-11;
-constexpr double kChoked = 2.1;  // p_c/p from which every gas (gamma up to 5/3) is sonic in the outlet
+constexpr double kChoked = 2.1;  // p_c/p above which every gas (gamma up to 5/3) is sonic in the outlet
 
 }  // namespace
 
@@ -37,7 +38,7 @@ TankGas::Rate Inversion::rate(std::size_t i, double mass) const {
   return gas_.rate(times_[i], pressures_.tank[i], pressures_.rate[i], mass);
 }
 
-/// The curve: nothing outside the burn, nothing negative, and the known mass.
+/// Makes the flow zero outside the burn and nowhere negative, and scales it to the known mass.
 void Inversion::scale_to_mass(const Burn& burn, std::vector<double>& mass_flow) const {
   for (std::size_t i = 0; i < mass_flow.size(); ++i)
     mass_flow[i] = i >= burn.first && i <= burn.last ? std::max(0.0, mass_flow[i]) : 0.0;
@@ -48,7 +49,7 @@ void Inversion::scale_to_mass(const Burn& burn, std::vector<double>& mass_flow) 
 }
 
 FlowCurves Inversion::average_temperature(const Burn& burn) const {
-  rate(burn.end, test_.total_mass);  // refuses what is out of range
+  rate(burn.end, test_.total_mass);  // throws if it is out of range
   const double enthalpy = gas_.mean_enthalpy(pressures_.tank[burn.end], test_.total_mass);
   const double temperature = gas_.inflow_temperature(enthalpy);
   FlowCurves flow{std::vector<double>(times_.size(), 0.0), std::vector<double>(times_.size(), temperature),
@@ -62,7 +63,7 @@ FlowCurves Inversion::average_temperature(const Burn& burn) const {
   return flow;
 }
 
-/// The temperature of the nearest firm point wherever there is none.
+/// Gives points that are not firm the temperature of the nearest firm point.
 std::vector<double> Inversion::held(const Burn& burn, std::vector<double> temperature) const {
   std::ptrdiff_t before = -1;
   for (std::ptrdiff_t i = 0; i < std::ssize(temperature); ++i) {
@@ -80,8 +81,8 @@ std::vector<double> Inversion::held(const Burn& burn, std::vector<double> temper
   return temperature;
 }
 
-/// Temperature and flow at every point for the area of `flow` and the mass that is in the tank by then. Where
-/// masked, a choked outlet says more of the flow than K does.
+/// Temperature and flow at every point, for the area of `flow` and the mass in the tank at that point. At
+/// masked points a choked outlet gives the flow better than K.
 void Inversion::solve(const Burn& burn, const std::vector<double>& mass, FlowCurves& flow) const {
   std::vector<double> solved = flow.temperature;
   for (std::size_t i = 0; i <= burn.end; ++i)
@@ -120,7 +121,7 @@ FlowCurves Inversion::dual_pressure(const Burn& burn, const FlowCurves& guess) c
       throw DomainError("tank test: no outlet's area gives the mass: pressures, volume and mass do not fit");
     double change = std::abs(ratio - 1.0);
     for (std::size_t j = 0; j < mass.size(); ++j) {
-      // The mass by then as a share of all, so that no step leaves the range of temperatures.
+      // The mass so far is a share of the total, so that no step leaves the range of temperatures.
       next[j] = std::clamp(ratio * next[j], 0.0, test_.total_mass);
       change = std::max(change, std::abs(next[j] - mass[j]) / test_.total_mass);
     }

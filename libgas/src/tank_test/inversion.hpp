@@ -12,15 +12,15 @@ struct Pressures {
   double initial = 0.0;         // [Pa] of the tank before firing
 };
 
-/// Points that carry flow, and those at which it is well determined.
+/// Points with flow, and points at which the flow is well determined.
 struct Burn {
   std::size_t first = 0, last = 0;  // the flow is zero outside
   std::size_t end = 0;              // from here on the tank holds all of the mass
   std::vector<char> masked;
-  std::vector<char> clipped;  // the chamber's gauge is cut off: its pressure says nothing
-  /// Not masked, and well determined: masked points take their temperature from these.
+  std::vector<char> clipped;  // the chamber gauge is cut off, its pressure unknown
+  /// Not masked and well determined. Other points take their temperature from these.
   std::vector<char> firm;
-  /// Factors of the temperatures that are held before the first and after the last firm point.
+  /// Factors of the constant temperatures before the first and after the last firm point.
   double before = 1.0, after = 1.0;
 };
 

@@ -10,8 +10,8 @@
 namespace gas {
 namespace {
 
-constexpr double kSmallestShare = 1e-6;  // of the largest reading
-constexpr std::size_t kWeightReach = 4;  // readings on each side in the mean that sets a weight
+constexpr double kSmallestShare = 1e-6;  // share of the largest reading
+constexpr std::size_t kWeightReach = 4;  // readings on each side that enter the mean of a weight
 
 }  // namespace
 
@@ -32,7 +32,7 @@ void check_readings(std::span<const double> times, std::span<const double> readi
   }
   const double largest = *std::ranges::max_element(readings);
   require(largest > 0.0, name, largest, "the largest reading must be above 0");
-  // Weights go with the inverse square: beyond this the normal equations have no digits left.
+  // Weights are inverse squares: a larger range leaves the normal equations no digits.
   for (std::size_t i = 0; i < readings.size(); ++i)
     if (noise == Noise::of_reading && !(readings[i] >= kSmallestShare * largest))
       throw ReadingError(name, i, to_text(readings[i]) + ": must not be below a millionth of the largest");

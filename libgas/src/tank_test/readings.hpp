@@ -9,7 +9,7 @@ void check_readings(std::span<const double> times, std::span<const double> readi
                     Noise noise);
 
 /// Square roots of the weights: 1/(mean of the readings near i), because a weight from the reading itself
-/// would favour low ones. For noise of full scale: 1 over the largest reading.
+/// would favour low readings. For noise of full scale: 1 over the largest reading.
 std::vector<double> root_weights(std::span<const double> readings, Noise noise);
 
 }  // namespace gas

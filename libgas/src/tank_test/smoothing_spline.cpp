@@ -18,11 +18,13 @@ namespace {
 constexpr std::size_t kOrder = SplineBasis::kOrder;
 constexpr std::size_t kPenalisedDerivative = 3;
 constexpr std::size_t kReadingsPerInterval = 4;
-constexpr std::size_t kFineIntervals = 160;  // up to so many hold two readings, for short records
+constexpr std::size_t kFineIntervals = 160;  // up to this number intervals may hold two readings, for short
+                                             // records
 constexpr int kRounds = 2;                   // the first finds where the spline bends
-constexpr double kLeastRoughness = 1e-3;     // of the largest: no part of the record is held straight
+constexpr double kLeastRoughness = 1e-3;     // share of the largest: so that no part of the record is forced
+                                             // straight
 
-/// Breakpoints at every n-th time, so that each interval holds readings however they are spaced.
+/// Breakpoints at every n-th time, so that each interval holds readings.
 gsl::Spline make_spline(std::span<const double> times, double length) {
   const std::size_t last = times.size() - 1;
   const std::size_t intervals =
@@ -82,7 +84,7 @@ gsl::Matrix SmoothingSpline::Workspace::penalty(std::span<const double> stiffnes
   return sum;
 }
 
-/// s'''^2 of these coefficients by intervals, its mean over `reach` of them on each side.
+/// s'''^2 by intervals, averaged over `reach` intervals on each side.
 std::vector<double> SmoothingSpline::Workspace::roughness(std::span<const double> coefficients,
                                                           std::size_t reach) {
   std::vector<double> square, mean;
@@ -167,7 +169,7 @@ void SmoothingSpline::fit(std::span<const double> times, std::span<const double>
   }
 }
 
-/// Weighted sum of squares of what `coefficients` leave of the readings.
+/// Weighted sum of squares of the readings minus the spline.
 double SmoothingSpline::residual(std::span<const double> times, std::span<const double> readings,
                                  std::span<const double> weights,
                                  std::span<const double> coefficients) const {

@@ -11,9 +11,9 @@
 namespace gas {
 namespace {
 
-// Where gases of constant cp, which have every temperature, are looked for.
+// Range of the search for gases of constant cp, whose own range is unlimited.
 constexpr double kLowest = 1.0, kHighest = 1e5;  // [K]
-// Newton steps in ln T; quadratic but for the slope of gamma(T), which is left out.
+// Newton steps in ln T; quadratic except for the slope of gamma(T), which is neglected.
 constexpr int kMostSteps = 60;
 constexpr double kTemperatureSettled = 1e-13;
 constexpr double kLeastSlope = 0.05;
@@ -25,8 +25,8 @@ Mixture amount(const Thermo& thermo, std::span<const double> fractions, double m
   return thermo.mixture(masses);
 }
 
-/// Root of a rising function within bounds; the bound next to it if there is none. `function` gives value and
-/// slope: Newton's method, and halving where that leaves what is left of the range.
+/// Root of a rising function within bounds; the nearest bound if there is none. `function` gives value and
+/// slope. Newton's method, with bisection where it leaves the bracket.
 template <typename Function>
 double rising_root(double low, double high, double guess, const Function& function) {
   double x = std::clamp(guess, low, high);
@@ -107,7 +107,7 @@ double TankGas::stagnation_temperature(const Rate& rate, double area, double cha
   for (int i = 0; i < kMostSteps; ++i) {
     const double content = inflator_.enthalpy(t) + rate.offset;
     const double excess = outlet_flow(area, t, chamber, tank) * content / rate.power;
-    // Outlet flow goes with T^(-1/2): d ln(excess)/d ln T.
+    // d ln(excess)/d ln T; the outlet flow goes with T^(-1/2).
     const double slope = std::max(kLeastSlope, inflator_.cp(t) * t / content - 0.5);
     const double step = excess > 0.0 ? std::clamp(-elementary::log(excess) / slope, -1.0, 1.0) : 1.0;
     const double next = std::clamp(t * elementary::exp(step), range_.low, range_.high);

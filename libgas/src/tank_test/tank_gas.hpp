@@ -18,9 +18,9 @@ class TankGas {
   /// Throws DomainError, naming `time`, if the gas temperature leaves its range.
   Rate rate(double time, double p, double dp, double m) const;
 
-  /// Specific enthalpy [J/kg] at which the mass m [kg] raised the tank from its start to p [Pa].
+  /// Specific enthalpy [J/kg] of the mass m [kg] that raised the tank from its start to p [Pa].
   double mean_enthalpy(double p, double m) const;
-  /// Mass [kg], at most `most`, that raised the tank to p at that enthalpy [J/kg]; near `guess`.
+  /// Mass [kg] of that enthalpy [J/kg], at most `most`, that raised the tank to p. `guess` is near it.
   double delivered(double p, double enthalpy, double most, double guess) const;
   /// Temperature [K] of the inflator's gas with that enthalpy [J/kg]. Throws DomainError outside its range.
   double inflow_temperature(double enthalpy) const;
